@@ -1,1 +1,47 @@
-//! Symplectic splitting integrators.
+//! Symplectic splitting integrators whose steppers a macro writes.
+#![deny(unsafe_code)]
+
+extern crate self as integrator_core;
+
+mod composition;
+mod coords;
+mod error;
+mod fused;
+mod hamiltonian;
+mod instruction_set;
+mod phase;
+mod real;
+mod run;
+mod samples;
+mod slot;
+
+pub use composition::{Class, Composition, Scheme};
+pub use coords::Coords;
+pub use error::{Divergence, Error};
+pub use hamiltonian::{Hamiltonian, QuadraticKinetic};
+pub use instruction_set::InstructionSet;
+pub use integrator_macros::{composition, hamiltonian};
+pub use phase::Phase;
+pub use run::Run;
+pub use samples::{Sample, Samples};
+pub use slot::Compensated;
+
+/// What a user of the library brings into scope with one line.
+pub mod prelude {
+    pub use crate::{
+        Compensated, Composition, Error, Hamiltonian, Phase, Run, Sample, Samples, Scheme, composition, hamiltonian,
+    };
+}
+
+/// The door through which generated code enters. Nothing here is stable.
+#[doc(hidden)]
+pub mod __private {
+    pub use crate::{
+        composition::{Class, Composition, Lead, Scheme, Stage, Stages},
+        coords::Coords,
+        fused::Fused,
+        hamiltonian::{Flows, Hamiltonian, Motion, Plain, Prepared, QuadraticKinetic, Shaped},
+        real::{Kernel, Real},
+        slot::{Keep, Slot},
+    };
+}

@@ -1,0 +1,134 @@
+//! The shapes that coordinates come in: arrays and vectors of numbers or of points.
+
+use crate::{
+    real::Real,
+    slot::{Keep, Slot},
+};
+use std::fmt::Debug;
+
+/// The positions or the momenta of a system, in the shape that the user wrote: `[K; N]`, `[[K; D]; N]`, `Vec<K>` or
+/// `Vec<[K; D]>` with a leaf `K` of `f64`, `f32` or [`Compensated<f64>`](crate::Compensated).
+pub trait Coords: Clone + Debug + PartialEq + Send + Sync + 'static {
+    /// The type of one coordinate.
+    type Leaf: Keep;
+    /// The same shape with another leaf.
+    type With<K: Keep>: Coords<Leaf = K>;
+    /// The same shape, filled with slots.
+    type Slots<R: Real>: Clone + Send + Sync + 'static;
+
+    /// All coordinates, points one after the other.
+    fn flat(&self) -> &[Self::Leaf];
+    /// All coordinates, to be written.
+    fn flat_mut(&mut self) -> &mut [Self::Leaf];
+    /// The same numbers with another leaf.
+    fn map<K: Keep>(&self, leaf: impl Fn(Self::Leaf) -> K) -> Self::With<K>;
+    /// Slots filled from one set of coordinates per lane.
+    fn inward<'a, R: Real>(of_lane: impl Fn(usize) -> &'a Self) -> Self::Slots<R>;
+    /// Slots as a flat slice.
+    fn slots<R: Real>(slots: &Self::Slots<R>) -> &[<Self::Leaf as Keep>::Slot<R>];
+
+    /// Writes one lane of `slots` into `self`.
+    #[inline(always)]
+    fn outward<R: Real>(&mut self, slots: &Self::Slots<R>, lane: usize) {
+        for (leaf, slot) in self.flat_mut().iter_mut().zip(Self::slots(slots)) {
+            *leaf = Self::Leaf::outward(*slot, lane);
+        }
+    }
+    /// Whether every coordinate of every lane is finite.
+    #[inline(always)]
+    fn finite<R: Real>(slots: &Self::Slots<R>) -> bool {
+        Self::slots(slots).iter().all(|slot| slot.value().finite())
+    }
+}
+
+impl<K: Keep, const N: usize> Coords for [K; N] {
+    type Leaf = K;
+    type With<L: Keep> = [L; N];
+    type Slots<R: Real> = [K::Slot<R>; N];
+
+    fn flat(&self) -> &[K] {
+        self
+    }
+    fn flat_mut(&mut self) -> &mut [K] {
+        self
+    }
+    fn map<L: Keep>(&self, leaf: impl Fn(K) -> L) -> [L; N] {
+        std::array::from_fn(|i| leaf(self[i]))
+    }
+    #[inline(always)]
+    fn inward<'a, R: Real>(of_lane: impl Fn(usize) -> &'a Self) -> Self::Slots<R> {
+        std::array::from_fn(|i| K::inward(|lane| of_lane(lane)[i]))
+    }
+    #[inline(always)]
+    fn slots<R: Real>(slots: &Self::Slots<R>) -> &[K::Slot<R>] {
+        slots
+    }
+}
+
+impl<K: Keep, const D: usize, const N: usize> Coords for [[K; D]; N] {
+    type Leaf = K;
+    type With<L: Keep> = [[L; D]; N];
+    type Slots<R: Real> = [[K::Slot<R>; D]; N];
+
+    fn flat(&self) -> &[K] {
+        self.as_flattened()
+    }
+    fn flat_mut(&mut self) -> &mut [K] {
+        self.as_flattened_mut()
+    }
+    fn map<L: Keep>(&self, leaf: impl Fn(K) -> L) -> [[L; D]; N] {
+        std::array::from_fn(|i| std::array::from_fn(|d| leaf(self[i][d])))
+    }
+    #[inline(always)]
+    fn inward<'a, R: Real>(of_lane: impl Fn(usize) -> &'a Self) -> Self::Slots<R> {
+        std::array::from_fn(|i| std::array::from_fn(|d| K::inward(|lane| of_lane(lane)[i][d])))
+    }
+    #[inline(always)]
+    fn slots<R: Real>(slots: &Self::Slots<R>) -> &[K::Slot<R>] {
+        slots.as_flattened()
+    }
+}
+
+impl<K: Keep> Coords for Vec<K> {
+    type Leaf = K;
+    type With<L: Keep> = Vec<L>;
+    type Slots<R: Real> = Vec<K::Slot<R>>;
+
+    fn flat(&self) -> &[K] {
+        self
+    }
+    fn flat_mut(&mut self) -> &mut [K] {
+        self
+    }
+    fn map<L: Keep>(&self, leaf: impl Fn(K) -> L) -> Vec<L> {
+        self.iter().map(|x| leaf(*x)).collect()
+    }
+    fn inward<'a, R: Real>(of_lane: impl Fn(usize) -> &'a Self) -> Self::Slots<R> {
+        (0..of_lane(0).len()).map(|i| K::inward(|lane| of_lane(lane)[i])).collect()
+    }
+    fn slots<R: Real>(slots: &Self::Slots<R>) -> &[K::Slot<R>] {
+        slots
+    }
+}
+
+impl<K: Keep, const D: usize> Coords for Vec<[K; D]> {
+    type Leaf = K;
+    type With<L: Keep> = Vec<[L; D]>;
+    type Slots<R: Real> = Vec<[K::Slot<R>; D]>;
+
+    fn flat(&self) -> &[K] {
+        self.as_flattened()
+    }
+    fn flat_mut(&mut self) -> &mut [K] {
+        self.as_flattened_mut()
+    }
+    fn map<L: Keep>(&self, leaf: impl Fn(K) -> L) -> Vec<[L; D]> {
+        self.iter().map(|point| point.map(&leaf)).collect()
+    }
+    fn inward<'a, R: Real>(of_lane: impl Fn(usize) -> &'a Self) -> Self::Slots<R> {
+        (0..of_lane(0).len()).map(|i| std::array::from_fn(|d| K::inward(|lane| of_lane(lane)[i][d]))).collect()
+    }
+    fn slots<R: Real>(slots: &Self::Slots<R>) -> &[K::Slot<R>] {
+        slots.as_flattened()
+    }
+}

@@ -1,0 +1,68 @@
+//! What can go wrong with a run.
+
+/// Why a run could not start or go on. Displays what is wrong, where, and what to do.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum Error {
+    /// The step is zero or not finite.
+    #[error("the step h is {h}: it has to be finite and not zero (negative steps run backwards)")]
+    Step {
+        /// The step that was asked for.
+        h: f64,
+    },
+    /// A coordinate of the start is not finite.
+    #[error("the start is not finite: {coordinate}[{index}] is {value} (coordinates counted one after the other)")]
+    Start {
+        /// `q` or `p`.
+        coordinate: &'static str,
+        /// Which one, counted over the flattened coordinates.
+        index: usize,
+        /// What it is.
+        value: f64,
+    },
+    /// Positions and momenta of a start whose size is known at run time differ in number.
+    #[error("the start has {positions} positions but {momenta} momenta: every position needs its momentum")]
+    Length {
+        /// How many positions.
+        positions: usize,
+        /// How many momenta.
+        momenta: usize,
+    },
+    /// The start time is not finite.
+    #[error("the start time t0 is {time}: it has to be finite")]
+    Time {
+        /// The time that was asked for.
+        time: f64,
+    },
+    /// Samples every 0 steps.
+    #[error("samples(0) would stay at one point for ever: ask for a sample every 1 or more steps")]
+    SampleInterval,
+    /// The number of steps exceeds `u64::MAX`.
+    #[error("{done} steps are done and {asked} more exceed the largest step count, {}", u64::MAX)]
+    Steps {
+        /// Steps done.
+        done: u64,
+        /// Steps asked for on top.
+        asked: u64,
+    },
+    /// The state left the finite numbers.
+    #[error(transparent)]
+    Diverged(#[from] Divergence),
+}
+
+/// Where a run left the finite numbers. The run itself stays at the last finite state.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[error(
+    "the state after step {step} (t = {time}) is not finite; the last finite one is kept (q = {q:?}, p = {p:?}). \
+     A smaller step, or a look at the forces there, helps"
+)]
+pub struct Divergence {
+    /// The first step whose state is not finite.
+    pub step: u64,
+    /// The time at the end of that step.
+    pub time: f64,
+    /// The positions one step earlier, flattened.
+    pub q: Vec<f64>,
+    /// The momenta one step earlier, flattened.
+    pub p: Vec<f64>,
+}

@@ -1,0 +1,142 @@
+//! What moves: the trait that `#[hamiltonian]` writes, and the two sides from which executors see a system.
+
+use crate::{composition::Composition, coords::Coords, error::Error, phase::Phase, real::Real, run::Run, slot::Keep};
+
+/// The coordinates of `H` with leaf `K`.
+pub type Shaped<H, K> = <<H as Hamiltonian>::Coords as Coords>::With<K>;
+
+/// A separable Hamiltonian `H = T(p) + V(q)` with its exact flows. Written by `#[hamiltonian]`; not by hand.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` is not a Hamiltonian",
+    label = "has no generated stepper",
+    note = "put `#[hamiltonian]` on an `impl {Self}` with the functions `kinetic` and `potential`"
+)]
+pub trait Hamiltonian: Sized + 'static {
+    /// The shape of `q` and of `p`, with `f64` leaves.
+    type Coords: Coords<Leaf = f64, With<f64> = Self::Coords>;
+    /// The annotated composition.
+    type Compose: Composition<Self>;
+    /// What depends on parameters alone, evaluated once per run.
+    type Parameters<R: Real>: Prepared<R, Single = Self::Parameters<f64>>;
+    /// Prepared constants and state, in the layout that the generator chose.
+    type Motion<R: Real, K: Keep>: Motion<Shaped<Self, K>, Self::Parameters<f64>>;
+
+    /// Evaluates what depends on parameters alone, by the user's own expressions.
+    fn parameters(&self) -> Self::Parameters<f64>;
+    /// The exact flow of `T` for a time `duration`; `time` is where an explicit time dependence is read.
+    fn drift<R: Real, K: Keep>(motion: &mut Self::Motion<R, K>, duration: f64, time: f64);
+    /// The exact flow of `V` for a time `duration`; `time` is where an explicit time dependence is read.
+    fn kick<R: Real, K: Keep>(motion: &mut Self::Motion<R, K>, duration: f64, time: f64);
+    /// `T` at the motion's momenta.
+    fn kinetic<R: Real, K: Keep>(motion: &Self::Motion<R, K>, time: f64) -> R;
+    /// `V` at the motion's positions.
+    fn potential<R: Real, K: Keep>(motion: &Self::Motion<R, K>, time: f64) -> R;
+
+    /// A run from `start` with step `h` and the annotated composition.
+    ///
+    /// # Errors
+    /// A step that is zero or not finite; a start that is not finite or whose `q` and `p` differ in length.
+    fn run<K: Keep>(&self, start: Phase<Shaped<Self, K>>, h: f64) -> Result<Run<Shaped<Self, K>>, Error> {
+        Run::start::<Self, Self::Compose, K>(self, start, h)
+    }
+
+    /// A run from `start` with step `h` and any composition that may integrate this Hamiltonian.
+    ///
+    /// # Errors
+    /// As [`Hamiltonian::run`].
+    fn run_with<K: Keep, X: Composition<Self>>(
+        &self,
+        composition: X,
+        start: Phase<Shaped<Self, K>>,
+        h: f64,
+    ) -> Result<Run<Shaped<Self, K>>, Error> {
+        let _ = composition;
+        Run::start::<Self, X, K>(self, start, h)
+    }
+}
+
+/// A Hamiltonian with `T = ½ pᵀ M⁻¹ p` and a constant `M`. Written by `#[hamiltonian]`, which decides it symbolically.
+#[diagnostic::on_unimplemented(
+    message = "the kinetic energy of `{Self}` is not quadratic in p with a constant mass matrix",
+    label = "this composition needs T = ½ pᵀ M⁻¹ p",
+    note = "its order conditions were shortened for a quadratic T; on another T it would lose its order",
+    note = "compositions of general class, such as `Yoshida4` and `KahanLi8`, integrate every separable Hamiltonian"
+)]
+pub trait QuadraticKinetic: Hamiltonian {}
+
+/// Constants that a motion computes with, one per lane.
+pub trait Prepared<R: Real>: Clone + Send + Sync + 'static {
+    /// The constants of one member.
+    type Single: Clone + Send + Sync + 'static;
+
+    /// Gathers the constants of one member per lane.
+    fn gather<'a>(of_lane: impl Fn(usize) -> &'a Self::Single) -> Self;
+}
+
+/// State and prepared constants in the layout that the generator chose.
+pub trait Motion<C: Coords, P>: Clone + Send + Sync + 'static {
+    /// One member per lane.
+    fn load<'a>(of_lane: impl Fn(usize) -> (&'a P, &'a Phase<C>)) -> Self
+    where
+        P: 'a;
+    /// Writes the state of one lane.
+    fn store(&self, lane: usize, to: &mut Phase<C>);
+    /// Whether every coordinate of every lane is finite.
+    fn finite(&self) -> bool;
+}
+
+/// The plainest layout: the user's own shape.
+#[derive(Clone)]
+pub struct Plain<R: Real, C: Coords, P> {
+    /// Positions.
+    pub q: C::Slots<R>,
+    /// Momenta.
+    pub p: C::Slots<R>,
+    /// Prepared constants.
+    pub parameters: P,
+}
+
+impl<R: Real, C: Coords, P: Prepared<R>> Motion<C, P::Single> for Plain<R, C, P> {
+    #[inline(always)]
+    fn load<'a>(of_lane: impl Fn(usize) -> (&'a P::Single, &'a Phase<C>)) -> Self
+    where
+        P::Single: 'a,
+    {
+        Self {
+            q: C::inward(|lane| &of_lane(lane).1.q),
+            p: C::inward(|lane| &of_lane(lane).1.p),
+            parameters: P::gather(|lane| of_lane(lane).0),
+        }
+    }
+    #[inline(always)]
+    fn store(&self, lane: usize, to: &mut Phase<C>) {
+        to.q.outward(&self.q, lane);
+        to.p.outward(&self.p, lane);
+    }
+    #[inline(always)]
+    fn finite(&self) -> bool {
+        C::finite(&self.q) && C::finite(&self.p)
+    }
+}
+
+/// The flows as a composition sees them: the executor decides what they are applied to.
+pub trait Flows<H: Hamiltonian> {
+    /// The flow of `T`.
+    fn drift(&mut self, duration: f64, time: f64);
+    /// The flow of `V`.
+    fn kick(&mut self, duration: f64, time: f64);
+}
+
+/// One motion.
+pub(crate) struct Single<'m, H: Hamiltonian, R: Real, K: Keep>(pub(crate) &'m mut H::Motion<R, K>);
+
+impl<H: Hamiltonian, R: Real, K: Keep> Flows<H> for Single<'_, H, R, K> {
+    #[inline(always)]
+    fn drift(&mut self, duration: f64, time: f64) {
+        H::drift::<R, K>(self.0, duration, time);
+    }
+    #[inline(always)]
+    fn kick(&mut self, duration: f64, time: f64) {
+        H::kick::<R, K>(self.0, duration, time);
+    }
+}

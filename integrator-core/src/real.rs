@@ -1,0 +1,124 @@
+//! What generated code computes in: one trait, so that one text serves plain and fused scalars, duals and lanes.
+
+use std::ops::{Add, AddAssign, Div, Mul, Neg, Sub, SubAssign};
+
+/// A body of code that an executor runs inside the clone compiled for one instruction set.
+///
+/// A trait and not a closure, because only a method can carry the `inline(always)` that brings the body into the clone.
+pub trait Kernel {
+    /// What the body returns.
+    type Out;
+
+    /// The body; implementations are `inline(always)`.
+    fn call(self) -> Self::Out;
+}
+
+/// Calls back with the elementary functions that the language of H knows beside the arithmetic operators: the one list
+/// from which trait, implementations and tests are written. Methods are named as in `std`.
+macro_rules! elementary_functions {
+    ($callback:ident! { $($context:tt)* }) => {
+        $callback! {
+            $($context)*
+            unary: sqrt cbrt exp exp2 exp_m1 ln ln_1p log2 log10 sin cos tan asin acos atan
+                   sinh cosh tanh asinh acosh atanh abs signum;
+            binary: powf atan2 hypot min max;
+        }
+    };
+}
+pub(crate) use elementary_functions;
+
+macro_rules! declare_real {
+    (unary: $($unary:ident)*; binary: $($binary:ident)*;) => {
+        /// A number, or several side by side, that flows are computed in.
+        pub trait Real:
+            Copy + Send + Sync + 'static
+            + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + Div<Output = Self> + Neg<Output = Self>
+            + AddAssign + SubAssign
+        {
+            /// How many members of an ensemble (or parts of a dual) one value holds.
+            const LANES: usize;
+
+            /// The same number in every lane, rounded to the precision of the scalar; a dual has no tangent here.
+            fn of(x: f64) -> Self;
+            /// One lane, widened to `f64`.
+            fn lane(self, lane: usize) -> f64;
+            /// A prepared constant, one number per lane; a dual ignores all but the first.
+            fn parameter(of_lane: impl Fn(usize) -> f64) -> Self;
+            /// A coordinate, one number per lane; for a dual, lane 1 is the tangent.
+            fn state(of_lane: impl Fn(usize) -> f64) -> Self;
+            /// `self * b + c`, in one rounding where the scalar has it.
+            fn fma(self, b: Self, c: Self) -> Self;
+            /// Sine and cosine of one argument.
+            fn sin_cos(self) -> (Self, Self);
+            /// Whether all lanes are finite.
+            fn finite(self) -> bool;
+            $(
+                #[doc = concat!("`", stringify!($unary), "` of every lane, as in `std`.")]
+                fn $unary(self) -> Self;
+            )*
+            $(
+                #[doc = concat!("`", stringify!($binary), "` of every lane, as in `std`.")]
+                fn $binary(self, other: Self) -> Self;
+            )*
+
+            /// Runs `kernel` inside the clone for the instruction set that this scalar is made for.
+            #[inline(always)]
+            fn enter<K: Kernel>(kernel: K) -> K::Out {
+                kernel.call()
+            }
+        }
+    };
+}
+elementary_functions!(declare_real! {});
+
+/// The scalar as it is: `fma` is a multiplication and an addition, so that no machine calls a library for it.
+macro_rules! plain_real {
+    ($scalar:ty; unary: $($unary:ident)*; binary: $($binary:ident)*;) => {
+        impl Real for $scalar {
+            const LANES: usize = 1;
+
+            #[inline(always)]
+            fn of(x: f64) -> Self {
+                x as $scalar
+            }
+            #[inline(always)]
+            fn lane(self, _lane: usize) -> f64 {
+                f64::from(self)
+            }
+            #[inline(always)]
+            fn parameter(of_lane: impl Fn(usize) -> f64) -> Self {
+                Self::of(of_lane(0))
+            }
+            #[inline(always)]
+            fn state(of_lane: impl Fn(usize) -> f64) -> Self {
+                Self::of(of_lane(0))
+            }
+            #[inline(always)]
+            fn fma(self, b: Self, c: Self) -> Self {
+                self * b + c
+            }
+            #[inline(always)]
+            fn sin_cos(self) -> (Self, Self) {
+                self.sin_cos()
+            }
+            #[inline(always)]
+            fn finite(self) -> bool {
+                self.is_finite()
+            }
+            $(
+                #[inline(always)]
+                fn $unary(self) -> Self {
+                    <$scalar>::$unary(self)
+                }
+            )*
+            $(
+                #[inline(always)]
+                fn $binary(self, other: Self) -> Self {
+                    <$scalar>::$binary(self, other)
+                }
+            )*
+        }
+    };
+}
+elementary_functions!(plain_real! { f64; });
+elementary_functions!(plain_real! { f32; });

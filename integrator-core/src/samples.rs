@@ -1,0 +1,87 @@
+//! Looking at a run from time to time, without touching it.
+
+use crate::{
+    coords::Coords,
+    error::Error,
+    phase::Phase,
+    run::{Energies, Run},
+};
+use std::{fmt, sync::Arc};
+
+/// A run, seen at its start and then every so many steps. Made by [`Run::samples`].
+///
+/// Sampling completes the step under way on a copy, so the trajectory is the one that `advance` alone would take.
+/// After an error the iterator ends.
+#[derive(Clone, Debug)]
+pub struct Samples<C: Coords> {
+    run: Run<C>,
+    interval: u64,
+    next: Next,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Next {
+    Present,
+    Later,
+    Nothing,
+}
+
+impl<C: Coords> Samples<C> {
+    pub(crate) fn new(run: Run<C>, interval: u64) -> Self {
+        Self { run, interval, next: Next::Present }
+    }
+
+    /// The run, where the last sample left it.
+    pub fn into_run(self) -> Run<C> {
+        self.run
+    }
+}
+
+impl<C: Coords> Iterator for Samples<C> {
+    type Item = Result<Sample<C>, Error>;
+
+    fn next(&mut self) -> Option<Self::Item> {
+        let outcome = match self.next {
+            Next::Nothing => return None,
+            _ if self.interval == 0 => Err(Error::SampleInterval),
+            Next::Present => Ok(()),
+            Next::Later => self.run.advance(self.interval),
+        };
+        self.next = if outcome.is_ok() { Next::Later } else { Next::Nothing };
+        Some(outcome.map(|()| Sample {
+            time: self.run.time(),
+            step: self.run.steps(),
+            state: self.run.state(),
+            energies: self.run.energies(),
+        }))
+    }
+}
+
+/// The state of a run at one time.
+#[derive(Clone)]
+pub struct Sample<C: Coords> {
+    /// The time, `t0 + n·h`.
+    pub time: f64,
+    /// The number of steps, `n`.
+    pub step: u64,
+    /// Positions and momenta.
+    pub state: Phase<C>,
+    energies: Arc<dyn Energies<C>>,
+}
+
+impl<C: Coords> Sample<C> {
+    /// The energy `T + V` of this state, computed when asked for.
+    pub fn energy(&self) -> f64 {
+        self.energies.energy(&self.state, self.time)
+    }
+}
+
+impl<C: Coords> fmt::Debug for Sample<C> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("Sample")
+            .field("time", &self.time)
+            .field("step", &self.step)
+            .field("state", &self.state)
+            .finish()
+    }
+}

@@ -1,0 +1,146 @@
+//! How one coordinate is kept between updates: the user's leaf type names a family of slots.
+
+use crate::{fused::Fused, real::Real};
+use std::fmt::Debug;
+
+/// A coordinate in memory, computed in `R`.
+pub trait Slot<R: Real>: Copy + Send + Sync + 'static {
+    /// The number that flows read.
+    fn value(self) -> R;
+    /// Adds `d`.
+    fn add(&mut self, d: R);
+    /// Adds `a * b`.
+    fn fma(&mut self, a: R, b: R);
+}
+
+impl<R: Real> Slot<R> for R {
+    #[inline(always)]
+    fn value(self) -> R {
+        self
+    }
+    #[inline(always)]
+    fn add(&mut self, d: R) {
+        *self += d;
+    }
+    #[inline(always)]
+    fn fma(&mut self, a: R, b: R) {
+        *self = a.fma(b, *self);
+    }
+}
+
+/// The leaf type of a state: `f64`, `f32` or [`Compensated`]. It decides the precision of a run.
+pub trait Keep: Copy + Debug + PartialEq + Default + Send + Sync + 'static {
+    /// What flows are computed in on every machine.
+    type Plain: Real;
+    /// What flows are computed in where the machine has fused multiply-add.
+    type Fused: Real;
+    /// How a coordinate is kept.
+    type Slot<R: Real>: Slot<R>;
+
+    /// Fills a slot from one leaf per lane.
+    fn inward<R: Real>(of_lane: impl Fn(usize) -> Self) -> Self::Slot<R>;
+    /// One lane of a slot.
+    fn outward<R: Real>(slot: Self::Slot<R>, lane: usize) -> Self;
+    /// The leaf that has this value.
+    fn from_f64(value: f64) -> Self;
+    /// The value, without what compensation carries.
+    fn to_f64(self) -> f64;
+}
+
+macro_rules! keep_plainly {
+    ($($scalar:ty)*) => {$(
+        impl Keep for $scalar {
+            type Plain = $scalar;
+            type Fused = Fused<$scalar>;
+            type Slot<R: Real> = R;
+
+            #[inline(always)]
+            fn inward<R: Real>(of_lane: impl Fn(usize) -> Self) -> R {
+                R::state(|lane| f64::from(of_lane(lane)))
+            }
+            #[inline(always)]
+            fn outward<R: Real>(slot: R, lane: usize) -> Self {
+                slot.lane(lane) as $scalar
+            }
+            fn from_f64(value: f64) -> Self {
+                value as $scalar
+            }
+            fn to_f64(self) -> f64 {
+                f64::from(self)
+            }
+        }
+    )*};
+}
+keep_plainly! { f64 f32 }
+
+/// A number together with the rounding error that its updates have left behind.
+///
+/// Every update adds the carried error first and carries what the addition loses (Kahan 1965), so that the error of a
+/// long sum stays at the rounding of one addition. Made by [`Phase::compensated`](crate::Phase::compensated).
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Compensated<F> {
+    /// The number.
+    pub value: F,
+    /// What is still to be added to it, below half a unit in its last place.
+    pub carried: F,
+}
+
+impl<R: Real> Slot<R> for Compensated<R> {
+    #[inline(always)]
+    fn value(self) -> R {
+        self.value
+    }
+    #[inline(always)]
+    fn add(&mut self, d: R) {
+        let update = d + self.carried;
+        let sum = self.value + update;
+        self.carried = update - (sum - self.value);
+        self.value = sum;
+    }
+    #[inline(always)]
+    fn fma(&mut self, a: R, b: R) {
+        let update = a.fma(b, self.carried);
+        let sum = self.value + update;
+        self.carried = update - (sum - self.value);
+        self.value = sum;
+    }
+}
+
+impl Keep for Compensated<f64> {
+    type Plain = f64;
+    type Fused = Fused<f64>;
+    type Slot<R: Real> = Compensated<R>;
+
+    #[inline(always)]
+    fn inward<R: Real>(of_lane: impl Fn(usize) -> Self) -> Compensated<R> {
+        Compensated { value: R::state(|lane| of_lane(lane).value), carried: R::state(|lane| of_lane(lane).carried) }
+    }
+    #[inline(always)]
+    fn outward<R: Real>(slot: Compensated<R>, lane: usize) -> Self {
+        Self { value: slot.value.lane(lane), carried: slot.carried.lane(lane) }
+    }
+    fn from_f64(value: f64) -> Self {
+        Self { value, carried: 0.0 }
+    }
+    fn to_f64(self) -> f64 {
+        self.value
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_compensated_sum_keeps_what_a_plain_one_loses() {
+        let mut plain = 1.0_f64;
+        let mut compensated = Compensated { value: 1.0_f64, carried: 0.0 };
+        for _ in 0..1_000_000 {
+            Slot::add(&mut plain, 1e-17);
+            Slot::<f64>::add(&mut compensated, 1e-17);
+        }
+        assert_eq!(plain, 1.0, "each addend is below half an ulp of one");
+        // The exact sum is 1 + 1e-11; one rounding to f64 leaves at most half an ulp of one.
+        assert!((compensated.value - (1.0 + 1e-11)).abs() <= f64::EPSILON, "{compensated:?}");
+    }
+}
