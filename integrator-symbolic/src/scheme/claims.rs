@@ -1,0 +1,86 @@
+//! What a declaration claims, held against what its proof finds.
+//!
+//! A sequence with its scheme comes in, the scheme as declared goes out. The declared order also chooses the class: one
+//! that holds only where `T` is quadratic in `p` declares a composition for those systems alone.
+
+use super::{
+    errors::Errors,
+    lower::{Known, lower},
+    prove::{Proof, Verdict, prove},
+    stages::Stages,
+    syntax::Declaration,
+};
+
+/// The Hamiltonians that a composition is for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Class {
+    General,
+    QuadraticKinetic,
+}
+
+/// A proved composition.
+#[derive(Clone, Debug)]
+pub(super) struct Scheme {
+    pub(super) stages: Stages,
+    pub(super) proof: Proof,
+    pub(super) class: Class,
+    /// The proved order for the class.
+    pub(super) order: u32,
+}
+
+impl Scheme {
+    /// The scheme of stages about which nothing is claimed: general, unless it has gradient kicks.
+    pub(super) fn inferred(stages: Stages) -> Self {
+        let proof = prove(&stages);
+        let (class, verdict) = match proof.general {
+            Some(general) => (Class::General, general),
+            None => (Class::QuadraticKinetic, proof.quadratic),
+        };
+        Self { stages, proof, class, order: verdict.order }
+    }
+}
+
+/// The scheme of a declaration, if all it claims is true.
+pub(super) fn check(declaration: &Declaration, known: &Known, errors: &mut Errors) -> Option<Scheme> {
+    let mut scheme = lower(declaration.sequence.as_ref()?, known, errors)?;
+    let found = errors.count();
+    if let Some(literal) = &declaration.claims.order {
+        match literal.base10_parse::<u32>() {
+            Ok(order) if order >= 1 && scheme.order >= order => {}
+            Ok(order) if order >= 1 && scheme.proof.quadratic.order >= order => {
+                scheme.class = Class::QuadraticKinetic;
+                scheme.order = scheme.proof.quadratic.order;
+            }
+            Ok(order) if order >= 1 => {
+                errors.push(syn::Error::new(literal.span(), overclaimed(order, &scheme.proof)));
+            }
+            _ => errors.push(syn::Error::new(literal.span(), "an order is an integer of at least 1")),
+        }
+    }
+    if let Some(claim) = &declaration.claims.symmetric
+        && !scheme.proof.symmetric
+    {
+        let message = "declared symmetric, but the sequence does not read the same backwards";
+        errors.push(syn::Error::new(claim.span(), message));
+    }
+    (errors.count() == found).then_some(scheme)
+}
+
+fn overclaimed(declared: u32, proof: &Proof) -> String {
+    let Verdict { order, violation } = proof.quadratic;
+    let Some(violation) = violation else {
+        return format!("declared order {declared}, but no order above {order} is proved");
+    };
+    let class = match proof.general {
+        Some(general) if general.order < order => {
+            format!(" where T is quadratic in p ({} for every T)", general.order)
+        }
+        _ => String::new(),
+    };
+    // For the same order, the longer list may hold the larger violation.
+    let violation = match proof.general {
+        Some(Verdict { order: general, violation: Some(other) }) if general == order => other,
+        _ => violation,
+    };
+    format!("declared order {declared}, but the proof finds order {order}{class}: {violation}")
+}

@@ -1,0 +1,250 @@
+//! From what was typed to a flat list of stages: names are looked up, combinators applied, coefficients evaluated.
+//!
+//! Every error about the content of a sequence arises here. Always true: the drifts of what goes out sum to one step,
+//! and so do its kicks.
+
+use syn::{Expr, Ident};
+
+use super::{
+    claims::Scheme,
+    coefficient::{Coefficient, evaluate},
+    errors::Errors,
+    prove::{SUSPICIOUS, Verdict, Violation},
+    stages::{Element, Letter, Stages},
+    syntax::{COMBINATORS, Combined, Item, Sequence},
+};
+
+/// The number of stages from which a sequence is taken for a mistake.
+const MOST_STAGES: usize = 1000;
+
+/// The compositions that a sequence may name; a name without a scheme was refused, so nothing more is said about it.
+pub(super) struct Known(Vec<(String, Option<Scheme>)>);
+
+impl Known {
+    /// The four bases that every block knows.
+    pub(super) fn bases() -> Self {
+        use Letter::{T, V};
+        let half = Coefficient::ONE / Coefficient::integer(2);
+        let one = Coefficient::ONE;
+        let base = |name: &str, sequence: &[(Letter, Coefficient)]| {
+            let mut stages = Stages::default();
+            for (letter, coefficient) in sequence.iter().copied() {
+                stages.push(Element { letter, coefficient, gradient: Coefficient::ZERO });
+            }
+            (name.to_owned(), Some(Scheme::inferred(stages)))
+        };
+        Self(vec![
+            base("Euler", &[(V, one), (T, one)]),
+            base("EulerAdjoint", &[(T, one), (V, one)]),
+            base("Verlet", &[(T, half), (V, one), (T, half)]),
+            base("VelocityVerlet", &[(V, half), (T, one), (V, half)]),
+        ])
+    }
+
+    /// Adds a name. It hides an earlier one, so that a block may declare the bases themselves.
+    pub(super) fn declare(&mut self, name: String, scheme: Option<Scheme>) {
+        self.0.retain(|(known, _)| *known != name);
+        self.0.push((name, scheme));
+    }
+
+    fn look_up(&self, name: &Ident, errors: &mut Errors) -> Option<&Scheme> {
+        if let Some((_, scheme)) = self.0.iter().find(|(known, _)| name == known) {
+            return scheme.as_ref();
+        }
+        let names: Vec<String> = self.0.iter().map(|(known, _)| format!("`{known}`")).collect();
+        let names = names.join(", ");
+        let message =
+            format!("unknown composition `{name}`: known here are {names}; the combinators are {COMBINATORS}");
+        errors.push(syn::Error::new(name.span(), message));
+        None
+    }
+}
+
+/// The scheme of a sequence that makes one whole step.
+pub(super) fn lower(sequence: &Sequence, known: &Known, errors: &mut Errors) -> Option<Scheme> {
+    if let [Item::Name(name)] = sequence.items.as_slice() {
+        return known.look_up(name, errors).cloned();
+    }
+    let stages = joined(&parts(sequence, known, errors)?);
+    let count = stages.elements().len();
+    let message = if count > MOST_STAGES {
+        format!("{count} stages; at most {MOST_STAGES} are proved")
+    } else {
+        let scheme = Scheme::inferred(stages);
+        match scheme.proof.quadratic {
+            Verdict { order: 0, violation: Some(violation) } => inconsistent(violation),
+            _ => return Some(scheme),
+        }
+    };
+    errors.push(syn::Error::new_spanned(&sequence.tokens, message));
+    None
+}
+
+fn inconsistent(Violation { word, residual }: Violation) -> String {
+    if residual.abs() < SUSPICIOUS {
+        return format!("the coefficients of `{word}` miss the sum 1 by {residual:.1e}: a digit is wrong or missing");
+    }
+    // Twelve digits say what is wrong without the rounding of 1 - 0.8.
+    let sum = format!("{:.12}", 1.0 + residual);
+    format!("the coefficients of `{word}` sum to {}, not to 1", sum.trim_end_matches('0').trim_end_matches('.'))
+}
+
+/// An item with its coefficients known, except where `_` asks for what the others leave.
+#[derive(Clone)]
+enum Part {
+    Stage { letter: Letter, coefficient: Option<Coefficient>, gradient: Coefficient },
+    Step(Stages),
+}
+
+impl Part {
+    fn reversed(&self) -> Self {
+        match self {
+            Self::Stage { .. } => self.clone(),
+            Self::Step(stages) => Self::Step(stages.reversed()),
+        }
+    }
+}
+
+fn parts(sequence: &Sequence, known: &Known, errors: &mut Errors) -> Option<Vec<Part>> {
+    let mut parts = Vec::new();
+    let mut rest_is_taken = [false; 2];
+    for item in &sequence.items {
+        let part = match item {
+            Item::Stage { letter, coefficient, gradient } => {
+                let coefficient = share(coefficient, &mut rest_is_taken[*letter as usize], errors);
+                let gradient = gradient.as_ref().map_or(Some(Coefficient::ZERO), |c| errors.keep(evaluate(c)));
+                coefficient.zip(gradient).map(|(coefficient, gradient)| Part::Stage {
+                    letter: *letter,
+                    coefficient,
+                    gradient,
+                })
+            }
+            Item::Name(name) => known.look_up(name, errors).map(|scheme| Part::Step(scheme.stages.clone())),
+            Item::Combined(combined) => combine(combined, known, errors).map(Part::Step),
+        };
+        parts.extend(part);
+    }
+    (parts.len() == sequence.items.len()).then_some(parts)
+}
+
+/// `Some(None)` stands for `_`.
+fn share(expression: &Expr, rest_is_taken: &mut bool, errors: &mut Errors) -> Option<Option<Coefficient>> {
+    if !matches!(expression, Expr::Infer(_)) {
+        return errors.keep(evaluate(expression)).map(Some);
+    }
+    if *rest_is_taken {
+        let message = "`_` is what all others leave, so it can stand for one number only";
+        errors.push(syn::Error::new_spanned(expression, message));
+        return None;
+    }
+    *rest_is_taken = true;
+    Some(None)
+}
+
+/// The stages of all parts, with `_` such that the drifts and the kicks sum to one step.
+fn joined(parts: &[Part]) -> Stages {
+    let rest = |of: Letter| {
+        let (mut rest, mut shares) = (Coefficient::ONE, 0);
+        for part in parts {
+            match part {
+                Part::Stage { letter, coefficient, .. } if *letter == of => match coefficient {
+                    Some(coefficient) => rest = rest - *coefficient,
+                    None => shares += 1,
+                },
+                Part::Stage { .. } => {}
+                Part::Step(stages) => rest = rest - stages.sum(of),
+            }
+        }
+        rest / Coefficient::integer(shares.max(1))
+    };
+    let (rest_of_drifts, rest_of_kicks) = (rest(Letter::T), rest(Letter::V));
+    let mut stages = Stages::default();
+    for part in parts {
+        match part {
+            Part::Stage { letter, coefficient, gradient } => {
+                let rest = if *letter == Letter::T { rest_of_drifts } else { rest_of_kicks };
+                stages.push(Element { letter: *letter, coefficient: coefficient.unwrap_or(rest), gradient: *gradient });
+            }
+            Part::Step(step) => stages.append(step, Coefficient::ONE),
+        }
+    }
+    stages
+}
+
+fn combine(combined: &Combined, known: &Known, errors: &mut Errors) -> Option<Stages> {
+    match combined {
+        Combined::TripleJump(base) => {
+            let (base, order) = symmetric_base("triple_jump", base, known, errors)?;
+            let (two, root) = (Coefficient::integer(2), Coefficient::integer(2).root(order + 1));
+            let outer = Coefficient::ONE / (two - root);
+            Some(weighted(&[outer, Coefficient::ONE - outer - outer, outer], &base))
+        }
+        Combined::Suzuki(base) => {
+            let (base, order) = symmetric_base("suzuki", base, known, errors)?;
+            let (four, root) = (Coefficient::integer(4), Coefficient::integer(4).root(order + 1));
+            let outer = Coefficient::ONE / (four - root);
+            Some(weighted(&[outer, outer, Coefficient::ONE - four * outer, outer, outer], &base))
+        }
+        Combined::Adjoint(step) => lower(step, known, errors).map(|scheme| scheme.stages.reversed()),
+        Combined::Mirrored(half) => {
+            let mut parts = parts(half, known, errors)?;
+            let mirrored: Vec<Part> = parts.iter().rev().skip(1).map(Part::reversed).collect();
+            parts.extend(mirrored);
+            Some(joined(&parts))
+        }
+        Combined::Palindrome(half, base) => {
+            let base = lower(base, known, errors);
+            let mut weights = shares(half, errors)?;
+            let mirrored: Vec<_> = weights.iter().rev().skip(1).copied().collect();
+            weights.extend(mirrored);
+            Some(weighted(&completed(&weights), &base?.stages))
+        }
+        Combined::Weighted(weights, base) => {
+            let base = lower(base, known, errors);
+            let weights = shares(weights, errors)?;
+            Some(weighted(&completed(&weights), &base?.stages))
+        }
+        Combined::Equal(steps) => {
+            let weight = Coefficient::ONE / Coefficient::integer(steps.len() as u32);
+            let steps: Vec<_> = steps.iter().map(|step| lower(step, known, errors)).collect();
+            let mut stages = Stages::default();
+            for step in steps.into_iter().collect::<Option<Vec<_>>>()? {
+                stages.append(&step.stages, weight);
+            }
+            Some(stages)
+        }
+    }
+}
+
+/// A base that a combinator raises by two orders.
+fn symmetric_base(name: &str, base: &Sequence, known: &Known, errors: &mut Errors) -> Option<(Stages, u32)> {
+    let scheme = lower(base, known, errors)?;
+    if scheme.proof.symmetric {
+        return Some((scheme.stages, scheme.order));
+    }
+    let message = format!("`{name}` raises the order of a symmetric composition, but this one is not symmetric");
+    errors.push(syn::Error::new_spanned(&base.tokens, message));
+    None
+}
+
+fn shares(weights: &[Expr], errors: &mut Errors) -> Option<Vec<Option<Coefficient>>> {
+    let mut rest_is_taken = false;
+    let shares: Vec<_> = weights.iter().map(|weight| share(weight, &mut rest_is_taken, errors)).collect();
+    shares.into_iter().collect()
+}
+
+/// The weights, with `_` such that they sum to 1.
+fn completed(weights: &[Option<Coefficient>]) -> Vec<Coefficient> {
+    let open = weights.iter().filter(|weight| weight.is_none()).count();
+    let given = weights.iter().flatten().fold(Coefficient::ONE, |rest, weight| rest - *weight);
+    let rest = given / Coefficient::integer(open.max(1) as u32);
+    weights.iter().map(|weight| weight.unwrap_or(rest)).collect()
+}
+
+fn weighted(weights: &[Coefficient], base: &Stages) -> Stages {
+    let mut stages = Stages::default();
+    for weight in weights {
+        stages.append(base, *weight);
+    }
+    stages
+}

@@ -1,0 +1,55 @@
+//! Compositions: a sequence of drifts and kicks comes in, a proved table of stages goes out.
+//!
+//! ```text
+//! tokens -> Sequence (what was typed) -> Stages (a flat list, 31 digits) -> Scheme (with proved facts) -> tokens
+//!        syntax                       lower                             prove, claims                  emit
+//! ```
+//!
+//! Each arrow points one way; errors arise up to `claims`, and `emit` cannot fail. Always true: [`expand`] returns for
+//! every input, equal tokens give equal output, and each declared name is defined in what goes out, if only by a stub.
+//!
+//! Nothing here knows what a Hamiltonian looks like. The other half of the library meets this one at [`InPlace`], a
+//! sequence written in place of a composition's name.
+
+mod claims;
+mod coefficient;
+mod conditions;
+mod double;
+mod emit;
+mod errors;
+#[allow(dead_code, reason = "the annotation's side is written against this interface")]
+mod in_place;
+mod lower;
+mod prove;
+mod stages;
+mod syntax;
+
+use proc_macro2::TokenStream;
+use syn::ext::IdentExt;
+
+#[allow(unused_imports, reason = "the annotation's side is written against this interface")]
+pub(crate) use self::{claims::Class, in_place::InPlace};
+use self::{errors::Errors, lower::Known};
+
+/// The declared compositions with their proofs, and behind them the errors found.
+pub(crate) fn expand(tokens: TokenStream) -> TokenStream {
+    let mut errors = Errors::default();
+    let mut known = Known::bases();
+    let mut names = Vec::new();
+    let mut output = TokenStream::new();
+    let block = syntax::block(tokens, &mut errors);
+    let root = block.root.unwrap_or_else(emit::default_root);
+    for declaration in &block.declarations {
+        let name = declaration.name.unraw().to_string();
+        if names.contains(&name) {
+            errors.push(syn::Error::new(declaration.name.span(), format!("`{name}` is declared twice in this block")));
+            continue;
+        }
+        let scheme = claims::check(declaration, &known, &mut errors);
+        output.extend(emit::declaration(declaration, &name, scheme.as_ref(), &root));
+        known.declare(name.clone(), scheme);
+        names.push(name);
+    }
+    output.extend(errors.into_tokens());
+    output
+}

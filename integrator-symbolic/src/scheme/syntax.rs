@@ -1,0 +1,363 @@
+//! What was typed into `composition!`, faithfully and with its spans.
+//!
+//! Tokens come in, a [`Block`] goes out, together with every error of syntax. Parsing goes on behind an error: at the
+//! next stage if the error was inside parentheses, else at the next `;`. Nothing is looked up or computed here.
+
+use proc_macro2::{TokenStream, TokenTree};
+use quote::ToTokens;
+use syn::{
+    Attribute, Expr, Ident, LitInt, Path, Token, Visibility,
+    ext::IdentExt,
+    parenthesized,
+    parse::{ParseStream, Parser},
+    punctuated::Punctuated,
+    token,
+};
+
+use super::{errors::Errors, stages::Letter};
+
+/// The declarations of one macro call.
+#[derive(Default)]
+pub(super) struct Block {
+    /// The path of the runtime crate, if the block renames it with `crate = path;`.
+    pub(super) root: Option<Path>,
+    pub(super) declarations: Vec<Declaration>,
+}
+
+/// `/// docs pub struct Name: order 4, symmetric = sequence;`
+pub(super) struct Declaration {
+    pub(super) attributes: Vec<Attribute>,
+    pub(super) visibility: Visibility,
+    pub(super) name: Ident,
+    pub(super) claims: Claims,
+    /// Absent if it could not be parsed.
+    pub(super) sequence: Option<Sequence>,
+}
+
+/// What a declaration says about its sequence.
+#[derive(Default)]
+pub(super) struct Claims {
+    pub(super) order: Option<LitInt>,
+    pub(super) symmetric: Option<Ident>,
+}
+
+/// Items in order of application.
+pub(super) struct Sequence {
+    pub(super) items: Vec<Item>,
+    /// As typed; also the span of messages about the whole.
+    pub(super) tokens: TokenStream,
+}
+
+impl Sequence {
+    /// The second number of the first kick that has one.
+    pub(super) fn gradient(&self) -> Option<&Expr> {
+        self.items.iter().find_map(|item| match item {
+            Item::Stage { gradient, .. } => gradient.as_deref(),
+            Item::Name(_) => None,
+            Item::Combined(combined) => match combined {
+                Combined::TripleJump(inner) | Combined::Suzuki(inner) | Combined::Adjoint(inner) => inner.gradient(),
+                Combined::Mirrored(inner) => inner.gradient(),
+                Combined::Palindrome(_, inner) | Combined::Weighted(_, inner) => inner.gradient(),
+                Combined::Equal(steps) => steps.iter().find_map(Self::gradient),
+            },
+        })
+    }
+}
+
+pub(super) enum Item {
+    /// `T(a)`, `V(b)` or `V(b, c)`.
+    Stage { letter: Letter, coefficient: Expr, gradient: Option<Box<Expr>> },
+    /// A composition declared earlier.
+    Name(Ident),
+    /// A combinator and what it acts on.
+    Combined(Combined),
+}
+
+pub(super) enum Combined {
+    /// `triple_jump(base)`
+    TripleJump(Sequence),
+    /// `suzuki(base)`
+    Suzuki(Sequence),
+    /// `adjoint(step)`
+    Adjoint(Sequence),
+    /// `symmetric(sequence)`: the first half, up to and with the middle stage.
+    Mirrored(Sequence),
+    /// `symmetric(w1, ..., wm; base)`: the first half of the weights, up to and with the middle one.
+    Palindrome(Vec<Expr>, Sequence),
+    /// `compose(first, second, ...)`, each over an equal part of the step.
+    Equal(Vec<Sequence>),
+    /// `compose(w1, ..., wm; base)`
+    Weighted(Vec<Expr>, Sequence),
+}
+
+/// The combinators, as messages list them.
+pub(super) const COMBINATORS: &str =
+    "`triple_jump(..)`, `suzuki(..)`, `symmetric(..)`, `compose(..)` and `adjoint(..)`";
+
+const STAGES: &str = "the stages are `T(a)`, `V(b)` and `V(b, c)`";
+
+const NO_END: &str = "a declaration ends with `;`";
+
+fn is_combinator(name: &str) -> bool {
+    matches!(name, "triple_jump" | "suzuki" | "symmetric" | "compose" | "adjoint")
+}
+
+/// Parses the input of `composition!`.
+pub(super) fn block(tokens: TokenStream, errors: &mut Errors) -> Block {
+    let mut block = Block::default();
+    let parser = |input: ParseStream<'_>| {
+        if input.peek(Token![crate]) && input.peek2(Token![=]) {
+            block.root = errors.keep(root(input));
+            if block.root.is_none() {
+                skip_declaration(input);
+            }
+        }
+        while !input.is_empty() {
+            let found = errors.count();
+            let header = header(input);
+            if let Some(mut declaration) = errors.keep(header) {
+                let body = body(input, &mut declaration, errors);
+                errors.keep(body);
+                block.declarations.push(declaration);
+            }
+            if errors.count() == found && !input.peek(Token![;]) {
+                let sequence = block.declarations.last().and_then(|declaration| declaration.sequence.as_ref());
+                errors.push(match sequence {
+                    Some(sequence) if input.is_empty() => syn::Error::new_spanned(&sequence.tokens, NO_END),
+                    _ => input.error(NO_END),
+                });
+            }
+            skip_declaration(input);
+        }
+        Ok(())
+    };
+    let outcome = parser.parse2(tokens);
+    errors.keep(outcome);
+    block
+}
+
+fn root(input: ParseStream<'_>) -> syn::Result<Path> {
+    input.parse::<Token![crate]>()?;
+    input.parse::<Token![=]>()?;
+    let path = input.call(Path::parse_mod_style)?;
+    input.parse::<Token![;]>()?;
+    Ok(path)
+}
+
+fn header(input: ParseStream<'_>) -> syn::Result<Declaration> {
+    let attributes = input.call(Attribute::parse_outer)?;
+    let visibility = input.parse()?;
+    input.parse::<Token![struct]>()?;
+    let name = input.parse()?;
+    Ok(Declaration { attributes, visibility, name, claims: Claims::default(), sequence: None })
+}
+
+fn body(input: ParseStream<'_>, declaration: &mut Declaration, errors: &mut Errors) -> syn::Result<()> {
+    if input.peek(Token![:]) {
+        input.parse::<Token![:]>()?;
+        while !input.peek(Token![=]) {
+            claim(input, &mut declaration.claims, errors)?;
+            if !input.peek(Token![=]) {
+                input.parse::<Token![,]>()?;
+            }
+        }
+    }
+    let equals = input.parse::<Token![=]>()?;
+    declaration.sequence = sequence(input, &equals, errors);
+    Ok(())
+}
+
+fn claim(input: ParseStream<'_>, claims: &mut Claims, errors: &mut Errors) -> syn::Result<()> {
+    let claim = input.call(Ident::parse_any)?;
+    let repeated = match claim.to_string().as_str() {
+        "order" => claims.order.replace(input.parse()?).is_some(),
+        "symmetric" => claims.symmetric.replace(claim.clone()).is_some(),
+        _ => {
+            let message = format!("unknown claim `{claim}`: what can be claimed is `order 4` and `symmetric`");
+            return Err(syn::Error::new(claim.span(), message));
+        }
+    };
+    if repeated {
+        errors.push(syn::Error::new(claim.span(), format!("`{claim}` is claimed twice")));
+    }
+    Ok(())
+}
+
+/// Parses up to `;`, `,` or the end. Items with an error inside are left out after it was kept; then nothing goes out.
+pub(super) fn sequence(input: ParseStream<'_>, empty: &impl ToTokens, errors: &mut Errors) -> Option<Sequence> {
+    let found = errors.count();
+    let mut start = input.cursor();
+    let mut items = Vec::new();
+    while !(input.is_empty() || input.peek(Token![;]) || input.peek(Token![,])) {
+        match item(input, errors) {
+            Ok(item) => items.extend(item),
+            Err(error) => {
+                errors.push(error);
+                break;
+            }
+        }
+    }
+    if errors.count() > found {
+        return None;
+    }
+    if items.is_empty() {
+        errors.push(syn::Error::new_spanned(empty, format!("a sequence has at least one stage: {STAGES}")));
+        return None;
+    }
+    let mut tokens = TokenStream::new();
+    while start != input.cursor()
+        && let Some((tree, next)) = start.token_tree()
+    {
+        tokens.extend([tree]);
+        start = next;
+    }
+    Some(Sequence { items, tokens })
+}
+
+/// One item; `Ok(None)` if all that is wrong is inside its parentheses. An error means that parsing cannot go on here.
+fn item(input: ParseStream<'_>, errors: &mut Errors) -> syn::Result<Option<Item>> {
+    let name: Ident = input.parse().map_err(|error| {
+        syn::Error::new(error.span(), format!("expected a stage, a combinator or the name of a composition; {STAGES}"))
+    })?;
+    let spelled = name.to_string();
+    if !input.peek(token::Paren) {
+        return match spelled.as_str() {
+            "T" | "V" => Err(syn::Error::new(name.span(), format!("how long a stage? write `{spelled}(1/2)`"))),
+            _ if is_combinator(&spelled) => {
+                Err(syn::Error::new(name.span(), format!("`{spelled}` acts on a composition: `{spelled}(Verlet)`")))
+            }
+            _ => Ok(Some(Item::Name(name))),
+        };
+    }
+    let content;
+    let parentheses = parenthesized!(content in input);
+    let item = match spelled.as_str() {
+        "T" => errors.keep(stage(Letter::T, &name, &parentheses, &content)),
+        "V" => errors.keep(stage(Letter::V, &name, &parentheses, &content)),
+        _ if is_combinator(&spelled) => combined(&name, &parentheses, &content, errors).map(Item::Combined),
+        _ => {
+            let message = format!("unknown combinator `{spelled}`: {STAGES}, the combinators {COMBINATORS}");
+            errors.push(syn::Error::new(name.span(), message));
+            None
+        }
+    };
+    // What an error left unread would be reported a second time.
+    content.parse::<TokenStream>()?;
+    Ok(item)
+}
+
+fn stage(letter: Letter, name: &Ident, parentheses: &token::Paren, content: ParseStream<'_>) -> syn::Result<Item> {
+    let mut arguments = Punctuated::<Expr, Token![,]>::parse_terminated(content)?.into_iter();
+    match (letter, arguments.next(), arguments.next(), arguments.next()) {
+        (_, Some(coefficient), None, None) => Ok(Item::Stage { letter, coefficient, gradient: None }),
+        (Letter::V, Some(coefficient), Some(gradient), None) => {
+            Ok(Item::Stage { letter, coefficient, gradient: Some(Box::new(gradient)) })
+        }
+        (Letter::T, ..) => Err(at(name, parentheses, "a drift takes one number: `T(1/2)`")),
+        (Letter::V, ..) => Err(at(name, parentheses, "a kick takes one number, `V(1/2)`, or two, `V(2/3, -1/72)`")),
+    }
+}
+
+fn combined(
+    name: &Ident,
+    parentheses: &token::Paren,
+    content: ParseStream<'_>,
+    errors: &mut Errors,
+) -> Option<Combined> {
+    let spelled = name.to_string();
+    let weights = match (has_semicolon(content), spelled.as_str()) {
+        (true, "symmetric" | "compose") => {
+            let weights = weights(content);
+            Some(errors.keep(weights)?)
+        }
+        _ => None,
+    };
+    let found = errors.count();
+    let mut sequences = Vec::new();
+    loop {
+        sequences.extend(sequence(content, name, errors));
+        if errors.count() > found {
+            return None;
+        }
+        if !content.peek(Token![,]) {
+            break;
+        }
+        let comma = content.parse::<Token![,]>();
+        errors.keep(comma);
+        if content.is_empty() {
+            break;
+        }
+    }
+    if !content.is_empty() {
+        errors.push(content.error("unexpected here"));
+        return None;
+    }
+    let mut sequences = sequences.into_iter();
+    let combined = match (spelled.as_str(), weights, sequences.next(), sequences.next()) {
+        ("triple_jump", None, Some(base), None) => Combined::TripleJump(base),
+        ("suzuki", None, Some(base), None) => Combined::Suzuki(base),
+        ("adjoint", None, Some(step), None) => Combined::Adjoint(step),
+        ("symmetric", None, Some(half), None) => Combined::Mirrored(half),
+        ("symmetric", Some(weights), Some(base), None) => Combined::Palindrome(weights, base),
+        ("compose", Some(weights), Some(base), None) => Combined::Weighted(weights, base),
+        ("compose", None, Some(first), Some(second)) => {
+            Combined::Equal([first, second].into_iter().chain(sequences).collect())
+        }
+        ("compose", ..) => {
+            let message = "`compose(A, B, ..)` divides the step equally, `compose(w1, w2, ..; Base)` by weights";
+            errors.push(at(name, parentheses, message));
+            return None;
+        }
+        _ => {
+            errors.push(at(name, parentheses, &format!("`{spelled}` takes one composition")));
+            return None;
+        }
+    };
+    Some(combined)
+}
+
+fn weights(content: ParseStream<'_>) -> syn::Result<Vec<Expr>> {
+    let mut weights = Vec::new();
+    while !content.peek(Token![;]) {
+        weights.push(content.parse()?);
+        if !content.peek(Token![;]) {
+            content.parse::<Token![,]>()?;
+        }
+    }
+    let semicolon = content.parse::<Token![;]>()?;
+    if weights.is_empty() {
+        return Err(syn::Error::new_spanned(semicolon, "expected weights before the `;`"));
+    }
+    Ok(weights)
+}
+
+fn has_semicolon(content: ParseStream<'_>) -> bool {
+    let mut rest = content.cursor();
+    while let Some((tree, next)) = rest.token_tree() {
+        if matches!(tree, TokenTree::Punct(mark) if mark.as_char() == ';') {
+            return true;
+        }
+        rest = next;
+    }
+    false
+}
+
+/// An error on a name and the parentheses behind it.
+fn at(name: &Ident, parentheses: &token::Paren, message: &str) -> syn::Error {
+    let mut tokens = name.to_token_stream();
+    parentheses.surround(&mut tokens, |_| {});
+    syn::Error::new_spanned(tokens, message)
+}
+
+fn skip_declaration(input: ParseStream<'_>) {
+    let _ = input.step(|cursor| {
+        let mut rest = *cursor;
+        while let Some((tree, next)) = rest.token_tree() {
+            rest = next;
+            if matches!(tree, TokenTree::Punct(mark) if mark.as_char() == ';') {
+                break;
+            }
+        }
+        Ok(((), rest))
+    });
+}

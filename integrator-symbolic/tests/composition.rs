@@ -1,0 +1,360 @@
+//! `composition!` from tokens to tokens: the text it writes, the mistakes it names, and that it returns at all.
+
+use integrator_symbolic::composition;
+use proc_macro2::TokenStream;
+use proptest::prelude::*;
+
+fn expand(text: &str) -> TokenStream {
+    composition(text.parse().expect("tokens"))
+}
+
+fn pretty(text: &str) -> String {
+    prettyplease::unparse(&syn::parse2(expand(text)).expect("items"))
+}
+
+/// The errors in the output, as `line:column message`.
+fn errors(text: &str) -> Vec<String> {
+    let file: syn::File = syn::parse2(expand(text)).expect("items");
+    let mut found = Vec::new();
+    for item in file.items {
+        let syn::Item::Macro(syn::ItemMacro { mac, .. }) = item else { continue };
+        let start = mac.path.segments[0].ident.span().start();
+        let message: syn::LitStr = mac.parse_body().expect("a message");
+        found.push(format!("{}:{} {}", start.line, start.column, message.value()));
+    }
+    found
+}
+
+/// The sentence of proved facts behind the documentation of each declaration.
+fn facts(text: &str) -> Vec<String> {
+    assert_eq!(errors(text), [""; 0], "{text}");
+    let file: syn::File = syn::parse2(expand(text)).expect("items");
+    let structs = file.items.iter().filter_map(|item| match item {
+        syn::Item::Struct(item) => item.attrs.iter().rfind(|attribute| attribute.path().is_ident("doc")),
+        _ => None,
+    });
+    structs
+        .map(|attribute| {
+            let syn::Meta::NameValue(meta) = &attribute.meta else { panic!("a text") };
+            let syn::Expr::Lit(syn::ExprLit { lit: syn::Lit::Str(text), .. }) = &meta.value else { panic!("a text") };
+            text.value().trim().to_owned()
+        })
+        .collect()
+}
+
+#[test]
+fn a_declaration_becomes_a_type_and_its_table() {
+    insta::assert_snapshot!(pretty(
+        "/// Strang's splitting.\n pub struct Verlet: order 2, symmetric = T(1/2) V(1) T(1/2);"
+    ));
+}
+
+#[test]
+fn letters_that_differ_at_the_ends_do_not_merge() {
+    insta::assert_snapshot!(pretty("crate = my::runtime; struct Ruth3 = V(7/24) T(2/3) V(3/4) T(-2/3) V(-1/24) T(1);"));
+}
+
+#[test]
+fn gradient_kicks_bring_their_own_kick() {
+    insta::assert_snapshot!(pretty("pub struct Chin4A: order 4 = V(1/6) T(1/2) V(2/3, -1/72) T(1/2) V(1/6);"));
+}
+
+#[test]
+fn proved_facts_of_known_methods() {
+    for (sequence, expected) in [
+        ("V(1) T(1)", "Order 1 for every `T` (proved), not symmetric, 1 force evaluation a step."),
+        ("T(1/2) V(1) T(1/2)", "Order 2 for every `T` (proved), symmetric, 1 force evaluation a step."),
+        ("compose(Euler, EulerAdjoint)", "Order 2 for every `T` (proved), symmetric, 1 force evaluation a step."),
+        (
+            "adjoint(V(7/24) T(2/3) V(3/4) T(-2/3) V(-1/24) T(1))",
+            "Order 3 for every `T` (proved), not symmetric, 3 force evaluations a step.",
+        ),
+        (
+            "V(7/24) T(2/3) V(3/4) T(-2/3) V(_) T(_)",
+            "Order 3 for every `T` (proved), not symmetric, 3 force evaluations a step.",
+        ),
+        ("triple_jump(VelocityVerlet)", "Order 4 for every `T` (proved), symmetric, 3 force evaluations a step."),
+        ("suzuki(Verlet)", "Order 4 for every `T` (proved), symmetric, 5 force evaluations a step."),
+        ("triple_jump(suzuki(Verlet))", "Order 6 for every `T` (proved), symmetric, 15 force evaluations a step."),
+        (
+            "triple_jump(triple_jump(triple_jump(Verlet)))",
+            "Order 8 for every `T` (proved), symmetric, 27 force evaluations a step.",
+        ),
+        (
+            "suzuki(triple_jump(triple_jump(triple_jump(Verlet))))",
+            "Order 10 for every `T` (proved), symmetric, 135 force evaluations a step.",
+        ),
+        (
+            "compose(1/(2 - cbrt(2)), -cbrt(2)/(2 - cbrt(2)), 1/(2 - cbrt(2)); Verlet)",
+            "Order 4 for every `T` (proved), symmetric, 3 force evaluations a step.",
+        ),
+        (
+            "symmetric(V(1/6) T(1/2) V(2/3, -1/72))",
+            "Order 4 for `T` quadratic in `p` (proved), symmetric, 2 force evaluations a step.",
+        ),
+        // Takahashi and Imada's kernel: of order 2 without its processor.
+        (
+            "T(1/2) V(1, -1/24) T(1/2)",
+            "Order 2 for `T` quadratic in `p` (proved), symmetric, 1 force evaluation a step.",
+        ),
+        // Yoshida's solution A, by the 15 digits that are often printed.
+        (
+            "symmetric(0.784513610477557, 0.235573213359358, -1.17767998417887, _; Verlet)",
+            "Order 6 for every `T` (proved), symmetric, 7 force evaluations a step.",
+        ),
+    ] {
+        assert_eq!(facts(&format!("struct Probe = {sequence};")), [expected], "{sequence}");
+    }
+}
+
+#[test]
+fn a_declared_order_chooses_the_class() {
+    const MCATE4: &str = "V(0.134496199277431089210659254937312760687) T(0.515352837431122936363778587573609500315) \
+        V(-0.22481980307942080594522736361864931224) T(-0.0857820194129736460164250123389618937825) \
+        V(0.756320000515668291264290794964469486466) T(0.441583023616466524250195001287251255228) V(_) T(_)";
+    let quadratic = pretty(&format!("struct McAte4: order 4 = {MCATE4};"));
+    assert!(quadratic.contains("Order 4 where `T` is quadratic in `p` (proved; 3 for every other `T`)"), "{quadratic}");
+    assert!(quadratic.contains("__System: ::integrator_core::__private::QuadraticKinetic"), "{quadratic}");
+    for declared in [": order 3", ""] {
+        let general = pretty(&format!("struct McAte4{declared} = {MCATE4};"));
+        assert!(general.contains("Order 3 for every `T`, 4 where `T` is quadratic in `p` (proved)"), "{general}");
+        assert!(general.contains("__System: ::integrator_core::__private::Hamiltonian"), "{general}");
+        assert!(general.contains("const ORDER: u32 = 3;"), "{general}");
+    }
+    let found = errors(&format!("struct McAte4: order 5 = {MCATE4};"));
+    assert!(
+        found[0].contains("finds order 4 where T is quadratic in p (3 for every T): the condition of"),
+        "{found:?}"
+    );
+}
+
+/// One row per mistake: what is typed, and every message about it at its line and column.
+#[test]
+fn every_mistake_has_one_message_on_its_token() {
+    let rows: &[(&str, &[&str])] = &[
+        (
+            "struct A: order 4 = T(1/2) V(1) T(1/2);",
+            &[
+                "1:16 declared order 4, but the proof finds order 2: the condition of the word TVV is violated by 8.3e-2",
+            ],
+        ),
+        (
+            "struct A: order 4 = symmetric(V(1/6) T(1/2) V(2/3, 1/72));",
+            &[
+                "1:16 declared order 4, but the proof finds order 2: the condition of the word TVV is violated by 2.8e-2",
+            ],
+        ),
+        (
+            "struct A: order 12 = triple_jump(triple_jump(triple_jump(triple_jump(Verlet))));",
+            &["1:16 declared order 12, but no order above 10 is proved"],
+        ),
+        ("struct A: order 0 = Verlet;", &["1:16 an order is an integer of at least 1"]),
+        (
+            "struct A: symmetric = Euler;",
+            &["1:10 declared symmetric, but the sequence does not read the same backwards"],
+        ),
+        ("struct A: order 2, order 2 = Verlet;", &["1:19 `order` is claimed twice"]),
+        (
+            "struct A: oder 2 = Verlet;",
+            &["1:10 unknown claim `oder`: what can be claimed is `order 4` and `symmetric`"],
+        ),
+        ("struct A = V(1/2) T(1) V(1/3);", &["1:11 the coefficients of `V` sum to 0.833333333333, not to 1"]),
+        ("struct A = V(1) T(0.999);", &["1:11 the coefficients of `T` sum to 0.999, not to 1"]),
+        ("struct A = T(1);", &["1:11 the coefficients of `V` sum to 0, not to 1"]),
+        ("struct A = ;", &["1:9 a sequence has at least one stage: the stages are `T(a)`, `V(b)` and `V(b, c)`"]),
+        ("struct A = Verlet", &["1:11 a declaration ends with `;`"]),
+        ("struct A = Verlet, Euler;", &["1:17 a declaration ends with `;`"]),
+        ("struct A;", &["1:8 expected `=`"]),
+        ("pub fn a() {} struct B = Verlet;", &["1:4 expected `struct`"]),
+        (
+            "struct A = W(1) T(1);",
+            &[
+                "1:11 unknown combinator `W`: the stages are `T(a)`, `V(b)` and `V(b, c)`, the combinators `triple_jump(..)`, `suzuki(..)`, `symmetric(..)`, `compose(..)` and `adjoint(..)`",
+            ],
+        ),
+        ("struct A = V T(1);", &["1:11 how long a stage? write `V(1/2)`"]),
+        ("struct A = V() T(1);", &["1:11 a kick takes one number, `V(1/2)`, or two, `V(2/3, -1/72)`"]),
+        ("struct A = V(1) T(1, 2);", &["1:16 a drift takes one number: `T(1/2)`"]),
+        ("struct A = V(1, 2, 3) T(1);", &["1:11 a kick takes one number, `V(1/2)`, or two, `V(2/3, -1/72)`"]),
+        ("struct A = V(1 T) T(1);", &["1:15 expected `,`"]),
+        (
+            "struct A = 1/2 V(1);",
+            &[
+                "1:11 expected a stage, a combinator or the name of a composition; the stages are `T(a)`, `V(b)` and `V(b, c)`",
+            ],
+        ),
+        ("struct A = V(1/0) T(1);", &["1:15 division by zero"]),
+        (
+            "struct A = V(sqrt(-1)) T(a);",
+            &[
+                "1:18 root of a negative number: take the sign outside, `-cbrt(x)`",
+                "1:25 not a number: a coefficient is written with numbers, `+`, `-`, `*`, `/`, parentheses, `sqrt(x)`, `cbrt(x)` and `root(n, x)`",
+            ],
+        ),
+        ("struct A = V(1e999) T(1);", &["1:13 this coefficient is not finite"]),
+        ("struct A = V(_) T(1) V(_);", &["1:23 `_` is what all others leave, so it can stand for one number only"]),
+        ("struct A = V(1 - _) T(1);", &["1:17 `_` stands alone: `T(_)` is what the other drifts leave of the step"]),
+        (
+            "struct A = Verlt;",
+            &[
+                "1:11 unknown composition `Verlt`: known here are `Euler`, `EulerAdjoint`, `Verlet`, `VelocityVerlet`; the combinators are `triple_jump(..)`, `suzuki(..)`, `symmetric(..)`, `compose(..)` and `adjoint(..)`",
+            ],
+        ),
+        (
+            "struct A = triple_jump(Euler);",
+            &["1:23 `triple_jump` raises the order of a symmetric composition, but this one is not symmetric"],
+        ),
+        ("struct A = triple_jump;", &["1:11 `triple_jump` acts on a composition: `triple_jump(Verlet)`"]),
+        (
+            "struct A = triple_jump();",
+            &["1:11 a sequence has at least one stage: the stages are `T(a)`, `V(b)` and `V(b, c)`"],
+        ),
+        ("struct A = suzuki(Verlet, Verlet);", &["1:11 `suzuki` takes one composition"]),
+        (
+            "struct A = suzuki(1/2; Verlet);",
+            &[
+                "1:18 expected a stage, a combinator or the name of a composition; the stages are `T(a)`, `V(b)` and `V(b, c)`",
+            ],
+        ),
+        (
+            "struct A = compose(Verlet);",
+            &["1:11 `compose(A, B, ..)` divides the step equally, `compose(w1, w2, ..; Base)` by weights"],
+        ),
+        ("struct A = symmetric(; Verlet);", &["1:21 expected weights before the `;`"]),
+        ("struct A = symmetric(1/2 1/2; Verlet);", &["1:25 expected `,`"]),
+        (
+            "struct A = symmetric(1, _, _; Verlet);",
+            &["1:27 `_` is what all others leave, so it can stand for one number only"],
+        ),
+        ("struct A = suzuki(suzuki(suzuki(suzuki(Verlet))));", &["1:11 1251 stages; at most 1000 are proved"]),
+        ("struct A = Verlet; struct A = Euler;", &["1:26 `A` is declared twice in this block"]),
+        ("crate = ; struct A = Verlet;", &["1:8 expected identifier"]),
+        // Two mistakes, two messages; users of what was refused are not told again.
+        (
+            "struct A: order 3 = Verlet;\nstruct B = adjoint(A);\nstruct C = D;",
+            &[
+                "1:16 declared order 3, but the proof finds order 2: the condition of the word TVV is violated by 8.3e-2",
+                "3:11 unknown composition `D`: known here are `Euler`, `EulerAdjoint`, `Verlet`, `VelocityVerlet`, `A`, `B`; the combinators are `triple_jump(..)`, `suzuki(..)`, `symmetric(..)`, `compose(..)` and `adjoint(..)`",
+            ],
+        ),
+    ];
+    let mut wrong = String::new();
+    for (text, expected) in rows {
+        let found = errors(text);
+        if found != *expected {
+            wrong += &format!("        ({text:?},\n         &{found:?}),\n");
+        }
+    }
+    assert!(wrong.is_empty(), "found:\n{wrong}");
+}
+
+#[test]
+fn a_refused_declaration_is_still_defined() {
+    let text = pretty("pub struct A: order 3 = Verlet;");
+    assert!(text.contains("pub struct A;") && text.contains("Scheme for A") && text.contains("> for A {}"), "{text}");
+}
+
+#[test]
+fn wrong_coefficients_are_refused() {
+    const YOSHIDA6: &str = "0.784513610477557263819497633866349876, 0.235573213359358133684793182978534602, \
+        -1.17767998417887100694641568096431573, _";
+    let declare = |weights: &str| format!("struct A: order 6 = symmetric({weights}; Verlet);");
+    assert_eq!(errors(&declare(YOSHIDA6)), [""; 0]);
+    let twentieth = YOSHIDA6.replace("0.7845136104775572638", "0.7845136104775572639");
+    let found = errors(&declare(&twentieth));
+    assert!(found[0].contains("wrong or missing digits"), "{found:?}");
+    let exchanged = "0.235573213359358133684793182978534602, 0.784513610477557263819497633866349876, \
+        -1.17767998417887100694641568096431573, _";
+    let found = errors(&declare(exchanged));
+    assert!(found[0].contains("the proof finds order 4"), "{found:?}");
+    let found = errors("struct A: order 8 = compose(0.1, 0.05, 0.053; Verlet);");
+    assert!(found[0].contains("sum to 0.203, not to 1"), "{found:?}");
+    let found = errors("struct A: order 2 = compose(Euler, Euler);");
+    assert!(found[0].contains("the proof finds order 1"), "the adjoint in the wrong place: {found:?}");
+}
+
+#[test]
+fn equal_tokens_give_equal_text() {
+    let text = "struct A = suzuki(triple_jump(Verlet));";
+    assert_eq!(expand(text).to_string(), expand(text).to_string());
+}
+
+fn token_soup() -> impl Strategy<Value = String> {
+    let atom = prop::sample::select(vec![
+        "struct",
+        "pub",
+        "A",
+        "B",
+        "T",
+        "V",
+        ":",
+        "=",
+        ";",
+        ",",
+        "order",
+        "symmetric",
+        "4",
+        "1/2",
+        "-",
+        "1e400",
+        "0",
+        "0.1",
+        "_",
+        "Verlet",
+        "triple_jump",
+        "suzuki",
+        "compose",
+        "adjoint",
+        "sqrt",
+        "cbrt",
+        "root",
+        "crate",
+        "'a",
+        "\"text\"",
+        "#[doc = 1]",
+        "/// docs\n",
+        "1u8",
+        "fn",
+        "self",
+        "r#type",
+        "::",
+        "|x|",
+    ])
+    .prop_map(str::to_owned);
+    let group = atom.prop_recursive(4, 64, 8, |inner| {
+        (prop::collection::vec(inner, 0..8), prop::sample::select(vec![("(", ")"), ("[", "]"), ("{", "}"), (" ", " ")]))
+            .prop_map(|(parts, (open, close))| format!("{open}{}{close}", parts.join(" ")))
+    });
+    prop::collection::vec(group, 0..24).prop_map(|parts| parts.join(" "))
+}
+
+/// Declarations that get past the parser more often than not.
+fn sequence_soup() -> impl Strategy<Value = String> {
+    let number = prop::sample::select(vec!["1", "1/2", "-1/3", "0.25", "_", "sqrt(2)", "1/(2 - 2)", "1e200", "0", ""]);
+    let stage =
+        (prop::sample::select(vec!["T", "V", "W"]), number.clone()).prop_map(|(name, n)| format!("{name}({n})"));
+    let leaf = prop_oneof![stage, Just("Verlet".to_owned()), Just("B".to_owned())];
+    let sequence = leaf.prop_recursive(3, 24, 4, move |inner| {
+        let name = prop::sample::select(vec!["triple_jump", "suzuki", "symmetric", "compose", "adjoint", ""]);
+        let separator = prop::sample::select(vec![" ", ", ", "; "]);
+        (name, number.clone(), separator, prop::collection::vec(inner, 0..4)).prop_map(|(name, n, separator, parts)| {
+            match separator {
+                "; " => format!("{name}({n}; {})", parts.join(" ")),
+                _ => format!("{name}({})", parts.join(separator)),
+            }
+        })
+    });
+    prop::collection::vec(sequence, 1..4).prop_map(|parts| format!("struct A: order 2 = {};", parts.join(" ")))
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { failure_persistence: None, ..ProptestConfig::with_cases(256) })]
+
+    #[test]
+    fn every_input_returns_items(text in prop_oneof![token_soup(), sequence_soup()]) {
+        if let Ok(tokens) = text.parse::<TokenStream>() {
+            let output = composition(tokens);
+            prop_assert!(syn::parse2::<syn::File>(output.clone()).is_ok(), "{output}");
+        }
+    }
+}
