@@ -3,6 +3,7 @@
 
 extern crate self as integrator_core;
 
+mod catalogue;
 mod composition;
 mod coords;
 mod error;
@@ -15,6 +16,7 @@ mod run;
 mod samples;
 mod slot;
 
+pub use catalogue::*;
 pub use composition::{Class, Composition, Scheme};
 pub use coords::Coords;
 pub use error::{Divergence, Error};
@@ -28,6 +30,7 @@ pub use slot::Compensated;
 
 /// What a user of the library brings into scope with one line.
 pub mod prelude {
+    pub use crate::catalogue::*;
     pub use crate::{
         Compensated, Composition, Error, Hamiltonian, Phase, Run, Sample, Samples, Scheme, composition, hamiltonian,
     };
