@@ -21,6 +21,9 @@ pub trait Hamiltonian: Sized + 'static {
     /// Prepared constants and state, in the layout that the generator chose.
     type Motion<R: Real, K: Keep>: Motion<Shaped<Self, K>, Self::Parameters<f64>>;
 
+    /// Whether neither `T` nor `V` reads the time, so that the energy is conserved.
+    const AUTONOMOUS: bool;
+
     /// Evaluates what depends on parameters alone, by the user's own expressions.
     fn parameters(&self) -> Self::Parameters<f64>;
     /// The exact flow of `T` for a time `duration`; `time` is where an explicit time dependence is read.
