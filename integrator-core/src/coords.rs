@@ -11,8 +11,8 @@ use std::fmt::Debug;
 pub trait Coords: Clone + Debug + PartialEq + Send + Sync + 'static {
     /// The type of one coordinate.
     type Leaf: Keep;
-    /// The same shape with another leaf.
-    type With<K: Keep>: Coords<Leaf = K>;
+    /// The same shape with another leaf; from there, `f64` leads back to where it leads from here.
+    type With<K: Keep>: Coords<Leaf = K, With<f64> = Self::With<f64>>;
     /// The same shape, filled with slots.
     type Slots<R: Real>: Clone + Send + Sync + 'static;
 
