@@ -30,6 +30,27 @@ impl Clock {
     }
 }
 
+/// Whether a run may begin at `start` with step `h`.
+///
+/// # Errors
+/// A step that is zero or not finite; a start that is not finite or whose `q` and `p` differ in length.
+pub(crate) fn admissible<C: Coords>(start: &Phase<C>, h: f64) -> Result<(), Error> {
+    if h == 0.0 || !h.is_finite() {
+        return Err(Error::Step { h });
+    }
+    let (positions, momenta) = (start.q.flat().len(), start.p.flat().len());
+    if positions != momenta {
+        return Err(Error::Length { positions, momenta });
+    }
+    for (coordinate, values) in [("q", start.q.flat()), ("p", start.p.flat())] {
+        let values = values.iter().map(|leaf| leaf.to_f64());
+        if let Some((index, value)) = values.enumerate().find(|(_, value)| !value.is_finite()) {
+            return Err(Error::Start { coordinate, index, value });
+        }
+    }
+    Ok(())
+}
+
 /// A trajectory under way, made by [`Hamiltonian::run`]. Its type names the coordinates alone, so it can be stored.
 pub struct Run<C: Coords> {
     engine: Box<dyn Engine<C>>,
@@ -45,19 +66,7 @@ impl<C: Coords> Run<C> {
         K: Keep,
         H::Coords: Coords<With<K> = C>,
     {
-        if h == 0.0 || !h.is_finite() {
-            return Err(Error::Step { h });
-        }
-        let (positions, momenta) = (start.q.flat().len(), start.p.flat().len());
-        if positions != momenta {
-            return Err(Error::Length { positions, momenta });
-        }
-        for (coordinate, values) in [("q", start.q.flat()), ("p", start.p.flat())] {
-            let values = values.iter().map(|leaf| leaf.to_f64());
-            if let Some((index, value)) = values.enumerate().find(|(_, value)| !value.is_finite()) {
-                return Err(Error::Start { coordinate, index, value });
-            }
-        }
+        admissible(&start, h)?;
         let engine: Box<dyn Engine<C>> = match InstructionSet::chosen() {
             InstructionSet::Baseline => Box::new(Solo::<H, X, K::Plain, K>::new(system, start)),
             InstructionSet::Fused => Box::new(Solo::<H, X, K::Fused, K>::new(system, start)),

@@ -37,6 +37,9 @@ pub trait Keep: Copy + Debug + PartialEq + Default + Send + Sync + 'static {
     /// How a coordinate is kept.
     type Slot<R: Real>: Slot<R>;
 
+    /// The spacing of its values just above one.
+    const EPSILON: f64;
+
     /// Fills a slot from one leaf per lane.
     fn inward<R: Real>(of_lane: impl Fn(usize) -> Self) -> Self::Slot<R>;
     /// One lane of a slot.
@@ -53,6 +56,8 @@ macro_rules! keep_plainly {
             type Plain = $scalar;
             type Fused = Fused<$scalar>;
             type Slot<R: Real> = R;
+
+            const EPSILON: f64 = <$scalar>::EPSILON as f64;
 
             #[inline(always)]
             fn inward<R: Real>(of_lane: impl Fn(usize) -> Self) -> R {
@@ -110,6 +115,8 @@ impl Keep for Compensated<f64> {
     type Plain = f64;
     type Fused = Fused<f64>;
     type Slot<R: Real> = Compensated<R>;
+
+    const EPSILON: f64 = f64::EPSILON;
 
     #[inline(always)]
     fn inward<R: Real>(of_lane: impl Fn(usize) -> Self) -> Compensated<R> {
