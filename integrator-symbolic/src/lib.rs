@@ -1,15 +1,56 @@
 //! Everything the macros of `integrator-core` do, as an ordinary library: tokens in, tokens out.
+//!
+//! ```text
+//! tokens -> Input -> Model -> Graph + gradients -> Program -> tokens        #[hamiltonian]
+//! tokens -> Sequence -> Scheme -> tokens                                    composition!
+//! ```
+//!
+//! Each arrow is a module; errors end at the model and at the claims of a scheme. Both functions return for every input,
+//! report all mistakes at once, and write the same tokens for the same tokens.
 
+mod differentiate;
+mod emit;
+mod errors;
+mod graph;
+mod lower;
+mod model;
+mod program;
 mod scheme;
+mod syntax;
 
+use errors::Errors;
 use proc_macro2::TokenStream;
+use quote::quote;
+use syntax::{Compose, Input};
 
 /// `#[hamiltonian]`: the annotated item, and behind it the stepper written for it or the errors found in it.
-pub fn hamiltonian(_arguments: TokenStream, item: TokenStream) -> TokenStream {
-    item
+pub fn hamiltonian(arguments: TokenStream, item: TokenStream) -> TokenStream {
+    let mut errors = Errors::default();
+    let stepper = stepper(arguments, item.clone(), &mut errors);
+    let errors = errors.into_tokens();
+    quote!(#item #stepper #errors)
 }
 
 /// `composition!`: the declared compositions, each proved, or the errors found in them.
 pub fn composition(declarations: TokenStream) -> TokenStream {
     scheme::expand(declarations)
+}
+
+fn stepper(arguments: TokenStream, item: TokenStream, errors: &mut Errors) -> Option<TokenStream> {
+    let input = syntax::input(arguments, item, errors)?;
+    let model = model::model(&input, errors)?;
+    check_composition(&input, &model, errors);
+    errors.is_empty().then(|| emit::stepper(&input, model))
+}
+
+/// A sequence in place has to fit this very Hamiltonian; a named one is held against it by the type checker.
+fn check_composition(input: &Input, model: &model::Model, errors: &mut Errors) {
+    if let Some(Compose::InPlace(sequence, span)) = &input.compose
+        && let Some(refusal) = emit::refusal(sequence, model)
+    {
+        match sequence.gradient() {
+            Some(gradient) => errors.at(gradient, refusal),
+            None => errors.at_span(*span, refusal),
+        }
+    }
 }

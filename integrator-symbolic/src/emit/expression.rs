@@ -1,0 +1,277 @@
+//! Expressions as Rust: with only the parentheses that are needed, products that are added as fused multiply-adds.
+
+use super::fields::Fields;
+use crate::{
+    graph::{
+        Element, Graph, Node, NodeId, Part,
+        index::{Index, IndexId, LoopId},
+    },
+    model::Parameter,
+};
+use proc_macro2::{Ident, Literal, TokenStream};
+use quote::{ToTokens, format_ident, quote};
+use std::collections::HashMap;
+
+/// How tightly an expression holds together.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub(super) enum Binding {
+    Sum,
+    Product,
+    Sign,
+    Atom,
+}
+
+/// What numbers are computed in.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(super) enum Dialect {
+    /// The type parameter `R` of a flow.
+    Generic,
+    /// `f64`, where parameters are prepared.
+    Single,
+}
+
+/// A printed expression.
+pub(super) struct Printed {
+    pub(super) tokens: TokenStream,
+    binding: Binding,
+}
+
+impl Printed {
+    fn new(binding: Binding, tokens: TokenStream) -> Self {
+        Self { tokens, binding }
+    }
+
+    /// In parentheses, unless it holds together at least as tightly as `needed`.
+    fn at_least(self, needed: Binding) -> TokenStream {
+        if self.binding >= needed {
+            return self.tokens;
+        }
+        let tokens = self.tokens;
+        quote!((#tokens))
+    }
+}
+
+/// What printing needs to know; `names` are the values that were given one.
+pub(super) struct Printer<'m> {
+    pub(super) graph: &'m Graph,
+    pub(super) parameters: &'m [Parameter],
+    pub(super) running: &'m HashMap<LoopId, Ident>,
+    pub(super) dialect: Dialect,
+    pub(super) names: HashMap<NodeId, Ident>,
+}
+
+impl Printer<'_> {
+    /// An expression, by its name if it has one.
+    pub(super) fn expression(&self, fields: &mut Fields, id: NodeId) -> Printed {
+        match self.names.get(&id) {
+            Some(name) => Printed::new(Binding::Atom, name.to_token_stream()),
+            None => self.computation(fields, id),
+        }
+    }
+
+    /// An expression as it is computed, whatever its name.
+    pub(super) fn computation(&self, fields: &mut Fields, id: NodeId) -> Printed {
+        if self.dialect == Dialect::Generic && super::fields::is_field(self.graph, self.parameters, id) {
+            return Printed::new(Binding::Atom, self.field(fields, id));
+        }
+        match self.graph.node(id) {
+            Node::Constant(bits) => self.constant(f64::from_bits(bits)),
+            Node::Parameter(parameter) => {
+                let text = &self.parameters[parameter.0 as usize].text;
+                match self.dialect {
+                    Dialect::Generic => Printed::new(Binding::Atom, quote!(R::of(#text))),
+                    Dialect::Single => Printed::new(Binding::Sum, quote!(#text)),
+                }
+            }
+            Node::Coordinate(element) => Printed::new(Binding::Atom, self.coordinate(fields, element)),
+            Node::Time => Printed::new(Binding::Atom, quote!(time)),
+            Node::Step => Printed::new(Binding::Atom, quote!(step)),
+            Node::FromIndex(index) => {
+                let index = self.index(fields, index);
+                match self.dialect {
+                    Dialect::Generic => Printed::new(Binding::Atom, quote!(R::of(#index as f64))),
+                    Dialect::Single => Printed::new(Binding::Atom, quote!((#index as f64))),
+                }
+            }
+            Node::Neg(a) => {
+                let a = self.expression(fields, a).at_least(Binding::Sign);
+                Printed::new(Binding::Sign, quote!(-#a))
+            }
+            Node::Add(a, b) => self.addition(fields, a, b),
+            Node::Mul(a, b) => {
+                let (a, b) = (self.expression(fields, a), self.expression(fields, b));
+                let (a, b) = (a.at_least(Binding::Product), b.at_least(Binding::Sign));
+                Printed::new(Binding::Product, quote!(#a * #b))
+            }
+            Node::Div(a, b) => {
+                let (a, b) = (self.expression(fields, a), self.expression(fields, b));
+                let (a, b) = (a.at_least(Binding::Product), b.at_least(Binding::Sign));
+                Printed::new(Binding::Product, quote!(#a / #b))
+            }
+            Node::Power(a, 1) => self.method(fields, a, "sqrt", None),
+            // Lowering leaves no other power; this prints one all the same.
+            Node::Power(a, halves) => {
+                let a = self.expression(fields, a).at_least(Binding::Atom);
+                let exponent = self.constant(f64::from(halves) / 2.0).tokens;
+                Printed::new(Binding::Atom, quote!(#a.powf(#exponent)))
+            }
+            Node::Unary(function, a) => self.method(fields, a, function.name(), None),
+            Node::Binary(function, a, b) => self.method(fields, a, function.name(), Some(b)),
+            // Sums are always named; their loop computes them.
+            Node::Sum(_, body) => self.expression(fields, body),
+        }
+    }
+
+    fn method(&self, fields: &mut Fields, receiver: NodeId, name: &str, argument: Option<NodeId>) -> Printed {
+        let receiver = self.expression(fields, receiver).at_least(Binding::Atom);
+        let name = format_ident!("{name}");
+        let argument = argument.map(|argument| self.expression(fields, argument).tokens);
+        Printed::new(Binding::Atom, quote!(#receiver.#name(#argument)))
+    }
+
+    fn constant(&self, value: f64) -> Printed {
+        let literal = Literal::f64_unsuffixed(value.abs());
+        let value = match value {
+            _ if value.is_nan() => quote!(f64::NAN),
+            f64::INFINITY => quote!(f64::INFINITY),
+            f64::NEG_INFINITY => quote!(f64::NEG_INFINITY),
+            _ if value.is_sign_negative() => quote!(-#literal),
+            _ => literal.to_token_stream(),
+        };
+        match self.dialect {
+            Dialect::Generic => Printed::new(Binding::Atom, quote!(R::of(#value))),
+            Dialect::Single => Printed::new(Binding::Atom, quote!(#value)),
+        }
+    }
+
+    /// `a + b`, where a product among the two is fused with the addition.
+    fn addition(&self, fields: &mut Fields, a: NodeId, b: NodeId) -> Printed {
+        if self.dialect == Dialect::Generic {
+            for (product, other) in [(b, a), (a, b)] {
+                if let Some((negative, x, y)) = self.product(product) {
+                    let factor = self.factor(fields, negative, x);
+                    let (y, other) = (self.expression(fields, y).tokens, self.expression(fields, other).tokens);
+                    return Printed::new(Binding::Atom, quote!(#factor.fma(#y, #other)));
+                }
+            }
+        }
+        let left = self.expression(fields, a).at_least(Binding::Sum);
+        if let Node::Neg(subtracted) = self.graph.node(b)
+            && !self.names.contains_key(&b)
+        {
+            let right = self.expression(fields, subtracted).at_least(Binding::Product);
+            return Printed::new(Binding::Sum, quote!(#left - #right));
+        }
+        let right = self.expression(fields, b).at_least(Binding::Product);
+        Printed::new(Binding::Sum, quote!(#left + #right))
+    }
+
+    /// The factors of a product that has no name, perhaps under a change of sign; `true` if so.
+    pub(super) fn product(&self, id: NodeId) -> Option<(bool, NodeId, NodeId)> {
+        if self.names.contains_key(&id) || super::fields::is_field(self.graph, self.parameters, id) {
+            return None;
+        }
+        match self.graph.node(id) {
+            Node::Mul(a, b) => Some((false, a, b)),
+            Node::Neg(inner) => self.product(inner).map(|(negative, a, b)| (!negative, a, b)),
+            _ => None,
+        }
+    }
+
+    /// A factor, perhaps under a change of sign.
+    fn signed(&self, fields: &mut Fields, negative: bool, x: NodeId) -> Printed {
+        match self.graph.as_constant(x) {
+            Some(constant) if negative => self.constant(-constant),
+            None if negative => {
+                let x = self.expression(fields, x).at_least(Binding::Sign);
+                Printed::new(Binding::Sign, quote!(-#x))
+            }
+            _ => self.expression(fields, x),
+        }
+    }
+
+    /// The first factor of a fused multiply-add.
+    pub(super) fn factor(&self, fields: &mut Fields, negative: bool, x: NodeId) -> TokenStream {
+        self.signed(fields, negative, x).at_least(Binding::Atom)
+    }
+
+    /// The first of two arguments that are multiplied.
+    pub(super) fn outer_factor(&self, fields: &mut Fields, negative: bool, x: NodeId) -> TokenStream {
+        self.signed(fields, negative, x).tokens
+    }
+
+    /// An expression that a method is called on.
+    pub(super) fn receiver(&self, fields: &mut Fields, id: NodeId) -> TokenStream {
+        self.expression(fields, id).at_least(Binding::Atom)
+    }
+
+    /// The value of a coordinate.
+    fn coordinate(&self, fields: &mut Fields, element: Element) -> TokenStream {
+        let place = self.place(fields, element);
+        quote!(motion.#place.value())
+    }
+
+    /// A coordinate's place in the motion: `q[0]`, `p[i][1]`.
+    pub(super) fn place(&self, fields: &mut Fields, element: Element) -> TokenStream {
+        let part = match element.part {
+            Part::Position => quote!(q),
+            Part::Momentum => quote!(p),
+        };
+        let at = self.at(fields, element);
+        quote!(#part #at)
+    }
+
+    /// The indices of a coordinate.
+    pub(super) fn at(&self, fields: &mut Fields, element: Element) -> TokenStream {
+        let index = self.index(fields, element.index);
+        let component = element.component.map(|component| {
+            let component = self.index(fields, component);
+            quote!([#component])
+        });
+        quote!([#index] #component)
+    }
+
+    /// An integer expression.
+    pub(super) fn index(&self, fields: &mut Fields, id: IndexId) -> TokenStream {
+        let mut binary = |a, operator: TokenStream, b, inner: bool| {
+            let (a, b) = (self.index(fields, a), self.index(fields, b));
+            if inner { quote!((#a #operator #b)) } else { quote!(#a #operator #b) }
+        };
+        match self.graph.loops.index(id) {
+            Index::Literal(value) => Literal::u64_unsuffixed(value).to_token_stream(),
+            Index::Running(by) => self.running.get(&by).to_token_stream(),
+            Index::Add(a, b) => binary(a, quote!(+), b, true),
+            Index::Sub(a, b) => binary(a, quote!(-), b, true),
+            Index::Mul(a, b) => binary(a, quote!(*), b, true),
+            Index::Div(a, b) => binary(a, quote!(/), b, true),
+            Index::Rem(a, b) => binary(a, quote!(%), b, true),
+            Index::Parameter(parameter) => {
+                let known = &self.parameters[parameter.0 as usize];
+                if self.dialect == Dialect::Single || super::fields::is_constant(&known.text) {
+                    let text = &known.text;
+                    return quote!((#text));
+                }
+                let name = fields.integer(self.parameters, parameter);
+                let at = self.running_of(self.graph.loops.of_parameter(parameter));
+                quote!(motion.parameters.#name #at)
+            }
+        }
+    }
+
+    /// A prepared constant, or its element for the present turns of its loops.
+    fn field(&self, fields: &mut Fields, id: NodeId) -> TokenStream {
+        let name = fields.number(self.graph, self.parameters, id);
+        let at = self.running_of(self.graph.loops_of(id));
+        quote!(motion.parameters.#name #at)
+    }
+
+    fn running_of(&self, loops: crate::graph::index::LoopSet) -> TokenStream {
+        loops
+            .iter()
+            .map(|by| {
+                let index = self.running.get(&by);
+                quote!([#index])
+            })
+            .collect()
+    }
+}

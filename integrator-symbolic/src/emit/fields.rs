@@ -1,0 +1,264 @@
+//! Prepared constants: what depends on parameters alone becomes a field, or a table where it depends on loops too.
+
+use super::expression::{Dialect, Printer};
+use crate::{
+    graph::{
+        Graph, Node, NodeId, ParameterId,
+        index::{Index, IndexId, LoopId, LoopSet},
+    },
+    lower::lower,
+    model::{Model, Parameter},
+};
+use proc_macro2::{Ident, TokenStream, TokenTree};
+use quote::{format_ident, quote};
+use std::collections::HashMap;
+use syn::Path;
+
+/// What a field holds.
+#[derive(Clone, Copy, PartialEq, Eq, Hash)]
+enum Content {
+    Number(NodeId),
+    Integer(ParameterId),
+}
+
+/// The fields asked for so far, in order of first use.
+#[derive(Default)]
+pub(super) struct Fields {
+    order: Vec<(Content, Ident)>,
+    names: HashMap<Content, Ident>,
+}
+
+/// Whether a node is read from a prepared constant: it depends on parameters, and on one loop at most unless it is a
+/// parameter itself (a table over two loops is only made where the user has one).
+pub(super) fn is_field(graph: &Graph, parameters: &[Parameter], id: NodeId) -> bool {
+    match graph.node(id) {
+        Node::Constant(_) | Node::FromIndex(_) | Node::Neg(_) => false,
+        Node::Parameter(parameter) => !is_constant(&parameters[parameter.0 as usize].text),
+        _ => graph.is_prepared(id) && graph.loops_of(id).iter().count() <= 1,
+    }
+}
+
+/// Whether a node is read rather than computed by a flow.
+pub(super) fn is_leaf(graph: &Graph, parameters: &[Parameter], id: NodeId) -> bool {
+    matches!(graph.node(id), Node::Constant(_) | Node::FromIndex(_) | Node::Parameter(_) | Node::Time | Node::Step)
+        || is_field(graph, parameters, id)
+}
+
+/// Whether a text is the path of a constant, which needs no preparation.
+pub(super) fn is_constant(text: &TokenStream) -> bool {
+    text.clone().into_iter().all(|token| match token {
+        TokenTree::Ident(name) => name != "self",
+        TokenTree::Punct(mark) => mark.as_char() == ':',
+        TokenTree::Literal(_) | TokenTree::Group(_) => false,
+    })
+}
+
+impl Fields {
+    pub(super) fn number(&mut self, graph: &Graph, parameters: &[Parameter], id: NodeId) -> Ident {
+        let text = match graph.node(id) {
+            Node::Parameter(parameter) => Some(&parameters[parameter.0 as usize].text),
+            _ => None,
+        };
+        self.named(Content::Number(id), text)
+    }
+
+    pub(super) fn integer(&mut self, parameters: &[Parameter], id: ParameterId) -> Ident {
+        self.named(Content::Integer(id), Some(&parameters[id.0 as usize].text))
+    }
+
+    /// A field's name: the user's own where it is `self.name` or `self.name[i]`.
+    fn named(&mut self, content: Content, text: Option<&TokenStream>) -> Ident {
+        if let Some(name) = self.names.get(&content) {
+            return name.clone();
+        }
+        let base = text.and_then(own_name).unwrap_or_else(|| format_ident!("prepared_{}", self.order.len()));
+        let mut name = base.clone();
+        let mut count = 1;
+        while self.order.iter().any(|(_, known)| *known == name) {
+            count += 1;
+            name = format_ident!("{base}_{count}");
+        }
+        self.names.insert(content, name.clone());
+        self.order.push((content, name.clone()));
+        name
+    }
+
+    /// The struct of prepared constants, how one is gathered for lanes, and the body that prepares them.
+    pub(super) fn emit(self, model: &mut Model, root: &Path) -> Prepared {
+        let mut single = Fields::default();
+        let mut prepared = Prepared::default();
+        for (content, name) in self.order {
+            let table = Table::of(model, content);
+            let (kind, value) = match content {
+                Content::Number(id) => {
+                    let lowered = lower(&mut model.graph, &[id], |_, _| false)[0];
+                    let body = super::block::function(model, &mut single, lowered, Dialect::Single);
+                    (quote!(R), body)
+                }
+                Content::Integer(id) => {
+                    let text = &model.parameters[id.0 as usize].text;
+                    (quote!(usize), quote!(#text))
+                }
+            };
+            let at = table.at(table.levels.len());
+            let gathered = match content {
+                Content::Number(_) => quote!(R::parameter(|lane| of_lane(lane).#name #at)),
+                Content::Integer(_) => quote!(of_lane(0).#name #at),
+            };
+            let documentation = super::equations::documentation(model, content.node());
+            let kind = table.kind(kind, root);
+            let (gathered, value) = (table.gathered(gathered, &name, root), table.prepared(value, content, root));
+            prepared.fields.extend(quote!(#documentation #name: #kind,));
+            prepared.gathered.extend(quote!(#name: #gathered,));
+            prepared.values.extend(quote!(#name: #value,));
+        }
+        prepared
+    }
+}
+
+impl Content {
+    fn node(self) -> Option<NodeId> {
+        match self {
+            Content::Number(id) => Some(id),
+            Content::Integer(_) => None,
+        }
+    }
+}
+
+/// The parts of what is written for prepared constants.
+#[derive(Default)]
+pub(super) struct Prepared {
+    pub(super) fields: TokenStream,
+    pub(super) gathered: TokenStream,
+    pub(super) values: TokenStream,
+}
+
+/// `name` of `self.name` and of `self.name[...]`.
+fn own_name(text: &TokenStream) -> Option<Ident> {
+    let tokens: Vec<TokenTree> = text.clone().into_iter().collect();
+    match &tokens[..] {
+        [TokenTree::Ident(own), TokenTree::Punct(_), TokenTree::Ident(name), rest @ ..]
+            if own == "self" && rest.iter().all(|token| matches!(token, TokenTree::Group(_))) =>
+        {
+            // A call is not a name.
+            let indexed = rest.iter().all(|token| token.to_string().starts_with('['));
+            indexed.then(|| name.clone())
+        }
+        _ => None,
+    }
+}
+
+/// The loops that a prepared constant depends on, with how far each runs.
+struct Table {
+    levels: Vec<Level>,
+}
+
+struct Level {
+    index: Ident,
+    /// How many elements, if that is a number.
+    literal: Option<u64>,
+    /// How many elements, as text.
+    extent: TokenStream,
+    /// Whether an element is ever read; what lies outside the loop's range is not evaluated.
+    inside: Option<TokenStream>,
+}
+
+impl Table {
+    fn of(model: &mut Model, content: Content) -> Self {
+        let loops = match content {
+            Content::Number(id) => model.graph.loops_of(id),
+            Content::Integer(id) => model.graph.loops.of_parameter(id),
+        };
+        Self { levels: loops.iter().map(|by| Level::of(model, by, loops)).collect() }
+    }
+
+    /// The type of the table.
+    fn kind(&self, element: TokenStream, root: &Path) -> TokenStream {
+        self.levels.iter().rev().fold(element, |inner, level| match level.literal {
+            Some(length) => {
+                let length = proc_macro2::Literal::u64_unsuffixed(length);
+                quote!([#inner; #length])
+            }
+            None => quote!(#root::__private::Vec<#inner>),
+        })
+    }
+
+    /// The indices of an element down to `depth`.
+    fn at(&self, depth: usize) -> TokenStream {
+        self.levels[..depth]
+            .iter()
+            .map(|level| {
+                let index = &level.index;
+                quote!([#index])
+            })
+            .collect()
+    }
+
+    /// The whole table, with elements gathered from lanes; the first lane tells how long a table is.
+    fn gathered(&self, element: TokenStream, name: &Ident, root: &Path) -> TokenStream {
+        self.levels.iter().enumerate().rev().fold(element, |inner, (depth, Level { index, literal, .. })| match literal {
+            Some(_) => quote!(::core::array::from_fn(|#index: usize| #inner)),
+            None => {
+                let at = self.at(depth);
+                quote!(#root::__private::table(of_lane(0).#name #at.len(), |#index: usize| #inner))
+            }
+        })
+    }
+
+    /// The whole table, with elements evaluated inside the loops' ranges alone.
+    fn prepared(&self, element: TokenStream, content: Content, root: &Path) -> TokenStream {
+        let conditions: Vec<_> = self.levels.iter().filter_map(|level| level.inside.clone()).collect();
+        let element = match content {
+            _ if conditions.is_empty() => element,
+            Content::Number(_) => quote!(if #(#conditions)&&* { #element } else { 0.0 }),
+            Content::Integer(_) => quote!(if #(#conditions)&&* { #element } else { 0 }),
+        };
+        self.levels.iter().rev().fold(element, |inner, Level { index, literal, extent, .. }| match literal {
+            Some(_) => quote!(::core::array::from_fn(|#index: usize| #inner)),
+            None => quote!(#root::__private::table(#extent, |#index: usize| #inner)),
+        })
+    }
+}
+
+impl Level {
+    fn of(model: &mut Model, by: LoopId, table: LoopSet) -> Self {
+        let index = model.running[&by].clone();
+        let range = model.graph.loops.get(by);
+        let (from, to) = (bound(model, range.from, table, false), bound(model, range.to, table, true));
+        let extent = model.graph.loops.upper(range.to).unwrap_or(range.to);
+        let literal = model.graph.loops.literal(extent);
+        let (zero, whole) = (model.graph.loops.literal(from) == Some(0), to == extent);
+        let printer = single(model);
+        let mut none = Fields::default();
+        let (from, to, extent) =
+            (printer.index(&mut none, from), printer.index(&mut none, to), printer.index(&mut none, extent));
+        let inside = match (zero, whole) {
+            (true, true) => None,
+            (true, false) => Some(quote!(#index < #to)),
+            (false, true) => Some(quote!(#index >= #from)),
+            (false, false) => Some(quote!(#index >= #from && #index < #to)),
+        };
+        Self { index, literal, extent, inside }
+    }
+}
+
+/// A bound of a loop as seen from a table over `table`: itself, or the furthest it gets where it depends on more.
+fn bound(model: &mut Model, id: IndexId, table: LoopSet, upper: bool) -> IndexId {
+    let loops = &mut model.graph.loops;
+    if loops.of_index(id).is_subset(table) {
+        return id;
+    }
+    let furthest = if upper { loops.upper(id) } else { loops.lower(id) };
+    furthest.unwrap_or_else(|| loops.intern(Index::Literal(0)))
+}
+
+/// A printer of `f64` expressions.
+fn single(model: &Model) -> Printer<'_> {
+    Printer {
+        graph: &model.graph,
+        parameters: &model.parameters,
+        running: &model.running,
+        dialect: Dialect::Single,
+        names: HashMap::new(),
+    }
+}

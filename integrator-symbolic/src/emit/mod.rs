@@ -1,0 +1,279 @@
+//! The stepper as Rust.
+//!
+//! Comes in: a model that is known to make sense. Goes out: the implementation of the runtime's `Hamiltonian`, in a
+//! scope of its own. Always true: nothing here fails; the same model gives the same tokens; the text names only paths of
+//! the user, of `::core`, and of the runtime's private door.
+
+mod block;
+mod equations;
+mod expression;
+mod fields;
+
+use crate::{
+    differentiate::{Contribution, gradient},
+    graph::{Element, NodeId, Part, index::Index},
+    model::Model,
+    program::{Placed, Sink},
+    scheme::{Class, InPlace},
+    syntax::{Compose, Input},
+};
+use equations::Formulas;
+use expression::Dialect;
+use fields::Fields;
+use proc_macro2::{Ident, Span, TokenStream};
+use quote::quote;
+
+/// What in a sequence asks for a quadratic `T` that this Hamiltonian does not have: the message for it.
+pub(crate) fn refusal(sequence: &InPlace, model: &Model) -> Option<String> {
+    if model.quadratic {
+        return None;
+    }
+    let term = Formulas(model).not_quadratic(model.kinetic);
+    let proof = sequence.proof();
+    match proof.general {
+        None => Some(format!(
+            "a force-gradient kick needs T = ½ pᵀ M⁻¹ p, but T has the term `{term}`: use kicks `V(b)` alone"
+        )),
+        Some(general) if general.order < proof.quadratic.order => Some(format!(
+            "this sequence is of order {} only where T is quadratic in p with constant masses; T has the term `{term}`, \
+             for which the order is {}: use a sequence for general T, such as `Yoshida4`",
+            proof.quadratic.order, general.order
+        )),
+        Some(_) => None,
+    }
+}
+
+/// The implementation of `Hamiltonian` for the annotated type.
+pub(crate) fn stepper(input: &Input, mut model: Model) -> TokenStream {
+    let kinetic = gradient(&mut model.graph, model.kinetic, Part::Momentum);
+    let potential = gradient(&mut model.graph, model.potential, Part::Position);
+    let documentation = documentation(&model, &kinetic, &potential);
+
+    let mut fields = Fields::default();
+    let drift = flow(&mut model, &mut fields, &kinetic, quote!(duration));
+    let kick = flow(&mut model, &mut fields, &potential, quote!(-duration));
+    let [kinetic, potential] = [model.kinetic, model.potential].map(|energy| {
+        let lowered = block::lowered(&mut model, &[energy])[0];
+        block::function(&model, &mut fields, lowered, Dialect::Generic)
+    });
+    let [drift, kick, kinetic, potential] = [drift, kick, kinetic, potential].map(Body::new);
+
+    let root = &input.root;
+    let fields::Prepared { fields, gathered, values } = fields.emit(&mut model, root);
+    let (structure, gather, prepare) = if fields.is_empty() {
+        (
+            quote!(#[derive(::core::clone::Clone)] pub struct Parameters;),
+            quote!(fn gather<'a>(_of_lane: impl ::core::ops::Fn(usize) -> &'a Self::Single) -> Self { Parameters }),
+            quote!(Parameters),
+        )
+    } else {
+        (
+            quote!(#[derive(::core::clone::Clone)] pub struct Parameters<R> { #fields }),
+            quote!(fn gather<'a>(of_lane: impl ::core::ops::Fn(usize) -> &'a Self::Single) -> Self {
+                Parameters { #gathered }
+            }),
+            quote!(Parameters { #values }),
+        )
+    };
+    let of = |scalar: TokenStream| if fields.is_empty() { quote!(Parameters) } else { quote!(Parameters<#scalar>) };
+    let (of_r, of_f64) = (of(quote!(R)), of(quote!(f64)));
+
+    let (generics, own_generics, bounds) = input.item.generics.split_for_impl();
+    let _ = own_generics;
+    let system = &input.item.self_ty;
+    let coordinates = coordinates(&model);
+    let (composition, declared) = composition(input, &model);
+    let autonomous = model.autonomous;
+    let quadratic = model.quadratic.then(|| {
+        quote! {
+            #[automatically_derived]
+            impl #generics #root::__private::QuadraticKinetic for #system #bounds {}
+        }
+    });
+    let (drift, kick) = (drift.flow("drift"), kick.flow("kick"));
+    let (kinetic, potential) = (kinetic.energy("kinetic"), potential.energy("potential"));
+    quote! {
+        #[allow(warnings, clippy::all, clippy::pedantic, reason = "generated")]
+        const _: () = {
+            use #root::__private::{Hamiltonian, Keep, Plain, Prepared, Real, Shaped, Slot};
+
+            #declared
+
+            /// What depends on parameters alone, evaluated once per run.
+            #structure
+
+            impl<R: Real> Prepared<R> for #of_r {
+                type Single = #of_f64;
+
+                #[inline(always)]
+                #gather
+            }
+
+            #documentation
+            #[automatically_derived]
+            impl #generics Hamiltonian for #system #bounds {
+                type Coords = #coordinates;
+                type Compose = #composition;
+                type Parameters<R: Real> = #of_r;
+                type Motion<R: Real, K: Keep> = Plain<R, Shaped<Self, K>, #of_r>;
+
+                const AUTONOMOUS: bool = #autonomous;
+
+                fn parameters(&self) -> #of_f64 { #prepare }
+
+                #drift
+                #kick
+                #kinetic
+                #potential
+            }
+
+            #quadratic
+        };
+    }
+}
+
+/// The body of a generated function.
+struct Body(TokenStream);
+
+impl Body {
+    fn new(tokens: TokenStream) -> Self {
+        Self(tokens)
+    }
+
+    /// Whether the body mentions a name, so that an argument that it does not is written with an underscore.
+    fn mentions(&self, name: &str) -> bool {
+        fn within(tokens: TokenStream, name: &str) -> bool {
+            tokens.into_iter().any(|token| match token {
+                proc_macro2::TokenTree::Ident(ident) => ident == name,
+                proc_macro2::TokenTree::Group(group) => within(group.stream(), name),
+                _ => false,
+            })
+        }
+        within(self.0.clone(), name)
+    }
+
+    fn argument(&self, name: &str) -> Ident {
+        let underscore = if self.mentions(name) { "" } else { "_" };
+        Ident::new(&format!("{underscore}{name}"), Span::call_site())
+    }
+
+    /// The explicit time as a number of the flow, where it is read.
+    fn time(&self) -> Option<TokenStream> {
+        self.mentions("time").then(|| quote!(let time = R::of(time);))
+    }
+
+    fn flow(&self, name: &str) -> TokenStream {
+        let (name, body, read) = (Ident::new(name, Span::call_site()), &self.0, self.time());
+        let (motion, duration, time) = (self.argument("motion"), self.argument("duration"), self.argument("time"));
+        quote! {
+            #[inline(always)]
+            fn #name<R: Real, K: Keep>(#motion: &mut Self::Motion<R, K>, #duration: f64, #time: f64) { #read #body }
+        }
+    }
+
+    fn energy(&self, name: &str) -> TokenStream {
+        let (name, body, read) = (Ident::new(name, Span::call_site()), &self.0, self.time());
+        let (motion, time) = (self.argument("motion"), self.argument("time"));
+        quote! {
+            #[inline(always)]
+            fn #name<R: Real, K: Keep>(#motion: &Self::Motion<R, K>, #time: f64) -> R { #read #body }
+        }
+    }
+}
+
+/// The body of a flow: each component of the gradient moves its coordinate.
+///
+/// Where every coordinate gets one contribution, it is updated on the spot; else contributions are collected first.
+fn flow(model: &mut Model, fields: &mut Fields, gradient: &[Contribution], duration: TokenStream) -> TokenStream {
+    if gradient.is_empty() {
+        return TokenStream::new();
+    }
+    let direct = is_direct(model, gradient);
+    let values: Vec<NodeId> = gradient
+        .iter()
+        .map(|contribution| if direct { model.graph.stepped(contribution.value) } else { contribution.value })
+        .collect();
+    let values = block::lowered(model, &values);
+    let placed: Vec<Placed> = gradient
+        .iter()
+        .zip(values)
+        .map(|(Contribution { context, element, .. }, value)| {
+            let part = match element.part {
+                Part::Position => Part::Momentum,
+                Part::Momentum => Part::Position,
+            };
+            let moved = Element { part, ..*element };
+            let sink = if direct { Sink::Update(moved) } else { Sink::Collect(moved) };
+            Placed { context: context.clone(), sink, value }
+        })
+        .collect();
+    let body = block::flow(model, fields, &placed);
+    quote!(let step = R::of(#duration); #body)
+}
+
+/// Whether no coordinate is moved by two contributions or by two turns of a loop.
+fn is_direct(model: &Model, gradient: &[Contribution]) -> bool {
+    let loops = &model.graph.loops;
+    let indices = |element: Element| [Some(element.index), element.component];
+    let once = gradient.iter().all(|Contribution { context, element, .. }| {
+        context.iter().all(|by| {
+            indices(*element).into_iter().flatten().any(|index| loops.index(index) == Index::Running(*by))
+        })
+    });
+    let apart = |a: Element, b: Element| {
+        indices(a).into_iter().zip(indices(b)).any(|(a, b)| {
+            let numbers = a.zip(b).and_then(|(a, b)| loops.literal(a).zip(loops.literal(b)));
+            numbers.is_some_and(|(a, b)| a != b)
+        })
+    };
+    once && gradient
+        .iter()
+        .enumerate()
+        .all(|(position, first)| gradient[..position].iter().all(|second| apart(first.element, second.element)))
+}
+
+/// The type of the coordinates.
+fn coordinates(model: &Model) -> TokenStream {
+    let length = model.shape.length.tokens();
+    match &model.shape.dimension {
+        None => quote!([f64; #length]),
+        Some(dimension) => {
+            let dimension = dimension.tokens();
+            quote!([[f64; #dimension]; #length])
+        }
+    }
+}
+
+/// The composition's type, and its declaration where it was written in place.
+fn composition(input: &Input, model: &Model) -> (TokenStream, Option<TokenStream>) {
+    let root = &input.root;
+    match &input.compose {
+        None => (quote!(#root::__private::Verlet), None),
+        Some(Compose::Named(path)) => (quote!(#path), None),
+        Some(Compose::InPlace(sequence, _)) => {
+            let name = Ident::new("Composition", Span::call_site());
+            let class = if model.quadratic { Class::QuadraticKinetic } else { Class::General };
+            (quote!(#name), Some(sequence.emit(&name, class, root)))
+        }
+    }
+}
+
+/// The equations of motion as the documentation of the implementation.
+fn documentation(model: &Model, kinetic: &[Contribution], potential: &[Contribution]) -> TokenStream {
+    let formulas = Formulas(model);
+    let lines = formulas.motion(kinetic, false).into_iter().chain(formulas.motion(potential, true));
+    let lines: Vec<String> = lines.map(|line| format!(" {line}")).collect();
+    let class = match (model.quadratic, model.autonomous) {
+        (true, _) => " `T` is quadratic in the momenta, with a constant mass matrix.",
+        (false, _) => " `T` is not quadratic in the momenta with a constant mass matrix.",
+    };
+    quote! {
+        /// The equations of motion, derived from `kinetic` and `potential`:
+        ///
+        /// ```text
+        #(#[doc = #lines])*
+        /// ```
+        ///
+        #[doc = #class]
+    }
+}

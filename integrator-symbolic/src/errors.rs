@@ -1,0 +1,40 @@
+//! Mistakes found in what the user wrote: all of them are gathered, each with the smallest true span.
+
+use proc_macro2::{Span, TokenStream};
+use quote::ToTokens;
+use std::fmt::Display;
+
+/// The mistakes found so far.
+#[derive(Default)]
+pub(crate) struct Errors(Vec<syn::Error>);
+
+impl Errors {
+    /// Notes a mistake at all tokens of `place`.
+    pub(crate) fn at(&mut self, place: impl ToTokens, message: impl Display) {
+        self.push(syn::Error::new_spanned(place, message));
+    }
+
+    /// Notes a mistake at a span.
+    pub(crate) fn at_span(&mut self, span: Span, message: impl Display) {
+        self.push(syn::Error::new(span, message));
+    }
+
+    /// Notes a mistake; one that is known already is not noted again.
+    pub(crate) fn push(&mut self, error: syn::Error) {
+        // Spans cannot be compared, but what they print tells them apart.
+        let key = |error: &syn::Error| format!("{error} {:?}", error.span());
+        let same = |known: &syn::Error| key(known) == key(&error);
+        if !self.0.iter().any(same) {
+            self.0.push(error);
+        }
+    }
+
+    pub(crate) fn is_empty(&self) -> bool {
+        self.0.is_empty()
+    }
+
+    /// All mistakes as `compile_error!` invocations.
+    pub(crate) fn into_tokens(self) -> TokenStream {
+        self.0.into_iter().map(|error| error.into_compile_error()).collect()
+    }
+}

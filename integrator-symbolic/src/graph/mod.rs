@@ -1,0 +1,208 @@
+//! Expressions as a hash-consed arena: one node per distinct expression, children before parents.
+//!
+//! Comes in: calls of the smart constructors. Goes out: ids. Always true: a child's id is smaller than its parent's, so
+//! evaluation is a loop forwards and a gradient a loop backwards; equal expressions have equal ids, so a shared
+//! subexpression is one node; nodes are built by the constructors in [`algebra`] alone, so their local identities hold
+//! everywhere. The arena knows neither syntax nor spans.
+
+mod algebra;
+pub(crate) mod function;
+pub(crate) mod index;
+mod polynomial;
+
+use function::Function;
+use index::{IndexId, LoopId, LoopSet, Loops};
+use std::collections::HashMap;
+
+/// A node of the arena.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub(crate) struct NodeId(u32);
+
+impl NodeId {
+    pub(crate) fn position(self) -> usize {
+        self.0 as usize
+    }
+}
+
+/// An expression of the user that depends on parameters (and indices of loops) alone; the model holds its text.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub(crate) struct ParameterId(pub(crate) u32);
+
+/// One of the two parts of the Hamiltonian's arguments.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub(crate) enum Part {
+    /// Positions, the arguments of `V`.
+    Position,
+    /// Momenta, the arguments of `T`.
+    Momentum,
+}
+
+/// One coordinate: which point (or number), and which of its components where coordinates are points.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub(crate) struct Element {
+    pub(crate) part: Part,
+    pub(crate) index: IndexId,
+    pub(crate) component: Option<IndexId>,
+}
+
+/// What a node is. Children are ids, so a node is small and can be compared and hashed.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub(crate) enum Node {
+    /// A number, by its bits.
+    Constant(u64),
+    /// An expression of parameters alone.
+    Parameter(ParameterId),
+    /// A coordinate.
+    Coordinate(Element),
+    /// The explicit time.
+    Time,
+    /// The duration of the flow that an update belongs to, with its sign.
+    Step,
+    /// An integer expression as a number.
+    FromIndex(IndexId),
+    Neg(NodeId),
+    Add(NodeId, NodeId),
+    Mul(NodeId, NodeId),
+    /// Division as such: by a number, or what a negative power was lowered to.
+    Div(NodeId, NodeId),
+    /// A power with exponent `halves / 2`, neither 0 nor 1.
+    Power(NodeId, i32),
+    Unary(Function, NodeId),
+    Binary(Function, NodeId, NodeId),
+    /// The sum of the body over the loop's index.
+    Sum(LoopId, NodeId),
+}
+
+impl Node {
+    /// The children, in order.
+    pub(crate) fn children(self) -> impl Iterator<Item = NodeId> {
+        let (first, second) = match self {
+            Node::Constant(_)
+            | Node::Parameter(_)
+            | Node::Coordinate(_)
+            | Node::Time
+            | Node::Step
+            | Node::FromIndex(_) => (None, None),
+            Node::Neg(a) | Node::Power(a, _) | Node::Unary(_, a) | Node::Sum(_, a) => (Some(a), None),
+            Node::Add(a, b) | Node::Mul(a, b) | Node::Div(a, b) | Node::Binary(_, a, b) => (Some(a), Some(b)),
+        };
+        first.into_iter().chain(second)
+    }
+}
+
+/// What is known of a node beside its children, found when it is built.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+struct Facts {
+    /// The loops whose index it depends on.
+    loops: LoopSet,
+    /// Whether it depends on parameters, numbers and loop indices alone.
+    prepared: bool,
+    /// Whether it depends on positions.
+    positions: bool,
+    /// Whether it depends on momenta.
+    momenta: bool,
+}
+
+/// The arena.
+#[derive(Debug, Default)]
+pub(crate) struct Graph {
+    nodes: Vec<Node>,
+    facts: Vec<Facts>,
+    ids: HashMap<Node, NodeId>,
+    /// Integer expressions and loops.
+    pub(crate) loops: Loops,
+}
+
+impl Graph {
+    /// The node behind an id.
+    pub(crate) fn node(&self, id: NodeId) -> Node {
+        self.nodes[id.position()]
+    }
+
+    /// How many nodes there are.
+    pub(crate) fn len(&self) -> usize {
+        self.nodes.len()
+    }
+
+    /// The loops whose index a node depends on.
+    pub(crate) fn loops_of(&self, id: NodeId) -> LoopSet {
+        self.facts[id.position()].loops
+    }
+
+    /// Whether a node depends on parameters, numbers and loop indices alone, so that it is computed once per run.
+    pub(crate) fn is_prepared(&self, id: NodeId) -> bool {
+        self.facts[id.position()].prepared
+    }
+
+    /// Whether a node depends on coordinates of a part.
+    pub(crate) fn reads(&self, id: NodeId, part: Part) -> bool {
+        let facts = self.facts[id.position()];
+        match part {
+            Part::Position => facts.positions,
+            Part::Momentum => facts.momenta,
+        }
+    }
+
+    /// The number that a node is, if it is one.
+    pub(crate) fn as_constant(&self, id: NodeId) -> Option<f64> {
+        match self.node(id) {
+            Node::Constant(bits) => Some(f64::from_bits(bits)),
+            _ => None,
+        }
+    }
+
+    /// All nodes that `roots` are made of, children first.
+    pub(crate) fn reachable(&self, roots: impl IntoIterator<Item = NodeId>) -> Vec<NodeId> {
+        let mut seen = vec![false; self.len()];
+        let mut open: Vec<NodeId> = roots.into_iter().collect();
+        while let Some(id) = open.pop() {
+            if !std::mem::replace(&mut seen[id.position()], true) {
+                open.extend(self.node(id).children());
+            }
+        }
+        (0..self.len() as u32).map(NodeId).filter(|id| seen[id.position()]).collect()
+    }
+
+    /// The id of `node`, new or known. Only the constructors call this.
+    fn intern(&mut self, node: Node) -> NodeId {
+        if let Some(id) = self.ids.get(&node) {
+            return *id;
+        }
+        let id = NodeId(self.nodes.len() as u32);
+        self.facts.push(self.facts_of(node));
+        self.nodes.push(node);
+        self.ids.insert(node, id);
+        id
+    }
+
+    fn facts_of(&self, node: Node) -> Facts {
+        let loops = match node {
+            Node::Parameter(id) => self.loops.of_parameter(id),
+            Node::FromIndex(index) => self.loops.of_index(index),
+            Node::Sum(by, _) => self.loops.of_range(by),
+            Node::Coordinate(element) => self.loops.of_element(element),
+            _ => LoopSet::EMPTY,
+        };
+        let part = match node {
+            Node::Coordinate(element) => Some(element.part),
+            _ => None,
+        };
+        let mut facts = Facts {
+            loops,
+            prepared: !matches!(node, Node::Time | Node::Step | Node::Coordinate(_)),
+            positions: part == Some(Part::Position),
+            momenta: part == Some(Part::Momentum),
+        };
+        for child in node.children() {
+            let child = self.facts[child.position()];
+            facts.loops = facts.loops.union(match node {
+                Node::Sum(by, _) => child.loops.without(by),
+                _ => child.loops,
+            });
+            facts.prepared &= child.prepared;
+            facts.positions |= child.positions;
+            facts.momenta |= child.momenta;
+        }
+        facts
+    }
+}

@@ -1,0 +1,36 @@
+//! The degree of an expression as a polynomial in the momenta: how the class of `T` is decided.
+
+use super::{Graph, Node, NodeId, Part};
+
+impl Graph {
+    /// The degree of a node as a polynomial in the coordinates of `part` with coefficients of parameters (and time);
+    /// `None` where it is not one, as far as its form tells.
+    pub(crate) fn degree(&self, root: NodeId, part: Part) -> Option<u32> {
+        let mut degrees: Vec<Option<u32>> = Vec::with_capacity(root.position() + 1);
+        for position in 0..=root.position() {
+            let of = |id: NodeId| degrees[id.position()];
+            let degree = match self.nodes[position] {
+                Node::Constant(_) | Node::Parameter(_) | Node::Time | Node::Step | Node::FromIndex(_) => Some(0),
+                Node::Coordinate(element) => Some(u32::from(element.part == part)),
+                Node::Neg(a) | Node::Sum(_, a) => of(a),
+                Node::Add(a, b) => of(a).zip(of(b)).map(|(a, b)| a.max(b)),
+                Node::Mul(a, b) => of(a).zip(of(b)).and_then(|(a, b)| a.checked_add(b)),
+                Node::Div(a, b) => of(a).filter(|_| of(b) == Some(0)),
+                Node::Power(a, halves) => match of(a) {
+                    Some(0) => Some(0),
+                    Some(degree) if halves > 0 && halves % 2 == 0 => degree.checked_mul(halves as u32 / 2),
+                    _ => None,
+                },
+                Node::Unary(_, a) => of(a).filter(|degree| *degree == 0),
+                Node::Binary(_, a, b) => of(a).zip(of(b)).filter(|pair| *pair == (0, 0)).map(|_| 0),
+            };
+            degrees.push(degree);
+        }
+        degrees[root.position()]
+    }
+
+    /// Whether a node reads the explicit time.
+    pub(crate) fn reads_time(&self, root: NodeId) -> bool {
+        self.reachable([root]).into_iter().any(|id| self.node(id) == Node::Time)
+    }
+}

@@ -1,0 +1,242 @@
+//! Calls: elementary functions, helper methods of the impl, and whatever takes parameters alone.
+
+use super::{
+    Reader,
+    value::{Opaque, Value},
+};
+use crate::graph::{
+    NodeId,
+    function::{Function, Rule, TABLE},
+    index::LoopSet,
+};
+use proc_macro2::{Ident, TokenStream};
+use quote::{ToTokens, quote};
+use std::collections::HashMap;
+use syn::{Expr, ExprCall, ExprLit, ExprMethodCall, ExprUnary, FnArg, ImplItemFn, Lit, UnOp};
+
+/// Methods of `f64` that are arithmetic on the functions of the table.
+const ARITHMETIC: [&str; 9] =
+    ["sqrt", "powi", "recip", "mul_add", "sin_cos", "log", "to_radians", "to_degrees", "clone"];
+
+impl Reader<'_> {
+    /// `receiver.name(arguments)`
+    pub(super) fn method(&mut self, call: &ExprMethodCall) -> Option<Value> {
+        let is_self = matches!(&*call.receiver, Expr::Path(path) if path.path.is_ident("self"));
+        let receiver = self.expression(&call.receiver);
+        let arguments = self.arguments(&call.args);
+        let (receiver, arguments) = (receiver?, arguments?);
+        let turbofish = call.turbofish.as_ref().map(ToTokens::to_token_stream);
+        let name = &call.method;
+        if let Some(object) = self.opaque(&receiver)
+            && !matches!(receiver, Value::Real(_))
+            && let Some((text, loops)) = self.opaque_list(&arguments)
+        {
+            let object_text = &object.text;
+            let text = quote!(#object_text.#name #turbofish(#text));
+            return Some(Value::Opaque(Opaque { text, loops: loops.union(object.loops) }));
+        }
+        let places: Vec<&Expr> = call.args.iter().collect();
+        if is_self {
+            return self.helper(name, arguments, &places);
+        }
+        self.elementary(name, receiver, &call.receiver, arguments, &places)
+    }
+
+    /// `function(arguments)`
+    pub(super) fn call(&mut self, call: &ExprCall) -> Option<Value> {
+        let mut arguments = self.arguments(&call.args)?;
+        let function = call.func.to_token_stream();
+        let mut places: Vec<&Expr> = call.args.iter().collect();
+        let segments: Vec<&Ident> = match &*call.func {
+            Expr::Path(path) if path.qself.is_none() => path.path.segments.iter().map(|part| &part.ident).collect(),
+            _ => Vec::new(),
+        };
+        let literals = !arguments.is_empty() && arguments.iter().all(|value| matches!(value, Value::Real(_)));
+        if !literals && let Some((text, loops)) = self.opaque_list(&arguments) {
+            return Some(Value::Opaque(Opaque { text: quote!(#function(#text)), loops }));
+        }
+        match segments[..] {
+            [.., kind, name] if kind == "f64" && !places.is_empty() => {
+                let receiver = arguments.remove(0);
+                let place = places.remove(0);
+                self.elementary(name, receiver, place, arguments, &places)
+            }
+            [kind, name] if kind == "Self" => {
+                let takes_self = self.input.function(&name.to_string()).is_some_and(|helper| helper.sig.receiver().is_some());
+                if takes_self && !arguments.is_empty() {
+                    arguments.remove(0);
+                    places.remove(0);
+                }
+                self.helper(name, arguments, &places)
+            }
+            _ => {
+                self.unknown_function(&call.func, &function.to_string().replace(' ', ""));
+                None
+            }
+        }
+    }
+
+    fn arguments<'e>(&mut self, arguments: impl IntoIterator<Item = &'e Expr>) -> Option<Vec<Value>> {
+        let values: Vec<_> = arguments.into_iter().map(|argument| self.expression(argument)).collect();
+        values.into_iter().collect()
+    }
+
+    /// Arguments as text, if all of them are parameters.
+    fn opaque_list(&self, arguments: &[Value]) -> Option<(TokenStream, LoopSet)> {
+        let texts: Vec<Opaque> = arguments.iter().map(|value| self.opaque(value)).collect::<Option<_>>()?;
+        let loops = texts.iter().fold(LoopSet::EMPTY, |loops, opaque| loops.union(opaque.loops));
+        let texts = texts.iter().map(|opaque| &opaque.text);
+        Some((quote!(#(#texts),*), loops))
+    }
+
+    fn unknown_function(&mut self, place: impl ToTokens, name: &str) {
+        let known: Vec<&str> = TABLE.iter().map(|row| row.name).chain(ARITHMETIC).filter(|name| *name != "clone").collect();
+        let message = format!(
+            "`{name}` of a coordinate is not known. Known are the methods of f64 {}, and helper methods of this impl",
+            known.join(", ")
+        );
+        self.errors.at(place, message);
+    }
+
+    /// A method of `f64`.
+    fn elementary(
+        &mut self,
+        name: &Ident,
+        receiver: Value,
+        place: &Expr,
+        arguments: Vec<Value>,
+        places: &[&Expr],
+    ) -> Option<Value> {
+        let method = name.to_string();
+        let function = Function::named(&method);
+        let expected = match (function.map(|function| &function.row().rule), method.as_str()) {
+            (Some(Rule::Unary(..)), _) => 0,
+            (Some(Rule::Binary(..)), _) | (None, "powi" | "log") => 1,
+            (None, "mul_add") => 2,
+            (None, known) if ARITHMETIC.contains(&known) => 0,
+            _ => {
+                self.unknown_function(name, &method);
+                return None;
+            }
+        };
+        if method == "clone" {
+            return Some(receiver);
+        }
+        let x = self.number(&receiver, place)?;
+        if arguments.len() != expected {
+            self.errors.at(name, format!("`{method}` takes {expected} arguments, not {}", arguments.len()));
+            return None;
+        }
+        if method == "powi" {
+            return self.whole_power(x, &arguments[0], places[0]);
+        }
+        let numbers: Vec<_> = arguments.iter().zip(places).map(|(value, place)| self.number(value, place)).collect();
+        let numbers = numbers.into_iter().collect::<Option<Vec<NodeId>>>()?;
+        if let Some((mixed, place)) = numbers.iter().zip(places).find(|(number, _)| self.mixes(x, **number))
+            && method != "mul_add"
+        {
+            let _ = mixed;
+            self.not_separable(place);
+            return None;
+        }
+        let graph = &mut self.graph;
+        Some(Value::Real(match (function, method.as_str(), &numbers[..]) {
+            (Some(function), _, []) => graph.unary(function, x),
+            (Some(function), _, [y]) => graph.binary(function, x, *y),
+            (None, "sqrt", _) => graph.power(x, 1),
+            (None, "recip", _) => graph.power(x, -2),
+            (None, "mul_add", [factor, addend]) => {
+                if self.mixes(x, *factor) {
+                    self.not_separable(place);
+                    return None;
+                }
+                let product = self.graph.mul(x, *factor);
+                self.graph.add(product, *addend)
+            }
+            (None, "sin_cos", _) => {
+                let (sine, cosine) = (graph.call("sin", x), graph.call("cos", x));
+                return Some(Value::Tuple(vec![Value::Real(sine), Value::Real(cosine)]));
+            }
+            (None, "log", [base]) => {
+                let (logarithm, of_base) = (graph.call("ln", x), graph.call("ln", *base));
+                graph.div(logarithm, of_base)
+            }
+            (None, "to_degrees", _) => {
+                let scale = graph.constant(180.0 / std::f64::consts::PI);
+                graph.mul(scale, x)
+            }
+            _ => {
+                let scale = graph.constant(std::f64::consts::PI / 180.0);
+                graph.mul(scale, x)
+            }
+        }))
+    }
+
+    /// `x.powi(n)`: multiplications for a literal, a power with real exponent for a parameter.
+    fn whole_power(&mut self, x: NodeId, exponent: &Value, place: &Expr) -> Option<Value> {
+        if let Some(literal) = signed_literal(place) {
+            let Some(halves) = literal.checked_mul(2) else {
+                self.errors.at(place, "this exponent is too large");
+                return None;
+            };
+            return Some(Value::Real(self.graph.power(x, halves)));
+        }
+        let Some(Opaque { text, loops }) = self.opaque(exponent) else {
+            self.errors.at(place, "the exponent of `powi` is an integer that does not depend on coordinates");
+            return None;
+        };
+        let exponent = self.parameter(quote!(f64::from(#text)), false, loops);
+        let exponent = self.graph.parameter(exponent);
+        Some(Value::Real(self.graph.call_two("powf", x, exponent)))
+    }
+
+    /// A helper method of the impl, inlined.
+    fn helper(&mut self, name: &Ident, arguments: Vec<Value>, places: &[&Expr]) -> Option<Value> {
+        let input = self.input;
+        let Some(helper) = input.function(&name.to_string()) else {
+            self.unknown_function(name, &name.to_string());
+            return None;
+        };
+        if self.inlining.iter().any(|known| name == known) {
+            self.errors.at(name, format!("`{name}` calls itself: recursion has no derivative here; write a loop"));
+            return None;
+        }
+        let parameters: Vec<_> = typed_arguments(helper).collect();
+        if parameters.len() != arguments.len() {
+            let message = format!("`{name}` takes {} arguments, not {}", parameters.len(), arguments.len());
+            self.errors.at(name, message);
+            return None;
+        }
+        for (argument, place) in arguments.iter().zip(places) {
+            if let Value::Accumulating = argument {
+                self.number(argument, place)?;
+            }
+        }
+        let scopes = std::mem::replace(&mut self.scopes, vec![HashMap::new()]);
+        for (parameter, argument) in parameters.into_iter().zip(arguments) {
+            self.bind(&parameter.pat, argument);
+        }
+        self.inlining.push(name.to_string());
+        let value = self.block(&helper.block);
+        self.inlining.pop();
+        self.scopes = scopes;
+        value
+    }
+}
+
+fn typed_arguments(function: &ImplItemFn) -> impl Iterator<Item = &syn::PatType> {
+    function.sig.inputs.iter().filter_map(|argument| match argument {
+        FnArg::Typed(argument) => Some(argument),
+        FnArg::Receiver(_) => None,
+    })
+}
+
+/// The value of `3`, `-3` or `(3)`.
+fn signed_literal(expression: &Expr) -> Option<i32> {
+    match expression {
+        Expr::Lit(ExprLit { lit: Lit::Int(number), .. }) => number.base10_parse().ok(),
+        Expr::Unary(ExprUnary { op: UnOp::Neg(_), expr, .. }) => signed_literal(expr).and_then(i32::checked_neg),
+        Expr::Paren(inner) => signed_literal(&inner.expr),
+        _ => None,
+    }
+}

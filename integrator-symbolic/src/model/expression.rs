@@ -1,0 +1,426 @@
+//! Expressions.
+
+use super::{
+    Reader,
+    statement::with_variables,
+    value::{Opaque, Value, View},
+};
+use crate::graph::{
+    NodeId, Part,
+    index::{Index, IndexId, LoopSet},
+};
+use proc_macro2::{Ident, TokenStream, TokenTree};
+use quote::{ToTokens, quote};
+use syn::{
+    BinOp, Expr, ExprArray, ExprBinary, ExprCast, ExprField, ExprIndex, ExprLit, ExprPath, ExprUnary, Lit, Member,
+    Type, UnOp,
+};
+
+impl Reader<'_> {
+    /// The value of an expression; `None` if a mistake was noted in it.
+    pub(super) fn expression(&mut self, expression: &Expr) -> Option<Value> {
+        match expression {
+            Expr::Paren(inner) => self.grouped(&inner.expr),
+            Expr::Group(inner) => self.expression(&inner.expr),
+            Expr::Reference(inner) if inner.mutability.is_none() => self.expression(&inner.expr),
+            Expr::Block(inner) if inner.label.is_none() => self.block(&inner.block),
+            Expr::Lit(literal) => self.literal(literal),
+            Expr::Path(path) => self.path(path),
+            Expr::Unary(unary) => self.unary(unary, expression),
+            Expr::Binary(_) => self.chain(expression),
+            Expr::Cast(cast) => self.cast(cast),
+            Expr::Index(index) => self.index(index),
+            Expr::Field(field) => self.field(field),
+            Expr::Array(ExprArray { elems, .. }) => {
+                let parts: Vec<_> = elems.iter().map(|part| self.expression(part)).collect();
+                Some(Value::Array(parts.into_iter().collect::<Option<_>>()?))
+            }
+            Expr::Tuple(tuple) => {
+                let parts: Vec<_> = tuple.elems.iter().map(|part| self.expression(part)).collect();
+                Some(Value::Tuple(parts.into_iter().collect::<Option<_>>()?))
+            }
+            Expr::MethodCall(call) => self.method(call),
+            Expr::Call(call) => self.call(call),
+            Expr::Macro(called) => self.assertion(&called.mac),
+            _ => self.verbatim(expression).or_else(|| self.refused(expression)),
+        }
+    }
+
+    /// A value as a number; notes a mistake at `place` if it is none.
+    pub(super) fn number(&mut self, value: &Value, place: impl ToTokens) -> Option<NodeId> {
+        let number = self.real(value);
+        if number.is_none() {
+            let message = match value {
+                Value::Accumulating => {
+                    "this variable is being summed up by the loop around here: it can be read after the loop".to_owned()
+                }
+                Value::Integer(_) => "this is an integer: write it as a number, `2.0`, or `n as f64`".to_owned(),
+                Value::Unknown => return None,
+                other => format!("expected a number, found {}", other.describe()),
+            };
+            self.errors.at(place, message);
+        }
+        number
+    }
+
+    /// Parentheses stay around parameters, whose text is kept.
+    fn grouped(&mut self, inner: &Expr) -> Option<Value> {
+        Some(match self.expression(inner)? {
+            Value::Opaque(Opaque { text, loops }) => Value::Opaque(Opaque { text: quote!((#text)), loops }),
+            value => value,
+        })
+    }
+
+    fn literal(&mut self, literal: &ExprLit) -> Option<Value> {
+        let number = match &literal.lit {
+            Lit::Float(number) => number.base10_parse::<f64>(),
+            Lit::Int(number) if number.suffix() == "f64" => number.base10_parse::<f64>(),
+            Lit::Int(number) => {
+                let index = number.base10_parse().map_err(|error| self.errors.push(error)).ok()?;
+                return Some(Value::Integer(self.graph.loops.intern(Index::Literal(index))));
+            }
+            other => {
+                let text = other.to_token_stream();
+                return Some(Value::Opaque(Opaque { text, loops: LoopSet::EMPTY }));
+            }
+        };
+        let number = number.map_err(|error| self.errors.push(error)).ok()?;
+        Some(Value::Real(self.graph.constant(number)))
+    }
+
+    /// A variable, or a constant of the surroundings.
+    fn path(&mut self, path: &ExprPath) -> Option<Value> {
+        let name = path.path.get_ident().filter(|_| path.qself.is_none());
+        if let Some(name) = name {
+            if let Some(id) = self.lookup(&name.to_string()) {
+                return self.variable(name, self.bindings[id.0].value.clone());
+            }
+            let is_constant = name.to_string().chars().next().is_some_and(char::is_uppercase);
+            if !is_constant && name != "self" {
+                self.unknown_name(name);
+                return None;
+            }
+        }
+        Some(Value::Opaque(Opaque { text: path.to_token_stream(), loops: LoopSet::EMPTY }))
+    }
+
+    fn variable(&mut self, name: &Ident, value: Value) -> Option<Value> {
+        match &value {
+            Value::Unknown => return None,
+            Value::Accumulating => {
+                let message = format!("`{name}` is being summed up by the loop around here: it can be read after the loop");
+                self.errors.at(name, message);
+                return None;
+            }
+            _ => {}
+        }
+        Some(value)
+    }
+
+    fn unknown_name(&mut self, name: &Ident) {
+        let message = match name.to_string().as_str() {
+            "p" => "`p` is not known here: V(q) is a function of the positions alone; a term with momenta belongs in \
+                    `kinetic`"
+                .to_owned(),
+            "q" => "`q` is not known here: T(p) is a function of the momenta alone; a term with positions belongs in \
+                    `potential`"
+                .to_owned(),
+            other => format!("`{other}` is not known here"),
+        };
+        self.errors.at(name, message);
+    }
+
+    fn unary(&mut self, unary: &ExprUnary, whole: &Expr) -> Option<Value> {
+        match &unary.op {
+            UnOp::Deref(_) => self.expression(&unary.expr),
+            UnOp::Neg(_) => match self.expression(&unary.expr)? {
+                Value::Opaque(Opaque { text, loops }) => Some(Value::Opaque(Opaque { text: quote!(-#text), loops })),
+                value => {
+                    let number = self.number(&value, &unary.expr)?;
+                    Some(Value::Real(self.graph.neg(number)))
+                }
+            },
+            _ => self.verbatim(whole).or_else(|| self.refused(whole)),
+        }
+    }
+
+    /// Operators. A long chain `a + b + c + ...` leans to the left, so it is walked down and read upwards: the depth of
+    /// the reader does not grow with the number of terms.
+    fn chain(&mut self, expression: &Expr) -> Option<Value> {
+        let mut links = Vec::new();
+        let mut innermost = expression;
+        while let Expr::Binary(link) = innermost {
+            links.push((link, innermost));
+            innermost = &link.left;
+        }
+        let mut value = self.expression(innermost);
+        for (link, whole) in links.into_iter().rev() {
+            let right = self.expression(&link.right);
+            value = match (value, right) {
+                (Some(left), Some(right)) => self.combine(&link.op, left, right, &link.left, &link.right, whole),
+                _ => None,
+            };
+        }
+        value
+    }
+
+    /// `left op right`
+    pub(super) fn combine(
+        &mut self,
+        op: &BinOp,
+        left: Value,
+        right: Value,
+        left_place: &Expr,
+        right_place: &Expr,
+        whole: &Expr,
+    ) -> Option<Value> {
+        if !matches!(op, BinOp::Add(_) | BinOp::Sub(_) | BinOp::Mul(_) | BinOp::Div(_) | BinOp::Rem(_)) {
+            return match (self.opaque(&left), self.opaque(&right)) {
+                (Some(left), Some(right)) => Some(Value::Opaque(joined(&left, op, &right))),
+                _ => self.refused(whole),
+            };
+        }
+        let literal_only = |value: &Value| matches!(value, Value::Real(_));
+        match (&left, &right) {
+            (Value::Integer(_), Value::Integer(_) | Value::Opaque(_)) | (Value::Opaque(_), Value::Integer(_)) => {
+                let (a, b) = (self.integer(&left)?, self.integer(&right)?);
+                return Some(Value::Integer(self.integer_operation(op, a, b)));
+            }
+            // Text of parameters stays text, unless it would join the indices of different loops into one table.
+            _ if !(literal_only(&left) && literal_only(&right)) => {
+                if let (Some(a), Some(b)) = (self.opaque(&left), self.opaque(&right))
+                    && (a.loops.is_subset(b.loops) || b.loops.is_subset(a.loops))
+                {
+                    return Some(Value::Opaque(joined(&a, op, &b)));
+                }
+            }
+            _ => {}
+        }
+        let (a, b) = (self.number(&left, left_place), self.number(&right, right_place));
+        let (a, b) = (a?, b?);
+        if matches!(op, BinOp::Mul(_) | BinOp::Div(_)) && self.mixes(a, b) {
+            self.not_separable(whole);
+            return None;
+        }
+        Some(Value::Real(match op {
+            BinOp::Add(_) => self.graph.add(a, b),
+            BinOp::Sub(_) => self.graph.sub(a, b),
+            BinOp::Mul(_) => self.graph.mul(a, b),
+            BinOp::Div(_) => self.graph.div(a, b),
+            _ => return self.refused(whole),
+        }))
+    }
+
+    fn integer_operation(&mut self, op: &BinOp, a: IndexId, b: IndexId) -> IndexId {
+        self.graph.loops.intern(match op {
+            BinOp::Add(_) => Index::Add(a, b),
+            BinOp::Sub(_) => Index::Sub(a, b),
+            BinOp::Mul(_) => Index::Mul(a, b),
+            BinOp::Div(_) => Index::Div(a, b),
+            _ => Index::Rem(a, b),
+        })
+    }
+
+    /// Whether two factors depend on positions and momenta together.
+    pub(super) fn mixes(&self, a: NodeId, b: NodeId) -> bool {
+        let reads = |part| self.graph.reads(a, part) || self.graph.reads(b, part);
+        reads(Part::Position) && reads(Part::Momentum)
+    }
+
+    /// Notes that the Hamiltonian is not separable.
+    pub(super) fn not_separable(&mut self, place: &Expr) {
+        self.misplaced = true;
+        self.errors.at(
+            place,
+            "this mixes q and p, so H is not separable: a splitting needs H = T(p) + V(q). Change to coordinates in \
+             which T depends on p alone, or split H into more parts",
+        );
+    }
+
+    fn cast(&mut self, cast: &ExprCast) -> Option<Value> {
+        let value = self.expression(&cast.expr)?;
+        let to_float = super::shape::is_f64(&cast.ty);
+        match value {
+            Value::Integer(index) if to_float => Some(Value::Real(self.graph.from_index(index))),
+            Value::Integer(index) if is_integer(&cast.ty) => Some(Value::Integer(index)),
+            Value::Real(number) if to_float => Some(Value::Real(number)),
+            value => match self.opaque(&value) {
+                Some(Opaque { text, loops }) => {
+                    let kind = &cast.ty;
+                    Some(Value::Opaque(Opaque { text: quote!((#text as #kind)), loops }))
+                }
+                None => {
+                    let message = format!("{} cannot be cast here: energies are computed in f64", value.describe());
+                    self.errors.at(cast, message);
+                    None
+                }
+            },
+        }
+    }
+
+    fn index(&mut self, index: &ExprIndex) -> Option<Value> {
+        let (value, at) = (self.expression(&index.expr), self.expression(&index.index));
+        let (value, at) = (value?, at?);
+        let Some(position) = self.integer(&at) else {
+            self.errors.at(&index.index, format!("an index is an integer; this is {}", at.describe()));
+            return None;
+        };
+        match value {
+            Value::View(view) => self.coordinate(view, position, index),
+            Value::Array(parts) => {
+                let literal = self.graph.loops.literal(position);
+                let part = literal.and_then(|literal| parts.get(usize::try_from(literal).ok()?));
+                if part.is_none() {
+                    let message = match literal {
+                        Some(_) => format!("the index is out of bounds: this array has {} elements", parts.len()),
+                        None => "an array of values is indexed by a literal here".to_owned(),
+                    };
+                    self.errors.at(&index.index, message);
+                }
+                part.cloned()
+            }
+            Value::Opaque(Opaque { text, loops }) => {
+                let at = self.opaque(&at)?;
+                let inner = at.text;
+                Some(Value::Opaque(Opaque { text: quote!(#text[#inner]), loops: loops.union(at.loops) }))
+            }
+            other => {
+                self.errors.at(&index.expr, format!("{} cannot be indexed", other.describe()));
+                None
+            }
+        }
+    }
+
+    /// An index into coordinates, held against their bounds where both are known.
+    fn coordinate(&mut self, view: View, position: IndexId, place: &ExprIndex) -> Option<Value> {
+        let shape = self.shape.clone()?;
+        let Some(extent) = shape.extent(view.at.len()) else {
+            self.errors.at(place, "a coordinate is a number: it cannot be indexed");
+            return None;
+        };
+        let upper = self.graph.loops.upper(position).and_then(|upper| self.graph.loops.literal(upper));
+        if let (Some(length), Some(upper)) = (extent.literal(), upper)
+            && upper >= length
+            && !self.is_empty_loop(position)
+        {
+            let message = format!(
+                "index {upper} is out of bounds: the coordinates are `{}`, the last index here is {}",
+                shape.text(),
+                length.saturating_sub(1)
+            );
+            self.errors.at(&place.index, message);
+            return None;
+        }
+        if self.foreign == Some(view.part) {
+            self.foreign_read(&view, place);
+        }
+        Some(self.element(View { part: view.part, at: view.at.into_iter().chain([position]).collect() }))
+    }
+
+    /// Whether an index runs over nothing, so that its bounds say nothing.
+    fn is_empty_loop(&self, position: IndexId) -> bool {
+        let loops = &self.graph.loops;
+        loops.of_index(position).iter().any(|by| {
+            let range = loops.get(by);
+            loops.literal(range.from).zip(loops.literal(range.to)).is_some_and(|(from, to)| from >= to)
+        })
+    }
+
+    /// Notes that a function reads the other function's coordinates; a product that mixes both is noted elsewhere.
+    fn foreign_read(&mut self, view: &View, place: &ExprIndex) {
+        if !view.at.is_empty() {
+            return;
+        }
+        let (letter, own, of, instead) = match view.part {
+            Part::Momentum => ("p", "V(q)", "momentum", "kinetic"),
+            Part::Position => ("q", "T(p)", "position", "potential"),
+        };
+        self.foreign_reads.push((
+            place.expr.to_token_stream(),
+            format!("{own} may not read the {of} `{letter}`: a term in `{letter}` alone belongs in `{instead}`"),
+        ));
+    }
+
+    fn field(&mut self, field: &ExprField) -> Option<Value> {
+        let value = self.expression(&field.base)?;
+        match (value, &field.member) {
+            (Value::Opaque(Opaque { text, loops }), member) => {
+                Some(Value::Opaque(Opaque { text: quote!(#text.#member), loops }))
+            }
+            (Value::Tuple(parts), Member::Unnamed(position)) if (position.index as usize) < parts.len() => {
+                Some(parts[position.index as usize].clone())
+            }
+            (other, member) => {
+                self.errors.at(member, format!("{} has no such field", other.describe()));
+                None
+            }
+        }
+    }
+
+    /// Any expression that mentions parameters and loop indices alone: it is evaluated once per run as it stands.
+    pub(super) fn verbatim(&mut self, expression: &Expr) -> Option<Value> {
+        let text = expression.to_token_stream();
+        let mut names = Vec::new();
+        identifiers(text.clone(), &mut names);
+        let (mut variables, mut loops) = (Vec::new(), LoopSet::EMPTY);
+        for name in names {
+            let Some(id) = self.lookup(&name.to_string()) else { continue };
+            let value = self.bindings[id.0].value.clone();
+            let Opaque { text, loops: mentioned } = self.opaque(&value)?;
+            loops = loops.union(mentioned);
+            variables.push((name, text));
+        }
+        Some(Value::Opaque(Opaque { text: with_variables(text, &variables), loops }))
+    }
+
+    /// Notes an expression that is not understood.
+    fn refused(&mut self, expression: &Expr) -> Option<Value> {
+        let what = match expression {
+            Expr::While(_) => "`while` has no derivative here: write the sum as `for i in a..b`",
+            Expr::Loop(_) => "`loop` has no derivative here: write the sum as `for i in a..b`",
+            Expr::If(_) => "`if` on coordinates is not understood: only parameters may decide",
+            Expr::Match(_) => "`match` on coordinates is not understood: only parameters may decide",
+            Expr::Return(_) => "an early `return` is not understood: let the energy be the last expression",
+            Expr::Closure(_) => "a closure over coordinates is not understood: write a helper method of this impl",
+            Expr::Unsafe(_) => "`unsafe` code over coordinates is not understood",
+            Expr::Break(_) | Expr::Continue(_) => "`break` and `continue` are not understood: give the loop its range",
+            Expr::ForLoop(_) => "a loop has no value: sum into a `let mut` variable",
+            Expr::Binary(ExprBinary { op, .. }) if is_comparison(op) => {
+                "a comparison of coordinates is not understood here"
+            }
+            _ => {
+                "this expression over coordinates is not understood: arithmetic, f64 methods, helper methods of this \
+                 impl, `let` and `for i in a..b` are"
+            }
+        };
+        self.errors.at(expression, what);
+        None
+    }
+}
+
+fn is_comparison(op: &BinOp) -> bool {
+    matches!(op, BinOp::Lt(_) | BinOp::Le(_) | BinOp::Gt(_) | BinOp::Ge(_) | BinOp::Eq(_) | BinOp::Ne(_))
+}
+
+fn is_integer(kind: &Type) -> bool {
+    const INTEGERS: [&str; 10] = ["usize", "u64", "u32", "u16", "u8", "isize", "i64", "i32", "i16", "i8"];
+    matches!(kind, Type::Path(path) if INTEGERS.iter().any(|name| path.path.is_ident(name)))
+}
+
+fn joined(left: &Opaque, op: &BinOp, right: &Opaque) -> Opaque {
+    let (a, b) = (&left.text, &right.text);
+    Opaque { text: quote!((#a #op #b)), loops: left.loops.union(right.loops) }
+}
+
+/// Every identifier of a text that could be a variable, once.
+fn identifiers(text: TokenStream, found: &mut Vec<Ident>) {
+    let mut after_dot = false;
+    for token in text {
+        match &token {
+            TokenTree::Ident(name) if !after_dot && !found.contains(name) && name != "self" => found.push(name.clone()),
+            TokenTree::Group(group) => identifiers(group.stream(), found),
+            _ => {}
+        }
+        after_dot = matches!(&token, TokenTree::Punct(mark) if mark.as_char() == '.');
+    }
+}

@@ -1,0 +1,90 @@
+//! Integers: indices, bounds, and numbers read as either.
+
+use super::{
+    Reader,
+    value::{Opaque, Value, View},
+};
+use crate::graph::{
+    Element, NodeId,
+    index::{Index, IndexId},
+};
+use proc_macro2::{Literal, TokenStream};
+use quote::{ToTokens, quote};
+
+impl Reader<'_> {
+    /// A value as a number that may depend on coordinates.
+    pub(super) fn real(&mut self, value: &Value) -> Option<NodeId> {
+        match value {
+            Value::Real(node) => Some(*node),
+            Value::Opaque(Opaque { text, loops }) => {
+                let parameter = self.parameter(text.clone(), false, *loops);
+                Some(self.graph.parameter(parameter))
+            }
+            _ => None,
+        }
+    }
+
+    /// A value as an integer.
+    pub(super) fn integer(&mut self, value: &Value) -> Option<IndexId> {
+        match value {
+            Value::Integer(index) => Some(*index),
+            Value::Opaque(Opaque { text, loops }) => {
+                let parameter = self.parameter(text.clone(), true, *loops);
+                Some(self.graph.loops.intern(Index::Parameter(parameter)))
+            }
+            _ => None,
+        }
+    }
+
+    /// A value as text of parameters alone, if it is that.
+    pub(super) fn opaque(&self, value: &Value) -> Option<Opaque> {
+        match value {
+            Value::Opaque(opaque) => Some(opaque.clone()),
+            Value::Integer(index) => {
+                Some(Opaque { text: self.index_text(*index), loops: self.graph.loops.of_index(*index) })
+            }
+            Value::Real(node) => {
+                let number = self.graph.as_constant(*node)?;
+                let literal = Literal::f64_suffixed(number.abs());
+                let text = if number.is_sign_negative() { quote!((-#literal)) } else { literal.to_token_stream() };
+                number.is_finite().then(|| Opaque { text, loops: Default::default() })
+            }
+            _ => None,
+        }
+    }
+
+    /// The coordinate behind a view, or the view itself if an index is missing.
+    pub(super) fn element(&mut self, view: View) -> Value {
+        let rank = self.shape.as_ref().map_or(1, super::Shape::rank);
+        match view.at[..] {
+            [index] if rank == 1 => {
+                Value::Real(self.graph.coordinate(Element { part: view.part, index, component: None }))
+            }
+            [index, component] if rank == 2 => {
+                Value::Real(self.graph.coordinate(Element { part: view.part, index, component: Some(component) }))
+            }
+            _ => Value::View(view),
+        }
+    }
+
+    /// An integer expression as the user would write it.
+    pub(super) fn index_text(&self, id: IndexId) -> TokenStream {
+        let binary = |a, operator: TokenStream, b| {
+            let (a, b) = (self.index_text(a), self.index_text(b));
+            quote!((#a #operator #b))
+        };
+        match self.graph.loops.index(id) {
+            Index::Literal(value) => Literal::u64_unsuffixed(value).to_token_stream(),
+            Index::Running(by) => self.running.get(&by).to_token_stream(),
+            Index::Parameter(parameter) => {
+                let text = &self.parameters[parameter.0 as usize].text;
+                quote!((#text))
+            }
+            Index::Add(a, b) => binary(a, quote!(+), b),
+            Index::Sub(a, b) => binary(a, quote!(-), b),
+            Index::Mul(a, b) => binary(a, quote!(*), b),
+            Index::Div(a, b) => binary(a, quote!(/), b),
+            Index::Rem(a, b) => binary(a, quote!(%), b),
+        }
+    }
+}

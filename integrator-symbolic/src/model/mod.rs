@@ -1,0 +1,221 @@
+//! What the user's functions mean: the last place where a mistake can be found.
+//!
+//! Comes in: the annotated impl. Goes out: a [`Model`], or notes of every mistake. Always true: the energies are nodes
+//! of one arena, helper methods are inlined, loops are sums, names are resolved; whatever a later phase reads is valid.
+//!
+//! The functions are read by running them on symbols: a variable holds a [`value::Value`], an assignment replaces it.
+
+mod call;
+mod expression;
+mod integer;
+mod pattern;
+mod shape;
+mod statement;
+mod value;
+
+use crate::{
+    errors::Errors,
+    graph::{Graph, NodeId, ParameterId, Part, index::LoopId},
+    syntax::Input,
+};
+use proc_macro2::{Ident, TokenStream};
+pub(crate) use shape::{Length, Shape};
+use shape::{Signature, signature};
+use std::collections::HashMap;
+use syn::{ImplItemFn, spanned::Spanned};
+use value::{Value, View};
+
+/// An expression of parameters that is evaluated once per run.
+pub(crate) struct Parameter {
+    /// The user's own expression.
+    pub(crate) text: TokenStream,
+    /// Whether it is an integer: a bound or an index.
+    pub(crate) integer: bool,
+}
+
+/// A Hamiltonian that is known to make sense.
+pub(crate) struct Model {
+    pub(crate) graph: Graph,
+    pub(crate) kinetic: NodeId,
+    pub(crate) potential: NodeId,
+    pub(crate) shape: Shape,
+    /// The parameters, by their ids.
+    pub(crate) parameters: Vec<Parameter>,
+    /// What the index of each loop is called.
+    pub(crate) running: HashMap<LoopId, Ident>,
+    /// Whether `T = ½ pᵀ M⁻¹ p` with a constant `M`.
+    pub(crate) quadratic: bool,
+    /// Whether neither function reads the time.
+    pub(crate) autonomous: bool,
+}
+
+/// Reads the two functions of `input`, or notes what is wrong with them.
+pub(crate) fn model(input: &Input, errors: &mut Errors) -> Option<Model> {
+    let functions = [(Part::Momentum, "kinetic"), (Part::Position, "potential")].map(|(part, name)| {
+        let function = input.function(name);
+        if function.is_none() {
+            let letter = shape::usual_name(part);
+            let message = format!("the impl lacks `fn {name}(&self, {letter}: [f64; N]) -> f64`, one of the two parts of H");
+            errors.at(&input.item.self_ty, message);
+        }
+        function.and_then(|function| Some((part, function, signature(function, part, errors)?)))
+    });
+    if let [Some((_, _, kinetic)), Some((_, potential_function, potential))] = &functions
+        && kinetic.shape.text() != potential.shape.text()
+    {
+        let message = format!(
+            "every position has its momentum: q is `{}` here, but p is `{}` in `kinetic`",
+            potential.shape.text(),
+            kinetic.shape.text()
+        );
+        errors.at(&potential_function.sig.inputs, message);
+    }
+    let mut reader = Reader::new(input, errors);
+    let energies = functions.map(|function| {
+        let (part, function, signature) = function?;
+        let energy = reader.energy(part, function, &signature);
+        Some((energy?, signature.shape))
+    });
+    let Reader { graph, parameters, running, .. } = reader;
+    let [Some((kinetic, shape)), Some((potential, _))] = energies else { return None };
+    let autonomous = !graph.reads_time(kinetic) && !graph.reads_time(potential);
+    let quadratic = graph.degree(kinetic, Part::Momentum).is_some_and(|degree| degree <= 2) && !graph.reads_time(kinetic);
+    Some(Model { graph, kinetic, potential, shape, parameters, running, quadratic, autonomous })
+}
+
+/// A variable.
+struct Binding {
+    value: Value,
+    /// How many loops are around its declaration.
+    depth: usize,
+}
+
+/// A place in the list of variables.
+#[derive(Clone, Copy, PartialEq, Eq, Hash)]
+struct BindingId(usize);
+
+/// A loop that is being read, with what its body adds to variables from outside.
+struct Frame {
+    by: LoopId,
+    sums: Vec<(BindingId, NodeId)>,
+}
+
+/// The state of reading.
+struct Reader<'i> {
+    input: &'i Input,
+    errors: &'i mut Errors,
+    graph: Graph,
+    parameters: Vec<Parameter>,
+    parameter_ids: HashMap<String, ParameterId>,
+    running: HashMap<LoopId, Ident>,
+    bindings: Vec<Binding>,
+    /// Names in scope, innermost last. A helper method sees its own scopes alone.
+    scopes: Vec<HashMap<String, BindingId>>,
+    frames: Vec<Frame>,
+    shape: Option<Shape>,
+    /// The helper methods being inlined, to find recursion.
+    inlining: Vec<String>,
+    /// The part that the function may not read, where its signature has it all the same.
+    foreign: Option<Part>,
+    /// Whether a product that mixes positions and momenta was noted.
+    misplaced: bool,
+    /// Reads of the wrong part, with what to say of them if no product mixes both.
+    foreign_reads: Vec<(TokenStream, String)>,
+}
+
+impl<'i> Reader<'i> {
+    fn new(input: &'i Input, errors: &'i mut Errors) -> Self {
+        Self {
+            input,
+            errors,
+            graph: Graph::default(),
+            parameters: Vec::new(),
+            parameter_ids: HashMap::new(),
+            running: HashMap::new(),
+            bindings: Vec::new(),
+            scopes: Vec::new(),
+            frames: Vec::new(),
+            shape: None,
+            inlining: Vec::new(),
+            foreign: None,
+            misplaced: false,
+            foreign_reads: Vec::new(),
+        }
+    }
+
+    /// The energy that a function gives.
+    fn energy(&mut self, part: Part, function: &ImplItemFn, signature: &Signature<'_>) -> Option<NodeId> {
+        self.shape = Some(signature.shape.clone());
+        self.scopes.push(HashMap::new());
+        self.bind(signature.own, Value::View(View { part, at: Vec::new() }));
+        if let Some(time) = signature.time {
+            let time_node = self.graph.time();
+            self.bind(time, Value::Real(time_node));
+        }
+        self.misplaced = false;
+        self.foreign = None;
+        if let Some(foreign) = signature.foreign {
+            let wrong = if part == Part::Position { Part::Momentum } else { Part::Position };
+            self.foreign = Some(wrong);
+            self.bind(&foreign.pat, Value::View(View { part: wrong, at: Vec::new() }));
+        }
+        let value = self.block(&function.block);
+        self.scopes.pop();
+        if let Some(foreign) = signature.foreign {
+            self.note_foreign(foreign, part, &function.sig.ident);
+            return None;
+        }
+        let value = value?;
+        match self.real(&value) {
+            Some(energy) => Some(energy),
+            None => {
+                let place = function.block.stmts.last().map_or_else(|| function.block.span(), Spanned::span);
+                let message = format!("`{}` has to end in a number, the energy; this is {}", function.sig.ident, value.describe());
+                self.errors.at_span(place, message);
+                None
+            }
+        }
+    }
+
+    /// Says what is wrong with coordinates that a function may not have: a product that mixes both parts was noted
+    /// already; else each read, or, if nothing reads them, the argument.
+    fn note_foreign(&mut self, foreign: &syn::PatType, part: Part, name: &Ident) {
+        let reads = std::mem::take(&mut self.foreign_reads);
+        if self.misplaced {
+            return;
+        }
+        if reads.is_empty() {
+            let letter = shape::usual_name(part);
+            let message = format!("`{name}` is a function of `{letter}` alone, H = T(p) + V(q): remove this argument");
+            self.errors.at(foreign, message);
+        }
+        for (place, message) in reads {
+            self.errors.at(place, message);
+        }
+    }
+
+    fn lookup(&self, name: &str) -> Option<BindingId> {
+        self.scopes.iter().rev().find_map(|scope| scope.get(name)).copied()
+    }
+
+    fn declare(&mut self, name: String, value: Value) {
+        let id = BindingId(self.bindings.len());
+        self.bindings.push(Binding { value, depth: self.frames.len() });
+        if let Some(scope) = self.scopes.last_mut() {
+            scope.insert(name, id);
+        }
+    }
+
+    /// The id of a parameter with this text, new or known.
+    fn parameter(&mut self, text: TokenStream, integer: bool, loops: crate::graph::index::LoopSet) -> ParameterId {
+        let key = format!("{integer} {text}");
+        if let Some(id) = self.parameter_ids.get(&key) {
+            return *id;
+        }
+        let id = ParameterId(self.parameters.len() as u32);
+        self.parameters.push(Parameter { text, integer });
+        self.parameter_ids.insert(key, id);
+        self.graph.loops.declare_parameter(id, loops);
+        id
+    }
+}

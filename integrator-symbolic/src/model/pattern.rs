@@ -1,0 +1,69 @@
+//! Patterns: names for the parts of a value.
+
+use super::{
+    Reader,
+    value::{Value, View},
+};
+use crate::graph::index::Index;
+use syn::{Pat, spanned::Spanned};
+
+impl Reader<'_> {
+    /// Binds the names of a pattern to the parts of a value.
+    pub(super) fn bind(&mut self, pattern: &Pat, value: Value) {
+        match pattern {
+            Pat::Ident(name) if name.subpat.is_none() && name.by_ref.is_none() => {
+                self.declare(name.ident.to_string(), value);
+            }
+            Pat::Wild(_) => {}
+            Pat::Type(typed) => self.bind(&typed.pat, value),
+            Pat::Paren(inner) => self.bind(&inner.pat, value),
+            Pat::Reference(inner) => self.bind(&inner.pat, value),
+            Pat::Slice(parts) => self.bind_all(pattern, &parts.elems.iter().collect::<Vec<_>>(), value),
+            Pat::Tuple(parts) => self.bind_all(pattern, &parts.elems.iter().collect::<Vec<_>>(), value),
+            other => self.errors.at(
+                other,
+                "this pattern is not understood: names, `_`, `&x`, arrays `[x, y]` and tuples `(x, y)` are",
+            ),
+        }
+    }
+
+    fn bind_all(&mut self, pattern: &Pat, names: &[&Pat], value: Value) {
+        let Some(parts) = self.parts(&value, names.len(), pattern) else {
+            // The names exist all the same, so that one mistake gives one message.
+            for name in names {
+                self.bind(name, Value::Unknown);
+            }
+            return;
+        };
+        for (name, part) in names.iter().zip(parts) {
+            self.bind(name, part);
+        }
+    }
+
+    /// The elements of a value that has to have `count` of them.
+    fn parts(&mut self, value: &Value, count: usize, pattern: &Pat) -> Option<Vec<Value>> {
+        match value {
+            Value::Array(parts) | Value::Tuple(parts) if parts.len() == count => Some(parts.clone()),
+            Value::View(view) => {
+                let shape = self.shape.clone()?;
+                let extent = shape.extent(view.at.len())?;
+                if extent.literal().is_some_and(|length| length != count as u64) {
+                    let message = format!("the coordinates are `{}`: {count} names do not fit", shape.text());
+                    self.errors.at(pattern, message);
+                    return None;
+                }
+                let elements = (0..count as u64).map(|position| {
+                    let index = self.graph.loops.intern(Index::Literal(position));
+                    self.element(View { part: view.part, at: view.at.iter().copied().chain([index]).collect() })
+                });
+                Some(elements.collect())
+            }
+            Value::Unknown => None,
+            other => {
+                let message = format!("{} cannot be taken apart into {count} parts", other.describe());
+                self.errors.at_span(pattern.span(), message);
+                None
+            }
+        }
+    }
+}

@@ -1,0 +1,59 @@
+//! What an expression of the user stands for while it is read.
+
+use crate::graph::{NodeId, Part, index::{IndexId, LoopSet}};
+use proc_macro2::TokenStream;
+
+/// The meaning of an expression.
+#[derive(Clone)]
+pub(crate) enum Value {
+    /// A number that may depend on coordinates.
+    Real(NodeId),
+    /// An integer made of literals, loop indices and integer parameters.
+    Integer(IndexId),
+    /// An argument of the function, indexed part of the way.
+    View(View),
+    /// An array of values.
+    Array(Vec<Value>),
+    /// A tuple of values.
+    Tuple(Vec<Value>),
+    /// What depends on parameters (and loop indices) alone, kept as the user's own expression.
+    Opaque(Opaque),
+    /// A variable that the present loop sums up; it has no value before the loop ends.
+    Accumulating,
+    /// No value.
+    Unit,
+    /// What a mistake was noted for already.
+    Unknown,
+}
+
+/// Coordinates of one part, indexed part of the way.
+#[derive(Clone)]
+pub(crate) struct View {
+    pub(crate) part: Part,
+    pub(crate) at: Vec<IndexId>,
+}
+
+/// An expression of parameters alone: its text, and the loops whose indices the text mentions.
+#[derive(Clone)]
+pub(crate) struct Opaque {
+    pub(crate) text: TokenStream,
+    pub(crate) loops: LoopSet,
+}
+
+impl Value {
+    /// What it is, for a message.
+    pub(crate) fn describe(&self) -> &'static str {
+        match self {
+            Value::Real(_) => "a number",
+            Value::Integer(_) => "an integer",
+            Value::View(view) if view.at.is_empty() => "the whole array of coordinates",
+            Value::View(_) => "a point",
+            Value::Array(_) => "an array",
+            Value::Tuple(_) => "a tuple",
+            Value::Opaque(_) => "a parameter",
+            Value::Accumulating => "a sum under way",
+            Value::Unit => "nothing",
+            Value::Unknown => "unknown",
+        }
+    }
+}

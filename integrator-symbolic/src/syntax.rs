@@ -1,0 +1,111 @@
+//! What the user typed: the arguments of the attribute and the annotated impl, with all spans.
+//!
+//! Comes in: tokens. Goes out: an [`Input`], faithful to the text. Always true: nothing is judged here but the form.
+
+use crate::{errors::Errors, scheme::InPlace};
+use proc_macro2::{Span, TokenStream};
+use syn::{
+    ImplItem, ImplItemFn, ItemImpl, Path, Token,
+    parse::{ParseStream, Parser},
+    spanned::Spanned,
+};
+
+/// The composition that the annotation asks for.
+pub(crate) enum Compose {
+    /// A name.
+    Named(Path),
+    /// A sequence in place of a name.
+    InPlace(Box<InPlace>, Span),
+}
+
+/// The annotated impl and its annotation.
+pub(crate) struct Input {
+    /// `None` where the annotation has no `compose`.
+    pub(crate) compose: Option<Compose>,
+    /// The runtime crate.
+    pub(crate) root: Path,
+    pub(crate) item: ItemImpl,
+}
+
+impl Input {
+    /// The function of the impl with this name.
+    pub(crate) fn function(&self, name: &str) -> Option<&ImplItemFn> {
+        self.item.items.iter().find_map(|item| match item {
+            ImplItem::Fn(function) if function.sig.ident == name => Some(function),
+            _ => None,
+        })
+    }
+}
+
+/// Reads the arguments and the item, or notes what is wrong with their form.
+pub(crate) fn input(arguments: TokenStream, item: TokenStream, errors: &mut Errors) -> Option<Input> {
+    let arguments = arguments_of(arguments, errors);
+    let item: ItemImpl = match syn::parse2(item.clone()) {
+        Ok(item) => item,
+        Err(error) if looks_like_impl(&item) => {
+            errors.push(error);
+            return None;
+        }
+        Err(_) => {
+            let message = "`#[hamiltonian]` belongs on an `impl` with the functions `kinetic` and `potential`";
+            errors.at(item, message);
+            return None;
+        }
+    };
+    if let Some((of, _)) = &item.trait_ {
+        errors.at(of, "`#[hamiltonian]` belongs on an inherent impl, `impl System { ... }`, not on the impl of a trait");
+        return None;
+    }
+    let (compose, root) = arguments?;
+    let root = root.unwrap_or_else(|| syn::parse_quote!(::integrator_core));
+    Some(Input { compose, root, item })
+}
+
+fn looks_like_impl(item: &TokenStream) -> bool {
+    item.clone().into_iter().any(|token| matches!(token, proc_macro2::TokenTree::Ident(name) if name == "impl"))
+}
+
+type Arguments = (Option<Compose>, Option<Path>);
+
+/// The arguments, separated by commas, each at most once.
+fn arguments_of(tokens: TokenStream, errors: &mut Errors) -> Option<Arguments> {
+    let parser = |input: ParseStream<'_>| {
+        let (mut compose, mut root) = (None, None);
+        while !input.is_empty() {
+            if input.peek(Token![crate]) {
+                let key: Token![crate] = input.parse()?;
+                input.parse::<Token![=]>()?;
+                if root.replace(input.call(Path::parse_mod_style)?).is_some() {
+                    return Err(syn::Error::new(key.span(), "`crate` is given twice"));
+                }
+            } else {
+                let key: syn::Ident = input.parse().map_err(|error| syn::Error::new(error.span(), EXPECTED))?;
+                if key != "compose" {
+                    return Err(syn::Error::new(key.span(), format!("`{key}` is not an argument here; {EXPECTED}")));
+                }
+                input.parse::<Token![=]>()?;
+                if compose.replace(compose_of(input)?).is_some() {
+                    return Err(syn::Error::new(key.span(), "`compose` is given twice"));
+                }
+            }
+            if !input.is_empty() {
+                input.parse::<Token![,]>()?;
+            }
+        }
+        Ok((compose, root))
+    };
+    parser.parse2(tokens).map_err(|error| errors.push(error)).ok()
+}
+
+const EXPECTED: &str =
+    "expected `compose = Yoshida4`, `compose = V(1/2) T(1) V(1/2)` or `crate = path::to::integrator_core`";
+
+fn compose_of(input: ParseStream<'_>) -> syn::Result<Compose> {
+    if InPlace::peek(input) {
+        let first = input.span();
+        let sequence = InPlace::parse(input)?;
+        let span = sequence.tokens().span();
+        return Ok(Compose::InPlace(Box::new(sequence), span.join(first).unwrap_or(span)));
+    }
+    Ok(Compose::Named(input.parse()?))
+}
