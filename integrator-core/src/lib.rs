@@ -40,6 +40,7 @@ pub mod prelude {
 #[doc(hidden)]
 pub mod __private {
     pub use crate::{
+        catalogue::Verlet,
         composition::{Class, Composition, Lead, Scheme, Stage, Stages},
         coords::Coords,
         fused::Fused,
@@ -47,4 +48,10 @@ pub mod __private {
         real::{Kernel, Real},
         slot::{Keep, Slot},
     };
+    pub use std::vec::Vec;
+
+    /// A table of prepared constants whose length is known at run time.
+    pub fn table<T>(length: usize, element: impl FnMut(usize) -> T) -> Vec<T> {
+        (0..length).map(element).collect()
+    }
 }

@@ -153,11 +153,16 @@ impl<L: Fn(&Graph, NodeId) -> bool> Scheduler<'_, L> {
         let mut uses: HashMap<NodeId, u32> = HashMap::new();
         let mut named = BTreeSet::new();
         for scope in &self.scopes {
-            let from_nodes = scope.nodes.keys().filter(|id| !matches!(self.graph.node(**id), Node::Sum(..)));
-            let from_nodes = from_nodes.flat_map(|id| self.graph.node(*id).children());
+            let passes = |id: &NodeId| matches!(self.graph.node(*id), Node::Sum(..) | Node::Neg(_));
+            let from_nodes = scope.nodes.keys().filter(|id| !passes(id)).flat_map(|id| self.graph.node(*id).children());
             let from_sums = scope.sums.iter().flat_map(|id| self.graph.node(*id).children());
             let from_sinks = scope.sinks.iter().map(|(_, value)| *value);
             for used in from_nodes.chain(from_sums).chain(from_sinks) {
+                // A change of sign costs nothing: it is written where it is used, and what is under it is used there.
+                let used = match self.graph.node(used) {
+                    Node::Neg(inner) if !(self.leaf)(self.graph, used) => inner,
+                    _ => used,
+                };
                 *uses.entry(used).or_default() += 1;
                 if !scope.nodes.contains_key(&used) {
                     named.insert(used);

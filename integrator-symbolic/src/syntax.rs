@@ -53,7 +53,8 @@ pub(crate) fn input(arguments: TokenStream, item: TokenStream, errors: &mut Erro
         }
     };
     if let Some((of, _)) = &item.trait_ {
-        errors.at(of, "`#[hamiltonian]` belongs on an inherent impl, `impl System { ... }`, not on the impl of a trait");
+        errors
+            .at(of, "`#[hamiltonian]` belongs on an inherent impl, `impl System { ... }`, not on the impl of a trait");
         return None;
     }
     let (compose, root) = arguments?;

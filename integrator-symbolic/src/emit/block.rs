@@ -3,6 +3,7 @@
 use super::{
     expression::{Dialect, Printer},
     fields::{Fields, is_leaf},
+    names::Names,
 };
 use crate::{
     graph::{Element, Graph, Node, NodeId, Part, index::Index},
@@ -15,7 +16,13 @@ use quote::{ToTokens, format_ident, quote};
 use std::collections::{BTreeSet, HashMap};
 
 /// The body of a function that returns `root`, which is lowered.
-pub(super) fn function(model: &Model, fields: &mut Fields, root: NodeId, dialect: Dialect) -> TokenStream {
+pub(super) fn function(
+    model: &Model,
+    fields: &mut Fields,
+    names: &Names,
+    root: NodeId,
+    dialect: Dialect,
+) -> TokenStream {
     let placed = [Placed { context: Vec::new(), sink: Sink::Return, value: root }];
     let program = match dialect {
         Dialect::Generic => schedule(&model.graph, &placed, |graph, id| is_leaf(graph, &model.parameters, id)),
@@ -23,7 +30,7 @@ pub(super) fn function(model: &Model, fields: &mut Fields, root: NodeId, dialect
             matches!(graph.node(id), Node::Constant(_) | Node::FromIndex(_) | Node::Parameter(_))
         }),
     };
-    let body = Block::new(model, &program, dialect).items(fields, &program.items);
+    let body = Block::new(model, names, &program, dialect).items(fields, &program.items);
     match dialect {
         Dialect::Generic => body,
         Dialect::Single if program.items.len() > 1 => quote!({ #body }),
@@ -32,9 +39,9 @@ pub(super) fn function(model: &Model, fields: &mut Fields, root: NodeId, dialect
 }
 
 /// The body of a flow: the lowered updates of the coordinates, each in its loops.
-pub(super) fn flow(model: &Model, fields: &mut Fields, placed: &[Placed]) -> TokenStream {
+pub(super) fn flow(model: &Model, fields: &mut Fields, names: &Names, placed: &[Placed]) -> TokenStream {
     let program = schedule(&model.graph, placed, |graph, id| is_leaf(graph, &model.parameters, id));
-    let block = Block::new(model, &program, Dialect::Generic);
+    let block = Block::new(model, names, &program, Dialect::Generic);
     let body = block.items(fields, &program.items);
     let Some(element) = placed.iter().find_map(|placed| match placed.sink {
         Sink::Collect(element) => Some(element),
@@ -42,12 +49,12 @@ pub(super) fn flow(model: &Model, fields: &mut Fields, placed: &[Placed]) -> Tok
     }) else {
         return body;
     };
-    let (open, close) = buffer(&model.shape, element.part);
+    let (open, close) = buffer(&model.shape, element.part, &block.printer.lifted(quote!(0.0)));
     quote!(#open #body #close)
 }
 
 /// A buffer for the gradient, and its application to the coordinates of `part`.
-fn buffer(shape: &Shape, part: Part) -> (TokenStream, TokenStream) {
+fn buffer(shape: &Shape, part: Part, zero: &TokenStream) -> (TokenStream, TokenStream) {
     let coordinates = match part {
         Part::Position => quote!(q),
         Part::Momentum => quote!(p),
@@ -55,13 +62,13 @@ fn buffer(shape: &Shape, part: Part) -> (TokenStream, TokenStream) {
     let length = shape.length.tokens();
     match &shape.dimension {
         None => (
-            quote!(let mut gradient = [R::of(0.0); #length];),
+            quote!(let mut gradient = [#zero; #length];),
             quote!(for i in 0..#length { motion.#coordinates[i].fma(step, gradient[i]); }),
         ),
         Some(dimension) => {
             let dimension = dimension.tokens();
             (
-                quote!(let mut gradient = [[R::of(0.0); #dimension]; #length];),
+                quote!(let mut gradient = [[#zero; #dimension]; #length];),
                 quote!(for i in 0..#length {
                     for d in 0..#dimension { motion.#coordinates[i][d].fma(step, gradient[i][d]); }
                 }),
@@ -81,13 +88,14 @@ struct Block<'m> {
 }
 
 impl<'m> Block<'m> {
-    fn new(model: &'m Model, program: &Program, dialect: Dialect) -> Self {
+    fn new(model: &'m Model, reserved: &'m Names, program: &Program, dialect: Dialect) -> Self {
         let printer = Printer {
             graph: &model.graph,
             parameters: &model.parameters,
             running: &model.running,
             dialect,
             names: names(&model.graph, model, &program.named),
+            scalar: &reserved.scalar,
         };
         Self { printer }
     }
@@ -162,7 +170,7 @@ impl<'m> Block<'m> {
         let (from, to) = (printer.index(fields, range.from), printer.index(fields, range.to));
         let body = self.items(fields, body);
         let zero = match printer.dialect {
-            Dialect::Generic => quote!(R::of(0.0)),
+            Dialect::Generic => printer.lifted(quote!(0.0)),
             Dialect::Single => quote!(0.0_f64),
         };
         let names: Vec<&Ident> = sums.iter().map(|sum| &printer.names[sum]).collect();

@@ -23,50 +23,43 @@ enum Tie {
 pub(super) struct Formulas<'m>(pub(super) &'m Model);
 
 impl Formulas<'_> {
-    /// `dq[i]/dt = ...` for every contribution of a gradient; `negative` for forces.
-    pub(super) fn motion(&self, gradient: &[Contribution], negative: bool) -> Vec<String> {
-        let mut lines: Vec<(String, Vec<String>)> = Vec::new();
-        for Contribution { context, element, value } in gradient {
-            let (left, own) = self.left(*element);
-            let outside: Vec<LoopId> = context.iter().copied().filter(|by| !own.contains(by)).collect();
-            let term = self.summed(&outside, self.formula(*value, Tie::Sum));
-            match lines.iter_mut().find(|(known, _)| *known == left) {
-                Some((_, terms)) => terms.push(term),
-                None => lines.push((left, vec![term])),
-            }
-        }
-        lines
-            .into_iter()
-            .map(|(left, terms)| {
-                let right = terms.join(" + ").replace("+ -", "- ");
-                match (negative, right.strip_prefix('-')) {
-                    (false, _) => format!("{left} = {right}"),
-                    (true, Some(flipped)) if terms.len() == 1 && !is_sum(flipped) => format!("{left} = {flipped}"),
-                    (true, _) if terms.len() == 1 && !is_sum(&right) => format!("{left} = -{right}"),
-                    (true, _) => format!("{left} = -({right})"),
-                }
-            })
-            .collect()
+    /// `dq[i]/dt = ...` for every component of a gradient, `+= ...` for its terms where it has several; `force` for
+    /// minus the gradient.
+    pub(super) fn motion(&self, gradient: &[Contribution], force: bool, whole: bool) -> Vec<String> {
+        let line = |Contribution { context, element, value }: &Contribution| {
+            let left = self.left(*element);
+            let places: Vec<String> = context.iter().map(|by| self.range(*by)).collect();
+            let right = self.formula(*value, Tie::Sum);
+            let right = match right.strip_prefix('-') {
+                _ if !force => right,
+                Some(flipped) if !is_sum(flipped) => flipped.to_owned(),
+                None if !is_sum(&right) => format!("-{right}"),
+                _ => format!("-({right})"),
+            };
+            let sign = if whole { "=" } else { "+=" };
+            let places = if places.is_empty() { String::new() } else { format!("   for {}", places.join(", ")) };
+            format!("{left} {sign} {right}{places}")
+        };
+        gradient.iter().map(line).collect()
     }
 
-    /// The left side of the equation that a component of a gradient belongs to, and the loops that it names.
-    fn left(&self, element: Element) -> (String, Vec<LoopId>) {
-        let moved = match element.part {
+    /// The left side of the equation that a component of a gradient belongs to.
+    fn left(&self, element: Element) -> String {
+        let part = match element.part {
             Part::Momentum => Part::Position,
             Part::Position => Part::Momentum,
         };
-        let loops = self.0.graph.loops.of_element(element).iter().collect();
-        (format!("d{}/dt", self.coordinate(Element { part: moved, ..element })), loops)
-    }
-
-    fn summed(&self, loops: &[LoopId], term: String) -> String {
-        loops.iter().rev().fold(term, |inner, by| format!("{} ({inner})", self.sigma(*by)))
+        format!("d{}/dt", self.coordinate(Element { part, ..element }))
     }
 
     fn sigma(&self, by: LoopId) -> String {
+        format!("Σ_{{{}}}", self.range(by))
+    }
+
+    fn range(&self, by: LoopId) -> String {
         let range = self.0.graph.loops.get(by);
         let name = self.0.running.get(&by).map_or_else(String::new, ToString::to_string);
-        format!("Σ_{{{name} in {}..{}}}", self.index(range.from), self.index(range.to))
+        format!("{name} in {}..{}", self.index(range.from), self.index(range.to))
     }
 
     fn coordinate(&self, element: Element) -> String {
@@ -79,7 +72,11 @@ impl Formulas<'_> {
     }
 
     fn index(&self, id: IndexId) -> String {
-        let binary = |a, sign, b| format!("({} {sign} {})", self.index(a), self.index(b));
+        let inner = |id| match self.0.graph.loops.index(id) {
+            Index::Literal(_) | Index::Running(_) | Index::Parameter(_) => self.index(id),
+            _ => format!("({})", self.index(id)),
+        };
+        let binary = |a, sign, b| format!("{} {sign} {}", inner(a), inner(b));
         match self.0.graph.loops.index(id) {
             Index::Literal(value) => value.to_string(),
             Index::Running(by) => self.0.running.get(&by).map_or_else(String::new, ToString::to_string),
@@ -108,7 +105,8 @@ impl Formulas<'_> {
             Node::Constant(bits) => (f64::from_bits(bits).to_string(), Tie::Power),
             Node::Parameter(parameter) => {
                 let text = self.text(parameter.0);
-                let whole = text.chars().all(|letter| letter.is_alphanumeric() || "_.:[]()".contains(letter));
+                let whole = text.chars().all(|letter| letter.is_alphanumeric() || "_.:[]()".contains(letter))
+                    || is_grouped(&text);
                 (text, if whole { Tie::Power } else { Tie::Sum })
             }
             Node::Coordinate(element) => (self.coordinate(element), Tie::Power),
@@ -160,6 +158,20 @@ impl Formulas<'_> {
     }
 }
 
+/// Whether the first parenthesis closes at the very end.
+fn is_grouped(text: &str) -> bool {
+    let mut depth = 0;
+    text.starts_with('(')
+        && text.char_indices().all(|(at, letter)| {
+            match letter {
+                '(' => depth += 1,
+                ')' => depth -= 1,
+                _ => {}
+            }
+            depth > 0 || at + 1 == text.len()
+        })
+}
+
 /// Whether a formula has a sum outside of all parentheses.
 fn is_sum(text: &str) -> bool {
     let mut depth = 0;
@@ -173,16 +185,23 @@ fn is_sum(text: &str) -> bool {
     })
 }
 
-/// Tokens without the spaces between them, and without `self.`.
+/// Tokens with the spaces that a person would leave, and without `self.`.
 fn readable(text: &TokenStream) -> String {
     let mut text = text.to_string().replace("self .", "").replace("self.", "");
-    for (spaced, tight) in [(" . ", "."), (" :: ", "::"), (" [", "["), (" (", "("), ("( ", "("), (" )", ")"), (" ,", ",")] {
+    for (spaced, tight) in [(" . ", "."), (" :: ", "::"), (" [", "["), ("( ", "("), (" )", ")"), (" ,", ",")] {
         text = text.replace(spaced, tight);
     }
-    for operator in ["+", "-", "*", "/"] {
-        text = text.replace(&format!("{operator}("), &format!("{operator} ("));
+    let mut tight = String::new();
+    for word in text.split_whitespace() {
+        // A call has no space in front of its arguments, and a sign none behind it; an operator has both.
+        let call = word.starts_with('(') && tight.ends_with(|last: char| last.is_alphanumeric() || last == '_');
+        let sign = tight == "-" || tight.ends_with("(-") || tight.ends_with("+ -") || tight.ends_with("* -");
+        if !(tight.is_empty() || call || sign) {
+            tight.push(' ');
+        }
+        tight.push_str(word);
     }
-    text.trim().to_owned()
+    tight
 }
 
 /// The doc comment of a prepared constant: its formula.

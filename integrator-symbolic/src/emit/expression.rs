@@ -6,7 +6,7 @@ use crate::{
         Element, Graph, Node, NodeId, Part,
         index::{Index, IndexId, LoopId},
     },
-    model::Parameter,
+    model::{Parameter, integer::number_literal},
 };
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{ToTokens, format_ident, quote};
@@ -24,7 +24,7 @@ pub(super) enum Binding {
 /// What numbers are computed in.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(super) enum Dialect {
-    /// The type parameter `R` of a flow.
+    /// The type parameter of a flow.
     Generic,
     /// `f64`, where parameters are prepared.
     Single,
@@ -58,6 +58,8 @@ pub(super) struct Printer<'m> {
     pub(super) running: &'m HashMap<LoopId, Ident>,
     pub(super) dialect: Dialect,
     pub(super) names: HashMap<NodeId, Ident>,
+    /// What flows compute in.
+    pub(super) scalar: &'m Ident,
 }
 
 impl Printer<'_> {
@@ -79,7 +81,7 @@ impl Printer<'_> {
             Node::Parameter(parameter) => {
                 let text = &self.parameters[parameter.0 as usize].text;
                 match self.dialect {
-                    Dialect::Generic => Printed::new(Binding::Atom, quote!(R::of(#text))),
+                    Dialect::Generic => Printed::new(Binding::Atom, self.lifted(quote!(#text))),
                     Dialect::Single => Printed::new(Binding::Sum, quote!(#text)),
                 }
             }
@@ -87,9 +89,9 @@ impl Printer<'_> {
             Node::Time => Printed::new(Binding::Atom, quote!(time)),
             Node::Step => Printed::new(Binding::Atom, quote!(step)),
             Node::FromIndex(index) => {
-                let index = self.index(fields, index);
+                let index = self.inner_index(fields, index);
                 match self.dialect {
-                    Dialect::Generic => Printed::new(Binding::Atom, quote!(R::of(#index as f64))),
+                    Dialect::Generic => Printed::new(Binding::Atom, self.lifted(quote!(#index as f64))),
                     Dialect::Single => Printed::new(Binding::Atom, quote!((#index as f64))),
                 }
             }
@@ -122,6 +124,12 @@ impl Printer<'_> {
         }
     }
 
+    /// An `f64` as a number that flows compute in.
+    pub(super) fn lifted(&self, value: TokenStream) -> TokenStream {
+        let scalar = self.scalar;
+        quote!(#scalar::of(#value))
+    }
+
     fn method(&self, fields: &mut Fields, receiver: NodeId, name: &str, argument: Option<NodeId>) -> Printed {
         let receiver = self.expression(fields, receiver).at_least(Binding::Atom);
         let name = format_ident!("{name}");
@@ -130,7 +138,7 @@ impl Printer<'_> {
     }
 
     fn constant(&self, value: f64) -> Printed {
-        let literal = Literal::f64_unsuffixed(value.abs());
+        let literal = number_literal(value.abs());
         let value = match value {
             _ if value.is_nan() => quote!(f64::NAN),
             f64::INFINITY => quote!(f64::INFINITY),
@@ -139,7 +147,7 @@ impl Printer<'_> {
             _ => literal.to_token_stream(),
         };
         match self.dialect {
-            Dialect::Generic => Printed::new(Binding::Atom, quote!(R::of(#value))),
+            Dialect::Generic => Printed::new(Binding::Atom, self.lifted(quote!(#value))),
             Dialect::Single => Printed::new(Binding::Atom, quote!(#value)),
         }
     }
@@ -233,18 +241,18 @@ impl Printer<'_> {
 
     /// An integer expression.
     pub(super) fn index(&self, fields: &mut Fields, id: IndexId) -> TokenStream {
-        let mut binary = |a, operator: TokenStream, b, inner: bool| {
-            let (a, b) = (self.index(fields, a), self.index(fields, b));
-            if inner { quote!((#a #operator #b)) } else { quote!(#a #operator #b) }
+        let mut binary = |a, operator: TokenStream, b| {
+            let (a, b) = (self.inner_index(fields, a), self.inner_index(fields, b));
+            quote!(#a #operator #b)
         };
         match self.graph.loops.index(id) {
             Index::Literal(value) => Literal::u64_unsuffixed(value).to_token_stream(),
             Index::Running(by) => self.running.get(&by).to_token_stream(),
-            Index::Add(a, b) => binary(a, quote!(+), b, true),
-            Index::Sub(a, b) => binary(a, quote!(-), b, true),
-            Index::Mul(a, b) => binary(a, quote!(*), b, true),
-            Index::Div(a, b) => binary(a, quote!(/), b, true),
-            Index::Rem(a, b) => binary(a, quote!(%), b, true),
+            Index::Add(a, b) => binary(a, quote!(+), b),
+            Index::Sub(a, b) => binary(a, quote!(-), b),
+            Index::Mul(a, b) => binary(a, quote!(*), b),
+            Index::Div(a, b) => binary(a, quote!(/), b),
+            Index::Rem(a, b) => binary(a, quote!(%), b),
             Index::Parameter(parameter) => {
                 let known = &self.parameters[parameter.0 as usize];
                 if self.dialect == Dialect::Single || super::fields::is_constant(&known.text) {
@@ -255,6 +263,15 @@ impl Printer<'_> {
                 let at = self.running_of(self.graph.loops.of_parameter(parameter));
                 quote!(motion.parameters.#name #at)
             }
+        }
+    }
+
+    /// An integer expression inside another one.
+    fn inner_index(&self, fields: &mut Fields, id: IndexId) -> TokenStream {
+        let index = self.index(fields, id);
+        match self.graph.loops.index(id) {
+            Index::Literal(_) | Index::Running(_) | Index::Parameter(_) => index,
+            _ => quote!((#index)),
         }
     }
 

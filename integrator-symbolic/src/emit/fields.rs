@@ -1,6 +1,9 @@
 //! Prepared constants: what depends on parameters alone becomes a field, or a table where it depends on loops too.
 
-use super::expression::{Dialect, Printer};
+use super::{
+    expression::{Dialect, Printer},
+    names::Names,
+};
 use crate::{
     graph::{
         Graph, Node, NodeId, ParameterId,
@@ -10,9 +13,8 @@ use crate::{
     model::{Model, Parameter},
 };
 use proc_macro2::{Ident, TokenStream, TokenTree};
-use quote::{format_ident, quote};
+use quote::{ToTokens, format_ident, quote};
 use std::collections::HashMap;
-use syn::Path;
 
 /// What a field holds.
 #[derive(Clone, Copy, PartialEq, Eq, Hash)]
@@ -84,16 +86,17 @@ impl Fields {
     }
 
     /// The struct of prepared constants, how one is gathered for lanes, and the body that prepares them.
-    pub(super) fn emit(self, model: &mut Model, root: &Path) -> Prepared {
+    pub(super) fn emit(self, model: &mut Model, names: &Names) -> Prepared {
         let mut single = Fields::default();
         let mut prepared = Prepared::default();
+        let scalar = &names.scalar;
         for (content, name) in self.order {
-            let table = Table::of(model, content);
+            let table = Table::of(model, names, content);
             let (kind, value) = match content {
                 Content::Number(id) => {
                     let lowered = lower(&mut model.graph, &[id], |_, _| false)[0];
-                    let body = super::block::function(model, &mut single, lowered, Dialect::Single);
-                    (quote!(R), body)
+                    let body = super::block::function(model, &mut single, names, lowered, Dialect::Single);
+                    (scalar.to_token_stream(), body)
                 }
                 Content::Integer(id) => {
                     let text = &model.parameters[id.0 as usize].text;
@@ -102,12 +105,12 @@ impl Fields {
             };
             let at = table.at(table.levels.len());
             let gathered = match content {
-                Content::Number(_) => quote!(R::parameter(|lane| of_lane(lane).#name #at)),
+                Content::Number(_) => quote!(#scalar::parameter(|lane| of_lane(lane).#name #at)),
                 Content::Integer(_) => quote!(of_lane(0).#name #at),
             };
             let documentation = super::equations::documentation(model, content.node());
-            let kind = table.kind(kind, root);
-            let (gathered, value) = (table.gathered(gathered, &name, root), table.prepared(value, content, root));
+            let kind = table.kind(kind, names);
+            let (gathered, value) = (table.gathered(gathered, &name, names), table.prepared(value, content, names));
             prepared.fields.extend(quote!(#documentation #name: #kind,));
             prepared.gathered.extend(quote!(#name: #gathered,));
             prepared.values.extend(quote!(#name: #value,));
@@ -164,22 +167,23 @@ struct Level {
 }
 
 impl Table {
-    fn of(model: &mut Model, content: Content) -> Self {
+    fn of(model: &mut Model, names: &Names, content: Content) -> Self {
         let loops = match content {
             Content::Number(id) => model.graph.loops_of(id),
             Content::Integer(id) => model.graph.loops.of_parameter(id),
         };
-        Self { levels: loops.iter().map(|by| Level::of(model, by, loops)).collect() }
+        Self { levels: loops.iter().map(|by| Level::of(model, names, by, loops)).collect() }
     }
 
     /// The type of the table.
-    fn kind(&self, element: TokenStream, root: &Path) -> TokenStream {
+    fn kind(&self, element: TokenStream, names: &Names) -> TokenStream {
+        let runtime = &names.runtime;
         self.levels.iter().rev().fold(element, |inner, level| match level.literal {
             Some(length) => {
                 let length = proc_macro2::Literal::u64_unsuffixed(length);
                 quote!([#inner; #length])
             }
-            None => quote!(#root::__private::Vec<#inner>),
+            None => quote!(#runtime::Vec<#inner>),
         })
     }
 
@@ -195,18 +199,21 @@ impl Table {
     }
 
     /// The whole table, with elements gathered from lanes; the first lane tells how long a table is.
-    fn gathered(&self, element: TokenStream, name: &Ident, root: &Path) -> TokenStream {
-        self.levels.iter().enumerate().rev().fold(element, |inner, (depth, Level { index, literal, .. })| match literal {
+    fn gathered(&self, element: TokenStream, name: &Ident, names: &Names) -> TokenStream {
+        let runtime = &names.runtime;
+        self.levels.iter().enumerate().rev().fold(element, |inner, (depth, Level { index, literal, .. })| match literal
+        {
             Some(_) => quote!(::core::array::from_fn(|#index: usize| #inner)),
             None => {
                 let at = self.at(depth);
-                quote!(#root::__private::table(of_lane(0).#name #at.len(), |#index: usize| #inner))
+                quote!(#runtime::table(of_lane(0).#name #at.len(), |#index: usize| #inner))
             }
         })
     }
 
     /// The whole table, with elements evaluated inside the loops' ranges alone.
-    fn prepared(&self, element: TokenStream, content: Content, root: &Path) -> TokenStream {
+    fn prepared(&self, element: TokenStream, content: Content, names: &Names) -> TokenStream {
+        let runtime = &names.runtime;
         let conditions: Vec<_> = self.levels.iter().filter_map(|level| level.inside.clone()).collect();
         let element = match content {
             _ if conditions.is_empty() => element,
@@ -215,20 +222,20 @@ impl Table {
         };
         self.levels.iter().rev().fold(element, |inner, Level { index, literal, extent, .. }| match literal {
             Some(_) => quote!(::core::array::from_fn(|#index: usize| #inner)),
-            None => quote!(#root::__private::table(#extent, |#index: usize| #inner)),
+            None => quote!(#runtime::table(#extent, |#index: usize| #inner)),
         })
     }
 }
 
 impl Level {
-    fn of(model: &mut Model, by: LoopId, table: LoopSet) -> Self {
+    fn of(model: &mut Model, names: &Names, by: LoopId, table: LoopSet) -> Self {
         let index = model.running[&by].clone();
         let range = model.graph.loops.get(by);
         let (from, to) = (bound(model, range.from, table, false), bound(model, range.to, table, true));
         let extent = model.graph.loops.upper(range.to).unwrap_or(range.to);
         let literal = model.graph.loops.literal(extent);
         let (zero, whole) = (model.graph.loops.literal(from) == Some(0), to == extent);
-        let printer = single(model);
+        let printer = single(model, names);
         let mut none = Fields::default();
         let (from, to, extent) =
             (printer.index(&mut none, from), printer.index(&mut none, to), printer.index(&mut none, extent));
@@ -253,12 +260,13 @@ fn bound(model: &mut Model, id: IndexId, table: LoopSet, upper: bool) -> IndexId
 }
 
 /// A printer of `f64` expressions.
-fn single(model: &Model) -> Printer<'_> {
+fn single<'m>(model: &'m Model, names: &'m Names) -> Printer<'m> {
     Printer {
         graph: &model.graph,
         parameters: &model.parameters,
         running: &model.running,
         dialect: Dialect::Single,
         names: HashMap::new(),
+        scalar: &names.scalar,
     }
 }

@@ -8,6 +8,7 @@ mod block;
 mod equations;
 mod expression;
 mod fields;
+mod names;
 
 use crate::{
     differentiate::{Contribution, gradient},
@@ -20,6 +21,7 @@ use crate::{
 use equations::Formulas;
 use expression::Dialect;
 use fields::Fields;
+use names::Names;
 use proc_macro2::{Ident, Span, TokenStream};
 use quote::quote;
 
@@ -49,60 +51,69 @@ pub(crate) fn stepper(input: &Input, mut model: Model) -> TokenStream {
     let potential = gradient(&mut model.graph, model.potential, Part::Position);
     let documentation = documentation(&model, &kinetic, &potential);
 
+    let names = Names::new(input);
     let mut fields = Fields::default();
-    let drift = flow(&mut model, &mut fields, &kinetic, quote!(duration));
-    let kick = flow(&mut model, &mut fields, &potential, quote!(-duration));
+    let drift = flow(&mut model, &mut fields, &names, &kinetic, quote!(duration));
+    let kick = flow(&mut model, &mut fields, &names, &potential, quote!(-duration));
     let [kinetic, potential] = [model.kinetic, model.potential].map(|energy| {
         let lowered = block::lowered(&mut model, &[energy])[0];
-        block::function(&model, &mut fields, lowered, Dialect::Generic)
+        block::function(&model, &mut fields, &names, lowered, Dialect::Generic)
     });
     let [drift, kick, kinetic, potential] = [drift, kick, kinetic, potential].map(Body::new);
 
     let root = &input.root;
-    let fields::Prepared { fields, gathered, values } = fields.emit(&mut model, root);
+    let Names { runtime, parameters, scalar, leaf, .. } = &names;
+    let fields::Prepared { fields, gathered, values } = fields.emit(&mut model, &names);
     let (structure, gather, prepare) = if fields.is_empty() {
         (
-            quote!(#[derive(::core::clone::Clone)] pub struct Parameters;),
-            quote!(fn gather<'a>(_of_lane: impl ::core::ops::Fn(usize) -> &'a Self::Single) -> Self { Parameters }),
-            quote!(Parameters),
+            quote!(
+                #[derive(::core::clone::Clone)]
+                pub struct Parameters;
+            ),
+            quote!(
+                fn gather<'a>(_of_lane: impl ::core::ops::Fn(usize) -> &'a Self::Single) -> Self {
+                    Parameters
+                }
+            ),
+            quote!(#parameters),
         )
     } else {
         (
-            quote!(#[derive(::core::clone::Clone)] pub struct Parameters<R> { #fields }),
+            quote!(#[derive(::core::clone::Clone)] pub struct #parameters<#scalar> { #fields }),
             quote!(fn gather<'a>(of_lane: impl ::core::ops::Fn(usize) -> &'a Self::Single) -> Self {
-                Parameters { #gathered }
+                #parameters { #gathered }
             }),
-            quote!(Parameters { #values }),
+            quote!(#parameters { #values }),
         )
     };
-    let of = |scalar: TokenStream| if fields.is_empty() { quote!(Parameters) } else { quote!(Parameters<#scalar>) };
-    let (of_r, of_f64) = (of(quote!(R)), of(quote!(f64)));
+    let of = |scalar: TokenStream| if fields.is_empty() { quote!(#parameters) } else { quote!(#parameters<#scalar>) };
+    let (of_r, of_f64) = (of(quote!(#scalar)), of(quote!(f64)));
 
     let (generics, own_generics, bounds) = input.item.generics.split_for_impl();
     let _ = own_generics;
     let system = &input.item.self_ty;
     let coordinates = coordinates(&model);
-    let (composition, declared) = composition(input, &model);
+    let (composition, declared) = composition(input, &model, &names);
     let autonomous = model.autonomous;
     let quadratic = model.quadratic.then(|| {
         quote! {
             #[automatically_derived]
-            impl #generics #root::__private::QuadraticKinetic for #system #bounds {}
+            impl #generics #runtime::QuadraticKinetic for #system #bounds {}
         }
     });
-    let (drift, kick) = (drift.flow("drift"), kick.flow("kick"));
-    let (kinetic, potential) = (kinetic.energy("kinetic"), potential.energy("potential"));
+    let (drift, kick) = (drift.flow("drift", &names), kick.flow("kick", &names));
+    let (kinetic, potential) = (kinetic.energy("kinetic", &names), potential.energy("potential", &names));
     quote! {
         #[allow(warnings, clippy::all, clippy::pedantic, reason = "generated")]
         const _: () = {
-            use #root::__private::{Hamiltonian, Keep, Plain, Prepared, Real, Shaped, Slot};
+            use #root::__private as #runtime;
 
             #declared
 
             /// What depends on parameters alone, evaluated once per run.
             #structure
 
-            impl<R: Real> Prepared<R> for #of_r {
+            impl<#scalar: #runtime::Real> #runtime::Prepared<#scalar> for #of_r {
                 type Single = #of_f64;
 
                 #[inline(always)]
@@ -111,11 +122,11 @@ pub(crate) fn stepper(input: &Input, mut model: Model) -> TokenStream {
 
             #documentation
             #[automatically_derived]
-            impl #generics Hamiltonian for #system #bounds {
+            impl #generics #runtime::Hamiltonian for #system #bounds {
                 type Coords = #coordinates;
                 type Compose = #composition;
-                type Parameters<R: Real> = #of_r;
-                type Motion<R: Real, K: Keep> = Plain<R, Shaped<Self, K>, #of_r>;
+                type Parameters<#scalar: #runtime::Real> = #of_r;
+                type Motion<#scalar: #runtime::Real, #leaf: #runtime::Keep> = #runtime::Plain<#scalar, #runtime::Shaped<Self, #leaf>, #of_r>;
 
                 const AUTONOMOUS: bool = #autonomous;
 
@@ -158,25 +169,27 @@ impl Body {
     }
 
     /// The explicit time as a number of the flow, where it is read.
-    fn time(&self) -> Option<TokenStream> {
-        self.mentions("time").then(|| quote!(let time = R::of(time);))
+    fn time(&self, scalar: &Ident) -> Option<TokenStream> {
+        self.mentions("time").then(|| quote!(let time = #scalar::of(time);))
     }
 
-    fn flow(&self, name: &str) -> TokenStream {
-        let (name, body, read) = (Ident::new(name, Span::call_site()), &self.0, self.time());
+    fn flow(&self, name: &str, names: &Names) -> TokenStream {
+        let (name, body, read) = (Ident::new(name, Span::call_site()), &self.0, self.time(&names.scalar));
+        let Names { runtime, scalar, leaf, .. } = names;
         let (motion, duration, time) = (self.argument("motion"), self.argument("duration"), self.argument("time"));
         quote! {
             #[inline(always)]
-            fn #name<R: Real, K: Keep>(#motion: &mut Self::Motion<R, K>, #duration: f64, #time: f64) { #read #body }
+            fn #name<#scalar: #runtime::Real, #leaf: #runtime::Keep>(#motion: &mut Self::Motion<#scalar, #leaf>, #duration: f64, #time: f64) { #read #body }
         }
     }
 
-    fn energy(&self, name: &str) -> TokenStream {
-        let (name, body, read) = (Ident::new(name, Span::call_site()), &self.0, self.time());
+    fn energy(&self, name: &str, names: &Names) -> TokenStream {
+        let (name, body, read) = (Ident::new(name, Span::call_site()), &self.0, self.time(&names.scalar));
+        let Names { runtime, scalar, leaf, .. } = names;
         let (motion, time) = (self.argument("motion"), self.argument("time"));
         quote! {
             #[inline(always)]
-            fn #name<R: Real, K: Keep>(#motion: &Self::Motion<R, K>, #time: f64) -> R { #read #body }
+            fn #name<#scalar: #runtime::Real, #leaf: #runtime::Keep>(#motion: &Self::Motion<#scalar, #leaf>, #time: f64) -> #scalar { #read #body }
         }
     }
 }
@@ -184,7 +197,13 @@ impl Body {
 /// The body of a flow: each component of the gradient moves its coordinate.
 ///
 /// Where every coordinate gets one contribution, it is updated on the spot; else contributions are collected first.
-fn flow(model: &mut Model, fields: &mut Fields, gradient: &[Contribution], duration: TokenStream) -> TokenStream {
+fn flow(
+    model: &mut Model,
+    fields: &mut Fields,
+    names: &Names,
+    gradient: &[Contribution],
+    duration: TokenStream,
+) -> TokenStream {
     if gradient.is_empty() {
         return TokenStream::new();
     }
@@ -207,8 +226,9 @@ fn flow(model: &mut Model, fields: &mut Fields, gradient: &[Contribution], durat
             Placed { context: context.clone(), sink, value }
         })
         .collect();
-    let body = block::flow(model, fields, &placed);
-    quote!(let step = R::of(#duration); #body)
+    let scalar = &names.scalar;
+    let body = block::flow(model, fields, names, &placed);
+    quote!(let step = #scalar::of(#duration); #body)
 }
 
 /// Whether no coordinate is moved by two contributions or by two turns of a loop.
@@ -216,9 +236,9 @@ fn is_direct(model: &Model, gradient: &[Contribution]) -> bool {
     let loops = &model.graph.loops;
     let indices = |element: Element| [Some(element.index), element.component];
     let once = gradient.iter().all(|Contribution { context, element, .. }| {
-        context.iter().all(|by| {
-            indices(*element).into_iter().flatten().any(|index| loops.index(index) == Index::Running(*by))
-        })
+        context
+            .iter()
+            .all(|by| indices(*element).into_iter().flatten().any(|index| loops.index(index) == Index::Running(*by)))
     });
     let apart = |a: Element, b: Element| {
         indices(a).into_iter().zip(indices(b)).any(|(a, b)| {
@@ -245,15 +265,15 @@ fn coordinates(model: &Model) -> TokenStream {
 }
 
 /// The composition's type, and its declaration where it was written in place.
-fn composition(input: &Input, model: &Model) -> (TokenStream, Option<TokenStream>) {
-    let root = &input.root;
+fn composition(input: &Input, model: &Model, names: &Names) -> (TokenStream, Option<TokenStream>) {
+    let (root, runtime) = (&input.root, &names.runtime);
     match &input.compose {
-        None => (quote!(#root::__private::Verlet), None),
+        None => (quote!(#runtime::Verlet), None),
         Some(Compose::Named(path)) => (quote!(#path), None),
         Some(Compose::InPlace(sequence, _)) => {
-            let name = Ident::new("Composition", Span::call_site());
+            let name = &names.composition;
             let class = if model.quadratic { Class::QuadraticKinetic } else { Class::General };
-            (quote!(#name), Some(sequence.emit(&name, class, root)))
+            (quote!(#name), Some(sequence.emit(name, class, root)))
         }
     }
 }
@@ -261,7 +281,8 @@ fn composition(input: &Input, model: &Model) -> (TokenStream, Option<TokenStream
 /// The equations of motion as the documentation of the implementation.
 fn documentation(model: &Model, kinetic: &[Contribution], potential: &[Contribution]) -> TokenStream {
     let formulas = Formulas(model);
-    let lines = formulas.motion(kinetic, false).into_iter().chain(formulas.motion(potential, true));
+    let (drift, kick) = (is_direct(model, kinetic), is_direct(model, potential));
+    let lines = formulas.motion(kinetic, false, drift).into_iter().chain(formulas.motion(potential, true, kick));
     let lines: Vec<String> = lines.map(|line| format!(" {line}")).collect();
     let class = match (model.quadratic, model.autonomous) {
         (true, _) => " `T` is quadratic in the momenta, with a constant mass matrix.",

@@ -135,8 +135,7 @@ impl Graph {
         };
         // exact: a number or a coefficient is divided where the quotient is a number without rounding
         let (scale, rest) = self.strip(a);
-        let quotient = scale / divisor;
-        if divisor != 0.0 && quotient.is_finite() && (-quotient).mul_add(divisor, scale) == 0.0 {
+        if let Some(quotient) = exact_quotient(scale, divisor) {
             return match rest {
                 Some(rest) => self.scaled(quotient, rest),
                 None => self.constant(quotient),
@@ -322,16 +321,6 @@ impl Graph {
             1.0 => rest,
             -1.0 => self.intern(Node::Neg(rest)),
             _ => {
-                if let Node::Div(numerator, divisor) = self.node(rest)
-                    && let Some(divisor_value) = self.as_constant(divisor)
-                {
-                    // exact: c (x / d) == (c/d) x where c/d is a number without rounding
-                    let quotient = scale / divisor_value;
-                    if (-quotient).mul_add(divisor_value, scale) == 0.0 {
-                        let quotient = self.constant(quotient);
-                        return self.mul(quotient, numerator);
-                    }
-                }
                 let scale = self.constant(scale);
                 self.scaled_by(scale, rest)
             }
@@ -340,10 +329,24 @@ impl Graph {
 
     /// A number or parameter times a node, put at the far left of the node's factors.
     fn scaled_by(&mut self, scale: NodeId, rest: NodeId) -> NodeId {
-        match self.node(rest) {
-            Node::Mul(a, b) => {
+        match (self.node(rest), self.as_constant(scale)) {
+            (Node::Mul(a, b), _) => {
                 let left = self.scaled_by(scale, a);
-                self.intern(Node::Mul(left, b))
+                match self.as_constant(left) {
+                    Some(number) => self.scaled(number, b),
+                    None => self.intern(Node::Mul(left, b)),
+                }
+            }
+            (Node::Div(numerator, divisor), Some(number)) => {
+                // exact: c (x / d) == (c/d) x where c/d is a number without rounding
+                let quotient = self.as_constant(divisor).and_then(|divisor| exact_quotient(number, divisor));
+                match quotient {
+                    Some(quotient) => {
+                        let quotient = self.constant(quotient);
+                        self.mul(quotient, numerator)
+                    }
+                    None => self.intern(Node::Mul(scale, rest)),
+                }
             }
             _ => self.intern(Node::Mul(scale, rest)),
         }
@@ -357,7 +360,7 @@ impl Graph {
                 let update = self.stepped(inner);
                 self.intern(Node::Neg(update))
             }
-            Node::Mul(a, b) => {
+            Node::Mul(a, b) if !self.is_prepared(x) => {
                 let left = self.stepped(a);
                 self.intern(Node::Mul(left, b))
             }
@@ -365,4 +368,10 @@ impl Graph {
             _ => self.intern(Node::Mul(step, x)),
         }
     }
+}
+
+/// `a / b`, if it is a number without rounding.
+fn exact_quotient(a: f64, b: f64) -> Option<f64> {
+    let quotient = a / b;
+    (quotient.is_finite() && (-quotient).mul_add(b, a) == 0.0).then_some(quotient)
 }

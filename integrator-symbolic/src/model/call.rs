@@ -62,7 +62,8 @@ impl Reader<'_> {
                 self.elementary(name, receiver, place, arguments, &places)
             }
             [kind, name] if kind == "Self" => {
-                let takes_self = self.input.function(&name.to_string()).is_some_and(|helper| helper.sig.receiver().is_some());
+                let takes_self =
+                    self.input.function(&name.to_string()).is_some_and(|helper| helper.sig.receiver().is_some());
                 if takes_self && !arguments.is_empty() {
                     arguments.remove(0);
                     places.remove(0);
@@ -90,7 +91,8 @@ impl Reader<'_> {
     }
 
     fn unknown_function(&mut self, place: impl ToTokens, name: &str) {
-        let known: Vec<&str> = TABLE.iter().map(|row| row.name).chain(ARITHMETIC).filter(|name| *name != "clone").collect();
+        let known: Vec<&str> =
+            TABLE.iter().map(|row| row.name).chain(ARITHMETIC).filter(|name| *name != "clone").collect();
         let message = format!(
             "`{name}` of a coordinate is not known. Known are the methods of f64 {}, and helper methods of this impl",
             known.join(", ")
@@ -220,7 +222,7 @@ impl Reader<'_> {
         let value = self.block(&helper.block);
         self.inlining.pop();
         self.scopes = scopes;
-        value
+        value.map(Value::as_operand)
     }
 }
 

@@ -2,6 +2,7 @@
 
 use super::{
     Reader,
+    integer::operand,
     statement::with_variables,
     value::{Opaque, Value, View},
 };
@@ -23,7 +24,7 @@ impl Reader<'_> {
             Expr::Paren(inner) => self.grouped(&inner.expr),
             Expr::Group(inner) => self.expression(&inner.expr),
             Expr::Reference(inner) if inner.mutability.is_none() => self.expression(&inner.expr),
-            Expr::Block(inner) if inner.label.is_none() => self.block(&inner.block),
+            Expr::Block(inner) if inner.label.is_none() => self.block(&inner.block).map(Value::as_operand),
             Expr::Lit(literal) => self.literal(literal),
             Expr::Path(path) => self.path(path),
             Expr::Unary(unary) => self.unary(unary, expression),
@@ -108,13 +109,14 @@ impl Reader<'_> {
         match &value {
             Value::Unknown => return None,
             Value::Accumulating => {
-                let message = format!("`{name}` is being summed up by the loop around here: it can be read after the loop");
+                let message =
+                    format!("`{name}` is being summed up by the loop around here: it can be read after the loop");
                 self.errors.at(name, message);
                 return None;
             }
             _ => {}
         }
-        Some(value)
+        Some(value.as_operand())
     }
 
     fn unknown_name(&mut self, name: &Ident) {
@@ -370,7 +372,7 @@ impl Reader<'_> {
             loops = loops.union(mentioned);
             variables.push((name, text));
         }
-        Some(Value::Opaque(Opaque { text: with_variables(text, &variables), loops }))
+        Some(Value::Opaque(Opaque { text: with_variables(operand(text), &variables), loops }))
     }
 
     /// Notes an expression that is not understood.
@@ -409,7 +411,7 @@ fn is_integer(kind: &Type) -> bool {
 
 fn joined(left: &Opaque, op: &BinOp, right: &Opaque) -> Opaque {
     let (a, b) = (&left.text, &right.text);
-    Opaque { text: quote!((#a #op #b)), loops: left.loops.union(right.loops) }
+    Opaque { text: quote!(#a #op #b), loops: left.loops.union(right.loops) }
 }
 
 /// Every identifier of a text that could be a variable, once.

@@ -45,7 +45,7 @@ impl Reader<'_> {
             }
             Value::Real(node) => {
                 let number = self.graph.as_constant(*node)?;
-                let literal = Literal::f64_suffixed(number.abs());
+                let literal = number_literal(number.abs());
                 let text = if number.is_sign_negative() { quote!((-#literal)) } else { literal.to_token_stream() };
                 number.is_finite().then(|| Opaque { text, loops: Default::default() })
             }
@@ -86,5 +86,22 @@ impl Reader<'_> {
             Index::Div(a, b) => binary(a, quote!(/), b),
             Index::Rem(a, b) => binary(a, quote!(%), b),
         }
+    }
+}
+
+/// A number as one would write it: with an exponent where the digits would be many.
+pub(crate) fn number_literal(value: f64) -> Literal {
+    if value == 0.0 || (1e-5..1e16).contains(&value) {
+        return Literal::f64_unsuffixed(value);
+    }
+    format!("{value:e}").parse().unwrap_or_else(|_| Literal::f64_unsuffixed(value))
+}
+
+/// Text that stands for one operand wherever it is put.
+pub(super) fn operand(text: TokenStream) -> TokenStream {
+    let mut tokens = text.clone().into_iter();
+    match (tokens.next(), tokens.next()) {
+        (Some(_), Some(_)) => quote!((#text)),
+        _ => text,
     }
 }

@@ -7,7 +7,7 @@
 
 mod call;
 mod expression;
-mod integer;
+pub(crate) mod integer;
 mod pattern;
 mod shape;
 mod statement;
@@ -55,7 +55,8 @@ pub(crate) fn model(input: &Input, errors: &mut Errors) -> Option<Model> {
         let function = input.function(name);
         if function.is_none() {
             let letter = shape::usual_name(part);
-            let message = format!("the impl lacks `fn {name}(&self, {letter}: [f64; N]) -> f64`, one of the two parts of H");
+            let message =
+                format!("the impl lacks `fn {name}(&self, {letter}: [f64; N]) -> f64`, one of the two parts of H");
             errors.at(&input.item.self_ty, message);
         }
         function.and_then(|function| Some((part, function, signature(function, part, errors)?)))
@@ -79,7 +80,8 @@ pub(crate) fn model(input: &Input, errors: &mut Errors) -> Option<Model> {
     let Reader { graph, parameters, running, .. } = reader;
     let [Some((kinetic, shape)), Some((potential, _))] = energies else { return None };
     let autonomous = !graph.reads_time(kinetic) && !graph.reads_time(potential);
-    let quadratic = graph.degree(kinetic, Part::Momentum).is_some_and(|degree| degree <= 2) && !graph.reads_time(kinetic);
+    let quadratic =
+        graph.degree(kinetic, Part::Momentum).is_some_and(|degree| degree <= 2) && !graph.reads_time(kinetic);
     Some(Model { graph, kinetic, potential, shape, parameters, running, quadratic, autonomous })
 }
 
@@ -170,7 +172,11 @@ impl<'i> Reader<'i> {
             Some(energy) => Some(energy),
             None => {
                 let place = function.block.stmts.last().map_or_else(|| function.block.span(), Spanned::span);
-                let message = format!("`{}` has to end in a number, the energy; this is {}", function.sig.ident, value.describe());
+                let message = format!(
+                    "`{}` has to end in a number, the energy; this is {}",
+                    function.sig.ident,
+                    value.describe()
+                );
                 self.errors.at_span(place, message);
                 None
             }
@@ -208,7 +214,7 @@ impl<'i> Reader<'i> {
 
     /// The id of a parameter with this text, new or known.
     fn parameter(&mut self, text: TokenStream, integer: bool, loops: crate::graph::index::LoopSet) -> ParameterId {
-        let key = format!("{integer} {text}");
+        let key = format!("{integer} {loops:?} {text}");
         if let Some(id) = self.parameter_ids.get(&key) {
             return *id;
         }

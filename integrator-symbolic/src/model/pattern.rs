@@ -20,10 +20,9 @@ impl Reader<'_> {
             Pat::Reference(inner) => self.bind(&inner.pat, value),
             Pat::Slice(parts) => self.bind_all(pattern, &parts.elems.iter().collect::<Vec<_>>(), value),
             Pat::Tuple(parts) => self.bind_all(pattern, &parts.elems.iter().collect::<Vec<_>>(), value),
-            other => self.errors.at(
-                other,
-                "this pattern is not understood: names, `_`, `&x`, arrays `[x, y]` and tuples `(x, y)` are",
-            ),
+            other => self
+                .errors
+                .at(other, "this pattern is not understood: names, `_`, `&x`, arrays `[x, y]` and tuples `(x, y)` are"),
         }
     }
 

@@ -173,7 +173,8 @@ pub(crate) fn signature<'f>(function: &'f ImplItemFn, part: Part, errors: &mut E
             return None;
         }
         _ => {
-            errors.at(&function.sig.inputs, format!("`{name}` takes `&self`, `{letter}` and perhaps the time, `t: f64`"));
+            errors
+                .at(&function.sig.inputs, format!("`{name}` takes `&self`, `{letter}` and perhaps the time, `t: f64`"));
             return None;
         }
     };

@@ -77,7 +77,8 @@ impl Reader<'_> {
         if name.starts_with("debug_assert") || name.starts_with("assert") {
             return Some(Value::Unit);
         }
-        let message = format!("`{name}!` cannot be differentiated: only assertions may stand here; write the formula out");
+        let message =
+            format!("`{name}!` cannot be differentiated: only assertions may stand here; write the formula out");
         self.errors.at(called, message);
         None
     }
@@ -220,14 +221,12 @@ impl Reader<'_> {
         let parent = self.frames.last().map(|frame| frame.by);
         let by = self.graph.loops.range(Loop { parent, from, to });
         if !self.running.contains_key(&by) {
-            let taken = |name: &Ident| RESERVED.iter().any(|word| name == word) || self.running.values().any(|known| known == name);
+            // Loops beside each other are never nested in what is written, so they may share a name.
+            let around: Vec<&Ident> = self.frames.iter().filter_map(|frame| self.running.get(&frame.by)).collect();
+            let taken = |name: &Ident| RESERVED.iter().any(|word| name == word) || around.contains(&name);
             let base = if name == "_" { format_ident!("turn") } else { name.clone() };
-            let mut free = base.clone();
-            let mut count = 1;
-            while taken(&free) {
-                count += 1;
-                free = format_ident!("{base}_{count}");
-            }
+            let free = std::iter::once(base.clone()).chain((2..).map(|count| format_ident!("{base}_{count}")));
+            let free = { free }.find(|name| !taken(name)).unwrap_or(base);
             self.running.insert(by, free);
         }
         self.frames.push(Frame { by, sums: Vec::new() });

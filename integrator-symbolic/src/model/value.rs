@@ -1,6 +1,10 @@
 //! What an expression of the user stands for while it is read.
 
-use crate::graph::{NodeId, Part, index::{IndexId, LoopSet}};
+use super::integer::operand;
+use crate::graph::{
+    NodeId, Part,
+    index::{IndexId, LoopSet},
+};
 use proc_macro2::TokenStream;
 
 /// The meaning of an expression.
@@ -41,6 +45,14 @@ pub(crate) struct Opaque {
 }
 
 impl Value {
+    /// The same value, whose text stands for one operand wherever it is put.
+    pub(super) fn as_operand(self) -> Self {
+        match self {
+            Value::Opaque(Opaque { text, loops }) => Value::Opaque(Opaque { text: operand(text), loops }),
+            other => other,
+        }
+    }
+
     /// What it is, for a message.
     pub(crate) fn describe(&self) -> &'static str {
         match self {

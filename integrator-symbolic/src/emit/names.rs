@@ -1,0 +1,56 @@
+//! Names of what is written beside the user's own items, so that neither hides the other.
+
+use crate::syntax::{Compose, Input};
+use proc_macro2::{Ident, Span, TokenStream, TokenTree};
+use quote::ToTokens;
+use std::collections::HashSet;
+
+/// The names of generated items and type parameters: none is one that the user's text mentions.
+pub(crate) struct Names {
+    /// The runtime's private door.
+    pub(super) runtime: Ident,
+    /// The struct of prepared constants.
+    pub(super) parameters: Ident,
+    /// The composition that was written in place.
+    pub(super) composition: Ident,
+    /// What flows compute in.
+    pub(super) scalar: Ident,
+    /// How coordinates are kept.
+    pub(super) leaf: Ident,
+}
+
+impl Names {
+    pub(super) fn new(input: &Input) -> Self {
+        let mut used = HashSet::new();
+        collect(input.item.to_token_stream(), &mut used);
+        if let Some(Compose::Named(path)) = &input.compose {
+            collect(path.to_token_stream(), &mut used);
+        }
+        let free = |name: &str| {
+            let mut free = name.to_owned();
+            while used.contains(&free) {
+                free.push('_');
+            }
+            Ident::new(&free, Span::call_site())
+        };
+        Self {
+            runtime: free("runtime"),
+            parameters: free("Parameters"),
+            composition: free("InPlace"),
+            scalar: free("Scalar"),
+            leaf: free("Leaf"),
+        }
+    }
+}
+
+fn collect(tokens: TokenStream, used: &mut HashSet<String>) {
+    for token in tokens {
+        match token {
+            TokenTree::Ident(name) => {
+                used.insert(name.to_string());
+            }
+            TokenTree::Group(group) => collect(group.stream(), used),
+            TokenTree::Punct(_) | TokenTree::Literal(_) => {}
+        }
+    }
+}
