@@ -106,7 +106,7 @@ pub(crate) fn stepper(input: &Input, mut model: Model) -> TokenStream {
     quote! {
         #[allow(warnings, clippy::all, clippy::pedantic, reason = "generated")]
         const _: () = {
-            use #root::__private as #runtime;
+            use #root::__private::{self as #runtime, Slot as _};
 
             #declared
 
@@ -130,7 +130,10 @@ pub(crate) fn stepper(input: &Input, mut model: Model) -> TokenStream {
 
                 const AUTONOMOUS: bool = #autonomous;
 
-                fn parameters(&self) -> #of_f64 { #prepare }
+                fn parameters(&self) -> #of_f64 {
+                    let _ = (Self::kinetic, Self::potential);
+                    #prepare
+                }
 
                 #drift
                 #kick

@@ -61,7 +61,7 @@ impl InPlace {
         if class == Class::QuadraticKinetic {
             (scheme.class, scheme.order) = (class, scheme.proof.quadratic.order);
         }
-        let definition = emit::definition(&Visibility::Inherited, name);
+        let definition = emit::definition(&Visibility::Public(Default::default()), name);
         let implementation = emit::implementation(name, &self.text(), Some(&scheme), root);
         quote!(#definition #implementation)
     }
