@@ -51,6 +51,37 @@ pub struct Stages {
     pub closing: Stage,
 }
 
+/// A list of stages that is gone through once.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Rows {
+    /// The part that comes first in every row.
+    pub lead: Lead,
+    /// The stages.
+    pub rows: &'static [Stage],
+}
+
+impl Rows {
+    /// No stages.
+    pub const NONE: Self = Self { lead: Lead::Drift, rows: &[] };
+}
+
+/// What a processed composition does once before its first step, and undoes wherever its state is shown.
+///
+/// With the processor `P` and the kernel `K`, `n` steps are `P`, then `K` `n` times, then the inverse of `P`: conjugate
+/// to `K`, hence as symplectic, at the cost of `K` alone. The inverse acts on a copy, so what is shown changes no run.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Processor {
+    /// `P`.
+    pub before: Rows,
+    /// The inverse of `P`.
+    pub after: Rows,
+}
+
+impl Processor {
+    /// No processor.
+    pub const NONE: Self = Self { before: Rows::NONE, after: Rows::NONE };
+}
+
 /// What a composition asks of the Hamiltonian beside being separable.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Class {
@@ -64,6 +95,8 @@ pub enum Class {
 pub trait Scheme: Copy + Default + Send + Sync + 'static {
     /// The name it was declared by.
     const NAME: &'static str;
+    /// Where it was published; empty if the declaration does not say.
+    const CITATION: &'static str;
     /// The order, proved from the order conditions.
     const ORDER: u32;
     /// Whether the sequence reads the same backwards, so that a step by `-h` undoes a step by `h`.
@@ -72,8 +105,18 @@ pub trait Scheme: Copy + Default + Send + Sync + 'static {
     const CLASS: Class;
     /// Force evaluations per step, after merging across steps.
     const FORCE_EVALUATIONS: usize;
+    /// How many of these also go along the gradient of the squared force, which costs about one more evaluation each.
+    const GRADIENT_EVALUATIONS: usize;
+    /// The smallest `h·ω` beyond which the step is unstable on a harmonic oscillator, computed from its step matrix.
+    const STABILITY_LIMIT: f64;
+    /// The norm of the first terms that the step gets wrong, those of degree `ORDER + 1`, in the basis of bracketed Lyndon
+    /// words (modulo the brackets that vanish for quadratic `T`, where that is the class). It compares compositions of one
+    /// order and class.
+    const LEADING_ERROR: Option<f64>;
     /// The table that a run loops over.
     const STAGES: Stages;
+    /// What comes once before the first step; mostly nothing.
+    const PROCESSOR: Processor = Processor::NONE;
 }
 
 /// A composition that may integrate `H`. Written by `composition!`.
@@ -102,9 +145,27 @@ pub trait Composition<H: Hamiltonian>: Scheme {
         }
     }
 
+    /// The rows of a processor. Its last row may lack a part, which is left out then.
+    #[inline(always)]
+    fn once(flows: &mut impl Flows<H>, rows: &Rows, h: f64, time: f64) {
+        for stage in rows.rows {
+            let kicks = stage.kick != 0.0 || stage.gradient != 0.0;
+            if kicks && rows.lead == Lead::Kick {
+                Self::kick(flows, stage, h, time);
+            }
+            if stage.drift != 0.0 {
+                flows.drift(h * stage.drift, time + h * stage.drift_time);
+            }
+            if kicks && rows.lead == Lead::Drift {
+                Self::kick(flows, stage, h, time);
+            }
+        }
+    }
+
     /// From a closed state at `time` to just before the last stage of the step.
     #[inline(always)]
     fn open(flows: &mut impl Flows<H>, h: f64, time: f64) {
+        Self::once(flows, &Self::PROCESSOR.before, h, time);
         Self::stage(flows, &Self::STAGES.opening, h, time);
         for stage in &Self::STAGES.cycle[1..] {
             Self::stage(flows, stage, h, time);
@@ -128,5 +189,6 @@ pub trait Composition<H: Hamiltonian>: Scheme {
             Lead::Kick if closing.kick != 0.0 || closing.gradient != 0.0 => Self::kick(flows, closing, h, time),
             _ => {}
         }
+        Self::once(flows, &Self::PROCESSOR.after, h, time);
     }
 }

@@ -41,7 +41,7 @@ pub mod prelude {
 pub mod __private {
     pub use crate::{
         catalogue::Verlet,
-        composition::{Class, Composition, Lead, Scheme, Stage, Stages},
+        composition::{Class, Composition, Lead, Processor, Rows, Scheme, Stage, Stages},
         coords::Coords,
         fused::Fused,
         hamiltonian::{Flows, Hamiltonian, Motion, Plain, Prepared, QuadraticKinetic, Shaped},

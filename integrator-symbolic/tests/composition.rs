@@ -60,8 +60,22 @@ fn gradient_kicks_bring_their_own_kick() {
 }
 
 #[test]
+fn a_processor_runs_once_and_moves_the_times_of_its_kernel() {
+    insta::assert_snapshot!(pretty("struct Shifted = processed(V(1/4) T(1/2); T(1/2) V(1) T(1/2));"));
+}
+
+#[test]
 fn proved_facts_of_known_methods() {
+    const TAKAHASHI_IMADA: &str = "processed(
+        V(0.185935399684605464415966643791607204) T(0.874930615595543534033796586897314284)
+        V(0.0731969797858114490791129837957051183) T(-0.237106680151021920477108226727481495)
+        V(-0.157662426929808107551937572778690459) T(-0.536353982903912807613546305361210926);
+        T(1/2) V(1, -1/24) T(1/2))";
     for (sequence, expected) in [
+        (
+            TAKAHASHI_IMADA,
+            "Order 4 for `T` quadratic in `p` (proved), not symmetric, 1 force evaluation (1 with its gradient) a step.",
+        ),
         ("V(1) T(1)", "Order 1 for every `T` (proved), not symmetric, 1 force evaluation a step."),
         ("T(1/2) V(1) T(1/2)", "Order 2 for every `T` (proved), symmetric, 1 force evaluation a step."),
         ("compose(Euler, EulerAdjoint)", "Order 2 for every `T` (proved), symmetric, 1 force evaluation a step."),
@@ -90,12 +104,12 @@ fn proved_facts_of_known_methods() {
         ),
         (
             "symmetric(V(1/6) T(1/2) V(2/3, -1/72))",
-            "Order 4 for `T` quadratic in `p` (proved), symmetric, 2 force evaluations a step.",
+            "Order 4 for `T` quadratic in `p` (proved), symmetric, 2 force evaluations (1 with its gradient) a step.",
         ),
         // Takahashi and Imada's kernel: of order 2 without its processor.
         (
             "T(1/2) V(1, -1/24) T(1/2)",
-            "Order 2 for `T` quadratic in `p` (proved), symmetric, 1 force evaluation a step.",
+            "Order 2 for `T` quadratic in `p` (proved), symmetric, 1 force evaluation (1 with its gradient) a step.",
         ),
         // Yoshida's solution A, by the 15 digits that are often printed.
         (
@@ -103,7 +117,8 @@ fn proved_facts_of_known_methods() {
             "Order 6 for every `T` (proved), symmetric, 7 force evaluations a step.",
         ),
     ] {
-        assert_eq!(facts(&format!("struct Probe = {sequence};")), [expected], "{sequence}");
+        let facts = facts(&format!("struct Probe = {sequence};"));
+        assert!(facts[0].starts_with(expected), "{sequence}: {}", facts[0]);
     }
 }
 
@@ -156,7 +171,7 @@ fn every_mistake_has_one_message_on_its_token() {
         ("struct A: order 2, order 2 = Verlet;", &["1:19 `order` is claimed twice"]),
         (
             "struct A: oder 2 = Verlet;",
-            &["1:10 unknown claim `oder`: what can be claimed is `order 4` and `symmetric`"],
+            &["1:10 unknown claim `oder`: there are `order 4`, `symmetric` and `citation \"..\"`"],
         ),
         ("struct A = V(1/2) T(1) V(1/3);", &["1:11 the coefficients of `V` sum to 0.833333333333, not to 1"]),
         ("struct A = V(1) T(0.999);", &["1:11 the coefficients of `T` sum to 0.999, not to 1"]),
@@ -169,7 +184,7 @@ fn every_mistake_has_one_message_on_its_token() {
         (
             "struct A = W(1) T(1);",
             &[
-                "1:11 unknown combinator `W`: the stages are `T(a)`, `V(b)` and `V(b, c)`, the combinators `triple_jump(..)`, `suzuki(..)`, `symmetric(..)`, `compose(..)` and `adjoint(..)`",
+                "1:11 unknown combinator `W`: the stages are `T(a)`, `V(b)` and `V(b, c)`, the combinators `triple_jump(..)`, `suzuki(..)`, `symmetric(..)`, `compose(..)`, `adjoint(..)` and `processed(..)`",
             ],
         ),
         ("struct A = V T(1);", &["1:11 how long a stage? write `V(1/2)`"]),
@@ -197,7 +212,7 @@ fn every_mistake_has_one_message_on_its_token() {
         (
             "struct A = Verlt;",
             &[
-                "1:11 unknown composition `Verlt`: known here are `Euler`, `EulerAdjoint`, `Verlet`, `VelocityVerlet`; the combinators are `triple_jump(..)`, `suzuki(..)`, `symmetric(..)`, `compose(..)` and `adjoint(..)`",
+                "1:11 unknown composition `Verlt`: known here are `Euler`, `EulerAdjoint`, `Verlet`, `VelocityVerlet`; the combinators are `triple_jump(..)`, `suzuki(..)`, `symmetric(..)`, `compose(..)`, `adjoint(..)` and `processed(..)`",
             ],
         ),
         (
@@ -229,12 +244,35 @@ fn every_mistake_has_one_message_on_its_token() {
         ("struct A = suzuki(suzuki(suzuki(suzuki(Verlet))));", &["1:11 1251 stages; at most 1000 are proved"]),
         ("struct A = Verlet; struct A = Euler;", &["1:26 `A` is declared twice in this block"]),
         ("crate = ; struct A = Verlet;", &["1:8 expected identifier"]),
+        ("struct A: citation 1990 = Verlet;", &["1:19 expected string literal"]),
+        ("struct A = processed(Verlet);", &["1:11 `processed(pre; kernel)` takes two sequences"]),
+        ("struct A = processed(Euler; Verlet; Verlet);", &["1:11 `processed(pre; kernel)` takes two sequences"]),
+        ("struct A = processed(T(1/2); T(1/2) V(1));", &["1:11 the coefficients of `T` sum to 0.5, not to 1"]),
+        (
+            "struct A = triple_jump(processed(T(1/2); Verlet));",
+            &["1:23 `triple_jump` raises the order of a symmetric composition, but this one is not symmetric"],
+        ),
+        (
+            "struct A = T(1/2) processed(T(1/2); Verlet);",
+            &["1:28 `processed(..)` is a whole composition: it cannot be a part of another one"],
+        ),
+        (
+            "struct A = processed(T(1/2); Verlet); struct B = adjoint(A); struct C = A T(1);",
+            &[
+                "1:57 a processed composition cannot be a part of another one",
+                "1:72 a processed composition cannot be a part of another one",
+            ],
+        ),
+        (
+            "struct A: symmetric = processed(T(1/2); Verlet);",
+            &["1:10 declared symmetric, but the sequence does not read the same backwards"],
+        ),
         // Two mistakes, two messages; users of what was refused are not told again.
         (
             "struct A: order 3 = Verlet;\nstruct B = adjoint(A);\nstruct C = D;",
             &[
                 "1:16 declared order 3, but the proof finds order 2: the condition of the word TVV is violated by 8.3e-2",
-                "3:11 unknown composition `D`: known here are `Euler`, `EulerAdjoint`, `Verlet`, `VelocityVerlet`, `A`, `B`; the combinators are `triple_jump(..)`, `suzuki(..)`, `symmetric(..)`, `compose(..)` and `adjoint(..)`",
+                "3:11 unknown composition `D`: known here are `Euler`, `EulerAdjoint`, `Verlet`, `VelocityVerlet`, `A`, `B`; the combinators are `triple_jump(..)`, `suzuki(..)`, `symmetric(..)`, `compose(..)`, `adjoint(..)` and `processed(..)`",
             ],
         ),
     ];
@@ -330,12 +368,26 @@ fn token_soup() -> impl Strategy<Value = String> {
 
 /// Declarations that get past the parser more often than not.
 fn sequence_soup() -> impl Strategy<Value = String> {
-    let number = prop::sample::select(vec!["1", "1/2", "-1/3", "0.25", "_", "sqrt(2)", "1/(2 - 2)", "1e200", "0", ""]);
+    let number = prop::sample::select(vec![
+        "1",
+        "1/2",
+        "-1/3",
+        "0.25",
+        "_",
+        "sqrt(2)",
+        "1/(2 - 2)",
+        "1e200",
+        "-1e100",
+        "1e100",
+        "0",
+        "",
+    ]);
     let stage =
         (prop::sample::select(vec!["T", "V", "W"]), number.clone()).prop_map(|(name, n)| format!("{name}({n})"));
     let leaf = prop_oneof![stage, Just("Verlet".to_owned()), Just("B".to_owned())];
     let sequence = leaf.prop_recursive(3, 24, 4, move |inner| {
-        let name = prop::sample::select(vec!["triple_jump", "suzuki", "symmetric", "compose", "adjoint", ""]);
+        let name =
+            prop::sample::select(vec!["triple_jump", "suzuki", "symmetric", "compose", "adjoint", "processed", ""]);
         let separator = prop::sample::select(vec![" ", ", ", "; "]);
         (name, number.clone(), separator, prop::collection::vec(inner, 0..4)).prop_map(|(name, n, separator, parts)| {
             match separator {

@@ -4,6 +4,7 @@
 //! that holds only where `T` is quadratic in `p` declares a composition for those systems alone.
 
 use super::{
+    coefficient::Coefficient,
     errors::Errors,
     lower::{Known, lower},
     prove::{Proof, Verdict, prove},
@@ -21,7 +22,10 @@ pub(crate) enum Class {
 /// A proved composition.
 #[derive(Clone, Debug)]
 pub(super) struct Scheme {
+    /// One step; of the kernel, if there is a processor.
     pub(super) stages: Stages,
+    /// What comes once before the first step, and its inverse before output; mostly nothing.
+    pub(super) processor: Stages,
     pub(super) proof: Proof,
     pub(super) class: Class,
     /// The proved order for the class.
@@ -30,13 +34,25 @@ pub(super) struct Scheme {
 
 impl Scheme {
     /// The scheme of stages about which nothing is claimed: general, unless it has gradient kicks.
-    pub(super) fn inferred(stages: Stages) -> Self {
-        let proof = prove(&stages);
+    pub(super) fn inferred(stages: Stages, processor: Stages) -> Self {
+        let mut whole = processor.clone();
+        whole.append(&stages, Coefficient::ONE);
+        whole.append(&processor.inverse(), Coefficient::ONE);
+        let proof = prove(&whole);
         let (class, verdict) = match proof.general {
             Some(general) => (Class::General, general),
             None => (Class::QuadraticKinetic, proof.quadratic),
         };
-        Self { stages, proof, class, order: verdict.order }
+        Self { stages, processor, proof, class, order: verdict.order }
+    }
+
+    /// The leading error for the class, where it is known and finite.
+    pub(super) fn leading_error(&self) -> Option<f64> {
+        let verdict = match (self.class, self.proof.general) {
+            (Class::General, Some(general)) => general,
+            _ => self.proof.quadratic,
+        };
+        verdict.leading_error.filter(|norm| norm.is_finite())
     }
 }
 
@@ -67,7 +83,7 @@ pub(super) fn check(declaration: &Declaration, known: &Known, errors: &mut Error
 }
 
 fn overclaimed(declared: u32, proof: &Proof) -> String {
-    let Verdict { order, violation } = proof.quadratic;
+    let Verdict { order, violation, .. } = proof.quadratic;
     let Some(violation) = violation else {
         return format!("declared order {declared}, but no order above {order} is proved");
     };
@@ -79,7 +95,7 @@ fn overclaimed(declared: u32, proof: &Proof) -> String {
     };
     // For the same order, the longer list may hold the larger violation.
     let violation = match proof.general {
-        Some(Verdict { order: general, violation: Some(other) }) if general == order => other,
+        Some(Verdict { order: general, violation: Some(other), .. }) if general == order => other,
         _ => violation,
     };
     format!("declared order {declared}, but the proof finds order {order}{class}: {violation}")

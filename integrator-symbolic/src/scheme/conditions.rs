@@ -28,6 +28,29 @@ impl Word {
         Self(text.bytes().fold(1, |word, letter| word << 1 | usize::from(letter == b'V')))
     }
 
+    /// The first `length` letters and the others.
+    fn split(self, length: usize) -> (Self, Self) {
+        let rest = self.degree() - length;
+        (Self(self.0 >> rest), Self(1 << rest | self.0 & ((1 << rest) - 1)))
+    }
+
+    /// The coefficient of this word in the bracket of a Lyndon word: a letter is its own bracket, and a longer word has
+    /// that of the brackets of its two factors, the second of which is its longest Lyndon suffix.
+    pub(super) fn in_bracket_of(self, lyndon: Self) -> f64 {
+        let degree = lyndon.degree();
+        if self.0.count_ones() != lyndon.0.count_ones() {
+            return 0.0;
+        }
+        let suffix = (1..degree).find(|length| lyndon.split(*length).1.is_lyndon());
+        let Some(length) = suffix else { return 1.0 };
+        let (left, right) = lyndon.split(length);
+        let product = |(one, other): (Self, Self), left: Self, right: Self| {
+            let first = one.in_bracket_of(left);
+            if first == 0.0 { 0.0 } else { first * other.in_bracket_of(right) }
+        };
+        product(self.split(length), left, right) - product(self.split(degree - length), right, left)
+    }
+
     /// Whether the word is strictly smaller than all its rotations.
     fn is_lyndon(self) -> bool {
         let degree = self.degree();
@@ -173,6 +196,22 @@ mod tests {
             words.sort_by_key(|word| word.0);
             words.dedup();
             assert_eq!(words.len(), counts[degree - 1], "no word twice");
+        }
+    }
+
+    #[test]
+    fn brackets_expand_to_words() {
+        let coefficient = |word: &str, lyndon: &str| Word::read(word).in_bracket_of(Word::read(lyndon));
+        // [T, [T, V]] = TTV - 2 TVT + VTT
+        assert_eq!(["TTV", "TVT", "VTT", "TVV"].map(|word| coefficient(word, "TTV")), [1.0, -2.0, 1.0, 0.0]);
+        // [[T, V], V] = TVV - 2 VTV + VVT
+        assert_eq!(["TVV", "VTV", "VVT"].map(|word| coefficient(word, "TVV")), [1.0, -2.0, 1.0]);
+        for degree in 1..=7 {
+            for word in general(degree) {
+                assert_eq!(word.in_bracket_of(word), 1.0, "{word}");
+                let smaller = general(degree).into_iter().filter(|other| other.0 < word.0);
+                assert!(smaller.clone().all(|other| other.in_bracket_of(word) == 0.0), "{word}");
+            }
         }
     }
 

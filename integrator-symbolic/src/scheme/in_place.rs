@@ -62,7 +62,7 @@ impl InPlace {
             (scheme.class, scheme.order) = (class, scheme.proof.quadratic.order);
         }
         let definition = emit::definition(&Visibility::Public(Default::default()), name);
-        let implementation = emit::implementation(name, &self.text(), Some(&scheme), root);
+        let implementation = emit::implementation(name, &self.text(), "", Some(&scheme), root);
         quote!(#definition #implementation)
     }
 

@@ -3,6 +3,7 @@
 //! Every error about the content of a sequence arises here. Always true: the drifts of what goes out sum to one step,
 //! and so do its kicks.
 
+use quote::ToTokens;
 use syn::{Expr, Ident};
 
 use super::{
@@ -31,7 +32,7 @@ impl Known {
             for (letter, coefficient) in sequence.iter().copied() {
                 stages.push(Element { letter, coefficient, gradient: Coefficient::ZERO });
             }
-            (name.to_owned(), Some(Scheme::inferred(stages)))
+            (name.to_owned(), Some(Scheme::inferred(stages, Stages::default())))
         };
         Self(vec![
             base("Euler", &[(V, one), (T, one)]),
@@ -65,14 +66,24 @@ pub(super) fn lower(sequence: &Sequence, known: &Known, errors: &mut Errors) -> 
     if let [Item::Name(name)] = sequence.items.as_slice() {
         return known.look_up(name, errors).cloned();
     }
+    if let [Item::Combined(Combined::Processed(pre, kernel))] = sequence.items.as_slice() {
+        let pre = parts(pre, known, errors).map(|parts| joined(&parts));
+        let kernel = parts(kernel, known, errors).map(|parts| joined(&parts));
+        return proved(kernel?, pre?, sequence, errors);
+    }
     let stages = joined(&parts(sequence, known, errors)?);
-    let count = stages.elements().len();
+    proved(stages, Stages::default(), sequence, errors)
+}
+
+/// The scheme of a kernel with its processor, if it is one step long.
+fn proved(kernel: Stages, processor: Stages, sequence: &Sequence, errors: &mut Errors) -> Option<Scheme> {
+    let count = kernel.elements().len() + 2 * processor.elements().len();
     let message = if count > MOST_STAGES {
         format!("{count} stages; at most {MOST_STAGES} are proved")
     } else {
-        let scheme = Scheme::inferred(stages);
+        let scheme = Scheme::inferred(kernel, processor);
         match scheme.proof.quadratic {
-            Verdict { order: 0, violation: Some(violation) } => inconsistent(violation),
+            Verdict { order: 0, violation: Some(violation), .. } => inconsistent(violation),
             _ => return Some(scheme),
         }
     };
@@ -119,7 +130,10 @@ fn parts(sequence: &Sequence, known: &Known, errors: &mut Errors) -> Option<Vec<
                     gradient,
                 })
             }
-            Item::Name(name) => known.look_up(name, errors).map(|scheme| Part::Step(scheme.stages.clone())),
+            Item::Name(name) => {
+                let scheme = known.look_up(name, errors);
+                scheme.and_then(|scheme| unprocessed(scheme.clone(), name, errors)).map(Part::Step)
+            }
             Item::Combined(combined) => combine(combined, known, errors).map(Part::Step),
         };
         parts.extend(part);
@@ -185,7 +199,7 @@ fn combine(combined: &Combined, known: &Known, errors: &mut Errors) -> Option<St
             let outer = Coefficient::ONE / (four - root);
             Some(weighted(&[outer, outer, Coefficient::ONE - four * outer, outer, outer], &base))
         }
-        Combined::Adjoint(step) => lower(step, known, errors).map(|scheme| scheme.stages.reversed()),
+        Combined::Adjoint(step) => base(step, known, errors).map(|stages| stages.reversed()),
         Combined::Mirrored(half) => {
             let mut parts = parts(half, known, errors)?;
             let mirrored: Vec<Part> = parts.iter().rev().skip(1).map(Part::reversed).collect();
@@ -193,34 +207,55 @@ fn combine(combined: &Combined, known: &Known, errors: &mut Errors) -> Option<St
             Some(joined(&parts))
         }
         Combined::Palindrome(half, base) => {
-            let base = lower(base, known, errors);
+            let base = self::base(base, known, errors);
             let mut weights = shares(half, errors)?;
             let mirrored: Vec<_> = weights.iter().rev().skip(1).copied().collect();
             weights.extend(mirrored);
-            Some(weighted(&completed(&weights), &base?.stages))
+            Some(weighted(&completed(&weights), &base?))
         }
         Combined::Weighted(weights, base) => {
-            let base = lower(base, known, errors);
+            let base = self::base(base, known, errors);
             let weights = shares(weights, errors)?;
-            Some(weighted(&completed(&weights), &base?.stages))
+            Some(weighted(&completed(&weights), &base?))
         }
         Combined::Equal(steps) => {
             let weight = Coefficient::ONE / Coefficient::integer(steps.len() as u32);
-            let steps: Vec<_> = steps.iter().map(|step| lower(step, known, errors)).collect();
+            let steps: Vec<_> = steps.iter().map(|step| base(step, known, errors)).collect();
             let mut stages = Stages::default();
             for step in steps.into_iter().collect::<Option<Vec<_>>>()? {
-                stages.append(&step.stages, weight);
+                stages.append(&step, weight);
             }
             Some(stages)
         }
+        Combined::Processed(pre, _) => {
+            let message = "`processed(..)` is a whole composition: it cannot be a part of another one";
+            errors.push(syn::Error::new_spanned(&pre.tokens, message));
+            None
+        }
     }
+}
+
+/// The stages of a whole step that a combinator acts on.
+fn base(step: &Sequence, known: &Known, errors: &mut Errors) -> Option<Stages> {
+    let scheme = lower(step, known, errors)?;
+    unprocessed(scheme, &step.tokens, errors)
+}
+
+fn unprocessed(scheme: Scheme, tokens: &impl ToTokens, errors: &mut Errors) -> Option<Stages> {
+    if scheme.processor.elements().is_empty() {
+        return Some(scheme.stages);
+    }
+    let message = "a processed composition cannot be a part of another one";
+    errors.push(syn::Error::new_spanned(tokens, message));
+    None
 }
 
 /// A base that a combinator raises by two orders.
 fn symmetric_base(name: &str, base: &Sequence, known: &Known, errors: &mut Errors) -> Option<(Stages, u32)> {
     let scheme = lower(base, known, errors)?;
     if scheme.proof.symmetric {
-        return Some((scheme.stages, scheme.order));
+        let order = scheme.order;
+        return unprocessed(scheme, &base.tokens, errors).map(|stages| (stages, order));
     }
     let message = format!("`{name}` raises the order of a symmetric composition, but this one is not symmetric");
     errors.push(syn::Error::new_spanned(&base.tokens, message));

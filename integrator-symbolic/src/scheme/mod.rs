@@ -19,10 +19,13 @@ mod emit;
 mod errors;
 #[allow(dead_code, reason = "the annotation's side is written against this interface")]
 mod in_place;
+mod leading_error;
 mod lower;
 mod prove;
+mod stability;
 mod stages;
 mod syntax;
+mod table;
 
 use proc_macro2::TokenStream;
 use syn::ext::IdentExt;
@@ -52,4 +55,23 @@ pub(crate) fn expand(tokens: TokenStream) -> TokenStream {
     }
     output.extend(errors.into_tokens());
     output
+}
+
+#[cfg(test)]
+mod tests {
+    use proc_macro2::TokenStream;
+    use syn::parse::{ParseStream, Parser};
+
+    use super::{claims::Scheme, errors::Errors, lower::Known};
+
+    /// The scheme of a sequence about which nothing is claimed.
+    pub(super) fn scheme(text: &str) -> Scheme {
+        let mut errors = Errors::default();
+        let parser = |input: ParseStream<'_>| {
+            let sequence = super::syntax::sequence(input, &TokenStream::new(), &mut errors);
+            Ok(sequence.and_then(|sequence| super::lower::lower(&sequence, &Known::bases(), &mut errors)))
+        };
+        let scheme = parser.parse_str(text).expect("tokens");
+        scheme.unwrap_or_else(|| panic!("{text}: {}", errors.into_tokens()))
+    }
 }

@@ -13,6 +13,7 @@ use std::fmt;
 
 use super::{
     conditions::{self, HIGHEST, Series, Word},
+    leading_error,
     stages::{Letter, Stages},
 };
 
@@ -45,6 +46,8 @@ pub(crate) struct Verdict {
     pub(crate) order: u32,
     /// A condition of the next degree that does not hold, the worst one; absent at the highest order that is proved.
     pub(crate) violation: Option<Violation>,
+    /// The norm of all residuals of the next degree, as [`super::leading_error`] has it.
+    pub(super) leading_error: Option<f64>,
 }
 
 /// A condition that does not hold.
@@ -71,49 +74,47 @@ impl fmt::Display for Violation {
 /// The series is grown in strides, because most steps are refused or decided by its first few degrees.
 pub(super) fn prove(stages: &Stages) -> Proof {
     let symmetric = stages.is_symmetric();
-    let mut general = (!stages.has_gradients()).then(Judge::new);
-    let mut quadratic = Judge::new();
+    let mut general = Verdict::OPEN;
+    let mut quadratic = Verdict::OPEN;
     for stride in [1..=3, 4..=5, 6..=7, 8..=HIGHEST] {
         let last = if symmetric { *stride.end() - 1 + stride.end() % 2 } else { *stride.end() };
         let series = Series::of(stages.elements(), last);
         for degree in stride.filter(|degree| !symmetric || degree % 2 == 1) {
             let tolerance = tolerance(stages, degree);
-            if let Some(general) = &mut general {
-                general.examine(&series, degree, tolerance, conditions::general);
+            if general.violation.is_none() && general.examine(&series, conditions::general(degree), tolerance) {
+                general.leading_error = Some(leading_error::general_norm(&series, degree));
             }
-            quadratic.examine(&series, degree, tolerance, conditions::quadratic);
+            if quadratic.violation.is_none() && quadratic.examine(&series, conditions::quadratic(degree), tolerance) {
+                quadratic.leading_error = Some(leading_error::quadratic_norm(&series, degree));
+            }
         }
         if quadratic.violation.is_some() {
             break;
         }
     }
-    Proof { symmetric, general: general.map(Judge::verdict), quadratic: quadratic.verdict() }
-}
-
-/// Stops at the first degree with a violated condition.
-struct Judge {
-    violation: Option<Violation>,
-}
-
-impl Judge {
-    fn new() -> Self {
-        Self { violation: None }
+    if general.violation.is_none() {
+        let series = Series::of(stages.elements(), HIGHEST + 1);
+        general.leading_error = Some(leading_error::general_norm(&series, HIGHEST + 1));
     }
+    Proof { symmetric, general: (!stages.has_gradients()).then_some(general), quadratic }
+}
 
-    fn examine(&mut self, series: &Series, degree: usize, tolerance: f64, words: impl Fn(usize) -> Vec<Word>) {
-        if self.violation.is_some() {
-            return;
-        }
-        let residuals = words(degree).into_iter().map(|word| Violation { word, residual: series.residual(word) });
+impl Verdict {
+    /// Before any condition was found violated.
+    const OPEN: Self = Self { order: HIGHEST as u32, violation: None, leading_error: None };
+
+    /// Whether one of the conditions of the next degree is violated; if so, the order is settled.
+    fn examine(&mut self, series: &Series, words: Vec<Word>, tolerance: f64) -> bool {
+        let residuals = words.into_iter().map(|word| Violation { word, residual: series.residual(word) });
         // A residual that is not a number is a violation too.
-        self.violation = residuals
+        let worst = residuals
             .filter(|condition| condition.residual.is_nan() || condition.residual.abs() > tolerance)
             .reduce(|worst, next| if next.residual.abs() > worst.residual.abs() { next } else { worst });
-    }
-
-    fn verdict(self) -> Verdict {
-        let order = self.violation.map_or(HIGHEST, |violation| violation.word.degree() - 1);
-        Verdict { order: order as u32, violation: self.violation }
+        if let Some(violation) = worst {
+            self.order = violation.word.degree() as u32 - 1;
+            self.violation = worst;
+        }
+        worst.is_some()
     }
 }
 

@@ -65,6 +65,16 @@ impl Stages {
         Self { elements: self.elements.iter().rev().copied().collect() }
     }
 
+    /// The inverse step: every stage undone, the last one first.
+    pub(super) fn inverse(&self) -> Self {
+        let undone = |element: &Element| Element {
+            letter: element.letter,
+            coefficient: -element.coefficient,
+            gradient: -element.gradient,
+        };
+        Self { elements: self.elements.iter().rev().map(undone).collect() }
+    }
+
     /// Whether the step is its own adjoint.
     pub(super) fn is_symmetric(&self) -> bool {
         self.elements.iter().zip(self.elements.iter().rev()).all(|(one, other)| {
@@ -81,5 +91,39 @@ impl Stages {
     pub(super) fn sum(&self, letter: Letter) -> Coefficient {
         let coefficients = self.elements.iter().filter(|element| element.letter == letter);
         coefficients.fold(Coefficient::ZERO, |sum, element| sum + element.coefficient)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::scheme::tests::scheme;
+
+    fn text(sequence: &str) -> String {
+        let elements = scheme(sequence).stages.elements().to_vec();
+        let text = elements.iter().map(|element| {
+            format!(
+                "{:?}({:.3}, {:.3})",
+                element.letter,
+                element.coefficient.value.value(),
+                element.gradient.value.value()
+            )
+        });
+        text.collect::<Vec<_>>().join(" ").replace(", 0.000)", ")")
+    }
+
+    #[test]
+    fn neighbours_merge_and_nothing_is_dropped_but_zeros() {
+        assert_eq!(text("T(1/4) T(1/4) V(0) T(-1/2) V(1) T(1)"), "V(1.000) T(1.000)");
+        assert_eq!(text("compose(Verlet, Verlet)"), "T(0.250) V(0.500) T(0.500) V(0.500) T(0.250)");
+        assert_eq!(text("V(1/2) V(1/2, 1/8) T(1)"), "V(1.000, 0.125) T(1.000)");
+        assert_eq!(text("compose(T(1) V(1, 8), Euler)"), "T(0.500) V(1.000, 1.000) T(0.500)");
+    }
+
+    #[test]
+    fn an_adjoint_reads_backwards() {
+        assert_eq!(text("adjoint(V(1/3) T(1) V(2/3))"), "V(0.667) T(1.000) V(0.333)");
+        assert!(scheme("compose(Euler, adjoint(Euler))").stages.is_symmetric());
+        assert!(!scheme("compose(Euler, Euler)").stages.is_symmetric());
+        assert!(!scheme("V(1/2, 1/8) T(1) V(1/2)").stages.is_symmetric());
     }
 }

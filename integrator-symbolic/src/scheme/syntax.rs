@@ -6,7 +6,7 @@
 use proc_macro2::{TokenStream, TokenTree};
 use quote::ToTokens;
 use syn::{
-    Attribute, Expr, Ident, LitInt, Path, Token, Visibility,
+    Attribute, Expr, Ident, LitInt, LitStr, Path, Token, Visibility,
     ext::IdentExt,
     parenthesized,
     parse::{ParseStream, Parser},
@@ -39,6 +39,8 @@ pub(super) struct Declaration {
 pub(super) struct Claims {
     pub(super) order: Option<LitInt>,
     pub(super) symmetric: Option<Ident>,
+    /// Where it was published.
+    pub(super) citation: Option<LitStr>,
 }
 
 /// Items in order of application.
@@ -59,6 +61,7 @@ impl Sequence {
                 Combined::Mirrored(inner) => inner.gradient(),
                 Combined::Palindrome(_, inner) | Combined::Weighted(_, inner) => inner.gradient(),
                 Combined::Equal(steps) => steps.iter().find_map(Self::gradient),
+                Combined::Processed(pre, kernel) => pre.gradient().or_else(|| kernel.gradient()),
             },
         })
     }
@@ -88,18 +91,20 @@ pub(super) enum Combined {
     Equal(Vec<Sequence>),
     /// `compose(w1, ..., wm; base)`
     Weighted(Vec<Expr>, Sequence),
+    /// `processed(pre; kernel)`: pre once, then steps of the kernel, and the inverse of pre before output.
+    Processed(Sequence, Sequence),
 }
 
 /// The combinators, as messages list them.
 pub(super) const COMBINATORS: &str =
-    "`triple_jump(..)`, `suzuki(..)`, `symmetric(..)`, `compose(..)` and `adjoint(..)`";
+    "`triple_jump(..)`, `suzuki(..)`, `symmetric(..)`, `compose(..)`, `adjoint(..)` and `processed(..)`";
 
 const STAGES: &str = "the stages are `T(a)`, `V(b)` and `V(b, c)`";
 
 const NO_END: &str = "a declaration ends with `;`";
 
 fn is_combinator(name: &str) -> bool {
-    matches!(name, "triple_jump" | "suzuki" | "symmetric" | "compose" | "adjoint")
+    matches!(name, "triple_jump" | "suzuki" | "symmetric" | "compose" | "adjoint" | "processed")
 }
 
 /// Parses the input of `composition!`.
@@ -171,9 +176,10 @@ fn claim(input: ParseStream<'_>, claims: &mut Claims, errors: &mut Errors) -> sy
     let claim = input.call(Ident::parse_any)?;
     let repeated = match claim.to_string().as_str() {
         "order" => claims.order.replace(input.parse()?).is_some(),
+        "citation" => claims.citation.replace(input.parse()?).is_some(),
         "symmetric" => claims.symmetric.replace(claim.clone()).is_some(),
         _ => {
-            let message = format!("unknown claim `{claim}`: what can be claimed is `order 4` and `symmetric`");
+            let message = format!("unknown claim `{claim}`: there are `order 4`, `symmetric` and `citation \"..\"`");
             return Err(syn::Error::new(claim.span(), message));
         }
     };
@@ -279,12 +285,12 @@ fn combined(
         if errors.count() > found {
             return None;
         }
-        if !content.peek(Token![,]) {
-            break;
-        }
-        let comma = content.parse::<Token![,]>();
-        errors.keep(comma);
-        if content.is_empty() {
+        let separator = if spelled == "processed" {
+            content.parse::<Option<Token![;]>>().map(|found| found.is_some())
+        } else {
+            content.parse::<Option<Token![,]>>().map(|found| found.is_some())
+        };
+        if !separator.unwrap_or(false) || content.is_empty() {
             break;
         }
     }
@@ -292,6 +298,7 @@ fn combined(
         errors.push(content.error("unexpected here"));
         return None;
     }
+    let several = sequences.len() > 2;
     let mut sequences = sequences.into_iter();
     let combined = match (spelled.as_str(), weights, sequences.next(), sequences.next()) {
         ("triple_jump", None, Some(base), None) => Combined::TripleJump(base),
@@ -302,6 +309,11 @@ fn combined(
         ("compose", Some(weights), Some(base), None) => Combined::Weighted(weights, base),
         ("compose", None, Some(first), Some(second)) => {
             Combined::Equal([first, second].into_iter().chain(sequences).collect())
+        }
+        ("processed", None, Some(pre), Some(kernel)) if !several => Combined::Processed(pre, kernel),
+        ("processed", ..) => {
+            errors.push(at(name, parentheses, "`processed(pre; kernel)` takes two sequences"));
+            return None;
         }
         ("compose", ..) => {
             let message = "`compose(A, B, ..)` divides the step equally, `compose(w1, w2, ..; Base)` by weights";

@@ -1,0 +1,198 @@
+//! The stages of a step as a run loops over them: rows of one drift and one kick, merged across step boundaries.
+//!
+//! A [`Scheme`] comes in, the literals of its tables go out. Coefficients leave their 106 bits here, after all sums.
+//! Always true: a row reads the time that the other letter has reached, counted from the beginning of the step, so that
+//! a processor which moves on by a tenth of a step moves the times of its kernel by that much.
+
+use proc_macro2::{Literal, TokenStream};
+use quote::quote;
+use syn::Path;
+
+use super::{
+    claims::Scheme,
+    double::Double,
+    stages::{Element, Letter},
+};
+
+/// The tables of a composition.
+pub(super) struct Table {
+    /// The processor, which a run goes through once.
+    before: Rows,
+    /// A whole step: the last row closes it, if the step ends with the letter it begins with.
+    step: Rows,
+    /// The inverse of the processor.
+    after: Rows,
+}
+
+impl Table {
+    pub(super) fn of(scheme: &Scheme) -> Self {
+        let mut clock = Clock { drifts: Double::ZERO, kicks: Double::ZERO };
+        Self {
+            before: Rows::of(scheme.processor.elements(), &mut clock),
+            step: Rows::of(scheme.stages.elements(), &mut clock),
+            after: Rows::of(scheme.processor.inverse().elements(), &mut clock),
+        }
+    }
+
+    /// For a declaration that was refused.
+    pub(super) fn stub() -> Self {
+        let rows = |rows| Rows { lead: Letter::T, rows };
+        Self { before: rows(Vec::new()), step: rows(vec![Row::NONE]), after: rows(Vec::new()) }
+    }
+
+    /// The rows of one step in the middle of a run, and the row that closes a step.
+    ///
+    /// If the step ends with the letter it begins with, its last stage is one with the first of the next step.
+    fn cycle(&self) -> (Vec<Row>, Row) {
+        let mut cycle = self.step.rows.clone();
+        match cycle.last().copied() {
+            Some(closing) if closing.is_half() && cycle.len() > 1 => {
+                cycle.pop();
+                cycle[0].drift = cycle[0].drift + closing.drift;
+                cycle[0].kick = cycle[0].kick + closing.kick;
+                cycle[0].gradient = cycle[0].gradient + closing.gradient;
+                (cycle, closing)
+            }
+            _ => (cycle, Row::NONE),
+        }
+    }
+
+    /// How many kicks a step has in the middle of a run.
+    pub(super) fn force_evaluations(&self) -> usize {
+        self.cycle().0.iter().filter(|row| row.kick != Double::ZERO || row.gradient != Double::ZERO).count()
+    }
+
+    /// How many of them also go along the gradient of the squared force.
+    pub(super) fn gradient_evaluations(&self) -> usize {
+        self.cycle().0.iter().filter(|row| row.gradient != Double::ZERO).count()
+    }
+
+    /// The literal of `Stages`.
+    pub(super) fn stages(&self, root: &Path) -> TokenStream {
+        let (cycle, closing) = self.cycle();
+        let lead = self.step.lead(root);
+        let opening = self.step.rows.first().copied().unwrap_or(Row::NONE).literal(root);
+        let cycle = cycle.iter().map(|row| row.literal(root));
+        let closing = closing.literal(root);
+        quote! {
+            #root::__private::Stages {
+                lead: #lead,
+                opening: #opening,
+                cycle: &[#(#cycle),*],
+                closing: #closing,
+            }
+        }
+    }
+
+    /// The literal of `Processor`, if there is one.
+    pub(super) fn processor(&self, root: &Path) -> Option<TokenStream> {
+        if self.before.rows.is_empty() {
+            return None;
+        }
+        let [before, after] = [&self.before, &self.after].map(|rows| rows.literal(root));
+        Some(quote!(#root::__private::Processor { before: #before, after: #after }))
+    }
+}
+
+/// How far the drifts and the kicks have come since the beginning of the step.
+struct Clock {
+    drifts: Double,
+    kicks: Double,
+}
+
+/// Stages in order, two by two; the last row may have one part only.
+struct Rows {
+    lead: Letter,
+    rows: Vec<Row>,
+}
+
+impl Rows {
+    fn of(elements: &[Element], clock: &mut Clock) -> Self {
+        let lead = elements.first().map_or(Letter::T, |first| first.letter);
+        let row = |pair: &[Element]| {
+            let mut row = Row::NONE;
+            for element in pair {
+                row.set(element, clock);
+            }
+            row
+        };
+        Self { lead, rows: elements.chunks(2).map(row).collect() }
+    }
+
+    fn lead(&self, root: &Path) -> TokenStream {
+        match self.lead {
+            Letter::T => quote!(#root::__private::Lead::Drift),
+            Letter::V => quote!(#root::__private::Lead::Kick),
+        }
+    }
+
+    fn literal(&self, root: &Path) -> TokenStream {
+        let lead = self.lead(root);
+        let rows = self.rows.iter().map(|row| row.literal(root));
+        quote!(#root::__private::Rows { lead: #lead, rows: &[#(#rows),*] })
+    }
+}
+
+/// One drift and one kick, and the fractions of the step at which they read the time.
+#[derive(Clone, Copy, PartialEq)]
+struct Row {
+    drift: Double,
+    kick: Double,
+    gradient: Double,
+    drift_time: Double,
+    kick_time: Double,
+}
+
+impl Row {
+    const NONE: Self = Self {
+        drift: Double::ZERO,
+        kick: Double::ZERO,
+        gradient: Double::ZERO,
+        drift_time: Double::ZERO,
+        kick_time: Double::ZERO,
+    };
+
+    fn set(&mut self, element: &Element, clock: &mut Clock) {
+        match element.letter {
+            Letter::T => {
+                self.drift = element.coefficient.value;
+                self.drift_time = clock.kicks;
+                clock.drifts = clock.drifts + self.drift;
+            }
+            Letter::V => {
+                self.kick = element.coefficient.value;
+                self.gradient = element.gradient.value;
+                self.kick_time = clock.drifts;
+                clock.kicks = clock.kicks + self.kick;
+            }
+        }
+    }
+
+    fn is_half(&self) -> bool {
+        self.drift == Double::ZERO || (self.kick == Double::ZERO && self.gradient == Double::ZERO)
+    }
+
+    fn literal(&self, root: &Path) -> TokenStream {
+        if *self == Self::NONE {
+            return quote!(#root::__private::Stage::NONE);
+        }
+        let [drift, kick, gradient, drift_time, kick_time] =
+            [self.drift, self.kick, self.gradient, self.drift_time, self.kick_time].map(|value| number(value.value()));
+        quote! {
+            #root::__private::Stage {
+                drift: #drift,
+                kick: #kick,
+                gradient: #gradient,
+                drift_time: #drift_time,
+                kick_time: #kick_time,
+            }
+        }
+    }
+}
+
+/// A literal. Its minus sign is a token of its own, as a parser would have it.
+pub(super) fn number(value: f64) -> TokenStream {
+    let sign = (value < 0.0).then(|| quote!(-));
+    let magnitude = Literal::f64_unsuffixed(value.abs());
+    quote!(#sign #magnitude)
+}

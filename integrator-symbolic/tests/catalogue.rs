@@ -1,0 +1,137 @@
+//! The catalogue of the runtime crate as data: what its proofs cost, and that they can fail.
+
+use std::{fs, path::Path, time::Instant};
+
+use integrator_symbolic::composition;
+use proc_macro2::{Literal, TokenStream, TokenTree};
+
+/// The declarations of every block, by file.
+fn catalogue() -> Vec<(String, Vec<TokenStream>)> {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../integrator-core/src/catalogue");
+    let mut files: Vec<_> =
+        fs::read_dir(folder).expect("the catalogue").map(|entry| entry.expect("a file").path()).collect();
+    files.sort();
+    let blocks = files.iter().map(|file| {
+        let source = syn::parse_file(&fs::read_to_string(file).expect("text")).expect("Rust");
+        let tokens = source.items.into_iter().find_map(|item| match item {
+            syn::Item::Macro(item) if item.mac.path.is_ident("composition") => Some(item.mac.tokens),
+            _ => None,
+        });
+        let name = file.file_stem().expect("a name").to_string_lossy().into_owned();
+        (name, declarations(tokens.expect("a block")))
+    });
+    blocks.collect()
+}
+
+fn declarations(block: TokenStream) -> Vec<TokenStream> {
+    let mut declarations = vec![TokenStream::new()];
+    for tree in block {
+        let ends = matches!(&tree, TokenTree::Punct(mark) if mark.as_char() == ';');
+        declarations.last_mut().expect("one").extend([tree]);
+        if ends {
+            declarations.push(TokenStream::new());
+        }
+    }
+    declarations.retain(|declaration| !declaration.is_empty());
+    declarations
+}
+
+fn name(declaration: &TokenStream) -> String {
+    let mut trees = declaration.clone().into_iter();
+    trees.find(|tree| matches!(tree, TokenTree::Ident(word) if word == "struct"));
+    trees.next().expect("a name").to_string()
+}
+
+fn refusal(declaration: TokenStream) -> Option<String> {
+    let text = composition(declaration).to_string();
+    text.contains("compile_error").then_some(text)
+}
+
+/// A copy in which `change` was applied to the first literal that it accepts.
+fn changed(tokens: TokenStream, done: &mut bool, change: &dyn Fn(&str) -> Option<String>) -> TokenStream {
+    let change = |tree| match tree {
+        TokenTree::Group(group) => {
+            let inner = changed(group.stream(), done, change);
+            TokenTree::Group(proc_macro2::Group::new(group.delimiter(), inner))
+        }
+        TokenTree::Literal(literal) if !*done => match change(&literal.to_string()) {
+            Some(text) => {
+                *done = true;
+                TokenTree::Literal(text.parse::<Literal>().expect("a literal"))
+            }
+            None => TokenTree::Literal(literal),
+        },
+        other => other,
+    };
+    tokens.into_iter().map(change).collect()
+}
+
+#[test]
+fn every_entry_is_proved_in_little_time() {
+    let mut total = 0.0;
+    let mut entries = 0;
+    for (file, declarations) in catalogue() {
+        entries += declarations.len();
+        for declaration in declarations {
+            // The fastest of three runs is the cost; the others are the machine's.
+            let milliseconds = (0..3).map(|_| {
+                let start = Instant::now();
+                assert_eq!(refusal(declaration.clone()), None);
+                start.elapsed().as_secs_f64() * 1e3
+            });
+            let milliseconds = milliseconds.fold(f64::INFINITY, f64::min);
+            println!("{milliseconds:7.2} ms  {file}::{}", name(&declaration));
+            total += milliseconds;
+        }
+    }
+    println!("{total:7.2} ms for {entries} compositions");
+    assert!(entries >= 40, "the walk must reach the catalogue");
+    assert!(total < 300.0, "the proofs take {total} ms of every build");
+}
+
+#[test]
+fn a_wrong_twentieth_digit_is_refused() {
+    let wrong = |literal: &str| {
+        let digits = literal.trim_start_matches(['0', '.']);
+        if !literal.starts_with(|first: char| first.is_ascii_digit()) || digits.len() < 30 {
+            return None;
+        }
+        let position = literal.len() - digits.len() + 20;
+        let digit = literal[position..=position].parse::<u32>().ok()?;
+        Some(format!("{}{}{}", &literal[..position], (digit + 1) % 10, &literal[position + 1..]))
+    };
+    let mut refused = 0;
+    for declaration in catalogue().into_iter().flat_map(|(_, declarations)| declarations) {
+        let mut done = false;
+        let mistyped = changed(declaration.clone(), &mut done, &wrong);
+        if done {
+            let message = refusal(mistyped).unwrap_or_else(|| panic!("{} passes", name(&declaration)));
+            assert!(message.contains("wrong or missing digits"), "{message}");
+            refused += 1;
+        }
+    }
+    assert!(refused > 30, "most entries have decimals");
+}
+
+#[test]
+fn one_order_more_is_refused() {
+    for declaration in catalogue().into_iter().flat_map(|(_, declarations)| declarations) {
+        let (mut done, mut order) = (false, 0);
+        let overclaimed = declaration.clone().into_iter().collect::<Vec<_>>();
+        let overclaimed = overclaimed.windows(2).map(|pair| match pair {
+            [TokenTree::Ident(word), TokenTree::Literal(literal)] if word == "order" && !done => {
+                done = true;
+                order = literal.to_string().parse::<u32>().expect("an order");
+                TokenTree::Literal(Literal::u32_unsuffixed(order + 1))
+            }
+            [_, tree] => tree.clone(),
+            _ => unreachable!("windows of two"),
+        });
+        // The first token, a `#` or `pub`, is lost to the windows.
+        let first = declaration.clone().into_iter().next();
+        let overclaimed: TokenStream = first.into_iter().chain(overclaimed).collect();
+        let message = refusal(overclaimed).unwrap_or_else(|| panic!("{} passes", name(&declaration)));
+        let finds = if order == 10 { "no order above 10".to_owned() } else { format!("finds order {order}") };
+        assert!(message.contains(&finds), "{message}");
+    }
+}
