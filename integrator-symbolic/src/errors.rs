@@ -29,6 +29,23 @@ impl Errors {
         }
     }
 
+    /// The value, if there is one; else its error is noted.
+    pub(crate) fn keep<T>(&mut self, outcome: syn::Result<T>) -> Option<T> {
+        outcome.map_err(|error| self.push(error)).ok()
+    }
+
+    pub(crate) fn count(&self) -> usize {
+        self.0.len()
+    }
+
+    /// All mistakes as one error, if there is any.
+    pub(crate) fn combined(self) -> Option<syn::Error> {
+        self.0.into_iter().reduce(|mut all, next| {
+            all.combine(next);
+            all
+        })
+    }
+
     pub(crate) fn is_empty(&self) -> bool {
         self.0.is_empty()
     }

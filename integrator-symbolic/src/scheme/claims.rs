@@ -5,12 +5,12 @@
 
 use super::{
     coefficient::Coefficient,
-    errors::Errors,
     lower::{Known, lower},
     prove::{Proof, Verdict, prove},
     stages::Stages,
     syntax::Declaration,
 };
+use crate::errors::Errors;
 
 /// The Hamiltonians that a composition is for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

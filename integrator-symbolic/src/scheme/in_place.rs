@@ -10,11 +10,11 @@ use syn::{Expr, Path, Visibility, parse::ParseStream, token};
 use super::{
     claims::{Class, Scheme},
     emit,
-    errors::Errors,
     lower::{Known, lower},
     prove::Proof,
     syntax::{self, Sequence},
 };
+use crate::errors::Errors;
 
 /// A sequence that was written and proved in place.
 pub(crate) struct InPlace {

@@ -9,11 +9,11 @@ use syn::{Expr, Ident};
 use super::{
     claims::Scheme,
     coefficient::{Coefficient, evaluate},
-    errors::Errors,
     prove::{SUSPICIOUS, Verdict, Violation},
     stages::{Element, Letter, Stages},
     syntax::{COMBINATORS, Combined, Item, Sequence},
 };
+use crate::errors::Errors;
 
 /// The number of stages from which a sequence is taken for a mistake.
 const MOST_STAGES: usize = 1000;

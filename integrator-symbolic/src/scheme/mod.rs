@@ -16,8 +16,6 @@ mod coefficient;
 mod conditions;
 mod double;
 mod emit;
-mod errors;
-#[allow(dead_code, reason = "the annotation's side is written against this interface")]
 mod in_place;
 mod leading_error;
 mod lower;
@@ -30,9 +28,9 @@ mod table;
 use proc_macro2::TokenStream;
 use syn::ext::IdentExt;
 
-#[allow(unused_imports, reason = "the annotation's side is written against this interface")]
+use self::lower::Known;
 pub(crate) use self::{claims::Class, in_place::InPlace};
-use self::{errors::Errors, lower::Known};
+use crate::errors::Errors;
 
 /// The declared compositions with their proofs, and behind them the errors found.
 pub(crate) fn expand(tokens: TokenStream) -> TokenStream {
@@ -62,7 +60,8 @@ mod tests {
     use proc_macro2::TokenStream;
     use syn::parse::{ParseStream, Parser};
 
-    use super::{claims::Scheme, errors::Errors, lower::Known};
+    use super::{claims::Scheme, lower::Known};
+    use crate::errors::Errors;
 
     /// The scheme of a sequence about which nothing is claimed.
     pub(super) fn scheme(text: &str) -> Scheme {

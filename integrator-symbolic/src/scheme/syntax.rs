@@ -14,7 +14,8 @@ use syn::{
     token,
 };
 
-use super::{errors::Errors, stages::Letter};
+use super::stages::Letter;
+use crate::errors::Errors;
 
 /// The declarations of one macro call.
 #[derive(Default)]
