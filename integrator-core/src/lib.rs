@@ -4,6 +4,8 @@
 extern crate self as integrator_core;
 
 mod catalogue;
+#[cfg(feature = "check")]
+pub mod check;
 mod composition;
 mod coords;
 mod error;
@@ -31,6 +33,8 @@ pub use slot::Compensated;
 /// What a user of the library brings into scope with one line.
 pub mod prelude {
     pub use crate::catalogue::*;
+    #[cfg(feature = "check")]
+    pub use crate::check::{Certificate, certify};
     pub use crate::{
         Compensated, Composition, Error, Hamiltonian, Phase, Run, Sample, Samples, Scheme, composition, hamiltonian,
     };

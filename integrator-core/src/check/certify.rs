@@ -1,0 +1,207 @@
+//! All checks in one: a stepper is certified, or it is told what it falls short of.
+
+use crate::{
+    check::{
+        CheckError,
+        certificate::{Certificate, Tolerances},
+        energy::{EnergyDrift, energy_drift},
+        gradient::{gradient_error, gradient_tolerance},
+        order::{Order, observed_order, path},
+        path::PARTS,
+        points::plain,
+        reversibility::{RoundTrip, round_trip},
+        shortfall::{CertifyError, Shortfall},
+        symplecticity::{Defect, defect},
+        tolerance::{largest, within},
+    },
+    composition::Composition,
+    coords::Coords,
+    hamiltonian::{Hamiltonian, Shaped},
+    phase::Phase,
+    run::admissible,
+    slot::Keep,
+};
+
+/// By how much an observed order may stay below the claimed one. Orders are whole numbers, so that half of one would
+/// separate them; a quarter leaves the other quarter to the measurement.
+const ORDER_TOLERANCE: f64 = 0.25;
+
+/// How many steps a round trip takes each way.
+const ROUND_TRIP: u64 = 16;
+
+/// How many steps the energy is followed for.
+const ENERGY_STEPS: u64 = 8192;
+
+/// The time over which gradients are taken, in steps, where no order tells a better one, and the steps per part of it.
+const GRADIENT_SPAN: f64 = 64.0;
+const GRADIENT_STEPS: u64 = 16;
+
+/// Measures `composition` on `system` by every check, and certifies that it is what it claims to be.
+///
+/// A certificate says that one step of size `h` from `start` is symplectic, that errors fall with the claimed order, that
+/// a composition that claims symmetry runs back to where it began, that the energy stays (unless `H` reads the time),
+/// and that the flows belong to the energies. Each is judged by a bound that follows from the rounding of the scalar,
+/// the energy by the share of its deviation that is a trend. Small systems take milliseconds; the work grows with the
+/// number of coordinates times that of the forces.
+///
+/// # Errors
+/// [`CertifyError::Run`] for a start or a step that no run would begin with; [`CertifyError::Refused`] with everything
+/// that was measured and all that fell short, or that could not be measured.
+///
+/// ```no_run
+/// # use integrator_core::{Composition, Hamiltonian, check::{CertifyError, certify}, Phase};
+/// # fn print<H: Hamiltonian<Coords = [f64; 1]>, X: Composition<H>>(pendulum: H, verlet: X) -> Result<(), CertifyError> {
+/// let certificate = certify::<_, _, f64>(&pendulum, verlet, Phase::new([2.0], [0.0]), 0.01)?;
+/// println!("{certificate}");
+/// # Ok(())
+/// # }
+/// ```
+pub fn certify<H: Hamiltonian, X: Composition<H>, K: Keep>(
+    system: &H,
+    composition: X,
+    start: Phase<Shaped<H, K>>,
+    h: f64,
+) -> Result<Certificate, CertifyError> {
+    admissible(&start, h).map_err(CertifyError::Run)?;
+    let subject = Subject::<H, X, K> { system, composition, start, h };
+    let mut findings = Findings::default();
+
+    let defect = findings.judge("symplecticity", subject.defect(), |defect| {
+        let &Defect { size: defect, tolerance } = defect;
+        (!within(defect, tolerance)).then_some(Shortfall::Symplecticity { defect, tolerance })
+    });
+    let order = findings.judge("the order", subject.order(), |order| {
+        let (observed, claimed) = (order.slope, X::ORDER);
+        let reached = observed >= f64::from(claimed) - ORDER_TOLERANCE;
+        (!reached).then_some(Shortfall::Order { observed, claimed })
+    });
+    let trip = findings.judge("reversibility", subject.round_trip(order), |trip| {
+        let &RoundTrip { distance, tolerance } = trip;
+        let returned = !X::SYMMETRIC || within(distance, tolerance);
+        (!returned).then_some(Shortfall::Reversibility { distance, tolerance })
+    });
+    let energy = H::AUTONOMOUS.then(|| {
+        findings.judge("the energy", subject.energy(order), |drift| {
+            (!drift.is_bounded()).then_some(Shortfall::Energy(*drift))
+        })
+    });
+    let gradient_tolerance = gradient_tolerance(subject.start.q.flat().len());
+    let gradient = findings.judge("the gradient", subject.gradient(order), |error| {
+        let (error, tolerance) = (*error, gradient_tolerance);
+        (!within(error, tolerance)).then_some(Shortfall::Gradient { error, tolerance })
+    });
+
+    let certificate = Certificate {
+        system: std::any::type_name::<H>(),
+        composition: X::NAME,
+        step: h,
+        claimed_order: X::ORDER,
+        symmetric: X::SYMMETRIC,
+        autonomous: H::AUTONOMOUS,
+        symplectic_defect: defect.as_ref().map_or(f64::NAN, |defect| defect.size),
+        observed_order: order.map_or(f64::NAN, |order| order.slope),
+        order,
+        reversibility: trip.as_ref().map_or(f64::NAN, |trip| trip.distance),
+        energy_drift: energy.flatten(),
+        gradient_error: gradient.unwrap_or(f64::NAN),
+        tolerances: Tolerances {
+            symplectic_defect: defect.map_or(f64::NAN, |defect| defect.tolerance),
+            reversibility: trip.map_or(f64::NAN, |trip| trip.tolerance),
+            gradient_error: gradient_tolerance,
+        },
+    };
+    findings.conclude(certificate)
+}
+
+/// What fell short so far.
+#[derive(Default)]
+struct Findings(Vec<Shortfall>);
+
+impl Findings {
+    /// Keeps a measurement, and notes if it falls short or could not be made.
+    fn judge<T>(
+        &mut self,
+        check: &'static str,
+        outcome: Result<T, CheckError>,
+        verdict: impl FnOnce(&T) -> Option<Shortfall>,
+    ) -> Option<T> {
+        match outcome {
+            Ok(measured) => {
+                self.0.extend(verdict(&measured));
+                Some(measured)
+            }
+            Err(reason) => {
+                self.0.push(Shortfall::Unmeasured { check, reason });
+                None
+            }
+        }
+    }
+
+    fn conclude(self, certificate: Certificate) -> Result<Certificate, CertifyError> {
+        if self.0.is_empty() {
+            Ok(certificate)
+        } else {
+            Err(CertifyError::Refused { certificate: Box::new(certificate), shortfalls: self.0 })
+        }
+    }
+}
+
+/// What is certified.
+struct Subject<'s, H: Hamiltonian, X, K: Keep> {
+    system: &'s H,
+    composition: X,
+    start: Phase<Shaped<H, K>>,
+    h: f64,
+}
+
+impl<H: Hamiltonian, X: Composition<H>, K: Keep> Subject<'_, H, X, K> {
+    fn defect(&self) -> Result<Defect, CheckError> {
+        defect::<H, X, K>(self.system, &self.start, self.h, 1)
+    }
+
+    fn order(&self) -> Result<Order, CheckError> {
+        observed_order::<H, X, K>(self.system, self.composition, self.start.clone(), self.h)
+    }
+
+    /// The coarsest step that follows the motion, or the step itself where it is longer or no order was measured.
+    fn coarsest(&self, order: Option<Order>) -> f64 {
+        order.map_or(self.h, |order| self.h.abs().max((order.span / PARTS as f64).abs()).copysign(self.h))
+    }
+
+    /// A round trip in coarse steps. Coming back does not depend on the step where a composition is symmetric; where it
+    /// is not, it misses by its own error, which fine steps would hide in the rounding.
+    fn round_trip(&self, order: Option<Order>) -> Result<RoundTrip, CheckError> {
+        round_trip::<H, X, K>(self.system, &self.start, self.coarsest(order), ROUND_TRIP)
+    }
+
+    /// The course of the energy in steps of `h`. If it looks like a trend, this may be the flank of an oscillation that
+    /// the run is too short to see the end of: then longer steps, up to the coarsest one that follows the motion, tell.
+    /// A true trend is one at every step.
+    fn energy(&self, order: Option<Order>) -> Result<EnergyDrift, CheckError> {
+        let course = |h| energy_drift::<H, X, K>(self.system, self.composition, self.start.clone(), h, ENERGY_STEPS);
+        let drift = course(self.h)?;
+        let coarsest = self.coarsest(order).abs();
+        let mut h = 2.0 * self.h;
+        while !drift.is_bounded() && within(h, coarsest) {
+            match course(h) {
+                Ok(longer) if longer.is_bounded() => return Ok(longer),
+                _ => h *= 2.0,
+            }
+        }
+        Ok(drift)
+    }
+
+    /// The largest error of a gradient at the start and along the path: at the start alone, momenta are often zero, and
+    /// where they are zero a wrong factor in their gradient does not show.
+    fn gradient(&self, order: Option<Order>) -> Result<f64, CheckError> {
+        let start = plain::<H, K>(&self.start);
+        let span = order.map_or(GRADIENT_SPAN * self.h, |order| order.span);
+        let path = path::<H, X>(self.system, &start, span, GRADIENT_STEPS)?;
+        let mut errors = vec![gradient_error::<H, f64>(self.system, start, 0.0)?];
+        for (part, end) in (1..).zip(path.ends) {
+            let time = span * f64::from(part) / PARTS as f64;
+            errors.push(gradient_error::<H, f64>(self.system, end, time)?);
+        }
+        Ok(largest(errors))
+    }
+}

@@ -1,0 +1,123 @@
+//! Whether the energy stays where it began.
+//!
+//! In: a system that does not read the time, a composition, a start, a step, a number of steps. Out: how far the energy
+//! went, and the straight line through it. Always true: the very run of the user, in the precision of the user's state;
+//! the energy of a symplectic step oscillates about its value and goes nowhere, until rounding takes over.
+
+use crate::{
+    check::{
+        CheckError,
+        line::fit,
+        tolerance::{flows_per_step, largest, ratio, within},
+    },
+    composition::Composition,
+    hamiltonian::{Hamiltonian, Motion, Shaped},
+    phase::Phase,
+    run::Run,
+    slot::Keep,
+};
+
+/// In how many groups samples are averaged before a line is drawn through them. An oscillation makes neighbouring
+/// samples alike, and a scatter that ignores this would make the slope look far more certain than it is.
+const GROUPS: usize = 16;
+
+/// How many samples are taken at most; a run of so many steps is looked at after each of them.
+const SAMPLES: u64 = 4096;
+
+/// Beyond half of the kinetic energy, the energy is not conserved, whatever its course.
+const LOST: f64 = 0.5;
+
+/// What became of the energy `H` in a run, in units of the largest kinetic energy on the way. The value of `H` itself
+/// is no unit: a constant in `V` changes it at will, and it may be zero.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct EnergyDrift {
+    /// The largest deviation from the start.
+    pub deviation: f64,
+    /// The slope of the straight line through the energy, per unit time.
+    pub slope: f64,
+    /// The standard error of the slope.
+    pub uncertainty: f64,
+    /// The step of the run.
+    pub step: f64,
+    /// The number of steps of the run.
+    pub steps: u64,
+    /// What rounding alone may add to the deviation.
+    pub rounding: f64,
+}
+
+impl EnergyDrift {
+    /// What the straight line alone accounts for over the whole run.
+    pub fn drift(&self) -> f64 {
+        self.slope * self.step * self.steps as f64
+    }
+
+    /// Whether the energy stays: it does not go beyond what rounding explains, or at most half of how far it goes is a
+    /// trend. The line through `m` periods of a sine accounts for `6/(πm)` of its amplitude, less than half from the
+    /// fourth period on; the line through a steady loss or gain accounts for nearly all of it.
+    pub fn is_bounded(&self) -> bool {
+        let trendless = within(self.deviation, self.rounding) || within(self.drift(), self.deviation / 2.0);
+        trendless && within(self.deviation, LOST)
+    }
+}
+
+/// The course of the energy over `steps` steps from `start` at time 0.
+///
+/// # Errors
+/// A Hamiltonian that reads the time; fewer than 16 steps; a start or a step that no run would begin with; a run that
+/// leaves the finite numbers.
+pub fn energy_drift<H: Hamiltonian, X: Composition<H>, K: Keep>(
+    system: &H,
+    composition: X,
+    start: Phase<Shaped<H, K>>,
+    h: f64,
+    steps: u64,
+) -> Result<EnergyDrift, CheckError> {
+    let _ = composition;
+    if !H::AUTONOMOUS {
+        return Err(CheckError::NotAutonomous);
+    }
+    let needed = GROUPS as u64;
+    if steps < needed {
+        return Err(CheckError::TooFewSteps { steps, needed });
+    }
+    let mut run = Run::start::<H, X, K>(system, start, h)?;
+    let parameters = system.parameters();
+    let parts = |state: &Phase<Shaped<H, K>>, time: f64| {
+        let motion = H::Motion::<f64, K>::load(|_| (&parameters, state));
+        (H::kinetic::<f64, K>(&motion, time), H::potential::<f64, K>(&motion, time))
+    };
+    let interval = steps.div_ceil(SAMPLES);
+    let samples = steps / interval;
+    let (kinetic, potential) = parts(&run.state(), run.time());
+    let energy = kinetic + potential;
+    let (mut largest_kinetic, mut largest_term) = (kinetic.abs(), kinetic.abs() + potential.abs());
+    let mut course = Vec::with_capacity(usize::try_from(samples).unwrap_or_default());
+    for _ in 0..samples {
+        run.advance(interval)?;
+        let (kinetic, potential) = parts(&run.state(), run.time());
+        largest_kinetic = largest([largest_kinetic, kinetic]);
+        largest_term = largest([largest_term, kinetic.abs() + potential.abs()]);
+        course.push((run.time(), kinetic + potential - energy));
+    }
+    let groups: Vec<(f64, f64)> = course.chunks_exact(course.len() / GROUPS).map(middle).collect();
+    let slope = fit(&groups);
+    // Every flow rounds the state, which changes the energy by up to ε of its terms, at random: the farthest such a
+    // walk gets is about 2.5 times the root of its steps. The factor 16 leaves room for flows that round several
+    // numbers, and for the sum of the energy itself.
+    let walk = 16.0 * K::EPSILON * (run.steps() as f64 * flows_per_step::<X>()).sqrt();
+    Ok(EnergyDrift {
+        deviation: ratio(largest(course.iter().map(|(_, change)| *change)), largest_kinetic),
+        slope: ratio(slope.value, largest_kinetic),
+        uncertainty: ratio(slope.uncertainty, largest_kinetic),
+        step: h,
+        steps: run.steps(),
+        rounding: ratio(walk * largest_term, largest_kinetic),
+    })
+}
+
+/// The mean time and the mean value of some samples.
+fn middle(samples: &[(f64, f64)]) -> (f64, f64) {
+    let count = samples.len() as f64;
+    let (time, value) = samples.iter().fold((0.0, 0.0), |sum, sample| (sum.0 + sample.0, sum.1 + sample.1));
+    (time / count, value / count)
+}

@@ -1,0 +1,62 @@
+//! Why a check could not be carried out.
+
+use crate::error::Error;
+
+/// Why a check has no result. That a stepper is wrong is not among the reasons: then the result says so.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum CheckError {
+    /// The run that the check needs could not start or go on.
+    #[error(transparent)]
+    Run(#[from] Error),
+    /// Too few step sizes have an error that stands out of the rounding, so that no slope can be fitted.
+    #[error(
+        "only {found} step sizes from {coarsest} down have an error above the rounding, and a slope needs {needed}: \
+         this start moves too little, or in so simple a way that every step is exact; start elsewhere"
+    )]
+    TooFewPoints {
+        /// How many step sizes can be used.
+        found: usize,
+        /// How many are needed.
+        needed: usize,
+        /// The coarsest step size that was tried.
+        coarsest: f64,
+    },
+    /// However short the time, halving the step changes the result by more than a tenth of the motion.
+    #[error(
+        "no step size down to {finest} follows the motion from this start: it is singular, or the flows do not \
+         belong to one Hamiltonian"
+    )]
+    NotSmooth {
+        /// The finest step size that was tried.
+        finest: f64,
+    },
+    /// The Hamiltonian depends on time, so its energy is not conserved.
+    #[error("the Hamiltonian reads the time, so that its energy is not conserved and says nothing about the stepper")]
+    NotAutonomous,
+    /// The derivative of an energy by duals is not the one by central differences: it has a kink or a jump here.
+    #[error(
+        "{energy} changes by {dual} per unit of coordinate {index} according to duals, but by {difference} +- \
+         {uncertainty} according to central differences: it has a kink or a jump here, where no gradient exists"
+    )]
+    NotDifferentiable {
+        /// `T` or `V`.
+        energy: &'static str,
+        /// Which coordinate, counted over the flattened `p` or `q`.
+        index: usize,
+        /// The derivative by duals.
+        dual: f64,
+        /// The derivative by central differences.
+        difference: f64,
+        /// What truncation and rounding may add to the latter.
+        uncertainty: f64,
+    },
+    /// The run is too short to fit a line to its energy.
+    #[error("{steps} steps are too few to fit a line to the energy: at least {needed} are needed")]
+    TooFewSteps {
+        /// How many steps were asked for.
+        steps: u64,
+        /// How many are needed.
+        needed: u64,
+    },
+}

@@ -1,0 +1,45 @@
+//! A straight line through points, by least squares.
+
+/// What a fit says about the slope.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Slope {
+    /// The slope.
+    pub(crate) value: f64,
+    /// Its standard error, from how far the points lie off the line; NaN with fewer than three points.
+    pub(crate) uncertainty: f64,
+}
+
+/// The slope of the line `y = a + b·x` with the least sum of squared residuals in `y`:
+/// `b = Σ (x - x̄)(y - ȳ) / Σ (x - x̄)²`, with the variance `Σ r² / (n - 2) / Σ (x - x̄)²`.
+pub(crate) fn fit(points: &[(f64, f64)]) -> Slope {
+    let count = points.len() as f64;
+    let mean = |of: fn(&(f64, f64)) -> f64| points.iter().map(of).sum::<f64>() / count;
+    let (x_mean, y_mean) = (mean(|point| point.0), mean(|point| point.1));
+    let spread: f64 = points.iter().map(|(x, _)| (x - x_mean).powi(2)).sum();
+    let value = points.iter().map(|(x, y)| (x - x_mean) * (y - y_mean)).sum::<f64>() / spread;
+    let residual: f64 = points.iter().map(|(x, y)| (y - y_mean - value * (x - x_mean)).powi(2)).sum();
+    Slope { value, uncertainty: (residual / (count - 2.0) / spread).sqrt() }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::check::tolerance::within;
+
+    #[test]
+    fn a_line_is_found_and_its_scatter_told() {
+        let straight = fit(&[(0.0, 1.0), (1.0, 3.0), (4.0, 9.0)]);
+        assert!(within(straight.value - 2.0, 4.0 * f64::EPSILON), "{straight:?}");
+        assert!(within(straight.uncertainty, 4.0 * f64::EPSILON), "{straight:?}");
+        // Residuals of +1, -2, +1 about a level line: b = 0, variance 6 / 1 / 2.
+        let scattered = fit(&[(-1.0, 1.0), (0.0, -2.0), (1.0, 1.0)]);
+        assert!(within(scattered.value, f64::EPSILON), "{scattered:?}");
+        assert!(within(scattered.uncertainty - 3.0_f64.sqrt(), 4.0 * f64::EPSILON), "{scattered:?}");
+    }
+
+    #[test]
+    fn nothing_to_fit_is_no_number() {
+        assert!(fit(&[]).value.is_nan());
+        assert!(fit(&[(1.0, 1.0)]).value.is_nan());
+    }
+}

@@ -1,0 +1,44 @@
+//! Proofs by measurement that a stepper is what it claims to be.
+//!
+//! In: a system, a composition, a start and a step of the user's own problem. Out: numbers, each with the bound that
+//! follows from the rounding of the scalar, and from [`certify`] a verdict over all of them. Always true: the flows
+//! that are checked are the generated ones, entered through the same trait as by a run; every verdict is one comparison
+//! in one function, in which a NaN fails; a check that can find nothing says so in an error and does not pass.
+//!
+//! | check | right | wrong |
+//! |---|---|---|
+//! | [`symplectic_defect`] | rounding, for any step | of the size of the step |
+//! | [`observed_order`] | the claimed order | below it |
+//! | [`reversibility`] | rounding, if the composition is symmetric | of the size of the error |
+//! | [`energy_drift`] | bounded | a trend |
+//! | [`gradient_error`] | rounding | of the size of the gradient |
+//!
+//! What is a property of the flows (symplecticity, order, gradient) is measured in `f64` whatever the leaf of the start;
+//! what rounding takes part in (reversibility, energy) is measured in the precision of the start.
+
+mod certificate;
+mod certify;
+mod dual;
+mod energy;
+mod error;
+mod gradient;
+mod line;
+mod order;
+mod path;
+mod points;
+mod reference;
+mod reversibility;
+mod shortfall;
+mod symplecticity;
+mod tangent;
+mod tolerance;
+
+pub use certificate::{Certificate, Tolerances};
+pub use certify::certify;
+pub use energy::{EnergyDrift, energy_drift};
+pub use error::CheckError;
+pub use gradient::gradient_error;
+pub use order::{Order, observed_order};
+pub use reversibility::reversibility;
+pub use shortfall::{CertifyError, Shortfall};
+pub use symplecticity::{symplectic_defect, symplectic_defect_after};

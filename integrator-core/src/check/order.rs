@@ -1,0 +1,217 @@
+//! The order of a composition, measured.
+//!
+//! In: a system, a composition, a start, a step. Out: the slope of the logarithm of the error over the logarithm of the
+//! step. Always true: only errors that stand well out of the rounding enter the slope, and where too few do, there is
+//! no slope but an error.
+
+use crate::{
+    check::{
+        CheckError,
+        line::fit,
+        path::{PARTS, Path},
+        points::plain,
+        reference::reference,
+        tolerance::within,
+    },
+    composition::Composition,
+    error::Error,
+    hamiltonian::{Hamiltonian, Shaped},
+    phase::Phase,
+    run::{Run, admissible},
+    slot::{Compensated, Keep},
+};
+use std::marker::PhantomData;
+
+/// How many of the user's steps the first time spans that is tried; a power of two keeps the doublings exact.
+const FIRST_SPAN: f64 = 16.0;
+
+/// How often a time is doubled or halved at most: between a step 10^19 times too fine and one as much too coarse.
+const DOUBLINGS: usize = 64;
+
+/// The error of the coarsest step, in units of the excursion, beyond which a time counts as too long. At a tenth the
+/// leading term of the error of the finer steps prevails in all compositions that were tried.
+const COARSEST_ERROR: f64 = 0.1;
+
+/// The steps per part of the time, growing by about a quarter each.
+const LADDER: [u64; 22] = [1, 2, 3, 4, 5, 6, 8, 10, 12, 16, 20, 24, 32, 40, 48, 64, 80, 96, 128, 160, 192, 256];
+
+/// By how much an error has to exceed the rounding for its logarithm to count. What is left is 4 % of the finest error
+/// at most, and less than 0.04 of a slope over a factor of three in the step.
+const CLEARANCE: f64 = 25.0;
+
+/// How many step sizes enter a slope, if so many are clear of the rounding: the finest ones, where the leading term of
+/// the error prevails. Six of them span a factor of three in the step.
+const POINTS: usize = 6;
+
+/// How many step sizes a slope needs: two more than a line has parameters, so that its scatter is known.
+const NEEDED: usize = 4;
+
+/// By how much the time is shortened where the errors do not lie on a line, and how often.
+const SHORTENING: f64 = 8.0;
+const ATTEMPTS: usize = 4;
+
+/// The standard error of a slope up to which its points are taken to lie on a line.
+const SCATTER: f64 = 0.05;
+
+/// A measured order.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Order {
+    /// The slope of the logarithm of the error over the logarithm of the step.
+    pub slope: f64,
+    /// The standard error of the slope.
+    pub uncertainty: f64,
+    /// How many step sizes the slope was fitted to.
+    pub points: usize,
+    /// The finest of them.
+    pub finest: f64,
+    /// The coarsest of them.
+    pub coarsest: f64,
+    /// The time over which errors were measured, from 0. Negative for a negative step.
+    pub span: f64,
+}
+
+/// The order that `composition` shows on this very problem.
+///
+/// Errors are distances in phase space to a reference that is refined until it settles, at four times along a common
+/// span, in units of how far the motion went; all states are compensated. The span is the longest one of the form
+/// `16·h·2ᵏ`, k of either sign, over which four steps already follow the motion to a tenth, so that `h` itself may be
+/// far too fine or far too coarse. It is divided into ever more steps, at most 1024, until the error drowns in the
+/// rounding; the slope is a least-squares fit to the finest errors that do not, six at most. Where they do not lie on a
+/// line, because part of the motion is faster than the rest, the span is shortened.
+///
+/// # Errors
+/// A start or a step that no run would begin with; a start from which the errors of fewer than four step sizes stand
+/// out of the rounding, or from which no step follows the motion.
+pub fn observed_order<H: Hamiltonian, X: Composition<H>, K: Keep>(
+    system: &H,
+    composition: X,
+    start: Phase<Shaped<H, K>>,
+    h: f64,
+) -> Result<Order, CheckError> {
+    let _ = composition;
+    admissible(&start, h)?;
+    let problem = Problem::<H, X> { system, start: plain::<H, K>(&start), marker: PhantomData };
+    let mut span = problem.longest_span(h)?;
+    let mut outcome = problem.order(span);
+    for _ in 1..ATTEMPTS {
+        if outcome.as_ref().is_ok_and(|order| within(order.uncertainty, SCATTER)) {
+            break;
+        }
+        span /= SHORTENING;
+        let shorter = problem.order(span);
+        let better = match (&shorter, &outcome) {
+            (Ok(shorter), Ok(longer)) => within(shorter.uncertainty, longer.uncertainty),
+            (Ok(_), Err(_)) => true,
+            (Err(_), _) => false,
+        };
+        if better {
+            outcome = shorter;
+        }
+    }
+    outcome
+}
+
+/// What is measured.
+struct Problem<'s, H: Hamiltonian, X> {
+    system: &'s H,
+    start: Phase<H::Coords>,
+    marker: PhantomData<X>,
+}
+
+impl<H: Hamiltonian, X: Composition<H>> Problem<'_, H, X> {
+    /// The motion over `span`, in `steps` steps for each part.
+    fn path(&self, span: f64, steps: u64) -> Result<Path<H::Coords>, Error> {
+        path::<H, X>(self.system, &self.start, span, steps)
+    }
+
+    /// The longest time over which the coarsest step follows the motion.
+    fn longest_span(&self, h: f64) -> Result<f64, CheckError> {
+        let mut span = FIRST_SPAN * h;
+        if self.followed(span) {
+            for _ in 0..DOUBLINGS {
+                if !self.followed(2.0 * span) {
+                    break;
+                }
+                span *= 2.0;
+            }
+            return Ok(span);
+        }
+        for _ in 0..DOUBLINGS {
+            span /= 2.0;
+            if self.followed(span) {
+                return Ok(span);
+            }
+        }
+        Err(CheckError::NotSmooth { finest: (span / PARTS as f64).abs() })
+    }
+
+    /// Whether halving the coarsest step changes little beside the motion itself. No reference is needed to tell: the
+    /// difference is most of the error of the coarser one.
+    fn followed(&self, span: f64) -> bool {
+        let (Ok(coarse), Ok(fine)) = (self.path(span, 1), self.path(span, 2)) else { return false };
+        let scale = fine.excursion();
+        // Over a time so short that the motion itself drowns in the rounding, nothing speaks against a longer one.
+        let drowned = !within(fine.rounding(scale), COARSEST_ERROR / CLEARANCE);
+        drowned && scale.q.is_finite() && scale.p.is_finite() || within(fine.distance(&coarse, scale), COARSEST_ERROR)
+    }
+
+    /// The slope over one span.
+    fn order(&self, span: f64) -> Result<Order, CheckError> {
+        let exact = reference(self.system, &self.start, span);
+        let scale = exact.path.excursion();
+        // Both states are compensated, so that their sums lose nothing: each is rounded when it is seen. What is left
+        // are the roundings of the flows, a few ε of what each adds to the state. These parts of the excursion, forth
+        // and back within a step included, sum up to a few excursions, and their errors to a few ε of one, however
+        // many steps there are; the error of the reference adds to it.
+        let plateau = exact.uncertainty + 2.0 * exact.path.rounding(scale) + 4.0 * f64::EPSILON;
+        let mut points = Vec::with_capacity(LADDER.len());
+        for steps in LADDER {
+            // A step too coarse to stay finite is no reason to give up the finer ones.
+            let Ok(path) = self.path(span, steps) else { continue };
+            let count = (PARTS * steps) as f64;
+            let error = path.distance(&exact.path, scale);
+            if within(error, CLEARANCE * plateau) {
+                break;
+            }
+            if error.is_finite() {
+                points.push(((span / count).abs().ln(), error.ln()));
+            }
+        }
+        // Where the leading term does not prevail yet, the line bends, and its coarse end is better left out.
+        let fits = (NEEDED..=POINTS.min(points.len())).map(|count| {
+            let finest = &points[points.len() - count..];
+            (finest, fit(finest))
+        });
+        let Some((finest, slope)) = fits.min_by(|one, other| one.1.uncertainty.total_cmp(&other.1.uncertainty)) else {
+            let coarsest = (span / PARTS as f64).abs();
+            return Err(CheckError::TooFewPoints { found: points.len(), needed: NEEDED, coarsest });
+        };
+        let step = |point: Option<&(f64, f64)>| point.map_or(f64::NAN, |(logarithm, _)| logarithm.exp());
+        Ok(Order {
+            slope: slope.value,
+            uncertainty: slope.uncertainty,
+            points: finest.len(),
+            finest: step(finest.last()),
+            coarsest: step(finest.first()),
+            span,
+        })
+    }
+}
+
+/// The motion of a compensated run from `start` at time 0 over `span`, in `steps` steps for each part.
+pub(crate) fn path<H: Hamiltonian, X: Composition<H>>(
+    system: &H,
+    start: &Phase<H::Coords>,
+    span: f64,
+    steps: u64,
+) -> Result<Path<H::Coords>, Error> {
+    let h = span / (PARTS * steps) as f64;
+    let compensated = Phase::compensated(start.q.clone(), start.p.clone());
+    let mut run = Run::start::<H, X, Compensated<f64>>(system, compensated, h)?;
+    let mut ends = Vec::with_capacity(PARTS as usize);
+    for _ in 0..PARTS {
+        run.advance(steps)?;
+        ends.push(plain::<H, Compensated<f64>>(&run.state()));
+    }
+    Ok(Path { start: start.clone(), ends })
+}

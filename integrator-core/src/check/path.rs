@@ -1,0 +1,65 @@
+//! A motion seen at a few equally spaced times, and how far apart two such views are.
+//!
+//! Always true: positions are measured against positions and momenta against momenta, so that units cancel, and a
+//! displacement against a displacement, so that the origin of the coordinates does not matter.
+
+use crate::{
+    check::tolerance::{largest, length, ratio},
+    coords::Coords,
+    phase::Phase,
+};
+
+/// Into how many equal parts a time is divided. Errors are taken over all of their ends, because at a single time the
+/// leading error may happen to vanish, as that of a pendulum's energy does after each period.
+pub(crate) const PARTS: u64 = 4;
+
+/// A start, and where the motion is at the end of each of the [`PARTS`].
+pub(crate) struct Path<C> {
+    pub(crate) start: Phase<C>,
+    pub(crate) ends: Vec<Phase<C>>,
+}
+
+/// One number for positions, one for momenta.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Scale {
+    pub(crate) q: f64,
+    pub(crate) p: f64,
+}
+
+impl<C: Coords<Leaf = f64>> Path<C> {
+    /// The farthest from the start that the motion was seen.
+    pub(crate) fn excursion(&self) -> Scale {
+        Scale {
+            q: largest(self.ends.iter().map(|end| separation(&end.q, &self.start.q))),
+            p: largest(self.ends.iter().map(|end| separation(&end.p, &self.start.p))),
+        }
+    }
+
+    /// The farthest from the origin that the motion was seen.
+    pub(crate) fn magnitude(&self) -> Scale {
+        let points = || self.ends.iter().chain([&self.start]);
+        Scale {
+            q: largest(points().map(|point| length(point.q.flat().iter().copied()))),
+            p: largest(points().map(|point| length(point.p.flat().iter().copied()))),
+        }
+    }
+
+    /// The root of the mean squared distance to `other` over the ends, in units of `scale`.
+    pub(crate) fn distance(&self, other: &Self, scale: Scale) -> f64 {
+        let apart = self.ends.iter().zip(&other.ends).flat_map(|(one, other)| {
+            [ratio(separation(&one.q, &other.q), scale.q), ratio(separation(&one.p, &other.p), scale.p)]
+        });
+        length(apart) / (PARTS as f64).sqrt()
+    }
+
+    /// What one rounding of every coordinate amounts to, in units of `scale`.
+    pub(crate) fn rounding(&self, scale: Scale) -> f64 {
+        let magnitude = self.magnitude();
+        f64::EPSILON * (ratio(magnitude.q, scale.q) + ratio(magnitude.p, scale.p))
+    }
+}
+
+/// The Euclidean distance of two sets of coordinates.
+fn separation<C: Coords<Leaf = f64>>(one: &C, other: &C) -> f64 {
+    length(one.flat().iter().zip(other.flat()).map(|(one, other)| one - other))
+}

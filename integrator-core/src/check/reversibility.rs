@@ -1,0 +1,130 @@
+//! Whether steps by `-h` undo steps by `h`.
+//!
+//! In: a system, a composition, a start, a step, a number of steps. Out: how far from its start a run ends that goes
+//! forward and back. Always true: the very runs of the user, in the precision of the user's state, with the clock
+//! turned round where the forward run ends.
+
+use crate::{
+    check::{
+        CheckError,
+        points::{coordinate, numbers, origin, plain},
+        tangent::Tangents,
+        tolerance::{flows_per_step, largest, ratio},
+    },
+    composition::Composition,
+    coords::Coords,
+    hamiltonian::{Hamiltonian, Shaped},
+    phase::Phase,
+    run::Run,
+    slot::Keep,
+};
+
+/// How far from `start` a run ends that takes `steps` steps by `h` from time 0 and as many by `-h` back: the largest
+/// difference of a position in units of the largest position, or of a momentum in units of the largest momentum.
+///
+/// A symmetric composition comes back up to rounding, however coarse the step. Another one misses the start by about
+/// its own error, and the coarser the step, the more clearly so.
+///
+/// # Errors
+/// A start or a step that no run would begin with; a run that leaves the finite numbers.
+pub fn reversibility<H: Hamiltonian, X: Composition<H>, K: Keep>(
+    system: &H,
+    composition: X,
+    start: Phase<Shaped<H, K>>,
+    h: f64,
+    steps: u64,
+) -> Result<f64, CheckError> {
+    let _ = composition;
+    Ok(round_trip::<H, X, K>(system, &start, h, steps)?.distance)
+}
+
+/// How far a round trip ends from its start, and how far rounding alone may take it.
+pub(crate) struct RoundTrip {
+    pub(crate) distance: f64,
+    pub(crate) tolerance: f64,
+}
+
+/// The round trip and its tolerance.
+///
+/// Each of the `2 n f` flows on the way rounds every coordinate, by at most 2 ε of the largest one with the error of
+/// the update itself. What an error grows to until the end of the trip is told by tangents that begin with that size:
+/// the largest they become on the way there, or on the way back. All errors at their bound and in the worst direction
+/// give `4 n f ε` times this growth; a tangent in one direction may miss some of it, which a factor 4 allows for.
+pub(crate) fn round_trip<H: Hamiltonian, X: Composition<H>, K: Keep>(
+    system: &H,
+    start: &Phase<Shaped<H, K>>,
+    h: f64,
+    steps: u64,
+) -> Result<RoundTrip, CheckError> {
+    let mut there = Run::start::<H, X, K>(system, start.clone(), h)?;
+    there.advance(steps)?;
+    let turn = there.state();
+    let mut back = Run::start::<H, X, K>(system, turn.clone(), -h)?.at_time(there.time());
+    back.advance(steps)?;
+
+    let (start, turn, end) = (plain::<H, K>(start), plain::<H, K>(&turn), plain::<H, K>(&back.state()));
+    let size = Size::of(&[&start, &turn]);
+    let distance = size.relative(numbers(&start).zip(numbers(&end)).map(|(start, end)| start - end));
+    let growth = largest([
+        growth::<H, X>(system, &start, size, h, 0.0, steps),
+        growth::<H, X>(system, &turn, size, -h, there.time(), steps),
+    ]);
+    let roundings = 16.0 * steps as f64 * flows_per_step::<X>();
+    Ok(RoundTrip { distance, tolerance: roundings * K::EPSILON * growth })
+}
+
+/// The largest position and the largest momentum.
+#[derive(Clone, Copy)]
+struct Size {
+    q: f64,
+    p: f64,
+    positions: usize,
+}
+
+impl Size {
+    fn of<C: Coords<Leaf = f64>>(points: &[&Phase<C>]) -> Self {
+        Self {
+            q: largest(points.iter().flat_map(|point| point.q.flat().iter().copied())),
+            p: largest(points.iter().flat_map(|point| point.p.flat().iter().copied())),
+            positions: points.first().map_or(0, |point| point.q.flat().len()),
+        }
+    }
+
+    /// The unit of one number of a point, positions counted first.
+    fn unit(self, index: usize) -> f64 {
+        if index < self.positions { self.q } else { self.p }
+    }
+
+    /// The largest of some numbers, positions first, in these units.
+    fn relative(self, numbers: impl Iterator<Item = f64>) -> f64 {
+        largest(numbers.enumerate().map(|(index, number)| ratio(number, self.unit(index))))
+    }
+}
+
+/// The largest size, in units of `size`, that tangents reach within `steps` steps, where every number of a tangent
+/// begins with one unit.
+fn growth<H: Hamiltonian, X: Composition<H>>(
+    system: &H,
+    point: &Phase<H::Coords>,
+    size: Size,
+    h: f64,
+    t0: f64,
+    steps: u64,
+) -> f64 {
+    /// Its multiples fall evenly into (0, 1), so that signs taken from them share no symmetry with the system: a shift
+    /// of all bodies at once, for one, would meet no force between them.
+    const GOLDEN: f64 = 0.618_033_988_749_894_9;
+    let tangents = Tangents::<H, X>::new(system, h);
+    largest([1.0, -1.0].map(|sign_of_p| {
+        let (mut point, mut tangent) = (point.clone(), origin(point));
+        for index in 0..2 * size.positions {
+            let sign = if (index as f64 * GOLDEN).fract() < 0.5 { 1.0 } else { -1.0 };
+            let relative = if index < size.positions { 1.0 } else { sign_of_p };
+            *coordinate(&mut tangent, index) = sign * relative * size.unit(index);
+        }
+        largest((0..steps).map(|step| {
+            (point, tangent) = tangents.carry(&point, &tangent, t0 + step as f64 * h, 1);
+            size.relative(numbers(&tangent))
+        }))
+    }))
+}

@@ -1,0 +1,93 @@
+//! What a stepper falls short of.
+
+use crate::{
+    check::{certificate::Certificate, energy::EnergyDrift, error::CheckError},
+    error::Error,
+};
+use std::fmt;
+
+/// Why there is no certificate.
+#[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum CertifyError {
+    /// No run would begin with this start or this step.
+    Run(Error),
+    /// The stepper was measured and falls short of what it claims.
+    Refused {
+        /// All that was measured. What could not be measured is NaN.
+        certificate: Box<Certificate>,
+        /// Everything that fell short, at least one.
+        shortfalls: Vec<Shortfall>,
+    },
+}
+
+impl fmt::Display for CertifyError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Run(error) => error.fmt(f),
+            Self::Refused { certificate, shortfalls } => {
+                write!(f, "no certificate for {} with {}:", certificate.system, certificate.composition)?;
+                shortfalls.iter().try_for_each(|shortfall| write!(f, "\n  {shortfall}"))?;
+                write!(f, "\nmeasured: {certificate}")
+            }
+        }
+    }
+}
+
+impl std::error::Error for CertifyError {}
+
+/// One thing that fell short of another.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum Shortfall {
+    /// The tangent map is not symplectic.
+    #[error("symplectic defect {defect:.1e} exceeds what rounding explains, {tolerance:.1e}")]
+    Symplecticity {
+        /// The defect of one step.
+        defect: f64,
+        /// What rounding explains.
+        tolerance: f64,
+    },
+    /// The observed order is lower than the claimed one.
+    #[error("observed order {observed:.2} falls short of the claimed order {claimed}")]
+    Order {
+        /// The slope.
+        observed: f64,
+        /// The order that the composition claims.
+        claimed: u32,
+    },
+    /// A composition that claims symmetry does not come back.
+    #[error(
+        "a run forward and back ends {distance:.1e} from its start, where a symmetric composition ends within {tolerance:.1e}"
+    )]
+    Reversibility {
+        /// The relative distance.
+        distance: f64,
+        /// What rounding explains.
+        tolerance: f64,
+    },
+    /// The energy does not stay.
+    #[error(
+        "the energy drifts: by {:.1e} of the kinetic energy in {} steps of {}, of which {:.1e} as a trend",
+        .0.deviation, .0.steps, .0.step, .0.drift()
+    )]
+    Energy(EnergyDrift),
+    /// A flow is not that of its energy.
+    #[error(
+        "gradient error {error:.1e} exceeds what rounding explains, {tolerance:.1e}: the flows do not belong to T and V"
+    )]
+    Gradient {
+        /// The relative error.
+        error: f64,
+        /// What rounding explains.
+        tolerance: f64,
+    },
+    /// A check could not be carried out.
+    #[error("{check} could not be measured: {reason}")]
+    Unmeasured {
+        /// Which check.
+        check: &'static str,
+        /// Why not.
+        reason: CheckError,
+    },
+}

@@ -1,0 +1,65 @@
+//! Sizes and their bounds: the one comparison of all checks, and the arithmetic in which a NaN is never lost.
+//!
+//! Always true: a NaN that goes in makes the check fail, whatever else goes in.
+
+use crate::composition::Scheme;
+
+/// Whether `value` is at most `tolerance` in size. Every verdict of every check is reached here.
+///
+/// A NaN on either side is not within, and neither is anything within a tolerance that is infinite.
+pub(crate) fn within(value: f64, tolerance: f64) -> bool {
+    tolerance.is_finite() && value.abs() <= tolerance
+}
+
+/// The largest size among `values`, zero where there are none, NaN where one is NaN.
+pub(crate) fn largest(values: impl IntoIterator<Item = f64>) -> f64 {
+    values
+        .into_iter()
+        .fold(0.0, |most: f64, value| if most.is_nan() || value.abs() <= most { most } else { value.abs() })
+}
+
+/// The Euclidean length of `values`.
+pub(crate) fn length(values: impl IntoIterator<Item = f64>) -> f64 {
+    values.into_iter().map(|value| value * value).sum::<f64>().sqrt()
+}
+
+/// `part` in units of `whole`, where nothing in units of nothing is nothing.
+pub(crate) fn ratio(part: f64, whole: f64) -> f64 {
+    if part == 0.0 { 0.0 } else { part / whole }
+}
+
+/// How many flows one closed step of `X` applies, and so how many times it rounds the state.
+pub(crate) fn flows_per_step<X: Scheme>() -> f64 {
+    (2 * X::STAGES.cycle.len() + 1) as f64
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn only_a_number_within_a_number_is_within() {
+        let table = [
+            (0.0, 0.0, true),
+            (-1.0, 1.0, true),
+            (-2.0, 1.0, false),
+            (1.0, -1.0, false),
+            (f64::NAN, 1.0, false),
+            (0.0, f64::NAN, false),
+            (f64::INFINITY, f64::INFINITY, false),
+            (0.0, f64::INFINITY, false),
+        ];
+        for (value, tolerance, expected) in table {
+            assert_eq!(within(value, tolerance), expected, "{value} within {tolerance}");
+        }
+    }
+
+    #[test]
+    fn the_largest_keeps_a_nan_wherever_it_stands() {
+        assert_eq!(largest([]), 0.0);
+        assert_eq!(largest([1.0, -3.0, 2.0]), 3.0);
+        for values in [[f64::NAN, 1.0, 2.0], [1.0, f64::NAN, 2.0], [1.0, 2.0, f64::NAN]] {
+            assert!(largest(values).is_nan(), "{values:?}");
+        }
+    }
+}

@@ -1,0 +1,7 @@
+//! Every check is fed what is right and what is wrong: the right ones pass, and each wrong one is told by its name.
+
+mod schemes;
+mod systems;
+
+mod right;
+mod wrong;

@@ -1,0 +1,85 @@
+//! Compositions written by hand that claim what they are not.
+
+use integrator_core::__private::*;
+
+/// Writes a composition from its table.
+macro_rules! by_hand {
+    ($(#[$attribute:meta])* $name:ident, order $order:literal, symmetric = $symmetric:literal, $stages:expr) => {
+        $(#[$attribute])*
+        #[derive(Clone, Copy, Default)]
+        pub(crate) struct $name;
+
+        impl Scheme for $name {
+            const NAME: &'static str = stringify!($name);
+            const ORDER: u32 = $order;
+            const SYMMETRIC: bool = $symmetric;
+            const CLASS: Class = Class::General;
+            const FORCE_EVALUATIONS: usize = Self::STAGES.cycle.len();
+            const STAGES: Stages = $stages;
+        }
+        impl<H: Hamiltonian> Composition<H> for $name {}
+    };
+}
+
+/// A drift, then a kick.
+const fn stage(drift: f64, kick: f64, drift_time: f64, kick_time: f64) -> Stage {
+    Stage { drift, kick, gradient: 0.0, drift_time, kick_time }
+}
+
+/// `T(1) V(1)`.
+const EULER: Stages = Stages {
+    lead: Lead::Drift,
+    opening: stage(1.0, 1.0, 0.0, 1.0),
+    cycle: &[stage(1.0, 1.0, 0.0, 1.0)],
+    closing: Stage::NONE,
+};
+
+by_hand! {
+    /// WRONG: `T(1) V(1)` is of order 1.
+    EulerThatClaims2, order 2, symmetric = false, EULER
+}
+
+by_hand! {
+    /// WRONG: `T(1) V(1)` is not symmetric.
+    EulerThatClaimsSymmetry, order 1, symmetric = true, EULER
+}
+
+by_hand! {
+    /// WRONG: `T(1/4) V(1) T(3/4)`.
+    Lopsided, order 1, symmetric = true, Stages {
+        lead: Lead::Drift,
+        opening: stage(0.25, 1.0, 0.0, 0.25),
+        cycle: &[stage(1.0, 1.0, 0.0, 0.25)],
+        closing: stage(0.75, 0.0, 1.0, 0.0),
+    }
+}
+
+by_hand! {
+    /// WRONG: `T(1/2) V(1.001) T(1/2)` follows a stronger force: symmetric, symplectic, and of no order at all.
+    Strong, order 2, symmetric = true, Stages {
+        lead: Lead::Drift,
+        opening: stage(0.5, 1.001, 0.0, 0.5),
+        cycle: &[stage(1.0, 1.001, 0.0, 0.5)],
+        closing: stage(0.5, 0.0, 1.0, 0.0),
+    }
+}
+
+by_hand! {
+    /// WRONG: `T(1/2) V(1) T(1/2)` whose kick reads the time at the end of the step instead of its middle.
+    Late, order 2, symmetric = true, Stages {
+        lead: Lead::Drift,
+        opening: stage(0.5, 1.0, 0.0, 1.0),
+        cycle: &[stage(1.0, 1.0, 0.0, 1.0)],
+        closing: stage(0.5, 0.0, 1.0, 0.0),
+    }
+}
+
+by_hand! {
+    /// WRONG: the first drift of every step but the first is lost, because the stages were not merged.
+    Unmerged, order 2, symmetric = true, Stages {
+        lead: Lead::Drift,
+        opening: stage(0.5, 1.0, 0.0, 0.5),
+        cycle: &[stage(0.5, 1.0, 0.0, 0.5)],
+        closing: stage(0.5, 0.0, 1.0, 0.0),
+    }
+}

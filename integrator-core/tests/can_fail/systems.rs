@@ -1,0 +1,221 @@
+//! Hamiltonians written by hand, right ones and wrong ones, in the plainest layout.
+
+use integrator_core::{__private::*, Verlet};
+
+/// Writes what all hand-written systems have in common. Parameters are the system itself; a motion `m` keeps its slots
+/// `m.q` and `m.p` in the user's own shape; a flow is applied for a time `d` and reads the time `t`.
+macro_rules! by_hand {
+    (
+        $(#[$attribute:meta])*
+        $name:ident { $($parameter:ident),* }: [f64; $n:literal], autonomous = $autonomous:literal;
+        drift($dm:ident, $dd:ident, $dt:ident) $drift:block
+        kick($km:ident, $kd:ident, $kt:ident) $kick:block
+        kinetic($tm:ident, $tt:ident) $kinetic:block
+        potential($vm:ident, $vt:ident) $potential:block
+    ) => {
+        $(#[$attribute])*
+        #[derive(Clone, Default)]
+        pub(crate) struct $name { $(pub(crate) $parameter: f64),* }
+
+        impl<R: Real> Prepared<R> for $name {
+            type Single = Self;
+            fn gather<'a>(of_lane: impl Fn(usize) -> &'a Self) -> Self {
+                of_lane(0).clone()
+            }
+        }
+
+        impl Hamiltonian for $name {
+            type Coords = [f64; $n];
+            type Compose = Verlet;
+            type Parameters<R: Real> = Self;
+            type Motion<R: Real, K: Keep> = Plain<R, Shaped<Self, K>, Self>;
+            const AUTONOMOUS: bool = $autonomous;
+
+            fn parameters(&self) -> Self {
+                self.clone()
+            }
+            fn drift<R: Real, K: Keep>($dm: &mut Self::Motion<R, K>, $dd: f64, $dt: f64) $drift
+            fn kick<R: Real, K: Keep>($km: &mut Self::Motion<R, K>, $kd: f64, $kt: f64) $kick
+            fn kinetic<R: Real, K: Keep>($tm: &Self::Motion<R, K>, $tt: f64) -> R $kinetic
+            fn potential<R: Real, K: Keep>($vm: &Self::Motion<R, K>, $vt: f64) -> R $potential
+        }
+    };
+}
+
+by_hand! {
+    /// `T = p²/(2 m l²)`, `V = -m g l cos q`.
+    Pendulum { mass, length, gravity }: [f64; 1], autonomous = true;
+    drift(m, d, _t) {
+        let inertia = m.parameters.mass * m.parameters.length.powi(2);
+        m.q[0].fma(R::of(d / inertia), m.p[0].value());
+    }
+    kick(m, d, _t) {
+        let torque = m.parameters.mass * m.parameters.gravity * m.parameters.length;
+        m.p[0].fma(R::of(-d * torque), m.q[0].value().sin());
+    }
+    kinetic(m, _t) {
+        let inertia = m.parameters.mass * m.parameters.length.powi(2);
+        m.p[0].value() * m.p[0].value() / R::of(2.0 * inertia)
+    }
+    potential(m, _t) {
+        let torque = m.parameters.mass * m.parameters.gravity * m.parameters.length;
+        -(R::of(torque) * m.q[0].value().cos())
+    }
+}
+
+by_hand! {
+    /// `T = |p|²/2`, `V = |q|²/2 + x²y - y³/3`.
+    HenonHeiles {}: [f64; 2], autonomous = true;
+    drift(m, d, _t) {
+        m.q[0].fma(R::of(d), m.p[0].value());
+        m.q[1].fma(R::of(d), m.p[1].value());
+    }
+    kick(m, d, _t) {
+        let (x, y) = (m.q[0].value(), m.q[1].value());
+        m.p[0].fma(R::of(-d), x + R::of(2.0) * x * y);
+        m.p[1].fma(R::of(-d), y + x * x - y * y);
+    }
+    kinetic(m, _t) { R::of(0.5) * (m.p[0].value() * m.p[0].value() + m.p[1].value() * m.p[1].value()) }
+    potential(m, _t) {
+        let (x, y) = (m.q[0].value(), m.q[1].value());
+        R::of(0.5) * (x * x + y * y) + x * x * y - y * y * y / R::of(3.0)
+    }
+}
+
+by_hand! {
+    /// `T = |p|²/(2 m)`, `V = -k/|q|`.
+    Kepler { mass, attraction }: [f64; 2], autonomous = true;
+    drift(m, d, _t) {
+        let s = R::of(d / m.parameters.mass);
+        m.q[0].fma(s, m.p[0].value());
+        m.q[1].fma(s, m.p[1].value());
+    }
+    kick(m, d, _t) {
+        let (x, y) = (m.q[0].value(), m.q[1].value());
+        let squared = x * x + y * y;
+        let s = R::of(-d * m.parameters.attraction) / (squared * squared.sqrt());
+        m.p[0].fma(s, x);
+        m.p[1].fma(s, y);
+    }
+    kinetic(m, _t) {
+        (m.p[0].value() * m.p[0].value() + m.p[1].value() * m.p[1].value()) / R::of(2.0 * m.parameters.mass)
+    }
+    potential(m, _t) { -(R::of(m.parameters.attraction) / m.q[0].value().hypot(m.q[1].value())) }
+}
+
+by_hand! {
+    /// `T = sqrt(1 + p²)`, `V = q⁴/4`.
+    Relativistic {}: [f64; 1], autonomous = true;
+    drift(m, d, _t) {
+        let p = m.p[0].value();
+        m.q[0].fma(R::of(d), p / (R::of(1.0) + p * p).sqrt());
+    }
+    kick(m, d, _t) {
+        let q = m.q[0].value();
+        m.p[0].fma(R::of(-d), q * q * q);
+    }
+    kinetic(m, _t) { (R::of(1.0) + m.p[0].value() * m.p[0].value()).sqrt() }
+    potential(m, _t) { R::of(0.25) * m.q[0].value().powf(R::of(4.0)) }
+}
+
+by_hand! {
+    /// `T = p₀² + p₀ p₁ + p₁²`, `V = cosh q₀ - cos q₁ + q₀ q₁/4`.
+    Skewed {}: [f64; 2], autonomous = true;
+    drift(m, d, _t) {
+        let (a, b) = (m.p[0].value(), m.p[1].value());
+        m.q[0].fma(R::of(d), a + a + b);
+        m.q[1].fma(R::of(d), a + b + b);
+    }
+    kick(m, d, _t) {
+        let (a, b) = (m.q[0].value(), m.q[1].value());
+        m.p[0].fma(R::of(-d), a.sinh() + R::of(0.25) * b);
+        m.p[1].fma(R::of(-d), b.sin() + R::of(0.25) * a);
+    }
+    kinetic(m, _t) {
+        let (a, b) = (m.p[0].value(), m.p[1].value());
+        a * a + a * b + b * b
+    }
+    potential(m, _t) {
+        let (a, b) = (m.q[0].value(), m.q[1].value());
+        a.cosh() - b.cos() + R::of(0.25) * a * b
+    }
+}
+
+by_hand! {
+    /// `T = p²/2 (1 + sin(t)/4)`, `V = -cos q - q cos(2t)/2`.
+    Driven {}: [f64; 1], autonomous = false;
+    drift(m, d, t) { m.q[0].fma(R::of(d * (1.0 + 0.25 * t.sin())), m.p[0].value()); }
+    kick(m, d, t) { m.p[0].fma(R::of(-d), m.q[0].value().sin() - R::of(0.5 * (2.0 * t).cos())); }
+    kinetic(m, t) { R::of(0.5 * (1.0 + 0.25 * t.sin())) * m.p[0].value() * m.p[0].value() }
+    potential(m, t) { -(m.q[0].value().cos() + R::of(0.5 * (2.0 * t).cos()) * m.q[0].value()) }
+}
+
+by_hand! {
+    /// WRONG: explicit Euler. The drift of `kick, drift` goes with the momentum from before the kick.
+    Explicit {}: [f64; 1], autonomous = true;
+    drift(m, d, _t) {
+        let before = m.p[0].value() + R::of(d) * m.q[0].value().sin();
+        m.q[0].fma(R::of(d), before);
+    }
+    kick(m, d, _t) { m.p[0].fma(R::of(-d), m.q[0].value().sin()); }
+    kinetic(m, _t) { R::of(0.5) * m.p[0].value() * m.p[0].value() }
+    potential(m, _t) { -m.q[0].value().cos() }
+}
+
+by_hand! {
+    /// WRONG: the kick goes up the potential. This is another Hamiltonian, and its flows are as symplectic as any.
+    Repelled {}: [f64; 1], autonomous = true;
+    drift(m, d, _t) { m.q[0].fma(R::of(d), m.p[0].value()); }
+    kick(m, d, _t) { m.p[0].fma(R::of(d), m.q[0].value().sin()); }
+    kinetic(m, _t) { R::of(0.5) * m.p[0].value() * m.p[0].value() }
+    potential(m, _t) { -m.q[0].value().cos() }
+}
+
+by_hand! {
+    /// WRONG: Hénon–Heiles with `xy` for `2xy` in the first component of the gradient.
+    Miscounted {}: [f64; 2], autonomous = true;
+    drift(m, d, _t) {
+        m.q[0].fma(R::of(d), m.p[0].value());
+        m.q[1].fma(R::of(d), m.p[1].value());
+    }
+    kick(m, d, _t) {
+        let (x, y) = (m.q[0].value(), m.q[1].value());
+        m.p[0].fma(R::of(-d), x + x * y);
+        m.p[1].fma(R::of(-d), y + x * x - y * y);
+    }
+    kinetic(m, _t) { R::of(0.5) * (m.p[0].value() * m.p[0].value() + m.p[1].value() * m.p[1].value()) }
+    potential(m, _t) {
+        let (x, y) = (m.q[0].value(), m.q[1].value());
+        R::of(0.5) * (x * x + y * y) + x * x * y - y * y * y / R::of(3.0)
+    }
+}
+
+by_hand! {
+    /// WRONG: the kick of a driven pendulum reads the time twice as fast as it runs.
+    Hurried {}: [f64; 1], autonomous = false;
+    drift(m, d, _t) { m.q[0].fma(R::of(d), m.p[0].value()); }
+    kick(m, d, t) { m.p[0].fma(R::of(-d), m.q[0].value().sin() - R::of(0.5 * (2.0 * t).cos())); }
+    kinetic(m, _t) { R::of(0.5) * m.p[0].value() * m.p[0].value() }
+    potential(m, t) { -(m.q[0].value().cos() + R::of(0.5 * t.cos()) * m.q[0].value()) }
+}
+
+by_hand! {
+    /// WRONG: friction. The kick takes a little of the momentum away.
+    Braked {}: [f64; 1], autonomous = true;
+    drift(m, d, _t) { m.q[0].fma(R::of(d), m.p[0].value()); }
+    kick(m, d, _t) {
+        let p = m.p[0].value();
+        m.p[0].fma(R::of(-d), m.q[0].value().sin() + R::of(1e-3) * p);
+    }
+    kinetic(m, _t) { R::of(0.5) * m.p[0].value() * m.p[0].value() }
+    potential(m, _t) { -m.q[0].value().cos() }
+}
+
+by_hand! {
+    /// WRONG: not a number as soon as the pendulum leans to the left.
+    Undefined {}: [f64; 1], autonomous = true;
+    drift(m, d, _t) { m.q[0].fma(R::of(d), m.p[0].value()); }
+    kick(m, d, _t) { m.p[0].fma(R::of(-d), m.q[0].value().sqrt()); }
+    kinetic(m, _t) { R::of(0.5) * m.p[0].value() * m.p[0].value() }
+    potential(m, _t) { R::of(2.0 / 3.0) * m.q[0].value().powf(R::of(1.5)) }
+}

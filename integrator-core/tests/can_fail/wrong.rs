@@ -1,0 +1,145 @@
+//! Wrong steppers are refused, each by the checks that can see its mistake.
+
+use crate::{
+    schemes::{EulerThatClaims2, EulerThatClaimsSymmetry, Late, Lopsided, Strong, Unmerged},
+    systems::{Braked, Driven, Explicit, Hurried, Miscounted, Pendulum, Repelled, Undefined},
+};
+use integrator_core::{
+    __private::Composition,
+    Error, Euler, Hamiltonian, KahanLi8, Phase, Verlet, Yoshida4,
+    check::{self, CertifyError, CheckError, Shortfall, certify},
+};
+
+const PENDULUM: Pendulum = Pendulum { mass: 2.0, length: 0.5, gravity: 9.81 };
+
+/// What a wrong stepper is refused for.
+fn shortfalls<H, X, const N: usize>(system: &H, composition: X, start: Phase<[f64; N]>, h: f64) -> Vec<Shortfall>
+where
+    H: Hamiltonian<Coords = [f64; N]>,
+    X: Composition<H>,
+{
+    match certify::<H, X, f64>(system, composition, start, h) {
+        Ok(certificate) => panic!("certified: {certificate}"),
+        Err(CertifyError::Refused { shortfalls, .. }) => shortfalls,
+        Err(error) => panic!("{error}"),
+    }
+}
+
+macro_rules! assert_among {
+    ($shortfalls:expr, $($kind:pat),+) => {{
+        let shortfalls = &$shortfalls;
+        $(assert!(shortfalls.iter().any(|shortfall| matches!(shortfall, $kind)), "{}: {shortfalls:?}", stringify!($kind));)+
+    }};
+}
+
+#[test]
+fn explicit_euler() {
+    let start = Phase::new([2.0], [0.0]);
+    let shortfalls = shortfalls(&Explicit {}, Euler, start, 0.01);
+    assert_among!(shortfalls, Shortfall::Symplecticity { .. }, Shortfall::Energy(_));
+}
+
+#[test]
+fn a_sign_error_in_the_kick() {
+    let shortfalls = shortfalls(&Repelled {}, Verlet, Phase::new([2.0], [0.0]), 0.01);
+    assert_among!(shortfalls, Shortfall::Energy(_), Shortfall::Gradient { .. });
+}
+
+#[test]
+fn a_wrong_factor_in_one_component_of_a_gradient() {
+    let shortfalls = shortfalls(&Miscounted {}, Yoshida4, Phase::new([0.1, -0.2], [0.3, 0.25]), 0.05);
+    assert_among!(shortfalls, Shortfall::Symplecticity { .. }, Shortfall::Gradient { .. });
+}
+
+#[test]
+fn an_order_1_scheme_that_claims_2() {
+    let shortfalls = shortfalls(&PENDULUM, EulerThatClaims2, Phase::new([2.0], [0.3]), 0.01);
+    assert!(matches!(shortfalls[..], [Shortfall::Order { claimed: 2, observed }] if 0.9 < observed && observed < 1.1));
+    assert_eq!(shortfalls[0].to_string(), "observed order 1.00 falls short of the claimed order 2");
+}
+
+#[test]
+fn an_asymmetric_scheme_that_claims_symmetry() {
+    let start = Phase::new([2.0], [0.3]);
+    // At a step of a millionth the error itself is small beside the rounding: the check must not depend on it.
+    for h in [0.01, 1e-6] {
+        let euler = shortfalls(&PENDULUM, EulerThatClaimsSymmetry, start, h);
+        assert!(matches!(euler[..], [Shortfall::Reversibility { .. }]), "{euler:?}");
+        let lopsided = shortfalls(&PENDULUM, Lopsided, start, h);
+        assert!(matches!(lopsided[..], [Shortfall::Reversibility { .. }]), "{lopsided:?}");
+    }
+}
+
+#[test]
+fn a_time_that_runs_twice_as_fast() {
+    let shortfalls = shortfalls(&Hurried {}, Verlet, Phase::new([0.5], [0.0]), 0.02);
+    assert_among!(shortfalls, Shortfall::Gradient { .. });
+}
+
+#[test]
+fn a_time_that_is_read_late() {
+    let shortfalls = shortfalls(&Driven {}, Late, Phase::new([0.5], [0.0]), 0.02);
+    assert_among!(shortfalls, Shortfall::Order { .. }, Shortfall::Reversibility { .. });
+}
+
+#[test]
+fn a_scheme_that_converges_to_another_motion() {
+    let shortfalls = shortfalls(&PENDULUM, Strong, Phase::new([2.0], [0.3]), 0.01);
+    assert_among!(shortfalls, Shortfall::Order { .. });
+}
+
+#[test]
+fn a_drift_lost_between_steps() {
+    let shortfalls = shortfalls(&PENDULUM, Unmerged, Phase::new([2.0], [0.3]), 0.01);
+    assert_among!(shortfalls, Shortfall::Order { .. });
+}
+
+#[test]
+fn friction() {
+    let shortfalls = shortfalls(&Braked {}, KahanLi8, Phase::new([2.0], [0.0]), 0.05);
+    assert_among!(shortfalls, Shortfall::Symplecticity { .. }, Shortfall::Energy(_));
+}
+
+#[test]
+fn what_is_not_a_number() {
+    let shortfalls = shortfalls(&Undefined {}, Verlet, Phase::new([1.0], [0.0]), 0.01);
+    assert_among!(shortfalls, Shortfall::Unmeasured { .. });
+}
+
+#[test]
+fn a_start_at_rest_measures_nothing_and_certifies_nothing() {
+    let shortfalls = shortfalls(&PENDULUM, Verlet, Phase::new([0.0], [0.0]), 0.01);
+    assert!(matches!(
+        shortfalls[..],
+        [Shortfall::Unmeasured { check: "the order", reason: CheckError::TooFewPoints { .. } }]
+    ));
+}
+
+#[test]
+fn bad_input_is_an_error_of_every_check() {
+    let start = Phase::new([2.0], [0.3]);
+    let kept = |error: CheckError| matches!(error, CheckError::Run(Error::Step { .. } | Error::Start { .. }));
+    for (start, h) in [
+        (start, 0.0),
+        (start, f64::NAN),
+        (start, f64::INFINITY),
+        (Phase::new([f64::NAN], [0.3]), 0.01),
+        (Phase::new([2.0], [f64::INFINITY]), 0.01),
+    ] {
+        assert!(check::symplectic_defect(&PENDULUM, Verlet, start, h).is_err_and(kept));
+        assert!(check::observed_order(&PENDULUM, Verlet, start, h).is_err_and(kept));
+        assert!(check::reversibility(&PENDULUM, Verlet, start, h, 16).is_err_and(kept));
+        assert!(check::energy_drift(&PENDULUM, Verlet, start, h, 1024).is_err_and(kept));
+        assert!(matches!(certify(&PENDULUM, Verlet, start, h), Err(CertifyError::Run(_))));
+    }
+    assert!(check::gradient_error(&PENDULUM, Phase::new([f64::NAN], [0.3]), 0.0).is_err_and(kept));
+    assert_eq!(
+        check::gradient_error(&PENDULUM, start, f64::INFINITY),
+        Err(CheckError::Run(Error::Time { time: f64::INFINITY }))
+    );
+    assert_eq!(
+        check::energy_drift(&PENDULUM, Verlet, start, 0.01, 3),
+        Err(CheckError::TooFewSteps { steps: 3, needed: 16 })
+    );
+    assert_eq!(check::energy_drift(&Driven {}, Verlet, start, 0.01, 1024), Err(CheckError::NotAutonomous));
+}
