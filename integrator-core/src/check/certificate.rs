@@ -24,8 +24,8 @@ pub struct Certificate {
     pub observed_order: f64,
     /// The range and the scatter of that slope.
     pub order: Option<Order>,
-    /// How far a run forward and back ends from its start: [`reversibility`](crate::check::reversibility) over 16 steps
-    /// each way, with the step or with a quarter of the span of [`Certificate::order`], whichever is longer.
+    /// How far a run forward and back ends from its start: [`reversibility`](crate::check::reversibility) over the
+    /// span of [`Certificate::order`], in its coarsest steps or in [`Certificate::step`] if that is longer.
     pub reversibility: f64,
     /// What became of the energy: [`energy_drift`](crate::check::energy_drift) over 8192 steps. Nothing for a Hamiltonian
     /// that reads the time.

@@ -22,19 +22,18 @@ use crate::{
     slot::Keep,
 };
 
-/// By how much an observed order may stay below the claimed one. Orders are whole numbers, so that half of one would
-/// separate them; a quarter leaves the other quarter to the measurement.
-const ORDER_TOLERANCE: f64 = 0.25;
+/// By how much an observed order may stay below the claimed one. Orders are whole numbers, so that what lies within
+/// half of one is nearer to the claimed order than to any lower one.
+const ORDER_TOLERANCE: f64 = 0.5;
 
-/// How many steps a round trip takes each way.
+/// How many steps a round trip takes each way at least.
 const ROUND_TRIP: u64 = 16;
 
 /// How many steps the energy is followed for.
 const ENERGY_STEPS: u64 = 8192;
 
-/// The time over which gradients are taken, in steps, where no order tells a better one, and the steps per part of it.
+/// The time over which gradients are taken, in steps, where no order tells a better one.
 const GRADIENT_SPAN: f64 = 64.0;
-const GRADIENT_STEPS: u64 = 16;
 
 /// Measures `composition` on `system` by every check, and certifies that it is what it claims to be.
 ///
@@ -82,7 +81,8 @@ pub fn certify<H: Hamiltonian, X: Composition<H>, K: Keep>(
     });
     let energy = H::AUTONOMOUS.then(|| {
         findings.judge("the energy", subject.energy(order), |drift| {
-            (!drift.is_bounded()).then_some(Shortfall::Energy(*drift))
+            let shortfall = if drift.is_lost() { Shortfall::EnergyLost } else { Shortfall::EnergyDrift };
+            (!drift.is_bounded()).then(|| shortfall(*drift))
         })
     });
     let gradient_tolerance = gradient_tolerance(subject.start.q.flat().len());
@@ -163,15 +163,15 @@ impl<H: Hamiltonian, X: Composition<H>, K: Keep> Subject<'_, H, X, K> {
         observed_order::<H, X, K>(self.system, self.composition, self.start.clone(), self.h)
     }
 
-    /// The coarsest step that follows the motion, or the step itself where it is longer or no order was measured.
-    fn coarsest(&self, order: Option<Order>) -> f64 {
-        order.map_or(self.h, |order| self.h.abs().max((order.span / PARTS as f64).abs()).copysign(self.h))
-    }
-
-    /// A round trip in coarse steps. Coming back does not depend on the step where a composition is symmetric; where it
-    /// is not, it misses by its own error, which fine steps would hide in the rounding.
+    /// A round trip over the span of the order, in the coarsest steps that show it, or in steps of `h` where they are
+    /// longer. Coming back does not depend on the step where a composition is symmetric; where it is not, it misses by
+    /// its own error, which fine steps would hide in the rounding.
     fn round_trip(&self, order: Option<Order>) -> Result<RoundTrip, CheckError> {
-        round_trip::<H, X, K>(self.system, &self.start, self.coarsest(order), ROUND_TRIP)
+        let (h, steps) = order.map_or((self.h, ROUND_TRIP), |order| {
+            let h = order.coarsest.max(self.h.abs());
+            ((h.copysign(self.h)), ((order.span.abs() / h).round() as u64).max(ROUND_TRIP))
+        });
+        round_trip::<H, X, K>(self.system, &self.start, h, steps)
     }
 
     /// The course of the energy in steps of `h`. If it looks like a trend, this may be the flank of an oscillation that
@@ -180,7 +180,7 @@ impl<H: Hamiltonian, X: Composition<H>, K: Keep> Subject<'_, H, X, K> {
     fn energy(&self, order: Option<Order>) -> Result<EnergyDrift, CheckError> {
         let course = |h| energy_drift::<H, X, K>(self.system, self.composition, self.start.clone(), h, ENERGY_STEPS);
         let drift = course(self.h)?;
-        let coarsest = self.coarsest(order).abs();
+        let coarsest = order.map_or(0.0, |order| (order.span / PARTS as f64).abs());
         let mut h = 2.0 * self.h;
         while !drift.is_bounded() && within(h, coarsest) {
             match course(h) {
@@ -195,8 +195,8 @@ impl<H: Hamiltonian, X: Composition<H>, K: Keep> Subject<'_, H, X, K> {
     /// where they are zero a wrong factor in their gradient does not show.
     fn gradient(&self, order: Option<Order>) -> Result<f64, CheckError> {
         let start = plain::<H, K>(&self.start);
-        let span = order.map_or(GRADIENT_SPAN * self.h, |order| order.span);
-        let path = path::<H, X>(self.system, &start, span, GRADIENT_STEPS)?;
+        let (span, step) = order.map_or((GRADIENT_SPAN * self.h, self.h), |order| (order.span, order.coarsest));
+        let path = path::<H, X>(self.system, &start, span, (span / step).abs().round() as u64 / PARTS)?;
         let mut errors = vec![gradient_error::<H, f64>(self.system, start, 0.0)?];
         for (part, end) in (1..).zip(path.ends) {
             let time = span * f64::from(part) / PARTS as f64;

@@ -51,12 +51,18 @@ impl EnergyDrift {
         self.slope * self.step * self.steps as f64
     }
 
-    /// Whether the energy stays: it does not go beyond what rounding explains, or at most half of how far it goes is a
+    /// Whether the energy is lost: it strays by more than half of the kinetic energy, which no longer is an error of the
+    /// step but another motion. A smaller step helps, if the composition is right.
+    pub fn is_lost(&self) -> bool {
+        !within(self.deviation, LOST)
+    }
+
+    /// Whether the energy stays: it is not lost, and it does not go beyond what rounding explains, or at most half of how far it goes is a
     /// trend. The line through `m` periods of a sine accounts for `6/(πm)` of its amplitude, less than half from the
     /// fourth period on; the line through a steady loss or gain accounts for nearly all of it.
     pub fn is_bounded(&self) -> bool {
         let trendless = within(self.deviation, self.rounding) || within(self.drift(), self.deviation / 2.0);
-        trendless && within(self.deviation, LOST)
+        trendless && !self.is_lost()
     }
 }
 

@@ -46,9 +46,9 @@ const POINTS: usize = 6;
 /// How many step sizes a slope needs: two more than a line has parameters, so that its scatter is known.
 const NEEDED: usize = 4;
 
-/// By how much the time is shortened where the errors do not lie on a line, and how often.
-const SHORTENING: f64 = 8.0;
-const ATTEMPTS: usize = 4;
+/// By how much the time is shortened where the errors do not lie on a line, and how many times are tried.
+const SHORTENING: f64 = 0.75;
+const ATTEMPTS: usize = 10;
 
 /// The standard error of a slope up to which its points are taken to lie on a line.
 const SCATTER: f64 = 0.05;
@@ -73,9 +73,9 @@ pub struct Order {
 /// The order that `composition` shows on this very problem.
 ///
 /// Errors are distances in phase space to a reference that is refined until it settles, at four times along a common
-/// span, in units of how far the motion went; all states are compensated. The span is the longest one of the form
-/// `16·h·2ᵏ`, k of either sign, over which four steps already follow the motion to a tenth, so that `h` itself may be
-/// far too fine or far too coarse. It is divided into ever more steps, at most 1024, until the error drowns in the
+/// span, in units of how far the motion went; all states are compensated. The span is the longest one, in a
+/// coarse search over multiples of `h`, that four steps already follow to a tenth, so that `h` itself may be far too
+/// fine or far too coarse. It is divided into ever more steps, at most 1024, until the error drowns in the
 /// rounding; the slope is a least-squares fit to the finest errors that do not, six at most. Where they do not lie on a
 /// line, because part of the motion is faster than the rest, the span is shortened.
 ///
@@ -97,7 +97,7 @@ pub fn observed_order<H: Hamiltonian, X: Composition<H>, K: Keep>(
         if outcome.as_ref().is_ok_and(|order| within(order.uncertainty, SCATTER)) {
             break;
         }
-        span /= SHORTENING;
+        span *= SHORTENING;
         let shorter = problem.order(span);
         let better = match (&shorter, &outcome) {
             (Ok(shorter), Ok(longer)) => within(shorter.uncertainty, longer.uncertainty),
@@ -134,15 +134,24 @@ impl<H: Hamiltonian, X: Composition<H>> Problem<'_, H, X> {
                 }
                 span *= 2.0;
             }
-            return Ok(span);
+            return Ok(self.stretched(span));
         }
         for _ in 0..DOUBLINGS {
             span /= 2.0;
             if self.followed(span) {
-                return Ok(span);
+                return Ok(self.stretched(span));
             }
         }
         Err(CheckError::NotSmooth { finest: (span / PARTS as f64).abs() })
+    }
+
+    /// The longest time between a span that is followed and twice that, in eighths: a body that falls from far away is
+    /// followed with next to no error until it arrives, and from then on not at all.
+    fn stretched(&self, span: f64) -> f64 {
+        [0.5, 0.25, 0.125]
+            .into_iter()
+            .fold(1.0, |factor, more| if self.followed(span * (factor + more)) { factor + more } else { factor })
+            * span
     }
 
     /// Whether halving the coarsest step changes little beside the motion itself. No reference is needed to tell: the

@@ -48,8 +48,9 @@ pub(crate) struct RoundTrip {
 ///
 /// Each of the `2 n f` flows on the way rounds every coordinate, by at most 2 ε of the largest one with the error of
 /// the update itself. What an error grows to until the end of the trip is told by tangents that begin with that size:
-/// the largest they become on the way there, or on the way back. All errors at their bound and in the worst direction
-/// give `4 n f ε` times this growth; a tangent in one direction may miss some of it, which a factor 4 allows for.
+/// the largest they become on the way there, or on the way back. The errors are independent, so that they add up to the
+/// root of their number, `2 ε √(2 n f)` times this growth. A factor 8 covers the tail of such a sum and what tangents
+/// in two directions may miss of the growth.
 pub(crate) fn round_trip<H: Hamiltonian, X: Composition<H>, K: Keep>(
     system: &H,
     start: &Phase<Shaped<H, K>>,
@@ -69,7 +70,7 @@ pub(crate) fn round_trip<H: Hamiltonian, X: Composition<H>, K: Keep>(
         growth::<H, X>(system, &start, size, h, 0.0, steps),
         growth::<H, X>(system, &turn, size, -h, there.time(), steps),
     ]);
-    let roundings = 16.0 * steps as f64 * flows_per_step::<X>();
+    let roundings = 16.0 * (2.0 * steps as f64 * flows_per_step::<X>()).sqrt();
     Ok(RoundTrip { distance, tolerance: roundings * K::EPSILON * growth })
 }
 

@@ -66,12 +66,18 @@ pub enum Shortfall {
         /// What rounding explains.
         tolerance: f64,
     },
-    /// The energy does not stay.
+    /// The energy strays so far that the motion is another one.
     #[error(
-        "the energy drifts: by {:.1e} of the kinetic energy in {} steps of {}, of which {:.1e} as a trend",
+        "the energy strays by {:.2} of the kinetic energy in {} steps of {}: the step is too coarse, or wrong",
+        .0.deviation, .0.steps, .0.step
+    )]
+    EnergyLost(EnergyDrift),
+    /// The energy has a trend.
+    #[error(
+        "the energy drifts: of the {:.1e} of the kinetic energy by which it strays in {} steps of {}, {:.1e} are a trend",
         .0.deviation, .0.steps, .0.step, .0.drift()
     )]
-    Energy(EnergyDrift),
+    EnergyDrift(EnergyDrift),
     /// A flow is not that of its energy.
     #[error(
         "gradient error {error:.1e} exceeds what rounding explains, {tolerance:.1e}: the flows do not belong to T and V"
