@@ -28,9 +28,11 @@ pub(crate) fn ratio(part: f64, whole: f64) -> f64 {
     if part == 0.0 { 0.0 } else { part / whole }
 }
 
-/// How many flows one closed step of `X` applies, and so how many times it rounds the state.
+/// How many flows one closed step of `X` applies, and so how many times it rounds the state: two for each row, those of
+/// a processor included, and the one that closes the step.
 pub(crate) fn flows_per_step<X: Scheme>() -> f64 {
-    (2 * X::STAGES.cycle.len() + 1) as f64
+    let rows = X::PROCESSOR.before.rows.len() + X::STAGES.cycle.len() + X::PROCESSOR.after.rows.len();
+    (2 * rows + 1) as f64
 }
 
 #[cfg(test)]

@@ -14,7 +14,11 @@ macro_rules! by_hand {
             const ORDER: u32 = $order;
             const SYMMETRIC: bool = $symmetric;
             const CLASS: Class = Class::General;
+            const CITATION: &'static str = "";
             const FORCE_EVALUATIONS: usize = Self::STAGES.cycle.len();
+            const GRADIENT_EVALUATIONS: usize = 0;
+            const STABILITY_LIMIT: f64 = 2.0;
+            const LEADING_ERROR: Option<f64> = None;
             const STAGES: Stages = $stages;
         }
         impl<H: Hamiltonian> Composition<H> for $name {}
