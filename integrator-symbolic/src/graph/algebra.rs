@@ -182,20 +182,26 @@ impl Graph {
         }
     }
 
+    /// A function of one argument; of a number, its value.
     pub(crate) fn unary(&mut self, function: Function, x: NodeId) -> NodeId {
+        if let (Rule::Unary(value, _), Some(x)) = (function.row().rule, self.as_constant(x)) {
+            return self.constant(value(x));
+        }
         self.intern(Node::Unary(function, x))
     }
 
     /// A function of two arguments; powers with a whole or half number become multiplications and roots.
     pub(crate) fn binary(&mut self, function: Function, a: NodeId, b: NodeId) -> NodeId {
-        if function.name() == "powf"
-            && let Some(exponent) = self.as_constant(b)
-            && (2.0 * exponent).fract() == 0.0
-            && exponent.abs() <= 64.0
-        {
-            return self.power(a, (2.0 * exponent) as i32);
+        let (first, second) = (self.as_constant(a), self.as_constant(b));
+        if let (Rule::Binary(value, _), Some(a), Some(b)) = (function.row().rule, first, second) {
+            return self.constant(value(a, b));
         }
-        self.intern(Node::Binary(function, a, b))
+        match second {
+            Some(exponent) if function.name() == "powf" && is_half_whole(exponent) => {
+                self.power(a, (2.0 * exponent) as i32)
+            }
+            _ => self.intern(Node::Binary(function, a, b)),
+        }
     }
 
     /// The sum of `body` over a loop; of what does not depend on the index, the number of turns times it.
@@ -222,7 +228,7 @@ impl Graph {
     /// The derivative of a function of one argument, if it is not zero.
     pub(crate) fn slope(&mut self, function: Function, x: NodeId, y: NodeId) -> Option<NodeId> {
         match function.row().rule {
-            Rule::Unary(_, slope, _) => slope.map(|slope| slope(self, x, y)),
+            Rule::Unary(_, slope) => slope.map(|slope| slope(self, x, y)),
             Rule::Binary(..) => None,
         }
     }
@@ -230,7 +236,7 @@ impl Graph {
     /// The derivatives of a function of two arguments.
     pub(crate) fn slopes(&mut self, function: Function, a: NodeId, b: NodeId, y: NodeId) -> [Option<NodeId>; 2] {
         match function.row().rule {
-            Rule::Binary(_, slopes, _) => slopes(self, a, b, y).map(Some),
+            Rule::Binary(_, slopes) => slopes(self, a, b, y).map(Some),
             Rule::Unary(..) => [None, None],
         }
     }
@@ -370,8 +376,212 @@ impl Graph {
     }
 }
 
+/// Whether a power is a product of factors and roots, few enough to be written out.
+fn is_half_whole(exponent: f64) -> bool {
+    (2.0 * exponent).fract() == 0.0 && exponent.abs() <= 64.0
+}
+
 /// `a / b`, if it is a number without rounding.
 fn exact_quotient(a: f64, b: f64) -> Option<f64> {
     let quotient = a / b;
     (quotient.is_finite() && (-quotient).mul_add(b, a) == 0.0).then_some(quotient)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::graph::{Part, evaluate::Point};
+
+    fn coordinates(graph: &mut Graph) -> [NodeId; 3] {
+        [0, 1, 2].map(|position| {
+            let index = graph.loops.intern(Index::Literal(position));
+            graph.coordinate(Element { part: Part::Position, index, component: None })
+        })
+    }
+
+    type Build = fn(&mut Graph, [NodeId; 3]) -> NodeId;
+
+    /// What is built on the left is the very node on the right.
+    const REWRITES: &[(&str, Build, Build)] = &[
+        (
+            "--x == x",
+            |g, [x, ..]| {
+                let n = g.neg(x);
+                g.neg(n)
+            },
+            |_, [x, ..]| x,
+        ),
+        ("x + y == y + x", |g, [x, y, _]| g.add(y, x), |g, [x, y, _]| g.add(x, y)),
+        ("x y == y x", |g, [x, y, _]| g.mul(y, x), |g, [x, y, _]| g.mul(x, y)),
+        (
+            "x + x == 2 x",
+            |g, [x, ..]| g.add(x, x),
+            |g, [x, ..]| {
+                let two = g.constant(2.0);
+                g.mul(two, x)
+            },
+        ),
+        (
+            "x + 0 == x",
+            |g, [x, ..]| {
+                let zero = g.constant(0.0);
+                g.add(x, zero)
+            },
+            |_, [x, ..]| x,
+        ),
+        (
+            "x 1 == x",
+            |g, [x, ..]| {
+                let one = g.constant(1.0);
+                g.mul(x, one)
+            },
+            |_, [x, ..]| x,
+        ),
+        (
+            "(-x) y == -(x y)",
+            |g, [x, y, _]| {
+                let n = g.neg(x);
+                g.mul(n, y)
+            },
+            |g, [x, y, _]| {
+                let m = g.mul(x, y);
+                g.neg(m)
+            },
+        ),
+        ("x x == x^2", |g, [x, ..]| g.mul(x, x), |g, [x, ..]| g.power(x, 4)),
+        (
+            "x^2 x == x^3",
+            |g, [x, ..]| {
+                let s = g.power(x, 4);
+                g.mul(s, x)
+            },
+            |g, [x, ..]| g.power(x, 6),
+        ),
+        (
+            "(-x)^2 == x^2",
+            |g, [x, ..]| {
+                let n = g.neg(x);
+                g.power(n, 4)
+            },
+            |g, [x, ..]| g.power(x, 4),
+        ),
+        (
+            "3 x / 3 == x",
+            |g, [x, ..]| {
+                let three = g.constant(3.0);
+                let m = g.mul(three, x);
+                g.div(m, three)
+            },
+            |_, [x, ..]| x,
+        ),
+        (
+            "3 (x / 3) == x",
+            |g, [x, ..]| {
+                let three = g.constant(3.0);
+                let d = g.div(x, three);
+                g.mul(three, d)
+            },
+            |_, [x, ..]| x,
+        ),
+        (
+            "(2 x)(y/2) == x y",
+            |g, [x, y, _]| {
+                let two = g.constant(2.0);
+                let (a, b) = (g.mul(two, x), g.div(y, two));
+                g.mul(a, b)
+            },
+            |g, [x, y, _]| g.mul(x, y),
+        ),
+    ];
+
+    #[test]
+    fn rewrites_lead_to_one_node() {
+        for (name, left, right) in REWRITES {
+            let mut graph = Graph::default();
+            let at = coordinates(&mut graph);
+            let (left, right) = (left(&mut graph, at), right(&mut graph, at));
+            assert_eq!(graph.node(left), graph.node(right), "{name}");
+        }
+    }
+
+    /// What is not finite stays not finite: evaluated at a point where the user's formula has no value.
+    const NOT_HIDDEN: &[(&str, Build, f64)] = &[
+        ("x - x", |g, [x, ..]| g.sub(x, x), f64::INFINITY),
+        (
+            "0 x",
+            |g, [x, ..]| {
+                let zero = g.constant(0.0);
+                g.mul(zero, x)
+            },
+            f64::INFINITY,
+        ),
+        ("x / x", |g, [x, ..]| g.div(x, x), 0.0),
+        (
+            "sqrt(x) sqrt(x)",
+            |g, [x, ..]| {
+                let root = g.power(x, 1);
+                g.mul(root, root)
+            },
+            -1.0,
+        ),
+        (
+            "sqrt(x)^2",
+            |g, [x, ..]| {
+                let root = g.power(x, 1);
+                g.power(root, 4)
+            },
+            -1.0,
+        ),
+        (
+            "x^2 / x",
+            |g, [x, ..]| {
+                let square = g.power(x, 4);
+                g.div(square, x)
+            },
+            0.0,
+        ),
+    ];
+
+    #[test]
+    fn nothing_hides_a_nan() {
+        for (name, build, at) in NOT_HIDDEN {
+            let mut graph = Graph::default();
+            let coordinates = coordinates(&mut graph);
+            let node = build(&mut graph, coordinates);
+            let value = Point::new(&[*at, 1.0, 1.0], &[]).value(&graph, node);
+            assert!(value.is_nan(), "{name} at {at} is {value}");
+        }
+    }
+
+    #[test]
+    fn a_root_is_undone_under_a_sum_of_squares() {
+        let mut graph = Graph::default();
+        let [x, y, _] = coordinates(&mut graph);
+        let (xx, yy) = (graph.power(x, 4), graph.power(y, 4));
+        let square = graph.add(xx, yy);
+        let root = graph.power(square, 1);
+        assert_eq!(graph.mul(root, root), square);
+        let (inverse, cube) = (graph.power(square, -1), graph.power(square, -2));
+        let product = graph.mul(inverse, cube);
+        assert_eq!(graph.node(product), Node::Power(square, -3));
+    }
+
+    #[test]
+    fn numbers_and_parameters_gather_at_the_left() {
+        let mut graph = Graph::default();
+        let [x, y, _] = coordinates(&mut graph);
+        let k = graph.parameter(ParameterId(0));
+        let two = graph.constant(2.0);
+        let product = graph.mul(x, y);
+        let scaled = graph.mul(product, k);
+        let doubled = graph.mul(scaled, two);
+        let Node::Mul(left, _) = graph.node(doubled) else { panic!("a product") };
+        let Node::Mul(coefficient, _) = graph.node(left) else { panic!("a product") };
+        assert!(graph.is_prepared(coefficient), "2 k is computed once per run");
+        let update = graph.stepped(doubled);
+        let Node::Mul(left, _) = graph.node(update) else { panic!("a product") };
+        let Node::Mul(stepped, _) = graph.node(left) else { panic!("a product") };
+        let step = graph.step();
+        assert_eq!(graph.node(stepped), Node::Mul(step, coefficient));
+    }
 }

@@ -11,13 +11,13 @@ type Slope = fn(graph: &mut Graph, x: NodeId, y: NodeId) -> NodeId;
 /// How the two partial derivatives of a function of two arguments are built from the arguments and the value.
 type Slopes = fn(graph: &mut Graph, a: NodeId, b: NodeId, y: NodeId) -> [NodeId; 2];
 
-/// What a function does to one or two arguments.
+/// What a function does to one or two arguments: the value, and the derivative.
 #[derive(Clone, Copy)]
 pub(crate) enum Rule {
-    /// One argument: value, derivative (`None` where it is zero wherever it exists), and the interval tests draw from.
-    Unary(fn(f64) -> f64, Option<Slope>, [f64; 2]),
-    /// Two arguments: value, derivatives, and the interval tests draw both arguments from.
-    Binary(fn(f64, f64) -> f64, Slopes, [f64; 2]),
+    /// One argument; no derivative where it is zero wherever it exists.
+    Unary(fn(f64) -> f64, Option<Slope>),
+    /// Two arguments.
+    Binary(fn(f64, f64) -> f64, Slopes),
 }
 
 /// A row of the table.
@@ -27,12 +27,12 @@ pub(crate) struct Row {
     pub(crate) rule: Rule,
 }
 
-const fn unary(name: &'static str, value: fn(f64) -> f64, slope: Slope, domain: [f64; 2]) -> Row {
-    Row { name, rule: Rule::Unary(value, Some(slope), domain) }
+const fn unary(name: &'static str, value: fn(f64) -> f64, slope: Slope) -> Row {
+    Row { name, rule: Rule::Unary(value, Some(slope)) }
 }
 
-const fn binary(name: &'static str, value: fn(f64, f64) -> f64, slopes: Slopes, domain: [f64; 2]) -> Row {
-    Row { name, rule: Rule::Binary(value, slopes, domain) }
+const fn binary(name: &'static str, value: fn(f64, f64) -> f64, slopes: Slopes) -> Row {
+    Row { name, rule: Rule::Binary(value, slopes) }
 }
 
 /// `1 / g`
@@ -61,152 +61,82 @@ fn scaled_reciprocal(graph: &mut Graph, x: NodeId, scale: f64) -> NodeId {
 ///
 /// Derivatives avoid cancellation: `tanh'` is `1/cosh²`, not `1 - tanh²`; `asin'` has `(1-x)(1+x)` under its root.
 pub(crate) const TABLE: &[Row] = &[
-    unary("sin", f64::sin, |g, x, _| g.call("cos", x), [-9.0, 9.0]),
-    unary(
-        "cos",
-        f64::cos,
-        |g, x, _| {
-            let sine = g.call("sin", x);
-            g.neg(sine)
-        },
-        [-9.0, 9.0],
-    ),
-    unary("tan", f64::tan, |g, _, y| one_plus_square(g, y), [-1.4, 1.4]),
-    unary(
-        "asin",
-        f64::asin,
-        |g, x, _| {
-            let square = one_minus_square(g, x);
-            g.power(square, -1)
-        },
-        [-0.9, 0.9],
-    ),
-    unary(
-        "acos",
-        f64::acos,
-        |g, x, _| {
-            let square = one_minus_square(g, x);
-            let slope = g.power(square, -1);
-            g.neg(slope)
-        },
-        [-0.9, 0.9],
-    ),
-    unary(
-        "atan",
-        f64::atan,
-        |g, x, _| {
-            let square = one_plus_square(g, x);
-            over(g, square)
-        },
-        [-9.0, 9.0],
-    ),
-    unary("sinh", f64::sinh, |g, x, _| g.call("cosh", x), [-3.0, 3.0]),
-    unary("cosh", f64::cosh, |g, x, _| g.call("sinh", x), [-3.0, 3.0]),
-    unary(
-        "tanh",
-        f64::tanh,
-        |g, x, _| {
-            let cosine = g.call("cosh", x);
-            g.power(cosine, -4)
-        },
-        [-3.0, 3.0],
-    ),
-    unary(
-        "asinh",
-        f64::asinh,
-        |g, x, _| {
-            let square = one_plus_square(g, x);
-            g.power(square, -1)
-        },
-        [-9.0, 9.0],
-    ),
-    unary(
-        "acosh",
-        f64::acosh,
-        |g, x, _| {
-            let one = g.constant(1.0);
-            let (minus, plus) = (g.sub(x, one), g.add(x, one));
-            let square = g.mul(minus, plus);
-            g.power(square, -1)
-        },
-        [1.1, 9.0],
-    ),
-    unary(
-        "atanh",
-        f64::atanh,
-        |g, x, _| {
-            let square = one_minus_square(g, x);
-            over(g, square)
-        },
-        [-0.9, 0.9],
-    ),
-    unary("exp", f64::exp, |_, _, y| y, [-3.0, 3.0]),
-    unary(
-        "exp2",
-        f64::exp2,
-        |g, _, y| {
-            let scale = g.constant(std::f64::consts::LN_2);
-            g.mul(scale, y)
-        },
-        [-3.0, 3.0],
-    ),
-    unary("exp_m1", f64::exp_m1, |g, x, _| g.call("exp", x), [-3.0, 3.0]),
-    unary("ln", f64::ln, |g, x, _| over(g, x), [0.1, 9.0]),
-    unary(
-        "ln_1p",
-        f64::ln_1p,
-        |g, x, _| {
-            let one = g.constant(1.0);
-            let shifted = g.add(x, one);
-            over(g, shifted)
-        },
-        [-0.9, 9.0],
-    ),
-    unary("log2", f64::log2, |g, x, _| scaled_reciprocal(g, x, std::f64::consts::LOG2_E), [0.1, 9.0]),
-    unary("log10", f64::log10, |g, x, _| scaled_reciprocal(g, x, std::f64::consts::LOG10_E), [0.1, 9.0]),
-    unary(
-        "cbrt",
-        f64::cbrt,
-        |g, _, y| {
-            let (square, three) = (g.power(y, -4), g.constant(3.0));
-            g.div(square, three)
-        },
-        [0.1, 9.0],
-    ),
-    unary("abs", f64::abs, |g, x, _| g.call("signum", x), [0.1, 9.0]),
-    Row { name: "signum", rule: Rule::Unary(f64::signum, None, [0.1, 9.0]) },
-    binary(
-        "powf",
-        f64::powf,
-        |g, a, b, y| {
-            let one = g.constant(1.0);
-            let (less, logarithm) = (g.sub(b, one), g.call("ln", a));
-            let lowered = g.call_two("powf", a, less);
-            [g.mul(b, lowered), g.mul(y, logarithm)]
-        },
-        [0.2, 4.0],
-    ),
-    binary(
-        "atan2",
-        f64::atan2,
-        |g, a, b, _| {
-            let (aa, bb) = (g.power(a, 4), g.power(b, 4));
-            let square = g.add(aa, bb);
-            let scale = over(g, square);
-            let along = g.mul(scale, a);
-            [g.mul(scale, b), g.neg(along)]
-        },
-        [-4.0, -0.5],
-    ),
-    binary(
-        "hypot",
-        f64::hypot,
-        |g, a, b, y| {
-            let scale = over(g, y);
-            [g.mul(scale, a), g.mul(scale, b)]
-        },
-        [0.2, 4.0],
-    ),
+    unary("sin", f64::sin, |g, x, _| g.call("cos", x)),
+    unary("cos", f64::cos, |g, x, _| {
+        let sine = g.call("sin", x);
+        g.neg(sine)
+    }),
+    unary("tan", f64::tan, |g, _, y| one_plus_square(g, y)),
+    unary("asin", f64::asin, |g, x, _| {
+        let square = one_minus_square(g, x);
+        g.power(square, -1)
+    }),
+    unary("acos", f64::acos, |g, x, _| {
+        let square = one_minus_square(g, x);
+        let slope = g.power(square, -1);
+        g.neg(slope)
+    }),
+    unary("atan", f64::atan, |g, x, _| {
+        let square = one_plus_square(g, x);
+        over(g, square)
+    }),
+    unary("sinh", f64::sinh, |g, x, _| g.call("cosh", x)),
+    unary("cosh", f64::cosh, |g, x, _| g.call("sinh", x)),
+    unary("tanh", f64::tanh, |g, x, _| {
+        let cosine = g.call("cosh", x);
+        g.power(cosine, -4)
+    }),
+    unary("asinh", f64::asinh, |g, x, _| {
+        let square = one_plus_square(g, x);
+        g.power(square, -1)
+    }),
+    unary("acosh", f64::acosh, |g, x, _| {
+        let one = g.constant(1.0);
+        let (minus, plus) = (g.sub(x, one), g.add(x, one));
+        let square = g.mul(minus, plus);
+        g.power(square, -1)
+    }),
+    unary("atanh", f64::atanh, |g, x, _| {
+        let square = one_minus_square(g, x);
+        over(g, square)
+    }),
+    unary("exp", f64::exp, |_, _, y| y),
+    unary("exp2", f64::exp2, |g, _, y| {
+        let scale = g.constant(std::f64::consts::LN_2);
+        g.mul(scale, y)
+    }),
+    unary("exp_m1", f64::exp_m1, |g, x, _| g.call("exp", x)),
+    unary("ln", f64::ln, |g, x, _| over(g, x)),
+    unary("ln_1p", f64::ln_1p, |g, x, _| {
+        let one = g.constant(1.0);
+        let shifted = g.add(x, one);
+        over(g, shifted)
+    }),
+    unary("log2", f64::log2, |g, x, _| scaled_reciprocal(g, x, std::f64::consts::LOG2_E)),
+    unary("log10", f64::log10, |g, x, _| scaled_reciprocal(g, x, std::f64::consts::LOG10_E)),
+    unary("cbrt", f64::cbrt, |g, _, y| {
+        let (square, three) = (g.power(y, -4), g.constant(3.0));
+        g.div(square, three)
+    }),
+    unary("abs", f64::abs, |g, x, _| g.call("signum", x)),
+    Row { name: "signum", rule: Rule::Unary(f64::signum, None) },
+    binary("powf", f64::powf, |g, a, b, y| {
+        let one = g.constant(1.0);
+        let (less, logarithm) = (g.sub(b, one), g.call("ln", a));
+        let lowered = g.call_two("powf", a, less);
+        [g.mul(b, lowered), g.mul(y, logarithm)]
+    }),
+    binary("atan2", f64::atan2, |g, a, b, _| {
+        let (aa, bb) = (g.power(a, 4), g.power(b, 4));
+        let square = g.add(aa, bb);
+        let scale = over(g, square);
+        let along = g.mul(scale, a);
+        [g.mul(scale, b), g.neg(along)]
+    }),
+    binary("hypot", f64::hypot, |g, a, b, y| {
+        let scale = over(g, y);
+        [g.mul(scale, a), g.mul(scale, b)]
+    }),
 ];
 
 impl Function {
@@ -221,5 +151,107 @@ impl Function {
 
     pub(crate) fn name(self) -> &'static str {
         self.row().name
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::graph::{Element, Part, evaluate::Point, index::Index};
+
+    /// Where the arguments of each function are drawn from: inside its domain, on both sides of zero where it has both.
+    const DOMAINS: &[(&str, [f64; 2])] = &[
+        ("sin", [-9.0, 9.0]),
+        ("cos", [-9.0, 9.0]),
+        ("tan", [-1.4, 1.4]),
+        ("asin", [-0.9, 0.9]),
+        ("acos", [-0.9, 0.9]),
+        ("atan", [-9.0, 9.0]),
+        ("sinh", [-3.0, 3.0]),
+        ("cosh", [-3.0, 3.0]),
+        ("tanh", [-3.0, 3.0]),
+        ("asinh", [-9.0, 9.0]),
+        ("acosh", [1.1, 9.0]),
+        ("atanh", [-0.9, 0.9]),
+        ("exp", [-3.0, 3.0]),
+        ("exp2", [-3.0, 3.0]),
+        ("exp_m1", [-3.0, 3.0]),
+        ("ln", [0.1, 9.0]),
+        ("ln_1p", [-0.9, 9.0]),
+        ("log2", [0.1, 9.0]),
+        ("log10", [0.1, 9.0]),
+        ("cbrt", [0.1, 9.0]),
+        ("abs", [0.1, 9.0]),
+        ("powf", [0.2, 4.0]),
+        ("atan2", [-4.0, -0.5]),
+        ("hypot", [0.2, 4.0]),
+        ("signum", [0.1, 9.0]),
+    ];
+
+    /// The argument at which a test evaluates, one of nine in the interval.
+    fn argument([low, high]: [f64; 2], position: usize) -> f64 {
+        low + (high - low) * (position as f64 + 0.37) / 9.0
+    }
+
+    fn coordinate(graph: &mut Graph, position: u64) -> NodeId {
+        let index = graph.loops.intern(Index::Literal(position));
+        graph.coordinate(Element { part: Part::Position, index, component: None })
+    }
+
+    /// A derivative from differences that are symmetric and extrapolated once (Richardson): with h = 1e-3 its own error
+    /// is of the size h^4 = 1e-12 times a fifth derivative, and eps/h = 2e-13 from rounding.
+    fn difference(f: impl Fn(f64) -> f64, x: f64) -> f64 {
+        let central = |h: f64| (f(x + h) - f(x - h)) / (2.0 * h);
+        (4.0 * central(5e-4) - central(1e-3)) / 3.0
+    }
+
+    #[test]
+    fn every_row_has_a_domain_and_the_derivative_of_its_value() {
+        for row in TABLE {
+            let domain = DOMAINS.iter().find(|(name, _)| *name == row.name).map(|(_, domain)| *domain);
+            let domain = domain.unwrap_or_else(|| panic!("`{}` has no domain to be tested on", row.name));
+            for position in 0..9 {
+                let (x, y) = (argument(domain, position), argument(domain, (position + 4) % 9));
+                let mut graph = Graph::default();
+                let (a, b) = (coordinate(&mut graph, 0), coordinate(&mut graph, 1));
+                let (slopes, expected) = match row.rule {
+                    Rule::Unary(value, _) => {
+                        let call = graph.call(row.name, a);
+                        let function = Function::named(row.name).expect("a row");
+                        (vec![graph.slope(function, a, call)], vec![difference(value, x)])
+                    }
+                    Rule::Binary(value, _) => {
+                        let call = graph.call_two(row.name, a, b);
+                        let function = Function::named(row.name).expect("a row");
+                        let by = [difference(|x| value(x, y), x), difference(|y| value(x, y), y)];
+                        (graph.slopes(function, a, b, call).to_vec(), by.to_vec())
+                    }
+                };
+                for (slope, expected) in slopes.into_iter().zip(expected) {
+                    let slope = slope.map_or(0.0, |slope| Point::new(&[x, y], &[]).value(&graph, slope));
+                    // The differences are good to 1e-9 of the largest derivatives met here, of which some are about 100.
+                    let bound = 1e-7 * (1.0 + expected.abs());
+                    assert!((slope - expected).abs() < bound, "{}' at {x}, {y}: {slope} for {expected}", row.name);
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn a_wrong_derivative_would_be_seen() {
+        assert!((difference(f64::sin, 1.0) - 1.0_f64.sin()).abs() > 0.1);
+        assert!((difference(f64::sin, 1.0) - 1.0_f64.cos()).abs() < 1e-9);
+    }
+
+    #[test]
+    fn tanh_keeps_its_digits_where_it_is_flat() {
+        let mut graph = Graph::default();
+        let x = coordinate(&mut graph, 0);
+        let tanh = graph.call("tanh", x);
+        let slope = graph.slope(Function::named("tanh").expect("a row"), x, tanh).expect("a slope");
+        // 1/cosh²(20) = 4 e^-40 (1 - 2e^-40 + ...)
+        let expected = 4.0 * (-40.0_f64).exp();
+        let value = Point::new(&[20.0], &[]).value(&graph, slope);
+        assert!((value / expected - 1.0).abs() < 1e-14, "{value} for {expected}");
     }
 }

@@ -6,6 +6,8 @@
 //! everywhere. The arena knows neither syntax nor spans.
 
 mod algebra;
+#[cfg(test)]
+pub(crate) mod evaluate;
 pub(crate) mod function;
 pub(crate) mod index;
 mod polynomial;

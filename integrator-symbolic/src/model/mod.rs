@@ -29,8 +29,6 @@ use value::{Value, View};
 pub(crate) struct Parameter {
     /// The user's own expression.
     pub(crate) text: TokenStream,
-    /// Whether it is an integer: a bound or an index.
-    pub(crate) integer: bool,
 }
 
 /// A Hamiltonian that is known to make sense.
@@ -219,7 +217,7 @@ impl<'i> Reader<'i> {
             return *id;
         }
         let id = ParameterId(self.parameters.len() as u32);
-        self.parameters.push(Parameter { text, integer });
+        self.parameters.push(Parameter { text });
         self.parameter_ids.insert(key, id);
         self.graph.loops.declare_parameter(id, loops);
         id

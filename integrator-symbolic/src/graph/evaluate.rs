@@ -1,0 +1,95 @@
+//! The arena as numbers, for tests: an interpreter that shares nothing with the code that is written.
+
+use super::{
+    Element, Graph, Node, NodeId, Part,
+    function::Rule,
+    index::{Index, IndexId, LoopId},
+};
+use std::collections::HashMap;
+
+/// Where expressions are evaluated.
+pub(crate) struct Point<'p> {
+    pub(crate) q: &'p [f64],
+    pub(crate) p: &'p [f64],
+    /// The values of parameters, by their ids.
+    pub(crate) parameters: &'p [f64],
+    /// The running indices of the loops around.
+    pub(crate) running: HashMap<LoopId, u64>,
+}
+
+impl<'p> Point<'p> {
+    pub(crate) fn new(q: &'p [f64], p: &'p [f64]) -> Self {
+        Self { q, p, parameters: &[], running: HashMap::new() }
+    }
+
+    /// All turns of the loops of `context`, outermost first.
+    pub(crate) fn turns(&mut self, graph: &Graph, context: &[LoopId], body: &mut dyn FnMut(&mut Self)) {
+        let Some((by, inner)) = context.split_first() else { return body(self) };
+        let range = graph.loops.get(*by);
+        // A sum that the loop's body mentions may run over the same range: it has an index of its own.
+        let around = self.running.get(by).copied();
+        for turn in self.index(graph, range.from)..self.index(graph, range.to) {
+            self.running.insert(*by, turn);
+            self.turns(graph, inner, body);
+        }
+        match around {
+            Some(turn) => self.running.insert(*by, turn),
+            None => self.running.remove(by),
+        };
+    }
+
+    pub(crate) fn index(&self, graph: &Graph, id: IndexId) -> u64 {
+        match graph.loops.index(id) {
+            Index::Literal(value) => value,
+            Index::Running(by) => self.running[&by],
+            Index::Parameter(id) => self.parameters[id.0 as usize] as u64,
+            Index::Add(a, b) => self.index(graph, a) + self.index(graph, b),
+            Index::Sub(a, b) => self.index(graph, a) - self.index(graph, b),
+            Index::Mul(a, b) => self.index(graph, a) * self.index(graph, b),
+            Index::Div(a, b) => self.index(graph, a) / self.index(graph, b),
+            Index::Rem(a, b) => self.index(graph, a) % self.index(graph, b),
+        }
+    }
+
+    pub(crate) fn coordinate(&self, graph: &Graph, element: Element) -> f64 {
+        let values = match element.part {
+            Part::Position => self.q,
+            Part::Momentum => self.p,
+        };
+        values[self.index(graph, element.index) as usize]
+    }
+
+    pub(crate) fn value(&mut self, graph: &Graph, id: NodeId) -> f64 {
+        match graph.node(id) {
+            Node::Constant(bits) => f64::from_bits(bits),
+            Node::Parameter(id) => self.parameters[id.0 as usize],
+            Node::Coordinate(element) => self.coordinate(graph, element),
+            Node::Time | Node::Step => 1.0,
+            Node::FromIndex(index) => self.index(graph, index) as f64,
+            Node::Neg(a) => -self.value(graph, a),
+            Node::Add(a, b) => self.value(graph, a) + self.value(graph, b),
+            Node::Mul(a, b) => self.value(graph, a) * self.value(graph, b),
+            Node::Div(a, b) => self.value(graph, a) / self.value(graph, b),
+            Node::Power(a, halves) => self.value(graph, a).powf(f64::from(halves) / 2.0),
+            Node::Unary(function, a) => {
+                let a = self.value(graph, a);
+                match function.row().rule {
+                    Rule::Unary(value, _) => value(a),
+                    Rule::Binary(..) => unreachable!("{} takes two arguments", function.name()),
+                }
+            }
+            Node::Binary(function, a, b) => {
+                let (a, b) = (self.value(graph, a), self.value(graph, b));
+                match function.row().rule {
+                    Rule::Binary(value, _) => value(a, b),
+                    Rule::Unary(..) => unreachable!("{} takes one argument", function.name()),
+                }
+            }
+            Node::Sum(by, body) => {
+                let mut sum = 0.0;
+                self.turns(graph, &[by], &mut |point| sum += point.value(graph, body));
+                sum
+            }
+        }
+    }
+}
