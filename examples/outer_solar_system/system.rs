@@ -1,0 +1,65 @@
+//! Six bodies that attract each other, and the measurements they start from.
+
+use integrator_core::prelude::*;
+
+/// The gravitational constant, in astronomical units, solar masses and days.
+const GRAVITY: f64 = 2.95912208286e-4;
+
+/// A coordinate or a momentum of each body, `[body][axis]`.
+pub type Bodies = [[f64; 3]; 6];
+
+/// The Sun with the inner planets, Jupiter, Saturn, Uranus, Neptune and Pluto.
+pub struct OuterSolarSystem {
+    /// Solar masses.
+    pub masses: [f64; 6],
+}
+
+#[hamiltonian(compose = Yoshida4)]
+impl OuterSolarSystem {
+    /// `Σ |pᵢ|² / 2mᵢ`
+    pub fn kinetic(&self, p: &[[f64; 3]; 6]) -> f64 {
+        let mut energy = 0.0;
+        for i in 0..6 {
+            energy += (p[i][0].powi(2) + p[i][1].powi(2) + p[i][2].powi(2)) / (2.0 * self.masses[i]);
+        }
+        energy
+    }
+
+    /// `-Σ G mᵢ mⱼ / |qᵢ - qⱼ|` over all pairs
+    pub fn potential(&self, q: &[[f64; 3]; 6]) -> f64 {
+        let mut energy = 0.0;
+        for i in 0..6 {
+            for j in 0..i {
+                let [x, y, z] = [q[i][0] - q[j][0], q[i][1] - q[j][1], q[i][2] - q[j][2]];
+                energy -= GRAVITY * self.masses[i] * self.masses[j] / (x * x + y * y + z * z).sqrt();
+            }
+        }
+        energy
+    }
+}
+
+/// The system and its state on 5 September 1994. The table holds velocities; momenta are these times the mass.
+pub fn measured() -> Result<(OuterSolarSystem, Phase<Bodies>), csv::Error> {
+    let table = include_str!("../data/outer_solar_system.csv");
+    let mut reader = csv::ReaderBuilder::new().comment(Some(b'#')).from_reader(table.as_bytes());
+    let mut system = OuterSolarSystem { masses: [0.0; 6] };
+    let mut start = Phase::new([[0.0; 3]; 6], [[0.0; 3]; 6]);
+    for (i, row) in reader.deserialize().enumerate() {
+        let (_name, mass, position, velocity): (String, f64, [f64; 3], [f64; 3]) = row?;
+        system.masses[i] = mass;
+        start.q[i] = position;
+        start.p[i] = velocity.map(|v| mass * v);
+    }
+    Ok((system, start))
+}
+
+/// `Σ qᵢ × pᵢ`
+pub fn angular_momentum(state: &Phase<Bodies>) -> [f64; 3] {
+    let mut sum = [0.0; 3];
+    for ([x, y, z], [px, py, pz]) in state.q.iter().zip(&state.p) {
+        sum[0] += y * pz - z * py;
+        sum[1] += z * px - x * pz;
+        sum[2] += x * py - y * px;
+    }
+    sum
+}
