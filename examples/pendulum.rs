@@ -1,8 +1,8 @@
 //! A pendulum from two plain functions: the equations of motion are never written down.
 //!
 //! Printed: angle, angular momentum and the change of the energy along a swing of large amplitude, then the certificate
-//! of the stepper. Look at the last column: it oscillates and comes back, however long the run; and at the second-last
-//! line of the table, a million steps later, which was as easy to reach as the first.
+//! of the stepper. Look at the last column: it oscillates and comes back, and a million steps later, in the last row, it
+//! is as small as in the first swing.
 
 use integrator_core::prelude::*;
 

@@ -9,7 +9,7 @@ mod system;
 use indicatif::ProgressBar;
 use integrator_core::prelude::*;
 use std::{error::Error, time::Instant};
-use system::{Bodies, OuterSolarSystem, angular_momentum, measured};
+use system::{Bodies, angular_momentum, measured, norm, reference, relative};
 
 const DAYS: f64 = 999_999.0;
 const STEPS: u64 = 1 << 18;
@@ -17,30 +17,14 @@ const STEPS: u64 = 1 << 18;
 const LOOK: u64 = 64;
 const ROW: u64 = 256;
 
-fn norm(x: &[f64]) -> f64 {
-    x.iter().map(|x| x * x).sum::<f64>().sqrt()
-}
-
-fn relative(x: &[f64], reference: &[f64]) -> f64 {
-    let difference: Vec<f64> = x.iter().zip(reference).map(|(x, reference)| x - reference).collect();
-    norm(&difference) / norm(reference)
-}
-
 /// The distances of five planets from the Sun.
 fn distances(q: &Bodies) -> String {
     q[1..].iter().map(|planet| format!("{:9.3}", norm(&[0, 1, 2].map(|axis| planet[axis] - q[0][axis])))).collect()
 }
 
-/// The positions that 113-bit arithmetic ends at.
-fn reference() -> Result<Vec<f64>, serde_json::Error> {
-    let problems: serde_json::Value = serde_json::from_str(include_str!("../data/problems.json"))?;
-    let state: Vec<f64> = serde_json::from_value(problems["problems"]["solar"]["reference"]["z"].clone())?;
-    Ok(state[..18].to_vec())
-}
-
 fn main() -> Result<(), Box<dyn Error>> {
     let clock = Instant::now();
-    let (system, start): (OuterSolarSystem, _) = measured()?;
+    let (system, start) = measured()?;
     let h = DAYS / STEPS as f64;
     let run = system.run(start, h)?;
     let (energy, momentum) = (run.energy(), angular_momentum(&start));

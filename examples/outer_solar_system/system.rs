@@ -1,23 +1,23 @@
-//! Six bodies that attract each other, and the measurements they start from.
+//! Six bodies that attract each other, where they start from, and where they are 999,999 days later.
 
 use integrator_core::prelude::*;
 
 /// The gravitational constant, in astronomical units, solar masses and days.
 const GRAVITY: f64 = 2.95912208286e-4;
 
-/// A coordinate or a momentum of each body, `[body][axis]`.
-pub type Bodies = [[f64; 3]; 6];
+/// A position or a momentum of each body, `[body][axis]`.
+pub(crate) type Bodies = [[f64; 3]; 6];
 
 /// The Sun with the inner planets, Jupiter, Saturn, Uranus, Neptune and Pluto.
-pub struct OuterSolarSystem {
-    /// Solar masses.
-    pub masses: [f64; 6],
+pub(crate) struct OuterSolarSystem {
+    /// In solar masses.
+    pub(crate) masses: [f64; 6],
 }
 
 #[hamiltonian(compose = Yoshida4)]
 impl OuterSolarSystem {
     /// `Σ |pᵢ|² / 2mᵢ`
-    pub fn kinetic(&self, p: &[[f64; 3]; 6]) -> f64 {
+    fn kinetic(&self, p: &[[f64; 3]; 6]) -> f64 {
         let mut energy = 0.0;
         for i in 0..6 {
             energy += (p[i][0].powi(2) + p[i][1].powi(2) + p[i][2].powi(2)) / (2.0 * self.masses[i]);
@@ -26,7 +26,7 @@ impl OuterSolarSystem {
     }
 
     /// `-Σ G mᵢ mⱼ / |qᵢ - qⱼ|` over all pairs
-    pub fn potential(&self, q: &[[f64; 3]; 6]) -> f64 {
+    fn potential(&self, q: &[[f64; 3]; 6]) -> f64 {
         let mut energy = 0.0;
         for i in 0..6 {
             for j in 0..i {
@@ -39,7 +39,7 @@ impl OuterSolarSystem {
 }
 
 /// The system and its state on 5 September 1994. The table holds velocities; momenta are these times the mass.
-pub fn measured() -> Result<(OuterSolarSystem, Phase<Bodies>), csv::Error> {
+pub(crate) fn measured() -> Result<(OuterSolarSystem, Phase<Bodies>), csv::Error> {
     let table = include_str!("../data/outer_solar_system.csv");
     let mut reader = csv::ReaderBuilder::new().comment(Some(b'#')).from_reader(table.as_bytes());
     let mut system = OuterSolarSystem { masses: [0.0; 6] };
@@ -53,8 +53,15 @@ pub fn measured() -> Result<(OuterSolarSystem, Phase<Bodies>), csv::Error> {
     Ok((system, start))
 }
 
+/// The positions 999,999 days later, flattened, as 113-bit arithmetic finds them.
+pub(crate) fn reference() -> Result<Vec<f64>, serde_json::Error> {
+    let problems: serde_json::Value = serde_json::from_str(include_str!("../data/problems.json"))?;
+    let state: Vec<f64> = serde_json::from_value(problems["problems"]["solar"]["reference"]["z"].clone())?;
+    Ok(state[..18].to_vec())
+}
+
 /// `Σ qᵢ × pᵢ`
-pub fn angular_momentum(state: &Phase<Bodies>) -> [f64; 3] {
+pub(crate) fn angular_momentum(state: &Phase<Bodies>) -> [f64; 3] {
     let mut sum = [0.0; 3];
     for ([x, y, z], [px, py, pz]) in state.q.iter().zip(&state.p) {
         sum[0] += y * pz - z * py;
@@ -62,4 +69,14 @@ pub fn angular_momentum(state: &Phase<Bodies>) -> [f64; 3] {
         sum[2] += x * py - y * px;
     }
     sum
+}
+
+/// The distance of `x` from `reference`, in units of the length of the latter.
+pub(crate) fn relative(x: &[f64], reference: &[f64]) -> f64 {
+    let difference: Vec<f64> = x.iter().zip(reference).map(|(x, reference)| x - reference).collect();
+    norm(&difference) / norm(reference)
+}
+
+pub(crate) fn norm(x: &[f64]) -> f64 {
+    x.iter().map(|x| x * x).sum::<f64>().sqrt()
 }

@@ -1,0 +1,61 @@
+//! The outer solar system of the examples, held against its independent reference.
+
+#[path = "../examples/outer_solar_system/system.rs"]
+mod system;
+
+use integrator_core::prelude::*;
+use system::{angular_momentum, measured, norm, reference, relative};
+
+const DAYS: f64 = 999_999.0;
+const STEPS: u64 = 1 << 18;
+
+/// What is conserved stays, and the planets arrive where 113-bit arithmetic finds them.
+#[test]
+fn the_planets_arrive_at_the_reference() {
+    let (system, start) = measured().expect("the table of the examples");
+    let run = system.run(start, DAYS / STEPS as f64).expect("a run");
+    let (energy, momentum) = (run.energy(), angular_momentum(&start));
+    let (mut energy_error, mut momentum_error, mut end) = (0.0_f64, 0.0_f64, start);
+    for sample in run.samples(1024).take((STEPS / 1024 + 1) as usize) {
+        let sample = sample.expect("a finite state");
+        energy_error = energy_error.max(((sample.energy() - energy) / energy).abs());
+        momentum_error = momentum_error.max(relative(&angular_momentum(&sample.state), &momentum));
+        end = sample.state;
+    }
+    // Yoshida4 with steps of 3.8 days: the energy oscillates by 6e-11, and what this modulates of the frequencies moves
+    // Jupiter, the fastest, by 1e-7 in 230 revolutions. The limits leave room for other roundings, not for another order.
+    assert!(energy_error < 3e-10, "the energy changes by {energy_error:e}");
+    let position_error = relative(end.q.as_flattened(), &reference().expect("a reference"));
+    assert!(position_error < 1e-6, "the planets miss by {position_error:e}");
+    // Drifts and kicks conserve the angular momentum exactly; each of the two million flows rounds it by an ulp or so, at
+    // random, and the root of their number is 1400.
+    assert!(momentum_error < 1e-11, "the angular momentum changes by {momentum_error:e}");
+}
+
+#[test]
+fn the_stepper_is_certified() {
+    let (system, start) = measured().expect("the table of the examples");
+    let certificate = certify(&system, Yoshida4, start, DAYS / STEPS as f64).expect("a certificate");
+    assert!(certificate.symplectic_defect < 1e-12, "{certificate}");
+    assert!((3.9..4.1).contains(&certificate.observed_order), "{certificate}");
+}
+
+/// The table and the reference state the same measurements.
+#[test]
+fn the_two_files_agree() {
+    let (system, start) = measured().expect("the table of the examples");
+    let problems: serde_json::Value =
+        serde_json::from_str(include_str!("../examples/data/problems.json")).expect("JSON");
+    let numbers = |name: &str| -> Vec<f64> {
+        serde_json::from_value(problems["problems"]["solar"][name].clone()).expect("a list of numbers")
+    };
+    // The two files were written by different programs, each to 16 digits or more.
+    let same = |a: &[f64], b: &[f64]| a.len() == b.len() && relative(a, b) < 4.0 * f64::EPSILON;
+    let velocities: Vec<f64> = start.p.iter().zip(system.masses).flat_map(|(p, mass)| p.map(|p| p / mass)).collect();
+    assert!(same(&system.masses, &numbers("m")));
+    assert!(same(start.q.as_flattened(), &numbers("q")));
+    assert!(same(&velocities, &numbers("p")));
+    // Both are barycentric: the bodies together do not move.
+    let total = [0, 1, 2].map(|axis| start.p.iter().map(|p| p[axis]).sum::<f64>());
+    assert!(norm(&total) < 1e-12 * norm(start.p.as_flattened()), "{total:?}");
+}
