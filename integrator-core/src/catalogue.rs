@@ -1,7 +1,7 @@
 //! The compositions of this crate: declared by their coefficients, proved when the crate compiles.
 //!
-//! Coefficients without a closed form have 36 digits, and the proof holds them to 1e-28. One of each kind is left to the
-//! macro as `_`, so that the sums are 1 by construction.
+//! Coefficients without a closed form have 36 digits, and the proof holds them to 31. One drift and one kick are left to
+//! the macro as `_`, so that the sums are 1 by construction.
 //!
 //! Where to begin: [`Verlet`] at loose tolerances; for quadratic `T` then [`BlanesMoanSrkn6`], [`BlanesMoanSrkn11`] and
 //! [`Teloy8C`]; for every other `T` [`BlanesMoan4`], [`BlanesMoan6`], [`SofroniouSpaletta8`] and

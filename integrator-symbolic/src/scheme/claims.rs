@@ -4,57 +4,11 @@
 //! that holds only where `T` is quadratic in `p` declares a composition for those systems alone.
 
 use super::{
-    coefficient::Coefficient,
     lower::{Known, lower},
-    prove::{Proof, Verdict, prove},
-    stages::Stages,
+    prove::{Class, Proof, Scheme, Verdict},
     syntax::Declaration,
 };
 use crate::errors::Errors;
-
-/// The Hamiltonians that a composition is for.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Class {
-    General,
-    QuadraticKinetic,
-}
-
-/// A proved composition.
-#[derive(Clone, Debug)]
-pub(super) struct Scheme {
-    /// One step; of the kernel, if there is a processor.
-    pub(super) stages: Stages,
-    /// What comes once before the first step, and its inverse before output; mostly nothing.
-    pub(super) processor: Stages,
-    pub(super) proof: Proof,
-    pub(super) class: Class,
-    /// The proved order for the class.
-    pub(super) order: u32,
-}
-
-impl Scheme {
-    /// The scheme of stages about which nothing is claimed: general, unless it has gradient kicks.
-    pub(super) fn inferred(stages: Stages, processor: Stages) -> Self {
-        let mut whole = processor.clone();
-        whole.append(&stages, Coefficient::ONE);
-        whole.append(&processor.inverse(), Coefficient::ONE);
-        let proof = prove(&whole);
-        let (class, verdict) = match proof.general {
-            Some(general) => (Class::General, general),
-            None => (Class::QuadraticKinetic, proof.quadratic),
-        };
-        Self { stages, processor, proof, class, order: verdict.order }
-    }
-
-    /// The leading error for the class, where it is known and finite.
-    pub(super) fn leading_error(&self) -> Option<f64> {
-        let verdict = match (self.class, self.proof.general) {
-            (Class::General, Some(general)) => general,
-            _ => self.proof.quadratic,
-        };
-        verdict.leading_error.filter(|norm| norm.is_finite())
-    }
-}
 
 /// The scheme of a declaration, if all it claims is true.
 pub(super) fn check(declaration: &Declaration, known: &Known, errors: &mut Errors) -> Option<Scheme> {

@@ -107,7 +107,7 @@ pub(super) struct Series {
 }
 
 impl Series {
-    /// The series of a whole step. The even powers of a gradient kick are those of the quotient for quadratic `T`.
+    /// The series of a whole step; with gradient kicks, modulo what vanishes for quadratic `T`.
     pub(super) fn of(elements: &[Element], degree: usize) -> Self {
         let mut coefficients = vec![Double::ZERO; 2 << degree];
         coefficients[1] = Double::ONE;

@@ -8,10 +8,10 @@ use quote::quote;
 use syn::{LitStr, Path, Visibility, parse_quote};
 
 use super::{
-    claims::{Class, Scheme},
-    stability,
+    facts::Facts,
+    prove::{Class, Scheme},
     syntax::Declaration,
-    table::{Table, number},
+    table::number,
 };
 
 /// The path of the runtime crate where the user does not rename it.
@@ -23,12 +23,19 @@ pub(super) fn default_root() -> Path {
 pub(super) fn declaration(declaration: &Declaration, name: &str, scheme: Option<&Scheme>, root: &Path) -> TokenStream {
     let Declaration { attributes, visibility, name: ident, .. } = declaration;
     let citation = declaration.claims.citation.as_ref().map(LitStr::value).unwrap_or_default();
-    let summary = scheme.map(|scheme| summary(scheme, &citation, !attributes.is_empty()));
-    let implementation = implementation(ident, name, &citation, scheme, root);
+    let facts = scheme.map_or_else(Facts::stub, Facts::of);
+    let prose = match scheme {
+        Some(_) => format!(" {}", facts.prose(&citation)),
+        None => " Refused.".to_owned(),
+    };
+    // The facts are a paragraph of their own behind what the user wrote.
+    let gap = (!attributes.is_empty()).then(|| quote!(#[doc = ""]));
     let definition = definition(visibility, ident);
+    let implementation = implementation(ident, name, &citation, &facts, root);
     quote! {
         #(#attributes)*
-        #summary
+        #gap
+        #[doc = #prose]
         #definition
 
         #implementation
@@ -46,22 +53,14 @@ pub(super) fn definition(visibility: &Visibility, ident: &Ident) -> TokenStream 
     }
 }
 
-/// The two implementations that make a unit struct a composition; stubs without a scheme.
-pub(super) fn implementation(
-    ident: &Ident,
-    name: &str,
-    citation: &str,
-    scheme: Option<&Scheme>,
-    root: &Path,
-) -> TokenStream {
-    let (order, symmetric, class) =
-        scheme.map_or((0, false, Class::General), |scheme| (scheme.order, scheme.proof.symmetric, scheme.class));
-    let order = Literal::u32_unsuffixed(order);
-    let table = scheme.map_or_else(Table::stub, Table::of);
+/// The two implementations that make a unit struct a composition.
+pub(super) fn implementation(ident: &Ident, name: &str, citation: &str, facts: &Facts, root: &Path) -> TokenStream {
+    let Facts { table, symmetric, .. } = facts;
+    let order = Literal::u32_unsuffixed(facts.order);
     let force_evaluations = Literal::usize_unsuffixed(table.force_evaluations());
     let gradient_evaluations = Literal::usize_unsuffixed(table.gradient_evaluations());
-    let stability_limit = number(scheme.map_or(0.0, |scheme| stability::limit(&scheme.stages)));
-    let leading_error = match scheme.and_then(Scheme::leading_error) {
+    let stability_limit = number(facts.stability_limit);
+    let leading_error = match facts.leading_error {
         Some(norm) => {
             let norm = number(norm);
             quote!(::core::option::Option::Some(#norm))
@@ -71,8 +70,8 @@ pub(super) fn implementation(
     let stages = table.stages(root);
     let processor =
         table.processor(root).map(|processor| quote!(const PROCESSOR: #root::__private::Processor = #processor;));
-    let kick = scheme.filter(|scheme| scheme.proof.general.is_none()).map(|_| gradient_kick(root));
-    let (bound, class) = match class {
+    let kick = facts.has_gradients().then(|| gradient_kick(root));
+    let (bound, class) = match facts.class {
         Class::General => (quote!(Hamiltonian), quote!(General)),
         Class::QuadraticKinetic => (quote!(QuadraticKinetic), quote!(QuadraticKinetic)),
     };
@@ -115,40 +114,4 @@ fn gradient_kick(root: &Path) -> TokenStream {
             }
         }
     }
-}
-
-/// The proved facts, as the last paragraph of the documentation.
-fn summary(scheme: &Scheme, citation: &str, follows_text: bool) -> TokenStream {
-    let Scheme { proof, class, order, .. } = scheme;
-    let orders = match (class, proof.general) {
-        (Class::General, _) if proof.quadratic.order > *order => {
-            format!("Order {order} for every `T`, {} where `T` is quadratic in `p` (proved)", proof.quadratic.order)
-        }
-        (Class::QuadraticKinetic, Some(general)) => {
-            format!("Order {order} where `T` is quadratic in `p` (proved; {} for every other `T`)", general.order)
-        }
-        (Class::QuadraticKinetic, None) => format!("Order {order} for `T` quadratic in `p` (proved)"),
-        (Class::General, _) => format!("Order {order} for every `T` (proved)"),
-    };
-    let symmetric = if proof.symmetric { "symmetric" } else { "not symmetric" };
-    let table = Table::of(scheme);
-    let evaluations = match table.force_evaluations() {
-        1 => "1 force evaluation".to_owned(),
-        many => format!("{many} force evaluations"),
-    };
-    let gradients = match table.gradient_evaluations() {
-        0 => String::new(),
-        some => format!(" ({some} with its gradient)"),
-    };
-    let mut facts = format!(" {orders}, {symmetric}, {evaluations}{gradients} a step.");
-    facts += &format!(" Stable up to `h ω = {:.3}`", stability::limit(&scheme.stages));
-    if let Some(norm) = scheme.leading_error() {
-        facts += &format!(", leading error {norm:.1e}");
-    }
-    facts += ".";
-    if !citation.is_empty() {
-        facts += &format!(" Source: {}.", citation.trim_end_matches('.'));
-    }
-    let gap = follows_text.then(|| quote!(#[doc = ""]));
-    quote!(#gap #[doc = #facts])
 }

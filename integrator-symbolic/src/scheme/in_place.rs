@@ -8,10 +8,10 @@ use quote::quote;
 use syn::{Expr, Path, Visibility, parse::ParseStream, token};
 
 use super::{
-    claims::{Class, Scheme},
     emit,
+    facts::Facts,
     lower::{Known, lower},
-    prove::Proof,
+    prove::{Class, Proof, Scheme},
     syntax::{self, Sequence},
 };
 use crate::errors::Errors;
@@ -62,7 +62,7 @@ impl InPlace {
             (scheme.class, scheme.order) = (class, scheme.proof.quadratic.order);
         }
         let definition = emit::definition(&Visibility::Public(Default::default()), name);
-        let implementation = emit::implementation(name, &self.text(), "", Some(&scheme), root);
+        let implementation = emit::implementation(name, &self.text(), "", &Facts::of(&scheme), root);
         quote!(#definition #implementation)
     }
 

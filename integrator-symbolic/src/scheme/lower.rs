@@ -7,9 +7,8 @@ use quote::ToTokens;
 use syn::{Expr, Ident};
 
 use super::{
-    claims::Scheme,
     coefficient::{Coefficient, evaluate},
-    prove::{SUSPICIOUS, Verdict, Violation},
+    prove::{SUSPICIOUS, Scheme, Verdict, Violation},
     stages::{Element, Letter, Stages},
     syntax::{COMBINATORS, Combined, Item, Sequence},
 };

@@ -1,8 +1,8 @@
 //! Compositions: a sequence of drifts and kicks comes in, a proved table of stages goes out.
 //!
 //! ```text
-//! tokens -> Sequence (what was typed) -> Stages (a flat list, 31 digits) -> Scheme (with proved facts) -> tokens
-//!        syntax                       lower                             prove, claims                  emit
+//! tokens -> Sequence (what was typed) -> Stages (flat, 31 digits) -> Scheme (proved) -> Facts -> tokens
+//!        syntax                       lower                       prove, claims      facts    emit
 //! ```
 //!
 //! Each arrow points one way; errors arise up to `claims`, and `emit` cannot fail. Always true: [`expand`] returns for
@@ -16,6 +16,7 @@ mod coefficient;
 mod conditions;
 mod double;
 mod emit;
+mod facts;
 mod in_place;
 mod leading_error;
 mod lower;
@@ -29,7 +30,7 @@ use proc_macro2::TokenStream;
 use syn::ext::IdentExt;
 
 use self::lower::Known;
-pub(crate) use self::{claims::Class, in_place::InPlace};
+pub(crate) use self::{in_place::InPlace, prove::Class};
 use crate::errors::Errors;
 
 /// The declared compositions with their proofs, and behind them the errors found.
@@ -60,7 +61,7 @@ mod tests {
     use proc_macro2::TokenStream;
     use syn::parse::{ParseStream, Parser};
 
-    use super::{claims::Scheme, lower::Known};
+    use super::{lower::Known, prove::Scheme};
     use crate::errors::Errors;
 
     /// The scheme of a sequence about which nothing is claimed.

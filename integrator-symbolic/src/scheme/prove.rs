@@ -1,33 +1,74 @@
-//! The proof: the stages of a step come in, the orders that its conditions establish go out.
+//! The proof: the stages of a step come in, a scheme with the orders that its conditions establish goes out.
 //!
-//! A condition holds if its residual is below a tolerance that has two parts, each proved against measurement by the
-//! catalogue: the coefficients of a good method leave residuals below 1e-29, and the first violated condition of any
-//! known method is above 1e-8, so that the verdict never hangs on the constants here.
+//! A condition holds if its residual is below a tolerance. Neither of its parts decides a verdict by its exact size: the
+//! catalogue leaves residuals below 1e-31, and the first violated condition of any known method is above 1e-8.
 //! - Rounding: a coefficient of degree `n` adds terms up to `S^n/n!`, where `S` is the sum of the absolute durations, so
-//!   it is known to 2^-104 of that; nothing below [`FINEST`] is asked.
+//!   it is known to 2^-104 of that; less than [`FINEST`] is not asked.
 //! - Digits: a doubt `u` about one duration moves it by at most `u S^(n-1)/(n-1)!`. Decimals typed with 15 digits thus
-//!   pass with residuals around 1e-14 while one typed with 40 digits is refused for a wrong twentieth. However few the
+//!   pass with residuals around 1e-14, while one typed with 36 digits is refused for a wrong twentieth. However few the
 //!   digits, a residual above [`COARSEST`] is a violation.
 
 use std::fmt;
 
 use super::{
+    coefficient::Coefficient,
     conditions::{self, HIGHEST, Series, Word},
     leading_error,
     stages::{Letter, Stages},
 };
 
-/// The smallest tolerance of a condition of degree 2 or more.
-const FINEST: f64 = 1e-28;
-
-/// The smallest tolerance of the sums of the durations.
-const FINEST_SUM: f64 = 1e-30;
+/// The smallest tolerance.
+const FINEST: f64 = 1e-30;
 
 /// The largest tolerance.
 const COARSEST: f64 = 1e-9;
 
 /// Below this, a violated condition is more likely a mistake in the digits than another method.
 pub(super) const SUSPICIOUS: f64 = 1e-7;
+
+/// The Hamiltonians that a composition is for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Class {
+    General,
+    QuadraticKinetic,
+}
+
+/// A proved composition.
+#[derive(Clone, Debug)]
+pub(super) struct Scheme {
+    /// One step; of the kernel, if there is a processor.
+    pub(super) stages: Stages,
+    /// What comes once before the first step, and its inverse before output; mostly nothing.
+    pub(super) processor: Stages,
+    pub(super) proof: Proof,
+    pub(super) class: Class,
+    /// The proved order for the class.
+    pub(super) order: u32,
+}
+
+impl Scheme {
+    /// The scheme of stages about which nothing is claimed: general, unless it has gradient kicks.
+    pub(super) fn inferred(stages: Stages, processor: Stages) -> Self {
+        let mut whole = processor.clone();
+        whole.append(&stages, Coefficient::ONE);
+        whole.append(&processor.inverse(), Coefficient::ONE);
+        let proof = prove(&whole);
+        let (class, verdict) = match proof.general {
+            Some(general) => (Class::General, general),
+            None => (Class::QuadraticKinetic, proof.quadratic),
+        };
+        Self { stages, processor, proof, class, order: verdict.order }
+    }
+
+    /// The leading error for the class, where it is known and finite.
+    pub(super) fn leading_error(&self) -> Option<f64> {
+        let verdict = match (self.class, self.proof.general) {
+            (Class::General, Some(general)) => general,
+            _ => self.proof.quadratic,
+        };
+        verdict.leading_error.filter(|norm| norm.is_finite())
+    }
+}
 
 /// What the conditions say about a step.
 #[derive(Clone, Copy, Debug)]
@@ -72,7 +113,7 @@ impl fmt::Display for Violation {
 ///
 /// The logarithm of a symmetric step has no terms of even degree, so their conditions hold once the odd ones below do.
 /// The series is grown in strides, because most steps are refused or decided by its first few degrees.
-pub(super) fn prove(stages: &Stages) -> Proof {
+fn prove(stages: &Stages) -> Proof {
     let symmetric = stages.is_symmetric();
     let mut general = Verdict::OPEN;
     let mut quadratic = Verdict::OPEN;
@@ -130,6 +171,5 @@ fn tolerance(stages: &Stages, degree: usize) -> f64 {
     let length = length.max(other).max(1.0);
     let derivative = (1..degree).fold(1.0, |product, k| product * length / k as f64).max(1.0);
     let rounding = f64::EPSILON * f64::EPSILON * derivative * length / degree as f64;
-    let finest = if degree == 1 { FINEST_SUM } else { FINEST };
-    (rounding.max(finest) + doubt * derivative).min(COARSEST)
+    (rounding.max(FINEST) + doubt * derivative).min(COARSEST)
 }

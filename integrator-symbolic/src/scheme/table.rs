@@ -9,8 +9,8 @@ use quote::quote;
 use syn::Path;
 
 use super::{
-    claims::Scheme,
     double::Double,
+    prove::Scheme,
     stages::{Element, Letter},
 };
 
