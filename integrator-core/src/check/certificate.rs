@@ -5,6 +5,7 @@ use std::fmt;
 
 /// What was measured of one composition on one system, with one start and one step.
 #[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct Certificate {
     /// The type of the system.
     pub system: &'static str,
@@ -27,8 +28,9 @@ pub struct Certificate {
     /// How far a run forward and back ends from its start: [`reversibility`](crate::check::reversibility) over the
     /// span of [`Certificate::order`], in its coarsest steps or in [`Certificate::step`] if that is longer.
     pub reversibility: f64,
-    /// What became of the energy: [`energy_drift`](crate::check::energy_drift) over 8192 steps. Nothing for a Hamiltonian
-    /// that reads the time.
+    /// What became of the energy: [`energy_drift`](crate::check::energy_drift) over 8192 steps, longer ones where so
+    /// many are too short to tell a trend from the flank of an oscillation. Nothing for a Hamiltonian that reads the
+    /// time.
     pub energy_drift: Option<EnergyDrift>,
     /// How far the flows are from the gradients of the energies: the largest
     /// [`gradient_error`](crate::check::gradient_error) along the path.
@@ -39,6 +41,7 @@ pub struct Certificate {
 
 /// The sizes that rounding alone explains.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct Tolerances {
     /// Of [`Certificate::symplectic_defect`].
     pub symplectic_defect: f64,

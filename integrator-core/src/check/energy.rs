@@ -24,12 +24,14 @@ const GROUPS: usize = 16;
 /// How many samples are taken at most; a run of so many steps is looked at after each of them.
 const SAMPLES: u64 = 4096;
 
-/// Beyond half of the kinetic energy, the energy is not conserved, whatever its course.
+/// The share of the kinetic energy beyond which the energy is not conserved, whatever its course. An arbitrary line:
+/// no motion that resembles the true one crosses it.
 const LOST: f64 = 0.5;
 
 /// What became of the energy `H` in a run, in units of the largest kinetic energy on the way. The value of `H` itself
 /// is no unit: a constant in `V` changes it at will, and it may be zero.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct EnergyDrift {
     /// The largest deviation from the start.
     pub deviation: f64,
@@ -51,14 +53,14 @@ impl EnergyDrift {
         self.slope * self.step * self.steps as f64
     }
 
-    /// Whether the energy is lost: it strays by more than half of the kinetic energy, which no longer is an error of the
-    /// step but another motion. A smaller step helps, if the composition is right.
+    /// Whether the energy is lost: it strays by more than half of the kinetic energy, which no longer is an error of
+    /// the step but another motion. A smaller step helps, if the composition is right.
     pub fn is_lost(&self) -> bool {
         !within(self.deviation, LOST)
     }
 
-    /// Whether the energy stays: it is not lost, and it does not go beyond what rounding explains, or at most half of how far it goes is a
-    /// trend. The line through `m` periods of a sine accounts for `6/(πm)` of its amplitude, less than half from the
+    /// Whether the energy stays: it is not lost, and either rounding explains how far it goes or at most half of that is
+    /// a trend. The line through `m` periods of a sine accounts for `6/(πm)` of its amplitude, less than half from the
     /// fourth period on; the line through a steady loss or gain accounts for nearly all of it.
     pub fn is_bounded(&self) -> bool {
         let trendless = within(self.deviation, self.rounding) || within(self.drift(), self.deviation / 2.0);

@@ -94,10 +94,24 @@ impl<H: Hamiltonian> Gradient<'_, H> {
     }
 
     /// Whether central differences agree with a derivative by duals. With the width `d` they are off by `c·d²` and the
-    /// rounding of the energy over `d`; twice the width tells `3·c·d²`, and `d = ε^(1/3)` balances the two.
+    /// rounding of the energy over `d`; twice the width tells `3·c·d²`, and `d = ε^(1/3)` of the scale of the energy
+    /// balances the two. That scale may be much shorter than the coordinates are long, where two bodies are close: then
+    /// a narrower width tells. At a kink none does.
     fn witness(&self, point: &Phase<H::Coords>, index: usize, extent: f64, dual: f64) -> Result<(), CheckError> {
+        const NARROWING: [f64; 4] = [1.0, 3e-2, 1e-3, 3e-5];
+        let scale = f64::EPSILON.cbrt() * if extent > 0.0 { extent } else { 1.0 };
+        let differences = NARROWING.map(|narrowing| self.difference(point, index, extent, dual, narrowing * scale));
+        if differences.iter().any(|&(difference, uncertainty)| within(difference - dual, uncertainty)) {
+            return Ok(());
+        }
+        let energy = if self.part == Part::Kinetic { "T" } else { "V" };
+        let (difference, uncertainty) = differences[0];
+        Err(CheckError::NotDifferentiable { energy, index, dual, difference, uncertainty })
+    }
+
+    /// The central difference of a width, and what truncation and rounding may add to it.
+    fn difference(&self, point: &Phase<H::Coords>, index: usize, extent: f64, dual: f64, width: f64) -> (f64, f64) {
         let still = origin(point);
-        let width = f64::EPSILON.cbrt() * if extent > 0.0 { extent } else { 1.0 };
         let energy = |offset: f64| {
             let mut moved = point.clone();
             *self.read(&mut moved, index) += offset;
@@ -106,12 +120,7 @@ impl<H: Hamiltonian> Gradient<'_, H> {
         let [narrow, wide] = [width, 2.0 * width].map(|width| (energy(width) - energy(-width)) / (2.0 * width));
         let terms = energy(width).abs() + (dual * extent).abs();
         let rounding = gradient_tolerance(point.q.flat().len()) * terms / width;
-        let uncertainty = (wide - narrow).abs() + rounding;
-        if within(narrow - dual, uncertainty) {
-            return Ok(());
-        }
-        let energy = if self.part == Part::Kinetic { "T" } else { "V" };
-        Err(CheckError::NotDifferentiable { energy, index, dual, difference: narrow, uncertainty })
+        (narrow, (wide - narrow).abs() + rounding)
     }
 
     /// One of the numbers that this energy reads.

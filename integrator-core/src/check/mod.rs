@@ -13,8 +13,8 @@
 //! | [`energy_drift`] | bounded | a trend |
 //! | [`gradient_error`] | rounding | of the size of the gradient |
 //!
-//! What is a property of the flows (symplecticity, order, gradient) is measured in `f64` whatever the leaf of the start;
-//! what rounding takes part in (reversibility, energy) is measured in the precision of the start.
+//! What is a property of the flows (symplecticity, order, gradient) is measured in `f64` whatever the leaf of the
+//! start; what rounding takes part in (reversibility, energy) is measured in the precision of the start.
 
 mod certificate;
 mod certify;

@@ -55,6 +55,7 @@ const SCATTER: f64 = 0.05;
 
 /// A measured order.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct Order {
     /// The slope of the logarithm of the error over the logarithm of the step.
     pub slope: f64,
@@ -73,11 +74,11 @@ pub struct Order {
 /// The order that `composition` shows on this very problem.
 ///
 /// Errors are distances in phase space to a reference that is refined until it settles, at four times along a common
-/// span, in units of how far the motion went; all states are compensated. The span is the longest one, in a
-/// coarse search over multiples of `h`, that four steps already follow to a tenth, so that `h` itself may be far too
-/// fine or far too coarse. It is divided into ever more steps, at most 1024, until the error drowns in the
-/// rounding; the slope is a least-squares fit to the finest errors that do not, six at most. Where they do not lie on a
-/// line, because part of the motion is faster than the rest, the span is shortened.
+/// span, in units of how far the motion went; all states are compensated. The span is the longest one, in a coarse
+/// search over multiples of `h`, that four steps already follow to a tenth, so that `h` itself may be far too fine or
+/// far too coarse. It is divided into ever more steps, at most 1024, until the error drowns in the rounding; the slope
+/// is a least-squares fit to the finest errors that do not, four to six of them. Where they do not lie on a line,
+/// because part of the motion is faster than the rest, the span is shortened.
 ///
 /// # Errors
 /// A start or a step that no run would begin with; a start from which the errors of fewer than four step sizes stand
@@ -161,7 +162,8 @@ impl<H: Hamiltonian, X: Composition<H>> Problem<'_, H, X> {
         let scale = fine.excursion();
         // Over a time so short that the motion itself drowns in the rounding, nothing speaks against a longer one.
         let drowned = !within(fine.rounding(scale), COARSEST_ERROR / CLEARANCE);
-        drowned && scale.q.is_finite() && scale.p.is_finite() || within(fine.distance(&coarse, scale), COARSEST_ERROR)
+        let unseen = drowned && scale.q.is_finite() && scale.p.is_finite();
+        unseen || within(fine.distance(&coarse, scale), COARSEST_ERROR)
     }
 
     /// The slope over one span.

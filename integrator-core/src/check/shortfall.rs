@@ -7,12 +7,14 @@ use crate::{
 use std::fmt;
 
 /// Why there is no certificate.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum CertifyError {
     /// No run would begin with this start or this step.
-    Run(Error),
+    #[error(transparent)]
+    Run(#[from] Error),
     /// The stepper was measured and falls short of what it claims.
+    #[error("no certificate for {}:{}\nmeasured: {certificate}", certificate.system, Lines(shortfalls))]
     Refused {
         /// All that was measured. What could not be measured is NaN.
         certificate: Box<Certificate>,
@@ -20,21 +22,6 @@ pub enum CertifyError {
         shortfalls: Vec<Shortfall>,
     },
 }
-
-impl fmt::Display for CertifyError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::Run(error) => error.fmt(f),
-            Self::Refused { certificate, shortfalls } => {
-                write!(f, "no certificate for {} with {}:", certificate.system, certificate.composition)?;
-                shortfalls.iter().try_for_each(|shortfall| write!(f, "\n  {shortfall}"))?;
-                write!(f, "\nmeasured: {certificate}")
-            }
-        }
-    }
-}
-
-impl std::error::Error for CertifyError {}
 
 /// One thing that fell short of another.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
@@ -58,7 +45,8 @@ pub enum Shortfall {
     },
     /// A composition that claims symmetry does not come back.
     #[error(
-        "a run forward and back ends {distance:.1e} from its start, where a symmetric composition ends within {tolerance:.1e}"
+        "a run forward and back ends {distance:.1e} from its start, \
+         where a symmetric composition ends within {tolerance:.1e}"
     )]
     Reversibility {
         /// The relative distance.
@@ -74,7 +62,7 @@ pub enum Shortfall {
     EnergyLost(EnergyDrift),
     /// The energy has a trend.
     #[error(
-        "the energy drifts: of the {:.1e} of the kinetic energy by which it strays in {} steps of {}, {:.1e} are a trend",
+        "the energy drifts: it strays by {:.1e} of the kinetic energy in {} steps of {}, and {:.1e} of that are a trend",
         .0.deviation, .0.steps, .0.step, .0.drift()
     )]
     EnergyDrift(EnergyDrift),
@@ -96,4 +84,13 @@ pub enum Shortfall {
         /// Why not.
         reason: CheckError,
     },
+}
+
+/// Shortfalls, each on a line of its own.
+struct Lines<'s>(&'s [Shortfall]);
+
+impl fmt::Display for Lines<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        self.0.iter().try_for_each(|shortfall| write!(f, "\n  {shortfall}"))
+    }
 }

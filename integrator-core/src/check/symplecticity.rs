@@ -22,9 +22,11 @@ use nalgebra::DMatrix;
 /// By how much one closed step of size `h` from `start`, at time 0, fails to be symplectic: the largest entry of
 /// `Mᵀ J M - J` for the exact tangent map `M`.
 ///
-/// The entries are taken in units that balance `M`: each pair `(qᵢ, pᵢ)` is measured as `(qᵢ/s, s·pᵢ)` with a power of
-/// two `s` for which neither force nor velocity dominates. Such a change of units is symplectic itself, so the verdict
-/// is the same, but kilograms no longer drown metres. The result has no unit and is not relative to anything.
+/// The entries are taken in units that balance `M`: each pair `(qᵢ, pᵢ)` is measured as `(qᵢ/s, s·pᵢ)` with a power
+/// of two `s` for which neither force nor velocity dominates. Such a change of units is symplectic itself, so that the
+/// verdict is the same, but kilograms no longer drown metres. The result has no unit, is not relative to anything, and is NaN or
+/// infinite for a step that leaves the finite numbers. With `n` positions it takes `2n` steps in duals and a product of
+/// matrices of that size.
 ///
 /// # Errors
 /// A start or a step that no run would begin with.
@@ -116,5 +118,51 @@ fn balance(map: &mut DMatrix<f64>) {
                 map.column_mut(pair).scale_mut(unit);
             }
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::check::tolerance::within;
+    use nalgebra::dmatrix;
+
+    /// The defect of a map, in balanced units.
+    fn size(mut map: DMatrix<f64>) -> f64 {
+        balance(&mut map);
+        let identity = DMatrix::identity(map.nrows(), map.nrows());
+        largest((form(&map) - form(&identity)).iter().copied())
+    }
+
+    #[test]
+    fn a_shear_is_symplectic_and_a_stretch_is_not() {
+        assert_eq!(size(dmatrix![1.0, 0.5; 0.0, 1.0] * dmatrix![1.0, 0.0; -0.25, 1.0]), 0.0);
+        assert_eq!(size(dmatrix![2.0, 0.0; 0.0, 1.0]), 1.0);
+        assert!(size(dmatrix![1.0, f64::NAN; 0.0, 1.0]).is_nan());
+    }
+
+    #[test]
+    fn units_neither_make_a_defect_nor_hide_one() {
+        // Two bodies, a light and a heavy one, that pull on each other: q gains p/m, then p gains the force.
+        let (light, heavy, stiffness) = (1e-9, 1e3, 3e-7);
+        let drift = |m: f64| 0.1 / m;
+        let drift = dmatrix![
+            1.0, 0.0, drift(light), 0.0;
+            0.0, 1.0, 0.0, drift(heavy);
+            0.0, 0.0, 1.0, 0.0;
+            0.0, 0.0, 0.0, 1.0
+        ];
+        let kick = |on_light: f64| {
+            let force = 0.1 * stiffness;
+            dmatrix![
+                1.0, 0.0, 0.0, 0.0;
+                0.0, 1.0, 0.0, 0.0;
+                -force, on_light * force, 1.0, 0.0;
+                force, -force, 0.0, 1.0
+            ]
+        };
+        // A hundredth is the square of the step, 0.1, times that of a frequency of about one.
+        assert!(within(size(&kick(1.0) * &drift), 8.0 * f64::EPSILON));
+        assert!(size(&kick(1.01) * &drift) > 1e-9, "a force without its reaction is no gradient");
     }
 }

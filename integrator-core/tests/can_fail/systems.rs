@@ -219,3 +219,12 @@ by_hand! {
     kinetic(m, _t) { R::of(0.5) * m.p[0].value() * m.p[0].value() }
     potential(m, _t) { R::of(2.0 / 3.0) * m.q[0].value().powf(R::of(1.5)) }
 }
+
+by_hand! {
+    /// WRONG: `V = |q|` has no gradient at the origin.
+    Kinked {}: [f64; 1], autonomous = true;
+    drift(m, d, _t) { m.q[0].fma(R::of(d), m.p[0].value()); }
+    kick(m, d, _t) { m.p[0].fma(R::of(-d), m.q[0].value().signum()); }
+    kinetic(m, _t) { R::of(0.5) * m.p[0].value() * m.p[0].value() }
+    potential(m, _t) { m.q[0].value().abs() }
+}

@@ -2,7 +2,7 @@
 
 use crate::{
     schemes::{EulerThatClaims2, EulerThatClaimsSymmetry, Late, Lopsided, Strong, Unmerged},
-    systems::{Braked, Driven, Explicit, Hurried, Miscounted, Pendulum, Repelled, Undefined},
+    systems::{Braked, Driven, Explicit, Hurried, Kinked, Miscounted, Pendulum, Repelled, Undefined},
 };
 use integrator_core::{
     __private::Composition,
@@ -28,7 +28,10 @@ where
 macro_rules! assert_among {
     ($shortfalls:expr, $($kind:pat),+) => {{
         let shortfalls = &$shortfalls;
-        $(assert!(shortfalls.iter().any(|shortfall| matches!(shortfall, $kind)), "{}: {shortfalls:?}", stringify!($kind));)+
+        $(
+            let found = shortfalls.iter().any(|shortfall| matches!(shortfall, $kind));
+            assert!(found, "{} is not among {shortfalls:?}", stringify!($kind));
+        )+
     }};
 }
 
@@ -113,6 +116,23 @@ fn a_start_at_rest_measures_nothing_and_certifies_nothing() {
         shortfalls[..],
         [Shortfall::Unmeasured { check: "the order", reason: CheckError::TooFewPoints { .. } }]
     ));
+}
+
+#[test]
+fn a_kink_has_no_gradient() {
+    let at_the_kink = check::gradient_error(&Kinked {}, Phase::new([0.0], [0.5]), 0.0);
+    assert!(matches!(at_the_kink, Err(CheckError::NotDifferentiable { energy: "V", index: 0, .. })), "{at_the_kink:?}");
+    assert_eq!(check::gradient_error(&Kinked {}, Phase::new([0.25], [0.5]), 0.0), Ok(0.0));
+}
+
+#[test]
+fn a_refusal_reads_well() {
+    let error = certify(&PENDULUM, EulerThatClaims2, Phase::new([2.0], [0.3]), 0.01).expect_err("a refusal");
+    let text = error.to_string();
+    let lines: Vec<&str> = text.lines().collect();
+    assert_eq!(lines[0], "no certificate for can_fail::systems::Pendulum:");
+    assert_eq!(lines[1], "  observed order 1.00 falls short of the claimed order 2");
+    assert_eq!(lines[2], "measured: EulerThatClaims2 on can_fail::systems::Pendulum, h = 0.01");
 }
 
 #[test]
