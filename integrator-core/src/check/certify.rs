@@ -39,9 +39,9 @@ const GRADIENT_SPAN: f64 = 64.0;
 ///
 /// A certificate says that one step of size `h` from `start` is symplectic, that errors fall with the claimed order,
 /// that a composition that claims symmetry runs back to where it began, that the energy stays (unless `H` reads the
-/// time), and that the flows belong to the energies. Each is judged by a bound that follows from the rounding of the scalar,
-/// the energy by the share of its deviation that is a trend. Small systems take milliseconds; the work grows with the
-/// number of coordinates times that of the forces.
+/// time), and that the flows belong to the energies. Each is judged by a bound that follows from the rounding of the
+/// scalar, the energy by the share of its deviation that is a trend. Small systems take milliseconds; the work grows
+/// with the number of coordinates times that of the forces.
 ///
 /// # Errors
 /// [`CertifyError::Run`] for a start or a step that no run would begin with; [`CertifyError::Refused`] with everything

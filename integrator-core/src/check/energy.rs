@@ -59,9 +59,9 @@ impl EnergyDrift {
         !within(self.deviation, LOST)
     }
 
-    /// Whether the energy stays: it is not lost, and either rounding explains how far it goes or at most half of that is
-    /// a trend. The line through `m` periods of a sine accounts for `6/(πm)` of its amplitude, less than half from the
-    /// fourth period on; the line through a steady loss or gain accounts for nearly all of it.
+    /// Whether the energy stays: it is not lost, and either rounding explains how far it goes or at most half of that
+    /// is a trend. The line through `m` periods of a sine accounts for `6/(πm)` of its amplitude, less than half from
+    /// the fourth period on; the line through a steady loss or gain accounts for nearly all of it.
     pub fn is_bounded(&self) -> bool {
         let trendless = within(self.deviation, self.rounding) || within(self.drift(), self.deviation / 2.0);
         trendless && !self.is_lost()

@@ -62,7 +62,7 @@ pub enum Shortfall {
     EnergyLost(EnergyDrift),
     /// The energy has a trend.
     #[error(
-        "the energy drifts: it strays by {:.1e} of the kinetic energy in {} steps of {}, and {:.1e} of that are a trend",
+        "the energy drifts: it strays by {:.1e} of the kinetic energy in {} steps of {}, and {:.1e} of it are a trend",
         .0.deviation, .0.steps, .0.step, .0.drift()
     )]
     EnergyDrift(EnergyDrift),

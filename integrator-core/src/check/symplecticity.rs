@@ -24,9 +24,9 @@ use nalgebra::DMatrix;
 ///
 /// The entries are taken in units that balance `M`: each pair `(qᵢ, pᵢ)` is measured as `(qᵢ/s, s·pᵢ)` with a power
 /// of two `s` for which neither force nor velocity dominates. Such a change of units is symplectic itself, so that the
-/// verdict is the same, but kilograms no longer drown metres. The result has no unit, is not relative to anything, and is NaN or
-/// infinite for a step that leaves the finite numbers. With `n` positions it takes `2n` steps in duals and a product of
-/// matrices of that size.
+/// verdict is the same, but kilograms no longer drown metres. The result has no unit, is not relative to anything, and
+/// is NaN or infinite for a step that leaves the finite numbers. With `n` positions it takes `2n` steps in duals and a
+/// product of matrices of that size.
 ///
 /// # Errors
 /// A start or a step that no run would begin with.
@@ -66,7 +66,8 @@ pub(crate) struct Defect {
 /// elementary functions. To first order the errors of all `f` flows of the steps add up, each carried to the end by the
 /// flows that follow, so that `|δM| ≤ 4 f ε |M|` as long as no part of a step stretches tangents more than the whole of
 /// it, and `|δ(Mᵀ J M)| ≤ 8 f ε |M|ᵀ |J| |M|`. The scalar products of length 2n add `2n ε` of the same matrix. Parts of
-/// a step do stretch more where a composition goes forth and back inside of it; a further factor 4 covers hω up to 2.
+/// a step do stretch more where a composition goes forth and back inside of it, which a further factor 4 allows for:
+/// over the whole catalogue and up to h·ω = 4 no defect reached a thirtieth of the tolerance.
 pub(crate) fn defect<H: Hamiltonian, X: Composition<H>, K: Keep>(
     system: &H,
     start: &Phase<Shaped<H, K>>,
