@@ -25,7 +25,7 @@ pub struct Certificate {
     pub observed_order: f64,
     /// The range and the scatter of that slope.
     pub order: Option<Order>,
-    /// How far a run forward and back ends from its start: [`reversibility`](crate::check::reversibility) over the
+    /// How far a run forward and back ends from its start: [`reversibility`](crate::check::reversibility()) over the
     /// span of [`Certificate::order`], in its coarsest steps or in [`Certificate::step`] if that is longer.
     pub reversibility: f64,
     /// What became of the energy: [`energy_drift`](crate::check::energy_drift) over 8192 steps, longer ones where so

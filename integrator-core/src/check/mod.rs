@@ -1,7 +1,7 @@
 //! Proofs by measurement that a stepper is what it claims to be.
 //!
 //! In: a system, a composition, a start and a step of the user's own problem. Out: numbers, each with the bound that
-//! follows from the rounding of the scalar, and from [`certify`] a verdict over all of them. Always true: the flows
+//! follows from the rounding of the scalar, and from [`certify()`] a verdict over all of them. Always true: the flows
 //! that are checked are the generated ones, entered through the same trait as by a run; every verdict is one comparison
 //! in one function, in which a NaN fails; a check that can find nothing says so in an error and does not pass.
 //!
@@ -9,7 +9,7 @@
 //! |---|---|---|
 //! | [`symplectic_defect`] | rounding, for any step | of the size of the step |
 //! | [`observed_order`] | the claimed order | below it |
-//! | [`reversibility`] | rounding, if the composition is symmetric | of the size of the error |
+//! | [`reversibility()`] | rounding, if the composition is symmetric | of the size of the error |
 //! | [`energy_drift`] | bounded | a trend |
 //! | [`gradient_error`] | rounding | of the size of the gradient |
 //!
