@@ -35,7 +35,7 @@ pub fn reversibility<H: Hamiltonian, X: Composition<H>, K: Keep>(
     steps: u64,
 ) -> Result<f64, CheckError> {
     let _ = composition;
-    Ok(round_trip::<H, X, K>(system, &start, h, steps)?.distance)
+    Ok(Trip::take::<H, X, K>(system, &start, h, steps)?.distance())
 }
 
 /// How far a round trip ends from its start, and how far rounding alone may take it.
@@ -57,21 +57,44 @@ pub(crate) fn round_trip<H: Hamiltonian, X: Composition<H>, K: Keep>(
     h: f64,
     steps: u64,
 ) -> Result<RoundTrip, CheckError> {
-    let mut there = Run::start::<H, X, K>(system, start.clone(), h)?;
-    there.advance(steps)?;
-    let turn = there.state();
-    let mut back = Run::start::<H, X, K>(system, turn.clone(), -h)?.at_time(there.time());
-    back.advance(steps)?;
-
-    let (start, turn, end) = (plain::<H, K>(start), plain::<H, K>(&turn), plain::<H, K>(&back.state()));
-    let size = Size::of(&[&start, &turn]);
-    let distance = size.relative(numbers(&start).zip(numbers(&end)).map(|(start, end)| start - end));
+    let trip = Trip::take::<H, X, K>(system, start, h, steps)?;
     let growth = largest([
-        growth::<H, X>(system, &start, size, h, 0.0, steps),
-        growth::<H, X>(system, &turn, size, -h, there.time(), steps),
+        growth::<H, X>(system, &trip.start, trip.size, h, 0.0, steps),
+        growth::<H, X>(system, &trip.turn, trip.size, -h, trip.time, steps),
     ]);
     let roundings = 16.0 * (2.0 * steps as f64 * flows_per_step::<X>()).sqrt();
-    Ok(RoundTrip { distance, tolerance: roundings * K::EPSILON * growth })
+    Ok(RoundTrip { distance: trip.distance(), tolerance: roundings * K::EPSILON * growth })
+}
+
+/// The points of a round trip.
+struct Trip<C> {
+    start: Phase<C>,
+    turn: Phase<C>,
+    end: Phase<C>,
+    /// The time of the turn.
+    time: f64,
+    size: Size,
+}
+
+impl<C: Coords<Leaf = f64>> Trip<C> {
+    fn take<H: Hamiltonian<Coords = C>, X: Composition<H>, K: Keep>(
+        system: &H,
+        start: &Phase<Shaped<H, K>>,
+        h: f64,
+        steps: u64,
+    ) -> Result<Self, CheckError> {
+        let mut there = Run::start::<H, X, K>(system, start.clone(), h)?;
+        there.advance(steps)?;
+        let mut back = Run::start::<H, X, K>(system, there.state(), -h)?.at_time(there.time());
+        back.advance(steps)?;
+        let (start, turn) = (plain::<H, K>(start), plain::<H, K>(&there.state()));
+        let size = Size::of(&[&start, &turn]);
+        Ok(Self { start, turn, end: plain::<H, K>(&back.state()), time: there.time(), size })
+    }
+
+    fn distance(&self) -> f64 {
+        self.size.relative(numbers(&self.start).zip(numbers(&self.end)).map(|(start, end)| start - end))
+    }
 }
 
 /// The largest position and the largest momentum.

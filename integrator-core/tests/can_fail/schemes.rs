@@ -79,7 +79,7 @@ by_hand! {
 }
 
 by_hand! {
-    /// WRONG: the first drift of every step but the first is lost, because the stages were not merged.
+    /// WRONG: half a drift is lost between steps, because the last stage and the next first one were not merged.
     Unmerged, order 2, symmetric = true, Stages {
         lead: Lead::Drift,
         opening: stage(0.5, 1.0, 0.0, 0.5),
