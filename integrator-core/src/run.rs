@@ -182,6 +182,8 @@ struct Solo<H: Hamiltonian, X, R: Real, K: Keep> {
     motion: H::Motion<R, K>,
     /// The motion at the last look that found it finite; kept here so that no block allocates.
     snapshot: H::Motion<R, K>,
+    /// Where a step is completed to see whether its state is finite.
+    closed: H::Motion<R, K>,
     energies: Arc<Constants<H, R, K>>,
     /// A state to write into: it knows the size where the type does not.
     shape: Phase<Shaped<H, K>>,
@@ -194,11 +196,23 @@ impl<H: Hamiltonian, X: Composition<H>, R: Real, K: Keep> Solo<H, X, R, K> {
         let motion = H::Motion::<R, K>::load(|_| (&parameters, &start));
         Self {
             snapshot: motion.clone(),
+            closed: motion.clone(),
             motion,
             energies: Arc::new(Constants { parameters, marker: PhantomData }),
             shape: start,
             marker: PhantomData,
         }
+    }
+
+    /// Whether the state after `steps` steps is finite: the motion, and what completing the step makes of it.
+    fn finite_after(&mut self, clock: Clock, steps: u64) -> bool {
+        if !self.motion.finite() {
+            return false;
+        }
+        let clock = Clock { steps: clock.steps + steps, ..clock };
+        self.closed.clone_from(&self.motion);
+        R::enter(Close::<H, X, R, K> { motion: &mut self.closed, clock, marker: PhantomData });
+        self.closed.finite()
     }
 }
 
@@ -206,7 +220,7 @@ impl<H: Hamiltonian, X: Composition<H>, R: Real, K: Keep> Engine<Shaped<H, K>> f
     fn advance(&mut self, clock: Clock, steps: u64) -> u64 {
         self.snapshot.clone_from(&self.motion);
         R::enter(Advance::<H, X, R, K> { motion: &mut self.motion, clock, steps, marker: PhantomData });
-        if self.motion.finite() {
+        if self.finite_after(clock, steps) {
             return steps;
         }
         // What left the finite numbers never returns, since updates only add: replay the block step by step.
@@ -214,7 +228,7 @@ impl<H: Hamiltonian, X: Composition<H>, R: Real, K: Keep> Engine<Shaped<H, K>> f
         for taken in 0..steps {
             let clock = Clock { steps: clock.steps + taken, ..clock };
             R::enter(Advance::<H, X, R, K> { motion: &mut self.motion, clock, steps: 1, marker: PhantomData });
-            if !self.motion.finite() {
+            if !self.finite_after(clock, 1) {
                 self.motion.clone_from(&self.snapshot);
                 return taken;
             }
@@ -239,6 +253,7 @@ impl<H: Hamiltonian, X: Composition<H>, R: Real, K: Keep> Engine<Shaped<H, K>> f
         Box::new(Self {
             motion: self.motion.clone(),
             snapshot: self.snapshot.clone(),
+            closed: self.closed.clone(),
             energies: self.energies.clone(),
             shape: self.shape.clone(),
             marker: PhantomData,
