@@ -1,0 +1,145 @@
+//! Generated steppers do, bit for bit, what a person would write out.
+//!
+//! Each twin is a plain loop over `f64` with the stages of neighbouring steps merged. On machines with fused multiply-add
+//! the twin uses it where an expert would; `instruction_sets` runs these tests on the baseline too.
+
+use crate::systems::{Chain, HenonHeiles, Kepler, Pendulum, State};
+use integrator_core::{InstructionSet, prelude::*};
+
+const STEPS: u64 = 3000;
+
+/// `a·b + c`, with one rounding or with two as the instruction set has it.
+fn fma(a: f64, b: f64, c: f64) -> f64 {
+    match InstructionSet::chosen() {
+        InstructionSet::Baseline => a * b + c,
+        InstructionSet::Fused => a.mul_add(b, c),
+    }
+}
+
+fn generated<H: Hamiltonian<Coords = [f64; N]>, X: Composition<H>, const N: usize>(
+    system: &H,
+    composition: X,
+    (q, p): State<N>,
+    h: f64,
+) -> State<N> {
+    let mut run = system.run_with::<f64, X>(composition, Phase::new(q, p), h).expect("an admissible start");
+    run.advance(STEPS).expect("finite");
+    let state = run.state();
+    (state.q, state.p)
+}
+
+#[test]
+fn the_pendulum_by_yoshida() {
+    let system = Pendulum { mass: 1.7, length: 0.6, gravity: 9.81 };
+    let (mut q, mut p, h) = (2.0, 0.3, 0.01);
+    let expected = generated(&system, Yoshida4, ([q], [p]), h);
+
+    let per_inertia = 2.0 / (2.0 * system.mass * system.length.powi(2));
+    let weight = -system.mass * system.gravity * system.length;
+    // g = 1/(2 - cbrt 2): kicks of g, 1 - 2g and g; drifts of g/2, (1 - g)/2, (1 - g)/2 and g/2.
+    let (outer, inner) = (1.3512071919596575, -1.7024143839193153);
+    let (half, middle) = (0.6756035959798288, -0.17560359597982883);
+    let drift = |q: &mut f64, p: f64, a: f64| *q = fma(h * a * per_inertia, p, *q);
+    let kick = |p: &mut f64, q: f64, b: f64| *p = fma(-(-(h * b) * weight), q.sin(), *p);
+
+    for step in 0..STEPS {
+        drift(&mut q, p, if step == 0 { half } else { outer });
+        kick(&mut p, q, outer);
+        drift(&mut q, p, middle);
+        kick(&mut p, q, inner);
+        drift(&mut q, p, middle);
+        kick(&mut p, q, outer);
+    }
+    drift(&mut q, p, half);
+    assert_eq!(([q], [p]), expected);
+}
+
+#[test]
+fn the_galaxy_by_verlet() {
+    let (mut x, mut y, mut px, mut py, h) = (0.3, -0.2, 0.1, 0.35, 0.05);
+    let expected = generated(&HenonHeiles, Verlet, ([x, y], [px, py]), h);
+
+    for step in 0..STEPS {
+        let duration = if step == 0 { h * 0.5 } else { h };
+        x = fma(duration, px, x);
+        y = fma(duration, py, y);
+        px = fma(-h * 2.0 * x, y + 0.5, px);
+        py = fma(-h, y + fma(-y, y, x * x), py);
+    }
+    x = fma(h * 0.5, px, x);
+    y = fma(h * 0.5, py, y);
+    assert_eq!(([x, y], [px, py]), expected);
+}
+
+#[test]
+fn a_planet_by_velocity_verlet() {
+    let system = Kepler { mu: 1.1 };
+    let (mut x, mut y, mut px, mut py, h) = (0.4, 0.0, 0.0, 2.0, 0.01);
+    let expected = generated(&system, VelocityVerlet, ([x, y], [px, py]), h);
+
+    let kick = |x: f64, y: f64, px: &mut f64, py: &mut f64, duration: f64| {
+        let squared = fma(y, y, x * x);
+        let pull = -duration * -system.mu / (squared * squared.sqrt());
+        *px = fma(-pull, x, *px);
+        *py = fma(-pull, y, *py);
+    };
+    for step in 0..STEPS {
+        kick(x, y, &mut px, &mut py, if step == 0 { h * 0.5 } else { h });
+        x = fma(h, px, x);
+        y = fma(h, py, y);
+    }
+    kick(x, y, &mut px, &mut py, h * 0.5);
+    assert_eq!(([x, y], [px, py]), expected);
+}
+
+#[test]
+fn a_planet_by_euler_where_nothing_merges() {
+    let system = Kepler { mu: 1.0 };
+    let (mut x, mut y, mut px, mut py, h) = (0.4, 0.0, 0.0, 2.0, 0.001);
+    let expected = generated(&system, Euler, ([x, y], [px, py]), h);
+
+    for _ in 0..STEPS {
+        let squared = fma(y, y, x * x);
+        let pull = h / (squared * squared.sqrt());
+        px = fma(-pull, x, px);
+        py = fma(-pull, y, py);
+        x = fma(h, px, x);
+        y = fma(h, py, y);
+    }
+    assert_eq!(([x, y], [px, py]), expected);
+}
+
+#[test]
+fn a_chain_with_loops_by_verlet() {
+    let system = Chain { alpha: 0.25, mass: std::array::from_fn(|i| 1.0 + i as f64 / 8.0) };
+    let (mut q, mut p, h): ([f64; 8], _, _) = (std::array::from_fn(|i| (i as f64 + 1.0).sin()), [0.1; 8], 0.05);
+    let expected = generated(&system, Verlet, (q, p), h);
+
+    let inverse_mass = system.mass.map(|mass| 2.0 / (2.0 * mass));
+    let spring = |stretch: f64| {
+        let squared = stretch * stretch;
+        stretch + fma(system.alpha, squared, squared * stretch)
+    };
+    let drift = |q: &mut [f64; 8], p: &[f64; 8], duration: f64| {
+        for i in 0..8 {
+            q[i] = fma(duration * inverse_mass[i], p[i], q[i]);
+        }
+    };
+    for step in 0..STEPS {
+        drift(&mut q, &p, if step == 0 { h * 0.5 } else { h });
+        let mut gradient = [0.0; 8];
+        for i in 0..7 {
+            let force = spring(q[i + 1] - q[i]);
+            gradient[i + 1] += force;
+            gradient[i] -= force;
+        }
+        gradient[0] += spring(q[0]);
+        let squared = q[7] * q[7];
+        gradient[7] += fma(-system.alpha, squared, fma(squared, q[7], q[7]));
+        for i in 0..8 {
+            p[i] = fma(-h, gradient[i], p[i]);
+        }
+    }
+    drift(&mut q, &p, h * 0.5);
+    assert_eq!((q, p), expected);
+}

@@ -1,0 +1,18 @@
+//! The library as a user sees it: annotated Hamiltonians run, and what they do is measured.
+//!
+//! All of it holds on every instruction set. A process has one, so [`instruction_sets`] runs these tests again in a
+//! second process that has the other.
+
+mod by_hand;
+#[path = "../support/catalogue.rs"]
+mod catalogue;
+mod divergence;
+mod instruction_sets;
+mod kepler;
+mod orders;
+mod precision;
+mod refusals;
+mod semantics;
+mod slope;
+mod systems;
+mod time_dependent;

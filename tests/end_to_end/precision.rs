@@ -1,0 +1,75 @@
+//! The leaf type of the state decides the precision of a run.
+
+use crate::systems::{henon_heiles, pendulum};
+use integrator_core::prelude::*;
+
+#[test]
+fn a_run_from_f32_is_computed_in_f32() {
+    let problem = henon_heiles();
+    let (q, p) = problem.start;
+    let double = Phase::new(q, p);
+    let single = Phase::new(q.map(|x| x as f32), p.map(|x| x as f32));
+    let mut exact = problem.system.run(double, 0.125).expect("an admissible start");
+    let mut run = problem.system.run(single, 0.125).expect("an admissible start");
+    exact.advance(40).expect("finite");
+    run.advance(40).expect("finite");
+    let (exact, state) = (exact.state(), run.state());
+    let pairs = state.q.iter().zip(exact.q).chain(state.p.iter().zip(exact.p));
+    let distance = pairs.map(|(found, exact)| (f64::from(*found) - exact).abs()).fold(0.0, f64::max);
+    // 40 steps of a few roundings, which five time units of a regular orbit stretch by ten at most.
+    assert!(distance < 40.0 * 4.0 * 10.0 * f64::from(f32::EPSILON), "{distance:e}");
+    // Half a unit of f32 is what a single rounding at the end would lose; a random walk of 100 roundings loses more.
+    assert!(distance > f64::from(f32::EPSILON) / 8.0, "as exact as f64: {distance:e}");
+}
+
+#[test]
+fn samples_keep_the_leaf() {
+    let problem = pendulum();
+    let run = problem.system.run(Phase::new([2.0_f32], [0.0]), 0.01).expect("an admissible start");
+    let sample = run.samples(10).nth(1).expect("a sample").expect("finite");
+    let q: [f32; 1] = sample.state.q;
+    assert!(q[0] < 2.0, "it falls");
+}
+
+/// A free particle: what is left of the error is rounding alone.
+struct Free;
+
+#[hamiltonian]
+impl Free {
+    fn kinetic(&self, p: [f64; 1]) -> f64 {
+        p[0] * p[0] / 2.0
+    }
+    fn potential(&self, _: [f64; 1]) -> f64 {
+        0.0
+    }
+}
+
+#[test]
+fn compensation_keeps_the_rounding_of_every_update() {
+    const STEPS: u64 = 1 << 20;
+    let h = 0.1;
+    // `h·p` is not rounded, so the exact position is one product away.
+    let exact = 1.0 + STEPS as f64 * (h * 1.0);
+    let mut plain = Free.run(Phase::new([1.0], [1.0]), h).expect("an admissible start");
+    let mut compensated = Free.run(Phase::compensated([1.0], [1.0]), h).expect("an admissible start");
+    plain.advance(STEPS).expect("finite");
+    compensated.advance(STEPS).expect("finite");
+    let (plain, compensated) = (plain.state().q[0], compensated.state().q[0]);
+    let unit = exact * f64::EPSILON;
+    assert!((compensated.value - exact).abs() <= unit, "{compensated:?} for {exact}");
+    assert!((plain - exact).abs() > 100.0 * unit, "{plain} for {exact}");
+    assert!(compensated.carried.abs() <= unit, "what is carried is below the last place: {compensated:?}");
+}
+
+#[test]
+fn compensated_runs_go_on_from_what_they_carry() {
+    let problem = pendulum();
+    let start = Phase::compensated(problem.start.0, problem.start.1);
+    let mut run = problem.system.run_with(Euler, start, 0.01).expect("an admissible start");
+    run.advance(1000).expect("finite");
+    // Where no stages merge, a closed state is all there is to a run.
+    let mut resumed = problem.system.run_with(Euler, run.state(), 0.01).expect("an admissible start");
+    run.advance(1000).expect("finite");
+    resumed.advance(1000).expect("finite");
+    assert_eq!(run.state(), resumed.state());
+}

@@ -1,0 +1,71 @@
+//! What a run refuses, and what it says.
+
+use crate::systems::{HenonHeiles, henon_heiles};
+use integrator_core::prelude::*;
+
+fn start() -> Phase<[f64; 2]> {
+    let (q, p) = henon_heiles().start;
+    Phase::new(q, p)
+}
+
+fn refused(start: Phase<[f64; 2]>, h: f64) -> String {
+    HenonHeiles.run(start, h).expect_err("this cannot run").to_string()
+}
+
+#[test]
+fn steps_that_lead_nowhere() {
+    for (h, text) in [(0.0, "0"), (-0.0, "-0"), (f64::NAN, "NaN"), (f64::INFINITY, "inf"), (f64::NEG_INFINITY, "-inf")]
+    {
+        let expected = format!("the step h is {text}: it has to be finite and not zero (negative steps run backwards)");
+        assert_eq!(refused(start(), h), expected);
+    }
+    assert!(HenonHeiles.run(start(), -1e-300).is_ok());
+}
+
+#[test]
+fn starts_that_are_not_finite() {
+    let mut bad = start();
+    bad.q[1] = f64::NAN;
+    bad.p[0] = f64::INFINITY;
+    assert_eq!(
+        refused(bad, 0.1),
+        "the start is not finite: q[1] is NaN (coordinates counted one after the other)",
+        "the first one is named"
+    );
+    let mut bad = start();
+    bad.p[1] = f64::NEG_INFINITY;
+    assert_eq!(refused(bad, 0.1), "the start is not finite: p[1] is -inf (coordinates counted one after the other)");
+}
+
+#[test]
+fn a_clock_that_starts_at_no_time() {
+    let mut run = HenonHeiles.run(start(), 0.1).expect("an admissible start").at_time(f64::NAN);
+    let error = run.advance(1).expect_err("no time");
+    assert_eq!(error.to_string(), "the start time t0 is NaN: it has to be finite");
+    assert_eq!(run.steps(), 0);
+}
+
+#[test]
+fn samples_that_stay_where_they_are() {
+    let mut samples = HenonHeiles.run(start(), 0.1).expect("an admissible start").samples(0);
+    let error = samples.next().expect("an error").expect_err("no step between samples");
+    assert_eq!(error, Error::SampleInterval);
+    assert_eq!(
+        error.to_string(),
+        "samples(0) would stay at one point for ever: ask for a sample every 1 or more steps"
+    );
+    assert!(samples.next().is_none());
+}
+
+#[test]
+fn more_steps_than_can_be_counted() {
+    let mut run = HenonHeiles.run(start(), 0.1).expect("an admissible start");
+    run.advance(2).expect("finite");
+    let before = run.state();
+    let error = run.advance(u64::MAX - 1).expect_err("too many");
+    assert_eq!(
+        error.to_string(),
+        "2 steps are done and 18446744073709551614 more exceed the largest step count, 18446744073709551615"
+    );
+    assert_eq!((run.state(), run.steps()), (before, 2));
+}

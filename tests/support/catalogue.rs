@@ -1,0 +1,20 @@
+//! The one list of compositions that tests go through; `tests/compositions.rs` holds it against the catalogue.
+
+/// Does something with every composition of the catalogue: those for every `T`, and those for quadratic `T`.
+macro_rules! for_each_composition {
+    (general: $each:ident!) => {
+        $each!(Euler EulerAdjoint Verlet VelocityVerlet McLachlanAtela2 McLachlan2 VelocityMcLachlan2);
+        $each!(Ruth3 McLachlanAtela3 McLachlan4 McLachlan4S4 Pefrl Vefrl Omelyan4 PositionOmelyan4);
+        $each!(BlanesMoan4 BlanesMoan6 Teloy6A Yoshida4 VelocityYoshida4 Suzuki4 McLachlan4Ss5);
+        $each!(Yoshida6 KahanLi6 McLachlan6 SofroniouSpaletta6S11 SofroniouSpaletta6S13);
+        $each!(SuzukiUmeno8 KahanLi8 McLachlan8 SofroniouSpaletta8 KahanLi10 SofroniouSpaletta10);
+        $each!(BlanesCasasMurua6S11 BlanesCasasMurua6S13 BlanesCasasMurua8);
+        // Proved for every `T`, though at their best where it is quadratic.
+        $each!(McLachlan4Sb3a BlanesMoanSrkn6);
+    };
+    (quadratic: $each:ident!) => {
+        $each!(McLachlanAtela4 CalvoSanzSerna4 McLachlanAtela5 Omelyan6 Teloy6B BlanesMoanSrkn11 BlanesMoanSrkn14);
+        $each!(BlanesCasasEscorihuela8 Teloy8A Teloy8B Teloy8C);
+    };
+}
+pub(crate) use for_each_composition;
