@@ -111,7 +111,7 @@ pub(crate) struct Problem<H, const N: usize> {
     pub(crate) system: H,
     pub(crate) start: State<N>,
     /// `dq/dt` and `dp/dt`, differentiated by hand.
-    pub(crate) motion: fnState<N> -> State<N>,
+    pub(crate) motion: fn([f64; N], [f64; N]) -> State<N>,
 }
 
 pub(crate) fn pendulum() -> Problem<Pendulum, 1> {
@@ -205,11 +205,7 @@ fn add(sum: &mut f64, carried: &mut f64, addend: f64) {
 pub(crate) const LOOKS: usize = 4;
 
 /// The largest distance of a run from the exact states, seen every `steps` steps.
-pub(crate) fn error<const N: usize>(
-    run: Run<[Compensated<f64>; N]>,
-    steps: u64,
-    exact: &[State<N>; LOOKS],
-) -> f64 {
+pub(crate) fn error<const N: usize>(run: Run<[Compensated<f64>; N]>, steps: u64, exact: &[State<N>; LOOKS]) -> f64 {
     let mut largest = 0.0_f64;
     for (sample, (q, p)) in run.samples(steps).skip(1).zip(exact) {
         let Ok(Sample { state, .. }) = sample else { return f64::INFINITY };
