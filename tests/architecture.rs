@@ -1,0 +1,149 @@
+//! The invariants of ARCHITECTURE.md that can be read off the sources.
+
+use std::{
+    fs,
+    path::{Path, PathBuf},
+};
+
+/// What each module of `integrator-symbolic` may import from its crate, in the order of the pipeline.
+const MAY_KNOW: [(&str, &[&str]); 9] = [
+    ("errors", &[]),
+    ("graph", &[]),
+    ("differentiate", &["graph"]),
+    ("lower", &["graph"]),
+    ("program", &["graph"]),
+    ("scheme", &["errors"]),
+    ("syntax", &["errors", "scheme"]),
+    ("model", &["errors", "graph", "syntax"]),
+    ("emit", &["differentiate", "graph", "lower", "model", "program", "scheme", "syntax"]),
+];
+
+/// The modules that compute and never see a token.
+const WITHOUT_TOKENS: [&str; 4] = ["graph", "differentiate", "lower", "program"];
+
+fn root() -> &'static Path {
+    Path::new(env!("CARGO_MANIFEST_DIR"))
+}
+
+/// The Rust files under a folder, with their text.
+fn sources(folder: &Path) -> Vec<(PathBuf, String)> {
+    let mut found = Vec::new();
+    for entry in fs::read_dir(folder).expect("a folder").map(|entry| entry.expect("an entry").path()) {
+        if entry.is_dir() {
+            found.extend(sources(&entry));
+        } else if entry.extension().is_some_and(|extension| extension == "rs") {
+            let text = fs::read_to_string(&entry).expect("text");
+            found.push((entry, text));
+        }
+    }
+    found
+}
+
+/// The files of a module of `integrator-symbolic`, without their unit tests.
+fn module(name: &str) -> Vec<(PathBuf, String)> {
+    let source = root().join("integrator-symbolic/src");
+    let files = sources(&source).into_iter().filter(|(path, _)| {
+        let first = path.strip_prefix(&source).expect("a path below").iter().next().expect("a name");
+        first == name || Some(name) == first.to_str().and_then(|first| first.strip_suffix(".rs"))
+    });
+    let own = |text: String| text.split("#[cfg(test)]").next().unwrap_or_default().to_owned();
+    let files: Vec<_> = files.map(|(path, text)| (path, own(text))).collect();
+    assert!(!files.is_empty(), "there is no module {name}");
+    files
+}
+
+/// The modules that a text names, as `crate::name` or at the top of a group, `crate::{name, ...}`.
+fn imports(text: &str) -> Vec<String> {
+    let code = text.lines().filter(|line| !line.trim_start().starts_with("//"));
+    let dense: String = code.flat_map(str::split_whitespace).collect();
+    let mut found = Vec::new();
+    for after in dense.split("crate::").skip(1) {
+        let Some(group) = after.strip_prefix('{') else {
+            found.push(first_name(after));
+            continue;
+        };
+        let (mut depth, mut begins) = (0_u32, true);
+        for (position, character) in group.char_indices() {
+            if std::mem::take(&mut begins) {
+                found.push(first_name(&group[position..]));
+            }
+            match character {
+                '}' if depth == 0 => break,
+                ',' if depth == 0 => begins = true,
+                '{' => depth += 1,
+                '}' => depth -= 1,
+                _ => {}
+            }
+        }
+    }
+    found.retain(|name| !name.is_empty());
+    found
+}
+
+fn first_name(text: &str) -> String {
+    text.chars().take_while(|character| character.is_alphanumeric() || *character == '_').collect()
+}
+
+#[test]
+fn imports_are_found() {
+    let text =
+        "use crate::{\n    errors::Errors,\n    graph::{Graph, index::{Index, Loop}},\n};\nlet x: crate::model::Model;";
+    assert_eq!(imports(text), ["errors", "graph", "model"]);
+}
+
+/// Arrows between modules point one way: a module knows what its arrow comes from, never what it leads to.
+#[test]
+fn modules_import_what_lies_before_them() {
+    for (name, may_know) in MAY_KNOW {
+        for (path, text) in module(name) {
+            for import in imports(&text) {
+                let allowed = import == name || may_know.contains(&import.as_str());
+                assert!(allowed, "{} imports {import}; `{name}` may know {may_know:?}", path.display());
+            }
+        }
+    }
+}
+
+#[test]
+fn every_module_has_its_row() {
+    let source = fs::read_dir(root().join("integrator-symbolic/src")).expect("a folder");
+    for entry in source.map(|entry| entry.expect("an entry").path()) {
+        let name = entry.file_stem().expect("a name").to_string_lossy().into_owned();
+        assert!(name == "lib" || MAY_KNOW.iter().any(|(known, _)| *known == name), "say what `{name}` may know");
+    }
+}
+
+#[test]
+fn the_middle_of_the_pipeline_sees_no_tokens() {
+    for name in WITHOUT_TOKENS {
+        for (path, text) in module(name) {
+            for outside in ["syn::", "proc_macro2", "quote"] {
+                assert!(!text.contains(outside), "{} names {outside}", path.display());
+            }
+        }
+    }
+}
+
+/// What every user builds, unoptimised, before their own crate.
+#[test]
+fn the_macros_depend_on_three_crates() {
+    let manifest = fs::read_to_string(root().join("integrator-symbolic/Cargo.toml")).expect("a manifest");
+    let dependencies = manifest.split("\n[dependencies]\n").nth(1).and_then(|rest| rest.split("\n[").next());
+    let mut names: Vec<_> = dependencies
+        .expect("a table")
+        .lines()
+        .filter_map(|line| line.split(['.', ' ']).next())
+        .filter(|name| !name.is_empty())
+        .collect();
+    names.sort_unstable();
+    assert_eq!(names, ["proc-macro2", "quote", "syn"]);
+}
+
+#[test]
+fn one_file_is_unsafe() {
+    let crates = ["integrator-core", "integrator-macros", "integrator-symbolic"];
+    for (path, text) in crates.iter().flat_map(|name| sources(&root().join(name).join("src"))) {
+        let is_unsafe = ["unsafe {", "unsafe fn", "unsafe impl"].iter().any(|form| text.contains(form));
+        assert!(!is_unsafe || path.ends_with("instruction_set.rs"), "{} is unsafe", path.display());
+    }
+}
