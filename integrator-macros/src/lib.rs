@@ -1,14 +1,234 @@
 //! The procedural macros of `integrator-core`: a doorway to `integrator-symbolic`, where the work is done.
+//!
+//! Use them through `integrator_core`, which re-exports both and is what the generated code calls.
 
 use proc_macro::TokenStream;
 
 /// Writes the stepper of a Hamiltonian `H = T(p) + V(q)` given as two plain functions.
+///
+/// ```
+/// use integrator_core::prelude::*;
+///
+/// struct HenonHeiles {
+///     coupling: f64,
+/// }
+///
+/// #[hamiltonian(compose = Yoshida4)]
+/// impl HenonHeiles {
+///     fn kinetic(&self, [px, py]: [f64; 2]) -> f64 {
+///         0.5 * (px * px + py * py)
+///     }
+///     fn potential(&self, [x, y]: [f64; 2]) -> f64 {
+///         0.5 * (x * x + y * y) + self.coupling * (x * x * y - y.powi(3) / 3.0)
+///     }
+/// }
+///
+/// # fn main() -> Result<(), Error> {
+/// let system = HenonHeiles { coupling: 1.0 };
+/// let mut run = system.run(Phase::new([0.1, 0.0], [0.0, 0.5]), 0.05)?;
+/// run.advance(1_000)?;
+/// assert!((run.energy() - 0.13).abs() < 1e-6);
+/// assert_eq!(system.potential([0.0, 0.0]), 0.0); // the functions stay callable
+/// # Ok(())
+/// # }
+/// ```
+///
+/// The impl stays as it was written. Behind it, the trait `Hamiltonian` is implemented for the type: the exact flows of `T`
+/// and of `V`, from gradients that are derived symbolically, and both energies. The derived equations of motion stand in
+/// the documentation of that implementation.
+///
+/// # Arguments
+///
+/// | argument | meaning |
+/// |---|---|
+/// | `compose = Yoshida4` | the composition that `run` uses; a path to any that may integrate this Hamiltonian |
+/// | `compose = V(1/2) T(1) V(1/2)` | a sequence in place, as in `composition!`, proved for this Hamiltonian |
+/// | `crate = path` | where `integrator_core` is, if it is not `::integrator_core` |
+///
+/// Without `compose` it is `Verlet`. Any other composition can be passed to `run_with`.
+///
+/// # Coordinates
+///
+/// `kinetic` takes `&self` and the momenta, `potential` takes `&self` and the positions; both return `f64`. The type of the
+/// coordinates is the same in both: `[f64; N]`, or `[[f64; D]; N]` for `N` points in `D` dimensions, by value or by
+/// reference. `N` and `D` may be constants. A pattern may take them apart: `[x, y]: [f64; 2]`.
+///
+/// Any `T(p)` is integrated. Where it is `½ pᵀ M⁻¹ p` with a constant `M`, which is decided symbolically, the type also
+/// implements `QuadraticKinetic`, and the compositions that need it are allowed.
+///
+/// # What the functions may contain
+///
+/// - `+ - * /`, numbers, constants, `let` with shadowing, blocks, tuples and arrays of values;
+/// - the methods of `f64`: `sqrt`, `cbrt`, `powi`, `powf`, `recip`, `exp`, `exp2`, `exp_m1`, `ln`, `ln_1p`, `log`, `log2`,
+///   `log10`, `sin`, `cos`, `sin_cos`, `tan`, `asin`, `acos`, `atan`, `atan2`, `sinh`, `cosh`, `tanh`, `asinh`, `acosh`,
+///   `atanh`, `hypot`, `abs`, `signum`, `mul_add`, `to_radians`, `to_degrees`, also as `f64::sin(x)`;
+/// - helper methods of the same impl, without recursion;
+/// - `for` loops over ranges of integers, nested or not, that sum into a `let mut` variable with `+=` or `-=`. They stay
+///   loops in the generated code, whatever their length;
+/// - assertions, which mean nothing to the derivative.
+///
+/// An expression that reads no coordinate may be any Rust: fields and methods of `self`, calls, `if` and `match`. It is
+/// evaluated once per run, as it stands.
+///
+/// ```
+/// use integrator_core::prelude::*;
+///
+/// /// Particles on a line, held together by springs of different stiffness.
+/// struct Chain {
+///     masses: [f64; 8],
+///     stiffness: [f64; 7],
+/// }
+///
+/// #[hamiltonian]
+/// impl Chain {
+///     fn kinetic(&self, p: &[f64; 8]) -> f64 {
+///         let mut energy = 0.0;
+///         for i in 0..8 {
+///             energy += p[i].powi(2) / (2.0 * self.masses[i]);
+///         }
+///         energy
+///     }
+///     fn potential(&self, q: &[f64; 8]) -> f64 {
+///         let mut energy = 0.0;
+///         for i in 0..7 {
+///             energy += self.stiffness[i] * self.well(q[i + 1] - q[i]);
+///         }
+///         energy
+///     }
+///     fn well(&self, stretch: f64) -> f64 {
+///         0.5 * stretch.powi(2) + 0.25 * stretch.powi(4)
+///     }
+/// }
+/// # fn main() -> Result<(), Error> {
+/// # let chain = Chain { masses: [1.0; 8], stiffness: [1.0; 7] };
+/// # let mut start = Phase::new([0.0; 8], [0.0; 8]);
+/// # start.p[3] = 1.0;
+/// # let mut run = chain.run(start, 0.01)?;
+/// # run.advance(1_000)?;
+/// # assert!((run.energy() - 0.5).abs() < 1e-4);
+/// # Ok(())
+/// # }
+/// ```
+///
+/// # Time
+///
+/// A last argument `t: f64` in either function makes the Hamiltonian depend on time. Inside a step the clock of `V` advances
+/// with the drifts, and the clock of `T` with the kicks, so that the order is kept.
+///
+/// ```
+/// use integrator_core::prelude::*;
+///
+/// struct Driven {
+///     frequency: f64,
+/// }
+///
+/// #[hamiltonian(compose = V(1/2) T(1) V(1/2))]
+/// impl Driven {
+///     fn kinetic(&self, p: [f64; 1]) -> f64 {
+///         0.5 * p[0].powi(2)
+///     }
+///     fn potential(&self, q: [f64; 1], t: f64) -> f64 {
+///         -q[0] * (self.frequency * t).cos()
+///     }
+/// }
+///
+/// # fn main() -> Result<(), Error> {
+/// let mut run = Driven { frequency: 2.0 }.run(Phase::new([0.0], [0.0]), 0.001)?;
+/// run.advance(1_000)?;
+/// // q'' = cos 2t from rest: q = (1 - cos 2t) / 4
+/// assert!((run.state().q[0] - (1.0 - 2.0_f64.cos()) / 4.0).abs() < 1e-6);
+/// # Ok(())
+/// # }
+/// ```
+///
+/// # Errors
+///
+/// All mistakes are reported at once, each at the token at fault. A Hamiltonian that is not `T(p) + V(q)` is refused at the
+/// product that mixes both:
+///
+/// ```compile_fail
+/// use integrator_core::prelude::*;
+///
+/// struct Magnetic;
+///
+/// #[hamiltonian]
+/// impl Magnetic {
+///     fn kinetic(&self, p: [f64; 2], q: [f64; 2]) -> f64 {
+///         0.5 * ((p[0] + q[1]).powi(2) + p[1].powi(2))
+///     }
+///     fn potential(&self, q: [f64; 2]) -> f64 {
+///         0.5 * q[0].powi(2)
+///     }
+/// }
+/// ```
 #[proc_macro_attribute]
 pub fn hamiltonian(arguments: TokenStream, item: TokenStream) -> TokenStream {
     integrator_symbolic::hamiltonian(arguments.into(), item.into()).into()
 }
 
 /// Declares compositions of drifts and kicks and proves their order.
+///
+/// ```
+/// use integrator_core::prelude::*;
+///
+/// composition! {
+///     /// Drift, kick, drift.
+///     pub struct Leapfrog: order 2, symmetric = T(1/2) V(1) T(1/2);
+///
+///     /// Three leapfrogs, the middle one backwards.
+///     pub struct Jump: order 4, symmetric, citation "Yoshida 1990" = triple_jump(Leapfrog);
+///
+///     /// The same from its coefficients; `_` is what the others leave of the step.
+///     pub struct Spelled: order 4, symmetric
+///         = symmetric(1/(2 - cbrt(2)), _; Leapfrog);
+///
+///     /// No claim: the order is inferred.
+///     pub struct Found = V(7/24) T(2/3) V(3/4) T(-2/3) V(-1/24) T(1);
+/// }
+///
+/// assert_eq!((Leapfrog::ORDER, Jump::ORDER, Spelled::ORDER, Found::ORDER), (2, 4, 4, 3));
+/// assert_eq!(Jump::STAGES, Spelled::STAGES);
+/// ```
+///
+/// Each declaration becomes a unit struct that implements `Scheme`, with the facts about it, and `Composition` for every
+/// Hamiltonian that it may integrate. What was proved is appended to its documentation.
+///
+/// # Grammar
+///
+/// ```text
+/// [crate = path;]
+/// [/// docs] [pub] struct Name [: claim, ...] = sequence;
+///
+/// claim     order 4 | symmetric | citation "..."
+/// sequence  one or more of the following, in order of application
+///   T(a)                       drift: q moves for a·h
+///   V(b)                       kick: p moves for b·h
+///   V(b, c)                    kick with b·V + c·h²·|∇V|², for quadratic T
+///   Name                       a composition declared above, or Euler, EulerAdjoint, Verlet, VelocityVerlet
+///   triple_jump(sequence)      over g, 1 - 2g, g of the step; two orders above its symmetric base
+///   suzuki(sequence)           over g, g, 1 - 4g, g, g of the step; two orders above its symmetric base
+///   adjoint(sequence)          read backwards
+///   symmetric(sequence)        continued to a palindrome about its last stage
+///   symmetric(w, ..., w; sequence)   steps over the weights w, continued to a palindrome about the last one
+///   compose(sequence, sequence, ...) each over an equal part of the step
+///   compose(w, ..., w; sequence)     steps over the weights w
+///   processed(sequence; sequence)    a processor, applied once and undone for output, and its kernel
+/// ```
+///
+/// Coefficients are written with numbers, `+ - * /`, parentheses, `sqrt(x)`, `cbrt(x)` and `root(n, x)`, and are evaluated to
+/// 31 digits. One drift, one kick or one weight may be `_`: what the others leave of the step.
+///
+/// # Errors
+///
+/// A sequence whose drifts or kicks do not sum to 1 is refused, and so is a claim that does not hold; the message has the
+/// order that was proved, the first condition that is violated, and by how much. A declared order that holds only for a
+/// `T` quadratic in `p` declares a composition for such systems alone.
+///
+/// ```compile_fail
+/// integrator_core::composition! {
+///     pub struct Overclaimed: order 4 = T(1/2) V(1) T(1/2);
+/// }
+/// ```
 #[proc_macro]
 pub fn composition(declarations: TokenStream) -> TokenStream {
     integrator_symbolic::composition(declarations.into()).into()
