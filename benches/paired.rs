@@ -6,17 +6,17 @@ use std::{hint::black_box, time::Instant};
 const TURNS: usize = 101;
 
 /// Two computations compared.
-pub struct Comparison {
+pub(crate) struct Comparison {
     /// Nanoseconds per step of the first, the median over turns.
-    pub first: f64,
+    pub(crate) first: f64,
     /// Nanoseconds per step of the second.
-    pub second: f64,
+    pub(crate) second: f64,
     /// The first over the second, the median of the ratios of each turn.
-    pub ratio: f64,
+    pub(crate) ratio: f64,
 }
 
 /// Compares two computations that each take `steps` steps.
-pub fn compare<A, B>(steps: u64, first: impl Fn(u64) -> A, second: impl Fn(u64) -> B) -> Comparison {
+pub(crate) fn compare<A, B>(steps: u64, first: impl Fn(u64) -> A, second: impl Fn(u64) -> B) -> Comparison {
     let turns: Vec<[f64; 2]> = (0..TURNS).map(|_| [timed(steps, &first), timed(steps, &second)]).collect();
     let median = |of: &dyn Fn(&[f64; 2]) -> f64| {
         let mut values: Vec<f64> = turns.iter().map(of).collect();
