@@ -33,9 +33,9 @@ use proc_macro::TokenStream;
 /// # }
 /// ```
 ///
-/// The impl stays as it was written. Behind it, the trait `Hamiltonian` is implemented for the type: the exact flows of `T`
-/// and of `V`, from gradients that are derived symbolically, and both energies. The derived equations of motion stand in
-/// the documentation of that implementation.
+/// The impl stays as it was written. Behind it, the trait `Hamiltonian` is implemented for the type: the exact flows of
+/// `T` and of `V`, from gradients that are derived symbolically, and both energies. The derived equations of motion
+/// stand in the documentation of that implementation.
 ///
 /// # Arguments
 ///
@@ -49,8 +49,8 @@ use proc_macro::TokenStream;
 ///
 /// # Coordinates
 ///
-/// `kinetic` takes `&self` and the momenta, `potential` takes `&self` and the positions; both return `f64`. The type of the
-/// coordinates is the same in both: `[f64; N]`, or `[[f64; D]; N]` for `N` points in `D` dimensions, by value or by
+/// `kinetic` takes `&self` and the momenta, `potential` takes `&self` and the positions; both return `f64`. The type of
+/// the coordinates is the same in both: `[f64; N]`, or `[[f64; D]; N]` for `N` points in `D` dimensions, by value or by
 /// reference. `N` and `D` may be constants. A pattern may take them apart: `[x, y]: [f64; 2]`.
 ///
 /// Any `T(p)` is integrated. Where it is `½ pᵀ M⁻¹ p` with a constant `M`, which is decided symbolically, the type also
@@ -59,12 +59,12 @@ use proc_macro::TokenStream;
 /// # What the functions may contain
 ///
 /// - `+ - * /`, numbers, constants, `let` with shadowing, blocks, tuples and arrays of values;
-/// - the methods of `f64`: `sqrt`, `cbrt`, `powi`, `powf`, `recip`, `exp`, `exp2`, `exp_m1`, `ln`, `ln_1p`, `log`, `log2`,
-///   `log10`, `sin`, `cos`, `sin_cos`, `tan`, `asin`, `acos`, `atan`, `atan2`, `sinh`, `cosh`, `tanh`, `asinh`, `acosh`,
-///   `atanh`, `hypot`, `abs`, `signum`, `mul_add`, `to_radians`, `to_degrees`, also as `f64::sin(x)`;
+/// - the methods of `f64`: `sqrt`, `cbrt`, `powi`, `powf`, `recip`, `exp`, `exp2`, `exp_m1`, `ln`, `ln_1p`, `log`,
+///   `log2`, `log10`, `sin`, `cos`, `sin_cos`, `tan`, `asin`, `acos`, `atan`, `atan2`, `sinh`, `cosh`, `tanh`, `asinh`,
+///   `acosh`, `atanh`, `hypot`, `abs`, `signum`, `mul_add`, `to_radians`, `to_degrees`, also as `f64::sin(x)`;
 /// - helper methods of the same impl, without recursion;
-/// - `for` loops over ranges of integers, nested or not, that sum into a `let mut` variable with `+=` or `-=`. They stay
-///   loops in the generated code, whatever their length;
+/// - `for` loops over ranges of integers, nested or not, that sum into a `let mut` variable with `+=` or `-=`. They
+///   stay loops in the generated code, whatever their length;
 /// - assertions, which mean nothing to the derivative.
 ///
 /// An expression that reads no coordinate may be any Rust: fields and methods of `self`, calls, `if` and `match`. It is
@@ -112,8 +112,8 @@ use proc_macro::TokenStream;
 ///
 /// # Time
 ///
-/// A last argument `t: f64` in either function makes the Hamiltonian depend on time. Inside a step the clock of `V` advances
-/// with the drifts, and the clock of `T` with the kicks, so that the order is kept.
+/// A last argument `t: f64` in either function makes the Hamiltonian depend on time. Inside a step the clock of `V`
+/// advances with the drifts, and the clock of `T` with the kicks, so that the order is kept.
 ///
 /// ```
 /// use integrator_core::prelude::*;
@@ -143,8 +143,8 @@ use proc_macro::TokenStream;
 ///
 /// # Errors
 ///
-/// All mistakes are reported at once, each at the token at fault. A Hamiltonian that is not `T(p) + V(q)` is refused at the
-/// product that mixes both:
+/// All mistakes are reported at once, each at the token at fault. A Hamiltonian that is not `T(p) + V(q)` is refused at
+/// the product that mixes both:
 ///
 /// ```compile_fail
 /// use integrator_core::prelude::*;
@@ -190,8 +190,8 @@ pub fn hamiltonian(arguments: TokenStream, item: TokenStream) -> TokenStream {
 /// assert_eq!(Jump::STAGES, Spelled::STAGES);
 /// ```
 ///
-/// Each declaration becomes a unit struct that implements `Scheme`, with the facts about it, and `Composition` for every
-/// Hamiltonian that it may integrate. What was proved is appended to its documentation.
+/// Each declaration becomes a unit struct that implements `Scheme`, with the facts about it, and `Composition` for
+/// every Hamiltonian that it may integrate. What was proved is appended to its documentation.
 ///
 /// # Grammar
 ///
@@ -215,14 +215,14 @@ pub fn hamiltonian(arguments: TokenStream, item: TokenStream) -> TokenStream {
 ///   processed(sequence; sequence)    a processor, applied once and undone for output, and its kernel
 /// ```
 ///
-/// Coefficients are written with numbers, `+ - * /`, parentheses, `sqrt(x)`, `cbrt(x)` and `root(n, x)`, and are evaluated to
-/// 31 digits. One drift, one kick or one weight may be `_`: what the others leave of the step.
+/// Coefficients are written with numbers, `+ - * /`, parentheses, `sqrt(x)`, `cbrt(x)` and `root(n, x)`, and are
+/// evaluated to 31 digits. One drift, one kick or one weight may be `_`: what the others leave of the step.
 ///
 /// # Errors
 ///
-/// A sequence whose drifts or kicks do not sum to 1 is refused, and so is a claim that does not hold; the message has the
-/// order that was proved, the first condition that is violated, and by how much. A declared order that holds only for a
-/// `T` quadratic in `p` declares a composition for such systems alone.
+/// A sequence whose drifts or kicks do not sum to 1 is refused, and so is a claim that does not hold; the message has
+/// the order that was proved, the first condition that is violated, and by how much. A declared order that holds only
+/// for a `T` quadratic in `p` declares a composition for such systems alone.
 ///
 /// ```compile_fail
 /// integrator_core::composition! {
