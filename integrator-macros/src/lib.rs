@@ -51,7 +51,8 @@ use proc_macro::TokenStream;
 ///
 /// `kinetic` takes `&self` and the momenta, `potential` takes `&self` and the positions; both return `f64`. The type of
 /// the coordinates is the same in both: `[f64; N]`, or `[[f64; D]; N]` for `N` points in `D` dimensions, by value or by
-/// reference. `N` and `D` may be constants. A pattern may take them apart: `[x, y]: [f64; 2]`.
+/// reference. `N` and `D` may be constants, or parameters of a generic type. A pattern may take them apart:
+/// `[x, y]: [f64; 2]`.
 ///
 /// Any `T(p)` is integrated. Where it is `½ pᵀ M⁻¹ p` with a constant `M`, which is decided symbolically, the type also
 /// implements `QuadraticKinetic`, and the compositions that need it are allowed.
