@@ -1,0 +1,26 @@
+//! An index beyond the last coordinate, by a literal and by a loop.
+
+use integrator_core::prelude::*;
+
+struct System {
+    mass: f64,
+}
+
+#[hamiltonian]
+impl System {
+    fn kinetic(&self, p: [f64; 2]) -> f64 {
+        (p[0] * p[0] + p[1] * p[1]) / 2.0
+    }
+    fn potential(&self, q: [f64; 2]) -> f64 {
+        let mut sum = q[2].cos();
+        for i in 0..2 {
+            sum += (q[i + 1] - q[i]).powi(2);
+        }
+        sum
+    }
+}
+
+fn main() {
+    let system = System { mass: 1.0 };
+    let _ = system.mass;
+}

@@ -1,0 +1,19 @@
+//! An impl with one of the two functions.
+
+use integrator_core::prelude::*;
+
+struct System {
+    mass: f64,
+}
+
+#[hamiltonian]
+impl System {
+    fn kinetic(&self, p: [f64; 2]) -> f64 {
+        (p[0] * p[0] + p[1] * p[1]) / 2.0
+    }
+}
+
+fn main() {
+    let system = System { mass: 1.0 };
+    let _ = system.mass;
+}

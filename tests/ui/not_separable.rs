@@ -1,0 +1,22 @@
+//! A product that mixes both: the mass depends on the position.
+
+use integrator_core::prelude::*;
+
+struct System {
+    mass: f64,
+}
+
+#[hamiltonian]
+impl System {
+    fn kinetic(&self, q: [f64; 2], p: [f64; 2]) -> f64 {
+        p[0] * p[0] / (2.0 * self.mass * (1.0 + q[1] * q[1])) + p[1] * p[1] / 2.0
+    }
+    fn potential(&self, q: [f64; 2]) -> f64 {
+        q[0].cos() + q[1] * q[1]
+    }
+}
+
+fn main() {
+    let system = System { mass: 1.0 };
+    let _ = system.mass;
+}

@@ -1,0 +1,22 @@
+//! A potential that asks for p beside q.
+
+use integrator_core::prelude::*;
+
+struct System {
+    mass: f64,
+}
+
+#[hamiltonian]
+impl System {
+    fn kinetic(&self, p: [f64; 2]) -> f64 {
+        (p[0] * p[0] + p[1] * p[1]) / 2.0
+    }
+    fn potential(&self, q: [f64; 2], p: [f64; 2]) -> f64 {
+        q[0].cos() + p[1] * p[1]
+    }
+}
+
+fn main() {
+    let system = System { mass: 1.0 };
+    let _ = system.mass;
+}

@@ -1,0 +1,22 @@
+//! A composition that nobody declared.
+
+use integrator_core::prelude::*;
+
+struct System {
+    mass: f64,
+}
+
+#[hamiltonian(compose = Yoshida5)]
+impl System {
+    fn kinetic(&self, p: [f64; 2]) -> f64 {
+        (p[0] * p[0] + p[1] * p[1]) / 2.0
+    }
+    fn potential(&self, q: [f64; 2]) -> f64 {
+        q[0].cos() + q[1] * q[1]
+    }
+}
+
+fn main() {
+    let system = System { mass: 1.0 };
+    let _ = system.mass;
+}
