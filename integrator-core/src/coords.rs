@@ -16,6 +16,8 @@ pub trait Coords: Clone + Debug + PartialEq + Send + Sync + 'static {
     /// The same shape, filled with slots.
     type Slots<R: Real>: Clone + Send + Sync + 'static;
 
+    /// How many numbers or points there are.
+    fn length(&self) -> usize;
     /// All coordinates, points one after the other.
     fn flat(&self) -> &[Self::Leaf];
     /// All coordinates, to be written.
@@ -46,6 +48,9 @@ impl<K: Keep, const N: usize> Coords for [K; N] {
     type With<L: Keep> = [L; N];
     type Slots<R: Real> = [K::Slot<R>; N];
 
+    fn length(&self) -> usize {
+        self.len()
+    }
     fn flat(&self) -> &[K] {
         self
     }
@@ -70,6 +75,9 @@ impl<K: Keep, const D: usize, const N: usize> Coords for [[K; D]; N] {
     type With<L: Keep> = [[L; D]; N];
     type Slots<R: Real> = [[K::Slot<R>; D]; N];
 
+    fn length(&self) -> usize {
+        self.len()
+    }
     fn flat(&self) -> &[K] {
         self.as_flattened()
     }
@@ -94,6 +102,9 @@ impl<K: Keep> Coords for Vec<K> {
     type With<L: Keep> = Vec<L>;
     type Slots<R: Real> = Vec<K::Slot<R>>;
 
+    fn length(&self) -> usize {
+        self.len()
+    }
     fn flat(&self) -> &[K] {
         self
     }
@@ -116,6 +127,9 @@ impl<K: Keep, const D: usize> Coords for Vec<[K; D]> {
     type With<L: Keep> = Vec<[L; D]>;
     type Slots<R: Real> = Vec<[K::Slot<R>; D]>;
 
+    fn length(&self) -> usize {
+        self.len()
+    }
     fn flat(&self) -> &[K] {
         self.as_flattened()
     }

@@ -47,6 +47,7 @@ macro_rules! fused_real {
 
         impl Real for Fused<$scalar> {
             const LANES: usize = 1;
+            type Mask = bool;
 
             #[inline(always)]
             fn of(x: f64) -> Self {
@@ -76,6 +77,22 @@ macro_rules! fused_real {
             #[inline(always)]
             fn finite(self) -> bool {
                 self.0.is_finite()
+            }
+            #[inline(always)]
+            fn less(self, other: Self) -> bool {
+                self.0 < other.0
+            }
+            #[inline(always)]
+            fn less_or_equal(self, other: Self) -> bool {
+                self.0 <= other.0
+            }
+            #[inline(always)]
+            fn equal(self, other: Self) -> bool {
+                self.0 == other.0
+            }
+            #[inline(always)]
+            fn select(mask: bool, a: Self, b: Self) -> Self {
+                if mask { a } else { b }
             }
             $(
                 #[inline(always)]

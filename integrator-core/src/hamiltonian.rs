@@ -25,7 +25,9 @@ pub trait Hamiltonian: Sized + 'static {
     const AUTONOMOUS: bool;
 
     /// Evaluates what depends on parameters alone, by the user's own expressions.
-    fn parameters(&self) -> Self::Parameters<f64>;
+    ///
+    /// `length` is how many numbers or points the positions of the start are.
+    fn parameters(&self, length: usize) -> Self::Parameters<f64>;
     /// The exact flow of `T` for a time `duration`; `time` is where an explicit time dependence is read.
     fn drift<R: Real, K: Keep>(motion: &mut Self::Motion<R, K>, duration: f64, time: f64);
     /// The exact flow of `V` for a time `duration`; `time` is where an explicit time dependence is read.

@@ -49,7 +49,7 @@ pub mod __private {
         coords::Coords,
         fused::Fused,
         hamiltonian::{Flows, Hamiltonian, Motion, Plain, Prepared, QuadraticKinetic, Shaped},
-        real::{Kernel, Real},
+        real::{Kernel, Mask, Real},
         slot::{Keep, Slot},
     };
     pub use std::vec::Vec;

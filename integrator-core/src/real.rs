@@ -13,6 +13,43 @@ pub trait Kernel {
     fn call(self) -> Self::Out;
 }
 
+/// In which lanes a condition holds.
+pub trait Mask: Copy {
+    /// The same in every lane.
+    fn of(holds: bool) -> Self;
+    /// Whether it holds in one lane at least: if not, the branch is skipped.
+    fn any(self) -> bool;
+    /// Where both hold.
+    fn and(self, other: Self) -> Self;
+    /// Where one holds at least.
+    fn or(self, other: Self) -> Self;
+    /// Where it does not hold.
+    fn not(self) -> Self;
+}
+
+impl Mask for bool {
+    #[inline(always)]
+    fn of(holds: bool) -> Self {
+        holds
+    }
+    #[inline(always)]
+    fn any(self) -> bool {
+        self
+    }
+    #[inline(always)]
+    fn and(self, other: Self) -> Self {
+        self & other
+    }
+    #[inline(always)]
+    fn or(self, other: Self) -> Self {
+        self | other
+    }
+    #[inline(always)]
+    fn not(self) -> Self {
+        !self
+    }
+}
+
 /// Calls back with the elementary functions that the language of H knows beside the arithmetic operators: the one list
 /// from which trait, implementations and tests are written. Methods are named as in `std`.
 macro_rules! elementary_functions {
@@ -37,6 +74,8 @@ macro_rules! declare_real {
         {
             /// How many members of an ensemble (or parts of a dual) one value holds.
             const LANES: usize;
+            /// Which lanes a condition holds in.
+            type Mask: Mask;
 
             /// The same number in every lane, rounded to the precision of the scalar; a dual has no tangent here.
             fn of(x: f64) -> Self;
@@ -52,6 +91,14 @@ macro_rules! declare_real {
             fn sin_cos(self) -> (Self, Self);
             /// Whether all lanes are finite.
             fn finite(self) -> bool;
+            /// Which lanes are below those of `other`.
+            fn less(self, other: Self) -> Self::Mask;
+            /// Which lanes are not above those of `other`.
+            fn less_or_equal(self, other: Self) -> Self::Mask;
+            /// Which lanes are equal to those of `other`.
+            fn equal(self, other: Self) -> Self::Mask;
+            /// `a` in the lanes of `mask`, `b` in the others.
+            fn select(mask: Self::Mask, a: Self, b: Self) -> Self;
             $(
                 #[doc = concat!("`", stringify!($unary), "` of every lane, as in `std`.")]
                 fn $unary(self) -> Self;
@@ -76,6 +123,7 @@ macro_rules! plain_real {
     ($scalar:ty; unary: $($unary:ident)*; binary: $($binary:ident)*;) => {
         impl Real for $scalar {
             const LANES: usize = 1;
+            type Mask = bool;
 
             #[inline(always)]
             fn of(x: f64) -> Self {
@@ -104,6 +152,22 @@ macro_rules! plain_real {
             #[inline(always)]
             fn finite(self) -> bool {
                 self.is_finite()
+            }
+            #[inline(always)]
+            fn less(self, other: Self) -> bool {
+                self < other
+            }
+            #[inline(always)]
+            fn less_or_equal(self, other: Self) -> bool {
+                self <= other
+            }
+            #[inline(always)]
+            fn equal(self, other: Self) -> bool {
+                self == other
+            }
+            #[inline(always)]
+            fn select(mask: bool, a: Self, b: Self) -> Self {
+                if mask { a } else { b }
             }
             $(
                 #[inline(always)]

@@ -192,7 +192,7 @@ struct Solo<H: Hamiltonian, X, R: Real, K: Keep> {
 
 impl<H: Hamiltonian, X: Composition<H>, R: Real, K: Keep> Solo<H, X, R, K> {
     fn new(system: &H, start: Phase<Shaped<H, K>>) -> Self {
-        let parameters = system.parameters();
+        let parameters = system.parameters(start.q.length());
         let motion = H::Motion::<R, K>::load(|_| (&parameters, &start));
         Self {
             snapshot: motion.clone(),

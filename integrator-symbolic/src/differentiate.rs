@@ -1,23 +1,60 @@
 //! Gradients by a reverse sweep over the arena.
 //!
 //! Comes in: a root and the part to differentiate by. Goes out: contributions to the components of the gradient, each
-//! with the loops around it. Always true: the sum of all contributions over all turns of their loops is the gradient;
-//! sums are never unrolled; what is zero has no contribution.
+//! with the loops and conditions around it. Always true: the sum of all contributions, over all turns of their loops in
+//! which their conditions hold, is the gradient; sums are never unrolled; what is zero has no contribution; the branch
+//! that is not taken has no part in anything.
 //!
 //! Inside a sum the adjoint of a node is a value per turn of the loops around it. Where such a value reaches a node
 //! that does not depend on the innermost of these loops, it is summed over them first, so that the sweep leaves a loop
-//! as soon as it can.
+//! as soon as it can. It never leaves a condition: what a branch contributes is computed in the branch.
 
 use crate::graph::{Element, Graph, Node, NodeId, Part, index::LoopId};
+
+/// Something around a value.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub(crate) enum Around {
+    /// It is there in every turn of a loop.
+    Loop(LoopId),
+    /// It is there where a condition holds (`true`) or where it does not.
+    Branch(NodeId, bool),
+}
 
 /// An addend of one component of a gradient (of a family of them, where the component depends on loops).
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Contribution {
-    /// The loops around it, outermost first.
-    pub(crate) context: Vec<LoopId>,
+    /// What is around it, outermost first.
+    pub(crate) context: Vec<Around>,
     /// The coordinate that the component belongs to.
     pub(crate) element: Element,
     pub(crate) value: NodeId,
+}
+
+impl Contribution {
+    /// The loops around it, outermost first.
+    pub(crate) fn loops(&self) -> impl Iterator<Item = LoopId> {
+        self.context.iter().filter_map(|around| match around {
+            Around::Loop(by) => Some(*by),
+            Around::Branch(..) => None,
+        })
+    }
+
+    /// The conditions around it, outermost first.
+    pub(crate) fn conditions(&self) -> impl Iterator<Item = NodeId> {
+        self.context.iter().filter_map(|around| match around {
+            Around::Loop(_) => None,
+            Around::Branch(condition, _) => Some(*condition),
+        })
+    }
+
+    /// What is around it, with other nodes for its conditions.
+    pub(crate) fn around(&self, of: impl Fn(NodeId) -> NodeId) -> Vec<Around> {
+        let renamed = self.context.iter().map(|around| match around {
+            Around::Branch(condition, holds) => Around::Branch(of(*condition), *holds),
+            Around::Loop(_) => *around,
+        });
+        renamed.collect()
+    }
 }
 
 /// The gradient of `root` by the coordinates of `part`, in the order of their ids.
@@ -38,13 +75,48 @@ pub(crate) fn gradient(graph: &mut Graph, root: NodeId, part: Part) -> Vec<Contr
     contributions
 }
 
+/// The same gradient with branches as choices between values: one contribution per element and loops, as long as
+/// nothing else tells them apart.
+pub(crate) fn folded(graph: &mut Graph, gradient: &[Contribution]) -> Vec<Contribution> {
+    let mut folded: Vec<Contribution> = Vec::new();
+    for Contribution { context, element, value } in gradient {
+        let outer = context.iter().rposition(|around| matches!(around, Around::Loop(_))).map_or(0, |last| last + 1);
+        let value = context[outer..].iter().rev().fold(*value, |value, around| chosen(graph, *around, value));
+        let context = context[..outer].to_vec();
+        match folded.iter_mut().find(|known| known.element == *element && known.context == context) {
+            Some(known) => known.value = joined(graph, known.value, value),
+            None => folded.push(Contribution { context, element: *element, value }),
+        }
+    }
+    folded
+}
+
+/// A value where a branch is taken, zero elsewhere.
+fn chosen(graph: &mut Graph, around: Around, value: NodeId) -> NodeId {
+    let zero = graph.constant(0.0);
+    match around {
+        Around::Branch(condition, true) => graph.select(condition, value, zero),
+        Around::Branch(condition, false) => graph.select(condition, zero, value),
+        Around::Loop(by) => graph.sum(by, value),
+    }
+}
+
+/// The sum of two values; of the two branches of one condition, the choice between them.
+fn joined(graph: &mut Graph, first: NodeId, second: NodeId) -> NodeId {
+    if let (Node::Select(c, a, b), Node::Select(d, x, y)) = (graph.node(first), graph.node(second))
+        && c == d
+    {
+        let (a, b) = (graph.add(a, x), graph.add(b, y));
+        return graph.select(c, a, b);
+    }
+    graph.add(first, second)
+}
+
 /// Which nodes depend on the coordinates of `part`.
 fn dependence(graph: &Graph, root: NodeId, part: Part) -> Vec<bool> {
     let mut depends = vec![false; root.position() + 1];
     for id in graph.reachable([root]) {
-        let node = graph.node(id);
-        let own = matches!(node, Node::Coordinate(element) if element.part == part);
-        depends[id.position()] = own || node.children().any(|child| depends[child.position()]);
+        depends[id.position()] = graph.reads(id, part);
     }
     depends
 }
@@ -52,12 +124,12 @@ fn dependence(graph: &Graph, root: NodeId, part: Part) -> Vec<bool> {
 struct Sweep {
     depends: Vec<bool>,
     /// The adjoints of a node so far, one per context that it is used in.
-    adjoints: Vec<Vec<(Vec<LoopId>, NodeId)>>,
+    adjoints: Vec<Vec<(Vec<Around>, NodeId)>>,
 }
 
 impl Sweep {
     /// Passes the adjoint of `node` on to its children.
-    fn through(&mut self, graph: &mut Graph, id: NodeId, node: Node, context: &[LoopId], adjoint: NodeId) {
+    fn through(&mut self, graph: &mut Graph, id: NodeId, node: Node, context: &[Around], adjoint: NodeId) {
         match node {
             Node::Neg(a) => {
                 let value = graph.neg(adjoint);
@@ -96,15 +168,22 @@ impl Sweep {
                 }
             }
             Node::Sum(by, body) => {
-                let inside: Vec<LoopId> = context.iter().copied().chain([by]).collect();
+                let inside: Vec<Around> = context.iter().copied().chain([Around::Loop(by)]).collect();
                 self.push(graph, body, &inside, adjoint);
             }
-            // Leaves pass nothing on; neither does what does not depend on the part.
+            Node::Select(condition, a, b) => {
+                for (child, holds) in [(a, true), (b, false)] {
+                    let inside: Vec<Around> =
+                        context.iter().copied().chain([Around::Branch(condition, holds)]).collect();
+                    self.push(graph, child, &inside, adjoint);
+                }
+            }
+            // Leaves and conditions pass nothing on; neither does what does not depend on the part.
             _ => {}
         }
     }
 
-    fn push_product(&mut self, graph: &mut Graph, to: NodeId, context: &[LoopId], adjoint: NodeId, slope: NodeId) {
+    fn push_product(&mut self, graph: &mut Graph, to: NodeId, context: &[Around], adjoint: NodeId, slope: NodeId) {
         if self.depends[to.position()] {
             let value = graph.mul(adjoint, slope);
             self.push(graph, to, context, value);
@@ -112,13 +191,12 @@ impl Sweep {
     }
 
     /// Adds `value`, one per turn of the loops in `context`, to the adjoint of `to`.
-    fn push(&mut self, graph: &mut Graph, to: NodeId, context: &[LoopId], value: NodeId) {
+    fn push(&mut self, graph: &mut Graph, to: NodeId, context: &[Around], value: NodeId) {
         if !self.depends[to.position()] {
             return;
         }
-        let own = graph.loops_of(to);
-        let depth = context.iter().rposition(|by| own.contains(*by)).map_or(0, |deepest| deepest + 1);
-        let value = context[depth..].iter().rev().fold(value, |value, by| graph.sum(*by, value));
+        let depth = depth(graph, to, context);
+        let value = context[depth..].iter().rev().fold(value, |value, around| chosen(graph, *around, value));
         let adjoints = &mut self.adjoints[to.position()];
         match adjoints.iter_mut().find(|(known, _)| known == &context[..depth]) {
             Some((_, sum)) => *sum = graph.add(*sum, value),
@@ -127,10 +205,20 @@ impl Sweep {
     }
 }
 
+/// How much of `context` stays around the adjoint of a node: up to the first loop behind all those it depends on.
+fn depth(graph: &Graph, id: NodeId, context: &[Around]) -> usize {
+    let own = graph.loops_of(id);
+    let is_own = |around: &Around| matches!(around, Around::Loop(by) if own.contains(*by));
+    let deepest = context.iter().rposition(is_own).map_or(0, |deepest| deepest + 1);
+    let next = context[deepest..].iter().position(|around| matches!(around, Around::Loop(_)));
+    next.map_or(context.len(), |next| deepest + next)
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::graph::{
+        Comparison,
         evaluate::Point,
         index::{Index, Loop},
     };
@@ -149,7 +237,7 @@ mod tests {
     fn by_sweep(graph: &mut Graph, root: NodeId, q: &[f64]) -> Vec<f64> {
         let mut gradient_at = vec![0.0; q.len()];
         for Contribution { context, element, value } in gradient(graph, root, Part::Position) {
-            Point::new(q, &[]).turns(graph, &context, &mut |point| {
+            Point::new(q, &[]).around(graph, &context, &mut |point| {
                 gradient_at[point.index(graph, element.index) as usize] += point.value(graph, value);
             });
         }
@@ -238,5 +326,45 @@ mod tests {
         let q = position(&mut graph, Index::Literal(2));
         let root = graph.sum(by, q);
         assert_eq!(by_sweep(&mut graph, root, &Q), [0.0, 0.0, 7.0, 0.0, 0.0]);
+    }
+
+    /// A bond that breaks beyond a length: `if |d| < 1.2 { d^3 } else { d }` with d the distance of neighbours.
+    fn breaking_bonds(graph: &mut Graph) -> NodeId {
+        let by = range(graph, None, Index::Literal(0), Index::Literal(4));
+        let i = graph.loops.intern(Index::Running(by));
+        let one = graph.loops.intern(Index::Literal(1));
+        let (left, right) = (position(graph, Index::Running(by)), position(graph, Index::Add(i, one)));
+        let bond = graph.sub(right, left);
+        let (length, limit) = (graph.call("abs", bond), graph.constant(1.2));
+        let near = graph.compare(Comparison::Less, length, limit);
+        let cube = graph.power(bond, 6);
+        let energy = graph.select(near, cube, bond);
+        graph.sum(by, energy)
+    }
+
+    #[test]
+    fn the_branch_that_is_taken_is_differentiated() {
+        let mut graph = Graph::default();
+        let root = breaking_bonds(&mut graph);
+        check(&mut graph, root, &Q);
+    }
+
+    #[test]
+    fn folded_branches_are_the_same_gradient() {
+        let mut graph = Graph::default();
+        let root = breaking_bonds(&mut graph);
+        let whole = gradient(&mut graph, root, Part::Position);
+        let folded = folded(&mut graph, &whole);
+        assert!(folded.len() < whole.len());
+        let sum = |graph: &Graph, contributions: &[Contribution]| {
+            let mut at = vec![0.0; Q.len()];
+            for Contribution { context, element, value } in contributions {
+                Point::new(&Q, &[]).around(graph, context, &mut |point| {
+                    at[point.index(graph, element.index) as usize] += point.value(graph, *value);
+                });
+            }
+            at
+        };
+        assert_eq!(sum(&graph, &whole), sum(&graph, &folded));
     }
 }

@@ -40,7 +40,12 @@ pub fn composition(declarations: TokenStream) -> TokenStream {
 
 fn stepper(arguments: TokenStream, item: TokenStream, errors: &mut Errors) -> Option<TokenStream> {
     let input = syntax::input(arguments, item, errors)?;
-    let model = model::model(&input, errors)?;
+    let Some(model) = model::model(&input, errors) else {
+        if errors.is_empty() {
+            errors.at(&input.item.self_ty, "this impl could not be read, and no reason was found: please report it");
+        }
+        return None;
+    };
     check_composition(&input, &model, errors);
     errors.is_empty().then(|| emit::stepper(&input, model))
 }

@@ -1,10 +1,16 @@
 //! What is computed where: nodes and the places their values go to become nested blocks.
 //!
-//! Comes in: lowered nodes, each with its destination. Goes out: a block of lets, loops and destinations, in order.
-//! Always true: a node is computed in the outermost loop that it can be computed in, once; loops over the same range
-//! that do not wait for each other are one loop; a node has a name if it is used twice or in a loop inside its own.
+//! Comes in: lowered nodes, each with its destination. Goes out: a block of lets, loops, branches and destinations, in
+//! order. Always true: a node is computed outside of every loop that it does not depend on, and inside of every branch
+//! that alone needs it; loops over the same range that do not wait for each other are one loop, branches on one condition
+//! are one branch; a node has a name if it is used twice or in a block inside its own.
 
-use crate::graph::{Element, Graph, Node, NodeId, index::LoopId};
+mod order;
+
+use crate::{
+    differentiate::Around,
+    graph::{Element, Graph, Node, NodeId, index::LoopId},
+};
 use std::collections::{BTreeMap, BTreeSet, HashMap};
 
 /// Where a value goes.
@@ -18,10 +24,10 @@ pub(crate) enum Sink {
     Return,
 }
 
-/// A value, where it goes, and the loops around that.
+/// A value, where it goes, and what is around that.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Placed {
-    pub(crate) context: Vec<LoopId>,
+    pub(crate) context: Vec<Around>,
     pub(crate) sink: Sink,
     pub(crate) value: NodeId,
 }
@@ -33,8 +39,16 @@ pub(crate) enum Item {
     Let(NodeId),
     /// Sine and cosine of one argument, both named.
     SineCosine { argument: NodeId, sine: NodeId, cosine: NodeId },
-    /// A loop, with the sums that it accumulates.
-    Loop { by: LoopId, sums: Vec<NodeId>, body: Vec<Item> },
+    /// A sum that is about to be accumulated, or a choice that is about to be made.
+    Begin(NodeId),
+    /// A loop.
+    Loop { by: LoopId, body: Vec<Item> },
+    /// What happens where a condition holds, or where it does not.
+    Branch { condition: NodeId, holds: bool, body: Vec<Item> },
+    /// A turn adds to a sum.
+    Add { sum: NodeId, value: NodeId },
+    /// A choice is made.
+    Choose { choice: NodeId, value: NodeId },
     /// A destination.
     Sink(Sink, NodeId),
 }
@@ -49,185 +63,255 @@ pub(crate) struct Program {
 
 /// Orders the computation of everything that is placed. `leaf` tells which nodes are read, not computed.
 pub(crate) fn schedule(graph: &Graph, placed: &[Placed], leaf: impl Fn(&Graph, NodeId) -> bool) -> Program {
-    let mut scheduler = Scheduler { graph, leaf: &leaf, scopes: vec![Scope::default()] };
+    attempt(graph, placed, &leaf, Waiting::ForItsLike)
+        .or_else(|| attempt(graph, placed, &leaf, Waiting::ForAny))
+        .unwrap_or(Program { items: Vec::new(), named: BTreeSet::new() })
+}
+
+/// Which inner blocks keep a later one from being joined with an earlier one.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Waiting {
+    /// Those over the same loop or on the same condition. Fewest blocks, but two kinds may end up waiting for each other.
+    ForItsLike,
+    /// All, so that an order always exists.
+    ForAny,
+}
+
+fn attempt<L: Fn(&Graph, NodeId) -> bool>(
+    graph: &Graph,
+    placed: &[Placed],
+    leaf: &L,
+    waiting: Waiting,
+) -> Option<Program> {
+    let mut scheduler = Scheduler { graph, leaf, waiting, scopes: vec![Scope::default()], uses: BTreeMap::new() };
     for Placed { context, sink, value } in placed {
         let mut path = vec![0];
-        for by in context {
-            let stage = scheduler.stage(&path, *value, &mut HashMap::new()) + 1;
-            path.push(scheduler.inner(&path, *by, stage));
+        for around in context {
+            let mut waits = scheduler.waits(&path, *value, *around);
+            if let Around::Branch(condition, _) = around {
+                waits = waits.max(scheduler.waits(&path, *condition, *around));
+                scheduler.used(*condition, &path);
+            }
+            path.push(scheduler.inner(&path, *around, waits + 1));
         }
-        scheduler.require(&path, *value);
-        let last = path[path.len() - 1];
-        scheduler.scopes[last].sinks.push((*sink, *value));
+        scheduler.used(*value, &path);
+        scheduler.scope(&path).ends.push(End::Sink(*sink, *value));
     }
+    scheduler.place();
     let named = scheduler.named();
-    Program { items: scheduler.items(0, &named), named }
+    Some(Program { items: scheduler.items(0, &named)?, named })
+}
+
+/// What the lines of a block lead to.
+#[derive(Clone, Copy)]
+enum End {
+    Add { sum: NodeId, value: NodeId },
+    Choose { choice: NodeId, value: NodeId },
+    Sink(Sink, NodeId),
+}
+
+impl End {
+    fn value(self) -> NodeId {
+        match self {
+            End::Add { value, .. } | End::Choose { value, .. } | End::Sink(_, value) => value,
+        }
+    }
 }
 
 /// A block under construction.
 #[derive(Default)]
 struct Scope {
-    by: Option<LoopId>,
-    /// Inner loops by stage, in order of their making: a loop of stage `k` waits for loops of stage `k - 1` beside it.
-    inner: BTreeMap<u32, Vec<usize>>,
-    /// The nodes computed here, by what they wait for.
-    nodes: BTreeMap<NodeId, u32>,
-    /// The sums that this loop accumulates.
-    sums: BTreeSet<NodeId>,
-    sinks: Vec<(Sink, NodeId)>,
+    around: Option<Around>,
+    /// Inner blocks in order of their making, each with how many of its like it waits for.
+    inner: Vec<(u32, usize)>,
+    nodes: BTreeSet<NodeId>,
+    ends: Vec<End>,
 }
 
 struct Scheduler<'g, L> {
     graph: &'g Graph,
     leaf: &'g L,
+    waiting: Waiting,
     scopes: Vec<Scope>,
+    /// The blocks that nodes are used in, as paths from the outermost one; the last node is placed first.
+    uses: BTreeMap<NodeId, Vec<Vec<usize>>>,
 }
 
 impl<L: Fn(&Graph, NodeId) -> bool> Scheduler<'_, L> {
-    /// How many scopes of `path` a node is computed inside of.
-    fn depth(&self, path: &[usize], id: NodeId) -> usize {
-        let loops = self.graph.loops_of(id);
-        let inside = |scope: &usize| self.scopes[*scope].by.is_some_and(|by| loops.contains(by));
-        path.iter().rposition(inside).map_or(1, |deepest| deepest + 1)
+    fn scope(&mut self, path: &[usize]) -> &mut Scope {
+        &mut self.scopes[path[path.len() - 1]]
     }
 
-    /// Whether a node depends on a loop that is not around `path`.
-    fn is_inner(&self, path: &[usize], id: NodeId) -> bool {
-        self.graph.loops_of(id).iter().any(|by| path.iter().all(|scope| self.scopes[*scope].by != Some(by)))
-    }
-
-    /// How many loops beside each other a node waits for, counted in the last scope of `path`.
-    fn stage(&self, path: &[usize], id: NodeId, known: &mut HashMap<NodeId, u32>) -> u32 {
-        if let Some(stage) = known.get(&id) {
-            return *stage;
+    fn used(&mut self, id: NodeId, path: &[usize]) {
+        if !(self.leaf)(self.graph, id) {
+            self.uses.entry(id).or_default().push(path.to_vec());
         }
-        let inner = self.is_inner(path, id);
-        let stage = if (self.leaf)(self.graph, id) || (!inner && self.depth(path, id) < path.len()) {
+    }
+
+    /// How much of a path a node has to be inside of: up to the deepest loop that it depends on.
+    fn needed(&self, path: &[usize], id: NodeId) -> usize {
+        let loops = self.graph.loops_of(id);
+        let is_own = |scope: &usize| matches!(self.scopes[*scope].around, Some(Around::Loop(by)) if loops.contains(by));
+        path.iter().rposition(is_own).map_or(1, |deepest| deepest + 1)
+    }
+
+    /// How much of a path a node may be inside of: up to the first loop that it does not depend on.
+    fn allowed(&self, path: &[usize], id: NodeId) -> usize {
+        let needed = self.needed(path, id);
+        let is_loop = |scope: &usize| matches!(self.scopes[*scope].around, Some(Around::Loop(_)));
+        path[needed..].iter().position(is_loop).map_or(path.len(), |next| needed + next)
+    }
+
+    /// How many inner blocks of a kind, one after the other, a node waits for in the last block of `path`.
+    fn waits(&self, path: &[usize], id: NodeId, kind: Around) -> u32 {
+        self.waits_of(path, id, kind, &mut HashMap::new())
+    }
+
+    fn waits_of(&self, path: &[usize], id: NodeId, kind: Around, known: &mut HashMap<NodeId, u32>) -> u32 {
+        if let Some(waits) = known.get(&id) {
+            return *waits;
+        }
+        let around = |by| path.iter().any(|scope| self.scopes[*scope].around == Some(Around::Loop(by)));
+        let inner = self.graph.loops_of(id).iter().any(|by| !around(by));
+        let outer = !inner && self.allowed(path, id) < path.len();
+        let waits = if (self.leaf)(self.graph, id) || outer {
             0
         } else {
             let node = self.graph.node(id);
-            let waits = node.children().map(|child| self.stage(path, child, known)).max().unwrap_or(0);
-            waits + u32::from(!inner && matches!(node, Node::Sum(..)))
+            let children = node.children().map(|child| self.waits_of(path, child, kind, known)).max().unwrap_or(0);
+            let like = match (node, kind) {
+                (Node::Sum(..) | Node::Select(..), _) if self.waiting == Waiting::ForAny => true,
+                (Node::Sum(by, _), Around::Loop(kind)) => by == kind,
+                (Node::Select(condition, ..), Around::Branch(kind, _)) => condition == kind,
+                _ => false,
+            };
+            children + u32::from(!inner && like)
         };
-        known.insert(id, stage);
-        stage
+        known.insert(id, waits);
+        waits
     }
 
-    /// The loop over `by` of this stage inside the last scope of `path`.
-    fn inner(&mut self, path: &[usize], by: LoopId, stage: u32) -> usize {
-        let last = path[path.len() - 1];
-        let beside = self.scopes[last].inner.entry(stage).or_default().clone();
-        if let Some(known) = beside.into_iter().find(|scope| self.scopes[*scope].by == Some(by)) {
-            return known;
+    /// The block inside the last one of `path`, new or known.
+    fn inner(&mut self, path: &[usize], around: Around, waits: u32) -> usize {
+        let beside = &self.scopes[path[path.len() - 1]].inner;
+        let known = beside.iter().find(|(own, scope)| *own == waits && self.scopes[*scope].around == Some(around));
+        if let Some((_, known)) = known {
+            return *known;
         }
         let made = self.scopes.len();
-        self.scopes.push(Scope { by: Some(by), ..Scope::default() });
-        self.scopes[last].inner.entry(stage).or_default().push(made);
+        self.scopes.push(Scope { around: Some(around), ..Scope::default() });
+        self.scope(path).inner.push((waits, made));
         made
     }
 
-    /// Sees to it that a node is computed for use in the last scope of `path`.
-    fn require(&mut self, path: &[usize], id: NodeId) {
-        let path = &path[..self.depth(path, id)];
-        let home = path[path.len() - 1];
-        if self.scopes[home].nodes.contains_key(&id) || (self.leaf)(self.graph, id) {
-            return;
-        }
-        let stage = self.stage(path, id, &mut HashMap::new());
-        self.scopes[home].nodes.insert(id, stage);
-        let node = self.graph.node(id);
-        if let Node::Sum(by, body) = node {
-            let inner = self.inner(path, by, stage);
-            self.scopes[inner].sums.insert(id);
-            let path: Vec<usize> = path.iter().copied().chain([inner]).collect();
-            self.require(&path, body);
-        } else {
-            for child in node.children() {
-                self.require(path, child);
+    /// Finds the block of every node. Users come before what they use, since their ids are larger.
+    fn place(&mut self) {
+        while let Some((id, uses)) = self.uses.pop_last() {
+            let mut homes: Vec<Vec<usize>> = Vec::new();
+            for path in uses {
+                let (needed, path) = (self.needed(&path, id), &path[..self.allowed(&path, id)]);
+                // Uses inside one turn of the deepest loop share what they have in common.
+                match homes.iter_mut().find(|home| home.get(..needed) == Some(&path[..needed])) {
+                    Some(home) => {
+                        let common = home.iter().zip(path).take_while(|(a, b)| a == b).count();
+                        home.truncate(common);
+                    }
+                    None => homes.push(path.to_vec()),
+                }
+            }
+            for home in homes {
+                self.place_at(id, &home);
             }
         }
     }
 
-    /// Sums, what is used twice, and what is used inside a loop that it is computed outside of.
+    fn place_at(&mut self, id: NodeId, home: &[usize]) {
+        self.scope(home).nodes.insert(id);
+        match self.graph.node(id) {
+            Node::Sum(by, body) => {
+                let turn = self.inside(home, Around::Loop(by), self.waits(home, id, Around::Loop(by)));
+                match self.graph.node(body) {
+                    // What a turn adds under a condition alone is added there.
+                    Node::Select(condition, value, zero) if self.graph.as_constant(zero) == Some(0.0) => {
+                        self.add_where(id, &turn, condition, true, value);
+                    }
+                    Node::Select(condition, zero, value) if self.graph.as_constant(zero) == Some(0.0) => {
+                        self.add_where(id, &turn, condition, false, value);
+                    }
+                    _ => self.end(&turn, End::Add { sum: id, value: body }),
+                }
+            }
+            Node::Select(condition, first, second) => {
+                self.used(condition, home);
+                // A choice begins as zero, which needs no branch.
+                let zero = |value: &NodeId| self.graph.as_constant(*value) == Some(0.0);
+                for (holds, value) in [(true, first), (false, second)].into_iter().filter(|(_, value)| !zero(value)) {
+                    let around = Around::Branch(condition, holds);
+                    let branch = self.inside(home, around, self.waits(home, id, around));
+                    self.end(&branch, End::Choose { choice: id, value });
+                }
+            }
+            node => {
+                for child in node.children() {
+                    self.used(child, home);
+                }
+            }
+        }
+    }
+
+    fn add_where(&mut self, sum: NodeId, turn: &[usize], condition: NodeId, holds: bool, value: NodeId) {
+        self.used(condition, turn);
+        let around = Around::Branch(condition, holds);
+        let waits = self.waits(turn, condition, around).max(self.waits(turn, value, around));
+        let branch = self.inside(turn, around, waits + 1);
+        self.end(&branch, End::Add { sum, value });
+    }
+
+    fn inside(&mut self, path: &[usize], around: Around, waits: u32) -> Vec<usize> {
+        let inner = self.inner(path, around, waits);
+        path.iter().copied().chain([inner]).collect()
+    }
+
+    fn end(&mut self, path: &[usize], end: End) {
+        self.used(end.value(), path);
+        self.scope(path).ends.push(end);
+    }
+
+    /// Sums and choices, what is used twice, and what is used in a block inside the one that it is computed in.
     fn named(&self) -> BTreeSet<NodeId> {
         let mut uses: HashMap<NodeId, u32> = HashMap::new();
         let mut named = BTreeSet::new();
         for scope in &self.scopes {
-            let passes = |id: &NodeId| matches!(self.graph.node(*id), Node::Sum(..) | Node::Neg(_));
-            let from_nodes = scope.nodes.keys().filter(|id| !passes(id)).flat_map(|id| self.graph.node(*id).children());
-            let from_sums = scope.sums.iter().flat_map(|id| self.graph.node(*id).children());
-            let from_sinks = scope.sinks.iter().map(|(_, value)| *value);
-            for used in from_nodes.chain(from_sums).chain(from_sinks) {
-                // A change of sign costs nothing: it is written where it is used, and what is under it is used there.
+            // A sum and a choice are used by the ends inside their blocks; a change of sign costs nothing, so it is
+            // written where it is used, and what is under it is used there.
+            let passes =
+                |id: &&NodeId| !matches!(self.graph.node(**id), Node::Sum(..) | Node::Select(..) | Node::Neg(_));
+            let from_nodes = scope.nodes.iter().filter(passes).flat_map(|id| self.graph.node(*id).children());
+            let from_ends = scope.ends.iter().map(|end| end.value());
+            let conditions = scope.inner.iter().filter_map(|(_, inner)| match self.scopes[*inner].around {
+                Some(Around::Branch(condition, _)) => Some(condition),
+                _ => None,
+            });
+            for used in from_nodes.chain(from_ends) {
                 let used = match self.graph.node(used) {
                     Node::Neg(inner) if !(self.leaf)(self.graph, used) => inner,
                     _ => used,
                 };
                 *uses.entry(used).or_default() += 1;
-                if !scope.nodes.contains_key(&used) {
+                if !scope.nodes.contains(&used) {
                     named.insert(used);
                 }
             }
-            named.extend(scope.nodes.keys().filter(|id| matches!(self.graph.node(**id), Node::Sum(..))));
+            named.extend(conditions);
+            let made_inside =
+                scope.nodes.iter().filter(|id| matches!(self.graph.node(**id), Node::Sum(..) | Node::Select(..)));
+            named.extend(made_inside.copied());
         }
         named.extend(uses.into_iter().filter(|(_, count)| *count > 1).map(|(id, _)| id));
         named.retain(|id| !(self.leaf)(self.graph, *id));
-        self.name_pairs(&mut named);
-        named
-    }
-
-    /// Sine and cosine of one argument that are computed in one scope are both named.
-    fn name_pairs(&self, named: &mut BTreeSet<NodeId>) {
         for scope in &self.scopes {
-            for (sine, cosine, _) in self.pairs(scope) {
-                named.extend([sine, cosine]);
-            }
+            named.extend(self.pairs(scope).into_iter().flat_map(|(sine, cosine, _)| [sine, cosine]));
         }
-    }
-
-    fn pairs(&self, scope: &Scope) -> Vec<(NodeId, NodeId, NodeId)> {
-        let of = |name: &str| -> HashMap<NodeId, NodeId> {
-            let calls = scope.nodes.keys().filter_map(|id| match self.graph.node(*id) {
-                Node::Unary(function, argument) if function.name() == name => Some((argument, *id)),
-                _ => None,
-            });
-            calls.collect()
-        };
-        let (sines, cosines) = (of("sin"), of("cos"));
-        let mut pairs: Vec<_> = sines
-            .into_iter()
-            .filter_map(|(argument, sine)| cosines.get(&argument).map(|cosine| (sine, *cosine, argument)))
-            .collect();
-        pairs.sort();
-        pairs
-    }
-
-    /// The lines of a scope: values that wait for nothing, then the first loops, then what waits for these, ...
-    fn items(&self, scope: usize, named: &BTreeSet<NodeId>) -> Vec<Item> {
-        let scope = &self.scopes[scope];
-        let pairs = self.pairs(scope);
-        let last = scope.nodes.values().chain(scope.inner.keys()).max().copied().unwrap_or(0);
-        let mut items = Vec::new();
-        for stage in 0..=last {
-            for inner in scope.inner.get(&stage).into_iter().flatten() {
-                let Scope { by: Some(by), sums, .. } = &self.scopes[*inner] else { continue };
-                let body = self.items(*inner, named);
-                items.push(Item::Loop { by: *by, sums: sums.iter().copied().collect(), body });
-            }
-            let of_stage = scope.nodes.iter().filter(|(id, own)| **own == stage && named.contains(id));
-            for (id, _) in of_stage {
-                let pair = pairs.iter().find(|(sine, cosine, _)| sine == id || cosine == id);
-                match (pair, self.graph.node(*id)) {
-                    (_, Node::Sum(..)) => {}
-                    (Some((sine, cosine, argument)), _) if id == sine.min(cosine) => {
-                        items.push(Item::SineCosine { argument: *argument, sine: *sine, cosine: *cosine });
-                    }
-                    (Some(_), _) => {}
-                    (None, _) => items.push(Item::Let(*id)),
-                }
-            }
-        }
-        items.extend(scope.sinks.iter().map(|(sink, value)| Item::Sink(*sink, *value)));
-        items
+        named
     }
 }

@@ -109,6 +109,7 @@ macro_rules! dual_real {
     (unary: $($unary:ident)*; binary: $($binary:ident)*;) => {
         impl Real for Dual {
             const LANES: usize = 2;
+            type Mask = bool;
 
             fn of(x: f64) -> Self {
                 Self::new(x, 0.0)
@@ -132,6 +133,18 @@ macro_rules! dual_real {
             }
             fn finite(self) -> bool {
                 self.0.re.is_finite() && self.0.eps.is_finite()
+            }
+            fn less(self, other: Self) -> bool {
+                self.0.re < other.0.re
+            }
+            fn less_or_equal(self, other: Self) -> bool {
+                self.0.re <= other.0.re
+            }
+            fn equal(self, other: Self) -> bool {
+                self.0.re == other.0.re
+            }
+            fn select(mask: bool, a: Self, b: Self) -> Self {
+                if mask { a } else { b }
             }
             $(
                 fn $unary(self) -> Self {

@@ -11,6 +11,7 @@ use crate::{
         tolerance::{flows_per_step, largest, ratio, within},
     },
     composition::Composition,
+    coords::Coords,
     hamiltonian::{Hamiltonian, Motion, Shaped},
     phase::Phase,
     run::Run,
@@ -89,7 +90,7 @@ pub fn energy_drift<H: Hamiltonian, X: Composition<H>, K: Keep>(
         return Err(CheckError::TooFewSteps { steps, needed });
     }
     let mut run = Run::start::<H, X, K>(system, start, h)?;
-    let parameters = system.parameters();
+    let parameters = system.parameters(run.state().q.length());
     let parts = |state: &Phase<Shaped<H, K>>, time: f64| {
         let motion = H::Motion::<f64, K>::load(|_| (&parameters, state));
         (H::kinetic::<f64, K>(&motion, time), H::potential::<f64, K>(&motion, time))

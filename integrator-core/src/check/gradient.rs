@@ -40,7 +40,7 @@ pub fn gradient_error<H: Hamiltonian, K: Keep>(
         return Err(crate::Error::Time { time }.into());
     }
     let point = plain::<H, K>(&point);
-    let parameters = system.parameters();
+    let parameters = system.parameters(point.q.length());
     let error = |part| Gradient::<H> { parameters: &parameters, part, time, marker: PhantomData }.error(&point);
     Ok(largest([error(Part::Kinetic)?, error(Part::Potential)?]))
 }

@@ -11,6 +11,7 @@ use crate::{
         points::plain,
         tolerance::within,
     },
+    coords::Coords,
     hamiltonian::{Flows, Hamiltonian, Motion, Shaped, Single},
     phase::Phase,
     slot::Compensated,
@@ -55,7 +56,7 @@ fn march<H: Hamiltonian>(
     weights: &[f64],
 ) -> Path<H::Coords> {
     let h = span / (PARTS * steps) as f64;
-    let parameters = system.parameters();
+    let parameters = system.parameters(start.q.length());
     let mut state: Phase<Shaped<H, Compensated<f64>>> = Phase::compensated(start.q.clone(), start.p.clone());
     let mut motion = H::Motion::<f64, Compensated<f64>>::load(|_| (&parameters, &state));
     let ends = (0..PARTS).map(|part| {

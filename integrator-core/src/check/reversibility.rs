@@ -138,7 +138,7 @@ fn growth<H: Hamiltonian, X: Composition<H>>(
     /// Its multiples fall evenly into (0, 1), so that signs taken from them share no symmetry with the system: a shift
     /// of all bodies at once, for one, would meet no force between them.
     const GOLDEN: f64 = 0.618_033_988_749_894_9;
-    let tangents = Tangents::<H, X>::new(system, h);
+    let tangents = Tangents::<H, X>::new(system, point.q.length(), h);
     largest([1.0, -1.0].map(|sign_of_p| {
         let (mut point, mut tangent) = (point.clone(), origin(point));
         for index in 0..2 * size.positions {

@@ -12,6 +12,7 @@ use crate::{
         tolerance::{flows_per_step, largest},
     },
     composition::Composition,
+    coords::Coords,
     hamiltonian::{Hamiltonian, Shaped},
     phase::Phase,
     run::admissible,
@@ -75,7 +76,7 @@ pub(crate) fn defect<H: Hamiltonian, X: Composition<H>, K: Keep>(
     steps: u64,
 ) -> Result<Defect, CheckError> {
     admissible(start, h)?;
-    let mut map = Tangents::<H, X>::new(system, h).matrix(&plain::<H, K>(start), 0.0, steps);
+    let mut map = Tangents::<H, X>::new(system, start.q.length(), h).matrix(&plain::<H, K>(start), 0.0, steps);
     balance(&mut map);
     let n = map.nrows() / 2;
     let size = largest((form(&map) - form(&DMatrix::identity(2 * n, 2 * n))).iter().copied());

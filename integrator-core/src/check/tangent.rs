@@ -25,8 +25,8 @@ pub(crate) struct Tangents<H: Hamiltonian, X> {
 }
 
 impl<H: Hamiltonian, X: Composition<H>> Tangents<H, X> {
-    pub(crate) fn new(system: &H, h: f64) -> Self {
-        Self { parameters: system.parameters(), h, marker: PhantomData }
+    pub(crate) fn new(system: &H, length: usize, h: f64) -> Self {
+        Self { parameters: system.parameters(length), h, marker: PhantomData }
     }
 
     /// Where `point` is after `steps` steps from time `t0`, closed, and what has become of `tangent` there.

@@ -31,7 +31,7 @@ macro_rules! by_hand {
             type Motion<R: Real, K: Keep> = Plain<R, Shaped<Self, K>, Self>;
             const AUTONOMOUS: bool = $autonomous;
 
-            fn parameters(&self) -> Self {
+            fn parameters(&self, _length: usize) -> Self {
                 self.clone()
             }
             fn drift<R: Real, K: Keep>($dm: &mut Self::Motion<R, K>, $dd: f64, $dt: f64) $drift

@@ -8,7 +8,7 @@ use super::{
 use crate::{
     graph::{Element, Graph, Node, NodeId, Part, index::Index},
     lower::lower,
-    model::{Model, Shape},
+    model::{Length, Model, Shape, integer::operand},
     program::{Item, Placed, Program, Sink, schedule},
 };
 use proc_macro2::{Ident, Literal, TokenStream};
@@ -41,7 +41,7 @@ pub(super) fn function(
 /// The body of a flow: the lowered updates of the coordinates, each in its loops.
 pub(super) fn flow(model: &Model, fields: &mut Fields, names: &Names, placed: &[Placed]) -> TokenStream {
     let program = schedule(&model.graph, placed, |graph, id| is_leaf(graph, &model.parameters, id));
-    let block = Block::new(model, names, &program, Dialect::Generic);
+    let mut block = Block::new(model, names, &program, Dialect::Generic);
     let body = block.items(fields, &program.items);
     let Some(element) = placed.iter().find_map(|placed| match placed.sink {
         Sink::Collect(element) => Some(element),
@@ -49,32 +49,40 @@ pub(super) fn flow(model: &Model, fields: &mut Fields, names: &Names, placed: &[
     }) else {
         return body;
     };
-    let (open, close) = buffer(&model.shape, element.part, &block.printer.lifted(quote!(0.0)));
+    let (open, close) = buffer(&model.shape, element.part, &block.printer);
     quote!(#open #body #close)
 }
 
+/// The most elements that a buffer has on the stack; a longer one, or one of a length known at run time, is on the heap.
+const SMALL: u64 = 4096;
+
 /// A buffer for the gradient, and its application to the coordinates of `part`.
-fn buffer(shape: &Shape, part: Part, zero: &TokenStream) -> (TokenStream, TokenStream) {
+fn buffer(shape: &Shape, part: Part, printer: &Printer<'_>) -> (TokenStream, TokenStream) {
+    let (zero, runtime) = (printer.lifted(quote!(0.0)), printer.runtime);
     let coordinates = match part {
         Part::Position => quote!(q),
         Part::Momentum => quote!(p),
     };
+    let dimension = shape.dimension.as_ref().map(Length::tokens);
+    let element = dimension.as_ref().map_or(zero.clone(), |dimension| quote!([#zero; #dimension]));
     let length = shape.length.tokens();
-    match &shape.dimension {
-        None => (
-            quote!(let mut gradient = [#zero; #length];),
-            quote!(for i in 0..#length { motion.#coordinates[i].fma(step, gradient[i]); }),
-        ),
-        Some(dimension) => {
-            let dimension = dimension.tokens();
-            (
-                quote!(let mut gradient = [[#zero; #dimension]; #length];),
-                quote!(for i in 0..#length {
-                    for d in 0..#dimension { motion.#coordinates[i][d].fma(step, gradient[i][d]); }
-                }),
-            )
-        }
-    }
+    let on_stack = match shape.length {
+        Length::Literal(length) => length <= SMALL,
+        Length::Constant(_) => true,
+        Length::OfStart => false,
+    };
+    let open = if on_stack {
+        quote!(let mut gradient = [#element; #length];)
+    } else {
+        quote!(let mut gradient = #runtime::table(#length, |_| #element);)
+    };
+    let close = match dimension {
+        None => quote!(for i in 0..#length { motion.#coordinates[i].fma(step, gradient[i]); }),
+        Some(dimension) => quote!(for i in 0..#length {
+            for d in 0..#dimension { motion.#coordinates[i][d].fma(step, gradient[i][d]); }
+        }),
+    };
+    (open, close)
 }
 
 /// Values for `roots` without powers, whose prepared constants are left alone.
@@ -83,8 +91,13 @@ pub(super) fn lowered(model: &mut Model, roots: &[NodeId]) -> Vec<NodeId> {
     lower(graph, roots, |graph, id| is_leaf(graph, parameters, id))
 }
 
+/// A block being printed.
 struct Block<'m> {
     printer: Printer<'m>,
+    /// The conditions around the present line, as masks, outermost first.
+    masks: Vec<TokenStream>,
+    /// How many conditions were around the beginning of a sum or a choice.
+    begun: HashMap<NodeId, usize>,
 }
 
 impl<'m> Block<'m> {
@@ -96,15 +109,16 @@ impl<'m> Block<'m> {
             dialect,
             names: names(&model.graph, model, &program.named),
             scalar: &reserved.scalar,
+            runtime: &reserved.runtime,
         };
-        Self { printer }
+        Self { printer, masks: Vec::new(), begun: HashMap::new() }
     }
 
-    fn items(&self, fields: &mut Fields, items: &[Item]) -> TokenStream {
+    fn items(&mut self, fields: &mut Fields, items: &[Item]) -> TokenStream {
         items.iter().map(|item| self.item(fields, item)).collect()
     }
 
-    fn item(&self, fields: &mut Fields, item: &Item) -> TokenStream {
+    fn item(&mut self, fields: &mut Fields, item: &Item) -> TokenStream {
         let printer = &self.printer;
         match item {
             Item::Let(id) => {
@@ -116,91 +130,137 @@ impl<'m> Block<'m> {
                 let argument = printer.receiver(fields, *argument);
                 quote!(let (#sine, #cosine) = #argument.sin_cos();)
             }
-            Item::Loop { by, sums, body } => self.repeat(fields, *by, sums, body),
-            Item::Sink(Sink::Return, value) => printer.expression(fields, *value).tokens,
-            Item::Sink(Sink::Update(element), value) => {
-                let place = printer.place(fields, *element);
-                match printer.product(*value) {
-                    Some((negative, a, b)) => {
-                        let (a, b) = (printer.outer_factor(fields, negative, a), printer.expression(fields, b).tokens);
-                        quote!(motion.#place.fma(#a, #b);)
-                    }
-                    None => {
-                        let value = printer.expression(fields, *value).tokens;
-                        quote!(motion.#place.add(#value);)
-                    }
-                }
+            Item::Begin(id) => {
+                self.begun.insert(*id, self.masks.len());
+                let (name, zero) = (&printer.names[id], self.zero());
+                quote!(let mut #name = #zero;)
             }
+            Item::Loop { by, body } => {
+                let range = printer.graph.loops.get(*by);
+                let index = printer.running.get(by).cloned();
+                let (from, to) = (printer.bound(fields, range.from), printer.bound(fields, range.to));
+                let body = self.items(fields, body);
+                quote!(for #index in #from..#to { #body })
+            }
+            Item::Branch { condition, holds, body } => self.branch(fields, *condition, *holds, body),
+            Item::Add { sum, value } => {
+                let (name, depth) = (printer.names[sum].to_token_stream(), self.begun.get(sum).copied());
+                self.accumulated(fields, name, *value, depth.unwrap_or_default())
+            }
+            Item::Choose { choice, value } => {
+                let (name, value) = (&printer.names[choice], printer.expression(fields, *value).tokens);
+                let chosen = self.masked(self.begun.get(choice).copied().unwrap_or_default(), &value, &quote!(#name));
+                quote!(#name = #chosen;)
+            }
+            Item::Sink(Sink::Return, value) => printer.expression(fields, *value).tokens,
+            Item::Sink(Sink::Update(element), value) => self.updated(fields, *element, *value),
             Item::Sink(Sink::Collect(element), value) => {
                 let at = printer.at(fields, *element);
-                self.accumulated(fields, quote!(gradient #at), *value)
+                self.accumulated(fields, quote!(gradient #at), *value, 0)
             }
         }
     }
 
-    /// `target += value`, fused where the value is a product.
-    fn accumulated(&self, fields: &mut Fields, target: TokenStream, value: NodeId) -> TokenStream {
+    fn zero(&self) -> TokenStream {
+        match self.printer.dialect {
+            Dialect::Generic => self.printer.lifted(quote!(0.0)),
+            Dialect::Single => quote!(0.0_f64),
+        }
+    }
+
+    /// A block that is skipped where no lane needs it.
+    fn branch(&mut self, fields: &mut Fields, condition: NodeId, holds: bool, body: &[Item]) -> TokenStream {
+        let mask = self.printer.expression(fields, condition).tokens;
+        let generic = self.printer.dialect == Dialect::Generic;
+        let mask = match (holds, generic) {
+            (true, _) => mask,
+            (false, true) => quote!(#mask.not()),
+            (false, false) => quote!(!#mask),
+        };
+        self.masks.push(mask.clone());
+        let body = self.items(fields, body);
+        self.masks.pop();
+        match (body.is_empty(), generic) {
+            (true, _) => TokenStream::new(),
+            (false, true) => quote!(if #mask.any() { #body }),
+            (false, false) => quote!(if #mask { #body }),
+        }
+    }
+
+    /// `value` in the lanes in which all conditions beyond the first `depth` hold, `other` elsewhere.
+    fn masked(&self, depth: usize, value: &TokenStream, other: &TokenStream) -> TokenStream {
+        let mut masks = self.masks[depth..].iter();
+        match (masks.next(), self.printer.dialect) {
+            (Some(first), Dialect::Generic) => {
+                let scalar = self.printer.scalar;
+                quote!(#scalar::select(#first #(.and(#masks))*, #value, #other))
+            }
+            _ => value.clone(),
+        }
+    }
+
+    /// A coordinate's update. Under a condition it is an addition, so that lanes that do not take part add zero.
+    fn updated(&self, fields: &mut Fields, element: Element, value: NodeId) -> TokenStream {
         let printer = &self.printer;
+        let place = printer.place(fields, element);
+        match printer.product(value) {
+            Some((negative, a, b)) if self.masks.is_empty() => {
+                let (a, b) = (printer.outer_factor(fields, negative, a), printer.expression(fields, b).tokens);
+                quote!(motion.#place.fma(#a, #b);)
+            }
+            _ => {
+                let value = self.masked(0, &printer.expression(fields, value).tokens, &self.zero());
+                quote!(motion.#place.add(#value);)
+            }
+        }
+    }
+
+    /// `target += value`, fused where the value is a product, in the lanes in which all conditions beyond `depth` hold.
+    fn accumulated(&self, fields: &mut Fields, target: TokenStream, value: NodeId, depth: usize) -> TokenStream {
+        let printer = &self.printer;
+        let is_masked = self.masks.len() > depth && printer.dialect == Dialect::Generic;
         if printer.dialect == Dialect::Generic
             && let Some((negative, a, b)) = printer.product(value)
         {
             let (a, b) = (printer.factor(fields, negative, a), printer.expression(fields, b).tokens);
-            return quote!(#target = #a.fma(#b, #target););
+            let sum = self.masked(depth, &quote!(#a.fma(#b, #target)), &target);
+            return quote!(#target = #sum;);
         }
-        if let Node::Neg(inner) = printer.graph.node(value)
-            && !printer.names.contains_key(&value)
-        {
-            let value = printer.expression(fields, inner).tokens;
-            return quote!(#target -= #value;);
-        }
-        let value = printer.expression(fields, value).tokens;
-        quote!(#target += #value;)
-    }
-
-    fn repeat(
-        &self,
-        fields: &mut Fields,
-        by: crate::graph::index::LoopId,
-        sums: &[NodeId],
-        body: &[Item],
-    ) -> TokenStream {
-        let printer = &self.printer;
-        let range = printer.graph.loops.get(by);
-        let index = printer.running.get(&by);
-        let (from, to) = (printer.index(fields, range.from), printer.index(fields, range.to));
-        let body = self.items(fields, body);
-        let zero = match printer.dialect {
-            Dialect::Generic => printer.lifted(quote!(0.0)),
-            Dialect::Single => quote!(0.0_f64),
+        let (sign, value) = match printer.graph.node(value) {
+            Node::Neg(inner) if !printer.names.contains_key(&value) => (quote!(-), inner),
+            _ => (quote!(+), value),
         };
-        let names: Vec<&Ident> = sums.iter().map(|sum| &printer.names[sum]).collect();
-        let additions: TokenStream = sums
-            .iter()
-            .map(|sum| match printer.graph.node(*sum) {
-                Node::Sum(_, body) => self.accumulated(fields, printer.names[sum].to_token_stream(), body),
-                _ => TokenStream::new(),
-            })
-            .collect();
-        quote!(#(let mut #names = #zero;)* for #index in #from..#to { #body #additions })
+        let value = printer.expression(fields, value);
+        if is_masked {
+            let value = value.term();
+            let sum = self.masked(depth, &quote!(#target #sign #value), &target);
+            return quote!(#target = #sum;);
+        }
+        let value = value.tokens;
+        let operator = if sign.to_string() == "-" { quote!(-=) } else { quote!(+=) };
+        quote!(#target #operator #value;)
     }
 }
 
 /// Names that say what a value is: coordinates by theirs, sums and shared subexpressions by number.
 fn names(graph: &Graph, model: &Model, named: &BTreeSet<NodeId>) -> HashMap<NodeId, Ident> {
     let mut names = HashMap::new();
-    let (mut sums, mut shared) = (0, 0);
+    let mut counts: HashMap<&str, u32> = HashMap::new();
     for id in named {
-        let name = match graph.node(*id) {
+        let kind = match graph.node(*id) {
+            Node::Sum(..) => "sum",
+            Node::Select(..) => "choice",
+            node if node.is_condition() => "condition",
+            _ => "shared",
+        };
+        let coordinate = match graph.node(*id) {
             Node::Coordinate(element) => coordinate_name(graph, model, element),
-            Node::Sum(..) => {
-                sums += 1;
-                Some(format!("sum_{}", sums - 1))
-            }
             _ => None,
         };
-        let name = name.unwrap_or_else(|| {
-            shared += 1;
-            format!("shared_{}", shared - 1)
+        let name = coordinate.unwrap_or_else(|| {
+            let count = counts.entry(kind).or_default();
+            *count += 1;
+            format!("{kind}_{}", *count - 1)
         });
         names.insert(*id, format_ident!("{name}"));
     }
@@ -224,12 +284,13 @@ fn coordinate_name(graph: &Graph, model: &Model, element: Element) -> Option<Str
     Some(format!("{letter}{separator}{first}{second}"))
 }
 
-impl crate::model::Length {
+impl Length {
     /// The length as Rust.
     pub(super) fn tokens(&self) -> TokenStream {
         match self {
-            crate::model::Length::Literal(length) => Literal::u64_unsuffixed(*length).to_token_stream(),
-            crate::model::Length::Constant(expression) => quote!({ #expression }),
+            Length::Literal(length) => Literal::u64_unsuffixed(*length).to_token_stream(),
+            Length::Constant(expression) => operand(expression.to_token_stream()),
+            Length::OfStart => quote!(motion.q.len()),
         }
     }
 }

@@ -3,7 +3,7 @@
 use crate::{
     differentiate::Contribution,
     graph::{
-        Element, Node, NodeId, Part,
+        Comparison, Element, Node, NodeId, Part,
         index::{Index, IndexId, LoopId},
     },
     model::Model,
@@ -26,9 +26,10 @@ impl Formulas<'_> {
     /// `dq[i]/dt = ...` for every component of a gradient, `+= ...` for its terms where it has several; `force` for
     /// minus the gradient.
     pub(super) fn motion(&self, gradient: &[Contribution], force: bool, whole: bool) -> Vec<String> {
-        let line = |Contribution { context, element, value }: &Contribution| {
+        let line = |contribution: &Contribution| {
+            let Contribution { element, value, .. } = contribution;
             let left = self.left(*element);
-            let places: Vec<String> = context.iter().map(|by| self.range(*by)).collect();
+            let places: Vec<String> = contribution.loops().map(|by| self.range(by)).collect();
             let right = self.formula(*value, Tie::Sum);
             let right = match right.strip_prefix('-') {
                 _ if !force => right,
@@ -45,11 +46,7 @@ impl Formulas<'_> {
 
     /// The left side of the equation that a component of a gradient belongs to.
     fn left(&self, element: Element) -> String {
-        let part = match element.part {
-            Part::Momentum => Part::Position,
-            Part::Position => Part::Momentum,
-        };
-        format!("d{}/dt", self.coordinate(Element { part, ..element }))
+        format!("d{}/dt", self.coordinate(Element { part: element.part.other(), ..element }))
     }
 
     fn sigma(&self, by: LoopId) -> String {
@@ -73,12 +70,13 @@ impl Formulas<'_> {
 
     fn index(&self, id: IndexId) -> String {
         let inner = |id| match self.0.graph.loops.index(id) {
-            Index::Literal(_) | Index::Running(_) | Index::Parameter(_) => self.index(id),
+            Index::Literal(_) | Index::Running(_) | Index::Length | Index::Parameter(_) => self.index(id),
             _ => format!("({})", self.index(id)),
         };
         let binary = |a, sign, b| format!("{} {sign} {}", inner(a), inner(b));
         match self.0.graph.loops.index(id) {
             Index::Literal(value) => value.to_string(),
+            Index::Length => "n".to_owned(),
             Index::Running(by) => self.0.running.get(&by).map_or_else(String::new, ToString::to_string),
             Index::Parameter(parameter) => self.text(parameter.0),
             Index::Add(a, b) => binary(a, '+', b),
@@ -142,6 +140,23 @@ impl Formulas<'_> {
                 let (a, b) = (self.formula(a, Tie::Sum), self.formula(b, Tie::Sum));
                 (format!("{}({a}, {b})", function.name()), Tie::Power)
             }
+            Node::Compare(comparison, a, b) => {
+                let (a, b) = (self.formula(a, Tie::Sum), self.formula(b, Tie::Sum));
+                (format!("{a} {} {b}", sign(comparison)), Tie::Sum)
+            }
+            Node::CompareIndex(comparison, a, b) => {
+                (format!("{} {} {}", self.index(a), sign(comparison), self.index(b)), Tie::Sum)
+            }
+            Node::Flag(parameter) => (self.text(parameter.0), Tie::Power),
+            Node::And(a, b) => {
+                (format!("{} and {}", self.formula(a, Tie::Power), self.formula(b, Tie::Power)), Tie::Sum)
+            }
+            Node::Or(a, b) => (format!("{} or {}", self.formula(a, Tie::Power), self.formula(b, Tie::Power)), Tie::Sum),
+            Node::Not(a) => (format!("not {}", self.formula(a, Tie::Power)), Tie::Sum),
+            Node::Select(condition, a, b) => {
+                let [condition, a, b] = [condition, a, b].map(|id| self.formula(id, Tie::Sum));
+                (format!("{{{a} if {condition}, else {b}}}"), Tie::Power)
+            }
             Node::Sum(by, body) => (format!("{} {}", self.sigma(by), self.formula(body, Tie::Product)), Tie::Product),
         }
     }
@@ -155,6 +170,14 @@ impl Formulas<'_> {
             }
             _ => self.formula(id, Tie::Sum),
         }
+    }
+}
+
+fn sign(comparison: Comparison) -> &'static str {
+    match comparison {
+        Comparison::Less => "<",
+        Comparison::LessOrEqual => "<=",
+        Comparison::Equal => "==",
     }
 }
 

@@ -3,10 +3,13 @@
 use super::fields::Fields;
 use crate::{
     graph::{
-        Element, Graph, Node, NodeId, Part,
+        Comparison, Element, Graph, Node, NodeId, Part,
         index::{Index, IndexId, LoopId},
     },
-    model::{Parameter, integer::number_literal},
+    model::{
+        Parameter,
+        integer::{number_literal, operand},
+    },
 };
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{ToTokens, format_ident, quote};
@@ -41,6 +44,11 @@ impl Printed {
         Self { tokens, binding }
     }
 
+    /// As the right side of an addition or a subtraction.
+    pub(super) fn term(self) -> TokenStream {
+        self.at_least(Binding::Product)
+    }
+
     /// In parentheses, unless it holds together at least as tightly as `needed`.
     fn at_least(self, needed: Binding) -> TokenStream {
         if self.binding >= needed {
@@ -60,6 +68,8 @@ pub(super) struct Printer<'m> {
     pub(super) names: HashMap<NodeId, Ident>,
     /// What flows compute in.
     pub(super) scalar: &'m Ident,
+    /// The runtime's private door.
+    pub(super) runtime: &'m Ident,
 }
 
 impl Printer<'_> {
@@ -119,8 +129,9 @@ impl Printer<'_> {
             }
             Node::Unary(function, a) => self.method(fields, a, function.name(), None),
             Node::Binary(function, a, b) => self.method(fields, a, function.name(), Some(b)),
-            // Sums are always named; their loop computes them.
-            Node::Sum(_, body) => self.expression(fields, body),
+            // Sums and choices are always named; the blocks inside theirs compute them.
+            Node::Sum(_, body) | Node::Select(_, body, _) => self.expression(fields, body),
+            condition => Printed::new(Binding::Atom, self.condition(fields, condition)),
         }
     }
 
@@ -149,6 +160,55 @@ impl Printer<'_> {
         match self.dialect {
             Dialect::Generic => Printed::new(Binding::Atom, self.lifted(quote!(#value))),
             Dialect::Single => Printed::new(Binding::Atom, quote!(#value)),
+        }
+    }
+
+    /// A condition: a mask of lanes in a flow, `bool` where parameters are prepared.
+    fn condition(&self, fields: &mut Fields, condition: Node) -> TokenStream {
+        let runtime = self.runtime;
+        let scalar = self.scalar;
+        match (condition, self.dialect) {
+            (Node::Compare(comparison, a, b), Dialect::Generic) => {
+                let a = self.expression(fields, a).at_least(Binding::Atom);
+                let (b, method) = (self.expression(fields, b).tokens, method(comparison));
+                quote!(#a.#method(#b))
+            }
+            (Node::Compare(comparison, a, b), Dialect::Single) => {
+                let (a, b) = (self.expression(fields, a), self.expression(fields, b));
+                let (a, b, sign) = (a.at_least(Binding::Sum), b.at_least(Binding::Sum), sign(comparison));
+                quote!(((#a) #sign (#b)))
+            }
+            (Node::CompareIndex(comparison, a, b), dialect) => {
+                let (a, b, sign) = (self.index(fields, a), self.index(fields, b), sign(comparison));
+                match dialect {
+                    Dialect::Generic => quote!(<#scalar::Mask as #runtime::Mask>::of((#a) #sign (#b))),
+                    Dialect::Single => quote!(((#a) #sign (#b))),
+                }
+            }
+            (Node::Flag(parameter), Dialect::Generic) => {
+                let name = fields.flag(self.parameters, parameter);
+                let at = self.running_of(self.graph.loops.of_parameter(parameter));
+                let zero = self.lifted(quote!(0.0));
+                quote!(#zero.less(motion.parameters.#name #at))
+            }
+            (Node::Flag(parameter), Dialect::Single) => {
+                let text = &self.parameters[parameter.0 as usize].text;
+                quote!((#text))
+            }
+            (Node::And(a, b), dialect) => {
+                let (a, b) = (self.expression(fields, a).tokens, self.expression(fields, b).tokens);
+                if dialect == Dialect::Generic { quote!(#a.and(#b)) } else { quote!((#a && #b)) }
+            }
+            (Node::Or(a, b), dialect) => {
+                let (a, b) = (self.expression(fields, a).tokens, self.expression(fields, b).tokens);
+                if dialect == Dialect::Generic { quote!(#a.or(#b)) } else { quote!((#a || #b)) }
+            }
+            (Node::Not(a), dialect) => {
+                let a = self.expression(fields, a).tokens;
+                if dialect == Dialect::Generic { quote!(#a.not()) } else { quote!((!#a)) }
+            }
+            // Numbers are printed elsewhere.
+            _ => TokenStream::new(),
         }
     }
 
@@ -248,6 +308,8 @@ impl Printer<'_> {
         match self.graph.loops.index(id) {
             Index::Literal(value) => Literal::u64_unsuffixed(value).to_token_stream(),
             Index::Running(by) => self.running.get(&by).to_token_stream(),
+            Index::Length if self.dialect == Dialect::Generic => quote!(motion.q.len()),
+            Index::Length => quote!(length),
             Index::Add(a, b) => binary(a, quote!(+), b),
             Index::Sub(a, b) => binary(a, quote!(-), b),
             Index::Mul(a, b) => binary(a, quote!(*), b),
@@ -256,8 +318,7 @@ impl Printer<'_> {
             Index::Parameter(parameter) => {
                 let known = &self.parameters[parameter.0 as usize];
                 if self.dialect == Dialect::Single || super::fields::is_constant(&known.text) {
-                    let text = &known.text;
-                    return quote!((#text));
+                    return operand(known.text.clone());
                 }
                 let name = fields.integer(self.parameters, parameter);
                 let at = self.running_of(self.graph.loops.of_parameter(parameter));
@@ -266,11 +327,22 @@ impl Printer<'_> {
         }
     }
 
+    /// A bound of a loop: a difference that may be below zero ends the loop before it begins.
+    pub(super) fn bound(&self, fields: &mut Fields, id: IndexId) -> TokenStream {
+        match self.graph.loops.index(id) {
+            Index::Sub(a, b) => {
+                let (a, b) = (self.inner_index(fields, a), self.index(fields, b));
+                quote!(#a.saturating_sub(#b))
+            }
+            _ => self.index(fields, id),
+        }
+    }
+
     /// An integer expression inside another one.
     fn inner_index(&self, fields: &mut Fields, id: IndexId) -> TokenStream {
         let index = self.index(fields, id);
         match self.graph.loops.index(id) {
-            Index::Literal(_) | Index::Running(_) | Index::Parameter(_) => index,
+            Index::Literal(_) | Index::Running(_) | Index::Length | Index::Parameter(_) => index,
             _ => quote!((#index)),
         }
     }
@@ -290,5 +362,22 @@ impl Printer<'_> {
                 quote!([#index])
             })
             .collect()
+    }
+}
+
+/// The method of the runtime's reals that compares.
+fn method(comparison: Comparison) -> Ident {
+    match comparison {
+        Comparison::Less => format_ident!("less"),
+        Comparison::LessOrEqual => format_ident!("less_or_equal"),
+        Comparison::Equal => format_ident!("equal"),
+    }
+}
+
+fn sign(comparison: Comparison) -> TokenStream {
+    match comparison {
+        Comparison::Less => quote!(<),
+        Comparison::LessOrEqual => quote!(<=),
+        Comparison::Equal => quote!(==),
     }
 }

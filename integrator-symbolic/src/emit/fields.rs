@@ -21,6 +21,8 @@ use std::collections::HashMap;
 enum Content {
     Number(NodeId),
     Integer(ParameterId),
+    /// One where a condition of parameters holds, else zero.
+    Flag(ParameterId),
 }
 
 /// The fields asked for so far, in order of first use.
@@ -35,6 +37,7 @@ pub(super) struct Fields {
 pub(super) fn is_field(graph: &Graph, parameters: &[Parameter], id: NodeId) -> bool {
     match graph.node(id) {
         Node::Constant(_) | Node::FromIndex(_) | Node::Neg(_) => false,
+        condition if condition.is_condition() => false,
         Node::Parameter(parameter) => !is_constant(&parameters[parameter.0 as usize].text),
         _ => graph.is_prepared(id) && graph.loops_of(id).iter().count() <= 1,
     }
@@ -49,7 +52,7 @@ pub(super) fn is_leaf(graph: &Graph, parameters: &[Parameter], id: NodeId) -> bo
 /// Whether a text is the path of a constant, which needs no preparation.
 pub(super) fn is_constant(text: &TokenStream) -> bool {
     text.clone().into_iter().all(|token| match token {
-        TokenTree::Ident(name) => name != "self",
+        TokenTree::Ident(name) => name != "self" && name != "length",
         TokenTree::Punct(mark) => mark.as_char() == ':',
         TokenTree::Literal(_) | TokenTree::Group(_) => false,
     })
@@ -66,6 +69,10 @@ impl Fields {
 
     pub(super) fn integer(&mut self, parameters: &[Parameter], id: ParameterId) -> Ident {
         self.named(Content::Integer(id), Some(&parameters[id.0 as usize].text))
+    }
+
+    pub(super) fn flag(&mut self, parameters: &[Parameter], id: ParameterId) -> Ident {
+        self.named(Content::Flag(id), Some(&parameters[id.0 as usize].text))
     }
 
     /// A field's name: the user's own where it is `self.name` or `self.name[i]`.
@@ -102,10 +109,14 @@ impl Fields {
                     let text = &model.parameters[id.0 as usize].text;
                     (quote!(usize), quote!(#text))
                 }
+                Content::Flag(id) => {
+                    let text = &model.parameters[id.0 as usize].text;
+                    (scalar.to_token_stream(), quote!(if #text { 1.0 } else { 0.0 }))
+                }
             };
             let at = table.at(table.levels.len());
             let gathered = match content {
-                Content::Number(_) => quote!(#scalar::parameter(|lane| of_lane(lane).#name #at)),
+                Content::Number(_) | Content::Flag(_) => quote!(#scalar::parameter(|lane| of_lane(lane).#name #at)),
                 Content::Integer(_) => quote!(of_lane(0).#name #at),
             };
             let documentation = super::equations::documentation(model, content.node());
@@ -123,7 +134,7 @@ impl Content {
     fn node(self) -> Option<NodeId> {
         match self {
             Content::Number(id) => Some(id),
-            Content::Integer(_) => None,
+            Content::Integer(_) | Content::Flag(_) => None,
         }
     }
 }
@@ -170,7 +181,7 @@ impl Table {
     fn of(model: &mut Model, names: &Names, content: Content) -> Self {
         let loops = match content {
             Content::Number(id) => model.graph.loops_of(id),
-            Content::Integer(id) => model.graph.loops.of_parameter(id),
+            Content::Integer(id) | Content::Flag(id) => model.graph.loops.of_parameter(id),
         };
         Self { levels: loops.iter().map(|by| Level::of(model, names, by, loops)).collect() }
     }
@@ -217,7 +228,7 @@ impl Table {
         let conditions: Vec<_> = self.levels.iter().filter_map(|level| level.inside.clone()).collect();
         let element = match content {
             _ if conditions.is_empty() => element,
-            Content::Number(_) => quote!(if #(#conditions)&&* { #element } else { 0.0 }),
+            Content::Number(_) | Content::Flag(_) => quote!(if #(#conditions)&&* { #element } else { 0.0 }),
             Content::Integer(_) => quote!(if #(#conditions)&&* { #element } else { 0 }),
         };
         self.levels.iter().rev().fold(element, |inner, Level { index, literal, extent, .. }| match literal {
@@ -238,7 +249,7 @@ impl Level {
         let printer = single(model, names);
         let mut none = Fields::default();
         let (from, to, extent) =
-            (printer.index(&mut none, from), printer.index(&mut none, to), printer.index(&mut none, extent));
+            (printer.index(&mut none, from), printer.index(&mut none, to), printer.bound(&mut none, extent));
         let inside = match (zero, whole) {
             (true, true) => None,
             (true, false) => Some(quote!(#index < #to)),
@@ -268,5 +279,6 @@ fn single<'m>(model: &'m Model, names: &'m Names) -> Printer<'m> {
         dialect: Dialect::Single,
         names: HashMap::new(),
         scalar: &names.scalar,
+        runtime: &names.runtime,
     }
 }

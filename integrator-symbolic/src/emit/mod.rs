@@ -11,9 +11,9 @@ mod fields;
 mod names;
 
 use crate::{
-    differentiate::{Contribution, gradient},
+    differentiate::{Contribution, folded, gradient},
     graph::{Element, NodeId, Part, index::Index},
-    model::Model,
+    model::{Length, Model},
     program::{Placed, Sink},
     scheme::{Class, InPlace},
     syntax::{Compose, Input},
@@ -49,7 +49,7 @@ pub(crate) fn refusal(sequence: &InPlace, model: &Model) -> Option<String> {
 pub(crate) fn stepper(input: &Input, mut model: Model) -> TokenStream {
     let kinetic = gradient(&mut model.graph, model.kinetic, Part::Momentum);
     let potential = gradient(&mut model.graph, model.potential, Part::Position);
-    let documentation = documentation(&model, &kinetic, &potential);
+    let documentation = documentation(&mut model, &kinetic, &potential);
 
     let names = Names::new(input);
     let mut fields = Fields::default();
@@ -87,12 +87,13 @@ pub(crate) fn stepper(input: &Input, mut model: Model) -> TokenStream {
         )
     };
     let of = |scalar: TokenStream| if fields.is_empty() { quote!(#parameters) } else { quote!(#parameters<#scalar>) };
+    let length = Body::new(prepare.clone()).argument("length");
     let (of_r, of_f64) = (of(quote!(#scalar)), of(quote!(f64)));
 
     let (generics, own_generics, bounds) = input.item.generics.split_for_impl();
     let _ = own_generics;
     let system = &input.item.self_ty;
-    let coordinates = coordinates(&model);
+    let coordinates = coordinates(&model, &names);
     let (composition, declared) = composition(input, &model, &names);
     let autonomous = model.autonomous;
     let quadratic = model.quadratic.then(|| {
@@ -106,7 +107,7 @@ pub(crate) fn stepper(input: &Input, mut model: Model) -> TokenStream {
     quote! {
         #[allow(warnings, clippy::all, clippy::pedantic, reason = "generated")]
         const _: () = {
-            use #root::__private::{self as #runtime, Slot as _};
+            use #root::__private::{self as #runtime, Mask as _, Slot as _};
 
             #declared
 
@@ -130,7 +131,7 @@ pub(crate) fn stepper(input: &Input, mut model: Model) -> TokenStream {
 
                 const AUTONOMOUS: bool = #autonomous;
 
-                fn parameters(&self) -> #of_f64 {
+                fn parameters(&self, #length: usize) -> #of_f64 {
                     let _ = (Self::kinetic, Self::potential);
                     #prepare
                 }
@@ -210,23 +211,25 @@ fn flow(
     if gradient.is_empty() {
         return TokenStream::new();
     }
-    let direct = is_direct(model, gradient);
+    let folded = folded(&mut model.graph, gradient);
+    let direct = is_direct(model, &folded);
+    let gradient = if direct { &folded[..] } else { gradient };
     let values: Vec<NodeId> = gradient
         .iter()
         .map(|contribution| if direct { model.graph.stepped(contribution.value) } else { contribution.value })
         .collect();
-    let values = block::lowered(model, &values);
+    let conditions = gradient.iter().flat_map(Contribution::conditions);
+    let roots: Vec<NodeId> = values.iter().copied().chain(conditions).collect();
+    let lowered = block::lowered(model, &roots);
+    let of = |id: NodeId| roots.iter().position(|root| *root == id).map_or(id, |position| lowered[position]);
     let placed: Vec<Placed> = gradient
         .iter()
         .zip(values)
-        .map(|(Contribution { context, element, .. }, value)| {
-            let part = match element.part {
-                Part::Position => Part::Momentum,
-                Part::Momentum => Part::Position,
-            };
-            let moved = Element { part, ..*element };
+        .map(|(contribution, value)| {
+            let element = contribution.element;
+            let moved = Element { part: element.part.other(), ..element };
             let sink = if direct { Sink::Update(moved) } else { Sink::Collect(moved) };
-            Placed { context: context.clone(), sink, value }
+            Placed { context: contribution.around(of), sink, value: of(value) }
         })
         .collect();
     let scalar = &names.scalar;
@@ -238,10 +241,11 @@ fn flow(
 fn is_direct(model: &Model, gradient: &[Contribution]) -> bool {
     let loops = &model.graph.loops;
     let indices = |element: Element| [Some(element.index), element.component];
-    let once = gradient.iter().all(|Contribution { context, element, .. }| {
-        context
-            .iter()
-            .all(|by| indices(*element).into_iter().flatten().any(|index| loops.index(index) == Index::Running(*by)))
+    let once = gradient.iter().all(|contribution| {
+        contribution.loops().all(|by| {
+            let named = indices(contribution.element).into_iter().flatten();
+            named.into_iter().any(|index| loops.index(index) == Index::Running(by))
+        })
     });
     let apart = |a: Element, b: Element| {
         indices(a).into_iter().zip(indices(b)).any(|(a, b)| {
@@ -256,13 +260,20 @@ fn is_direct(model: &Model, gradient: &[Contribution]) -> bool {
 }
 
 /// The type of the coordinates.
-fn coordinates(model: &Model) -> TokenStream {
-    let length = model.shape.length.tokens();
-    match &model.shape.dimension {
-        None => quote!([f64; #length]),
+fn coordinates(model: &Model, names: &Names) -> TokenStream {
+    let runtime = &names.runtime;
+    let element = match &model.shape.dimension {
+        None => quote!(f64),
         Some(dimension) => {
             let dimension = dimension.tokens();
-            quote!([[f64; #dimension]; #length])
+            quote!([f64; #dimension])
+        }
+    };
+    match &model.shape.length {
+        Length::OfStart => quote!(#runtime::Vec<#element>),
+        length => {
+            let length = length.tokens();
+            quote!([#element; { #length }])
         }
     }
 }
@@ -282,14 +293,16 @@ fn composition(input: &Input, model: &Model, names: &Names) -> (TokenStream, Opt
 }
 
 /// The equations of motion as the documentation of the implementation.
-fn documentation(model: &Model, kinetic: &[Contribution], potential: &[Contribution]) -> TokenStream {
+fn documentation(model: &mut Model, kinetic: &[Contribution], potential: &[Contribution]) -> TokenStream {
+    let [kinetic, potential] = [kinetic, potential].map(|gradient| folded(&mut model.graph, gradient));
+    let (drift, kick) = (is_direct(model, &kinetic), is_direct(model, &potential));
     let formulas = Formulas(model);
-    let (drift, kick) = (is_direct(model, kinetic), is_direct(model, potential));
-    let lines = formulas.motion(kinetic, false, drift).into_iter().chain(formulas.motion(potential, true, kick));
+    let lines = formulas.motion(&kinetic, false, drift).into_iter().chain(formulas.motion(&potential, true, kick));
     let lines: Vec<String> = lines.map(|line| format!(" {line}")).collect();
-    let class = match (model.quadratic, model.autonomous) {
-        (true, _) => " `T` is quadratic in the momenta, with a constant mass matrix.",
-        (false, _) => " `T` is not quadratic in the momenta with a constant mass matrix.",
+    let class = if model.quadratic {
+        " `T` is quadratic in the momenta, with a constant mass matrix."
+    } else {
+        " `T` is not quadratic in the momenta with a constant mass matrix."
     };
     quote! {
         /// The equations of motion, derived from `kinetic` and `potential`:

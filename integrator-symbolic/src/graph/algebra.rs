@@ -39,18 +39,13 @@ impl Graph {
         }
     }
 
+    /// A change of sign. It stays outside of products, so that equal products of either sign are one node.
     pub(crate) fn neg(&mut self, x: NodeId) -> NodeId {
         match self.node(x) {
-            // exact: -(c) is a number; --x == x; -(c x) == (-c) x
+            // exact: -(c) is a number, and --x == x
             Node::Constant(bits) => self.constant(-f64::from_bits(bits)),
             Node::Neg(inner) => inner,
-            _ => {
-                let (scale, rest) = self.strip(x);
-                match (scale, rest) {
-                    (1.0, _) | (_, None) => self.intern(Node::Neg(x)),
-                    (scale, Some(rest)) => self.scaled(-scale, rest),
-                }
-            }
+            _ => self.intern(Node::Neg(x)),
         }
     }
 
@@ -325,7 +320,11 @@ impl Graph {
     fn scaled(&mut self, scale: f64, rest: NodeId) -> NodeId {
         match scale {
             1.0 => rest,
-            -1.0 => self.intern(Node::Neg(rest)),
+            // exact: (-c) x == -(c x)
+            _ if scale.is_sign_negative() => {
+                let product = self.scaled(-scale, rest);
+                self.neg(product)
+            }
             _ => {
                 let scale = self.constant(scale);
                 self.scaled_by(scale, rest)
@@ -336,6 +335,10 @@ impl Graph {
     /// A number or parameter times a node, put at the far left of the node's factors.
     fn scaled_by(&mut self, scale: NodeId, rest: NodeId) -> NodeId {
         match (self.node(rest), self.as_constant(scale)) {
+            (Node::Neg(inner), _) => {
+                let product = self.scaled_by(scale, inner);
+                self.neg(product)
+            }
             (Node::Mul(a, b), _) => {
                 let left = self.scaled_by(scale, a);
                 match self.as_constant(left) {

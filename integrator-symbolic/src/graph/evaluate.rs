@@ -1,10 +1,11 @@
 //! The arena as numbers, for tests: an interpreter that shares nothing with the code that is written.
 
 use super::{
-    Element, Graph, Node, NodeId, Part,
+    Comparison, Element, Graph, Node, NodeId, Part,
     function::Rule,
     index::{Index, IndexId, LoopId},
 };
+use crate::differentiate::Around;
 use std::collections::HashMap;
 
 /// Where expressions are evaluated.
@@ -38,9 +39,25 @@ impl<'p> Point<'p> {
         };
     }
 
+    /// The turns of the loops of `context` in which its conditions hold.
+    pub(crate) fn around(&mut self, graph: &Graph, context: &[Around], body: &mut dyn FnMut(&mut Self)) {
+        match context.split_first() {
+            None => body(self),
+            Some((Around::Loop(by), inner)) => {
+                self.turns(graph, &[*by], &mut |point| point.around(graph, inner, body));
+            }
+            Some((Around::Branch(condition, holds), inner)) => {
+                if self.holds(graph, *condition) == *holds {
+                    self.around(graph, inner, body);
+                }
+            }
+        }
+    }
+
     pub(crate) fn index(&self, graph: &Graph, id: IndexId) -> u64 {
         match graph.loops.index(id) {
             Index::Literal(value) => value,
+            Index::Length => self.q.len() as u64,
             Index::Running(by) => self.running[&by],
             Index::Parameter(id) => self.parameters[id.0 as usize] as u64,
             Index::Add(a, b) => self.index(graph, a) + self.index(graph, b),
@@ -85,11 +102,36 @@ impl<'p> Point<'p> {
                     Rule::Unary(..) => unreachable!("{} takes one argument", function.name()),
                 }
             }
+            Node::Select(condition, a, b) => {
+                let taken = if self.holds(graph, condition) { a } else { b };
+                self.value(graph, taken)
+            }
+            condition if condition.is_condition() => f64::from(self.holds(graph, id)),
             Node::Sum(by, body) => {
                 let mut sum = 0.0;
                 self.turns(graph, &[by], &mut |point| sum += point.value(graph, body));
                 sum
             }
+            other => unreachable!("{other:?} is a condition"),
+        }
+    }
+
+    pub(crate) fn holds(&mut self, graph: &Graph, id: NodeId) -> bool {
+        fn compare<T: PartialOrd>(comparison: Comparison, a: T, b: T) -> bool {
+            match comparison {
+                Comparison::Less => a < b,
+                Comparison::LessOrEqual => a <= b,
+                Comparison::Equal => a == b,
+            }
+        }
+        match graph.node(id) {
+            Node::Compare(comparison, a, b) => compare(comparison, self.value(graph, a), self.value(graph, b)),
+            Node::CompareIndex(comparison, a, b) => compare(comparison, self.index(graph, a), self.index(graph, b)),
+            Node::Flag(id) => self.parameters[id.0 as usize] != 0.0,
+            Node::And(a, b) => self.holds(graph, a) && self.holds(graph, b),
+            Node::Or(a, b) => self.holds(graph, a) || self.holds(graph, b),
+            Node::Not(a) => !self.holds(graph, a),
+            other => unreachable!("{other:?} is a number"),
         }
     }
 }

@@ -1,6 +1,6 @@
 //! The one table of elementary functions: name, derivative, value. Tests iterate over its rows.
 
-use super::{Graph, NodeId};
+use super::{Comparison, Graph, NodeId};
 
 /// An elementary function, as a position in [`TABLE`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -55,6 +55,13 @@ fn one_plus_square(graph: &mut Graph, x: NodeId) -> NodeId {
 fn scaled_reciprocal(graph: &mut Graph, x: NodeId, scale: f64) -> NodeId {
     let (scale, reciprocal) = (graph.constant(scale), over(graph, x));
     graph.mul(scale, reciprocal)
+}
+
+/// One for the smaller of two, zero for the other.
+fn smaller(graph: &mut Graph, a: NodeId, b: NodeId) -> [NodeId; 2] {
+    let (zero, one) = (graph.constant(0.0), graph.constant(1.0));
+    let first = graph.compare(Comparison::LessOrEqual, a, b);
+    [graph.select(first, one, zero), graph.select(first, zero, one)]
 }
 
 /// Every function but `sqrt`, which is the power ½, and the ones that are arithmetic (`recip`, `mul_add`, ...).
@@ -119,6 +126,11 @@ pub(crate) const TABLE: &[Row] = &[
         g.div(square, three)
     }),
     unary("abs", f64::abs, |g, x, _| g.call("signum", x)),
+    binary("min", f64::min, |g, a, b, _| smaller(g, a, b)),
+    binary("max", f64::max, |g, a, b, _| {
+        let [of_a, of_b] = smaller(g, a, b);
+        [of_b, of_a]
+    }),
     Row { name: "signum", rule: Rule::Unary(f64::signum, None) },
     binary("powf", f64::powf, |g, a, b, y| {
         let one = g.constant(1.0);
@@ -185,6 +197,8 @@ mod tests {
         ("powf", [0.2, 4.0]),
         ("atan2", [-4.0, -0.5]),
         ("hypot", [0.2, 4.0]),
+        ("min", [0.2, 4.0]),
+        ("max", [0.2, 4.0]),
         ("signum", [0.1, 9.0]),
     ];
 

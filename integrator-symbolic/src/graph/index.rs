@@ -26,6 +26,8 @@ pub(crate) enum Index {
     Literal(u64),
     /// The running index of a loop.
     Running(LoopId),
+    /// How many numbers or points the coordinates have, where their type does not tell.
+    Length,
     /// An expression of the user that depends on parameters (and indices of loops) alone.
     Parameter(ParameterId),
     Add(IndexId, IndexId),
@@ -115,7 +117,7 @@ impl Loops {
         }
         let id = IndexId(self.indices.len() as u32);
         self.index_sets.push(match index {
-            Index::Literal(_) => LoopSet::EMPTY,
+            Index::Literal(_) | Index::Length => LoopSet::EMPTY,
             Index::Running(by) => LoopSet::of(by),
             Index::Parameter(parameter) => self.of_parameter(parameter),
             Index::Add(a, b) | Index::Sub(a, b) | Index::Mul(a, b) | Index::Div(a, b) | Index::Rem(a, b) => {
@@ -131,7 +133,10 @@ impl Loops {
         let numbers = |a, b| Some((self.literal(a)?, self.literal(b)?));
         let folded = match index {
             Index::Add(a, b) if self.literal(b) == Some(0) => return self.index(a),
+            Index::Add(a, b) if self.literal(a) == Some(0) => return self.index(b),
             Index::Sub(a, b) if self.literal(b) == Some(0) => return self.index(a),
+            Index::Mul(a, b) if self.literal(b) == Some(1) => return self.index(a),
+            Index::Mul(a, b) if self.literal(a) == Some(1) => return self.index(b),
             Index::Add(a, b) => numbers(a, b).and_then(|(a, b)| a.checked_add(b)),
             Index::Sub(a, b) => numbers(a, b).and_then(|(a, b)| a.checked_sub(b)),
             Index::Mul(a, b) => numbers(a, b).and_then(|(a, b)| a.checked_mul(b)),
@@ -196,7 +201,7 @@ impl Loops {
                 let one = self.intern(Index::Literal(1));
                 Index::Sub(self.upper(b)?, one)
             }
-            Index::Literal(_) | Index::Parameter(_) => return None,
+            Index::Literal(_) | Index::Length | Index::Parameter(_) => return None,
         };
         Some(self.intern(bound))
     }
@@ -216,7 +221,7 @@ impl Loops {
             Index::Sub(a, b) => Index::Sub(self.lower(a)?, self.upper(b)?),
             Index::Div(a, b) => Index::Div(self.lower(a)?, self.upper(b)?),
             Index::Rem(..) => Index::Literal(0),
-            Index::Literal(_) | Index::Parameter(_) => return None,
+            Index::Literal(_) | Index::Length | Index::Parameter(_) => return None,
         };
         Some(self.intern(bound))
     }

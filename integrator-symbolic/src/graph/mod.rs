@@ -6,6 +6,7 @@
 //! everywhere. The arena knows neither syntax nor spans.
 
 mod algebra;
+mod condition;
 #[cfg(test)]
 pub(crate) mod evaluate;
 pub(crate) mod function;
@@ -37,6 +38,16 @@ pub(crate) enum Part {
     Position,
     /// Momenta, the arguments of `T`.
     Momentum,
+}
+
+impl Part {
+    /// The part that the gradient by this one moves.
+    pub(crate) fn other(self) -> Self {
+        match self {
+            Part::Position => Part::Momentum,
+            Part::Momentum => Part::Position,
+        }
+    }
 }
 
 /// One coordinate: which point (or number), and which of its components where coordinates are points.
@@ -73,22 +84,63 @@ pub(crate) enum Node {
     Binary(Function, NodeId, NodeId),
     /// The sum of the body over the loop's index.
     Sum(LoopId, NodeId),
+    /// A condition: how two numbers compare.
+    Compare(Comparison, NodeId, NodeId),
+    /// A condition: how two integers compare.
+    CompareIndex(Comparison, IndexId, IndexId),
+    /// A condition of parameters alone.
+    Flag(ParameterId),
+    /// A condition: both hold.
+    And(NodeId, NodeId),
+    /// A condition: one holds at least.
+    Or(NodeId, NodeId),
+    /// A condition: the other does not hold.
+    Not(NodeId),
+    /// The second where the first, a condition, holds, else the third. What is not taken is not computed.
+    Select(NodeId, NodeId, NodeId),
+}
+
+/// How two numbers compare.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub(crate) enum Comparison {
+    Less,
+    LessOrEqual,
+    Equal,
 }
 
 impl Node {
     /// The children, in order.
     pub(crate) fn children(self) -> impl Iterator<Item = NodeId> {
-        let (first, second) = match self {
+        let children = match self {
             Node::Constant(_)
             | Node::Parameter(_)
             | Node::Coordinate(_)
             | Node::Time
             | Node::Step
-            | Node::FromIndex(_) => (None, None),
-            Node::Neg(a) | Node::Power(a, _) | Node::Unary(_, a) | Node::Sum(_, a) => (Some(a), None),
-            Node::Add(a, b) | Node::Mul(a, b) | Node::Div(a, b) | Node::Binary(_, a, b) => (Some(a), Some(b)),
+            | Node::FromIndex(_)
+            | Node::CompareIndex(..)
+            | Node::Flag(_) => [None; 3],
+            Node::Neg(a) | Node::Power(a, _) | Node::Unary(_, a) | Node::Sum(_, a) | Node::Not(a) => {
+                [Some(a), None, None]
+            }
+            Node::Add(a, b)
+            | Node::Mul(a, b)
+            | Node::Div(a, b)
+            | Node::Binary(_, a, b)
+            | Node::Compare(_, a, b)
+            | Node::And(a, b)
+            | Node::Or(a, b) => [Some(a), Some(b), None],
+            Node::Select(condition, a, b) => [Some(condition), Some(a), Some(b)],
         };
-        first.into_iter().chain(second)
+        children.into_iter().flatten()
+    }
+
+    /// Whether it holds or does not, rather than being a number.
+    pub(crate) fn is_condition(self) -> bool {
+        matches!(
+            self,
+            Node::Compare(..) | Node::CompareIndex(..) | Node::Flag(_) | Node::And(..) | Node::Or(..) | Node::Not(_)
+        )
     }
 }
 
@@ -179,7 +231,8 @@ impl Graph {
 
     fn facts_of(&self, node: Node) -> Facts {
         let loops = match node {
-            Node::Parameter(id) => self.loops.of_parameter(id),
+            Node::Parameter(id) | Node::Flag(id) => self.loops.of_parameter(id),
+            Node::CompareIndex(_, a, b) => self.loops.of_index(a).union(self.loops.of_index(b)),
             Node::FromIndex(index) => self.loops.of_index(index),
             Node::Sum(by, _) => self.loops.of_range(by),
             Node::Coordinate(element) => self.loops.of_element(element),

@@ -22,7 +22,15 @@ impl Graph {
                     _ => None,
                 },
                 Node::Unary(_, a) => of(a).filter(|degree| *degree == 0),
-                Node::Binary(_, a, b) => of(a).zip(of(b)).filter(|pair| *pair == (0, 0)).map(|_| 0),
+                Node::Binary(_, a, b) | Node::Compare(_, a, b) | Node::And(a, b) | Node::Or(a, b) => {
+                    of(a).zip(of(b)).filter(|pair| *pair == (0, 0)).map(|_| 0)
+                }
+                Node::CompareIndex(..) | Node::Flag(_) => Some(0),
+                Node::Not(a) => of(a).filter(|degree| *degree == 0),
+                // A choice between polynomials is one where no coordinate decides.
+                Node::Select(condition, a, b) => {
+                    of(condition).filter(|degree| *degree == 0).and(of(a).zip(of(b))).map(|(a, b)| a.max(b))
+                }
             };
             degrees.push(degree);
         }

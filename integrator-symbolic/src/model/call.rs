@@ -2,12 +2,13 @@
 
 use super::{
     Reader,
+    sequence::{is_adaptor, is_total},
     value::{Opaque, Value},
 };
 use crate::graph::{
     NodeId,
     function::{Function, Rule, TABLE},
-    index::LoopSet,
+    index::{Index, LoopSet},
 };
 use proc_macro2::{Ident, TokenStream};
 use quote::{ToTokens, quote};
@@ -15,12 +16,24 @@ use std::collections::HashMap;
 use syn::{Expr, ExprCall, ExprLit, ExprMethodCall, ExprUnary, FnArg, ImplItemFn, Lit, UnOp};
 
 /// Methods of `f64` that are arithmetic on the functions of the table.
-const ARITHMETIC: [&str; 9] =
-    ["sqrt", "powi", "recip", "mul_add", "sin_cos", "log", "to_radians", "to_degrees", "clone"];
+const ARITHMETIC: [&str; 10] =
+    ["sqrt", "powi", "recip", "mul_add", "sin_cos", "log", "clamp", "to_radians", "to_degrees", "clone"];
 
 impl Reader<'_> {
     /// `receiver.name(arguments)`
     pub(super) fn method(&mut self, call: &ExprMethodCall) -> Option<Value> {
+        if is_total(call) || is_adaptor(call) {
+            // Parameters alone are summed once per run, by the user's own expression.
+            let whole = Expr::MethodCall(call.clone());
+            if let Some(value) = self.verbatim(&whole) {
+                return Some(value);
+            }
+            if is_total(call) {
+                return self.total(call);
+            }
+            self.errors.at(&call.method, format!("`{}` makes a sequence: end it with `.sum::<f64>()`", call.method));
+            return None;
+        }
         let is_self = matches!(&*call.receiver, Expr::Path(path) if path.path.is_ident("self"));
         let receiver = self.expression(&call.receiver);
         let arguments = self.arguments(&call.args);
@@ -36,6 +49,18 @@ impl Reader<'_> {
             return Some(Value::Opaque(Opaque { text, loops: loops.union(object.loops) }));
         }
         let places: Vec<&Expr> = call.args.iter().collect();
+        if name == "len" && places.is_empty() {
+            return match &receiver {
+                Value::View(view) => self.extent(view.at.len(), &call.receiver).map(Value::Integer),
+                Value::Array(parts) => {
+                    Some(Value::Integer(self.graph.loops.intern(Index::Literal(parts.len() as u64))))
+                }
+                other => {
+                    self.errors.at(name, format!("{} has no length", other.describe()));
+                    None
+                }
+            };
+        }
         if is_self {
             return self.helper(name, arguments, &places);
         }
@@ -114,7 +139,7 @@ impl Reader<'_> {
         let expected = match (function.map(|function| &function.row().rule), method.as_str()) {
             (Some(Rule::Unary(..)), _) => 0,
             (Some(Rule::Binary(..)), _) | (None, "powi" | "log") => 1,
-            (None, "mul_add") => 2,
+            (None, "mul_add" | "clamp") => 2,
             (None, known) if ARITHMETIC.contains(&known) => 0,
             _ => {
                 self.unknown_function(name, &method);
@@ -155,6 +180,10 @@ impl Reader<'_> {
                 let product = self.graph.mul(x, *factor);
                 self.graph.add(product, *addend)
             }
+            (None, "clamp", [low, high]) => {
+                let raised = graph.call_two("max", x, *low);
+                graph.call_two("min", raised, *high)
+            }
             (None, "sin_cos", _) => {
                 let (sine, cosine) = (graph.call("sin", x), graph.call("cos", x));
                 return Some(Value::Tuple(vec![Value::Real(sine), Value::Real(cosine)]));
@@ -187,7 +216,7 @@ impl Reader<'_> {
             self.errors.at(place, "the exponent of `powi` is an integer that does not depend on coordinates");
             return None;
         };
-        let exponent = self.parameter(quote!(f64::from(#text)), false, loops);
+        let exponent = self.parameter(quote!(f64::from(#text)), "number", loops);
         let exponent = self.graph.parameter(exponent);
         Some(Value::Real(self.graph.call_two("powf", x, exponent)))
     }

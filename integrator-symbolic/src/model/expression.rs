@@ -3,7 +3,7 @@
 use super::{
     Reader,
     integer::operand,
-    statement::with_variables,
+    statement::{Assigned, with_variables},
     value::{Opaque, Value, View},
 };
 use crate::graph::{
@@ -13,9 +13,12 @@ use crate::graph::{
 use proc_macro2::{Ident, TokenStream, TokenTree};
 use quote::{ToTokens, quote};
 use syn::{
-    BinOp, Expr, ExprArray, ExprBinary, ExprCast, ExprField, ExprIndex, ExprLit, ExprPath, ExprUnary, Lit, Member,
-    Type, UnOp,
+    BinOp, Expr, ExprArray, ExprCast, ExprField, ExprIndex, ExprLit, ExprPath, ExprUnary, Lit, Member, Type, UnOp,
+    visit::Visit,
 };
+
+/// How many elements an array of values may have.
+const MANY: usize = 1024;
 
 impl Reader<'_> {
     /// The value of an expression; `None` if a mistake was noted in it.
@@ -36,6 +39,20 @@ impl Reader<'_> {
                 let parts: Vec<_> = elems.iter().map(|part| self.expression(part)).collect();
                 Some(Value::Array(parts.into_iter().collect::<Option<_>>()?))
             }
+            Expr::Repeat(repeat) => {
+                let (value, length) = (self.expression(&repeat.expr), self.expression(&repeat.len));
+                let (value, length) = (value?, length?);
+                let length = self.integer(&length).and_then(|length| self.graph.loops.literal(length));
+                match length.and_then(|length| usize::try_from(length).ok()).filter(|length| *length <= MANY) {
+                    Some(length) => Some(Value::Array(vec![value; length])),
+                    None => {
+                        let message = format!("the length of an array of values is a literal up to {MANY}");
+                        self.errors.at(&repeat.len, message);
+                        None
+                    }
+                }
+            }
+            Expr::If(branch) => self.branch(branch),
             Expr::Tuple(tuple) => {
                 let parts: Vec<_> = tuple.elems.iter().map(|part| self.expression(part)).collect();
                 Some(Value::Tuple(parts.into_iter().collect::<Option<_>>()?))
@@ -142,6 +159,13 @@ impl Reader<'_> {
                     Some(Value::Real(self.graph.neg(number)))
                 }
             },
+            UnOp::Not(_) => match self.expression(&unary.expr)? {
+                Value::Opaque(Opaque { text, loops }) => Some(Value::Opaque(Opaque { text: quote!(!#text), loops })),
+                value => match self.condition(&value) {
+                    Some(condition) => Some(Value::Condition(self.graph.not(condition))),
+                    None => self.refused(whole),
+                },
+            },
             _ => self.verbatim(whole).or_else(|| self.refused(whole)),
         }
     }
@@ -177,8 +201,11 @@ impl Reader<'_> {
         whole: &Expr,
     ) -> Option<Value> {
         if !matches!(op, BinOp::Add(_) | BinOp::Sub(_) | BinOp::Mul(_) | BinOp::Div(_) | BinOp::Rem(_)) {
+            let literals =
+                matches!((&left, &right), (Value::Integer(_) | Value::Real(_), Value::Integer(_) | Value::Real(_)));
             return match (self.opaque(&left), self.opaque(&right)) {
-                (Some(left), Some(right)) => Some(Value::Opaque(joined(&left, op, &right))),
+                (Some(left), Some(right)) if !literals => Some(Value::Opaque(joined(&left, op, &right))),
+                _ if is_condition(op) => self.compared(op, &left, &right, (left_place, right_place)),
                 _ => self.refused(whole),
             };
         }
@@ -361,6 +388,11 @@ impl Reader<'_> {
 
     /// Any expression that mentions parameters and loop indices alone: it is evaluated once per run as it stands.
     pub(super) fn verbatim(&mut self, expression: &Expr) -> Option<Value> {
+        let mut assigned = Assigned::default();
+        assigned.visit_expr(expression);
+        if assigned.names.iter().any(|name| self.lookup(name).is_some()) {
+            return None;
+        }
         let text = expression.to_token_stream();
         let mut names = Vec::new();
         identifiers(text.clone(), &mut names);
@@ -380,19 +412,16 @@ impl Reader<'_> {
         let what = match expression {
             Expr::While(_) => "`while` has no derivative here: write the sum as `for i in a..b`",
             Expr::Loop(_) => "`loop` has no derivative here: write the sum as `for i in a..b`",
-            Expr::If(_) => "`if` on coordinates is not understood: only parameters may decide",
-            Expr::Match(_) => "`match` on coordinates is not understood: only parameters may decide",
+            Expr::Match(_) => "`match` on coordinates is not understood: write `if ... else if ... else`",
             Expr::Return(_) => "an early `return` is not understood: let the energy be the last expression",
             Expr::Closure(_) => "a closure over coordinates is not understood: write a helper method of this impl",
             Expr::Unsafe(_) => "`unsafe` code over coordinates is not understood",
-            Expr::Break(_) | Expr::Continue(_) => "`break` and `continue` are not understood: give the loop its range",
+            Expr::Break(_) => "`break` is not understood: give the loop its range",
+            Expr::Continue(_) => "`continue` is understood as `if condition { continue; }` in the body of a loop alone",
             Expr::ForLoop(_) => "a loop has no value: sum into a `let mut` variable",
-            Expr::Binary(ExprBinary { op, .. }) if is_comparison(op) => {
-                "a comparison of coordinates is not understood here"
-            }
             _ => {
                 "this expression over coordinates is not understood: arithmetic, f64 methods, helper methods of this \
-                 impl, `let` and `for i in a..b` are"
+                 impl, `let`, `if` and `for i in a..b` are"
             }
         };
         self.errors.at(expression, what);
@@ -400,8 +429,11 @@ impl Reader<'_> {
     }
 }
 
-fn is_comparison(op: &BinOp) -> bool {
-    matches!(op, BinOp::Lt(_) | BinOp::Le(_) | BinOp::Gt(_) | BinOp::Ge(_) | BinOp::Eq(_) | BinOp::Ne(_))
+/// Whether an operator makes a condition.
+fn is_condition(op: &BinOp) -> bool {
+    let compares =
+        matches!(op, BinOp::Lt(_) | BinOp::Le(_) | BinOp::Gt(_) | BinOp::Ge(_) | BinOp::Eq(_) | BinOp::Ne(_));
+    compares || matches!(op, BinOp::And(_) | BinOp::Or(_))
 }
 
 fn is_integer(kind: &Type) -> bool {

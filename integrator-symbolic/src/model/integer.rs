@@ -17,7 +17,7 @@ impl Reader<'_> {
         match value {
             Value::Real(node) => Some(*node),
             Value::Opaque(Opaque { text, loops }) => {
-                let parameter = self.parameter(text.clone(), false, *loops);
+                let parameter = self.parameter(text.clone(), "number", *loops);
                 Some(self.graph.parameter(parameter))
             }
             _ => None,
@@ -29,7 +29,7 @@ impl Reader<'_> {
         match value {
             Value::Integer(index) => Some(*index),
             Value::Opaque(Opaque { text, loops }) => {
-                let parameter = self.parameter(text.clone(), true, *loops);
+                let parameter = self.parameter(text.clone(), "integer", *loops);
                 Some(self.graph.loops.intern(Index::Parameter(parameter)))
             }
             _ => None,
@@ -76,6 +76,7 @@ impl Reader<'_> {
         match self.graph.loops.index(id) {
             Index::Literal(value) => Literal::u64_unsuffixed(value).to_token_stream(),
             Index::Running(by) => self.running.get(&by).to_token_stream(),
+            Index::Length => quote!(length),
             Index::Parameter(parameter) => {
                 let text = &self.parameters[parameter.0 as usize].text;
                 quote!((#text))
@@ -98,7 +99,7 @@ pub(crate) fn number_literal(value: f64) -> Literal {
 }
 
 /// Text that stands for one operand wherever it is put.
-pub(super) fn operand(text: TokenStream) -> TokenStream {
+pub(crate) fn operand(text: TokenStream) -> TokenStream {
     let mut tokens = text.clone().into_iter();
     match (tokens.next(), tokens.next()) {
         (Some(_), Some(_)) => quote!((#text)),

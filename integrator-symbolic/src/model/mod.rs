@@ -5,20 +5,27 @@
 //!
 //! The functions are read by running them on symbols: a variable holds a [`value::Value`], an assignment replaces it.
 
+mod branch;
 mod call;
 mod expression;
 pub(crate) mod integer;
 mod pattern;
+mod repeat;
+mod sequence;
 mod shape;
 mod statement;
 mod value;
 
 use crate::{
     errors::Errors,
-    graph::{Graph, NodeId, ParameterId, Part, index::LoopId},
+    graph::{
+        Graph, NodeId, ParameterId, Part,
+        index::{Index, IndexId, LoopId, LoopSet},
+    },
     syntax::Input,
 };
 use proc_macro2::{Ident, TokenStream};
+use quote::ToTokens;
 pub(crate) use shape::{Length, Shape};
 use shape::{Signature, signature};
 use std::collections::HashMap;
@@ -94,10 +101,17 @@ struct Binding {
 #[derive(Clone, Copy, PartialEq, Eq, Hash)]
 struct BindingId(usize);
 
+/// A variable, or an element of an array that is one.
+#[derive(Clone, PartialEq, Eq)]
+struct Target {
+    id: BindingId,
+    at: Vec<usize>,
+}
+
 /// A loop that is being read, with what its body adds to variables from outside.
 struct Frame {
     by: LoopId,
-    sums: Vec<(BindingId, NodeId)>,
+    sums: Vec<(Target, NodeId)>,
 }
 
 /// The state of reading.
@@ -155,7 +169,7 @@ impl<'i> Reader<'i> {
         self.misplaced = false;
         self.foreign = None;
         if let Some(foreign) = signature.foreign {
-            let wrong = if part == Part::Position { Part::Momentum } else { Part::Position };
+            let wrong = part.other();
             self.foreign = Some(wrong);
             self.bind(&foreign.pat, Value::View(View { part: wrong, at: Vec::new() }));
         }
@@ -210,9 +224,9 @@ impl<'i> Reader<'i> {
         }
     }
 
-    /// The id of a parameter with this text, new or known.
-    fn parameter(&mut self, text: TokenStream, integer: bool, loops: crate::graph::index::LoopSet) -> ParameterId {
-        let key = format!("{integer} {loops:?} {text}");
+    /// The id of a parameter with this text, new or known; `kind` tells texts apart that are read differently.
+    fn parameter(&mut self, text: TokenStream, kind: &str, loops: LoopSet) -> ParameterId {
+        let key = format!("{kind} {loops:?} {text}");
         if let Some(id) = self.parameter_ids.get(&key) {
             return *id;
         }
@@ -221,5 +235,17 @@ impl<'i> Reader<'i> {
         self.parameter_ids.insert(key, id);
         self.graph.loops.declare_parameter(id, loops);
         id
+    }
+
+    /// A length of the coordinates as an integer.
+    fn length(&mut self, length: &Length) -> IndexId {
+        let index = match length {
+            Length::Literal(length) => Index::Literal(*length),
+            Length::Constant(expression) => {
+                Index::Parameter(self.parameter(expression.to_token_stream(), "integer", LoopSet::EMPTY))
+            }
+            Length::OfStart => Index::Length,
+        };
+        self.graph.loops.intern(index)
     }
 }

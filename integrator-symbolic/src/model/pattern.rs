@@ -2,9 +2,11 @@
 
 use super::{
     Reader,
-    value::{Value, View},
+    value::{Opaque, Value, View},
 };
 use crate::graph::index::Index;
+use proc_macro2::Literal;
+use quote::quote;
 use syn::{Pat, spanned::Spanned};
 
 impl Reader<'_> {
@@ -56,6 +58,23 @@ impl Reader<'_> {
                     self.element(View { part: view.part, at: view.at.iter().copied().chain([index]).collect() })
                 });
                 Some(elements.collect())
+            }
+            Value::Opaque(opaque) => {
+                let parts = (0..count).map(|position| {
+                    let text = &opaque.text;
+                    let text = match pattern {
+                        Pat::Slice(_) => {
+                            let position = Literal::usize_unsuffixed(position);
+                            quote!(#text[#position])
+                        }
+                        _ => {
+                            let position = Literal::usize_unsuffixed(position);
+                            quote!(#text.#position)
+                        }
+                    };
+                    Value::Opaque(Opaque { text, loops: opaque.loops })
+                });
+                Some(parts.collect())
             }
             Value::Unknown => None,
             other => {

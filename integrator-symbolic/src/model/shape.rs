@@ -11,6 +11,8 @@ pub(crate) enum Length {
     Literal(u64),
     /// A constant of the user.
     Constant(Expr),
+    /// Known at run time: the length of the start.
+    OfStart,
 }
 
 impl Length {
@@ -26,7 +28,7 @@ impl Length {
     pub(crate) fn literal(&self) -> Option<u64> {
         match self {
             Self::Literal(length) => Some(*length),
-            Self::Constant(_) => None,
+            Self::Constant(_) | Self::OfStart => None,
         }
     }
 
@@ -34,6 +36,7 @@ impl Length {
         match self {
             Self::Literal(length) => length.to_string(),
             Self::Constant(expression) => expression.to_token_stream().to_string(),
+            Self::OfStart => "..".to_owned(),
         }
     }
 }
@@ -65,6 +68,12 @@ impl Shape {
     /// The shape as a type of the user's language.
     pub(crate) fn text(&self) -> String {
         let length = self.length.text();
+        if let Length::OfStart = self.length {
+            return match &self.dimension {
+                None => "&[f64]".to_owned(),
+                Some(dimension) => format!("&[[f64; {}]]", dimension.text()),
+            };
+        }
         match &self.dimension {
             None => format!("[f64; {length}]"),
             Some(dimension) => format!("[[f64; {}]; {length}]", dimension.text()),
@@ -72,29 +81,28 @@ impl Shape {
     }
 
     fn of(kind: &Type, errors: &mut Errors) -> Option<Self> {
-        let outer = array(peeled(kind), errors)?;
-        let (element, length) = (peeled(&outer.elem), Length::of(&outer.len));
-        if is_f64(element) {
-            return Some(Self { length, dimension: None });
-        }
-        let inner = array(element, errors)?;
-        if !is_f64(peeled(&inner.elem)) {
-            errors.at(&inner.elem, "coordinates are f64 numbers: write `[f64; N]` or `[[f64; D]; N]`");
-            return None;
-        }
-        Some(Self { length, dimension: Some(Length::of(&inner.len)) })
+        let (element, length) = match (kind, peeled(kind)) {
+            (_, Type::Array(array)) => (&*array.elem, Length::of(&array.len)),
+            (Type::Reference(_), Type::Slice(slice)) => (&*slice.elem, Length::OfStart),
+            (_, other) => {
+                errors.at(other, EXPECTED);
+                return None;
+            }
+        };
+        let dimension = match peeled(element) {
+            number if is_f64(number) => None,
+            Type::Array(point) if is_f64(&point.elem) => Some(Length::of(&point.len)),
+            other => {
+                errors.at(other, EXPECTED);
+                return None;
+            }
+        };
+        Some(Self { length, dimension })
     }
 }
 
-fn array<'t>(kind: &'t Type, errors: &mut Errors) -> Option<&'t syn::TypeArray> {
-    match kind {
-        Type::Array(array) => Some(array),
-        other => {
-            errors.at(other, "coordinates are f64 numbers: write `[f64; N]` or `[[f64; D]; N]`, or a reference to one");
-            None
-        }
-    }
-}
+const EXPECTED: &str = "coordinates are f64 numbers or points: `[f64; N]`, `[[f64; D]; N]`, references to them, or \
+                        slices `&[f64]` and `&[[f64; D]]`";
 
 fn peeled(kind: &Type) -> &Type {
     match kind {
@@ -128,13 +136,6 @@ pub(crate) fn usual_name(part: Part) -> &'static str {
     }
 }
 
-fn other(part: Part) -> Part {
-    match part {
-        Part::Position => Part::Momentum,
-        Part::Momentum => Part::Position,
-    }
-}
-
 fn is_named(pattern: &Pat, name: &str) -> bool {
     matches!(pattern, Pat::Ident(pattern) if pattern.ident == name)
 }
@@ -163,7 +164,7 @@ pub(crate) fn signature<'f>(function: &'f ImplItemFn, part: Part, errors: &mut E
     }
     let (own, foreign) = match coordinates[..] {
         [own] => (own, None),
-        [first, second] if is_named(&first.pat, letter) || is_named(&second.pat, usual_name(other(part))) => {
+        [first, second] if is_named(&first.pat, letter) || is_named(&second.pat, usual_name(part.other())) => {
             (first, Some(second))
         }
         [first, second] => (second, Some(first)),
@@ -178,7 +179,7 @@ pub(crate) fn signature<'f>(function: &'f ImplItemFn, part: Part, errors: &mut E
             return None;
         }
     };
-    let wrong = usual_name(other(part));
+    let wrong = usual_name(part.other());
     if foreign.is_none() && is_named(&own.pat, wrong) {
         let of = if part == Part::Position { "positions" } else { "momenta" };
         errors.at(&own.pat, format!("`{name}` is a function of the {of}: call its argument `{letter}`, not `{wrong}`"));

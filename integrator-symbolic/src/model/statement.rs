@@ -1,40 +1,41 @@
-//! Blocks, assignments and loops.
+//! Blocks and assignments.
 
-use super::{BindingId, Frame, Reader, value::Value};
-use crate::graph::{
-    NodeId,
-    index::{Index, IndexId, Loop, LoopId, LoopSet},
-};
-use proc_macro2::Ident;
-use quote::{format_ident, quote};
+use super::{BindingId, Reader, Target, branch::is_skip, value::Value};
+use crate::graph::NodeId;
+use proc_macro2::{Ident, TokenStream};
+use quote::quote;
 use std::collections::HashMap;
-use syn::{
-    BinOp, Block, Expr, ExprAssign, ExprBinary, ExprForLoop, Item, Local, Macro, Pat, RangeLimits, Stmt, visit::Visit,
-};
-
-/// Names that the generated functions use themselves.
-const RESERVED: [&str; 7] = ["motion", "step", "time", "duration", "of_lane", "lane", "table"];
+use syn::{BinOp, Block, Expr, ExprAssign, ExprBinary, ExprIndex, Item, Local, Macro, Stmt, visit::Visit};
 
 impl Reader<'_> {
     /// The value of a block; `None` if a mistake was noted in it.
     pub(super) fn block(&mut self, block: &Block) -> Option<Value> {
         self.scopes.push(HashMap::new());
+        let value = self.statements(&block.stmts);
+        self.scopes.pop();
+        value
+    }
+
+    /// The value of the last statement, if it is an expression without semicolon.
+    pub(super) fn statements(&mut self, statements: &[Stmt]) -> Option<Value> {
         let mut value = Some(Value::Unit);
         let mut sound = true;
-        for (position, statement) in block.stmts.iter().enumerate() {
-            let last = position + 1 == block.stmts.len();
+        for (position, statement) in statements.iter().enumerate() {
+            let rest = &statements[position + 1..];
+            if let Some(skip) = is_skip(statement).filter(|_| !self.frames.is_empty()) {
+                return self.skipped(skip, rest).filter(|_| sound);
+            }
             match statement {
                 Stmt::Expr(expression, semicolon) => {
                     let result = self.statement(expression);
                     sound &= result.is_some();
-                    value = result.filter(|_| last && semicolon.is_none()).or(value.map(|_| Value::Unit));
+                    value = result.filter(|_| rest.is_empty() && semicolon.is_none()).or(Some(Value::Unit));
                 }
                 Stmt::Local(local) => sound &= self.local(local).is_some(),
                 Stmt::Item(item) => sound &= self.item(item).is_some(),
                 Stmt::Macro(statement) => sound &= self.assertion(&statement.mac).is_some(),
             }
         }
-        self.scopes.pop();
         value.filter(|_| sound)
     }
 
@@ -88,193 +89,140 @@ impl Reader<'_> {
         match expression {
             Expr::ForLoop(repeat) => self.repeat(repeat),
             Expr::Assign(ExprAssign { left, right, .. }) => self.assign(left, None, right, expression),
-            Expr::Binary(ExprBinary { left, op, right, .. }) => match op {
-                BinOp::AddAssign(_) | BinOp::SubAssign(_) | BinOp::MulAssign(_) | BinOp::DivAssign(_) => {
-                    self.assign(left, Some(op), right, expression)
-                }
-                _ => self.expression(expression),
-            },
+            Expr::Binary(ExprBinary { left, op, right, .. }) if is_assignment(op) => {
+                self.assign(left, Some(op), right, expression)
+            }
             _ => self.expression(expression),
         }
     }
 
-    /// `name = right`, or `name op= right`.
+    /// `place = right`, or `place op= right`, where the place is a variable or an element of an array.
     fn assign(&mut self, left: &Expr, op: Option<&BinOp>, right: &Expr, whole: &Expr) -> Option<Value> {
-        let Some(name) = simple_name(left) else {
-            self.errors.at(left, "only a variable can be assigned to: declare one with `let mut`");
-            return None;
-        };
-        let Some(id) = self.lookup(&name.to_string()) else {
-            self.errors.at(left, format!("`{name}` is not known here"));
-            return None;
-        };
-        let outside = self.bindings[id.0].depth < self.frames.len();
-        if outside {
-            return self.accumulate(id, name, op, right, whole);
+        let target = self.target(left)?;
+        if self.bindings[target.id.0].depth < self.frames.len() {
+            return self.accumulate(target, left, op, right, whole);
         }
         let value = match op {
             None => self.expression(right)?,
             Some(op) => {
-                let (now, change) = (self.bindings[id.0].value.clone(), self.expression(right)?);
-                if let Value::View(_) = now {
-                    self.errors.at(left, format!("`{name}` are coordinates: the functions only read them"));
-                    return None;
-                }
+                let (now, change) = (self.element_of(&target)?.clone(), self.expression(right)?);
                 self.combine(&plain(op), now, change, left, right, whole)?
             }
         };
-        self.bindings[id.0].value = value;
+        *self.element_of_mut(&target)? = value;
         Some(Value::Unit)
+    }
+
+    /// The variable, or the element of an array, that is assigned to.
+    fn target(&mut self, place: &Expr) -> Option<Target> {
+        match place {
+            Expr::Paren(inner) => self.target(&inner.expr),
+            Expr::Unary(syn::ExprUnary { op: syn::UnOp::Deref(_), expr, .. }) => self.target(expr),
+            Expr::Index(ExprIndex { expr, index, .. }) => {
+                let mut target = self.target(expr)?;
+                let position = self.expression(index)?;
+                let position = self.integer(&position).and_then(|index| self.graph.loops.literal(index));
+                let elements = match self.element_of(&target)? {
+                    Value::Array(elements) => elements.len(),
+                    Value::Accumulating => usize::MAX,
+                    _ => 0,
+                };
+                match position.and_then(|position| usize::try_from(position).ok()) {
+                    Some(position) if position < elements => target.at.push(position),
+                    Some(_) => {
+                        self.errors
+                            .at(index, format!("the index is out of bounds: this array has {elements} elements"));
+                        return None;
+                    }
+                    None => {
+                        let message =
+                            "elements of an array are assigned by literal indices, or in a loop of a few turns";
+                        self.errors.at(index, message);
+                        return None;
+                    }
+                }
+                Some(target)
+            }
+            _ => {
+                let Some(name) = simple_name(place) else {
+                    self.errors.at(place, "only a variable or an element of an array can be assigned to");
+                    return None;
+                };
+                let Some(id) = self.lookup(&name.to_string()) else {
+                    self.errors.at(place, format!("`{name}` is not known here"));
+                    return None;
+                };
+                match self.bindings[id.0].value {
+                    Value::View(_) => {
+                        self.errors.at(place, format!("`{name}` are coordinates: the functions only read them"));
+                        None
+                    }
+                    Value::Unknown => None,
+                    _ => Some(Target { id, at: Vec::new() }),
+                }
+            }
+        }
+    }
+
+    fn element_of(&self, target: &Target) -> Option<&Value> {
+        target.at.iter().try_fold(&self.bindings[target.id.0].value, |value, position| match value {
+            Value::Array(parts) => parts.get(*position),
+            Value::Accumulating => Some(value),
+            _ => None,
+        })
+    }
+
+    pub(super) fn element_of_mut(&mut self, target: &Target) -> Option<&mut Value> {
+        target.at.iter().try_fold(&mut self.bindings[target.id.0].value, |value, position| match value {
+            Value::Array(parts) => parts.get_mut(*position),
+            _ => None,
+        })
     }
 
     /// An assignment inside a loop to a variable from outside: it has to add something.
     fn accumulate(
         &mut self,
-        id: BindingId,
-        name: &Ident,
+        target: Target,
+        place: &Expr,
         op: Option<&BinOp>,
         right: &Expr,
         whole: &Expr,
     ) -> Option<Value> {
-        let (negative, addend) = match (op, right) {
-            (Some(BinOp::AddAssign(_)), addend) => (false, addend),
-            (Some(BinOp::SubAssign(_)), addend) => (true, addend),
-            (None, Expr::Binary(ExprBinary { left, op: BinOp::Add(_), right, .. })) if is_name(left, name) => {
-                (false, &**right)
-            }
-            (None, Expr::Binary(ExprBinary { left, op: BinOp::Add(_), right, .. })) if is_name(right, name) => {
-                (false, &**left)
-            }
-            (None, Expr::Binary(ExprBinary { left, op: BinOp::Sub(_), right, .. })) if is_name(left, name) => {
-                (true, &**right)
-            }
-            _ => {
-                let message = format!(
-                    "`{name}` comes from outside this loop, so the loop can only sum it up: write `{name} += ...` or \
-                     `{name} -= ...`"
-                );
-                self.errors.at(whole, message);
-                return None;
-            }
+        let Some((negative, addend)) = addend(place, op, right) else {
+            let name = quote!(#place).to_string();
+            let message = format!(
+                "`{name}` comes from outside this loop, so the loop can only sum it up: write `{name} += ...` or \
+                 `{name} -= ...`"
+            );
+            self.errors.at(whole, message);
+            return None;
         };
         let value = self.expression(addend)?;
         let value = self.number(&value, addend)?;
         let value = if negative { self.graph.neg(value) } else { value };
-        self.add_to_frame(id, value);
+        self.add_to_frame(target, value);
         Some(Value::Unit)
     }
 
     /// Notes that a turn of the innermost loop adds `value` to a variable.
-    fn add_to_frame(&mut self, id: BindingId, value: NodeId) {
+    pub(super) fn add_to_frame(&mut self, target: Target, value: NodeId) {
         let Self { graph, frames, .. } = self;
         let Some(frame) = frames.last_mut() else { return };
-        match frame.sums.iter_mut().find(|(known, _)| *known == id) {
+        match frame.sums.iter_mut().find(|(known, _)| *known == target) {
             Some((_, sum)) => *sum = graph.add(*sum, value),
-            None => frame.sums.push((id, value)),
+            None => frame.sums.push((target, value)),
         }
-    }
-
-    /// `for index in range { ... }`
-    fn repeat(&mut self, repeat: &ExprForLoop) -> Option<Value> {
-        let (from, to) = self.range(&repeat.expr)?;
-        let Some(name) = loop_name(&repeat.pat) else {
-            self.errors.at(&repeat.pat, "the index of a loop is a name: write `for i in 0..n`");
-            return None;
-        };
-        let by = self.enter(name, from, to, repeat)?;
-        let held = self.hold(&repeat.body);
-        self.scopes.push(HashMap::new());
-        let index = self.graph.loops.intern(Index::Running(by));
-        self.declare(name.to_string(), Value::Integer(index));
-        let body = self.block(&repeat.body);
-        self.scopes.pop();
-        let sums = self.frames.pop().map(|frame| frame.sums).unwrap_or_default();
-        for (id, value) in held {
-            self.bindings[id.0].value = value;
-        }
-        for (id, addend) in sums {
-            let sum = self.graph.sum(by, addend);
-            if self.bindings[id.0].depth < self.frames.len() {
-                self.add_to_frame(id, sum);
-            } else {
-                let now = self.bindings[id.0].value.clone();
-                let now = self.number(&now, &repeat.pat)?;
-                self.bindings[id.0].value = Value::Real(self.graph.add(now, sum));
-            }
-        }
-        body.map(|_| Value::Unit)
-    }
-
-    /// Opens a loop over `from..to`, with a name for its index that no other loop has.
-    fn enter(&mut self, name: &Ident, from: IndexId, to: IndexId, repeat: &ExprForLoop) -> Option<LoopId> {
-        if self.graph.loops.count() >= LoopSet::CAPACITY {
-            let message = format!("more than {} different loops in one Hamiltonian", LoopSet::CAPACITY);
-            self.errors.at(repeat.for_token, message);
-            return None;
-        }
-        if self.graph.loops.upper(to).is_none() || self.graph.loops.lower(from).is_none() {
-            let message = "how far this loop may get is not known: its bounds are made of literals, integers of the \
-                           impl that depend on no loop, and indices of outer loops";
-            self.errors.at(&repeat.expr, message);
-            return None;
-        }
-        let parent = self.frames.last().map(|frame| frame.by);
-        let by = self.graph.loops.range(Loop { parent, from, to });
-        if !self.running.contains_key(&by) {
-            // Loops beside each other are never nested in what is written, so they may share a name.
-            let around: Vec<&Ident> = self.frames.iter().filter_map(|frame| self.running.get(&frame.by)).collect();
-            let taken = |name: &Ident| RESERVED.iter().any(|word| name == word) || around.contains(&name);
-            let base = if name == "_" { format_ident!("turn") } else { name.clone() };
-            let free = std::iter::once(base.clone()).chain((2..).map(|count| format_ident!("{base}_{count}")));
-            let free = { free }.find(|name| !taken(name)).unwrap_or(base);
-            self.running.insert(by, free);
-        }
-        self.frames.push(Frame { by, sums: Vec::new() });
-        Some(by)
-    }
-
-    /// The bounds of a loop.
-    fn range(&mut self, range: &Expr) -> Option<(IndexId, IndexId)> {
-        match range {
-            Expr::Paren(inner) => self.range(&inner.expr),
-            Expr::Range(range) => {
-                let (Some(start), Some(end)) = (&range.start, &range.end) else {
-                    self.errors.at(range, "the range of a loop needs both bounds: write `a..b` or `a..=b`");
-                    return None;
-                };
-                let (from, to) = (self.bound(start), self.bound(end));
-                let (from, mut to) = (from?, to?);
-                if matches!(range.limits, RangeLimits::Closed(_)) {
-                    let one = self.graph.loops.intern(Index::Literal(1));
-                    to = self.graph.loops.intern(Index::Add(to, one));
-                }
-                Some((from, to))
-            }
-            other => {
-                self.errors.at(other, "a loop runs over a range of integers: write `for i in a..b`");
-                None
-            }
-        }
-    }
-
-    fn bound(&mut self, bound: &Expr) -> Option<IndexId> {
-        let value = self.expression(bound)?;
-        let index = self.integer(&value);
-        if index.is_none() {
-            let message = format!("this bound is {}: the range of a loop is made of integers", value.describe());
-            self.errors.at(bound, message);
-        }
-        index
     }
 
     /// Variables from outside that a body assigns to have no value while it is read. Returns what they had.
-    fn hold(&mut self, body: &Block) -> Vec<(BindingId, Value)> {
-        let mut assigned = Assigned(Vec::new());
+    pub(super) fn hold(&mut self, body: &Block) -> Vec<(BindingId, Value)> {
+        let mut assigned = Assigned::default();
         assigned.visit_block(body);
-        let mut held = Vec::new();
-        for name in assigned.0 {
+        let mut held: Vec<(BindingId, Value)> = Vec::new();
+        for name in assigned.names {
             if let Some(id) = self.lookup(&name)
                 && !held.iter().any(|(known, _)| *known == id)
+                && !matches!(self.bindings[id.0].value, Value::View(_))
             {
                 held.push((id, std::mem::replace(&mut self.bindings[id.0].value, Value::Accumulating)));
             }
@@ -283,17 +231,50 @@ impl Reader<'_> {
     }
 }
 
-/// The names that a block assigns to.
-struct Assigned(Vec<String>);
+/// What an assignment adds to its own place, if that is all it does; `true` if it subtracts.
+fn addend<'e>(place: &Expr, op: Option<&BinOp>, right: &'e Expr) -> Option<(bool, &'e Expr)> {
+    let same = |expression: &Expr| quote!(#expression).to_string() == quote!(#place).to_string();
+    match (op, right) {
+        (Some(BinOp::AddAssign(_)), addend) => Some((false, addend)),
+        (Some(BinOp::SubAssign(_)), addend) => Some((true, addend)),
+        (None, Expr::Binary(ExprBinary { left, op: BinOp::Add(_), right, .. })) if same(left) => {
+            Some((false, &**right))
+        }
+        (None, Expr::Binary(ExprBinary { left, op: BinOp::Add(_), right, .. })) if same(right) => {
+            Some((false, &**left))
+        }
+        (None, Expr::Binary(ExprBinary { left, op: BinOp::Sub(_), right, .. })) if same(left) => Some((true, &**right)),
+        _ => None,
+    }
+}
+
+/// What a piece of code assigns to.
+#[derive(Default)]
+pub(super) struct Assigned {
+    /// The names of variables, and of arrays whose elements are assigned.
+    pub(super) names: Vec<String>,
+    /// The names that are assigned otherwise than by adding to them.
+    pub(super) replaced: Vec<String>,
+    /// The names that are indexed.
+    pub(super) indexed: Vec<String>,
+}
 
 impl Visit<'_> for Assigned {
     fn visit_expr(&mut self, expression: &Expr) {
-        let target = match expression {
-            Expr::Assign(ExprAssign { left, .. }) => simple_name(left),
-            Expr::Binary(ExprBinary { left, op, .. }) if is_assignment(op) => simple_name(left),
-            _ => None,
+        let (target, adds) = match expression {
+            Expr::Assign(ExprAssign { left, right, .. }) => (root_name(left), addend(left, None, right).is_some()),
+            Expr::Binary(ExprBinary { left, op, right, .. }) if is_assignment(op) => {
+                (root_name(left), addend(left, Some(op), right).is_some())
+            }
+            _ => (None, true),
         };
-        self.0.extend(target.map(ToString::to_string));
+        self.names.extend(target.map(ToString::to_string));
+        if !adds {
+            self.replaced.extend(target.map(ToString::to_string));
+        }
+        if let Expr::Index(ExprIndex { expr, .. }) = expression {
+            self.indexed.extend(root_name(expr).map(ToString::to_string));
+        }
         syn::visit::visit_expr(self, expression);
     }
 }
@@ -321,22 +302,17 @@ pub(super) fn simple_name(expression: &Expr) -> Option<&Ident> {
     }
 }
 
-fn is_name(expression: &Expr, name: &Ident) -> bool {
-    simple_name(expression) == Some(name)
-}
-
-fn loop_name(pattern: &Pat) -> Option<&Ident> {
-    match pattern {
-        Pat::Ident(name) if name.subpat.is_none() => Some(&name.ident),
-        _ => None,
+/// The name of the variable that a place is, or is an element of.
+fn root_name(place: &Expr) -> Option<&Ident> {
+    match place {
+        Expr::Index(ExprIndex { expr, .. }) => root_name(expr),
+        Expr::Unary(syn::ExprUnary { op: syn::UnOp::Deref(_), expr, .. }) => root_name(expr),
+        _ => simple_name(place),
     }
 }
 
 /// The text of variables that an expression mentions, declared in front of it, so that it can stand alone.
-pub(super) fn with_variables(
-    text: proc_macro2::TokenStream,
-    variables: &[(Ident, proc_macro2::TokenStream)],
-) -> proc_macro2::TokenStream {
+pub(super) fn with_variables(text: TokenStream, variables: &[(Ident, TokenStream)]) -> TokenStream {
     if variables.is_empty() {
         return text;
     }

@@ -14,6 +14,8 @@ pub(crate) enum Value {
     Real(NodeId),
     /// An integer made of literals, loop indices and integer parameters.
     Integer(IndexId),
+    /// What holds or does not hold.
+    Condition(NodeId),
     /// An argument of the function, indexed part of the way.
     View(View),
     /// An array of values.
@@ -58,6 +60,7 @@ impl Value {
         match self {
             Value::Real(_) => "a number",
             Value::Integer(_) => "an integer",
+            Value::Condition(_) => "a condition",
             Value::View(view) if view.at.is_empty() => "the whole array of coordinates",
             Value::View(_) => "a point",
             Value::Array(_) => "an array",

@@ -1,0 +1,181 @@
+//! Conditions and branches.
+
+use super::{
+    BindingId, Reader,
+    statement::Assigned,
+    value::{Opaque, Value},
+};
+use crate::graph::{Comparison, NodeId};
+use quote::ToTokens;
+use syn::{BinOp, Block, Expr, ExprIf, Stmt, visit::Visit};
+
+impl Reader<'_> {
+    /// A value as a condition.
+    pub(super) fn condition(&mut self, value: &Value) -> Option<NodeId> {
+        match value {
+            Value::Condition(node) => Some(*node),
+            Value::Opaque(Opaque { text, loops }) => {
+                let parameter = self.parameter(text.clone(), "condition", *loops);
+                Some(self.graph.flag(parameter))
+            }
+            _ => None,
+        }
+    }
+
+    /// An expression that has to be a condition.
+    fn condition_of(&mut self, expression: &Expr) -> Option<NodeId> {
+        if let Expr::Let(_) = expression {
+            self.errors.at(expression, "`if let` is not understood: compare numbers, as in `if r < cutoff`");
+            return None;
+        }
+        let value = self.expression(expression)?;
+        let condition = self.condition(&value);
+        if condition.is_none() {
+            self.errors.at(expression, format!("expected a condition, found {}", value.describe()));
+        }
+        condition
+    }
+
+    /// `left < right` and its like, `left && right`, `left || right`.
+    pub(super) fn compared(
+        &mut self,
+        op: &BinOp,
+        left: &Value,
+        right: &Value,
+        places: (&Expr, &Expr),
+    ) -> Option<Value> {
+        if let BinOp::And(_) | BinOp::Or(_) = op {
+            let (Some(a), Some(b)) = (self.condition(left), self.condition(right)) else {
+                self.errors.at(places.0, "`&&` and `||` join conditions");
+                return None;
+            };
+            let both = matches!(op, BinOp::And(_));
+            return Some(Value::Condition(if both { self.graph.and(a, b) } else { self.graph.or(a, b) }));
+        }
+        let (comparison, swapped, negated) = match op {
+            BinOp::Lt(_) => (Comparison::Less, false, false),
+            BinOp::Gt(_) => (Comparison::Less, true, false),
+            BinOp::Le(_) => (Comparison::LessOrEqual, false, false),
+            BinOp::Ge(_) => (Comparison::LessOrEqual, true, false),
+            BinOp::Eq(_) => (Comparison::Equal, false, false),
+            _ => (Comparison::Equal, false, true),
+        };
+        let integers = matches!(left, Value::Integer(_)) || matches!(right, Value::Integer(_));
+        let condition = if integers && let (Some(a), Some(b)) = (self.integer(left), self.integer(right)) {
+            let (a, b) = if swapped { (b, a) } else { (a, b) };
+            self.graph.compare_index(comparison, a, b)
+        } else {
+            let (a, b) = (self.number(left, places.0), self.number(right, places.1));
+            let (a, b) = (a?, b?);
+            let (a, b) = if swapped { (b, a) } else { (a, b) };
+            self.graph.compare(comparison, a, b)
+        };
+        Some(Value::Condition(if negated { self.graph.not(condition) } else { condition }))
+    }
+
+    /// `if condition { ... } else { ... }`, as a value or as a statement.
+    pub(super) fn branch(&mut self, branch: &ExprIf) -> Option<Value> {
+        let condition = self.condition_of(&branch.cond);
+        let mut assigned = Assigned::default();
+        assigned.visit_expr_if(branch);
+        let otherwise = branch.else_branch.as_ref().map(|(_, otherwise)| &**otherwise);
+        self.choose(
+            condition,
+            assigned,
+            &|reader| reader.block(&branch.then_branch),
+            &|reader| otherwise.map_or(Some(Value::Unit), |otherwise| reader.expression(otherwise)),
+            branch,
+        )
+    }
+
+    /// `if condition { continue; }` and the statements behind it: they happen where the condition does not hold.
+    pub(super) fn skipped(&mut self, skip: &ExprIf, rest: &[Stmt]) -> Option<Value> {
+        let condition = self.condition_of(&skip.cond).map(|condition| self.graph.not(condition));
+        let mut assigned = Assigned::default();
+        for statement in rest {
+            assigned.visit_stmt(statement);
+        }
+        self.choose(condition, assigned, &|reader| reader.statements(rest), &|_| Some(Value::Unit), skip)
+    }
+
+    /// Reads both sides of a branch from the same state and joins what they leave.
+    pub(super) fn choose(
+        &mut self,
+        condition: Option<NodeId>,
+        assigned: Assigned,
+        first: &dyn Fn(&mut Self) -> Option<Value>,
+        second: &dyn Fn(&mut Self) -> Option<Value>,
+        place: &dyn ToTokens,
+    ) -> Option<Value> {
+        let ids: Vec<BindingId> = assigned.names.iter().filter_map(|name| self.lookup(name)).collect();
+        let before: Vec<Value> = ids.iter().map(|id| self.bindings[id.0].value.clone()).collect();
+        let sums = self.frames.last_mut().map(|frame| std::mem::take(&mut frame.sums)).unwrap_or_default();
+        let side = |reader: &mut Self, read: &dyn Fn(&mut Self) -> Option<Value>| {
+            let value = read(reader);
+            let left = ids
+                .iter()
+                .zip(&before)
+                .map(|(id, before)| std::mem::replace(&mut reader.bindings[id.0].value, before.clone()));
+            let left: Vec<Value> = left.collect();
+            let added = reader.frames.last_mut().map(|frame| std::mem::take(&mut frame.sums)).unwrap_or_default();
+            (value, left, added)
+        };
+        let (first, second) = (side(self, first), side(self, second));
+        if let Some(frame) = self.frames.last_mut() {
+            frame.sums = sums;
+        }
+        let condition = condition?;
+        for ((id, a), b) in ids.iter().zip(first.1).zip(second.1) {
+            self.bindings[id.0].value = self.either(condition, a, b, place)?;
+        }
+        let zero = self.graph.constant(0.0);
+        for (target, a) in &first.2 {
+            let b = second.2.iter().find(|(known, _)| known == target).map_or(zero, |(_, b)| *b);
+            let value = self.graph.select(condition, *a, b);
+            self.add_to_frame(target.clone(), value);
+        }
+        for (target, b) in second.2.iter().filter(|(target, _)| !first.2.iter().any(|(known, _)| known == target)) {
+            let value = self.graph.select(condition, zero, *b);
+            self.add_to_frame(target.clone(), value);
+        }
+        self.either(condition, first.0?, second.0?, place)
+    }
+
+    /// The first value where the condition holds, else the second.
+    fn either(&mut self, condition: NodeId, a: Value, b: Value, place: &dyn ToTokens) -> Option<Value> {
+        match (a, b) {
+            (Value::Unit, Value::Unit) => Some(Value::Unit),
+            (Value::Accumulating, Value::Accumulating) => Some(Value::Accumulating),
+            (Value::Unknown, _) | (_, Value::Unknown) => None,
+            (Value::Integer(a), Value::Integer(b)) if a == b => Some(Value::Integer(a)),
+            (Value::Condition(a), Value::Condition(b)) => Some(Value::Condition(self.graph.select(condition, a, b))),
+            (Value::Array(a), Value::Array(b)) if a.len() == b.len() => {
+                let parts = a.into_iter().zip(b).map(|(a, b)| self.either(condition, a, b, place));
+                Some(Value::Array(parts.collect::<Option<_>>()?))
+            }
+            (Value::Tuple(a), Value::Tuple(b)) if a.len() == b.len() => {
+                let parts = a.into_iter().zip(b).map(|(a, b)| self.either(condition, a, b, place));
+                Some(Value::Tuple(parts.collect::<Option<_>>()?))
+            }
+            (a, b) => match (self.real(&a), self.real(&b)) {
+                (Some(a), Some(b)) => Some(Value::Real(self.graph.select(condition, a, b))),
+                _ => {
+                    let message =
+                        format!("the branches give {} and {}: both have to give a number", a.describe(), b.describe());
+                    self.errors.at(place.to_token_stream(), message);
+                    None
+                }
+            },
+        }
+    }
+}
+
+/// `if condition { continue; }`
+pub(super) fn is_skip(statement: &Stmt) -> Option<&ExprIf> {
+    let Stmt::Expr(Expr::If(branch), _) = statement else { return None };
+    let Block { stmts, .. } = &branch.then_branch;
+    match (&stmts[..], &branch.else_branch) {
+        ([Stmt::Expr(Expr::Continue(skip), _)], None) if skip.label.is_none() => Some(branch),
+        _ => None,
+    }
+}

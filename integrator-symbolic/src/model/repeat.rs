@@ -1,0 +1,165 @@
+//! Loops: what `for` runs over, and sums that stay sums.
+
+use super::{Frame, Reader, Target, sequence::Sequence, statement::Assigned, value::Value};
+use crate::graph::index::{Index, IndexId, Loop, LoopId, LoopSet};
+use proc_macro2::Ident;
+use quote::{ToTokens, format_ident};
+use std::{collections::HashMap, ops::Range};
+use syn::{ExprForLoop, Pat, visit::Visit};
+
+/// Names that the generated functions use themselves.
+const RESERVED: [&str; 7] = ["motion", "step", "time", "duration", "of_lane", "lane", "table"];
+
+/// How many turns a loop may have that is written out, because its body is more than a sum.
+const FEW: u64 = 16;
+
+impl Reader<'_> {
+    /// `for pattern in sequence { ... }`
+    pub(super) fn repeat(&mut self, repeat: &ExprForLoop) -> Option<Value> {
+        let sequence = self.sequence(&repeat.expr)?;
+        if sequence.literal {
+            let turns = self.few_turns(&sequence, &repeat.expr)?;
+            return self.write_out(repeat, &sequence, turns);
+        }
+        if self.needs_writing_out(repeat)
+            && let Some(turns) = self.known_turns(&sequence)
+        {
+            return self.write_out(repeat, &sequence, turns);
+        }
+        let by = self.enter(loop_name(&repeat.pat), sequence.from, sequence.to, &repeat.expr)?;
+        let held = self.hold(&repeat.body);
+        self.scopes.push(HashMap::new());
+        let index = self.graph.loops.intern(Index::Running(by));
+        let item = self.item_of(&sequence, index);
+        let body = item.and_then(|item| {
+            self.bind(&repeat.pat, item.value);
+            match item.condition {
+                None => self.block(&repeat.body),
+                // What a filter leaves out adds nothing.
+                Some(condition) => self.guarded(condition, &repeat.body),
+            }
+        });
+        self.scopes.pop();
+        let sums = self.leave();
+        for (id, value) in held {
+            self.bindings[id.0].value = value;
+        }
+        for (target, addend) in sums {
+            let sum = self.graph.sum(by, addend);
+            self.add_sum(target, sum, &repeat.pat)?;
+        }
+        body.map(|_| Value::Unit)
+    }
+
+    /// Adds a whole sum to its variable, or, where an outer loop sums that up too, to what a turn of it adds.
+    fn add_sum(&mut self, target: Target, sum: crate::graph::NodeId, place: &Pat) -> Option<()> {
+        if self.bindings[target.id.0].depth < self.frames.len() {
+            self.add_to_frame(target, sum);
+            return Some(());
+        }
+        let now = self.element_of_mut(&target)?.clone();
+        let now = self.number(&now, place)?;
+        let total = self.graph.add(now, sum);
+        *self.element_of_mut(&target)? = Value::Real(total);
+        Some(())
+    }
+
+    /// Whether a body does more than add to variables from outside: it replaces one, or reads an array by the index.
+    fn needs_writing_out(&self, repeat: &ExprForLoop) -> bool {
+        let mut assigned = Assigned::default();
+        assigned.visit_block(&repeat.body);
+        let is_outside = |name: &String| self.lookup(name).is_some();
+        let is_array =
+            |name: &String| self.lookup(name).is_some_and(|id| matches!(self.bindings[id.0].value, Value::Array(_)));
+        assigned.replaced.iter().any(is_outside) || assigned.indexed.iter().any(is_array)
+    }
+
+    /// The turns of a loop, if their number is known and small.
+    fn known_turns(&self, sequence: &Sequence) -> Option<Range<u64>> {
+        let (from, to) = (self.graph.loops.literal(sequence.from)?, self.graph.loops.literal(sequence.to)?);
+        (to.saturating_sub(from) <= FEW).then_some(from..to)
+    }
+
+    /// The turns of a loop over an array of values, which is written out; notes a mistake if they are too many.
+    pub(super) fn few_turns(&mut self, sequence: &Sequence, place: &impl ToTokens) -> Option<Range<u64>> {
+        let turns = self.known_turns(sequence);
+        if turns.is_none() {
+            let message = format!("a loop over an array of values is written out, so it has {FEW} turns at most");
+            self.errors.at(place, message);
+        }
+        turns
+    }
+
+    /// The turns of a loop one after the other.
+    fn write_out(&mut self, repeat: &ExprForLoop, sequence: &Sequence, turns: Range<u64>) -> Option<Value> {
+        let mut sound = true;
+        for turn in turns {
+            let index = self.graph.loops.intern(Index::Literal(turn));
+            self.scopes.push(HashMap::new());
+            let body = self.item_of(sequence, index).and_then(|item| {
+                self.bind(&repeat.pat, item.value);
+                match item.condition {
+                    None => self.block(&repeat.body),
+                    Some(condition) => self.guarded(condition, &repeat.body),
+                }
+            });
+            self.scopes.pop();
+            sound &= body.is_some();
+            if !sound {
+                break;
+            }
+        }
+        sound.then_some(Value::Unit)
+    }
+
+    /// Opens a loop over `from..to`, with a name for its index that no loop around it has.
+    pub(super) fn enter(
+        &mut self,
+        name: Option<&Ident>,
+        from: IndexId,
+        to: IndexId,
+        place: &impl ToTokens,
+    ) -> Option<LoopId> {
+        if self.graph.loops.count() >= LoopSet::CAPACITY {
+            let message = format!("more than {} different loops in one Hamiltonian", LoopSet::CAPACITY);
+            self.errors.at(place, message);
+            return None;
+        }
+        if self.graph.loops.upper(to).is_none() || self.graph.loops.lower(from).is_none() {
+            let message = "how far this loop may get is not known: its bounds are made of literals, integers of the \
+                           impl that depend on no loop, and indices of outer loops";
+            self.errors.at(place, message);
+            return None;
+        }
+        let parent = self.frames.last().map(|frame| frame.by);
+        let by = self.graph.loops.range(Loop { parent, from, to });
+        if !self.running.contains_key(&by) {
+            // Loops beside each other are never nested in what is written, so they may share a name.
+            let around: Vec<&Ident> = self.frames.iter().filter_map(|frame| self.running.get(&frame.by)).collect();
+            let taken = |name: &Ident| RESERVED.iter().any(|word| name == word) || around.contains(&name);
+            let base = match name {
+                Some(name) if name != "_" => name.clone(),
+                _ => format_ident!("k"),
+            };
+            let mut free = std::iter::once(base.clone()).chain((2..).map(|count| format_ident!("{base}_{count}")));
+            let free = free.find(|name| !taken(name)).unwrap_or(base);
+            self.running.insert(by, free);
+        }
+        self.frames.push(Frame { by, sums: Vec::new() });
+        Some(by)
+    }
+
+    /// Closes the innermost loop and returns what a turn of it adds.
+    pub(super) fn leave(&mut self) -> Vec<(Target, crate::graph::NodeId)> {
+        self.frames.pop().map(|frame| frame.sums).unwrap_or_default()
+    }
+}
+
+/// The name of a loop's index: the pattern's own, or the first of a tuple's.
+fn loop_name(pattern: &Pat) -> Option<&Ident> {
+    match pattern {
+        Pat::Ident(name) if name.subpat.is_none() => Some(&name.ident),
+        Pat::Tuple(tuple) => tuple.elems.first().and_then(loop_name),
+        _ => None,
+    }
+}

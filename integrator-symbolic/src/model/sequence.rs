@@ -1,0 +1,411 @@
+//! What loops and iterator chains run over: ranges, coordinates and lists of parameters, one item per index.
+
+use super::{
+    Reader,
+    statement::Assigned,
+    value::{Opaque, Value, View},
+};
+use crate::graph::{
+    NodeId,
+    index::{Index, IndexId},
+};
+use quote::quote;
+use std::{collections::HashMap, rc::Rc};
+use syn::{Block, Expr, ExprClosure, ExprMethodCall, RangeLimits, visit::Visit};
+
+/// A sequence with one item for every index in `from..to`.
+#[derive(Clone)]
+pub(super) struct Sequence {
+    pub(super) from: IndexId,
+    pub(super) to: IndexId,
+    at: Rc<dyn Fn(&mut Reader<'_>, IndexId) -> Option<Item>>,
+    /// Whether a filter may leave items out, so that an item's position is not known.
+    filtered: bool,
+    /// Whether its items are an array's, which has elements for literal indices alone.
+    pub(super) literal: bool,
+}
+
+/// An item, and the condition under which a filter lets it through.
+pub(super) struct Item {
+    pub(super) value: Value,
+    pub(super) condition: Option<NodeId>,
+}
+
+impl Item {
+    fn plain(value: Value) -> Self {
+        Self { value, condition: None }
+    }
+}
+
+const EXPECTED: &str = "a loop runs over a range of integers, over coordinates or over a list of parameters: write \
+                        `for i in a..b`, `for x in q.iter()` or `for &(a, b) in &self.bonds`";
+
+impl Reader<'_> {
+    /// The sequence that an expression is; notes a mistake if it is none.
+    pub(super) fn sequence(&mut self, expression: &Expr) -> Option<Sequence> {
+        match expression {
+            Expr::Paren(inner) => self.sequence(&inner.expr),
+            Expr::Group(inner) => self.sequence(&inner.expr),
+            Expr::Reference(inner) => self.sequence(&inner.expr),
+            Expr::Range(range) => {
+                let (Some(start), Some(end)) = (&range.start, &range.end) else {
+                    self.errors.at(range, "the range of a loop needs both bounds: write `a..b` or `a..=b`");
+                    return None;
+                };
+                let (from, to) = (self.bound(start), self.bound(end));
+                let (from, mut to) = (from?, to?);
+                if matches!(range.limits, RangeLimits::Closed(_)) {
+                    to = self.offset(to, 1);
+                }
+                Some(self.items(from, to, |_, index| Some(Value::Integer(index))))
+            }
+            Expr::MethodCall(call) if is_adaptor(call) => self.adapted(call),
+            other => {
+                let value = self.expression(other)?;
+                self.listed(value, other)
+            }
+        }
+    }
+
+    fn bound(&mut self, bound: &Expr) -> Option<IndexId> {
+        let value = self.expression(bound)?;
+        let index = self.integer(&value);
+        if index.is_none() {
+            let message = format!("this bound is {}: the range of a loop is made of integers", value.describe());
+            self.errors.at(bound, message);
+        }
+        index
+    }
+
+    fn items(
+        &mut self,
+        from: IndexId,
+        to: IndexId,
+        at: impl Fn(&mut Reader<'_>, IndexId) -> Option<Value> + 'static,
+    ) -> Sequence {
+        let at = Rc::new(move |reader: &mut Reader<'_>, index| at(reader, index).map(Item::plain));
+        Sequence { from, to, at, filtered: false, literal: false }
+    }
+
+    fn literal_index(&mut self, value: u64) -> IndexId {
+        self.graph.loops.intern(Index::Literal(value))
+    }
+
+    fn offset(&mut self, index: IndexId, by: u64) -> IndexId {
+        let by = self.literal_index(by);
+        self.graph.loops.intern(Index::Add(index, by))
+    }
+
+    /// The elements of coordinates, of an array, or of a list of parameters.
+    fn listed(&mut self, value: Value, place: &Expr) -> Option<Sequence> {
+        let zero = self.literal_index(0);
+        match value {
+            Value::View(view) => {
+                let length = self.extent(view.at.len(), place)?;
+                Some(self.items(zero, length, move |reader, index| {
+                    let at = view.at.iter().copied().chain([index]).collect();
+                    Some(reader.element(View { part: view.part, at }))
+                }))
+            }
+            Value::Array(parts) => {
+                let length = self.literal_index(parts.len() as u64);
+                let items = self.items(zero, length, move |reader, index| {
+                    let position = reader.graph.loops.literal(index)?;
+                    parts.get(usize::try_from(position).ok()?).cloned()
+                });
+                Some(Sequence { literal: true, ..items })
+            }
+            Value::Opaque(Opaque { text, loops }) => {
+                let length = self.parameter(quote!(#text.len()), "integer", loops);
+                let length = self.graph.loops.intern(Index::Parameter(length));
+                Some(self.items(zero, length, move |reader, index| {
+                    let (at, mentioned) = (reader.index_text(index), reader.graph.loops.of_index(index));
+                    Some(Value::Opaque(Opaque { text: quote!(#text[#at]), loops: loops.union(mentioned) }))
+                }))
+            }
+            Value::Unknown => None,
+            other => {
+                self.errors.at(place, format!("{} cannot be run over: {EXPECTED}", other.describe()));
+                None
+            }
+        }
+    }
+
+    /// How many items the coordinates have at a level, as an integer.
+    pub(super) fn extent(&mut self, level: usize, place: &Expr) -> Option<IndexId> {
+        let shape = self.shape.clone()?;
+        match shape.extent(level) {
+            Some(extent) => Some(self.length(extent)),
+            None => {
+                self.errors.at(place, format!("a coordinate is a number: {EXPECTED}"));
+                None
+            }
+        }
+    }
+
+    /// The item for an index.
+    pub(super) fn item_of(&mut self, sequence: &Sequence, index: IndexId) -> Option<Item> {
+        let at = Rc::clone(&sequence.at);
+        at(self, index)
+    }
+
+    /// `sequence.map(...)`, `.enumerate()` and so on.
+    fn adapted(&mut self, call: &ExprMethodCall) -> Option<Sequence> {
+        let base = self.sequence(&call.receiver)?;
+        let Sequence { from, to, ref at, filtered, literal } = base;
+        let at = Rc::clone(at);
+        let name = call.method.to_string();
+        if filtered && !matches!(name.as_str(), "map" | "filter" | "copied" | "cloned" | "iter" | "into_iter") {
+            let message = format!("`{name}` behind `filter` depends on how many items are left: put `filter` last");
+            self.errors.at(&call.method, message);
+            return None;
+        }
+        match (name.as_str(), call.args.first()) {
+            ("iter" | "into_iter" | "copied" | "cloned" | "by_ref", None) => Some(base),
+            ("map", Some(closure)) => {
+                let closure = self.closure(closure)?;
+                let at = move |reader: &mut Reader<'_>, index| {
+                    let Item { value, condition } = at(reader, index)?;
+                    Some(Item { value: reader.applied(&closure, vec![value])?, condition })
+                };
+                Some(Sequence { from, to, at: Rc::new(at), filtered, literal })
+            }
+            ("filter", Some(closure)) => {
+                let closure = self.closure(closure)?;
+                let at = move |reader: &mut Reader<'_>, index| {
+                    let Item { value, condition } = at(reader, index)?;
+                    let kept = reader.applied(&closure, vec![value.clone()])?;
+                    let kept = reader.condition(&kept)?;
+                    let condition = match condition {
+                        Some(condition) => reader.graph.and(condition, kept),
+                        None => kept,
+                    };
+                    Some(Item { value, condition: Some(condition) })
+                };
+                Some(Sequence { from, to, at: Rc::new(at), filtered: true, literal })
+            }
+            ("enumerate", None) => {
+                let at = move |reader: &mut Reader<'_>, index| {
+                    let Item { value, .. } = at(reader, index)?;
+                    let position = reader.graph.loops.intern(Index::Sub(index, from));
+                    Some(Item::plain(Value::Tuple(vec![Value::Integer(position), value])))
+                };
+                Some(Sequence { from, to, at: Rc::new(at), filtered, literal })
+            }
+            ("rev", None) => {
+                let at = move |reader: &mut Reader<'_>, index| {
+                    let (sum, one) = (reader.graph.loops.intern(Index::Add(from, to)), reader.literal_index(1));
+                    let last = reader.graph.loops.intern(Index::Sub(sum, one));
+                    let mirrored = reader.graph.loops.intern(Index::Sub(last, index));
+                    at(reader, mirrored)
+                };
+                Some(Sequence { from, to, at: Rc::new(at), filtered, literal })
+            }
+            ("zip", Some(other)) => self.zipped(base, other),
+            ("skip", Some(count)) => {
+                let count = self.bound(count)?;
+                let from = self.graph.loops.intern(Index::Add(from, count));
+                Some(Sequence { from, ..base })
+            }
+            ("take", Some(count)) => {
+                let count = self.bound(count)?;
+                let to = self.graph.loops.intern(Index::Add(from, count));
+                Some(Sequence { to, ..base })
+            }
+            ("step_by", Some(stride)) => self.strided(base, stride),
+            ("windows" | "chunks_exact", Some(size)) => self.grouped_items(base, size, name == "windows"),
+            _ => {
+                let message = format!(
+                    "`{name}` is not understood here; iter, map, filter, enumerate, zip, rev, skip, take, step_by, \
+                     windows and chunks_exact are"
+                );
+                self.errors.at(&call.method, message);
+                None
+            }
+        }
+    }
+
+    /// Pairs of items. The index is the first sequence's; the shorter one decides where their lengths are known.
+    fn zipped(&mut self, base: Sequence, other: &Expr) -> Option<Sequence> {
+        let other = self.sequence(other)?;
+        let loops = &mut self.graph.loops;
+        let (first, second) =
+            (loops.intern(Index::Sub(base.to, base.from)), loops.intern(Index::Sub(other.to, other.from)));
+        let shorter = loops.literal(first).zip(loops.literal(second)).is_some_and(|(first, second)| second < first);
+        let to = if shorter { loops.intern(Index::Add(base.from, second)) } else { base.to };
+        let (from, others_from, literal) = (base.from, other.from, base.literal || other.literal);
+        let at = move |reader: &mut Reader<'_>, index| {
+            let position = reader.graph.loops.intern(Index::Sub(index, from));
+            let others = reader.graph.loops.intern(Index::Add(position, others_from));
+            let others = if from == others_from { index } else { others };
+            let (a, b) = (reader.item_of(&base, index)?, reader.item_of(&other, others)?);
+            Some(Item::plain(Value::Tuple(vec![a.value, b.value])))
+        };
+        Some(Sequence { from, to, at: Rc::new(at), filtered: false, literal })
+    }
+
+    /// Every so many items, counted from the first.
+    fn strided(&mut self, base: Sequence, stride: &Expr) -> Option<Sequence> {
+        let stride = self.bound(stride)?;
+        let zero = self.literal_index(0);
+        let loops = &mut self.graph.loops;
+        let length = loops.intern(Index::Sub(base.to, base.from));
+        let one = loops.intern(Index::Literal(1));
+        let less = loops.intern(Index::Sub(stride, one));
+        let rounded = loops.intern(Index::Add(length, less));
+        let turns = loops.intern(Index::Div(rounded, stride));
+        let literal = base.literal;
+        let at = move |reader: &mut Reader<'_>, index| {
+            let distance = reader.graph.loops.intern(Index::Mul(index, stride));
+            let position = reader.graph.loops.intern(Index::Add(base.from, distance));
+            reader.item_of(&base, position)
+        };
+        Some(Sequence { from: zero, to: turns, at: Rc::new(at), filtered: false, literal })
+    }
+
+    /// Neighbouring items as arrays: overlapping windows, or chunks one after the other.
+    fn grouped_items(&mut self, base: Sequence, size: &Expr, windows: bool) -> Option<Sequence> {
+        let width = self.bound(size)?;
+        let Some(count) = self.graph.loops.literal(width).filter(|count| (1..=64).contains(count)) else {
+            self.errors.at(size, "how many items are grouped is a literal between 1 and 64");
+            return None;
+        };
+        let zero = self.literal_index(0);
+        let less = self.literal_index(count - 1);
+        let loops = &mut self.graph.loops;
+        let length = loops.intern(Index::Sub(base.to, base.from));
+        let to = loops.intern(if windows { Index::Sub(length, less) } else { Index::Div(length, width) });
+        let literal = base.literal;
+        let at = move |reader: &mut Reader<'_>, index| {
+            let first = if windows { index } else { reader.graph.loops.intern(Index::Mul(index, width)) };
+            let parts = (0..count).map(|position| {
+                let position = reader.offset(first, position);
+                let position = reader.graph.loops.intern(Index::Add(base.from, position));
+                reader.item_of(&base, position).map(|item| item.value)
+            });
+            Some(Item::plain(Value::Array(parts.collect::<Option<_>>()?)))
+        };
+        Some(Sequence { from: zero, to, at: Rc::new(at), filtered: false, literal })
+    }
+
+    /// `sequence.sum()`, `sequence.fold(start, |sum, x| sum + ...)` and `sequence.count()`.
+    pub(super) fn total(&mut self, call: &ExprMethodCall) -> Option<Value> {
+        let sequence = self.sequence(&call.receiver)?;
+        let (start, step) = match (call.method.to_string().as_str(), call.args.len()) {
+            ("fold", 2) => {
+                let start = self.expression(&call.args[0])?;
+                (self.number(&start, &call.args[0])?, Some(self.closure(&call.args[1])?))
+            }
+            _ => (self.graph.constant(0.0), None),
+        };
+        if sequence.literal {
+            let mut sum = start;
+            for turn in self.few_turns(&sequence, call)? {
+                let index = self.literal_index(turn);
+                let addend = self.addend_of(&sequence, index, step.as_deref(), call)?;
+                sum = self.graph.add(sum, addend);
+            }
+            return Some(Value::Real(sum));
+        }
+        let by = self.enter(None, sequence.from, sequence.to, call)?;
+        let index = self.graph.loops.intern(Index::Running(by));
+        let addend = self.addend_of(&sequence, index, step.as_deref(), call);
+        self.leave();
+        let sum = self.graph.sum(by, addend?);
+        Some(Value::Real(self.graph.add(start, sum)))
+    }
+
+    /// What the item for an index adds to a sum.
+    fn addend_of(
+        &mut self,
+        sequence: &Sequence,
+        index: IndexId,
+        step: Option<&ExprClosure>,
+        call: &ExprMethodCall,
+    ) -> Option<NodeId> {
+        let item = self.item_of(sequence, index)?;
+        let value = match step {
+            None => self.number(&item.value, &call.receiver)?,
+            Some(step) => self.folded(step, item.value)?,
+        };
+        let zero = self.graph.constant(0.0);
+        Some(item.condition.map_or(value, |condition| self.graph.select(condition, value, zero)))
+    }
+
+    /// What `|sum, item| sum + addend` adds.
+    fn folded(&mut self, step: &ExprClosure, item: Value) -> Option<NodeId> {
+        let zero = self.graph.constant(0.0);
+        let one = self.graph.constant(1.0);
+        let [first, second] = [zero, one].map(|start| {
+            let value = self.applied(step, vec![Value::Real(start), item.clone()]);
+            value.and_then(|value| self.number(&value, &step.body))
+        });
+        // A fold is a sum if what it adds to 0 and to 1 differs by 1 for every item: `addend` and `addend + 1`.
+        let (addend, next) = (first?, second?);
+        let expected = self.graph.add(addend, one);
+        if next != expected {
+            self.errors.at(&step.body, "a `fold` over coordinates has to be a sum: write `|sum, x| sum + ...`");
+            return None;
+        }
+        Some(addend)
+    }
+
+    /// A closure written in place.
+    fn closure(&mut self, expression: &Expr) -> Option<Rc<ExprClosure>> {
+        match expression {
+            Expr::Closure(closure) => Some(Rc::new(closure.clone())),
+            other => {
+                self.errors.at(other, "a closure written in place is expected here: `|x| ...`");
+                None
+            }
+        }
+    }
+
+    /// The value of a closure for given arguments.
+    fn applied(&mut self, closure: &ExprClosure, arguments: Vec<Value>) -> Option<Value> {
+        if closure.inputs.len() != arguments.len() {
+            self.errors.at(closure, format!("this closure has to take {} arguments", arguments.len()));
+            return None;
+        }
+        self.scopes.push(HashMap::new());
+        for (pattern, argument) in closure.inputs.iter().zip(arguments) {
+            self.bind(pattern, argument);
+        }
+        let value = self.expression(&closure.body);
+        self.scopes.pop();
+        value
+    }
+
+    /// The body of a loop under the condition of a filter.
+    pub(super) fn guarded(&mut self, condition: NodeId, body: &Block) -> Option<Value> {
+        let mut assigned = Assigned::default();
+        assigned.visit_block(body);
+        self.choose(Some(condition), assigned, &|reader| reader.block(body), &|_| Some(Value::Unit), body)
+    }
+}
+
+/// Whether a method makes a sequence of a sequence.
+pub(super) fn is_adaptor(call: &ExprMethodCall) -> bool {
+    const ADAPTORS: [&str; 13] = [
+        "iter",
+        "into_iter",
+        "copied",
+        "cloned",
+        "map",
+        "filter",
+        "enumerate",
+        "rev",
+        "zip",
+        "skip",
+        "take",
+        "step_by",
+        "by_ref",
+    ];
+    let name = call.method.to_string();
+    ADAPTORS.contains(&name.as_str()) || matches!(name.as_str(), "windows" | "chunks_exact")
+}
+
+/// Whether a method makes a number of a sequence.
+pub(super) fn is_total(call: &ExprMethodCall) -> bool {
+    matches!(call.method.to_string().as_str(), "sum" | "fold")
+}
