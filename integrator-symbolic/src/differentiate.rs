@@ -233,11 +233,26 @@ mod tests {
         graph.loops.range(Loop { parent, from, to })
     }
 
+    /// The turns of the loops of `context` in which its conditions hold.
+    fn around(graph: &Graph, point: &mut Point<'_>, context: &[Around], body: &mut dyn FnMut(&mut Point<'_>)) {
+        match context.split_first() {
+            None => body(point),
+            Some((Around::Loop(by), inner)) => {
+                point.turns(graph, &[*by], &mut |point| around(graph, point, inner, body));
+            }
+            Some((Around::Branch(condition, holds), inner)) => {
+                if point.holds(graph, *condition) == *holds {
+                    around(graph, point, inner, body);
+                }
+            }
+        }
+    }
+
     /// The gradient by its contributions.
     fn by_sweep(graph: &mut Graph, root: NodeId, q: &[f64]) -> Vec<f64> {
         let mut gradient_at = vec![0.0; q.len()];
         for Contribution { context, element, value } in gradient(graph, root, Part::Position) {
-            Point::new(q, &[]).around(graph, &context, &mut |point| {
+            around(graph, &mut Point::new(q, &[]), &context, &mut |point| {
                 gradient_at[point.index(graph, element.index) as usize] += point.value(graph, value);
             });
         }
@@ -359,7 +374,7 @@ mod tests {
         let sum = |graph: &Graph, contributions: &[Contribution]| {
             let mut at = vec![0.0; Q.len()];
             for Contribution { context, element, value } in contributions {
-                Point::new(&Q, &[]).around(graph, context, &mut |point| {
+                around(graph, &mut Point::new(&Q, &[]), context, &mut |point| {
                     at[point.index(graph, element.index) as usize] += point.value(graph, *value);
                 });
             }

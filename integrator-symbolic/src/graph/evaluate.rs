@@ -5,7 +5,6 @@ use super::{
     function::Rule,
     index::{Index, IndexId, LoopId},
 };
-use crate::differentiate::Around;
 use std::collections::HashMap;
 
 /// Where expressions are evaluated.
@@ -37,21 +36,6 @@ impl<'p> Point<'p> {
             Some(turn) => self.running.insert(*by, turn),
             None => self.running.remove(by),
         };
-    }
-
-    /// The turns of the loops of `context` in which its conditions hold.
-    pub(crate) fn around(&mut self, graph: &Graph, context: &[Around], body: &mut dyn FnMut(&mut Self)) {
-        match context.split_first() {
-            None => body(self),
-            Some((Around::Loop(by), inner)) => {
-                self.turns(graph, &[*by], &mut |point| point.around(graph, inner, body));
-            }
-            Some((Around::Branch(condition, holds), inner)) => {
-                if self.holds(graph, *condition) == *holds {
-                    self.around(graph, inner, body);
-                }
-            }
-        }
     }
 
     pub(crate) fn index(&self, graph: &Graph, id: IndexId) -> u64 {
