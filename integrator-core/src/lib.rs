@@ -1,4 +1,57 @@
 //! Symplectic splitting integrators whose steppers a macro writes.
+//!
+//! A Hamiltonian `H = T(p) + V(q)` is written as two plain functions. [`#[hamiltonian]`](macro@hamiltonian)
+//! differentiates them while the crate compiles and implements [`Hamiltonian`]; a composition says in which order and
+//! for which fractions of a step the two parts move; a [`Run`] follows one trajectory.
+//!
+//! ```
+//! use integrator_core::prelude::*;
+//!
+//! struct Pendulum {
+//!     mass: f64,
+//!     length: f64,
+//!     gravity: f64,
+//! }
+//!
+//! #[hamiltonian(compose = Yoshida4)]
+//! impl Pendulum {
+//!     fn kinetic(&self, p: [f64; 1]) -> f64 {
+//!         p[0].powi(2) / (2.0 * self.mass * self.length.powi(2))
+//!     }
+//!     fn potential(&self, q: [f64; 1]) -> f64 {
+//!         -self.mass * self.gravity * self.length * q[0].cos()
+//!     }
+//! }
+//!
+//! # fn main() -> Result<(), Box<dyn std::error::Error>> {
+//! let pendulum = Pendulum { mass: 1.0, length: 1.0, gravity: 9.81 };
+//! let mut run = pendulum.run(Phase::new([2.0], [0.0]), 0.01)?;
+//! let energy = run.energy();
+//! run.advance(10_000)?;
+//! assert_eq!(run.time(), 100.0);
+//! assert!((run.energy() - energy).abs() < 1e-6);
+//! # Ok(())
+//! # }
+//! ```
+//!
+//! # Where to look
+//!
+//! | for | see |
+//! |---|---|
+//! | what may stand in the two functions | [`#[hamiltonian]`](macro@hamiltonian) |
+//! | which compositions there are | the structs below; [`Scheme`] for what is known of each |
+//! | declaring a composition | [`composition!`] |
+//! | where a run starts, and in which precision | [`Phase`] |
+//! | what a run does and promises | [`Run`] |
+//! | looking at a run from time to time | [`Run::samples`] |
+//! | what can go wrong | [`Error`] |
+//! | whether a stepper is what it claims to be | `check`, above all `certify` (feature `check`) |
+//! | which machine code is run | [`InstructionSet`] |
+//!
+//! # Features
+//!
+//! `check`, on by default: the measurements behind certificates. It brings nalgebra and num-dual; a program that only
+//! steps turns it off and compiles neither.
 #![deny(unsafe_code)]
 
 extern crate self as integrator_core;
@@ -29,6 +82,11 @@ pub use phase::Phase;
 pub use run::Run;
 pub use samples::{Sample, Samples};
 pub use slot::Compensated;
+
+/// The examples of the README, so that they compile and hold.
+#[cfg(doctest)]
+#[doc = include_str!("../../README.md")]
+mod readme {}
 
 /// What a user of the library brings into scope with one line.
 pub mod prelude {
