@@ -13,5 +13,6 @@ pub mod std {}
 pub mod attributes;
 pub mod const_generics;
 pub mod names;
+pub mod no_parameters;
 pub mod no_prelude;
 pub mod renamed_dependency;

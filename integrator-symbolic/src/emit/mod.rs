@@ -68,11 +68,11 @@ pub(crate) fn stepper(input: &Input, mut model: Model) -> TokenStream {
         (
             quote!(
                 #[derive(::core::clone::Clone)]
-                pub struct Parameters;
+                pub struct #parameters;
             ),
             quote!(
                 fn gather<'a>(_of_lane: impl ::core::ops::Fn(usize) -> &'a Self::Single) -> Self {
-                    Parameters
+                    #parameters
                 }
             ),
             quote!(#parameters),
