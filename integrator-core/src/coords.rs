@@ -28,6 +28,13 @@ pub trait Coords: Clone + Debug + PartialEq + Send + Sync + 'static {
     fn inward<'a, R: Real>(of_lane: impl Fn(usize) -> &'a Self) -> Self::Slots<R>;
     /// Slots as a flat slice.
     fn slots<R: Real>(slots: &Self::Slots<R>) -> &[<Self::Leaf as Keep>::Slot<R>];
+    /// Slots as a flat slice, to be written.
+    fn slots_mut<R: Real>(slots: &mut Self::Slots<R>) -> &mut [<Self::Leaf as Keep>::Slot<R>];
+    /// One number per slot, in the same shape.
+    fn numbers<R: Real>(
+        slots: &Self::Slots<R>,
+        number: impl Fn(<Self::Leaf as Keep>::Slot<R>) -> R,
+    ) -> <Self::With<f64> as Coords>::Slots<R>;
 
     /// Writes one lane of `slots` into `self`.
     #[inline(always)]
@@ -68,6 +75,14 @@ impl<K: Keep, const N: usize> Coords for [K; N] {
     fn slots<R: Real>(slots: &Self::Slots<R>) -> &[K::Slot<R>] {
         slots
     }
+    #[inline(always)]
+    fn slots_mut<R: Real>(slots: &mut Self::Slots<R>) -> &mut [K::Slot<R>] {
+        slots
+    }
+    #[inline(always)]
+    fn numbers<R: Real>(slots: &Self::Slots<R>, number: impl Fn(K::Slot<R>) -> R) -> [R; N] {
+        std::array::from_fn(|i| number(slots[i]))
+    }
 }
 
 impl<K: Keep, const D: usize, const N: usize> Coords for [[K; D]; N] {
@@ -95,6 +110,14 @@ impl<K: Keep, const D: usize, const N: usize> Coords for [[K; D]; N] {
     fn slots<R: Real>(slots: &Self::Slots<R>) -> &[K::Slot<R>] {
         slots.as_flattened()
     }
+    #[inline(always)]
+    fn slots_mut<R: Real>(slots: &mut Self::Slots<R>) -> &mut [K::Slot<R>] {
+        slots.as_flattened_mut()
+    }
+    #[inline(always)]
+    fn numbers<R: Real>(slots: &Self::Slots<R>, number: impl Fn(K::Slot<R>) -> R) -> [[R; D]; N] {
+        std::array::from_fn(|i| std::array::from_fn(|d| number(slots[i][d])))
+    }
 }
 
 impl<K: Keep> Coords for Vec<K> {
@@ -120,6 +143,12 @@ impl<K: Keep> Coords for Vec<K> {
     fn slots<R: Real>(slots: &Self::Slots<R>) -> &[K::Slot<R>] {
         slots
     }
+    fn slots_mut<R: Real>(slots: &mut Self::Slots<R>) -> &mut [K::Slot<R>] {
+        slots
+    }
+    fn numbers<R: Real>(slots: &Self::Slots<R>, number: impl Fn(K::Slot<R>) -> R) -> Vec<R> {
+        slots.iter().map(|slot| number(*slot)).collect()
+    }
 }
 
 impl<K: Keep, const D: usize> Coords for Vec<[K; D]> {
@@ -144,5 +173,11 @@ impl<K: Keep, const D: usize> Coords for Vec<[K; D]> {
     }
     fn slots<R: Real>(slots: &Self::Slots<R>) -> &[K::Slot<R>] {
         slots.as_flattened()
+    }
+    fn slots_mut<R: Real>(slots: &mut Self::Slots<R>) -> &mut [K::Slot<R>] {
+        slots.as_flattened_mut()
+    }
+    fn numbers<R: Real>(slots: &Self::Slots<R>, number: impl Fn(K::Slot<R>) -> R) -> Vec<[R; D]> {
+        slots.iter().map(|point| point.map(&number)).collect()
     }
 }

@@ -1,6 +1,14 @@
 //! What moves: the trait that `#[hamiltonian]` writes, and the two sides from which executors see a system.
 
-use crate::{composition::Composition, coords::Coords, error::Error, phase::Phase, real::Real, run::Run, slot::Keep};
+use crate::{
+    composition::Composition,
+    coords::Coords,
+    error::Error,
+    phase::Phase,
+    real::Real,
+    run::Run,
+    slot::{Keep, Slot},
+};
 
 /// The coordinates of `H` with leaf `K`.
 pub type Shaped<H, K> = <<H as Hamiltonian>::Coords as Coords>::With<K>;
@@ -67,7 +75,12 @@ pub trait Hamiltonian: Sized + 'static {
     note = "its order conditions were shortened for a quadratic T; on another T it would lose its order",
     note = "compositions of general class, such as `Yoshida4` and `KahanLi8`, integrate every separable Hamiltonian"
 )]
-pub trait QuadraticKinetic: Hamiltonian {}
+pub trait QuadraticKinetic: Hamiltonian {
+    /// Replaces the momenta by the Hessian of `V` times the momenta.
+    fn hessian<R: Real>(motion: &mut Self::Motion<R, f64>, time: f64);
+    /// The exact flow of `duration·V + gradient·|∇V|²`, with the norm that `M⁻¹` defines.
+    fn gradient_kick<R: Real, K: Keep>(motion: &mut Self::Motion<R, K>, duration: f64, gradient: f64, time: f64);
+}
 
 /// Constants that a motion computes with, one per lane.
 pub trait Prepared<R: Real>: Clone + Send + Sync + 'static {
@@ -124,12 +137,36 @@ impl<R: Real, C: Coords, P: Prepared<R>> Motion<C, P::Single> for Plain<R, C, P>
     }
 }
 
+impl<R: Real, C: Coords, P: Clone> Plain<R, C, P> {
+    /// The same positions and no momenta, with slots that hold numbers and nothing else.
+    #[inline(always)]
+    pub fn at_rest(&self) -> Plain<R, C::With<f64>, P> {
+        let zero = R::of(0.0);
+        Plain {
+            q: C::numbers(&self.q, |slot| slot.value()),
+            p: C::numbers(&self.q, |_| zero),
+            parameters: self.parameters.clone(),
+        }
+    }
+    /// Adds a multiple of the momenta of another motion.
+    #[inline(always)]
+    pub fn push(&mut self, factor: R, other: &Plain<R, C::With<f64>, P>) {
+        for (slot, number) in C::slots_mut(&mut self.p).iter_mut().zip(C::With::<f64>::slots(&other.p)) {
+            slot.fma(factor, *number);
+        }
+    }
+}
+
 /// The flows as a composition sees them: the executor decides what they are applied to.
 pub trait Flows<H: Hamiltonian> {
     /// The flow of `T`.
     fn drift(&mut self, duration: f64, time: f64);
     /// The flow of `V`.
     fn kick(&mut self, duration: f64, time: f64);
+    /// The flow of `duration·V + gradient·|∇V|²`.
+    fn gradient_kick(&mut self, duration: f64, gradient: f64, time: f64)
+    where
+        H: QuadraticKinetic;
 }
 
 /// One motion.
@@ -143,5 +180,12 @@ impl<H: Hamiltonian, R: Real, K: Keep> Flows<H> for Single<'_, H, R, K> {
     #[inline(always)]
     fn kick(&mut self, duration: f64, time: f64) {
         H::kick::<R, K>(self.0, duration, time);
+    }
+    #[inline(always)]
+    fn gradient_kick(&mut self, duration: f64, gradient: f64, time: f64)
+    where
+        H: QuadraticKinetic,
+    {
+        H::gradient_kick::<R, K>(self.0, duration, gradient, time);
     }
 }

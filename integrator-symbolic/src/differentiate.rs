@@ -75,6 +75,19 @@ pub(crate) fn gradient(graph: &mut Graph, root: NodeId, part: Part) -> Vec<Contr
     contributions
 }
 
+/// The derivative of a gradient by the coordinates of `part` along the coordinates of the other part: the Hessian times
+/// these, as the gradient of their product with the gradient.
+pub(crate) fn hessian_product(graph: &mut Graph, of: &[Contribution], part: Part) -> Vec<Contribution> {
+    let mut along = graph.constant(0.0);
+    for Contribution { context, element, value } in of {
+        let direction = graph.coordinate(Element { part: element.part.other(), ..*element });
+        let product = graph.mul(*value, direction);
+        let product = context.iter().rev().fold(product, |product, around| chosen(graph, *around, product));
+        along = graph.add(along, product);
+    }
+    gradient(graph, along, part)
+}
+
 /// The same gradient with branches as choices between values: one contribution per element and loops, as long as
 /// nothing else tells them apart.
 pub(crate) fn folded(graph: &mut Graph, gradient: &[Contribution]) -> Vec<Contribution> {

@@ -57,8 +57,7 @@ pub(crate) fn input(arguments: TokenStream, item: TokenStream, errors: &mut Erro
             .at(of, "`#[hamiltonian]` belongs on an inherent impl, `impl System { ... }`, not on the impl of a trait");
         return None;
     }
-    // Wrong arguments are noted; what the functions hold is read all the same, so that all mistakes come at once.
-    let (compose, root) = arguments.unwrap_or_default();
+    let (compose, root) = arguments?;
     let root = root.unwrap_or_else(|| syn::parse_quote!(::integrator_core));
     Some(Input { compose, root, item })
 }

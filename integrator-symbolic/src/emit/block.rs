@@ -49,15 +49,36 @@ pub(super) fn flow(model: &Model, fields: &mut Fields, names: &Names, placed: &[
     }) else {
         return body;
     };
-    let (open, close) = buffer(&model.shape, element.part, &block.printer);
+    let (open, close) =
+        buffer(&model.shape, element.part, &block.printer, |place, value| quote!(#place.fma(step, #value);));
+    quote!(#open #body #close)
+}
+
+/// The body of a function that replaces the coordinates of `part`: nothing is written before all is read.
+pub(super) fn replacement(
+    model: &Model,
+    fields: &mut Fields,
+    names: &Names,
+    part: Part,
+    placed: &[Placed],
+) -> TokenStream {
+    let program = schedule(&model.graph, placed, |graph, id| is_leaf(graph, &model.parameters, id));
+    let mut block = Block::new(model, names, &program, Dialect::Generic);
+    let body = block.items(fields, &program.items);
+    let (open, close) = buffer(&model.shape, part, &block.printer, |place, value| quote!(#place = #value;));
     quote!(#open #body #close)
 }
 
 /// The most elements that a buffer has on the stack; a longer one, or one of a length known at run time, is on the heap.
 const SMALL: u64 = 4096;
 
-/// A buffer for the gradient, and its application to the coordinates of `part`.
-fn buffer(shape: &Shape, part: Part, printer: &Printer<'_>) -> (TokenStream, TokenStream) {
+/// A buffer for the gradient, and its application to each of the coordinates of `part`.
+fn buffer(
+    shape: &Shape,
+    part: Part,
+    printer: &Printer<'_>,
+    apply: impl Fn(TokenStream, TokenStream) -> TokenStream,
+) -> (TokenStream, TokenStream) {
     let (zero, runtime) = (printer.lifted(quote!(0.0)), printer.runtime);
     let coordinates = match part {
         Part::Position => quote!(q),
@@ -76,11 +97,16 @@ fn buffer(shape: &Shape, part: Part, printer: &Printer<'_>) -> (TokenStream, Tok
     } else {
         quote!(let mut gradient = #runtime::table(#length, |_| #element);)
     };
+    let at = |indices: TokenStream| apply(quote!(motion.#coordinates #indices), quote!(gradient #indices));
     let close = match dimension {
-        None => quote!(for i in 0..#length { motion.#coordinates[i].fma(step, gradient[i]); }),
-        Some(dimension) => quote!(for i in 0..#length {
-            for d in 0..#dimension { motion.#coordinates[i][d].fma(step, gradient[i][d]); }
-        }),
+        None => {
+            let application = at(quote!([i]));
+            quote!(for i in 0..#length { #application })
+        }
+        Some(dimension) => {
+            let application = at(quote!([i][d]));
+            quote!(for i in 0..#length { for d in 0..#dimension { #application } })
+        }
     };
     (open, close)
 }

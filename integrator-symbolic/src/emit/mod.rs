@@ -8,6 +8,7 @@ mod block;
 mod equations;
 mod expression;
 mod fields;
+mod force_gradient;
 mod names;
 
 use crate::{
@@ -55,6 +56,8 @@ pub(crate) fn stepper(input: &Input, mut model: Model) -> TokenStream {
     let mut fields = Fields::default();
     let drift = flow(&mut model, &mut fields, &names, &kinetic, quote!(duration));
     let kick = flow(&mut model, &mut fields, &names, &potential, quote!(-duration));
+    let force_gradient =
+        model.quadratic.then(|| force_gradient::functions(&mut model, &mut fields, &names, &potential));
     let [kinetic, potential] = [model.kinetic, model.potential].map(|energy| {
         let lowered = block::lowered(&mut model, &[energy])[0];
         block::function(&model, &mut fields, &names, lowered, Dialect::Generic)
@@ -87,8 +90,6 @@ pub(crate) fn stepper(input: &Input, mut model: Model) -> TokenStream {
         )
     };
     let of = |scalar: TokenStream| if fields.is_empty() { quote!(#parameters) } else { quote!(#parameters<#scalar>) };
-    // They count as used; one that is missing has been noted.
-    let functions = ["kinetic", "potential"].into_iter().filter_map(|name| Some(&input.function(name)?.sig.ident));
     let length = Body::new(prepare.clone()).argument("length");
     let (of_r, of_f64) = (of(quote!(#scalar)), of(quote!(f64)));
 
@@ -98,10 +99,10 @@ pub(crate) fn stepper(input: &Input, mut model: Model) -> TokenStream {
     let coordinates = coordinates(&model, &names);
     let (composition, declared) = composition(input, &model, &names);
     let autonomous = model.autonomous;
-    let quadratic = model.quadratic.then(|| {
+    let quadratic = force_gradient.map(|functions| {
         quote! {
             #[automatically_derived]
-            impl #generics #runtime::QuadraticKinetic for #system #bounds {}
+            impl #generics #runtime::QuadraticKinetic for #system #bounds { #functions }
         }
     });
     let (drift, kick) = (drift.flow("drift", &names), kick.flow("kick", &names));
@@ -134,7 +135,7 @@ pub(crate) fn stepper(input: &Input, mut model: Model) -> TokenStream {
                 const AUTONOMOUS: bool = #autonomous;
 
                 fn parameters(&self, #length: usize) -> #of_f64 {
-                    let _ = (#(Self::#functions),*);
+                    let _ = (Self::kinetic, Self::potential);
                     #prepare
                 }
 
@@ -216,6 +217,14 @@ fn flow(
     let folded = folded(&mut model.graph, gradient);
     let direct = is_direct(model, &folded);
     let gradient = if direct { &folded[..] } else { gradient };
+    let placed = placed(model, gradient, direct);
+    let scalar = &names.scalar;
+    let body = block::flow(model, fields, names, &placed);
+    quote!(let step = #scalar::of(#duration); #body)
+}
+
+/// Where the components of a gradient go: each to the coordinate that it moves, or to the buffer for it.
+fn placed(model: &mut Model, gradient: &[Contribution], direct: bool) -> Vec<Placed> {
     let values: Vec<NodeId> = gradient
         .iter()
         .map(|contribution| if direct { model.graph.stepped(contribution.value) } else { contribution.value })
@@ -224,19 +233,13 @@ fn flow(
     let roots: Vec<NodeId> = values.iter().copied().chain(conditions).collect();
     let lowered = block::lowered(model, &roots);
     let of = |id: NodeId| roots.iter().position(|root| *root == id).map_or(id, |position| lowered[position]);
-    let placed: Vec<Placed> = gradient
-        .iter()
-        .zip(values)
-        .map(|(contribution, value)| {
-            let element = contribution.element;
-            let moved = Element { part: element.part.other(), ..element };
-            let sink = if direct { Sink::Update(moved) } else { Sink::Collect(moved) };
-            Placed { context: contribution.around(of), sink, value: of(value) }
-        })
-        .collect();
-    let scalar = &names.scalar;
-    let body = block::flow(model, fields, names, &placed);
-    quote!(let step = #scalar::of(#duration); #body)
+    let placed = gradient.iter().zip(values).map(|(contribution, value)| {
+        let element = contribution.element;
+        let moved = Element { part: element.part.other(), ..element };
+        let sink = if direct { Sink::Update(moved) } else { Sink::Collect(moved) };
+        Placed { context: contribution.around(of), sink, value: of(value) }
+    });
+    placed.collect()
 }
 
 /// Whether no coordinate is moved by two contributions or by two turns of a loop.

@@ -1,0 +1,54 @@
+//! The force-gradient kick of a Hamiltonian with quadratic `T`: the exact flow of `b V + c |grad V|^2`.
+//!
+//! Comes in: the gradient of `V`. Goes out: the functions of the runtime's `QuadraticKinetic`. The norm is that of the
+//! inverse mass matrix `M`, so the kick is `p -= b grad V + 2 c V'' M^-1 grad V`. Always true: the product with the
+//! Hessian `V''` is the derivative of the gradient as it stands, so the kick is symplectic to rounding.
+
+use super::{Body, block, fields::Fields, names::Names, placed};
+use crate::{
+    differentiate::{Contribution, hessian_product},
+    graph::Part,
+    model::Model,
+};
+use proc_macro2::TokenStream;
+use quote::quote;
+
+/// `hessian` and `gradient_kick`.
+///
+/// The kick is put together from the flows of a motion that starts at rest: a kick by -1 leaves it with the momenta
+/// `grad V`, a drift by 1 from the origin with the positions `M^-1 grad V`.
+pub(super) fn functions(
+    model: &mut Model,
+    fields: &mut Fields,
+    names: &Names,
+    potential: &[Contribution],
+) -> TokenStream {
+    let product = hessian_product(&mut model.graph, potential, Part::Position);
+    let product = placed(model, &product, false);
+    let product = Body::new(block::replacement(model, fields, names, Part::Momentum, &product));
+    let (motion, time, read) = (product.argument("motion"), product.argument("time"), product.time(&names.scalar));
+    let product = &product.0;
+    let Names { runtime, scalar, leaf, .. } = names;
+    quote! {
+        #[inline(always)]
+        fn hessian<#scalar: #runtime::Real>(#motion: &mut Self::Motion<#scalar, f64>, #time: f64) { #read #product }
+
+        #[inline(always)]
+        fn gradient_kick<#scalar: #runtime::Real, #leaf: #runtime::Keep>(
+            motion: &mut Self::Motion<#scalar, #leaf>,
+            duration: f64,
+            gradient: f64,
+            time: f64,
+        ) {
+            let mut force = motion.at_rest();
+            <Self as #runtime::Hamiltonian>::kick::<#scalar, f64>(&mut force, -1.0, time);
+            motion.push(#scalar::of(-duration), &force);
+            let mut bent = motion.at_rest();
+            ::core::mem::swap(&mut force.q, &mut bent.p);
+            <Self as #runtime::Hamiltonian>::drift::<#scalar, f64>(&mut force, 1.0, time);
+            bent.p = force.q;
+            Self::hessian::<#scalar>(&mut bent, time);
+            motion.push(#scalar::of(-2.0 * gradient), &bent);
+        }
+    }
+}
