@@ -9,12 +9,14 @@
 
 mod basic;
 mod general;
+mod gradient;
 mod nystrom;
 mod processed;
 mod symmetric;
 
 pub use basic::*;
 pub use general::*;
+pub use gradient::*;
 pub use nystrom::*;
 pub use processed::*;
 pub use symmetric::*;

@@ -15,6 +15,8 @@ macro_rules! for_each_composition {
     (quadratic: $each:ident!) => {
         $each!(McLachlanAtela4 CalvoSanzSerna4 McLachlanAtela5 Omelyan6 Teloy6B BlanesMoanSrkn11 BlanesMoanSrkn14);
         $each!(BlanesCasasEscorihuela8 Teloy8A Teloy8B Teloy8C);
+        // With force gradients.
+        $each!(Chin4A Chin4B Chin4C Chin4D Schaefers4 Schaefers6 TakahashiImada4 BlanesCasasRos6);
     };
 }
 pub(crate) use for_each_composition;
