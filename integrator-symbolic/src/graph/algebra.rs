@@ -32,7 +32,7 @@ impl Graph {
     }
 
     /// An integer as a number.
-    pub(crate) fn from_index(&mut self, index: IndexId) -> NodeId {
+    pub(crate) fn number_of(&mut self, index: IndexId) -> NodeId {
         match self.loops.literal(index) {
             Some(value) => self.constant(value as f64),
             None => self.intern(Node::FromIndex(index)),
@@ -216,7 +216,7 @@ impl Graph {
         }
         let range = self.loops.get(by);
         let turns = self.loops.intern(Index::Sub(range.to, range.from));
-        let turns = self.from_index(turns);
+        let turns = self.number_of(turns);
         self.mul(turns, body)
     }
 

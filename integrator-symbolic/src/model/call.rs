@@ -251,7 +251,7 @@ impl Reader<'_> {
         let value = self.block(&helper.block);
         self.inlining.pop();
         self.scopes = scopes;
-        value.map(Value::as_operand)
+        value.map(Value::into_operand)
     }
 }
 

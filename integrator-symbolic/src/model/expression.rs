@@ -27,7 +27,7 @@ impl Reader<'_> {
             Expr::Paren(inner) => self.grouped(&inner.expr),
             Expr::Group(inner) => self.expression(&inner.expr),
             Expr::Reference(inner) if inner.mutability.is_none() => self.expression(&inner.expr),
-            Expr::Block(inner) if inner.label.is_none() => self.block(&inner.block).map(Value::as_operand),
+            Expr::Block(inner) if inner.label.is_none() => self.block(&inner.block).map(Value::into_operand),
             Expr::Lit(literal) => self.literal(literal),
             Expr::Path(path) => self.path(path),
             Expr::Unary(unary) => self.unary(unary, expression),
@@ -133,7 +133,7 @@ impl Reader<'_> {
             }
             _ => {}
         }
-        Some(value.as_operand())
+        Some(value.into_operand())
     }
 
     fn unknown_name(&mut self, name: &Ident) {
@@ -270,7 +270,7 @@ impl Reader<'_> {
         let value = self.expression(&cast.expr)?;
         let to_float = super::shape::is_f64(&cast.ty);
         match value {
-            Value::Integer(index) if to_float => Some(Value::Real(self.graph.from_index(index))),
+            Value::Integer(index) if to_float => Some(Value::Real(self.graph.number_of(index))),
             Value::Integer(index) if is_integer(&cast.ty) => Some(Value::Integer(index)),
             Value::Real(number) if to_float => Some(Value::Real(number)),
             value => match self.opaque(&value) {

@@ -18,12 +18,15 @@ use syn::{Block, Expr, ExprClosure, ExprMethodCall, RangeLimits, visit::Visit};
 pub(super) struct Sequence {
     pub(super) from: IndexId,
     pub(super) to: IndexId,
-    at: Rc<dyn Fn(&mut Reader<'_>, IndexId) -> Option<Item>>,
+    at: Rc<ItemAt>,
     /// Whether a filter may leave items out, so that an item's position is not known.
     filtered: bool,
     /// Whether its items are an array's, which has elements for literal indices alone.
     pub(super) literal: bool,
 }
+
+/// Reads the item for an index.
+type ItemAt = dyn Fn(&mut Reader<'_>, IndexId) -> Option<Item>;
 
 /// An item, and the condition under which a filter lets it through.
 pub(super) struct Item {

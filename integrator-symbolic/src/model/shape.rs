@@ -10,18 +10,19 @@ pub(crate) enum Length {
     /// A number.
     Literal(u64),
     /// A constant of the user.
-    Constant(Expr),
+    Constant(Box<Expr>),
     /// Known at run time: the length of the start.
     OfStart,
 }
 
 impl Length {
     fn of(expression: &Expr) -> Self {
+        let constant = || Self::Constant(Box::new(expression.clone()));
         match expression {
             Expr::Lit(ExprLit { lit: Lit::Int(number), .. }) => {
-                number.base10_parse().map_or_else(|_| Self::Constant(expression.clone()), Self::Literal)
+                number.base10_parse().map_or_else(|_| constant(), Self::Literal)
             }
-            _ => Self::Constant(expression.clone()),
+            _ => constant(),
         }
     }
 

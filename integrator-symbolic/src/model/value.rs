@@ -48,7 +48,7 @@ pub(crate) struct Opaque {
 
 impl Value {
     /// The same value, whose text stands for one operand wherever it is put.
-    pub(super) fn as_operand(self) -> Self {
+    pub(super) fn into_operand(self) -> Self {
         match self {
             Value::Opaque(Opaque { text, loops }) => Value::Opaque(Opaque { text: operand(text), loops }),
             other => other,
