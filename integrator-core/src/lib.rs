@@ -72,7 +72,7 @@ mod samples;
 mod slot;
 
 pub use catalogue::*;
-pub use composition::{Class, Composition, Scheme};
+pub use composition::{Class, Composition, Lead, Processor, Rows, Scheme, Stage, Stages};
 pub use coords::Coords;
 pub use error::{Divergence, Error};
 pub use hamiltonian::{Hamiltonian, QuadraticKinetic};
