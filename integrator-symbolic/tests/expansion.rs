@@ -1,0 +1,130 @@
+//! What `#[hamiltonian]` writes, as reviewed text: the user's item is left out, the rest is formatted and stored.
+
+use integrator_symbolic::hamiltonian;
+
+/// The stepper alone.
+fn stepper(arguments: &str, item: &str) -> String {
+    let (arguments, item) = (arguments.parse().expect("tokens"), item.parse().expect("tokens"));
+    let mut file: syn::File = syn::parse2(hamiltonian(arguments, item)).expect("items");
+    assert!(matches!(file.items.remove(0), syn::Item::Impl(_)), "the user's item comes first");
+    prettyplease::unparse(&file)
+}
+
+#[test]
+fn pendulum() {
+    insta::assert_snapshot!(stepper(
+        "compose = Yoshida4",
+        "impl Pendulum {
+            fn kinetic(&self, p: [f64; 1]) -> f64 { p[0].powi(2) / (2.0 * self.mass * self.length.powi(2)) }
+            fn potential(&self, q: [f64; 1]) -> f64 { -self.mass * self.gravity * self.length * q[0].cos() }
+        }"
+    ));
+}
+
+#[test]
+fn henon_heiles() {
+    insta::assert_snapshot!(stepper(
+        "",
+        "impl HenonHeiles {
+            fn kinetic(&self, [px, py]: [f64; 2]) -> f64 { 0.5 * (px * px + py * py) }
+            fn potential(&self, [x, y]: [f64; 2]) -> f64 { 0.5 * (x * x + y * y) + x * x * y - y.powi(3) / 3.0 }
+        }"
+    ));
+}
+
+#[test]
+fn kepler() {
+    insta::assert_snapshot!(stepper(
+        "",
+        "impl Kepler {
+            fn kinetic(&self, p: &[f64; 2]) -> f64 { 0.5 * (p[0] * p[0] + p[1] * p[1]) }
+            fn potential(&self, q: &[f64; 2]) -> f64 { -self.mu / (q[0].powi(2) + q[1] * q[1]).sqrt() }
+        }"
+    ));
+}
+
+#[test]
+fn outer_solar_system() {
+    insta::assert_snapshot!(stepper(
+        "compose = Yoshida4",
+        "impl Solar {
+            fn kinetic(&self, p: &[[f64; 3]; 6]) -> f64 {
+                let mut t = 0.0;
+                for i in 0..6 {
+                    for d in 0..3 { t += p[i][d] * p[i][d] / (2.0 * self.mass[i]); }
+                }
+                t
+            }
+            fn potential(&self, q: &[[f64; 3]; 6]) -> f64 {
+                let mut v = 0.0;
+                for i in 0..6 {
+                    for j in 0..i {
+                        let mut r2 = 0.0;
+                        for d in 0..3 { let dx = q[i][d] - q[j][d]; r2 += dx * dx; }
+                        v -= self.gravity * self.mass[i] * self.mass[j] / r2.sqrt();
+                    }
+                }
+                v
+            }
+        }"
+    ));
+}
+
+#[test]
+fn driven_relativistic_oscillator() {
+    insta::assert_snapshot!(stepper(
+        "",
+        "impl Driven {
+            fn kinetic(&self, p: [f64; 1]) -> f64 { (1.0 + p[0] * p[0]).sqrt() }
+            fn potential(&self, q: [f64; 1], t: f64) -> f64 {
+                q[0].powi(2) / 2.0 - self.amplitude * q[0] * (self.omega * t).cos()
+            }
+        }"
+    ));
+}
+
+/// A chain of so many nonlinear springs, with a helper method.
+fn chain(length: u32) -> String {
+    let text = "impl Chain {
+            fn kinetic(&self, p: &[f64; LENGTH]) -> f64 {
+                let mut t = 0.0;
+                for i in 0..LENGTH { t += 0.5 * p[i] * p[i]; }
+                t
+            }
+            fn potential(&self, q: &[f64; LENGTH]) -> f64 {
+                let mut v = self.spring(q[0]) + self.spring(-q[LAST]);
+                for i in 0..LAST { v += self.spring(q[i + 1] - q[i]); }
+                v
+            }
+            fn spring(&self, d: f64) -> f64 { 0.5 * d * d + self.alpha / 3.0 * d.powi(3) + self.beta / 4.0 * d.powi(4) }
+        }";
+    text.replace("LENGTH", &length.to_string()).replace("LAST", &(length - 1).to_string())
+}
+
+#[test]
+fn chain_with_a_helper() {
+    insta::assert_snapshot!(stepper("", &chain(32)));
+}
+
+#[test]
+fn composition_in_place() {
+    insta::assert_snapshot!(stepper(
+        "compose = V(1/2) T(1) V(1/2)",
+        "impl Oscillator {
+            fn kinetic(&self, p: [f64; 1]) -> f64 { p[0] * p[0] / 2.0 }
+            fn potential(&self, q: [f64; 1]) -> f64 { self.stiffness * q[0] * q[0] / 2.0 }
+        }"
+    ));
+}
+
+/// Loops stay loops: the text for a long chain is that for a short one, but for the numbers, and that small systems keep
+/// their buffers on the stack.
+#[test]
+fn text_does_not_grow_with_the_system() {
+    let text = |length: u32| {
+        let tokens = hamiltonian(proc_macro2::TokenStream::new(), chain(length).parse().expect("tokens"));
+        tokens.to_string().replace(&length.to_string(), "LENGTH").replace(&(length - 1).to_string(), "LAST")
+    };
+    assert_eq!(text(100_000), text(1_000_000));
+    assert!(text(10).len().abs_diff(text(1_000_000).len()) < 100);
+}

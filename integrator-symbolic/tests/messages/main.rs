@@ -1,0 +1,99 @@
+//! `#[hamiltonian]` from mistakes to messages: the text and the place of each, that all are reported, and that the macro
+//! returns the user's item for every input.
+
+mod robustness;
+mod table;
+
+use integrator_symbolic::hamiltonian;
+use proc_macro2::{TokenStream, TokenTree};
+
+fn tokens(text: &str) -> TokenStream {
+    text.parse().expect("tokens")
+}
+
+/// The errors in the output, as `line:column message`. Columns count from 0, as the compiler's spans do.
+fn errors(arguments: &str, item: &str) -> Vec<String> {
+    let mut found = Vec::new();
+    gather(hamiltonian(tokens(arguments), tokens(item)), &mut found);
+    found
+}
+
+/// Finds `compile_error!` in any tokens: where the user's item does not parse, neither does the output.
+fn gather(output: TokenStream, found: &mut Vec<String>) {
+    let trees: Vec<TokenTree> = output.into_iter().collect();
+    for (at, tree) in trees.iter().enumerate() {
+        match (tree, trees.get(at + 2)) {
+            (TokenTree::Ident(name), Some(TokenTree::Group(text))) if name == "compile_error" => {
+                let message: syn::LitStr = syn::parse2(text.stream()).expect("a message");
+                let start = name.span().start();
+                found.push(format!("{}:{} {}", start.line, start.column, short(&message.value())));
+            }
+            (TokenTree::Group(group), _) => gather(group.stream(), found),
+            _ => {}
+        }
+    }
+}
+
+/// A message without the list of known functions, which is tested by itself.
+fn short(message: &str) -> &str {
+    message.split(" Known are ").next().unwrap_or(message)
+}
+
+/// A row: what is typed, and every message about it at its line and column.
+type Row = (&'static str, &'static [&'static str]);
+
+/// Holds rows against what is found; `wrap` makes arguments and an item of what is typed.
+fn check(rows: &[Row], wrap: impl Fn(&str) -> (String, String)) {
+    let mut wrong = String::new();
+    for (text, expected) in rows {
+        let (arguments, item) = wrap(text);
+        let found = errors(&arguments, &item);
+        if found != *expected {
+            wrong += &format!("        ({text:?},\n         &{found:?}),\n");
+        }
+    }
+    assert!(wrong.is_empty(), "found:\n{wrong}");
+}
+
+const KINETIC: &str = "fn kinetic(&self, p: [f64; 2]) -> f64 { p[0] * p[0] + p[1] * p[1] }";
+const POTENTIAL: &str = "fn potential(&self, q: [f64; 2]) -> f64 { q[0].cos() + q[1] * q[1] }";
+
+#[test]
+fn arguments() {
+    check(table::ARGUMENTS, |text| (text.to_owned(), format!("impl System {{ {KINETIC} {POTENTIAL} }}")));
+}
+
+#[test]
+fn items() {
+    check(table::ITEMS, |text| (String::new(), text.to_owned()));
+}
+
+/// The body of `potential` begins on line 2.
+#[test]
+fn bodies() {
+    check(table::BODIES, |text| {
+        let item = format!(
+            "impl System {{ {KINETIC} fn potential(&self, q: [f64; 2], t: f64) -> f64 {{\n{text}\n}} \
+             fn helper(&self, x: f64) -> f64 {{ x * x }} fn endless(&self, x: f64) -> f64 {{ self.endless(x) }} }}"
+        );
+        (String::new(), item)
+    });
+}
+
+#[test]
+fn known_functions_are_listed() {
+    let item = format!("impl System {{ {KINETIC} fn potential(&self, q: [f64; 2]) -> f64 {{ q[0].floor() }} }}");
+    let output = hamiltonian(TokenStream::new(), tokens(&item)).to_string();
+    let (_, list) = output.split_once("Known are the methods of f64 ").expect("a list");
+    let (list, _) = list.split_once(", and helper methods of this impl").expect("its end");
+    let listed: Vec<&str> = list.split(", ").collect();
+    for name in ["sin", "cos", "sqrt", "powi", "exp", "ln", "atan2", "mul_add"] {
+        assert!(listed.contains(&name), "{name} in {list}");
+    }
+    // What is listed is understood: none of it is refused by name.
+    for name in listed {
+        let item = item.replace("floor()", &format!("{name}(1.0)"));
+        let refused = errors("", &item).iter().any(|message| message.contains("is not known"));
+        assert!(!refused, "{name} is listed but not known");
+    }
+}

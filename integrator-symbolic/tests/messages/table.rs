@@ -1,0 +1,256 @@
+//! Every message about a Hamiltonian, with what it is about.
+
+use crate::Row;
+
+/// Arguments of the attribute, on an impl without mistakes.
+pub(crate) const ARGUMENTS: &[Row] = &[
+    ("compose = Verlet", &[]),
+    ("compose = my::Composition, crate = runtime,", &[]),
+    ("compose = V(1/2) T(1) V(1/2), crate = runtime", &[]),
+    (
+        "composition = Verlet",
+        &[
+            "1:0 `composition` is not an argument here; expected `compose = Yoshida4`, `compose = V(1/2) T(1) V(1/2)` or `crate = path::to::integrator_core`",
+        ],
+    ),
+    (
+        "Verlet",
+        &[
+            "1:0 `Verlet` is not an argument here; expected `compose = Yoshida4`, `compose = V(1/2) T(1) V(1/2)` or `crate = path::to::integrator_core`",
+        ],
+    ),
+    (
+        "4",
+        &["1:0 expected `compose = Yoshida4`, `compose = V(1/2) T(1) V(1/2)` or `crate = path::to::integrator_core`"],
+    ),
+    ("compose", &["1:0 expected `=`"]),
+    ("compose =", &["1:0 unexpected end of input, expected identifier"]),
+    ("compose = 4", &["1:10 expected identifier"]),
+    ("compose = Verlet compose = Verlet", &["1:17 expected `,`"]),
+    ("compose = Verlet, compose = Euler", &["1:18 `compose` is given twice"]),
+    ("crate = a, crate = b", &["1:11 `crate` is given twice"]),
+    ("crate = 4", &["1:8 expected identifier"]),
+    ("compose = Verlet, crate", &["1:0 expected `=`"]),
+    ("compose = V(1/2) T(1) V(1/3)", &["1:10 the coefficients of `V` sum to 0.833333333333, not to 1"]),
+    (
+        "compose = V(1/2) T(1) W(1/2)",
+        &[
+            "1:22 unknown combinator `W`: the stages are `T(a)`, `V(b)` and `V(b, c)`, the combinators `triple_jump(..)`, `suzuki(..)`, `symmetric(..)`, `compose(..)`, `adjoint(..)` and `processed(..)`",
+        ],
+    ),
+];
+
+/// Annotated items.
+pub(crate) const ITEMS: &[Row] = &[
+    ("struct System;", &["1:0 `#[hamiltonian]` belongs on an `impl` with the functions `kinetic` and `potential`"]),
+    ("", &["1:0 `#[hamiltonian]` belongs on an `impl` with the functions `kinetic` and `potential`"]),
+    ("impl System { fn }", &["1:17 unexpected end of input, expected identifier"]),
+    (
+        "impl Trait for System {}",
+        &["1:5 `#[hamiltonian]` belongs on an inherent impl, `impl System { ... }`, not on the impl of a trait"],
+    ),
+    (
+        "impl System {}",
+        &[
+            "1:5 the impl lacks `fn kinetic(&self, p: [f64; N]) -> f64`, one of the two parts of H",
+            "1:5 the impl lacks `fn potential(&self, q: [f64; N]) -> f64`, one of the two parts of H",
+        ],
+    ),
+    (
+        "impl System { fn kinetic(&self, p: [f64; 1]) -> f64 { p[0] } }",
+        &["1:5 the impl lacks `fn potential(&self, q: [f64; N]) -> f64`, one of the two parts of H"],
+    ),
+    (
+        "impl System { fn potential(&self, q: [f64; 1]) -> f64 { q[0] } }",
+        &["1:5 the impl lacks `fn kinetic(&self, p: [f64; N]) -> f64`, one of the two parts of H"],
+    ),
+    (
+        "impl System {\nfn kinetic(&self, p: [f64; 2]) -> f64 { p[0] }\nfn potential(&self, q: [f64; 3]) -> f64 { q[0] } }",
+        &["3:13 every position has its momentum: q is `[f64; 3]` here, but p is `[f64; 2]` in `kinetic`"],
+    ),
+    (
+        "impl System {\nfn kinetic(&self, p: f64) -> f64 { p }\nfn potential(&self, q: f64) -> f64 { q } }",
+        &[
+            "2:21 coordinates are f64 numbers or points: `[f64; N]`, `[[f64; D]; N]`, references to them, or slices `&[f64]` and `&[[f64; D]]`",
+            "3:23 coordinates are f64 numbers or points: `[f64; N]`, `[[f64; D]; N]`, references to them, or slices `&[f64]` and `&[[f64; D]]`",
+        ],
+    ),
+    (
+        "impl System {\nfn kinetic(&self, p: [f32; 1]) -> f64 { p[0] }\nfn potential(&self, q: [[u8; 2]; 1]) -> f64 { 0.0 } }",
+        &[
+            "2:22 coordinates are f64 numbers or points: `[f64; N]`, `[[f64; D]; N]`, references to them, or slices `&[f64]` and `&[[f64; D]]`",
+            "3:24 coordinates are f64 numbers or points: `[f64; N]`, `[[f64; D]; N]`, references to them, or slices `&[f64]` and `&[[f64; D]]`",
+        ],
+    ),
+    (
+        "impl System {\nfn kinetic(&self, p: [f64; 1]) { p[0] }\nfn potential(&self, q: [f64; 1]) -> f32 { q[0] } }",
+        &[
+            "2:3 `kinetic` gives an energy: it has to return f64, `-> f64`",
+            "3:36 `potential` gives an energy: it has to return f64",
+        ],
+    ),
+    (
+        "impl System {\nfn kinetic(&mut self, p: [f64; 1]) -> f64 { p[0] }\nfn potential(self, q: [f64; 1]) -> f64 { q[0] } }",
+        &[
+            "2:11 `kinetic` only looks at the parameters: it has to take `&self`",
+            "3:13 `potential` only looks at the parameters: it has to take `&self`",
+        ],
+    ),
+    (
+        "impl System {\nfn kinetic(&self) -> f64 { 0.0 }\nfn potential(&self, q: [f64; 1]) -> f64 { q[0] } }",
+        &["2:3 `kinetic` has no coordinates: write `fn kinetic(&self, p: [f64; N]) -> f64`"],
+    ),
+    (
+        "impl System {\nfn kinetic(&self, a: [f64; 1], b: [f64; 1], c: [f64; 1]) -> f64 { 0.0 }\nfn potential(&self, q: [f64; 1]) -> f64 { q[0] } }",
+        &["2:11 `kinetic` takes `&self`, `p` and perhaps the time, `t: f64`"],
+    ),
+    (
+        "impl System {\nfn kinetic(&self, q: [f64; 1]) -> f64 { q[0] }\nfn potential(&self, p: [f64; 1]) -> f64 { p[0] } }",
+        &[
+            "2:18 `kinetic` is a function of the momenta: call its argument `p`, not `q`",
+            "3:20 `potential` is a function of the positions: call its argument `q`, not `p`",
+        ],
+    ),
+    (
+        "impl System {\nfn kinetic(&self, p: [f64; 1], q: [f64; 1]) -> f64 { p[0] }\nfn potential(&self, q: [f64; 1], p: [f64; 1]) -> f64 { q[0] + p[0] } }",
+        &[
+            "2:31 `kinetic` is a function of `p` alone, H = T(p) + V(q): remove this argument",
+            "3:62 V(q) may not read the momentum `p`: a term in `p` alone belongs in `kinetic`",
+        ],
+    ),
+    (
+        "impl System {\nfn kinetic(&self, q: [f64; 1], p: [f64; 1]) -> f64 { p[0] * p[0] + q[0] }\nfn potential(&self, q: [f64; 1]) -> f64 { q[0] } }",
+        &["2:67 T(p) may not read the position `q`: a term in `q` alone belongs in `potential`"],
+    ),
+    (
+        "impl System {\nfn kinetic(&self, q: [f64; 1], p: [f64; 1]) -> f64 {\np[0] / q[0] + p[0].powf(q[0]) + p[0].mul_add(q[0], 1.0) }\nfn potential(&self, q: [f64; 1]) -> f64 { q[0] } }",
+        &[
+            "3:0 this mixes q and p, so H is not separable: a splitting needs H = T(p) + V(q). Change to coordinates in which T depends on p alone, or split H into more parts",
+            "3:24 this mixes q and p, so H is not separable: a splitting needs H = T(p) + V(q). Change to coordinates in which T depends on p alone, or split H into more parts",
+            "3:32 this mixes q and p, so H is not separable: a splitting needs H = T(p) + V(q). Change to coordinates in which T depends on p alone, or split H into more parts",
+        ],
+    ),
+    (
+        "impl System {\nfn kinetic(&self, [a, b]: [f64; 3]) -> f64 { a + b }\nfn potential(&self, Point { x, y }: [f64; 3]) -> f64 { x + y } }",
+        &[
+            "2:18 the coordinates are `[f64; 3]`: 2 names do not fit",
+            "3:20 this pattern is not understood: names, `_`, `&x`, arrays `[x, y]` and tuples `(x, y)` are",
+        ],
+    ),
+];
+
+/// Bodies of `potential`, beginning on line 2, with `q: [f64; 2]`, `t: f64` and two helper methods in reach.
+pub(crate) const BODIES: &[Row] = &[
+    ("q[0] + self.helper(q[1]) + Self::helper(self, t) + f64::sin(q[0])", &[]),
+    (
+        "q[0] + p[1]",
+        &[
+            "2:7 `p` is not known here: V(q) is a function of the positions alone; a term with momenta belongs in `kinetic`",
+        ],
+    ),
+    ("q[0] + x", &["2:7 `x` is not known here"]),
+    ("q[2]", &["2:2 index 2 is out of bounds: the coordinates are `[f64; 2]`, the last index here is 1"]),
+    ("q[0][1]", &["2:0 a number cannot be indexed"]),
+    ("q[0.5]", &["2:2 an index is an integer; this is a number"]),
+    ("q[q[0]]", &["2:2 an index is an integer; this is a number"]),
+    (
+        "let mut v = 0.0; for i in 0..3 { v += q[i]; } v",
+        &["2:40 index 2 is out of bounds: the coordinates are `[f64; 2]`, the last index here is 1"],
+    ),
+    (
+        "let mut v = 0.0; for i in 0..2 { v += q[i + 1]; } v",
+        &["2:40 index 2 is out of bounds: the coordinates are `[f64; 2]`, the last index here is 1"],
+    ),
+    ("q", &["2:0 `potential` has to end in a number, the energy; this is the whole array of coordinates"]),
+    ("q[0];", &["2:0 `potential` has to end in a number, the energy; this is nothing"]),
+    ("2", &["2:0 `potential` has to end in a number, the energy; this is an integer"]),
+    ("q + 1.0", &["2:0 expected a number, found the whole array of coordinates"]),
+    ("2 * q[0]", &["2:0 this is an integer: write it as a number, `2.0`, or `n as f64`"]),
+    (
+        "q[0] % 2.0",
+        &[
+            "2:0 this expression over coordinates is not understood: arithmetic, f64 methods, helper methods of this impl, `let`, `if` and `for i in a..b` are",
+        ],
+    ),
+    ("q[0] as f32", &["2:0 a number cannot be cast here: energies are computed in f64"]),
+    ("if q[0] > 0.0 { q[0] } else { 0.0 }", &[]),
+    ("match q[0] { _ => q[0] }", &["2:0 `match` on coordinates is not understood: write `if ... else if ... else`"]),
+    ("while q[0] > 0.0 {} q[0]", &["2:0 `while` has no derivative here: write the sum as `for i in a..b`"]),
+    ("loop { q[0]; }", &["2:0 `loop` has no derivative here: write the sum as `for i in a..b`"]),
+    ("return q[0];", &["2:0 an early `return` is not understood: let the energy be the last expression"]),
+    ("(|x: f64| x)(q[0])", &["2:0 `(|x:f64|x)` of a coordinate is not known."]),
+    ("unsafe { q[0] }", &["2:0 `unsafe` code over coordinates is not understood"]),
+    ("let x = q[0] < 1.0; q[0]", &[]),
+    (
+        "!q[0]",
+        &[
+            "2:0 this expression over coordinates is not understood: arithmetic, f64 methods, helper methods of this impl, `let`, `if` and `for i in a..b` are",
+        ],
+    ),
+    ("q[0].floor()", &["2:5 `floor` of a coordinate is not known."]),
+    ("bessel(q[0])", &["2:0 `bessel` of a coordinate is not known."]),
+    ("self.unknown(q[0])", &["2:5 `unknown` of a coordinate is not known."]),
+    ("self.endless(q[0])", &["3:84 `endless` calls itself: recursion has no derivative here; write a loop"]),
+    ("self.helper(q[0], q[1])", &["2:5 `helper` takes 1 arguments, not 2"]),
+    ("q[0].sin(1.0)", &["2:5 `sin` takes 0 arguments, not 1"]),
+    ("q[0].powi(q[1])", &["2:10 the exponent of `powi` is an integer that does not depend on coordinates"]),
+    ("q[0].powi(2_000_000_000)", &["2:10 this exponent is too large"]),
+    ("q[0].powf(2)", &["2:10 this is an integer: write it as a number, `2.0`, or `n as f64`"]),
+    ("let x; q[0]", &["2:0 a variable needs its value where it is declared: write `let x = ...;`"]),
+    (
+        "let Some(x) = q[0] else { return 0.0 }; x",
+        &["2:0 `let ... else` is not understood here: give the value unconditionally"],
+    ),
+    ("let (a, b, c) = q; a", &["2:4 the coordinates are `[f64; 2]`: 3 names do not fit"]),
+    ("let [a, b] = q[0]; a", &["2:4 a number cannot be taken apart into 2 parts"]),
+    (
+        "let x @ y = q[0]; x",
+        &["2:4 this pattern is not understood: names, `_`, `&x`, arrays `[x, y]` and tuples `(x, y)` are"],
+    ),
+    ("let (a, b) = q[0].sin_cos(); a * b", &[]),
+    ("let a = [q[0], q[1]]; a[2]", &["2:24 the index is out of bounds: this array has 2 elements"]),
+    ("let a = [q[0], q[1]]; let mut v = 0.0; for i in 0..2 { v += a[i]; } v", &[]),
+    ("let a = (q[0], q[1]); a.2", &["2:24 a tuple has no such field"]),
+    ("q[0].x", &["2:5 a number has no such field"]),
+    ("fn inner() {} q[0]", &["2:0 an item inside the function: move it out of the impl"]),
+    (
+        "println!(\"{}\", q[0]); q[0]",
+        &["2:0 `println!` cannot be differentiated: only assertions may stand here; write the formula out"],
+    ),
+    ("assert!(q[0] > 0.0); q[0]", &[]),
+    ("q[0] = 1.0; q[0]", &["2:0 `q` are coordinates: the functions only read them"]),
+    ("y += q[0]; q[0]", &["2:0 `y` is not known here"]),
+    ("let mut v = 1.0; for i in 0..2 { v *= q[i]; } v", &[]),
+    (
+        "let mut v = 0.0; for i in 0..2 { v += v * q[i]; } v",
+        &["2:38 `v` is being summed up by the loop around here: it can be read after the loop"],
+    ),
+    ("for i in 0..2 { q[i]; }", &["2:0 `potential` has to end in a number, the energy; this is nothing"]),
+    (
+        "let mut v = 0.0; for i in 0.. { v += q[i]; } v",
+        &["2:26 the range of a loop needs both bounds: write `a..b` or `a..=b`"],
+    ),
+    ("let mut v = 0.0; for i in q { v += i; } v", &[]),
+    (
+        "let mut v = 0.0; for i in 0..q[0] { v += t; } v",
+        &["2:29 this bound is a number: the range of a loop is made of integers"],
+    ),
+    ("let mut v = 0.0; for (i, j) in 0..2 { v += q[0]; } v", &["2:21 an integer cannot be taken apart into 2 parts"]),
+    (
+        "let mut v = 0.0; for i in 0..2 { for j in 0..self.bonds[i] { v += q[j]; } } v",
+        &[
+            "2:42 how far this loop may get is not known: its bounds are made of literals, integers of the impl that depend on no loop, and indices of outer loops",
+        ],
+    ),
+    ("\"text\"", &[]),
+    ("q[0] + 1e400", &[]),
+    ("q[99999999999999999999999999]", &["2:2 number too large to fit in target type"]),
+    (
+        "q[0].floor() +\nq[2] +\nx",
+        &[
+            "2:5 `floor` of a coordinate is not known.",
+            "3:2 index 2 is out of bounds: the coordinates are `[f64; 2]`, the last index here is 1",
+            "4:0 `x` is not known here",
+        ],
+    ),
+];
