@@ -12,6 +12,7 @@ mod differentiate;
 mod emit;
 mod errors;
 mod graph;
+mod limits;
 mod lower;
 mod model;
 mod program;
@@ -39,6 +40,9 @@ pub fn composition(declarations: TokenStream) -> TokenStream {
 }
 
 fn stepper(arguments: TokenStream, item: TokenStream, errors: &mut Errors) -> Option<TokenStream> {
+    if !limits::check_depth(&arguments, errors) || !limits::check_depth(&item, errors) {
+        return None;
+    }
     let input = syntax::input(arguments, item, errors)?;
     let Some(model) = model::model(&input, errors) else {
         if errors.is_empty() {

@@ -102,6 +102,9 @@ fn attempt<L: Fn(&Graph, NodeId) -> bool>(
     Some(Program { items: scheduler.items(0, &named)?, named })
 }
 
+/// How many operations may be nested in one expression before a part of it gets a name.
+const DEEP: u32 = 24;
+
 /// What the lines of a block lead to.
 #[derive(Clone, Copy)]
 enum End {
@@ -308,10 +311,25 @@ impl<L: Fn(&Graph, NodeId) -> bool> Scheduler<'_, L> {
             named.extend(made_inside.copied());
         }
         named.extend(uses.into_iter().filter(|(_, count)| *count > 1).map(|(id, _)| id));
+        self.name_deep(&mut named);
         named.retain(|id| !(self.leaf)(self.graph, *id));
         for scope in &self.scopes {
             named.extend(self.pairs(scope).into_iter().flat_map(|(sine, cosine, _)| [sine, cosine]));
         }
         named
+    }
+
+    /// Names parts of expressions that would otherwise nest too deeply to be read, by people or by the compiler.
+    fn name_deep(&self, named: &mut BTreeSet<NodeId>) {
+        let mut depths: HashMap<NodeId, u32> = HashMap::new();
+        let placed: BTreeSet<NodeId> = self.scopes.iter().flat_map(|scope| scope.nodes.iter().copied()).collect();
+        for id in placed {
+            let of = |child: NodeId| if named.contains(&child) { 0 } else { depths.get(&child).copied().unwrap_or(0) };
+            let depth = 1 + self.graph.node(id).children().map(of).max().unwrap_or(0);
+            depths.insert(id, depth);
+            if depth > DEEP && !matches!(self.graph.node(id), Node::Neg(_)) {
+                named.insert(id);
+            }
+        }
     }
 }

@@ -10,6 +10,10 @@ use crate::{
 };
 use proc_macro2::TokenStream;
 use quote::quote;
+use std::collections::HashMap;
+
+/// How many operations a formula may show.
+const LONG: u64 = 400;
 
 /// How tightly a formula holds together.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
@@ -30,7 +34,7 @@ impl Formulas<'_> {
             let Contribution { element, value, .. } = contribution;
             let left = self.left(*element);
             let places: Vec<String> = contribution.loops().map(|by| self.range(by)).collect();
-            let right = self.formula(*value, Tie::Sum);
+            let right = self.shown(*value);
             let right = match right.strip_prefix('-') {
                 _ if !force => right,
                 Some(flipped) if !is_sum(flipped) => flipped.to_owned(),
@@ -42,6 +46,25 @@ impl Formulas<'_> {
             format!("{left} {sign} {right}{places}")
         };
         gradient.iter().map(line).collect()
+    }
+
+    /// A formula, if it is short enough for people.
+    fn shown(&self, id: NodeId) -> String {
+        match self.size(id) {
+            ..=LONG => self.formula(id, Tie::Sum),
+            _ => "(too long to be shown)".to_owned(),
+        }
+    }
+
+    /// How many operations a formula shows, shared ones as often as they occur.
+    fn size(&self, id: NodeId) -> u64 {
+        let mut sizes: HashMap<NodeId, u64> = HashMap::new();
+        for part in self.0.graph.reachable([id]) {
+            let children = self.0.graph.node(part).children().map(|child| sizes[&child]);
+            let size = children.fold(1, u64::saturating_add);
+            sizes.insert(part, size);
+        }
+        sizes[&id]
     }
 
     /// The left side of the equation that a component of a gradient belongs to.
@@ -168,7 +191,7 @@ impl Formulas<'_> {
                 let offends = |id| self.0.graph.degree(id, Part::Momentum).is_none_or(|degree| degree > 2);
                 self.not_quadratic(if offends(a) { a } else { b })
             }
-            _ => self.formula(id, Tie::Sum),
+            _ => self.shown(id),
         }
     }
 }
@@ -230,6 +253,6 @@ fn readable(text: &TokenStream) -> String {
 /// The doc comment of a prepared constant: its formula.
 pub(super) fn documentation(model: &Model, id: Option<NodeId>) -> TokenStream {
     let Some(id) = id else { return TokenStream::new() };
-    let text = format!(" `{}`", Formulas(model).formula(id, Tie::Sum));
+    let text = format!(" `{}`", Formulas(model).shown(id));
     quote!(#[doc = #text])
 }

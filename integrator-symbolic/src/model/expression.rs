@@ -6,9 +6,12 @@ use super::{
     statement::{Assigned, with_variables},
     value::{Opaque, Value, View},
 };
-use crate::graph::{
-    NodeId, Part,
-    index::{Index, IndexId, LoopSet},
+use crate::{
+    graph::{
+        NodeId, Part,
+        index::{Index, IndexId, LoopSet},
+    },
+    limits::{OPERATIONS, READINGS},
 };
 use proc_macro2::{Ident, TokenStream, TokenTree};
 use quote::{ToTokens, quote};
@@ -23,6 +26,16 @@ const MANY: usize = 1024;
 impl Reader<'_> {
     /// The value of an expression; `None` if a mistake was noted in it.
     pub(super) fn expression(&mut self, expression: &Expr) -> Option<Value> {
+        self.readings += 1;
+        if self.readings > READINGS || self.graph.len() > OPERATIONS {
+            // Noted once: from here on every reading ends at once.
+            if self.readings <= READINGS + 1 {
+                self.readings = READINGS + 1;
+                let message = format!("more than {OPERATIONS} different operations: write what repeats as a loop");
+                self.errors.at(expression, message);
+            }
+            return None;
+        }
         match expression {
             Expr::Paren(inner) => self.grouped(&inner.expr),
             Expr::Group(inner) => self.expression(&inner.expr),

@@ -131,6 +131,8 @@ struct Reader<'i> {
     inlining: Vec<String>,
     /// The part that the function may not read, where its signature has it all the same.
     foreign: Option<Part>,
+    /// How many expressions were read.
+    readings: u32,
     /// Whether a product that mixes positions and momenta was noted.
     misplaced: bool,
     /// Reads of the wrong part, with what to say of them if no product mixes both.
@@ -152,6 +154,7 @@ impl<'i> Reader<'i> {
             shape: None,
             inlining: Vec::new(),
             foreign: None,
+            readings: 0,
             misplaced: false,
             foreign_reads: Vec::new(),
         }

@@ -13,15 +13,17 @@ impl<L: Fn(&Graph, NodeId) -> bool> Scheduler<'_, L> {
     pub(super) fn items(&self, scope: usize, named: &BTreeSet<NodeId>) -> Option<Vec<Item>> {
         let own = &self.scopes[scope];
         let pairs = self.pairs(own);
-        let mut values: Vec<NodeId> = own.nodes.iter().filter(|id| named.contains(id)).copied().collect();
+        let mut waiting: BTreeSet<NodeId> = own.nodes.iter().filter(|id| named.contains(id)).copied().collect();
         let mut blocks: Vec<usize> = own.inner.iter().map(|(_, block)| *block).collect();
         let mut begun = BTreeSet::new();
         let mut items = Vec::new();
-        while !values.is_empty() || !blocks.is_empty() {
-            let waiting: BTreeSet<NodeId> = values.iter().copied().collect();
-            let ready = |needs: &BTreeSet<NodeId>| needs.is_disjoint(&waiting);
-            if let Some(position) = values.iter().position(|id| self.is_ready(*id, own, named, &blocks, &ready)) {
-                let id = values.remove(position);
+        loop {
+            // Children have smaller ids, so one pass finds all that wait for no block.
+            for id in waiting.clone() {
+                if !self.is_ready(id, own, named, &blocks, &waiting) {
+                    continue;
+                }
+                waiting.remove(&id);
                 match pairs.iter().find(|(sine, cosine, _)| *sine == id || *cosine == id) {
                     _ if self.is_made_inside(id) => {}
                     Some((sine, cosine, argument)) if id == *sine.min(cosine) => {
@@ -30,19 +32,23 @@ impl<L: Fn(&Graph, NodeId) -> bool> Scheduler<'_, L> {
                     Some(_) => {}
                     None => items.push(Item::Let(id)),
                 }
-                continue;
+            }
+            if blocks.is_empty() {
+                break;
             }
             let position = blocks.iter().position(|block| {
-                let mut needs = BTreeSet::new();
+                let (mut needs, makes) = (BTreeSet::new(), self.makes(*block));
                 self.block_needs(*block, own, &mut needs);
                 // What the block itself makes is not needed from outside.
-                let makes = self.makes(*block);
-                ready(&needs.into_iter().filter(|id| !makes.contains(id)).collect())
+                needs.iter().all(|id| makes.contains(id) || !waiting.contains(id))
             })?;
             let block = blocks.remove(position);
             let makes = self.makes(block).into_iter().filter(|id| own.nodes.contains(id));
             items.extend(makes.filter(|id| begun.insert(*id)).map(Item::Begin));
             items.push(self.block(block, named)?);
+        }
+        if !waiting.is_empty() {
+            return None;
         }
         items.extend(own.ends.iter().map(|end| match *end {
             End::Add { sum, value } => Item::Add { sum, value },
@@ -59,14 +65,14 @@ impl<L: Fn(&Graph, NodeId) -> bool> Scheduler<'_, L> {
         own: &Scope,
         named: &BTreeSet<NodeId>,
         blocks: &[usize],
-        ready: &dyn Fn(&BTreeSet<NodeId>) -> bool,
+        waiting: &BTreeSet<NodeId>,
     ) -> bool {
         if self.is_made_inside(id) {
             return !blocks.iter().any(|block| self.makes(*block).contains(&id));
         }
         let mut needs = BTreeSet::new();
         self.needs(id, own, named, &mut needs);
-        ready(&needs)
+        needs.is_disjoint(waiting)
     }
 
     /// The named values of this block that a node is computed from.
