@@ -11,7 +11,7 @@ const MAY_KNOW: [(&str, &[&str]); 9] = [
     ("graph", &[]),
     ("differentiate", &["graph"]),
     ("lower", &["graph"]),
-    ("program", &["graph"]),
+    ("program", &["differentiate", "graph"]),
     ("scheme", &["errors"]),
     ("syntax", &["errors", "scheme"]),
     ("model", &["errors", "graph", "syntax"]),

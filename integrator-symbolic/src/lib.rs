@@ -29,7 +29,7 @@ pub fn hamiltonian(arguments: TokenStream, item: TokenStream) -> TokenStream {
     let mut errors = Errors::default();
     let stepper = stepper(arguments, item.clone(), &mut errors);
     let errors = errors.into_tokens();
-    // Sums in H are loops over indices; a lint that asks for iterators would ask for what the derivative cannot read.
+    // Formulas number their bodies, and so may the loops in H: no lint should ask for iterators instead.
     let lints = stepper.is_some().then(|| quote!(#[allow(clippy::needless_range_loop, reason = "the language of H")]));
     quote!(#lints #item #stepper #errors)
 }
