@@ -1,4 +1,4 @@
-//! The README says what is true: its table is what was proved, its commands are what is run.
+//! The documents say what is true: the table is what was proved, the commands are what is run, lists are complete.
 
 #[path = "support/catalogue.rs"]
 mod catalogue;
@@ -66,6 +66,19 @@ fn the_test_command_is_the_one_that_is_run() {
 fn the_first_command_names_an_example() {
     assert!(text("README.md").contains("\ncargo run --release --example outer_solar_system\n"));
     assert!(text("examples/outer_solar_system/main.rs").contains("fn main"));
+}
+
+/// The user documentation of the macro lists every function that can be differentiated.
+#[test]
+fn every_elementary_function_is_documented() {
+    let (page, source) = (text("integrator-macros/src/lib.rs"), text("integrator-symbolic/src/graph/function.rs"));
+    let table = source.split_once("const TABLE").and_then(|(_, rest)| rest.split_once("\n];")).expect("the table").0;
+    let rows = ["unary(\"", "binary(\"", "name: \""].iter().flat_map(|row| table.split(row).skip(1));
+    let names: Vec<&str> = rows.filter_map(|rest| rest.split('"').next()).collect();
+    assert!(names.contains(&"sin") && names.contains(&"hypot"), "the rows are found: {names:?}");
+    for name in names {
+        assert!(page.contains(&format!("`{name}`")), "the documentation of `#[hamiltonian]` leaves out `{name}`");
+    }
 }
 
 /// Files that the README and the architecture send a reader to are there.

@@ -50,9 +50,16 @@ use proc_macro::TokenStream;
 /// # Coordinates
 ///
 /// `kinetic` takes `&self` and the momenta, `potential` takes `&self` and the positions; both return `f64`. The type of
-/// the coordinates is the same in both: `[f64; N]`, or `[[f64; D]; N]` for `N` points in `D` dimensions, by value or by
-/// reference. `N` and `D` may be constants, or parameters of a generic type. A pattern may take them apart:
-/// `[x, y]: [f64; 2]`.
+/// the coordinates is the same in both:
+///
+/// | type | the start is made of |
+/// |---|---|
+/// | `[f64; N]` | arrays of numbers |
+/// | `[[f64; D]; N]` | arrays of `N` points in `D` dimensions |
+/// | `&[f64]`, `&[[f64; D]]` | `Vec`s, of a length that is known at run time |
+///
+/// Arrays are taken by value or by reference, or apart by a pattern: `[x, y]: [f64; 2]`. `N` and `D` may be constants,
+/// or parameters of a generic type.
 ///
 /// Any `T(p)` is integrated. Where it is `½ pᵀ M⁻¹ p` with a constant `M`, which is decided symbolically, the type also
 /// implements `QuadraticKinetic`, and the compositions that need it are allowed.
@@ -62,51 +69,62 @@ use proc_macro::TokenStream;
 /// - `+ - * /`, numbers, constants, `let` with shadowing, blocks, tuples and arrays of values;
 /// - the methods of `f64`: `sqrt`, `cbrt`, `powi`, `powf`, `recip`, `exp`, `exp2`, `exp_m1`, `ln`, `ln_1p`, `log`,
 ///   `log2`, `log10`, `sin`, `cos`, `sin_cos`, `tan`, `asin`, `acos`, `atan`, `atan2`, `sinh`, `cosh`, `tanh`, `asinh`,
-///   `acosh`, `atanh`, `hypot`, `abs`, `signum`, `mul_add`, `to_radians`, `to_degrees`, also as `f64::sin(x)`;
+///   `acosh`, `atanh`, `hypot`, `abs`, `signum`, `min`, `max`, `mul_add`, `to_radians`, `to_degrees`, also as
+///   `f64::sin(x)`;
 /// - helper methods of the same impl, without recursion;
-/// - `for` loops over ranges of integers, nested or not, that sum into a `let mut` variable with `+=` or `-=`. They
-///   stay loops in the generated code, whatever their length;
+/// - sums in `let mut` variables, by `+=` and `-=` in `for` loops, nested or not: over ranges of integers, over
+///   coordinates, over lists of parameters such as `for &(i, j) in &self.bonds`, with `continue` where a turn adds
+///   nothing. They stay loops in the generated code, whatever their length;
+/// - iterator chains that end in `sum` or in a `fold` that is a sum, of `iter`, `map`, `filter`, `enumerate`, `zip`,
+///   `rev`, `skip`, `take`, `step_by`, `windows` and `chunks_exact`;
+/// - `if` with comparisons of coordinates, joined by `&&`, `||` and `!`. Each side is differentiated on its own, and
+///   the side that is not taken is not computed. Whether the energy is smooth where they meet is up to you;
 /// - assertions, which mean nothing to the derivative.
 ///
-/// An expression that reads no coordinate may be any Rust: fields and methods of `self`, calls, `if` and `match`. It is
+/// An expression that reads no coordinate may be any Rust: fields and methods of `self`, calls, `match`. It is
 /// evaluated once per run, as it stands.
 ///
 /// ```
 /// use integrator_core::prelude::*;
 ///
-/// /// Particles on a line, held together by springs of different stiffness.
-/// struct Chain {
-///     masses: [f64; 8],
-///     stiffness: [f64; 7],
+/// /// Particles on a line: any number of them, held by springs between some, repelled by all that come close.
+/// struct Cluster {
+///     masses: Vec<f64>,
+///     springs: Vec<(usize, usize)>,
+///     stiffness: f64,
+///     reach: f64,
 /// }
 ///
 /// #[hamiltonian]
-/// impl Chain {
-///     fn kinetic(&self, p: &[f64; 8]) -> f64 {
+/// impl Cluster {
+///     fn kinetic(&self, p: &[f64]) -> f64 {
+///         p.iter().zip(&self.masses).map(|(p, mass)| p * p / (2.0 * mass)).sum()
+///     }
+///     fn potential(&self, q: &[f64]) -> f64 {
 ///         let mut energy = 0.0;
-///         for i in 0..8 {
-///             energy += p[i].powi(2) / (2.0 * self.masses[i]);
+///         for &(i, j) in &self.springs {
+///             energy += 0.5 * self.stiffness * (q[i] - q[j]).powi(2);
+///         }
+///         for i in 0..q.len() {
+///             for j in 0..i {
+///                 energy += self.repulsion((q[i] - q[j]).powi(2));
+///             }
 ///         }
 ///         energy
 ///     }
-///     fn potential(&self, q: &[f64; 8]) -> f64 {
-///         let mut energy = 0.0;
-///         for i in 0..7 {
-///             energy += self.stiffness[i] * self.well(q[i + 1] - q[i]);
-///         }
-///         energy
-///     }
-///     fn well(&self, stretch: f64) -> f64 {
-///         0.5 * stretch.powi(2) + 0.25 * stretch.powi(4)
+///     fn repulsion(&self, square: f64) -> f64 {
+///         let inside = self.reach.powi(2) - square;
+///         if inside > 0.0 { inside.powi(3) } else { 0.0 }
 ///     }
 /// }
+///
 /// # fn main() -> Result<(), Error> {
-/// # let chain = Chain { masses: [1.0; 8], stiffness: [1.0; 7] };
-/// # let mut start = Phase::new([0.0; 8], [0.0; 8]);
-/// # start.p[3] = 1.0;
-/// # let mut run = chain.run(start, 0.01)?;
-/// # run.advance(1_000)?;
-/// # assert!((run.energy() - 0.5).abs() < 1e-4);
+/// let springs = vec![(0, 1), (1, 2)];
+/// let cluster = Cluster { masses: vec![1.0, 2.0, 1.0], springs, stiffness: 3.0, reach: 0.5 };
+/// let mut run = cluster.run(Phase::new(vec![0.0, 0.3, 1.0], vec![0.1, 0.0, -0.1]), 0.01)?;
+/// let energy = run.energy();
+/// run.advance(1_000)?;
+/// assert!((run.energy() - energy).abs() < 1e-3 * energy);
 /// # Ok(())
 /// # }
 /// ```

@@ -15,5 +15,5 @@ impl System {
 
 fn main() {
     let system = System { mass: 1.0 };
-    let _ = system.mass;
+    let _ = (system.mass, system.run(Phase::new([0.1, 0.2], [0.0; 2]), 0.1));
 }

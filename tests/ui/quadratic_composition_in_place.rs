@@ -15,5 +15,5 @@ impl Relativistic {
 }
 
 fn main() {
-    let _ = Relativistic;
+    let _ = Relativistic.run(Phase::new([0.1], [0.0]), 0.1);
 }
