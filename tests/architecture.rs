@@ -6,15 +6,16 @@ use std::{
 };
 
 /// What each module of `integrator-symbolic` may import from its crate, in the order of the pipeline.
-const MAY_KNOW: [(&str, &[&str]); 9] = [
+const MAY_KNOW: [(&str, &[&str]); 10] = [
     ("errors", &[]),
+    ("limits", &["errors"]),
     ("graph", &[]),
     ("differentiate", &["graph"]),
     ("lower", &["graph"]),
     ("program", &["differentiate", "graph"]),
     ("scheme", &["errors"]),
     ("syntax", &["errors", "scheme"]),
-    ("model", &["errors", "graph", "syntax"]),
+    ("model", &["errors", "graph", "limits", "syntax"]),
     ("emit", &["differentiate", "graph", "lower", "model", "program", "scheme", "syntax"]),
 ];
 
