@@ -24,7 +24,8 @@ use proc_macro2::TokenStream;
 use quote::quote;
 use syntax::{Compose, Input};
 
-/// `#[hamiltonian]`: the annotated item, and behind it the stepper written for it or the errors found in it.
+/// `#[hamiltonian]`: the annotated item, and behind it the stepper written for it, or the errors found in it
+/// and a stepper that stands still.
 pub fn hamiltonian(arguments: TokenStream, item: TokenStream) -> TokenStream {
     let mut errors = Errors::default();
     let stepper = stepper(arguments, item.clone(), &mut errors);
@@ -43,15 +44,21 @@ fn stepper(arguments: TokenStream, item: TokenStream, errors: &mut Errors) -> Op
     if !limits::check_depth(&arguments, errors) || !limits::check_depth(&item, errors) {
         return None;
     }
-    let input = syntax::input(arguments, item, errors)?;
-    let Some(model) = model::model(&input, errors) else {
-        if errors.is_empty() {
+    let mut input = syntax::input(arguments, item, errors)?;
+    let model = model::model(&input, errors);
+    match &model {
+        Some(model) => check_composition(&input, model, errors),
+        None if errors.is_empty() => {
             errors.at(&input.item.self_ty, "this impl could not be read, and no reason was found: please report it");
         }
-        return None;
-    };
-    check_composition(&input, &model, errors);
-    errors.is_empty().then(|| emit::stepper(&input, model))
+        None => {}
+    }
+    if errors.is_empty() {
+        return model.map(|model| emit::stepper(&input, model));
+    }
+    // A sequence in place may be what is wrong; a name is held against the stub, so that the type checker speaks too.
+    input.compose = input.compose.filter(|compose| matches!(compose, Compose::Named(_)));
+    model::stub(&input).map(|model| emit::stepper(&input, model))
 }
 
 /// A sequence in place has to fit this very Hamiltonian; a named one is held against it by the type checker.

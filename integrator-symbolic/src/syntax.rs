@@ -57,7 +57,8 @@ pub(crate) fn input(arguments: TokenStream, item: TokenStream, errors: &mut Erro
             .at(of, "`#[hamiltonian]` belongs on an inherent impl, `impl System { ... }`, not on the impl of a trait");
         return None;
     }
-    let (compose, root) = arguments?;
+    // Wrong arguments are noted; what the functions hold is read all the same, so that all mistakes come at once.
+    let (compose, root) = arguments.unwrap_or_default();
     let root = root.unwrap_or_else(|| syn::parse_quote!(::integrator_core));
     Some(Input { compose, root, item })
 }

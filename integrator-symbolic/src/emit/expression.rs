@@ -149,13 +149,15 @@ impl Printer<'_> {
     }
 
     fn constant(&self, value: f64) -> Printed {
-        let literal = number_literal(value.abs());
         let value = match value {
             _ if value.is_nan() => quote!(f64::NAN),
             f64::INFINITY => quote!(f64::INFINITY),
             f64::NEG_INFINITY => quote!(f64::NEG_INFINITY),
-            _ if value.is_sign_negative() => quote!(-#literal),
-            _ => literal.to_token_stream(),
+            // Only a finite number has a literal.
+            _ => {
+                let literal = number_literal(value.abs());
+                if value.is_sign_negative() { quote!(-#literal) } else { literal.to_token_stream() }
+            }
         };
         match self.dialect {
             Dialect::Generic => Printed::new(Binding::Atom, self.lifted(quote!(#value))),

@@ -90,6 +90,8 @@ pub(crate) fn stepper(input: &Input, mut model: Model) -> TokenStream {
         )
     };
     let of = |scalar: TokenStream| if fields.is_empty() { quote!(#parameters) } else { quote!(#parameters<#scalar>) };
+    // They count as used; one that is missing has been noted.
+    let functions = ["kinetic", "potential"].into_iter().filter_map(|name| Some(&input.function(name)?.sig.ident));
     let length = Body::new(prepare.clone()).argument("length");
     let (of_r, of_f64) = (of(quote!(#scalar)), of(quote!(f64)));
 
@@ -135,7 +137,7 @@ pub(crate) fn stepper(input: &Input, mut model: Model) -> TokenStream {
                 const AUTONOMOUS: bool = #autonomous;
 
                 fn parameters(&self, #length: usize) -> #of_f64 {
-                    let _ = (Self::kinetic, Self::potential);
+                    let _ = (#(Self::#functions),*);
                     #prepare
                 }
 

@@ -44,10 +44,10 @@ impl Reader<'_> {
                 Some(Opaque { text: self.index_text(*index), loops: self.graph.loops.of_index(*index) })
             }
             Value::Real(node) => {
-                let number = self.graph.as_constant(*node)?;
+                let number = self.graph.as_constant(*node).filter(|number| number.is_finite())?;
                 let literal = number_literal(number.abs());
                 let text = if number.is_sign_negative() { quote!((-#literal)) } else { literal.to_token_stream() };
-                number.is_finite().then(|| Opaque { text, loops: Default::default() })
+                Some(Opaque { text, loops: Default::default() })
             }
             _ => None,
         }
@@ -90,7 +90,7 @@ impl Reader<'_> {
     }
 }
 
-/// A number as one would write it: with an exponent where the digits would be many.
+/// A finite number as one would write it: with an exponent where the digits would be many.
 pub(crate) fn number_literal(value: f64) -> Literal {
     if value == 0.0 || (1e-5..1e16).contains(&value) {
         return Literal::f64_unsuffixed(value);

@@ -90,6 +90,28 @@ pub(crate) fn model(input: &Input, errors: &mut Errors) -> Option<Model> {
     Some(Model { graph, kinetic, potential, shape, parameters, running, quadratic, autonomous })
 }
 
+/// The model of a Hamiltonian that is zero, of the same shape as that of `input`: its stepper stands where mistakes keep
+/// the true one from being written, so that whatever uses the system is not reported as well.
+pub(crate) fn stub(input: &Input) -> Option<Model> {
+    // What is wrong with the signatures was noted when they were read for the first time.
+    let mut noted = Errors::default();
+    let shape = [(Part::Position, "potential"), (Part::Momentum, "kinetic")]
+        .into_iter()
+        .find_map(|(part, name)| Some(signature(input.function(name)?, part, &mut noted)?.shape))?;
+    let mut graph = Graph::default();
+    let zero = graph.constant(0.0);
+    Some(Model {
+        graph,
+        kinetic: zero,
+        potential: zero,
+        shape,
+        parameters: Vec::new(),
+        running: HashMap::new(),
+        quadratic: true,
+        autonomous: true,
+    })
+}
+
 /// A variable.
 struct Binding {
     value: Value,

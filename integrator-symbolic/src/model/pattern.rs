@@ -7,7 +7,7 @@ use super::{
 use crate::graph::index::Index;
 use proc_macro2::Literal;
 use quote::quote;
-use syn::{Pat, spanned::Spanned};
+use syn::{Pat, PatIdent, spanned::Spanned, visit::Visit};
 
 impl Reader<'_> {
     /// Binds the names of a pattern to the parts of a value.
@@ -22,9 +22,20 @@ impl Reader<'_> {
             Pat::Reference(inner) => self.bind(&inner.pat, value),
             Pat::Slice(parts) => self.bind_all(pattern, &parts.elems.iter().collect::<Vec<_>>(), value),
             Pat::Tuple(parts) => self.bind_all(pattern, &parts.elems.iter().collect::<Vec<_>>(), value),
-            other => self
-                .errors
-                .at(other, "this pattern is not understood: names, `_`, `&x`, arrays `[x, y]` and tuples `(x, y)` are"),
+            other => {
+                // The names exist all the same, so that one mistake gives one message.
+                let mut names = Names(Vec::new());
+                names.visit_pat(other);
+                for name in names.0 {
+                    self.declare(name, Value::Unknown);
+                }
+                if !matches!(value, Value::Unknown) {
+                    self.errors.at(
+                        other,
+                        "this pattern is not understood: names, `_`, `&x`, arrays `[x, y]` and tuples `(x, y)` are",
+                    );
+                }
+            }
         }
     }
 
@@ -83,5 +94,15 @@ impl Reader<'_> {
                 None
             }
         }
+    }
+}
+
+/// The names that a pattern declares.
+struct Names(Vec<String>);
+
+impl Visit<'_> for Names {
+    fn visit_pat_ident(&mut self, name: &PatIdent) {
+        self.0.push(name.ident.to_string());
+        syn::visit::visit_pat_ident(self, name);
     }
 }
