@@ -28,6 +28,33 @@ impl<const N: usize> Springs<N> {
     }
 }
 
+/// A chain of `N` masses, held at one end.
+pub struct Chain<const N: usize> {
+    /// Stiffness of every spring.
+    pub stiffness: f64,
+    /// Every mass.
+    pub mass: [f64; N],
+}
+
+#[hamiltonian(compose = V(1/2) T(1) V(1/2))]
+impl<const N: usize> Chain<N> {
+    fn kinetic(&self, p: &[f64; N]) -> f64 {
+        let mut sum = 0.0;
+        for i in 0..N {
+            sum += p[i] * p[i] / (2.0 * self.mass[i]);
+        }
+        sum
+    }
+    fn potential(&self, q: &[f64; N]) -> f64 {
+        let mut sum = self.stiffness * q[0] * q[0] / 2.0;
+        for i in 1..N {
+            let stretch = q[i] - q[i - 1];
+            sum += self.stiffness * stretch * stretch / 2.0;
+        }
+        sum
+    }
+}
+
 /// Points in `D` dimensions on springs; bounds stand in a `where` clause.
 pub struct Points<const D: usize, S>
 where
@@ -87,6 +114,22 @@ fn one_impl_serves_every_size() {
     }
     assert_runs::<1>();
     assert_runs::<5>();
+}
+
+#[test]
+fn neighbours_are_coupled_in_every_size() {
+    fn end<const N: usize>() -> f64 {
+        let chain = Chain { stiffness: 4.0, mass: [1.0; N] };
+        let mut run = chain.run(Phase::new([1.0; N], [0.0; N]), 1e-3).expect("an admissible start");
+        run.advance(1000).expect("finite");
+        run.state().q[0]
+    }
+    // Eigenvalues 4 and 2(3 ± sqrt(5)) of the stiffness matrices, with the part that the start has of each.
+    let root = 5.0_f64.sqrt();
+    let mode = |sign: f64| (5.0 - sign * root) / 10.0 * (6.0 + 2.0 * sign * root).sqrt().cos();
+    // A time of order one, by a method of order 2.
+    assert!((end::<1>() - 2.0_f64.cos()).abs() < 1e-4);
+    assert!((end::<2>() - mode(1.0) - mode(-1.0)).abs() < 1e-4);
 }
 
 #[test]
