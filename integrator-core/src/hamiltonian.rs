@@ -19,7 +19,7 @@ pub type Shaped<H, K> = <<H as Hamiltonian>::Coords as Coords>::With<K>;
     label = "has no generated stepper",
     note = "put `#[hamiltonian]` on an `impl {Self}` with the functions `kinetic` and `potential`"
 )]
-pub trait Hamiltonian: Sized + 'static {
+pub trait Hamiltonian: Sized {
     /// The shape of `q` and of `p`, with `f64` leaves.
     type Coords: Coords<Leaf = f64, With<f64> = Self::Coords>;
     /// The annotated composition.

@@ -61,6 +61,7 @@ mod catalogue;
 pub mod check;
 mod composition;
 mod coords;
+mod engine;
 mod error;
 mod fused;
 mod hamiltonian;

@@ -1,11 +1,6 @@
 //! Looking at a run from time to time, without touching it.
 
-use crate::{
-    coords::Coords,
-    error::Error,
-    phase::Phase,
-    run::{Energies, Run},
-};
+use crate::{coords::Coords, engine::Energies, error::Error, phase::Phase, run::Run};
 use std::{fmt, sync::Arc};
 
 /// A run, seen at its start and then every so many steps. Made by [`Run::samples`].

@@ -9,16 +9,7 @@
 //! that does not depend on the innermost of these loops, it is summed over them first, so that the sweep leaves a loop
 //! as soon as it can. It never leaves a condition: what a branch contributes is computed in the branch.
 
-use crate::graph::{Element, Graph, Node, NodeId, Part, index::LoopId};
-
-/// Something around a value.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub(crate) enum Around {
-    /// It is there in every turn of a loop.
-    Loop(LoopId),
-    /// It is there where a condition holds (`true`) or where it does not.
-    Branch(NodeId, bool),
-}
+use crate::graph::{Around, Element, Graph, Node, NodeId, Part, index::LoopId};
 
 /// An addend of one component of a gradient (of a family of them, where the component depends on loops).
 #[derive(Clone, Debug, PartialEq)]

@@ -7,10 +7,7 @@
 
 mod order;
 
-use crate::{
-    differentiate::Around,
-    graph::{Element, Graph, Node, NodeId, index::LoopId},
-};
+use crate::graph::{Around, Element, Graph, Node, NodeId, index::LoopId};
 use std::collections::{BTreeMap, BTreeSet, HashMap};
 
 /// Where a value goes.

@@ -144,6 +144,15 @@ impl Node {
     }
 }
 
+/// Something around a value.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub(crate) enum Around {
+    /// It is there in every turn of a loop.
+    Loop(LoopId),
+    /// It is there where a condition holds (`true`) or where it does not.
+    Branch(NodeId, bool),
+}
+
 /// What is known of a node beside its children, found when it is built.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 struct Facts {

@@ -1,10 +1,7 @@
 //! The lines of a block, in an order in which each finds what it needs.
 
 use super::{End, Item, Scheduler, Scope};
-use crate::{
-    differentiate::Around,
-    graph::{Graph, Node, NodeId},
-};
+use crate::graph::{Around, Graph, Node, NodeId};
 use std::collections::{BTreeSet, HashMap};
 
 impl<L: Fn(&Graph, NodeId) -> bool> Scheduler<'_, L> {

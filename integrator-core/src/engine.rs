@@ -1,0 +1,222 @@
+//! What carries a trajectory on: the motion, its copies for faults and looks, and the loops compiled for it.
+
+use crate::{
+    composition::Composition,
+    coords::Coords,
+    hamiltonian::{Hamiltonian, Motion, Single},
+    phase::Phase,
+    real::{Kernel, Real},
+    slot::Keep,
+};
+use std::{marker::PhantomData, sync::Arc};
+
+/// Time as an integer number of steps: `t0 + n·h`, never an accumulated sum.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Clock {
+    pub(crate) t0: f64,
+    pub(crate) h: f64,
+    pub(crate) steps: u64,
+}
+
+impl Clock {
+    pub(crate) fn at(&self, steps: u64) -> f64 {
+        self.t0 + steps as f64 * self.h
+    }
+}
+
+/// A run without its clock, behind one type whatever system, composition and scalar it was made of.
+pub(crate) trait Engine<C: Coords>: Send + Sync {
+    /// Takes `steps` steps from `clock`, or as many as end in a finite state, and returns how many.
+    fn advance(&mut self, clock: Clock, steps: u64) -> u64;
+    fn state(&self, clock: Clock) -> Phase<C>;
+    fn energies(&self) -> Arc<dyn Energies<C>>;
+    fn boxed_clone(&self) -> Box<dyn Engine<C>>;
+}
+
+/// What tells the energy of a state without holding the run.
+pub(crate) trait Energies<C: Coords>: Send + Sync {
+    fn energy(&self, state: &Phase<C>, time: f64) -> f64;
+}
+
+/// What an engine does to its motion, compiled for one system, composition and scalar.
+///
+/// These are functions and not a type parameter: so the engine knows the motion's type alone, what is seldom called is
+/// compiled once per motion, and a system that borrows its parameters can be run all the same.
+pub(crate) struct Moves<M> {
+    advance: fn(&mut M, Clock, u64),
+    close: fn(&mut M, Clock),
+    energy: fn(&M, f64) -> f64,
+}
+
+impl<M> Clone for Moves<M> {
+    fn clone(&self) -> Self {
+        *self
+    }
+}
+
+impl<M> Copy for Moves<M> {}
+
+/// The moves of a system under a composition.
+pub(crate) fn moves<H: Hamiltonian, X: Composition<H>, R: Real, K: Keep>() -> Moves<H::Motion<R, K>> {
+    Moves {
+        advance: |motion, clock, steps| {
+            R::enter(Advance::<H, X, R, K> { motion, clock, steps, marker: PhantomData });
+        },
+        close: |motion, clock| R::enter(Close::<H, X, R, K> { motion, clock, marker: PhantomData }),
+        energy: |motion, time| R::enter(Energy::<H, R, K> { motion, time }),
+    }
+}
+
+/// The engine of one trajectory.
+pub(crate) struct Solo<M, P, C> {
+    motion: M,
+    /// The motion at the last look that found it finite; kept here so that no block allocates.
+    snapshot: M,
+    /// Where a step is completed to see whether its state is finite.
+    closed: M,
+    moves: Moves<M>,
+    energies: Arc<Constants<M, P>>,
+    /// A state to write into: it knows the size where the type does not.
+    shape: Phase<C>,
+}
+
+impl<M: Motion<C, P>, P: Send + Sync + 'static, C: Coords> Solo<M, P, C> {
+    pub(crate) fn new(parameters: P, start: Phase<C>, moves: Moves<M>) -> Self {
+        let motion = M::load(|_| (&parameters, &start));
+        Self {
+            snapshot: motion.clone(),
+            closed: motion.clone(),
+            motion,
+            moves,
+            energies: Arc::new(Constants { parameters, energy: moves.energy }),
+            shape: start,
+        }
+    }
+
+    /// Whether the state after `steps` steps is finite: the motion, and what completing the step makes of it.
+    fn finite_after(&mut self, clock: Clock, steps: u64) -> bool {
+        if !self.motion.finite() {
+            return false;
+        }
+        let clock = Clock { steps: clock.steps + steps, ..clock };
+        self.closed.clone_from(&self.motion);
+        (self.moves.close)(&mut self.closed, clock);
+        self.closed.finite()
+    }
+}
+
+impl<M: Motion<C, P>, P: Send + Sync + 'static, C: Coords> Engine<C> for Solo<M, P, C> {
+    fn advance(&mut self, clock: Clock, steps: u64) -> u64 {
+        self.snapshot.clone_from(&self.motion);
+        (self.moves.advance)(&mut self.motion, clock, steps);
+        if self.finite_after(clock, steps) {
+            return steps;
+        }
+        // What left the finite numbers never returns, since updates only add: replay the block step by step.
+        self.motion.clone_from(&self.snapshot);
+        for taken in 0..steps {
+            let clock = Clock { steps: clock.steps + taken, ..clock };
+            (self.moves.advance)(&mut self.motion, clock, 1);
+            if !self.finite_after(clock, 1) {
+                self.motion.clone_from(&self.snapshot);
+                return taken;
+            }
+            self.snapshot.clone_from(&self.motion);
+        }
+        steps
+    }
+
+    fn state(&self, clock: Clock) -> Phase<C> {
+        let mut motion = self.motion.clone();
+        (self.moves.close)(&mut motion, clock);
+        let mut state = self.shape.clone();
+        motion.store(0, &mut state);
+        state
+    }
+
+    fn energies(&self) -> Arc<dyn Energies<C>> {
+        self.energies.clone()
+    }
+
+    fn boxed_clone(&self) -> Box<dyn Engine<C>> {
+        Box::new(Self {
+            motion: self.motion.clone(),
+            snapshot: self.snapshot.clone(),
+            closed: self.closed.clone(),
+            moves: self.moves,
+            energies: self.energies.clone(),
+            shape: self.shape.clone(),
+        })
+    }
+}
+
+/// Prepared constants, from which the energy of any state can be told.
+struct Constants<M, P> {
+    parameters: P,
+    energy: fn(&M, f64) -> f64,
+}
+
+impl<M: Motion<C, P>, P: Send + Sync, C: Coords> Energies<C> for Constants<M, P> {
+    fn energy(&self, state: &Phase<C>, time: f64) -> f64 {
+        (self.energy)(&M::load(|_| (&self.parameters, state)), time)
+    }
+}
+
+/// The n-step loop.
+struct Advance<'m, H: Hamiltonian, X, R: Real, K: Keep> {
+    motion: &'m mut H::Motion<R, K>,
+    clock: Clock,
+    steps: u64,
+    marker: PhantomData<X>,
+}
+
+impl<H: Hamiltonian, X: Composition<H>, R: Real, K: Keep> Kernel for Advance<'_, H, X, R, K> {
+    type Out = ();
+
+    #[inline(always)]
+    fn call(self) {
+        let mut flows = Single::<H, R, K>(self.motion);
+        let Clock { h, steps: mut step, .. } = self.clock;
+        let end = step + self.steps;
+        if step == 0 && end > 0 {
+            X::open(&mut flows, h, self.clock.at(0));
+            step = 1;
+        }
+        while step < end {
+            X::cycle(&mut flows, h, self.clock.at(step));
+            step += 1;
+        }
+    }
+}
+
+/// The end of the step under way.
+struct Close<'m, H: Hamiltonian, X, R: Real, K: Keep> {
+    motion: &'m mut H::Motion<R, K>,
+    clock: Clock,
+    marker: PhantomData<X>,
+}
+
+impl<H: Hamiltonian, X: Composition<H>, R: Real, K: Keep> Kernel for Close<'_, H, X, R, K> {
+    type Out = ();
+
+    #[inline(always)]
+    fn call(self) {
+        if let Some(under_way) = self.clock.steps.checked_sub(1) {
+            X::close(&mut Single::<H, R, K>(self.motion), self.clock.h, self.clock.at(under_way));
+        }
+    }
+}
+
+struct Energy<'m, H: Hamiltonian, R: Real, K: Keep> {
+    motion: &'m H::Motion<R, K>,
+    time: f64,
+}
+
+impl<H: Hamiltonian, R: Real, K: Keep> Kernel for Energy<'_, H, R, K> {
+    type Out = f64;
+
+    #[inline(always)]
+    fn call(self) -> f64 {
+        (H::kinetic::<R, K>(self.motion, self.time) + H::potential::<R, K>(self.motion, self.time)).lane(0)
+    }
+}
