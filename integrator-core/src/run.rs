@@ -68,15 +68,21 @@ impl<C: Coords> Run<C> {
         self
     }
 
+    /// Whether the clock started at a time.
+    pub(crate) fn check_clock(&self) -> Result<(), Error> {
+        match self.clock.t0.is_finite() {
+            true => Ok(()),
+            false => Err(Error::Time { time: self.clock.t0 }),
+        }
+    }
+
     /// Takes `steps` steps. In any portions, the result is the same bit for bit.
     ///
     /// # Errors
     /// [`Error::Diverged`] if the state leaves the finite numbers; the run then stays at the last finite state, and
     /// [`Run::time`] and [`Run::state`] tell it. [`Error::Time`] and [`Error::Steps`] leave the run as it was.
     pub fn advance(&mut self, steps: u64) -> Result<(), Error> {
-        if !self.clock.t0.is_finite() {
-            return Err(Error::Time { time: self.clock.t0 });
-        }
+        self.check_clock()?;
         let done = self.clock.steps;
         let end = done.checked_add(steps).ok_or(Error::Steps { done, asked: steps })?;
         while self.clock.steps < end {

@@ -39,7 +39,7 @@ impl<C: Coords> Iterator for Samples<C> {
         let outcome = match self.next {
             Next::Nothing => return None,
             _ if self.interval == 0 => Err(Error::SampleInterval),
-            Next::Present => Ok(()),
+            Next::Present => self.run.check_clock(),
             Next::Later => self.run.advance(self.interval),
         };
         self.next = if outcome.is_ok() { Next::Later } else { Next::Nothing };

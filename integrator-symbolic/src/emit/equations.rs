@@ -37,6 +37,7 @@ impl Formulas<'_> {
             let right = self.shown(*value);
             let right = match right.strip_prefix('-') {
                 _ if !force => right,
+                Some(flipped) if is_grouped(flipped) => flipped[1..flipped.len() - 1].to_owned(),
                 Some(flipped) if !is_sum(flipped) => flipped.to_owned(),
                 None if !is_sum(&right) => format!("-{right}"),
                 _ => format!("-({right})"),

@@ -11,7 +11,7 @@ use crate::{
         integer::{number_literal, operand},
     },
 };
-use proc_macro2::{Ident, Literal, TokenStream};
+use proc_macro2::{Ident, Literal, TokenStream, TokenTree};
 use quote::{ToTokens, format_ident, quote};
 use std::collections::HashMap;
 
@@ -92,7 +92,7 @@ impl Printer<'_> {
                 let text = &self.parameters[parameter.0 as usize].text;
                 match self.dialect {
                     Dialect::Generic => Printed::new(Binding::Atom, self.lifted(quote!(#text))),
-                    Dialect::Single => Printed::new(Binding::Sum, quote!(#text)),
+                    Dialect::Single => Printed::new(binding(text), quote!(#text)),
                 }
             }
             Node::Coordinate(element) => Printed::new(Binding::Atom, self.coordinate(fields, element)),
@@ -365,6 +365,17 @@ impl Printer<'_> {
             })
             .collect()
     }
+}
+
+/// How tightly a text of the user holds together: as one operand where it has no operator outside of brackets.
+fn binding(text: &TokenStream) -> Binding {
+    let is_operator = |mark: char| !matches!(mark, '.' | ':');
+    let operators = text.clone().into_iter().any(|token| match token {
+        TokenTree::Punct(mark) => is_operator(mark.as_char()),
+        TokenTree::Ident(name) => name == "as",
+        TokenTree::Group(_) | TokenTree::Literal(_) => false,
+    });
+    if operators { Binding::Sum } else { Binding::Atom }
 }
 
 /// The method of the runtime's reals that compares.

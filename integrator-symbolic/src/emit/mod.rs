@@ -279,8 +279,14 @@ fn coordinates(model: &Model, names: &Names) -> TokenStream {
     match &model.shape.length {
         Length::OfStart => quote!(#runtime::Vec<#element>),
         length => {
-            let length = length.tokens();
-            quote!([#element; { #length }])
+            let length = match length {
+                Length::Constant(_) => {
+                    let length = length.tokens();
+                    quote!({ #length })
+                }
+                _ => length.tokens(),
+            };
+            quote!([#element; #length])
         }
     }
 }

@@ -148,8 +148,12 @@ impl Graph {
                 let one = self.constant(1.0);
                 self.div(one, base)
             }
-            // exact: (-x)^2 == x^2
+            // exact: (-x)^2 == x^2 and (-x)^3 == -(x^3)
             (_, Node::Neg(x)) if halves % 4 == 0 => self.power(x, halves),
+            (_, Node::Neg(x)) if halves % 2 == 0 => {
+                let power = self.power(x, halves);
+                self.neg(power)
+            }
             // finite: (x^a)^b == x^(a b) where b is whole, and a is not a root that b would undo
             (_, Node::Power(x, inner)) if halves % 2 == 0 && (inner % 2 == 0 || self.is_square_sum(x)) => {
                 match inner.checked_mul(halves / 2) {
@@ -459,6 +463,17 @@ mod tests {
                 g.mul(s, x)
             },
             |g, [x, ..]| g.power(x, 6),
+        ),
+        (
+            "(-x)^3 == -(x^3)",
+            |g, [x, ..]| {
+                let n = g.neg(x);
+                g.power(n, 6)
+            },
+            |g, [x, ..]| {
+                let cube = g.power(x, 6);
+                g.neg(cube)
+            },
         ),
         (
             "(-x)^2 == x^2",

@@ -151,7 +151,7 @@ impl Reader<'_> {
         }
         let x = self.number(&receiver, place)?;
         if arguments.len() != expected {
-            self.errors.at(name, format!("`{method}` takes {expected} arguments, not {}", arguments.len()));
+            self.errors.at(name, takes(&method, expected, arguments.len()));
             return None;
         }
         if method == "powi" {
@@ -234,8 +234,7 @@ impl Reader<'_> {
         }
         let parameters: Vec<_> = typed_arguments(helper).collect();
         if parameters.len() != arguments.len() {
-            let message = format!("`{name}` takes {} arguments, not {}", parameters.len(), arguments.len());
-            self.errors.at(name, message);
+            self.errors.at(name, takes(&name.to_string(), parameters.len(), arguments.len()));
             return None;
         }
         for (argument, place) in arguments.iter().zip(places) {
@@ -260,6 +259,12 @@ fn typed_arguments(function: &ImplItemFn) -> impl Iterator<Item = &syn::PatType>
         FnArg::Typed(argument) => Some(argument),
         FnArg::Receiver(_) => None,
     })
+}
+
+/// What to say of a call with too few or too many arguments.
+fn takes(name: &str, expected: usize, found: usize) -> String {
+    let plural = if expected == 1 { "" } else { "s" };
+    format!("`{name}` takes {expected} argument{plural}, not {found}")
 }
 
 /// The value of `3`, `-3` or `(3)`.

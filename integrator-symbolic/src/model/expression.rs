@@ -160,6 +160,8 @@ impl Reader<'_> {
             other => format!("`{other}` is not known here"),
         };
         self.errors.at(name, message);
+        // One mistake, one message: from here on the name is known to be unknown.
+        self.declare(name.to_string(), Value::Unknown);
     }
 
     fn unary(&mut self, unary: &ExprUnary, whole: &Expr) -> Option<Value> {

@@ -191,7 +191,7 @@ pub(crate) const BODIES: &[Row] = &[
     ("bessel(q[0])", &["2:0 `bessel` of a coordinate is not known."]),
     ("self.unknown(q[0])", &["2:5 `unknown` of a coordinate is not known."]),
     ("self.endless(q[0])", &["3:84 `endless` calls itself: recursion has no derivative here; write a loop"]),
-    ("self.helper(q[0], q[1])", &["2:5 `helper` takes 1 arguments, not 2"]),
+    ("self.helper(q[0], q[1])", &["2:5 `helper` takes 1 argument, not 2"]),
     ("q[0].sin(1.0)", &["2:5 `sin` takes 0 arguments, not 1"]),
     ("q[0].powi(q[1])", &["2:10 the exponent of `powi` is an integer that does not depend on coordinates"]),
     ("q[0].powi(2_000_000_000)", &["2:10 this exponent is too large"]),
