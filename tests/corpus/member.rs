@@ -1,0 +1,70 @@
+//! What a system of the corpus has beside its Hamiltonian.
+
+use integrator_core::{
+    Coords,
+    check::{Certificate, CertifyError},
+    prelude::*,
+};
+use num_dual::DualNum;
+
+/// A system of the corpus.
+pub(crate) trait Member: Hamiltonian<Coords: Filled> {
+    /// A step at which the motion from the first point of the reference is resolved.
+    const STEP: f64;
+    /// Why no certificate is to be had, where the potential is not smooth enough for one.
+    const ROUGH: Option<&'static str> = None;
+
+    /// The system with the parameters of the reference.
+    fn example() -> Self;
+    /// `T` and `V` by the user's own functions.
+    fn energies(&self, at: &Phase<Self::Coords>, time: f64) -> [f64; 2];
+    /// `T` once more, for dual numbers; coordinates are flat.
+    fn kinetic_twin<D: Number>(&self, p: &[D], time: f64) -> D;
+    /// `V` once more, for dual numbers; coordinates are flat.
+    fn potential_twin<D: Number>(&self, q: &[D], time: f64) -> D;
+    /// The certificate of a composition that suits the system.
+    fn certificate(&self, start: Phase<Self::Coords>) -> Result<Certificate, CertifyError> {
+        certify::<Self, _, f64>(self, Yoshida4, start, Self::STEP)
+    }
+}
+
+/// What twins compute in.
+pub(crate) trait Number: DualNum<Primitive = f64> + Copy {}
+
+impl<D: DualNum<Primitive = f64> + Copy> Number for D {}
+
+/// Coordinates that can be made of flat numbers.
+pub(crate) trait Filled: Coords<Leaf = f64> {
+    fn filled(numbers: &[f64]) -> Self;
+}
+
+impl<const N: usize> Filled for [f64; N] {
+    fn filled(numbers: &[f64]) -> Self {
+        numbers.try_into().expect("as many numbers as coordinates")
+    }
+}
+
+impl<const D: usize, const N: usize> Filled for [[f64; D]; N] {
+    fn filled(numbers: &[f64]) -> Self {
+        points(numbers).try_into().expect("as many points as coordinates")
+    }
+}
+
+impl Filled for Vec<f64> {
+    fn filled(numbers: &[f64]) -> Self {
+        numbers.to_vec()
+    }
+}
+
+impl<const D: usize> Filled for Vec<[f64; D]> {
+    fn filled(numbers: &[f64]) -> Self {
+        points(numbers)
+    }
+}
+
+/// Flat coordinates as points.
+pub(crate) fn points<T: Copy, const D: usize>(numbers: &[T]) -> Vec<[T; D]> {
+    let (points, rest) = numbers.as_chunks();
+    assert!(rest.is_empty(), "whole points");
+    points.to_vec()
+}

@@ -1,0 +1,98 @@
+//! How a system of the corpus is judged.
+
+use crate::{
+    member::{Filled, Member},
+    reference::{self, Exact, Point},
+};
+use integrator_core::{Coords, check::gradient_error, prelude::*};
+use num_dual::Dual64;
+
+/// By how many units in the last place of its scale a number may be off: half a unit for each of sixteen operations on
+/// the longest path from the coordinates to it, the elementary functions' own roundings and the reference's included.
+const ULPS: f64 = 8.0;
+
+/// Holds everything that is generated for a system against the reference, the twin and the user's own functions.
+pub(crate) fn judge<S: Member>(name: &str) {
+    let system = S::example();
+    let points = reference::points(name);
+    assert!(points.len() >= 3, "{name}: a few points");
+    for point in &points {
+        gradients_agree(name, &system, point);
+        energies_agree(name, &system, point);
+        let deviation = gradient_error::<S, f64>(&system, phase::<S>(point), point.time);
+        // Units of the rounding of the coordinates; the same operations as above, once as code and once in duals.
+        assert!(deviation.as_ref().is_ok_and(|error| *error <= 32.0 * f64::EPSILON), "{name}: {deviation:?}");
+    }
+    if S::ROUGH.is_none() {
+        match system.certificate(phase::<S>(&points[0])) {
+            Ok(certificate) => assert!(certificate.gradient_error.is_finite(), "{name}: {certificate}"),
+            Err(refused) => panic!("{name}: {refused}"),
+        }
+    }
+}
+
+fn phase<S: Member>(point: &Point) -> Phase<S::Coords> {
+    Phase::new(S::Coords::filled(&point.q), S::Coords::filled(&point.p))
+}
+
+/// The generated gradients and those of the twin are those of the reference.
+fn gradients_agree<S: Member>(name: &str, system: &S, point: &Point) {
+    let (kinetic, potential) = generated(system, point);
+    let by_momenta = twin(&point.p, |p| system.kinetic_twin(p, point.time));
+    let by_positions = twin(&point.q, |q| system.potential_twin(q, point.time));
+    let all_close = |what: &str, found: &[f64], exact: &[Exact]| {
+        assert_eq!(found.len(), exact.len(), "{name}: {what}");
+        for (index, (found, exact)) in found.iter().zip(exact).enumerate() {
+            assert_close(&format!("{name}: {what}, component {index}"), *found, exact);
+        }
+    };
+    all_close("generated dT/dp", &kinetic, &point.kinetic_gradient);
+    all_close("generated dV/dq", &potential, &point.potential_gradient);
+    all_close("dual dT/dp", &by_momenta, &point.kinetic_gradient);
+    all_close("dual dV/dq", &by_positions, &point.potential_gradient);
+}
+
+/// The gradients of `T` and `V` as a run sees them: a kick of unit duration from rest leaves `-dV/dq` in the momenta,
+/// a drift of unit duration from the origin leaves `dT/dp` in the positions.
+fn generated<S: Member>(system: &S, point: &Point) -> (Vec<f64>, Vec<f64>) {
+    let zeros = S::Coords::filled(&vec![0.0; point.q.len()]);
+    let from_rest = Phase::new(S::Coords::filled(&point.q), zeros.clone());
+    let from_origin = Phase::new(zeros, S::Coords::filled(&point.p));
+    let mut kick = system.run_with::<f64, _>(Euler, from_rest, 1.0).expect("a start").at_time(point.time);
+    kick.advance(1).expect("finite");
+    let mut drift = system.run_with::<f64, _>(EulerAdjoint, from_origin, 1.0).expect("a start").at_time(point.time);
+    drift.advance(1).expect("finite");
+    (drift.state().q.flat().to_vec(), kick.state().p.flat().iter().map(|change| -change).collect())
+}
+
+/// A gradient by dual numbers, one seed after the other.
+fn twin(at: &[f64], energy: impl Fn(&[Dual64]) -> Dual64) -> Vec<f64> {
+    let seeded = |seed: usize| {
+        let numbers: Vec<Dual64> =
+            at.iter().enumerate().map(|(i, x)| Dual64::new(*x, if i == seed { 1.0 } else { 0.0 })).collect();
+        energy(&numbers).eps
+    };
+    (0..at.len()).map(seeded).collect()
+}
+
+/// The user's functions, the generated energy and the twin give the energy of the reference.
+fn energies_agree<S: Member>(name: &str, system: &S, point: &Point) {
+    let at = phase::<S>(point);
+    let [kinetic, potential] = system.energies(&at, point.time);
+    assert_close(&format!("{name}: the user's T"), kinetic, &point.kinetic);
+    assert_close(&format!("{name}: the user's V"), potential, &point.potential);
+    assert_close(&format!("{name}: the twin's T"), system.kinetic_twin(&point.p, point.time), &point.kinetic);
+    assert_close(&format!("{name}: the twin's V"), system.potential_twin(&point.q, point.time), &point.potential);
+    let total = Exact {
+        value: point.kinetic.value + point.potential.value,
+        scale: point.kinetic.scale + point.potential.scale,
+    };
+    let run = system.run::<f64>(at, S::STEP).expect("a start").at_time(point.time);
+    assert_close(&format!("{name}: the generated energy"), run.energy(), &total);
+}
+
+fn assert_close(what: &str, found: f64, exact: &Exact) {
+    let ulp = exact.scale.next_up() - exact.scale;
+    let error = (found - exact.value).abs();
+    assert!(error <= ULPS * ulp, "{what}: {found:e} for {exact:?}, {:.1} ulp", error / ulp);
+}
