@@ -63,6 +63,7 @@ mod composition;
 mod coords;
 mod engine;
 mod error;
+mod external;
 mod fused;
 mod hamiltonian;
 mod instruction_set;
@@ -102,6 +103,7 @@ pub mod prelude {
 /// The door through which generated code enters. Nothing here is stable.
 #[doc(hidden)]
 pub mod __private {
+    pub use crate::external::{External, ExternalTwo, external, external_two};
     pub use crate::{
         catalogue::Verlet,
         composition::{Class, Composition, Lead, Processor, Rows, Scheme, Stage, Stages},
@@ -111,7 +113,7 @@ pub mod __private {
         real::{Kernel, Mask, Real},
         slot::{Keep, Slot},
     };
-    pub use std::vec::Vec;
+    pub use std::{sync::Arc, vec::Vec};
 
     /// A table of prepared constants whose length is known at run time.
     pub fn table<T>(length: usize, element: impl FnMut(usize) -> T) -> Vec<T> {

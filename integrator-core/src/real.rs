@@ -87,6 +87,18 @@ macro_rules! declare_real {
             fn state(of_lane: impl Fn(usize) -> f64) -> Self;
             /// `self * b + c`, in one rounding where the scalar has it.
             fn fma(self, b: Self, c: Self) -> Self;
+            /// A function known in `f64` alone, lane by lane. Only a dual asks for the derivatives, which come in the
+            /// order of the arguments; the second argument may be ignored.
+            #[inline]
+            fn lane_by_lane(
+                self,
+                other: Self,
+                value: impl Fn(usize, f64, f64) -> f64,
+                slopes: impl Fn(usize, f64, f64) -> [f64; 2],
+            ) -> Self {
+                let _ = slopes;
+                Self::state(|lane| value(lane, self.lane(lane), other.lane(lane)))
+            }
             /// Sine and cosine of one argument.
             fn sin_cos(self) -> (Self, Self);
             /// Whether all lanes are finite.

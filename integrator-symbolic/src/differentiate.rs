@@ -171,6 +171,20 @@ impl Sweep {
                     }
                 }
             }
+            Node::External(external, a) => {
+                if let [Some(slope), _] = graph.external_slopes(external) {
+                    let slope = graph.external(slope, a, None);
+                    self.push_product(graph, a, context, adjoint, slope);
+                }
+            }
+            Node::ExternalTwo(external, a, b) => {
+                for (child, slope) in [a, b].into_iter().zip(graph.external_slopes(external)) {
+                    if let Some(slope) = slope {
+                        let slope = graph.external(slope, a, Some(b));
+                        self.push_product(graph, child, context, adjoint, slope);
+                    }
+                }
+            }
             Node::Sum(by, body) => {
                 let inside: Vec<Around> = context.iter().copied().chain([Around::Loop(by)]).collect();
                 self.push(graph, body, &inside, adjoint);

@@ -79,6 +79,8 @@ impl Lowering {
             Node::Add(a, b) => graph.rebuilt(Node::Add(of(a), of(b))),
             Node::Unary(function, a) => graph.rebuilt(Node::Unary(function, of(a))),
             Node::Binary(function, a, b) => graph.rebuilt(Node::Binary(function, of(a), of(b))),
+            Node::External(id, a) => graph.rebuilt(Node::External(id, of(a))),
+            Node::ExternalTwo(id, a, b) => graph.rebuilt(Node::ExternalTwo(id, of(a), of(b))),
             Node::Sum(by, body) => graph.rebuilt(Node::Sum(by, of(body))),
             Node::Compare(comparison, a, b) => graph.rebuilt(Node::Compare(comparison, of(a), of(b))),
             Node::And(a, b) => graph.rebuilt(Node::And(of(a), of(b))),

@@ -127,6 +127,18 @@ macro_rules! dual_real {
             fn fma(self, b: Self, c: Self) -> Self {
                 self * b + c
             }
+            fn lane_by_lane(
+                self,
+                other: Self,
+                value: impl Fn(usize, f64, f64) -> f64,
+                slopes: impl Fn(usize, f64, f64) -> [f64; 2],
+            ) -> Self {
+                let (a, b) = (self.0, other.0);
+                let [by_first, by_second] = slopes(0, a.re, b.re);
+                // A slope that is not known is no number; it must not touch what does not move.
+                let along = |slope: f64, tangent: f64| if tangent == 0.0 { 0.0 } else { slope * tangent };
+                Self::new(value(0, a.re, b.re), along(by_first, a.eps) + along(by_second, b.eps))
+            }
             fn sin_cos(self) -> (Self, Self) {
                 let (sine, cosine) = DualNum::sin_cos(&self.0);
                 (Self(sine), Self(cosine))

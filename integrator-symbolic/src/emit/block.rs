@@ -136,6 +136,7 @@ impl<'m> Block<'m> {
             names: names(&model.graph, model, &program.named),
             scalar: &reserved.scalar,
             runtime: &reserved.runtime,
+            externals: &model.externals,
         };
         Self { printer, masks: Vec::new(), begun: HashMap::new() }
     }

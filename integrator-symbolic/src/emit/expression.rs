@@ -3,7 +3,7 @@
 use super::fields::Fields;
 use crate::{
     graph::{
-        Comparison, Element, Graph, Node, NodeId, Part,
+        Comparison, Element, ExternalId, Graph, Node, NodeId, Part,
         index::{Index, IndexId, LoopId},
     },
     model::{
@@ -70,6 +70,8 @@ pub(super) struct Printer<'m> {
     pub(super) scalar: &'m Ident,
     /// The runtime's private door.
     pub(super) runtime: &'m Ident,
+    /// The names of the user's methods, by their ids.
+    pub(super) externals: &'m [Ident],
 }
 
 impl Printer<'_> {
@@ -129,6 +131,8 @@ impl Printer<'_> {
             }
             Node::Unary(function, a) => self.method(fields, a, function.name(), None),
             Node::Binary(function, a, b) => self.method(fields, a, function.name(), Some(b)),
+            Node::External(id, a) => self.external(fields, id, a, None),
+            Node::ExternalTwo(id, a, b) => self.external(fields, id, a, Some(b)),
             // Sums and choices are always named; the blocks inside theirs compute them.
             Node::Sum(_, body) | Node::Select(_, body, _) => self.expression(fields, body),
             condition => Printed::new(Binding::Atom, self.condition(fields, condition)),
@@ -163,6 +167,32 @@ impl Printer<'_> {
             Dialect::Generic => Printed::new(Binding::Atom, self.lifted(quote!(#value))),
             Dialect::Single => Printed::new(Binding::Atom, quote!(#value)),
         }
+    }
+
+    /// A call of a method of the user: member by member in a flow, with its derivatives for duals.
+    fn external(&self, fields: &mut Fields, id: ExternalId, a: NodeId, b: Option<NodeId>) -> Printed {
+        let a = self.expression(fields, a);
+        let b = b.map(|b| self.expression(fields, b).tokens);
+        if self.dialect == Dialect::Single {
+            let (name, a, b) = (&self.externals[id.0 as usize], a.tokens, b.map(|b| quote!(, #b)));
+            return Printed::new(Binding::Atom, quote!(self.#name(#a #b)));
+        }
+        let mut field = |id: Option<ExternalId>| match id {
+            Some(id) => {
+                let name = fields.external(self.externals, id);
+                quote!(::core::option::Option::Some(&motion.parameters.#name))
+            }
+            None => quote!(::core::option::Option::None),
+        };
+        let ([first, second], a, runtime) = (self.graph.external_slopes(id), a.tokens, self.runtime);
+        let (value, first, second) = (field(Some(id)), field(first), field(second));
+        Printed::new(
+            Binding::Atom,
+            match b {
+                None => quote!(#runtime::external(#a, #value, #first)),
+                Some(b) => quote!(#runtime::external_two(#a, #b, #value, [#first, #second])),
+            },
+        )
     }
 
     /// A condition: a mask of lanes in a flow, `bool` where parameters are prepared.

@@ -6,7 +6,7 @@ use super::{
 };
 use crate::{
     graph::{
-        Graph, Node, NodeId, ParameterId,
+        ExternalId, Graph, Node, NodeId, ParameterId,
         index::{Index, IndexId, LoopId, LoopSet},
     },
     lower::lower,
@@ -23,6 +23,8 @@ enum Content {
     Integer(ParameterId),
     /// One where a condition of parameters holds, else zero.
     Flag(ParameterId),
+    /// A method of the user with so many arguments.
+    External(ExternalId),
 }
 
 /// The fields asked for so far, in order of first use.
@@ -75,12 +77,20 @@ impl Fields {
         self.named(Content::Flag(id), Some(&parameters[id.0 as usize].text))
     }
 
+    pub(super) fn external(&mut self, externals: &[Ident], id: ExternalId) -> Ident {
+        self.named_as(Content::External(id), Some(externals[id.0 as usize].clone()))
+    }
+
     /// A field's name: the user's own where it is `self.name` or `self.name[i]`.
     fn named(&mut self, content: Content, text: Option<&TokenStream>) -> Ident {
+        self.named_as(content, text.and_then(own_name))
+    }
+
+    fn named_as(&mut self, content: Content, base: Option<Ident>) -> Ident {
         if let Some(name) = self.names.get(&content) {
             return name.clone();
         }
-        let base = text.and_then(own_name).unwrap_or_else(|| format_ident!("prepared_{}", self.order.len()));
+        let base = base.unwrap_or_else(|| format_ident!("prepared_{}", self.order.len()));
         let mut name = base.clone();
         let mut count = 1;
         while self.order.iter().any(|(_, known)| *known == name) {
@@ -113,11 +123,26 @@ impl Fields {
                     let text = &model.parameters[id.0 as usize].text;
                     (scalar.to_token_stream(), quote!(if #text { 1.0 } else { 0.0 }))
                 }
+                Content::External(id) => {
+                    let (name, runtime) = (&model.externals[id.0 as usize], &names.runtime);
+                    let two = model.two_arguments(id);
+                    let kind = if two { quote!(#runtime::ExternalTwo) } else { quote!(#runtime::External) };
+                    let call = if two { quote!(|a, b| system.#name(a, b)) } else { quote!(|a| system.#name(a)) };
+                    let value = quote!({
+                        let system = ::core::clone::Clone::clone(self);
+                        #runtime::Vec::from([#runtime::Arc::new(move #call) as _])
+                    });
+                    (kind, value)
+                }
             };
             let at = table.at(table.levels.len());
             let gathered = match content {
                 Content::Number(_) | Content::Flag(_) => quote!(#scalar::parameter(|lane| of_lane(lane).#name #at)),
                 Content::Integer(_) => quote!(of_lane(0).#name #at),
+                Content::External(_) => {
+                    let runtime = &names.runtime;
+                    quote!(#runtime::table(<#scalar as #runtime::Real>::LANES, |lane| of_lane(lane).#name[0].clone()))
+                }
             };
             let documentation = super::equations::documentation(model, content.node());
             let kind = table.kind(kind, names);
@@ -134,7 +159,7 @@ impl Content {
     fn node(self) -> Option<NodeId> {
         match self {
             Content::Number(id) => Some(id),
-            Content::Integer(_) | Content::Flag(_) => None,
+            Content::Integer(_) | Content::Flag(_) | Content::External(_) => None,
         }
     }
 }
@@ -182,6 +207,7 @@ impl Table {
         let loops = match content {
             Content::Number(id) => model.graph.loops_of(id),
             Content::Integer(id) | Content::Flag(id) => model.graph.loops.of_parameter(id),
+            Content::External(_) => LoopSet::EMPTY,
         };
         Self { levels: loops.iter().map(|by| Level::of(model, names, by, loops)).collect() }
     }
@@ -230,6 +256,7 @@ impl Table {
             _ if conditions.is_empty() => element,
             Content::Number(_) | Content::Flag(_) => quote!(if #(#conditions)&&* { #element } else { 0.0 }),
             Content::Integer(_) => quote!(if #(#conditions)&&* { #element } else { 0 }),
+            Content::External(_) => element,
         };
         self.levels.iter().rev().fold(element, |inner, Level { index, literal, extent, .. }| match literal {
             Some(_) => quote!(::core::array::from_fn(|#index: usize| #inner)),
@@ -280,5 +307,6 @@ fn single<'m>(model: &'m Model, names: &'m Names) -> Printer<'m> {
         names: HashMap::new(),
         scalar: &names.scalar,
         runtime: &names.runtime,
+        externals: &model.externals,
     }
 }

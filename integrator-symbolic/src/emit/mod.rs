@@ -67,10 +67,12 @@ pub(crate) fn stepper(input: &Input, mut model: Model) -> TokenStream {
     let root = &input.root;
     let Names { runtime, parameters, scalar, leaf, .. } = &names;
     let fields::Prepared { fields, gathered, values } = fields.emit(&mut model, &names);
+    // Integers and methods are the same whatever a flow computes in; so may be all that is prepared.
+    let generic = Body::new(fields.clone()).mentions(&scalar.to_string());
+    let of = |scalar: TokenStream| if generic { quote!(#parameters<#scalar>) } else { quote!(#parameters) };
     let (structure, gather, prepare) = if fields.is_empty() {
         (
             quote!(
-                #[derive(::core::clone::Clone)]
                 pub struct #parameters;
             ),
             quote!(
@@ -81,15 +83,15 @@ pub(crate) fn stepper(input: &Input, mut model: Model) -> TokenStream {
             quote!(#parameters),
         )
     } else {
+        let declared = of(quote!(#scalar));
         (
-            quote!(#[derive(::core::clone::Clone)] pub struct #parameters<#scalar> { #fields }),
+            quote!(pub struct #declared { #fields }),
             quote!(fn gather<'a>(of_lane: impl ::core::ops::Fn(usize) -> &'a Self::Single) -> Self {
                 #parameters { #gathered }
             }),
             quote!(#parameters { #values }),
         )
     };
-    let of = |scalar: TokenStream| if fields.is_empty() { quote!(#parameters) } else { quote!(#parameters<#scalar>) };
     // They count as used; one that is missing has been noted.
     let functions = ["kinetic", "potential"].into_iter().filter_map(|name| Some(&input.function(name)?.sig.ident));
     let length = Body::new(prepare.clone()).argument("length");
@@ -117,6 +119,7 @@ pub(crate) fn stepper(input: &Input, mut model: Model) -> TokenStream {
             #declared
 
             /// What depends on parameters alone, evaluated once per run.
+            #[derive(::core::clone::Clone)]
             #structure
 
             impl<#scalar: #runtime::Real> #runtime::Prepared<#scalar> for #of_r {

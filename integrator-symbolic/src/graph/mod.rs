@@ -31,6 +31,10 @@ impl NodeId {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub(crate) struct ParameterId(pub(crate) u32);
 
+/// A method of the user whose inside is not looked at: it has a value, and methods that give its derivatives.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub(crate) struct ExternalId(pub(crate) u32);
+
 /// One of the two parts of the Hamiltonian's arguments.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub(crate) enum Part {
@@ -82,6 +86,10 @@ pub(crate) enum Node {
     Power(NodeId, i32),
     Unary(Function, NodeId),
     Binary(Function, NodeId, NodeId),
+    /// A method of the user, of one argument.
+    External(ExternalId, NodeId),
+    /// A method of the user, of two arguments.
+    ExternalTwo(ExternalId, NodeId, NodeId),
     /// The sum of the body over the loop's index.
     Sum(LoopId, NodeId),
     /// A condition: how two numbers compare.
@@ -120,13 +128,17 @@ impl Node {
             | Node::FromIndex(_)
             | Node::CompareIndex(..)
             | Node::Flag(_) => [None; 3],
-            Node::Neg(a) | Node::Power(a, _) | Node::Unary(_, a) | Node::Sum(_, a) | Node::Not(a) => {
-                [Some(a), None, None]
-            }
+            Node::Neg(a)
+            | Node::Power(a, _)
+            | Node::Unary(_, a)
+            | Node::External(_, a)
+            | Node::Sum(_, a)
+            | Node::Not(a) => [Some(a), None, None],
             Node::Add(a, b)
             | Node::Mul(a, b)
             | Node::Div(a, b)
             | Node::Binary(_, a, b)
+            | Node::ExternalTwo(_, a, b)
             | Node::Compare(_, a, b)
             | Node::And(a, b)
             | Node::Or(a, b) => [Some(a), Some(b), None],
@@ -172,6 +184,8 @@ pub(crate) struct Graph {
     nodes: Vec<Node>,
     facts: Vec<Facts>,
     ids: HashMap<Node, NodeId>,
+    /// The methods that give the derivatives of a method of the user, by its id.
+    externals: Vec<[Option<ExternalId>; 2]>,
     /// Integer expressions and loops.
     pub(crate) loops: Loops,
 }

@@ -228,6 +228,9 @@ impl Reader<'_> {
             self.unknown_function(name, &name.to_string());
             return None;
         };
+        if let Some(attribute) = super::external::attribute(helper) {
+            return self.external(helper, attribute, arguments, places);
+        }
         if self.inlining.iter().any(|known| name == known) {
             self.errors.at(name, format!("`{name}` calls itself: recursion has no derivative here; write a loop"));
             return None;
@@ -254,7 +257,7 @@ impl Reader<'_> {
     }
 }
 
-fn typed_arguments(function: &ImplItemFn) -> impl Iterator<Item = &syn::PatType> {
+pub(super) fn typed_arguments(function: &ImplItemFn) -> impl Iterator<Item = &syn::PatType> {
     function.sig.inputs.iter().filter_map(|argument| match argument {
         FnArg::Typed(argument) => Some(argument),
         FnArg::Receiver(_) => None,
@@ -262,7 +265,7 @@ fn typed_arguments(function: &ImplItemFn) -> impl Iterator<Item = &syn::PatType>
 }
 
 /// What to say of a call with too few or too many arguments.
-fn takes(name: &str, expected: usize, found: usize) -> String {
+pub(super) fn takes(name: &str, expected: usize, found: usize) -> String {
     let plural = if expected == 1 { "" } else { "s" };
     format!("`{name}` takes {expected} argument{plural}, not {found}")
 }

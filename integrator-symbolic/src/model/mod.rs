@@ -8,6 +8,7 @@
 mod branch;
 mod call;
 mod expression;
+mod external;
 pub(crate) mod integer;
 mod pattern;
 mod repeat;
@@ -19,11 +20,12 @@ mod value;
 use crate::{
     errors::Errors,
     graph::{
-        Graph, NodeId, ParameterId, Part,
+        ExternalId, Graph, NodeId, ParameterId, Part,
         index::{Index, IndexId, LoopId, LoopSet},
     },
     syntax::Input,
 };
+pub(crate) use external::stripped;
 use proc_macro2::{Ident, TokenStream};
 use quote::ToTokens;
 pub(crate) use shape::{Length, Shape};
@@ -48,10 +50,21 @@ pub(crate) struct Model {
     pub(crate) parameters: Vec<Parameter>,
     /// What the index of each loop is called.
     pub(crate) running: HashMap<LoopId, Ident>,
+    /// The user's methods that are called as they are, by their ids.
+    pub(crate) externals: Vec<Ident>,
+    /// Which of them take two arguments.
+    two_arguments: Vec<bool>,
     /// Whether `T = ½ pᵀ M⁻¹ p` with a constant `M`.
     pub(crate) quadratic: bool,
     /// Whether neither function reads the time.
     pub(crate) autonomous: bool,
+}
+
+impl Model {
+    /// Whether a method of the user takes two arguments.
+    pub(crate) fn two_arguments(&self, id: ExternalId) -> bool {
+        self.two_arguments[id.0 as usize]
+    }
 }
 
 /// Reads the two functions of `input`, or notes what is wrong with them.
@@ -82,12 +95,23 @@ pub(crate) fn model(input: &Input, errors: &mut Errors) -> Option<Model> {
         let energy = reader.energy(part, function, &signature);
         Some((energy?, signature.shape))
     });
-    let Reader { graph, parameters, running, .. } = reader;
+    let Reader { graph, parameters, running, externals, two_arguments, .. } = reader;
     let [Some((kinetic, shape)), Some((potential, _))] = energies else { return None };
     let autonomous = !graph.reads_time(kinetic) && !graph.reads_time(potential);
     let quadratic =
         graph.degree(kinetic, Part::Momentum).is_some_and(|degree| degree <= 2) && !graph.reads_time(kinetic);
-    Some(Model { graph, kinetic, potential, shape, parameters, running, quadratic, autonomous })
+    Some(Model {
+        graph,
+        kinetic,
+        potential,
+        shape,
+        parameters,
+        running,
+        externals,
+        two_arguments,
+        quadratic,
+        autonomous,
+    })
 }
 
 /// The model of a Hamiltonian that is zero, of the same shape as that of `input`: its stepper stands where mistakes keep
@@ -107,6 +131,8 @@ pub(crate) fn stub(input: &Input) -> Option<Model> {
         shape,
         parameters: Vec::new(),
         running: HashMap::new(),
+        externals: Vec::new(),
+        two_arguments: Vec::new(),
         quadratic: true,
         autonomous: true,
     })
@@ -144,6 +170,8 @@ struct Reader<'i> {
     parameters: Vec<Parameter>,
     parameter_ids: HashMap<String, ParameterId>,
     running: HashMap<LoopId, Ident>,
+    externals: Vec<Ident>,
+    two_arguments: Vec<bool>,
     bindings: Vec<Binding>,
     /// Names in scope, innermost last. A helper method sees its own scopes alone.
     scopes: Vec<HashMap<String, BindingId>>,
@@ -170,6 +198,8 @@ impl<'i> Reader<'i> {
             parameters: Vec::new(),
             parameter_ids: HashMap::new(),
             running: HashMap::new(),
+            externals: Vec::new(),
+            two_arguments: Vec::new(),
             bindings: Vec::new(),
             scopes: Vec::new(),
             frames: Vec::new(),
