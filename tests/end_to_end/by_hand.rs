@@ -135,7 +135,7 @@ fn a_chain_with_loops_by_verlet() {
         }
         gradient[0] += spring(q[0]);
         let squared = q[7] * q[7];
-        gradient[7] += fma(-system.alpha, squared, fma(squared, q[7], q[7]));
+        gradient[7] += q[7] + fma(-system.alpha, squared, squared * q[7]);
         for i in 0..8 {
             p[i] = fma(-h, gradient[i], p[i]);
         }
