@@ -6,7 +6,7 @@ use std::{
 };
 
 /// What each module of `integrator-symbolic` may import from its crate, in the order of the pipeline.
-const MAY_KNOW: [(&str, &[&str]); 10] = [
+const MAY_KNOW: [(&str, &[&str]); 11] = [
     ("errors", &[]),
     ("limits", &["errors"]),
     ("graph", &[]),
@@ -17,6 +17,7 @@ const MAY_KNOW: [(&str, &[&str]); 10] = [
     ("syntax", &["errors", "scheme"]),
     ("model", &["errors", "graph", "limits", "syntax"]),
     ("emit", &["differentiate", "graph", "lower", "model", "program", "scheme", "syntax"]),
+    ("report", &["differentiate", "emit", "errors", "graph", "lower", "model", "syntax"]),
 ];
 
 /// The modules that compute and never see a token.

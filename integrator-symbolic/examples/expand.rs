@@ -1,5 +1,5 @@
-//! Prints what `#[hamiltonian]` writes for every annotated impl of a file, formatted:
-//! `cargo run -p integrator-symbolic --example expand -- FILE.rs`
+//! Prints what is derived from every annotated impl of a file (equations of motion, operation counts) and what
+//! `#[hamiltonian]` writes for it, formatted: `cargo run -p integrator-symbolic --example expand -- FILE.rs`
 
 use proc_macro2::TokenStream;
 use quote::ToTokens;
@@ -17,7 +17,13 @@ fn main() -> Result<(), Box<dyn Error>> {
             Meta::List(list) => list.tokens,
             _ => TokenStream::new(),
         };
-        let expansion = integrator_symbolic::hamiltonian(arguments, annotated.into_token_stream());
+        let item = annotated.into_token_stream();
+        if let Some(report) = integrator_symbolic::report(arguments.clone(), item.clone()) {
+            for line in report.to_string().lines() {
+                println!("// {line}");
+            }
+        }
+        let expansion = integrator_symbolic::hamiltonian(arguments, item);
         println!("{}", prettyplease::unparse(&syn::parse2(expansion)?));
     }
     Ok(())

@@ -16,12 +16,14 @@ mod limits;
 mod lower;
 mod model;
 mod program;
+mod report;
 mod scheme;
 mod syntax;
 
 use errors::Errors;
 use proc_macro2::TokenStream;
 use quote::quote;
+pub use report::{Report, report};
 use syntax::{Compose, Input};
 
 /// `#[hamiltonian]`: the annotated item, and behind it the stepper written for it, or the errors found in it

@@ -308,13 +308,17 @@ fn composition(input: &Input, model: &Model, names: &Names) -> (TokenStream, Opt
     }
 }
 
-/// The equations of motion as the documentation of the implementation.
-fn documentation(model: &mut Model, kinetic: &[Contribution], potential: &[Contribution]) -> TokenStream {
+/// The equations of motion, one line each.
+pub(crate) fn equations(model: &mut Model, kinetic: &[Contribution], potential: &[Contribution]) -> Vec<String> {
     let [kinetic, potential] = [kinetic, potential].map(|gradient| folded(&mut model.graph, gradient));
     let (drift, kick) = (is_direct(model, &kinetic), is_direct(model, &potential));
     let formulas = Formulas(model);
-    let lines = formulas.motion(&kinetic, false, drift).into_iter().chain(formulas.motion(&potential, true, kick));
-    let lines: Vec<String> = lines.map(|line| format!(" {line}")).collect();
+    formulas.motion(&kinetic, false, drift).into_iter().chain(formulas.motion(&potential, true, kick)).collect()
+}
+
+/// The equations of motion as the documentation of the implementation.
+fn documentation(model: &mut Model, kinetic: &[Contribution], potential: &[Contribution]) -> TokenStream {
+    let lines: Vec<String> = equations(model, kinetic, potential).iter().map(|line| format!(" {line}")).collect();
     let class = if model.quadratic {
         " `T` is quadratic in the momenta, with a constant mass matrix."
     } else {

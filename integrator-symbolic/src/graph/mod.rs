@@ -7,6 +7,7 @@
 
 mod algebra;
 mod condition;
+mod cost;
 #[cfg(test)]
 pub(crate) mod evaluate;
 pub(crate) mod function;
