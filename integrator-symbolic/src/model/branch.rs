@@ -107,7 +107,10 @@ impl Reader<'_> {
         second: &dyn Fn(&mut Self) -> Option<Value>,
         place: &dyn ToTokens,
     ) -> Option<Value> {
-        let ids: Vec<BindingId> = assigned.names.iter().filter_map(|name| self.lookup(name)).collect();
+        let mut ids: Vec<BindingId> = assigned.names.iter().filter_map(|name| self.lookup(name)).collect();
+        // Both sides may assign to one variable: it is put back once, and joined once.
+        ids.sort_unstable();
+        ids.dedup();
         let before: Vec<Value> = ids.iter().map(|id| self.bindings[id.0].value.clone()).collect();
         let sums = self.frames.last_mut().map(|frame| std::mem::take(&mut frame.sums)).unwrap_or_default();
         let side = |reader: &mut Self, read: &dyn Fn(&mut Self) -> Option<Value>| {

@@ -146,7 +146,7 @@ struct Binding {
 }
 
 /// A place in the list of variables.
-#[derive(Clone, Copy, PartialEq, Eq, Hash)]
+#[derive(Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
 struct BindingId(usize);
 
 /// A variable, or an element of an array that is one.
