@@ -169,6 +169,11 @@ impl Reader<'_> {
             UnOp::Deref(_) => self.expression(&unary.expr),
             UnOp::Neg(_) => match self.expression(&unary.expr)? {
                 Value::Opaque(Opaque { text, loops }) => Some(Value::Opaque(Opaque { text: quote!(-#text), loops })),
+                // No index and no bound is negative, but an exponent may be: it is kept as text.
+                Value::Integer(index) => {
+                    let text = self.index_text(index);
+                    Some(Value::Opaque(Opaque { text: quote!(-#text), loops: self.graph.loops.of_index(index) }))
+                }
                 value => {
                     let number = self.number(&value, &unary.expr)?;
                     Some(Value::Real(self.graph.neg(number)))
