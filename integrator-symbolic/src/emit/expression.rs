@@ -146,10 +146,21 @@ impl Printer<'_> {
     }
 
     fn method(&self, fields: &mut Fields, receiver: NodeId, name: &str, argument: Option<NodeId>) -> Printed {
-        let receiver = self.expression(fields, receiver).at_least(Binding::Atom);
         let name = format_ident!("{name}");
         let argument = argument.map(|argument| self.expression(fields, argument).tokens);
+        // A method of literals alone would not tell of which type of numbers it is.
+        if self.dialect == Dialect::Single && self.is_literal(receiver) {
+            let (receiver, argument) = (self.expression(fields, receiver).tokens, argument.into_iter());
+            return Printed::new(Binding::Atom, quote!(f64::#name(#receiver #(, #argument)*)));
+        }
+        let receiver = self.expression(fields, receiver).at_least(Binding::Atom);
         Printed::new(Binding::Atom, quote!(#receiver.#name(#argument)))
+    }
+
+    fn is_literal(&self, id: NodeId) -> bool {
+        let node = self.graph.node(id);
+        let is_leaf = node.children().next().is_none();
+        matches!(node, Node::Constant(_)) || !is_leaf && node.children().all(|child| self.is_literal(child))
     }
 
     fn constant(&self, value: f64) -> Printed {
