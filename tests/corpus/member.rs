@@ -68,3 +68,10 @@ pub(crate) fn points<T: Copy, const D: usize>(numbers: &[T]) -> Vec<[T; D]> {
     assert!(rest.is_empty(), "whole points");
     points.to_vec()
 }
+
+/// The squares of the distances of all pairs of points.
+pub(crate) fn pairs<T: Number, const D: usize>(numbers: &[T]) -> Vec<T> {
+    let q = points::<T, D>(numbers);
+    let indices = (0..q.len()).flat_map(|i| (0..i).map(move |j| (i, j)));
+    indices.map(|(i, j)| (0..D).map(|d| (q[i][d] - q[j][d]).powi(2)).sum()).collect()
+}

@@ -49,14 +49,15 @@ def evaluate(expression, values):
         if isinstance(node, sympy.Piecewise):
             return of(branch(node))
         arguments = [of(argument) for argument in node.args]
-        value = applied(node, *(value for value, _ in arguments))
+        moved = [position for position, argument in enumerate(node.args) if not argument.is_number]
+        dummies = [sympy.Dummy(real=True) for _ in moved]
+        at = [arguments[position][0] for position in moved]
+        function = node.func(*(dummies[moved.index(i)] if i in moved else x for i, x in enumerate(node.args)))
+        value = sympy.lambdify(dummies, function, "mpmath")(*at)
         scale = abs(value)
-        for position, (argument, argument_scale) in enumerate(arguments):
-            if not node.args[position].is_number:
-                dummy = [sympy.Dummy(real=True) for _ in arguments]
-                slope = node.func(*dummy).diff(dummy[position])
-                slope = sympy.lambdify(dummy, slope, "mpmath")(*(value for value, _ in arguments))
-                scale = max(scale, abs(slope) * argument_scale)
+        for dummy, position in zip(dummies, moved):
+            slope = sympy.lambdify(dummies, function.diff(dummy), "mpmath")(*at)
+            scale = max(scale, abs(slope) * arguments[position][1])
         return value, scale
 
     def branch(node):
@@ -74,11 +75,6 @@ def evaluate(expression, values):
         return {"<": left < right, "<=": left <= right, ">": left > right, ">=": left >= right}[condition.rel_op]
 
     return of(expression)
-
-
-def applied(node, *arguments):
-    dummy = [sympy.Dummy(real=True) for _ in arguments]
-    return sympy.lambdify(dummy, node.func(*dummy), "mpmath")(*arguments)
 
 
 def printed(pair):
