@@ -13,6 +13,7 @@ pub(crate) mod evaluate;
 pub(crate) mod function;
 pub(crate) mod index;
 mod polynomial;
+mod product;
 
 use function::Function;
 use index::{IndexId, LoopId, LoopSet, Loops};

@@ -2,7 +2,8 @@
 
 use super::{
     Reader,
-    sequence::{is_adaptor, is_total},
+    sequence::is_adaptor,
+    total::is_total,
     value::{Opaque, Value},
 };
 use crate::graph::{

@@ -15,10 +15,7 @@ use crate::{
 };
 use proc_macro2::{Ident, TokenStream, TokenTree};
 use quote::{ToTokens, quote};
-use syn::{
-    BinOp, Expr, ExprArray, ExprCast, ExprField, ExprIndex, ExprLit, ExprPath, ExprUnary, Lit, Member, Type, UnOp,
-    visit::Visit,
-};
+use syn::{Expr, ExprArray, ExprField, ExprIndex, ExprLit, ExprPath, Lit, Member, visit::Visit};
 
 /// How many elements an array of values may have.
 const MANY: usize = 1024;
@@ -164,149 +161,6 @@ impl Reader<'_> {
         self.declare(name.to_string(), Value::Unknown);
     }
 
-    fn unary(&mut self, unary: &ExprUnary, whole: &Expr) -> Option<Value> {
-        match &unary.op {
-            UnOp::Deref(_) => self.expression(&unary.expr),
-            UnOp::Neg(_) => match self.expression(&unary.expr)? {
-                Value::Opaque(Opaque { text, loops }) => Some(Value::Opaque(Opaque { text: quote!(-#text), loops })),
-                // No index and no bound is negative, but an exponent may be: it is kept as text.
-                Value::Integer(index) => {
-                    let text = self.index_text(index);
-                    Some(Value::Opaque(Opaque { text: quote!(-#text), loops: self.graph.loops.of_index(index) }))
-                }
-                value => {
-                    let number = self.number(&value, &unary.expr)?;
-                    Some(Value::Real(self.graph.neg(number)))
-                }
-            },
-            UnOp::Not(_) => match self.expression(&unary.expr)? {
-                Value::Opaque(Opaque { text, loops }) => Some(Value::Opaque(Opaque { text: quote!(!#text), loops })),
-                value => match self.condition(&value) {
-                    Some(condition) => Some(Value::Condition(self.graph.not(condition))),
-                    None => self.refused(whole),
-                },
-            },
-            _ => self.verbatim(whole).or_else(|| self.refused(whole)),
-        }
-    }
-
-    /// Operators. A long chain `a + b + c + ...` leans to the left, so it is walked down and read upwards: the depth of
-    /// the reader does not grow with the number of terms.
-    fn chain(&mut self, expression: &Expr) -> Option<Value> {
-        let mut links = Vec::new();
-        let mut innermost = expression;
-        while let Expr::Binary(link) = innermost {
-            links.push((link, innermost));
-            innermost = &link.left;
-        }
-        let mut value = self.expression(innermost);
-        for (link, whole) in links.into_iter().rev() {
-            let right = self.expression(&link.right);
-            value = match (value, right) {
-                (Some(left), Some(right)) => self.combine(&link.op, left, right, &link.left, &link.right, whole),
-                _ => None,
-            };
-        }
-        value
-    }
-
-    /// `left op right`
-    pub(super) fn combine(
-        &mut self,
-        op: &BinOp,
-        left: Value,
-        right: Value,
-        left_place: &Expr,
-        right_place: &Expr,
-        whole: &Expr,
-    ) -> Option<Value> {
-        if !matches!(op, BinOp::Add(_) | BinOp::Sub(_) | BinOp::Mul(_) | BinOp::Div(_) | BinOp::Rem(_)) {
-            let literals =
-                matches!((&left, &right), (Value::Integer(_) | Value::Real(_), Value::Integer(_) | Value::Real(_)));
-            return match (self.opaque(&left), self.opaque(&right)) {
-                (Some(left), Some(right)) if !literals => Some(Value::Opaque(joined(&left, op, &right))),
-                _ if is_condition(op) => self.compared(op, &left, &right, (left_place, right_place)),
-                _ => self.refused(whole),
-            };
-        }
-        let literal_only = |value: &Value| matches!(value, Value::Real(_));
-        match (&left, &right) {
-            (Value::Integer(_), Value::Integer(_) | Value::Opaque(_)) | (Value::Opaque(_), Value::Integer(_)) => {
-                let (a, b) = (self.integer(&left)?, self.integer(&right)?);
-                return Some(Value::Integer(self.integer_operation(op, a, b)));
-            }
-            // Text of parameters stays text, unless it would join the indices of different loops into one table.
-            _ if !(literal_only(&left) && literal_only(&right)) => {
-                if let (Some(a), Some(b)) = (self.opaque(&left), self.opaque(&right))
-                    && (a.loops.is_subset(b.loops) || b.loops.is_subset(a.loops))
-                {
-                    return Some(Value::Opaque(joined(&a, op, &b)));
-                }
-            }
-            _ => {}
-        }
-        let (a, b) = (self.number(&left, left_place), self.number(&right, right_place));
-        let (a, b) = (a?, b?);
-        if matches!(op, BinOp::Mul(_) | BinOp::Div(_)) && self.mixes(a, b) {
-            self.not_separable(whole);
-            return None;
-        }
-        Some(Value::Real(match op {
-            BinOp::Add(_) => self.graph.add(a, b),
-            BinOp::Sub(_) => self.graph.sub(a, b),
-            BinOp::Mul(_) => self.graph.mul(a, b),
-            BinOp::Div(_) => self.graph.div(a, b),
-            _ => return self.refused(whole),
-        }))
-    }
-
-    fn integer_operation(&mut self, op: &BinOp, a: IndexId, b: IndexId) -> IndexId {
-        self.graph.loops.intern(match op {
-            BinOp::Add(_) => Index::Add(a, b),
-            BinOp::Sub(_) => Index::Sub(a, b),
-            BinOp::Mul(_) => Index::Mul(a, b),
-            BinOp::Div(_) => Index::Div(a, b),
-            _ => Index::Rem(a, b),
-        })
-    }
-
-    /// Whether two factors depend on positions and momenta together.
-    pub(super) fn mixes(&self, a: NodeId, b: NodeId) -> bool {
-        let reads = |part| self.graph.reads(a, part) || self.graph.reads(b, part);
-        reads(Part::Position) && reads(Part::Momentum)
-    }
-
-    /// Notes that the Hamiltonian is not separable.
-    pub(super) fn not_separable(&mut self, place: &Expr) {
-        self.misplaced = true;
-        self.errors.at(
-            place,
-            "this mixes q and p, so H is not separable: a splitting needs H = T(p) + V(q). Change to coordinates in \
-             which T depends on p alone, or split H into more parts",
-        );
-    }
-
-    fn cast(&mut self, cast: &ExprCast) -> Option<Value> {
-        let value = self.expression(&cast.expr)?;
-        let to_float = super::shape::is_f64(&cast.ty);
-        match value {
-            Value::Integer(index) if to_float => Some(Value::Real(self.graph.number_of(index))),
-            Value::Integer(index) if is_integer(&cast.ty) => Some(Value::Integer(index)),
-            Value::Real(number) if to_float => Some(Value::Real(number)),
-            value => match self.opaque(&value) {
-                Some(Opaque { text, loops }) => {
-                    let kind = &cast.ty;
-                    Some(Value::Opaque(Opaque { text: quote!((#text as #kind)), loops }))
-                }
-                None => {
-                    let message = format!("{} cannot be cast here: energies are computed in f64", value.describe());
-                    self.errors.at(cast, message);
-                    None
-                }
-            },
-        }
-    }
-
     fn index(&mut self, index: &ExprIndex) -> Option<Value> {
         let (value, at) = (self.expression(&index.expr), self.expression(&index.index));
         let (value, at) = (value?, at?);
@@ -428,7 +282,7 @@ impl Reader<'_> {
     }
 
     /// Notes an expression that is not understood.
-    fn refused(&mut self, expression: &Expr) -> Option<Value> {
+    pub(super) fn refused(&mut self, expression: &Expr) -> Option<Value> {
         let what = match expression {
             Expr::While(_) => "`while` has no derivative here: write the sum as `for i in a..b`",
             Expr::Loop(_) => "`loop` has no derivative here: write the sum as `for i in a..b`",
@@ -447,23 +301,6 @@ impl Reader<'_> {
         self.errors.at(expression, what);
         None
     }
-}
-
-/// Whether an operator makes a condition.
-fn is_condition(op: &BinOp) -> bool {
-    let compares =
-        matches!(op, BinOp::Lt(_) | BinOp::Le(_) | BinOp::Gt(_) | BinOp::Ge(_) | BinOp::Eq(_) | BinOp::Ne(_));
-    compares || matches!(op, BinOp::And(_) | BinOp::Or(_))
-}
-
-fn is_integer(kind: &Type) -> bool {
-    const INTEGERS: [&str; 10] = ["usize", "u64", "u32", "u16", "u8", "isize", "i64", "i32", "i16", "i8"];
-    matches!(kind, Type::Path(path) if INTEGERS.iter().any(|name| path.path.is_ident(name)))
-}
-
-fn joined(left: &Opaque, op: &BinOp, right: &Opaque) -> Opaque {
-    let (a, b) = (&left.text, &right.text);
-    Opaque { text: quote!(#a #op #b), loops: left.loops.union(right.loops) }
 }
 
 /// Every identifier of a text that could be a variable, once.

@@ -10,11 +10,13 @@ mod call;
 mod expression;
 mod external;
 pub(crate) mod integer;
+mod operator;
 mod pattern;
 mod repeat;
 mod sequence;
 mod shape;
 mod statement;
+mod total;
 mod value;
 
 use crate::{

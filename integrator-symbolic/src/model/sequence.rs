@@ -90,7 +90,7 @@ impl Reader<'_> {
         Sequence { from, to, at, filtered: false, literal: false }
     }
 
-    fn literal_index(&mut self, value: u64) -> IndexId {
+    pub(super) fn literal_index(&mut self, value: u64) -> IndexId {
         self.graph.loops.intern(Index::Literal(value))
     }
 
@@ -291,70 +291,8 @@ impl Reader<'_> {
         Some(Sequence { from: zero, to, at: Rc::new(at), filtered: false, literal })
     }
 
-    /// `sequence.sum()`, `sequence.fold(start, |sum, x| sum + ...)` and `sequence.count()`.
-    pub(super) fn total(&mut self, call: &ExprMethodCall) -> Option<Value> {
-        let sequence = self.sequence(&call.receiver)?;
-        let (start, step) = match (call.method.to_string().as_str(), call.args.len()) {
-            ("fold", 2) => {
-                let start = self.expression(&call.args[0])?;
-                (self.number(&start, &call.args[0])?, Some(self.closure(&call.args[1])?))
-            }
-            _ => (self.graph.constant(0.0), None),
-        };
-        if sequence.literal {
-            let mut sum = start;
-            for turn in self.few_turns(&sequence, call)? {
-                let index = self.literal_index(turn);
-                let addend = self.addend_of(&sequence, index, step.as_deref(), call)?;
-                sum = self.graph.add(sum, addend);
-            }
-            return Some(Value::Real(sum));
-        }
-        let by = self.enter(None, sequence.from, sequence.to, call)?;
-        let index = self.graph.loops.intern(Index::Running(by));
-        let addend = self.addend_of(&sequence, index, step.as_deref(), call);
-        self.leave();
-        let sum = self.graph.sum(by, addend?);
-        Some(Value::Real(self.graph.add(start, sum)))
-    }
-
-    /// What the item for an index adds to a sum.
-    fn addend_of(
-        &mut self,
-        sequence: &Sequence,
-        index: IndexId,
-        step: Option<&ExprClosure>,
-        call: &ExprMethodCall,
-    ) -> Option<NodeId> {
-        let item = self.item_of(sequence, index)?;
-        let value = match step {
-            None => self.number(&item.value, &call.receiver)?,
-            Some(step) => self.folded(step, item.value)?,
-        };
-        let zero = self.graph.constant(0.0);
-        Some(item.condition.map_or(value, |condition| self.graph.select(condition, value, zero)))
-    }
-
-    /// What `|sum, item| sum + addend` adds.
-    fn folded(&mut self, step: &ExprClosure, item: Value) -> Option<NodeId> {
-        let zero = self.graph.constant(0.0);
-        let one = self.graph.constant(1.0);
-        let [first, second] = [zero, one].map(|start| {
-            let value = self.applied(step, vec![Value::Real(start), item.clone()]);
-            value.and_then(|value| self.number(&value, &step.body))
-        });
-        // A fold is a sum if what it adds to 0 and to 1 differs by 1 for every item: `addend` and `addend + 1`.
-        let (addend, next) = (first?, second?);
-        let expected = self.graph.add(addend, one);
-        if next != expected {
-            self.errors.at(&step.body, "a `fold` over coordinates has to be a sum: write `|sum, x| sum + ...`");
-            return None;
-        }
-        Some(addend)
-    }
-
     /// A closure written in place.
-    fn closure(&mut self, expression: &Expr) -> Option<Rc<ExprClosure>> {
+    pub(super) fn closure(&mut self, expression: &Expr) -> Option<Rc<ExprClosure>> {
         match expression {
             Expr::Closure(closure) => Some(Rc::new(closure.clone())),
             other => {
@@ -365,7 +303,7 @@ impl Reader<'_> {
     }
 
     /// The value of a closure for given arguments.
-    fn applied(&mut self, closure: &ExprClosure, arguments: Vec<Value>) -> Option<Value> {
+    pub(super) fn applied(&mut self, closure: &ExprClosure, arguments: Vec<Value>) -> Option<Value> {
         if closure.inputs.len() != arguments.len() {
             self.errors.at(closure, format!("this closure has to take {} arguments", arguments.len()));
             return None;
@@ -406,9 +344,4 @@ pub(super) fn is_adaptor(call: &ExprMethodCall) -> bool {
     ];
     let name = call.method.to_string();
     ADAPTORS.contains(&name.as_str()) || matches!(name.as_str(), "windows" | "chunks_exact")
-}
-
-/// Whether a method makes a number of a sequence.
-pub(super) fn is_total(call: &ExprMethodCall) -> bool {
-    matches!(call.method.to_string().as_str(), "sum" | "fold")
 }
