@@ -4,6 +4,21 @@ use proc_macro2::{Span, TokenStream};
 use quote::ToTokens;
 use std::fmt::Display;
 
+/// Tokens as one would type them, for a message: `Self::N`, `a[0]`, `2 * N`.
+pub(crate) fn quoted(tokens: impl ToTokens) -> String {
+    let text = tokens.to_token_stream().to_string();
+    let (mut quoted, mut rest) = (String::new(), text.chars().peekable());
+    let is_loose = |c: char| c.is_alphanumeric() || "_+-*/%<>=&|{}".contains(c);
+    while let Some(c) = rest.next() {
+        let before = quoted.chars().next_back().unwrap_or(' ');
+        let after = rest.peek().copied().unwrap_or(' ');
+        if c != ' ' || before == ',' || (is_loose(before) && is_loose(after)) {
+            quoted.push(c);
+        }
+    }
+    quoted
+}
+
 /// The mistakes found so far.
 #[derive(Default)]
 pub(crate) struct Errors(Vec<syn::Error>);

@@ -76,8 +76,10 @@ fn arguments_of(tokens: TokenStream, errors: &mut Errors) -> Option<Arguments> {
         while !input.is_empty() {
             if input.peek(Token![crate]) {
                 let key: Token![crate] = input.parse()?;
-                input.parse::<Token![=]>()?;
-                if root.replace(input.call(Path::parse_mod_style)?).is_some() {
+                equals(input, key.span)?;
+                let path = input.call(Path::parse_mod_style);
+                let path = path.map_err(|_| misfit(input, key.span, "the runtime is named by a path"))?;
+                if root.replace(path).is_some() {
                     return Err(syn::Error::new(key.span(), "`crate` is given twice"));
                 }
             } else {
@@ -85,8 +87,8 @@ fn arguments_of(tokens: TokenStream, errors: &mut Errors) -> Option<Arguments> {
                 if key != "compose" {
                     return Err(syn::Error::new(key.span(), format!("`{key}` is not an argument here; {EXPECTED}")));
                 }
-                input.parse::<Token![=]>()?;
-                if compose.replace(compose_of(input)?).is_some() {
+                equals(input, key.span())?;
+                if compose.replace(compose_of(input, key.span())?).is_some() {
                     return Err(syn::Error::new(key.span(), "`compose` is given twice"));
                 }
             }
@@ -102,12 +104,30 @@ fn arguments_of(tokens: TokenStream, errors: &mut Errors) -> Option<Arguments> {
 const EXPECTED: &str =
     "expected `compose = Yoshida4`, `compose = V(1/2) T(1) V(1/2)` or `crate = path::to::integrator_core`";
 
-fn compose_of(input: ParseStream<'_>) -> syn::Result<Compose> {
+/// The sign between an argument and its value.
+fn equals(input: ParseStream<'_>, key: Span) -> syn::Result<()> {
+    let sign = input.parse::<Token![=]>();
+    sign.map(|_| ()).map_err(|_| syn::Error::new(key, format!("this lacks its value; {EXPECTED}")))
+}
+
+/// What stands in the place of a value, or the argument that lacks one.
+fn misfit(input: ParseStream<'_>, key: Span, is: &str) -> syn::Error {
+    if input.is_empty() {
+        return syn::Error::new(key, format!("this lacks its value; {EXPECTED}"));
+    }
+    input.error(format!("{is}; {EXPECTED}"))
+}
+
+fn compose_of(input: ParseStream<'_>, key: Span) -> syn::Result<Compose> {
     if InPlace::peek(input) {
         let first = input.span();
         let sequence = InPlace::parse(input)?;
         let span = sequence.tokens().span();
         return Ok(Compose::InPlace(Box::new(sequence), span.join(first).unwrap_or(span)));
+    }
+    let is_name = input.peek(syn::Ident) || input.peek(Token![::]) || input.peek(Token![crate]);
+    if !is_name && !input.peek(Token![self]) && !input.peek(Token![super]) && !input.peek(Token![Self]) {
+        return Err(misfit(input, key, "a composition is a name or a sequence of stages"));
     }
     Ok(Compose::Named(input.parse()?))
 }

@@ -2,14 +2,19 @@
 
 use super::{
     Reader,
+    integer::operand,
     sequence::is_adaptor,
+    statement::simple_name,
     total::is_total,
     value::{Opaque, Value},
 };
-use crate::graph::{
-    NodeId,
-    function::{Function, Rule, TABLE},
-    index::{Index, LoopSet},
+use crate::{
+    errors::quoted,
+    graph::{
+        NodeId,
+        function::{Function, Rule, TABLE},
+        index::{Index, LoopSet},
+    },
 };
 use proc_macro2::{Ident, TokenStream};
 use quote::{ToTokens, quote};
@@ -33,6 +38,17 @@ impl Reader<'_> {
                 return self.total(call);
             }
             self.errors.at(&call.method, format!("`{}` makes a sequence: end it with `.sum::<f64>()`", call.method));
+            return None;
+        }
+        if let Some(variable) = self.changeable(&call.receiver)
+            && !is_harmless(&call.method)
+        {
+            let message = format!(
+                "`{}` might change `{variable}`, and only assignments are followed: make values of the system in one \
+                 expression, or in a method of this impl that takes no coordinates",
+                call.method
+            );
+            self.errors.at(&call.method, message);
             return None;
         }
         let is_self = matches!(&*call.receiver, Expr::Path(path) if path.path.is_ident("self"));
@@ -71,7 +87,23 @@ impl Reader<'_> {
     /// `function(arguments)`
     pub(super) fn call(&mut self, call: &ExprCall) -> Option<Value> {
         let mut arguments = self.arguments(&call.args)?;
-        let function = call.func.to_token_stream();
+        let mut function = call.func.to_token_stream();
+        if let Some(name) = simple_name(&call.func)
+            && let Some(id) = self.lookup(&name.to_string())
+        {
+            match (&self.bindings[id.0].value, self.opaque_list(&arguments)) {
+                (Value::Unknown, _) => return None,
+                (Value::Opaque(Opaque { text, .. }), Some(_)) => function = operand(text.clone()),
+                _ => {
+                    let message = format!(
+                        "`{name}` is a closure in a variable, which is not followed: write a helper method of this \
+                         impl, `fn {name}(&self, x: f64) -> f64`"
+                    );
+                    self.errors.at(name, message);
+                    return None;
+                }
+            }
+        }
         let mut places: Vec<&Expr> = call.args.iter().collect();
         let segments: Vec<&Ident> = match &*call.func {
             Expr::Path(path) if path.qself.is_none() => path.path.segments.iter().map(|part| &part.ident).collect(),
@@ -96,11 +128,23 @@ impl Reader<'_> {
                 }
                 self.helper(name, arguments, &places)
             }
+            [] => {
+                let message = "this is called with coordinates and is no name: write a helper method of this impl";
+                self.errors.at(&call.func, message);
+                None
+            }
             _ => {
-                self.unknown_function(&call.func, &function.to_string().replace(' ', ""));
+                self.unknown_function(&call.func, &quoted(&function));
                 None
             }
         }
+    }
+
+    /// The name of the variable that a receiver is, if it is declared with `mut` and holds values of the system.
+    fn changeable<'e>(&self, receiver: &'e Expr) -> Option<&'e Ident> {
+        let name = simple_name(receiver)?;
+        let binding = &self.bindings[self.lookup(&name.to_string())?.0];
+        (binding.mutable && matches!(binding.value, Value::Opaque(_))).then_some(name)
     }
 
     fn arguments<'e>(&mut self, arguments: impl IntoIterator<Item = &'e Expr>) -> Option<Vec<Value>> {
@@ -256,6 +300,13 @@ impl Reader<'_> {
         self.scopes = scopes;
         value.map(Value::into_operand)
     }
+}
+
+/// Whether a method leaves its receiver as it is: those of numbers do, and those that only look at a list.
+fn is_harmless(method: &Ident) -> bool {
+    const LOOKS: [&str; 9] = ["len", "is_empty", "iter", "get", "first", "last", "contains", "max", "min"];
+    let name = method.to_string();
+    Function::named(&name).is_some() || ARITHMETIC.contains(&name.as_str()) || LOOKS.contains(&name.as_str())
 }
 
 pub(super) fn typed_arguments(function: &ImplItemFn) -> impl Iterator<Item = &syn::PatType> {

@@ -2,6 +2,7 @@
 
 use super::{
     Reader,
+    escape::escape,
     integer::operand,
     statement::{Assigned, with_variables},
     value::{Opaque, Value, View},
@@ -15,7 +16,7 @@ use crate::{
 };
 use proc_macro2::{Ident, TokenStream, TokenTree};
 use quote::{ToTokens, quote};
-use syn::{Expr, ExprArray, ExprField, ExprIndex, ExprLit, ExprPath, Lit, Member, visit::Visit};
+use syn::{Expr, ExprArray, ExprField, ExprIndex, ExprLit, ExprPath, Lit, Macro, Member, visit::Visit};
 
 /// How many elements an array of values may have.
 const MANY: usize = 1024;
@@ -69,6 +70,9 @@ impl Reader<'_> {
             }
             Expr::MethodCall(call) => self.method(call),
             Expr::Call(call) => self.call(call),
+            Expr::Macro(called) if is_value(&called.mac) => {
+                self.verbatim(expression).or_else(|| self.assertion(&called.mac))
+            }
             Expr::Macro(called) => self.assertion(&called.mac),
             _ => self.verbatim(expression).or_else(|| self.refused(expression)),
         }
@@ -264,6 +268,9 @@ impl Reader<'_> {
     pub(super) fn verbatim(&mut self, expression: &Expr) -> Option<Value> {
         let mut assigned = Assigned::default();
         assigned.visit_expr(expression);
+        if escape(expression).is_some() {
+            return None;
+        }
         if assigned.names.iter().any(|name| self.lookup(name).is_some()) {
             return None;
         }
@@ -283,6 +290,8 @@ impl Reader<'_> {
 
     /// Notes an expression that is not understood.
     pub(super) fn refused(&mut self, expression: &Expr) -> Option<Value> {
+        let escape = escape(expression);
+        let expression = escape.as_ref().unwrap_or(expression);
         let what = match expression {
             Expr::While(_) => "`while` has no derivative here: write the sum as `for i in a..b`",
             Expr::Loop(_) => "`loop` has no derivative here: write the sum as `for i in a..b`",
@@ -292,6 +301,8 @@ impl Reader<'_> {
             Expr::Unsafe(_) => "`unsafe` code over coordinates is not understood",
             Expr::Break(_) => "`break` is not understood: give the loop its range",
             Expr::Continue(_) => "`continue` is understood as `if condition { continue; }` in the body of a loop alone",
+            Expr::Try(_) => "`?` leaves the function, and no force tells of that: give the energy unconditionally",
+            Expr::Reference(_) => "`&mut` is not understood: assign to the variable itself",
             Expr::ForLoop(_) => "a loop has no value: sum into a `let mut` variable",
             _ => {
                 "this expression over coordinates is not understood: arithmetic, f64 methods, helper methods of this \
@@ -301,6 +312,11 @@ impl Reader<'_> {
         self.errors.at(expression, what);
         None
     }
+}
+
+/// Whether a macro gives a value, which may be made of parameters.
+fn is_value(called: &Macro) -> bool {
+    called.path.is_ident("matches") || called.path.is_ident("vec")
 }
 
 /// Every identifier of a text that could be a variable, once.

@@ -7,6 +7,7 @@
 
 mod branch;
 mod call;
+mod escape;
 mod expression;
 mod external;
 pub(crate) mod integer;
@@ -84,11 +85,10 @@ pub(crate) fn model(input: &Input, errors: &mut Errors) -> Option<Model> {
     if let [Some((_, _, kinetic)), Some((_, potential_function, potential))] = &functions
         && kinetic.shape.text() != potential.shape.text()
     {
-        let message = format!(
-            "every position has its momentum: q is `{}` here, but p is `{}` in `kinetic`",
-            potential.shape.text(),
-            kinetic.shape.text()
-        );
+        let (q, p) = (potential.shape.text(), kinetic.shape.text());
+        let constants = kinetic.shape.has_constant() || potential.shape.has_constant();
+        let hint = if constants { "; lengths are compared as they are spelled" } else { "" };
+        let message = format!("every position has its momentum: q is `{q}` here, but p is `{p}` in `kinetic`{hint}");
         errors.at(&potential_function.sig.inputs, message);
     }
     let mut reader = Reader::new(input, errors);
@@ -143,6 +143,8 @@ pub(crate) fn stub(input: &Input) -> Option<Model> {
 /// A variable.
 struct Binding {
     value: Value,
+    /// Whether it was declared with `mut`.
+    mutable: bool,
     /// How many loops are around its declaration.
     depth: usize,
 }
@@ -275,7 +277,7 @@ impl<'i> Reader<'i> {
 
     fn declare(&mut self, name: String, value: Value) {
         let id = BindingId(self.bindings.len());
-        self.bindings.push(Binding { value, depth: self.frames.len() });
+        self.bindings.push(Binding { value, mutable: false, depth: self.frames.len() });
         if let Some(scope) = self.scopes.last_mut() {
             scope.insert(name, id);
         }

@@ -104,7 +104,12 @@ impl Reader<'_> {
             BinOp::Sub(_) => self.graph.sub(a, b),
             BinOp::Mul(_) => self.graph.mul(a, b),
             BinOp::Div(_) => self.graph.div(a, b),
-            _ => return self.refused(whole),
+            _ => {
+                let message = "`%` of a number that depends on coordinates jumps, and no force tells of a jump: write \
+                               a periodic function, such as `sin`; `%` of indices is fine";
+                self.errors.at(whole, message);
+                return None;
+            }
         }))
     }
 

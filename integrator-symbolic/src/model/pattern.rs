@@ -15,6 +15,9 @@ impl Reader<'_> {
         match pattern {
             Pat::Ident(name) if name.subpat.is_none() && name.by_ref.is_none() => {
                 self.declare(name.ident.to_string(), value);
+                if let Some(binding) = self.bindings.last_mut() {
+                    binding.mutable = name.mutability.is_some();
+                }
             }
             Pat::Wild(_) => {}
             Pat::Type(typed) => self.bind(&typed.pat, value),

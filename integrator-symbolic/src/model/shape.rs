@@ -1,7 +1,9 @@
 //! The arguments of the two functions: their shapes, and which is which.
 
-use crate::{errors::Errors, graph::Part};
-use quote::ToTokens;
+use crate::{
+    errors::{Errors, quoted},
+    graph::Part,
+};
 use syn::{Expr, ExprLit, FnArg, ImplItemFn, Lit, Pat, PatType, ReceiverKind, ReturnType, Type};
 
 /// The length of an array of coordinates.
@@ -26,6 +28,10 @@ impl Length {
         }
     }
 
+    fn is_constant(&self) -> bool {
+        matches!(self, Self::Constant(_))
+    }
+
     pub(crate) fn literal(&self) -> Option<u64> {
         match self {
             Self::Literal(length) => Some(*length),
@@ -36,7 +42,7 @@ impl Length {
     fn text(&self) -> String {
         match self {
             Self::Literal(length) => length.to_string(),
-            Self::Constant(expression) => expression.to_token_stream().to_string(),
+            Self::Constant(expression) => quoted(expression),
             Self::OfStart => "..".to_owned(),
         }
     }
@@ -79,6 +85,11 @@ impl Shape {
             None => format!("[f64; {length}]"),
             Some(dimension) => format!("[[f64; {}]; {length}]", dimension.text()),
         }
+    }
+
+    /// Whether a length is a constant, whose value is not known here.
+    pub(crate) fn has_constant(&self) -> bool {
+        self.length.is_constant() || self.dimension.as_ref().is_some_and(Length::is_constant)
     }
 
     fn of(kind: &Type, errors: &mut Errors) -> Option<Self> {

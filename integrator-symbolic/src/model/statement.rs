@@ -1,11 +1,13 @@
 //! Blocks and assignments.
 
 use super::{BindingId, Reader, Target, branch::is_skip, value::Value};
-use crate::graph::NodeId;
+use crate::{errors::quoted, graph::NodeId};
 use proc_macro2::{Ident, TokenStream};
 use quote::quote;
 use std::collections::HashMap;
-use syn::{BinOp, Block, Expr, ExprAssign, ExprBinary, ExprIndex, Item, Local, Macro, Stmt, visit::Visit};
+use syn::{
+    BinOp, Block, Expr, ExprAssign, ExprBinary, ExprIndex, ExprReference, Item, Local, Macro, Stmt, visit::Visit,
+};
 
 impl Reader<'_> {
     /// The value of a block; `None` if a mistake was noted in it.
@@ -120,6 +122,12 @@ impl Reader<'_> {
             Expr::Unary(syn::ExprUnary { op: syn::UnOp::Deref(_), expr, .. }) => self.target(expr),
             Expr::Index(ExprIndex { expr, index, .. }) => {
                 let mut target = self.target(expr)?;
+                if let Value::Opaque(_) = self.element_of(&target)? {
+                    let message = "elements of the system's own lists are not assigned here: make the list in one \
+                                   expression, or in a method of this impl that takes no coordinates";
+                    self.errors.at(place, message);
+                    return None;
+                }
                 let position = self.expression(index)?;
                 let position = self.integer(&position).and_then(|index| self.graph.loops.literal(index));
                 let elements = match self.element_of(&target)? {
@@ -189,7 +197,7 @@ impl Reader<'_> {
         whole: &Expr,
     ) -> Option<Value> {
         let Some((negative, addend)) = addend(place, op, right) else {
-            let name = quote!(#place).to_string();
+            let name = quoted(place);
             let message = format!(
                 "`{name}` comes from outside this loop, so the loop can only sum it up: write `{name} += ...` or \
                  `{name} -= ...`"
@@ -269,6 +277,9 @@ impl Visit<'_> for Assigned {
             _ => (None, true),
         };
         self.names.extend(target.map(ToString::to_string));
+        if let Expr::Reference(ExprReference { mutability: Some(_), expr, .. }) = expression {
+            self.names.extend(root_name(expr).map(ToString::to_string));
+        }
         if !adds {
             self.replaced.extend(target.map(ToString::to_string));
         }

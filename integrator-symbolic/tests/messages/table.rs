@@ -23,14 +23,39 @@ pub(crate) const ARGUMENTS: &[Row] = &[
         "4",
         &["1:0 expected `compose = Yoshida4`, `compose = V(1/2) T(1) V(1/2)` or `crate = path::to::integrator_core`"],
     ),
-    ("compose", &["1:0 expected `=`"]),
-    ("compose =", &["1:0 unexpected end of input, expected identifier"]),
-    ("compose = 4", &["1:10 expected identifier"]),
+    (
+        "compose",
+        &[
+            "1:0 this lacks its value; expected `compose = Yoshida4`, `compose = V(1/2) T(1) V(1/2)` or `crate = path::to::integrator_core`",
+        ],
+    ),
+    (
+        "compose =",
+        &[
+            "1:0 this lacks its value; expected `compose = Yoshida4`, `compose = V(1/2) T(1) V(1/2)` or `crate = path::to::integrator_core`",
+        ],
+    ),
+    (
+        "compose = 4",
+        &[
+            "1:10 a composition is a name or a sequence of stages; expected `compose = Yoshida4`, `compose = V(1/2) T(1) V(1/2)` or `crate = path::to::integrator_core`",
+        ],
+    ),
     ("compose = Verlet compose = Verlet", &["1:17 expected `,`"]),
     ("compose = Verlet, compose = Euler", &["1:18 `compose` is given twice"]),
     ("crate = a, crate = b", &["1:11 `crate` is given twice"]),
-    ("crate = 4", &["1:8 expected identifier"]),
-    ("compose = Verlet, crate", &["1:0 expected `=`"]),
+    (
+        "crate = 4",
+        &[
+            "1:8 the runtime is named by a path; expected `compose = Yoshida4`, `compose = V(1/2) T(1) V(1/2)` or `crate = path::to::integrator_core`",
+        ],
+    ),
+    (
+        "compose = Verlet, crate",
+        &[
+            "1:18 this lacks its value; expected `compose = Yoshida4`, `compose = V(1/2) T(1) V(1/2)` or `crate = path::to::integrator_core`",
+        ],
+    ),
     ("compose = V(1/2) T(1) V(1/3)", &["1:10 the coefficients of `V` sum to 0.833333333333, not to 1"]),
     (
         "compose = V(1/2) T(1) W(1/2)",
@@ -169,7 +194,7 @@ pub(crate) const BODIES: &[Row] = &[
     (
         "q[0] % 2.0",
         &[
-            "2:0 this expression over coordinates is not understood: arithmetic, f64 methods, helper methods of this impl, `let`, `if` and `for i in a..b` are",
+            "2:0 `%` of a number that depends on coordinates jumps, and no force tells of a jump: write a periodic function, such as `sin`; `%` of indices is fine",
         ],
     ),
     ("q[0] as f32", &["2:0 a number cannot be cast here: energies are computed in f64"]),
@@ -178,7 +203,7 @@ pub(crate) const BODIES: &[Row] = &[
     ("while q[0] > 0.0 {} q[0]", &["2:0 `while` has no derivative here: write the sum as `for i in a..b`"]),
     ("loop { q[0]; }", &["2:0 `loop` has no derivative here: write the sum as `for i in a..b`"]),
     ("return q[0];", &["2:0 an early `return` is not understood: let the energy be the last expression"]),
-    ("(|x: f64| x)(q[0])", &["2:0 `(|x:f64|x)` of a coordinate is not known."]),
+    ("(|x: f64| x)(q[0])", &["2:0 this is called with coordinates and is no name: write a helper method of this impl"]),
     ("unsafe { q[0] }", &["2:0 `unsafe` code over coordinates is not understood"]),
     ("let x = q[0] < 1.0; q[0]", &[]),
     (
@@ -245,6 +270,62 @@ pub(crate) const BODIES: &[Row] = &[
     ("\"text\"", &[]),
     ("q[0] + 1e400", &[]),
     ("q[99999999999999999999999999]", &["2:2 number too large to fit in target type"]),
+    (
+        "if q[0] > 1.0 { return 0.0; } q[0]",
+        &["2:16 an early `return` is not understood: let the energy be the last expression"],
+    ),
+    (
+        "let mut v = 0.0; for i in 0..2 { if q[i] > 1.0 { break; } v += q[i]; } v",
+        &["2:49 `break` is not understood: give the loop its range"],
+    ),
+    (
+        "let mut v = 0.0; for i in 0..2 { if q[i] > 1.0 { v += q[i]; continue; } v += 1.0; } v",
+        &["2:60 `continue` is understood as `if condition { continue; }` in the body of a loop alone"],
+    ),
+    (
+        "let mut v = 0.0; 'a: for i in 0..2 { for j in 0..2 { if i == j { continue 'a; } v += q[j]; } } v",
+        &["2:65 `continue` is understood as `if condition { continue; }` in the body of a loop alone"],
+    ),
+    (
+        "Some(1.0)? * q[0]",
+        &["2:0 `?` leaves the function, and no force tells of that: give the energy unconditionally"],
+    ),
+    (
+        "let k = match self.kind { 0 => return 0.0, _ => 1.0 }; k * q[0]",
+        &["2:31 an early `return` is not understood: let the energy be the last expression"],
+    ),
+    (
+        "let mut v = 0.0; let w = &mut v; *w += q[0]; v",
+        &["2:25 `&mut` is not understood: assign to the variable itself"],
+    ),
+    ("let k = loop { break 2.0; }; k * q[0]", &[]),
+    (
+        "let mut list = self.list.clone(); list.reverse(); list[0] * q[0]",
+        &[
+            "2:39 `reverse` might change `list`, and only assignments are followed: make values of the system in one expression, or in a method of this impl that takes no coordinates",
+        ],
+    ),
+    (
+        "let mut list = self.list.iter(); list.next().unwrap() * q[0]",
+        &[
+            "2:38 `next` might change `list`, and only assignments are followed: make values of the system in one expression, or in a method of this impl that takes no coordinates",
+        ],
+    ),
+    (
+        "let mut list = self.list.clone(); list[0] = 2.0; list[0] * q[0]",
+        &[
+            "2:34 elements of the system's own lists are not assigned here: make the list in one expression, or in a method of this impl that takes no coordinates",
+        ],
+    ),
+    ("let mut k = self.mass; k = k.sqrt(); k += 1.0; k * q[0]", &[]),
+    (
+        "let square = |x: f64| x * x; square(q[0])",
+        &[
+            "2:29 `square` is a closure in a variable, which is not followed: write a helper method of this impl, `fn square(&self, x: f64) -> f64`",
+        ],
+    ),
+    ("let double = |x: f64| 2.0 * x; double(self.mass) * q[0]", &[]),
+    ("if matches!(self.kind, 1 | 2) { q[0] } else { 0.0 }", &[]),
     (
         "q[0].floor() +\nq[2] +\nx",
         &[
