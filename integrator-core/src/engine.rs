@@ -3,12 +3,16 @@
 use crate::{
     composition::Composition,
     coords::Coords,
+    error::Divergence,
     hamiltonian::{Hamiltonian, Motion, Single},
     phase::Phase,
     real::{Kernel, Real},
     slot::Keep,
 };
 use std::{marker::PhantomData, sync::Arc};
+
+/// How many steps lie between two looks at whether the state is finite. A divergence replays at most so many.
+pub(crate) const BLOCK: u64 = 1024;
 
 /// Time as an integer number of steps: `t0 + n·h`, never an accumulated sum.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -21,6 +25,13 @@ pub(crate) struct Clock {
 impl Clock {
     pub(crate) fn at(&self, steps: u64) -> f64 {
         self.t0 + steps as f64 * self.h
+    }
+
+    /// What to say of a trajectory that has taken its last finite step, to `state`.
+    pub(crate) fn divergence<C: Coords>(&self, state: &Phase<C>) -> Divergence {
+        let flat = |coordinates: &C| coordinates.flat().iter().map(|leaf| leaf.to_f64()).collect();
+        let step = self.steps.saturating_add(1);
+        Divergence { step, time: self.at(step), q: flat(&state.q), p: flat(&state.p) }
     }
 }
 
@@ -46,6 +57,18 @@ pub(crate) struct Moves<M> {
     advance: fn(&mut M, Clock, u64),
     close: fn(&mut M, Clock),
     energy: fn(&M, f64) -> f64,
+}
+
+impl<M> Moves<M> {
+    pub(crate) fn advance(&self, motion: &mut M, clock: Clock, steps: u64) {
+        (self.advance)(motion, clock, steps);
+    }
+    pub(crate) fn close(&self, motion: &mut M, clock: Clock) {
+        (self.close)(motion, clock);
+    }
+    pub(crate) fn energy(&self, motion: &M, time: f64) -> f64 {
+        (self.energy)(motion, time)
+    }
 }
 
 impl<M> Clone for Moves<M> {
@@ -100,15 +123,14 @@ impl<M: Motion<C, P>, P: Send + Sync + 'static, C: Coords> Solo<M, P, C> {
         }
         let clock = Clock { steps: clock.steps + steps, ..clock };
         self.closed.clone_from(&self.motion);
-        (self.moves.close)(&mut self.closed, clock);
+        self.moves.close(&mut self.closed, clock);
         self.closed.finite()
     }
-}
 
-impl<M: Motion<C, P>, P: Send + Sync + 'static, C: Coords> Engine<C> for Solo<M, P, C> {
-    fn advance(&mut self, clock: Clock, steps: u64) -> u64 {
+    /// Takes a block of steps, or as many of them as end in a finite state.
+    fn block(&mut self, clock: Clock, steps: u64) -> u64 {
         self.snapshot.clone_from(&self.motion);
-        (self.moves.advance)(&mut self.motion, clock, steps);
+        self.moves.advance(&mut self.motion, clock, steps);
         if self.finite_after(clock, steps) {
             return steps;
         }
@@ -116,7 +138,7 @@ impl<M: Motion<C, P>, P: Send + Sync + 'static, C: Coords> Engine<C> for Solo<M,
         self.motion.clone_from(&self.snapshot);
         for taken in 0..steps {
             let clock = Clock { steps: clock.steps + taken, ..clock };
-            (self.moves.advance)(&mut self.motion, clock, 1);
+            self.moves.advance(&mut self.motion, clock, 1);
             if !self.finite_after(clock, 1) {
                 self.motion.clone_from(&self.snapshot);
                 return taken;
@@ -125,10 +147,25 @@ impl<M: Motion<C, P>, P: Send + Sync + 'static, C: Coords> Engine<C> for Solo<M,
         }
         steps
     }
+}
+
+impl<M: Motion<C, P>, P: Send + Sync + 'static, C: Coords> Engine<C> for Solo<M, P, C> {
+    fn advance(&mut self, mut clock: Clock, steps: u64) -> u64 {
+        let end = clock.steps + steps;
+        while clock.steps < end {
+            let block = BLOCK.min(end - clock.steps);
+            let taken = self.block(clock, block);
+            clock.steps += taken;
+            if taken < block {
+                break;
+            }
+        }
+        steps - (end - clock.steps)
+    }
 
     fn state(&self, clock: Clock) -> Phase<C> {
         let mut motion = self.motion.clone();
-        (self.moves.close)(&mut motion, clock);
+        self.moves.close(&mut motion, clock);
         let mut state = self.shape.clone();
         motion.store(0, &mut state);
         state

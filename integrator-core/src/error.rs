@@ -48,6 +48,20 @@ pub enum Error {
     /// The state left the finite numbers.
     #[error(transparent)]
     Diverged(#[from] Divergence),
+    /// An ensemble without members.
+    #[error("an ensemble needs one member at least")]
+    NoMembers,
+    /// A member of an ensemble is refused.
+    #[error("member {member}: {error}")]
+    Member {
+        /// Which member, counted from 0.
+        member: usize,
+        /// Why.
+        error: Box<Error>,
+    },
+    /// Members of an ensemble left the finite numbers.
+    #[error(transparent)]
+    Lost(#[from] Lost),
 }
 
 /// Where a run left the finite numbers. The run itself stays at the last finite state.
@@ -65,4 +79,26 @@ pub struct Divergence {
     pub q: Vec<f64>,
     /// The momenta one step earlier, flattened.
     pub p: Vec<f64>,
+}
+
+/// Which members of an ensemble left the finite numbers. They stay at their last finite state; the others have gone on.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[error("{}", self.text())]
+pub struct Lost {
+    /// The members that were lost in these steps, in order, each with where it happened.
+    pub members: Vec<(usize, Divergence)>,
+}
+
+impl Lost {
+    fn text(&self) -> String {
+        let first = self.members.first().map(|(member, divergence)| format!("; member {member}: {divergence}"));
+        let names: Vec<String> = self.members.iter().take(8).map(|(member, _)| member.to_string()).collect();
+        let more = if self.members.len() > names.len() { ", ..." } else { "" };
+        format!(
+            "{} members left the finite numbers (members {}{more}); the others went on{}",
+            self.members.len(),
+            names.join(", "),
+            first.unwrap_or_default()
+        )
+    }
 }

@@ -87,6 +87,10 @@ pub trait Prepared<R: Real>: Clone + Send + Sync + 'static {
     /// The constants of one member.
     type Single: Clone + Send + Sync + 'static;
 
+    /// Whether two members may share lanes: integers and the lengths of tables are the same in all lanes.
+    fn alike(_a: &Self::Single, _b: &Self::Single) -> bool {
+        true
+    }
     /// Gathers the constants of one member per lane.
     fn gather<'a>(of_lane: impl Fn(usize) -> &'a Self::Single) -> Self;
 }

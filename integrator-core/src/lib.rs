@@ -62,11 +62,14 @@ pub mod check;
 mod composition;
 mod coords;
 mod engine;
+mod ensemble;
 mod error;
 mod external;
 mod fused;
 mod hamiltonian;
 mod instruction_set;
+mod lanes;
+mod pack;
 mod phase;
 mod real;
 mod run;
@@ -76,7 +79,8 @@ mod slot;
 pub use catalogue::*;
 pub use composition::{Class, Composition, Lead, Processor, Rows, Scheme, Stage, Stages};
 pub use coords::Coords;
-pub use error::{Divergence, Error};
+pub use ensemble::Ensemble;
+pub use error::{Divergence, Error, Lost};
 pub use hamiltonian::{Hamiltonian, QuadraticKinetic};
 pub use instruction_set::InstructionSet;
 pub use integrator_macros::{composition, hamiltonian};
@@ -96,7 +100,8 @@ pub mod prelude {
     #[cfg(feature = "check")]
     pub use crate::check::{Certificate, certify};
     pub use crate::{
-        Compensated, Composition, Error, Hamiltonian, Phase, Run, Sample, Samples, Scheme, composition, hamiltonian,
+        Compensated, Composition, Ensemble, Error, Hamiltonian, Phase, Run, Sample, Samples, Scheme, composition,
+        hamiltonian,
     };
 }
 

@@ -4,7 +4,7 @@ use crate::{
     composition::Composition,
     coords::Coords,
     engine::{Clock, Energies, Engine, Solo, moves},
-    error::{Divergence, Error},
+    error::Error,
     hamiltonian::Hamiltonian,
     instruction_set::InstructionSet,
     phase::Phase,
@@ -12,9 +12,6 @@ use crate::{
     slot::Keep,
 };
 use std::{fmt, sync::Arc};
-
-/// How many steps lie between two looks at whether the state is finite. A divergence replays at most so many.
-const BLOCK: u64 = 1024;
 
 /// Whether a run may begin at `start` with step `h`.
 ///
@@ -85,22 +82,12 @@ impl<C: Coords> Run<C> {
         self.check_clock()?;
         let done = self.clock.steps;
         let end = done.checked_add(steps).ok_or(Error::Steps { done, asked: steps })?;
-        while self.clock.steps < end {
-            let block = BLOCK.min(end - self.clock.steps);
-            let taken = self.engine.advance(self.clock, block);
-            self.clock.steps += taken;
-            if taken < block {
-                return Err(self.divergence().into());
-            }
+        let taken = self.engine.advance(self.clock, steps);
+        self.clock.steps += taken;
+        if self.clock.steps < end {
+            return Err(self.clock.divergence(&self.state()).into());
         }
         Ok(())
-    }
-
-    fn divergence(&self) -> Divergence {
-        let Phase { q, p } = self.state();
-        let flat = |coordinates: C| coordinates.flat().iter().map(|leaf| leaf.to_f64()).collect();
-        let step = self.clock.steps.saturating_add(1);
-        Divergence { step, time: self.clock.at(step), q: flat(q), p: flat(p) }
     }
 
     /// The time, `t0 + n·h`.

@@ -7,6 +7,7 @@ mod by_hand;
 #[path = "../support/catalogue.rs"]
 mod catalogue;
 mod divergence;
+mod ensemble;
 mod external;
 mod instruction_sets;
 mod kepler;

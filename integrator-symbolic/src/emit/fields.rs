@@ -147,6 +147,11 @@ impl Fields {
             let documentation = super::equations::documentation(model, content.node());
             let kind = table.kind(kind, names);
             let (gathered, value) = (table.gathered(gathered, &name, names), table.prepared(value, content, names));
+            prepared.common.extend(match (content, table.levels.first()) {
+                (Content::Integer(_), _) => Some(quote!(a.#name == b.#name)),
+                (_, Some(Level { literal: None, .. })) => Some(quote!(a.#name.len() == b.#name.len())),
+                _ => None,
+            });
             prepared.fields.extend(quote!(#documentation #name: #kind,));
             prepared.gathered.extend(quote!(#name: #gathered,));
             prepared.values.extend(quote!(#name: #value,));
@@ -170,6 +175,8 @@ pub(super) struct Prepared {
     pub(super) fields: TokenStream,
     pub(super) gathered: TokenStream,
     pub(super) values: TokenStream,
+    /// What two members that share lanes have in common, as conditions on `a` and `b`.
+    pub(super) common: Vec<TokenStream>,
 }
 
 /// `name` of `self.name` and of `self.name[...]`.

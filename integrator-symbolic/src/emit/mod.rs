@@ -66,7 +66,13 @@ pub(crate) fn stepper(input: &Input, mut model: Model) -> TokenStream {
 
     let root = &input.root;
     let Names { runtime, parameters, scalar, leaf, .. } = &names;
-    let fields::Prepared { fields, gathered, values } = fields.emit(&mut model, &names);
+    let fields::Prepared { fields, gathered, values, common } = fields.emit(&mut model, &names);
+    let alike = (!common.is_empty()).then(|| {
+        quote! {
+            #[inline]
+            fn alike(a: &Self::Single, b: &Self::Single) -> bool { #(#common)&&* }
+        }
+    });
     // Integers and methods are the same whatever a flow computes in; so may be all that is prepared.
     let generic = Body::new(fields.clone()).mentions(&scalar.to_string());
     let of = |scalar: TokenStream| if generic { quote!(#parameters<#scalar>) } else { quote!(#parameters) };
@@ -127,6 +133,8 @@ pub(crate) fn stepper(input: &Input, mut model: Model) -> TokenStream {
 
                 #[inline(always)]
                 #gather
+
+                #alike
             }
 
             #documentation

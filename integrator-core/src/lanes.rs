@@ -1,0 +1,179 @@
+//! Members of an ensemble side by side: every operation is the scalar's own, lane by lane.
+//!
+//! So a member's bits do not depend on its neighbours, nor on whether it has any; the compiler puts the lanes into the
+//! vector registers of the instruction set that the scalar is made for.
+
+use crate::real::{Kernel, Mask, Real, elementary_functions};
+use std::ops::{Add, AddAssign, Div, Mul, Neg, Sub, SubAssign};
+
+/// `N` scalars.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Lanes<F, const N: usize>([F; N]);
+
+impl<F: Copy, const N: usize> Lanes<F, N> {
+    #[inline(always)]
+    fn map(self, of: impl Fn(F) -> F) -> Self {
+        Self(std::array::from_fn(|lane| of(self.0[lane])))
+    }
+    #[inline(always)]
+    fn zip(self, other: Self, of: impl Fn(F, F) -> F) -> Self {
+        Self(std::array::from_fn(|lane| of(self.0[lane], other.0[lane])))
+    }
+}
+
+/// Which lanes a condition holds in.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct LaneMask<M, const N: usize>([M; N]);
+
+impl<M: Mask, const N: usize> Mask for LaneMask<M, N> {
+    #[inline(always)]
+    fn of(holds: bool) -> Self {
+        Self([M::of(holds); N])
+    }
+    #[inline(always)]
+    fn any(self) -> bool {
+        self.0.into_iter().fold(false, |any, lane| any | lane.any())
+    }
+    #[inline(always)]
+    fn and(self, other: Self) -> Self {
+        Self(std::array::from_fn(|lane| self.0[lane].and(other.0[lane])))
+    }
+    #[inline(always)]
+    fn or(self, other: Self) -> Self {
+        Self(std::array::from_fn(|lane| self.0[lane].or(other.0[lane])))
+    }
+    #[inline(always)]
+    fn not(self) -> Self {
+        Self(self.0.map(M::not))
+    }
+}
+
+macro_rules! operators {
+    ($($trait:ident $method:ident),*) => {$(
+        impl<F: Real, const N: usize> $trait for Lanes<F, N> {
+            type Output = Self;
+            #[inline(always)]
+            fn $method(self, other: Self) -> Self {
+                self.zip(other, F::$method)
+            }
+        }
+    )*};
+}
+operators!(Add add, Sub sub, Mul mul, Div div);
+
+impl<F: Real, const N: usize> Neg for Lanes<F, N> {
+    type Output = Self;
+    #[inline(always)]
+    fn neg(self) -> Self {
+        self.map(F::neg)
+    }
+}
+impl<F: Real, const N: usize> AddAssign for Lanes<F, N> {
+    #[inline(always)]
+    fn add_assign(&mut self, other: Self) {
+        *self = *self + other;
+    }
+}
+impl<F: Real, const N: usize> SubAssign for Lanes<F, N> {
+    #[inline(always)]
+    fn sub_assign(&mut self, other: Self) {
+        *self = *self - other;
+    }
+}
+
+macro_rules! lanes_real {
+    (unary: $($unary:ident)*; binary: $($binary:ident)*;) => {
+        impl<F: Real, const N: usize> Real for Lanes<F, N> {
+            const LANES: usize = N;
+            type Mask = LaneMask<F::Mask, N>;
+
+            #[inline(always)]
+            fn of(x: f64) -> Self {
+                Self([F::of(x); N])
+            }
+            #[inline(always)]
+            fn lane(self, lane: usize) -> f64 {
+                self.0[lane].lane(0)
+            }
+            #[inline(always)]
+            fn parameter(of_lane: impl Fn(usize) -> f64) -> Self {
+                Self(std::array::from_fn(|lane| F::of(of_lane(lane))))
+            }
+            #[inline(always)]
+            fn state(of_lane: impl Fn(usize) -> f64) -> Self {
+                Self(std::array::from_fn(|lane| F::of(of_lane(lane))))
+            }
+            #[inline(always)]
+            fn fma(self, b: Self, c: Self) -> Self {
+                Self(std::array::from_fn(|lane| self.0[lane].fma(b.0[lane], c.0[lane])))
+            }
+            #[inline(always)]
+            fn sin_cos(self) -> (Self, Self) {
+                let both = self.0.map(F::sin_cos);
+                (Self(both.map(|(sine, _)| sine)), Self(both.map(|(_, cosine)| cosine)))
+            }
+            #[inline(always)]
+            fn finite(self) -> bool {
+                self.0.into_iter().all(F::finite)
+            }
+            #[inline(always)]
+            fn less(self, other: Self) -> Self::Mask {
+                LaneMask(std::array::from_fn(|lane| self.0[lane].less(other.0[lane])))
+            }
+            #[inline(always)]
+            fn less_or_equal(self, other: Self) -> Self::Mask {
+                LaneMask(std::array::from_fn(|lane| self.0[lane].less_or_equal(other.0[lane])))
+            }
+            #[inline(always)]
+            fn equal(self, other: Self) -> Self::Mask {
+                LaneMask(std::array::from_fn(|lane| self.0[lane].equal(other.0[lane])))
+            }
+            #[inline(always)]
+            fn select(mask: Self::Mask, a: Self, b: Self) -> Self {
+                Self(std::array::from_fn(|lane| F::select(mask.0[lane], a.0[lane], b.0[lane])))
+            }
+            $(
+                #[inline(always)]
+                fn $unary(self) -> Self {
+                    self.map(F::$unary)
+                }
+            )*
+            $(
+                #[inline(always)]
+                fn $binary(self, other: Self) -> Self {
+                    self.zip(other, F::$binary)
+                }
+            )*
+            #[inline(always)]
+            fn enter<K: Kernel>(kernel: K) -> K::Out {
+                F::enter(kernel)
+            }
+        }
+    };
+}
+elementary_functions!(lanes_real! {});
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_lane_is_the_scalar() {
+        let x = Lanes::<f64, 4>::state(|lane| 0.3 + lane as f64);
+        let y = (x.sin() * x).fma(x.exp(), x.powf(Lanes::of(1.5)));
+        for lane in 0..4 {
+            let x = 0.3 + lane as f64;
+            let expected = Real::fma(x.sin() * x, x.exp(), x.powf(1.5));
+            assert_eq!(y.lane(lane).to_bits(), expected.to_bits(), "lane {lane}");
+        }
+    }
+
+    #[test]
+    fn a_mask_chooses_lane_by_lane() {
+        let x = Lanes::<f64, 4>::state(|lane| lane as f64);
+        let small = x.less(Lanes::of(2.0));
+        let chosen = Lanes::select(small, x, Lanes::of(-1.0));
+        assert_eq!([0, 1, 2, 3].map(|lane| chosen.lane(lane)), [0.0, 1.0, -1.0, -1.0]);
+        assert!(small.any() && small.not().any() && !small.and(small.not()).any());
+    }
+}
