@@ -142,10 +142,14 @@ fn the_macros_depend_on_three_crates() {
 }
 
 #[test]
-fn one_file_is_unsafe() {
+fn two_files_are_unsafe() {
     let crates = ["integrator-core", "integrator-macros", "integrator-symbolic"];
     for (path, text) in crates.iter().flat_map(|name| sources(&root().join(name).join("src"))) {
         let is_unsafe = ["unsafe {", "unsafe fn", "unsafe impl"].iter().any(|form| text.contains(form));
-        assert!(!is_unsafe || path.ends_with("instruction_set.rs"), "{} is unsafe", path.display());
+        assert!(
+            !is_unsafe || path.ends_with("instruction_set.rs") || path.ends_with("vector.rs"),
+            "{} is unsafe",
+            path.display()
+        );
     }
 }

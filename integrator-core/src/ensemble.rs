@@ -10,17 +10,14 @@ use crate::{
     error::{Divergence, Error, Lost},
     hamiltonian::{Hamiltonian, Prepared, Shaped},
     instruction_set::InstructionSet,
-    lanes::Lanes,
-    pack::{Alone, Pack, SideBySide},
+    lanes::Abreast,
+    pack::{Alone, Member, Pack, SideBySide},
     phase::Phase,
     real::Real,
     run::admissible,
     slot::Keep,
 };
 use std::{fmt, num::NonZeroUsize, thread};
-
-/// How many members share a motion.
-pub(crate) const LANES: usize = 8;
 
 /// Trajectories of one kind of system under way together; parameters may differ from member to member.
 ///
@@ -58,7 +55,7 @@ impl<C: Coords> Ensemble<C> {
     pub fn new<H, K, X>(composition: X, members: impl IntoIterator<Item = (H, Phase<C>)>, h: f64) -> Result<Self, Error>
     where
         H: Hamiltonian,
-        K: Keep,
+        K: Abreast,
         X: Composition<H>,
         H::Coords: Coords<With<K> = C>,
     {
@@ -73,8 +70,8 @@ impl<C: Coords> Ensemble<C> {
         }
         let members = prepared.len();
         let packs = match InstructionSet::chosen() {
-            InstructionSet::Baseline => packs::<H, X, K::Plain, K>(prepared),
-            InstructionSet::Fused => packs::<H, X, K::Fused, K>(prepared),
+            InstructionSet::Baseline => packs::<H, X, <K as Abreast>::Plain, <K as Keep>::Plain, K>(prepared),
+            InstructionSet::Fused => packs::<H, X, <K as Abreast>::Fused, <K as Keep>::Fused, K>(prepared),
         };
         let threads = thread::available_parallelism().map_or(1, NonZeroUsize::get);
         Ok(Self { packs, members, clock: Clock { t0: 0.0, h, steps: 0 }, threads })
@@ -184,17 +181,17 @@ impl<C: Coords> fmt::Debug for Ensemble<C> {
 }
 
 /// Neighbours that are alike in what lanes have to share go side by side; a rest that fills no lanes goes alone.
-fn packs<H: Hamiltonian, X: Composition<H>, R: Real, K: Keep>(
-    members: Vec<(H::Parameters<f64>, Phase<Shaped<H, K>>)>,
+fn packs<H: Hamiltonian, X: Composition<H>, L: Real, R: Real, K: Keep>(
+    members: Vec<Member<H::Parameters<f64>, Shaped<H, K>>>,
 ) -> Vec<Box<dyn Pack<Shaped<H, K>>>> {
-    let lanes: Moves<H::Motion<Lanes<R, LANES>, K>> = moves::<H, X, Lanes<R, LANES>, K>();
+    let lanes: Moves<H::Motion<L, K>> = moves::<H, X, L, K>();
     let alone: Moves<H::Motion<R, K>> = moves::<H, X, R, K>();
     let mut packs: Vec<Box<dyn Pack<Shaped<H, K>>>> = Vec::new();
     let mut members = members.into_iter().peekable();
     let mut first = 0;
     while let Some(member) = members.next() {
         let mut alike = vec![member];
-        while alike.len() < LANES
+        while alike.len() < L::LANES
             && let Some(next) = members.next_if(|next| {
                 let same = <H::Parameters<f64> as Prepared<f64>>::alike(&alike[0].0, &next.0);
                 same && alike[0].1.q.length() == next.1.q.length()
@@ -203,7 +200,7 @@ fn packs<H: Hamiltonian, X: Composition<H>, R: Real, K: Keep>(
             alike.push(next);
         }
         let count = alike.len();
-        packs.push(if count == LANES {
+        packs.push(if count == L::LANES {
             Box::new(SideBySide::new(first, alike, lanes, alone))
         } else {
             Box::new(Alone::new(first, alike, alone))

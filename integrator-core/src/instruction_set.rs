@@ -1,4 +1,5 @@
-//! Which instructions this machine has, and the way into code compiled for them. The one module with `unsafe`.
+//! Which instructions this machine has, and the way into code compiled for them. One of the two modules with
+//! `unsafe`; the other holds the vectors.
 
 use crate::real::Kernel;
 use std::sync::OnceLock;

@@ -3,12 +3,44 @@
 //! So a member's bits do not depend on its neighbours, nor on whether it has any; the compiler puts the lanes into the
 //! vector registers of the instruction set that the scalar is made for.
 
-use crate::real::{Kernel, Mask, Real, elementary_functions};
+use crate::{
+    fused::Fused,
+    real::{Kernel, Mask, Real, elementary_functions},
+    slot::{Compensated, Keep},
+};
 use std::ops::{Add, AddAssign, Div, Mul, Neg, Sub, SubAssign};
 
-/// `N` scalars.
+/// What members of an ensemble are computed in, eight at a time. Named nowhere outside, like the types it leads to:
+/// vectors may only be used where their instructions were detected.
+pub trait Abreast: Keep {
+    /// On every machine.
+    type Plain: Real;
+    /// Where the machine has fused multiply-add.
+    type Fused: Real;
+}
+
+/// Eight doubles: two vectors where their instructions are known, else eight scalars.
+#[cfg(target_arch = "x86_64")]
+type FusedDoubles = Lanes<crate::vector::X4, 2>;
+#[cfg(not(target_arch = "x86_64"))]
+type FusedDoubles = Lanes<Fused<f64>, 8>;
+
+impl Abreast for f64 {
+    type Plain = Lanes<f64, 8>;
+    type Fused = FusedDoubles;
+}
+impl Abreast for Compensated<f64> {
+    type Plain = Lanes<f64, 8>;
+    type Fused = FusedDoubles;
+}
+impl Abreast for f32 {
+    type Plain = Lanes<f32, 8>;
+    type Fused = Lanes<Fused<f32>, 8>;
+}
+
+/// `N` scalars, or `N` vectors of the same number of lanes each.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Lanes<F, const N: usize>([F; N]);
+pub struct Lanes<F, const N: usize>([F; N]);
 
 impl<F: Copy, const N: usize> Lanes<F, N> {
     #[inline(always)]
@@ -23,7 +55,7 @@ impl<F: Copy, const N: usize> Lanes<F, N> {
 
 /// Which lanes a condition holds in.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct LaneMask<M, const N: usize>([M; N]);
+pub struct LaneMask<M, const N: usize>([M; N]);
 
 impl<M: Mask, const N: usize> Mask for LaneMask<M, N> {
     #[inline(always)]
@@ -84,7 +116,7 @@ impl<F: Real, const N: usize> SubAssign for Lanes<F, N> {
 macro_rules! lanes_real {
     (unary: $($unary:ident)*; binary: $($binary:ident)*;) => {
         impl<F: Real, const N: usize> Real for Lanes<F, N> {
-            const LANES: usize = N;
+            const LANES: usize = N * F::LANES;
             type Mask = LaneMask<F::Mask, N>;
 
             #[inline(always)]
@@ -93,15 +125,15 @@ macro_rules! lanes_real {
             }
             #[inline(always)]
             fn lane(self, lane: usize) -> f64 {
-                self.0[lane].lane(0)
+                self.0[lane / F::LANES].lane(lane % F::LANES)
             }
             #[inline(always)]
             fn parameter(of_lane: impl Fn(usize) -> f64) -> Self {
-                Self(std::array::from_fn(|lane| F::of(of_lane(lane))))
+                Self(std::array::from_fn(|part| F::parameter(|lane| of_lane(part * F::LANES + lane))))
             }
             #[inline(always)]
             fn state(of_lane: impl Fn(usize) -> f64) -> Self {
-                Self(std::array::from_fn(|lane| F::of(of_lane(lane))))
+                Self(std::array::from_fn(|part| F::state(|lane| of_lane(part * F::LANES + lane))))
             }
             #[inline(always)]
             fn fma(self, b: Self, c: Self) -> Self {

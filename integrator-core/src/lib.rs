@@ -68,6 +68,7 @@ mod external;
 mod fused;
 mod hamiltonian;
 mod instruction_set;
+#[allow(unreachable_pub, reason = "named in bounds, never outside")]
 mod lanes;
 mod pack;
 mod phase;
@@ -75,6 +76,10 @@ mod real;
 mod run;
 mod samples;
 mod slot;
+#[cfg(target_arch = "x86_64")]
+#[allow(unsafe_code, reason = "instructions that the target may lack, used where they were detected")]
+#[allow(unreachable_pub, reason = "named in bounds, never outside")]
+mod vector;
 
 pub use catalogue::*;
 pub use composition::{Class, Composition, Lead, Processor, Rows, Scheme, Stage, Stages};

@@ -8,6 +8,9 @@ use crate::{
     phase::Phase,
 };
 
+/// The prepared constants and the start of a member.
+pub(crate) type Member<P, C> = (P, Phase<C>);
+
 /// Members of an ensemble that are carried on together.
 pub(crate) trait Pack<C: Coords>: Send + Sync {
     /// The number of the first member.
@@ -28,7 +31,7 @@ pub(crate) struct Alone<M, P, C> {
 }
 
 impl<M: Motion<C, P>, P: Send + Sync + 'static, C: Coords> Alone<M, P, C> {
-    pub(crate) fn new(first: usize, members: Vec<(P, Phase<C>)>, moves: Moves<M>) -> Self {
+    pub(crate) fn new(first: usize, members: Vec<Member<P, C>>, moves: Moves<M>) -> Self {
         let members = members.into_iter().map(|(parameters, start)| (Solo::new(parameters, start, moves), None));
         Self { first, members: members.collect() }
     }
@@ -76,7 +79,7 @@ pub(crate) struct SideBySide<L, M, P, C> {
     closed: L,
     lanes: Moves<L>,
     alone: Moves<M>,
-    members: Vec<(P, Phase<C>)>,
+    members: Vec<Member<P, C>>,
     /// The members on their own, once one of them was lost.
     apart: Option<Alone<M, P, C>>,
 }
@@ -89,7 +92,7 @@ where
     C: Coords,
 {
     /// `members` fill the lanes.
-    pub(crate) fn new(first: usize, members: Vec<(P, Phase<C>)>, lanes: Moves<L>, alone: Moves<M>) -> Self {
+    pub(crate) fn new(first: usize, members: Vec<Member<P, C>>, lanes: Moves<L>, alone: Moves<M>) -> Self {
         let motion = L::load(|lane| (&members[lane].0, &members[lane].1));
         Self { first, snapshot: motion.clone(), closed: motion.clone(), motion, lanes, alone, members, apart: None }
     }
