@@ -24,10 +24,6 @@ impl Reader<'_> {
 
     /// An expression that has to be a condition.
     fn condition_of(&mut self, expression: &Expr) -> Option<NodeId> {
-        if let Expr::Let(_) = expression {
-            self.errors.at(expression, "`if let` is not understood: compare numbers, as in `if r < cutoff`");
-            return None;
-        }
         let value = self.expression(expression)?;
         let condition = self.condition(&value);
         if condition.is_none() {
@@ -75,6 +71,10 @@ impl Reader<'_> {
 
     /// `if condition { ... } else { ... }`, as a value or as a statement.
     pub(super) fn branch(&mut self, branch: &ExprIf) -> Option<Value> {
+        if let Expr::Let(_) = &*branch.cond {
+            self.errors.at(&branch.cond, "`if let` is not understood: compare numbers, as in `if r < cutoff`");
+            return None;
+        }
         let condition = self.condition_of(&branch.cond);
         let mut assigned = Assigned::default();
         assigned.visit_expr_if(branch);

@@ -3,7 +3,7 @@
 use super::{
     Reader,
     integer::operand,
-    sequence::is_adaptor,
+    sequence::{ADAPTED, is_adaptor},
     statement::simple_name,
     total::is_total,
     value::{Opaque, Value},
@@ -39,6 +39,19 @@ impl Reader<'_> {
             }
             self.errors.at(&call.method, format!("`{}` makes a sequence: end it with `.sum::<f64>()`", call.method));
             return None;
+        }
+        if let Expr::MethodCall(inner) = &*call.receiver
+            && is_adaptor(inner)
+        {
+            let value = self.verbatim(&Expr::MethodCall(call.clone()));
+            if value.is_none() {
+                let message = format!(
+                    "`{}` of a sequence is not understood: {ADAPTED} are, and `sum` and `fold` at the end",
+                    call.method
+                );
+                self.errors.at(&call.method, message);
+            }
+            return value;
         }
         if let Some(variable) = self.changeable(&call.receiver)
             && !is_harmless(&call.method)

@@ -4,7 +4,8 @@ use super::{
     Reader,
     escape::escape,
     integer::operand,
-    statement::{Assigned, with_variables},
+    statement::Assigned,
+    text::{identifiers, with_variables},
     value::{Opaque, Value, View},
 };
 use crate::{
@@ -14,7 +15,7 @@ use crate::{
     },
     limits::{OPERATIONS, READINGS},
 };
-use proc_macro2::{Ident, TokenStream, TokenTree};
+use proc_macro2::Ident;
 use quote::{ToTokens, quote};
 use syn::{Expr, ExprArray, ExprField, ExprIndex, ExprLit, ExprPath, Lit, Macro, Member, visit::Visit};
 
@@ -172,6 +173,10 @@ impl Reader<'_> {
             self.errors.at(&index.index, format!("an index is an integer; this is {}", at.describe()));
             return None;
         };
+        if let (Expr::Range(_), Value::View(_) | Value::Array(_)) = (&*index.index, &value) {
+            self.errors.at(&index.index, "a range of coordinates is no value: write `.iter().skip(a).take(n)`");
+            return None;
+        }
         match value {
             Value::View(view) => self.coordinate(view, position, index),
             Value::Array(parts) => {
@@ -317,17 +322,4 @@ impl Reader<'_> {
 /// Whether a macro gives a value, which may be made of parameters.
 fn is_value(called: &Macro) -> bool {
     called.path.is_ident("matches") || called.path.is_ident("vec")
-}
-
-/// Every identifier of a text that could be a variable, once.
-fn identifiers(text: TokenStream, found: &mut Vec<Ident>) {
-    let mut after_dot = false;
-    for token in text {
-        match &token {
-            TokenTree::Ident(name) if !after_dot && !found.contains(name) && name != "self" => found.push(name.clone()),
-            TokenTree::Group(group) => identifiers(group.stream(), found),
-            _ => {}
-        }
-        after_dot = matches!(&token, TokenTree::Punct(mark) if mark.as_char() == '.');
-    }
 }

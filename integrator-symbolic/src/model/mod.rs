@@ -17,6 +17,7 @@ mod repeat;
 mod sequence;
 mod shape;
 mod statement;
+mod text;
 mod total;
 mod value;
 
@@ -34,7 +35,8 @@ use quote::ToTokens;
 pub(crate) use shape::{Length, Shape};
 use shape::{Signature, signature};
 use std::collections::HashMap;
-use syn::{ImplItemFn, spanned::Spanned};
+use syn::{ImplItemFn, ItemUse, ReturnType, spanned::Spanned};
+use text::standing_alone;
 use value::{Value, View};
 
 /// An expression of parameters that is evaluated once per run.
@@ -185,6 +187,8 @@ struct Reader<'i> {
     inlining: Vec<String>,
     /// The part that the function may not read, where its signature has it all the same.
     foreign: Option<Part>,
+    /// What the functions import, for the expressions that are moved out of them.
+    uses: Vec<ItemUse>,
     /// How many expressions were read.
     readings: u32,
     /// Whether a product that mixes positions and momenta was noted.
@@ -210,6 +214,7 @@ impl<'i> Reader<'i> {
             shape: None,
             inlining: Vec::new(),
             foreign: None,
+            uses: Vec::new(),
             readings: 0,
             misplaced: false,
             foreign_reads: Vec::new(),
@@ -241,6 +246,8 @@ impl<'i> Reader<'i> {
         let value = value?;
         match self.real(&value) {
             Some(energy) => Some(energy),
+            // That nothing is returned was noted when the signature was read.
+            None if matches!(function.sig.output, ReturnType::Default) => None,
             None => {
                 let place = function.block.stmts.last().map_or_else(|| function.block.span(), Spanned::span);
                 let message = format!(
@@ -285,6 +292,7 @@ impl<'i> Reader<'i> {
 
     /// The id of a parameter with this text, new or known; `kind` tells texts apart that are read differently.
     fn parameter(&mut self, text: TokenStream, kind: &str, loops: LoopSet) -> ParameterId {
+        let text = standing_alone(text, &self.uses);
         let key = format!("{kind} {loops:?} {text}");
         if let Some(id) = self.parameter_ids.get(&key) {
             return *id;

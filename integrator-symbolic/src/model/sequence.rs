@@ -218,10 +218,7 @@ impl Reader<'_> {
             ("step_by", Some(stride)) => self.strided(base, stride),
             ("windows" | "chunks_exact", Some(size)) => self.grouped_items(base, size, name == "windows"),
             _ => {
-                let message = format!(
-                    "`{name}` is not understood here; iter, map, filter, enumerate, zip, rev, skip, take, step_by, \
-                     windows and chunks_exact are"
-                );
+                let message = format!("`{name}` is not understood here; {ADAPTED} are");
                 self.errors.at(&call.method, message);
                 None
             }
@@ -324,6 +321,10 @@ impl Reader<'_> {
         self.choose(Some(condition), assigned, &|reader| reader.block(body), &|_| Some(Value::Unit), body)
     }
 }
+
+/// What may be asked of a sequence, for messages.
+pub(super) const ADAPTED: &str =
+    "iter, map, filter, enumerate, zip, rev, skip, take, step_by, windows and chunks_exact";
 
 /// Whether a method makes a sequence of a sequence.
 pub(super) fn is_adaptor(call: &ExprMethodCall) -> bool {

@@ -2,7 +2,7 @@
 
 use super::{BindingId, Reader, Target, branch::is_skip, value::Value};
 use crate::{errors::quoted, graph::NodeId};
-use proc_macro2::{Ident, TokenStream};
+use proc_macro2::Ident;
 use quote::quote;
 use std::collections::HashMap;
 use syn::{
@@ -66,9 +66,15 @@ impl Reader<'_> {
                 self.declare(constant.ident.to_string(), value?);
                 Some(())
             }
-            Item::Use(_) => Some(()),
+            Item::Use(item) => {
+                self.uses.push(item.clone());
+                Some(())
+            }
             other => {
                 self.errors.at(other, "an item inside the function: move it out of the impl");
+                if let Item::Fn(function) = other {
+                    self.declare(function.sig.ident.to_string(), Value::Unknown);
+                }
                 None
             }
         }
@@ -320,13 +326,4 @@ fn root_name(place: &Expr) -> Option<&Ident> {
         Expr::Unary(syn::ExprUnary { op: syn::UnOp::Deref(_), expr, .. }) => root_name(expr),
         _ => simple_name(place),
     }
-}
-
-/// The text of variables that an expression mentions, declared in front of it, so that it can stand alone.
-pub(super) fn with_variables(text: TokenStream, variables: &[(Ident, TokenStream)]) -> TokenStream {
-    if variables.is_empty() {
-        return text;
-    }
-    let declarations = variables.iter().map(|(name, value)| quote!(let #name = #value;));
-    quote!({ #(#declarations)* #text })
 }

@@ -327,6 +327,20 @@ pub(crate) const BODIES: &[Row] = &[
     ("let double = |x: f64| 2.0 * x; double(self.mass) * q[0]", &[]),
     ("if matches!(self.kind, 1 | 2) { q[0] } else { 0.0 }", &[]),
     (
+        "if let Some(x) = Some(q[0]) { x } else { 0.0 }",
+        &["2:3 `if let` is not understood: compare numbers, as in `if r < cutoff`"],
+    ),
+    (
+        "q.iter().scan(0.0, |s, x| Some(x)).sum::<f64>()",
+        &[
+            "2:9 `scan` of a sequence is not understood: iter, map, filter, enumerate, zip, rev, skip, take, step_by, windows and chunks_exact are, and `sum` and `fold` at the end",
+        ],
+    ),
+    ("self.list.iter().copied().reduce(f64::max).unwrap() * q[0]", &[]),
+    ("q[1..].iter().sum::<f64>()", &["2:2 a range of coordinates is no value: write `.iter().skip(a).take(n)`"]),
+    ("fn inner(x: f64) -> f64 { x } inner(q[0])", &["2:0 an item inside the function: move it out of the impl"]),
+    ("use std::f64::consts::PI; PI * q[0]", &[]),
+    (
         "q[0].floor() +\nq[2] +\nx",
         &[
             "2:5 `floor` of a coordinate is not known.",

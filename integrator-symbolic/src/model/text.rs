@@ -1,0 +1,65 @@
+//! Text of the user that is moved to where it is evaluated once per run.
+
+use proc_macro2::{Group, Ident, Span, TokenStream, TokenTree};
+use quote::quote;
+use syn::{ItemUse, UseTree};
+
+/// The text of variables that an expression mentions, declared in front of it, so that it can stand alone.
+pub(super) fn with_variables(text: TokenStream, variables: &[(Ident, TokenStream)]) -> TokenStream {
+    if variables.is_empty() {
+        return text;
+    }
+    let declarations = variables.iter().map(|(name, value)| quote!(let #name = #value;));
+    quote!({ #(#declarations)* #text })
+}
+
+/// Text that means the same outside the function that it comes from: it brings what the function imports, and its `self`
+/// is that of the function it is moved to, also where a macro of the user gave it another hygiene.
+pub(super) fn standing_alone(text: TokenStream, uses: &[ItemUse]) -> TokenStream {
+    let mut names = Vec::new();
+    identifiers(text.clone(), &mut names);
+    let text: TokenStream = text.into_iter().map(with_own_self).collect();
+    let used: Vec<&ItemUse> = uses.iter().filter(|item| imports(&item.tree, &names)).collect();
+    if used.is_empty() {
+        return text;
+    }
+    quote!({ #(#[allow(unused_imports, reason = "imports are moved as a whole")] #used)* #text })
+}
+
+/// Whether an import brings one of these names, as far as can be told.
+fn imports(tree: &UseTree, names: &[Ident]) -> bool {
+    match tree {
+        UseTree::Path(path) => imports(&path.tree, names),
+        UseTree::Name(name) => names.contains(&name.ident),
+        UseTree::Rename(name) => names.contains(&name.rename),
+        UseTree::Glob(_) => true,
+        UseTree::Group(group) => group.items.iter().any(|tree| imports(tree, names)),
+    }
+}
+
+fn with_own_self(tree: TokenTree) -> TokenTree {
+    match tree {
+        TokenTree::Ident(name) if name == "self" => {
+            Ident::new("self", name.span().resolved_at(Span::call_site())).into()
+        }
+        TokenTree::Group(group) => {
+            let mut own = Group::new(group.delimiter(), group.stream().into_iter().map(with_own_self).collect());
+            own.set_span(group.span());
+            own.into()
+        }
+        other => other,
+    }
+}
+
+/// Every identifier of a text that could be a variable, once.
+pub(super) fn identifiers(text: TokenStream, found: &mut Vec<Ident>) {
+    let mut after_dot = false;
+    for token in text {
+        match &token {
+            TokenTree::Ident(name) if !after_dot && !found.contains(name) && name != "self" => found.push(name.clone()),
+            TokenTree::Group(group) => identifiers(group.stream(), found),
+            _ => {}
+        }
+        after_dot = matches!(&token, TokenTree::Punct(mark) if mark.as_char() == '.');
+    }
+}
