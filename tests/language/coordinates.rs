@@ -1,0 +1,410 @@
+//! Coordinates and items of every kind, each with a gradient written by hand.
+
+use crate::{TIME, close};
+use integrator_core::{Coords, prelude::*};
+
+/// A test that one kick of length 1 from rest gives momenta of minus the gradient.
+macro_rules! moves {
+    ($system:expr, $start:expr, $gradient:expr) => {
+        #[test]
+        fn moves_as_by_hand() {
+            let (start, gradient) = ($start, $gradient);
+            let rest = Coords::map(&start, |_| 0.0_f64);
+            let mut run = $system.run_with(Euler, Phase::new(start, rest), 1.0).expect("a run").at_time(TIME);
+            run.advance(1).expect("a step");
+            let force: Vec<f64> = run.state().p.flat().iter().map(|p| -p).collect();
+            close(&force, gradient.flat());
+        }
+    };
+}
+
+mod numbers {
+    use super::*;
+
+    struct System;
+
+    #[hamiltonian]
+    impl System {
+        fn kinetic(&self, p: [f64; 2]) -> f64 {
+            p.iter().map(|p| p * p / 2.0).sum()
+        }
+        fn potential(&self, q: [f64; 2]) -> f64 {
+            q[0] * q[1]
+        }
+    }
+
+    moves!(System, [0.4, -0.3], [-0.3, 0.4]);
+}
+
+mod references {
+    use super::*;
+
+    struct System;
+
+    #[hamiltonian]
+    impl System {
+        fn kinetic(&self, p: &[f64; 2]) -> f64 {
+            p.iter().map(|p| p * p / 2.0).sum()
+        }
+        fn potential(&self, q: &[f64; 2]) -> f64 {
+            q[0] * q[1]
+        }
+    }
+
+    moves!(System, [0.4, -0.3], [-0.3, 0.4]);
+}
+
+mod points {
+    use super::*;
+
+    struct System;
+
+    #[hamiltonian]
+    impl System {
+        fn kinetic(&self, p: [[f64; 3]; 2]) -> f64 {
+            p.iter().map(|p| 0.5 * p[0] * p[0]).sum()
+        }
+        fn potential(&self, q: [[f64; 3]; 2]) -> f64 {
+            q[0][2] * q[1][0]
+        }
+    }
+
+    moves!(System, [[0.1, 0.2, 0.3], [0.4, 0.5, 0.6]], [[0.0, 0.0, 0.4], [0.3, 0.0, 0.0]]);
+}
+
+mod referenced_points {
+    use super::*;
+
+    struct System;
+
+    #[hamiltonian]
+    impl System {
+        fn kinetic(&self, p: &[[f64; 3]; 2]) -> f64 {
+            p.iter().map(|p| 0.5 * p[0] * p[0]).sum()
+        }
+        fn potential(&self, q: &[[f64; 3]; 2]) -> f64 {
+            let [x, y, z] = q[1];
+            x * y * z
+        }
+    }
+
+    moves!(System, [[0.1, 0.2, 0.3], [0.4, 0.5, 0.6]], [[0.0; 3], [0.5 * 0.6, 0.4 * 0.6, 0.4 * 0.5]]);
+}
+
+mod patterns {
+    use super::*;
+
+    struct System;
+
+    #[hamiltonian]
+    impl System {
+        fn kinetic(&self, p: [f64; 2]) -> f64 {
+            p.iter().map(|p| p * p / 2.0).sum()
+        }
+        fn potential(&self, [x, y]: [f64; 2]) -> f64 {
+            x * y
+        }
+    }
+
+    moves!(System, [0.4, -0.3], [-0.3, 0.4]);
+}
+
+mod referenced_patterns {
+    use super::*;
+
+    struct System;
+
+    #[hamiltonian]
+    impl System {
+        fn kinetic(&self, p: &[f64; 2]) -> f64 {
+            p.iter().map(|p| p * p / 2.0).sum()
+        }
+        fn potential(&self, &[x, y]: &[f64; 2]) -> f64 {
+            x * y
+        }
+    }
+
+    moves!(System, [0.4, -0.3], [-0.3, 0.4]);
+}
+
+mod nested_patterns {
+    use super::*;
+
+    struct System;
+
+    #[hamiltonian]
+    impl System {
+        fn kinetic(&self, p: [[f64; 2]; 2]) -> f64 {
+            p.iter().map(|p| 0.5 * p[0] * p[0]).sum()
+        }
+        fn potential(&self, [[x, y], _]: [[f64; 2]; 2]) -> f64 {
+            x * y
+        }
+    }
+
+    moves!(System, [[0.4, -0.3], [0.1, 0.2]], [[-0.3, 0.4], [0.0, 0.0]]);
+}
+
+mod slices {
+    use super::*;
+
+    struct System;
+
+    #[hamiltonian]
+    impl System {
+        fn kinetic(&self, p: &[f64]) -> f64 {
+            p.iter().map(|p| p * p / 2.0).sum()
+        }
+        fn potential(&self, q: &[f64]) -> f64 {
+            q.iter().map(|x| x * x).sum()
+        }
+    }
+
+    moves!(System, vec![0.4, -0.3, 0.2], vec![0.8, -0.6, 0.4]);
+}
+
+mod slices_of_points {
+    use super::*;
+
+    struct System;
+
+    #[hamiltonian]
+    impl System {
+        fn kinetic(&self, p: &[[f64; 2]]) -> f64 {
+            p.iter().map(|p| 0.5 * p[0] * p[0]).sum()
+        }
+        fn potential(&self, q: &[[f64; 2]]) -> f64 {
+            q.iter().map(|[x, y]| x * y).sum()
+        }
+    }
+
+    moves!(System, vec![[0.4, -0.3], [0.1, 0.2]], vec![[-0.3, 0.4], [0.2, 0.1]]);
+}
+
+mod constants {
+    use super::*;
+
+    const SITES: usize = 3;
+
+    struct System;
+
+    #[hamiltonian]
+    impl System {
+        fn kinetic(&self, p: [f64; SITES]) -> f64 {
+            p.iter().map(|p| p * p / 2.0).sum()
+        }
+        fn potential(&self, q: [f64; SITES]) -> f64 {
+            let mut v = 0.0;
+            for i in 0..SITES {
+                v += q[i] * q[i];
+            }
+            v
+        }
+    }
+
+    moves!(System, [0.4, -0.3, 0.2], [0.8, -0.6, 0.4]);
+}
+
+mod associated_constants {
+    use super::*;
+
+    struct System;
+
+    #[hamiltonian]
+    impl System {
+        const SITES: usize = 3;
+        fn kinetic(&self, p: [f64; Self::SITES]) -> f64 {
+            p.iter().map(|p| p * p / 2.0).sum()
+        }
+        fn potential(&self, q: [f64; Self::SITES]) -> f64 {
+            (0..Self::SITES).map(|i| q[i] * q[i]).sum()
+        }
+    }
+
+    moves!(System, [0.4, -0.3, 0.2], [0.8, -0.6, 0.4]);
+}
+
+mod other_names {
+    use super::*;
+
+    struct System;
+
+    #[hamiltonian]
+    impl System {
+        fn kinetic(&self, p: [f64; 2]) -> f64 {
+            p.iter().map(|p| p * p / 2.0).sum()
+        }
+        fn potential(&self, position: [f64; 2]) -> f64 {
+            position[0] * position[1]
+        }
+    }
+
+    moves!(System, [0.4, -0.3], [-0.3, 0.4]);
+}
+
+mod time {
+    use super::*;
+
+    struct System;
+
+    #[hamiltonian]
+    impl System {
+        fn kinetic(&self, p: [f64; 1]) -> f64 {
+            p.iter().map(|p| p * p / 2.0).sum()
+        }
+        fn potential(&self, q: [f64; 1], t: f64) -> f64 {
+            q[0] * t.cos()
+        }
+    }
+
+    moves!(System, [0.4], [TIME.cos()]);
+}
+
+mod no_energy {
+    use super::*;
+
+    struct System;
+
+    #[hamiltonian]
+    impl System {
+        fn kinetic(&self, p: [f64; 2]) -> f64 {
+            p.iter().map(|p| p * p / 2.0).sum()
+        }
+        fn potential(&self, _: [f64; 2]) -> f64 {
+            0.0
+        }
+    }
+
+    moves!(System, [0.4, -0.3], [0.0, 0.0]);
+}
+
+mod two_spellings {
+    use super::*;
+
+    struct System;
+
+    #[hamiltonian]
+    impl System {
+        fn kinetic(&self, [x, y]: [f64; 2]) -> f64 {
+            x * x + y * y
+        }
+        fn potential(&self, q: &[f64; 2]) -> f64 {
+            q[0] * q[1]
+        }
+    }
+
+    moves!(System, [0.4, -0.3], [-0.3, 0.4]);
+}
+
+mod const_generics {
+    use super::*;
+
+    struct Chain<const N: usize>;
+
+    #[hamiltonian]
+    impl<const N: usize> Chain<N> {
+        fn kinetic(&self, p: [f64; N]) -> f64 {
+            p.iter().map(|p| p * p).sum()
+        }
+        fn potential(&self, q: [f64; N]) -> f64 {
+            q.windows(2).map(|w| w[0] * w[1]).sum()
+        }
+    }
+
+    moves!(Chain::<3>, [0.4, -0.3, 0.2], [-0.3, 0.6, -0.3]);
+}
+
+mod lifetimes {
+    use super::*;
+
+    struct Borrowed<'a> {
+        table: &'a [f64],
+    }
+
+    #[hamiltonian]
+    impl<'a> Borrowed<'a> {
+        fn kinetic(&self, p: [f64; 1]) -> f64 {
+            p[0] * p[0]
+        }
+        fn potential(&self, q: [f64; 1]) -> f64 {
+            self.table[0] * q[0]
+        }
+    }
+
+    moves!(Borrowed { table: &[3.0] }, [0.4], [3.0]);
+}
+
+mod elided_lifetimes {
+    use super::*;
+
+    struct Borrowed<'a> {
+        table: &'a [f64],
+    }
+
+    #[hamiltonian]
+    impl Borrowed<'_> {
+        fn kinetic(&self, p: [f64; 1]) -> f64 {
+            p[0] * p[0]
+        }
+        fn potential(&self, q: [f64; 1]) -> f64 {
+            self.table[0] * q[0]
+        }
+    }
+
+    moves!(Borrowed { table: &[3.0] }, [0.4], [3.0]);
+}
+
+mod where_clauses {
+    use super::*;
+
+    trait Law {
+        fn strength(&self) -> f64;
+    }
+
+    struct Constant(f64);
+
+    impl Law for Constant {
+        fn strength(&self) -> f64 {
+            self.0
+        }
+    }
+
+    struct Generic<L> {
+        law: L,
+    }
+
+    #[hamiltonian]
+    impl<L: Law> Generic<L>
+    where
+        L: Sync,
+    {
+        fn kinetic(&self, p: [f64; 1]) -> f64 {
+            p[0] * p[0]
+        }
+        fn potential(&self, q: [f64; 1]) -> f64 {
+            self.law.strength() * q[0]
+        }
+    }
+
+    moves!(Generic { law: Constant(3.0) }, [0.4], [3.0]);
+}
+
+mod attributes {
+    use super::*;
+
+    struct System;
+
+    #[hamiltonian]
+    impl System {
+        #[inline]
+        pub(crate) fn kinetic(&self, p: [f64; 1]) -> f64 {
+            p[0] * p[0] / 2.0
+        }
+        #[must_use]
+        pub(super) fn potential(&self, q: [f64; 1]) -> f64 {
+            q[0]
+        }
+    }
+
+    moves!(System, [0.4], [1.0]);
+}

@@ -1,0 +1,181 @@
+//! Bodies of `potential` of every kind, each with its gradient written by hand.
+
+use crate::{Cell, START, TIME, close};
+use integrator_core::prelude::*;
+
+/// Declares a test for every row: the name, the body of `potential`, and its gradient at coordinates `a, b, c, d` and
+/// time `t` for the system `s`. Names that rows mention are given once, in front.
+macro_rules! rows {
+    (
+        ($self:ident, $q:ident, $t:ident) ($s:ident, $a:ident, $b:ident, $c:ident, $d:ident)
+        $($name:ident { $($body:tt)* } => $gradient:expr;)*
+    ) => {
+        $(mod $name {
+            use super::*;
+
+            struct System {
+                mass: f64,
+                stiffness: [f64; 4],
+                table: Vec<f64>,
+                bonds: Vec<(usize, usize)>,
+                neighbours: Vec<usize>,
+                count: usize,
+                charge: i32,
+                soft: f32,
+                tilted: bool,
+                cell: Cell,
+            }
+
+            #[hamiltonian]
+            impl System {
+                const WIDTH: usize = 2;
+                fn kinetic(&self, p: [f64; 4]) -> f64 {
+                    p.iter().map(|p| p * p / 2.0).sum()
+                }
+                fn potential(&$self, $q: [f64; 4], $t: f64) -> f64 {
+                    $($body)*
+                }
+                fn spring(&self, d: f64) -> f64 {
+                    0.5 * self.mass * d * d
+                }
+                fn difference(a: [f64; 2], b: [f64; 2]) -> [f64; 2] {
+                    [a[0] - b[0], a[1] - b[1]]
+                }
+                fn polar(&self, x: f64, y: f64) -> (f64, f64) {
+                    (x.hypot(y), y.atan2(x))
+                }
+                fn strength(&self) -> f64 {
+                    match self.charge {
+                        0 => 0.0,
+                        _ => 5.0,
+                    }
+                }
+            }
+
+            #[test]
+            fn moves_as_by_hand() {
+                let system = System {
+                    mass: 2.0,
+                    stiffness: [1.0, 2.0, 3.0, 4.0],
+                    table: vec![4.0, 3.0, 2.0, 1.0],
+                    bonds: vec![(0, 1), (1, 3)],
+                    neighbours: vec![1, 2, 3, 0],
+                    count: 3,
+                    charge: 2,
+                    soft: 0.5,
+                    tilted: true,
+                    cell: Cell { edge: 1.5, sides: [1.0, 2.5] },
+                };
+                // From rest, one step of length 1 kicks the momenta to minus the gradient.
+                let mut run = system.run_with(Euler, Phase::new(START, [0.0; 4]), 1.0).expect("a run").at_time(TIME);
+                close(&[run.energy()], &[system.potential(START, TIME)]);
+                run.advance(1).expect("a step");
+                let ($s, [$a, $b, $c, $d], $t) = (&system, START, TIME);
+                close(&run.state().p.map(|p| -p), &$gradient);
+            }
+        })*
+    };
+}
+
+rows! {
+    (self, q, t) (s, a, b, c, d)
+
+    // Numbers and variables
+    arithmetic { q[0] * q[1] - q[2] / (1.0 + q[3]) } => [b, a, -1.0 / (1.0 + d), c / (1.0 + d).powi(2)];
+    shadowing { let x = q[0]; let x = x * x; x * q[1] } => [2.0 * a * b, a * a, 0.0, 0.0];
+    assignment { let mut x = q[0]; x *= q[1]; x = x + 1.0; x } => [b, a, 0.0, 0.0];
+    blocks { let x = { let y = q[0]; y * y }; x } => [2.0 * a, 0.0, 0.0, 0.0];
+    tuples { let pair = (q[0], q[1]); pair.0 * pair.1 } => [b, a, 0.0, 0.0];
+    arrays { let d = [q[0] - q[1], q[2] - q[3]]; d[0] * d[1] } => [c - d, d - c, a - b, b - a];
+    filled_arrays { let mut s = [0.0; 4]; for i in 0..4 { s[i] = q[i] * q[i]; } s[0] * s[3] } => [2.0 * a * d * d, 0.0, 0.0, 2.0 * d * a * a];
+    patterns { let ([x, _], (y, z)) = ([q[0], q[1]], (q[2], q[3])); x * y * z } => [c * d, 0.0, a * d, a * c];
+    taken_apart { let [x, y, z, w] = q; x * y * z * w } => [b * c * d, a * c * d, a * b * d, a * b * c];
+    references { let x = &q[0]; *x * x } => [2.0 * a, 0.0, 0.0, 0.0];
+    typed_variables { let x: f64 = q[0]; x * x } => [2.0 * a, 0.0, 0.0, 0.0];
+    literals { 2f64 * q[0] + 1_0.5e-1_f64 * q[1] } => [2.0, 1.05, 0.0, 0.0];
+    inner_constants { const STRENGTH: f64 = 3.0; STRENGTH * q[0] } => [3.0, 0.0, 0.0, 0.0];
+    inner_use { use std::f64::consts::PI; PI * q[0] } => [std::f64::consts::PI, 0.0, 0.0, 0.0];
+    assertions { debug_assert!(q[0].is_finite()); q[0] * q[0] } => [2.0 * a, 0.0, 0.0, 0.0];
+    changing { let mut k = self.mass; if q[0] > 0.0 { k += 1.0; } k * q[0] } => [3.0, 0.0, 0.0, 0.0];
+
+    // Functions
+    roots { q[0].powi(3) + (1.0 + q[1]).sqrt() + q[2].cbrt() + (1.0 + q[3]).recip() } => [3.0 * a * a, 0.5 / (1.0 + b).sqrt(), 1.0 / (3.0 * c.cbrt().powi(2)), -1.0 / (1.0 + d).powi(2)];
+    real_powers { (1.0 + q[0]).powf(1.3) + (1.0 + q[1]).powf(self.mass) + (2.0 + q[2]).powf(q[3]) } => [1.3 * (1.0 + a).powf(0.3), s.mass * (1.0 + b).powf(s.mass - 1.0), d * (2.0 + c).powf(d - 1.0), (2.0 + c).powf(d) * (2.0 + c).ln()];
+    integer_powers { (1.0 + q[0]).powi(self.charge) + (1.0 + q[1]).powi(-2) } => [2.0 * (1.0 + a), -2.0 / (1.0 + b).powi(3), 0.0, 0.0];
+    exponentials { q[0].exp() + q[1].exp2() + q[2].exp_m1() } => [a.exp(), std::f64::consts::LN_2 * b.exp2(), c.exp(), 0.0];
+    logarithms { (1.0 + q[0]).ln() + q[1].ln_1p() + (1.0 + q[2]).log2() + (1.0 + q[3]).log10() + (1.0 + q[3]).log(3.0) } => [1.0 / (1.0 + a), 1.0 / (1.0 + b), 1.0 / ((1.0 + c) * std::f64::consts::LN_2), (1.0 / std::f64::consts::LN_10 + 1.0 / 3.0_f64.ln()) / (1.0 + d)];
+    angles { q[0].sin() * q[1].cos() + q[2].tan() } => [a.cos() * b.cos(), -a.sin() * b.sin(), 1.0 / c.cos().powi(2), 0.0];
+    sine_and_cosine { let (s, c) = q[0].sin_cos(); s * c } => [(2.0 * a).cos(), 0.0, 0.0, 0.0];
+    inverses { q[0].asin() + q[1].acos() + q[2].atan() + q[3].atan2(1.0 + q[2]) } => [1.0 / (1.0 - a * a).sqrt(), -1.0 / (1.0 - b * b).sqrt(), 1.0 / (1.0 + c * c) - d / (d * d + (1.0 + c).powi(2)), (1.0 + c) / (d * d + (1.0 + c).powi(2))];
+    hyperbolics { q[0].sinh() + q[1].cosh() + q[2].tanh() } => [a.cosh(), b.sinh(), 1.0 / c.cosh().powi(2), 0.0];
+    inverse_hyperbolics { q[0].asinh() + (2.0 + q[1]).acosh() + q[2].atanh() } => [1.0 / (1.0 + a * a).sqrt(), 1.0 / ((2.0 + b).powi(2) - 1.0).sqrt(), 1.0 / (1.0 - c * c), 0.0];
+    hypotenuse { q[0].hypot(q[1]) + q[2].mul_add(q[3], 1.0) } => [a / a.hypot(b), b / a.hypot(b), d, c];
+    degrees { q[0].to_radians() + q[1].to_degrees() } => [1.0_f64.to_radians(), 1.0_f64.to_degrees(), 0.0, 0.0];
+    piecewise { q[0].min(q[1]) + q[2].max(0.0) + q[1].abs() * 2.0 + q[3].clamp(-0.1, 0.1) + q[0].signum() * q[3] } => [0.0, -1.0, 1.0, 1.0];
+    paths { f64::sin(q[0]) + f64::powi(q[1], 2) } => [a.cos(), 2.0 * b, 0.0, 0.0];
+
+    // Sums
+    ranges { let mut v = 0.0; for i in 0..4 { v += q[i] * q[i]; } v } => [2.0 * a, 2.0 * b, 2.0 * c, 2.0 * d];
+    inclusive_ranges { let mut v = 0.0; for i in 1..=3 { v -= q[i] * q[i - 1]; } v } => [-b, -a - c, -b - d, -c];
+    backwards { let mut v = 0.0; for i in (0..4).rev() { v += i as f64 * q[i] * q[i]; } v } => [0.0, 2.0 * b, 4.0 * c, 6.0 * d];
+    strides { let mut v = 0.0; for i in (0..4).step_by(2) { v += q[i] * q[i + 1]; } v } => [b, a, d, c];
+    triangular { let mut v = 0.0; for i in 0..4 { for j in 0..i { v += (q[i] - q[j]).powi(2); } } v } => [a, b, c, d].map(|x| 2.0 * (4.0 * x - (a + b + c + d)));
+    upper_triangle { let mut v = 0.0; for i in 0..4 { for j in i + 1..4 { v += q[i] * q[j]; } } v } => [b + c + d, a + c + d, a + b + d, a + b + c];
+    several_sums { let (mut u, mut v) = (0.0, 0.0); for i in 0..4 { u += q[i]; v += q[i] * q[i]; } u * v } => [a, b, c, d].map(|x| (a * a + b * b + c * c + d * d) + 2.0 * x * (a + b + c + d));
+    arrays_of_sums { let mut s = [0.0; 2]; for i in 0..4 { s[0] += q[i]; s[1] -= q[i] * q[i]; } s[0] * s[1] } => [a, b, c, d].map(|x| -(a * a + b * b + c * c + d * d) - 2.0 * x * (a + b + c + d));
+    inner_sums { let mut v = 0.0; for i in 0..2 { let mut r = 1.0; for d in 0..2 { r += q[2 * i + d] * q[2 * i + d]; } v += r.sqrt(); } v } => [a / (1.0 + a * a + b * b).sqrt(), b / (1.0 + a * a + b * b).sqrt(), c / (1.0 + c * c + d * d).sqrt(), d / (1.0 + c * c + d * d).sqrt()];
+    skipping { let mut v = 0.0; for i in 0..4 { for j in 0..4 { if i == j { continue; } v += q[i] * q[j]; } } v } => [2.0 * (b + c + d), 2.0 * (a + c + d), 2.0 * (a + b + d), 2.0 * (a + b + c)];
+    over_coordinates { let mut v = 0.0; for x in q { v += x * x; } for x in &q { v += x; } v } => [2.0 * a + 1.0, 2.0 * b + 1.0, 2.0 * c + 1.0, 2.0 * d + 1.0];
+    over_lists { let mut v = 0.0; for &(i, j) in &self.bonds { v += (q[i] - q[j]).powi(2); } v } => [2.0 * (a - b), 2.0 * (b - a) + 2.0 * (b - d), 0.0, 2.0 * (d - b)];
+    listed_indices { let mut v = 0.0; for i in 0..4 { v += q[i] * q[self.neighbours[i]]; } v } => [b + d, a + c, b + d, a + c];
+    index_arithmetic { let mut v = 0.0; for i in 0..2 { for j in 0..2 { v += q[i * 2 + j] * q[i * 2 + (j + 1) % 2]; } } v } => [2.0 * b, 2.0 * a, 2.0 * d, 2.0 * c];
+    named_indices { let mut v = 0.0; for i in 0..4 { let next = (i + 1) % 4; v += q[i] * q[next]; } v } => [b + d, a + c, b + d, a + c];
+    bounds { let mut v = 0.0; for i in 0..self.count { v += q[i] * q[i]; } v } => [2.0 * a, 2.0 * b, 2.0 * c, 0.0];
+    lengths { let mut v = 0.0; for i in 0..q.len() - 1 { v += q[i] * q[i + 1]; } v } => [b, a + c, b + d, c];
+    products { let mut v = 1.0; for i in 0..4 { v *= q[i]; } v } => [b * c * d, a * c * d, a * b * d, a * b * c];
+
+    // Iterators
+    mapped { q.iter().map(|x| x * x).sum::<f64>() } => [2.0 * a, 2.0 * b, 2.0 * c, 2.0 * d];
+    mapped_ranges { (0..4).map(|i| self.stiffness[i] * q[i] * q[i]).sum::<f64>() } => [2.0 * a, 4.0 * b, 6.0 * c, 8.0 * d];
+    enumerated { q.iter().enumerate().map(|(i, x)| i as f64 * x).sum::<f64>() } => [0.0, 1.0, 2.0, 3.0];
+    zipped { q.iter().zip(&self.table).map(|(x, k)| k * x).sum::<f64>() } => [4.0, 3.0, 2.0, 1.0];
+    windows { q.windows(2).map(|w| w[0] * w[1]).sum::<f64>() } => [b, a + c, b + d, c];
+    chunks { q.chunks_exact(2).map(|c| c[0] * c[1]).sum::<f64>() } => [b, a, d, c];
+    folded { q.iter().fold(0.0, |sum, x| sum + x * x) } => [2.0 * a, 2.0 * b, 2.0 * c, 2.0 * d];
+    filtered { (0..4).filter(|i| i % 2 == 0).map(|i| q[i] * q[i]).sum::<f64>() } => [2.0 * a, 0.0, 2.0 * c, 0.0];
+    adaptors { q.iter().skip(1).take(2).map(|x| x * x).sum::<f64>() + q.iter().rev().step_by(2).sum::<f64>() } => [0.0, 2.0 * b + 1.0, 2.0 * c, 1.0];
+    nested_iterators { (0..4).map(|i| (0..i).map(|j| q[i] * q[j]).sum::<f64>()).sum::<f64>() } => [b + c + d, a + c + d, a + b + d, a + b + c];
+    iterated_arrays { [q[0], q[3]].iter().map(|x| x * x).sum::<f64>() } => [2.0 * a, 0.0, 0.0, 2.0 * d];
+    closures { q.windows(2).map(|w| { let d = w[1] - w[0]; d * d }).sum::<f64>() } => [2.0 * (a - b), 2.0 * (b - a) + 2.0 * (b - c), 2.0 * (c - b) + 2.0 * (c - d), 2.0 * (d - c)];
+
+    // Branches
+    branch_values { if q[0] > 0.0 { q[0] * q[0] } else { q[1] } } => [2.0 * a, 0.0, 0.0, 0.0];
+    else_if { if q[0] < 0.0 { q[0] } else if q[1] >= 0.0 { q[1] } else { q[2] * q[2] } } => [0.0, 0.0, 2.0 * c, 0.0];
+    branch_statements { let mut v = q[0]; if q[1] <= 0.0 { v += q[1] * q[2]; } v } => [1.0, c, b, 0.0];
+    joined_conditions { if (q[0] > 0.0 && q[1] < 0.0 || q[2] == 0.0) && !(q[3] != q[3]) { q[0] * q[1] } else { 0.0 } } => [b, a, 0.0, 0.0];
+    named_conditions { let inside = q[0].abs() < 1.0; if inside { q[0] * q[1] } else { 0.0 } } => [b, a, 0.0, 0.0];
+    on_parameters { if self.tilted { self.mass * q[0] } else { 0.0 } } => [s.mass, 0.0, 0.0, 0.0];
+    on_indices { let mut v = 0.0; for i in 0..4 { v += if i % 2 == 0 { q[i] } else { -q[i] }; } v } => [1.0, -1.0, 1.0, -1.0];
+    cutoffs { let mut v = 0.0; for i in 0..4 { for j in 0..i { let d = q[i] - q[j]; if d * d < 0.3 { v += d * d; } } } v } => [2.0 * (2.0 * a - c - d), 2.0 * (b - d), 2.0 * (2.0 * c - a - d), 2.0 * (3.0 * d - a - b - c)];
+    matching { let k = match self.charge { 1 => 1.0, _ => 3.0 }; k * q[0] } => [3.0, 0.0, 0.0, 0.0];
+    matching_macros { if matches!(self.charge, 1 | 2) { q[0] } else { 0.0 } } => [1.0, 0.0, 0.0, 0.0];
+
+    // Helper methods
+    helpers { self.spring(q[0] - q[1]) } => [s.mass * (a - b), s.mass * (b - a), 0.0, 0.0];
+    array_helpers { let d = Self::difference([q[0], q[1]], [q[2], q[3]]); d[0] * d[1] } => [b - d, a - c, d - b, c - a];
+    tuple_helpers { let (r, angle) = self.polar(q[0], q[1]); r * r + angle } => [2.0 * a - b / (a * a + b * b), 2.0 * b + a / (a * a + b * b), 0.0, 0.0];
+    parameter_methods { self.strength() * q[0] } => [5.0, 0.0, 0.0, 0.0];
+
+    // The system's own values
+    fields { self.cell.edge * q[0] + self.stiffness[2] * q[1] + self.cell.sides[1] * q[2] } => [1.5, 3.0, 2.5, 0.0];
+    vectors { self.table[1] * q[0] + self.table.len() as f64 * q[1] } => [3.0, 4.0, 0.0, 0.0];
+    casts { self.count as f64 * q[0] + f64::from(self.charge) * q[1] + self.soft as f64 * q[2] } => [3.0, 2.0, 0.5, 0.0];
+    truth { f64::from(self.tilted) * q[0] + self.tilted as u8 as f64 * q[1] } => [1.0, 1.0, 0.0, 0.0];
+    constants { Self::WIDTH as f64 * q[0] + std::f64::consts::PI * q[1] } => [2.0, std::f64::consts::PI, 0.0, 0.0];
+    any_rust { let top = self.table.iter().copied().fold(0.0, f64::max); top * q[0] } => [4.0, 0.0, 0.0, 0.0];
+    made_lists { let twice = |x: f64| 2.0 * x; let list = vec![1.0, twice(self.mass)]; list[1] * q[0] } => [4.0, 0.0, 0.0, 0.0];
+
+    // Time
+    time { q[0] * (self.mass * t).sin() + t * t } => [(s.mass * t).sin(), 0.0, 0.0, 0.0];
+    time_in_conditions { if t < 1.0 { t * q[0] } else { q[0] } } => [t, 0.0, 0.0, 0.0];
+}
