@@ -25,6 +25,10 @@ pub struct Report {
     pub operations_written: u64,
     /// The same operations with shared subexpressions computed once.
     pub operations_shared: u64,
+    /// Operations of the energies `T` and `V`, with shared subexpressions computed once.
+    pub operations_of_energies: u64,
+    /// Operations of the energies and of their derivatives together, with shared subexpressions computed once.
+    pub operations_together: u64,
 }
 
 impl fmt::Display for Report {
@@ -35,10 +39,15 @@ impl fmt::Display for Report {
         let kinetic = if self.quadratic_kinetic { "quadratic in p, constant masses" } else { "general" };
         let time = if self.autonomous { "not read" } else { "read" };
         writeln!(f, "T: {kinetic}; time: {time}")?;
-        write!(
+        writeln!(
             f,
             "operations of a drift and a kick: {} as derived, {} with what is shared computed once",
             self.operations_written, self.operations_shared
+        )?;
+        write!(
+            f,
+            "operations of the energies: {}, of energies and derivatives together: {}",
+            self.operations_of_energies, self.operations_together
         )
     }
 }
@@ -52,14 +61,20 @@ pub fn report(arguments: TokenStream, item: TokenStream) -> Option<Report> {
     let potential = gradient(&mut model.graph, model.potential, Part::Position);
     let equations = emit::equations(&mut model, &kinetic, &potential);
     let values: Vec<_> = kinetic.iter().chain(&potential).map(|contribution| contribution.value).collect();
+    let energies = vec![model.kinetic, model.potential];
     let Model { graph, quadratic, autonomous, .. } = &mut model;
-    let lowered = lower(graph, &values, |graph, id| graph.is_prepared(id));
-    let flows = graph.cost(&lowered);
+    let all = [&values[..], &energies].concat();
+    let [flows, energies, together] = [values, energies, all].map(|roots| {
+        let lowered = lower(graph, &roots, |graph, id| graph.is_prepared(id));
+        graph.cost(&lowered)
+    });
     Some(Report {
         equations,
         quadratic_kinetic: *quadratic,
         autonomous: *autonomous,
         operations_written: flows.written,
         operations_shared: flows.shared,
+        operations_of_energies: energies.shared,
+        operations_together: together.shared,
     })
 }

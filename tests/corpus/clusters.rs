@@ -180,7 +180,7 @@ impl Member for Colloids {
     }
 }
 
-/// Silicon in a nutshell: bonds, and angles between them that want to be tetrahedral (after Stillinger and Weber 1985).
+/// Silicon in a nutshell: bonds, and angles between them, in degrees, that want to be tetrahedral (after Stillinger and Weber 1985).
 pub(crate) struct BondAngles {
     stiffness: f64,
     bending: f64,
@@ -197,8 +197,9 @@ impl BondAngles {
         let (to_left, to_right) = (self.bond(&centre, &left), self.bond(&centre, &right));
         let (a, b) = (self.dot(to_left, to_left).sqrt(), self.dot(to_right, to_right).sqrt());
         let angle = (self.dot(to_left, to_right) / (a * b)).acos();
+        let bent = (angle - TETRAHEDRAL.acos()).to_degrees();
         let bonds = (a - 1.0).powi(2) + (b - 1.0).powi(2);
-        0.5 * self.stiffness * bonds + 0.5 * self.bending * (angle - TETRAHEDRAL.acos()).powi(2)
+        0.5 * self.stiffness * bonds + 0.5 * self.bending * bent.powi(2)
     }
     fn bond(&self, from: &[f64; 3], to: &[f64; 3]) -> [f64; 3] {
         let mut bond = [0.0; 3];
@@ -216,7 +217,7 @@ impl Member for BondAngles {
     const STEP: f64 = 0.02;
 
     fn example() -> Self {
-        Self { stiffness: 3.0, bending: 1.2 }
+        Self { stiffness: 3.0, bending: 4e-4 }
     }
     fn energies(&self, at: &Phase<[[f64; 3]; 3]>, _: f64) -> [f64; 2] {
         [self.kinetic(&at.p), self.potential(&at.q)]
@@ -228,7 +229,7 @@ impl Member for BondAngles {
         let q = points::<D, 3>(q);
         let dot = |a: usize, b: usize| -> D { (0..3).map(|d| (q[a][d] - q[0][d]) * (q[b][d] - q[0][d])).sum() };
         let (a, b) = (dot(1, 1).sqrt(), dot(2, 2).sqrt());
-        let bent = (dot(1, 2) / (a * b)).acos() - (-1.0_f64 / 3.0).acos();
+        let bent = ((dot(1, 2) / (a * b)).acos() - (-1.0_f64 / 3.0).acos()) * (180.0 / std::f64::consts::PI);
         ((a - 1.0).powi(2) + (b - 1.0).powi(2)) * (self.stiffness / 2.0) + bent * bent * (self.bending / 2.0)
     }
 }

@@ -50,7 +50,7 @@ impl Member for PhiFour {
 
 /// Planar spins on a square lattice with periodic edges, by index arithmetic.
 pub(crate) struct PlanarSpins {
-    width: usize,
+    width: u32,
     height: usize,
     field: f64,
 }
@@ -61,7 +61,7 @@ impl PlanarSpins {
         p.iter().map(|p| 0.5 * p * p).sum()
     }
     fn potential(&self, q: &[f64]) -> f64 {
-        let (w, h) = (self.width, self.height);
+        let (w, h) = (self.width as usize, self.height);
         let mut sum = 0.0;
         for i in 0..h {
             for j in 0..w {
@@ -87,9 +87,10 @@ impl Member for PlanarSpins {
         half_squares(p)
     }
     fn potential_twin<D: Number>(&self, q: &[D], _: f64) -> D {
-        let at = |i: usize, j: usize| q[i % self.height * self.width + j % self.width];
+        let (w, h) = (self.width as usize, self.height);
+        let at = |i: usize, j: usize| q[i % h * w + j % w];
         let mut sum = D::zero();
-        for (i, j) in (0..self.height).flat_map(|i| (0..self.width).map(move |j| (i, j))) {
+        for (i, j) in (0..h).flat_map(|i| (0..w).map(move |j| (i, j))) {
             let spin = at(i, j);
             sum -= (at(i, j + 1) - spin).cos() + (at(i + 1, j) - spin).cos() + spin.cos() * self.field;
         }

@@ -15,6 +15,7 @@ mod member;
 mod reference;
 mod rotors;
 mod statistics;
+mod tabulated;
 mod traps;
 mod verdict;
 mod wells;
@@ -87,6 +88,7 @@ corpus! {
     andreev_contact: wells::AndreevContact,
     slow: wells::Slow,
     elliptic: wells::Elliptic,
+    tabulated: tabulated::Tabulated,
 
     logarithmic: galactic::Logarithmic,
     miyamoto_nagai: galactic::MiyamotoNagai,

@@ -282,10 +282,10 @@ def colloids(q, p, t):
 
 @system([0, 0.1, 0, 1.1, 0, 0.1, -0.5, 1, 0], [0.3, -0.2, 0.1, 0.2, -0.3, 0.2, 0.1, 0.2, 0.1], spread=0.1)
 def bond_angles(q, p, t):
-    stiffness, bending = exactly(3.0, 1.2)
+    stiffness, bending = exactly(3.0, 4e-4)
     a, b = distance(q, 0, 1, 3), distance(q, 0, 2, 3)
     dot = sum((q[3 + d] - q[d]) * (q[6 + d] - q[d]) for d in range(3))
-    bent = acos(dot / (a * b)) - acos(Rational(-1, 3))
+    bent = 180 / pi * (acos(dot / (a * b)) - acos(Rational(-1, 3)))
     return half_squares(p), stiffness / 2 * ((a - 1) ** 2 + (b - 1) ** 2) + bending / 2 * bent**2
 
 
@@ -422,6 +422,22 @@ well("andreev_contact", 0.9,
      lambda x: -exactly(1.6) * sqrt(1 - exactly(0.85) * sin(x / 2) ** 2) - exactly(0.1) * x)
 well("slow", 0.6, slow_potential)
 well("elliptic", 0.6, lambda x: exactly(0.8) * acosh_of(x**2 + Rational(3, 2)) ** 2 + exactly(0.3) * asin(sin(x) / 2))
+
+
+def hermite(x):
+    cell, nodes = exactly(0.75), list(zip(exactly(1.5, -0.2, -0.4, 0.3), exactly(-3.0, -1.1, 0.4, 1.2)))
+    pieces = []
+    for i, ((a, u), (b, v)) in enumerate(neighbours(nodes)):
+        s = x / cell - i
+        cubic = (2 * s**3 - 3 * s**2 + 1) * a + (s**3 - 2 * s**2 + s) * cell * u
+        cubic += (3 * s**2 - 2 * s**3) * b + (s**3 - s**2) * cell * v
+        pieces.append((cubic, x < (i + 1) * cell) if i < 2 else (cubic, True))
+    return Piecewise(*pieces)
+
+
+@system([1.3], [0.35], spread=0.6)
+def tabulated(q, p, t):
+    return half_squares(p), hermite(q[0]) + exactly(0.01) * q[0] ** 2
 
 
 # traps

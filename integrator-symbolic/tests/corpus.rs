@@ -1,0 +1,168 @@
+//! What holds for every Hamiltonian of the corpus, whose numbers are tested elsewhere: its derivative is cheap, and
+//! together they use all of the language.
+
+use integrator_symbolic::{Report, hamiltonian, report};
+use proc_macro2::TokenStream;
+use quote::ToTokens;
+use std::{fs, path::Path};
+use syn::{Item, ItemImpl, Meta};
+
+/// An annotated impl of the corpus.
+struct System {
+    name: String,
+    arguments: TokenStream,
+    item: ItemImpl,
+}
+
+impl System {
+    fn report(&self) -> Report {
+        report(self.arguments.clone(), self.item.to_token_stream())
+            .unwrap_or_else(|| panic!("{}: no report", self.name))
+    }
+}
+
+/// All of them, in the order of their files' names.
+fn corpus() -> Vec<System> {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../tests/corpus");
+    let entries = fs::read_dir(folder).expect("the corpus").map(|entry| entry.expect("an entry").path());
+    let mut paths: Vec<_> = entries.filter(|path| path.extension().is_some_and(|kind| kind == "rs")).collect();
+    paths.sort();
+    paths.iter().flat_map(|path| systems(&fs::read_to_string(path).expect("text"))).collect()
+}
+
+fn systems(text: &str) -> Vec<System> {
+    let items = syn::parse_file(text).expect("Rust").items;
+    items.into_iter().filter_map(system).collect()
+}
+
+fn system(item: Item) -> Option<System> {
+    let Item::Impl(mut item) = item else { return None };
+    let position = item.attrs.iter().position(|attribute| attribute.path().is_ident("hamiltonian"))?;
+    let arguments = match item.attrs.remove(position).meta {
+        Meta::List(list) => list.tokens,
+        _ => TokenStream::new(),
+    };
+    Some(System { name: item.self_ty.to_token_stream().to_string(), arguments, item })
+}
+
+#[test]
+fn the_corpus_is_found() {
+    assert!(corpus().len() >= 40, "{}", corpus().len());
+}
+
+/// The bound for reverse sweeps (Griewank): energy and derivatives together cost at most four times the energy.
+#[test]
+fn derivatives_are_cheap() {
+    for system in corpus() {
+        let Report { operations_of_energies: energies, operations_together: together, .. } = system.report();
+        assert!(energies > 0 && together <= 4 * energies, "{}: {together} for {energies}", system.name);
+    }
+}
+
+#[test]
+fn the_same_system_gives_the_same_text() {
+    for system in corpus() {
+        let expansion = || hamiltonian(system.arguments.clone(), system.item.to_token_stream()).to_string();
+        assert_eq!(expansion(), expansion(), "{}", system.name);
+    }
+}
+
+/// The elementary functions, as the message for an unknown one lists them.
+#[test]
+fn every_function_is_used() {
+    let text = corpus().iter().map(|system| system.item.to_token_stream().to_string()).collect::<String>();
+    let mistake = "impl Mistake {
+        fn kinetic(&self, p: [f64; 1]) -> f64 { p[0] * p[0] }
+        fn potential(&self, q: [f64; 1]) -> f64 { q[0].unknown() }
+    }";
+    let message = hamiltonian(TokenStream::new(), mistake.parse().expect("tokens")).to_string();
+    let (_, list) = message.split_once("methods of f64 ").expect("a list");
+    let (list, _) = list.split_once(", and").expect("an end");
+    let functions: Vec<&str> = list.split(", ").collect();
+    assert!(functions.len() > 30, "{functions:?}");
+    for function in functions {
+        assert!(text.contains(&format!(". {function} (")), "no system of the corpus calls `{function}`");
+    }
+}
+
+/// What the language has beside functions, as tokens are printed.
+const CONSTRUCTS: &[&str] = &[
+    // coordinates
+    "q : [f64 ;",
+    "q : & [f64 ;",
+    "q : & [[f64 ;",
+    "q : & [f64]",
+    "q : & [[f64 ; 3]]",
+    "[x , y] : [f64 ; 2]",
+    "[[ax , ay] , [bx , by] , [cx , cy]] : [[f64 ; 2] ; 3]",
+    "& [f64 ; WEIGHTS]",
+    "& [[f64 ; 3] ; N]",
+    ", t : f64",
+    // loops
+    "for i in 0 .. 4",
+    "for i in 0 ..= 4",
+    "for i in (1 .. q . len ()) . rev ()",
+    "for i in (0 .. 4) . step_by (2)",
+    "for j in 0 .. i",
+    "for j in i + 1 .. 5",
+    "for & x in q . iter ()",
+    "for [x , y] in p",
+    "for & (a , b) in & self . bonds",
+    "for x in & self . data",
+    "continue",
+    // iterator chains
+    ". map (",
+    ". filter (",
+    ". enumerate ()",
+    ". zip (",
+    ". skip (",
+    ". take (",
+    ". windows (",
+    ". chunks_exact (",
+    ". fold (",
+    ". sum :: < f64 > ()",
+    ". iter () . map (| x | x . powi (2)) . sum",
+    // indices
+    "(i + 1) % N",
+    "i * w + j",
+    "self . neighbours [i] [k]",
+    "as usize",
+    // branches
+    "else if",
+    "&& self",
+    "||",
+    "! (x >",
+    "if self . tilted",
+    "if i < j",
+    // variables
+    "let (mut",
+    "let [",
+    "sum = sum +",
+    "-=",
+    "[0.0 ; 3]",
+    "const TETRAHEDRAL",
+    // parameters
+    "self . stacking . gain",
+    "self . masses [i]",
+    "Self :: UNIT",
+    "std :: f64 :: consts :: PI",
+    "as f64",
+    "impl < const N : usize >",
+    "< 'static",
+    // helpers, and what means nothing to the derivative
+    "self . spring (",
+    "Self :: spring (self",
+    "-> (f64 , f64)",
+    "-> [f64 ; 2]",
+    "f64 :: sqrt (",
+    "# [derivative (slope)]",
+    "# [inline]",
+    "debug_assert",
+];
+
+#[test]
+fn every_construct_is_used() {
+    let text = corpus().iter().map(|system| system.item.to_token_stream().to_string()).collect::<String>();
+    let missing: Vec<_> = CONSTRUCTS.iter().filter(|construct| !text.contains(**construct)).collect();
+    assert!(missing.is_empty(), "no system of the corpus has {missing:?}");
+}
