@@ -11,7 +11,7 @@ use num_dual::DualNum;
 pub(crate) trait Member: Hamiltonian<Coords: Filled> {
     /// A step at which the motion from the first point of the reference is resolved.
     const STEP: f64;
-    /// Why no certificate is to be had, where the potential is not smooth enough for one.
+    /// Why every certificate is refused, where the potential is not smooth enough for any order.
     const ROUGH: Option<&'static str> = None;
 
     /// The system with the parameters of the reference.

@@ -19,7 +19,7 @@ import json
 import pathlib
 import sympy
 from mpmath import mp, mpf
-from reference_systems import SYSTEMS
+from formulas import SYSTEMS
 
 mp.dps = 50
 DIGITS = 32

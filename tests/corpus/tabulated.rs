@@ -4,7 +4,10 @@ use crate::{
     chains::half_squares,
     member::{Member, Number},
 };
-use integrator_core::prelude::*;
+use integrator_core::{
+    check::{Certificate, CertifyError},
+    prelude::*,
+};
 
 /// A bond whose energies and forces were computed elsewhere, with cubic Hermite polynomials in between.
 #[derive(Clone)]
@@ -47,7 +50,6 @@ impl Tabulated {
 
 impl Member for Tabulated {
     const STEP: f64 = 0.05;
-    const ROUGH: Option<&'static str> = Some("the second derivative of the spline jumps between cells");
 
     fn example() -> Self {
         Self { cell: 0.75, values: [1.5, -0.2, -0.4, 0.3], slopes: [-3.0, -1.1, 0.4, 1.2] }
@@ -67,5 +69,9 @@ impl Member for Tabulated {
         };
         let rest = -s + 1.0;
         end(left, s) * rest * rest + end(left + 1, rest) * s * s + q[0] * q[0] * 0.01
+    }
+    fn certificate(&self, start: Phase<Self::Coords>) -> Result<Certificate, CertifyError> {
+        // The second derivative of the spline jumps between cells: no order above 2 shows.
+        certify(self, Verlet, start, Self::STEP)
     }
 }
