@@ -241,9 +241,10 @@ impl SoftBox {
     }
     fn potential(&self, [x, y]: [f64; 2]) -> f64 {
         let mut energy = 0.0;
+        let inside = x >= -self.half && x <= self.half;
         if x > self.half {
             energy += 0.5 * self.hardness * (x - self.half).powi(2);
-        } else if x < -self.half || !(x > -2.0 * self.half) {
+        } else if !inside || x < -2.0 * self.half {
             energy += 0.5 * self.hardness * (x + self.half).powi(2);
         }
         let outside = y.abs().max(self.half) - self.half;

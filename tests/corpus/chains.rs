@@ -153,7 +153,7 @@ impl FrenkelKontorova {
         for i in 0..=4 {
             springs += (q[i + 1] - q[i] - self.misfit).powi(2);
         }
-        for &x in q.iter() {
+        for x in q.iter().copied() {
             surface += 1.0 - (wave * x).cos();
         }
         0.5 * self.stiffness * springs + self.depth / wave.powi(2) * surface

@@ -109,7 +109,7 @@ pub(crate) struct Network {
 impl Network {
     fn kinetic(&self, p: &[f64; 5]) -> f64 {
         let mut sum = 0.0;
-        for p in p.iter() {
+        for &p in p {
             sum += p.powi(2);
         }
         0.5 * sum

@@ -2,6 +2,7 @@
 //!
 //! Every gradient is derived three times: by the macro, by dual numbers through a twin of the formula, and by
 //! `reference.py` with fifty digits. The twins and the reference were written from the formulas, not from each other.
+//! All of it holds on the baseline too, for which [`instruction_sets`] starts a second process.
 
 mod accelerator;
 mod central;
@@ -9,6 +10,8 @@ mod chains;
 mod clusters;
 mod galactic;
 mod henon_heiles;
+#[path = "../support/instruction_sets.rs"]
+mod instruction_sets;
 mod lattices;
 mod many_body;
 mod member;

@@ -180,6 +180,7 @@ pub(crate) struct Sutherland<const N: usize> {
 
 #[hamiltonian]
 impl<const N: usize> Sutherland<N> {
+    #[allow(clippy::assign_op_pattern, reason = "both ways to add are understood")]
     fn kinetic(&self, p: &[f64; N]) -> f64 {
         let mut sum = 0.0;
         for i in 0..N {

@@ -9,6 +9,7 @@ mod catalogue;
 mod divergence;
 mod ensemble;
 mod external;
+#[path = "../support/instruction_sets.rs"]
 mod instruction_sets;
 mod kepler;
 mod orders;
