@@ -8,6 +8,7 @@ use crate::{
     real::Real,
     run::Run,
     slot::{Keep, Slot},
+    visit::{Visitor, visit_general},
 };
 
 /// The coordinates of `H` with leaf `K`.
@@ -44,6 +45,12 @@ pub trait Hamiltonian: Sized {
     fn kinetic<R: Real, K: Keep>(motion: &Self::Motion<R, K>, time: f64) -> R;
     /// `V` at the motion's positions.
     fn potential<R: Real, K: Keep>(motion: &Self::Motion<R, K>, time: f64) -> R;
+
+    /// Shows `visitor` each composition of the catalogue that may integrate this Hamiltonian: those for every `T`, and
+    /// where `T` is quadratic the others too.
+    fn visit_compositions(visitor: &mut impl Visitor<Self>) {
+        visit_general(visitor);
+    }
 
     /// A run from `start` with step `h` and the annotated composition.
     ///

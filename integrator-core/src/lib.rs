@@ -80,6 +80,7 @@ mod slot;
 #[allow(unsafe_code, reason = "instructions that the target may lack, used where they were detected")]
 #[allow(unreachable_pub, reason = "named in bounds, never outside")]
 mod vector;
+mod visit;
 
 pub use catalogue::*;
 pub use composition::{Class, Composition, Lead, Processor, Rows, Scheme, Stage, Stages};
@@ -93,6 +94,7 @@ pub use phase::Phase;
 pub use run::Run;
 pub use samples::{Sample, Samples};
 pub use slot::Compensated;
+pub use visit::{Visitor, visit_general, visit_quadratic};
 
 /// The examples of the README, so that they compile and hold.
 #[cfg(doctest)]
@@ -122,6 +124,7 @@ pub mod __private {
         hamiltonian::{Flows, Hamiltonian, Motion, Plain, Prepared, QuadraticKinetic, Shaped},
         real::{Kernel, Mask, Real},
         slot::{Keep, Slot},
+        visit::{Visitor, visit_quadratic},
     };
     pub use std::{sync::Arc, vec::Vec};
 

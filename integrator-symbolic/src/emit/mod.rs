@@ -109,6 +109,14 @@ pub(crate) fn stepper(input: &Input, mut model: Model) -> TokenStream {
     let coordinates = coordinates(&model, &names);
     let (composition, declared) = composition(input, &model, &names);
     let autonomous = model.autonomous;
+    // The runtime shows every Hamiltonian the compositions for general `T`; only here is it known that there are more.
+    let visit = model.quadratic.then(|| {
+        quote! {
+            fn visit_compositions(visitor: &mut impl #runtime::Visitor<Self>) {
+                #runtime::visit_quadratic(visitor);
+            }
+        }
+    });
     let quadratic = force_gradient.map(|functions| {
         quote! {
             #[automatically_derived]
@@ -156,6 +164,7 @@ pub(crate) fn stepper(input: &Input, mut model: Model) -> TokenStream {
                 #kick
                 #kinetic
                 #potential
+                #visit
             }
 
             #quadratic
