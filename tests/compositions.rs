@@ -1,10 +1,10 @@
 //! The catalogue end to end: what the macro proved, measured on nonlinear problems.
 
-#[path = "support/catalogue.rs"]
+#[path = "../integrator-core/src/catalogue_list.rs"]
 mod catalogue;
 
 use catalogue::for_each_composition;
-use integrator_core::prelude::*;
+use integrator_core::{Visitor, prelude::*};
 use std::{fs, path::Path};
 
 /// Hénon and Heiles's galaxy: `T` is quadratic.
@@ -164,6 +164,15 @@ fn facts_are_constants() {
     assert!(BlanesMoanSrkn11::LEADING_ERROR < Omelyan6::LEADING_ERROR);
 }
 
+/// The names of what a Hamiltonian admits.
+struct Names(Vec<&'static str>);
+
+impl<H: Hamiltonian> Visitor<H> for Names {
+    fn visit<X: Composition<H>>(&mut self, _: X) {
+        self.0.push(X::NAME);
+    }
+}
+
 #[test]
 fn every_composition_of_the_catalogue_is_tested() {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("integrator-core/src/catalogue");
@@ -177,7 +186,11 @@ fn every_composition_of_the_catalogue_is_tested() {
     }
     for_each_composition!(general: note!);
     for_each_composition!(quadratic: note!);
+    let mut visited = Names(Vec::new());
+    Galaxy::visit_compositions(&mut visited);
     declared.sort_unstable();
     tested.sort_unstable();
+    visited.0.sort_unstable();
     assert_eq!(tested, declared);
+    assert_eq!(visited.0, declared);
 }

@@ -1,6 +1,6 @@
 //! The documents say what is true: the table is what was proved, the commands are what is run, lists are complete.
 
-#[path = "support/catalogue.rs"]
+#[path = "../integrator-core/src/catalogue_list.rs"]
 mod catalogue;
 
 use catalogue::for_each_composition;

@@ -57,6 +57,7 @@
 extern crate self as integrator_core;
 
 mod catalogue;
+mod catalogue_list;
 #[cfg(feature = "check")]
 pub mod check;
 mod composition;

@@ -4,6 +4,7 @@
 
 use crate::{
     catalogue::*,
+    catalogue_list::for_each_composition,
     composition::Composition,
     hamiltonian::{Hamiltonian, QuadraticKinetic},
 };
@@ -47,14 +48,7 @@ pub fn visit_general<H: Hamiltonian>(visitor: &mut impl Visitor<H>) {
     macro_rules! visit {
         ($($composition:ident)*) => {$( visitor.visit($composition); )*};
     }
-    visit!(Euler EulerAdjoint Verlet VelocityVerlet McLachlanAtela2 McLachlan2 VelocityMcLachlan2);
-    visit!(Ruth3 McLachlanAtela3 McLachlan4 McLachlan4S4 Pefrl Vefrl Omelyan4 PositionOmelyan4);
-    visit!(BlanesMoan4 BlanesMoan6 Teloy6A Yoshida4 VelocityYoshida4 Suzuki4 McLachlan4Ss5);
-    visit!(Yoshida6 KahanLi6 McLachlan6 SofroniouSpaletta6S11 SofroniouSpaletta6S13);
-    visit!(SuzukiUmeno8 KahanLi8 McLachlan8 SofroniouSpaletta8 KahanLi10 SofroniouSpaletta10);
-    visit!(BlanesCasasMurua6S11 BlanesCasasMurua6S13 BlanesCasasMurua8);
-    // Proved for every `T`, though at their best where it is quadratic.
-    visit!(McLachlan4Sb3a BlanesMoanSrkn6);
+    for_each_composition!(general: visit!);
 }
 
 /// Shows `visitor` the compositions for quadratic `T`, after those for every `T`.
@@ -63,8 +57,5 @@ pub fn visit_quadratic<H: QuadraticKinetic>(visitor: &mut impl Visitor<H>) {
         ($($composition:ident)*) => {$( visitor.visit($composition); )*};
     }
     visit_general(visitor);
-    visit!(McLachlanAtela4 CalvoSanzSerna4 McLachlanAtela5 Omelyan6 Teloy6B BlanesMoanSrkn11 BlanesMoanSrkn14);
-    visit!(BlanesCasasEscorihuela8 Teloy8A Teloy8B Teloy8C);
-    // With force gradients.
-    visit!(Chin4A Chin4B Chin4C Chin4D Schaefers4 Schaefers6 TakahashiImada4 BlanesCasasRos6);
+    for_each_composition!(quadratic: visit!);
 }

@@ -4,7 +4,7 @@
 //! second process that has the other.
 
 mod by_hand;
-#[path = "../support/catalogue.rs"]
+#[path = "../../integrator-core/src/catalogue_list.rs"]
 mod catalogue;
 mod divergence;
 mod ensemble;

@@ -1,4 +1,4 @@
-//! The one list of compositions that tests go through; `tests/compositions.rs` holds it against the catalogue.
+//! The one list of the compositions in the catalogue, for visitors and for tests; a test holds it against the sources.
 
 /// Does something with every composition of the catalogue: those for every `T`, and those for quadratic `T`.
 macro_rules! for_each_composition {
