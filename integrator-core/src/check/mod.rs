@@ -13,11 +13,14 @@
 //! | [`energy_drift`] | bounded | a trend |
 //! | [`gradient_error`] | rounding | of the size of the gradient |
 //!
+//! [`choose()`] measures too, but not whether a stepper is right: which of the right ones is the cheapest.
+//!
 //! What is a property of the flows (symplecticity, order, gradient) is measured in `f64` whatever the leaf of the
 //! start; what rounding takes part in (reversibility, energy) is measured in the precision of the start.
 
 mod certificate;
 mod certify;
+mod choose;
 mod dual;
 mod energy;
 mod error;
@@ -35,6 +38,7 @@ mod tolerance;
 
 pub use certificate::{Certificate, Tolerances};
 pub use certify::certify;
+pub use choose::{Choice, ChooseError, Goal, Ranking, choose};
 pub use energy::{EnergyDrift, energy_drift};
 pub use error::CheckError;
 pub use gradient::gradient_error;

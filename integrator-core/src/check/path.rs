@@ -14,6 +14,7 @@ use crate::{
 pub(crate) const PARTS: u64 = 4;
 
 /// A start, and where the motion is at the end of each of the [`PARTS`].
+#[derive(Clone)]
 pub(crate) struct Path<C> {
     pub(crate) start: Phase<C>,
     pub(crate) ends: Vec<Phase<C>>,

@@ -1,0 +1,48 @@
+//! Why there is no ranking.
+
+use crate::check::CheckError;
+
+/// Why no composition could be chosen.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum ChooseError {
+    /// A run could not start, or its energy says nothing.
+    #[error(transparent)]
+    Check(#[from] CheckError),
+    /// The span is zero or not finite.
+    #[error("the span is {span}: it has to be finite and not zero (negative spans run backwards)")]
+    Span {
+        /// The span that was asked for.
+        span: f64,
+    },
+    /// The tolerance is not a positive number.
+    #[error("the tolerance is {tolerance}: it has to be positive and finite")]
+    Tolerance {
+        /// The tolerance that was asked for.
+        tolerance: f64,
+    },
+    /// The true motion is not known to the tolerance.
+    #[error(
+        "the motion cannot be followed to {tolerance:e} over this span: halving the step of a run of order 10 changes it \
+         by {difference:e} at the least. A shorter span, a looser tolerance, or the energy as the goal helps"
+    )]
+    Unfollowed {
+        /// The tolerance that was asked for.
+        tolerance: f64,
+        /// The smallest change.
+        difference: f64,
+    },
+    /// No composition reaches the tolerance.
+    #[error(
+        "no composition reaches {tolerance:e}; {composition} comes closest with {error:e}. Below that, rounding or the \
+         length of the span prevails: a compensated start, a shorter span or a looser tolerance helps"
+    )]
+    Unreached {
+        /// The tolerance that was asked for.
+        tolerance: f64,
+        /// The composition with the smallest error.
+        composition: &'static str,
+        /// That error.
+        error: f64,
+    },
+}

@@ -1,0 +1,155 @@
+//! What is integrated and how its error is measured.
+
+use super::{ChooseError, Goal, candidate::Candidate};
+use crate::{
+    catalogue::SofroniouSpaletta10,
+    check::{
+        CheckError,
+        path::{PARTS, Path, Scale},
+        points::plain,
+        tolerance::{largest, ratio, within},
+    },
+    coords::Coords,
+    error::Error,
+    hamiltonian::{Hamiltonian, Motion, Shaped},
+    phase::Phase,
+    run::Run,
+    slot::{Compensated, Keep},
+};
+use std::time::Instant;
+
+/// How many evaluations a single run has at most. An arbitrary line: a small system takes a second for them.
+pub(super) const MOST_EVALUATIONS: u64 = 1 << 26;
+
+/// How much closer than the tolerance the true motion has to be known. The change from one refinement to the next is
+/// most of the error of the coarser one; that of the finer one is smaller by a thousand times.
+const MARGIN: f64 = 16.0;
+
+/// How often the energy of a run is looked at, at most.
+const LOOKS: u64 = 4096;
+
+/// Whether rounding has taken over: an error below the root of ε that two halvings of the step have not halved.
+pub(super) fn stalled(error: f64, two_halvings_ago: f64, epsilon: f64) -> bool {
+    within(error, epsilon.sqrt()) && error > two_halvings_ago / 2.0
+}
+
+/// A system, a start, a span and a goal.
+pub(super) struct Problem<'s, H: Hamiltonian, K: Keep> {
+    pub(super) system: &'s H,
+    pub(super) start: Phase<Shaped<H, K>>,
+    pub(super) span: f64,
+    pub(super) goal: Goal,
+    /// The true motion and how far it goes; none where the energy is the goal.
+    exact: Option<(Path<H::Coords>, Scale)>,
+}
+
+impl<'s, H: Hamiltonian, K: Keep> Problem<'s, H, K> {
+    pub(super) fn new(system: &'s H, start: Phase<Shaped<H, K>>, span: f64, goal: Goal) -> Result<Self, ChooseError> {
+        let mut problem = Self { system, start, span, goal, exact: None };
+        match goal {
+            Goal::Energy(_) if !H::AUTONOMOUS => return Err(CheckError::NotAutonomous.into()),
+            Goal::Energy(_) => {}
+            Goal::Trajectory(tolerance) => problem.exact = Some(problem.followed(tolerance)?),
+        }
+        Ok(problem)
+    }
+
+    /// The true motion: a run of order 10 with a compensated state, its step halved until that changes nothing.
+    fn followed(&self, tolerance: f64) -> Result<(Path<H::Coords>, Scale), ChooseError> {
+        let mut changes = [f64::INFINITY; 2];
+        let mut least = f64::INFINITY;
+        let mut coarse: Option<(Path<H::Coords>, Scale)> = None;
+        let mut steps = PARTS;
+        while steps <= MOST_EVALUATIONS {
+            let fine = self.reference(steps).ok();
+            if let (Some((coarse, _)), Some((fine, scale))) = (coarse, &fine) {
+                let change = fine.distance(&coarse, *scale);
+                least = least.min(change);
+                if within(change * MARGIN, tolerance) {
+                    return Ok((fine.clone(), *scale));
+                }
+                if stalled(change, changes[0], f64::EPSILON) {
+                    break;
+                }
+                changes = [changes[1], change];
+            }
+            coarse = fine;
+            steps *= 2;
+        }
+        Err(ChooseError::Unfollowed { tolerance, difference: least })
+    }
+
+    /// One refinement of the true motion. How far it goes is looked at after every step, because at a few times a
+    /// periodic motion may be back at its start.
+    fn reference(&self, steps: u64) -> Result<(Path<H::Coords>, Scale), Error> {
+        let start = plain::<H, K>(&self.start);
+        let compensated = Phase::compensated(start.q.clone(), start.p.clone());
+        let h = self.span / steps as f64;
+        let mut run = Run::start::<H, SofroniouSpaletta10, Compensated<f64>>(self.system, compensated, h)?;
+        let (mut ends, mut scale) = (Vec::with_capacity(PARTS as usize), Scale { q: 0.0, p: 0.0 });
+        for step in 1..=steps {
+            run.advance(1)?;
+            let seen = Path { start: start.clone(), ends: vec![plain::<H, Compensated<f64>>(&run.state())] };
+            let excursion = seen.excursion();
+            scale = Scale { q: largest([scale.q, excursion.q]), p: largest([scale.p, excursion.p]) };
+            if step % (steps / PARTS) == 0 {
+                ends.extend(seen.ends);
+            }
+        }
+        Ok((Path { start, ends }, scale))
+    }
+
+    /// The error of a candidate in `steps` steps, a multiple of [`PARTS`]; infinite where the run breaks off.
+    pub(super) fn error(&self, candidate: &Candidate<H, K>, steps: u64) -> f64 {
+        let error = match &self.exact {
+            Some((exact, scale)) => self.ends(candidate, steps).map(|path| path.distance(exact, *scale)),
+            None => self.deviation(candidate, steps),
+        };
+        error.unwrap_or(f64::INFINITY)
+    }
+
+    fn begin(&self, candidate: &Candidate<H, K>, steps: u64) -> Result<Run<Shaped<H, K>>, Error> {
+        (candidate.begin)(self.system, self.start.clone(), self.span / steps as f64)
+    }
+
+    fn ends(&self, candidate: &Candidate<H, K>, steps: u64) -> Result<Path<H::Coords>, Error> {
+        let mut run = self.begin(candidate, steps)?;
+        let mut ends = Vec::with_capacity(PARTS as usize);
+        for _ in 0..PARTS {
+            run.advance(steps / PARTS)?;
+            ends.push(plain::<H, K>(&run.state()));
+        }
+        Ok(Path { start: plain::<H, K>(&self.start), ends })
+    }
+
+    fn deviation(&self, candidate: &Candidate<H, K>, steps: u64) -> Result<f64, Error> {
+        let run = self.begin(candidate, steps)?;
+        let parameters = self.system.parameters(self.start.q.length());
+        let energies = |state: &Phase<Shaped<H, K>>, time| {
+            let motion = H::Motion::<f64, K>::load(|_| (&parameters, state));
+            let kinetic = H::kinetic::<f64, K>(&motion, time);
+            (kinetic, kinetic + H::potential::<f64, K>(&motion, time))
+        };
+        let (mut kinetic, first) = energies(&self.start, run.time());
+        let mut deviation = 0.0;
+        let interval = steps.div_ceil(LOOKS);
+        for sample in run.samples(interval).take((steps / interval + 1) as usize) {
+            let sample = sample?;
+            let (now, energy) = energies(&sample.state, sample.time);
+            (kinetic, deviation) = (largest([kinetic, now]), largest([deviation, energy - first]));
+        }
+        Ok(ratio(deviation, kinetic))
+    }
+
+    /// The shortest time that `steps` steps took in three runs.
+    pub(super) fn seconds(&self, candidate: &Candidate<H, K>, steps: u64) -> Result<f64, Error> {
+        let mut shortest = f64::INFINITY;
+        for _ in 0..3 {
+            let mut run = self.begin(candidate, steps)?;
+            let start = Instant::now();
+            run.advance(steps)?;
+            shortest = shortest.min(start.elapsed().as_secs_f64());
+        }
+        Ok(shortest)
+    }
+}

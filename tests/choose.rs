@@ -1,0 +1,122 @@
+//! Choosing a composition: what is ranked keeps what it promises, and what cannot be ranked says why.
+
+use integrator_core::{
+    check::{CheckError, ChooseError, Goal, choose},
+    prelude::*,
+};
+
+#[path = "../examples/choose/systems.rs"]
+#[expect(dead_code, reason = "the example chooses for more systems")]
+mod systems;
+
+use systems::{Kepler, Pendulum, Problem, henon_heiles, kepler, pendulum};
+
+/// A relativistic oscillator whose spring changes with time where `rate` is not zero.
+struct Relativistic {
+    rate: f64,
+}
+
+#[hamiltonian]
+impl Relativistic {
+    fn kinetic(&self, p: [f64; 1]) -> f64 {
+        (1.0 + p[0] * p[0]).sqrt()
+    }
+    fn potential(&self, q: [f64; 1], t: f64) -> f64 {
+        q[0] * q[0] * (1.0 + (self.rate * t).sin() / 2.0)
+    }
+}
+
+#[test]
+fn a_tight_tolerance_on_an_eccentric_orbit_wants_a_high_order() {
+    let Problem { system, start, span } = kepler();
+    let ranking = choose(&system, start, span, Goal::Trajectory(1e-9)).expect("a ranking");
+    assert!(ranking.best().order >= 8, "{ranking}");
+    assert!(ranking.choices().is_sorted_by_key(|choice| choice.evaluations));
+    assert!(ranking.choices().iter().all(|choice| choice.error <= 1e-9 && choice.seconds > 0.0), "{ranking}");
+    // Verlet's error falls with the square of the step: it would need more than a hundred times the work.
+    assert!(ranking.choices().iter().all(|choice| choice.composition != "Verlet"));
+    let most = ranking.choices().iter().map(|choice| choice.evaluations).max();
+    assert!(most <= Some(16 * ranking.best().evaluations), "{ranking}");
+}
+
+/// Ten periods on a circle, of which the position after every time is known.
+#[test]
+fn the_promised_step_keeps_the_promise() {
+    let (start, span, tolerance) = (Phase::new([1.0, 0.0], [0.0, 1.0]), 62.0, 1e-3);
+    let ranking = choose(&Kepler, start, span, Goal::Trajectory(tolerance)).expect("a ranking");
+    let verlet = ranking.choices().iter().find(|choice| choice.composition == "Verlet").expect("few steps do");
+    assert_eq!(verlet.step, span / verlet.steps as f64);
+    assert_eq!(verlet.evaluations, verlet.steps);
+    let distance = |steps: u64| {
+        let mut run = Kepler.run_with(Verlet, start, span / steps as f64).expect("a start");
+        // The root of the mean square over the ends of four quarters, in units of the diameters of both circles.
+        let squares = (1..=4).map(|quarter| {
+            run.advance(steps / 4).expect("finite states");
+            let (Phase { q, p }, angle) = (run.state(), span * f64::from(quarter) / 4.0);
+            let (sine, cosine) = angle.sin_cos();
+            (q[0] - cosine).powi(2) + (q[1] - sine).powi(2) + (p[0] + sine).powi(2) + (p[1] - cosine).powi(2)
+        });
+        (squares.sum::<f64>() / 4.0).sqrt() / 2.0
+    };
+    // The reference sees the diameters from the ends of its steps, at least six in a period and never twice at the same
+    // places: a hundredth is what these may miss.
+    assert!((distance(verlet.steps) / verlet.error - 1.0).abs() < 1e-2, "{} {verlet:?}", distance(verlet.steps));
+    // The step is the longest: with a tenth fewer steps, the error is a fifth larger.
+    let fewer = verlet.steps / 40 * 36;
+    assert!(distance(fewer) > tolerance, "{} in {fewer} steps", distance(fewer));
+}
+
+#[test]
+fn only_admissible_compositions_are_ranked() {
+    let name = |choice: &integrator_core::check::Choice| choice.composition;
+    let start = Phase::new([0.5], [0.2]);
+    let general = choose(&Relativistic { rate: 0.0 }, start, 20.0, Goal::Trajectory(1e-5)).expect("a ranking");
+    let quadratic = choose(&Pendulum, start, 20.0, Goal::Trajectory(1e-5)).expect("a ranking");
+    let nystrom = |names: &[&str]| names.contains(&"BlanesMoanSrkn11") || names.contains(&"Chin4A");
+    let general: Vec<_> = general.choices().iter().map(name).collect();
+    let quadratic: Vec<_> = quadratic.choices().iter().map(name).collect();
+    assert!(!nystrom(&general) && general.contains(&"BlanesMoan6"), "{general:?}");
+    assert!(nystrom(&quadratic) && quadratic.contains(&"BlanesMoan6"), "{quadratic:?}");
+}
+
+#[test]
+fn the_leaf_of_the_start_decides_what_can_be_reached() {
+    let Problem { start, span, .. } = pendulum();
+    let goal = Goal::Energy(3e-14);
+    let compensated = choose(&Pendulum, Phase::compensated(start.q, start.p), span, goal).expect("a ranking");
+    assert!(compensated.best().error <= 3e-14);
+    let single = Phase::new([2.0_f32], [0.0]);
+    let coarse = choose(&Pendulum, single, span, Goal::Energy(1e-4)).expect("a ranking");
+    assert!(coarse.best().step > 0.1, "{coarse}");
+    let fine = choose(&Pendulum, single, span, Goal::Energy(1e-9));
+    // ε of f32 is 1.2e-7; a hundred steps and more round to it.
+    assert!(matches!(fine, Err(ChooseError::Unreached { error, .. }) if error > 1e-8 && error < 1e-5), "{fine:?}");
+}
+
+#[test]
+fn a_clock_hides_no_order_but_the_energy() {
+    let (driven, start) = (Relativistic { rate: 1.3 }, Phase::new([0.5], [0.2]));
+    assert!(choose(&driven, start, 20.0, Goal::Trajectory(1e-6)).is_ok());
+    let energy = choose(&driven, start, 20.0, Goal::Energy(1e-6));
+    assert_eq!(energy, Err(ChooseError::Check(CheckError::NotAutonomous)));
+}
+
+#[test]
+fn what_cannot_be_chosen_says_why() {
+    let Problem { system, start, span } = henon_heiles();
+    for span in [0.0, f64::NAN, f64::INFINITY] {
+        let refused = choose(&system, start, span, Goal::Energy(1e-3));
+        assert!(matches!(refused, Err(ChooseError::Span { .. })), "{refused:?}");
+    }
+    for tolerance in [0.0, -1e-3, f64::NAN, f64::INFINITY] {
+        let refused = choose(&system, start, span, Goal::Energy(tolerance));
+        assert!(matches!(refused, Err(ChooseError::Tolerance { .. })), "{refused:?}");
+    }
+    let nowhere = choose(&system, Phase::new([f64::NAN, 0.0], [0.0; 2]), span, Goal::Energy(1e-3));
+    assert!(matches!(nowhere, Err(ChooseError::Check(CheckError::Run(_)))), "{nowhere:?}");
+    let beyond = choose(&system, start, span, Goal::Trajectory(1e-17));
+    assert!(matches!(beyond, Err(ChooseError::Unfollowed { difference, .. }) if difference < 1e-12), "{beyond:?}");
+    // A swing that backward steps follow as well as forward ones.
+    let back = choose(&Pendulum, Phase::new([2.0], [0.0]), -20.0, Goal::Trajectory(1e-3)).expect("a ranking");
+    assert!(back.best().step < 0.0);
+}
