@@ -46,6 +46,7 @@
 //! | looking at a run from time to time | [`Run::samples`] |
 //! | what can go wrong | [`Error`] |
 //! | whether a stepper is what it claims to be | `check`, above all `certify` (feature `check`) |
+//! | which composition is the cheapest, and with which step | `check::choose` (feature `check`) |
 //! | which machine code is run | [`InstructionSet`] |
 //!
 //! # Features
