@@ -189,7 +189,7 @@ impl Reader<'_> {
                     };
                     self.errors.at(&index.index, message);
                 }
-                part.cloned()
+                part.cloned().map(Value::into_operand)
             }
             Value::Opaque(Opaque { text, loops }) => {
                 let at = self.opaque(&at)?;
@@ -260,7 +260,7 @@ impl Reader<'_> {
                 Some(Value::Opaque(Opaque { text: quote!(#text.#member), loops }))
             }
             (Value::Tuple(parts), Member::Unnamed(position)) if (position.index as usize) < parts.len() => {
-                Some(parts[position.index as usize].clone())
+                Some(parts[position.index as usize].clone().into_operand())
             }
             (other, member) => {
                 self.errors.at(member, format!("{} has no such field", other.describe()));

@@ -113,8 +113,9 @@ impl Reader<'_> {
         let value = match op {
             None => self.expression(right)?,
             Some(op) => {
+                // The text of `x *= a + b` has no parentheses of its own, nor has that of what `x` was.
                 let (now, change) = (self.element_of(&target)?.clone(), self.expression(right)?);
-                self.combine(&plain(op), now, change, left, right, whole)?
+                self.combine(&plain(op), now.into_operand(), change.into_operand(), left, right, whole)?
             }
         };
         *self.element_of_mut(&target)? = value;
