@@ -107,14 +107,16 @@ pub(crate) struct Network {
 
 #[hamiltonian]
 impl Network {
-    fn kinetic(&self, p: &[f64; 5]) -> f64 {
+    const SITES: usize = 5;
+
+    fn kinetic(&self, p: &[f64; Self::SITES]) -> f64 {
         let mut sum = 0.0;
         for &p in p {
             sum += p.powi(2);
         }
         0.5 * sum
     }
-    fn potential(&self, q: &[f64; 5]) -> f64 {
+    fn potential(&self, q: &[f64; Self::SITES]) -> f64 {
         let mut sum = 0.0;
         for (k, &(a, b)) in self.bonds.iter().enumerate() {
             sum += self.stiffness[k] * (q[a] - q[b]).powi(2) / 2.0;
@@ -157,7 +159,7 @@ pub(crate) struct Membrane<'n, const N: usize> {
 }
 
 #[hamiltonian]
-impl<const N: usize> Membrane<'static, N> {
+impl<const N: usize> Membrane<'_, N> {
     fn kinetic(&self, p: &[[f64; 3]; N]) -> f64 {
         let mut sum = 0.0;
         for i in 0..N {
@@ -202,5 +204,65 @@ impl Member for Membrane<'static, 4> {
             (square.sqrt() - self.length).powi(2) * self.tension
         };
         self.neighbours.iter().enumerate().flat_map(|(i, row)| row.map(|k| spring(i, k))).sum()
+    }
+}
+
+/// Where the stiffness of a chain comes from.
+pub(crate) trait Law: Sync + 'static {
+    fn stiffness(&self) -> f64;
+}
+
+impl Law for f64 {
+    fn stiffness(&self) -> f64 {
+        *self
+    }
+}
+
+/// A chain of any length with strong and weak bonds in turn (Su, Schrieffer and Heeger 1979), and a few heavy ends.
+pub(crate) struct Dimers<L> {
+    law: L,
+    weak: f64,
+    pinned: usize,
+}
+
+#[hamiltonian]
+impl<L> Dimers<L>
+where
+    L: Law,
+{
+    fn kinetic(&self, p: &[f64]) -> f64 {
+        p.iter().map(|p| p * p / 2.0).sum::<f64>() + p.iter().rev().step_by(2).map(|p| 0.1 * p * p).sum::<f64>()
+    }
+    fn potential(&self, q: &[f64]) -> f64 {
+        let mut energy = 0.0;
+        for i in 0..q.len() - 1 {
+            let next = i + 1;
+            let bond = q[next] - q[i];
+            energy += if i % 2 == 0 { self.law.stiffness() } else { self.weak } * (bond.cosh() - 1.0);
+        }
+        for i in 0..self.pinned {
+            energy += (i as f64 + 0.5) * q[i].powi(4);
+        }
+        energy
+    }
+}
+
+impl Member for Dimers<f64> {
+    const STEP: f64 = 0.05;
+
+    fn example() -> Self {
+        Self { law: 1.3, weak: 0.6, pinned: 2 }
+    }
+    fn energies(&self, at: &Phase<Vec<f64>>, _: f64) -> [f64; 2] {
+        [self.kinetic(&at.p), self.potential(&at.q)]
+    }
+    fn kinetic_twin<D: Number>(&self, p: &[D], _: f64) -> D {
+        let last = p.len() - 1;
+        p.iter().enumerate().map(|(i, p)| *p * *p * if (last - i) % 2 == 0 { 0.6 } else { 0.5 }).sum()
+    }
+    fn potential_twin<D: Number>(&self, q: &[D], _: f64) -> D {
+        let stiffness = [self.law, self.weak].into_iter().cycle();
+        let bond = |(pair, stiffness): (&[D], f64)| ((pair[1] - pair[0]).cosh() - 1.0) * stiffness;
+        q.windows(2).zip(stiffness).map(bond).sum::<D>() + q[0].powi(4) * 0.5 + q[1].powi(4) * 1.5
     }
 }

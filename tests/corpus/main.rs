@@ -55,10 +55,12 @@ corpus! {
     long_range: rotors::LongRange,
     sine_gordon: rotors::SineGordon,
     geared_pendula: rotors::GearedPendula,
+    free_top: rotors::FreeTop,
 
     phi_four: lattices::PhiFour,
     planar_spins: lattices::PlanarSpins,
     network: lattices::Network,
+    dimers: lattices::Dimers<f64>,
     membrane: lattices::Membrane<'static, 4>,
 
     lennard_jones: clusters::LennardJones,
@@ -106,6 +108,7 @@ corpus! {
     kapitza: traps::Kapitza,
     two_waves: traps::TwoWaves,
     growing_mass: traps::GrowingMass,
+    ramped_lattice: traps::RampedLattice,
 
     focusing_channel: accelerator::FocusingChannel,
     bucket: accelerator::Bucket,
@@ -122,4 +125,5 @@ corpus! {
     mixture: statistics::Mixture,
     schools: statistics::Schools,
     student: statistics::Student,
+    heavy_tails: statistics::HeavyTails,
 }

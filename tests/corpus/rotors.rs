@@ -172,3 +172,37 @@ impl Member for GearedPendula {
         -q.iter().zip(self.weights).map(|(angle, weight)| angle.cos() * weight).sum::<D>()
     }
 }
+
+/// A top without weight, whose axes are coupled: nothing ever kicks it.
+pub(crate) struct FreeTop {
+    inertia: f64,
+}
+
+#[hamiltonian]
+impl FreeTop {
+    fn kinetic(&self, [a, b]: [f64; 2]) -> f64 {
+        (a * a + a * b + b * b) / (2.0 * self.inertia) + 0.1 * (a * b).cos()
+    }
+    fn potential(&self, _: [f64; 2]) -> f64 {
+        0.0
+    }
+}
+
+impl Member for FreeTop {
+    const STEP: f64 = 0.1;
+    const ROUGH: Option<&'static str> = Some("every composition is exact, so no order shows");
+
+    fn example() -> Self {
+        Self { inertia: 1.7 }
+    }
+    fn energies(&self, at: &Phase<[f64; 2]>, _: f64) -> [f64; 2] {
+        [self.kinetic(at.p), self.potential(at.q)]
+    }
+    fn kinetic_twin<D: Number>(&self, p: &[D], _: f64) -> D {
+        let product = p[0] * p[1];
+        (p[0] * p[0] + product + p[1] * p[1]) / (2.0 * self.inertia) + product.cos() * 0.1
+    }
+    fn potential_twin<D: Number>(&self, _: &[D], _: f64) -> D {
+        D::zero()
+    }
+}

@@ -301,3 +301,45 @@ impl Member for Student {
         half_squares(q) * 0.2 + q[1] * self.data.len() as f64 + tails * ((self.freedom + 1.0) / 2.0)
     }
 }
+
+/// Heavy tails whose product is taken before its logarithm, and an exponent that is a coordinate.
+pub(crate) struct HeavyTails {
+    scale: f64,
+}
+
+#[hamiltonian]
+impl HeavyTails {
+    fn kinetic(&self, p: [f64; 4]) -> f64 {
+        let pairs = ([p[0], p[1]], (p[2], p[3]));
+        let ([a, b], last) = pairs;
+        (a * a + b * b + last.0 * last.0 + last.1 * last.1) / 2.0
+    }
+    fn potential(&self, q: [f64; 4]) -> f64 {
+        let mut product = 1.0;
+        for i in 0..4 {
+            product *= 1.0 + (q[i] / self.scale).powi(2);
+        }
+        let mut far = q[1] * q[1];
+        far += 15e-1_f64;
+        product.ln() + 0.05 * [q[0], q[3]].iter().map(|x| x * x).sum::<f64>() + far.powf(0.1 * q[2])
+    }
+}
+
+impl Member for HeavyTails {
+    const STEP: f64 = 0.05;
+
+    fn example() -> Self {
+        Self { scale: 0.8 }
+    }
+    fn energies(&self, at: &Phase<[f64; 4]>, _: f64) -> [f64; 2] {
+        [self.kinetic(at.p), self.potential(at.q)]
+    }
+    fn kinetic_twin<D: Number>(&self, p: &[D], _: f64) -> D {
+        half_squares(p)
+    }
+    fn potential_twin<D: Number>(&self, q: &[D], _: f64) -> D {
+        let tails: D = q.iter().map(|x| (x.powi(2) / self.scale.powi(2)).ln_1p()).sum();
+        let power = ((q[1] * q[1] + 1.5).ln() * q[2] * 0.1).exp();
+        tails + (q[0] * q[0] + q[3] * q[3]) * 0.05 + power
+    }
+}

@@ -1,6 +1,6 @@
 """Chains, rotors and lattices."""
 
-from sympy import Piecewise, Rational, cos, exp, pi, sin
+from sympy import Piecewise, Rational, cos, cosh, exp, pi, sin
 
 from .common import distance, exactly, half_squares, neighbours, system
 
@@ -95,6 +95,13 @@ def geared_pendula(q, p, t):
     return kinetic, -sum(weight * cos(x) for weight, x in zip(weights, q))
 
 
+@system([0.4, -0.3], [0.5, 0.7])
+def free_top(q, p, t):
+    inertia, small = exactly(1.7, 0.1)
+    a, b = p
+    return (a**2 + a * b + b**2) / (2 * inertia) + small * cos(a * b), 0
+
+
 # lattices
 
 
@@ -127,3 +134,11 @@ def membrane(q, p, t):
     length, tension = exactly(0.9, 0.7)
     springs = [(0, 1), (0, 2), (1, 3), (1, 0), (2, 0), (2, 3), (3, 1), (3, 2)]
     return half_squares(p), tension * sum((distance(q, a, b, 3) - length) ** 2 for a, b in springs)
+
+
+@system([0.3, -0.4, 0.5, 1.1, 0.2], [0.3, -0.2, 0.1, 0.4, -0.5])
+def dimers(q, p, t):
+    strong, weak, heavy = exactly(1.3, 0.6, 0.1)
+    kinetic = half_squares(p) + heavy * sum(x**2 for x in p[::-2])
+    bonds = sum((weak if i % 2 else strong) * (cosh(b - a) - 1) for i, (a, b) in enumerate(neighbours(q)))
+    return kinetic, bonds + q[0] ** 4 / 2 + 3 * q[1] ** 4 / 2

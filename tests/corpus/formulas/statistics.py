@@ -1,6 +1,6 @@
 """Targets of Hamiltonian Monte Carlo."""
 
-from sympy import exp, log
+from sympy import Rational, exp, log
 
 from .common import exactly, half_squares, system
 
@@ -54,3 +54,10 @@ def student(q, p, t):
     location, log_scale = q
     tails = sum(log(1 + ((x - location) * exp(-log_scale)) ** 2 / freedom) for x in data)
     return half_squares(p), exactly(0.1) * 2 * half_squares(q) + 5 * log_scale + (freedom + 1) / 2 * tails
+
+
+@system([0.3, 0.7, -0.4, 0.9], [0.5, 0.1, -0.2, 0.3])
+def heavy_tails(q, p, t):
+    scale, tie, tenth = exactly(0.8, 0.05, 0.1)
+    tails = sum(log(1 + x**2 / scale**2) for x in q)
+    return half_squares(p), tails + tie * (q[0] ** 2 + q[3] ** 2) + (q[1] ** 2 + Rational(3, 2)) ** (tenth * q[2])

@@ -93,6 +93,14 @@ def growing_mass(q, p, t):
     return exp(-rate * t) * half_squares(p), exp(rate * t) * stiffness * spring / 2
 
 
+@system([0.4], [0.5], t=0.5)
+def ramped_lattice(q, p, t):
+    depth, ramp, field, tilt = exactly(0.9, 0.7, 0.2, 0.01)
+    strength = Piecewise(((t / ramp) ** 2 * (3 - 2 * t / ramp), t < ramp), (1, True))
+    slope = Rational(3, 2) * (field + tilt)
+    return half_squares(p) * 2 / 5, strength * depth * sin(pi * q[0]) ** 2 + 2 * slope * q[0]
+
+
 # beams
 
 
