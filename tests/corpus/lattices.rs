@@ -258,7 +258,7 @@ impl Member for Dimers<f64> {
     }
     fn kinetic_twin<D: Number>(&self, p: &[D], _: f64) -> D {
         let last = p.len() - 1;
-        p.iter().enumerate().map(|(i, p)| *p * *p * if (last - i) % 2 == 0 { 0.6 } else { 0.5 }).sum()
+        p.iter().enumerate().map(|(i, p)| *p * *p * [0.6, 0.5][(last - i) % 2]).sum()
     }
     fn potential_twin<D: Number>(&self, q: &[D], _: f64) -> D {
         let stiffness = [self.law, self.weak].into_iter().cycle();
