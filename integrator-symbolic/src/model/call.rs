@@ -113,6 +113,8 @@ impl Reader<'_> {
                          impl, `fn {name}(&self, x: f64) -> f64`"
                     );
                     self.errors.at(name, message);
+                    // One mistake, one message, however often it is called.
+                    self.bindings[id.0].value = Value::Unknown;
                     return None;
                 }
             }

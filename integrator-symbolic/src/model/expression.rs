@@ -185,7 +185,7 @@ impl Reader<'_> {
                 if part.is_none() {
                     let message = match literal {
                         Some(_) => format!("the index is out of bounds: this array has {} elements", parts.len()),
-                        None => "an array of values is indexed by a literal here".to_owned(),
+                        None => "an array of values is indexed by literals, or in a loop of up to 16 turns".to_owned(),
                     };
                     self.errors.at(&index.index, message);
                 }
@@ -301,10 +301,12 @@ impl Reader<'_> {
             Expr::While(_) => "`while` has no derivative here: write the sum as `for i in a..b`",
             Expr::Loop(_) => "`loop` has no derivative here: write the sum as `for i in a..b`",
             Expr::Match(_) => "`match` on coordinates is not understood: write `if ... else if ... else`",
-            Expr::Return(_) => "an early `return` is not understood: let the energy be the last expression",
+            Expr::Return(_) => {
+                "an early `return` is not understood: let the energy be the last expression, as in `if ... { 0.0 } else { ... }`"
+            }
             Expr::Closure(_) => "a closure over coordinates is not understood: write a helper method of this impl",
-            Expr::Unsafe(_) => "`unsafe` code over coordinates is not understood",
-            Expr::Break(_) => "`break` is not understood: give the loop its range",
+            Expr::Unsafe(_) => "`unsafe` code over coordinates is not understood: write it with plain indices",
+            Expr::Break(_) => "`break` is not understood: give the loop its range, or put `if` around what it adds",
             Expr::Continue(_) => "`continue` is understood as `if condition { continue; }` in the body of a loop alone",
             Expr::Try(_) => "`?` leaves the function, and no force tells of that: give the energy unconditionally",
             Expr::Reference(_) => "`&mut` is not understood: assign to the variable itself",

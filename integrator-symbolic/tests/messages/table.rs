@@ -202,9 +202,14 @@ pub(crate) const BODIES: &[Row] = &[
     ("match q[0] { _ => q[0] }", &["2:0 `match` on coordinates is not understood: write `if ... else if ... else`"]),
     ("while q[0] > 0.0 {} q[0]", &["2:0 `while` has no derivative here: write the sum as `for i in a..b`"]),
     ("loop { q[0]; }", &["2:0 `loop` has no derivative here: write the sum as `for i in a..b`"]),
-    ("return q[0];", &["2:0 an early `return` is not understood: let the energy be the last expression"]),
+    (
+        "return q[0];",
+        &[
+            "2:0 an early `return` is not understood: let the energy be the last expression, as in `if ... { 0.0 } else { ... }`",
+        ],
+    ),
     ("(|x: f64| x)(q[0])", &["2:0 this is called with coordinates and is no name: write a helper method of this impl"]),
-    ("unsafe { q[0] }", &["2:0 `unsafe` code over coordinates is not understood"]),
+    ("unsafe { q[0] }", &["2:0 `unsafe` code over coordinates is not understood: write it with plain indices"]),
     ("let x = q[0] < 1.0; q[0]", &[]),
     (
         "!q[0]",
@@ -272,11 +277,13 @@ pub(crate) const BODIES: &[Row] = &[
     ("q[99999999999999999999999999]", &["2:2 number too large to fit in target type"]),
     (
         "if q[0] > 1.0 { return 0.0; } q[0]",
-        &["2:16 an early `return` is not understood: let the energy be the last expression"],
+        &[
+            "2:16 an early `return` is not understood: let the energy be the last expression, as in `if ... { 0.0 } else { ... }`",
+        ],
     ),
     (
         "let mut v = 0.0; for i in 0..2 { if q[i] > 1.0 { break; } v += q[i]; } v",
-        &["2:49 `break` is not understood: give the loop its range"],
+        &["2:49 `break` is not understood: give the loop its range, or put `if` around what it adds"],
     ),
     (
         "let mut v = 0.0; for i in 0..2 { if q[i] > 1.0 { v += q[i]; continue; } v += 1.0; } v",
@@ -292,7 +299,9 @@ pub(crate) const BODIES: &[Row] = &[
     ),
     (
         "let k = match self.kind { 0 => return 0.0, _ => 1.0 }; k * q[0]",
-        &["2:31 an early `return` is not understood: let the energy be the last expression"],
+        &[
+            "2:31 an early `return` is not understood: let the energy be the last expression, as in `if ... { 0.0 } else { ... }`",
+        ],
     ),
     (
         "let mut v = 0.0; let w = &mut v; *w += q[0]; v",

@@ -1,0 +1,27 @@
+//! An array of values that a loop of many turns reads by its index.
+
+use integrator_core::prelude::*;
+
+struct System {
+    mass: f64,
+}
+
+#[hamiltonian]
+impl System {
+    fn kinetic(&self, p: [f64; 2]) -> f64 {
+        (p[0] * p[0] + p[1] * p[1]) / 2.0
+    }
+    fn potential(&self, q: [f64; 2]) -> f64 {
+        let s = [q[0] * q[1]; 20];
+        let mut v = 0.0;
+        for i in 0..20 {
+            v += s[i];
+        }
+        v
+    }
+}
+
+fn main() {
+    let system = System { mass: 1.0 };
+    let _ = (system.mass, system.run(Phase::new([0.1, 0.2], [0.0; 2]), 0.1));
+}

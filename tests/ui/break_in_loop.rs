@@ -1,0 +1,29 @@
+//! A loop that ends before its range does.
+
+use integrator_core::prelude::*;
+
+struct System {
+    mass: f64,
+}
+
+#[hamiltonian]
+impl System {
+    fn kinetic(&self, p: [f64; 2]) -> f64 {
+        (p[0] * p[0] + p[1] * p[1]) / 2.0
+    }
+    fn potential(&self, q: [f64; 2]) -> f64 {
+        let mut v = 0.0;
+        for x in q {
+            if x > 1.0 {
+                break;
+            }
+            v += x * x;
+        }
+        v
+    }
+}
+
+fn main() {
+    let system = System { mass: 1.0 };
+    let _ = (system.mass, system.run(Phase::new([0.1, 0.2], [0.0; 2]), 0.1));
+}

@@ -1,0 +1,25 @@
+//! A choice by a coordinate that is no comparison.
+
+use integrator_core::prelude::*;
+
+struct System {
+    mass: f64,
+}
+
+#[hamiltonian]
+impl System {
+    fn kinetic(&self, p: [f64; 2]) -> f64 {
+        (p[0] * p[0] + p[1] * p[1]) / 2.0
+    }
+    fn potential(&self, q: [f64; 2]) -> f64 {
+        match q[0] > 0.0 {
+            true => q[0] * q[1],
+            false => 0.0,
+        }
+    }
+}
+
+fn main() {
+    let system = System { mass: 1.0 };
+    let _ = (system.mass, system.run(Phase::new([0.1, 0.2], [0.0; 2]), 0.1));
+}

@@ -1,0 +1,25 @@
+//! A call with an argument too many, which Rust refuses as well.
+
+use integrator_core::prelude::*;
+
+struct System {
+    mass: f64,
+}
+
+#[hamiltonian]
+impl System {
+    fn kinetic(&self, p: [f64; 2]) -> f64 {
+        (p[0] * p[0] + p[1] * p[1]) / 2.0
+    }
+    fn potential(&self, q: [f64; 2]) -> f64 {
+        self.spring(q[0], q[1])
+    }
+    fn spring(&self, x: f64) -> f64 {
+        self.mass * x * x
+    }
+}
+
+fn main() {
+    let system = System { mass: 1.0 };
+    let _ = (system.mass, system.run(Phase::new([0.1, 0.2], [0.0; 2]), 0.1));
+}
