@@ -4,7 +4,7 @@
 //! Comes in: bytes, which are read as choices. Goes out: the arguments and the item of an annotation, as text that need
 //! not be tokens. Always true: equal bytes give equal text.
 
-use proc_macro2::{Delimiter, Spacing, TokenStream, TokenTree};
+use proc_macro2::{Delimiter, Group, Spacing, TokenStream, TokenTree};
 use quote::ToTokens;
 use std::{fs, path::Path};
 
@@ -299,7 +299,25 @@ fn has_message(output: &TokenStream) -> bool {
     })
 }
 
-/// Whether the output holds the item, behind attributes at most.
+/// Whether the output holds the item, behind attributes at most. `#[derivative(..)]` is the macro's own: it is taken out.
 fn follows(output: &TokenStream, item: &TokenStream) -> bool {
-    output.to_string().contains(&item.to_string())
+    let plain = |tokens: &TokenStream| without_derivatives(tokens.clone()).to_string();
+    plain(output).contains(&plain(item))
+}
+
+fn without_derivatives(tokens: TokenStream) -> TokenStream {
+    let trees: Vec<TokenTree> = tokens.into_iter().collect();
+    let is_own = |at: usize| match (trees.get(at), trees.get(at + 1)) {
+        (Some(TokenTree::Punct(sign)), Some(TokenTree::Group(group))) if sign.as_char() == '#' => {
+            let first = group.stream().into_iter().next();
+            matches!(first, Some(TokenTree::Ident(name)) if name == "derivative")
+        }
+        _ => false,
+    };
+    let kept = trees.iter().enumerate().filter(|(at, _)| !is_own(*at) && !(*at > 0 && is_own(at - 1)));
+    let inner = |tree: &TokenTree| match tree {
+        TokenTree::Group(group) => TokenTree::Group(Group::new(group.delimiter(), without_derivatives(group.stream()))),
+        other => other.clone(),
+    };
+    kept.map(|(_, tree)| inner(tree)).collect()
 }
