@@ -278,7 +278,8 @@ impl Level {
         let range = model.graph.loops.get(by);
         let (from, to) = (bound(model, range.from, table, false), bound(model, range.to, table, true));
         let extent = model.graph.loops.upper(range.to).unwrap_or(range.to);
-        let literal = model.graph.loops.literal(extent);
+        // A long table is on the heap, like the buffer for a long gradient.
+        let literal = model.graph.loops.literal(extent).filter(|length| *length <= super::block::SMALL);
         let (zero, whole) = (model.graph.loops.literal(from) == Some(0), to == extent);
         let printer = single(model, names);
         let mut none = Fields::default();
