@@ -70,7 +70,7 @@ pub(super) fn replacement(
 }
 
 /// The most elements that a buffer has on the stack; a longer one, or one of a length known at run time, is on the heap.
-pub(super) const SMALL: u64 = 4096;
+const SMALL: u64 = 4096;
 
 /// A buffer for the gradient, and its application to each of the coordinates of `part`.
 fn buffer(

@@ -278,8 +278,7 @@ impl Level {
         let range = model.graph.loops.get(by);
         let (from, to) = (bound(model, range.from, table, false), bound(model, range.to, table, true));
         let extent = model.graph.loops.upper(range.to).unwrap_or(range.to);
-        // A long table is on the heap, like the buffer for a long gradient.
-        let literal = model.graph.loops.literal(extent).filter(|length| *length <= super::block::SMALL);
+        let literal = model.graph.loops.literal(extent);
         let (zero, whole) = (model.graph.loops.literal(from) == Some(0), to == extent);
         let printer = single(model, names);
         let mut none = Fields::default();
