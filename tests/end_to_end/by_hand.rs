@@ -71,6 +71,60 @@ fn the_galaxy_by_verlet() {
     assert_eq!(([x, y], [px, py]), expected);
 }
 
+/// Seventeen kicks, all written out.
+#[test]
+fn the_galaxy_by_kahan_and_li() {
+    let (mut x, mut y, mut px, mut py, h) = (0.3, -0.2, 0.1, 0.35, 0.25);
+    let expected = generated(&HenonHeiles, KahanLi8, ([x, y], [px, py]), h);
+
+    let drift = |x: &mut f64, y: &mut f64, px: f64, py: f64, a: f64| {
+        *x = fma(h * a, px, *x);
+        *y = fma(h * a, py, *y);
+    };
+    let kick = |x: f64, y: f64, px: &mut f64, py: &mut f64, b: f64| {
+        *px = fma(-(h * b) * 2.0 * x, y + 0.5, *px);
+        *py = fma(-(h * b), y + fma(-y, y, x * x), *py);
+    };
+    for step in 0..STEPS {
+        drift(&mut x, &mut y, px, py, if step == 0 { 0.06510124154444503 } else { 0.13020248308889007 });
+        kick(x, y, &mut px, &mut py, 0.13020248308889007);
+        drift(&mut x, &mut y, px, py, 0.3456827324319992);
+        kick(x, y, &mut px, &mut py, 0.5611629817751084);
+        drift(&mut x, &mut y, px, py, 0.08584400956513055);
+        kick(x, y, &mut px, &mut py, -0.38947496264484727);
+        drift(&mut x, &mut y, px, py, -0.11531652804484584);
+        kick(x, y, &mut px, &mut py, 0.1588419065551556);
+        drift(&mut x, &mut y, px, py, -0.11853099378904099);
+        kick(x, y, &mut px, &mut py, -0.39590389413323757);
+        drift(&mut x, &mut y, px, py, -0.10568212657746094);
+        kick(x, y, &mut px, &mut py, 0.1845396409783157);
+        drift(&mut x, &mut y, px, py, 0.22145701433231887);
+        kick(x, y, &mut px, &mut py, 0.25837438768632204);
+        drift(&mut x, &mut y, px, py, 0.27669305564781616);
+        kick(x, y, &mut px, &mut py, 0.2950117236093103);
+        drift(&mut x, &mut y, px, py, -0.15524840511036211);
+        kick(x, y, &mut px, &mut py, -0.6055085338300346);
+        drift(&mut x, &mut y, px, py, -0.15524840511036211);
+        kick(x, y, &mut px, &mut py, 0.2950117236093103);
+        drift(&mut x, &mut y, px, py, 0.27669305564781616);
+        kick(x, y, &mut px, &mut py, 0.25837438768632204);
+        drift(&mut x, &mut y, px, py, 0.22145701433231887);
+        kick(x, y, &mut px, &mut py, 0.1845396409783157);
+        drift(&mut x, &mut y, px, py, -0.10568212657746094);
+        kick(x, y, &mut px, &mut py, -0.39590389413323757);
+        drift(&mut x, &mut y, px, py, -0.11853099378904099);
+        kick(x, y, &mut px, &mut py, 0.1588419065551556);
+        drift(&mut x, &mut y, px, py, -0.11531652804484584);
+        kick(x, y, &mut px, &mut py, -0.38947496264484727);
+        drift(&mut x, &mut y, px, py, 0.08584400956513055);
+        kick(x, y, &mut px, &mut py, 0.5611629817751084);
+        drift(&mut x, &mut y, px, py, 0.3456827324319992);
+        kick(x, y, &mut px, &mut py, 0.13020248308889007);
+    }
+    drift(&mut x, &mut y, px, py, 0.06510124154444503);
+    assert_eq!(([x, y], [px, py]), expected);
+}
+
 #[test]
 fn a_planet_by_velocity_verlet() {
     let system = Kepler { mu: 1.1 };
