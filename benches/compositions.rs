@@ -4,7 +4,7 @@
 //! `ratio_<problem>_<composition>=`, are nanoseconds per force evaluation over those of Verlet in the same turn, medians
 //! of interleaved turns: 1.03 is asked. Met on the pendulum (0.85 to 1.01), on Hénon-Heiles (1.01 at most), on Kepler
 //! (1.01) and on the outer solar system (1.01); not on FPUT-32, where a longer table costs 1.05 with the kick first and
-//! 1.08 with the drift first.
+//! 1.08 to 1.12 with the drift first.
 //!
 //! A gradient of the squared force is counted as no evaluation here, so that the ratios of compositions in which every
 //! kick has one (`Chin4B`) tell what it costs: a kick with gradient takes the time of 1.3 forces on the pendulum, 1.6 on
