@@ -354,6 +354,75 @@ mod elided_lifetimes {
     moves!(Borrowed { table: &[3.0] }, [0.4], [3.0]);
 }
 
+mod stated_derivative {
+    use super::*;
+
+    #[derive(Clone)]
+    struct Table;
+
+    impl Table {
+        fn energy(&self, x: f64) -> f64 {
+            (1..=3).map(|power| x.powi(power)).sum()
+        }
+        fn force(&self, x: f64) -> f64 {
+            1.0 + 2.0 * x + 3.0 * x * x
+        }
+    }
+
+    #[derive(Clone)]
+    struct Tabulated {
+        table: Table,
+    }
+
+    #[hamiltonian]
+    impl Tabulated {
+        fn kinetic(&self, p: [f64; 1]) -> f64 {
+            p[0] * p[0]
+        }
+        fn potential(&self, q: [f64; 1]) -> f64 {
+            self.law(q[0])
+        }
+        #[derivative(slope)]
+        fn law(&self, x: f64) -> f64 {
+            self.table.energy(x)
+        }
+        fn slope(&self, x: f64) -> f64 {
+            self.table.force(x)
+        }
+    }
+
+    moves!(Tabulated { table: Table }, [0.5], [2.75]);
+}
+
+mod stated_derivatives {
+    use super::*;
+
+    #[derive(Clone)]
+    struct Tabulated;
+
+    #[hamiltonian]
+    impl Tabulated {
+        fn kinetic(&self, p: [f64; 1]) -> f64 {
+            p[0] * p[0]
+        }
+        fn potential(&self, q: [f64; 1]) -> f64 {
+            self.law(q[0], 2.0)
+        }
+        #[derivative(by_x, by_y)]
+        fn law(&self, x: f64, y: f64) -> f64 {
+            x * x * y
+        }
+        fn by_x(&self, x: f64, y: f64) -> f64 {
+            2.0 * x * y
+        }
+        fn by_y(&self, x: f64, _y: f64) -> f64 {
+            x * x
+        }
+    }
+
+    moves!(Tabulated, [0.5], [2.0]);
+}
+
 mod where_clauses {
     use super::*;
 
