@@ -3,7 +3,7 @@
 use super::fields::Fields;
 use crate::{
     graph::{
-        Comparison, Element, ExternalId, Graph, Node, NodeId, Part,
+        Element, ExternalId, Graph, Node, NodeId, Part,
         index::{Index, IndexId, LoopId},
     },
     model::{
@@ -50,7 +50,7 @@ impl Printed {
     }
 
     /// In parentheses, unless it holds together at least as tightly as `needed`.
-    fn at_least(self, needed: Binding) -> TokenStream {
+    pub(super) fn at_least(self, needed: Binding) -> TokenStream {
         if self.binding >= needed {
             return self.tokens;
         }
@@ -206,55 +206,6 @@ impl Printer<'_> {
         )
     }
 
-    /// A condition: a mask of lanes in a flow, `bool` where parameters are prepared.
-    fn condition(&self, fields: &mut Fields, condition: Node) -> TokenStream {
-        let runtime = self.runtime;
-        let scalar = self.scalar;
-        match (condition, self.dialect) {
-            (Node::Compare(comparison, a, b), Dialect::Generic) => {
-                let a = self.expression(fields, a).at_least(Binding::Atom);
-                let (b, method) = (self.expression(fields, b).tokens, method(comparison));
-                quote!(#a.#method(#b))
-            }
-            (Node::Compare(comparison, a, b), Dialect::Single) => {
-                let (a, b) = (self.expression(fields, a), self.expression(fields, b));
-                let (a, b, sign) = (a.at_least(Binding::Sum), b.at_least(Binding::Sum), sign(comparison));
-                quote!(((#a) #sign (#b)))
-            }
-            (Node::CompareIndex(comparison, a, b), dialect) => {
-                let (a, b, sign) = (self.index(fields, a), self.index(fields, b), sign(comparison));
-                match dialect {
-                    Dialect::Generic => quote!(<#scalar::Mask as #runtime::Mask>::of((#a) #sign (#b))),
-                    Dialect::Single => quote!(((#a) #sign (#b))),
-                }
-            }
-            (Node::Flag(parameter), Dialect::Generic) => {
-                let name = fields.flag(self.parameters, parameter);
-                let at = self.running_of(self.graph.loops.of_parameter(parameter));
-                let zero = self.lifted(quote!(0.0));
-                quote!(#zero.less(motion.parameters.#name #at))
-            }
-            (Node::Flag(parameter), Dialect::Single) => {
-                let text = &self.parameters[parameter.0 as usize].text;
-                quote!((#text))
-            }
-            (Node::And(a, b), dialect) => {
-                let (a, b) = (self.expression(fields, a).tokens, self.expression(fields, b).tokens);
-                if dialect == Dialect::Generic { quote!(#a.and(#b)) } else { quote!((#a && #b)) }
-            }
-            (Node::Or(a, b), dialect) => {
-                let (a, b) = (self.expression(fields, a).tokens, self.expression(fields, b).tokens);
-                if dialect == Dialect::Generic { quote!(#a.or(#b)) } else { quote!((#a || #b)) }
-            }
-            (Node::Not(a), dialect) => {
-                let a = self.expression(fields, a).tokens;
-                if dialect == Dialect::Generic { quote!(#a.not()) } else { quote!((!#a)) }
-            }
-            // Numbers are printed elsewhere.
-            _ => TokenStream::new(),
-        }
-    }
-
     /// `a + b`, where a product among the two is fused with the addition.
     fn addition(&self, fields: &mut Fields, a: NodeId, b: NodeId) -> Printed {
         if self.dialect == Dialect::Generic {
@@ -397,7 +348,7 @@ impl Printer<'_> {
         quote!(motion.parameters.#name #at)
     }
 
-    fn running_of(&self, loops: crate::graph::index::LoopSet) -> TokenStream {
+    pub(super) fn running_of(&self, loops: crate::graph::index::LoopSet) -> TokenStream {
         loops
             .iter()
             .map(|by| {
@@ -417,21 +368,4 @@ fn binding(text: &TokenStream) -> Binding {
         TokenTree::Group(_) | TokenTree::Literal(_) => false,
     });
     if operators { Binding::Sum } else { Binding::Atom }
-}
-
-/// The method of the runtime's reals that compares.
-fn method(comparison: Comparison) -> Ident {
-    match comparison {
-        Comparison::Less => format_ident!("less"),
-        Comparison::LessOrEqual => format_ident!("less_or_equal"),
-        Comparison::Equal => format_ident!("equal"),
-    }
-}
-
-fn sign(comparison: Comparison) -> TokenStream {
-    match comparison {
-        Comparison::Less => quote!(<),
-        Comparison::LessOrEqual => quote!(<=),
-        Comparison::Equal => quote!(==),
-    }
 }

@@ -5,6 +5,7 @@
 //! the user, of `::core`, and of the runtime's private door.
 
 mod block;
+mod condition;
 mod equations;
 mod expression;
 mod fields;

@@ -5,7 +5,7 @@
 //! Nothing hides a NaN: `0·x` and `x - x` stay, and a square root is only undone under a sum of squares.
 
 use super::{
-    Element, ExternalId, Graph, Node, NodeId, ParameterId,
+    Element, Graph, Node, NodeId, ParameterId,
     function::{Function, Rule},
     index::{Index, IndexId, LoopId},
 };
@@ -118,30 +118,6 @@ impl Graph {
             }
             _ => self.intern(Node::Binary(function, a, b)),
         }
-    }
-
-    /// A method of the user whose derivatives are not known yet.
-    pub(crate) fn declare_external(&mut self) -> ExternalId {
-        self.externals.push([None; 2]);
-        ExternalId(self.externals.len() as u32 - 1)
-    }
-
-    /// States which methods give the derivatives of a method.
-    pub(crate) fn derive_external(&mut self, id: ExternalId, slopes: [Option<ExternalId>; 2]) {
-        self.externals[id.0 as usize] = slopes;
-    }
-
-    /// The methods that give the derivatives of a method.
-    pub(crate) fn external_slopes(&self, id: ExternalId) -> [Option<ExternalId>; 2] {
-        self.externals[id.0 as usize]
-    }
-
-    /// A method of the user, of one argument or two.
-    pub(crate) fn external(&mut self, id: ExternalId, a: NodeId, b: Option<NodeId>) -> NodeId {
-        self.intern(match b {
-            None => Node::External(id, a),
-            Some(b) => Node::ExternalTwo(id, a, b),
-        })
     }
 
     /// The sum of `body` over a loop; of what does not depend on the index, the number of turns times it.

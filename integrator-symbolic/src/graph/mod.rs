@@ -10,6 +10,7 @@ mod condition;
 mod cost;
 #[cfg(test)]
 pub(crate) mod evaluate;
+mod external;
 pub(crate) mod function;
 pub(crate) mod index;
 mod polynomial;
