@@ -35,6 +35,10 @@ fn a_tight_tolerance_on_an_eccentric_orbit_wants_a_high_order() {
     assert!(ranking.choices().iter().all(|choice| choice.error <= 1e-9 && choice.seconds > 0.0), "{ranking}");
     // Verlet's error falls with the square of the step: it would need more than a hundred times the work.
     assert!(ranking.choices().iter().all(|choice| choice.composition != "Verlet"));
+    // Thirteen kicks a step; twenty in the processor, and twenty in its inverse, once.
+    let processed =
+        ranking.choices().iter().find(|choice| choice.composition == "BlanesCasasMurua8").expect("a choice");
+    assert_eq!(processed.evaluations, 13 * processed.steps + 40);
     let most = ranking.choices().iter().map(|choice| choice.evaluations).max();
     assert!(most <= Some(16 * ranking.best().evaluations), "{ranking}");
 }
