@@ -314,7 +314,9 @@ fn without_derivatives(tokens: TokenStream) -> TokenStream {
         }
         _ => false,
     };
-    let kept = trees.iter().enumerate().filter(|(at, _)| !is_own(*at) && !(*at > 0 && is_own(at - 1)));
+    // The sign and the brackets behind it.
+    let is_part = |at: usize| is_own(at) || at > 0 && is_own(at - 1);
+    let kept = trees.iter().enumerate().filter(|(at, _)| !is_part(*at));
     let inner = |tree: &TokenTree| match tree {
         TokenTree::Group(group) => TokenTree::Group(Group::new(group.delimiter(), without_derivatives(group.stream()))),
         other => other.clone(),
