@@ -32,7 +32,7 @@ use std::{fmt, num::NonZeroUsize, thread};
 ///     fn potential(&self, q: [f64; 1]) -> f64 { -9.81 * self.length * q[0].cos() }
 /// }
 ///
-/// let members = (1..=100).map(|i| (Pendulum { length: i as f64 / 100.0 }, Phase::new([1.0], [0.0])));
+/// let members = (1..=100).map(|i| (Pendulum { length: i as f64 / 100.0 }, Phase::new([1.0_f64], [0.0])));
 /// let mut swarm = Ensemble::new(Yoshida4, members, 0.01)?;
 /// swarm.advance(1_000)?;
 /// let shortest = swarm.state(0).expect("a hundred members");
