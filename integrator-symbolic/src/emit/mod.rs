@@ -104,8 +104,7 @@ pub(crate) fn stepper(input: &Input, mut model: Model) -> TokenStream {
     let length = Body::new(prepare.clone()).argument("length");
     let (of_r, of_f64) = (of(quote!(#scalar)), of(quote!(f64)));
 
-    let (generics, own_generics, bounds) = input.item.generics.split_for_impl();
-    let _ = own_generics;
+    let (generics, _, bounds) = input.item.generics.split_for_impl();
     let system = &input.item.self_ty;
     let coordinates = coordinates(&model, &names);
     let (composition, declared) = composition(input, &model, &names);

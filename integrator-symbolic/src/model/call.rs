@@ -219,10 +219,8 @@ impl Reader<'_> {
         }
         let numbers: Vec<_> = arguments.iter().zip(places).map(|(value, place)| self.number(value, place)).collect();
         let numbers = numbers.into_iter().collect::<Option<Vec<NodeId>>>()?;
-        if let Some((mixed, place)) = numbers.iter().zip(places).find(|(number, _)| self.mixes(x, **number))
-            && method != "mul_add"
-        {
-            let _ = mixed;
+        let mixed = numbers.iter().zip(places).find(|(number, _)| self.mixes(x, **number));
+        if let Some((_, place)) = mixed.filter(|_| method != "mul_add") {
             self.not_separable(place);
             return None;
         }
