@@ -67,7 +67,7 @@ fn changed(tokens: TokenStream, done: &mut bool, change: &dyn Fn(&str) -> Option
 }
 
 #[test]
-fn every_entry_is_proved_in_little_time() {
+fn every_entry_is_proved_and_the_cost_is_printed() {
     let mut total = 0.0;
     let mut entries = 0;
     for (file, declarations) in catalogue() {
@@ -86,7 +86,6 @@ fn every_entry_is_proved_in_little_time() {
     }
     println!("{total:7.2} ms for {entries} compositions");
     assert!(entries >= 40, "the walk must reach the catalogue");
-    assert!(total < 300.0, "the proofs take {total} ms of every build");
 }
 
 #[test]
