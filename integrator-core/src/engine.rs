@@ -3,7 +3,7 @@
 use crate::{
     composition::Composition,
     coords::Coords,
-    error::Divergence,
+    error::{Divergence, Error},
     hamiltonian::{Hamiltonian, Motion, Single},
     phase::Phase,
     real::{Kernel, Real},
@@ -25,6 +25,23 @@ pub(crate) struct Clock {
 impl Clock {
     pub(crate) fn at(&self, steps: u64) -> f64 {
         self.t0 + steps as f64 * self.h
+    }
+
+    /// How many steps will be done after `asked` more.
+    ///
+    /// # Errors
+    /// A clock that did not start at a time, and more steps than can be counted.
+    pub(crate) fn end(&self, asked: u64) -> Result<u64, Error> {
+        self.check()?;
+        self.steps.checked_add(asked).ok_or(Error::Steps { done: self.steps, asked })
+    }
+
+    /// Whether the clock started at a time.
+    pub(crate) fn check(&self) -> Result<(), Error> {
+        match self.t0.is_finite() {
+            true => Ok(()),
+            false => Err(Error::Time { time: self.t0 }),
+        }
     }
 
     /// What to say of a trajectory that has taken its last finite step, to `state`.
@@ -90,16 +107,63 @@ pub(crate) fn moves<H: Hamiltonian, X: Composition<H>, R: Real, K: Keep>() -> Mo
     }
 }
 
-/// The engine of one trajectory.
-pub(crate) struct Solo<M, P, C> {
+/// A motion that is looked after: a step that leads out of the finite numbers is not taken.
+#[derive(Clone)]
+pub(crate) struct Watched<M> {
     motion: M,
     /// The motion at the last look that found it finite; kept here so that no block allocates.
     snapshot: M,
     /// Where a step is completed to see whether its state is finite.
     closed: M,
     moves: Moves<M>,
+}
+
+impl<M: Clone> Watched<M> {
+    pub(crate) fn new(motion: M, moves: Moves<M>) -> Self {
+        Self { snapshot: motion.clone(), closed: motion.clone(), motion, moves }
+    }
+
+    /// Takes `steps` steps; `false`, and back where they began, if their state is not finite: the motion, or what
+    /// completing the last step makes of it.
+    pub(crate) fn advance<C: Coords, P>(&mut self, clock: Clock, steps: u64) -> bool
+    where
+        M: Motion<C, P>,
+    {
+        self.snapshot.clone_from(&self.motion);
+        self.moves.advance(&mut self.motion, clock, steps);
+        let finite = self.motion.finite() && {
+            self.closed.clone_from(&self.motion);
+            self.moves.close(&mut self.closed, Clock { steps: clock.steps + steps, ..clock });
+            self.closed.finite()
+        };
+        if !finite {
+            self.motion.clone_from(&self.snapshot);
+        }
+        finite
+    }
+
+    /// The state of a lane with the step under way completed; `shape` knows the size where the type does not.
+    pub(crate) fn state<C: Coords, P>(&self, lane: usize, clock: Clock, shape: &Phase<C>) -> Phase<C>
+    where
+        M: Motion<C, P>,
+    {
+        let mut motion = self.motion.clone();
+        self.moves.close(&mut motion, clock);
+        let mut state = shape.clone();
+        motion.store(lane, &mut state);
+        state
+    }
+
+    /// The motion as it stands, in the middle of a step.
+    pub(crate) fn motion(&self) -> &M {
+        &self.motion
+    }
+}
+
+/// The engine of one trajectory.
+pub(crate) struct Solo<M, P, C> {
+    watched: Watched<M>,
     energies: Arc<Constants<M, P>>,
-    /// A state to write into: it knows the size where the type does not.
     shape: Phase<C>,
 }
 
@@ -107,45 +171,20 @@ impl<M: Motion<C, P>, P: Send + Sync + 'static, C: Coords> Solo<M, P, C> {
     pub(crate) fn new(parameters: P, start: Phase<C>, moves: Moves<M>) -> Self {
         let motion = M::load(|_| (&parameters, &start));
         Self {
-            snapshot: motion.clone(),
-            closed: motion.clone(),
-            motion,
-            moves,
+            watched: Watched::new(motion, moves),
             energies: Arc::new(Constants { parameters, energy: moves.energy }),
             shape: start,
         }
     }
 
-    /// Whether the state after `steps` steps is finite: the motion, and what completing the step makes of it.
-    fn finite_after(&mut self, clock: Clock, steps: u64) -> bool {
-        if !self.motion.finite() {
-            return false;
-        }
-        let clock = Clock { steps: clock.steps + steps, ..clock };
-        self.closed.clone_from(&self.motion);
-        self.moves.close(&mut self.closed, clock);
-        self.closed.finite()
-    }
-
     /// Takes a block of steps, or as many of them as end in a finite state.
     fn block(&mut self, clock: Clock, steps: u64) -> u64 {
-        self.snapshot.clone_from(&self.motion);
-        self.moves.advance(&mut self.motion, clock, steps);
-        if self.finite_after(clock, steps) {
+        if self.watched.advance(clock, steps) {
             return steps;
         }
         // What left the finite numbers never returns, since updates only add: replay the block step by step.
-        self.motion.clone_from(&self.snapshot);
-        for taken in 0..steps {
-            let clock = Clock { steps: clock.steps + taken, ..clock };
-            self.moves.advance(&mut self.motion, clock, 1);
-            if !self.finite_after(clock, 1) {
-                self.motion.clone_from(&self.snapshot);
-                return taken;
-            }
-            self.snapshot.clone_from(&self.motion);
-        }
-        steps
+        let at = |taken| Clock { steps: clock.steps + taken, ..clock };
+        (0..steps).find(|taken| !self.watched.advance(at(*taken), 1)).unwrap_or(steps)
     }
 }
 
@@ -164,11 +203,7 @@ impl<M: Motion<C, P>, P: Send + Sync + 'static, C: Coords> Engine<C> for Solo<M,
     }
 
     fn state(&self, clock: Clock) -> Phase<C> {
-        let mut motion = self.motion.clone();
-        self.moves.close(&mut motion, clock);
-        let mut state = self.shape.clone();
-        motion.store(0, &mut state);
-        state
+        self.watched.state(0, clock, &self.shape)
     }
 
     fn energies(&self) -> Arc<dyn Energies<C>> {
@@ -176,14 +211,7 @@ impl<M: Motion<C, P>, P: Send + Sync + 'static, C: Coords> Engine<C> for Solo<M,
     }
 
     fn boxed_clone(&self) -> Box<dyn Engine<C>> {
-        Box::new(Self {
-            motion: self.motion.clone(),
-            snapshot: self.snapshot.clone(),
-            closed: self.closed.clone(),
-            moves: self.moves,
-            energies: self.energies.clone(),
-            shape: self.shape.clone(),
-        })
+        Box::new(Self { watched: self.watched.clone(), energies: self.energies.clone(), shape: self.shape.clone() })
     }
 }
 

@@ -98,11 +98,7 @@ impl<C: Coords> Ensemble<C> {
     /// the ensemble goes on without the lost ones, which stay at their last finite state. [`Error::Time`] and
     /// [`Error::Steps`] leave the ensemble as it was.
     pub fn advance(&mut self, steps: u64) -> Result<(), Error> {
-        if !self.clock.t0.is_finite() {
-            return Err(Error::Time { time: self.clock.t0 });
-        }
-        let done = self.clock.steps;
-        let end = done.checked_add(steps).ok_or(Error::Steps { done, asked: steps })?;
+        let end = self.clock.end(steps)?;
         let clock = self.clock;
         let share = self.packs.len().div_ceil(self.threads).max(1);
         let run = |packs: &mut [Box<dyn Pack<C>>]| -> Vec<(usize, Divergence)> {

@@ -2,7 +2,7 @@
 
 use crate::{
     coords::Coords,
-    engine::{BLOCK, Clock, Engine, Moves, Solo},
+    engine::{BLOCK, Clock, Engine, Moves, Solo, Watched},
     error::Divergence,
     hamiltonian::Motion,
     phase::Phase,
@@ -74,10 +74,7 @@ impl<M: Motion<C, P>, P: Send + Sync + 'static, C: Coords> Pack<C> for Alone<M, 
 /// Members in the lanes of one motion, until one of them leaves the finite numbers.
 pub(crate) struct SideBySide<L, M, P, C> {
     first: usize,
-    motion: L,
-    snapshot: L,
-    closed: L,
-    lanes: Moves<L>,
+    watched: Watched<L>,
     alone: Moves<M>,
     members: Vec<Member<P, C>>,
     /// The members on their own, once one of them was lost.
@@ -94,29 +91,14 @@ where
     /// `members` fill the lanes.
     pub(crate) fn new(first: usize, members: Vec<Member<P, C>>, lanes: Moves<L>, alone: Moves<M>) -> Self {
         let motion = L::load(|lane| (&members[lane].0, &members[lane].1));
-        Self { first, snapshot: motion.clone(), closed: motion.clone(), motion, lanes, alone, members, apart: None }
-    }
-
-    /// Takes a block of steps; `false`, and back where it began, if a member is lost in it.
-    fn block(&mut self, clock: Clock, steps: u64) -> bool {
-        self.snapshot.clone_from(&self.motion);
-        self.lanes.advance(&mut self.motion, clock, steps);
-        let finite = self.motion.finite() && {
-            self.closed.clone_from(&self.motion);
-            self.lanes.close(&mut self.closed, Clock { steps: clock.steps + steps, ..clock });
-            self.closed.finite()
-        };
-        if !finite {
-            self.motion.clone_from(&self.snapshot);
-        }
-        finite
+        Self { first, watched: Watched::new(motion, lanes), alone, members, apart: None }
     }
 
     /// The members on their own, from where the motion is.
     fn taken_apart(&self) -> Alone<M, P, C> {
         let members = self.members.iter().enumerate().map(|(lane, (parameters, shape))| {
             let mut state = shape.clone();
-            self.motion.store(lane, &mut state);
+            self.watched.motion().store(lane, &mut state);
             (parameters.clone(), state)
         });
         Alone::new(self.first, members.collect(), self.alone)
@@ -138,7 +120,7 @@ where
         let end = clock.steps + steps;
         while self.apart.is_none() && clock.steps < end {
             let block = BLOCK.min(end - clock.steps);
-            if self.block(clock, block) {
+            if self.watched.advance(clock, block) {
                 clock.steps += block;
             } else {
                 self.apart = Some(self.taken_apart());
@@ -155,11 +137,7 @@ where
             return apart.state(member, clock);
         }
         let lane = member - self.first;
-        let mut motion = self.motion.clone();
-        self.lanes.close(&mut motion, clock);
-        let mut state = self.members[lane].1.clone();
-        motion.store(lane, &mut state);
-        state
+        self.watched.state(lane, clock, &self.members[lane].1)
     }
 
     fn energy(&self, member: usize, clock: Clock) -> f64 {

@@ -67,10 +67,7 @@ impl<C: Coords> Run<C> {
 
     /// Whether the clock started at a time.
     pub(crate) fn check_clock(&self) -> Result<(), Error> {
-        match self.clock.t0.is_finite() {
-            true => Ok(()),
-            false => Err(Error::Time { time: self.clock.t0 }),
-        }
+        self.clock.check()
     }
 
     /// Takes `steps` steps. In any portions, the result is the same bit for bit.
@@ -79,9 +76,7 @@ impl<C: Coords> Run<C> {
     /// [`Error::Diverged`] if the state leaves the finite numbers; the run then stays at the last finite state, and
     /// [`Run::time`] and [`Run::state`] tell it. [`Error::Time`] and [`Error::Steps`] leave the run as it was.
     pub fn advance(&mut self, steps: u64) -> Result<(), Error> {
-        self.check_clock()?;
-        let done = self.clock.steps;
-        let end = done.checked_add(steps).ok_or(Error::Steps { done, asked: steps })?;
+        let end = self.clock.end(steps)?;
         let taken = self.engine.advance(self.clock, steps);
         self.clock.steps += taken;
         if self.clock.steps < end {
