@@ -28,18 +28,8 @@ impl Reader<'_> {
         }
         let by = self.enter(loop_name(&repeat.pat), sequence.from, sequence.to, &repeat.expr)?;
         let held = self.hold(&repeat.body);
-        self.scopes.push(HashMap::new());
         let index = self.graph.loops.intern(Index::Running(by));
-        let item = self.item_of(&sequence, index);
-        let body = item.and_then(|item| {
-            self.bind(&repeat.pat, item.value);
-            match item.condition {
-                None => self.block(&repeat.body),
-                // What a filter leaves out adds nothing.
-                Some(condition) => self.guarded(condition, &repeat.body),
-            }
-        });
-        self.scopes.pop();
+        let body = self.turn(repeat, &sequence, index);
         let sums = self.leave();
         for (id, value) in held {
             self.bindings[id.0].value = value;
@@ -92,24 +82,26 @@ impl Reader<'_> {
 
     /// The turns of a loop one after the other.
     fn write_out(&mut self, repeat: &ExprForLoop, sequence: &Sequence, turns: Range<u64>) -> Option<Value> {
-        let mut sound = true;
         for turn in turns {
             let index = self.graph.loops.intern(Index::Literal(turn));
-            self.scopes.push(HashMap::new());
-            let body = self.item_of(sequence, index).and_then(|item| {
-                self.bind(&repeat.pat, item.value);
-                match item.condition {
-                    None => self.block(&repeat.body),
-                    Some(condition) => self.guarded(condition, &repeat.body),
-                }
-            });
-            self.scopes.pop();
-            sound &= body.is_some();
-            if !sound {
-                break;
-            }
+            self.turn(repeat, sequence, index)?;
         }
-        sound.then_some(Value::Unit)
+        Some(Value::Unit)
+    }
+
+    /// One turn of a loop: its body with the pattern bound to the item for an index.
+    fn turn(&mut self, repeat: &ExprForLoop, sequence: &Sequence, index: IndexId) -> Option<Value> {
+        self.scopes.push(HashMap::new());
+        let body = self.item_of(sequence, index).and_then(|item| {
+            self.bind(&repeat.pat, item.value);
+            match item.condition {
+                None => self.block(&repeat.body),
+                // What a filter leaves out adds nothing.
+                Some(condition) => self.guarded(condition, &repeat.body),
+            }
+        });
+        self.scopes.pop();
+        body
     }
 
     /// Opens a loop over `from..to`, with a name for its index that no loop around it has.
