@@ -7,7 +7,8 @@ use crate::{
 use std::fmt::Debug;
 
 /// The positions or the momenta of a system, in the shape that the user wrote: `[K; N]`, `[[K; D]; N]`, `Vec<K>` or
-/// `Vec<[K; D]>` with a leaf `K` of `f64`, `f32` or [`Compensated<f64>`](crate::Compensated).
+/// `Vec<[K; D]>` with a leaf `K` of `f64`, `f32`, [`Compensated<f64>`](crate::Compensated) or
+/// [`Fixed<f64>`](crate::Fixed).
 pub trait Coords: Clone + Debug + PartialEq + Send + Sync + 'static {
     /// The type of one coordinate.
     type Leaf: Keep;

@@ -48,7 +48,9 @@ impl Clock {
     pub(crate) fn divergence<C: Coords>(&self, state: &Phase<C>) -> Divergence {
         let flat = |coordinates: &C| coordinates.flat().iter().map(|leaf| leaf.to_f64()).collect();
         let step = self.steps.saturating_add(1);
-        Divergence { step, time: self.at(step), q: flat(&state.q), p: flat(&state.p) }
+        let leaves = state.q.flat().iter().chain(state.p.flat());
+        let limit = leaves.map(|leaf| leaf.limit()).fold(f64::INFINITY, f64::min);
+        Divergence { step, time: self.at(step), limit, q: flat(&state.q), p: flat(&state.p) }
     }
 }
 

@@ -14,7 +14,7 @@ use crate::{
     pack::{Alone, Member, Pack, SideBySide},
     phase::Phase,
     real::Real,
-    run::admissible,
+    run::admissible_with,
     slot::Keep,
 };
 use std::{fmt, num::NonZeroUsize, thread};
@@ -62,7 +62,7 @@ impl<C: Coords> Ensemble<C> {
         let _ = composition;
         let mut prepared = Vec::new();
         for (member, (system, start)) in members.into_iter().enumerate() {
-            admissible(&start, h).map_err(|error| Error::Member { member, error: Box::new(error) })?;
+            admissible_with::<X, _>(&start, h).map_err(|error| Error::Member { member, error: Box::new(error) })?;
             prepared.push((system.parameters(start.q.length()), start));
         }
         if prepared.is_empty() {

@@ -20,6 +20,45 @@ pub enum Error {
         /// What it is.
         value: f64,
     },
+    /// The spacing of a reversible start's grid is no power of two.
+    #[error(
+        "the grid of {coordinate}[{index}] has the spacing {spacing}: it has to be a power of two, for example \
+         1.0 / (1_u64 << 40) as f64"
+    )]
+    Grid {
+        /// `q` or `p`.
+        coordinate: &'static str,
+        /// Which one, counted over the flattened coordinates.
+        index: usize,
+        /// The spacing that was asked for.
+        spacing: f64,
+    },
+    /// A coordinate of a reversible start is beyond the range of its grid.
+    #[error(
+        "{coordinate}[{index}] is {value}, but a grid with the spacing {spacing} reaches to ±{limit} only: choose a \
+         coarser grid or smaller units"
+    )]
+    GridRange {
+        /// `q` or `p`.
+        coordinate: &'static str,
+        /// Which one, counted over the flattened coordinates.
+        index: usize,
+        /// What it is.
+        value: f64,
+        /// The spacing of the grid.
+        spacing: f64,
+        /// 2^51 spacings.
+        limit: f64,
+    },
+    /// A reversible start with a composition that is not its own inverse at `-h`.
+    #[error(
+        "{composition} is not symmetric, so that steps by -h do not undo its steps and a reversible start is of no \
+         use: take a symmetric composition, such as `Verlet` or `Yoshida4`, or `Phase::new`"
+    )]
+    NotSymmetric {
+        /// Its name.
+        composition: &'static str,
+    },
     /// Positions and momenta of a start whose size is known at run time differ in number.
     #[error("the start has {positions} positions but {momenta} momenta: every position needs its momentum")]
     Length {
@@ -64,21 +103,35 @@ pub enum Error {
     Lost(#[from] Lost),
 }
 
-/// Where a run left the finite numbers. The run itself stays at the last finite state.
+/// Where a run left the finite numbers, or the range of its grid. The run itself stays at the last good state.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
-#[error(
-    "the state after step {step} (t = {time}) is not finite; the last finite one is kept (q = {q:?}, p = {p:?}). \
-     A smaller step, or a look at the forces there, helps"
-)]
+#[error("{}", self.text())]
 pub struct Divergence {
     /// The first step whose state is not finite.
     pub step: u64,
     /// The time at the end of that step.
     pub time: f64,
+    /// What coordinates have to stay below: infinity, or the range of the grid of a reversible state.
+    pub limit: f64,
     /// The positions one step earlier, flattened.
     pub q: Vec<f64>,
     /// The momenta one step earlier, flattened.
     pub p: Vec<f64>,
+}
+
+impl Divergence {
+    fn text(&self) -> String {
+        let Self { step, time, limit, q, p } = self;
+        let (fault, last, helps) = if limit.is_finite() {
+            (format!("has a coordinate beyond ±{limit}, the range of its grid"), "one within it", "coarser grid")
+        } else {
+            ("is not finite".to_owned(), "finite one", "smaller step")
+        };
+        format!(
+            "the state after step {step} (t = {time}) {fault}; the last {last} is kept (q = {q:?}, p = {p:?}). \
+             A {helps}, or a look at the forces there, helps"
+        )
+    }
 }
 
 /// Which members of an ensemble left the finite numbers. They stay at their last finite state; the others have gone on.

@@ -55,7 +55,8 @@ pub trait Hamiltonian: Sized {
     /// A run from `start` with step `h` and the annotated composition.
     ///
     /// # Errors
-    /// A step that is zero or not finite; a start that is not finite or whose `q` and `p` differ in length.
+    /// A step that is zero or not finite; a start that is not finite or whose `q` and `p` differ in length; a reversible
+    /// start with a composition that is not symmetric, or with a grid that it does not fit.
     fn run<K: Keep>(&self, start: Phase<Shaped<Self, K>>, h: f64) -> Result<Run<Shaped<Self, K>>, Error> {
         Run::start::<Self, Self::Compose, K>(self, start, h)
     }

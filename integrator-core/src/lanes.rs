@@ -4,6 +4,7 @@
 //! vector registers of the instruction set that the scalar is made for.
 
 use crate::{
+    fixed::Fixed,
     fused::Fused,
     real::{Kernel, Mask, Real, elementary_functions},
     slot::{Compensated, Keep},
@@ -30,6 +31,10 @@ impl Abreast for f64 {
     type Fused = FusedDoubles;
 }
 impl Abreast for Compensated<f64> {
+    type Plain = Lanes<f64, 8>;
+    type Fused = FusedDoubles;
+}
+impl Abreast for Fixed<f64> {
     type Plain = Lanes<f64, 8>;
     type Fused = FusedDoubles;
 }

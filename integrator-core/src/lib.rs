@@ -67,6 +67,7 @@ mod engine;
 mod ensemble;
 mod error;
 mod external;
+mod fixed;
 mod fused;
 mod hamiltonian;
 mod instruction_set;
@@ -89,6 +90,7 @@ pub use composition::{Class, Composition, Lead, Processor, Rows, Scheme, Stage, 
 pub use coords::Coords;
 pub use ensemble::Ensemble;
 pub use error::{Divergence, Error, Lost};
+pub use fixed::Fixed;
 pub use hamiltonian::{Hamiltonian, QuadraticKinetic};
 pub use instruction_set::InstructionSet;
 pub use integrator_macros::{composition, hamiltonian};
@@ -109,8 +111,8 @@ pub mod prelude {
     #[cfg(feature = "check")]
     pub use crate::check::{Certificate, certify};
     pub use crate::{
-        Compensated, Composition, Ensemble, Error, Hamiltonian, Phase, Run, Sample, Samples, Scheme, composition,
-        hamiltonian,
+        Compensated, Composition, Ensemble, Error, Fixed, Hamiltonian, Phase, Run, Sample, Samples, Scheme,
+        composition, hamiltonian,
     };
 }
 

@@ -1,10 +1,11 @@
 //! One trajectory: integer time, stages merged across steps, stopped where it leaves the finite numbers.
 
 use crate::{
-    composition::Composition,
+    composition::{Composition, Scheme},
     coords::Coords,
     engine::{Clock, Energies, Engine, Solo, moves},
     error::Error,
+    fixed::is_power_of_two,
     hamiltonian::Hamiltonian,
     instruction_set::InstructionSet,
     phase::Phase,
@@ -16,7 +17,8 @@ use std::{fmt, sync::Arc};
 /// Whether a run may begin at `start` with step `h`.
 ///
 /// # Errors
-/// A step that is zero or not finite; a start that is not finite or whose `q` and `p` differ in length.
+/// A step that is zero or not finite; a start that is not finite, whose `q` and `p` differ in length, or that has no place on
+/// its grid.
 pub(crate) fn admissible<C: Coords>(start: &Phase<C>, h: f64) -> Result<(), Error> {
     if h == 0.0 || !h.is_finite() {
         return Err(Error::Step { h });
@@ -25,13 +27,33 @@ pub(crate) fn admissible<C: Coords>(start: &Phase<C>, h: f64) -> Result<(), Erro
     if positions != momenta {
         return Err(Error::Length { positions, momenta });
     }
-    for (coordinate, values) in [("q", start.q.flat()), ("p", start.p.flat())] {
-        let values = values.iter().map(|leaf| leaf.to_f64());
-        if let Some((index, value)) = values.enumerate().find(|(_, value)| !value.is_finite()) {
-            return Err(Error::Start { coordinate, index, value });
+    for (coordinate, leaves) in [("q", start.q.flat()), ("p", start.p.flat())] {
+        for (index, leaf) in leaves.iter().enumerate() {
+            let (value, limit) = (leaf.to_f64(), leaf.limit());
+            if !value.is_finite() {
+                return Err(Error::Start { coordinate, index, value });
+            }
+            let Some(spacing) = leaf.spacing() else { continue };
+            if !is_power_of_two(spacing) {
+                return Err(Error::Grid { coordinate, index, spacing });
+            }
+            if value.abs() >= limit {
+                return Err(Error::GridRange { coordinate, index, value, spacing, limit });
+            }
         }
     }
     Ok(())
+}
+
+/// Whether a run with the composition `X` may begin at `start` with step `h`.
+///
+/// # Errors
+/// As [`admissible`]; a reversible start and a composition that is not symmetric.
+pub(crate) fn admissible_with<X: Scheme, C: Coords>(start: &Phase<C>, h: f64) -> Result<(), Error> {
+    if C::Leaf::REVERSIBLE && !X::SYMMETRIC {
+        return Err(Error::NotSymmetric { composition: X::NAME });
+    }
+    admissible(start, h)
 }
 
 /// A trajectory under way, made by [`Hamiltonian::run`]. Its type names the coordinates alone, so it can be stored.
@@ -49,7 +71,7 @@ impl<C: Coords> Run<C> {
         K: Keep,
         H::Coords: Coords<With<K> = C>,
     {
-        admissible(&start, h)?;
+        admissible_with::<X, _>(&start, h)?;
         let parameters = system.parameters(start.q.length());
         let engine: Box<dyn Engine<C>> = match InstructionSet::chosen() {
             InstructionSet::Baseline => Box::new(Solo::new(parameters, start, moves::<H, X, K::Plain, K>())),

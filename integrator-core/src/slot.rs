@@ -28,7 +28,7 @@ impl<R: Real> Slot<R> for R {
     }
 }
 
-/// The leaf type of a state: `f64`, `f32` or [`Compensated`]. It decides the precision of a run.
+/// The leaf type of a state: `f64`, `f32`, [`Compensated`] or [`Fixed`](crate::Fixed). It decides the precision of a run.
 pub trait Keep: Copy + Debug + PartialEq + Default + Send + Sync + 'static {
     /// What flows are computed in on every machine.
     type Plain: Real;
@@ -39,15 +39,23 @@ pub trait Keep: Copy + Debug + PartialEq + Default + Send + Sync + 'static {
 
     /// The spacing of its values just above one.
     const EPSILON: f64;
+    /// Whether every update can be undone exactly, for which the composition has to be symmetric.
+    const REVERSIBLE: bool = false;
 
     /// Fills a slot from one leaf per lane.
     fn inward<R: Real>(of_lane: impl Fn(usize) -> Self) -> Self::Slot<R>;
     /// One lane of a slot.
     fn outward<R: Real>(slot: Self::Slot<R>, lane: usize) -> Self;
-    /// The leaf that has this value.
-    fn from_f64(value: f64) -> Self;
     /// The value, without what compensation carries.
     fn to_f64(self) -> f64;
+    /// The spacing of its values where it is the same everywhere.
+    fn spacing(self) -> Option<f64> {
+        None
+    }
+    /// What its values stay below, in absolute value.
+    fn limit(self) -> f64 {
+        f64::INFINITY
+    }
 }
 
 macro_rules! keep_plainly {
@@ -66,9 +74,6 @@ macro_rules! keep_plainly {
             #[inline(always)]
             fn outward<R: Real>(slot: R, lane: usize) -> Self {
                 slot.lane(lane) as $scalar
-            }
-            fn from_f64(value: f64) -> Self {
-                value as $scalar
             }
             fn to_f64(self) -> f64 {
                 f64::from(self)
@@ -125,9 +130,6 @@ impl Keep for Compensated<f64> {
     #[inline(always)]
     fn outward<R: Real>(slot: Compensated<R>, lane: usize) -> Self {
         Self { value: slot.value.lane(lane), carried: slot.carried.lane(lane) }
-    }
-    fn from_f64(value: f64) -> Self {
-        Self { value, carried: 0.0 }
     }
     fn to_f64(self) -> f64 {
         self.value

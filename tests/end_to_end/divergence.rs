@@ -113,7 +113,7 @@ fn samples_end_with_the_error() {
 
 #[test]
 fn the_text_says_where_and_what_to_do() {
-    let divergence = Divergence { step: 12, time: 0.6, q: vec![1e300], p: vec![-2.0] };
+    let divergence = Divergence { step: 12, time: 0.6, limit: f64::INFINITY, q: vec![1e300], p: vec![-2.0] };
     assert_eq!(
         Error::from(divergence).to_string(),
         "the state after step 12 (t = 0.6) is not finite; the last finite one is kept (q = [1e300], p = [-2.0]). \

@@ -15,6 +15,7 @@ mod kepler;
 mod orders;
 mod precision;
 mod refusals;
+mod reversible;
 mod semantics;
 mod slope;
 mod systems;

@@ -8,6 +8,7 @@ use crate::{
     check::{
         CheckError,
         line::fit,
+        points::resolution,
         tolerance::{flows_per_step, largest, ratio, within},
     },
     composition::Composition,
@@ -89,6 +90,7 @@ pub fn energy_drift<H: Hamiltonian, X: Composition<H>, K: Keep>(
     if steps < needed {
         return Err(CheckError::TooFewSteps { steps, needed });
     }
+    let begin = start.clone();
     let mut run = Run::start::<H, X, K>(system, start, h)?;
     let parameters = system.parameters(run.state().q.length());
     let parts = |state: &Phase<Shaped<H, K>>, time: f64| {
@@ -113,7 +115,7 @@ pub fn energy_drift<H: Hamiltonian, X: Composition<H>, K: Keep>(
     // Every flow rounds the state, which changes the energy by up to ε of its terms, at random: the farthest such a
     // walk gets is about 2.5 times the root of its steps. The factor 16 leaves room for flows that round several
     // numbers, and for the sum of the energy itself.
-    let walk = 16.0 * K::EPSILON * (run.steps() as f64 * flows_per_step::<X>()).sqrt();
+    let walk = 16.0 * resolution(&[&begin, &run.state()]) * (run.steps() as f64 * flows_per_step::<X>()).sqrt();
     Ok(EnergyDrift {
         deviation: ratio(largest(course.iter().map(|(_, change)| *change)), largest_kinetic),
         slope: ratio(slope.value, largest_kinetic),

@@ -1,6 +1,7 @@
 //! Points of phase space as checks see them: in `f64`, and as one row of numbers.
 
 use crate::{
+    check::tolerance::{largest, ratio},
     coords::Coords,
     hamiltonian::{Hamiltonian, Shaped},
     phase::Phase,
@@ -10,6 +11,16 @@ use crate::{
 /// The values of a point, whatever its leaves carry beside.
 pub(crate) fn plain<H: Hamiltonian, K: Keep>(point: &Phase<Shaped<H, K>>) -> Phase<H::Coords> {
     Phase { q: point.q.map(|leaf| leaf.to_f64()), p: point.p.map(|leaf| leaf.to_f64()) }
+}
+
+/// What one rounding amounts to, relative to the largest position or to the largest momentum of some points.
+pub(crate) fn resolution<C: Coords>(points: &[&Phase<C>]) -> f64 {
+    let of = |part: fn(&Phase<C>) -> &C| {
+        let leaves = || points.iter().flat_map(|point| part(point).flat());
+        let spacing = largest(leaves().filter_map(|leaf| leaf.spacing()));
+        ratio(spacing, largest(leaves().map(|leaf| leaf.to_f64())))
+    };
+    C::Leaf::EPSILON.max(of(|point| &point.q)).max(of(|point| &point.p))
 }
 
 /// The origin, in the shape of `point`.

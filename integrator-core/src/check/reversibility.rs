@@ -7,7 +7,7 @@
 use crate::{
     check::{
         CheckError,
-        points::{coordinate, numbers, origin, plain},
+        points::{coordinate, numbers, origin, plain, resolution},
         tangent::Tangents,
         tolerance::{flows_per_step, largest, ratio},
     },
@@ -63,7 +63,7 @@ pub(crate) fn round_trip<H: Hamiltonian, X: Composition<H>, K: Keep>(
         growth::<H, X>(system, &trip.turn, trip.size, -h, trip.time, steps),
     ]);
     let roundings = 16.0 * (2.0 * steps as f64 * flows_per_step::<X>()).sqrt();
-    Ok(RoundTrip { distance: trip.distance(), tolerance: roundings * K::EPSILON * growth })
+    Ok(RoundTrip { distance: trip.distance(), tolerance: roundings * trip.resolution * growth })
 }
 
 /// The points of a round trip.
@@ -73,6 +73,8 @@ struct Trip<C> {
     end: Phase<C>,
     /// The time of the turn.
     time: f64,
+    /// What one rounding amounts to, in the unit of the coordinate.
+    resolution: f64,
     size: Size,
 }
 
@@ -87,9 +89,10 @@ impl<C: Coords<Leaf = f64>> Trip<C> {
         there.advance(steps)?;
         let mut back = Run::start::<H, X, K>(system, there.state(), -h)?.at_time(there.time());
         back.advance(steps)?;
+        let resolution = resolution(&[start, &there.state()]);
         let (start, turn) = (plain::<H, K>(start), plain::<H, K>(&there.state()));
         let size = Size::of(&[&start, &turn]);
-        Ok(Self { start, turn, end: plain::<H, K>(&back.state()), time: there.time(), size })
+        Ok(Self { start, turn, end: plain::<H, K>(&back.state()), time: there.time(), resolution, size })
     }
 
     fn distance(&self) -> f64 {
