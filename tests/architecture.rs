@@ -142,14 +142,12 @@ fn the_macros_depend_on_three_crates() {
 }
 
 #[test]
-fn two_files_are_unsafe() {
+fn only_clones_and_vectors_are_unsafe() {
     let crates = ["integrator-core", "integrator-macros", "integrator-symbolic"];
     for (path, text) in crates.iter().flat_map(|name| sources(&root().join(name).join("src"))) {
         let is_unsafe = ["unsafe {", "unsafe fn", "unsafe impl"].iter().any(|form| text.contains(form));
-        assert!(
-            !is_unsafe || path.ends_with("instruction_set.rs") || path.ends_with("vector.rs"),
-            "{} is unsafe",
-            path.display()
-        );
+        let may_be =
+            path.ends_with("instruction_set.rs") || path.starts_with(root().join("integrator-core/src/vector"));
+        assert!(!is_unsafe || may_be, "{} is unsafe", path.display());
     }
 }

@@ -72,6 +72,11 @@ impl<C: Coords> Ensemble<C> {
         let packs = match InstructionSet::chosen() {
             InstructionSet::Baseline => packs::<H, X, <K as Abreast>::Plain, <K as Keep>::Plain, K>(prepared),
             InstructionSet::Fused => packs::<H, X, <K as Abreast>::Fused, <K as Keep>::Fused, K>(prepared),
+            // Alone, a member is what a run would be.
+            InstructionSet::Avx512 if H::WIDE => {
+                packs::<H, X, <K as Abreast>::Avx512, <K as Keep>::Avx512, K>(prepared)
+            }
+            InstructionSet::Avx512 => packs::<H, X, <K as Abreast>::Avx512, <K as Keep>::Fused, K>(prepared),
         };
         let threads = thread::available_parallelism().map_or(1, NonZeroUsize::get);
         Ok(Self { packs, members, clock: Clock { t0: 0.0, h, steps: 0 }, threads })

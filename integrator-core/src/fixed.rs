@@ -4,7 +4,7 @@
 //! which treats `d` and `-d` alike, and sums of grid points are exact as long as they stay within the range of the grid.
 
 use crate::{
-    fused::Fused,
+    fused::{Avx512, Fused},
     real::{Mask, Real},
     slot::{Keep, Slot},
 };
@@ -84,6 +84,7 @@ impl<R: Real> Slot<R> for Fixed<R> {
 impl Keep for Fixed<f64> {
     type Plain = f64;
     type Fused = Fused<f64>;
+    type Avx512 = Fused<f64, Avx512>;
     type Slot<R: Real> = Fixed<R>;
 
     const EPSILON: f64 = f64::EPSILON;

@@ -1,57 +1,126 @@
-//! The scalar of machines with a fused multiply-add, and the clone of the hot loops that is compiled for them.
+//! The scalars of machines with a fused multiply-add, one for each clone of the hot loops that is compiled for them.
 
-use crate::real::{Kernel, Real, elementary_functions};
-use std::ops::{Add, AddAssign, Div, Mul, Neg, Sub, SubAssign};
+use crate::{
+    block::Block,
+    instruction_set::enter_fused,
+    real::{Kernel, Real, elementary_functions},
+};
+use std::{
+    fmt::Debug,
+    marker::PhantomData,
+    ops::{Add, AddAssign, Div, Mul, Neg, Sub, SubAssign},
+};
 
-/// `f64` or `f32` whose `fma` is one instruction with one rounding.
+/// Instructions with a fused multiply-add: where code for them is, and what holds neighbours of an array there.
+pub trait Instructions: Copy + Debug + PartialEq + Send + Sync + 'static {
+    /// Neighbours in an array of doubles.
+    type Doubles: Block<Fused<f64, Self>>;
+    /// Neighbours in an array of singles.
+    type Singles: Block<Fused<f32, Self>>;
+
+    /// Runs `kernel` in the clone for these instructions.
+    fn enter<K: Kernel>(kernel: K) -> K::Out;
+}
+
+/// The instructions of `InstructionSet::Fused`.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Fma;
+
+impl Instructions for Fma {
+    #[cfg(target_arch = "x86_64")]
+    type Doubles = crate::vector::X4;
+    #[cfg(target_arch = "x86_64")]
+    type Singles = crate::vector::S8;
+    #[cfg(not(target_arch = "x86_64"))]
+    type Doubles = Fused<f64>;
+    #[cfg(not(target_arch = "x86_64"))]
+    type Singles = Fused<f32>;
+
+    #[inline(always)]
+    fn enter<K: Kernel>(kernel: K) -> K::Out {
+        enter_fused(kernel)
+    }
+}
+
+/// The instructions of `InstructionSet::Avx512`.
+#[cfg(target_arch = "x86_64")]
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Avx512;
+
+/// No other target has the set, so that nothing is compiled for it.
+#[cfg(not(target_arch = "x86_64"))]
+pub(crate) type Avx512 = Fma;
+
+#[cfg(target_arch = "x86_64")]
+impl Instructions for Avx512 {
+    type Doubles = crate::vector::X8;
+    type Singles = crate::vector::S16;
+
+    #[inline(always)]
+    fn enter<K: Kernel>(kernel: K) -> K::Out {
+        crate::instruction_set::enter_avx512(kernel)
+    }
+}
+
+/// `f64` or `f32` whose `fma` is one instruction with one rounding. The clone that it belongs to changes no bit.
 ///
 /// Only worth using inside [`Real::enter`]: elsewhere the same bits come from a call into the maths library.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Fused<F>(pub F);
+#[repr(transparent)]
+pub struct Fused<F, S = Fma>(pub F, PhantomData<S>);
+
+impl<F, S> Fused<F, S> {
+    /// The number `x`.
+    #[inline(always)]
+    pub fn new(x: F) -> Self {
+        Self(x, PhantomData)
+    }
+}
 
 macro_rules! operators {
     ($scalar:ty: $($trait:ident $method:ident $operator:tt),*) => {$(
-        impl $trait for Fused<$scalar> {
+        impl<S: Instructions> $trait for Fused<$scalar, S> {
             type Output = Self;
             #[inline(always)]
             fn $method(self, other: Self) -> Self {
-                Self(self.0 $operator other.0)
+                Self::new(self.0 $operator other.0)
             }
         }
     )*};
 }
 
 macro_rules! fused_real {
-    ($scalar:ty; unary: $($unary:ident)*; binary: $($binary:ident)*;) => {
+    ($scalar:ty, $block:ident; unary: $($unary:ident)*; binary: $($binary:ident)*;) => {
         operators!($scalar: Add add +, Sub sub -, Mul mul *, Div div /);
 
-        impl Neg for Fused<$scalar> {
+        impl<S: Instructions> Neg for Fused<$scalar, S> {
             type Output = Self;
             #[inline(always)]
             fn neg(self) -> Self {
-                Self(-self.0)
+                Self::new(-self.0)
             }
         }
-        impl AddAssign for Fused<$scalar> {
+        impl<S: Instructions> AddAssign for Fused<$scalar, S> {
             #[inline(always)]
             fn add_assign(&mut self, other: Self) {
                 self.0 += other.0;
             }
         }
-        impl SubAssign for Fused<$scalar> {
+        impl<S: Instructions> SubAssign for Fused<$scalar, S> {
             #[inline(always)]
             fn sub_assign(&mut self, other: Self) {
                 self.0 -= other.0;
             }
         }
 
-        impl Real for Fused<$scalar> {
+        impl<S: Instructions> Real for Fused<$scalar, S> {
             const LANES: usize = 1;
             type Mask = bool;
+            type Block = S::$block;
 
             #[inline(always)]
             fn of(x: f64) -> Self {
-                Self(x as $scalar)
+                Self::new(x as $scalar)
             }
             #[inline(always)]
             fn lane(self, _lane: usize) -> f64 {
@@ -67,12 +136,12 @@ macro_rules! fused_real {
             }
             #[inline(always)]
             fn fma(self, b: Self, c: Self) -> Self {
-                Self(self.0.mul_add(b.0, c.0))
+                Self::new(self.0.mul_add(b.0, c.0))
             }
             #[inline(always)]
             fn sin_cos(self) -> (Self, Self) {
                 let (sine, cosine) = self.0.sin_cos();
-                (Self(sine), Self(cosine))
+                (Self::new(sine), Self::new(cosine))
             }
             #[inline(always)]
             fn finite(self) -> bool {
@@ -97,21 +166,21 @@ macro_rules! fused_real {
             $(
                 #[inline(always)]
                 fn $unary(self) -> Self {
-                    Self(<$scalar>::$unary(self.0))
+                    Self::new(<$scalar>::$unary(self.0))
                 }
             )*
             $(
                 #[inline(always)]
                 fn $binary(self, other: Self) -> Self {
-                    Self(<$scalar>::$binary(self.0, other.0))
+                    Self::new(<$scalar>::$binary(self.0, other.0))
                 }
             )*
             #[inline(always)]
             fn enter<K: Kernel>(kernel: K) -> K::Out {
-                crate::instruction_set::enter_fused(kernel)
+                S::enter(kernel)
             }
         }
     };
 }
-elementary_functions!(fused_real! { f64; });
-elementary_functions!(fused_real! { f32; });
+elementary_functions!(fused_real! { f64, Doubles; });
+elementary_functions!(fused_real! { f32, Singles; });

@@ -32,6 +32,9 @@ pub trait Hamiltonian: Sized {
 
     /// Whether neither `T` nor `V` reads the time, so that the energy is conserved.
     const AUTONOMOUS: bool;
+    /// Whether a single run gains from vectors of 512 bits: its flows compute neighbours or bodies side by side. Code for
+    /// numbers one by one can be slower there, and is then compiled for AVX2 at most.
+    const WIDE: bool = false;
 
     /// Evaluates what depends on parameters alone, by the user's own expressions.
     ///

@@ -1,32 +1,67 @@
-//! Which instructions this machine has, and the way into code compiled for them. One of the two modules with
-//! `unsafe`; the other holds the vectors.
+//! Which instructions this machine has, and the way into code compiled for them. Beside the vectors the only module with
+//! `unsafe`.
 
 use crate::real::Kernel;
-use std::sync::OnceLock;
+use std::{fmt, sync::OnceLock};
 
-/// The instruction sets that the hot loops are compiled for.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+/// The instruction sets that the hot loops are compiled for, from the least to the most.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum InstructionSet {
     /// What every machine of the target has.
     Baseline,
     /// Fused multiply-add: AVX2 and FMA on x86-64, every aarch64.
     Fused,
+    /// Vectors of 512 bits: AVX-512 with its extensions F, DQ, VL and BW, on x86-64 alone.
+    Avx512,
 }
 
 impl InstructionSet {
-    /// The best set of this machine, or the one that the environment variable `INTEGRATOR_ISA` asks for (`baseline` or
-    /// `avx2`), read once. A set that the machine lacks is not used, whatever the variable says.
+    /// All sets, from the least to the most; a machine that has one has those before it.
+    const ALL: [Self; 3] = [Self::Baseline, Self::Fused, Self::Avx512];
+
+    /// The best set of this machine, or the one that the environment variable `INTEGRATOR_ISA` asks for (`baseline`,
+    /// `avx2` or `avx512`), read once. A set that the machine lacks is not used, whatever the variable says.
     pub fn chosen() -> Self {
         static CHOSEN: OnceLock<InstructionSet> = OnceLock::new();
-        *CHOSEN.get_or_init(|| Self::choose(std::env::var("INTEGRATOR_ISA").ok().as_deref(), fused_available()))
+        *CHOSEN.get_or_init(|| Self::choose(std::env::var("INTEGRATOR_ISA").ok().as_deref(), best()))
     }
 
-    fn choose(asked: Option<&str>, fused: bool) -> Self {
-        match asked {
-            Some("baseline") => Self::Baseline,
-            _ if fused => Self::Fused,
-            _ => Self::Baseline,
+    /// The sets of this machine, the best one last.
+    pub fn available() -> &'static [Self] {
+        let best = best();
+        &Self::ALL[..Self::ALL.iter().filter(|set| **set <= best).count()]
+    }
+
+    fn choose(asked: Option<&str>, best: Self) -> Self {
+        let asked = Self::ALL.into_iter().find(|set| Some(set.name()) == asked);
+        asked.map_or(best, |asked| asked.min(best))
+    }
+
+    /// What `INTEGRATOR_ISA` calls it.
+    fn name(self) -> &'static str {
+        match self {
+            Self::Baseline => "baseline",
+            Self::Fused => "avx2",
+            Self::Avx512 => "avx512",
         }
+    }
+}
+
+/// Writes what the environment variable `INTEGRATOR_ISA` calls it.
+impl fmt::Display for InstructionSet {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.pad(self.name())
+    }
+}
+
+/// The best set of this machine.
+fn best() -> InstructionSet {
+    if avx512_available() {
+        InstructionSet::Avx512
+    } else if fused_available() {
+        InstructionSet::Fused
+    } else {
+        InstructionSet::Baseline
     }
 }
 
@@ -38,6 +73,20 @@ fn fused_available() -> bool {
 #[cfg(not(target_arch = "x86_64"))]
 fn fused_available() -> bool {
     cfg!(target_arch = "aarch64")
+}
+
+#[cfg(target_arch = "x86_64")]
+fn avx512_available() -> bool {
+    fused_available()
+        && std::arch::is_x86_feature_detected!("avx512f")
+        && std::arch::is_x86_feature_detected!("avx512dq")
+        && std::arch::is_x86_feature_detected!("avx512vl")
+        && std::arch::is_x86_feature_detected!("avx512bw")
+}
+
+#[cfg(not(target_arch = "x86_64"))]
+fn avx512_available() -> bool {
+    false
 }
 
 /// Runs `kernel` in code compiled for AVX2 and FMA; where the machine lacks them, in plain code with the same result.
@@ -65,22 +114,51 @@ pub(crate) fn enter_fused<K: Kernel>(kernel: K) -> K::Out {
     kernel.call()
 }
 
+/// Runs `kernel` in code compiled for AVX-512; where the machine lacks it, in plain code with the same result.
+#[cfg(target_arch = "x86_64")]
+#[inline]
+#[allow(unsafe_code, reason = "calling a function compiled for more than the target's features")]
+pub(crate) fn enter_avx512<K: Kernel>(kernel: K) -> K::Out {
+    #[target_feature(enable = "avx512f,avx512dq,avx512vl,avx512bw,avx2,fma")]
+    fn clone<K: Kernel>(kernel: K) -> K::Out {
+        kernel.call()
+    }
+
+    if avx512_available() {
+        // SAFETY: the features that `clone` is compiled for were just detected.
+        unsafe { clone(kernel) }
+    } else {
+        kernel.call()
+    }
+}
+
 #[cfg(test)]
 mod tests {
-    use super::InstructionSet::{self, Baseline, Fused};
+    use super::InstructionSet::{self, Avx512, Baseline, Fused};
 
     #[test]
     fn the_machine_decides_and_the_variable_only_restricts() {
         let table = [
-            (None, true, Fused),
-            (None, false, Baseline),
-            (Some("baseline"), true, Baseline),
-            (Some("avx2"), true, Fused),
-            (Some("avx2"), false, Baseline),
-            (Some("nonsense"), true, Fused),
+            (None, Avx512, Avx512),
+            (None, Fused, Fused),
+            (None, Baseline, Baseline),
+            (Some("baseline"), Avx512, Baseline),
+            (Some("avx2"), Avx512, Fused),
+            (Some("avx2"), Fused, Fused),
+            (Some("avx2"), Baseline, Baseline),
+            (Some("avx512"), Avx512, Avx512),
+            (Some("avx512"), Fused, Fused),
+            (Some("nonsense"), Fused, Fused),
         ];
-        for (asked, available, expected) in table {
-            assert_eq!(InstructionSet::choose(asked, available), expected, "{asked:?} where fused is {available}");
+        for (asked, best, expected) in table {
+            assert_eq!(InstructionSet::choose(asked, best), expected, "{asked:?} where {best} is the best");
         }
+    }
+
+    #[test]
+    fn what_is_chosen_is_available() {
+        let available = InstructionSet::available();
+        assert_eq!(available.first(), Some(&Baseline));
+        assert!(available.contains(&InstructionSet::chosen()), "{available:?}");
     }
 }

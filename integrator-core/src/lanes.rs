@@ -5,42 +5,46 @@
 
 use crate::{
     fixed::Fixed,
-    fused::Fused,
+    fused::{Avx512, Fma, Fused},
     real::{Kernel, Mask, Real, elementary_functions},
     slot::{Compensated, Keep},
 };
 use std::ops::{Add, AddAssign, Div, Mul, Neg, Sub, SubAssign};
 
-/// What members of an ensemble are computed in, eight at a time. Named nowhere outside, like the types it leads to:
-/// vectors may only be used where their instructions were detected.
+/// What members of an ensemble are computed in. Named nowhere outside, like the types it leads to: vectors may only be
+/// used where their instructions were detected.
 pub trait Abreast: Keep {
     /// On every machine.
     type Plain: Real;
     /// Where the machine has fused multiply-add.
     type Fused: Real;
+    /// Where it has AVX-512.
+    type Avx512: Real;
 }
 
-/// Eight doubles: two vectors where their instructions are known, else eight scalars.
-#[cfg(target_arch = "x86_64")]
-type FusedDoubles = Lanes<crate::vector::X4, 2>;
-#[cfg(not(target_arch = "x86_64"))]
-type FusedDoubles = Lanes<Fused<f64>, 8>;
+/// How many blocks of a fused scalar go together: two vectors where their instructions are known, else eight scalars.
+const BLOCKS: usize = if cfg!(target_arch = "x86_64") { 2 } else { 8 };
+type Blocks<F, S> = Lanes<<Fused<F, S> as Real>::Block, BLOCKS>;
 
 impl Abreast for f64 {
     type Plain = Lanes<f64, 8>;
-    type Fused = FusedDoubles;
+    type Fused = Blocks<f64, Fma>;
+    type Avx512 = Blocks<f64, Avx512>;
 }
 impl Abreast for Compensated<f64> {
     type Plain = Lanes<f64, 8>;
-    type Fused = FusedDoubles;
+    type Fused = Blocks<f64, Fma>;
+    type Avx512 = Blocks<f64, Avx512>;
 }
 impl Abreast for Fixed<f64> {
     type Plain = Lanes<f64, 8>;
-    type Fused = FusedDoubles;
+    type Fused = Blocks<f64, Fma>;
+    type Avx512 = Blocks<f64, Avx512>;
 }
 impl Abreast for f32 {
     type Plain = Lanes<f32, 8>;
-    type Fused = Lanes<Fused<f32>, 8>;
+    type Fused = Blocks<f32, Fma>;
+    type Avx512 = Blocks<f32, Avx512>;
 }
 
 /// `N` scalars, or `N` vectors of the same number of lanes each.
@@ -123,6 +127,7 @@ macro_rules! lanes_real {
         impl<F: Real, const N: usize> Real for Lanes<F, N> {
             const LANES: usize = N * F::LANES;
             type Mask = LaneMask<F::Mask, N>;
+            type Block = Self;
 
             #[inline(always)]
             fn of(x: f64) -> Self {

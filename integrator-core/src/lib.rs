@@ -57,6 +57,7 @@
 
 extern crate self as integrator_core;
 
+mod block;
 mod catalogue;
 mod catalogue_list;
 #[cfg(feature = "check")]
@@ -121,10 +122,10 @@ pub mod prelude {
 pub mod __private {
     pub use crate::external::{External, ExternalTwo, external, external_two};
     pub use crate::{
+        block::Block,
         catalogue::Verlet,
         composition::{Class, Composition, Lead, Processor, Rows, Scheme, Stage, Stages},
         coords::Coords,
-        fused::Fused,
         hamiltonian::{Flows, Hamiltonian, Motion, Plain, Prepared, QuadraticKinetic, Shaped},
         real::{Kernel, Mask, Real},
         slot::{Keep, Slot},

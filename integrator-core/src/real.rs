@@ -1,5 +1,6 @@
 //! What generated code computes in: one trait, so that one text serves plain and fused scalars, duals and lanes.
 
+use crate::block::Block;
 use std::ops::{Add, AddAssign, Div, Mul, Neg, Sub, SubAssign};
 
 /// A body of code that an executor runs inside the clone compiled for one instruction set.
@@ -76,6 +77,9 @@ macro_rules! declare_real {
             const LANES: usize;
             /// Which lanes a condition holds in.
             type Mask: Mask;
+            /// Neighbouring numbers of an array side by side, as many as the registers of the clone hold; `Self` where
+            /// a value has lanes or parts already.
+            type Block: Block<Self>;
 
             /// The same number in every lane, rounded to the precision of the scalar; a dual has no tangent here.
             fn of(x: f64) -> Self;
@@ -136,6 +140,7 @@ macro_rules! plain_real {
         impl Real for $scalar {
             const LANES: usize = 1;
             type Mask = bool;
+            type Block = Self;
 
             #[inline(always)]
             fn of(x: f64) -> Self {

@@ -75,7 +75,10 @@ impl<C: Coords> Run<C> {
         let parameters = system.parameters(start.q.length());
         let engine: Box<dyn Engine<C>> = match InstructionSet::chosen() {
             InstructionSet::Baseline => Box::new(Solo::new(parameters, start, moves::<H, X, K::Plain, K>())),
-            InstructionSet::Fused => Box::new(Solo::new(parameters, start, moves::<H, X, K::Fused, K>())),
+            InstructionSet::Avx512 if H::WIDE => Box::new(Solo::new(parameters, start, moves::<H, X, K::Avx512, K>())),
+            InstructionSet::Fused | InstructionSet::Avx512 => {
+                Box::new(Solo::new(parameters, start, moves::<H, X, K::Fused, K>()))
+            }
         };
         Ok(Self { engine, clock: Clock { t0: 0.0, h, steps: 0 }, composition: X::NAME })
     }

@@ -1,6 +1,9 @@
 //! How one coordinate is kept between updates: the user's leaf type names a family of slots.
 
-use crate::{fused::Fused, real::Real};
+use crate::{
+    fused::{Avx512, Fused},
+    real::Real,
+};
 use std::fmt::Debug;
 
 /// A coordinate in memory, computed in `R`.
@@ -34,6 +37,8 @@ pub trait Keep: Copy + Debug + PartialEq + Default + Send + Sync + 'static {
     type Plain: Real;
     /// What flows are computed in where the machine has fused multiply-add.
     type Fused: Real;
+    /// What flows are computed in where the machine has AVX-512 and the system gains from it.
+    type Avx512: Real;
     /// How a coordinate is kept.
     type Slot<R: Real>: Slot<R>;
 
@@ -63,6 +68,7 @@ macro_rules! keep_plainly {
         impl Keep for $scalar {
             type Plain = $scalar;
             type Fused = Fused<$scalar>;
+            type Avx512 = Fused<$scalar, Avx512>;
             type Slot<R: Real> = R;
 
             const EPSILON: f64 = <$scalar>::EPSILON as f64;
@@ -119,6 +125,7 @@ impl<R: Real> Slot<R> for Compensated<R> {
 impl Keep for Compensated<f64> {
     type Plain = f64;
     type Fused = Fused<f64>;
+    type Avx512 = Fused<f64, Avx512>;
     type Slot<R: Real> = Compensated<R>;
 
     const EPSILON: f64 = f64::EPSILON;

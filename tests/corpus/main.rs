@@ -2,7 +2,7 @@
 //!
 //! Every gradient is derived three times: by the macro, by dual numbers through a twin of the formula, and by
 //! `reference.py` with fifty digits. The twins and the reference were written from the formulas, not from each other.
-//! All of it holds on the baseline too, for which [`instruction_sets`] starts a second process.
+//! All of it holds on every instruction set; [`instruction_sets`] starts a process for each of the others.
 
 mod accelerator;
 mod central;

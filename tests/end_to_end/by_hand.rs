@@ -12,7 +12,7 @@ const STEPS: u64 = 3000;
 fn fma(a: f64, b: f64, c: f64) -> f64 {
     match InstructionSet::chosen() {
         InstructionSet::Baseline => a * b + c,
-        InstructionSet::Fused => a.mul_add(b, c),
+        InstructionSet::Fused | InstructionSet::Avx512 => a.mul_add(b, c),
     }
 }
 

@@ -1,7 +1,7 @@
 //! The library as a user sees it: annotated Hamiltonians run, and what they do is measured.
 //!
-//! All of it holds on every instruction set. A process has one, so [`instruction_sets`] runs these tests again in a
-//! second process that has the other.
+//! All of it holds on every instruction set. A process uses one, so [`instruction_sets`] runs these tests again in a
+//! process for each of the others.
 
 mod by_hand;
 #[path = "../../integrator-core/src/catalogue_list.rs"]

@@ -110,6 +110,7 @@ macro_rules! dual_real {
         impl Real for Dual {
             const LANES: usize = 2;
             type Mask = bool;
+            type Block = Self;
 
             fn of(x: f64) -> Self {
                 Self::new(x, 0.0)

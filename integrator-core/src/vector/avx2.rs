@@ -1,0 +1,74 @@
+//! The registers of AVX2 and FMA, of 256 bits.
+
+use super::real::vector;
+use crate::{
+    fused::Fma,
+    real::{Mask, elementary_functions},
+};
+use std::arch::x86_64::{
+    __m256, __m256d, _mm256_add_pd, _mm256_add_ps, _mm256_and_pd, _mm256_and_ps, _mm256_andnot_pd, _mm256_andnot_ps,
+    _mm256_blendv_pd, _mm256_blendv_ps, _mm256_cmp_pd, _mm256_cmp_ps, _mm256_div_pd, _mm256_div_ps, _mm256_fmadd_pd,
+    _mm256_fmadd_ps, _mm256_loadu_pd, _mm256_loadu_ps, _mm256_movemask_pd, _mm256_movemask_ps, _mm256_mul_pd,
+    _mm256_mul_ps, _mm256_or_pd, _mm256_or_ps, _mm256_set1_pd, _mm256_set1_ps, _mm256_sqrt_pd, _mm256_sqrt_ps,
+    _mm256_storeu_pd, _mm256_storeu_ps, _mm256_sub_pd, _mm256_sub_ps, _mm256_xor_pd, _mm256_xor_ps,
+};
+
+/// A mask in a register as wide as the numbers: all bits of a lane, or none.
+macro_rules! mask {
+    ($(#[$documentation:meta])* $mask:ident of $scalar:ident in $register:ident:
+     $splat:ident $movemask:ident $and:ident $or:ident $xor:ident) => {
+        $(#[$documentation])*
+        #[derive(Clone, Copy, Debug)]
+        pub struct $mask($register);
+
+        impl Mask for $mask {
+            #[inline(always)]
+            fn of(holds: bool) -> Self {
+                let bits = if holds { $scalar::from_bits(!0) } else { 0.0 };
+                Self(instruction!($splat(bits)))
+            }
+            #[inline(always)]
+            fn any(self) -> bool {
+                instruction!($movemask(self.0)) != 0
+            }
+            #[inline(always)]
+            fn and(self, other: Self) -> Self {
+                Self(instruction!($and(self.0, other.0)))
+            }
+            #[inline(always)]
+            fn or(self, other: Self) -> Self {
+                Self(instruction!($or(self.0, other.0)))
+            }
+            #[inline(always)]
+            fn not(self) -> Self {
+                Self(instruction!($xor(self.0, Self::of(true).0)))
+            }
+        }
+    };
+}
+
+mask! {
+    /// In which of four lanes a condition holds.
+    X4Mask of f64 in __m256d: _mm256_set1_pd _mm256_movemask_pd _mm256_and_pd _mm256_or_pd _mm256_xor_pd
+}
+mask! {
+    /// In which of eight lanes a condition holds.
+    S8Mask of f32 in __m256: _mm256_set1_ps _mm256_movemask_ps _mm256_and_ps _mm256_or_ps _mm256_xor_ps
+}
+
+elementary_functions!(vector! {
+    /// Four doubles.
+    X4: 4 of f64 in __m256d, masked by X4Mask, of the instructions Fma;
+    load _mm256_loadu_pd, store _mm256_storeu_pd, splat _mm256_set1_pd,
+    add _mm256_add_pd, sub _mm256_sub_pd, mul _mm256_mul_pd, div _mm256_div_pd,
+    fma _mm256_fmadd_pd, sqrt _mm256_sqrt_pd, xor _mm256_xor_pd, andnot _mm256_andnot_pd,
+    compare _mm256_cmp_pd, select |mask, a, b| _mm256_blendv_pd(b, a, mask);
+});
+elementary_functions!(vector! {
+    /// Eight singles.
+    S8: 8 of f32 in __m256, masked by S8Mask, of the instructions Fma;
+    load _mm256_loadu_ps, store _mm256_storeu_ps, splat _mm256_set1_ps,
+    add _mm256_add_ps, sub _mm256_sub_ps, mul _mm256_mul_ps, div _mm256_div_ps,
+    fma _mm256_fmadd_ps, sqrt _mm256_sqrt_ps, xor _mm256_xor_ps, andnot _mm256_andnot_ps,
+    compare _mm256_cmp_ps, select |mask, a, b| _mm256_blendv_ps(b, a, mask);
+});
