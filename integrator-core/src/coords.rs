@@ -19,6 +19,8 @@ pub trait Coords: Clone + Debug + PartialEq + Send + Sync + 'static {
 
     /// How many numbers or points there are.
     fn length(&self) -> usize;
+    /// The coordinates whose flat form this is; `None` where the shape has another size.
+    fn from_flat(flat: Vec<Self::Leaf>) -> Option<Self>;
     /// All coordinates, points one after the other.
     fn flat(&self) -> &[Self::Leaf];
     /// All coordinates, to be written.
@@ -59,6 +61,9 @@ impl<K: Keep, const N: usize> Coords for [K; N] {
     fn length(&self) -> usize {
         self.len()
     }
+    fn from_flat(flat: Vec<K>) -> Option<Self> {
+        flat.try_into().ok()
+    }
     fn flat(&self) -> &[K] {
         self
     }
@@ -93,6 +98,10 @@ impl<K: Keep, const D: usize, const N: usize> Coords for [[K; D]; N] {
 
     fn length(&self) -> usize {
         self.len()
+    }
+    fn from_flat(flat: Vec<K>) -> Option<Self> {
+        let (points, rest) = flat.as_chunks::<D>();
+        if rest.is_empty() { points.try_into().ok() } else { None }
     }
     fn flat(&self) -> &[K] {
         self.as_flattened()
@@ -129,6 +138,9 @@ impl<K: Keep> Coords for Vec<K> {
     fn length(&self) -> usize {
         self.len()
     }
+    fn from_flat(flat: Vec<K>) -> Option<Self> {
+        Some(flat)
+    }
     fn flat(&self) -> &[K] {
         self
     }
@@ -159,6 +171,10 @@ impl<K: Keep, const D: usize> Coords for Vec<[K; D]> {
 
     fn length(&self) -> usize {
         self.len()
+    }
+    fn from_flat(flat: Vec<K>) -> Option<Self> {
+        let (points, rest) = flat.as_chunks::<D>();
+        rest.is_empty().then(|| points.to_vec())
     }
     fn flat(&self) -> &[K] {
         self.as_flattened()

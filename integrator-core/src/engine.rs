@@ -59,6 +59,9 @@ pub(crate) trait Engine<C: Coords>: Send + Sync {
     /// Takes `steps` steps from `clock`, or as many as end in a finite state, and returns how many.
     fn advance(&mut self, clock: Clock, steps: u64) -> u64;
     fn state(&self, clock: Clock) -> Phase<C>;
+    /// The state in the middle of the step under way.
+    #[cfg(feature = "checkpoint")]
+    fn unfinished(&self) -> Phase<C>;
     fn energies(&self) -> Arc<dyn Energies<C>>;
     fn boxed_clone(&self) -> Box<dyn Engine<C>>;
 }
@@ -206,6 +209,13 @@ impl<M: Motion<C, P>, P: Send + Sync + 'static, C: Coords> Engine<C> for Solo<M,
 
     fn state(&self, clock: Clock) -> Phase<C> {
         self.watched.state(0, clock, &self.shape)
+    }
+
+    #[cfg(feature = "checkpoint")]
+    fn unfinished(&self) -> Phase<C> {
+        let mut state = self.shape.clone();
+        self.watched.motion().store(0, &mut state);
+        state
     }
 
     fn energies(&self) -> Arc<dyn Energies<C>> {

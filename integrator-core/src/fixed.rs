@@ -87,6 +87,8 @@ impl Keep for Fixed<f64> {
     type Avx512 = Fused<f64, Avx512>;
     type Slot<R: Real> = Fixed<R>;
 
+    const NAME: &'static str = "reversible f64";
+    const PARTS: usize = 2;
     const EPSILON: f64 = f64::EPSILON;
     const REVERSIBLE: bool = true;
 
@@ -100,6 +102,12 @@ impl Keep for Fixed<f64> {
     }
     fn to_f64(self) -> f64 {
         self.value
+    }
+    fn parts(self) -> [f64; 2] {
+        [self.value, self.spacing]
+    }
+    fn from_parts([value, spacing]: [f64; 2]) -> Self {
+        Self { value, spacing }
     }
     fn spacing(self) -> Option<f64> {
         Some(self.spacing)

@@ -45,6 +45,7 @@
 //! | what a run does and promises | [`Run`] |
 //! | looking at a run from time to time | [`Run::samples`] |
 //! | what can go wrong | [`Error`] |
+//! | a run that outlives its program | `Run::checkpoint`, `Run::resume` (feature `checkpoint`) |
 //! | whether a stepper is what it claims to be | `check`, above all `certify` (feature `check`) |
 //! | which composition is the cheapest, and with which step | `check::choose` (feature `check`) |
 //! | which machine code is run | [`InstructionSet`] |
@@ -53,6 +54,9 @@
 //!
 //! `check`, on by default: the measurements behind certificates. It brings nalgebra and num-dual; a program that only
 //! steps turns it off and compiles neither.
+//!
+//! `checkpoint`: `Run::checkpoint` and `Run::resume`, runs as bytes and as files that survive a killed program. It
+//! brings serde, postcard and crc.
 #![deny(unsafe_code)]
 
 extern crate self as integrator_core;
@@ -62,6 +66,8 @@ mod catalogue;
 mod catalogue_list;
 #[cfg(feature = "check")]
 pub mod check;
+#[cfg(feature = "checkpoint")]
+mod checkpoint;
 mod composition;
 mod coords;
 mod engine;
@@ -87,6 +93,8 @@ mod vector;
 mod visit;
 
 pub use catalogue::*;
+#[cfg(feature = "checkpoint")]
+pub use checkpoint::CheckpointError;
 pub use composition::{Class, Composition, Lead, Processor, Rows, Scheme, Stage, Stages};
 pub use coords::Coords;
 pub use ensemble::Ensemble;

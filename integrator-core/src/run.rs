@@ -1,5 +1,7 @@
 //! One trajectory: integer time, stages merged across steps, stopped where it leaves the finite numbers.
 
+#[cfg(feature = "checkpoint")]
+use crate::checkpoint::Origin;
 use crate::{
     composition::{Composition, Scheme},
     coords::Coords,
@@ -59,8 +61,11 @@ pub(crate) fn admissible_with<X: Scheme, C: Coords>(start: &Phase<C>, h: f64) ->
 /// A trajectory under way, made by [`Hamiltonian::run`]. Its type names the coordinates alone, so it can be stored.
 pub struct Run<C: Coords> {
     engine: Box<dyn Engine<C>>,
-    clock: Clock,
+    pub(crate) clock: Clock,
     composition: &'static str,
+    /// Whose checkpoints its own are.
+    #[cfg(feature = "checkpoint")]
+    pub(crate) origin: Origin,
 }
 
 impl<C: Coords> Run<C> {
@@ -72,6 +77,17 @@ impl<C: Coords> Run<C> {
         H::Coords: Coords<With<K> = C>,
     {
         admissible_with::<X, _>(&start, h)?;
+        Ok(Self::going_on::<H, X, K>(system, start, Clock { t0: 0.0, h, steps: 0 }))
+    }
+
+    /// A run from a state in the middle of the step that the clock tells.
+    pub(crate) fn going_on<H, X, K>(system: &H, start: Phase<C>, clock: Clock) -> Self
+    where
+        H: Hamiltonian,
+        X: Composition<H>,
+        K: Keep,
+        H::Coords: Coords<With<K> = C>,
+    {
         let parameters = system.parameters(start.q.length());
         let engine: Box<dyn Engine<C>> = match InstructionSet::chosen() {
             InstructionSet::Baseline => Box::new(Solo::new(parameters, start, moves::<H, X, K::Plain, K>())),
@@ -80,7 +96,13 @@ impl<C: Coords> Run<C> {
                 Box::new(Solo::new(parameters, start, moves::<H, X, K::Fused, K>()))
             }
         };
-        Ok(Self { engine, clock: Clock { t0: 0.0, h, steps: 0 }, composition: X::NAME })
+        Self {
+            engine,
+            clock,
+            composition: X::NAME,
+            #[cfg(feature = "checkpoint")]
+            origin: Origin::of::<H, X>(),
+        }
     }
 
     /// Starts the clock at `t0` instead of 0. A `t0` that is not finite is reported by the first `advance`.
@@ -138,6 +160,12 @@ impl<C: Coords> Run<C> {
     /// An iterator over the present state and then the state after every `interval` steps.
     pub fn samples(self, interval: u64) -> Samples<C> {
         Samples::new(self, interval)
+    }
+
+    /// The state in the middle of the step under way.
+    #[cfg(feature = "checkpoint")]
+    pub(crate) fn unfinished(&self) -> Phase<C> {
+        self.engine.unfinished()
     }
 
     pub(crate) fn energies(&self) -> Arc<dyn Energies<C>> {

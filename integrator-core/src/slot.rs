@@ -42,6 +42,10 @@ pub trait Keep: Copy + Debug + PartialEq + Default + Send + Sync + 'static {
     /// How a coordinate is kept.
     type Slot<R: Real>: Slot<R>;
 
+    /// What a checkpoint calls it.
+    const NAME: &'static str;
+    /// How many numbers it is made of.
+    const PARTS: usize = 1;
     /// The spacing of its values just above one.
     const EPSILON: f64;
     /// Whether every update can be undone exactly, for which the composition has to be symmetric.
@@ -53,6 +57,12 @@ pub trait Keep: Copy + Debug + PartialEq + Default + Send + Sync + 'static {
     fn outward<R: Real>(slot: Self::Slot<R>, lane: usize) -> Self;
     /// The value, without what compensation carries.
     fn to_f64(self) -> f64;
+    /// All that it is made of, the first [`Keep::PARTS`] of these.
+    fn parts(self) -> [f64; 2] {
+        [self.to_f64(), 0.0]
+    }
+    /// The leaf made of these.
+    fn from_parts(parts: [f64; 2]) -> Self;
     /// The spacing of its values where it is the same everywhere.
     fn spacing(self) -> Option<f64> {
         None
@@ -71,6 +81,7 @@ macro_rules! keep_plainly {
             type Avx512 = Fused<$scalar, Avx512>;
             type Slot<R: Real> = R;
 
+            const NAME: &'static str = stringify!($scalar);
             const EPSILON: f64 = <$scalar>::EPSILON as f64;
 
             #[inline(always)]
@@ -83,6 +94,9 @@ macro_rules! keep_plainly {
             }
             fn to_f64(self) -> f64 {
                 f64::from(self)
+            }
+            fn from_parts([value, _]: [f64; 2]) -> Self {
+                value as $scalar
             }
         }
     )*};
@@ -128,6 +142,8 @@ impl Keep for Compensated<f64> {
     type Avx512 = Fused<f64, Avx512>;
     type Slot<R: Real> = Compensated<R>;
 
+    const NAME: &'static str = "compensated f64";
+    const PARTS: usize = 2;
     const EPSILON: f64 = f64::EPSILON;
 
     #[inline(always)]
@@ -140,6 +156,12 @@ impl Keep for Compensated<f64> {
     }
     fn to_f64(self) -> f64 {
         self.value
+    }
+    fn parts(self) -> [f64; 2] {
+        [self.value, self.carried]
+    }
+    fn from_parts([value, carried]: [f64; 2]) -> Self {
+        Self { value, carried }
     }
 }
 

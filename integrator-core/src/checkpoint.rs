@@ -1,0 +1,284 @@
+//! Runs on disk: everything that a run is, bit by bit, in a form that refuses whatever it is not.
+//!
+//! ```text
+//! magic (8 bytes) | version (2 bytes) | record (postcard) | CRC-64 of all before (8 bytes)
+//! ```
+//!
+//! Always true: what is stored is the unfinished state, in the middle of a step, so that a resumed run takes the very
+//! steps of one that was never interrupted.
+
+use crate::{
+    composition::{Composition, Processor, Scheme, Stage, Stages},
+    coords::Coords,
+    engine::Clock,
+    error::Error,
+    hamiltonian::Hamiltonian,
+    phase::Phase,
+    run::{Run, admissible_with},
+    slot::Keep,
+};
+use crc::{CRC_64_XZ, Crc};
+use serde::{Deserialize, Serialize};
+use std::{
+    fs::{self, File},
+    io::{self, Write},
+    path::Path,
+};
+
+/// What every checkpoint begins with.
+const MAGIC: [u8; 8] = *b"symplrun";
+
+/// The form of the record; a larger one is refused.
+const VERSION: u16 = 1;
+
+const CHECKSUM: Crc<u64> = Crc::<u64>::new(&CRC_64_XZ);
+
+/// Why a checkpoint could not be written or resumed.
+#[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
+pub enum CheckpointError {
+    /// The file could not be read or written.
+    #[error("the file of the checkpoint: {0}")]
+    File(#[from] io::Error),
+    /// These are not the bytes of a checkpoint.
+    #[error("this is no checkpoint of a run: it does not begin like one")]
+    Foreign,
+    /// A later version of the library wrote it.
+    #[error(
+        "this checkpoint has version {version} of the format, which is newer than {VERSION}: update integrator-core"
+    )]
+    Newer {
+        /// The version of its format.
+        version: u16,
+    },
+    /// Bytes are missing or have changed.
+    #[error("this checkpoint is damaged: its checksum does not match its bytes")]
+    Damaged,
+    /// It belongs to another system, composition or precision.
+    #[error("this checkpoint was made with the {what} `{stored}`, not `{asked}`")]
+    Other {
+        /// `system`, `composition` or `precision`.
+        what: &'static str,
+        /// What the checkpoint names.
+        stored: String,
+        /// What it was to be resumed with.
+        asked: String,
+    },
+    /// The composition has the stored name, but other stages.
+    #[error("`{composition}` has other stages than when this checkpoint was made")]
+    Stages {
+        /// Its name.
+        composition: String,
+    },
+    /// The state has another number of coordinates than the system.
+    #[error("this checkpoint has {positions} positions and {momenta} momenta, which this system does not have")]
+    Shape {
+        /// How many positions.
+        positions: usize,
+        /// How many momenta.
+        momenta: usize,
+    },
+    /// No run can go on from there.
+    #[error(transparent)]
+    Run(#[from] Error),
+}
+
+/// All there is to a run.
+#[derive(Serialize, Deserialize)]
+struct Record {
+    system: String,
+    composition: String,
+    stages: u64,
+    leaf: String,
+    steps: u64,
+    h: f64,
+    t0: f64,
+    q: Vec<f64>,
+    p: Vec<f64>,
+}
+
+/// What a run is called and made of, for its checkpoints.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Origin {
+    system: &'static str,
+    composition: &'static str,
+    stages: Stages,
+    processor: Processor,
+}
+
+impl Origin {
+    pub(crate) fn of<H, X: Scheme>() -> Self {
+        Self { system: std::any::type_name::<H>(), composition: X::NAME, stages: X::STAGES, processor: X::PROCESSOR }
+    }
+}
+
+/// A number that tells the stages of compositions apart.
+fn fingerprint(Origin { stages, processor, .. }: &Origin) -> u64 {
+    let mut digest = CHECKSUM.digest();
+    let ends = [stages.opening, stages.closing];
+    let rows = ends.iter().chain(stages.cycle).chain(processor.before.rows).chain(processor.after.rows);
+    for Stage { drift, kick, gradient, drift_time, kick_time } in rows {
+        for number in [drift, kick, gradient, drift_time, kick_time] {
+            digest.update(&number.to_bits().to_le_bytes());
+        }
+    }
+    digest.finalize()
+}
+
+/// The numbers of some coordinates, one after the other.
+fn numbers<C: Coords>(coordinates: &C) -> Vec<f64> {
+    coordinates.flat().iter().flat_map(|leaf| leaf.parts().into_iter().take(C::Leaf::PARTS)).collect()
+}
+
+/// The coordinates that have these numbers, if their shape has so many.
+fn coordinates<C: Coords>(numbers: &[f64]) -> Option<C> {
+    let parts = C::Leaf::PARTS;
+    let leaves =
+        numbers.chunks(parts).map(|chunk| C::Leaf::from_parts(std::array::from_fn(|i| *chunk.get(i).unwrap_or(&0.0))));
+    C::from_flat(leaves.collect()).filter(|_| numbers.len().is_multiple_of(parts))
+}
+
+impl<C: Coords> Run<C> {
+    /// Everything that this run is, as bytes from which [`Run::resume`] goes on as if nothing had happened: bit for bit
+    /// the same on one instruction set.
+    ///
+    /// The parameters of the system are not in it: a run is resumed with the system that it began with.
+    pub fn checkpoint(&self) -> Vec<u8> {
+        let Phase { q, p } = self.unfinished();
+        let Clock { t0, h, steps } = self.clock;
+        let record = Record {
+            system: self.origin.system.to_owned(),
+            composition: self.origin.composition.to_owned(),
+            stages: fingerprint(&self.origin),
+            leaf: C::Leaf::NAME.to_owned(),
+            steps,
+            h,
+            t0,
+            q: numbers(&q),
+            p: numbers(&p),
+        };
+        let mut bytes = MAGIC.to_vec();
+        bytes.extend(VERSION.to_le_bytes());
+        // A record of numbers and names can always be written to memory.
+        bytes.extend(postcard::to_allocvec(&record).unwrap_or_default());
+        bytes.extend(CHECKSUM.checksum(&bytes).to_le_bytes());
+        bytes
+    }
+
+    /// Writes [`Run::checkpoint`] to a file. Whenever the program is killed, the file is whole: it holds the previous
+    /// checkpoint or this one. The bytes go to a file beside it first, with `.partial` at the end of its name, and are on
+    /// the disk before that file takes the other's place.
+    ///
+    /// ```
+    /// use integrator_core::prelude::*;
+    ///
+    /// struct Oscillator;
+    ///
+    /// #[hamiltonian]
+    /// impl Oscillator {
+    ///     fn kinetic(&self, p: [f64; 1]) -> f64 { p[0] * p[0] / 2.0 }
+    ///     fn potential(&self, q: [f64; 1]) -> f64 { q[0] * q[0] / 2.0 }
+    /// }
+    ///
+    /// # let path = std::env::temp_dir().join(format!("oscillator-{}.run", std::process::id()));
+    /// let mut run = Oscillator.run(Phase::new([1.0], [0.0]), 0.1)?;
+    /// run.advance(1_000)?;
+    /// run.checkpoint_to(&path)?;
+    /// // Later, in another process:
+    /// let mut resumed: Run<[f64; 1]> = Run::resume(&Oscillator, &std::fs::read(&path)?)?;
+    /// resumed.advance(1_000)?;
+    /// run.advance(1_000)?;
+    /// assert_eq!(resumed.state(), run.state());
+    /// # std::fs::remove_file(&path)?;
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`CheckpointError::File`] if a file cannot be written; the previous checkpoint is still there then.
+    pub fn checkpoint_to(&self, path: impl AsRef<Path>) -> Result<(), CheckpointError> {
+        let path = path.as_ref();
+        let mut partial = path.as_os_str().to_owned();
+        partial.push(".partial");
+        let mut file = File::create(&partial)?;
+        file.write_all(&self.checkpoint())?;
+        file.sync_all()?;
+        fs::rename(&partial, path)?;
+        // A name is on the disk once its folder is.
+        #[cfg(unix)]
+        if let Some(folder) = path.parent() {
+            File::open(if folder.as_os_str().is_empty() { Path::new(".") } else { folder })?.sync_all()?;
+        }
+        Ok(())
+    }
+
+    /// The run that a checkpoint was made of, with the annotated composition of its system.
+    ///
+    /// # Errors
+    /// Bytes that are no checkpoint, damaged, or of a newer format; a checkpoint of another system (by the name of its
+    /// type), composition or precision; a state from which no run can go on.
+    pub fn resume<H>(system: &H, checkpoint: &[u8]) -> Result<Self, CheckpointError>
+    where
+        H: Hamiltonian,
+        H::Coords: Coords<With<C::Leaf> = C>,
+    {
+        Self::restored::<H, H::Compose>(system, checkpoint)
+    }
+
+    /// The run that a checkpoint was made of, with the composition that it was begun with.
+    ///
+    /// # Errors
+    /// As [`Run::resume`].
+    pub fn resume_with<H, X>(system: &H, composition: X, checkpoint: &[u8]) -> Result<Self, CheckpointError>
+    where
+        H: Hamiltonian,
+        X: Composition<H>,
+        H::Coords: Coords<With<C::Leaf> = C>,
+    {
+        let _ = composition;
+        Self::restored::<H, X>(system, checkpoint)
+    }
+
+    fn restored<H, X>(system: &H, checkpoint: &[u8]) -> Result<Self, CheckpointError>
+    where
+        H: Hamiltonian,
+        X: Composition<H>,
+        H::Coords: Coords<With<C::Leaf> = C>,
+    {
+        let Record { system: name, composition, stages, leaf, steps, h, t0, q, p } = record(checkpoint)?;
+        let origin = Origin::of::<H, X>();
+        let asked = [
+            ("system", name, origin.system),
+            ("composition", composition, origin.composition),
+            ("precision", leaf, C::Leaf::NAME),
+        ];
+        for (what, stored, asked) in asked {
+            if stored != asked {
+                return Err(CheckpointError::Other { what, stored, asked: asked.to_owned() });
+            }
+        }
+        if stages != fingerprint(&origin) {
+            return Err(CheckpointError::Stages { composition: origin.composition.to_owned() });
+        }
+        let shape = CheckpointError::Shape { positions: q.len(), momenta: p.len() };
+        let (Some(q), Some(p)) = (coordinates(&q), coordinates(&p)) else { return Err(shape) };
+        let unfinished = Phase { q, p };
+        admissible_with::<X, C>(&unfinished, h)?;
+        Ok(Self::going_on::<H, X, C::Leaf>(system, unfinished, Clock { t0, h, steps }))
+    }
+}
+
+/// What the bytes of a checkpoint say.
+fn record(checkpoint: &[u8]) -> Result<Record, CheckpointError> {
+    let rest = checkpoint.strip_prefix(&MAGIC).ok_or(CheckpointError::Foreign)?;
+    let (version, rest) = rest.split_first_chunk().ok_or(CheckpointError::Damaged)?;
+    let version = u16::from_le_bytes(*version);
+    if version > VERSION {
+        return Err(CheckpointError::Newer { version });
+    }
+    let (record, checksum) = rest.split_last_chunk().ok_or(CheckpointError::Damaged)?;
+    let covered = &checkpoint[..checkpoint.len() - checksum.len()];
+    if CHECKSUM.checksum(covered) != u64::from_le_bytes(*checksum) {
+        return Err(CheckpointError::Damaged);
+    }
+    postcard::from_bytes(record).map_err(|_| CheckpointError::Damaged)
+}

@@ -1,0 +1,275 @@
+//! Checkpoints: a resumed run is the run that was never interrupted, and nothing else passes for a checkpoint.
+
+use integrator_core::{CheckpointError, Coords, prelude::*};
+use std::{
+    env, fs,
+    path::{Path, PathBuf},
+    process::{Command, Stdio},
+    time::Duration,
+};
+
+struct Pendulum {
+    length: f64,
+}
+
+#[hamiltonian(compose = Yoshida4)]
+impl Pendulum {
+    fn kinetic(&self, p: [f64; 1]) -> f64 {
+        p[0].powi(2) / (2.0 * self.length.powi(2))
+    }
+    fn potential(&self, q: [f64; 1]) -> f64 {
+        -9.81 * self.length * q[0].cos()
+    }
+}
+
+/// A chain whose length is known at run time, driven at one end.
+struct Chain;
+
+#[hamiltonian]
+impl Chain {
+    fn kinetic(&self, p: &[f64]) -> f64 {
+        let mut sum = 0.0;
+        for i in 0..p.len() {
+            sum += p[i] * p[i] / 2.0;
+        }
+        sum
+    }
+    fn potential(&self, q: &[f64], t: f64) -> f64 {
+        let mut sum = q[0] * t.sin();
+        for i in 0..q.len() - 1 {
+            sum += (q[i + 1] - q[i]).powi(4);
+        }
+        sum
+    }
+}
+
+/// Points in the plane.
+struct Swarm;
+
+#[hamiltonian]
+impl Swarm {
+    fn kinetic(&self, p: &[[f64; 2]]) -> f64 {
+        let mut sum = 0.0;
+        for i in 0..p.len() {
+            sum += (p[i][0] * p[i][0] + p[i][1] * p[i][1]) / 2.0;
+        }
+        sum
+    }
+    fn potential(&self, q: &[[f64; 2]]) -> f64 {
+        let mut sum = 0.0;
+        for i in 0..q.len() {
+            sum += (q[i][0] * q[i][0] + 2.0 * q[i][1] * q[i][1]).powi(2);
+        }
+        sum
+    }
+}
+
+const PENDULUM: Pendulum = Pendulum { length: 0.7 };
+
+fn run() -> Run<[f64; 1]> {
+    let mut run = PENDULUM.run(Phase::new([2.0], [0.1]), 0.01).expect("an admissible start").at_time(0.3);
+    run.advance(137).expect("finite");
+    run
+}
+
+/// Stops a run after some steps, and compares what is resumed with what went on.
+fn interrupted<H, X, C>(system: &H, composition: X, start: Phase<C>)
+where
+    H: Hamiltonian,
+    H::Coords: Coords<With<C::Leaf> = C>,
+    X: Composition<H>,
+    C: Coords,
+{
+    for steps in [0, 1, 137] {
+        let mut whole =
+            system.run_with::<C::Leaf, X>(composition, start.clone(), 0.01).expect("an admissible start").at_time(0.3);
+        whole.advance(steps).expect("finite");
+        let mut resumed = Run::<C>::resume_with(system, composition, &whole.checkpoint()).expect("it was just made");
+        assert_eq!((resumed.time(), resumed.steps(), resumed.step()), (whole.time(), steps, 0.01));
+        assert_eq!(resumed.state(), whole.state());
+        whole.advance(863).expect("finite");
+        resumed.advance(863).expect("finite");
+        assert_eq!(resumed.state(), whole.state(), "{} after {steps} steps", X::NAME);
+        assert_eq!(resumed.checkpoint(), whole.checkpoint(), "the unfinished state too");
+    }
+}
+
+#[test]
+fn a_resumed_run_is_the_uninterrupted_one() {
+    let (q, p) = ([2.0], [0.1]);
+    interrupted(&PENDULUM, Verlet, Phase::new(q, p));
+    interrupted(&PENDULUM, VelocityVerlet, Phase::new(q, p));
+    interrupted(&PENDULUM, Euler, Phase::new(q, p));
+    interrupted(&PENDULUM, BlanesCasasRos6, Phase::new(q, p));
+    interrupted(&PENDULUM, KahanLi8, Phase::new([2.0_f32], [0.1]));
+    interrupted(&PENDULUM, Yoshida4, Phase::compensated(q, p));
+    interrupted(&PENDULUM, Yoshida4, Phase::reversible(q, p, 1.0 / (1_u64 << 44) as f64));
+    interrupted(&Chain, Yoshida4, Phase::new(vec![0.1, -0.2, 0.4], vec![0.0, 1.0, 0.5]));
+    interrupted(&Swarm, Yoshida4, Phase::new(vec![[0.1, -0.2]; 5], vec![[0.0, 1.0]; 5]));
+}
+
+fn resumed(bytes: &[u8]) -> Result<Run<[f64; 1]>, CheckpointError> {
+    Run::resume(&PENDULUM, bytes)
+}
+
+#[test]
+fn no_flipped_bit_is_accepted() {
+    let bytes = run().checkpoint();
+    assert!(resumed(&bytes).is_ok());
+    for bit in 0..8 * bytes.len() {
+        let mut flipped = bytes.clone();
+        flipped[bit / 8] ^= 1 << (bit % 8);
+        let error = resumed(&flipped).expect_err("a bit is wrong");
+        let expected = match bit / 8 {
+            0..8 => matches!(error, CheckpointError::Foreign),
+            8..10 => matches!(error, CheckpointError::Newer { .. } | CheckpointError::Damaged),
+            _ => matches!(error, CheckpointError::Damaged),
+        };
+        assert!(expected, "bit {bit}: {error}");
+    }
+}
+
+#[test]
+fn no_part_of_a_checkpoint_is_accepted() {
+    let bytes = run().checkpoint();
+    for length in 0..bytes.len() {
+        let error = resumed(&bytes[..length]).expect_err("the end is missing");
+        assert!(matches!(error, CheckpointError::Foreign | CheckpointError::Damaged), "{length} bytes: {error}");
+    }
+    let more = [&bytes[..], &[0]].concat();
+    assert!(matches!(resumed(&more), Err(CheckpointError::Damaged)));
+}
+
+/// The names of a composition that exists twice.
+mod early {
+    use integrator_core::prelude::*;
+    composition! {
+        /// Kick in the middle.
+        pub struct Mine: order 2 = T(1/2) V(1) T(1/2);
+    }
+}
+
+mod late {
+    use integrator_core::prelude::*;
+    composition! {
+        /// Two steps in one.
+        pub struct Mine: order 2 = T(1/4) V(1/2) T(1/2) V(1/2) T(1/4);
+    }
+}
+
+#[test]
+fn what_belongs_to_another_run_is_refused_with_a_reason() {
+    let bytes = run().checkpoint();
+    let text = |error: CheckpointError| error.to_string();
+
+    assert_eq!(
+        text(resumed(b"a letter to a friend").expect_err("no checkpoint")),
+        "this is no checkpoint of a run: it does not begin like one"
+    );
+    let mut newer = bytes.clone();
+    newer[8] = 2;
+    assert_eq!(
+        text(resumed(&newer).expect_err("from the future")),
+        "this checkpoint has version 2 of the format, which is newer than 1: update integrator-core"
+    );
+    let damaged = text(resumed(&bytes[..20]).expect_err("short"));
+    assert_eq!(damaged, "this checkpoint is damaged: its checksum does not match its bytes");
+
+    struct Other;
+    #[hamiltonian]
+    impl Other {
+        fn kinetic(&self, p: [f64; 1]) -> f64 {
+            p[0] * p[0] / 2.0
+        }
+        fn potential(&self, q: [f64; 1]) -> f64 {
+            q[0] * q[0] / 2.0
+        }
+    }
+    let error = text(Run::<[f64; 1]>::resume_with(&Other, Yoshida4, &bytes).expect_err("another system"));
+    let stored = "this checkpoint was made with the system `checkpoints::Pendulum`, not `checkpoints::";
+    assert!(error.starts_with(stored) && error.ends_with("Other`"), "{error}");
+
+    assert_eq!(
+        text(Run::<[f64; 1]>::resume_with(&PENDULUM, Verlet, &bytes).expect_err("another composition")),
+        "this checkpoint was made with the composition `Yoshida4`, not `Verlet`"
+    );
+    let single: Result<Run<[f32; 1]>, _> = Run::resume(&PENDULUM, &bytes);
+    assert_eq!(
+        text(single.expect_err("another precision")),
+        "this checkpoint was made with the precision `f64`, not `f32`"
+    );
+    let early = PENDULUM.run_with(early::Mine, Phase::new([1.0], [0.0]), 0.1).expect("an admissible start");
+    assert_eq!(
+        text(Run::<[f64; 1]>::resume_with(&PENDULUM, late::Mine, &early.checkpoint()).expect_err("other stages")),
+        "`Mine` has other stages than when this checkpoint was made"
+    );
+}
+
+/// A path that no other test uses.
+fn scratch(name: &str) -> PathBuf {
+    Path::new(env!("CARGO_TARGET_TMPDIR")).join(format!("{name}-{}", std::process::id()))
+}
+
+#[test]
+fn a_file_is_resumed_and_a_folder_that_is_not_there_is_an_error() {
+    let (path, mut run) = (scratch("file"), run());
+    run.checkpoint_to(&path).expect("a writable folder");
+    run.advance(10).expect("finite");
+    run.checkpoint_to(&path).expect("the file is replaced");
+    let bytes = fs::read(&path).expect("the file");
+    assert_eq!(resumed(&bytes).expect("whole").state(), run.state());
+    fs::remove_file(&path).expect("the file");
+    let nowhere = run.checkpoint_to(path.join("below/a/file"));
+    assert!(matches!(nowhere, Err(CheckpointError::File(_))));
+}
+
+/// Goes on with the run in a file, or begins it, and writes it down again and again until it is killed.
+fn work(path: &Path) -> ! {
+    let mut run = match fs::read(path) {
+        Ok(bytes) => resumed(&bytes).expect("what a killed process leaves is whole"),
+        Err(_) => PENDULUM.run(Phase::new([2.0], [0.1]), 0.01).expect("an admissible start"),
+    };
+    loop {
+        run.advance(500).expect("finite");
+        run.checkpoint_to(path).expect("a writable folder");
+    }
+}
+
+#[test]
+fn a_run_killed_two_hundred_times_ends_with_the_same_bits() {
+    const FILE: &str = "KILLED_RUN";
+    if let Some(path) = env::var_os(FILE) {
+        work(Path::new(&path));
+    }
+    let path = scratch("killed");
+    let this = env::current_exe().expect("the path of this test");
+    let mut steps = 0;
+    for turn in 0..200_u64 {
+        let mut child = Command::new(&this)
+            .args(["--exact", "a_run_killed_two_hundred_times_ends_with_the_same_bits"])
+            .env(FILE, &path)
+            .stdout(Stdio::null())
+            .spawn()
+            .expect("this test can be started again");
+        // As soon as there is something new, and then at another moment each time.
+        loop {
+            let now = fs::read(&path).map_or(0, |bytes| resumed(&bytes).expect("a file is whole at all times").steps());
+            assert!(now >= steps, "{now} steps are fewer than {steps}");
+            if std::mem::replace(&mut steps, now) < now {
+                break;
+            }
+            let ended = child.try_wait().expect("a child");
+            assert!(ended.is_none(), "turn {turn} ended by itself: {ended:?}");
+        }
+        std::thread::sleep(Duration::from_micros(7_919 * turn % 5_003));
+        child.kill().expect("a child");
+        assert!(!child.wait().expect("a child").success(), "turn {turn} ended by itself");
+    }
+    let mut resumed = resumed(&fs::read(&path).expect("the file")).expect("whole");
+    let mut whole = PENDULUM.run(Phase::new([2.0], [0.1]), 0.01).expect("an admissible start");
+    whole.advance(resumed.steps() + 1_000).expect("finite");
+    resumed.advance(1_000).expect("finite");
+    assert_eq!(resumed.state(), whole.state());
+    let _ = fs::remove_file(path.with_extension("partial"));
+    fs::remove_file(&path).expect("the file");
+}
