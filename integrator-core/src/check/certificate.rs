@@ -1,6 +1,6 @@
 //! What was measured, and how it reads.
 
-use crate::check::{energy::EnergyDrift, order::Order};
+use crate::check::{energy::EnergyDrift, order::Order, stability::Stability};
 use std::fmt;
 
 /// What was measured of one composition on one system, with one start and one step.
@@ -35,6 +35,9 @@ pub struct Certificate {
     /// How far the flows are from the gradients of the energies: the largest
     /// [`gradient_error`](crate::check::gradient_error) along the path.
     pub gradient_error: f64,
+    /// How near the step is to the one at which the composition becomes unstable. A warning at most: no certificate is
+    /// refused for it.
+    pub stability: Option<Stability>,
     /// What rounding explains.
     pub tolerances: Tolerances,
 }
@@ -68,14 +71,18 @@ impl fmt::Display for Certificate {
             writeln!(f, "(not symmetric, none claimed)")?;
         }
         match self.energy_drift {
-            Some(EnergyDrift { deviation, slope, uncertainty, step, steps, .. }) => writeln!(
+            Some(EnergyDrift { deviation, course, slope, uncertainty, step, steps, .. }) => writeln!(
                 f,
-                "  energy drift       {deviation:.1e} at most in {steps} steps of {step:.1e}; \
+                "  energy drift       {course}: {deviation:.1e} at most in {steps} steps of {step:.1e}; \
                  slope {slope:.1e} +- {uncertainty:.1e} per unit time"
             )?,
             None if self.autonomous => writeln!(f, "  energy drift       not measured")?,
             None => writeln!(f, "  energy drift       left out: H reads the time")?,
         }
-        write!(f, "  gradient error     {:.1e} (rounding explains {gradient_error:.1e})", self.gradient_error)
+        writeln!(f, "  gradient error     {:.1e} (rounding explains {gradient_error:.1e})", self.gradient_error)?;
+        match self.stability {
+            Some(stability) => write!(f, "  stability          {stability}"),
+            None => write!(f, "  stability          not measured"),
+        }
     }
 }

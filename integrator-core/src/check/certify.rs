@@ -11,6 +11,7 @@ use crate::{
         points::plain,
         reversibility::{RoundTrip, round_trip},
         shortfall::{CertifyError, Shortfall},
+        stability::{Stability, stability},
         symplecticity::{Defect, defect},
         tolerance::{largest, within},
     },
@@ -40,8 +41,9 @@ const GRADIENT_SPAN: f64 = 64.0;
 /// A certificate says that one step of size `h` from `start` is symplectic, that errors fall with the claimed order,
 /// that a composition that claims symmetry runs back to where it began, that the energy stays (unless `H` reads the
 /// time), and that the flows belong to the energies. Each is judged by a bound that follows from the rounding of the
-/// scalar, the energy by the share of its deviation that is a trend. Small systems take milliseconds; the work grows
-/// with the number of coordinates times that of the forces.
+/// scalar, the energy by the share of its deviation that is a trend. Beside these it warns of a step that is half as long
+/// as the composition bears, or longer. Small systems take milliseconds; the work grows with the number of coordinates
+/// times that of the forces.
 ///
 /// # Errors
 /// [`CertifyError::Run`] for a start or a step that no run would begin with; [`CertifyError::Refused`] with everything
@@ -105,6 +107,8 @@ pub fn certify<H: Hamiltonian, X: Composition<H>, K: Keep>(
         (!within(error, tolerance)).then_some(Shortfall::Gradient { error, tolerance })
     });
 
+    let stability = findings.judge("the stability", subject.stability(), |_| None);
+
     let certificate = Certificate {
         system: std::any::type_name::<H>(),
         composition: X::NAME,
@@ -118,6 +122,7 @@ pub fn certify<H: Hamiltonian, X: Composition<H>, K: Keep>(
         reversibility: trip.as_ref().map_or(f64::NAN, |trip| trip.distance),
         energy_drift: energy.flatten(),
         gradient_error: gradient.unwrap_or(f64::NAN),
+        stability,
         tolerances: Tolerances {
             symplectic_defect: defect.map_or(f64::NAN, |defect| defect.tolerance),
             reversibility: trip.map_or(f64::NAN, |trip| trip.tolerance),
@@ -203,6 +208,10 @@ impl<H: Hamiltonian, X: Composition<H>, K: Keep> Subject<'_, H, X, K> {
             }
         }
         Ok(drift)
+    }
+
+    fn stability(&self) -> Result<Stability, CheckError> {
+        stability::<H, X, K>(self.system, self.composition, &self.start, self.h)
     }
 
     /// The largest error of a gradient at the start and along the path: at the start alone, momenta are often zero, and

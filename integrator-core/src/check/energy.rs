@@ -1,13 +1,13 @@
 //! Whether the energy stays where it began.
 //!
 //! In: a system that does not read the time, a composition, a start, a step, a number of steps. Out: how far the energy
-//! went, and the straight line through it. Always true: the very run of the user, in the precision of the user's state;
+//! went, the straight line through it, and whether it oscillates, walks or drifts. Always true: the very run of the user, in the precision of the user's state;
 //! the energy of a symplectic step oscillates about its value and goes nowhere, until rounding takes over.
 
 use crate::{
     check::{
         CheckError,
-        line::fit,
+        course::{Course, GROUPS, Trend},
         points::resolution,
         tolerance::{flows_per_step, largest, ratio, within},
     },
@@ -18,10 +18,6 @@ use crate::{
     run::Run,
     slot::Keep,
 };
-
-/// In how many groups samples are averaged before a line is drawn through them. An oscillation makes neighbouring
-/// samples alike, and a scatter that ignores this would make the slope look far more certain than it is.
-const GROUPS: usize = 16;
 
 /// How many samples are taken at most; a run of so many steps is looked at after each of them.
 const SAMPLES: u64 = 4096;
@@ -37,9 +33,11 @@ const LOST: f64 = 0.5;
 pub struct EnergyDrift {
     /// The largest deviation from the start.
     pub deviation: f64,
+    /// Whether it oscillates, walks at random or drifts, as far as the run is long enough to tell.
+    pub course: Course,
     /// The slope of the straight line through the energy, per unit time.
     pub slope: f64,
-    /// The standard error of the slope.
+    /// The standard error of the slope. It allows for a random walk, whose values resemble their neighbours.
     pub uncertainty: f64,
     /// The step of the run.
     pub step: f64,
@@ -73,7 +71,7 @@ impl EnergyDrift {
 /// The course of the energy over `steps` steps from `start` at time 0.
 ///
 /// # Errors
-/// A Hamiltonian that reads the time; fewer than 16 steps; a start or a step that no run would begin with; a run that
+/// A Hamiltonian that reads the time; fewer than 64 steps; a start or a step that no run would begin with; a run that
 /// leaves the finite numbers.
 pub fn energy_drift<H: Hamiltonian, X: Composition<H>, K: Keep>(
     system: &H,
@@ -102,24 +100,27 @@ pub fn energy_drift<H: Hamiltonian, X: Composition<H>, K: Keep>(
     let (kinetic, potential) = parts(&run.state(), run.time());
     let energy = kinetic + potential;
     let (mut largest_kinetic, mut largest_term) = (kinetic.abs(), kinetic.abs() + potential.abs());
-    let mut course = Vec::with_capacity(usize::try_from(samples).unwrap_or_default());
+    let mut changes = Vec::with_capacity(usize::try_from(samples).unwrap_or_default());
     for _ in 0..samples {
         run.advance(interval)?;
         let (kinetic, potential) = parts(&run.state(), run.time());
         largest_kinetic = largest([largest_kinetic, kinetic]);
         largest_term = largest([largest_term, kinetic.abs() + potential.abs()]);
-        course.push((run.time(), kinetic + potential - energy));
+        changes.push((run.time(), kinetic + potential - energy));
     }
-    let groups: Vec<(f64, f64)> = course.chunks_exact(course.len() / GROUPS).map(middle).collect();
-    let slope = fit(&groups);
+    let groups: Vec<(f64, f64)> = changes.chunks_exact(changes.len() / GROUPS).take(GROUPS).map(middle).collect();
+    let trend = Trend::of(&groups);
+    let farthest = largest(changes.iter().map(|(_, change)| *change));
+    let share = ratio(trend.slope * run.time(), farthest);
     // Every flow rounds the state, which changes the energy by up to ε of its terms, at random: the farthest such a
     // walk gets is about 2.5 times the root of its steps. The factor 16 leaves room for flows that round several
     // numbers, and for the sum of the energy itself.
     let walk = 16.0 * resolution(&[&begin, &run.state()]) * (run.steps() as f64 * flows_per_step::<X>()).sqrt();
     Ok(EnergyDrift {
-        deviation: ratio(largest(course.iter().map(|(_, change)| *change)), largest_kinetic),
-        slope: ratio(slope.value, largest_kinetic),
-        uncertainty: ratio(slope.uncertainty, largest_kinetic),
+        deviation: ratio(farthest, largest_kinetic),
+        course: trend.course(share),
+        slope: ratio(trend.slope, largest_kinetic),
+        uncertainty: ratio(trend.uncertainty, largest_kinetic),
         step: h,
         steps: run.steps(),
         rounding: ratio(walk * largest_term, largest_kinetic),

@@ -41,7 +41,7 @@ pub fn gradient_error<H: Hamiltonian, K: Keep>(
     }
     let point = plain::<H, K>(&point);
     let parameters = system.parameters(point.q.length());
-    let error = |part| Gradient::<H> { parameters: &parameters, part, time, marker: PhantomData }.error(&point);
+    let error = |part| Gradient::<H>::new(&parameters, part, time).error(&point);
     Ok(largest([error(Part::Kinetic)?, error(Part::Potential)?]))
 }
 
@@ -54,20 +54,24 @@ pub(crate) fn gradient_tolerance(coordinates: usize) -> f64 {
 
 /// One of the two energies. Its gradient is by the half of the coordinates that it reads, and moves the other half.
 #[derive(Clone, Copy, PartialEq)]
-enum Part {
+pub(crate) enum Part {
     Kinetic,
     Potential,
 }
 
 /// What is differentiated.
-struct Gradient<'s, H: Hamiltonian> {
+pub(crate) struct Gradient<'s, H: Hamiltonian> {
     parameters: &'s H::Parameters<f64>,
     part: Part,
     time: f64,
     marker: PhantomData<H>,
 }
 
-impl<H: Hamiltonian> Gradient<'_, H> {
+impl<'s, H: Hamiltonian> Gradient<'s, H> {
+    pub(crate) fn new(parameters: &'s H::Parameters<f64>, part: Part, time: f64) -> Self {
+        Self { parameters, part, time, marker: PhantomData }
+    }
+
     /// The largest error of a component, in units of its condition.
     fn error(&self, point: &Phase<H::Coords>) -> Result<f64, CheckError> {
         let still = origin(point);
@@ -140,7 +144,7 @@ impl<H: Hamiltonian> Gradient<'_, H> {
     }
 
     /// One lane of the gradient: what the flow of unit duration adds to the half that is moved, from zero.
-    fn flow<R: Real>(&self, point: &Phase<H::Coords>, tangent: &Phase<H::Coords>, lane: usize) -> Vec<f64> {
+    pub(crate) fn flow<R: Real>(&self, point: &Phase<H::Coords>, tangent: &Phase<H::Coords>, lane: usize) -> Vec<f64> {
         let mut motion = self.load::<R>(point, tangent);
         let mut moved = point.clone();
         match self.part {

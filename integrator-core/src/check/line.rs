@@ -1,5 +1,7 @@
 //! A straight line through points, by least squares.
 
+use std::ops::RangeInclusive;
+
 /// What a fit says about the slope.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Slope {
@@ -21,6 +23,18 @@ pub(crate) fn fit(points: &[(f64, f64)]) -> Slope {
     Slope { value, uncertainty: (residual / (count - 2.0) / spread).sqrt() }
 }
 
+/// The slope through the finest of some points, which come in the order of refinement: through as many of the last
+/// `counts` of them as lie best on a line, since a leading term prevails at the fine end only. The points are returned
+/// with it; `None` where there are fewer than the least count.
+pub(crate) fn fit_finest(points: &[(f64, f64)], counts: RangeInclusive<usize>) -> Option<(&[(f64, f64)], Slope)> {
+    let most = points.len().min(*counts.end());
+    let fits = (*counts.start()..=most).map(|count| {
+        let finest = &points[points.len() - count..];
+        (finest, fit(finest))
+    });
+    fits.min_by(|one, other| one.1.uncertainty.total_cmp(&other.1.uncertainty))
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -35,6 +49,14 @@ mod tests {
         let scattered = fit(&[(-1.0, 1.0), (0.0, -2.0), (1.0, 1.0)]);
         assert!(within(scattered.value, f64::EPSILON), "{scattered:?}");
         assert!(within(scattered.uncertainty - 3.0_f64.sqrt(), 4.0 * f64::EPSILON), "{scattered:?}");
+    }
+
+    #[test]
+    fn the_finest_points_that_lie_on_a_line_are_fitted() {
+        let bent = [(0.0, 9.0), (1.0, 0.0), (2.0, 1.0), (3.0, 2.0), (4.0, 3.0)];
+        let (finest, slope) = fit_finest(&bent, 4..=5).expect("five points");
+        assert_eq!((finest.len(), slope.value), (4, 1.0));
+        assert!(fit_finest(&bent[..3], 4..=5).is_none());
     }
 
     #[test]

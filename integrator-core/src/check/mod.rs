@@ -10,8 +10,12 @@
 //! | [`symplectic_defect`] | rounding, for any step | of the size of the step |
 //! | [`observed_order`] | the claimed order | below it |
 //! | [`reversibility()`] | rounding, if the composition is symmetric | of the size of the error |
-//! | [`energy_drift`] | bounded | a trend |
+//! | [`energy_drift`] | [`Course::Bounded`], up to rounding | [`Course::Drift`] |
 //! | [`gradient_error`] | rounding | of the size of the gradient |
+//! | [`shadow()`] | orders 2, 4 and 6 | a lower one |
+//!
+//! [`stability()`] tells how far a step is below the one at which its composition becomes unstable; that is no fault of a
+//! stepper, so a certificate mentions it and is not refused for it.
 //!
 //! [`choose()`] measures too, but not whether a stepper is right: which of the right ones is the cheapest.
 //!
@@ -21,6 +25,7 @@
 mod certificate;
 mod certify;
 mod choose;
+mod course;
 mod dual;
 mod energy;
 mod error;
@@ -31,7 +36,10 @@ mod path;
 mod points;
 mod reference;
 mod reversibility;
+mod shadow;
 mod shortfall;
+mod spectrum;
+mod stability;
 mod symplecticity;
 mod tangent;
 mod tolerance;
@@ -39,10 +47,13 @@ mod tolerance;
 pub use certificate::{Certificate, Tolerances};
 pub use certify::certify;
 pub use choose::{Choice, ChooseError, Goal, Ranking, choose};
+pub use course::Course;
 pub use energy::{EnergyDrift, energy_drift};
 pub use error::CheckError;
 pub use gradient::gradient_error;
 pub use order::{Order, observed_order};
 pub use reversibility::reversibility;
+pub use shadow::{Shadow, Shadowed, Terms, shadow};
 pub use shortfall::{CertifyError, Shortfall};
+pub use stability::{Stability, stability};
 pub use symplecticity::{symplectic_defect, symplectic_defect_after};

@@ -7,7 +7,7 @@
 use crate::{
     check::{
         CheckError,
-        line::fit,
+        line::fit_finest,
         path::{PARTS, Path},
         points::plain,
         reference::reference,
@@ -33,18 +33,19 @@ const DOUBLINGS: usize = 64;
 const COARSEST_ERROR: f64 = 0.1;
 
 /// The steps per part of the time, growing by about a quarter each.
-const LADDER: [u64; 22] = [1, 2, 3, 4, 5, 6, 8, 10, 12, 16, 20, 24, 32, 40, 48, 64, 80, 96, 128, 160, 192, 256];
+pub(crate) const LADDER: [u64; 22] =
+    [1, 2, 3, 4, 5, 6, 8, 10, 12, 16, 20, 24, 32, 40, 48, 64, 80, 96, 128, 160, 192, 256];
 
 /// By how much an error has to exceed the rounding for its logarithm to count. What is left is 4 % of the finest error
 /// at most, and less than 0.04 of a slope over a factor of three in the step.
-const CLEARANCE: f64 = 25.0;
+pub(crate) const CLEARANCE: f64 = 25.0;
 
 /// How many step sizes enter a slope, if so many are clear of the rounding: the finest ones, where the leading term of
 /// the error prevails. Six of them span a factor of three in the step.
-const POINTS: usize = 6;
+pub(crate) const POINTS: usize = 6;
 
 /// How many step sizes a slope needs: two more than a line has parameters, so that its scatter is known.
-const NEEDED: usize = 4;
+pub(crate) const NEEDED: usize = 4;
 
 /// By how much the time is shortened where the errors do not lie on a line, and how many times are tried.
 const SHORTENING: f64 = 0.75;
@@ -188,12 +189,7 @@ impl<H: Hamiltonian, X: Composition<H>> Problem<'_, H, X> {
                 points.push(((span / count).abs().ln(), error.ln()));
             }
         }
-        // Where the leading term does not prevail yet, the line bends, and its coarse end is better left out.
-        let fits = (NEEDED..=POINTS.min(points.len())).map(|count| {
-            let finest = &points[points.len() - count..];
-            (finest, fit(finest))
-        });
-        let Some((finest, slope)) = fits.min_by(|one, other| one.1.uncertainty.total_cmp(&other.1.uncertainty)) else {
+        let Some((finest, slope)) = fit_finest(&points, NEEDED..=POINTS) else {
             let coarsest = (span / PARTS as f64).abs();
             return Err(CheckError::TooFewPoints { found: points.len(), needed: NEEDED, coarsest });
         };

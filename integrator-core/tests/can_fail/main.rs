@@ -3,5 +3,7 @@
 mod schemes;
 mod systems;
 
+mod modified;
 mod right;
+mod steps;
 mod wrong;

@@ -134,8 +134,9 @@ fn a_certificate_reads_well() {
         "  symplectic defect  ",
         "  observed order     2.00 (claimed 2; ",
         "  reversibility      ",
-        "  energy drift       ",
+        "  energy drift       bounded: ",
         "  gradient error     ",
+        "  stability          h·ω = ",
     ] {
         assert!(text.lines().any(|present| present.starts_with(line)), "{line:?} is not in\n{text}");
     }

@@ -1,6 +1,10 @@
 //! Compositions written by hand that claim what they are not.
 
-use integrator_core::__private::*;
+use integrator_core::{
+    __private::*,
+    VelocityVerlet,
+    check::{Shadowed, Terms},
+};
 
 /// Writes a composition from its table.
 macro_rules! by_hand {
@@ -86,4 +90,30 @@ by_hand! {
         cycle: &[stage(0.5, 1.0, 0.0, 0.5)],
         closing: stage(0.5, 0.0, 1.0, 0.0),
     }
+}
+
+by_hand! {
+    /// `T(1/2) V(1) T(1/2)`, which claims to conserve what `V(1/2) T(1) V(1/2)` conserves. WRONG
+    Swapped, order 2, symmetric = true, Stages {
+        lead: Lead::Drift,
+        opening: stage(0.5, 1.0, 0.0, 0.5),
+        cycle: &[stage(1.0, 1.0, 0.0, 0.5)],
+        closing: stage(0.5, 0.0, 1.0, 0.0),
+    }
+}
+
+/// These claim the modified Hamiltonian of Verlet.
+macro_rules! shadowed {
+    ($($name:ident: $terms:expr;)*) => {
+        $(impl Shadowed for $name {
+            const TERMS: Terms = $terms;
+        })*
+    };
+}
+shadowed! {
+    Strong: Verlet::TERMS;
+    Lopsided: Verlet::TERMS;
+    Unmerged: Verlet::TERMS;
+    EulerThatClaims2: Verlet::TERMS;
+    Swapped: VelocityVerlet::TERMS;
 }

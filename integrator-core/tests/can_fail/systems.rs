@@ -228,3 +228,70 @@ by_hand! {
     kinetic(m, _t) { R::of(0.5) * m.p[0].value() * m.p[0].value() }
     potential(m, _t) { m.q[0].value().abs() }
 }
+
+/// Writes the second derivatives of a system with unit masses: the Hessian of `V` times momenta, at positions.
+macro_rules! quadratic_by_hand {
+    ($(#[$attribute:meta])* $name:ident, hessian($q:ident, $u:ident) $hessian:block) => {
+        $(#[$attribute])*
+        impl QuadraticKinetic for $name {
+            fn hessian<R: Real>(motion: &mut Self::Motion<R, f64>, _time: f64) {
+                let ($q, $u) = (motion.q, motion.p);
+                motion.p = $hessian;
+            }
+            fn gradient_kick<R: Real, K: Keep>(
+                motion: &mut Self::Motion<R, K>,
+                duration: f64,
+                gradient: f64,
+                time: f64,
+            ) {
+                let mut bent = motion.at_rest();
+                Self::kick::<R, f64>(&mut bent, -1.0, time);
+                Self::hessian::<R>(&mut bent, time);
+                Self::kick::<R, K>(motion, duration, time);
+                motion.push(R::of(-2.0 * gradient), &bent);
+            }
+        }
+    };
+}
+
+quadratic_by_hand! {
+    HenonHeiles, hessian(q, u) {
+        let ([x, y], [a, b], one, two) = (q, u, R::of(1.0), R::of(2.0));
+        [(one + two * y) * a + two * x * b, two * x * a + (one - two * y) * b]
+    }
+}
+
+quadratic_by_hand! {
+    /// That of the right gradient.
+    Miscounted, hessian(q, u) {
+        let ([x, y], [a, b], one, two) = (q, u, R::of(1.0), R::of(2.0));
+        [(one + two * y) * a + two * x * b, two * x * a + (one - two * y) * b]
+    }
+}
+
+by_hand! {
+    /// `T = |p|²/2`, `V = |q|²/2 + x²y - y³/3`, once more.
+    Bent {}: [f64; 2], autonomous = true;
+    drift(m, d, _t) {
+        m.q[0].fma(R::of(d), m.p[0].value());
+        m.q[1].fma(R::of(d), m.p[1].value());
+    }
+    kick(m, d, _t) {
+        let (x, y) = (m.q[0].value(), m.q[1].value());
+        m.p[0].fma(R::of(-d), x + R::of(2.0) * x * y);
+        m.p[1].fma(R::of(-d), y + x * x - y * y);
+    }
+    kinetic(m, _t) { R::of(0.5) * (m.p[0].value() * m.p[0].value() + m.p[1].value() * m.p[1].value()) }
+    potential(m, _t) {
+        let (x, y) = (m.q[0].value(), m.q[1].value());
+        R::of(0.5) * (x * x + y * y) + x * x * y - y * y * y / R::of(3.0)
+    }
+}
+
+quadratic_by_hand! {
+    /// WRONG: the mixed derivative has lost its factor 2.
+    Bent, hessian(q, u) {
+        let ([x, y], [a, b], one, two) = (q, u, R::of(1.0), R::of(2.0));
+        [(one + two * y) * a + x * b, x * a + (one - two * y) * b]
+    }
+}

@@ -1,0 +1,147 @@
+//! How far a step is below the one at which it becomes unstable.
+//!
+//! In: a system, a composition, a start, a step. Out: the largest `h·ω` on the way, and the composition's limit for it.
+//! Always true: frequencies are those of the flows linearised by duals, for any `T`; what flees instead of oscillating
+//! has none. It is a hint: it looks at the motion in places, and a limit for oscillators is no promise for what is not
+//! one.
+
+use crate::{
+    check::{
+        CheckError,
+        dual::Dual,
+        gradient::{Gradient, Part},
+        points::{coordinate, origin, plain},
+        spectrum::eigenvalues,
+        tolerance::within,
+    },
+    composition::Composition,
+    coords::Coords,
+    hamiltonian::{Hamiltonian, Shaped},
+    phase::Phase,
+    run::Run,
+    slot::Keep,
+};
+use std::fmt;
+
+/// How many times the motion is looked at, and how many steps lie between two looks: as far as the energy is followed
+/// in a certificate.
+const LOOKS: u64 = 256;
+const INTERVAL: u64 = 32;
+
+/// The share of the limit from which a step is called near to it. At half of the limit Verlet's frequencies are off by a
+/// tenth, resonances between them begin to be felt, and a spring that hardens to the fourfold on the way leads beyond it.
+const NEAR: f64 = 0.5;
+
+/// The fastest oscillation of a run in units of its step, and how much of it the composition bears.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub struct Stability {
+    /// The largest `h·ω` that was seen, in radians: by how much the fastest oscillation turns in one step. Zero where
+    /// nothing oscillates, NaN where the motion has no finite second derivatives.
+    pub turn: f64,
+    /// When it was seen.
+    pub time: f64,
+    /// The `h·ω` from which the composition is unstable: [`Scheme::STABILITY_LIMIT`](crate::Scheme::STABILITY_LIMIT).
+    pub limit: f64,
+}
+
+impl Stability {
+    /// The turn as a share of the limit.
+    pub fn share(&self) -> f64 {
+        self.turn / self.limit
+    }
+
+    /// Whether the turn is half of the limit or more. The motion is then poorly resolved at best; a smaller step is
+    /// called for.
+    pub fn is_near(&self) -> bool {
+        !within(self.share(), NEAR.next_down())
+    }
+}
+
+impl fmt::Display for Stability {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { turn, time, limit } = self;
+        write!(f, "h·ω = {turn:.2e} at most (t = {time}), {:.1} % of the limit {limit:.2}", 100.0 * self.share())?;
+        if self.is_near() {
+            write!(f, "; WARNING: from half of it on, take a smaller step")?;
+        }
+        Ok(())
+    }
+}
+
+/// How near a run from `start` with step `h`, from time 0, comes to the stability limit of `composition`: the largest
+/// `h·ω` at 256 points of its first 8192 steps, or of as many as end in finite states.
+///
+/// The frequencies at a point are those of the linear motion about it, the roots of the eigenvalues of `T″ V″`; eigenvalues
+/// of directions in which the motion flees have no frequency. Up to 24 coordinates all of them are found, beyond that
+/// the largest within a hundredth or so. The work is that of 24 force evaluations in duals per point at most.
+///
+/// # Errors
+/// A start or a step that no run would begin with.
+///
+/// ```
+/// use integrator_core::{check::stability, prelude::*};
+///
+/// struct Spring;
+///
+/// #[hamiltonian]
+/// impl Spring {
+///     fn kinetic(&self, p: [f64; 1]) -> f64 {
+///         0.5 * p[0] * p[0]
+///     }
+///     fn potential(&self, q: [f64; 1]) -> f64 {
+///         50.0 * q[0] * q[0]
+///     }
+/// }
+///
+/// // The frequency is 10, and Verlet is unstable from h·ω = 2 on.
+/// assert!(!stability(&Spring, Verlet, &Phase::new([1.0_f64], [0.0]), 0.05)?.is_near());
+/// assert!(stability(&Spring, Verlet, &Phase::new([1.0_f64], [0.0]), 0.15)?.is_near());
+/// # Ok::<(), integrator_core::check::CheckError>(())
+/// ```
+pub fn stability<H: Hamiltonian, X: Composition<H>, K: Keep>(
+    system: &H,
+    composition: X,
+    start: &Phase<Shaped<H, K>>,
+    h: f64,
+) -> Result<Stability, CheckError> {
+    let _ = composition;
+    let start = plain::<H, K>(start);
+    let mut run = Run::start::<H, X, f64>(system, start, h)?;
+    let parameters = system.parameters(run.state().q.length());
+    let mut fastest = Stability { turn: 0.0, time: run.time(), limit: X::STABILITY_LIMIT };
+    for _ in 0..LOOKS {
+        let turn = (h * frequency::<H>(&parameters, &run.state(), run.time())).abs();
+        if !within(turn, fastest.turn) {
+            fastest = Stability { turn, time: run.time(), ..fastest };
+        }
+        // A run that diverges has been told what it comes near to by the states before.
+        if turn.is_nan() || run.advance(INTERVAL).is_err() {
+            break;
+        }
+    }
+    Ok(fastest)
+}
+
+/// The largest frequency of the linear motion about `point`: with `δq' = T″ δp` and `δp' = -V″ δq`, the largest real
+/// part of a root of an eigenvalue of `T″ V″`.
+fn frequency<H: Hamiltonian>(parameters: &H::Parameters<f64>, point: &Phase<H::Coords>, time: f64) -> f64 {
+    let length = point.q.flat().len();
+    let still = origin(point);
+    let at_rest = Phase { q: point.q.clone(), p: still.p.clone() };
+    let at_origin = Phase { q: still.q.clone(), p: point.p.clone() };
+    let force = Gradient::<H>::new(parameters, Part::Potential, time);
+    let velocity = Gradient::<H>::new(parameters, Part::Kinetic, time);
+    let tangent = |numbers: &[f64], first: usize| {
+        let mut tangent = still.clone();
+        for (index, number) in numbers.iter().enumerate() {
+            *coordinate(&mut tangent, first + index) = *number;
+        }
+        tangent
+    };
+    let squared = eigenvalues(length, |direction| {
+        let pull = force.flow::<Dual>(&at_rest, &tangent(direction, 0), 1);
+        velocity.flow::<Dual>(&at_origin, &tangent(&pull, length), 1)
+    });
+    squared.map_or(f64::NAN, |values| values.iter().map(|value| value.sqrt().re).fold(0.0, f64::max))
+}
