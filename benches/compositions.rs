@@ -13,27 +13,24 @@
 //! A table costs little to compile: a program that runs the outer solar system by ten compositions takes 2.1 s of CPU time
 //! in release, libraries aside, and 0.6 s by one; under 4 s is asked.
 
-#[path = "../examples/outer_solar_system/system.rs"]
-#[expect(dead_code, reason = "the example also compares with a reference")]
-mod outer_solar_system;
-mod paired;
-#[path = "../examples/choose/systems.rs"]
-mod systems;
-
+use integrator_bench::{
+    race::{Racer, race},
+    starts::{Problem, Problems},
+};
 use integrator_core::{Coords, Visitor, prelude::*};
-use paired::{Comparison, compare};
-use std::{cell::RefCell, hint::black_box};
-use systems::{Problem, fput, henon_heiles, kepler, pendulum};
 
 /// Force evaluations of one computation: divisible by the number of kicks of nearly every composition.
 const EVALUATIONS: u64 = 2 * 2 * 2 * 3 * 3 * 5 * 7 * 11;
 
 /// A step so short that no composition strays from the orbit.
-const SHORTENING: f64 = 1e-5;
+const SHORTENING: f64 = 1e-6;
+
+/// Turns of a race; odd, so that the median is one of them.
+const TURNS: usize = 41;
 
 struct Ratios<'p, H: Hamiltonian> {
     problem: &'p Problem<H>,
-    rows: Vec<(&'static str, Comparison)>,
+    lines: Vec<String>,
 }
 
 impl<H: Hamiltonian> Visitor<H> for Ratios<'_, H>
@@ -41,7 +38,10 @@ where
     H::Coords: Coords<Leaf = f64>,
 {
     fn visit<X: Composition<H>>(&mut self, _: X) {
-        self.rows.push((X::NAME, compare(EVALUATIONS, self.evaluated::<X>(), self.evaluated::<Verlet>())));
+        let racers = vec![self.evaluated::<X>(X::NAME), self.evaluated::<Verlet>("Verlet")];
+        let times = race(TURNS, EVALUATIONS as f64, racers);
+        println!("{:<10} {:<24} {:>8.2} {:>8.2}", self.problem.name, X::NAME, times.median(0), times.median(1));
+        self.lines.push(format!("ratio_{}_{}={:.3}", self.problem.name, X::NAME, times.ratio(0, 1)));
     }
 }
 
@@ -49,46 +49,34 @@ impl<H: Hamiltonian> Ratios<'_, H>
 where
     H::Coords: Coords<Leaf = f64>,
 {
-    /// Steps with so many force evaluations in all. Every step of every turn goes on from the last one.
-    fn evaluated<X: Composition<H>>(&self) -> impl Fn(u64) -> f64 {
-        let Problem { system, start, span } = self.problem;
-        let run = system.run_with::<f64, X>(X::default(), start.clone(), span * SHORTENING).expect("a start");
-        let run = RefCell::new(run);
-        move |evaluations| {
-            let mut run = run.borrow_mut();
-            run.advance(black_box(evaluations / X::FORCE_EVALUATIONS as u64)).expect("finite states");
-            run.time()
-        }
+    /// Steps with so many force evaluations in all. Every turn goes on from the last one.
+    fn evaluated<X: Composition<H>>(&self, name: &'static str) -> Racer<'static> {
+        let Problem { system, start, span, .. } = self.problem;
+        let run = system.run_with::<f64, X>(X::default(), start.clone(), span * SHORTENING);
+        let mut run = run.expect("a start");
+        Racer::new(name, move || run.advance(EVALUATIONS / X::FORCE_EVALUATIONS as u64).expect("finite states"))
     }
 }
 
 /// Compares all that the problem admits, and prints nanoseconds per force evaluation.
-fn measure<H: Hamiltonian>(name: &'static str, problem: &Problem<H>) -> (&'static str, Vec<(&'static str, f64)>)
+fn measure<H: Hamiltonian>(problem: &Problem<H>) -> Vec<String>
 where
     H::Coords: Coords<Leaf = f64>,
 {
-    let mut ratios = Ratios { problem, rows: Vec::new() };
+    let mut ratios = Ratios { problem, lines: Vec::new() };
     H::visit_compositions(&mut ratios);
-    let row = |(composition, Comparison { first, second, ratio })| {
-        println!("{name:<10} {composition:<24} {first:>8.2} {second:>8.2}");
-        (composition, ratio)
-    };
-    (name, ratios.rows.into_iter().map(row).collect())
+    ratios.lines
 }
 
 fn main() {
     println!("{:<35} {:>8} {:>8}   ns per force evaluation", "", "", "Verlet");
-    let (system, start) = outer_solar_system::measured().expect("the planets");
-    let tables = [
-        measure("pendulum", &pendulum()),
-        measure("henon", &henon_heiles()),
-        measure("kepler", &kepler()),
-        measure("solar", &Problem { system, start, span: 1e6 }),
-        measure("fput", &fput()),
+    let problems = Problems::default();
+    let lines = [
+        measure(&problems.pendulum()),
+        measure(&problems.henon_heiles()),
+        measure(&problems.kepler()),
+        measure(&problems.solar()),
+        measure(&problems.chain()),
     ];
-    for (problem, rows) in tables {
-        for (composition, ratio) in rows {
-            println!("ratio_{problem}_{composition}={ratio:.3}");
-        }
-    }
+    lines.concat().iter().for_each(|line| println!("{line}"));
 }

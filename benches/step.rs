@@ -1,142 +1,194 @@
-//! One Verlet step, generated against written by hand: `cargo bench --bench step`.
+//! The time of a step, generated against written by hand: `cargo bench --bench step`.
 //!
-//! The twins by hand are loops over plain numbers with the stages merged across steps and with `mul_add` written out, in
-//! a function compiled for AVX2 and FMA: the same machine code that a generated stepper may use on a stock build. The
-//! last lines, `ratio_<problem>_verlet=`, are generated over by hand, medians of interleaved rounds: 1.05 is the limit.
+//! Small systems in Verlet and in two long compositions, large ones in Verlet. The twins by hand are plain safe Rust, and
+//! where that is not the limit, vectors of `std::arch`; both get the instructions that the generated code gets. The last
+//! lines, `ratio_<problem>_<what>=`, are the generated time over that of the best twin in the same turn, medians of
+//! interleaved turns: 1.05 is asked. `docs/performance.md` tells what was measured.
 
-mod paired;
+use integrator_bench::{
+    plan::Plan,
+    problems::{Fput, Phi4, SineGordon, Toda},
+    race::{Racer, Times, race},
+    starts::{Problem, Problems, argon, cluster, waves},
+    table::Table,
+    twins::{
+        chain::Chain,
+        law::Law,
+        plain,
+        points::{Point, scalar, wide},
+        row,
+        tiles::{Attraction, Bodies},
+    },
+};
+use integrator_core::{Coords, prelude::*};
+use std::error::Error;
 
-use criterion::{BenchmarkId, Criterion};
-use integrator_core::prelude::*;
-use std::hint::black_box;
+/// Force evaluations of a turn of a small system, about.
+const EVALUATIONS: u64 = 40_000;
+/// Turns of a race; odd, so that the median is one of them.
+const TURNS: usize = 61;
+/// Turns of races between large systems, which take longer.
+const FEW_TURNS: usize = 15;
 
-const STEP: f64 = 1.0 / 128.0;
+/// A twin: its name, and the trajectory to its end.
+type Twin<'a> = (&'static str, Box<dyn Fn(&Plan, u64) -> f64 + 'a>);
 
-struct Pendulum {
-    mass: f64,
-    length: f64,
-    gravity: f64,
+struct Report {
+    table: Table,
+    ratios: Vec<String>,
 }
 
-#[hamiltonian(compose = Verlet)]
-impl Pendulum {
-    fn kinetic(&self, p: [f64; 1]) -> f64 {
-        p[0].powi(2) / (2.0 * self.mass * self.length.powi(2))
+impl Report {
+    fn add(&mut self, problem: &str, what: &str, times: &Times) {
+        let best = (1..times.names().len()).min_by(|&a, &b| times.median(a).total_cmp(&times.median(b)));
+        let plain = times.names().iter().position(|name| *name == "plain").map_or(f64::NAN, |i| times.median(i));
+        let best = best.map_or(f64::NAN, |best| times.median(best));
+        self.table.row([problem, what], &[times.median(0), plain, best, times.ratio_to_best()]);
+        self.ratios.push(format!("ratio_{problem}_{what}={:.3}", times.ratio_to_best()));
     }
-    fn potential(&self, q: [f64; 1]) -> f64 {
-        -self.mass * self.gravity * self.length * q[0].cos()
-    }
-}
 
-struct HenonHeiles;
-
-#[hamiltonian(compose = Verlet)]
-impl HenonHeiles {
-    fn kinetic(&self, [px, py]: [f64; 2]) -> f64 {
-        0.5 * (px * px + py * py)
-    }
-    fn potential(&self, [x, y]: [f64; 2]) -> f64 {
-        0.5 * (x * x + y * y) + x * x * y - y.powi(3) / 3.0
-    }
-}
-
-/// The pendulum by hand: half a drift, then kicks and whole drifts, and half a drift back.
-#[inline(always)]
-fn pendulum_loop(system: &Pendulum, [mut q, mut p]: [f64; 2], h: f64, steps: u64) -> [f64; 2] {
-    let inertia = system.mass * system.length * system.length;
-    let torque = system.mass * system.gravity * system.length;
-    let (drift, kick) = (h / inertia, -h * torque);
-    q = (0.5 * drift).mul_add(p, q);
-    for _ in 0..steps {
-        p = kick.mul_add(q.sin(), p);
-        q = drift.mul_add(p, q);
-    }
-    q = (-0.5 * drift).mul_add(p, q);
-    [q, p]
-}
-
-/// Hénon–Heiles by hand, in the form with the fewest operations on the way from one kick to the next:
-/// ∂V/∂x = 2x(y + ½), ∂V/∂y = y + x² - y².
-#[inline(always)]
-fn henon_loop([mut x, mut y, mut px, mut py]: [f64; 4], h: f64, steps: u64) -> [f64; 4] {
-    x = (0.5 * h).mul_add(px, x);
-    y = (0.5 * h).mul_add(py, y);
-    for _ in 0..steps {
-        px = (-2.0 * h * x).mul_add(y + 0.5, px);
-        py = (-h).mul_add((-y).mul_add(y, x.mul_add(x, y)), py);
-        x = h.mul_add(px, x);
-        y = h.mul_add(py, y);
-    }
-    x = (-0.5 * h).mul_add(px, x);
-    y = (-0.5 * h).mul_add(py, y);
-    [x, y, px, py]
-}
-
-/// Enters a loop compiled for AVX2 and FMA where the machine has them, and plain code elsewhere.
-fn fused<T>(body: impl FnOnce() -> T) -> T {
-    #[cfg(target_arch = "x86_64")]
+    /// One composition on a small problem, nanoseconds per force evaluation.
+    fn small<H: Hamiltonian, X: Composition<H>>(&mut self, problem: &Problem<H>, _: X, h: f64, twins: &[Twin])
+    where
+        H::Coords: Coords<Leaf = f64>,
     {
-        #[target_feature(enable = "avx2,fma")]
-        fn clone<T>(body: impl FnOnce() -> T) -> T {
-            body()
-        }
-        if std::arch::is_x86_feature_detected!("avx2") && std::arch::is_x86_feature_detected!("fma") {
-            // SAFETY: the features that `clone` is compiled for were just detected.
-            return unsafe { clone(body) };
-        }
+        let steps = EVALUATIONS / X::FORCE_EVALUATIONS as u64;
+        let generated = || {
+            let run = problem.system.run_with::<f64, X>(X::default(), problem.start.clone(), h);
+            let mut run = run.expect("a start");
+            run.advance(steps).expect("finite states");
+            run.state()
+        };
+        let plan = Plan::of::<X>(h);
+        let mut racers = vec![Racer::new("generated", generated)];
+        racers.extend(twins.iter().map(|(name, twin)| Racer::new(name, || twin(&plan, steps))));
+        let units = (steps * X::FORCE_EVALUATIONS as u64) as f64;
+        self.add(problem.name, &X::NAME.to_lowercase(), &race(TURNS, units, racers));
     }
-    body()
+
+    /// Verlet and long compositions.
+    fn small_in_all<H: Hamiltonian>(&mut self, problem: &Problem<H>, h: f64, twins: &[Twin])
+    where
+        H::Coords: Coords<Leaf = f64>,
+    {
+        self.small(problem, Verlet, h, twins);
+        self.small(problem, KahanLi8, h, twins);
+        self.small(problem, SofroniouSpaletta10, h, twins);
+    }
+
+    /// Verlet on a chain, nanoseconds per site and step. Every turn goes on from the last one.
+    fn chain<H: Hamiltonian<Coords = Vec<f64>>>(&mut self, name: &str, system: &H, law: Law, sites: usize) {
+        let start = waves(sites);
+        let steps = (2_000_000 / sites).max(64);
+        let h = 0.05;
+        let plan = Plan::of::<Verlet>(h);
+        let mut run = system.run_with::<f64, Verlet>(Verlet, start.clone(), h).expect("a start");
+        let skewed = Chain { law, q: start.q, p: start.p };
+        let [mut skewed, mut plain] = [skewed.clone(), skewed];
+        let racers = vec![
+            Racer::new("generated", || run.advance(steps as u64).expect("finite states")),
+            Racer::new("plain", || plain.two_pass(&plan, steps)),
+            Racer::new("skewed", || skewed.skewed(&plan, steps)),
+        ];
+        self.add(name, "verlet", &race(FEW_TURNS, (sites * steps) as f64, racers));
+    }
+
+    /// Verlet on bodies, nanoseconds per pair and step.
+    fn bodies<H: Hamiltonian<Coords = Vec<[f64; 3]>>>(&mut self, name: &str, system: &H, mut twin: Bodies, h: f64) {
+        let count = twin.count();
+        let start = Phase::new(
+            (0..count).map(|i| twin.body(i)[0]).collect::<Vec<_>>(),
+            (0..count).map(|i| twin.body(i)[1]).collect(),
+        );
+        let plan = Plan::of::<Verlet>(h);
+        let pairs = count * (count - 1) / 2;
+        let steps = (1_000_000 / pairs as u64).max(2);
+        let mut run = system.run_with::<f64, Verlet>(Verlet, start, h).expect("a start");
+        let racers = vec![
+            Racer::new("generated", || run.advance(steps).expect("finite states")),
+            Racer::new("tiles", || twin.advance(&plan, steps)),
+        ];
+        self.add(name, "verlet", &race(FEW_TURNS, pairs as f64 * steps as f64, racers));
+    }
 }
 
-fn run<H: Hamiltonian>(system: &H, start: Phase<H::Coords>, steps: u64) -> Phase<H::Coords>
-where
-    H::Coords: Copy,
-{
-    let mut run = system.run::<f64>(start, STEP).expect("a valid start");
-    run.advance(steps).expect("finite numbers");
-    run.state()
+fn small_problems(report: &mut Report) {
+    let problems = Problems::default();
+
+    let pendulum = problems.pendulum();
+    let columns = [2.0, 0.0, 1.0, 1.0];
+    report.small_in_all(
+        &pendulum,
+        0.01,
+        &[
+            ("plain", Box::new(|plan, steps| plain::pendulum(&pendulum.system, pendulum.start, plan, steps).q[0])),
+            ("own sine", Box::new(move |plan, steps| scalar(Point::Pendulum, columns, plan, steps)[0])),
+        ],
+    );
+
+    let columns = [0.1, 0.0, 0.0, 0.5];
+    report.small_in_all(
+        &problems.henon_heiles(),
+        0.01,
+        &[("plain", Box::new(move |plan, steps| scalar(Point::HenonHeiles, columns, plan, steps)[0]))],
+    );
+
+    let columns = [0.4, 0.0, 0.0, 2.0];
+    report.small_in_all(
+        &problems.kepler(),
+        0.001,
+        &[
+            ("plain", Box::new(move |plan, steps| scalar(Point::Kepler, columns, plan, steps)[0])),
+            ("vectors", Box::new(move |plan, steps| wide(Point::Kepler, columns, plan, steps)[0])),
+        ],
+    );
+
+    let solar = problems.solar();
+    report.small_in_all(
+        &solar,
+        10.0,
+        &[
+            ("plain", Box::new(|plan, steps| plain::solar(&solar.system, solar.start, plan, steps).q[0][0])),
+            ("ring", Box::new(|plan, steps| row::solar(&solar.system, solar.start, plan, steps).q[0][0])),
+        ],
+    );
+
+    let chain = problems.chain();
+    report.small_in_all(
+        &chain,
+        0.05,
+        &[
+            ("plain", Box::new(|plan, steps| plain::chain(&chain.system, chain.start, plan, steps).q[0])),
+            ("blocks", Box::new(|plan, steps| row::chain(&chain.system, chain.start, plan, steps).q[0])),
+        ],
+    );
 }
 
-fn main() {
-    let pendulum = Pendulum { mass: 1.0, length: 1.0, gravity: 1.0 };
-    let start = Phase::new([2.0], [0.0]);
-    let generated = |steps| run(&pendulum, black_box(start), steps);
-    let by_hand = |steps| {
-        fused(
-            #[inline(always)]
-            || pendulum_loop(black_box(&pendulum), [2.0, 0.0], STEP, steps),
-        )
-    };
-
-    let henon_start = Phase::new([0.1, 0.0], [0.0, 0.5]);
-    let henon_generated = |steps| run(&HenonHeiles, black_box(henon_start), steps);
-    let henon_by_hand = |steps| {
-        fused(
-            #[inline(always)]
-            || henon_loop(black_box([0.1, 0.0, 0.0, 0.5]), STEP, steps),
-        )
-    };
-
-    let steps = 200_000;
-    let mut criterion = Criterion::default().configure_from_args().sample_size(10);
-    let mut group = criterion.benchmark_group("verlet");
-    group.throughput(criterion::Throughput::Elements(steps));
-    group.bench_function(BenchmarkId::new("pendulum", "generated"), |b| b.iter(|| generated(steps)));
-    group.bench_function(BenchmarkId::new("pendulum", "by hand"), |b| b.iter(|| by_hand(steps)));
-    group.bench_function(BenchmarkId::new("henon_heiles", "generated"), |b| b.iter(|| henon_generated(steps)));
-    group.bench_function(BenchmarkId::new("henon_heiles", "by hand"), |b| b.iter(|| henon_by_hand(steps)));
-    group.finish();
-    criterion.final_summary();
-
-    println!("{:<14} {:>12} {:>12}   ns per step", "", "generated", "by hand");
-    let comparisons = [
-        ("pendulum", paired::compare(steps, generated, by_hand)),
-        ("henon", paired::compare(5 * steps, henon_generated, henon_by_hand)),
-    ];
-    for (name, paired::Comparison { first, second, .. }) in &comparisons {
-        println!("{name:<14} {first:>12.2} {second:>12.2}");
+fn large_problems(report: &mut Report) {
+    let alpha = 0.25;
+    for (name, sites) in [("fput_1e4", 10_000), ("fput_1e5", 100_000), ("fput_1e6", 1_000_000)] {
+        report.chain(name, &Fput { alpha }, Law::Fput { alpha }, sites);
     }
-    for (name, paired::Comparison { ratio, .. }) in comparisons {
-        println!("ratio_{name}_verlet={ratio:.3}");
-    }
+    let stiffness = 0.7;
+    report.chain("toda_1e4", &Toda, Law::Toda, 10_000);
+    report.chain("sine_gordon_1e4", &SineGordon { stiffness }, Law::SineGordon { stiffness }, 10_000);
+    report.chain("phi4_1e4", &Phi4 { stiffness }, Law::Phi4 { stiffness }, 10_000);
+
+    let (system, start) = cluster(1000);
+    let twin = Bodies::new(Attraction::Gravity, &system.masses, &start.q, &start.p);
+    report.bodies("nbody_1000", &system, twin, 1e-3);
+    let (system, start) = argon(1000);
+    let attraction = Attraction::LennardJones { cutoff: system.cutoff };
+    report.bodies("argon_1000", &system, Bodies::new(attraction, &vec![1.0; 1000], &start.q, &start.p), 1e-4);
+}
+
+fn main() -> Result<(), Box<dyn Error>> {
+    println!("ns per force evaluation of a small system, per site of a chain, per pair of bodies");
+    let table = Table::new("step", &["problem", "composition", "generated", "plain", "best twin", "ratio"]);
+    let mut report = Report { table, ratios: Vec::new() };
+    small_problems(&mut report);
+    large_problems(&mut report);
+    report.table.write()?;
+    report.ratios.iter().for_each(|line| println!("{line}"));
+    Ok(())
 }

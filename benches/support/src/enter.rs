@@ -1,0 +1,103 @@
+//! The way into code compiled for the best instructions of the machine.
+
+use crate::vector::{Many, Row, Vector};
+#[cfg(target_arch = "x86_64")]
+use crate::x86::{X4, X8, X16, Y8};
+use std::sync::OnceLock;
+
+/// Code that is written once for all instruction sets.
+pub(crate) trait Kernel {
+    /// What it returns.
+    type Out;
+    /// The code, for vectors of doubles, rows of eight doubles and vectors of singles; implementations are
+    /// `inline(always)`, which closures cannot be.
+    fn run<V: Row, R: Row, S: Vector<Number = f32>>(self) -> Self::Out;
+}
+
+/// What the machine has, as far as `INTEGRATOR_ISA` lets twins use it: they get what generated code gets.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd)]
+pub enum Instructions {
+    /// Those of the target, fused multiply-add on aarch64 included.
+    Baseline,
+    /// AVX2 and FMA.
+    Avx2,
+    /// AVX-512.
+    Avx512,
+}
+
+impl Instructions {
+    /// The best that is there and allowed.
+    pub fn chosen() -> Self {
+        static CHOSEN: OnceLock<Instructions> = OnceLock::new();
+        *CHOSEN.get_or_init(|| {
+            let allowed = match std::env::var("INTEGRATOR_ISA").as_deref() {
+                Ok("baseline") => Self::Baseline,
+                Ok("avx2") => Self::Avx2,
+                _ => Self::Avx512,
+            };
+            let detected = detected();
+            if detected < allowed { detected } else { allowed }
+        })
+    }
+}
+
+#[cfg(target_arch = "x86_64")]
+fn detected() -> Instructions {
+    use std::arch::is_x86_feature_detected as has;
+    match (has!("avx2") && has!("fma"), has!("avx512f") && has!("avx512dq") && has!("avx512vl")) {
+        (true, true) => Instructions::Avx512,
+        (true, false) => Instructions::Avx2,
+        _ => Instructions::Baseline,
+    }
+}
+
+#[cfg(not(target_arch = "x86_64"))]
+fn detected() -> Instructions {
+    Instructions::Baseline
+}
+
+/// Runs `kernel` with the widest vectors.
+#[cfg(target_arch = "x86_64")]
+pub(crate) fn enter<K: Kernel>(kernel: K) -> K::Out {
+    #[target_feature(enable = "avx512f,avx512dq,avx512vl,avx512bw,avx2,fma")]
+    fn widest<K: Kernel>(kernel: K) -> K::Out {
+        kernel.run::<X8, X8, X16>()
+    }
+    #[target_feature(enable = "avx2,fma")]
+    fn wide<K: Kernel>(kernel: K) -> K::Out {
+        kernel.run::<X4, Many<f64, 8>, Y8>()
+    }
+    match Instructions::chosen() {
+        // SAFETY: these instructions were detected.
+        Instructions::Avx512 => unsafe { widest(kernel) },
+        // SAFETY: these instructions were detected.
+        Instructions::Avx2 => unsafe { wide(kernel) },
+        Instructions::Baseline => kernel.run::<Many<f64, 4>, Many<f64, 8>, Many<f32, 8>>(),
+    }
+}
+
+/// Runs `kernel` with the arrays that stand for vectors here.
+#[cfg(not(target_arch = "x86_64"))]
+pub(crate) fn enter<K: Kernel>(kernel: K) -> K::Out {
+    kernel.run::<Many<f64, 4>, Many<f64, 8>, Many<f32, 8>>()
+}
+
+/// Runs `kernel` in code for AVX2 and FMA, in which scalar code is often faster than in code for AVX-512.
+#[cfg(target_arch = "x86_64")]
+pub(crate) fn enter_scalar<K: Kernel>(kernel: K) -> K::Out {
+    #[target_feature(enable = "avx2,fma")]
+    fn scalar<K: Kernel>(kernel: K) -> K::Out {
+        kernel.run::<Many<f64, 1>, Many<f64, 8>, Many<f32, 1>>()
+    }
+    match Instructions::chosen() {
+        Instructions::Baseline => kernel.run::<Many<f64, 1>, Many<f64, 8>, Many<f32, 1>>(),
+        // SAFETY: these instructions were detected, AVX-512 having them too.
+        _ => unsafe { scalar(kernel) },
+    }
+}
+
+/// Runs `kernel` with scalars.
+#[cfg(not(target_arch = "x86_64"))]
+pub(crate) fn enter_scalar<K: Kernel>(kernel: K) -> K::Out {
+    kernel.run::<Many<f64, 1>, Many<f64, 8>, Many<f32, 1>>()
+}

@@ -1,0 +1,26 @@
+//! What the benches share: the systems that are measured, twins of their steppers written by hand, races between the
+//! two, tables and pictures.
+//!
+//! | module | holds |
+//! |---|---|
+//! | [`problems`], [`starts`] | the systems and where they begin |
+//! | [`twins`] | steppers by hand, over the vectors of `vector`, `x86`, `functions`, reached through `enter` |
+//! | [`plan`] | a composition as numbers, for twins |
+//! | [`race`] | computations in turns, medians and ratios |
+//! | [`table`] | plain tables and CSV |
+
+#![allow(clippy::needless_range_loop, reason = "formulas number their axes, and closures are compiled without vectors")]
+
+mod enter;
+mod functions;
+pub mod plan;
+pub mod problems;
+pub mod race;
+pub mod starts;
+pub mod table;
+pub mod twins;
+mod vector;
+#[cfg(target_arch = "x86_64")]
+mod x86;
+
+pub use enter::Instructions;

@@ -1,0 +1,95 @@
+//! A composition as twins go through it: numbers with the step folded in.
+
+use integrator_core::{Lead, Scheme, Stage};
+
+/// What a twin does: the two flows, for a time each.
+pub(crate) trait Twin {
+    fn drift(&mut self, t: f64);
+    fn kick(&mut self, t: f64);
+    /// A drift and then a kick.
+    #[inline(always)]
+    fn row(&mut self, [drift, kick]: [f64; 2]) {
+        self.drift(drift);
+        self.kick(kick);
+    }
+}
+
+/// The stages of a composition, times the step.
+pub struct Plan {
+    kick_first: bool,
+    opening: [f64; 2],
+    cycle: Vec<[f64; 2]>,
+    closing: f64,
+}
+
+impl Plan {
+    /// Stages are merged across steps, as in a run.
+    pub fn of<X: Scheme>(h: f64) -> Self {
+        let stages = X::STAGES;
+        let kick_first = stages.lead == Lead::Kick;
+        let row = |stage: &Stage| {
+            if kick_first { [h * stage.kick, h * stage.drift] } else { [h * stage.drift, h * stage.kick] }
+        };
+        Self {
+            kick_first,
+            opening: row(&stages.opening),
+            cycle: stages.cycle.iter().map(row).collect(),
+            closing: row(&stages.closing)[0],
+        }
+    }
+
+    /// The half of a flow that opens a step of Verlet, a kick and a drift of the loop, and what closes the last step.
+    ///
+    /// # Panics
+    /// On another composition.
+    pub(crate) fn verlet(&self) -> [f64; 4] {
+        let [[drift, kick]] = self.cycle[..] else { panic!("one kick per step") };
+        assert!(!self.kick_first, "drift, kick, drift");
+        [self.opening[0], kick, drift, self.closing]
+    }
+
+    /// Takes `steps` steps, at least one.
+    #[inline(always)]
+    pub(crate) fn march(&self, twin: &mut impl Twin, steps: u64) {
+        if self.kick_first {
+            self.march_leading(&mut Swapped(twin), steps);
+        } else {
+            self.march_leading(twin, steps);
+        }
+    }
+
+    /// Drifts lead.
+    #[inline(always)]
+    fn march_leading(&self, twin: &mut impl Twin, steps: u64) {
+        twin.row(self.opening);
+        for row in &self.cycle[1..] {
+            twin.row(*row);
+        }
+        if let [only] = self.cycle[..] {
+            for _ in 1..steps {
+                twin.row(only);
+            }
+        } else {
+            for _ in 1..steps {
+                for row in &self.cycle {
+                    twin.row(*row);
+                }
+            }
+        }
+        twin.drift(self.closing);
+    }
+}
+
+/// A twin whose two flows have changed names.
+struct Swapped<'t, T>(&'t mut T);
+
+impl<T: Twin> Twin for Swapped<'_, T> {
+    #[inline(always)]
+    fn drift(&mut self, t: f64) {
+        self.0.kick(t);
+    }
+    #[inline(always)]
+    fn kick(&mut self, t: f64) {
+        self.0.drift(t);
+    }
+}

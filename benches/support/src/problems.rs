@@ -1,0 +1,279 @@
+//! The systems that are measured: five small ones with references in `examples/data/problems.json`, and large ones.
+
+use integrator_core::prelude::*;
+
+/// The gravitational constant, in astronomical units, solar masses and days.
+pub const GRAVITY: f64 = 2.95912208286e-4;
+
+/// A pendulum.
+#[derive(Clone, Copy)]
+pub struct Pendulum {
+    /// Of the bob.
+    pub mass: f64,
+    /// Of the rod.
+    pub length: f64,
+    /// The acceleration of free fall.
+    pub gravity: f64,
+}
+
+#[hamiltonian]
+impl Pendulum {
+    fn kinetic(&self, p: [f64; 1]) -> f64 {
+        p[0].powi(2) / (2.0 * self.mass * self.length.powi(2))
+    }
+    fn potential(&self, q: [f64; 1]) -> f64 {
+        -self.mass * self.gravity * self.length * q[0].cos()
+    }
+}
+
+/// A star in a galaxy (Hénon and Heiles 1964).
+#[derive(Clone, Copy)]
+pub struct HenonHeiles;
+
+#[hamiltonian]
+impl HenonHeiles {
+    fn kinetic(&self, [px, py]: [f64; 2]) -> f64 {
+        0.5 * (px * px + py * py)
+    }
+    fn potential(&self, [x, y]: [f64; 2]) -> f64 {
+        0.5 * (x * x + y * y) + x * x * y - y.powi(3) / 3.0
+    }
+}
+
+/// A planet.
+#[derive(Clone, Copy)]
+pub struct Kepler;
+
+#[hamiltonian]
+impl Kepler {
+    fn kinetic(&self, [px, py]: [f64; 2]) -> f64 {
+        0.5 * (px * px + py * py)
+    }
+    fn potential(&self, [x, y]: [f64; 2]) -> f64 {
+        -1.0 / (x * x + y * y).sqrt()
+    }
+}
+
+/// The Sun with the inner planets, Jupiter, Saturn, Uranus, Neptune and Pluto.
+#[derive(Clone, Copy)]
+pub struct Solar {
+    /// In solar masses.
+    pub masses: [f64; 6],
+}
+
+#[hamiltonian]
+impl Solar {
+    fn kinetic(&self, p: &[[f64; 3]; 6]) -> f64 {
+        let mut energy = 0.0;
+        for i in 0..6 {
+            energy += (p[i][0].powi(2) + p[i][1].powi(2) + p[i][2].powi(2)) / (2.0 * self.masses[i]);
+        }
+        energy
+    }
+    fn potential(&self, q: &[[f64; 3]; 6]) -> f64 {
+        let mut energy = 0.0;
+        for i in 0..6 {
+            for j in 0..i {
+                let [x, y, z] = [q[i][0] - q[j][0], q[i][1] - q[j][1], q[i][2] - q[j][2]];
+                energy -= GRAVITY * self.masses[i] * self.masses[j] / (x * x + y * y + z * z).sqrt();
+            }
+        }
+        energy
+    }
+}
+
+/// The chain of Fermi, Pasta, Ulam and Tsingou: 32 sites between walls.
+#[derive(Clone, Copy)]
+pub struct Chain32 {
+    /// How unlike springs the bonds are.
+    pub alpha: f64,
+}
+
+#[hamiltonian]
+impl Chain32 {
+    fn kinetic(&self, p: [f64; 32]) -> f64 {
+        let mut energy = 0.0;
+        for i in 0..32 {
+            energy += 0.5 * p[i] * p[i];
+        }
+        energy
+    }
+    fn potential(&self, q: [f64; 32]) -> f64 {
+        let mut energy = self.spring(q[0]) + self.spring(-q[31]);
+        for i in 0..31 {
+            energy += self.spring(q[i + 1] - q[i]);
+        }
+        energy
+    }
+    fn spring(&self, stretch: f64) -> f64 {
+        0.5 * stretch * stretch + self.alpha * stretch.powi(3) / 3.0
+    }
+}
+
+/// The same chain of any length.
+#[derive(Clone, Copy)]
+pub struct Fput {
+    /// How unlike springs the bonds are.
+    pub alpha: f64,
+}
+
+#[hamiltonian]
+impl Fput {
+    fn kinetic(&self, p: &[f64]) -> f64 {
+        let mut energy = 0.0;
+        for i in 0..p.len() {
+            energy += 0.5 * p[i] * p[i];
+        }
+        energy
+    }
+    fn potential(&self, q: &[f64]) -> f64 {
+        let mut energy = self.spring(q[0]) + self.spring(-q[q.len() - 1]);
+        for i in 0..q.len() - 1 {
+            energy += self.spring(q[i + 1] - q[i]);
+        }
+        energy
+    }
+    fn spring(&self, stretch: f64) -> f64 {
+        0.5 * stretch * stretch + self.alpha * stretch.powi(3) / 3.0
+    }
+}
+
+/// Toda's chain (1967), with solitons of any speed.
+#[derive(Clone, Copy)]
+pub struct Toda;
+
+#[hamiltonian]
+impl Toda {
+    fn kinetic(&self, p: &[f64]) -> f64 {
+        let mut energy = 0.0;
+        for i in 0..p.len() {
+            energy += 0.5 * p[i] * p[i];
+        }
+        energy
+    }
+    fn potential(&self, q: &[f64]) -> f64 {
+        let mut energy = self.bond(q[0]) + self.bond(-q[q.len() - 1]);
+        for i in 0..q.len() - 1 {
+            energy += self.bond(q[i + 1] - q[i]);
+        }
+        energy
+    }
+    fn bond(&self, stretch: f64) -> f64 {
+        stretch.exp() - stretch
+    }
+}
+
+/// Pendulums on a rubber band (Frenkel and Kontorova 1938, the sine-Gordon equation on a lattice).
+#[derive(Clone, Copy)]
+pub struct SineGordon {
+    /// Of the band.
+    pub stiffness: f64,
+}
+
+#[hamiltonian]
+impl SineGordon {
+    fn kinetic(&self, p: &[f64]) -> f64 {
+        let mut energy = 0.0;
+        for i in 0..p.len() {
+            energy += 0.5 * p[i] * p[i];
+        }
+        energy
+    }
+    fn potential(&self, q: &[f64]) -> f64 {
+        let mut energy = 0.5 * self.stiffness * (q[0].powi(2) + q[q.len() - 1].powi(2));
+        for i in 0..q.len() - 1 {
+            energy += 0.5 * self.stiffness * (q[i + 1] - q[i]).powi(2);
+        }
+        for i in 0..q.len() {
+            energy += 1.0 - q[i].cos();
+        }
+        energy
+    }
+}
+
+/// Sites in double wells, joined by springs: the φ⁴ field on a lattice.
+#[derive(Clone, Copy)]
+pub struct Phi4 {
+    /// Of the springs.
+    pub stiffness: f64,
+}
+
+#[hamiltonian]
+impl Phi4 {
+    fn kinetic(&self, p: &[f64]) -> f64 {
+        let mut energy = 0.0;
+        for i in 0..p.len() {
+            energy += 0.5 * p[i] * p[i];
+        }
+        energy
+    }
+    fn potential(&self, q: &[f64]) -> f64 {
+        let mut energy = 0.5 * self.stiffness * (q[0].powi(2) + q[q.len() - 1].powi(2));
+        for i in 0..q.len() - 1 {
+            energy += 0.5 * self.stiffness * (q[i + 1] - q[i]).powi(2);
+        }
+        for i in 0..q.len() {
+            energy += 0.25 * (q[i] * q[i] - 1.0).powi(2);
+        }
+        energy
+    }
+}
+
+/// A cluster of stars.
+#[derive(Clone)]
+pub struct Cluster {
+    /// One per star.
+    pub masses: Vec<f64>,
+}
+
+#[hamiltonian]
+impl Cluster {
+    fn kinetic(&self, p: &[[f64; 3]]) -> f64 {
+        let mut energy = 0.0;
+        for i in 0..p.len() {
+            energy += (p[i][0].powi(2) + p[i][1].powi(2) + p[i][2].powi(2)) / (2.0 * self.masses[i]);
+        }
+        energy
+    }
+    fn potential(&self, q: &[[f64; 3]]) -> f64 {
+        let mut energy = 0.0;
+        for i in 0..q.len() {
+            for j in 0..i {
+                let [x, y, z] = [q[i][0] - q[j][0], q[i][1] - q[j][1], q[i][2] - q[j][2]];
+                energy -= GRAVITY * self.masses[i] * self.masses[j] / (x * x + y * y + z * z).sqrt();
+            }
+        }
+        energy
+    }
+}
+
+/// A drop of argon: atoms that feel each other up to a distance.
+#[derive(Clone, Copy)]
+pub struct Argon {
+    /// In units of the atoms' diameter.
+    pub cutoff: f64,
+}
+
+#[hamiltonian]
+impl Argon {
+    fn kinetic(&self, p: &[[f64; 3]]) -> f64 {
+        let mut energy = 0.0;
+        for i in 0..p.len() {
+            energy += (p[i][0].powi(2) + p[i][1].powi(2) + p[i][2].powi(2)) / 2.0;
+        }
+        energy
+    }
+    fn potential(&self, q: &[[f64; 3]]) -> f64 {
+        let mut energy = 0.0;
+        for i in 0..q.len() {
+            for j in 0..i {
+                let square = (q[i][0] - q[j][0]).powi(2) + (q[i][1] - q[j][1]).powi(2) + (q[i][2] - q[j][2]).powi(2);
+                if square < self.cutoff * self.cutoff {
+                    let sixth = square.powi(-3);
+                    energy += 4.0 * (sixth * sixth - sixth);
+                }
+            }
+        }
+        energy
+    }
+}

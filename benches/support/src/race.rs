@@ -1,0 +1,117 @@
+//! Ratios on a noisy machine: computations take turns, and the median of the ratios of each turn is what counts.
+
+use cpu_time::ThreadTime;
+use std::{
+    hint::black_box,
+    time::{Duration, Instant},
+};
+
+/// A computation in a race.
+pub struct Racer<'a> {
+    name: &'static str,
+    run: Box<dyn FnMut() + 'a>,
+    threaded: bool,
+}
+
+impl<'a> Racer<'a> {
+    /// What `run` returns is looked at, so that the compiler cannot leave out what it comes from.
+    pub fn new<T>(name: &'static str, mut run: impl FnMut() -> T + 'a) -> Self {
+        Self { name, run: Box::new(move || drop(black_box(run()))), threaded: false }
+    }
+
+    /// One that works in threads of its own, so that the clock on the wall counts and not this thread's time.
+    #[must_use]
+    pub fn in_threads(self) -> Self {
+        Self { threaded: true, ..self }
+    }
+
+    /// One run: the processor's time, which others on the machine do not add to, or that on the wall.
+    fn timed(&mut self) -> Duration {
+        if self.threaded {
+            let start = Instant::now();
+            (self.run)();
+            start.elapsed()
+        } else {
+            let start = ThreadTime::now();
+            (self.run)();
+            start.elapsed()
+        }
+    }
+}
+
+/// Nanoseconds per unit of work, by racer and turn.
+#[derive(Clone, Debug)]
+pub struct Times {
+    names: Vec<&'static str>,
+    turns: Vec<Vec<f64>>,
+}
+
+/// Lets all racers run `turns` times, one after the other, after one run that is not timed. Each run does `units` units
+/// of work.
+pub fn race(turns: usize, units: f64, mut racers: Vec<Racer>) -> Times {
+    racers.iter_mut().for_each(|racer| (racer.run)());
+    let mut times =
+        Times { names: racers.iter().map(|racer| racer.name).collect(), turns: vec![Vec::new(); racers.len()] };
+    for _ in 0..turns {
+        for (racer, times) in racers.iter_mut().zip(&mut times.turns) {
+            times.push(racer.timed().as_secs_f64() * 1e9 / units);
+        }
+    }
+    times
+}
+
+impl Times {
+    /// The racers' names, in their order.
+    pub fn names(&self) -> &[&'static str] {
+        &self.names
+    }
+
+    /// The median of a racer's turns.
+    pub fn median(&self, racer: usize) -> f64 {
+        median(self.turns[racer].clone())
+    }
+
+    /// The median over the turns of what one racer took over what another took.
+    pub fn ratio(&self, racer: usize, other: usize) -> f64 {
+        median(self.turns[racer].iter().zip(&self.turns[other]).map(|(time, other)| time / other).collect())
+    }
+
+    /// The first racer against the best of the others.
+    pub fn ratio_to_best(&self) -> f64 {
+        (1..self.names.len()).map(|other| self.ratio(0, other)).fold(0.0, f64::max)
+    }
+
+    /// The best of all racers but the first.
+    pub fn best_other(&self) -> f64 {
+        (1..self.names.len()).map(|other| self.median(other)).fold(f64::INFINITY, f64::min)
+    }
+}
+
+/// The middle one; of two, the larger.
+pub fn median(mut values: Vec<f64>) -> f64 {
+    values.sort_by(f64::total_cmp);
+    values[values.len() / 2]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_best_of_the_others_counts() {
+        let times =
+            Times { names: vec!["ours", "slow", "fast"], turns: vec![vec![2.0; 3], vec![4.0; 3], vec![1.0, 1.5, 2.0]] };
+        assert_eq!(times.ratio(0, 1), 0.5);
+        assert_eq!(times.ratio_to_best(), 2.0 / 1.5);
+        assert_eq!(times.best_other(), 1.5);
+    }
+
+    #[test]
+    fn every_racer_takes_every_turn() {
+        let (mut first, mut second) = (0, 0);
+        let times = race(5, 1.0, vec![Racer::new("first", || first += 1), Racer::new("second", || second += 1)]);
+        assert_eq!(times.names(), ["first", "second"]);
+        assert!(times.turns.iter().all(|turns| turns.len() == 5));
+        assert_eq!((first, second), (6, 6));
+    }
+}

@@ -1,0 +1,124 @@
+//! Where the systems start, how long they are followed, and where they arrive.
+
+use crate::problems::{Argon, Chain32, Cluster, HenonHeiles, Kepler, Pendulum, Solar};
+use integrator_core::prelude::*;
+use serde_json::Value;
+use std::f64::consts::PI;
+
+/// A system with a known end.
+#[derive(Clone)]
+pub struct Problem<H: Hamiltonian> {
+    /// What the lines of a bench call it.
+    pub name: &'static str,
+    /// What moves.
+    pub system: H,
+    /// Where it starts.
+    pub start: Phase<H::Coords>,
+    /// How long it is followed.
+    pub span: f64,
+    /// Positions and then velocities at the end, computed in 113-bit arithmetic.
+    pub reference: Vec<f64>,
+}
+
+/// The five problems, as `examples/data/problems.json` has them.
+pub struct Problems(Value);
+
+impl Default for Problems {
+    fn default() -> Self {
+        let text = include_str!("../../../examples/data/problems.json");
+        let mut data: Value = serde_json::from_str(text).expect("the repository's own file");
+        Self(data["problems"].take())
+    }
+}
+
+impl Problems {
+    fn numbers(&self, problem: &str, field: &str) -> Vec<f64> {
+        serde_json::from_value(self.0[problem][field].clone()).expect("numbers")
+    }
+
+    fn problem<H: Hamiltonian>(&self, name: &'static str, key: &str, system: H, start: Phase<H::Coords>) -> Problem<H> {
+        let data = &self.0[key];
+        let reference = serde_json::from_value(data["reference"]["z"].clone()).expect("numbers");
+        Problem { name, system, start, span: data["T"].as_f64().expect("a number"), reference }
+    }
+
+    /// Swings of large amplitude.
+    pub fn pendulum(&self) -> Problem<Pendulum> {
+        let start = Phase::new(array(&self.numbers("pendulum", "q")), array(&self.numbers("pendulum", "p")));
+        self.problem("pendulum", "pendulum", Pendulum { mass: 1.0, length: 1.0, gravity: 1.0 }, start)
+    }
+
+    /// An orbit that fills some of its plane.
+    pub fn henon_heiles(&self) -> Problem<HenonHeiles> {
+        let start = Phase::new(array(&self.numbers("henon", "q")), array(&self.numbers("henon", "p")));
+        self.problem("henon", "henon", HenonHeiles, start)
+    }
+
+    /// A thousand turns on an orbit of eccentricity 0.6.
+    pub fn kepler(&self) -> Problem<Kepler> {
+        let start = Phase::new(array(&self.numbers("kepler", "q")), array(&self.numbers("kepler", "p")));
+        self.problem("kepler", "kepler", Kepler, start)
+    }
+
+    /// The outer solar system for 999,999 days. The table holds velocities; momenta are these times the mass.
+    pub fn solar(&self) -> Problem<Solar> {
+        let masses: [f64; 6] = array(&self.numbers("solar", "m"));
+        let q: [[f64; 3]; 6] = points(&self.numbers("solar", "q"));
+        let mut p: [[f64; 3]; 6] = points(&self.numbers("solar", "p"));
+        for (p, mass) in p.iter_mut().zip(masses) {
+            *p = p.map(|velocity| mass * velocity);
+        }
+        self.problem("solar", "solar", Solar { masses }, Phase::new(q, p))
+    }
+
+    /// The lowest wave of a chain of 32 sites.
+    pub fn chain(&self) -> Problem<Chain32> {
+        let start = Phase::new(array(&self.numbers("fput32", "q")), array(&self.numbers("fput32", "p")));
+        let alpha = self.0["fput32"]["alpha"].as_f64().expect("a number");
+        self.problem("fput", "fput32", Chain32 { alpha }, start)
+    }
+}
+
+fn array<const N: usize>(numbers: &[f64]) -> [f64; N] {
+    numbers.try_into().expect("so many numbers")
+}
+
+fn points<const N: usize>(numbers: &[f64]) -> [[f64; 3]; N] {
+    let (points, rest) = numbers.as_chunks();
+    assert!(rest.is_empty(), "whole points");
+    points.try_into().expect("so many points")
+}
+
+/// Waves of some lengths along a chain at rest.
+pub fn waves(sites: usize) -> Phase<Vec<f64>> {
+    let wave = |i: usize| {
+        let x = (i + 1) as f64 / (sites + 1) as f64;
+        0.4 * (PI * x).sin() + 0.1 * (PI * (sites / 50).max(5) as f64 * x).sin()
+    };
+    Phase::new((0..sites).map(wave).collect(), vec![0.0; sites])
+}
+
+/// Points near those of a cubic grid, shaken a little, with small momenta that sum to about nothing.
+fn shaken_grid(count: usize, spacing: f64) -> Phase<Vec<[f64; 3]>> {
+    // Whole numbers of a linear congruence: the same on every machine.
+    let mut state = 1_u64;
+    let mut shake = move || {
+        state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        (state >> 11) as f64 / (1_u64 << 53) as f64 - 0.5
+    };
+    let side = (1..).find(|side| side * side * side >= count).expect("a side");
+    let place = |i: usize| [i / (side * side), i / side % side, i % side];
+    let q = (0..count).map(|i| place(i).map(|k| spacing * (k as f64 + 0.1 * shake()))).collect();
+    Phase::new(q, (0..count).map(|_| [0, 1, 2].map(|_| 0.01 * shake())).collect())
+}
+
+/// Stars of unlike masses.
+pub fn cluster(count: usize) -> (Cluster, Phase<Vec<[f64; 3]>>) {
+    let masses = (0..count).map(|i| 0.5 + (i % 7) as f64 / 7.0).collect();
+    (Cluster { masses }, shaken_grid(count, 2.0))
+}
+
+/// A drop of argon.
+pub fn argon(count: usize) -> (Argon, Phase<Vec<[f64; 3]>>) {
+    (Argon { cutoff: 2.5 }, shaken_grid(count, 1.12))
+}

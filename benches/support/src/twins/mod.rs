@@ -1,0 +1,18 @@
+//! What a person would write who has the time: the yardsticks of the benches.
+//!
+//! | file | holds |
+//! |---|---|
+//! | [`plain`] | the five problems in safe Rust without vectors, in code compiled for fused multiply-add |
+//! | [`points`] | pendulum, Hénon-Heiles and Kepler over any vector: a single trajectory or lanes of an ensemble |
+//! | [`swarm`] | ensembles of these, several vectors in flight |
+//! | [`row`] | six bodies, and 32 sites of a chain, side by side in registers |
+//! | [`chain`] | long chains in one pass per step, several steps per tile, and in two plain passes |
+//! | [`tiles`] | many bodies, pairs in tiles that use the third law |
+
+pub mod chain;
+pub mod law;
+pub mod plain;
+pub mod points;
+pub mod row;
+pub mod swarm;
+pub mod tiles;

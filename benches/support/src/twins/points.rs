@@ -1,0 +1,188 @@
+//! One particle in a field, for whatever numbers stand side by side.
+
+use crate::{
+    enter::{Kernel, enter, enter_scalar},
+    functions,
+    plan::{Plan, Twin},
+    vector::{Row, Vector},
+};
+use std::marker::PhantomData;
+
+/// Trajectories side by side: columns of coordinates and parameters, a lane for each trajectory.
+pub(crate) trait Lanes<V: Vector>: Twin + Sized {
+    fn load(columns: &[Vec<V::Number>], at: usize) -> Self;
+    fn store(&self, columns: &mut [Vec<V::Number>], at: usize);
+}
+
+/// Which sine the pendulum calls.
+pub(crate) trait Sine {
+    fn of<V: Vector>(x: V) -> V;
+}
+
+/// At most one unit in the last place.
+pub(crate) struct Careful;
+/// At most four.
+pub(crate) struct Fast;
+
+impl Sine for Careful {
+    #[inline(always)]
+    fn of<V: Vector>(x: V) -> V {
+        functions::sine(x)
+    }
+}
+impl Sine for Fast {
+    #[inline(always)]
+    fn of<V: Vector>(x: V) -> V {
+        functions::sine_fast(x)
+    }
+}
+
+pub(crate) struct Pendulum<V, S> {
+    q: V,
+    p: V,
+    mobility: V,
+    torque: V,
+    sine: PhantomData<S>,
+}
+
+impl<V: Vector, S: Sine> Twin for Pendulum<V, S> {
+    #[inline(always)]
+    fn drift(&mut self, t: f64) {
+        self.q = (V::splat(t) * self.mobility).fma(self.p, self.q);
+    }
+    #[inline(always)]
+    fn kick(&mut self, t: f64) {
+        self.p = (V::splat(t) * self.torque).fnma(S::of(self.q), self.p);
+    }
+}
+
+impl<V: Vector, S: Sine> Lanes<V> for Pendulum<V, S> {
+    #[inline(always)]
+    fn load(columns: &[Vec<V::Number>], at: usize) -> Self {
+        let [q, p, mobility, torque] = [0, 1, 2, 3].map(|column| V::load(&columns[column][at..]));
+        Self { q, p, mobility, torque, sine: PhantomData }
+    }
+    #[inline(always)]
+    fn store(&self, columns: &mut [Vec<V::Number>], at: usize) {
+        self.q.store(&mut columns[0][at..]);
+        self.p.store(&mut columns[1][at..]);
+    }
+}
+
+/// The form with the fewest operations from one kick to the next: ∂V/∂x = 2x(y + ½), ∂V/∂y = y + x² - y².
+pub(crate) struct HenonHeiles<V> {
+    q: [V; 2],
+    p: [V; 2],
+}
+
+impl<V: Vector> Twin for HenonHeiles<V> {
+    #[inline(always)]
+    fn drift(&mut self, t: f64) {
+        let [x, y] = &mut self.q;
+        *x = V::splat(t).fma(self.p[0], *x);
+        *y = V::splat(t).fma(self.p[1], *y);
+    }
+    #[inline(always)]
+    fn kick(&mut self, t: f64) {
+        let [x, y] = self.q;
+        self.p[0] = (V::splat(2.0 * t) * x).fnma(y + V::splat(0.5), self.p[0]);
+        self.p[1] = V::splat(t).fnma(y.fnma(y, x.fma(x, y)), self.p[1]);
+    }
+}
+
+pub(crate) struct Kepler<V> {
+    q: [V; 2],
+    p: [V; 2],
+}
+
+impl<V: Vector> Twin for Kepler<V> {
+    #[inline(always)]
+    fn drift(&mut self, t: f64) {
+        let [x, y] = &mut self.q;
+        *x = V::splat(t).fma(self.p[0], *x);
+        *y = V::splat(t).fma(self.p[1], *y);
+    }
+    #[inline(always)]
+    fn kick(&mut self, t: f64) {
+        let [x, y] = self.q;
+        let pull = x.fma(x, y * y).over_cube(V::splat(t));
+        let [px, py] = &mut self.p;
+        *px = pull.fnma(x, *px);
+        *py = pull.fnma(y, *py);
+    }
+}
+
+macro_rules! planar {
+    ($name:ident) => {
+        impl<V: Vector> Lanes<V> for $name<V> {
+            #[inline(always)]
+            fn load(columns: &[Vec<V::Number>], at: usize) -> Self {
+                let [x, y, px, py] = [0, 1, 2, 3].map(|column| V::load(&columns[column][at..]));
+                Self { q: [x, y], p: [px, py] }
+            }
+            #[inline(always)]
+            fn store(&self, columns: &mut [Vec<V::Number>], at: usize) {
+                for (column, vector) in columns.iter_mut().zip(self.q.iter().chain(&self.p)) {
+                    vector.store(&mut column[at..]);
+                }
+            }
+        }
+    };
+}
+planar!(HenonHeiles);
+planar!(Kepler);
+
+/// Which problem, to choose a type of lanes by.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Point {
+    /// With the careful sine.
+    Pendulum,
+    /// With the fast sine.
+    FastPendulum,
+    /// Hénon and Heiles.
+    HenonHeiles,
+    /// Kepler.
+    Kepler,
+}
+
+/// A single trajectory, in scalars or in the lanes of a register that are all the same.
+struct Single<'p> {
+    point: Point,
+    plan: &'p Plan,
+    steps: u64,
+    columns: [f64; 4],
+}
+
+impl Single<'_> {
+    #[inline(always)]
+    fn march<V: Vector<Number = f64>, L: Lanes<V>>(&self) -> [f64; 4] {
+        let mut columns = self.columns.map(|number| vec![number; V::LANES]);
+        let mut lanes = L::load(&columns, 0);
+        self.plan.march(&mut lanes, self.steps);
+        lanes.store(&mut columns, 0);
+        columns.map(|column| column[0])
+    }
+}
+
+impl Kernel for Single<'_> {
+    type Out = [f64; 4];
+    #[inline(always)]
+    fn run<V: Row, R: Row, S: Vector<Number = f32>>(self) -> [f64; 4] {
+        match self.point {
+            Point::Pendulum => self.march::<V, Pendulum<V, Careful>>(),
+            Point::FastPendulum => self.march::<V, Pendulum<V, Fast>>(),
+            Point::HenonHeiles => self.march::<V, HenonHeiles<V>>(),
+            Point::Kepler => self.march::<V, Kepler<V>>(),
+        }
+    }
+}
+
+/// The end of a trajectory of `point` in scalars, after `steps` steps.
+pub fn scalar(point: Point, columns: [f64; 4], plan: &Plan, steps: u64) -> [f64; 4] {
+    enter_scalar(Single { point, plan, steps, columns })
+}
+
+/// The same in the lanes of a register, for what the widest instructions have and others lack.
+pub fn wide(point: Point, columns: [f64; 4], plan: &Plan, steps: u64) -> [f64; 4] {
+    enter(Single { point, plan, steps, columns })
+}

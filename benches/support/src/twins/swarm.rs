@@ -1,0 +1,101 @@
+//! Ensembles: groups of vectors in flight, whose state stays in registers and the first cache for all the steps.
+
+use crate::{
+    enter::{Kernel, enter},
+    plan::{Plan, Twin},
+    twins::points::{Careful, Fast, HenonHeiles, Kepler, Lanes, Pendulum, Point},
+    vector::{Number, Row, Vector},
+};
+
+/// How many vectors are in flight, so that the latency of each is hidden behind the others.
+const IN_FLIGHT: usize = 8;
+
+/// Several twins that take turns.
+struct Group<L>([L; IN_FLIGHT]);
+
+impl<L: Twin> Twin for Group<L> {
+    #[inline(always)]
+    fn drift(&mut self, t: f64) {
+        for lanes in &mut self.0 {
+            lanes.drift(t);
+        }
+    }
+    #[inline(always)]
+    fn kick(&mut self, t: f64) {
+        for lanes in &mut self.0 {
+            lanes.kick(t);
+        }
+    }
+}
+
+/// Trajectories as columns of coordinates and parameters, in doubles or in singles.
+pub struct Swarm<T> {
+    point: Point,
+    columns: [Vec<T>; 4],
+}
+
+struct March<'s, T> {
+    swarm: &'s mut Swarm<T>,
+    plan: &'s Plan,
+    steps: u64,
+}
+
+impl<T: Number> March<'_, T> {
+    #[inline(always)]
+    fn march<V: Vector<Number = T>, L: Lanes<V>>(self) {
+        let columns = &mut self.swarm.columns;
+        for first in (0..columns[0].len()).step_by(IN_FLIGHT * V::LANES) {
+            let mut group = Group(std::array::from_fn(|i| L::load(columns, first + i * V::LANES)));
+            self.plan.march(&mut group, self.steps);
+            for (i, lanes) in group.0.iter().enumerate() {
+                lanes.store(columns, first + i * V::LANES);
+            }
+        }
+    }
+
+    #[inline(always)]
+    fn of_point<V: Vector<Number = T>>(self) {
+        match self.swarm.point {
+            Point::Pendulum => self.march::<V, Pendulum<V, Careful>>(),
+            Point::FastPendulum => self.march::<V, Pendulum<V, Fast>>(),
+            Point::HenonHeiles => self.march::<V, HenonHeiles<V>>(),
+            Point::Kepler => self.march::<V, Kepler<V>>(),
+        }
+    }
+}
+
+macro_rules! precision {
+    ($number:ident in $vectors:ident) => {
+        impl Kernel for March<'_, $number> {
+            type Out = ();
+            #[inline(always)]
+            fn run<V: Row, R: Row, S: Vector<Number = f32>>(self) {
+                self.of_point::<$vectors>();
+            }
+        }
+
+        impl Swarm<$number> {
+            /// One set of coordinates and parameters per trajectory.
+            ///
+            /// # Panics
+            /// If their number is no multiple of 128, which fills a group of the widest vectors.
+            pub fn new(point: Point, members: &[[f64; 4]]) -> Self {
+                assert_eq!(members.len() % 128, 0, "whole groups");
+                let column = |i: usize| members.iter().map(|member| $number::of(member[i])).collect();
+                Self { point, columns: [0, 1, 2, 3].map(column) }
+            }
+
+            /// Takes `steps` steps with every trajectory.
+            pub fn advance(&mut self, plan: &Plan, steps: u64) {
+                enter(March { swarm: self, plan, steps });
+            }
+
+            /// The coordinates and parameters of a trajectory.
+            pub fn member(&self, member: usize) -> [f64; 4] {
+                [0, 1, 2, 3].map(|i| self.columns[i][member].widen())
+            }
+        }
+    };
+}
+precision!(f64 in V);
+precision!(f32 in S);

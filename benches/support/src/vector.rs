@@ -1,0 +1,202 @@
+//! Numbers side by side, as a person writes them with `std::arch`: the arithmetic of the twins.
+//!
+//! Always true: the types of [`x86`](super::x86) are named inside [`enter`](crate::enter::enter) alone, after their
+//! instructions were detected.
+
+use std::ops::{Add, Div, Mul, Sub};
+
+/// A float that vectors are made of.
+pub(crate) trait Number: Copy + Send + Sync + Default + PartialOrd + 'static {
+    /// Rounded to this precision.
+    fn of(x: f64) -> Self;
+    /// Widened.
+    fn widen(self) -> f64;
+    fn fma(self, b: Self, c: Self) -> Self;
+    fn root(self) -> Self;
+    /// The bits, in the low end of 64.
+    fn bits(self) -> u64;
+    fn from_bits(bits: u64) -> Self;
+    /// How many bits there are, and how many of them are the mantissa's.
+    const BITS: u32;
+    const MANTISSA: u32;
+}
+
+macro_rules! number {
+    ($scalar:ident, $bits:ident, $width:literal, $mantissa:literal) => {
+        impl Number for $scalar {
+            const BITS: u32 = $width;
+            const MANTISSA: u32 = $mantissa;
+
+            #[inline(always)]
+            fn of(x: f64) -> Self {
+                x as $scalar
+            }
+            #[inline(always)]
+            fn widen(self) -> f64 {
+                self.into()
+            }
+            #[inline(always)]
+            fn fma(self, b: Self, c: Self) -> Self {
+                self.mul_add(b, c)
+            }
+            #[inline(always)]
+            fn root(self) -> Self {
+                self.sqrt()
+            }
+            #[inline(always)]
+            fn bits(self) -> u64 {
+                self.to_bits().into()
+            }
+            #[inline(always)]
+            fn from_bits(bits: u64) -> Self {
+                $scalar::from_bits(bits as $bits)
+            }
+        }
+    };
+}
+number!(f64, u64, 64, 52);
+number!(f32, u32, 32, 23);
+
+/// Several numbers side by side.
+pub(crate) trait Vector:
+    Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + Div<Output = Self>
+{
+    type Number: Number;
+    const LANES: usize;
+
+    fn splat(x: f64) -> Self;
+    /// The first `LANES` numbers.
+    fn load(from: &[Self::Number]) -> Self;
+    /// Over the first `LANES` numbers.
+    fn store(self, to: &mut [Self::Number]);
+    /// `self * b + c`
+    fn fma(self, b: Self, c: Self) -> Self;
+    /// `c - self * b`
+    fn fnma(self, b: Self, c: Self) -> Self;
+    fn sqrt(self) -> Self;
+    /// `numerator` over the third power of the root of `self`, to the last bit or two.
+    fn over_cube(self, numerator: Self) -> Self;
+    /// `odd` in the lanes in which the lowest bit of `of` is set, `even` in the others.
+    fn choose(of: Self, odd: Self, even: Self) -> Self;
+    /// The sign turned in the lanes in which bit `BIT` of `of` is set.
+    fn negate<const BIT: u32>(self, of: Self) -> Self;
+    /// Multiplied by two to the power of the integer in the lowest bits of `of`; neither may be extreme.
+    fn scale(self, of: Self) -> Self;
+    /// `self` where `x < y`, zero elsewhere.
+    fn where_less(self, x: Self, y: Self) -> Self;
+    /// Whether `x < y` in one lane at least.
+    fn any_less(x: Self, y: Self) -> bool;
+}
+
+/// Vectors of doubles whose lanes can change places.
+pub(crate) trait Row: Vector<Number = f64> {
+    /// The first `N` lanes moved to the front by `BY` places in a ring.
+    fn rotate<const BY: usize, const N: usize>(self) -> Self;
+    /// All lanes one place on in their ring.
+    #[inline(always)]
+    fn turn(self) -> Self {
+        self.after(self)
+    }
+    /// Lanes 1 and up, and then the first lane of `next`.
+    fn after(self, next: Self) -> Self;
+    /// The last lane of `previous`, and then all lanes but the last.
+    fn before(self, previous: Self) -> Self;
+}
+
+/// Numbers in an array, for scalars (`N = 1`) and for machines without the instructions of the other types.
+#[derive(Clone, Copy)]
+pub(crate) struct Many<T, const N: usize>(pub(crate) [T; N]);
+
+impl<T: Number, const N: usize> Many<T, N> {
+    #[inline(always)]
+    fn zip(self, other: Self, of: impl Fn(T, T) -> T) -> Self {
+        Self(std::array::from_fn(|lane| of(self.0[lane], other.0[lane])))
+    }
+}
+
+macro_rules! operators {
+    ($($trait:ident $method:ident),*) => {$(
+        impl<T: Number + $trait<Output = T>, const N: usize> $trait for Many<T, N> {
+            type Output = Self;
+            #[inline(always)]
+            fn $method(self, other: Self) -> Self {
+                self.zip(other, T::$method)
+            }
+        }
+    )*};
+}
+operators!(Add add, Sub sub, Mul mul, Div div);
+
+impl<T, const N: usize> Vector for Many<T, N>
+where
+    T: Number + Add<Output = T> + Sub<Output = T> + Mul<Output = T> + Div<Output = T>,
+{
+    type Number = T;
+    const LANES: usize = N;
+
+    #[inline(always)]
+    fn splat(x: f64) -> Self {
+        Self([T::of(x); N])
+    }
+    #[inline(always)]
+    fn load(from: &[T]) -> Self {
+        let from = &from[..N];
+        Self(std::array::from_fn(|lane| from[lane]))
+    }
+    #[inline(always)]
+    fn store(self, to: &mut [T]) {
+        to[..N].copy_from_slice(&self.0);
+    }
+    #[inline(always)]
+    fn fma(self, b: Self, c: Self) -> Self {
+        Self(std::array::from_fn(|lane| self.0[lane].fma(b.0[lane], c.0[lane])))
+    }
+    #[inline(always)]
+    fn fnma(self, b: Self, c: Self) -> Self {
+        (Self::splat(-1.0) * self).fma(b, c)
+    }
+    #[inline(always)]
+    fn sqrt(self) -> Self {
+        Self(self.0.map(T::root))
+    }
+    #[inline(always)]
+    fn over_cube(self, numerator: Self) -> Self {
+        numerator / (self * self.sqrt())
+    }
+    #[inline(always)]
+    fn choose(of: Self, odd: Self, even: Self) -> Self {
+        Self(std::array::from_fn(|lane| if of.0[lane].bits() & 1 == 1 { odd.0[lane] } else { even.0[lane] }))
+    }
+    #[inline(always)]
+    fn negate<const BIT: u32>(self, of: Self) -> Self {
+        let sign = 1 << (T::BITS - 1);
+        self.zip(of, |x, of| T::from_bits(x.bits() ^ (of.bits() << (T::BITS - 1 - BIT) & sign)))
+    }
+    #[inline(always)]
+    fn scale(self, of: Self) -> Self {
+        self.zip(of, |x, of| T::from_bits(x.bits().wrapping_add(of.bits() << T::MANTISSA)))
+    }
+    #[inline(always)]
+    fn where_less(self, x: Self, y: Self) -> Self {
+        Self(std::array::from_fn(|lane| if x.0[lane] < y.0[lane] { self.0[lane] } else { T::of(0.0) }))
+    }
+    #[inline(always)]
+    fn any_less(x: Self, y: Self) -> bool {
+        x.0.iter().zip(&y.0).any(|(x, y)| x < y)
+    }
+}
+
+impl<const N: usize> Row for Many<f64, N> {
+    #[inline(always)]
+    fn rotate<const BY: usize, const RING: usize>(self) -> Self {
+        Self(std::array::from_fn(|lane| if lane < RING { self.0[(lane + BY) % RING] } else { self.0[lane] }))
+    }
+    #[inline(always)]
+    fn after(self, next: Self) -> Self {
+        Self(std::array::from_fn(|lane| if lane + 1 < N { self.0[lane + 1] } else { next.0[0] }))
+    }
+    #[inline(always)]
+    fn before(self, previous: Self) -> Self {
+        Self(std::array::from_fn(|lane| if lane > 0 { self.0[lane - 1] } else { previous.0[N - 1] }))
+    }
+}

@@ -1,0 +1,161 @@
+//! The twins do what they are measured against: the same steps, up to rounding.
+//!
+//! Twins and generated code round differently by a unit in the last place per operation, and over a few dozen steps an
+//! orbit takes such a difference up at most some hundredfold: 1e-12 of the largest coordinate is far above that, and far
+//! below a wrong term.
+
+use integrator_bench::{
+    plan::Plan,
+    problems::{Argon, Fput, Phi4, SineGordon, Toda},
+    starts::{Problems, argon, cluster, waves},
+    twins::{
+        chain::Chain,
+        law::Law,
+        plain,
+        points::{self, Point},
+        row,
+        swarm::Swarm,
+        tiles::{Attraction, Bodies},
+    },
+};
+use integrator_core::{Coords, prelude::*};
+
+const STEPS: u64 = 40;
+
+#[track_caller]
+fn agree(what: &str, ours: &[f64], theirs: &[f64], tolerance: f64) {
+    let largest = ours.iter().fold(0.0, |largest: f64, x| largest.max(x.abs()));
+    assert_eq!(ours.len(), theirs.len(), "{what}");
+    for (i, (a, b)) in ours.iter().zip(theirs).enumerate() {
+        assert!((a - b).abs() <= tolerance * largest, "{what}, coordinate {i}: {a} and {b}");
+    }
+}
+
+fn end<H: Hamiltonian, X: Composition<H>>(
+    system: &H,
+    start: &Phase<H::Coords>,
+    composition: X,
+    h: f64,
+) -> Phase<H::Coords>
+where
+    H::Coords: Coords<Leaf = f64>,
+{
+    let mut run = system.run_with::<f64, X>(composition, start.clone(), h).expect("a start");
+    run.advance(STEPS).expect("finite states");
+    run.state()
+}
+
+fn flat<C: Coords<Leaf = f64>>(state: &Phase<C>) -> Vec<f64> {
+    [state.q.flat(), state.p.flat()].concat()
+}
+
+#[test]
+fn single_trajectories_agree_in_every_composition() {
+    let problems = Problems::default();
+    let (pendulum, henon, kepler) = (problems.pendulum(), problems.henon_heiles(), problems.kepler());
+    macro_rules! compare {
+        ($($composition:ident)*) => {$(
+            let h = 0.01;
+            let plan = Plan::of::<$composition>(h);
+            let name = stringify!($composition);
+            let ours = flat(&end(&pendulum.system, &pendulum.start, $composition, h));
+            let by_hand = flat(&plain::pendulum(&pendulum.system, pendulum.start, &plan, STEPS));
+            agree(name, &ours, &by_hand, 1e-12);
+            for point in [Point::Pendulum, Point::FastPendulum] {
+                let columns = [2.0, 0.0, 1.0, 1.0];
+                agree(name, &ours, &points::scalar(point, columns, &plan, STEPS)[..2], 1e-12);
+                agree(name, &ours, &points::wide(point, columns, &plan, STEPS)[..2], 1e-12);
+            }
+            let ours = flat(&end(&henon.system, &henon.start, $composition, h));
+            agree(name, &ours, &points::scalar(Point::HenonHeiles, [0.1, 0.0, 0.0, 0.5], &plan, STEPS), 1e-12);
+            let ours = flat(&end(&kepler.system, &kepler.start, $composition, h));
+            agree(name, &ours, &points::scalar(Point::Kepler, [0.4, 0.0, 0.0, 2.0], &plan, STEPS), 1e-12);
+            agree(name, &ours, &points::wide(Point::Kepler, [0.4, 0.0, 0.0, 2.0], &plan, STEPS), 1e-12);
+        )*};
+    }
+    compare!(Verlet VelocityVerlet KahanLi8 SofroniouSpaletta10 Euler);
+}
+
+#[test]
+fn rows_agree() {
+    let problems = Problems::default();
+    let (solar, chain) = (problems.solar(), problems.chain());
+    let plan = Plan::of::<KahanLi8>(100.0);
+    let ours = flat(&end(&solar.system, &solar.start, KahanLi8, 100.0));
+    for theirs in [plain::solar, row::solar] {
+        let theirs = flat(&theirs(&solar.system, solar.start, &plan, STEPS));
+        agree("positions", &ours[..18], &theirs[..18], 1e-12);
+        agree("momenta", &ours[18..], &theirs[18..], 1e-12);
+    }
+    let plan = Plan::of::<KahanLi8>(0.1);
+    let ours = flat(&end(&chain.system, &chain.start, KahanLi8, 0.1));
+    for theirs in [plain::chain, row::chain] {
+        agree("chain", &ours, &flat(&theirs(&chain.system, chain.start, &plan, STEPS)), 1e-12);
+    }
+}
+
+#[test]
+fn swarms_agree_with_single_trajectories() {
+    let plan = Plan::of::<Verlet>(0.01);
+    let members: Vec<[f64; 4]> = (0..256).map(|i| [0.5 + f64::from(i) / 512.0, 0.2, 1.0, 1.0]).collect();
+    for point in [Point::Pendulum, Point::FastPendulum, Point::HenonHeiles, Point::Kepler] {
+        let mut swarm = Swarm::<f64>::new(point, &members);
+        let mut singles = Swarm::<f32>::new(point, &members);
+        swarm.advance(&plan, STEPS);
+        singles.advance(&plan, STEPS);
+        for member in [0, 77, 255] {
+            let alone = points::scalar(point, members[member], &plan, STEPS);
+            agree(&format!("{point:?}"), &alone, &swarm.member(member), 1e-12);
+            // Forty steps in singles: a few dozen roundings of 6e-8.
+            agree(&format!("{point:?} in f32"), &alone, &singles.member(member), 1e-5);
+        }
+    }
+}
+
+/// Sites enough for several tiles, and for a last one that is not full.
+const SITES: usize = 2600;
+
+#[track_caller]
+fn compare_chain<H: Hamiltonian<Coords = Vec<f64>>>(system: &H, law: Law) {
+    let start = waves(SITES);
+    let ours = flat(&end(system, &start, Verlet, 0.05));
+    let plan = Plan::of::<Verlet>(0.05);
+    for advance in [Chain::skewed, Chain::two_pass] {
+        let mut chain = Chain { law, q: start.q.clone(), p: start.p.clone() };
+        advance(&mut chain, &plan, STEPS as usize);
+        agree(&format!("{law:?}"), &ours, &[chain.q, chain.p].concat(), 1e-12);
+    }
+}
+
+#[test]
+fn long_chains_agree() {
+    compare_chain(&Fput { alpha: 0.25 }, Law::Fput { alpha: 0.25 });
+    compare_chain(&Toda, Law::Toda);
+    compare_chain(&SineGordon { stiffness: 0.7 }, Law::SineGordon { stiffness: 0.7 });
+    compare_chain(&Phi4 { stiffness: 0.7 }, Law::Phi4 { stiffness: 0.7 });
+}
+
+#[test]
+fn tiles_agree_whether_or_not_they_are_full() {
+    for count in [16, 37] {
+        let (system, start) = cluster(count);
+        let plan = Plan::of::<Verlet>(0.5);
+        let mut bodies = Bodies::new(Attraction::Gravity, &system.masses, &start.q, &start.p);
+        compare_bodies("stars", &end(&system, &start, Verlet, 0.5), &mut bodies, &plan);
+
+        let (system, start) = argon(count);
+        let plan = Plan::of::<Verlet>(1e-3);
+        let Argon { cutoff } = system;
+        let mut bodies = Bodies::new(Attraction::LennardJones { cutoff }, &vec![1.0; count], &start.q, &start.p);
+        compare_bodies("atoms", &end(&system, &start, Verlet, 1e-3), &mut bodies, &plan);
+    }
+}
+
+#[track_caller]
+fn compare_bodies(what: &str, ours: &Phase<Vec<[f64; 3]>>, bodies: &mut Bodies, plan: &Plan) {
+    bodies.advance(plan, STEPS);
+    let theirs: Vec<[[f64; 3]; 2]> = (0..bodies.count()).map(|i| bodies.body(i)).collect();
+    let column = |i: usize| theirs.iter().flat_map(|body| body[i]).collect::<Vec<f64>>();
+    agree(what, ours.q.flat(), &column(0), 1e-12);
+    agree(what, ours.p.flat(), &column(1), 1e-12);
+}

@@ -1,0 +1,154 @@
+//! How much gets done per second when there is much to do: `cargo bench --bench throughput`.
+//!
+//! Ensembles against groups of vectors written by hand, with a sine of the same accuracy; chains against two plain loops
+//! and against time-skewed tiles; bodies against tiles that use the third law. The last lines are rates over those of the
+//! best twin in the same turn (`ratio_<scene>_to_twin=`, 0.9 is asked), and what a second thread brings
+//! (`speedup_<scene>_two_threads=`). `docs/performance.md` tells what was measured.
+
+use integrator_bench::{
+    plan::Plan,
+    problems::{Fput, HenonHeiles, Kepler, Pendulum},
+    race::{Racer, race},
+    starts::{cluster, waves},
+    table::Table,
+    twins::{
+        chain::Chain,
+        law::Law,
+        points::Point,
+        swarm::Swarm,
+        tiles::{Attraction, Bodies},
+    },
+};
+use integrator_core::prelude::*;
+use std::error::Error;
+
+/// Turns of a race; odd, so that the median is one of them.
+const TURNS: usize = 31;
+/// Trajectories of an ensemble: a few hundred groups of vectors.
+const MEMBERS: usize = 8192;
+/// Steps of a turn of an ensemble.
+const STEPS: u64 = 200;
+
+struct Report {
+    table: Table,
+    lines: Vec<String>,
+}
+
+impl Report {
+    /// Units per second of the generated code, in one thread and in two, and of the twins.
+    fn add(&mut self, scene: &str, unit: &str, turns: usize, units: f64, racers: Vec<Racer>) {
+        let times = race(turns, units, racers);
+        let place = |name| times.names().iter().position(|racer| *racer == name);
+        let rate = |name| place(name).map_or(f64::NAN, |i| 1e9 / times.median(i));
+        let twin = place("twin").expect("a twin");
+        let to_twin = 1.0 / times.ratio(0, twin);
+        let two = place("one thread").zip(place("two threads")).map_or(f64::NAN, |(one, two)| times.ratio(one, two));
+        self.table.row([scene, unit], &[rate("generated"), rate("plain"), rate("twin"), to_twin, two]);
+        self.lines.push(format!("ratio_{scene}_to_twin={to_twin:.3}"));
+        if two.is_finite() {
+            self.lines.push(format!("speedup_{scene}_two_threads={two:.3}"));
+        }
+        if let Some(plain) = place("plain") {
+            self.lines.push(format!("speedup_{scene}_over_plain_loops={:.3}", times.ratio(plain, 0)));
+        }
+    }
+
+    fn chain(&mut self, name: &str, sites: usize) {
+        let (law, start) = (Law::Fput { alpha: 0.25 }, waves(sites));
+        let h = 0.05;
+        let plan = Plan::of::<Verlet>(h);
+        let steps = (2_000_000 / sites).max(64);
+        let mut run = Fput { alpha: 0.25 }.run_with(Verlet, start.clone(), h).expect("a start");
+        let by_hand = Chain { law, q: start.q, p: start.p };
+        let [mut plain, mut skewed] = [by_hand.clone(), by_hand];
+        let racers = vec![
+            Racer::new("generated", || run.advance(steps as u64).expect("finite states")),
+            Racer::new("plain", || plain.two_pass(&plan, steps)),
+            Racer::new("twin", || skewed.skewed(&plan, steps)),
+        ];
+        let turns = if sites > 1_000_000 { 5 } else { 15 };
+        self.add(name, "site-steps/s", turns, (sites * steps) as f64, racers);
+    }
+
+    fn bodies(&mut self, name: &str, count: usize) {
+        let (system, start) = cluster(count);
+        let h = 1e-3;
+        let plan = Plan::of::<Verlet>(h);
+        let mut twin = Bodies::new(Attraction::Gravity, &system.masses, &start.q, &start.p);
+        let mut run = system.run_with(Verlet, start, h).expect("a start");
+        let pairs = count * (count - 1) / 2;
+        let steps = (2_000_000 / pairs as u64).max(1);
+        let racers = vec![
+            Racer::new("generated", || run.advance(steps).expect("finite states")),
+            Racer::new("twin", || twin.advance(&plan, steps)),
+        ];
+        let turns = if count > 1_000 { 7 } else { 15 };
+        self.add(name, "pairs/s", turns, pairs as f64 * steps as f64, racers);
+    }
+}
+
+/// Races an ensemble, in one thread and in two, with its twin.
+macro_rules! ensemble {
+    ($report:ident, $scene:literal, $number:ident, $h:expr, $point:expr, $columns:expr, $member:expr) => {{
+        let columns: Vec<[f64; 4]> = (0..MEMBERS).map(|i| $columns(i as f64 / MEMBERS as f64)).collect();
+        let members = || columns.iter().map($member);
+        let mut one = Ensemble::new(Verlet, members(), $h).expect("members").with_threads(1);
+        // Against two threads on the wall's clock, as these are measured.
+        let mut wall = Ensemble::new(Verlet, members(), $h).expect("members").with_threads(1);
+        let mut two = Ensemble::new(Verlet, members(), $h).expect("members").with_threads(2);
+        let mut twin = Swarm::<$number>::new($point, &columns);
+        let plan = Plan::of::<Verlet>($h);
+        let racers = vec![
+            Racer::new("generated", || one.advance(STEPS).expect("finite states")),
+            Racer::new("twin", || twin.advance(&plan, STEPS)),
+            Racer::new("two threads", || two.advance(STEPS).expect("finite states")).in_threads(),
+            Racer::new("one thread", || wall.advance(STEPS).expect("finite states")).in_threads(),
+        ];
+        $report.add($scene, "trajectory-steps/s", TURNS, MEMBERS as f64 * STEPS as f64, racers);
+    }};
+}
+
+/// Coordinates as numbers of the wanted precision.
+macro_rules! planar {
+    ($system:expr, $number:ident) => {
+        |&[x, y, px, py]: &[f64; 4]| ($system, Phase::new([x as $number, y as $number], [px as $number, py as $number]))
+    };
+}
+
+fn ensembles(report: &mut Report) {
+    // Pendulums of many lengths, so that no parameter is shared: inertia and torque of a bob of mass 1 under gravity 1.
+    let pendulum = |x: f64| {
+        let length = 0.5 + x;
+        [0.5 + 2.0 * x, 0.0, 1.0 / (length * length), length]
+    };
+    let system = |length: f64| Pendulum { mass: 1.0, length, gravity: 1.0 };
+    let double = |&[q, p, _, length]: &[f64; 4]| (system(length), Phase::new([q], [p]));
+    let single = |&[q, p, _, length]: &[f64; 4]| (system(length), Phase::new([q as f32], [p as f32]));
+    ensemble!(report, "pendulum", f64, 0.01, Point::Pendulum, pendulum, double);
+    ensemble!(report, "pendulum_f32", f32, 0.01, Point::Pendulum, pendulum, single);
+
+    let henon = |x: f64| [0.1 + 0.2 * x, 0.1 * x, 0.0, 0.3];
+    ensemble!(report, "henon", f64, 0.01, Point::HenonHeiles, henon, planar!(HenonHeiles, f64));
+    ensemble!(report, "henon_f32", f32, 0.01, Point::HenonHeiles, henon, planar!(HenonHeiles, f32));
+
+    let kepler = |x: f64| [0.6 + 0.4 * x, 0.0, 0.0, 1.0 + 0.2 * x];
+    ensemble!(report, "kepler", f64, 0.01, Point::Kepler, kepler, planar!(Kepler, f64));
+    ensemble!(report, "kepler_f32", f32, 0.01, Point::Kepler, kepler, planar!(Kepler, f32));
+}
+
+fn main() -> Result<(), Box<dyn Error>> {
+    let head = ["scene", "unit", "generated", "plain", "twin", "to twin", "2 threads"];
+    let mut report = Report { table: Table::new("throughput", &head), lines: Vec::new() };
+    ensembles(&mut report);
+    for (name, sites) in
+        [("fput_1e4", 10_000), ("fput_1e5", 100_000), ("fput_1e6", 1_000_000), ("fput_1e7", 10_000_000)]
+    {
+        report.chain(name, sites);
+    }
+    for (name, count) in [("nbody_100", 100), ("nbody_1000", 1_000), ("nbody_10000", 10_000)] {
+        report.bodies(name, count);
+    }
+    report.table.write()?;
+    report.lines.iter().for_each(|line| println!("{line}"));
+    Ok(())
+}
