@@ -4,7 +4,7 @@ use crate::{
     composition::Composition,
     coords::Coords,
     error::{Divergence, Error},
-    hamiltonian::{Hamiltonian, Motion, Single},
+    hamiltonian::{Flows, Hamiltonian, Motion, Single},
     phase::Phase,
     real::{Kernel, Real},
     slot::Keep,
@@ -104,17 +104,15 @@ impl<M> Copy for Moves<M> {}
 /// The moves of a system under a composition.
 pub(crate) fn moves<H: Hamiltonian, X: Composition<H>, R: Real, K: Keep>() -> Moves<H::Motion<R, K>> {
     Moves {
-        advance: |motion, clock, steps| {
-            R::enter(Advance::<H, X, R, K> { motion, clock, steps, marker: PhantomData });
-        },
-        close: |motion, clock| R::enter(Close::<H, X, R, K> { motion, clock, marker: PhantomData }),
+        advance: |motion, clock, steps| R::enter(Advance::<_, H, X>::new(Single::<H, R, K>(motion), clock, steps)),
+        close: |motion, clock| R::enter(Close::<_, H, X>::new(Single::<H, R, K>(motion), clock)),
         energy: |motion, time| R::enter(Energy::<H, R, K> { motion, time }),
     }
 }
 
 /// A motion that is looked after: a step that leads out of the finite numbers is not taken.
 #[derive(Clone)]
-pub(crate) struct Watched<M> {
+struct Watched<M> {
     motion: M,
     /// The motion at the last look that found it finite; kept here so that no block allocates.
     snapshot: M,
@@ -124,13 +122,13 @@ pub(crate) struct Watched<M> {
 }
 
 impl<M: Clone> Watched<M> {
-    pub(crate) fn new(motion: M, moves: Moves<M>) -> Self {
+    fn new(motion: M, moves: Moves<M>) -> Self {
         Self { snapshot: motion.clone(), closed: motion.clone(), motion, moves }
     }
 
     /// Takes `steps` steps; `false`, and back where they began, if their state is not finite: the motion, or what
     /// completing the last step makes of it.
-    pub(crate) fn advance<C: Coords, P>(&mut self, clock: Clock, steps: u64) -> bool
+    fn advance<C: Coords, P>(&mut self, clock: Clock, steps: u64) -> bool
     where
         M: Motion<C, P>,
     {
@@ -147,20 +145,21 @@ impl<M: Clone> Watched<M> {
         finite
     }
 
-    /// The state of a lane with the step under way completed; `shape` knows the size where the type does not.
-    pub(crate) fn state<C: Coords, P>(&self, lane: usize, clock: Clock, shape: &Phase<C>) -> Phase<C>
+    /// The state with the step under way completed; `shape` knows the size where the type does not.
+    fn state<C: Coords, P>(&self, clock: Clock, shape: &Phase<C>) -> Phase<C>
     where
         M: Motion<C, P>,
     {
         let mut motion = self.motion.clone();
         self.moves.close(&mut motion, clock);
         let mut state = shape.clone();
-        motion.store(lane, &mut state);
+        motion.store(0, &mut state);
         state
     }
 
     /// The motion as it stands, in the middle of a step.
-    pub(crate) fn motion(&self) -> &M {
+    #[cfg(feature = "checkpoint")]
+    fn motion(&self) -> &M {
         &self.motion
     }
 }
@@ -208,7 +207,7 @@ impl<M: Motion<C, P>, P: Send + Sync + 'static, C: Coords> Engine<C> for Solo<M,
     }
 
     fn state(&self, clock: Clock) -> Phase<C> {
-        self.watched.state(0, clock, &self.shape)
+        self.watched.state(clock, &self.shape)
     }
 
     #[cfg(feature = "checkpoint")]
@@ -240,46 +239,57 @@ impl<M: Motion<C, P>, P: Send + Sync, C: Coords> Energies<C> for Constants<M, P>
 }
 
 /// The n-step loop.
-struct Advance<'m, H: Hamiltonian, X, R: Real, K: Keep> {
-    motion: &'m mut H::Motion<R, K>,
+pub(crate) struct Advance<F, H, X> {
+    flows: F,
     clock: Clock,
     steps: u64,
-    marker: PhantomData<X>,
+    marker: PhantomData<(fn(H), X)>,
 }
 
-impl<H: Hamiltonian, X: Composition<H>, R: Real, K: Keep> Kernel for Advance<'_, H, X, R, K> {
+impl<F, H, X> Advance<F, H, X> {
+    pub(crate) fn new(flows: F, clock: Clock, steps: u64) -> Self {
+        Self { flows, clock, steps, marker: PhantomData }
+    }
+}
+
+impl<F: Flows<H>, H: Hamiltonian, X: Composition<H>> Kernel for Advance<F, H, X> {
     type Out = ();
 
     #[inline(always)]
-    fn call(self) {
-        let mut flows = Single::<H, R, K>(self.motion);
+    fn call(mut self) {
         let Clock { h, steps: mut step, .. } = self.clock;
         let end = step + self.steps;
         if step == 0 && end > 0 {
-            X::open(&mut flows, h, self.clock.at(0));
+            X::open(&mut self.flows, h, self.clock.at(0));
             step = 1;
         }
         while step < end {
-            X::cycle(&mut flows, h, self.clock.at(step));
+            X::cycle(&mut self.flows, h, self.clock.at(step));
             step += 1;
         }
     }
 }
 
 /// The end of the step under way.
-struct Close<'m, H: Hamiltonian, X, R: Real, K: Keep> {
-    motion: &'m mut H::Motion<R, K>,
+pub(crate) struct Close<F, H, X> {
+    flows: F,
     clock: Clock,
-    marker: PhantomData<X>,
+    marker: PhantomData<(fn(H), X)>,
 }
 
-impl<H: Hamiltonian, X: Composition<H>, R: Real, K: Keep> Kernel for Close<'_, H, X, R, K> {
+impl<F, H, X> Close<F, H, X> {
+    pub(crate) fn new(flows: F, clock: Clock) -> Self {
+        Self { flows, clock, marker: PhantomData }
+    }
+}
+
+impl<F: Flows<H>, H: Hamiltonian, X: Composition<H>> Kernel for Close<F, H, X> {
     type Out = ();
 
     #[inline(always)]
-    fn call(self) {
+    fn call(mut self) {
         if let Some(under_way) = self.clock.steps.checked_sub(1) {
-            X::close(&mut Single::<H, R, K>(self.motion), self.clock.h, self.clock.at(under_way));
+            X::close(&mut self.flows, self.clock.h, self.clock.at(under_way));
         }
     }
 }

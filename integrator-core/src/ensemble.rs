@@ -7,17 +7,37 @@ use crate::{
     composition::Composition,
     coords::Coords,
     engine::{Clock, Moves, moves},
-    error::{Divergence, Error, Lost},
+    error::{Error, Lost},
+    group::{GroupMoves, TOGETHER, group_moves},
     hamiltonian::{Hamiltonian, Prepared, Shaped},
     instruction_set::InstructionSet,
     lanes::Abreast,
-    pack::{Alone, Member, Pack, SideBySide},
+    pack::{Alone, Course, Pack, Start},
     phase::Phase,
     real::Real,
     run::admissible_with,
+    side_by_side::SideBySide,
     slot::Keep,
 };
-use std::{fmt, num::NonZeroUsize, thread};
+use std::{
+    fmt,
+    num::NonZeroUsize,
+    panic::resume_unwind,
+    sync::{
+        Mutex, PoisonError,
+        atomic::{AtomicU64, Ordering},
+    },
+    thread,
+};
+
+/// From how many updates of a coordinate on, all members together, other threads are started: that takes some ten
+/// microseconds each, in which one thread does about so many.
+const WORTH_A_THREAD: u64 = 1 << 17;
+
+/// How many packs a thread gets, so that all threads end at about the same time, and how large a pack may grow, so that
+/// those who leave early leave a gap in few of the motions.
+const PACKS_PER_THREAD: usize = 4;
+const GROUPS_PER_PACK: usize = 16;
 
 /// Trajectories of one kind of system under way together; parameters may differ from member to member.
 ///
@@ -42,6 +62,8 @@ use std::{fmt, num::NonZeroUsize, thread};
 pub struct Ensemble<C: Coords> {
     packs: Vec<Box<dyn Pack<C>>>,
     members: usize,
+    /// How many coordinates all members have together.
+    coordinates: u64,
     clock: Clock,
     threads: usize,
 }
@@ -60,26 +82,27 @@ impl<C: Coords> Ensemble<C> {
         H::Coords: Coords<With<K> = C>,
     {
         let _ = composition;
-        let mut prepared = Vec::new();
+        let (mut prepared, mut coordinates) = (Vec::new(), 0);
         for (member, (system, start)) in members.into_iter().enumerate() {
             admissible_with::<X, _>(&start, h).map_err(|error| Error::Member { member, error: Box::new(error) })?;
+            coordinates += start.q.flat().len() as u64;
             prepared.push((system.parameters(start.q.length()), start));
         }
         if prepared.is_empty() {
             return Err(Error::NoMembers);
         }
         let members = prepared.len();
+        let threads = thread::available_parallelism().map_or(1, NonZeroUsize::get);
         let packs = match InstructionSet::chosen() {
-            InstructionSet::Baseline => packs::<H, X, <K as Abreast>::Plain, <K as Keep>::Plain, K>(prepared),
-            InstructionSet::Fused => packs::<H, X, <K as Abreast>::Fused, <K as Keep>::Fused, K>(prepared),
+            InstructionSet::Baseline => packs::<H, X, <K as Abreast>::Plain, <K as Keep>::Plain, K>(prepared, threads),
+            InstructionSet::Fused => packs::<H, X, <K as Abreast>::Fused, <K as Keep>::Fused, K>(prepared, threads),
             // Alone, a member is what a run would be.
             InstructionSet::Avx512 if H::WIDE => {
-                packs::<H, X, <K as Abreast>::Avx512, <K as Keep>::Avx512, K>(prepared)
+                packs::<H, X, <K as Abreast>::Avx512, <K as Keep>::Avx512, K>(prepared, threads)
             }
-            InstructionSet::Avx512 => packs::<H, X, <K as Abreast>::Avx512, <K as Keep>::Fused, K>(prepared),
+            InstructionSet::Avx512 => packs::<H, X, <K as Abreast>::Avx512, <K as Keep>::Fused, K>(prepared, threads),
         };
-        let threads = thread::available_parallelism().map_or(1, NonZeroUsize::get);
-        Ok(Self { packs, members, clock: Clock { t0: 0.0, h, steps: 0 }, threads })
+        Ok(Self { packs, members, coordinates, clock: Clock { t0: 0.0, h, steps: 0 }, threads })
     }
 
     /// Starts the clock at `t0` instead of 0. A `t0` that is not finite is reported by the first `advance`.
@@ -96,33 +119,103 @@ impl<C: Coords> Ensemble<C> {
         self
     }
 
-    /// Takes `steps` steps with every member that is still finite.
+    /// Takes `steps` steps with every member that is under way.
     ///
     /// # Errors
     /// [`Error::Lost`] names the members that left the finite numbers in these steps; all others have taken them, and
     /// the ensemble goes on without the lost ones, which stay at their last finite state. [`Error::Time`] and
     /// [`Error::Steps`] leave the ensemble as it was.
     pub fn advance(&mut self, steps: u64) -> Result<(), Error> {
+        self.advance_with(steps, |_| {})
+    }
+
+    /// As [`Ensemble::advance`], and tells `progress` from time to time how many of the `steps` are done, as the mean
+    /// over all members; at the end, `steps`. It is called by this thread, which works like the others in between.
+    ///
+    /// # Errors
+    /// As [`Ensemble::advance`].
+    pub fn advance_with(&mut self, steps: u64, mut progress: impl FnMut(u64)) -> Result<(), Error> {
+        self.carry_on(steps, u64::MAX, &|_, _| true, &mut progress)
+    }
+
+    /// As [`Ensemble::advance`], but members may leave when they are done: after every `interval` steps, each member
+    /// under way is shown to `stays`, and those for which it returns `false` stay where they are from then on. Their
+    /// lanes are closed up, so that they cost nothing any more.
+    ///
+    /// A member is shown at increasing times, by any thread; what is returned should depend on nothing else.
+    ///
+    /// ```
+    /// use integrator_core::prelude::*;
+    ///
+    /// struct Fall;
+    ///
+    /// #[hamiltonian]
+    /// impl Fall {
+    ///     fn kinetic(&self, p: [f64; 1]) -> f64 { 0.5 * p[0] * p[0] }
+    ///     fn potential(&self, q: [f64; 1]) -> f64 { 9.81 * q[0] }
+    /// }
+    ///
+    /// let stones = (1..=20).map(|height| (Fall, Phase::new([f64::from(height)], [0.0])));
+    /// let mut stones = Ensemble::new(Verlet, stones, 0.001)?;
+    /// stones.advance_while(10_000, 1, |_, stone| stone.q[0] > 0.0)?;
+    /// assert_eq!(stones.active(), 0);
+    /// let seconds = 0.001 * stones.steps_of(4).expect("twenty stones") as f64;
+    /// assert!((seconds - (2.0_f64 * 5.0 / 9.81).sqrt()).abs() < 0.001);
+    /// # Ok::<(), Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// As [`Ensemble::advance`]; [`Error::SampleInterval`] for an interval of 0.
+    pub fn advance_while(
+        &mut self,
+        steps: u64,
+        interval: u64,
+        stays: impl Fn(usize, &Phase<C>) -> bool + Sync,
+    ) -> Result<(), Error> {
+        match interval {
+            0 => Err(Error::SampleInterval),
+            _ => self.carry_on(steps, interval, &stays, &mut |_| {}),
+        }
+    }
+
+    fn carry_on(
+        &mut self,
+        steps: u64,
+        interval: u64,
+        stays: &(dyn Fn(usize, &Phase<C>) -> bool + Sync),
+        progress: &mut dyn FnMut(u64),
+    ) -> Result<(), Error> {
         let end = self.clock.end(steps)?;
-        let clock = self.clock;
-        let share = self.packs.len().div_ceil(self.threads).max(1);
-        let run = |packs: &mut [Box<dyn Pack<C>>]| -> Vec<(usize, Divergence)> {
-            packs.iter_mut().flat_map(|pack| pack.advance(clock, steps)).collect()
+        let course = Course { clock: self.clock, steps, interval, stays };
+        let (members, packs) = (self.members as u64, self.packs.len());
+        let updates = self.coordinates.saturating_mul(steps);
+        let threads = if updates < WORTH_A_THREAD { 1 } else { self.threads.min(packs) };
+        let done = AtomicU64::new(0);
+        // Whoever is free takes the next pack; no result depends on who that is.
+        let packs = Mutex::new(self.packs.iter_mut());
+        let next = || packs.lock().unwrap_or_else(PoisonError::into_inner).next();
+        let work = |progress: &mut dyn FnMut(u64)| {
+            let mut lost = Vec::new();
+            while let Some(pack) = next() {
+                lost.extend(pack.advance(&course, &mut |took| {
+                    let done = done.fetch_add(took, Ordering::Relaxed) + took;
+                    progress(done / members);
+                }));
+            }
+            lost
         };
-        let lost: Vec<(usize, Divergence)> = if self.threads == 1 || self.packs.len() == 1 {
-            run(&mut self.packs)
-        } else {
-            thread::scope(|scope| {
-                let shares: Vec<_> =
-                    self.packs.chunks_mut(share).map(|packs| scope.spawn(move || run(packs))).collect();
-                // A thread only ends early if a method of the user panicked in it, and then so does this one.
-                shares
-                    .into_iter()
-                    .flat_map(|share| share.join().unwrap_or_else(|panic| std::panic::resume_unwind(panic)))
-                    .collect()
-            })
-        };
+        let mut lost = thread::scope(|scope| {
+            let others: Vec<_> = (1..threads).map(|_| scope.spawn(|| work(&mut |_| {}))).collect();
+            let mut lost = work(progress);
+            for other in others {
+                // A thread only ends early if a function of the user panicked in it, and then so does this one.
+                lost.extend(other.join().unwrap_or_else(|panic| resume_unwind(panic)));
+            }
+            lost
+        });
         self.clock.steps = end;
+        progress(steps);
+        lost.sort_unstable_by_key(|(member, _)| *member);
         if lost.is_empty() { Ok(()) } else { Err(Error::Lost(Lost { members: lost })) }
     }
 
@@ -136,37 +229,46 @@ impl<C: Coords> Ensemble<C> {
         self.members == 0
     }
 
-    /// The time of the members that are not lost, `t0 + n·h`.
+    /// How many members are under way: neither lost nor gone.
+    pub fn active(&self) -> usize {
+        self.packs.iter().map(|pack| pack.active()).sum()
+    }
+
+    /// The time of the members that are under way, `t0 + n·h`.
     pub fn time(&self) -> f64 {
         self.clock.at(self.clock.steps)
     }
 
-    /// How many steps the members that are not lost have taken.
+    /// How many steps the members that are under way have taken.
     pub fn steps(&self) -> u64 {
         self.clock.steps
     }
 
-    /// The state of a member, its last finite one if it is lost; `None` beyond the last member.
+    /// How many steps a member has taken: fewer than the others if it is lost or gone. `None` beyond the last member.
+    pub fn steps_of(&self, member: usize) -> Option<u64> {
+        Some(self.pack_of(member)?.steps(member, self.clock))
+    }
+
+    /// The state of a member: its last finite one if it is lost, the one in which it left if it is gone.
     pub fn state(&self, member: usize) -> Option<Phase<C>> {
-        let pack = self.packs.get(self.pack_of(member)?)?;
-        Some(pack.state(member, self.clock))
+        Some(self.pack_of(member)?.state(member, self.clock))
     }
 
     /// The energy of a member in that state.
     pub fn energy(&self, member: usize) -> Option<f64> {
-        let pack = self.packs.get(self.pack_of(member)?)?;
-        Some(pack.energy(member, self.clock))
+        Some(self.pack_of(member)?.energy(member, self.clock))
     }
 
     /// The states of all members, in their order.
     pub fn states(&self) -> impl Iterator<Item = Phase<C>> {
-        (0..self.members).filter_map(|member| self.state(member))
+        self.packs.iter().flat_map(|pack| pack.states(self.clock))
     }
 
     /// The member's pack: packs hold members in their order.
-    fn pack_of(&self, member: usize) -> Option<usize> {
+    fn pack_of(&self, member: usize) -> Option<&dyn Pack<C>> {
         let after = self.packs.partition_point(|pack| pack.first() <= member);
-        after.checked_sub(1).filter(|_| member < self.members)
+        let pack = after.checked_sub(1).filter(|_| member < self.members)?;
+        Some(self.packs.get(pack)?.as_ref())
     }
 }
 
@@ -181,18 +283,22 @@ impl<C: Coords> fmt::Debug for Ensemble<C> {
     }
 }
 
-/// Neighbours that are alike in what lanes have to share go side by side; a rest that fills no lanes goes alone.
+/// Neighbours that are alike in what lanes have to share go side by side, in packs of such a size that threads can share
+/// them; whoever is like no neighbour goes alone.
 fn packs<H: Hamiltonian, X: Composition<H>, L: Real, R: Real, K: Keep>(
-    members: Vec<Member<H::Parameters<f64>, Shaped<H, K>>>,
+    members: Vec<Start<H::Parameters<f64>, Shaped<H, K>>>,
+    threads: usize,
 ) -> Vec<Box<dyn Pack<Shaped<H, K>>>> {
-    let lanes: Moves<H::Motion<L, K>> = moves::<H, X, L, K>();
+    let together: GroupMoves<H::Motion<L, K>> = group_moves::<H, X, L, K>();
     let alone: Moves<H::Motion<R, K>> = moves::<H, X, R, K>();
+    let group = L::LANES * TOGETHER;
+    let size = group * (members.len() / (group * PACKS_PER_THREAD * threads)).clamp(1, GROUPS_PER_PACK);
     let mut packs: Vec<Box<dyn Pack<Shaped<H, K>>>> = Vec::new();
     let mut members = members.into_iter().peekable();
     let mut first = 0;
     while let Some(member) = members.next() {
         let mut alike = vec![member];
-        while alike.len() < L::LANES
+        while alike.len() < size
             && let Some(next) = members.next_if(|next| {
                 let same = <H::Parameters<f64> as Prepared<f64>>::alike(&alike[0].0, &next.0);
                 same && alike[0].1.q.length() == next.1.q.length()
@@ -201,10 +307,9 @@ fn packs<H: Hamiltonian, X: Composition<H>, L: Real, R: Real, K: Keep>(
             alike.push(next);
         }
         let count = alike.len();
-        packs.push(if count == L::LANES {
-            Box::new(SideBySide::new(first, alike, lanes, alone))
-        } else {
-            Box::new(Alone::new(first, alike, alone))
+        packs.push(match <[_; 1]>::try_from(alike) {
+            Ok([member]) => Box::new(Alone::new(first, member, alone)),
+            Err(alike) => Box::new(SideBySide::new(first, alike, together, alone)),
         });
         first += count;
     }

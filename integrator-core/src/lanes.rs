@@ -22,29 +22,26 @@ pub trait Abreast: Keep {
     type Avx512: Real;
 }
 
-/// How many blocks of a fused scalar go together: two vectors where their instructions are known, else eight scalars.
-const BLOCKS: usize = if cfg!(target_arch = "x86_64") { 2 } else { 8 };
-type Blocks<F, S> = Lanes<<Fused<F, S> as Real>::Block, BLOCKS>;
+/// A register where its instructions are known, else as many scalars as the 128 bits of every baseline hold.
+#[cfg(target_arch = "x86_64")]
+type Vector<F, S, const N: usize> = <Fused<F, S> as Real>::Block;
+#[cfg(not(target_arch = "x86_64"))]
+type Vector<F, S, const N: usize> = Lanes<Fused<F, S>, N>;
 
-impl Abreast for f64 {
-    type Plain = Lanes<f64, 8>;
-    type Fused = Blocks<f64, Fma>;
-    type Avx512 = Blocks<f64, Avx512>;
+macro_rules! abreast {
+    ($($leaf:ty: $lanes:literal of $scalar:ident;)*) => {$(
+        impl Abreast for $leaf {
+            type Plain = Lanes<$scalar, $lanes>;
+            type Fused = Vector<$scalar, Fma, $lanes>;
+            type Avx512 = Vector<$scalar, Avx512, $lanes>;
+        }
+    )*};
 }
-impl Abreast for Compensated<f64> {
-    type Plain = Lanes<f64, 8>;
-    type Fused = Blocks<f64, Fma>;
-    type Avx512 = Blocks<f64, Avx512>;
-}
-impl Abreast for Fixed<f64> {
-    type Plain = Lanes<f64, 8>;
-    type Fused = Blocks<f64, Fma>;
-    type Avx512 = Blocks<f64, Avx512>;
-}
-impl Abreast for f32 {
-    type Plain = Lanes<f32, 8>;
-    type Fused = Blocks<f32, Fma>;
-    type Avx512 = Blocks<f32, Avx512>;
+abreast! {
+    f64: 2 of f64;
+    Compensated<f64>: 2 of f64;
+    Fixed<f64>: 2 of f64;
+    f32: 4 of f32;
 }
 
 /// `N` scalars, or `N` vectors of the same number of lanes each.

@@ -76,6 +76,7 @@ mod error;
 mod external;
 mod fixed;
 mod fused;
+mod group;
 mod hamiltonian;
 mod instruction_set;
 #[allow(unreachable_pub, reason = "named in bounds, never outside")]
@@ -85,6 +86,7 @@ mod phase;
 mod real;
 mod run;
 mod samples;
+mod side_by_side;
 mod slot;
 #[cfg(target_arch = "x86_64")]
 #[allow(unsafe_code, reason = "instructions that the target may lack, used where they were detected")]

@@ -24,51 +24,82 @@ fn pendulum(member: usize) -> (Pendulum, Phase<[f64; 1]>) {
     (Pendulum { mass: 1.0 + x / 7.0, length: 0.5 + x / 50.0 }, Phase::new([0.1 + x / 40.0], [x / 90.0]))
 }
 
+/// More than any number of members that go together: six motions of sixteen lanes, and more of them that fill neither a
+/// group nor a motion.
+const MANY: usize = 6 * 16 + 21;
+
 #[test]
 fn members_are_the_runs_that_they_would_be_alone() {
-    // Two full packs of lanes and a rest.
-    let mut swarm = Ensemble::new(Yoshida4, (0..21).map(pendulum), 0.01).expect("an ensemble");
-    swarm.advance(700).expect("finite");
-    swarm.advance(1300).expect("finite");
-    assert_eq!((swarm.len(), swarm.steps(), swarm.time()), (21, 2000, 2000.0 * 0.01));
-    for member in 0..21 {
-        let (system, start) = pendulum(member);
-        let mut alone = system.run(start, 0.01).expect("a run");
-        alone.advance(2000).expect("finite");
-        assert_eq!(swarm.state(member), Some(alone.state()), "member {member}");
-        assert_eq!(swarm.energy(member), Some(alone.energy()), "member {member}");
+    for members in [1, 2, 9, MANY] {
+        let mut swarm = Ensemble::new(Yoshida4, (0..members).map(pendulum), 0.01).expect("an ensemble");
+        swarm.advance(700).expect("finite");
+        swarm.advance(1300).expect("finite");
+        assert_eq!((swarm.len(), swarm.active()), (members, members));
+        assert_eq!((swarm.steps(), swarm.time()), (2000, 2000.0 * 0.01));
+        let states: Vec<_> = swarm.states().collect();
+        assert_eq!(states.len(), members);
+        for (member, state) in states.into_iter().enumerate() {
+            let (system, start) = pendulum(member);
+            let mut alone = system.run(start, 0.01).expect("a run");
+            alone.advance(2000).expect("finite");
+            assert_eq!(state, alone.state(), "member {member} of {members}");
+            assert_eq!(swarm.state(member), Some(alone.state()), "member {member} of {members}");
+            assert_eq!(swarm.energy(member), Some(alone.energy()), "member {member} of {members}");
+            assert_eq!(swarm.steps_of(member), Some(2000));
+        }
+        assert_eq!((swarm.state(members), swarm.energy(members), swarm.steps_of(members)), (None, None, None));
     }
-    assert_eq!(swarm.states().count(), 21);
-    assert_eq!((swarm.state(21), swarm.energy(21)), (None, None));
 }
 
 #[test]
 fn threads_change_nothing() {
+    // Enough steps that other threads are started.
     let run = |threads| {
-        let ensemble = Ensemble::new(KahanLi8, (0..50).map(pendulum), 0.05).expect("an ensemble");
+        let ensemble = Ensemble::new(KahanLi8, (0..MANY).map(pendulum), 0.05).expect("an ensemble");
         let mut ensemble = ensemble.with_threads(threads);
-        ensemble.advance(100).expect("finite");
+        ensemble.advance(1200).expect("finite");
         ensemble.states().collect::<Vec<_>>()
     };
-    assert_eq!(run(1), run(2));
-    assert_eq!(run(1), run(7));
-}
-
-/// Beyond its escape energy of 1/6 a Hénon–Heiles orbit falls to infinity.
-fn orbit(member: usize) -> (HenonHeiles, Phase<[f64; 2]>) {
-    let far = member == 3 || member == 12;
-    (HenonHeiles, Phase::new([if far { 3.0 } else { 0.1 }, 0.01 * member as f64], [0.0, 0.2]))
+    let alone = run(1);
+    assert_eq!(alone, run(2));
+    assert_eq!(alone, run(7));
 }
 
 #[test]
+fn progress_is_told_in_order_and_to_the_end() {
+    for threads in [1, 2] {
+        let mut swarm =
+            Ensemble::new(Verlet, (0..MANY).map(pendulum), 0.01).expect("an ensemble").with_threads(threads);
+        let mut told = Vec::new();
+        swarm.advance_with(5000, |done| told.push(done)).expect("finite");
+        assert!(told.is_sorted(), "{told:?}");
+        assert!(told.iter().any(|done| (1..5000).contains(done)), "nothing on the way: {told:?}");
+        assert_eq!(told.last(), Some(&5000));
+        let mut quiet = Ensemble::new(Verlet, (0..MANY).map(pendulum), 0.01).expect("an ensemble");
+        quiet.advance(5000).expect("finite");
+        assert!(swarm.states().eq(quiet.states()));
+    }
+}
+
+/// Beyond its escape energy of 1/6 a Hénon–Heiles orbit falls to infinity, the earlier the further out it begins.
+fn orbit(member: usize) -> (HenonHeiles, Phase<[f64; 2]>) {
+    let x = if FAR.contains(&member) { 1.0 + member as f64 } else { 0.1 };
+    (HenonHeiles, Phase::new([x, 0.001 * member as f64], [0.0, 0.2]))
+}
+
+/// Some in the lanes of one motion, some in others.
+const FAR: [usize; 5] = [3, 5, 12, 13, MANY - 1];
+
+#[test]
 fn a_member_that_is_lost_is_named_and_disturbs_nobody() {
-    let mut swarm = Ensemble::new(Verlet, (0..20).map(orbit), 0.1).expect("an ensemble");
-    let Err(Error::Lost(lost)) = swarm.advance(5000) else { panic!("two members escape") };
+    let mut swarm = Ensemble::new(Verlet, (0..MANY).map(orbit), 0.1).expect("an ensemble");
+    let Err(Error::Lost(lost)) = swarm.advance(5000) else { panic!("some members escape") };
     let names: Vec<usize> = lost.members.iter().map(|(member, _)| *member).collect();
-    assert_eq!(names, [3, 12]);
-    assert!(lost.to_string().contains("2 members left the finite numbers (members 3, 12)"), "{lost}");
+    assert_eq!(names, FAR);
+    assert!(lost.to_string().contains("5 members left the finite numbers (members 3, 5, 12"), "{lost}");
+    assert_eq!(swarm.active(), MANY - FAR.len());
     swarm.advance(500).expect("those that are left are finite");
-    for member in 0..20 {
+    for member in 0..MANY {
         let (system, start) = orbit(member);
         let mut alone = system.run_with(Verlet, start, 0.1).expect("a run");
         match (alone.advance(5500), lost.members.iter().find(|(name, _)| *name == member)) {
@@ -77,7 +108,73 @@ fn a_member_that_is_lost_is_named_and_disturbs_nobody() {
             (outcome, lost) => panic!("member {member}: alone {outcome:?}, in the ensemble {lost:?}"),
         }
         assert_eq!(swarm.state(member), Some(alone.state()), "member {member}");
+        // Far out it is no number.
+        let energy = swarm.energy(member).map(f64::to_bits);
+        assert_eq!(energy, Some(alone.energy().to_bits()), "member {member}");
+        assert_eq!(swarm.steps_of(member), Some(alone.steps()), "member {member}");
     }
+}
+
+/// What a lone run does that stops where `stays` says so, which is asked after every `interval` steps.
+fn alone_while(member: usize, steps: u64, interval: u64) -> (u64, Phase<[f64; 1]>) {
+    let (system, start) = pendulum(member);
+    let mut run = system.run(start, 0.01).expect("a run");
+    while run.steps() < steps {
+        run.advance(interval.min(steps - run.steps())).expect("finite");
+        if run.steps().is_multiple_of(interval) && !swings_out(&run.state()) {
+            break;
+        }
+    }
+    (run.steps(), run.state())
+}
+
+/// Whether a pendulum is still on its way out.
+fn swings_out(state: &Phase<[f64; 1]>) -> bool {
+    state.p[0] > -0.1
+}
+
+#[test]
+fn members_leave_when_they_are_done_and_the_others_go_on() {
+    for (steps, interval, threads) in [(60, 7, 1), (3000, 1, 2), (2500, 2000, 1)] {
+        let swarm = Ensemble::new(Yoshida4, (0..MANY).map(pendulum), 0.01).expect("an ensemble");
+        let mut swarm = swarm.with_threads(threads);
+        swarm.advance_while(steps, interval, |_, state| swings_out(state)).expect("finite");
+        let alone: Vec<_> = (0..MANY).map(|member| alone_while(member, steps, interval)).collect();
+        let gone = alone.iter().filter(|(taken, state)| *taken < steps || !swings_out(state)).count();
+        assert!((1..=MANY).contains(&gone), "{gone} have left");
+        for (member, (taken, state)) in alone.iter().enumerate() {
+            assert_eq!(swarm.steps_of(member), Some(*taken), "member {member} every {interval}");
+            assert_eq!(swarm.state(member).as_ref(), Some(state), "member {member} every {interval}");
+        }
+        // Those who are left go on as if nothing had been asked.
+        let left: Vec<_> = (0..MANY).filter(|member| swarm.steps_of(*member) == Some(swarm.steps())).collect();
+        swarm.advance(500).expect("finite");
+        for (member, (taken, _)) in alone.iter().enumerate() {
+            let (system, start) = pendulum(member);
+            let mut run = system.run(start, 0.01).expect("a run");
+            let goes_on = swarm.steps_of(member) == Some(steps + 500);
+            assert!(!goes_on || left.contains(&member));
+            run.advance(if goes_on { steps + 500 } else { *taken }).expect("finite");
+            assert_eq!(swarm.state(member), Some(run.state()), "member {member} later");
+            assert_eq!(swarm.energy(member), Some(run.energy()), "member {member} later");
+        }
+    }
+}
+
+#[test]
+fn members_are_asked_by_their_numbers() {
+    let mut swarm = Ensemble::new(Verlet, (0..MANY).map(pendulum), 0.01).expect("an ensemble");
+    swarm.advance_while(100, 10, |member, _| member % 3 != 0).expect("finite");
+    assert_eq!(swarm.active(), MANY - MANY.div_ceil(3));
+    swarm.advance_while(100, 10, |member, _| member % 3 != 1).expect("finite");
+    swarm.advance_while(100, 10, |_, _| false).expect("finite");
+    assert_eq!(swarm.active(), 0);
+    swarm.advance(100).expect("nobody is left to be lost");
+    assert_eq!(swarm.steps(), 400);
+    for member in 0..MANY {
+        assert_eq!(swarm.steps_of(member), Some([10, 110, 210][member % 3]), "member {member}");
+    }
+    assert_eq!(swarm.advance_while(1, 0, |_, _| true), Err(Error::SampleInterval));
 }
 
 /// Members of different sizes share no lanes.
@@ -120,13 +217,13 @@ fn members_of_different_sizes_run_beside_each_other() {
 
 #[test]
 fn precision_is_the_state_s() {
-    let member = |i: usize| (HenonHeiles, Phase::new([0.1_f32, 0.01 * i as f32], [0.0, 0.2]));
-    let mut swarm = Ensemble::new(Verlet, (0..9).map(member), 0.1).expect("an ensemble");
+    let member = |i: usize| (HenonHeiles, Phase::new([0.1_f32, 0.001 * i as f32], [0.0, 0.2]));
+    let mut swarm = Ensemble::new(Verlet, (0..MANY).map(member), 0.1).expect("an ensemble");
     swarm.advance(100).expect("finite");
-    let compensated = |i: usize| (HenonHeiles, Phase::compensated([0.1, 0.01 * i as f64], [0.0, 0.2]));
-    let mut careful = Ensemble::new(Verlet, (0..9).map(compensated), 0.1).expect("an ensemble");
+    let compensated = |i: usize| (HenonHeiles, Phase::compensated([0.1, 0.001 * i as f64], [0.0, 0.2]));
+    let mut careful = Ensemble::new(Verlet, (0..MANY).map(compensated), 0.1).expect("an ensemble");
     careful.advance(100).expect("finite");
-    for i in 0..9 {
+    for i in 0..MANY {
         let (system, start) = member(i);
         let mut alone = system.run_with(Verlet, start, 0.1).expect("a run");
         alone.advance(100).expect("finite");
