@@ -2,6 +2,7 @@
 
 use crate::{
     block::Block,
+    functions::{self, unary},
     instruction_set::enter_fused,
     real::{Kernel, Real, elementary_functions},
 };
@@ -140,8 +141,7 @@ macro_rules! fused_real {
             }
             #[inline(always)]
             fn sin_cos(self) -> (Self, Self) {
-                let (sine, cosine) = self.0.sin_cos();
-                (Self::new(sine), Self::new(cosine))
+                functions::sin_cos(self)
             }
             #[inline(always)]
             fn finite(self) -> bool {
@@ -166,7 +166,7 @@ macro_rules! fused_real {
             $(
                 #[inline(always)]
                 fn $unary(self) -> Self {
-                    Self::new(<$scalar>::$unary(self.0))
+                    unary!($unary self; Self::new(<$scalar>::$unary(self.0)))
                 }
             )*
             $(

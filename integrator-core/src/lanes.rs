@@ -202,7 +202,7 @@ mod tests {
         let y = (x.sin() * x).fma(x.exp(), x.powf(Lanes::of(1.5)));
         for lane in 0..4 {
             let x = 0.3 + lane as f64;
-            let expected = Real::fma(x.sin() * x, x.exp(), x.powf(1.5));
+            let expected = Real::fma(Real::sin(x) * x, Real::exp(x), Real::powf(x, 1.5));
             assert_eq!(y.lane(lane).to_bits(), expected.to_bits(), "lane {lane}");
         }
     }

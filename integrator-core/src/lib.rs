@@ -75,6 +75,7 @@ mod ensemble;
 mod error;
 mod external;
 mod fixed;
+mod functions;
 mod fused;
 mod group;
 mod hamiltonian;
@@ -128,7 +129,6 @@ pub mod prelude {
 }
 
 /// The door through which generated code enters. Nothing here is stable.
-#[doc(hidden)]
 pub mod __private {
     pub use crate::external::{External, ExternalTwo, external, external_two};
     pub use crate::{
@@ -136,6 +136,7 @@ pub mod __private {
         catalogue::Verlet,
         composition::{Class, Composition, Lead, Processor, Rows, Scheme, Stage, Stages},
         coords::Coords,
+        fused::Fused,
         hamiltonian::{Flows, Hamiltonian, Motion, Plain, Prepared, QuadraticKinetic, Shaped},
         real::{Kernel, Mask, Real},
         slot::{Keep, Slot},

@@ -1,6 +1,9 @@
 //! What generated code computes in: one trait, so that one text serves plain and fused scalars, duals and lanes.
 
-use crate::block::Block;
+use crate::{
+    block::Block,
+    functions::{self, unary},
+};
 use std::ops::{Add, AddAssign, Div, Mul, Neg, Sub, SubAssign};
 
 /// A body of code that an executor runs inside the clone compiled for one instruction set.
@@ -164,7 +167,7 @@ macro_rules! plain_real {
             }
             #[inline(always)]
             fn sin_cos(self) -> (Self, Self) {
-                self.sin_cos()
+                functions::sin_cos(self)
             }
             #[inline(always)]
             fn finite(self) -> bool {
@@ -189,7 +192,7 @@ macro_rules! plain_real {
             $(
                 #[inline(always)]
                 fn $unary(self) -> Self {
-                    <$scalar>::$unary(self)
+                    unary!($unary self; <$scalar>::$unary(self))
                 }
             )*
             $(

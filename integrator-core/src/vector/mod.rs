@@ -1,7 +1,7 @@
 //! Numbers side by side in one register: members of an ensemble, or neighbours in an array.
 //!
 //! Always true: every lane has the bits of the [`Fused`](crate::fused::Fused) scalar of the same clone: the operations
-//! are the same IEEE ones, and elementary functions are called lane by lane. Only code that runs where the instruction
+//! are the same IEEE ones, elementary functions have one kernel for both or are called lane by lane. Only code that runs where the instruction
 //! set was chosen names these types; that is what makes their instructions sound.
 
 /// Runs instructions of the set that a vector belongs to.
@@ -14,6 +14,7 @@ macro_rules! instruction {
 
 mod avx2;
 mod avx512;
+mod bits;
 mod real;
 
 pub use avx2::{S8, X4};

@@ -9,7 +9,7 @@ macro_rules! unary {
         $vector(instruction!($andnot($splat(-0.0), $x.0)))
     };
     ($function:ident $x:expr, $vector:ident of $scalar:ident, $sqrt:ident $andnot:ident $splat:ident) => {
-        $vector::of_lanes($x.lanes().map($scalar::$function))
+        crate::functions::unary!($function $x; $vector::of_lanes($x.lanes().map($scalar::$function)))
     };
 }
 pub(super) use unary;
@@ -105,8 +105,7 @@ macro_rules! vector {
                 }
                 #[inline(always)]
                 fn sin_cos(self) -> (Self, Self) {
-                    let both = self.lanes().map($scalar::sin_cos);
-                    (Self::of_lanes(both.map(|(sine, _)| sine)), Self::of_lanes(both.map(|(_, cosine)| cosine)))
+                    crate::functions::sin_cos(self)
                 }
                 #[inline(always)]
                 fn finite(self) -> bool {

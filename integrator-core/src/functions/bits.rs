@@ -1,0 +1,71 @@
+//! What kernels need beside arithmetic: the bits of a number, lane by lane.
+
+use crate::{
+    fused::{Fused, Instructions},
+    real::Real,
+};
+
+/// A number, or several side by side, whose bits a kernel may handle.
+///
+/// One text of a kernel serves scalars and vectors, so that every lane has the bits of the scalar.
+pub(crate) trait Bits: Real {
+    /// `f64` or `f32`.
+    type Scalar: Real;
+
+    /// Whether `fma` rounds once: then the error of a product is one operation away.
+    const FUSED: bool;
+
+    /// The bits that are set in both.
+    fn bits_and(self, other: Self) -> Self;
+    /// The bits that are set in one of them.
+    fn bits_xor(self, other: Self) -> Self;
+    /// The patterns moved towards the sign.
+    fn bits_left(self, by: u32) -> Self;
+    /// Whether the last bit of the pattern is set.
+    fn is_odd(self) -> Self::Mask;
+
+    /// What `each` makes of the lanes.
+    fn through(self, each: impl Fn(&mut [Self::Scalar])) -> Self;
+}
+
+macro_rules! scalar_bits {
+    ($scalar:ident $fused:literal: [$($generics:tt)*] $type:ty, $new:expr, |$x:ident| $number:expr) => {
+        impl<$($generics)*> Bits for $type {
+            type Scalar = $scalar;
+
+            const FUSED: bool = $fused;
+
+            #[inline(always)]
+            fn bits_and(self, other: Self) -> Self {
+                let (a, b) = ({ let $x = self; $number }, { let $x = other; $number });
+                $new($scalar::from_bits(a.to_bits() & b.to_bits()))
+            }
+            #[inline(always)]
+            fn bits_xor(self, other: Self) -> Self {
+                let (a, b) = ({ let $x = self; $number }, { let $x = other; $number });
+                $new($scalar::from_bits(a.to_bits() ^ b.to_bits()))
+            }
+            #[inline(always)]
+            fn bits_left(self, by: u32) -> Self {
+                let $x = self;
+                $new($scalar::from_bits($number.to_bits() << by))
+            }
+            #[inline(always)]
+            fn is_odd(self) -> bool {
+                let $x = self;
+                $number.to_bits() & 1 == 1
+            }
+            #[inline(always)]
+            fn through(self, each: impl Fn(&mut [$scalar])) -> Self {
+                let $x = self;
+                let mut lane = [$number];
+                each(&mut lane);
+                $new(lane[0])
+            }
+        }
+    };
+}
+scalar_bits!(f64 false: [] f64, std::convert::identity, |x| x);
+scalar_bits!(f32 false: [] f32, std::convert::identity, |x| x);
+scalar_bits!(f64 true: [S: Instructions] Fused<f64, S>, Self::new, |x| x.0);
+scalar_bits!(f32 true: [S: Instructions] Fused<f32, S>, Self::new, |x| x.0);

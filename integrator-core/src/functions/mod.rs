@@ -1,0 +1,38 @@
+//! Elementary functions of our own: one text for scalars and vectors, so that every lane has the bits of the scalar.
+//!
+//! Comes in: numbers whose bits can be handled. Goes out: the function in every lane, within one ulp of the exact value
+//! (the documentation of each says how near), with the zeros, infinities and NaNs of `std`. Always true: there is no
+//! branch on a value but one, which is hardly ever taken and leads to the maths library.
+
+mod bits;
+mod sine;
+#[cfg(test)]
+mod tests;
+
+pub(crate) use bits::Bits;
+
+use crate::real::Mask;
+
+/// A function of one argument: its kernel, or `$otherwise` where it has none.
+macro_rules! unary {
+    (sin $x:expr; $otherwise:expr) => {
+        crate::functions::sin($x)
+    };
+    (cos $x:expr; $otherwise:expr) => {
+        crate::functions::cos($x)
+    };
+    ($function:ident $x:expr; $otherwise:expr) => {
+        $otherwise
+    };
+}
+pub(crate) use unary;
+
+pub(crate) use sine::{cos, sin, sin_cos};
+
+/// `near` in the lanes where `x` is at most `farthest` in absolute value; what `far` makes of `x` in the others, NaNs
+/// among them.
+#[inline(always)]
+fn rescued<R: Bits>(near: R, x: R, farthest: f64, far: fn(&mut [R::Scalar])) -> R {
+    let beyond = x.abs().less_or_equal(R::of(farthest)).not();
+    if beyond.any() { R::select(beyond, x.through(far), near) } else { near }
+}

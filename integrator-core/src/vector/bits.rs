@@ -1,0 +1,42 @@
+//! The bits of vectors, one text for all, from a table of instructions.
+
+/// Gives a vector the operations that kernels of elementary functions need.
+macro_rules! bits {
+    (
+        $vector:ident of $scalar:ident, masked by $mask:ident;
+        to integers $integers:ident, back $back:ident, and $and:ident, xor $xor:ident, left $left:ident,
+        odd |$x:ident| $odd:expr
+    ) => {
+        impl crate::functions::Bits for $vector {
+            type Scalar = $scalar;
+
+            const FUSED: bool = true;
+
+            #[inline(always)]
+            fn bits_and(self, other: Self) -> Self {
+                Self(instruction!($and(self.0, other.0)))
+            }
+            #[inline(always)]
+            fn bits_xor(self, other: Self) -> Self {
+                Self(instruction!($xor(self.0, other.0)))
+            }
+            #[inline(always)]
+            fn bits_left(self, by: u32) -> Self {
+                let by = instruction!(std::arch::x86_64::_mm_cvtsi32_si128(by.cast_signed()));
+                Self(instruction!($back($left($integers(self.0), by))))
+            }
+            #[inline(always)]
+            fn is_odd(self) -> $mask {
+                let $x = instruction!($integers(self.0));
+                $mask(instruction!($odd))
+            }
+            #[inline(always)]
+            fn through(self, each: impl Fn(&mut [$scalar])) -> Self {
+                let mut lanes = self.lanes();
+                each(&mut lanes);
+                Self::of_lanes(lanes)
+            }
+        }
+    };
+}
+pub(super) use bits;
