@@ -7,10 +7,11 @@
 
 use integrator_bench::{
     plan::Plan,
+    plot::{Dots, Row, dots},
     problems::{Fput, Phi4, SineGordon, Toda},
     race::{Racer, Times, race},
     starts::{Problem, Problems, argon, cluster, waves},
-    table::Table,
+    table::{Table, folder},
     twins::{
         chain::Chain,
         law::Law,
@@ -36,6 +37,7 @@ type Twin<'a> = (&'static str, Box<dyn Fn(&Plan, u64) -> f64 + 'a>);
 struct Report {
     table: Table,
     ratios: Vec<String>,
+    rows: Vec<Row>,
 }
 
 impl Report {
@@ -43,6 +45,7 @@ impl Report {
         let best = (1..times.names().len()).min_by(|&a, &b| times.median(a).total_cmp(&times.median(b)));
         let plain = times.names().iter().position(|name| *name == "plain").map_or(f64::NAN, |i| times.median(i));
         let best = best.map_or(f64::NAN, |best| times.median(best));
+        self.rows.push(Row { name: format!("{problem}, {what}"), values: vec![times.ratio_to_best(), plain / best] });
         self.table.row([problem, what], &[times.median(0), plain, best, times.ratio_to_best()]);
         self.ratios.push(format!("ratio_{problem}_{what}={:.3}", times.ratio_to_best()));
     }
@@ -185,10 +188,21 @@ fn large_problems(report: &mut Report) {
 fn main() -> Result<(), Box<dyn Error>> {
     println!("ns per force evaluation of a small system, per site of a chain, per pair of bodies");
     let table = Table::new("step", &["problem", "composition", "generated", "plain", "best twin", "ratio"]);
-    let mut report = Report { table, ratios: Vec::new() };
+    let mut report = Report { table, ratios: Vec::new(), rows: Vec::new() };
     small_problems(&mut report);
     large_problems(&mut report);
     report.table.write()?;
+    dots(
+        &folder().join("step"),
+        &Dots {
+            title: "A force evaluation, against the best that a person writes".to_owned(),
+            better: "Further left is better; the tinted band is what is asked (at most 1.05)".to_owned(),
+            axis: "time over that of the best twin by hand".to_owned(),
+            series: vec!["generated".to_owned(), "by hand, plain loops".to_owned()],
+            asked: [0.9, 1.05],
+            rows: report.rows,
+        },
+    )?;
     report.ratios.iter().for_each(|line| println!("{line}"));
     Ok(())
 }

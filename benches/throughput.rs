@@ -7,10 +7,11 @@
 
 use integrator_bench::{
     plan::Plan,
+    plot::{Dots, Row, dots},
     problems::{Fput, HenonHeiles, Kepler, Pendulum},
     race::{Racer, race},
     starts::{cluster, waves},
-    table::Table,
+    table::{Table, folder},
     twins::{
         chain::Chain,
         law::Law,
@@ -32,6 +33,7 @@ const STEPS: u64 = 200;
 struct Report {
     table: Table,
     lines: Vec<String>,
+    rows: Vec<Row>,
 }
 
 impl Report {
@@ -42,6 +44,8 @@ impl Report {
         let rate = |name| place(name).map_or(f64::NAN, |i| 1e9 / times.median(i));
         let twin = place("twin").expect("a twin");
         let to_twin = 1.0 / times.ratio(0, twin);
+        let plain = place("plain").map_or(f64::NAN, |plain| times.ratio(twin, plain));
+        self.rows.push(Row { name: scene.to_owned(), values: vec![to_twin, plain] });
         let two = place("one thread").zip(place("two threads")).map_or(f64::NAN, |(one, two)| times.ratio(one, two));
         self.table.row([scene, unit], &[rate("generated"), rate("plain"), rate("twin"), to_twin, two]);
         self.lines.push(format!("ratio_{scene}_to_twin={to_twin:.3}"));
@@ -138,7 +142,7 @@ fn ensembles(report: &mut Report) {
 
 fn main() -> Result<(), Box<dyn Error>> {
     let head = ["scene", "unit", "generated", "plain", "twin", "to twin", "2 threads"];
-    let mut report = Report { table: Table::new("throughput", &head), lines: Vec::new() };
+    let mut report = Report { table: Table::new("throughput", &head), lines: Vec::new(), rows: Vec::new() };
     ensembles(&mut report);
     for (name, sites) in
         [("fput_1e4", 10_000), ("fput_1e5", 100_000), ("fput_1e6", 1_000_000), ("fput_1e7", 10_000_000)]
@@ -149,6 +153,17 @@ fn main() -> Result<(), Box<dyn Error>> {
         report.bodies(name, count);
     }
     report.table.write()?;
+    dots(
+        &folder().join("throughput"),
+        &Dots {
+            title: "Work per second, against the best that a person writes".to_owned(),
+            better: "Further right is better; the tinted band is what is asked (at least 0.9), one thread".to_owned(),
+            axis: "rate over that of the best twin by hand".to_owned(),
+            series: vec!["generated".to_owned(), "by hand, plain loops".to_owned()],
+            asked: [0.9, 1.1],
+            rows: report.rows,
+        },
+    )?;
     report.lines.iter().for_each(|line| println!("{line}"));
     Ok(())
 }

@@ -7,13 +7,19 @@
 //! | [`twins`] | steppers by hand, over the vectors of `vector`, `x86`, `functions`, reached through `enter` |
 //! | [`plan`] | a composition as numbers, for twins |
 //! | [`race`] | computations in turns, medians and ratios |
+//! | [`precision`] | work against error |
+//! | [`plot`] | pictures |
 //! | [`table`] | plain tables and CSV |
+//! | [`counts`] | instructions per step, kept and counted |
 
 #![allow(clippy::needless_range_loop, reason = "formulas number their axes, and closures are compiled without vectors")]
 
+pub mod counts;
 mod enter;
 mod functions;
 pub mod plan;
+pub mod plot;
+pub mod precision;
 pub mod problems;
 pub mod race;
 pub mod starts;

@@ -1,0 +1,85 @@
+//! CPU time against error, this library beside other crates: `cargo bench --bench work_precision`.
+//!
+//! A run of each of the five problems by each method with ever shorter steps (or tighter tolerances): its CPU time, the
+//! largest relative deviation of its energy at 256 looks, and the distance of its end from the reference. The last lines
+//! are milliseconds to an error, on the lines between neighbouring runs, for the best of this library's methods
+//! (`time_ms_<problem>_<kind>_<error>=`) and over those of the best peer (`ratio_to_best_peer_...=`): at most 0.5 is asked
+//! at energy errors of 1e-6 and 1e-8. Pictures go to `target/bench`.
+
+mod fields;
+mod ours;
+mod peers;
+
+use fields::{Case, Field};
+use integrator_bench::{
+    plot,
+    precision::{Curve, Kind, best},
+    starts::{Problem, Problems},
+    table::{Table, folder},
+};
+use integrator_core::{Coords, QuadraticKinetic};
+use std::error::Error;
+
+const ERRORS: [(f64, &str); 5] = [(1e-4, "1e-4"), (1e-6, "1e-6"), (1e-8, "1e-8"), (1e-10, "1e-10"), (1e-12, "1e-12")];
+const KINDS: [(Kind, &str); 2] = [(Kind::Energy, "energy"), (Kind::Global, "global")];
+
+struct Report {
+    runs: Table,
+    lines: Vec<String>,
+}
+
+impl Report {
+    fn problem<H: QuadraticKinetic, F: Field<D>, const D: usize, const N: usize>(
+        &mut self,
+        title: &str,
+        problem: &Problem<H>,
+        case: &Case<F, D>,
+        evaluations: u64,
+    ) -> Result<(), Box<dyn Error>>
+    where
+        H::Coords: Coords<Leaf = f64>,
+    {
+        let mut curves = ours::curves(problem, evaluations);
+        curves.extend(peers::curves::<F, D, N>(case, evaluations));
+        for curve in &curves {
+            for point in &curve.points {
+                self.runs.row([problem.name, &curve.method], &[point.milliseconds, point.energy, point.global]);
+            }
+        }
+        for (kind, name) in KINDS {
+            for (error, text) in ERRORS {
+                self.compare(&format!("{}_{name}_{text}", problem.name), &curves, kind, error);
+            }
+            let file = folder().join(format!("work_precision_{}_{name}", problem.name));
+            plot::work_precision(&file, title, &curves, kind)?;
+        }
+        Ok(())
+    }
+
+    fn compare(&mut self, what: &str, curves: &[Curve], kind: Kind, error: f64) {
+        let Some((time, method)) = best(curves.iter().filter(|curve| curve.ours), kind, error) else { return };
+        self.lines.push(format!("time_ms_{what}={time:.4} ({method})"));
+        if let Some((peer, method)) = best(curves.iter().filter(|curve| !curve.ours), kind, error) {
+            self.lines.push(format!("ratio_to_best_peer_{what}={:.3} ({method})", time / peer));
+        }
+    }
+}
+
+fn main() -> Result<(), Box<dyn Error>> {
+    let table = Table::new("work_precision", &["problem", "method", "ms", "energy", "global"]);
+    let mut report = Report { runs: table, lines: Vec::new() };
+    let problems = Problems::default();
+    let title = "Pendulum, 120 large swings";
+    report.problem::<_, _, 1, 2>(title, &problems.pendulum(), &fields::pendulum(&problems), 1 << 10)?;
+    let title = "Hénon-Heiles, E = 0.13, t = 999";
+    report.problem::<_, _, 2, 4>(title, &problems.henon_heiles(), &fields::henon_heiles(&problems), 1 << 10)?;
+    let title = "Kepler, e = 0.6, 1000 periods";
+    report.problem::<_, _, 2, 4>(title, &problems.kepler(), &fields::kepler(&problems), 1 << 16)?;
+    let title = "Outer solar system, 2738 years";
+    report.problem::<_, _, 18, 36>(title, &problems.solar(), &fields::solar(&problems), 1 << 10)?;
+    let title = "FPUT chain of 32, t = 9999";
+    report.problem::<_, _, 32, 64>(title, &problems.chain(), &fields::chain(&problems), 1 << 14)?;
+    report.runs.write()?;
+    report.lines.iter().for_each(|line| println!("{line}"));
+    Ok(())
+}

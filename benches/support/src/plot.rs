@@ -1,0 +1,105 @@
+//! Pictures, each as SVG and as PNG. Axes are logarithmic: coordinates are decimal logarithms.
+
+mod dots;
+mod work_precision;
+
+pub use dots::{Dots, Row, dots};
+pub use work_precision::work_precision;
+
+use plotters::{
+    coord::Shift,
+    prelude::*,
+    style::{FontStyle, register_font},
+};
+use std::{error::Error, fs, path::Path};
+
+const FONT: &str = "sans-serif";
+const INK: RGBColor = RGBColor(40, 40, 40);
+const PALE: RGBColor = RGBColor(226, 226, 226);
+
+/// Colours that people with any vision tell apart (Okabe and Ito), without the yellow that white swallows.
+const COLOURS: [RGBColor; 8] = [
+    RGBColor(30, 30, 30),
+    RGBColor(86, 180, 233),
+    RGBColor(230, 159, 0),
+    RGBColor(213, 94, 0),
+    RGBColor(204, 121, 167),
+    RGBColor(0, 158, 115),
+    RGBColor(0, 114, 178),
+    RGBColor(140, 86, 60),
+];
+
+type Outcome = Result<(), Box<dyn Error>>;
+
+/// What is drawn onto either kind of file.
+trait Picture {
+    fn size(&self) -> (u32, u32);
+    fn draw<B: DrawingBackend>(&self, area: &DrawingArea<B, Shift>) -> Outcome
+    where
+        B::ErrorType: 'static;
+}
+
+/// Writes `<file>.svg` and `<file>.png`.
+fn write(file: &Path, picture: &impl Picture) -> Outcome {
+    if let Some(folder) = file.parent() {
+        fs::create_dir_all(folder)?;
+    }
+    for (style, font) in [(FontStyle::Normal, dejavu::sans::regular()), (FontStyle::Bold, dejavu::sans::bold())] {
+        register_font(FONT, style, font).map_err(|_| "a font that cannot be read")?;
+    }
+    let (svg, png) = (file.with_extension("svg"), file.with_extension("png"));
+    let area = SVGBackend::new(&svg, picture.size()).into_drawing_area();
+    picture.draw(&area)?;
+    area.present()?;
+    drop(area);
+    let area = BitMapBackend::new(&png, picture.size()).into_drawing_area();
+    picture.draw(&area)?;
+    Ok(area.present()?)
+}
+
+/// The title, and under it what is better.
+fn head<B: DrawingBackend>(area: &DrawingArea<B, Shift>, title: &str, better: &str) -> Outcome
+where
+    B::ErrorType: 'static,
+{
+    area.fill(&WHITE)?;
+    area.draw_text(title, &(FONT, 24, FontStyle::Bold).into_font().color(&INK), (24, 16))?;
+    area.draw_text(better, &(FONT, 16).into_font().color(&INK.mix(0.75)), (24, 48))?;
+    Ok(())
+}
+
+/// A power of ten: as a number while that is short, else with an exponent.
+fn power(logarithm: f64) -> String {
+    let exponent = logarithm.round();
+    if (logarithm - exponent).abs() > 1e-6 {
+        return String::new();
+    }
+    match exponent as i32 {
+        exponent @ 0..=4 => format!("{}", 10_u32.pow(exponent.unsigned_abs())),
+        exponent @ -3..=-1 => format!("{:.*}", exponent.unsigned_abs() as usize, 10.0_f64.powi(exponent)),
+        exponent => {
+            let superscript = |digit: char| match digit {
+                '-' => '⁻',
+                '1' => '¹',
+                '2' => '²',
+                '3' => '³',
+                '0' => '⁰',
+                digit => char::from_u32('⁰' as u32 + digit as u32 - '0' as u32).unwrap_or(digit),
+            };
+            format!("10{}", exponent.to_string().chars().map(superscript).collect::<String>())
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::power;
+
+    #[test]
+    fn powers_are_short() {
+        let cases = [(-12.0, "10⁻¹²"), (-2.0, "0.01"), (0.0, "1"), (3.0, "1000"), (7.0, "10⁷"), (0.5, "")];
+        for (logarithm, text) in cases {
+            assert_eq!(power(logarithm), text);
+        }
+    }
+}

@@ -1,0 +1,163 @@
+//! Error against CPU time, a curve for each method.
+
+use super::{COLOURS, FONT, INK, Outcome, PALE, Picture, head, power, write};
+use crate::precision::{Curve, Kind};
+use plotters::{coord::Shift, element::DashedPathElement, prelude::*, style::FontStyle};
+use std::path::Path;
+
+/// Draws `<file>.svg` and `<file>.png`.
+///
+/// # Errors
+/// If a file cannot be written.
+pub fn work_precision(file: &Path, title: &str, curves: &[Curve], kind: Kind) -> Outcome {
+    write(file, &WorkPrecision { title, curves, kind })
+}
+
+struct WorkPrecision<'c> {
+    title: &'c str,
+    curves: &'c [Curve],
+    kind: Kind,
+}
+
+/// How a curve is drawn: those of other crates are grey and carry a letter.
+struct Look {
+    colour: RGBColor,
+    dashed: bool,
+    letter: Option<char>,
+}
+
+/// The room for the legend on the right, and a line of it.
+const LEGEND: u32 = 350;
+const LINE: i32 = 25;
+
+impl WorkPrecision<'_> {
+    /// Curves in the order of the legend: ours first. One that carries rounding errors along has the colour of the same
+    /// method without.
+    fn looks(&self) -> Vec<Look> {
+        let plain = |method: &str| method.split(',').next().unwrap_or_default().to_owned();
+        let mut methods: Vec<String> = Vec::new();
+        let mut letters = 'a'..;
+        let look = |curve: &Curve| {
+            if !curve.ours {
+                return Look { colour: RGBColor(150, 150, 150), dashed: false, letter: letters.next() };
+            }
+            let method = plain(&curve.method);
+            let place = methods.iter().position(|known| *known == method).unwrap_or_else(|| {
+                methods.push(method);
+                methods.len() - 1
+            });
+            Look { colour: COLOURS[place % COLOURS.len()], dashed: curve.method.contains(','), letter: None }
+        };
+        self.curves.iter().map(look).collect()
+    }
+
+    /// The points of a curve as logarithms, those below what doubles hold left out.
+    fn points(&self, curve: &Curve) -> Vec<(f64, f64)> {
+        let points = curve.points.iter().filter(|point| point.error(self.kind) < 1.0);
+        points.map(|point| (point.milliseconds.log10(), point.error(self.kind).max(1e-16).log10())).collect()
+    }
+
+    fn legend<B: DrawingBackend>(&self, area: &DrawingArea<B, Shift>, looks: &[Look]) -> Outcome
+    where
+        B::ErrorType: 'static,
+    {
+        let bold = (FONT, 15, FontStyle::Bold).into_font().color(&INK);
+        let font = (FONT, 15).into_font().color(&INK);
+        let mut y = 90;
+        for (ours, name) in [(true, "this library"), (false, "other crates")] {
+            area.draw_text(name, &bold, (8, y))?;
+            y += LINE;
+            for (curve, look) in self.curves.iter().zip(looks).filter(|(curve, _)| curve.ours == ours) {
+                match look.letter {
+                    Some(letter) => area.draw_text(&letter.to_string(), &font, (20, y))?,
+                    None => draw_line(area, [(8, y + 9), (38, y + 9)], look)?,
+                }
+                area.draw_text(&curve.method, &font, (48, y))?;
+                y += LINE;
+            }
+            y += LINE / 2;
+        }
+        Ok(())
+    }
+}
+
+/// A line in the legend.
+fn draw_line<B: DrawingBackend>(area: &DrawingArea<B, Shift>, ends: [(i32, i32); 2], look: &Look) -> Outcome
+where
+    B::ErrorType: 'static,
+{
+    let style = look.colour.stroke_width(3);
+    if look.dashed {
+        area.draw(&DashedPathElement::new(ends, 6, 4, style))?;
+    } else {
+        area.draw(&PathElement::new(ends, style))?;
+    }
+    Ok(())
+}
+
+impl Picture for WorkPrecision<'_> {
+    fn size(&self) -> (u32, u32) {
+        (1250, 780)
+    }
+
+    fn draw<B: DrawingBackend>(&self, area: &DrawingArea<B, Shift>) -> Outcome
+    where
+        B::ErrorType: 'static,
+    {
+        let looks = self.looks();
+        let error = match self.kind {
+            Kind::Energy => "largest relative error of the energy",
+            Kind::Global => "relative error of the positions at the end",
+        };
+        head(area, self.title, "CPU time of a run against its error: further down and to the left is better")?;
+        let (left, right) = area.split_horizontally(self.size().0 - LEGEND);
+        self.legend(&right, &looks)?;
+
+        let all: Vec<(f64, f64)> = self.curves.iter().flat_map(|curve| self.points(curve)).collect();
+        let range = |of: fn(&(f64, f64)) -> f64| {
+            let least = all.iter().map(of).fold(f64::INFINITY, f64::min);
+            let most = all.iter().map(of).fold(f64::NEG_INFINITY, f64::max);
+            least - 0.15..most + 0.15
+        };
+        let mut chart = ChartBuilder::on(&left)
+            .margin_top(84)
+            .margin_right(10)
+            .margin_left(12)
+            .margin_bottom(10)
+            .x_label_area_size(56)
+            .y_label_area_size(84)
+            .build_cartesian_2d(range(|point| point.0), range(|point| point.1))?;
+        chart
+            .configure_mesh()
+            .x_labels(8)
+            .y_labels(18)
+            .x_label_formatter(&|x| power(*x))
+            .y_label_formatter(&|y| power(*y))
+            .x_desc("CPU time, ms")
+            .y_desc(error)
+            .axis_desc_style((FONT, 17).into_font().color(&INK))
+            .label_style((FONT, 16).into_font().color(&INK))
+            .bold_line_style(PALE)
+            .light_line_style(WHITE)
+            .axis_style(INK)
+            .draw()?;
+        // Ours on top of the others.
+        for (curve, look) in self.curves.iter().zip(&looks).rev() {
+            let points = self.points(curve);
+            let style = look.colour.stroke_width(if look.letter.is_some() { 2 } else { 3 });
+            if look.dashed {
+                chart.draw_series(DashedLineSeries::new(points.iter().copied(), 7, 5, style))?;
+            } else {
+                chart.draw_series(LineSeries::new(points.iter().copied(), style))?;
+            }
+            if look.letter.is_none() {
+                chart.draw_series(points.iter().map(|point| Circle::new(*point, 3, look.colour.filled())))?;
+            }
+            if let Some((letter, end)) = look.letter.zip(points.last()) {
+                let font = (FONT, 16, FontStyle::Bold).into_font().color(&INK);
+                chart.draw_series([EmptyElement::at(*end) + Text::new(letter.to_string(), (5, -8), font)])?;
+            }
+        }
+        Ok(())
+    }
+}

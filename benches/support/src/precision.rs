@@ -1,0 +1,144 @@
+//! Work and precision: what a method takes to reach an error, from runs with ever shorter steps.
+
+use cpu_time::ThreadTime;
+use std::time::Duration;
+
+/// The two errors that are asked for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Kind {
+    /// The largest relative deviation of the energy over the run.
+    Energy,
+    /// The relative distance of the positions from the reference at the end.
+    Global,
+}
+
+/// One run.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Point {
+    /// CPU time in milliseconds, the least of some repetitions.
+    pub milliseconds: f64,
+    /// The largest relative deviation of the energy.
+    pub energy: f64,
+    /// The relative distance from the reference at the end.
+    pub global: f64,
+}
+
+impl Point {
+    /// One of the two errors.
+    pub fn error(&self, kind: Kind) -> f64 {
+        match kind {
+            Kind::Energy => self.energy,
+            Kind::Global => self.global,
+        }
+    }
+}
+
+/// A method on a problem.
+#[derive(Clone, Debug)]
+pub struct Curve {
+    /// The method, with the crate in front if it is not this one.
+    pub method: String,
+    /// Whether it is this library's.
+    pub ours: bool,
+    /// Runs, the cheapest first.
+    pub points: Vec<Point>,
+}
+
+/// Runs longer than this end a curve.
+const PATIENCE: Duration = Duration::from_millis(300);
+/// Repetitions of a run take about this long together.
+const REPETITION: Duration = Duration::from_millis(12);
+
+impl Curve {
+    /// Halves the step until rounding rules or patience ends. `errors` returns those of a run, nothing if it failed;
+    /// `run` is what is timed.
+    pub fn measure(
+        method: String,
+        ours: bool,
+        levels: impl IntoIterator<Item = u32>,
+        errors: impl Fn(u32) -> Option<[f64; 2]>,
+        run: impl Fn(u32),
+    ) -> Self {
+        let mut points: Vec<Point> = Vec::new();
+        for level in levels {
+            let Some([energy, global]) = errors(level) else { continue };
+            let time = least(|| run(level));
+            let worse = points.last().is_some_and(|last| energy > last.energy && global > last.global);
+            if energy < 0.5 {
+                points.push(Point { milliseconds: time.as_secs_f64() * 1e3, energy, global });
+            }
+            if time > PATIENCE || (worse && energy < 1e-6) {
+                break;
+            }
+        }
+        Self { method, ours, points }
+    }
+
+    /// Milliseconds to an error: on the line between neighbours of the double logarithmic picture, or those of the first
+    /// run if it is good enough already; nothing if no run is.
+    pub fn time_to(&self, kind: Kind, error: f64) -> Option<f64> {
+        let first = self.points.iter().position(|point| point.error(kind) <= error)?;
+        let good = self.points[first];
+        let Some(bad) = first.checked_sub(1).map(|before| self.points[before]) else {
+            return Some(good.milliseconds);
+        };
+        let along = (error / bad.error(kind)).ln() / (good.error(kind) / bad.error(kind)).ln();
+        Some(bad.milliseconds * (good.milliseconds / bad.milliseconds).powf(along))
+    }
+}
+
+/// The least CPU time of some repetitions.
+fn least(run: impl Fn()) -> Duration {
+    let (mut best, mut spent) = (Duration::MAX, Duration::ZERO);
+    while spent < REPETITION {
+        let start = ThreadTime::now();
+        run();
+        let time = start.elapsed();
+        best = best.min(time);
+        spent += time.max(Duration::from_micros(1));
+    }
+    best
+}
+
+/// The fastest of some methods to an error, by name.
+pub fn best<'c>(curves: impl IntoIterator<Item = &'c Curve>, kind: Kind, error: f64) -> Option<(f64, &'c str)> {
+    let times = curves.into_iter().filter_map(|curve| Some((curve.time_to(kind, error)?, curve.method.as_str())));
+    times.min_by(|a, b| a.0.total_cmp(&b.0))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn curve(points: &[(f64, f64)]) -> Curve {
+        let point = |&(milliseconds, energy): &(f64, f64)| Point { milliseconds, energy, global: 1.0 };
+        Curve { method: "some".to_owned(), ours: true, points: points.iter().map(point).collect() }
+    }
+
+    #[test]
+    fn times_lie_on_the_lines_of_the_picture() {
+        // Order 2: a hundredth of the error for ten times the work.
+        let second = curve(&[(1.0, 1e-2), (10.0, 1e-4), (100.0, 1e-6)]);
+        let close = |time: Option<f64>, expected: f64| assert!((time.expect("a time") - expected).abs() < 1e-9);
+        close(second.time_to(Kind::Energy, 1e-4), 10.0);
+        close(second.time_to(Kind::Energy, 1e-5), 1000.0_f64.sqrt());
+        close(second.time_to(Kind::Energy, 0.1), 1.0);
+        assert_eq!(second.time_to(Kind::Energy, 1e-7), None);
+        assert_eq!(second.time_to(Kind::Global, 1e-3), None);
+    }
+
+    #[test]
+    fn the_fastest_is_found_among_those_that_arrive() {
+        let (fast, slow) = (curve(&[(1.0, 1e-3)]), curve(&[(5.0, 1e-9)]));
+        assert_eq!(best([&fast, &slow], Kind::Energy, 1e-2).map(|best| best.0), Some(1.0));
+        assert_eq!(best([&fast, &slow], Kind::Energy, 1e-6).map(|best| best.0), Some(5.0));
+        assert_eq!(best([&fast, &slow], Kind::Energy, 1e-12), None);
+    }
+
+    #[test]
+    fn a_curve_ends_where_rounding_rules() {
+        let errors = [[1e-2, 1e-1], [1e-9, 1e-8], [1e-12, 1e-11], [2e-12, 2e-11], [1e-20, 1e-20]];
+        let curve = Curve::measure("some".to_owned(), true, 0..5, |level| Some(errors[level as usize]), |_| ());
+        assert_eq!(curve.points.len(), 4);
+    }
+}
