@@ -25,6 +25,7 @@ const KINDS: [(Kind, &str); 2] = [(Kind::Energy, "energy"), (Kind::Global, "glob
 
 struct Report {
     runs: Table,
+    choices: Vec<String>,
     lines: Vec<String>,
 }
 
@@ -57,17 +58,21 @@ impl Report {
     }
 
     fn compare(&mut self, what: &str, curves: &[Curve], kind: Kind, error: f64) {
-        let Some((time, method)) = best(curves.iter().filter(|curve| curve.ours), kind, error) else { return };
-        self.lines.push(format!("time_ms_{what}={time:.4} ({method})"));
-        if let Some((peer, method)) = best(curves.iter().filter(|curve| !curve.ours), kind, error) {
-            self.lines.push(format!("ratio_to_best_peer_{what}={:.3} ({method})", time / peer));
-        }
+        let (ours, peers): (Vec<&Curve>, Vec<&Curve>) = curves.iter().partition(|curve| curve.ours);
+        let Some((time, method)) = best(ours, kind, error) else { return };
+        self.lines.push(format!("time_ms_{what}={time:.4}"));
+        let Some((peer, other)) = best(peers, kind, error) else {
+            self.choices.push(format!("{what:<24} {time:>10.4} ms  {method}; no peer arrives"));
+            return;
+        };
+        self.choices.push(format!("{what:<24} {time:>10.4} ms  {method}; {peer:.4} ms by {other}"));
+        self.lines.push(format!("ratio_to_best_peer_{what}={:.3}", time / peer));
     }
 }
 
 fn main() -> Result<(), Box<dyn Error>> {
     let table = Table::new("work_precision", &["problem", "method", "ms", "energy", "global"]);
-    let mut report = Report { runs: table, lines: Vec::new() };
+    let mut report = Report { runs: table, choices: Vec::new(), lines: Vec::new() };
     let problems = Problems::default();
     let title = "Pendulum, 120 large swings";
     report.problem::<_, _, 1, 2>(title, &problems.pendulum(), &fields::pendulum(&problems), 1 << 10)?;
@@ -80,6 +85,8 @@ fn main() -> Result<(), Box<dyn Error>> {
     let title = "FPUT chain of 32, t = 9999";
     report.problem::<_, _, 32, 64>(title, &problems.chain(), &fields::chain(&problems), 1 << 14)?;
     report.runs.write()?;
+    println!("\nThe fastest to each error, and the fastest of the peers:");
+    report.choices.iter().for_each(|line| println!("{line}"));
     report.lines.iter().for_each(|line| println!("{line}"));
     Ok(())
 }

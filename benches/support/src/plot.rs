@@ -93,13 +93,35 @@ fn power(logarithm: f64) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::power;
+    use super::{Dots, Row, dots, power};
+    use std::{env, fs};
 
     #[test]
     fn powers_are_short() {
         let cases = [(-12.0, "10⁻¹²"), (-2.0, "0.01"), (0.0, "1"), (3.0, "1000"), (7.0, "10⁷"), (0.5, "")];
         for (logarithm, text) in cases {
             assert_eq!(power(logarithm), text);
+        }
+    }
+
+    #[test]
+    fn a_picture_has_its_words_and_its_ticks() {
+        let file = env::temp_dir().join(format!("integrator-dots-{}", std::process::id()));
+        let picture = Dots {
+            title: "Ratios".to_owned(),
+            series: vec!["generated".to_owned()],
+            asked: [0.9, 1.1],
+            rows: vec![Row { name: "pendulum".to_owned(), values: vec![3.2] }],
+            ..Dots::default()
+        };
+        dots(&file, &picture).expect("two files");
+        let text = fs::read_to_string(file.with_extension("svg")).expect("text");
+        for word in ["Ratios", "generated", "pendulum", "3.20", "\n1\n", "\n2\n"] {
+            assert!(text.contains(word), "{word} is missing in {text}");
+        }
+        assert!(fs::metadata(file.with_extension("png")).expect("a picture").len() > 1_000);
+        for extension in ["svg", "png"] {
+            fs::remove_file(file.with_extension(extension)).expect("a file");
         }
     }
 }

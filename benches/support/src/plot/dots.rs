@@ -40,7 +40,7 @@ pub fn dots(file: &Path, dots: &Dots) -> Outcome {
 
 const TOP: i32 = 118;
 const ROW: i32 = 26;
-const NAMES: i32 = 290;
+const NAMES: i32 = 340;
 const WIDTH: i32 = 1100;
 const MARGIN: i32 = 70;
 /// The colours of the series: the first is what the picture is about.
@@ -78,7 +78,7 @@ impl Picture for Dots {
         let mut x = NAMES;
         for (name, colour) in self.series.iter().zip(SERIES) {
             area.draw(&Circle::new((x, 88), 6, colour.filled()))?;
-            area.draw_text(name, &font, (x + 12, 80))?;
+            area.draw_text(name, &font, (x + 12, 82))?;
             x += 60 + 8 * name.chars().count() as i32;
         }
 
@@ -88,7 +88,7 @@ impl Picture for Dots {
         area.draw(&Rectangle::new([(from, TOP), (to, bottom)], COLOURS[5].mix(0.15).filled()))?;
         let (least, most) =
             (scale(self.numbers().fold(f64::INFINITY, f64::min)), scale(self.numbers().fold(0.0, f64::max)));
-        let mut last = i32::MIN;
+        let mut last = None;
         let mut ticks: Vec<f64> = TICKS.into_iter().filter(|tick| (least..=most).contains(&scale(*tick))).collect();
         // One comes first, so that it keeps its label where the axis is crowded.
         ticks.retain(|&tick| tick == 1.0 || (scale(tick) - scale(1.0)).abs() > 34);
@@ -96,21 +96,21 @@ impl Picture for Dots {
             let x = scale(tick);
             let style = if tick == 1.0 { INK.stroke_width(2) } else { PALE.stroke_width(1) };
             area.draw(&PathElement::new([(x, TOP), (x, bottom)], style))?;
-            if x - last > 34 {
+            if last.is_none_or(|last| x - last > 34) {
                 let text = format!("{tick}");
                 area.draw_text(&text, &small, (x - 4 * text.len() as i32, bottom + 8))?;
-                last = x;
+                last = Some(x);
             }
         }
         for (i, row) in self.rows.iter().enumerate() {
             let y = TOP + ROW * i as i32 + ROW / 2;
             area.draw(&PathElement::new([(NAMES, y), (WIDTH - MARGIN, y)], PALE.stroke_width(1)))?;
-            area.draw_text(&row.name, &font, (24, y - 9))?;
+            area.draw_text(&row.name, &font, (24, y - 7))?;
             for (value, colour) in row.values.iter().zip(SERIES).rev().filter(|(value, _)| value.is_finite()) {
                 area.draw(&Circle::new((scale(*value), y), 6, colour.filled()))?;
             }
             if let Some(first) = row.values.first().filter(|value| value.is_finite()) {
-                area.draw_text(&format!("{first:.2}"), &small, (WIDTH - MARGIN + 14, y - 9))?;
+                area.draw_text(&format!("{first:.2}"), &small, (WIDTH - MARGIN + 14, y - 7))?;
             }
         }
         let bold = (FONT, 15, FontStyle::Bold).into_font().color(&INK);

@@ -119,6 +119,9 @@ impl Picture for WorkPrecision<'_> {
             let most = all.iter().map(of).fold(f64::NEG_INFINITY, f64::max);
             least - 0.15..most + 0.15
         };
+        let (times, errors) = (range(|point| point.0), range(|point| point.1));
+        // At most a label for every power of ten, so that there are none between them.
+        let [decades_of_time, decades_of_error] = [&times, &errors].map(|range| (range.end - range.start) as usize + 1);
         let mut chart = ChartBuilder::on(&left)
             .margin_top(84)
             .margin_right(10)
@@ -126,11 +129,11 @@ impl Picture for WorkPrecision<'_> {
             .margin_bottom(10)
             .x_label_area_size(56)
             .y_label_area_size(84)
-            .build_cartesian_2d(range(|point| point.0), range(|point| point.1))?;
+            .build_cartesian_2d(times, errors)?;
         chart
             .configure_mesh()
-            .x_labels(8)
-            .y_labels(18)
+            .x_labels(decades_of_time)
+            .y_labels(decades_of_error)
             .x_label_formatter(&|x| power(*x))
             .y_label_formatter(&|y| power(*y))
             .x_desc("CPU time, ms")
