@@ -2,7 +2,7 @@
 
 use crate::{
     block::Block,
-    functions::{self, unary},
+    functions::{self, fast_functions, unary},
     instruction_set::enter_fused,
     real::{Kernel, Real, elementary_functions},
 };
@@ -143,6 +143,7 @@ macro_rules! fused_real {
             fn sin_cos(self) -> (Self, Self) {
                 functions::sin_cos(self)
             }
+            fast_functions!();
             #[inline(always)]
             fn finite(self) -> bool {
                 self.0.is_finite()

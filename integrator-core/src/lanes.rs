@@ -152,6 +152,14 @@ macro_rules! lanes_real {
                 (Self(both.map(|(sine, _)| sine)), Self(both.map(|(_, cosine)| cosine)))
             }
             #[inline(always)]
+            fn fast_sin(self) -> Self {
+                self.map(F::fast_sin)
+            }
+            #[inline(always)]
+            fn fast_cos(self) -> Self {
+                self.map(F::fast_cos)
+            }
+            #[inline(always)]
             fn finite(self) -> bool {
                 self.0.into_iter().all(F::finite)
             }

@@ -2,7 +2,7 @@
 
 use crate::{
     block::Block,
-    functions::{self, unary},
+    functions::{self, fast_functions, unary},
 };
 use std::ops::{Add, AddAssign, Div, Mul, Neg, Sub, SubAssign};
 
@@ -108,6 +108,16 @@ macro_rules! declare_real {
             }
             /// Sine and cosine of one argument.
             fn sin_cos(self) -> (Self, Self);
+            /// Sine within 4 ulp, where that is faster.
+            #[inline(always)]
+            fn fast_sin(self) -> Self {
+                self.sin()
+            }
+            /// Cosine within 4 ulp, where that is faster.
+            #[inline(always)]
+            fn fast_cos(self) -> Self {
+                self.cos()
+            }
             /// Whether all lanes are finite.
             fn finite(self) -> bool;
             /// Which lanes are below those of `other`.
@@ -169,6 +179,7 @@ macro_rules! plain_real {
             fn sin_cos(self) -> (Self, Self) {
                 functions::sin_cos(self)
             }
+            fast_functions!();
             #[inline(always)]
             fn finite(self) -> bool {
                 self.is_finite()

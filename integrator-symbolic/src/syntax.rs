@@ -18,10 +18,21 @@ pub(crate) enum Compose {
     InPlace(Box<InPlace>, Span),
 }
 
+/// How near to the exact value the elementary functions have to be.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(crate) enum Functions {
+    /// Within one unit in the last place, or two.
+    #[default]
+    Precise,
+    /// Within four, where that is faster.
+    Fast,
+}
+
 /// The annotated impl and its annotation.
 pub(crate) struct Input {
     /// `None` where the annotation has no `compose`.
     pub(crate) compose: Option<Compose>,
+    pub(crate) functions: Functions,
     /// The runtime crate.
     pub(crate) root: Path,
     pub(crate) item: ItemImpl,
@@ -58,21 +69,22 @@ pub(crate) fn input(arguments: TokenStream, item: TokenStream, errors: &mut Erro
         return None;
     }
     // Wrong arguments are noted; what the functions hold is read all the same, so that all mistakes come at once.
-    let (compose, root) = arguments.unwrap_or_default();
+    let (compose, functions, root) = arguments.unwrap_or_default();
+    let functions = functions.unwrap_or_default();
     let root = root.unwrap_or_else(|| syn::parse_quote!(::integrator_core));
-    Some(Input { compose, root, item })
+    Some(Input { compose, functions, root, item })
 }
 
 fn looks_like_impl(item: &TokenStream) -> bool {
     item.clone().into_iter().any(|token| matches!(token, proc_macro2::TokenTree::Ident(name) if name == "impl"))
 }
 
-type Arguments = (Option<Compose>, Option<Path>);
+type Arguments = (Option<Compose>, Option<Functions>, Option<Path>);
 
 /// The arguments, separated by commas, each at most once.
 fn arguments_of(tokens: TokenStream, errors: &mut Errors) -> Option<Arguments> {
     let parser = |input: ParseStream<'_>| {
-        let (mut compose, mut root) = (None, None);
+        let (mut compose, mut functions, mut root) = (None, None, None);
         while !input.is_empty() {
             if input.peek(Token![crate]) {
                 let key: Token![crate] = input.parse()?;
@@ -84,25 +96,30 @@ fn arguments_of(tokens: TokenStream, errors: &mut Errors) -> Option<Arguments> {
                 }
             } else {
                 let key: syn::Ident = input.parse().map_err(|error| syn::Error::new(error.span(), EXPECTED))?;
-                if key != "compose" {
+                let twice = if key == "compose" {
+                    equals(input, key.span())?;
+                    compose.replace(compose_of(input, key.span())?).is_some()
+                } else if key == "functions" {
+                    equals(input, key.span())?;
+                    functions.replace(functions_of(input, key.span())?).is_some()
+                } else {
                     return Err(syn::Error::new(key.span(), format!("`{key}` is not an argument here; {EXPECTED}")));
-                }
-                equals(input, key.span())?;
-                if compose.replace(compose_of(input, key.span())?).is_some() {
-                    return Err(syn::Error::new(key.span(), "`compose` is given twice"));
+                };
+                if twice {
+                    return Err(syn::Error::new(key.span(), format!("`{key}` is given twice")));
                 }
             }
             if !input.is_empty() {
                 input.parse::<Token![,]>()?;
             }
         }
-        Ok((compose, root))
+        Ok((compose, functions, root))
     };
     parser.parse2(tokens).map_err(|error| errors.push(error)).ok()
 }
 
-const EXPECTED: &str =
-    "expected `compose = Yoshida4`, `compose = V(1/2) T(1) V(1/2)` or `crate = path::to::integrator_core`";
+const EXPECTED: &str = "expected `compose = Yoshida4`, `compose = V(1/2) T(1) V(1/2)`, `functions = fast` or \
+                        `crate = path::to::integrator_core`";
 
 /// The sign between an argument and its value.
 fn equals(input: ParseStream<'_>, key: Span) -> syn::Result<()> {
@@ -116,6 +133,19 @@ fn misfit(input: ParseStream<'_>, key: Span, is: &str) -> syn::Error {
         return syn::Error::new(key, format!("this lacks its value; {EXPECTED}"));
     }
     input.error(format!("{is}; {EXPECTED}"))
+}
+
+fn functions_of(input: ParseStream<'_>, key: Span) -> syn::Result<Functions> {
+    let is = "elementary functions are `fast`, within 4 ulp, or `precise`, within 1 or 2, as they are unasked";
+    let misfit = |input: ParseStream<'_>| {
+        if input.is_empty() { misfit(input, key, is) } else { input.error(is) }
+    };
+    let here = input.fork();
+    match input.parse::<syn::Ident>() {
+        Ok(name) if name == "fast" => Ok(Functions::Fast),
+        Ok(name) if name == "precise" => Ok(Functions::Precise),
+        _ => Err(misfit(&here)),
+    }
 }
 
 fn compose_of(input: ParseStream<'_>, key: Span) -> syn::Result<Compose> {

@@ -73,3 +73,48 @@ fn compensated_runs_go_on_from_what_they_carry() {
     resumed.advance(1000).expect("finite");
     assert_eq!(run.state(), resumed.state());
 }
+
+/// A pendulum whose sine may be 4 ulp off.
+struct Fast;
+
+#[hamiltonian(functions = fast)]
+impl Fast {
+    fn kinetic(&self, p: [f64; 1]) -> f64 {
+        p[0] * p[0] / 2.0
+    }
+    fn potential(&self, q: [f64; 1]) -> f64 {
+        -q[0].cos()
+    }
+}
+
+/// The same with the sine as it is unasked.
+struct Precise;
+
+#[hamiltonian(functions = precise)]
+impl Precise {
+    fn kinetic(&self, p: [f64; 1]) -> f64 {
+        p[0] * p[0] / 2.0
+    }
+    fn potential(&self, q: [f64; 1]) -> f64 {
+        -q[0].cos()
+    }
+}
+
+#[test]
+fn fast_functions_are_other_functions_within_their_bound() {
+    const STEPS: u64 = 1000;
+    let h = 1.0 / 64.0;
+    let start = Phase::new([2.0], [0.0]);
+    let mut fast = Fast.run(start, h).expect("an admissible start");
+    let mut precise = Precise.run(start, h).expect("an admissible start");
+    let mut members = Ensemble::new(Verlet, (0..3).map(|_| (Fast, start)), h).expect("members");
+    fast.advance(STEPS).expect("finite");
+    precise.advance(STEPS).expect("finite");
+    members.advance(STEPS).expect("finite");
+    let (fast, precise) = (fast.state(), precise.state());
+    let distance = (fast.q[0] - precise.q[0]).abs() + (fast.p[0] - precise.p[0]).abs();
+    // Kicks of h times five units off at most, 1000 of them, which 16 time units of a pendulum stretch by less than 100.
+    assert!(distance < 1000.0 * h * 5.0 * f64::EPSILON * 100.0, "{distance:e}");
+    assert!(distance > 0.0, "these are the precise functions");
+    assert_eq!(members.state(1), Some(fast), "a member has the bits of its lone run");
+}

@@ -5,6 +5,7 @@
 //! branch on a value but one, which is hardly ever taken and leads to the maths library.
 
 mod bits;
+mod fast_sine;
 mod sine;
 #[cfg(test)]
 mod tests;
@@ -27,6 +28,22 @@ macro_rules! unary {
 }
 pub(crate) use unary;
 
+/// The methods of `Real` for functions that have a less precise kernel.
+macro_rules! fast_functions {
+    () => {
+        #[inline(always)]
+        fn fast_sin(self) -> Self {
+            crate::functions::fast_sin(self)
+        }
+        #[inline(always)]
+        fn fast_cos(self) -> Self {
+            crate::functions::fast_cos(self)
+        }
+    };
+}
+pub(crate) use fast_functions;
+
+pub(crate) use fast_sine::{fast_cos, fast_sin};
 pub(crate) use sine::{cos, sin, sin_cos};
 
 /// `near` in the lanes where `x` is at most `farthest` in absolute value; what `far` makes of `x` in the others, NaNs

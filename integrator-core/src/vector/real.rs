@@ -107,6 +107,7 @@ macro_rules! vector {
                 fn sin_cos(self) -> (Self, Self) {
                     crate::functions::sin_cos(self)
                 }
+                crate::functions::fast_functions!();
                 #[inline(always)]
                 fn finite(self) -> bool {
                     // x - x is zero for a finite x and no number for others.

@@ -137,6 +137,7 @@ impl<'m> Block<'m> {
             scalar: &reserved.scalar,
             runtime: &reserved.runtime,
             externals: &model.externals,
+            functions: model.functions,
         };
         Self { printer, masks: Vec::new(), begun: HashMap::new() }
     }

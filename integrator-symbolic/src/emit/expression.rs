@@ -4,12 +4,14 @@ use super::fields::Fields;
 use crate::{
     graph::{
         Element, ExternalId, Graph, Node, NodeId, Part,
+        function::Function,
         index::{Index, IndexId, LoopId},
     },
     model::{
         Parameter,
         integer::{number_literal, operand},
     },
+    syntax::Functions,
 };
 use proc_macro2::{Ident, Literal, TokenStream, TokenTree};
 use quote::{ToTokens, format_ident, quote};
@@ -72,6 +74,8 @@ pub(super) struct Printer<'m> {
     pub(super) runtime: &'m Ident,
     /// The names of the user's methods, by their ids.
     pub(super) externals: &'m [Ident],
+    /// How near the elementary functions have to be.
+    pub(super) functions: Functions,
 }
 
 impl Printer<'_> {
@@ -129,8 +133,8 @@ impl Printer<'_> {
                 let exponent = self.constant(f64::from(halves) / 2.0).tokens;
                 Printed::new(Binding::Atom, quote!(#a.powf(#exponent)))
             }
-            Node::Unary(function, a) => self.method(fields, a, function.name(), None),
-            Node::Binary(function, a, b) => self.method(fields, a, function.name(), Some(b)),
+            Node::Unary(function, a) => self.method(fields, a, self.method_name(function), None),
+            Node::Binary(function, a, b) => self.method(fields, a, self.method_name(function), Some(b)),
             Node::External(id, a) => self.external(fields, id, a, None),
             Node::ExternalTwo(id, a, b) => self.external(fields, id, a, Some(b)),
             // Sums and choices are always named; the blocks inside theirs compute them.
@@ -155,6 +159,14 @@ impl Printer<'_> {
         }
         let receiver = self.expression(fields, receiver).at_least(Binding::Atom);
         Printed::new(Binding::Atom, quote!(#receiver.#name(#argument)))
+    }
+
+    /// What a flow calls an elementary function: the faster one where it is allowed. What is prepared is `f64` of `std`.
+    fn method_name(&self, function: Function) -> &'static str {
+        match (self.functions, self.dialect) {
+            (Functions::Fast, Dialect::Generic) => function.row().fast.unwrap_or(function.name()),
+            _ => function.name(),
+        }
     }
 
     fn is_literal(&self, id: NodeId) -> bool {

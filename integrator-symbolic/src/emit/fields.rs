@@ -315,5 +315,6 @@ fn single<'m>(model: &'m Model, names: &'m Names) -> Printer<'m> {
         scalar: &names.scalar,
         runtime: &names.runtime,
         externals: &model.externals,
+        functions: model.functions,
     }
 }

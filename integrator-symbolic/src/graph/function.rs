@@ -24,15 +24,23 @@ pub(crate) enum Rule {
 pub(crate) struct Row {
     /// The name of the method on `f64` and on the runtime's reals.
     pub(crate) name: &'static str,
+    /// The method of the runtime's reals that is faster and less precise, if there is one.
+    pub(crate) fast: Option<&'static str>,
     pub(crate) rule: Rule,
 }
 
+impl Row {
+    const fn with_fast(self, name: &'static str) -> Self {
+        Self { fast: Some(name), ..self }
+    }
+}
+
 const fn unary(name: &'static str, value: fn(f64) -> f64, slope: Slope) -> Row {
-    Row { name, rule: Rule::Unary(value, Some(slope)) }
+    Row { name, fast: None, rule: Rule::Unary(value, Some(slope)) }
 }
 
 const fn binary(name: &'static str, value: fn(f64, f64) -> f64, slopes: Slopes) -> Row {
-    Row { name, rule: Rule::Binary(value, slopes) }
+    Row { name, fast: None, rule: Rule::Binary(value, slopes) }
 }
 
 /// `1 / g`
@@ -68,11 +76,12 @@ fn smaller(graph: &mut Graph, a: NodeId, b: NodeId) -> [NodeId; 2] {
 ///
 /// Derivatives avoid cancellation: `tanh'` is `1/cosh²`, not `1 - tanh²`; `asin'` has `(1-x)(1+x)` under its root.
 pub(crate) const TABLE: &[Row] = &[
-    unary("sin", f64::sin, |g, x, _| g.call("cos", x)),
+    unary("sin", f64::sin, |g, x, _| g.call("cos", x)).with_fast("fast_sin"),
     unary("cos", f64::cos, |g, x, _| {
         let sine = g.call("sin", x);
         g.neg(sine)
-    }),
+    })
+    .with_fast("fast_cos"),
     unary("tan", f64::tan, |g, _, y| one_plus_square(g, y)),
     unary("asin", f64::asin, |g, x, _| {
         let square = one_minus_square(g, x);
@@ -131,7 +140,7 @@ pub(crate) const TABLE: &[Row] = &[
         let [of_a, of_b] = smaller(g, a, b);
         [of_b, of_a]
     }),
-    Row { name: "signum", rule: Rule::Unary(f64::signum, None) },
+    Row { name: "signum", fast: None, rule: Rule::Unary(f64::signum, None) },
     binary("powf", f64::powf, |g, a, b, y| {
         let one = g.constant(1.0);
         let (less, logarithm) = (g.sub(b, one), g.call("ln", a));

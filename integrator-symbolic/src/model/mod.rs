@@ -27,7 +27,7 @@ use crate::{
         ExternalId, Graph, NodeId, ParameterId, Part,
         index::{Index, IndexId, LoopId, LoopSet},
     },
-    syntax::Input,
+    syntax::{Functions, Input},
 };
 pub(crate) use external::stripped;
 use proc_macro2::{Ident, TokenStream};
@@ -63,6 +63,8 @@ pub(crate) struct Model {
     pub(crate) quadratic: bool,
     /// Whether neither function reads the time.
     pub(crate) autonomous: bool,
+    /// How near the elementary functions of the flows have to be.
+    pub(crate) functions: Functions,
 }
 
 impl Model {
@@ -115,6 +117,7 @@ pub(crate) fn model(input: &Input, errors: &mut Errors) -> Option<Model> {
         two_arguments,
         quadratic,
         autonomous,
+        functions: input.functions,
     })
 }
 
@@ -139,6 +142,7 @@ pub(crate) fn stub(input: &Input) -> Option<Model> {
         two_arguments: Vec::new(),
         quadratic: true,
         autonomous: true,
+        functions: input.functions,
     })
 }
 

@@ -100,7 +100,7 @@ fn every_function_is_as_near_as_it_says() {
     for row in ROWS {
         for set in row.points {
             for (scalar, precision, sweep) in row.scalars {
-                let points = set.numbers(precision, row.name);
+                let points = set.numbers(precision, &format!("{} of {scalar}", row.name));
                 let (error, at) = largest_error(row, precision, &points, &sweep(&points));
                 assert!(error <= row.ulps, "{} of {scalar} is {error} ulp off at {at:e}", row.name);
             }

@@ -2,8 +2,8 @@
 
 use super::Precision;
 
-/// How many numbers each set holds.
-const COUNT: usize = 1_000_000;
+/// How many numbers each set holds for each of four scalars: a million for a function.
+const COUNT: usize = 250_000;
 
 /// A set of points.
 #[derive(Debug)]
@@ -31,7 +31,7 @@ impl Points {
                 if index.is_multiple_of(2) { size } else { -size }
             }
             Self::Quarters => {
-                let multiple = precision.round((index / 3) as f64 * std::f64::consts::FRAC_PI_2);
+                let multiple = precision.round((random.fraction() * 1_048_576.0).floor() * std::f64::consts::FRAC_PI_2);
                 let step = (index % 3) as f64 - 1.0;
                 multiple + step * precision.unit(multiple)
             }

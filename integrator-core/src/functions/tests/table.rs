@@ -74,5 +74,7 @@ macro_rules! rows {
 
 rows! {
     sin within 1.0 of pxfm::f_sin, Big::sin, at [Points::Even(-1.7e6, 1.7e6), Points::Powers(-60.0, 24.0), Points::Quarters];
+    fast_sin within 4.0 of pxfm::f_sin, Big::sin, at [Points::Even(-1.7e6, 1.7e6), Points::Powers(-60.0, 24.0), Points::Quarters];
+    fast_cos within 4.0 of pxfm::f_cos, Big::cos, at [Points::Even(-1.7e6, 1.7e6), Points::Powers(-60.0, 24.0), Points::Quarters];
     cos within 1.0 of pxfm::f_cos, Big::cos, at [Points::Even(-1.7e6, 1.7e6), Points::Powers(-60.0, 24.0), Points::Quarters];
 }
