@@ -104,7 +104,7 @@ impl Precise {
 fn fast_functions_are_other_functions_within_their_bound() {
     const STEPS: u64 = 1000;
     let h = 1.0 / 64.0;
-    let start = Phase::new([2.0], [0.0]);
+    let start = Phase::new([2.0_f64], [0.0]);
     let mut fast = Fast.run(start, h).expect("an admissible start");
     let mut precise = Precise.run(start, h).expect("an admissible start");
     let mut members = Ensemble::new(Verlet, (0..3).map(|_| (Fast, start)), h).expect("members");

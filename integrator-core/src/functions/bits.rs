@@ -15,12 +15,18 @@ pub(crate) trait Bits: Real {
     /// Whether `fma` rounds once: then the error of a product is one operation away.
     const FUSED: bool;
 
+    /// The number that has this pattern, in every lane; of a single the lower half of the pattern.
+    fn pattern(bits: u64) -> Self;
     /// The bits that are set in both.
     fn bits_and(self, other: Self) -> Self;
     /// The bits that are set in one of them.
     fn bits_xor(self, other: Self) -> Self;
+    /// The sum of the patterns as integers, without the carry beyond a lane.
+    fn bits_add(self, other: Self) -> Self;
     /// The patterns moved towards the sign.
     fn bits_left(self, by: u32) -> Self;
+    /// The patterns moved away from the sign, which zeros take the place of.
+    fn bits_right(self, by: u32) -> Self;
     /// Whether the last bit of the pattern is set.
     fn is_odd(self) -> Self::Mask;
 
@@ -29,12 +35,16 @@ pub(crate) trait Bits: Real {
 }
 
 macro_rules! scalar_bits {
-    ($scalar:ident $fused:literal: [$($generics:tt)*] $type:ty, $new:expr, |$x:ident| $number:expr) => {
+    ($scalar:ident $word:ident $fused:literal: [$($generics:tt)*] $type:ty, $new:expr, |$x:ident| $number:expr) => {
         impl<$($generics)*> Bits for $type {
             type Scalar = $scalar;
 
             const FUSED: bool = $fused;
 
+            #[inline(always)]
+            fn pattern(bits: u64) -> Self {
+                $new($scalar::from_bits(bits as $word))
+            }
             #[inline(always)]
             fn bits_and(self, other: Self) -> Self {
                 let (a, b) = ({ let $x = self; $number }, { let $x = other; $number });
@@ -46,9 +56,19 @@ macro_rules! scalar_bits {
                 $new($scalar::from_bits(a.to_bits() ^ b.to_bits()))
             }
             #[inline(always)]
+            fn bits_add(self, other: Self) -> Self {
+                let (a, b) = ({ let $x = self; $number }, { let $x = other; $number });
+                $new($scalar::from_bits(a.to_bits().wrapping_add(b.to_bits())))
+            }
+            #[inline(always)]
             fn bits_left(self, by: u32) -> Self {
                 let $x = self;
                 $new($scalar::from_bits($number.to_bits() << by))
+            }
+            #[inline(always)]
+            fn bits_right(self, by: u32) -> Self {
+                let $x = self;
+                $new($scalar::from_bits($number.to_bits() >> by))
             }
             #[inline(always)]
             fn is_odd(self) -> bool {
@@ -65,7 +85,7 @@ macro_rules! scalar_bits {
         }
     };
 }
-scalar_bits!(f64 false: [] f64, std::convert::identity, |x| x);
-scalar_bits!(f32 false: [] f32, std::convert::identity, |x| x);
-scalar_bits!(f64 true: [S: Instructions] Fused<f64, S>, Self::new, |x| x.0);
-scalar_bits!(f32 true: [S: Instructions] Fused<f32, S>, Self::new, |x| x.0);
+scalar_bits!(f64 u64 false: [] f64, std::convert::identity, |x| x);
+scalar_bits!(f32 u32 false: [] f32, std::convert::identity, |x| x);
+scalar_bits!(f64 u64 true: [S: Instructions] Fused<f64, S>, Self::new, |x| x.0);
+scalar_bits!(f32 u32 true: [S: Instructions] Fused<f32, S>, Self::new, |x| x.0);

@@ -5,7 +5,10 @@
 //!
 //! `S` is minimax as in [`sine`](super::sine); its error makes up most of that of the result.
 
-use super::{Bits, rescued, sine::Circle};
+use super::{
+    Bits, rescued,
+    sine::{Circle, farthest},
+};
 use std::f64::consts::FRAC_1_PI;
 
 /// The polynomial of one format.
@@ -29,11 +32,6 @@ fn rest<R: Bits<Scalar: HalfCircle>>(x: R, n: R) -> R {
     };
     let z = near * near;
     r * z.fma(R::Scalar::series(z), R::of(1.0))
-}
-
-#[inline(always)]
-fn farthest<R: Bits<Scalar: Circle>>() -> f64 {
-    R::Scalar::FARTHEST[usize::from(!R::FUSED)]
 }
 
 /// At most 4 ulp.

@@ -5,7 +5,9 @@
 //! branch on a value but one, which is hardly ever taken and leads to the maths library.
 
 mod bits;
+mod exponential;
 mod fast_sine;
+mod logarithm;
 mod sine;
 #[cfg(test)]
 mod tests;
@@ -21,6 +23,18 @@ macro_rules! unary {
     };
     (cos $x:expr; $otherwise:expr) => {
         crate::functions::cos($x)
+    };
+    (tan $x:expr; $otherwise:expr) => {
+        crate::functions::tan($x)
+    };
+    (exp $x:expr; $otherwise:expr) => {
+        crate::functions::exp($x)
+    };
+    (ln $x:expr; $otherwise:expr) => {
+        crate::functions::ln($x)
+    };
+    (tanh $x:expr; $otherwise:expr) => {
+        crate::functions::tanh($x)
     };
     ($function:ident $x:expr; $otherwise:expr) => {
         $otherwise
@@ -43,8 +57,20 @@ macro_rules! fast_functions {
 }
 pub(crate) use fast_functions;
 
+pub(crate) use exponential::{exp, tanh};
 pub(crate) use fast_sine::{fast_cos, fast_sin};
-pub(crate) use sine::{cos, sin, sin_cos};
+pub(crate) use logarithm::ln;
+pub(crate) use sine::{cos, sin, sin_cos, tan};
+
+/// The quotient of two numbers that carry their rounding errors, correct but for the rounding of the quotient.
+#[inline(always)]
+fn quotient<R: Bits>([a, error_of_a]: [R; 2], [b, error_of_b]: [R; 2]) -> R {
+    let quotient = a / b;
+    let left = error_of_a - quotient * error_of_b;
+    // Without a fused multiply-add the rest of the division is not at hand; it is half a unit at most.
+    let left = if R::FUSED { left + (-quotient).fma(b, a) } else { left };
+    quotient + left / b
+}
 
 /// `near` in the lanes where `x` is at most `farthest` in absolute value; what `far` makes of `x` in the others, NaNs
 /// among them.

@@ -14,7 +14,7 @@
 //! after the other and the later ones fitted again). A zero keeps its sign because no operation on the way adds zeros
 //! of different signs: all parts of π/2 are rounded down, hence positive.
 
-use super::{Bits, rescued};
+use super::{Bits, quotient, rescued};
 use crate::real::Mask;
 use std::f64::consts::{FRAC_2_PI, FRAC_PI_2};
 
@@ -37,8 +37,8 @@ pub(crate) trait Circle: Sized {
     /// The other terms, `excess` added: those of the sine, or of the cosine where `odd` holds; `inner` is what the second
     /// coefficient is multiplied by.
     fn tail<R: Bits<Scalar = Self>>(odd: R::Mask, z: R, inner: R, excess: R) -> R;
-    /// The functions of the maths library, for arguments beyond `FARTHEST`.
-    const BEYOND: [fn(&mut [Self]); 2];
+    /// Sine, cosine and tangent of the maths library, for arguments beyond `FARTHEST`.
+    const BEYOND: [fn(&mut [Self]); 3];
 }
 
 /// An argument as a number of quarter turns and a rest.
@@ -82,12 +82,20 @@ fn pick<R: Bits>(odd: R::Mask, [sine, cosine]: [f64; 2]) -> R {
 ///
 /// The leading term is added last but one, so that only two roundings are of the size of half a unit of the result.
 #[inline(always)]
-fn either<R: Bits<Scalar: Circle>>(odd: R::Mask, Reduced { r, excess, .. }: Reduced<R>) -> R {
+fn either<R: Bits<Scalar: Circle>>(odd: R::Mask, reduced: Reduced<R>) -> R {
+    either_carried(odd, reduced)[0]
+}
+
+/// The same, and the error of its last rounding.
+#[inline(always)]
+fn either_carried<R: Bits<Scalar: Circle>>(odd: R::Mask, Reduced { r, excess, .. }: Reduced<R>) -> [R; 2] {
     let z = r * r;
     let (inner, outer) = (R::select(odd, r, r * z), R::select(odd, r, R::of(-1.0)));
     let tail = R::Scalar::tail(odd, z, inner * z, excess);
     let sum = inner.fma(pick(odd, R::Scalar::LEADING), tail);
-    outer.fma(sum, R::select(odd, R::of(1.0), r))
+    let base = R::select(odd, R::of(1.0), r);
+    let value = outer.fma(sum, base);
+    [value, outer.fma(sum, base - value)]
 }
 
 /// Turns the sign of `value` around in every other pair of quarters.
@@ -96,8 +104,9 @@ fn signed<R: Bits<Scalar: Circle>>(value: R, quarters: R) -> R {
     value.bits_xor(quarters.bits_left(R::Scalar::SIGN - 1).bits_and(R::of(-0.0)))
 }
 
+/// The largest argument that is not left to the maths library.
 #[inline(always)]
-fn farthest<R: Bits<Scalar: Circle>>() -> f64 {
+pub(super) fn farthest<R: Bits<Scalar: Circle>>() -> f64 {
     R::Scalar::FARTHEST[usize::from(!R::FUSED)]
 }
 
@@ -126,8 +135,23 @@ pub(crate) fn sin_cos<R: Bits<Scalar: Circle>>(x: R) -> (R, R) {
     let (odd, ahead) = (reduced.quarters.is_odd(), reduced.quarters + R::of(1.0));
     let sine_of_x = signed(R::select(odd, cosine, sine), reduced.quarters);
     let cosine_of_x = signed(R::select(odd, sine, cosine), ahead);
-    let [far_sine, far_cosine] = R::Scalar::BEYOND;
+    let [far_sine, far_cosine, _] = R::Scalar::BEYOND;
     (rescued(sine_of_x, x, farthest::<R>(), far_sine), rescued(cosine_of_x, x, farthest::<R>(), far_cosine))
+}
+
+/// At most 2 ulp: the quotient of sine and cosine of the rest, or of cosine and sine, negative, in odd quarters.
+#[inline(always)]
+pub(crate) fn tan<R: Bits<Scalar: Circle>>(x: R) -> R {
+    let reduced = reduce(x);
+    let [sine, cosine] = [false, true].map(|odd| either_carried(R::Mask::of(odd), reduced));
+    let odd = reduced.quarters.is_odd();
+    let value = quotient(
+        [0, 1].map(|part| R::select(odd, cosine[part], sine[part])),
+        [0, 1].map(|part| R::select(odd, -sine[part], cosine[part])),
+    );
+    // The sum of a zero and its correction has lost the sign.
+    let value = R::select(x.equal(R::of(0.0)), x, value);
+    rescued(value, x, farthest::<R>(), R::Scalar::BEYOND[2])
 }
 
 /// The error of the polynomials: 2^-57.9 for the sine, 2^-63.9 for the cosine.
@@ -159,7 +183,7 @@ impl Circle for f64 {
         (inner * zz).fma(zz.fma(third, second), inner.fma(first, excess))
     }
 
-    const BEYOND: [fn(&mut [f64]); 2] = [far_sine, far_cosine];
+    const BEYOND: [fn(&mut [f64]); 3] = [far_sine, far_cosine, far_tangent];
 }
 
 #[cold]
@@ -172,6 +196,12 @@ fn far_sine(lanes: &mut [f64]) {
 #[inline(never)]
 fn far_cosine(lanes: &mut [f64]) {
     lanes.iter_mut().for_each(|lane| *lane = lane.cos());
+}
+
+#[cold]
+#[inline(never)]
+fn far_tangent(lanes: &mut [f64]) {
+    lanes.iter_mut().for_each(|lane| *lane = lane.tan());
 }
 
 /// The error of the polynomials: 2^-27.8 for the sine, 2^-32.9 for the cosine.
@@ -195,7 +225,7 @@ impl Circle for f32 {
         (inner * (z * z)).fma(third, inner.fma(first, excess))
     }
 
-    const BEYOND: [fn(&mut [f32]); 2] = [far_sine_single, far_cosine_single];
+    const BEYOND: [fn(&mut [f32]); 3] = [far_sine_single, far_cosine_single, far_tangent_single];
 }
 
 #[cold]
@@ -208,4 +238,10 @@ fn far_sine_single(lanes: &mut [f32]) {
 #[inline(never)]
 fn far_cosine_single(lanes: &mut [f32]) {
     lanes.iter_mut().for_each(|lane| *lane = lane.cos());
+}
+
+#[cold]
+#[inline(never)]
+fn far_tangent_single(lanes: &mut [f32]) {
+    lanes.iter_mut().for_each(|lane| *lane = lane.tan());
 }

@@ -6,13 +6,13 @@ use crate::{
     real::{Mask, elementary_functions},
 };
 use std::arch::x86_64::{
-    __m256, __m256d, _mm256_add_pd, _mm256_add_ps, _mm256_and_pd, _mm256_and_ps, _mm256_andnot_pd, _mm256_andnot_ps,
-    _mm256_blendv_pd, _mm256_blendv_ps, _mm256_castpd_si256, _mm256_castps_si256, _mm256_castsi256_pd,
-    _mm256_castsi256_ps, _mm256_cmp_pd, _mm256_cmp_ps, _mm256_div_pd, _mm256_div_ps, _mm256_fmadd_pd, _mm256_fmadd_ps,
-    _mm256_loadu_pd, _mm256_loadu_ps, _mm256_movemask_pd, _mm256_movemask_ps, _mm256_mul_pd, _mm256_mul_ps,
-    _mm256_or_pd, _mm256_or_ps, _mm256_set1_pd, _mm256_set1_ps, _mm256_sll_epi32, _mm256_sll_epi64, _mm256_slli_epi32,
-    _mm256_slli_epi64, _mm256_sqrt_pd, _mm256_sqrt_ps, _mm256_storeu_pd, _mm256_storeu_ps, _mm256_sub_pd,
-    _mm256_sub_ps, _mm256_xor_pd, _mm256_xor_ps,
+    __m256, __m256d, _mm256_add_epi32, _mm256_add_epi64, _mm256_add_pd, _mm256_add_ps, _mm256_and_pd, _mm256_and_ps,
+    _mm256_andnot_pd, _mm256_andnot_ps, _mm256_blendv_pd, _mm256_blendv_ps, _mm256_castpd_si256, _mm256_castps_si256,
+    _mm256_castsi256_pd, _mm256_castsi256_ps, _mm256_cmp_pd, _mm256_cmp_ps, _mm256_div_pd, _mm256_div_ps,
+    _mm256_fmadd_pd, _mm256_fmadd_ps, _mm256_loadu_pd, _mm256_loadu_ps, _mm256_movemask_pd, _mm256_movemask_ps,
+    _mm256_mul_pd, _mm256_mul_ps, _mm256_or_pd, _mm256_or_ps, _mm256_set1_pd, _mm256_set1_ps, _mm256_sll_epi32,
+    _mm256_sll_epi64, _mm256_slli_epi32, _mm256_slli_epi64, _mm256_sqrt_pd, _mm256_sqrt_ps, _mm256_srl_epi32,
+    _mm256_srl_epi64, _mm256_storeu_pd, _mm256_storeu_ps, _mm256_sub_pd, _mm256_sub_ps, _mm256_xor_pd, _mm256_xor_ps,
 };
 
 /// A mask in a register as wide as the numbers: the sign of a lane says whether the condition holds there.
@@ -76,14 +76,14 @@ elementary_functions!(vector! {
 });
 
 bits! {
-    X4 of f64, masked by X4Mask;
+    X4 of f64, words of u64, masked by X4Mask;
     to integers _mm256_castpd_si256, back _mm256_castsi256_pd, and _mm256_and_pd, xor _mm256_xor_pd,
-    left _mm256_sll_epi64,
+    add _mm256_add_epi64, left _mm256_sll_epi64, right _mm256_srl_epi64, splat _mm256_set1_pd,
     odd |x| _mm256_castsi256_pd(_mm256_slli_epi64::<63>(x))
 }
 bits! {
-    S8 of f32, masked by S8Mask;
+    S8 of f32, words of u32, masked by S8Mask;
     to integers _mm256_castps_si256, back _mm256_castsi256_ps, and _mm256_and_ps, xor _mm256_xor_ps,
-    left _mm256_sll_epi32,
+    add _mm256_add_epi32, left _mm256_sll_epi32, right _mm256_srl_epi32, splat _mm256_set1_ps,
     odd |x| _mm256_castsi256_ps(_mm256_slli_epi32::<31>(x))
 }

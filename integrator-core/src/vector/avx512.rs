@@ -6,13 +6,14 @@ use crate::{
     real::{Mask, elementary_functions},
 };
 use std::arch::x86_64::{
-    __m512, __m512d, __mmask8, __mmask16, _mm512_add_pd, _mm512_add_ps, _mm512_and_pd, _mm512_and_ps, _mm512_andnot_pd,
-    _mm512_andnot_ps, _mm512_castpd_si512, _mm512_castps_si512, _mm512_castsi512_pd, _mm512_castsi512_ps,
-    _mm512_cmp_pd_mask, _mm512_cmp_ps_mask, _mm512_div_pd, _mm512_div_ps, _mm512_fmadd_pd, _mm512_fmadd_ps,
-    _mm512_loadu_pd, _mm512_loadu_ps, _mm512_mask_blend_pd, _mm512_mask_blend_ps, _mm512_mul_pd, _mm512_mul_ps,
-    _mm512_set1_epi32, _mm512_set1_epi64, _mm512_set1_pd, _mm512_set1_ps, _mm512_sll_epi32, _mm512_sll_epi64,
-    _mm512_sqrt_pd, _mm512_sqrt_ps, _mm512_storeu_pd, _mm512_storeu_ps, _mm512_sub_pd, _mm512_sub_ps,
-    _mm512_test_epi32_mask, _mm512_test_epi64_mask, _mm512_xor_pd, _mm512_xor_ps,
+    __m512, __m512d, __mmask8, __mmask16, _mm512_add_epi32, _mm512_add_epi64, _mm512_add_pd, _mm512_add_ps,
+    _mm512_and_pd, _mm512_and_ps, _mm512_andnot_pd, _mm512_andnot_ps, _mm512_castpd_si512, _mm512_castps_si512,
+    _mm512_castsi512_pd, _mm512_castsi512_ps, _mm512_cmp_pd_mask, _mm512_cmp_ps_mask, _mm512_div_pd, _mm512_div_ps,
+    _mm512_fmadd_pd, _mm512_fmadd_ps, _mm512_loadu_pd, _mm512_loadu_ps, _mm512_mask_blend_pd, _mm512_mask_blend_ps,
+    _mm512_mul_pd, _mm512_mul_ps, _mm512_set1_epi32, _mm512_set1_epi64, _mm512_set1_pd, _mm512_set1_ps,
+    _mm512_sll_epi32, _mm512_sll_epi64, _mm512_sqrt_pd, _mm512_sqrt_ps, _mm512_srl_epi32, _mm512_srl_epi64,
+    _mm512_storeu_pd, _mm512_storeu_ps, _mm512_sub_pd, _mm512_sub_ps, _mm512_test_epi32_mask, _mm512_test_epi64_mask,
+    _mm512_xor_pd, _mm512_xor_ps,
 };
 
 /// A mask with one bit per lane.
@@ -74,14 +75,14 @@ elementary_functions!(vector! {
 });
 
 bits! {
-    X8 of f64, masked by X8Mask;
+    X8 of f64, words of u64, masked by X8Mask;
     to integers _mm512_castpd_si512, back _mm512_castsi512_pd, and _mm512_and_pd, xor _mm512_xor_pd,
-    left _mm512_sll_epi64,
+    add _mm512_add_epi64, left _mm512_sll_epi64, right _mm512_srl_epi64, splat _mm512_set1_pd,
     odd |x| _mm512_test_epi64_mask(x, _mm512_set1_epi64(1))
 }
 bits! {
-    S16 of f32, masked by S16Mask;
+    S16 of f32, words of u32, masked by S16Mask;
     to integers _mm512_castps_si512, back _mm512_castsi512_ps, and _mm512_and_ps, xor _mm512_xor_ps,
-    left _mm512_sll_epi32,
+    add _mm512_add_epi32, left _mm512_sll_epi32, right _mm512_srl_epi32, splat _mm512_set1_ps,
     odd |x| _mm512_test_epi32_mask(x, _mm512_set1_epi32(1))
 }

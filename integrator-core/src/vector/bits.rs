@@ -3,8 +3,9 @@
 /// Gives a vector the operations that kernels of elementary functions need.
 macro_rules! bits {
     (
-        $vector:ident of $scalar:ident, masked by $mask:ident;
-        to integers $integers:ident, back $back:ident, and $and:ident, xor $xor:ident, left $left:ident,
+        $vector:ident of $scalar:ident, words of $word:ident, masked by $mask:ident;
+        to integers $integers:ident, back $back:ident, and $and:ident, xor $xor:ident,
+        add $add:ident, left $left:ident, right $right:ident, splat $splat:ident,
         odd |$x:ident| $odd:expr
     ) => {
         impl crate::functions::Bits for $vector {
@@ -13,12 +14,25 @@ macro_rules! bits {
             const FUSED: bool = true;
 
             #[inline(always)]
+            fn pattern(bits: u64) -> Self {
+                Self(instruction!($splat($scalar::from_bits(bits as $word))))
+            }
+            #[inline(always)]
             fn bits_and(self, other: Self) -> Self {
                 Self(instruction!($and(self.0, other.0)))
             }
             #[inline(always)]
             fn bits_xor(self, other: Self) -> Self {
                 Self(instruction!($xor(self.0, other.0)))
+            }
+            #[inline(always)]
+            fn bits_add(self, other: Self) -> Self {
+                Self(instruction!($back($add($integers(self.0), $integers(other.0)))))
+            }
+            #[inline(always)]
+            fn bits_right(self, by: u32) -> Self {
+                let by = instruction!(std::arch::x86_64::_mm_cvtsi32_si128(by.cast_signed()));
+                Self(instruction!($back($right($integers(self.0), by))))
             }
             #[inline(always)]
             fn bits_left(self, by: u32) -> Self {

@@ -77,7 +77,7 @@ fn largest_error(row: &Row, precision: Precision, points: &[f64], values: &[f64]
     let mut differ = 0;
     for (&x, &value) in points.iter().zip(values) {
         let reference = (row.exact)(x);
-        if value.to_bits() == reference.to_bits() || value.is_nan() && reference.is_nan() {
+        if bits(value) == bits(precision.round(reference)) {
             continue;
         }
         let unit = precision.unit(reference);
@@ -97,15 +97,19 @@ fn largest_error(row: &Row, precision: Precision, points: &[f64], values: &[f64]
 
 #[test]
 fn every_function_is_as_near_as_it_says() {
+    let mut too_far = Vec::new();
     for row in ROWS {
         for set in row.points {
             for (scalar, precision, sweep) in row.scalars {
                 let points = set.numbers(precision, &format!("{} of {scalar}", row.name));
                 let (error, at) = largest_error(row, precision, &points, &sweep(&points));
-                assert!(error <= row.ulps, "{} of {scalar} is {error} ulp off at {at:e}", row.name);
+                if error.is_nan() || error > row.ulps {
+                    too_far.push(format!("{} of {scalar}, {set:?}: {error} ulp off at {at:e}", row.name));
+                }
             }
         }
     }
+    assert!(too_far.is_empty(), "{too_far:#?}");
 }
 
 /// Zeros, the ends of the exponents, what is no number, and arguments that are far out for every function.

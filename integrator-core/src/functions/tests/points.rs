@@ -12,6 +12,8 @@ pub(super) enum Points {
     Even(f64, f64),
     /// Of either sign, their logarithms spread evenly between two powers of two.
     Powers(f64, f64),
+    /// Positive, their logarithms spread evenly between two powers of two.
+    Sizes(f64, f64),
     /// The multiples of π/2 and their neighbours.
     Quarters,
 }
@@ -30,6 +32,7 @@ impl Points {
                 let size = (low + (high - low) * random.fraction()).exp2();
                 if index.is_multiple_of(2) { size } else { -size }
             }
+            Self::Sizes(low, high) => (low + (high - low) * random.fraction()).exp2(),
             Self::Quarters => {
                 let multiple = precision.round((random.fraction() * 1_048_576.0).floor() * std::f64::consts::FRAC_PI_2);
                 let step = (index % 3) as f64 - 1.0;

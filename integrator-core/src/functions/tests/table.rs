@@ -73,6 +73,10 @@ macro_rules! rows {
 }
 
 rows! {
+    tan within 2.0 of pxfm::f_tan, Big::tan, at [Points::Even(-1.7e6, 1.7e6), Points::Powers(-60.0, 24.0), Points::Quarters];
+    exp within 1.0 of pxfm::f_exp, Big::exp, at [Points::Even(-1.0, 1.0), Points::Even(-760.0, 720.0), Points::Even(-110.0, 90.0), Points::Powers(-60.0, 9.0)];
+    ln within 1.0 of pxfm::f_log, Big::ln, at [Points::Even(0.5, 2.0), Points::Even(0.999, 1.001), Points::Sizes(-1080.0, 1024.0)];
+    tanh within 2.0 of pxfm::f_tanh, Big::tanh, at [Points::Even(-1.0, 1.0), Points::Even(-22.0, 22.0), Points::Powers(-60.0, 9.0)];
     sin within 1.0 of pxfm::f_sin, Big::sin, at [Points::Even(-1.7e6, 1.7e6), Points::Powers(-60.0, 24.0), Points::Quarters];
     fast_sin within 4.0 of pxfm::f_sin, Big::sin, at [Points::Even(-1.7e6, 1.7e6), Points::Powers(-60.0, 24.0), Points::Quarters];
     fast_cos within 4.0 of pxfm::f_cos, Big::cos, at [Points::Even(-1.7e6, 1.7e6), Points::Powers(-60.0, 24.0), Points::Quarters];
