@@ -144,10 +144,19 @@ fn the_macros_depend_on_three_crates() {
 #[test]
 fn only_clones_and_vectors_are_unsafe() {
     let crates = ["integrator-core", "integrator-macros", "integrator-symbolic"];
+    let unsafe_code = |line: &str| ["unsafe {", "unsafe fn", "unsafe impl"].iter().any(|form| line.contains(form));
     for (path, text) in crates.iter().flat_map(|name| sources(&root().join(name).join("src"))) {
-        let is_unsafe = ["unsafe {", "unsafe fn", "unsafe impl"].iter().any(|form| text.contains(form));
         let may_be =
             path.ends_with("instruction_set.rs") || path.starts_with(root().join("integrator-core/src/vector"));
-        assert!(!is_unsafe || may_be, "{} is unsafe", path.display());
+        let lines: Vec<_> = text.lines().collect();
+        for (number, _) in lines.iter().enumerate().filter(|(_, line)| unsafe_code(line)) {
+            assert!(may_be, "{}:{} is unsafe", path.display(), number + 1);
+            let reason = lines[..number].iter().rev().take_while(|line| line.trim_start().starts_with("//"));
+            assert!(reason.into_iter().any(|line| line.contains("// SAFETY:")), "{}:{}", path.display(), number + 1);
+        }
+    }
+    for name in ["integrator-macros", "integrator-symbolic"] {
+        let root = fs::read_to_string(root().join(name).join("src/lib.rs")).expect("text");
+        assert!(root.contains("\n#![forbid(unsafe_code)]\n"), "{name} forbids unsafe code");
     }
 }

@@ -263,7 +263,7 @@ impl<C: Coords> Run<C> {
         let (Some(q), Some(p)) = (coordinates(&q), coordinates(&p)) else { return Err(shape) };
         let unfinished = Phase { q, p };
         admissible_with::<X, C>(&unfinished, h)?;
-        Ok(Self::going_on::<H, X, C::Leaf>(system, unfinished, Clock { t0, h, steps }))
+        Ok(Self::going_on::<H, X, C::Leaf>(system, unfinished, Clock { t0, h, steps })?)
     }
 }
 

@@ -30,10 +30,16 @@ impl Clock {
     /// How many steps will be done after `asked` more.
     ///
     /// # Errors
-    /// A clock that did not start at a time, and more steps than can be counted.
+    /// A clock that did not start at a time, more steps than can be counted, and steps that the clock does not notice.
     pub(crate) fn end(&self, asked: u64) -> Result<u64, Error> {
         self.check()?;
-        self.steps.checked_add(asked).ok_or(Error::Steps { done: self.steps, asked })
+        let end = self.steps.checked_add(asked).ok_or(Error::Steps { done: self.steps, asked })?;
+        // Time is coarsest where it is farthest from zero, which is at one end of the way. An infinite time is found too.
+        let ends = if asked == 0 { None } else { Some([self.steps, end]) };
+        match ends.into_iter().flatten().map(|steps| self.at(steps)).find(|time| time + self.h == *time) {
+            Some(time) => Err(Error::Clock { h: self.h, time }),
+            None => Ok(end),
+        }
     }
 
     /// Whether the clock started at a time.

@@ -15,7 +15,7 @@ use crate::{
     pack::{Alone, Course, Pack, Start},
     phase::Phase,
     real::Real,
-    run::admissible_with,
+    run::{Run, admissible_with},
     side_by_side::SideBySide,
     slot::Keep,
 };
@@ -84,9 +84,15 @@ impl<C: Coords> Ensemble<C> {
         let _ = composition;
         let (mut prepared, mut coordinates) = (Vec::new(), 0);
         for (member, (system, start)) in members.into_iter().enumerate() {
-            admissible_with::<X, _>(&start, h).map_err(|error| Error::Member { member, error: Box::new(error) })?;
+            let refused = |error| Error::Member { member, error: Box::new(error) };
+            admissible_with::<X, _>(&start, h).map_err(refused)?;
+            let parameters = system.parameters(start.q.length());
+            if !H::Parameters::<f64>::not_finite(&parameters).is_empty() {
+                // Whether that matters, a run of its own tells.
+                Run::start::<H, X, K>(&system, start.clone(), h).map_err(refused)?;
+            }
             coordinates += start.q.flat().len() as u64;
-            prepared.push((system.parameters(start.q.length()), start));
+            prepared.push((parameters, start));
         }
         if prepared.is_empty() {
             return Err(Error::NoMembers);
@@ -123,8 +129,8 @@ impl<C: Coords> Ensemble<C> {
     ///
     /// # Errors
     /// [`Error::Lost`] names the members that left the finite numbers in these steps; all others have taken them, and
-    /// the ensemble goes on without the lost ones, which stay at their last finite state. [`Error::Time`] and
-    /// [`Error::Steps`] leave the ensemble as it was.
+    /// the ensemble goes on without the lost ones, which stay at their last finite state. [`Error::Time`],
+    /// [`Error::Clock`] and [`Error::Steps`] leave the ensemble as it was.
     pub fn advance(&mut self, steps: u64) -> Result<(), Error> {
         self.advance_with(steps, |_| {})
     }

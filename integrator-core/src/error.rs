@@ -20,6 +20,12 @@ pub enum Error {
         /// What it is.
         value: f64,
     },
+    /// A force or a velocity at the start is not finite, and nor are numbers that are made of the parameters.
+    #[error("the motion from this start is not finite. Look at the parameters of the system: {}", listed(constants))]
+    Parameters {
+        /// The numbers, of a table the first one.
+        constants: Vec<NotFinite>,
+    },
     /// The spacing of a reversible start's grid is no power of two.
     #[error(
         "the grid of {coordinate}[{index}] has the spacing {spacing}: it has to be a power of two, for example \
@@ -73,6 +79,17 @@ pub enum Error {
         /// The time that was asked for.
         time: f64,
     },
+    /// The step is too short for the clock: it adds nothing to the time that it begins or ends at.
+    #[error(
+        "the clock would stand still: t + h is t again at t = {time} for the step h = {h}. Start the clock nearer to 0, \
+         or take another unit of time"
+    )]
+    Clock {
+        /// The step.
+        h: f64,
+        /// The time at which it adds nothing.
+        time: f64,
+    },
     /// Samples every 0 steps.
     #[error("samples(0) would stay at one point for ever: ask for a sample every 1 or more steps")]
     SampleInterval,
@@ -101,6 +118,29 @@ pub enum Error {
     /// Members of an ensemble left the finite numbers.
     #[error(transparent)]
     Lost(#[from] Lost),
+}
+
+/// A number that is made of parameters alone, evaluated once per run, and not finite.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[error("`{formula}` is {value}{}", self.place())]
+pub struct NotFinite {
+    /// How it is made, in the words of `kinetic` and `potential`, without `self`.
+    pub formula: &'static str,
+    /// Which one, where there is one for each turn of a loop: the names of the indices, and what they are.
+    pub indices: Vec<(&'static str, usize)>,
+    /// What it is.
+    pub value: f64,
+}
+
+impl NotFinite {
+    fn place(&self) -> String {
+        let each: Vec<String> = self.indices.iter().map(|(name, value)| format!("{name} = {value}")).collect();
+        if each.is_empty() { String::new() } else { format!(" for {}", each.join(", ")) }
+    }
+}
+
+fn listed(constants: &[NotFinite]) -> String {
+    constants.iter().map(NotFinite::to_string).collect::<Vec<_>>().join("; ")
 }
 
 /// Where a run left the finite numbers, or the range of its grid. The run itself stays at the last good state.

@@ -3,7 +3,7 @@
 use crate::{
     composition::Composition,
     coords::Coords,
-    error::Error,
+    error::{Error, NotFinite},
     phase::Phase,
     real::Real,
     run::Run,
@@ -58,8 +58,13 @@ pub trait Hamiltonian: Sized {
     /// A run from `start` with step `h` and the annotated composition.
     ///
     /// # Errors
-    /// A step that is zero or not finite; a start that is not finite or whose `q` and `p` differ in length; a reversible
-    /// start with a composition that is not symmetric, or with a grid that it does not fit.
+    /// A step that is zero or not finite; a start that is not finite or whose `q` and `p` differ in length; parameters
+    /// that make the motion from this start infinite or not a number, such as a mass of zero; a reversible start with a
+    /// composition that is not symmetric, or with a grid that it does not fit.
+    ///
+    /// # Panics
+    /// Where your own functions would: their indices and their integer arithmetic are checked in a run as they are in
+    /// plain Rust. A list of the system that is too short for the start is an index out of bounds.
     fn run<K: Keep>(&self, start: Phase<Shaped<Self, K>>, h: f64) -> Result<Run<Shaped<Self, K>>, Error> {
         Run::start::<Self, Self::Compose, K>(self, start, h)
     }
@@ -101,6 +106,10 @@ pub trait Prepared<R: Real>: Clone + Send + Sync + 'static {
     /// Whether two members may share lanes: integers and the lengths of tables are the same in all lanes.
     fn alike(_a: &Self::Single, _b: &Self::Single) -> bool {
         true
+    }
+    /// The constants that are not finite, of a table the first one.
+    fn not_finite(_single: &Self::Single) -> Vec<NotFinite> {
+        Vec::new()
     }
     /// Gathers the constants of one member per lane.
     fn gather<'a>(of_lane: impl Fn(usize) -> &'a Self::Single) -> Self;

@@ -69,6 +69,7 @@ pub mod check;
 #[cfg(feature = "checkpoint")]
 mod checkpoint;
 mod composition;
+mod constants;
 mod coords;
 mod engine;
 mod ensemble;
@@ -101,7 +102,7 @@ pub use checkpoint::CheckpointError;
 pub use composition::{Class, Composition, Lead, Processor, Rows, Scheme, Stage, Stages};
 pub use coords::Coords;
 pub use ensemble::Ensemble;
-pub use error::{Divergence, Error, Lost};
+pub use error::{Divergence, Error, Lost, NotFinite};
 pub use fixed::Fixed;
 pub use hamiltonian::{Hamiltonian, QuadraticKinetic};
 pub use instruction_set::InstructionSet;
@@ -135,7 +136,9 @@ pub mod __private {
         block::Block,
         catalogue::Verlet,
         composition::{Class, Composition, Lead, Processor, Rows, Scheme, Stage, Stages},
+        constants::{all_found, not_finite},
         coords::Coords,
+        error::NotFinite,
         fused::Fused,
         hamiltonian::{Flows, Hamiltonian, Motion, Plain, Prepared, QuadraticKinetic, Shaped},
         real::{Kernel, Mask, Real},

@@ -8,7 +8,7 @@ use crate::{
     engine::{Clock, Energies, Engine, Solo, moves},
     error::Error,
     fixed::is_power_of_two,
-    hamiltonian::Hamiltonian,
+    hamiltonian::{Hamiltonian, Prepared},
     instruction_set::InstructionSet,
     phase::Phase,
     samples::Samples,
@@ -77,11 +77,14 @@ impl<C: Coords> Run<C> {
         H::Coords: Coords<With<K> = C>,
     {
         admissible_with::<X, _>(&start, h)?;
-        Ok(Self::going_on::<H, X, K>(system, start, Clock { t0: 0.0, h, steps: 0 }))
+        Self::going_on::<H, X, K>(system, start, Clock { t0: 0.0, h, steps: 0 })
     }
 
     /// A run from a state in the middle of the step that the clock tells.
-    pub(crate) fn going_on<H, X, K>(system: &H, start: Phase<C>, clock: Clock) -> Self
+    ///
+    /// # Errors
+    /// [`Error::Parameters`], where a prepared constant is not finite and the motion is not.
+    pub(crate) fn going_on<H, X, K>(system: &H, start: Phase<C>, clock: Clock) -> Result<Self, Error>
     where
         H: Hamiltonian,
         X: Composition<H>,
@@ -89,6 +92,7 @@ impl<C: Coords> Run<C> {
         H::Coords: Coords<With<K> = C>,
     {
         let parameters = system.parameters(start.q.length());
+        let constants = H::Parameters::<f64>::not_finite(&parameters);
         let engine: Box<dyn Engine<C>> = match InstructionSet::chosen() {
             InstructionSet::Baseline => Box::new(Solo::new(parameters, start, moves::<H, X, K::Plain, K>())),
             InstructionSet::Avx512 if H::WIDE => Box::new(Solo::new(parameters, start, moves::<H, X, K::Avx512, K>())),
@@ -96,13 +100,23 @@ impl<C: Coords> Run<C> {
                 Box::new(Solo::new(parameters, start, moves::<H, X, K::Fused, K>()))
             }
         };
-        Self {
+        let run = Self {
             engine,
             clock,
             composition: X::NAME,
             #[cfg(feature = "checkpoint")]
             origin: Origin::of::<H, X>(),
+        };
+        // An infinite constant may be meant, such as a cutoff beyond all distances: what counts is what it does.
+        if !constants.is_empty() && run.is_spoilt() {
+            return Err(Error::Parameters { constants });
         }
+        Ok(run)
+    }
+
+    /// Whether a force or a velocity is not finite: then nor is a step of no length at all.
+    fn is_spoilt(&self) -> bool {
+        self.engine.boxed_clone().advance(Clock { h: 0.0, ..self.clock }, 1) == 0
     }
 
     /// Starts the clock at `t0` instead of 0. A `t0` that is not finite is reported by the first `advance`.
@@ -121,7 +135,8 @@ impl<C: Coords> Run<C> {
     ///
     /// # Errors
     /// [`Error::Diverged`] if the state leaves the finite numbers; the run then stays at the last finite state, and
-    /// [`Run::time`] and [`Run::state`] tell it. [`Error::Time`] and [`Error::Steps`] leave the run as it was.
+    /// [`Run::time`] and [`Run::state`] tell it. [`Error::Time`], [`Error::Clock`] and [`Error::Steps`] leave the run as
+    /// it was.
     pub fn advance(&mut self, steps: u64) -> Result<(), Error> {
         let end = self.clock.end(steps)?;
         let taken = self.engine.advance(self.clock, steps);

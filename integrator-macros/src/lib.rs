@@ -1,6 +1,7 @@
 //! The procedural macros of `integrator-core`: a doorway to `integrator-symbolic`, where the work is done.
 //!
 //! Use them through `integrator_core`, which re-exports both and is what the generated code calls.
+#![forbid(unsafe_code)]
 
 use proc_macro::TokenStream;
 

@@ -7,6 +7,7 @@
 //!
 //! Each arrow is a module; errors end at the model and at the claims of a scheme. Both functions return for every input,
 //! report all mistakes at once, and write the same tokens for the same tokens.
+#![forbid(unsafe_code)]
 
 mod differentiate;
 mod emit;

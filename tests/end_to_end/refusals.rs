@@ -69,3 +69,31 @@ fn more_steps_than_can_be_counted() {
     );
     assert_eq!((run.state(), run.steps()), (before, 2));
 }
+
+/// Far from zero, times are too coarse for a short step: the trajectory would move and its clock would not.
+#[test]
+fn steps_that_the_clock_does_not_notice() {
+    // The times that a double has next to 1e10 are 1.9e-6 apart, and 2^53 is where they are 2 apart.
+    let rows = [(1e10, 1e-7, 1), (-1e10, 1e-7, 1), (1e10, -1e-7, 1), (0.0, 1.0, 1 << 54), (0.0, 1e300, 1 << 40)];
+    for (t0, h, steps) in rows {
+        let mut run = HenonHeiles.run(start(), h).expect("an admissible start").at_time(t0);
+        let text = run.advance(steps).expect_err("the clock stands still").to_string();
+        let time = t0 + if steps == 1 { 0.0 } else { steps as f64 * h };
+        let expected = format!(
+            "the clock would stand still: t + h is t again at t = {time} for the step h = {h}. Start the clock nearer to \
+             0, or take another unit of time"
+        );
+        assert_eq!(text, expected);
+        assert_eq!((run.steps(), run.state()), (0, start()));
+        run.advance(0).expect("staying is possible");
+
+        let mut swarm = Ensemble::new(Verlet, [(HenonHeiles, start())], h).expect("an admissible start").at_time(t0);
+        assert_eq!(swarm.advance(steps).expect_err("the clock stands still").to_string(), expected);
+    }
+    // 2^-19 is such a distance, and a shortest step at zero is one as well.
+    for (t0, h) in [(1e10, 2.0_f64.powi(-19)), (0.0, f64::from_bits(1))] {
+        let mut run = HenonHeiles.run(start(), h).expect("an admissible start").at_time(t0);
+        run.advance(1000).expect("times that differ");
+        assert_eq!(run.time() - t0, 1000.0 * h);
+    }
+}

@@ -8,7 +8,7 @@ use crate::{
         gradient::{gradient_error, gradient_tolerance},
         order::{Order, observed_order, path},
         path::PARTS,
-        points::plain,
+        points::{begin, plain},
         reversibility::{RoundTrip, round_trip},
         shortfall::{CertifyError, Shortfall},
         stability::{Stability, stability},
@@ -19,7 +19,6 @@ use crate::{
     coords::Coords,
     hamiltonian::{Hamiltonian, Shaped},
     phase::Phase,
-    run::admissible,
     slot::Keep,
 };
 
@@ -77,7 +76,7 @@ pub fn certify<H: Hamiltonian, X: Composition<H>, K: Keep>(
     start: Phase<Shaped<H, K>>,
     h: f64,
 ) -> Result<Certificate, CertifyError> {
-    admissible(&start, h)?;
+    begin::<H, X, K>(system, &start, h)?;
     let subject = Subject::<H, X, K> { system, composition, start, h };
     let mut findings = Findings::default();
 

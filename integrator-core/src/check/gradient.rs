@@ -9,14 +9,13 @@ use crate::{
     check::{
         CheckError,
         dual::Dual,
-        points::{coordinate, numbers, origin, plain},
+        points::{begin, coordinate, numbers, origin},
         tolerance::{largest, ratio, within},
     },
     coords::Coords,
     hamiltonian::{Hamiltonian, Motion, Shaped},
     phase::Phase,
     real::Real,
-    run::admissible,
     slot::Keep,
 };
 use std::marker::PhantomData;
@@ -35,11 +34,10 @@ pub fn gradient_error<H: Hamiltonian, K: Keep>(
     point: Phase<Shaped<H, K>>,
     time: f64,
 ) -> Result<f64, CheckError> {
-    admissible(&point, 1.0)?;
+    let point = begin::<H, H::Compose, K>(system, &point, 1.0)?;
     if !time.is_finite() {
         return Err(crate::Error::Time { time }.into());
     }
-    let point = plain::<H, K>(&point);
     let parameters = system.parameters(point.q.length());
     let error = |part| Gradient::<H>::new(&parameters, part, time).error(&point);
     Ok(largest([error(Part::Kinetic)?, error(Part::Potential)?]))

@@ -9,7 +9,7 @@ use crate::{
         CheckError,
         line::fit_finest,
         path::{PARTS, Path},
-        points::plain,
+        points::{begin, plain},
         reference::reference,
         tolerance::within,
     },
@@ -17,7 +17,7 @@ use crate::{
     error::Error,
     hamiltonian::{Hamiltonian, Shaped},
     phase::Phase,
-    run::{Run, admissible},
+    run::Run,
     slot::{Compensated, Keep},
 };
 use std::marker::PhantomData;
@@ -91,8 +91,7 @@ pub fn observed_order<H: Hamiltonian, X: Composition<H>, K: Keep>(
     h: f64,
 ) -> Result<Order, CheckError> {
     let _ = composition;
-    admissible(&start, h)?;
-    let problem = Problem::<H, X> { system, start: plain::<H, K>(&start), marker: PhantomData };
+    let problem = Problem::<H, X> { system, start: begin::<H, X, K>(system, &start, h)?, marker: PhantomData };
     let mut span = problem.longest_span(h)?;
     let mut outcome = problem.order(span);
     for _ in 1..ATTEMPTS {

@@ -2,15 +2,30 @@
 
 use crate::{
     check::tolerance::{largest, ratio},
+    composition::Composition,
     coords::Coords,
+    error::Error,
     hamiltonian::{Hamiltonian, Shaped},
     phase::Phase,
+    run::{Run, admissible},
     slot::Keep,
 };
 
 /// The values of a point, whatever its leaves carry beside.
 pub(crate) fn plain<H: Hamiltonian, K: Keep>(point: &Phase<Shaped<H, K>>) -> Phase<H::Coords> {
     Phase { q: point.q.map(|leaf| leaf.to_f64()), p: point.p.map(|leaf| leaf.to_f64()) }
+}
+
+/// The values of a start, if a run may begin there.
+pub(crate) fn begin<H: Hamiltonian, X: Composition<H>, K: Keep>(
+    system: &H,
+    start: &Phase<Shaped<H, K>>,
+    h: f64,
+) -> Result<Phase<H::Coords>, Error> {
+    admissible(start, h)?;
+    let start = plain::<H, K>(start);
+    Run::start::<H, X, f64>(system, start.clone(), h)?;
+    Ok(start)
 }
 
 /// What one rounding amounts to, relative to the largest position or to the largest momentum of some points.

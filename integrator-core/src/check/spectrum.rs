@@ -45,6 +45,10 @@ pub(crate) fn eigenvalues(length: usize, operator: impl Fn(&[f64]) -> Vec<f64>) 
             basis.push(image / rest);
         }
     }
+    // nalgebra cannot tell the eigenvalues of a matrix without rows.
+    if found == 0 {
+        return Some(Vec::new());
+    }
     let restricted = restricted.resize(found, found, 0.0);
     Schur::try_new(restricted, f64::EPSILON, SWEEPS).map(|schur| schur.complex_eigenvalues().iter().copied().collect())
 }
@@ -53,6 +57,11 @@ pub(crate) fn eigenvalues(length: usize, operator: impl Fn(&[f64]) -> Vec<f64>) 
 mod tests {
     use super::*;
     use std::f64::consts::PI;
+
+    #[test]
+    fn nothing_has_no_eigenvalues() {
+        assert_eq!(eigenvalues(0, |_| Vec::new()), Some(Vec::new()));
+    }
 
     fn largest(length: usize, operator: impl Fn(&[f64]) -> Vec<f64>) -> f64 {
         let eigenvalues = eigenvalues(length, operator).expect("a finite operator");

@@ -10,7 +10,7 @@ use crate::{
         CheckError,
         dual::Dual,
         gradient::{Gradient, Part},
-        points::{coordinate, origin, plain},
+        points::{begin, coordinate, origin},
         spectrum::eigenvalues,
         tolerance::within,
     },
@@ -106,7 +106,7 @@ pub fn stability<H: Hamiltonian, X: Composition<H>, K: Keep>(
     h: f64,
 ) -> Result<Stability, CheckError> {
     let _ = composition;
-    let start = plain::<H, K>(start);
+    let start = begin::<H, X, K>(system, start, h)?;
     let mut run = Run::start::<H, X, f64>(system, start, h)?;
     let parameters = system.parameters(run.state().q.length());
     let mut fastest = Stability { turn: 0.0, time: run.time(), limit: X::STABILITY_LIMIT };

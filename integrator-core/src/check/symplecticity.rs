@@ -7,7 +7,7 @@
 use crate::{
     check::{
         CheckError,
-        points::plain,
+        points::begin,
         tangent::Tangents,
         tolerance::{flows_per_step, largest},
     },
@@ -15,7 +15,6 @@ use crate::{
     coords::Coords,
     hamiltonian::{Hamiltonian, Shaped},
     phase::Phase,
-    run::admissible,
     slot::Keep,
 };
 use nalgebra::DMatrix;
@@ -75,8 +74,8 @@ pub(crate) fn defect<H: Hamiltonian, X: Composition<H>, K: Keep>(
     h: f64,
     steps: u64,
 ) -> Result<Defect, CheckError> {
-    admissible(start, h)?;
-    let mut map = Tangents::<H, X>::new(system, start.q.length(), h).matrix(&plain::<H, K>(start), 0.0, steps);
+    let start = begin::<H, X, K>(system, start, h)?;
+    let mut map = Tangents::<H, X>::new(system, start.q.length(), h).matrix(&start, 0.0, steps);
     balance(&mut map);
     let n = map.nrows() / 2;
     let size = largest((form(&map) - form(&DMatrix::identity(2 * n, 2 * n))).iter().copied());

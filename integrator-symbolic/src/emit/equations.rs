@@ -49,12 +49,14 @@ impl Formulas<'_> {
         gradient.iter().map(line).collect()
     }
 
-    /// A formula, if it is short enough for people.
+    /// A formula, or that it is too long.
     fn shown(&self, id: NodeId) -> String {
-        match self.size(id) {
-            ..=LONG => self.formula(id, Tie::Sum),
-            _ => "(too long to be shown)".to_owned(),
-        }
+        self.short(id).unwrap_or_else(|| "(too long to be shown)".to_owned())
+    }
+
+    /// A formula, if it is short enough for people.
+    pub(super) fn short(&self, id: NodeId) -> Option<String> {
+        (self.size(id) <= LONG).then(|| self.formula(id, Tie::Sum))
     }
 
     /// How many operations a formula shows, shared ones as often as they occur.

@@ -1,6 +1,7 @@
 //! Prepared constants: what depends on parameters alone becomes a field, or a table where it depends on loops too.
 
 use super::{
+    equations::Formulas,
     expression::{Dialect, Printer},
     names::Names,
 };
@@ -152,6 +153,12 @@ impl Fields {
                 (_, Some(Level { literal: None, .. })) => Some(quote!(a.#name.len() == b.#name.len())),
                 _ => None,
             });
+            if let Content::Number(id) = content {
+                let (formula, runtime) = (Formulas(model).short(id), &names.runtime);
+                let formula = formula.unwrap_or_else(|| name.to_string());
+                let indices = table.levels.iter().map(|level| level.index.to_string());
+                prepared.searched.push(quote!(#runtime::not_finite(#formula, &[#(#indices),*], &single.#name)));
+            }
             prepared.fields.extend(quote!(#documentation #name: #kind,));
             prepared.gathered.extend(quote!(#name: #gathered,));
             prepared.values.extend(quote!(#name: #value,));
@@ -177,6 +184,8 @@ pub(super) struct Prepared {
     pub(super) values: TokenStream,
     /// What two members that share lanes have in common, as conditions on `a` and `b`.
     pub(super) common: Vec<TokenStream>,
+    /// The search for a number that is not finite in each field of a `single`.
+    pub(super) searched: Vec<TokenStream>,
 }
 
 /// `name` of `self.name` and of `self.name[...]`.

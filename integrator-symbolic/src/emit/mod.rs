@@ -67,11 +67,18 @@ pub(crate) fn stepper(input: &Input, mut model: Model) -> TokenStream {
 
     let root = &input.root;
     let Names { runtime, parameters, scalar, leaf, .. } = &names;
-    let fields::Prepared { fields, gathered, values, common } = fields.emit(&mut model, &names);
+    let fields::Prepared { fields, gathered, values, common, searched } = fields.emit(&mut model, &names);
     let alike = (!common.is_empty()).then(|| {
         quote! {
             #[inline]
             fn alike(a: &Self::Single, b: &Self::Single) -> bool { #(#common)&&* }
+        }
+    });
+    let not_finite = (!searched.is_empty()).then(|| {
+        quote! {
+            fn not_finite(single: &Self::Single) -> #runtime::Vec<#runtime::NotFinite> {
+                #runtime::all_found([#(#searched),*])
+            }
         }
     });
     // Integers and methods are the same whatever a flow computes in; so may be all that is prepared.
@@ -143,6 +150,7 @@ pub(crate) fn stepper(input: &Input, mut model: Model) -> TokenStream {
                 #gather
 
                 #alike
+                #not_finite
             }
 
             #documentation

@@ -15,10 +15,9 @@ pub use error::ChooseError;
 pub use ranking::{Choice, Ranking};
 
 use crate::{
-    check::{CheckError, tolerance::within},
+    check::{CheckError, points::begin, tolerance::within},
     hamiltonian::{Hamiltonian, Shaped},
     phase::Phase,
-    run::admissible,
     slot::Keep,
 };
 use problem::Problem;
@@ -88,7 +87,7 @@ pub fn choose<H: Hamiltonian, K: Keep>(
     if span == 0.0 || !span.is_finite() {
         return Err(ChooseError::Span { span });
     }
-    admissible(&start, span).map_err(CheckError::from)?;
+    begin::<H, H::Compose, K>(system, &start, span).map_err(CheckError::from)?;
     let tolerance = goal.tolerance();
     if !within(tolerance, f64::MAX) || tolerance <= 0.0 {
         return Err(ChooseError::Tolerance { tolerance });

@@ -1,0 +1,21 @@
+//! Whatever it is given, no public function panics.
+
+#[path = "../support/any_input.rs"]
+mod any_input;
+
+use any_input::outcome;
+use proptest::{prelude::*, test_runner::RngSeed};
+
+/// The same cases every time: a build does not fail for what it did not change. New cases are for the fuzz target.
+fn cases(count: u32) -> ProptestConfig {
+    ProptestConfig { failure_persistence: None, rng_seed: RngSeed::Fixed(2027), ..ProptestConfig::with_cases(count) }
+}
+
+proptest! {
+    #![proptest_config(cases(4_000))]
+
+    #[test]
+    fn any_input_is_refused_or_run(bytes in prop::collection::vec(any::<u8>(), 0..120)) {
+        outcome(&bytes).map_err(|wrong| TestCaseError::fail(format!("{bytes:?}: {wrong}")))?;
+    }
+}

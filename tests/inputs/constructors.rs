@@ -1,0 +1,250 @@
+//! Every public constructor refuses all bad input, and each names the same reason.
+
+use integrator_core::{
+    CheckpointError, NotFinite,
+    check::{
+        CertifyError, CheckError, certify, energy_drift, gradient_error, observed_order, reversibility, shadow,
+        stability, symplectic_defect, symplectic_defect_after,
+    },
+    prelude::*,
+};
+
+/// A chain as long as its start, with a mass for every site.
+#[derive(Clone)]
+struct Chain {
+    mass: Vec<f64>,
+    stiffness: f64,
+    cutoff: f64,
+}
+
+#[hamiltonian]
+impl Chain {
+    fn kinetic(&self, p: &[f64]) -> f64 {
+        let mut sum = 0.0;
+        for i in 0..p.len() {
+            sum += p[i] * p[i] / (2.0 * self.mass[i]);
+        }
+        sum
+    }
+    fn potential(&self, q: &[f64]) -> f64 {
+        let mut sum = 0.0;
+        for i in 1..q.len() {
+            let stretch = q[i] - q[i - 1];
+            if stretch < self.cutoff {
+                sum += self.stiffness * stretch.powi(2);
+            }
+        }
+        sum
+    }
+}
+
+/// All that a run is made of.
+#[derive(Clone)]
+struct Input {
+    chain: Chain,
+    q: Vec<f64>,
+    p: Vec<f64>,
+    h: f64,
+    grid: f64,
+}
+
+fn good() -> Input {
+    let chain = Chain { mass: vec![1.0, 2.0, 3.0], stiffness: 1.0, cutoff: f64::INFINITY };
+    Input { chain, q: vec![0.0, 1.5, 2.0], p: vec![0.0, 0.3, 0.1], h: 0.01, grid: 1.0 / (1_u64 << 40) as f64 }
+}
+
+/// Why something was refused, as text, because a NaN in a reason is unequal to itself.
+trait Reason {
+    fn reason(&self) -> String;
+}
+
+impl Reason for Error {
+    fn reason(&self) -> String {
+        match self {
+            // The step is every member's own, and the first one is refused for it.
+            Error::Member { member: 0, error } if matches!(**error, Error::Step { .. }) => error.reason(),
+            Error::Member { member: 1, error } => error.reason(),
+            other => format!("{other:?}"),
+        }
+    }
+}
+
+impl Reason for CheckError {
+    fn reason(&self) -> String {
+        match self {
+            CheckError::Run(error) => error.reason(),
+            other => format!("{other:?}"),
+        }
+    }
+}
+
+impl Reason for CertifyError {
+    fn reason(&self) -> String {
+        match self {
+            CertifyError::Run(error) => error.reason(),
+            other => format!("{other:?}"),
+        }
+    }
+}
+
+impl Reason for CheckpointError {
+    fn reason(&self) -> String {
+        match self {
+            CheckpointError::Run(error) => error.reason(),
+            other => format!("{other:?}"),
+        }
+    }
+}
+
+/// What a door lets in: the step, the start, the parameters, or the last alone.
+#[derive(Clone, Copy, PartialEq, PartialOrd)]
+enum Asks {
+    Parameters,
+    Start,
+    Step,
+}
+
+/// What comes of an input at one of the public constructors.
+struct Door {
+    name: &'static str,
+    asks: Asks,
+    outcome: Result<(), String>,
+}
+
+fn outcome<T, E: Reason>(result: Result<T, E>) -> Result<(), String> {
+    result.map(drop).map_err(|error| error.reason())
+}
+
+/// An input at every public constructor, from a start with some kind of leaves.
+macro_rules! doors {
+    ($input:expr, $start:expr) => {{
+        let input: &Input = $input;
+        let start = $start;
+        let (chain, h) = (&input.chain, input.h);
+        let from = || start(input);
+        // A second member, so that the refusal has to name it.
+        let members = || [(good().chain, start(&good())), (chain.clone(), from())];
+        let saved = good().chain.run(start(&good()), 0.01).expect("good").checkpoint();
+        let saved_with = good().chain.run_with(Yoshida4, start(&good()), 0.01).expect("good").checkpoint();
+        // The interval is refused before anything runs; the run is refused where it is made.
+        let sampled = chain.run(from(), h).and_then(|run| run.samples(1).next().unwrap_or(Err(Error::SampleInterval)));
+        let resumed = same(&from(), Run::resume(chain, &saved));
+        let resumed_with = same(&from(), Run::resume_with(chain, Yoshida4, &saved_with));
+        [
+            ("run", Asks::Step, outcome(chain.run(from(), h))),
+            ("run_with", Asks::Step, outcome(chain.run_with(Chin4A, from(), h))),
+            ("samples", Asks::Step, outcome(sampled)),
+            ("Ensemble::new", Asks::Step, outcome(Ensemble::new(Yoshida4, members(), h))),
+            ("resume", Asks::Parameters, outcome(resumed)),
+            ("resume_with", Asks::Parameters, outcome(resumed_with)),
+        ]
+        .map(|(name, asks, outcome)| Door { name, asks, outcome })
+        .into()
+    }};
+}
+
+/// An input at every check.
+fn checks(input: &Input) -> Vec<Door> {
+    let (chain, h) = (&input.chain, input.h);
+    [
+        ("certify", Asks::Step, outcome(certify(chain, Verlet, plain(input), h))),
+        ("observed_order", Asks::Step, outcome(observed_order(chain, Verlet, plain(input), h))),
+        ("symplectic_defect", Asks::Step, outcome(symplectic_defect(chain, Verlet, plain(input), h))),
+        ("symplectic_defect_after", Asks::Step, outcome(symplectic_defect_after(chain, Verlet, plain(input), h, 2))),
+        ("reversibility", Asks::Step, outcome(reversibility(chain, Verlet, plain(input), h, 2))),
+        ("energy_drift", Asks::Step, outcome(energy_drift(chain, Verlet, plain(input), h, 100))),
+        ("gradient_error", Asks::Start, outcome(gradient_error(chain, plain(input), 0.0))),
+        ("stability", Asks::Step, outcome(stability(chain, Verlet, &plain(input), h))),
+        ("shadow", Asks::Step, outcome(shadow(chain, Verlet, plain(input), h))),
+    ]
+    .map(|(name, asks, outcome)| Door { name, asks, outcome })
+    .into()
+}
+
+/// The run, of the coordinates that `start` has.
+fn same<C: integrator_core::Coords>(
+    _: &Phase<C>,
+    run: Result<Run<C>, CheckpointError>,
+) -> Result<Run<C>, CheckpointError> {
+    run
+}
+
+fn plain(input: &Input) -> Phase<Vec<f64>> {
+    Phase::new(input.q.clone(), input.p.clone())
+}
+
+fn single(input: &Input) -> Phase<Vec<f32>> {
+    let narrow = |numbers: &[f64]| numbers.iter().map(|number| *number as f32).collect();
+    Phase::new(narrow(&input.q), narrow(&input.p))
+}
+
+fn compensated(input: &Input) -> Phase<Vec<Compensated<f64>>> {
+    Phase::compensated(input.q.clone(), input.p.clone())
+}
+
+fn reversible(input: &Input) -> Phase<Vec<Fixed<f64>>> {
+    Phase::reversible(input.q.clone(), input.p.clone(), input.grid)
+}
+
+/// All constructors, by the leaf of the start. `choose`, which begins as the checks do, is compiled for every
+/// composition and has tests of its own.
+fn all(input: &Input) -> [(&'static str, Vec<Door>); 5] {
+    [
+        ("f64", doors!(input, plain)),
+        ("f32", doors!(input, single)),
+        ("compensated", doors!(input, compensated)),
+        ("reversible", doors!(input, reversible)),
+        ("checks", checks(input)),
+    ]
+}
+
+/// A way to spoil a good input.
+type Spoil = fn(&mut Input);
+
+#[test]
+fn every_constructor_names_the_same_reason() {
+    // What a reason has to contain: of parameters, there may be several.
+    let parameter = |formula, indices: &[(&'static str, usize)], value| {
+        (Asks::Parameters, format!("{:?}", NotFinite { formula, indices: indices.to_vec(), value }))
+    };
+    let start = |coordinate, index, value| (Asks::Start, Error::Start { coordinate, index, value }.reason());
+    let step = |h| (Asks::Step, Error::Step { h }.reason());
+    let length = |positions, momenta| (Asks::Start, Error::Length { positions, momenta }.reason());
+    let rows: [((Asks, String), Spoil); 16] = [
+        (step(0.0), |input| input.h = 0.0),
+        (step(-0.0), |input| input.h = -0.0),
+        (step(f64::NAN), |input| input.h = f64::NAN),
+        (step(f64::INFINITY), |input| input.h = f64::INFINITY),
+        (step(f64::NEG_INFINITY), |input| input.h = f64::NEG_INFINITY),
+        (start("q", 1, f64::NAN), |input| input.q[1] = f64::NAN),
+        (start("q", 0, f64::INFINITY), |input| input.q[0] = f64::INFINITY),
+        (start("p", 2, f64::NEG_INFINITY), |input| input.p[2] = f64::NEG_INFINITY),
+        (length(3, 2), |input| input.p.truncate(2)),
+        (length(2, 3), |input| input.q.truncate(2)),
+        (length(3, 0), |input| input.p.clear()),
+        (parameter("2 / (2.0 * mass[i])", &[("i", 2)], f64::INFINITY), |input| input.chain.mass[2] = 0.0),
+        // At rest, too: its velocity would be 0/0.
+        (parameter("2 / (2.0 * mass[i])", &[("i", 0)], f64::NEG_INFINITY), |input| input.chain.mass[0] = -0.0),
+        (parameter("2 / (2.0 * mass[i])", &[("i", 1)], f64::NAN), |input| input.chain.mass[1] = f64::NAN),
+        (parameter("stiffness", &[], f64::INFINITY), |input| input.chain.stiffness = f64::INFINITY),
+        (parameter("stiffness", &[], f64::NAN), |input| input.chain.stiffness = f64::NAN),
+    ];
+    for ((kind, reason), spoil) in rows {
+        let mut input = good();
+        spoil(&mut input);
+        for (leaf, doors) in all(&input) {
+            for door in doors.iter().filter(|door| door.asks >= kind) {
+                let refused = door.outcome.as_ref().is_err_and(|said| said.contains(&reason));
+                assert!(refused, "{} of {leaf}: {:?} where {reason} is the reason", door.name, door.outcome);
+            }
+        }
+    }
+}
+
+#[test]
+fn good_input_passes_them_all() {
+    let input = good();
+    for door in all(&input).iter().flat_map(|(_, doors)| doors) {
+        assert_eq!(door.outcome, Ok(()), "{}", door.name);
+    }
+}

@@ -1,0 +1,350 @@
+//! Systems, starts and steps that nobody would choose, made of bytes: for the property test, and for the fuzz target,
+//! which includes this file by its path.
+//!
+//! Comes in: bytes, which are read as choices. Goes out: what went wrong, if anything did. Always true: no public
+//! function of the library panics, what it calls a state is finite, and a refused or failed call changes nothing.
+
+use integrator_core::{
+    Coords,
+    check::{certify, energy_drift, gradient_error, reversibility, stability, symplectic_defect},
+    prelude::*,
+};
+
+/// Parameters that are folded into constants, in every place where they can do harm.
+#[derive(Clone)]
+struct Pendulum {
+    mass: f64,
+    length: f64,
+}
+
+#[hamiltonian(compose = Yoshida4)]
+impl Pendulum {
+    fn kinetic(&self, p: [f64; 1]) -> f64 {
+        p[0].powi(2) / (2.0 * self.mass * self.length.powi(2))
+    }
+    fn potential(&self, q: [f64; 1]) -> f64 {
+        -9.81 * self.mass * self.length * q[0].cos()
+    }
+}
+
+/// A singularity, and kicks along the gradient of the squared force.
+#[derive(Clone)]
+struct Kepler {
+    strength: f64,
+}
+
+#[hamiltonian(compose = Chin4A)]
+impl Kepler {
+    fn kinetic(&self, p: &[f64; 2]) -> f64 {
+        (p[0] * p[0] + p[1] * p[1]) / 2.0
+    }
+    fn potential(&self, q: &[f64; 2]) -> f64 {
+        -self.strength / (q[0] * q[0] + q[1] * q[1]).sqrt()
+    }
+}
+
+/// As many sites as the start has, none included.
+#[derive(Clone)]
+struct Lattice {
+    mass: f64,
+    cubic: f64,
+}
+
+#[hamiltonian]
+impl Lattice {
+    fn kinetic(&self, p: &[f64]) -> f64 {
+        p.iter().map(|p| p * p / (2.0 * self.mass)).sum()
+    }
+    fn potential(&self, q: &[f64]) -> f64 {
+        let mut sum = 0.0;
+        for i in 1..q.len() {
+            let stretch = q[i] - q[i - 1];
+            sum += stretch * stretch / 2.0 + self.cubic * stretch.powi(3);
+        }
+        sum
+    }
+}
+
+/// Points, with a list of masses and a cutoff; integrated by a processed composition.
+#[derive(Clone)]
+struct Cluster {
+    masses: Vec<f64>,
+    cutoff: f64,
+}
+
+#[hamiltonian(compose = TakahashiImada4)]
+impl Cluster {
+    fn kinetic(&self, p: &[[f64; 2]]) -> f64 {
+        let mut sum = 0.0;
+        for i in 0..p.len() {
+            sum += (p[i][0] * p[i][0] + p[i][1] * p[i][1]) / (2.0 * self.masses[i]);
+        }
+        sum
+    }
+    fn potential(&self, q: &[[f64; 2]]) -> f64 {
+        let mut sum = 0.0;
+        for i in 0..q.len() {
+            for j in 0..i {
+                let r2 = (q[i][0] - q[j][0]).powi(2) + (q[i][1] - q[j][1]).powi(2);
+                if r2 < self.cutoff {
+                    sum += r2.powi(-6) - r2.powi(-3);
+                }
+            }
+        }
+        sum
+    }
+}
+
+/// Both parts read the time, and `T` is not quadratic.
+#[derive(Clone)]
+struct Driven {
+    frequency: f64,
+}
+
+#[hamiltonian(compose = Ruth3)]
+impl Driven {
+    fn kinetic(&self, p: [f64; 1], t: f64) -> f64 {
+        (1.0 + p[0] * p[0]).sqrt() / (1.0 + t * t)
+    }
+    fn potential(&self, q: [f64; 1], t: f64) -> f64 {
+        q[0].cosh() - q[0] * (self.frequency * t).sin()
+    }
+}
+
+/// Functions whose domains end.
+#[derive(Clone)]
+struct Edges {
+    power: f64,
+}
+
+#[hamiltonian(compose = BlanesMoan4)]
+impl Edges {
+    fn kinetic(&self, p: [f64; 3]) -> f64 {
+        p[0].abs().powf(self.power) + p[1].hypot(p[2]) + p[2].exp()
+    }
+    fn potential(&self, q: [f64; 3]) -> f64 {
+        q[0].ln() + q[1].asin() + q[2].tan() + q[0].min(q[1]).sqrt() + q[1].atan2(q[2])
+    }
+}
+
+/// Bytes as choices; behind their end every choice is the first.
+struct Choices<'b>(&'b [u8]);
+
+impl Choices<'_> {
+    /// A number below `count`.
+    fn below(&mut self, count: usize) -> usize {
+        let Some((first, rest)) = self.0.split_first() else { return 0 };
+        self.0 = rest;
+        usize::from(*first) % count
+    }
+
+    /// Mostly a number that a person would write, at times one that arithmetic is afraid of, at times any at all.
+    fn number(&mut self) -> f64 {
+        const TERRIBLE: [f64; 16] = [
+            0.0,
+            -0.0,
+            f64::NAN,
+            f64::INFINITY,
+            f64::NEG_INFINITY,
+            f64::MIN_POSITIVE,
+            5e-324,
+            -5e-324,
+            1e-150,
+            1e150,
+            -1e150,
+            f64::MAX,
+            f64::MIN,
+            f64::EPSILON,
+            9_007_199_254_740_993.0,
+            1e-8,
+        ];
+        match self.below(8) {
+            0 => TERRIBLE[self.below(TERRIBLE.len())],
+            1 => f64::from_bits((0..8).fold(0, |bits, _| bits << 8 | self.below(256) as u64)),
+            _ => (self.below(256) as f64 - 96.0) / 64.0,
+        }
+    }
+
+    fn numbers<const N: usize>(&mut self) -> [f64; N] {
+        std::array::from_fn(|_| self.number())
+    }
+
+    fn step(&mut self) -> f64 {
+        if self.below(4) == 0 { self.number() } else { (self.below(64) as f64 - 16.0) / 256.0 }
+    }
+
+    /// Few steps, some blocks of steps, or more than can be counted.
+    fn steps(&mut self) -> u64 {
+        match self.below(16) {
+            0 => 1024 + self.below(256) as u64,
+            1 => u64::MAX - self.below(4) as u64,
+            _ => self.below(32) as u64,
+        }
+    }
+}
+
+/// What is done with a start, whatever its leaves.
+macro_rules! with_leaves {
+    ($choices:expr, $system:expr, $q:expr, $p:expr) => {{
+        let (system, q, p) = ($system, $q, $p);
+        let choices = $choices;
+        checked(choices, &system, Phase::new(q.clone(), p.clone()));
+        match choices.below(4) {
+            0 => both!(choices, system, Phase::new(q, p)),
+            1 => both!(choices, system, Phase { q: q.map(|x| x as f32), p: p.map(|x| x as f32) }),
+            2 => both!(choices, system, Phase::compensated(q, p)),
+            _ => {
+                let grid = if choices.below(4) == 0 { choices.number() } else { 1.0 / (1_u64 << 40) as f64 };
+                both!(choices, system, Phase::reversible(q, p, grid))
+            }
+        }
+    }};
+}
+
+/// A run, and an ensemble whose other members begin elsewhere or are the same.
+macro_rules! both {
+    ($choices:expr, $system:expr, $start:expr) => {{
+        let (choices, system, start) = ($choices, $system, $start);
+        let h = choices.step();
+        let members: Vec<_> = (0..choices.below(10)).map(|_| (system.clone(), start.clone())).collect();
+        let ensemble = Ensemble::new(Verlet, members, h).map(|swarm| swarm.with_threads(choices.below(3)));
+        together(choices, ensemble)?;
+        alone(choices, &system, start, h)
+    }};
+}
+
+/// What went wrong with the input that the bytes describe.
+pub(crate) fn outcome(bytes: &[u8]) -> Result<(), String> {
+    let choices = &mut Choices(bytes);
+    match choices.below(6) {
+        0 => {
+            let [mass, length] = choices.numbers();
+            with_leaves!(choices, Pendulum { mass, length }, choices.numbers::<1>(), choices.numbers::<1>())
+        }
+        1 => {
+            let strength = choices.number();
+            with_leaves!(choices, Kepler { strength }, choices.numbers::<2>(), choices.numbers::<2>())
+        }
+        2 => {
+            let [mass, cubic] = choices.numbers();
+            let (q, p) = lists(choices, |choices| choices.number());
+            with_leaves!(choices, Lattice { mass, cubic }, q, p)
+        }
+        3 => {
+            let cutoff = choices.number();
+            let (q, p) = lists(choices, |choices| choices.numbers::<2>());
+            let masses = (0..q.len()).map(|_| choices.number()).collect();
+            with_leaves!(choices, Cluster { masses, cutoff }, q, p)
+        }
+        4 => {
+            let frequency = choices.number();
+            with_leaves!(choices, Driven { frequency }, choices.numbers::<1>(), choices.numbers::<1>())
+        }
+        _ => {
+            let power = choices.number();
+            with_leaves!(choices, Edges { power }, choices.numbers::<3>(), choices.numbers::<3>())
+        }
+    }
+}
+
+/// Positions and momenta of a size known at run time, at times of two sizes.
+fn lists<T>(choices: &mut Choices<'_>, element: impl Fn(&mut Choices<'_>) -> T) -> (Vec<T>, Vec<T>) {
+    let positions = choices.below(6);
+    let momenta = if choices.below(8) == 0 { choices.below(6) } else { positions };
+    ((0..positions).map(|_| element(choices)).collect(), (0..momenta).map(|_| element(choices)).collect())
+}
+
+/// Whether every number of a state is finite, read off its text, which all shapes and leaves have.
+fn finite<C: Coords>(state: &Phase<C>) -> Result<(), String> {
+    let text = format!("{state:?}");
+    let wrong = ["NaN", "inf"].iter().any(|word| text.contains(word));
+    if wrong { Err(format!("a state that is not finite: {text}")) } else { Ok(()) }
+}
+
+/// One run under calls in any order.
+fn alone<H, C>(choices: &mut Choices<'_>, system: &H, start: Phase<C>, h: f64) -> Result<(), String>
+where
+    H: Hamiltonian,
+    H::Coords: Coords<With<C::Leaf> = C>,
+    C: Coords,
+{
+    let Ok(mut run) = system.run::<C::Leaf>(start, h) else { return Ok(()) };
+    if choices.below(4) == 0 {
+        run = run.at_time(choices.number());
+    }
+    for _ in 0..choices.below(8) {
+        let (before, steps) = (run.state(), run.steps());
+        match choices.below(6) {
+            0 => {
+                let samples: Vec<_> = run.clone().samples(choices.steps()).take(3).collect();
+                for sample in samples.iter().flatten() {
+                    finite(&sample.state)?;
+                    let _ = sample.energy();
+                }
+            }
+            1 => {
+                let mut bytes = run.checkpoint();
+                let resumed: Run<C> = Run::resume(system, &bytes).map_err(|error| format!("not resumed: {error}"))?;
+                if (resumed.state(), resumed.steps()) != (before.clone(), steps) {
+                    return Err(format!("resumed {resumed:?} from {run:?}"));
+                }
+                let at = choices.below(256) % bytes.len();
+                bytes[at] ^= 1 << choices.below(8);
+                if Run::<C>::resume(system, &bytes).is_ok() {
+                    return Err(format!("resumed from a checkpoint with a wrong byte {at}"));
+                }
+            }
+            _ => {
+                let asked = choices.steps();
+                match run.advance(asked) {
+                    Ok(()) if run.steps() == steps + asked => {}
+                    Err(Error::Diverged(divergence)) if run.steps() + 1 == divergence.step => {}
+                    Err(_) if (run.state(), run.steps()) == (before, steps) => {}
+                    outcome => return Err(format!("{outcome:?} after {asked} steps of {run:?}")),
+                }
+            }
+        }
+        finite(&run.state())?;
+        let _ = (run.energy(), run.time(), format!("{run:?}"));
+    }
+    Ok(())
+}
+
+/// One of the checks, whose results may be anything here.
+fn checked<H: Hamiltonian>(choices: &mut Choices<'_>, system: &H, start: Phase<H::Coords>) {
+    let h = choices.step();
+    match choices.below(64) {
+        1 if choices.below(4) == 0 => {
+            let _ = certify::<H, Verlet, f64>(system, Verlet, start, h).map(|certificate| certificate.to_string());
+        }
+        2..6 => {
+            let _ = symplectic_defect::<H, Verlet, f64>(system, Verlet, start, h);
+        }
+        6..10 => {
+            let _ = reversibility::<H, Verlet, f64>(system, Verlet, start, h, choices.below(40) as u64);
+        }
+        10..14 => {
+            let _ = energy_drift::<H, Verlet, f64>(system, Verlet, start, h, choices.below(40) as u64);
+        }
+        14..18 => {
+            let _ = gradient_error::<H, f64>(system, start, choices.number());
+        }
+        18..22 => {
+            let _ = stability::<H, Verlet, f64>(system, Verlet, &start, h).map(|stability| stability.to_string());
+        }
+        _ => {}
+    }
+}
+
+/// An ensemble, if there is one.
+fn together<C: Coords>(choices: &mut Choices<'_>, ensemble: Result<Ensemble<C>, Error>) -> Result<(), String> {
+    let Ok(mut ensemble) = ensemble else { return Ok(()) };
+    for _ in 0..choices.below(3) {
+        let outcome = ensemble.advance(choices.steps());
+        let _ = outcome.map_err(|error| error.to_string());
+    }
+    for member in 0..=ensemble.len() {
+        let _ = ensemble.energy(member);
+    }
+    ensemble.states().try_for_each(|state| finite(&state))
+}
