@@ -8,7 +8,7 @@ use crate::{
     coords::Coords,
     engine::{Clock, Moves, moves},
     error::{Error, Lost},
-    group::{GroupMoves, TOGETHER, group_moves},
+    group::{GroupMoves, group_moves},
     hamiltonian::{Hamiltonian, Prepared, Shaped},
     instruction_set::InstructionSet,
     lanes::Abreast,
@@ -38,6 +38,9 @@ const WORTH_A_THREAD: u64 = 1 << 17;
 /// those who leave early leave a gap in few of the motions.
 const PACKS_PER_THREAD: usize = 4;
 const GROUPS_PER_PACK: usize = 16;
+
+/// How many vector registers there are without AVX-512, which has 32.
+const REGISTERS: usize = if cfg!(target_arch = "x86_64") { 16 } else { 32 };
 
 /// Trajectories of one kind of system under way together; parameters may differ from member to member.
 ///
@@ -100,13 +103,19 @@ impl<C: Coords> Ensemble<C> {
         let members = prepared.len();
         let threads = thread::available_parallelism().map_or(1, NonZeroUsize::get);
         let packs = match InstructionSet::chosen() {
-            InstructionSet::Baseline => packs::<H, X, <K as Abreast>::Plain, <K as Keep>::Plain, K>(prepared, threads),
-            InstructionSet::Fused => packs::<H, X, <K as Abreast>::Fused, <K as Keep>::Fused, K>(prepared, threads),
+            InstructionSet::Baseline => {
+                packs::<H, X, <K as Abreast>::Plain, <K as Keep>::Plain, K, REGISTERS>(prepared, threads)
+            }
+            InstructionSet::Fused => {
+                packs::<H, X, <K as Abreast>::Fused, <K as Keep>::Fused, K, REGISTERS>(prepared, threads)
+            }
             // Alone, a member is what a run would be.
             InstructionSet::Avx512 if H::WIDE => {
-                packs::<H, X, <K as Abreast>::Avx512, <K as Keep>::Avx512, K>(prepared, threads)
+                packs::<H, X, <K as Abreast>::Avx512, <K as Keep>::Avx512, K, 32>(prepared, threads)
             }
-            InstructionSet::Avx512 => packs::<H, X, <K as Abreast>::Avx512, <K as Keep>::Fused, K>(prepared, threads),
+            InstructionSet::Avx512 => {
+                packs::<H, X, <K as Abreast>::Avx512, <K as Keep>::Fused, K, 32>(prepared, threads)
+            }
         };
         Ok(Self { packs, members, coordinates, clock: Clock { t0: 0.0, h, steps: 0 }, threads })
     }
@@ -291,13 +300,13 @@ impl<C: Coords> fmt::Debug for Ensemble<C> {
 
 /// Neighbours that are alike in what lanes have to share go side by side, in packs of such a size that threads can share
 /// them; whoever is like no neighbour goes alone.
-fn packs<H: Hamiltonian, X: Composition<H>, L: Real, R: Real, K: Keep>(
+fn packs<H: Hamiltonian, X: Composition<H>, L: Real, R: Real, K: Keep, const REGISTERS: usize>(
     members: Vec<Start<H::Parameters<f64>, Shaped<H, K>>>,
     threads: usize,
 ) -> Vec<Box<dyn Pack<Shaped<H, K>>>> {
-    let together: GroupMoves<H::Motion<L, K>> = group_moves::<H, X, L, K>();
+    let together: GroupMoves<H::Motion<L, K>> = group_moves::<H, X, L, K, REGISTERS>();
     let alone: Moves<H::Motion<R, K>> = moves::<H, X, R, K>();
-    let group = L::LANES * TOGETHER;
+    let group = together.lanes * together.together;
     let size = group * (members.len() / (group * PACKS_PER_THREAD * threads)).clamp(1, GROUPS_PER_PACK);
     let mut packs: Vec<Box<dyn Pack<Shaped<H, K>>>> = Vec::new();
     let mut members = members.into_iter().peekable();

@@ -5,25 +5,29 @@
 
 use crate::{
     composition::Composition,
+    coords::Coords,
     engine::{Advance, Clock, Close},
-    hamiltonian::{Flows, Hamiltonian, Motion, QuadraticKinetic, Single},
+    hamiltonian::{Flows, Hamiltonian, Motion, QuadraticKinetic, Shaped, Single},
     real::{Kernel, Real},
     slot::Keep,
 };
 use std::marker::PhantomData;
 
-/// How many small motions go together, by measurement: two vectors of 512 bits take 0.29 ns per member and step of
-/// Hénon–Heiles, four 0.16, six 0.13, eight 0.15, and six and eight are alike for Kepler.
-pub(crate) const TOGETHER: usize = 6;
+/// How many motions go together at most. By measurement, more than six wait no less.
+const MOST: usize = 6;
 
-/// How many numbers a small motion has at most: six of four coordinates fill the registers, and beyond some more the
-/// operations of one motion have enough of each other to fill the waiting.
-const SMALL: usize = 16;
+/// How many registers a group's state may take where there are 32, so that the rest is left to compute in. One too many,
+/// and the state goes through memory at every stage: by measurement on AVX-512, members with compensated coordinates of
+/// Hénon–Heiles, three motions together and six, take 0.30 and 0.68 ns per step. Sixteen registers hold no group
+/// worth the name; there, as many motions as may hide how long memory takes.
+const FOR_STATE: usize = 24;
 
 /// What is done to motions whose lanes are members, compiled for one system, composition and vector.
 pub(crate) struct GroupMoves<M> {
     /// How many members a motion has.
     pub(crate) lanes: usize,
+    /// How many motions go together.
+    pub(crate) together: usize,
     pub(crate) advance: fn(&mut [M], Clock, u64),
     pub(crate) close: fn(&mut [M], Clock),
     /// Whether all numbers are finite.
@@ -38,12 +42,19 @@ impl<M> Clone for GroupMoves<M> {
 
 impl<M> Copy for GroupMoves<M> {}
 
-/// The moves of a system under a composition, in lanes.
-pub(crate) fn group_moves<H: Hamiltonian, X: Composition<H>, L: Real, K: Keep>() -> GroupMoves<H::Motion<L, K>> {
+/// The moves of a system under a composition, in lanes, where so many registers hold a number of all lanes each.
+pub(crate) fn group_moves<H, X, L, K, const REGISTERS: usize>() -> GroupMoves<H::Motion<L, K>>
+where
+    H: Hamiltonian,
+    X: Composition<H>,
+    L: Real,
+    K: Keep,
+{
     GroupMoves {
         lanes: L::LANES,
+        together: AdvanceAll::<H, X, L, K, REGISTERS>::TOGETHER,
         advance: |motions, clock, steps| {
-            L::enter(AdvanceAll::<H, X, L, K> { motions, clock, steps, marker: PhantomData });
+            L::enter(AdvanceAll::<H, X, L, K, REGISTERS> { motions, clock, steps, marker: PhantomData });
         },
         close: |motions, clock| L::enter(CloseAll::<H, X, L, K> { motions, clock, marker: PhantomData }),
         finite: |motions| L::enter(Finite::<H, L, K>(motions)),
@@ -51,9 +62,9 @@ pub(crate) fn group_moves<H: Hamiltonian, X: Composition<H>, L: Real, K: Keep>()
 }
 
 /// Several motions, stage by stage.
-struct Together<'m, H: Hamiltonian, L: Real, K: Keep>(&'m mut [H::Motion<L, K>; TOGETHER]);
+struct Together<'m, H: Hamiltonian, L: Real, K: Keep, const N: usize>(&'m mut [H::Motion<L, K>; N]);
 
-impl<H: Hamiltonian, L: Real, K: Keep> Flows<H> for Together<'_, H, L, K> {
+impl<H: Hamiltonian, L: Real, K: Keep, const N: usize> Flows<H> for Together<'_, H, L, K, N> {
     #[inline(always)]
     fn drift(&mut self, duration: f64, time: f64) {
         for motion in self.0.iter_mut() {
@@ -78,35 +89,68 @@ impl<H: Hamiltonian, L: Real, K: Keep> Flows<H> for Together<'_, H, L, K> {
 }
 
 /// The n-step loop over all motions, one group after the other.
-struct AdvanceAll<'m, H: Hamiltonian, X, L: Real, K: Keep> {
+struct AdvanceAll<'m, H: Hamiltonian, X, L: Real, K: Keep, const REGISTERS: usize> {
     motions: &'m mut [H::Motion<L, K>],
     clock: Clock,
     steps: u64,
     marker: PhantomData<X>,
 }
 
-impl<H: Hamiltonian, X, L: Real, K: Keep> AdvanceAll<'_, H, X, L, K> {
-    /// Whether motions go together: a motion that owns memory is of a size known at run time, hence not small.
-    const IN_GROUPS: bool = {
-        let numbers = size_of::<H::Motion<L, K>>() / size_of::<L>();
-        numbers <= SMALL && !std::mem::needs_drop::<H::Motion<L, K>>()
+impl<H, X, L, K, const REGISTERS: usize> AdvanceAll<'_, H, X, L, K, REGISTERS>
+where
+    H: Hamiltonian,
+    X: Composition<H>,
+    L: Real,
+    K: Keep,
+{
+    const TOGETHER: usize = {
+        let numbers = 2 * size_of::<<Shaped<H, K> as Coords>::Slots<L>>() / size_of::<L>();
+        let fitting = match FOR_STATE.checked_div(numbers) {
+            Some(fitting) => fitting,
+            None => MOST,
+        };
+        // A motion that owns memory is of a size known at run time, hence not small.
+        if std::mem::needs_drop::<H::Motion<L, K>>() || fitting < 2 {
+            1
+        } else if REGISTERS < 32 || fitting > MOST {
+            MOST
+        } else {
+            fitting
+        }
     };
+
+    /// Advances groups of `N` and returns the motions that fill none.
+    #[inline(always)]
+    fn groups<const N: usize>(motions: &mut [H::Motion<L, K>], clock: Clock, steps: u64) -> &mut [H::Motion<L, K>] {
+        let (groups, rest) = motions.as_chunks_mut::<N>();
+        for group in groups {
+            Advance::<_, H, X>::new(Together::<H, L, K, N>(group), clock, steps).call();
+        }
+        rest
+    }
 }
 
-impl<H: Hamiltonian, X: Composition<H>, L: Real, K: Keep> Kernel for AdvanceAll<'_, H, X, L, K> {
+impl<H, X, L, K, const REGISTERS: usize> Kernel for AdvanceAll<'_, H, X, L, K, REGISTERS>
+where
+    H: Hamiltonian,
+    X: Composition<H>,
+    L: Real,
+    K: Keep,
+{
     type Out = ();
 
     #[inline(always)]
     fn call(self) {
-        let Self { mut motions, clock, steps, .. } = self;
-        if Self::IN_GROUPS {
-            let (groups, rest) = motions.as_chunks_mut::<TOGETHER>();
-            for group in groups {
-                Advance::<_, H, X>::new(Together::<H, L, K>(group), clock, steps).call();
-            }
-            motions = rest;
-        }
-        for motion in motions {
+        let Self { motions, clock, steps, .. } = self;
+        // Of these, code is made for one.
+        let rest = match Self::TOGETHER {
+            2 => Self::groups::<2>(motions, clock, steps),
+            3 => Self::groups::<3>(motions, clock, steps),
+            4 => Self::groups::<4>(motions, clock, steps),
+            MOST => Self::groups::<MOST>(motions, clock, steps),
+            _ => motions,
+        };
+        for motion in rest {
             Advance::<_, H, X>::new(Single::<H, L, K>(motion), clock, steps).call();
         }
     }
