@@ -1,10 +1,6 @@
 //! What a system of the corpus has beside its Hamiltonian.
 
-use integrator_core::{
-    Coords,
-    check::{Certificate, CertifyError},
-    prelude::*,
-};
+use integrator_core::{Coords, prelude::*};
 use num_dual::DualNum;
 
 /// A system of the corpus.
@@ -13,6 +9,8 @@ pub(crate) trait Member: Hamiltonian<Coords: Filled> {
     const STEP: f64;
     /// Why every certificate is refused, where the potential is not smooth enough for any order.
     const ROUGH: Option<&'static str> = None;
+    /// The highest order that shows, where the potential is not smooth enough for all.
+    const SMOOTH: u32 = u32::MAX;
 
     /// The system with the parameters of the reference.
     fn example() -> Self;
@@ -22,10 +20,6 @@ pub(crate) trait Member: Hamiltonian<Coords: Filled> {
     fn kinetic_twin<D: Number>(&self, p: &[D], time: f64) -> D;
     /// `V` once more, for dual numbers; coordinates are flat.
     fn potential_twin<D: Number>(&self, q: &[D], time: f64) -> D;
-    /// The certificate of a composition that suits the system.
-    fn certificate(&self, start: Phase<Self::Coords>) -> Result<Certificate, CertifyError> {
-        certify::<Self, _, f64>(self, Yoshida4, start, Self::STEP)
-    }
 }
 
 /// What twins compute in.

@@ -4,10 +4,7 @@ use crate::{
     chains::half_squares,
     member::{Member, Number},
 };
-use integrator_core::{
-    check::{Certificate, CertifyError},
-    prelude::*,
-};
+use integrator_core::prelude::*;
 
 /// A bond whose energies and forces were computed elsewhere, with cubic Hermite polynomials in between.
 #[derive(Clone)]
@@ -50,6 +47,8 @@ impl Tabulated {
 
 impl Member for Tabulated {
     const STEP: f64 = 0.05;
+    // The second derivative of the spline jumps between cells.
+    const SMOOTH: u32 = 2;
 
     fn example() -> Self {
         Self { cell: 0.75, values: [1.5, -0.2, -0.4, 0.3], slopes: [-3.0, -1.1, 0.4, 1.2] }
@@ -69,9 +68,5 @@ impl Member for Tabulated {
         };
         let rest = -s + 1.0;
         end(left, s) * rest * rest + end(left + 1, rest) * s * s + q[0] * q[0] * 0.01
-    }
-    fn certificate(&self, start: Phase<Self::Coords>) -> Result<Certificate, CertifyError> {
-        // The second derivative of the spline jumps between cells: no order above 2 shows.
-        certify(self, Verlet, start, Self::STEP)
     }
 }

@@ -4,10 +4,7 @@ use crate::{
     chains::half_squares,
     member::{Member, Number},
 };
-use integrator_core::{
-    check::{Certificate, CertifyError},
-    prelude::*,
-};
+use integrator_core::prelude::*;
 
 /// One ion in a radio-frequency trap (Paul and Steinwedel 1953).
 pub(crate) struct PaulTrap {
@@ -226,6 +223,8 @@ impl RampedLattice {
 
 impl Member for RampedLattice {
     const STEP: f64 = 0.05;
+    // The second derivative of the ramp jumps at its end.
+    const SMOOTH: u32 = 2;
 
     fn example() -> Self {
         let started = [Species::Light, Species::Heavy].into_iter().next_back();
@@ -241,9 +240,5 @@ impl Member for RampedLattice {
         let s = (time / self.ramp).min(1.0);
         let light = (q[0] * std::f64::consts::TAU).cos() - 1.0;
         q[0] * (2.0 * 1.5 * 0.21) - light * (s * s * (3.0 - 2.0 * s) * self.depth / 2.0)
-    }
-    fn certificate(&self, start: Phase<Self::Coords>) -> Result<Certificate, CertifyError> {
-        // The second derivative of the ramp jumps at its end: no order above 2 shows.
-        certify(self, Verlet, start, Self::STEP)
     }
 }

@@ -5,8 +5,8 @@ use crate::{
     reference::{self, Exact, Point},
 };
 use integrator_core::{
-    Coords,
-    check::{CertifyError, gradient_error},
+    Coords, Visitor,
+    check::{Certificate, CertifyError, gradient_error},
     prelude::*,
 };
 use num_dual::Dual64;
@@ -27,7 +27,44 @@ pub(crate) fn judge<S: Member>(name: &str) {
         // Units of the rounding of the coordinates; the same operations as above, once as code and once in duals.
         assert!(deviation.as_ref().is_ok_and(|error| *error <= 32.0 * f64::EPSILON), "{name}: {deviation:?}");
     }
-    let certificate = system.certificate(phase::<S>(&points[0]));
+    let start = phase::<S>(&points[0]);
+    let certificate = if const { S::SMOOTH >= Yoshida4::ORDER } {
+        certify::<S, _, f64>(&system, Yoshida4, start.clone(), S::STEP)
+    } else {
+        certify::<S, _, f64>(&system, Verlet, start.clone(), S::STEP)
+    };
+    agrees_with_smoothness::<S>(name, certificate);
+    S::visit_compositions(&mut WithForceGradients { name, system: &system, start });
+}
+
+/// Certifies a system with `Chin4A` if its `T` is quadratic: force gradients need the generated second derivatives.
+struct WithForceGradients<'m, S: Member> {
+    name: &'m str,
+    system: &'m S,
+    start: Phase<S::Coords>,
+}
+
+impl<S: Member> Visitor<S> for WithForceGradients<'_, S> {
+    fn visit<X: Composition<S>>(&mut self, composition: X) {
+        // Known when this is compiled, so that nothing is compiled for the others: one certificate of one system takes
+        // the compiler a second.
+        if const { is_chin_4a::<X>() && S::SMOOTH >= X::ORDER } {
+            let certificate = certify::<S, X, f64>(self.system, composition, self.start.clone(), S::STEP);
+            agrees_with_smoothness::<S>(self.name, certificate);
+        }
+    }
+}
+
+/// Whether a composition has the numbers of `Chin4A`, which no other one in the catalogue has.
+const fn is_chin_4a<X: Scheme>() -> bool {
+    X::SYMMETRIC
+        && X::ORDER == Chin4A::ORDER
+        && X::FORCE_EVALUATIONS == Chin4A::FORCE_EVALUATIONS
+        && X::GRADIENT_EVALUATIONS == Chin4A::GRADIENT_EVALUATIONS
+}
+
+/// A smooth system is certified, a rough one is not.
+fn agrees_with_smoothness<S: Member>(name: &str, certificate: Result<Certificate, CertifyError>) {
     match (certificate, S::ROUGH) {
         (Ok(_), None) | (Err(CertifyError::Refused { .. }), Some(_)) => {}
         (Ok(certificate), Some(reason)) => panic!("{name}: certified, though {reason}: {certificate}"),
