@@ -7,13 +7,10 @@ use crate::{
     vector::{Number, Row, Vector},
 };
 
-/// How many vectors are in flight, so that the latency of each is hidden behind the others.
-const IN_FLIGHT: usize = 8;
+/// Several twins that take turns, so that the latency of each is hidden behind the others.
+struct Group<L, const IN_FLIGHT: usize>([L; IN_FLIGHT]);
 
-/// Several twins that take turns.
-struct Group<L>([L; IN_FLIGHT]);
-
-impl<L: Twin> Twin for Group<L> {
+impl<L: Twin, const IN_FLIGHT: usize> Twin for Group<L, IN_FLIGHT> {
     #[inline(always)]
     fn drift(&mut self, t: f64) {
         for lanes in &mut self.0 {
@@ -42,10 +39,10 @@ struct March<'s, T> {
 
 impl<T: Number> March<'_, T> {
     #[inline(always)]
-    fn march<V: Vector<Number = T>, L: Lanes<V>>(self) {
+    fn march<V: Vector<Number = T>, L: Lanes<V>, const IN_FLIGHT: usize>(self) {
         let columns = &mut self.swarm.columns;
         for first in (0..columns[0].len()).step_by(IN_FLIGHT * V::LANES) {
-            let mut group = Group(std::array::from_fn(|i| L::load(columns, first + i * V::LANES)));
+            let mut group = Group::<L, IN_FLIGHT>(std::array::from_fn(|i| L::load(columns, first + i * V::LANES)));
             self.plan.march(&mut group, self.steps);
             for (i, lanes) in group.0.iter().enumerate() {
                 lanes.store(columns, first + i * V::LANES);
@@ -55,11 +52,12 @@ impl<T: Number> March<'_, T> {
 
     #[inline(always)]
     fn of_point<V: Vector<Number = T>>(self) {
+        // Four stars have room in the registers and short waits; the other forces are long enough to want eight.
         match self.swarm.point {
-            Point::Pendulum => self.march::<V, Pendulum<V, Careful>>(),
-            Point::FastPendulum => self.march::<V, Pendulum<V, Fast>>(),
-            Point::HenonHeiles => self.march::<V, HenonHeiles<V>>(),
-            Point::Kepler => self.march::<V, Kepler<V>>(),
+            Point::Pendulum => self.march::<V, Pendulum<V, Careful>, 8>(),
+            Point::FastPendulum => self.march::<V, Pendulum<V, Fast>, 8>(),
+            Point::HenonHeiles => self.march::<V, HenonHeiles<V>, 4>(),
+            Point::Kepler => self.march::<V, Kepler<V>, 8>(),
         }
     }
 }

@@ -1,0 +1,38 @@
+#!/usr/bin/env bash
+# Runs the benches and writes what they print, and the pictures they draw, into docs/performance.md and docs/pictures.
+# With names of benches as arguments, those alone. On a quiet machine it takes some ten minutes, most of them to compile.
+set -euo pipefail
+cd "$(dirname "$0")/.."
+page=docs/performance.md
+mkdir -p docs/pictures target/bench
+
+# Puts a file between the markers of its name.
+fill() {
+    awk -v name="$1" -v file="$2" '
+        index($0, "<!-- " name ": end -->") { inside = 0 }
+        !inside { print }
+        index($0, "<!-- " name ": begin -->") {
+            inside = 1
+            print "```text"
+            while ((getline line < file) > 0) print line
+            print "```"
+        }
+    ' "$page" > target/bench/page.md
+    cp target/bench/page.md "$page"
+}
+
+if [ $# -eq 0 ]; then
+    set -- step throughput work_precision skips compile_cost
+fi
+for bench in "$@"; do
+    output=target/bench/$bench.txt
+    if [ "$bench" = compile_cost ]; then
+        benches/compile_cost.sh > "$output"
+    else
+        cargo bench --bench "$bench" > "$output"
+    fi
+    # Every run of every method is in target/bench/work_precision.csv; the page has the fastest.
+    sed -i -e '/^problem  *method/,/^$/d' -e '/^ratio_\|^rate_\|^speedup_\|^time_ms_/d' "$output"
+    fill "$bench" "$output"
+done
+cp target/bench/{step,throughput,skips,work_precision_*_energy}.svg docs/pictures/
