@@ -6,22 +6,23 @@ use std::{
 };
 
 /// What each module of `integrator-symbolic` may import from its crate, in the order of the pipeline.
-const MAY_KNOW: [(&str, &[&str]); 11] = [
+const MAY_KNOW: [(&str, &[&str]); 12] = [
     ("errors", &[]),
     ("limits", &["errors"]),
     ("graph", &[]),
     ("differentiate", &["graph"]),
+    ("gather", &["differentiate", "graph"]),
     ("lower", &["graph"]),
     ("program", &["differentiate", "graph"]),
     ("scheme", &["errors"]),
     ("syntax", &["errors", "scheme"]),
     ("model", &["errors", "graph", "limits", "syntax"]),
-    ("emit", &["differentiate", "graph", "lower", "model", "program", "scheme", "syntax"]),
+    ("emit", &["differentiate", "gather", "graph", "lower", "model", "program", "scheme", "syntax"]),
     ("report", &["differentiate", "emit", "errors", "graph", "lower", "model", "syntax"]),
 ];
 
 /// The modules that compute and never see a token.
-const WITHOUT_TOKENS: [&str; 4] = ["graph", "differentiate", "lower", "program"];
+const WITHOUT_TOKENS: [&str; 5] = ["graph", "differentiate", "gather", "lower", "program"];
 
 fn root() -> &'static Path {
     Path::new(env!("CARGO_MANIFEST_DIR"))

@@ -15,7 +15,25 @@ pub trait Block<R: Real>: Real {
     fn write(self, to: &mut [R]);
     /// The same number `WIDTH` times.
     fn splat(x: R) -> Self;
+
+    /// The block that begins one place later, where `next` follows this one.
+    fn after(self, next: Self) -> Self;
+    /// The block that begins one place earlier, where this one follows `previous`.
+    fn before(self, previous: Self) -> Self;
+
+    /// The block of what each place of it has.
+    #[inline(always)]
+    fn from_places(at: impl Fn(usize) -> R) -> Self {
+        let mut numbers = [R::of(0.0); WIDEST];
+        for (place, number) in numbers.iter_mut().enumerate().take(Self::WIDTH) {
+            *number = at(place);
+        }
+        Self::read(&numbers)
+    }
 }
+
+/// The width of the widest block.
+pub(crate) const WIDEST: usize = 16;
 
 /// A number is a block of one: for rests of loops, and for all that has lanes or parts of its own already.
 impl<R: Real> Block<R> for R {
@@ -32,5 +50,13 @@ impl<R: Real> Block<R> for R {
     #[inline(always)]
     fn splat(x: R) -> Self {
         x
+    }
+    #[inline(always)]
+    fn after(self, next: Self) -> Self {
+        next
+    }
+    #[inline(always)]
+    fn before(self, previous: Self) -> Self {
+        previous
     }
 }

@@ -17,6 +17,9 @@ pub trait Coords: Clone + Debug + PartialEq + Send + Sync + 'static {
     /// The same shape, filled with slots.
     type Slots<R: Real>: Clone + Send + Sync + 'static;
 
+    /// How many numbers or points there are, where the type tells.
+    const LENGTH: Option<usize>;
+
     /// How many numbers or points there are.
     fn length(&self) -> usize;
     /// The coordinates whose flat form this is; `None` where the shape has another size.
@@ -58,6 +61,8 @@ impl<K: Keep, const N: usize> Coords for [K; N] {
     type With<L: Keep> = [L; N];
     type Slots<R: Real> = [K::Slot<R>; N];
 
+    const LENGTH: Option<usize> = Some(N);
+
     fn length(&self) -> usize {
         self.len()
     }
@@ -95,6 +100,8 @@ impl<K: Keep, const D: usize, const N: usize> Coords for [[K; D]; N] {
     type Leaf = K;
     type With<L: Keep> = [[L; D]; N];
     type Slots<R: Real> = [[K::Slot<R>; D]; N];
+
+    const LENGTH: Option<usize> = Some(N);
 
     fn length(&self) -> usize {
         self.len()
@@ -135,6 +142,8 @@ impl<K: Keep> Coords for Vec<K> {
     type With<L: Keep> = Vec<L>;
     type Slots<R: Real> = Vec<K::Slot<R>>;
 
+    const LENGTH: Option<usize> = None;
+
     fn length(&self) -> usize {
         self.len()
     }
@@ -168,6 +177,8 @@ impl<K: Keep, const D: usize> Coords for Vec<[K; D]> {
     type Leaf = K;
     type With<L: Keep> = Vec<[L; D]>;
     type Slots<R: Real> = Vec<[K::Slot<R>; D]>;
+
+    const LENGTH: Option<usize> = None;
 
     fn length(&self) -> usize {
         self.len()

@@ -8,6 +8,7 @@ use crate::{
     phase::Phase,
     real::{Kernel, Real},
     slot::Keep,
+    tiled::Tiled,
 };
 use std::{marker::PhantomData, sync::Arc};
 
@@ -69,6 +70,8 @@ pub(crate) trait Engine<C: Coords>: Send + Sync {
     #[cfg(feature = "checkpoint")]
     fn unfinished(&self) -> Phase<C>;
     fn energies(&self) -> Arc<dyn Energies<C>>;
+    /// Lets so many threads share a long lattice, or all that the machine has.
+    fn share_among(&mut self, threads: Option<usize>);
     fn boxed_clone(&self) -> Box<dyn Engine<C>>;
 }
 
@@ -82,14 +85,16 @@ pub(crate) trait Energies<C: Coords>: Send + Sync {
 /// These are functions and not a type parameter: so the engine knows the motion's type alone, what is seldom called is
 /// compiled once per motion, and a system that borrows its parameters can be run all the same.
 pub(crate) struct Moves<M> {
-    advance: fn(&mut M, Clock, u64),
+    advance: fn(&mut M, Clock, u64, Option<usize>),
     close: fn(&mut M, Clock),
     energy: fn(&M, f64) -> f64,
+    /// How many threads may share a long lattice, if not all.
+    threads: Option<usize>,
 }
 
 impl<M> Moves<M> {
     pub(crate) fn advance(&self, motion: &mut M, clock: Clock, steps: u64) {
-        (self.advance)(motion, clock, steps);
+        (self.advance)(motion, clock, steps, self.threads);
     }
     pub(crate) fn close(&self, motion: &mut M, clock: Clock) {
         (self.close)(motion, clock);
@@ -110,9 +115,26 @@ impl<M> Copy for Moves<M> {}
 /// The moves of a system under a composition.
 pub(crate) fn moves<H: Hamiltonian, X: Composition<H>, R: Real, K: Keep>() -> Moves<H::Motion<R, K>> {
     Moves {
-        advance: |motion, clock, steps| R::enter(Advance::<_, H, X>::new(Single::<H, R, K>(motion), clock, steps)),
-        close: |motion, clock| R::enter(Close::<_, H, X>::new(Single::<H, R, K>(motion), clock)),
+        advance: |motion, clock, steps, threads| {
+            if Tiled::<H, R, K>::PAYS {
+                let mut flows = Tiled::<H, R, K>::new(motion, threads);
+                Advance::<_, H, X>::new(&mut flows, clock, steps).call();
+                flows.finish();
+            } else {
+                R::enter(Advance::<_, H, X>::new(Single::<H, R, K>(motion), clock, steps));
+            }
+        },
+        close: |motion, clock| {
+            if Tiled::<H, R, K>::PAYS {
+                let mut flows = Tiled::<H, R, K>::new(motion, Some(1));
+                Close::<_, H, X>::new(&mut flows, clock).call();
+                flows.finish();
+            } else {
+                R::enter(Close::<_, H, X>::new(Single::<H, R, K>(motion), clock));
+            }
+        },
         energy: |motion, time| R::enter(Energy::<H, R, K> { motion, time }),
+        threads: Some(1),
     }
 }
 
@@ -225,6 +247,10 @@ impl<M: Motion<C, P>, P: Send + Sync + 'static, C: Coords> Engine<C> for Solo<M,
 
     fn energies(&self) -> Arc<dyn Energies<C>> {
         self.energies.clone()
+    }
+
+    fn share_among(&mut self, threads: Option<usize>) {
+        self.watched.moves.threads = threads;
     }
 
     fn boxed_clone(&self) -> Box<dyn Engine<C>> {

@@ -65,6 +65,9 @@ impl<R: Real> Fixed<R> {
 }
 
 impl<R: Real> Slot<R> for Fixed<R> {
+    /// A number and its grid lie side by side, so neighbours do not.
+    type Wide = R;
+
     #[inline(always)]
     fn value(self) -> R {
         self.value

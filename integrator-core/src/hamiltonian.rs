@@ -7,9 +7,12 @@ use crate::{
     phase::Phase,
     real::Real,
     run::Run,
+    sites::Sites,
     slot::{Keep, Slot},
+    tiled::{Flow, Reach},
     visit::{Visitor, visit_general},
 };
+use std::ops::Range;
 
 /// The coordinates of `H` with leaf `K`.
 pub type Shaped<H, K> = <<H as Hamiltonian>::Coords as Coords>::With<K>;
@@ -35,6 +38,8 @@ pub trait Hamiltonian: Sized {
     /// Whether a single run gains from vectors of 512 bits: its flows compute neighbours or bodies side by side. Code for
     /// numbers one by one can be slower there, and is then compiled for AVX2 at most.
     const WIDE: bool = false;
+    /// How far the flows of a lattice look, whose sites can be moved a part at a time.
+    const REACH: Option<Reach> = None;
 
     /// Evaluates what depends on parameters alone, by the user's own expressions.
     ///
@@ -48,6 +53,18 @@ pub trait Hamiltonian: Sized {
     fn kinetic<R: Real, K: Keep>(motion: &Self::Motion<R, K>, time: f64) -> R;
     /// `V` at the motion's positions.
     fn potential<R: Real, K: Keep>(motion: &Self::Motion<R, K>, time: f64) -> R;
+
+    /// The sites of a lattice.
+    fn sites<R: Real, K: Keep>(_motion: &mut Self::Motion<R, K>) -> Option<Sites<'_, R, K, Self::Parameters<R>>> {
+        None
+    }
+    /// A flow of a lattice, on a part of its sites.
+    fn along<R: Real, K: Keep>(
+        _lattice: &mut Sites<'_, R, K, Self::Parameters<R>>,
+        _flow: &Flow,
+        _sites: Range<usize>,
+    ) {
+    }
 
     /// Shows `visitor` each composition of the catalogue that may integrate this Hamiltonian: those for every `T`, and
     /// where `T` is quadratic the others too.

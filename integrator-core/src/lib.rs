@@ -78,18 +78,22 @@ mod external;
 mod fixed;
 mod functions;
 mod fused;
+mod gather;
 mod group;
 mod hamiltonian;
 mod instruction_set;
 #[allow(unreachable_pub, reason = "named in bounds, never outside")]
 mod lanes;
+mod neighbours;
 mod pack;
 mod phase;
 mod real;
 mod run;
 mod samples;
 mod side_by_side;
+mod sites;
 mod slot;
+mod tiled;
 #[cfg(target_arch = "x86_64")]
 #[allow(unsafe_code, reason = "instructions that the target may lack, used where they were detected")]
 #[allow(unreachable_pub, reason = "named in bounds, never outside")]
@@ -140,9 +144,13 @@ pub mod __private {
         coords::Coords,
         error::NotFinite,
         fused::Fused,
+        gather::{Drift, Edges, Gather, Kick},
         hamiltonian::{Flows, Hamiltonian, Motion, Plain, Prepared, QuadraticKinetic, Shaped},
+        neighbours::Neighbours,
         real::{Kernel, Mask, Real},
+        sites::Sites,
         slot::{Keep, Slot},
+        tiled::{Flow, Reach},
         visit::{Visitor, visit_quadratic},
     };
     pub use std::{sync::Arc, vec::Vec};

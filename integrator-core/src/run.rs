@@ -93,13 +93,14 @@ impl<C: Coords> Run<C> {
     {
         let parameters = system.parameters(start.q.length());
         let constants = H::Parameters::<f64>::not_finite(&parameters);
-        let engine: Box<dyn Engine<C>> = match InstructionSet::chosen() {
+        let mut engine: Box<dyn Engine<C>> = match InstructionSet::chosen() {
             InstructionSet::Baseline => Box::new(Solo::new(parameters, start, moves::<H, X, K::Plain, K>())),
             InstructionSet::Avx512 if H::WIDE => Box::new(Solo::new(parameters, start, moves::<H, X, K::Avx512, K>())),
             InstructionSet::Fused | InstructionSet::Avx512 => {
                 Box::new(Solo::new(parameters, start, moves::<H, X, K::Fused, K>()))
             }
         };
+        engine.share_among(None);
         let run = Self {
             engine,
             clock,
@@ -123,6 +124,14 @@ impl<C: Coords> Run<C> {
     #[must_use]
     pub fn at_time(mut self, t0: f64) -> Self {
         self.clock.t0 = t0;
+        self
+    }
+
+    /// Uses at most so many threads instead of all that the machine has; no result depends on it. Lattices of many sites
+    /// are shared out among threads, and nothing else.
+    #[must_use]
+    pub fn with_threads(mut self, threads: usize) -> Self {
+        self.engine.share_among(Some(threads));
         self
     }
 

@@ -1,6 +1,7 @@
 //! How one coordinate is kept between updates: the user's leaf type names a family of slots.
 
 use crate::{
+    block::{Block, WIDEST},
     fused::{Avx512, Fused},
     real::Real,
 };
@@ -8,15 +9,36 @@ use std::fmt::Debug;
 
 /// A coordinate in memory, computed in `R`.
 pub trait Slot<R: Real>: Copy + Send + Sync + 'static {
+    /// How many neighbours are computed on together.
+    type Wide: Block<R>;
+
     /// The number that flows read.
     fn value(self) -> R;
     /// Adds `d`.
     fn add(&mut self, d: R);
     /// Adds `a * b`.
     fn fma(&mut self, a: R, b: R);
+
+    /// The numbers of the first slots.
+    #[inline(always)]
+    fn read<B: Block<R>>(from: &[Self]) -> B {
+        let from = &from[..B::WIDTH];
+        B::from_places(|place| from[place].value())
+    }
+    /// Adds `a * b` to the first slots.
+    #[inline(always)]
+    fn update<B: Block<R>>(to: &mut [Self], a: R, b: B) {
+        let mut numbers = [a; WIDEST];
+        b.write(&mut numbers);
+        for (slot, b) in to[..B::WIDTH].iter_mut().zip(numbers) {
+            slot.fma(a, b);
+        }
+    }
 }
 
 impl<R: Real> Slot<R> for R {
+    type Wide = R::Block;
+
     #[inline(always)]
     fn value(self) -> R {
         self
@@ -28,6 +50,14 @@ impl<R: Real> Slot<R> for R {
     #[inline(always)]
     fn fma(&mut self, a: R, b: R) {
         *self = a.fma(b, *self);
+    }
+    #[inline(always)]
+    fn read<B: Block<R>>(from: &[Self]) -> B {
+        B::read(from)
+    }
+    #[inline(always)]
+    fn update<B: Block<R>>(to: &mut [Self], a: R, b: B) {
+        B::splat(a).fma(b, B::read(to)).write(to);
     }
 }
 
@@ -116,6 +146,9 @@ pub struct Compensated<F> {
 }
 
 impl<R: Real> Slot<R> for Compensated<R> {
+    /// A number and what it carries lie side by side, so neighbours do not.
+    type Wide = R;
+
     #[inline(always)]
     fn value(self) -> R {
         self.value

@@ -12,6 +12,7 @@
 mod differentiate;
 mod emit;
 mod errors;
+mod gather;
 mod graph;
 mod limits;
 mod lower;

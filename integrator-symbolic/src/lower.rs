@@ -75,26 +75,7 @@ impl Lowering {
                 _ => graph.quotient(of(a), of(b)),
             },
             Node::Power(base, halves) => self.power(graph, base, halves),
-            Node::Neg(a) => graph.rebuilt(Node::Neg(of(a))),
-            Node::Add(a, b) => graph.rebuilt(Node::Add(of(a), of(b))),
-            Node::Unary(function, a) => graph.rebuilt(Node::Unary(function, of(a))),
-            Node::Binary(function, a, b) => graph.rebuilt(Node::Binary(function, of(a), of(b))),
-            Node::External(id, a) => graph.rebuilt(Node::External(id, of(a))),
-            Node::ExternalTwo(id, a, b) => graph.rebuilt(Node::ExternalTwo(id, of(a), of(b))),
-            Node::Sum(by, body) => graph.rebuilt(Node::Sum(by, of(body))),
-            Node::Compare(comparison, a, b) => graph.rebuilt(Node::Compare(comparison, of(a), of(b))),
-            Node::And(a, b) => graph.rebuilt(Node::And(of(a), of(b))),
-            Node::Or(a, b) => graph.rebuilt(Node::Or(of(a), of(b))),
-            Node::Not(a) => graph.rebuilt(Node::Not(of(a))),
-            Node::Select(condition, a, b) => graph.rebuilt(Node::Select(of(condition), of(a), of(b))),
-            Node::CompareIndex(..)
-            | Node::Flag(_)
-            | Node::Constant(_)
-            | Node::Parameter(_)
-            | Node::Coordinate(_)
-            | Node::Time
-            | Node::Step
-            | Node::FromIndex(_) => id,
+            node => graph.rebuilt(node.map(of)),
         }
     }
 

@@ -17,6 +17,8 @@ pub(crate) enum Sink {
     Update(Element),
     /// It is added to the gradient's component for a coordinate, in a buffer.
     Collect(Element),
+    /// It is a share of a site, by its number among them.
+    Share(usize),
     /// It is what the function returns.
     Return,
 }

@@ -6,13 +6,15 @@ use crate::{
     real::{Mask, elementary_functions},
 };
 use std::arch::x86_64::{
-    __m256, __m256d, _mm256_add_epi32, _mm256_add_epi64, _mm256_add_pd, _mm256_add_ps, _mm256_and_pd, _mm256_and_ps,
-    _mm256_andnot_pd, _mm256_andnot_ps, _mm256_blendv_pd, _mm256_blendv_ps, _mm256_castpd_si256, _mm256_castps_si256,
-    _mm256_castsi256_pd, _mm256_castsi256_ps, _mm256_cmp_pd, _mm256_cmp_ps, _mm256_div_pd, _mm256_div_ps,
-    _mm256_fmadd_pd, _mm256_fmadd_ps, _mm256_loadu_pd, _mm256_loadu_ps, _mm256_movemask_pd, _mm256_movemask_ps,
-    _mm256_mul_pd, _mm256_mul_ps, _mm256_or_pd, _mm256_or_ps, _mm256_set1_pd, _mm256_set1_ps, _mm256_sll_epi32,
-    _mm256_sll_epi64, _mm256_slli_epi32, _mm256_slli_epi64, _mm256_sqrt_pd, _mm256_sqrt_ps, _mm256_srl_epi32,
-    _mm256_srl_epi64, _mm256_storeu_pd, _mm256_storeu_ps, _mm256_sub_pd, _mm256_sub_ps, _mm256_xor_pd, _mm256_xor_ps,
+    __m256, __m256d, _mm256_add_epi32, _mm256_add_epi64, _mm256_add_pd, _mm256_add_ps, _mm256_alignr_epi8,
+    _mm256_and_pd, _mm256_and_ps, _mm256_andnot_pd, _mm256_andnot_ps, _mm256_blendv_pd, _mm256_blendv_ps,
+    _mm256_castpd_si256, _mm256_castps_si256, _mm256_castsi256_pd, _mm256_castsi256_ps, _mm256_cmp_pd, _mm256_cmp_ps,
+    _mm256_div_pd, _mm256_div_ps, _mm256_fmadd_pd, _mm256_fmadd_ps, _mm256_loadu_pd, _mm256_loadu_ps,
+    _mm256_movemask_pd, _mm256_movemask_ps, _mm256_mul_pd, _mm256_mul_ps, _mm256_or_pd, _mm256_or_ps,
+    _mm256_permute2f128_pd, _mm256_permute2x128_si256, _mm256_set1_pd, _mm256_set1_ps, _mm256_shuffle_pd,
+    _mm256_sll_epi32, _mm256_sll_epi64, _mm256_slli_epi32, _mm256_slli_epi64, _mm256_sqrt_pd, _mm256_sqrt_ps,
+    _mm256_srl_epi32, _mm256_srl_epi64, _mm256_storeu_pd, _mm256_storeu_ps, _mm256_sub_pd, _mm256_sub_ps,
+    _mm256_xor_pd, _mm256_xor_ps,
 };
 
 /// A mask in a register as wide as the numbers: the sign of a lane says whether the condition holds there.
@@ -64,7 +66,9 @@ elementary_functions!(vector! {
     load _mm256_loadu_pd, store _mm256_storeu_pd, splat _mm256_set1_pd,
     add _mm256_add_pd, sub _mm256_sub_pd, mul _mm256_mul_pd, div _mm256_div_pd,
     fma _mm256_fmadd_pd, sqrt _mm256_sqrt_pd, xor _mm256_xor_pd, andnot _mm256_andnot_pd,
-    compare _mm256_cmp_pd, select |mask, a, b| _mm256_blendv_pd(b, a, mask);
+    compare _mm256_cmp_pd, select |mask, a, b| _mm256_blendv_pd(b, a, mask),
+    after |low, high| _mm256_shuffle_pd::<0b0101>(low, _mm256_permute2f128_pd::<0x21>(low, high)),
+    before |low, high| _mm256_shuffle_pd::<0b0101>(_mm256_permute2f128_pd::<0x21>(low, high), high);
 });
 elementary_functions!(vector! {
     /// Eight singles.
@@ -72,7 +76,15 @@ elementary_functions!(vector! {
     load _mm256_loadu_ps, store _mm256_storeu_ps, splat _mm256_set1_ps,
     add _mm256_add_ps, sub _mm256_sub_ps, mul _mm256_mul_ps, div _mm256_div_ps,
     fma _mm256_fmadd_ps, sqrt _mm256_sqrt_ps, xor _mm256_xor_ps, andnot _mm256_andnot_ps,
-    compare _mm256_cmp_ps, select |mask, a, b| _mm256_blendv_ps(b, a, mask);
+    compare _mm256_cmp_ps, select |mask, a, b| _mm256_blendv_ps(b, a, mask),
+    after |low, high| {
+        let (low, high) = (_mm256_castps_si256(low), _mm256_castps_si256(high));
+        _mm256_castsi256_ps(_mm256_alignr_epi8::<4>(_mm256_permute2x128_si256::<0x21>(low, high), low))
+    },
+    before |low, high| {
+        let (low, high) = (_mm256_castps_si256(low), _mm256_castps_si256(high));
+        _mm256_castsi256_ps(_mm256_alignr_epi8::<12>(high, _mm256_permute2x128_si256::<0x21>(low, high)))
+    };
 });
 
 bits! {

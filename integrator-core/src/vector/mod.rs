@@ -100,6 +100,13 @@ mod tests {
                 assert_eq!(number.lane(0), i as f64 + 0.5 + moved, "element {i} of a block at {first}");
             }
         }
+        let [first, second] = [0, V::WIDTH].map(|place| V::read(&array[place..]));
+        for place in 0..V::WIDTH {
+            let (later, earlier) = (first.after(second), second.before(first));
+            assert_eq!(later.lane(place), (place + 1) as f64 + 0.5, "one place later");
+            assert_eq!(earlier.lane(place), (V::WIDTH + place - 1) as f64 + 0.5, "one place earlier");
+            assert_eq!(V::from_places(|place| array[place + 1]).lane(place), later.lane(place), "place by place");
+        }
     }
 
     fn every_lane_is_the_scalar<V: Block<R>, R: Real>(set: InstructionSet) {

@@ -23,7 +23,8 @@ macro_rules! vector {
         load $load:ident, store $store:ident, splat $splat:ident,
         add $add:ident, sub $sub:ident, mul $mul:ident, div $div:ident,
         fma $fma:ident, sqrt $sqrt:ident, xor $xor:ident, andnot $andnot:ident,
-        compare $compare:ident, select |$of:ident, $a:ident, $b:ident| $select:expr;
+        compare $compare:ident, select |$of:ident, $a:ident, $b:ident| $select:expr,
+        after |$low:ident, $high:ident| $after:expr, before |$lower:ident, $higher:ident| $before:expr;
         unary: $($unary:ident)*; binary: $($binary:ident)*;
     ) => {
         $(#[$documentation])*
@@ -166,6 +167,16 @@ macro_rules! vector {
                 #[inline(always)]
                 fn splat(x: Fused<$scalar, $set>) -> Self {
                     Self(instruction!($splat(x.0)))
+                }
+                #[inline(always)]
+                fn after(self, next: Self) -> Self {
+                    let ($low, $high) = (self.0, next.0);
+                    Self(instruction!($after))
+                }
+                #[inline(always)]
+                fn before(self, previous: Self) -> Self {
+                    let ($lower, $higher) = (previous.0, self.0);
+                    Self(instruction!($before))
                 }
             }
         };

@@ -3,9 +3,11 @@
 use super::{
     expression::{Dialect, Printer},
     fields::{Fields, is_leaf},
+    lattice,
     names::Names,
 };
 use crate::{
+    gather::Gathered,
     graph::{Element, Graph, Node, NodeId, Part, index::Index},
     lower::lower,
     model::{Length, Model, Shape, integer::operand},
@@ -52,6 +54,26 @@ pub(super) fn flow(model: &Model, fields: &mut Fields, names: &Names, placed: &[
     let (open, close) =
         buffer(&model.shape, element.part, &block.printer, |place, value| quote!(#place.fma(step, #value);));
     quote!(#open #body #close)
+}
+
+/// The body of a function that returns what the sites of a lattice share out.
+pub(super) fn shares(model: &Model, fields: &mut Fields, names: &Names, gathered: &Gathered) -> TokenStream {
+    let placed = lattice::placed(gathered);
+    let program = schedule(&model.graph, &placed, |graph, id| is_leaf(graph, &model.parameters, id));
+    let mut block = Block::new(model, names, &program, Dialect::Generic);
+    block.printer.scalar = &names.wide;
+    block.printer.lattice = Some(gathered);
+    let body: TokenStream = program
+        .items
+        .iter()
+        .map(|item| match item {
+            // The runtime goes from site to site.
+            Item::Loop { by, body } if *by == gathered.site => block.items(fields, body),
+            item => block.item(fields, item),
+        })
+        .collect();
+    let shares = (0..=gathered.onward()).map(lattice::share);
+    quote!(#body [#(#shares),*])
 }
 
 /// The body of a function that replaces the coordinates of `part`: nothing is written before all is read.
@@ -138,6 +160,7 @@ impl<'m> Block<'m> {
             runtime: &reserved.runtime,
             externals: &model.externals,
             functions: model.functions,
+            lattice: None,
         };
         Self { printer, masks: Vec::new(), begun: HashMap::new() }
     }
@@ -179,6 +202,10 @@ impl<'m> Block<'m> {
                 let (name, value) = (&printer.names[choice], printer.expression(fields, *value).tokens);
                 let chosen = self.masked(self.begun.get(choice).copied().unwrap_or_default(), &value, &quote!(#name));
                 quote!(#name = #chosen;)
+            }
+            Item::Sink(Sink::Share(share), value) => {
+                let value = printer.expression(fields, *value).tokens;
+                printer.share(fields, *share, value)
             }
             Item::Sink(Sink::Return, value) => printer.expression(fields, *value).tokens,
             Item::Sink(Sink::Update(element), value) => self.updated(fields, *element, *value),

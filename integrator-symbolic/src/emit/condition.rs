@@ -33,9 +33,13 @@ impl Printer<'_> {
             }
             (Node::Flag(parameter), Dialect::Generic) => {
                 let name = fields.flag(self.parameters, parameter);
-                let at = self.running_of(self.graph.loops.of_parameter(parameter));
+                let loops = self.graph.loops.of_parameter(parameter);
+                let flag = match self.lattice {
+                    Some(lattice) => self.spread(lattice, name, loops),
+                    None => self.prepared(name, loops),
+                };
                 let zero = self.lifted(quote!(0.0));
-                quote!(#zero.less(motion.parameters.#name #at))
+                quote!(#zero.less(#flag))
             }
             (Node::Flag(parameter), Dialect::Single) => {
                 let text = &self.parameters[parameter.0 as usize].text;

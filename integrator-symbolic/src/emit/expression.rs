@@ -2,10 +2,11 @@
 
 use super::fields::Fields;
 use crate::{
+    gather::Gathered,
     graph::{
         Element, ExternalId, Graph, Node, NodeId, Part,
         function::Function,
-        index::{Index, IndexId, LoopId},
+        index::{Index, IndexId, LoopId, LoopSet},
     },
     model::{
         Parameter,
@@ -76,6 +77,8 @@ pub(super) struct Printer<'m> {
     pub(super) externals: &'m [Ident],
     /// How near the elementary functions have to be.
     pub(super) functions: Functions,
+    /// The lattice, where values are computed for neighbouring sites side by side.
+    pub(super) lattice: Option<&'m Gathered>,
 }
 
 impl Printer<'_> {
@@ -104,6 +107,9 @@ impl Printer<'_> {
             Node::Coordinate(element) => Printed::new(Binding::Atom, self.coordinate(fields, element)),
             Node::Time => Printed::new(Binding::Atom, quote!(time)),
             Node::Step => Printed::new(Binding::Atom, quote!(step)),
+            Node::FromIndex(_) if self.lattice.is_some() && !self.graph.loops_of(id).is_empty() => {
+                Printed::new(Binding::Atom, self.field(fields, id))
+            }
             Node::FromIndex(index) => {
                 let index = self.inner_index(fields, index);
                 match self.dialect {
@@ -281,6 +287,9 @@ impl Printer<'_> {
 
     /// The value of a coordinate.
     fn coordinate(&self, fields: &mut Fields, element: Element) -> TokenStream {
+        if self.lattice.is_some() {
+            return self.neighbour(element);
+        }
         let place = self.place(fields, element);
         quote!(motion.#place.value())
     }
@@ -314,6 +323,7 @@ impl Printer<'_> {
         match self.graph.loops.index(id) {
             Index::Literal(value) => Literal::u64_unsuffixed(value).to_token_stream(),
             Index::Running(by) => self.running.get(&by).to_token_stream(),
+            Index::Length if self.lattice.is_some() => quote!(near.length()),
             Index::Length if self.dialect == Dialect::Generic => quote!(motion.q.len()),
             Index::Length => quote!(length),
             Index::Add(a, b) => binary(a, quote!(+), b),
@@ -327,8 +337,7 @@ impl Printer<'_> {
                     return operand(known.text.clone());
                 }
                 let name = fields.integer(self.parameters, parameter);
-                let at = self.running_of(self.graph.loops.of_parameter(parameter));
-                quote!(motion.parameters.#name #at)
+                self.prepared(name, self.graph.loops.of_parameter(parameter))
             }
         }
     }
@@ -356,18 +365,23 @@ impl Printer<'_> {
     /// A prepared constant, or its element for the present turns of its loops.
     fn field(&self, fields: &mut Fields, id: NodeId) -> TokenStream {
         let name = fields.number(self.graph, self.parameters, id);
-        let at = self.running_of(self.graph.loops_of(id));
-        quote!(motion.parameters.#name #at)
+        let loops = self.graph.loops_of(id);
+        match self.lattice {
+            Some(lattice) => self.spread(lattice, name, loops),
+            None => self.prepared(name, loops),
+        }
     }
 
-    pub(super) fn running_of(&self, loops: crate::graph::index::LoopSet) -> TokenStream {
-        loops
-            .iter()
-            .map(|by| {
-                let index = self.running.get(&by);
-                quote!([#index])
-            })
-            .collect()
+    /// A field of the prepared constants, or its element for the present turns of the loops.
+    pub(super) fn prepared(&self, name: Ident, loops: LoopSet) -> TokenStream {
+        let at = loops.iter().map(|by| {
+            let index = self.running.get(&by);
+            quote!([#index])
+        });
+        match self.lattice {
+            Some(_) => quote!(parameters.#name #(#at)*),
+            None => quote!(motion.parameters.#name #(#at)*),
+        }
     }
 }
 

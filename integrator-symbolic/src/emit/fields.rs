@@ -325,5 +325,6 @@ fn single<'m>(model: &'m Model, names: &'m Names) -> Printer<'m> {
         runtime: &names.runtime,
         externals: &model.externals,
         functions: model.functions,
+        lattice: None,
     }
 }

@@ -10,6 +10,7 @@ mod equations;
 mod expression;
 mod fields;
 mod force_gradient;
+mod lattice;
 mod names;
 
 use crate::{
@@ -23,6 +24,7 @@ use crate::{
 use equations::Formulas;
 use expression::Dialect;
 use fields::Fields;
+use lattice::Sweep;
 use names::Names;
 use proc_macro2::{Ident, Span, TokenStream};
 use quote::quote;
@@ -55,8 +57,8 @@ pub(crate) fn stepper(input: &Input, mut model: Model) -> TokenStream {
 
     let names = Names::new(input);
     let mut fields = Fields::default();
-    let drift = flow(&mut model, &mut fields, &names, &kinetic, quote!(duration));
-    let kick = flow(&mut model, &mut fields, &names, &potential, quote!(-duration));
+    let (drift, drift_along) = flow(&mut model, &mut fields, &names, &kinetic, Part::Momentum);
+    let (kick, kick_along) = flow(&mut model, &mut fields, &names, &potential, Part::Position);
     let force_gradient =
         model.quadratic.then(|| force_gradient::functions(&mut model, &mut fields, &names, &potential));
     let [kinetic, potential] = [model.kinetic, model.potential].map(|energy| {
@@ -130,6 +132,20 @@ pub(crate) fn stepper(input: &Input, mut model: Model) -> TokenStream {
             impl #generics #runtime::QuadraticKinetic for #system #bounds { #functions }
         }
     });
+    let along = [&drift_along, &kick_along].into_iter().flatten().map(|sweep| {
+        let (flow, items) = (sweep.name(), sweep.items(&names));
+        quote! {
+            /// What every site computes from its neighbourhood, for itself and for the sites further on.
+            #[automatically_derived]
+            impl #generics #runtime::Gather<#runtime::#flow> for #system #bounds { #items }
+        }
+    });
+    let wide = kick_along.is_some().then(|| {
+        quote!(
+            const WIDE: bool = true;
+        )
+    });
+    let (reach, lattice) = drift_along.as_ref().and(kick_along.as_ref()).map(|_| lattice::parts(&names)).unzip();
     let (drift, kick) = (drift.flow("drift", &names), kick.flow("kick", &names));
     let (kinetic, potential) = (kinetic.energy("kinetic", &names), potential.energy("potential", &names));
     quote! {
@@ -162,6 +178,8 @@ pub(crate) fn stepper(input: &Input, mut model: Model) -> TokenStream {
                 type Motion<#scalar: #runtime::Real, #leaf: #runtime::Keep> = #runtime::Plain<#scalar, #runtime::Shaped<Self, #leaf>, #of_r>;
 
                 const AUTONOMOUS: bool = #autonomous;
+                #wide
+                #reach
 
                 fn parameters(&self, #length: usize) -> #of_f64 {
                     let _ = (#(Self::#functions),*);
@@ -172,10 +190,12 @@ pub(crate) fn stepper(input: &Input, mut model: Model) -> TokenStream {
                 #kick
                 #kinetic
                 #potential
+                #lattice
                 #visit
             }
 
             #quadratic
+            #(#along)*
         };
     }
 }
@@ -211,12 +231,12 @@ impl Body {
     }
 
     fn flow(&self, name: &str, names: &Names) -> TokenStream {
-        let (name, body, read) = (Ident::new(name, Span::call_site()), &self.0, self.time(&names.scalar));
+        let (name, body) = (Ident::new(name, Span::call_site()), &self.0);
         let Names { runtime, scalar, leaf, .. } = names;
         let (motion, duration, time) = (self.argument("motion"), self.argument("duration"), self.argument("time"));
         quote! {
             #[inline(always)]
-            fn #name<#scalar: #runtime::Real, #leaf: #runtime::Keep>(#motion: &mut Self::Motion<#scalar, #leaf>, #duration: f64, #time: f64) { #read #body }
+            fn #name<#scalar: #runtime::Real, #leaf: #runtime::Keep>(#motion: &mut Self::Motion<#scalar, #leaf>, #duration: f64, #time: f64) { #body }
         }
     }
 
@@ -233,24 +253,32 @@ impl Body {
 
 /// The body of a flow: each component of the gradient moves its coordinate.
 ///
-/// Where every coordinate gets one contribution, it is updated on the spot; else contributions are collected first.
+/// Where all sites of a lattice take part alike, the runtime sweeps along them. Where every coordinate gets one contribution, it is updated on the spot; else contributions are collected first.
 fn flow(
     model: &mut Model,
     fields: &mut Fields,
     names: &Names,
     gradient: &[Contribution],
-    duration: TokenStream,
-) -> TokenStream {
+    part: Part,
+) -> (TokenStream, Option<Sweep>) {
     if gradient.is_empty() {
-        return TokenStream::new();
+        return (TokenStream::new(), None);
     }
     let folded = folded(&mut model.graph, gradient);
+    if let Some(sweep) = lattice::sweep(model, fields, names, &folded, part) {
+        return (sweep.flow(), Some(sweep));
+    }
     let direct = is_direct(model, &folded);
     let gradient = if direct { &folded[..] } else { gradient };
     let placed = placed(model, gradient, direct);
     let scalar = &names.scalar;
-    let body = block::flow(model, fields, names, &placed);
-    quote!(let step = #scalar::of(#duration); #body)
+    let body = Body::new(block::flow(model, fields, names, &placed));
+    let (read, body) = (body.time(scalar), &body.0);
+    let duration = match part {
+        Part::Momentum => quote!(duration),
+        Part::Position => quote!(-duration),
+    };
+    (quote!(#read let step = #scalar::of(#duration); #body), None)
 }
 
 /// Where the components of a gradient go: each to the coordinate that it moves, or to the buffer for it.

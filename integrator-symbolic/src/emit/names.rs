@@ -15,6 +15,8 @@ pub(crate) struct Names {
     pub(super) composition: Ident,
     /// What flows compute in.
     pub(super) scalar: Ident,
+    /// Neighbours that a flow computes side by side.
+    pub(super) wide: Ident,
     /// How coordinates are kept.
     pub(super) leaf: Ident,
 }
@@ -38,6 +40,7 @@ impl Names {
             parameters: free("Parameters"),
             composition: free("InPlace"),
             scalar: free("Scalar"),
+            wide: free("Wide"),
             leaf: free("Leaf"),
         }
     }

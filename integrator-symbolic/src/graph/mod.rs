@@ -150,6 +150,35 @@ impl Node {
         children.into_iter().flatten()
     }
 
+    /// The same with other children.
+    pub(crate) fn map(self, of: impl Fn(NodeId) -> NodeId) -> Self {
+        match self {
+            Node::Constant(_)
+            | Node::Parameter(_)
+            | Node::Coordinate(_)
+            | Node::Time
+            | Node::Step
+            | Node::FromIndex(_)
+            | Node::CompareIndex(..)
+            | Node::Flag(_) => self,
+            Node::Neg(a) => Node::Neg(of(a)),
+            Node::Power(a, halves) => Node::Power(of(a), halves),
+            Node::Unary(function, a) => Node::Unary(function, of(a)),
+            Node::External(id, a) => Node::External(id, of(a)),
+            Node::Sum(by, a) => Node::Sum(by, of(a)),
+            Node::Not(a) => Node::Not(of(a)),
+            Node::Add(a, b) => Node::Add(of(a), of(b)),
+            Node::Mul(a, b) => Node::Mul(of(a), of(b)),
+            Node::Div(a, b) => Node::Div(of(a), of(b)),
+            Node::Binary(function, a, b) => Node::Binary(function, of(a), of(b)),
+            Node::ExternalTwo(id, a, b) => Node::ExternalTwo(id, of(a), of(b)),
+            Node::Compare(comparison, a, b) => Node::Compare(comparison, of(a), of(b)),
+            Node::And(a, b) => Node::And(of(a), of(b)),
+            Node::Or(a, b) => Node::Or(of(a), of(b)),
+            Node::Select(condition, a, b) => Node::Select(of(condition), of(a), of(b)),
+        }
+    }
+
     /// Whether it holds or does not, rather than being a number.
     pub(crate) fn is_condition(self) -> bool {
         matches!(

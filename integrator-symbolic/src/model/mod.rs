@@ -51,6 +51,8 @@ pub(crate) struct Model {
     pub(crate) kinetic: NodeId,
     pub(crate) potential: NodeId,
     pub(crate) shape: Shape,
+    /// How many numbers or points the coordinates are.
+    pub(crate) length: IndexId,
     /// The parameters, by their ids.
     pub(crate) parameters: Vec<Parameter>,
     /// What the index of each loop is called.
@@ -101,8 +103,9 @@ pub(crate) fn model(input: &Input, errors: &mut Errors) -> Option<Model> {
         let energy = reader.energy(part, function, &signature);
         Some((energy?, signature.shape))
     });
-    let Reader { graph, parameters, running, externals, two_arguments, .. } = reader;
     let [Some((kinetic, shape)), Some((potential, _))] = energies else { return None };
+    let length = reader.length(&shape.length);
+    let Reader { graph, parameters, running, externals, two_arguments, .. } = reader;
     let autonomous = !graph.reads_time(kinetic) && !graph.reads_time(potential);
     let quadratic =
         graph.degree(kinetic, Part::Momentum).is_some_and(|degree| degree <= 2) && !graph.reads_time(kinetic);
@@ -111,6 +114,7 @@ pub(crate) fn model(input: &Input, errors: &mut Errors) -> Option<Model> {
         kinetic,
         potential,
         shape,
+        length,
         parameters,
         running,
         externals,
@@ -131,11 +135,13 @@ pub(crate) fn stub(input: &Input) -> Option<Model> {
         .find_map(|(part, name)| Some(signature(input.function(name)?, part, &mut noted)?.shape))?;
     let mut graph = Graph::default();
     let zero = graph.constant(0.0);
+    let length = graph.loops.intern(Index::Length);
     Some(Model {
         graph,
         kinetic: zero,
         potential: zero,
         shape,
+        length,
         parameters: Vec::new(),
         running: HashMap::new(),
         externals: Vec::new(),
