@@ -17,6 +17,9 @@ const SWEEPS: usize = 100 * SUBSPACE;
 pub(crate) fn eigenvalues(length: usize, operator: impl Fn(&[f64]) -> Vec<f64>) -> Option<Vec<Complex<f64>>> {
     /// Its multiples fall evenly into (0, 1), so that the vector lies in no space that a symmetry leaves to itself.
     const GOLDEN: f64 = 0.618_033_988_749_894_9;
+    if length == 0 {
+        return Some(Vec::new());
+    }
     let size = length.min(SUBSPACE);
     let mut basis = vec![DVector::from_fn(length, |i, _| (GOLDEN * (i + 1) as f64).fract() - 0.5).normalize()];
     let mut restricted = DMatrix::<f64>::zeros(size, size);
@@ -101,5 +104,6 @@ mod tests {
         assert!(turned.iter().all(|value| (value.im.abs() - 1.0).abs() < 4.0 * f64::EPSILON), "{turned:?}");
         assert_eq!(largest(3, |x| vec![0.0; x.len()]), 0.0);
         assert_eq!(eigenvalues(2, |_| vec![f64::NAN; 2]), None);
+        assert_eq!(eigenvalues(0, |_| Vec::new()), Some(Vec::new()));
     }
 }

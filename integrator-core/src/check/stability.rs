@@ -12,7 +12,7 @@ use crate::{
         gradient::{Gradient, Part},
         points::{begin, coordinate, origin},
         spectrum::eigenvalues,
-        tolerance::within,
+        tolerance::{largest, within},
     },
     composition::Composition,
     coords::Coords,
@@ -143,5 +143,5 @@ fn frequency<H: Hamiltonian>(parameters: &H::Parameters<f64>, point: &Phase<H::C
         let pull = force.flow::<Dual>(&at_rest, &tangent(direction, 0), 1);
         velocity.flow::<Dual>(&at_origin, &tangent(&pull, length), 1)
     });
-    squared.map_or(f64::NAN, |values| values.iter().map(|value| value.sqrt().re).fold(0.0, f64::max))
+    squared.map_or(f64::NAN, |values| largest(values.iter().map(|value| value.sqrt().re)))
 }

@@ -1,0 +1,164 @@
+//! Long runs, hard cases and ill treatment: `cargo bench --bench stress`.
+//!
+//! With `STRESS_DIVISOR=1000` in the environment all runs are that much shorter, and exponents that much less certain.
+//! Tables go to `target/bench`. The last lines say whether what is promised held: `brouwer_exponent_<problem>=` (of the
+//! growth of the energy error with the number of steps; 0.4 to 0.6 is asked), `brouwer_bias_<problem>=` (the mean error in
+//! units of its standard error; within ±4), and numbers of failures, all of which have to be zero. Every promise stands
+//! in `docs/reliability.md`.
+
+mod brouwer;
+mod chaos;
+mod encounters;
+mod hostile;
+mod interruption;
+mod limits;
+mod reversal;
+
+use brouwer::Growth;
+use integrator_bench::{
+    problems::{HenonHeiles, Pendulum},
+    starts::Problems,
+    table::Table,
+};
+use integrator_core::prelude::*;
+use std::{
+    env,
+    error::Error as Failure,
+    panic::{AssertUnwindSafe, catch_unwind},
+    process::Command,
+};
+
+/// The steps of a pendulum, of a star in a galaxy, and of the outer solar system.
+const LONG: u64 = 1_000_000_000;
+const PLANETARY: u64 = 100_000_000;
+
+/// How many trajectories grow errors side by side: two vectors of singles, or two times two of doubles, on two threads.
+const MEMBERS: usize = 32;
+
+fn main() -> Result<(), Box<dyn Failure>> {
+    if chaos::answer() || interruption::answer() {
+        return Ok(());
+    }
+    let divisor = env::var("STRESS_DIVISOR").ok().and_then(|divisor| divisor.parse().ok()).unwrap_or(1_u64).max(1);
+    let size = |full: u64, least: u64| (full / divisor).max(least);
+    let again = || Ok(Command::new(env::current_exe()?));
+    let mut report = Report::default();
+
+    report.part("limits", |lines| limits_table(size(100_000, 2_000), lines));
+    report.part("encounters", |lines| encounters_table(size(10_000_000, 100_000), lines));
+    report.part("reversal", |lines| reversal_table(size(1_000_000, 1_000), lines));
+    report.part("chaos", |lines| {
+        let steps = size(10_000_000, 10_000);
+        lines.push(format!("members_differing={}", chaos::members_differing(steps / 100)?));
+        lines.push(format!("instruction_sets_differing={}", chaos::sets_differing(steps, again)?));
+        Ok(())
+    });
+    report.part("brouwer", |lines| brouwer_table(size(LONG, 100_000), size(PLANETARY, 100_000), lines));
+    report.part("interruption", |lines| {
+        lines.push(format!("kill_resume_failures={}", interruption::failures(size(1_000, 20), again)?));
+        lines.push(format!("bitflip_accepted={}", interruption::damaged_accepted(7)?));
+        Ok(())
+    });
+    report.panics += hostile::panics(size(100_000, 1_000));
+    report.print();
+    Ok(())
+}
+
+/// What is said at the end.
+#[derive(Default)]
+struct Report {
+    lines: Vec<String>,
+    panics: u64,
+}
+
+impl Report {
+    /// A part of the stress, and its last lines. What panics is counted, and the other parts go on.
+    fn part(&mut self, name: &str, run: impl FnOnce(&mut Vec<String>) -> Result<(), Box<dyn Failure>>) {
+        println!("\n{name}");
+        match catch_unwind(AssertUnwindSafe(|| run(&mut self.lines))) {
+            Ok(Ok(())) => {}
+            Ok(Err(error)) => self.lines.push(format!("{name}_failed={error}")),
+            Err(_) => self.panics += 1,
+        }
+    }
+
+    fn print(&self) {
+        println!();
+        for line in &self.lines {
+            println!("{line}");
+        }
+        println!("panics={}", self.panics);
+    }
+}
+
+fn limits_table(steps: u64, lines: &mut Vec<String>) -> Result<(), Box<dyn Failure>> {
+    let turns: Vec<f64> = (1..=25).map(|tenths| f64::from(tenths) / 10.0).collect();
+    let trials = limits::trials(&turns, steps);
+    let mut table = Table::new("stress_limits", &["composition", "outcome", "h·ω", "limit"]);
+    for trial in &trials {
+        table.row([trial.composition, &format!("{:?}", trial.outcome)], &[trial.turn, trial.limit]);
+    }
+    table.write()?;
+    lines.push(format!("stability_wrong={}", trials.iter().filter(|trial| trial.is_wrong()).count()));
+    Ok(())
+}
+
+fn encounters_table(steps: u64, lines: &mut Vec<String>) -> Result<(), Box<dyn Failure>> {
+    let (resolved, unresolved) = (encounters::resolved(steps), encounters::unresolved(steps));
+    let mut table = Table::new("stress_encounters", &["orbit", "outcome"]);
+    for encounter in resolved.iter().chain(&unresolved) {
+        table.row([&encounter.name, &encounter.outcome.to_string()], &[]);
+    }
+    table.write()?;
+    let lost = resolved.iter().filter(|encounter| !encounter.is_right()).count();
+    let silent = unresolved.iter().filter(|encounter| encounter.is_silently_wrong()).count();
+    lines.push(format!("resolved_orbits_lost={lost}"));
+    lines.push(format!("silently_wrong={silent}"));
+    Ok(())
+}
+
+fn reversal_table(steps: u64, lines: &mut Vec<String>) -> Result<(), Box<dyn Failure>> {
+    let returns = reversal::returns(steps)?;
+    let mut table = Table::new("stress_reversal", &["composition", "", "bits lost", "in f64"]);
+    for found in &returns {
+        table.row([found.composition, ""], &[f64::from(found.bits_lost), found.distance]);
+    }
+    table.write()?;
+    lines.push(format!("reversible_bits_lost={}", returns.iter().map(|found| found.bits_lost).sum::<u32>()));
+    Ok(())
+}
+
+/// Steps so short that the error of the composition is below the rounding of an energy.
+fn brouwer_table(long: u64, planetary: u64, lines: &mut Vec<String>) -> Result<(), Box<dyn Failure>> {
+    let pendula = (0..MEMBERS).map(|member| {
+        let start = Phase::compensated([1.0 + 0.02 * member as f64], [0.1]);
+        (Pendulum { mass: 1.0, length: 1.0, gravity: 1.0 }, start)
+    });
+    let stars = (0..MEMBERS).map(|member| {
+        let offset = 0.005 * member as f64;
+        (HenonHeiles, Phase::compensated([0.0, 0.1 + offset], [0.3, 0.05]))
+    });
+    let planets = Problems::default().solar();
+    let systems = (0..MEMBERS).map(|member| {
+        // Velocities that differ a little, but for the Sun's.
+        let mut p = planets.start.p;
+        for momentum in &mut p[1..] {
+            *momentum = momentum.map(|p| p * (1.0 + 1e-4 * member as f64));
+        }
+        (planets.system, Phase::compensated(planets.start.q, p))
+    });
+    let growths = [
+        ("pendulum", brouwer::growth(Ensemble::new(SofroniouSpaletta10, pendula, 0.1)?, long)?),
+        ("henon", brouwer::growth(Ensemble::new(SofroniouSpaletta10, stars, 0.1)?, long)?),
+        ("solar", brouwer::growth(Ensemble::new(SofroniouSpaletta10, systems, 50.0)?, planetary)?),
+    ];
+    let mut table = Table::new("stress_brouwer", &["problem", "", "steps", "energy error"]);
+    for (problem, Growth { looks, exponent, bias }) in growths {
+        for (steps, change) in looks {
+            table.row([problem, ""], &[steps as f64, change]);
+        }
+        lines.push(format!("brouwer_exponent_{problem}={exponent:.3}"));
+        lines.push(format!("brouwer_bias_{problem}={bias:.2}"));
+    }
+    Ok(table.write()?)
+}

@@ -1,0 +1,67 @@
+//! There and back: on a grid to the very bits, in floating point as far as rounding allows.
+
+use integrator_bench::problems::HenonHeiles;
+use integrator_core::{Coords, Visitor, prelude::*};
+
+/// 2^-44, so that coordinates may reach 128.
+const GRID: f64 = 1.0 / (1_u64 << 44) as f64;
+
+/// What a composition brought back.
+pub(crate) struct Return {
+    pub(crate) composition: &'static str,
+    /// Bits of coordinates on the grid that are not those of the start.
+    pub(crate) bits_lost: u32,
+    /// The largest change of a coordinate in floating point.
+    pub(crate) distance: f64,
+}
+
+/// All symmetric compositions, `steps` steps each way on an orbit that is not chaotic.
+pub(crate) fn returns(steps: u64) -> Result<Vec<Return>, Error> {
+    let mut each = Each { steps, returns: Ok(Vec::new()) };
+    HenonHeiles::visit_compositions(&mut each);
+    each.returns
+}
+
+struct Each {
+    steps: u64,
+    returns: Result<Vec<Return>, Error>,
+}
+
+impl Visitor<HenonHeiles> for Each {
+    fn visit<X: Composition<HenonHeiles>>(&mut self, composition: X) {
+        if X::SYMMETRIC
+            && let Ok(returns) = &mut self.returns
+        {
+            match there_and_back(composition, self.steps) {
+                Ok(found) => returns.push(found),
+                Err(error) => self.returns = Err(error),
+            }
+        }
+    }
+}
+
+fn there_and_back<X: Composition<HenonHeiles>>(composition: X, steps: u64) -> Result<Return, Error> {
+    const H: f64 = 0.1;
+    let (q, p) = ([0.0, 0.1], [0.3, 0.05]);
+    let exact = Phase::reversible(q, p, GRID);
+    let mut there = HenonHeiles.run_with(composition, exact, H)?;
+    there.advance(steps)?;
+    let mut back = HenonHeiles.run_with(composition, there.state(), -H)?;
+    back.advance(steps)?;
+    let differing = |one: Fixed<f64>, other: Fixed<f64>| (one.value().to_bits() ^ other.value().to_bits()).count_ones();
+    let end = back.state();
+    let bits_lost = numbers(&exact).zip(numbers(&end)).map(|(one, other)| differing(one, other)).sum();
+
+    let plain = Phase::new(q, p);
+    let mut there = HenonHeiles.run_with(composition, plain, H)?;
+    there.advance(steps)?;
+    let mut back = HenonHeiles.run_with(composition, there.state(), -H)?;
+    back.advance(steps)?;
+    let end = back.state();
+    let distance = numbers(&plain).zip(numbers(&end)).map(|(one, other)| (one - other).abs()).fold(0.0, f64::max);
+    Ok(Return { composition: X::NAME, bits_lost, distance })
+}
+
+fn numbers<C: Coords>(state: &Phase<C>) -> impl Iterator<Item = C::Leaf> {
+    state.q.flat().iter().chain(state.p.flat()).copied()
+}
