@@ -40,6 +40,19 @@ fn generated<H: Hamiltonian<Coords = [f64; N]>, X: Composition<H>, const N: usiz
     (state.q, state.p)
 }
 
+/// The very same, but for AVX-512, where 1/r³ has a kernel that is off by two ulp at most. What a kick is off by grows with
+/// the time since, no faster than STEPS times, and there are STEPS kicks of h times a pull below ten.
+fn same_orbit((q, p): State<2>, expected: State<2>, h: f64) {
+    if InstructionSet::chosen() != InstructionSet::Avx512 {
+        assert_eq!((q, p), expected);
+        return;
+    }
+    let limit = 2.0 * f64::EPSILON * 10.0 * h * (STEPS as f64).powi(2);
+    for (by_hand, generated) in q.iter().chain(&p).zip(expected.0.iter().chain(&expected.1)) {
+        assert!((by_hand - generated).abs() < limit, "{by_hand} for {generated}");
+    }
+}
+
 #[test]
 fn the_pendulum_by_yoshida() {
     let system = Pendulum { mass: 1.7, length: 0.6, gravity: 9.81 };
@@ -155,7 +168,7 @@ fn a_planet_by_velocity_verlet() {
         y = fma(h, py, y);
     }
     kick(x, y, &mut px, &mut py, h * 0.5);
-    assert_eq!(([x, y], [px, py]), expected);
+    same_orbit(([x, y], [px, py]), expected, h);
 }
 
 #[test]
@@ -172,7 +185,7 @@ fn a_planet_by_euler_where_nothing_merges() {
         x = fma(h, px, x);
         y = fma(h, py, y);
     }
-    assert_eq!(([x, y], [px, py]), expected);
+    same_orbit(([x, y], [px, py]), expected, h);
 }
 
 #[test]
@@ -188,22 +201,25 @@ fn a_chain_with_loops_by_verlet() {
     };
     let drift = |q: &mut [f64; 8], p: &[f64; 8], duration: f64| {
         for i in 0..8 {
-            q[i] = fma(duration * inverse_mass[i], p[i], q[i]);
+            q[i] = fma(duration, inverse_mass[i] * p[i], q[i]);
         }
     };
     for step in 0..STEPS {
         drift(&mut q, &p, if step == 0 { h * 0.5 } else { h });
-        let mut gradient = [0.0; 8];
-        for i in 0..7 {
-            let force = spring(q[i + 1] - q[i]);
-            gradient[i + 1] += force;
-            gradient[i] -= force;
-        }
-        gradient[0] += spring(q[0]);
-        let squared = q[7] * q[7];
-        gradient[7] += q[7] + fma(-system.alpha, squared, squared * q[7]);
+        // Each site has the bond to the next one, which pulls at both, and the ends have a wall.
+        let bond: [f64; 8] = std::array::from_fn(|i| if i < 7 { spring(q[i + 1] - q[i]) } else { 0.0 });
+        let wall = |stretch: f64, sign: f64| {
+            let squared = stretch * stretch;
+            stretch + (squared * stretch + sign * (system.alpha * squared))
+        };
         for i in 0..8 {
-            p[i] = fma(-h, gradient[i], p[i]);
+            let own = match i {
+                0 => -bond[0] + wall(q[0], 1.0),
+                7 => wall(q[7], -1.0),
+                _ => -bond[i],
+            };
+            let gradient = if i == 0 { own } else { own + bond[i - 1] };
+            p[i] = fma(-h, gradient, p[i]);
         }
     }
     drift(&mut q, &p, h * 0.5);
