@@ -6,23 +6,24 @@ use std::{
 };
 
 /// What each module of `integrator-symbolic` may import from its crate, in the order of the pipeline.
-const MAY_KNOW: [(&str, &[&str]); 12] = [
+const MAY_KNOW: [(&str, &[&str]); 13] = [
     ("errors", &[]),
     ("limits", &["errors"]),
     ("graph", &[]),
     ("differentiate", &["graph"]),
     ("gather", &["differentiate", "graph"]),
     ("lower", &["graph"]),
+    ("pairs", &["differentiate", "graph"]),
     ("program", &["differentiate", "graph"]),
     ("scheme", &["errors"]),
     ("syntax", &["errors", "scheme"]),
     ("model", &["errors", "graph", "limits", "syntax"]),
-    ("emit", &["differentiate", "gather", "graph", "lower", "model", "program", "scheme", "syntax"]),
+    ("emit", &["differentiate", "gather", "graph", "lower", "model", "pairs", "program", "scheme", "syntax"]),
     ("report", &["differentiate", "emit", "errors", "graph", "lower", "model", "syntax"]),
 ];
 
 /// The modules that compute and never see a token.
-const WITHOUT_TOKENS: [&str; 5] = ["graph", "differentiate", "gather", "lower", "program"];
+const WITHOUT_TOKENS: [&str; 6] = ["graph", "differentiate", "gather", "lower", "pairs", "program"];
 
 fn root() -> &'static Path {
     Path::new(env!("CARGO_MANIFEST_DIR"))

@@ -30,17 +30,26 @@ pub trait Coords: Clone + Debug + PartialEq + Send + Sync + 'static {
     fn flat_mut(&mut self) -> &mut [Self::Leaf];
     /// The same numbers with another leaf.
     fn map<K: Keep>(&self, leaf: impl Fn(Self::Leaf) -> K) -> Self::With<K>;
-    /// Slots filled from one set of coordinates per lane.
-    fn inward<'a, R: Real>(of_lane: impl Fn(usize) -> &'a Self) -> Self::Slots<R>;
+    /// Slots for so many coordinates, in the order of [`Coords::flat`]; an array has as many as it has.
+    fn slots_from<R: Real>(count: usize, slot: impl Fn(usize) -> <Self::Leaf as Keep>::Slot<R>) -> Self::Slots<R>;
     /// Slots as a flat slice.
     fn slots<R: Real>(slots: &Self::Slots<R>) -> &[<Self::Leaf as Keep>::Slot<R>];
     /// Slots as a flat slice, to be written.
     fn slots_mut<R: Real>(slots: &mut Self::Slots<R>) -> &mut [<Self::Leaf as Keep>::Slot<R>];
+    /// Slots filled from one set of coordinates per lane.
+    #[inline(always)]
+    fn inward<'a, R: Real>(of_lane: impl Fn(usize) -> &'a Self) -> Self::Slots<R> {
+        Self::slots_from(of_lane(0).flat().len(), |k| Self::Leaf::inward(|lane| of_lane(lane).flat()[k]))
+    }
     /// One number per slot, in the same shape.
+    #[inline(always)]
     fn numbers<R: Real>(
         slots: &Self::Slots<R>,
         number: impl Fn(<Self::Leaf as Keep>::Slot<R>) -> R,
-    ) -> <Self::With<f64> as Coords>::Slots<R>;
+    ) -> <Self::With<f64> as Coords>::Slots<R> {
+        let slots = Self::slots(slots);
+        Self::With::<f64>::slots_from(slots.len(), |k| number(slots[k]))
+    }
 
     /// Writes one lane of `slots` into `self`.
     #[inline(always)]
@@ -79,8 +88,8 @@ impl<K: Keep, const N: usize> Coords for [K; N] {
         std::array::from_fn(|i| leaf(self[i]))
     }
     #[inline(always)]
-    fn inward<'a, R: Real>(of_lane: impl Fn(usize) -> &'a Self) -> Self::Slots<R> {
-        std::array::from_fn(|i| K::inward(|lane| of_lane(lane)[i]))
+    fn slots_from<R: Real>(_count: usize, slot: impl Fn(usize) -> K::Slot<R>) -> [K::Slot<R>; N] {
+        std::array::from_fn(slot)
     }
     #[inline(always)]
     fn slots<R: Real>(slots: &Self::Slots<R>) -> &[K::Slot<R>] {
@@ -89,10 +98,6 @@ impl<K: Keep, const N: usize> Coords for [K; N] {
     #[inline(always)]
     fn slots_mut<R: Real>(slots: &mut Self::Slots<R>) -> &mut [K::Slot<R>] {
         slots
-    }
-    #[inline(always)]
-    fn numbers<R: Real>(slots: &Self::Slots<R>, number: impl Fn(K::Slot<R>) -> R) -> [R; N] {
-        std::array::from_fn(|i| number(slots[i]))
     }
 }
 
@@ -120,8 +125,8 @@ impl<K: Keep, const D: usize, const N: usize> Coords for [[K; D]; N] {
         std::array::from_fn(|i| std::array::from_fn(|d| leaf(self[i][d])))
     }
     #[inline(always)]
-    fn inward<'a, R: Real>(of_lane: impl Fn(usize) -> &'a Self) -> Self::Slots<R> {
-        std::array::from_fn(|i| std::array::from_fn(|d| K::inward(|lane| of_lane(lane)[i][d])))
+    fn slots_from<R: Real>(_count: usize, slot: impl Fn(usize) -> K::Slot<R>) -> [[K::Slot<R>; D]; N] {
+        std::array::from_fn(|i| std::array::from_fn(|d| slot(i * D + d)))
     }
     #[inline(always)]
     fn slots<R: Real>(slots: &Self::Slots<R>) -> &[K::Slot<R>] {
@@ -130,10 +135,6 @@ impl<K: Keep, const D: usize, const N: usize> Coords for [[K; D]; N] {
     #[inline(always)]
     fn slots_mut<R: Real>(slots: &mut Self::Slots<R>) -> &mut [K::Slot<R>] {
         slots.as_flattened_mut()
-    }
-    #[inline(always)]
-    fn numbers<R: Real>(slots: &Self::Slots<R>, number: impl Fn(K::Slot<R>) -> R) -> [[R; D]; N] {
-        std::array::from_fn(|i| std::array::from_fn(|d| number(slots[i][d])))
     }
 }
 
@@ -159,17 +160,15 @@ impl<K: Keep> Coords for Vec<K> {
     fn map<L: Keep>(&self, leaf: impl Fn(K) -> L) -> Vec<L> {
         self.iter().map(|x| leaf(*x)).collect()
     }
-    fn inward<'a, R: Real>(of_lane: impl Fn(usize) -> &'a Self) -> Self::Slots<R> {
-        (0..of_lane(0).len()).map(|i| K::inward(|lane| of_lane(lane)[i])).collect()
+    #[inline(always)]
+    fn slots_from<R: Real>(count: usize, slot: impl Fn(usize) -> K::Slot<R>) -> Vec<K::Slot<R>> {
+        (0..count).map(slot).collect()
     }
     fn slots<R: Real>(slots: &Self::Slots<R>) -> &[K::Slot<R>] {
         slots
     }
     fn slots_mut<R: Real>(slots: &mut Self::Slots<R>) -> &mut [K::Slot<R>] {
         slots
-    }
-    fn numbers<R: Real>(slots: &Self::Slots<R>, number: impl Fn(K::Slot<R>) -> R) -> Vec<R> {
-        slots.iter().map(|slot| number(*slot)).collect()
     }
 }
 
@@ -196,16 +195,15 @@ impl<K: Keep, const D: usize> Coords for Vec<[K; D]> {
     fn map<L: Keep>(&self, leaf: impl Fn(K) -> L) -> Vec<[L; D]> {
         self.iter().map(|point| point.map(&leaf)).collect()
     }
-    fn inward<'a, R: Real>(of_lane: impl Fn(usize) -> &'a Self) -> Self::Slots<R> {
-        (0..of_lane(0).len()).map(|i| std::array::from_fn(|d| K::inward(|lane| of_lane(lane)[i][d]))).collect()
+    #[inline(always)]
+    fn slots_from<R: Real>(count: usize, slot: impl Fn(usize) -> K::Slot<R>) -> Vec<[K::Slot<R>; D]> {
+        let points = count.checked_div(D).unwrap_or(0);
+        (0..points).map(|i| std::array::from_fn(|d| slot(i * D + d))).collect()
     }
     fn slots<R: Real>(slots: &Self::Slots<R>) -> &[K::Slot<R>] {
         slots.as_flattened()
     }
     fn slots_mut<R: Real>(slots: &mut Self::Slots<R>) -> &mut [K::Slot<R>] {
         slots.as_flattened_mut()
-    }
-    fn numbers<R: Real>(slots: &Self::Slots<R>, number: impl Fn(K::Slot<R>) -> R) -> Vec<[R; D]> {
-        slots.iter().map(|point| point.map(&number)).collect()
     }
 }

@@ -4,7 +4,9 @@ use crate::{
     block::Block,
     functions::{self, fast_functions, unary},
     instruction_set::enter_fused,
+    lanes::Lanes,
     real::{Kernel, Real, elementary_functions},
+    row::Row,
 };
 use std::{
     fmt::Debug,
@@ -18,7 +20,16 @@ pub trait Instructions: Copy + Debug + PartialEq + Send + Sync + 'static {
     type Doubles: Block<Fused<f64, Self>>;
     /// Neighbours in an array of singles.
     type Singles: Block<Fused<f32, Self>>;
+    /// Eight bodies in double precision.
+    type RowOfDoubles: Row<Fused<f64, Self>>;
+    /// Eight bodies in single precision.
+    type RowOfSingles: Row<Fused<f32, Self>>;
 
+    /// `n / x^(3/2)`.
+    #[inline(always)]
+    fn over_root_cubed(n: Fused<f64, Self>, x: Fused<f64, Self>) -> Fused<f64, Self> {
+        n / (x * x.sqrt())
+    }
     /// Runs `kernel` in the clone for these instructions.
     fn enter<K: Kernel>(kernel: K) -> K::Out;
 }
@@ -32,10 +43,18 @@ impl Instructions for Fma {
     type Doubles = crate::vector::X4;
     #[cfg(target_arch = "x86_64")]
     type Singles = crate::vector::S8;
+    #[cfg(target_arch = "x86_64")]
+    type RowOfDoubles = Lanes<crate::vector::X4, 2>;
+    #[cfg(target_arch = "x86_64")]
+    type RowOfSingles = crate::vector::S8;
     #[cfg(not(target_arch = "x86_64"))]
     type Doubles = Fused<f64>;
     #[cfg(not(target_arch = "x86_64"))]
     type Singles = Fused<f32>;
+    #[cfg(not(target_arch = "x86_64"))]
+    type RowOfDoubles = Lanes<Fused<f64>, 8>;
+    #[cfg(not(target_arch = "x86_64"))]
+    type RowOfSingles = Lanes<Fused<f32>, 8>;
 
     #[inline(always)]
     fn enter<K: Kernel>(kernel: K) -> K::Out {
@@ -56,7 +75,13 @@ pub(crate) type Avx512 = Fma;
 impl Instructions for Avx512 {
     type Doubles = crate::vector::X8;
     type Singles = crate::vector::S16;
+    type RowOfDoubles = crate::vector::X8;
+    type RowOfSingles = crate::vector::S8;
 
+    #[inline(always)]
+    fn over_root_cubed(n: Fused<f64, Self>, x: Fused<f64, Self>) -> Fused<f64, Self> {
+        crate::vector::over_root_cubed(n, x)
+    }
     #[inline(always)]
     fn enter<K: Kernel>(kernel: K) -> K::Out {
         crate::instruction_set::enter_avx512(kernel)
@@ -91,7 +116,7 @@ macro_rules! operators {
 }
 
 macro_rules! fused_real {
-    ($scalar:ty, $block:ident; unary: $($unary:ident)*; binary: $($binary:ident)*;) => {
+    ($scalar:ty, $block:ident, $row:ident, $over_root_cubed:expr; unary: $($unary:ident)*; binary: $($binary:ident)*;) => {
         operators!($scalar: Add add +, Sub sub -, Mul mul *, Div div /);
 
         impl<S: Instructions> Neg for Fused<$scalar, S> {
@@ -118,6 +143,7 @@ macro_rules! fused_real {
             const LANES: usize = 1;
             type Mask = bool;
             type Block = S::$block;
+            type Row<const N: usize> = S::$row;
 
             #[inline(always)]
             fn of(x: f64) -> Self {
@@ -138,6 +164,10 @@ macro_rules! fused_real {
             #[inline(always)]
             fn fma(self, b: Self, c: Self) -> Self {
                 Self::new(self.0.mul_add(b.0, c.0))
+            }
+            #[inline(always)]
+            fn over_root_cubed(self, x: Self) -> Self {
+                $over_root_cubed(self, x)
             }
             #[inline(always)]
             fn sin_cos(self) -> (Self, Self) {
@@ -183,5 +213,5 @@ macro_rules! fused_real {
         }
     };
 }
-elementary_functions!(fused_real! { f64, Doubles; });
-elementary_functions!(fused_real! { f32, Singles; });
+elementary_functions!(fused_real! { f64, Doubles, RowOfDoubles, S::over_root_cubed; });
+elementary_functions!(fused_real! { f32, Singles, RowOfSingles, |n, x: Self| n / (x * x.sqrt()); });

@@ -49,6 +49,21 @@ abreast! {
 pub struct Lanes<F, const N: usize>([F; N]);
 
 impl<F: Copy, const N: usize> Lanes<F, N> {
+    /// The parts side by side.
+    #[inline(always)]
+    pub(crate) fn of_parts(parts: [F; N]) -> Self {
+        Self(parts)
+    }
+    /// Replaces one of the parts.
+    #[inline(always)]
+    pub(crate) fn set_part(&mut self, part: usize, to: F) {
+        self.0[part] = to;
+    }
+    /// One of the parts.
+    #[inline(always)]
+    pub(crate) fn part(self, part: usize) -> F {
+        self.0[part]
+    }
     #[inline(always)]
     fn map(self, of: impl Fn(F) -> F) -> Self {
         Self(std::array::from_fn(|lane| of(self.0[lane])))
@@ -125,6 +140,7 @@ macro_rules! lanes_real {
             const LANES: usize = N * F::LANES;
             type Mask = LaneMask<F::Mask, N>;
             type Block = Self;
+            type Row<const M: usize> = Lanes<Self, M>;
 
             #[inline(always)]
             fn of(x: f64) -> Self {
@@ -145,6 +161,10 @@ macro_rules! lanes_real {
             #[inline(always)]
             fn fma(self, b: Self, c: Self) -> Self {
                 Self(std::array::from_fn(|lane| self.0[lane].fma(b.0[lane], c.0[lane])))
+            }
+            #[inline(always)]
+            fn over_root_cubed(self, x: Self) -> Self {
+                self.zip(x, F::over_root_cubed)
             }
             #[inline(always)]
             fn sin_cos(self) -> (Self, Self) {

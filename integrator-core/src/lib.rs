@@ -84,16 +84,22 @@ mod hamiltonian;
 mod instruction_set;
 #[allow(unreachable_pub, reason = "named in bounds, never outside")]
 mod lanes;
+#[allow(unreachable_pub, reason = "named in bounds, never outside")]
+mod many_body;
 mod neighbours;
 mod pack;
 mod phase;
 mod real;
+mod ring;
+#[allow(unreachable_pub, reason = "named in bounds, never outside")]
+mod row;
 mod run;
 mod samples;
 mod side_by_side;
 mod sites;
 mod slot;
 mod tiled;
+mod tiles;
 #[cfg(target_arch = "x86_64")]
 #[allow(unsafe_code, reason = "instructions that the target may lack, used where they were detected")]
 #[allow(unreachable_pub, reason = "named in bounds, never outside")]
@@ -146,11 +152,15 @@ pub mod __private {
         fused::Fused,
         gather::{Drift, Edges, Gather, Kick},
         hamiltonian::{Flows, Hamiltonian, Motion, Plain, Prepared, QuadraticKinetic, Shaped},
+        many_body::{ManyBody, PerBody},
         neighbours::Neighbours,
         real::{Kernel, Mask, Real},
+        ring::Ring,
+        row::Row,
         sites::Sites,
         slot::{Keep, Slot},
         tiled::{Flow, Reach},
+        tiles::Tiles,
         visit::{Visitor, visit_quadratic},
     };
     pub use std::{sync::Arc, vec::Vec};

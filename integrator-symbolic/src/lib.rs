@@ -17,6 +17,7 @@ mod graph;
 mod limits;
 mod lower;
 mod model;
+mod pairs;
 mod program;
 mod report;
 mod scheme;

@@ -19,6 +19,8 @@ pub(crate) enum Sink {
     Collect(Element),
     /// It is a share of a site, by its number among them.
     Share(usize),
+    /// It is the gradient's component for a coordinate, to which nothing else is added.
+    Assign(Element),
     /// It is what the function returns.
     Return,
 }

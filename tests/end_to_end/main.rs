@@ -13,6 +13,7 @@ mod external;
 mod instruction_sets;
 mod kepler;
 mod orders;
+mod pairs;
 mod precision;
 mod refusals;
 mod reversible;

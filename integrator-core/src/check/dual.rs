@@ -4,7 +4,10 @@
 //! tangent. Always true: a tangent that is not a number, or a derivative that does not exist, comes out as not a
 //! number or infinite, never as a plausible number.
 
-use crate::real::{Real, elementary_functions};
+use crate::{
+    lanes::Lanes,
+    real::{Real, elementary_functions},
+};
 use num_dual::{Dual64, DualNum};
 use std::ops::{Add, AddAssign, Div, Mul, Neg, Sub, SubAssign};
 
@@ -111,6 +114,7 @@ macro_rules! dual_real {
             const LANES: usize = 2;
             type Mask = bool;
             type Block = Self;
+            type Row<const N: usize> = Lanes<Self, N>;
 
             fn of(x: f64) -> Self {
                 Self::new(x, 0.0)

@@ -16,9 +16,12 @@ mod avx2;
 mod avx512;
 mod bits;
 mod real;
+mod root_cubed;
+mod row;
 
 pub use avx2::{S8, X4};
 pub use avx512::{S16, X8};
+pub(crate) use root_cubed::over_root_cubed;
 
 #[cfg(test)]
 mod tests {

@@ -24,12 +24,13 @@ macro_rules! vector {
         add $add:ident, sub $sub:ident, mul $mul:ident, div $div:ident,
         fma $fma:ident, sqrt $sqrt:ident, xor $xor:ident, andnot $andnot:ident,
         compare $compare:ident, select |$of:ident, $a:ident, $b:ident| $select:expr,
-        after |$low:ident, $high:ident| $after:expr, before |$lower:ident, $higher:ident| $before:expr;
+        after |$low:ident, $high:ident| $after:expr, before |$lower:ident, $higher:ident| $before:expr,
+        over_root_cubed $over_root_cubed:expr;
         unary: $($unary:ident)*; binary: $($binary:ident)*;
     ) => {
         $(#[$documentation])*
         #[derive(Clone, Copy, Debug)]
-        pub struct $vector($register);
+        pub struct $vector(pub(super) $register);
 
         const _: () = {
             use super::real::unary;
@@ -46,13 +47,13 @@ macro_rules! vector {
 
             impl $vector {
                 #[inline(always)]
-                fn lanes(self) -> [$scalar; $lanes] {
+                pub(super) fn lanes(self) -> [$scalar; $lanes] {
                     let mut lanes = [0.0; $lanes];
                     instruction!($store(lanes.as_mut_ptr(), self.0));
                     lanes
                 }
                 #[inline(always)]
-                fn of_lanes(lanes: [$scalar; $lanes]) -> Self {
+                pub(super) fn of_lanes(lanes: [$scalar; $lanes]) -> Self {
                     Self(instruction!($load(lanes.as_ptr())))
                 }
             }
@@ -83,6 +84,7 @@ macro_rules! vector {
                 const LANES: usize = $lanes;
                 type Mask = $mask;
                 type Block = Self;
+            type Row<const N: usize> = crate::lanes::Lanes<Self, N>;
 
                 #[inline(always)]
                 fn of(x: f64) -> Self {
@@ -103,6 +105,10 @@ macro_rules! vector {
                 #[inline(always)]
                 fn fma(self, b: Self, c: Self) -> Self {
                     Self(instruction!($fma(self.0, b.0, c.0)))
+                }
+                #[inline(always)]
+                fn over_root_cubed(self, x: Self) -> Self {
+                    $over_root_cubed(self, x)
                 }
                 #[inline(always)]
                 fn sin_cos(self) -> (Self, Self) {

@@ -3,12 +3,16 @@
 use super::{
     expression::{Dialect, Printer},
     fields::{Fields, is_leaf},
+    frame::Frame,
     lattice,
     names::Names,
 };
 use crate::{
     gather::Gathered,
-    graph::{Element, Graph, Node, NodeId, Part, index::Index},
+    graph::{
+        Element, Graph, Node, NodeId, Part,
+        index::{Index, LoopId},
+    },
     lower::lower,
     model::{Length, Model, Shape, integer::operand},
     program::{Item, Placed, Program, Sink, schedule},
@@ -32,7 +36,7 @@ pub(super) fn function(
             matches!(graph.node(id), Node::Constant(_) | Node::FromIndex(_) | Node::Parameter(_))
         }),
     };
-    let body = Block::new(model, names, &program, dialect).items(fields, &program.items);
+    let body = Block::new(model, names, &program, dialect, &Frame::Motion).items(fields, &program.items);
     match dialect {
         Dialect::Generic => body,
         Dialect::Single if program.items.len() > 1 => quote!({ #body }),
@@ -43,7 +47,7 @@ pub(super) fn function(
 /// The body of a flow: the lowered updates of the coordinates, each in its loops.
 pub(super) fn flow(model: &Model, fields: &mut Fields, names: &Names, placed: &[Placed]) -> TokenStream {
     let program = schedule(&model.graph, placed, |graph, id| is_leaf(graph, &model.parameters, id));
-    let mut block = Block::new(model, names, &program, Dialect::Generic);
+    let mut block = Block::new(model, names, &program, Dialect::Generic, &Frame::Motion);
     let body = block.items(fields, &program.items);
     let Some(element) = placed.iter().find_map(|placed| match placed.sink {
         Sink::Collect(element) => Some(element),
@@ -60,18 +64,10 @@ pub(super) fn flow(model: &Model, fields: &mut Fields, names: &Names, placed: &[
 pub(super) fn shares(model: &Model, fields: &mut Fields, names: &Names, gathered: &Gathered) -> TokenStream {
     let placed = lattice::placed(gathered);
     let program = schedule(&model.graph, &placed, |graph, id| is_leaf(graph, &model.parameters, id));
-    let mut block = Block::new(model, names, &program, Dialect::Generic);
-    block.printer.scalar = &names.wide;
-    block.printer.lattice = Some(gathered);
-    let body: TokenStream = program
-        .items
-        .iter()
-        .map(|item| match item {
-            // The runtime goes from site to site.
-            Item::Loop { by, body } if *by == gathered.site => block.items(fields, body),
-            item => block.item(fields, item),
-        })
-        .collect();
+    let frame = Frame::Sites(gathered);
+    let mut block = Block::new(model, names, &program, Dialect::Generic, &frame);
+    // The runtime goes from site to site.
+    let body = block.items(fields, &unwrapped(program.items, gathered.site));
     let shares = (0..=gathered.onward()).map(lattice::share);
     quote!(#body [#(#shares),*])
 }
@@ -85,10 +81,38 @@ pub(super) fn replacement(
     placed: &[Placed],
 ) -> TokenStream {
     let program = schedule(&model.graph, placed, |graph, id| is_leaf(graph, &model.parameters, id));
-    let mut block = Block::new(model, names, &program, Dialect::Generic);
+    let mut block = Block::new(model, names, &program, Dialect::Generic, &Frame::Motion);
     let body = block.items(fields, &program.items);
     let (open, close) = buffer(&model.shape, part, &block.printer, |place, value| quote!(#place = #value;));
     quote!(#open #body #close)
+}
+
+/// The body of a function of bodies that are its arguments: the lowered updates or components, in the loops over
+/// `around`, which are not written, and their own.
+pub(super) fn of_bodies(
+    model: &Model,
+    fields: &mut Fields,
+    names: &Names,
+    frame: &Frame<'_>,
+    around: &[LoopId],
+    placed: &[Placed],
+) -> TokenStream {
+    // The coordinates are numbers already.
+    let is_read = |graph: &Graph, id| matches!(graph.node(id), Node::Coordinate(_));
+    let program =
+        schedule(&model.graph, placed, |graph, id| is_read(graph, id) || is_leaf(graph, &model.parameters, id));
+    let mut block = Block::new(model, names, &program, Dialect::Generic, frame);
+    let items = around.iter().fold(program.items, |items, by| unwrapped(items, *by));
+    block.items(fields, &items)
+}
+
+/// The lines of a block, with those of a loop in its place.
+fn unwrapped(items: Vec<Item>, around: LoopId) -> Vec<Item> {
+    let lines = items.into_iter().flat_map(|item| match item {
+        Item::Loop { by, body } if by == around => body,
+        other => vec![other],
+    });
+    lines.collect()
 }
 
 /// The most elements that a buffer has on the stack; a longer one, or one of a length known at run time, is on the heap.
@@ -149,18 +173,18 @@ struct Block<'m> {
 }
 
 impl<'m> Block<'m> {
-    fn new(model: &'m Model, reserved: &'m Names, program: &Program, dialect: Dialect) -> Self {
+    fn new(model: &'m Model, reserved: &'m Names, program: &Program, dialect: Dialect, frame: &'m Frame) -> Self {
         let printer = Printer {
             graph: &model.graph,
             parameters: &model.parameters,
             running: &model.running,
             dialect,
             names: names(&model.graph, model, &program.named),
-            scalar: &reserved.scalar,
+            scalar: frame.scalar(reserved),
             runtime: &reserved.runtime,
             externals: &model.externals,
             functions: model.functions,
-            lattice: None,
+            frame,
         };
         Self { printer, masks: Vec::new(), begun: HashMap::new() }
     }
@@ -213,6 +237,10 @@ impl<'m> Block<'m> {
                 let at = printer.at(fields, *element);
                 self.accumulated(fields, quote!(gradient #at), *value, 0)
             }
+            Item::Sink(Sink::Assign(element), value) => {
+                let (at, value) = (printer.at(fields, *element), printer.expression(fields, *value).tokens);
+                quote!(gradient #at = #value;)
+            }
         }
     }
 
@@ -261,11 +289,11 @@ impl<'m> Block<'m> {
         match printer.product(value) {
             Some((negative, a, b)) if self.masks.is_empty() => {
                 let (a, b) = (printer.outer_factor(fields, negative, a), printer.expression(fields, b).tokens);
-                quote!(motion.#place.fma(#a, #b);)
+                quote!(#place.fma(#a, #b);)
             }
             _ => {
                 let value = self.masked(0, &printer.expression(fields, value).tokens, &self.zero());
-                quote!(motion.#place.add(#value);)
+                quote!(#place.add(#value);)
             }
         }
     }

@@ -33,11 +33,7 @@ impl Printer<'_> {
             }
             (Node::Flag(parameter), Dialect::Generic) => {
                 let name = fields.flag(self.parameters, parameter);
-                let loops = self.graph.loops.of_parameter(parameter);
-                let flag = match self.lattice {
-                    Some(lattice) => self.spread(lattice, name, loops),
-                    None => self.prepared(name, loops),
-                };
+                let flag = self.shared(name, self.graph.loops.of_parameter(parameter));
                 let zero = self.lifted(quote!(0.0));
                 quote!(#zero.less(#flag))
             }

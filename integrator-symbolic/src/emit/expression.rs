@@ -1,12 +1,11 @@
 //! Expressions as Rust: with only the parentheses that are needed, products that are added as fused multiply-adds.
 
-use super::fields::Fields;
+use super::{fields::Fields, frame::Frame};
 use crate::{
-    gather::Gathered,
     graph::{
         Element, ExternalId, Graph, Node, NodeId, Part,
         function::Function,
-        index::{Index, IndexId, LoopId, LoopSet},
+        index::{Index, IndexId, LoopId},
     },
     model::{
         Parameter,
@@ -77,8 +76,8 @@ pub(super) struct Printer<'m> {
     pub(super) externals: &'m [Ident],
     /// How near the elementary functions have to be.
     pub(super) functions: Functions,
-    /// The lattice, where values are computed for neighbouring sites side by side.
-    pub(super) lattice: Option<&'m Gathered>,
+    /// Where coordinates and prepared constants are.
+    pub(super) frame: &'m Frame<'m>,
 }
 
 impl Printer<'_> {
@@ -107,7 +106,7 @@ impl Printer<'_> {
             Node::Coordinate(element) => Printed::new(Binding::Atom, self.coordinate(fields, element)),
             Node::Time => Printed::new(Binding::Atom, quote!(time)),
             Node::Step => Printed::new(Binding::Atom, quote!(step)),
-            Node::FromIndex(_) if self.lattice.is_some() && !self.graph.loops_of(id).is_empty() => {
+            Node::FromIndex(_) if self.frame.has_prepared_index(self.graph.loops_of(id)) => {
                 Printed::new(Binding::Atom, self.field(fields, id))
             }
             Node::FromIndex(index) => {
@@ -126,6 +125,11 @@ impl Printer<'_> {
                 let (a, b) = (self.expression(fields, a), self.expression(fields, b));
                 let (a, b) = (a.at_least(Binding::Product), b.at_least(Binding::Sign));
                 Printed::new(Binding::Product, quote!(#a * #b))
+            }
+            Node::Div(a, b) if let Some(base) = self.root_cubed(b) => {
+                let a = self.expression(fields, a).at_least(Binding::Atom);
+                let base = self.expression(fields, base).tokens;
+                Printed::new(Binding::Atom, quote!(#a.over_root_cubed(#base)))
             }
             Node::Div(a, b) => {
                 let (a, b) = (self.expression(fields, a), self.expression(fields, b));
@@ -147,6 +151,13 @@ impl Printer<'_> {
             Node::Sum(_, body) | Node::Select(_, body, _) => self.expression(fields, body),
             condition => Printed::new(Binding::Atom, self.condition(fields, condition)),
         }
+    }
+
+    /// The base of `x sqrt(x)`, where a flow divides by that and reads neither the product nor the root elsewhere.
+    fn root_cubed(&self, divisor: NodeId) -> Option<NodeId> {
+        let Node::Mul(base, root) = self.graph.node(divisor) else { return None };
+        let inline = self.dialect == Dialect::Generic && ![divisor, root].iter().any(|id| self.names.contains_key(id));
+        (inline && self.graph.node(root) == Node::Power(base, 1)).then_some(base)
     }
 
     /// An `f64` as a number that flows compute in.
@@ -287,31 +298,46 @@ impl Printer<'_> {
 
     /// The value of a coordinate.
     fn coordinate(&self, fields: &mut Fields, element: Element) -> TokenStream {
-        if self.lattice.is_some() {
-            return self.neighbour(element);
+        let place = |fields| self.place(fields, element);
+        match self.frame {
+            Frame::Motion => {
+                let place = place(fields);
+                quote!(#place.value())
+            }
+            Frame::Sites(_) => self.neighbour(element),
+            Frame::Bodies(_) => place(fields),
         }
-        let place = self.place(fields, element);
-        quote!(motion.#place.value())
     }
 
-    /// A coordinate's place in the motion: `q[0]`, `p[i][1]`.
+    /// A coordinate's place: `motion.q[0]`, `motion.p[i][1]`, `q_i[d]`.
     pub(super) fn place(&self, fields: &mut Fields, element: Element) -> TokenStream {
         let part = match element.part {
-            Part::Position => quote!(q),
-            Part::Momentum => quote!(p),
+            Part::Position => format_ident!("q"),
+            Part::Momentum => format_ident!("p"),
         };
         let at = self.at(fields, element);
-        quote!(#part #at)
+        match self.frame {
+            Frame::Motion | Frame::Sites(_) => quote!(motion.#part #at),
+            Frame::Bodies(bodies) => {
+                let part = bodies.of_index(self.graph, part, element.index);
+                quote!(#part #at)
+            }
+        }
     }
 
-    /// The indices of a coordinate.
+    /// The indices of a coordinate; of a body that is an argument, those behind the body's.
     pub(super) fn at(&self, fields: &mut Fields, element: Element) -> TokenStream {
-        let index = self.index(fields, element.index);
         let component = element.component.map(|component| {
             let component = self.index(fields, component);
             quote!([#component])
         });
-        quote!([#index] #component)
+        match self.frame {
+            Frame::Motion | Frame::Sites(_) => {
+                let index = self.index(fields, element.index);
+                quote!([#index] #component)
+            }
+            Frame::Bodies(_) => component.unwrap_or_else(|| quote!([0])),
+        }
     }
 
     /// An integer expression.
@@ -323,7 +349,7 @@ impl Printer<'_> {
         match self.graph.loops.index(id) {
             Index::Literal(value) => Literal::u64_unsuffixed(value).to_token_stream(),
             Index::Running(by) => self.running.get(&by).to_token_stream(),
-            Index::Length if self.lattice.is_some() => quote!(near.length()),
+            Index::Length if matches!(self.frame, Frame::Sites(_)) => quote!(near.length()),
             Index::Length if self.dialect == Dialect::Generic => quote!(motion.q.len()),
             Index::Length => quote!(length),
             Index::Add(a, b) => binary(a, quote!(+), b),
@@ -359,28 +385,6 @@ impl Printer<'_> {
         match self.graph.loops.index(id) {
             Index::Literal(_) | Index::Running(_) | Index::Length | Index::Parameter(_) => index,
             _ => quote!((#index)),
-        }
-    }
-
-    /// A prepared constant, or its element for the present turns of its loops.
-    fn field(&self, fields: &mut Fields, id: NodeId) -> TokenStream {
-        let name = fields.number(self.graph, self.parameters, id);
-        let loops = self.graph.loops_of(id);
-        match self.lattice {
-            Some(lattice) => self.spread(lattice, name, loops),
-            None => self.prepared(name, loops),
-        }
-    }
-
-    /// A field of the prepared constants, or its element for the present turns of the loops.
-    pub(super) fn prepared(&self, name: Ident, loops: LoopSet) -> TokenStream {
-        let at = loops.iter().map(|by| {
-            let index = self.running.get(&by);
-            quote!([#index])
-        });
-        match self.lattice {
-            Some(_) => quote!(parameters.#name #(#at)*),
-            None => quote!(motion.parameters.#name #(#at)*),
         }
     }
 }

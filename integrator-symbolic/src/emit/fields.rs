@@ -3,6 +3,7 @@
 use super::{
     equations::Formulas,
     expression::{Dialect, Printer},
+    frame::Frame,
     names::Names,
 };
 use crate::{
@@ -325,6 +326,6 @@ fn single<'m>(model: &'m Model, names: &'m Names) -> Printer<'m> {
         runtime: &names.runtime,
         externals: &model.externals,
         functions: model.functions,
-        lattice: None,
+        frame: &Frame::Motion,
     }
 }

@@ -9,6 +9,7 @@ use crate::{
     differentiate::{Contribution, hessian_product},
     graph::Part,
     model::Model,
+    program::Sink,
 };
 use proc_macro2::TokenStream;
 use quote::quote;
@@ -22,13 +23,25 @@ pub(super) fn functions(
     fields: &mut Fields,
     names: &Names,
     potential: &[Contribution],
+    many_body: bool,
 ) -> TokenStream {
     let product = hessian_product(&mut model.graph, potential, Part::Position);
-    let product = placed(model, &product, false);
+    let product = placed(model, &product, Sink::Collect);
     let product = Body::new(block::replacement(model, fields, names, Part::Momentum, &product));
     let (motion, time, read) = (product.argument("motion"), product.argument("time"), product.time(&names.scalar));
     let product = &product.0;
     let Names { runtime, scalar, leaf, .. } = names;
+    // Bodies side by side are taken apart for what is seldom asked.
+    let product = if many_body {
+        quote! {
+            let bodies = motion;
+            let motion = &mut bodies.plain::<Self::Coords>();
+            #product
+            bodies.set_momenta(motion);
+        }
+    } else {
+        product.clone()
+    };
     quote! {
         #[inline(always)]
         fn hessian<#scalar: #runtime::Real>(#motion: &mut Self::Motion<#scalar, f64>, #time: f64) { #read #product }

@@ -4,6 +4,7 @@ use super::{
     Body, block,
     expression::Printer,
     fields::{Fields, is_leaf},
+    frame::Frame,
     names::Names,
 };
 use crate::{
@@ -172,7 +173,7 @@ impl Printer<'_> {
 
     /// The line that notes a share.
     pub(super) fn share(&self, fields: &mut Fields, number: usize, value: TokenStream) -> TokenStream {
-        let Some(lattice) = self.lattice else { return TokenStream::new() };
+        let Frame::Sites(lattice) = self.frame else { return TokenStream::new() };
         let Share { onward, sites, .. } = lattice.shares[number];
         let name = share(onward);
         let begun = lattice.shares[..number].iter().any(|share| share.onward == onward);

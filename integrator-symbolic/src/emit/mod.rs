@@ -5,13 +5,17 @@
 //! the user, of `::core`, and of the runtime's private door.
 
 mod block;
+mod bodies;
 mod condition;
 mod equations;
 mod expression;
 mod fields;
 mod force_gradient;
+mod frame;
 mod lattice;
 mod names;
+mod pairs;
+mod texts;
 
 use crate::{
     differentiate::{Contribution, folded, gradient},
@@ -26,6 +30,7 @@ use expression::Dialect;
 use fields::Fields;
 use lattice::Sweep;
 use names::Names;
+use pairs::ManyBody;
 use proc_macro2::{Ident, Span, TokenStream};
 use quote::quote;
 
@@ -57,13 +62,22 @@ pub(crate) fn stepper(input: &Input, mut model: Model) -> TokenStream {
 
     let names = Names::new(input);
     let mut fields = Fields::default();
-    let (drift, drift_along) = flow(&mut model, &mut fields, &names, &kinetic, Part::Momentum);
-    let (kick, kick_along) = flow(&mut model, &mut fields, &names, &potential, Part::Position);
-    let force_gradient =
-        model.quadratic.then(|| force_gradient::functions(&mut model, &mut fields, &names, &potential));
+    let many_body = ManyBody::of(&mut model, &mut fields, &names);
+    let mut flow = |gradient: &[Contribution], part| match many_body {
+        Some(_) => (ManyBody::flow(part), None),
+        None => flow(&mut model, &mut fields, &names, gradient, part),
+    };
+    let (drift, drift_along) = flow(&kinetic, Part::Momentum);
+    let (kick, kick_along) = flow(&potential, Part::Position);
+    let force_gradient = model
+        .quadratic
+        .then(|| force_gradient::functions(&mut model, &mut fields, &names, &potential, many_body.is_some()));
+    // Bodies side by side are taken apart for what is seldom asked.
+    let plain = many_body.as_ref().map(|_| quote!(let motion = &motion.plain::<Self::Coords>();));
     let [kinetic, potential] = [model.kinetic, model.potential].map(|energy| {
         let lowered = block::lowered(&mut model, &[energy])[0];
-        block::function(&model, &mut fields, &names, lowered, Dialect::Generic)
+        let energy = block::function(&model, &mut fields, &names, lowered, Dialect::Generic);
+        quote!(#plain #energy)
     });
     let [drift, kick, kinetic, potential] = [drift, kick, kinetic, potential].map(Body::new);
 
@@ -126,27 +140,34 @@ pub(crate) fn stepper(input: &Input, mut model: Model) -> TokenStream {
             }
         }
     });
-    let quadratic = force_gradient.map(|functions| {
+    let implementation = |of: TokenStream, functions: TokenStream| {
         quote! {
             #[automatically_derived]
-            impl #generics #runtime::QuadraticKinetic for #system #bounds { #functions }
+            impl #generics #of for #system #bounds { #functions }
         }
-    });
+    };
+    let quadratic = force_gradient.map(|functions| implementation(quote!(#runtime::QuadraticKinetic), functions));
+    let motion = match &many_body {
+        Some(many_body) => many_body.motion(&of_r, &names),
+        None => quote!(#runtime::Plain<#scalar, #runtime::Shaped<Self, #leaf>, #of_r>),
+    };
     let along = [&drift_along, &kick_along].into_iter().flatten().map(|sweep| {
         let (flow, items) = (sweep.name(), sweep.items(&names));
+        let along = implementation(quote!(#runtime::Gather<#runtime::#flow>), items);
         quote! {
             /// What every site computes from its neighbourhood, for itself and for the sites further on.
-            #[automatically_derived]
-            impl #generics #runtime::Gather<#runtime::#flow> for #system #bounds { #items }
+            #along
         }
     });
-    let wide = kick_along.is_some().then(|| {
+    let roots = [&drift, &kick].into_iter().any(|flow| flow.mentions("over_root_cubed"));
+    let wide = (kick_along.is_some() || many_body.is_some() || roots).then(|| {
         quote!(
             const WIDE: bool = true;
         )
     });
     let (reach, lattice) = drift_along.as_ref().and(kick_along.as_ref()).map(|_| lattice::parts(&names)).unzip();
     let (drift, kick) = (drift.flow("drift", &names), kick.flow("kick", &names));
+    let many_body = many_body.map(|many_body| many_body.implementations(implementation, &of_f64, &names));
     let (kinetic, potential) = (kinetic.energy("kinetic", &names), potential.energy("potential", &names));
     quote! {
         #[allow(warnings, clippy::all, clippy::pedantic, reason = "generated")]
@@ -175,7 +196,7 @@ pub(crate) fn stepper(input: &Input, mut model: Model) -> TokenStream {
                 type Coords = #coordinates;
                 type Compose = #composition;
                 type Parameters<#scalar: #runtime::Real> = #of_r;
-                type Motion<#scalar: #runtime::Real, #leaf: #runtime::Keep> = #runtime::Plain<#scalar, #runtime::Shaped<Self, #leaf>, #of_r>;
+                type Motion<#scalar: #runtime::Real, #leaf: #runtime::Keep> = #motion;
 
                 const AUTONOMOUS: bool = #autonomous;
                 #wide
@@ -194,6 +215,7 @@ pub(crate) fn stepper(input: &Input, mut model: Model) -> TokenStream {
                 #visit
             }
 
+            #many_body
             #quadratic
             #(#along)*
         };
@@ -270,7 +292,7 @@ fn flow(
     }
     let direct = is_direct(model, &folded);
     let gradient = if direct { &folded[..] } else { gradient };
-    let placed = placed(model, gradient, direct);
+    let placed = placed(model, gradient, if direct { Sink::Update } else { Sink::Collect });
     let scalar = &names.scalar;
     let body = Body::new(block::flow(model, fields, names, &placed));
     let (read, body) = (body.time(scalar), &body.0);
@@ -281,21 +303,25 @@ fn flow(
     (quote!(#read let step = #scalar::of(#duration); #body), None)
 }
 
-/// Where the components of a gradient go: each to the coordinate that it moves, or to the buffer for it.
-fn placed(model: &mut Model, gradient: &[Contribution], direct: bool) -> Vec<Placed> {
-    let values: Vec<NodeId> = gradient
-        .iter()
-        .map(|contribution| if direct { model.graph.stepped(contribution.value) } else { contribution.value })
-        .collect();
+/// Where the components of a gradient go; what updates a coordinate is multiplied by the step.
+fn placed(model: &mut Model, gradient: &[Contribution], sink: fn(Element) -> Sink) -> Vec<Placed> {
+    let placed = |contribution: &Contribution| {
+        let element = contribution.element;
+        sink(Element { part: element.part.other(), ..element })
+    };
+    let mut value = |contribution: &Contribution| match placed(contribution) {
+        Sink::Update(_) => model.graph.stepped(contribution.value),
+        _ => contribution.value,
+    };
+    let values: Vec<NodeId> = gradient.iter().map(&mut value).collect();
     let conditions = gradient.iter().flat_map(Contribution::conditions);
     let roots: Vec<NodeId> = values.iter().copied().chain(conditions).collect();
     let lowered = block::lowered(model, &roots);
     let of = |id: NodeId| roots.iter().position(|root| *root == id).map_or(id, |position| lowered[position]);
-    let placed = gradient.iter().zip(values).map(|(contribution, value)| {
-        let element = contribution.element;
-        let moved = Element { part: element.part.other(), ..element };
-        let sink = if direct { Sink::Update(moved) } else { Sink::Collect(moved) };
-        Placed { context: contribution.around(of), sink, value: of(value) }
+    let placed = gradient.iter().zip(values).map(|(contribution, value)| Placed {
+        context: contribution.around(of),
+        sink: placed(contribution),
+        value: of(value),
     });
     placed.collect()
 }

@@ -15,7 +15,7 @@ pub(crate) struct Names {
     pub(super) composition: Ident,
     /// What flows compute in.
     pub(super) scalar: Ident,
-    /// Neighbours that a flow computes side by side.
+    /// Neighbours or bodies that a flow computes side by side.
     pub(super) wide: Ident,
     /// How coordinates are kept.
     pub(super) leaf: Ident,

@@ -1,0 +1,213 @@
+//! Bodies that act on each other in pairs: what a system says of one pair, and the sums over all pairs of a row or two.
+//!
+//! Always true: pairs are taken in the order of rotations, which no hardware decides, so that every sum has the same bits
+//! whatever a row is made of; what stands behind the last body changes no sum.
+
+use crate::{hamiltonian::Hamiltonian, lanes::Lanes, real::Real, row::Row, slot::Slot};
+
+/// What is prepared of each body.
+pub trait PerBody<const S: usize> {
+    /// What is prepared of a body.
+    fn per_body(&self, body: usize) -> [f64; S];
+}
+
+/// A Hamiltonian of bodies with `D` coordinates and `S` prepared constants each, whose potential is a sum over pairs,
+/// and over bodies. Written by `#[hamiltonian]`.
+pub trait ManyBody<const D: usize, const S: usize>: Hamiltonian {
+    /// Whether action is reaction: the force on the second body is that on the first, with another sign.
+    const RECIPROCAL: bool;
+
+    /// The flow of `T` on one body.
+    fn drift_of<R: Real, W: Row<R>, L: Slot<W>>(
+        parameters: &Self::Parameters<R>,
+        q: &mut [L; D],
+        p: [W; D],
+        of: [W; S],
+        step: W,
+        time: f64,
+    );
+    /// The gradient of the energy of a pair by the coordinates of the first body. The energy stays the same if the two
+    /// are exchanged.
+    fn pair<R: Real, W: Row<R>>(
+        parameters: &Self::Parameters<R>,
+        q_i: [W; D],
+        q_j: [W; D],
+        of_i: [W; S],
+        of_j: [W; S],
+        time: f64,
+    ) -> [W; D];
+    /// The gradient of the energy that a body has alone, if it has any.
+    #[inline(always)]
+    fn alone<R: Real, W: Row<R>>(parameters: &Self::Parameters<R>, q: [W; D], of: [W; S], time: f64) -> Option<[W; D]> {
+        let _ = (parameters, q, of, time);
+        None
+    }
+}
+
+/// Bodies side by side: their positions and prepared constants.
+#[derive(Clone, Copy)]
+pub struct Bodies<W, const D: usize, const S: usize> {
+    /// Positions.
+    pub q: [W; D],
+    /// What is prepared of each.
+    pub of: [W; S],
+}
+
+impl<W: Real, const D: usize, const S: usize> Bodies<W, D, S> {
+    #[inline(always)]
+    fn rotated<R: Real, const N: usize>(self, by: usize) -> Self
+    where
+        W: Row<R>,
+    {
+        Self { q: rotated::<R, W, N, D>(self.q, by), of: rotated::<R, W, N, S>(self.of, by) }
+    }
+}
+
+impl<R: Real, const N: usize, const D: usize, const S: usize> Bodies<Lanes<R, N>, D, S> {
+    /// One of them.
+    #[inline(always)]
+    pub(crate) fn body(&self, body: usize) -> Bodies<R, D, S> {
+        let zero = R::of(0.0);
+        let mut one = Bodies { q: [zero; D], of: [zero; S] };
+        for (one, all) in one.q.iter_mut().zip(&self.q).chain(one.of.iter_mut().zip(&self.of)) {
+            *one = all.part(body);
+        }
+        one
+    }
+}
+
+// Plain loops: what they call belongs to a clone, and a closure might be compiled outside of it.
+
+#[inline(always)]
+fn rotated<R: Real, W: Row<R>, const N: usize, const D: usize>(mut rows: [W; D], by: usize) -> [W; D] {
+    for row in &mut rows {
+        *row = row.rotated::<N>(by);
+    }
+    rows
+}
+
+#[inline(always)]
+fn add<W: Real, const D: usize>(mut a: [W; D], b: [W; D]) -> [W; D] {
+    for (a, b) in a.iter_mut().zip(b) {
+        *a += b;
+    }
+    a
+}
+
+#[inline(always)]
+fn sub<W: Real, const D: usize>(mut a: [W; D], b: [W; D]) -> [W; D] {
+    for (a, b) in a.iter_mut().zip(b) {
+        *a -= b;
+    }
+    a
+}
+
+/// Which places of a row hold bodies: one there, zero elsewhere. Nothing where all do.
+pub(crate) type Present<W> = Option<W>;
+
+/// The force where a body is there to exert or to feel it.
+#[inline(always)]
+fn acting<W: Real, const D: usize>(mut force: [W; D], present: Present<W>) -> [W; D] {
+    if let Some(present) = present {
+        let zero = W::of(0.0);
+        for force in &mut force {
+            *force = W::select(zero.less(present), *force, zero);
+        }
+    }
+    force
+}
+
+/// What acts on each of the `N` bodies of a row from the others and alone, as the gradient of the energy.
+///
+/// In turn `s` each body is paired with the one `s` places further on. Where action is reaction, half a round will do; of
+/// an even number of bodies, the turn by half a round meets every pair twice, once from either side.
+#[inline(always)]
+pub(crate) fn within<H, R, W, const N: usize, const D: usize, const S: usize>(
+    parameters: &H::Parameters<R>,
+    bodies: Bodies<W, D, S>,
+    present: Present<W>,
+    time: f64,
+) -> [W; D]
+where
+    H: ManyBody<D, S>,
+    R: Real,
+    W: Row<R>,
+{
+    let mut sum = H::alone::<R, W>(parameters, bodies.q, bodies.of, time);
+    // Written out, so that the rotations are known when this is compiled.
+    macro_rules! turns {
+        ($($by:literal)*) => {$(
+            if 2 * $by <= N || $by < N && !H::RECIPROCAL {
+                let force = turn::<H, R, W, N, D, S>(parameters, bodies, present, time, $by);
+                sum = match sum {
+                    Some(sum) => Some(add(sum, force)),
+                    None => Some(force),
+                };
+            }
+        )*};
+    }
+    turns!(1 2 3 4 5 6 7);
+    sum.unwrap_or([W::of(0.0); D])
+}
+
+/// What acts on each body of a row in one turn.
+///
+/// Only inlined for certain where code is optimised: elsewhere every copy of it would have its own place on the stack.
+#[cfg_attr(debug_assertions, inline)]
+#[cfg_attr(not(debug_assertions), inline(always))]
+fn turn<H, R, W, const N: usize, const D: usize, const S: usize>(
+    parameters: &H::Parameters<R>,
+    bodies: Bodies<W, D, S>,
+    present: Present<W>,
+    time: f64,
+    by: usize,
+) -> [W; D]
+where
+    H: ManyBody<D, S>,
+    R: Real,
+    W: Row<R>,
+{
+    let others = bodies.rotated::<R, N>(by);
+    let force = W::pairs::<H, D, S>(parameters, [bodies, others], time);
+    let mut force = acting(force, present);
+    if let Some(present) = present {
+        force = acting(force, Some(present.rotated::<N>(by)));
+    }
+    if 2 * by != N && H::RECIPROCAL {
+        force = sub(force, rotated::<R, W, N, D>(force, N - by));
+    }
+    force
+}
+
+/// What acts on each body of a row from those of another row, added to `sums`, and the other way round.
+#[cfg_attr(debug_assertions, inline)]
+#[cfg_attr(not(debug_assertions), inline(always))]
+pub(crate) fn between<H, R, W, const N: usize, const D: usize, const S: usize>(
+    parameters: &H::Parameters<R>,
+    bodies: Bodies<W, D, S>,
+    mut others: Bodies<W, D, S>,
+    mut present: Present<W>,
+    time: f64,
+    sums: [&mut [W; D]; 2],
+) where
+    H: ManyBody<D, S>,
+    R: Real,
+    W: Row<R>,
+{
+    let [sum, other] = sums;
+    let mut reaction = *other;
+    // A full round, so that at the end everybody is back in their place.
+    for _ in 0..N {
+        let force = W::pairs::<H, D, S>(parameters, [bodies, others], time);
+        let force = acting(force, present);
+        *sum = add(*sum, force);
+        reaction = rotated::<R, W, N, D>(sub(reaction, force), 1);
+        others = others.rotated::<R, N>(1);
+        if let Some(row) = present {
+            present = Some(row.rotated::<N>(1));
+        }
+    }
+    if H::RECIPROCAL {
+        *other = reaction;
+    }
+}

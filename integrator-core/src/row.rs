@@ -1,0 +1,147 @@
+//! Bodies side by side: what lets one text of a force serve a body at a time on one machine and eight on another.
+
+use crate::{
+    lanes::Lanes,
+    many_body::{Bodies, ManyBody},
+    real::Real,
+    slot::{Keep, Slot},
+};
+use std::ops::Range;
+
+/// Up to eight bodies side by side, each an `R`. Every operation has the bits of `R`'s own, so that no result depends on
+/// how wide the hardware is. Places beyond the last body repeat the first ones: whatever is computed there is finite
+/// where the bodies are, and never read.
+pub trait Row<R: Real>: Real {
+    /// The same number for every body.
+    fn splat(x: R) -> Self;
+    /// The row of `N` bodies in which each body's place is taken by the one so many places further on, the first bodies
+    /// coming after the last one.
+    fn rotated<const N: usize>(self, by: usize) -> Self;
+    /// The gradient of the energy of each body with the one in the same place of another row.
+    #[inline(always)]
+    fn pairs<H: ManyBody<D, S>, const D: usize, const S: usize>(
+        parameters: &H::Parameters<R>,
+        [i, j]: [Bodies<Self, D, S>; 2],
+        time: f64,
+    ) -> [Self; D] {
+        H::pair::<R, Self>(parameters, i.q, j.q, i.of, j.of, time)
+    }
+}
+
+/// A body is a row of one.
+impl<R: Real> Row<R> for R {
+    #[inline(always)]
+    fn splat(x: R) -> Self {
+        x
+    }
+    #[inline(always)]
+    fn rotated<const N: usize>(self, _by: usize) -> Self {
+        self
+    }
+}
+
+/// Which body and which of its lanes a lane of a row belongs to, for a row of the bodies of a range.
+#[inline(always)]
+fn place<R: Real>(bodies: &Range<usize>, lane: usize) -> (usize, usize) {
+    (bodies.start + lane / R::LANES % bodies.len(), lane % R::LANES)
+}
+
+/// The slots of a row of bodies, from one leaf per lane and coordinate.
+#[inline(always)]
+pub(crate) fn inward<R: Real, K: Keep, const N: usize, const D: usize>(
+    bodies: Range<usize>,
+    leaf: impl Fn(usize, usize) -> K,
+) -> [K::Slot<R::Row<N>>; D] {
+    std::array::from_fn(|d| {
+        K::inward(|lane| {
+            let (body, lane) = place::<R>(&bodies, lane);
+            leaf(lane, body * D + d)
+        })
+    })
+}
+
+/// Writes one lane of the slots of a row of bodies to their coordinates.
+#[inline(always)]
+pub(crate) fn outward<R: Real, K: Keep, const N: usize, const D: usize>(
+    bodies: Range<usize>,
+    slots: &[K::Slot<R::Row<N>>; D],
+    lane: usize,
+    to: &mut [K],
+) {
+    for (place, body) in bodies.enumerate() {
+        for (d, slot) in slots.iter().enumerate() {
+            to[body * D + d] = K::outward(*slot, place * R::LANES + lane);
+        }
+    }
+}
+
+/// What is prepared of a row of bodies.
+#[inline(always)]
+pub(crate) fn prepared<R: Real, const N: usize, const S: usize>(
+    bodies: Range<usize>,
+    of: impl Fn(usize, usize) -> [f64; S],
+) -> [R::Row<N>; S] {
+    std::array::from_fn(|s| {
+        Real::parameter(|lane| {
+            let (body, lane) = place::<R>(&bodies, lane);
+            of(lane, body)[s]
+        })
+    })
+}
+
+/// A row of numbers, one for each body.
+#[inline(always)]
+pub(crate) fn of_bodies<R: Real, const N: usize>(bodies: Range<usize>, number: impl Fn(usize) -> R) -> R::Row<N> {
+    Real::state(|lane| {
+        let (body, lane) = place::<R>(&bodies, lane);
+        number(body).lane(lane)
+    })
+}
+
+/// What the slots of a row hold.
+#[inline(always)]
+pub(crate) fn values<W: Real, L: Slot<W>, const D: usize>(slots: &[L; D]) -> [W; D] {
+    let mut values = [W::of(0.0); D];
+    for (value, slot) in values.iter_mut().zip(slots) {
+        *value = slot.value();
+    }
+    values
+}
+
+/// The number in one place of a row.
+#[inline(always)]
+pub(crate) fn of_place<R: Real>(row: impl Row<R>, place: usize) -> R {
+    R::state(|lane| row.lane(place * R::LANES + lane))
+}
+
+impl<R: Real, const BODIES: usize> Row<R> for Lanes<R, BODIES> {
+    #[inline(always)]
+    fn splat(x: R) -> Self {
+        Self::of_parts([x; BODIES])
+    }
+    #[inline(always)]
+    fn rotated<const N: usize>(self, by: usize) -> Self {
+        let mut parts = [self.part(0); BODIES];
+        for (body, part) in parts.iter_mut().enumerate() {
+            *part = self.part((body + by) % N);
+        }
+        Self::of_parts(parts)
+    }
+    /// Body by body: each may fill registers of its own, and all at once would fill none.
+    #[inline(always)]
+    fn pairs<H: ManyBody<D, S>, const D: usize, const S: usize>(
+        parameters: &H::Parameters<R>,
+        [i, j]: [Bodies<Self, D, S>; 2],
+        time: f64,
+    ) -> [Self; D] {
+        let mut forces = [Self::of(0.0); D];
+        for body in 0..BODIES {
+            let (i, j) = (i.body(body), j.body(body));
+            let force = H::pair::<R, R>(parameters, i.q, j.q, i.of, j.of, time);
+            for (forces, force) in forces.iter_mut().zip(force) {
+                forces.set_part(body, force);
+            }
+        }
+        forces
+    }
+}

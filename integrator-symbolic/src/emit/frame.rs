@@ -1,0 +1,95 @@
+//! Where a generated function finds coordinates and prepared constants.
+
+use super::{expression::Printer, fields::Fields, names::Names};
+use crate::{
+    gather::Gathered,
+    graph::{
+        Graph, NodeId,
+        index::{Index, IndexId, LoopId, LoopSet},
+    },
+};
+use proc_macro2::{Ident, TokenStream};
+use quote::{ToTokens, format_ident, quote};
+use std::collections::HashMap;
+
+/// Where a function finds what it reads.
+pub(super) enum Frame<'m> {
+    /// In the motion.
+    Motion,
+    /// In the neighbourhood of sites of a lattice, which is an argument.
+    Sites(&'m Gathered),
+    /// In its arguments: the coordinates and constants of bodies, and the constants that all bodies share.
+    Bodies(Bodies),
+}
+
+/// Bodies that are arguments of a function.
+pub(super) struct Bodies {
+    /// What is behind `q` and `p` in the names of a body's coordinates, by the loop whose index it has.
+    pub(super) suffixes: Vec<(LoopId, String)>,
+    /// The names of their prepared constants.
+    pub(super) constants: HashMap<NodeId, Ident>,
+}
+
+impl Frame<'_> {
+    /// What is computed in.
+    pub(super) fn scalar<'n>(&self, names: &'n Names) -> &'n Ident {
+        match self {
+            Frame::Motion => &names.scalar,
+            Frame::Sites(_) | Frame::Bodies(_) => &names.wide,
+        }
+    }
+
+    /// Whether an integer of these loops' indices is read as a prepared number.
+    pub(super) fn has_prepared_index(&self, loops: LoopSet) -> bool {
+        match self {
+            Frame::Motion => false,
+            Frame::Sites(_) => !loops.is_empty(),
+            Frame::Bodies(_) => true,
+        }
+    }
+}
+
+impl Bodies {
+    /// The name of the coordinates of the body with this index.
+    pub(super) fn of_index(&self, graph: &Graph, letter: Ident, index: IndexId) -> Ident {
+        let suffix = self.suffixes.iter().find(|(by, _)| graph.loops.index(index) == Index::Running(*by));
+        suffix.map_or(letter.clone(), |(_, suffix)| format_ident!("{letter}{suffix}"))
+    }
+}
+
+impl Printer<'_> {
+    /// A prepared constant, or its element for the present turns of its loops.
+    pub(super) fn field(&self, fields: &mut Fields, id: NodeId) -> TokenStream {
+        if let Frame::Bodies(bodies) = self.frame
+            && let Some(name) = bodies.constants.get(&id)
+        {
+            return name.to_token_stream();
+        }
+        let name = fields.number(self.graph, self.parameters, id);
+        self.shared(name, self.graph.loops_of(id))
+    }
+
+    /// A field of the prepared constants as a number of the flow, for the present turns of the loops.
+    pub(super) fn shared(&self, name: Ident, loops: LoopSet) -> TokenStream {
+        match self.frame {
+            Frame::Motion => self.prepared(name, loops),
+            Frame::Sites(lattice) => self.spread(lattice, name, loops),
+            Frame::Bodies(_) => {
+                let (scalar, field) = (self.scalar, self.prepared(name, loops));
+                quote!(#scalar::splat(#field))
+            }
+        }
+    }
+
+    /// A field of the prepared constants as it is, for the present turns of the loops.
+    pub(super) fn prepared(&self, name: Ident, loops: LoopSet) -> TokenStream {
+        let at = loops.iter().map(|by| {
+            let index = self.running.get(&by);
+            quote!([#index])
+        });
+        match self.frame {
+            Frame::Motion => quote!(motion.parameters.#name #(#at)*),
+            Frame::Sites(_) | Frame::Bodies(_) => quote!(parameters.#name #(#at)*),
+        }
+    }
+}

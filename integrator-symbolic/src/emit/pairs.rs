@@ -1,0 +1,201 @@
+//! Systems of bodies that act on each other in pairs: what moves a body, and what one body does to another. The loops
+//! over bodies and pairs are the runtime's.
+
+use super::{
+    Body,
+    bodies::{Constants, OfBodies},
+    fields::Fields,
+    is_direct,
+    names::Names,
+    texts::Texts,
+};
+use crate::{
+    differentiate::folded,
+    graph::{Part, index::LoopId},
+    model::Model,
+    pairs::{Pairs, one_by_one, pairs},
+    program::Sink,
+};
+use proc_macro2::{Literal, TokenStream};
+use quote::{format_ident, quote};
+
+/// The most bodies whose state is one row.
+const ROW: u64 = 8;
+
+/// The parts of a stepper for bodies that act in pairs.
+pub(super) struct ManyBody {
+    /// How many bodies, where they are one row.
+    row: Option<Literal>,
+    /// How many coordinates and how many prepared constants a body has.
+    sizes: [Literal; 2],
+    /// What the runtime asks of the system.
+    functions: TokenStream,
+    /// The prepared constants of one body, by its index.
+    per_body: TokenStream,
+}
+
+impl ManyBody {
+    /// The parts, if the potential is one of pairs and the kinetic energy one of bodies.
+    pub(super) fn of(model: &mut Model, fields: &mut Fields, names: &Names) -> Option<Self> {
+        let dimension = match &model.shape.dimension {
+            None => 1,
+            Some(dimension) => dimension.literal()?,
+        };
+        // A body alone has no pairs.
+        if model.shape.length.literal().is_some_and(|length| length < 2) {
+            return None;
+        }
+        let Model { graph, parameters, running, kinetic, potential, length, .. } = &mut *model;
+        let mut texts = Texts::new(parameters, running);
+        let Pairs { bodies, pair, force, reciprocal, alone } = pairs(graph, *potential, *length, &mut texts)?;
+        let velocity = one_by_one(graph, *kinetic, *length, Part::Momentum, &mut texts)?;
+        let velocity = folded(graph, &velocity);
+        if velocity.is_empty() || force.is_empty() || !is_direct(model, &velocity) {
+            return None;
+        }
+        let index = model.running.get(&pair[0])?.clone();
+        model.running.entry(bodies).or_insert(index);
+
+        let mut constants = Constants::new(bodies);
+        let drift = OfBodies::new(model, &mut constants, &[bodies], &velocity, Sink::Update)?;
+        let force = OfBodies::gradient(model, &mut constants, &pair, &force)?;
+        let alone = match &alone[..] {
+            [] => None,
+            alone => Some(OfBodies::gradient(model, &mut constants, &[bodies], alone)?),
+        };
+        let sizes = [Literal::u64_unsuffixed(dimension), Literal::usize_unsuffixed(constants.count())];
+        let mut writer = Writer { model, fields, names, constants: &constants, sizes: &sizes };
+        let functions = [writer.drift(&drift), writer.pair(&force, pair)];
+        let alone = alone.map(|alone| writer.alone(&alone));
+        let per_body = writer.per_body();
+        let row = model.shape.length.literal().filter(|length| *length <= ROW).map(Literal::u64_unsuffixed);
+        let functions = quote! {
+            const RECIPROCAL: bool = #reciprocal;
+
+            #(#functions)*
+            #alone
+        };
+        Some(Self { row, sizes, functions, per_body })
+    }
+
+    /// The flow that moves the other part, whose loops over bodies are the runtime's.
+    pub(super) fn flow(part: Part) -> TokenStream {
+        match part {
+            Part::Momentum => quote!(motion.drift::<Self>(duration, time);),
+            Part::Position => quote!(motion.kick::<Self>(duration, time);),
+        }
+    }
+
+    /// The layout of the motion.
+    pub(super) fn motion(&self, parameters: &TokenStream, names: &Names) -> TokenStream {
+        let Names { runtime, scalar, leaf, .. } = names;
+        let [d, s] = &self.sizes;
+        match &self.row {
+            Some(row) => quote!(#runtime::Ring<#scalar, #leaf, #parameters, #row, #d, #s>),
+            None => quote!(#runtime::Tiles<#scalar, #leaf, #parameters, #d, #s>),
+        }
+    }
+
+    /// The implementations of what the runtime asks of the system and of its prepared constants.
+    pub(super) fn implementations(
+        self,
+        implementation: impl Fn(TokenStream, TokenStream) -> TokenStream,
+        parameters: &TokenStream,
+        names: &Names,
+    ) -> TokenStream {
+        let (runtime, Self { sizes: [d, s], functions, per_body, .. }) = (&names.runtime, self);
+        let many_body = implementation(quote!(#runtime::ManyBody<#d, #s>), functions);
+        quote! {
+            #many_body
+
+            impl #runtime::PerBody<#s> for #parameters { #per_body }
+        }
+    }
+}
+
+/// What writes the functions.
+struct Writer<'w> {
+    model: &'w Model,
+    fields: &'w mut Fields,
+    names: &'w Names,
+    constants: &'w Constants,
+    sizes: &'w [Literal; 2],
+}
+
+impl Writer<'_> {
+    /// What the flow of `T` does to a body.
+    fn drift(&mut self, drift: &OfBodies) -> TokenStream {
+        let [q, p, of] = ["q", "p", "of"].map(|what| OfBodies::named(what, self.model, self.constants.bodies));
+        let body = Body::new(drift.body(self.model, self.fields, self.names, self.constants));
+        let (Names { runtime, wide, leaf, .. }, [d, s]) = (self.names, self.sizes);
+        let generics = quote!(#leaf: #runtime::Slot<#wide>);
+        let arguments = quote!(#q: &mut [#leaf; #d], #p: [#wide; #d], #of: [#wide; #s], step: #wide);
+        self.function("drift_of", generics, arguments, None, body)
+    }
+
+    /// The gradient of the energy of a pair by the coordinates of its first body.
+    fn pair(&mut self, pair: &OfBodies, of: [LoopId; 2]) -> TokenStream {
+        let [q_i, q_j] = of.map(|by| OfBodies::named("q", self.model, by));
+        let [of_i, of_j] = of.map(|by| OfBodies::named("of", self.model, by));
+        let (body, [d, s]) = (self.gradient(pair, quote!(gradient)), self.sizes);
+        let wide = &self.names.wide;
+        let arguments = quote!(#q_i: [#wide; #d], #q_j: [#wide; #d], #of_i: [#wide; #s], #of_j: [#wide; #s]);
+        self.function("pair", TokenStream::new(), arguments, Some(quote!([#wide; #d])), body)
+    }
+
+    /// The gradient of what a body has alone.
+    fn alone(&mut self, alone: &OfBodies) -> TokenStream {
+        let [q, of] = ["q", "of"].map(|what| OfBodies::named(what, self.model, self.constants.bodies));
+        let body = self.gradient(alone, quote!(::core::option::Option::Some(gradient)));
+        let ([d, s], wide) = (self.sizes, &self.names.wide);
+        let arguments = quote!(#q: [#wide; #d], #of: [#wide; #s]);
+        let result = quote!(::core::option::Option<[#wide; #d]>);
+        self.function("alone", TokenStream::new(), arguments, Some(result), body)
+    }
+
+    /// A function of bodies side by side.
+    fn function(
+        &self,
+        name: &str,
+        generics: TokenStream,
+        arguments: TokenStream,
+        result: Option<TokenStream>,
+        body: Body,
+    ) -> TokenStream {
+        let Names { runtime, scalar, wide, .. } = self.names;
+        let (name, result) = (format_ident!("{name}"), result.map(|result| quote!(-> #result)));
+        let (time, parameters, read) = (body.argument("time"), body.argument("parameters"), body.time(wide));
+        let body = body.0;
+        quote! {
+            #[inline(always)]
+            fn #name<#scalar: #runtime::Real, #wide: #runtime::Row<#scalar>, #generics>(
+                #parameters: &Self::Parameters<#scalar>,
+                #arguments,
+                #time: f64,
+            ) #result { #read #body }
+        }
+    }
+
+    /// The components of a gradient as an array, and what is returned of it.
+    fn gradient(&mut self, of: &OfBodies, result: TokenStream) -> Body {
+        let body = of.body(self.model, self.fields, self.names, self.constants);
+        let (wide, d) = (&self.names.wide, &self.sizes[0]);
+        Body::new(quote! {
+            let mut gradient = [#wide::of(0.0); #d];
+            #body
+            #result
+        })
+    }
+
+    /// The prepared constants of a body as an array.
+    fn per_body(&mut self) -> TokenStream {
+        let fields = self.constants.fields(self.model, self.fields);
+        let index = self.model.running.get(&self.constants.bodies);
+        let argument = index.filter(|_| !fields.is_empty()).map_or_else(|| format_ident!("_body"), Clone::clone);
+        let s = &self.sizes[1];
+        quote! {
+            #[inline]
+            fn per_body(&self, #argument: usize) -> [f64; #s] { [#(self.#fields[#index]),*] }
+        }
+    }
+}

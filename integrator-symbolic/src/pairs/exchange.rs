@@ -1,0 +1,250 @@
+//! Whether expressions are the same up to the order of sums and products, with two indices exchanged or not.
+//!
+//! Expressions are written in a normal form: sums and products as sorted lists, signs outside. Equal forms are equal
+//! expressions; of equal expressions some have different forms, and are then taken for different.
+
+use super::{Parameters, rename::Renaming};
+use crate::graph::{
+    Comparison, Element, Graph, Node, NodeId, ParameterId,
+    function::Function,
+    index::{IndexId, LoopId},
+};
+use std::collections::HashMap;
+
+/// A normal form with its sign.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub(super) struct Signed {
+    form: u32,
+    negative: bool,
+}
+
+impl Signed {
+    pub(super) fn opposite(self) -> Self {
+        Self { negative: !self.negative, ..self }
+    }
+
+    fn negated_if(self, negative: bool) -> Self {
+        Self { negative: self.negative != negative, ..self }
+    }
+}
+
+/// A normal form.
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
+enum Form {
+    /// What does not depend on the two indices.
+    Fixed(NodeId),
+    /// A parameter that is no product.
+    Parameter(ParameterId),
+    FromIndex(IndexId),
+    Coordinate(Element),
+    /// Addends in order.
+    Terms(Vec<Signed>),
+    /// A number, by its bits, and bases in order, each with twice its exponent.
+    Factors(u64, Vec<(Signed, i32)>),
+    Unary(Function, Signed),
+    Binary(Function, Signed, Signed),
+    Sum(LoopId, Signed),
+    Compare(Comparison, Signed, Signed),
+    Not(Signed),
+    And([Signed; 2]),
+    Or([Signed; 2]),
+    Select([Signed; 3]),
+}
+
+/// Functions whose value stays, those whose sign changes with the sign of the argument, and those of two arguments in
+/// either order.
+const EVEN: [&str; 3] = ["abs", "cos", "cosh"];
+const ODD: [&str; 10] = ["sin", "tan", "asin", "atan", "sinh", "tanh", "asinh", "atanh", "cbrt", "signum"];
+const COMMUTATIVE: [&str; 3] = ["min", "max", "hypot"];
+
+/// The forms known so far.
+pub(super) struct Forms<'p> {
+    pair: [LoopId; 2],
+    parameters: &'p mut dyn Parameters,
+    ids: HashMap<Form, u32>,
+    known: HashMap<(NodeId, bool), Signed>,
+}
+
+impl<'p> Forms<'p> {
+    pub(super) fn new(pair: [LoopId; 2], parameters: &'p mut dyn Parameters) -> Self {
+        Self { pair, parameters, ids: HashMap::new(), known: HashMap::new() }
+    }
+
+    /// The form of a node, with the indices of the pair exchanged or not; `None` where a parameter cannot be.
+    pub(super) fn of(&mut self, graph: &mut Graph, id: NodeId, exchanged: bool) -> Option<Signed> {
+        if let Some(known) = self.known.get(&(id, exchanged)) {
+            return Some(*known);
+        }
+        let form = self.form(graph, id, exchanged)?;
+        self.known.insert((id, exchanged), form);
+        Some(form)
+    }
+
+    fn form(&mut self, graph: &mut Graph, id: NodeId, exchanged: bool) -> Option<Signed> {
+        let loops = graph.loops_of(id);
+        let fixed = graph.is_prepared(id) && !self.pair.iter().any(|by| loops.contains(*by));
+        let by = Renaming::exchange(self.pair);
+        let form = match graph.node(id) {
+            Node::Constant(_) | Node::Parameter(_) | Node::Mul(..) | Node::Div(..) | Node::Power(..) => {
+                return self.product(graph, id, exchanged);
+            }
+            Node::Neg(a) => return Some(self.of(graph, a, exchanged)?.opposite()),
+            Node::Add(a, b) => {
+                let mut terms = Vec::new();
+                self.addends(graph, a, exchanged, false, &mut terms)?;
+                self.addends(graph, b, exchanged, false, &mut terms)?;
+                return Some(self.sum(terms));
+            }
+            _ if fixed => Form::Fixed(id),
+            Node::FromIndex(index) if exchanged => Form::FromIndex(by.index(graph, index)),
+            Node::FromIndex(index) => Form::FromIndex(index),
+            Node::Coordinate(element) if exchanged => {
+                Form::Coordinate(Element { index: by.index(graph, element.index), ..element })
+            }
+            Node::Coordinate(element) => Form::Coordinate(element),
+            Node::Unary(function, a) => {
+                let a = self.of(graph, a, exchanged)?;
+                let (even, odd) = (EVEN.contains(&function.name()), ODD.contains(&function.name()));
+                let unsigned = Signed { negative: a.negative && !(even || odd), ..a };
+                let form = self.id(Form::Unary(function, unsigned));
+                return Some(form.negated_if(a.negative && odd));
+            }
+            Node::Binary(function, a, b) => {
+                let mut arguments = [self.of(graph, a, exchanged)?, self.of(graph, b, exchanged)?];
+                if function.name() == "hypot" {
+                    arguments = arguments.map(|argument| Signed { negative: false, ..argument });
+                }
+                if COMMUTATIVE.contains(&function.name()) {
+                    arguments.sort();
+                }
+                Form::Binary(function, arguments[0], arguments[1])
+            }
+            Node::Sum(by, body) => {
+                let body = self.of(graph, body, exchanged)?;
+                let form = self.id(Form::Sum(by, Signed { negative: false, ..body }));
+                return Some(form.negated_if(body.negative));
+            }
+            Node::Compare(comparison, a, b) => {
+                Form::Compare(comparison, self.of(graph, a, exchanged)?, self.of(graph, b, exchanged)?)
+            }
+            Node::Not(a) => Form::Not(self.of(graph, a, exchanged)?),
+            Node::And(a, b) => Form::And(self.sorted(graph, [a, b], exchanged)?),
+            Node::Or(a, b) => Form::Or(self.sorted(graph, [a, b], exchanged)?),
+            Node::Select(condition, a, b) => Form::Select([
+                self.of(graph, condition, exchanged)?,
+                self.of(graph, a, exchanged)?,
+                self.of(graph, b, exchanged)?,
+            ]),
+            Node::Time | Node::Step => Form::Fixed(id),
+            Node::External(..) | Node::ExternalTwo(..) | Node::CompareIndex(..) | Node::Flag(_) => return None,
+        };
+        Some(self.id(form))
+    }
+
+    fn sorted(&mut self, graph: &mut Graph, [a, b]: [NodeId; 2], exchanged: bool) -> Option<[Signed; 2]> {
+        let (a, b) = (self.of(graph, a, exchanged)?, self.of(graph, b, exchanged)?);
+        Some([a.min(b), a.max(b)])
+    }
+
+    /// The addends of a node, sums in sums included.
+    fn addends(
+        &mut self,
+        graph: &mut Graph,
+        id: NodeId,
+        exchanged: bool,
+        negative: bool,
+        terms: &mut Vec<Signed>,
+    ) -> Option<()> {
+        match graph.node(id) {
+            Node::Add(a, b) => {
+                self.addends(graph, a, exchanged, negative, terms)?;
+                self.addends(graph, b, exchanged, negative, terms)
+            }
+            Node::Neg(a) => self.addends(graph, a, exchanged, !negative, terms),
+            _ => {
+                terms.push(self.of(graph, id, exchanged)?.negated_if(negative));
+                Some(())
+            }
+        }
+    }
+
+    /// A sum whose first addend is positive, or the negative of one.
+    fn sum(&mut self, mut terms: Vec<Signed>) -> Signed {
+        terms.sort();
+        let negative = terms.first().is_some_and(|first| first.negative);
+        let terms = terms.into_iter().map(|term| term.negated_if(negative)).collect();
+        self.id(Form::Terms(terms)).negated_if(negative)
+    }
+
+    fn product(&mut self, graph: &mut Graph, id: NodeId, exchanged: bool) -> Option<Signed> {
+        let (mut number, mut factors) = (1.0, Vec::new());
+        self.factors(graph, id, exchanged, 2, &mut number, &mut factors)?;
+        factors.sort();
+        let mut merged: Vec<(Signed, i32)> = Vec::new();
+        for (base, halves) in factors {
+            match merged.last_mut() {
+                Some((known, exponent)) if *known == base => *exponent += halves,
+                _ => merged.push((base, halves)),
+            }
+        }
+        let form = Form::Factors(f64::abs(number).to_bits(), merged);
+        Some(self.id(form).negated_if(number.is_sign_negative()))
+    }
+
+    /// The factors of a node to the power of `halves / 2`, products in products included.
+    fn factors(
+        &mut self,
+        graph: &mut Graph,
+        id: NodeId,
+        exchanged: bool,
+        halves: i32,
+        number: &mut f64,
+        factors: &mut Vec<(Signed, i32)>,
+    ) -> Option<()> {
+        let whole = halves % 2 == 0;
+        match graph.node(id) {
+            Node::Constant(bits) => *number *= f64::from_bits(bits).powf(f64::from(halves) / 2.0),
+            Node::Parameter(parameter) if whole => {
+                let parameter = match exchanged {
+                    true => self.parameters.renamed(graph, parameter, Renaming::exchange(self.pair))?,
+                    false => parameter,
+                };
+                for (factor, exponent) in self.parameters.factors(graph, parameter) {
+                    let base = self.id(Form::Parameter(factor));
+                    factors.push((base, exponent * halves));
+                }
+            }
+            Node::Neg(a) if whole => {
+                *number *= if halves % 4 == 0 { 1.0 } else { -1.0 };
+                return self.factors(graph, a, exchanged, halves, number, factors);
+            }
+            Node::Mul(a, b) if whole => {
+                self.factors(graph, a, exchanged, halves, number, factors)?;
+                return self.factors(graph, b, exchanged, halves, number, factors);
+            }
+            Node::Div(a, b) if whole => {
+                self.factors(graph, a, exchanged, halves, number, factors)?;
+                return self.factors(graph, b, exchanged, -halves, number, factors);
+            }
+            Node::Power(a, own) if whole && own.checked_mul(halves / 2).is_some() => {
+                return self.factors(graph, a, exchanged, own * (halves / 2), number, factors);
+            }
+            Node::Parameter(_) | Node::Power(..) | Node::Mul(..) | Node::Div(..) => {
+                let base = self.product(graph, id, exchanged)?;
+                factors.push((base, halves));
+            }
+            _ => {
+                let base = self.of(graph, id, exchanged)?;
+                let negative = base.negative && whole;
+                *number *= if negative && halves % 4 != 0 { -1.0 } else { 1.0 };
+                factors.push((base.negated_if(negative), halves));
+            }
+        }
+        Some(())
+    }
+
+    fn id(&mut self, form: Form) -> Signed {
+        let next = self.ids.len() as u32;
+        Signed { form: *self.ids.entry(form).or_insert(next), negative: false }
+    }
+}

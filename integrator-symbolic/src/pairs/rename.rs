@@ -1,0 +1,85 @@
+//! The same expression for other indices.
+
+use super::Parameters;
+use crate::graph::{
+    Element, Graph, Node, NodeId,
+    index::{Index, IndexId, LoopId},
+};
+
+/// Which loops' indices are replaced, each by that of another loop, all at once.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Renaming([(LoopId, LoopId); 2]);
+
+impl Renaming {
+    /// One index by another.
+    pub(crate) fn one(from: LoopId, to: LoopId) -> Self {
+        Self([(from, to); 2])
+    }
+
+    /// Two indices by each other.
+    pub(crate) fn exchange([first, second]: [LoopId; 2]) -> Self {
+        Self([(first, second), (second, first)])
+    }
+
+    /// The loop whose index stands where that of `by` was.
+    pub(crate) fn of(self, by: LoopId) -> LoopId {
+        self.0.iter().find(|(from, _)| *from == by).map_or(by, |(_, to)| *to)
+    }
+
+    /// An integer expression for the other indices.
+    pub(super) fn index(self, graph: &mut Graph, id: IndexId) -> IndexId {
+        let known = graph.loops.index(id);
+        let renamed = match known {
+            Index::Running(by) => Index::Running(self.of(by)),
+            Index::Literal(_) | Index::Length | Index::Parameter(_) => known,
+            Index::Add(a, b) | Index::Sub(a, b) | Index::Mul(a, b) | Index::Div(a, b) | Index::Rem(a, b) => {
+                let (a, b) = (self.index(graph, a), self.index(graph, b));
+                match known {
+                    Index::Add(..) => Index::Add(a, b),
+                    Index::Sub(..) => Index::Sub(a, b),
+                    Index::Mul(..) => Index::Mul(a, b),
+                    Index::Div(..) => Index::Div(a, b),
+                    _ => Index::Rem(a, b),
+                }
+            }
+        };
+        graph.loops.intern(renamed)
+    }
+}
+
+/// A prepared node for other indices; `None` where a parameter has no such text.
+pub(crate) fn renamed(
+    graph: &mut Graph,
+    id: NodeId,
+    renaming: Renaming,
+    parameters: &mut dyn Parameters,
+) -> Option<NodeId> {
+    if graph.loops_of(id).iter().all(|by| renaming.of(by) == by) {
+        return Some(id);
+    }
+    let mut of = |graph: &mut Graph, id| renamed(graph, id, renaming, parameters);
+    let node = match graph.node(id) {
+        Node::Parameter(parameter) => Node::Parameter(parameters.renamed(graph, parameter, renaming)?),
+        Node::FromIndex(index) => Node::FromIndex(renaming.index(graph, index)),
+        Node::Coordinate(element) => {
+            let component = element.component.map(|component| renaming.index(graph, component));
+            Node::Coordinate(Element { index: renaming.index(graph, element.index), component, ..element })
+        }
+        Node::Neg(a) => Node::Neg(of(graph, a)?),
+        Node::Add(a, b) => Node::Add(of(graph, a)?, of(graph, b)?),
+        Node::Mul(a, b) => Node::Mul(of(graph, a)?, of(graph, b)?),
+        Node::Div(a, b) => Node::Div(of(graph, a)?, of(graph, b)?),
+        Node::Power(a, halves) => Node::Power(of(graph, a)?, halves),
+        Node::Unary(function, a) => Node::Unary(function, of(graph, a)?),
+        Node::Binary(function, a, b) => Node::Binary(function, of(graph, a)?, of(graph, b)?),
+        Node::Sum(by, body) => Node::Sum(by, of(graph, body)?),
+        Node::Compare(comparison, a, b) => Node::Compare(comparison, of(graph, a)?, of(graph, b)?),
+        Node::And(a, b) => Node::And(of(graph, a)?, of(graph, b)?),
+        Node::Or(a, b) => Node::Or(of(graph, a)?, of(graph, b)?),
+        Node::Not(a) => Node::Not(of(graph, a)?),
+        Node::Select(condition, a, b) => Node::Select(of(graph, condition)?, of(graph, a)?, of(graph, b)?),
+        Node::CompareIndex(..) | Node::Flag(_) | Node::External(..) | Node::ExternalTwo(..) => return None,
+        same @ (Node::Constant(_) | Node::Time | Node::Step) => same,
+    };
+    Some(graph.rebuilt(node))
+}

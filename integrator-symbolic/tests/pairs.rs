@@ -1,0 +1,102 @@
+//! Which potentials are sums over pairs of bodies, and how their motions are laid out.
+
+use integrator_symbolic::hamiltonian;
+
+/// The loops over pairs of six bodies, or of a slice: a name, what is around the energy of a pair, and what is behind.
+const LOOPS: [(&str, &str, &str); 5] = [
+    ("before", "for i in 0..N { for j in 0..i {", "} }"),
+    ("before, from the second", "for i in 1..N { for j in 0..i {", "} }"),
+    ("behind", "for i in 0..N { for j in i + 1..N {", "} }"),
+    ("all others", "for i in 0..N { for j in 0..N { if i != j {", "} } }"),
+    ("with a field", "for i in 0..N { v += self.field[i] * q[i][0]; for j in 0..i {", "} }"),
+];
+
+/// Energies of a pair: a name, the text, whether the motion is one of bodies, and whether action is reaction.
+const ENERGIES: [(&str, &str, Option<bool>); 14] = [
+    ("attraction", "v -= self.g * self.m[i] * self.m[j] / r2.sqrt();", Some(true)),
+    ("a factor on either side", "v -= self.m[i] * self.g / r2.sqrt() * self.m[j];", Some(true)),
+    ("a quotient of parameters", "v -= self.m[i] / self.m[0] * self.m[j] / r2.sqrt();", Some(true)),
+    ("a mean of radii", "v += (r2 - 0.5 * (self.m[i] + self.m[j])).powi(2);", Some(true)),
+    ("a cut-off", "if r2 < self.reach { v += (1.0 / r2).powi(3); }", Some(true)),
+    ("even in the distance", "v += (q[i][0] - q[j][0]).cos() + (q[j][1] - q[i][1]).abs();", Some(true)),
+    ("products of coordinates", "v += q[i][0] * q[j][0] * q[i][1] * q[j][1];", Some(false)),
+    ("odd in the distance", "v += (q[i][0] - q[j][0]).powi(3);", None),
+    ("another parameter of either", "v += self.m[i] * self.k[j] * r2;", None),
+    ("a parameter of both", "v += self.table[i][j] * r2;", None),
+    ("one body twice", "v += q[i][0].powi(2) * q[j][1];", None),
+    ("a third body", "v += r2 * q[0][0];", None),
+    ("an index as a number", "v += i as f64 * r2;", None),
+    ("neighbours in the list", "v += r2 * q[i - j][0];", None),
+];
+
+fn stepper(length: &str, kind: &str, [open, energy, close]: [&str; 3]) -> String {
+    let text = format!(
+        "impl Bodies {{
+            fn kinetic(&self, p: &{kind}) -> f64 {{
+                let mut t = 0.0;
+                for i in 0..N {{ for d in 0..3 {{ t += p[i][d] * p[i][d] / (2.0 * self.m[i]); }} }}
+                t
+            }}
+            fn potential(&self, q: &{kind}) -> f64 {{
+                let mut v = 0.0;
+                {open}
+                    let mut r2 = 0.0;
+                    for d in 0..3 {{ r2 += (q[i][d] - q[j][d]).powi(2); }}
+                    {energy}
+                {close}
+                v
+            }}
+        }}"
+    );
+    // Both names of the length are the argument's own.
+    let (kinetic, potential) = text.split_once("fn potential").expect("two functions");
+    let (of_p, of_q) = if length == "len" { ("p.len()", "q.len()") } else { (length, length) };
+    let text = format!(
+        "{}fn potential{}",
+        kinetic.replace("..N", &format!("..{of_p}")),
+        potential.replace("..N", &format!("..{of_q}"))
+    );
+    hamiltonian(proc_macro2::TokenStream::new(), text.parse().expect("tokens")).to_string()
+}
+
+#[test]
+fn pairs_are_found_whatever_their_order() {
+    for (order, open, close) in LOOPS {
+        for (name, energy, expected) in ENERGIES {
+            for (length, kind, layout) in
+                [("6", "[[f64; 3]; 6]", "Ring"), ("9", "[[f64; 3]; 9]", "Tiles"), ("len", "[[f64; 3]]", "Tiles")]
+            {
+                let text = stepper(length, kind, [open, energy, close]);
+                assert!(!text.contains("compile_error"), "{name}, {order}: {text}");
+                let found =
+                    ["Ring", "Tiles", "Plain"].into_iter().find(|name| text.contains(&format!("runtime :: {name}")));
+                let expected_layout = if expected.is_some() { layout } else { "Plain" };
+                assert_eq!(found, Some(expected_layout), "{name}, {order}, {length}");
+                let reciprocal = expected.map(|expected| format!("const RECIPROCAL : bool = {expected}"));
+                assert!(reciprocal.is_none_or(|reciprocal| text.contains(&reciprocal)), "{name}, {order}, {length}");
+            }
+        }
+    }
+}
+
+/// What moves one body by another one's momentum, or all by their mean, needs the plain loops.
+#[test]
+fn a_kinetic_energy_that_couples_bodies_keeps_the_plain_loops() {
+    let coupled = |kinetic: &str| {
+        let text = format!(
+            "impl Bodies {{
+                fn kinetic(&self, p: &[f64; 6]) -> f64 {{ let mut t = 0.0; {kinetic} t }}
+                fn potential(&self, q: &[f64; 6]) -> f64 {{
+                    let mut v = 0.0;
+                    for i in 0..6 {{ for j in 0..i {{ v += (q[i] - q[j]).powi(4); }} }}
+                    v
+                }}
+            }}"
+        );
+        hamiltonian(proc_macro2::TokenStream::new(), text.parse().expect("tokens")).to_string()
+    };
+    assert!(coupled("for i in 0..6 { t += p[i].powi(2); }").contains("runtime :: Ring"));
+    assert!(coupled("for i in 1..6 { t += p[i] * p[i - 1]; }").contains("runtime :: Plain"));
+    assert!(coupled("for i in 0..5 { t += p[i].powi(2); }").contains("runtime :: Plain"));
+    assert!(coupled("for i in 0..6 { for j in 0..i { t += (p[i] - p[j]).powi(2); } }").contains("runtime :: Plain"));
+}
