@@ -18,10 +18,10 @@ use crate::{
     run::{Run, admissible_with},
     side_by_side::SideBySide,
     slot::Keep,
+    tiled::all_threads,
 };
 use std::{
     fmt,
-    num::NonZeroUsize,
     panic::resume_unwind,
     sync::{
         Mutex, PoisonError,
@@ -101,7 +101,7 @@ impl<C: Coords> Ensemble<C> {
             return Err(Error::NoMembers);
         }
         let members = prepared.len();
-        let threads = thread::available_parallelism().map_or(1, NonZeroUsize::get);
+        let threads = all_threads();
         let packs = match InstructionSet::chosen() {
             InstructionSet::Baseline => {
                 packs::<H, X, <K as Abreast>::Plain, <K as Keep>::Plain, K, REGISTERS>(prepared, threads)

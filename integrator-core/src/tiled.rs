@@ -140,8 +140,8 @@ impl Slopes {
     }
 }
 
-/// How many threads the machine has.
-fn all() -> usize {
+/// How many threads the machine has, asked once.
+pub(crate) fn all_threads() -> usize {
     static ALL: OnceLock<usize> = OnceLock::new();
     *ALL.get_or_init(|| thread::available_parallelism().map_or(1, NonZeroUsize::get))
 }
@@ -161,7 +161,7 @@ fn sweep<H: Hamiltonian, R: Real, K: Keep>(
     }
     let count = match length / SHARE {
         0 | 1 => 1,
-        most => threads.unwrap_or_else(all).clamp(1, most),
+        most => threads.unwrap_or_else(all_threads).clamp(1, most),
     };
     let border = |number: usize| number * length / count;
     let mut shares = Vec::with_capacity(count);
