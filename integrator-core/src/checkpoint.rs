@@ -17,8 +17,10 @@ use crate::{
     run::{Run, admissible_with},
     slot::Keep,
 };
+use alloc::{borrow::ToOwned, string::String, vec::Vec};
 use crc::{CRC_64_XZ, Crc};
 use serde::{Deserialize, Serialize};
+#[cfg(feature = "std")]
 use std::{
     fs::{self, File},
     io::{self, Write},
@@ -38,6 +40,7 @@ const CHECKSUM: Crc<u64> = Crc::<u64>::new(&CRC_64_XZ);
 #[non_exhaustive]
 pub enum CheckpointError {
     /// The file could not be read or written.
+    #[cfg(feature = "std")]
     #[error("the file of the checkpoint: {0}")]
     File(#[from] io::Error),
     /// These are not the bytes of a checkpoint.
@@ -108,7 +111,7 @@ pub(crate) struct Origin {
 
 impl Origin {
     pub(crate) fn of<H, X: Scheme>() -> Self {
-        Self { system: std::any::type_name::<H>(), composition: X::NAME, stages: X::STAGES, processor: X::PROCESSOR }
+        Self { system: core::any::type_name::<H>(), composition: X::NAME, stages: X::STAGES, processor: X::PROCESSOR }
     }
 }
 
@@ -134,7 +137,7 @@ fn numbers<C: Coords>(coordinates: &C) -> Vec<f64> {
 fn coordinates<C: Coords>(numbers: &[f64]) -> Option<C> {
     let parts = C::Leaf::PARTS;
     let leaves =
-        numbers.chunks(parts).map(|chunk| C::Leaf::from_parts(std::array::from_fn(|i| *chunk.get(i).unwrap_or(&0.0))));
+        numbers.chunks(parts).map(|chunk| C::Leaf::from_parts(core::array::from_fn(|i| *chunk.get(i).unwrap_or(&0.0))));
     C::from_flat(leaves.collect()).filter(|_| numbers.len().is_multiple_of(parts))
 }
 
@@ -195,6 +198,7 @@ impl<C: Coords> Run<C> {
     ///
     /// # Errors
     /// [`CheckpointError::File`] if a file cannot be written; the previous checkpoint is still there then.
+    #[cfg(feature = "std")]
     pub fn checkpoint_to(&self, path: impl AsRef<Path>) -> Result<(), CheckpointError> {
         let path = path.as_ref();
         let mut partial = path.as_os_str().to_owned();

@@ -1,6 +1,7 @@
 //! Prepared constants as a search for one that is not finite sees them: numbers, and tables of numbers.
 
 use crate::error::NotFinite;
+use alloc::vec::Vec;
 
 /// A prepared number, or a table of prepared numbers over the indices of loops.
 pub trait Constants {

@@ -4,7 +4,8 @@ use crate::{
     real::Real,
     slot::{Keep, Slot},
 };
-use std::fmt::Debug;
+use alloc::vec::Vec;
+use core::fmt::Debug;
 
 /// The positions or the momenta of a system, in the shape that the user wrote: `[K; N]`, `[[K; D]; N]`, `Vec<K>` or
 /// `Vec<[K; D]>` with a leaf `K` of `f64`, `f32`, [`Compensated<f64>`](crate::Compensated) or
@@ -85,11 +86,11 @@ impl<K: Keep, const N: usize> Coords for [K; N] {
         self
     }
     fn map<L: Keep>(&self, leaf: impl Fn(K) -> L) -> [L; N] {
-        std::array::from_fn(|i| leaf(self[i]))
+        core::array::from_fn(|i| leaf(self[i]))
     }
     #[inline(always)]
     fn slots_from<R: Real>(_count: usize, slot: impl Fn(usize) -> K::Slot<R>) -> [K::Slot<R>; N] {
-        std::array::from_fn(slot)
+        core::array::from_fn(slot)
     }
     #[inline(always)]
     fn slots<R: Real>(slots: &Self::Slots<R>) -> &[K::Slot<R>] {
@@ -122,11 +123,11 @@ impl<K: Keep, const D: usize, const N: usize> Coords for [[K; D]; N] {
         self.as_flattened_mut()
     }
     fn map<L: Keep>(&self, leaf: impl Fn(K) -> L) -> [[L; D]; N] {
-        std::array::from_fn(|i| std::array::from_fn(|d| leaf(self[i][d])))
+        core::array::from_fn(|i| core::array::from_fn(|d| leaf(self[i][d])))
     }
     #[inline(always)]
     fn slots_from<R: Real>(_count: usize, slot: impl Fn(usize) -> K::Slot<R>) -> [[K::Slot<R>; D]; N] {
-        std::array::from_fn(|i| std::array::from_fn(|d| slot(i * D + d)))
+        core::array::from_fn(|i| core::array::from_fn(|d| slot(i * D + d)))
     }
     #[inline(always)]
     fn slots<R: Real>(slots: &Self::Slots<R>) -> &[K::Slot<R>] {
@@ -198,7 +199,7 @@ impl<K: Keep, const D: usize> Coords for Vec<[K; D]> {
     #[inline(always)]
     fn slots_from<R: Real>(count: usize, slot: impl Fn(usize) -> K::Slot<R>) -> Vec<[K::Slot<R>; D]> {
         let points = count.checked_div(D).unwrap_or(0);
-        (0..points).map(|i| std::array::from_fn(|d| slot(i * D + d))).collect()
+        (0..points).map(|i| core::array::from_fn(|d| slot(i * D + d))).collect()
     }
     fn slots<R: Real>(slots: &Self::Slots<R>) -> &[K::Slot<R>] {
         slots.as_flattened()

@@ -10,7 +10,8 @@ use crate::{
     slot::Keep,
     tiled::Tiled,
 };
-use std::{marker::PhantomData, sync::Arc};
+use alloc::{boxed::Box, sync::Arc};
+use core::marker::PhantomData;
 
 /// How many steps lie between two looks at whether the state is finite. A divergence replays at most so many.
 pub(crate) const BLOCK: u64 = 1024;
@@ -99,6 +100,7 @@ impl<M> Moves<M> {
     pub(crate) fn close(&self, motion: &mut M, clock: Clock) {
         (self.close)(motion, clock);
     }
+    #[cfg(feature = "std")]
     pub(crate) fn energy(&self, motion: &M, time: f64) -> f64 {
         (self.energy)(motion, time)
     }

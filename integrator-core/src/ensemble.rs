@@ -4,6 +4,7 @@
 //! neighbours do and however many threads there are.
 
 use crate::{
+    abreast::Abreast,
     composition::Composition,
     coords::Coords,
     engine::{Clock, Moves, moves},
@@ -11,14 +12,13 @@ use crate::{
     group::{GroupMoves, group_moves},
     hamiltonian::{Hamiltonian, Prepared, Shaped},
     instruction_set::InstructionSet,
-    lanes::Abreast,
     pack::{Alone, Course, Pack, Start},
     phase::Phase,
     real::Real,
     run::{Run, admissible_with},
     side_by_side::SideBySide,
     slot::Keep,
-    tiled::all_threads,
+    threads::all_threads,
 };
 use std::{
     fmt,

@@ -1,7 +1,7 @@
 //! Methods of the user that generated code calls as they are: tables, splines, anything with a stated derivative.
 
 use crate::real::Real;
-use std::sync::Arc;
+use alloc::{sync::Arc, vec::Vec};
 
 /// A function of one number, one per lane.
 pub type External = Vec<Arc<dyn Fn(f64) -> f64 + Send + Sync>>;

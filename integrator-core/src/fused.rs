@@ -2,13 +2,14 @@
 
 use crate::{
     block::Block,
+    elementary::Elementary,
     functions::{self, fast_functions, unary},
     instruction_set::enter_fused,
     lanes::Lanes,
     real::{Kernel, Real, elementary_functions},
     row::Row,
 };
-use std::{
+use core::{
     fmt::Debug,
     marker::PhantomData,
     ops::{Add, AddAssign, Div, Mul, Neg, Sub, SubAssign},
@@ -39,21 +40,21 @@ pub trait Instructions: Copy + Debug + PartialEq + Send + Sync + 'static {
 pub struct Fma;
 
 impl Instructions for Fma {
-    #[cfg(target_arch = "x86_64")]
+    #[cfg(all(target_arch = "x86_64", feature = "std"))]
     type Doubles = crate::vector::X4;
-    #[cfg(target_arch = "x86_64")]
+    #[cfg(all(target_arch = "x86_64", feature = "std"))]
     type Singles = crate::vector::S8;
-    #[cfg(target_arch = "x86_64")]
+    #[cfg(all(target_arch = "x86_64", feature = "std"))]
     type RowOfDoubles = Lanes<crate::vector::X4, 2>;
-    #[cfg(target_arch = "x86_64")]
+    #[cfg(all(target_arch = "x86_64", feature = "std"))]
     type RowOfSingles = crate::vector::S8;
-    #[cfg(not(target_arch = "x86_64"))]
+    #[cfg(not(all(target_arch = "x86_64", feature = "std")))]
     type Doubles = Fused<f64>;
-    #[cfg(not(target_arch = "x86_64"))]
+    #[cfg(not(all(target_arch = "x86_64", feature = "std")))]
     type Singles = Fused<f32>;
-    #[cfg(not(target_arch = "x86_64"))]
+    #[cfg(not(all(target_arch = "x86_64", feature = "std")))]
     type RowOfDoubles = Lanes<Fused<f64>, 8>;
-    #[cfg(not(target_arch = "x86_64"))]
+    #[cfg(not(all(target_arch = "x86_64", feature = "std")))]
     type RowOfSingles = Lanes<Fused<f32>, 8>;
 
     #[inline(always)]
@@ -63,15 +64,15 @@ impl Instructions for Fma {
 }
 
 /// The instructions of `InstructionSet::Avx512`.
-#[cfg(target_arch = "x86_64")]
+#[cfg(all(target_arch = "x86_64", feature = "std"))]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Avx512;
 
 /// No other target has the set, so that nothing is compiled for it.
-#[cfg(not(target_arch = "x86_64"))]
+#[cfg(not(all(target_arch = "x86_64", feature = "std")))]
 pub(crate) type Avx512 = Fma;
 
-#[cfg(target_arch = "x86_64")]
+#[cfg(all(target_arch = "x86_64", feature = "std"))]
 impl Instructions for Avx512 {
     type Doubles = crate::vector::X8;
     type Singles = crate::vector::S16;
@@ -163,7 +164,7 @@ macro_rules! fused_real {
             }
             #[inline(always)]
             fn fma(self, b: Self, c: Self) -> Self {
-                Self::new(self.0.mul_add(b.0, c.0))
+                Self::new(Elementary::mul_add(self.0, b.0, c.0))
             }
             #[inline(always)]
             fn over_root_cubed(self, x: Self) -> Self {
@@ -197,13 +198,13 @@ macro_rules! fused_real {
             $(
                 #[inline(always)]
                 fn $unary(self) -> Self {
-                    unary!($unary self; Self::new(<$scalar>::$unary(self.0)))
+                    unary!($unary self; Self::new(<$scalar as Elementary>::$unary(self.0)))
                 }
             )*
             $(
                 #[inline(always)]
                 fn $binary(self, other: Self) -> Self {
-                    Self::new(<$scalar>::$binary(self.0, other.0))
+                    Self::new(<$scalar as Elementary>::$binary(self.0, other.0))
                 }
             )*
             #[inline(always)]

@@ -12,7 +12,7 @@ use crate::{
     real::Real,
     slot::Slot,
 };
-use std::{marker::PhantomData, ops::Range};
+use core::{marker::PhantomData, ops::Range};
 
 /// The flow of `T`, as a parameter of [`Gather`].
 pub struct Drift;

@@ -11,7 +11,7 @@ use crate::{
     real::{Kernel, Real},
     slot::Keep,
 };
-use std::marker::PhantomData;
+use core::marker::PhantomData;
 
 /// How many motions go together at most. By measurement, more than six wait no less.
 const MOST: usize = 6;
@@ -110,7 +110,7 @@ where
             None => MOST,
         };
         // A motion that owns memory is of a size known at run time, hence not small.
-        if std::mem::needs_drop::<H::Motion<L, K>>() || fitting < 2 {
+        if core::mem::needs_drop::<H::Motion<L, K>>() || fitting < 2 {
             1
         } else if REGISTERS < 32 || fitting > MOST {
             MOST

@@ -12,7 +12,8 @@ use crate::{
     tiled::{Flow, Reach},
     visit::{Visitor, visit_general},
 };
-use std::ops::Range;
+use alloc::vec::Vec;
+use core::ops::Range;
 
 /// The coordinates of `H` with leaf `K`.
 pub type Shaped<H, K> = <<H as Hamiltonian>::Coords as Coords>::With<K>;

@@ -2,7 +2,9 @@
 //! `unsafe`.
 
 use crate::real::Kernel;
-use std::{fmt, sync::OnceLock};
+use core::fmt;
+#[cfg(feature = "std")]
+use std::{env, sync::OnceLock};
 
 /// The instruction sets that the hot loops are compiled for, from the least to the most.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -20,10 +22,16 @@ impl InstructionSet {
     const ALL: [Self; 3] = [Self::Baseline, Self::Fused, Self::Avx512];
 
     /// The best set of this machine, or the one that the environment variable `INTEGRATOR_ISA` asks for (`baseline`,
-    /// `avx2` or `avx512`), read once. A set that the machine lacks is not used, whatever the variable says.
+    /// `avx2` or `avx512`), read once. A set that the machine lacks is not used, whatever the variable says. Without the
+    /// feature `std` nobody tells what the machine has: then it is the baseline.
     pub fn chosen() -> Self {
-        static CHOSEN: OnceLock<InstructionSet> = OnceLock::new();
-        *CHOSEN.get_or_init(|| Self::choose(std::env::var("INTEGRATOR_ISA").ok().as_deref(), best()))
+        #[cfg(feature = "std")]
+        {
+            static CHOSEN: OnceLock<InstructionSet> = OnceLock::new();
+            *CHOSEN.get_or_init(|| Self::choose(env::var("INTEGRATOR_ISA").ok().as_deref(), best()))
+        }
+        #[cfg(not(feature = "std"))]
+        best()
     }
 
     /// The sets of this machine, the best one last.
@@ -32,6 +40,7 @@ impl InstructionSet {
         &Self::ALL[..Self::ALL.iter().filter(|set| **set <= best).count()]
     }
 
+    #[cfg(any(feature = "std", test))]
     fn choose(asked: Option<&str>, best: Self) -> Self {
         let asked = Self::ALL.into_iter().find(|set| Some(set.name()) == asked);
         asked.map_or(best, |asked| asked.min(best))
@@ -65,17 +74,17 @@ fn best() -> InstructionSet {
     }
 }
 
-#[cfg(target_arch = "x86_64")]
+#[cfg(all(target_arch = "x86_64", feature = "std"))]
 fn fused_available() -> bool {
     std::arch::is_x86_feature_detected!("avx2") && std::arch::is_x86_feature_detected!("fma")
 }
 
-#[cfg(not(target_arch = "x86_64"))]
+#[cfg(not(all(target_arch = "x86_64", feature = "std")))]
 fn fused_available() -> bool {
-    cfg!(target_arch = "aarch64")
+    cfg!(all(target_arch = "aarch64", feature = "std"))
 }
 
-#[cfg(target_arch = "x86_64")]
+#[cfg(all(target_arch = "x86_64", feature = "std"))]
 fn avx512_available() -> bool {
     fused_available()
         && std::arch::is_x86_feature_detected!("avx512f")
@@ -84,13 +93,13 @@ fn avx512_available() -> bool {
         && std::arch::is_x86_feature_detected!("avx512bw")
 }
 
-#[cfg(not(target_arch = "x86_64"))]
+#[cfg(not(all(target_arch = "x86_64", feature = "std")))]
 fn avx512_available() -> bool {
     false
 }
 
 /// Runs `kernel` in code compiled for AVX2 and FMA; where the machine lacks them, in plain code with the same result.
-#[cfg(target_arch = "x86_64")]
+#[cfg(all(target_arch = "x86_64", feature = "std"))]
 #[inline]
 #[allow(unsafe_code, reason = "calling a function compiled for more than the target's features")]
 pub(crate) fn enter_fused<K: Kernel>(kernel: K) -> K::Out {
@@ -108,14 +117,14 @@ pub(crate) fn enter_fused<K: Kernel>(kernel: K) -> K::Out {
 }
 
 /// Fused multiply-add is part of the target here, or absent: there is no clone to enter.
-#[cfg(not(target_arch = "x86_64"))]
+#[cfg(not(all(target_arch = "x86_64", feature = "std")))]
 #[inline]
 pub(crate) fn enter_fused<K: Kernel>(kernel: K) -> K::Out {
     kernel.call()
 }
 
 /// Runs `kernel` in code compiled for AVX-512; where the machine lacks it, in plain code with the same result.
-#[cfg(target_arch = "x86_64")]
+#[cfg(all(target_arch = "x86_64", feature = "std"))]
 #[inline]
 #[allow(unsafe_code, reason = "calling a function compiled for more than the target's features")]
 pub(crate) fn enter_avx512<K: Kernel>(kernel: K) -> K::Out {

@@ -3,46 +3,8 @@
 //! So a member's bits do not depend on its neighbours, nor on whether it has any; the compiler puts the lanes into the
 //! vector registers of the instruction set that the scalar is made for.
 
-use crate::{
-    fixed::Fixed,
-    fused::{Avx512, Fma, Fused},
-    real::{Kernel, Mask, Real, elementary_functions},
-    slot::{Compensated, Keep},
-};
-use std::ops::{Add, AddAssign, Div, Mul, Neg, Sub, SubAssign};
-
-/// What members of an ensemble are computed in. Named nowhere outside, like the types it leads to: vectors may only be
-/// used where their instructions were detected.
-pub trait Abreast: Keep {
-    /// On every machine.
-    type Plain: Real;
-    /// Where the machine has fused multiply-add.
-    type Fused: Real;
-    /// Where it has AVX-512.
-    type Avx512: Real;
-}
-
-/// A register where its instructions are known, else as many scalars as the 128 bits of every baseline hold.
-#[cfg(target_arch = "x86_64")]
-type Vector<F, S, const N: usize> = <Fused<F, S> as Real>::Block;
-#[cfg(not(target_arch = "x86_64"))]
-type Vector<F, S, const N: usize> = Lanes<Fused<F, S>, N>;
-
-macro_rules! abreast {
-    ($($leaf:ty: $lanes:literal of $scalar:ident;)*) => {$(
-        impl Abreast for $leaf {
-            type Plain = Lanes<$scalar, $lanes>;
-            type Fused = Vector<$scalar, Fma, $lanes>;
-            type Avx512 = Vector<$scalar, Avx512, $lanes>;
-        }
-    )*};
-}
-abreast! {
-    f64: 2 of f64;
-    Compensated<f64>: 2 of f64;
-    Fixed<f64>: 2 of f64;
-    f32: 4 of f32;
-}
+use crate::real::{Kernel, Mask, Real, elementary_functions};
+use core::ops::{Add, AddAssign, Div, Mul, Neg, Sub, SubAssign};
 
 /// `N` scalars, or `N` vectors of the same number of lanes each.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -66,11 +28,11 @@ impl<F: Copy, const N: usize> Lanes<F, N> {
     }
     #[inline(always)]
     fn map(self, of: impl Fn(F) -> F) -> Self {
-        Self(std::array::from_fn(|lane| of(self.0[lane])))
+        Self(core::array::from_fn(|lane| of(self.0[lane])))
     }
     #[inline(always)]
     fn zip(self, other: Self, of: impl Fn(F, F) -> F) -> Self {
-        Self(std::array::from_fn(|lane| of(self.0[lane], other.0[lane])))
+        Self(core::array::from_fn(|lane| of(self.0[lane], other.0[lane])))
     }
 }
 
@@ -89,11 +51,11 @@ impl<M: Mask, const N: usize> Mask for LaneMask<M, N> {
     }
     #[inline(always)]
     fn and(self, other: Self) -> Self {
-        Self(std::array::from_fn(|lane| self.0[lane].and(other.0[lane])))
+        Self(core::array::from_fn(|lane| self.0[lane].and(other.0[lane])))
     }
     #[inline(always)]
     fn or(self, other: Self) -> Self {
-        Self(std::array::from_fn(|lane| self.0[lane].or(other.0[lane])))
+        Self(core::array::from_fn(|lane| self.0[lane].or(other.0[lane])))
     }
     #[inline(always)]
     fn not(self) -> Self {
@@ -152,15 +114,15 @@ macro_rules! lanes_real {
             }
             #[inline(always)]
             fn parameter(of_lane: impl Fn(usize) -> f64) -> Self {
-                Self(std::array::from_fn(|part| F::parameter(|lane| of_lane(part * F::LANES + lane))))
+                Self(core::array::from_fn(|part| F::parameter(|lane| of_lane(part * F::LANES + lane))))
             }
             #[inline(always)]
             fn state(of_lane: impl Fn(usize) -> f64) -> Self {
-                Self(std::array::from_fn(|part| F::state(|lane| of_lane(part * F::LANES + lane))))
+                Self(core::array::from_fn(|part| F::state(|lane| of_lane(part * F::LANES + lane))))
             }
             #[inline(always)]
             fn fma(self, b: Self, c: Self) -> Self {
-                Self(std::array::from_fn(|lane| self.0[lane].fma(b.0[lane], c.0[lane])))
+                Self(core::array::from_fn(|lane| self.0[lane].fma(b.0[lane], c.0[lane])))
             }
             #[inline(always)]
             fn over_root_cubed(self, x: Self) -> Self {
@@ -185,19 +147,19 @@ macro_rules! lanes_real {
             }
             #[inline(always)]
             fn less(self, other: Self) -> Self::Mask {
-                LaneMask(std::array::from_fn(|lane| self.0[lane].less(other.0[lane])))
+                LaneMask(core::array::from_fn(|lane| self.0[lane].less(other.0[lane])))
             }
             #[inline(always)]
             fn less_or_equal(self, other: Self) -> Self::Mask {
-                LaneMask(std::array::from_fn(|lane| self.0[lane].less_or_equal(other.0[lane])))
+                LaneMask(core::array::from_fn(|lane| self.0[lane].less_or_equal(other.0[lane])))
             }
             #[inline(always)]
             fn equal(self, other: Self) -> Self::Mask {
-                LaneMask(std::array::from_fn(|lane| self.0[lane].equal(other.0[lane])))
+                LaneMask(core::array::from_fn(|lane| self.0[lane].equal(other.0[lane])))
             }
             #[inline(always)]
             fn select(mask: Self::Mask, a: Self, b: Self) -> Self {
-                Self(std::array::from_fn(|lane| F::select(mask.0[lane], a.0[lane], b.0[lane])))
+                Self(core::array::from_fn(|lane| F::select(mask.0[lane], a.0[lane], b.0[lane])))
             }
             $(
                 #[inline(always)]

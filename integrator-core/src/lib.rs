@@ -55,12 +55,24 @@
 //! `check`, on by default: the measurements behind certificates. It brings nalgebra and num-dual; a program that only
 //! steps turns it off and compiles neither.
 //!
+//! `std`, on by default: what takes an operating system. Without it, and with the feature `libm` for elementary functions,
+//! steppers need an allocator alone; there are no ensembles, no threads and no files, and runs use what every machine of
+//! the target has. `check` needs it.
+//!
 //! `checkpoint`: `Run::checkpoint` and `Run::resume`, runs as bytes and as files that survive a killed program. It
 //! brings serde, postcard and crc.
+#![cfg_attr(not(any(feature = "std", test)), no_std)]
 #![deny(unsafe_code)]
 
+#[cfg(not(any(feature = "std", feature = "libm")))]
+compile_error!("elementary functions come from `std` or from `libm`: turn on one of these features");
+
+extern crate alloc;
 extern crate self as integrator_core;
 
+#[cfg(feature = "std")]
+#[allow(unreachable_pub, reason = "named in bounds, never outside")]
+mod abreast;
 mod block;
 mod catalogue;
 mod catalogue_list;
@@ -71,7 +83,10 @@ mod checkpoint;
 mod composition;
 mod constants;
 mod coords;
+#[cfg_attr(feature = "std", allow(dead_code, unreachable_pub, reason = "users need it where there is no std"))]
+mod elementary;
 mod engine;
+#[cfg(feature = "std")]
 mod ensemble;
 mod error;
 mod external;
@@ -79,6 +94,7 @@ mod fixed;
 mod functions;
 mod fused;
 mod gather;
+#[cfg(feature = "std")]
 mod group;
 mod hamiltonian;
 mod instruction_set;
@@ -87,6 +103,7 @@ mod lanes;
 #[allow(unreachable_pub, reason = "named in bounds, never outside")]
 mod many_body;
 mod neighbours;
+#[cfg(feature = "std")]
 mod pack;
 mod phase;
 mod real;
@@ -95,12 +112,14 @@ mod ring;
 mod row;
 mod run;
 mod samples;
+#[cfg(feature = "std")]
 mod side_by_side;
 mod sites;
 mod slot;
+mod threads;
 mod tiled;
 mod tiles;
-#[cfg(target_arch = "x86_64")]
+#[cfg(all(target_arch = "x86_64", feature = "std"))]
 #[allow(unsafe_code, reason = "instructions that the target may lack, used where they were detected")]
 #[allow(unreachable_pub, reason = "named in bounds, never outside")]
 mod vector;
@@ -111,6 +130,9 @@ pub use catalogue::*;
 pub use checkpoint::CheckpointError;
 pub use composition::{Class, Composition, Lead, Processor, Rows, Scheme, Stage, Stages};
 pub use coords::Coords;
+#[cfg(not(feature = "std"))]
+pub use elementary::Elementary;
+#[cfg(feature = "std")]
 pub use ensemble::Ensemble;
 pub use error::{Divergence, Error, Lost, NotFinite};
 pub use fixed::Fixed;
@@ -130,12 +152,16 @@ mod readme {}
 
 /// What a user of the library brings into scope with one line.
 pub mod prelude {
+    #[cfg(not(feature = "std"))]
+    pub use crate::Elementary;
+    #[cfg(feature = "std")]
+    pub use crate::Ensemble;
     pub use crate::catalogue::*;
     #[cfg(feature = "check")]
     pub use crate::check::{Certificate, certify};
     pub use crate::{
-        Compensated, Composition, Ensemble, Error, Fixed, Hamiltonian, Phase, Run, Sample, Samples, Scheme,
-        composition, hamiltonian,
+        Compensated, Composition, Error, Fixed, Hamiltonian, Phase, Run, Sample, Samples, Scheme, composition,
+        hamiltonian,
     };
 }
 
@@ -163,7 +189,7 @@ pub mod __private {
         tiles::Tiles,
         visit::{Visitor, visit_quadratic},
     };
-    pub use std::{sync::Arc, vec::Vec};
+    pub use alloc::{sync::Arc, vec::Vec};
 
     /// A table of prepared constants whose length is known at run time.
     pub fn table<T>(length: usize, element: impl FnMut(usize) -> T) -> Vec<T> {

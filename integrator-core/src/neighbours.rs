@@ -4,7 +4,7 @@ use crate::{
     block::Block,
     real::{Mask, Real},
 };
-use std::{marker::PhantomData, ops::Range};
+use core::{marker::PhantomData, ops::Range};
 
 /// How far ahead of a site or behind it a flow may look.
 pub(crate) const FARTHEST: usize = 2;

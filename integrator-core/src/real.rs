@@ -2,11 +2,12 @@
 
 use crate::{
     block::Block,
+    elementary::Elementary,
     functions::{self, fast_functions, unary},
     lanes::Lanes,
     row::Row,
 };
-use std::ops::{Add, AddAssign, Div, Mul, Neg, Sub, SubAssign};
+use core::ops::{Add, AddAssign, Div, Mul, Neg, Sub, SubAssign};
 
 /// A body of code that an executor runs inside the clone compiled for one instruction set.
 ///
@@ -214,13 +215,13 @@ macro_rules! plain_real {
             $(
                 #[inline(always)]
                 fn $unary(self) -> Self {
-                    unary!($unary self; <$scalar>::$unary(self))
+                    unary!($unary self; <$scalar as Elementary>::$unary(self))
                 }
             )*
             $(
                 #[inline(always)]
                 fn $binary(self, other: Self) -> Self {
-                    <$scalar>::$binary(self, other)
+                    <$scalar as Elementary>::$binary(self, other)
                 }
             )*
         }

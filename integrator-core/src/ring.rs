@@ -99,6 +99,6 @@ impl<R: Real, P, const N: usize, const D: usize, const S: usize> Ring<R, f64, P,
     /// Takes over momenta in the user's own shape.
     pub fn set_momenta<C: Coords<Leaf = f64>>(&mut self, plain: &Plain<R, C, P>) {
         let p = C::slots(&plain.p);
-        self.p = std::array::from_fn(|d| of_bodies::<R, N>(0..N, |body| p[body * D + d]));
+        self.p = core::array::from_fn(|d| of_bodies::<R, N>(0..N, |body| p[body * D + d]));
     }
 }

@@ -6,7 +6,7 @@ use crate::{
     real::Real,
     slot::{Keep, Slot},
 };
-use std::ops::Range;
+use core::ops::Range;
 
 /// Up to eight bodies side by side, each an `R`. Every operation has the bits of `R`'s own, so that no result depends on
 /// how wide the hardware is. Places beyond the last body repeat the first ones: whatever is computed there is finite
@@ -52,7 +52,7 @@ pub(crate) fn inward<R: Real, K: Keep, const N: usize, const D: usize>(
     bodies: Range<usize>,
     leaf: impl Fn(usize, usize) -> K,
 ) -> [K::Slot<R::Row<N>>; D] {
-    std::array::from_fn(|d| {
+    core::array::from_fn(|d| {
         K::inward(|lane| {
             let (body, lane) = place::<R>(&bodies, lane);
             leaf(lane, body * D + d)
@@ -81,7 +81,7 @@ pub(crate) fn prepared<R: Real, const N: usize, const S: usize>(
     bodies: Range<usize>,
     of: impl Fn(usize, usize) -> [f64; S],
 ) -> [R::Row<N>; S] {
-    std::array::from_fn(|s| {
+    core::array::from_fn(|s| {
         Real::parameter(|lane| {
             let (body, lane) = place::<R>(&bodies, lane);
             of(lane, body)[s]

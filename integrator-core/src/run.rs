@@ -14,7 +14,8 @@ use crate::{
     samples::Samples,
     slot::Keep,
 };
-use std::{fmt, sync::Arc};
+use alloc::{boxed::Box, sync::Arc};
+use core::fmt;
 
 /// Whether a run may begin at `start` with step `h`.
 ///

@@ -1,7 +1,8 @@
 //! Looking at a run from time to time, without touching it.
 
 use crate::{coords::Coords, engine::Energies, error::Error, phase::Phase, run::Run};
-use std::{fmt, sync::Arc};
+use alloc::sync::Arc;
+use core::fmt;
 
 /// A run, seen at its start and then every so many steps. Made by [`Run::samples`].
 ///

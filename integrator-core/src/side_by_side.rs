@@ -199,7 +199,7 @@ where
         };
         let (motion, lane) = lane(&self.motions, self.together.lanes, number);
         let mut motion = motion.clone();
-        (self.together.close)(std::slice::from_mut(&mut motion), clock);
+        (self.together.close)(core::slice::from_mut(&mut motion), clock);
         let mut state = self.members[place].state.clone();
         motion.store(lane, &mut state);
         state

@@ -8,7 +8,7 @@ use crate::{
     slot::{Keep, Slot},
     tiled::Flow,
 };
-use std::{marker::PhantomData, ops::Range};
+use core::{marker::PhantomData, ops::Range};
 
 /// The state of neighbouring sites, with the prepared constants of the whole lattice.
 pub struct Sites<'m, R: Real, K: Keep, P> {

@@ -5,7 +5,7 @@ use crate::{
     fused::{Avx512, Fused},
     real::Real,
 };
-use std::fmt::Debug;
+use core::fmt::Debug;
 
 /// A coordinate in memory, computed in `R`.
 pub trait Slot<R: Real>: Copy + Send + Sync + 'static {

@@ -14,8 +14,10 @@ use crate::{
     real::Real,
     sites::{LONG, Sites},
     slot::Keep,
+    threads::{all_threads, at_once},
 };
-use std::{num::NonZeroUsize, ops::Range, sync::OnceLock, thread};
+use alloc::vec::Vec;
+use core::ops::Range;
 
 /// How many sites a tile moves at a time: two arrays of doubles of this length fill a third of a first-level cache.
 const TILE: usize = 1024;
@@ -140,12 +142,6 @@ impl Slopes {
     }
 }
 
-/// How many threads the machine has, asked once.
-pub(crate) fn all_threads() -> usize {
-    static ALL: OnceLock<usize> = OnceLock::new();
-    *ALL.get_or_init(|| thread::available_parallelism().map_or(1, NonZeroUsize::get))
-}
-
 /// Carries flows out on all sites.
 fn sweep<H: Hamiltonian, R: Real, K: Keep>(
     mut lattice: Sites<'_, R, K, H::Parameters<R>>,
@@ -172,17 +168,7 @@ fn sweep<H: Hamiltonian, R: Real, K: Keep>(
         let (leans_left, leans_right) = (number > 0 || slopes.periodic, number + 1 < count || slopes.periodic);
         shares.push(Share::<H, R, K> { sites, slopes, leans_left, leans_right });
     }
-    let last = shares.pop();
-    if shares.is_empty() {
-        last.into_iter().for_each(Share::advance);
-    } else {
-        thread::scope(|scope| {
-            for share in shares {
-                scope.spawn(move || share.advance());
-            }
-            last.into_iter().for_each(Share::advance);
-        });
-    }
+    at_once(shares, Share::advance);
     for number in (0..count).filter(|number| *number > 0 || slopes.periodic) {
         fill::<H, R, K>(lattice.whole(), slopes, border(number));
     }

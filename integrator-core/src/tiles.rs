@@ -9,7 +9,8 @@ use crate::{
     row::{Row, inward, of_bodies, of_place, outward, prepared, values},
     slot::{Keep, Slot},
 };
-use std::ops::Range;
+use alloc::vec::Vec;
+use core::ops::Range;
 
 /// How many bodies a tile has, whatever the hardware: the order of sums depends on it.
 const WIDTH: usize = 8;
@@ -172,6 +173,6 @@ impl<R: Real, P, const D: usize, const S: usize> Tiles<R, f64, P, D, S> {
     pub fn set_momenta<C: Coords<Leaf = f64>>(&mut self, plain: &Plain<R, C, P>) {
         let p = C::slots(&plain.p);
         let row = |tile: Range<usize>, d| of_bodies::<R, WIDTH>(tile, |body| p[body * D + d]);
-        self.p = tiles(self.bodies).map(|tile| std::array::from_fn(|d| row(tile.clone(), d))).collect();
+        self.p = tiles(self.bodies).map(|tile| core::array::from_fn(|d| row(tile.clone(), d))).collect();
     }
 }

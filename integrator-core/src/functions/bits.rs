@@ -85,7 +85,7 @@ macro_rules! scalar_bits {
         }
     };
 }
-scalar_bits!(f64 u64 false: [] f64, std::convert::identity, |x| x);
-scalar_bits!(f32 u32 false: [] f32, std::convert::identity, |x| x);
+scalar_bits!(f64 u64 false: [] f64, core::convert::identity, |x| x);
+scalar_bits!(f32 u32 false: [] f32, core::convert::identity, |x| x);
 scalar_bits!(f64 u64 true: [S: Instructions] Fused<f64, S>, Self::new, |x| x.0);
 scalar_bits!(f32 u32 true: [S: Instructions] Fused<f32, S>, Self::new, |x| x.0);

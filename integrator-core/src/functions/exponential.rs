@@ -6,7 +6,8 @@
 //! `P` is minimax (Remez in 300 bits, weighted for the relative error of `eˣ`, coefficients rounded).
 
 use super::{Bits, quotient, rescued};
-use std::f64::consts::LOG2_E;
+use crate::elementary::Elementary;
+use core::f64::consts::LOG2_E;
 
 /// What the reduction and the polynomial are made of in one format.
 pub(crate) trait Exponential: Sized {
@@ -93,7 +94,7 @@ impl Exponential for f64 {
     #[cold]
     #[inline(never)]
     fn beyond(lanes: &mut [f64]) {
-        lanes.iter_mut().for_each(|lane| *lane = lane.exp());
+        lanes.iter_mut().for_each(|lane| *lane = Elementary::exp(*lane));
     }
 }
 
@@ -117,6 +118,6 @@ impl Exponential for f32 {
     #[cold]
     #[inline(never)]
     fn beyond(lanes: &mut [f32]) {
-        lanes.iter_mut().for_each(|lane| *lane = lane.exp());
+        lanes.iter_mut().for_each(|lane| *lane = Elementary::exp(*lane));
     }
 }

@@ -9,7 +9,7 @@ use super::{
     Bits, rescued,
     sine::{Circle, farthest},
 };
-use std::f64::consts::FRAC_1_PI;
+use core::f64::consts::FRAC_1_PI;
 
 /// The polynomial of one format.
 pub(crate) trait HalfCircle: Circle {

@@ -8,7 +8,7 @@
 //! and the later ones fitted again).
 
 use super::{Bits, exponential::Exponential};
-use crate::real::Mask;
+use crate::{elementary::Elementary, real::Mask};
 
 /// What the reduction and the polynomial are made of in one format.
 pub(crate) trait Logarithm: Exponential {
@@ -65,7 +65,7 @@ impl Logarithm for f64 {
     #[cold]
     #[inline(never)]
     fn beyond(lanes: &mut [f64]) {
-        lanes.iter_mut().for_each(|lane| *lane = lane.ln());
+        lanes.iter_mut().for_each(|lane| *lane = Elementary::ln(*lane));
     }
 }
 
@@ -83,6 +83,6 @@ impl Logarithm for f32 {
     #[cold]
     #[inline(never)]
     fn beyond(lanes: &mut [f32]) {
-        lanes.iter_mut().for_each(|lane| *lane = lane.ln());
+        lanes.iter_mut().for_each(|lane| *lane = Elementary::ln(*lane));
     }
 }

@@ -15,8 +15,8 @@
 //! of different signs: all parts of π/2 are rounded down, hence positive.
 
 use super::{Bits, quotient, rescued};
-use crate::real::Mask;
-use std::f64::consts::{FRAC_2_PI, FRAC_PI_2};
+use crate::{elementary::Elementary, real::Mask};
+use core::f64::consts::{FRAC_2_PI, FRAC_PI_2};
 
 /// What reduction and polynomials are made of in one format.
 pub(crate) trait Circle: Sized {
@@ -189,19 +189,19 @@ impl Circle for f64 {
 #[cold]
 #[inline(never)]
 fn far_sine(lanes: &mut [f64]) {
-    lanes.iter_mut().for_each(|lane| *lane = lane.sin());
+    lanes.iter_mut().for_each(|lane| *lane = Elementary::sin(*lane));
 }
 
 #[cold]
 #[inline(never)]
 fn far_cosine(lanes: &mut [f64]) {
-    lanes.iter_mut().for_each(|lane| *lane = lane.cos());
+    lanes.iter_mut().for_each(|lane| *lane = Elementary::cos(*lane));
 }
 
 #[cold]
 #[inline(never)]
 fn far_tangent(lanes: &mut [f64]) {
-    lanes.iter_mut().for_each(|lane| *lane = lane.tan());
+    lanes.iter_mut().for_each(|lane| *lane = Elementary::tan(*lane));
 }
 
 /// The error of the polynomials: 2^-27.8 for the sine, 2^-32.9 for the cosine.
@@ -231,17 +231,17 @@ impl Circle for f32 {
 #[cold]
 #[inline(never)]
 fn far_sine_single(lanes: &mut [f32]) {
-    lanes.iter_mut().for_each(|lane| *lane = lane.sin());
+    lanes.iter_mut().for_each(|lane| *lane = Elementary::sin(*lane));
 }
 
 #[cold]
 #[inline(never)]
 fn far_cosine_single(lanes: &mut [f32]) {
-    lanes.iter_mut().for_each(|lane| *lane = lane.cos());
+    lanes.iter_mut().for_each(|lane| *lane = Elementary::cos(*lane));
 }
 
 #[cold]
 #[inline(never)]
 fn far_tangent_single(lanes: &mut [f32]) {
-    lanes.iter_mut().for_each(|lane| *lane = lane.tan());
+    lanes.iter_mut().for_each(|lane| *lane = Elementary::tan(*lane));
 }

@@ -5,7 +5,7 @@ use crate::{
     fused::Fma,
     real::{Mask, elementary_functions},
 };
-use std::arch::x86_64::{
+use core::arch::x86_64::{
     __m256, __m256d, _mm256_add_epi32, _mm256_add_epi64, _mm256_add_pd, _mm256_add_ps, _mm256_alignr_epi8,
     _mm256_and_pd, _mm256_and_ps, _mm256_andnot_pd, _mm256_andnot_ps, _mm256_blendv_pd, _mm256_blendv_ps,
     _mm256_castpd_si256, _mm256_castps_si256, _mm256_castsi256_pd, _mm256_castsi256_ps, _mm256_cmp_pd, _mm256_cmp_ps,

@@ -5,7 +5,7 @@ use crate::{
     fused::Avx512,
     real::{Mask, elementary_functions},
 };
-use std::arch::x86_64::{
+use core::arch::x86_64::{
     __m512, __m512d, __mmask8, __mmask16, _mm512_add_epi32, _mm512_add_epi64, _mm512_add_pd, _mm512_add_ps,
     _mm512_alignr_epi32, _mm512_alignr_epi64, _mm512_and_pd, _mm512_and_ps, _mm512_andnot_pd, _mm512_andnot_ps,
     _mm512_castpd_si512, _mm512_castps_si512, _mm512_castsi512_pd, _mm512_castsi512_ps, _mm512_cmp_pd_mask,

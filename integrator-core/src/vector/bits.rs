@@ -31,12 +31,12 @@ macro_rules! bits {
             }
             #[inline(always)]
             fn bits_right(self, by: u32) -> Self {
-                let by = instruction!(std::arch::x86_64::_mm_cvtsi32_si128(by.cast_signed()));
+                let by = instruction!(core::arch::x86_64::_mm_cvtsi32_si128(by.cast_signed()));
                 Self(instruction!($back($right($integers(self.0), by))))
             }
             #[inline(always)]
             fn bits_left(self, by: u32) -> Self {
-                let by = instruction!(std::arch::x86_64::_mm_cvtsi32_si128(by.cast_signed()));
+                let by = instruction!(core::arch::x86_64::_mm_cvtsi32_si128(by.cast_signed()));
                 Self(instruction!($back($left($integers(self.0), by))))
             }
             #[inline(always)]

@@ -39,7 +39,7 @@ macro_rules! vector {
                 fused::{Fused, Instructions},
                 real::{Kernel, Real},
             };
-            use std::{
+            use core::{
                 arch::x86_64::{_CMP_EQ_OQ, _CMP_LE_OQ, _CMP_LT_OQ},
                 array,
                 ops::{Add, AddAssign, Div, Mul, Neg, Sub, SubAssign},

@@ -5,7 +5,7 @@ use crate::{
     fused::{Avx512, Fused},
     real::{Mask, Real},
 };
-use std::arch::x86_64::{_mm_cvtsd_f64, _mm_rsqrt14_sd, _mm_set_sd, _mm512_rsqrt14_pd};
+use core::arch::x86_64::{_mm_cvtsd_f64, _mm_rsqrt14_sd, _mm_set_sd, _mm512_rsqrt14_pd};
 
 /// Numbers with an estimate of `1 / sqrt(x)`, off by less than one part in 2¹⁴. Vector and scalar have the same one.
 pub(crate) trait Estimate: Real {

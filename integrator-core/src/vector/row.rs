@@ -7,7 +7,7 @@ use crate::{
     real::Real,
     row::Row,
 };
-use std::arch::x86_64::{_mm256_loadu_si256, _mm256_permutevar8x32_ps, _mm512_loadu_si512, _mm512_permutexvar_pd};
+use core::arch::x86_64::{_mm256_loadu_si256, _mm256_permutevar8x32_ps, _mm512_loadu_si512, _mm512_permutexvar_pd};
 
 /// The lane that each lane is taken from when `N` bodies are rotated. A constant, since both numbers are.
 #[inline(always)]

@@ -1,0 +1,86 @@
+//! What a program without an operating system does with the library: `cargo build -p integrator-bare --target
+//! thumbv7em-none-eabihf`.
+#![no_std]
+#![forbid(unsafe_code)]
+
+extern crate alloc;
+
+use alloc::{vec, vec::Vec};
+#[allow(unused_imports, reason = "where others in the workspace ask for `std`, methods of `f64` are its own")]
+use integrator_core::prelude::*;
+
+/// Elementary functions of parameters and of coordinates, which `core` does not know.
+pub struct Pendulum {
+    /// From the pivot to the bob.
+    pub length: f64,
+}
+
+#[hamiltonian(compose = Yoshida4)]
+impl Pendulum {
+    fn kinetic(&self, p: [f64; 1]) -> f64 {
+        p[0].powi(2) / (2.0 * self.length.powi(2))
+    }
+    fn potential(&self, q: [f64; 1]) -> f64 {
+        -9.81 * self.length.cbrt().powi(3) * q[0].cos()
+    }
+}
+
+/// A state whose size is known at run time.
+pub struct Chain;
+
+#[hamiltonian]
+impl Chain {
+    fn kinetic(&self, p: &[f64]) -> f64 {
+        p.iter().map(|p| p * p / 2.0).sum()
+    }
+    fn potential(&self, q: &[f64]) -> f64 {
+        let mut sum = 0.0;
+        for i in 1..q.len() {
+            sum += (q[i] - q[i - 1]).powi(2) / 2.0;
+        }
+        sum
+    }
+}
+
+/// A pendulum after so many steps, resumed from a checkpoint half way.
+///
+/// # Errors
+/// Where the library finds one.
+pub fn swing(steps: u64) -> Result<[f64; 2], Error> {
+    let pendulum = Pendulum { length: 0.5 };
+    let mut run = pendulum.run(Phase::compensated([1.0], [0.0]), 0.01)?;
+    run.advance(steps / 2)?;
+    let bytes = run.checkpoint();
+    if let Ok(resumed) = Run::resume(&pendulum, &bytes) {
+        run = resumed;
+    }
+    run.advance(steps - steps / 2)?;
+    let Phase { q: [q], p: [p] } = run.state();
+    Ok([q.value, p.value])
+}
+
+/// By how much the energy of a chain of so many sites changes over so many steps.
+///
+/// # Errors
+/// Where the library finds one.
+pub fn drift(sites: usize, steps: u64) -> Result<f64, Error> {
+    let q: Vec<f64> = (0..sites).map(|site| (site as f64).sin()).collect();
+    let samples = Chain.run(Phase::new(q, vec![0.0; sites]), 0.01)?.samples(steps);
+    let energies: Vec<f64> = samples.take(2).map(|sample| Ok(sample?.energy())).collect::<Result<_, Error>>()?;
+    Ok(energies[1] - energies[0])
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_moves_without_std_moves_as_it_does_with_it() {
+        let [q, p] = swing(1_000).expect("a pendulum");
+        let energy = p * p / (2.0 * 0.25) - 9.81 * 0.5 * q.cos();
+        // The step is a 140th of the period; Yoshida4 errs by (2π/140)^4 times the energy then, and some.
+        assert!((energy + 9.81 * 0.5 * 1.0_f64.cos()).abs() < 1e-4, "{q} {p}: {energy}");
+        // 6e4 sites take the way through tiles; the energy is about as many, and Verlet errs by (h/2)² of it.
+        assert!(drift(60_000, 100).expect("a chain").abs() < 60_000.0 * 2.5e-5);
+    }
+}
