@@ -3,7 +3,7 @@
 use crate::{
     block::Block,
     elementary::Elementary,
-    functions::{self, fast_functions, unary},
+    functions::{self, fast_functions, kernel},
     instruction_set::enter_fused,
     lanes::Lanes,
     real::{Kernel, Real, elementary_functions},
@@ -198,13 +198,13 @@ macro_rules! fused_real {
             $(
                 #[inline(always)]
                 fn $unary(self) -> Self {
-                    unary!($unary self; Self::new(<$scalar as Elementary>::$unary(self.0)))
+                    kernel!($unary self; Self::new(<$scalar as Elementary>::$unary(self.0)))
                 }
             )*
             $(
                 #[inline(always)]
                 fn $binary(self, other: Self) -> Self {
-                    Self::new(<$scalar as Elementary>::$binary(self.0, other.0))
+                    kernel!($binary self, other; Self::new(<$scalar as Elementary>::$binary(self.0, other.0)))
                 }
             )*
             #[inline(always)]

@@ -3,7 +3,7 @@
 use crate::{
     block::Block,
     elementary::Elementary,
-    functions::{self, fast_functions, unary},
+    functions::{self, fast_functions, kernel},
     lanes::Lanes,
     row::Row,
 };
@@ -215,13 +215,13 @@ macro_rules! plain_real {
             $(
                 #[inline(always)]
                 fn $unary(self) -> Self {
-                    unary!($unary self; <$scalar as Elementary>::$unary(self))
+                    kernel!($unary self; <$scalar as Elementary>::$unary(self))
                 }
             )*
             $(
                 #[inline(always)]
                 fn $binary(self, other: Self) -> Self {
-                    <$scalar as Elementary>::$binary(self, other)
+                    kernel!($binary self, other; <$scalar as Elementary>::$binary(self, other))
                 }
             )*
         }

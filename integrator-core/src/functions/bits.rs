@@ -30,8 +30,13 @@ pub(crate) trait Bits: Real {
     /// Whether the last bit of the pattern is set.
     fn is_odd(self) -> Self::Mask;
 
+    /// What `each` makes of the lanes and those of `other`.
+    fn through_with(self, other: Self, each: impl Fn(&mut [Self::Scalar], &[Self::Scalar])) -> Self;
     /// What `each` makes of the lanes.
-    fn through(self, each: impl Fn(&mut [Self::Scalar])) -> Self;
+    #[inline(always)]
+    fn through(self, each: impl Fn(&mut [Self::Scalar])) -> Self {
+        self.through_with(self, |lanes, _| each(lanes))
+    }
 }
 
 macro_rules! scalar_bits {
@@ -76,10 +81,9 @@ macro_rules! scalar_bits {
                 $number.to_bits() & 1 == 1
             }
             #[inline(always)]
-            fn through(self, each: impl Fn(&mut [$scalar])) -> Self {
-                let $x = self;
-                let mut lane = [$number];
-                each(&mut lane);
+            fn through_with(self, other: Self, each: impl Fn(&mut [$scalar], &[$scalar])) -> Self {
+                let (mut lane, other) = ([{ let $x = self; $number }], [{ let $x = other; $number }]);
+                each(&mut lane, &other);
                 $new(lane[0])
             }
         }

@@ -4,7 +4,11 @@
 //! (the documentation of each says how near), with the zeros, infinities and NaNs of `std`. Always true: there is no
 //! branch on a value but one, which is hardly ever taken and leads to the maths library.
 
+mod arc;
+mod arc_sine;
 mod bits;
+mod cube_root;
+mod exact;
 mod exponential;
 mod fast_sine;
 mod logarithm;
@@ -16,8 +20,8 @@ pub(crate) use bits::Bits;
 
 use crate::real::Mask;
 
-/// A function of one argument: its kernel, or `$otherwise` where it has none.
-macro_rules! unary {
+/// A function: its kernel, or `$otherwise` where it has none.
+macro_rules! kernel {
     (sin $x:expr; $otherwise:expr) => {
         crate::functions::sin($x)
     };
@@ -36,11 +40,26 @@ macro_rules! unary {
     (tanh $x:expr; $otherwise:expr) => {
         crate::functions::tanh($x)
     };
-    ($function:ident $x:expr; $otherwise:expr) => {
+    (atan $x:expr; $otherwise:expr) => {
+        crate::functions::atan($x)
+    };
+    (asin $x:expr; $otherwise:expr) => {
+        crate::functions::asin($x)
+    };
+    (acos $x:expr; $otherwise:expr) => {
+        crate::functions::acos($x)
+    };
+    (cbrt $x:expr; $otherwise:expr) => {
+        crate::functions::cbrt($x)
+    };
+    (atan2 $x:expr, $y:expr; $otherwise:expr) => {
+        crate::functions::atan2($x, $y)
+    };
+    ($function:ident $x:expr $(, $y:expr)?; $otherwise:expr) => {
         $otherwise
     };
 }
-pub(crate) use unary;
+pub(crate) use kernel;
 
 /// The methods of `Real` for functions that have a less precise kernel.
 macro_rules! fast_functions {
@@ -57,6 +76,9 @@ macro_rules! fast_functions {
 }
 pub(crate) use fast_functions;
 
+pub(crate) use arc::{atan, atan2};
+pub(crate) use arc_sine::{acos, asin};
+pub(crate) use cube_root::cbrt;
 pub(crate) use exponential::{exp, tanh};
 pub(crate) use fast_sine::{fast_cos, fast_sin};
 pub(crate) use logarithm::ln;

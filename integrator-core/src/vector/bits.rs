@@ -45,9 +45,9 @@ macro_rules! bits {
                 $mask(instruction!($odd))
             }
             #[inline(always)]
-            fn through(self, each: impl Fn(&mut [$scalar])) -> Self {
+            fn through_with(self, other: Self, each: impl Fn(&mut [$scalar], &[$scalar])) -> Self {
                 let mut lanes = self.lanes();
-                each(&mut lanes);
+                each(&mut lanes, &other.lanes());
                 Self::of_lanes(lanes)
             }
         }

@@ -9,7 +9,7 @@ macro_rules! unary {
         $vector(instruction!($andnot($splat(-0.0), $x.0)))
     };
     ($function:ident $x:expr, $vector:ident of $scalar:ident, $sqrt:ident $andnot:ident $splat:ident) => {
-        crate::functions::unary!($function $x; $vector::of_lanes($x.lanes().map($scalar::$function)))
+        crate::functions::kernel!($function $x; $vector::of_lanes($x.lanes().map($scalar::$function)))
     };
 }
 pub(super) use unary;
@@ -145,8 +145,10 @@ macro_rules! vector {
                 $(
                     #[inline(always)]
                     fn $binary(self, other: Self) -> Self {
-                        let (a, b) = (self.lanes(), other.lanes());
-                        Self::of_lanes(array::from_fn(|lane| $scalar::$binary(a[lane], b[lane])))
+                        crate::functions::kernel!($binary self, other; {
+                            let (a, b) = (self.lanes(), other.lanes());
+                            Self::of_lanes(array::from_fn(|lane| $scalar::$binary(a[lane], b[lane])))
+                        })
                     }
                 )*
                 #[inline(always)]

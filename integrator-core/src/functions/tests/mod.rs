@@ -18,21 +18,22 @@ type Big = FBig<HalfEven, 2>;
 /// Digits in base 2 of the references for single points.
 const SHARP: usize = 140;
 
-/// A function of one argument, in anything that is computed in.
-trait Unary {
-    fn call<R: Real>(x: R) -> R;
+/// A function, in anything that is computed in; one of a single argument ignores the second.
+trait Function {
+    fn call<R: Real>(x: R, y: R) -> R;
 }
 
 /// A function at many points, in the clone that belongs to `R`.
-fn sweep<F: Unary, R: Real>(points: &[f64]) -> Vec<f64> {
-    struct Sweep<'a, F, R>(&'a [f64], std::marker::PhantomData<(F, R)>);
-    impl<F: Unary, R: Real> Kernel for Sweep<'_, F, R> {
+fn sweep<F: Function, R: Real>(points: &[[f64; 2]]) -> Vec<f64> {
+    struct Sweep<'a, F, R>(&'a [[f64; 2]], std::marker::PhantomData<(F, R)>);
+    impl<F: Function, R: Real> Kernel for Sweep<'_, F, R> {
         type Out = Vec<f64>;
         #[inline(always)]
         fn call(self) -> Vec<f64> {
             let mut values = Vec::with_capacity(self.0.len());
             for points in self.0.chunks(R::LANES) {
-                let value = F::call(R::state(|lane| points[lane.min(points.len() - 1)]));
+                let [x, y] = [0, 1].map(|place| R::state(|lane| points[lane.min(points.len() - 1)][place]));
+                let value = F::call(x, y);
                 values.extend((0..points.len()).map(|lane| value.lane(lane)));
             }
             values
@@ -72,8 +73,8 @@ impl Precision {
 ///
 /// The reference for all points has 53 digits, all right (`pxfm` rounds correctly): enough to measure singles. Doubles
 /// have to be one of its neighbours, and some of those that differ from it are measured with more digits.
-fn largest_error(row: &Row, precision: Precision, points: &[f64], values: &[f64]) -> (f64, f64) {
-    let mut largest = (0.0, 0.0);
+fn largest_error(row: &Row, precision: Precision, points: &[[f64; 2]], values: &[f64]) -> (f64, [f64; 2]) {
+    let mut largest = (0.0, [0.0; 2]);
     let mut differ = 0;
     for (&x, &value) in points.iter().zip(values) {
         let reference = (row.exact)(x);
@@ -101,10 +102,10 @@ fn every_function_is_as_near_as_it_says() {
     for row in ROWS {
         for set in row.points {
             for (scalar, precision, sweep) in row.scalars {
-                let points = set.numbers(precision, &format!("{} of {scalar}", row.name));
+                let points = set.arguments(precision, &format!("{} of {scalar}", row.name));
                 let (error, at) = largest_error(row, precision, &points, &sweep(&points));
                 if error.is_nan() || error > row.ulps {
-                    too_far.push(format!("{} of {scalar}, {set:?}: {error} ulp off at {at:e}", row.name));
+                    too_far.push(format!("{} of {scalar}, {set:?}: {error} ulp off at {at:?}", row.name));
                 }
             }
         }
@@ -136,6 +137,12 @@ const EDGES: [f64; 20] = [
     f64::NAN,
 ];
 
+/// All pairs of these, of both signs.
+fn edges() -> impl Iterator<Item = [f64; 2]> {
+    let signed = || EDGES.into_iter().flat_map(|x| [x, -x]);
+    signed().flat_map(move |x| signed().map(move |y| [x, y]))
+}
+
 fn bits(x: f64) -> u64 {
     if x.is_nan() { u64::MAX } else { x.to_bits() }
 }
@@ -144,14 +151,13 @@ fn bits(x: f64) -> u64 {
 fn edges_are_those_of_std() {
     for row in ROWS {
         for (scalar, precision, sweep) in row.scalars {
-            let points = EDGES.map(|x| [precision.round(x), precision.round(-x)]);
-            let points = points.as_flattened();
-            for (&x, value) in points.iter().zip(sweep(points)) {
-                let expected = precision.round((row.exact)(x));
+            let points: Vec<_> = edges().map(|point| point.map(|x| precision.round(x))).collect();
+            for (&x, value) in points.iter().zip(sweep(&points)) {
+                let expected = precision.round((row.std)(x));
                 let special = expected == 0.0 || !expected.is_finite();
                 let near = (value - expected).abs() <= row.ulps * precision.unit(expected);
                 let right = if special { bits(value) == bits(expected) } else { near };
-                assert!(right, "{} of {x:e} in {scalar} is {value:e} for {expected:e}", row.name);
+                assert!(right, "{} of {x:?} in {scalar} is {value:e} for {expected:e}", row.name);
             }
         }
     }
@@ -166,14 +172,11 @@ fn every_lane_is_the_scalar() {
             }
             for set in row.points {
                 // A step that is coprime to all numbers of lanes mixes edges and ordinary numbers.
-                let mut points = set.numbers(Precision::Single, row.name);
+                let mut points = set.arguments(Precision::Single, row.name);
                 points.truncate(10_000);
-                for (index, edge) in EDGES.into_iter().enumerate() {
-                    points[index * 17] = edge;
-                    points[5_000 + index * 17] = -edge;
-                }
+                points.iter_mut().step_by(5).zip(edges()).for_each(|(point, edge)| *point = edge);
                 for ((&x, together), alone) in points.iter().zip(lanes(&points)).zip(scalar(&points)) {
-                    assert_eq!(bits(together), bits(alone), "{} of {x:e} in {vector}", row.name);
+                    assert_eq!(bits(together), bits(alone), "{} of {x:?} in {vector}", row.name);
                 }
             }
         }

@@ -16,13 +16,23 @@ pub(super) enum Points {
     Sizes(f64, f64),
     /// The multiples of π/2 and their neighbours.
     Quarters,
+    /// The first from one set and the second from another.
+    Pairs(&'static Self, &'static Self),
 }
 
 impl Points {
     /// The points, rounded to a precision. Equal names give equal points.
-    pub(super) fn numbers(&self, precision: Precision, name: &str) -> Vec<f64> {
+    pub(super) fn arguments(&self, precision: Precision, name: &str) -> Vec<[f64; 2]> {
         let mut random = Random::new(name);
-        (0..COUNT).map(|index| precision.round(self.number(index, precision, &mut random))).collect()
+        (0..COUNT).map(|index| self.pair(index, precision, &mut random).map(|x| precision.round(x))).collect()
+    }
+
+    /// Two numbers, of which functions of one argument ignore the second.
+    fn pair(&self, index: usize, precision: Precision, random: &mut Random) -> [f64; 2] {
+        match self {
+            Self::Pairs(first, second) => [first, second].map(|set| set.number(index, precision, random)),
+            _ => [self.number(index, precision, random), 0.0],
+        }
     }
 
     fn number(&self, index: usize, precision: Precision, random: &mut Random) -> f64 {
@@ -32,6 +42,7 @@ impl Points {
                 let size = (low + (high - low) * random.fraction()).exp2();
                 if index.is_multiple_of(2) { size } else { -size }
             }
+            Self::Pairs(first, _) => first.number(index, precision, random),
             Self::Sizes(low, high) => (low + (high - low) * random.fraction()).exp2(),
             Self::Quarters => {
                 let multiple = precision.round((random.fraction() * 1_048_576.0).floor() * std::f64::consts::FRAC_PI_2);

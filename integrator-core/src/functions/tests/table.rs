@@ -1,14 +1,15 @@
 //! The one table of the functions that have a kernel.
 
-use super::{Big, Points, Precision, SHARP, Unary, sweep};
+use super::{Big, Function, Points, Precision, SHARP, sweep};
 use crate::{
     fused::{Avx512, Fma, Fused},
     instruction_set::InstructionSet,
     real::Real,
 };
+use dashu_float::ops::CubicRoot;
 
 /// Values at many points.
-type Sweep = fn(&[f64]) -> Vec<f64>;
+type Sweep = fn(&[[f64; 2]]) -> Vec<f64>;
 
 /// A function and what is claimed of it.
 pub(super) struct Row {
@@ -16,9 +17,11 @@ pub(super) struct Row {
     /// The error that it may have, in units of the last place.
     pub(super) ulps: f64,
     /// Rounded correctly.
-    pub(super) exact: fn(f64) -> f64,
-    /// With as many digits as the argument has.
-    pub(super) sharp: fn(&Big) -> Big,
+    pub(super) exact: fn([f64; 2]) -> f64,
+    /// What special values are compared with.
+    pub(super) std: fn([f64; 2]) -> f64,
+    /// With as many digits as the arguments have.
+    pub(super) sharp: fn([Big; 2]) -> Big,
     /// Where it is tested.
     pub(super) points: &'static [Points],
     /// What it is computed in: a name, the scalar whose bits it must have, and the instruction set that it needs.
@@ -28,44 +31,55 @@ pub(super) struct Row {
 
 impl Row {
     /// The error of a value, in `unit`s.
-    pub(super) fn sharp_error(&self, x: f64, value: f64, unit: f64) -> f64 {
+    pub(super) fn sharp_error(&self, x: [f64; 2], value: f64, unit: f64) -> f64 {
         let big = |x: f64| Big::try_from(x).expect("a finite number").with_precision(SHARP).value();
-        ((self.sharp)(&big(x)) - big(value)).to_f64().value().abs() / unit
+        ((self.sharp)(x.map(big)) - big(value)).to_f64().value().abs() / unit
     }
 }
 
 macro_rules! rows {
-    ($($name:ident within $ulps:literal of $exact:path, $sharp:expr, at [$($points:expr),*];)*) => {
+    ($($name:ident($($argument:ident),*) as $std:path, within $ulps:literal of $exact:path, $sharp:expr, at [$($points:expr),*];)*) => {
         pub(super) const ROWS: &[Row] = &[$({
-            struct Function;
-            impl Unary for Function {
+            struct This;
+            impl Function for This {
                 #[inline(always)]
-                fn call<R: Real>(x: R) -> R {
-                    x.$name()
+                fn call<R: Real>(x: R, y: R) -> R {
+                    let [$($argument,)* ..] = [x, y];
+                    R::$name($($argument),*)
                 }
             }
             Row {
                 name: stringify!($name),
                 ulps: $ulps,
-                exact: $exact,
-                sharp: $sharp,
+                exact: |arguments| {
+                    let [$($argument,)* ..] = arguments;
+                    $exact($($argument),*)
+                },
+                std: |arguments| {
+                    let [$($argument,)* ..] = arguments;
+                    $std($($argument),*)
+                },
+                sharp: |arguments| {
+                    let [$($argument,)* ..] = &arguments;
+                    $sharp($($argument),*)
+                },
                 points: &[$($points),*],
                 scalars: [
-                    ("f64", Precision::Double, sweep::<Function, f64>),
-                    ("fused f64", Precision::Double, sweep::<Function, Fused<f64, Fma>>),
-                    ("f32", Precision::Single, sweep::<Function, f32>),
-                    ("fused f32", Precision::Single, sweep::<Function, Fused<f32, Fma>>),
+                    ("f64", Precision::Double, sweep::<This, f64>),
+                    ("fused f64", Precision::Double, sweep::<This, Fused<f64, Fma>>),
+                    ("f32", Precision::Single, sweep::<This, f32>),
+                    ("fused f32", Precision::Single, sweep::<This, Fused<f32, Fma>>),
                 ],
                 vectors: &[
                     #[cfg(target_arch = "x86_64")]
-                    ("X4", InstructionSet::Fused, sweep::<Function, crate::vector::X4>, sweep::<Function, Fused<f64, Fma>>),
+                    ("X4", InstructionSet::Fused, sweep::<This, crate::vector::X4>, sweep::<This, Fused<f64, Fma>>),
                     #[cfg(target_arch = "x86_64")]
-                    ("S8", InstructionSet::Fused, sweep::<Function, crate::vector::S8>, sweep::<Function, Fused<f32, Fma>>),
+                    ("S8", InstructionSet::Fused, sweep::<This, crate::vector::S8>, sweep::<This, Fused<f32, Fma>>),
                     #[cfg(target_arch = "x86_64")]
-                    ("X8", InstructionSet::Avx512, sweep::<Function, crate::vector::X8>, sweep::<Function, Fused<f64, Fma>>),
+                    ("X8", InstructionSet::Avx512, sweep::<This, crate::vector::X8>, sweep::<This, Fused<f64, Fma>>),
                     #[cfg(target_arch = "x86_64")]
-                    ("S16", InstructionSet::Avx512, sweep::<Function, crate::vector::S16>, sweep::<Function, Fused<f32, Fma>>),
-                    ("the other clone", InstructionSet::Avx512, sweep::<Function, Fused<f64, Avx512>>, sweep::<Function, Fused<f64, Fma>>),
+                    ("S16", InstructionSet::Avx512, sweep::<This, crate::vector::S16>, sweep::<This, Fused<f32, Fma>>),
+                    ("the other clone", InstructionSet::Avx512, sweep::<This, Fused<f64, Avx512>>, sweep::<This, Fused<f64, Fma>>),
                 ],
             }
         }),*];
@@ -73,12 +87,20 @@ macro_rules! rows {
 }
 
 rows! {
-    tan within 2.0 of pxfm::f_tan, Big::tan, at [Points::Even(-1.7e6, 1.7e6), Points::Powers(-60.0, 24.0), Points::Quarters];
-    exp within 1.0 of pxfm::f_exp, Big::exp, at [Points::Even(-1.0, 1.0), Points::Even(-760.0, 720.0), Points::Even(-110.0, 90.0), Points::Powers(-60.0, 9.0)];
-    ln within 1.0 of pxfm::f_log, Big::ln, at [Points::Even(0.5, 2.0), Points::Even(0.999, 1.001), Points::Sizes(-1080.0, 1024.0)];
-    tanh within 2.0 of pxfm::f_tanh, Big::tanh, at [Points::Even(-1.0, 1.0), Points::Even(-22.0, 22.0), Points::Powers(-60.0, 9.0)];
-    sin within 1.0 of pxfm::f_sin, Big::sin, at [Points::Even(-1.7e6, 1.7e6), Points::Powers(-60.0, 24.0), Points::Quarters];
-    fast_sin within 4.0 of pxfm::f_sin, Big::sin, at [Points::Even(-1.7e6, 1.7e6), Points::Powers(-60.0, 24.0), Points::Quarters];
-    fast_cos within 4.0 of pxfm::f_cos, Big::cos, at [Points::Even(-1.7e6, 1.7e6), Points::Powers(-60.0, 24.0), Points::Quarters];
-    cos within 1.0 of pxfm::f_cos, Big::cos, at [Points::Even(-1.7e6, 1.7e6), Points::Powers(-60.0, 24.0), Points::Quarters];
+    tan(x) as f64::tan, within 2.0 of pxfm::f_tan, Big::tan, at [Points::Even(-1.7e6, 1.7e6), Points::Powers(-60.0, 24.0), Points::Quarters];
+    exp(x) as f64::exp, within 1.0 of pxfm::f_exp, Big::exp, at [Points::Even(-1.0, 1.0), Points::Even(-760.0, 720.0), Points::Even(-110.0, 90.0), Points::Powers(-60.0, 9.0)];
+    ln(x) as f64::ln, within 1.0 of pxfm::f_log, Big::ln, at [Points::Even(0.5, 2.0), Points::Even(0.999, 1.001), Points::Sizes(-1080.0, 1024.0)];
+    tanh(x) as f64::tanh, within 2.0 of pxfm::f_tanh, Big::tanh, at [Points::Even(-1.0, 1.0), Points::Even(-22.0, 22.0), Points::Powers(-60.0, 9.0)];
+    sin(x) as f64::sin, within 1.0 of pxfm::f_sin, Big::sin, at [Points::Even(-1.7e6, 1.7e6), Points::Powers(-60.0, 24.0), Points::Quarters];
+    fast_sin(x) as f64::sin, within 4.0 of pxfm::f_sin, Big::sin, at [Points::Even(-1.7e6, 1.7e6), Points::Powers(-60.0, 24.0), Points::Quarters];
+    fast_cos(x) as f64::cos, within 4.0 of pxfm::f_cos, Big::cos, at [Points::Even(-1.7e6, 1.7e6), Points::Powers(-60.0, 24.0), Points::Quarters];
+    cos(x) as f64::cos, within 1.0 of pxfm::f_cos, Big::cos, at [Points::Even(-1.7e6, 1.7e6), Points::Powers(-60.0, 24.0), Points::Quarters];
+    atan(x) as f64::atan, within 1.0 of pxfm::f_atan, Big::atan, at [Points::Even(-1.0, 1.0), Points::Even(-4.0, 4.0), Points::Powers(-60.0, 70.0)];
+    asin(x) as f64::asin, within 1.0 of pxfm::f_asin, Big::asin, at [Points::Even(-1.0, 1.0), Points::Powers(-60.0, 0.0)];
+    acos(x) as f64::acos, within 1.0 of pxfm::f_acos, Big::acos, at [Points::Even(-1.0, 1.0), Points::Even(0.999, 1.0), Points::Powers(-60.0, 0.0)];
+    cbrt(x) as f64::cbrt, within 1.0 of pxfm::f_cbrt, CubicRoot::cbrt, at [Points::Even(-8.0, 8.0), Points::Powers(-1080.0, 1024.0), Points::Powers(-130.0, 128.0)];
+    atan2(y, x) as f64::atan2, within 1.0 of pxfm::f_atan2, Big::atan2, at [
+        Points::Pairs(&Points::Even(-1.0, 1.0), &Points::Even(-1.0, 1.0)),
+        Points::Pairs(&Points::Powers(-60.0, 60.0), &Points::Powers(-20.0, 20.0))
+    ];
 }

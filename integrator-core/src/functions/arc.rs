@@ -1,0 +1,160 @@
+//! The arc tangent, of one argument and of two.
+//!
+//! The argument is a ratio of two sizes; with the smaller one over the larger one, `t`, the angle is
+//! `t - t·z/4 + t·z·A(z)`, `z = t²`, or what a quarter turn exceeds that by. What the division and the first difference
+//! lost is added with the last term, which is small, so that one rounding of the result's size is left.
+//!
+//! `A` is minimax (Remez in 300 bits, weighted for the relative error of the result, coefficients rounded one after the
+//! other and the later ones fitted again).
+
+use super::{
+    Bits,
+    exact::{Parts, lost_by_quotient, sum},
+};
+use crate::{elementary::Elementary, real::Mask};
+
+/// What the arc tangent is made of in one format.
+pub(crate) trait Arc: Parts {
+    /// π/2 in two parts.
+    const QUARTER: [f64; 2];
+    /// Between these, neither ratios nor what divisions lose leave the normal numbers.
+    const MODERATE: [f64; 2];
+
+    /// `A` at `z`.
+    fn series<R: Bits<Scalar = Self>>(z: R) -> R;
+    /// The functions of the maths library, for arguments that are not moderate.
+    fn beyond(lanes: &mut [Self], others: &[Self]);
+}
+
+/// The angle whose tangent is `small / big`, in two parts.
+#[inline(always)]
+fn eighth<R: Bits<Scalar: Arc>>(small: R, big: R) -> [R; 2] {
+    let t = small / big;
+    let z = t * t;
+    // The slope is 1/(1 + z), of which a few bits are enough.
+    let slope = z.fma(R::of(-0.5), R::of(1.0));
+    let cube = t * z;
+    let [angle, lost] = sum(t, cube * R::of(-0.25));
+    [angle, cube.fma(R::Scalar::series(z), lost_by_quotient(t, small, big).fma(slope, lost))]
+}
+
+/// The sum of so many quarter turns, if there are any, and an angle that is smaller and in two parts.
+#[inline(always)]
+pub(super) fn turned<R: Bits<Scalar: Arc>>(quarters: R, [angle, rest]: [R; 2]) -> R {
+    let [quarter, small] = R::Scalar::QUARTER.map(R::of);
+    let [sum, lost] = sum(quarters * quarter, angle);
+    sum + (lost + quarters.fma(small, rest))
+}
+
+/// The sign of the first, as a pattern.
+#[inline(always)]
+pub(super) fn sign<R: Bits>(x: R) -> R {
+    x.bits_and(R::of(-0.0))
+}
+
+/// At most 1 ulp.
+#[inline(always)]
+pub(crate) fn atan<R: Bits<Scalar: Arc>>(x: R) -> R {
+    let (one, farthest) = (R::of(1.0), R::of(R::Scalar::MODERATE[1]));
+    let size = R::select(farthest.less(x.abs()), farthest, x.abs());
+    let steep = one.less(size);
+    let angle = eighth(R::select(steep, one, size), R::select(steep, size, one));
+    let flip = R::select(steep, R::of(-0.0), R::of(0.0));
+    let quarters = R::select(steep, one, R::of(0.0));
+    turned(quarters, angle.map(|part| part.bits_xor(flip))).bits_xor(sign(x))
+}
+
+/// At most 1 ulp.
+#[inline(always)]
+pub(crate) fn atan2<R: Bits<Scalar: Arc>>(y: R, x: R) -> R {
+    let (height, width) = (y.abs(), x.abs());
+    let steep = width.less(height);
+    let (small, big) = (R::select(steep, width, height), R::select(steep, height, width));
+    let (zero, one, two) = (R::of(0.0), R::of(1.0), R::of(2.0));
+    let flip = sign(x).bits_xor(R::select(steep, R::of(-0.0), zero));
+    let quarters = R::select(steep, one, R::select(x.less(zero), two, zero));
+    let value = turned(quarters, eighth(small, big).map(|part| part.bits_xor(flip))).bits_xor(sign(y));
+
+    let [least, greatest] = R::Scalar::MODERATE.map(R::of);
+    let moderate = least.less(big).and(big.less(greatest)).and(least.less(small).or(small.equal(zero)));
+    let beyond = moderate.not();
+    if beyond.any() { R::select(beyond, y.through_with(x, R::Scalar::beyond), value) } else { value }
+}
+
+/// The error of the polynomial: 2^-56.4.
+impl Arc for f64 {
+    const QUARTER: [f64; 2] = [core::f64::consts::FRAC_PI_2, 6.123_233_995_736_766e-17];
+    const MODERATE: [f64; 2] = [1e-140, 1e140];
+
+    #[inline(always)]
+    fn series<R: Bits<Scalar = f64>>(z: R) -> R {
+        let c = |coefficient| R::of(coefficient);
+        let pair = |second, first| z.fma(c(second), c(first));
+        let square = z * z;
+        let fourth = square * square;
+        let four = |[a, b, c, d]: [f64; 4]| square.fma(pair(d, c), pair(b, a));
+        let low = four([
+            -0.083_333_333_333_330_7,
+            0.199_999_999_999_517_5,
+            -0.142_857_142_825_881_72,
+            0.111_111_110_073_441_1,
+        ]);
+        let second = four([
+            -0.090_909_070_078_252_27,
+            0.076_922_798_890_873_63,
+            -0.066_664_044_237_033_98,
+            0.058_805_298_049_375_75,
+        ]);
+        let third = four([
+            -0.052_535_267_489_496_086,
+            0.047_223_482_094_269_35,
+            -0.042_192_431_066_084_404,
+            0.036_643_149_597_772_06,
+        ]);
+        let fifth = four([
+            -0.029_905_730_336_280_873,
+            0.021_987_056_150_293_827,
+            -0.013_902_555_924_551_727,
+            0.007_197_867_569_850_056,
+        ]);
+        let high = four([
+            -0.002_885_598_737_462_079_8,
+            0.000_831_555_190_445_926_1,
+            -0.000_152_210_073_524_236_67,
+            1.322_988_350_719_387_6e-5,
+        ]);
+        let upper = fourth.fma(fourth.fma(high, fifth), third);
+        fourth.fma(fourth.fma(upper, second), low)
+    }
+
+    #[cold]
+    #[inline(never)]
+    fn beyond(lanes: &mut [f64], others: &[f64]) {
+        lanes.iter_mut().zip(others).for_each(|(y, &x)| *y = Elementary::atan2(*y, x));
+    }
+}
+
+/// The error of the polynomial: 2^-29.2.
+impl Arc for f32 {
+    const QUARTER: [f64; 2] = [1.570_796_370_506_286_5, -4.371_138_828_673_793e-8];
+    const MODERATE: [f64; 2] = [1e-13, 1e13];
+
+    #[inline(always)]
+    fn series<R: Bits<Scalar = f32>>(z: R) -> R {
+        let c = |coefficient| R::of(coefficient);
+        let first = z.fma(c(0.199_997_156_858_444_2), c(-0.083_333_283_662_796_02));
+        let second = z.fma(c(0.110_612_332_820_892_33), c(-0.142_803_430_557_250_98));
+        let third = z.fma(c(0.067_636_489_868_164_06), c(-0.088_214_620_947_837_83));
+        let fourth = z.fma(c(0.022_777_616_977_691_65), c(-0.044_983_256_608_247_76));
+        let fifth = z.fma(c(0.001_134_525_868_110_358_7), c(-0.007_425_365_969_538_689));
+        let square = z * z;
+        let high = square.fma(square.fma(fifth, fourth), third);
+        square.fma(square.fma(high, second), first)
+    }
+
+    #[cold]
+    #[inline(never)]
+    fn beyond(lanes: &mut [f32], others: &[f32]) {
+        lanes.iter_mut().zip(others).for_each(|(y, &x)| *y = Elementary::atan2(*y, x));
+    }
+}

@@ -1,0 +1,58 @@
+//! What operations lose: the errors of sums, products and quotients, to be added again later.
+
+use super::Bits;
+
+/// What parts of a number of one format are found with.
+pub(crate) trait Parts: Sized {
+    /// The bits of the upper half of a number: the product of two such halves is exact.
+    const UPPER: u64;
+    /// From this pattern that of a number is subtracted for its reciprocal, off by 5 % at most.
+    const RECIPROCAL: u64;
+}
+
+impl Parts for f64 {
+    const UPPER: u64 = !0 << 27;
+    const RECIPROCAL: u64 = 0x7fde_624d_d2f1_a9fb;
+}
+
+impl Parts for f32 {
+    const UPPER: u64 = !0 << 12;
+    const RECIPROCAL: u64 = 0x7ef3_126e;
+}
+
+/// The two halves of a number.
+#[inline(always)]
+fn halves<R: Bits<Scalar: Parts>>(a: R) -> [R; 2] {
+    let upper = a.bits_and(R::pattern(R::Scalar::UPPER));
+    [upper, a - upper]
+}
+
+/// `c - a·b`, which is exact, but for the bits beyond those of a number, where `c` is next to the product.
+#[inline(always)]
+pub(super) fn less_product<R: Bits<Scalar: Parts>>(c: R, a: R, b: R) -> R {
+    if R::FUSED {
+        (-a).fma(b, c)
+    } else {
+        let ([a, small_a], [b, small_b]) = (halves(a), halves(b));
+        (((c - a * b) - a * small_b) - small_a * b) - small_a * small_b
+    }
+}
+
+/// The sum in two numbers, of which the first is zero or not the smaller one.
+#[inline(always)]
+pub(super) fn sum<R: Bits>(large: R, small: R) -> [R; 2] {
+    let sum = large + small;
+    [sum, (large - sum) + small]
+}
+
+/// The difference of the patterns as integers.
+#[inline(always)]
+pub(super) fn pattern_less<R: Bits>(pattern: u64, x: R) -> R {
+    x.bits_xor(R::pattern(!0)).bits_add(R::pattern(pattern.wrapping_add(1)))
+}
+
+/// What the quotient of `a` and `b` is too small by, where it was rounded: enough digits of it to be added.
+#[inline(always)]
+pub(super) fn lost_by_quotient<R: Bits<Scalar: Parts>>(quotient: R, a: R, b: R) -> R {
+    less_product(a, quotient, b) * pattern_less(R::Scalar::RECIPROCAL, b)
+}
