@@ -8,8 +8,9 @@
 //! other and the later ones fitted again).
 
 use super::{
-    Bits,
+    Bits, cubic,
     exact::{Parts, lost_by_quotient, sum},
+    linear,
 };
 use crate::{elementary::Elementary, real::Mask};
 
@@ -58,10 +59,10 @@ pub(crate) fn atan<R: Bits<Scalar: Arc>>(x: R) -> R {
     let (one, farthest) = (R::of(1.0), R::of(R::Scalar::MODERATE[1]));
     let size = R::select(farthest.less(x.abs()), farthest, x.abs());
     let steep = one.less(size);
-    let angle = eighth(R::select(steep, one, size), R::select(steep, size, one));
+    let [angle, rest] = eighth(R::select(steep, one, size), R::select(steep, size, one));
     let flip = R::select(steep, R::of(-0.0), R::of(0.0));
     let quarters = R::select(steep, one, R::of(0.0));
-    turned(quarters, angle.map(|part| part.bits_xor(flip))).bits_xor(sign(x))
+    turned(quarters, [angle.bits_xor(flip), rest.bits_xor(flip)]).bits_xor(sign(x))
 }
 
 /// At most 1 ulp.
@@ -73,7 +74,8 @@ pub(crate) fn atan2<R: Bits<Scalar: Arc>>(y: R, x: R) -> R {
     let (zero, one, two) = (R::of(0.0), R::of(1.0), R::of(2.0));
     let flip = sign(x).bits_xor(R::select(steep, R::of(-0.0), zero));
     let quarters = R::select(steep, one, R::select(x.less(zero), two, zero));
-    let value = turned(quarters, eighth(small, big).map(|part| part.bits_xor(flip))).bits_xor(sign(y));
+    let [angle, rest] = eighth(small, big);
+    let value = turned(quarters, [angle.bits_xor(flip), rest.bits_xor(flip)]).bits_xor(sign(y));
 
     let [least, greatest] = R::Scalar::MODERATE.map(R::of);
     let moderate = least.less(big).and(big.less(greatest)).and(least.less(small).or(small.equal(zero)));
@@ -88,41 +90,48 @@ impl Arc for f64 {
 
     #[inline(always)]
     fn series<R: Bits<Scalar = f64>>(z: R) -> R {
-        let c = |coefficient| R::of(coefficient);
-        let pair = |second, first| z.fma(c(second), c(first));
         let square = z * z;
         let fourth = square * square;
-        let four = |[a, b, c, d]: [f64; 4]| square.fma(pair(d, c), pair(b, a));
-        let low = four([
-            -0.083_333_333_333_330_7,
-            0.199_999_999_999_517_5,
-            -0.142_857_142_825_881_72,
-            0.111_111_110_073_441_1,
-        ]);
-        let second = four([
-            -0.090_909_070_078_252_27,
-            0.076_922_798_890_873_63,
-            -0.066_664_044_237_033_98,
-            0.058_805_298_049_375_75,
-        ]);
-        let third = four([
-            -0.052_535_267_489_496_086,
-            0.047_223_482_094_269_35,
-            -0.042_192_431_066_084_404,
-            0.036_643_149_597_772_06,
-        ]);
-        let fifth = four([
-            -0.029_905_730_336_280_873,
-            0.021_987_056_150_293_827,
-            -0.013_902_555_924_551_727,
-            0.007_197_867_569_850_056,
-        ]);
-        let high = four([
-            -0.002_885_598_737_462_079_8,
-            0.000_831_555_190_445_926_1,
-            -0.000_152_210_073_524_236_67,
-            1.322_988_350_719_387_6e-5,
-        ]);
+        let low = cubic(
+            z,
+            square,
+            [-0.083_333_333_333_330_7, 0.199_999_999_999_517_5, -0.142_857_142_825_881_72, 0.111_111_110_073_441_1],
+        );
+        let second = cubic(
+            z,
+            square,
+            [-0.090_909_070_078_252_27, 0.076_922_798_890_873_63, -0.066_664_044_237_033_98, 0.058_805_298_049_375_75],
+        );
+        let third = cubic(
+            z,
+            square,
+            [
+                -0.052_535_267_489_496_086,
+                0.047_223_482_094_269_35,
+                -0.042_192_431_066_084_404,
+                0.036_643_149_597_772_06,
+            ],
+        );
+        let fifth = cubic(
+            z,
+            square,
+            [
+                -0.029_905_730_336_280_873,
+                0.021_987_056_150_293_827,
+                -0.013_902_555_924_551_727,
+                0.007_197_867_569_850_056,
+            ],
+        );
+        let high = cubic(
+            z,
+            square,
+            [
+                -0.002_885_598_737_462_079_8,
+                0.000_831_555_190_445_926_1,
+                -0.000_152_210_073_524_236_67,
+                1.322_988_350_719_387_6e-5,
+            ],
+        );
         let upper = fourth.fma(fourth.fma(high, fifth), third);
         fourth.fma(fourth.fma(upper, second), low)
     }
@@ -141,12 +150,11 @@ impl Arc for f32 {
 
     #[inline(always)]
     fn series<R: Bits<Scalar = f32>>(z: R) -> R {
-        let c = |coefficient| R::of(coefficient);
-        let first = z.fma(c(0.199_997_156_858_444_2), c(-0.083_333_283_662_796_02));
-        let second = z.fma(c(0.110_612_332_820_892_33), c(-0.142_803_430_557_250_98));
-        let third = z.fma(c(0.067_636_489_868_164_06), c(-0.088_214_620_947_837_83));
-        let fourth = z.fma(c(0.022_777_616_977_691_65), c(-0.044_983_256_608_247_76));
-        let fifth = z.fma(c(0.001_134_525_868_110_358_7), c(-0.007_425_365_969_538_689));
+        let first = linear(z, [-0.083_333_283_662_796_02, 0.199_997_156_858_444_2]);
+        let second = linear(z, [-0.142_803_430_557_250_98, 0.110_612_332_820_892_33]);
+        let third = linear(z, [-0.088_214_620_947_837_83, 0.067_636_489_868_164_06]);
+        let fourth = linear(z, [-0.044_983_256_608_247_76, 0.022_777_616_977_691_65]);
+        let fifth = linear(z, [-0.007_425_365_969_538_689, 0.001_134_525_868_110_358_7]);
         let square = z * z;
         let high = square.fma(square.fma(fifth, fourth), third);
         square.fma(square.fma(high, second), first)

@@ -8,7 +8,9 @@
 use super::{
     Bits,
     arc::{Arc, sign, turned},
+    cubic,
     exact::{less_product, pattern_less},
+    linear,
 };
 
 /// What the arc sine is made of in one format.
@@ -35,19 +37,19 @@ fn inner<R: Bits<Scalar: ArcSine>>(size: R) -> (R::Mask, [R; 2]) {
 /// At most 1 ulp.
 #[inline(always)]
 pub(crate) fn asin<R: Bits<Scalar: ArcSine>>(x: R) -> R {
-    let (outer, angle) = inner(x.abs());
+    let (outer, [s, rest]) = inner(x.abs());
     let factor = R::select(outer, R::of(-2.0), R::of(1.0));
     let quarters = R::select(outer, R::of(1.0), R::of(0.0));
-    turned(quarters, angle.map(|part| factor * part)).bits_xor(sign(x))
+    turned(quarters, [factor * s, factor * rest]).bits_xor(sign(x))
 }
 
 /// At most 1 ulp.
 #[inline(always)]
 pub(crate) fn acos<R: Bits<Scalar: ArcSine>>(x: R) -> R {
-    let (outer, angle) = inner(x.abs());
+    let (outer, [s, rest]) = inner(x.abs());
     let factor = R::select(outer, R::of(2.0), R::of(-1.0)).bits_xor(sign(x));
     let turns = R::select(x.less(R::of(0.0)), R::of(2.0), R::of(0.0));
-    turned(R::select(outer, turns, R::of(1.0)), angle.map(|part| factor * part))
+    turned(R::select(outer, turns, R::of(1.0)), [factor * s, factor * rest])
 }
 
 /// The error of the polynomial: 2^-55.9.
@@ -56,28 +58,22 @@ impl ArcSine for f64 {
 
     #[inline(always)]
     fn series<R: Bits<Scalar = f64>>(z: R) -> R {
-        let c = |coefficient| R::of(coefficient);
-        let pair = |second, first| z.fma(c(second), c(first));
         let square = z * z;
-        let four = |[a, b, c, d]: [f64; 4]| square.fma(pair(d, c), pair(b, a));
-        let low = four([
-            0.166_666_666_666_654_08,
-            0.075_000_000_003_371_51,
-            0.044_642_856_828_206_96,
-            0.030_381_959_142_235_81,
-        ]);
-        let middle = four([
-            0.022_371_757_919_274_385,
-            0.017_359_706_798_282_08,
-            0.013_885_214_910_178_937,
-            0.012_169_349_145_107_615,
-        ]);
-        let high = four([
-            0.006_527_370_699_893_542,
-            0.019_529_945_124_960_466,
-            -0.016_226_927_412_931_49,
-            0.031_914_128_901_151_25,
-        ]);
+        let low = cubic(
+            z,
+            square,
+            [0.166_666_666_666_654_08, 0.075_000_000_003_371_51, 0.044_642_856_828_206_96, 0.030_381_959_142_235_81],
+        );
+        let middle = cubic(
+            z,
+            square,
+            [0.022_371_757_919_274_385, 0.017_359_706_798_282_08, 0.013_885_214_910_178_937, 0.012_169_349_145_107_615],
+        );
+        let high = cubic(
+            z,
+            square,
+            [0.006_527_370_699_893_542, 0.019_529_945_124_960_466, -0.016_226_927_412_931_49, 0.031_914_128_901_151_25],
+        );
         let fourth = square * square;
         fourth.fma(fourth.fma(high, middle), low)
     }
@@ -89,10 +85,9 @@ impl ArcSine for f32 {
 
     #[inline(always)]
     fn series<R: Bits<Scalar = f32>>(z: R) -> R {
-        let c = |coefficient| R::of(coefficient);
-        let first = z.fma(c(0.074_953_094_124_794), c(0.166_667_520_999_908_45));
-        let second = z.fma(c(0.024_184_737_354_516_983), c(0.045_469_153_672_456_74));
+        let first = linear(z, [0.166_667_520_999_908_45, 0.074_953_094_124_794]);
+        let second = linear(z, [0.045_469_153_672_456_74, 0.024_184_737_354_516_983]);
         let square = z * z;
-        square.fma(square.fma(c(0.042_158_413_678_407_67), second), first)
+        square.fma(square.fma(R::of(0.042_158_413_678_407_67), second), first)
     }
 }

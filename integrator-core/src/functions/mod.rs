@@ -84,6 +84,18 @@ pub(crate) use fast_sine::{fast_cos, fast_sin};
 pub(crate) use logarithm::ln;
 pub(crate) use sine::{cos, sin, sin_cos, tan};
 
+/// The first two terms of a polynomial. A function and not a closure, because only functions are sure to be inlined.
+#[inline(always)]
+fn linear<R: Bits>(x: R, [a, b]: [f64; 2]) -> R {
+    x.fma(R::of(b), R::of(a))
+}
+
+/// The first four terms of a polynomial, summed in pairs.
+#[inline(always)]
+fn cubic<R: Bits>(x: R, square: R, [a, b, c, d]: [f64; 4]) -> R {
+    square.fma(linear(x, [c, d]), linear(x, [a, b]))
+}
+
 /// The quotient of two numbers that carry their rounding errors, correct but for the rounding of the quotient.
 #[inline(always)]
 fn quotient<R: Bits>([a, error_of_a]: [R; 2], [b, error_of_b]: [R; 2]) -> R {

@@ -139,16 +139,19 @@ pub(crate) fn sin_cos<R: Bits<Scalar: Circle>>(x: R) -> (R, R) {
     (rescued(sine_of_x, x, farthest::<R>(), far_sine), rescued(cosine_of_x, x, farthest::<R>(), far_cosine))
 }
 
+/// Both parts of `a` in the lanes of `mask`, of `b` in the others.
+#[inline(always)]
+fn select_both<R: Bits>(mask: R::Mask, a: [R; 2], b: [R; 2]) -> [R; 2] {
+    [R::select(mask, a[0], b[0]), R::select(mask, a[1], b[1])]
+}
+
 /// At most 2 ulp: the quotient of sine and cosine of the rest, or of cosine and sine, negative, in odd quarters.
 #[inline(always)]
 pub(crate) fn tan<R: Bits<Scalar: Circle>>(x: R) -> R {
     let reduced = reduce(x);
-    let [sine, cosine] = [false, true].map(|odd| either_carried(R::Mask::of(odd), reduced));
+    let (sine, cosine) = (either_carried(R::Mask::of(false), reduced), either_carried(R::Mask::of(true), reduced));
     let odd = reduced.quarters.is_odd();
-    let value = quotient(
-        [0, 1].map(|part| R::select(odd, cosine[part], sine[part])),
-        [0, 1].map(|part| R::select(odd, -sine[part], cosine[part])),
-    );
+    let value = quotient(select_both(odd, cosine, sine), select_both(odd, [-sine[0], -sine[1]], cosine));
     // The sum of a zero and its correction has lost the sign.
     let value = R::select(x.equal(R::of(0.0)), x, value);
     rescued(value, x, farthest::<R>(), R::Scalar::BEYOND[2])
