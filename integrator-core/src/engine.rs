@@ -4,7 +4,8 @@ use crate::{
     composition::Composition,
     coords::Coords,
     error::{Divergence, Error},
-    hamiltonian::{Flows, Hamiltonian, Motion, Single},
+    hamiltonian::{Flows, Hamiltonian, Motion, Shaped, Single},
+    leap::Leaps,
     phase::Phase,
     real::{Kernel, Real},
     slot::Keep,
@@ -88,7 +89,6 @@ pub(crate) trait Energies<C: Coords>: Send + Sync {
 pub(crate) struct Moves<M> {
     advance: fn(&mut M, Clock, u64, Option<usize>),
     close: fn(&mut M, Clock),
-    energy: fn(&M, f64) -> f64,
     /// How many threads may share a long lattice, if not all.
     threads: Option<usize>,
 }
@@ -99,10 +99,6 @@ impl<M> Moves<M> {
     }
     pub(crate) fn close(&self, motion: &mut M, clock: Clock) {
         (self.close)(motion, clock);
-    }
-    #[cfg(feature = "std")]
-    pub(crate) fn energy(&self, motion: &M, time: f64) -> f64 {
-        (self.energy)(motion, time)
     }
 }
 
@@ -135,7 +131,6 @@ pub(crate) fn moves<H: Hamiltonian, X: Composition<H>, R: Real, K: Keep>() -> Mo
                 R::enter(Close::<_, H, X>::new(Single::<H, R, K>(motion), clock));
             }
         },
-        energy: |motion, time| R::enter(Energy::<H, R, K> { motion, time }),
         threads: Some(1),
     }
 }
@@ -197,16 +192,16 @@ impl<M: Clone> Watched<M> {
 /// The engine of one trajectory.
 pub(crate) struct Solo<M, P, C> {
     watched: Watched<M>,
-    energies: Arc<Constants<M, P>>,
+    energies: Arc<Constants<P, C>>,
     shape: Phase<C>,
 }
 
 impl<M: Motion<C, P>, P: Send + Sync + 'static, C: Coords> Solo<M, P, C> {
-    pub(crate) fn new(parameters: P, start: Phase<C>, moves: Moves<M>) -> Self {
+    pub(crate) fn new(parameters: P, start: Phase<C>, moves: Moves<M>, energy: EnergyOf<P, C>) -> Self {
         let motion = M::load(|_| (&parameters, &start));
         Self {
             watched: Watched::new(motion, moves),
-            energies: Arc::new(Constants { parameters, energy: moves.energy }),
+            energies: Arc::new(Constants { parameters, energy }),
             shape: start,
         }
     }
@@ -261,14 +256,14 @@ impl<M: Motion<C, P>, P: Send + Sync + 'static, C: Coords> Engine<C> for Solo<M,
 }
 
 /// Prepared constants, from which the energy of any state can be told.
-struct Constants<M, P> {
+struct Constants<P, C> {
     parameters: P,
-    energy: fn(&M, f64) -> f64,
+    energy: EnergyOf<P, C>,
 }
 
-impl<M: Motion<C, P>, P: Send + Sync, C: Coords> Energies<C> for Constants<M, P> {
+impl<P: Send + Sync, C: Coords> Energies<C> for Constants<P, C> {
     fn energy(&self, state: &Phase<C>, time: f64) -> f64 {
-        (self.energy)(&M::load(|_| (&self.parameters, state)), time)
+        (self.energy)(&self.parameters, state, time)
     }
 }
 
@@ -296,6 +291,15 @@ impl<F: Flows<H>, H: Hamiltonian, X: Composition<H>> Kernel for Advance<F, H, X>
         if step == 0 && end > 0 {
             X::open(&mut self.flows, h, self.clock.at(0));
             step = 1;
+        }
+        if F::COMPENSATED {
+            let leaps = Leaps::new(&X::STAGES, h);
+            if !leaps.none() {
+                while step < end {
+                    X::cycle(&mut leaps.on(&mut self.flows, step), h, self.clock.at(step));
+                    step += 1;
+                }
+            }
         }
         while step < end {
             X::cycle(&mut self.flows, h, self.clock.at(step));
@@ -328,16 +332,34 @@ impl<F: Flows<H>, H: Hamiltonian, X: Composition<H>> Kernel for Close<F, H, X> {
     }
 }
 
-struct Energy<'m, H: Hamiltonian, R: Real, K: Keep> {
-    motion: &'m H::Motion<R, K>,
+/// What tells the energy of a state at a time, compiled for one system and leaf.
+pub(crate) type EnergyOf<P, C> = fn(&P, &Phase<C>, f64) -> f64;
+
+/// The energy of a state, in what its leaf asks for, where flows are computed in `R`.
+pub(crate) fn energy<H: Hamiltonian, R: Real, K: Keep>(
+    parameters: &H::Parameters<f64>,
+    state: &Phase<Shaped<H, K>>,
+    time: f64,
+) -> f64 {
+    let part =
+        |part: usize| Phase { q: state.q.map(|leaf| leaf.parts()[part]), p: state.p.map(|leaf| leaf.parts()[part]) };
+    let value = part(0);
+    let carried = if <K::Energy<R>>::LANES > 1 { Some(part(1)) } else { None };
+    let of_lane = |lane: usize| (parameters, carried.as_ref().filter(|_| lane > 0).unwrap_or(&value));
+    let motion = H::Motion::<K::Energy<R>, f64>::load(of_lane);
+    <K::Energy<R>>::enter(Energy::<H, K::Energy<R>> { motion: &motion, time })
+}
+
+struct Energy<'m, H: Hamiltonian, R: Real> {
+    motion: &'m H::Motion<R, f64>,
     time: f64,
 }
 
-impl<H: Hamiltonian, R: Real, K: Keep> Kernel for Energy<'_, H, R, K> {
+impl<H: Hamiltonian, R: Real> Kernel for Energy<'_, H, R> {
     type Out = f64;
 
     #[inline(always)]
     fn call(self) -> f64 {
-        (H::kinetic::<R, K>(self.motion, self.time) + H::potential::<R, K>(self.motion, self.time)).lane(0)
+        (H::kinetic::<R, f64>(self.motion, self.time) + H::potential::<R, f64>(self.motion, self.time)).lane(0)
     }
 }

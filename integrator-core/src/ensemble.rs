@@ -7,7 +7,7 @@ use crate::{
     abreast::Abreast,
     composition::Composition,
     coords::Coords,
-    engine::{Clock, Moves, moves},
+    engine::{Clock, EnergyOf, Moves, energy, moves},
     error::{Error, Lost},
     group::{GroupMoves, group_moves},
     hamiltonian::{Hamiltonian, Prepared, Shaped},
@@ -306,6 +306,7 @@ fn packs<H: Hamiltonian, X: Composition<H>, L: Real, R: Real, K: Keep, const REG
 ) -> Vec<Box<dyn Pack<Shaped<H, K>>>> {
     let together: GroupMoves<H::Motion<L, K>> = group_moves::<H, X, L, K, REGISTERS>();
     let alone: Moves<H::Motion<R, K>> = moves::<H, X, R, K>();
+    let energy: EnergyOf<H::Parameters<f64>, Shaped<H, K>> = energy::<H, R, K>;
     let group = together.lanes * together.together;
     let size = group * (members.len() / (group * PACKS_PER_THREAD * threads)).clamp(1, GROUPS_PER_PACK);
     let mut packs: Vec<Box<dyn Pack<Shaped<H, K>>>> = Vec::new();
@@ -323,8 +324,8 @@ fn packs<H: Hamiltonian, X: Composition<H>, L: Real, R: Real, K: Keep, const REG
         }
         let count = alike.len();
         packs.push(match <[_; 1]>::try_from(alike) {
-            Ok([member]) => Box::new(Alone::new(first, member, alone)),
-            Err(alike) => Box::new(SideBySide::new(first, alike, together, alone)),
+            Ok([member]) => Box::new(Alone::new(first, member, alone, energy)),
+            Err(alike) => Box::new(SideBySide::new(first, alike, together, alone, energy)),
         });
         first += count;
     }

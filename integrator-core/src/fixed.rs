@@ -89,6 +89,7 @@ impl Keep for Fixed<f64> {
     type Fused = Fused<f64>;
     type Avx512 = Fused<f64, Avx512>;
     type Slot<R: Real> = Fixed<R>;
+    type Energy<R: Real> = R;
 
     const NAME: &'static str = "reversible f64";
     const PARTS: usize = 2;

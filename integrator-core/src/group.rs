@@ -65,6 +65,8 @@ where
 struct Together<'m, H: Hamiltonian, L: Real, K: Keep, const N: usize>(&'m mut [H::Motion<L, K>; N]);
 
 impl<H: Hamiltonian, L: Real, K: Keep, const N: usize> Flows<H> for Together<'_, H, L, K, N> {
+    const COMPENSATED: bool = K::COMPENSATED;
+
     #[inline(always)]
     fn drift(&mut self, duration: f64, time: f64) {
         for motion in self.0.iter_mut() {

@@ -201,6 +201,9 @@ impl<R: Real, C: Coords, P: Clone> Plain<R, C, P> {
 
 /// The flows as a composition sees them: the executor decides what they are applied to.
 pub trait Flows<H: Hamiltonian> {
+    /// Whether coordinates carry what updates lose, so that durations have to add up as well.
+    const COMPENSATED: bool;
+
     /// The flow of `T`.
     fn drift(&mut self, duration: f64, time: f64);
     /// The flow of `V`.
@@ -215,6 +218,8 @@ pub trait Flows<H: Hamiltonian> {
 pub(crate) struct Single<'m, H: Hamiltonian, R: Real, K: Keep>(pub(crate) &'m mut H::Motion<R, K>);
 
 impl<H: Hamiltonian, R: Real, K: Keep> Flows<H> for Single<'_, H, R, K> {
+    const COMPENSATED: bool = K::COMPENSATED;
+
     #[inline(always)]
     fn drift(&mut self, duration: f64, time: f64) {
         H::drift::<R, K>(self.0, duration, time);

@@ -100,6 +100,7 @@ mod hamiltonian;
 mod instruction_set;
 #[allow(unreachable_pub, reason = "named in bounds, never outside")]
 mod lanes;
+mod leap;
 #[allow(unreachable_pub, reason = "named in bounds, never outside")]
 mod many_body;
 mod neighbours;
@@ -119,6 +120,8 @@ mod slot;
 mod threads;
 mod tiled;
 mod tiles;
+#[allow(unreachable_pub, reason = "named in bounds, never outside")]
+mod twofold;
 #[cfg(all(target_arch = "x86_64", feature = "std"))]
 #[allow(unsafe_code, reason = "instructions that the target may lack, used where they were detected")]
 #[allow(unreachable_pub, reason = "named in bounds, never outside")]

@@ -2,7 +2,7 @@
 
 use crate::{
     coords::Coords,
-    engine::{BLOCK, Clock, Engine, Moves, Solo},
+    engine::{BLOCK, Clock, EnergyOf, Engine, Moves, Solo},
     error::Divergence,
     hamiltonian::Motion,
     phase::Phase,
@@ -69,8 +69,13 @@ pub(crate) struct Alone<M, P, C> {
 }
 
 impl<M: Motion<C, P>, P: Send + Sync + 'static, C: Coords> Alone<M, P, C> {
-    pub(crate) fn new(number: usize, (parameters, start): Start<P, C>, moves: Moves<M>) -> Self {
-        Self { number, solo: Solo::new(parameters, start, moves), halted: None }
+    pub(crate) fn new(
+        number: usize,
+        (parameters, start): Start<P, C>,
+        moves: Moves<M>,
+        energy: EnergyOf<P, C>,
+    ) -> Self {
+        Self { number, solo: Solo::new(parameters, start, moves, energy), halted: None }
     }
 
     fn clock(&self, clock: Clock) -> Clock {

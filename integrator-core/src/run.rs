@@ -5,7 +5,7 @@ use crate::checkpoint::Origin;
 use crate::{
     composition::{Composition, Scheme},
     coords::Coords,
-    engine::{Clock, Energies, Engine, Solo, moves},
+    engine::{Clock, Energies, Engine, Solo, energy, moves},
     error::Error,
     fixed::is_power_of_two,
     hamiltonian::{Hamiltonian, Prepared},
@@ -95,10 +95,14 @@ impl<C: Coords> Run<C> {
         let parameters = system.parameters(start.q.length());
         let constants = H::Parameters::<f64>::not_finite(&parameters);
         let mut engine: Box<dyn Engine<C>> = match InstructionSet::chosen() {
-            InstructionSet::Baseline => Box::new(Solo::new(parameters, start, moves::<H, X, K::Plain, K>())),
-            InstructionSet::Avx512 if H::WIDE => Box::new(Solo::new(parameters, start, moves::<H, X, K::Avx512, K>())),
+            InstructionSet::Baseline => {
+                Box::new(Solo::new(parameters, start, moves::<H, X, K::Plain, K>(), energy::<H, K::Plain, K>))
+            }
+            InstructionSet::Avx512 if H::WIDE => {
+                Box::new(Solo::new(parameters, start, moves::<H, X, K::Avx512, K>(), energy::<H, K::Avx512, K>))
+            }
             InstructionSet::Fused | InstructionSet::Avx512 => {
-                Box::new(Solo::new(parameters, start, moves::<H, X, K::Fused, K>()))
+                Box::new(Solo::new(parameters, start, moves::<H, X, K::Fused, K>(), energy::<H, K::Fused, K>))
             }
         };
         engine.share_among(None);

@@ -5,7 +5,7 @@
 
 use crate::{
     coords::Coords,
-    engine::{Clock, Engine, Moves, Solo},
+    engine::{Clock, EnergyOf, Engine, Moves, Solo},
     error::Divergence,
     group::GroupMoves,
     hamiltonian::Motion,
@@ -27,6 +27,7 @@ pub(crate) struct SideBySide<L, M, P, C> {
     closed: Vec<L>,
     together: GroupMoves<L>,
     alone: Moves<M>,
+    energy: EnergyOf<P, C>,
 }
 
 struct Member<P, C> {
@@ -49,7 +50,13 @@ where
     P: Clone + Send + Sync + 'static,
     C: Coords,
 {
-    pub(crate) fn new(first: usize, members: Vec<Start<P, C>>, together: GroupMoves<L>, alone: Moves<M>) -> Self {
+    pub(crate) fn new(
+        first: usize,
+        members: Vec<Start<P, C>>,
+        together: GroupMoves<L>,
+        alone: Moves<M>,
+        energy: EnergyOf<P, C>,
+    ) -> Self {
         let member = |(parameters, state)| Member { parameters, state, halted: None };
         let members: Vec<_> = members.into_iter().map(member).collect();
         let mut pack = Self {
@@ -61,6 +68,7 @@ where
             closed: Vec::new(),
             together,
             alone,
+            energy,
         };
         pack.line_up();
         pack
@@ -116,7 +124,7 @@ where
             }
             let (place, state) = (self.lanes[number], self.in_lane(&self.snapshot, number));
             let member = &mut self.members[place];
-            let mut solo = Solo::new(member.parameters.clone(), state, self.alone);
+            let mut solo = Solo::new(member.parameters.clone(), state, self.alone, self.energy);
             let taken = solo.advance(clock, block);
             let at = Clock { steps: clock.steps + taken, ..clock };
             member.state = solo.state(at);
@@ -207,7 +215,7 @@ where
 
     fn energy(&self, member: usize, clock: Clock) -> f64 {
         let (state, parameters) = (self.state(member, clock), &self.members[member - self.first].parameters);
-        self.alone.energy(&M::load(|_| (parameters, &state)), clock.at(self.steps(member, clock)))
+        (self.energy)(parameters, &state, clock.at(self.steps(member, clock)))
     }
 }
 

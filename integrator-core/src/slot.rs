@@ -4,6 +4,7 @@ use crate::{
     block::{Block, WIDEST},
     fused::{Avx512, Fused},
     real::Real,
+    twofold::Twofold,
 };
 use core::fmt::Debug;
 
@@ -71,6 +72,8 @@ pub trait Keep: Copy + Debug + PartialEq + Default + Send + Sync + 'static {
     type Avx512: Real;
     /// How a coordinate is kept.
     type Slot<R: Real>: Slot<R>;
+    /// What energies are computed in, where flows are computed in `R`.
+    type Energy<R: Real>: Real;
 
     /// What a checkpoint calls it.
     const NAME: &'static str;
@@ -80,6 +83,8 @@ pub trait Keep: Copy + Debug + PartialEq + Default + Send + Sync + 'static {
     const EPSILON: f64;
     /// Whether every update can be undone exactly, for which the composition has to be symmetric.
     const REVERSIBLE: bool = false;
+    /// Whether it carries what its updates lose.
+    const COMPENSATED: bool = false;
 
     /// Fills a slot from one leaf per lane.
     fn inward<R: Real>(of_lane: impl Fn(usize) -> Self) -> Self::Slot<R>;
@@ -110,6 +115,7 @@ macro_rules! keep_plainly {
             type Fused = Fused<$scalar>;
             type Avx512 = Fused<$scalar, Avx512>;
             type Slot<R: Real> = R;
+            type Energy<R: Real> = R;
 
             const NAME: &'static str = stringify!($scalar);
             const EPSILON: f64 = <$scalar>::EPSILON as f64;
@@ -174,10 +180,12 @@ impl Keep for Compensated<f64> {
     type Fused = Fused<f64>;
     type Avx512 = Fused<f64, Avx512>;
     type Slot<R: Real> = Compensated<R>;
+    type Energy<R: Real> = Twofold;
 
     const NAME: &'static str = "compensated f64";
     const PARTS: usize = 2;
     const EPSILON: f64 = f64::EPSILON;
+    const COMPENSATED: bool = true;
 
     #[inline(always)]
     fn inward<R: Real>(of_lane: impl Fn(usize) -> Self) -> Compensated<R> {

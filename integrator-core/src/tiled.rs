@@ -100,6 +100,8 @@ impl<'m, H: Hamiltonian, R: Real, K: Keep> Tiled<'m, H, R, K> {
 }
 
 impl<H: Hamiltonian, R: Real, K: Keep> Flows<H> for &mut Tiled<'_, H, R, K> {
+    const COMPENSATED: bool = K::COMPENSATED;
+
     fn drift(&mut self, duration: f64, time: f64) {
         self.collect(Flow { drifts: true, duration, time });
     }

@@ -74,6 +74,36 @@ fn compensated_runs_go_on_from_what_they_carry() {
     assert_eq!(run.state(), resumed.state());
 }
 
+/// As many oscillators as the start has.
+struct Oscillators;
+
+#[hamiltonian]
+impl Oscillators {
+    fn kinetic(&self, p: &[f64]) -> f64 {
+        p.iter().map(|p| p * p / 2.0).sum()
+    }
+    fn potential(&self, q: &[f64]) -> f64 {
+        q.iter().map(|q| q * q / 2.0).sum()
+    }
+}
+
+#[test]
+fn energies_of_compensated_states_are_summed_to_the_last_bit() {
+    const COUNT: u128 = 10_000;
+    // q = 1 + i·2^-30 is exact, q² is not, and integers have the sum of all of them: 2^60 q² = (2^30 + i)².
+    let q: Vec<f64> = (0..COUNT).map(|i| 1.0 + i as f64 / f64::from(1 << 30)).collect();
+    let exact = (0..COUNT).map(|i| ((1 << 30) + i).pow(2)).sum::<u128>() as f64 / 2.0_f64.powi(61);
+    let p = vec![0.0; q.len()];
+    let plain = Oscillators.run(Phase::new(q.clone(), p.clone()), 0.1).expect("a start").energy();
+    let start = Phase::compensated(q, p);
+    let compensated = Oscillators.run(start.clone(), 0.1).expect("a start");
+    let sample = compensated.clone().samples(1).next().expect("a sample").expect("finite").energy();
+    let members = Ensemble::new(Verlet, [(Oscillators, start.clone()), (Oscillators, start)], 0.1).expect("members");
+    assert_eq!([compensated.energy(), sample, members.energy(1).expect("a member")], [exact; 3]);
+    // Terms and partial sums are rounded ten thousand times there.
+    assert!((plain - exact).abs() > 4.0 * f64::EPSILON * exact, "{plain} for {exact}");
+}
+
 /// A pendulum whose sine may be 4 ulp off.
 struct Fast;
 
