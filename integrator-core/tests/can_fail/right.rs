@@ -3,7 +3,8 @@
 use crate::systems::{Driven, HenonHeiles, Kepler, Pendulum, Relativistic, Skewed};
 use integrator_core::{
     __private::Composition,
-    Euler, EulerAdjoint, Hamiltonian, KahanLi8, Phase, Ruth3, Suzuki4, VelocityVerlet, Verlet, Yoshida4, Yoshida6,
+    CalvoSanzSerna4, Chin4A, Euler, EulerAdjoint, Hamiltonian, KahanLi8, Phase, Ruth3, Suzuki4, TakahashiImada4,
+    VelocityVerlet, Verlet, Yoshida4, Yoshida6,
     check::{Certificate, certify, observed_order, symplectic_defect_after},
 };
 
@@ -41,6 +42,21 @@ fn all_certified<H: Hamiltonian<Coords = [f64; N]>, const N: usize>(system: &H, 
 #[test]
 fn a_pendulum_with_mass_and_length() {
     all_certified(&Pendulum { mass: 2.5, length: 0.4, gravity: 9.81 }, Phase::new([2.0], [0.3]), 0.01);
+}
+
+/// Of each class that needs a quadratic `T` the cheapest one: Nyström, with force gradients, and processed.
+#[test]
+fn compositions_for_a_quadratic_kinetic_energy() {
+    let start = Phase::new([0.1, -0.2], [0.3, 0.25]);
+    let certificates = [
+        certified(&HenonHeiles {}, CalvoSanzSerna4, start, 0.05),
+        certified(&HenonHeiles {}, Chin4A, start, 0.05),
+        certified(&HenonHeiles {}, TakahashiImada4, start, 0.05),
+    ];
+    for certificate in certificates.iter().flatten() {
+        let excess = certificate.observed_order - f64::from(certificate.claimed_order);
+        assert!(excess.abs() < 0.2, "{certificate}");
+    }
 }
 
 #[test]
