@@ -4,7 +4,10 @@
 //! 18 bits. The root `x·p²` is rounded to so few bits, `y`, that `y³` is exact, and so is its difference from `x`. With
 //! `δ = (x - y³)/x`, the root is `y·(1 - δ)^(-1/3)`, of which a few terms of the series are enough.
 
-use super::{Bits, logarithm::Logarithm};
+use super::{
+    Bits,
+    logarithm::{Logarithm, normal},
+};
 use crate::{elementary::Elementary, real::Mask};
 
 /// What the root is made of in one format.
@@ -44,8 +47,7 @@ pub(crate) fn cbrt<R: Bits<Scalar: CubeRoot>>(x: R) -> R {
     let terms = delta.fma(delta.fma(R::of(14.0 / 81.0), R::of(2.0 / 9.0)), R::of(1.0 / 3.0));
     let value = (y * delta).fma(terms, y).bits_xor(x.bits_and(R::of(-0.0)));
 
-    let [least, greatest] = R::Scalar::NORMAL.map(R::of);
-    let beyond = least.less_or_equal(size).and(size.less_or_equal(greatest)).not();
+    let beyond = normal(size).not();
     if beyond.any() { R::select(beyond, x.through(<R::Scalar as CubeRoot>::beyond), value) } else { value }
 }
 

@@ -38,6 +38,13 @@ pub(super) fn less_product<R: Bits<Scalar: Parts>>(c: R, a: R, b: R) -> R {
     }
 }
 
+/// The product in two numbers.
+#[inline(always)]
+pub(super) fn product<R: Bits<Scalar: Parts>>(a: R, b: R) -> [R; 2] {
+    let product = a * b;
+    [product, -less_product(product, a, b)]
+}
+
 /// The sum in two numbers, of which the first is zero or not the smaller one.
 #[inline(always)]
 pub(super) fn sum<R: Bits>(large: R, small: R) -> [R; 2] {

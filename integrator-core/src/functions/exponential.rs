@@ -5,8 +5,8 @@
 //!
 //! `P` is minimax (Remez in 300 bits, weighted for the relative error of `eˣ`, coefficients rounded).
 
-use super::{Bits, quotient, rescued};
-use crate::elementary::Elementary;
+use super::{Bits, quotient};
+use crate::real::Mask;
 use core::f64::consts::LOG2_E;
 
 /// What the reduction and the polynomial are made of in one format.
@@ -19,24 +19,24 @@ pub(crate) trait Exponential: Sized {
     const EXPONENT: u32;
     /// The argument up to which neither `eˣ` nor `e⁻ˣ` leaves the normal numbers.
     const FARTHEST: f64;
+    /// The arguments below and above which `eˣ` rounds to zero and to infinity.
+    const LIMITS: [f64; 2];
     /// The argument from which on the hyperbolic tangent is one.
     const SATURATED: f64;
 
     /// `P` at `r`.
     fn series<R: Bits<Scalar = Self>>(r: R) -> R;
-    /// The function of the maths library, for arguments beyond `FARTHEST`.
-    fn beyond(lanes: &mut [Self]);
 }
 
-/// `n` in the last bits of the pattern, and `eʳ - 1` with the error of its rounding.
+/// Of the sum of a number and a small one: `n` in the last bits of the pattern, and `eʳ - 1` with the error of its rounding.
 #[inline(always)]
-fn parts<R: Bits<Scalar: Exponential>>(x: R) -> (R, [R; 2]) {
+pub(super) fn parts<R: Bits<Scalar: Exponential>>(x: R, small: R) -> (R, [R; 2]) {
     let magic = R::of(R::Scalar::MAGIC);
     let turns = x.fma(R::of(LOG2_E), magic);
     let n = turns - magic;
     let [first, second] = R::Scalar::LN_2;
     let close = n.fma(R::of(-first), x);
-    let second = n * R::of(second);
+    let second = n * R::of(second) - small;
     let r = close - second;
     let excess = (r - close) + second;
     let rest = (r * r).fma(R::Scalar::series(r), -excess);
@@ -44,12 +44,33 @@ fn parts<R: Bits<Scalar: Exponential>>(x: R) -> (R, [R; 2]) {
     (turns, [sum, rest - (sum - r)])
 }
 
+/// `2ⁿ·(1 + less_one)`, where `2ⁿ` is a normal number.
+#[inline(always)]
+pub(super) fn raised<R: Bits<Scalar: Exponential>>(n: R, less_one: R) -> R {
+    (R::of(1.0) + less_one).bits_add(n.bits_left(R::Scalar::EXPONENT))
+}
+
+/// The exponential where its power of two need not be a normal number, in two steps. A tail of small numbers is no
+/// reason to leave the registers.
+#[inline(always)]
+fn far<R: Bits<Scalar: Exponential>>(x: R) -> R {
+    let [low, high] = R::Scalar::LIMITS.map(R::of);
+    let x = R::select(x.less(low), low, x);
+    let x = R::select(high.less(x), high, x);
+    let (n, [less_one, _]) = parts(x, R::of(0.0));
+    let (one, exponent) = (R::of(1.0), R::Scalar::EXPONENT);
+    let first = one.bits_add(n.bits_right(1).bits_left(exponent));
+    let second = one.bits_add((n + one).bits_right(1).bits_left(exponent));
+    first.fma(less_one, first) * second
+}
+
 /// At most 0.9 ulp.
 #[inline(always)]
 pub(crate) fn exp<R: Bits<Scalar: Exponential>>(x: R) -> R {
-    let (n, [less_one, _]) = parts(x);
-    let value = (R::of(1.0) + less_one).bits_add(n.bits_left(R::Scalar::EXPONENT));
-    rescued(value, x, R::Scalar::FARTHEST, R::Scalar::beyond)
+    let (n, [less_one, _]) = parts(x, R::of(0.0));
+    let value = raised(n, less_one);
+    let beyond = x.abs().less_or_equal(R::of(R::Scalar::FARTHEST)).not();
+    if beyond.any() { R::select(beyond, far(x), value) } else { value }
 }
 
 /// At most 2 ulp: `tanh x = E / (E + 2)` with `E = e²ˣ - 1`, of the absolute value.
@@ -57,7 +78,7 @@ pub(crate) fn exp<R: Bits<Scalar: Exponential>>(x: R) -> R {
 pub(crate) fn tanh<R: Bits<Scalar: Exponential>>(x: R) -> R {
     let (size, farthest) = (x.abs(), R::of(R::Scalar::SATURATED));
     let size = R::select(farthest.less(size), farthest, size);
-    let (n, [less_one, error]) = parts(size + size);
+    let (n, [less_one, error]) = parts(size + size, R::of(0.0));
     let power = R::of(1.0).bits_add(n.bits_left(R::Scalar::EXPONENT));
     let whole = power - R::of(1.0);
     let risen = power.fma(less_one, whole);
@@ -73,6 +94,7 @@ impl Exponential for f64 {
     const LN_2: [f64; 2] = [0.693_147_180_559_890_3, 5.497_923_018_708_371e-14];
     const EXPONENT: u32 = 52;
     const FARTHEST: f64 = 708.0;
+    const LIMITS: [f64; 2] = [-746.0, 710.0];
     const SATURATED: f64 = 20.0;
 
     #[inline(always)]
@@ -90,12 +112,6 @@ impl Exponential for f64 {
         let high = square.fma(c(2.082_664_140_595_380_8e-9), fifth);
         fourth_power.fma(fourth_power.fma(high, middle), low)
     }
-
-    #[cold]
-    #[inline(never)]
-    fn beyond(lanes: &mut [f64]) {
-        lanes.iter_mut().for_each(|lane| *lane = Elementary::exp(*lane));
-    }
 }
 
 /// The error of the polynomial: 2^-27.7.
@@ -104,6 +120,7 @@ impl Exponential for f32 {
     const LN_2: [f64; 2] = [0.693_145_751_953_125, 1.428_606_765_330_187e-6];
     const EXPONENT: u32 = 23;
     const FARTHEST: f64 = 87.0;
+    const LIMITS: [f64; 2] = [-104.0, 89.0];
     const SATURATED: f64 = 10.0;
 
     #[inline(always)]
@@ -113,11 +130,5 @@ impl Exponential for f32 {
         let second = r.fma(c(8.368_999_697_268_01e-3), c(4.166_842_997_074_127e-2));
         let square = r * r;
         square.fma(square.fma(c(1.381_292_589_940_130_7e-3), second), first)
-    }
-
-    #[cold]
-    #[inline(never)]
-    fn beyond(lanes: &mut [f32]) {
-        lanes.iter_mut().for_each(|lane| *lane = Elementary::exp(*lane));
     }
 }

@@ -23,9 +23,9 @@ pub(crate) trait Logarithm: Exponential {
     fn beyond(lanes: &mut [Self]);
 }
 
-/// At most 1 ulp.
+/// Of a normal number: `k` and `f`.
 #[inline(always)]
-pub(crate) fn ln<R: Bits<Scalar: Logarithm>>(x: R) -> R {
+pub(super) fn split<R: Bits<Scalar: Logarithm>>(x: R) -> (R, R) {
     let [root, one, integer] = R::Scalar::PATTERNS;
     // Moved so that the mantissa begins at √½, and the exponent is never negative.
     let moved = x.bits_add(R::pattern(one.wrapping_sub(root)));
@@ -33,8 +33,20 @@ pub(crate) fn ln<R: Bits<Scalar: Logarithm>>(x: R) -> R {
     let bias = (one >> R::Scalar::EXPONENT) as f64;
     let k = exponent - R::of((1_u64 << R::Scalar::EXPONENT) as f64 + bias);
     let mantissa = R::pattern((1 << R::Scalar::EXPONENT) - 1);
-    let f = moved.bits_and(mantissa).bits_add(R::pattern(root)) - R::of(1.0);
+    (k, moved.bits_and(mantissa).bits_add(R::pattern(root)) - R::of(1.0))
+}
 
+/// Which lanes are normal and positive.
+#[inline(always)]
+pub(super) fn normal<R: Bits<Scalar: Logarithm>>(x: R) -> R::Mask {
+    let [least, greatest] = R::Scalar::NORMAL.map(R::of);
+    least.less_or_equal(x).and(x.less_or_equal(greatest))
+}
+
+/// At most 1 ulp.
+#[inline(always)]
+pub(crate) fn ln<R: Bits<Scalar: Logarithm>>(x: R) -> R {
+    let (k, f) = split(x);
     let s = f / (f + R::of(2.0));
     let z = s * s;
     let half_square = R::of(0.5) * f * f;
@@ -42,8 +54,7 @@ pub(crate) fn ln<R: Bits<Scalar: Logarithm>>(x: R) -> R {
     let small = s.fma(z.fma(<R::Scalar as Logarithm>::series(z), half_square), k * R::of(second));
     let value = k.fma(R::of(first), f - (half_square - small));
 
-    let [least, greatest] = R::Scalar::NORMAL.map(R::of);
-    let beyond = least.less_or_equal(x).and(x.less_or_equal(greatest)).not();
+    let beyond = normal(x).not();
     if beyond.any() { R::select(beyond, x.through(<R::Scalar as Logarithm>::beyond), value) } else { value }
 }
 

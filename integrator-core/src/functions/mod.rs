@@ -12,6 +12,7 @@ mod exact;
 mod exponential;
 mod fast_sine;
 mod logarithm;
+mod power;
 mod sine;
 #[cfg(test)]
 mod tests;
@@ -55,6 +56,9 @@ macro_rules! kernel {
     (atan2 $x:expr, $y:expr; $otherwise:expr) => {
         crate::functions::atan2($x, $y)
     };
+    (powf $x:expr, $y:expr; $otherwise:expr) => {
+        crate::functions::powf($x, $y)
+    };
     ($function:ident $x:expr $(, $y:expr)?; $otherwise:expr) => {
         $otherwise
     };
@@ -82,6 +86,7 @@ pub(crate) use cube_root::cbrt;
 pub(crate) use exponential::{exp, tanh};
 pub(crate) use fast_sine::{fast_cos, fast_sin};
 pub(crate) use logarithm::ln;
+pub(crate) use power::powf;
 pub(crate) use sine::{cos, sin, sin_cos, tan};
 
 /// The first two terms of a polynomial. A function and not a closure, because only functions are sure to be inlined.

@@ -99,6 +99,11 @@ rows! {
     asin(x) as f64::asin, within 1.0 of pxfm::f_asin, Big::asin, at [Points::Even(-1.0, 1.0), Points::Powers(-60.0, 0.0)];
     acos(x) as f64::acos, within 1.0 of pxfm::f_acos, Big::acos, at [Points::Even(-1.0, 1.0), Points::Even(0.999, 1.0), Points::Powers(-60.0, 0.0)];
     cbrt(x) as f64::cbrt, within 1.0 of pxfm::f_cbrt, CubicRoot::cbrt, at [Points::Even(-8.0, 8.0), Points::Powers(-1080.0, 1024.0), Points::Powers(-130.0, 128.0)];
+    powf(x, y) as f64::powf, within 2.0 of pxfm::f_pow, |x: &Big, y: &Big| x.powf(y), at [
+        Points::Pairs(&Points::Sizes(-4.0, 4.0), &Points::Even(-30.0, 30.0)),
+        Points::Pairs(&Points::Sizes(-120.0, 120.0), &Points::Even(-9.0, 9.0)),
+        Points::Pairs(&Points::Sizes(-0.01, 0.01), &Points::Powers(0.0, 17.0))
+    ];
     atan2(y, x) as f64::atan2, within 1.0 of pxfm::f_atan2, Big::atan2, at [
         Points::Pairs(&Points::Even(-1.0, 1.0), &Points::Even(-1.0, 1.0)),
         Points::Pairs(&Points::Powers(-60.0, 60.0), &Points::Powers(-20.0, 20.0))
