@@ -49,9 +49,9 @@ impl Leap {
 
     /// How much longer the stage is in the cycle of this number, counted from 1.
     #[inline(always)]
-    fn of(&self, cycle: u64) -> f64 {
-        let until = |cycle: u64| (cycle as f64 * self.share + ANCHOR) - ANCHOR;
-        self.longer * (until(cycle) - until(cycle.saturating_sub(1)))
+    fn of(&self, cycle: f64) -> f64 {
+        let until = |cycle: f64| (cycle * self.share + ANCHOR) - ANCHOR;
+        self.longer * (until(cycle) - until(cycle - 1.0))
     }
 }
 
@@ -92,6 +92,7 @@ impl Leaps {
     /// The flows for the cycle of this number.
     #[inline(always)]
     pub(crate) fn on<'f, F>(&self, flows: &'f mut F, cycle: u64) -> OnTime<'f, F> {
+        let cycle = cycle as f64;
         OnTime { flows, drift: self.drift.of(cycle), kick: self.kick.of(cycle) }
     }
 }
@@ -141,7 +142,7 @@ mod tests {
         let first = h * fractions[0];
         let rounded: Big = fractions.iter().map(|fraction| big(h * fraction)).sum();
         let without = (rounded - big(h)) * big(cycles as f64);
-        let longer: Big = (1..=cycles).map(|cycle| big(first + leap.of(cycle)) - big(first)).sum();
+        let longer: Big = (1..=cycles).map(|cycle| big(first + leap.of(cycle as f64)) - big(first)).sum();
         [without.clone() + longer, without].map(|sum| sum.to_f64().value())
     }
 
@@ -284,6 +285,6 @@ mod tests {
         }
         assert_eq!(Leap::new(0.1, [0.5, 0.5].into_iter()), Leap::NONE, "halves are exact");
         assert_eq!(Leap::new(0.1, [0.5, 0.4999].into_iter()), Leap::NONE, "a mistake stays one");
-        assert!(Leap::new(0.1, [].into_iter()).of(u64::MAX).is_finite());
+        assert!(Leap::new(0.1, [].into_iter()).of(u64::MAX as f64).is_finite());
     }
 }
