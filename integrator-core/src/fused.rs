@@ -3,7 +3,7 @@
 use crate::{
     block::Block,
     elementary::Elementary,
-    functions::{self, fast_functions, kernel},
+    functions::{self, fast_functions, fast_kernels, kernel},
     instruction_set::enter_fused,
     lanes::Lanes,
     real::{Kernel, Real, elementary_functions},
@@ -174,7 +174,7 @@ macro_rules! fused_real {
             fn sin_cos(self) -> (Self, Self) {
                 functions::sin_cos(self)
             }
-            fast_functions!();
+            fast_functions!(fast_kernels);
             #[inline(always)]
             fn finite(self) -> bool {
                 self.0.is_finite()

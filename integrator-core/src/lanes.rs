@@ -3,7 +3,10 @@
 //! So a member's bits do not depend on its neighbours, nor on whether it has any; the compiler puts the lanes into the
 //! vector registers of the instruction set that the scalar is made for.
 
-use crate::real::{Kernel, Mask, Real, elementary_functions};
+use crate::{
+    functions::fast_functions,
+    real::{Kernel, Mask, Real, elementary_functions},
+};
 use core::ops::{Add, AddAssign, Div, Mul, Neg, Sub, SubAssign};
 
 /// `N` scalars, or `N` vectors of the same number of lanes each.
@@ -96,6 +99,23 @@ impl<F: Real, const N: usize> SubAssign for Lanes<F, N> {
     }
 }
 
+macro_rules! fast_lanes {
+    (unary: $($unary:ident $precise:ident),*; binary: $($binary:ident $other:ident),*;) => {
+        $(
+            #[inline(always)]
+            fn $unary(self) -> Self {
+                self.map(F::$unary)
+            }
+        )*
+        $(
+            #[inline(always)]
+            fn $binary(self, other: Self) -> Self {
+                self.zip(other, F::$binary)
+            }
+        )*
+    };
+}
+
 macro_rules! lanes_real {
     (unary: $($unary:ident)*; binary: $($binary:ident)*;) => {
         impl<F: Real, const N: usize> Real for Lanes<F, N> {
@@ -133,14 +153,7 @@ macro_rules! lanes_real {
                 let both = self.0.map(F::sin_cos);
                 (Self(both.map(|(sine, _)| sine)), Self(both.map(|(_, cosine)| cosine)))
             }
-            #[inline(always)]
-            fn fast_sin(self) -> Self {
-                self.map(F::fast_sin)
-            }
-            #[inline(always)]
-            fn fast_cos(self) -> Self {
-                self.map(F::fast_cos)
-            }
+            fast_functions!(fast_lanes);
             #[inline(always)]
             fn finite(self) -> bool {
                 self.0.into_iter().all(F::finite)

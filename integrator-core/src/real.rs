@@ -3,7 +3,7 @@
 use crate::{
     block::Block,
     elementary::Elementary,
-    functions::{self, fast_functions, kernel},
+    functions::{self, fast_functions, fast_kernels, kernel},
     lanes::Lanes,
     row::Row,
 };
@@ -71,6 +71,25 @@ macro_rules! elementary_functions {
 }
 pub(crate) use elementary_functions;
 
+macro_rules! declare_fast {
+    (unary: $($unary:ident $precise:ident),*; binary: $($binary:ident $other:ident),*;) => {
+        $(
+            #[doc = concat!("`", stringify!($precise), "` within 4 ulp, where that is faster.")]
+            #[inline(always)]
+            fn $unary(self) -> Self {
+                self.$precise()
+            }
+        )*
+        $(
+            #[doc = concat!("`", stringify!($other), "` within 4 ulp, where that is faster.")]
+            #[inline(always)]
+            fn $binary(self, other: Self) -> Self {
+                self.$other(other)
+            }
+        )*
+    };
+}
+
 macro_rules! declare_real {
     (unary: $($unary:ident)*; binary: $($binary:ident)*;) => {
         /// A number, or several side by side, that flows are computed in.
@@ -119,16 +138,7 @@ macro_rules! declare_real {
             }
             /// Sine and cosine of one argument.
             fn sin_cos(self) -> (Self, Self);
-            /// Sine within 4 ulp, where that is faster.
-            #[inline(always)]
-            fn fast_sin(self) -> Self {
-                self.sin()
-            }
-            /// Cosine within 4 ulp, where that is faster.
-            #[inline(always)]
-            fn fast_cos(self) -> Self {
-                self.cos()
-            }
+            fast_functions!(declare_fast);
             /// Whether all lanes are finite.
             fn finite(self) -> bool;
             /// Which lanes are below those of `other`.
@@ -191,7 +201,7 @@ macro_rules! plain_real {
             fn sin_cos(self) -> (Self, Self) {
                 functions::sin_cos(self)
             }
-            fast_functions!();
+            fast_functions!(fast_kernels);
             #[inline(always)]
             fn finite(self) -> bool {
                 self.is_finite()

@@ -13,6 +13,7 @@ use super::{
     linear,
 };
 use crate::{elementary::Elementary, real::Mask};
+use core::f64::consts::FRAC_PI_2;
 
 /// What the arc tangent is made of in one format.
 pub(crate) trait Arc: Parts {
@@ -23,6 +24,8 @@ pub(crate) trait Arc: Parts {
 
     /// `A` at `z`.
     fn series<R: Bits<Scalar = Self>>(z: R) -> R;
+    /// `A - 1/4` at `z`, with the digits that 4 ulp need.
+    fn short_series<R: Bits<Scalar = Self>>(z: R) -> R;
     /// The functions of the maths library, for arguments that are not moderate.
     fn beyond(lanes: &mut [Self], others: &[Self]);
 }
@@ -53,39 +56,87 @@ pub(super) fn sign<R: Bits>(x: R) -> R {
     x.bits_and(R::of(-0.0))
 }
 
+/// The smaller one of two sizes, the larger one, and whether the first is larger.
+#[inline(always)]
+fn sorted<R: Bits>(height: R, width: R) -> (R, R, R::Mask) {
+    let steep = width.less(height);
+    (R::select(steep, width, height), R::select(steep, height, width), steep)
+}
+
+/// The size of a number, but for infinity, which has no reciprocal to be corrected.
+#[inline(always)]
+fn size<R: Bits<Scalar: Arc>>(x: R) -> R {
+    let farthest = R::of(R::Scalar::MODERATE[1]);
+    R::select(farthest.less(x.abs()), farthest, x.abs())
+}
+
+/// How many quarter turns the angle of a point is counted from, and the sign with which: a pattern.
+#[inline(always)]
+fn quadrant<R: Bits>(x: R, steep: R::Mask) -> (R, R) {
+    let (zero, one, two) = (R::of(0.0), R::of(1.0), R::of(2.0));
+    let flip = sign(x).bits_xor(R::select(steep, R::of(-0.0), zero));
+    (R::select(steep, one, R::select(x.less(zero), two, zero)), flip)
+}
+
+/// `value` where the sizes are moderate, that of the maths library elsewhere.
+#[inline(always)]
+fn rescued<R: Bits<Scalar: Arc>>(value: R, [y, x]: [R; 2], [small, big]: [R; 2]) -> R {
+    let [least, greatest] = R::Scalar::MODERATE.map(R::of);
+    let moderate = least.less(big).and(big.less(greatest)).and(least.less(small).or(small.equal(R::of(0.0))));
+    let beyond = moderate.not();
+    if beyond.any() { R::select(beyond, y.through_with(x, R::Scalar::beyond), value) } else { value }
+}
+
 /// At most 1 ulp.
 #[inline(always)]
 pub(crate) fn atan<R: Bits<Scalar: Arc>>(x: R) -> R {
-    let (one, farthest) = (R::of(1.0), R::of(R::Scalar::MODERATE[1]));
-    let size = R::select(farthest.less(x.abs()), farthest, x.abs());
-    let steep = one.less(size);
-    let [angle, rest] = eighth(R::select(steep, one, size), R::select(steep, size, one));
-    let flip = R::select(steep, R::of(-0.0), R::of(0.0));
-    let quarters = R::select(steep, one, R::of(0.0));
+    let one = R::of(1.0);
+    let (small, big, steep) = sorted(size(x), one);
+    let [angle, rest] = eighth(small, big);
+    let (quarters, flip) = quadrant(one, steep);
     turned(quarters, [angle.bits_xor(flip), rest.bits_xor(flip)]).bits_xor(sign(x))
 }
 
 /// At most 1 ulp.
 #[inline(always)]
 pub(crate) fn atan2<R: Bits<Scalar: Arc>>(y: R, x: R) -> R {
-    let (height, width) = (y.abs(), x.abs());
-    let steep = width.less(height);
-    let (small, big) = (R::select(steep, width, height), R::select(steep, height, width));
-    let (zero, one, two) = (R::of(0.0), R::of(1.0), R::of(2.0));
-    let flip = sign(x).bits_xor(R::select(steep, R::of(-0.0), zero));
-    let quarters = R::select(steep, one, R::select(x.less(zero), two, zero));
+    let (small, big, steep) = sorted(y.abs(), x.abs());
     let [angle, rest] = eighth(small, big);
+    let (quarters, flip) = quadrant(x, steep);
     let value = turned(quarters, [angle.bits_xor(flip), rest.bits_xor(flip)]).bits_xor(sign(y));
-
-    let [least, greatest] = R::Scalar::MODERATE.map(R::of);
-    let moderate = least.less(big).and(big.less(greatest)).and(least.less(small).or(small.equal(zero)));
-    let beyond = moderate.not();
-    if beyond.any() { R::select(beyond, y.through_with(x, R::Scalar::beyond), value) } else { value }
+    rescued(value, [y, x], [small, big])
 }
 
-/// The error of the polynomial: 2^-56.4.
+/// The angle whose tangent is `small / big`, of which nothing is kept beyond its rounding.
+#[inline(always)]
+fn short_eighth<R: Bits<Scalar: Arc>>(small: R, big: R) -> R {
+    let t = small / big;
+    let z = t * t;
+    (t * z).fma(R::Scalar::short_series(z), t)
+}
+
+/// At most 4 ulp.
+#[inline(always)]
+pub(crate) fn fast_atan<R: Bits<Scalar: Arc>>(x: R) -> R {
+    let one = R::of(1.0);
+    let (small, big, steep) = sorted(x.abs(), one);
+    let (quarters, flip) = quadrant(one, steep);
+    let angle = short_eighth(small, big).bits_xor(flip);
+    quarters.fma(R::of(FRAC_PI_2), angle).bits_xor(sign(x))
+}
+
+/// At most 4 ulp.
+#[inline(always)]
+pub(crate) fn fast_atan2<R: Bits<Scalar: Arc>>(y: R, x: R) -> R {
+    let (small, big, steep) = sorted(y.abs(), x.abs());
+    let (quarters, flip) = quadrant(x, steep);
+    let angle = short_eighth(small, big).bits_xor(flip);
+    rescued(quarters.fma(R::of(FRAC_PI_2), angle).bits_xor(sign(y)), [y, x], [small, big])
+}
+
+/// The errors of the polynomials: 2^-56.4 and 2^-52.3.
 impl Arc for f64 {
-    const QUARTER: [f64; 2] = [core::f64::consts::FRAC_PI_2, 6.123_233_995_736_766e-17];
+    const QUARTER: [f64; 2] = [FRAC_PI_2, 6.123_233_995_736_766e-17];
     const MODERATE: [f64; 2] = [1e-140, 1e140];
 
     #[inline(always)]
@@ -136,6 +187,45 @@ impl Arc for f64 {
         fourth.fma(fourth.fma(upper, second), low)
     }
 
+    #[inline(always)]
+    fn short_series<R: Bits<Scalar = f64>>(z: R) -> R {
+        let square = z * z;
+        let fourth = square * square;
+        let low = cubic(
+            z,
+            square,
+            [-0.333_333_333_333_251_6, 0.199_999_999_987_728_9, -0.142_857_142_206_616_6, 0.111_111_093_462_383_35],
+        );
+        let second = cubic(
+            z,
+            square,
+            [-0.090_908_801_995_915_39, 0.076_919_942_609_555_16, -0.066_642_737_689_358_5, 0.058_689_548_899_711_98],
+        );
+        let third = cubic(
+            z,
+            square,
+            [
+                -0.052_064_763_677_548_89,
+                0.045_765_907_881_848_714,
+                -0.038_710_594_025_388_304,
+                0.030_190_500_504_913_37,
+            ],
+        );
+        let fifth = cubic(
+            z,
+            square,
+            [
+                -0.020_621_202_197_113_68,
+                0.011_664_659_907_040_275,
+                -0.005_136_641_875_852_91,
+                0.001_627_704_078_587_895_3,
+            ],
+        );
+        let high = linear(z, [-0.000_327_091_422_562_970_24, 3.111_448_928_764_677_6e-5]);
+        let upper = fourth.fma(fourth.fma(high, fifth), third);
+        fourth.fma(fourth.fma(upper, second), low)
+    }
+
     #[cold]
     #[inline(never)]
     fn beyond(lanes: &mut [f64], others: &[f64]) {
@@ -143,7 +233,7 @@ impl Arc for f64 {
     }
 }
 
-/// The error of the polynomial: 2^-29.2.
+/// The errors of the polynomials: 2^-29.2 and 2^-25.6.
 impl Arc for f32 {
     const QUARTER: [f64; 2] = [1.570_796_370_506_286_5, -4.371_138_828_673_793e-8];
     const MODERATE: [f64; 2] = [1e-13, 1e13];
@@ -158,6 +248,27 @@ impl Arc for f32 {
         let square = z * z;
         let high = square.fma(square.fma(fifth, fourth), third);
         square.fma(square.fma(high, second), first)
+    }
+
+    #[inline(always)]
+    fn short_series<R: Bits<Scalar = f32>>(z: R) -> R {
+        let square = z * z;
+        let low = cubic(
+            z,
+            square,
+            [-0.333_331_525_325_775_15, 0.199_937_671_422_958_37, -0.142_110_034_823_417_66, 0.106_657_817_959_785_46],
+        );
+        let high = cubic(
+            z,
+            square,
+            [
+                -0.075_517_013_669_013_98,
+                0.043_205_369_263_887_405,
+                -0.016_363_667_324_185_37,
+                0.002_919_561_229_646_206,
+            ],
+        );
+        (square * square).fma(high, low)
     }
 
     #[cold]

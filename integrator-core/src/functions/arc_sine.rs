@@ -12,6 +12,7 @@ use super::{
     exact::{less_product, pattern_less},
     linear,
 };
+use core::f64::consts::FRAC_PI_2;
 
 /// What the arc sine is made of in one format.
 pub(crate) trait ArcSine: Arc {
@@ -20,6 +21,8 @@ pub(crate) trait ArcSine: Arc {
 
     /// `S` at `z`.
     fn series<R: Bits<Scalar = Self>>(z: R) -> R;
+    /// The same with the digits that 4 ulp need.
+    fn short_series<R: Bits<Scalar = Self>>(z: R) -> R;
 }
 
 /// Whether the argument is beyond one half, and the arc sine of what brings it there, in two parts.
@@ -34,12 +37,25 @@ fn inner<R: Bits<Scalar: ArcSine>>(size: R) -> (R::Mask, [R; 2]) {
     (outer, [s, (s * z).fma(<R::Scalar as ArcSine>::series(z), lost)])
 }
 
+/// Quarter turns, and the factor of an angle that is added for the arc sine of a size.
+#[inline(always)]
+fn of_sine<R: Bits>(outer: R::Mask) -> [R; 2] {
+    [R::select(outer, R::of(1.0), R::of(0.0)), R::select(outer, R::of(-2.0), R::of(1.0))]
+}
+
+/// The same for the arc cosine.
+#[inline(always)]
+fn of_cosine<R: Bits>(x: R, outer: R::Mask) -> [R; 2] {
+    let turns = R::select(x.less(R::of(0.0)), R::of(2.0), R::of(0.0));
+    let factor = R::select(outer, R::of(2.0), R::of(-1.0)).bits_xor(sign(x));
+    [R::select(outer, turns, R::of(1.0)), factor]
+}
+
 /// At most 1 ulp.
 #[inline(always)]
 pub(crate) fn asin<R: Bits<Scalar: ArcSine>>(x: R) -> R {
     let (outer, [s, rest]) = inner(x.abs());
-    let factor = R::select(outer, R::of(-2.0), R::of(1.0));
-    let quarters = R::select(outer, R::of(1.0), R::of(0.0));
+    let [quarters, factor] = of_sine::<R>(outer);
     turned(quarters, [factor * s, factor * rest]).bits_xor(sign(x))
 }
 
@@ -47,12 +63,37 @@ pub(crate) fn asin<R: Bits<Scalar: ArcSine>>(x: R) -> R {
 #[inline(always)]
 pub(crate) fn acos<R: Bits<Scalar: ArcSine>>(x: R) -> R {
     let (outer, [s, rest]) = inner(x.abs());
-    let factor = R::select(outer, R::of(2.0), R::of(-1.0)).bits_xor(sign(x));
-    let turns = R::select(x.less(R::of(0.0)), R::of(2.0), R::of(0.0));
-    turned(R::select(outer, turns, R::of(1.0)), [factor * s, factor * rest])
+    let [quarters, factor] = of_cosine(x, outer);
+    turned(quarters, [factor * s, factor * rest])
 }
 
-/// The error of the polynomial: 2^-55.9.
+/// As `inner`, but nothing is kept beyond the rounding of the root and of the result.
+#[inline(always)]
+fn short_inner<R: Bits<Scalar: ArcSine>>(size: R) -> (R::Mask, R) {
+    let half = R::of(0.5);
+    let outer = half.less(size);
+    let z = R::select(outer, (-half).fma(size, half), size * size);
+    let s = R::select(outer, z.sqrt(), size);
+    (outer, (s * z).fma(<R::Scalar as ArcSine>::short_series(z), s))
+}
+
+/// At most 4 ulp.
+#[inline(always)]
+pub(crate) fn fast_asin<R: Bits<Scalar: ArcSine>>(x: R) -> R {
+    let (outer, angle) = short_inner(x.abs());
+    let [quarters, factor] = of_sine::<R>(outer);
+    factor.fma(angle, quarters * R::of(FRAC_PI_2)).bits_xor(sign(x))
+}
+
+/// At most 4 ulp.
+#[inline(always)]
+pub(crate) fn fast_acos<R: Bits<Scalar: ArcSine>>(x: R) -> R {
+    let (outer, angle) = short_inner(x.abs());
+    let [quarters, factor] = of_cosine(x, outer);
+    factor.fma(angle, quarters * R::of(FRAC_PI_2))
+}
+
+/// The errors of the polynomials: 2^-55.9 and 2^-51.9.
 impl ArcSine for f64 {
     const HALF_RECIPROCAL_ROOT: u64 = 0x5fd6_eb85_1eb8_51eb;
 
@@ -77,9 +118,28 @@ impl ArcSine for f64 {
         let fourth = square * square;
         fourth.fma(fourth.fma(high, middle), low)
     }
+
+    #[inline(always)]
+    fn short_series<R: Bits<Scalar = f64>>(z: R) -> R {
+        let square = z * z;
+        let fourth = square * square;
+        let low = cubic(
+            z,
+            square,
+            [0.166_666_666_666_834_83, 0.074_999_999_961_697, 0.044_642_860_171_094_284, 0.030_381_825_341_309_097],
+        );
+        let middle = cubic(
+            z,
+            square,
+            [0.022_374_870_907_222_486, 0.017_314_147_712_606_62, 0.014_322_158_358_251_687, 0.009_381_757_505_445_329],
+        );
+        let high = square
+            .fma(R::of(0.031_519_536_949_629_695), linear(z, [0.018_251_755_266_547_973, -0.011_701_102_053_666_698]));
+        fourth.fma(fourth.fma(high, middle), low)
+    }
 }
 
-/// The error of the polynomial: 2^-27.6.
+/// The errors of the polynomials: 2^-27.6 and 2^-23.4.
 impl ArcSine for f32 {
     const HALF_RECIPROCAL_ROOT: u64 = 0x5eb7_5c28;
 
@@ -89,5 +149,14 @@ impl ArcSine for f32 {
         let second = linear(z, [0.045_469_153_672_456_74, 0.024_184_737_354_516_983]);
         let square = z * z;
         square.fma(square.fma(R::of(0.042_158_413_678_407_67), second), first)
+    }
+
+    #[inline(always)]
+    fn short_series<R: Bits<Scalar = f32>>(z: R) -> R {
+        cubic(
+            z,
+            z * z,
+            [0.166_655_808_687_210_08, 0.075_405_150_651_931_76, 0.040_035_918_354_988_1, 0.049_951_419_234_275_82],
+        )
     }
 }

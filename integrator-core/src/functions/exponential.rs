@@ -5,7 +5,7 @@
 //!
 //! `P` is minimax (Remez in 300 bits, weighted for the relative error of `eˣ`, coefficients rounded).
 
-use super::{Bits, quotient};
+use super::{Bits, cubic, quotient};
 use crate::real::Mask;
 use core::f64::consts::LOG2_E;
 
@@ -26,6 +26,8 @@ pub(crate) trait Exponential: Sized {
 
     /// `P` at `r`.
     fn series<R: Bits<Scalar = Self>>(r: R) -> R;
+    /// The same with the digits that 4 ulp need.
+    fn short_series<R: Bits<Scalar = Self>>(r: R) -> R;
 }
 
 /// Of the sum of a number and a small one: `n` in the last bits of the pattern, and `eʳ - 1` with the error of its rounding.
@@ -73,6 +75,37 @@ pub(crate) fn exp<R: Bits<Scalar: Exponential>>(x: R) -> R {
     if beyond.any() { R::select(beyond, far(x), value) } else { value }
 }
 
+/// `n` in the last bits of the pattern, and `r`, of which nothing is kept beyond its rounding.
+#[inline(always)]
+fn short_parts<R: Bits<Scalar: Exponential>>(x: R) -> (R, R) {
+    let magic = R::of(R::Scalar::MAGIC);
+    let turns = x.fma(R::of(LOG2_E), magic);
+    let n = turns - magic;
+    let [first, second] = R::Scalar::LN_2;
+    (turns, n.fma(R::of(-second), n.fma(R::of(-first), x)))
+}
+
+/// At most 4 ulp.
+#[inline(always)]
+pub(crate) fn fast_exp<R: Bits<Scalar: Exponential>>(x: R) -> R {
+    let (n, r) = short_parts(x);
+    let value = raised(n, (r * r).fma(R::Scalar::short_series(r), r));
+    let beyond = x.abs().less_or_equal(R::of(R::Scalar::FARTHEST)).not();
+    if beyond.any() { R::select(beyond, far(x), value) } else { value }
+}
+
+/// At most 4 ulp, as `tanh`.
+#[inline(always)]
+pub(crate) fn fast_tanh<R: Bits<Scalar: Exponential>>(x: R) -> R {
+    let (size, farthest) = (x.abs(), R::of(R::Scalar::SATURATED));
+    let size = R::select(farthest.less(size), farthest, size);
+    let (n, r) = short_parts(size + size);
+    let less_one = (r * r).fma(R::Scalar::series(r), r);
+    let power = R::of(1.0).bits_add(n.bits_left(R::Scalar::EXPONENT));
+    let risen = power.fma(less_one, power - R::of(1.0));
+    (risen / (risen + R::of(2.0))).bits_xor(x.bits_and(R::of(-0.0)))
+}
+
 /// At most 2 ulp: `tanh x = E / (E + 2)` with `E = e²ˣ - 1`, of the absolute value.
 #[inline(always)]
 pub(crate) fn tanh<R: Bits<Scalar: Exponential>>(x: R) -> R {
@@ -88,7 +121,7 @@ pub(crate) fn tanh<R: Bits<Scalar: Exponential>>(x: R) -> R {
     quotient([risen, error], [divisor, lost]).bits_xor(x.bits_and(R::of(-0.0)))
 }
 
-/// The error of the polynomial: 2^-60.3.
+/// The errors of the polynomials: 2^-60.3 and 2^-51.6.
 impl Exponential for f64 {
     const MAGIC: f64 = 6_755_399_441_055_744.0;
     const LN_2: [f64; 2] = [0.693_147_180_559_890_3, 5.497_923_018_708_371e-14];
@@ -112,9 +145,31 @@ impl Exponential for f64 {
         let high = square.fma(c(2.082_664_140_595_380_8e-9), fifth);
         fourth_power.fma(fourth_power.fma(high, middle), low)
     }
+
+    #[inline(always)]
+    fn short_series<R: Bits<Scalar = f64>>(r: R) -> R {
+        let square = r * r;
+        let low = cubic(
+            r,
+            square,
+            [0.499_999_999_999_983_24, 0.166_666_666_666_115_6, 0.041_666_666_668_135_99, 0.008_333_333_370_868_718],
+        );
+        let high = cubic(
+            r,
+            square,
+            [
+                0.001_388_888_851_632_062_4,
+                0.000_198_411_852_379_135,
+                2.480_193_165_419_296_3e-5,
+                2.763_499_011_386_59e-6,
+            ],
+        );
+        let fourth = square * square;
+        fourth.fma(fourth.fma(R::of(2.747_681_050_877_795e-7), high), low)
+    }
 }
 
-/// The error of the polynomial: 2^-27.7.
+/// The errors of the polynomials: 2^-27.7 and 2^-23.2.
 impl Exponential for f32 {
     const MAGIC: f64 = 12_582_912.0;
     const LN_2: [f64; 2] = [0.693_145_751_953_125, 1.428_606_765_330_187e-6];
@@ -130,5 +185,14 @@ impl Exponential for f32 {
         let second = r.fma(c(8.368_999_697_268_01e-3), c(4.166_842_997_074_127e-2));
         let square = r * r;
         square.fma(square.fma(c(1.381_292_589_940_130_7e-3), second), first)
+    }
+
+    #[inline(always)]
+    fn short_series<R: Bits<Scalar = f32>>(r: R) -> R {
+        cubic(
+            r,
+            r * r,
+            [0.499_992_311_000_824, 0.166_671_141_982_078_55, 0.041_890_114_545_822_144, 0.008_312_563_411_891_46],
+        )
     }
 }

@@ -17,19 +17,25 @@ pub(crate) trait HalfCircle: Circle {
     fn series<R: Bits<Scalar = Self>>(z: R) -> R;
 }
 
+/// `x - n·π/2`, or `x - n·π` for two quarters, and what the polynomial need not wait for.
+#[inline(always)]
+pub(super) fn difference<R: Bits<Scalar: Circle>>(x: R, n: R, quarters: f64) -> [R; 2] {
+    if R::FUSED {
+        let [first, second, third] = R::Scalar::QUARTER.map(|part| R::of(-quarters * part));
+        let r = n.fma(second, n.fma(first, x));
+        // The third part shows only in a tiny rest, which is all of the result then.
+        [n.fma(third, r), r]
+    } else {
+        let [first, second, third, fourth] = R::Scalar::SPLIT_QUARTER.map(|part| n * R::of(quarters * part));
+        let r = (((x - first) - second) - third) - fourth;
+        [r, r]
+    }
+}
+
 /// The sine of `x - n·π`.
 #[inline(always)]
 fn rest<R: Bits<Scalar: HalfCircle>>(x: R, n: R) -> R {
-    let (r, near) = if R::FUSED {
-        let [first, second, third] = R::Scalar::QUARTER.map(|part| R::of(-2.0 * part));
-        let r = n.fma(second, n.fma(first, x));
-        // The third part shows only in a tiny rest, which is all of the result then; the polynomial need not wait.
-        (n.fma(third, r), r)
-    } else {
-        let [first, second, third, fourth] = R::Scalar::SPLIT_QUARTER.map(|part| n * R::of(2.0 * part));
-        let r = (((x - first) - second) - third) - fourth;
-        (r, r)
-    };
+    let [r, near] = difference(x, n, 2.0);
     let z = near * near;
     r * z.fma(R::Scalar::series(z), R::of(1.0))
 }

@@ -7,7 +7,7 @@
 //! `L` is minimax (Remez in 300 bits, weighted for the relative error of `ln m`, coefficients rounded one after the other
 //! and the later ones fitted again).
 
-use super::{Bits, exponential::Exponential};
+use super::{Bits, cubic, exponential::Exponential, linear};
 use crate::{elementary::Elementary, real::Mask};
 
 /// What the reduction and the polynomial are made of in one format.
@@ -19,6 +19,8 @@ pub(crate) trait Logarithm: Exponential {
 
     /// `L` at `z`.
     fn series<R: Bits<Scalar = Self>>(z: R) -> R;
+    /// The same with the digits that 4 ulp need.
+    fn short_series<R: Bits<Scalar = Self>>(z: R) -> R;
     /// The function of the maths library, for arguments that are not normal or not positive.
     fn beyond(lanes: &mut [Self]);
 }
@@ -58,7 +60,20 @@ pub(crate) fn ln<R: Bits<Scalar: Logarithm>>(x: R) -> R {
     if beyond.any() { R::select(beyond, x.through(<R::Scalar as Logarithm>::beyond), value) } else { value }
 }
 
-/// The error of the polynomial: 2^-59.5.
+/// At most 4 ulp: `ln m = s·(2 + s²·L(s²))`.
+#[inline(always)]
+pub(crate) fn fast_ln<R: Bits<Scalar: Logarithm>>(x: R) -> R {
+    let (k, f) = split(x);
+    let s = f / (f + R::of(2.0));
+    let z = s * s;
+    let [first, second] = R::Scalar::LN_2;
+    let slope = z.fma(<R::Scalar as Logarithm>::short_series(z), R::of(2.0));
+    let value = k.fma(R::of(first), s.fma(slope, k * R::of(second)));
+    let beyond = normal(x).not();
+    if beyond.any() { R::select(beyond, x.through(<R::Scalar as Logarithm>::beyond), value) } else { value }
+}
+
+/// The errors of the polynomials: 2^-59.5 and 2^-52.2.
 impl Logarithm for f64 {
     const PATTERNS: [u64; 3] = [0x3fe6_a09e_667f_3bcd, 0x3ff0_0000_0000_0000, 0x4330_0000_0000_0000];
     const NORMAL: [f64; 2] = [f64::MIN_POSITIVE, f64::MAX];
@@ -71,6 +86,17 @@ impl Logarithm for f64 {
         let third = z.fma(c(1.531_411_057_196_961e-1), c(1.818_356_189_470_896e-1));
         let square = z * z;
         square.fma(square.fma(square.fma(c(1.479_536_844_409_115e-1), third), second), first)
+    }
+
+    #[inline(always)]
+    fn short_series<R: Bits<Scalar = f64>>(z: R) -> R {
+        let square = z * z;
+        let low = cubic(
+            z,
+            square,
+            [0.666_666_666_665_875, 0.400_000_000_521_325_3, 0.285_714_171_517_861_77, 0.222_233_701_872_076_3],
+        );
+        (square * square).fma(linear(z, [0.181_236_887_716_446_67, 0.168_192_909_214_938_04]), low)
     }
 
     #[cold]
@@ -89,6 +115,11 @@ impl Logarithm for f32 {
     fn series<R: Bits<Scalar = f32>>(z: R) -> R {
         let c = |coefficient| R::of(coefficient);
         z.fma(z.fma(c(2.987_070_083_618_164e-1), c(3.997_758_626_937_866e-1)), c(6.666_677_594_184_875e-1))
+    }
+
+    #[inline(always)]
+    fn short_series<R: Bits<Scalar = f32>>(z: R) -> R {
+        <f32 as Logarithm>::series(z)
     }
 
     #[cold]

@@ -11,6 +11,7 @@ mod cube_root;
 mod exact;
 mod exponential;
 mod fast_sine;
+mod fast_tangent;
 mod logarithm;
 mod power;
 mod sine;
@@ -65,27 +66,45 @@ macro_rules! kernel {
 }
 pub(crate) use kernel;
 
-/// The methods of `Real` for functions that have a less precise kernel.
+/// Calls back with the functions that have a kernel of less precision beside that of full precision, which are those
+/// that gain by it: the one list, in pairs of the two names.
 macro_rules! fast_functions {
-    () => {
-        #[inline(always)]
-        fn fast_sin(self) -> Self {
-            crate::functions::fast_sin(self)
-        }
-        #[inline(always)]
-        fn fast_cos(self) -> Self {
-            crate::functions::fast_cos(self)
+    ($callback:ident) => {
+        $callback! {
+            unary: fast_sin sin, fast_cos cos, fast_tan tan, fast_exp exp, fast_ln ln, fast_tanh tanh, fast_atan atan,
+                   fast_asin asin, fast_acos acos, fast_cbrt cbrt;
+            binary: fast_atan2 atan2;
         }
     };
 }
 pub(crate) use fast_functions;
 
-pub(crate) use arc::{atan, atan2};
-pub(crate) use arc_sine::{acos, asin};
-pub(crate) use cube_root::cbrt;
-pub(crate) use exponential::{exp, tanh};
+/// The methods of `Real` for these, where a number has the bits that kernels handle.
+macro_rules! fast_kernels {
+    (unary: $($unary:ident $precise:ident),*; binary: $($binary:ident $other:ident),*;) => {
+        $(
+            #[inline(always)]
+            fn $unary(self) -> Self {
+                crate::functions::$unary(self)
+            }
+        )*
+        $(
+            #[inline(always)]
+            fn $binary(self, other: Self) -> Self {
+                crate::functions::$binary(self, other)
+            }
+        )*
+    };
+}
+pub(crate) use fast_kernels;
+
+pub(crate) use arc::{atan, atan2, fast_atan, fast_atan2};
+pub(crate) use arc_sine::{acos, asin, fast_acos, fast_asin};
+pub(crate) use cube_root::{cbrt, fast_cbrt};
+pub(crate) use exponential::{exp, fast_exp, fast_tanh, tanh};
 pub(crate) use fast_sine::{fast_cos, fast_sin};
-pub(crate) use logarithm::ln;
+pub(crate) use fast_tangent::fast_tan;
+pub(crate) use logarithm::{fast_ln, ln};
 pub(crate) use power::powf;
 pub(crate) use sine::{cos, sin, sin_cos, tan};
 

@@ -36,6 +36,7 @@ macro_rules! vector {
             use super::real::unary;
             use crate::{
                 block::Block,
+                functions::{fast_functions, fast_kernels},
                 fused::{Fused, Instructions},
                 real::{Kernel, Real},
             };
@@ -114,7 +115,7 @@ macro_rules! vector {
                 fn sin_cos(self) -> (Self, Self) {
                     crate::functions::sin_cos(self)
                 }
-                crate::functions::fast_functions!();
+                fast_functions!(fast_kernels);
                 #[inline(always)]
                 fn finite(self) -> bool {
                     // x - x is zero for a finite x and no number for others.

@@ -82,26 +82,30 @@ pub(crate) const TABLE: &[Row] = &[
         g.neg(sine)
     })
     .with_fast("fast_cos"),
-    unary("tan", f64::tan, |g, _, y| one_plus_square(g, y)),
+    unary("tan", f64::tan, |g, _, y| one_plus_square(g, y)).with_fast("fast_tan"),
     unary("asin", f64::asin, |g, x, _| {
         let square = one_minus_square(g, x);
         g.power(square, -1)
-    }),
+    })
+    .with_fast("fast_asin"),
     unary("acos", f64::acos, |g, x, _| {
         let square = one_minus_square(g, x);
         let slope = g.power(square, -1);
         g.neg(slope)
-    }),
+    })
+    .with_fast("fast_acos"),
     unary("atan", f64::atan, |g, x, _| {
         let square = one_plus_square(g, x);
         over(g, square)
-    }),
+    })
+    .with_fast("fast_atan"),
     unary("sinh", f64::sinh, |g, x, _| g.call("cosh", x)),
     unary("cosh", f64::cosh, |g, x, _| g.call("sinh", x)),
     unary("tanh", f64::tanh, |g, x, _| {
         let cosine = g.call("cosh", x);
         g.power(cosine, -4)
-    }),
+    })
+    .with_fast("fast_tanh"),
     unary("asinh", f64::asinh, |g, x, _| {
         let square = one_plus_square(g, x);
         g.power(square, -1)
@@ -116,13 +120,13 @@ pub(crate) const TABLE: &[Row] = &[
         let square = one_minus_square(g, x);
         over(g, square)
     }),
-    unary("exp", f64::exp, |_, _, y| y),
+    unary("exp", f64::exp, |_, _, y| y).with_fast("fast_exp"),
     unary("exp2", f64::exp2, |g, _, y| {
         let scale = g.constant(std::f64::consts::LN_2);
         g.mul(scale, y)
     }),
     unary("exp_m1", f64::exp_m1, |g, x, _| g.call("exp", x)),
-    unary("ln", f64::ln, |g, x, _| over(g, x)),
+    unary("ln", f64::ln, |g, x, _| over(g, x)).with_fast("fast_ln"),
     unary("ln_1p", f64::ln_1p, |g, x, _| {
         let one = g.constant(1.0);
         let shifted = g.add(x, one);
@@ -133,7 +137,8 @@ pub(crate) const TABLE: &[Row] = &[
     unary("cbrt", f64::cbrt, |g, _, y| {
         let (square, three) = (g.power(y, -4), g.constant(3.0));
         g.div(square, three)
-    }),
+    })
+    .with_fast("fast_cbrt"),
     unary("abs", f64::abs, |g, x, _| g.call("signum", x)),
     binary("min", f64::min, |g, a, b, _| smaller(g, a, b)),
     binary("max", f64::max, |g, a, b, _| {
@@ -153,7 +158,8 @@ pub(crate) const TABLE: &[Row] = &[
         let scale = over(g, square);
         let along = g.mul(scale, a);
         [g.mul(scale, b), g.neg(along)]
-    }),
+    })
+    .with_fast("fast_atan2"),
     binary("hypot", f64::hypot, |g, a, b, y| {
         let scale = over(g, y);
         [g.mul(scale, a), g.mul(scale, b)]
@@ -257,6 +263,13 @@ mod tests {
                     assert!((slope - expected).abs() < bound, "{}' at {x}, {y}: {slope} for {expected}", row.name);
                 }
             }
+        }
+    }
+
+    #[test]
+    fn a_fast_variant_is_named_after_its_function() {
+        for row in TABLE {
+            assert!(row.fast.is_none_or(|fast| fast == format!("fast_{}", row.name)), "of `{}`", row.name);
         }
     }
 

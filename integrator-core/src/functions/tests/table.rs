@@ -108,4 +108,16 @@ rows! {
         Points::Pairs(&Points::Even(-1.0, 1.0), &Points::Even(-1.0, 1.0)),
         Points::Pairs(&Points::Powers(-60.0, 60.0), &Points::Powers(-20.0, 20.0))
     ];
+    fast_tan(x) as f64::tan, within 4.0 of pxfm::f_tan, Big::tan, at [Points::Even(-1.7e6, 1.7e6), Points::Powers(-60.0, 24.0), Points::Quarters];
+    fast_exp(x) as f64::exp, within 4.0 of pxfm::f_exp, Big::exp, at [Points::Even(-1.0, 1.0), Points::Even(-760.0, 720.0), Points::Even(-110.0, 90.0), Points::Powers(-60.0, 9.0)];
+    fast_ln(x) as f64::ln, within 4.0 of pxfm::f_log, Big::ln, at [Points::Even(0.5, 2.0), Points::Even(0.999, 1.001), Points::Sizes(-1080.0, 1024.0)];
+    fast_tanh(x) as f64::tanh, within 4.0 of pxfm::f_tanh, Big::tanh, at [Points::Even(-1.0, 1.0), Points::Even(-22.0, 22.0), Points::Powers(-60.0, 9.0)];
+    fast_atan(x) as f64::atan, within 4.0 of pxfm::f_atan, Big::atan, at [Points::Even(-1.0, 1.0), Points::Even(-4.0, 4.0), Points::Powers(-60.0, 70.0)];
+    fast_asin(x) as f64::asin, within 4.0 of pxfm::f_asin, Big::asin, at [Points::Even(-1.0, 1.0), Points::Powers(-60.0, 0.0)];
+    fast_acos(x) as f64::acos, within 4.0 of pxfm::f_acos, Big::acos, at [Points::Even(-1.0, 1.0), Points::Even(0.999, 1.0), Points::Powers(-60.0, 0.0)];
+    fast_cbrt(x) as f64::cbrt, within 4.0 of pxfm::f_cbrt, CubicRoot::cbrt, at [Points::Even(-8.0, 8.0), Points::Powers(-1080.0, 1024.0), Points::Powers(-130.0, 128.0)];
+    fast_atan2(y, x) as f64::atan2, within 4.0 of pxfm::f_atan2, Big::atan2, at [
+        Points::Pairs(&Points::Even(-1.0, 1.0), &Points::Even(-1.0, 1.0)),
+        Points::Pairs(&Points::Powers(-60.0, 60.0), &Points::Powers(-20.0, 20.0))
+    ];
 }
