@@ -7,7 +7,7 @@ use crate::{
     composition::Composition,
     coords::Coords,
     engine::{Advance, Clock, Close},
-    hamiltonian::{Flows, Hamiltonian, Motion, QuadraticKinetic, Shaped, Single},
+    hamiltonian::{Flows, Hamiltonian, Motion, QuadraticKinetic, Shaped},
     real::{Kernel, Real},
     slot::Keep,
 };
@@ -62,24 +62,26 @@ where
 }
 
 /// Several motions, stage by stage.
+///
+/// Unoptimised, a flow in vectors that was inlined at every stage would take megabytes of stack.
 struct Together<'m, H: Hamiltonian, L: Real, K: Keep, const N: usize>(&'m mut [H::Motion<L, K>; N]);
 
 impl<H: Hamiltonian, L: Real, K: Keep, const N: usize> Flows<H> for Together<'_, H, L, K, N> {
     const COMPENSATED: bool = K::COMPENSATED;
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn drift(&mut self, duration: f64, time: f64) {
         for motion in self.0.iter_mut() {
             H::drift::<L, K>(motion, duration, time);
         }
     }
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn kick(&mut self, duration: f64, time: f64) {
         for motion in self.0.iter_mut() {
             H::kick::<L, K>(motion, duration, time);
         }
     }
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn gradient_kick(&mut self, duration: f64, gradient: f64, time: f64)
     where
         H: QuadraticKinetic,
@@ -152,9 +154,7 @@ where
             MOST => Self::groups::<MOST>(motions, clock, steps),
             _ => motions,
         };
-        for motion in rest {
-            Advance::<_, H, X>::new(Single::<H, L, K>(motion), clock, steps).call();
-        }
+        Self::groups::<1>(rest, clock, steps);
     }
 }
 
@@ -170,8 +170,8 @@ impl<H: Hamiltonian, X: Composition<H>, L: Real, K: Keep> Kernel for CloseAll<'_
 
     #[inline(always)]
     fn call(self) {
-        for motion in self.motions {
-            Close::<_, H, X>::new(Single::<H, L, K>(motion), self.clock).call();
+        for motion in self.motions.as_chunks_mut::<1>().0 {
+            Close::<_, H, X>::new(Together::<H, L, K, 1>(motion), self.clock).call();
         }
     }
 }

@@ -98,6 +98,15 @@ fn avx512_available() -> bool {
     false
 }
 
+/// Runs `kernel` in plain code: a function of its own, so that unoptimised code does not hold the variables of both at
+/// once on the stack.
+#[cfg(all(target_arch = "x86_64", feature = "std"))]
+#[cold]
+#[inline(never)]
+fn plainly<K: Kernel>(kernel: K) -> K::Out {
+    kernel.call()
+}
+
 /// Runs `kernel` in code compiled for AVX2 and FMA; where the machine lacks them, in plain code with the same result.
 #[cfg(all(target_arch = "x86_64", feature = "std"))]
 #[inline]
@@ -112,7 +121,7 @@ pub(crate) fn enter_fused<K: Kernel>(kernel: K) -> K::Out {
         // SAFETY: the features that `clone` is compiled for were just detected.
         unsafe { clone(kernel) }
     } else {
-        kernel.call()
+        plainly(kernel)
     }
 }
 
@@ -137,7 +146,7 @@ pub(crate) fn enter_avx512<K: Kernel>(kernel: K) -> K::Out {
         // SAFETY: the features that `clone` is compiled for were just detected.
         unsafe { clone(kernel) }
     } else {
-        kernel.call()
+        plainly(kernel)
     }
 }
 
