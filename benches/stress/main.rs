@@ -1,6 +1,7 @@
 //! Long runs, hard cases and ill treatment: `cargo bench --bench stress`.
 //!
-//! With `STRESS_DIVISOR=1000` in the environment all runs are that much shorter, and exponents that much less certain.
+//! In full it takes about two hours on two cores. With `STRESS_DIVISOR=1000` in the environment all runs are that much
+//! shorter, and exponents that much less certain.
 //! Tables go to `target/bench`. The last lines say whether what is promised held: `brouwer_exponent_<problem>=` (of the
 //! growth of the energy error with the number of steps; 0.4 to 0.6 is asked), `brouwer_bias_<problem>=` (the mean error in
 //! units of its standard error; within ±4), and numbers of failures, all of which have to be zero. Every promise stands
