@@ -13,18 +13,19 @@ use crate::{
 };
 use core::mem::take;
 
-/// 1.5 · 2^52: adding and subtracting it rounds what is below 2^51 to an integer.
-const ANCHOR: f64 = 6_755_399_441_055_744.0;
+/// 2^64.
+const TURN: f64 = 18_446_744_073_709_551_616.0;
 
 /// How much longer a stage is in some of the cycles, and in which share of them.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Leap {
     longer: f64,
-    share: f64,
+    /// In units of 2^-64.
+    share: u64,
 }
 
 impl Leap {
-    const NONE: Self = Self { longer: 0.0, share: 0.0 };
+    const NONE: Self = Self { longer: 0.0, share: 0 };
 
     /// For the first of the durations `h·a`, with the fractions `a`.
     ///
@@ -37,21 +38,23 @@ impl Leap {
         if missing == 0.0 || !missing.is_finite() || missing.abs() > explained {
             return Self::NONE;
         }
-        // From the spacing of the numbers at the first stage on; where that is a short one, more.
+        // From the spacing of the numbers at the first stage on; where that is a short one, more. What the sum rounds to is
+        // what the stage will last, so that the difference is the one to count with.
         let mut least = f64::from_bits(first.abs().to_bits() + 1) - first.abs();
-        while least < missing.abs() {
+        let mut longer = 0.0_f64;
+        while longer.abs() < missing.abs() {
+            longer = (first + least.copysign(missing)) - first;
             least *= 2.0;
         }
-        // What the sum rounds to is what the stage will last, so that the difference is the one to count with.
-        let longer = (first + least.copysign(missing)) - first;
-        if longer.is_finite() { Self { longer, share: missing / longer } } else { Self::NONE }
+        if longer.is_finite() { Self { longer, share: (missing / longer * TURN) as u64 } } else { Self::NONE }
     }
 
-    /// How much longer the stage is in the cycle of this number, counted from 1.
+    /// How much longer the stage is in the cycle of this number, counted from 1: where the multiple of the share passes an
+    /// integer. The bits of a number, because flows take all registers that numbers have.
     #[inline(always)]
-    fn of(&self, cycle: f64) -> f64 {
-        let until = |cycle: f64| (cycle * self.share + ANCHOR) - ANCHOR;
-        self.longer * (until(cycle) - until(cycle - 1.0))
+    fn of(&self, cycle: u64) -> u64 {
+        let passes = u64::from(cycle.wrapping_mul(self.share) < self.share);
+        self.longer.to_bits() & passes.wrapping_neg()
     }
 }
 
@@ -91,36 +94,35 @@ impl Leaps {
 
     /// The flows for the cycle of this number.
     #[inline(always)]
-    pub(crate) fn on<'f, F>(&self, flows: &'f mut F, cycle: u64) -> OnTime<'f, F> {
-        let cycle = cycle as f64;
-        OnTime { flows, drift: self.drift.of(cycle), kick: self.kick.of(cycle) }
+    pub(crate) fn on<'f, F>(&self, flows: &'f mut F, cycle: u64) -> Longer<'f, F> {
+        Longer { flows, drift: self.drift.of(cycle), kick: self.kick.of(cycle) }
     }
 }
 
-/// Flows in one cycle, the first drift and the first kick of which are longer by so much.
-pub(crate) struct OnTime<'f, F> {
+/// Flows in one cycle, the first drift and the first kick of which are longer by these numbers.
+pub(crate) struct Longer<'f, F> {
     flows: &'f mut F,
-    drift: f64,
-    kick: f64,
+    drift: u64,
+    kick: u64,
 }
 
-impl<F: Flows<H>, H: Hamiltonian> Flows<H> for OnTime<'_, F> {
+impl<F: Flows<H>, H: Hamiltonian> Flows<H> for Longer<'_, F> {
     const COMPENSATED: bool = F::COMPENSATED;
 
     #[inline(always)]
     fn drift(&mut self, duration: f64, time: f64) {
-        self.flows.drift(duration + take(&mut self.drift), time);
+        self.flows.drift(duration + f64::from_bits(take(&mut self.drift)), time);
     }
     #[inline(always)]
     fn kick(&mut self, duration: f64, time: f64) {
-        self.flows.kick(duration + take(&mut self.kick), time);
+        self.flows.kick(duration + f64::from_bits(take(&mut self.kick)), time);
     }
     #[inline(always)]
     fn gradient_kick(&mut self, duration: f64, gradient: f64, time: f64)
     where
         H: QuadraticKinetic,
     {
-        self.flows.gradient_kick(duration + take(&mut self.kick), gradient, time);
+        self.flows.gradient_kick(duration + f64::from_bits(take(&mut self.kick)), gradient, time);
     }
 }
 
@@ -142,7 +144,7 @@ mod tests {
         let first = h * fractions[0];
         let rounded: Big = fractions.iter().map(|fraction| big(h * fraction)).sum();
         let without = (rounded - big(h)) * big(cycles as f64);
-        let longer: Big = (1..=cycles).map(|cycle| big(first + leap.of(cycle as f64)) - big(first)).sum();
+        let longer: Big = (1..=cycles).map(|cycle| big(first + f64::from_bits(leap.of(cycle))) - big(first)).sum();
         [without.clone() + longer, without].map(|sum| sum.to_f64().value())
     }
 
@@ -281,10 +283,10 @@ mod tests {
     fn numbers_at_the_ends_of_all_numbers_do_no_harm() {
         for h in [0.0, 5e-324, -5e-324, 1e-310, f64::MAX, -f64::MAX, f64::INFINITY, f64::NAN] {
             let Leap { longer, share } = Leap::new(h, [1.0 / 3.0, 1.0 / 3.0, 1.0 / 3.0].into_iter());
-            assert!(longer.is_finite() && share.is_finite(), "{h:e}: {longer:e} in {share:e}");
+            assert!(longer.is_finite(), "{h:e}: {longer:e} in {share}");
         }
         assert_eq!(Leap::new(0.1, [0.5, 0.5].into_iter()), Leap::NONE, "halves are exact");
         assert_eq!(Leap::new(0.1, [0.5, 0.4999].into_iter()), Leap::NONE, "a mistake stays one");
-        assert!(Leap::new(0.1, [].into_iter()).of(u64::MAX as f64).is_finite());
+        assert_eq!(Leap::new(0.1, [].into_iter()).of(u64::MAX), 0, "nothing to lengthen");
     }
 }
