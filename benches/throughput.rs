@@ -8,7 +8,7 @@
 use integrator_bench::{
     plan::Plan,
     plot::{Dots, Row, dots},
-    problems::{Fput, HenonHeiles, Kepler, Pendulum},
+    problems::{FastPendulum, Fput, HenonHeiles, Kepler, Pendulum},
     race::{Racer, race},
     starts::{cluster, waves},
     table::{Table, folder},
@@ -128,7 +128,12 @@ fn ensembles(report: &mut Report) {
     let system = |length: f64| Pendulum { mass: 1.0, length, gravity: 1.0 };
     let double = |&[q, p, _, length]: &[f64; 4]| (system(length), Phase::new([q], [p]));
     let single = |&[q, p, _, length]: &[f64; 4]| (system(length), Phase::new([q as f32], [p as f32]));
+    let fast = |columns: &[f64; 4]| {
+        let (system, start) = double(columns);
+        (FastPendulum(system), start)
+    };
     ensemble!(report, "pendulum", f64, 0.01, Point::Pendulum, pendulum, double);
+    ensemble!(report, "pendulum_fast", f64, 0.01, Point::FastPendulum, pendulum, fast);
     ensemble!(report, "pendulum_f32", f32, 0.01, Point::Pendulum, pendulum, single);
 
     let henon = |x: f64| [0.1 + 0.2 * x, 0.1 * x, 0.0, 0.3];

@@ -44,3 +44,74 @@ pub(crate) fn over_root_cubed<R: Estimate>(n: R, x: R) -> R {
     let moderate = R::of(MODERATE[0]).less(x).and(x.less(R::of(MODERATE[1])));
     if moderate.not().any() { R::select(moderate, value, n / (x * x.sqrt())) } else { value }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{instruction_set::InstructionSet, real::Kernel};
+    use core::marker::PhantomData;
+    use dashu_float::{FBig, round::mode::HalfEven};
+
+    /// What the formula alone is right for: powers beyond the numbers, and what has no root.
+    const SPECIAL: [f64; 12] =
+        [0.0, -0.0, 5e-324, 1e-310, 1e-300, 1e-200, 1e200, 1e300, f64::MAX, f64::INFINITY, f64::NAN, -1.0];
+
+    /// Some thousand pairs of `n` and `x`, whose logarithms are spread (steps that no period fits), and special ones.
+    fn pairs() -> Vec<[f64; 2]> {
+        let fraction = |i: u32, step: f64| (f64::from(i) * step).fract();
+        let moderate = |i| {
+            let size = (2.0 * fraction(i, 0.754_877_666) - 1.0).exp2();
+            [if i % 2 == 0 { size } else { -size }, (1320.0 * fraction(i, 0.569_840_291) - 660.0).exp2()]
+        };
+        let special = SPECIAL.into_iter().flat_map(|x| [1.5, -3.0, 0.0].map(|n| [n, x]));
+        (0..8_000).map(moderate).chain(special).collect()
+    }
+
+    /// The values at these pairs, in the clone that belongs to `R`.
+    fn values<R: Real>(pairs: &[[f64; 2]]) -> Vec<f64> {
+        struct Values<'a, R>(&'a [[f64; 2]], PhantomData<R>);
+        impl<R: Real> Kernel for Values<'_, R> {
+            type Out = Vec<f64>;
+            #[inline(always)]
+            fn call(self) -> Vec<f64> {
+                let mut values = Vec::with_capacity(self.0.len());
+                for pairs in self.0.chunks(R::LANES) {
+                    let pair = |lane: usize| pairs[lane.min(pairs.len() - 1)];
+                    let value = R::state(|lane| pair(lane)[0]).over_root_cubed(R::state(|lane| pair(lane)[1]));
+                    values.extend((0..pairs.len()).map(|lane| value.lane(lane)));
+                }
+                values
+            }
+        }
+        R::enter(Values(pairs, PhantomData::<R>))
+    }
+
+    /// The error in units of the last place of a number next to a power of two, where they are narrow.
+    fn error([n, x]: [f64; 2], value: f64) -> f64 {
+        let big = |x: f64| FBig::<HalfEven, 2>::try_from(x).expect("a finite number").with_precision(140).value();
+        let exact = big(n) / (big(x) * big(x).sqrt());
+        ((big(value) - &exact) / exact).to_f64().value().abs() / f64::EPSILON
+    }
+
+    #[test]
+    fn values_are_within_two_units_and_special_ones_those_of_the_formula() {
+        if !InstructionSet::available().contains(&InstructionSet::Avx512) {
+            return;
+        }
+        let pairs = pairs();
+        let (alone, together) = (values::<Fused<f64, Avx512>>(&pairs), values::<X8>(&pairs));
+        for ((&[n, x], alone), together) in pairs.iter().zip(alone).zip(together) {
+            let same = alone.to_bits() == together.to_bits() || alone.is_nan() && together.is_nan();
+            assert!(same, "{n} over {x}^(3/2): {alone} alone, {together} in lanes");
+            if SPECIAL.contains(&x) || x.is_nan() {
+                let formula = n / (x * x.sqrt());
+                assert!(
+                    alone.to_bits() == formula.to_bits() || alone.is_nan() && formula.is_nan(),
+                    "{n}, {x}: {alone}"
+                );
+            } else {
+                assert!(error([n, x], alone) <= 2.0, "{n} over {x}^(3/2): {alone}");
+            }
+        }
+    }
+}
