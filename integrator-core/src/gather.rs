@@ -82,45 +82,71 @@ impl<H: Gather<F>, F, R: Real, S: Slot<R>> Sweep<'_, H, F, R, S> {
     /// Moves whole blocks of `sites`, and returns where they end.
     #[inline(always)]
     fn blocks<W: Block<R>>(&mut self, sites: Range<usize>) -> usize {
-        let Edges { first, last, .. } = H::EDGES;
-        let middle = self.length.saturating_sub(last).min(sites.end);
         let (mut site, end) = (sites.start, sites.end);
         if site + W::WIDTH > end {
             return site;
         }
         let mut carried = self.carried::<W>(site);
-        while site < first && site + W::WIDTH <= end {
-            carried = self.block(site, carried, true);
-            site += W::WIDTH;
-        }
-        while site + W::WIDTH <= middle {
-            carried = self.block(site, carried, false);
-            site += W::WIDTH;
-        }
         while site + W::WIDTH <= end {
-            carried = self.block(site, carried, true);
-            site += W::WIDTH;
+            let alike = self.alike::<W>(site..end);
+            carried = if alike > 0 {
+                self.middle(site, alike, carried)
+            } else {
+                let found = self.shares::<W>(site);
+                S::update(&mut self.moved[site - self.first..], self.step, Self::sum(found, carried));
+                [found, carried[0]]
+            };
+            site += alike.max(1) * W::WIDTH;
         }
         site
     }
 
-    /// Moves one block; `carried` are the shares of the sites before it, nearest first.
+    /// How many blocks from the beginning of `sites` on have only sites like all others, and all around them at hand.
     #[inline(always)]
-    fn block<W: Block<R>>(
+    fn alike<W: Block<R>>(&self, sites: Range<usize>) -> usize {
+        let Edges { first, last, .. } = H::EDGES;
+        let [_, farthest] = Self::window::<W>();
+        let at_hand = (self.first + self.read.len()).saturating_sub((farthest - FARTHEST) * W::WIDTH);
+        let end = self.length.saturating_sub(last).min(at_hand).min(sites.end);
+        if sites.start < first { 0 } else { end.saturating_sub(sites.start) / W::WIDTH }
+    }
+
+    /// Moves blocks that are alike; `carried` are the shares of the sites before them, nearest first. A window goes along,
+    /// so that every coordinate is read once.
+    #[inline(always)]
+    fn middle<W: Block<R>>(
         &mut self,
-        site: usize,
-        carried: [H::Shares<W>; FARTHEST],
-        edge: bool,
+        mut site: usize,
+        blocks: usize,
+        mut carried: [H::Shares<W>; FARTHEST],
     ) -> [H::Shares<W>; FARTHEST] {
-        let found = self.shares::<W>(site, edge);
+        let [nearest, farthest] = Self::window::<W>();
+        let begin = site - self.first;
+        let mut around = self.around::<W>(site as isize - W::WIDTH as isize);
+        let read = self.read[begin + (farthest - FARTHEST) * W::WIDTH..].chunks_exact(W::WIDTH).take(blocks);
+        let moved = self.moved[begin..].chunks_exact_mut(W::WIDTH);
+        for (next, moved) in read.zip(moved) {
+            around.copy_within(nearest + 1..=farthest, nearest);
+            around[farthest] = S::read(next);
+            let near = Neighbours { around, site, length: self.length, edge: false, scalar: PhantomData };
+            let found = H::shares::<R, W>(&near, self.parameters, self.time);
+            S::update(moved, self.step, Self::sum(found, carried));
+            carried = [found, carried[0]];
+            site += W::WIDTH;
+        }
+        carried
+    }
+
+    /// What a block of sites gets; `carried` are the shares of the sites before it, nearest first.
+    #[inline(always)]
+    fn sum<W: Block<R>>(found: H::Shares<W>, carried: [H::Shares<W>; FARTHEST]) -> W {
         let mut sum = found.as_ref()[0];
         for onward in 1..=H::EDGES.onward {
             let [nearest, farther] = carried;
             let carried = [nearest.as_ref()[onward], farther.as_ref()[onward]];
             sum += arriving::<R, W>(onward, found.as_ref()[onward], carried);
         }
-        S::update(&mut self.moved[site - self.first..], self.step, sum);
-        [found, carried[0]]
+        sum
     }
 
     /// The shares of the sites before `site`, as if the sweep came from there.
@@ -133,7 +159,7 @@ impl<H: Gather<F>, F, R: Real, S: Slot<R>> Sweep<'_, H, F, R, S> {
                 None => continue,
                 Some(before) => before,
             };
-            let found = self.shares::<R>(before, true);
+            let found = self.shares::<R>(before);
             let [nearest, farther] = &mut carried;
             *farther = *nearest;
             for onward in 1..=H::EDGES.onward {
@@ -146,18 +172,29 @@ impl<H: Gather<F>, F, R: Real, S: Slot<R>> Sweep<'_, H, F, R, S> {
         carried
     }
 
+    /// The shares of a block that may have sites unlike others.
     #[inline(always)]
-    fn shares<W: Block<R>>(&self, site: usize, edge: bool) -> H::Shares<W> {
-        let [behind, ahead] = [H::EDGES.behind.div_ceil(W::WIDTH), H::EDGES.ahead.div_ceil(W::WIDTH)];
-        let mut around = [self.coordinates::<W>(site as isize); 2 * FARTHEST + 1];
-        for blocks in 1..=behind {
-            around[FARTHEST - blocks] = self.coordinates::<W>(site as isize - (blocks * W::WIDTH) as isize);
-        }
-        for blocks in 1..=ahead {
-            around[FARTHEST + blocks] = self.coordinates::<W>(site as isize + (blocks * W::WIDTH) as isize);
-        }
-        let near = Neighbours { around, site, length: self.length, edge, scalar: PhantomData };
+    fn shares<W: Block<R>>(&self, site: usize) -> H::Shares<W> {
+        let around = self.around(site as isize);
+        let near = Neighbours { around, site, length: self.length, edge: true, scalar: PhantomData };
         H::shares::<R, W>(&near, self.parameters, self.time)
+    }
+
+    /// Where in [`Neighbours::around`] the first and the last block are that are looked at.
+    #[inline(always)]
+    fn window<W: Block<R>>() -> [usize; 2] {
+        [FARTHEST - H::EDGES.behind.div_ceil(W::WIDTH), FARTHEST + H::EDGES.ahead.div_ceil(W::WIDTH)]
+    }
+
+    /// The coordinates around the block that begins at `site`.
+    #[inline(always)]
+    fn around<W: Block<R>>(&self, site: isize) -> [W; 2 * FARTHEST + 1] {
+        let [nearest, farthest] = Self::window::<W>();
+        let mut around = [self.coordinates::<W>(site); 2 * FARTHEST + 1];
+        for place in (nearest..=farthest).filter(|place| *place != FARTHEST) {
+            around[place] = self.coordinates::<W>(site + (place as isize - FARTHEST as isize) * W::WIDTH as isize);
+        }
+        around
     }
 
     /// The coordinates of the block from a site on, which may lie beyond an end.
