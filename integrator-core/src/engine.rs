@@ -157,15 +157,14 @@ impl<M: Clone> Watched<M> {
     where
         M: Motion<C, P>,
     {
-        self.snapshot.clone_from(&self.motion);
+        self.snapshot.copy_state(&self.motion);
         self.moves.advance(&mut self.motion, clock, steps);
-        let finite = self.motion.finite() && {
-            self.closed.clone_from(&self.motion);
-            self.moves.close(&mut self.closed, Clock { steps: clock.steps + steps, ..clock });
-            self.closed.finite()
-        };
+        // Completing the step only adds, so that no number becomes finite by it.
+        self.closed.copy_state(&self.motion);
+        self.moves.close(&mut self.closed, Clock { steps: clock.steps + steps, ..clock });
+        let finite = self.closed.finite();
         if !finite {
-            self.motion.clone_from(&self.snapshot);
+            self.motion.copy_state(&self.snapshot);
         }
         finite
     }

@@ -87,28 +87,37 @@ impl<H: Gather<F>, F, R: Real, S: Slot<R>> Sweep<'_, H, F, R, S> {
             return site;
         }
         let mut carried = self.carried::<W>(site);
+        while site < H::EDGES.first && site + W::WIDTH <= end {
+            carried = self.block(site, carried);
+            site += W::WIDTH;
+        }
+        let alike = self.alike::<W>(site..end);
+        if alike > 0 {
+            carried = self.middle(site, alike, carried);
+            site += alike * W::WIDTH;
+        }
         while site + W::WIDTH <= end {
-            let alike = self.alike::<W>(site..end);
-            carried = if alike > 0 {
-                self.middle(site, alike, carried)
-            } else {
-                let found = self.shares::<W>(site);
-                S::update(&mut self.moved[site - self.first..], self.step, Self::sum(found, carried));
-                [found, carried[0]]
-            };
-            site += alike.max(1) * W::WIDTH;
+            carried = self.block(site, carried);
+            site += W::WIDTH;
         }
         site
     }
 
-    /// How many blocks from the beginning of `sites` on have only sites like all others, and all around them at hand.
+    /// How many blocks from the beginning of `sites` on have no site of the last ones, and all around them at hand.
     #[inline(always)]
     fn alike<W: Block<R>>(&self, sites: Range<usize>) -> usize {
-        let Edges { first, last, .. } = H::EDGES;
         let [_, farthest] = Self::window::<W>();
         let at_hand = (self.first + self.read.len()).saturating_sub((farthest - FARTHEST) * W::WIDTH);
-        let end = self.length.saturating_sub(last).min(at_hand).min(sites.end);
-        if sites.start < first { 0 } else { end.saturating_sub(sites.start) / W::WIDTH }
+        let end = self.length.saturating_sub(H::EDGES.last).min(at_hand).min(sites.end);
+        end.saturating_sub(sites.start) / W::WIDTH
+    }
+
+    /// Moves a block that may have sites unlike others; `carried` as below.
+    #[inline(always)]
+    fn block<W: Block<R>>(&mut self, site: usize, carried: [H::Shares<W>; FARTHEST]) -> [H::Shares<W>; FARTHEST] {
+        let found = self.shares::<W>(site);
+        S::update(&mut self.moved[site - self.first..], self.step, Self::sum(found, carried));
+        [found, carried[0]]
     }
 
     /// Moves blocks that are alike; `carried` are the shares of the sites before them, nearest first. A window goes along,

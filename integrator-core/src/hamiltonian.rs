@@ -141,6 +141,8 @@ pub trait Motion<C: Coords, P>: Clone + Send + Sync + 'static {
         P: 'a;
     /// Writes the state of one lane.
     fn store(&self, lane: usize, to: &mut Phase<C>);
+    /// Takes over the coordinates of another motion with the same constants, in place.
+    fn copy_state(&mut self, from: &Self);
     /// Whether every coordinate of every lane is finite.
     fn finite(&self) -> bool;
 }
@@ -172,6 +174,11 @@ impl<R: Real, C: Coords, P: Prepared<R>> Motion<C, P::Single> for Plain<R, C, P>
     fn store(&self, lane: usize, to: &mut Phase<C>) {
         to.q.outward(&self.q, lane);
         to.p.outward(&self.p, lane);
+    }
+    #[inline(always)]
+    fn copy_state(&mut self, from: &Self) {
+        self.q.clone_from(&from.q);
+        self.p.clone_from(&from.p);
     }
     #[inline(always)]
     fn finite(&self) -> bool {

@@ -49,6 +49,10 @@ where
         outward::<R, K, N, D>(0..N, &self.p, lane, to.p.flat_mut());
     }
     #[inline(always)]
+    fn copy_state(&mut self, from: &Self) {
+        (self.q, self.p) = (from.q, from.p);
+    }
+    #[inline(always)]
     fn finite(&self) -> bool {
         self.q.iter().chain(&self.p).all(|slot| slot.value().finite())
     }

@@ -43,6 +43,11 @@ fn lane<L>(motions: &[L], per_motion: usize, lane: usize) -> (&L, usize) {
     (&motions[lane / per_motion], lane % per_motion)
 }
 
+/// The states of motions with the same constants.
+fn copy_states<L: Motion<C, P>, P, C: Coords>(to: &mut [L], from: &[L]) {
+    to.iter_mut().zip(from).for_each(|(to, from)| to.copy_state(from));
+}
+
 impl<L, M, P, C> SideBySide<L, M, P, C>
 where
     L: Motion<C, P>,
@@ -80,6 +85,8 @@ where
         self.motions = (self.lanes.chunks(self.together.lanes))
             .map(|places| L::load(|lane| in_lane(&places[lane.min(places.len() - 1)])))
             .collect();
+        self.snapshot.clone_from(&self.motions);
+        self.closed.clone_from(&self.motions);
     }
 
     /// The state in a lane of these motions.
@@ -92,7 +99,7 @@ where
 
     /// Completes the step under way on a copy.
     fn close(&mut self, clock: Clock) {
-        self.closed.clone_from(&self.motions);
+        copy_states(&mut self.closed, &self.motions);
         (self.together.close)(&mut self.closed, clock);
     }
 
@@ -111,15 +118,15 @@ where
         self.line_up();
     }
 
-    /// The members that are not finite after a block from `clock`. What left the finite numbers never returns, since
+    /// The members that are not finite after a block from `clock`, whose end is in `closed`. What left the finite numbers never returns, since
     /// updates only add; so each of them runs alone from the snapshot, to its last finite state.
     fn lost(&mut self, clock: Clock, block: u64) -> Vec<(usize, Divergence)> {
-        if (self.together.finite)(&self.motions) && (self.together.finite)(&self.closed) {
+        if (self.together.finite)(&self.closed) {
             return Vec::new();
         }
         let mut lost = Vec::new();
         for number in 0..self.lanes.len() {
-            if [&self.motions, &self.closed].into_iter().all(|motions| is_finite(&self.in_lane(motions, number))) {
+            if is_finite(&self.in_lane(&self.closed, number)) {
                 continue;
             }
             let (place, state) = (self.lanes[number], self.in_lane(&self.snapshot, number));
@@ -167,7 +174,7 @@ where
         while done < course.steps && !self.lanes.is_empty() {
             let block = course.block(done);
             let before = course.at(done);
-            self.snapshot.clone_from(&self.motions);
+            copy_states(&mut self.snapshot, &self.motions);
             (self.together.advance)(&mut self.motions, before, block);
             done += block;
             self.close(course.at(done));

@@ -8,12 +8,13 @@
 //! swept the lattice alone, so neither tiles nor threads change a bit.
 
 use crate::{
+    block::Block,
     coords::Coords,
     gather::{Drift, Edges, Gather, Kick},
     hamiltonian::{Flows, Hamiltonian, QuadraticKinetic},
     real::Real,
     sites::{LONG, Sites},
-    slot::Keep,
+    slot::{Keep, Slot},
     threads::{all_threads, at_once},
 };
 use alloc::vec::Vec;
@@ -64,6 +65,9 @@ impl Reach {
     }
 }
 
+/// What a sweep reads at a time.
+type Wide<R, K> = <<K as Keep>::Slot<R> as Slot<R>>::Wide;
+
 /// The flows of a lattice, collected and carried out a few at a time.
 pub(crate) struct Tiled<'m, H: Hamiltonian, R: Real, K: Keep> {
     motion: &'m mut H::Motion<R, K>,
@@ -93,7 +97,7 @@ impl<'m, H: Hamiltonian, R: Real, K: Keep> Tiled<'m, H, R, K> {
     /// Carries out what was collected.
     pub(crate) fn finish(&mut self) {
         if let (Some(reach), Some(sites)) = (H::REACH, H::sites::<R, K>(self.motion)) {
-            sweep::<H, R, K>(sites, &Slopes::new(&self.flows, reach), self.threads);
+            sweep::<H, R, K>(sites, &Slopes::new(&self.flows, reach, Wide::<R, K>::WIDTH), self.threads);
         }
         self.flows.clear();
     }
@@ -124,14 +128,16 @@ struct Slopes {
 }
 
 impl Slopes {
-    fn new(flows: &[Flow], reach: Reach) -> Self {
+    /// For a lattice that is read in blocks of `width` sites: whole ones, so that all flows cut the lattice at the same
+    /// places.
+    fn new(flows: &[Flow], reach: Reach, width: usize) -> Self {
         // A flow reads what the one before it moved, and leaves the next tile what that one read.
         let (mut left, mut right) = (0, 0);
         let mut before = [0, 0];
         let flows = flows.iter().map(|flow| {
             let [behind, ahead] = reach.around(flow);
-            left += behind + before[1];
-            right += ahead + before[0];
+            left += (behind + before[1]).next_multiple_of(width);
+            right += (ahead + before[0]).next_multiple_of(width);
             before = [behind, ahead];
             (*flow, [left, right])
         });

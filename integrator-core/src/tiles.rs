@@ -69,6 +69,10 @@ where
             outward::<R, K, WIDTH, D>(tile, p, lane, to.p.flat_mut());
         }
     }
+    fn copy_state(&mut self, from: &Self) {
+        self.q.clone_from(&from.q);
+        self.p.clone_from(&from.p);
+    }
     #[inline(always)]
     fn finite(&self) -> bool {
         // Places behind the last body drift on without a force, and may leave the finite numbers when no body does.
