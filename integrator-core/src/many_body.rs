@@ -36,6 +36,20 @@ pub trait ManyBody<const D: usize, const S: usize>: Hamiltonian {
         of_j: [W; S],
         time: f64,
     ) -> [W; D];
+    /// Whether any two bodies in the same place of two rows act on each other; if not, the gradient is zero, and not
+    /// computed.
+    #[inline(always)]
+    fn acts<R: Real, W: Row<R>>(
+        parameters: &Self::Parameters<R>,
+        q_i: [W; D],
+        q_j: [W; D],
+        of_i: [W; S],
+        of_j: [W; S],
+        time: f64,
+    ) -> bool {
+        let _ = (parameters, q_i, q_j, of_i, of_j, time);
+        true
+    }
     /// The gradient of the energy that a body has alone, if it has any.
     #[inline(always)]
     fn alone<R: Real, W: Row<R>>(parameters: &Self::Parameters<R>, q: [W; D], of: [W; S], time: f64) -> Option<[W; D]> {
@@ -87,7 +101,7 @@ fn rotated<R: Real, W: Row<R>, const N: usize, const D: usize>(mut rows: [W; D],
 }
 
 #[inline(always)]
-fn add<W: Real, const D: usize>(mut a: [W; D], b: [W; D]) -> [W; D] {
+pub(crate) fn add<W: Real, const D: usize>(mut a: [W; D], b: [W; D]) -> [W; D] {
     for (a, b) in a.iter_mut().zip(b) {
         *a += b;
     }
@@ -198,10 +212,13 @@ pub(crate) fn between<H, R, W, const N: usize, const D: usize, const S: usize>(
     let mut reaction = *other;
     // A full round, so that at the end everybody is back in their place.
     for _ in 0..N {
-        let force = W::pairs::<H, D, S>(parameters, [bodies, others], time);
-        let force = acting(force, present);
-        *sum = add(*sum, force);
-        reaction = rotated::<R, W, N, D>(sub(reaction, force), 1);
+        if H::acts::<R, W>(parameters, bodies.q, others.q, bodies.of, others.of, time) {
+            let force = W::pairs::<H, D, S>(parameters, [bodies, others], time);
+            let force = acting(force, present);
+            *sum = add(*sum, force);
+            reaction = sub(reaction, force);
+        }
+        reaction = rotated::<R, W, N, D>(reaction, 1);
         others = others.rotated::<R, N>(1);
         if let Some(row) = present {
             present = Some(row.rotated::<N>(1));

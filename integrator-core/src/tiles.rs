@@ -3,7 +3,7 @@
 use crate::{
     coords::Coords,
     hamiltonian::{Motion, Plain, Prepared},
-    many_body::{Bodies, ManyBody, PerBody, between, within},
+    many_body::{Bodies, ManyBody, PerBody, add, between, within},
     phase::Phase,
     real::Real,
     row::{Row, inward, of_bodies, of_place, outward, prepared, values},
@@ -122,8 +122,9 @@ impl<R: Real, K: Keep, P: Prepared<R>, const D: usize, const S: usize> Tiles<R, 
         let present = |tile: usize| if tile == last { present } else { None };
         for first in 0..self.q.len() {
             let bodies = tile(first);
-            self.gradient[first] =
-                within::<H, R, R::Row<WIDTH>, WIDTH, D, S>(&self.parameters, bodies, present(first), time);
+            let sum = within::<H, R, R::Row<WIDTH>, WIDTH, D, S>(&self.parameters, bodies, present(first), time);
+            // No zero with a sign, so that no bit tells whether a zero is added to it.
+            self.gradient[first] = add(sum, [Real::of(0.0); D]);
         }
         for first in 0..self.q.len() {
             let bodies = tile(first);

@@ -92,7 +92,17 @@ impl OfBodies {
         gradient: &[Contribution],
         sink: fn(Element) -> Sink,
     ) -> Option<Self> {
-        let mut placed = placed(model, gradient, sink);
+        let placed = placed(model, gradient, sink);
+        Self::over(model, constants, of, placed)
+    }
+
+    /// The function that gives a value.
+    pub(super) fn value(model: &mut Model, constants: &mut Constants, of: &[LoopId], value: NodeId) -> Option<Self> {
+        let value = block::lowered(model, &[value])[0];
+        Self::over(model, constants, of, vec![Placed { context: Vec::new(), sink: Sink::Return, value }])
+    }
+
+    fn over(model: &mut Model, constants: &mut Constants, of: &[LoopId], mut placed: Vec<Placed>) -> Option<Self> {
         let leaves = read(model, &placed);
         for placed in &mut placed {
             placed.context.splice(0..0, of.iter().map(|by| Around::Loop(*by)));

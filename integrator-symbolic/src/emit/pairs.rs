@@ -10,8 +10,8 @@ use super::{
     texts::Texts,
 };
 use crate::{
-    differentiate::folded,
-    graph::{Part, index::LoopId},
+    differentiate::{Contribution, folded},
+    graph::{Around, NodeId, Part, index::LoopId},
     model::Model,
     pairs::{Pairs, one_by_one, pairs},
     program::Sink,
@@ -58,6 +58,10 @@ impl ManyBody {
 
         let mut constants = Constants::new(bodies);
         let drift = OfBodies::new(model, &mut constants, &[bodies], &velocity, Sink::Update)?;
+        let acts = match condition(&force) {
+            None => None,
+            Some((condition, holds)) => Some((OfBodies::value(model, &mut constants, &pair, condition)?, holds)),
+        };
         let force = OfBodies::gradient(model, &mut constants, &pair, &force)?;
         let alone = match &alone[..] {
             [] => None,
@@ -66,6 +70,7 @@ impl ManyBody {
         let sizes = [Literal::u64_unsuffixed(dimension), Literal::usize_unsuffixed(constants.count())];
         let mut writer = Writer { model, fields, names, constants: &constants, sizes: &sizes };
         let functions = [writer.drift(&drift), writer.pair(&force, pair)];
+        let acts = acts.map(|(condition, holds)| writer.acts(&condition, holds, pair));
         let alone = alone.map(|alone| writer.alone(&alone));
         let per_body = writer.per_body();
         let row = model.shape.length.literal().filter(|length| *length <= ROW).map(Literal::u64_unsuffixed);
@@ -73,6 +78,7 @@ impl ManyBody {
             const RECIPROCAL: bool = #reciprocal;
 
             #(#functions)*
+            #acts
             #alone
         };
         Some(Self { row, sizes, functions, per_body })
@@ -113,6 +119,16 @@ impl ManyBody {
     }
 }
 
+/// The condition that a whole gradient is under, if there is one, and whether it has to hold.
+fn condition(gradient: &[Contribution]) -> Option<(NodeId, bool)> {
+    let outermost = |contribution: &Contribution| match contribution.context.first() {
+        Some(Around::Branch(condition, holds)) => Some((*condition, *holds)),
+        _ => None,
+    };
+    let first = outermost(gradient.first()?)?;
+    gradient.iter().all(|contribution| outermost(contribution) == Some(first)).then_some(first)
+}
+
 /// What writes the functions.
 struct Writer<'w> {
     model: &'w Model,
@@ -135,12 +151,25 @@ impl Writer<'_> {
 
     /// The gradient of the energy of a pair by the coordinates of its first body.
     fn pair(&mut self, pair: &OfBodies, of: [LoopId; 2]) -> TokenStream {
+        let (body, d, wide) = (self.gradient(pair, quote!(gradient)), &self.sizes[0], &self.names.wide);
+        let result = quote!([#wide; #d]);
+        self.function("pair", TokenStream::new(), self.two_bodies(of), Some(result), body)
+    }
+
+    /// Whether a condition holds for a pair.
+    fn acts(&mut self, condition: &OfBodies, holds: bool, of: [LoopId; 2]) -> TokenStream {
+        let condition = condition.body(self.model, self.fields, self.names, self.constants);
+        let negated = (!holds).then(|| quote!(.not()));
+        let body = Body::new(quote!(let acting = { #condition }; acting #negated.any()));
+        self.function("acts", TokenStream::new(), self.two_bodies(of), Some(quote!(bool)), body)
+    }
+
+    /// The coordinates and prepared constants of a pair, as arguments.
+    fn two_bodies(&self, of: [LoopId; 2]) -> TokenStream {
         let [q_i, q_j] = of.map(|by| OfBodies::named("q", self.model, by));
         let [of_i, of_j] = of.map(|by| OfBodies::named("of", self.model, by));
-        let (body, [d, s]) = (self.gradient(pair, quote!(gradient)), self.sizes);
-        let wide = &self.names.wide;
-        let arguments = quote!(#q_i: [#wide; #d], #q_j: [#wide; #d], #of_i: [#wide; #s], #of_j: [#wide; #s]);
-        self.function("pair", TokenStream::new(), arguments, Some(quote!([#wide; #d])), body)
+        let (wide, [d, s]) = (&self.names.wide, self.sizes);
+        quote!(#q_i: [#wide; #d], #q_j: [#wide; #d], #of_i: [#wide; #s], #of_j: [#wide; #s])
     }
 
     /// The gradient of what a body has alone.
