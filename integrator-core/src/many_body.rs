@@ -3,7 +3,7 @@
 //! Always true: pairs are taken in the order of rotations, which no hardware decides, so that every sum has the same bits
 //! whatever a row is made of; what stands behind the last body changes no sum.
 
-use crate::{hamiltonian::Hamiltonian, lanes::Lanes, real::Real, row::Row, slot::Slot};
+use crate::{gather::Array, hamiltonian::Hamiltonian, lanes::Lanes, real::Real, row::Row, slot::Slot};
 
 /// What is prepared of each body.
 pub trait PerBody<const S: usize> {
@@ -16,6 +16,10 @@ pub trait PerBody<const S: usize> {
 pub trait ManyBody<const D: usize, const S: usize>: Hamiltonian {
     /// Whether action is reaction: the force on the second body is that on the first, with another sign.
     const RECIPROCAL: bool;
+    /// Whether forces are told as what the displacement from the second body to the first is to be multiplied by.
+    const CENTRAL: bool;
+    /// One number where forces are central, else one per coordinate.
+    type Force<W: Copy>: Array<W>;
 
     /// The flow of `T` on one body.
     fn drift_of<R: Real, W: Row<R>, L: Slot<W>>(
@@ -26,8 +30,8 @@ pub trait ManyBody<const D: usize, const S: usize>: Hamiltonian {
         step: W,
         time: f64,
     );
-    /// The gradient of the energy of a pair by the coordinates of the first body. The energy stays the same if the two
-    /// are exchanged.
+    /// The gradient of the energy of a pair by the coordinates of the first body, or what the displacement is to be
+    /// multiplied by. The energy stays the same if the two are exchanged.
     fn pair<R: Real, W: Row<R>>(
         parameters: &Self::Parameters<R>,
         q_i: [W; D],
@@ -35,7 +39,7 @@ pub trait ManyBody<const D: usize, const S: usize>: Hamiltonian {
         of_i: [W; S],
         of_j: [W; S],
         time: f64,
-    ) -> [W; D];
+    ) -> Self::Force<W>;
     /// Whether any two bodies in the same place of two rows act on each other; if not, the gradient is zero, and not
     /// computed.
     #[inline(always)]
@@ -116,6 +120,26 @@ fn sub<W: Real, const D: usize>(mut a: [W; D], b: [W; D]) -> [W; D] {
     a
 }
 
+/// From the second of two rows to the first.
+#[inline(always)]
+fn displacement<W: Real, const D: usize, const S: usize>([i, j]: [Bodies<W, D, S>; 2]) -> [W; D] {
+    sub(i.q, j.q)
+}
+
+/// The components of the force between two rows.
+#[inline(always)]
+fn components<H: ManyBody<D, S>, W: Real, const D: usize, const S: usize>(
+    force: H::Force<W>,
+    bodies: [Bodies<W, D, S>; 2],
+) -> [W; D] {
+    let mut components = displacement(bodies);
+    let force = force.as_ref();
+    for (d, component) in components.iter_mut().enumerate() {
+        *component = if H::CENTRAL { force[0] * *component } else { force[d] };
+    }
+    components
+}
+
 /// Which places of a row hold bodies: one there, zero elsewhere. Nothing where all do.
 pub(crate) type Present<W> = Option<W>;
 
@@ -181,9 +205,9 @@ where
     R: Real,
     W: Row<R>,
 {
-    let others = bodies.rotated::<R, N>(by);
-    let force = W::pairs::<H, D, S>(parameters, [bodies, others], time);
-    let mut force = acting(force, present);
+    let bodies = [bodies, bodies.rotated::<R, N>(by)];
+    let force = W::pairs::<H, D, S>(parameters, bodies, time);
+    let mut force = acting(components::<H, W, D, S>(force, bodies), present);
     if let Some(present) = present {
         force = acting(force, Some(present.rotated::<N>(by)));
     }
@@ -213,10 +237,19 @@ pub(crate) fn between<H, R, W, const N: usize, const D: usize, const S: usize>(
     // A full round, so that at the end everybody is back in their place.
     for _ in 0..N {
         if H::acts::<R, W>(parameters, bodies.q, others.q, bodies.of, others.of, time) {
-            let force = W::pairs::<H, D, S>(parameters, [bodies, others], time);
-            let force = acting(force, present);
-            *sum = add(*sum, force);
-            reaction = sub(reaction, force);
+            let rows = [bodies, others];
+            let force = W::pairs::<H, D, S>(parameters, rows, time);
+            if H::CENTRAL && present.is_none() {
+                let pull = force.as_ref()[0];
+                for (d, apart) in displacement(rows).into_iter().enumerate() {
+                    sum[d] = pull.fma(apart, sum[d]);
+                    reaction[d] = (-pull).fma(apart, reaction[d]);
+                }
+            } else {
+                let force = acting(components::<H, W, D, S>(force, rows), present);
+                *sum = add(*sum, force);
+                reaction = sub(reaction, force);
+            }
         }
         reaction = rotated::<R, W, N, D>(reaction, 1);
         others = others.rotated::<R, N>(1);

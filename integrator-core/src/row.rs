@@ -1,6 +1,7 @@
 //! Bodies side by side: what lets one text of a force serve a body at a time on one machine and eight on another.
 
 use crate::{
+    gather::Array,
     lanes::Lanes,
     many_body::{Bodies, ManyBody},
     real::Real,
@@ -17,13 +18,13 @@ pub trait Row<R: Real>: Real {
     /// The row of `N` bodies in which each body's place is taken by the one so many places further on, the first bodies
     /// coming after the last one.
     fn rotated<const N: usize>(self, by: usize) -> Self;
-    /// The gradient of the energy of each body with the one in the same place of another row.
+    /// What the system says of each body and the one in the same place of another row.
     #[inline(always)]
     fn pairs<H: ManyBody<D, S>, const D: usize, const S: usize>(
         parameters: &H::Parameters<R>,
         [i, j]: [Bodies<Self, D, S>; 2],
         time: f64,
-    ) -> [Self; D] {
+    ) -> H::Force<Self> {
         H::pair::<R, Self>(parameters, i.q, j.q, i.of, j.of, time)
     }
 }
@@ -133,13 +134,13 @@ impl<R: Real, const BODIES: usize> Row<R> for Lanes<R, BODIES> {
         parameters: &H::Parameters<R>,
         [i, j]: [Bodies<Self, D, S>; 2],
         time: f64,
-    ) -> [Self; D] {
-        let mut forces = [Self::of(0.0); D];
+    ) -> H::Force<Self> {
+        let mut forces = H::Force::<Self>::filled(Self::of(0.0));
         for body in 0..BODIES {
             let (i, j) = (i.body(body), j.body(body));
             let force = H::pair::<R, R>(parameters, i.q, j.q, i.of, j.of, time);
-            for (forces, force) in forces.iter_mut().zip(force) {
-                forces.set_part(body, force);
+            for (forces, force) in forces.as_mut().iter_mut().zip(force.as_ref()) {
+                forces.set_part(body, *force);
             }
         }
         forces

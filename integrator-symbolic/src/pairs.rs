@@ -5,6 +5,7 @@
 //! so that an executor may take the pairs in any order and may let either body be the first; a pair reads the
 //! coordinates of its two bodies and nothing else that moves.
 
+mod central;
 mod exchange;
 mod rename;
 
@@ -15,6 +16,7 @@ use crate::{
         index::{Index, IndexId, Loop, LoopId},
     },
 };
+pub(crate) use central::pull;
 use exchange::Forms;
 pub(crate) use rename::{Renaming, renamed};
 

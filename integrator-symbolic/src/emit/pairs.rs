@@ -13,7 +13,7 @@ use crate::{
     differentiate::{Contribution, folded},
     graph::{Around, NodeId, Part, index::LoopId},
     model::Model,
-    pairs::{Pairs, one_by_one, pairs},
+    pairs::{Pairs, one_by_one, pairs, pull},
     program::Sink,
 };
 use proc_macro2::{Literal, TokenStream};
@@ -62,20 +62,29 @@ impl ManyBody {
             None => None,
             Some((condition, holds)) => Some((OfBodies::value(model, &mut constants, &pair, condition)?, holds)),
         };
-        let force = OfBodies::gradient(model, &mut constants, &pair, &force)?;
+        let pull = pull(&mut model.graph, pair, &force, dimension);
+        let central = pull.is_some();
+        let force = match pull {
+            Some(pull) => OfBodies::value(model, &mut constants, &pair, pull)?,
+            None => OfBodies::gradient(model, &mut constants, &pair, &force)?,
+        };
         let alone = match &alone[..] {
             [] => None,
             alone => Some(OfBodies::gradient(model, &mut constants, &[bodies], alone)?),
         };
         let sizes = [Literal::u64_unsuffixed(dimension), Literal::usize_unsuffixed(constants.count())];
         let mut writer = Writer { model, fields, names, constants: &constants, sizes: &sizes };
-        let functions = [writer.drift(&drift), writer.pair(&force, pair)];
+        let functions = [writer.drift(&drift), writer.pair(&force, central, pair)];
         let acts = acts.map(|(condition, holds)| writer.acts(&condition, holds, pair));
         let alone = alone.map(|alone| writer.alone(&alone));
         let per_body = writer.per_body();
         let row = model.shape.length.literal().filter(|length| *length <= ROW).map(Literal::u64_unsuffixed);
+        let parts = if central { Literal::u64_unsuffixed(1) } else { sizes[0].clone() };
+        let wide = &names.wide;
         let functions = quote! {
             const RECIPROCAL: bool = #reciprocal;
+            const CENTRAL: bool = #central;
+            type Force<#wide: ::core::marker::Copy> = [#wide; #parts];
 
             #(#functions)*
             #acts
@@ -149,11 +158,17 @@ impl Writer<'_> {
         self.function("drift_of", generics, arguments, None, body)
     }
 
-    /// The gradient of the energy of a pair by the coordinates of its first body.
-    fn pair(&mut self, pair: &OfBodies, of: [LoopId; 2]) -> TokenStream {
-        let (body, d, wide) = (self.gradient(pair, quote!(gradient)), &self.sizes[0], &self.names.wide);
-        let result = quote!([#wide; #d]);
-        self.function("pair", TokenStream::new(), self.two_bodies(of), Some(result), body)
+    /// The gradient of the energy of a pair by the coordinates of its first body, or what their displacement is to be
+    /// multiplied by.
+    fn pair(&mut self, pair: &OfBodies, central: bool, of: [LoopId; 2]) -> TokenStream {
+        let body = if central {
+            let pull = pair.body(self.model, self.fields, self.names, self.constants);
+            Body::new(quote!(let pull = { #pull }; [pull]))
+        } else {
+            self.gradient(pair, quote!(gradient))
+        };
+        let wide = &self.names.wide;
+        self.function("pair", TokenStream::new(), self.two_bodies(of), Some(quote!(Self::Force<#wide>)), body)
     }
 
     /// Whether a condition holds for a pair.
