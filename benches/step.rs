@@ -105,7 +105,7 @@ impl Report {
         );
         let plan = Plan::of::<Verlet>(h);
         let pairs = count * (count - 1) / 2;
-        let steps = (1_000_000 / pairs as u64).max(2);
+        let steps = (10_000_000 / pairs as u64).max(2);
         let mut run = system.run_with::<f64, Verlet>(Verlet, start, h).expect("a start");
         let racers = vec![
             Racer::new("generated", || run.advance(steps).expect("finite states")),

@@ -223,8 +223,8 @@ where
 pub(crate) fn between<H, R, W, const N: usize, const D: usize, const S: usize>(
     parameters: &H::Parameters<R>,
     bodies: Bodies<W, D, S>,
-    mut others: Bodies<W, D, S>,
-    mut present: Present<W>,
+    others: Bodies<W, D, S>,
+    present: Present<W>,
     time: f64,
     sums: [&mut [W; D]; 2],
 ) where
@@ -233,31 +233,69 @@ pub(crate) fn between<H, R, W, const N: usize, const D: usize, const S: usize>(
     W: Row<R>,
 {
     let [sum, other] = sums;
-    let mut reaction = *other;
+    let mut meeting = Meeting { others, present, sum: *sum, reaction: *other };
     // A full round, so that at the end everybody is back in their place.
-    for _ in 0..N {
-        if H::acts::<R, W>(parameters, bodies.q, others.q, bodies.of, others.of, time) {
-            let rows = [bodies, others];
+    if present.is_some() {
+        for _ in 0..N {
+            meeting.turn::<H, R, N>(parameters, bodies, time);
+        }
+    } else {
+        // Written out, so that every turn has a branch of its own for the machine to foresee.
+        macro_rules! turns {
+            ($($turn:literal)*) => {$(
+                if $turn < N {
+                    meeting.turn::<H, R, N>(parameters, bodies, time);
+                }
+            )*};
+        }
+        meeting.present = None;
+        turns!(0 1 2 3 4 5 6 7);
+    }
+    *sum = meeting.sum;
+    if H::RECIPROCAL {
+        *other = meeting.reaction;
+    }
+}
+
+/// Two rows that meet: the one that turns, and what acts on both.
+struct Meeting<W, const D: usize, const S: usize> {
+    others: Bodies<W, D, S>,
+    /// Which of the others are there.
+    present: Present<W>,
+    sum: [W; D],
+    reaction: [W; D],
+}
+
+impl<W: Real, const D: usize, const S: usize> Meeting<W, D, S> {
+    /// Adds what acts between bodies in the same place, and turns the others on by one place.
+    #[cfg_attr(debug_assertions, inline)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn turn<H, R, const N: usize>(&mut self, parameters: &H::Parameters<R>, bodies: Bodies<W, D, S>, time: f64)
+    where
+        H: ManyBody<D, S>,
+        R: Real,
+        W: Row<R>,
+    {
+        let rows = [bodies, self.others];
+        let [i, j] = &rows;
+        if H::acts::<R, W>(parameters, i.q, j.q, i.of, j.of, time) {
             let force = W::pairs::<H, D, S>(parameters, rows, time);
-            if H::CENTRAL && present.is_none() {
+            if H::CENTRAL && self.present.is_none() {
                 let pull = force.as_ref()[0];
                 for (d, apart) in displacement(rows).into_iter().enumerate() {
-                    sum[d] = pull.fma(apart, sum[d]);
-                    reaction[d] = (-pull).fma(apart, reaction[d]);
+                    self.sum[d] = pull.fma(apart, self.sum[d]);
+                    self.reaction[d] = (-pull).fma(apart, self.reaction[d]);
                 }
             } else {
-                let force = acting(components::<H, W, D, S>(force, rows), present);
-                *sum = add(*sum, force);
-                reaction = sub(reaction, force);
+                let force = acting(components::<H, W, D, S>(force, rows), self.present);
+                self.sum = add(self.sum, force);
+                self.reaction = sub(self.reaction, force);
             }
         }
-        reaction = rotated::<R, W, N, D>(reaction, 1);
-        others = others.rotated::<R, N>(1);
-        if let Some(row) = present {
-            present = Some(row.rotated::<N>(1));
+        self.reaction = rotated::<R, W, N, D>(self.reaction, 1);
+        self.others = self.others.rotated::<R, N>(1);
+        if let Some(row) = self.present {
+            self.present = Some(row.rotated::<N>(1));
         }
-    }
-    if H::RECIPROCAL {
-        *other = reaction;
     }
 }
