@@ -244,6 +244,20 @@ mod tests {
                 g.neg(m)
             },
         ),
+        (
+            "2 (3 x - 5 y) == 6 x - 10 y",
+            |g, [x, y, _]| {
+                let [two, three, five] = [2.0, 3.0, 5.0].map(|number| g.constant(number));
+                let [x, y] = [g.mul(three, x), g.mul(five, y)];
+                let difference = g.sub(x, y);
+                g.mul(two, difference)
+            },
+            |g, [x, y, _]| {
+                let [six, ten] = [6.0, 10.0].map(|number| g.constant(number));
+                let [x, y] = [g.mul(six, x), g.mul(ten, y)];
+                g.sub(x, y)
+            },
+        ),
         ("x x == x^2", |g, [x, ..]| g.mul(x, x), |g, [x, ..]| g.power(x, 4)),
         (
             "x^2 x == x^3",

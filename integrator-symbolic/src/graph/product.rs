@@ -188,7 +188,22 @@ impl Graph {
                     None => self.intern(Node::Mul(scale, rest)),
                 }
             }
+            // finite: 2ⁿ (c x + d y) == (2ⁿ c) x + (2ⁿ d) y
+            (Node::Add(a, b), Some(number))
+                if is_power_of_two(number) && [a, b].iter().all(|x| self.has_number(*x)) =>
+            {
+                let [a, b] = [a, b].map(|x| self.mul(scale, x));
+                self.add(a, b)
+            }
             _ => self.intern(Node::Mul(scale, rest)),
+        }
+    }
+
+    /// Whether a node is a number times something else.
+    fn has_number(&mut self, id: NodeId) -> bool {
+        match self.node(id) {
+            Node::Neg(inner) => self.has_number(inner),
+            _ => matches!(self.strip(id), (scale, Some(_)) if scale != 1.0),
         }
     }
 
@@ -214,4 +229,10 @@ impl Graph {
 fn exact_quotient(a: f64, b: f64) -> Option<f64> {
     let quotient = a / b;
     (quotient.is_finite() && (-quotient).mul_add(b, a) == 0.0).then_some(quotient)
+}
+
+/// Whether a factor changes no digit of what it multiplies.
+fn is_power_of_two(x: f64) -> bool {
+    const MANTISSA: u64 = (1 << (f64::MANTISSA_DIGITS - 1)) - 1;
+    x.is_normal() && x.to_bits() & MANTISSA == 0
 }
