@@ -61,14 +61,18 @@ impl Report {
         let (law, start) = (Law::Fput { alpha: 0.25 }, waves(sites));
         let h = 0.05;
         let plan = Plan::of::<Verlet>(h);
-        let steps = (2_000_000 / sites).max(64);
-        let mut run = Fput { alpha: 0.25 }.run_with(Verlet, start.clone(), h).expect("a start");
+        let steps = (2_000_000 / sites).max(256);
+        let generated = Fput { alpha: 0.25 }.run_with(Verlet, start.clone(), h).expect("a start").with_threads(1);
+        let [mut run, mut wall] = [generated.clone(), generated.clone()];
+        let mut two = generated.with_threads(2);
         let by_hand = Chain { law, q: start.q, p: start.p };
         let [mut plain, mut skewed] = [by_hand.clone(), by_hand];
         let racers = vec![
             Racer::new("generated", || run.advance(steps as u64).expect("finite states")),
             Racer::new("plain", || plain.two_pass(&plan, steps)),
             Racer::new("twin", || skewed.skewed(&plan, steps)),
+            Racer::new("two threads", || two.advance(steps as u64).expect("finite states")).in_threads(),
+            Racer::new("one thread", || wall.advance(steps as u64).expect("finite states")).in_threads(),
         ];
         let turns = if sites > 1_000_000 { 5 } else { 15 };
         self.add(name, "site-steps/s", turns, (sites * steps) as f64, racers);
@@ -81,7 +85,7 @@ impl Report {
         let mut twin = Bodies::new(Attraction::Gravity, &system.masses, &start.q, &start.p);
         let mut run = system.run_with(Verlet, start, h).expect("a start");
         let pairs = count * (count - 1) / 2;
-        let steps = (2_000_000 / pairs as u64).max(1);
+        let steps = (10_000_000 / pairs as u64).max(2);
         let racers = vec![
             Racer::new("generated", || run.advance(steps).expect("finite states")),
             Racer::new("twin", || twin.advance(&plan, steps)),

@@ -24,7 +24,7 @@ use core::ops::Range;
 const TILE: usize = 1024;
 
 /// How many flows are collected before the lattice is swept.
-const DEPTH: usize = 32;
+const DEPTH: usize = 64;
 
 /// A lattice shorter than this stays in the cache as it is.
 const CACHED: usize = 4 * TILE;
