@@ -71,7 +71,7 @@ pub(crate) struct Sweep<'m, H: Hamiltonian, F, R: Real, S> {
 
 impl<H: Gather<F>, F, R: Real, S: Slot<R>> Sweep<'_, H, F, R, S> {
     /// Moves the coordinates of `sites`: whole blocks, then one by one the sites that fill none.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub(crate) fn over(mut self, sites: Range<usize>) {
         let rest = self.blocks::<S::Wide>(sites.clone());
         if rest < sites.end {
@@ -80,7 +80,7 @@ impl<H: Gather<F>, F, R: Real, S: Slot<R>> Sweep<'_, H, F, R, S> {
     }
 
     /// Moves whole blocks of `sites`, and returns where they end.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn blocks<W: Block<R>>(&mut self, sites: Range<usize>) -> usize {
         let (mut site, end) = (sites.start, sites.end);
         if site + W::WIDTH > end {
@@ -104,7 +104,7 @@ impl<H: Gather<F>, F, R: Real, S: Slot<R>> Sweep<'_, H, F, R, S> {
     }
 
     /// How many blocks from the beginning of `sites` on have no site of the last ones, and all around them at hand.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn alike<W: Block<R>>(&self, sites: Range<usize>) -> usize {
         let [_, farthest] = Self::window::<W>();
         let at_hand = (self.first + self.read.len()).saturating_sub((farthest - FARTHEST) * W::WIDTH);
@@ -113,7 +113,7 @@ impl<H: Gather<F>, F, R: Real, S: Slot<R>> Sweep<'_, H, F, R, S> {
     }
 
     /// Moves a block that may have sites unlike others; `carried` as below.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn block<W: Block<R>>(&mut self, site: usize, carried: [H::Shares<W>; FARTHEST]) -> [H::Shares<W>; FARTHEST] {
         let found = self.shares::<W>(site);
         S::update(&mut self.moved[site - self.first..], self.step, Self::sum(found, carried));
@@ -122,7 +122,7 @@ impl<H: Gather<F>, F, R: Real, S: Slot<R>> Sweep<'_, H, F, R, S> {
 
     /// Moves blocks that are alike; `carried` are the shares of the sites before them, nearest first. A window goes along,
     /// so that every coordinate is read once.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn middle<W: Block<R>>(
         &mut self,
         mut site: usize,
@@ -147,7 +147,7 @@ impl<H: Gather<F>, F, R: Real, S: Slot<R>> Sweep<'_, H, F, R, S> {
     }
 
     /// What a block of sites gets; `carried` are the shares of the sites before it, nearest first.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn sum<W: Block<R>>(found: H::Shares<W>, carried: [H::Shares<W>; FARTHEST]) -> W {
         let mut sum = found.as_ref()[0];
         for onward in 1..=H::EDGES.onward {
@@ -159,7 +159,7 @@ impl<H: Gather<F>, F, R: Real, S: Slot<R>> Sweep<'_, H, F, R, S> {
     }
 
     /// The shares of the sites before `site`, as if the sweep came from there.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn carried<W: Block<R>>(&self, site: usize) -> [H::Shares<W>; FARTHEST] {
         let mut carried = [H::Shares::<W>::filled(W::of(0.0)); FARTHEST];
         for behind in (1..=H::EDGES.onward).rev() {
@@ -182,7 +182,7 @@ impl<H: Gather<F>, F, R: Real, S: Slot<R>> Sweep<'_, H, F, R, S> {
     }
 
     /// The shares of a block that may have sites unlike others.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn shares<W: Block<R>>(&self, site: usize) -> H::Shares<W> {
         let around = self.around(site as isize);
         let near = Neighbours { around, site, length: self.length, edge: true, scalar: PhantomData };
@@ -190,13 +190,13 @@ impl<H: Gather<F>, F, R: Real, S: Slot<R>> Sweep<'_, H, F, R, S> {
     }
 
     /// Where in [`Neighbours::around`] the first and the last block are that are looked at.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn window<W: Block<R>>() -> [usize; 2] {
         [FARTHEST - H::EDGES.behind.div_ceil(W::WIDTH), FARTHEST + H::EDGES.ahead.div_ceil(W::WIDTH)]
     }
 
     /// The coordinates around the block that begins at `site`.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn around<W: Block<R>>(&self, site: isize) -> [W; 2 * FARTHEST + 1] {
         let [nearest, farthest] = Self::window::<W>();
         let mut around = [self.coordinates::<W>(site); 2 * FARTHEST + 1];
@@ -207,7 +207,7 @@ impl<H: Gather<F>, F, R: Real, S: Slot<R>> Sweep<'_, H, F, R, S> {
     }
 
     /// The coordinates of the block from a site on, which may lie beyond an end.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn coordinates<W: Block<R>>(&self, site: isize) -> W {
         let length = self.length as isize;
         let site = match site {
@@ -230,7 +230,7 @@ impl<H: Gather<F>, F, R: Real, S: Slot<R>> Sweep<'_, H, F, R, S> {
 }
 
 /// What comes to a block of sites from `onward` places behind: shares of the block itself, and those carried to it.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 fn arriving<R: Real, W: Block<R>>(onward: usize, own: W, carried: [W; FARTHEST]) -> W {
     let [nearest, _] = carried;
     match (onward, W::WIDTH) {
@@ -247,7 +247,7 @@ pub trait Array<T>: AsRef<[T]> + AsMut<[T]> + Copy {
 }
 
 impl<T: Copy, const N: usize> Array<T> for [T; N] {
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn filled(with: T) -> Self {
         [with; N]
     }

@@ -227,15 +227,15 @@ pub(crate) struct Single<'m, H: Hamiltonian, R: Real, K: Keep>(pub(crate) &'m mu
 impl<H: Hamiltonian, R: Real, K: Keep> Flows<H> for Single<'_, H, R, K> {
     const COMPENSATED: bool = K::COMPENSATED;
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn drift(&mut self, duration: f64, time: f64) {
         H::drift::<R, K>(self.0, duration, time);
     }
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn kick(&mut self, duration: f64, time: f64) {
         H::kick::<R, K>(self.0, duration, time);
     }
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn gradient_kick(&mut self, duration: f64, gradient: f64, time: f64)
     where
         H: QuadraticKinetic,

@@ -31,7 +31,7 @@ pub(crate) trait Arc: Parts {
 }
 
 /// The angle whose tangent is `small / big`, in two parts.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 fn eighth<R: Bits<Scalar: Arc>>(small: R, big: R) -> [R; 2] {
     let t = small / big;
     let z = t * t;
@@ -43,7 +43,7 @@ fn eighth<R: Bits<Scalar: Arc>>(small: R, big: R) -> [R; 2] {
 }
 
 /// The sum of so many quarter turns, if there are any, and an angle that is smaller and in two parts.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub(super) fn turned<R: Bits<Scalar: Arc>>(quarters: R, [angle, rest]: [R; 2]) -> R {
     let [quarter, small] = R::Scalar::QUARTER.map(R::of);
     let [sum, lost] = sum(quarters * quarter, angle);
@@ -51,27 +51,27 @@ pub(super) fn turned<R: Bits<Scalar: Arc>>(quarters: R, [angle, rest]: [R; 2]) -
 }
 
 /// The sign of the first, as a pattern.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub(super) fn sign<R: Bits>(x: R) -> R {
     x.bits_and(R::of(-0.0))
 }
 
 /// The smaller one of two sizes, the larger one, and whether the first is larger.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 fn sorted<R: Bits>(height: R, width: R) -> (R, R, R::Mask) {
     let steep = width.less(height);
     (R::select(steep, width, height), R::select(steep, height, width), steep)
 }
 
 /// The size of a number, but for infinity, which has no reciprocal to be corrected.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 fn size<R: Bits<Scalar: Arc>>(x: R) -> R {
     let farthest = R::of(R::Scalar::MODERATE[1]);
     R::select(farthest.less(x.abs()), farthest, x.abs())
 }
 
 /// How many quarter turns the angle of a point is counted from, and the sign with which: a pattern.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 fn quadrant<R: Bits>(x: R, steep: R::Mask) -> (R, R) {
     let (zero, one, two) = (R::of(0.0), R::of(1.0), R::of(2.0));
     let flip = sign(x).bits_xor(R::select(steep, R::of(-0.0), zero));
@@ -79,7 +79,7 @@ fn quadrant<R: Bits>(x: R, steep: R::Mask) -> (R, R) {
 }
 
 /// `value` where the sizes are moderate, that of the maths library elsewhere.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 fn rescued<R: Bits<Scalar: Arc>>(value: R, [y, x]: [R; 2], [small, big]: [R; 2]) -> R {
     let [least, greatest] = R::Scalar::MODERATE.map(R::of);
     let moderate = least.less(big).and(big.less(greatest)).and(least.less(small).or(small.equal(R::of(0.0))));
@@ -88,7 +88,7 @@ fn rescued<R: Bits<Scalar: Arc>>(value: R, [y, x]: [R; 2], [small, big]: [R; 2])
 }
 
 /// At most 1 ulp.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub(crate) fn atan<R: Bits<Scalar: Arc>>(x: R) -> R {
     let one = R::of(1.0);
     let (small, big, steep) = sorted(size(x), one);
@@ -98,7 +98,7 @@ pub(crate) fn atan<R: Bits<Scalar: Arc>>(x: R) -> R {
 }
 
 /// At most 1 ulp.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub(crate) fn atan2<R: Bits<Scalar: Arc>>(y: R, x: R) -> R {
     let (small, big, steep) = sorted(y.abs(), x.abs());
     let [angle, rest] = eighth(small, big);
@@ -108,7 +108,7 @@ pub(crate) fn atan2<R: Bits<Scalar: Arc>>(y: R, x: R) -> R {
 }
 
 /// The angle whose tangent is `small / big`, of which nothing is kept beyond its rounding.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 fn short_eighth<R: Bits<Scalar: Arc>>(small: R, big: R) -> R {
     let t = small / big;
     let z = t * t;
@@ -116,7 +116,7 @@ fn short_eighth<R: Bits<Scalar: Arc>>(small: R, big: R) -> R {
 }
 
 /// At most 4 ulp.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub(crate) fn fast_atan<R: Bits<Scalar: Arc>>(x: R) -> R {
     let one = R::of(1.0);
     let (small, big, steep) = sorted(x.abs(), one);
@@ -126,7 +126,7 @@ pub(crate) fn fast_atan<R: Bits<Scalar: Arc>>(x: R) -> R {
 }
 
 /// At most 4 ulp.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub(crate) fn fast_atan2<R: Bits<Scalar: Arc>>(y: R, x: R) -> R {
     let (small, big, steep) = sorted(y.abs(), x.abs());
     let (quarters, flip) = quadrant(x, steep);
@@ -139,7 +139,7 @@ impl Arc for f64 {
     const QUARTER: [f64; 2] = [FRAC_PI_2, 6.123_233_995_736_766e-17];
     const MODERATE: [f64; 2] = [1e-140, 1e140];
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn series<R: Bits<Scalar = f64>>(z: R) -> R {
         let square = z * z;
         let fourth = square * square;
@@ -187,7 +187,7 @@ impl Arc for f64 {
         fourth.fma(fourth.fma(upper, second), low)
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn short_series<R: Bits<Scalar = f64>>(z: R) -> R {
         let square = z * z;
         let fourth = square * square;
@@ -238,7 +238,7 @@ impl Arc for f32 {
     const QUARTER: [f64; 2] = [1.570_796_370_506_286_5, -4.371_138_828_673_793e-8];
     const MODERATE: [f64; 2] = [1e-13, 1e13];
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn series<R: Bits<Scalar = f32>>(z: R) -> R {
         let first = linear(z, [-0.083_333_283_662_796_02, 0.199_997_156_858_444_2]);
         let second = linear(z, [-0.142_803_430_557_250_98, 0.110_612_332_820_892_33]);
@@ -250,7 +250,7 @@ impl Arc for f32 {
         square.fma(square.fma(high, second), first)
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn short_series<R: Bits<Scalar = f32>>(z: R) -> R {
         let square = z * z;
         let low = cubic(

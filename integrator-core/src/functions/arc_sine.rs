@@ -26,7 +26,7 @@ pub(crate) trait ArcSine: Arc {
 }
 
 /// Whether the argument is beyond one half, and the arc sine of what brings it there, in two parts.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 fn inner<R: Bits<Scalar: ArcSine>>(size: R) -> (R::Mask, [R; 2]) {
     let half = R::of(0.5);
     let outer = half.less(size);
@@ -38,13 +38,13 @@ fn inner<R: Bits<Scalar: ArcSine>>(size: R) -> (R::Mask, [R; 2]) {
 }
 
 /// Quarter turns, and the factor of an angle that is added for the arc sine of a size.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 fn of_sine<R: Bits>(outer: R::Mask) -> [R; 2] {
     [R::select(outer, R::of(1.0), R::of(0.0)), R::select(outer, R::of(-2.0), R::of(1.0))]
 }
 
 /// The same for the arc cosine.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 fn of_cosine<R: Bits>(x: R, outer: R::Mask) -> [R; 2] {
     let turns = R::select(x.less(R::of(0.0)), R::of(2.0), R::of(0.0));
     let factor = R::select(outer, R::of(2.0), R::of(-1.0)).bits_xor(sign(x));
@@ -52,7 +52,7 @@ fn of_cosine<R: Bits>(x: R, outer: R::Mask) -> [R; 2] {
 }
 
 /// At most 1 ulp.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub(crate) fn asin<R: Bits<Scalar: ArcSine>>(x: R) -> R {
     let (outer, [s, rest]) = inner(x.abs());
     let [quarters, factor] = of_sine::<R>(outer);
@@ -60,7 +60,7 @@ pub(crate) fn asin<R: Bits<Scalar: ArcSine>>(x: R) -> R {
 }
 
 /// At most 1 ulp.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub(crate) fn acos<R: Bits<Scalar: ArcSine>>(x: R) -> R {
     let (outer, [s, rest]) = inner(x.abs());
     let [quarters, factor] = of_cosine(x, outer);
@@ -68,7 +68,7 @@ pub(crate) fn acos<R: Bits<Scalar: ArcSine>>(x: R) -> R {
 }
 
 /// As `inner`, but nothing is kept beyond the rounding of the root and of the result.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 fn short_inner<R: Bits<Scalar: ArcSine>>(size: R) -> (R::Mask, R) {
     let half = R::of(0.5);
     let outer = half.less(size);
@@ -78,7 +78,7 @@ fn short_inner<R: Bits<Scalar: ArcSine>>(size: R) -> (R::Mask, R) {
 }
 
 /// At most 4 ulp.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub(crate) fn fast_asin<R: Bits<Scalar: ArcSine>>(x: R) -> R {
     let (outer, angle) = short_inner(x.abs());
     let [quarters, factor] = of_sine::<R>(outer);
@@ -86,7 +86,7 @@ pub(crate) fn fast_asin<R: Bits<Scalar: ArcSine>>(x: R) -> R {
 }
 
 /// At most 4 ulp.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub(crate) fn fast_acos<R: Bits<Scalar: ArcSine>>(x: R) -> R {
     let (outer, angle) = short_inner(x.abs());
     let [quarters, factor] = of_cosine(x, outer);
@@ -97,7 +97,7 @@ pub(crate) fn fast_acos<R: Bits<Scalar: ArcSine>>(x: R) -> R {
 impl ArcSine for f64 {
     const HALF_RECIPROCAL_ROOT: u64 = 0x5fd6_eb85_1eb8_51eb;
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn series<R: Bits<Scalar = f64>>(z: R) -> R {
         let square = z * z;
         let low = cubic(
@@ -119,7 +119,7 @@ impl ArcSine for f64 {
         fourth.fma(fourth.fma(high, middle), low)
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn short_series<R: Bits<Scalar = f64>>(z: R) -> R {
         let square = z * z;
         let fourth = square * square;
@@ -143,7 +143,7 @@ impl ArcSine for f64 {
 impl ArcSine for f32 {
     const HALF_RECIPROCAL_ROOT: u64 = 0x5eb7_5c28;
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn series<R: Bits<Scalar = f32>>(z: R) -> R {
         let first = linear(z, [0.166_667_520_999_908_45, 0.074_953_094_124_794]);
         let second = linear(z, [0.045_469_153_672_456_74, 0.024_184_737_354_516_983]);
@@ -151,7 +151,7 @@ impl ArcSine for f32 {
         square.fma(square.fma(R::of(0.042_158_413_678_407_67), second), first)
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn short_series<R: Bits<Scalar = f32>>(z: R) -> R {
         cubic(
             z,

@@ -33,7 +33,7 @@ pub(crate) trait Bits: Real {
     /// What `each` makes of the lanes and those of `other`.
     fn through_with(self, other: Self, each: impl Fn(&mut [Self::Scalar], &[Self::Scalar])) -> Self;
     /// What `each` makes of the lanes.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn through(self, each: impl Fn(&mut [Self::Scalar])) -> Self {
         self.through_with(self, |lanes, _| each(lanes))
     }
@@ -46,41 +46,41 @@ macro_rules! scalar_bits {
 
             const FUSED: bool = $fused;
 
-            #[inline(always)]
+            #[cfg_attr(not(debug_assertions), inline(always))]
             fn pattern(bits: u64) -> Self {
                 $new($scalar::from_bits(bits as $word))
             }
-            #[inline(always)]
+            #[cfg_attr(not(debug_assertions), inline(always))]
             fn bits_and(self, other: Self) -> Self {
                 let (a, b) = ({ let $x = self; $number }, { let $x = other; $number });
                 $new($scalar::from_bits(a.to_bits() & b.to_bits()))
             }
-            #[inline(always)]
+            #[cfg_attr(not(debug_assertions), inline(always))]
             fn bits_xor(self, other: Self) -> Self {
                 let (a, b) = ({ let $x = self; $number }, { let $x = other; $number });
                 $new($scalar::from_bits(a.to_bits() ^ b.to_bits()))
             }
-            #[inline(always)]
+            #[cfg_attr(not(debug_assertions), inline(always))]
             fn bits_add(self, other: Self) -> Self {
                 let (a, b) = ({ let $x = self; $number }, { let $x = other; $number });
                 $new($scalar::from_bits(a.to_bits().wrapping_add(b.to_bits())))
             }
-            #[inline(always)]
+            #[cfg_attr(not(debug_assertions), inline(always))]
             fn bits_left(self, by: u32) -> Self {
                 let $x = self;
                 $new($scalar::from_bits($number.to_bits() << by))
             }
-            #[inline(always)]
+            #[cfg_attr(not(debug_assertions), inline(always))]
             fn bits_right(self, by: u32) -> Self {
                 let $x = self;
                 $new($scalar::from_bits($number.to_bits() >> by))
             }
-            #[inline(always)]
+            #[cfg_attr(not(debug_assertions), inline(always))]
             fn is_odd(self) -> bool {
                 let $x = self;
                 $number.to_bits() & 1 == 1
             }
-            #[inline(always)]
+            #[cfg_attr(not(debug_assertions), inline(always))]
             fn through_with(self, other: Self, each: impl Fn(&mut [$scalar], &[$scalar])) -> Self {
                 let (mut lane, other) = ([{ let $x = self; $number }], [{ let $x = other; $number }]);
                 each(&mut lane, &other);

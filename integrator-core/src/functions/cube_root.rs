@@ -25,7 +25,7 @@ pub(crate) trait CubeRoot: Logarithm {
 }
 
 /// `1/∛x` of a size, good to 18 bits.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 fn reciprocal<R: Bits<Scalar: CubeRoot>>(size: R) -> R {
     let [_, _, integer] = R::Scalar::PATTERNS;
     let unused = R::Scalar::UNUSED;
@@ -41,7 +41,7 @@ fn reciprocal<R: Bits<Scalar: CubeRoot>>(size: R) -> R {
 }
 
 /// `value` where `x` is normal, that of the maths library elsewhere; with the sign of `x`.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 fn rescued<R: Bits<Scalar: CubeRoot>>(value: R, x: R, size: R) -> R {
     let value = value.bits_xor(x.bits_and(R::of(-0.0)));
     let beyond = normal(size).not();
@@ -49,7 +49,7 @@ fn rescued<R: Bits<Scalar: CubeRoot>>(value: R, x: R, size: R) -> R {
 }
 
 /// At most 1 ulp.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub(crate) fn cbrt<R: Bits<Scalar: CubeRoot>>(x: R) -> R {
     let size = x.abs();
     let p = reciprocal(size);
@@ -64,7 +64,7 @@ pub(crate) fn cbrt<R: Bits<Scalar: CubeRoot>>(x: R) -> R {
 }
 
 /// At most 4 ulp: of the root `x·p²` no bits are dropped, and the correction sees but a third of its rounding errors.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub(crate) fn fast_cbrt<R: Bits<Scalar: CubeRoot>>(x: R) -> R {
     let size = x.abs();
     let p = reciprocal(size);

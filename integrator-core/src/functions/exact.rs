@@ -21,14 +21,14 @@ impl Parts for f32 {
 }
 
 /// The two halves of a number.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 fn halves<R: Bits<Scalar: Parts>>(a: R) -> [R; 2] {
     let upper = a.bits_and(R::pattern(R::Scalar::UPPER));
     [upper, a - upper]
 }
 
 /// `c - a·b`, which is exact, but for the bits beyond those of a number, where `c` is next to the product.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub(super) fn less_product<R: Bits<Scalar: Parts>>(c: R, a: R, b: R) -> R {
     if R::FUSED {
         (-a).fma(b, c)
@@ -39,27 +39,27 @@ pub(super) fn less_product<R: Bits<Scalar: Parts>>(c: R, a: R, b: R) -> R {
 }
 
 /// The product in two numbers.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub(super) fn product<R: Bits<Scalar: Parts>>(a: R, b: R) -> [R; 2] {
     let product = a * b;
     [product, -less_product(product, a, b)]
 }
 
 /// The sum in two numbers, of which the first is zero or not the smaller one.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub(super) fn sum<R: Bits>(large: R, small: R) -> [R; 2] {
     let sum = large + small;
     [sum, (large - sum) + small]
 }
 
 /// The difference of the patterns as integers.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub(super) fn pattern_less<R: Bits>(pattern: u64, x: R) -> R {
     x.bits_xor(R::pattern(!0)).bits_add(R::pattern(pattern.wrapping_add(1)))
 }
 
 /// What the quotient of `a` and `b` is too small by, where it was rounded: enough digits of it to be added.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub(super) fn lost_by_quotient<R: Bits<Scalar: Parts>>(quotient: R, a: R, b: R) -> R {
     less_product(a, quotient, b) * pattern_less(R::Scalar::RECIPROCAL, b)
 }

@@ -31,7 +31,7 @@ pub(crate) trait Exponential: Sized {
 }
 
 /// Of the sum of a number and a small one: `n` in the last bits of the pattern, and `eʳ - 1` with the error of its rounding.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub(super) fn parts<R: Bits<Scalar: Exponential>>(x: R, small: R) -> (R, [R; 2]) {
     let magic = R::of(R::Scalar::MAGIC);
     let turns = x.fma(R::of(LOG2_E), magic);
@@ -47,14 +47,14 @@ pub(super) fn parts<R: Bits<Scalar: Exponential>>(x: R, small: R) -> (R, [R; 2])
 }
 
 /// `2ⁿ·(1 + less_one)`, where `2ⁿ` is a normal number.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub(super) fn raised<R: Bits<Scalar: Exponential>>(n: R, less_one: R) -> R {
     (R::of(1.0) + less_one).bits_add(n.bits_left(R::Scalar::EXPONENT))
 }
 
 /// The exponential where its power of two need not be a normal number, in two steps. A tail of small numbers is no
 /// reason to leave the registers.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 fn far<R: Bits<Scalar: Exponential>>(x: R) -> R {
     let [low, high] = R::Scalar::LIMITS.map(R::of);
     let x = R::select(x.less(low), low, x);
@@ -67,7 +67,7 @@ fn far<R: Bits<Scalar: Exponential>>(x: R) -> R {
 }
 
 /// At most 0.9 ulp.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub(crate) fn exp<R: Bits<Scalar: Exponential>>(x: R) -> R {
     let (n, [less_one, _]) = parts(x, R::of(0.0));
     let value = raised(n, less_one);
@@ -76,7 +76,7 @@ pub(crate) fn exp<R: Bits<Scalar: Exponential>>(x: R) -> R {
 }
 
 /// `n` in the last bits of the pattern, and `r`, of which nothing is kept beyond its rounding.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 fn short_parts<R: Bits<Scalar: Exponential>>(x: R) -> (R, R) {
     let magic = R::of(R::Scalar::MAGIC);
     let turns = x.fma(R::of(LOG2_E), magic);
@@ -86,7 +86,7 @@ fn short_parts<R: Bits<Scalar: Exponential>>(x: R) -> (R, R) {
 }
 
 /// At most 4 ulp.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub(crate) fn fast_exp<R: Bits<Scalar: Exponential>>(x: R) -> R {
     let (n, r) = short_parts(x);
     let value = raised(n, (r * r).fma(R::Scalar::short_series(r), r));
@@ -95,7 +95,7 @@ pub(crate) fn fast_exp<R: Bits<Scalar: Exponential>>(x: R) -> R {
 }
 
 /// At most 4 ulp, as `tanh`.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub(crate) fn fast_tanh<R: Bits<Scalar: Exponential>>(x: R) -> R {
     let (size, farthest) = (x.abs(), R::of(R::Scalar::SATURATED));
     let size = R::select(farthest.less(size), farthest, size);
@@ -107,7 +107,7 @@ pub(crate) fn fast_tanh<R: Bits<Scalar: Exponential>>(x: R) -> R {
 }
 
 /// At most 2 ulp: `tanh x = E / (E + 2)` with `E = e²ˣ - 1`, of the absolute value.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub(crate) fn tanh<R: Bits<Scalar: Exponential>>(x: R) -> R {
     let (size, farthest) = (x.abs(), R::of(R::Scalar::SATURATED));
     let size = R::select(farthest.less(size), farthest, size);
@@ -130,7 +130,7 @@ impl Exponential for f64 {
     const LIMITS: [f64; 2] = [-746.0, 710.0];
     const SATURATED: f64 = 20.0;
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn series<R: Bits<Scalar = f64>>(r: R) -> R {
         let c = |coefficient| R::of(coefficient);
         let first = r.fma(c(1.666_666_666_666_668_2e-1), c(0.5));
@@ -146,7 +146,7 @@ impl Exponential for f64 {
         fourth_power.fma(fourth_power.fma(high, middle), low)
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn short_series<R: Bits<Scalar = f64>>(r: R) -> R {
         let square = r * r;
         let low = cubic(
@@ -178,7 +178,7 @@ impl Exponential for f32 {
     const LIMITS: [f64; 2] = [-104.0, 89.0];
     const SATURATED: f64 = 10.0;
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn series<R: Bits<Scalar = f32>>(r: R) -> R {
         let c = |coefficient| R::of(coefficient);
         let first = r.fma(c(1.666_651_815_176_01e-1), c(4.999_999_403_953_552e-1));
@@ -187,7 +187,7 @@ impl Exponential for f32 {
         square.fma(square.fma(c(1.381_292_589_940_130_7e-3), second), first)
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn short_series<R: Bits<Scalar = f32>>(r: R) -> R {
         cubic(
             r,

@@ -18,7 +18,7 @@ pub(crate) trait HalfCircle: Circle {
 }
 
 /// `x - n·π/2`, or `x - n·π` for two quarters, and what the polynomial need not wait for.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub(super) fn difference<R: Bits<Scalar: Circle>>(x: R, n: R, quarters: f64) -> [R; 2] {
     if R::FUSED {
         let [first, second, third] = R::Scalar::QUARTER.map(|part| R::of(-quarters * part));
@@ -33,7 +33,7 @@ pub(super) fn difference<R: Bits<Scalar: Circle>>(x: R, n: R, quarters: f64) -> 
 }
 
 /// The sine of `x - n·π`.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 fn rest<R: Bits<Scalar: HalfCircle>>(x: R, n: R) -> R {
     let [r, near] = difference(x, n, 2.0);
     let z = near * near;
@@ -41,7 +41,7 @@ fn rest<R: Bits<Scalar: HalfCircle>>(x: R, n: R) -> R {
 }
 
 /// At most 4 ulp.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub(crate) fn fast_sin<R: Bits<Scalar: HalfCircle>>(x: R) -> R {
     let magic = R::of(R::Scalar::MAGIC);
     let turns = x.fma(R::of(FRAC_1_PI), magic);
@@ -50,7 +50,7 @@ pub(crate) fn fast_sin<R: Bits<Scalar: HalfCircle>>(x: R) -> R {
 }
 
 /// At most 4 ulp.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub(crate) fn fast_cos<R: Bits<Scalar: HalfCircle>>(x: R) -> R {
     let magic = R::of(R::Scalar::MAGIC);
     let turns = x.fma(R::of(FRAC_1_PI), R::of(-0.5)) + magic;
@@ -60,7 +60,7 @@ pub(crate) fn fast_cos<R: Bits<Scalar: HalfCircle>>(x: R) -> R {
 
 /// Its error is 2^-52.3.
 impl HalfCircle for f64 {
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn series<R: Bits<Scalar = f64>>(z: R) -> R {
         let c = |coefficient| R::of(coefficient);
         let first = z.fma(c(8.333_333_333_285_543e-3), c(-1.666_666_666_666_618_6e-1));
@@ -73,7 +73,7 @@ impl HalfCircle for f64 {
 
 /// Its error is 2^-27.2.
 impl HalfCircle for f32 {
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn series<R: Bits<Scalar = f32>>(z: R) -> R {
         let c = |coefficient| R::of(coefficient);
         let first = z.fma(c(8.333_068_341_016_77e-3), c(-1.666_665_971_279_144_3e-1));

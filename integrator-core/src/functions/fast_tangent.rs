@@ -19,7 +19,7 @@ pub(crate) trait Fraction: Circle {
 }
 
 /// At most 4 ulp.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub(crate) fn fast_tan<R: Bits<Scalar: Fraction>>(x: R) -> R {
     let magic = R::of(R::Scalar::MAGIC);
     let quarters = x.fma(R::of(FRAC_2_PI), magic);
@@ -33,7 +33,7 @@ pub(crate) fn fast_tan<R: Bits<Scalar: Fraction>>(x: R) -> R {
 
 /// Nine terms of the fraction, whose error is 2^-60.
 impl Fraction for f64 {
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn fraction<R: Bits<Scalar = f64>>(z: R) -> [R; 2] {
         let (square, one) = (z * z, R::of(1.0));
         let above = cubic(
@@ -62,7 +62,7 @@ impl Fraction for f64 {
 
 /// Five terms of the fraction, whose error is 2^-26.
 impl Fraction for f32 {
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn fraction<R: Bits<Scalar = f32>>(z: R) -> [R; 2] {
         let (above, below) = (linear(z, [-1.0 / 9.0, 1.0 / 945.0]), linear(z, [-4.0 / 9.0, 1.0 / 63.0]));
         [z.fma(above, R::of(1.0)), z.fma(below, R::of(1.0))]

@@ -26,7 +26,7 @@ pub(crate) trait Logarithm: Exponential {
 }
 
 /// Of a normal number: `k` and `f`.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub(super) fn split<R: Bits<Scalar: Logarithm>>(x: R) -> (R, R) {
     let [root, one, integer] = R::Scalar::PATTERNS;
     // Moved so that the mantissa begins at √½, and the exponent is never negative.
@@ -39,14 +39,14 @@ pub(super) fn split<R: Bits<Scalar: Logarithm>>(x: R) -> (R, R) {
 }
 
 /// Which lanes are normal and positive.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub(super) fn normal<R: Bits<Scalar: Logarithm>>(x: R) -> R::Mask {
     let [least, greatest] = R::Scalar::NORMAL.map(R::of);
     least.less_or_equal(x).and(x.less_or_equal(greatest))
 }
 
 /// At most 1 ulp.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub(crate) fn ln<R: Bits<Scalar: Logarithm>>(x: R) -> R {
     let (k, f) = split(x);
     let s = f / (f + R::of(2.0));
@@ -61,7 +61,7 @@ pub(crate) fn ln<R: Bits<Scalar: Logarithm>>(x: R) -> R {
 }
 
 /// At most 4 ulp: `ln m = s·(2 + s²·L(s²))`.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub(crate) fn fast_ln<R: Bits<Scalar: Logarithm>>(x: R) -> R {
     let (k, f) = split(x);
     let s = f / (f + R::of(2.0));
@@ -78,7 +78,7 @@ impl Logarithm for f64 {
     const PATTERNS: [u64; 3] = [0x3fe6_a09e_667f_3bcd, 0x3ff0_0000_0000_0000, 0x4330_0000_0000_0000];
     const NORMAL: [f64; 2] = [f64::MIN_POSITIVE, f64::MAX];
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn series<R: Bits<Scalar = f64>>(z: R) -> R {
         let c = |coefficient| R::of(coefficient);
         let first = z.fma(c(3.999_999_999_941_706e-1), c(6.666_666_666_666_734e-1));
@@ -88,7 +88,7 @@ impl Logarithm for f64 {
         square.fma(square.fma(square.fma(c(1.479_536_844_409_115e-1), third), second), first)
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn short_series<R: Bits<Scalar = f64>>(z: R) -> R {
         let square = z * z;
         let low = cubic(
@@ -111,13 +111,13 @@ impl Logarithm for f32 {
     const PATTERNS: [u64; 3] = [0x3f35_04f3, 0x3f80_0000, 0x4b00_0000];
     const NORMAL: [f64; 2] = [f32::MIN_POSITIVE as f64, f32::MAX as f64];
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn series<R: Bits<Scalar = f32>>(z: R) -> R {
         let c = |coefficient| R::of(coefficient);
         z.fma(z.fma(c(2.987_070_083_618_164e-1), c(3.997_758_626_937_866e-1)), c(6.666_677_594_184_875e-1))
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn short_series<R: Bits<Scalar = f32>>(z: R) -> R {
         <f32 as Logarithm>::series(z)
     }

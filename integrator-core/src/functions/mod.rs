@@ -83,13 +83,13 @@ pub(crate) use fast_functions;
 macro_rules! fast_kernels {
     (unary: $($unary:ident $precise:ident),*; binary: $($binary:ident $other:ident),*;) => {
         $(
-            #[inline(always)]
+            #[cfg_attr(not(debug_assertions), inline(always))]
             fn $unary(self) -> Self {
                 crate::functions::$unary(self)
             }
         )*
         $(
-            #[inline(always)]
+            #[cfg_attr(not(debug_assertions), inline(always))]
             fn $binary(self, other: Self) -> Self {
                 crate::functions::$binary(self, other)
             }
@@ -109,19 +109,19 @@ pub(crate) use power::powf;
 pub(crate) use sine::{cos, sin, sin_cos, tan};
 
 /// The first two terms of a polynomial. A function and not a closure, because only functions are sure to be inlined.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 fn linear<R: Bits>(x: R, [a, b]: [f64; 2]) -> R {
     x.fma(R::of(b), R::of(a))
 }
 
 /// The first four terms of a polynomial, summed in pairs.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 fn cubic<R: Bits>(x: R, square: R, [a, b, c, d]: [f64; 4]) -> R {
     square.fma(linear(x, [c, d]), linear(x, [a, b]))
 }
 
 /// The quotient of two numbers that carry their rounding errors, correct but for the rounding of the quotient.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 fn quotient<R: Bits>([a, error_of_a]: [R; 2], [b, error_of_b]: [R; 2]) -> R {
     let quotient = a / b;
     let left = error_of_a - quotient * error_of_b;
@@ -132,7 +132,7 @@ fn quotient<R: Bits>([a, error_of_a]: [R; 2], [b, error_of_b]: [R; 2]) -> R {
 
 /// `near` in the lanes where `x` is at most `farthest` in absolute value; what `far` makes of `x` in the others, NaNs
 /// among them.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 fn rescued<R: Bits>(near: R, x: R, farthest: f64, far: fn(&mut [R::Scalar])) -> R {
     let beyond = x.abs().less_or_equal(R::of(farthest)).not();
     if beyond.any() { R::select(beyond, x.through(far), near) } else { near }

@@ -28,7 +28,7 @@ pub(crate) trait Power: Logarithm + Parts {
 }
 
 /// The logarithm of a normal number, in two parts.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 fn logarithm<R: Bits<Scalar: Power>>(x: R) -> [R; 2] {
     let (k, f) = split(x);
     let [divisor, lost] = sum(R::of(2.0), f);
@@ -53,7 +53,7 @@ fn logarithm<R: Bits<Scalar: Power>>(x: R) -> [R; 2] {
 }
 
 /// At most 2 ulp.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub(crate) fn powf<R: Bits<Scalar: Power>>(x: R, y: R) -> R {
     let [logarithm, small] = logarithm(x);
     let [exponent, lost] = product(y, logarithm);
@@ -67,7 +67,7 @@ pub(crate) fn powf<R: Bits<Scalar: Power>>(x: R, y: R) -> R {
 impl Power for f64 {
     const TWO_THIRDS: [f64; 2] = [2.0 / 3.0, 3.700_743_415_417_188e-17];
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn series<R: Bits<Scalar = f64>>(z: R) -> R {
         let square = z * z;
         let low = cubic(
@@ -91,7 +91,7 @@ impl Power for f64 {
 impl Power for f32 {
     const TWO_THIRDS: [f64; 2] = [0.666_666_686_534_881_6, -1.986_821_551_724_915_5e-8];
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn series<R: Bits<Scalar = f32>>(z: R) -> R {
         (z * z).fma(R::of(0.234_198_897_483_978_27), linear(z, [0.400_001_525_878_906_25, 0.285_470_843_315_124_5]))
     }

@@ -52,7 +52,7 @@ pub(crate) struct Reduced<R> {
     excess: R,
 }
 
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 fn reduce<R: Bits<Scalar: Circle>>(x: R) -> Reduced<R> {
     let quarters = x.fma(R::of(FRAC_2_PI), R::of(R::Scalar::MAGIC));
     let n = quarters - R::of(R::Scalar::MAGIC);
@@ -73,7 +73,7 @@ fn reduce<R: Bits<Scalar: Circle>>(x: R) -> Reduced<R> {
 }
 
 /// A coefficient of the sine, or of the cosine where `odd` holds.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 fn pick<R: Bits>(odd: R::Mask, [sine, cosine]: [f64; 2]) -> R {
     R::select(odd, R::of(cosine), R::of(sine))
 }
@@ -81,13 +81,13 @@ fn pick<R: Bits>(odd: R::Mask, [sine, cosine]: [f64; 2]) -> R {
 /// The sine of the rest where `odd` does not hold, the cosine where it does.
 ///
 /// The leading term is added last but one, so that only two roundings are of the size of half a unit of the result.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 fn either<R: Bits<Scalar: Circle>>(odd: R::Mask, reduced: Reduced<R>) -> R {
     either_carried(odd, reduced)[0]
 }
 
 /// The same, and the error of its last rounding.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 fn either_carried<R: Bits<Scalar: Circle>>(odd: R::Mask, Reduced { r, excess, .. }: Reduced<R>) -> [R; 2] {
     let z = r * r;
     let (inner, outer) = (R::select(odd, r, r * z), R::select(odd, r, R::of(-1.0)));
@@ -99,19 +99,19 @@ fn either_carried<R: Bits<Scalar: Circle>>(odd: R::Mask, Reduced { r, excess, ..
 }
 
 /// Turns the sign of `value` around in every other pair of quarters.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 fn signed<R: Bits<Scalar: Circle>>(value: R, quarters: R) -> R {
     value.bits_xor(quarters.bits_left(R::Scalar::SIGN - 1).bits_and(R::of(-0.0)))
 }
 
 /// The largest argument that is not left to the maths library.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub(super) fn farthest<R: Bits<Scalar: Circle>>() -> f64 {
     R::Scalar::FARTHEST[usize::from(!R::FUSED)]
 }
 
 /// At most 0.81 ulp with a fused multiply-add, 1 without.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub(crate) fn sin<R: Bits<Scalar: Circle>>(x: R) -> R {
     let reduced = reduce(x);
     let value = either(reduced.quarters.is_odd(), reduced);
@@ -119,7 +119,7 @@ pub(crate) fn sin<R: Bits<Scalar: Circle>>(x: R) -> R {
 }
 
 /// At most 0.81 ulp with a fused multiply-add, 1 without.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub(crate) fn cos<R: Bits<Scalar: Circle>>(x: R) -> R {
     let reduced = reduce(x);
     let ahead = reduced.quarters + R::of(1.0);
@@ -128,7 +128,7 @@ pub(crate) fn cos<R: Bits<Scalar: Circle>>(x: R) -> R {
 }
 
 /// The same bits as `sin` and `cos`.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub(crate) fn sin_cos<R: Bits<Scalar: Circle>>(x: R) -> (R, R) {
     let reduced = reduce(x);
     let (sine, cosine) = (either(R::Mask::of(false), reduced), either(R::Mask::of(true), reduced));
@@ -140,13 +140,13 @@ pub(crate) fn sin_cos<R: Bits<Scalar: Circle>>(x: R) -> (R, R) {
 }
 
 /// Both parts of `a` in the lanes of `mask`, of `b` in the others.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 fn select_both<R: Bits>(mask: R::Mask, a: [R; 2], b: [R; 2]) -> [R; 2] {
     [R::select(mask, a[0], b[0]), R::select(mask, a[1], b[1])]
 }
 
 /// At most 2 ulp: the quotient of sine and cosine of the rest, or of cosine and sine, negative, in odd quarters.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub(crate) fn tan<R: Bits<Scalar: Circle>>(x: R) -> R {
     let reduced = reduce(x);
     let (sine, cosine) = (either_carried(R::Mask::of(false), reduced), either_carried(R::Mask::of(true), reduced));
@@ -168,7 +168,7 @@ impl Circle for f64 {
     const SIGN: u32 = 63;
     const LEADING: [f64; 2] = [0.166_666_666_666_666_3, -0.5];
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn tail<R: Bits<Scalar = f64>>(odd: R::Mask, z: R, inner: R, excess: R) -> R {
         let first = z.fma(
             pick(odd, [1.984_126_982_935_850_6e-4, -1.388_888_888_887_334_2e-3]),
@@ -218,7 +218,7 @@ impl Circle for f32 {
     const SIGN: u32 = 31;
     const LEADING: [f64; 2] = [0.166_666_537_523_269_65, -0.5];
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn tail<R: Bits<Scalar = f32>>(odd: R::Mask, z: R, inner: R, excess: R) -> R {
         let first = z.fma(
             pick(odd, [1.950_789_010_152_220_7e-4, -1.388_730_597_682_297_2e-3]),

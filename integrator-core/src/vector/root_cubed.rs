@@ -55,18 +55,20 @@ mod tests {
     use core::marker::PhantomData;
     use dashu_float::{FBig, round::mode::HalfEven};
 
-    /// What the formula alone is right for: powers beyond the numbers, and what has no root.
-    const SPECIAL: [f64; 12] =
-        [0.0, -0.0, 5e-324, 1e-310, 1e-300, 1e-200, 1e200, 1e300, f64::MAX, f64::INFINITY, f64::NAN, -1.0];
+    /// What has no value, or one beyond the numbers.
+    const WITHOUT: [f64; 8] = [0.0, -0.0, 5e-324, 1e-310, 1e-300, f64::INFINITY, f64::NAN, -1.0];
+
+    /// What is so large that the value is zero.
+    const HUGE: [f64; 2] = [1e300, f64::MAX];
 
     /// Some thousand pairs of `n` and `x`, whose logarithms are spread (steps that no period fits), and special ones.
     fn pairs() -> Vec<[f64; 2]> {
         let fraction = |i: u32, step: f64| (f64::from(i) * step).fract();
         let moderate = |i| {
             let size = (2.0 * fraction(i, 0.754_877_666) - 1.0).exp2();
-            [if i % 2 == 0 { size } else { -size }, (1320.0 * fraction(i, 0.569_840_291) - 660.0).exp2()]
+            [if i % 2 == 0 { size } else { -size }, (1360.0 * fraction(i, 0.569_840_291) - 680.0).exp2()]
         };
-        let special = SPECIAL.into_iter().flat_map(|x| [1.5, -3.0, 0.0].map(|n| [n, x]));
+        let special = WITHOUT.into_iter().chain(HUGE).flat_map(|x| [1.5, -3.0].map(|n| [n, x]));
         (0..8_000).map(moderate).chain(special).collect()
     }
 
@@ -97,7 +99,7 @@ mod tests {
     }
 
     #[test]
-    fn values_are_within_two_units_and_special_ones_those_of_the_formula() {
+    fn values_are_within_two_units_and_finite_where_there_are_any() {
         if !InstructionSet::available().contains(&InstructionSet::Avx512) {
             return;
         }
@@ -106,12 +108,10 @@ mod tests {
         for ((&[n, x], alone), together) in pairs.iter().zip(alone).zip(together) {
             let same = alone.to_bits() == together.to_bits() || alone.is_nan() && together.is_nan();
             assert!(same, "{n} over {x}^(3/2): {alone} alone, {together} in lanes");
-            if SPECIAL.contains(&x) || x.is_nan() {
-                let formula = n / (x * x.sqrt());
-                assert!(
-                    alone.to_bits() == formula.to_bits() || alone.is_nan() && formula.is_nan(),
-                    "{n}, {x}: {alone}"
-                );
+            if HUGE.contains(&x) {
+                assert_eq!(alone.abs(), 0.0, "{n} over {x}^(3/2)");
+            } else if WITHOUT.contains(&x) || x.is_nan() {
+                assert!(!alone.is_finite(), "{n} over {x}^(3/2): {alone}");
             } else {
                 assert!(error([n, x], alone) <= 2.0, "{n} over {x}^(3/2): {alone}");
             }
