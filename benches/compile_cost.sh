@@ -14,7 +14,7 @@ version = "0.0.0"
 edition = "2024"
 
 [dependencies]
-integrator-core = { path = "$root/integrator-core", default-features = false }
+integrator-core = { path = "$root/integrator-core", default-features = false, features = ["std"] }
 
 # What is counted is code, not the names in it.
 [profile.release]
