@@ -84,3 +84,45 @@ impl Row<Fused<f64, Fma>> for Lanes<X4, 2> {
         Self::of_parts([X4::of_lanes(first), X4::of_lanes(second)])
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::{Avx512, Fma, Fused, Lanes, Real, Row, S8, X4, X8};
+    use crate::instruction_set::InstructionSet;
+
+    /// All rotations of `N` bodies: each place has what the body so many places further on had, and places behind the
+    /// last body repeat the first ones.
+    fn rotations<W: Row<R>, R: Real, const N: usize>() {
+        let number = |body: usize| 1.5 + body as f64;
+        let row = W::state(|lane| number(lane % N));
+        for by in 0..N {
+            let rotated = row.rotated::<N>(by);
+            for lane in 0..W::LANES {
+                assert_eq!(rotated.lane(lane), number((lane % N + by) % N), "place {lane} of {N} bodies, by {by}");
+            }
+        }
+        assert!((0..W::LANES).all(|lane| W::splat(R::of(2.5)).lane(lane) == 2.5));
+    }
+
+    fn all_rotations<W: Row<R>, R: Real>(set: InstructionSet) {
+        if InstructionSet::available().contains(&set) {
+            rotations::<W, R, 2>();
+            rotations::<W, R, 3>();
+            rotations::<W, R, 4>();
+            rotations::<W, R, 5>();
+            rotations::<W, R, 6>();
+            rotations::<W, R, 7>();
+            rotations::<W, R, 8>();
+        }
+    }
+
+    #[test]
+    fn rows_of_all_sets_turn_alike() {
+        all_rotations::<X8, Fused<f64, Avx512>>(InstructionSet::Avx512);
+        all_rotations::<S8, Fused<f32, Avx512>>(InstructionSet::Avx512);
+        all_rotations::<S8, Fused<f32, Fma>>(InstructionSet::Fused);
+        all_rotations::<Lanes<X4, 2>, Fused<f64, Fma>>(InstructionSet::Fused);
+        rotations::<Lanes<f64, 5>, f64, 5>();
+        rotations::<Lanes<f64, 8>, f64, 8>();
+    }
+}
