@@ -83,12 +83,16 @@ impl Report {
         let h = 1e-3;
         let plan = Plan::of::<Verlet>(h);
         let mut twin = Bodies::new(Attraction::Gravity, &system.masses, &start.q, &start.p);
-        let mut run = system.run_with(Verlet, start, h).expect("a start");
+        let generated = system.run_with(Verlet, start, h).expect("a start").with_threads(1);
+        let [mut run, mut wall] = [generated.clone(), generated.clone()];
+        let mut two = generated.with_threads(2);
         let pairs = count * (count - 1) / 2;
         let steps = (10_000_000 / pairs as u64).max(2);
         let racers = vec![
             Racer::new("generated", || run.advance(steps).expect("finite states")),
             Racer::new("twin", || twin.advance(&plan, steps)),
+            Racer::new("two threads", || two.advance(steps).expect("finite states")).in_threads(),
+            Racer::new("one thread", || wall.advance(steps).expect("finite states")).in_threads(),
         ];
         let turns = if count > 1_000 { 7 } else { 15 };
         self.add(name, "pairs/s", turns, pairs as f64 * steps as f64, racers);

@@ -72,7 +72,7 @@ pub(crate) trait Engine<C: Coords>: Send + Sync {
     #[cfg(feature = "checkpoint")]
     fn unfinished(&self) -> Phase<C>;
     fn energies(&self) -> Arc<dyn Energies<C>>;
-    /// Lets so many threads share a long lattice, or all that the machine has.
+    /// Lets so many threads share a long lattice or the pairs of many bodies, or all that the machine has.
     fn share_among(&mut self, threads: Option<usize>);
     fn boxed_clone(&self) -> Box<dyn Engine<C>>;
 }
@@ -247,6 +247,7 @@ impl<M: Motion<C, P>, P: Send + Sync + 'static, C: Coords> Engine<C> for Solo<M,
 
     fn share_among(&mut self, threads: Option<usize>) {
         self.watched.moves.threads = threads;
+        self.watched.motion.share_among(threads);
     }
 
     fn boxed_clone(&self) -> Box<dyn Engine<C>> {

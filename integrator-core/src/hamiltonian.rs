@@ -143,6 +143,8 @@ pub trait Motion<C: Coords, P>: Clone + Send + Sync + 'static {
     fn store(&self, lane: usize, to: &mut Phase<C>);
     /// Takes over the coordinates of another motion with the same constants, in place.
     fn copy_state(&mut self, from: &Self);
+    /// Lets so many threads share the work, or all that the machine has, where a layout has work to share.
+    fn share_among(&mut self, _threads: Option<usize>) {}
     /// Whether every coordinate of every lane is finite.
     fn finite(&self) -> bool;
 }

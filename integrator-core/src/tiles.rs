@@ -5,15 +5,21 @@ use crate::{
     hamiltonian::{Motion, Plain, Prepared},
     many_body::{Bodies, ManyBody, PerBody, add, between, within},
     phase::Phase,
-    real::Real,
+    real::{Kernel, Real},
     row::{Row, inward, of_bodies, of_place, outward, prepared, values},
     slot::{Keep, Slot},
+    threads::{all_threads, at_once},
 };
 use alloc::vec::Vec;
-use core::ops::Range;
+use core::{marker::PhantomData, ops::Range};
 
 /// How many bodies a tile has, whatever the hardware: the order of sums depends on it.
 const WIDTH: usize = 8;
+
+/// From how many tiles on the pairs are summed in shares, and in how many: a thousand bodies are done before another
+/// thread has started. The order of sums depends on these, and not on the number of threads.
+const MANY: usize = 256;
+const SHARES: usize = 8;
 
 /// Any number of bodies with `D` coordinates and `S` prepared constants each. The last tile may have fewer bodies than
 /// places; what is behind them never acts on anything.
@@ -25,8 +31,10 @@ pub struct Tiles<R: Real, K: Keep, P, const D: usize, const S: usize> {
     pub p: Vec<[K::Slot<R::Row<WIDTH>>; D]>,
     /// What is prepared of each body.
     of: Vec<[R::Row<WIDTH>; S]>,
-    /// Where forces are summed.
-    gradient: Vec<[R::Row<WIDTH>; D]>,
+    /// Where forces are summed, by shares; in the end all of them are in the first.
+    gradients: Vec<Vec<[R::Row<WIDTH>; D]>>,
+    /// How many threads may take shares.
+    threads: usize,
     /// How many bodies there are.
     bodies: usize,
     /// Prepared constants.
@@ -51,6 +59,7 @@ where
         P::Single: 'a,
     {
         let bodies = of_lane(0).1.q.length();
+        let shares = if bodies < MANY * WIDTH { 1 } else { SHARES };
         let q = tiles(bodies).map(|tile| inward::<R, K, WIDTH, D>(tile, |lane, k| of_lane(lane).1.q.flat()[k]));
         let p = tiles(bodies).map(|tile| inward::<R, K, WIDTH, D>(tile, |lane, k| of_lane(lane).1.p.flat()[k]));
         let of = tiles(bodies).map(|tile| prepared::<R, WIDTH, S>(tile, |lane, body| of_lane(lane).0.per_body(body)));
@@ -58,7 +67,8 @@ where
             q: q.collect(),
             p: p.collect(),
             of: of.collect(),
-            gradient: tiles(bodies).map(|_| [Real::of(0.0); D]).collect(),
+            gradients: vec![tiles(bodies).map(|_| [Real::of(0.0); D]).collect(); shares],
+            threads: 1,
             bodies,
             parameters: P::gather(|lane| of_lane(lane).0),
         }
@@ -72,6 +82,9 @@ where
     fn copy_state(&mut self, from: &Self) {
         self.q.clone_from(&from.q);
         self.p.clone_from(&from.p);
+    }
+    fn share_among(&mut self, threads: Option<usize>) {
+        self.threads = threads.unwrap_or_else(all_threads).clamp(1, SHARES);
     }
     #[inline(always)]
     fn finite(&self) -> bool {
@@ -106,41 +119,39 @@ impl<R: Real, K: Keep, P: Prepared<R>, const D: usize, const S: usize> Tiles<R, 
     pub fn kick<H: ManyBody<D, S, Parameters<R> = P>>(&mut self, duration: f64, time: f64) {
         self.sum_forces::<H>(time);
         let step = Real::of(-duration);
-        for (p, gradient) in self.p.iter_mut().zip(&self.gradient) {
+        for (p, gradient) in self.p.iter_mut().zip(&self.gradients[0]) {
             for (p, gradient) in p.iter_mut().zip(gradient) {
                 p.fma(step, *gradient);
             }
         }
     }
-    /// Sums what acts on each body: tile by tile from within it and alone, then from the tiles behind it; where action is
-    /// not reaction, from all others.
+    /// Sums what acts on each body, share by share, and all shares in their order.
     #[inline(always)]
     fn sum_forces<H: ManyBody<D, S, Parameters<R> = P>>(&mut self, time: f64) {
-        let tile = |tile: usize| Bodies { q: values(&self.q[tile]), of: self.of[tile] };
-        let (last, rest) = (self.q.len().saturating_sub(1), self.bodies % WIDTH);
-        let present = (rest > 0).then(|| Real::parameter(|lane| if lane / R::LANES < rest { 1.0 } else { 0.0 }));
-        let present = |tile: usize| if tile == last { present } else { None };
-        for first in 0..self.q.len() {
-            let bodies = tile(first);
-            let sum = within::<H, R, R::Row<WIDTH>, WIDTH, D, S>(&self.parameters, bodies, present(first), time);
-            // No zero with a sign, so that no bit tells whether a zero is added to it.
-            self.gradient[first] = add(sum, [Real::of(0.0); D]);
+        let count = self.gradients.len();
+        let shares = self.gradients.iter_mut().enumerate().map(|(number, gradient)| Share::<H, R, K, D, S> {
+            q: &self.q,
+            of: &self.of,
+            bodies: self.bodies,
+            parameters: &self.parameters,
+            time,
+            number,
+            count,
+            gradient,
+            system: PhantomData,
+        });
+        if self.threads.min(count) == 1 {
+            shares.for_each(R::enter);
+        } else {
+            let mut left: Vec<_> = shares.collect();
+            let each = count.div_ceil(self.threads);
+            let groups = (0..count).step_by(each).map(|_| left.drain(..each.min(left.len())).collect::<Vec<_>>());
+            at_once(groups.collect(), |group| group.into_iter().for_each(R::enter));
         }
-        for first in 0..self.q.len() {
-            let bodies = tile(first);
-            let others = if H::RECIPROCAL { first + 1..self.q.len() } else { 0..self.q.len() };
-            let mut sum = self.gradient[first];
-            for second in others.filter(|second| *second != first) {
-                between::<H, R, R::Row<WIDTH>, WIDTH, D, S>(
-                    &self.parameters,
-                    bodies,
-                    tile(second),
-                    present(second),
-                    time,
-                    [&mut sum, &mut self.gradient[second]],
-                );
+        if let Some((all, others)) = self.gradients.split_first_mut() {
+            for other in others {
+                all.iter_mut().zip(other).for_each(|(sum, other)| *sum = add(*sum, *other));
             }
-            self.gradient[first] = sum;
         }
     }
     /// The motion in the user's own shape, with slots that hold numbers and nothing else.
@@ -159,7 +170,8 @@ impl<R: Real, K: Keep, P: Prepared<R>, const D: usize, const S: usize> Tiles<R, 
             q: self.q.iter().map(values).collect(),
             p: self.q.iter().map(|_| [Real::of(0.0); D]).collect(),
             of: self.of.clone(),
-            gradient: self.gradient.clone(),
+            gradients: self.gradients.clone(),
+            threads: self.threads,
             bodies: self.bodies,
             parameters: self.parameters.clone(),
         }
@@ -179,5 +191,52 @@ impl<R: Real, P, const D: usize, const S: usize> Tiles<R, f64, P, D, S> {
         let p = C::slots(&plain.p);
         let row = |tile: Range<usize>, d| of_bodies::<R, WIDTH>(tile, |body| p[body * D + d]);
         self.p = tiles(self.bodies).map(|tile| core::array::from_fn(|d| row(tile.clone(), d))).collect();
+    }
+}
+
+/// A share of the pairs: those of every `count`th tile with itself and with the tiles behind it; where action is not
+/// reaction, with all others.
+struct Share<'s, H: ManyBody<D, S>, R: Real, K: Keep, const D: usize, const S: usize> {
+    q: &'s [[K::Slot<R::Row<WIDTH>>; D]],
+    of: &'s [[R::Row<WIDTH>; S]],
+    bodies: usize,
+    parameters: &'s H::Parameters<R>,
+    time: f64,
+    number: usize,
+    count: usize,
+    gradient: &'s mut [[R::Row<WIDTH>; D]],
+    system: PhantomData<fn(H)>,
+}
+
+impl<H: ManyBody<D, S>, R: Real, K: Keep, const D: usize, const S: usize> Kernel for Share<'_, H, R, K, D, S> {
+    type Out = ();
+
+    #[inline(always)]
+    fn call(self) {
+        let Self { q, of, bodies, parameters, time, number, count, gradient, .. } = self;
+        let tile = |tile: usize| Bodies { q: values(&q[tile]), of: of[tile] };
+        let (last, rest) = (q.len().saturating_sub(1), bodies % WIDTH);
+        let present = (rest > 0).then(|| Real::parameter(|lane| if lane / R::LANES < rest { 1.0 } else { 0.0 }));
+        let present = |tile: usize| if tile == last { present } else { None };
+        // Sums begin as a zero without a sign, so that no bit tells whether a zero is added to them.
+        gradient.fill([Real::of(0.0); D]);
+        for first in (number..q.len()).step_by(count) {
+            let bodies = tile(first);
+            let own = within::<H, R, R::Row<WIDTH>, WIDTH, D, S>(parameters, bodies, present(first), time);
+            let mut sum = add(gradient[first], own);
+            let others = if H::RECIPROCAL { first + 1..q.len() } else { 0..q.len() };
+            for second in others.filter(|second| *second != first) {
+                let sums = [&mut sum, &mut gradient[second]];
+                between::<H, R, R::Row<WIDTH>, WIDTH, D, S>(
+                    parameters,
+                    bodies,
+                    tile(second),
+                    present(second),
+                    time,
+                    sums,
+                );
+            }
+            gradient[first] = sum;
+        }
     }
 }
