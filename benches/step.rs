@@ -8,14 +8,15 @@
 use integrator_bench::{
     plan::Plan,
     plot::{Dots, Row, dots},
-    problems::{Fput, Phi4, SineGordon, Toda},
+    problems::{Fput, Phi4, Phi4Plane, SineGordon, Toda},
     race::{Racer, Times, race},
-    starts::{Problem, Problems, argon, cluster, waves},
+    starts::{Problem, Problems, argon, cluster, rows_of_waves, waves},
     table::{Table, folder},
     twins::{
         chain::Chain,
         law::Law,
         plain,
+        plane::Plane,
         points::{Point, scalar, wide},
         row,
         tiles::{Attraction, Bodies},
@@ -93,6 +94,24 @@ impl Report {
             Racer::new("generated", || run.advance(steps as u64).expect("finite states")),
             Racer::new("plain", || plain.two_pass(&plan, steps)),
             Racer::new("skewed", || skewed.skewed(&plan, steps)),
+        ];
+        self.add(name, "verlet", &race(FEW_TURNS, (sites * steps) as f64, racers));
+    }
+
+    /// Verlet on a plane, nanoseconds per site and step.
+    fn plane(&mut self, name: &str, system: Phi4Plane, rows: usize) {
+        let start = rows_of_waves(rows);
+        let sites = rows * start.q[0].len();
+        let steps = (2_000_000 / sites).max(64);
+        let h = 0.05;
+        let plan = Plan::of::<Verlet>(h);
+        let mut run = system.run_with::<f64, Verlet>(Verlet, start.clone(), h).expect("a start");
+        let one_pass = Plane { stiffness: system.stiffness, q: start.q, p: start.p };
+        let [mut one_pass, mut plain] = [one_pass.clone(), one_pass];
+        let racers = vec![
+            Racer::new("generated", || run.advance(steps as u64).expect("finite states")),
+            Racer::new("plain", || plain.two_pass(&plan, steps)),
+            Racer::new("one pass", || one_pass.one_pass(&plan, steps)),
         ];
         self.add(name, "verlet", &race(FEW_TURNS, (sites * steps) as f64, racers));
     }
@@ -177,6 +196,7 @@ fn large_problems(report: &mut Report) {
     report.chain("toda_1e4", &Toda, Law::Toda, 10_000);
     report.chain("sine_gordon_1e4", &SineGordon { stiffness }, Law::SineGordon { stiffness }, 10_000);
     report.chain("phi4_1e4", &Phi4 { stiffness }, Law::Phi4 { stiffness }, 10_000);
+    report.plane("phi4_2d", Phi4Plane { stiffness }, 256);
 
     let (system, start) = cluster(1000);
     let twin = Bodies::new(Attraction::Gravity, &system.masses, &start.q, &start.p);
@@ -187,7 +207,7 @@ fn large_problems(report: &mut Report) {
 }
 
 fn main() -> Result<(), Box<dyn Error>> {
-    println!("ns per force evaluation of a small system, per site of a chain, per pair of bodies");
+    println!("ns per force evaluation of a small system, per site of a lattice, per pair of bodies");
     let table = Table::new("step", &["problem", "composition", "generated", "plain", "best twin", "ratio"]);
     let mut report = Report { table, ratios: Vec::new(), rows: Vec::new() };
     small_problems(&mut report);

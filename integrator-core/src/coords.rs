@@ -23,6 +23,8 @@ pub trait Coords: Clone + Debug + PartialEq + Send + Sync + 'static {
 
     /// How many numbers or points there are, where the type tells.
     const LENGTH: Option<usize>;
+    /// How many numbers a point has; one where there are no points.
+    const COMPONENTS: usize;
 
     /// How many numbers or points there are.
     fn length(&self) -> usize;
@@ -78,6 +80,7 @@ impl<K: Keep, const N: usize> Coords for [K; N] {
     type Slots<R: Real> = [K::Slot<R>; N];
 
     const LENGTH: Option<usize> = Some(N);
+    const COMPONENTS: usize = 1;
 
     fn length(&self) -> usize {
         self.len()
@@ -114,6 +117,7 @@ impl<K: Keep, const D: usize, const N: usize> Coords for [[K; D]; N] {
     type Slots<R: Real> = [[K::Slot<R>; D]; N];
 
     const LENGTH: Option<usize> = Some(N);
+    const COMPONENTS: usize = D;
 
     fn length(&self) -> usize {
         self.len()
@@ -151,6 +155,7 @@ impl<K: Keep> Coords for Vec<K> {
     type Slots<R: Real> = Vec<K::Slot<R>>;
 
     const LENGTH: Option<usize> = None;
+    const COMPONENTS: usize = 1;
 
     fn length(&self) -> usize {
         self.len()
@@ -185,6 +190,7 @@ impl<K: Keep, const D: usize> Coords for Vec<[K; D]> {
     type Slots<R: Real> = Vec<[K::Slot<R>; D]>;
 
     const LENGTH: Option<usize> = None;
+    const COMPONENTS: usize = D;
 
     fn length(&self) -> usize {
         self.len()

@@ -2,13 +2,14 @@
 //!
 //! At every site something is computed from its neighbourhood, the bond to the next one for instance, and shared out
 //! among the site and the next ones. A sweep carries shares along with it, so that no buffer is filled and no bond
-//! computed twice. The order of the addends of a site is that of the shares, whatever the width of a block is and
-//! wherever a sweep begins: so are the bits.
+//! computed twice; in a plane it goes along a row, and what the row shares with the next one is passed on to that. The
+//! order of the addends of a site is that of the shares, whatever the width of a block is and wherever a sweep begins: so
+//! are the bits.
 
 use crate::{
     block::Block,
     hamiltonian::Hamiltonian,
-    neighbours::{FARTHEST, Neighbours},
+    neighbours::{Around, FARTHEST, Neighbours},
     real::Real,
     slot::Slot,
 };
@@ -39,11 +40,15 @@ pub struct Edges {
 
 /// A flow that every site takes part in alike. Written by `#[hamiltonian]`; `F` is [`Drift`] or [`Kick`].
 pub trait Gather<F>: Hamiltonian {
-    /// What is computed at a site: element `k` is an addend for the site `k` places further on.
+    /// What is computed at a site: element `k` is an addend for the site `k` places further on. Behind the farthest of
+    /// these come those for the next row, for the site below and further on.
     type Shares<W: Copy>: Array<W>;
 
     /// Where the sites are that are not like all others.
     const EDGES: Edges;
+
+    /// Where the rows of a plane are that are not like all others.
+    const ROWS: Option<Edges> = None;
 
     /// The shares of a block of sites.
     fn shares<R: Real, W: Block<R>>(
@@ -53,7 +58,7 @@ pub trait Gather<F>: Hamiltonian {
     ) -> Self::Shares<W>;
 }
 
-/// A flow on its way over sites that it finds in two slices, which may be windows of a longer lattice.
+/// A flow on its way over sites that it finds in slices, which may be windows of a longer lattice, or rows of a plane.
 pub(crate) struct Sweep<'m, H: Hamiltonian, F, R: Real, S> {
     /// The coordinates that the flow depends on.
     pub(crate) read: &'m [S],
@@ -61,15 +66,48 @@ pub(crate) struct Sweep<'m, H: Hamiltonian, F, R: Real, S> {
     pub(crate) moved: &'m mut [S],
     /// The site that the slices begin with.
     pub(crate) first: usize,
-    /// How many sites the lattice has.
+    /// How many sites there are in the line or in a row.
     pub(crate) length: usize,
+    /// What lies beside the sites.
+    pub(crate) beside: Beside<'m, R, S>,
     pub(crate) parameters: &'m H::Parameters<R>,
     pub(crate) step: R,
     pub(crate) time: f64,
     pub(crate) flow: PhantomData<F>,
 }
 
+/// The other rows of a plane, as a sweep along one of them sees them.
+pub(crate) struct Beside<'m, R, S> {
+    /// The number of the row that is swept.
+    pub(crate) row: usize,
+    /// How many rows there are.
+    pub(crate) rows: usize,
+    /// Whether something is different in the row from what it is in the middle of the plane.
+    pub(crate) edge: bool,
+    /// What the flow depends on in the rows above and below; nothing beyond an end.
+    pub(crate) read: [&'m [S]; 2],
+    /// What the row above shares with this one, and after the sweep what this one shares with the row below.
+    pub(crate) passed: &'m mut [R],
+}
+
+impl<R, S> Beside<'_, R, S> {
+    /// Nothing is beside a line.
+    #[inline(always)]
+    pub(crate) fn line() -> Self {
+        Self { row: 0, rows: 1, edge: false, read: [&[], &[]], passed: &mut [] }
+    }
+}
+
 impl<H: Gather<F>, F, R: Real, S: Slot<R>> Sweep<'_, H, F, R, S> {
+    /// Whether the rows above and below are looked at.
+    pub(crate) const LOOKED_AT: [bool; 2] = match H::ROWS {
+        Some(rows) => [rows.behind > 0, rows.ahead > 0],
+        None => [false; 2],
+    };
+
+    /// Whether a row shares anything with the next one.
+    pub(crate) const PASSES_ON: bool = matches!(H::ROWS, Some(Edges { onward: 1.., .. }));
+
     /// Moves the coordinates of `sites`: whole blocks, then one by one the sites that fill none.
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub(crate) fn over(mut self, sites: Range<usize>) {
@@ -106,6 +144,9 @@ impl<H: Gather<F>, F, R: Real, S: Slot<R>> Sweep<'_, H, F, R, S> {
     /// How many blocks from the beginning of `sites` on have no site of the last ones, and all around them at hand.
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn alike<W: Block<R>>(&self, sites: Range<usize>) -> usize {
+        if self.beside.edge {
+            return 0;
+        }
         let [_, farthest] = Self::window::<W>();
         let at_hand = (self.first + self.read.len()).saturating_sub((farthest - FARTHEST) * W::WIDTH);
         let end = self.length.saturating_sub(H::EDGES.last).min(at_hand).min(sites.end);
@@ -116,7 +157,9 @@ impl<H: Gather<F>, F, R: Real, S: Slot<R>> Sweep<'_, H, F, R, S> {
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn block<W: Block<R>>(&mut self, site: usize, carried: [H::Shares<W>; FARTHEST]) -> [H::Shares<W>; FARTHEST] {
         let found = self.shares::<W>(site);
-        S::update(&mut self.moved[site - self.first..], self.step, Self::sum(found, carried));
+        let begin = site - self.first;
+        let passed = self.beside.passed.get_mut(begin..).unwrap_or_default();
+        S::update(&mut self.moved[begin..], self.step, Self::sum(found, carried, passed));
         [found, carried[0]]
     }
 
@@ -129,31 +172,48 @@ impl<H: Gather<F>, F, R: Real, S: Slot<R>> Sweep<'_, H, F, R, S> {
         blocks: usize,
         mut carried: [H::Shares<W>; FARTHEST],
     ) -> [H::Shares<W>; FARTHEST] {
+        if H::ROWS.is_some() {
+            return self.middle_of_row(site, blocks, carried);
+        }
         let [nearest, farthest] = Self::window::<W>();
         let begin = site - self.first;
-        let mut around = self.around::<W>(site as isize - W::WIDTH as isize);
+        let mut around = self.around::<W>(self.read, site as isize - W::WIDTH as isize);
         let read = self.read[begin + (farthest - FARTHEST) * W::WIDTH..].chunks_exact(W::WIDTH).take(blocks);
         let moved = self.moved[begin..].chunks_exact_mut(W::WIDTH);
         for (next, moved) in read.zip(moved) {
             around.copy_within(nearest + 1..=farthest, nearest);
             around[farthest] = S::read(next);
-            let near = Neighbours { around, site, length: self.length, edge: false, scalar: PhantomData };
+            let (beside, length) = ([around; 2], self.length);
+            let near = Neighbours { around, beside, site, length, row: 0, rows: 1, edge: false, scalar: PhantomData };
             let found = H::shares::<R, W>(&near, self.parameters, self.time);
-            S::update(moved, self.step, Self::sum(found, carried));
+            S::update(moved, self.step, Self::sum(found, carried, &mut []));
             carried = [found, carried[0]];
             site += W::WIDTH;
         }
         carried
     }
 
-    /// What a block of sites gets; `carried` are the shares of the sites before it, nearest first.
+    /// What a block of sites gets; `carried` are the shares of the sites before it, nearest first. What the row above
+    /// passed on is replaced by what is passed on to the row below.
     #[cfg_attr(not(debug_assertions), inline(always))]
-    fn sum<W: Block<R>>(found: H::Shares<W>, carried: [H::Shares<W>; FARTHEST]) -> W {
-        let mut sum = found.as_ref()[0];
-        for onward in 1..=H::EDGES.onward {
+    pub(crate) fn sum<W: Block<R>>(found: H::Shares<W>, carried: [H::Shares<W>; FARTHEST], passed: &mut [R]) -> W {
+        let below = H::EDGES.onward + 1;
+        let mut sum = Self::sum_of(0..below, found, carried);
+        if Self::PASSES_ON {
+            sum += W::read(passed);
+            Self::sum_of(below..found.as_ref().len(), found, carried).write(passed);
+        }
+        sum
+    }
+
+    /// The sum of those of the shares that a block of sites gets.
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn sum_of<W: Block<R>>(shares: Range<usize>, found: H::Shares<W>, carried: [H::Shares<W>; FARTHEST]) -> W {
+        let mut sum = found.as_ref()[shares.start];
+        for share in shares.start + 1..shares.end {
             let [nearest, farther] = carried;
-            let carried = [nearest.as_ref()[onward], farther.as_ref()[onward]];
-            sum += arriving::<R, W>(onward, found.as_ref()[onward], carried);
+            let carried = [nearest.as_ref()[share], farther.as_ref()[share]];
+            sum += arriving::<R, W>(share - shares.start, found.as_ref()[share], carried);
         }
         sum
     }
@@ -171,10 +231,10 @@ impl<H: Gather<F>, F, R: Real, S: Slot<R>> Sweep<'_, H, F, R, S> {
             let found = self.shares::<R>(before);
             let [nearest, farther] = &mut carried;
             *farther = *nearest;
-            for onward in 1..=H::EDGES.onward {
-                let found = W::splat(found.as_ref()[onward]);
+            for share in 1..found.as_ref().len() {
+                let found = W::splat(found.as_ref()[share]);
                 // In a block of one the farther share is a block of its own.
-                let nearest = &mut nearest.as_mut()[onward];
+                let nearest = &mut nearest.as_mut()[share];
                 *nearest = nearest.after(found);
             }
         }
@@ -184,31 +244,44 @@ impl<H: Gather<F>, F, R: Real, S: Slot<R>> Sweep<'_, H, F, R, S> {
     /// The shares of a block that may have sites unlike others.
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn shares<W: Block<R>>(&self, site: usize) -> H::Shares<W> {
-        let around = self.around(site as isize);
-        let near = Neighbours { around, site, length: self.length, edge: true, scalar: PhantomData };
+        let around = self.around(self.read, site as isize);
+        let beside = self.beside(around, site as isize);
+        let (length, row, rows) = (self.length, self.beside.row, self.beside.rows);
+        let near = Neighbours { around, beside, site, length, row, rows, edge: true, scalar: PhantomData };
         H::shares::<R, W>(&near, self.parameters, self.time)
     }
 
     /// Where in [`Neighbours::around`] the first and the last block are that are looked at.
     #[cfg_attr(not(debug_assertions), inline(always))]
-    fn window<W: Block<R>>() -> [usize; 2] {
+    pub(crate) fn window<W: Block<R>>() -> [usize; 2] {
         [FARTHEST - H::EDGES.behind.div_ceil(W::WIDTH), FARTHEST + H::EDGES.ahead.div_ceil(W::WIDTH)]
     }
 
-    /// The coordinates around the block that begins at `site`.
+    /// The coordinates of a row around the block that begins at `site`.
     #[cfg_attr(not(debug_assertions), inline(always))]
-    fn around<W: Block<R>>(&self, site: isize) -> [W; 2 * FARTHEST + 1] {
+    pub(crate) fn around<W: Block<R>>(&self, row: &[S], site: isize) -> Around<W> {
         let [nearest, farthest] = Self::window::<W>();
-        let mut around = [self.coordinates::<W>(site); 2 * FARTHEST + 1];
+        let mut around = [self.coordinates::<W>(row, site); 2 * FARTHEST + 1];
         for place in (nearest..=farthest).filter(|place| *place != FARTHEST) {
-            around[place] = self.coordinates::<W>(site + (place as isize - FARTHEST as isize) * W::WIDTH as isize);
+            around[place] = self.coordinates::<W>(row, site + (place as isize - FARTHEST as isize) * W::WIDTH as isize);
         }
         around
     }
 
+    /// The same in the rows above and below, where they are looked at.
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    pub(crate) fn beside<W: Block<R>>(&self, around: Around<W>, site: isize) -> [Around<W>; 2] {
+        let [looks_above, looks_below] = Self::LOOKED_AT;
+        let [above, below] = self.beside.read;
+        [
+            if looks_above { self.around(above, site) } else { around },
+            if looks_below { self.around(below, site) } else { around },
+        ]
+    }
+
     /// The coordinates of the block from a site on, which may lie beyond an end.
     #[cfg_attr(not(debug_assertions), inline(always))]
-    fn coordinates<W: Block<R>>(&self, site: isize) -> W {
+    fn coordinates<W: Block<R>>(&self, row: &[S], site: isize) -> W {
         let length = self.length as isize;
         let site = match site {
             _ if !H::EDGES.periodic => site,
@@ -217,13 +290,13 @@ impl<H: Gather<F>, F, R: Real, S: Slot<R>> Sweep<'_, H, F, R, S> {
             inside => inside,
         };
         let begin = site - self.first as isize;
-        if begin >= 0 && begin as usize + W::WIDTH <= self.read.len() {
-            return S::read(&self.read[begin as usize..]);
+        if begin >= 0 && begin as usize + W::WIDTH <= row.len() {
+            return S::read(&row[begin as usize..]);
         }
         W::from_places(|place| {
             let site = site + place as isize;
             let site = if H::EDGES.periodic { site.rem_euclid(length) } else { site };
-            let slot = usize::try_from(site - self.first as isize).ok().and_then(|place| self.read.get(place));
+            let slot = usize::try_from(site - self.first as isize).ok().and_then(|place| row.get(place));
             slot.map_or(R::of(0.0), |slot| slot.value())
         })
     }

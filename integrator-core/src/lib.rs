@@ -107,6 +107,7 @@ mod neighbours;
 #[cfg(feature = "std")]
 mod pack;
 mod phase;
+mod plane;
 mod real;
 mod ring;
 #[allow(unreachable_pub, reason = "named in bounds, never outside")]

@@ -2,7 +2,7 @@
 
 use crate::{
     coords::Coords,
-    gather::{Drift, Gather, Kick, Sweep},
+    gather::{Beside, Drift, Gather, Kick, Sweep},
     hamiltonian::Plain,
     real::{Kernel, Real},
     slot::{Keep, Slot},
@@ -94,14 +94,16 @@ impl<'m, R: Real, K: Keep, P> Sites<'m, R, K, P> {
         time: f64,
     ) -> Sweep<'m, H, Drift, R, K::Slot<R>> {
         let Self { q: moved, p: read, parameters, first, length } = self;
-        Sweep { read, moved, first, length, parameters, step: R::of(duration), time, flow: PhantomData }
+        let (step, beside, flow) = (R::of(duration), Beside::line(), PhantomData);
+        Sweep { read, moved, first, length, beside, parameters, step, time, flow }
     }
 
     /// The flow of `V`, which moves momenta.
     #[inline(always)]
     fn kick<H: Gather<Kick, Parameters<R> = P>>(self, duration: f64, time: f64) -> Sweep<'m, H, Kick, R, K::Slot<R>> {
         let Self { q: read, p: moved, parameters, first, length } = self;
-        Sweep { read, moved, first, length, parameters, step: R::of(-duration), time, flow: PhantomData }
+        let (step, beside, flow) = (R::of(-duration), Beside::line(), PhantomData);
+        Sweep { read, moved, first, length, beside, parameters, step, time, flow }
     }
 }
 
@@ -116,6 +118,7 @@ impl<H: Gather<F>, F, R: Real, S: Slot<R>> Kernel for Over<'_, H, F, R, S> {
 
     #[inline(always)]
     fn call(self) {
-        self.along.over(self.sites);
+        // Said anew in the clone, which is compiled on its own: nothing of what is beside a line is left in it.
+        Sweep { beside: Beside::line(), ..self.along }.over(self.sites);
     }
 }

@@ -125,6 +125,46 @@ fn chain_with_a_helper() {
     insta::assert_snapshot!(stepper("", &chain(32)));
 }
 
+/// Closed rows that lie open one beside the other.
+#[test]
+fn rotors_on_a_plane() {
+    insta::assert_snapshot!(stepper(
+        "",
+        "impl Rotors {
+            fn kinetic(&self, p: &[[f64; 64]]) -> f64 {
+                let mut t = 0.0;
+                for i in 0..p.len() {
+                    for j in 0..64 { t += p[i][j].powi(2) / (2.0 * self.inertia[i][j]); }
+                }
+                t
+            }
+            fn potential(&self, q: &[[f64; 64]]) -> f64 {
+                let mut v = 0.0;
+                for i in 0..q.len() {
+                    for j in 0..64 { v -= self.along[j] * (q[i][(j + 1) % 64] - q[i][j]).cos(); }
+                }
+                for i in 0..q.len() - 1 {
+                    for j in 0..64 { v -= self.across[i] * (q[i + 1][j] - q[i][j]).cos(); }
+                }
+                v
+            }
+        }"
+    ));
+}
+
+/// A share that no site has is zero.
+#[test]
+fn bonds_may_lead_to_the_second_next_site_alone() {
+    let text = stepper(
+        "",
+        "impl Second {
+            fn kinetic(&self, p: &[f64]) -> f64 { p.iter().map(|p| 0.5 * p * p).sum() }
+            fn potential(&self, q: &[f64]) -> f64 { (0..q.len() - 2).map(|i| (q[i + 2] - q[i]).powi(4)).sum() }
+        }",
+    );
+    assert!(text.contains("[share_0, Wide::of(0.0), share_2]"), "{text}");
+}
+
 #[test]
 fn composition_in_place() {
     insta::assert_snapshot!(stepper(

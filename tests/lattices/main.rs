@@ -6,4 +6,5 @@
 mod every_length;
 #[path = "../support/instruction_sets.rs"]
 mod instruction_sets;
+mod planes;
 mod tiles;

@@ -233,6 +233,38 @@ impl Phi4 {
     }
 }
 
+/// The φ⁴ field on a square lattice with 256 sites in a row, closed in both directions.
+#[derive(Clone, Copy)]
+pub struct Phi4Plane {
+    /// Of the springs.
+    pub stiffness: f64,
+}
+
+#[hamiltonian]
+impl Phi4Plane {
+    fn kinetic(&self, p: &[[f64; 256]]) -> f64 {
+        let mut energy = 0.0;
+        for i in 0..p.len() {
+            for j in 0..256 {
+                energy += 0.5 * p[i][j] * p[i][j];
+            }
+        }
+        energy
+    }
+    fn potential(&self, q: &[[f64; 256]]) -> f64 {
+        let n = q.len();
+        let mut energy = 0.0;
+        for i in 0..n {
+            for j in 0..256 {
+                let (right, below) = (q[i][(j + 1) % 256] - q[i][j], q[(i + 1) % n][j] - q[i][j]);
+                energy += 0.5 * self.stiffness * (right.powi(2) + below.powi(2));
+                energy += 0.25 * (q[i][j] * q[i][j] - 1.0).powi(2);
+            }
+        }
+        energy
+    }
+}
+
 /// A cluster of stars.
 #[derive(Clone)]
 pub struct Cluster {

@@ -98,6 +98,13 @@ pub fn waves(sites: usize) -> Phase<Vec<f64>> {
     Phase::new((0..sites).map(wave).collect(), vec![0.0; sites])
 }
 
+/// The same wave along all rows of a plane, one after the other.
+pub fn rows_of_waves<const W: usize>(rows: usize) -> Phase<Vec<[f64; W]>> {
+    let Phase { q, p } = waves(rows * W);
+    let [q, p] = [q, p].map(|sites| sites.as_chunks().0.to_vec());
+    Phase::new(q, p)
+}
+
 /// Points near those of a cubic grid, shaken a little, with small momenta that sum to about nothing.
 fn shaken_grid(count: usize, spacing: f64) -> Phase<Vec<[f64; 3]>> {
     // Whole numbers of a linear congruence: the same on every machine.

@@ -6,12 +6,13 @@
 
 use integrator_bench::{
     plan::Plan,
-    problems::{Argon, Fput, Phi4, SineGordon, Toda},
-    starts::{Problems, argon, cluster, waves},
+    problems::{Argon, Fput, Phi4, Phi4Plane, SineGordon, Toda},
+    starts::{Problems, argon, cluster, rows_of_waves, waves},
     twins::{
         chain::Chain,
         law::Law,
         plain,
+        plane::Plane,
         points::{self, Point},
         row,
         swarm::Swarm,
@@ -133,6 +134,21 @@ fn long_chains_agree() {
     compare_chain(&Toda, Law::Toda);
     compare_chain(&SineGordon { stiffness: 0.7 }, Law::SineGordon { stiffness: 0.7 });
     compare_chain(&Phi4 { stiffness: 0.7 }, Law::Phi4 { stiffness: 0.7 });
+}
+
+#[test]
+fn planes_agree() {
+    let stiffness = 0.7;
+    for rows in [1, 2, 9] {
+        let start = rows_of_waves(rows);
+        let ours = flat(&end(&Phi4Plane { stiffness }, &start, Verlet, 0.05));
+        let plan = Plan::of::<Verlet>(0.05);
+        for advance in [Plane::one_pass, Plane::two_pass] {
+            let mut plane = Plane { stiffness, q: start.q.clone(), p: start.p.clone() };
+            advance(&mut plane, &plan, STEPS as usize);
+            agree("a plane", &ours, &[plane.q.as_flattened(), plane.p.as_flattened()].concat(), 1e-12);
+        }
+    }
 }
 
 #[test]

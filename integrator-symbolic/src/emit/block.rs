@@ -67,8 +67,9 @@ pub(super) fn shares(model: &Model, fields: &mut Fields, names: &Names, gathered
     let frame = Frame::Sites(gathered);
     let mut block = Block::new(model, names, &program, Dialect::Generic, &frame);
     // The runtime goes from site to site.
-    let body = block.items(fields, &unwrapped(program.items, gathered.site));
-    let shares = (0..=gathered.onward()).map(lattice::share);
+    let items = gathered.directions.iter().fold(program.items, |items, along| unwrapped(items, along.place));
+    let body = block.items(fields, &items);
+    let shares = block.printer.shares(gathered);
     quote!(#body [#(#shares),*])
 }
 

@@ -349,7 +349,13 @@ impl Printer<'_> {
         match self.graph.loops.index(id) {
             Index::Literal(value) => Literal::u64_unsuffixed(value).to_token_stream(),
             Index::Running(by) => self.running.get(&by).to_token_stream(),
-            Index::Length if matches!(self.frame, Frame::Sites(_)) => quote!(near.length()),
+            Index::Length if let Frame::Sites(lattice) = self.frame => {
+                if lattice.is_plane() {
+                    quote!(near.rows())
+                } else {
+                    quote!(near.length())
+                }
+            }
             Index::Length if self.dialect == Dialect::Generic => quote!(motion.q.len()),
             Index::Length => quote!(length),
             Index::Add(a, b) => binary(a, quote!(+), b),

@@ -165,7 +165,9 @@ pub(crate) fn stepper(input: &Input, mut model: Model) -> TokenStream {
             const WIDE: bool = true;
         )
     });
-    let (reach, lattice) = drift_along.as_ref().and(kick_along.as_ref()).map(|_| lattice::parts(&names)).unzip();
+    let sweeps = drift_along.as_ref().zip(kick_along.as_ref());
+    let line = sweeps.filter(|(drift, kick)| !drift.is_plane() && !kick.is_plane());
+    let (reach, lattice) = line.map(|_| lattice::parts(&names)).unzip();
     let (drift, kick) = (drift.flow("drift", &names), kick.flow("kick", &names));
     let many_body = many_body.map(|many_body| many_body.implementations(implementation, &of_f64, &names));
     let (kinetic, potential) = (kinetic.energy("kinetic", &names), potential.energy("potential", &names));

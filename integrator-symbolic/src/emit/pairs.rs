@@ -45,10 +45,11 @@ impl ManyBody {
         if model.shape.length.literal().is_some_and(|length| length < 2) {
             return None;
         }
-        let Model { graph, parameters, running, kinetic, potential, length, .. } = &mut *model;
+        let Model { graph, parameters, running, kinetic, potential, lengths, .. } = &mut *model;
         let mut texts = Texts::new(parameters, running);
-        let Pairs { bodies, pair, force, reciprocal, alone } = pairs(graph, *potential, *length, &mut texts)?;
-        let velocity = one_by_one(graph, *kinetic, *length, Part::Momentum, &mut texts)?;
+        let length = *lengths.first()?;
+        let Pairs { bodies, pair, force, reciprocal, alone } = pairs(graph, *potential, length, &mut texts)?;
+        let velocity = one_by_one(graph, *kinetic, length, Part::Momentum, &mut texts)?;
         let velocity = folded(graph, &velocity);
         if velocity.is_empty() || force.is_empty() || !is_direct(model, &velocity) {
             return None;

@@ -51,8 +51,8 @@ pub(crate) struct Model {
     pub(crate) kinetic: NodeId,
     pub(crate) potential: NodeId,
     pub(crate) shape: Shape,
-    /// How many numbers or points the coordinates are.
-    pub(crate) length: IndexId,
+    /// How many numbers or points the coordinates are, and how many components a point has.
+    pub(crate) lengths: Vec<IndexId>,
     /// The parameters, by their ids.
     pub(crate) parameters: Vec<Parameter>,
     /// What the index of each loop is called.
@@ -104,7 +104,8 @@ pub(crate) fn model(input: &Input, errors: &mut Errors) -> Option<Model> {
         Some((energy?, signature.shape))
     });
     let [Some((kinetic, shape)), Some((potential, _))] = energies else { return None };
-    let length = reader.length(&shape.length);
+    let lengths = [Some(&shape.length), shape.dimension.as_ref()].into_iter().flatten();
+    let lengths = lengths.map(|length| reader.length(length)).collect();
     let Reader { graph, parameters, running, externals, two_arguments, .. } = reader;
     let autonomous = !graph.reads_time(kinetic) && !graph.reads_time(potential);
     let quadratic =
@@ -114,7 +115,7 @@ pub(crate) fn model(input: &Input, errors: &mut Errors) -> Option<Model> {
         kinetic,
         potential,
         shape,
-        length,
+        lengths,
         parameters,
         running,
         externals,
@@ -135,13 +136,13 @@ pub(crate) fn stub(input: &Input) -> Option<Model> {
         .find_map(|(part, name)| Some(signature(input.function(name)?, part, &mut noted)?.shape))?;
     let mut graph = Graph::default();
     let zero = graph.constant(0.0);
-    let length = graph.loops.intern(Index::Length);
+    let lengths = vec![graph.loops.intern(Index::Length)];
     Some(Model {
         graph,
         kinetic: zero,
         potential: zero,
         shape,
-        length,
+        lengths,
         parameters: Vec::new(),
         running: HashMap::new(),
         externals: Vec::new(),

@@ -7,11 +7,13 @@
 //! | [`swarm`] | ensembles of these, several vectors in flight |
 //! | [`row`] | six bodies, and 32 sites of a chain, side by side in registers |
 //! | [`chain`] | long chains in one pass per step, several steps per tile, and in two plain passes |
+//! | [`plane`] | the φ⁴ field on a plane, in one pass per step, and in two plain passes |
 //! | [`tiles`] | many bodies, pairs in tiles that use the third law |
 
 pub mod chain;
 pub mod law;
 pub mod plain;
+pub mod plane;
 pub mod points;
 pub mod row;
 pub mod swarm;

@@ -1,0 +1,260 @@
+//! One direction of a lattice: from site to site along a line, or from row to row of a plane.
+
+use crate::graph::{
+    Graph,
+    index::{Index, IndexId, Loop, LoopId},
+};
+use std::collections::HashMap;
+
+/// Where the places are that differ from the others, and how far is looked.
+#[derive(Debug)]
+pub(crate) struct Direction {
+    /// The running index of the places.
+    pub(crate) place: LoopId,
+    /// How far behind its place what was the index of a loop begins: a table over that loop is read so much further on.
+    pub(crate) begins: HashMap<LoopId, i64>,
+    /// How many places at the beginning have shares of their own, or lack one.
+    pub(crate) first: u64,
+    /// How many at the end.
+    pub(crate) last: u64,
+    /// How far behind coordinates are read.
+    pub(crate) behind: u64,
+    /// How far ahead.
+    pub(crate) ahead: u64,
+    /// Whether the last place is followed by the first.
+    pub(crate) periodic: bool,
+    length: IndexId,
+    number: Option<i64>,
+    /// How far ahead of a place or behind it its shares may look or go: as far as the runtime's sweep carries them.
+    farthest: i64,
+}
+
+/// How far a share goes, and which places have it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Along {
+    /// How many places further on.
+    pub(crate) onward: usize,
+    pub(crate) places: Extent,
+}
+
+/// A range of places.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum Extent {
+    /// All.
+    All,
+    /// All but a few at the ends.
+    Most(IndexId, IndexId),
+    /// A few at one end.
+    Few(IndexId, IndexId),
+}
+
+/// A place, counted from the beginning or back from the end.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Place {
+    FromBegin(i64),
+    FromEnd(i64),
+}
+
+impl Place {
+    fn further(self, by: i64) -> Self {
+        match self {
+            Place::FromBegin(place) => Place::FromBegin(place + by),
+            Place::FromEnd(place) => Place::FromEnd(place - by),
+        }
+    }
+}
+
+/// The turns of a loop, or the one turn where there is none, in which something is added to a place.
+#[derive(Debug, PartialEq)]
+pub(super) struct Turns {
+    pub(super) by: Option<LoopId>,
+    /// Whether there is one for every place; only then may the last place be followed by the first.
+    whole: bool,
+    from: Place,
+    to: Place,
+    /// How much further on than its number the place of a turn is; nothing where there is no loop.
+    pub(super) to_place: i64,
+}
+
+impl Turns {
+    /// Whether they run over the lattice.
+    pub(super) fn run(&self) -> bool {
+        matches!((self.from, self.to), (Place::FromBegin(_), Place::FromEnd(_)))
+    }
+}
+
+/// An index as a sum.
+#[derive(Clone, Copy)]
+struct Linear {
+    running: Option<LoopId>,
+    lengths: i64,
+    constant: i64,
+    wraps: bool,
+}
+
+impl Direction {
+    /// The direction of so many places, inside the loop over another one.
+    pub(super) fn new(graph: &mut Graph, parent: Option<LoopId>, length: IndexId, farthest: i64) -> Option<Self> {
+        let number = graph.loops.literal(length);
+        let zero = graph.loops.intern(Index::Literal(0));
+        Some(Self {
+            place: graph.loops.range(Loop { parent, from: zero, to: length }),
+            begins: HashMap::new(),
+            first: 0,
+            last: 0,
+            behind: 0,
+            ahead: 0,
+            periodic: false,
+            length,
+            number: number.map(i64::try_from).transpose().ok()?,
+            farthest,
+        })
+    }
+
+    /// Whether coordinates are read beside the place itself.
+    pub(super) fn has_neighbours(&self) -> bool {
+        self.behind > 0 || self.ahead > 0
+    }
+
+    /// The turns of the loop whose index runs in `index`.
+    pub(super) fn turns(&mut self, graph: &Graph, index: IndexId) -> Option<Turns> {
+        let linear = self.linear(graph, index)?;
+        let Some(by) = linear.running else {
+            let place = self.place(linear)?;
+            return Some(Turns { by: None, from: place, to: place.further(1), to_place: 0, whole: false });
+        };
+        let Loop { from, to, .. } = graph.loops.get(by);
+        let bound = |bound| self.place(self.linear(graph, bound)?);
+        let (from, to) = (bound(from)?, bound(to)?);
+        let whole = (from, to) == (Place::FromBegin(0), Place::FromEnd(0));
+        if linear.lengths != 0 || linear.wraps && !whole {
+            return None;
+        }
+        self.periodic |= linear.wraps;
+        Some(Turns { by: Some(by), from, to, to_place: linear.constant, whole })
+    }
+
+    /// Notes where what the turns add goes, as seen from the first place that turns of their loop add to, which is
+    /// `begins` further on than their number.
+    pub(super) fn along(&mut self, graph: &mut Graph, turns: &Turns, begins: i64) -> Option<Along> {
+        let onward = turns.to_place - begins;
+        let (from, to) = (turns.from.further(begins), turns.to.further(begins));
+        let places = match (from, to) {
+            _ if !(0..=self.farthest).contains(&onward) => return None,
+            _ if turns.whole => Extent::All,
+            (Place::FromBegin(first), Place::FromEnd(last)) => {
+                self.first = self.first.max(u64::try_from(first).ok()?);
+                self.last = self.last.max(u64::try_from(last).ok()?);
+                Extent::Most(self.index(graph, from)?, self.index(graph, to)?)
+            }
+            (Place::FromBegin(_), Place::FromBegin(end)) => {
+                self.first = self.first.max(u64::try_from(end).ok()?);
+                Extent::Few(self.index(graph, from)?, self.index(graph, to)?)
+            }
+            (Place::FromEnd(begin), Place::FromEnd(_)) => {
+                self.last = self.last.max(u64::try_from(begin).ok()?);
+                Extent::Few(self.index(graph, from)?, self.index(graph, to)?)
+            }
+            (Place::FromEnd(_), Place::FromBegin(_)) => return None,
+        };
+        if let Some(by) = turns.by {
+            self.begins.insert(by, begins);
+            if turns.whole {
+                self.first = self.first.max(begins.unsigned_abs());
+                self.last = self.last.max(begins.unsigned_abs());
+            }
+        }
+        Some(Along { onward: usize::try_from(onward).ok()?, places })
+    }
+
+    /// The index of a coordinate as seen from a place: how far it is from there.
+    pub(super) fn seen(&mut self, graph: &mut Graph, turns: &Turns, begins: i64, index: IndexId) -> Option<IndexId> {
+        let linear = self.linear(graph, index)?;
+        let ahead = match turns.by {
+            Some(by) if linear.running == Some(by) && linear.lengths == 0 && (!linear.wraps || turns.whole) => {
+                linear.constant - begins
+            }
+            None => self.distance(turns.from, self.place(linear)?)?,
+            Some(_) => return None,
+        };
+        if ahead.abs() > self.farthest {
+            return None;
+        }
+        let (far, here) = (ahead.unsigned_abs(), graph.loops.intern(Index::Running(self.place)));
+        let distance = graph.loops.intern(Index::Literal(far));
+        Some(if ahead < 0 {
+            self.behind = self.behind.max(far);
+            graph.loops.intern(Index::Sub(here, distance))
+        } else {
+            self.ahead = self.ahead.max(far);
+            graph.loops.intern(Index::Add(here, distance))
+        })
+    }
+
+    fn linear(&self, graph: &Graph, index: IndexId) -> Option<Linear> {
+        let plain = |running, lengths, constant| Some(Linear { running, lengths, constant, wraps: false });
+        if index == self.length && self.number.is_none() {
+            return plain(None, 1, 0);
+        }
+        match graph.loops.index(index) {
+            Index::Literal(value) => plain(None, 0, i64::try_from(value).ok()?),
+            Index::Running(by) => plain(Some(by), 0, 0),
+            Index::Add(a, b) => self.sum(graph, a, b, 1),
+            Index::Sub(a, b) => self.sum(graph, a, b, -1),
+            Index::Rem(a, b) if b == self.length => {
+                let inner = self.linear(graph, a).filter(|inner| !inner.wraps && inner.running.is_some())?;
+                // The nearest of all numbers that are the same place.
+                let constant = self.number.map_or(inner.constant, |number| {
+                    let rest = inner.constant.rem_euclid(number.max(1));
+                    if 2 * rest > number { rest - number } else { rest }
+                });
+                Some(Linear { running: inner.running, lengths: 0, constant, wraps: true })
+            }
+            _ => None,
+        }
+    }
+
+    fn sum(&self, graph: &Graph, a: IndexId, b: IndexId, sign: i64) -> Option<Linear> {
+        let (a, b) = (self.linear(graph, a)?, self.linear(graph, b)?);
+        let running = match (a.running, b.running, sign) {
+            (running, None, _) => running,
+            (None, running, 1) => running,
+            _ => return None,
+        };
+        let lengths = a.lengths + sign * b.lengths;
+        let constant = a.constant.checked_add(sign * b.constant)?;
+        (!a.wraps && !b.wraps).then_some(Linear { running, lengths, constant, wraps: false })
+    }
+
+    /// An index without a loop, as a place; of those in the middle of a lattice of known length, from the nearer end.
+    fn place(&self, linear: Linear) -> Option<Place> {
+        let Linear { running: None, lengths, constant, wraps: false } = linear else { return None };
+        match (lengths, self.number) {
+            (0, Some(number)) if 2 * constant > number => Some(Place::FromEnd(number - constant)),
+            (0, _) => Some(Place::FromBegin(constant)),
+            (1, None) => Some(Place::FromEnd(-constant)),
+            _ => None,
+        }
+    }
+
+    /// How much further on than `from` a place is.
+    fn distance(&self, from: Place, to: Place) -> Option<i64> {
+        match (from, to, self.number) {
+            (Place::FromBegin(a), Place::FromBegin(b), _) | (Place::FromEnd(b), Place::FromEnd(a), _) => Some(b - a),
+            (Place::FromBegin(a), Place::FromEnd(b), Some(number)) => Some(number - b - a),
+            (Place::FromEnd(a), Place::FromBegin(b), Some(number)) => Some(b + a - number),
+            _ => None,
+        }
+    }
+
+    /// The number of a place.
+    fn index(&self, graph: &mut Graph, place: Place) -> Option<IndexId> {
+        let (back, constant) = match (place, self.number) {
+            (Place::FromBegin(constant), _) => (None, constant),
+            (Place::FromEnd(constant), Some(number)) => (None, number - constant),
+            (Place::FromEnd(constant), None) => (Some(self.length), constant),
+        };
+        let literal = graph.loops.intern(Index::Literal(u64::try_from(constant).ok()?));
+        Some(back.map_or(literal, |length| graph.loops.intern(Index::Sub(length, literal))))
+    }
+}
