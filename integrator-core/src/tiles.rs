@@ -10,7 +10,7 @@ use crate::{
     slot::{Keep, Slot},
     threads::{all_threads, at_once},
 };
-use alloc::vec::Vec;
+use alloc::{vec, vec::Vec};
 use core::{marker::PhantomData, ops::Range};
 
 /// How many bodies a tile has, whatever the hardware: the order of sums depends on it.
