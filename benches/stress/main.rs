@@ -2,7 +2,7 @@
 //!
 //! In full it takes about two hours on two cores. With `STRESS_DIVISOR=1000` in the environment all runs are that much
 //! shorter, and exponents that much less certain.
-//! Tables go to `target/bench`. The last lines say whether what is promised held: `brouwer_exponent_<problem>=` (of the
+//! Tables and a picture of how rounding grows go to `target/bench`. The last lines say whether what is promised held: `brouwer_exponent_<problem>=` (of the
 //! growth of the energy error with the number of steps; 0.4 to 0.6 is asked), `brouwer_bias_<problem>=` (the mean error in
 //! units of its standard error; within ±4), and numbers of failures, all of which have to be zero. Every promise stands
 //! in `docs/reliability.md`.
@@ -17,9 +17,10 @@ mod reversal;
 
 use brouwer::Growth;
 use integrator_bench::{
+    plot::{self, Growing},
     problems::{HenonHeiles, Pendulum},
     starts::Problems,
-    table::Table,
+    table::{Table, folder},
 };
 use integrator_core::prelude::*;
 use std::{
@@ -153,6 +154,12 @@ fn brouwer_table(long: u64, planetary: u64, lines: &mut Vec<String>) -> Result<(
         ("henon", brouwer::growth(Ensemble::new(SofroniouSpaletta10, stars, 0.1)?, long)?),
         ("solar", brouwer::growth(Ensemble::new(SofroniouSpaletta10, systems, 50.0)?, planetary)?),
     ];
+    let curves = growths.iter().map(|(problem, growth)| Growing {
+        name: format!("{problem}: {:.2}", growth.exponent),
+        points: growth.looks.iter().map(|(steps, change)| (*steps as f64, *change)).collect(),
+    });
+    let title = "Rounding over a long time, and the exponents of its growth";
+    plot::growth(&folder().join("stress_brouwer"), title, &curves.collect::<Vec<_>>())?;
     let mut table = Table::new("stress_brouwer", &["problem", "", "steps", "energy error"]);
     for (problem, Growth { looks, exponent, bias }) in growths {
         for (steps, change) in looks {
