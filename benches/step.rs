@@ -83,7 +83,8 @@ impl Report {
     /// Verlet on a chain, nanoseconds per site and step. Every turn goes on from the last one.
     fn chain<H: Hamiltonian<Coords = Vec<f64>>>(&mut self, name: &str, system: &H, law: Law, sites: usize) {
         let start = waves(sites);
-        let steps = (2_000_000 / sites).max(256);
+        // As many as there are from one look to the next in a long run.
+        let steps = (2_000_000 / sites).max(1024);
         let h = 0.05;
         let plan = Plan::of::<Verlet>(h);
         // One thread, as the twins have: the clock of a racer is that of its own thread.

@@ -61,7 +61,8 @@ impl Report {
         let (law, start) = (Law::Fput { alpha: 0.25 }, waves(sites));
         let h = 0.05;
         let plan = Plan::of::<Verlet>(h);
-        let steps = (2_000_000 / sites).max(256);
+        // As many as there are from one look to the next in a long run.
+        let steps = (2_000_000 / sites).max(1024);
         let generated = Fput { alpha: 0.25 }.run_with(Verlet, start.clone(), h).expect("a start").with_threads(1);
         let [mut run, mut wall] = [generated.clone(), generated.clone()];
         let mut two = generated.with_threads(2);
