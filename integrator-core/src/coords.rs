@@ -1,6 +1,7 @@
 //! The shapes that coordinates come in: arrays and vectors of numbers or of points.
 
 use crate::{
+    aligned::Aligned,
     real::Real,
     slot::{Keep, Slot},
 };
@@ -152,7 +153,7 @@ impl<K: Keep, const D: usize, const N: usize> Coords for [[K; D]; N] {
 impl<K: Keep> Coords for Vec<K> {
     type Leaf = K;
     type With<L: Keep> = Vec<L>;
-    type Slots<R: Real> = Vec<K::Slot<R>>;
+    type Slots<R: Real> = Aligned<K::Slot<R>>;
 
     const LENGTH: Option<usize> = None;
     const COMPONENTS: usize = 1;
@@ -173,8 +174,8 @@ impl<K: Keep> Coords for Vec<K> {
         self.iter().map(|x| leaf(*x)).collect()
     }
     #[inline(always)]
-    fn slots_from<R: Real>(count: usize, slot: impl Fn(usize) -> K::Slot<R>) -> Vec<K::Slot<R>> {
-        (0..count).map(slot).collect()
+    fn slots_from<R: Real>(count: usize, slot: impl Fn(usize) -> K::Slot<R>) -> Self::Slots<R> {
+        Aligned::new(count, slot)
     }
     fn slots<R: Real>(slots: &Self::Slots<R>) -> &[K::Slot<R>] {
         slots
@@ -187,7 +188,7 @@ impl<K: Keep> Coords for Vec<K> {
 impl<K: Keep, const D: usize> Coords for Vec<[K; D]> {
     type Leaf = K;
     type With<L: Keep> = Vec<[L; D]>;
-    type Slots<R: Real> = Vec<[K::Slot<R>; D]>;
+    type Slots<R: Real> = Aligned<[K::Slot<R>; D]>;
 
     const LENGTH: Option<usize> = None;
     const COMPONENTS: usize = D;
@@ -209,9 +210,9 @@ impl<K: Keep, const D: usize> Coords for Vec<[K; D]> {
         self.iter().map(|point| point.map(&leaf)).collect()
     }
     #[inline(always)]
-    fn slots_from<R: Real>(count: usize, slot: impl Fn(usize) -> K::Slot<R>) -> Vec<[K::Slot<R>; D]> {
+    fn slots_from<R: Real>(count: usize, slot: impl Fn(usize) -> K::Slot<R>) -> Self::Slots<R> {
         let points = count.checked_div(D).unwrap_or(0);
-        (0..points).map(|i| core::array::from_fn(|d| slot(i * D + d))).collect()
+        Aligned::new(points, |i| core::array::from_fn(|d| slot(i * D + d)))
     }
     fn slots<R: Real>(slots: &Self::Slots<R>) -> &[K::Slot<R>] {
         slots.as_flattened()

@@ -73,6 +73,7 @@ extern crate self as integrator_core;
 #[cfg(feature = "std")]
 #[allow(unreachable_pub, reason = "named in bounds, never outside")]
 mod abreast;
+mod aligned;
 mod block;
 mod catalogue;
 mod catalogue_list;

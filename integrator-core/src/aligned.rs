@@ -1,0 +1,87 @@
+//! Arrays that begin where a line of the cache begins.
+
+use alloc::vec::Vec;
+use core::ops::{Deref, DerefMut};
+
+/// How many bytes a line has; no register is longer. One that is read across the border of two lines takes two turns.
+const LINE: usize = 64;
+
+/// An array on the heap whose first element is the first of a line.
+pub struct Aligned<T> {
+    /// The elements, behind as many that are never looked at as it takes.
+    elements: Vec<T>,
+    first: usize,
+}
+
+impl<T: Copy> Aligned<T> {
+    /// The array of what each place has.
+    pub(crate) fn new(length: usize, at: impl Fn(usize) -> T) -> Self {
+        if length == 0 {
+            return Self { elements: Vec::new(), first: 0 };
+        }
+        let mut elements = Vec::<T>::with_capacity(length + LINE / size_of::<T>().max(1));
+        let first = elements.as_ptr().align_offset(LINE);
+        // Where no few elements fill a line, the array begins where it may.
+        let fits = first.checked_add(length).is_some_and(|end| end <= elements.capacity());
+        let first = if fits { first } else { 0 };
+        elements.resize(first, at(0));
+        elements.extend((0..length).map(at));
+        Self { elements, first }
+    }
+}
+
+impl<T: Copy> Clone for Aligned<T> {
+    fn clone(&self) -> Self {
+        Self::new(self.len(), |place| self[place])
+    }
+    fn clone_from(&mut self, from: &Self) {
+        if self.len() == from.len() {
+            self.copy_from_slice(from);
+        } else {
+            *self = from.clone();
+        }
+    }
+}
+
+impl<T> Deref for Aligned<T> {
+    type Target = [T];
+    #[inline(always)]
+    fn deref(&self) -> &[T] {
+        &self.elements[self.first..]
+    }
+}
+
+impl<T> DerefMut for Aligned<T> {
+    #[inline(always)]
+    fn deref_mut(&mut self) -> &mut [T] {
+        &mut self.elements[self.first..]
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Aligned, LINE};
+
+    /// The array, its copy, and what it becomes by copying another one have their elements, and begin at a line.
+    fn begins_at_a_line<T: Copy + PartialEq + core::fmt::Debug>(of: fn(usize) -> T, aligned: bool) {
+        for length in [0, 1, 7, 8, 100, 5_000] {
+            let array = Aligned::new(length, of);
+            let mut other = Aligned::new(3, of);
+            other.clone_from(&array);
+            for array in [array.clone(), array, other] {
+                assert!(array.iter().copied().eq((0..length).map(of)), "{length} elements");
+                let at_a_line = (array.as_ptr() as usize).is_multiple_of(LINE);
+                assert!(length == 0 || at_a_line || !aligned, "{length} elements");
+            }
+        }
+    }
+
+    #[test]
+    fn arrays_begin_at_a_line_with_all_their_elements() {
+        begins_at_a_line(|i| i as f64, true);
+        begins_at_a_line(|i| i as f32, true);
+        begins_at_a_line(|i| [i as f64, 0.5], true);
+        // 24 bytes: few of these fill no line.
+        begins_at_a_line(|i| [i as f64, 0.5, 0.25], false);
+    }
+}
