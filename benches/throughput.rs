@@ -28,7 +28,7 @@ const TURNS: usize = 31;
 /// Trajectories of an ensemble: a few hundred groups of vectors.
 const MEMBERS: usize = 8192;
 /// Steps of a turn of an ensemble.
-const STEPS: u64 = 200;
+const STEPS: u64 = 1000;
 
 struct Report {
     table: Table,
