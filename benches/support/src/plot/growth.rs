@@ -26,6 +26,9 @@ struct Growth<'p> {
     problems: &'p [Growing],
 }
 
+/// Decades on the right for the names.
+const ROOM: f64 = 0.9;
+
 impl Growing {
     fn logarithms(&self) -> Vec<(f64, f64)> {
         self.points.iter().map(|(steps, error)| (steps.log10(), error.log10())).collect()
@@ -56,7 +59,7 @@ impl Picture for Growth<'_> {
             let most = all.iter().map(of).fold(f64::NEG_INFINITY, f64::max);
             least - 0.2..most + room
         };
-        let (steps, errors) = (range(|point| point.0, 0.2), range(|point| point.1, 0.4));
+        let (steps, errors) = (range(|point| point.0, ROOM), range(|point| point.1, 0.2));
         // At most a label for every power of ten, so that there are none between them.
         let [decades, decades_of_error] = [&steps, &errors].map(|range| (range.end - range.start) as usize + 1);
         let mut chart = ChartBuilder::on(area)
@@ -86,9 +89,9 @@ impl Picture for Growth<'_> {
             let points = problem.logarithms();
             chart.draw_series(LineSeries::new(points.iter().copied(), colour.stroke_width(3)))?;
             chart.draw_series(points.iter().map(|point| Circle::new(*point, 4, colour.filled())))?;
-            if let Some(first) = points.first() {
+            if let Some(last) = points.last() {
                 let font = (FONT, 16, FontStyle::Bold).into_font().color(colour);
-                chart.draw_series([EmptyElement::at(*first) + Text::new(problem.name.clone(), (8, -26), font)])?;
+                chart.draw_series([EmptyElement::at(*last) + Text::new(problem.name.clone(), (12, -8), font)])?;
             }
         }
         Ok(())
