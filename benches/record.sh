@@ -35,4 +35,7 @@ for bench in "$@"; do
     sed -i -e '/^problem  *method/,/^$/d' -e '/^ratio_\|^rate_\|^speedup_\|^time_ms_/d' "$output"
     fill "$bench" "$output"
 done
-cp target/bench/{step,throughput,skips,work_precision_*_energy}.svg docs/pictures/
+# Of the benches that have run.
+for picture in target/bench/{step,throughput,skips,work_precision_*_energy}.svg; do
+    if [ -e "$picture" ]; then cp "$picture" docs/pictures/; fi
+done
