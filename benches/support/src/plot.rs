@@ -9,11 +9,11 @@ pub use growth::{Growing, growth};
 pub use work_precision::work_precision;
 
 use plotters::{
-    coord::Shift,
+    coord::{Shift, types::RangedCoordf64},
     prelude::*,
     style::{FontStyle, register_font},
 };
-use std::{error::Error, fs, path::Path};
+use std::{error::Error, fs, ops::Range, path::Path};
 
 const FONT: &str = "sans-serif";
 const INK: RGBColor = RGBColor(40, 40, 40);
@@ -68,6 +68,53 @@ where
     area.draw_text(title, &(FONT, 24, FontStyle::Bold).into_font().color(&INK), (24, 16))?;
     area.draw_text(better, &(FONT, 16).into_font().color(&INK.mix(0.75)), (24, 48))?;
     Ok(())
+}
+
+/// Two logarithmic axes, drawn and named.
+type Chart<'a, B> = ChartContext<'a, B, Cartesian2d<RangedCoordf64, RangedCoordf64>>;
+
+/// The least and the greatest of some coordinates, with room before and behind.
+fn range(coordinates: impl Iterator<Item = f64>, before: f64, behind: f64) -> Range<f64> {
+    let (least, most) =
+        coordinates.fold((f64::INFINITY, f64::NEG_INFINITY), |(least, most), x| (least.min(x), most.max(x)));
+    least - before..most + behind
+}
+
+/// The axes of these ranges, under the head, with so many pixels free on the right.
+fn axes<'a, B: DrawingBackend>(
+    area: &DrawingArea<B, Shift>,
+    [x, y]: [Range<f64>; 2],
+    right: i32,
+    [along, up]: [&str; 2],
+) -> Result<Chart<'a, B>, Box<dyn Error>>
+where
+    B::ErrorType: 'static,
+{
+    // At most a label for every power of ten, so that there are none between them.
+    let [decades_along, decades_up] = [&x, &y].map(|range| (range.end - range.start) as usize + 1);
+    let mut chart = ChartBuilder::on(area)
+        .margin_top(84)
+        .margin_right(right)
+        .margin_left(12)
+        .margin_bottom(10)
+        .x_label_area_size(56)
+        .y_label_area_size(84)
+        .build_cartesian_2d(x, y)?;
+    chart
+        .configure_mesh()
+        .x_labels(decades_along)
+        .y_labels(decades_up)
+        .x_label_formatter(&|x| power(*x))
+        .y_label_formatter(&|y| power(*y))
+        .x_desc(along)
+        .y_desc(up)
+        .axis_desc_style((FONT, 17).into_font().color(&INK))
+        .label_style((FONT, 16).into_font().color(&INK))
+        .bold_line_style(PALE)
+        .light_line_style(WHITE)
+        .axis_style(INK)
+        .draw()?;
+    Ok(chart)
 }
 
 /// A power of ten: as a number while that is short, else with an exponent.

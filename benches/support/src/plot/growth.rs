@@ -1,6 +1,6 @@
 //! Errors that grow with the number of steps, beside a random walk.
 
-use super::{COLOURS, FONT, INK, Outcome, PALE, Picture, head, power, write};
+use super::{COLOURS, FONT, Outcome, Picture, axes, head, range, write};
 use plotters::{coord::Shift, prelude::*, style::FontStyle};
 use std::path::Path;
 
@@ -54,36 +54,9 @@ impl Picture for Growth<'_> {
     {
         head(area, self.title, "Grey: a random walk, which grows like the root of the number of steps")?;
         let all: Vec<(f64, f64)> = self.problems.iter().flat_map(Growing::logarithms).collect();
-        let range = |of: fn(&(f64, f64)) -> f64, room: f64| {
-            let least = all.iter().map(of).fold(f64::INFINITY, f64::min);
-            let most = all.iter().map(of).fold(f64::NEG_INFINITY, f64::max);
-            least - 0.2..most + room
-        };
-        let (steps, errors) = (range(|point| point.0, ROOM), range(|point| point.1, 0.2));
-        // At most a label for every power of ten, so that there are none between them.
-        let [decades, decades_of_error] = [&steps, &errors].map(|range| (range.end - range.start) as usize + 1);
-        let mut chart = ChartBuilder::on(area)
-            .margin_top(84)
-            .margin_right(24)
-            .margin_left(12)
-            .margin_bottom(10)
-            .x_label_area_size(56)
-            .y_label_area_size(84)
-            .build_cartesian_2d(steps, errors)?;
-        chart
-            .configure_mesh()
-            .x_labels(decades)
-            .y_labels(decades_of_error)
-            .x_label_formatter(&|x| power(*x))
-            .y_label_formatter(&|y| power(*y))
-            .x_desc("steps")
-            .y_desc("root mean square of the energy error")
-            .axis_desc_style((FONT, 17).into_font().color(&INK))
-            .label_style((FONT, 16).into_font().color(&INK))
-            .bold_line_style(PALE)
-            .light_line_style(WHITE)
-            .axis_style(INK)
-            .draw()?;
+        let steps = range(all.iter().map(|point| point.0), 0.2, ROOM);
+        let errors = range(all.iter().map(|point| point.1), 0.2, 0.2);
+        let mut chart = axes(area, [steps, errors], 24, ["steps", "root mean square of the energy error"])?;
         for (problem, colour) in self.problems.iter().zip(COLOURS.iter().skip(1)) {
             chart.draw_series(LineSeries::new(problem.walk(), RGBColor(150, 150, 150).stroke_width(1)))?;
             let points = problem.logarithms();

@@ -1,6 +1,6 @@
 //! Error against CPU time, a curve for each method.
 
-use super::{COLOURS, FONT, INK, Outcome, PALE, Picture, head, power, write};
+use super::{COLOURS, FONT, INK, Outcome, Picture, axes, head, range, write};
 use crate::precision::{Curve, Kind};
 use plotters::{coord::Shift, element::DashedPathElement, prelude::*, style::FontStyle};
 use std::path::Path;
@@ -114,36 +114,9 @@ impl Picture for WorkPrecision<'_> {
         self.legend(&right, &looks)?;
 
         let all: Vec<(f64, f64)> = self.curves.iter().flat_map(|curve| self.points(curve)).collect();
-        let range = |of: fn(&(f64, f64)) -> f64| {
-            let least = all.iter().map(of).fold(f64::INFINITY, f64::min);
-            let most = all.iter().map(of).fold(f64::NEG_INFINITY, f64::max);
-            least - 0.15..most + 0.15
-        };
-        let (times, errors) = (range(|point| point.0), range(|point| point.1));
-        // At most a label for every power of ten, so that there are none between them.
-        let [decades_of_time, decades_of_error] = [&times, &errors].map(|range| (range.end - range.start) as usize + 1);
-        let mut chart = ChartBuilder::on(&left)
-            .margin_top(84)
-            .margin_right(10)
-            .margin_left(12)
-            .margin_bottom(10)
-            .x_label_area_size(56)
-            .y_label_area_size(84)
-            .build_cartesian_2d(times, errors)?;
-        chart
-            .configure_mesh()
-            .x_labels(decades_of_time)
-            .y_labels(decades_of_error)
-            .x_label_formatter(&|x| power(*x))
-            .y_label_formatter(&|y| power(*y))
-            .x_desc("CPU time, ms")
-            .y_desc(error)
-            .axis_desc_style((FONT, 17).into_font().color(&INK))
-            .label_style((FONT, 16).into_font().color(&INK))
-            .bold_line_style(PALE)
-            .light_line_style(WHITE)
-            .axis_style(INK)
-            .draw()?;
+        let times = range(all.iter().map(|point| point.0), 0.15, 0.15);
+        let errors = range(all.iter().map(|point| point.1), 0.15, 0.15);
+        let mut chart = axes(&left, [times, errors], 10, ["CPU time, ms", error])?;
         // Ours on top of the others.
         for (curve, look) in self.curves.iter().zip(&looks).rev() {
             let points = self.points(curve);
