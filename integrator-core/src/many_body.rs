@@ -248,7 +248,6 @@ pub(crate) fn between<H, R, W, const N: usize, const D: usize, const S: usize>(
                 }
             )*};
         }
-        meeting.present = None;
         turns!(0 1 2 3 4 5 6 7);
     }
     *sum = meeting.sum;

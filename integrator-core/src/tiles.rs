@@ -128,27 +128,32 @@ impl<R: Real, K: Keep, P: Prepared<R>, const D: usize, const S: usize> Tiles<R, 
     /// Sums what acts on each body, share by share, and all shares in their order.
     #[inline(always)]
     fn sum_forces<H: ManyBody<D, S, Parameters<R> = P>>(&mut self, time: f64) {
-        let count = self.gradients.len();
-        let shares = self.gradients.iter_mut().enumerate().map(|(number, gradient)| Share::<H, R, K, D, S> {
-            q: &self.q,
-            of: &self.of,
-            bodies: self.bodies,
-            parameters: &self.parameters,
-            time,
-            number,
-            count,
-            gradient,
-            system: PhantomData,
-        });
-        if self.threads.min(count) == 1 {
-            shares.for_each(R::enter);
+        let Self { q, of, gradients, threads, bodies, parameters, .. } = self;
+        let count = gradients.len();
+        let sum = |first: usize, gradients: &mut [Vec<[R::Row<WIDTH>; D]>]| {
+            for (number, gradient) in (first..).zip(gradients) {
+                R::enter(Share::<H, R, K, D, S> {
+                    q,
+                    of,
+                    bodies: *bodies,
+                    parameters,
+                    time,
+                    number,
+                    count,
+                    gradient,
+                    system: PhantomData,
+                });
+            }
+        };
+        if (*threads).min(count) == 1 {
+            sum(0, gradients);
         } else {
-            let mut left: Vec<_> = shares.collect();
-            let each = count.div_ceil(self.threads);
-            let groups = (0..count).step_by(each).map(|_| left.drain(..each.min(left.len())).collect::<Vec<_>>());
-            at_once(groups.collect(), |group| group.into_iter().for_each(R::enter));
+            let each = count.div_ceil(*threads);
+            at_once(gradients.chunks_mut(each).enumerate().collect(), |(group, gradients)| {
+                sum(group * each, gradients);
+            });
         }
-        if let Some((all, others)) = self.gradients.split_first_mut() {
+        if let Some((all, others)) = gradients.split_first_mut() {
             for other in others {
                 all.iter_mut().zip(other).for_each(|(sum, other)| *sum = add(*sum, *other));
             }
