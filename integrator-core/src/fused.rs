@@ -6,7 +6,7 @@ use crate::{
     functions::{self, fast_functions, fast_kernels, kernel},
     instruction_set::enter_fused,
     lanes::Lanes,
-    real::{Kernel, Real, elementary_functions},
+    real::{Kernel, Real, compared, elementary_functions},
     row::Row,
 };
 use core::{
@@ -179,22 +179,7 @@ macro_rules! fused_real {
             fn finite(self) -> bool {
                 self.0.is_finite()
             }
-            #[inline(always)]
-            fn less(self, other: Self) -> bool {
-                self.0 < other.0
-            }
-            #[inline(always)]
-            fn less_or_equal(self, other: Self) -> bool {
-                self.0 <= other.0
-            }
-            #[inline(always)]
-            fn equal(self, other: Self) -> bool {
-                self.0 == other.0
-            }
-            #[inline(always)]
-            fn select(mask: bool, a: Self, b: Self) -> Self {
-                if mask { a } else { b }
-            }
+            compared!(0);
             $(
                 #[inline(always)]
                 fn $unary(self) -> Self {

@@ -168,6 +168,29 @@ macro_rules! declare_real {
 }
 elementary_functions!(declare_real! {});
 
+/// The methods of `Real` that compare, where a value is one number, perhaps in a field, and a mask is a truth.
+macro_rules! compared {
+    ($($field:tt)?) => {
+        #[inline(always)]
+        fn less(self, other: Self) -> bool {
+            self $(.$field)? < other $(.$field)?
+        }
+        #[inline(always)]
+        fn less_or_equal(self, other: Self) -> bool {
+            self $(.$field)? <= other $(.$field)?
+        }
+        #[inline(always)]
+        fn equal(self, other: Self) -> bool {
+            self $(.$field)? == other $(.$field)?
+        }
+        #[inline(always)]
+        fn select(mask: bool, a: Self, b: Self) -> Self {
+            if mask { a } else { b }
+        }
+    };
+}
+pub(crate) use compared;
+
 /// The scalar as it is: `fma` is a multiplication and an addition, so that no machine calls a library for it.
 macro_rules! plain_real {
     ($scalar:ty; unary: $($unary:ident)*; binary: $($binary:ident)*;) => {
@@ -206,22 +229,7 @@ macro_rules! plain_real {
             fn finite(self) -> bool {
                 self.is_finite()
             }
-            #[inline(always)]
-            fn less(self, other: Self) -> bool {
-                self < other
-            }
-            #[inline(always)]
-            fn less_or_equal(self, other: Self) -> bool {
-                self <= other
-            }
-            #[inline(always)]
-            fn equal(self, other: Self) -> bool {
-                self == other
-            }
-            #[inline(always)]
-            fn select(mask: bool, a: Self, b: Self) -> Self {
-                if mask { a } else { b }
-            }
+            compared!();
             $(
                 #[inline(always)]
                 fn $unary(self) -> Self {

@@ -9,7 +9,7 @@ use crate::{
     elementary::Elementary,
     fused::Fused,
     lanes::Lanes,
-    real::{Kernel, Real, elementary_functions},
+    real::{Kernel, Real, compared, elementary_functions},
 };
 use core::ops::{Add, AddAssign, Div, Mul, Neg, Sub, SubAssign};
 
@@ -164,22 +164,7 @@ macro_rules! twofold_real {
             fn finite(self) -> bool {
                 self.value.is_finite()
             }
-            #[inline(always)]
-            fn less(self, other: Self) -> bool {
-                self < other
-            }
-            #[inline(always)]
-            fn less_or_equal(self, other: Self) -> bool {
-                self <= other
-            }
-            #[inline(always)]
-            fn equal(self, other: Self) -> bool {
-                self == other
-            }
-            #[inline(always)]
-            fn select(mask: bool, a: Self, b: Self) -> Self {
-                if mask { a } else { b }
-            }
+            compared!();
             $(
                 #[inline(always)]
                 fn $unary(self) -> Self {
