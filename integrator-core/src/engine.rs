@@ -68,6 +68,8 @@ pub(crate) trait Engine<C: Coords>: Send + Sync {
     /// Takes `steps` steps from `clock`, or as many as end in a finite state, and returns how many.
     fn advance(&mut self, clock: Clock, steps: u64) -> u64;
     fn state(&self, clock: Clock) -> Phase<C>;
+    /// The state one step after `from`, where the clock starts; the run itself stays where it is.
+    fn step_from(&self, from: &Phase<C>, clock: Clock) -> Phase<C>;
     /// The state in the middle of the step under way.
     #[cfg(feature = "checkpoint")]
     fn unfinished(&self) -> Phase<C>;
@@ -232,6 +234,15 @@ impl<M: Motion<C, P>, P: Send + Sync + 'static, C: Coords> Engine<C> for Solo<M,
 
     fn state(&self, clock: Clock) -> Phase<C> {
         self.watched.state(clock, &self.shape)
+    }
+
+    fn step_from(&self, from: &Phase<C>, clock: Clock) -> Phase<C> {
+        let mut motion = M::load(|_| (&self.energies.parameters, from));
+        self.watched.moves.advance(&mut motion, Clock { steps: 0, ..clock }, 1);
+        self.watched.moves.close(&mut motion, Clock { steps: 1, ..clock });
+        let mut state = from.clone();
+        motion.store(0, &mut state);
+        state
     }
 
     #[cfg(feature = "checkpoint")]

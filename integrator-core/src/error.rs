@@ -101,6 +101,14 @@ pub enum Error {
     /// Samples every 0 steps.
     #[error("samples(0) would stay at one point for ever: ask for a sample every 1 or more steps")]
     SampleInterval,
+    /// The function whose zeros are looked for has no value at a state of the run.
+    #[error("the function whose zeros are looked for is {value} at t = {time}: it has to be finite along the run")]
+    Crossing {
+        /// The time of that state.
+        time: f64,
+        /// What the function is there.
+        value: f64,
+    },
     /// The number of steps exceeds `u64::MAX`.
     #[error("{done} steps are done and {asked} more exceed the largest step count, {}", u64::MAX)]
     Steps {

@@ -44,6 +44,7 @@
 //! | where a run starts, and in which precision | [`Phase`] |
 //! | what a run does and promises | [`Run`] |
 //! | looking at a run from time to time | [`Run::samples`] |
+//! | Poincaré sections, the times of events | [`Run::crossings`] |
 //! | what can go wrong | [`Error`] |
 //! | a run that outlives its program | `Run::checkpoint`, `Run::resume` (feature `checkpoint`) |
 //! | whether a stepper is what it claims to be | `check`, above all `certify` (feature `check`) |
@@ -84,6 +85,7 @@ mod checkpoint;
 mod composition;
 mod constants;
 mod coords;
+mod crossings;
 #[cfg_attr(feature = "std", allow(dead_code, unreachable_pub, reason = "users need it where there is no std"))]
 mod elementary;
 mod engine;
@@ -135,6 +137,7 @@ pub use catalogue::*;
 pub use checkpoint::CheckpointError;
 pub use composition::{Class, Composition, Lead, Processor, Rows, Scheme, Stage, Stages};
 pub use coords::Coords;
+pub use crossings::{Crossings, Direction};
 #[cfg(not(feature = "std"))]
 pub use elementary::Elementary;
 #[cfg(feature = "std")]
@@ -165,8 +168,8 @@ pub mod prelude {
     #[cfg(feature = "check")]
     pub use crate::check::{Certificate, certify};
     pub use crate::{
-        Compensated, Composition, Error, Fixed, Hamiltonian, Phase, Run, Sample, Samples, Scheme, composition,
-        hamiltonian,
+        Compensated, Composition, Crossings, Direction, Error, Fixed, Hamiltonian, Phase, Run, Sample, Samples, Scheme,
+        composition, hamiltonian,
     };
 }
 

@@ -191,6 +191,11 @@ impl<C: Coords> Run<C> {
         Samples::new(self, interval)
     }
 
+    /// The state one step of length `h` after `from` at the time `t0`. The run itself stays where it is.
+    pub(crate) fn step_from(&self, from: &Phase<C>, t0: f64, h: f64) -> Phase<C> {
+        self.engine.step_from(from, Clock { t0, h, steps: 0 })
+    }
+
     /// The state in the middle of the step under way.
     #[cfg(feature = "checkpoint")]
     pub(crate) fn unfinished(&self) -> Phase<C> {

@@ -44,21 +44,16 @@ impl<C: Coords> Iterator for Samples<C> {
             Next::Later => self.run.advance(self.interval),
         };
         self.next = if outcome.is_ok() { Next::Later } else { Next::Nothing };
-        Some(outcome.map(|()| Sample {
-            time: self.run.time(),
-            step: self.run.steps(),
-            state: self.run.state(),
-            energies: self.run.energies(),
-        }))
+        Some(outcome.map(|()| Sample::new(&self.run, self.run.time(), self.run.steps(), self.run.state())))
     }
 }
 
 /// The state of a run at one time.
 #[derive(Clone)]
 pub struct Sample<C: Coords> {
-    /// The time, `t0 + n·h`.
+    /// The time, `t0 + n·h`; of a crossing, the time within the step that led through it.
     pub time: f64,
-    /// The number of steps, `n`.
+    /// The number of whole steps up to there, `n`.
     pub step: u64,
     /// Positions and momenta.
     pub state: Phase<C>,
@@ -66,6 +61,10 @@ pub struct Sample<C: Coords> {
 }
 
 impl<C: Coords> Sample<C> {
+    pub(crate) fn new(run: &Run<C>, time: f64, step: u64, state: Phase<C>) -> Self {
+        Self { time, step, state, energies: run.energies() }
+    }
+
     /// The energy `T + V` of this state, computed when asked for.
     pub fn energy(&self) -> f64 {
         self.energies.energy(&self.state, self.time)
