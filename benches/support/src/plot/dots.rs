@@ -1,7 +1,12 @@
 //! Ratios as dots in rows, on a logarithmic axis.
 
-use super::{COLOURS, FONT, INK, Outcome, PALE, Picture, head, write};
-use plotters::{coord::Shift, prelude::*, style::FontStyle};
+use integrator_plot::{
+    Area, Outcome, Picture, bold,
+    colour::{COLOURS, INK, PALE},
+    font, head,
+    plotters::prelude::*,
+    write,
+};
 use std::path::Path;
 
 /// A picture of ratios.
@@ -68,13 +73,12 @@ impl Picture for Dots {
         (WIDTH as u32, (TOP + ROW * self.rows.len() as i32 + 70) as u32)
     }
 
-    fn draw<B: DrawingBackend>(&self, area: &DrawingArea<B, Shift>) -> Outcome
+    fn draw<B: DrawingBackend>(&self, area: &Area<B>) -> Outcome
     where
         B::ErrorType: 'static,
     {
         head(area, &self.title, &self.better)?;
-        let font = (FONT, 15).into_font().color(&INK);
-        let small = (FONT, 14).into_font().color(&INK);
+        let (font, small) = (font(15), font(14));
         let mut x = NAMES;
         for (name, colour) in self.series.iter().zip(SERIES) {
             area.draw(&Circle::new((x, 88), 6, colour.filled()))?;
@@ -113,8 +117,7 @@ impl Picture for Dots {
                 area.draw_text(&format!("{first:.2}"), &small, (WIDTH - MARGIN + 14, y - 7))?;
             }
         }
-        let bold = (FONT, 15, FontStyle::Bold).into_font().color(&INK);
-        area.draw_text(&self.axis, &bold, (NAMES, bottom + 34))?;
+        area.draw_text(&self.axis, &bold(15), (NAMES, bottom + 34))?;
         Ok(())
     }
 }

@@ -1,7 +1,12 @@
 //! Errors that grow with the number of steps, beside a random walk.
 
-use super::{COLOURS, FONT, Outcome, Picture, axes, head, range, write};
-use plotters::{coord::Shift, prelude::*, style::FontStyle};
+use integrator_plot::{
+    Area, Axis, Frame, Margins, Outcome, Picture, bold,
+    colour::{COLOURS, GREY},
+    head,
+    plotters::prelude::*,
+    write,
+};
 use std::path::Path;
 
 /// A problem, the exponent of its growth, and its errors after so many steps.
@@ -26,20 +31,16 @@ struct Growth<'p> {
     problems: &'p [Growing],
 }
 
-/// Decades on the right for the names.
-const ROOM: f64 = 0.9;
+/// How much further the axis reaches than the last point, for the names.
+const ROOM: f64 = 8.0;
 
 impl Growing {
-    fn logarithms(&self) -> Vec<(f64, f64)> {
-        self.points.iter().map(|(steps, error)| (steps.log10(), error.log10())).collect()
-    }
-
-    /// A line of slope one half with the mean of the points.
+    /// A line of slope one half through the mean of the points.
     fn walk(&self) -> Vec<(f64, f64)> {
-        let points = self.logarithms();
-        let mean = |of: fn(&(f64, f64)) -> f64| points.iter().map(of).sum::<f64>() / points.len() as f64;
-        let (x, y) = (mean(|point| point.0), mean(|point| point.1));
-        points.iter().map(|point| (point.0, y + (point.0 - x) / 2.0)).collect()
+        let logarithms = || self.points.iter().map(|(steps, error)| (steps.log10(), error.log10()));
+        let count = self.points.len() as f64;
+        let (x, y) = logarithms().fold((0.0, 0.0), |(x, y), point| (x + point.0 / count, y + point.1 / count));
+        self.points.iter().map(|(steps, _)| (*steps, 10.0_f64.powf(y + (steps.log10() - x) / 2.0))).collect()
     }
 }
 
@@ -48,25 +49,27 @@ impl Picture for Growth<'_> {
         (1000, 700)
     }
 
-    fn draw<B: DrawingBackend>(&self, area: &DrawingArea<B, Shift>) -> Outcome
+    fn draw<B: DrawingBackend>(&self, area: &Area<B>) -> Outcome
     where
         B::ErrorType: 'static,
     {
-        head(area, self.title, "Grey: a random walk, which grows like the root of the number of steps")?;
-        let all: Vec<(f64, f64)> = self.problems.iter().flat_map(Growing::logarithms).collect();
-        let steps = range(all.iter().map(|point| point.0), 0.2, ROOM);
-        let errors = range(all.iter().map(|point| point.1), 0.2, 0.2);
-        let mut chart = axes(area, [steps, errors], 24, ["steps", "root mean square of the energy error"])?;
+        let claim = "Grey: a random walk, which grows like the root of the number of steps";
+        let below = head(area, self.title, claim)?;
+        let points = || self.problems.iter().flat_map(|problem| &problem.points);
+        let steps = points().flat_map(|point| [point.0, ROOM * point.0]);
+        let [along, up] = ["steps", "root mean square of the energy error"].map(Axis::logarithmic);
+        let scales = [along.fit(steps), up.fit(points().map(|point| point.1))];
+        let frame = Frame::new(area, Margins { top: below + 12, right: 8, text: 16 }, scales)?;
+        frame.grid()?;
         for (problem, colour) in self.problems.iter().zip(COLOURS.iter().skip(1)) {
-            chart.draw_series(LineSeries::new(problem.walk(), RGBColor(150, 150, 150).stroke_width(1)))?;
-            let points = problem.logarithms();
-            chart.draw_series(LineSeries::new(points.iter().copied(), colour.stroke_width(3)))?;
-            chart.draw_series(points.iter().map(|point| Circle::new(*point, 4, colour.filled())))?;
-            if let Some(last) = points.last() {
-                let font = (FONT, 16, FontStyle::Bold).into_font().color(colour);
-                chart.draw_series([EmptyElement::at(*last) + Text::new(problem.name.clone(), (12, -8), font)])?;
+            frame.line(problem.walk(), GREY, false)?;
+            let points = || problem.points.iter().copied();
+            frame.line(points(), colour.stroke_width(3), false)?;
+            frame.dots(points(), 4, colour.filled())?;
+            if let Some(last) = problem.points.last() {
+                frame.text(*last, (12, -8), &problem.name, &bold(16).color(colour))?;
             }
         }
-        Ok(())
+        frame.axes(["steps", "root mean square of the energy error"])
     }
 }

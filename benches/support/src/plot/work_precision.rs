@@ -1,8 +1,13 @@
 //! Error against CPU time, a curve for each method.
 
-use super::{COLOURS, FONT, INK, Outcome, Picture, axes, head, range, write};
 use crate::precision::{Curve, Kind};
-use plotters::{coord::Shift, element::DashedPathElement, prelude::*, style::FontStyle};
+use integrator_plot::{
+    Area, Axis, Frame, Margins, Outcome, Picture, bold,
+    colour::{COLOURS, GREY},
+    font, head,
+    plotters::{element::DashedPathElement, prelude::*},
+    write,
+};
 use std::path::Path;
 
 /// Draws `<file>.svg` and `<file>.png`.
@@ -39,7 +44,7 @@ impl WorkPrecision<'_> {
         let mut letters = 'a'..;
         let look = |curve: &Curve| {
             if !curve.ours {
-                return Look { colour: RGBColor(150, 150, 150), dashed: false, letter: letters.next() };
+                return Look { colour: GREY, dashed: false, letter: letters.next() };
             }
             let method = plain(&curve.method);
             let place = methods.iter().position(|known| *known == method).unwrap_or_else(|| {
@@ -51,18 +56,17 @@ impl WorkPrecision<'_> {
         self.curves.iter().map(look).collect()
     }
 
-    /// The points of a curve as logarithms, those below what doubles hold left out.
+    /// The points of a curve, none of them below what doubles hold.
     fn points(&self, curve: &Curve) -> Vec<(f64, f64)> {
         let points = curve.points.iter().filter(|point| point.error(self.kind) < 1.0);
-        points.map(|point| (point.milliseconds.log10(), point.error(self.kind).max(1e-16).log10())).collect()
+        points.map(|point| (point.milliseconds, point.error(self.kind).max(1e-16))).collect()
     }
 
-    fn legend<B: DrawingBackend>(&self, area: &DrawingArea<B, Shift>, looks: &[Look]) -> Outcome
+    fn legend<B: DrawingBackend>(&self, area: &Area<B>, looks: &[Look]) -> Outcome
     where
         B::ErrorType: 'static,
     {
-        let bold = (FONT, 15, FontStyle::Bold).into_font().color(&INK);
-        let font = (FONT, 15).into_font().color(&INK);
+        let (bold, font) = (bold(15), font(15));
         let mut y = 90;
         for (ours, name) in [(true, "this library"), (false, "other crates")] {
             area.draw_text(name, &bold, (8, y))?;
@@ -82,7 +86,7 @@ impl WorkPrecision<'_> {
 }
 
 /// A line in the legend.
-fn draw_line<B: DrawingBackend>(area: &DrawingArea<B, Shift>, ends: [(i32, i32); 2], look: &Look) -> Outcome
+fn draw_line<B: DrawingBackend>(area: &Area<B>, ends: [(i32, i32); 2], look: &Look) -> Outcome
 where
     B::ErrorType: 'static,
 {
@@ -100,7 +104,7 @@ impl Picture for WorkPrecision<'_> {
         (1250, 780)
     }
 
-    fn draw<B: DrawingBackend>(&self, area: &DrawingArea<B, Shift>) -> Outcome
+    fn draw<B: DrawingBackend>(&self, area: &Area<B>) -> Outcome
     where
         B::ErrorType: 'static,
     {
@@ -109,31 +113,29 @@ impl Picture for WorkPrecision<'_> {
             Kind::Energy => "largest relative error of the energy",
             Kind::Global => "relative error of the positions at the end",
         };
-        head(area, self.title, "CPU time of a run against its error: further down and to the left is better")?;
+        let claim = "CPU time of a run against its error: further down and to the left is better";
+        let below = head(area, self.title, claim)?;
         let (left, right) = area.split_horizontally(self.size().0 - LEGEND);
         self.legend(&right, &looks)?;
 
         let all: Vec<(f64, f64)> = self.curves.iter().flat_map(|curve| self.points(curve)).collect();
-        let times = range(all.iter().map(|point| point.0), 0.15, 0.15);
-        let errors = range(all.iter().map(|point| point.1), 0.15, 0.15);
-        let mut chart = axes(&left, [times, errors], 10, ["CPU time, ms", error])?;
+        let names = ["CPU time, ms", error];
+        let [along, up] = names.map(Axis::logarithmic);
+        let scales = [along.fit(all.iter().map(|point| point.0)), up.fit(all.iter().map(|point| point.1))];
+        let frame = Frame::new(&left, Margins { top: below + 12, right: 0, text: 16 }, scales)?;
+        frame.grid()?;
         // Ours on top of the others.
         for (curve, look) in self.curves.iter().zip(&looks).rev() {
             let points = self.points(curve);
-            let style = look.colour.stroke_width(if look.letter.is_some() { 2 } else { 3 });
-            if look.dashed {
-                chart.draw_series(DashedLineSeries::new(points.iter().copied(), 7, 5, style))?;
-            } else {
-                chart.draw_series(LineSeries::new(points.iter().copied(), style))?;
-            }
+            let width = if look.letter.is_some() { 2 } else { 3 };
+            frame.line(points.iter().copied(), look.colour.stroke_width(width), look.dashed)?;
             if look.letter.is_none() {
-                chart.draw_series(points.iter().map(|point| Circle::new(*point, 3, look.colour.filled())))?;
+                frame.dots(points.iter().copied(), 3, look.colour.filled())?;
             }
             if let Some((letter, end)) = look.letter.zip(points.last()) {
-                let font = (FONT, 16, FontStyle::Bold).into_font().color(&INK);
-                chart.draw_series([EmptyElement::at(*end) + Text::new(letter.to_string(), (5, -8), font)])?;
+                frame.text(*end, (5, -8), &letter.to_string(), &bold(16))?;
             }
         }
-        Ok(())
+        frame.axes(names)
     }
 }

@@ -1,0 +1,113 @@
+//! Several charts in rows.
+
+use crate::{
+    chart::Chart,
+    picture::{Area, Outcome, Picture, head},
+    text::{bold, paragraph},
+};
+use plotters::prelude::*;
+
+/// Charts of one size, side by side under one head, each with its own title and claim.
+#[derive(Clone, Debug)]
+pub struct Panels {
+    title: String,
+    claim: String,
+    measured: String,
+    columns: usize,
+    panel: (u32, u32),
+    charts: Vec<Chart>,
+}
+
+impl Panels {
+    /// No charts yet, in rows of three.
+    pub fn new(title: impl Into<String>, claim: impl Into<String>) -> Self {
+        Self {
+            title: title.into(),
+            claim: claim.into(),
+            measured: String::new(),
+            columns: 3,
+            panel: (380, 360),
+            charts: Vec::new(),
+        }
+    }
+
+    /// The number that was measured for it, in bold under the claim.
+    #[must_use]
+    pub fn measured(mut self, measured: impl Into<String>) -> Self {
+        self.measured = measured.into();
+        self
+    }
+
+    /// How many charts are in a row.
+    #[must_use]
+    pub fn columns(mut self, columns: usize) -> Self {
+        self.columns = columns.max(1);
+        self
+    }
+
+    /// Width and height of a chart in pixels, 380 by 360 without this.
+    #[must_use]
+    pub fn panel(mut self, width: u32, height: u32) -> Self {
+        self.panel = (width, height);
+        self
+    }
+
+    /// One more chart.
+    #[must_use]
+    pub fn chart(mut self, chart: Chart) -> Self {
+        self.charts.push(chart);
+        self
+    }
+}
+
+/// The room for the common head.
+const HEAD: u32 = 110;
+
+impl Picture for Panels {
+    fn size(&self) -> (u32, u32) {
+        let rows = self.charts.len().div_ceil(self.columns).max(1) as u32;
+        (self.panel.0 * self.columns as u32 + 24, self.panel.1 * rows + HEAD + 8)
+    }
+
+    fn draw<B: DrawingBackend>(&self, area: &Area<B>) -> Outcome
+    where
+        B::ErrorType: 'static,
+    {
+        let below = head(area, &self.title, &self.claim)?;
+        paragraph(area, &self.measured, &bold(16), [24, below], [self.size().0 as i32 - 48, 21])?;
+        let (width, height) = self.panel;
+        for (place, chart) in self.charts.iter().enumerate() {
+            let (row, column) = (place / self.columns, place % self.columns);
+            let (left, top) = (12 + column as u32 * width, HEAD + row as u32 * height);
+            let sheet = area.clone().shrink((left, top), (width, height));
+            chart.draw_panel(&sheet)?;
+        }
+        Ok(())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Panels;
+    use crate::{Axis, Chart, Picture, write};
+    use std::{env, fs};
+
+    #[test]
+    fn every_panel_has_its_title_and_its_curve() {
+        let panels = (0..4).fold(Panels::new("All", "Four of them").columns(2), |panels, i| {
+            let points = (0..20).map(|x| (f64::from(x), f64::from(x * i)));
+            panels.chart(Chart::new(format!("number {i}")).along(Axis::linear("x")).line("", points))
+        });
+        assert_eq!(panels.size(), (784, 838));
+        let file = env::temp_dir().join(format!("integrator-panels-{}", std::process::id()));
+        write(&file, &panels).expect("two files");
+        let text = fs::read_to_string(file.with_extension("svg")).expect("text");
+        for word in ["All", "Four of them", "number 0", "number 3"] {
+            assert!(text.contains(word), "{word} is missing in {text}");
+        }
+        assert_eq!(text.matches(r##"stroke="#1E1E1E""##).count(), 4, "a curve in each");
+        for extension in ["svg", "png"] {
+            fs::remove_file(file.with_extension(extension)).expect("a file");
+        }
+    }
+}
