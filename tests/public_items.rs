@@ -175,9 +175,10 @@ fn listed(names: &BTreeSet<String>) -> String {
 #[test]
 fn public_items() {
     let source = Path::new(env!("CARGO_MANIFEST_DIR")).join("integrator-core/src");
-    let (root, check) = (file(&source.join("lib.rs")), file(&source.join("check/mod.rs")));
+    let root = file(&source.join("lib.rs"));
+    let [check, output] = ["check", "output"].map(|module| exported(&file(&source.join(module).join("mod.rs"))));
     let mut names = exported(&root);
-    names.extend(exported(&check));
+    names.extend(check.iter().chain(&output).cloned());
     let mut found: Vec<(String, Item)> = items(&source).iter().filter_map(|item| seen(item, &names)).collect();
     // Heads of impls after the item that they belong to, in the order of their text.
     found.sort_by_cached_key(|(name, item)| {
@@ -186,10 +187,11 @@ fn public_items() {
     let items = found.into_iter().map(|(_, item)| item).collect();
     let shown = prettyplease::unparse(&syn::File { shebang: None, frontmatter: None, attrs: Vec::new(), items });
     let text = format!(
-        "compositions:\n{}\nprelude:\n{}\ncheck:\n{}\nitems:\n\n{shown}",
+        "compositions:\n{}\nprelude:\n{}\ncheck:\n{}\noutput:\n{}\nitems:\n\n{shown}",
         listed(&compositions(&self::items(&source.join("catalogue")))),
         listed(&exported(&inside(&root, "prelude"))),
-        listed(&exported(&check)),
+        listed(&check),
+        listed(&output),
     );
     insta::assert_snapshot!(text);
 }

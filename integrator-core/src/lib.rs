@@ -44,6 +44,7 @@
 //! | where a run starts, and in which precision | [`Phase`] |
 //! | what a run does and promises | [`Run`] |
 //! | looking at a run from time to time | [`Run::samples`] |
+//! | saving what is seen of a run | `output` (feature `output`) |
 //! | Poincaré sections, the times of events | [`Run::crossings`] |
 //! | what can go wrong | [`Error`] |
 //! | a run that outlives its program | `Run::checkpoint`, `Run::resume` (feature `checkpoint`) |
@@ -62,6 +63,8 @@
 //!
 //! `checkpoint`: `Run::checkpoint` and `Run::resume`, runs as bytes and as files that survive a killed program. It
 //! brings serde, postcard and crc.
+//!
+//! `output`: samples as CSV and as NPZ files. It brings csv, npyz and zip.
 #![cfg_attr(not(any(feature = "std", test)), no_std)]
 #![deny(unsafe_code)]
 
@@ -107,6 +110,8 @@ mod leap;
 #[allow(unreachable_pub, reason = "named in bounds, never outside")]
 mod many_body;
 mod neighbours;
+#[cfg(feature = "output")]
+pub mod output;
 #[cfg(feature = "std")]
 mod pack;
 mod phase;

@@ -1,0 +1,54 @@
+//! Samples one by one, counted, to the end or to the first mistake.
+
+use crate::{coords::Coords, error::Error, samples::Sample, slot::Keep};
+use std::io;
+
+/// Why not all samples were written.
+#[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
+pub enum OutputError {
+    /// The run went no further. What was seen of it is written.
+    #[error("the run ended after {written} samples, which are written: {error}")]
+    Run {
+        /// How many samples are written.
+        written: u64,
+        /// Why it ended.
+        error: Error,
+    },
+    /// Something could not be written.
+    #[error("writing ended after {written} samples: {error}")]
+    Write {
+        /// How many samples the writer had taken before; what it held in memory of them may be lost.
+        written: u64,
+        /// What the writer said.
+        error: io::Error,
+    },
+}
+
+/// Hands each sample to `callback`, and returns how many there were.
+///
+/// # Errors
+/// [`OutputError::Run`] with the error of the run, [`OutputError::Write`] with the one that `callback` returned; either ends
+/// it.
+pub fn each<C: Coords>(
+    samples: impl IntoIterator<Item = Result<Sample<C>, Error>>,
+    mut callback: impl FnMut(&Sample<C>) -> io::Result<()>,
+) -> Result<u64, OutputError> {
+    let mut written = 0;
+    for sample in samples {
+        let sample = sample.map_err(|error| OutputError::Run { written, error })?;
+        callback(&sample).map_err(|error| OutputError::Write { written, error })?;
+        written += 1;
+    }
+    Ok(written)
+}
+
+/// Coordinates as doubles, points one after the other.
+pub(super) fn numbers<C: Coords>(coordinates: &C) -> impl Iterator<Item = f64> {
+    coordinates.flat().iter().map(|leaf| leaf.to_f64())
+}
+
+/// What is wrong with a sample that does not go with those before it.
+pub(super) fn unequal() -> io::Error {
+    io::Error::new(io::ErrorKind::InvalidData, "samples differ in the number of their coordinates")
+}

@@ -1,0 +1,82 @@
+//! Samples as arrays for NumPy.
+
+use super::each::{OutputError, each, numbers, unequal};
+use crate::{coords::Coords, error::Error, samples::Sample};
+use alloc::vec::Vec;
+use npyz::{WriteOptions, WriterBuilder};
+use std::io::{self, BufWriter, Seek, Write};
+use zip::{ZipWriter, write::SimpleFileOptions};
+
+/// Writes samples as an NPZ file, `np.load(path)` in Python, and returns how many there were.
+///
+/// It holds the arrays `t` and `energy` of `n` samples, and `q` and `p` of the shape `(n, number of coordinates)` or
+/// `(n, number of points, components)`, all in double precision. A file of arrays has to know how many samples there are
+/// before the second array begins, so that all are in memory until the last one is seen.
+///
+/// # Errors
+/// As [`each`]; also [`OutputError::Write`] if a sample has more or fewer coordinates than the first one.
+pub fn npz<C: Coords>(
+    samples: impl IntoIterator<Item = Result<Sample<C>, Error>>,
+    to: impl Write + Seek,
+) -> Result<u64, OutputError> {
+    let mut arrays = Arrays { shape: Vec::new(), t: Vec::new(), q: Vec::new(), p: Vec::new(), energy: Vec::new() };
+    let outcome = each(samples, |sample| arrays.push(sample));
+    let saved = arrays.write(to);
+    let written = outcome?;
+    saved.map_err(|error| OutputError::Write { written, error })?;
+    Ok(written)
+}
+
+/// What was seen, one sample after the other.
+struct Arrays {
+    /// The axes of `q` and of `p`.
+    shape: Vec<u64>,
+    t: Vec<f64>,
+    q: Vec<f64>,
+    p: Vec<f64>,
+    energy: Vec<f64>,
+}
+
+impl Arrays {
+    fn push<C: Coords>(&mut self, sample: &Sample<C>) -> io::Result<()> {
+        let axes = shape(self.t.len() + 1, &sample.state.q);
+        if !self.shape.is_empty() && self.shape[1..] != axes[1..] {
+            return Err(unequal());
+        }
+        self.shape = axes;
+        self.t.push(sample.time);
+        self.q.extend(numbers(&sample.state.q));
+        self.p.extend(numbers(&sample.state.p));
+        self.energy.push(sample.energy());
+        Ok(())
+    }
+
+    fn write(&self, to: impl Write + Seek) -> io::Result<()> {
+        let mut archive = ZipWriter::new(BufWriter::new(to));
+        let (count, nothing) = ([self.t.len() as u64], [0, 0]);
+        let of_coordinates = if self.shape.is_empty() { &nothing[..] } else { &self.shape };
+        let arrays = [
+            ("t", &self.t, &count[..]),
+            ("q", &self.q, of_coordinates),
+            ("p", &self.p, of_coordinates),
+            ("energy", &self.energy, &count),
+        ];
+        for (name, numbers, shape) in arrays {
+            // An archive counts bytes with 32 bits if nothing else is announced; half of that leaves room for the head.
+            let large = size_of_val(numbers.as_slice()) as u64 > u64::from(u32::MAX) / 2;
+            let options = SimpleFileOptions::default().large_file(large);
+            archive.start_file(npyz::npz::file_name_from_array_name(name), options)?;
+            let mut array = WriteOptions::new().default_dtype().shape(shape).writer(&mut archive).begin_nd()?;
+            array.extend(numbers.iter().copied())?;
+            array.finish()?;
+        }
+        archive.finish()?.flush()
+    }
+}
+
+/// How long the axes of an array are that holds so many of these coordinates.
+fn shape<C: Coords>(count: usize, coordinates: &C) -> Vec<u64> {
+    let mut axes = [count, coordinates.length(), C::COMPONENTS].map(|length| length as u64).to_vec();
+    axes.truncate(if C::COMPONENTS == 1 { 2 } else { 3 });
+    axes
+}

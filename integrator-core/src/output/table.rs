@@ -1,0 +1,61 @@
+//! Samples as lines of text.
+
+use super::each::{OutputError, each, numbers, unequal};
+use crate::{coords::Coords, error::Error, samples::Sample};
+use ::csv::ErrorKind;
+use alloc::{
+    format,
+    string::{String, ToString},
+    vec::Vec,
+};
+use core::mem::replace;
+use std::io::{self, Write};
+
+/// Writes samples as CSV and returns how many there were.
+///
+/// The columns are the time `t`, the positions `q0`, `q1` and so on (`q0_2` is the third component of the first point), the
+/// momenta likewise, and the `energy`. The first line names them. Each number is the shortest text that reads back equal.
+///
+/// # Errors
+/// As [`each`]; also [`OutputError::Write`] if a sample has more or fewer coordinates than the first one.
+pub fn csv<C: Coords>(
+    samples: impl IntoIterator<Item = Result<Sample<C>, Error>>,
+    to: impl Write,
+) -> Result<u64, OutputError> {
+    let mut writer = ::csv::Writer::from_writer(to);
+    let mut named = false;
+    let outcome = each(samples, |sample| {
+        if !replace(&mut named, true) {
+            writer.write_record(header(sample)).map_err(cause)?;
+        }
+        let row = [sample.time].into_iter().chain(numbers(&sample.state.q)).chain(numbers(&sample.state.p));
+        // As `Debug` shows them, numbers are as short as possible, and with an exponent where that is shorter.
+        let row: Vec<String> = row.chain([sample.energy()]).map(|number| format!("{number:?}")).collect();
+        writer.write_record(row).map_err(cause)
+    });
+    let flushed = writer.flush();
+    let written = outcome?;
+    flushed.map_err(|error| OutputError::Write { written, error })?;
+    Ok(written)
+}
+
+/// What the writer below said. Besides, a row may have another length than the first one.
+fn cause(error: ::csv::Error) -> io::Error {
+    match error.into_kind() {
+        ErrorKind::Io(error) => error,
+        _ => unequal(),
+    }
+}
+
+/// The names of all columns.
+fn header<C: Coords>(sample: &Sample<C>) -> Vec<String> {
+    let each = |letter: char| {
+        let count = sample.state.q.flat().len();
+        (0..count).map(move |index| match C::COMPONENTS {
+            0 | 1 => format!("{letter}{index}"),
+            components => format!("{letter}{}_{}", index / components, index % components),
+        })
+    };
+    let (first, last) = ("t".to_string(), "energy".to_string());
+    [first].into_iter().chain(each('q')).chain(each('p')).chain([last]).collect()
+}
