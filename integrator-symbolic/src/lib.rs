@@ -5,8 +5,9 @@
 //! tokens -> Sequence -> Scheme -> tokens                                    composition!
 //! ```
 //!
-//! Each arrow is a module; errors end at the model and at the claims of a scheme. Both functions return for every input,
-//! report all mistakes at once, and write the same tokens for the same tokens.
+//! Each arrow is a module; errors end at the model and at the claims of a scheme. All functions return for every input,
+//! report all mistakes at once, and write the same tokens for the same tokens. [`report`], [`declared`] and [`sequence`]
+//! tell people what the macros find.
 #![forbid(unsafe_code)]
 
 mod differentiate;
@@ -23,10 +24,14 @@ mod report;
 mod scheme;
 mod syntax;
 
+pub use emit::Form;
 use errors::Errors;
+pub use graph::Tally;
+use model::Model;
 use proc_macro2::TokenStream;
 use quote::quote;
-pub use report::{Report, report};
+pub use report::{Flow, Place, Report};
+pub use scheme::{Proved, ProvedStage, ProvedViolation};
 use syntax::{Compose, Input};
 
 /// `#[hamiltonian]`: the annotated item, and behind it the stepper written for it, or the errors found in it
@@ -46,29 +51,74 @@ pub fn composition(declarations: TokenStream) -> TokenStream {
     scheme::expand(declarations)
 }
 
+/// What `#[hamiltonian]` derives from an impl, for people; the error holds all mistakes.
+pub fn report(arguments: TokenStream, item: TokenStream) -> syn::Result<Report> {
+    let mut errors = Errors::default();
+    let report = read(arguments, item, &mut errors).and_then(|input| {
+        let model = judged(&input, &mut errors)?;
+        Some(report::report(&input, model))
+    });
+    told(report, errors)
+}
+
+/// What is proved of the compositions that a `composition!` block declares; the error holds all that is wrong with it.
+pub fn declared(declarations: TokenStream) -> syn::Result<Vec<Proved>> {
+    let mut errors = Errors::default();
+    let found = limits::check_depth(&declarations, &mut errors).then(|| scheme::declared(declarations, &mut errors));
+    told(found, errors)
+}
+
+/// What is proved of a sequence such as `V(1/2) T(1) V(1/2)`, held against an order where one is claimed; the error holds
+/// all that is wrong with it.
+pub fn sequence(tokens: TokenStream, order: Option<u32>) -> syn::Result<Proved> {
+    let mut errors = Errors::default();
+    let shallow = limits::check_depth(&tokens, &mut errors);
+    let found = shallow.then(|| scheme::sequence(tokens, order, &mut errors)).flatten();
+    told(found, errors)
+}
+
+/// What was found, or what was noted.
+fn told<T>(found: Option<T>, errors: Errors) -> syn::Result<T> {
+    match (found, errors.combined()) {
+        (Some(found), None) => Ok(found),
+        (_, Some(error)) => Err(error),
+        (None, None) => Err(syn::Error::new(proc_macro2::Span::call_site(), "nothing was found, and no reason either")),
+    }
+}
+
 fn stepper(arguments: TokenStream, item: TokenStream, errors: &mut Errors) -> Option<TokenStream> {
-    if !limits::check_depth(&arguments, errors) || !limits::check_depth(&item, errors) {
-        return None;
-    }
-    let mut input = syntax::input(arguments, item, errors)?;
-    let model = model::model(&input, errors);
-    match &model {
-        Some(model) => check_composition(&input, model, errors),
-        None if errors.is_empty() => {
-            errors.at(&input.item.self_ty, "this impl could not be read, and no reason was found: please report it");
-        }
-        None => {}
-    }
-    if errors.is_empty() {
-        return model.map(|model| emit::stepper(&input, model));
+    let mut input = read(arguments, item, errors)?;
+    if let Some(model) = judged(&input, errors) {
+        return Some(emit::stepper(&input, model));
     }
     // A sequence in place may be what is wrong; a name is held against the stub, so that the type checker speaks too.
     input.compose = input.compose.filter(|compose| matches!(compose, Compose::Named(_)));
     model::stub(&input).map(|model| emit::stepper(&input, model))
 }
 
+/// The input, unless it is so deep that nothing may recurse over it.
+fn read(arguments: TokenStream, item: TokenStream, errors: &mut Errors) -> Option<Input> {
+    if !limits::check_depth(&arguments, errors) || !limits::check_depth(&item, errors) {
+        return None;
+    }
+    syntax::input(arguments, item, errors)
+}
+
+/// The model of an input without mistakes.
+fn judged(input: &Input, errors: &mut Errors) -> Option<Model> {
+    let model = model::model(input, errors);
+    match &model {
+        Some(model) => check_composition(input, model, errors),
+        None if errors.is_empty() => {
+            errors.at(&input.item.self_ty, "this impl could not be read, and no reason was found: please report it");
+        }
+        None => {}
+    }
+    model.filter(|_| errors.is_empty())
+}
+
 /// A sequence in place has to fit this very Hamiltonian; a named one is held against it by the type checker.
-fn check_composition(input: &Input, model: &model::Model, errors: &mut Errors) {
+fn check_composition(input: &Input, model: &Model, errors: &mut Errors) {
     if let Some(Compose::InPlace(sequence, span)) = &input.compose
         && let Some(refusal) = emit::refusal(sequence, model)
     {

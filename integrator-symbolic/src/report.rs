@@ -1,26 +1,33 @@
 //! What is derived from an annotated impl, for people.
 
 use crate::{
-    differentiate::gradient,
-    emit,
-    errors::Errors,
-    graph::Part,
+    differentiate::{Contribution, folded, gradient},
+    emit::{self, Form},
+    graph::{Part, Tally, index::LoopSet},
     lower::lower,
-    model::{self, Model},
-    syntax,
+    model::Model,
+    syntax::{Compose, Input},
 };
-use proc_macro2::TokenStream;
-use std::fmt;
+use quote::ToTokens;
+use std::{collections::HashMap, fmt};
 
 /// The equations of motion of a Hamiltonian, what is known of it, and what its flows cost.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Report {
+    /// The annotated type, as it is spelled.
+    pub system: String,
+    /// The composition that the annotation asks for, a name or a sequence, as it is spelled.
+    pub compose: String,
     /// `dq[i]/dt = ...` and `dp[i]/dt = ...`; `+=` marks one of several terms.
     pub equations: Vec<String>,
     /// Whether `T = ½ pᵀ M⁻¹ p` with a constant `M`.
     pub quadratic_kinetic: bool,
     /// Whether neither `T` nor `V` reads the time.
     pub autonomous: bool,
+    /// What moves the positions.
+    pub drift: Flow,
+    /// What moves the momenta.
+    pub kick: Flow,
     /// Operations of one drift and one kick as often as they occur in the derivatives; a sum's body counts once.
     pub operations_written: u64,
     /// The same operations with shared subexpressions computed once.
@@ -31,6 +38,24 @@ pub struct Report {
     pub operations_together: u64,
 }
 
+/// One of the two flows.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Flow {
+    /// How it is written.
+    pub form: Form,
+    /// What it computes, by the loops that this is in, outermost first; empty if nothing moves.
+    pub places: Vec<Place>,
+}
+
+/// What a flow computes in one place, with shared subexpressions computed once.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Place {
+    /// The loops around it, outermost first, as `i in 0..n`; none for what is computed once.
+    pub loops: Vec<String>,
+    /// Operations of one turn.
+    pub operations: Tally,
+}
+
 impl fmt::Display for Report {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         for equation in &self.equations {
@@ -38,7 +63,8 @@ impl fmt::Display for Report {
         }
         let kinetic = if self.quadratic_kinetic { "quadratic in p, constant masses" } else { "general" };
         let time = if self.autonomous { "not read" } else { "read" };
-        writeln!(f, "T: {kinetic}; time: {time}")?;
+        writeln!(f, "H: separable; T: {kinetic}; time: {time}")?;
+        write!(f, "drift: {}\nkick: {}\n", self.drift, self.kick)?;
         writeln!(
             f,
             "operations of a drift and a kick: {} as derived, {} with what is shared computed once",
@@ -52,29 +78,90 @@ impl fmt::Display for Report {
     }
 }
 
-/// What `#[hamiltonian]` derives from an impl; nothing where it has mistakes, which the expansion tells.
-pub fn report(arguments: TokenStream, item: TokenStream) -> Option<Report> {
-    let mut errors = Errors::default();
-    let input = syntax::input(arguments, item, &mut errors)?;
-    let mut model = model::model(&input, &mut errors).filter(|_| errors.is_empty())?;
+impl fmt::Display for Flow {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        if self.places.is_empty() {
+            return f.write_str("nothing moves");
+        }
+        write!(f, "{}", self.form)?;
+        for Place { loops, operations } in &self.places {
+            match &loops[..] {
+                [] => write!(f, "\n  once: {operations}")?,
+                loops => write!(f, "\n  per turn of {}: {operations}", loops.join(", "))?,
+            }
+        }
+        Ok(())
+    }
+}
+
+/// What is derived from `input`, whose model is known to make sense.
+pub(crate) fn report(input: &Input, mut model: Model) -> Report {
     let kinetic = gradient(&mut model.graph, model.kinetic, Part::Momentum);
     let potential = gradient(&mut model.graph, model.potential, Part::Position);
     let equations = emit::equations(&mut model, &kinetic, &potential);
     let values: Vec<_> = kinetic.iter().chain(&potential).map(|contribution| contribution.value).collect();
     let energies = vec![model.kinetic, model.potential];
-    let Model { graph, quadratic, autonomous, .. } = &mut model;
     let all = [&values[..], &energies].concat();
+    let graph = &mut model.graph;
     let [flows, energies, together] = [values, energies, all].map(|roots| {
         let lowered = lower(graph, &roots, |graph, id| graph.is_prepared(id));
         graph.cost(&lowered)
     });
-    Some(Report {
+    let places = [&kinetic, &potential].map(|gradient| places(&mut model, gradient));
+    let forms = emit::forms(input, &mut model, &kinetic, &potential);
+    let [drift, kick] = [0, 1].map(|part| Flow { form: forms[part], places: places[part].clone() });
+    Report {
+        system: readable(&input.item.self_ty),
+        compose: match &input.compose {
+            None => "Verlet".to_owned(),
+            Some(Compose::Named(path)) => readable(path),
+            Some(Compose::InPlace(sequence, _)) => sequence.text(),
+        },
         equations,
-        quadratic_kinetic: *quadratic,
-        autonomous: *autonomous,
+        quadratic_kinetic: model.quadratic,
+        autonomous: model.autonomous,
+        drift,
+        kick,
         operations_written: flows.written,
         operations_shared: flows.shared,
         operations_of_energies: energies.shared,
         operations_together: together.shared,
-    })
+    }
+}
+
+/// What a flow along a gradient computes, by the loops around it.
+fn places(model: &mut Model, gradient: &[Contribution]) -> Vec<Place> {
+    let Model { graph, externals, .. } = model;
+    let gradient = folded(graph, gradient);
+    let values: Vec<_> = gradient.iter().map(|contribution| contribution.value).collect();
+    let lowered = lower(graph, &values, |graph, id| graph.is_prepared(id));
+    let tallies = graph.tallies(&lowered, |id| externals[id.0 as usize].to_string());
+    let mut by_loops: HashMap<LoopSet, Tally> = HashMap::new();
+    // What depends on the index of an inner loop stands in those around it too.
+    let whole = |loops: LoopSet| {
+        let around = |by| std::iter::successors(Some(by), |by| graph.loops.get(*by).parent);
+        loops.iter().flat_map(around).fold(LoopSet::EMPTY, |all, by| all.union(LoopSet::of(by)))
+    };
+    for (loops, tally) in tallies {
+        by_loops.entry(whole(loops)).or_default().add(tally);
+    }
+    for contribution in &gradient {
+        let loops = contribution.loops().fold(LoopSet::EMPTY, |all, by| all.union(LoopSet::of(by)));
+        by_loops.entry(whole(loops)).or_default().coordinates += 1;
+    }
+    let mut places: Vec<_> = by_loops.into_iter().collect();
+    places.sort_by_key(|(loops, _)| loops.iter().collect::<Vec<_>>());
+    let place = |(loops, operations): (LoopSet, Tally)| Place { loops: emit::ranges(model, loops), operations };
+    places.into_iter().map(place).collect()
+}
+
+/// Tokens of a type or a path, with the spaces that people leave.
+fn readable(tokens: &impl ToTokens) -> String {
+    let text = tokens.to_token_stream().to_string();
+    text.replace(" :: ", "::")
+        .replace(":: ", "::")
+        .replace(" <", "<")
+        .replace("< ", "<")
+        .replace(" >", ">")
+        .replace(" ,", ",")
 }

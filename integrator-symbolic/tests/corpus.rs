@@ -17,7 +17,7 @@ struct System {
 impl System {
     fn report(&self) -> Report {
         report(self.arguments.clone(), self.item.to_token_stream())
-            .unwrap_or_else(|| panic!("{}: no report", self.name))
+            .unwrap_or_else(|error| panic!("{}: {error}", self.name))
     }
 }
 

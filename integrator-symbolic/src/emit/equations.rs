@@ -1,16 +1,53 @@
 //! Formulas for people: the equations of motion in the documentation of what is generated.
 
+use super::is_direct;
 use crate::{
-    differentiate::Contribution,
+    differentiate::{Contribution, folded},
     graph::{
         Comparison, Element, Node, NodeId, Part,
-        index::{Index, IndexId, LoopId},
+        index::{Index, IndexId, LoopId, LoopSet},
     },
     model::Model,
 };
 use proc_macro2::TokenStream;
 use quote::quote;
 use std::collections::HashMap;
+
+/// The equations of motion, one line each.
+pub(crate) fn equations(model: &mut Model, kinetic: &[Contribution], potential: &[Contribution]) -> Vec<String> {
+    let [kinetic, potential] = [kinetic, potential].map(|gradient| folded(&mut model.graph, gradient));
+    let (drift, kick) = (is_direct(model, &kinetic), is_direct(model, &potential));
+    let formulas = Formulas(model);
+    formulas.motion(&kinetic, false, drift).into_iter().chain(formulas.motion(&potential, true, kick)).collect()
+}
+
+/// Loops as `i in 0..n`.
+pub(crate) fn ranges(model: &Model, loops: LoopSet) -> Vec<String> {
+    loops.iter().map(|by| Formulas(model).range(by)).collect()
+}
+
+/// The equations of motion as the documentation of the implementation.
+pub(super) fn documented_motion(
+    model: &mut Model,
+    kinetic: &[Contribution],
+    potential: &[Contribution],
+) -> TokenStream {
+    let lines: Vec<String> = equations(model, kinetic, potential).iter().map(|line| format!(" {line}")).collect();
+    let class = if model.quadratic {
+        " `T` is quadratic in the momenta, with a constant mass matrix."
+    } else {
+        " `T` is not quadratic in the momenta with a constant mass matrix."
+    };
+    quote! {
+        /// The equations of motion, derived from `kinetic` and `potential`:
+        ///
+        /// ```text
+        #(#[doc = #lines])*
+        /// ```
+        ///
+        #[doc = #class]
+    }
+}
 
 /// How many operations a formula may show.
 const LONG: u64 = 400;
@@ -79,7 +116,8 @@ impl Formulas<'_> {
         format!("Σ_{{{}}}", self.range(by))
     }
 
-    fn range(&self, by: LoopId) -> String {
+    /// A loop as `i in 0..n`.
+    pub(super) fn range(&self, by: LoopId) -> String {
         let range = self.0.graph.loops.get(by);
         let name = self.0.running.get(&by).map_or_else(String::new, ToString::to_string);
         format!("{name} in {}..{}", self.index(range.from), self.index(range.to))

@@ -11,6 +11,7 @@ mod equations;
 mod expression;
 mod fields;
 mod force_gradient;
+mod form;
 mod frame;
 mod lattice;
 mod names;
@@ -25,9 +26,12 @@ use crate::{
     scheme::{Class, InPlace},
     syntax::{Compose, Input},
 };
-use equations::Formulas;
+use equations::{Formulas, documented_motion};
+pub(crate) use equations::{equations, ranges};
 use expression::Dialect;
 use fields::Fields;
+pub use form::Form;
+pub(crate) use form::forms;
 use lattice::Sweep;
 use names::Names;
 use pairs::ManyBody;
@@ -58,7 +62,7 @@ pub(crate) fn refusal(sequence: &InPlace, model: &Model) -> Option<String> {
 pub(crate) fn stepper(input: &Input, mut model: Model) -> TokenStream {
     let kinetic = gradient(&mut model.graph, model.kinetic, Part::Momentum);
     let potential = gradient(&mut model.graph, model.potential, Part::Position);
-    let documentation = documentation(&mut model, &kinetic, &potential);
+    let documentation = documented_motion(&mut model, &kinetic, &potential);
 
     let names = Names::new(input);
     let mut fields = Fields::default();
@@ -386,32 +390,5 @@ fn composition(input: &Input, model: &Model, names: &Names) -> (TokenStream, Opt
             let class = if model.quadratic { Class::QuadraticKinetic } else { Class::General };
             (quote!(#name), Some(sequence.emit(name, class, root)))
         }
-    }
-}
-
-/// The equations of motion, one line each.
-pub(crate) fn equations(model: &mut Model, kinetic: &[Contribution], potential: &[Contribution]) -> Vec<String> {
-    let [kinetic, potential] = [kinetic, potential].map(|gradient| folded(&mut model.graph, gradient));
-    let (drift, kick) = (is_direct(model, &kinetic), is_direct(model, &potential));
-    let formulas = Formulas(model);
-    formulas.motion(&kinetic, false, drift).into_iter().chain(formulas.motion(&potential, true, kick)).collect()
-}
-
-/// The equations of motion as the documentation of the implementation.
-fn documentation(model: &mut Model, kinetic: &[Contribution], potential: &[Contribution]) -> TokenStream {
-    let lines: Vec<String> = equations(model, kinetic, potential).iter().map(|line| format!(" {line}")).collect();
-    let class = if model.quadratic {
-        " `T` is quadratic in the momenta, with a constant mass matrix."
-    } else {
-        " `T` is not quadratic in the momenta with a constant mass matrix."
-    };
-    quote! {
-        /// The equations of motion, derived from `kinetic` and `potential`:
-        ///
-        /// ```text
-        #(#[doc = #lines])*
-        /// ```
-        ///
-        #[doc = #class]
     }
 }

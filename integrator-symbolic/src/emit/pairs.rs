@@ -94,6 +94,11 @@ impl ManyBody {
         Some(Self { row, sizes, functions, per_body })
     }
 
+    /// Whether the bodies are one row.
+    pub(super) fn is_row(&self) -> bool {
+        self.row.is_some()
+    }
+
     /// The flow that moves the other part, whose loops over bodies are the runtime's.
     pub(super) fn flow(part: Part) -> TokenStream {
         match part {

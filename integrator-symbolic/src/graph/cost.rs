@@ -1,7 +1,10 @@
 //! What expressions cost, in arithmetic operations.
 
-use super::{Graph, Node, NodeId};
-use std::collections::HashMap;
+use super::{ExternalId, Graph, Node, NodeId, index::LoopSet};
+use std::{
+    collections::{BTreeMap, HashMap},
+    fmt,
+};
 
 /// Operations of expressions; the body of a sum counts once, a change of sign not at all.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -12,7 +15,96 @@ pub(crate) struct Cost {
     pub(crate) shared: u64,
 }
 
+/// Operations by their kinds; a change of sign is none.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Tally {
+    /// Additions and subtractions.
+    pub additions: u64,
+    /// Multiplications, those that powers are made of too.
+    pub multiplications: u64,
+    /// Divisions by what is not known before the run; all others are multiplications.
+    pub divisions: u64,
+    /// Square roots.
+    pub roots: u64,
+    /// Elementary functions and methods of the user, by their names.
+    pub functions: BTreeMap<String, u64>,
+    /// Choices between values.
+    pub branches: u64,
+    /// Coordinates that are moved, by a multiplication with the step and an addition each.
+    pub coordinates: u64,
+}
+
+impl Tally {
+    /// Adds the operations of another place.
+    pub(crate) fn add(&mut self, other: Self) {
+        self.additions += other.additions;
+        self.multiplications += other.multiplications;
+        self.divisions += other.divisions;
+        self.roots += other.roots;
+        for (name, count) in other.functions {
+            *self.functions.entry(name).or_default() += count;
+        }
+        self.branches += other.branches;
+        self.coordinates += other.coordinates;
+    }
+}
+
+impl fmt::Display for Tally {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let kinds = [
+            (self.additions, "addition", "additions"),
+            (self.multiplications, "multiplication", "multiplications"),
+            (self.divisions, "division", "divisions"),
+            (self.roots, "square root", "square roots"),
+        ];
+        let counted = |(count, one, many): (u64, &str, &str)| match count {
+            0 => None,
+            1 => Some(format!("1 {one}")),
+            _ => Some(format!("{count} {many}")),
+        };
+        let functions = self.functions.iter().map(|(name, count)| format!("{count} {name}"));
+        let others =
+            [(self.branches, "branch", "branches"), (self.coordinates, "coordinate moved", "coordinates moved")];
+        let all = kinds.into_iter().filter_map(counted).chain(functions).chain(others.into_iter().filter_map(counted));
+        formatter.write_str(&all.collect::<Vec<_>>().join(", "))
+    }
+}
+
 impl Graph {
+    /// What roots without powers cost together per evaluation of a flow, shared expressions once, by the loops whose
+    /// indices operations depend on. `external` names the methods of the user.
+    pub(crate) fn tallies(
+        &self,
+        lowered: &[NodeId],
+        external: impl Fn(ExternalId) -> String,
+    ) -> HashMap<LoopSet, Tally> {
+        let mut tallies: HashMap<LoopSet, Tally> = HashMap::new();
+        for id in self.reachable(lowered.iter().copied()) {
+            if self.is_prepared(id) || !self.node(id).is_operation() {
+                continue;
+            }
+            let node = self.node(id);
+            // A sum adds once per turn.
+            let loops = match node {
+                Node::Sum(by, _) => self.loops_of(id).union(LoopSet::of(by)),
+                _ => self.loops_of(id),
+            };
+            let tally = tallies.entry(loops).or_default();
+            let mut call = |name: String| *tally.functions.entry(name).or_default() += 1;
+            match node {
+                Node::Add(..) | Node::Sum(..) => tally.additions += 1,
+                Node::Mul(..) => tally.multiplications += 1,
+                Node::Div(..) => tally.divisions += 1,
+                Node::Power(..) => tally.roots += 1,
+                Node::Unary(function, _) | Node::Binary(function, ..) => call(function.name().to_owned()),
+                Node::External(id, _) | Node::ExternalTwo(id, ..) => call(external(id)),
+                Node::Select(..) => tally.branches += 1,
+                _ => {}
+            }
+        }
+        tallies
+    }
+
     /// What `roots` cost together per evaluation of a flow: what depends on parameters alone is there already.
     pub(crate) fn cost(&self, roots: &[NodeId]) -> Cost {
         let mut written: HashMap<NodeId, u64> = HashMap::new();

@@ -16,6 +16,7 @@ pub(crate) mod index;
 mod polynomial;
 mod product;
 
+pub use cost::Tally;
 use function::Function;
 use index::{IndexId, LoopId, LoopSet, Loops};
 use std::collections::HashMap;

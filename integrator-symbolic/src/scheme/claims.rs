@@ -15,16 +15,9 @@ pub(super) fn check(declaration: &Declaration, known: &Known, errors: &mut Error
     let mut scheme = lower(declaration.sequence.as_ref()?, known, errors)?;
     let found = errors.count();
     if let Some(literal) = &declaration.claims.order {
-        match literal.base10_parse::<u32>() {
-            Ok(order) if order >= 1 && scheme.order >= order => {}
-            Ok(order) if order >= 1 && scheme.proof.quadratic.order >= order => {
-                scheme.class = Class::QuadraticKinetic;
-                scheme.order = scheme.proof.quadratic.order;
-            }
-            Ok(order) if order >= 1 => {
-                errors.push(syn::Error::new(literal.span(), overclaimed(order, &scheme.proof)));
-            }
-            _ => errors.push(syn::Error::new(literal.span(), "an order is an integer of at least 1")),
+        let claimed = literal.base10_parse().map_err(|_| NO_ORDER.to_owned()).and_then(|n| order(&mut scheme, n));
+        if let Err(message) = claimed {
+            errors.push(syn::Error::new(literal.span(), message));
         }
     }
     if let Some(claim) = &declaration.claims.symmetric
@@ -34,6 +27,22 @@ pub(super) fn check(declaration: &Declaration, known: &Known, errors: &mut Error
         errors.push(syn::Error::new(claim.span(), message));
     }
     (errors.count() == found).then_some(scheme)
+}
+
+const NO_ORDER: &str = "an order is an integer of at least 1";
+
+/// Chooses the class in which the claimed order holds; the error says why there is none.
+pub(super) fn order(scheme: &mut Scheme, order: u32) -> Result<(), String> {
+    match order {
+        0 => return Err(NO_ORDER.to_owned()),
+        _ if scheme.order >= order => {}
+        _ if scheme.proof.quadratic.order >= order => {
+            scheme.class = Class::QuadraticKinetic;
+            scheme.order = scheme.proof.quadratic.order;
+        }
+        _ => return Err(overclaimed(order, &scheme.proof)),
+    }
+    Ok(())
 }
 
 fn overclaimed(declared: u32, proof: &Proof) -> String {

@@ -41,14 +41,25 @@ impl Word {
         if self.0.count_ones() != lyndon.0.count_ones() {
             return 0.0;
         }
-        let suffix = (1..degree).find(|length| lyndon.split(*length).1.is_lyndon());
-        let Some(length) = suffix else { return 1.0 };
+        let Some(length) = lyndon.factor() else { return 1.0 };
         let (left, right) = lyndon.split(length);
         let product = |(one, other): (Self, Self), left: Self, right: Self| {
             let first = one.in_bracket_of(left);
             if first == 0.0 { 0.0 } else { first * other.in_bracket_of(right) }
         };
         product(self.split(length), left, right) - product(self.split(degree - length), right, left)
+    }
+
+    /// The length of the first of the two factors whose brackets are the bracket of a Lyndon word; a letter has none.
+    fn factor(self) -> Option<usize> {
+        (1..self.degree()).find(|length| self.split(*length).1.is_lyndon())
+    }
+
+    /// The bracket of a Lyndon word as people write it: `[T, [T, V]]`.
+    pub(super) fn bracket(self) -> String {
+        let Some(length) = self.factor() else { return self.to_string() };
+        let (left, right) = self.split(length);
+        format!("[{}, {}]", left.bracket(), right.bracket())
     }
 
     /// Whether the word is strictly smaller than all its rotations.
@@ -206,6 +217,8 @@ mod tests {
         assert_eq!(["TTV", "TVT", "VTT", "TVV"].map(|word| coefficient(word, "TTV")), [1.0, -2.0, 1.0, 0.0]);
         // [[T, V], V] = TVV - 2 VTV + VVT
         assert_eq!(["TVV", "VTV", "VVT"].map(|word| coefficient(word, "TVV")), [1.0, -2.0, 1.0]);
+        assert_eq!(Word::read("TTV").bracket(), "[T, [T, V]]");
+        assert_eq!(Word::read("TTVTV").bracket(), "[[T, [T, V]], [T, V]]");
         for degree in 1..=7 {
             for word in general(degree) {
                 assert_eq!(word.in_bracket_of(word), 1.0, "{word}");

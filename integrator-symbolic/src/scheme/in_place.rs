@@ -67,7 +67,7 @@ impl InPlace {
     }
 
     /// The text of the sequence, which is also the composition's name: one space after each item, comma and semicolon.
-    fn text(&self) -> String {
+    pub(crate) fn text(&self) -> String {
         fn write(tokens: TokenStream, text: &mut String) {
             for tree in tokens {
                 match tree {

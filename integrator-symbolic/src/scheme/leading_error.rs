@@ -7,27 +7,28 @@
 //!
 //! The norm hangs on the basis: it compares methods of one order and class, and means nothing else.
 
-use super::conditions::{Series, general, quadratic};
+use super::conditions::{Series, Word, general, quadratic};
+
+/// A Lyndon word, whose bracket is an element of the basis, and the coordinate of `E` along it.
+pub(super) type Term = (Word, f64);
 
 /// The leading error for every `T(p)`, given the series of the step up to `degree` at least.
 ///
 /// The bracket of a Lyndon word is this word plus larger ones, so the coordinates come out in lexicographic order.
-pub(super) fn general_norm(series: &Series, degree: usize) -> f64 {
-    let words = general(degree);
-    let mut coordinates: Vec<f64> = Vec::with_capacity(words.len());
-    for word in &words {
-        let smaller = words.iter().zip(&coordinates);
-        let covered: f64 = smaller.map(|(smaller, coordinate)| coordinate * word.in_bracket_of(*smaller)).sum();
-        coordinates.push(series.residual(*word) - covered);
+pub(super) fn general_terms(series: &Series, degree: usize) -> Vec<Term> {
+    let mut terms: Vec<Term> = Vec::new();
+    for word in general(degree) {
+        let covered: f64 = terms.iter().map(|(smaller, coordinate)| coordinate * word.in_bracket_of(*smaller)).sum();
+        terms.push((word, series.residual(word) - covered));
     }
-    norm(&coordinates)
+    terms
 }
 
 /// The leading error for quadratic `T`, given the series of the step up to `degree` at least.
 ///
 /// The words that decide a degree are functionals on the quotient: a bracket is a row of its coefficients at them. Going
 /// through the Lyndon words, each row is reduced by those before it; what remains joins the basis, with a pivot of 1.
-pub(super) fn quadratic_norm(series: &Series, degree: usize) -> f64 {
+pub(super) fn quadratic_terms(series: &Series, degree: usize) -> Vec<Term> {
     let words = quadratic(degree);
     let mut basis: Vec<Reduced> = Vec::new();
     for lyndon in general(degree) {
@@ -39,7 +40,7 @@ pub(super) fn quadratic_norm(series: &Series, degree: usize) -> f64 {
             && scale.abs() > 1e-9
         {
             row.iter_mut().for_each(|entry| *entry /= scale);
-            basis.push(Reduced { row, pivot, scale, earlier });
+            basis.push(Reduced { lyndon, row, pivot, scale, earlier });
         }
     }
     let mut residuals: Vec<f64> = words.iter().map(|word| series.residual(*word)).collect();
@@ -51,11 +52,12 @@ pub(super) fn quadratic_norm(series: &Series, degree: usize) -> f64 {
             *other -= coordinate * factor;
         }
     }
-    norm(&coordinates)
+    basis.iter().map(|reduced| reduced.lyndon).zip(coordinates).collect()
 }
 
 /// The row `(bracket - sum of earlier * rows before) / scale`, which is 1 at its pivot and 0 at those before.
 struct Reduced {
+    lyndon: Word,
     row: Vec<f64>,
     pivot: usize,
     scale: f64,
@@ -73,8 +75,9 @@ impl Reduced {
     }
 }
 
-fn norm(coordinates: &[f64]) -> f64 {
-    coordinates.iter().map(|coordinate| coordinate * coordinate).sum::<f64>().sqrt()
+/// The leading error as one number.
+pub(super) fn norm(terms: &[Term]) -> f64 {
+    terms.iter().map(|(_, coordinate)| coordinate * coordinate).sum::<f64>().sqrt()
 }
 
 #[cfg(test)]

@@ -21,6 +21,7 @@ mod in_place;
 mod leading_error;
 mod lower;
 mod prove;
+mod proved;
 mod stability;
 mod stages;
 mod syntax;
@@ -30,7 +31,12 @@ use proc_macro2::TokenStream;
 use syn::ext::IdentExt;
 
 use self::lower::Known;
-pub(crate) use self::{in_place::InPlace, prove::Class};
+pub use self::proved::{Proved, ProvedStage, ProvedViolation};
+pub(crate) use self::{
+    in_place::InPlace,
+    prove::Class,
+    proved::{declared, sequence},
+};
 use crate::errors::Errors;
 
 /// The declared compositions with their proofs, and behind them the errors found.

@@ -13,7 +13,7 @@ use std::fmt;
 use super::{
     coefficient::Coefficient,
     conditions::{self, HIGHEST, Series, Word},
-    leading_error,
+    leading_error::{Term, general_terms, norm, quadratic_terms},
     stages::{Letter, Stages},
 };
 
@@ -49,10 +49,7 @@ pub(super) struct Scheme {
 impl Scheme {
     /// The scheme of stages about which nothing is claimed: general, unless it has gradient kicks.
     pub(super) fn inferred(stages: Stages, processor: Stages) -> Self {
-        let mut whole = processor.clone();
-        whole.append(&stages, Coefficient::ONE);
-        whole.append(&processor.inverse(), Coefficient::ONE);
-        let proof = prove(&whole);
+        let proof = prove(&whole(&stages, &processor));
         let (class, verdict) = match proof.general {
             Some(general) => (Class::General, general),
             None => (Class::QuadraticKinetic, proof.quadratic),
@@ -60,14 +57,39 @@ impl Scheme {
         Self { stages, processor, proof, class, order: verdict.order }
     }
 
-    /// The leading error for the class, where it is known and finite.
-    pub(super) fn leading_error(&self) -> Option<f64> {
-        let verdict = match (self.class, self.proof.general) {
+    /// What the conditions say for the class.
+    pub(super) fn verdict(&self) -> Verdict {
+        match (self.class, self.proof.general) {
             (Class::General, Some(general)) => general,
             _ => self.proof.quadratic,
-        };
-        verdict.leading_error.filter(|norm| norm.is_finite())
+        }
     }
+
+    /// The leading error for the class, where it is known and finite.
+    pub(super) fn leading_error(&self) -> Option<f64> {
+        self.verdict().leading_error.filter(|norm| norm.is_finite())
+    }
+
+    /// What the leading error is made of; nothing where it is not known.
+    pub(super) fn error_terms(&self) -> Vec<Term> {
+        if self.leading_error().is_none() {
+            return Vec::new();
+        }
+        let degree = self.order as usize + 1;
+        let series = Series::of(whole(&self.stages, &self.processor).elements(), degree);
+        match self.class {
+            Class::General => general_terms(&series, degree),
+            Class::QuadraticKinetic => quadratic_terms(&series, degree),
+        }
+    }
+}
+
+/// One step with its processor before it and the inverse of that behind.
+fn whole(stages: &Stages, processor: &Stages) -> Stages {
+    let mut whole = processor.clone();
+    whole.append(stages, Coefficient::ONE);
+    whole.append(&processor.inverse(), Coefficient::ONE);
+    whole
 }
 
 /// What the conditions say about a step.
@@ -123,10 +145,10 @@ fn prove(stages: &Stages) -> Proof {
         for degree in stride.filter(|degree| !symmetric || degree % 2 == 1) {
             let tolerance = tolerance(stages, degree);
             if general.violation.is_none() && general.examine(&series, conditions::general(degree), tolerance) {
-                general.leading_error = Some(leading_error::general_norm(&series, degree));
+                general.leading_error = Some(norm(&general_terms(&series, degree)));
             }
             if quadratic.violation.is_none() && quadratic.examine(&series, conditions::quadratic(degree), tolerance) {
-                quadratic.leading_error = Some(leading_error::quadratic_norm(&series, degree));
+                quadratic.leading_error = Some(norm(&quadratic_terms(&series, degree)));
             }
         }
         if quadratic.violation.is_some() {
@@ -135,7 +157,7 @@ fn prove(stages: &Stages) -> Proof {
     }
     if general.violation.is_none() {
         let series = Series::of(stages.elements(), HIGHEST + 1);
-        general.leading_error = Some(leading_error::general_norm(&series, HIGHEST + 1));
+        general.leading_error = Some(norm(&general_terms(&series, HIGHEST + 1)));
     }
     Proof { symmetric, general: (!stages.has_gradients()).then_some(general), quadratic }
 }

@@ -1,0 +1,145 @@
+//! What the proof of a composition finds, for people.
+//!
+//! Declarations or a sequence come in as tokens, what holds of them goes out.
+
+use proc_macro2::TokenStream;
+use syn::{
+    LitStr,
+    ext::IdentExt,
+    parse::{ParseStream, Parser},
+};
+
+use super::{
+    claims,
+    facts::Facts,
+    lower::{Known, lower},
+    prove::{Class, Scheme},
+    stages::{Letter, Stages},
+    syntax,
+};
+use crate::errors::Errors;
+
+/// What is proved of a composition.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Proved {
+    /// The name that it is declared by; empty for a sequence without one.
+    pub name: String,
+    /// Where it was published, as its declaration says; may be empty.
+    pub citation: String,
+    /// The proved order for the Hamiltonians that it is for.
+    pub order: u32,
+    /// The proved order for every `T(p)`; absent where there are gradient kicks, which need a quadratic `T`.
+    pub general_order: Option<u32>,
+    /// The proved order where `T` is quadratic in `p` with constant masses.
+    pub quadratic_order: u32,
+    /// Whether it is for Hamiltonians with a quadratic `T` alone.
+    pub quadratic_kinetic: bool,
+    /// Whether the step is its own adjoint, so that a run back retraces the way.
+    pub symmetric: bool,
+    /// One step; of the kernel, if there is a processor.
+    pub stages: Vec<ProvedStage>,
+    /// What comes once before the first step, and undone before output; mostly nothing.
+    pub processor: Vec<ProvedStage>,
+    /// Kicks per step in the middle of a run.
+    pub force_evaluations: usize,
+    /// How many of these also go along the gradient of the squared force.
+    pub gradient_evaluations: usize,
+    /// The smallest `h ω > 0` beyond which the harmonic oscillator is unstable.
+    pub stability_limit: f64,
+    /// The norm of the error terms, where these are known and finite.
+    pub leading_error: Option<f64>,
+    /// What the step gets wrong first: brackets of `T` and `V` of degree `order + 1`, with their factors.
+    pub error_terms: Vec<(String, f64)>,
+    /// The worst of the conditions of degree `order + 1` that do not hold; absent at the highest order that is proved.
+    pub violation: Option<ProvedViolation>,
+}
+
+/// A stage of a step.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ProvedStage {
+    /// `'T'` for a drift, `'V'` for a kick.
+    pub letter: char,
+    /// How long, as a fraction of the step.
+    pub coefficient: f64,
+    /// `c` of the kick with `b V + c h² |∇V|²`; zero in plain kicks and in drifts.
+    pub gradient: f64,
+}
+
+/// An order condition that does not hold.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ProvedViolation {
+    /// The word of the condition in the letters `T` and `V`.
+    pub word: String,
+    /// By how much the coefficient of the step at this word differs from that of the exact flow.
+    pub residual: f64,
+}
+
+/// What is proved of the compositions that a `composition!` block declares; what is wrong with it is noted.
+pub(crate) fn declared(declarations: TokenStream, errors: &mut Errors) -> Vec<Proved> {
+    let mut known = Known::bases();
+    let mut found = Vec::new();
+    for declaration in &syntax::block(declarations, errors).declarations {
+        let name = declaration.name.unraw().to_string();
+        let scheme = claims::check(declaration, &known, errors);
+        let citation = declaration.claims.citation.as_ref().map(LitStr::value).unwrap_or_default();
+        found.extend(scheme.as_ref().map(|scheme| Proved::of(scheme, &name, &citation)));
+        known.declare(name, scheme);
+    }
+    found
+}
+
+/// What is proved of a sequence, held against an order where one is claimed; what is wrong with it is noted.
+pub(crate) fn sequence(tokens: TokenStream, order: Option<u32>, errors: &mut Errors) -> Option<Proved> {
+    let parser = |input: ParseStream<'_>| {
+        let sequence = syntax::sequence(input, &tokens, errors);
+        if !input.is_empty() && errors.is_empty() {
+            errors.push(input.error("a sequence ends here: what stands behind it belongs to none"));
+        }
+        input.parse::<TokenStream>()?;
+        Ok(sequence)
+    };
+    let sequence = parser.parse2(tokens.clone());
+    let sequence = errors.keep(sequence).flatten().filter(|_| errors.is_empty())?;
+    let mut scheme = lower(&sequence, &Known::bases(), errors)?;
+    if let Some(Err(message)) = order.map(|order| claims::order(&mut scheme, order)) {
+        errors.at(&sequence.tokens, message);
+        return None;
+    }
+    Some(Proved::of(&scheme, "", ""))
+}
+
+impl Proved {
+    fn of(scheme: &Scheme, name: &str, citation: &str) -> Self {
+        let facts = Facts::of(scheme);
+        let violation = scheme
+            .verdict()
+            .violation
+            .map(|violation| ProvedViolation { word: violation.word.to_string(), residual: violation.residual });
+        Self {
+            name: name.to_owned(),
+            citation: citation.to_owned(),
+            order: scheme.order,
+            general_order: scheme.proof.general.map(|general| general.order),
+            quadratic_order: scheme.proof.quadratic.order,
+            quadratic_kinetic: scheme.class == Class::QuadraticKinetic,
+            symmetric: scheme.proof.symmetric,
+            stages: shown(&scheme.stages),
+            processor: shown(&scheme.processor),
+            force_evaluations: facts.table.force_evaluations(),
+            gradient_evaluations: facts.table.gradient_evaluations(),
+            stability_limit: facts.stability_limit,
+            leading_error: facts.leading_error,
+            error_terms: scheme.error_terms().iter().map(|(word, factor)| (word.bracket(), *factor)).collect(),
+            violation,
+        }
+    }
+}
+
+fn shown(stages: &Stages) -> Vec<ProvedStage> {
+    let stage = |element: &super::stages::Element| ProvedStage {
+        letter: if element.letter == Letter::T { 'T' } else { 'V' },
+        coefficient: element.coefficient.value.value(),
+        gradient: element.gradient.value.value(),
+    };
+    stages.elements().iter().map(stage).collect()
+}
