@@ -1,0 +1,105 @@
+//! A look at any Hamiltonian from the command line: `show`, `expand` and `prove`.
+//!
+//! The answer goes to standard output, messages to standard error. Exit codes: 0 if all is well, 1 if the input is
+//! wrong, 2 if the command is.
+#![forbid(unsafe_code)]
+
+mod answer;
+mod catalogue;
+mod expand;
+mod mistake;
+mod prove;
+mod show;
+mod source;
+
+use clap::{Args, Parser, Subcommand};
+use source::Source;
+use std::{
+    io::{self, Write},
+    path::PathBuf,
+    process::ExitCode,
+};
+
+/// A look at Hamiltonians and compositions without running them.
+///
+/// Exit codes: 0 if all is well, 1 if the input is wrong (messages on standard error), 2 if the command is.
+#[derive(Parser)]
+#[command(name = "integrator-cli", version)]
+struct Command {
+    #[command(subcommand)]
+    task: Task,
+}
+
+#[derive(Subcommand)]
+enum Task {
+    /// What is derived of every `#[hamiltonian]` impl in a file: equations of motion, class, operations, compositions.
+    ///
+    /// The impls are read as the macro reads them, with the same messages; the rest of the file is not looked at. Counts
+    /// of operations are those of one turn of the loops named beside them, with shared subexpressions computed once and
+    /// what depends on parameters alone left out, as it is computed once per run.
+    ///
+    /// Keys of --json: file; systems, each with system, line, equations, separable, quadratic_kinetic, autonomous, drift
+    /// and kick (form: plain, line, plane, row or tiles; places: loops, additions, multiplications, divisions, roots,
+    /// functions, branches, coordinates), operations (written, shared, energies, together), compose, composition and
+    /// admissible (name, order, symmetric, forces_per_step, stability_limit).
+    Show {
+        #[command(flatten)]
+        file: File,
+    },
+    /// What `#[hamiltonian]` writes for every annotated impl in a file, formatted.
+    ///
+    /// Keys of --json: file; systems, each with system and expansion.
+    Expand {
+        #[command(flatten)]
+        file: File,
+    },
+    /// Order, symmetry, stability limit and error terms of a sequence of stages.
+    ///
+    /// Keys of --json: sequence, order, general_order, quadratic_order, class (general or quadratic), symmetric, stages
+    /// and processor (part, coefficient, gradient), forces_per_step, gradients_per_step, stability_limit, leading_error,
+    /// error_terms (bracket, factor), violation (word, residual), citation.
+    Prove {
+        /// `V(1/2) T(1) V(1/2)`, with all that `composition!` understands, as `triple_jump(Verlet)`; or the name of a
+        /// composition of the catalogue.
+        sequence: String,
+        /// The order that is expected; if the sequence is of a lower one, the first violated condition is told and the
+        /// exit code is 1.
+        #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..))]
+        order: Option<u32>,
+        /// One JSON object instead of text.
+        #[arg(long)]
+        json: bool,
+    },
+}
+
+#[derive(Args)]
+struct File {
+    /// A Rust file with annotated impls.
+    #[arg(value_name = "FILE.rs")]
+    path: PathBuf,
+    /// One JSON object instead of text.
+    #[arg(long)]
+    json: bool,
+}
+
+fn main() -> ExitCode {
+    let (answer, json) = match Command::parse().task {
+        Task::Show { file: File { path, json } } => (Source::read(&path).and_then(|source| show::show(&source)), json),
+        Task::Expand { file: File { path, json } } => {
+            (Source::read(&path).and_then(|source| expand::expand(&source)), json)
+        }
+        Task::Prove { sequence, order, json } => (prove::prove(&sequence, order), json),
+    };
+    match answer {
+        Ok(answer) => {
+            let text = if json { format!("{:#}\n", answer.json) } else { answer.text };
+            // A reader that has seen enough, such as `head`, closes the pipe; that is no mistake.
+            let _ = io::stdout().write_all(text.as_bytes());
+            ExitCode::SUCCESS
+        }
+        Err(mistake) => {
+            let _ = io::stderr().write_all(mistake.0.as_bytes());
+            ExitCode::from(1)
+        }
+    }
+}

@@ -1,0 +1,125 @@
+//! `prove`: what holds of a sequence of stages that was typed by hand, or of a composition of the catalogue.
+
+use crate::{answer::Answer, catalogue::catalogue, mistake::Mistake, source::Source};
+use integrator_symbolic::{Proved, ProvedStage, sequence};
+use proc_macro2::{Span, TokenTree};
+use serde_json::{Value, json};
+use std::fmt::Write;
+
+/// How many error terms people are shown.
+const TERMS: usize = 6;
+
+/// The answer for a text; the mistake, if it is not of `order`.
+pub(crate) fn prove(text: &str, order: Option<u32>) -> Result<Answer, Mistake> {
+    let source = Source { name: "sequence".to_owned(), text: text.to_owned() };
+    let tokens = source.tokens()?;
+    let trees: Vec<TokenTree> = tokens.clone().into_iter().collect();
+    let named = match &trees[..] {
+        [TokenTree::Ident(name)] => catalogue().into_iter().find(|proved| name == &proved.name),
+        _ => None,
+    };
+    if let Some(proved) = &named
+        && let Some(order) = order.filter(|order| *order > proved.quadratic_order)
+    {
+        let failed = proved.violation.as_ref().map(|violation| {
+            format!(": the condition of the word {} is violated by {:.1e}", violation.word, violation.residual.abs())
+        });
+        let message =
+            format!("declared order {order}, but the proof finds order {}{}", proved.order, failed.unwrap_or_default());
+        return Err(Mistake::at(&source, trees.first().map(|tree| (tree.span(), message))));
+    }
+    let proved = match named {
+        Some(proved) => proved,
+        None => sequence(tokens, order).map_err(|error| Mistake::of(&source, error, Span::call_site()))?,
+    };
+    Ok(Answer { text: shown(text, &proved), json: value(text, &proved) })
+}
+
+fn shown(text: &str, proved: &Proved) -> String {
+    let order = match proved.general_order {
+        None => format!("{} for T = ½ pᵀ M⁻¹ p; the step is defined for no other T", proved.quadratic_order),
+        Some(general) if general == proved.quadratic_order => format!("{general} for every T(p)"),
+        Some(general) => format!("{general} for every T(p), {} for T = ½ pᵀ M⁻¹ p", proved.quadratic_order),
+    };
+    let class = if proved.quadratic_kinetic { "T = ½ pᵀ M⁻¹ p alone" } else { "every T(p)" };
+    let gradients = match proved.gradient_evaluations {
+        0 => String::new(),
+        some => format!(", {some} with its gradient"),
+    };
+    let mut shown = format!("{}\n", text.trim());
+    let mut row = |name: &str, value: &str| {
+        let _ = writeln!(shown, "    {name:<16} {value}");
+    };
+    row("order", &order);
+    row("symmetric", if proved.symmetric { "yes" } else { "no" });
+    row("class", class);
+    row("stages", &stages(&proved.stages));
+    if !proved.processor.is_empty() {
+        row("processor", &stages(&proved.processor));
+    }
+    row("forces per step", &format!("{}{gradients}", proved.force_evaluations));
+    row("stable", &format!("h ω < {:.6}", proved.stability_limit));
+    if let Some(violation) = &proved.violation {
+        row(
+            "violated first",
+            &format!("the condition of the word {}, by {:.1e}", violation.word, violation.residual.abs()),
+        );
+    }
+    if let Some(norm) = proved.leading_error {
+        row("leading error", &format!("{norm:.6e} h^{}, the norm of", proved.order + 1));
+    }
+    let mut terms: Vec<_> = proved.error_terms.iter().filter(|(_, factor)| factor.abs() > 1e-25).collect();
+    terms.sort_by(|a, b| b.1.abs().total_cmp(&a.1.abs()));
+    for (bracket, factor) in terms.iter().take(TERMS) {
+        row("", &format!("{factor:+.6e} {bracket}"));
+    }
+    if terms.len() > TERMS {
+        row("", &format!("and {} smaller terms", terms.len() - TERMS));
+    }
+    if !proved.citation.is_empty() {
+        row("source", &proved.citation);
+    }
+    shown
+}
+
+/// Stages as they are typed, with coefficients as decimals.
+fn stages(stages: &[ProvedStage]) -> String {
+    let stage = |stage: &ProvedStage| match stage.gradient {
+        0.0 => format!("{}({})", stage.letter, stage.coefficient),
+        gradient => format!("{}({}, {gradient})", stage.letter, stage.coefficient),
+    };
+    stages.iter().map(stage).collect::<Vec<_>>().join(" ")
+}
+
+fn value(text: &str, proved: &Proved) -> Value {
+    let stages = |stages: &[ProvedStage]| -> Vec<Value> {
+        let stage = |stage: &ProvedStage| {
+            json!({
+                "part": stage.letter.to_string(),
+                "coefficient": stage.coefficient,
+                "gradient": stage.gradient,
+            })
+        };
+        stages.iter().map(stage).collect()
+    };
+    let terms: Vec<_> =
+        proved.error_terms.iter().map(|(bracket, factor)| json!({ "bracket": bracket, "factor": factor })).collect();
+    let violation = proved.violation.as_ref();
+    json!({
+        "sequence": text.trim(),
+        "order": proved.order,
+        "general_order": proved.general_order,
+        "quadratic_order": proved.quadratic_order,
+        "class": if proved.quadratic_kinetic { "quadratic" } else { "general" },
+        "symmetric": proved.symmetric,
+        "stages": stages(&proved.stages),
+        "processor": stages(&proved.processor),
+        "forces_per_step": proved.force_evaluations,
+        "gradients_per_step": proved.gradient_evaluations,
+        "stability_limit": proved.stability_limit,
+        "leading_error": proved.leading_error,
+        "error_terms": terms,
+        "violation": violation.map(|violation| json!({ "word": violation.word, "residual": violation.residual })),
+        "citation": proved.citation,
+    })
+}

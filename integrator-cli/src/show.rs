@@ -1,0 +1,191 @@
+//! `show`: what is derived of every annotated impl in a file.
+
+use crate::{
+    answer::Answer,
+    catalogue::catalogue,
+    mistake::Mistake,
+    source::{Annotated, Seen, Source},
+};
+use integrator_symbolic::{Flow, Proved, Report, Tally, declared, report, sequence};
+use proc_macro2::{Span, TokenStream, TokenTree};
+use serde_json::{Value, json};
+use std::fmt::Write;
+
+/// How many columns the list of the catalogue takes.
+const WIDTH: usize = 100;
+
+/// An annotated impl without mistakes.
+pub(crate) struct System {
+    pub(crate) report: Report,
+    /// Where it is annotated.
+    line: usize,
+    /// Its composition, if it is one of the file or of the catalogue, or written in place.
+    composition: Option<Proved>,
+}
+
+/// The answer for a file.
+pub(crate) fn show(source: &Source) -> Result<Answer, Mistake> {
+    let catalogue = catalogue();
+    let systems = systems(source, &source.seen()?, &catalogue)?;
+    let texts = systems.iter().map(|system| text(source, system, &catalogue));
+    let text = texts.chain([listed(&catalogue)]).collect::<Vec<_>>().join("\n");
+    let systems: Vec<Value> = systems.iter().map(|system| value(system, &catalogue)).collect();
+    Ok(Answer { text, json: json!({ "file": source.name, "systems": systems }) })
+}
+
+/// What is derived of each annotated impl, or everything that is wrong with all of them.
+pub(crate) fn systems(source: &Source, seen: &Seen, catalogue: &[Proved]) -> Result<Vec<System>, Mistake> {
+    if seen.systems.is_empty() {
+        return Err(Mistake::plain(format!("no impl in {} is annotated with `#[hamiltonian]`", source.name)));
+    }
+    let (mut found, mut own, mut mistakes) = (Vec::new(), Vec::new(), Vec::new());
+    for declarations in &seen.declarations {
+        match declared(declarations.clone()) {
+            Ok(proved) => own.extend(proved),
+            Err(error) => mistakes.push(Mistake::of(source, error, Span::call_site())),
+        }
+    }
+    // A composition of the file hides one of the catalogue.
+    let known: Vec<&Proved> = own.iter().chain(catalogue).collect();
+    for annotated in &seen.systems {
+        match system(source, annotated, &known) {
+            Ok(system) => found.push(system),
+            Err(mistake) => mistakes.push(mistake),
+        }
+    }
+    if mistakes.is_empty() { Ok(found) } else { Err(Mistake::joined(mistakes)) }
+}
+
+fn system(source: &Source, annotated: &Annotated, known: &[&Proved]) -> Result<System, Mistake> {
+    let Annotated { arguments, item, span } = annotated;
+    let report = report(arguments.clone(), item.clone()).map_err(|error| Mistake::of(source, error, *span))?;
+    let name = report.compose.rsplit("::").next().unwrap_or_default().trim();
+    let composition = match known.iter().find(|proved| proved.name == name) {
+        Some(proved) => Some((*proved).clone()),
+        // A sequence in place; the path of a composition from elsewhere is none.
+        None => report.compose.parse().ok().and_then(|tokens| sequence(tokens, None).ok()),
+    };
+    if let Some(composition) = &composition
+        && composition.name == name
+        && composition.quadratic_kinetic
+        && !report.quadratic_kinetic
+    {
+        let message = format!(
+            "the kinetic energy of `{}` is not quadratic in p with a constant mass matrix: `{name}` needs T = ½ pᵀ M⁻¹ p",
+            report.system
+        );
+        return Err(Mistake::at(source, [(place_of(arguments, name).unwrap_or(*span), message)]));
+    }
+    Ok(System { report, line: span.start().line, composition })
+}
+
+/// Where a name stands in the arguments.
+fn place_of(arguments: &TokenStream, name: &str) -> Option<Span> {
+    arguments.clone().into_iter().find_map(|tree| match tree {
+        TokenTree::Ident(ident) if ident == name => Some(ident.span()),
+        _ => None,
+    })
+}
+
+/// The compositions that may integrate a system.
+fn admissible<'c>(report: &Report, catalogue: &'c [Proved]) -> Vec<&'c Proved> {
+    catalogue.iter().filter(|composition| report.quadratic_kinetic || !composition.quadratic_kinetic).collect()
+}
+
+fn text(source: &Source, system: &System, catalogue: &[Proved]) -> String {
+    let System { report, line, composition } = system;
+    let mut text = format!("{}, {}:{line}\n", report.system, source.name);
+    for line in report.to_string().lines() {
+        let _ = writeln!(text, "    {line}");
+    }
+    let _ = match composition {
+        None => writeln!(text, "    composition: {}, which is declared elsewhere", report.compose),
+        Some(proved) => writeln!(text, "    composition: {}, {}", report.compose, in_short(proved)),
+    };
+    let count = admissible(report, catalogue).len();
+    let of = if report.quadratic_kinetic { "all" } else { "those for every T" };
+    let _ = writeln!(text, "    admissible: {of} of the catalogue, {count} compositions");
+    text
+}
+
+/// The catalogue, a line or a few for each order.
+fn listed(catalogue: &[Proved]) -> String {
+    let mut text = "The catalogue, with forces per step; * for quadratic T alone\n".to_owned();
+    let mut orders: Vec<u32> = catalogue.iter().map(|proved| proved.order).collect();
+    orders.dedup();
+    for order in orders {
+        let mut line = format!("    order {order:>2}:");
+        for proved in catalogue.iter().filter(|proved| proved.order == order) {
+            let mark = if proved.quadratic_kinetic { "*" } else { "" };
+            let entry = format!(" {}{mark} {},", proved.name, proved.force_evaluations);
+            if line.len() + entry.len() > WIDTH {
+                let _ = writeln!(text, "{line}");
+                line = " ".repeat("    order 10:".len());
+            }
+            line.push_str(&entry);
+        }
+        let _ = writeln!(text, "{}", line.trim_end_matches(','));
+    }
+    text
+}
+
+/// The facts of a composition that matter for a choice.
+fn in_short(proved: &Proved) -> String {
+    let symmetric = if proved.symmetric { "symmetric" } else { "not symmetric" };
+    let forces = match proved.force_evaluations {
+        1 => "1 force".to_owned(),
+        many => format!("{many} forces"),
+    };
+    let limit = proved.stability_limit;
+    format!("order {}, {symmetric}, {forces} per step, stable for h ω < {limit:.3}", proved.order)
+}
+
+fn value(system: &System, catalogue: &[Proved]) -> Value {
+    let System { report, line, composition } = system;
+    let short = |proved: &Proved| {
+        json!({
+            "name": proved.name,
+            "order": proved.order,
+            "symmetric": proved.symmetric,
+            "forces_per_step": proved.force_evaluations,
+            "stability_limit": proved.stability_limit,
+        })
+    };
+    json!({
+        "system": report.system,
+        "line": line,
+        "equations": report.equations,
+        "separable": true,
+        "quadratic_kinetic": report.quadratic_kinetic,
+        "autonomous": report.autonomous,
+        "drift": flow(&report.drift),
+        "kick": flow(&report.kick),
+        "operations": {
+            "written": report.operations_written,
+            "shared": report.operations_shared,
+            "energies": report.operations_of_energies,
+            "together": report.operations_together,
+        },
+        "compose": report.compose,
+        "composition": composition.as_ref().map(short),
+        "admissible": admissible(report, catalogue).into_iter().map(short).collect::<Vec<_>>(),
+    })
+}
+
+fn flow(flow: &Flow) -> Value {
+    let places = flow.places.iter().map(|place| {
+        let Tally { additions, multiplications, divisions, roots, functions, branches, coordinates } =
+            &place.operations;
+        json!({
+            "loops": place.loops,
+            "additions": additions,
+            "multiplications": multiplications,
+            "divisions": divisions,
+            "roots": roots,
+            "functions": functions,
+            "branches": branches,
+            "coordinates": coordinates,
+        })
+    });
+    json!({ "form": flow.form.name(), "places": places.collect::<Vec<_>>() })
+}

@@ -1,0 +1,154 @@
+//! `show` and `expand`: what is derived and what is written.
+
+use super::{answer, file, json, keys};
+
+#[test]
+fn a_pendulum_is_two_equations() {
+    let found = answer(&["show", "examples/pendulum.rs"]);
+    let expected = "Pendulum, examples/pendulum.rs:15
+    dq[0]/dt = 2 / (2.0 * mass * length.powi(2)) p[0]
+    dp[0]/dt = (-mass * gravity * length) sin(q[0])
+    H: separable; T: quadratic in p, constant masses; time: not read
+    drift: as the formulas stand
+      once: 1 multiplication, 1 coordinate moved
+    kick: as the formulas stand
+      once: 1 multiplication, 1 sin, 1 coordinate moved
+    operations of a drift and a kick: 3 as derived, 3 with what is shared computed once
+    operations of the energies: 4, of energies and derivatives together: 7
+    composition: Yoshida4, order 4, symmetric, 3 forces per step, stable for h ω < 1.573
+    admissible: all of the catalogue, 57 compositions
+
+The catalogue, with forces per step; * for quadratic T alone
+    order  1: Euler 1, EulerAdjoint 1
+";
+    assert!(found.starts_with(expected), "{found}");
+    assert!(found.contains(" BlanesMoanSrkn11* 11,") && found.ends_with("SofroniouSpaletta10 35\n"), "{found}");
+}
+
+const SYSTEMS: &str = "
+#[hamiltonian]
+impl Chain {
+    fn kinetic(&self, p: &[f64]) -> f64 { p.iter().map(|p| 0.5 * p * p).sum() }
+    fn potential(&self, q: &[f64]) -> f64 {
+        let mut energy = 0.0;
+        for i in 0..q.len() - 1 {
+            energy += (q[i + 1] - q[i]).powi(4);
+        }
+        energy
+    }
+}
+
+mod inside {
+    #[integrator_core::hamiltonian(compose = V(1/2) T(1) V(1/2), functions = fast)]
+    impl Bodies {
+        fn kinetic(&self, p: &[[f64; 2]]) -> f64 {
+            let mut energy = 0.0;
+            for i in 0..p.len() {
+                energy += (p[i][0] * p[i][0] + p[i][1] * p[i][1]) / (2.0 * self.masses[i]);
+            }
+            energy
+        }
+        fn potential(&self, q: &[[f64; 2]]) -> f64 {
+            let mut energy = 0.0;
+            for i in 0..q.len() {
+                for j in 0..i {
+                    let (dx, dy) = (q[i][0] - q[j][0], q[i][1] - q[j][1]);
+                    energy -= self.masses[i] * self.masses[j] / (dx * dx + dy * dy).sqrt();
+                }
+            }
+            energy
+        }
+    }
+}
+
+composition! { pub struct Mine: order 2 = V(1/2) T(1) V(1/2); }
+
+#[hamiltonian(compose = Mine)]
+impl Driven {
+    fn kinetic(&self, p: [f64; 1]) -> f64 { (1.0 + p[0] * p[0]).sqrt() }
+    fn potential(&self, q: [f64; 1], t: f64) -> f64 { -q[0].cos() * (1.0 + 0.1 * t.sin()) }
+}
+
+#[hamiltonian(compose = elsewhere::Theirs)]
+impl Free {
+    fn kinetic(&self, p: [f64; 1]) -> f64 { p[0] * p[0] }
+    fn potential(&self, q: [f64; 1]) -> f64 { 1.0 }
+}
+";
+
+#[test]
+fn forms_loops_and_compositions() {
+    let path = file("systems.rs", SYSTEMS);
+    let found = answer(&["show", &path]);
+    let sections: Vec<&str> = found.split("\n\n").collect();
+    let [chain, bodies, driven, free, catalogue] = sections[..] else { panic!("{found}") };
+    let rows = [
+        (chain, "Chain, "),
+        (chain, "kick: neighbour sums along a line of sites, in vectors\n      per turn of i in 0..n - 1: 1 addition,"),
+        (chain, "composition: Verlet, order 2, symmetric, 1 force per step"),
+        (bodies, "kick: pair sums in tiles of eight bodies by eight\n      per turn of i in 0..n: 2 coordinates moved"),
+        (bodies, "per turn of i in 0..n, j in 0..i: 5 additions, 5 multiplications, 1 division, 1 square root, 2 coor"),
+        (bodies, "composition: V(1/2) T(1) V(1/2), order 2, symmetric, 1 force per step"),
+        (driven, "T: general; time: read"),
+        (driven, "once: 1 addition, 2 multiplications, 2 sin, 1 coordinate moved"),
+        (driven, "composition: Mine, order 2,"),
+        (driven, "admissible: those for every T of the catalogue, 38 compositions"),
+        (free, "kick: nothing moves"),
+        (free, "composition: elsewhere::Theirs, which is declared elsewhere"),
+        (catalogue, "order 10: KahanLi10 33, SofroniouSpaletta10 35"),
+    ];
+    for (section, line) in rows {
+        assert!(section.contains(line), "lacks `{line}`:\n{section}");
+    }
+}
+
+#[test]
+fn json_says_the_same() {
+    let path = file("systems_as_json.rs", SYSTEMS);
+    let found = json(&["show", &path]);
+    assert_eq!(keys(&found), ["file", "systems"]);
+    let systems = found["systems"].as_array().expect("a list");
+    let names: Vec<_> = systems.iter().map(|system| system["system"].as_str().expect("a name")).collect();
+    assert_eq!(names, ["Chain", "Bodies", "Driven", "Free"]);
+    let expected = [
+        "admissible",
+        "autonomous",
+        "compose",
+        "composition",
+        "drift",
+        "equations",
+        "kick",
+        "line",
+        "operations",
+        "quadratic_kinetic",
+        "separable",
+        "system",
+    ];
+    for system in systems {
+        assert_eq!(keys(system), expected);
+    }
+    let pair = &systems[1]["kick"]["places"][1];
+    assert_eq!(pair["loops"], serde_json::json!(["i in 0..n", "j in 0..i"]));
+    assert_eq!((&pair["additions"], &pair["roots"]), (&5.into(), &1.into()));
+    assert_eq!(systems[2]["kick"]["places"][0]["functions"], serde_json::json!({ "sin": 2 }));
+    assert_eq!(systems[3]["composition"], serde_json::Value::Null);
+    assert_eq!(systems[0]["drift"]["form"], "line");
+}
+
+#[test]
+fn an_expansion_is_rust() {
+    let path = file("systems_to_expand.rs", SYSTEMS);
+    let found = answer(&["expand", &path]);
+    assert_eq!(found.matches("impl runtime::Hamiltonian for ").count(), 4, "{found}");
+    let parsed = syn::parse_file(&found).expect("Rust");
+    assert_eq!(prettyplease::unparse(&parsed), found.replace("\n\n", "\n"), "formatted");
+    let values = json(&["expand", &path]);
+    assert_eq!(keys(&values), ["file", "systems"]);
+    let joined: Vec<&str> = values["systems"]
+        .as_array()
+        .expect("a list")
+        .iter()
+        .map(|system| system["expansion"].as_str().expect("text"))
+        .collect();
+    assert_eq!(joined.join("\n"), found);
+}
