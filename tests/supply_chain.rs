@@ -7,6 +7,9 @@ fn text(path: &str) -> String {
     fs::read_to_string(&path).unwrap_or_else(|error| panic!("{}: {error}", path.display()))
 }
 
+/// The crates that others depend on.
+const PUBLISHED: [&str; 3] = ["integrator-core", "integrator-macros", "integrator-symbolic"];
+
 /// The licences that `deny.toml` allows.
 fn allowed() -> Vec<String> {
     let page = text("deny.toml");
@@ -71,7 +74,16 @@ fn the_oldest_compiler_is_the_one_in_use() {
     let oldest = quoted(&manifest, "\nrust-version");
     assert_eq!(quoted(&toolchain, "channel"), format!("{oldest}.0"));
     assert!(readme.contains(&format!("Rust {oldest} or newer")), "the README tells the oldest compiler, {oldest}");
-    for member in ["integrator-core", "integrator-macros", "integrator-symbolic"] {
+    for member in PUBLISHED {
         assert!(text(&format!("{member}/Cargo.toml")).contains("rust-version.workspace = true"), "{member}");
+    }
+}
+
+/// What users find on docs.rs shows what every feature brings.
+#[test]
+fn the_documentation_of_published_crates_has_all_features() {
+    for member in PUBLISHED {
+        let manifest = text(&format!("{member}/Cargo.toml"));
+        assert!(manifest.contains("\n[package.metadata.docs.rs]\nall-features = true\n"), "{member}");
     }
 }
