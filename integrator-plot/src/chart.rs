@@ -135,11 +135,12 @@ impl Chart {
         if self.equal_units {
             frame = frame.with_equal_units(margins)?;
         }
-        let clouds: Vec<_> = self.series.iter().filter(|series| series.mark == Mark::Cloud).collect();
+        let clouds = self.series.iter().filter(|series| series.mark == Mark::Cloud);
+        let clouds: Vec<_> = clouds.map(|series| (&series.points[..], series.colour)).collect();
         if clouds.is_empty() {
             frame.grid()?;
         } else {
-            frame.clouds(clouds.iter().map(|series| (&series.points[..], series.colour)))?;
+            frame.clouds(&clouds)?;
         }
         for series in &self.series {
             series.draw(&frame, stroke)?;
@@ -164,7 +165,7 @@ impl Chart {
         B::ErrorType: 'static,
     {
         for series in self.named().filter(|_| self.has_legend()) {
-            let (middle, ends) = (y + 9, [(x, y + 9), (x + 30, y + 9)]);
+            let (middle, ends) = (y + 6, [(x, y + 6), (x + 30, y + 6)]);
             let (line, filled) = (series.colour.stroke_width(3), series.colour.filled());
             match series.mark {
                 Mark::Line => area.draw(&PathElement::new(ends, line))?,

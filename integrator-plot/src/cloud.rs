@@ -6,15 +6,22 @@ use plotters::style::RGBColor;
 /// white, so that densities up to some ten points per pixel can be told apart.
 const COVER: f64 = 0.45;
 
+/// Where there are fewer points than one for so many pixels, a point takes two pixels each way, so that it is seen.
+const SPARSE: usize = 15;
+
 /// A sheet of pixels, white at first.
 pub(crate) struct Cloud {
     size: (u32, u32),
+    /// How many pixels a point takes, along and down.
+    point: usize,
     pixels: Vec<[f32; 3]>,
 }
 
 impl Cloud {
-    pub(crate) fn new(size: (u32, u32)) -> Self {
-        Self { size, pixels: vec![[255.0; 3]; (size.0 * size.1) as usize] }
+    /// A sheet for so many points.
+    pub(crate) fn new(size: (u32, u32), points: usize) -> Self {
+        let pixels = (size.0 * size.1) as usize;
+        Self { size, point: if SPARSE * points < pixels { 2 } else { 1 }, pixels: vec![[255.0; 3]; pixels] }
     }
 
     /// A point at a pixel; nothing where it lies beyond the sheet.
@@ -23,9 +30,13 @@ impl Cloud {
         if !(x >= 0.0 && y >= 0.0 && x < f64::from(width) && y < f64::from(height)) {
             return;
         }
-        let pixel = &mut self.pixels[y as usize * width as usize + x as usize];
-        for (part, ink) in pixel.iter_mut().zip([red, green, blue]) {
-            *part += COVER as f32 * (f32::from(ink) - *part);
+        let [width, height] = [width, height].map(|length| length as usize);
+        for row in (y as usize..height).take(self.point) {
+            for column in (x as usize..width).take(self.point) {
+                for (part, ink) in self.pixels[row * width + column].iter_mut().zip([red, green, blue]) {
+                    *part += COVER as f32 * (f32::from(ink) - *part);
+                }
+            }
         }
     }
 
@@ -42,7 +53,7 @@ mod tests {
 
     #[test]
     fn points_deepen_the_colour_of_their_pixel_alone() {
-        let mut cloud = Cloud::new((3, 2));
+        let mut cloud = Cloud::new((3, 2), 3);
         let ink = RGBColor(0, 0, 0);
         cloud.point(1.5, 0.5, ink);
         cloud.point(2.0, 1.0, ink);
@@ -55,5 +66,14 @@ mod tests {
         assert_eq!(size, (3, 2));
         assert_eq!((grey[0], grey[2], grey[3], grey[4]), (255, 255, 255, 255));
         assert!(grey[5] < grey[1] && grey[1] < 255, "{grey:?}");
+    }
+
+    #[test]
+    fn a_lonely_point_is_larger_and_stays_on_the_sheet() {
+        let mut cloud = Cloud::new((10, 10), 2);
+        cloud.point(3.0, 3.0, RGBColor(0, 0, 0));
+        cloud.point(9.5, 9.5, RGBColor(0, 0, 0));
+        let (_, bytes) = cloud.into_bytes();
+        assert_eq!(bytes.iter().filter(|byte| **byte < 255).count(), 3 * (4 + 1));
     }
 }

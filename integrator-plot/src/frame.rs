@@ -199,10 +199,10 @@ where
     ///
     /// # Errors
     /// What the file says.
-    pub fn clouds<'p>(&self, clouds: impl IntoIterator<Item = (&'p [(f64, f64)], RGBColor)>) -> Outcome {
+    pub fn clouds(&self, clouds: &[(&[(f64, f64)], RGBColor)]) -> Outcome {
         let [left, top, ..] = self.edges();
-        let mut sheet = Cloud::new(self.size());
-        for (points, colour) in clouds {
+        let mut sheet = Cloud::new(self.size(), clouds.iter().map(|(points, _)| points.len()).sum());
+        for &(points, colour) in clouds {
             for (x, y) in points.iter().filter_map(|point| self.place(*point)) {
                 sheet.point(x - left, y - top, colour);
             }
