@@ -1,0 +1,98 @@
+//! The chain of Fermi, Pasta, Ulam and Tsingou (1955), the energies of its modes, and when they come back.
+
+use integrator_core::prelude::*;
+use std::f64::consts::PI;
+
+/// Segments between the walls; one less is the number of sites that move.
+pub(crate) const SEGMENTS: usize = 32;
+
+/// The nonlinearity of their best known run, and the step of its leapfrog.
+pub(crate) const ALPHA: f64 = 0.25;
+pub(crate) const THEIR_STEP: f64 = 0.353_553_390_593_273_8;
+
+/// Springs that are a little stronger when stretched, with both ends held.
+pub(crate) struct Chain {
+    pub(crate) alpha: f64,
+}
+
+#[hamiltonian(compose = BlanesMoanSrkn11)]
+impl Chain {
+    fn kinetic(&self, p: [f64; SEGMENTS - 1]) -> f64 {
+        let mut energy = 0.0;
+        for i in 0..SEGMENTS - 1 {
+            energy += 0.5 * p[i] * p[i];
+        }
+        energy
+    }
+    fn potential(&self, q: [f64; SEGMENTS - 1]) -> f64 {
+        let mut energy = self.spring(q[0]) + self.spring(-q[SEGMENTS - 2]);
+        for i in 0..SEGMENTS - 2 {
+            energy += self.spring(q[i + 1] - q[i]);
+        }
+        energy
+    }
+    fn spring(&self, stretch: f64) -> f64 {
+        0.5 * stretch * stretch + self.alpha * stretch.powi(3) / 3.0
+    }
+}
+
+pub(crate) type Sites = [f64; SEGMENTS - 1];
+
+/// `2 sin(π k / 2N)`
+pub(crate) fn frequency(mode: usize) -> f64 {
+    2.0 * (PI * mode as f64 / (2 * SEGMENTS) as f64).sin()
+}
+
+/// One turn of the lowest mode, were it alone.
+pub(crate) fn period() -> f64 {
+    2.0 * PI / frequency(1)
+}
+
+/// At rest, as half a sine wave of height 1.
+pub(crate) fn start() -> Phase<Sites> {
+    let shape = std::array::from_fn(|i| (PI * (i + 1) as f64 / SEGMENTS as f64).sin());
+    Phase::new(shape, [0.0; SEGMENTS - 1])
+}
+
+/// The energies of the lowest modes, those of the chain without `alpha`.
+pub(crate) fn mode_energies<const MODES: usize>(state: &Phase<Sites>) -> [f64; MODES] {
+    std::array::from_fn(|index| {
+        let mode = index + 1;
+        let amplitude = |sites: &Sites| {
+            let wave = |site: usize| (PI * (mode * (site + 1)) as f64 / SEGMENTS as f64).sin();
+            let sum: f64 = sites.iter().enumerate().map(|(site, x)| x * wave(site)).sum();
+            sum * (2.0 / SEGMENTS as f64).sqrt()
+        };
+        0.5 * (amplitude(&state.p).powi(2) + (frequency(mode) * amplitude(&state.q)).powi(2))
+    })
+}
+
+/// A look at the chain: the time in periods of the lowest mode, and the shares that modes have in the energy.
+pub(crate) type Look<const MODES: usize> = (f64, [f64; MODES]);
+
+/// Looks at a run every so many steps over so many periods, while `go_on` wants more; and the largest change of its energy.
+pub(crate) fn looks<const MODES: usize>(
+    run: Run<Sites>,
+    interval: u64,
+    periods: f64,
+    mut go_on: impl FnMut(f64) -> bool,
+) -> Result<(Vec<Look<MODES>>, f64), Error> {
+    let (whole, mut looks, mut energy_error) = (run.energy(), Vec::new(), 0.0_f64);
+    for sample in run.samples(interval) {
+        let sample = sample?;
+        let time = sample.time / period();
+        looks.push((time, mode_energies(&sample.state).map(|energy| energy / whole)));
+        energy_error = energy_error.max((sample.energy() / whole - 1.0).abs());
+        if time >= periods || !go_on(time) {
+            break;
+        }
+    }
+    Ok((looks, energy_error))
+}
+
+/// When most of the energy is back in the lowest mode after it had least: the time and the share.
+pub(crate) fn recurrence<const MODES: usize>(looks: &[Look<MODES>]) -> Option<(f64, f64)> {
+    let first = || looks.iter().map(|(time, shares)| (*time, shares[0])).enumerate();
+    let (least, _) = first().min_by(|a, b| a.1.1.total_cmp(&b.1.1))?;
+    first().skip(least).map(|(_, look)| look).max_by(|a, b| a.1.total_cmp(&b.1))
+}

@@ -1,0 +1,51 @@
+//! The paradox of Fermi, Pasta, Ulam and Tsingou: energy that does not spread.
+//!
+//! A chain of 32 segments with slightly nonlinear springs starts in its lowest mode. Its energy moves to the next few modes
+//! and then, instead of spreading over all of them, comes back. Look at the picture, `fput_recurrence.png`: after 146
+//! periods of the lowest mode, this mode has nearly all of the energy again. The literature says 157: that is what their
+//! leapfrog finds with their step, of which the dashed curve is made. Printed: when the energy is back and how much of it,
+//! how well the total is conserved meanwhile, and the same time with their step.
+
+mod chain;
+#[path = "../support/mod.rs"]
+mod support;
+
+use chain::{ALPHA, Chain, THEIR_STEP, looks, recurrence, start};
+use integrator_core::prelude::*;
+use integrator_plot::{Axis, Chart, Mark, colour, write};
+use std::error::Error;
+use support::{Watch, folder};
+
+const PERIODS: f64 = 200.0;
+const MODES: usize = 5;
+
+fn main() -> Result<(), Box<dyn Error>> {
+    let chain = Chain { alpha: ALPHA };
+    let watch = Watch::new(2 * PERIODS as u64, "periods");
+    let exact = chain.run(start(), 0.5)?;
+    let (exact, energy_error) = looks::<MODES>(exact, 16, PERIODS, |time| watch.done(time as u64))?;
+    let theirs = chain.run_with(VelocityVerlet, start(), THEIR_STEP)?;
+    let (theirs, _) = looks::<1>(theirs, 16, PERIODS, |time| watch.done((PERIODS + time) as u64))?;
+    drop(watch);
+
+    let (periods, share) = recurrence(&exact).ok_or("no looks at all")?;
+    let (their_periods, _) = recurrence(&theirs).ok_or("no looks at all")?;
+    let chart = Chart::new("Recurrence in the chain of Fermi, Pasta, Ulam and Tsingou")
+        .claim("The energy goes from the lowest mode to the next four, and comes back instead of spreading over all 31")
+        .measured(format!("after {periods:.1} periods, {:.1} % are back", 100.0 * share))
+        .along(Axis::linear("time in periods of the lowest mode"))
+        .up(Axis::linear("share of the energy"))
+        .sized(1200, 640);
+    let curve = |mode: usize| exact.iter().map(move |(time, shares)| (*time, shares[mode]));
+    let chart = (0..MODES).fold(chart, |chart, mode| chart.line(format!("mode {}", mode + 1), curve(mode)));
+    let lowest = theirs.iter().map(|(time, shares)| (*time, shares[0]));
+    let chart = chart.series(Mark::Dashed, "mode 1, their step", lowest).coloured(colour::GREY);
+    let file = folder().join("fput_recurrence");
+    write(&file, &chart)?;
+    println!("the picture is {}", file.with_extension("png").display());
+    println!("recurrence_periods={periods}");
+    println!("share_that_came_back={share}");
+    println!("energy_error_max={energy_error:e}");
+    println!("recurrence_periods_with_their_step={their_periods}");
+    Ok(())
+}

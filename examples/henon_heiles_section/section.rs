@@ -1,0 +1,88 @@
+//! The star of Hénon and Heiles (1964), its Poincaré section, and whether an orbit is regular.
+
+use integrator_core::prelude::*;
+
+/// A star in a galaxy, in the plane that turns with it.
+#[derive(Clone, Copy)]
+pub(crate) struct HenonHeiles;
+
+#[hamiltonian(compose = BlanesMoanSrkn11)]
+impl HenonHeiles {
+    fn kinetic(&self, [px, py]: [f64; 2]) -> f64 {
+        0.5 * (px * px + py * py)
+    }
+    fn potential(&self, [x, y]: [f64; 2]) -> f64 {
+        0.5 * (x * x + y * y) + x * x * y - y.powi(3) / 3.0
+    }
+}
+
+const STEP: f64 = 0.25;
+
+/// Two orbits that begin so far from each other tell regular motion from chaos.
+const APART: f64 = 1e-10;
+/// Regular orbits part with the number of turns, chaotic ones exponentially: at the end, all that are not yet so many times
+/// as far apart are called regular.
+const PARTED: f64 = 1e6;
+
+/// `p_x²` of the star that passes `x = 0` at `y` with `p_y` and this energy; negative where none can.
+fn square_across(energy: f64, y: f64, py: f64) -> f64 {
+    2.0 * energy - py * py - y * y + 2.0 / 3.0 * y.powi(3)
+}
+
+/// The border of the section: all `(y, p_y)` where `p_x` is zero.
+pub(crate) fn border(energy: f64) -> Vec<(f64, f64)> {
+    let upper: Vec<_> = (-1000..=1000)
+        .map(|i| f64::from(i) / 1000.0)
+        .filter_map(|y| {
+            let square = square_across(energy, y, 0.0);
+            (square >= 0.0).then(|| (y, square.sqrt()))
+        })
+        .collect();
+    let lower = upper.iter().rev().map(|(y, py)| (*y, -py));
+    upper.iter().copied().chain(lower).chain(upper.first().copied()).collect()
+}
+
+/// Starts on the section, evenly over all that the energy allows, `side` by `side` around it.
+pub(crate) fn starts(energy: f64, side: u32) -> Vec<(f64, f64)> {
+    let half = (2.0 * energy).sqrt();
+    // The middle of each cell; in y, the section reaches farther up than down, to 1 at the energy of escape.
+    let place = |i: u32, least: f64, most: f64| least + (most - least) * (f64::from(i) + 0.5) / f64::from(side);
+    let all = (0..side).flat_map(|i| (0..side).map(move |j| (place(i, -half, 1.75 * half), place(j, -half, half))));
+    all.filter(|(y, py)| *y < 1.0 && square_across(energy, *y, *py) > 1e-6).collect()
+}
+
+/// An orbit as the section sees it.
+pub(crate) struct Orbit {
+    /// `(y, p_y)` at every passage through `x = 0` with `p_x > 0`.
+    pub(crate) points: Vec<(f64, f64)>,
+    pub(crate) regular: bool,
+    /// The largest change of the energy, relative.
+    pub(crate) energy_error: f64,
+}
+
+/// The passages of the orbit through a point of the section, without this one.
+fn passages(
+    energy: f64,
+    (y, py): (f64, f64),
+    count: usize,
+) -> Result<impl Iterator<Item = Result<Sample<[f64; 2]>, Error>>, Error> {
+    let px = square_across(energy, y, py).max(0.0).sqrt();
+    // A turn takes 6 to 20 units of time; where it takes longer, there are fewer points.
+    let steps = count as u64 * (25.0 / STEP) as u64;
+    let run = HenonHeiles.run(Phase::new([0.0, y], [px, py]), STEP)?;
+    Ok(run.crossings(steps, Direction::Rising, |state, _| state.q[0]).take(count))
+}
+
+/// Follows the orbit through a point of the section, and one beside it.
+pub(crate) fn orbit(energy: f64, start: (f64, f64), count: usize) -> Result<Orbit, Error> {
+    let beside = (start.0 + APART, start.1);
+    let (mut points, mut apart, mut energy_error) = (vec![start], 0.0_f64, 0.0_f64);
+    for (passage, other) in passages(energy, start, count)?.zip(passages(energy, beside, count)?) {
+        let (passage, other) = (passage?, other?);
+        let [at, there] = [&passage, &other].map(|sample| (sample.state.q[1], sample.state.p[1]));
+        points.push(at);
+        apart = apart.max((at.0 - there.0).hypot(at.1 - there.1));
+        energy_error = energy_error.max((passage.energy() / energy - 1.0).abs());
+    }
+    Ok(Orbit { points, regular: apart < PARTED * APART, energy_error })
+}

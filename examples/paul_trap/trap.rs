@@ -1,0 +1,61 @@
+//! An ion in Paul's trap (1953) with hyperbolic electrodes, in Mathieu's units, and where it is held.
+
+use integrator_core::prelude::*;
+use std::f64::consts::PI;
+
+/// A constant and an alternating voltage, which focus in `x` while they defocus in `y` and the other way round.
+#[derive(Clone, Copy)]
+pub(crate) struct PaulTrap {
+    /// Of the constant voltage.
+    pub(crate) a: f64,
+    /// Of the alternating one.
+    pub(crate) q: f64,
+}
+
+#[hamiltonian(compose = BlanesMoanSrkn6)]
+impl PaulTrap {
+    fn kinetic(&self, [px, py]: [f64; 2]) -> f64 {
+        0.5 * (px * px + py * py)
+    }
+    fn potential(&self, [x, y]: [f64; 2], t: f64) -> f64 {
+        0.5 * (self.a - 2.0 * self.q * (2.0 * t).cos()) * (x * x - y * y)
+    }
+}
+
+/// Steps in a period of the voltage, which is π.
+pub(crate) const STEPS: u64 = 32;
+
+/// The traces of what a period of the voltage does to `x` and to `y`, for each trap. Motion is bounded where a trace is
+/// between -2 and 2: then both eigenvalues are on the unit circle.
+///
+/// `x` and `y` do not know of each other, so that two starts show both maps: displaced by 1, and with momentum 1.
+pub(crate) fn traces(traps: impl IntoIterator<Item = PaulTrap>) -> Result<Vec<[f64; 2]>, Error> {
+    let starts = |trap| [(trap, Phase::new([1.0; 2], [0.0; 2])), (trap, Phase::new([0.0; 2], [1.0; 2]))];
+    let mut ions = Ensemble::new(BlanesMoanSrkn6, traps.into_iter().flat_map(starts), PI / STEPS as f64)?;
+    ions.advance(STEPS)?;
+    let states: Vec<_> = ions.states().collect();
+    let traces = states
+        .as_chunks()
+        .0
+        .iter()
+        .map(|[displaced, kicked]: &[_; 2]| std::array::from_fn(|axis| displaced.q[axis] + kicked.p[axis]));
+    Ok(traces.collect())
+}
+
+/// Whether ions stay, given the traces in both directions.
+pub(crate) fn holds([x, y]: [f64; 2]) -> bool {
+    x.abs() < 2.0 && y.abs() < 2.0
+}
+
+/// The alternating voltage up to which a trap without a constant one holds ions, by halving intervals.
+pub(crate) fn edge() -> Result<f64, Error> {
+    let (mut held, mut lost) = (0.5, 1.2);
+    while lost - held > 1e-12 {
+        let q = 0.5 * (held + lost);
+        match traces([PaulTrap { a: 0.0, q }])?.into_iter().all(holds) {
+            true => held = q,
+            false => lost = q,
+        }
+    }
+    Ok(held)
+}

@@ -1,0 +1,61 @@
+//! What the longer examples share: where their pictures go, and how they show how far they are and stop on Ctrl-C.
+
+use indicatif::{ProgressBar, ProgressStyle};
+use std::{
+    env,
+    path::PathBuf,
+    process::exit,
+    sync::{
+        Once,
+        atomic::{AtomicBool, Ordering},
+    },
+};
+
+/// Whether Ctrl-C was pressed.
+static STOPPED: AtomicBool = AtomicBool::new(false);
+static HANDLER: Once = Once::new();
+
+/// Where pictures go: the folder after `--out`, or `target/pictures`.
+pub(crate) fn folder() -> PathBuf {
+    let mut arguments = env::args().skip_while(|argument| argument != "--out");
+    arguments.nth(1).map_or_else(|| "target/pictures".into(), PathBuf::from)
+}
+
+/// How far a long computation is: a bar with rate and remaining time where someone is watching. With Ctrl-C it is asked to
+/// end with what there is; pressed again, the program ends at once.
+pub(crate) struct Watch(ProgressBar);
+
+impl Watch {
+    /// For so many `things`, which is what they are called.
+    pub(crate) fn new(total: u64, things: &'static str) -> Self {
+        HANDLER.call_once(|| {
+            let pressed = || {
+                if STOPPED.swap(true, Ordering::Relaxed) {
+                    exit(130);
+                }
+            };
+            if let Err(error) = ctrlc::set_handler(pressed) {
+                eprintln!("Ctrl-C ends the program at once: {error}");
+            }
+        });
+        let style = ProgressStyle::with_template("{bar:30} {percent:>3} % of {human_len} {msg}, {per_sec}, {eta} left");
+        let bar = ProgressBar::new(total).with_message(things);
+        Self(match style {
+            Ok(style) => bar.with_style(style),
+            Err(_) => bar,
+        })
+    }
+
+    /// So many are done. Returns whether to go on.
+    pub(crate) fn done(&self, count: u64) -> bool {
+        self.0.set_position(count);
+        !STOPPED.load(Ordering::Relaxed)
+    }
+}
+
+impl Drop for Watch {
+    /// Takes the bar away.
+    fn drop(&mut self) {
+        self.0.finish_and_clear();
+    }
+}
