@@ -1,6 +1,9 @@
 //! What is written as two files.
 
-use crate::text::{bold, font, paragraph};
+use crate::{
+    smooth::Smooth,
+    text::{bold, font, paragraph},
+};
 use plotters::{
     coord::Shift,
     prelude::*,
@@ -43,7 +46,7 @@ pub fn write(file: &Path, picture: &impl Picture) -> Outcome {
     picture.draw(&area)?;
     area.present()?;
     drop(area);
-    let area = BitMapBackend::new(&png, picture.size()).into_drawing_area();
+    let area = Smooth(BitMapBackend::new(&png, picture.size())).into_drawing_area();
     picture.draw(&area)?;
     Ok(area.present()?)
 }
