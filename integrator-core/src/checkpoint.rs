@@ -8,11 +8,12 @@
 //! steps of one that was never interrupted.
 
 use crate::{
-    composition::{Composition, Processor, Scheme, Stage, Stages},
+    composition::{Composition, Processor, Stage, Stages},
     coords::Coords,
     engine::Clock,
     error::Error,
     hamiltonian::Hamiltonian,
+    method::{Described, Facts},
     phase::Phase,
     run::{Run, admissible_with},
     slot::Keep,
@@ -105,21 +106,23 @@ struct Record {
 pub(crate) struct Origin {
     system: &'static str,
     composition: &'static str,
-    stages: Stages,
-    processor: Processor,
+    /// Nothing for a method that is no composition; its runs cannot be resumed.
+    table: Option<(Stages, Processor)>,
 }
 
 impl Origin {
-    pub(crate) fn of<H, X: Scheme>() -> Self {
-        Self { system: core::any::type_name::<H>(), composition: X::NAME, stages: X::STAGES, processor: X::PROCESSOR }
+    pub(crate) fn of<H>(Facts { name, table, .. }: Facts) -> Self {
+        Self { system: core::any::type_name::<H>(), composition: name, table }
     }
 }
 
 /// A number that tells the stages of compositions apart.
-fn fingerprint(Origin { stages, processor, .. }: &Origin) -> u64 {
+fn fingerprint(Origin { table, .. }: &Origin) -> u64 {
     let mut digest = CHECKSUM.digest();
-    let ends = [stages.opening, stages.closing];
-    let rows = ends.iter().chain(stages.cycle).chain(processor.before.rows).chain(processor.after.rows);
+    let rows = table.iter().flat_map(|(stages, processor)| {
+        let ends = [stages.opening, stages.closing].into_iter();
+        ends.chain(stages.cycle.iter().chain(processor.before.rows).chain(processor.after.rows).copied())
+    });
     for Stage { drift, kick, gradient, drift_time, kick_time } in rows {
         for number in [drift, kick, gradient, drift_time, kick_time] {
             digest.update(&number.to_bits().to_le_bytes());
@@ -145,7 +148,8 @@ impl<C: Coords> Run<C> {
     /// Everything that this run is, as bytes from which [`Run::resume`] goes on as if nothing had happened: bit for bit
     /// the same on one instruction set.
     ///
-    /// The parameters of the system are not in it: a run is resumed with the system that it began with.
+    /// The parameters of the system are not in it: a run is resumed with the system that it began with. A run by a method
+    /// that is no composition is written all the same, but there is nothing to resume it with.
     pub fn checkpoint(&self) -> Vec<u8> {
         let Phase { q, p } = self.unfinished();
         let Clock { t0, h, steps } = self.clock;
@@ -225,7 +229,7 @@ impl<C: Coords> Run<C> {
         H: Hamiltonian,
         H::Coords: Coords<With<C::Leaf> = C>,
     {
-        Self::restored::<H, H::Compose>(system, checkpoint)
+        Self::resume_with(system, H::Compose::default(), checkpoint)
     }
 
     /// The run that a checkpoint was made of, with the composition that it was begun with.
@@ -238,21 +242,11 @@ impl<C: Coords> Run<C> {
         X: Composition<H>,
         H::Coords: Coords<With<C::Leaf> = C>,
     {
-        let _ = composition;
-        Self::restored::<H, X>(system, checkpoint)
-    }
-
-    fn restored<H, X>(system: &H, checkpoint: &[u8]) -> Result<Self, CheckpointError>
-    where
-        H: Hamiltonian,
-        X: Composition<H>,
-        H::Coords: Coords<With<C::Leaf> = C>,
-    {
-        let Record { system: name, composition, stages, leaf, steps, h, t0, q, p } = record(checkpoint)?;
-        let origin = Origin::of::<H, X>();
+        let Record { system: name, composition: stored, stages, leaf, steps, h, t0, q, p } = record(checkpoint)?;
+        let origin = Origin::of::<H>(composition.facts());
         let asked = [
             ("system", name, origin.system),
-            ("composition", composition, origin.composition),
+            ("composition", stored, origin.composition),
             ("precision", leaf, C::Leaf::NAME),
         ];
         for (what, stored, asked) in asked {
@@ -266,8 +260,8 @@ impl<C: Coords> Run<C> {
         let shape = CheckpointError::Shape { positions: q.len(), momenta: p.len() };
         let (Some(q), Some(p)) = (coordinates(&q), coordinates(&p)) else { return Err(shape) };
         let unfinished = Phase { q, p };
-        admissible_with::<X, C>(&unfinished, h)?;
-        Ok(Self::going_on::<H, X, C::Leaf>(system, unfinished, Clock { t0, h, steps })?)
+        admissible_with(composition, &unfinished, h)?;
+        Ok(Self::going_on::<H, X, C::Leaf>(system, composition, unfinished, Clock { t0, h, steps })?)
     }
 }
 

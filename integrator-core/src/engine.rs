@@ -3,7 +3,7 @@
 use crate::{
     composition::Composition,
     coords::Coords,
-    error::{Divergence, Error},
+    error::{Divergence, Error, Unsolved},
     hamiltonian::{Flows, Hamiltonian, Motion, Shaped, Single},
     leap::Leaps,
     phase::Phase,
@@ -74,6 +74,8 @@ pub(crate) trait Engine<C: Coords>: Send + Sync {
     #[cfg(feature = "checkpoint")]
     fn unfinished(&self) -> Phase<C>;
     fn energies(&self) -> Arc<dyn Energies<C>>;
+    /// Why the method gave up the step that [`Engine::advance`] stopped before, if that is why it stopped.
+    fn unsolved(&self) -> Option<&Unsolved>;
     /// Lets so many threads share a long lattice or the pairs of many bodies, or all that the machine has.
     fn share_among(&mut self, threads: Option<usize>);
     fn boxed_clone(&self) -> Box<dyn Engine<C>>;
@@ -88,7 +90,7 @@ pub(crate) trait Energies<C: Coords>: Send + Sync {
 ///
 /// These are functions and not a type parameter: so the engine knows the motion's type alone, what is seldom called is
 /// compiled once per motion, and a system that borrows its parameters can be run all the same.
-pub(crate) struct Moves<M> {
+pub struct Moves<M> {
     advance: fn(&mut M, Clock, u64, Option<usize>),
     close: fn(&mut M, Clock),
     /// How many threads may share a long lattice, if not all.
@@ -96,6 +98,11 @@ pub(crate) struct Moves<M> {
 }
 
 impl<M> Moves<M> {
+    /// The moves of a method whose motion stands at the end of a step whenever it is looked at.
+    #[cfg(feature = "reference")]
+    pub(crate) fn closed(advance: fn(&mut M, Clock, u64, Option<usize>)) -> Self {
+        Self { advance, close: |_, _| {}, threads: Some(1) }
+    }
     pub(crate) fn advance(&self, motion: &mut M, clock: Clock, steps: u64) {
         (self.advance)(motion, clock, steps, self.threads);
     }
@@ -146,11 +153,13 @@ struct Watched<M> {
     /// Where a step is completed to see whether its state is finite.
     closed: M,
     moves: Moves<M>,
+    /// Why the last step that was not taken could not be solved, if that is why.
+    unsolved: Option<Unsolved>,
 }
 
 impl<M: Clone> Watched<M> {
     fn new(motion: M, moves: Moves<M>) -> Self {
-        Self { snapshot: motion.clone(), closed: motion.clone(), motion, moves }
+        Self { snapshot: motion.clone(), closed: motion.clone(), motion, moves, unsolved: None }
     }
 
     /// Takes `steps` steps; `false`, and back where they began, if their state is not finite: the motion, or what
@@ -166,6 +175,7 @@ impl<M: Clone> Watched<M> {
         self.moves.close(&mut self.closed, Clock { steps: clock.steps + steps, ..clock });
         let finite = self.closed.finite();
         if !finite {
+            self.unsolved = self.motion.unsolved().cloned();
             self.motion.copy_state(&self.snapshot);
         }
         finite
@@ -193,18 +203,15 @@ impl<M: Clone> Watched<M> {
 /// The engine of one trajectory.
 pub(crate) struct Solo<M, P, C> {
     watched: Watched<M>,
-    energies: Arc<Constants<P, C>>,
+    constants: Arc<P>,
+    energies: Arc<dyn Energies<C>>,
     shape: Phase<C>,
 }
 
-impl<M: Motion<C, P>, P: Send + Sync + 'static, C: Coords> Solo<M, P, C> {
-    pub(crate) fn new(parameters: P, start: Phase<C>, moves: Moves<M>, energy: EnergyOf<P, C>) -> Self {
-        let motion = M::load(|_| (&parameters, &start));
-        Self {
-            watched: Watched::new(motion, moves),
-            energies: Arc::new(Constants { parameters, energy }),
-            shape: start,
-        }
+impl<M: Motion<C, P>, P, C: Coords> Solo<M, P, C> {
+    pub(crate) fn new(constants: Arc<P>, start: Phase<C>, moves: Moves<M>, energies: Arc<dyn Energies<C>>) -> Self {
+        let motion = M::load(|_| (&*constants, &start));
+        Self { watched: Watched::new(motion, moves), constants, energies, shape: start }
     }
 
     /// Takes a block of steps, or as many of them as end in a finite state.
@@ -237,7 +244,7 @@ impl<M: Motion<C, P>, P: Send + Sync + 'static, C: Coords> Engine<C> for Solo<M,
     }
 
     fn step_from(&self, from: &Phase<C>, clock: Clock) -> Phase<C> {
-        let mut motion = M::load(|_| (&self.energies.parameters, from));
+        let mut motion = M::load(|_| (&*self.constants, from));
         self.watched.moves.advance(&mut motion, Clock { steps: 0, ..clock }, 1);
         self.watched.moves.close(&mut motion, Clock { steps: 1, ..clock });
         let mut state = from.clone();
@@ -256,20 +263,37 @@ impl<M: Motion<C, P>, P: Send + Sync + 'static, C: Coords> Engine<C> for Solo<M,
         self.energies.clone()
     }
 
+    fn unsolved(&self) -> Option<&Unsolved> {
+        self.watched.unsolved.as_ref()
+    }
+
     fn share_among(&mut self, threads: Option<usize>) {
         self.watched.moves.threads = threads;
         self.watched.motion.share_among(threads);
     }
 
     fn boxed_clone(&self) -> Box<dyn Engine<C>> {
-        Box::new(Self { watched: self.watched.clone(), energies: self.energies.clone(), shape: self.shape.clone() })
+        Box::new(Self {
+            watched: self.watched.clone(),
+            energies: self.energies.clone(),
+            constants: self.constants.clone(),
+            shape: self.shape.clone(),
+        })
     }
 }
 
 /// Prepared constants, from which the energy of any state can be told.
 struct Constants<P, C> {
-    parameters: P,
+    parameters: Arc<P>,
     energy: EnergyOf<P, C>,
+}
+
+/// What tells the energies of the states of a system.
+pub(crate) fn energies<P: Send + Sync + 'static, C: Coords>(
+    parameters: Arc<P>,
+    energy: EnergyOf<P, C>,
+) -> Arc<dyn Energies<C>> {
+    Arc::new(Constants { parameters, energy })
 }
 
 impl<P: Send + Sync, C: Coords> Energies<C> for Constants<P, C> {

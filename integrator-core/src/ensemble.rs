@@ -84,15 +84,14 @@ impl<C: Coords> Ensemble<C> {
         X: Composition<H>,
         H::Coords: Coords<With<K> = C>,
     {
-        let _ = composition;
         let (mut prepared, mut coordinates) = (Vec::new(), 0);
         for (member, (system, start)) in members.into_iter().enumerate() {
             let refused = |error| Error::Member { member, error: Box::new(error) };
-            admissible_with::<X, _>(&start, h).map_err(refused)?;
+            admissible_with(composition, &start, h).map_err(refused)?;
             let parameters = system.parameters(start.q.length());
             if !H::Parameters::<f64>::not_finite(&parameters).is_empty() {
                 // Whether that matters, a run of its own tells.
-                Run::start::<H, X, K>(&system, start.clone(), h).map_err(refused)?;
+                Run::start::<H, X, K>(&system, composition, start.clone(), h).map_err(refused)?;
             }
             coordinates += start.q.flat().len() as u64;
             prepared.push((parameters, start));

@@ -120,6 +120,26 @@ pub enum Error {
     /// The state left the finite numbers.
     #[error(transparent)]
     Diverged(#[from] Divergence),
+    /// A method could not solve for the end of a step. The run stays at the last state.
+    #[error("{method} could not solve step {step} (from t = {time}): {reason}. The last state is kept")]
+    NotSolved {
+        /// The name of the method.
+        method: &'static str,
+        /// The step that was not taken.
+        step: u64,
+        /// The time at the beginning of that step.
+        time: f64,
+        /// Why.
+        reason: Unsolved,
+    },
+    /// The tolerance of an adaptive method is not a positive number.
+    #[error("the tolerance of {method} is {tolerance}: it has to be finite and above zero, for example 1e-9")]
+    Tolerance {
+        /// The name of the method.
+        method: &'static str,
+        /// The tolerance that was asked for.
+        tolerance: f64,
+    },
     /// An ensemble without members.
     #[error("an ensemble needs one member at least")]
     NoMembers,
@@ -134,6 +154,25 @@ pub enum Error {
     /// Members of an ensemble left the finite numbers.
     #[error(transparent)]
     Lost(#[from] Lost),
+}
+
+/// Why a method found no end of a step.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum Unsolved {
+    /// Newton's iteration for an implicit step did not converge.
+    #[error(
+        "Newton's iteration still moves by {update:.1e} of the state after {iterations} turns; a smaller step helps"
+    )]
+    Newton {
+        /// How many iterations were made.
+        iterations: u32,
+        /// The last update, relative to the largest coordinate.
+        update: f64,
+    },
+    /// An adaptive method found no steps within its tolerance.
+    #[error("no steps within the tolerance were found: {0}")]
+    Adaptive(String),
 }
 
 /// A number that is made of parameters alone, evaluated once per run, and not finite.

@@ -3,7 +3,8 @@
 use crate::{
     composition::Composition,
     coords::Coords,
-    error::{Error, NotFinite},
+    error::{Error, NotFinite, Unsolved},
+    method::Method,
     phase::Phase,
     real::Real,
     run::Run,
@@ -84,21 +85,20 @@ pub trait Hamiltonian: Sized {
     /// Where your own functions would: their indices and their integer arithmetic are checked in a run as they are in
     /// plain Rust. A list of the system that is too short for the start is an index out of bounds.
     fn run<K: Keep>(&self, start: Phase<Shaped<Self, K>>, h: f64) -> Result<Run<Shaped<Self, K>>, Error> {
-        Run::start::<Self, Self::Compose, K>(self, start, h)
+        Run::start::<Self, Self::Compose, K>(self, Self::Compose::default(), start, h)
     }
 
-    /// A run from `start` with step `h` and any composition that may integrate this Hamiltonian.
+    /// A run from `start` with step `h` and any composition, or another method, that may integrate this Hamiltonian.
     ///
     /// # Errors
     /// As [`Hamiltonian::run`].
-    fn run_with<K: Keep, X: Composition<Self>>(
+    fn run_with<K: Keep, X: Method<Self>>(
         &self,
-        composition: X,
+        method: X,
         start: Phase<Shaped<Self, K>>,
         h: f64,
     ) -> Result<Run<Shaped<Self, K>>, Error> {
-        let _ = composition;
-        Run::start::<Self, X, K>(self, start, h)
+        Run::start::<Self, X, K>(self, method, start, h)
     }
 }
 
@@ -145,6 +145,10 @@ pub trait Motion<C: Coords, P>: Clone + Send + Sync + 'static {
     fn copy_state(&mut self, from: &Self);
     /// Lets so many threads share the work, or all that the machine has, where a layout has work to share.
     fn share_among(&mut self, _threads: Option<usize>) {}
+    /// Why the steps of a method could not be solved, after which it stands still and is not finite.
+    fn unsolved(&self) -> Option<&Unsolved> {
+        None
+    }
     /// Whether every coordinate of every lane is finite.
     fn finite(&self) -> bool;
 }

@@ -61,6 +61,9 @@
 //! steppers need an allocator alone; there are no ensembles, no threads and no files, and runs use what every machine of
 //! the target has. `check` needs it.
 //!
+//! `reference`: methods that are no compositions, to compare with (module `reference`). It brings `check` and the crate
+//! differential-equations.
+//!
 //! `checkpoint`: `Run::checkpoint` and `Run::resume`, runs as bytes and as files that survive a killed program. It
 //! brings serde, postcard and crc.
 //!
@@ -91,6 +94,7 @@ mod coords;
 mod crossings;
 #[cfg_attr(feature = "std", allow(dead_code, unreachable_pub, reason = "users need it where there is no std"))]
 mod elementary;
+#[allow(unreachable_pub, reason = "named in bounds, never outside")]
 mod engine;
 #[cfg(feature = "std")]
 mod ensemble;
@@ -109,6 +113,8 @@ mod lanes;
 mod leap;
 #[allow(unreachable_pub, reason = "named in bounds, never outside")]
 mod many_body;
+#[allow(unreachable_pub, reason = "named in bounds, never outside")]
+mod method;
 mod neighbours;
 #[cfg(feature = "output")]
 pub mod output;
@@ -117,6 +123,9 @@ mod pack;
 mod phase;
 mod plane;
 mod real;
+#[cfg(feature = "reference")]
+#[allow(unreachable_pub, reason = "named in bounds, never outside")]
+pub mod reference;
 mod ring;
 #[allow(unreachable_pub, reason = "named in bounds, never outside")]
 mod row;
@@ -147,11 +156,12 @@ pub use crossings::{Crossings, Direction};
 pub use elementary::Elementary;
 #[cfg(feature = "std")]
 pub use ensemble::Ensemble;
-pub use error::{Divergence, Error, Lost, NotFinite};
+pub use error::{Divergence, Error, Lost, NotFinite, Unsolved};
 pub use fixed::Fixed;
 pub use hamiltonian::{Hamiltonian, QuadraticKinetic};
 pub use instruction_set::InstructionSet;
 pub use integrator_macros::{composition, hamiltonian};
+pub use method::{Described, Facts, Method};
 pub use phase::Phase;
 pub use run::Run;
 pub use samples::{Sample, Samples};

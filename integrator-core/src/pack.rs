@@ -2,11 +2,12 @@
 
 use crate::{
     coords::Coords,
-    engine::{BLOCK, Clock, EnergyOf, Engine, Moves, Solo},
+    engine::{BLOCK, Clock, EnergyOf, Engine, Moves, Solo, energies},
     error::Divergence,
     hamiltonian::Motion,
     phase::Phase,
 };
+use alloc::sync::Arc;
 
 /// How an ensemble is carried on.
 pub(crate) struct Course<'a, C> {
@@ -75,7 +76,9 @@ impl<M: Motion<C, P>, P: Send + Sync + 'static, C: Coords> Alone<M, P, C> {
         moves: Moves<M>,
         energy: EnergyOf<P, C>,
     ) -> Self {
-        Self { number, solo: Solo::new(parameters, start, moves, energy), halted: None }
+        let parameters = Arc::new(parameters);
+        let energies = energies(parameters.clone(), energy);
+        Self { number, solo: Solo::new(parameters, start, moves, energies), halted: None }
     }
 
     fn clock(&self, clock: Clock) -> Clock {

@@ -3,14 +3,15 @@
 #[cfg(feature = "checkpoint")]
 use crate::checkpoint::Origin;
 use crate::{
-    composition::{Composition, Scheme},
     coords::Coords,
-    engine::{Clock, Energies, Engine, Solo, energy, moves},
+    engine::{Clock, Energies, Engine, Solo, energies, energy},
     error::Error,
     fixed::is_power_of_two,
-    hamiltonian::{Hamiltonian, Prepared},
+    hamiltonian::{Hamiltonian, Prepared, Shaped},
     instruction_set::InstructionSet,
+    method::{Described, Method},
     phase::Phase,
+    real::Real,
     samples::Samples,
     slot::Keep,
 };
@@ -48,70 +49,77 @@ pub(crate) fn admissible<C: Coords>(start: &Phase<C>, h: f64) -> Result<(), Erro
     Ok(())
 }
 
-/// Whether a run with the composition `X` may begin at `start` with step `h`.
+/// Whether a run with a method may begin at `start` with step `h`.
 ///
 /// # Errors
-/// As [`admissible`]; a reversible start and a composition that is not symmetric.
-pub(crate) fn admissible_with<X: Scheme, C: Coords>(start: &Phase<C>, h: f64) -> Result<(), Error> {
-    if C::Leaf::REVERSIBLE && !X::SYMMETRIC {
-        return Err(Error::NotSymmetric { composition: X::NAME });
+/// As [`admissible`]; a reversible start and a method that is not symmetric; what the method itself refuses.
+pub(crate) fn admissible_with<C: Coords>(method: impl Described, start: &Phase<C>, h: f64) -> Result<(), Error> {
+    method.admissible()?;
+    let facts = method.facts();
+    if C::Leaf::REVERSIBLE && !facts.symmetric {
+        return Err(Error::NotSymmetric { composition: facts.name });
     }
     admissible(start, h)
+}
+
+/// The engine of a run whose steps are computed in `R`.
+fn engine<H: Hamiltonian, X: Method<H>, R: Real, K: Keep>(
+    method: X,
+    parameters: H::Parameters<f64>,
+    start: Phase<Shaped<H, K>>,
+) -> Box<dyn Engine<Shaped<H, K>>> {
+    let parameters = Arc::new(parameters);
+    let energies = energies(parameters.clone(), energy::<H, R, K>);
+    Box::new(Solo::new(method.constants(parameters), start, X::moves::<R, K>(), energies))
 }
 
 /// A trajectory under way, made by [`Hamiltonian::run`]. Its type names the coordinates alone, so it can be stored.
 pub struct Run<C: Coords> {
     engine: Box<dyn Engine<C>>,
     pub(crate) clock: Clock,
-    composition: &'static str,
+    method: &'static str,
     /// Whose checkpoints its own are.
     #[cfg(feature = "checkpoint")]
     pub(crate) origin: Origin,
 }
 
 impl<C: Coords> Run<C> {
-    pub(crate) fn start<H, X, K>(system: &H, start: Phase<C>, h: f64) -> Result<Self, Error>
+    pub(crate) fn start<H, X, K>(system: &H, method: X, start: Phase<C>, h: f64) -> Result<Self, Error>
     where
         H: Hamiltonian,
-        X: Composition<H>,
+        X: Method<H>,
         K: Keep,
         H::Coords: Coords<With<K> = C>,
     {
-        admissible_with::<X, _>(&start, h)?;
-        Self::going_on::<H, X, K>(system, start, Clock { t0: 0.0, h, steps: 0 })
+        admissible_with(method, &start, h)?;
+        Self::going_on::<H, X, K>(system, method, start, Clock { t0: 0.0, h, steps: 0 })
     }
 
     /// A run from a state in the middle of the step that the clock tells.
     ///
     /// # Errors
     /// [`Error::Parameters`], where a prepared constant is not finite and the motion is not.
-    pub(crate) fn going_on<H, X, K>(system: &H, start: Phase<C>, clock: Clock) -> Result<Self, Error>
+    pub(crate) fn going_on<H, X, K>(system: &H, method: X, start: Phase<C>, clock: Clock) -> Result<Self, Error>
     where
         H: Hamiltonian,
-        X: Composition<H>,
+        X: Method<H>,
         K: Keep,
         H::Coords: Coords<With<K> = C>,
     {
         let parameters = system.parameters(start.q.length());
         let constants = H::Parameters::<f64>::not_finite(&parameters);
-        let mut engine: Box<dyn Engine<C>> = match InstructionSet::chosen() {
-            InstructionSet::Baseline => {
-                Box::new(Solo::new(parameters, start, moves::<H, X, K::Plain, K>(), energy::<H, K::Plain, K>))
-            }
-            InstructionSet::Avx512 if H::WIDE => {
-                Box::new(Solo::new(parameters, start, moves::<H, X, K::Avx512, K>(), energy::<H, K::Avx512, K>))
-            }
-            InstructionSet::Fused | InstructionSet::Avx512 => {
-                Box::new(Solo::new(parameters, start, moves::<H, X, K::Fused, K>(), energy::<H, K::Fused, K>))
-            }
+        let mut engine = match InstructionSet::chosen() {
+            InstructionSet::Baseline => engine::<H, X, K::Plain, K>(method, parameters, start),
+            InstructionSet::Avx512 if H::WIDE => engine::<H, X, K::Avx512, K>(method, parameters, start),
+            InstructionSet::Fused | InstructionSet::Avx512 => engine::<H, X, K::Fused, K>(method, parameters, start),
         };
         engine.share_among(None);
         let run = Self {
             engine,
             clock,
-            composition: X::NAME,
+            method: method.facts().name,
             #[cfg(feature = "checkpoint")]
-            origin: Origin::of::<H, X>(),
+            origin: Origin::of::<H>(method.facts()),
         };
         // An infinite constant may be meant, such as a cutoff beyond all distances: what counts is what it does.
         if !constants.is_empty() && run.is_spoilt() {
@@ -156,7 +164,16 @@ impl<C: Coords> Run<C> {
         let taken = self.engine.advance(self.clock, steps);
         self.clock.steps += taken;
         if self.clock.steps < end {
-            return Err(self.clock.divergence(&self.state()).into());
+            let clock = self.clock;
+            return Err(match self.engine.unsolved() {
+                Some(reason) => Error::NotSolved {
+                    method: self.method,
+                    step: clock.steps.saturating_add(1),
+                    time: clock.at(clock.steps),
+                    reason: reason.clone(),
+                },
+                None => clock.divergence(&self.state()).into(),
+            });
         }
         Ok(())
     }
@@ -216,7 +233,7 @@ impl<C: Coords> Clone for Run<C> {
 impl<C: Coords> fmt::Debug for Run<C> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.debug_struct("Run")
-            .field("composition", &self.composition)
+            .field("method", &self.method)
             .field("step", &self.clock.h)
             .field("steps", &self.clock.steps)
             .field("time", &self.time())

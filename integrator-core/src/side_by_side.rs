@@ -5,7 +5,7 @@
 
 use crate::{
     coords::Coords,
-    engine::{Clock, EnergyOf, Engine, Moves, Solo},
+    engine::{Clock, EnergyOf, Engine, Moves, Solo, energies},
     error::Divergence,
     group::GroupMoves,
     hamiltonian::Motion,
@@ -13,6 +13,7 @@ use crate::{
     phase::Phase,
     slot::Keep,
 };
+use alloc::sync::Arc;
 
 /// Neighbours that are alike in what lanes have to share.
 pub(crate) struct SideBySide<L, M, P, C> {
@@ -131,7 +132,9 @@ where
             }
             let (place, state) = (self.lanes[number], self.in_lane(&self.snapshot, number));
             let member = &mut self.members[place];
-            let mut solo = Solo::new(member.parameters.clone(), state, self.alone, self.energy);
+            let parameters = Arc::new(member.parameters.clone());
+            let energies = energies(parameters.clone(), self.energy);
+            let mut solo = Solo::<M, P, C>::new(parameters, state, self.alone, energies);
             let taken = solo.advance(clock, block);
             let at = Clock { steps: clock.steps + taken, ..clock };
             member.state = solo.state(at);

@@ -11,13 +11,13 @@ use crate::{
         points::{begin, plain},
         reversibility::{RoundTrip, round_trip},
         shortfall::{CertifyError, Shortfall},
-        stability::{Stability, stability},
+        stability::{Stability, nearness},
         symplecticity::{Defect, defect},
         tolerance::{largest, within},
     },
-    composition::Composition,
     coords::Coords,
     hamiltonian::{Hamiltonian, Shaped},
+    method::Method,
     phase::Phase,
     slot::Keep,
 };
@@ -35,7 +35,7 @@ const ENERGY_STEPS: u64 = 8192;
 /// The time over which gradients are taken, in steps, where no order tells a better one.
 const GRADIENT_SPAN: f64 = 64.0;
 
-/// Measures `composition` on `system` by every check, and certifies that it is what it claims to be.
+/// Measures `method`, a composition or another one, on `system` by every check, and certifies that it is what it claims to be.
 ///
 /// A certificate says that one step of size `h` from `start` is symplectic, that errors fall with the claimed order,
 /// that a composition that claims symmetry runs back to where it began, that the energy stays (unless `H` reads the
@@ -70,14 +70,15 @@ const GRADIENT_SPAN: f64 = 64.0;
 /// assert!(certificate.symplectic_defect < 1e-14);
 /// # Ok::<(), integrator_core::check::CertifyError>(())
 /// ```
-pub fn certify<H: Hamiltonian, X: Composition<H>, K: Keep>(
+pub fn certify<H: Hamiltonian, X: Method<H>, K: Keep>(
     system: &H,
-    composition: X,
+    method: X,
     start: Phase<Shaped<H, K>>,
     h: f64,
 ) -> Result<Certificate, CertifyError> {
-    begin::<H, X, K>(system, &start, h)?;
-    let subject = Subject::<H, X, K> { system, composition, start, h };
+    begin::<H, X, K>(system, method, &start, h)?;
+    let facts = method.facts();
+    let subject = Subject::<H, X, K> { system, method, start, h };
     let mut findings = Findings::default();
 
     let defect = findings.judge("symplecticity", subject.defect(), |defect| {
@@ -85,13 +86,13 @@ pub fn certify<H: Hamiltonian, X: Composition<H>, K: Keep>(
         (!within(defect, tolerance)).then_some(Shortfall::Symplecticity { defect, tolerance })
     });
     let order = findings.judge("the order", subject.order(), |order| {
-        let (observed, claimed) = (order.slope, X::ORDER);
+        let (observed, claimed) = (order.slope, facts.order);
         let reached = observed >= f64::from(claimed) - ORDER_TOLERANCE;
         (!reached).then_some(Shortfall::Order { observed, claimed })
     });
     let trip = findings.judge("reversibility", subject.round_trip(order), |trip| {
         let &RoundTrip { distance, tolerance } = trip;
-        let returned = !X::SYMMETRIC || within(distance, tolerance);
+        let returned = !facts.symmetric || within(distance, tolerance);
         (!returned).then_some(Shortfall::Reversibility { distance, tolerance })
     });
     let energy = H::AUTONOMOUS.then(|| {
@@ -106,14 +107,15 @@ pub fn certify<H: Hamiltonian, X: Composition<H>, K: Keep>(
         (!within(error, tolerance)).then_some(Shortfall::Gradient { error, tolerance })
     });
 
-    let stability = findings.judge("the stability", subject.stability(), |_| None);
+    let stability =
+        facts.stability_limit.and_then(|limit| findings.judge("the stability", subject.stability(limit), |_| None));
 
     let certificate = Certificate {
         system: std::any::type_name::<H>(),
-        composition: X::NAME,
+        composition: facts.name,
         step: h,
-        claimed_order: X::ORDER,
-        symmetric: X::SYMMETRIC,
+        claimed_order: facts.order,
+        symmetric: facts.symmetric,
         autonomous: H::AUTONOMOUS,
         symplectic_defect: defect.as_ref().map_or(f64::NAN, |defect| defect.size),
         observed_order: order.map_or(f64::NAN, |order| order.slope),
@@ -167,18 +169,18 @@ impl Findings {
 /// What is certified.
 struct Subject<'s, H: Hamiltonian, X, K: Keep> {
     system: &'s H,
-    composition: X,
+    method: X,
     start: Phase<Shaped<H, K>>,
     h: f64,
 }
 
-impl<H: Hamiltonian, X: Composition<H>, K: Keep> Subject<'_, H, X, K> {
+impl<H: Hamiltonian, X: Method<H>, K: Keep> Subject<'_, H, X, K> {
     fn defect(&self) -> Result<Defect, CheckError> {
-        defect::<H, X, K>(self.system, &self.start, self.h, 1)
+        defect::<H, X, K>(self.system, self.method, &self.start, self.h, 1)
     }
 
     fn order(&self) -> Result<Order, CheckError> {
-        observed_order::<H, X, K>(self.system, self.composition, self.start.clone(), self.h)
+        observed_order::<H, X, K>(self.system, self.method, self.start.clone(), self.h)
     }
 
     /// A round trip over the span of the order, in the coarsest steps that show it, or in steps of `h` where they are
@@ -189,14 +191,14 @@ impl<H: Hamiltonian, X: Composition<H>, K: Keep> Subject<'_, H, X, K> {
             let h = order.coarsest.max(self.h.abs());
             (h.copysign(self.h), ((order.span.abs() / h).round() as u64).max(ROUND_TRIP))
         });
-        round_trip::<H, X, K>(self.system, &self.start, h, steps)
+        round_trip::<H, X, K>(self.system, self.method, &self.start, h, steps)
     }
 
     /// The course of the energy in steps of `h`. If it looks like a trend, this may be the flank of an oscillation that
     /// the run is too short to see the end of: then longer steps, up to the coarsest one that follows the motion, tell.
     /// A true trend is one at every step.
     fn energy(&self, order: Option<Order>) -> Result<EnergyDrift, CheckError> {
-        let course = |h| energy_drift::<H, X, K>(self.system, self.composition, self.start.clone(), h, ENERGY_STEPS);
+        let course = |h| energy_drift::<H, X, K>(self.system, self.method, self.start.clone(), h, ENERGY_STEPS);
         let drift = course(self.h)?;
         let coarsest = order.map_or(0.0, |order| (order.span / PARTS as f64).abs());
         let mut h = 2.0 * self.h;
@@ -209,8 +211,8 @@ impl<H: Hamiltonian, X: Composition<H>, K: Keep> Subject<'_, H, X, K> {
         Ok(drift)
     }
 
-    fn stability(&self) -> Result<Stability, CheckError> {
-        stability::<H, X, K>(self.system, self.composition, &self.start, self.h)
+    fn stability(&self, limit: f64) -> Result<Stability, CheckError> {
+        nearness::<H, X, K>(self.system, self.method, limit, &self.start, self.h)
     }
 
     /// The largest error of a gradient at the start and along the path: at the start alone, momenta are often zero, and
@@ -218,7 +220,7 @@ impl<H: Hamiltonian, X: Composition<H>, K: Keep> Subject<'_, H, X, K> {
     fn gradient(&self, order: Option<Order>) -> Result<f64, CheckError> {
         let start = plain::<H, K>(&self.start);
         let (span, step) = order.map_or((GRADIENT_SPAN * self.h, self.h), |order| (order.span, order.coarsest));
-        let path = path::<H, X>(self.system, &start, span, (span / step).abs().round() as u64 / PARTS)?;
+        let path = path(self.system, self.method, &start, span, (span / step).abs().round() as u64 / PARTS)?;
         let mut errors = vec![gradient_error::<H, f64>(self.system, start, 0.0)?];
         for (part, end) in (1..).zip(path.ends) {
             let time = span * f64::from(part) / PARTS as f64;

@@ -1,6 +1,6 @@
 //! Whether the energy stays where it began.
 //!
-//! In: a system that does not read the time, a composition, a start, a step, a number of steps. Out: how far the energy
+//! In: a system that does not read the time, a method, a start, a step, a number of steps. Out: how far the energy
 //! went, the straight line through it, and whether it oscillates, walks or drifts. Always true: the very run of the user, in the precision of the user's state;
 //! the energy of a symplectic step oscillates about its value and goes nowhere, until rounding takes over.
 
@@ -9,11 +9,11 @@ use crate::{
         CheckError,
         course::{Course, GROUPS, Trend},
         points::resolution,
-        tolerance::{flows_per_step, largest, ratio, within},
+        tolerance::{largest, ratio, within},
     },
-    composition::Composition,
     coords::Coords,
     hamiltonian::{Hamiltonian, Motion, Shaped},
+    method::Method,
     phase::Phase,
     run::Run,
     slot::Keep,
@@ -73,14 +73,13 @@ impl EnergyDrift {
 /// # Errors
 /// A Hamiltonian that reads the time; fewer than 64 steps; a start or a step that no run would begin with; a run that
 /// leaves the finite numbers.
-pub fn energy_drift<H: Hamiltonian, X: Composition<H>, K: Keep>(
+pub fn energy_drift<H: Hamiltonian, X: Method<H>, K: Keep>(
     system: &H,
-    composition: X,
+    method: X,
     start: Phase<Shaped<H, K>>,
     h: f64,
     steps: u64,
 ) -> Result<EnergyDrift, CheckError> {
-    let _ = composition;
     if !H::AUTONOMOUS {
         return Err(CheckError::NotAutonomous);
     }
@@ -89,7 +88,7 @@ pub fn energy_drift<H: Hamiltonian, X: Composition<H>, K: Keep>(
         return Err(CheckError::TooFewSteps { steps, needed });
     }
     let begin = start.clone();
-    let mut run = Run::start::<H, X, K>(system, start, h)?;
+    let mut run = Run::start::<H, X, K>(system, method, start, h)?;
     let parameters = system.parameters(run.state().q.length());
     let parts = |state: &Phase<Shaped<H, K>>, time: f64| {
         let motion = H::Motion::<f64, K>::load(|_| (&parameters, state));
@@ -115,7 +114,8 @@ pub fn energy_drift<H: Hamiltonian, X: Composition<H>, K: Keep>(
     // Every flow rounds the state, which changes the energy by up to ε of its terms, at random: the farthest such a
     // walk gets is about 2.5 times the root of its steps. The factor 16 leaves room for flows that round several
     // numbers, and for the sum of the energy itself.
-    let walk = 16.0 * resolution(&[&begin, &run.state()]) * (run.steps() as f64 * flows_per_step::<X>()).sqrt();
+    let walk =
+        16.0 * resolution(&[&begin, &run.state()]) * ((run.steps() * method.facts().roundings as u64) as f64).sqrt();
     Ok(EnergyDrift {
         deviation: ratio(farthest, largest_kinetic),
         course: trend.course(share),

@@ -51,6 +51,14 @@ pub enum CheckError {
         /// What truncation and rounding may add to the latter.
         uncertainty: f64,
     },
+    /// There is no such coordinate.
+    #[error("there is no coordinate {index}: the system has {coordinates}, counted from 0")]
+    NoCoordinate {
+        /// Which one was asked for.
+        index: usize,
+        /// How many there are.
+        coordinates: usize,
+    },
     /// The run is too short to fit a line to its energy.
     #[error("{steps} steps are too few to fit a line to the energy: at least {needed} are needed")]
     TooFewSteps {

@@ -34,7 +34,7 @@ pub fn gradient_error<H: Hamiltonian, K: Keep>(
     point: Phase<Shaped<H, K>>,
     time: f64,
 ) -> Result<f64, CheckError> {
-    let point = begin::<H, H::Compose, K>(system, &point, 1.0)?;
+    let point = begin::<H, _, K>(system, H::Compose::default(), &point, 1.0)?;
     if !time.is_finite() {
         return Err(crate::Error::Time { time }.into());
     }

@@ -48,6 +48,8 @@ pub use certificate::{Certificate, Tolerances};
 pub use certify::certify;
 pub use choose::{Choice, ChooseError, Goal, Ranking, choose};
 pub use course::Course;
+#[cfg(feature = "reference")]
+pub(crate) use dual::Dual;
 pub use energy::{EnergyDrift, energy_drift};
 pub use error::CheckError;
 pub use gradient::gradient_error;
@@ -56,4 +58,6 @@ pub use reversibility::reversibility;
 pub use shadow::{Shadow, Shadowed, Terms, shadow};
 pub use shortfall::{CertifyError, Shortfall};
 pub use stability::{Stability, stability};
-pub use symplecticity::{symplectic_defect, symplectic_defect_after};
+pub use symplecticity::{poisson_bracket, symplectic_defect, symplectic_defect_after};
+#[cfg(feature = "reference")]
+pub(crate) use tolerance::{largest, ratio};

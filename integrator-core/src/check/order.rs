@@ -13,14 +13,13 @@ use crate::{
         reference::reference,
         tolerance::within,
     },
-    composition::Composition,
     error::Error,
     hamiltonian::{Hamiltonian, Shaped},
+    method::Method,
     phase::Phase,
     run::Run,
     slot::{Compensated, Keep},
 };
-use std::marker::PhantomData;
 
 /// How many of the user's steps the first time spans that is tried; a power of two keeps the doublings exact.
 const FIRST_SPAN: f64 = 16.0;
@@ -84,14 +83,13 @@ pub struct Order {
 /// # Errors
 /// A start or a step that no run would begin with; a start from which the errors of fewer than four step sizes stand
 /// out of the rounding, or from which no step follows the motion.
-pub fn observed_order<H: Hamiltonian, X: Composition<H>, K: Keep>(
+pub fn observed_order<H: Hamiltonian, X: Method<H>, K: Keep>(
     system: &H,
-    composition: X,
+    method: X,
     start: Phase<Shaped<H, K>>,
     h: f64,
 ) -> Result<Order, CheckError> {
-    let _ = composition;
-    let problem = Problem::<H, X> { system, start: begin::<H, X, K>(system, &start, h)?, marker: PhantomData };
+    let problem = Problem::<H, X> { system, method, start: begin::<H, X, K>(system, method, &start, h)? };
     let mut span = problem.longest_span(h)?;
     let mut outcome = problem.order(span);
     for _ in 1..ATTEMPTS {
@@ -115,14 +113,14 @@ pub fn observed_order<H: Hamiltonian, X: Composition<H>, K: Keep>(
 /// What is measured.
 struct Problem<'s, H: Hamiltonian, X> {
     system: &'s H,
+    method: X,
     start: Phase<H::Coords>,
-    marker: PhantomData<X>,
 }
 
-impl<H: Hamiltonian, X: Composition<H>> Problem<'_, H, X> {
+impl<H: Hamiltonian, X: Method<H>> Problem<'_, H, X> {
     /// The motion over `span`, in `steps` steps for each part.
     fn path(&self, span: f64, steps: u64) -> Result<Path<H::Coords>, Error> {
-        path::<H, X>(self.system, &self.start, span, steps)
+        path(self.system, self.method, &self.start, span, steps)
     }
 
     /// The longest time over which the coarsest step follows the motion.
@@ -205,15 +203,16 @@ impl<H: Hamiltonian, X: Composition<H>> Problem<'_, H, X> {
 }
 
 /// The motion of a compensated run from `start` at time 0 over `span`, in `steps` steps for each part.
-pub(crate) fn path<H: Hamiltonian, X: Composition<H>>(
+pub(crate) fn path<H: Hamiltonian, X: Method<H>>(
     system: &H,
+    method: X,
     start: &Phase<H::Coords>,
     span: f64,
     steps: u64,
 ) -> Result<Path<H::Coords>, Error> {
     let h = span / (PARTS * steps) as f64;
     let compensated = Phase::compensated(start.q.clone(), start.p.clone());
-    let mut run = Run::start::<H, X, Compensated<f64>>(system, compensated, h)?;
+    let mut run = Run::start::<H, X, Compensated<f64>>(system, method, compensated, h)?;
     let mut ends = Vec::with_capacity(PARTS as usize);
     for _ in 0..PARTS {
         run.advance(steps)?;

@@ -2,10 +2,10 @@
 
 use crate::{
     check::tolerance::{largest, ratio},
-    composition::Composition,
     coords::Coords,
     error::Error,
     hamiltonian::{Hamiltonian, Shaped},
+    method::Method,
     phase::Phase,
     run::{Run, admissible},
     slot::Keep,
@@ -17,14 +17,15 @@ pub(crate) fn plain<H: Hamiltonian, K: Keep>(point: &Phase<Shaped<H, K>>) -> Pha
 }
 
 /// The values of a start, if a run may begin there.
-pub(crate) fn begin<H: Hamiltonian, X: Composition<H>, K: Keep>(
+pub(crate) fn begin<H: Hamiltonian, X: Method<H>, K: Keep>(
     system: &H,
+    method: X,
     start: &Phase<Shaped<H, K>>,
     h: f64,
 ) -> Result<Phase<H::Coords>, Error> {
     admissible(start, h)?;
     let start = plain::<H, K>(start);
-    Run::start::<H, X, f64>(system, start.clone(), h)?;
+    Run::start::<H, X, f64>(system, method, start.clone(), h)?;
     Ok(start)
 }
 

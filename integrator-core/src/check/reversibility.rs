@@ -1,6 +1,6 @@
 //! Whether steps by `-h` undo steps by `h`.
 //!
-//! In: a system, a composition, a start, a step, a number of steps. Out: how far from its start a run ends that goes
+//! In: a system, a method, a start, a step, a number of steps. Out: how far from its start a run ends that goes
 //! forward and back. Always true: the very runs of the user, in the precision of the user's state, with the clock
 //! turned round where the forward run ends.
 
@@ -9,11 +9,11 @@ use crate::{
         CheckError,
         points::{coordinate, numbers, origin, plain, resolution},
         tangent::Tangents,
-        tolerance::{flows_per_step, largest, ratio},
+        tolerance::{largest, ratio},
     },
-    composition::Composition,
     coords::Coords,
     hamiltonian::{Hamiltonian, Shaped},
+    method::Method,
     phase::Phase,
     run::Run,
     slot::Keep,
@@ -27,15 +27,14 @@ use crate::{
 ///
 /// # Errors
 /// A start or a step that no run would begin with; a run that leaves the finite numbers.
-pub fn reversibility<H: Hamiltonian, X: Composition<H>, K: Keep>(
+pub fn reversibility<H: Hamiltonian, X: Method<H>, K: Keep>(
     system: &H,
-    composition: X,
+    method: X,
     start: Phase<Shaped<H, K>>,
     h: f64,
     steps: u64,
 ) -> Result<f64, CheckError> {
-    let _ = composition;
-    Ok(Trip::take::<H, X, K>(system, &start, h, steps)?.distance())
+    Ok(Trip::take::<H, X, K>(system, method, &start, h, steps)?.distance())
 }
 
 /// How far a round trip ends from its start, and how far rounding alone may take it.
@@ -51,18 +50,19 @@ pub(crate) struct RoundTrip {
 /// the largest they become on the way there, or on the way back. The errors are independent, so that they add up to the
 /// root of their number, `2 ε √(2 n f)` times this growth. A factor 8 covers the tail of such a sum and what tangents
 /// in two directions may miss of the growth.
-pub(crate) fn round_trip<H: Hamiltonian, X: Composition<H>, K: Keep>(
+pub(crate) fn round_trip<H: Hamiltonian, X: Method<H>, K: Keep>(
     system: &H,
+    method: X,
     start: &Phase<Shaped<H, K>>,
     h: f64,
     steps: u64,
 ) -> Result<RoundTrip, CheckError> {
-    let trip = Trip::take::<H, X, K>(system, start, h, steps)?;
+    let trip = Trip::take::<H, X, K>(system, method, start, h, steps)?;
     let growth = largest([
-        growth::<H, X>(system, &trip.start, trip.size, h, 0.0, steps),
-        growth::<H, X>(system, &trip.turn, trip.size, -h, trip.time, steps),
+        growth(system, method, &trip.start, trip.size, h, 0.0, steps),
+        growth(system, method, &trip.turn, trip.size, -h, trip.time, steps),
     ]);
-    let roundings = 16.0 * (2.0 * steps as f64 * flows_per_step::<X>()).sqrt();
+    let roundings = 16.0 * ((2 * steps * method.facts().roundings as u64) as f64).sqrt();
     Ok(RoundTrip { distance: trip.distance(), tolerance: roundings * trip.resolution * growth })
 }
 
@@ -79,15 +79,16 @@ struct Trip<C> {
 }
 
 impl<C: Coords<Leaf = f64>> Trip<C> {
-    fn take<H: Hamiltonian<Coords = C>, X: Composition<H>, K: Keep>(
+    fn take<H: Hamiltonian<Coords = C>, X: Method<H>, K: Keep>(
         system: &H,
+        method: X,
         start: &Phase<Shaped<H, K>>,
         h: f64,
         steps: u64,
     ) -> Result<Self, CheckError> {
-        let mut there = Run::start::<H, X, K>(system, start.clone(), h)?;
+        let mut there = Run::start::<H, X, K>(system, method, start.clone(), h)?;
         there.advance(steps)?;
-        let mut back = Run::start::<H, X, K>(system, there.state(), -h)?.at_time(there.time());
+        let mut back = Run::start::<H, X, K>(system, method, there.state(), -h)?.at_time(there.time());
         back.advance(steps)?;
         let resolution = resolution(&[start, &there.state()]);
         let (start, turn) = (plain::<H, K>(start), plain::<H, K>(&there.state()));
@@ -130,8 +131,9 @@ impl Size {
 
 /// The largest size, in units of `size`, that tangents reach within `steps` steps, where every number of a tangent
 /// begins with one unit.
-fn growth<H: Hamiltonian, X: Composition<H>>(
+fn growth<H: Hamiltonian, X: Method<H>>(
     system: &H,
+    method: X,
     point: &Phase<H::Coords>,
     size: Size,
     h: f64,
@@ -141,7 +143,7 @@ fn growth<H: Hamiltonian, X: Composition<H>>(
     /// Its multiples fall evenly into (0, 1), so that signs taken from them share no symmetry with the system: a shift
     /// of all bodies at once, for one, would meet no force between them.
     const GOLDEN: f64 = 0.618_033_988_749_894_9;
-    let tangents = Tangents::<H, X>::new(system, point.q.length(), h);
+    let tangents = Tangents::<H, X>::new(system, method, point.q.length(), h);
     largest([1.0, -1.0].map(|sign_of_p| {
         let (mut point, mut tangent) = (point.clone(), origin(point));
         for index in 0..2 * size.positions {

@@ -160,7 +160,7 @@ fn course<H: QuadraticKinetic, X: Composition<H> + Shadowed>(
     steps: u64,
 ) -> Result<Course, CheckError> {
     let compensated = Phase::compensated(start.q.clone(), start.p.clone());
-    let mut run = Run::start::<H, X, Compensated<f64>>(system, compensated, h)?;
+    let mut run = Run::start::<H, X, Compensated<f64>>(system, X::default(), compensated, h)?;
     let at = |point: &Phase<H::Coords>| Point::<H> { parameters, point }.energies(&X::TERMS, h);
     let (first, mut terms) = at(start);
     let mut changes: [Vec<f64>; 3] = Default::default();

@@ -17,6 +17,7 @@ use crate::{
     composition::Composition,
     coords::Coords,
     hamiltonian::{Hamiltonian, Shaped},
+    method::Method,
     phase::Phase,
     run::Run,
     slot::Keep,
@@ -105,11 +106,21 @@ pub fn stability<H: Hamiltonian, X: Composition<H>, K: Keep>(
     start: &Phase<Shaped<H, K>>,
     h: f64,
 ) -> Result<Stability, CheckError> {
-    let _ = composition;
-    let start = begin::<H, X, K>(system, start, h)?;
-    let mut run = Run::start::<H, X, f64>(system, start, h)?;
+    nearness::<H, X, K>(system, composition, X::STABILITY_LIMIT, start, h)
+}
+
+/// As [`stability`], for a method with this limit.
+pub(crate) fn nearness<H: Hamiltonian, X: Method<H>, K: Keep>(
+    system: &H,
+    method: X,
+    limit: f64,
+    start: &Phase<Shaped<H, K>>,
+    h: f64,
+) -> Result<Stability, CheckError> {
+    let start = begin::<H, X, K>(system, method, start, h)?;
+    let mut run = Run::start::<H, X, f64>(system, method, start, h)?;
     let parameters = system.parameters(run.state().q.length());
-    let mut fastest = Stability { turn: 0.0, time: run.time(), limit: X::STABILITY_LIMIT };
+    let mut fastest = Stability { turn: 0.0, time: run.time(), limit };
     for _ in 0..LOOKS {
         let turn = (h * frequency::<H>(&parameters, &run.state(), run.time())).abs();
         if !within(turn, fastest.turn) {

@@ -1,19 +1,14 @@
 //! Whether a step preserves the symplectic form.
 //!
-//! In: a system, a composition, a point, a step. Out: by how much `Mᵀ J M` differs from `J = (0 1; -1 0)`, where `M` is
+//! In: a system, a method, a point, a step. Out: by how much `Mᵀ J M` differs from `J = (0 1; -1 0)`, where `M` is
 //! the exact tangent map. Always true: zero up to rounding for every composition of exact flows, whatever its order and
 //! however coarse the step; of the size of the step for a map that is not symplectic.
 
 use crate::{
-    check::{
-        CheckError,
-        points::begin,
-        tangent::Tangents,
-        tolerance::{flows_per_step, largest},
-    },
-    composition::Composition,
+    check::{CheckError, points::begin, tangent::Tangents, tolerance::largest},
     coords::Coords,
     hamiltonian::{Hamiltonian, Shaped},
+    method::Method,
     phase::Phase,
     slot::Keep,
 };
@@ -30,28 +25,50 @@ use nalgebra::DMatrix;
 ///
 /// # Errors
 /// A start or a step that no run would begin with.
-pub fn symplectic_defect<H: Hamiltonian, X: Composition<H>, K: Keep>(
+pub fn symplectic_defect<H: Hamiltonian, X: Method<H>, K: Keep>(
     system: &H,
-    composition: X,
+    method: X,
     start: Phase<Shaped<H, K>>,
     h: f64,
 ) -> Result<f64, CheckError> {
-    symplectic_defect_after::<H, X, K>(system, composition, start, h, 1)
+    symplectic_defect_after::<H, X, K>(system, method, start, h, 1)
 }
 
 /// As [`symplectic_defect`], for `steps` steps in a row. Rounding makes it grow with the number of steps.
 ///
 /// # Errors
 /// As [`symplectic_defect`].
-pub fn symplectic_defect_after<H: Hamiltonian, X: Composition<H>, K: Keep>(
+pub fn symplectic_defect_after<H: Hamiltonian, X: Method<H>, K: Keep>(
     system: &H,
-    composition: X,
+    method: X,
     start: Phase<Shaped<H, K>>,
     h: f64,
     steps: u64,
 ) -> Result<f64, CheckError> {
-    let _ = composition;
-    Ok(defect::<H, X, K>(system, &start, h, steps)?.size)
+    Ok(defect::<H, X, K>(system, method, &start, h, steps)?.size)
+}
+
+/// The Poisson bracket `{qᵢ, pᵢ}` of where one closed step of size `h` from `start`, at time 0, leads, by where it begins:
+/// `Σₖ ∂qᵢ'/∂qₖ ∂pᵢ'/∂pₖ - ∂qᵢ'/∂pₖ ∂pᵢ'/∂qₖ` from the exact tangent map. One for a symplectic step, up to rounding; in one
+/// degree of freedom, the factor by which a step changes areas. Coordinates are counted over their flattened form.
+///
+/// # Errors
+/// A start or a step that no run would begin with; a coordinate that there is not.
+pub fn poisson_bracket<H: Hamiltonian, X: Method<H>, K: Keep>(
+    system: &H,
+    method: X,
+    start: &Phase<Shaped<H, K>>,
+    h: f64,
+    index: usize,
+) -> Result<f64, CheckError> {
+    let start = begin::<H, X, K>(system, method, start, h)?;
+    let coordinates = start.q.flat().len();
+    if index >= coordinates {
+        return Err(CheckError::NoCoordinate { index, coordinates });
+    }
+    let map = Tangents::<H, X>::new(system, method, start.q.length(), h).matrix(&start, 0.0, 1);
+    let (q, p) = (map.row(index), map.row(coordinates + index));
+    Ok((0..coordinates).map(|k| q[k] * p[coordinates + k] - q[coordinates + k] * p[k]).sum())
 }
 
 /// How far a tangent map is from symplectic, and how far rounding alone may take it.
@@ -68,19 +85,20 @@ pub(crate) struct Defect {
 /// it, and `|δ(Mᵀ J M)| ≤ 8 f ε |M|ᵀ |J| |M|`. The scalar products of length 2n add `2n ε` of the same matrix. Parts of
 /// a step do stretch more where a composition goes forth and back inside of it, which a further factor 4 allows for:
 /// over the whole catalogue and up to h·ω = 4 no defect reached a thirtieth of the tolerance.
-pub(crate) fn defect<H: Hamiltonian, X: Composition<H>, K: Keep>(
+pub(crate) fn defect<H: Hamiltonian, X: Method<H>, K: Keep>(
     system: &H,
+    method: X,
     start: &Phase<Shaped<H, K>>,
     h: f64,
     steps: u64,
 ) -> Result<Defect, CheckError> {
-    let start = begin::<H, X, K>(system, start, h)?;
-    let mut map = Tangents::<H, X>::new(system, start.q.length(), h).matrix(&start, 0.0, steps);
+    let start = begin::<H, X, K>(system, method, start, h)?;
+    let mut map = Tangents::<H, X>::new(system, method, start.q.length(), h).matrix(&start, 0.0, steps);
     balance(&mut map);
     let n = map.nrows() / 2;
     let size = largest((form(&map) - form(&DMatrix::identity(2 * n, 2 * n))).iter().copied());
     let amplification = largest(absolute_form(&map).iter().copied());
-    let roundings = 32.0 * flows_per_step::<X>() * steps.max(1) as f64 + 2.0 * n as f64;
+    let roundings = 32.0 * (method.facts().roundings as u64 * steps.max(1)) as f64 + 2.0 * n as f64;
     Ok(Defect { size, tolerance: roundings * f64::EPSILON * amplification })
 }
 

@@ -1,7 +1,7 @@
-//! The exact tangent map of a composition: the derivative of its steps with respect to where they begin.
+//! The exact tangent map of a method: the derivative of its steps with respect to where they begin.
 //!
-//! In: a system, a composition, a point, a step. Out: how tangents at the point arrive after some closed steps.
-//! Always true: what is differentiated is the generated code itself, stage by stage, with no finite difference; a
+//! In: a system, a method, a point, a step. Out: how tangents at the point arrive after some closed steps.
+//! Always true: what is differentiated is the very code that a run executes, with no finite difference; a
 //! difference quotient of good steps is off by 1e-7 and would pass off steps that are not symplectic by less than that.
 
 use crate::{
@@ -9,24 +9,25 @@ use crate::{
         dual::Dual,
         points::{coordinate, numbers, origin},
     },
-    composition::Composition,
     coords::Coords,
-    hamiltonian::{Hamiltonian, Motion, Single},
+    engine::Clock,
+    hamiltonian::{Hamiltonian, Motion},
+    method::Method,
     phase::Phase,
 };
 use nalgebra::DMatrix;
-use std::marker::PhantomData;
+use std::{marker::PhantomData, sync::Arc};
 
 /// Tangents on their way with the point that they are attached to.
-pub(crate) struct Tangents<H: Hamiltonian, X> {
-    parameters: H::Parameters<f64>,
+pub(crate) struct Tangents<H: Hamiltonian, X: Method<H>> {
+    constants: Arc<X::Constants>,
     h: f64,
-    marker: PhantomData<X>,
+    marker: PhantomData<H>,
 }
 
-impl<H: Hamiltonian, X: Composition<H>> Tangents<H, X> {
-    pub(crate) fn new(system: &H, length: usize, h: f64) -> Self {
-        Self { parameters: system.parameters(length), h, marker: PhantomData }
+impl<H: Hamiltonian, X: Method<H>> Tangents<H, X> {
+    pub(crate) fn new(system: &H, method: X, length: usize, h: f64) -> Self {
+        Self { constants: method.constants(Arc::new(system.parameters(length))), h, marker: PhantomData }
     }
 
     /// Where `point` is after `steps` steps from time `t0`, closed, and what has become of `tangent` there.
@@ -38,15 +39,11 @@ impl<H: Hamiltonian, X: Composition<H>> Tangents<H, X> {
         steps: u64,
     ) -> (Phase<H::Coords>, Phase<H::Coords>) {
         let mut arrived = (point.clone(), tangent.clone());
-        let Some(last) = steps.checked_sub(1) else { return arrived };
-        let time = |step: u64| t0 + step as f64 * self.h;
-        let mut motion = H::Motion::<Dual, f64>::load(|lane| (&self.parameters, [point, tangent][lane]));
-        let mut flows = Single::<H, Dual, f64>(&mut motion);
-        X::open(&mut flows, self.h, time(0));
-        for step in 1..steps {
-            X::cycle(&mut flows, self.h, time(step));
-        }
-        X::close(&mut flows, self.h, time(last));
+        let moves = X::moves::<Dual, f64>();
+        let mut motion = X::Motion::<Dual, f64>::load(|lane| (&*self.constants, [point, tangent][lane]));
+        let clock = Clock { t0, h: self.h, steps: 0 };
+        moves.advance(&mut motion, clock, steps);
+        moves.close(&mut motion, Clock { steps, ..clock });
         motion.store(0, &mut arrived.0);
         motion.store(1, &mut arrived.1);
         arrived

@@ -2,8 +2,6 @@
 //!
 //! Always true: a NaN that goes in makes the check fail, whatever else goes in.
 
-use crate::composition::Scheme;
-
 /// Whether `value` is at most `tolerance` in size. Every verdict of every check is reached here.
 ///
 /// A NaN on either side is not within, and neither is anything within a tolerance that is infinite.
@@ -26,13 +24,6 @@ pub(crate) fn length(values: impl IntoIterator<Item = f64>) -> f64 {
 /// `part` in units of `whole`, where nothing in units of nothing is nothing.
 pub(crate) fn ratio(part: f64, whole: f64) -> f64 {
     if part == 0.0 { 0.0 } else { part / whole }
-}
-
-/// How many flows one closed step of `X` applies, and so how many times it rounds the state: two for each row, those of
-/// a processor included, and the one that closes the step.
-pub(crate) fn flows_per_step<X: Scheme>() -> f64 {
-    let rows = X::PROCESSOR.before.rows.len() + X::STAGES.cycle.len() + X::PROCESSOR.after.rows.len();
-    (2 * rows + 1) as f64
 }
 
 #[cfg(test)]

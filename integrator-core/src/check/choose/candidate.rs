@@ -43,7 +43,7 @@ impl<H: Hamiltonian, K: Keep> Visitor<H> for Candidates<H, K> {
             class: X::CLASS,
             each: (X::FORCE_EVALUATIONS + X::GRADIENT_EVALUATIONS) as u64,
             once: evaluations(&X::PROCESSOR.before) + evaluations(&X::PROCESSOR.after),
-            begin: Run::start::<H, X, K>,
+            begin: |system, start, h| Run::start::<H, X, K>(system, X::default(), start, h),
         });
     }
 }

@@ -87,7 +87,7 @@ pub fn choose<H: Hamiltonian, K: Keep>(
     if span == 0.0 || !span.is_finite() {
         return Err(ChooseError::Span { span });
     }
-    begin::<H, H::Compose, K>(system, &start, span).map_err(CheckError::from)?;
+    begin::<H, _, K>(system, H::Compose::default(), &start, span).map_err(CheckError::from)?;
     let tolerance = goal.tolerance();
     if !within(tolerance, f64::MAX) || tolerance <= 0.0 {
         return Err(ChooseError::Tolerance { tolerance });

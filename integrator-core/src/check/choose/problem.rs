@@ -85,7 +85,7 @@ impl<'s, H: Hamiltonian, K: Keep> Problem<'s, H, K> {
         let start = plain::<H, K>(&self.start);
         let compensated = Phase::compensated(start.q.clone(), start.p.clone());
         let h = self.span / steps as f64;
-        let mut run = Run::start::<H, SofroniouSpaletta10, Compensated<f64>>(self.system, compensated, h)?;
+        let mut run = Run::start::<H, _, Compensated<f64>>(self.system, SofroniouSpaletta10, compensated, h)?;
         let (mut ends, mut scale) = (Vec::with_capacity(PARTS as usize), Scale { q: 0.0, p: 0.0 });
         for step in 1..=steps {
             run.advance(1)?;

@@ -1,0 +1,95 @@
+//! How a run is carried on: by a composition, or by a method that knows the vector field alone.
+//!
+//! An executor asks a method for a motion to load a start into, and for the moves that carry it on. Every composition is
+//! a method, whose motion is that of the system.
+
+use crate::{
+    composition::{Composition, Processor, Scheme, Stages},
+    engine::{Moves, moves},
+    error::Error,
+    hamiltonian::{Hamiltonian, Motion, Shaped},
+    real::Real,
+    slot::Keep,
+};
+use alloc::sync::Arc;
+
+/// What a method says of itself, whatever it integrates.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub struct Facts {
+    /// Its name.
+    pub name: &'static str,
+    /// With which power of the step its errors fall.
+    pub order: u32,
+    /// Whether a step by `-h` undoes a step by `h`.
+    pub symmetric: bool,
+    /// How often a step evaluates the force, where that is known beforehand.
+    pub forces: Option<usize>,
+    /// The `h·ω` from which a step is unstable on a harmonic oscillator, where that is known.
+    pub stability_limit: Option<f64>,
+    /// How often a step rounds the state, about.
+    pub(crate) roundings: usize,
+    /// The stages of a composition.
+    pub(crate) table: Option<(Stages, Processor)>,
+}
+
+/// What carries states on, and can say what it is. Every composition does.
+pub trait Described: Copy + Send + Sync + 'static {
+    /// What this method is.
+    fn facts(self) -> Facts;
+
+    /// Whether its own parameters, such as a tolerance, make sense.
+    ///
+    /// # Errors
+    /// A tolerance that is not a positive number.
+    fn admissible(self) -> Result<(), Error> {
+        Ok(())
+    }
+}
+
+impl<X: Scheme> Described for X {
+    fn facts(self) -> Facts {
+        let rows = X::PROCESSOR.before.rows.len() + X::STAGES.cycle.len() + X::PROCESSOR.after.rows.len();
+        Facts {
+            name: X::NAME,
+            order: X::ORDER,
+            symmetric: X::SYMMETRIC,
+            forces: Some(X::FORCE_EVALUATIONS + X::GRADIENT_EVALUATIONS),
+            stability_limit: Some(X::STABILITY_LIMIT),
+            // Each row moves positions and momenta once, and the closing flow one of them.
+            roundings: 2 * rows + 1,
+            table: Some((X::STAGES, X::PROCESSOR)),
+        }
+    }
+}
+
+/// A method that may integrate `H`: any composition that may, and those of `reference`.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` is not a method that may integrate `{H}`",
+    label = "neither a composition nor another method for this Hamiltonian",
+    note = "`Verlet`, `Yoshida4` and all other compositions of general class integrate every separable Hamiltonian",
+    note = "a new one is declared with `composition! {{ pub struct Mine: order 2 = T(1/2) V(1) T(1/2); }}`"
+)]
+pub trait Method<H: Hamiltonian>: Described {
+    /// What stays the same in a run.
+    type Constants: Send + Sync + 'static;
+    /// What moves.
+    type Motion<R: Real, K: Keep>: Motion<Shaped<H, K>, Self::Constants>;
+
+    /// The constants of a run, from those of the system.
+    fn constants(self, parameters: Arc<H::Parameters<f64>>) -> Arc<Self::Constants>;
+    /// The steps, compiled for one scalar and leaf.
+    fn moves<R: Real, K: Keep>() -> Moves<Self::Motion<R, K>>;
+}
+
+impl<H: Hamiltonian, X: Scheme + Composition<H>> Method<H> for X {
+    type Constants = H::Parameters<f64>;
+    type Motion<R: Real, K: Keep> = H::Motion<R, K>;
+
+    fn constants(self, parameters: Arc<H::Parameters<f64>>) -> Arc<H::Parameters<f64>> {
+        parameters
+    }
+    fn moves<R: Real, K: Keep>() -> Moves<H::Motion<R, K>> {
+        moves::<H, X, R, K>()
+    }
+}
