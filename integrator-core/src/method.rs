@@ -23,6 +23,9 @@ pub struct Facts {
     pub order: u32,
     /// Whether a step by `-h` undoes a step by `h`.
     pub symmetric: bool,
+    /// Whether steps preserve the symplectic form, whatever their size. An accurate step that does not is hard to tell from
+    /// one that does, so that a method has to say it.
+    pub symplectic: bool,
     /// How often a step evaluates the force, where that is known beforehand.
     pub forces: Option<usize>,
     /// The `h·ω` from which a step is unstable on a harmonic oscillator, where that is known.
@@ -54,6 +57,7 @@ impl<X: Scheme> Described for X {
             name: X::NAME,
             order: X::ORDER,
             symmetric: X::SYMMETRIC,
+            symplectic: true,
             forces: Some(X::FORCE_EVALUATIONS + X::GRADIENT_EVALUATIONS),
             stability_limit: Some(X::STABILITY_LIMIT),
             // Each row moves positions and momenta once, and the closing flow one of them.

@@ -85,6 +85,9 @@ pub fn certify<H: Hamiltonian, X: Method<H>, K: Keep>(
         let &Defect { size: defect, tolerance } = defect;
         (!within(defect, tolerance)).then_some(Shortfall::Symplecticity { defect, tolerance })
     });
+    if !facts.symplectic {
+        findings.0.push(Shortfall::NotSymplectic { method: facts.name });
+    }
     let order = findings.judge("the order", subject.order(), |order| {
         let (observed, claimed) = (order.slope, facts.order);
         let reached = observed >= f64::from(claimed) - ORDER_TOLERANCE;

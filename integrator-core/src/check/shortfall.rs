@@ -35,6 +35,14 @@ pub enum Shortfall {
         /// What rounding explains.
         tolerance: f64,
     },
+    /// The method does not claim to be symplectic. A step that is accurate to the rounding leaves no defect to be measured.
+    #[error(
+        "{method} is not symplectic: a small defect shows that this step is accurate, and nothing about longer ones"
+    )]
+    NotSymplectic {
+        /// The name of the method.
+        method: &'static str,
+    },
     /// The observed order is lower than the claimed one.
     #[error("observed order {observed:.2} falls short of the claimed order {claimed}")]
     Order {

@@ -95,6 +95,7 @@ macro_rules! adaptive {
                     name: stringify!($name),
                     order: $order,
                     symmetric: false,
+symplectic: false,
                     forces: None,
                     stability_limit: None,
                     roundings: 16,

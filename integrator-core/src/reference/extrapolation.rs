@@ -23,6 +23,7 @@ impl Described for GraggBulirschStoer {
             name: "GraggBulirschStoer",
             order: 2 * DIVISIONS.len() as u32,
             symmetric: false,
+            symplectic: false,
             forces: Some(forces),
             stability_limit: None,
             roundings: 2 * forces,

@@ -76,6 +76,7 @@ macro_rules! implicit {
                     name: stringify!($name),
                     order: $order,
                     symmetric: $symmetric,
+                    symplectic: $symmetric,
                     forces: None,
                     stability_limit: Some(f64::INFINITY),
                     roundings: 16,

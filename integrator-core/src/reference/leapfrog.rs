@@ -19,6 +19,7 @@ impl Described for StaggeredLeapfrog {
             name: "StaggeredLeapfrog",
             order: 2,
             symmetric: true,
+            symplectic: true,
             forces: Some(1),
             stability_limit: Some(2.0),
             roundings: 4,

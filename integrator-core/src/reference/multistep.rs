@@ -25,6 +25,7 @@ impl Described for AdamsBashforthMoulton4 {
             name: "AdamsBashforthMoulton4",
             order: 4,
             symmetric: false,
+            symplectic: false,
             forces: Some(2),
             stability_limit: None,
             roundings: 4,

@@ -52,6 +52,7 @@ macro_rules! runge_kutta {
                     name: stringify!($name),
                     order: $order,
                     symmetric: false,
+symplectic: false,
                     forces: Some(forces),
                     stability_limit: Some($stable),
                     roundings: 2 * forces,
