@@ -173,6 +173,9 @@ pub use visit::{Visitor, visit_general, visit_quadratic};
 #[doc = include_str!("../../README.md")]
 mod readme {}
 
+#[cfg(doctest)]
+mod guide;
+
 /// What a user of the library brings into scope with one line.
 pub mod prelude {
     #[cfg(not(feature = "std"))]

@@ -1,0 +1,18 @@
+//! The chapters of the guide, so that their code compiles and holds.
+
+/// One module for each chapter, with a documentation that is tested.
+macro_rules! chapters {
+    ($($name:ident)*) => {
+        $(
+            #[doc = include_str!(concat!("../../docs/guide/src/", stringify!($name), ".md"))]
+            mod $name {}
+        )*
+    };
+}
+
+chapters!(introduction first_hamiltonian composing ensembles big_systems expansion command_line limits);
+// What these measure takes the feature `check`.
+#[cfg(feature = "check")]
+chapters!(choosing precision certificates messages);
+#[cfg(feature = "output")]
+chapters!(seeing_and_saving);
