@@ -4,10 +4,14 @@ use integrator_core::prelude::*;
 
 #[path = "../examples/fput_recurrence/chain.rs"]
 mod chain;
+#[path = "../examples/lennard_jones/liquid.rs"]
+mod liquid;
 #[path = "../examples/toda_soliton/ring.rs"]
 mod ring;
 #[path = "../examples/henon_heiles_section/section.rs"]
 mod section;
+#[path = "../examples/ensemble_separatrix/swarm.rs"]
+mod swarm;
 #[path = "../examples/paul_trap/trap.rs"]
 mod trap;
 
@@ -87,4 +91,68 @@ fn the_trap_holds_where_mathieu_says() {
     let traces = trap::traces(near_the_tip.map(|(a, q)| trap::PaulTrap { a, q })).expect("finite states");
     let held: Vec<bool> = traces.into_iter().map(trap::holds).collect();
     assert_eq!(held, [true, false, true, false, false, false]);
+}
+
+#[test]
+fn the_area_of_a_swarm_stays_and_nobody_crosses_the_separatrix() {
+    let (border, inside) = (4_000, 1_000);
+    let starts: Vec<_> = swarm::disc(border, inside).collect();
+    let mut pendulums =
+        Ensemble::new(BlanesMoanSrkn6, starts.iter().map(|start| (swarm::Pendulum, *start)), 0.125).expect("starts");
+    pendulums.advance(32).expect("finite states");
+    let states: Vec<_> = pendulums.states().collect();
+    let before = swarm::area(&starts[..border]);
+    // A polygon of n corners in a circle has less than its area by a part of (2π/n)²/6, here 4e-7.
+    assert!((before / (std::f64::consts::PI * swarm::RADIUS.powi(2)) - 1.0).abs() < 1e-6, "{before}");
+    // The longest sides have grown by a factor of ten by then, and what they cut off by a hundred.
+    let after = swarm::area(&states[..border]);
+    assert!((after / before - 1.0).abs() < 4e-5, "{after} for {before}");
+    let of_energy = |(a, b)| (swarm::energy(a) - swarm::energy(b)).abs();
+    let change = starts.iter().zip(&states).map(of_energy).fold(0.0, f64::max);
+    assert!(change < 1e-6, "{change:e}");
+    assert_eq!(swarm::changed_sides(&starts, &states, change), 0);
+    let over = starts.iter().filter(|start| swarm::energy(start) > swarm::SEPARATRIX).count();
+    assert!(over > 1_500 && over < 3_500, "{over} of 5,000 turn over");
+    assert!(states.iter().all(|state| swarm::wrapped(state.q[0]).abs() <= std::f64::consts::PI));
+}
+
+#[test]
+fn argon_keeps_its_energy_and_its_neighbours() {
+    let mut argon = liquid::Liquid::crystal(3, 0.8442, 0.722, &mut fastrand::Rng::with_seed(1964));
+    assert_eq!(argon.state.q.len(), 108);
+    assert!((argon.temperature() - 0.722).abs() < 1e-12);
+    for _ in 0..15 {
+        argon.heat_to(0.722);
+        argon.advance(20, 0.004).expect("finite states");
+    }
+    let (energy, mut temperature) = (argon.energy() / 108.0, 0.0);
+    let mut distances = liquid::Distances::new(&argon.argon, 100);
+    for _ in 0..10 {
+        argon.advance(20, 0.004).expect("finite states");
+        distances.look(&argon);
+        temperature += argon.temperature() / 10.0;
+        // Verlet's error is a few 1e-4 with this step, for the smooth energy that this is.
+        let change = argon.energy() / 108.0 - energy;
+        assert!(change.abs() < 1e-3, "the energy per atom changes by {change:e}");
+    }
+    // Fluctuations of 108 atoms: √(2/3N) of it, less what the potential takes, and some more while it settles.
+    assert!((0.55..0.9).contains(&temperature), "{temperature}");
+    let (place, height) = liquid::peak(&distances.distribution(&argon)).expect("distances");
+    assert!((1.05..1.13).contains(&place) && (2.4..3.6).contains(&height), "{height} at {place}");
+    let momentum: f64 = argon.state.p.iter().flatten().sum();
+    assert!(momentum.abs() < 1e-10, "{momentum:e}");
+}
+
+/// A pair across the border of the box feels its nearest image; force and energy end at the cutoff without a jump.
+#[test]
+fn argon_has_no_walls_and_no_jumps() {
+    let argon = liquid::Argon { side: 6.0, cutoff: 2.5 };
+    let pair = |apart: f64| argon.potential(&[[0.5, 1.0, 1.0], [0.5 + apart, 1.0, 1.0]]);
+    for apart in [1.0, 1.12, 2.0, 2.4999] {
+        assert!((pair(apart) - pair(6.0 - apart)).abs() < 1e-9, "{apart}: {} and {}", pair(apart), pair(6.0 - apart));
+    }
+    assert_eq!(pair(2.6), 0.0);
+    // The second derivative is all that is left: about 0.5 · 0.05 · (1e-3)².
+    assert!(pair(2.499).abs() < 1e-6, "{:e}", pair(2.499));
+    assert!((pair(1.12) + 1.0).abs() < 0.1, "the depth of the well is about 1, not {}", pair(1.12));
 }

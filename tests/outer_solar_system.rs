@@ -1,9 +1,12 @@
 //! The outer solar system of the examples, held against its independent reference.
 
+#[path = "../examples/outer_solar_system/pictures.rs"]
+mod pictures;
 #[path = "../examples/outer_solar_system/system.rs"]
 mod system;
 
 use integrator_core::prelude::*;
+use std::fs;
 use system::{angular_momentum, measured, norm, reference, relative};
 
 const DAYS: f64 = 999_999.0;
@@ -39,6 +42,34 @@ fn the_stepper_is_certified() {
     let certificate = certify(&system, Yoshida4, start, DAYS / STEPS as f64).expect("a certificate");
     assert!(certificate.symplectic_defect < 1e-12, "{certificate}");
     assert!((3.9..4.1).contains(&certificate.observed_order), "{certificate}");
+}
+
+/// The later in the list of compositions, the less the error, and none rises.
+#[test]
+fn the_pictures_show_what_they_claim() {
+    let (system, start) = measured().expect("the table of the examples");
+    let folder = std::env::temp_dir().join(format!("integrator-solar-{}", std::process::id()));
+    pictures::orbits(&system, start, &folder).expect("a picture");
+    let curves = pictures::energies(&system, start, &folder).expect("a picture");
+    let worst = |decades: &[(f64, f64)]| decades.iter().map(|(_, error)| *error).fold(0.0, f64::max);
+    let mut least = f64::INFINITY;
+    for (name, decades) in curves {
+        assert!(worst(&decades) < 0.5 * least, "{name}: {:e} after {least:e}", worst(&decades));
+        least = worst(&decades);
+        let (early, late) = decades.split_at(decades.len() / 2);
+        assert!(worst(late) < 2.0 * worst(early), "{name}: from {:e} to {:e}", worst(early), worst(late));
+    }
+    let [orbits, energy] = ["orbits", "energy"].map(|name| {
+        let file = folder.join(format!("outer_solar_system_{name}"));
+        assert!(fs::metadata(file.with_extension("png")).expect("a picture").len() > 10_000);
+        fs::read_to_string(file.with_extension("svg")).expect("text")
+    });
+    for (text, words) in [(&orbits, ["Pluto", "x in AU", "Sun"]), (&energy, ["Verlet, order 2", "Teloy8C", "years"])] {
+        assert!(words.iter().all(|word| text.contains(word)), "{words:?} in {text}");
+        // At least a curve for each planet, and for each of the compositions.
+        assert!(text.matches("<polyline").count() >= 5);
+    }
+    fs::remove_dir_all(folder).expect("the folder");
 }
 
 /// The table and the reference state the same measurements.

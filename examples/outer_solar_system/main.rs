@@ -3,12 +3,19 @@
 //! Printed: the distances from the Sun and the errors of what is conserved, over time; the certificate of the stepper;
 //! and last, one per line, the worst errors, the distance from a reference computed in 113-bit arithmetic, and the time
 //! that all of it took. Look at the two columns of errors: they oscillate, but they do not grow with time.
+//!
+//! Two pictures go to `target/pictures`, or to the folder after `--out`: `outer_solar_system_orbits.png`, the paths of the
+//! planets in one revolution each, and `outer_solar_system_energy.png`, the energy error over 1,000 years for several
+//! compositions that compute the same number of forces. None of the curves rises.
 
+mod pictures;
+#[path = "../support/mod.rs"]
+mod support;
 mod system;
 
-use indicatif::ProgressBar;
 use integrator_core::prelude::*;
 use std::{error::Error, time::Instant};
+use support::{Watch, folder};
 use system::{Bodies, angular_momentum, measured, norm, reference, relative};
 
 const DAYS: f64 = 999_999.0;
@@ -32,20 +39,25 @@ fn main() -> Result<(), Box<dyn Error>> {
 
     println!("distances from the Sun in AU, relative errors of energy and angular momentum");
     println!("    year  Jupiter   Saturn   Uranus  Neptune    Pluto   energy  momentum");
-    let bar = ProgressBar::new(STEPS);
+    let watch = Watch::new(STEPS, "steps");
     for sample in run.samples(LOOK).take((STEPS / LOOK + 1) as usize) {
         let sample = sample?;
         let of_energy = ((sample.energy() - energy) / energy).abs();
         let of_momentum = relative(&angular_momentum(&sample.state), &momentum);
         (energy_error, momentum_error) = (energy_error.max(of_energy), momentum_error.max(of_momentum));
-        bar.set_position(sample.step);
         if sample.step % (LOOK * ROW) == 0 {
             let year = 1994.68 + sample.time / 365.25;
-            bar.suspend(|| println!("{year:8.1}{} {of_energy:8.1e}  {of_momentum:8.1e}", distances(&sample.state.q)));
+            watch.line(&format!("{year:8.1}{} {of_energy:8.1e}  {of_momentum:8.1e}", distances(&sample.state.q)));
         }
         end = sample.state;
+        if !watch.done(sample.step) {
+            println!("stopped after {} of {STEPS} steps: what follows is of these", sample.step);
+            break;
+        }
     }
-    bar.finish_and_clear();
+    drop(watch);
+    pictures::orbits(&system, start, &folder())?;
+    pictures::energies(&system, start, &folder())?;
 
     let certificate = certify(&system, Yoshida4, start, h)?;
     println!("\n{certificate}\n");

@@ -51,6 +51,11 @@ impl Watch {
         self.0.set_position(count);
         !STOPPED.load(Ordering::Relaxed)
     }
+    /// Prints a line above the bar.
+    #[allow(dead_code, reason = "not every example has a table")]
+    pub(crate) fn line(&self, text: &str) {
+        self.0.suspend(|| println!("{text}"));
+    }
 }
 
 impl Drop for Watch {

@@ -1,0 +1,72 @@
+//! Hamiltonian Monte Carlo (Duane, Kennedy, Pendleton and Roweth 1987), for any Hamiltonian of two coordinates whose kinetic
+//! energy is `|p|²/2`.
+
+use integrator_core::prelude::*;
+
+#[path = "../support/normal.rs"]
+mod normal;
+use normal::normal;
+
+/// Draws from the density `exp(-V)`.
+pub(crate) struct Sampler<'s, H> {
+    system: &'s H,
+    step: f64,
+    /// A trajectory has between one step and so many.
+    steps: u64,
+    random: fastrand::Rng,
+    at: [f64; 2],
+    proposed: u64,
+    accepted: u64,
+}
+
+impl<'s, H: Hamiltonian<Coords = [f64; 2]>> Sampler<'s, H> {
+    pub(crate) fn new(system: &'s H, step: f64, steps: u64, seed: u64) -> Self {
+        let random = fastrand::Rng::with_seed(seed);
+        Self { system, step, steps, random, at: [0.0; 2], proposed: 0, accepted: 0 }
+    }
+
+    /// The next point: where a trajectory with fresh momenta leads, or the last one again.
+    ///
+    /// A symplectic and reversible step makes this exact, whatever the step: the change of the energy alone decides. One
+    /// length for all trajectories could be a whole period of the motion; hence they differ.
+    pub(crate) fn draw(&mut self) -> Result<[f64; 2], Error> {
+        let momenta = [normal(&mut self.random), normal(&mut self.random)];
+        let mut run = self.system.run(Phase::new(self.at, momenta), self.step)?;
+        let before = run.energy();
+        self.proposed += 1;
+        match run.advance(self.random.u64(1..=self.steps)) {
+            Ok(()) if self.random.f64() < (before - run.energy()).exp() => {
+                self.at = run.state().q;
+                self.accepted += 1;
+            }
+            // A trajectory that is lost has an infinite energy: as good as rejected.
+            Ok(()) | Err(Error::Diverged(_)) => {}
+            Err(error) => return Err(error),
+        }
+        Ok(self.at)
+    }
+
+    /// The share of trajectories that were accepted.
+    pub(crate) fn acceptance(&self) -> f64 {
+        self.accepted as f64 / self.proposed as f64
+    }
+}
+
+/// Mean and variance.
+pub(crate) fn moments(series: &[f64]) -> (f64, f64) {
+    let mean = series.iter().sum::<f64>() / series.len() as f64;
+    (mean, series.iter().map(|x| (x - mean).powi(2)).sum::<f64>() / series.len() as f64)
+}
+
+/// How many independent draws tell the mean as well as these do: their number over the sum of all autocorrelations, which
+/// ends where two neighbours add up to less than nothing (Geyer 1992).
+pub(crate) fn effective_size(series: &[f64]) -> f64 {
+    let (mean, variance) = moments(series);
+    let correlation = |lag: usize| {
+        let pairs = series.iter().zip(&series[lag..]);
+        pairs.map(|(a, b)| (a - mean) * (b - mean)).sum::<f64>() / (series.len() as f64 * variance)
+    };
+    let pairs = (0..series.len() / 2).map(|pair| correlation(2 * pair) + correlation(2 * pair + 1));
+    let time = 2.0 * pairs.take_while(|sum| *sum > 0.0).sum::<f64>() - 1.0;
+    series.len() as f64 / time
+}

@@ -1,0 +1,82 @@
+//! Liquid argon: 864 atoms, from a crystal to the radial distribution function of the liquid (Rahman 1964).
+//!
+//! A crystal near the triple point melts while its atoms are slowed down or sped up now and then, and is then left alone.
+//! Look at the picture, `lennard_jones.png`: neighbours sit at 1.1 diameters, the next shells are where those of a liquid
+//! are, and between them there is no gap as in a crystal; beside it the energy, which does not drift. Printed: place and height of the first peak, temperature, drift of the energy, total momentum, and
+//! the rate in pairs of atoms.
+
+mod liquid;
+#[path = "../support/mod.rs"]
+mod support;
+
+use integrator_plot::{Axis, Chart, Panels, write};
+use liquid::{Distances, Liquid, peak};
+use std::{error::Error, time::Instant};
+use support::{Watch, folder};
+
+const CELLS: usize = 6;
+const DENSITY: f64 = 0.8442;
+const TEMPERATURE: f64 = 0.722;
+const STEP: f64 = 0.004;
+/// Steps between looks; how often the temperature is set; how many looks there are in the liquid that is left alone.
+const INTERVAL: u64 = 20;
+const SETTINGS: u64 = 75;
+const LOOKS: u64 = 150;
+
+fn main() -> Result<(), Box<dyn Error>> {
+    let mut liquid = Liquid::crystal(CELLS, DENSITY, TEMPERATURE, &mut fastrand::Rng::with_seed(1964));
+    let pairs = (liquid.state.q.len() * (liquid.state.q.len() - 1) / 2) as f64;
+    let (watch, clock) = (Watch::new((SETTINGS + LOOKS) * INTERVAL, "steps"), Instant::now());
+    let mut steps = 0;
+    while steps < SETTINGS * INTERVAL && watch.done(steps) {
+        liquid.heat_to(TEMPERATURE);
+        liquid.advance(INTERVAL, STEP)?;
+        steps += INTERVAL;
+    }
+    let atoms = liquid.state.q.len() as f64;
+    let (energy, begin) = (liquid.energy(), steps);
+    let (mut distances, mut course) = (Distances::new(&liquid.argon, 200), Vec::new());
+    while steps < begin + LOOKS * INTERVAL && watch.done(steps) {
+        liquid.advance(INTERVAL, STEP)?;
+        steps += INTERVAL;
+        distances.look(&liquid);
+        let time = (steps - begin) as f64 * STEP;
+        course.push((time, (liquid.energy() - energy) / atoms, liquid.temperature()));
+    }
+    let rate = steps as f64 * pairs / clock.elapsed().as_secs_f64();
+    drop(watch);
+
+    let distribution = distances.distribution(&liquid);
+    let (place, height) = peak(&distribution).ok_or("stopped before there was a liquid")?;
+    let mean = course.iter().map(|(_, _, temperature)| temperature).sum::<f64>() / course.len() as f64;
+    let drift = course.iter().map(|(_, change, _)| change.abs()).fold(0.0, f64::max);
+    let picture =
+        Panels::new("864 atoms of liquid argon", "A crystal that has melted: shells of neighbours without gaps")
+            .measured(format!("first peak {height:.2} at {place:.3} diameters, temperature {mean:.3}"))
+            .columns(2)
+            .panel(640, 460)
+            .chart(
+                Chart::new("Radial distribution function")
+                    .along(Axis::linear("distance in diameters"))
+                    .up(Axis::linear("g"))
+                    .line("", distribution),
+            )
+            .chart(
+                Chart::new("Energy per atom, change")
+                    .measured(format!("at most {drift:.1e}"))
+                    .along(Axis::linear("time"))
+                    .up(Axis::linear("change of the energy"))
+                    .line("", course.iter().map(|(time, change, _)| (*time, *change))),
+            );
+    let file = folder().join("lennard_jones");
+    write(&file, &picture)?;
+    println!("the picture is {}", file.with_extension("png").display());
+    let momentum = [0, 1, 2].map(|axis| liquid.state.p.iter().map(|p| p[axis]).sum::<f64>().abs());
+    println!("first_peak_at={place}");
+    println!("first_peak_height={height}");
+    println!("temperature={mean}");
+    println!("energy_change_per_atom_max={drift:e}");
+    println!("total_momentum={:e}", momentum.into_iter().fold(0.0, f64::max));
+    println!("pairs_per_second={rate:e}");
+    Ok(())
+}

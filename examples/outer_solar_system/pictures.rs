@@ -1,0 +1,87 @@
+//! Where the planets go, and how well compositions keep their energy.
+
+use crate::system::{Bodies, OuterSolarSystem};
+use integrator_core::prelude::*;
+use integrator_plot::{Axis, Chart, write};
+use std::{error::Error, path::Path};
+
+/// Planets, and the days that they take around the Sun.
+const PLANETS: [(&str, f64); 5] =
+    [("Jupiter", 4_333.0), ("Saturn", 10_759.0), ("Uranus", 30_689.0), ("Neptune", 60_182.0), ("Pluto", 90_560.0)];
+
+/// In days.
+const YEAR: f64 = 365.25;
+
+/// The paths of the planets, relative to the Sun, in the plane of the Earth's equator that the table is in.
+pub(crate) fn orbits(system: &OuterSolarSystem, start: Phase<Bodies>, folder: &Path) -> Result<(), Box<dyn Error>> {
+    let step = 40.0;
+    let samples =
+        system.run_with(BlanesMoanSrkn11, start, step)?.samples(1).take((1.02 * PLANETS[4].1 / step) as usize);
+    let path: Vec<Bodies> = samples.map(|sample| sample.map(|sample| sample.state.q)).collect::<Result<_, _>>()?;
+    let chart = Chart::new("The outer solar system")
+        .claim("One revolution of each planet; Pluto is nearer to the Sun than Neptune for a part of it")
+        .along(Axis::linear("x in AU"))
+        .up(Axis::linear("y in AU"))
+        .with_equal_units()
+        .sized(1000, 900);
+    let chart = PLANETS.iter().zip(1..).fold(chart, |chart, ((name, days), planet)| {
+        // A hundred points and one, or where these are less than a step apart, all that there are.
+        let looks = (days / step) as usize + 1;
+        let stride = (looks / 100).max(1);
+        let points = path.iter().take(looks + stride).step_by(stride);
+        chart.line(*name, points.map(|q| (q[planet][0] - q[0][0], q[planet][1] - q[0][1])))
+    });
+    write(&folder.join("outer_solar_system_orbits"), &chart.dots("Sun", [(0.0, 0.0)]))
+}
+
+/// How many days a force may stand for, and how long runs are.
+const DAYS_PER_FORCE: f64 = 5.0;
+const SPAN: f64 = 1000.0 * YEAR;
+
+/// The largest energy error in each decade.
+fn errors<X: Composition<OuterSolarSystem>>(
+    system: &OuterSolarSystem,
+    composition: X,
+    start: Phase<Bodies>,
+) -> Result<Vec<(f64, f64)>, integrator_core::Error> {
+    let h = DAYS_PER_FORCE * X::FORCE_EVALUATIONS as f64;
+    let run = system.run_with(composition, start, h)?;
+    let energy = run.energy();
+    let mut decades: Vec<(f64, f64)> = Vec::new();
+    for sample in run.samples(1).skip(1).take((SPAN / h) as usize) {
+        let sample = sample?;
+        let decade = (sample.time / (10.0 * YEAR)).floor();
+        let error = ((sample.energy() - energy) / energy).abs();
+        match decades.last_mut() {
+            Some((year, worst)) if *year == 10.0 * decade => *worst = worst.max(error),
+            _ => decades.push((10.0 * decade, error)),
+        }
+    }
+    Ok(decades)
+}
+
+/// What a composition is called, and its curve.
+type Curve = (String, Vec<(f64, f64)>);
+
+/// Energy errors of compositions of several orders at the same number of forces.
+pub(crate) fn energies(
+    system: &OuterSolarSystem,
+    start: Phase<Bodies>,
+    folder: &Path,
+) -> Result<Vec<Curve>, Box<dyn Error>> {
+    let mut curves = Vec::new();
+    macro_rules! follow {
+        ($($composition:ident)*) => {$(
+            let name = format!("{}, order {}", $composition::NAME, $composition::ORDER);
+            curves.push((name, errors(system, $composition, start)?));
+        )*};
+    }
+    follow! { Verlet Yoshida4 BlanesMoanSrkn6 BlanesMoanSrkn11 KahanLi8 Teloy8C }
+    let chart = Chart::new("The energy of the outer solar system")
+        .claim(format!("The largest error in each decade; every composition computes a force in {DAYS_PER_FORCE} days"))
+        .along(Axis::linear("years"))
+        .up(Axis::logarithmic("relative error of the energy"));
+    let chart = curves.iter().fold(chart, |chart, (name, curve)| chart.line(name.as_str(), curve.iter().copied()));
+    write(&folder.join("outer_solar_system_energy"), &chart)?;
+    Ok(curves)
+}
