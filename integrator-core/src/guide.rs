@@ -16,3 +16,5 @@ chapters!(introduction first_hamiltonian composing ensembles big_systems expansi
 chapters!(choosing precision certificates messages);
 #[cfg(feature = "output")]
 chapters!(seeing_and_saving);
+#[cfg(feature = "reference")]
+chapters!(reference_methods);
