@@ -12,7 +12,7 @@ mod support;
 
 use chain::{ALPHA, Chain, THEIR_STEP, looks, recurrence, start};
 use integrator_core::prelude::*;
-use integrator_plot::{Axis, Chart, Mark, colour, write};
+use integrator_plot::{Axis, Chart, colour, write};
 use std::error::Error;
 use support::{Watch, folder};
 
@@ -39,7 +39,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let curve = |mode: usize| exact.iter().map(move |(time, shares)| (*time, shares[mode]));
     let chart = (0..MODES).fold(chart, |chart, mode| chart.line(format!("mode {}", mode + 1), curve(mode)));
     let lowest = theirs.iter().map(|(time, shares)| (*time, shares[0]));
-    let chart = chart.series(Mark::Dashed, "mode 1, their step", lowest).coloured(colour::GREY);
+    let chart = chart.line("mode 1, their step", lowest).coloured(colour::GREY).dashed();
     let file = folder().join("fput_recurrence");
     write(&file, &chart)?;
     println!("the picture is {}", file.with_extension("png").display());

@@ -106,11 +106,20 @@ impl Chart {
         self.series(Mark::Cloud, name, points)
     }
 
-    /// Another colour for the last series than that of its place.
+    /// Another colour for the last series than that of its place, and a whole line, whichever place that is.
     #[must_use]
     pub fn coloured(mut self, colour: RGBColor) -> Self {
         if let Some(last) = self.series.last_mut() {
-            last.colour = colour;
+            (last.colour, last.dashed) = (colour, false);
+        }
+        self
+    }
+
+    /// Dashes for the last series, if it is a line.
+    #[must_use]
+    pub fn dashed(mut self) -> Self {
+        if let Some(last) = self.series.last_mut() {
+            last.dashed = true;
         }
         self
     }
@@ -168,10 +177,9 @@ impl Chart {
             let (middle, ends) = (y + 6, [(x, y + 6), (x + 30, y + 6)]);
             let (line, filled) = (series.colour.stroke_width(3), series.colour.filled());
             match series.mark {
-                Mark::Line => area.draw(&PathElement::new(ends, line))?,
-                Mark::Dashed => area.draw(&DashedPathElement::new(ends, 7, 5, line))?,
+                Mark::Line => self::line(area, ends, line, series.dashed)?,
                 Mark::Dotted => {
-                    area.draw(&PathElement::new(ends, line))?;
+                    self::line(area, ends, line, series.dashed)?;
                     area.draw(&Circle::new((x + 15, middle), 5, filled))?;
                 }
                 Mark::Dots => area.draw(&Circle::new((x + 15, middle), 5, filled))?,
@@ -198,6 +206,19 @@ impl Chart {
     }
 }
 
+/// A line of the legend.
+fn line<B: DrawingBackend>(area: &Area<B>, ends: [(i32, i32); 2], style: ShapeStyle, dashed: bool) -> Outcome
+where
+    B::ErrorType: 'static,
+{
+    if dashed {
+        area.draw(&DashedPathElement::new(ends, 7, 5, style))?;
+    } else {
+        area.draw(&PathElement::new(ends, style))?;
+    }
+    Ok(())
+}
+
 impl Picture for Chart {
     fn size(&self) -> (u32, u32) {
         self.size
@@ -219,7 +240,7 @@ impl Picture for Chart {
 #[cfg(test)]
 mod tests {
     use super::Chart;
-    use crate::{Axis, Mark, write};
+    use crate::{Axis, write};
     use std::{env, fs, path::PathBuf};
 
     /// The SVG and the size of the PNG of a chart.
@@ -243,7 +264,8 @@ mod tests {
             .along(Axis::linear("step"))
             .up(Axis::logarithmic("error"))
             .line("first", points())
-            .series(Mark::Dashed, "second", points().map(|(x, y)| (x, y / 2.0)))
+            .line("second", points().map(|(x, y)| (x, y / 2.0)))
+            .dashed()
             .dots("third", points());
         let (text, png) = drawn("words", &chart);
         for word in

@@ -8,8 +8,6 @@ use plotters::prelude::*;
 pub enum Mark {
     /// A line from point to point.
     Line,
-    /// A dashed line.
-    Dashed,
     /// A line with a dot at every point.
     Dotted,
     /// A dot for each.
@@ -25,6 +23,7 @@ pub enum Mark {
 pub(crate) struct Series {
     pub(crate) name: String,
     pub(crate) mark: Mark,
+    pub(crate) dashed: bool,
     pub(crate) colour: RGBColor,
     pub(crate) points: Vec<(f64, f64)>,
 }
@@ -33,9 +32,8 @@ impl Series {
     /// The series that has so many before it, with the colour of its place. Colours come again after the last one; lines
     /// are dashed then.
     pub(crate) fn new(place: usize, name: String, mark: Mark, points: Vec<(f64, f64)>) -> Self {
-        let again = (place / COLOURS.len()) % 2 == 1;
-        let mark = if again && mark == Mark::Line { Mark::Dashed } else { mark };
-        Self { name, mark, colour: COLOURS[place % COLOURS.len()], points }
+        let dashed = (place / COLOURS.len()) % 2 == 1;
+        Self { name, mark, dashed, colour: COLOURS[place % COLOURS.len()], points }
     }
 
     /// Draws everything but clouds, which come before the grid.
@@ -46,10 +44,9 @@ impl Series {
         let points = || self.points.iter().copied();
         let (line, radius) = (self.colour.stroke_width(width), width as i32 + 1);
         match self.mark {
-            Mark::Line => frame.line(points(), line, false),
-            Mark::Dashed => frame.line(points(), line, true),
+            Mark::Line => frame.line(points(), line, self.dashed),
             Mark::Dotted => {
-                frame.line(points(), line, false)?;
+                frame.line(points(), line, self.dashed)?;
                 frame.dots(points(), radius, self.colour.filled())
             }
             Mark::Dots => frame.dots(points(), radius, self.colour.filled()),
