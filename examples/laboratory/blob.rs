@@ -1,0 +1,80 @@
+//! A blob of starts, carried along: what becomes of its area, Poincaré's integral invariant `Σ ∮ pᵢ dqᵢ`.
+
+use crate::{
+    plan::Plan,
+    problem::{Problem, numbers},
+};
+use integrator_core::{Coords, Method, prelude::*};
+use std::{error::Error, f64::consts::TAU};
+
+/// The outline of the blob at some times, in the plane of the first position and its momentum, and its area.
+#[derive(Default)]
+pub(crate) struct Blob {
+    pub(crate) outlines: Vec<Vec<(f64, f64)>>,
+    /// Turns, and the area in units of that at the start.
+    pub(crate) areas: Vec<(f64, f64)>,
+}
+
+impl Blob {
+    /// The last area.
+    pub(crate) fn area(&self) -> f64 {
+        self.areas.last().map_or(f64::NAN, |(_, area)| *area)
+    }
+}
+
+/// How long the blob is followed, in turns, and how often it is looked at.
+const TURNS: f64 = 1.5;
+const LOOKS: usize = 30;
+/// Every so many looks, the outline is kept.
+const SHOWN: usize = 5;
+
+/// Follows the outline of the blob.
+pub(crate) fn follow<H: Hamiltonian, M: Method<H>>(
+    problem: &Problem<H>,
+    method: M,
+    plan: &Plan,
+) -> Result<Blob, Box<dyn Error>> {
+    let interval = ((TURNS * problem.turn / problem.step) as u64 / LOOKS as u64).max(1);
+    // For each look, all points of the outline.
+    let mut looks: Vec<Vec<Vec<f64>>> = vec![Vec::new(); LOOKS + 1];
+    for point in 0..plan.outline {
+        let (sine, cosine) = (TAU * point as f64 / plan.outline as f64).sin_cos();
+        let mut start = problem.start.clone();
+        // Against the sense of ∮ p dq, so that the area begins positive.
+        start.q.flat_mut()[0] += problem.blob * cosine;
+        start.p.flat_mut()[0] -= problem.blob * sine;
+        let run = problem.run(method, &start, problem.step)?;
+        for (look, sample) in looks.iter_mut().zip(run.samples(interval).map_while(Result::ok)) {
+            look.push(numbers(&sample.state));
+        }
+    }
+    // Where a point is lost, so is the outline.
+    looks.retain(|look| look.len() == plan.outline);
+    let time = |look: usize| look as f64 * interval as f64 * problem.step / problem.turn;
+    let freedom = problem.start.q.flat().len();
+    let first = invariant(&looks[0], freedom);
+    let areas = looks.iter().enumerate().map(|(i, look)| (time(i), invariant(look, freedom) / first));
+    let outline = |look: &Vec<Vec<f64>>| look.iter().map(|state| (state[0], state[freedom])).collect();
+    Ok(Blob { areas: areas.collect(), outlines: looks.iter().step_by(SHOWN).map(outline).collect() })
+}
+
+/// `Σ ∮ pᵢ dqᵢ` around a closed curve that points at equal angles of its parameter tell. Both the derivative, that of the
+/// trigonometric polynomial through the points, and the sum, which is the trapezoid rule, are exact up to the resolution of
+/// the curve.
+pub(crate) fn invariant(outline: &[Vec<f64>], freedom: usize) -> f64 {
+    let count = outline.len();
+    // The derivative at one point is a sum over the others, of (-1)ᵏ cot(kπ/N) / 2 at a distance of k points.
+    let weight = |k: usize| {
+        let sign = if k.is_multiple_of(2) { 0.5 } else { -0.5 };
+        sign / (0.5 * TAU * k as f64 / count as f64).tan()
+    };
+    let weights: Vec<f64> = (1..count).map(weight).collect();
+    let mut sum = 0.0;
+    for i in 0..freedom {
+        for (j, state) in outline.iter().enumerate() {
+            let terms = weights.iter().enumerate().map(|(k, weight)| weight * outline[(j + count - k - 1) % count][i]);
+            sum += state[freedom + i] * terms.sum::<f64>();
+        }
+    }
+    sum * TAU / count as f64
+}

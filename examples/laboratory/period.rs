@@ -1,0 +1,55 @@
+//! The period of the pendulum against the elliptic integral.
+
+use crate::systems::Pendulum;
+use integrator_core::{Method, prelude::*, reference::RungeKutta4};
+use std::f64::consts::TAU;
+
+/// The angle at which the pendulum is let go.
+pub(crate) const AMPLITUDE: f64 = 2.0;
+/// Swings whose time is taken.
+const SWINGS: u32 = 4;
+
+/// `4 K(sin(a/2))`, by the arithmetic-geometric mean: the period of `H = p²/2 − cos q` with the amplitude `a` is
+/// `2π / agm(1, cos(a/2))`.
+pub(crate) fn exact(amplitude: f64) -> f64 {
+    let (mut arithmetic, mut geometric) = (1.0_f64, (0.5 * amplitude).cos());
+    while (arithmetic - geometric).abs() > 2.0 * f64::EPSILON * arithmetic {
+        (arithmetic, geometric) = (0.5 * (arithmetic + geometric), (arithmetic * geometric).sqrt());
+    }
+    TAU / arithmetic
+}
+
+/// The relative errors of the period for steps that halve from one to the next.
+pub(crate) struct Periods {
+    pub(crate) name: &'static str,
+    pub(crate) errors: Vec<(f64, f64)>,
+}
+
+/// The mean time between two passages of the lowest point in the same sense.
+fn period<M: Method<Pendulum>>(method: M, h: f64) -> Option<f64> {
+    let run = Pendulum.run_with(method, Phase::new([AMPLITUDE], [0.0]), h).ok()?;
+    let steps = (1.2 * f64::from(SWINGS + 1) * exact(AMPLITUDE) / h) as u64;
+    let mut passages = run.crossings(steps, Direction::Rising, |state, _| state.q[0]).map_while(Result::ok);
+    let first = passages.next()?;
+    let last = passages.nth(SWINGS as usize - 1)?;
+    Some((last.time - first.time) / f64::from(SWINGS))
+}
+
+fn row<M: Method<Pendulum>>(name: &'static str, method: M, rungs: u32) -> Periods {
+    let exact = exact(AMPLITUDE);
+    let steps = (0..rungs).map(|rung| 0.4 / f64::from(1_u32 << rung));
+    let error = |h: f64| period(method, h).map(|period| (h, ((period - exact) / exact).abs()));
+    Periods { name, errors: steps.filter_map(error).collect() }
+}
+
+/// One row for each method.
+pub(crate) fn all(rungs: u32) -> Vec<Periods> {
+    vec![
+        row("symplectic Euler", Euler, rungs),
+        row("Verlet", Verlet, rungs),
+        row("Runge–Kutta 4", RungeKutta4, rungs),
+        row("Yoshida 4", Yoshida4, rungs),
+        row("Blanes–Moan 6", BlanesMoan6, rungs),
+        row("Kahan–Li 8", KahanLi8, rungs),
+    ]
+}

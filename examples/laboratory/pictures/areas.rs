@@ -1,0 +1,42 @@
+//! A blob of starts under each method.
+
+use super::Drawing;
+use crate::{measured::Measured, study::Study};
+use integrator_plot::{Axis, Chart, Mark, Panels, colour::COLOURS};
+
+/// One panel per method: the outline at some times, and the area at the last.
+pub(super) fn areas(study: &Study) -> Drawing {
+    let claim = match study.freedom {
+        1 => "A blob of starts is carried along and sheared, but symplectic methods preserve its area. Others do not.",
+        _ => {
+            "A loop of starts in the plane of q₁ and p₁ is carried along. Symplectic methods preserve Σ ∮ pᵢ dqᵢ; the area \
+             that is seen here is one term of it."
+        }
+    };
+    let panels = Panels::new(format!("A blob of starts: {}", study.system), claim).columns(4).panel(310, 350);
+    Drawing::Panels(study.methods.iter().fold(panels, |panels, measured| panels.chart(panel(study, measured))))
+}
+
+fn panel(study: &Study, measured: &Measured) -> Chart {
+    let index = if study.freedom == 1 { "" } else { "₁" };
+    let colour = if measured.keeps_bracket() { COLOURS[5] } else { COLOURS[3] };
+    let chart = Chart::new(measured.name)
+        .claim(format!("area at the end: {}", factor(measured.blob.area())))
+        .along(Axis::linear(format!("q{index}")))
+        .up(Axis::linear(format!("p{index}")));
+    measured
+        .blob
+        .outlines
+        .iter()
+        .fold(chart, |chart, outline| chart.series(Mark::Filled, "", outline.iter().copied()).coloured(colour))
+}
+
+/// A factor beside one: how far it is from it, where it is close.
+fn factor(area: f64) -> String {
+    let off = area - 1.0;
+    if off.abs() < 1e-3 {
+        format!("1 {} {:.1e}", if off < 0.0 { '−' } else { '+' }, off.abs())
+    } else {
+        format!("{area:.3}")
+    }
+}

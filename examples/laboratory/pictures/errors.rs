@@ -1,0 +1,54 @@
+//! Errors against the step, and against the work.
+
+use super::{Drawing, style::styled};
+use crate::{
+    errors::{Rung, TURNS},
+    measured::Measured,
+    study::Study,
+};
+use integrator_plot::{Axis, Chart, Mark};
+
+/// Errors against the step, with the order that is measured.
+pub(super) fn against_step(study: &Study) -> Drawing {
+    let chart = Chart::new(format!("Error against step: {}", study.system))
+        .claim("On logarithmic axes the slope is the order of the method. It is measured where the error stands out of the rounding.")
+        .measured("the number beside each name is the measured order")
+        .along(Axis::logarithmic("step"))
+        .up(Axis::logarithmic(format!("distance from the reference after {TURNS} turns")).between(1e-16, 3.0))
+        .sized(1100, 720);
+    let name = |measured: &Measured| match measured.slope {
+        Some(slope) => format!("{}: {slope:.2}", measured.name),
+        None => measured.name.to_owned(),
+    };
+    Drawing::Chart(curves(chart, study, name, |rung| rung.step))
+}
+
+/// Errors against evaluations of the vector field.
+pub(super) fn against_work(study: &Study) -> Drawing {
+    let chart = Chart::new(format!("Work and precision: {}", study.system))
+        .claim("Further down and to the left is better: less error for fewer evaluations of the force.")
+        .measured(format!("evaluations up to an error of 10⁻⁸: {}", cheapest(study)))
+        .along(Axis::logarithmic("evaluations of the force"))
+        .up(Axis::logarithmic(format!("distance from the reference after {TURNS} turns")).between(1e-16, 3.0))
+        .sized(1100, 720);
+    Drawing::Chart(curves(chart, study, |measured| measured.name.to_owned(), |rung| rung.evaluations))
+}
+
+fn curves(chart: Chart, study: &Study, name: impl Fn(&Measured) -> String, along: fn(&Rung) -> f64) -> Chart {
+    styled(study).fold(chart, |chart, (measured, style)| {
+        let points = measured.errors.iter().map(|rung| (along(rung), rung.error));
+        style.apply(chart.series(Mark::Dotted, name(measured), points))
+    })
+}
+
+/// The three methods that need the fewest evaluations for an error of 1e-8.
+fn cheapest(study: &Study) -> String {
+    let needs = |measured: &Measured| {
+        let rung = measured.errors.iter().find(|rung| rung.error < 1e-8)?;
+        Some((rung.evaluations, measured.name))
+    };
+    let mut needs: Vec<_> = study.methods.iter().filter_map(needs).collect();
+    needs.sort_by(|a, b| a.0.total_cmp(&b.0));
+    needs.truncate(3);
+    needs.iter().map(|(evaluations, name)| format!("{name} {evaluations}")).collect::<Vec<_>>().join(", ")
+}

@@ -1,0 +1,31 @@
+//! How each method is drawn in all charts: symplectic ones by whole lines, the others dashed.
+
+use crate::{measured::Measured, study::Study};
+use integrator_plot::{Chart, colour::COLOURS, plotters::style::RGBColor};
+
+/// The colour and the line of a method.
+#[derive(Clone, Copy)]
+pub(super) struct Style {
+    colour: RGBColor,
+    dashed: bool,
+}
+
+impl Style {
+    /// Draws the last series of a chart this way.
+    pub(super) fn apply(self, chart: Chart) -> Chart {
+        let chart = chart.coloured(self.colour);
+        if self.dashed { chart.dashed() } else { chart }
+    }
+}
+
+/// All methods with their styles. Colours are dealt out among the symplectic ones, and once more among the others.
+pub(super) fn styled(study: &Study) -> impl Iterator<Item = (&Measured, Style)> {
+    let mut places = [0; 2];
+    study.methods.iter().map(move |measured| {
+        let dashed = !measured.keeps_bracket();
+        let place = &mut places[usize::from(dashed)];
+        let colour = COLOURS[*place % COLOURS.len()];
+        *place += 1;
+        (measured, Style { colour, dashed })
+    })
+}

@@ -1,0 +1,56 @@
+//! A Hamiltonian of one's own, added as the README says: the annotated impl and the row that are printed there.
+
+use crate::{SMALL, claims::verdicts, notes::notes, problem::Problem, study::measure, systems::System};
+use integrator_core::prelude::*;
+use std::{fs, path::Path};
+
+struct Duffing {
+    stiffening: f64,
+}
+
+#[hamiltonian]
+impl Duffing {
+    fn kinetic(&self, p: [f64; 1]) -> f64 {
+        0.5 * p[0] * p[0]
+    }
+    fn potential(&self, q: [f64; 1]) -> f64 {
+        0.5 * q[0] * q[0] + 0.25 * self.stiffening * q[0].powi(4)
+    }
+}
+
+const ROW: System =
+    // The row, as it stands in a list.
+    System {
+        name: "duffing",
+        measure: |plan| {
+            let problem = Problem {
+                system: Duffing { stiffening: 1.0 },
+                formula: "H = p²/2 + q²/2 + q⁴/4, from q = 1 at rest", // what the page says of it
+                start: Phase::new([1.0], [0.0]),
+                turn: 4.77,   // about how long the slowest motion takes to come around
+                step: 0.1,    // the step of portraits and energies: coarse, so that errors are seen
+                blob: 0.1,    // the radius of the blob of starts
+                view: [0, 1], // what portraits show: positions count first, then momenta
+            };
+            measure(&problem, plan)
+        },
+    };
+
+#[test]
+fn the_system_of_the_readme_has_its_page() {
+    let readme = fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join("README.md")).expect("a README");
+    let own = include_str!("own.rs");
+    let printed = own.split("struct Duffing").nth(1).and_then(|rest| rest.split("#[test]").next()).expect("the system");
+    for line in printed
+        .lines()
+        .map(str::trim)
+        .filter(|line| line.len() > 8 && !line.contains("ROW") && !line.contains("// The row"))
+    {
+        assert!(readme.contains(line), "the README lacks {line:?}");
+    }
+    let study = ROW.study(&SMALL).expect("measurements");
+    assert_eq!(study.system, "duffing");
+    for verdict in verdicts(&study, &notes(&SMALL).expect("measurements")) {
+        assert!(verdict.holds, "{}: {:e}", verdict.name, verdict.value);
+    }
+}
