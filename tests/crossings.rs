@@ -1,7 +1,14 @@
 //! Crossings of a section: where closed forms say they are, to the order of the composition, and without a trace in the
 //! run.
 
-use integrator_core::prelude::*;
+use integrator_core::{
+    Method,
+    prelude::*,
+    reference::{
+        AdamsBashforthMoulton4, BackwardEuler, Bdf, DormandPrince8, ForwardEuler, ImplicitMidpoint, RungeKutta4,
+        StaggeredLeapfrog,
+    },
+};
 use std::f64::consts::{FRAC_PI_2, PI};
 
 struct Oscillator;
@@ -86,9 +93,9 @@ fn a_section_leaves_the_bits_of_the_run() {
 }
 
 /// How far the third zero of an oscillator's position is from `5π/2`.
-fn error<X: Composition<Oscillator>>(composition: X, h: f64) -> f64 {
-    let run = Oscillator.run_with(composition, Phase::new([1.0], [0.0]), h).expect("a start");
-    let third = all(run.crossings(1_000, Direction::Either, |state, _| state.q[0])).swap_remove(2);
+fn error<X: Method<Oscillator>>(method: X, h: f64) -> f64 {
+    let run = Oscillator.run_with(method, Phase::new([1.0], [0.0]), h).expect("a start");
+    let third = all(run.crossings((9.0 / h) as u64, Direction::Either, |state, _| state.q[0])).swap_remove(2);
     (third.time - 5.0 * FRAC_PI_2).abs()
 }
 
@@ -108,6 +115,26 @@ fn the_times_of_crossings_have_the_order_of_the_composition() {
     check(Ruth3, 0.05);
     check(Yoshida6, 0.2);
     check(KahanLi8, 0.8);
+}
+
+/// Methods that are no compositions shorten their steps as well.
+#[test]
+fn the_times_of_crossings_have_the_order_of_any_method() {
+    for (order, errors) in [
+        // Of first order in the amplitude, but these turn by atan h in a step, which is h but for h³/3.
+        (2.0, [0.01, 0.005].map(|h| error(ForwardEuler, h))),
+        (2.0, [0.01, 0.005].map(|h| error(BackwardEuler, h))),
+        (2.0, [0.1, 0.05].map(|h| error(ImplicitMidpoint, h))),
+        (2.0, [0.1, 0.05].map(|h| error(StaggeredLeapfrog, h))),
+        (4.0, [0.1, 0.05].map(|h| error(RungeKutta4, h))),
+        (4.0, [0.05, 0.025].map(|h| error(AdamsBashforthMoulton4, h))),
+    ] {
+        let observed = (errors[0] / errors[1]).log2();
+        assert!((observed - order).abs() < 0.25, "{observed} for {order}: {errors:?}");
+    }
+    // Within its tolerance, for four quarters of a turn.
+    let adaptive = [error(DormandPrince8 { tolerance: 1e-10 }, 0.5), error(Bdf { tolerance: 1e-8 }, 0.5)];
+    assert!(adaptive[0] < 1e-8 && adaptive[1] < 1e-5, "{adaptive:?}");
 }
 
 /// A quarter of the period of a pendulum of amplitude `a` is `K(sin(a/2))`, half of π over an arithmetic-geometric mean.

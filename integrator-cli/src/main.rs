@@ -20,11 +20,12 @@ use std::{
     process::ExitCode,
 };
 
-/// A look at Hamiltonians and compositions without running them.
+/// A look at Hamiltonians and compositions without running them
 ///
-/// Exit codes: 0 if all is well, 1 if the input is wrong (messages on standard error), 2 if the command is.
+/// Exit codes: 0 if all is well, 1 if the input is wrong (messages on standard error), 2 if the
+/// command is.
 #[derive(Parser)]
-#[command(name = "integrator-cli", version)]
+#[command(name = "integrator-cli", version, verbatim_doc_comment)]
 struct Command {
     #[command(subcommand)]
     task: Task,
@@ -32,41 +33,53 @@ struct Command {
 
 #[derive(Subcommand)]
 enum Task {
-    /// What is derived of every `#[hamiltonian]` impl in a file: equations of motion, class, operations, compositions.
+    /// What is derived of every `#[hamiltonian]` impl in a file: equations, class, operations, compositions
     ///
-    /// The impls are read as the macro reads them, with the same messages; the rest of the file is not looked at. Counts
-    /// of operations are those of one turn of the loops named beside them, with shared subexpressions computed once and
-    /// what depends on parameters alone left out, as it is computed once per run.
+    /// The impls are read as the macro reads them, with the same messages; the rest of the file is not
+    /// looked at. Operations are those of one turn of the loops named beside them, with shared
+    /// subexpressions computed once; what depends on parameters alone is left out, as it is computed
+    /// once per run.
     ///
-    /// Keys of --json: file; systems, each with system, line, equations, separable, quadratic_kinetic, autonomous, drift
-    /// and kick (form: plain, line, plane, row or tiles; places: loops, additions, multiplications, divisions, roots,
-    /// functions, branches, coordinates), operations (written, shared, energies, together), compose, composition and
-    /// admissible (name, order, symmetric, forces_per_step, stability_limit).
+    /// Keys of --json:
+    ///   file, systems
+    ///   systems: system, line, equations, separable, quadratic_kinetic, autonomous, drift, kick,
+    ///            operations (written, shared, energies, together), compose, composition, admissible
+    ///   drift, kick: form (plain, line, plane, row, tiles), places
+    ///   places: loops, additions, multiplications, divisions, roots, functions, branches, coordinates
+    ///   composition, admissible: name, order, symmetric, forces_per_step, stability_limit
+    #[command(verbatim_doc_comment)]
     Show {
         #[command(flatten)]
         file: File,
     },
-    /// What `#[hamiltonian]` writes for every annotated impl in a file, formatted.
+    /// What `#[hamiltonian]` writes for every annotated impl in a file, formatted
     ///
-    /// Keys of --json: file; systems, each with system and expansion.
+    /// Keys of --json:
+    ///   file, systems
+    ///   systems: system, expansion
+    #[command(verbatim_doc_comment)]
     Expand {
         #[command(flatten)]
         file: File,
     },
-    /// Order, symmetry, stability limit and error terms of a sequence of stages.
+    /// Order, symmetry, stability limit and error terms of a sequence of stages
     ///
-    /// Keys of --json: sequence, order, general_order, quadratic_order, class (general or quadratic), symmetric, stages
-    /// and processor (part, coefficient, gradient), forces_per_step, gradients_per_step, stability_limit, leading_error,
-    /// error_terms (bracket, factor), violation (word, residual), citation.
+    /// Keys of --json:
+    ///   sequence, order, general_order, quadratic_order, class (general, quadratic), symmetric,
+    ///   stages and processor (part, coefficient, gradient), forces_per_step, gradients_per_step,
+    ///   stability_limit, leading_error, error_terms (bracket, factor), violation (word, residual),
+    ///   citation
+    #[command(verbatim_doc_comment)]
     Prove {
-        /// `V(1/2) T(1) V(1/2)`, with all that `composition!` understands, as `triple_jump(Verlet)`; or the name of a
-        /// composition of the catalogue.
+        /// Stages in the order in which they act, or the name of a composition of the catalogue
+        ///
+        /// `V(1/2) T(1) V(1/2)`, with all that `composition!` understands, such as `triple_jump(Verlet)`.
+        #[arg(verbatim_doc_comment)]
         sequence: String,
-        /// The order that is expected; if the sequence is of a lower one, the first violated condition is told and the
-        /// exit code is 1.
+        /// The order that is expected: exit code 1 and the first violated condition if it is lower
         #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..))]
         order: Option<u32>,
-        /// One JSON object instead of text.
+        /// One JSON object instead of text
         #[arg(long)]
         json: bool,
     },
@@ -74,10 +87,10 @@ enum Task {
 
 #[derive(Args)]
 struct File {
-    /// A Rust file with annotated impls.
+    /// A Rust file with annotated impls
     #[arg(value_name = "FILE.rs")]
     path: PathBuf,
-    /// One JSON object instead of text.
+    /// One JSON object instead of text
     #[arg(long)]
     json: bool,
 }

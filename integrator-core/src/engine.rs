@@ -69,7 +69,10 @@ pub(crate) trait Engine<C: Coords>: Send + Sync {
     fn advance(&mut self, clock: Clock, steps: u64) -> u64;
     fn state(&self, clock: Clock) -> Phase<C>;
     /// The state one step after `from`, where the clock starts; the run itself stays where it is.
-    fn step_from(&self, from: &Phase<C>, clock: Clock) -> Phase<C>;
+    ///
+    /// # Errors
+    /// Why the method gave up; nothing, if the state is not finite.
+    fn step_from(&self, from: &Phase<C>, clock: Clock) -> Result<Phase<C>, Option<Unsolved>>;
     /// The state in the middle of the step under way.
     #[cfg(feature = "checkpoint")]
     fn unfinished(&self) -> Phase<C>;
@@ -243,13 +246,16 @@ impl<M: Motion<C, P>, P: Send + Sync + 'static, C: Coords> Engine<C> for Solo<M,
         self.watched.state(clock, &self.shape)
     }
 
-    fn step_from(&self, from: &Phase<C>, clock: Clock) -> Phase<C> {
+    fn step_from(&self, from: &Phase<C>, clock: Clock) -> Result<Phase<C>, Option<Unsolved>> {
         let mut motion = M::load(|_| (&*self.constants, from));
         self.watched.moves.advance(&mut motion, Clock { steps: 0, ..clock }, 1);
         self.watched.moves.close(&mut motion, Clock { steps: 1, ..clock });
+        if !motion.finite() {
+            return Err(motion.unsolved().cloned());
+        }
         let mut state = from.clone();
         motion.store(0, &mut state);
-        state
+        Ok(state)
     }
 
     #[cfg(feature = "checkpoint")]

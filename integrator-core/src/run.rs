@@ -5,7 +5,7 @@ use crate::checkpoint::Origin;
 use crate::{
     coords::Coords,
     engine::{Clock, Energies, Engine, Solo, energies, energy},
-    error::Error,
+    error::{Divergence, Error},
     fixed::is_power_of_two,
     hamiltonian::{Hamiltonian, Prepared, Shaped},
     instruction_set::InstructionSet,
@@ -208,9 +208,17 @@ impl<C: Coords> Run<C> {
         Samples::new(self, interval)
     }
 
-    /// The state one step of length `h` after `from` at the time `t0`. The run itself stays where it is.
-    pub(crate) fn step_from(&self, from: &Phase<C>, t0: f64, h: f64) -> Phase<C> {
-        self.engine.step_from(from, Clock { t0, h, steps: 0 })
+    /// The state one step of length `h` after `from`, which the run's last step began at, at the time `t0`. The run itself
+    /// stays where it is.
+    ///
+    /// # Errors
+    /// As [`Run::advance`] for this step.
+    pub(crate) fn step_from(&self, from: &Phase<C>, t0: f64, h: f64) -> Result<Phase<C>, Error> {
+        let (clock, step) = (Clock { t0, h, steps: 0 }, self.clock.steps);
+        self.engine.step_from(from, clock).map_err(|unsolved| match unsolved {
+            Some(reason) => Error::NotSolved { method: self.method, step, time: t0, reason },
+            None => Error::Diverged(Divergence { step, ..clock.divergence(from) }),
+        })
     }
 
     /// The state in the middle of the step under way.

@@ -274,7 +274,7 @@ where
     }
     for _ in 0..choices.below(8) {
         let (before, steps) = (run.state(), run.steps());
-        match choices.below(6) {
+        match choices.below(7) {
             0 => {
                 let samples: Vec<_> = run.clone().samples(choices.steps()).take(3).collect();
                 for sample in samples.iter().flatten() {
@@ -292,6 +292,15 @@ where
                 bytes[at] ^= 1 << choices.below(8);
                 if Run::<C>::resume(system, &bytes).is_ok() {
                     return Err(format!("resumed from a checkpoint with a wrong byte {at}"));
+                }
+            }
+            2 => {
+                let within = choices.below(64) as u64;
+                // Whatever the function says: noise, zeros, what is not finite.
+                let crossings = run.clone().crossings(within, Direction::Either, |_, _| choices.number());
+                for crossing in crossings.take(3).flatten() {
+                    finite(&crossing.state)?;
+                    let _ = crossing.energy();
                 }
             }
             _ => {

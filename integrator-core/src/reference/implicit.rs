@@ -47,7 +47,8 @@ fn increment<R: Real>(a: f64, from: &Place<'_, R>) -> Result<Vec<R>, Unsolved> {
         let relative = largest(lanes.iter().enumerate().flat_map(|(lane, step)| {
             [0..half, half..z.len()].map(|range| {
                 let moved = largest(range.clone().map(|i| step[i]));
-                ratio(moved, largest(range.map(|i| z[i].lane(lane))))
+                // Where the end is zero, the beginning tells what is rounding: they differ by what rounds.
+                ratio(moved, largest(range.flat_map(|i| [z[i].lane(lane), y[i].lane(lane)])))
             })
         }));
         let stalled = relative >= update / 2.0 && relative <= STALLED * epsilon;
