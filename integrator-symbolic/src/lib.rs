@@ -46,8 +46,13 @@ pub fn hamiltonian(arguments: TokenStream, item: TokenStream) -> TokenStream {
     quote!(#lints #item #stepper #errors)
 }
 
-/// `composition!`: the declared compositions, each proved, or the errors found in them.
+/// `composition!`: the declared compositions, each proved, or the errors found in them; the error alone where these are so
+/// deep that nothing may recurse over them.
 pub fn composition(declarations: TokenStream) -> TokenStream {
+    let mut errors = Errors::default();
+    if !limits::check_depth(&declarations, &mut errors) {
+        return errors.into_tokens();
+    }
     scheme::expand(declarations)
 }
 

@@ -98,3 +98,14 @@ proptest! {
         }
     }
 }
+
+/// Nothing recurses over what is deeper than any composition: the compiler's stack is the user's.
+#[test]
+fn depth_is_refused_before_anything_recurses() {
+    let nested = |depth: usize| format!("struct A = {}Verlet{};", "adjoint(".repeat(depth), ")".repeat(depth));
+    let messages = |depth| composition(nested(depth).parse().expect("tokens")).to_string();
+    assert!(!messages(100).contains("compile_error"));
+    for depth in [300, 100_000] {
+        assert!(messages(depth).contains("nested more than 200 deep"), "{depth}");
+    }
+}
