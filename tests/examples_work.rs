@@ -1,36 +1,55 @@
 //! The examples that do real work, in short runs: each has a number that is known from elsewhere.
 
-use integrator_core::prelude::*;
-
 #[path = "../examples/fput_recurrence/chain.rs"]
 mod chain;
+#[path = "../examples/fput_recurrence/picture.rs"]
+mod chain_picture;
+#[path = "support/drawn.rs"]
+mod drawn;
 #[path = "../examples/lennard_jones/liquid.rs"]
 mod liquid;
+#[path = "../examples/lennard_jones/picture.rs"]
+mod liquid_picture;
 #[path = "../examples/toda_soliton/ring.rs"]
 mod ring;
+#[path = "../examples/toda_soliton/picture.rs"]
+mod ring_picture;
 #[path = "../examples/henon_heiles_section/section.rs"]
 mod section;
+#[path = "../examples/henon_heiles_section/picture.rs"]
+mod section_picture;
 #[path = "../examples/ensemble_separatrix/swarm.rs"]
 mod swarm;
+#[path = "../examples/ensemble_separatrix/picture.rs"]
+mod swarm_picture;
 #[path = "../examples/paul_trap/trap.rs"]
 mod trap;
+#[path = "../examples/paul_trap/picture.rs"]
+mod trap_picture;
+
+use drawn::drawn;
+use integrator_core::prelude::*;
+use section_picture::Section;
 
 /// Below an energy of about 0.11 there is hardly an orbit that is not regular, and at the energy of escape hardly one that
 /// is (Hénon and Heiles 1964).
 #[test]
 fn order_gives_way_to_chaos_in_the_galaxy() {
-    let share = |energy: f64| {
+    let section = |name: &'static str, energy: f64| {
         let orbits: Vec<_> = section::starts(energy, 5)
             .into_iter()
             .map(|start| section::orbit(energy, start, 150).expect("finite states"))
             .collect();
         assert!(orbits.len() > 12, "{} starts", orbits.len());
         assert!(orbits.iter().all(|orbit| orbit.energy_error < 1e-8 && orbit.points.len() == 151));
-        orbits.iter().filter(|orbit| orbit.regular).count() as f64 / orbits.len() as f64
+        Section { name, energy, orbits }
     };
-    assert_eq!(share(1.0 / 12.0), 1.0);
-    let at_escape = share(1.0 / 6.0);
-    assert!(at_escape < 0.25, "{at_escape} of the section at the energy of escape");
+    let sections = [section("1/12", 1.0 / 12.0), section("1/6", 1.0 / 6.0)];
+    let [low, at_escape] = [0, 1].map(|i| sections[i].regular());
+    assert!(low == 1.0 && at_escape < 0.25, "{low} and {at_escape} of the sections are regular");
+    let words = ["Energy 1/12", "100 % of the section", "Energy 1/6", "p_y"];
+    let text = drawn("sections", &section_picture::picture(&sections), &words);
+    assert_eq!(text.matches("<image").count(), 2, "the points of a section are one bitmap");
 }
 
 /// No orbit leaves what its energy allows.
@@ -53,14 +72,20 @@ fn the_energy_of_the_chain_comes_back() {
         let (looks, energy_error) = chain::looks::<3>(run, interval, 170.0, |_| true).expect("finite states");
         let (periods, share) = chain::recurrence(&looks).expect("looks");
         assert!(looks.iter().all(|(_, shares)| shares.iter().sum::<f64>() < 1.02), "more than all of the energy");
-        (periods, share, energy_error)
+        (looks, (periods, share), energy_error)
     };
     let theirs = chain.run_with(VelocityVerlet, chain::start(), chain::THEIR_STEP).expect("a start");
-    let (periods, share, _) = found(theirs, 32);
+    let (theirs, (periods, share), _) = found(theirs, 32);
     assert!((periods - 157.0).abs() < 1.0 && share > 0.97, "{share} after {periods} periods");
-    let (periods, share, energy_error) = found(chain.run(chain::start(), 0.5).expect("a start"), 32);
+    let (looks, (periods, share), energy_error) = found(chain.run(chain::start(), 0.5).expect("a start"), 32);
     assert!((periods - 146.4).abs() < 0.5 && share > 0.98, "{share} after {periods} periods");
     assert!(energy_error < 1e-8, "the energy changes by {energy_error:e}");
+    let theirs: Vec<_> = theirs.into_iter().map(|(time, [first, ..])| (time, [first])).collect();
+    let picture = chain_picture::picture(&looks, &theirs, (periods, share));
+    let text = drawn("chain", &picture, &["mode 3", "their step", "after 146", "share of the energy"]);
+    // Each curve and its place in the legend; dashes are lines of their own.
+    assert!(text.matches("<polyline").count() >= 6, "three modes");
+    assert_eq!(chain::recurrence(&looks[..looks.len() / 2]), None, "no energy has come back by then");
 }
 
 #[test]
@@ -79,6 +104,10 @@ fn the_soliton_passes_around_the_ring() {
     // In the middle of the second turn, where the ring closes, positions agree as well.
     let [momenta, positions] = distance(768, 1.5 * soliton.turn());
     assert!(momenta < 1e-9 && positions < 1e-9, "{momenta:e}, {positions:e}");
+    let looks = [0.0, 0.5, 1.0].map(|turns| (turns * soliton.turn(), soliton.state(turns * soliton.turn())));
+    let picture = ring_picture::picture(&soliton, &looks, &[(1.0, [coarse, coarse]), (1.5, [momenta, positions])]);
+    let text = drawn("ring", &picture, &["Toda", "site", "after 2 turns", "distance"]);
+    assert_eq!(text.matches("<circle").count(), 3 * 64 + 4, "a dot for each site at each look, and two distances");
 }
 
 /// The numbers are Mathieu's: where the characteristic curves `a₀(q)` and `b₁(-q)` meet the axis and one another.
@@ -88,9 +117,17 @@ fn the_trap_holds_where_mathieu_says() {
     // A step is off by (h·ω)⁴, here 1e-4, with the small factor of its composition.
     assert!((edge - 0.908_046_333_7).abs() < 1e-7, "{edge}");
     let near_the_tip = [(0.2365, 0.706), (0.2375, 0.706), (0.0, 0.3), (0.1, 0.3), (-0.1, 0.3), (0.0, 1.0)];
-    let traces = trap::traces(near_the_tip.map(|(a, q)| trap::PaulTrap { a, q })).expect("finite states");
-    let held: Vec<bool> = traces.into_iter().map(trap::holds).collect();
+    let traps = near_the_tip.map(|(a, q)| trap::PaulTrap { a, q });
+    let traces = trap::traces(traps).expect("finite states");
+    let held: Vec<bool> = traces.iter().copied().map(trap::holds).collect();
     assert_eq!(held, [true, false, true, false, false, false]);
+    let orbit = |name, trap| trap_picture::Orbit { name, trap, points: trap::orbit(trap, 20).expect("finite states") };
+    let orbits = [orbit("Inside", traps[2]), orbit("Outside", traps[5])];
+    let greatest = |which: usize| orbits[which].points.iter().map(|(_, x)| x.abs()).fold(0.0, f64::max);
+    assert!(greatest(0) < 2.0 && greatest(1) > 1e3, "{} and {}", greatest(0), greatest(1));
+    let all: Vec<_> = traps.into_iter().zip(traces).collect();
+    let words = ["0.9080463", "Inside: a = 0, q = 0.3", "Outside: a = 0, q = 1", "alternating voltage"];
+    drawn("trap", &trap_picture::picture(&all, &orbits, edge), &words);
 }
 
 #[test]
@@ -114,6 +151,10 @@ fn the_area_of_a_swarm_stays_and_nobody_crosses_the_separatrix() {
     let over = starts.iter().filter(|start| swarm::energy(start) > swarm::SEPARATRIX).count();
     assert!(over > 1_500 && over < 3_500, "{over} of 5,000 turn over");
     assert!(states.iter().all(|state| swarm::wrapped(state.q[0]).abs() <= std::f64::consts::PI));
+    let charts = vec![swarm_picture::chart(0.0, &starts, &starts), swarm_picture::chart(4.0, &starts, &states)];
+    let words = ["t = 0", "t = 4", "angle", "momentum", "the area stays"];
+    let text = drawn("swarm", &swarm_picture::picture(charts, "the area stays"), &words);
+    assert_eq!(text.matches("<image").count(), 2, "the points of a time are one bitmap");
 }
 
 #[test]
@@ -125,22 +166,26 @@ fn argon_keeps_its_energy_and_its_neighbours() {
         argon.heat_to(0.722);
         argon.advance(20, 0.004).expect("finite states");
     }
-    let (energy, mut temperature) = (argon.energy() / 108.0, 0.0);
+    let (energy, mut looks) = (argon.energy() / 108.0, Vec::new());
     let mut distances = liquid::Distances::new(&argon.argon, 100);
-    for _ in 0..10 {
+    for look in 1..=10 {
         argon.advance(20, 0.004).expect("finite states");
         distances.look(&argon);
-        temperature += argon.temperature() / 10.0;
         // Verlet's error is a few 1e-4 with this step, for the smooth energy that this is.
         let change = argon.energy() / 108.0 - energy;
         assert!(change.abs() < 1e-3, "the energy per atom changes by {change:e}");
+        looks.push(liquid_picture::Look { time: 0.08 * f64::from(look), change, temperature: argon.temperature() });
     }
+    let temperature = looks.iter().map(|look| look.temperature).sum::<f64>() / 10.0;
     // Fluctuations of 108 atoms: √(2/3N) of it, less what the potential takes, and some more while it settles.
     assert!((0.55..0.9).contains(&temperature), "{temperature}");
-    let (place, height) = liquid::peak(&distances.distribution(&argon)).expect("distances");
+    let distribution = distances.distribution(&argon);
+    let (place, height) = liquid::peak(&distribution).expect("distances");
     assert!((1.05..1.13).contains(&place) && (2.4..3.6).contains(&height), "{height} at {place}");
     let momentum: f64 = argon.state.p.iter().flatten().sum();
     assert!(momentum.abs() < 1e-10, "{momentum:e}");
+    let picture = liquid_picture::picture(&distribution, (place, height), &looks);
+    drawn("liquid", &picture, &["Radial distribution function", "diameters", "temperature", "change of the energy"]);
 }
 
 /// A pair across the border of the box feels its nearest image; force and energy end at the cutoff without a jump.

@@ -1,9 +1,15 @@
 //! Hamiltonian Monte Carlo of the examples: the data are those of the literature, and draws have the mean of the posterior.
 
+#[path = "support/drawn.rs"]
+mod drawn;
+#[path = "../examples/hmc/picture.rs"]
+mod picture;
 #[path = "../examples/hmc/posterior.rs"]
 mod posterior;
 #[path = "../examples/hmc/sampler.rs"]
 mod sampler;
+
+use picture::MORNING;
 
 /// The table is the one of Dalal, Fowlkes and Hoadley: without a prior, the maximum is at their coefficients.
 #[test]
@@ -32,9 +38,9 @@ fn the_launches_are_those_of_the_literature() {
 #[test]
 fn draws_have_the_mean_of_the_posterior() {
     let posterior = posterior::Posterior::measured(3.0).expect("the table of the examples");
-    let reference = posterior.mean_on_grid(120, |b| [b[0], b[1], posterior.probability(b, 31.0)]);
+    let reference = posterior.mean_on_grid(120, |b| [b[0], b[1], posterior.probability(b, MORNING)]);
     // The sum over the grid has converged.
-    let coarser = posterior.mean_on_grid(80, |b| [b[0], b[1], posterior.probability(b, 31.0)]);
+    let coarser = posterior.mean_on_grid(80, |b| [b[0], b[1], posterior.probability(b, MORNING)]);
     assert!(reference.iter().zip(coarser).all(|(a, b)| (a - b).abs() < 1e-6), "{reference:?} {coarser:?}");
     let mut sampler = sampler::Sampler::new(&posterior, 0.4, 12, 1986);
     let draws: Vec<_> = (0..4_000).map(|_| sampler.draw().expect("a posterior")).collect();
@@ -42,7 +48,7 @@ fn draws_have_the_mean_of_the_posterior() {
     let series = [
         draws.iter().map(|b| b[0]).collect::<Vec<_>>(),
         draws.iter().map(|b| b[1]).collect(),
-        draws.iter().map(|b| posterior.probability(*b, 31.0)).collect(),
+        picture::probabilities(&posterior, &draws, MORNING),
     ];
     for (series, reference) in series.iter().zip(reference) {
         let ((mean, variance), size) = (sampler::moments(series), sampler::effective_size(series));
@@ -50,6 +56,10 @@ fn draws_have_the_mean_of_the_posterior() {
         // Four standard errors: the seed is fixed, so that this holds always or never.
         assert!((mean - reference).abs() < 4.0 * (variance / size).sqrt(), "{mean} for {reference}");
     }
+    let drawing = picture::picture(&posterior, &draws, [reference[0], reference[1]], sampler.acceptance());
+    let words = ["Draws from the posterior", "at 31 °F: 99 %", "temperature in °F", "slope per degree", "accepted"];
+    let text = drawn::drawn("posterior", &drawing, &words);
+    assert_eq!(text.matches("<circle").count(), 1 + 23, "the mean, and a dot for each launch");
 }
 
 /// A series of which every number is said four times has a quarter of its size.

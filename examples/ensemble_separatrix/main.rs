@@ -5,15 +5,17 @@
 //! was. Printed: the area of the disc as it is at the fourth look against the one at the start, from the 200,000
 //! pendulums along its border; the worst change of an energy; how many changed sides; and the rate.
 
+mod picture;
 #[path = "../support/mod.rs"]
 mod support;
 mod swarm;
 
 use integrator_core::prelude::*;
-use integrator_plot::{Axis, Chart, Panels, colour, write};
-use std::{error::Error, f64::consts::PI, time::Instant};
+use integrator_plot::write;
+use picture::{chart, picture};
+use std::{error::Error, time::Instant};
 use support::{Watch, folder};
-use swarm::{Pendulum, SEPARATRIX, State, area, changed_sides, disc, energy, wrapped};
+use swarm::{Pendulum, State, area, changed_sides, disc, energy};
 
 const BORDER: usize = 200_000;
 const INSIDE: usize = 800_000;
@@ -22,34 +24,11 @@ const STEP: f64 = 0.125;
 const LOOKS: [f64; 6] = [0.0, 2.0, 4.0, 8.0, 16.0, 64.0];
 const AREA_AT: usize = 3;
 
-/// The two kinds of pendulums, and the separatrix between them.
-fn chart(time: f64, starts: &[State], states: &[State]) -> Chart {
-    let of_kind = |over: bool| {
-        let kind = starts.iter().zip(states).filter(move |(start, _)| (energy(start) > SEPARATRIX) == over);
-        kind.map(|(_, state)| (wrapped(state.q[0]), state.p[0]))
-    };
-    let branch = |side: f64| {
-        (-100..=100).map(move |i| PI * f64::from(i) / 100.0).map(move |q| (q, side * 2.0 * (q / 2.0).cos()))
-    };
-    Chart::new(format!("t = {time}"))
-        .along(Axis::linear("angle").between(-PI, PI))
-        .up(Axis::linear("momentum").between(-2.6, 2.6))
-        .line("", branch(1.0))
-        .coloured(colour::GREY)
-        .line("", branch(-1.0))
-        .coloured(colour::GREY)
-        .cloud("", of_kind(false))
-        .coloured(colour::COLOURS[6])
-        .cloud("", of_kind(true))
-        .coloured(colour::COLOURS[3])
-}
-
 fn main() -> Result<(), Box<dyn Error>> {
     let starts: Vec<State> = disc(BORDER, INSIDE).collect();
     let mut swarm = Ensemble::new(BlanesMoanSrkn6, starts.iter().map(|start| (Pendulum, *start)), STEP)?;
-    let mut panels =
-        Panels::new("A million pendulums", "Blue swings, orange turns over; grey is the separatrix").panel(460, 420);
-    let (mut states, mut area_error) = (starts.clone(), f64::NAN);
+    let mut charts = Vec::new();
+    let (mut states, mut measured) = (starts.clone(), "stopped before the area was measured".to_owned());
     let members = starts.len() as u64;
     let watch = Watch::new((LOOKS[LOOKS.len() - 1] / STEP) as u64 * members, "steps");
     let clock = Instant::now();
@@ -60,9 +39,10 @@ fn main() -> Result<(), Box<dyn Error>> {
             wanted = watch.done(swarm.steps() * members);
         }
         states = swarm.states().collect();
-        panels = panels.chart(chart(swarm.time(), &starts, &states));
-        if look == AREA_AT {
-            area_error = area(&states[..BORDER]) / area(&starts[..BORDER]) - 1.0;
+        charts.push(chart(swarm.time(), &starts, &states));
+        if look == AREA_AT && wanted {
+            let error = area(&states[..BORDER]) / area(&starts[..BORDER]) - 1.0;
+            measured = format!("area_error={error:e}");
         }
         if !wanted {
             break;
@@ -74,9 +54,9 @@ fn main() -> Result<(), Box<dyn Error>> {
     let change = |(start, state): (&State, &State)| (energy(state) - energy(start)).abs();
     let energy_error = starts.iter().zip(&states).map(change).fold(0.0, f64::max);
     let file = folder().join("ensemble_separatrix");
-    write(&file, &panels.measured(format!("at t = {}, the area differs by {area_error:.0e}", LOOKS[AREA_AT])))?;
+    write(&file, &picture(charts, &format!("at t = {}: {measured}", LOOKS[AREA_AT])))?;
     println!("the picture is {}", file.with_extension("png").display());
-    println!("area_error={area_error:e}");
+    println!("{measured}");
     println!("energy_error_max={energy_error:e}");
     println!("changed_sides={}", changed_sides(&starts, &states, energy_error));
     println!("pendulum_steps_per_second={rate:e}");

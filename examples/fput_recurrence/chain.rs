@@ -90,9 +90,11 @@ pub(crate) fn looks<const MODES: usize>(
     Ok((looks, energy_error))
 }
 
-/// When most of the energy is back in the lowest mode after it had least: the time and the share.
+/// When most of the energy is back in the lowest mode after it had least: the time and the share. `None` if it still grows
+/// at the last look.
 pub(crate) fn recurrence<const MODES: usize>(looks: &[Look<MODES>]) -> Option<(f64, f64)> {
     let first = || looks.iter().map(|(time, shares)| (*time, shares[0])).enumerate();
     let (least, _) = first().min_by(|a, b| a.1.1.total_cmp(&b.1.1))?;
-    first().skip(least).map(|(_, look)| look).max_by(|a, b| a.1.total_cmp(&b.1))
+    let (most, look) = first().skip(least).max_by(|a, b| a.1.1.total_cmp(&b.1.1))?;
+    (most + 1 < looks.len()).then_some(look)
 }

@@ -7,12 +7,14 @@
 //! how well the total is conserved meanwhile, and the same time with their step.
 
 mod chain;
+mod picture;
 #[path = "../support/mod.rs"]
 mod support;
 
 use chain::{ALPHA, Chain, THEIR_STEP, looks, recurrence, start};
 use integrator_core::prelude::*;
-use integrator_plot::{Axis, Chart, colour, write};
+use integrator_plot::write;
+use picture::picture;
 use std::error::Error;
 use support::{Watch, folder};
 
@@ -28,24 +30,15 @@ fn main() -> Result<(), Box<dyn Error>> {
     let (theirs, _) = looks::<1>(theirs, 16, PERIODS, |time| watch.done((PERIODS + time) as u64))?;
     drop(watch);
 
-    let (periods, share) = recurrence(&exact).ok_or("no looks at all")?;
-    let (their_periods, _) = recurrence(&theirs).ok_or("no looks at all")?;
-    let chart = Chart::new("Recurrence in the chain of Fermi, Pasta, Ulam and Tsingou")
-        .claim("The energy goes from the lowest mode to the next four, and comes back instead of spreading over all 31")
-        .measured(format!("after {periods:.1} periods, {:.1} % are back", 100.0 * share))
-        .along(Axis::linear("time in periods of the lowest mode"))
-        .up(Axis::linear("share of the energy"))
-        .sized(1200, 640);
-    let curve = |mode: usize| exact.iter().map(move |(time, shares)| (*time, shares[mode]));
-    let chart = (0..MODES).fold(chart, |chart, mode| chart.line(format!("mode {}", mode + 1), curve(mode)));
-    let lowest = theirs.iter().map(|(time, shares)| (*time, shares[0]));
-    let chart = chart.line("mode 1, their step", lowest).coloured(colour::GREY).dashed();
+    let (periods, share) = recurrence(&exact).ok_or("stopped before the energy came back")?;
     let file = folder().join("fput_recurrence");
-    write(&file, &chart)?;
+    write(&file, &picture(&exact, &theirs, (periods, share)))?;
     println!("the picture is {}", file.with_extension("png").display());
     println!("recurrence_periods={periods}");
     println!("share_that_came_back={share}");
     println!("energy_error_max={energy_error:e}");
-    println!("recurrence_periods_with_their_step={their_periods}");
+    if let Some((periods, _)) = recurrence(&theirs) {
+        println!("recurrence_periods_with_their_step={periods}");
+    }
     Ok(())
 }

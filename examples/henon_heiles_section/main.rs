@@ -6,12 +6,14 @@
 //! composition, so that curves are as thin as the run is accurate. Printed: the share of the section that is regular
 //! at each energy, by the growth of the distance from an orbit nearby, and the energy error of all orbits.
 
+mod picture;
 mod section;
 #[path = "../support/mod.rs"]
 mod support;
 
-use integrator_plot::{Axis, Chart, Panels, colour, write};
-use section::{border, orbit, starts};
+use integrator_plot::write;
+use picture::{Section, picture};
+use section::{orbit, starts};
 use std::error::Error;
 use support::{Watch, folder};
 
@@ -23,10 +25,7 @@ const PASSAGES: usize = 1000;
 fn main() -> Result<(), Box<dyn Error>> {
     let total: usize = ENERGIES.iter().map(|(_, energy)| starts(*energy, SIDE).len()).sum();
     let watch = Watch::new(total as u64, "orbits");
-    let (mut done, mut worst, mut lines) = (0, 0.0_f64, Vec::new());
-    let mut panels =
-        Panels::new("Sections of Hénon and Heiles", "Blue: regular orbits, on curves. Orange: chaotic ones, all over.")
-            .panel(520, 520);
+    let (mut done, mut sections) = (0, Vec::new());
     for (name, energy) in ENERGIES {
         let mut orbits = Vec::new();
         for start in starts(energy, SIDE) {
@@ -36,28 +35,18 @@ fn main() -> Result<(), Box<dyn Error>> {
             orbits.push(orbit(energy, start, PASSAGES)?);
             done += 1;
         }
-        let share = orbits.iter().filter(|orbit| orbit.regular).count() as f64 / orbits.len().max(1) as f64;
-        worst = orbits.iter().map(|orbit| orbit.energy_error).fold(worst, f64::max);
-        lines.push(format!("regular_share_at_{name}={share}"));
-        let points = |regular: bool| {
-            orbits.iter().filter(move |orbit| orbit.regular == regular).flat_map(|orbit| orbit.points.clone())
-        };
-        let chart = Chart::new(format!("Energy {name}"))
-            .measured(format!("{:.0} % of the section is regular", 100.0 * share))
-            .along(Axis::linear("y"))
-            .up(Axis::linear("p_y"))
-            .line("", border(energy))
-            .coloured(colour::GREY)
-            .cloud("", points(false))
-            .coloured(colour::COLOURS[3])
-            .cloud("", points(true))
-            .coloured(colour::COLOURS[6]);
-        panels = panels.chart(chart);
+        if !orbits.is_empty() {
+            sections.push(Section { name, energy, orbits });
+        }
     }
     drop(watch);
-    write(&folder().join("henon_heiles_section"), &panels)?;
-    println!("{done} orbits; the picture is {}", folder().join("henon_heiles_section.png").display());
-    println!("{}", lines.join("\n"));
-    println!("energy_error_max={worst:e}");
+    let file = folder().join("henon_heiles_section");
+    write(&file, &picture(&sections))?;
+    println!("{done} orbits; the picture is {}", file.with_extension("png").display());
+    for section in &sections {
+        println!("regular_share_at_{}={}", section.name, section.regular());
+    }
+    let errors = sections.iter().flat_map(|section| &section.orbits).map(|orbit| orbit.energy_error);
+    println!("energy_error_max={:e}", errors.fold(0.0, f64::max));
     Ok(())
 }

@@ -2,15 +2,18 @@
 //!
 //! A crystal near the triple point melts while its atoms are slowed down or sped up now and then, and is then left alone.
 //! Look at the picture, `lennard_jones.png`: neighbours sit at 1.1 diameters, the next shells are where those of a liquid
-//! are, and between them there is no gap as in a crystal; beside it the energy, which does not drift. Printed: place and height of the first peak, temperature, drift of the energy, total momentum, and
+//! are, and between them there is no gap as in a crystal; beside it the energy, which does not drift, and the
+//! temperature, which fluctuates. Printed: place and height of the first peak, temperature, drift of the energy, total momentum, and
 //! the rate in pairs of atoms.
 
 mod liquid;
+mod picture;
 #[path = "../support/mod.rs"]
 mod support;
 
-use integrator_plot::{Axis, Chart, Panels, write};
+use integrator_plot::write;
 use liquid::{Distances, Liquid, peak};
+use picture::{Look, picture};
 use std::{error::Error, time::Instant};
 use support::{Watch, folder};
 
@@ -35,41 +38,27 @@ fn main() -> Result<(), Box<dyn Error>> {
     }
     let atoms = liquid.state.q.len() as f64;
     let (energy, begin) = (liquid.energy(), steps);
-    let (mut distances, mut course) = (Distances::new(&liquid.argon, 200), Vec::new());
+    let (mut distances, mut looks) = (Distances::new(&liquid.argon, 200), Vec::new());
     while steps < begin + LOOKS * INTERVAL && watch.done(steps) {
         liquid.advance(INTERVAL, STEP)?;
         steps += INTERVAL;
         distances.look(&liquid);
         let time = (steps - begin) as f64 * STEP;
-        course.push((time, (liquid.energy() - energy) / atoms, liquid.temperature()));
+        let change = (liquid.energy() - energy) / atoms;
+        looks.push(Look { time, change, temperature: liquid.temperature() });
     }
     let rate = steps as f64 * pairs / clock.elapsed().as_secs_f64();
     drop(watch);
 
+    if looks.is_empty() {
+        return Err("stopped before there was a liquid".into());
+    }
     let distribution = distances.distribution(&liquid);
-    let (place, height) = peak(&distribution).ok_or("stopped before there was a liquid")?;
-    let mean = course.iter().map(|(_, _, temperature)| temperature).sum::<f64>() / course.len() as f64;
-    let drift = course.iter().map(|(_, change, _)| change.abs()).fold(0.0, f64::max);
-    let picture =
-        Panels::new("864 atoms of liquid argon", "A crystal that has melted: shells of neighbours without gaps")
-            .measured(format!("first peak {height:.2} at {place:.3} diameters, temperature {mean:.3}"))
-            .columns(2)
-            .panel(640, 460)
-            .chart(
-                Chart::new("Radial distribution function")
-                    .along(Axis::linear("distance in diameters"))
-                    .up(Axis::linear("g"))
-                    .line("", distribution),
-            )
-            .chart(
-                Chart::new("Energy per atom, change")
-                    .measured(format!("at most {drift:.1e}"))
-                    .along(Axis::linear("time"))
-                    .up(Axis::linear("change of the energy"))
-                    .line("", course.iter().map(|(time, change, _)| (*time, *change))),
-            );
+    let (place, height) = peak(&distribution).ok_or("no distances")?;
+    let mean = looks.iter().map(|look| look.temperature).sum::<f64>() / looks.len() as f64;
+    let drift = looks.iter().map(|look| look.change.abs()).fold(0.0, f64::max);
     let file = folder().join("lennard_jones");
-    write(&file, &picture)?;
+    write(&file, &picture(&distribution, (place, height), &looks))?;
     println!("the picture is {}", file.with_extension("png").display());
     let momentum = [0, 1, 2].map(|axis| liquid.state.p.iter().map(|p| p[axis]).sum::<f64>().abs());
     println!("first_peak_at={place}");

@@ -42,6 +42,13 @@ pub(crate) fn traces(traps: impl IntoIterator<Item = PaulTrap>) -> Result<Vec<[f
     Ok(traces.collect())
 }
 
+/// `x` of an ion over so many periods of the voltage, which are the unit of time.
+pub(crate) fn orbit(trap: PaulTrap, periods: u64) -> Result<Vec<(f64, f64)>, Error> {
+    let run = trap.run(Phase::new([1.0, 1.0], [0.0, 0.0]), PI / STEPS as f64)?;
+    let samples = run.samples(1).take((periods * STEPS) as usize + 1);
+    samples.map(|sample| sample.map(|sample| (sample.time / PI, sample.state.q[0]))).collect()
+}
+
 /// Whether ions stay, given the traces in both directions.
 pub(crate) fn holds([x, y]: [f64; 2]) -> bool {
     x.abs() < 2.0 && y.abs() < 2.0

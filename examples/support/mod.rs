@@ -1,8 +1,9 @@
 //! What the longer examples share: where their pictures go, and how they show how far they are and stop on Ctrl-C.
 
-use indicatif::{ProgressBar, ProgressStyle};
+use indicatif::{ProgressBar, ProgressState, ProgressStyle};
 use std::{
     env,
+    fmt::Write,
     path::PathBuf,
     process::exit,
     sync::{
@@ -38,10 +39,10 @@ impl Watch {
                 eprintln!("Ctrl-C ends the program at once: {error}");
             }
         });
-        let style = ProgressStyle::with_template("{bar:30} {percent:>3} % of {human_len} {msg}, {per_sec}, {eta} left");
+        let style = ProgressStyle::with_template("{bar:30} {percent:>3} % of {human_len} {msg}, {rate}, {eta} left");
         let bar = ProgressBar::new(total).with_message(things);
         Self(match style {
-            Ok(style) => bar.with_style(style),
+            Ok(style) => bar.with_style(style.with_key("rate", rate)),
             Err(_) => bar,
         })
     }
@@ -63,4 +64,13 @@ impl Drop for Watch {
     fn drop(&mut self) {
         self.0.finish_and_clear();
     }
+}
+
+/// How many are done in a second, to two places.
+fn rate(state: &ProgressState, text: &mut dyn Write) {
+    // Text in memory takes whatever is written.
+    let _ = match state.per_sec() {
+        rate if rate < 1e4 => write!(text, "{rate:.0}/s"),
+        rate => write!(text, "{rate:.1e}/s"),
+    };
 }

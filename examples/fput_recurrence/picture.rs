@@ -1,0 +1,23 @@
+//! The energies of the lowest modes over time.
+
+use crate::chain::Look;
+use integrator_plot::{Axis, Chart, colour};
+
+/// The modes of an accurate run, and the lowest one of a run with the step of the first; the recurrence as
+/// `(periods, share)`.
+pub(crate) fn picture<const MODES: usize>(
+    exact: &[Look<MODES>],
+    theirs: &[Look<1>],
+    (periods, share): (f64, f64),
+) -> Chart {
+    let chart = Chart::new("Recurrence in the chain of Fermi, Pasta, Ulam and Tsingou")
+        .claim("The energy goes from the lowest mode to the next ones, and comes back instead of spreading over all 31")
+        .measured(format!("after {periods:.1} periods, {:.1} % are back", 100.0 * share))
+        .along(Axis::linear("time in periods of the lowest mode"))
+        .up(Axis::linear("share of the energy"))
+        .sized(1200, 640);
+    let curve = |mode: usize| exact.iter().map(move |(time, shares)| (*time, shares[mode]));
+    let chart = (0..MODES).fold(chart, |chart, mode| chart.line(format!("mode {}", mode + 1), curve(mode)));
+    let lowest = theirs.iter().map(|(time, shares)| (*time, shares[0]));
+    chart.line("mode 1, their step", lowest).coloured(colour::GREY).dashed()
+}

@@ -1,0 +1,52 @@
+//! Draws from the posterior, and how likely distress is at each temperature.
+
+use crate::{posterior::Posterior, sampler::moments};
+use integrator_plot::{Axis, Chart, Panels, colour};
+
+/// The temperature of the morning of Challenger, in degrees Fahrenheit.
+pub(crate) const MORNING: f64 = 31.0;
+
+/// How likely distress is at a temperature, by each of the draws.
+pub(crate) fn probabilities(posterior: &Posterior, draws: &[[f64; 2]], temperature: f64) -> Vec<f64> {
+    draws.iter().map(|b| posterior.probability(*b, temperature)).collect()
+}
+
+/// What lies at a share of a series, from the least on.
+fn quantile(mut series: Vec<f64>, share: f64) -> f64 {
+    series.sort_by(f64::total_cmp);
+    series[(share * (series.len() - 1) as f64) as usize]
+}
+
+/// At least one draw, the mean of the posterior, and the share of trajectories that were accepted.
+pub(crate) fn picture(posterior: &Posterior, draws: &[[f64; 2]], mean: [f64; 2], acceptance: f64) -> Panels {
+    let at = |temperature: f64| probabilities(posterior, draws, temperature);
+    let curve = |of: &dyn Fn(Vec<f64>) -> f64| -> Vec<_> {
+        (30..=85).map(f64::from).map(|temperature| (temperature, of(at(temperature)))).collect()
+    };
+    let scatter = Chart::new("Draws from the posterior")
+        .claim("The dot is the mean, by a sum over a grid")
+        .measured(format!("{:.0} % of the trajectories are accepted", 100.0 * acceptance))
+        .along(Axis::linear("intercept"))
+        .up(Axis::linear("slope per degree"))
+        .cloud("", draws.iter().map(|b| posterior.per_degree(*b).into()))
+        .coloured(colour::COLOURS[6])
+        .dots("", [posterior.per_degree(mean).into()])
+        .coloured(colour::COLOURS[3]);
+    let risk = Chart::new("Probability of distress")
+        .claim("Black: mean. Grey: middle 90 %. Dots: launches, with distress above and without below")
+        .along(Axis::linear("temperature in °F"))
+        .up(Axis::linear("probability"))
+        .line("", curve(&|series| moments(&series).0))
+        .line("", curve(&|series| quantile(series, 0.05)))
+        .coloured(colour::GREY)
+        .line("", curve(&|series| quantile(series, 0.95)))
+        .coloured(colour::GREY)
+        .dots("", posterior.launches())
+        .coloured(colour::COLOURS[3]);
+    Panels::new("O-rings", "What 23 launches said of the next one")
+        .measured(format!("at {MORNING} °F: {:.0} %", 100.0 * moments(&at(MORNING)).0))
+        .columns(2)
+        .panel(620, 520)
+        .chart(scatter)
+        .chart(risk)
+}

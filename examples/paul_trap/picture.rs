@@ -1,0 +1,44 @@
+//! The region in which a trap holds ions, and two orbits.
+
+use crate::trap::{PaulTrap, holds};
+use integrator_plot::{Axis, Chart, Panels, colour};
+
+/// What becomes of an ion in a trap: `x` over the time in periods of the voltage.
+pub(crate) struct Orbit {
+    pub(crate) name: &'static str,
+    pub(crate) trap: PaulTrap,
+    pub(crate) points: Vec<(f64, f64)>,
+}
+
+/// Traps with the traces of both directions, two orbits, and where the region ends on the axis.
+pub(crate) fn picture(traps: &[(PaulTrap, [f64; 2])], orbits: &[Orbit; 2], edge: f64) -> Panels {
+    let place = |trap: &PaulTrap| (trap.q, trap.a);
+    let those = |chosen: fn([f64; 2]) -> bool| {
+        traps.iter().filter(move |(_, traces)| chosen(*traces)).map(move |(trap, _)| place(trap))
+    };
+    let mut region = Chart::new("Which traps hold ions")
+        .claim("Blue: both directions are stable. Light: one is. Dots: the two traps beside")
+        .along(Axis::linear("q, alternating voltage"))
+        .up(Axis::linear("a, constant voltage"))
+        .cloud("", those(|traces| !holds(traces) && traces.iter().any(|trace| trace.abs() < 2.0)))
+        .coloured(colour::COLOURS[1])
+        .cloud("", those(holds))
+        .coloured(colour::COLOURS[6]);
+    let colours = [colour::COLOURS[2], colour::COLOURS[3]];
+    for (orbit, colour) in orbits.iter().zip(colours) {
+        region = region.dots("", [place(&orbit.trap)]).coloured(colour);
+    }
+    let panels = Panels::new("Paul's trap", "An alternating voltage holds ions where Mathieu's equation is stable")
+        .measured(format!("without a constant voltage, up to q = {edge:.8}"))
+        .panel(520, 480)
+        .chart(region);
+    orbits.iter().zip(colours).fold(panels, |panels, (orbit, colour)| {
+        let PaulTrap { a, q } = orbit.trap;
+        let chart = Chart::new(format!("{}: a = {a}, q = {q}", orbit.name))
+            .along(Axis::linear("periods of the voltage"))
+            .up(Axis::linear("x"))
+            .line("", orbit.points.iter().copied())
+            .coloured(colour);
+        panels.chart(chart)
+    })
+}
