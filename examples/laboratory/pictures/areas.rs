@@ -18,10 +18,10 @@ pub(super) fn areas(study: &Study) -> Drawing {
 }
 
 fn panel(study: &Study, measured: &Measured) -> Chart {
-    let index = if study.freedom == 1 { "" } else { "₁" };
+    let (index, what) = if study.freedom == 1 { ("", "area") } else { ("₁", "Σ ∮ p dq") };
     let colour = if measured.keeps_bracket() { COLOURS[5] } else { COLOURS[3] };
     let chart = Chart::new(measured.name)
-        .claim(format!("area at the end: {}", factor(measured.blob.area())))
+        .claim(format!("{what} at the end: {}", factor(measured.blob.area())))
         .along(Axis::linear(format!("q{index}")))
         .up(Axis::linear(format!("p{index}")));
     measured
