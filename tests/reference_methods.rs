@@ -350,3 +350,33 @@ fn the_defect_of_a_method_is_that_of_its_areas() {
     let defect = symplectic_defect(&Oscillator { mass: 1.0 }, ForwardEuler, start, 0.25).expect("a defect");
     assert!((defect - 0.0625).abs() < 4.0 * f64::EPSILON, "{defect}");
 }
+
+/// Work is known beforehand or counted; looks at a run are none of it, and portions do not matter.
+#[test]
+fn evaluations_are_those_of_the_steps() {
+    let start = Phase::new([1.0], [0.0]);
+    macro_rules! evaluations {
+        ($method:expr) => {{
+            let mut run = Pendulum.run_with($method, start, 0.1).expect("a start");
+            run.advance(30).expect("finite states");
+            run.state();
+            let crossings = run.clone().crossings(100, Direction::Either, |state, _| state.q[0]);
+            assert!(crossings.count() > 0);
+            run.advance(70).expect("finite states");
+            let mut whole = Pendulum.run_with($method, start, 0.1).expect("a start");
+            whole.advance(100).expect("finite states");
+            assert_eq!(run.evaluations(), whole.evaluations());
+            run.evaluations()
+        }};
+    }
+    assert_eq!(evaluations!(Verlet), 100);
+    assert_eq!(evaluations!(Yoshida4), 300);
+    assert_eq!(evaluations!(RungeKutta4), 400);
+    // An iteration of Newton takes the field and its two columns, and a step at least one iteration and one more to see
+    // that it was the last.
+    let implicit = evaluations!(ImplicitMidpoint);
+    assert!((600..2_000).contains(&implicit), "{implicit}");
+    // Seven stages per step, and a tighter tolerance takes more steps.
+    let [loose, tight] = [1e-3, 1e-12].map(|tolerance| evaluations!(DormandPrince5 { tolerance }));
+    assert!(loose >= 600 && tight > 2 * loose, "{loose}, {tight}");
+}

@@ -79,6 +79,8 @@ pub(crate) trait Engine<C: Coords>: Send + Sync {
     fn energies(&self) -> Arc<dyn Energies<C>>;
     /// Why the method gave up the step that [`Engine::advance`] stopped before, if that is why it stopped.
     fn unsolved(&self) -> Option<&Unsolved>;
+    /// How often steps have evaluated the force, where they count it.
+    fn evaluations(&self) -> Option<u64>;
     /// Lets so many threads share a long lattice or the pairs of many bodies, or all that the machine has.
     fn share_among(&mut self, threads: Option<usize>);
     fn boxed_clone(&self) -> Box<dyn Engine<C>>;
@@ -271,6 +273,10 @@ impl<M: Motion<C, P>, P: Send + Sync + 'static, C: Coords> Engine<C> for Solo<M,
 
     fn unsolved(&self) -> Option<&Unsolved> {
         self.watched.unsolved.as_ref()
+    }
+
+    fn evaluations(&self) -> Option<u64> {
+        self.watched.motion.evaluations()
     }
 
     fn share_among(&mut self, threads: Option<usize>) {

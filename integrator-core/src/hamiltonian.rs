@@ -149,6 +149,10 @@ pub trait Motion<C: Coords, P>: Clone + Send + Sync + 'static {
     fn unsolved(&self) -> Option<&Unsolved> {
         None
     }
+    /// How often steps have evaluated the force, where they count it.
+    fn evaluations(&self) -> Option<u64> {
+        None
+    }
     /// Whether every coordinate of every lane is finite.
     fn finite(&self) -> bool;
 }

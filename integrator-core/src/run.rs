@@ -78,6 +78,8 @@ pub struct Run<C: Coords> {
     engine: Box<dyn Engine<C>>,
     pub(crate) clock: Clock,
     method: &'static str,
+    /// How often a step evaluates the force, where that is known beforehand.
+    forces: Option<usize>,
     /// Whose checkpoints its own are.
     #[cfg(feature = "checkpoint")]
     pub(crate) origin: Origin,
@@ -118,6 +120,7 @@ impl<C: Coords> Run<C> {
             engine,
             clock,
             method: method.facts().name,
+            forces: method.facts().forces,
             #[cfg(feature = "checkpoint")]
             origin: Origin::of::<H>(method.facts()),
         };
@@ -191,6 +194,16 @@ impl<C: Coords> Run<C> {
     /// How many steps were taken.
     pub fn steps(&self) -> u64 {
         self.clock.steps
+    }
+
+    /// How often the steps of this run have evaluated the force: that of a step times the steps, where kicks along the
+    /// gradient of the squared force count twice; or counted, where the number differs from step to step, with a Jacobian
+    /// of an implicit method once for each of its columns.
+    pub fn evaluations(&self) -> u64 {
+        match self.forces {
+            Some(forces) => self.clock.steps.saturating_mul(forces as u64),
+            None => self.engine.evaluations().unwrap_or(0),
+        }
     }
 
     /// The state at [`Run::time`]: the step under way is completed on a copy, the run itself does not change.

@@ -9,6 +9,7 @@ use crate::{
     phase::Phase,
     real::Real,
 };
+use core::cell::Cell;
 use nalgebra::DMatrix;
 
 /// `y' = f(y, t)`. Behind a pointer, so that methods are compiled once for all systems.
@@ -23,6 +24,8 @@ pub(crate) trait Field<R> {
 pub(crate) struct Generated<'s, H: Hamiltonian> {
     pub(crate) parameters: &'s H::Parameters<f64>,
     pub(crate) shape: &'s Phase<H::Coords>,
+    /// How often it was evaluated; a Jacobian counts once for each of its columns.
+    pub(crate) evaluations: Cell<u64>,
 }
 
 impl<H: Hamiltonian> Generated<'_, H> {
@@ -57,6 +60,7 @@ impl<H: Hamiltonian> Generated<'_, H> {
 
 impl<H: Hamiltonian, R: Real> Field<R> for Generated<'_, H> {
     fn derivative(&self, y: &[R], time: f64) -> Vec<R> {
+        self.evaluations.set(self.evaluations.get() + 1);
         let (q, p) = y.split_at(y.len() / 2);
         // A drift moves the positions by the velocities, and from zero without rounding; a kick the momenta by the forces.
         let drifted =

@@ -77,6 +77,8 @@ pub struct Walk<R: Real, C: Coords, P, M: Recipe> {
     p: Vec<<C::Leaf as Keep>::Slot<R>>,
     memory: M::Memory<R>,
     unsolved: Option<Unsolved>,
+    /// How often the field was evaluated.
+    evaluations: u64,
 }
 
 impl<R: Real, C: Coords, P: Clone + Send + Sync + 'static, M: Recipe> Motion<C, Constants<P, M>> for Walk<R, C, P, M> {
@@ -94,6 +96,7 @@ impl<R: Real, C: Coords, P: Clone + Send + Sync + 'static, M: Recipe> Motion<C, 
             p: slots(|point| &point.p),
             memory: M::Memory::default(),
             unsolved: None,
+            evaluations: 0,
         }
     }
     fn store(&self, lane: usize, to: &mut Phase<C>) {
@@ -108,9 +111,13 @@ impl<R: Real, C: Coords, P: Clone + Send + Sync + 'static, M: Recipe> Motion<C, 
         self.p.clone_from(&from.p);
         self.memory.clone_from(&from.memory);
         self.unsolved.clone_from(&from.unsolved);
+        self.evaluations = from.evaluations;
     }
     fn unsolved(&self) -> Option<&Unsolved> {
         self.unsolved.as_ref()
+    }
+    fn evaluations(&self) -> Option<u64> {
+        Some(self.evaluations)
     }
     fn finite(&self) -> bool {
         self.unsolved.is_none() && self.q.iter().chain(&self.p).all(|slot| slot.value().finite())
@@ -127,14 +134,15 @@ pub(crate) fn moves<H: Hamiltonian, R: Real, K: Keep, M: Recipe>() -> Moves<Walk
             if walk.unsolved.is_some() {
                 return;
             }
-            let Walk { parameters, recipe, shape, q, p, memory, unsolved } = walk;
+            let Walk { parameters, recipe, shape, q, p, memory, unsolved, evaluations } = walk;
             let y: Vec<R> = q.iter().chain(p.iter()).map(|slot| slot.value()).collect();
-            let field = Generated::<H> { parameters, shape };
+            let field = Generated::<H> { parameters, shape, evaluations: (*evaluations).into() };
             let from = Place { field: &field, y: &y, time: clock.at(step), h: clock.h, epsilon: K::EPSILON };
             match recipe.increment(memory, &from) {
                 Ok(increment) => q.iter_mut().chain(p).zip(increment).for_each(|(slot, d)| slot.add(d)),
                 Err(reason) => *unsolved = Some(reason),
             }
+            *evaluations = field.evaluations.get();
         }
     })
 }
