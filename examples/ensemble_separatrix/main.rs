@@ -28,7 +28,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let starts: Vec<State> = disc(BORDER, INSIDE).collect();
     let mut swarm = Ensemble::new(BlanesMoanSrkn6, starts.iter().map(|start| (Pendulum, *start)), STEP)?;
     let mut charts = Vec::new();
-    let (mut states, mut measured) = (starts.clone(), "stopped before the area was measured".to_owned());
+    let (mut states, mut area_error) = (starts.clone(), None);
     let members = starts.len() as u64;
     let watch = Watch::new((LOOKS[LOOKS.len() - 1] / STEP) as u64 * members, "steps");
     let clock = Instant::now();
@@ -41,8 +41,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         states = swarm.states().collect();
         charts.push(chart(swarm.time(), &starts, &states));
         if look == AREA_AT && wanted {
-            let error = area(&states[..BORDER]) / area(&starts[..BORDER]) - 1.0;
-            measured = format!("area_error={error:e}");
+            area_error = Some(area(&states[..BORDER]) / area(&starts[..BORDER]) - 1.0);
         }
         if !wanted {
             break;
@@ -54,9 +53,12 @@ fn main() -> Result<(), Box<dyn Error>> {
     let change = |(start, state): (&State, &State)| (energy(state) - energy(start)).abs();
     let energy_error = starts.iter().zip(&states).map(change).fold(0.0, f64::max);
     let file = folder().join("ensemble_separatrix");
-    write(&file, &picture(charts, &format!("at t = {}: {measured}", LOOKS[AREA_AT])))?;
+    let measured = area_error.map(|error| format!("at t = {} the area differs by {error:.0e}", LOOKS[AREA_AT]));
+    write(&file, &picture(charts, &measured.unwrap_or_default()))?;
     println!("the picture is {}", file.with_extension("png").display());
-    println!("{measured}");
+    if let Some(error) = area_error {
+        println!("area_error={error:e}");
+    }
     println!("energy_error_max={energy_error:e}");
     println!("changed_sides={}", changed_sides(&starts, &states, energy_error));
     println!("pendulum_steps_per_second={rate:e}");

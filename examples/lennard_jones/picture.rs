@@ -12,8 +12,8 @@ pub(crate) struct Look {
 
 /// `g(r)`, its first peak as `(place, height)`, and the looks.
 pub(crate) fn picture(distribution: &[(f64, f64)], (place, height): (f64, f64), looks: &[Look]) -> Panels {
-    let course = |up: &str, value: fn(&Look) -> f64| {
-        let chart = Chart::new(up).along(Axis::linear("time")).up(Axis::linear(up));
+    let course = |title: &str, up: &str, value: fn(&Look) -> f64| {
+        let chart = Chart::new(title).along(Axis::linear("time")).up(Axis::linear(up));
         chart.line("", looks.iter().map(move |look| (look.time, value(look))))
     };
     let pairs = Chart::new("Radial distribution function")
@@ -24,6 +24,6 @@ pub(crate) fn picture(distribution: &[(f64, f64)], (place, height): (f64, f64), 
         .measured(format!("first peak {height:.2} at {place:.3} diameters"))
         .panel(520, 460)
         .chart(pairs)
-        .chart(course("change of the energy per atom", |look| look.change))
-        .chart(course("temperature", |look| look.temperature))
+        .chart(course("Energy", "change of the energy per atom", |look| look.change))
+        .chart(course("Temperature", "temperature", |look| look.temperature))
 }
