@@ -47,7 +47,7 @@ fn energy_change(study: &Study, method: &str) -> Option<f64> {
 }
 
 /// One row for each claim.
-pub(crate) const CLAIMS: [Claim; 18] = [
+pub(crate) const CLAIMS: [Claim; 19] = [
     Claim {
         name: "forward_euler_energy_grows",
         says: "forward Euler gains energy: the relative change after a turn",
@@ -91,8 +91,17 @@ pub(crate) const CLAIMS: [Claim; 18] = [
         within: [1e6 * BRACKET, f64::INFINITY],
     },
     Claim {
+        name: "brackets_tell_symplectic_methods",
+        says: "methods that claim to be symplectic preserve it for every step, no other does: how many are on the wrong side",
+        value: |study, _| {
+            let wrong = study.methods.iter().filter(|measured| measured.symplectic != measured.keeps_bracket());
+            Some(wrong.count() as f64)
+        },
+        within: [0.0, 0.0],
+    },
+    Claim {
         name: "symplectic_methods_preserve_areas",
-        says: "methods that preserve the bracket preserve the area of a blob: the largest relative change",
+        says: "they preserve the area of a blob: the largest relative change",
         value: |study, _| {
             let methods = study.methods.iter().filter(|measured| measured.keeps_bracket());
             methods.map(|measured| (measured.blob.area() - 1.0).abs()).reduce(f64::max)

@@ -7,12 +7,13 @@ use crate::{
 use integrator_core::{Coords, Method, prelude::*};
 use std::error::Error;
 
-/// The error with one step size.
+/// The error with one step size or tolerance.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Rung {
+    /// The step, or the tolerance of a method that chooses its steps.
     pub(crate) step: f64,
-    /// How often the force was evaluated; no number where the method does not tell.
-    pub(crate) evaluations: f64,
+    /// How often the force was evaluated.
+    pub(crate) evaluations: u64,
     /// The distance in phase space from the reference, in units of the reference.
     pub(crate) error: f64,
 }
@@ -30,6 +31,8 @@ pub(crate) struct Exact {
 pub(crate) const TURNS: f64 = 2.25;
 /// Steps up to there of the coarsest rung.
 const COARSEST: u32 = 18;
+/// The loosest tolerance.
+const LOOSEST: f64 = 0.01;
 /// Steps up to there of the reference, of order 10 and with its roundings carried along.
 const REFERENCE: u32 = 1152;
 
@@ -66,21 +69,43 @@ pub(crate) fn ladder<H: Hamiltonian, M: Method<H>>(
     plan: &Plan,
     exact: &Exact,
 ) -> Result<Vec<Rung>, Box<dyn Error>> {
-    // Not every method knows beforehand how often it will evaluate the force.
-    let forces = method.facts().forces.map_or(f64::NAN, |forces| forces as f64);
     let mut rungs = Vec::new();
     for rung in 0..plan.rungs {
         let steps = u64::from(COARSEST << rung);
         let step = TURNS * problem.turn / steps as f64;
-        let mut run = problem.run(method, &problem.start, step)?;
-        // A step may be too coarse to stay finite.
-        let Ok(()) = run.advance(steps) else { continue };
-        let error = distance(&numbers(&run.state()), &exact.end);
-        rungs.push(Rung { step, evaluations: steps as f64 * forces, error });
+        let Some(rung) = climb(problem, method, [step, step], steps, exact)? else { continue };
+        rungs.push(rung);
         // What lies below the reference says nothing; nor does what lies below the rounding.
-        if error < 2.0 * exact.uncertainty.max(f64::EPSILON) {
+        if rung.error < 2.0 * exact.uncertainty.max(f64::EPSILON) {
             break;
         }
     }
     Ok(rungs)
+}
+
+/// The errors of a method that chooses its own steps, for one tolerance after the other, each a tenth of the one before.
+pub(crate) fn tolerances<H: Hamiltonian, M: Method<H>>(
+    problem: &Problem<H>,
+    method: fn(f64) -> M,
+    plan: &Plan,
+    exact: &Exact,
+) -> Result<Vec<Rung>, Box<dyn Error>> {
+    let span = TURNS * problem.turn;
+    let tolerances = (0..plan.rungs).map(|rung| LOOSEST / 10.0_f64.powi(rung as i32));
+    let rungs = tolerances.map(|tolerance| climb(problem, method(tolerance), [span, tolerance], 1, exact));
+    rungs.filter_map(Result::transpose).collect()
+}
+
+/// The error of so many steps; none where these do not lead to an end. A step may be too coarse to stay finite.
+fn climb<H: Hamiltonian, M: Method<H>>(
+    problem: &Problem<H>,
+    method: M,
+    [h, step]: [f64; 2],
+    steps: u64,
+    exact: &Exact,
+) -> Result<Option<Rung>, Box<dyn Error>> {
+    let mut run = problem.run(method, &problem.start, h)?;
+    let Ok(()) = run.advance(steps) else { return Ok(None) };
+    let error = distance(&numbers(&run.state()), &exact.end);
+    Ok(Some(Rung { step, evaluations: run.evaluations(), error }))
 }

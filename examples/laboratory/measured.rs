@@ -16,6 +16,8 @@ use std::error::Error;
 /// Everything that the pictures show of a method.
 pub(crate) struct Measured {
     pub(crate) name: &'static str,
+    /// Whether it claims to be symplectic.
+    pub(crate) symplectic: bool,
     /// The order that it claims.
     pub(crate) order: u32,
     /// The order that it shows on this problem, where that can be measured.
@@ -89,6 +91,7 @@ pub(crate) fn measure<H: Hamiltonian, M: Method<H>>(
     let brackets = BRACKET_STEPS.iter().map(|count| turn / count);
     Ok(Measured {
         name,
+        symplectic: method.facts().symplectic,
         order: method.facts().order,
         slope: observed_order::<H, M, f64>(system, method, start.clone(), *step).ok().map(|order| order.slope),
         bracket: bracket(*step)?,

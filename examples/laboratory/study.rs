@@ -3,7 +3,7 @@
 use crate::{
     errors::exact,
     measured::Measured,
-    methods,
+    methods::{self, Adaptive},
     plan::Plan,
     problem::{Problem, name},
     shifted::verlet_against_leapfrog,
@@ -26,6 +26,7 @@ pub(crate) struct Study {
     /// The least and the greatest of each of these on the exact orbit.
     pub(crate) extents: [[f64; 2]; 2],
     pub(crate) methods: Vec<Measured>,
+    pub(crate) adaptive: Vec<Adaptive>,
     /// By how much Verlet's inner half steps differ from the leapfrog.
     pub(crate) shifted: f64,
 }
@@ -64,6 +65,7 @@ pub(crate) fn measure<H: Hamiltonian>(problem: &Problem<H>, plan: &Plan) -> Resu
         view: problem.view.map(|index| name(index, freedom)),
         extents: problem.view.map(extent),
         methods: methods::all(problem, plan, &exact)?,
+        adaptive: methods::adaptive(problem, plan, &exact)?,
         shifted: verlet_against_leapfrog(problem)?,
     })
 }

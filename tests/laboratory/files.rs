@@ -11,7 +11,7 @@ const SHOWN: [(&str, [&str; 3], bool); 9] = [
     ("energy", ["Energy against time", "turns", "forward Euler"], false),
     ("energy_error", ["Energy error", "largest so far", "Kahan–Li 8"], true),
     ("errors", ["Error against step", "Runge–Kutta 4: ", "distance from the reference"], true),
-    ("work_precision", ["Work and precision", "evaluations of the force", "Yoshida 4"], false),
+    ("work_precision", ["Work and precision", "evaluations of the force", "Dormand–Prince 8"], false),
     ("areas", ["A blob of starts", " at the end: 1 ", "preserve"], true),
     ("brackets", ["Poisson bracket", "step", "implicit midpoint"], true),
     ("period", ["Period of the pendulum", "exact 8.349", "relative error"], false),

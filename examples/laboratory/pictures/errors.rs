@@ -1,6 +1,9 @@
 //! Errors against the step, and against the work.
 
-use super::{Drawing, style::styled};
+use super::{
+    Drawing,
+    style::{others, styled},
+};
 use crate::{
     errors::{Rung, TURNS},
     measured::Measured,
@@ -31,7 +34,11 @@ pub(super) fn against_work(study: &Study) -> Drawing {
         .along(Axis::logarithmic("evaluations of the force"))
         .up(Axis::logarithmic(format!("distance from the reference after {TURNS} turns")).between(1e-16, 3.0))
         .sized(1100, 720);
-    Drawing::Chart(curves(chart, study, |measured| measured.name.to_owned(), |rung| rung.evaluations))
+    let chart = curves(chart, study, |measured| measured.name.to_owned(), |rung| rung.evaluations as f64);
+    Drawing::Chart(study.adaptive.iter().zip(others(study)).fold(chart, |chart, (adaptive, style)| {
+        let points = adaptive.errors.iter().map(|rung| (rung.evaluations as f64, rung.error));
+        style.apply(chart.series(Mark::Dotted, adaptive.name, points))
+    }))
 }
 
 fn curves(chart: Chart, study: &Study, name: impl Fn(&Measured) -> String, along: fn(&Rung) -> f64) -> Chart {
@@ -43,12 +50,13 @@ fn curves(chart: Chart, study: &Study, name: impl Fn(&Measured) -> String, along
 
 /// The three methods that need the fewest evaluations for an error of 1e-8.
 fn cheapest(study: &Study) -> String {
-    let needs = |measured: &Measured| {
-        let rung = measured.errors.iter().find(|rung| rung.error < 1e-8)?;
-        Some((rung.evaluations, measured.name))
-    };
-    let mut needs: Vec<_> = study.methods.iter().filter_map(needs).collect();
-    needs.sort_by(|a, b| a.0.total_cmp(&b.0));
-    needs.truncate(3);
-    needs.iter().map(|(evaluations, name)| format!("{name} {evaluations}")).collect::<Vec<_>>().join(", ")
+    let fixed = study.methods.iter().map(|measured| (measured.name, &measured.errors));
+    let all = fixed.chain(study.adaptive.iter().map(|adaptive| (adaptive.name, &adaptive.errors)));
+    let needs = all.filter_map(|(name, errors)| {
+        let rung = errors.iter().find(|rung| rung.error < 1e-8)?;
+        Some((rung.evaluations, name))
+    });
+    let mut needs: Vec<_> = needs.collect();
+    needs.sort_unstable();
+    needs.iter().take(3).map(|(evaluations, name)| format!("{name} {evaluations}")).collect::<Vec<_>>().join(", ")
 }

@@ -1,7 +1,11 @@
 //! How each method is drawn in all charts: symplectic ones by whole lines, the others dashed.
 
 use crate::{measured::Measured, study::Study};
-use integrator_plot::{Chart, colour::COLOURS, plotters::style::RGBColor};
+use integrator_plot::{
+    Chart,
+    colour::{COLOURS, GREY},
+    plotters::style::RGBColor,
+};
 
 /// The colour and the line of a method.
 #[derive(Clone, Copy)]
@@ -16,6 +20,12 @@ impl Style {
         let chart = chart.coloured(self.colour);
         if self.dashed { chart.dashed() } else { chart }
     }
+}
+
+/// The styles of methods beyond those of a study: further ones that are not symplectic.
+pub(super) fn others(study: &Study) -> impl Iterator<Item = Style> {
+    let taken = study.methods.iter().filter(|measured| !measured.keeps_bracket()).count();
+    (taken..).map(|place| Style { colour: COLOURS.get(place).copied().unwrap_or(GREY), dashed: true })
 }
 
 /// All methods with their styles. Colours are dealt out among the symplectic ones, and once more among the others.
