@@ -2,7 +2,14 @@
 //! Every method arrives there, with an error that falls as its order says. The oscillator, where every single step has a
 //! closed form, is in `tests/laboratory`.
 
-use integrator_core::prelude::*;
+use integrator_core::{
+    Method,
+    prelude::*,
+    reference::{
+        AdamsBashforthMoulton4, BackwardEuler, ExplicitMidpoint, ForwardEuler, GraggBulirschStoer, ImplicitMidpoint,
+        RungeKutta4, StaggeredLeapfrog,
+    },
+};
 use std::f64::consts::TAU;
 
 struct Pendulum;
@@ -99,7 +106,7 @@ fn elliptic_functions_are_those_of_others() {
 }
 
 /// The error of a method at a time, in so many steps.
-fn pendulum_error<M: Composition<Pendulum>>(method: M, steps: u64) -> f64 {
+fn pendulum_error<M: Method<Pendulum>>(method: M, steps: u64) -> f64 {
     const TIME: f64 = 7.0;
     let mut run = Pendulum.run_with(method, Phase::new([2.0], [0.0]), TIME / steps as f64).expect("a start");
     run.advance(steps).expect("finite states");
@@ -107,7 +114,7 @@ fn pendulum_error<M: Composition<Pendulum>>(method: M, steps: u64) -> f64 {
     apart(&[state.q[0], state.p[0]], &pendulum(2.0, TIME))
 }
 
-fn kepler_error<M: Composition<Kepler>>(method: M, steps: u64) -> f64 {
+fn kepler_error<M: Method<Kepler>>(method: M, steps: u64) -> f64 {
     const TIME: f64 = 7.0;
     const ECCENTRICITY: f64 = 0.3;
     let [x, y, px, py] = ellipse(ECCENTRICITY, 0.0);
@@ -123,6 +130,14 @@ macro_rules! for_each_method {
         $check! {
             Euler: 4_000, 1;
             EulerAdjoint: 4_000, 1;
+            ForwardEuler: 16_000, 1;
+            BackwardEuler: 16_000, 1;
+            StaggeredLeapfrog: 400, 2;
+            ExplicitMidpoint: 1_600, 2;
+            ImplicitMidpoint: 400, 2;
+            RungeKutta4: 400, 4;
+            AdamsBashforthMoulton4: 800, 4;
+            GraggBulirschStoer: 18, 8;
             Verlet: 400, 2;
             VelocityVerlet: 400, 2;
             Yoshida4: 200, 4;
@@ -132,11 +147,12 @@ macro_rules! for_each_method {
     };
 }
 
-/// What halving the step does to an error. Slopes are off by a few hundredths where the next term still shows.
+/// What halving the step does to an error. Slopes are off by up to a quarter where the next term still shows,
+/// as in high orders before the rounding, and by one or more for a method that is not what it should be.
 fn falls(error: impl Fn(u64) -> f64, steps: u64, order: i32, name: &str) {
     let (coarse, fine) = (error(steps), error(2 * steps));
     let slope = (coarse / fine).log2();
-    assert!((slope - f64::from(order)).abs() < 0.2, "{name}: {coarse:e} then {fine:e}, a slope of {slope:.2}");
+    assert!((slope - f64::from(order)).abs() < 0.3, "{name}: {coarse:e} then {fine:e}, a slope of {slope:.2}");
 }
 
 #[test]

@@ -22,6 +22,7 @@ pub(crate) fn exact(amplitude: f64) -> f64 {
 /// The relative errors of the period for steps that halve from one to the next.
 pub(crate) struct Periods {
     pub(crate) name: &'static str,
+    pub(crate) symplectic: bool,
     pub(crate) errors: Vec<(f64, f64)>,
 }
 
@@ -39,7 +40,7 @@ fn row<M: Method<Pendulum>>(name: &'static str, method: M, rungs: u32) -> Period
     let exact = exact(AMPLITUDE);
     let steps = (0..rungs).map(|rung| 0.4 / f64::from(1_u32 << rung));
     let error = |h: f64| period(method, h).map(|period| (h, ((period - exact) / exact).abs()));
-    Periods { name, errors: steps.filter_map(error).collect() }
+    Periods { name, symplectic: method.facts().symplectic, errors: steps.filter_map(error).collect() }
 }
 
 /// One row for each method.

@@ -23,7 +23,7 @@ fn half_a_step_later<H: Hamiltonian>(problem: &Problem<H>, state: Phase<H::Coord
 pub(crate) fn verlet_against_leapfrog<H: Hamiltonian>(problem: &Problem<H>) -> Result<f64, Error> {
     let Problem { start, step, .. } = problem;
     let begin = half_a_step_later(problem, start.clone())?;
-    let leapfrog = problem.run(Euler, &begin, *step)?;
+    let leapfrog = problem.run(Euler, &begin, *step)?.at_time(0.5 * step);
     let mut largest = 0.0_f64;
     for (whole, half) in problem.run(Verlet, start, *step)?.samples(1).zip(leapfrog.samples(1)).take(STEPS) {
         largest = largest.max(apart(&half_a_step_later(problem, whole?.state)?, &half?.state));

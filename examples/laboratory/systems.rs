@@ -85,7 +85,7 @@ pub(crate) const SYSTEMS: &[System] = &[
                 start: Phase::new([1.5], [0.0]),
                 turn: 8.3,
                 step: 0.1,
-                blob: 0.05,
+                blob: 0.03,
                 view: [0, 1],
             };
             measure(&problem, plan)

@@ -1,6 +1,8 @@
 //! A Hamiltonian of one's own, added as the README says: the annotated impl and the row that are printed there.
 
-use crate::{SMALL, claims::verdicts, notes::notes, problem::Problem, study::measure, systems::System};
+use crate::{
+    SMALL, claims::verdicts, notes::notes, pictures::PICTURES, problem::Problem, study::measure, systems::System,
+};
 use integrator_core::prelude::*;
 use std::{fs, path::Path};
 
@@ -36,11 +38,57 @@ const ROW: System =
         },
     };
 
+/// A Hamiltonian that reads the time, of two coordinates in a list.
+struct Driven;
+
+#[hamiltonian]
+impl Driven {
+    fn kinetic(&self, p: &[f64]) -> f64 {
+        p.iter().map(|p| 0.5 * p * p).sum()
+    }
+    fn potential(&self, q: &[f64], t: f64) -> f64 {
+        q.iter().map(|q| 0.5 * q * q - 0.1 * q.cos() * t.sin()).sum()
+    }
+}
+
+/// Nothing is claimed of an energy that is not conserved, and the rest holds.
+#[test]
+fn a_hamiltonian_that_reads_the_time_has_its_page() {
+    let problem = Problem {
+        system: Driven,
+        formula: "H = Σ p²/2 + q²/2 − cos q sin t / 10",
+        start: Phase::new(vec![1.0, 0.5], vec![0.0, 0.2]),
+        turn: 6.5,
+        step: 0.1,
+        blob: 0.1,
+        view: [0, 3],
+    };
+    let study = measure(&problem, &SMALL).expect("measurements");
+    let notes = notes(&SMALL).expect("measurements");
+    assert_eq!((study.autonomous, study.view.clone()), (false, ["q₁".to_owned(), "p₂".to_owned()]));
+    let verdicts = verdicts(&study, &notes);
+    assert!(verdicts.iter().all(|verdict| !verdict.name.contains("energy")) && verdicts.len() > 10);
+    for verdict in &verdicts {
+        assert!(verdict.holds, "{}: {:e}", verdict.name, verdict.value);
+    }
+    let drawn = |name: &str| {
+        PICTURES
+            .iter()
+            .find(|picture| picture.name == name)
+            .is_some_and(|picture| (picture.draw)(&study, &notes).is_some())
+    };
+    assert!(drawn("portraits") && drawn("areas") && !drawn("energy") && !drawn("energy_error"));
+}
+
 #[test]
 fn the_system_of_the_readme_has_its_page() {
     let readme = fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join("README.md")).expect("a README");
     let own = include_str!("own.rs");
-    let printed = own.split("struct Duffing").nth(1).and_then(|rest| rest.split("#[test]").next()).expect("the system");
+    let printed = own
+        .split("struct Duffing")
+        .nth(1)
+        .and_then(|rest| rest.split("\n/// A Hamiltonian").next())
+        .expect("the system");
     for line in printed
         .lines()
         .map(str::trim)

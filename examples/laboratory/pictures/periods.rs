@@ -16,6 +16,7 @@ pub(super) fn periods(notes: &Notes) -> Drawing {
         .along(Axis::logarithmic("step"))
         .up(Axis::logarithmic("relative error of the period"));
     Drawing::Chart(notes.periods.iter().fold(chart, |chart, row| {
-        chart.series(Mark::Dotted, row.name, row.errors.iter().map(|(h, error)| (*h, error.max(1e-16))))
+        let chart = chart.series(Mark::Dotted, row.name, row.errors.iter().map(|(h, error)| (*h, error.max(1e-16))));
+        if row.symplectic { chart } else { chart.dashed() }
     }))
 }
