@@ -28,7 +28,7 @@
 //! | `axis`, `ticks` | linear and logarithmic axes, the numbers along them |
 //! | `path` | curves cut at the border and without points that no pixel shows |
 //! | `cloud` | points by the million as one bitmap, so that an SVG stays small |
-//! | `smooth` | lines and dots of the PNG with smooth edges |
+//! | `smooth` | lines, dots and letters of the PNG with smooth edges |
 //! | `text`, `colour` | lines of text that are broken where they are too long; colours |
 
 mod axis;

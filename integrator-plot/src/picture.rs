@@ -46,7 +46,7 @@ pub fn write(file: &Path, picture: &impl Picture) -> Outcome {
     picture.draw(&area)?;
     area.present()?;
     drop(area);
-    let area = Smooth(BitMapBackend::new(&png, picture.size())).into_drawing_area();
+    let area = Smooth::new(BitMapBackend::new(&png, picture.size()))?.into_drawing_area();
     picture.draw(&area)?;
     Ok(area.present()?)
 }
