@@ -31,8 +31,8 @@ struct Growth<'p> {
     problems: &'p [Growing],
 }
 
-/// How much further the axis reaches than the last point, for the names.
-const ROOM: f64 = 8.0;
+/// Pixels for a letter of the names, which stand on the right.
+const LETTER: i32 = 10;
 
 impl Growing {
     /// A line of slope one half through the mean of the points.
@@ -56,10 +56,10 @@ impl Picture for Growth<'_> {
         let claim = "Grey: a random walk, which grows like the root of the number of steps";
         let below = head(area, self.title, claim)?;
         let points = || self.problems.iter().flat_map(|problem| &problem.points);
-        let steps = points().flat_map(|point| [point.0, ROOM * point.0]);
+        let longest = self.problems.iter().map(|problem| problem.name.chars().count()).max().unwrap_or(0);
         let [along, up] = ["steps", "root mean square of the energy error"].map(Axis::logarithmic);
-        let scales = [along.fit(steps), up.fit(points().map(|point| point.1))];
-        let frame = Frame::new(area, Margins { top: below + 12, right: 8, text: 16 }, scales)?;
+        let scales = [along.fit(points().map(|point| point.0)), up.fit(points().map(|point| point.1))];
+        let frame = Frame::new(area, Margins { top: below + 12, right: LETTER * longest as i32, text: 16 }, scales)?;
         frame.grid()?;
         for (problem, colour) in self.problems.iter().zip(COLOURS.iter().skip(1)) {
             frame.line(problem.walk(), GREY, false)?;
