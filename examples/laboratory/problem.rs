@@ -38,9 +38,10 @@ pub(crate) fn numbers<C: integrator_core::Coords<Leaf = f64>>(state: &Phase<C>) 
 
 /// The name of one of them.
 pub(crate) fn name(index: usize, freedom: usize) -> String {
-    let (letter, number) = if index < freedom { ('q', index) } else { ('p', index - freedom) };
-    match freedom {
-        1 => letter.to_string(),
-        _ => format!("{letter}{}", char::from_u32('₁' as u32 + number as u32).unwrap_or('ₙ')),
+    let (letter, number) = if index < freedom { ('q', index + 1) } else { ('p', index + 1 - freedom) };
+    if freedom == 1 {
+        return letter.to_string();
     }
+    let lowered = |digit: char| char::from_u32('₀' as u32 + digit as u32 - '0' as u32).unwrap_or(digit);
+    format!("{letter}{}", number.to_string().chars().map(lowered).collect::<String>())
 }

@@ -60,13 +60,22 @@ impl Panels {
     }
 }
 
-/// The room for the common head.
-const HEAD: u32 = 110;
+impl Panels {
+    fn width(&self) -> u32 {
+        self.panel.0 * self.columns as u32 + 24
+    }
+
+    /// The room for the common head: the title, and lines of some nine pixels for a letter.
+    fn head(&self) -> u32 {
+        let lines = |text: &str| (9 * text.chars().count() as u32).div_ceil(self.width().max(100) - 48);
+        64 + 21 * (lines(&self.claim) + lines(&self.measured))
+    }
+}
 
 impl Picture for Panels {
     fn size(&self) -> (u32, u32) {
         let rows = self.charts.len().div_ceil(self.columns).max(1) as u32;
-        (self.panel.0 * self.columns as u32 + 24, self.panel.1 * rows + HEAD + 8)
+        (self.width(), self.panel.1 * rows + self.head() + 8)
     }
 
     fn draw<B: DrawingBackend>(&self, area: &Area<B>) -> Outcome
@@ -78,7 +87,7 @@ impl Picture for Panels {
         let (width, height) = self.panel;
         for (place, chart) in self.charts.iter().enumerate() {
             let (row, column) = (place / self.columns, place % self.columns);
-            let (left, top) = (12 + column as u32 * width, HEAD + row as u32 * height);
+            let (left, top) = (12 + column as u32 * width, self.head() + row as u32 * height);
             let sheet = area.clone().shrink((left, top), (width, height));
             chart.draw_panel(&sheet)?;
         }
@@ -98,7 +107,7 @@ mod tests {
             let points = (0..20).map(|x| (f64::from(x), f64::from(x * i)));
             panels.chart(Chart::new(format!("number {i}")).along(Axis::linear("x")).line("", points))
         });
-        assert_eq!(panels.size(), (784, 838));
+        assert_eq!(panels.size(), (784, 2 * 360 + 64 + 21 + 8));
         let file = env::temp_dir().join(format!("integrator-panels-{}", std::process::id()));
         write(&file, &panels).expect("two files");
         let text = fs::read_to_string(file.with_extension("svg")).expect("text");

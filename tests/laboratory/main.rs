@@ -139,6 +139,13 @@ fn the_invariant_is_the_area() {
     }
 }
 
+#[test]
+fn coordinates_have_names_however_many_there_are() {
+    let names =
+        [(0, 1), (1, 1), (0, 2), (3, 2), (11, 12), (23, 12)].map(|(index, freedom)| problem::name(index, freedom));
+    assert_eq!(names, ["q", "p", "q₁", "p₂", "q₁₂", "p₁₂"]);
+}
+
 fn exists(file: &Path) -> bool {
     file.metadata().is_ok_and(|file| file.len() > 1_000)
 }

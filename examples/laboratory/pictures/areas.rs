@@ -13,7 +13,12 @@ pub(super) fn areas(study: &Study) -> Drawing {
              that is seen here is one term of it."
         }
     };
-    let panels = Panels::new(format!("A blob of starts: {}", study.system), claim).columns(4).panel(310, 350);
+    let changes = study.methods.iter().filter(|measured| measured.keeps_bracket());
+    let largest = changes.map(|measured| (measured.blob.area() - 1.0).abs()).fold(0.0, f64::max);
+    let panels = Panels::new(format!("A blob of starts: {}", study.system), claim)
+        .measured(format!("largest relative change under a symplectic method: {largest:.1e}"))
+        .columns(4)
+        .panel(310, 350);
     Drawing::Panels(study.methods.iter().fold(panels, |panels, measured| panels.chart(panel(study, measured))))
 }
 
