@@ -1,4 +1,5 @@
-//! What is measured of one method: the only code here that is generic over systems and methods.
+//! What is measured of one method. With `blob`, `errors` and `shifted` this is the code that is generic over systems and
+//! methods; what comes out are plain numbers.
 
 use crate::{
     blob::{Blob, follow},
@@ -49,7 +50,7 @@ const BEYOND: f64 = 10.0;
 impl Measured {
     /// Whether `{q₁, p₁} = 1` for every step that was tried.
     pub(crate) fn keeps_bracket(&self) -> bool {
-        self.brackets.iter().all(|(_, bracket)| (bracket - 1.0).abs() <= BRACKET)
+        !self.brackets.is_empty() && self.brackets.iter().all(|(_, bracket)| (bracket - 1.0).abs() <= BRACKET)
     }
 
     /// The last change of the energy, or the one with which a motion that escapes has left for good.

@@ -47,8 +47,11 @@ impl Study {
 
 /// Measures a system.
 pub(crate) fn measure<H: Hamiltonian>(problem: &Problem<H>, plan: &Plan) -> Result<Study, Box<dyn Error>> {
-    let exact = exact(problem)?;
     let freedom = problem.start.q.flat().len();
+    if let Some(index) = problem.view.iter().find(|index| **index >= 2 * freedom) {
+        return Err(format!("a view of coordinate {index}: there are {freedom} positions, then as many momenta").into());
+    }
+    let exact = exact(problem)?;
     let extent = |index: usize| {
         let numbers = exact.orbit.iter().map(|state| state[index]);
         let (least, most) =

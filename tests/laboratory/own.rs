@@ -51,19 +51,28 @@ impl Driven {
     }
 }
 
-/// Nothing is claimed of an energy that is not conserved, and the rest holds.
-#[test]
-fn a_hamiltonian_that_reads_the_time_has_its_page() {
-    let problem = Problem {
+fn driven(view: [usize; 2]) -> Problem<Driven> {
+    Problem {
         system: Driven,
         formula: "H = Σ p²/2 + q²/2 − cos q sin t / 10",
         start: Phase::new(vec![1.0, 0.5], vec![0.0, 0.2]),
         turn: 6.5,
         step: 0.1,
         blob: 0.1,
-        view: [0, 3],
-    };
-    let study = measure(&problem, &SMALL).expect("measurements");
+        view,
+    }
+}
+
+#[test]
+fn a_view_of_a_coordinate_that_there_is_not_is_refused() {
+    let refusal = measure(&driven([0, 4]), &SMALL).err().expect("a refusal").to_string();
+    assert_eq!(refusal, "a view of coordinate 4: there are 2 positions, then as many momenta");
+}
+
+/// Nothing is claimed of an energy that is not conserved, and the rest holds.
+#[test]
+fn a_hamiltonian_that_reads_the_time_has_its_page() {
+    let study = measure(&driven([0, 3]), &SMALL).expect("measurements");
     let notes = notes(&SMALL).expect("measurements");
     assert_eq!((study.autonomous, study.view.clone()), (false, ["q₁".to_owned(), "p₂".to_owned()]));
     let verdicts = verdicts(&study, &notes);
