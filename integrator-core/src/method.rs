@@ -75,6 +75,9 @@ impl<X: Scheme> Described for X {
     note = "a new one is declared with `composition! {{ pub struct Mine: order 2 = T(1/2) V(1) T(1/2); }}`"
 )]
 pub trait Method<H: Hamiltonian>: Described {
+    /// Whether its steps are compiled for several instruction sets, of which a run takes the best.
+    const CLONED: bool = true;
+
     /// What stays the same in a run.
     type Constants: Send + Sync + 'static;
     /// What moves.

@@ -110,10 +110,17 @@ impl<C: Coords> Run<C> {
     {
         let parameters = system.parameters(start.q.length());
         let constants = H::Parameters::<f64>::not_finite(&parameters);
-        let mut engine = match InstructionSet::chosen() {
-            InstructionSet::Baseline => engine::<H, X, K::Plain, K>(method, parameters, start),
-            InstructionSet::Avx512 if H::WIDE => engine::<H, X, K::Avx512, K>(method, parameters, start),
-            InstructionSet::Fused | InstructionSet::Avx512 => engine::<H, X, K::Fused, K>(method, parameters, start),
+        // Known when this is compiled, so that nothing is compiled for the others.
+        let mut engine = if const { X::CLONED } {
+            match InstructionSet::chosen() {
+                InstructionSet::Baseline => engine::<H, X, K::Plain, K>(method, parameters, start),
+                InstructionSet::Avx512 if H::WIDE => engine::<H, X, K::Avx512, K>(method, parameters, start),
+                InstructionSet::Fused | InstructionSet::Avx512 => {
+                    engine::<H, X, K::Fused, K>(method, parameters, start)
+                }
+            }
+        } else {
+            engine::<H, X, K::Plain, K>(method, parameters, start)
         };
         engine.share_among(None);
         let run = Self {

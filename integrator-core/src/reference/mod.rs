@@ -20,8 +20,8 @@
 //! The last three come from the crate `differential-equations`, which has all of them on plain vectors; they cover each
 //! step `h` of the run by steps of their own, and begin anew with the next.
 //!
-//! They are made to be compared with and not to be fast: each evaluation of the field loads a motion. Their work is
-//! counted in evaluations.
+//! They are made to be compared with and not to be fast: each evaluation of the field loads a motion, and there is code
+//! for the baseline of the target alone. Their work is counted in evaluations.
 //!
 //! ```
 //! use integrator_core::{check::symplectic_defect, prelude::*, reference::RungeKutta4};
@@ -70,6 +70,8 @@ use walk::{Constants, Walked, moves};
 macro_rules! methods {
     ($($method:ident)*) => {$(
         impl<H: Hamiltonian> Method<H> for $method {
+            const CLONED: bool = false;
+
             type Constants = Constants<H::Parameters<f64>, Self>;
             type Motion<R: Real, K: Keep> = Walked<H, R, K, Self>;
 
