@@ -6,7 +6,7 @@ use std::{
 };
 
 /// What each module of `integrator-symbolic` may import from its crate, in the order of the pipeline.
-const MAY_KNOW: [(&str, &[&str]); 13] = [
+const MAY_KNOW: [(&str, &[&str]); 14] = [
     ("errors", &[]),
     ("limits", &["errors"]),
     ("graph", &[]),
@@ -16,14 +16,15 @@ const MAY_KNOW: [(&str, &[&str]); 13] = [
     ("pairs", &["differentiate", "graph"]),
     ("program", &["differentiate", "graph"]),
     ("scheme", &["errors"]),
+    ("taylor", &["differentiate", "graph"]),
     ("syntax", &["errors", "scheme"]),
     ("model", &["errors", "graph", "limits", "syntax"]),
-    ("emit", &["differentiate", "gather", "graph", "lower", "model", "pairs", "program", "scheme", "syntax"]),
+    ("emit", &["differentiate", "gather", "graph", "lower", "model", "pairs", "program", "scheme", "syntax", "taylor"]),
     ("report", &["differentiate", "emit", "errors", "graph", "lower", "model", "syntax"]),
 ];
 
 /// The modules that compute and never see a token.
-const WITHOUT_TOKENS: [&str; 6] = ["graph", "differentiate", "gather", "lower", "pairs", "program"];
+const WITHOUT_TOKENS: [&str; 7] = ["graph", "differentiate", "gather", "lower", "pairs", "program", "taylor"];
 
 fn root() -> &'static Path {
     Path::new(env!("CARGO_MANIFEST_DIR"))

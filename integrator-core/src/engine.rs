@@ -104,7 +104,6 @@ pub struct Moves<M> {
 
 impl<M> Moves<M> {
     /// The moves of a method whose motion stands at the end of a step whenever it is looked at.
-    #[cfg(feature = "reference")]
     pub(crate) fn closed(advance: fn(&mut M, Clock, u64, Option<usize>)) -> Self {
         Self { advance, close: |_, _| {}, threads: Some(1) }
     }

@@ -170,6 +170,14 @@ pub enum Unsolved {
         /// The last update, relative to the largest coordinate.
         update: f64,
     },
+    /// The motion comes near a singularity, and the steps of the Taylor method are too short for the clock.
+    #[error("the motion is singular near t = {time}, where steps of {reach:.1e} no longer move the clock")]
+    Singular {
+        /// About where.
+        time: f64,
+        /// The length of the last step.
+        reach: f64,
+    },
     /// An adaptive method found no steps within its tolerance.
     #[error("no steps within the tolerance were found: {0}")]
     Adaptive(String),

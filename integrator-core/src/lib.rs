@@ -135,6 +135,8 @@ mod samples;
 mod side_by_side;
 mod sites;
 mod slot;
+#[allow(unreachable_pub, reason = "named in bounds, never outside")]
+pub mod taylor;
 mod threads;
 mod tiled;
 mod tiles;
@@ -211,6 +213,13 @@ pub mod __private {
         row::Row,
         sites::Sites,
         slot::{Keep, Slot},
+        taylor::{
+            Recurrences,
+            series::{
+                COEFFICIENTS, Series, chain, half_power, order_of_time, power, product, quotient, real_power, square,
+                turn,
+            },
+        },
         tiled::{Flow, Reach},
         tiles::Tiles,
         visit::{Visitor, visit_quadratic},

@@ -23,6 +23,7 @@ mod program;
 mod report;
 mod scheme;
 mod syntax;
+mod taylor;
 
 pub use emit::Form;
 use errors::Errors;
@@ -113,13 +114,27 @@ fn read(arguments: TokenStream, item: TokenStream, errors: &mut Errors) -> Optio
 fn judged(input: &Input, errors: &mut Errors) -> Option<Model> {
     let model = model::model(input, errors);
     match &model {
-        Some(model) => check_composition(input, model, errors),
+        Some(model) => {
+            check_composition(input, model, errors);
+            check_taylor(input, model, errors);
+        }
         None if errors.is_empty() => {
             errors.at(&input.item.self_ty, "this impl could not be read, and no reason was found: please report it");
         }
         None => {}
     }
     model.filter(|_| errors.is_empty())
+}
+
+/// What is differentiated by a stated method alone has one derivative, and a series asks for all.
+fn check_taylor(input: &Input, model: &Model, errors: &mut Errors) {
+    if let (Some(span), Some(name)) = (input.taylor, model.externals.first()) {
+        let message = format!(
+            "`{name}` is called as it is, with a derivative that was stated, and has no Taylor series: write it in the \
+             language of H, or leave out `taylor`"
+        );
+        errors.at_span(span, message);
+    }
 }
 
 /// A sequence in place has to fit this very Hamiltonian; a named one is held against it by the type checker.

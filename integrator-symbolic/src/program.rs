@@ -23,6 +23,8 @@ pub(crate) enum Sink {
     Assign(Element),
     /// It is what the function returns.
     Return,
+    /// It is kept under its name for other values.
+    Keep,
 }
 
 /// A value, where it goes, and what is around that.
@@ -64,8 +66,18 @@ pub(crate) struct Program {
 
 /// Orders the computation of everything that is placed. `leaf` tells which nodes are read, not computed.
 pub(crate) fn schedule(graph: &Graph, placed: &[Placed], leaf: impl Fn(&Graph, NodeId) -> bool) -> Program {
-    attempt(graph, placed, &leaf, Waiting::ForItsLike)
-        .or_else(|| attempt(graph, placed, &leaf, Waiting::ForAny))
+    schedule_with(graph, placed, leaf, &BTreeSet::new())
+}
+
+/// The same, where some nodes have a name however they are used.
+pub(crate) fn schedule_with(
+    graph: &Graph,
+    placed: &[Placed],
+    leaf: impl Fn(&Graph, NodeId) -> bool,
+    asked: &BTreeSet<NodeId>,
+) -> Program {
+    attempt(graph, placed, &leaf, asked, Waiting::ForItsLike)
+        .or_else(|| attempt(graph, placed, &leaf, asked, Waiting::ForAny))
         .unwrap_or(Program { items: Vec::new(), named: BTreeSet::new() })
 }
 
@@ -82,9 +94,11 @@ fn attempt<L: Fn(&Graph, NodeId) -> bool>(
     graph: &Graph,
     placed: &[Placed],
     leaf: &L,
+    asked: &BTreeSet<NodeId>,
     waiting: Waiting,
 ) -> Option<Program> {
-    let mut scheduler = Scheduler { graph, leaf, waiting, scopes: vec![Scope::default()], uses: BTreeMap::new() };
+    let mut scheduler =
+        Scheduler { graph, leaf, asked, waiting, scopes: vec![Scope::default()], uses: BTreeMap::new() };
     for Placed { context, sink, value } in placed {
         let mut path = vec![0];
         for around in context {
@@ -135,6 +149,8 @@ struct Scope {
 struct Scheduler<'g, L> {
     graph: &'g Graph,
     leaf: &'g L,
+    /// What has a name however it is used.
+    asked: &'g BTreeSet<NodeId>,
     waiting: Waiting,
     scopes: Vec<Scope>,
     /// The blocks that nodes are used in, as paths from the outermost one; the last node is placed first.
@@ -312,6 +328,7 @@ impl<L: Fn(&Graph, NodeId) -> bool> Scheduler<'_, L> {
             named.extend(made_inside.copied());
         }
         named.extend(uses.into_iter().filter(|(_, count)| *count > 1).map(|(id, _)| id));
+        named.extend(self.scopes.iter().flat_map(|scope| scope.nodes.intersection(self.asked)));
         self.name_deep(&mut named);
         named.retain(|id| !(self.leaf)(self.graph, *id));
         for scope in &self.scopes {

@@ -33,6 +33,8 @@ pub(crate) struct Input {
     /// `None` where the annotation has no `compose`.
     pub(crate) compose: Option<Compose>,
     pub(crate) functions: Functions,
+    /// Whether recurrences for Taylor series are asked for, and where.
+    pub(crate) taylor: Option<Span>,
     /// The runtime crate.
     pub(crate) root: Path,
     pub(crate) item: ItemImpl,
@@ -69,22 +71,22 @@ pub(crate) fn input(arguments: TokenStream, item: TokenStream, errors: &mut Erro
         return None;
     }
     // Wrong arguments are noted; what the functions hold is read all the same, so that all mistakes come at once.
-    let (compose, functions, root) = arguments.unwrap_or_default();
+    let (compose, functions, taylor, root) = arguments.unwrap_or_default();
     let functions = functions.unwrap_or_default();
     let root = root.unwrap_or_else(|| syn::parse_quote!(::integrator_core));
-    Some(Input { compose, functions, root, item })
+    Some(Input { compose, functions, taylor, root, item })
 }
 
 fn looks_like_impl(item: &TokenStream) -> bool {
     item.clone().into_iter().any(|token| matches!(token, proc_macro2::TokenTree::Ident(name) if name == "impl"))
 }
 
-type Arguments = (Option<Compose>, Option<Functions>, Option<Path>);
+type Arguments = (Option<Compose>, Option<Functions>, Option<Span>, Option<Path>);
 
 /// The arguments, separated by commas, each at most once.
 fn arguments_of(tokens: TokenStream, errors: &mut Errors) -> Option<Arguments> {
     let parser = |input: ParseStream<'_>| {
-        let (mut compose, mut functions, mut root) = (None, None, None);
+        let (mut compose, mut functions, mut taylor, mut root) = (None, None, None, None);
         while !input.is_empty() {
             if input.peek(Token![crate]) {
                 let key: Token![crate] = input.parse()?;
@@ -102,6 +104,8 @@ fn arguments_of(tokens: TokenStream, errors: &mut Errors) -> Option<Arguments> {
                 } else if key == "functions" {
                     equals(input, key.span())?;
                     functions.replace(functions_of(input, key.span())?).is_some()
+                } else if key == "taylor" {
+                    taylor.replace(key.span()).is_some()
                 } else {
                     return Err(syn::Error::new(key.span(), format!("`{key}` is not an argument here; {EXPECTED}")));
                 };
@@ -113,13 +117,13 @@ fn arguments_of(tokens: TokenStream, errors: &mut Errors) -> Option<Arguments> {
                 input.parse::<Token![,]>()?;
             }
         }
-        Ok((compose, functions, root))
+        Ok((compose, functions, taylor, root))
     };
     parser.parse2(tokens).map_err(|error| errors.push(error)).ok()
 }
 
-const EXPECTED: &str = "expected `compose = Yoshida4`, `compose = V(1/2) T(1) V(1/2)`, `functions = fast` or \
-                        `crate = path::to::integrator_core`";
+const EXPECTED: &str = "expected `compose = Yoshida4`, `compose = V(1/2) T(1) V(1/2)`, `functions = fast`, \
+                        `taylor` or `crate = path::to::integrator_core`";
 
 /// The sign between an argument and its value.
 fn equals(input: ParseStream<'_>, key: Span) -> syn::Result<()> {

@@ -52,6 +52,44 @@ fn henon_heiles() {
 }
 
 #[test]
+fn recurrences_of_a_pendulum() {
+    insta::assert_snapshot!(recurrences(
+        "impl Pendulum {
+            fn kinetic(&self, p: [f64; 1]) -> f64 { p[0] * p[0] / (2.0 * self.mass) }
+            fn potential(&self, q: [f64; 1]) -> f64 { -self.strength * q[0].cos() }
+        }"
+    ));
+}
+
+#[test]
+fn recurrences_of_pairs_within_reach() {
+    insta::assert_snapshot!(recurrences(
+        "impl Cluster {
+            fn kinetic(&self, p: &[[f64; 2]]) -> f64 { p.iter().map(|[x, y]| 0.5 * (x * x + y * y)).sum() }
+            fn potential(&self, q: &[[f64; 2]]) -> f64 {
+                let mut energy = 0.0;
+                for i in 0..q.len() {
+                    for j in 0..i {
+                        let square = (q[i][0] - q[j][0]).powi(2) + (q[i][1] - q[j][1]).powi(2);
+                        if square < self.reach { energy += 1.0 / square.powi(3) - (1.0 + square).ln(); }
+                    }
+                }
+                energy
+            }
+        }"
+    ));
+}
+
+/// What is written beside the stepper where Taylor series are asked for.
+fn recurrences(item: &str) -> String {
+    let text = stepper("taylor", item);
+    let (before, after) = text.split_once("    /// The coefficients that recurrences read.").expect("a tape");
+    let turns = before.split_once("    /// What a turn of a loop keeps.").map_or("", |(_, turns)| turns);
+    assert!(!stepper("", item).contains("Recurrences"), "nothing is written unasked");
+    format!("{turns}{after}")
+}
+
+#[test]
 fn kepler() {
     insta::assert_snapshot!(stepper(
         "",

@@ -173,9 +173,16 @@ struct Block<'m> {
     begun: HashMap<NodeId, usize>,
 }
 
-impl<'m> Block<'m> {
-    fn new(model: &'m Model, reserved: &'m Names, program: &Program, dialect: Dialect, frame: &'m Frame) -> Self {
-        let printer = Printer {
+impl<'m> Printer<'m> {
+    /// What prints the expressions of a program.
+    pub(super) fn new(
+        model: &'m Model,
+        reserved: &'m Names,
+        program: &Program,
+        dialect: Dialect,
+        frame: &'m Frame,
+    ) -> Self {
+        Self {
             graph: &model.graph,
             parameters: &model.parameters,
             running: &model.running,
@@ -186,7 +193,13 @@ impl<'m> Block<'m> {
             externals: &model.externals,
             functions: model.functions,
             frame,
-        };
+        }
+    }
+}
+
+impl<'m> Block<'m> {
+    fn new(model: &'m Model, reserved: &'m Names, program: &Program, dialect: Dialect, frame: &'m Frame) -> Self {
+        let printer = Printer::new(model, reserved, program, dialect, frame);
         Self { printer, masks: Vec::new(), begun: HashMap::new() }
     }
 
@@ -233,6 +246,7 @@ impl<'m> Block<'m> {
                 printer.share(fields, *share, value)
             }
             Item::Sink(Sink::Return, value) => printer.expression(fields, *value).tokens,
+            Item::Sink(Sink::Keep, _) => TokenStream::new(),
             Item::Sink(Sink::Update(element), value) => self.updated(fields, *element, *value),
             Item::Sink(Sink::Collect(element), value) => {
                 let at = printer.at(fields, *element);

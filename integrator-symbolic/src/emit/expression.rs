@@ -306,6 +306,10 @@ impl Printer<'_> {
             }
             Frame::Sites(_) => self.neighbour(element),
             Frame::Bodies(_) => place(fields),
+            Frame::Series(_) => {
+                let place = place(fields);
+                quote!(#place[order])
+            }
         }
     }
 
@@ -318,6 +322,7 @@ impl Printer<'_> {
         let at = self.at(fields, element);
         match self.frame {
             Frame::Motion | Frame::Sites(_) => quote!(motion.#part #at),
+            Frame::Series(_) => quote!(#part #at),
             Frame::Bodies(bodies) => {
                 let part = bodies.of_index(self.graph, part, element.index);
                 quote!(#part #at)
@@ -335,6 +340,17 @@ impl Printer<'_> {
             Frame::Motion | Frame::Sites(_) => {
                 let index = self.index(fields, element.index);
                 quote!([#index] #component)
+            }
+            Frame::Series(dimension) => {
+                let index = self.inner_index(fields, element.index);
+                match element.component.zip(*dimension) {
+                    Some((component, dimension)) => {
+                        let (offset, dimension) = (self.inner_index(fields, component), dimension.tokens());
+                        let offset = (self.graph.loops.literal(component) != Some(0)).then(|| quote!(+ #offset));
+                        quote!([#index * #dimension #offset])
+                    }
+                    None => quote!([#index]),
+                }
             }
             Frame::Bodies(_) => component.unwrap_or_else(|| quote!([0])),
         }
@@ -356,7 +372,9 @@ impl Printer<'_> {
                     quote!(near.length())
                 }
             }
-            Index::Length if self.dialect == Dialect::Generic => quote!(motion.q.len()),
+            Index::Length if self.dialect == Dialect::Generic && !matches!(self.frame, Frame::Series(_)) => {
+                quote!(motion.q.len())
+            }
             Index::Length => quote!(length),
             Index::Add(a, b) => binary(a, quote!(+), b),
             Index::Sub(a, b) => binary(a, quote!(-), b),

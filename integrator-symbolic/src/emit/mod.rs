@@ -15,7 +15,9 @@ mod form;
 mod frame;
 mod lattice;
 mod names;
+mod orders;
 mod pairs;
+mod tape;
 mod texts;
 
 use crate::{
@@ -62,6 +64,7 @@ pub(crate) fn refusal(sequence: &InPlace, model: &Model) -> Option<String> {
 pub(crate) fn stepper(input: &Input, mut model: Model) -> TokenStream {
     let kinetic = gradient(&mut model.graph, model.kinetic, Part::Momentum);
     let potential = gradient(&mut model.graph, model.potential, Part::Position);
+    let (kinetic_gradient, potential_gradient) = (kinetic.clone(), potential.clone());
     let documentation = documented_motion(&mut model, &kinetic, &potential);
 
     let names = Names::new(input);
@@ -84,6 +87,9 @@ pub(crate) fn stepper(input: &Input, mut model: Model) -> TokenStream {
         quote!(#plain #energy)
     });
     let [drift, kick, kinetic, potential] = [drift, kick, kinetic, potential].map(Body::new);
+
+    let orders =
+        input.taylor.map(|_| orders::orders(&mut model, &mut fields, &names, kinetic_gradient, potential_gradient));
 
     let root = &input.root;
     let Names { runtime, parameters, scalar, leaf, .. } = &names;
@@ -151,6 +157,10 @@ pub(crate) fn stepper(input: &Input, mut model: Model) -> TokenStream {
         }
     };
     let quadratic = force_gradient.map(|functions| implementation(quote!(#runtime::QuadraticKinetic), functions));
+    let taylor = orders.map(|orders::Orders { tape, items }| {
+        let recurrences = implementation(quote!(#runtime::Recurrences), items);
+        quote!(#tape #recurrences)
+    });
     let motion = match &many_body {
         Some(many_body) => many_body.motion(&of_r, &names),
         None => quote!(#runtime::Plain<#scalar, #runtime::Shaped<Self, #leaf>, #of_r>),
@@ -223,6 +233,7 @@ pub(crate) fn stepper(input: &Input, mut model: Model) -> TokenStream {
 
             #many_body
             #quadratic
+            #taylor
             #(#along)*
         };
     }

@@ -19,6 +19,10 @@ pub(crate) struct Names {
     pub(super) wide: Ident,
     /// How coordinates are kept.
     pub(super) leaf: Ident,
+    /// The struct of Taylor coefficients that recurrences read.
+    pub(super) tape: Ident,
+    /// What the structs of the turns of its loops begin with.
+    pub(super) turn: Ident,
 }
 
 impl Names {
@@ -42,6 +46,8 @@ impl Names {
             scalar: free("Scalar"),
             wide: free("Wide"),
             leaf: free("Leaf"),
+            tape: free("Tape"),
+            turn: free("Turn"),
         }
     }
 }

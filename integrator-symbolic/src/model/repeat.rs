@@ -8,7 +8,7 @@ use std::{collections::HashMap, ops::Range};
 use syn::{ExprForLoop, Pat, visit::Visit};
 
 /// Names that the generated functions use themselves.
-const RESERVED: [&str; 7] = ["motion", "step", "time", "duration", "of_lane", "lane", "table"];
+const RESERVED: [&str; 9] = ["motion", "step", "time", "duration", "of_lane", "lane", "table", "order", "tape"];
 
 /// How many turns a loop may have that is written out, because its body is more than a sum.
 const FEW: u64 = 16;

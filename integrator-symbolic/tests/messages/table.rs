@@ -10,42 +10,44 @@ pub(crate) const ARGUMENTS: &[Row] = &[
     (
         "composition = Verlet",
         &[
-            "1:0 `composition` is not an argument here; expected `compose = Yoshida4`, `compose = V(1/2) T(1) V(1/2)`, `functions = fast` or `crate = path::to::integrator_core`",
+            "1:0 `composition` is not an argument here; expected `compose = Yoshida4`, `compose = V(1/2) T(1) V(1/2)`, `functions = fast`, `taylor` or `crate = path::to::integrator_core`",
         ],
     ),
     (
         "Verlet",
         &[
-            "1:0 `Verlet` is not an argument here; expected `compose = Yoshida4`, `compose = V(1/2) T(1) V(1/2)`, `functions = fast` or `crate = path::to::integrator_core`",
+            "1:0 `Verlet` is not an argument here; expected `compose = Yoshida4`, `compose = V(1/2) T(1) V(1/2)`, `functions = fast`, `taylor` or `crate = path::to::integrator_core`",
         ],
     ),
     (
         "4",
         &[
-            "1:0 expected `compose = Yoshida4`, `compose = V(1/2) T(1) V(1/2)`, `functions = fast` or `crate = path::to::integrator_core`",
+            "1:0 expected `compose = Yoshida4`, `compose = V(1/2) T(1) V(1/2)`, `functions = fast`, `taylor` or `crate = path::to::integrator_core`",
         ],
     ),
     (
         "compose",
         &[
-            "1:0 this lacks its value; expected `compose = Yoshida4`, `compose = V(1/2) T(1) V(1/2)`, `functions = fast` or `crate = path::to::integrator_core`",
+            "1:0 this lacks its value; expected `compose = Yoshida4`, `compose = V(1/2) T(1) V(1/2)`, `functions = fast`, `taylor` or `crate = path::to::integrator_core`",
         ],
     ),
     (
         "compose =",
         &[
-            "1:0 this lacks its value; expected `compose = Yoshida4`, `compose = V(1/2) T(1) V(1/2)`, `functions = fast` or `crate = path::to::integrator_core`",
+            "1:0 this lacks its value; expected `compose = Yoshida4`, `compose = V(1/2) T(1) V(1/2)`, `functions = fast`, `taylor` or `crate = path::to::integrator_core`",
         ],
     ),
     (
         "compose = 4",
         &[
-            "1:10 a composition is a name or a sequence of stages; expected `compose = Yoshida4`, `compose = V(1/2) T(1) V(1/2)`, `functions = fast` or `crate = path::to::integrator_core`",
+            "1:10 a composition is a name or a sequence of stages; expected `compose = Yoshida4`, `compose = V(1/2) T(1) V(1/2)`, `functions = fast`, `taylor` or `crate = path::to::integrator_core`",
         ],
     ),
     ("compose = Verlet compose = Verlet", &["1:17 expected `,`"]),
     ("compose = Verlet, compose = Euler", &["1:18 `compose` is given twice"]),
     ("functions = fast, functions = precise", &["1:18 `functions` is given twice"]),
+    ("taylor, functions = fast", &[]),
+    ("taylor, taylor", &["1:8 `taylor` is given twice"]),
     (
         "functions = quick",
         &["1:12 elementary functions are `fast`, within 4 ulp, or `precise`, within 1 or 2, as they are unasked"],
@@ -54,13 +56,13 @@ pub(crate) const ARGUMENTS: &[Row] = &[
     (
         "crate = 4",
         &[
-            "1:8 the runtime is named by a path; expected `compose = Yoshida4`, `compose = V(1/2) T(1) V(1/2)`, `functions = fast` or `crate = path::to::integrator_core`",
+            "1:8 the runtime is named by a path; expected `compose = Yoshida4`, `compose = V(1/2) T(1) V(1/2)`, `functions = fast`, `taylor` or `crate = path::to::integrator_core`",
         ],
     ),
     (
         "compose = Verlet, crate",
         &[
-            "1:18 this lacks its value; expected `compose = Yoshida4`, `compose = V(1/2) T(1) V(1/2)`, `functions = fast` or `crate = path::to::integrator_core`",
+            "1:18 this lacks its value; expected `compose = Yoshida4`, `compose = V(1/2) T(1) V(1/2)`, `functions = fast`, `taylor` or `crate = path::to::integrator_core`",
         ],
     ),
     ("compose = V(1/2) T(1) V(1/3)", &["1:10 the coefficients of `V` sum to 0.833333333333, not to 1"]),

@@ -1,0 +1,41 @@
+//! The Taylor method: the multiderivative method of any order, with recurrences that `#[hamiltonian(taylor)]` writes.
+//!
+//! In: a system whose recurrences are generated. Out: runs at the precision of the scalar, whose steps are chosen by a
+//! tolerance and whose states between them cost an evaluation of a polynomial. Always true: the polynomials do not
+//! depend on where a run is looked at, so that its states do not either.
+//!
+//! It is not symplectic: it is the reference, the method for errors near the rounding, and what symplectic runs are
+//! held against. Its energy error does not oscillate but accumulates, however slowly.
+//!
+//! ```
+//! use integrator_core::{prelude::*, taylor::Taylor};
+//!
+//! struct Pendulum;
+//!
+//! #[hamiltonian(taylor)]
+//! impl Pendulum {
+//!     fn kinetic(&self, p: [f64; 1]) -> f64 {
+//!         0.5 * p[0] * p[0]
+//!     }
+//!     fn potential(&self, q: [f64; 1]) -> f64 {
+//!         -q[0].cos()
+//!     }
+//! }
+//!
+//! // The step of the run is how far apart its states are; the method takes steps of its own.
+//! let mut run = Pendulum.run_with(Taylor::tolerance(1e-16), Phase::new([2.0], [0.0]), 0.01)?;
+//! let energy = run.energy();
+//! run.advance(100_000)?;
+//! assert!((run.energy() - energy).abs() < 1e-13);
+//! # Ok::<(), Error>(())
+//! ```
+
+mod expansion;
+mod horizon;
+mod method;
+mod moment;
+mod recurrences;
+pub(crate) mod series;
+
+pub use method::Taylor;
+pub use recurrences::Recurrences;

@@ -1,0 +1,149 @@
+//! Recurrences for the Taylor coefficients of a motion.
+//!
+//! Comes in: gradients. Goes out: values with the nodes beside them that their coefficients are computed from. Always
+//! true: a node's coefficient of an order is computed from coefficients of its children up to this order and from
+//! lower ones of itself and of the slopes, so that one pass over the nodes, children first, finds an order.
+//!
+//! Sums, differences and products with prepared numbers are linear: their coefficients are those of their children. For
+//! the others, with `y = f(x)` and the slope `g = f'(x)` of the table of elementary functions, `y' = g x'` gives
+//! `k yₖ = Σ j xⱼ gₖ₋ⱼ`. So the column of derivatives is the column of recurrences. A number that is added to a series
+//! is its coefficient of order 0; it is multiplied by [`Node::Step`], which is one at order 0 and zero at all others.
+
+use crate::{
+    differentiate::Contribution,
+    graph::{Around, Graph, Node, NodeId, function::Function},
+};
+use std::collections::{BTreeMap, BTreeSet, HashMap};
+
+/// What an order is computed from beside the values themselves.
+#[derive(Debug, Default)]
+pub(crate) struct Recurrences {
+    /// The slopes of each node that is a function of another one or of two, by its arguments; those of numbers are `None`.
+    pub(crate) slopes: BTreeMap<NodeId, [Option<NodeId>; 2]>,
+    /// The nodes of which all coefficients are kept, because others are computed from lower ones.
+    pub(crate) kept: BTreeSet<NodeId>,
+    /// The nodes that have a recurrence of their own.
+    pub(crate) nonlinear: BTreeSet<NodeId>,
+}
+
+impl Recurrences {
+    /// Rewrites the values of gradients, and finds what their coefficients are computed from.
+    pub(crate) fn of(graph: &mut Graph, gradients: [&mut Vec<Contribution>; 2]) -> Self {
+        let mut found = Self::default();
+        let mut rewriting = HashMap::new();
+        let mut open = Vec::new();
+        for contribution in gradients.into_iter().flatten() {
+            let value = rewritten(graph, contribution.value, &mut rewriting);
+            contribution.value = at_order_zero(graph, value);
+            for around in &mut contribution.context {
+                if let Around::Branch(condition, _) = around {
+                    *condition = rewritten(graph, *condition, &mut rewriting);
+                    open.push(*condition);
+                }
+            }
+            open.push(contribution.value);
+        }
+        let mut seen = BTreeSet::new();
+        while let Some(id) = open.pop() {
+            if graph.is_prepared(id) || !seen.insert(id) {
+                continue;
+            }
+            open.extend(graph.node(id).children());
+            open.extend(found.read(graph, id, &mut rewriting));
+        }
+        found
+    }
+
+    /// Notes what a node is computed from, and returns the slopes that come with it.
+    fn read(&mut self, graph: &mut Graph, id: NodeId, rewriting: &mut HashMap<NodeId, NodeId>) -> Vec<NodeId> {
+        let (operands, slopes) = match graph.node(id) {
+            Node::Mul(a, b) if !graph.is_prepared(a) && !graph.is_prepared(b) => (vec![a, b], [None, None]),
+            Node::Div(_, b) if !graph.is_prepared(b) => (vec![id, b], [None, None]),
+            Node::Power(a, 4) => (vec![a], [None, None]),
+            // A whole power of a base that may be zero, where the recurrence of a power would divide by it.
+            Node::Power(a, halves @ 5..) if halves % 2 == 0 => {
+                let (lowered, exponent) = (graph.power(a, halves - 2), graph.constant(f64::from(halves) / 2.0));
+                (vec![a], [Some(graph.mul(exponent, lowered)), None])
+            }
+            Node::Power(a, _) => (vec![id, a], [None, None]),
+            Node::Unary(function, a) => (vec![a], [graph.slope(function, a, id), None]),
+            Node::Binary(function, a, b) if is_power(function) && graph.is_prepared(b) => (vec![id, a], [None, None]),
+            Node::Binary(function, a, b) => {
+                let [of_a, of_b] = graph.slopes(function, a, b, id);
+                let moves = |x: NodeId| !graph.is_prepared(x);
+                (vec![a, b], [of_a.filter(|_| moves(a)), of_b.filter(|_| moves(b))])
+            }
+            _ => return Vec::new(),
+        };
+        self.nonlinear.insert(id);
+        let slopes = slopes.map(|slope| {
+            let slope = rewritten(graph, slope?, rewriting);
+            Some(at_order_zero(graph, slope))
+        });
+        self.slopes.insert(id, slopes);
+        let kept = operands.into_iter().chain(slopes.into_iter().flatten()).map(|id| signed(graph, id).1);
+        let is_coordinate = |id: &NodeId| matches!(graph.node(*id), Node::Coordinate(_));
+        self.kept.extend(kept.filter(|id| !graph.is_prepared(*id) && !is_coordinate(id)));
+        slopes.into_iter().flatten().collect()
+    }
+}
+
+/// Whether a function is the power with any exponent.
+pub(crate) fn is_power(function: Function) -> bool {
+    function.name() == "powf"
+}
+
+/// A node, and whether a change of sign was taken off it.
+pub(crate) fn signed(graph: &Graph, id: NodeId) -> (bool, NodeId) {
+    match graph.node(id) {
+        Node::Neg(inner) => {
+            let (negative, inner) = signed(graph, inner);
+            (!negative, inner)
+        }
+        _ => (false, id),
+    }
+}
+
+/// A value as a series: a number is its coefficient of order 0.
+fn at_order_zero(graph: &mut Graph, id: NodeId) -> NodeId {
+    if graph.is_prepared(id) { graph.stepped(id) } else { id }
+}
+
+/// A value whose added numbers are coefficients of order 0, and whose powers with a moving exponent are exponentials.
+fn rewritten(graph: &mut Graph, root: NodeId, known: &mut HashMap<NodeId, NodeId>) -> NodeId {
+    for id in graph.reachable([root]) {
+        if known.contains_key(&id) {
+            continue;
+        }
+        let new = if graph.is_prepared(id) { id } else { rewrite(graph, id, known) };
+        known.insert(id, new);
+    }
+    known[&root]
+}
+
+fn rewrite(graph: &mut Graph, id: NodeId, known: &HashMap<NodeId, NodeId>) -> NodeId {
+    let of = |id: NodeId| known[&id];
+    match graph.node(id) {
+        Node::Add(a, b) => {
+            let (a, b) = (at_order_zero(graph, of(a)), at_order_zero(graph, of(b)));
+            graph.add(a, b)
+        }
+        Node::Select(condition, a, b) => {
+            let zero = |graph: &Graph, id| graph.as_constant(id) == Some(0.0);
+            let part = |graph: &mut Graph, id| if zero(graph, id) { id } else { at_order_zero(graph, id) };
+            let (a, b) = (part(graph, of(a)), part(graph, of(b)));
+            graph.select(of(condition), a, b)
+        }
+        Node::Sum(by, body) => {
+            let body = at_order_zero(graph, of(body));
+            graph.rebuilt(Node::Sum(by, body))
+        }
+        Node::Binary(function, a, b) if is_power(function) && !graph.is_prepared(b) => {
+            let base = at_order_zero(graph, of(a));
+            let logarithm = graph.call("ln", base);
+            let exponent = graph.mul(of(b), logarithm);
+            graph.call("exp", exponent)
+        }
+        node => graph.rebuilt(node.map(of)),
+    }
+}
