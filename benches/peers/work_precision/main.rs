@@ -4,7 +4,8 @@
 //! largest relative deviation of its energy at 256 looks, and the distance of its end from the reference. The last lines
 //! are milliseconds to an error, on the lines between neighbouring runs, for the best of this library's methods
 //! (`time_ms_<problem>_<kind>_<error>=`) and over those of the best peer (`ratio_to_best_peer_...=`): at most 0.5 is asked
-//! at energy errors of 1e-6 and 1e-8. Pictures go to `target/bench`.
+//! at energy errors of 1e-6 and 1e-8. `ratio_taylor_to_best_composition_...=` is the time of the Taylor method over that of the
+//! best composition. Pictures go to `target/bench`.
 
 mod fields;
 mod ours;
@@ -17,7 +18,8 @@ use integrator_bench::{
     starts::{Problem, Problems},
     table::{Table, folder},
 };
-use integrator_core::{Coords, QuadraticKinetic};
+use integrator_core::{Coords, QuadraticKinetic, taylor::Recurrences};
+use ours::TAYLOR;
 use std::error::Error;
 
 const ERRORS: [(f64, &str); 5] = [(1e-4, "1e-4"), (1e-6, "1e-6"), (1e-8, "1e-8"), (1e-10, "1e-10"), (1e-12, "1e-12")];
@@ -30,7 +32,7 @@ struct Report {
 }
 
 impl Report {
-    fn problem<H: QuadraticKinetic, F: Field<D>, const D: usize, const N: usize>(
+    fn problem<H: QuadraticKinetic + Recurrences, F: Field<D>, const D: usize, const N: usize>(
         &mut self,
         title: &str,
         problem: &Problem<H>,
@@ -59,6 +61,11 @@ impl Report {
 
     fn compare(&mut self, what: &str, curves: &[Curve], kind: Kind, error: f64) {
         let (ours, peers): (Vec<&Curve>, Vec<&Curve>) = curves.iter().partition(|curve| curve.ours);
+        let (taylor, compositions): (Vec<&Curve>, Vec<&Curve>) =
+            ours.iter().partition(|curve| curve.method.starts_with(TAYLOR));
+        if let Some(((taylor, _), (composition, _))) = best(taylor, kind, error).zip(best(compositions, kind, error)) {
+            self.lines.push(format!("ratio_taylor_to_best_composition_{what}={:.3}", taylor / composition));
+        }
         let Some((time, method)) = best(ours, kind, error) else { return };
         self.lines.push(format!("time_ms_{what}={time:.4}"));
         let Some((peer, other)) = best(peers, kind, error) else {

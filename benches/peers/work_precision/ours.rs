@@ -2,11 +2,18 @@
 
 use crate::fields::distance;
 use integrator_bench::{precision::Curve, starts::Problem};
-use integrator_core::{Compensated, Coords, Run, prelude::*};
-use std::hint::black_box;
+use integrator_core::{
+    Compensated, Coords, Method, Run,
+    prelude::*,
+    taylor::{Recurrences, Taylor},
+};
+use std::{hint::black_box, ops::Range};
 
 /// How often the energy is looked at along a run.
 const LOOKS: u64 = 256;
+
+/// What the curves of the Taylor method begin with.
+pub(crate) const TAYLOR: &str = "Taylor";
 
 /// The curves of a choice of the catalogue on one problem.
 pub(crate) struct Ours<'p, H: Hamiltonian> {
@@ -23,7 +30,7 @@ where
     fn plain<X: Composition<H>>(&mut self, composition: X) {
         let start = || self.problem.start.clone();
         let run = |h| self.problem.system.run_with::<f64, X>(composition, start(), h);
-        let curve = self.curve(X::NAME.to_owned(), X::FORCE_EVALUATIONS, run, |leaf| leaf);
+        let curve = self.curve(X::NAME.to_owned(), self.steps(X::FORCE_EVALUATIONS), run, |leaf| leaf);
         self.curves.push(curve);
     }
 
@@ -32,22 +39,55 @@ where
         let start = || Phase::compensated(self.problem.start.q.clone(), self.problem.start.p.clone());
         let run = |h| self.problem.system.run_with::<Compensated<f64>, X>(composition, start(), h);
         let name = format!("{}, compensated", X::NAME);
-        let curve = self.curve(name, X::FORCE_EVALUATIONS, run, |leaf| leaf.value + leaf.carried);
+        let curve = self.curve(name, self.steps(X::FORCE_EVALUATIONS), run, |leaf| leaf.value + leaf.carried);
         self.curves.push(curve);
+    }
+
+    /// Taylor's method of an order, by ever smaller tolerances; it takes steps of its own between looks.
+    fn taylor(&mut self, order: usize)
+    where
+        Taylor: Method<H>,
+    {
+        let Problem { system, start, span, .. } = self.problem;
+        let run = |level: u32| {
+            let method = Taylor::tolerance(10.0_f64.powf(-4.0 - f64::from(level))).with_order(order);
+            let start = Phase::compensated(start.q.clone(), start.p.clone());
+            system.run_with::<Compensated<f64>, _>(method, start, span / LOOKS as f64)
+        };
+        let looks = |_: u32| LOOKS;
+        let curve = self.curve_over(format!("{TAYLOR} {order}"), 0..16, looks, run, |leaf| leaf.value + leaf.carried);
+        self.curves.push(curve);
+    }
+
+    /// The steps of each level for a composition with so many forces.
+    fn steps(&self, forces: usize) -> impl Fn(u32) -> u64 + use<H> {
+        let coarsest = (self.evaluations / forces as u64).next_power_of_two();
+        move |level| coarsest << level
     }
 
     fn curve<C: Coords>(
         &self,
         name: String,
-        forces: usize,
+        steps: impl Fn(u32) -> u64,
         start: impl Fn(f64) -> Result<Run<C>, Error>,
         number: impl Fn(C::Leaf) -> f64,
     ) -> Curve {
-        let Problem { span, reference, .. } = self.problem;
-        let steps = |level: u32| (self.evaluations / forces as u64).next_power_of_two() << level;
+        let span = self.problem.span;
+        self.curve_over(name, 0..14, &steps, |level| start(span / steps(level) as f64), number)
+    }
+
+    fn curve_over<C: Coords>(
+        &self,
+        name: String,
+        levels: Range<u32>,
+        steps: impl Fn(u32) -> u64,
+        start: impl Fn(u32) -> Result<Run<C>, Error>,
+        number: impl Fn(C::Leaf) -> f64,
+    ) -> Curve {
+        let reference = &self.problem.reference;
         let errors = |level| {
             let steps = steps(level);
-            let run = start(span / steps as f64).ok()?;
+            let run = start(level).ok()?;
             let energy = run.energy();
             let (mut worst, mut end) = (0.0_f64, None);
             let every = (steps / LOOKS).max(1);
@@ -61,17 +101,20 @@ where
         };
         let timed = |level| {
             let steps = steps(level);
-            let mut run = start(span / steps as f64).expect("a start");
+            let mut run = start(level).expect("a start");
             // Runs that diverge were dropped above.
             black_box(run.advance(steps).is_ok());
             black_box(run.state());
         };
-        Curve::measure(name, true, 0..14, errors, timed)
+        Curve::measure(name, true, levels, errors, timed)
     }
 }
 
 /// `evaluations` is how many forces the longest steps take.
-pub(crate) fn curves<H: integrator_core::QuadraticKinetic>(problem: &Problem<H>, evaluations: u64) -> Vec<Curve>
+pub(crate) fn curves<H: integrator_core::QuadraticKinetic + Recurrences>(
+    problem: &Problem<H>,
+    evaluations: u64,
+) -> Vec<Curve>
 where
     H::Coords: Coords<Leaf = f64>,
 {
@@ -87,5 +130,8 @@ where
     ours.compensated(BlanesMoanSrkn14);
     ours.compensated(Teloy8C);
     ours.compensated(SofroniouSpaletta10);
+    ours.taylor(16);
+    ours.taylor(20);
+    ours.taylor(24);
     ours.curves
 }

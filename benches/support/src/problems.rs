@@ -16,7 +16,7 @@ pub struct Pendulum {
     pub gravity: f64,
 }
 
-#[hamiltonian]
+#[hamiltonian(taylor)]
 impl Pendulum {
     fn kinetic(&self, p: [f64; 1]) -> f64 {
         p[0].powi(2) / (2.0 * self.mass * self.length.powi(2))
@@ -44,7 +44,7 @@ impl FastPendulum {
 #[derive(Clone, Copy)]
 pub struct HenonHeiles;
 
-#[hamiltonian]
+#[hamiltonian(taylor)]
 impl HenonHeiles {
     fn kinetic(&self, [px, py]: [f64; 2]) -> f64 {
         0.5 * (px * px + py * py)
@@ -58,7 +58,7 @@ impl HenonHeiles {
 #[derive(Clone, Copy)]
 pub struct Kepler;
 
-#[hamiltonian]
+#[hamiltonian(taylor)]
 impl Kepler {
     fn kinetic(&self, [px, py]: [f64; 2]) -> f64 {
         0.5 * (px * px + py * py)
@@ -75,7 +75,7 @@ pub struct Solar {
     pub masses: [f64; 6],
 }
 
-#[hamiltonian]
+#[hamiltonian(taylor)]
 impl Solar {
     fn kinetic(&self, p: &[[f64; 3]; 6]) -> f64 {
         let mut energy = 0.0;
@@ -103,7 +103,7 @@ pub struct Chain32 {
     pub alpha: f64,
 }
 
-#[hamiltonian]
+#[hamiltonian(taylor)]
 impl Chain32 {
     fn kinetic(&self, p: [f64; 32]) -> f64 {
         let mut energy = 0.0;
