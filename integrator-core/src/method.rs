@@ -72,7 +72,8 @@ impl<X: Scheme> Described for X {
     message = "`{Self}` is not a method that may integrate `{H}`",
     label = "neither a composition nor another method for this Hamiltonian",
     note = "`Verlet`, `Yoshida4` and all other compositions of general class integrate every separable Hamiltonian",
-    note = "a new one is declared with `composition! {{ pub struct Mine: order 2 = T(1/2) V(1) T(1/2); }}`"
+    note = "a new one is declared with `composition! {{ pub struct Mine: order 2 = T(1/2) V(1) T(1/2); }}`",
+    note = "`Taylor` needs recurrences, which are only written where they are asked for: `#[hamiltonian(taylor)]`"
 )]
 pub trait Method<H: Hamiltonian>: Described {
     /// Whether its steps are compiled for several instruction sets, of which a run takes the best.
