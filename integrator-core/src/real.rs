@@ -21,7 +21,7 @@ pub trait Kernel {
 }
 
 /// In which lanes a condition holds.
-pub trait Mask: Copy {
+pub trait Mask: Copy + Send + Sync + 'static {
     /// The same in every lane.
     fn of(holds: bool) -> Self;
     /// Whether it holds in one lane at least: if not, the branch is skipped.

@@ -6,6 +6,7 @@
 //! are one branch; a node has a name if it is used twice or in a block inside its own.
 
 mod order;
+mod place;
 
 use crate::graph::{Around, Element, Graph, Node, NodeId, index::LoopId};
 use std::collections::{BTreeMap, BTreeSet, HashMap};
@@ -23,8 +24,6 @@ pub(crate) enum Sink {
     Assign(Element),
     /// It is what the function returns.
     Return,
-    /// It is kept under its name for other values.
-    Keep,
 }
 
 /// A value, where it goes, and what is around that.
@@ -64,17 +63,26 @@ pub(crate) struct Program {
     pub(crate) named: BTreeSet<NodeId>,
 }
 
-/// Orders the computation of everything that is placed. `leaf` tells which nodes are read, not computed.
-pub(crate) fn schedule(graph: &Graph, placed: &[Placed], leaf: impl Fn(&Graph, NodeId) -> bool) -> Program {
-    schedule_with(graph, placed, leaf, &BTreeSet::new())
+/// What is asked of some nodes beside being there for others.
+#[derive(Debug, Default)]
+pub(crate) struct Asked {
+    /// Those that have a name however they are used.
+    pub(crate) named: BTreeSet<NodeId>,
+    /// Those that are computed wherever another one is, which reads them later than in this pass.
+    pub(crate) beside: BTreeMap<NodeId, BTreeSet<NodeId>>,
 }
 
-/// The same, where some nodes have a name however they are used.
+/// Orders the computation of everything that is placed. `leaf` tells which nodes are read, not computed.
+pub(crate) fn schedule(graph: &Graph, placed: &[Placed], leaf: impl Fn(&Graph, NodeId) -> bool) -> Program {
+    schedule_with(graph, placed, leaf, &Asked::default())
+}
+
+/// The same, where more is asked of some nodes.
 pub(crate) fn schedule_with(
     graph: &Graph,
     placed: &[Placed],
     leaf: impl Fn(&Graph, NodeId) -> bool,
-    asked: &BTreeSet<NodeId>,
+    asked: &Asked,
 ) -> Program {
     attempt(graph, placed, &leaf, asked, Waiting::ForItsLike)
         .or_else(|| attempt(graph, placed, &leaf, asked, Waiting::ForAny))
@@ -94,11 +102,18 @@ fn attempt<L: Fn(&Graph, NodeId) -> bool>(
     graph: &Graph,
     placed: &[Placed],
     leaf: &L,
-    asked: &BTreeSet<NodeId>,
+    asked: &Asked,
     waiting: Waiting,
 ) -> Option<Program> {
-    let mut scheduler =
-        Scheduler { graph, leaf, asked, waiting, scopes: vec![Scope::default()], uses: BTreeMap::new() };
+    let mut scheduler = Scheduler {
+        graph,
+        leaf,
+        asked,
+        waiting,
+        scopes: vec![Scope::default()],
+        uses: BTreeMap::new(),
+        homes: BTreeMap::new(),
+    };
     for Placed { context, sink, value } in placed {
         let mut path = vec![0];
         for around in context {
@@ -149,12 +164,13 @@ struct Scope {
 struct Scheduler<'g, L> {
     graph: &'g Graph,
     leaf: &'g L,
-    /// What has a name however it is used.
-    asked: &'g BTreeSet<NodeId>,
+    asked: &'g Asked,
     waiting: Waiting,
     scopes: Vec<Scope>,
     /// The blocks that nodes are used in, as paths from the outermost one; the last node is placed first.
     uses: BTreeMap<NodeId, Vec<Vec<usize>>>,
+    /// The blocks that nodes are computed in, as paths.
+    homes: BTreeMap<NodeId, Vec<Vec<usize>>>,
 }
 
 impl<L: Fn(&Graph, NodeId) -> bool> Scheduler<'_, L> {
@@ -224,79 +240,6 @@ impl<L: Fn(&Graph, NodeId) -> bool> Scheduler<'_, L> {
         made
     }
 
-    /// Finds the block of every node. Users come before what they use, since their ids are larger.
-    fn place(&mut self) {
-        while let Some((id, uses)) = self.uses.pop_last() {
-            let mut homes: Vec<Vec<usize>> = Vec::new();
-            for path in uses {
-                let (needed, path) = (self.needed(&path, id), &path[..self.allowed(&path, id)]);
-                // Uses inside one turn of the deepest loop share what they have in common.
-                match homes.iter_mut().find(|home| home.get(..needed) == Some(&path[..needed])) {
-                    Some(home) => {
-                        let common = home.iter().zip(path).take_while(|(a, b)| a == b).count();
-                        home.truncate(common);
-                    }
-                    None => homes.push(path.to_vec()),
-                }
-            }
-            for home in homes {
-                self.place_at(id, &home);
-            }
-        }
-    }
-
-    fn place_at(&mut self, id: NodeId, home: &[usize]) {
-        self.scope(home).nodes.insert(id);
-        match self.graph.node(id) {
-            Node::Sum(by, body) => {
-                let turn = self.inside(home, Around::Loop(by), self.waits(home, id, Around::Loop(by)));
-                match self.graph.node(body) {
-                    // What a turn adds under a condition alone is added there.
-                    Node::Select(condition, value, zero) if self.graph.as_constant(zero) == Some(0.0) => {
-                        self.add_where(id, &turn, condition, true, value);
-                    }
-                    Node::Select(condition, zero, value) if self.graph.as_constant(zero) == Some(0.0) => {
-                        self.add_where(id, &turn, condition, false, value);
-                    }
-                    _ => self.end(&turn, End::Add { sum: id, value: body }),
-                }
-            }
-            Node::Select(condition, first, second) => {
-                self.used(condition, home);
-                // A choice begins as zero, which needs no branch.
-                let zero = |value: &NodeId| self.graph.as_constant(*value) == Some(0.0);
-                for (holds, value) in [(true, first), (false, second)].into_iter().filter(|(_, value)| !zero(value)) {
-                    let around = Around::Branch(condition, holds);
-                    let branch = self.inside(home, around, self.waits(home, id, around));
-                    self.end(&branch, End::Choose { choice: id, value });
-                }
-            }
-            node => {
-                for child in node.children() {
-                    self.used(child, home);
-                }
-            }
-        }
-    }
-
-    fn add_where(&mut self, sum: NodeId, turn: &[usize], condition: NodeId, holds: bool, value: NodeId) {
-        self.used(condition, turn);
-        let around = Around::Branch(condition, holds);
-        let waits = self.waits(turn, condition, around).max(self.waits(turn, value, around));
-        let branch = self.inside(turn, around, waits + 1);
-        self.end(&branch, End::Add { sum, value });
-    }
-
-    fn inside(&mut self, path: &[usize], around: Around, waits: u32) -> Vec<usize> {
-        let inner = self.inner(path, around, waits);
-        path.iter().copied().chain([inner]).collect()
-    }
-
-    fn end(&mut self, path: &[usize], end: End) {
-        self.used(end.value(), path);
-        self.scope(path).ends.push(end);
-    }
-
     /// Sums and choices, what is used twice, and what is used in a block inside the one that it is computed in.
     fn named(&self) -> BTreeSet<NodeId> {
         let mut uses: HashMap<NodeId, u32> = HashMap::new();
@@ -328,7 +271,7 @@ impl<L: Fn(&Graph, NodeId) -> bool> Scheduler<'_, L> {
             named.extend(made_inside.copied());
         }
         named.extend(uses.into_iter().filter(|(_, count)| *count > 1).map(|(id, _)| id));
-        named.extend(self.scopes.iter().flat_map(|scope| scope.nodes.intersection(self.asked)));
+        named.extend(self.scopes.iter().flat_map(|scope| scope.nodes.intersection(&self.asked.named)));
         self.name_deep(&mut named);
         named.retain(|id| !(self.leaf)(self.graph, *id));
         for scope in &self.scopes {

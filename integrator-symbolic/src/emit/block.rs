@@ -246,7 +246,6 @@ impl<'m> Block<'m> {
                 printer.share(fields, *share, value)
             }
             Item::Sink(Sink::Return, value) => printer.expression(fields, *value).tokens,
-            Item::Sink(Sink::Keep, _) => TokenStream::new(),
             Item::Sink(Sink::Update(element), value) => self.updated(fields, *element, *value),
             Item::Sink(Sink::Collect(element), value) => {
                 let at = printer.at(fields, *element);

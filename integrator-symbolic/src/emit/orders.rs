@@ -13,14 +13,14 @@ use super::{
 };
 use crate::{
     differentiate::Contribution,
-    graph::{Around, Element, Graph, Node, NodeId, index::LoopId},
+    graph::{Element, Graph, Node, NodeId, index::LoopId},
     model::Model,
-    program::{Item, Placed, Sink, schedule_with},
+    program::{Asked, Item, Placed, Sink, schedule_with},
     taylor::{Recurrences, is_power, signed},
 };
 use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::{format_ident, quote};
-use std::collections::{BTreeSet, HashMap};
+use std::collections::HashMap;
 
 /// The items that hold a tape, and the implementation that computes an order.
 pub(super) struct Orders {
@@ -39,9 +39,9 @@ pub(super) fn orders(
     mut potential: Vec<Contribution>,
 ) -> Orders {
     let recurrences = Recurrences::of(&mut model.graph, [&mut kinetic, &mut potential]);
-    let placed = placed(&mut model.graph, &recurrences, &kinetic, &potential);
+    let placed = placed(&mut model.graph, &kinetic, &potential);
     let is_read = |graph: &Graph, id| matches!(graph.node(id), Node::Coordinate(_) | Node::Time | Node::Step);
-    let asked: BTreeSet<NodeId> = recurrences.kept.union(&recurrences.nonlinear).copied().collect();
+    let asked = asked(&model.graph, &recurrences);
     let parameters = &model.parameters;
     let leaf = |graph: &Graph, id| is_read(graph, id) || is_leaf(graph, parameters, id);
     let program = schedule_with(&model.graph, &placed, leaf, &asked);
@@ -54,25 +54,25 @@ pub(super) fn orders(
         within: vec![0],
         places: HashMap::new(),
     };
+    let clock = writer.clock();
     writer.allocate(&program.items);
     let body = writer.items(fields, &program.items);
     let records = writer.records;
-    Orders { tape: tape(&records, names), items: implementation(body, &records, names) }
+    Orders { tape: tape(&records, names), items: implementation(quote!(#clock #body), &records, names) }
 }
 
-/// The values that move coordinates, and the slopes, which are kept where they are computed.
-fn placed(
-    graph: &mut Graph,
-    recurrences: &Recurrences,
-    kinetic: &[Contribution],
-    potential: &[Contribution],
-) -> Vec<Placed> {
-    let mut placed = Vec::new();
-    for slope in recurrences.slopes.values().flatten().flatten() {
-        let value = signed(graph, *slope).1;
-        let context = graph.loops_of(value).iter().map(Around::Loop).collect();
-        placed.push(Placed { context, sink: Sink::Keep, value });
+/// Recurrences have lines of their own, and read the series of slopes where they stand.
+fn asked(graph: &Graph, recurrences: &Recurrences) -> Asked {
+    let beside = |slopes: &[Option<NodeId>; 2]| slopes.iter().flatten().map(|slope| signed(graph, *slope).1).collect();
+    Asked {
+        named: recurrences.kept.union(&recurrences.nonlinear).copied().collect(),
+        beside: recurrences.slopes.iter().map(|(id, slopes)| (*id, beside(slopes))).collect(),
     }
+}
+
+/// The values that move coordinates.
+fn placed(graph: &mut Graph, kinetic: &[Contribution], potential: &[Contribution]) -> Vec<Placed> {
+    let mut placed = Vec::new();
     for (gradient, is_force) in [(kinetic, false), (potential, true)] {
         for Contribution { context, element, value } in gradient {
             let value = if is_force { graph.neg(*value) } else { *value };
@@ -96,6 +96,22 @@ struct Writer<'m> {
 }
 
 impl Writer<'_> {
+    /// The lines that keep the time and the step, where recurrences read their series.
+    fn clock(&mut self) -> TokenStream {
+        let mut lines = TokenStream::new();
+        for id in &self.recurrences.kept {
+            let name = match self.printer.graph.node(*id) {
+                Node::Time => format_ident!("time"),
+                Node::Step => format_ident!("step"),
+                _ => continue,
+            };
+            self.places.insert(*id, quote!(tape.#name));
+            lines.extend(quote!(tape.#name[order] = #name;));
+            self.records[0].slots.push((name, false));
+        }
+        lines
+    }
+
     /// Finds places for what is kept in a block, before its lines are written: recurrences read each other.
     fn allocate(&mut self, items: &[Item]) {
         for item in items {
@@ -183,8 +199,11 @@ impl Writer<'_> {
         let at = format_ident!("turn_{number}");
         self.records.push(Record { at: at.clone(), slots: Vec::new() });
         self.within.push(number);
+        // What two loops over the same range both compute is kept by each.
+        let outside = self.places.clone();
         self.allocate(body);
         let body = self.items(fields, body);
+        self.places = outside;
         self.within.pop();
         let (range, index) = (self.printer.graph.loops.get(by), self.printer.running.get(&by));
         let (from, to) = (self.printer.bound(fields, range.from), self.printer.bound(fields, range.to));

@@ -1,0 +1,128 @@
+//! The block that each node is computed in: the innermost one around all of its uses, outside of every loop that it does
+//! not depend on.
+
+use super::{End, Scheduler};
+use crate::graph::{Around, Graph, Node, NodeId};
+
+impl<L: Fn(&Graph, NodeId) -> bool> Scheduler<'_, L> {
+    /// Finds the block of every node, and then of those that are computed beside others.
+    pub(super) fn place(&mut self) {
+        loop {
+            // Users come before what they use, since their ids are larger.
+            while let Some((id, uses)) = self.uses.pop_last() {
+                self.place_uses(id, uses);
+            }
+            let missing = self.missing();
+            if missing.is_empty() {
+                return;
+            }
+            for (id, path) in missing {
+                self.used(id, &path);
+            }
+        }
+    }
+
+    /// What is computed beside others and is not there yet, with the blocks of these.
+    fn missing(&self) -> Vec<(NodeId, Vec<usize>)> {
+        let is_there = |id: &NodeId, path: &[usize]| {
+            (self.leaf)(self.graph, *id)
+                || self.homes.get(id).is_some_and(|homes| homes.iter().any(|home| path.starts_with(home)))
+        };
+        let mut missing = Vec::new();
+        for (id, beside) in &self.asked.beside {
+            for path in self.homes.get(id).into_iter().flatten() {
+                missing.extend(beside.iter().filter(|id| !is_there(id, path)).map(|id| (*id, path.clone())));
+            }
+        }
+        missing
+    }
+
+    fn place_uses(&mut self, id: NodeId, uses: Vec<Vec<usize>>) {
+        let known = self.homes.remove(&id).unwrap_or_default();
+        let mut homes = known.clone();
+        for path in uses {
+            let (needed, path) = (self.needed(&path, id), &path[..self.allowed(&path, id)]);
+            // Uses inside one turn of the deepest loop share what they have in common.
+            match homes.iter_mut().find(|home| home.get(..needed) == Some(&path[..needed])) {
+                Some(home) => {
+                    let common = home.iter().zip(path).take_while(|(a, b)| a == b).count();
+                    home.truncate(common);
+                }
+                None => homes.push(path.to_vec()),
+            }
+        }
+        for left in known.iter().filter(|home| !homes.contains(home)) {
+            self.leave(id, left);
+        }
+        for home in homes.iter().filter(|home| !known.contains(home)) {
+            self.place_at(id, home);
+        }
+        self.homes.insert(id, homes);
+    }
+
+    /// Takes a node out of a block, since a use has been found outside of it.
+    fn leave(&mut self, id: NodeId, home: &[usize]) {
+        self.scope(home).nodes.remove(&id);
+        let mut open = vec![home[home.len() - 1]];
+        while let Some(scope) = open.pop() {
+            let makes = |end: &End| match end {
+                End::Add { sum: made, .. } | End::Choose { choice: made, .. } => *made == id,
+                End::Sink(..) => false,
+            };
+            self.scopes[scope].ends.retain(|end| !makes(end));
+            open.extend(self.scopes[scope].inner.iter().map(|(_, inner)| *inner));
+        }
+    }
+
+    fn place_at(&mut self, id: NodeId, home: &[usize]) {
+        self.scope(home).nodes.insert(id);
+        match self.graph.node(id) {
+            Node::Sum(by, body) => {
+                let turn = self.inside(home, Around::Loop(by), self.waits(home, id, Around::Loop(by)));
+                match self.graph.node(body) {
+                    // What a turn adds under a condition alone is added there.
+                    Node::Select(condition, value, zero) if self.graph.as_constant(zero) == Some(0.0) => {
+                        self.add_where(id, &turn, condition, true, value);
+                    }
+                    Node::Select(condition, zero, value) if self.graph.as_constant(zero) == Some(0.0) => {
+                        self.add_where(id, &turn, condition, false, value);
+                    }
+                    _ => self.end(&turn, End::Add { sum: id, value: body }),
+                }
+            }
+            Node::Select(condition, first, second) => {
+                self.used(condition, home);
+                // A choice begins as zero, which needs no branch.
+                let zero = |value: &NodeId| self.graph.as_constant(*value) == Some(0.0);
+                for (holds, value) in [(true, first), (false, second)].into_iter().filter(|(_, value)| !zero(value)) {
+                    let around = Around::Branch(condition, holds);
+                    let branch = self.inside(home, around, self.waits(home, id, around));
+                    self.end(&branch, End::Choose { choice: id, value });
+                }
+            }
+            node => {
+                for child in node.children() {
+                    self.used(child, home);
+                }
+            }
+        }
+    }
+
+    fn add_where(&mut self, sum: NodeId, turn: &[usize], condition: NodeId, holds: bool, value: NodeId) {
+        self.used(condition, turn);
+        let around = Around::Branch(condition, holds);
+        let waits = self.waits(turn, condition, around).max(self.waits(turn, value, around));
+        let branch = self.inside(turn, around, waits + 1);
+        self.end(&branch, End::Add { sum, value });
+    }
+
+    fn inside(&mut self, path: &[usize], around: Around, waits: u32) -> Vec<usize> {
+        let inner = self.inner(path, around, waits);
+        path.iter().copied().chain([inner]).collect()
+    }
+
+    fn end(&mut self, path: &[usize], end: End) {
+        self.used(end.value(), path);
+        self.scope(path).ends.push(end);
+    }
+}
