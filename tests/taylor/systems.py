@@ -1,0 +1,208 @@
+"""The systems whose Taylor coefficients are compared: formulas, and where their motion begins.
+
+Starts and parameters have few binary digits, so that they are the same numbers in Rust.
+"""
+
+from sympy import (
+    Piecewise, Rational, acos, acosh, asin, asinh, atan, atanh, cos, cosh, exp, log, pi, sin, sinh, sqrt, tan, tanh,
+)
+
+ROWS = {}
+
+
+def system(q, p, t=0.0):
+    """Enters a function of q, p and t that returns T and V, with its start."""
+
+    def entered(energies):
+        name = energies.__name__.rstrip("_")
+        assert name not in ROWS, name
+        ROWS[name] = (energies, q, p, t)
+        return energies
+
+    return entered
+
+
+def half_squares(p):
+    return sum(x**2 for x in p) / 2
+
+
+def well(name, at, speed, potential):
+    """One coordinate with the kinetic energy p²/2."""
+    assert name not in ROWS, name
+    ROWS[name] = (lambda q, p, t: (half_squares(p), potential(q[0])), [at], [speed], 0.0)
+
+
+def plane(name, at, speed, potential):
+    """Two coordinates with the kinetic energy of a unit mass."""
+    assert name not in ROWS, name
+    ROWS[name] = (lambda q, p, t: (half_squares(p), potential(*q)), at, speed, 0.0)
+
+
+half = Rational(1, 2)
+third = Rational(1, 3)
+
+
+def absolute(x):
+    return Piecewise((x, x > 0), (-x, True))
+
+
+def lesser(a, b):
+    return Piecewise((a, a <= b), (b, True))
+
+
+def greater(a, b):
+    return Piecewise((b, a <= b), (a, True))
+
+
+# elementary functions, by their names
+
+well("sin", 0.75, 0.5, lambda x: 3 * sin(x) / 2)
+well("cos", 2.0, -0.25, lambda x: -cos(x))
+well("tan", 0.625, 0.5, tan)
+well("asin", -0.5, 0.25, asin)
+well("acos", 0.375, 0.25, acos)
+well("atan", -1.25, 0.5, atan)
+well("sinh", 0.75, -0.5, sinh)
+well("cosh", 0.75, -0.5, cosh)
+well("tanh", 0.875, 0.5, tanh)
+well("asinh", 1.25, 0.5, asinh)
+well("acosh", 1.75, 0.25, acosh)
+well("atanh", -0.375, 0.25, atanh)
+well("exp", 0.5, 0.75, lambda x: exp(x) - x)
+well("exp2", 0.5, 0.75, lambda x: 2**x)
+well("exp_m1", -0.5, 0.75, lambda x: exp(x) - 1)
+well("ln", 1.5, 0.25, log)
+well("ln_1p", 0.375, 0.25, lambda x: log(1 + x))
+well("log2", 1.25, -0.25, lambda x: log(x) / log(2))
+well("log10", 1.25, -0.25, lambda x: log(x) / log(10))
+well("cbrt", 1.5, 0.5, lambda x: x**third)
+well("cbrt_of_negative", -1.5, 0.5, lambda x: -((-x)**third))
+well("abs", -0.75, 0.25, lambda x: absolute(x) * x**2)
+plane("min", [0.75, 0.5], [0.25, -0.5], lambda x, y: lesser(sin(x), y**2))
+plane("max", [0.75, 0.5], [0.25, -0.5], lambda x, y: greater(sin(x), y**2) * x)
+plane("signum", [-0.75, 0.5], [0.25, -0.5], lambda x, y: Piecewise((1, x > 0), (-1, True)) * x**2 * y)
+well("powf", 1.25, 0.5, lambda x: x**Rational(5, 4))
+well("powf_of_parameter", 1.25, -0.5, lambda x: (x**2 + 1) ** Rational(-11, 8))
+plane("powf_of_both", [1.25, 0.5], [0.25, -0.5], lambda x, y: x**y)
+plane("atan2", [0.75, -0.5], [0.25, 0.5], lambda x, y: atan(y / x) * x)  # where x is positive
+plane("hypot", [0.75, -0.5], [0.25, 0.5], lambda x, y: sqrt(x**2 + y**2))
+
+# powers and quotients
+
+well("sqrt", 1.25, 0.5, sqrt)
+well("recip", 1.25, 0.5, lambda x: 1 / x)
+well("square", 0.75, 0.5, lambda x: 2 * x**2)
+well("cube", 0.75, 0.5, lambda x: x**3)
+well("cube_at_zero", 0.0, 0.5, lambda x: x**3)
+well("fourth", 0.75, 0.5, lambda x: x**4 / 4 - x**2 / 2)
+well("fourth_at_zero", 0.0, 0.5, lambda x: x**4)
+well("seventh", -0.875, 0.5, lambda x: x**7)
+well("seventh_at_zero", 0.0, 1.5, lambda x: x**7)
+well("inverse_square", 1.25, 0.5, lambda x: x**-2)
+well("inverse_sixth", 1.25, 0.5, lambda x: x**-12 - 2 * x**-6)
+well("three_halves", 1.25, 0.5, lambda x: x * sqrt(x))
+well("inverse_root", 1.25, 0.5, lambda x: 1 / sqrt(x))
+plane("kepler", [1.0, 0.25], [-0.25, 0.75], lambda x, y: -1 / sqrt(x**2 + y**2))
+plane("henon_heiles", [0.25, -0.125], [0.125, 0.375], lambda x, y: (x**2 + y**2) / 2 + x**2 * y - y**3 / 3)
+plane("quotient", [0.75, -0.5], [0.25, 0.5], lambda x, y: sin(x) / (2 + y))
+plane("quotient_of_negative", [0.75, -0.5], [0.25, 0.5], lambda x, y: -x / (-(2 + x * y)))
+plane("products", [0.75, -0.5], [0.25, 0.5], lambda x, y: -x * (-y) * (x - y) * (x + 2 * y))
+well("rational", 0.75, 0.5, lambda x: (1 + x) / (1 + x**2))
+well("nested", 0.75, 0.5, lambda x: exp(-sin(sqrt(1 + x**2)) / 2))
+well("sine_and_cosine", 0.75, 0.5, lambda x: sin(x) * cos(x) + sin(x))
+well("cancelling", 0.75, 0.5, lambda x: cosh(2 * x) - 2 * sinh(x) ** 2 + x**2)
+
+# branches
+
+plane("branch_taken", [0.75, -0.5], [0.25, 0.5], lambda x, y: Piecewise((sin(x) * y, x**2 + y**2 < 1), (0, True)) + x**2)
+plane("branch_left", [0.75, -0.75], [0.25, 0.5], lambda x, y: Piecewise((sin(x) * y, x**2 + y**2 < 1), (cos(x + y), True)) + x**2)
+plane(
+    "in_either_branch",
+    [0.75, -0.75],
+    [0.25, 0.5],
+    lambda x, y: Piecewise((sin(x * y), x < y), (cos(x * y) + (x + y) ** 2 * Piecewise((tan(x * y), x > half), (y, True)), True)),
+)
+plane("clamped", [0.75, -0.75], [0.25, 0.5], lambda x, y: x * greater(lesser(y, half), -half) + x * greater(lesser(x, 1), -1))
+
+# kinetic energies
+
+
+@system([0.75], [0.5])
+def relativistic(q, p, t):
+    return sqrt(1 + p[0] ** 2), -cos(q[0])
+
+
+@system([0.75], [0.5])
+def exponential_momenta(q, p, t):
+    return cosh(p[0]) + p[0] ** 4 / 4, log(1 + q[0] ** 2)
+
+
+@system([0.75, 0.25], [0.5, -0.25])
+def coupled_momenta(q, p, t):
+    return half_squares(p) + p[0] * p[1] / 4 + (p[0] - p[1]) ** 4, q[0] ** 2 * q[1]
+
+
+# time
+
+@system([0.75], [0.5], 0.25)
+def driven(q, p, t):
+    return half_squares(p), q[0] * sin(3 * t / 2) + t**2 * cos(q[0])
+
+
+@system([0.75], [0.5])
+def driven_from_zero(q, p, t):
+    return half_squares(p), q[0] ** 2 * t**3 - q[0] * t
+
+
+@system([0.75], [0.5], 0.25)
+def growing_mass(q, p, t):
+    return p[0] ** 2 / (2 * (1 + t)), -cos(q[0] - t) * exp(-t / 2)
+
+
+@system([0.75], [0.5], 0.25)
+def switched(q, p, t):
+    return half_squares(p), Piecewise((t * q[0] ** 3, t < half), (q[0], True))
+
+
+# sums over as many coordinates as the start has
+
+@system([0.0, 0.25, -0.5, 1.0], [0.25, 0.0, -0.125, 0.5])
+def springs(q, p, t):
+    bonds = [b - a for a, b in zip(q, q[1:])]
+    return half_squares(p), sum(r**2 / 2 + r**4 / 4 + exp(r) / 8 for r in bonds)
+
+
+@system([0.0, 1.0, -0.5, 0.5, 0.75, -0.75], [0.25, 0.0, -0.125, 0.5, 0.0, 0.25])
+def pairs(q, p, t):
+    points = list(zip(q[::2], q[1::2]))
+    distances = [sqrt((a[0] - b[0]) ** 2 + (a[1] - b[1]) ** 2) for i, a in enumerate(points) for b in points[:i]]
+    return half_squares(p), sum(-1 / r for r in distances)
+
+
+@system([0.0, 1.0, -0.5, 0.5, 0.75, -0.75], [0.25, 0.0, -0.125, 0.5, 0.0, 0.25])
+def pairs_within(q, p, t):
+    points = list(zip(q[::2], q[1::2]))
+    squares = [(a[0] - b[0]) ** 2 + (a[1] - b[1]) ** 2 for i, a in enumerate(points) for b in points[:i]]
+    return half_squares(p), sum(Piecewise(((s - 2) ** 2 * exp(-s), s < 2), (0, True)) for s in squares)
+
+
+@system([0.0, 0.25, -0.5, 1.0], [0.25, 0.0, -0.125, 0.5])
+def mean_field(q, p, t):
+    along, across = sum(cos(x) for x in q), sum(sin(x) for x in q)
+    return half_squares(p), -sqrt(along**2 + across**2)
+
+
+@system([0.0, 0.25, -0.5, 1.0], [0.25, 0.0, -0.125, 0.5])
+def sums_within_sums(q, p, t):
+    inner = [sum(sin(a - b) for b in q) for a in q]
+    return half_squares(p), sum(x**2 * y for x, y in zip(inner, q))
+
+
+@system([0.25, -0.5, 1.0], [0.25, -0.125, 0.5])
+def hoisted(q, p, t):
+    return half_squares(p), sum(sin(y) * (x - y) ** 2 * exp(x) for x in q for y in q)
+
+
+@system([0.25, -0.5, 1.0], [0.25, -0.125, 0.5])
+def product_of_sums(q, p, t):
+    return half_squares(p) + sum(p) ** 2 / 8, sum(x**2 for x in q) * sum(exp(x) for x in q)
