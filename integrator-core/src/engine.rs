@@ -3,8 +3,9 @@
 use crate::{
     composition::Composition,
     coords::Coords,
+    energies::Energies,
     error::{Divergence, Error, Unsolved},
-    hamiltonian::{Flows, Hamiltonian, Motion, Shaped, Single},
+    hamiltonian::{Flows, Hamiltonian, Motion, Single},
     leap::Leaps,
     phase::Phase,
     real::{Kernel, Real},
@@ -84,11 +85,6 @@ pub(crate) trait Engine<C: Coords>: Send + Sync {
     /// Lets so many threads share a long lattice or the pairs of many bodies, or all that the machine has.
     fn share_among(&mut self, threads: Option<usize>);
     fn boxed_clone(&self) -> Box<dyn Engine<C>>;
-}
-
-/// What tells the energy of a state without holding the run.
-pub(crate) trait Energies<C: Coords>: Send + Sync {
-    fn energy(&self, state: &Phase<C>, time: f64) -> f64;
 }
 
 /// What an engine does to its motion, compiled for one system, composition and scalar.
@@ -293,26 +289,6 @@ impl<M: Motion<C, P>, P: Send + Sync + 'static, C: Coords> Engine<C> for Solo<M,
     }
 }
 
-/// Prepared constants, from which the energy of any state can be told.
-struct Constants<P, C> {
-    parameters: Arc<P>,
-    energy: EnergyOf<P, C>,
-}
-
-/// What tells the energies of the states of a system.
-pub(crate) fn energies<P: Send + Sync + 'static, C: Coords>(
-    parameters: Arc<P>,
-    energy: EnergyOf<P, C>,
-) -> Arc<dyn Energies<C>> {
-    Arc::new(Constants { parameters, energy })
-}
-
-impl<P: Send + Sync, C: Coords> Energies<C> for Constants<P, C> {
-    fn energy(&self, state: &Phase<C>, time: f64) -> f64 {
-        (self.energy)(&self.parameters, state, time)
-    }
-}
-
 /// The n-step loop.
 pub(crate) struct Advance<F, H, X> {
     flows: F,
@@ -375,37 +351,5 @@ impl<F: Flows<H>, H: Hamiltonian, X: Composition<H>> Kernel for Close<F, H, X> {
         if let Some(under_way) = self.clock.steps.checked_sub(1) {
             X::close(&mut self.flows, self.clock.h, self.clock.at(under_way));
         }
-    }
-}
-
-/// What tells the energy of a state at a time, compiled for one system and leaf.
-pub(crate) type EnergyOf<P, C> = fn(&P, &Phase<C>, f64) -> f64;
-
-/// The energy of a state, in what its leaf asks for, where flows are computed in `R`.
-pub(crate) fn energy<H: Hamiltonian, R: Real, K: Keep>(
-    parameters: &H::Parameters<f64>,
-    state: &Phase<Shaped<H, K>>,
-    time: f64,
-) -> f64 {
-    let part =
-        |part: usize| Phase { q: state.q.map(|leaf| leaf.parts()[part]), p: state.p.map(|leaf| leaf.parts()[part]) };
-    let value = part(0);
-    let carried = if <K::Energy<R>>::LANES > 1 { Some(part(1)) } else { None };
-    let of_lane = |lane: usize| (parameters, carried.as_ref().filter(|_| lane > 0).unwrap_or(&value));
-    let motion = H::Motion::<K::Energy<R>, f64>::load(of_lane);
-    <K::Energy<R>>::enter(Energy::<H, K::Energy<R>> { motion: &motion, time })
-}
-
-struct Energy<'m, H: Hamiltonian, R: Real> {
-    motion: &'m H::Motion<R, f64>,
-    time: f64,
-}
-
-impl<H: Hamiltonian, R: Real> Kernel for Energy<'_, H, R> {
-    type Out = f64;
-
-    #[inline(always)]
-    fn call(self) -> f64 {
-        (H::kinetic::<R, f64>(self.motion, self.time) + H::potential::<R, f64>(self.motion, self.time)).lane(0)
     }
 }

@@ -94,6 +94,7 @@ mod coords;
 mod crossings;
 #[cfg_attr(feature = "std", allow(dead_code, unreachable_pub, reason = "users need it where there is no std"))]
 mod elementary;
+mod energies;
 #[allow(unreachable_pub, reason = "named in bounds, never outside")]
 mod engine;
 #[cfg(feature = "std")]

@@ -2,7 +2,8 @@
 
 use crate::{
     coords::Coords,
-    engine::{BLOCK, Clock, EnergyOf, Engine, Moves, Solo, energies},
+    energies::{EnergyOf, energies},
+    engine::{BLOCK, Clock, Engine, Moves, Solo},
     error::Divergence,
     hamiltonian::Motion,
     phase::Phase,

@@ -4,7 +4,8 @@
 use crate::checkpoint::Origin;
 use crate::{
     coords::Coords,
-    engine::{Clock, Energies, Engine, Solo, energies, energy},
+    energies::{Energies, energies, energy},
+    engine::{Clock, Engine, Solo},
     error::{Divergence, Error},
     fixed::is_power_of_two,
     hamiltonian::{Hamiltonian, Prepared, Shaped},

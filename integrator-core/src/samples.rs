@@ -1,6 +1,6 @@
 //! Looking at a run from time to time, without touching it.
 
-use crate::{coords::Coords, engine::Energies, error::Error, phase::Phase, run::Run};
+use crate::{coords::Coords, energies::Energies, error::Error, phase::Phase, run::Run};
 use alloc::sync::Arc;
 use core::fmt;
 

@@ -5,7 +5,8 @@
 
 use crate::{
     coords::Coords,
-    engine::{Clock, EnergyOf, Engine, Moves, Solo, energies},
+    energies::{EnergyOf, energies},
+    engine::{Clock, Engine, Moves, Solo},
     error::Divergence,
     group::GroupMoves,
     hamiltonian::Motion,
