@@ -48,6 +48,10 @@ pub trait Coords: Clone + Debug + PartialEq + Send + Sync + 'static {
     fn inward<'a, R: Real>(of_lane: impl Fn(usize) -> &'a Self) -> Self::Slots<R> {
         Self::slots_from(of_lane(0).flat().len(), |k| Self::Leaf::inward(|lane| of_lane(lane).flat()[k]))
     }
+    /// The slots of one set of coordinates per lane as a list.
+    fn listed<'a, R: Real>(of_lane: impl Fn(usize) -> &'a Self) -> Vec<<Self::Leaf as Keep>::Slot<R>> {
+        (0..of_lane(0).flat().len()).map(|k| Self::Leaf::inward(|lane| of_lane(lane).flat()[k])).collect()
+    }
     /// One number per slot, in the same shape.
     #[inline(always)]
     fn numbers<R: Real>(

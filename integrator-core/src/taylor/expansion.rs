@@ -101,16 +101,12 @@ where
 {
     fn load<'a>(of_lane: impl Fn(usize) -> (&'a Constants<Q>, &'a Phase<C>)) -> Self {
         let (constants, start) = of_lane(0);
-        let slots = |half: fn(&Phase<C>) -> &C| -> Vec<_> {
-            let count = half(start).flat().len();
-            (0..count).map(|i| C::Leaf::inward(|lane| half(of_lane(lane).1).flat()[i])).collect()
-        };
         Self {
             method: constants.method,
             parameters: P::gather(|lane| &*of_lane(lane).0.parameters),
             length: start.q.length(),
-            q: Part::at(slots(|point| &point.q)),
-            p: Part::at(slots(|point| &point.p)),
+            q: Part::at(C::listed(|lane| &of_lane(lane).1.q)),
+            p: Part::at(C::listed(|lane| &of_lane(lane).1.p)),
             tape: T::default(),
             begin: Moment::default(),
             reach: None,

@@ -13,6 +13,7 @@ mod fields;
 mod force_gradient;
 mod form;
 mod frame;
+mod function;
 mod lattice;
 mod names;
 mod orders;
@@ -34,10 +35,11 @@ use expression::Dialect;
 use fields::Fields;
 pub use form::Form;
 pub(crate) use form::forms;
+use function::Body;
 use lattice::Sweep;
 use names::Names;
 use pairs::ManyBody;
-use proc_macro2::{Ident, Span, TokenStream};
+use proc_macro2::TokenStream;
 use quote::quote;
 
 /// What in a sequence asks for a quadratic `T` that this Hamiltonian does not have: the message for it.
@@ -236,57 +238,6 @@ pub(crate) fn stepper(input: &Input, mut model: Model) -> TokenStream {
             #taylor
             #(#along)*
         };
-    }
-}
-
-/// The body of a generated function.
-struct Body(TokenStream);
-
-impl Body {
-    fn new(tokens: TokenStream) -> Self {
-        Self(tokens)
-    }
-
-    /// Whether the body mentions a name, so that an argument that it does not is written with an underscore.
-    fn mentions(&self, name: &str) -> bool {
-        fn within(tokens: TokenStream, name: &str) -> bool {
-            tokens.into_iter().any(|token| match token {
-                proc_macro2::TokenTree::Ident(ident) => ident == name,
-                proc_macro2::TokenTree::Group(group) => within(group.stream(), name),
-                _ => false,
-            })
-        }
-        within(self.0.clone(), name)
-    }
-
-    fn argument(&self, name: &str) -> Ident {
-        let underscore = if self.mentions(name) { "" } else { "_" };
-        Ident::new(&format!("{underscore}{name}"), Span::call_site())
-    }
-
-    /// The explicit time as a number of the flow, where it is read.
-    fn time(&self, scalar: &Ident) -> Option<TokenStream> {
-        self.mentions("time").then(|| quote!(let time = #scalar::of(time);))
-    }
-
-    fn flow(&self, name: &str, names: &Names) -> TokenStream {
-        let (name, body) = (Ident::new(name, Span::call_site()), &self.0);
-        let Names { runtime, scalar, leaf, .. } = names;
-        let (motion, duration, time) = (self.argument("motion"), self.argument("duration"), self.argument("time"));
-        quote! {
-            #[inline(always)]
-            fn #name<#scalar: #runtime::Real, #leaf: #runtime::Keep>(#motion: &mut Self::Motion<#scalar, #leaf>, #duration: f64, #time: f64) { #body }
-        }
-    }
-
-    fn energy(&self, name: &str, names: &Names) -> TokenStream {
-        let (name, body, read) = (Ident::new(name, Span::call_site()), &self.0, self.time(&names.scalar));
-        let Names { runtime, scalar, leaf, .. } = names;
-        let (motion, time) = (self.argument("motion"), self.argument("time"));
-        quote! {
-            #[inline(always)]
-            fn #name<#scalar: #runtime::Real, #leaf: #runtime::Keep>(#motion: &Self::Motion<#scalar, #leaf>, #time: f64) -> #scalar { #read #body }
-        }
     }
 }
 

@@ -4,10 +4,10 @@
 //! read are kept in a tape: beside each other where no loop is around, and else in a list with a place for every turn.
 
 use super::{
-    Body,
     expression::{Dialect, Printer},
     fields::{Fields, is_leaf},
     frame::Frame,
+    function::Body,
     names::Names,
     tape::{Record, has_tape, kept, list, next, tape},
 };
