@@ -26,6 +26,8 @@ pub struct Facts {
     /// Whether steps preserve the symplectic form, whatever their size. An accurate step that does not is hard to tell from
     /// one that does, so that a method has to say it.
     pub symplectic: bool,
+    /// Whether it covers a step of the run by steps of its own, so that errors follow a tolerance and not the step.
+    pub adaptive: bool,
     /// How often a step evaluates the force, where that is known beforehand.
     pub forces: Option<usize>,
     /// The `h·ω` from which a step is unstable on a harmonic oscillator, where that is known.
@@ -58,6 +60,7 @@ impl<X: Scheme> Described for X {
             order: X::ORDER,
             symmetric: X::SYMMETRIC,
             symplectic: true,
+            adaptive: false,
             forces: Some(X::FORCE_EVALUATIONS + X::GRADIENT_EVALUATIONS),
             stability_limit: Some(X::STABILITY_LIMIT),
             // Each row moves positions and momenta once, and the closing flow one of them.

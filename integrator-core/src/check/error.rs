@@ -31,6 +31,12 @@ pub enum CheckError {
         /// The finest step size that was tried.
         finest: f64,
     },
+    /// The method takes steps of its own.
+    #[error("{method} covers a step by steps of its own, so that its errors follow a tolerance and show no order")]
+    NoOrder {
+        /// The name of the method.
+        method: &'static str,
+    },
     /// The Hamiltonian depends on time, so its energy is not conserved.
     #[error("the Hamiltonian reads the time, so that its energy is not conserved and says nothing about the stepper")]
     NotAutonomous,

@@ -81,7 +81,7 @@ pub struct Order {
 /// because part of the motion is faster than the rest, the span is shortened.
 ///
 /// # Errors
-/// A start or a step that no run would begin with; a start from which the errors of fewer than four step sizes stand
+/// A start or a step that no run would begin with; a method that takes steps of its own; a start from which the errors of fewer than four step sizes stand
 /// out of the rounding, or from which no step follows the motion.
 pub fn observed_order<H: Hamiltonian, X: Method<H>, K: Keep>(
     system: &H,
@@ -90,6 +90,10 @@ pub fn observed_order<H: Hamiltonian, X: Method<H>, K: Keep>(
     h: f64,
 ) -> Result<Order, CheckError> {
     let problem = Problem::<H, X> { system, method, start: begin::<H, X, K>(system, method, &start, h)? };
+    let facts = method.facts();
+    if facts.adaptive {
+        return Err(CheckError::NoOrder { method: facts.name });
+    }
     let mut span = problem.longest_span(h)?;
     let mut outcome = problem.order(span);
     for _ in 1..ATTEMPTS {

@@ -96,6 +96,7 @@ macro_rules! adaptive {
                     order: $order,
                     symmetric: false,
 symplectic: false,
+adaptive: true,
                     forces: None,
                     stability_limit: None,
                     roundings: 16,

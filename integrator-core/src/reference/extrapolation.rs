@@ -24,6 +24,7 @@ impl Described for GraggBulirschStoer {
             order: 2 * DIVISIONS.len() as u32,
             symmetric: false,
             symplectic: false,
+            adaptive: false,
             forces: Some(forces),
             stability_limit: None,
             roundings: 2 * forces,

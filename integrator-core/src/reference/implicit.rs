@@ -78,6 +78,7 @@ macro_rules! implicit {
                     order: $order,
                     symmetric: $symmetric,
                     symplectic: $symmetric,
+                    adaptive: false,
                     forces: None,
                     stability_limit: Some(f64::INFINITY),
                     roundings: 16,

@@ -20,6 +20,7 @@ impl Described for StaggeredLeapfrog {
             order: 2,
             symmetric: true,
             symplectic: true,
+            adaptive: false,
             forces: Some(1),
             stability_limit: Some(2.0),
             roundings: 4,

@@ -26,6 +26,7 @@ impl Described for AdamsBashforthMoulton4 {
             order: 4,
             symmetric: false,
             symplectic: false,
+            adaptive: false,
             forces: Some(2),
             stability_limit: None,
             roundings: 4,

@@ -53,6 +53,7 @@ macro_rules! runge_kutta {
                     order: $order,
                     symmetric: false,
 symplectic: false,
+adaptive: false,
                     forces: Some(forces),
                     stability_limit: Some($stable),
                     roundings: 2 * forces,

@@ -177,9 +177,8 @@ impl<H: Recurrences, R: Real, K: Keep> Kernel for Follow<'_, H, R, K> {
                 expansion.p.after(count, order, ahead, |part| &mut part.shown);
                 return;
             }
-            let begin = expansion.begin.after(reach);
-            let time = t0 + begin.nearest();
-            if time == t0 + expansion.begin.nearest() || !reach.is_finite() {
+            let (begin, time) = (expansion.begin.after(reach), t0 + expansion.begin.nearest());
+            if t0 + begin.nearest() == time || !reach.is_finite() {
                 expansion.unsolved = Some(Unsolved::Singular { time, reach });
                 return;
             }

@@ -21,12 +21,16 @@ fn exponential(logarithm: f64) -> f64 {
     f64::from_bits(((logarithm + 1023.0).clamp(0.0, 2046.0) * UNIT) as u64)
 }
 
-/// The length of a step of this order, infinite where the motion is a polynomial. `size(m)` is the largest coefficient
-/// of order `m` in a part.
+/// The length of a step of this order, infinite where the motion is a polynomial, zero where it is singular. `size(m)`
+/// is the largest coefficient of order `m` in a part.
 #[inline(always)]
 pub(super) fn reach(order: usize, tolerance: f64, size: impl Fn(usize) -> f64) -> f64 {
     let (last, before) = (size(order), size(order - 1));
     let most = if before > last { before } else { last };
+    if !most.is_finite() {
+        // So near to a singularity that coefficients are beyond the largest number: no step is short enough.
+        return 0.0;
+    }
     if most == 0.0 {
         return sparse(order, tolerance, &size);
     }

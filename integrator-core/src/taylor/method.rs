@@ -63,6 +63,7 @@ impl Described for Taylor {
             order: self.order as u32,
             symmetric: false,
             symplectic: false,
+            adaptive: true,
             forces: None,
             stability_limit: None,
             roundings: 2 * self.order,
