@@ -2,6 +2,9 @@
 //! Every method arrives there, with an error that falls as its order says. The oscillator, where every single step has a
 //! closed form, is in `tests/laboratory`.
 
+#[path = "support/motions.rs"]
+mod motions;
+
 use integrator_core::{
     Method,
     prelude::*,
@@ -10,7 +13,7 @@ use integrator_core::{
         RungeKutta4, StaggeredLeapfrog,
     },
 };
-use std::f64::consts::TAU;
+use motions::{apart, complete, ellipse, jacobi, pendulum};
 
 struct Pendulum;
 
@@ -34,60 +37,6 @@ impl Kepler {
     fn potential(&self, [x, y]: [f64; 2]) -> f64 {
         -1.0 / (x * x + y * y).sqrt()
     }
-}
-
-/// `sn`, `cn` and `dn` of `u` for the modulus `k`, by the descending scale of arithmetic-geometric means.
-fn jacobi(u: f64, k: f64) -> [f64; 3] {
-    let mut means = vec![(1.0_f64, k)];
-    let mut geometric = (1.0 - k * k).sqrt();
-    while let Some(&(arithmetic, half_difference)) = means.last()
-        && half_difference.abs() > f64::EPSILON * arithmetic
-    {
-        means.push((0.5 * (arithmetic + geometric), 0.5 * (arithmetic - geometric)));
-        geometric = (arithmetic * geometric).sqrt();
-    }
-    let last = means.len() - 1;
-    let mut amplitude = 2.0_f64.powi(last as i32) * means[last].0 * u;
-    for (arithmetic, half_difference) in means.iter().skip(1).rev() {
-        amplitude = 0.5 * (amplitude + (half_difference / arithmetic * amplitude.sin()).asin());
-    }
-    let (sn, cn) = amplitude.sin_cos();
-    [sn, cn, (1.0 - k * k * sn * sn).sqrt()]
-}
-
-/// The complete integral `K(k)`.
-fn complete(k: f64) -> f64 {
-    let (mut arithmetic, mut geometric) = (1.0_f64, (1.0 - k * k).sqrt());
-    while (arithmetic - geometric).abs() > 2.0 * f64::EPSILON * arithmetic {
-        (arithmetic, geometric) = (0.5 * (arithmetic + geometric), (arithmetic * geometric).sqrt());
-    }
-    TAU / 4.0 / arithmetic
-}
-
-/// Angle and momentum a time after a pendulum was let go: `sin(q/2) = k sn(t + K)` and `p = 2k cn(t + K)`.
-fn pendulum(amplitude: f64, time: f64) -> [f64; 2] {
-    let k = (0.5 * amplitude).sin();
-    let [sn, cn, _] = jacobi(time + complete(k), k);
-    [2.0 * (k * sn).asin(), 2.0 * k * cn]
-}
-
-/// Position and velocity on an ellipse of semimajor axis one, a time after the pericentre: `E - e sin E = t`.
-fn ellipse(eccentricity: f64, time: f64) -> [f64; 4] {
-    let mut anomaly = time;
-    // Newton's iteration doubles the digits; from the mean anomaly, a few turns suffice for any ellipse that is this round.
-    for _ in 0..20 {
-        let (sine, cosine) = anomaly.sin_cos();
-        anomaly -= (anomaly - eccentricity * sine - time) / (1.0 - eccentricity * cosine);
-    }
-    let ((sine, cosine), root) = (anomaly.sin_cos(), (1.0 - eccentricity * eccentricity).sqrt());
-    let rate = 1.0 / (1.0 - eccentricity * cosine);
-    [cosine - eccentricity, root * sine, -sine * rate, root * cosine * rate]
-}
-
-/// The largest difference of two lists.
-fn apart(a: &[f64], b: &[f64]) -> f64 {
-    assert_eq!(a.len(), b.len());
-    a.iter().zip(b).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max)
 }
 
 #[test]

@@ -5,6 +5,9 @@
 
 #[path = "../support/instruction_sets.rs"]
 mod instruction_sets;
+#[path = "../support/motions.rs"]
+mod motions;
 mod recurrences;
 mod reference;
 mod rows;
+mod runs;
