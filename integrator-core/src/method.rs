@@ -38,6 +38,21 @@ pub struct Facts {
     pub(crate) table: Option<(Stages, Processor)>,
 }
 
+impl Facts {
+    /// Those of a method that claims nothing.
+    pub(crate) const UNCLAIMED: Self = Self {
+        name: "",
+        order: 0,
+        symmetric: false,
+        symplectic: false,
+        adaptive: false,
+        forces: None,
+        stability_limit: None,
+        roundings: 0,
+        table: None,
+    };
+}
+
 /// What carries states on, and can say what it is. Every composition does.
 pub trait Described: Copy + Send + Sync + 'static {
     /// What this method is.
@@ -60,12 +75,12 @@ impl<X: Scheme> Described for X {
             order: X::ORDER,
             symmetric: X::SYMMETRIC,
             symplectic: true,
-            adaptive: false,
             forces: Some(X::FORCE_EVALUATIONS + X::GRADIENT_EVALUATIONS),
             stability_limit: Some(X::STABILITY_LIMIT),
             // Each row moves positions and momenta once, and the closing flow one of them.
             roundings: 2 * rows + 1,
             table: Some((X::STAGES, X::PROCESSOR)),
+            ..Facts::UNCLAIMED
         }
     }
 }

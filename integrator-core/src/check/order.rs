@@ -81,8 +81,8 @@ pub struct Order {
 /// because part of the motion is faster than the rest, the span is shortened.
 ///
 /// # Errors
-/// A start or a step that no run would begin with; a method that takes steps of its own; a start from which the errors of fewer than four step sizes stand
-/// out of the rounding, or from which no step follows the motion.
+/// A start or a step that no run would begin with; a method that takes steps of its own; a start from which the errors of
+/// fewer than four step sizes stand out of the rounding, or from which no step follows the motion.
 pub fn observed_order<H: Hamiltonian, X: Method<H>, K: Keep>(
     system: &H,
     method: X,

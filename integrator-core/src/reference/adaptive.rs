@@ -94,13 +94,9 @@ macro_rules! adaptive {
                 Facts {
                     name: stringify!($name),
                     order: $order,
-                    symmetric: false,
-symplectic: false,
-adaptive: true,
-                    forces: None,
-                    stability_limit: None,
+                    adaptive: true,
                     roundings: 16,
-                    table: None,
+                    ..Facts::UNCLAIMED
                 }
             }
             fn admissible(self) -> Result<(), Error> {

@@ -22,13 +22,9 @@ impl Described for GraggBulirschStoer {
         Facts {
             name: "GraggBulirschStoer",
             order: 2 * DIVISIONS.len() as u32,
-            symmetric: false,
-            symplectic: false,
-            adaptive: false,
             forces: Some(forces),
-            stability_limit: None,
             roundings: 2 * forces,
-            table: None,
+            ..Facts::UNCLAIMED
         }
     }
 }

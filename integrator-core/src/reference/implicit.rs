@@ -78,11 +78,9 @@ macro_rules! implicit {
                     order: $order,
                     symmetric: $symmetric,
                     symplectic: $symmetric,
-                    adaptive: false,
-                    forces: None,
                     stability_limit: Some(f64::INFINITY),
                     roundings: 16,
-                    table: None,
+                    ..Facts::UNCLAIMED
                 }
             }
         }

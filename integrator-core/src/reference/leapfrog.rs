@@ -20,11 +20,10 @@ impl Described for StaggeredLeapfrog {
             order: 2,
             symmetric: true,
             symplectic: true,
-            adaptive: false,
             forces: Some(1),
             stability_limit: Some(2.0),
             roundings: 4,
-            table: None,
+            ..Facts::UNCLAIMED
         }
     }
 }

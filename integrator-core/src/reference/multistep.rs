@@ -21,17 +21,7 @@ pub struct AdamsBashforthMoulton4;
 
 impl Described for AdamsBashforthMoulton4 {
     fn facts(self) -> Facts {
-        Facts {
-            name: "AdamsBashforthMoulton4",
-            order: 4,
-            symmetric: false,
-            symplectic: false,
-            adaptive: false,
-            forces: Some(2),
-            stability_limit: None,
-            roundings: 4,
-            table: None,
-        }
+        Facts { name: "AdamsBashforthMoulton4", order: 4, forces: Some(2), roundings: 4, ..Facts::UNCLAIMED }
     }
 }
 

@@ -51,13 +51,10 @@ macro_rules! runge_kutta {
                 Facts {
                     name: stringify!($name),
                     order: $order,
-                    symmetric: false,
-symplectic: false,
-adaptive: false,
                     forces: Some(forces),
                     stability_limit: Some($stable),
                     roundings: 2 * forces,
-                    table: None,
+                    ..Facts::UNCLAIMED
                 }
             }
         }

@@ -61,13 +61,9 @@ impl Described for Taylor {
         Facts {
             name: "Taylor",
             order: self.order as u32,
-            symmetric: false,
-            symplectic: false,
             adaptive: true,
-            forces: None,
-            stability_limit: None,
             roundings: 2 * self.order,
-            table: None,
+            ..Facts::UNCLAIMED
         }
     }
     fn admissible(self) -> Result<(), Error> {
