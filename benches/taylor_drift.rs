@@ -1,0 +1,171 @@
+//! How the energy of Taylor runs drifts: `cargo bench --bench taylor_drift`.
+//!
+//! Two dozen trajectories of the pendulum, of Hénon and Heiles's star and of Kepler's ellipse run for 10^5 times 2π
+//! (divided by `DRIFT_DIVISOR` in the environment). A line for each kind of start and tolerance tells the root of the
+//! mean squared change of the energies on the way, in units of their mean size, the exponent of its growth with the time,
+//! the mean change in units of its standard error, and the mean change. An exponent of 0.5 and a mean within a few of its
+//! errors are a random walk; an exponent of 1 and a mean of dozens are a bias.
+
+use integrator_core::{
+    Coords, Run,
+    prelude::*,
+    taylor::{Recurrences, Taylor},
+};
+use std::{env, f64::consts::TAU};
+
+struct Pendulum;
+
+#[hamiltonian(taylor)]
+impl Pendulum {
+    fn kinetic(&self, p: [f64; 1]) -> f64 {
+        p[0] * p[0] / 2.0
+    }
+    fn potential(&self, q: [f64; 1]) -> f64 {
+        -q[0].cos()
+    }
+}
+
+struct HenonHeiles;
+
+#[hamiltonian(taylor)]
+impl HenonHeiles {
+    fn kinetic(&self, p: [f64; 2]) -> f64 {
+        (p[0] * p[0] + p[1] * p[1]) / 2.0
+    }
+    fn potential(&self, [x, y]: [f64; 2]) -> f64 {
+        (x * x + y * y) / 2.0 + x * x * y - y * y * y / 3.0
+    }
+}
+
+struct Kepler;
+
+#[hamiltonian(taylor)]
+impl Kepler {
+    fn kinetic(&self, p: [f64; 2]) -> f64 {
+        (p[0] * p[0] + p[1] * p[1]) / 2.0
+    }
+    fn potential(&self, q: [f64; 2]) -> f64 {
+        -1.0 / (q[0] * q[0] + q[1] * q[1]).sqrt()
+    }
+}
+
+/// How many trajectories there are of each problem.
+const MEMBERS: usize = 24;
+
+/// Over how many states an energy is averaged: the rounding of its own evaluation is no part of the drift.
+const AVERAGED: usize = 32;
+
+/// How often energies are looked at, the time doubling from one look to the next.
+const LOOKS: u32 = 9;
+
+/// How far apart states are, in a turn; no simple part of any period.
+const STEP: f64 = TAU / 7.0;
+
+fn main() -> Result<(), Error> {
+    let divisor = env::var("DRIFT_DIVISOR").ok().and_then(|divisor| divisor.parse().ok()).unwrap_or(1_u64).max(1);
+    let steps = (700_000 / divisor).max(7_000);
+    println!(
+        "{:<12} {:<12} {:>9} {:>5}  rms at 2^-8 .. 1 of {steps} steps, exponent, bias, mean",
+        "", "", "tolerance", "order"
+    );
+    for tolerance in [1e-15, 1e-16, 1e-18] {
+        let method = Taylor::tolerance(tolerance);
+        let pendula = || (0..MEMBERS).map(|i| ([0.5 + 2.0 * share(i, 0)], [0.3 * share(i, 1)]));
+        let stars =
+            || (0..MEMBERS).map(|i| ([0.3 * share(i, 0), 0.3 * share(i, 1)], [0.2 * share(i, 2), 0.2 * share(i, 3)]));
+        let ellipses = || {
+            (0..MEMBERS).map(|i| {
+                let eccentricity: f64 = 0.7 * share(i, 0);
+                let velocity = ((1.0 + eccentricity) / (1.0 - eccentricity)).sqrt();
+                ([1.0 - eccentricity, 0.0], [0.0, velocity])
+            })
+        };
+        both(&Pendulum, "pendulum", method, tolerance, steps, pendula())?;
+        both(&HenonHeiles, "henon_heiles", method, tolerance, steps, stars())?;
+        both(&Kepler, "kepler", method, tolerance, steps, ellipses())?;
+    }
+    Ok(())
+}
+
+/// Numbers between zero and one that are spread evenly (Weyl), for a member and one of its coordinates.
+fn share(member: usize, coordinate: usize) -> f64 {
+    let irrational = [0.618_033_988_749_895, 0.414_213_562_373_095, 0.732_050_807_568_877, 0.236_067_977_499_79];
+    (0.5 + (member as f64 + 1.0) * irrational[coordinate]).fract()
+}
+
+/// A line for plain starts and one for compensated ones.
+fn both<H: Recurrences>(
+    system: &H,
+    name: &str,
+    method: Taylor,
+    tolerance: f64,
+    steps: u64,
+    starts: impl Iterator<Item = (H::Coords, H::Coords)>,
+) -> Result<(), Error> {
+    let starts: Vec<_> = starts.collect();
+    let plain = starts.iter().map(|(q, p)| system.run_with::<f64, _>(method, Phase::new(q.clone(), p.clone()), STEP));
+    line(name, "plain", method, tolerance, steps, plain.collect::<Result<_, _>>()?)?;
+    let carried = starts
+        .into_iter()
+        .map(|(q, p)| system.run_with::<Compensated<f64>, _>(method, Phase::<H::Coords>::compensated(q, p), STEP));
+    line(name, "compensated", method, tolerance, steps, carried.collect::<Result<_, _>>()?)
+}
+
+fn line<C: Coords>(
+    name: &str,
+    start: &str,
+    method: Taylor,
+    tolerance: f64,
+    steps: u64,
+    mut runs: Vec<Run<C>>,
+) -> Result<(), Error> {
+    let begin = energies(&mut runs)?;
+    // The energy of a single trajectory may be zero.
+    let scale = begin.iter().map(|energy| energy.abs()).sum::<f64>() / begin.len() as f64;
+    let mut looks = Vec::new();
+    let mut changes = Vec::new();
+    for halvings in (0..LOOKS).rev() {
+        let end = steps >> halvings;
+        for run in &mut runs {
+            run.advance(end.saturating_sub(run.steps()))?;
+        }
+        let now = energies(&mut runs)?;
+        changes = begin.iter().zip(&now).map(|(begin, now)| (now - begin) / scale).collect::<Vec<f64>>();
+        let squares = changes.iter().map(|change| change * change).sum::<f64>();
+        looks.push((end as f64, (squares / changes.len() as f64).sqrt()));
+    }
+    let count = changes.len() as f64;
+    let mean = changes.iter().sum::<f64>() / count;
+    let variance = changes.iter().map(|change| (change - mean).powi(2)).sum::<f64>() / (count - 1.0);
+    let sizes: Vec<String> = looks.iter().map(|(_, size)| format!("{size:.1e}")).collect();
+    println!(
+        "{name:<12} {start:<12} {tolerance:>9.0e} {:>5}  {}  exponent {:.2}  bias {:+.1}  mean {mean:+.1e}",
+        method.order(),
+        sizes.join(" "),
+        exponent(&looks),
+        mean / (variance / count).sqrt(),
+    );
+    Ok(())
+}
+
+/// The energies, each averaged over the next states.
+fn energies<C: Coords>(runs: &mut [Run<C>]) -> Result<Vec<f64>, Error> {
+    runs.iter_mut()
+        .map(|run| {
+            let mut sum = 0.0;
+            for _ in 0..AVERAGED {
+                run.advance(1)?;
+                sum += run.energy() / AVERAGED as f64;
+            }
+            Ok(sum)
+        })
+        .collect()
+}
+
+/// The exponent of the power law through some points, by least squares of their logarithms.
+fn exponent(points: &[(f64, f64)]) -> f64 {
+    let points: Vec<(f64, f64)> = points.iter().map(|(x, y)| (x.ln(), y.ln())).collect();
+    let count = points.len() as f64;
+    let (x, y) = (points.iter().map(|p| p.0).sum::<f64>() / count, points.iter().map(|p| p.1).sum::<f64>() / count);
+    points.iter().map(|p| (p.0 - x) * (p.1 - y)).sum::<f64>() / points.iter().map(|p| (p.0 - x).powi(2)).sum::<f64>()
+}
