@@ -55,7 +55,8 @@ where
             system.run_with::<Compensated<f64>, _>(method, start, span / LOOKS as f64)
         };
         let looks = |_: u32| LOOKS;
-        let curve = self.curve_over(format!("{TAYLOR} {order}"), 0..16, looks, run, |leaf| leaf.value + leaf.carried);
+        let curve = self
+            .curve_over(format!("{TAYLOR} {order}, compensated"), 0..16, looks, run, |leaf| leaf.value + leaf.carried);
         self.curves.push(curve);
     }
 

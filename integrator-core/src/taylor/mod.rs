@@ -4,6 +4,10 @@
 //! tolerance and whose states between them cost an evaluation of a polynomial. Always true: the polynomials do not
 //! depend on where a run is looked at, so that its states do not either.
 //!
+//! Nothing of it is written unless the annotation asks for it, and what is written costs no time to build until a run is by
+//! this method: its first one takes 2 s of the compiler for Kepler's problem, and 330 kB of program, because each order has
+//! code of its own.
+//!
 //! It is not symplectic: it is the reference, the method for errors near the rounding, and what symplectic runs are
 //! held against. Its energy error does not oscillate but accumulates, however slowly.
 //!
