@@ -51,6 +51,12 @@ impl Facts {
         roundings: 0,
         table: None,
     };
+
+    /// How often so many steps round the state, in doubles, which no number of steps exceeds.
+    #[cfg(feature = "check")]
+    pub(crate) fn roundings_in(&self, steps: u64) -> f64 {
+        self.roundings as f64 * steps as f64
+    }
 }
 
 /// What carries states on, and can say what it is. Every composition does.
@@ -85,7 +91,8 @@ impl<X: Scheme> Described for X {
     }
 }
 
-/// A method that may integrate `H`: any composition that may, and those of `reference`.
+/// A method that may integrate `H`: any composition that may, those of `reference`, and
+/// [`Taylor`](crate::taylor::Taylor) where the system has its recurrences.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` is not a method that may integrate `{H}`",
     label = "neither a composition nor another method for this Hamiltonian",

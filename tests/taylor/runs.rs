@@ -3,7 +3,7 @@
 use crate::motions::{apart, ellipse, pendulum};
 use integrator_core::{
     Coords, Error, Run, Unsolved,
-    check::{CertifyError, CheckError, Shortfall, certify, observed_order},
+    check::{CertifyError, CheckError, Shortfall, certify, observed_order, symplectic_defect_after},
     prelude::*,
     taylor::Taylor,
 };
@@ -315,6 +315,14 @@ fn motions_that_are_polynomials_have_one() {
         let t = 1_048_576.0;
         assert_eq!(flat(&run), [1.0 + 0.5 * t + slope * t * t / 2.0, 0.5 + slope * t]);
     }
+}
+
+#[test]
+fn no_number_of_steps_is_too_large_for_a_tolerance() {
+    // Its roundings exceed the largest step count; a shear of whole numbers of any length is symplectic all the same.
+    let level = Hill { slope: 0.0, quartic: 0.0 };
+    let defect = symplectic_defect_after(&level, fine(), Phase::new([0.0_f64], [1.0]), 1.0, 1 << 62);
+    assert_eq!(defect, Ok(0.0));
 }
 
 #[test]

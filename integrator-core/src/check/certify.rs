@@ -35,7 +35,8 @@ const ENERGY_STEPS: u64 = 8192;
 /// The time over which gradients are taken, in steps, where no order tells a better one.
 const GRADIENT_SPAN: f64 = 64.0;
 
-/// Measures `method`, a composition or another one, on `system` by every check, and certifies that it is what it claims to be.
+/// Measures `method`, a composition or another one, on `system` by every check, and certifies that it is what it claims
+/// to be.
 ///
 /// A certificate says that one step of size `h` from `start` is symplectic, that errors fall with the claimed order,
 /// that a composition that claims symmetry runs back to where it began, that the energy stays (unless `H` reads the

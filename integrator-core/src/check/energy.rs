@@ -114,8 +114,7 @@ pub fn energy_drift<H: Hamiltonian, X: Method<H>, K: Keep>(
     // Every flow rounds the state, which changes the energy by up to ε of its terms, at random: the farthest such a
     // walk gets is about 2.5 times the root of its steps. The factor 16 leaves room for flows that round several
     // numbers, and for the sum of the energy itself.
-    let walk =
-        16.0 * resolution(&[&begin, &run.state()]) * ((run.steps() * method.facts().roundings as u64) as f64).sqrt();
+    let walk = 16.0 * resolution(&[&begin, &run.state()]) * method.facts().roundings_in(run.steps()).sqrt();
     Ok(EnergyDrift {
         deviation: ratio(farthest, largest_kinetic),
         course: trend.course(share),

@@ -62,7 +62,7 @@ pub(crate) fn round_trip<H: Hamiltonian, X: Method<H>, K: Keep>(
         growth(system, method, &trip.start, trip.size, h, 0.0, steps),
         growth(system, method, &trip.turn, trip.size, -h, trip.time, steps),
     ]);
-    let roundings = 16.0 * ((2 * steps * method.facts().roundings as u64) as f64).sqrt();
+    let roundings = 16.0 * (2.0 * method.facts().roundings_in(steps)).sqrt();
     Ok(RoundTrip { distance: trip.distance(), tolerance: roundings * trip.resolution * growth })
 }
 

@@ -98,7 +98,7 @@ pub(crate) fn defect<H: Hamiltonian, X: Method<H>, K: Keep>(
     let n = map.nrows() / 2;
     let size = largest((form(&map) - form(&DMatrix::identity(2 * n, 2 * n))).iter().copied());
     let amplification = largest(absolute_form(&map).iter().copied());
-    let roundings = 32.0 * (method.facts().roundings as u64 * steps.max(1)) as f64 + 2.0 * n as f64;
+    let roundings = 32.0 * method.facts().roundings_in(steps.max(1)) + 2.0 * n as f64;
     Ok(Defect { size, tolerance: roundings * f64::EPSILON * amplification })
 }
 
