@@ -6,48 +6,13 @@
 //! the mean change in units of its standard error, and the mean change. An exponent of 0.5 and a mean within a few of its
 //! errors are a random walk; an exponent of 1 and a mean of dozens are a bias.
 
+use integrator_bench::problems::{HenonHeiles, Kepler, Pendulum};
 use integrator_core::{
     Coords, Run,
     prelude::*,
     taylor::{Recurrences, Taylor},
 };
 use std::{env, f64::consts::TAU};
-
-struct Pendulum;
-
-#[hamiltonian(taylor)]
-impl Pendulum {
-    fn kinetic(&self, p: [f64; 1]) -> f64 {
-        p[0] * p[0] / 2.0
-    }
-    fn potential(&self, q: [f64; 1]) -> f64 {
-        -q[0].cos()
-    }
-}
-
-struct HenonHeiles;
-
-#[hamiltonian(taylor)]
-impl HenonHeiles {
-    fn kinetic(&self, p: [f64; 2]) -> f64 {
-        (p[0] * p[0] + p[1] * p[1]) / 2.0
-    }
-    fn potential(&self, [x, y]: [f64; 2]) -> f64 {
-        (x * x + y * y) / 2.0 + x * x * y - y * y * y / 3.0
-    }
-}
-
-struct Kepler;
-
-#[hamiltonian(taylor)]
-impl Kepler {
-    fn kinetic(&self, p: [f64; 2]) -> f64 {
-        (p[0] * p[0] + p[1] * p[1]) / 2.0
-    }
-    fn potential(&self, q: [f64; 2]) -> f64 {
-        -1.0 / (q[0] * q[0] + q[1] * q[1]).sqrt()
-    }
-}
 
 /// How many trajectories there are of each problem.
 const MEMBERS: usize = 24;
@@ -62,6 +27,7 @@ const LOOKS: u32 = 9;
 const STEP: f64 = TAU / 7.0;
 
 fn main() -> Result<(), Error> {
+    let pendulum = Pendulum { mass: 1.0, length: 1.0, gravity: 1.0 };
     let divisor = env::var("DRIFT_DIVISOR").ok().and_then(|divisor| divisor.parse().ok()).unwrap_or(1_u64).max(1);
     let steps = (700_000 / divisor).max(7_000);
     println!(
@@ -80,7 +46,7 @@ fn main() -> Result<(), Error> {
                 ([1.0 - eccentricity, 0.0], [0.0, velocity])
             })
         };
-        both(&Pendulum, "pendulum", method, tolerance, steps, pendula())?;
+        both(&pendulum, "pendulum", method, tolerance, steps, pendula())?;
         both(&HenonHeiles, "henon_heiles", method, tolerance, steps, stars())?;
         both(&Kepler, "kepler", method, tolerance, steps, ellipses())?;
     }

@@ -65,7 +65,12 @@ pub trait Coords: Clone + Debug + PartialEq + Send + Sync + 'static {
     /// Writes one lane of `slots` into `self`.
     #[inline(always)]
     fn outward<R: Real>(&mut self, slots: &Self::Slots<R>, lane: usize) {
-        for (leaf, slot) in self.flat_mut().iter_mut().zip(Self::slots(slots)) {
+        self.unlisted(Self::slots(slots), lane);
+    }
+    /// Writes one lane of a list of slots into `self`.
+    #[inline(always)]
+    fn unlisted<R: Real>(&mut self, slots: &[<Self::Leaf as Keep>::Slot<R>], lane: usize) {
+        for (leaf, slot) in self.flat_mut().iter_mut().zip(slots) {
             *leaf = Self::Leaf::outward(*slot, lane);
         }
     }

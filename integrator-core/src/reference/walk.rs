@@ -96,11 +96,8 @@ impl<R: Real, C: Coords, P: Clone + Send + Sync + 'static, M: Recipe> Motion<C, 
         }
     }
     fn store(&self, lane: usize, to: &mut Phase<C>) {
-        for (leaves, slots) in [(to.q.flat_mut(), &self.q), (to.p.flat_mut(), &self.p)] {
-            for (leaf, slot) in leaves.iter_mut().zip(slots) {
-                *leaf = C::Leaf::outward(*slot, lane);
-            }
-        }
+        to.q.unlisted(&self.q, lane);
+        to.p.unlisted(&self.p, lane);
     }
     fn copy_state(&mut self, from: &Self) {
         self.q.clone_from(&from.q);

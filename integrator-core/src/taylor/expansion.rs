@@ -114,11 +114,8 @@ where
         }
     }
     fn store(&self, lane: usize, to: &mut Phase<C>) {
-        for (leaves, slots) in [(to.q.flat_mut(), &self.q.shown), (to.p.flat_mut(), &self.p.shown)] {
-            for (leaf, slot) in leaves.iter_mut().zip(slots) {
-                *leaf = C::Leaf::outward(*slot, lane);
-            }
-        }
+        to.q.unlisted(&self.q.shown, lane);
+        to.p.unlisted(&self.p.shown, lane);
     }
     fn copy_state(&mut self, from: &Self) {
         // The tape is written before it is read.

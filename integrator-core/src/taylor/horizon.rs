@@ -6,17 +6,18 @@
 //! near zero, so that no unit and no other part matters. Powers are taken of bits: steps may be off by a few per
 //! cent, the same on every machine.
 
+/// What bits have to be divided by so that exponents are whole numbers.
+const UNIT: f64 = (1_u64 << 52) as f64;
+
 /// The logarithm to the base of two within 0.09: exponents exactly, between them along a straight line.
 #[inline(always)]
 pub(super) fn logarithm(x: f64) -> f64 {
-    const UNIT: f64 = (1_u64 << 52) as f64;
     x.to_bits() as f64 / UNIT - 1023.0
 }
 
 /// The number with this logarithm.
 #[inline(always)]
 fn exponential(logarithm: f64) -> f64 {
-    const UNIT: f64 = (1_u64 << 52) as f64;
     // Conversions saturate; beyond the largest exponent a step is as good as infinite.
     f64::from_bits(((logarithm + 1023.0).clamp(0.0, 2046.0) * UNIT) as u64)
 }
