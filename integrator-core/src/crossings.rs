@@ -2,9 +2,10 @@
 //!
 //! Comes in: a run and a function of state and time. Goes out: the states in which the function changes its sign.
 //!
-//! Always true: the run takes its steps as `advance` would, bit for bit. A crossing is reached from the state before it by
-//! one shorter step of the same method, on a copy: it lies on the numerical trajectory to the order of the method, and nothing
-//! is interpolated. Hénon (1982) makes the function the independent variable for that one
+//! Always true: the run takes its steps as `advance` would, bit for bit. Where a step is a polynomial, crossings lie on it:
+//! their states are those of the run, had it been looked at then. Where it is not, a crossing is reached from the state
+//! before it by one shorter step of the same method, on a copy: it lies on the numerical trajectory to the order of the
+//! method, and nothing is interpolated. Hénon (1982) makes the function the independent variable for that one
 //! step instead; a shorter step needs no other equations, hence works for every function and every leaf.
 
 use crate::{coords::Coords, error::Error, phase::Phase, run::Run, samples::Sample};
@@ -62,10 +63,10 @@ impl<C: Coords> Run<C> {
     /// An iterator over the states in which `function` passes through zero within the next `steps` steps: a Poincaré
     /// section, or the times of events.
     ///
-    /// Signs are compared after every step. Between two that differ, the time is found to the rounding of the step by
-    /// shorter steps from the state before, so that it has the order of the method; `step` of such a sample counts
-    /// the whole steps before it. Two crossings within one step are not seen: take a step in which the function turns at
-    /// most once.
+    /// Signs are compared after every step. Between two that differ, the time is found to the rounding of the step, by
+    /// shorter steps from the state before, so that it has the order of the method, or on the polynomial of
+    /// [`Taylor`](crate::taylor::Taylor), so that it has the precision of the run; `step` of such a sample counts the whole
+    /// steps before it. Two crossings within one step are not seen: take a step in which the function turns at most once.
     ///
     /// A function that is zero after a step has passed through it if it leaves to the other side, and the crossing is
     /// this very state (the last one, if there are several), seen one step later. A zero at the start is no crossing,
@@ -161,7 +162,7 @@ impl<C: Coords, G: FnMut(&Phase<C>, f64) -> f64> Crossings<C, G> {
             }
             let at = near.0 + fraction.clamp(least, 1.0 - least) * width;
             let time = before.time + at * h;
-            let state = self.run.step_from(&before.state, before.time, at * h)?;
+            let state = self.run.within(&before.state, at * h)?;
             let newest = (at, self.point(time, state)?);
             let same_side = (newest.1.value > 0.0) == (near.1.value > 0.0);
             let given_up = if same_side { near } else { mem::replace(&mut far, near) };

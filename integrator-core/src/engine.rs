@@ -69,11 +69,12 @@ pub(crate) trait Engine<C: Coords>: Send + Sync {
     /// Takes `steps` steps from `clock`, or as many as end in a finite state, and returns how many.
     fn advance(&mut self, clock: Clock, steps: u64) -> u64;
     fn state(&self, clock: Clock) -> Phase<C>;
-    /// The state one step after `from`, where the clock starts; the run itself stays where it is.
+    /// The state a while into the last step, which began at `from` and `clock`, if [`Engine::advance`] took no other with
+    /// it; the run itself stays where it is.
     ///
     /// # Errors
     /// Why the method gave up; nothing, if the state is not finite.
-    fn step_from(&self, from: &Phase<C>, clock: Clock) -> Result<Phase<C>, Option<Unsolved>>;
+    fn within(&mut self, from: &Phase<C>, clock: Clock, duration: f64) -> Result<Phase<C>, Option<Unsolved>>;
     /// The state in the middle of the step under way.
     #[cfg(feature = "checkpoint")]
     fn unfinished(&self) -> Phase<C>;
@@ -94,6 +95,9 @@ pub(crate) trait Engine<C: Coords>: Send + Sync {
 pub struct Moves<M> {
     advance: fn(&mut M, Clock, u64, Option<usize>),
     close: fn(&mut M, Clock),
+    /// Takes a motion a while into the step that begins at the other one and at the clock, where a method has dense output.
+    /// It may stand anywhere in this step.
+    dense: Option<fn(&mut M, &M, Clock, f64)>,
     /// How many threads may share a long lattice, if not all.
     threads: Option<usize>,
 }
@@ -101,7 +105,11 @@ pub struct Moves<M> {
 impl<M> Moves<M> {
     /// The moves of a method whose motion stands at the end of a step whenever it is looked at.
     pub(crate) fn closed(advance: fn(&mut M, Clock, u64, Option<usize>)) -> Self {
-        Self { advance, close: |_, _| {}, threads: Some(1) }
+        Self { advance, close: |_, _| {}, dense: None, threads: Some(1) }
+    }
+    /// The same with dense output.
+    pub(crate) fn with_dense(self, dense: fn(&mut M, &M, Clock, f64)) -> Self {
+        Self { dense: Some(dense), ..self }
     }
     pub(crate) fn advance(&self, motion: &mut M, clock: Clock, steps: u64) {
         (self.advance)(motion, clock, steps, self.threads);
@@ -140,6 +148,7 @@ pub(crate) fn moves<H: Hamiltonian, X: Composition<H>, R: Real, K: Keep>() -> Mo
                 R::enter(Close::<_, H, X>::new(Single::<H, R, K>(motion), clock));
             }
         },
+        dense: None,
         threads: Some(1),
     }
 }
@@ -179,6 +188,13 @@ impl<M: Clone> Watched<M> {
             self.motion.copy_state(&self.snapshot);
         }
         finite
+    }
+
+    /// The motion a while into the last step, if that was taken alone and the method has dense output.
+    fn within(&mut self, clock: Clock, duration: f64) -> Option<&M> {
+        let dense = self.moves.dense?;
+        dense(&mut self.closed, &self.snapshot, clock, duration);
+        Some(&self.closed)
     }
 
     /// The state with the step under way completed; `shape` knows the size where the type does not.
@@ -243,10 +259,21 @@ impl<M: Motion<C, P>, P: Send + Sync + 'static, C: Coords> Engine<C> for Solo<M,
         self.watched.state(clock, &self.shape)
     }
 
-    fn step_from(&self, from: &Phase<C>, clock: Clock) -> Result<Phase<C>, Option<Unsolved>> {
-        let mut motion = M::load(|_| (&*self.constants, from));
-        self.watched.moves.advance(&mut motion, Clock { steps: 0, ..clock }, 1);
-        self.watched.moves.close(&mut motion, Clock { steps: 1, ..clock });
+    fn within(&mut self, from: &Phase<C>, clock: Clock, duration: f64) -> Result<Phase<C>, Option<Unsolved>> {
+        let Self { watched, constants, .. } = self;
+        let moves = watched.moves;
+        let shorter;
+        let motion = match watched.within(clock, duration) {
+            Some(motion) => motion,
+            None => {
+                let clock = Clock { t0: clock.at(clock.steps), h: duration, steps: 0 };
+                let mut motion = M::load(|_| (&**constants, from));
+                moves.advance(&mut motion, clock, 1);
+                moves.close(&mut motion, Clock { steps: 1, ..clock });
+                shorter = motion;
+                &shorter
+            }
+        };
         if !motion.finite() {
             return Err(motion.unsolved().cloned());
         }

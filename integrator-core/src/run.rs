@@ -229,16 +229,19 @@ impl<C: Coords> Run<C> {
         Samples::new(self, interval)
     }
 
-    /// The state one step of length `h` after `from`, which the run's last step began at, at the time `t0`. The run itself
-    /// stays where it is.
+    /// The state a while into the last step, which [`Run::advance`] took alone and which began at `from`: on the polynomial
+    /// of a method that has one, and else after a shorter step. The run itself stays where it is.
     ///
     /// # Errors
     /// As [`Run::advance`] for this step.
-    pub(crate) fn step_from(&self, from: &Phase<C>, t0: f64, h: f64) -> Result<Phase<C>, Error> {
-        let (clock, step) = (Clock { t0, h, steps: 0 }, self.clock.steps);
-        self.engine.step_from(from, clock).map_err(|unsolved| match unsolved {
-            Some(reason) => Error::NotSolved { method: self.method, step, time: t0, reason },
-            None => Error::Diverged(Divergence { step, ..clock.divergence(from) }),
+    pub(crate) fn within(&mut self, from: &Phase<C>, duration: f64) -> Result<Phase<C>, Error> {
+        let step = self.clock.steps;
+        let clock = Clock { steps: step.saturating_sub(1), ..self.clock };
+        self.engine.within(from, clock, duration).map_err(|unsolved| match unsolved {
+            Some(reason) => Error::NotSolved { method: self.method, step, time: clock.at(clock.steps), reason },
+            None => {
+                Error::Diverged(Divergence { step, time: clock.at(clock.steps) + duration, ..clock.divergence(from) })
+            }
         })
     }
 

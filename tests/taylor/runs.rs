@@ -8,7 +8,7 @@ use integrator_core::{
     taylor::Taylor,
 };
 
-struct Oscillator;
+pub(crate) struct Oscillator;
 
 #[hamiltonian(taylor)]
 impl Oscillator {
@@ -128,8 +128,8 @@ pub(crate) fn pericentre(eccentricity: f64) -> Phase<[f64; 2]> {
 /// For how long runs are held against closed forms. The method takes a few steps per unit of time, each of which
 /// rounds a state of size one or two by 1e-16 or twice that: 1e-15 per unit of time, were they all of one sign. What rounds the
 /// energy turns the phase more and more: another unit of time times the time, were they all of one sign; they are not.
-const TIME: f64 = 100.0;
-const PER_TIME: f64 = 1e-15;
+pub(crate) const TIME: f64 = 100.0;
+pub(crate) const PER_TIME: f64 = 1e-15;
 
 #[test]
 fn an_oscillator_is_a_sine() {

@@ -138,14 +138,30 @@ type Of<H, R, K> = Expansion<R, Shaped<H, K>, <H as Hamiltonian>::Parameters<R>,
 
 /// The moves of the Taylor method.
 pub(super) fn moves<H: Recurrences, R: Real, K: Keep>() -> Moves<Of<H, R, K>> {
-    Moves::closed(|expansion, clock, steps, _| R::enter(Follow::<H, R, K> { expansion, clock, steps }))
+    let advance = |expansion: &mut Of<H, R, K>, clock: Clock, steps, _| {
+        follow::<H, R, K>(expansion, clock, Moment::of(clock.steps + steps, clock.h));
+    };
+    Moves::closed(advance).with_dense(|expansion, begin, clock, duration| {
+        let end = Moment::of(clock.steps, clock.h).after(duration);
+        // What lies before the polynomial at hand belongs to one before it.
+        if end.since(expansion.begin) * clock.h <= 0.0 {
+            expansion.copy_state(begin);
+        }
+        follow::<H, R, K>(expansion, clock, end);
+    })
 }
 
-/// Follows the motion to the end of some steps of the clock.
+/// Follows the motion to `end`: compiled once for steps and for what lies within them.
+#[inline(never)]
+fn follow<H: Recurrences, R: Real, K: Keep>(expansion: &mut Of<H, R, K>, clock: Clock, end: Moment) {
+    R::enter(Follow::<H, R, K> { expansion, clock, end });
+}
+
+/// Follows the motion to a moment.
 struct Follow<'e, H: Recurrences, R: Real, K: Keep> {
     expansion: &'e mut Of<H, R, K>,
     clock: Clock,
-    steps: u64,
+    end: Moment,
 }
 
 impl<H: Recurrences, R: Real, K: Keep> Kernel for Follow<'_, H, R, K> {
@@ -153,9 +169,7 @@ impl<H: Recurrences, R: Real, K: Keep> Kernel for Follow<'_, H, R, K> {
 
     #[inline(always)]
     fn call(self) {
-        let Self { expansion, clock, steps } = self;
-        let Clock { t0, h, steps: done } = clock;
-        let end = Moment::of(done + steps, h);
+        let Self { expansion, clock: Clock { t0, h, .. }, end } = self;
         let order = expansion.method.order;
         let count = count::<H::Coords>(expansion.q.begin.len());
         while expansion.unsolved.is_none() {
