@@ -22,7 +22,7 @@ fill() {
 }
 
 if [ $# -eq 0 ]; then
-    set -- step throughput work_precision skips compile_cost
+    set -- step throughput work_precision taylor skips compile_cost
 fi
 for bench in "$@"; do
     output=target/bench/$bench.txt
@@ -31,7 +31,7 @@ for bench in "$@"; do
     else
         cargo bench --bench "$bench" > "$output"
     fi
-    # Every run of every method is in target/bench/work_precision.csv; the page has the fastest.
+    # Every run of every method is in target/bench/work_precision.csv and taylor.csv; the page has the fastest.
     sed -i -e '/^problem  *method/,/^$/d' -e '/^ratio_\|^rate_\|^speedup_\|^time_ms_/d' "$output"
     fill "$bench" "$output"
 done

@@ -101,6 +101,12 @@ pub(crate) trait Row: Vector<Number = f64> {
     fn after(self, next: Self) -> Self;
     /// The last lane of `previous`, and then all lanes but the last.
     fn before(self, previous: Self) -> Self;
+    /// Lanes of this one, and behind them of `more`, by their numbers.
+    fn pick(self, more: Self, lanes: &[i64; 8]) -> Self;
+    /// In every lane the number that is further from zero, without its sign.
+    fn larger(self, other: Self) -> Self;
+    /// The number that is the furthest from zero, without its sign.
+    fn largest(self) -> f64;
 }
 
 /// Numbers in an array, for scalars (`N = 1`) and for machines without the instructions of the other types.
@@ -198,5 +204,18 @@ impl<const N: usize> Row for Many<f64, N> {
     #[inline(always)]
     fn before(self, previous: Self) -> Self {
         Self(std::array::from_fn(|lane| if lane > 0 { self.0[lane - 1] } else { previous.0[N - 1] }))
+    }
+    #[inline(always)]
+    fn pick(self, more: Self, lanes: &[i64; 8]) -> Self {
+        let of = |lane: usize| if lane < N { self.0[lane] } else { more.0[lane % N] };
+        Self(std::array::from_fn(|lane| of(lanes[lane % 8] as usize)))
+    }
+    #[inline(always)]
+    fn larger(self, other: Self) -> Self {
+        self.zip(other, |x, y| x.abs().max(y.abs()))
+    }
+    #[inline(always)]
+    fn largest(self) -> f64 {
+        self.0.iter().fold(0.0, |largest, x| largest.max(x.abs()))
     }
 }

@@ -223,6 +223,18 @@ impl Row for X8 {
         let (low, high) = instruction!((_mm512_castpd_si512(previous.0), _mm512_castpd_si512(self.0)));
         Self(instruction!(_mm512_castsi512_pd(_mm512_alignr_epi64::<7>(high, low))))
     }
+    #[inline(always)]
+    fn pick(self, more: Self, lanes: &[i64; 8]) -> Self {
+        Self(instruction!(_mm512_permutex2var_pd(self.0, _mm512_loadu_epi64(lanes.as_ptr()), more.0)))
+    }
+    #[inline(always)]
+    fn larger(self, other: Self) -> Self {
+        Self(instruction!(_mm512_max_pd(_mm512_abs_pd(self.0), _mm512_abs_pd(other.0))))
+    }
+    #[inline(always)]
+    fn largest(self) -> f64 {
+        instruction!(_mm512_reduce_max_pd(_mm512_abs_pd(self.0)))
+    }
 }
 
 impl Row for X4 {
@@ -244,5 +256,25 @@ impl Row for X4 {
             let middle = _mm256_permute2f128_pd::<0x21>(previous.0, self.0);
             _mm256_shuffle_pd::<0b0101>(middle, self.0)
         }))
+    }
+    #[inline(always)]
+    fn pick(self, more: Self, lanes: &[i64; 8]) -> Self {
+        let mut numbers = [0.0; 8];
+        self.store(&mut numbers);
+        more.store(&mut numbers[4..]);
+        Self::load(&[0, 1, 2, 3].map(|lane| numbers[lanes[lane] as usize]))
+    }
+    #[inline(always)]
+    fn larger(self, other: Self) -> Self {
+        Self(instruction!({
+            let sign = _mm256_set1_pd(-0.0);
+            _mm256_max_pd(_mm256_andnot_pd(sign, self.0), _mm256_andnot_pd(sign, other.0))
+        }))
+    }
+    #[inline(always)]
+    fn largest(self) -> f64 {
+        let mut numbers = [0.0; 4];
+        self.larger(self).store(&mut numbers);
+        numbers.into_iter().fold(0.0, f64::max)
     }
 }

@@ -8,6 +8,7 @@
 //! | [`row`] | six bodies, and 32 sites of a chain, side by side in registers |
 //! | [`chain`] | long chains in one pass per step, several steps per tile, and in two plain passes |
 //! | [`plane`] | the φ⁴ field on a plane, in one pass per step, and in two plain passes |
+//! | [`taylor`] | Taylor integrators of the five problems |
 //! | [`tiles`] | many bodies, pairs in tiles that use the third law |
 
 pub mod chain;
@@ -17,4 +18,5 @@ pub mod plane;
 pub mod points;
 pub mod row;
 pub mod swarm;
+pub mod taylor;
 pub mod tiles;

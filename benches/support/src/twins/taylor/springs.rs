@@ -1,0 +1,182 @@
+//! The chain of 32 sites: its 33 bonds in the lanes of four registers and one.
+//!
+//! Site `4 l + v` and the bond in front of it are lane `l` of register `v`, so that neighbours are in the same lanes of the
+//! next register, and lanes have to move at one seam only. Series are those of the bonds, whose accelerations are
+//! differences of the tensions beside them: no lane moves between a tension and the bond that it stretches two orders
+//! later, but for the seam.
+
+use super::{
+    course::{Course, Expansion, HIGHEST, Kept, follow, with_order},
+    horizon::{Sizes, reach},
+    weights::{INTEGRALS, Weights},
+};
+use crate::{
+    enter::{Kernel, enter},
+    problems::Chain32,
+    vector::{Row, Vector},
+};
+use integrator_core::Phase;
+use std::array::from_fn;
+
+/// Something of all bonds; the last one is alone in the last register.
+type Bonds<R> = [R; 5];
+
+/// Something of all sites.
+type Sites<R> = [R; 4];
+
+#[derive(Clone)]
+struct Springs<R, const N: usize> {
+    tolerance: f64,
+    alpha: f64,
+    q: Sites<Kept<R>>,
+    v: Sites<Kept<R>>,
+    /// Coefficients by their order: of accelerations
+    accelerations: [Sites<R>; HIGHEST],
+    /// and of the stretches of bonds.
+    stretches: [Bonds<R>; HIGHEST],
+}
+
+impl<R: Row, const N: usize> Springs<R, N> {
+    #[inline(always)]
+    fn new(system: &Chain32, start: &Phase<[f64; 32]>, tolerance: f64) -> Self {
+        let zero = R::splat(0.0);
+        let sites = |x: &[f64; 32]| from_fn(|v| Kept::of(R::load(&from_fn::<f64, 8, _>(|lane| x[4 * lane + v]))));
+        Self {
+            tolerance,
+            alpha: system.alpha,
+            q: sites(&start.q),
+            v: sites(&start.p),
+            accelerations: [[zero; 4]; HIGHEST],
+            stretches: [[zero; 5]; HIGHEST],
+        }
+    }
+
+    /// Of the bonds, from the sites.
+    #[inline(always)]
+    fn stretches([a, b, c, d]: Sites<R>) -> Bonds<R> {
+        let wall = R::splat(0.0);
+        [a - d.before(wall), b - a, c - b, d - c, wall - wall.before(d)]
+    }
+
+    /// From tensions to the accelerations of their order and the stretches two orders above.
+    #[inline(always)]
+    fn pull(&mut self, k: usize, tensions: Bonds<R>) {
+        let [a, b, c, d, e] = tensions;
+        let seam = a.after(e);
+        let accelerations = [b - a, c - b, d - c, seam - d];
+        self.accelerations[k] = accelerations;
+        if k + 2 < N {
+            let integral = R::splat(INTEGRALS.twice[k]);
+            let bonds = Self::stretches(accelerations);
+            self.stretches[k + 2] = bonds.map(|bond| bond * integral);
+        }
+    }
+
+    /// Tensions of the even order `k` and of the next one.
+    #[inline(always)]
+    fn two_orders(&self, k: usize) -> [Bonds<R>; 2] {
+        let d = &self.stretches;
+        let middle = k / 2;
+        let zero = R::splat(0.0);
+        let half = R::splat(0.5);
+        let mut even: Bonds<R> = d[middle].map(|x| half * x * x);
+        let mut odd: Bonds<R> = [zero; 5];
+        for j in (0..middle).rev() {
+            for i in 0..5 {
+                odd[i] = d[j + 1][i].fma(d[k - j][i], odd[i]);
+                even[i] = d[j][i].fma(d[k - j][i], even[i]);
+            }
+        }
+        let twice = R::splat(2.0 * self.alpha);
+        [
+            from_fn(|i| twice.fma(even[i], d[k][i])),
+            from_fn(|i| twice.fma(d[0][i].fma(d[k + 1][i], odd[i]), d[k + 1][i])),
+        ]
+    }
+}
+
+impl<R: Row, const N: usize> Expansion for Springs<R, N> {
+    type State = Phase<[f64; 32]>;
+
+    #[inline(always)]
+    fn expand(&mut self) -> f64 {
+        let [q, v] = [self.q, self.v].map(|x| x.map(|x| x.value));
+        self.stretches[0] = Self::stretches(q);
+        self.stretches[1] = Self::stretches(v);
+        for k in (0..N).step_by(2) {
+            let [even, odd] = self.two_orders(k);
+            self.pull(k, even);
+            self.pull(k + 1, odd);
+        }
+        let a = &self.accelerations;
+        let size = |x: Sites<R>| x[0].larger(x[1]).larger(x[2].larger(x[3])).largest();
+        let part = |value, slope, before, last| Sizes { value, slope, before, last };
+        let of_velocity = size(v);
+        let late = size(a[N - 2]);
+        reach::<N>(
+            self.tolerance,
+            [
+                part(size(q), of_velocity, size(a[N - 3]) * INTEGRALS.twice[N - 3], late * INTEGRALS.twice[N - 2]),
+                part(of_velocity, size(a[0]), late * INTEGRALS.once[N - 2], size(a[N - 1]) * INTEGRALS.once[N - 1]),
+            ],
+        )
+    }
+
+    #[inline(always)]
+    fn proceed(&mut self, by: f64) {
+        let weights = Weights::of(by);
+        let zero = R::splat(0.0);
+        let (mut velocity, mut position) = ([zero; 4], [zero; 4]);
+        // The smallest addends first.
+        for k in (0..N).rev() {
+            let (once, twice) = (R::splat(weights.once[k]), R::splat(weights.twice[k]));
+            for i in 0..4 {
+                velocity[i] = self.accelerations[k][i].fma(once, velocity[i]);
+                if k + 2 <= N {
+                    position[i] = self.accelerations[k][i].fma(twice, position[i]);
+                }
+            }
+        }
+        for i in 0..4 {
+            self.q[i].add(R::splat(by).fma(self.v[i].value, position[i]));
+            self.v[i].add(velocity[i]);
+        }
+    }
+
+    #[inline(always)]
+    fn state(&self) -> Self::State {
+        let column = |x: &Sites<Kept<R>>| {
+            let lanes = x.map(|x| {
+                let mut lanes = [0.0; 8];
+                x.value.store(&mut lanes);
+                lanes
+            });
+            from_fn(|site| lanes[site % 4][site / 4])
+        };
+        Phase::new(column(&self.q), column(&self.v))
+    }
+}
+
+struct Trajectory<'s, const N: usize> {
+    system: &'s Chain32,
+    start: &'s Phase<[f64; 32]>,
+    course: Course,
+    see: &'s mut dyn FnMut(Phase<[f64; 32]>),
+}
+
+impl<const N: usize> Kernel for Trajectory<'_, N> {
+    type Out = u64;
+    #[inline(always)]
+    fn run<V: Row, R: Row, S: Vector<Number = f32>>(self) -> u64 {
+        let springs = Springs::<R, N>::new(self.system, self.start, self.course.tolerance);
+        follow(self.course, springs, self.see)
+    }
+}
+
+/// Follows the chain, shows its states, and counts the steps.
+///
+/// # Panics
+/// If the order is not one of [`ORDERS`](super::ORDERS).
+pub fn chain(system: &Chain32, start: &Phase<[f64; 32]>, course: Course, see: &mut dyn FnMut(Phase<[f64; 32]>)) -> u64 {
+    with_order!(course.order, N => enter(Trajectory::<N> { system, start, course, see }))
+}

@@ -1,0 +1,60 @@
+//! Taylor integrators by hand arrive where references in 113-bit arithmetic do.
+//!
+//! Each polynomial adds the share of its tolerance to the state. If all errors had one sign, they would add up over the
+//! polynomials, and a phase that is off by a share of the energy goes on to grow for the rest of the angle that is passed: the
+//! bounds are the tolerance times the number of polynomials times that angle, where motions are periodic. A wrong term
+//! would be off by far more.
+
+use integrator_bench::{
+    Instructions,
+    starts::{Problem, Problems},
+    twins::taylor::{self, Course, ORDERS},
+};
+use integrator_core::{Coords, Hamiltonian, Phase};
+
+const TOLERANCE: f64 = 1e-15;
+
+/// The twins that follow `problem`, of each order, through so many radians.
+#[track_caller]
+fn arrives<H: Hamiltonian>(
+    problem: &Problem<H>,
+    radians: f64,
+    twin: impl Fn(Course, &mut dyn FnMut(Phase<H::Coords>)) -> u64,
+) where
+    H::Coords: Coords<Leaf = f64>,
+{
+    if Instructions::chosen() == Instructions::Baseline {
+        return;
+    }
+    for order in ORDERS {
+        for looks in [1, 7] {
+            let mut states = Vec::new();
+            let course = Course { order, tolerance: TOLERANCE, span: problem.span, looks };
+            let polynomials = twin(course, &mut |state| states.push(state));
+            assert_eq!(states.len(), looks as usize);
+            let end = states.pop().expect("an end");
+            let bound = TOLERANCE * polynomials as f64 * radians;
+            for (i, (q, reference)) in end.q.flat().iter().zip(&problem.reference).enumerate() {
+                let largest = problem.reference.iter().fold(0.0_f64, |largest, x| largest.max(x.abs()));
+                let error = (q - reference).abs() / largest;
+                assert!(error < bound, "{}, order {order}, coordinate {i}: {error:e} above {bound:e}", problem.name);
+            }
+        }
+    }
+}
+
+#[test]
+fn planets_arrive() {
+    let solar = Problems::default().solar();
+    // Jupiter turns once in 4333 days.
+    let radians = solar.span / 4333.0 * std::f64::consts::TAU;
+    arrives(&solar, radians, |course, see| taylor::solar(&solar.system, &solar.start, course, see));
+}
+
+#[test]
+fn waves_arrive() {
+    let chain = Problems::default().chain();
+    // The lowest wave of the chain, of the frequency 2 sin(π/66).
+    let radians = chain.span * 2.0 * (std::f64::consts::PI / 66.0).sin();
+    arrives(&chain, radians, |course, see| taylor::chain(&chain.system, &chain.start, course, see));
+}

@@ -1,0 +1,159 @@
+//! Taylor's method, generated against written by hand: `cargo bench --bench taylor`.
+//!
+//! Both sides take the same orders and tolerances, carry the rounding of their states and choose their steps by the same
+//! rule, so that they take as many and err as much. A row tells the milliseconds of both for the problem's whole
+//! span, medians of interleaved turns, nanoseconds of the twin per polynomial, and the largest relative deviations of
+//! the energies at 256 looks. The last lines, `ratio_taylor_over_twin_<problem>_<error>=`, are the least time to an energy
+//! error over that of the twin, each the best of the same orders and tolerances: 1.1 is asked. Twins are written for
+//! AVX2 and AVX-512; elsewhere there are none.
+
+use integrator_bench::{
+    Instructions,
+    precision::{Curve, Kind, Point, best},
+    race::{Racer, race},
+    starts::{Problem, Problems},
+    table::Table,
+    twins::taylor::{self, Course, ORDERS},
+};
+use integrator_core::{
+    Compensated, Coords,
+    prelude::*,
+    taylor::{Recurrences, Taylor},
+};
+use std::error::Error;
+
+/// Turns of a race; odd, so that the median is one of them.
+const TURNS: usize = 15;
+/// How often energies are looked at.
+const LOOKS: u32 = 256;
+/// The energy errors to which times are compared.
+const ERRORS: [(f64, &str); 3] = [(1e-8, "1e-8"), (1e-10, "1e-10"), (1e-12, "1e-12")];
+
+/// Follows a trajectory by hand, shows its states, and counts the polynomials.
+type Twin<'t, C> = &'t dyn Fn(Course, &mut dyn FnMut(Phase<C>)) -> u64;
+
+struct Report {
+    table: Table,
+    choices: Vec<String>,
+    ratios: Vec<String>,
+}
+
+impl Report {
+    /// Tolerances from `10^-first` on, a decade apart.
+    fn add<H: Recurrences>(
+        &mut self,
+        problem: &Problem<H>,
+        first: i32,
+        twin: Twin<H::Coords>,
+    ) -> Result<(), Box<dyn Error>>
+    where
+        H::Coords: Coords<Leaf = f64>,
+    {
+        let mut curves = [Vec::new(), Vec::new()];
+        for order in ORDERS {
+            let mut points = [Vec::new(), Vec::new()];
+            for tolerance in (first..first + 8).map(|decade| 10.0_f64.powi(-decade)) {
+                let row = self.race(problem, order, tolerance, twin)?;
+                points.iter_mut().zip(row).for_each(|(points, point)| points.push(point));
+            }
+            for ((side, points), ours) in curves.iter_mut().zip(points).zip([true, false]) {
+                side.push(Curve { method: format!("Taylor {order}"), ours, points });
+            }
+        }
+        for (error, text) in ERRORS {
+            let [ours, twin] = [0, 1].map(|side| best(&curves[side], Kind::Energy, error));
+            if let Some(((ours, order), (twin, other))) = ours.zip(twin) {
+                let name = problem.name;
+                let [name_of, ratio] = [format!("{name}_{text}"), format!("{:.3}", ours / twin)];
+                let times = format!("{ours:>9.4} ms by {order}; by hand {twin:>9.4} ms by {other}");
+                self.choices.push(format!("{name_of:<16} {times}; ratio {ratio}"));
+                self.ratios.push(format!("ratio_taylor_over_twin_{name_of}={ratio}"));
+            }
+        }
+        Ok(())
+    }
+
+    /// A run of both sides, generated and by hand.
+    fn race<H: Recurrences>(
+        &mut self,
+        Problem { name, system, start, span, reference }: &Problem<H>,
+        order: usize,
+        tolerance: f64,
+        twin: Twin<H::Coords>,
+    ) -> Result<[Point; 2], Box<dyn Error>>
+    where
+        H::Coords: Coords<Leaf = f64>,
+    {
+        let method = Taylor::tolerance(tolerance).with_order(order);
+        let run = |looks: u32| {
+            let start = Phase::compensated(start.q.clone(), start.p.clone());
+            system.run_with::<Compensated<f64>, _>(method, start, span / f64::from(looks))
+        };
+        let course = |looks| Course { order, tolerance, span: *span, looks };
+        let energy = |state| Ok::<_, integrator_core::Error>(system.run_with::<f64, _>(Verlet, state, *span)?.energy());
+        let exact = energy(start.clone())?;
+        let distance = |q: &[f64]| {
+            let square = |numbers: &mut dyn Iterator<Item = f64>| numbers.map(|x| x * x).sum::<f64>();
+            let apart = square(&mut q.iter().zip(reference).map(|(q, reference)| q - reference));
+            (apart / square(&mut reference[..q.len()].iter().copied())).sqrt()
+        };
+
+        let (mut worst, mut end) = (0.0_f64, Vec::new());
+        for sample in run(LOOKS)?.samples(1).take(LOOKS as usize + 1) {
+            let sample = sample?;
+            worst = worst.max((sample.energy() / exact - 1.0).abs());
+            end = sample.state.q.flat().iter().map(|leaf| leaf.value).collect();
+        }
+        let generated = [worst, distance(&end)];
+        let mut states = Vec::new();
+        let polynomials = twin(course(LOOKS), &mut |state| states.push(state));
+        let mut worst = 0.0_f64;
+        for state in states {
+            end = state.q.flat().to_vec();
+            worst = worst.max((energy(state)? / exact - 1.0).abs());
+        }
+        let by_hand = [worst, distance(&end)];
+
+        let racers = vec![
+            Racer::new("generated", || {
+                let mut run = run(1).expect("a start");
+                run.advance(1).expect("finite states");
+                run.state()
+            }),
+            Racer::new("by hand", || {
+                let mut end = None;
+                twin(course(1), &mut |state| end = Some(state));
+                end
+            }),
+        ];
+        // Nanoseconds per million units are milliseconds.
+        let times = race(TURNS, 1e6, racers);
+        let [ours, theirs] = [times.median(0), times.median(1)];
+        let per_polynomial = theirs * 1e6 / polynomials as f64;
+        self.table.row(
+            [name, &format!("order {order}, {tolerance:.0e}")],
+            &[polynomials as f64, per_polynomial, theirs, ours, times.ratio(0, 1), by_hand[0], generated[0]],
+        );
+        let point = |milliseconds, [energy, global]: [f64; 2]| Point { milliseconds, energy, global };
+        Ok([point(ours, generated), point(theirs, by_hand)])
+    }
+}
+
+fn main() -> Result<(), Box<dyn Error>> {
+    if Instructions::chosen() == Instructions::Baseline {
+        println!("no twin: these are written for AVX2 and AVX-512");
+        return Ok(());
+    }
+    let head = ["polynomials", "ns each", "twin ms", "generated", "ratio", "twin error", "error"];
+    let head: Vec<&str> = ["problem", "method"].into_iter().chain(head).collect();
+    let mut report = Report { table: Table::new("taylor", &head), choices: Vec::new(), ratios: Vec::new() };
+    let problems = Problems::default();
+    let solar = problems.solar();
+    report.add(&solar, 8, &|course, see| taylor::solar(&solar.system, &solar.start, course, see))?;
+    let chain = problems.chain();
+    report.add(&chain, 8, &|course, see| taylor::chain(&chain.system, &chain.start, course, see))?;
+    report.table.write()?;
+    println!("\nTo each energy error, the best of the orders on both sides:");
+    report.choices.iter().chain(&report.ratios).for_each(|line| println!("{line}"));
+    Ok(())
+}
