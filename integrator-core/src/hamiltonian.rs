@@ -11,7 +11,7 @@ use crate::{
     sites::Sites,
     slot::{Keep, Slot},
     tiled::{Flow, Reach},
-    visit::{Visitor, visit_general},
+    visit::{RecurrencesVisitor, Visitor, visit_general},
 };
 use alloc::vec::Vec;
 use core::ops::Range;
@@ -73,6 +73,10 @@ pub trait Hamiltonian: Sized {
     fn visit_compositions(visitor: &mut impl Visitor<Self>) {
         visit_general(visitor);
     }
+
+    /// Calls `visitor` where recurrences for the Taylor method were written. Nothing is compiled for it where this is not
+    /// called.
+    fn visit_recurrences(_visitor: &mut impl RecurrencesVisitor<Self>) {}
 
     /// A run from `start` with step `h` and the annotated composition.
     ///

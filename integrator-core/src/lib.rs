@@ -169,7 +169,7 @@ pub use phase::Phase;
 pub use run::Run;
 pub use samples::{Sample, Samples};
 pub use slot::Compensated;
-pub use visit::{Visitor, visit_general, visit_quadratic};
+pub use visit::{RecurrencesVisitor, Visitor, visit_general, visit_quadratic};
 
 /// The examples of the README, so that they compile and hold.
 #[cfg(doctest)]
@@ -223,7 +223,7 @@ pub mod __private {
         },
         tiled::{Flow, Reach},
         tiles::Tiles,
-        visit::{Visitor, visit_quadratic},
+        visit::{RecurrencesVisitor, Visitor, visit_quadratic},
     };
     pub use alloc::{sync::Arc, vec::Vec};
 

@@ -61,7 +61,7 @@ impl Hill {
 }
 
 /// A body that falls onto another one.
-struct Fall;
+pub(crate) struct Fall;
 
 #[hamiltonian(taylor)]
 impl Fall {

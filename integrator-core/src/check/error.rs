@@ -65,12 +65,24 @@ pub enum CheckError {
         /// How many there are.
         coordinates: usize,
     },
-    /// The run is too short to fit a line to its energy.
-    #[error("{steps} steps are too few to fit a line to the energy: at least {needed} are needed")]
+    /// The run is too short for what is measured.
+    #[error("{steps} steps are too few to measure anything: at least {needed} are needed")]
     TooFewSteps {
         /// How many steps were asked for.
         steps: u64,
         /// How many are needed.
         needed: u64,
+    },
+    /// The exact motion is not known well enough to hold a run against it.
+    #[error(
+        "over a time of {span} the exact motion is known to {uncertainty} of the way it goes, at best: it leads into a \
+         singularity, or for too long; shorten the time, or let `#[hamiltonian(taylor)]` write recurrences for a better \
+         reference"
+    )]
+    NoReference {
+        /// The time.
+        span: f64,
+        /// How far two references are apart, in units of how far the motion goes; NaN if one of them breaks off.
+        uncertainty: f64,
     },
 }

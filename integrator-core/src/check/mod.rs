@@ -17,6 +17,9 @@
 //! [`stability()`] tells how far a step is below the one at which its composition becomes unstable; that is no fault of a
 //! stepper, so a certificate mentions it and is not refused for it.
 //!
+//! [`global_error()`] tells how far a run is from the exact motion, and how well that is known: no fault either, since
+//! every step has an error.
+//!
 //! [`choose()`] measures too, but not whether a stepper is right: which of the right ones is the cheapest.
 //!
 //! What is a property of the flows (symplecticity, order, gradient) is measured in `f64` whatever the leaf of the
@@ -29,13 +32,16 @@ mod course;
 mod dual;
 mod energy;
 mod error;
+mod global_error;
 mod gradient;
 mod line;
+mod march;
 mod order;
 mod path;
 mod points;
 mod reference;
 mod reversibility;
+mod series;
 mod shadow;
 mod shortfall;
 mod spectrum;
@@ -52,6 +58,7 @@ pub use course::Course;
 pub(crate) use dual::Dual;
 pub use energy::{EnergyDrift, energy_drift};
 pub use error::CheckError;
+pub use global_error::{GlobalError, global_error};
 pub use gradient::gradient_error;
 pub use order::{Order, observed_order};
 pub use reversibility::reversibility;

@@ -53,6 +53,10 @@ const ATTEMPTS: usize = 10;
 /// The standard error of a slope up to which its points are taken to lie on a line.
 const SCATTER: f64 = 0.05;
 
+/// How often a reference may halve a time that four steps of a method follow: those of the march, which are shorter, follow it
+/// to the rounding before that.
+const HALVINGS: i32 = 8;
+
 /// A measured order.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
@@ -73,8 +77,9 @@ pub struct Order {
 
 /// The order that `composition` shows on this very problem.
 ///
-/// Errors are distances in phase space to a reference that is refined until it settles, at four times along a common
-/// span, in units of how far the motion went; all states are compensated. The span is the longest one, in a coarse
+/// Errors are distances in phase space to the exact motion, at four times along a common span, in units of how far the
+/// motion went; all states are compensated. The exact motion is a Taylor series where `#[hamiltonian(taylor)]` wrote its
+/// recurrences, and else a march that is refined until it settles. The span is the longest one, in a coarse
 /// search over multiples of `h`, that four steps already follow to a tenth, so that `h` itself may be far too fine or
 /// far too coarse. It is divided into ever more steps, at most 1024, until the error drowns in the rounding; the slope
 /// is a least-squares fit to the finest errors that do not, four to six of them. Where they do not lie on a line,
@@ -170,13 +175,13 @@ impl<H: Hamiltonian, X: Method<H>> Problem<'_, H, X> {
 
     /// The slope over one span.
     fn order(&self, span: f64) -> Result<Order, CheckError> {
-        let exact = reference(self.system, &self.start, span);
+        let exact = reference(self.system, &self.start, span, HALVINGS);
         let scale = exact.path.excursion();
         // Both states are compensated, so that their sums lose nothing: each is rounded when it is seen. What is left
         // are the roundings of the flows, a few ε of what each adds to the state. These parts of the excursion, forth
         // and back within a step included, sum up to a few excursions, and their errors to a few ε of one, however
         // many steps there are; the error of the reference adds to it.
-        let plateau = exact.uncertainty + 2.0 * exact.path.rounding(scale) + 4.0 * f64::EPSILON;
+        let plateau = exact.uncertainty(scale) + 2.0 * exact.path.rounding(scale) + 4.0 * f64::EPSILON;
         let mut points = Vec::with_capacity(LADDER.len());
         for steps in LADDER {
             // A step too coarse to stay finite is no reason to give up the finer ones.

@@ -1,115 +1,247 @@
-//! The motion that a composition is measured against.
+//! The motion that a method is measured against.
 //!
-//! In: a system, a start, a time. Out: where the exact flow leads, with an estimate of the error that is left. Always
-//! true: it shares the flows of the system with the composition that is measured, and nothing else. Neither the
-//! catalogue nor the executor of runs is involved, so that a wrong coefficient or a wrong time in one of them cannot
-//! hide by standing on both sides; in particular a composition that converges to another motion is found out.
+//! In: a system, a start, a time. Out: where the exact flow leads, with an estimate of the error that is left. It is a Taylor
+//! series where recurrences were written, and a march by the flows of the system where they were not. Always true:
+//! neither the catalogue nor the executor of runs is involved, so that a wrong coefficient or a wrong time in one of them
+//! cannot hide by standing on both sides; in particular a composition that converges to another motion is found out.
+//!
+//! A series is trusted as far as the flows confirm it. It knows nothing of what lies beyond a branch, nor of a force whose
+//! first derivatives all vanish, and recurrences may be those of another motion. Whether flows are those of the
+//! energies is seen by the check of gradients.
 
 use crate::{
     check::{
-        path::{PARTS, Path},
-        points::plain,
+        march::March,
+        path::{Path, Scale},
+        series::{is_written, series},
         tolerance::within,
     },
     coords::Coords,
-    hamiltonian::{Flows, Hamiltonian, Motion, Shaped, Single},
+    hamiltonian::Hamiltonian,
     phase::Phase,
-    slot::Compensated,
+    taylor::Taylor,
 };
 
-/// The steps per part that the refinement begins with, and those that it ends with at the latest.
-const COARSEST: u64 = 2;
-const FINEST: u64 = 64;
+/// The error, in units of the excursion, up to which flows in coarse steps are taken to follow the motion. Halving the
+/// steps then leaves little of it, so that what is left is less than what changed.
+const FOLLOWED: f64 = 0.1;
+
+/// The share of the state that the last coefficients add, of the series and of the one that it is held against. Both are
+/// far below the rounding; polynomials of the second begin at other times, for its steps have another length.
+const TOLERANCES: [f64; 2] = [1e-20, 1e-18];
+
+/// How many roundings a march may be off beside what refining it changes. Its durations add up to nine times the time,
+/// forth and back, and each is rounded as a weight, as a product with the step, and in what its flow adds.
+const ROUNDINGS: f64 = 32.0;
 
 /// The exact motion as far as it is known.
 pub(crate) struct Reference<C> {
     pub(crate) path: Path<C>,
-    /// The distance to the next coarser reference in units of the excursion: above the error, for any order.
-    pub(crate) uncertainty: f64,
+    /// What it is held against: of a march, the next coarser one.
+    ///
+    /// Of a series, another one. A compensated state loses nothing, so that the errors of a series are these: each
+    /// expansion begins at a state that is rounded to half an ε, which turns its force by so much, and sums of
+    /// coefficients are off by a few ε of what they add. Both are stretched by the flow from there on, which no bound
+    /// known beforehand tells. The other series rounds at other states, so that its errors are as large and
+    /// independent: the root of the mean square of the differences, over four times and all coordinates, is √2 of those of
+    /// one. What truncation leaves is 100 times larger in the other one. Over less than an expansion both round alike,
+    /// by little more than one rounding of a state.
+    pub(crate) other: Path<C>,
 }
 
-/// The motion of `system` from `start` at time 0 over `span`, refined until halving the step changes nothing but
-/// rounding.
-pub(crate) fn reference<H: Hamiltonian>(system: &H, start: &Phase<H::Coords>, span: f64) -> Reference<H::Coords> {
-    let weights = weights();
-    let mut steps = COARSEST;
-    let mut path = march(system, start, span, steps, &weights);
-    loop {
-        steps *= 2;
-        let finer = march(system, start, span, steps, &weights);
-        let scale = finer.excursion();
-        let uncertainty = finer.distance(&path, scale);
-        let settled = within(uncertainty, finer.rounding(scale));
-        path = finer;
-        if settled || steps >= FINEST {
-            return Reference { path, uncertainty };
-        }
+impl<C: Coords<Leaf = f64>> Reference<C> {
+    /// How far the two are apart: above the error, for a march of any order.
+    pub(crate) fn uncertainty(&self, scale: Scale) -> f64 {
+        self.path.distance(&self.other, scale)
     }
 }
 
-/// Takes `steps` steps of eighth order over each part of `span`, with a compensated state.
-fn march<H: Hamiltonian>(
+/// The motion of `system` from `start` at time 0 over `span`.
+///
+/// A series is confirmed over each of `span`, its half, its quarter, ... that flows follow in coarse steps, down to the
+/// one that they follow to the rounding: the long ones see more, and the short ones more exactly. `halvings` is how
+/// often the time is halved at most, which bounds the number of expansions.
+pub(crate) fn reference<H: Hamiltonian>(
     system: &H,
     start: &Phase<H::Coords>,
     span: f64,
-    steps: u64,
-    weights: &[f64],
-) -> Path<H::Coords> {
-    let h = span / (PARTS * steps) as f64;
-    let parameters = system.parameters(start.q.length());
-    let mut state: Phase<Shaped<H, Compensated<f64>>> = Phase::compensated(start.q.clone(), start.p.clone());
-    let mut motion = H::Motion::<f64, Compensated<f64>>::load(|_| (&parameters, &state));
-    let ends = (0..PARTS).map(|part| {
-        for step in part * steps..(part + 1) * steps {
-            let mut time = step as f64 * h;
-            for weight in weights {
-                verlet::<H>(&mut Single::<H, f64, Compensated<f64>>(&mut motion), weight * h, time);
-                time += weight * h;
-            }
+    halvings: i32,
+) -> Reference<H::Coords> {
+    let march = March::new(system, start);
+    let expanded = || expanded(&march, |span, method| series(system, start, span, method), span, halvings);
+    let expanded = if is_written::<H>() { expanded() } else { None };
+    expanded.unwrap_or_else(|| march.refined(span))
+}
+
+/// The reference by series, if there is one and flows lead where it does.
+fn expanded<H: Hamiltonian>(
+    march: &March<'_, H>,
+    series: impl Fn(f64, Taylor) -> Option<Path<H::Coords>>,
+    span: f64,
+    halvings: i32,
+) -> Option<Reference<H::Coords>> {
+    let [finer, other] = TOLERANCES.map(Taylor::tolerance);
+    let mut is_confirmed = false;
+    for halving in 0..=halvings {
+        let time = span / 2.0_f64.powi(halving);
+        let flows = march.coarse(time);
+        let scale = flows.path.excursion();
+        let (uncertainty, rounding) = (flows.uncertainty(scale), flows.path.rounding(scale));
+        if !within(uncertainty, FOLLOWED) {
+            continue;
         }
-        motion.store(0, &mut state);
-        plain::<H, Compensated<f64>>(&state)
-    });
-    Path { start: start.clone(), ends: ends.collect() }
-}
-
-/// Drift, kick, drift from `time`.
-fn verlet<H: Hamiltonian>(flows: &mut impl Flows<H>, h: f64, time: f64) {
-    flows.drift(h / 2.0, time);
-    flows.kick(h, time + h / 2.0);
-    flows.drift(h / 2.0, time + h);
-}
-
-/// The fractions of a step over which Verlet is applied to gain order 8: five copies of the step of order p, with
-/// weights g, g, 1 - 4g, g, g and g = 1/(4 - 4^(1/(p+1))), have order p + 2 (Suzuki 1990). A formula has no digits to
-/// mistype, and no weight is larger than a seventh.
-fn weights() -> Vec<f64> {
-    [2.0, 4.0, 6.0].into_iter().fold(vec![1.0], |weights, order: f64| {
-        let outer = 1.0 / (4.0 - 4.0_f64.powf(1.0 / (order + 1.0)));
-        let scaled = |factor: f64| weights.iter().map(move |weight| weight * factor);
-        scaled(outer)
-            .chain(scaled(outer))
-            .chain(scaled(1.0 - 4.0 * outer))
-            .chain(scaled(outer))
-            .chain(scaled(outer))
-            .collect()
-    })
+        let apart = series(time, finer)?.distance(&flows.path, scale);
+        if !within(apart, uncertainty + ROUNDINGS * rounding) {
+            return None;
+        }
+        is_confirmed = true;
+        if within(uncertainty, rounding) {
+            break;
+        }
+    }
+    if !is_confirmed {
+        return None;
+    }
+    Some(Reference { path: series(span, finer)?, other: series(span, other)? })
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::hamiltonian;
+
+    struct Pendulum {
+        gravity: f64,
+    }
+
+    #[hamiltonian(taylor)]
+    impl Pendulum {
+        fn kinetic(&self, p: [f64; 1]) -> f64 {
+            p[0] * p[0] / 2.0
+        }
+        fn potential(&self, q: [f64; 1]) -> f64 {
+            -self.gravity * q[0].cos()
+        }
+    }
+
+    struct Kepler;
+
+    #[hamiltonian(taylor)]
+    impl Kepler {
+        fn kinetic(&self, p: [f64; 2]) -> f64 {
+            (p[0] * p[0] + p[1] * p[1]) / 2.0
+        }
+        fn potential(&self, q: [f64; 2]) -> f64 {
+            -1.0 / (q[0] * q[0] + q[1] * q[1]).sqrt()
+        }
+    }
+
+    struct Driven;
+
+    #[hamiltonian(taylor)]
+    impl Driven {
+        fn kinetic(&self, p: [f64; 1]) -> f64 {
+            p[0] * p[0] / 2.0
+        }
+        fn potential(&self, q: [f64; 1], t: f64) -> f64 {
+            -(1.0 + 0.5 * (2.0 * t).cos()) * q[0].cos()
+        }
+    }
+
+    struct Chain;
+
+    #[hamiltonian(taylor)]
+    impl Chain {
+        fn kinetic(&self, p: &[f64]) -> f64 {
+            p.iter().map(|p| p * p / 2.0).sum()
+        }
+        fn potential(&self, q: &[f64]) -> f64 {
+            let mut sum = 0.0;
+            for i in 1..q.len() {
+                let stretch = q[i] - q[i - 1];
+                sum += stretch * stretch / 2.0 + stretch.powi(4) / 4.0;
+            }
+            sum
+        }
+    }
+
+    /// A potential whose force jumps, and one whose derivatives at zero vanish up to the 39th.
+    struct Blind {
+        kink: f64,
+        wall: f64,
+    }
+
+    #[hamiltonian(taylor)]
+    impl Blind {
+        fn kinetic(&self, p: [f64; 1]) -> f64 {
+            p[0] * p[0] / 2.0
+        }
+        fn potential(&self, q: [f64; 1]) -> f64 {
+            self.kink * q[0].abs() + self.wall * q[0].powi(40)
+        }
+    }
+
+    fn agree<H: Hamiltonian>(system: &H, start: Phase<H::Coords>) {
+        for span in [0.1, 1.0, 5.0, 20.0, -20.0] {
+            let march = March::new(system, &start);
+            let series =
+                expanded(&march, |span, method| series(system, &start, span, method), span, 8).expect("a series");
+            let (flows, scale) = (march.refined(span), series.path.excursion());
+            let apart = series.path.distance(&flows.path, scale);
+            let known = series.uncertainty(scale) + flows.uncertainty(scale);
+            // Each unit of time is about a turn, and rounds as much as the first one.
+            let bound = known + ROUNDINGS * (flows.path.rounding(scale) + f64::EPSILON * span.abs());
+            assert!(within(apart, bound), "{} over {span}: {apart:e}, {bound:e}", std::any::type_name::<H>());
+            // Ten roundings are all that motions without an instability leave.
+            assert!(within(series.uncertainty(scale), 10.0 * f64::EPSILON), "{:e}", series.uncertainty(scale));
+        }
+    }
 
     #[test]
-    fn the_weights_cancel_the_errors_of_verlet() {
-        let weights = weights();
-        assert_eq!(weights.len(), 125);
-        assert!(weights.iter().eq(weights.iter().rev()), "a palindrome has no errors of even degree");
-        let moment = |power| weights.iter().map(|weight| weight.powi(power)).sum::<f64>();
-        assert!(within(moment(1) - 1.0, 125.0 * f64::EPSILON), "one rounding for each term of the sum");
-        for power in [3, 5, 7] {
-            // Necessary at orders 4, 6 and 8: the error of Verlet of that degree, summed over the step.
-            assert!(within(moment(power), 8.0 * f64::EPSILON), "degree {power}: {:e}", moment(power));
+    fn series_and_flows_lead_to_the_same_states() {
+        agree(&Pendulum { gravity: 1.0 }, Phase::new([2.0], [0.0]));
+        agree(&Kepler, Phase::new([0.4, 0.0], [0.0, 2.0]));
+        agree(&Driven, Phase::new([1.0], [0.0]));
+        agree(&Chain, Phase::new(vec![0.0, 1.0, 0.5, -0.25], vec![0.0, 0.1, 0.0, 0.3]));
+    }
+
+    #[test]
+    fn a_series_of_another_system_is_not_trusted() {
+        let start = Phase::new([2.0], [0.0]);
+        let (system, heavier) = (Pendulum { gravity: 1.0 }, Pendulum { gravity: 1.0 + 1e-9 });
+        let trusted = |of: &Pendulum, span| {
+            let march = March::new(&system, &start);
+            expanded(&march, |span, method| series(of, &start, span, method), span, 20).is_some()
+        };
+        for span in [1.0, 5.0, 1e4] {
+            assert!(trusted(&system, span) && !trusted(&heavier, span), "{span}");
         }
+    }
+
+    #[test]
+    fn flows_lead_where_a_series_is_blind() {
+        let cases = [(Blind { kink: 1.0, wall: 0.0 }, [1.0], [0.0]), (Blind { kink: 0.0, wall: 1.0 }, [0.0], [1.0])];
+        for (system, q, p) in cases {
+            let start = Phase::new(q, p);
+            let by_series = |span, method| series(&system, &start, span, method);
+            for span in [4.0, 400.0] {
+                assert!(by_series(span, Taylor::tolerance(1e-20)).is_some());
+                assert!(expanded(&March::new(&system, &start), by_series, span, 20).is_none());
+            }
+            let (found, march) = (reference(&system, &start, 4.0, 8), March::new(&system, &start).refined(4.0));
+            assert_eq!(found.path.ends, march.path.ends);
+        }
+    }
+
+    #[test]
+    fn a_long_time_is_known_by_series_alone() {
+        let start = Phase::new([0.4, 0.0], [0.0, 2.0]);
+        let uncertainty = |halvings| {
+            let found = reference(&Kepler, &start, 1e3, halvings);
+            found.uncertainty(found.path.excursion())
+        };
+        // A rounding of the energy turns the phase ever more: by 1e-16 in each of some thousand steps, times the time.
+        assert!(within(uncertainty(20), 1e-16 * 1e3 * 1e3), "{:e}", uncertainty(20));
+        assert!(!within(uncertainty(0), FOLLOWED), "{:e}", uncertainty(0));
     }
 }

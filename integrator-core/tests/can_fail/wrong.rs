@@ -92,6 +92,23 @@ fn a_scheme_that_converges_to_another_motion() {
 }
 
 #[test]
+fn another_motion_is_far_from_the_exact_one_whatever_the_step() {
+    let distance = |h: f64| {
+        let measured = check::global_error(&PENDULUM, Strong, Phase::new([2.0], [0.3]), h, (2.0 / h) as u64);
+        measured.expect("a reference").distance
+    };
+    let [coarse, fine] = [0.01, 0.0005].map(distance);
+    assert!(fine > 0.9 * coarse && fine > 1e-3, "{coarse} and {fine}");
+}
+
+#[test]
+fn a_motion_that_no_reference_follows_is_told() {
+    // A thousand periods by flows alone.
+    let measured = check::global_error(&PENDULUM, Verlet, Phase::new([2.0], [0.3]), 0.01, 200_000);
+    assert!(matches!(measured, Err(CheckError::NoReference { span: 2e3, .. })), "{measured:?}");
+}
+
+#[test]
 fn a_drift_lost_between_steps() {
     let shortfalls = shortfalls(&PENDULUM, Unmerged, Phase::new([2.0], [0.3]), 0.01);
     assert_among!(shortfalls, Shortfall::Order { .. });
@@ -176,6 +193,7 @@ fn bad_input_is_an_error_of_every_check() {
         assert!(check::observed_order(&PENDULUM, Verlet, start, h).is_err_and(kept));
         assert!(check::reversibility(&PENDULUM, Verlet, start, h, 16).is_err_and(kept));
         assert!(check::energy_drift(&PENDULUM, Verlet, start, h, 1024).is_err_and(kept));
+        assert!(check::global_error(&PENDULUM, Verlet, start, h, 1024).is_err_and(kept));
         assert!(matches!(certify(&PENDULUM, Verlet, start, h), Err(CertifyError::Run(_))));
     }
     assert!(check::gradient_error(&PENDULUM, Phase::new([f64::NAN], [0.3]), 0.0).is_err_and(kept));
@@ -188,4 +206,8 @@ fn bad_input_is_an_error_of_every_check() {
         Err(CheckError::TooFewSteps { steps: 3, needed: 64 })
     );
     assert_eq!(check::energy_drift(&Driven {}, Verlet, start, 0.01, 1024), Err(CheckError::NotAutonomous));
+    assert_eq!(
+        check::global_error(&PENDULUM, Verlet, start, 0.01, 0),
+        Err(CheckError::TooFewSteps { steps: 0, needed: 1 })
+    );
 }

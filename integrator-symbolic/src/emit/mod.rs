@@ -152,6 +152,13 @@ pub(crate) fn stepper(input: &Input, mut model: Model) -> TokenStream {
             }
         }
     });
+    let visit_recurrences = input.taylor.map(|_| {
+        quote! {
+            fn visit_recurrences(visitor: &mut impl #runtime::RecurrencesVisitor<Self>) {
+                #runtime::RecurrencesVisitor::visit(visitor);
+            }
+        }
+    });
     let implementation = |of: TokenStream, functions: TokenStream| {
         quote! {
             #[automatically_derived]
@@ -231,6 +238,7 @@ pub(crate) fn stepper(input: &Input, mut model: Model) -> TokenStream {
                 #potential
                 #lattice
                 #visit
+                #visit_recurrences
             }
 
             #many_body

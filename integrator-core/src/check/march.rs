@@ -1,0 +1,120 @@
+//! A motion by the flows of a system alone, in steps of eighth order that are refined until nothing but rounding changes.
+//!
+//! Always true: neither the catalogue nor the executor of runs is involved.
+
+use crate::{
+    check::{
+        path::{PARTS, Path},
+        points::plain,
+        reference::Reference,
+        tolerance::within,
+    },
+    coords::Coords,
+    hamiltonian::{Flows, Hamiltonian, Motion, Shaped, Single},
+    phase::Phase,
+    slot::Compensated,
+};
+
+/// The steps per part that the refinement begins with, and those that it ends with at the latest.
+const COARSEST: u64 = 2;
+const FINEST: u64 = 64;
+
+/// The flows of a system from a start at time 0.
+pub(crate) struct March<'s, H: Hamiltonian> {
+    system: &'s H,
+    start: &'s Phase<H::Coords>,
+    weights: Vec<f64>,
+}
+
+impl<'s, H: Hamiltonian> March<'s, H> {
+    pub(crate) fn new(system: &'s H, start: &'s Phase<H::Coords>) -> Self {
+        Self { system, start, weights: weights() }
+    }
+
+    /// The motion over `span`, refined until halving the step changes nothing but rounding.
+    pub(crate) fn refined(&self, span: f64) -> Reference<H::Coords> {
+        self.refined_to(span, FINEST)
+    }
+
+    /// The motion over `span` in the two coarsest steps.
+    pub(crate) fn coarse(&self, span: f64) -> Reference<H::Coords> {
+        self.refined_to(span, 2 * COARSEST)
+    }
+
+    fn refined_to(&self, span: f64, finest: u64) -> Reference<H::Coords> {
+        let mut steps = COARSEST;
+        let mut other = self.path(span, steps);
+        loop {
+            steps *= 2;
+            let path = self.path(span, steps);
+            let scale = path.excursion();
+            let (rounding, reference) = (path.rounding(scale), Reference { path, other });
+            if steps >= finest || within(reference.uncertainty(scale), rounding) {
+                return reference;
+            }
+            other = reference.path;
+        }
+    }
+
+    /// Takes `steps` steps of eighth order over each part of `span`, with a compensated state.
+    fn path(&self, span: f64, steps: u64) -> Path<H::Coords> {
+        let Self { system, start, weights } = self;
+        let h = span / (PARTS * steps) as f64;
+        let parameters = system.parameters(start.q.length());
+        let mut state: Phase<Shaped<H, Compensated<f64>>> = Phase::compensated(start.q.clone(), start.p.clone());
+        let mut motion = H::Motion::<f64, Compensated<f64>>::load(|_| (&parameters, &state));
+        let ends = (0..PARTS).map(|part| {
+            for step in part * steps..(part + 1) * steps {
+                let mut time = step as f64 * h;
+                for weight in weights {
+                    verlet::<H>(&mut Single::<H, f64, Compensated<f64>>(&mut motion), weight * h, time);
+                    time += weight * h;
+                }
+            }
+            motion.store(0, &mut state);
+            plain::<H, Compensated<f64>>(&state)
+        });
+        Path { start: (*start).clone(), ends: ends.collect() }
+    }
+}
+
+/// Drift, kick, drift from `time`.
+fn verlet<H: Hamiltonian>(flows: &mut impl Flows<H>, h: f64, time: f64) {
+    flows.drift(h / 2.0, time);
+    flows.kick(h, time + h / 2.0);
+    flows.drift(h / 2.0, time + h);
+}
+
+/// The fractions of a step over which Verlet is applied to gain order 8: five copies of the step of order p, with
+/// weights g, g, 1 - 4g, g, g and g = 1/(4 - 4^(1/(p+1))), have order p + 2 (Suzuki 1990). A formula has no digits to
+/// mistype, and no weight is larger than a seventh.
+fn weights() -> Vec<f64> {
+    [2.0, 4.0, 6.0].into_iter().fold(vec![1.0], |weights, order: f64| {
+        let outer = 1.0 / (4.0 - 4.0_f64.powf(1.0 / (order + 1.0)));
+        let scaled = |factor: f64| weights.iter().map(move |weight| weight * factor);
+        scaled(outer)
+            .chain(scaled(outer))
+            .chain(scaled(1.0 - 4.0 * outer))
+            .chain(scaled(outer))
+            .chain(scaled(outer))
+            .collect()
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_weights_cancel_the_errors_of_verlet() {
+        let weights = weights();
+        assert_eq!(weights.len(), 125);
+        assert!(weights.iter().eq(weights.iter().rev()), "a palindrome has no errors of even degree");
+        let moment = |power| weights.iter().map(|weight| weight.powi(power)).sum::<f64>();
+        assert!(within(moment(1) - 1.0, 125.0 * f64::EPSILON), "one rounding for each term of the sum");
+        for power in [3, 5, 7] {
+            // Necessary at orders 4, 6 and 8: the error of Verlet of that degree, summed over the step.
+            assert!(within(moment(power), 8.0 * f64::EPSILON), "degree {power}: {:e}", moment(power));
+        }
+    }
+}

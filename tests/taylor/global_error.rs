@@ -1,0 +1,108 @@
+//! The global error as `check` measures it, against the one that closed forms tell.
+
+use crate::{
+    motions::{ellipse, pendulum},
+    runs::{Fall, Kepler, Pendulum, pericentre},
+};
+use integrator_core::{
+    Coords, Error, Method,
+    check::{CheckError, global_error, observed_order},
+    prelude::*,
+    taylor::Taylor,
+};
+
+const QUARTERS: u64 = 4;
+
+/// The distance of a run from where `exact` says it should be, found without any reference.
+fn distance<C: Coords<Leaf = f64>>(mut run: Run<C>, steps: u64, exact: impl Fn(f64) -> Phase<C>) -> f64 {
+    let start = run.state();
+    let far = |one: &C, other: &C| {
+        let squares = one.flat().iter().zip(other.flat()).map(|(one, other)| (one - other).powi(2));
+        squares.sum::<f64>().sqrt()
+    };
+    let (mut q, mut p, mut sum) = (0.0_f64, 0.0_f64, Vec::new());
+    for step in 1..=steps {
+        run.advance(1).expect("finite states");
+        let state = run.state();
+        (q, p) = (q.max(far(&state.q, &start.q)), p.max(far(&state.p, &start.p)));
+        if step % (steps / QUARTERS) == 0 {
+            let exact = exact(run.time());
+            sum.push((far(&state.q, &exact.q), far(&state.p, &exact.p)));
+        }
+    }
+    let squares: f64 = sum.iter().map(|(of_q, of_p)| (of_q / q).powi(2) + (of_p / p).powi(2)).sum();
+    (squares / QUARTERS as f64).sqrt()
+}
+
+/// Holds the distance that is measured against the one that is known, over a time without and one with whole periods.
+fn check<H, X>(system: &H, method: X, start: Phase<H::Coords>, exact: impl Fn(f64) -> Phase<H::Coords>)
+where
+    H: Hamiltonian,
+    X: Method<H>,
+{
+    for (h, steps) in [(0.05, 1_024), (-0.05, 400), (std::f64::consts::TAU / 128.0, 1_024)] {
+        let run = system.run_with::<f64, X>(method, start.clone(), h).expect("a start");
+        let known = distance(run, steps, &exact);
+        let measured = global_error::<H, X, f64>(system, method, start.clone(), h, steps).expect("a reference");
+        assert!(measured.uncertainty < 1e-13, "{measured:?}");
+        // Closed forms are summed in doubles, with a phase of up to 50.
+        let bound = 4.0 * measured.uncertainty + 1e-13;
+        assert!((measured.distance - known).abs() < bound, "{known:e}, {measured:?}");
+        assert_eq!(measured.span, steps as f64 * h);
+    }
+}
+
+#[test]
+fn the_distance_is_that_to_the_closed_form() {
+    let of_pendulum = |t| {
+        let [q, p] = pendulum(2.0, t);
+        Phase::new([q], [p])
+    };
+    let of_kepler = |t| {
+        let [x, y, px, py] = ellipse(0.6, t);
+        Phase::new([x, y], [px, py])
+    };
+    macro_rules! methods {
+        ($($method:expr),*) => {$(
+            check(&Pendulum, $method, Phase::new([2.0], [0.0]), of_pendulum);
+            check(&Kepler, $method, pericentre(0.6), of_kepler);
+        )*};
+    }
+    methods!(Verlet, KahanLi8, Taylor::tolerance(1e-6), Taylor::tolerance(1e-18));
+}
+
+#[test]
+fn the_precision_of_a_run_is_that_of_its_start() {
+    let error = |measured: Result<integrator_core::check::GlobalError, _>| measured.expect("a reference").distance;
+    let single = error(global_error(&Pendulum, KahanLi8, Phase::new([2.0_f32], [0.0]), 0.1, 400));
+    let double = error(global_error(&Pendulum, KahanLi8, Phase::new([2.0], [0.0]), 0.1, 400));
+    assert!(single > 1e-7 && single < 1e-4 && double < 1e-8, "{single:e}, {double:e}");
+}
+
+#[test]
+fn what_cannot_be_measured_is_told() {
+    let start = Phase::new([2.0], [0.0]);
+    let none = global_error(&Pendulum, Verlet, start, 0.1, 0);
+    assert_eq!(none, Err(CheckError::TooFewSteps { steps: 0, needed: 1 }));
+    let still = global_error(&Pendulum, Verlet, start, 0.0, 8);
+    assert_eq!(still, Err(CheckError::Run(Error::Step { h: 0.0 })));
+    // It falls within 1.1; in coarse steps a run passes by.
+    let fallen = global_error(&Fall, Verlet, Phase::new([1.0], [0.0]), 0.07, 40);
+    assert!(matches!(fallen, Err(CheckError::NoReference { .. })), "{fallen:?}");
+}
+
+/// Against the same exact motion, compositions show what they claim.
+#[test]
+fn orders_are_those_that_are_claimed() {
+    macro_rules! claimed {
+        ($($composition:ident)*) => {$(
+            for h in [0.1, -0.01] {
+                certify(&Pendulum, $composition, Phase::new([2.0], [0.3]), h).expect("a right stepper");
+                let order = observed_order(&Kepler, $composition, pericentre(0.3), h).expect("a slope");
+                let claimed = f64::from($composition::ORDER);
+                assert!((order.slope - claimed).abs() < 0.5, "{order:?} of {}", $composition::NAME);
+            }
+        )*};
+    }
+    claimed!(Verlet Yoshida4 Yoshida6 KahanLi8 SofroniouSpaletta10);
+}
