@@ -70,6 +70,34 @@ fn the_promised_step_keeps_the_promise() {
     assert!(distance(fewer) > tolerance, "{} in {fewer} steps", distance(fewer));
 }
 
+/// The same ellipse with recurrences, whose true motion is a series.
+struct WithRecurrences;
+
+#[hamiltonian(taylor)]
+impl WithRecurrences {
+    fn kinetic(&self, p: [f64; 2]) -> f64 {
+        (p[0] * p[0] + p[1] * p[1]) / 2.0
+    }
+    fn potential(&self, q: [f64; 2]) -> f64 {
+        -1.0 / (q[0] * q[0] + q[1] * q[1]).sqrt()
+    }
+}
+
+#[test]
+fn a_true_motion_by_series_ranks_as_one_by_a_run_does() {
+    let (start, span, goal) = (Phase::new([1.0, 0.0], [0.0, 1.1]), 20.0, Goal::Trajectory(1e-6));
+    let by_series = choose(&WithRecurrences, start, span, goal).expect("a ranking");
+    let by_run = choose(&Kepler, start, span, goal).expect("a ranking");
+    assert_eq!(by_series.choices().len(), by_run.choices().len());
+    for choice in by_series.choices() {
+        let same =
+            by_run.choices().iter().find(|other| other.composition == choice.composition).expect("the same ones");
+        // Both see how far the motion goes at other times, which moves errors by a per cent, and a step may follow.
+        assert!((choice.error / same.error - 1.0).abs() < 0.1, "{choice:?}, {same:?}");
+        assert!((choice.step / same.step - 1.0).abs() < 0.05, "{choice:?}, {same:?}");
+    }
+}
+
 #[test]
 fn only_admissible_compositions_are_ranked() {
     let name = |choice: &integrator_core::check::Choice| choice.composition;

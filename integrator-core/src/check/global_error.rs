@@ -7,10 +7,10 @@
 use crate::{
     check::{
         CheckError,
-        path::{PARTS, Path, Scale},
+        path::{PARTS, Path},
         points::{begin, plain},
-        reference::reference,
-        tolerance::{largest, within},
+        reference::{HALVINGS, reference},
+        tolerance::within,
     },
     hamiltonian::{Hamiltonian, Shaped},
     method::Method,
@@ -19,22 +19,15 @@ use crate::{
     slot::Keep,
 };
 
-/// How often a part of the run is looked at, at most, for how far it goes.
-const LOOKS: u64 = 1024;
-
 /// The uncertainty of the exact motion from which on nothing is held against it. An arbitrary line: an error cannot
 /// be told to one digit beyond it.
 const KNOWN: f64 = 0.1;
-
-/// How often a reference may halve the time: beyond a million times the one that flows follow in coarse steps, too many
-/// expansions would have to be taken.
-const HALVINGS: i32 = 20;
 
 /// How far a run is from the exact motion.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct GlobalError {
-    /// The distance in phase space, in units of how far the run went.
+    /// The distance in phase space, positions and momenta each in units of how far the exact motion goes.
     pub distance: f64,
     /// The distance that two references have from each other, and the rounding of a state: what is less than a few of
     /// these is not known.
@@ -91,28 +84,16 @@ pub fn global_error<H: Hamiltonian, X: Method<H>, K: Keep>(
     let part = steps.div_ceil(PARTS);
     let span = PARTS as f64 * part as f64 * h;
     let mut run = Run::start::<H, X, K>(system, method, start, h)?;
-    let mut scale = Scale { q: 0.0, p: 0.0 };
     let mut ends = Vec::with_capacity(PARTS as usize);
     for _ in 0..PARTS {
-        let mut left = part;
-        while left > 0 {
-            let steps = part.div_ceil(LOOKS).min(left);
-            run.advance(steps)?;
-            left -= steps;
-            // At a few times a periodic motion may be back at its start.
-            let seen = Path { start: begin.clone(), ends: vec![plain::<H, K>(&run.state())] };
-            let excursion = seen.excursion();
-            scale = Scale { q: largest([scale.q, excursion.q]), p: largest([scale.p, excursion.p]) };
-            if left == 0 {
-                ends.extend(seen.ends);
-            }
-        }
+        run.advance(part)?;
+        ends.push(plain::<H, K>(&run.state()));
     }
     let exact = reference(system, &begin, span, HALVINGS);
-    let uncertainty = exact.uncertainty(scale) + exact.path.rounding(scale);
+    let uncertainty = exact.uncertainty() + exact.rounding();
     if !within(uncertainty, KNOWN) {
         return Err(CheckError::NoReference { span, uncertainty });
     }
-    let distance = Path { start: begin, ends }.distance(&exact.path, scale);
+    let distance = Path { start: begin, ends }.distance(&exact.path, exact.scale);
     Ok(GlobalError { distance, uncertainty, span })
 }

@@ -4,7 +4,7 @@
 
 use crate::{
     check::{
-        path::{PARTS, Path},
+        path::{PARTS, Path, Scale},
         points::plain,
         reference::Reference,
         tolerance::within,
@@ -43,38 +43,40 @@ impl<'s, H: Hamiltonian> March<'s, H> {
 
     fn refined_to(&self, span: f64, finest: u64) -> Reference<H::Coords> {
         let mut steps = COARSEST;
-        let mut other = self.path(span, steps);
+        let (mut other, _) = self.path(span, steps);
         loop {
             steps *= 2;
-            let path = self.path(span, steps);
-            let scale = path.excursion();
-            let (rounding, reference) = (path.rounding(scale), Reference { path, other });
-            if steps >= finest || within(reference.uncertainty(scale), rounding) {
+            let (path, scale) = self.path(span, steps);
+            let reference = Reference { path, other, scale };
+            if steps >= finest || within(reference.uncertainty(), reference.rounding()) {
                 return reference;
             }
             other = reference.path;
         }
     }
 
-    /// Takes `steps` steps of eighth order over each part of `span`, with a compensated state.
-    fn path(&self, span: f64, steps: u64) -> Path<H::Coords> {
+    /// Takes `steps` steps of eighth order over each part of `span`, with a compensated state, and sees how far they go.
+    fn path(&self, span: f64, steps: u64) -> (Path<H::Coords>, Scale) {
         let Self { system, start, weights } = self;
         let h = span / (PARTS * steps) as f64;
         let parameters = system.parameters(start.q.length());
         let mut state: Phase<Shaped<H, Compensated<f64>>> = Phase::compensated(start.q.clone(), start.p.clone());
         let mut motion = H::Motion::<f64, Compensated<f64>>::load(|_| (&parameters, &state));
-        let ends = (0..PARTS).map(|part| {
-            for step in part * steps..(part + 1) * steps {
-                let mut time = step as f64 * h;
-                for weight in weights {
-                    verlet::<H>(&mut Single::<H, f64, Compensated<f64>>(&mut motion), weight * h, time);
-                    time += weight * h;
-                }
+        let (mut ends, mut scale) = (Vec::with_capacity(PARTS as usize), Scale::ZERO);
+        for step in 0..PARTS * steps {
+            let mut time = step as f64 * h;
+            for weight in weights {
+                verlet::<H>(&mut Single::<H, f64, Compensated<f64>>(&mut motion), weight * h, time);
+                time += weight * h;
             }
             motion.store(0, &mut state);
-            plain::<H, Compensated<f64>>(&state)
-        });
-        Path { start: (*start).clone(), ends: ends.collect() }
+            let end = plain::<H, Compensated<f64>>(&state);
+            scale = scale.reaching(start, &end);
+            if (step + 1) % steps == 0 {
+                ends.push(end);
+            }
+        }
+        (Path { start: (*start).clone(), ends }, scale)
     }
 }
 

@@ -55,7 +55,7 @@ const SCATTER: f64 = 0.05;
 
 /// How often a reference may halve a time that four steps of a method follow: those of the march, which are shorter, follow it
 /// to the rounding before that.
-const HALVINGS: i32 = 8;
+const SHORT: i32 = 8;
 
 /// A measured order.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -175,13 +175,13 @@ impl<H: Hamiltonian, X: Method<H>> Problem<'_, H, X> {
 
     /// The slope over one span.
     fn order(&self, span: f64) -> Result<Order, CheckError> {
-        let exact = reference(self.system, &self.start, span, HALVINGS);
-        let scale = exact.path.excursion();
+        let exact = reference(self.system, &self.start, span, SHORT);
+        let scale = exact.scale;
         // Both states are compensated, so that their sums lose nothing: each is rounded when it is seen. What is left
         // are the roundings of the flows, a few ε of what each adds to the state. These parts of the excursion, forth
         // and back within a step included, sum up to a few excursions, and their errors to a few ε of one, however
         // many steps there are; the error of the reference adds to it.
-        let plateau = exact.uncertainty(scale) + 2.0 * exact.path.rounding(scale) + 4.0 * f64::EPSILON;
+        let plateau = exact.uncertainty() + 2.0 * exact.rounding() + 4.0 * f64::EPSILON;
         let mut points = Vec::with_capacity(LADDER.len());
         for steps in LADDER {
             // A step too coarse to stay finite is no reason to give up the finer ones.

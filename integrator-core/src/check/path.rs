@@ -27,13 +27,23 @@ pub(crate) struct Scale {
     pub(crate) p: f64,
 }
 
+impl Scale {
+    pub(crate) const ZERO: Self = Self { q: 0.0, p: 0.0 };
+
+    /// How far a motion went that was this far before and now is at `point`. At the few ends of a path alone, a periodic
+    /// motion may be back at its start.
+    pub(crate) fn reaching<C: Coords<Leaf = f64>>(self, start: &Phase<C>, point: &Phase<C>) -> Self {
+        Self {
+            q: largest([self.q, separation(&point.q, &start.q)]),
+            p: largest([self.p, separation(&point.p, &start.p)]),
+        }
+    }
+}
+
 impl<C: Coords<Leaf = f64>> Path<C> {
     /// The farthest from the start that the motion was seen.
     pub(crate) fn excursion(&self) -> Scale {
-        Scale {
-            q: largest(self.ends.iter().map(|end| separation(&end.q, &self.start.q))),
-            p: largest(self.ends.iter().map(|end| separation(&end.p, &self.start.p))),
-        }
+        self.ends.iter().fold(Scale::ZERO, |scale, end| scale.reaching(&self.start, end))
     }
 
     /// The farthest from the origin that the motion was seen.

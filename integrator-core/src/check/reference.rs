@@ -30,9 +30,17 @@ const FOLLOWED: f64 = 0.1;
 /// far below the rounding; polynomials of the second begin at other times, for its steps have another length.
 const TOLERANCES: [f64; 2] = [1e-20, 1e-18];
 
+/// How often each part of a series is looked at for how far it goes. A prime, so that a periodic motion is not back at its
+/// start whenever it is looked at.
+const LOOKS: u64 = 251;
+
 /// How many roundings a march may be off beside what refining it changes. Its durations add up to nine times the time,
 /// forth and back, and each is rounded as a weight, as a product with the step, and in what its flow adds.
 const ROUNDINGS: f64 = 32.0;
+
+/// How often a time of a user's choice may be halved: beyond a million times the one that flows follow in coarse steps, too
+/// many expansions would have to be taken.
+pub(crate) const HALVINGS: i32 = 20;
 
 /// The exact motion as far as it is known.
 pub(crate) struct Reference<C> {
@@ -47,36 +55,51 @@ pub(crate) struct Reference<C> {
     /// one. What truncation leaves is 100 times larger in the other one. Over less than an expansion both round alike,
     /// by little more than one rounding of a state.
     pub(crate) other: Path<C>,
+    /// How far the motion goes, seen at more times than the ends of the path.
+    pub(crate) scale: Scale,
 }
 
 impl<C: Coords<Leaf = f64>> Reference<C> {
     /// How far the two are apart: above the error, for a march of any order.
-    pub(crate) fn uncertainty(&self, scale: Scale) -> f64 {
-        self.path.distance(&self.other, scale)
+    pub(crate) fn uncertainty(&self) -> f64 {
+        self.path.distance(&self.other, self.scale)
+    }
+
+    /// What one rounding of every coordinate amounts to.
+    pub(crate) fn rounding(&self) -> f64 {
+        self.path.rounding(self.scale)
     }
 }
 
 /// The motion of `system` from `start` at time 0 over `span`.
-///
-/// A series is confirmed over each of `span`, its half, its quarter, ... that flows follow in coarse steps, down to the
-/// one that they follow to the rounding: the long ones see more, and the short ones more exactly. `halvings` is how
-/// often the time is halved at most, which bounds the number of expansions.
 pub(crate) fn reference<H: Hamiltonian>(
     system: &H,
     start: &Phase<H::Coords>,
     span: f64,
     halvings: i32,
 ) -> Reference<H::Coords> {
-    let march = March::new(system, start);
-    let expanded = || expanded(&march, |span, method| series(system, start, span, method), span, halvings);
-    let expanded = if is_written::<H>() { expanded() } else { None };
-    expanded.unwrap_or_else(|| march.refined(span))
+    by_series(system, start, span, halvings).unwrap_or_else(|| March::new(system, start).refined(span))
 }
 
-/// The reference by series, if there is one and flows lead where it does.
-fn expanded<H: Hamiltonian>(
+/// The same, if there is a series and flows lead where it does.
+///
+/// It is confirmed over each of `span`, its half, its quarter, ... that flows follow in coarse steps, down to the one
+/// that they follow to the rounding: the long ones see more, and the short ones more exactly. `halvings` is how often
+/// the time is halved at most, which bounds the number of expansions.
+pub(crate) fn by_series<H: Hamiltonian>(
+    system: &H,
+    start: &Phase<H::Coords>,
+    span: f64,
+    halvings: i32,
+) -> Option<Reference<H::Coords>> {
+    let expanded = |span, method, looks| series(system, start, span, method, looks);
+    if is_written::<H>() { confirmed(expanded, &March::new(system, start), span, halvings) } else { None }
+}
+
+/// A series that flows confirm.
+fn confirmed<H: Hamiltonian>(
+    series: impl Fn(f64, Taylor, u64) -> Option<(Path<H::Coords>, Scale)>,
     march: &March<'_, H>,
-    series: impl Fn(f64, Taylor) -> Option<Path<H::Coords>>,
     span: f64,
     halvings: i32,
 ) -> Option<Reference<H::Coords>> {
@@ -85,12 +108,11 @@ fn expanded<H: Hamiltonian>(
     for halving in 0..=halvings {
         let time = span / 2.0_f64.powi(halving);
         let flows = march.coarse(time);
-        let scale = flows.path.excursion();
-        let (uncertainty, rounding) = (flows.uncertainty(scale), flows.path.rounding(scale));
+        let (uncertainty, rounding) = (flows.uncertainty(), flows.rounding());
         if !within(uncertainty, FOLLOWED) {
             continue;
         }
-        let apart = series(time, finer)?.distance(&flows.path, scale);
+        let apart = series(time, finer, 1)?.0.distance(&flows.path, flows.scale);
         if !within(apart, uncertainty + ROUNDINGS * rounding) {
             return None;
         }
@@ -102,7 +124,8 @@ fn expanded<H: Hamiltonian>(
     if !is_confirmed {
         return None;
     }
-    Some(Reference { path: series(span, finer)?, other: series(span, other)? })
+    let ((path, scale), (other, _)) = (series(span, finer, LOOKS)?, series(span, other, 1)?);
+    Some(Reference { path, other, scale })
 }
 
 #[cfg(test)]
@@ -183,17 +206,15 @@ mod tests {
 
     fn agree<H: Hamiltonian>(system: &H, start: Phase<H::Coords>) {
         for span in [0.1, 1.0, 5.0, 20.0, -20.0] {
-            let march = March::new(system, &start);
-            let series =
-                expanded(&march, |span, method| series(system, &start, span, method), span, 8).expect("a series");
-            let (flows, scale) = (march.refined(span), series.path.excursion());
-            let apart = series.path.distance(&flows.path, scale);
-            let known = series.uncertainty(scale) + flows.uncertainty(scale);
+            let series = by_series(system, &start, span, 8).expect("a series");
+            let flows = March::new(system, &start).refined(span);
+            let apart = series.path.distance(&flows.path, flows.scale);
             // Each unit of time is about a turn, and rounds as much as the first one.
-            let bound = known + ROUNDINGS * (flows.path.rounding(scale) + f64::EPSILON * span.abs());
+            let rounding = ROUNDINGS * (flows.rounding() + f64::EPSILON * span.abs());
+            let bound = series.uncertainty() + flows.uncertainty() + rounding;
             assert!(within(apart, bound), "{} over {span}: {apart:e}, {bound:e}", std::any::type_name::<H>());
             // Ten roundings are all that motions without an instability leave.
-            assert!(within(series.uncertainty(scale), 10.0 * f64::EPSILON), "{:e}", series.uncertainty(scale));
+            assert!(within(series.uncertainty(), 10.0 * f64::EPSILON), "{:e}", series.uncertainty());
         }
     }
 
@@ -210,8 +231,13 @@ mod tests {
         let start = Phase::new([2.0], [0.0]);
         let (system, heavier) = (Pendulum { gravity: 1.0 }, Pendulum { gravity: 1.0 + 1e-9 });
         let trusted = |of: &Pendulum, span| {
-            let march = March::new(&system, &start);
-            expanded(&march, |span, method| series(of, &start, span, method), span, 20).is_some()
+            confirmed(
+                |span, method, looks| series(of, &start, span, method, looks),
+                &March::new(&system, &start),
+                span,
+                20,
+            )
+            .is_some()
         };
         for span in [1.0, 5.0, 1e4] {
             assert!(trusted(&system, span) && !trusted(&heavier, span), "{span}");
@@ -223,10 +249,9 @@ mod tests {
         let cases = [(Blind { kink: 1.0, wall: 0.0 }, [1.0], [0.0]), (Blind { kink: 0.0, wall: 1.0 }, [0.0], [1.0])];
         for (system, q, p) in cases {
             let start = Phase::new(q, p);
-            let by_series = |span, method| series(&system, &start, span, method);
             for span in [4.0, 400.0] {
-                assert!(by_series(span, Taylor::tolerance(1e-20)).is_some());
-                assert!(expanded(&March::new(&system, &start), by_series, span, 20).is_none());
+                assert!(series(&system, &start, span, Taylor::tolerance(1e-20), 1).is_some());
+                assert!(by_series(&system, &start, span, 20).is_none());
             }
             let (found, march) = (reference(&system, &start, 4.0, 8), March::new(&system, &start).refined(4.0));
             assert_eq!(found.path.ends, march.path.ends);
@@ -236,10 +261,7 @@ mod tests {
     #[test]
     fn a_long_time_is_known_by_series_alone() {
         let start = Phase::new([0.4, 0.0], [0.0, 2.0]);
-        let uncertainty = |halvings| {
-            let found = reference(&Kepler, &start, 1e3, halvings);
-            found.uncertainty(found.path.excursion())
-        };
+        let uncertainty = |halvings| reference(&Kepler, &start, 1e3, halvings).uncertainty();
         // A rounding of the energy turns the phase ever more: by 1e-16 in each of some thousand steps, times the time.
         assert!(within(uncertainty(20), 1e-16 * 1e3 * 1e3), "{:e}", uncertainty(20));
         assert!(!within(uncertainty(0), FOLLOWED), "{:e}", uncertainty(0));

@@ -5,7 +5,7 @@
 
 use crate::{
     check::{
-        path::{PARTS, Path},
+        path::{PARTS, Path, Scale},
         points::plain,
     },
     coords::Coords,
@@ -35,17 +35,19 @@ pub(crate) fn is_written<H: Hamiltonian>() -> bool {
     written.0
 }
 
-/// The motion of `system` from `start` at time 0 over `span`, with a compensated state; nothing where there are no
+/// The motion of `system` from `start` at time 0 over `span`, with a compensated state, and how far it goes, by so many looks
+/// at each part; nothing where there are no
 /// recurrences, or a singularity lies on the way.
 pub(crate) fn series<H: Hamiltonian>(
     system: &H,
     start: &Phase<H::Coords>,
     span: f64,
     method: Taylor,
-) -> Option<Path<H::Coords>> {
-    let mut expansion = Expansion::<H> { system, start, span, method, path: None };
+    looks: u64,
+) -> Option<(Path<H::Coords>, Scale)> {
+    let mut expansion = Expansion::<H> { system, start, span, method, looks, found: None };
     H::visit_recurrences(&mut expansion);
-    expansion.path
+    expansion.found
 }
 
 struct Expansion<'s, H: Hamiltonian> {
@@ -53,7 +55,8 @@ struct Expansion<'s, H: Hamiltonian> {
     start: &'s Phase<H::Coords>,
     span: f64,
     method: Taylor,
-    path: Option<Path<H::Coords>>,
+    looks: u64,
+    found: Option<(Path<H::Coords>, Scale)>,
 }
 
 impl<H: Hamiltonian> RecurrencesVisitor<H> for Expansion<'_, H> {
@@ -61,20 +64,27 @@ impl<H: Hamiltonian> RecurrencesVisitor<H> for Expansion<'_, H> {
     where
         H: Recurrences,
     {
-        let Self { system, start, span, method, .. } = *self;
+        let Self { system, start, span, method, looks, .. } = *self;
         let constants = Method::<H>::constants(method, Arc::new(system.parameters(start.q.length())));
         let mut state = Phase::compensated(start.q.clone(), start.p.clone());
         let mut motion = <Taylor as Method<H>>::Motion::<f64, Compensated<f64>>::load(|_| (&*constants, &state));
         let moves = <Taylor as Method<H>>::moves::<f64, Compensated<f64>>();
-        let mut ends = Vec::with_capacity(PARTS as usize);
-        for part in 0..PARTS {
-            moves.advance(&mut motion, Clock { t0: 0.0, h: span / PARTS as f64, steps: part }, 1);
+        let (mut ends, mut scale) = (Vec::with_capacity(PARTS as usize), Scale::ZERO);
+        for step in 1..=PARTS * looks {
+            // Ends of parts are multiples of a part, whatever the looks between them round.
+            let is_end = step % looks == 0;
+            let (number, count) = if is_end { (step / looks, PARTS) } else { (step, PARTS * looks) };
+            moves.advance(&mut motion, Clock { t0: 0.0, h: span / count as f64, steps: number - 1 }, 1);
             if !motion.finite() {
                 return;
             }
             motion.store(0, &mut state);
-            ends.push(plain::<H, Compensated<f64>>(&state));
+            let point = plain::<H, Compensated<f64>>(&state);
+            scale = scale.reaching(start, &point);
+            if is_end {
+                ends.push(point);
+            }
         }
-        self.path = Some(Path { start: start.clone(), ends });
+        self.found = Some((Path { start: start.clone(), ends }, scale));
     }
 }

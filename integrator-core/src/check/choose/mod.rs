@@ -28,8 +28,8 @@ pub enum Goal {
     /// The largest deviation of the energy from its start, in units of the largest kinetic energy on the way.
     Energy(f64),
     /// The distance from the true motion, as the root of its mean square over four equally spaced times, the last one
-    /// at the end; positions and momenta each in units of how far they go from the start. The true motion is a run of
-    /// order 10, refined until it settles.
+    /// at the end; positions and momenta each in units of how far they go from the start. The true motion is a Taylor series
+    /// where `#[hamiltonian(taylor)]` wrote its recurrences, and else a run of order 10, refined until it settles.
     Trajectory(f64),
 }
 

@@ -7,6 +7,7 @@ use crate::{
         CheckError,
         path::{PARTS, Path, Scale},
         points::plain,
+        reference::{HALVINGS, by_series},
         tolerance::{largest, ratio, within},
     },
     coords::Coords,
@@ -54,8 +55,14 @@ impl<'s, H: Hamiltonian, K: Keep> Problem<'s, H, K> {
         Ok(problem)
     }
 
-    /// The true motion: a run of order 10 with a compensated state, its step halved until that changes nothing.
+    /// The true motion: a Taylor series, or a run of order 10 with a compensated state, its step halved until that changes
+    /// nothing.
     fn followed(&self, tolerance: f64) -> Result<(Path<H::Coords>, Scale), ChooseError> {
+        if let Some(exact) = by_series(self.system, &plain::<H, K>(&self.start), self.span, HALVINGS)
+            && within(exact.uncertainty() * MARGIN, tolerance)
+        {
+            return Ok((exact.path, exact.scale));
+        }
         let mut changes = [f64::INFINITY; 2];
         let mut least = f64::INFINITY;
         let mut coarse: Option<(Path<H::Coords>, Scale)> = None;
@@ -79,21 +86,19 @@ impl<'s, H: Hamiltonian, K: Keep> Problem<'s, H, K> {
         Err(ChooseError::Unfollowed { tolerance, difference: least })
     }
 
-    /// One refinement of the true motion. How far it goes is looked at after every step, because at a few times a
-    /// periodic motion may be back at its start.
+    /// One refinement of the true motion. How far it goes is looked at after every step.
     fn reference(&self, steps: u64) -> Result<(Path<H::Coords>, Scale), Error> {
         let start = plain::<H, K>(&self.start);
         let compensated = Phase::compensated(start.q.clone(), start.p.clone());
         let h = self.span / steps as f64;
         let mut run = Run::start::<H, _, Compensated<f64>>(self.system, SofroniouSpaletta10, compensated, h)?;
-        let (mut ends, mut scale) = (Vec::with_capacity(PARTS as usize), Scale { q: 0.0, p: 0.0 });
+        let (mut ends, mut scale) = (Vec::with_capacity(PARTS as usize), Scale::ZERO);
         for step in 1..=steps {
             run.advance(1)?;
-            let seen = Path { start: start.clone(), ends: vec![plain::<H, Compensated<f64>>(&run.state())] };
-            let excursion = seen.excursion();
-            scale = Scale { q: largest([scale.q, excursion.q]), p: largest([scale.p, excursion.p]) };
+            let state = plain::<H, Compensated<f64>>(&run.state());
+            scale = scale.reaching(&start, &state);
             if step % (steps / PARTS) == 0 {
-                ends.extend(seen.ends);
+                ends.push(state);
             }
         }
         Ok((Path { start, ends }, scale))
