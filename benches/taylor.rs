@@ -148,6 +148,12 @@ fn main() -> Result<(), Box<dyn Error>> {
     let head: Vec<&str> = ["problem", "method"].into_iter().chain(head).collect();
     let mut report = Report { table: Table::new("taylor", &head), choices: Vec::new(), ratios: Vec::new() };
     let problems = Problems::default();
+    let pendulum = problems.pendulum();
+    report.add(&pendulum, 8, &|course, see| taylor::pendulum(&pendulum.system, &pendulum.start, course, see))?;
+    let henon = problems.henon_heiles();
+    report.add(&henon, 8, &|course, see| taylor::henon_heiles(&henon.start, course, see))?;
+    let kepler = problems.kepler();
+    report.add(&kepler, 8, &|course, see| taylor::kepler(&kepler.start, course, see))?;
     let solar = problems.solar();
     report.add(&solar, 8, &|course, see| taylor::solar(&solar.system, &solar.start, course, see))?;
     let chain = problems.chain();

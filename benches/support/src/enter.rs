@@ -1,8 +1,8 @@
 //! The way into code compiled for the best instructions of the machine.
 
-use crate::vector::{Many, Row, Vector};
+use crate::vector::{Many, Row, Two, Vector};
 #[cfg(target_arch = "x86_64")]
-use crate::x86::{X4, X8, X16, Y8};
+use crate::x86::{X2, X4, X8, X16, Y8};
 use std::sync::OnceLock;
 
 /// Code that is written once for all instruction sets.
@@ -12,6 +12,14 @@ pub(crate) trait Kernel {
     /// The code, for vectors of doubles, rows of eight doubles and vectors of singles; implementations are
     /// `inline(always)`, which closures cannot be.
     fn run<V: Row, R: Row, S: Vector<Number = f32>>(self) -> Self::Out;
+}
+
+/// Code that is written for two numbers side by side.
+pub(crate) trait PairKernel {
+    /// What it returns.
+    type Out;
+    /// The code.
+    fn run<T: Two>(self) -> Self::Out;
 }
 
 /// What the machine has, as far as `INTEGRATOR_ISA` lets twins use it: they get what generated code gets.
@@ -100,4 +108,24 @@ pub(crate) fn enter_scalar<K: Kernel>(kernel: K) -> K::Out {
 #[cfg(not(target_arch = "x86_64"))]
 pub(crate) fn enter_scalar<K: Kernel>(kernel: K) -> K::Out {
     kernel.run::<Many<f64, 1>, Many<f64, 8>, Many<f32, 1>>()
+}
+
+/// Runs `kernel` in code for AVX2 and FMA.
+#[cfg(target_arch = "x86_64")]
+pub(crate) fn enter_pair<K: PairKernel>(kernel: K) -> K::Out {
+    #[target_feature(enable = "avx2,fma")]
+    fn pair<K: PairKernel>(kernel: K) -> K::Out {
+        kernel.run::<X2>()
+    }
+    match Instructions::chosen() {
+        Instructions::Baseline => kernel.run::<Many<f64, 2>>(),
+        // SAFETY: these instructions were detected, AVX-512 having them too.
+        _ => unsafe { pair(kernel) },
+    }
+}
+
+/// Runs `kernel` with arrays of two.
+#[cfg(not(target_arch = "x86_64"))]
+pub(crate) fn enter_pair<K: PairKernel>(kernel: K) -> K::Out {
+    kernel.run::<Many<f64, 2>>()
 }

@@ -55,6 +55,12 @@ const COSINE: [f64; 6] = [
 /// Less than one unit in the last place.
 #[inline(always)]
 pub(crate) fn sine<V: Vector>(x: V) -> V {
+    sine_and_cosine(x)[0]
+}
+
+/// Both, less than one unit in the last place.
+#[inline(always)]
+pub(crate) fn sine_and_cosine<V: Vector>(x: V) -> [V; 2] {
     // π/2 in two parts of the type: whole turns times the first are exact.
     let (high, low) = if V::Number::BITS == 64 {
         (1.570_796_326_734_125_6, 6.077_100_506_506_192e-11)
@@ -82,7 +88,9 @@ pub(crate) fn sine<V: Vector>(x: V) -> V {
     let main = V::splat(1.0) - half;
     let lost = (V::splat(1.0) - main) - half;
     let cosine = main + (square * square).fma(c, r.fnma(tail, lost));
-    V::choose(turns, cosine, sine).negate::<1>(turns)
+    // A quarter of a turn ahead the cosine is the sine.
+    let ahead = turns + V::splat(1.0);
+    [V::choose(turns, cosine, sine).negate::<1>(turns), V::choose(turns, sine, cosine).negate::<1>(ahead)]
 }
 
 /// Less than four units in the last place.

@@ -109,6 +109,18 @@ pub(crate) trait Row: Vector<Number = f64> {
     fn largest(self) -> f64;
 }
 
+/// Two doubles.
+pub(crate) trait Two: Vector<Number = f64> {
+    fn of(first: f64, second: f64) -> Self;
+    fn first(self) -> f64;
+    /// The two in each other's place.
+    fn swap(self) -> Self;
+    /// The first one twice.
+    fn firsts(self) -> Self;
+    /// The second one twice.
+    fn seconds(self) -> Self;
+}
+
 /// Numbers in an array, for scalars (`N = 1`) and for machines without the instructions of the other types.
 #[derive(Clone, Copy)]
 pub(crate) struct Many<T, const N: usize>(pub(crate) [T; N]);
@@ -217,5 +229,28 @@ impl<const N: usize> Row for Many<f64, N> {
     #[inline(always)]
     fn largest(self) -> f64 {
         self.0.iter().fold(0.0, |largest, x| largest.max(x.abs()))
+    }
+}
+
+impl Two for Many<f64, 2> {
+    #[inline(always)]
+    fn of(first: f64, second: f64) -> Self {
+        Self([first, second])
+    }
+    #[inline(always)]
+    fn first(self) -> f64 {
+        self.0[0]
+    }
+    #[inline(always)]
+    fn swap(self) -> Self {
+        Self([self.0[1], self.0[0]])
+    }
+    #[inline(always)]
+    fn firsts(self) -> Self {
+        Self([self.0[0]; 2])
+    }
+    #[inline(always)]
+    fn seconds(self) -> Self {
+        Self([self.0[1]; 2])
     }
 }

@@ -1,6 +1,6 @@
 //! Registers of AVX-512 and AVX2.
 
-use crate::vector::{Row, Vector};
+use crate::vector::{Row, Two, Vector};
 use std::{
     arch::x86_64::*,
     ops::{Add, Div, Mul, Sub},
@@ -204,6 +204,56 @@ vector! {
     #[inline(always)]
     fn any_less(x: Self, y: Self) -> bool {
         instruction!(_mm256_movemask_ps(_mm256_cmp_ps::<_CMP_LT_OQ>(x.0, y.0))) != 0
+    }
+}
+
+vector! {
+    X2: __m128d of 2 f64, bits _mm_castpd_si128 _mm_castsi128_pd;
+    operators _mm_add_pd _mm_sub_pd _mm_mul_pd _mm_div_pd _mm_fmadd_pd _mm_fnmadd_pd _mm_sqrt_pd;
+    memory _mm_set1_pd _mm_loadu_pd _mm_storeu_pd;
+    integers _mm_set1_epi64x _mm_sllv_epi64 _mm_xor_si128 _mm_and_si128 _mm_add_epi64, sign 63 mantissa 52;
+
+    #[inline(always)]
+    fn over_cube(self, numerator: Self) -> Self {
+        numerator / (self * self.sqrt())
+    }
+    #[inline(always)]
+    fn choose(of: Self, odd: Self, even: Self) -> Self {
+        Self(instruction!({
+            let lowest = _mm_slli_epi64::<63>(_mm_castpd_si128(of.0));
+            _mm_blendv_pd(even.0, odd.0, _mm_castsi128_pd(lowest))
+        }))
+    }
+    #[inline(always)]
+    fn where_less(self, x: Self, y: Self) -> Self {
+        Self(instruction!(_mm_and_pd(self.0, _mm_cmplt_pd(x.0, y.0))))
+    }
+    #[inline(always)]
+    fn any_less(x: Self, y: Self) -> bool {
+        instruction!(_mm_movemask_pd(_mm_cmplt_pd(x.0, y.0))) != 0
+    }
+}
+
+impl Two for X2 {
+    #[inline(always)]
+    fn of(first: f64, second: f64) -> Self {
+        Self(instruction!(_mm_set_pd(second, first)))
+    }
+    #[inline(always)]
+    fn first(self) -> f64 {
+        instruction!(_mm_cvtsd_f64(self.0))
+    }
+    #[inline(always)]
+    fn swap(self) -> Self {
+        Self(instruction!(_mm_permute_pd::<0b01>(self.0)))
+    }
+    #[inline(always)]
+    fn firsts(self) -> Self {
+        Self(instruction!(_mm_movedup_pd(self.0)))
+    }
+    #[inline(always)]
+    fn seconds(self) -> Self {
+        Self(instruction!(_mm_unpackhi_pd(self.0, self.0)))
     }
 }
 

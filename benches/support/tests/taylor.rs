@@ -44,6 +44,18 @@ fn arrives<H: Hamiltonian>(
 }
 
 #[test]
+fn one_point_arrives() {
+    let problems = Problems::default();
+    let pendulum = problems.pendulum();
+    // Small swings, which are the fastest, and the turns of stars and planets take 2π.
+    arrives(&pendulum, pendulum.span, |course, see| taylor::pendulum(&pendulum.system, &pendulum.start, course, see));
+    let henon = problems.henon_heiles();
+    arrives(&henon, henon.span, |course, see| taylor::henon_heiles(&henon.start, course, see));
+    let kepler = problems.kepler();
+    arrives(&kepler, kepler.span, |course, see| taylor::kepler(&kepler.start, course, see));
+}
+
+#[test]
 fn planets_arrive() {
     let solar = Problems::default().solar();
     // Jupiter turns once in 4333 days.

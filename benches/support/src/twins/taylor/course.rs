@@ -8,6 +8,9 @@ pub const ORDERS: [usize; 3] = [16, 20, 24];
 /// The highest of them.
 pub(crate) const HIGHEST: usize = 24;
 
+/// How many coefficients small systems have room for: those of accelerations belong to positions two orders above.
+pub(crate) const COEFFICIENTS: usize = HIGHEST + 2;
+
 /// A method, and how long and how often it is looked at.
 #[derive(Clone, Copy, Debug)]
 pub struct Course {
@@ -83,6 +86,14 @@ macro_rules! with_order {
     };
 }
 pub(crate) use with_order;
+
+/// Calls `$do!(k)` for every order from 1 on that a twin may compute, as a literal, so that all sums are written out.
+macro_rules! orders_from_one {
+    ($do:ident) => {
+        $do! { 1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 16 17 18 19 20 21 22 23 }
+    };
+}
+pub(crate) use orders_from_one;
 
 /// Numbers and what their updates have lost so far (Kahan 1965).
 #[derive(Clone, Copy)]

@@ -9,6 +9,10 @@
 //! | [`course`] | the way along a trajectory, from polynomial to polynomial |
 //! | [`horizon`] | how far a polynomial reaches, in integers |
 //! | [`weights`] | the powers of a step by which coefficients of accelerations move a state |
+//! | [`estrin`] | polynomials of the small ones |
+//! | [`pendulum`] | sine and cosine side by side |
+//! | [`henon_heiles`] | two coordinates side by side |
+//! | [`kepler`] | the same, with a tide |
 //! | [`bodies`] | the outer solar system: pairs in the lanes of two registers |
 //! | [`springs`] | the chain of 32 sites: bonds in the lanes of four registers and one |
 //!
@@ -19,10 +23,17 @@
 
 pub(crate) mod bodies;
 pub(crate) mod course;
+pub(crate) mod estrin;
+pub(crate) mod henon_heiles;
 pub(crate) mod horizon;
+pub(crate) mod kepler;
+pub(crate) mod pendulum;
 pub(crate) mod springs;
 pub(crate) mod weights;
 
 pub use bodies::solar;
 pub use course::{Course, ORDERS};
+pub use henon_heiles::henon_heiles;
+pub use kepler::kepler;
+pub use pendulum::pendulum;
 pub use springs::chain;

@@ -1,0 +1,157 @@
+//! Kepler's planet: the coordinates in the two lanes of a register, all sums written out.
+//!
+//! With `u = x² + y²` and `w = u^(-3/2)`, `wₖ = - Σ vⱼ wₖ₋ⱼ - Σ j vⱼ wₖ₋ⱼ / 2k` where `v = u / u₀`: both sums are in the two
+//! lanes, and nothing is divided. What an order has from itself and from order 0 is a matrix, the tide of Newton's law;
+//! with it positions follow from those two orders below in two operations, and everything else waits beside.
+
+use super::{
+    course::{COEFFICIENTS, Course, Expansion, Kept, follow, orders_from_one, with_order},
+    estrin::estrin,
+    horizon::{Sizes, reach},
+    weights::INTEGRALS,
+};
+use crate::{
+    enter::{PairKernel, enter_pair},
+    vector::Two,
+};
+use integrator_core::Phase;
+
+#[derive(Clone)]
+struct Planet<T, const N: usize> {
+    tolerance: f64,
+    q: Kept<T>,
+    p: Kept<T>,
+    /// Coefficients of positions
+    positions: [T; COEFFICIENTS],
+    /// and of momenta.
+    momenta: [T; COEFFICIENTS],
+}
+
+#[inline(always)]
+fn total<T: Two>(x: T) -> T {
+    x + x.swap()
+}
+
+impl<T: Two, const N: usize> Expansion for Planet<T, N> {
+    type State = Phase<[f64; 2]>;
+
+    #[inline(always)]
+    fn expand(&mut self) -> f64 {
+        let (q, p) = (self.q.value, self.p.value);
+        let (zero, half) = (T::splat(0.0), T::splat(0.5));
+        let z = &mut self.positions;
+        let momenta = &mut self.momenta;
+        // The w of all orders twice, and v with j v.
+        let [w, v] = &mut [[zero; COEFFICIENTS]; 2];
+        let square = total(q * q);
+        w[0] = square.over_cube(T::splat(1.0));
+        let inverse = T::splat(1.0) / square;
+        let of_half = inverse + inverse;
+        let tide = T::splat(-3.0) * w[0] * inverse;
+        let direct = (tide * q).fma(q, w[0]);
+        let across = tide * q.firsts() * q.seconds();
+        (z[0], z[1]) = (q, p);
+        momenta[0] = p;
+        momenta[1] = zero - w[0] * q;
+        z[2] = momenta[1] * half;
+        macro_rules! orders {
+            ($($k:literal)*) => {$(
+                let k: usize = $k;
+                if k < N {
+                    // Half of u without what order 0 has in it.
+                    let (mut sum, mut other) = (zero, zero);
+                    if k.is_multiple_of(2) {
+                        sum = half * z[k / 2] * z[k / 2];
+                    }
+                    for j in (1..k.div_ceil(2)).rev() {
+                        if j % 2 == 0 {
+                            sum = z[j].fma(z[k - j], sum);
+                        } else {
+                            other = z[j].fma(z[k - j], other);
+                        }
+                    }
+                    let part = total(sum + other);
+                    let newest = total(q * z[k]);
+                    v[k] = (part + newest) * (of_half * T::of(1.0, k as f64));
+
+                    let (mut sum, mut other) = (zero, zero);
+                    for j in (1..k / 2 + 1).rev() {
+                        sum = v[j].fma(w[k - j], sum);
+                    }
+                    for j in k / 2 + 1..k {
+                        other = v[j].fma(w[k - j], other);
+                    }
+                    let known = total((sum + other) * T::of(-1.0, -0.5 / k as f64));
+                    let known = tide.fma(part, known);
+                    w[k] = tide.fma(newest, known);
+
+                    let (mut sum, mut other) = (zero, zero);
+                    for j in (1..k / 2 + 1).rev() {
+                        sum = z[j].fma(w[k - j], sum);
+                    }
+                    for j in k / 2 + 1..k {
+                        other = z[j].fma(w[k - j], other);
+                    }
+                    let known = q.fma(known, sum + other);
+
+                    let integral = T::splat(-INTEGRALS.twice[k]);
+                    let known = (across * integral).fma(z[k].swap(), known * integral);
+                    z[k + 2] = (direct * integral).fma(z[k], known);
+                    momenta[k + 1] = z[k + 2] * T::splat((k + 2) as f64);
+                }
+            )*};
+        }
+        orders_from_one!(orders);
+        let size = |x: T| f64::max(x.first().abs(), x.swap().first().abs());
+        let part = |series: &[T]| Sizes {
+            value: size(series[0]),
+            slope: size(series[1]),
+            before: size(series[N - 1]),
+            last: size(series[N]),
+        };
+        reach::<N>(self.tolerance, [part(&self.positions), part(&self.momenta)])
+    }
+
+    #[inline(always)]
+    fn proceed(&mut self, by: f64) {
+        let by = T::splat(by);
+        self.q.add(estrin::<T, N>(&self.positions, by));
+        self.p.add(estrin::<T, N>(&self.momenta, by));
+    }
+
+    #[inline(always)]
+    fn state(&self) -> Self::State {
+        let both = |x: T| [x.first(), x.swap().first()];
+        Phase::new(both(self.q.value), both(self.p.value))
+    }
+}
+
+struct Trajectory<'s, const N: usize> {
+    start: &'s Phase<[f64; 2]>,
+    course: Course,
+    see: &'s mut dyn FnMut(Phase<[f64; 2]>),
+}
+
+impl<const N: usize> PairKernel for Trajectory<'_, N> {
+    type Out = u64;
+    #[inline(always)]
+    fn run<T: Two>(self) -> u64 {
+        let zero = T::splat(0.0);
+        let planet = Planet::<T, N> {
+            tolerance: self.course.tolerance,
+            q: Kept::of(T::load(&self.start.q)),
+            p: Kept::of(T::load(&self.start.p)),
+            positions: [zero; COEFFICIENTS],
+            momenta: [zero; COEFFICIENTS],
+        };
+        follow(self.course, planet, self.see)
+    }
+}
+
+/// Follows the planet, shows its states, and counts the steps.
+///
+/// # Panics
+/// If the order is not one of [`ORDERS`](super::ORDERS).
+pub fn kepler(start: &Phase<[f64; 2]>, course: Course, see: &mut dyn FnMut(Phase<[f64; 2]>)) -> u64 {
+    with_order!(course.order, N => enter_pair(Trajectory::<N> { start, course, see }))
+}

@@ -1,0 +1,150 @@
+//! The pendulum: sine and cosine in the two lanes of a register, all sums written out.
+//!
+//! With `ω = q'` and `z = e^(iq)`, `k zₖ = i Σ ωⱼ zₖ₋₁₋ⱼ`. The coefficients here are those of `yₖ = zₖ / iᵏ`, for which
+//! `k yₖ = Σ ωⱼ i⁻ʲ yₖ₋₁₋ⱼ`: the newest one follows from the one before by a real factor. The factor of every second
+//! one, `-i`, makes lanes change places, and the signs are those of the `ω`.
+
+use super::{
+    course::{COEFFICIENTS, Course, Expansion, Kept, follow, orders_from_one, with_order},
+    estrin::estrin,
+    horizon::{Sizes, reach},
+};
+use crate::{
+    enter::{PairKernel, enter_pair},
+    functions::sine_and_cosine,
+    problems,
+    vector::Two,
+};
+use integrator_core::Phase;
+
+#[derive(Clone)]
+struct Pendulum<T, const N: usize> {
+    tolerance: f64,
+    mobility: f64,
+    torque: f64,
+    /// Angle and momentum.
+    state: Kept<T>,
+    /// Their coefficients.
+    series: [T; COEFFICIENTS],
+}
+
+impl<T: Two, const N: usize> Expansion for Pendulum<T, N> {
+    type State = Phase<[f64; 1]>;
+
+    #[inline(always)]
+    fn expand(&mut self) -> f64 {
+        let begin = self.state.value;
+        let zero = T::splat(0.0);
+        let [sine, cosine] = sine_and_cosine(begin.firsts());
+        let [y, turned] = &mut [[zero; COEFFICIENTS]; 2];
+        // With the signs of i⁻ʲ, and of the lane that -i turns around.
+        let omega = &mut [zero; COEFFICIENTS];
+        y[0] = T::of(cosine.first(), sine.first());
+        turned[0] = y[0].swap();
+        let mobility = T::splat(self.mobility);
+        let momentum = begin.swap().firsts();
+        omega[0] = momentum * mobility;
+        let pull = self.torque * self.mobility;
+        let (fall, drift) = (T::splat(-self.torque), T::splat(self.mobility));
+        // The sine of order 0.
+        let first = y[0].seconds();
+        self.series[0] = begin;
+        self.series[1] = T::of((momentum * drift).first(), (first * fall).first());
+        omega[1] = first * T::of(-pull, pull);
+        macro_rules! orders {
+            ($($k:literal)*) => {$(
+                let k: usize = $k;
+                if k < N {
+                    // From the middle outwards, the newest last.
+                    let (mut sum, mut other) = (zero, zero);
+                    for j in (2..k / 2 + 1).rev() {
+                        sum = omega[j].fma(if j % 2 == 0 { y[k - 1 - j] } else { turned[k - 1 - j] }, sum);
+                    }
+                    for j in usize::max(2, k / 2 + 1)..k {
+                        other = omega[j].fma(if j % 2 == 0 { y[k - 1 - j] } else { turned[k - 1 - j] }, other);
+                    }
+                    let inverse = T::splat(1.0 / k as f64);
+                    let mut next = (sum + other) * inverse;
+                    if k > 1 {
+                        next = (omega[1] * inverse).fma(turned[k - 2], next);
+                    }
+                    next = (omega[0] * inverse).fma(y[k - 1], next);
+                    y[k] = next;
+                    turned[k] = next.swap();
+                    // The imaginary part of iᵏ yₖ.
+                    let part = if k.is_multiple_of(2) { next.seconds() } else { next.firsts() };
+                    let sign = if k % 4 == 2 || k % 4 == 3 { -1.0 } else { 1.0 };
+                    let after = sign / (k + 1) as f64;
+                    let momentum = part * (fall * T::splat(after));
+                    self.series[k + 1] = T::of(self.series[k + 1].first(), momentum.first());
+                    if k + 1 < N {
+                        let angle = part * (fall * drift * T::splat(after / (k + 2) as f64));
+                        self.series[k + 2] = T::of(angle.first(), 0.0);
+                        let order = k + 1;
+                        let sign = if order % 4 == 2 || order % 4 == 3 { -after } else { after };
+                        let turn = if order % 2 == 0 { T::splat(-pull * sign) } else { T::of(-pull * sign, pull * sign) };
+                        omega[k + 1] = part * turn;
+                    }
+                }
+            )*};
+        }
+        // The angle of order 2 comes from the sine of order 0.
+        self.series[2] = T::of((first * fall * drift).first() * 0.5, 0.0);
+        orders_from_one!(orders);
+        let size = |k: usize| (self.series[k].first().abs(), self.series[k].swap().first().abs());
+        let (value, slope, before, last) = (size(0), size(1), size(N - 1), size(N));
+        reach::<N>(
+            self.tolerance,
+            [
+                Sizes { value: value.0, slope: slope.0, before: before.0, last: last.0 },
+                Sizes { value: value.1, slope: slope.1, before: before.1, last: last.1 },
+            ],
+        )
+    }
+
+    #[inline(always)]
+    fn proceed(&mut self, by: f64) {
+        self.state.add(estrin::<T, N>(&self.series, T::splat(by)));
+    }
+
+    #[inline(always)]
+    fn state(&self) -> Self::State {
+        Phase::new([self.state.value.first()], [self.state.value.swap().first()])
+    }
+}
+
+struct Trajectory<'s, const N: usize> {
+    system: &'s problems::Pendulum,
+    start: &'s Phase<[f64; 1]>,
+    course: Course,
+    see: &'s mut dyn FnMut(Phase<[f64; 1]>),
+}
+
+impl<const N: usize> PairKernel for Trajectory<'_, N> {
+    type Out = u64;
+    #[inline(always)]
+    fn run<T: Two>(self) -> u64 {
+        let problems::Pendulum { mass, length, gravity } = *self.system;
+        let pendulum = Pendulum::<T, N> {
+            tolerance: self.course.tolerance,
+            mobility: 1.0 / (mass * length * length),
+            torque: mass * gravity * length,
+            state: Kept::of(T::of(self.start.q[0], self.start.p[0])),
+            series: [T::splat(0.0); COEFFICIENTS],
+        };
+        follow(self.course, pendulum, self.see)
+    }
+}
+
+/// Follows the pendulum, shows its states, and counts the steps.
+///
+/// # Panics
+/// If the order is not one of [`ORDERS`](super::ORDERS).
+pub fn pendulum(
+    system: &problems::Pendulum,
+    start: &Phase<[f64; 1]>,
+    course: Course,
+    see: &mut dyn FnMut(Phase<[f64; 1]>),
+) -> u64 {
+    with_order!(course.order, N => enter_pair(Trajectory::<N> { system, start, course, see }))
+}
