@@ -1,8 +1,8 @@
 //! How far a run is from the exact motion.
 //!
 //! In: a system, a method, a start, a step, a number of steps. Out: a distance, and how well the exact motion is known.
-//! Always true: the very run of the user, in the precision of the user's state; the reference shares neither its method nor
-//! its executor.
+//! Always true: the very run of the user, in the precision of the user's state; the reference shares nothing with a
+//! composition but flows, and with a Taylor run what flows have confirmed.
 
 use crate::{
     check::{

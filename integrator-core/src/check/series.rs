@@ -36,8 +36,7 @@ pub(crate) fn is_written<H: Hamiltonian>() -> bool {
 }
 
 /// The motion of `system` from `start` at time 0 over `span`, with a compensated state, and how far it goes, by so many looks
-/// at each part; nothing where there are no
-/// recurrences, or a singularity lies on the way.
+/// at each part; nothing where there are no recurrences, or a singularity lies on the way.
 pub(crate) fn series<H: Hamiltonian>(
     system: &H,
     start: &Phase<H::Coords>,
