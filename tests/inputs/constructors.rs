@@ -3,8 +3,8 @@
 use integrator_core::{
     CheckpointError, NotFinite,
     check::{
-        CertifyError, CheckError, certify, energy_drift, gradient_error, observed_order, reversibility, shadow,
-        stability, symplectic_defect, symplectic_defect_after,
+        CertifyError, CheckError, certify, energy_drift, global_error, gradient_error, observed_order, reversibility,
+        shadow, stability, symplectic_defect, symplectic_defect_after,
     },
     prelude::*,
 };
@@ -153,6 +153,7 @@ fn checks(input: &Input) -> Vec<Door> {
         ("symplectic_defect_after", Asks::Step, outcome(symplectic_defect_after(chain, Verlet, plain(input), h, 2))),
         ("reversibility", Asks::Step, outcome(reversibility(chain, Verlet, plain(input), h, 2))),
         ("energy_drift", Asks::Step, outcome(energy_drift(chain, Verlet, plain(input), h, 100))),
+        ("global_error", Asks::Step, outcome(global_error(chain, Verlet, plain(input), h, 100))),
         ("gradient_error", Asks::Start, outcome(gradient_error(chain, plain(input), 0.0))),
         ("stability", Asks::Step, outcome(stability(chain, Verlet, &plain(input), h))),
         ("shadow", Asks::Step, outcome(shadow(chain, Verlet, plain(input), h))),

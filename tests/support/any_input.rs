@@ -6,7 +6,7 @@
 
 use integrator_core::{
     Coords,
-    check::{certify, energy_drift, gradient_error, reversibility, stability, symplectic_defect},
+    check::{certify, energy_drift, global_error, gradient_error, reversibility, stability, symplectic_defect},
     prelude::*,
 };
 
@@ -325,6 +325,9 @@ fn checked<H: Hamiltonian>(choices: &mut Choices<'_>, system: &H, start: Phase<H
     match choices.below(64) {
         1 if choices.below(4) == 0 => {
             let _ = certify::<H, Verlet, f64>(system, Verlet, start, h).map(|certificate| certificate.to_string());
+        }
+        22 if choices.below(4) == 0 => {
+            let _ = global_error::<H, Verlet, f64>(system, Verlet, start, h, choices.below(40) as u64);
         }
         2..6 => {
             let _ = symplectic_defect::<H, Verlet, f64>(system, Verlet, start, h);

@@ -38,10 +38,6 @@ const LOOKS: u64 = 251;
 /// forth and back, and each is rounded as a weight, as a product with the step, and in what its flow adds.
 const ROUNDINGS: f64 = 32.0;
 
-/// How often a time of a user's choice may be halved: beyond a million times the one that flows follow in coarse steps, too
-/// many expansions would have to be taken.
-pub(crate) const HALVINGS: i32 = 20;
-
 /// The exact motion as far as it is known.
 pub(crate) struct Reference<C> {
     pub(crate) path: Path<C>,

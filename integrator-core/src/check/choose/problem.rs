@@ -7,7 +7,7 @@ use crate::{
         CheckError,
         path::{PARTS, Path, Scale},
         points::plain,
-        reference::{HALVINGS, by_series},
+        reference::by_series,
         tolerance::{largest, ratio, within},
     },
     coords::Coords,
@@ -21,6 +21,10 @@ use std::time::Instant;
 
 /// How many evaluations a single run has at most. An arbitrary line: a small system takes a second for them.
 pub(super) const MOST_EVALUATIONS: u64 = 1 << 26;
+
+/// How often the time may be halved until flows in some two thousand evaluations follow the motion: over all of it, these
+/// are as many as a run has at most.
+const HALVINGS: i32 = 15;
 
 /// How much closer than the tolerance the true motion has to be known. The change from one refinement to the next is
 /// most of the error of the coarser one; that of the finer one is smaller by a thousand times.
