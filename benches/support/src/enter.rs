@@ -110,17 +110,23 @@ pub(crate) fn enter_scalar<K: Kernel>(kernel: K) -> K::Out {
     kernel.run::<Many<f64, 1>, Many<f64, 8>, Many<f32, 1>>()
 }
 
-/// Runs `kernel` in code for AVX2 and FMA.
+/// Runs `kernel` in code for AVX2 and FMA, or for AVX-512, which has twice as many registers of this width too.
 #[cfg(target_arch = "x86_64")]
 pub(crate) fn enter_pair<K: PairKernel>(kernel: K) -> K::Out {
+    #[target_feature(enable = "avx512f,avx512dq,avx512vl,avx512bw,avx2,fma")]
+    fn many<K: PairKernel>(kernel: K) -> K::Out {
+        kernel.run::<X2>()
+    }
     #[target_feature(enable = "avx2,fma")]
-    fn pair<K: PairKernel>(kernel: K) -> K::Out {
+    fn few<K: PairKernel>(kernel: K) -> K::Out {
         kernel.run::<X2>()
     }
     match Instructions::chosen() {
+        // SAFETY: these instructions were detected.
+        Instructions::Avx512 => unsafe { many(kernel) },
+        // SAFETY: these instructions were detected.
+        Instructions::Avx2 => unsafe { few(kernel) },
         Instructions::Baseline => kernel.run::<Many<f64, 2>>(),
-        // SAFETY: these instructions were detected, AVX-512 having them too.
-        _ => unsafe { pair(kernel) },
     }
 }
 

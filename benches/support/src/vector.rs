@@ -119,6 +119,8 @@ pub(crate) trait Two: Vector<Number = f64> {
     fn firsts(self) -> Self;
     /// The second one twice.
     fn seconds(self) -> Self;
+    /// The sign of the second one turned.
+    fn conjugate(self) -> Self;
 }
 
 /// Numbers in an array, for scalars (`N = 1`) and for machines without the instructions of the other types.
@@ -252,5 +254,9 @@ impl Two for Many<f64, 2> {
     #[inline(always)]
     fn seconds(self) -> Self {
         Self([self.0[1]; 2])
+    }
+    #[inline(always)]
+    fn conjugate(self) -> Self {
+        Self([self.0[0], -self.0[1]])
     }
 }

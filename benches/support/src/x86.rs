@@ -255,6 +255,10 @@ impl Two for X2 {
     fn seconds(self) -> Self {
         Self(instruction!(_mm_unpackhi_pd(self.0, self.0)))
     }
+    #[inline(always)]
+    fn conjugate(self) -> Self {
+        Self(instruction!(_mm_xor_pd(self.0, _mm_set_pd(-0.0, 0.0))))
+    }
 }
 
 impl Row for X8 {

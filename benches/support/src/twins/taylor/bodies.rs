@@ -164,6 +164,12 @@ impl<R: Row, const N: usize> Bodies<R, N> {
     }
 }
 
+/// The largest of all bodies, each with its weight.
+#[inline(always)]
+fn size<R: Row>([x, y, z]: &Axes<R>, weights: R) -> f64 {
+    (x.larger(*y).larger(*z) * weights).largest()
+}
+
 impl<R: Row, const N: usize> Expansion for Bodies<R, N> {
     type State = Phase<[[f64; 3]; 6]>;
 
@@ -186,32 +192,25 @@ impl<R: Row, const N: usize> Expansion for Bodies<R, N> {
             self.fall(k + 1);
         }
         let a = &self.accelerations;
-        let size = |x: [R; 3]| x[0].larger(x[1]).larger(x[2]);
-        let masses = self.masses;
-        let momentum = |x: [R; 3]| (size(x) * masses).largest();
-        let part = |value, slope, before, last| Sizes { value, slope, before, last };
-        reach::<N>(
-            self.tolerance,
-            [
-                part(
-                    size(q).largest(),
-                    size(v).largest(),
-                    size(a[N - 3]).largest() * INTEGRALS.twice[N - 3],
-                    size(a[N - 2]).largest() * INTEGRALS.twice[N - 2],
-                ),
-                part(
-                    momentum(v),
-                    momentum(a[0]),
-                    momentum(a[N - 2]) * INTEGRALS.once[N - 2],
-                    momentum(a[N - 1]) * INTEGRALS.once[N - 1],
-                ),
-            ],
-        )
+        let (one, masses) = (R::splat(1.0), self.masses);
+        let positions = Sizes {
+            value: size(&q, one),
+            slope: size(&v, one),
+            before: size(&a[N - 3], one) * INTEGRALS.twice[N - 3],
+            last: size(&a[N - 2], one) * INTEGRALS.twice[N - 2],
+        };
+        let momenta = Sizes {
+            value: size(&v, masses),
+            slope: size(&a[0], masses),
+            before: size(&a[N - 2], masses) * INTEGRALS.once[N - 2],
+            last: size(&a[N - 1], masses) * INTEGRALS.once[N - 1],
+        };
+        reach::<N>(self.tolerance, [positions, momenta])
     }
 
     #[inline(always)]
     fn proceed(&mut self, by: f64) {
-        let weights = Weights::of(by);
+        let weights = Weights::of::<R>(by);
         let zero = R::splat(0.0);
         // Even and odd orders side by side, the smallest addends first.
         let (mut velocity, mut position) = ([[zero; 3]; 2], [[zero; 3]; 2]);

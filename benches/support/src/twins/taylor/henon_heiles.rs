@@ -2,7 +2,7 @@
 //!
 //! The force is `-(x + 2xy, y + x² - y²)`; half of the products of order `k` stand for the others, and the product of a
 //! pair of orders is `xⱼ (yₘ, xₘ) + yⱼ (xₘ, -yₘ)`, so that one register of each order has its lanes changed and two have
-//! a coordinate twice. What order 0 contributes has the constants of its order folded in, and waits for nothing else.
+//! a coordinate twice. The newest products come last.
 
 use super::{
     course::{COEFFICIENTS, Course, Expansion, Kept, follow, orders_from_one, with_order},
@@ -38,28 +38,17 @@ impl<T: Two, const N: usize> Expansion for Star<T, N> {
         let momenta = &mut self.momenta;
         // (y, x), (x, x) and (y, -y).
         let [turned, xx, yy] = &mut [[zero; COEFFICIENTS]; 3];
-        let conjugate = T::of(1.0, -1.0);
-        macro_rules! keep {
-            ($k:expr) => {
-                turned[$k] = z[$k].swap();
-                xx[$k] = z[$k].firsts();
-                yy[$k] = z[$k].seconds() * conjugate;
-            };
-        }
         (z[0], z[1]) = (q, p);
         momenta[0] = p;
-        keep!(0);
-        keep!(1);
-        // The force of order 0: twice the half of the product, and the spring.
+        for k in 0..2 {
+            (turned[k], xx[k], yy[k]) = (z[k].swap(), z[k].firsts(), z[k].seconds().conjugate());
+        }
         let half = T::splat(0.5);
-        let product = xx[0].fma(turned[0], yy[0] * z[0]);
-        momenta[1] = zero - (product + q);
+        momenta[1] = zero - (xx[0].fma(turned[0], yy[0] * z[0]) + q);
         z[2] = momenta[1] * half;
-        keep!(2);
-        // Minus twice the factors of order k, with the spring.
-        let minus_two = T::splat(-2.0);
-        let direct = minus_two.fma(yy[0], T::splat(-1.0));
-        let across = minus_two * xx[0];
+        (turned[2], xx[2], yy[2]) = (z[2].swap(), z[2].firsts(), z[2].seconds().conjugate());
+        // The spring has the coefficients of the newest order too, and twice the products stand for it as well.
+        let spring = yy[0] + half;
         macro_rules! orders {
             ($($k:literal)*) => {$(
                 let k: usize = $k;
@@ -74,14 +63,12 @@ impl<T: Two, const N: usize> Expansion for Star<T, N> {
                         sum = xx[j].fma(turned[k - j], sum);
                         other = yy[j].fma(z[k - j], other);
                     }
-                    let known = minus_two * (sum + other);
-                    let integral = T::splat(INTEGRALS.twice[k]);
-                    let known = (across * integral).fma(turned[k], known * integral);
-                    z[k + 2] = (direct * integral).fma(z[k], known);
-                    momenta[k + 1] = z[k + 2] * T::splat((k + 2) as f64);
-                    if k + 2 < N {
-                        keep!(k + 2);
-                    }
+                    sum = xx[0].fma(turned[k], sum);
+                    other = spring.fma(z[k], other);
+                    let next = (sum + other) * T::splat(-2.0 * INTEGRALS.twice[k]);
+                    z[k + 2] = next;
+                    (turned[k + 2], xx[k + 2], yy[k + 2]) = (next.swap(), next.firsts(), next.seconds().conjugate());
+                    momenta[k + 1] = next * T::splat((k + 2) as f64);
                 }
             )*};
         }

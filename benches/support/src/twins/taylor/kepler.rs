@@ -1,8 +1,9 @@
 //! Kepler's planet: the coordinates in the two lanes of a register, all sums written out.
 //!
 //! With `u = x² + y²` and `w = u^(-3/2)`, `wₖ = - Σ vⱼ wₖ₋ⱼ - Σ j vⱼ wₖ₋ⱼ / 2k` where `v = u / u₀`: both sums are in the two
-//! lanes, and nothing is divided. What an order has from itself and from order 0 is a matrix, the tide of Newton's law;
-//! with it positions follow from those two orders below in two operations, and everything else waits beside.
+//! lanes, and nothing is divided. What an order has from itself and from order 0 is a matrix, the tide of Newton's law,
+//! with which positions follow from those two orders below, while everything else waits beside; what has order 1 in it
+//! comes next.
 
 use super::{
     course::{COEFFICIENTS, Course, Expansion, Kept, follow, orders_from_one, with_order},
@@ -41,8 +42,8 @@ impl<T: Two, const N: usize> Expansion for Planet<T, N> {
         let (zero, half) = (T::splat(0.0), T::splat(0.5));
         let z = &mut self.positions;
         let momenta = &mut self.momenta;
-        // The w of all orders twice, and v with j v.
-        let [w, v] = &mut [[zero; COEFFICIENTS]; 2];
+        // Half of u and the w of all orders twice, and half of u with its multiple by the order.
+        let [half_u, w, multiple] = &mut [[zero; COEFFICIENTS]; 3];
         let square = total(q * q);
         w[0] = square.over_cube(T::splat(1.0));
         let inverse = T::splat(1.0) / square;
@@ -72,31 +73,44 @@ impl<T: Two, const N: usize> Expansion for Planet<T, N> {
                     }
                     let part = total(sum + other);
                     let newest = total(q * z[k]);
-                    v[k] = (part + newest) * (of_half * T::of(1.0, k as f64));
+                    half_u[k] = part + newest;
+                    multiple[k] = half_u[k] * T::of(1.0, k as f64);
 
-                    let (mut sum, mut other) = (zero, zero);
-                    for j in (1..k / 2 + 1).rev() {
-                        sum = v[j].fma(w[k - j], sum);
+                    // What is known of w, the two newest products by themselves.
+                    let mut known = tide * part;
+                    if k > 1 {
+                        let (mut sum, mut other) = (zero, zero);
+                        for j in (2..k / 2 + 1).rev() {
+                            sum = multiple[j].fma(w[k - j], sum);
+                        }
+                        for j in usize::max(2, k / 2 + 1)..k - 1 {
+                            other = multiple[j].fma(w[k - j], other);
+                        }
+                        let both = (sum + other) * (of_half * T::of(-1.0, -0.5 / k as f64));
+                        let weight = |j: usize| T::splat(-1.0 - 0.5 * j as f64 / k as f64);
+                        let first = of_half * half_u[1];
+                        known = (weight(1) * first).fma(w[k - 1], known);
+                        if k > 2 {
+                            known = (weight(k - 1) * of_half * w[1]).fma(half_u[k - 1], known);
+                        }
+                        known = known + total(both);
                     }
-                    for j in k / 2 + 1..k {
-                        other = v[j].fma(w[k - j], other);
-                    }
-                    let known = total((sum + other) * T::of(-1.0, -0.5 / k as f64));
-                    let known = tide.fma(part, known);
                     w[k] = tide.fma(newest, known);
 
                     let (mut sum, mut other) = (zero, zero);
-                    for j in (1..k / 2 + 1).rev() {
+                    for j in (2..k / 2 + 1).rev() {
                         sum = z[j].fma(w[k - j], sum);
                     }
-                    for j in k / 2 + 1..k {
+                    for j in usize::max(2, k / 2 + 1)..k {
                         other = z[j].fma(w[k - j], other);
                     }
-                    let known = q.fma(known, sum + other);
-
-                    let integral = T::splat(-INTEGRALS.twice[k]);
-                    let known = (across * integral).fma(z[k].swap(), known * integral);
-                    z[k + 2] = (direct * integral).fma(z[k], known);
+                    other = sum + other;
+                    if k > 1 {
+                        other = z[1].fma(w[k - 1], other);
+                    }
+                    let known = q.fma(known, other);
+                    let near = direct.fma(z[k], across * z[k].swap());
+                    z[k + 2] = (near + known) * T::splat(-INTEGRALS.twice[k]);
                     momenta[k + 1] = z[k + 2] * T::splat((k + 2) as f64);
                 }
             )*};

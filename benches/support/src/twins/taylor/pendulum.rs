@@ -17,6 +17,31 @@ use crate::{
 };
 use integrator_core::Phase;
 
+/// Of the real or imaginary part of `iᵏ yₖ`, and of `i⁻ᵏ` where lanes have changed places.
+#[inline(always)]
+fn sign(k: usize) -> f64 {
+    if k % 4 < 2 { 1.0 } else { -1.0 }
+}
+
+/// The lane of `yₖ` that is the sine, twice, but for its sign.
+#[inline(always)]
+fn part<T: Two>(y: &[T; COEFFICIENTS], k: usize) -> T {
+    if k.is_multiple_of(2) { y[k].seconds() } else { y[k].firsts() }
+}
+
+/// From that part of order `k - 1` to the `ω` of order `k` with its signs.
+#[inline(always)]
+fn turn<T: Two>(pull: T, k: usize) -> T {
+    let weight = -sign(k - 1) * sign(k) / k as f64;
+    pull * T::of(weight, if k.is_multiple_of(2) { weight } else { -weight })
+}
+
+/// What `ω` of order `j` is multiplied by.
+#[inline(always)]
+fn factor<T: Two>(y: &[T; COEFFICIENTS], turned: &[T; COEFFICIENTS], j: usize, k: usize) -> T {
+    if j.is_multiple_of(2) { y[k] } else { turned[k] }
+}
+
 #[derive(Clone)]
 struct Pendulum<T, const N: usize> {
     tolerance: f64,
@@ -44,46 +69,50 @@ impl<T: Two, const N: usize> Expansion for Pendulum<T, N> {
         let mobility = T::splat(self.mobility);
         let momentum = begin.swap().firsts();
         omega[0] = momentum * mobility;
-        let pull = self.torque * self.mobility;
+        let pull = T::splat(self.torque * self.mobility);
         let (fall, drift) = (T::splat(-self.torque), T::splat(self.mobility));
         // The sine of order 0.
         let first = y[0].seconds();
         self.series[0] = begin;
         self.series[1] = T::of((momentum * drift).first(), (first * fall).first());
-        omega[1] = first * T::of(-pull, pull);
+        omega[1] = first * turn(pull, 1);
         macro_rules! orders {
             ($($k:literal)*) => {$(
                 let k: usize = $k;
                 if k < N {
-                    // From the middle outwards, the newest last.
+                    // From the middle outwards, the newest last and with their weights before they are there.
                     let (mut sum, mut other) = (zero, zero);
-                    for j in (2..k / 2 + 1).rev() {
-                        sum = omega[j].fma(if j % 2 == 0 { y[k - 1 - j] } else { turned[k - 1 - j] }, sum);
+                    for j in (3..k / 2 + 1).rev() {
+                        sum = omega[j].fma(factor(y, turned, j, k - 1 - j), sum);
                     }
-                    for j in usize::max(2, k / 2 + 1)..k {
-                        other = omega[j].fma(if j % 2 == 0 { y[k - 1 - j] } else { turned[k - 1 - j] }, other);
+                    for j in usize::max(3, k / 2 + 1)..usize::max(3, k - usize::min(k, 2)) {
+                        other = omega[j].fma(factor(y, turned, j, k - 1 - j), other);
                     }
                     let inverse = T::splat(1.0 / k as f64);
                     let mut next = (sum + other) * inverse;
+                    if k > 4 {
+                        next = (turn(pull, k - 2) * inverse * factor(y, turned, k - 2, 1)).fma(part(y, k - 3), next);
+                    }
+                    if k > 2 {
+                        next = (omega[2] * inverse).fma(factor(y, turned, 2, k - 3), next);
+                    }
+                    if k > 3 {
+                        next = (turn(pull, k - 1) * inverse * factor(y, turned, k - 1, 0)).fma(part(y, k - 2), next);
+                    }
                     if k > 1 {
-                        next = (omega[1] * inverse).fma(turned[k - 2], next);
+                        next = (omega[1] * inverse).fma(factor(y, turned, 1, k - 2), next);
                     }
                     next = (omega[0] * inverse).fma(y[k - 1], next);
                     y[k] = next;
                     turned[k] = next.swap();
-                    // The imaginary part of iᵏ yₖ.
-                    let part = if k.is_multiple_of(2) { next.seconds() } else { next.firsts() };
-                    let sign = if k % 4 == 2 || k % 4 == 3 { -1.0 } else { 1.0 };
-                    let after = sign / (k + 1) as f64;
+                    let part = part(y, k);
+                    let after = sign(k) / (k + 1) as f64;
                     let momentum = part * (fall * T::splat(after));
                     self.series[k + 1] = T::of(self.series[k + 1].first(), momentum.first());
                     if k + 1 < N {
                         let angle = part * (fall * drift * T::splat(after / (k + 2) as f64));
                         self.series[k + 2] = T::of(angle.first(), 0.0);
-                        let order = k + 1;
-                        let sign = if order % 4 == 2 || order % 4 == 3 { -after } else { after };
-                        let turn = if order % 2 == 0 { T::splat(-pull * sign) } else { T::of(-pull * sign, pull * sign) };
-                        omega[k + 1] = part * turn;
+                        omega[k + 1] = part * turn(pull, k + 1);
                     }
                 }
             )*};

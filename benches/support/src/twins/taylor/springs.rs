@@ -60,15 +60,18 @@ impl<R: Row, const N: usize> Springs<R, N> {
 
     /// From tensions to the accelerations of their order and the stretches two orders above.
     #[inline(always)]
-    fn pull(&mut self, k: usize, tensions: Bonds<R>) {
-        let [a, b, c, d, e] = tensions;
-        let seam = a.after(e);
-        let accelerations = [b - a, c - b, d - c, seam - d];
+    fn pull(&mut self, k: usize, [a, b, c, d, e]: Bonds<R>) {
+        let accelerations = [b - a, c - b, d - c, a.after(e) - d];
         self.accelerations[k] = accelerations;
         if k + 2 < N {
             let integral = R::splat(INTEGRALS.twice[k]);
-            let bonds = Self::stretches(accelerations);
-            self.stretches[k + 2] = bonds.map(|bond| bond * integral);
+            let [first, second, third, fourth] = accelerations;
+            // The walls do not move, as if the bonds there went on with the same tension.
+            let before = a - d.pick(a, &[8, 0, 1, 2, 3, 4, 5, 6]);
+            let bonds = [first - before, second - first, third - second, fourth - third, R::splat(0.0).before(d) - e];
+            for i in 0..5 {
+                self.stretches[k + 2][i] = bonds[i] * integral;
+            }
         }
     }
 
@@ -77,10 +80,11 @@ impl<R: Row, const N: usize> Springs<R, N> {
     fn two_orders(&self, k: usize) -> [Bonds<R>; 2] {
         let d = &self.stretches;
         let middle = k / 2;
-        let zero = R::splat(0.0);
-        let half = R::splat(0.5);
-        let mut even: Bonds<R> = d[middle].map(|x| half * x * x);
-        let mut odd: Bonds<R> = [zero; 5];
+        let (zero, half) = (R::splat(0.0), R::splat(0.5));
+        let (mut even, mut odd): (Bonds<R>, Bonds<R>) = ([zero; 5], [zero; 5]);
+        for i in 0..5 {
+            even[i] = half * d[middle][i] * d[middle][i];
+        }
         for j in (0..middle).rev() {
             for i in 0..5 {
                 odd[i] = d[j + 1][i].fma(d[k - j][i], odd[i]);
@@ -88,11 +92,18 @@ impl<R: Row, const N: usize> Springs<R, N> {
             }
         }
         let twice = R::splat(2.0 * self.alpha);
-        [
-            from_fn(|i| twice.fma(even[i], d[k][i])),
-            from_fn(|i| twice.fma(d[0][i].fma(d[k + 1][i], odd[i]), d[k + 1][i])),
-        ]
+        for i in 0..5 {
+            even[i] = twice.fma(even[i], d[k][i]);
+            odd[i] = twice.fma(d[0][i].fma(d[k + 1][i], odd[i]), d[k + 1][i]);
+        }
+        [even, odd]
     }
+}
+
+/// The largest of all sites.
+#[inline(always)]
+fn size<R: Row>([a, b, c, d]: &Sites<R>) -> f64 {
+    a.larger(*b).larger(c.larger(*d)).largest()
 }
 
 impl<R: Row, const N: usize> Expansion for Springs<R, N> {
@@ -100,7 +111,10 @@ impl<R: Row, const N: usize> Expansion for Springs<R, N> {
 
     #[inline(always)]
     fn expand(&mut self) -> f64 {
-        let [q, v] = [self.q, self.v].map(|x| x.map(|x| x.value));
+        let (mut q, mut v) = ([R::splat(0.0); 4], [R::splat(0.0); 4]);
+        for i in 0..4 {
+            (q[i], v[i]) = (self.q[i].value, self.v[i].value);
+        }
         self.stretches[0] = Self::stretches(q);
         self.stretches[1] = Self::stretches(v);
         for k in (0..N).step_by(2) {
@@ -109,22 +123,25 @@ impl<R: Row, const N: usize> Expansion for Springs<R, N> {
             self.pull(k + 1, odd);
         }
         let a = &self.accelerations;
-        let size = |x: Sites<R>| x[0].larger(x[1]).larger(x[2].larger(x[3])).largest();
-        let part = |value, slope, before, last| Sizes { value, slope, before, last };
-        let of_velocity = size(v);
-        let late = size(a[N - 2]);
-        reach::<N>(
-            self.tolerance,
-            [
-                part(size(q), of_velocity, size(a[N - 3]) * INTEGRALS.twice[N - 3], late * INTEGRALS.twice[N - 2]),
-                part(of_velocity, size(a[0]), late * INTEGRALS.once[N - 2], size(a[N - 1]) * INTEGRALS.once[N - 1]),
-            ],
-        )
+        let (velocity, late) = (size(&v), size(&a[N - 2]));
+        let positions = Sizes {
+            value: size(&q),
+            slope: velocity,
+            before: size(&a[N - 3]) * INTEGRALS.twice[N - 3],
+            last: late * INTEGRALS.twice[N - 2],
+        };
+        let momenta = Sizes {
+            value: velocity,
+            slope: size(&a[0]),
+            before: late * INTEGRALS.once[N - 2],
+            last: size(&a[N - 1]) * INTEGRALS.once[N - 1],
+        };
+        reach::<N>(self.tolerance, [positions, momenta])
     }
 
     #[inline(always)]
     fn proceed(&mut self, by: f64) {
-        let weights = Weights::of(by);
+        let weights = Weights::of::<R>(by);
         let zero = R::splat(0.0);
         let (mut velocity, mut position) = ([zero; 4], [zero; 4]);
         // The smallest addends first.

@@ -2,6 +2,7 @@
 //! `Σ aₖ tᵏ⁺¹/(k+1)`, positions what the velocity takes them and `Σ aₖ tᵏ⁺²/((k+1)(k+2))`.
 
 use super::course::HIGHEST;
+use crate::vector::Row;
 
 /// Of accelerations, by their order.
 pub(crate) struct Weights {
@@ -23,23 +24,35 @@ pub(crate) const INTEGRALS: Weights = {
     integrals
 };
 
+/// Lane `l` of these is one where `l + 1` has the bit 1, 2, 4 or 8.
+const BITS: [[f64; 8]; 4] = [
+    [1.0, 0.0, 1.0, 0.0, 1.0, 0.0, 1.0, 0.0],
+    [0.0, 1.0, 1.0, 0.0, 0.0, 1.0, 1.0, 0.0],
+    [0.0, 0.0, 0.0, 1.0, 1.0, 1.0, 1.0, 0.0],
+    [0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0],
+];
+
+/// `x` in the lanes of a bit, one in the others.
+#[inline(always)]
+fn factor<R: Row>(x: R, bit: usize) -> R {
+    let lanes = R::load(&BITS[bit]);
+    lanes.fma(x, R::splat(1.0) - lanes)
+}
+
 impl Weights {
     /// Those of a step.
     #[inline(always)]
-    pub(crate) fn of(t: f64) -> Self {
-        // Eight powers at a time: four products from the first to the last.
+    pub(crate) fn of<R: Row>(t: f64) -> Self {
         let square = t * t;
         let fourth = square * square;
+        let (step, eighth) = (R::splat(t), R::splat(fourth * fourth));
         let mut powers =
-            [t, square, square * t, fourth, fourth * t, fourth * square, fourth * (square * t), fourth * fourth];
-        let eighth = powers[7];
+            factor(step, 0) * factor(R::splat(square), 1) * (factor(R::splat(fourth), 2) * factor(eighth, 3));
         let mut weights = Self { once: [0.0; HIGHEST], twice: [0.0; HIGHEST] };
         for first in (0..HIGHEST).step_by(8) {
-            for (place, power) in powers.iter_mut().enumerate() {
-                weights.once[first + place] = *power * INTEGRALS.once[first + place];
-                weights.twice[first + place] = *power * t * INTEGRALS.twice[first + place];
-                *power *= eighth;
-            }
+            (powers * R::load(&INTEGRALS.once[first..])).store(&mut weights.once[first..]);
+            (powers * step * R::load(&INTEGRALS.twice[first..])).store(&mut weights.twice[first..]);
+            powers = powers * eighth;
         }
         weights
     }
