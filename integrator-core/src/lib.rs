@@ -216,10 +216,9 @@ pub mod __private {
         slot::{Keep, Slot},
         taylor::{
             Recurrences,
-            series::{
-                COEFFICIENTS, Series, chain, half_power, order_of_time, power, product, quotient, real_power, square,
-                turn,
-            },
+            series::{COEFFICIENTS, half_power, order_of_time, over, turn, weight, weight_with},
+            table::{Coefficients, Layout, Table},
+            turns::{Abreast, Turns, spread},
         },
         tiled::{Flow, Reach},
         tiles::Tiles,

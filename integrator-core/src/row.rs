@@ -18,6 +18,12 @@ pub trait Row<R: Real>: Real {
     /// The row of `N` bodies in which each body's place is taken by the one so many places further on, the first bodies
     /// coming after the last one.
     fn rotated<const N: usize>(self, by: usize) -> Self;
+    /// The row of the first numbers of a slice that has as many at least.
+    fn read(from: &[R]) -> Self;
+    /// Writes them to the beginning of a slice that has room for them.
+    fn write(self, to: &mut [R]);
+    /// The row in which each place is taken by another one of the eight.
+    fn picked(self, places: &[u64; 8]) -> Self;
     /// What the system says of each body and the one in the same place of another row.
     #[inline(always)]
     fn pairs<H: ManyBody<D, S>, const D: usize, const S: usize>(
@@ -37,6 +43,18 @@ impl<R: Real> Row<R> for R {
     }
     #[inline(always)]
     fn rotated<const N: usize>(self, _by: usize) -> Self {
+        self
+    }
+    #[inline(always)]
+    fn read(from: &[R]) -> Self {
+        from[0]
+    }
+    #[inline(always)]
+    fn write(self, to: &mut [R]) {
+        to[0] = self;
+    }
+    #[inline(always)]
+    fn picked(self, _places: &[u64; 8]) -> Self {
         self
     }
 }
@@ -125,6 +143,26 @@ impl<R: Real, const BODIES: usize> Row<R> for Lanes<R, BODIES> {
         let mut parts = [self.part(0); BODIES];
         for (body, part) in parts.iter_mut().enumerate() {
             *part = self.part((body + by) % N);
+        }
+        Self::of_parts(parts)
+    }
+    #[inline(always)]
+    fn read(from: &[R]) -> Self {
+        let mut parts = [from[0]; BODIES];
+        parts.copy_from_slice(&from[..BODIES]);
+        Self::of_parts(parts)
+    }
+    #[inline(always)]
+    fn write(self, to: &mut [R]) {
+        for (body, number) in to[..BODIES].iter_mut().enumerate() {
+            *number = self.part(body);
+        }
+    }
+    #[inline(always)]
+    fn picked(self, places: &[u64; 8]) -> Self {
+        let mut parts = [self.part(0); BODIES];
+        for (part, place) in parts.iter_mut().zip(places) {
+            *part = self.part(*place as usize % BODIES);
         }
         Self::of_parts(parts)
     }

@@ -5,6 +5,7 @@
 //! that alone needs it; loops over the same range that do not wait for each other are one loop, branches on one condition
 //! are one branch; a node has a name if it is used twice or in a block inside its own.
 
+pub(crate) mod nest;
 mod order;
 mod place;
 

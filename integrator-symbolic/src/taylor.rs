@@ -20,6 +20,8 @@ use std::collections::{BTreeMap, BTreeSet, HashMap};
 pub(crate) struct Recurrences {
     /// The slopes of each node that is a function of another one or of two, by its arguments; those of numbers are `None`.
     pub(crate) slopes: BTreeMap<NodeId, [Option<NodeId>; 2]>,
+    /// The nodes whose coefficients of all orders a node is computed from, itself perhaps among them.
+    pub(crate) operands: BTreeMap<NodeId, Vec<NodeId>>,
     /// The nodes of which all coefficients are kept, because others are computed from lower ones.
     pub(crate) kept: BTreeSet<NodeId>,
     /// The nodes that have a recurrence of their own.
@@ -81,9 +83,12 @@ impl Recurrences {
             Some(at_order_zero(graph, slope))
         });
         self.slopes.insert(id, slopes);
-        let kept = operands.into_iter().chain(slopes.into_iter().flatten()).map(|id| signed(graph, id).1);
-        let is_coordinate = |id: &NodeId| matches!(graph.node(*id), Node::Coordinate(_));
-        self.kept.extend(kept.filter(|id| !graph.is_prepared(*id) && !is_coordinate(id)));
+        let operands = operands.into_iter().chain(slopes.into_iter().flatten()).map(|id| signed(graph, id).1);
+        let operands: Vec<NodeId> = operands.filter(|id| !graph.is_prepared(*id)).collect();
+        // What an order begins with is read where it is, or kept by the lines that begin with it.
+        let is_given = |id: &NodeId| matches!(graph.node(*id), Node::Coordinate(_) | Node::Time | Node::Step);
+        self.kept.extend(operands.iter().copied().filter(|id| !is_given(id)));
+        self.operands.insert(id, operands);
         slopes.into_iter().flatten().collect()
     }
 }
@@ -101,6 +106,53 @@ pub(crate) fn signed(graph: &Graph, id: NodeId) -> (bool, NodeId) {
             (!negative, inner)
         }
         _ => (false, id),
+    }
+}
+
+/// A value in its surroundings as addends without sums over inner loops: what such a sum adds up is added in every turn
+/// of its loop, what is chosen or zero where it is chosen.
+pub(crate) fn addends(graph: &mut Graph, context: Vec<Around>, value: NodeId) -> Vec<(Vec<Around>, NodeId)> {
+    let within = |around: Around| -> Vec<Around> { context.iter().copied().chain([around]).collect() };
+    let zero = |graph: &Graph, id| graph.as_constant(id) == Some(0.0);
+    if !has_sums(graph, &context, value) {
+        return vec![(context, value)];
+    }
+    match graph.node(value) {
+        Node::Sum(by, body) => addends(graph, within(Around::Loop(by)), body),
+        Node::Select(condition, body, other) if zero(graph, other) => {
+            addends(graph, within(Around::Branch(condition, true)), body)
+        }
+        Node::Select(condition, other, body) if zero(graph, other) => {
+            addends(graph, within(Around::Branch(condition, false)), body)
+        }
+        Node::Add(a, b) => {
+            let mut both = addends(graph, context.clone(), a);
+            both.extend(addends(graph, context, b));
+            both
+        }
+        Node::Neg(inner) => {
+            let inner = addends(graph, context, inner).into_iter();
+            inner.map(|(context, value)| (context, graph.neg(value))).collect()
+        }
+        Node::Mul(factor, inner) if graph.is_prepared(factor) => {
+            let inner = addends(graph, context, inner).into_iter();
+            inner.map(|(context, value)| (context, graph.mul(factor, value))).collect()
+        }
+        _ => vec![(context, value)],
+    }
+}
+
+/// Whether a value is made of sums over loops inside its surroundings, by additions and prepared factors.
+fn has_sums(graph: &Graph, context: &[Around], id: NodeId) -> bool {
+    match graph.node(id) {
+        Node::Sum(by, _) => {
+            let of_loop = |around: &Around| if let Around::Loop(by) = around { Some(*by) } else { None };
+            graph.loops.get(by).parent == context.iter().rev().find_map(of_loop)
+        }
+        Node::Add(a, b) | Node::Select(_, a, b) => has_sums(graph, context, a) || has_sums(graph, context, b),
+        Node::Neg(a) => has_sums(graph, context, a),
+        Node::Mul(factor, a) => graph.is_prepared(factor) && has_sums(graph, context, a),
+        _ => false,
     }
 }
 

@@ -203,4 +203,31 @@ rows! {
         let exponentials: f64 = q.iter().map(|q| q.exp()).sum();
         squares * exponentials
     }
+
+    // Turns side by side: more than eight, with numbers and conditions of their own
+    turns_of_their_own [&[f64]] { p.iter().map(|p| p * p / 2.0).sum() } {
+        let mut sum = 0.0;
+        for i in 0..q.len() {
+            sum += (i + 1) as f64 * q[i].powi(2) * (q[i] + t).sin();
+        }
+        for i in 0..q.len() {
+            for j in 0..q.len() {
+                if i != j {
+                    sum += (-(q[i] - q[j]).powi(2)).exp() / (i + 2) as f64 / 8.0;
+                }
+            }
+        }
+        sum
+    }
+    ring_of_points [&[[f64; 2]]] { p.iter().map(|p| (p[0] * p[0] + p[1] * p[1]) / 2.0).sum() } {
+        let (n, mut sum) = (q.len(), 0.0);
+        for i in 0..n {
+            for d in 0..2 {
+                sum += q[i][d] * q[i][d] / 2.0;
+            }
+            let (a, b) = (q[i], q[(i + 1) % n]);
+            sum += (a[0] * b[1] - a[1] * b[0]) / -(2.0 + a[0] * a[0] + b[1] * b[1]);
+        }
+        sum
+    }
 }

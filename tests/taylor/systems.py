@@ -206,3 +206,20 @@ def hoisted(q, p, t):
 @system([0.25, -0.5, 1.0], [0.25, -0.125, 0.5])
 def product_of_sums(q, p, t):
     return half_squares(p) + sum(p) ** 2 / 8, sum(x**2 for x in q) * sum(exp(x) for x in q)
+
+
+# turns side by side: more than eight, with numbers and conditions of their own
+
+@system([-1.0, -0.75, -0.5, -0.25, 0.0, 0.25, 0.5, 0.75, 1.0, 1.25], [0.25, 0.0, -0.125, 0.5, 0.0] * 2, 0.25)
+def turns_of_their_own(q, p, t):
+    alone = sum((i + 1) * x**2 * sin(x + t) for i, x in enumerate(q))
+    others = sum(exp(-((x - y) ** 2)) / (i + 2) for i, x in enumerate(q) for j, y in enumerate(q) if i != j)
+    return half_squares(p), alone + others / 8
+
+
+@system([0.0, 1.0, 0.25, 0.5, 0.75, -0.75, 1.0, 0.25, -0.25, -1.0], [0.25, 0.0, -0.125, 0.5, 0.0] * 2)
+def ring_of_points(q, p, t):
+    points = list(zip(q[::2], q[1::2]))
+    bonds = list(zip(points, points[1:] + points[:1]))
+    ratios = [(a[0] * b[1] - a[1] * b[0]) / -(2 + a[0] ** 2 + b[1] ** 2) for a, b in bonds]
+    return half_squares(p), sum(x**2 for point in points for x in point) / 2 + sum(ratios)

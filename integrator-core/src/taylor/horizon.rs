@@ -12,14 +12,15 @@ const UNIT: f64 = (1_u64 << 52) as f64;
 /// The logarithm to the base of two within 0.09: exponents exactly, between them along a straight line.
 #[inline(always)]
 pub(super) fn logarithm(x: f64) -> f64 {
-    x.to_bits() as f64 / UNIT - 1023.0
+    // Signed, since only those conversions are an instruction everywhere; the highest bit is a sign that is not there.
+    x.to_bits() as i64 as f64 / UNIT - 1023.0
 }
 
 /// The number with this logarithm.
 #[inline(always)]
 fn exponential(logarithm: f64) -> f64 {
     // Conversions saturate; beyond the largest exponent a step is as good as infinite.
-    f64::from_bits(((logarithm + 1023.0).clamp(0.0, 2046.0) * UNIT) as u64)
+    f64::from_bits(((logarithm + 1023.0).clamp(0.0, 2046.0) * UNIT) as i64 as u64)
 }
 
 /// The length of a step of this order, infinite where the motion is a polynomial, zero where it is singular. `size(m)`

@@ -34,12 +34,16 @@
 //! # Ok::<(), Error>(())
 //! ```
 
+mod addends;
 mod expansion;
 mod horizon;
 mod method;
 mod moment;
+mod part;
 mod recurrences;
 pub(crate) mod series;
+pub(crate) mod table;
+pub(crate) mod turns;
 
 pub use method::Taylor;
 pub use recurrences::Recurrences;

@@ -1,6 +1,6 @@
 //! What `#[hamiltonian(taylor)]` writes.
 
-use super::series::Series;
+use super::table::Coefficients;
 use crate::{hamiltonian::Hamiltonian, real::Real};
 
 /// A Hamiltonian with recurrences for the Taylor coefficients of its motion. Written by `#[hamiltonian(taylor)]`.
@@ -13,14 +13,17 @@ pub trait Recurrences: Hamiltonian {
     /// The coefficients that recurrences read.
     type Tape<R: Real>: Clone + Default + Send + Sync + 'static;
 
-    /// Adds `k + 1` times the coefficients of order `k + 1` of all coordinates to what is there, from those of lower orders.
+    /// Whether there are loops over coordinates, so that orders need no code of their own.
+    const ROLLED: bool;
+
+    /// Finds the coefficients of order `k + 1` of all coordinates from those of lower orders.
     ///
-    /// Coordinates are flat; `length` is how many numbers or points they are. `time` is that of the expansion.
+    /// `length` is how many numbers or points the coordinates are. `time` is that of the expansion.
     fn order<R: Real>(
         parameters: &Self::Parameters<R>,
         length: usize,
-        q: &mut [Series<R>],
-        p: &mut [Series<R>],
+        q: &mut Coefficients<'_, R>,
+        p: &mut Coefficients<'_, R>,
         tape: &mut Self::Tape<R>,
         k: usize,
         time: f64,

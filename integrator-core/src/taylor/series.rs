@@ -1,8 +1,4 @@
-//! Coefficients of order `k` from those of lower orders: what the recurrences of generated code are made of.
-//!
-//! With normalised coefficients `x(t) = Σ xₖ tᵏ`. Sums begin in the middle, at coefficients that have been known for
-//! long, and end with the newest, so that they can begin before these are there; two of them run side by side. Their
-//! order is that of the text, whatever the machine.
+//! What the recurrences of generated code are made of, beside sums of products.
 
 use crate::real::Real;
 use alloc::vec::Vec;
@@ -10,81 +6,38 @@ use alloc::vec::Vec;
 /// How many coefficients a series has at most, that of order 0 included.
 pub const COEFFICIENTS: usize = 29;
 
-/// The coefficients of a series by order.
-pub type Series<R> = [R; COEFFICIENTS];
-
-/// `Σ aⱼ bₖ₋ⱼ`, the coefficient of `a b`.
+/// The weight of `aⱼ yₖ₋ⱼ` in the recurrence of `y = aᵉ`, `k a₀ yₖ = Σ (e j - (k - j)) aⱼ yₖ₋ⱼ`.
 #[inline(always)]
-pub fn product<R: Real>(a: &Series<R>, b: &Series<R>, k: usize) -> R {
-    let pairs = k.div_ceil(2);
-    let mut first = if k.is_multiple_of(2) { a[k / 2] * b[k / 2] } else { R::of(0.0) };
-    let mut second = R::of(0.0);
-    for j in (0..pairs).rev() {
-        first = a[j].fma(b[k - j], first);
-        second = a[k - j].fma(b[j], second);
-    }
-    first + second
-}
-
-/// The coefficient of `a²`.
-#[inline(always)]
-pub fn square<R: Real>(a: &Series<R>, k: usize) -> R {
-    let mut half = R::of(0.0);
-    for j in (0..k.div_ceil(2)).rev() {
-        half = a[j].fma(a[k - j], half);
-    }
-    let middle = if k.is_multiple_of(2) { a[k / 2] * a[k / 2] } else { R::of(0.0) };
-    half + half + middle
-}
-
-/// The coefficient of `y = a / b` from that of `a`: `b₀ yₖ = aₖ - Σ bⱼ yₖ₋ⱼ`.
-#[inline(always)]
-pub fn quotient<R: Real>(a: R, y: &Series<R>, b: &Series<R>, k: usize) -> R {
-    let mut rest = a;
-    for j in (1..k + 1).rev() {
-        rest = (-b[j]).fma(y[k - j], rest);
-    }
-    rest / b[0]
-}
-
-/// The coefficient of `y = aᵉ` for `k > 0`, with so many halves as exponent: `k a₀ yₖ = Σ (e j - (k - j)) aⱼ yₖ₋ⱼ`.
-#[inline(always)]
-pub fn power<R: Real>(y: &Series<R>, a: &Series<R>, halves: i32, k: usize) -> R {
-    let weight = |j: usize| R::of(f64::from(halves) / 2.0 * j as f64 - (k - j) as f64);
-    let (first, second) = from_the_middle(k, |j| (weight(j) * a[j], y[k - j]));
-    (first + second) / (R::of(k as f64) * a[0])
+pub fn weight<R: Real>(exponent: f64, j: usize, k: usize) -> R {
+    R::of(exponent * j as f64 - (k - j) as f64)
 }
 
 /// The same with an exponent that is a parameter.
 #[inline(always)]
-pub fn real_power<R: Real>(y: &Series<R>, a: &Series<R>, exponent: R, k: usize) -> R {
-    let weight = |j: usize| exponent * R::of(j as f64) - R::of((k - j) as f64);
-    let (first, second) = from_the_middle(k, |j| (weight(j) * a[j], y[k - j]));
-    (first + second) / (R::of(k as f64) * a[0])
+pub fn weight_with<R: Real>(exponent: R, j: usize, k: usize) -> R {
+    exponent * R::of(j as f64) - R::of((k - j) as f64)
 }
 
-/// The coefficient of `y` with `y' = g x'`, for `k > 0`: `k yₖ = Σ j xⱼ gₖ₋ⱼ`.
+/// `x / n` for an order `n`, as if in one division.
+///
+/// A rounded `1/n` would be off by the same share at every step, which adds up to a drift; so it comes in two parts.
 #[inline(always)]
-pub fn chain<R: Real>(x: &Series<R>, slope: &Series<R>, k: usize) -> R {
-    let (first, second) = from_the_middle(k, |j| (R::of(j as f64) * x[j], slope[k - j]));
-    (first + second) / R::of(k as f64)
+pub fn over<R: Real>(x: R, n: usize) -> R {
+    let [high, low] = const { reciprocals() }[n];
+    x.fma(R::of(high), x * R::of(low))
 }
 
-/// The sums of products with the numbers from 1 to `k`, from the middle outwards, of the lower and of the upper half.
-#[inline(always)]
-fn from_the_middle<R: Real>(k: usize, factors: impl Fn(usize) -> (R, R)) -> (R, R) {
-    let (mut lower, mut upper) = (R::of(0.0), R::of(0.0));
-    if !k.is_multiple_of(2) {
-        let (a, b) = factors(k.div_ceil(2));
-        lower = a * b;
+/// `1/n` as a number with as many digits as a single has, and the rest.
+const fn reciprocals() -> [[f64; 2]; COEFFICIENTS] {
+    let mut parts = [[0.0; 2]; COEFFICIENTS];
+    let mut n = 1;
+    while n < COEFFICIENTS {
+        let high = (1.0 / n as f64) as f32 as f64;
+        // The product with a small integer is exact, and so is the difference of neighbours.
+        parts[n] = [high, (1.0 - n as f64 * high) / n as f64];
+        n += 1;
     }
-    for j in (1..k / 2 + 1).rev() {
-        let (a, b) = factors(j);
-        lower = a.fma(b, lower);
-        let (a, b) = factors(k + 1 - j);
-        upper = a.fma(b, upper);
-    }
-    (lower, upper)
+    parts
 }
 
 /// `x` to the power of so many halves.

@@ -2,12 +2,16 @@
 
 use super::{S8, X4, X8};
 use crate::{
+    block::Block,
     fused::{Avx512, Fma, Fused},
     lanes::Lanes,
     real::Real,
     row::Row,
 };
-use core::arch::x86_64::{_mm256_loadu_si256, _mm256_permutevar8x32_ps, _mm512_loadu_si512, _mm512_permutexvar_pd};
+use core::arch::x86_64::{
+    _mm256_loadu_ps, _mm256_loadu_si256, _mm256_permutevar8x32_ps, _mm256_storeu_ps, _mm512_loadu_si512,
+    _mm512_permutexvar_pd,
+};
 
 /// The lane that each lane is taken from when `N` bodies are rotated. A constant, since both numbers are.
 #[inline(always)]
@@ -49,6 +53,18 @@ impl Row<Fused<f64, Avx512>> for X8 {
         let sources = &const { Sources::<N>::DOUBLES }[by];
         Self(instruction!(_mm512_permutexvar_pd(_mm512_loadu_si512(sources.as_ptr().cast()), self.0)))
     }
+    #[inline(always)]
+    fn read(from: &[Fused<f64, Avx512>]) -> Self {
+        Block::read(from)
+    }
+    #[inline(always)]
+    fn write(self, to: &mut [Fused<f64, Avx512>]) {
+        Block::write(self, to);
+    }
+    #[inline(always)]
+    fn picked(self, places: &[u64; 8]) -> Self {
+        Self(instruction!(_mm512_permutexvar_pd(_mm512_loadu_si512(places.as_ptr().cast()), self.0)))
+    }
 }
 
 /// Eight singles, on either set.
@@ -63,6 +79,23 @@ macro_rules! singles {
             fn rotated<const N: usize>(self, by: usize) -> Self {
                 let sources = &const { Sources::<N>::SINGLES }[by];
                 Self(instruction!(_mm256_permutevar8x32_ps(self.0, _mm256_loadu_si256(sources.as_ptr().cast()))))
+            }
+            #[inline(always)]
+            fn read(from: &[Fused<f32, $set>]) -> Self {
+                let from = &from[..8];
+                // The slice is long enough, and a fused scalar is transparent.
+                Self(instruction!(_mm256_loadu_ps(from.as_ptr().cast())))
+            }
+            #[inline(always)]
+            fn write(self, to: &mut [Fused<f32, $set>]) {
+                let to = &mut to[..8];
+                // As in `read`.
+                instruction!(_mm256_storeu_ps(to.as_mut_ptr().cast(), self.0));
+            }
+            #[inline(always)]
+            fn picked(self, places: &[u64; 8]) -> Self {
+                let places = places.map(|place| place as u32);
+                Self(instruction!(_mm256_permutevar8x32_ps(self.0, _mm256_loadu_si256(places.as_ptr().cast()))))
             }
         }
     )*};
@@ -82,6 +115,22 @@ impl Row<Fused<f64, Fma>> for Lanes<X4, 2> {
         let first = [x[source::<N>(0, by)], x[source::<N>(1, by)], x[source::<N>(2, by)], x[source::<N>(3, by)]];
         let second = [x[source::<N>(4, by)], x[source::<N>(5, by)], x[source::<N>(6, by)], x[source::<N>(7, by)]];
         Self::of_parts([X4::of_lanes(first), X4::of_lanes(second)])
+    }
+    #[inline(always)]
+    fn read(from: &[Fused<f64, Fma>]) -> Self {
+        Self::of_parts([Block::read(from), Block::read(&from[4..])])
+    }
+    #[inline(always)]
+    fn write(self, to: &mut [Fused<f64, Fma>]) {
+        Block::write(self.part(0), to);
+        Block::write(self.part(1), &mut to[4..]);
+    }
+    #[inline(always)]
+    fn picked(self, places: &[u64; 8]) -> Self {
+        let ([a, b, c, d], [e, f, g, h]) = (self.part(0).lanes(), self.part(1).lanes());
+        let x = [a, b, c, d, e, f, g, h];
+        let at = |place: usize| x[places[place] as usize % 8];
+        Self::of_parts([X4::of_lanes([at(0), at(1), at(2), at(3)]), X4::of_lanes([at(4), at(5), at(6), at(7)])])
     }
 }
 
@@ -104,8 +153,26 @@ mod tests {
         assert!((0..W::LANES).all(|lane| W::splat(R::of(2.5)).lane(lane) == 2.5));
     }
 
+    /// Rows are read and written where they are, and their places are picked in any order.
+    fn places<W: Row<R>, R: Real>() {
+        let array: Vec<R> = (0..12).map(|i| R::of(f64::from(i) + 0.5)).collect();
+        for first in 0..4 {
+            let (row, mut copy) = (W::read(&array[first..]), array.clone());
+            (row + W::of(100.0)).write(&mut copy[first..]);
+            for (i, number) in copy.iter().enumerate() {
+                let moved = if (first..first + W::LANES).contains(&i) { 100.0 } else { 0.0 };
+                assert_eq!(number.lane(0), i as f64 + 0.5 + moved, "number {i} of a row at {first}");
+            }
+            let picked = row.picked(&[3, 3, 0, 7, 6, 1, 2, 0]);
+            for (lane, from) in [3, 3, 0, 7, 6, 1, 2, 0].into_iter().enumerate() {
+                assert_eq!(picked.lane(lane), row.lane(from), "place {lane} is taken by {from}");
+            }
+        }
+    }
+
     fn all_rotations<W: Row<R>, R: Real>(set: InstructionSet) {
         if InstructionSet::available().contains(&set) {
+            places::<W, R>();
             rotations::<W, R, 2>();
             rotations::<W, R, 3>();
             rotations::<W, R, 4>();
@@ -122,6 +189,7 @@ mod tests {
         all_rotations::<S8, Fused<f32, Avx512>>(InstructionSet::Avx512);
         all_rotations::<S8, Fused<f32, Fma>>(InstructionSet::Fused);
         all_rotations::<Lanes<X4, 2>, Fused<f64, Fma>>(InstructionSet::Fused);
+        places::<Lanes<f64, 8>, f64>();
         rotations::<Lanes<f64, 5>, f64, 5>();
         rotations::<Lanes<f64, 8>, f64, 8>();
     }

@@ -306,23 +306,26 @@ impl Printer<'_> {
             }
             Frame::Sites(_) => self.neighbour(element),
             Frame::Bodies(_) => place(fields),
-            Frame::Series(_) => {
-                let place = place(fields);
-                quote!(#place[order])
+            Frame::Series => {
+                let (part, place) = (self.part(element), self.in_row(fields, element));
+                quote!(#part[order][#place])
             }
+        }
+    }
+
+    /// The name of a coordinate's part.
+    pub(super) fn part(&self, element: Element) -> Ident {
+        match element.part {
+            Part::Position => format_ident!("q"),
+            Part::Momentum => format_ident!("p"),
         }
     }
 
     /// A coordinate's place: `motion.q[0]`, `motion.p[i][1]`, `q_i[d]`.
     pub(super) fn place(&self, fields: &mut Fields, element: Element) -> TokenStream {
-        let part = match element.part {
-            Part::Position => format_ident!("q"),
-            Part::Momentum => format_ident!("p"),
-        };
-        let at = self.at(fields, element);
+        let (part, at) = (self.part(element), self.at(fields, element));
         match self.frame {
-            Frame::Motion | Frame::Sites(_) => quote!(motion.#part #at),
-            Frame::Series(_) => quote!(#part #at),
+            Frame::Motion | Frame::Sites(_) | Frame::Series => quote!(motion.#part #at),
             Frame::Bodies(bodies) => {
                 let part = bodies.of_index(self.graph, part, element.index);
                 quote!(#part #at)
@@ -337,20 +340,9 @@ impl Printer<'_> {
             quote!([#component])
         });
         match self.frame {
-            Frame::Motion | Frame::Sites(_) => {
+            Frame::Motion | Frame::Sites(_) | Frame::Series => {
                 let index = self.index(fields, element.index);
                 quote!([#index] #component)
-            }
-            Frame::Series(dimension) => {
-                let index = self.inner_index(fields, element.index);
-                match element.component.zip(*dimension) {
-                    Some((component, dimension)) => {
-                        let (offset, dimension) = (self.inner_index(fields, component), dimension.tokens());
-                        let offset = (self.graph.loops.literal(component) != Some(0)).then(|| quote!(+ #offset));
-                        quote!([#index * #dimension #offset])
-                    }
-                    None => quote!([#index]),
-                }
             }
             Frame::Bodies(_) => component.unwrap_or_else(|| quote!([0])),
         }
@@ -372,7 +364,7 @@ impl Printer<'_> {
                     quote!(near.length())
                 }
             }
-            Index::Length if self.dialect == Dialect::Generic && !matches!(self.frame, Frame::Series(_)) => {
+            Index::Length if self.dialect == Dialect::Generic && !matches!(self.frame, Frame::Series) => {
                 quote!(motion.q.len())
             }
             Index::Length => quote!(length),
@@ -404,7 +396,7 @@ impl Printer<'_> {
     }
 
     /// An integer expression inside another one.
-    fn inner_index(&self, fields: &mut Fields, id: IndexId) -> TokenStream {
+    pub(super) fn inner_index(&self, fields: &mut Fields, id: IndexId) -> TokenStream {
         let index = self.index(fields, id);
         match self.graph.loops.index(id) {
             Index::Literal(_) | Index::Running(_) | Index::Length | Index::Parameter(_) => index,

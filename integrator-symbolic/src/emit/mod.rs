@@ -15,9 +15,12 @@ mod form;
 mod frame;
 mod function;
 mod lattice;
+mod moves;
 mod names;
+mod nest;
 mod orders;
 mod pairs;
+mod recurrence;
 mod tape;
 mod texts;
 

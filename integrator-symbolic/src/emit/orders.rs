@@ -8,15 +8,17 @@ use super::{
     fields::{Fields, is_leaf},
     frame::Frame,
     function::Body,
+    moves::{Moves, next},
     names::Names,
-    tape::{Record, has_tape, kept, list, next, tape},
+    recurrence::Series,
+    tape::{self, Kept, Record, Turns, has_tape, one_by_one, tape},
 };
 use crate::{
     differentiate::Contribution,
-    graph::{Element, Graph, Node, NodeId, index::LoopId},
+    graph::{Element, Graph, Node, NodeId},
     model::Model,
-    program::{Asked, Item, Placed, Sink, schedule_with},
-    taylor::{Recurrences, is_power, signed},
+    program::{Asked, Item, Placed, Program, Sink, schedule_with},
+    taylor::{Recurrences, signed},
 };
 use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::{format_ident, quote};
@@ -45,20 +47,18 @@ pub(super) fn orders(
     let parameters = &model.parameters;
     let leaf = |graph: &Graph, id| is_read(graph, id) || is_leaf(graph, parameters, id);
     let program = schedule_with(&model.graph, &placed, leaf, &asked);
-    let frame = Frame::Series(model.shape.dimension.as_ref());
-    let mut writer = Writer {
-        printer: Printer::new(model, names, &program, Dialect::Generic, &frame),
-        recurrences: &recurrences,
-        masks: Vec::new(),
-        records: vec![Record { at: format_ident!("tape"), slots: Vec::new() }],
-        within: vec![0],
-        places: HashMap::new(),
-    };
-    let clock = writer.clock();
+    let frame = Frame::Series;
+    let source = Source { model, names, program: &program, frame: &frame, recurrences: &recurrences };
+    let mut writer = Writer::new(&source, Record::of("tape", Turns::Once));
+    let moves = Moves::of(&source.model.graph, &program.items);
+    writer.moves = moves;
     writer.allocate(&program.items);
     let body = writer.items(fields, &program.items);
+    let (opening, closing) = writer.ends(fields);
+    let rolled = !matches!(writer.moves, Moves::Alone(_));
     let records = writer.records;
-    Orders { tape: tape(&records, names), items: implementation(quote!(#clock #body), &records, names) }
+    let body = quote!(#opening #body #closing);
+    Orders { tape: tape(&records, names), items: implementation(body, &records, rolled, names) }
 }
 
 /// Recurrences have lines of their own, and read the series of slopes where they stand.
@@ -70,50 +70,71 @@ fn asked(graph: &Graph, recurrences: &Recurrences) -> Asked {
     }
 }
 
-/// The values that move coordinates.
+/// The values that move coordinates: what a sum adds up is added turn by turn, so that no turn waits for another.
 fn placed(graph: &mut Graph, kinetic: &[Contribution], potential: &[Contribution]) -> Vec<Placed> {
     let mut placed = Vec::new();
     for (gradient, is_force) in [(kinetic, false), (potential, true)] {
         for Contribution { context, element, value } in gradient {
             let value = if is_force { graph.neg(*value) } else { *value };
             let moved = Element { part: element.part.other(), ..*element };
-            placed.push(Placed { context: context.clone(), sink: Sink::Collect(moved), value });
+            let addends = crate::taylor::addends(graph, context.clone(), value).into_iter();
+            placed.extend(addends.map(|(context, value)| Placed { context, sink: Sink::Collect(moved), value }));
         }
     }
     placed
 }
 
-struct Writer<'m> {
-    printer: Printer<'m>,
-    recurrences: &'m Recurrences,
-    /// The conditions around the present line.
-    masks: Vec<TokenStream>,
-    records: Vec<Record>,
-    /// The records of the blocks around the present line, innermost last.
-    within: Vec<usize>,
-    /// Where the series of a value is.
-    places: HashMap<NodeId, TokenStream>,
+/// What lines are written from.
+pub(super) struct Source<'m> {
+    pub(super) model: &'m Model,
+    pub(super) names: &'m Names,
+    pub(super) program: &'m Program,
+    pub(super) frame: &'m Frame<'m>,
+    pub(super) recurrences: &'m Recurrences,
 }
 
-impl Writer<'_> {
-    /// The lines that keep the time and the step, where recurrences read their series.
-    fn clock(&mut self) -> TokenStream {
-        let mut lines = TokenStream::new();
-        for id in &self.recurrences.kept {
-            let name = match self.printer.graph.node(*id) {
-                Node::Time => format_ident!("time"),
-                Node::Step => format_ident!("step"),
-                _ => continue,
-            };
-            self.places.insert(*id, quote!(tape.#name));
-            lines.extend(quote!(tape.#name[order] = #name;));
-            self.records[0].slots.push((name, false));
+/// Writes the lines of a function.
+pub(super) struct Writer<'m> {
+    pub(super) source: &'m Source<'m>,
+    pub(super) printer: Printer<'m>,
+    /// The conditions around the present line.
+    pub(super) masks: Vec<TokenStream>,
+    /// What is kept; the first record is that of the function.
+    pub(super) records: Vec<Record>,
+    /// The records of the blocks around the present line, innermost last.
+    pub(super) within: Vec<usize>,
+    /// Where the series of a value is.
+    pub(super) places: HashMap<NodeId, Series>,
+    /// The lines that keep what the function begins with, where recurrences read its series.
+    pub(super) opening: TokenStream,
+    pub(super) moves: Moves,
+}
+
+impl<'m> Writer<'m> {
+    pub(super) fn new(source: &'m Source<'m>, record: Record) -> Self {
+        let Source { model, names, program, frame, .. } = source;
+        Self {
+            source,
+            printer: Printer::new(model, names, program, Dialect::Generic, frame),
+            masks: Vec::new(),
+            records: vec![record],
+            within: vec![0],
+            places: HashMap::new(),
+            opening: TokenStream::new(),
+            moves: Moves::InPlace,
         }
-        lines
+    }
+
+    /// One whose lines are those of turns side by side.
+    pub(super) fn abreast(source: &'m Source<'m>, record: Record) -> Self {
+        let mut writer = Self::new(source, record);
+        writer.printer.scalar = &source.names.wide;
+        writer.moves = Moves::Abreast(0);
+        writer
     }
 
     /// Finds places for what is kept in a block, before its lines are written: recurrences read each other.
-    fn allocate(&mut self, items: &[Item]) {
+    pub(super) fn allocate<'i>(&mut self, items: impl IntoIterator<Item = &'i Item>) {
         for item in items {
             let values = match item {
                 Item::Let(id) | Item::Begin(id) => vec![*id],
@@ -125,18 +146,25 @@ impl Writer<'_> {
                 _ => continue,
             };
             for id in values {
+                if self.is_given(id) {
+                    continue;
+                }
                 let is_condition = self.printer.graph.node(id).is_condition();
-                if is_condition || self.recurrences.kept.contains(&id) {
+                if is_condition || self.source.recurrences.kept.contains(&id) {
                     self.slot(id, is_condition);
                 }
             }
         }
     }
 
-    fn items(&mut self, fields: &mut Fields, items: &[Item]) -> TokenStream {
-        let begun: Vec<NodeId> =
-            items.iter().filter_map(|item| if let Item::Begin(id) = item { Some(*id) } else { None }).collect();
-        let mut tokens = TokenStream::new();
+    pub(super) fn items<'i>(
+        &mut self,
+        fields: &mut Fields,
+        items: impl IntoIterator<Item = &'i Item> + Clone,
+    ) -> TokenStream {
+        let begin = |item: &Item| if let Item::Begin(id) = item { Some(*id) } else { None };
+        let begun: Vec<NodeId> = items.clone().into_iter().filter_map(begin).collect();
+        let mut tokens = self.known(fields, items.clone());
         for item in items {
             tokens.extend(self.item(fields, item));
             // What a block adds to is complete behind the last one; until then, what is kept is written again.
@@ -156,7 +184,10 @@ impl Writer<'_> {
                 let (name, zero) = (&self.printer.names[id], self.printer.lifted(quote!(0.0)));
                 quote!(let mut #name = #zero;)
             }
-            Item::Loop { by, body } => self.turns(fields, *by, body),
+            Item::Loop { by, body } => match self.nests(*by, body) {
+                Some(nests) => nests.iter().map(|nest| self.loops(fields, nest)).collect(),
+                None => self.turns(fields, *by, body),
+            },
             Item::Branch { condition, holds, body } => {
                 let mask = self.printer.expression(fields, *condition).tokens;
                 let mask = if *holds { mask } else { quote!(#mask.not()) };
@@ -179,8 +210,20 @@ impl Writer<'_> {
             }
             Item::Sink(Sink::Collect(element), value) => {
                 let value = self.masked(fields, *value);
-                let series = self.printer.place(fields, *element);
-                quote!(#series[order + 1] += #value;)
+                match &mut self.moves {
+                    Moves::Alone(elements) => {
+                        let next = next(elements.iter().position(|known| known == element).unwrap_or_default());
+                        return quote!(#next += #value;);
+                    }
+                    Moves::Abreast(target) => {
+                        let number = Literal::usize_unsuffixed(*target);
+                        *target += 1;
+                        return quote!(found[#number] = #value;);
+                    }
+                    Moves::InPlace => {}
+                }
+                let (part, place) = (self.printer.part(*element), self.printer.in_row(fields, *element));
+                quote!(#part[order + 1][#place] += #value;)
             }
             Item::Sink(..) => TokenStream::new(),
         }
@@ -193,36 +236,24 @@ impl Writer<'_> {
         self.masks.iter().rev().fold(value, |value, mask| quote!(#scalar::select(#mask, #value, #zero)))
     }
 
-    /// A loop, whose turns keep what they compute each in a place of its own.
-    fn turns(&mut self, fields: &mut Fields, by: LoopId, body: &[Item]) -> TokenStream {
-        let number = self.records.len();
-        let at = format_ident!("turn_{number}");
-        self.records.push(Record { at: at.clone(), slots: Vec::new() });
-        self.within.push(number);
-        // What two loops over the same range both compute is kept by each.
-        let outside = self.places.clone();
-        self.allocate(body);
-        let body = self.items(fields, body);
-        self.places = outside;
-        self.within.pop();
-        let (range, index) = (self.printer.graph.loops.get(by), self.printer.running.get(&by));
-        let (from, to) = (self.printer.bound(fields, range.from), self.printer.bound(fields, range.to));
-        let turn = (!self.records[number].slots.is_empty()).then(|| {
-            let (runtime, list, next) = (self.printer.runtime, list(number), next(number));
-            quote!(let #at = #runtime::turn(&mut tape.#list, &mut #next);)
-        });
-        quote!(for #index in #from..#to { #turn #body })
+    /// Whether turns side by side are given a value, since it stays the same in a run.
+    fn is_given(&self, id: NodeId) -> bool {
+        matches!(self.moves, Moves::Abreast(_)) && self.printer.graph.is_prepared(id)
     }
 
     /// A named value of an order, kept if a recurrence reads it.
     fn value(&mut self, fields: &mut Fields, id: NodeId) -> TokenStream {
         let name = self.printer.names[&id].clone();
+        if self.is_given(id) {
+            return TokenStream::new();
+        }
         if self.printer.graph.node(id).is_condition() {
             // The branch that is taken at the point of expansion is taken for all orders.
-            let (place, value) = (&self.places[&id], self.printer.computation(fields, id).tokens);
-            return quote!(if order == 0 { #place = #value; } let #name = #place;);
+            let value = self.printer.computation(fields, id).tokens;
+            let at = &self.record().at;
+            return quote!(if order == 0 { #at.#name = #value; } let #name = #at.#name;);
         }
-        let value = match self.recurrences.nonlinear.contains(&id) {
+        let value = match self.source.recurrences.nonlinear.contains(&id) {
             true => self.recurrence(fields, id),
             false => self.printer.computation(fields, id).tokens,
         };
@@ -233,85 +264,60 @@ impl Writer<'_> {
     /// Finds a place for a value in the record of the block.
     fn slot(&mut self, id: NodeId, is_condition: bool) {
         let name = &self.printer.names[&id];
-        let record = &mut self.records[self.within[self.within.len() - 1]];
-        record.slots.push((name.clone(), is_condition));
-        let at = &record.at;
-        self.places.insert(id, quote!(#at.#name));
+        let name = name.clone();
+        let record = self.record();
+        record.slots.push((name.clone(), if is_condition { Kept::Condition } else { Kept::Series }));
+        let place = Series::Kept { at: record.at.clone(), name };
+        self.places.insert(id, place);
     }
 
     /// The line that keeps a coefficient, where recurrences read it.
     fn keep(&self, id: NodeId) -> Option<TokenStream> {
         let name = &self.printer.names[&id];
-        let place = self.places.get(&id).filter(|_| self.recurrences.kept.contains(&id))?;
-        Some(quote!(#place[order] = #name;))
+        let place = self.places.get(&id).filter(|_| self.source.recurrences.kept.contains(&id))?;
+        let coefficient = place.of(&quote!(order));
+        Some(quote!(#coefficient = #name;))
     }
 
-    /// A series that is read whole, and whether its sign is changed.
-    fn series(&self, fields: &mut Fields, id: NodeId) -> (bool, TokenStream) {
-        let (negative, id) = signed(self.printer.graph, id);
-        let place = match self.printer.graph.node(id) {
-            Node::Coordinate(element) => self.printer.place(fields, element),
-            _ => self.places.get(&id).cloned().unwrap_or_default(),
-        };
-        (negative, quote!(&#place))
+    /// Whether a value has a recurrence of its own.
+    pub(super) fn is_nonlinear(&self, id: NodeId) -> bool {
+        self.source.recurrences.nonlinear.contains(&id) && !self.is_given(id)
     }
 
-    /// The coefficient of an order of a node that is not linear in its children.
-    fn recurrence(&self, fields: &mut Fields, id: NodeId) -> TokenStream {
-        let (printer, runtime) = (&self.printer, self.printer.runtime);
-        let sign = |negative: bool| negative.then(|| quote!(-));
-        let node = printer.graph.node(id);
-        let own = self.series(fields, id).1;
-        match node {
-            Node::Mul(a, b) => {
-                let ((minus_a, a), (minus_b, b)) = (self.series(fields, a), self.series(fields, b));
-                let sign = sign(minus_a != minus_b);
-                quote!(#sign #runtime::product(#a, #b, order))
+    /// What is kept in the block of the present line.
+    pub(super) fn record(&mut self) -> &mut Record {
+        &mut self.records[self.within[self.within.len() - 1]]
+    }
+
+    /// Where the coefficients of a value are.
+    pub(super) fn series(&mut self, fields: &mut Fields, id: NodeId) -> Series {
+        match (self.printer.graph.node(id), &self.moves) {
+            (Node::Coordinate(element), Moves::Alone(_) | Moves::InPlace) => {
+                Series::Row { part: self.printer.part(element), place: self.printer.in_row(fields, element) }
             }
-            Node::Power(a, 4) => {
-                let (_, a) = self.series(fields, a);
-                quote!(#runtime::square(#a, order))
-            }
-            Node::Div(a, b) => {
-                let numerator = printer.expression(fields, a).tokens;
-                let (negative, b) = self.series(fields, b);
-                let sign = sign(negative);
-                quote!(#sign #runtime::quotient(#numerator, #own, #b, order))
-            }
-            Node::Power(a, halves) if self.recurrences.slopes[&id] == [None, None] => {
-                let (_, base) = self.series(fields, a);
-                let (first, halves) = (printer.expression(fields, a).tokens, Literal::i32_unsuffixed(halves));
-                quote!(if order == 0 { #runtime::half_power(#first, #halves) } else { #runtime::power(#own, #base, #halves, order) })
-            }
-            Node::Binary(function, a, b) if is_power(function) => {
-                let (_, base) = self.series(fields, a);
-                let (first, exponent) = (printer.expression(fields, a).tokens, printer.expression(fields, b).tokens);
-                quote!(if order == 0 { #first.powf(#exponent) } else { #runtime::real_power(#own, #base, #exponent, order) })
-            }
-            _ => {
-                let first = match node {
-                    Node::Power(a, halves) => {
-                        let (first, halves) = (printer.expression(fields, a).tokens, Literal::i32_unsuffixed(halves));
-                        quote!(#runtime::half_power(#first, #halves))
-                    }
-                    _ => printer.computation(fields, id).tokens,
-                };
-                let slopes = self.recurrences.slopes[&id];
-                let mut terms = TokenStream::new();
-                for (x, slope) in node.children().zip(slopes).filter_map(|(x, slope)| Some((x, slope?))) {
-                    let ((minus_x, x), (minus_slope, slope)) = (self.series(fields, x), self.series(fields, slope));
-                    let sign = match (minus_x == minus_slope, terms.is_empty()) {
-                        (true, true) => None,
-                        (true, false) => Some(quote!(+)),
-                        (false, _) => Some(quote!(-)),
-                    };
-                    terms.extend(quote!(#sign #runtime::chain(#x, #slope, order)));
-                }
-                // A function without a slope, such as the sign, stays what it is.
-                let terms = if terms.is_empty() { printer.lifted(quote!(0.0)) } else { terms };
-                quote!(if order == 0 { #first } else { #terms })
-            }
+            (Node::Coordinate(_) | Node::Time | Node::Step, _) => self.begun_with(fields, id),
+            _ => match self.places.get(&id) {
+                Some(place) => place.clone(),
+                // Of a value that no recurrence reads, nobody asks.
+                None => Series::Kept { at: format_ident!("tape"), name: self.printer.names[&id].clone() },
+            },
         }
+    }
+
+    /// Where the series of something is kept that the function begins with.
+    fn begun_with(&mut self, fields: &mut Fields, id: NodeId) -> Series {
+        if let Some(place) = self.places.get(&id) {
+            return place.clone();
+        }
+        let value = self.printer.expression(fields, id).tokens;
+        let name = Ident::new(&value.to_string(), Span::call_site());
+        let record = &mut self.records[0];
+        record.slots.push((name.clone(), Kept::Series));
+        let place = Series::Kept { at: record.at.clone(), name };
+        let coefficient = place.of(&quote!(order));
+        self.opening.extend(quote!(#coefficient = #value;));
+        self.places.insert(id, place.clone());
+        place
     }
 }
 
@@ -324,7 +330,7 @@ fn makes(item: &Item, id: NodeId) -> bool {
     }
 }
 
-fn implementation(body: TokenStream, records: &[Record], names: &Names) -> TokenStream {
+fn implementation(body: TokenStream, records: &[Record], rolled: bool, names: &Names) -> TokenStream {
     let Names { runtime, scalar, tape, .. } = names;
     let tape = if has_tape(records) { quote!(#tape<#scalar>) } else { quote!(()) };
     let body = Body::new(body);
@@ -332,25 +338,28 @@ fn implementation(body: TokenStream, records: &[Record], names: &Names) -> Token
         .then(|| quote!(let (step, time) = #runtime::order_of_time::<#scalar>(order, time);));
     let time = Ident::new(if clock.is_some() { "time" } else { "_time" }, Span::call_site());
     let [parameters, length] = ["parameters", "length"].map(|name| body.argument(name));
+    let stride = body.mentions("stride").then(|| quote!(let stride = q.stride();));
     let body = &body.0;
-    let counters = kept(records).map(|number| {
-        let next = next(number);
+    let counters = one_by_one(records).map(|number| {
+        let next = tape::next(number);
         quote!(let mut #next = 0;)
     });
     quote! {
         type Tape<#scalar: #runtime::Real> = #tape;
+        const ROLLED: bool = #rolled;
 
         #[cfg_attr(not(debug_assertions), inline(always))]
         fn order<#scalar: #runtime::Real>(
             #parameters: &Self::Parameters<#scalar>,
             #length: usize,
-            q: &mut [#runtime::Series<#scalar>],
-            p: &mut [#runtime::Series<#scalar>],
+            q: &mut #runtime::Coefficients<'_, #scalar>,
+            p: &mut #runtime::Coefficients<'_, #scalar>,
             tape: &mut Self::Tape<#scalar>,
             order: usize,
             #time: f64,
         ) {
             #clock
+            #stride
             #(#counters)*
             #body
         }

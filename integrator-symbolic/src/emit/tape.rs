@@ -3,15 +3,45 @@
 //! Values outside of all loops lie beside each other; those inside of one have a place for every turn of it.
 
 use super::names::Names;
-use proc_macro2::{Ident, TokenStream};
+use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{format_ident, quote};
 
 /// What is kept in one block: the lines outside of all loops, or those of a turn.
 pub(super) struct Record {
     /// What it is called inside the block.
     pub(super) at: Ident,
-    /// The name of each value, and whether it is a condition.
-    pub(super) slots: Vec<(Ident, bool)>,
+    /// The name of each value, and what is kept of it.
+    pub(super) slots: Vec<(Ident, Kept)>,
+    /// How often there is one of it.
+    pub(super) turns: Turns,
+}
+
+impl Record {
+    pub(super) fn of(at: &str, turns: Turns) -> Self {
+        Self { at: format_ident!("{at}"), slots: Vec::new(), turns }
+    }
+}
+
+/// What is kept of a value.
+#[derive(Clone, Copy)]
+pub(super) enum Kept {
+    /// Its coefficients.
+    Series,
+    /// A number, the same for all orders.
+    Number,
+    /// Where it holds, for all orders.
+    Condition,
+}
+
+/// How often there is a record.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(super) enum Turns {
+    /// It is that of the lines outside of all loops.
+    Once,
+    /// For every turn, one after the other.
+    OneByOne,
+    /// For every eight turns, which read so many coordinates, have so many constants, and move so many coordinates.
+    Abreast([usize; 3]),
 }
 
 /// The list that has a place for every turn of a loop.
@@ -29,53 +59,84 @@ fn turn(number: usize, names: &Names) -> Ident {
     format_ident!("{}{number}", names.turn)
 }
 
-/// The numbers of the loops whose turns keep something.
-pub(super) fn kept(records: &[Record]) -> impl Iterator<Item = usize> {
-    (1..records.len()).filter(|number| !records[*number].slots.is_empty())
+/// The numbers of the loops whose turns keep something, one by one.
+pub(super) fn one_by_one(records: &[Record]) -> impl Iterator<Item = usize> {
+    (1..records.len()).filter(|number| records[*number].turns == Turns::OneByOne && !records[*number].slots.is_empty())
+}
+
+/// How the turns of a loop are kept, if they keep anything.
+fn kind(number: usize, record: &Record, names: &Names) -> Option<TokenStream> {
+    let Names { runtime, scalar, .. } = names;
+    let turn = turn(number, names);
+    match record.turns {
+        Turns::Abreast(counts) => {
+            let [reads, constants, targets] = counts.map(Literal::usize_unsuffixed);
+            let kept = if record.slots.is_empty() { quote!(()) } else { quote!(#turn<#runtime::Abreast<#scalar>>) };
+            Some(quote!(#runtime::Turns<#scalar, #kept, #reads, #constants, #targets>))
+        }
+        Turns::OneByOne if !record.slots.is_empty() => Some(quote!(#runtime::Vec<#turn<#scalar>>)),
+        Turns::Once | Turns::OneByOne => None,
+    }
 }
 
 /// The structs of the tape.
 pub(super) fn tape(records: &[Record], names: &Names) -> TokenStream {
     let Names { runtime, scalar, .. } = names;
-    let structure = |name: &Ident, record: &Record, lists: &[usize], doc: &str| {
-        let fields = record.slots.iter().map(|(slot, is_condition)| match is_condition {
-            true => quote!(#slot: #scalar::Mask,),
-            false => quote!(#slot: #runtime::Series<#scalar>,),
+    let structure = |name: &Ident, record: &Record, lists: &[(Ident, TokenStream)], doc: &str| {
+        let (mut series, mut fields, mut values) = (Vec::new(), TokenStream::new(), TokenStream::new());
+        for (slot, kept) in &record.slots {
+            match kept {
+                Kept::Series => series.push(slot),
+                Kept::Number => {
+                    fields.extend(quote!(#slot: #scalar,));
+                    values.extend(quote!(#slot: #scalar::of(0.0),));
+                }
+                Kept::Condition => {
+                    fields.extend(quote!(#slot: #scalar::Mask,));
+                    values.extend(quote!(#slot: <#scalar::Mask as #runtime::Mask>::of(false),));
+                }
+            }
+        }
+        let of_order = format_ident!("{name}Order");
+        let orders = (!series.is_empty()).then(|| {
+            fields.extend(quote!(kept: [#of_order<#scalar>; #runtime::COEFFICIENTS],));
+            values.extend(quote!(kept: [#of_order { #(#series: #scalar::of(0.0)),* }; #runtime::COEFFICIENTS],));
+            quote! {
+                /// Coefficients of an order.
+                #[derive(::core::clone::Clone, ::core::marker::Copy)]
+                pub struct #of_order<#scalar: #runtime::Real> { #(#series: #scalar),* }
+            }
         });
-        let values = record.slots.iter().map(|(slot, is_condition)| match is_condition {
-            true => quote!(#slot: <#scalar::Mask as #runtime::Mask>::of(false),),
-            false => quote!(#slot: [#scalar::of(0.0); #runtime::COEFFICIENTS],),
-        });
-        let names_of = lists.iter().map(|number| list(*number));
-        let (declared, empty) = (
-            lists.iter().zip(names_of.clone()).map(|(number, list)| {
-                let turn = turn(*number, names);
-                quote!(#list: #runtime::Vec<#turn<#scalar>>,)
-            }),
-            names_of.map(|list| quote!(#list: #runtime::Vec::new(),)),
-        );
+        for (list, kind) in lists {
+            fields.extend(quote!(#list: #kind,));
+            values.extend(quote!(#list: ::core::default::Default::default(),));
+        }
         quote! {
+            #orders
+
             #[doc = #doc]
             #[derive(::core::clone::Clone)]
-            pub struct #name<#scalar: #runtime::Real> { #(#fields)* #(#declared)* }
+            pub struct #name<#scalar: #runtime::Real> { #fields }
 
             impl<#scalar: #runtime::Real> ::core::default::Default for #name<#scalar> {
                 fn default() -> Self {
-                    Self { #(#values)* #(#empty)* }
+                    Self { #values }
                 }
             }
         }
     };
-    let lists: Vec<usize> = kept(records).collect();
-    let turns = lists
-        .iter()
-        .map(|number| structure(&turn(*number, names), &records[*number], &[], " What a turn of a loop keeps."));
+    let numbered = || records.iter().enumerate().skip(1);
+    let lists: Vec<(Ident, TokenStream)> =
+        numbered().filter_map(|(number, record)| Some((list(number), kind(number, record, names)?))).collect();
+    let turns = numbered()
+        .filter(|(_, record)| !record.slots.is_empty())
+        .map(|(number, record)| structure(&turn(number, names), record, &[], " What a turn of a loop keeps."));
     let whole = has_tape(records)
         .then(|| structure(&names.tape, &records[0], &lists, " The coefficients that recurrences read."));
     quote!(#(#turns)* #whole)
 }
 
-/// Whether anything is kept: a motion whose forces are linear reads coordinates alone.
+/// Whether anything is kept: a motion whose forces are linear, without loops, reads coordinates alone.
 pub(super) fn has_tape(records: &[Record]) -> bool {
-    records.iter().any(|record| !record.slots.is_empty())
+    records.iter().any(|record| !record.slots.is_empty() || matches!(record.turns, Turns::Abreast(_)))
 }

@@ -8,7 +8,22 @@ use std::{collections::HashMap, ops::Range};
 use syn::{ExprForLoop, Pat, visit::Visit};
 
 /// Names that the generated functions use themselves.
-const RESERVED: [&str; 9] = ["motion", "step", "time", "duration", "of_lane", "lane", "table", "order", "tape"];
+const RESERVED: [&str; 14] = [
+    "motion",
+    "step",
+    "time",
+    "duration",
+    "of_lane",
+    "lane",
+    "table",
+    "order",
+    "tape",
+    "parameters",
+    "length",
+    "stride",
+    "q",
+    "p",
+];
 
 /// How many turns a loop may have that is written out, because its body is more than a sum.
 const FEW: u64 = 16;

@@ -1,0 +1,148 @@
+//! One part of a state, with the polynomials that it follows for a while.
+
+use super::table::{Coefficients, EIGHT, Eight, Layout, Table};
+use crate::{
+    real::Real,
+    row::Row,
+    slot::{Keep, Slot},
+};
+use alloc::vec::Vec;
+
+/// The coordinates of a part, in the order of the rows of its table.
+#[derive(Clone)]
+pub(super) struct Part<R: Real, K: Keep> {
+    /// The polynomials.
+    table: Table<R>,
+    /// A few coordinates, one by one.
+    few: States<K::Slot<R>>,
+    /// More than a few, side by side in registers.
+    rows: States<K::Slot<Eight<R>>>,
+}
+
+/// Coordinates, with what they carry.
+#[derive(Clone)]
+struct States<S> {
+    /// Where the polynomial begins.
+    begin: Vec<S>,
+    /// Where the run is.
+    shown: Vec<S>,
+}
+
+impl<S: Copy> States<S> {
+    fn at(begin: Vec<S>) -> Self {
+        Self { shown: begin.clone(), begin }
+    }
+    fn copy(&mut self, from: &Self) {
+        self.begin.clone_from(&from.begin);
+        self.shown.clone_from(&from.shown);
+    }
+
+    /// Follows the polynomials from the beginning: `Σ cₖ tᵏ`, as four polynomials in `t⁴` whose sums do not wait for
+    /// each other.
+    #[inline(always)]
+    fn follow<R: Real, W: Row<R>>(&mut self, table: &Coefficients<'_, R>, order: usize, t: R, to: To)
+    where
+        S: Slot<W>,
+    {
+        let t = W::splat(t);
+        let square = t * t;
+        let fourth = square * square;
+        for (row, begin) in self.begin.iter_mut().enumerate() {
+            let place = row * (W::LANES / R::LANES);
+            let mut sums = [W::of(0.0); 4];
+            let rest = order % 4;
+            for (k, sum) in sums.iter_mut().enumerate().take(rest) {
+                *sum = W::read(&table[order - rest + 1 + k][place..]);
+            }
+            for first in (0..order / 4).rev() {
+                for (k, sum) in sums.iter_mut().enumerate() {
+                    *sum = Real::fma(*sum, fourth, W::read(&table[4 * first + 1 + k][place..]));
+                }
+            }
+            let [a, b, c, d] = sums;
+            let (low, high) = (Real::fma(b, t, a), Real::fma(d, t, c));
+            let mut slot = *begin;
+            Slot::fma(&mut slot, t, Real::fma(high, square, low));
+            match to {
+                To::Begin => *begin = slot,
+                To::Shown => self.shown[row] = slot,
+            }
+        }
+    }
+}
+
+/// What is to be where a polynomial leads.
+#[derive(Clone, Copy)]
+pub(super) enum To {
+    /// The beginning of the next one.
+    Begin,
+    /// The state that a run shows.
+    Shown,
+}
+
+impl<R: Real, K: Keep> Part<R, K> {
+    /// The coordinates of each lane.
+    pub(super) fn at(layout: Layout, leaf: impl Fn(usize, usize) -> K) -> Self {
+        let (few, rows) = if layout.is_few() { (layout.width(), 0) } else { (0, layout.width() / EIGHT) };
+        let few = (0..few).map(|place| K::inward(|lane| leaf(lane, layout.coordinate(place))));
+        let rows = (0..rows)
+            .map(|row| K::inward(|lane| leaf(lane % R::LANES, layout.coordinate(row * EIGHT + lane / R::LANES))));
+        Self { table: Table::new(layout), few: States::at(few.collect()), rows: States::at(rows.collect()) }
+    }
+
+    /// The coefficients, those of order 0 being where the polynomials begin.
+    #[inline(always)]
+    pub(super) fn begun(&mut self, layout: Layout) -> Coefficients<'_, R> {
+        let mut table = self.table.of(layout);
+        for (number, slot) in table[0].iter_mut().zip(&self.few.begin) {
+            *number = slot.value();
+        }
+        for (row, slot) in self.rows.begin.iter().enumerate() {
+            slot.value().write(&mut table[0][row * EIGHT..]);
+        }
+        table
+    }
+
+    /// Follows the polynomials for a while.
+    #[inline(always)]
+    pub(super) fn follow(&mut self, layout: Layout, order: usize, t: R, to: To) {
+        let table = self.table.of(layout);
+        if layout.is_few() {
+            self.few.follow::<R, R>(&table, order, t, to);
+        } else {
+            self.rows.follow::<R, Eight<R>>(&table, order, t, to);
+        }
+    }
+
+    /// The largest coefficient of an order; no number, if one of them is none.
+    #[inline(always)]
+    pub(super) fn size(&self, layout: Layout, order: usize) -> f64 {
+        // As integers, sizes are in the same order, behind infinity those that are no numbers.
+        let mut most = 0;
+        for number in self.table.order(layout, order) {
+            most = most.max(number.lane(0).abs().to_bits());
+        }
+        f64::from_bits(most)
+    }
+
+    /// The coordinate in a place, as the run shows it.
+    pub(super) fn leaf(&self, lane: usize, place: usize) -> K {
+        match self.few.shown.get(place) {
+            Some(slot) => K::outward(*slot, lane),
+            None => K::outward(self.rows.shown[place / EIGHT], place % EIGHT * R::LANES + lane),
+        }
+    }
+
+    /// Whether all coordinates are finite.
+    pub(super) fn finite(&self) -> bool {
+        self.few.shown.iter().all(|slot| slot.value().finite())
+            && self.rows.shown.iter().all(|slot| slot.value().finite())
+    }
+
+    /// Takes over another one of as many coordinates.
+    pub(super) fn copy(&mut self, from: &Self) {
+        self.table.clone_from(&from.table);
+        self.few.copy(&from.few);
+        self.rows.copy(&from.rows);
+    }
+}

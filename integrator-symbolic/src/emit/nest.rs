@@ -1,0 +1,230 @@
+//! Loops as Rust: turns side by side as a function of what a turn reads, and the lines that call it; or turn by turn, where
+//! they wait for each other.
+
+use super::{
+    expression::Printer,
+    fields::Fields,
+    function::Body,
+    orders::{Source, Writer},
+    tape::{self, Record, Turns, list},
+};
+use crate::{
+    graph::{Element, NodeId, Part, index::LoopId},
+    program::{
+        Item,
+        nest::{Nest, Surroundings},
+    },
+};
+use proc_macro2::{Ident, Literal, TokenStream};
+use quote::{format_ident, quote};
+use std::collections::HashMap;
+
+/// The names of what a turn is given.
+struct Given {
+    reads: Vec<Ident>,
+    constants: Vec<Ident>,
+    common: Vec<Ident>,
+    /// The lines that make conditions of constants.
+    flags: TokenStream,
+    /// All of it, by what it is.
+    names: HashMap<NodeId, Ident>,
+}
+
+impl Given {
+    /// Values that have a name keep it.
+    fn of(nest: &Nest<'_>, known: &HashMap<NodeId, Ident>, wide: &Ident) -> Self {
+        let name = |id: &NodeId, kind: &str, number: usize| {
+            known.get(id).cloned().unwrap_or_else(|| format_ident!("{kind}_{number}"))
+        };
+        let all = |ids: &[NodeId], kind: &str| -> Vec<Ident> {
+            ids.iter().enumerate().map(|(number, id)| name(id, kind, number)).collect()
+        };
+        let read: Vec<NodeId> = nest.reads.iter().map(|(id, _)| *id).collect();
+        let (reads, mut constants, common) =
+            (all(&read, "read"), all(&nest.constants, "constant"), all(&nest.common, "common"));
+        let holds = all(&nest.flags, "holds");
+        let ids = read.iter().chain(&nest.constants).chain(&nest.common).chain(&nest.flags);
+        let names = reads.iter().chain(&constants).chain(&common).chain(&holds);
+        let names = ids.copied().zip(names.cloned()).collect();
+        let mut flags = TokenStream::new();
+        for (number, holds) in holds.iter().enumerate() {
+            let flag = format_ident!("flag_{number}");
+            flags.extend(quote!(let #holds = #wide::of(0.0).less(#flag);));
+            constants.push(flag);
+        }
+        Self { reads, constants, common, flags, names }
+    }
+}
+
+impl Writer<'_> {
+    /// The nests of a loop whose turns can be computed side by side.
+    pub(super) fn nests<'p>(&self, by: LoopId, body: &'p [Item]) -> Option<Vec<Nest<'p>>> {
+        if self.within.len() > 1 || !self.masks.is_empty() {
+            return None;
+        }
+        let Source { model, program, recurrences, .. } = self.source;
+        let operands = |id| recurrences.operands.get(&id).cloned().unwrap_or_default();
+        Surroundings { graph: &model.graph, named: &program.named, operands: &operands }.nests(by, body)
+    }
+
+    /// The loops of a nest. Turns that keep nothing are left to the compiler.
+    pub(super) fn loops(&mut self, fields: &mut Fields, nest: &Nest<'_>) -> TokenStream {
+        let keeps = |item: &&Item| matches!(item, Item::Let(_) | Item::SineCosine { .. } | Item::Branch { .. });
+        if nest.body.iter().any(keeps) {
+            return self.nest(fields, nest);
+        }
+        let body = self.items(fields, nest.body.iter().copied());
+        nest.loops.iter().rev().fold(body, |body, by| {
+            let (range, index) = (self.printer.graph.loops.get(*by), self.printer.running.get(by));
+            let (from, to) = (self.printer.bound(fields, range.from), self.printer.bound(fields, range.to));
+            quote!(for #index in #from..#to { #body })
+        })
+    }
+
+    /// A loop, whose turns keep what they compute each in a place of its own.
+    pub(super) fn turns(&mut self, fields: &mut Fields, by: LoopId, body: &[Item]) -> TokenStream {
+        let number = self.records.len();
+        let record = Record::of(&format!("turn_{number}"), Turns::OneByOne);
+        let at = record.at.clone();
+        self.records.push(record);
+        self.within.push(number);
+        // What two loops over the same range both compute is kept by each.
+        let outside = self.places.clone();
+        self.allocate(body);
+        let body = self.items(fields, body);
+        self.places = outside;
+        self.within.pop();
+        let (range, index) = (self.printer.graph.loops.get(by), self.printer.running.get(&by));
+        let (from, to) = (self.printer.bound(fields, range.from), self.printer.bound(fields, range.to));
+        let turn = (!self.records[number].slots.is_empty()).then(|| {
+            let (runtime, list, next) = (self.printer.runtime, list(number), tape::next(number));
+            quote!(let #at = #runtime::turn(&mut tape.#list, &mut #next);)
+        });
+        quote!(for #index in #from..#to { #turn #body })
+    }
+
+    /// A nest of loops: its turns are laid out once, and computed in rows.
+    fn nest(&mut self, fields: &mut Fields, nest: &Nest<'_>) -> TokenStream {
+        let names = self.source.names;
+        let (runtime, scalar, wide) = (&names.runtime, &names.scalar, &names.wide);
+        let number = self.records.len();
+        let (turns, turn) = (list(number), format_ident!("turn_{number}"));
+        let given = Given::of(nest, &self.printer.names, wide);
+        let counts = [given.reads.len(), given.constants.len(), nest.targets.len()];
+        let (body, record) = {
+            let mut writer = Writer::abreast(self.source, Record::of("turn", Turns::Abreast(counts)));
+            writer.printer.names.extend(given.names);
+            writer.allocate(nest.body.iter().copied());
+            let body = writer.items(fields, nest.body.iter().copied());
+            let opening = writer.opening;
+            (quote!(#opening #body), writer.records.swap_remove(0))
+        };
+        let body = Body::new(body);
+        let kept = match record.slots.is_empty() {
+            true => quote!(()),
+            false => {
+                let kept = format_ident!("{}{number}", names.turn);
+                quote!(#kept<#wide>)
+            }
+        };
+        self.records.push(record);
+
+        let [of_reads, of_constants, of_targets] = counts.map(Literal::usize_unsuffixed);
+        let of_common = Literal::usize_unsuffixed(given.common.len());
+        let (own, order) = (body.argument("turn"), body.argument("order"));
+        let clock: Vec<Ident> = ["step", "time"]
+            .into_iter()
+            .filter(|name| body.mentions(name))
+            .map(|name| format_ident!("{name}"))
+            .collect();
+        let Given { reads, constants, common, flags, .. } = given;
+        let body = &body.0;
+        let function = quote! {
+            #[cfg_attr(not(debug_assertions), inline(always))]
+            fn #turn<#scalar: #runtime::Real, #wide: #runtime::Row<#scalar>>(
+                #own: &mut #kept,
+                [#(#reads),*]: [#wide; #of_reads],
+                [#(#constants),*]: [#wide; #of_constants],
+                [#(#common),*]: [#wide; #of_common],
+                #order: usize,
+                #(#clock: #wide,)*
+            ) -> [#wide; #of_targets] {
+                let mut found = [#wide::of(0.0); #of_targets];
+                #flags
+                #body
+                found
+            }
+        };
+
+        let taken = self.taken(fields, nest, &turns);
+        let read = nest.reads.iter().enumerate().map(|(number, (_, element))| {
+            let (part, number) = (self.printer.part(*element), Literal::usize_unsuffixed(number));
+            quote!(tape.#turns.read(row, #number, &#part[order]))
+        });
+        let common = nest.common.iter().map(|id| {
+            let value = self.printer.expression(fields, *id).tokens;
+            quote!(#runtime::spread(#value))
+        });
+        quote! {
+            #function
+            if order == 0 && tape.#turns.is_empty() { #taken }
+            for row in 0..tape.#turns.rows() {
+                let reads = [#(#read),*];
+                let (kept, constants) = tape.#turns.row(row);
+                let found = #turn::<#scalar, #runtime::Abreast<#scalar>>(
+                    kept,
+                    reads,
+                    constants,
+                    [#(#common),*],
+                    order,
+                    #(#runtime::spread(#clock),)*
+                );
+                tape.#turns.put(row, found);
+            }
+            tape.#turns.add([&mut q[order + 1], &mut p[order + 1]]);
+        }
+    }
+
+    /// The lines that take down the turns.
+    fn taken(&mut self, fields: &mut Fields, nest: &Nest<'_>, turns: &Ident) -> TokenStream {
+        let scalar = self.printer.scalar;
+        // Names are those of values that are computed at every order.
+        let named = std::mem::take(&mut self.printer.names);
+        let printer = &self.printer;
+        let reads: Vec<_> = nest.reads.iter().map(|(_, element)| printer.in_row(fields, *element)).collect();
+        let targets: Vec<_> = nest.targets.iter().map(|element| printer.in_row(fields, *element)).collect();
+        let mut constants: Vec<_> = nest.constants.iter().map(|id| printer.computation(fields, *id).tokens).collect();
+        constants.extend(nest.flags.iter().map(|id| {
+            let holds = printer.computation(fields, *id).tokens;
+            quote!(#scalar::select(#holds, #scalar::of(1.0), #scalar::of(0.0)))
+        }));
+        let take = quote!(tape.#turns.take([#(#reads),*], [#(#constants),*], [#(#targets),*]););
+        let take = nest.loops.iter().rev().fold(take, |take, by| {
+            let (range, index) = (printer.graph.loops.get(*by), printer.running.get(by));
+            let (from, to) = (printer.bound(fields, range.from), printer.bound(fields, range.to));
+            quote!(for #index in #from..#to { #take })
+        });
+        self.printer.names = named;
+        let parts = nest.targets.iter().map(|element| match element.part {
+            Part::Position => quote!(0),
+            Part::Momentum => quote!(1),
+        });
+        quote!(#take tape.#turns.lay_out(q[0].len(), [#(#parts),*]);)
+    }
+}
+
+impl Printer<'_> {
+    /// Where a coordinate is in the row of an order: components one after the other, each of all points.
+    pub(super) fn in_row(&self, fields: &mut Fields, element: Element) -> TokenStream {
+        let index = self.index(fields, element.index);
+        let Some(component) = element.component else { return index };
+        match self.graph.loops.literal(component) {
+            Some(0) => index,
+            Some(1) => quote!(stride + #index),
+            _ => {
+                let component = self.inner_index(fields, component);
+                quote!(#component * stride + #index)
+            }
+        }
+    }
+}

@@ -1,0 +1,193 @@
+//! Loops whose turns do not wait for each other, so that several can be computed side by side.
+//!
+//! Comes in: a loop of a program. Goes out: its innermost lines with the loops around them, and what a turn needs from
+//! outside; or nothing, where a turn hands anything to another or to the lines around it. Always true: what a turn reads
+//! is coordinates, numbers that stay the same in a run, and values that are the same for all turns.
+
+use super::{Item, Sink};
+use crate::graph::{Element, Graph, Node, NodeId, index::LoopId};
+use std::collections::BTreeSet;
+
+/// Lines and the loops around them, outermost first.
+#[derive(Debug)]
+pub(crate) struct Nest<'p> {
+    pub(crate) loops: Vec<LoopId>,
+    pub(crate) body: Vec<&'p Item>,
+    /// The coordinates that a turn reads.
+    pub(crate) reads: Vec<(NodeId, Element)>,
+    /// The numbers that a turn has for a whole run.
+    pub(crate) constants: Vec<NodeId>,
+    /// The conditions that hold in a turn for a whole run, or do not.
+    pub(crate) flags: Vec<NodeId>,
+    /// The numbers that are the same for all turns: prepared ones, and values with a name.
+    pub(crate) common: Vec<NodeId>,
+    /// The coordinates that a turn moves.
+    pub(crate) targets: Vec<Element>,
+}
+
+/// What is known of the program around a loop.
+pub(crate) struct Surroundings<'s> {
+    pub(crate) graph: &'s Graph,
+    /// The nodes that have a name.
+    pub(crate) named: &'s BTreeSet<NodeId>,
+    /// The nodes whose coefficients of all orders a node is computed from.
+    pub(crate) operands: &'s dyn Fn(NodeId) -> Vec<NodeId>,
+}
+
+impl Surroundings<'_> {
+    /// The nests that a loop consists of.
+    pub(crate) fn nests<'p>(&self, by: LoopId, body: &'p [Item]) -> Option<Vec<Nest<'p>>> {
+        let mut nests = Vec::new();
+        self.split(&mut vec![by], body, &mut nests)?;
+        let made: Vec<BTreeSet<NodeId>> = nests.iter().map(|(_, body)| made(body)).collect();
+        let of_all: BTreeSet<NodeId> = made.iter().flatten().copied().collect();
+        nests
+            .into_iter()
+            .zip(made)
+            .map(|((loops, body), own)| {
+                let elsewhere = of_all.difference(&own).copied().collect();
+                let mut needs = Needs::new(self, own, elsewhere);
+                needs.of_lines(&body)?;
+                let Needs { reads, constants, flags, common, targets, .. } = needs;
+                Some(Nest { loops, body, reads, constants, flags, common, targets })
+            })
+            .collect()
+    }
+
+    /// Takes loops and the lines beside them apart.
+    fn split<'p>(
+        &self,
+        loops: &mut Vec<LoopId>,
+        body: &'p [Item],
+        nests: &mut Vec<(Vec<LoopId>, Vec<&'p Item>)>,
+    ) -> Option<()> {
+        let own: Vec<&Item> = body.iter().filter(|item| !matches!(item, Item::Loop { .. })).collect();
+        // What a loop inside adds up belongs to the lines around it.
+        if own.iter().any(|item| matches!(item, Item::Begin(id) if matches!(self.graph.node(*id), Node::Sum(..)))) {
+            return None;
+        }
+        if !own.is_empty() {
+            nests.push((loops.clone(), own));
+        }
+        for item in body {
+            if let Item::Loop { by, body } = item {
+                loops.push(*by);
+                self.split(loops, body, nests)?;
+                loops.pop();
+            }
+        }
+        Some(())
+    }
+}
+
+/// The values that lines make.
+fn made(lines: &[&Item]) -> BTreeSet<NodeId> {
+    let mut found = BTreeSet::new();
+    for line in lines {
+        match line {
+            Item::Let(id) | Item::Begin(id) => {
+                found.insert(*id);
+            }
+            Item::SineCosine { sine, cosine, .. } => found.extend([*sine, *cosine]),
+            Item::Branch { body, .. } => found.extend(made(&body.iter().collect::<Vec<_>>())),
+            Item::Loop { .. } | Item::Add { .. } | Item::Choose { .. } | Item::Sink(..) => {}
+        }
+    }
+    found
+}
+
+/// What the lines of a turn need.
+struct Needs<'s> {
+    around: &'s Surroundings<'s>,
+    /// What the lines make.
+    own: BTreeSet<NodeId>,
+    /// What other turns or other lines of the loop make.
+    elsewhere: BTreeSet<NodeId>,
+    seen: BTreeSet<NodeId>,
+    reads: Vec<(NodeId, Element)>,
+    constants: Vec<NodeId>,
+    flags: Vec<NodeId>,
+    common: Vec<NodeId>,
+    targets: Vec<Element>,
+}
+
+impl<'s> Needs<'s> {
+    fn new(around: &'s Surroundings<'s>, own: BTreeSet<NodeId>, elsewhere: BTreeSet<NodeId>) -> Self {
+        Self {
+            around,
+            own,
+            elsewhere,
+            seen: BTreeSet::new(),
+            reads: Vec::new(),
+            constants: Vec::new(),
+            flags: Vec::new(),
+            common: Vec::new(),
+            targets: Vec::new(),
+        }
+    }
+
+    fn of_lines(&mut self, lines: &[&Item]) -> Option<()> {
+        for line in lines {
+            match line {
+                Item::Let(id) => self.made(*id)?,
+                Item::SineCosine { sine, cosine, .. } => {
+                    self.made(*sine)?;
+                    self.made(*cosine)?;
+                }
+                Item::Begin(_) => {}
+                Item::Branch { condition, body, .. } => {
+                    self.of(*condition)?;
+                    self.of_lines(&body.iter().collect::<Vec<_>>())?;
+                }
+                Item::Choose { value, .. } => self.of(*value)?,
+                Item::Sink(Sink::Collect(element), value) => {
+                    self.targets.push(*element);
+                    self.of(*value)?;
+                }
+                Item::Loop { .. } | Item::Add { .. } | Item::Sink(..) => return None,
+            }
+        }
+        Some(())
+    }
+
+    /// A line that gives a value a name.
+    fn made(&mut self, id: NodeId) -> Option<()> {
+        if self.around.graph.is_prepared(id) {
+            return self.of(id);
+        }
+        for operand in (self.around.operands)(id) {
+            let is_read = matches!(self.around.graph.node(operand), Node::Coordinate(_) | Node::Time | Node::Step);
+            if !is_read && !self.own.contains(&operand) {
+                return None;
+            }
+            self.of(operand)?;
+        }
+        self.parts(id)
+    }
+
+    fn parts(&mut self, id: NodeId) -> Option<()> {
+        self.around.graph.node(id).children().try_for_each(|child| self.of(child))
+    }
+
+    /// A value that a line reads.
+    fn of(&mut self, id: NodeId) -> Option<()> {
+        let graph = self.around.graph;
+        let node = graph.node(id);
+        if matches!(node, Node::Constant(_) | Node::Time | Node::Step) || !self.seen.insert(id) {
+            return Some(());
+        }
+        match node {
+            Node::Coordinate(element) => self.reads.push((id, element)),
+            Node::Neg(_) => return self.parts(id),
+            _ if graph.is_prepared(id) && node.is_condition() => self.flags.push(id),
+            _ if graph.is_prepared(id) && graph.loops_of(id).is_empty() => self.common.push(id),
+            _ if graph.is_prepared(id) => self.constants.push(id),
+            _ if self.own.contains(&id) => {}
+            // A condition of the lines around is one of numbers that are not side by side.
+            _ if self.elsewhere.contains(&id) || node.is_condition() && self.around.named.contains(&id) => return None,
+            _ if self.around.named.contains(&id) => self.common.push(id),
+            _ => return self.parts(id),
+        }
+        Some(())
+    }
+}
