@@ -24,7 +24,7 @@ pub struct Taylor {
 }
 
 /// The lowest order and the highest.
-const ORDERS: [usize; 2] = [4, COEFFICIENTS - 1];
+pub(super) const ORDERS: [usize; 2] = [4, COEFFICIENTS - 1];
 
 impl Taylor {
     /// Steps whose last coefficients add the share `tolerance` of a coordinate's size at most, with the order that takes the

@@ -1,6 +1,9 @@
 //! One part of a state, with the polynomials that it follows for a while.
 
-use super::table::{Coefficients, EIGHT, Eight, Layout, Table};
+use super::{
+    method::ORDERS,
+    table::{Coefficients, EIGHT, Eight, Layout, Table},
+};
 use crate::{
     real::Real,
     row::Row,
@@ -37,8 +40,9 @@ impl<S: Copy> States<S> {
         self.shown.clone_from(&from.shown);
     }
 
-    /// Follows the polynomials from the beginning: `Σ cₖ tᵏ`, as four polynomials in `t⁴` whose sums do not wait for
-    /// each other.
+    /// Follows the polynomials from the beginning: `Σ cₖ tᵏ`. The higher orders are four polynomials in `t⁴`, whose sums
+    /// do not wait for each other; the lowest come in one after the other (Horner), with one rounding each, since theirs
+    /// are the roundings that count.
     #[inline(always)]
     fn follow<R: Real, W: Row<R>>(&mut self, table: &Coefficients<'_, R>, order: usize, t: R, to: To)
     where
@@ -49,20 +53,24 @@ impl<S: Copy> States<S> {
         let fourth = square * square;
         for (row, begin) in self.begin.iter_mut().enumerate() {
             let place = row * (W::LANES / R::LANES);
+            let coefficient = |k: usize| &table[k][place..];
             let mut sums = [W::of(0.0); 4];
-            let rest = order % 4;
+            let (tail, rest) = ((order - LOWEST) / 4, (order - LOWEST) % 4);
             for (k, sum) in sums.iter_mut().enumerate().take(rest) {
-                *sum = W::read(&table[order - rest + 1 + k][place..]);
+                *sum = W::read(coefficient(order - rest + 1 + k));
             }
-            for first in (0..order / 4).rev() {
+            for first in (0..tail).rev() {
                 for (k, sum) in sums.iter_mut().enumerate() {
-                    *sum = Real::fma(*sum, fourth, W::read(&table[4 * first + 1 + k][place..]));
+                    *sum = Real::fma(*sum, fourth, W::read(coefficient(LOWEST + 4 * first + 1 + k)));
                 }
             }
             let [a, b, c, d] = sums;
-            let (low, high) = (Real::fma(b, t, a), Real::fma(d, t, c));
+            let mut sum = Real::fma(Real::fma(d, t, c), square, Real::fma(b, t, a));
+            for k in (1..LOWEST + 1).rev() {
+                sum = Real::fma(sum, t, W::read(coefficient(k)));
+            }
             let mut slot = *begin;
-            Slot::fma(&mut slot, t, Real::fma(high, square, low));
+            Slot::fma(&mut slot, t, sum);
             match to {
                 To::Begin => *begin = slot,
                 To::Shown => self.shown[row] = slot,
@@ -70,6 +78,9 @@ impl<S: Copy> States<S> {
         }
     }
 }
+
+/// How many orders are summed up one after the other; as many as the lowest order of the method.
+const LOWEST: usize = ORDERS[0];
 
 /// What is to be where a polynomial leads.
 #[derive(Clone, Copy)]
