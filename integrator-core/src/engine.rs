@@ -184,7 +184,7 @@ impl<M: Clone> Watched<M> {
         self.moves.close(&mut self.closed, Clock { steps: clock.steps + steps, ..clock });
         let finite = self.closed.finite();
         if !finite {
-            self.unsolved = self.motion.unsolved().cloned();
+            self.unsolved = self.motion.unsolved(0).cloned();
             self.motion.copy_state(&self.snapshot);
         }
         finite
@@ -275,7 +275,7 @@ impl<M: Motion<C, P>, P: Send + Sync + 'static, C: Coords> Engine<C> for Solo<M,
             }
         };
         if !motion.finite() {
-            return Err(motion.unsolved().cloned());
+            return Err(motion.unsolved(0).cloned());
         }
         let mut state = from.clone();
         motion.store(0, &mut state);

@@ -5,14 +5,15 @@
 
 use crate::{
     abreast::Abreast,
-    composition::Composition,
     coords::Coords,
     energies::{EnergyOf, energy},
-    engine::{Clock, Moves, moves},
+    engine::{Clock, Moves},
     error::{Error, Lost},
-    group::{GroupMoves, group_moves},
+    group::GroupMoves,
     hamiltonian::{Hamiltonian, Prepared, Shaped},
+    in_lanes::InLanes,
     instruction_set::InstructionSet,
+    method::Method,
     pack::{Alone, Course, Pack, Start},
     phase::Phase,
     real::Real,
@@ -25,7 +26,7 @@ use std::{
     fmt,
     panic::resume_unwind,
     sync::{
-        Mutex, PoisonError,
+        Arc, Mutex, PoisonError,
         atomic::{AtomicU64, Ordering},
     },
     thread,
@@ -73,29 +74,31 @@ pub struct Ensemble<C: Coords> {
 }
 
 impl<C: Coords> Ensemble<C> {
-    /// An ensemble of `(system, start)` pairs that take steps `h` with any composition that may integrate the systems.
+    /// An ensemble of `(system, start)` pairs that take steps `h` with any composition that may integrate the systems, or with
+    /// [`Taylor`](crate::taylor::Taylor), where each member goes by polynomials of its own between these steps.
     ///
     /// # Errors
     /// [`Error::NoMembers`] without members; [`Error::Member`] naming the first member whose start or step is refused,
     /// for the reasons of [`Hamiltonian::run`].
-    pub fn new<H, K, X>(composition: X, members: impl IntoIterator<Item = (H, Phase<C>)>, h: f64) -> Result<Self, Error>
+    pub fn new<H, K, X>(method: X, members: impl IntoIterator<Item = (H, Phase<C>)>, h: f64) -> Result<Self, Error>
     where
         H: Hamiltonian,
         K: Abreast,
-        X: Composition<H>,
+        X: InLanes<H>,
         H::Coords: Coords<With<K> = C>,
     {
         let (mut prepared, mut coordinates) = (Vec::new(), 0);
         for (member, (system, start)) in members.into_iter().enumerate() {
             let refused = |error| Error::Member { member, error: Box::new(error) };
-            admissible_with(composition, &start, h).map_err(refused)?;
+            admissible_with(method, &start, h).map_err(refused)?;
             let parameters = system.parameters(start.q.length());
             if !H::Parameters::<f64>::not_finite(&parameters).is_empty() {
                 // Whether that matters, a run of its own tells.
-                Run::start::<H, X, K>(&system, composition, start.clone(), h).map_err(refused)?;
+                Run::start::<H, X, K>(&system, method, start.clone(), h).map_err(refused)?;
             }
             coordinates += start.q.flat().len() as u64;
-            prepared.push((parameters, start));
+            let parameters = Arc::new(parameters);
+            prepared.push(Start { constants: method.constants(parameters.clone()), parameters, state: start });
         }
         if prepared.is_empty() {
             return Err(Error::NoMembers);
@@ -137,7 +140,8 @@ impl<C: Coords> Ensemble<C> {
     /// Takes `steps` steps with every member that is under way.
     ///
     /// # Errors
-    /// [`Error::Lost`] names the members that left the finite numbers in these steps; all others have taken them, and
+    /// [`Error::Lost`] names the members that left the finite numbers in these steps, or came too near to a singularity for
+    /// [`Taylor`](crate::taylor::Taylor); all others have taken them, and
     /// the ensemble goes on without the lost ones, which stay at their last finite state. [`Error::Time`],
     /// [`Error::Clock`] and [`Error::Steps`] leave the ensemble as it was.
     pub fn advance(&mut self, steps: u64) -> Result<(), Error> {
@@ -298,14 +302,17 @@ impl<C: Coords> fmt::Debug for Ensemble<C> {
     }
 }
 
+/// A member of a system as it starts with a method.
+type StartOf<H, X, K> = Start<<H as Hamiltonian>::Parameters<f64>, <X as Method<H>>::Constants, Shaped<H, K>>;
+
 /// Neighbours that are alike in what lanes have to share go side by side, in packs of such a size that threads can share
 /// them; whoever is like no neighbour goes alone.
-fn packs<H: Hamiltonian, X: Composition<H>, L: Real, R: Real, K: Keep, const REGISTERS: usize>(
-    members: Vec<Start<H::Parameters<f64>, Shaped<H, K>>>,
+fn packs<H: Hamiltonian, X: InLanes<H>, L: Real, R: Real, K: Keep, const REGISTERS: usize>(
+    members: Vec<StartOf<H, X, K>>,
     threads: usize,
 ) -> Vec<Box<dyn Pack<Shaped<H, K>>>> {
-    let together: GroupMoves<H::Motion<L, K>> = group_moves::<H, X, L, K, REGISTERS>();
-    let alone: Moves<H::Motion<R, K>> = moves::<H, X, R, K>();
+    let together: GroupMoves<X::Motion<L, K>> = X::group_moves::<L, K, REGISTERS>();
+    let alone: Moves<X::Motion<R, K>> = X::moves::<R, K>();
     let energy: EnergyOf<H::Parameters<f64>, Shaped<H, K>> = energy::<H, R, K>;
     let group = together.lanes * together.together;
     let size = group * (members.len() / (group * PACKS_PER_THREAD * threads)).clamp(1, GROUPS_PER_PACK);
@@ -316,8 +323,8 @@ fn packs<H: Hamiltonian, X: Composition<H>, L: Real, R: Real, K: Keep, const REG
         let mut alike = vec![member];
         while alike.len() < size
             && let Some(next) = members.next_if(|next| {
-                let same = <H::Parameters<f64> as Prepared<f64>>::alike(&alike[0].0, &next.0);
-                same && alike[0].1.q.length() == next.1.q.length()
+                let same = <H::Parameters<f64> as Prepared<f64>>::alike(&alike[0].parameters, &next.parameters);
+                same && alike[0].state.q.length() == next.state.q.length()
             })
         {
             alike.push(next);
@@ -325,7 +332,7 @@ fn packs<H: Hamiltonian, X: Composition<H>, L: Real, R: Real, K: Keep, const REG
         let count = alike.len();
         packs.push(match <[_; 1]>::try_from(alike) {
             Ok([member]) => Box::new(Alone::new(first, member, alone, energy)),
-            Err(alike) => Box::new(SideBySide::new(first, alike, together, alone, energy)),
+            Err(alike) => Box::new(SideBySide::new(first, alike, together, energy)),
         });
         first += count;
     }

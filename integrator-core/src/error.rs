@@ -237,7 +237,8 @@ impl Divergence {
     }
 }
 
-/// Which members of an ensemble left the finite numbers. They stay at their last finite state; the others have gone on.
+/// Which members of an ensemble left the finite numbers, or have a next step that the method could not solve. They stay at
+/// their last finite state; the others have gone on.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[error("{}", self.text())]
 pub struct Lost {

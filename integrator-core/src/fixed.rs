@@ -82,6 +82,10 @@ impl<R: Real> Slot<R> for Fixed<R> {
         let anchor = R::of(ANCHOR) * self.spacing;
         self.add_anchored(a.fma(b, anchor), anchor);
     }
+    #[inline(always)]
+    fn select(mask: R::Mask, a: Self, b: Self) -> Self {
+        Self { value: R::select(mask, a.value, b.value), spacing: R::select(mask, a.spacing, b.spacing) }
+    }
 }
 
 impl Keep for Fixed<f64> {

@@ -23,7 +23,7 @@ const MOST: usize = 6;
 const FOR_STATE: usize = 24;
 
 /// What is done to motions whose lanes are members, compiled for one system, composition and vector.
-pub(crate) struct GroupMoves<M> {
+pub struct GroupMoves<M> {
     /// How many members a motion has.
     pub(crate) lanes: usize,
     /// How many motions go together.

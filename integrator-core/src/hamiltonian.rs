@@ -143,14 +143,25 @@ pub trait Motion<C: Coords, P>: Clone + Send + Sync + 'static {
     fn load<'a>(of_lane: impl Fn(usize) -> (&'a P, &'a Phase<C>)) -> Self
     where
         P: 'a;
+    /// One member per lane, each from a lane of another motion, of the shape of `shape`, and from there on as it would have
+    /// gone on there.
+    fn gathered(from: &[(&P, &Self, usize)], shape: &Phase<C>) -> Self {
+        let state = |(_, motion, lane): &(&P, &Self, usize)| {
+            let mut state = shape.clone();
+            motion.store(*lane, &mut state);
+            state
+        };
+        let states: Vec<_> = from.iter().map(state).collect();
+        Self::load(|lane| (from[lane].0, &states[lane]))
+    }
     /// Writes the state of one lane.
     fn store(&self, lane: usize, to: &mut Phase<C>);
     /// Takes over the coordinates of another motion with the same constants, in place.
     fn copy_state(&mut self, from: &Self);
     /// Lets so many threads share the work, or all that the machine has, where a layout has work to share.
     fn share_among(&mut self, _threads: Option<usize>) {}
-    /// Why the steps of a method could not be solved, after which it stands still and is not finite.
-    fn unsolved(&self) -> Option<&Unsolved> {
+    /// Why the steps of a method could not be solved in a lane, after which this stands still and is not finite.
+    fn unsolved(&self, _lane: usize) -> Option<&Unsolved> {
         None
     }
     /// How often steps have evaluated the force, where they count it.

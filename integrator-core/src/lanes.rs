@@ -120,6 +120,7 @@ macro_rules! lanes_real {
     (unary: $($unary:ident)*; binary: $($binary:ident)*;) => {
         impl<F: Real, const N: usize> Real for Lanes<F, N> {
             const LANES: usize = N * F::LANES;
+            const MEMBERS: usize = N * F::MEMBERS;
             type Mask = LaneMask<F::Mask, N>;
             type Block = Self;
             type Row<const M: usize> = Lanes<Self, M>;

@@ -106,8 +106,12 @@ mod functions;
 mod fused;
 mod gather;
 #[cfg(feature = "std")]
+#[allow(unreachable_pub, reason = "named in bounds, never outside")]
 mod group;
 mod hamiltonian;
+#[cfg(feature = "std")]
+#[allow(unreachable_pub, reason = "named in bounds, never outside")]
+mod in_lanes;
 mod instruction_set;
 #[allow(unreachable_pub, reason = "named in bounds, never outside")]
 mod lanes;
@@ -162,6 +166,8 @@ pub use ensemble::Ensemble;
 pub use error::{Divergence, Error, Lost, NotFinite, Unsolved};
 pub use fixed::Fixed;
 pub use hamiltonian::{Hamiltonian, QuadraticKinetic};
+#[cfg(feature = "std")]
+pub use in_lanes::InLanes;
 pub use instruction_set::InstructionSet;
 pub use integrator_macros::{composition, hamiltonian};
 pub use method::{Described, Facts, Method};

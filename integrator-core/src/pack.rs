@@ -59,27 +59,30 @@ pub(crate) trait Pack<C: Coords>: Send + Sync {
     fn energy(&self, member: usize, clock: Clock) -> f64;
 }
 
-/// The prepared constants and the start of a member.
-pub(crate) type Start<P, C> = (P, Phase<C>);
+/// A member as it starts: the prepared constants of the system, those of a run by the method, and the state.
+pub(crate) struct Start<P, Q, C> {
+    pub(crate) parameters: Arc<P>,
+    pub(crate) constants: Arc<Q>,
+    pub(crate) state: Phase<C>,
+}
 
 /// A member that shares no lanes.
-pub(crate) struct Alone<M, P, C> {
+pub(crate) struct Alone<M, Q, C> {
     number: usize,
-    solo: Solo<M, P, C>,
+    solo: Solo<M, Q, C>,
     /// How many steps it took, once it is no longer under way.
     halted: Option<u64>,
 }
 
-impl<M: Motion<C, P>, P: Send + Sync + 'static, C: Coords> Alone<M, P, C> {
-    pub(crate) fn new(
+impl<M: Motion<C, Q>, Q: Send + Sync + 'static, C: Coords> Alone<M, Q, C> {
+    pub(crate) fn new<P: Send + Sync + 'static>(
         number: usize,
-        (parameters, start): Start<P, C>,
+        Start { parameters, constants, state }: Start<P, Q, C>,
         moves: Moves<M>,
         energy: EnergyOf<P, C>,
     ) -> Self {
-        let parameters = Arc::new(parameters);
-        let energies = energies(parameters.clone(), energy);
-        Self { number, solo: Solo::new(parameters, start, moves, energies), halted: None }
+        let energies = energies(parameters, energy);
+        Self { number, solo: Solo::new(constants, state, moves, energies), halted: None }
     }
 
     fn clock(&self, clock: Clock) -> Clock {
@@ -87,7 +90,7 @@ impl<M: Motion<C, P>, P: Send + Sync + 'static, C: Coords> Alone<M, P, C> {
     }
 }
 
-impl<M: Motion<C, P>, P: Send + Sync + 'static, C: Coords> Pack<C> for Alone<M, P, C> {
+impl<M: Motion<C, Q>, Q: Send + Sync + 'static, C: Coords> Pack<C> for Alone<M, Q, C> {
     fn first(&self) -> usize {
         self.number
     }

@@ -100,6 +100,8 @@ macro_rules! declare_real {
         {
             /// How many members of an ensemble (or parts of a dual) one value holds.
             const LANES: usize;
+            /// How many of its lanes are members, each with a way of its own: all, but for a number that is made of parts.
+            const MEMBERS: usize = Self::LANES;
             /// Which lanes a condition holds in.
             type Mask: Mask;
             /// Neighbouring numbers of an array side by side, as many as the registers of the clone hold; `Self` where

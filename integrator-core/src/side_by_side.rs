@@ -5,8 +5,8 @@
 
 use crate::{
     coords::Coords,
-    energies::{EnergyOf, energies},
-    engine::{Clock, Engine, Moves, Solo},
+    energies::EnergyOf,
+    engine::Clock,
     error::Divergence,
     group::GroupMoves,
     hamiltonian::Motion,
@@ -17,9 +17,9 @@ use crate::{
 use alloc::sync::Arc;
 
 /// Neighbours that are alike in what lanes have to share.
-pub(crate) struct SideBySide<L, M, P, C> {
+pub(crate) struct SideBySide<L, P, Q, C> {
     first: usize,
-    members: Vec<Member<P, C>>,
+    members: Vec<Member<P, Q, C>>,
     /// The place in `members` of the one in each lane.
     lanes: Vec<usize>,
     motions: Vec<L>,
@@ -28,12 +28,13 @@ pub(crate) struct SideBySide<L, M, P, C> {
     /// Where a step is completed to be looked at.
     closed: Vec<L>,
     together: GroupMoves<L>,
-    alone: Moves<M>,
     energy: EnergyOf<P, C>,
 }
 
-struct Member<P, C> {
-    parameters: P,
+struct Member<P, Q, C> {
+    parameters: Arc<P>,
+    /// Those of a run by the method.
+    constants: Arc<Q>,
     /// The state where the member halted; before, any state of the same shape.
     state: Phase<C>,
     /// How many steps it took, once it is no longer under way.
@@ -46,49 +47,54 @@ fn lane<L>(motions: &[L], per_motion: usize, lane: usize) -> (&L, usize) {
 }
 
 /// The states of motions with the same constants.
-fn copy_states<L: Motion<C, P>, P, C: Coords>(to: &mut [L], from: &[L]) {
+fn copy_states<L: Motion<C, Q>, Q, C: Coords>(to: &mut [L], from: &[L]) {
     to.iter_mut().zip(from).for_each(|(to, from)| to.copy_state(from));
 }
 
-impl<L, M, P, C> SideBySide<L, M, P, C>
+impl<L, P, Q, C> SideBySide<L, P, Q, C>
 where
-    L: Motion<C, P>,
-    M: Motion<C, P>,
-    P: Clone + Send + Sync + 'static,
+    L: Motion<C, Q>,
+    P: Send + Sync + 'static,
+    Q: Send + Sync + 'static,
     C: Coords,
 {
     pub(crate) fn new(
         first: usize,
-        members: Vec<Start<P, C>>,
+        members: Vec<Start<P, Q, C>>,
         together: GroupMoves<L>,
-        alone: Moves<M>,
         energy: EnergyOf<P, C>,
     ) -> Self {
-        let member = |(parameters, state)| Member { parameters, state, halted: None };
+        let member = |Start { parameters, constants, state }| Member { parameters, constants, state, halted: None };
         let members: Vec<_> = members.into_iter().map(member).collect();
-        let mut pack = Self {
+        let load = |members: &[Member<P, Q, C>]| {
+            L::load(|lane| {
+                let member = &members[lane.min(members.len() - 1)];
+                (&*member.constants, &member.state)
+            })
+        };
+        let motions: Vec<_> = members.chunks(together.lanes).map(load).collect();
+        Self {
             first,
             lanes: (0..members.len()).collect(),
             members,
-            motions: Vec::new(),
-            snapshot: Vec::new(),
-            closed: Vec::new(),
+            snapshot: motions.clone(),
+            closed: motions.clone(),
+            motions,
             together,
-            alone,
             energy,
-        };
-        pack.line_up();
-        pack
+        }
     }
 
-    /// Fills the lanes with the states of their members, which may be in the middle of a step.
-    fn line_up(&mut self) {
-        let in_lane = |place: &usize| (&self.members[*place].parameters, &self.members[*place].state);
-        self.motions = (self.lanes.chunks(self.together.lanes))
-            .map(|places| L::load(|lane| in_lane(&places[lane.min(places.len() - 1)])))
+    /// A motion of the members that are in some lanes of these motions, of which there are no more than a motion has.
+    fn gathered(&self, motions: &[L], numbers: &[usize]) -> L {
+        let from: Vec<_> = (0..self.together.lanes)
+            .map(|to| {
+                let number = numbers[to.min(numbers.len() - 1)];
+                let (motion, lane) = lane(motions, self.together.lanes, number);
+                (&*self.members[self.lanes[number]].constants, motion, lane)
+            })
             .collect();
-        self.snapshot.clone_from(&self.motions);
-        self.closed.clone_from(&self.motions);
+        L::gathered(&from, &self.members[self.lanes[numbers[0]]].state)
     }
 
     /// The state in a lane of these motions.
@@ -107,42 +113,58 @@ where
 
     /// Takes the members that halted out of the lanes.
     fn close_ranks(&mut self) {
-        if self.lanes.iter().all(|place| self.members[*place].halted.is_none()) {
+        let is_under_way = |place: &usize| self.members[*place].halted.is_none();
+        if self.lanes.iter().all(is_under_way) {
             return;
         }
-        for number in 0..self.lanes.len() {
-            let place = self.lanes[number];
-            if self.members[place].halted.is_none() {
-                self.members[place].state = self.in_lane(&self.motions, number);
-            }
-        }
-        self.lanes.retain(|place| self.members[*place].halted.is_none());
-        self.line_up();
+        let stay: Vec<usize> = (0..self.lanes.len()).filter(|number| is_under_way(&self.lanes[*number])).collect();
+        let motions = stay.chunks(self.together.lanes).map(|numbers| self.gathered(&self.motions, numbers)).collect();
+        self.lanes = stay.into_iter().map(|number| self.lanes[number]).collect();
+        self.motions = motions;
+        self.snapshot.clone_from(&self.motions);
+        self.closed.clone_from(&self.motions);
     }
 
-    /// The members that are not finite after a block from `clock`, whose end is in `closed`. What left the finite numbers never returns, since
-    /// updates only add; so each of them runs alone from the snapshot, to its last finite state.
+    /// The members that are lost in a block from `clock`, whose end is in `closed`.
     fn lost(&mut self, clock: Clock, block: u64) -> Vec<(usize, Divergence)> {
         if (self.together.finite)(&self.closed) {
             return Vec::new();
         }
         let mut lost = Vec::new();
         for number in 0..self.lanes.len() {
-            if is_finite(&self.in_lane(&self.closed, number)) {
+            let (motion, lane) = lane(&self.closed, self.together.lanes, number);
+            let place = self.lanes[number];
+            if is_good(motion, lane, &self.in_lane(&self.closed, number)) {
                 continue;
             }
-            let (place, state) = (self.lanes[number], self.in_lane(&self.snapshot, number));
-            let member = &mut self.members[place];
-            let parameters = Arc::new(member.parameters.clone());
-            let energies = energies(parameters.clone(), self.energy);
-            let mut solo = Solo::<M, P, C>::new(parameters, state, self.alone, energies);
-            let taken = solo.advance(clock, block);
+            let (taken, state) = self.replayed(number, clock, block);
             let at = Clock { steps: clock.steps + taken, ..clock };
-            member.state = solo.state(at);
-            member.halted = Some(at.steps);
-            lost.push((self.first + place, at.divergence(&member.state)));
+            lost.push((self.first + place, at.divergence(&state)));
+            self.members[place].state = state;
+            self.members[place].halted = Some(at.steps);
         }
         lost
+    }
+
+    /// How many steps of a block from `clock` lead a member to good states, and the last of these. What left the finite numbers
+    /// never returns, since updates only add; so it goes from the snapshot step by step, in all lanes of a motion of its own.
+    fn replayed(&self, number: usize, clock: Clock, block: u64) -> (u64, Phase<C>) {
+        let mut motion = [self.gathered(&self.snapshot, &[number])];
+        let (mut closed, mut last) = (motion.clone(), self.members[self.lanes[number]].state.clone());
+        for taken in 0..=block {
+            let at = Clock { steps: clock.steps + taken, ..clock };
+            copy_states(&mut closed, &motion);
+            (self.together.close)(&mut closed, at);
+            let mut state = last.clone();
+            closed[0].store(0, &mut state);
+            // The block began at a good one.
+            if taken > 0 && !is_good(&closed[0], 0, &state) {
+                return (taken - 1, last);
+            }
+            last = state;
+            (self.together.advance)(&mut motion, at, 1);
+        }
+        (block, last)
     }
 
     /// Asks the members that are under way whether they stay; `closed` holds their states.
@@ -161,11 +183,11 @@ where
     }
 }
 
-impl<L, M, P, C> Pack<C> for SideBySide<L, M, P, C>
+impl<L, P, Q, C> Pack<C> for SideBySide<L, P, Q, C>
 where
-    L: Motion<C, P>,
-    M: Motion<C, P>,
-    P: Clone + Send + Sync + 'static,
+    L: Motion<C, Q>,
+    P: Send + Sync + 'static,
+    Q: Send + Sync + 'static,
     C: Coords,
 {
     fn first(&self) -> usize {
@@ -230,6 +252,8 @@ where
     }
 }
 
-fn is_finite<C: Coords>(state: &Phase<C>) -> bool {
-    state.q.flat().iter().chain(state.p.flat()).all(|leaf| leaf.to_f64().is_finite())
+/// Whether a lane, whose state this is, may go on.
+fn is_good<L: Motion<C, Q>, Q, C: Coords>(motion: &L, lane: usize, state: &Phase<C>) -> bool {
+    let finite = state.q.flat().iter().chain(state.p.flat()).all(|leaf| leaf.to_f64().is_finite());
+    finite && motion.unsolved(lane).is_none()
 }

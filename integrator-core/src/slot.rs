@@ -19,6 +19,8 @@ pub trait Slot<R: Real>: Copy + Send + Sync + 'static {
     fn add(&mut self, d: R);
     /// Adds `a * b`.
     fn fma(&mut self, a: R, b: R);
+    /// `a` in the lanes of `mask`, `b` in the others.
+    fn select(mask: R::Mask, a: Self, b: Self) -> Self;
 
     /// The numbers of the first slots.
     #[inline(always)]
@@ -51,6 +53,10 @@ impl<R: Real> Slot<R> for R {
     #[inline(always)]
     fn fma(&mut self, a: R, b: R) {
         *self = a.fma(b, *self);
+    }
+    #[inline(always)]
+    fn select(mask: R::Mask, a: R, b: R) -> R {
+        R::select(mask, a, b)
     }
     #[inline(always)]
     fn read<B: Block<R>>(from: &[Self]) -> B {
@@ -172,6 +178,10 @@ impl<R: Real> Slot<R> for Compensated<R> {
         let sum = self.value + update;
         self.carried = update - (sum - self.value);
         self.value = sum;
+    }
+    #[inline(always)]
+    fn select(mask: R::Mask, a: Self, b: Self) -> Self {
+        Self { value: R::select(mask, a.value, b.value), carried: R::select(mask, a.carried, b.carried) }
     }
 }
 

@@ -122,6 +122,7 @@ macro_rules! twofold_real {
     (unary: $($unary:ident)*; binary: $($binary:ident)*;) => {
         impl Real for Twofold {
             const LANES: usize = 2;
+            const MEMBERS: usize = 1;
             type Mask = bool;
             type Block = Self;
             type Row<const N: usize> = Lanes<Self, N>;

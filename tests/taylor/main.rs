@@ -5,6 +5,7 @@
 
 mod crossings;
 mod drift;
+mod ensemble;
 mod global_error;
 #[path = "../support/instruction_sets.rs"]
 mod instruction_sets;

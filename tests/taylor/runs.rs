@@ -45,9 +45,9 @@ impl Kepler {
 }
 
 /// A constant force, none, or a potential that is not bounded below.
-struct Hill {
-    slope: f64,
-    quartic: f64,
+pub(crate) struct Hill {
+    pub(crate) slope: f64,
+    pub(crate) quartic: f64,
 }
 
 #[hamiltonian(taylor)]
@@ -73,7 +73,7 @@ impl Fall {
     }
 }
 
-struct Driven;
+pub(crate) struct Driven;
 
 #[hamiltonian(taylor)]
 impl Driven {
@@ -86,7 +86,7 @@ impl Driven {
 }
 
 /// A chain of as many sites as the start has.
-struct Chain;
+pub(crate) struct Chain;
 
 #[hamiltonian(taylor)]
 impl Chain {

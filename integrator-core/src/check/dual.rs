@@ -112,6 +112,7 @@ macro_rules! dual_real {
     (unary: $($unary:ident)*; binary: $($binary:ident)*;) => {
         impl Real for Dual {
             const LANES: usize = 2;
+            const MEMBERS: usize = 1;
             type Mask = bool;
             type Block = Self;
             type Row<const N: usize> = Lanes<Self, N>;

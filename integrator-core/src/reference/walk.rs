@@ -106,7 +106,7 @@ impl<R: Real, C: Coords, P: Clone + Send + Sync + 'static, M: Recipe> Motion<C, 
         self.unsolved.clone_from(&from.unsolved);
         self.evaluations = from.evaluations;
     }
-    fn unsolved(&self) -> Option<&Unsolved> {
+    fn unsolved(&self, _lane: usize) -> Option<&Unsolved> {
         self.unsolved.as_ref()
     }
     fn evaluations(&self) -> Option<u64> {

@@ -1,14 +1,19 @@
 //! A motion that is a polynomial for a while.
+//!
+//! Always true: a lane's polynomials are found from what is in the lane alone, and begin where this asks for it. Where one lane
+//! needs a polynomial all of them are computed, those of the others to the bits that they had.
 
 use super::{
     Recurrences, Taylor,
     horizon::reach,
+    leg::Leg,
     moment::Moment,
     part::{Part, To},
     series::COEFFICIENTS,
     table::Layout,
 };
 use crate::{
+    block::WIDEST,
     coords::Coords,
     engine::{Clock, Moves},
     error::Unsolved,
@@ -25,7 +30,7 @@ pub struct Constants<P> {
     pub(super) method: Taylor,
 }
 
-/// A polynomial, how far it reaches, and where on it the run is.
+/// The polynomials of the members, and where on them these are.
 #[derive(Clone)]
 pub struct Expansion<R: Real, C: Coords, P, T> {
     method: Taylor,
@@ -35,11 +40,8 @@ pub struct Expansion<R: Real, C: Coords, P, T> {
     q: Part<R, C::Leaf>,
     p: Part<R, C::Leaf>,
     tape: T,
-    /// When the polynomial begins, from the start of the clock.
-    begin: Moment,
-    /// How far it reaches, with the sign of the step; nothing before it is found.
-    reach: Option<f64>,
-    unsolved: Option<Unsolved>,
+    /// Those of the members, of which there may be fewer.
+    legs: [Leg; WIDEST],
 }
 
 impl<R, C, P, Q, T> Motion<C, Constants<Q>> for Expansion<R, C, P, T>
@@ -61,9 +63,24 @@ where
             q: Part::at(layout, |lane, coordinate| of_lane(lane).1.q.flat()[coordinate]),
             p: Part::at(layout, |lane, coordinate| of_lane(lane).1.p.flat()[coordinate]),
             tape: T::default(),
-            begin: Moment::default(),
-            reach: None,
-            unsolved: None,
+            legs: Default::default(),
+        }
+    }
+    fn gathered(from: &[(&Constants<Q>, &Self, usize)], _shape: &Phase<C>) -> Self {
+        let (constants, Self { length, .. }, _) = from[0];
+        let layout = Layout::of::<C>(*length);
+        Self {
+            method: constants.method,
+            parameters: P::gather(|lane| &*from[lane].0.parameters),
+            length: *length,
+            q: Part::gathered(layout, |lane| (&from[lane].1.q, from[lane].2)),
+            p: Part::gathered(layout, |lane| (&from[lane].1.p, from[lane].2)),
+            tape: T::default(),
+            legs: core::array::from_fn(|lane| {
+                let leg = from.get(lane).map(|(_, motion, lane)| motion.legs[*lane].clone());
+                // From the same beginning, the same polynomial is found again.
+                Leg { reach: None, ..leg.unwrap_or_default() }
+            }),
         }
     }
     fn store(&self, lane: usize, to: &mut Phase<C>) {
@@ -78,20 +95,19 @@ where
         // The tape is written before it is read.
         self.q.copy(&from.q);
         self.p.copy(&from.p);
-        self.begin = from.begin;
-        self.reach = from.reach;
-        self.unsolved.clone_from(&from.unsolved);
+        self.legs[..R::MEMBERS].clone_from_slice(&from.legs[..R::MEMBERS]);
     }
-    fn unsolved(&self) -> Option<&Unsolved> {
-        self.unsolved.as_ref()
+    fn unsolved(&self, lane: usize) -> Option<&Unsolved> {
+        self.legs[lane].unsolved.as_ref()
     }
     fn finite(&self) -> bool {
-        self.unsolved.is_none() && self.q.finite() && self.p.finite()
+        self.legs[..R::MEMBERS].iter().all(|leg| leg.unsolved.is_none()) && self.q.finite() && self.p.finite()
     }
 }
 
 /// The expansion of a system's motion.
-type Of<H, R, K> = Expansion<R, Shaped<H, K>, <H as Hamiltonian>::Parameters<R>, <H as Recurrences>::Tape<R>>;
+pub(super) type Of<H, R, K> =
+    Expansion<R, Shaped<H, K>, <H as Hamiltonian>::Parameters<R>, <H as Recurrences>::Tape<R>>;
 
 /// The moves of the Taylor method.
 pub(super) fn moves<H: Recurrences, R: Real, K: Keep>() -> Moves<Of<H, R, K>> {
@@ -101,7 +117,7 @@ pub(super) fn moves<H: Recurrences, R: Real, K: Keep>() -> Moves<Of<H, R, K>> {
     Moves::closed(advance).with_dense(|expansion, begin, clock, duration| {
         let end = Moment::of(clock.steps, clock.h).after(duration);
         // What lies before the polynomial at hand belongs to one before it.
-        if end.since(expansion.begin) * clock.h <= 0.0 {
+        if end.since(expansion.legs[0].begin) * clock.h <= 0.0 {
             expansion.copy_state(begin);
         }
         follow::<H, R, K>(expansion, clock, end);
@@ -110,11 +126,11 @@ pub(super) fn moves<H: Recurrences, R: Real, K: Keep>() -> Moves<Of<H, R, K>> {
 
 /// Follows the motion to `end`: compiled once for steps and for what lies within them.
 #[inline(never)]
-fn follow<H: Recurrences, R: Real, K: Keep>(expansion: &mut Of<H, R, K>, clock: Clock, end: Moment) {
+pub(super) fn follow<H: Recurrences, R: Real, K: Keep>(expansion: &mut Of<H, R, K>, clock: Clock, end: Moment) {
     R::enter(Follow::<H, R, K> { expansion, clock, end });
 }
 
-/// Follows the motion to a moment.
+/// Follows the motion to a moment: whoever arrives waits for the others.
 struct Follow<'e, H: Recurrences, R: Real, K: Keep> {
     expansion: &'e mut Of<H, R, K>,
     clock: Clock,
@@ -129,44 +145,54 @@ impl<H: Recurrences, R: Real, K: Keep> Kernel for Follow<'_, H, R, K> {
         let Self { expansion, clock: Clock { t0, h, .. }, end } = self;
         let order = expansion.method.order;
         let layout = Layout::of::<H::Coords>(expansion.length);
-        while expansion.unsolved.is_none() {
-            let ahead = end.since(expansion.begin);
-            let reach = match expansion.reach {
-                Some(reach) => reach,
-                None => {
-                    expand::<H, R, K>(expansion, t0);
-                    let reach = horizon(expansion).copysign(h);
-                    expansion.reach = Some(reach);
-                    reach
+        loop {
+            if expansion.legs[..R::MEMBERS].iter().any(Leg::is_unknown) {
+                expand::<H, R, K>(expansion, t0);
+                horizons(expansion, h);
+            }
+            // How far each member goes on its polynomial, and whether to where the next one begins.
+            let (mut t, mut moves, mut arrived) = ([0.0; WIDEST], [0.0; WIDEST], false);
+            for (lane, leg) in expansion.legs[..R::MEMBERS].iter_mut().enumerate() {
+                if leg.unsolved.is_some() {
+                    continue;
                 }
+                if let Some(ahead) = leg.ahead(end) {
+                    (t[lane], arrived) = (ahead, true);
+                } else if let Some(reach) = leg.leave(t0) {
+                    (t[lane], moves[lane]) = (reach, 1.0);
+                }
+            }
+            let to = if moves[..R::MEMBERS].contains(&1.0) {
+                To::Begin { moves: R::parameter(|lane| moves[lane]) }
+            } else if arrived {
+                To::Shown
+            } else {
+                return;
             };
-            if ahead.abs() <= reach.abs() || ahead == 0.0 {
-                expansion.q.follow(layout, order, R::of(ahead), To::Shown);
-                expansion.p.follow(layout, order, R::of(ahead), To::Shown);
+            let t = R::parameter(|lane| t[lane]);
+            expansion.q.follow(layout, order, t, to);
+            expansion.p.follow(layout, order, t, to);
+            if let To::Shown = to {
                 return;
             }
-            let (begin, time) = (expansion.begin.after(reach), t0 + expansion.begin.nearest());
-            if t0 + begin.nearest() == time || !reach.is_finite() {
-                expansion.unsolved = Some(Unsolved::Singular { time, reach });
-                return;
-            }
-            expansion.q.follow(layout, order, R::of(reach), To::Begin);
-            expansion.p.follow(layout, order, R::of(reach), To::Begin);
-            expansion.begin = begin;
-            expansion.reach = None;
         }
     }
 }
 
-/// How far the polynomial reaches.
+/// Finds how far the new polynomials reach.
 #[inline(always)]
-fn horizon<R: Real, C: Coords, P, T>(expansion: &Expansion<R, C, P, T>) -> f64 {
-    let Taylor { order, tolerance } = expansion.method;
-    let layout = Layout::of::<C>(expansion.length);
-    let q = reach(order, tolerance, |m| expansion.q.size(layout, m));
-    let p = reach(order, tolerance, |m| expansion.p.size(layout, m));
-    // What is no number is not passed over.
-    if q <= p { q } else { p }
+fn horizons<R: Real, C: Coords, P, T>(expansion: &mut Expansion<R, C, P, T>, h: f64) {
+    let Expansion { method: Taylor { order, tolerance }, length, q, p, legs, .. } = expansion;
+    let layout = Layout::of::<C>(*length);
+    let (q_ends, p_ends) = (q.ends(layout, *order), p.ends(layout, *order));
+    for (lane, leg) in legs[..R::MEMBERS].iter_mut().enumerate() {
+        if leg.is_unknown() {
+            let q = reach(*order, *tolerance, q_ends.lane(lane), |m| q.size(layout, m).lane(lane));
+            let p = reach(*order, *tolerance, p_ends.lane(lane), |m| p.size(layout, m).lane(lane));
+            // What is no number is not passed over.
+            leg.reach = Some(if q <= p { q } else { p }.copysign(h));
+        }
+    }
 }
 
 /// Calls back with the orders, one after the other, so that each is compiled on its own: sums of known length, without
@@ -177,10 +203,10 @@ macro_rules! for_each_order {
     };
 }
 
-/// Finds the polynomial from its beginning.
+/// Finds the polynomials from their beginnings.
 #[inline(always)]
 fn expand<H: Recurrences, R: Real, K: Keep>(expansion: &mut Of<H, R, K>, t0: f64) {
-    let time = t0 + expansion.begin.nearest();
+    let time = R::parameter(|lane| t0 + expansion.legs[lane].begin.nearest());
     let Expansion { method, parameters, length, q, p, tape, .. } = expansion;
     let last = method.order;
     let layout = Layout::of::<H::Coords>(*length);

@@ -24,10 +24,15 @@ fn exponential(logarithm: f64) -> f64 {
 }
 
 /// The length of a step of this order, infinite where the motion is a polynomial, zero where it is singular. `size(m)`
-/// is the largest coefficient of order `m` in a part.
+/// is the largest coefficient of order `m` in a part; those of the first two orders and of the last two are given, since
+/// seldom others are asked for.
 #[inline(always)]
-pub(super) fn reach(order: usize, tolerance: f64, size: impl Fn(usize) -> f64) -> f64 {
-    let (last, before) = (size(order), size(order - 1));
+pub(super) fn reach(
+    order: usize,
+    tolerance: f64,
+    [value, slope, before, last]: [f64; 4],
+    size: impl Fn(usize) -> f64,
+) -> f64 {
     let most = if before > last { before } else { last };
     if !most.is_finite() {
         // So near to a singularity that coefficients are beyond the largest number: no step is short enough.
@@ -36,7 +41,7 @@ pub(super) fn reach(order: usize, tolerance: f64, size: impl Fn(usize) -> f64) -
     if most == 0.0 {
         return sparse(order, tolerance, &size);
     }
-    let share = logarithm(tolerance) + logarithm(scale(order - 1, most, size(0), size(1)));
+    let share = logarithm(tolerance) + logarithm(scale(order - 1, most, value, slope));
     let [last, before] = [(order, last), (order - 1, before)].map(|(m, size)| at(m, share, size));
     if before < last { before } else { last }
 }
@@ -70,6 +75,10 @@ fn sparse(order: usize, tolerance: f64, size: &impl Fn(usize) -> f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    fn reach(order: usize, tolerance: f64, size: impl Fn(usize) -> f64) -> f64 {
+        super::reach(order, tolerance, [0, 1, order - 1, order].map(&size), size)
+    }
 
     #[test]
     fn logarithms_are_near_enough() {

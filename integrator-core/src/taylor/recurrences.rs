@@ -26,6 +26,6 @@ pub trait Recurrences: Hamiltonian {
         p: &mut Coefficients<'_, R>,
         tape: &mut Self::Tape<R>,
         k: usize,
-        time: f64,
+        time: R,
     );
 }

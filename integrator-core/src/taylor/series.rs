@@ -52,9 +52,9 @@ pub fn half_power<R: Real>(x: R, halves: i32) -> R {
 
 /// The coefficients of one and of the time at an expansion.
 #[inline(always)]
-pub fn order_of_time<R: Real>(k: usize, time: f64) -> (R, R) {
+pub fn order_of_time<R: Real>(k: usize, time: R) -> (R, R) {
     match k {
-        0 => (R::of(1.0), R::of(time)),
+        0 => (R::of(1.0), time),
         1 => (R::of(0.0), R::of(1.0)),
         _ => (R::of(0.0), R::of(0.0)),
     }

@@ -335,7 +335,7 @@ fn implementation(body: TokenStream, records: &[Record], rolled: bool, names: &N
     let tape = if has_tape(records) { quote!(#tape<#scalar>) } else { quote!(()) };
     let body = Body::new(body);
     let clock = (body.mentions("step") || body.mentions("time"))
-        .then(|| quote!(let (step, time) = #runtime::order_of_time::<#scalar>(order, time);));
+        .then(|| quote!(let (step, time) = #runtime::order_of_time(order, time);));
     let time = Ident::new(if clock.is_some() { "time" } else { "_time" }, Span::call_site());
     let [parameters, length] = ["parameters", "length"].map(|name| body.argument(name));
     let stride = body.mentions("stride").then(|| quote!(let stride = q.stride();));
@@ -356,7 +356,7 @@ fn implementation(body: TokenStream, records: &[Record], rolled: bool, names: &N
             p: &mut #runtime::Coefficients<'_, #scalar>,
             tape: &mut Self::Tape<#scalar>,
             order: usize,
-            #time: f64,
+            #time: #scalar,
         ) {
             #clock
             #stride
