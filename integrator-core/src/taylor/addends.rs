@@ -1,6 +1,8 @@
 //! What coordinates get from turns that lie side by side.
 //!
-//! Always true: each gets its addends in the order in which they are given, whichever way they get there.
+//! Always true: what a row of turns has found for a coordinate is added up on its own, turn by turn, and what rows have
+//! found one after the other, in the order that is given. So no row waits for another, and bits do not depend on how
+//! numbers get there.
 
 use super::table::{EIGHT, Eight};
 use crate::{real::Real, row::Row};
@@ -17,24 +19,47 @@ pub(super) struct Addend {
     pub(super) turn: usize,
 }
 
-/// A round that is not laid out yet: which of the numbers, and for each of the eight the turn that adds to it.
-type Sketch = (usize, [Option<u64>; EIGHT]);
-
-/// What eight coordinates beside each other get from a row of turns, each from another one.
+/// What eight coordinates beside each other get from a row of turns.
 #[derive(Clone)]
-pub(super) struct Round<R: Real> {
+pub(super) struct Share<R: Real> {
     /// Which of the numbers that rows have found.
     found: usize,
-    /// The turn that adds to each of the eight, and which of them one adds to; nothing, where each gets what lies in its
-    /// own place.
-    picked: Option<([u64; EIGHT], <Eight<R> as Real>::Mask)>,
+    /// In each round, the turn that adds to each of the eight, and which of them one adds to; none, where each gets what
+    /// lies in its own place.
+    rounds: Vec<([u64; EIGHT], <Eight<R> as Real>::Mask)>,
+}
+
+impl<R: Real> Share<R> {
+    /// The turns that add to places of an eight.
+    fn of(found: usize, addends: &[[usize; 2]]) -> Self {
+        if addends.len() == EIGHT && addends.iter().all(|[place, turn]| place == turn) {
+            return Self { found, rounds: Vec::new() };
+        }
+        let mut rounds: Vec<[Option<usize>; EIGHT]> = Vec::new();
+        for [place, turn] in addends {
+            match rounds.iter_mut().find(|round| round[*place].is_none()) {
+                Some(round) => round[*place] = Some(*turn),
+                None => {
+                    let mut round = [None; EIGHT];
+                    round[*place] = Some(*turn);
+                    rounds.push(round);
+                }
+            }
+        }
+        let masked = |round: [Option<usize>; EIGHT]| {
+            let moved = round.map(|turn| R::of(if turn.is_some() { 1.0 } else { 0.0 }));
+            let moved = Eight::<R>::of(0.0).less(Eight::<R>::read(&moved));
+            (round.map(|turn| turn.unwrap_or_default() as u64), moved)
+        };
+        Self { found, rounds: rounds.into_iter().map(masked).collect() }
+    }
 }
 
 /// What the coordinates of a part get from all turns.
 #[derive(Clone)]
 pub(super) enum Addends<R: Real> {
     /// By eights of coordinates.
-    Rounds(Vec<(usize, Vec<Round<R>>)>),
+    Shares(Vec<(usize, Vec<Share<R>>)>),
     /// One by one.
     Single(Vec<Addend>),
 }
@@ -51,46 +76,36 @@ impl<R: Real> Addends<R> {
         if width < EIGHT {
             return Self::Single(addends);
         }
-        let mut eights: BTreeMap<usize, Vec<Sketch>> = BTreeMap::new();
+        let mut eights: BTreeMap<usize, BTreeMap<usize, Vec<[usize; 2]>>> = BTreeMap::new();
+        let mut order = Vec::new();
         for Addend { place, found, turn } in addends {
-            let (begin, place) = (place / EIGHT * EIGHT, place % EIGHT);
-            let rounds = eights.entry(begin).or_default();
-            // The next round after the last one of its coordinate, among those of the same numbers.
-            let last = rounds.iter().rposition(|(_, turns)| turns[place].is_some()).map_or(0, |last| last + 1);
-            match rounds[last..].iter_mut().find(|(own, _)| *own == found) {
-                Some((_, turns)) => turns[place] = Some(turn as u64),
-                None => {
-                    let mut turns = [None; EIGHT];
-                    turns[place] = Some(turn as u64);
-                    rounds.push((found, turns));
-                }
+            let of_found = eights.entry(place / EIGHT * EIGHT).or_default();
+            of_found.entry(found).or_default().push([place % EIGHT, turn]);
+            if order.last() != Some(&found) {
+                order.push(found);
             }
         }
-        let round = |(found, turns): Sketch| {
-            if turns == core::array::from_fn(|turn| Some(turn as u64)) {
-                return Round { found, picked: None };
-            }
-            let moved = turns.map(|turn| R::of(if turn.is_some() { 1.0 } else { 0.0 }));
-            let moved = Eight::<R>::of(0.0).less(Eight::<R>::read(&moved));
-            Round { found, picked: Some((turns.map(Option::unwrap_or_default), moved)) }
+        let shares = |mut of_found: BTreeMap<usize, Vec<[usize; 2]>>| {
+            order.iter().filter_map(|found| Some(Share::of(*found, &of_found.remove(found)?))).collect()
         };
-        let eights = eights.into_iter().map(|(begin, rounds)| (begin, rounds.into_iter().map(round).collect()));
-        Self::Rounds(eights.collect())
+        Self::Shares(eights.into_iter().map(|(begin, of_found)| (begin, shares(of_found))).collect())
     }
 
     #[inline(always)]
     pub(super) fn add(&self, found: &[Eight<R>], to: &mut [R]) {
         match self {
-            Self::Rounds(eights) => {
-                for (begin, rounds) in eights {
+            Self::Shares(eights) => {
+                for (begin, shares) in eights {
                     let to = &mut to[*begin..];
                     let mut sum = <Eight<R> as Row<R>>::read(to);
-                    for round in rounds {
-                        let found = found[round.found];
-                        sum = match &round.picked {
-                            None => sum + found,
-                            Some((turns, moved)) => Eight::<R>::select(*moved, sum + found.picked(turns), sum),
-                        };
+                    for Share { found: number, rounds } in shares {
+                        let found = found[*number];
+                        // Minus zero is what nothing has been added to.
+                        let mut own = if rounds.is_empty() { found } else { Eight::<R>::of(-0.0) };
+                        for (turns, moved) in rounds {
+                            own = Eight::<R>::select(*moved, own + found.picked(turns), own);
+                        }
+                        sum += own;
                     }
                     sum.write(to);
                 }

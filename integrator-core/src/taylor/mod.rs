@@ -5,9 +5,9 @@
 //! depend on where a run is looked at, so that its states do not either.
 //!
 //! Nothing of it is written unless the annotation asks for it, and what is written costs no time to build until a run is by
-//! this method: its first one takes 2 s of the compiler for Kepler's problem, and 330 kB of program, because each order has
-//! code of its own; the first ensemble takes 13 s and 900 kB, since there is code for lanes of each instruction set. Checks
-//! of errors take their exact motion from it, which adds 0.3 s and 65 kB to a program that calls them.
+//! this method: its first one takes some 3 s of the compiler, and 300 kB of program, because each order has code of its
+//! own; the first ensemble takes 13 s and 900 kB, since there is code for lanes of each instruction set. Checks of errors
+//! take their exact motion from it, which adds 0.3 s and 65 kB to a program that calls them.
 //!
 //! It is not symplectic: it is the reference, the method for errors near the rounding, and what symplectic runs are
 //! held against. Its energy error does not oscillate but accumulates, however slowly.

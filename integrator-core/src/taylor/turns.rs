@@ -2,7 +2,7 @@
 //!
 //! Comes in: which coordinates each turn reads and moves, and its constants, once per run. Goes out: the same as rows of
 //! registers, where eight turns lie in one. Always true: a coordinate gets its addends one target after the other, those of
-//! one target in the order of the turns, whichever way they get there; so the bits are those of the text.
+//! one target eight turns after the other, those of eight turns added up in their order; so bits depend on the text alone.
 
 use super::{
     addends::{Addend, Addends},
@@ -208,14 +208,23 @@ mod tests {
             }
             turns.add([&mut q, &mut p]);
 
+            // Eight turns are added up on their own where coordinates fill a register.
             let (mut by_loop_q, mut by_loop_p) = (from.clone(), from.clone());
-            for [i, j] in &list {
-                by_loop_p[*i] += from[*i] * from[*j];
-                by_loop_q[*i] += R::of(2.0) * from[*i];
-            }
-            for (seed, [i, j]) in list.iter().enumerate() {
-                by_loop_p[*j] += (from[*i] - from[*j]) * R::of(number(seed));
-            }
+            let add = |to: &mut [R], value: &dyn Fn(usize) -> (usize, R)| {
+                for row in (0..list.len()).collect::<Vec<_>>().chunks(if width < EIGHT { 1 } else { TURNS }) {
+                    let mut own = vec![R::of(-0.0); width];
+                    for (place, value) in row.iter().map(|turn| value(*turn)) {
+                        own[place] += value;
+                    }
+                    to.iter_mut().zip(own).for_each(|(to, own)| *to += own);
+                }
+            };
+            add(&mut by_loop_p, &|turn| (list[turn][0], from[list[turn][0]] * from[list[turn][1]]));
+            add(&mut by_loop_p, &|turn| {
+                let [i, j] = list[turn];
+                (j, (from[i] - from[j]) * R::of(number(turn)))
+            });
+            add(&mut by_loop_q, &|turn| (list[turn][0], R::of(2.0) * from[list[turn][0]]));
             let bits = |numbers: &[R]| -> Vec<u64> { numbers.iter().map(|x| x.lane(0).to_bits()).collect() };
             assert_eq!(bits(&q), bits(&by_loop_q), "{name}");
             assert_eq!(bits(&p), bits(&by_loop_p), "{name}");
