@@ -6,15 +6,15 @@
 //!
 //! | file | holds |
 //! |---|---|
-//! | [`course`] | the way along a trajectory, from polynomial to polynomial |
-//! | [`horizon`] | how far a polynomial reaches, in integers |
-//! | [`weights`] | the powers of a step by which coefficients of accelerations move a state |
-//! | [`estrin`] | polynomials of the small ones |
-//! | [`pendulum`] | sine and cosine side by side |
-//! | [`henon_heiles`] | two coordinates side by side |
-//! | [`kepler`] | the same, with a tide |
-//! | [`bodies`] | the outer solar system: pairs in the lanes of two registers |
-//! | [`springs`] | the chain of 32 sites: bonds in the lanes of four registers and one |
+//! | `course` | the way along a trajectory, from polynomial to polynomial |
+//! | `horizon` | how far a polynomial reaches, in integers |
+//! | `weights` | the powers of a step by which coefficients of accelerations move a state |
+//! | `estrin` | polynomials of the small ones |
+//! | `pendulum` | sine and cosine side by side |
+//! | `henon_heiles` | two coordinates side by side |
+//! | `kepler` | the same, with a tide |
+//! | `bodies` | the outer solar system: pairs in the lanes of two registers |
+//! | `springs` | the chain of 32 sites: bonds in the lanes of four registers and one |
 //!
 //! What they have in common: Newton's equations make the coefficients of positions from those of accelerations two
 //! orders below, so that momenta have none, two orders at a time are computed from what was there before, each
