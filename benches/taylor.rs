@@ -5,7 +5,8 @@
 //! span, medians of interleaved turns, nanoseconds of the twin per polynomial, and the largest relative deviations of
 //! the energies at 256 looks. The last lines, `ratio_taylor_over_twin_<problem>_<error>=`, are the least time to an energy
 //! error over that of the twin, each the best of the same orders and tolerances: 1.1 is asked. Twins are written for
-//! AVX2 and AVX-512; elsewhere there are none.
+//! AVX2 and AVX-512; elsewhere there are none. `ratio_taylor_lanes_over_alone_<problem>=` is the time of an ensemble in one
+//! thread over that of its members one after the other.
 
 use integrator_bench::{
     Instructions,
@@ -28,6 +29,10 @@ const TURNS: usize = 15;
 const LOOKS: u32 = 256;
 /// The energy errors to which times are compared.
 const ERRORS: [(f64, &str); 3] = [(1e-8, "1e-8"), (1e-10, "1e-10"), (1e-12, "1e-12")];
+
+/// The members of an ensemble, and the way of a turn.
+const MEMBERS: usize = 256;
+const TURN: f64 = 10.0;
 
 /// Follows a trajectory by hand, shows its states, and counts the polynomials.
 type Twin<'t, C> = &'t dyn Fn(Course, &mut dyn FnMut(Phase<C>)) -> u64;
@@ -139,6 +144,28 @@ impl Report {
     }
 }
 
+/// The time of an ensemble of neighbours over that of its members one after the other.
+fn lanes<H: Recurrences + Copy>(Problem { name, system, start, .. }: &Problem<H>) -> Result<(), Box<dyn Error>>
+where
+    H::Coords: Coords<Leaf = f64>,
+{
+    let method = Taylor::tolerance(1e-15);
+    let members = (0..MEMBERS).map(|member| {
+        let shrunk = |part: &H::Coords| part.map(|leaf| leaf * (1.0 - 1e-3 * member as f64 / MEMBERS as f64));
+        (*system, Phase::new(shrunk(&start.q), shrunk(&start.p)))
+    });
+    let members: Vec<(H, Phase<H::Coords>)> = members.collect();
+    let runs = members.iter().map(|(system, start)| system.run_with::<f64, _>(method, start.clone(), TURN));
+    let mut runs = runs.collect::<Result<Vec<_>, _>>()?;
+    let mut swarm = Ensemble::new::<H, f64, _>(method, members, TURN)?.with_threads(1);
+    let racers = vec![
+        Racer::new("lanes", || swarm.advance(1).expect("finite states")),
+        Racer::new("alone", || runs.iter_mut().for_each(|run| run.advance(1).expect("finite states"))),
+    ];
+    println!("ratio_taylor_lanes_over_alone_{name}={:.3}", race(TURNS, 1.0, racers).ratio(0, 1));
+    Ok(())
+}
+
 fn main() -> Result<(), Box<dyn Error>> {
     if Instructions::chosen() == Instructions::Baseline {
         println!("no twin: these are written for AVX2 and AVX-512");
@@ -161,5 +188,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     report.table.write()?;
     println!("\nTo each energy error, the best of the orders on both sides:");
     report.choices.iter().chain(&report.ratios).for_each(|line| println!("{line}"));
-    Ok(())
+    lanes(&pendulum)?;
+    lanes(&henon)?;
+    lanes(&kepler)
 }
