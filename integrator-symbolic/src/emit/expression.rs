@@ -2,18 +2,11 @@
 
 use super::{fields::Fields, frame::Frame};
 use crate::{
-    graph::{
-        Element, ExternalId, Graph, Node, NodeId, Part,
-        function::Function,
-        index::{Index, IndexId, LoopId},
-    },
-    model::{
-        Parameter,
-        integer::{number_literal, operand},
-    },
+    graph::{Element, ExternalId, Graph, Node, NodeId, function::Function, index::LoopId},
+    model::{Parameter, integer::number_literal},
     syntax::Functions,
 };
-use proc_macro2::{Ident, Literal, TokenStream, TokenTree};
+use proc_macro2::{Ident, TokenStream, TokenTree};
 use quote::{ToTokens, format_ident, quote};
 use std::collections::HashMap;
 
@@ -313,14 +306,6 @@ impl Printer<'_> {
         }
     }
 
-    /// The name of a coordinate's part.
-    pub(super) fn part(&self, element: Element) -> Ident {
-        match element.part {
-            Part::Position => format_ident!("q"),
-            Part::Momentum => format_ident!("p"),
-        }
-    }
-
     /// A coordinate's place: `motion.q[0]`, `motion.p[i][1]`, `q_i[d]`.
     pub(super) fn place(&self, fields: &mut Fields, element: Element) -> TokenStream {
         let (part, at) = (self.part(element), self.at(fields, element));
@@ -330,77 +315,6 @@ impl Printer<'_> {
                 let part = bodies.of_index(self.graph, part, element.index);
                 quote!(#part #at)
             }
-        }
-    }
-
-    /// The indices of a coordinate; of a body that is an argument, those behind the body's.
-    pub(super) fn at(&self, fields: &mut Fields, element: Element) -> TokenStream {
-        let component = element.component.map(|component| {
-            let component = self.index(fields, component);
-            quote!([#component])
-        });
-        match self.frame {
-            Frame::Motion | Frame::Sites(_) | Frame::Series => {
-                let index = self.index(fields, element.index);
-                quote!([#index] #component)
-            }
-            Frame::Bodies(_) => component.unwrap_or_else(|| quote!([0])),
-        }
-    }
-
-    /// An integer expression.
-    pub(super) fn index(&self, fields: &mut Fields, id: IndexId) -> TokenStream {
-        let mut binary = |a, operator: TokenStream, b| {
-            let (a, b) = (self.inner_index(fields, a), self.inner_index(fields, b));
-            quote!(#a #operator #b)
-        };
-        match self.graph.loops.index(id) {
-            Index::Literal(value) => Literal::u64_unsuffixed(value).to_token_stream(),
-            Index::Running(by) => self.running.get(&by).to_token_stream(),
-            Index::Length if let Frame::Sites(lattice) = self.frame => {
-                if lattice.is_plane() {
-                    quote!(near.rows())
-                } else {
-                    quote!(near.length())
-                }
-            }
-            Index::Length if self.dialect == Dialect::Generic && !matches!(self.frame, Frame::Series) => {
-                quote!(motion.q.len())
-            }
-            Index::Length => quote!(length),
-            Index::Add(a, b) => binary(a, quote!(+), b),
-            Index::Sub(a, b) => binary(a, quote!(-), b),
-            Index::Mul(a, b) => binary(a, quote!(*), b),
-            Index::Div(a, b) => binary(a, quote!(/), b),
-            Index::Rem(a, b) => binary(a, quote!(%), b),
-            Index::Parameter(parameter) => {
-                let known = &self.parameters[parameter.0 as usize];
-                if self.dialect == Dialect::Single || super::fields::is_constant(&known.text) {
-                    return operand(known.text.clone());
-                }
-                let name = fields.integer(self.parameters, parameter);
-                self.prepared(name, self.graph.loops.of_parameter(parameter))
-            }
-        }
-    }
-
-    /// A bound of a loop: a difference that may be below zero ends the loop before it begins.
-    pub(super) fn bound(&self, fields: &mut Fields, id: IndexId) -> TokenStream {
-        match self.graph.loops.index(id) {
-            Index::Sub(a, b) => {
-                let (a, b) = (self.inner_index(fields, a), self.index(fields, b));
-                quote!(#a.saturating_sub(#b))
-            }
-            _ => self.index(fields, id),
-        }
-    }
-
-    /// An integer expression inside another one.
-    pub(super) fn inner_index(&self, fields: &mut Fields, id: IndexId) -> TokenStream {
-        let index = self.index(fields, id);
-        match self.graph.loops.index(id) {
-            Index::Literal(_) | Index::Running(_) | Index::Length | Index::Parameter(_) => index,
-            _ => quote!((#index)),
         }
     }
 }

@@ -14,6 +14,7 @@ mod force_gradient;
 mod form;
 mod frame;
 mod function;
+mod index;
 mod lattice;
 mod moves;
 mod names;

@@ -2,14 +2,13 @@
 //! they wait for each other.
 
 use super::{
-    expression::Printer,
     fields::Fields,
     function::Body,
     orders::{Source, Writer},
     tape::{self, Record, Turns, list},
 };
 use crate::{
-    graph::{Element, NodeId, Part, index::LoopId},
+    graph::{NodeId, Part, index::LoopId},
     program::{
         Item,
         nest::{Nest, Surroundings},
@@ -210,21 +209,5 @@ impl Writer<'_> {
             Part::Momentum => quote!(1),
         });
         quote!(#take tape.#turns.lay_out(q[0].len(), [#(#parts),*]);)
-    }
-}
-
-impl Printer<'_> {
-    /// Where a coordinate is in the row of an order: components one after the other, each of all points.
-    pub(super) fn in_row(&self, fields: &mut Fields, element: Element) -> TokenStream {
-        let index = self.index(fields, element.index);
-        let Some(component) = element.component else { return index };
-        match self.graph.loops.literal(component) {
-            Some(0) => index,
-            Some(1) => quote!(stride + #index),
-            _ => {
-                let component = self.inner_index(fields, component);
-                quote!(#component * stride + #index)
-            }
-        }
     }
 }

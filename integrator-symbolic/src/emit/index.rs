@@ -1,0 +1,111 @@
+//! Where coordinates are, as Rust: integer expressions, bounds of loops, and the places that they lead to.
+
+use super::{
+    expression::{Dialect, Printer},
+    fields::Fields,
+    frame::Frame,
+};
+use crate::{
+    graph::{
+        Element, Part,
+        index::{Index, IndexId},
+    },
+    model::integer::operand,
+};
+use proc_macro2::{Ident, Literal, TokenStream};
+use quote::{ToTokens, format_ident, quote};
+
+impl Printer<'_> {
+    /// The name of a coordinate's part.
+    pub(super) fn part(&self, element: Element) -> Ident {
+        match element.part {
+            Part::Position => format_ident!("q"),
+            Part::Momentum => format_ident!("p"),
+        }
+    }
+
+    /// Where a coordinate is in the row of an order: components one after the other, each of all points.
+    pub(super) fn in_row(&self, fields: &mut Fields, element: Element) -> TokenStream {
+        let index = self.index(fields, element.index);
+        let Some(component) = element.component else { return index };
+        match self.graph.loops.literal(component) {
+            Some(0) => index,
+            Some(1) => quote!(stride + #index),
+            _ => {
+                let component = self.inner_index(fields, component);
+                quote!(#component * stride + #index)
+            }
+        }
+    }
+
+    /// The indices of a coordinate; of a body that is an argument, those behind the body's.
+    pub(super) fn at(&self, fields: &mut Fields, element: Element) -> TokenStream {
+        let component = element.component.map(|component| {
+            let component = self.index(fields, component);
+            quote!([#component])
+        });
+        match self.frame {
+            Frame::Motion | Frame::Sites(_) | Frame::Series => {
+                let index = self.index(fields, element.index);
+                quote!([#index] #component)
+            }
+            Frame::Bodies(_) => component.unwrap_or_else(|| quote!([0])),
+        }
+    }
+
+    /// An integer expression.
+    pub(super) fn index(&self, fields: &mut Fields, id: IndexId) -> TokenStream {
+        let mut binary = |a, operator: TokenStream, b| {
+            let (a, b) = (self.inner_index(fields, a), self.inner_index(fields, b));
+            quote!(#a #operator #b)
+        };
+        match self.graph.loops.index(id) {
+            Index::Literal(value) => Literal::u64_unsuffixed(value).to_token_stream(),
+            Index::Running(by) => self.running.get(&by).to_token_stream(),
+            Index::Length if let Frame::Sites(lattice) = self.frame => {
+                if lattice.is_plane() {
+                    quote!(near.rows())
+                } else {
+                    quote!(near.length())
+                }
+            }
+            Index::Length if self.dialect == Dialect::Generic && !matches!(self.frame, Frame::Series) => {
+                quote!(motion.q.len())
+            }
+            Index::Length => quote!(length),
+            Index::Add(a, b) => binary(a, quote!(+), b),
+            Index::Sub(a, b) => binary(a, quote!(-), b),
+            Index::Mul(a, b) => binary(a, quote!(*), b),
+            Index::Div(a, b) => binary(a, quote!(/), b),
+            Index::Rem(a, b) => binary(a, quote!(%), b),
+            Index::Parameter(parameter) => {
+                let known = &self.parameters[parameter.0 as usize];
+                if self.dialect == Dialect::Single || super::fields::is_constant(&known.text) {
+                    return operand(known.text.clone());
+                }
+                let name = fields.integer(self.parameters, parameter);
+                self.prepared(name, self.graph.loops.of_parameter(parameter))
+            }
+        }
+    }
+
+    /// A bound of a loop: a difference that may be below zero ends the loop before it begins.
+    pub(super) fn bound(&self, fields: &mut Fields, id: IndexId) -> TokenStream {
+        match self.graph.loops.index(id) {
+            Index::Sub(a, b) => {
+                let (a, b) = (self.inner_index(fields, a), self.index(fields, b));
+                quote!(#a.saturating_sub(#b))
+            }
+            _ => self.index(fields, id),
+        }
+    }
+
+    /// An integer expression inside another one.
+    pub(super) fn inner_index(&self, fields: &mut Fields, id: IndexId) -> TokenStream {
+        let index = self.index(fields, id);
+        match self.graph.loops.index(id) {
+            Index::Literal(_) | Index::Running(_) | Index::Length | Index::Parameter(_) => index,
+            _ => quote!((#index)),
+        }
+    }
+}
