@@ -6,42 +6,25 @@
 //! comes next.
 
 use super::{
-    course::{COEFFICIENTS, Course, Expansion, Kept, follow, orders_from_one, with_order},
-    estrin::estrin,
-    horizon::{Sizes, reach},
+    course::{COEFFICIENTS, Course, orders_from_one, with_order},
+    planar::{Force, Trajectory},
     weights::INTEGRALS,
 };
-use crate::{
-    enter::{PairKernel, enter_pair},
-    vector::Two,
-};
+use crate::{enter::enter_pair, vector::Two};
 use integrator_core::Phase;
-
-#[derive(Clone)]
-struct Planet<T, const N: usize> {
-    tolerance: f64,
-    q: Kept<T>,
-    p: Kept<T>,
-    /// Coefficients of positions
-    positions: [T; COEFFICIENTS],
-    /// and of momenta.
-    momenta: [T; COEFFICIENTS],
-}
 
 #[inline(always)]
 fn total<T: Two>(x: T) -> T {
     x + x.swap()
 }
 
-impl<T: Two, const N: usize> Expansion for Planet<T, N> {
-    type State = Phase<[f64; 2]>;
+#[derive(Clone)]
+struct Planet;
 
+impl Force for Planet {
     #[inline(always)]
-    fn expand(&mut self) -> f64 {
-        let (q, p) = (self.q.value, self.p.value);
+    fn orders<T: Two, const N: usize>([q, p]: [T; 2], z: &mut [T; COEFFICIENTS], momenta: &mut [T; COEFFICIENTS]) {
         let (zero, half) = (T::splat(0.0), T::splat(0.5));
-        let z = &mut self.positions;
-        let momenta = &mut self.momenta;
         // Half of u and the w of all orders twice, and half of u with its multiple by the order.
         let [half_u, w, multiple] = &mut [[zero; COEFFICIENTS]; 3];
         let square = total(q * q);
@@ -116,49 +99,6 @@ impl<T: Two, const N: usize> Expansion for Planet<T, N> {
             )*};
         }
         orders_from_one!(orders);
-        let size = |x: T| f64::max(x.first().abs(), x.swap().first().abs());
-        let part = |series: &[T]| Sizes {
-            value: size(series[0]),
-            slope: size(series[1]),
-            before: size(series[N - 1]),
-            last: size(series[N]),
-        };
-        reach::<N>(self.tolerance, [part(&self.positions), part(&self.momenta)])
-    }
-
-    #[inline(always)]
-    fn proceed(&mut self, by: f64) {
-        let by = T::splat(by);
-        self.q.add(estrin::<T, N>(&self.positions, by));
-        self.p.add(estrin::<T, N>(&self.momenta, by));
-    }
-
-    #[inline(always)]
-    fn state(&self) -> Self::State {
-        let both = |x: T| [x.first(), x.swap().first()];
-        Phase::new(both(self.q.value), both(self.p.value))
-    }
-}
-
-struct Trajectory<'s, const N: usize> {
-    start: &'s Phase<[f64; 2]>,
-    course: Course,
-    see: &'s mut dyn FnMut(Phase<[f64; 2]>),
-}
-
-impl<const N: usize> PairKernel for Trajectory<'_, N> {
-    type Out = u64;
-    #[inline(always)]
-    fn run<T: Two>(self) -> u64 {
-        let zero = T::splat(0.0);
-        let planet = Planet::<T, N> {
-            tolerance: self.course.tolerance,
-            q: Kept::of(T::load(&self.start.q)),
-            p: Kept::of(T::load(&self.start.p)),
-            positions: [zero; COEFFICIENTS],
-            momenta: [zero; COEFFICIENTS],
-        };
-        follow(self.course, planet, self.see)
     }
 }
 
@@ -167,5 +107,5 @@ impl<const N: usize> PairKernel for Trajectory<'_, N> {
 /// # Panics
 /// If the order is not one of [`ORDERS`](super::ORDERS).
 pub fn kepler(start: &Phase<[f64; 2]>, course: Course, see: &mut dyn FnMut(Phase<[f64; 2]>)) -> u64 {
-    with_order!(course.order, N => enter_pair(Trajectory::<N> { start, course, see }))
+    with_order!(course.order, N => enter_pair(Trajectory::<Planet, N>::new(start, course, see)))
 }

@@ -11,8 +11,9 @@
 //! | `weights` | the powers of a step by which coefficients of accelerations move a state |
 //! | `estrin` | polynomials of the small ones |
 //! | `pendulum` | sine and cosine side by side |
-//! | `henon_heiles` | two coordinates side by side |
-//! | `kepler` | the same, with a tide |
+//! | `planar` | what the next two have in common: two coordinates side by side |
+//! | `henon_heiles` | a star |
+//! | `kepler` | a planet, with a tide |
 //! | `bodies` | the outer solar system: pairs in the lanes of two registers |
 //! | `springs` | the chain of 32 sites: bonds in the lanes of four registers and one |
 //!
@@ -28,6 +29,7 @@ pub(crate) mod henon_heiles;
 pub(crate) mod horizon;
 pub(crate) mod kepler;
 pub(crate) mod pendulum;
+pub(crate) mod planar;
 pub(crate) mod springs;
 pub(crate) mod weights;
 
