@@ -222,6 +222,7 @@ pub mod __private {
         slot::{Keep, Slot},
         taylor::{
             Recurrences,
+            mobility::Mobility,
             series::{COEFFICIENTS, half_power, order_of_time, over, turn, weight, weight_with},
             table::{Coefficients, Layout, Table},
             turns::{Abreast, Turns, spread},

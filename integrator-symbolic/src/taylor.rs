@@ -9,6 +9,10 @@
 //! `k yₖ = Σ j xⱼ gₖ₋ⱼ`. So the column of derivatives is the column of recurrences. A number that is added to a series
 //! is its coefficient of order 0; it is multiplied by [`Node::Step`], which is one at order 0 and zero at all others.
 
+mod mobility;
+
+pub(crate) use mobility::mobilities;
+
 use crate::{
     differentiate::Contribution,
     graph::{Around, Graph, Node, NodeId, function::Function},

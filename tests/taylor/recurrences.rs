@@ -29,7 +29,7 @@ pub(crate) fn expand<H: Recurrences>(system: &H, motion: &Motion) -> [Vec<Series
     for i in &coordinates {
         (q[0][place(i)], p[0][place(i)]) = (motion.q[*i][0].value, motion.p[*i][0].value);
     }
-    for k in 0..ORDER {
+    for k in (0..ORDER).step_by(H::AT_ONCE) {
         H::order::<f64>(&parameters, length, &mut q, &mut p, &mut tape, k, motion.time);
     }
     let series = |part: &Coefficients<'_, f64>, i| array::from_fn(|k| part[k][place(i)]);

@@ -1,10 +1,9 @@
 //! What coordinates get from turns that lie side by side.
 //!
-//! Always true: what a row of turns has found for a coordinate is added up on its own, turn by turn, and what rows have
-//! found one after the other, in the order that is given. So no row waits for another, and bits do not depend on how
-//! numbers get there.
+//! Always true: a coordinate gets its addends in the order in which they are given, row of turns by row, so that bits do not
+//! depend on how numbers get there.
 
-use super::table::{EIGHT, Eight};
+use super::table::{Coefficients, EIGHT, Eight};
 use crate::{real::Real, row::Row};
 use alloc::{collections::BTreeMap, vec::Vec};
 
@@ -13,28 +12,26 @@ use alloc::{collections::BTreeMap, vec::Vec};
 pub(super) struct Addend {
     /// Where the coordinate is.
     pub(super) place: usize,
-    /// Which of the numbers that rows of turns have found.
+    /// Which of the rows of numbers that have been found.
     pub(super) found: usize,
-    /// The turn of the row.
+    /// Where it is in this row.
     pub(super) turn: usize,
 }
 
-/// What eight coordinates beside each other get from a row of turns.
+/// What eight coordinates beside each other get from a row of numbers, one each at most.
 #[derive(Clone)]
-pub(super) struct Share<R: Real> {
-    /// Which of the numbers that rows have found.
+pub(super) struct Round<R: Real> {
+    /// Which of the rows.
     found: usize,
-    /// In each round, the turn that adds to each of the eight, and which of them one adds to; none, where each gets what
-    /// lies in its own place.
-    rounds: Vec<([u64; EIGHT], <Eight<R> as Real>::Mask)>,
+    /// What each coordinate gets of it,
+    turns: [u64; EIGHT],
+    /// and which of them get something.
+    moved: <Eight<R> as Real>::Mask,
 }
 
-impl<R: Real> Share<R> {
-    /// The turns that add to places of an eight.
-    fn of(found: usize, addends: &[[usize; 2]]) -> Self {
-        if addends.len() == EIGHT && addends.iter().all(|[place, turn]| place == turn) {
-            return Self { found, rounds: Vec::new() };
-        }
+impl<R: Real> Round<R> {
+    /// The rounds in which places of an eight get numbers of a row.
+    fn of(found: usize, addends: &[[usize; 2]]) -> impl Iterator<Item = Self> {
         let mut rounds: Vec<[Option<usize>; EIGHT]> = Vec::new();
         for [place, turn] in addends {
             match rounds.iter_mut().find(|round| round[*place].is_none()) {
@@ -46,20 +43,19 @@ impl<R: Real> Share<R> {
                 }
             }
         }
-        let masked = |round: [Option<usize>; EIGHT]| {
+        rounds.into_iter().map(move |round| {
             let moved = round.map(|turn| R::of(if turn.is_some() { 1.0 } else { 0.0 }));
             let moved = Eight::<R>::of(0.0).less(Eight::<R>::read(&moved));
-            (round.map(|turn| turn.unwrap_or_default() as u64), moved)
-        };
-        Self { found, rounds: rounds.into_iter().map(masked).collect() }
+            Self { found, turns: round.map(|turn| turn.unwrap_or_default() as u64), moved }
+        })
     }
 }
 
 /// What the coordinates of a part get from all turns.
 #[derive(Clone)]
 pub(super) enum Addends<R: Real> {
-    /// By eights of coordinates.
-    Shares(Vec<(usize, Vec<Share<R>>)>),
+    /// By eights of coordinates, which begin here.
+    Rounds(Vec<(usize, Vec<Round<R>>)>),
     /// One by one.
     Single(Vec<Addend>),
 }
@@ -76,45 +72,54 @@ impl<R: Real> Addends<R> {
         if width < EIGHT {
             return Self::Single(addends);
         }
-        let mut eights: BTreeMap<usize, BTreeMap<usize, Vec<[usize; 2]>>> = BTreeMap::new();
-        let mut order = Vec::new();
+        // What places of an eight get from turns of a row, row by row.
+        type OfRows = Vec<(usize, Vec<[usize; 2]>)>;
+        let mut eights: BTreeMap<usize, OfRows> = BTreeMap::new();
         for Addend { place, found, turn } in addends {
-            let of_found = eights.entry(place / EIGHT * EIGHT).or_default();
-            of_found.entry(found).or_default().push([place % EIGHT, turn]);
-            if order.last() != Some(&found) {
-                order.push(found);
+            let rows = eights.entry(place / EIGHT * EIGHT).or_default();
+            let added = [place % EIGHT, turn];
+            match rows.last_mut().filter(|(row, _)| *row == found) {
+                Some((_, row)) => row.push(added),
+                None => rows.push((found, Vec::from([added]))),
             }
         }
-        let shares = |mut of_found: BTreeMap<usize, Vec<[usize; 2]>>| {
-            order.iter().filter_map(|found| Some(Share::of(*found, &of_found.remove(found)?))).collect()
-        };
-        Self::Shares(eights.into_iter().map(|(begin, of_found)| (begin, shares(of_found))).collect())
+        let rounds = |rows: OfRows| rows.iter().flat_map(|(found, addends)| Round::of(*found, addends)).collect();
+        Self::Rounds(eights.into_iter().map(|(begin, rows)| (begin, rounds(rows))).collect())
     }
 
+    /// Adds numbers of as many orders to the coefficients from this order on.
     #[inline(always)]
-    pub(super) fn add(&self, found: &[Eight<R>], to: &mut [R]) {
+    pub(super) fn add<const AT_ONCE: usize>(
+        &self,
+        found: &[[Eight<R>; AT_ONCE]],
+        to: &mut Coefficients<'_, R>,
+        order: usize,
+    ) {
         match self {
-            Self::Shares(eights) => {
-                for (begin, shares) in eights {
-                    let to = &mut to[*begin..];
-                    let mut sum = <Eight<R> as Row<R>>::read(to);
-                    for Share { found: number, rounds } in shares {
-                        let found = found[*number];
-                        // Minus zero is what nothing has been added to.
-                        let mut own = if rounds.is_empty() { found } else { Eight::<R>::of(-0.0) };
-                        for (turns, moved) in rounds {
-                            own = Eight::<R>::select(*moved, own + found.picked(turns), own);
-                        }
-                        sum += own;
+            Self::Rounds(eights) => {
+                for (begin, rounds) in eights {
+                    let mut sums = [Eight::<R>::of(0.0); AT_ONCE];
+                    for at in 0..AT_ONCE {
+                        sums[at] = Row::read(&to[order + at][*begin..]);
                     }
-                    sum.write(to);
+                    for Round { found: number, turns, moved } in rounds {
+                        let found = &found[*number];
+                        for at in 0..AT_ONCE {
+                            sums[at] = Eight::<R>::select(*moved, sums[at] + found[at].picked(turns), sums[at]);
+                        }
+                    }
+                    for at in 0..AT_ONCE {
+                        sums[at].write(&mut to[order + at][*begin..]);
+                    }
                 }
             }
             Self::Single(addends) => {
-                for addend in addends {
-                    let mut numbers = [R::of(0.0); EIGHT];
-                    found[addend.found].write(&mut numbers);
-                    to[addend.place] += numbers[addend.turn];
+                for Addend { place, found: number, turn } in addends {
+                    for (at, found) in found[*number].iter().enumerate() {
+                        let mut numbers = [R::of(0.0); EIGHT];
+                        found.write(&mut numbers);
+                        to[order + at][*place] += numbers[*turn];
+                    }
                 }
             }
         }

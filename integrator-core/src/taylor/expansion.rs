@@ -9,7 +9,6 @@ use super::{
     leg::Leg,
     moment::Moment,
     part::{Part, To},
-    series::COEFFICIENTS,
     table::Layout,
 };
 use crate::{
@@ -220,8 +219,7 @@ fn expand<H: Recurrences, R: Real, K: Keep>(expansion: &mut Of<H, R, K>, t0: f64
         )*};
     }
     if H::ROLLED {
-        // The bound is known to hold; said here, it spares each sum the question.
-        for k in 0..last.min(COEFFICIENTS - 1) {
+        for k in (0..last).step_by(H::AT_ONCE) {
             H::order(parameters, length, &mut q, &mut p, tape, k, time);
         }
     } else {

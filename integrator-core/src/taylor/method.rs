@@ -4,7 +4,7 @@ use super::{
     Recurrences,
     expansion::{Constants, Expansion, moves},
     horizon,
-    series::COEFFICIENTS,
+    series::HIGHEST,
 };
 use crate::{
     engine::Moves,
@@ -24,7 +24,7 @@ pub struct Taylor {
 }
 
 /// The lowest order and the highest.
-pub(super) const ORDERS: [usize; 2] = [4, COEFFICIENTS - 1];
+pub(super) const ORDERS: [usize; 2] = [4, HIGHEST];
 
 impl Taylor {
     /// Steps whose last coefficients add the share `tolerance` of a coordinate's size at most, with the order that takes the

@@ -45,6 +45,7 @@ mod horizon;
 mod in_lanes;
 mod leg;
 mod method;
+pub(crate) mod mobility;
 mod moment;
 mod part;
 mod recurrences;

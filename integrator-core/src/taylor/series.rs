@@ -3,8 +3,12 @@
 use crate::real::Real;
 use alloc::vec::Vec;
 
-/// How many coefficients a series has at most, that of order 0 included.
-pub const COEFFICIENTS: usize = 29;
+/// The highest order of a polynomial.
+pub const HIGHEST: usize = 28;
+
+/// How many coefficients there is room for: that of order 0, and one above the highest order, which positions have before
+/// momenta do.
+pub const COEFFICIENTS: usize = HIGHEST + 2;
 
 /// The weight of `aⱼ yₖ₋ⱼ` in the recurrence of `y = aᵉ`, `k a₀ yₖ = Σ (e j - (k - j)) aⱼ yₖ₋ⱼ`.
 #[inline(always)]

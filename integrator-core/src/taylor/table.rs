@@ -124,6 +124,12 @@ impl<R: Real> Coefficients<'_, R> {
         }
     }
 
+    /// Whether coordinates are so few that they are not computed on in registers.
+    #[inline(always)]
+    pub(super) fn is_few(&self) -> bool {
+        self.layout.is_few()
+    }
+
     /// How far a component of the points is from the next one.
     #[inline(always)]
     pub fn stride(&self) -> usize {

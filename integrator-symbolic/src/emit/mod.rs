@@ -21,6 +21,7 @@ mod names;
 mod nest;
 mod orders;
 mod pairs;
+mod pass;
 mod recurrence;
 mod tape;
 mod texts;

@@ -5,6 +5,7 @@ use super::{
     fields::Fields,
     function::Body,
     orders::{Source, Writer},
+    pass::Pass,
     tape::{self, Record, Turns, list},
 };
 use crate::{
@@ -109,26 +110,26 @@ impl Writer<'_> {
         let number = self.records.len();
         let (turns, turn) = (list(number), format_ident!("turn_{number}"));
         let given = Given::of(nest, &self.printer.names, wide);
-        let counts = [given.reads.len(), given.constants.len(), nest.targets.len()];
+        let at_once = self.pass.orders();
+        let counts = [given.reads.len(), given.constants.len(), nest.targets.len(), at_once];
         let (body, record) = {
             let mut writer = Writer::abreast(self.source, Record::of("turn", Turns::Abreast(counts)));
+            writer.pass = self.pass;
             writer.printer.names.extend(given.names);
             writer.allocate(nest.body.iter().copied());
-            let body = writer.items(fields, nest.body.iter().copied());
-            let opening = writer.opening;
-            (quote!(#opening #body), writer.records.swap_remove(0))
+            (writer.turn(fields, nest, &given.reads), writer.records.swap_remove(0))
         };
         let body = Body::new(body);
         let kept = match record.slots.is_empty() {
             true => quote!(()),
             false => {
-                let kept = format_ident!("{}{number}", names.turn);
+                let kept = tape::turn(number, names);
                 quote!(#kept<#wide>)
             }
         };
         self.records.push(record);
 
-        let [of_reads, of_constants, of_targets] = counts.map(Literal::usize_unsuffixed);
+        let [of_reads, of_constants, of_targets, of_orders] = counts.map(Literal::usize_unsuffixed);
         let of_common = Literal::usize_unsuffixed(given.common.len());
         let (own, order) = (body.argument("turn"), body.argument("order"));
         let clock: Vec<Ident> = ["step", "time"]
@@ -136,19 +137,19 @@ impl Writer<'_> {
             .filter(|name| body.mentions(name))
             .map(|name| format_ident!("{name}"))
             .collect();
-        let Given { reads, constants, common, flags, .. } = given;
+        let Given { constants, common, flags, .. } = given;
         let body = &body.0;
         let function = quote! {
             #[cfg_attr(not(debug_assertions), inline(always))]
             fn #turn<#scalar: #runtime::Real, #wide: #runtime::Row<#scalar>>(
                 #own: &mut #kept,
-                [#(#reads),*]: [#wide; #of_reads],
+                reads: [[#wide; #of_orders]; #of_reads],
                 [#(#constants),*]: [#wide; #of_constants],
                 [#(#common),*]: [#wide; #of_common],
                 #order: usize,
-                #(#clock: #wide,)*
-            ) -> [#wide; #of_targets] {
-                let mut found = [#wide::of(0.0); #of_targets];
+                #(#clock: [#wide; #of_orders],)*
+            ) -> [[#wide; #of_orders]; #of_targets] {
+                let mut found = [[#wide::of(0.0); #of_orders]; #of_targets];
                 #flags
                 #body
                 found
@@ -156,31 +157,81 @@ impl Writer<'_> {
         };
 
         let taken = self.taken(fields, nest, &turns);
-        let read = nest.reads.iter().enumerate().map(|(number, (_, element))| {
-            let (part, number) = (self.printer.part(*element), Literal::usize_unsuffixed(number));
-            quote!(tape.#turns.read(row, #number, &#part[order]))
-        });
         let common = nest.common.iter().map(|id| {
             let value = self.printer.expression(fields, *id).tokens;
             quote!(#runtime::spread(#value))
         });
+        let common: Vec<TokenStream> = common.collect();
+        let reads = nest.reads.iter().enumerate().map(|(number, (_, element))| {
+            let (part, number) = (self.printer.part(*element), Literal::usize_unsuffixed(number));
+            let orders = [quote!(order), quote!(order + 1)].into_iter().take(at_once);
+            quote!(row.read(#number, [#(&#part[#orders]),*]))
+        });
+        // The lines around have the coefficients of the time of one order.
+        let (times, clock) = match self.pass {
+            Pass::One => (None, clock.iter().map(|name| quote!([#runtime::spread(#name)])).collect()),
+            Pass::Two if clock.is_empty() => (None, Vec::new()),
+            Pass::Two => (
+                Some(quote!(let times = [order, order + 1].map(|order| #runtime::order_of_time(order, time));)),
+                clock
+                    .iter()
+                    .map(|name| {
+                        let number = Literal::usize_unsuffixed(usize::from(name == "time"));
+                        quote!([#runtime::spread(times[0].#number), #runtime::spread(times[1].#number)])
+                    })
+                    .collect(),
+            ),
+        };
         quote! {
             #function
+            #times
             if order == 0 && tape.#turns.is_empty() { #taken }
-            for row in 0..tape.#turns.rows() {
-                let reads = [#(#read),*];
-                let (kept, constants) = tape.#turns.row(row);
-                let found = #turn::<#scalar, #runtime::Abreast<#scalar>>(
-                    kept,
+            for (row, found) in tape.#turns.rows() {
+                let reads = [#(#reads),*];
+                *found = #turn::<#scalar, #runtime::Abreast<#scalar>>(
+                    &mut row.kept,
                     reads,
-                    constants,
+                    row.constants,
                     [#(#common),*],
                     order,
-                    #(#runtime::spread(#clock),)*
+                    #(#clock,)*
                 );
-                tape.#turns.put(row, found);
             }
-            tape.#turns.add([&mut q[order + 1], &mut p[order + 1]]);
+            tape.#turns.add(q, p, order + 1);
+        }
+    }
+
+    /// The lines of a turn, for each of the orders that are found at once.
+    fn turn(&mut self, fields: &mut Fields, nest: &Nest<'_>, reads: &[Ident]) -> TokenStream {
+        let lines = || nest.body.iter().copied();
+        let [known, newest] = match self.pass {
+            Pass::One => [TokenStream::new(), TokenStream::new()],
+            Pass::Two => self.known_of_two(fields, lines()),
+        };
+        let body = self.items(fields, lines());
+        let opening = &self.opening;
+        let lines = quote!(#opening #body);
+        let of_time = Body::new(lines.clone());
+        let clock: Vec<Ident> = ["step", "time"]
+            .into_iter()
+            .filter(|name| of_time.mentions(name))
+            .map(|name| format_ident!("{name}"))
+            .collect();
+        match self.pass {
+            Pass::One => quote!(#(let [#clock] = #clock;)* let [#([#reads]),*] = reads; #lines),
+            Pass::Two => {
+                let numbers = (0..reads.len()).map(Literal::usize_unsuffixed);
+                quote! {
+                    #known
+                    for at in 0..2 {
+                        let order = order + at;
+                        #(let #clock = #clock[at];)*
+                        #(let #reads = reads[#numbers][at];)*
+                        #newest
+                        #lines
+                    }
+                }
+            }
         }
     }
 

@@ -10,19 +10,20 @@ use super::{
     function::Body,
     moves::{Moves, next},
     names::Names,
+    pass::Pass,
     recurrence::Series,
-    tape::{self, Kept, Record, Turns, has_tape, one_by_one, tape},
+    tape::{self, Kept, Record, Tape, Turns, one_by_one},
 };
 use crate::{
     differentiate::Contribution,
     graph::{Element, Graph, Node, NodeId},
     model::Model,
     program::{Asked, Item, Placed, Program, Sink, schedule_with},
-    taylor::{Recurrences, signed},
+    taylor::{Recurrences, mobilities, signed},
 };
 use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::{format_ident, quote};
-use std::collections::HashMap;
+use std::collections::{BTreeSet, HashMap};
 
 /// The items that hold a tape, and the implementation that computes an order.
 pub(super) struct Orders {
@@ -41,24 +42,39 @@ pub(super) fn orders(
     mut potential: Vec<Contribution>,
 ) -> Orders {
     let recurrences = Recurrences::of(&mut model.graph, [&mut kinetic, &mut potential]);
-    let placed = placed(&mut model.graph, &kinetic, &potential);
-    let is_read = |graph: &Graph, id| matches!(graph.node(id), Node::Coordinate(_) | Node::Time | Node::Step);
     let asked = asked(&model.graph, &recurrences);
-    let parameters = &model.parameters;
-    let leaf = |graph: &Graph, id| is_read(graph, id) || is_leaf(graph, parameters, id);
-    let program = schedule_with(&model.graph, &placed, leaf, &asked);
+    let program = |model: &mut Model, kinetic: &[Contribution], potential: &[Contribution]| {
+        let placed = placed(&mut model.graph, kinetic, potential);
+        let is_read = |graph: &Graph, id| matches!(graph.node(id), Node::Coordinate(_) | Node::Time | Node::Step);
+        let leaf = |graph: &Graph, id| is_read(graph, id) || is_leaf(graph, &model.parameters, id);
+        schedule_with(&model.graph, &placed, leaf, &asked)
+    };
+    let all = program(model, &kinetic, &potential);
+    let moves = Moves::of(&model.graph, &all.items);
+    // Where momenta are in loops, positions that merely follow them are taken out of these.
+    let mobilities = mobilities(&mut model.graph, &kinetic).filter(|_| matches!(moves, Moves::InPlace));
+    let (program, mobile) = match mobilities {
+        Some(mobilities) => (program(model, &[], &potential), Some(program(model, &mobilities, &[]))),
+        None => (all, None),
+    };
     let frame = Frame::Series;
     let source = Source { model, names, program: &program, frame: &frame, recurrences: &recurrences };
+    let rolled = matches!(moves, Moves::InPlace);
     let mut writer = Writer::new(&source, Record::of("tape", Turns::Once));
-    let moves = Moves::of(&source.model.graph, &program.items);
     writer.moves = moves;
     writer.allocate(&program.items);
-    let body = writer.items(fields, &program.items);
-    let (opening, closing) = writer.ends(fields);
-    let rolled = !matches!(writer.moves, Moves::Alone(_));
-    let records = writer.records;
-    let body = quote!(#opening #body #closing);
-    Orders { tape: tape(&records, names), items: implementation(body, &records, rolled, names) }
+    let body = match &mobile {
+        Some(mobile) => {
+            let source = Source { program: mobile, ..source };
+            let mut of_mobilities = Writer::new(&source, Record::of("tape", Turns::Once));
+            of_mobilities.moves = Moves::InPlace;
+            let mobilities = of_mobilities.items(fields, &mobile.items);
+            writer.orders_of_momenta(fields, &program.items, &mobilities)
+        }
+        None => writer.order_of_all(fields, &program.items),
+    };
+    let tape = Tape { records: &writer.records, is_mobile: mobile.is_some() };
+    Orders { tape: tape.structs(names), items: implementation(body, &tape, rolled, writer.pass, names) }
 }
 
 /// Recurrences have lines of their own, and read the series of slopes where they stand.
@@ -108,6 +124,10 @@ pub(super) struct Writer<'m> {
     /// The lines that keep what the function begins with, where recurrences read its series.
     pub(super) opening: TokenStream,
     pub(super) moves: Moves,
+    /// How many orders the lines find.
+    pub(super) pass: Pass,
+    /// The values whose sums over what is known are those of two orders.
+    pub(super) of_two: BTreeSet<NodeId>,
 }
 
 impl<'m> Writer<'m> {
@@ -122,6 +142,8 @@ impl<'m> Writer<'m> {
             places: HashMap::new(),
             opening: TokenStream::new(),
             moves: Moves::InPlace,
+            pass: Pass::One,
+            of_two: BTreeSet::new(),
         }
     }
 
@@ -218,7 +240,10 @@ impl<'m> Writer<'m> {
                     Moves::Abreast(target) => {
                         let number = Literal::usize_unsuffixed(*target);
                         *target += 1;
-                        return quote!(found[#number] = #value;);
+                        return match self.pass {
+                            Pass::One => quote!(found[#number] = [#value];),
+                            Pass::Two => quote!(found[#number][at] = #value;),
+                        };
                     }
                     Moves::InPlace => {}
                 }
@@ -330,23 +355,23 @@ fn makes(item: &Item, id: NodeId) -> bool {
     }
 }
 
-fn implementation(body: TokenStream, records: &[Record], rolled: bool, names: &Names) -> TokenStream {
-    let Names { runtime, scalar, tape, .. } = names;
-    let tape = if has_tape(records) { quote!(#tape<#scalar>) } else { quote!(()) };
+fn implementation(body: TokenStream, tape: &Tape<'_>, rolled: bool, pass: Pass, names: &Names) -> TokenStream {
+    let Names { runtime, scalar, .. } = names;
+    let name = &names.tape;
+    let kind = if tape.is_empty() { quote!(()) } else { quote!(#name<#scalar>) };
     let body = Body::new(body);
-    let clock = (body.mentions("step") || body.mentions("time"))
-        .then(|| quote!(let (step, time) = #runtime::order_of_time(order, time);));
-    let time = Ident::new(if clock.is_some() { "time" } else { "_time" }, Span::call_site());
-    let [parameters, length] = ["parameters", "length"].map(|name| body.argument(name));
+    let [parameters, length, time] = ["parameters", "length", "time"].map(|name| body.argument(name));
     let stride = body.mentions("stride").then(|| quote!(let stride = q.stride();));
+    let at_once = Literal::usize_unsuffixed(pass.orders());
     let body = &body.0;
-    let counters = one_by_one(records).map(|number| {
+    let counters = one_by_one(tape.records).map(|number| {
         let next = tape::next(number);
         quote!(let mut #next = 0;)
     });
     quote! {
-        type Tape<#scalar: #runtime::Real> = #tape;
+        type Tape<#scalar: #runtime::Real> = #kind;
         const ROLLED: bool = #rolled;
+        const AT_ONCE: usize = #at_once;
 
         #[cfg_attr(not(debug_assertions), inline(always))]
         fn order<#scalar: #runtime::Real>(
@@ -358,7 +383,6 @@ fn implementation(body: TokenStream, records: &[Record], rolled: bool, names: &N
             order: usize,
             #time: #scalar,
         ) {
-            #clock
             #stride
             #(#counters)*
             #body

@@ -35,45 +35,178 @@ impl Series {
 
 /// The products that a recurrence sums up, of coefficients whose orders add up to that of the sum.
 struct Products {
-    /// The lines for the middle of the sum, and for two orders that are as far from it.
-    middle: TokenStream,
-    pair: TokenStream,
+    weight: Weight,
+    a: Series,
+    b: Series,
 }
 
-/// The orders in a sum.
-fn orders() -> [TokenStream; 3] {
-    [quote!(middle), quote!(low), quote!(high)]
+/// What products are multiplied by.
+enum Weight {
+    /// One.
+    None,
+    /// One half where both factors are the same coefficient, since two others stand for each other.
+    Half,
+    /// `e j - (k - j)` for a power, by the function that computes it with an exponent.
+    Power { function: TokenStream, exponent: TokenStream },
+    /// The order of the first factor, or minus that.
+    Order { negative: bool },
+}
+
+/// A sum of products whose orders add up to `order`.
+struct Sum {
+    rest: TokenStream,
+    order: TokenStream,
+}
+
+impl Sum {
+    fn of(rest: impl ToTokens, order: impl ToTokens) -> Self {
+        Self { rest: rest.into_token_stream(), order: order.into_token_stream() }
+    }
 }
 
 impl Writer<'_> {
     /// The sums over what is known of the values that a block gives names.
     pub(super) fn known<'i>(&mut self, fields: &mut Fields, items: impl IntoIterator<Item = &'i Item>) -> TokenStream {
+        let sums = self.sums(fields, items);
+        if sums.is_empty() {
+            return TokenStream::new();
+        }
+        let zero = self.printer.lifted(quote!(0.0));
+        let (mut middles, mut pairs) = (TokenStream::new(), TokenStream::new());
+        for (_, rest, products) in &sums {
+            let sum = Sum::of(rest, quote!(order));
+            for products in products {
+                middles.extend(self.middle(&sum, products));
+                pairs.extend(self.pair(&sum, products, [&quote!(low), &quote!(high)]));
+            }
+        }
+        let rests = sums.iter().map(|(_, rest, _)| rest);
+        quote! {
+            #(let mut #rests = #zero;)*
+            if order > 0 && order % 2 == 0 {
+                let middle = order / 2;
+                #middles
+            }
+            for low in (1..order.div_ceil(2)).rev() {
+                let high = order - low;
+                #pairs
+            }
+        }
+    }
+
+    /// The same of an even order and the next one at once, which share coefficients: the lines that begin with the even
+    /// one, and those that each of the two begins with, since the second one needs what the first one finds.
+    pub(super) fn known_of_two<'i>(
+        &mut self,
+        fields: &mut Fields,
+        items: impl IntoIterator<Item = &'i Item>,
+    ) -> [TokenStream; 2] {
+        let sums = self.sums(fields, items);
+        if sums.is_empty() {
+            return [TokenStream::new(), TokenStream::new()];
+        }
+        let zero = self.printer.lifted(quote!(0.0));
+        let (low, next, high) = (quote!(low), quote!(next), quote!(high));
+        let (mut middles, mut pairs, mut newest) = (TokenStream::new(), TokenStream::new(), TokenStream::new());
+        for (id, rest, products) in &sums {
+            self.of_two.insert(*id);
+            let [even, odd] =
+                [Sum::of(quote!(#rest[0]), quote!(order)), Sum::of(quote!(#rest[1]), quote!((order + 1)))];
+            let of_second = Sum::of(quote!(#rest[1]), quote!(order));
+            for products in products {
+                middles.extend(self.middle(&even, products));
+                pairs.extend(self.pair(&even, products, [&low, &high]));
+                pairs.extend(self.pair(&odd, products, [&next, &high]));
+                newest.extend(self.pair(&of_second, products, [&low, &high]));
+            }
+        }
+        let rests = sums.iter().map(|(_, rest, _)| rest);
+        let known = quote! {
+            #(let mut #rests = [#zero; 2];)*
+            if order > 0 {
+                let middle = order / 2;
+                #middles
+            }
+            for low in (1..order / 2).rev() {
+                let (next, high) = (low + 1, order - low);
+                #pairs
+            }
+        };
+        let newest = quote! {
+            if at == 1 && order > 1 {
+                let (low, high) = (1, order - 1);
+                #newest
+            }
+        };
+        [known, newest]
+    }
+
+    /// The line for the middle of a sum.
+    fn middle(&self, Sum { rest, order }: &Sum, Products { weight, a, b }: &Products) -> TokenStream {
+        let middle = quote!(middle);
+        let [a, b] = [a, b].map(|series| series.of(&middle));
+        match weight {
+            Weight::None => quote!(#rest = #a * #b;),
+            Weight::Half => {
+                let half = self.printer.lifted(quote!(0.5));
+                quote!(#rest = #half * #a * #b;)
+            }
+            weight => {
+                let a = self.weighted(weight, &middle, order, &a);
+                quote!(#rest = #a.fma(#b, #rest);)
+            }
+        }
+    }
+
+    /// The lines for two orders that are as far from the middle.
+    fn pair(
+        &self,
+        Sum { rest, order }: &Sum,
+        Products { weight, a, b }: &Products,
+        [low, high]: [&TokenStream; 2],
+    ) -> TokenStream {
+        let [a_low, b_low] = [a, b].map(|series| series.of(low));
+        let [a_high, b_high] = [a, b].map(|series| series.of(high));
+        match weight {
+            Weight::None => quote!(#rest = #a_low.fma(#b_high, #a_high.fma(#b_low, #rest));),
+            Weight::Half => quote!(#rest = #a_low.fma(#b_high, #rest);),
+            weight => {
+                let (a_low, a_high) =
+                    (self.weighted(weight, low, order, &a_low), self.weighted(weight, high, order, &a_high));
+                quote! {
+                    #rest = #a_low.fma(#b_high, #rest);
+                    #rest = #a_high.fma(#b_low, #rest);
+                }
+            }
+        }
+    }
+
+    /// The first factor of order `j` with its weight, which several sums may share.
+    fn weighted(&self, weight: &Weight, j: &TokenStream, order: &TokenStream, a: &TokenStream) -> TokenStream {
+        let scalar = self.printer.scalar;
+        match weight {
+            Weight::None | Weight::Half => a.clone(),
+            Weight::Power { function, exponent } => quote!((#function(#exponent, #j, #order) * #a)),
+            Weight::Order { negative: false } => quote!((#scalar::of(#j as f64) * #a)),
+            Weight::Order { negative: true } => quote!((-(#scalar::of(#j as f64) * #a))),
+        }
+    }
+
+    /// The values of a block that have sums, and the names of these.
+    fn sums<'i>(
+        &mut self,
+        fields: &mut Fields,
+        items: impl IntoIterator<Item = &'i Item>,
+    ) -> Vec<(NodeId, Ident, Vec<Products>)> {
         let named = items.into_iter().flat_map(|item| match item {
             Item::Let(id) => vec![*id],
             Item::SineCosine { sine, cosine, .. } => vec![*sine, *cosine],
             _ => Vec::new(),
         });
-        let named: Vec<NodeId> = named.filter(|id| self.is_nonlinear(*id)).collect();
-        let sums: Vec<(Ident, Products)> =
-            named.into_iter().filter_map(|id| Some((self.rest(id), self.products(fields, id)?))).collect();
-        if sums.is_empty() {
-            return TokenStream::new();
-        }
-        let rests: Vec<&Ident> = sums.iter().map(|(rest, _)| rest).collect();
-        let (middles, pairs) =
-            (sums.iter().map(|(_, products)| &products.middle), sums.iter().map(|(_, products)| &products.pair));
-        let zero = self.printer.lifted(quote!(0.0));
-        quote! {
-            #(let mut #rests = #zero;)*
-            if order > 0 && order % 2 == 0 {
-                let middle = order / 2;
-                #(#middles)*
-            }
-            for low in (1..order.div_ceil(2)).rev() {
-                let high = order - low;
-                #(#pairs)*
-            }
-        }
+        let is_open = |id: &NodeId| self.is_nonlinear(*id) && !self.of_two.contains(id);
+        let named: Vec<NodeId> = named.filter(is_open).collect();
+        let sums = named.into_iter().map(|id| (id, self.rest(id), self.products(fields, id)));
+        sums.filter(|(.., products)| !products.is_empty()).collect()
     }
 
     /// What the sum over what is known of a value is called.
@@ -81,78 +214,44 @@ impl Writer<'_> {
         format_ident!("rest_of_{}", self.printer.names[&id])
     }
 
-    /// The products that are known, if there are any.
-    fn products(&mut self, fields: &mut Fields, id: NodeId) -> Option<Products> {
-        let (rest, runtime, scalar) = (self.rest(id), self.printer.runtime, self.printer.scalar);
-        let [middle, low, high] = orders();
-        let product = |a: &Series, b: &Series| {
-            let [a, b] = [a, b].map(|series| orders().map(|order| series.of(&order)));
-            let ([a_middle, a_low, a_high], [b_middle, b_low, b_high]) = (a, b);
-            Products {
-                middle: quote!(#rest = #a_middle * #b_middle;),
-                pair: quote!(#rest = #a_low.fma(#b_high, #a_high.fma(#b_low, #rest));),
-            }
-        };
-        // The weight goes with the first factor, which several sums may share.
-        let weighted = |weight: &dyn Fn(&TokenStream) -> TokenStream, negative: bool, a: &Series, b: &Series| {
-            let [a, b] = [a, b].map(|series| orders().map(|order| series.of(&order)));
-            let ([a_middle, a_low, a_high], [b_middle, b_low, b_high]) = (a, b);
-            let product = |order: &TokenStream, a: &TokenStream| {
-                let weight = weight(order);
-                if negative { quote!((-(#weight * #a))) } else { quote!((#weight * #a)) }
-            };
-            let (of_middle, of_low, of_high) =
-                (product(&middle, &a_middle), product(&low, &a_low), product(&high, &a_high));
-            Products {
-                middle: quote!(#rest = #of_middle.fma(#b_middle, #rest);),
-                pair: quote! {
-                    #rest = #of_low.fma(#b_high, #rest);
-                    #rest = #of_high.fma(#b_low, #rest);
-                },
-            }
-        };
+    /// The products that a value sums up.
+    fn products(&mut self, fields: &mut Fields, id: NodeId) -> Vec<Products> {
+        let (runtime, scalar) = (self.printer.runtime, self.printer.scalar);
         let own = self.series(fields, id);
-        Some(match self.printer.graph.node(id) {
-            Node::Mul(a, b) => product(&self.unsigned(fields, a).1, &self.unsigned(fields, b).1),
-            Node::Div(_, b) => product(&self.unsigned(fields, b).1, &own),
+        let (weight, a, b) = match self.printer.graph.node(id) {
+            Node::Mul(a, b) => (Weight::None, self.unsigned(fields, a).1, self.unsigned(fields, b).1),
+            Node::Div(_, b) => (Weight::None, self.unsigned(fields, b).1, own),
             Node::Power(a, 4) => {
-                let [middle, low, high] = orders().map(|order| self.unsigned(fields, a).1.of(&order));
-                let half = self.printer.lifted(quote!(0.5));
-                Products {
-                    middle: quote!(#rest = #half * #middle * #middle;),
-                    pair: quote!(#rest = #low.fma(#high, #rest);),
-                }
+                let a = self.unsigned(fields, a).1;
+                (Weight::Half, a.clone(), a)
             }
             Node::Power(a, halves) if self.has_no_slopes(id) => {
                 let exponent = Literal::f64_unsuffixed(f64::from(halves) / 2.0);
-                let weight = |j: &TokenStream| quote!(#runtime::weight::<#scalar>(#exponent, #j, order));
-                weighted(&weight, false, &self.unsigned(fields, a).1, &own)
+                let (function, exponent) = (quote!(#runtime::weight::<#scalar>), exponent.into_token_stream());
+                let weight = Weight::Power { function, exponent };
+                (weight, self.unsigned(fields, a).1, own)
             }
             Node::Binary(function, a, b) if is_power(function) => {
                 let exponent = self.printer.expression(fields, b).tokens;
-                let weight = |j: &TokenStream| quote!(#runtime::weight_with(#exponent, #j, order));
-                weighted(&weight, false, &self.unsigned(fields, a).1, &own)
+                let weight = Weight::Power { function: quote!(#runtime::weight_with), exponent };
+                (weight, self.unsigned(fields, a).1, own)
             }
             _ => {
-                let (mut middle, mut pair) = (TokenStream::new(), TokenStream::new());
-                for (negative, _, x, slope) in self.chained(fields, id) {
-                    let weight = |j: &TokenStream| quote!(#scalar::of(#j as f64));
-                    let products = weighted(&weight, negative, &x, &slope);
-                    middle.extend(products.middle);
-                    pair.extend(products.pair);
-                }
-                if pair.is_empty() {
-                    return None;
-                }
-                Products { middle, pair }
+                let chained = self.chained(fields, id).into_iter();
+                return chained
+                    .map(|(negative, _, a, b)| Products { weight: Weight::Order { negative }, a, b })
+                    .collect();
             }
-        })
+        };
+        vec![Products { weight, a, b }]
     }
 
     /// The coefficient of an order of a value that is not linear in what it is computed from.
     pub(super) fn recurrence(&mut self, fields: &mut Fields, id: NodeId) -> TokenStream {
         let runtime = self.printer.runtime;
-        let (rest, own) = (self.rest(id), self.series(fields, id).of(&quote!(0)));
+        let rest = self.rest(id);
+        let rest = if self.of_two.contains(&id) { quote!(#rest[at]) } else { quote!(#rest) };
+        let own = self.series(fields, id).of(&quote!(0));
         match self.printer.graph.node(id) {
             Node::Mul(a, b) => {
                 let (new_a, new_b) = (self.newest(fields, a), self.newest(fields, b));

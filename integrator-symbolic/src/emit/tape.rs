@@ -40,8 +40,9 @@ pub(super) enum Turns {
     Once,
     /// For every turn, one after the other.
     OneByOne,
-    /// For every eight turns, which read so many coordinates, have so many constants, and move so many coordinates.
-    Abreast([usize; 3]),
+    /// For every eight turns, which read so many coordinates, have so many constants, and move so many coordinates, by so
+    /// many orders at once.
+    Abreast([usize; 4]),
 }
 
 /// The list that has a place for every turn of a loop.
@@ -55,7 +56,7 @@ pub(super) fn next(number: usize) -> Ident {
 }
 
 /// The struct of the turns of a loop.
-fn turn(number: usize, names: &Names) -> Ident {
+pub(super) fn turn(number: usize, names: &Names) -> Ident {
     format_ident!("{}{number}", names.turn)
 }
 
@@ -70,17 +71,38 @@ fn kind(number: usize, record: &Record, names: &Names) -> Option<TokenStream> {
     let turn = turn(number, names);
     match record.turns {
         Turns::Abreast(counts) => {
-            let [reads, constants, targets] = counts.map(Literal::usize_unsuffixed);
+            let counts = counts.map(Literal::usize_unsuffixed);
             let kept = if record.slots.is_empty() { quote!(()) } else { quote!(#turn<#runtime::Abreast<#scalar>>) };
-            Some(quote!(#runtime::Turns<#scalar, #kept, #reads, #constants, #targets>))
+            Some(quote!(#runtime::Turns<#scalar, #kept, #(#counts),*>))
         }
         Turns::OneByOne if !record.slots.is_empty() => Some(quote!(#runtime::Vec<#turn<#scalar>>)),
         Turns::Once | Turns::OneByOne => None,
     }
 }
 
-/// The structs of the tape.
-pub(super) fn tape(records: &[Record], names: &Names) -> TokenStream {
+/// All that is kept.
+pub(super) struct Tape<'r> {
+    /// The first one is that of the function.
+    pub(super) records: &'r [Record],
+    /// Whether positions merely follow momenta.
+    pub(super) is_mobile: bool,
+}
+
+impl Tape<'_> {
+    /// Whether nothing is kept: a motion whose forces are linear, without loops, reads coordinates alone.
+    pub(super) fn is_empty(&self) -> bool {
+        let keeps = |record: &Record| !record.slots.is_empty() || matches!(record.turns, Turns::Abreast(_));
+        !self.is_mobile && !self.records.iter().any(keeps)
+    }
+
+    /// The structs of the tape.
+    pub(super) fn structs(&self, names: &Names) -> TokenStream {
+        structs(self, names)
+    }
+}
+
+fn structs(tape: &Tape<'_>, names: &Names) -> TokenStream {
+    let Tape { records, is_mobile } = tape;
     let Names { runtime, scalar, .. } = names;
     let structure = |name: &Ident, record: &Record, lists: &[(Ident, TokenStream)], doc: &str| {
         let (mut series, mut fields, mut values) = (Vec::new(), TokenStream::new(), TokenStream::new());
@@ -126,17 +148,13 @@ pub(super) fn tape(records: &[Record], names: &Names) -> TokenStream {
         }
     };
     let numbered = || records.iter().enumerate().skip(1);
-    let lists: Vec<(Ident, TokenStream)> =
-        numbered().filter_map(|(number, record)| Some((list(number), kind(number, record, names)?))).collect();
+    let mobility = is_mobile.then(|| (format_ident!("mobility"), quote!(#runtime::Mobility<#scalar>)));
+    let of_loops = numbered().filter_map(|(number, record)| Some((list(number), kind(number, record, names)?)));
+    let lists: Vec<(Ident, TokenStream)> = mobility.into_iter().chain(of_loops).collect();
     let turns = numbered()
         .filter(|(_, record)| !record.slots.is_empty())
         .map(|(number, record)| structure(&turn(number, names), record, &[], " What a turn of a loop keeps."));
-    let whole = has_tape(records)
+    let whole = (!tape.is_empty())
         .then(|| structure(&names.tape, &records[0], &lists, " The coefficients that recurrences read."));
     quote!(#(#turns)* #whole)
-}
-
-/// Whether anything is kept: a motion whose forces are linear, without loops, reads coordinates alone.
-pub(super) fn has_tape(records: &[Record]) -> bool {
-    records.iter().any(|record| !record.slots.is_empty() || matches!(record.turns, Turns::Abreast(_)))
 }

@@ -1,0 +1,67 @@
+//! Kinetic energies that are sums of squares.
+//!
+//! Comes in: the gradient of `T`. Goes out: what its components multiply momenta by, if each is its own momentum times a
+//! number. Then the coefficients of positions follow from those of momenta without recurrences, and are known an order
+//! ahead of them.
+
+use crate::{
+    differentiate::Contribution,
+    graph::{Around, Element, Graph, Node, NodeId},
+};
+
+/// The mobilities of the coordinates, in place of the components of the gradient.
+pub(crate) fn mobilities(graph: &mut Graph, gradient: &[Contribution]) -> Option<Vec<Contribution>> {
+    let of = |contribution: &Contribution| {
+        let Contribution { context, element, value } = contribution;
+        let is_loop = |around: &Around| matches!(around, Around::Loop(_));
+        let value = context.iter().all(is_loop).then(|| factor(graph, *value, *element))??;
+        Some(Contribution { value, ..contribution.clone() })
+    };
+    gradient.iter().map(of).collect()
+}
+
+/// What a momentum is multiplied by, if a value is a multiple of it.
+fn factor(graph: &mut Graph, value: NodeId, of: Element) -> Option<NodeId> {
+    match graph.node(value) {
+        Node::Coordinate(element) => (element == of).then(|| graph.constant(1.0)),
+        Node::Neg(inner) => factor(graph, inner, of).map(|inner| graph.neg(inner)),
+        Node::Mul(by, inner) if graph.is_prepared(by) => factor(graph, inner, of).map(|inner| graph.mul(by, inner)),
+        Node::Mul(inner, by) if graph.is_prepared(by) => factor(graph, inner, of).map(|inner| graph.mul(by, inner)),
+        Node::Div(inner, by) if graph.is_prepared(by) => factor(graph, inner, of).map(|inner| graph.div(inner, by)),
+        _ => None,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{
+        differentiate::gradient,
+        graph::{Part, index::Index},
+    };
+
+    #[test]
+    fn a_multiple_of_its_own_momentum_has_a_mobility() {
+        let mut graph = Graph::default();
+        let index = graph.loops.intern(Index::Literal(0));
+        let element = Element { part: Part::Momentum, index, component: None };
+        let p = graph.coordinate(element);
+        let (square, two) = (graph.power(p, 4), graph.constant(2.0));
+        let third = graph.constant(1.0 / 3.0);
+        let quadratic = graph.div(square, two);
+        let quadratic = graph.mul(third, quadratic);
+        let of = |graph: &mut Graph, energy| {
+            let gradient = gradient(graph, energy, Part::Momentum);
+            mobilities(graph, &gradient)
+        };
+        let found = of(&mut graph, quadratic).expect("a mobility");
+        assert_eq!(found.len(), 1);
+        assert_eq!(graph.as_constant(found[0].value), Some(1.0 / 3.0));
+        let quartic = graph.power(p, 8);
+        assert_eq!(of(&mut graph, quartic), None);
+        let other = graph.loops.intern(Index::Literal(1));
+        let other = graph.coordinate(Element { index: other, ..element });
+        let product = graph.mul(p, other);
+        assert_eq!(of(&mut graph, product), None, "momenta that move each other's positions");
+    }
+}
