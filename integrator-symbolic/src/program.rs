@@ -56,6 +56,18 @@ pub(crate) enum Item {
     Sink(Sink, NodeId),
 }
 
+impl Item {
+    /// The values that it computes and gives names.
+    pub(crate) fn named(&self) -> impl Iterator<Item = NodeId> {
+        let named = match self {
+            Item::Let(id) => [Some(*id), None],
+            Item::SineCosine { sine, cosine, .. } => [Some(*sine), Some(*cosine)],
+            _ => [None, None],
+        };
+        named.into_iter().flatten()
+    }
+}
+
 /// The body of a function.
 #[derive(Debug, PartialEq)]
 pub(crate) struct Program {

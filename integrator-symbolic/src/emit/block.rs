@@ -225,11 +225,8 @@ impl<'m> Block<'m> {
                 quote!(let mut #name = #zero;)
             }
             Item::Loop { by, body } => {
-                let range = printer.graph.loops.get(*by);
-                let index = printer.running.get(by).cloned();
-                let (from, to) = (printer.bound(fields, range.from), printer.bound(fields, range.to));
                 let body = self.items(fields, body);
-                quote!(for #index in #from..#to { #body })
+                self.printer.looped(fields, *by, &body)
             }
             Item::Branch { condition, holds, body } => self.branch(fields, *condition, *holds, body),
             Item::Add { sum, value } => {

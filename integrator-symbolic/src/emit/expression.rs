@@ -298,22 +298,25 @@ impl Printer<'_> {
                 quote!(#place.value())
             }
             Frame::Sites(_) => self.neighbour(element),
-            Frame::Bodies(_) => place(fields),
-            Frame::Series => {
-                let (part, place) = (self.part(element), self.in_row(fields, element));
-                quote!(#part[order][#place])
-            }
+            Frame::Bodies(_) | Frame::Series => place(fields),
         }
     }
 
-    /// A coordinate's place: `motion.q[0]`, `motion.p[i][1]`, `q_i[d]`.
+    /// A coordinate's place: `motion.q[0]`, `motion.p[i][1]`, `q_i[d]`, `q[order][0]`.
     pub(super) fn place(&self, fields: &mut Fields, element: Element) -> TokenStream {
-        let (part, at) = (self.part(element), self.at(fields, element));
+        let part = self.part(element);
         match self.frame {
-            Frame::Motion | Frame::Sites(_) | Frame::Series => quote!(motion.#part #at),
+            Frame::Motion | Frame::Sites(_) => {
+                let at = self.at(fields, element);
+                quote!(motion.#part #at)
+            }
             Frame::Bodies(bodies) => {
-                let part = bodies.of_index(self.graph, part, element.index);
+                let (part, at) = (bodies.of_index(self.graph, part, element.index), self.at(fields, element));
                 quote!(#part #at)
+            }
+            Frame::Series => {
+                let place = self.in_row(fields, element);
+                quote!(#part[order][#place])
             }
         }
     }

@@ -8,7 +8,7 @@ use super::{
 use crate::{
     graph::{
         Element, Part,
-        index::{Index, IndexId},
+        index::{Index, IndexId, LoopId},
     },
     model::integer::operand,
 };
@@ -87,6 +87,13 @@ impl Printer<'_> {
                 self.prepared(name, self.graph.loops.of_parameter(parameter))
             }
         }
+    }
+
+    /// Lines within a loop.
+    pub(super) fn looped(&self, fields: &mut Fields, by: LoopId, lines: &TokenStream) -> TokenStream {
+        let (range, index) = (self.graph.loops.get(by), self.running.get(&by));
+        let (from, to) = (self.bound(fields, range.from), self.bound(fields, range.to));
+        quote!(for #index in #from..#to { #lines })
     }
 
     /// A bound of a loop: a difference that may be below zero ends the loop before it begins.

@@ -74,11 +74,7 @@ impl Writer<'_> {
             return self.nest(fields, nest);
         }
         let body = self.items(fields, nest.body.iter().copied());
-        nest.loops.iter().rev().fold(body, |body, by| {
-            let (range, index) = (self.printer.graph.loops.get(*by), self.printer.running.get(by));
-            let (from, to) = (self.printer.bound(fields, range.from), self.printer.bound(fields, range.to));
-            quote!(for #index in #from..#to { #body })
-        })
+        nest.loops.iter().rev().fold(body, |body, by| self.printer.looped(fields, *by, &body))
     }
 
     /// A loop, whose turns keep what they compute each in a place of its own.
@@ -94,13 +90,11 @@ impl Writer<'_> {
         let body = self.items(fields, body);
         self.places = outside;
         self.within.pop();
-        let (range, index) = (self.printer.graph.loops.get(by), self.printer.running.get(&by));
-        let (from, to) = (self.printer.bound(fields, range.from), self.printer.bound(fields, range.to));
         let turn = (!self.records[number].slots.is_empty()).then(|| {
             let (runtime, list, next) = (self.printer.runtime, list(number), tape::next(number));
             quote!(let #at = #runtime::turn(&mut tape.#list, &mut #next);)
         });
-        quote!(for #index in #from..#to { #turn #body })
+        self.printer.looped(fields, by, &quote!(#turn #body))
     }
 
     /// A nest of loops: its turns are laid out once, and computed in rows.
@@ -249,11 +243,7 @@ impl Writer<'_> {
             quote!(#scalar::select(#holds, #scalar::of(1.0), #scalar::of(0.0)))
         }));
         let take = quote!(tape.#turns.take([#(#reads),*], [#(#constants),*], [#(#targets),*]););
-        let take = nest.loops.iter().rev().fold(take, |take, by| {
-            let (range, index) = (printer.graph.loops.get(*by), printer.running.get(by));
-            let (from, to) = (printer.bound(fields, range.from), printer.bound(fields, range.to));
-            quote!(for #index in #from..#to { #take })
-        });
+        let take = nest.loops.iter().rev().fold(take, |take, by| printer.looped(fields, *by, &take));
         self.printer.names = named;
         let parts = nest.targets.iter().map(|element| match element.part {
             Part::Position => quote!(0),

@@ -158,16 +158,11 @@ impl<'m> Writer<'m> {
     /// Finds places for what is kept in a block, before its lines are written: recurrences read each other.
     pub(super) fn allocate<'i>(&mut self, items: impl IntoIterator<Item = &'i Item>) {
         for item in items {
-            let values = match item {
-                Item::Let(id) | Item::Begin(id) => vec![*id],
-                Item::SineCosine { sine, cosine, .. } => vec![*sine, *cosine],
-                Item::Branch { body, .. } => {
-                    self.allocate(body);
-                    continue;
-                }
-                _ => continue,
-            };
-            for id in values {
+            if let Item::Branch { body, .. } = item {
+                self.allocate(body);
+            }
+            let begun = if let Item::Begin(id) = item { Some(*id) } else { None };
+            for id in item.named().chain(begun) {
                 if self.is_given(id) {
                     continue;
                 }
@@ -197,11 +192,7 @@ impl<'m> Writer<'m> {
 
     fn item(&mut self, fields: &mut Fields, item: &Item) -> TokenStream {
         match item {
-            Item::Let(id) => self.value(fields, *id),
-            Item::SineCosine { sine, cosine, .. } => {
-                let (sine, cosine) = (self.value(fields, *sine), self.value(fields, *cosine));
-                quote!(#sine #cosine)
-            }
+            Item::Let(_) | Item::SineCosine { .. } => item.named().map(|id| self.value(fields, id)).collect(),
             Item::Begin(id) => {
                 let (name, zero) = (&self.printer.names[id], self.printer.lifted(quote!(0.0)));
                 quote!(let mut #name = #zero;)
@@ -288,8 +279,7 @@ impl<'m> Writer<'m> {
 
     /// Finds a place for a value in the record of the block.
     fn slot(&mut self, id: NodeId, is_condition: bool) {
-        let name = &self.printer.names[&id];
-        let name = name.clone();
+        let name = self.printer.names[&id].clone();
         let record = self.record();
         record.slots.push((name.clone(), if is_condition { Kept::Condition } else { Kept::Series }));
         let place = Series::Kept { at: record.at.clone(), name };

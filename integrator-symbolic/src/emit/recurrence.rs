@@ -198,11 +198,7 @@ impl Writer<'_> {
         fields: &mut Fields,
         items: impl IntoIterator<Item = &'i Item>,
     ) -> Vec<(NodeId, Ident, Vec<Products>)> {
-        let named = items.into_iter().flat_map(|item| match item {
-            Item::Let(id) => vec![*id],
-            Item::SineCosine { sine, cosine, .. } => vec![*sine, *cosine],
-            _ => Vec::new(),
-        });
+        let named = items.into_iter().flat_map(Item::named);
         let is_open = |id: &NodeId| self.is_nonlinear(*id) && !self.of_two.contains(id);
         let named: Vec<NodeId> = named.filter(is_open).collect();
         let sums = named.into_iter().map(|id| (id, self.rest(id), self.products(fields, id)));

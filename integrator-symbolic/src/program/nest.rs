@@ -85,12 +85,11 @@ fn made(lines: &[&Item]) -> BTreeSet<NodeId> {
     let mut found = BTreeSet::new();
     for line in lines {
         match line {
-            Item::Let(id) | Item::Begin(id) => {
+            Item::Begin(id) => {
                 found.insert(*id);
             }
-            Item::SineCosine { sine, cosine, .. } => found.extend([*sine, *cosine]),
             Item::Branch { body, .. } => found.extend(made(&body.iter().collect::<Vec<_>>())),
-            Item::Loop { .. } | Item::Add { .. } | Item::Choose { .. } | Item::Sink(..) => {}
+            _ => found.extend(line.named()),
         }
     }
     found
@@ -129,11 +128,7 @@ impl<'s> Needs<'s> {
     fn of_lines(&mut self, lines: &[&Item]) -> Option<()> {
         for line in lines {
             match line {
-                Item::Let(id) => self.made(*id)?,
-                Item::SineCosine { sine, cosine, .. } => {
-                    self.made(*sine)?;
-                    self.made(*cosine)?;
-                }
+                Item::Let(_) | Item::SineCosine { .. } => line.named().try_for_each(|id| self.made(id))?,
                 Item::Begin(_) => {}
                 Item::Branch { condition, body, .. } => {
                     self.of(*condition)?;
