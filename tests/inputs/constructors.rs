@@ -7,6 +7,7 @@ use integrator_core::{
         shadow, stability, symplectic_defect, symplectic_defect_after,
     },
     prelude::*,
+    taylor::Taylor,
 };
 
 /// A chain as long as its start, with a mass for every site.
@@ -17,7 +18,7 @@ struct Chain {
     cutoff: f64,
 }
 
-#[hamiltonian]
+#[hamiltonian(taylor)]
 impl Chain {
     fn kinetic(&self, p: &[f64]) -> f64 {
         let mut sum = 0.0;
@@ -162,6 +163,18 @@ fn checks(input: &Input) -> Vec<Door> {
     .into()
 }
 
+/// An input at the constructors by Taylor's method.
+fn taylor(input: &Input) -> Vec<Door> {
+    let (chain, h, method) = (&input.chain, input.h, Taylor::tolerance(1e-12));
+    let members = [(good().chain, plain(&good())), (chain.clone(), plain(input))];
+    [
+        ("run_with", Asks::Step, outcome(chain.run_with(method, plain(input), h))),
+        ("Ensemble::new", Asks::Step, outcome(Ensemble::new(method, members, h))),
+    ]
+    .map(|(name, asks, outcome)| Door { name, asks, outcome })
+    .into()
+}
+
 /// The run, of the coordinates that `start` has.
 fn same<C: integrator_core::Coords>(
     _: &Phase<C>,
@@ -189,13 +202,14 @@ fn reversible(input: &Input) -> Phase<Vec<Fixed<f64>>> {
 
 /// All constructors, by the leaf of the start. `choose`, which begins as the checks do, is compiled for every
 /// composition and has tests of its own.
-fn all(input: &Input) -> [(&'static str, Vec<Door>); 5] {
+fn all(input: &Input) -> [(&'static str, Vec<Door>); 6] {
     [
         ("f64", doors!(input, plain)),
         ("f32", doors!(input, single)),
         ("compensated", doors!(input, compensated)),
         ("reversible", doors!(input, reversible)),
         ("checks", checks(input)),
+        ("Taylor's method", taylor(input)),
     ]
 }
 

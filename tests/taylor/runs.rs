@@ -213,6 +213,20 @@ fn chains_of_any_length_do_not_depend_on_portions_either() {
 }
 
 #[test]
+fn loops_find_orders_that_are_odd_too() {
+    // Two orders at a time: of an odd order, the last one is not looked at.
+    let start = Phase::new((0..9).map(|i| f64::from(i % 3) / 4.0).collect(), vec![0.0; 9]);
+    for order in 12..29 {
+        let mut run = Chain.run_with(fine().with_order(order), start.clone(), 0.5).expect("a start");
+        let energy = run.energy();
+        run.advance(40).expect("finite states");
+        // The lowest order takes thirty steps per unit of time, each of which rounds every site.
+        let error = (run.energy() - energy).abs();
+        assert!(error < 20.0 * 30.0 * 9.0 * f64::EPSILON / 2.0, "{error:e} by order {order}");
+    }
+}
+
+#[test]
 fn runs_come_back() {
     let mut there = Pendulum.run_with(fine(), Phase::new([2.0], [0.5]), 0.125).expect("a start");
     there.advance(400).expect("finite states");
