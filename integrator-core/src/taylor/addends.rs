@@ -18,44 +18,91 @@ pub(super) struct Addend {
     pub(super) turn: usize,
 }
 
-/// What eight coordinates beside each other get from a row of numbers, one each at most.
+/// What each of eight coordinates beside each other gets from a row of numbers.
+type Pattern = [Option<usize>; EIGHT];
+
+/// The patterns in which places get numbers of a row, each one at most at a time.
+fn patterns(addends: &[[usize; 2]]) -> Vec<Pattern> {
+    let mut patterns: Vec<Pattern> = Vec::new();
+    for [place, turn] in addends {
+        match patterns.iter_mut().find(|pattern| pattern[*place].is_none()) {
+            Some(pattern) => pattern[*place] = Some(*turn),
+            None => {
+                let mut pattern = [None; EIGHT];
+                pattern[*place] = Some(*turn);
+                patterns.push(pattern);
+            }
+        }
+    }
+    patterns
+}
+
+/// What `N` times eight coordinates get from as many rows of numbers, by the same pattern.
 #[derive(Clone)]
-pub(super) struct Round<R: Real> {
+struct Round<R: Real, const N: usize> {
     /// Which of the rows.
-    found: usize,
+    found: [usize; N],
     /// What each coordinate gets of it,
     turns: [u64; EIGHT],
     /// and which of them get something.
     moved: <Eight<R> as Real>::Mask,
 }
 
-impl<R: Real> Round<R> {
-    /// The rounds in which places of an eight get numbers of a row.
-    fn of(found: usize, addends: &[[usize; 2]]) -> impl Iterator<Item = Self> {
-        let mut rounds: Vec<[Option<usize>; EIGHT]> = Vec::new();
-        for [place, turn] in addends {
-            match rounds.iter_mut().find(|round| round[*place].is_none()) {
-                Some(round) => round[*place] = Some(*turn),
-                None => {
-                    let mut round = [None; EIGHT];
-                    round[*place] = Some(*turn);
-                    rounds.push(round);
+/// `N` times eight coordinates, such as the components of points, with the same patterns: each is looked at once for all.
+#[derive(Clone)]
+pub(super) struct Group<R: Real, const N: usize> {
+    /// Where the eights begin.
+    begins: [usize; N],
+    rounds: Vec<Round<R, N>>,
+}
+
+impl<R: Real, const N: usize> Group<R, N> {
+    /// The eights, each with its beginning and its rows.
+    fn of(patterns: &[Pattern], eights: &[(usize, Vec<usize>); N]) -> Self {
+        let round = |(number, pattern): (usize, &Pattern)| {
+            let moved = pattern.map(|turn| R::of(if turn.is_some() { 1.0 } else { 0.0 }));
+            Round {
+                found: core::array::from_fn(|eight| eights[eight].1[number]),
+                turns: pattern.map(|turn| turn.unwrap_or_default() as u64),
+                moved: Eight::<R>::of(0.0).less(Eight::<R>::read(&moved)),
+            }
+        };
+        Self {
+            begins: core::array::from_fn(|eight| eights[eight].0),
+            rounds: patterns.iter().enumerate().map(round).collect(),
+        }
+    }
+
+    #[inline(always)]
+    fn add<const AT_ONCE: usize>(&self, found: &[[Eight<R>; AT_ONCE]], to: &mut Coefficients<'_, R>, order: usize) {
+        let mut sums = [[Eight::<R>::of(0.0); AT_ONCE]; N];
+        for eight in 0..N {
+            for at in 0..AT_ONCE {
+                sums[eight][at] = Row::read(&to[order + at][self.begins[eight]..]);
+            }
+        }
+        for Round { found: rows, turns, moved } in &self.rounds {
+            for eight in 0..N {
+                let found = &found[rows[eight]];
+                for at in 0..AT_ONCE {
+                    let sum = sums[eight][at];
+                    sums[eight][at] = Eight::<R>::select(*moved, sum + found[at].picked(turns), sum);
                 }
             }
         }
-        rounds.into_iter().map(move |round| {
-            let moved = round.map(|turn| R::of(if turn.is_some() { 1.0 } else { 0.0 }));
-            let moved = Eight::<R>::of(0.0).less(Eight::<R>::read(&moved));
-            Self { found, turns: round.map(|turn| turn.unwrap_or_default() as u64), moved }
-        })
+        for eight in 0..N {
+            for at in 0..AT_ONCE {
+                sums[eight][at].write(&mut to[order + at][self.begins[eight]..]);
+            }
+        }
     }
 }
 
 /// What the coordinates of a part get from all turns.
 #[derive(Clone)]
 pub(super) enum Addends<R: Real> {
-    /// By eights of coordinates, which begin here.
-    Rounds(Vec<(usize, Vec<Round<R>>)>),
+    /// By eights of coordinates, three, two or one at a time.
+    Groups(Vec<Group<R, 3>>, Vec<Group<R, 2>>, Vec<Group<R, 1>>),
     /// One by one.
     Single(Vec<Addend>),
 }
@@ -83,8 +130,22 @@ impl<R: Real> Addends<R> {
                 None => rows.push((found, Vec::from([added]))),
             }
         }
-        let rounds = |rows: OfRows| rows.iter().flat_map(|(found, addends)| Round::of(*found, addends)).collect();
-        Self::Rounds(eights.into_iter().map(|(begin, rows)| (begin, rounds(rows))).collect())
+        let mut alike: BTreeMap<Vec<Pattern>, Vec<(usize, Vec<usize>)>> = BTreeMap::new();
+        for (begin, rows) in eights {
+            let rounds = rows.iter().flat_map(|(found, addends)| patterns(addends).into_iter().map(|of| (of, *found)));
+            let (patterns, found) = rounds.unzip();
+            alike.entry(patterns).or_default().push((begin, found));
+        }
+        let (mut threes, mut twos, mut ones) = (Vec::new(), Vec::new(), Vec::new());
+        for (patterns, eights) in &alike {
+            let (by_three, rest) = eights.as_chunks();
+            let (by_two, rest) = rest.as_chunks();
+            let (by_one, _) = rest.as_chunks();
+            threes.extend(by_three.iter().map(|eights| Group::of(patterns, eights)));
+            twos.extend(by_two.iter().map(|eights| Group::of(patterns, eights)));
+            ones.extend(by_one.iter().map(|eights| Group::of(patterns, eights)));
+        }
+        Self::Groups(threes, twos, ones)
     }
 
     /// Adds numbers of as many orders to the coefficients from this order on.
@@ -96,21 +157,15 @@ impl<R: Real> Addends<R> {
         order: usize,
     ) {
         match self {
-            Self::Rounds(eights) => {
-                for (begin, rounds) in eights {
-                    let mut sums = [Eight::<R>::of(0.0); AT_ONCE];
-                    for at in 0..AT_ONCE {
-                        sums[at] = Row::read(&to[order + at][*begin..]);
-                    }
-                    for Round { found: number, turns, moved } in rounds {
-                        let found = &found[*number];
-                        for at in 0..AT_ONCE {
-                            sums[at] = Eight::<R>::select(*moved, sums[at] + found[at].picked(turns), sums[at]);
-                        }
-                    }
-                    for at in 0..AT_ONCE {
-                        sums[at].write(&mut to[order + at][*begin..]);
-                    }
+            Self::Groups(threes, twos, ones) => {
+                for group in threes {
+                    group.add(found, to, order);
+                }
+                for group in twos {
+                    group.add(found, to, order);
+                }
+                for group in ones {
+                    group.add(found, to, order);
                 }
             }
             Self::Single(addends) => {

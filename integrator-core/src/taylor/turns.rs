@@ -202,12 +202,15 @@ impl<R: Real, T: Default, const READS: usize, const CONSTANTS: usize, const TARG
     ) -> impl Iterator<Item = (&mut Line<R, T, READS, CONSTANTS>, &mut Found<R, TARGETS, AT_ONCE>)> {
         self.lines.iter_mut().zip(&mut self.found)
     }
-    /// Adds what all turns have computed to the coefficients of the orders from this one on.
+    /// Adds what all turns have computed to the coefficients of positions, of the orders from this one on.
     #[inline(always)]
-    pub fn add(&self, q: &mut Coefficients<'_, R>, p: &mut Coefficients<'_, R>, order: usize) {
-        let found = self.found.as_flattened();
-        self.addends[0].add(found, q, order);
-        self.addends[1].add(found, p, order);
+    pub fn add_to_positions(&self, q: &mut Coefficients<'_, R>, order: usize) {
+        self.addends[0].add(self.found.as_flattened(), q, order);
+    }
+    /// Adds what all turns have computed to the coefficients of momenta, of the orders from this one on.
+    #[inline(always)]
+    pub fn add_to_momenta(&self, p: &mut Coefficients<'_, R>, order: usize) {
+        self.addends[1].add(self.found.as_flattened(), p, order);
     }
 }
 
@@ -264,7 +267,8 @@ mod tests {
                 let [constant] = row.constants;
                 *found = [[a * b, b], [(a - b) * constant, a - b], [spread(R::of(2.0)) * a, a * a]];
             }
-            turns.add(&mut q, &mut p, 3);
+            turns.add_to_positions(&mut q, 3);
+            turns.add_to_momenta(&mut p, 3);
 
             // What a turn that reads these places, with its constant, adds where.
             type Adds<'a, R> = &'a dyn Fn([usize; 2], R) -> (usize, R);

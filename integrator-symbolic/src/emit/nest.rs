@@ -161,6 +161,12 @@ impl Writer<'_> {
             let orders = [quote!(order), quote!(order + 1)].into_iter().take(at_once);
             quote!(row.read(#number, [#(&#part[#orders]),*]))
         });
+        let moves = |part| nest.targets.iter().any(|element| element.part == part);
+        let added = [
+            (Part::Position, quote!(add_to_positions(q, order + 1))),
+            (Part::Momentum, quote!(add_to_momenta(p, order + 1))),
+        ];
+        let added = added.into_iter().filter(|(part, _)| moves(*part)).map(|(_, added)| added);
         // The lines around have the coefficients of the time of one order.
         let (times, clock) = match self.pass {
             Pass::One => (None, clock.iter().map(|name| quote!([#runtime::spread(#name)])).collect()),
@@ -191,7 +197,7 @@ impl Writer<'_> {
                     #(#clock,)*
                 );
             }
-            tape.#turns.add(q, p, order + 1);
+            #(tape.#turns.#added;)*
         }
     }
 
