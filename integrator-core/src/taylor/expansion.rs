@@ -6,9 +6,10 @@
 use super::{
     Recurrences, Taylor,
     horizon::reach,
-    leg::Leg,
+    leg::{Leg, Way},
     moment::Moment,
-    part::{Part, To},
+    part::Part,
+    states::To,
     table::Layout,
 };
 use crate::{
@@ -142,28 +143,32 @@ impl<H: Recurrences, R: Real, K: Keep> Kernel for Follow<'_, H, R, K> {
     #[inline(always)]
     fn call(self) {
         let Self { expansion, clock: Clock { t0, h, .. }, end } = self;
-        let order = expansion.method.order;
+        let order = expansion.method.order();
         let layout = Layout::of::<H::Coords>(expansion.length);
         loop {
+            // Beside what legs keep: what has just been stored would be waited for.
+            let mut reaches = [0.0; WIDEST];
             if expansion.legs[..R::MEMBERS].iter().any(Leg::is_unknown) {
                 expand::<H, R, K>(expansion, t0);
-                horizons(expansion, h);
+                horizons(expansion, h, &mut reaches);
+            } else {
+                for (reach, leg) in reaches.iter_mut().zip(&expansion.legs[..R::MEMBERS]) {
+                    *reach = leg.reach.unwrap_or(0.0);
+                }
             }
             // How far each member goes on its polynomial, and whether to where the next one begins.
-            let (mut t, mut moves, mut arrived) = ([0.0; WIDEST], [0.0; WIDEST], false);
-            for (lane, leg) in expansion.legs[..R::MEMBERS].iter_mut().enumerate() {
-                if leg.unsolved.is_some() {
-                    continue;
-                }
-                if let Some(ahead) = leg.ahead(end) {
-                    (t[lane], arrived) = (ahead, true);
-                } else if let Some(reach) = leg.leave(t0) {
-                    (t[lane], moves[lane]) = (reach, 1.0);
+            let (mut t, mut moves) = ([0.0; WIDEST], [0.0; WIDEST]);
+            let (mut over, mut within) = (false, false);
+            for lane in 0..R::MEMBERS {
+                match expansion.legs[lane].proceed(reaches[lane], end, t0) {
+                    Way::Within(ahead) => (t[lane], within) = (ahead, true),
+                    Way::Over(reach) => (t[lane], moves[lane], over) = (reach, 1.0, true),
+                    Way::Ended => {}
                 }
             }
-            let to = if moves[..R::MEMBERS].contains(&1.0) {
+            let to = if over {
                 To::Begin { moves: R::parameter(|lane| moves[lane]) }
-            } else if arrived {
+            } else if within {
                 To::Shown
             } else {
                 return;
@@ -178,19 +183,24 @@ impl<H: Recurrences, R: Real, K: Keep> Kernel for Follow<'_, H, R, K> {
     }
 }
 
-/// Finds how far the new polynomials reach.
+/// Finds how far the new polynomials reach, and tells it of all of them.
 #[inline(always)]
-fn horizons<R: Real, C: Coords, P, T>(expansion: &mut Expansion<R, C, P, T>, h: f64) {
+fn horizons<R: Real, C: Coords, P, T>(expansion: &mut Expansion<R, C, P, T>, h: f64, reaches: &mut [f64; WIDEST]) {
     let Expansion { method: Taylor { order, tolerance }, length, q, p, legs, .. } = expansion;
-    let layout = Layout::of::<C>(*length);
-    let (q_ends, p_ends) = (q.ends(layout, *order), p.ends(layout, *order));
-    for (lane, leg) in legs[..R::MEMBERS].iter_mut().enumerate() {
-        if leg.is_unknown() {
-            let q = reach(*order, *tolerance, q_ends.lane(lane), |m| q.size(layout, m).lane(lane));
-            let p = reach(*order, *tolerance, p_ends.lane(lane), |m| p.size(layout, m).lane(lane));
-            // What is no number is not passed over.
-            leg.reach = Some(if q <= p { q } else { p }.copysign(h));
-        }
+    let (order, tolerance, layout) = (*order, *tolerance, Layout::of::<C>(*length));
+    let ends = [q.ends(layout, order), p.ends(layout, order)];
+    let parts = [&*q, &*p];
+    for lane in 0..R::MEMBERS {
+        let leg = &mut legs[lane];
+        let found = match leg.reach {
+            Some(reach) => reach,
+            None => {
+                let ends = [ends[0].lane(lane), ends[1].lane(lane)];
+                reach(order, tolerance, ends, move |part: usize, m| parts[part].size(layout, m).lane(lane)).copysign(h)
+            }
+        };
+        leg.reach = Some(found);
+        reaches[lane] = found;
     }
 }
 

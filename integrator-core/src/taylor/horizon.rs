@@ -3,92 +3,68 @@
 //! For each part of the state, the step is where the last coefficients add the share of the tolerance to it:
 //! `h = min (ε S / |cₘ|)^(1/m)` over the last two orders `m` (Jorba and Zou 2005), with the largest coefficients of all
 //! coordinates of the part. `S` is how large the part is, or what it grows to within its own radius of convergence where it begins
-//! near zero, so that no unit and no other part matters. Powers are taken of bits: steps may be off by a few per
-//! cent, the same on every machine.
+//! near zero, so that no unit and no other part matters. Roots are taken of logarithms within 0.09: steps may be off by a
+//! few per cent, the same on every machine.
 
-/// What bits have to be divided by so that exponents are whole numbers.
-const UNIT: f64 = (1_u64 << 52) as f64;
+use super::logarithm::Logarithm;
 
-/// The logarithm to the base of two within 0.09: exponents exactly, between them along a straight line.
+/// The sizes of a part: its largest coefficients of the first two orders and of the last two.
+pub(super) type Sizes = [f64; 4];
+
+/// The length of a step of this order, infinite where the motion is a polynomial, zero where it is singular. `size(part, m)`
+/// is the largest coefficient of order `m` in a part, seldom asked for beside those of `ends`.
 #[inline(always)]
-pub(super) fn logarithm(x: f64) -> f64 {
-    // Signed, since only those conversions are an instruction everywhere; the highest bit is a sign that is not there.
-    x.to_bits() as i64 as f64 / UNIT - 1023.0
-}
-
-/// The number with this logarithm.
-#[inline(always)]
-fn exponential(logarithm: f64) -> f64 {
-    // Conversions saturate; beyond the largest exponent a step is as good as infinite.
-    f64::from_bits(((logarithm + 1023.0).clamp(0.0, 2046.0) * UNIT) as i64 as u64)
-}
-
-/// The length of a step of this order, infinite where the motion is a polynomial, zero where it is singular. `size(m)`
-/// is the largest coefficient of order `m` in a part; those of the first two orders and of the last two are given, since
-/// seldom others are asked for.
-#[inline(always)]
-pub(super) fn reach(
+pub(super) fn reach<const PARTS: usize>(
     order: usize,
     tolerance: f64,
-    [value, slope, before, last]: [f64; 4],
-    size: impl Fn(usize) -> f64,
+    ends: [Sizes; PARTS],
+    size: impl Fn(usize, usize) -> f64,
 ) -> f64 {
-    let most = if before > last { before } else { last };
-    if !most.is_finite() {
-        // So near to a singularity that coefficients are beyond the largest number: no step is short enough.
-        return 0.0;
+    let tolerance = Logarithm::of(tolerance);
+    let mut least = Logarithm::OF_INFINITY;
+    for (part, ends) in ends.into_iter().enumerate() {
+        least = least.min(reach_of_part(order, tolerance, ends, |m| size(part, m)));
     }
-    if most == 0.0 {
-        return sparse(order, tolerance, &size);
-    }
-    let share = logarithm(tolerance) + logarithm(scale(order - 1, most, value, slope));
-    let [last, before] = [(order, last), (order - 1, before)].map(|(m, size)| at(m, share, size));
-    if before < last { before } else { last }
+    least.number()
 }
 
-/// Where a coefficient of order `m` adds a share, given by its logarithm.
+/// The same of a part, as a logarithm.
 #[inline(always)]
-fn at(m: usize, share: f64, coefficient: f64) -> f64 {
-    if coefficient == 0.0 { f64::INFINITY } else { exponential((share - logarithm(coefficient)) / m as f64) }
+fn reach_of_part(order: usize, tolerance: Logarithm, ends: Sizes, size: impl Fn(usize) -> f64) -> Logarithm {
+    let [value, slope, before, last] = ends.map(Logarithm::of);
+    let most = before.max(last);
+    if most >= Logarithm::OF_INFINITY {
+        // So near to a singularity that coefficients are beyond the largest number: no step is short enough.
+        return Logarithm::OF_ZERO;
+    }
+    if most == Logarithm::OF_ZERO {
+        return sparse(order, tolerance, [value, slope], &size);
+    }
+    let share = tolerance + scale(order - 1, most, [value, slope]);
+    // Where one of them is zero, the root is that of a number far too large.
+    (share - before).root(order - 1).min((share - last).root(order))
 }
 
 /// How large a part is, or what its first derivative makes of it within the radius that a late coefficient tells.
 #[inline(always)]
-fn scale(m: usize, coefficient: f64, value: f64, slope: f64) -> f64 {
-    if slope == 0.0 {
-        return if value == 0.0 { coefficient } else { value };
-    }
-    let grown = slope * exponential((logarithm(slope) - logarithm(coefficient)) / m as f64);
-    if grown > value { grown } else { value }
+fn scale(m: usize, coefficient: Logarithm, [value, slope]: [Logarithm; 2]) -> Logarithm {
+    let scale = value.max(slope + (slope - coefficient).root(m));
+    if value.max(slope) == Logarithm::OF_ZERO { coefficient } else { scale }
 }
 
 /// The step of a motion whose last coefficients vanish, by the highest that does not: of a polynomial there is none, and
 /// symmetries leave out some orders of a series.
 #[cold]
-fn sparse(order: usize, tolerance: f64, size: &impl Fn(usize) -> f64) -> f64 {
-    let highest = (order / 2..order - 1).rev().find(|m| size(*m) != 0.0);
-    highest.map_or(f64::INFINITY, |m| {
-        at(m, logarithm(tolerance) + logarithm(scale(m, size(m), size(0), size(1))), size(m))
-    })
+fn sparse(order: usize, tolerance: Logarithm, begin: [Logarithm; 2], size: &impl Fn(usize) -> f64) -> Logarithm {
+    let mut sizes = (order / 2..order - 1).rev().map(|m| (m, Logarithm::of(size(m))));
+    let highest = sizes.find(|(_, size)| *size != Logarithm::OF_ZERO);
+    highest.map_or(Logarithm::OF_INFINITY, |(m, size)| (tolerance + scale(m, size, begin) - size).root(m))
 }
 
 #[cfg(test)]
 mod tests {
-    use super::*;
-
     fn reach(order: usize, tolerance: f64, size: impl Fn(usize) -> f64) -> f64 {
-        super::reach(order, tolerance, [0, 1, order - 1, order].map(&size), size)
-    }
-
-    #[test]
-    fn logarithms_are_near_enough() {
-        for exponent in -300..300 {
-            for digits in [1.0, 1.3, 1.7, 1.99] {
-                let x = digits * 2.0_f64.powi(exponent);
-                assert!((logarithm(x) - x.log2()).abs() < 0.0861, "{x}");
-                assert!((exponential(logarithm(x)) / x - 1.0).abs() < 1e-12, "{x}");
-            }
-        }
+        super::reach(order, tolerance, [[0, 1, order - 1, order].map(&size)], |_, m| size(m))
     }
 
     #[test]

@@ -14,6 +14,17 @@ pub(super) struct Leg {
     pub(super) unsolved: Option<Unsolved>,
 }
 
+/// How far a member goes on its polynomial.
+#[derive(Clone, Copy)]
+pub(super) enum Way {
+    /// So far that it is where it should be.
+    Within(f64),
+    /// To where the next polynomial begins.
+    Over(f64),
+    /// No way leads on.
+    Ended,
+}
+
 impl Leg {
     /// Whether the polynomial is not there yet.
     #[inline(always)]
@@ -21,24 +32,23 @@ impl Leg {
         self.reach.is_none() && self.unsolved.is_none()
     }
 
-    /// How far to go on the polynomial to be at `end`; nothing, if it does not reach so far.
+    /// Goes on the way to `end`, on this polynomial or to where the next one begins, by a clock that started at `t0`.
     #[inline(always)]
-    pub(super) fn ahead(&self, end: Moment) -> Option<f64> {
+    pub(super) fn proceed(&mut self, reach: f64, end: Moment, t0: f64) -> Way {
+        if self.unsolved.is_some() {
+            return Way::Ended;
+        }
         let ahead = end.since(self.begin);
-        (ahead.abs() <= self.reach.unwrap_or(0.0).abs() || ahead == 0.0).then_some(ahead)
-    }
-
-    /// Goes on to the next polynomial, and returns how long this one was; nothing, if the clock, which started at `t0`, does
-    /// not notice.
-    #[inline(always)]
-    pub(super) fn leave(&mut self, t0: f64) -> Option<f64> {
-        let reach = self.reach?;
+        if ahead.abs() <= reach.abs() || ahead == 0.0 {
+            return Way::Within(ahead);
+        }
         let (begin, time) = (self.begin.after(reach), t0 + self.begin.nearest());
         if t0 + begin.nearest() == time || !reach.is_finite() {
+            // The clock does not notice.
             self.unsolved = Some(Unsolved::Singular { time, reach });
-            return None;
+            return Way::Ended;
         }
         (self.begin, self.reach) = (begin, None);
-        Some(reach)
+        Way::Over(reach)
     }
 }

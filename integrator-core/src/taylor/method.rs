@@ -3,7 +3,7 @@
 use super::{
     Recurrences,
     expansion::{Constants, Expansion, moves},
-    horizon,
+    logarithm::Logarithm,
     series::HIGHEST,
 };
 use crate::{
@@ -35,7 +35,7 @@ impl Taylor {
     #[must_use]
     pub fn tolerance(tolerance: f64) -> Self {
         // `1 - ln(tolerance)/2` with the logarithm to the base of two: ln(2)/2 is 0.347.
-        let order = 1.0 - 0.347 * horizon::logarithm(tolerance);
+        let order = 1.0 - 0.347 * Logarithm::of(tolerance).value();
         // Conversions saturate, and what is no number becomes zero.
         Self { tolerance, order: (order + 1.0) as usize }.with_order_within()
     }
@@ -51,8 +51,10 @@ impl Taylor {
     }
 
     /// The order.
+    #[inline(always)]
     pub fn order(self) -> usize {
-        self.order
+        // The bounds are known to hold; said here, they spare tables the question.
+        self.order.clamp(ORDERS[0], ORDERS[1])
     }
 }
 

@@ -44,12 +44,14 @@ mod horizon;
 #[cfg(feature = "std")]
 mod in_lanes;
 mod leg;
+mod logarithm;
 mod method;
 pub(crate) mod mobility;
 mod moment;
 mod part;
 mod recurrences;
 pub(crate) mod series;
+mod states;
 pub(crate) mod table;
 pub(crate) mod turns;
 

@@ -1,8 +1,9 @@
 //! One part of a state, with the polynomials that it follows for a while.
 
 use super::{
-    method::ORDERS,
-    table::{Coefficients, EIGHT, Eight, Layout, Table},
+    horizon::Sizes,
+    states::{States, To},
+    table::{Coefficients, EIGHT, Eight, FEW, Layout, Table},
 };
 use crate::{
     real::{Mask, Real},
@@ -22,67 +23,6 @@ pub(super) struct Part<R: Real, K: Keep> {
     rows: States<K::Slot<Eight<R>>>,
 }
 
-/// Coordinates, with what they carry.
-#[derive(Clone)]
-struct States<S> {
-    /// Where the polynomial begins.
-    begin: Vec<S>,
-    /// Where the run is.
-    shown: Vec<S>,
-}
-
-impl<S: Copy> States<S> {
-    fn at(begin: Vec<S>) -> Self {
-        Self { shown: begin.clone(), begin }
-    }
-    fn copy(&mut self, from: &Self) {
-        self.begin.clone_from(&from.begin);
-        self.shown.clone_from(&from.shown);
-    }
-
-    /// Follows the polynomials from the beginning: `Σ cₖ tᵏ`. The higher orders are four polynomials in `t⁴`, whose sums
-    /// do not wait for each other; the lowest come in one after the other (Horner), with one rounding each, since theirs
-    /// are the roundings that count.
-    #[inline(always)]
-    fn follow<R: Real, W: Row<R>>(&mut self, table: &Coefficients<'_, R>, order: usize, t: R, to: To<R>)
-    where
-        S: Slot<W>,
-    {
-        let t = W::splat(t);
-        let square = t * t;
-        let fourth = square * square;
-        for (row, begin) in self.begin.iter_mut().enumerate() {
-            let place = row * (W::LANES / R::LANES);
-            let coefficient = |k: usize| &table[k][place..];
-            let mut sums = [W::of(0.0); 4];
-            let (tail, rest) = ((order - LOWEST) / 4, (order - LOWEST) % 4);
-            for (k, sum) in sums.iter_mut().enumerate().take(rest) {
-                *sum = W::read(coefficient(order - rest + 1 + k));
-            }
-            for first in (0..tail).rev() {
-                for (k, sum) in sums.iter_mut().enumerate() {
-                    *sum = Real::fma(*sum, fourth, W::read(coefficient(LOWEST + 4 * first + 1 + k)));
-                }
-            }
-            let [a, b, c, d] = sums;
-            let mut sum = Real::fma(Real::fma(d, t, c), square, Real::fma(b, t, a));
-            for k in (1..LOWEST + 1).rev() {
-                sum = Real::fma(sum, t, W::read(coefficient(k)));
-            }
-            let mut slot = *begin;
-            Slot::fma(&mut slot, t, sum);
-            match to {
-                To::Begin { .. } if R::MEMBERS == 1 => *begin = slot,
-                To::Begin { moves } => *begin = S::select(W::of(0.0).less(W::splat(moves)), slot, *begin),
-                To::Shown => self.shown[row] = slot,
-            }
-        }
-    }
-}
-
-/// How many orders are summed up one after the other; as many as the lowest order of the method.
-const LOWEST: usize = ORDERS[0];
-
 /// How large the first coefficients of a part are, and the last ones.
 pub(super) struct Ends<R> {
     value: R,
@@ -94,18 +34,21 @@ pub(super) struct Ends<R> {
 impl<R: Real> Ends<R> {
     /// Those in a lane.
     #[inline(always)]
-    pub(super) fn lane(&self, lane: usize) -> [f64; 4] {
+    pub(super) fn lane(&self, lane: usize) -> Sizes {
         [self.value.lane(lane), self.slope.lane(lane), self.before.lane(lane), self.last.lane(lane)]
     }
 }
 
-/// What is to be where a polynomial leads.
-#[derive(Clone, Copy)]
-pub(super) enum To<R> {
-    /// The beginning of the next one, in the lanes in which this is above zero.
-    Begin { moves: R },
-    /// The state that a run shows.
-    Shown,
+/// The largest size in each lane of numbers or rows; no number, if one of them is none.
+#[inline(always)]
+fn largest<R: Real, W: Row<R>>(numbers: &[R]) -> W {
+    let mut most = W::of(0.0);
+    for numbers in numbers.chunks_exact(W::LANES / R::LANES) {
+        let size = W::read(numbers).abs();
+        let stays = size.less_or_equal(most).or(most.equal(most).not());
+        most = W::select(stays, most, size);
+    }
+    most
 }
 
 /// The slots of a part, one by one and side by side.
@@ -120,6 +63,19 @@ fn slots<R: Real, K: Keep>(layout: Layout, leaf: impl Fn(usize, usize) -> K) -> 
     (few.collect(), rows.collect())
 }
 
+/// A table of polynomials that begin in such slots.
+fn begun<R: Real, K: Keep>(layout: Layout, (few, rows): &Slots<R, K>) -> Table<R> {
+    let mut table = Table::new(layout);
+    let numbers = table.numbers_mut(layout);
+    for (place, slot) in few.iter().enumerate() {
+        numbers[place] = slot.value();
+    }
+    for (row, slot) in rows.iter().enumerate() {
+        slot.value().write(&mut numbers[row * EIGHT..]);
+    }
+    table
+}
+
 /// The coordinate in a place of such slots.
 fn leaf<R: Real, K: Keep>(few: &[K::Slot<R>], rows: &[K::Slot<Eight<R>>], lane: usize, place: usize) -> K {
     match few.get(place) {
@@ -131,8 +87,8 @@ fn leaf<R: Real, K: Keep>(few: &[K::Slot<R>], rows: &[K::Slot<Eight<R>>], lane: 
 impl<R: Real, K: Keep> Part<R, K> {
     /// The coordinates of each lane.
     pub(super) fn at(layout: Layout, leaf: impl Fn(usize, usize) -> K) -> Self {
-        let (few, rows) = slots(layout, leaf);
-        Self { table: Table::new(layout), few: States::at(few), rows: States::at(rows) }
+        let begin = slots(layout, leaf);
+        Self { table: begun::<R, K>(layout, &begin), few: States::at(begin.0), rows: States::at(begin.1) }
     }
 
     /// The coordinates of each lane, from lanes of others of the same layout. Their polynomials have to be found again.
@@ -146,7 +102,7 @@ impl<R: Real, K: Keep> Part<R, K> {
             part.leaf(lane, layout.place(coordinate))
         });
         Self {
-            table: Table::new(layout),
+            table: begun::<R, K>(layout, &begin),
             few: States { begin: begin.0, shown: shown.0 },
             rows: States { begin: begin.1, shown: shown.1 },
         }
@@ -155,24 +111,17 @@ impl<R: Real, K: Keep> Part<R, K> {
     /// The coefficients, those of order 0 being where the polynomials begin.
     #[inline(always)]
     pub(super) fn begun(&mut self, layout: Layout) -> Coefficients<'_, R> {
-        let mut table = self.table.of(layout);
-        for (number, slot) in table[0].iter_mut().zip(&self.few.begin) {
-            *number = slot.value();
-        }
-        for (row, slot) in self.rows.begin.iter().enumerate() {
-            slot.value().write(&mut table[0][row * EIGHT..]);
-        }
-        table
+        self.table.of(layout)
     }
 
     /// Follows the polynomials for a while.
     #[inline(always)]
     pub(super) fn follow(&mut self, layout: Layout, order: usize, t: R, to: To<R>) {
-        let table = self.table.of(layout);
+        let table = self.table.numbers_mut(layout);
         if layout.is_few() {
-            self.few.follow::<R, R>(&table, order, t, to);
+            self.few.follow::<R, R, FEW>(table, layout, order, t, to);
         } else {
-            self.rows.follow::<R, Eight<R>>(&table, order, t, to);
+            self.rows.follow::<R, Eight<R>, 1>(table, layout, order, t, to);
         }
     }
 
@@ -180,26 +129,24 @@ impl<R: Real, K: Keep> Part<R, K> {
     #[inline(always)]
     pub(super) fn size(&self, layout: Layout, order: usize) -> R {
         let numbers = self.table.order(layout, order);
-        if R::MEMBERS == 1 {
-            // As integers, sizes are in the same order, behind infinity those that are no numbers.
-            let bits = |number: &R| number.lane(0).abs().to_bits();
-            let (rows, few) = numbers.as_chunks::<EIGHT>();
-            let mut most = [0; EIGHT];
-            for row in rows {
-                for (most, number) in most.iter_mut().zip(row) {
-                    *most = bits(number).max(*most);
+        if R::MEMBERS > 1 {
+            return largest::<R, R>(numbers);
+        }
+        // As integers, sizes are in the same order, behind infinity those that are no numbers.
+        let bits = |number: f64| number.abs().to_bits() as i64;
+        let most = if layout.is_few() {
+            numbers.iter().map(|number| bits(number.lane(0))).fold(0, i64::max)
+        } else {
+            let most = largest::<R, Eight<R>>(numbers);
+            let mut most: [i64; EIGHT] = core::array::from_fn(|place| bits(most.lane(place * R::LANES)));
+            for half in [4, 2, 1] {
+                for place in 0..half {
+                    most[place] = most[place].max(most[place + half]);
                 }
             }
-            let most = most.into_iter().chain(few.iter().map(bits)).fold(0, u64::max);
-            return R::of(f64::from_bits(most));
-        }
-        let mut most = R::of(0.0);
-        for number in numbers {
-            let size = number.abs();
-            let stays = size.less_or_equal(most).or(most.equal(most).not());
-            most = R::select(stays, most, size);
-        }
-        most
+            most[0]
+        };
+        R::of(f64::from_bits(most as u64))
     }
 
     /// The sizes of the coefficients of the orders that a horizon is found from.

@@ -69,7 +69,12 @@ impl<R: Real> Table<R> {
     /// The coefficients.
     #[inline(always)]
     pub fn of(&mut self, layout: Layout) -> Coefficients<'_, R> {
-        Coefficients { numbers: &mut self.numbers[..COEFFICIENTS * layout.width], layout }
+        Coefficients { numbers: self.numbers_mut(layout), layout }
+    }
+    /// All of them, order by order.
+    #[inline(always)]
+    pub(super) fn numbers_mut(&mut self, layout: Layout) -> &mut [R] {
+        &mut self.numbers[..COEFFICIENTS * layout.width]
     }
     /// The coefficients of an order.
     #[inline(always)]
