@@ -25,6 +25,7 @@ mod pass;
 mod recurrence;
 mod tape;
 mod texts;
+mod unrolled;
 
 use crate::{
     differentiate::{Contribution, folded, gradient},

@@ -128,6 +128,8 @@ pub(super) struct Writer<'m> {
     pub(super) pass: Pass,
     /// The values whose sums over what is known are those of two orders.
     pub(super) of_two: BTreeSet<NodeId>,
+    /// Where the coefficients of the derivatives of values are.
+    pub(super) rates: Vec<(NodeId, Series)>,
 }
 
 impl<'m> Writer<'m> {
@@ -144,6 +146,7 @@ impl<'m> Writer<'m> {
             moves: Moves::InPlace,
             pass: Pass::One,
             of_two: BTreeSet::new(),
+            rates: Vec::new(),
         }
     }
 
@@ -170,6 +173,7 @@ impl<'m> Writer<'m> {
                 if is_condition || self.source.recurrences.kept.contains(&id) {
                     self.slot(id, is_condition);
                 }
+                self.allocate_rates(id);
             }
         }
     }
@@ -290,8 +294,8 @@ impl<'m> Writer<'m> {
     fn keep(&self, id: NodeId) -> Option<TokenStream> {
         let name = &self.printer.names[&id];
         let place = self.places.get(&id).filter(|_| self.source.recurrences.kept.contains(&id))?;
-        let coefficient = place.of(&quote!(order));
-        Some(quote!(#coefficient = #name;))
+        let (coefficient, rate) = (place.of(&quote!(order)), self.keep_rate(id));
+        Some(quote!(#coefficient = #name; #rate))
     }
 
     /// Whether a value has a recurrence of its own.

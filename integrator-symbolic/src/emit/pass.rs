@@ -50,7 +50,8 @@ impl Writer<'_> {
                 let moved = elements.iter().enumerate().map(|(number, element)| {
                     let (next, part) = (next(number), self.printer.part(*element));
                     let place = self.printer.in_row(fields, *element);
-                    quote!(#part[order + 1][#place] = #runtime::over(#next, order + 1);)
+                    let rate = self.keep_rate_of(element, &next);
+                    quote!(#rate #part[order + 1][#place] = #runtime::over(#next, order + 1);)
                 });
                 quote!(#opening #(#begun)* #body #(#moved)*)
             }

@@ -21,6 +21,8 @@ pub(super) enum Series {
     Row { part: Ident, place: TokenStream },
     /// In a record.
     Kept { at: Ident, name: Ident },
+    /// In a row of a record.
+    Rates { at: Ident, name: Ident },
 }
 
 impl Series {
@@ -29,19 +31,20 @@ impl Series {
         match self {
             Series::Row { part, place } => quote!(#part[#order][#place]),
             Series::Kept { at, name } => quote!(#at.kept[#order].#name),
+            Series::Rates { at, name } => quote!(#at.#name[#order]),
         }
     }
 }
 
 /// The products that a recurrence sums up, of coefficients whose orders add up to that of the sum.
-struct Products {
-    weight: Weight,
-    a: Series,
-    b: Series,
+pub(super) struct Products {
+    pub(super) weight: Weight,
+    pub(super) a: Series,
+    pub(super) b: Series,
 }
 
 /// What products are multiplied by.
-enum Weight {
+pub(super) enum Weight {
     /// One.
     None,
     /// One half where both factors are the same coefficient, since two others stand for each other.
@@ -50,16 +53,30 @@ enum Weight {
     Power { function: TokenStream, exponent: TokenStream },
     /// The order of the first factor, or minus that.
     Order { negative: bool },
+    /// One or minus one, since the first factor has been multiplied by its order.
+    Rate { negative: bool },
 }
 
+/// What a function of one argument or two is computed from: an argument, the coefficients of this, and those of the slope.
+pub(super) struct Chained {
+    /// Whether the sign is changed.
+    pub(super) negative: bool,
+    pub(super) x: NodeId,
+    series: Series,
+    pub(super) slope: Series,
+}
+
+/// A value, what the sum over what is known of it is called, and its products.
+pub(super) type Known = (NodeId, Ident, Vec<Products>);
+
 /// A sum of products whose orders add up to `order`.
-struct Sum {
+pub(super) struct Sum {
     rest: TokenStream,
     order: TokenStream,
 }
 
 impl Sum {
-    fn of(rest: impl ToTokens, order: impl ToTokens) -> Self {
+    pub(super) fn of(rest: impl ToTokens, order: impl ToTokens) -> Self {
         Self { rest: rest.into_token_stream(), order: order.into_token_stream() }
     }
 }
@@ -70,6 +87,9 @@ impl Writer<'_> {
         let sums = self.sums(fields, items);
         if sums.is_empty() {
             return TokenStream::new();
+        }
+        if self.is_unrolled() {
+            return self.known_unrolled(&sums);
         }
         let zero = self.printer.lifted(quote!(0.0));
         let (mut middles, mut pairs) = (TokenStream::new(), TokenStream::new());
@@ -142,7 +162,7 @@ impl Writer<'_> {
     }
 
     /// The line for the middle of a sum.
-    fn middle(&self, Sum { rest, order }: &Sum, Products { weight, a, b }: &Products) -> TokenStream {
+    pub(super) fn middle(&self, Sum { rest, order }: &Sum, Products { weight, a, b }: &Products) -> TokenStream {
         let middle = quote!(middle);
         let [a, b] = [a, b].map(|series| series.of(&middle));
         match weight {
@@ -159,7 +179,7 @@ impl Writer<'_> {
     }
 
     /// The lines for two orders that are as far from the middle.
-    fn pair(
+    pub(super) fn pair(
         &self,
         Sum { rest, order }: &Sum,
         Products { weight, a, b }: &Products,
@@ -182,22 +202,24 @@ impl Writer<'_> {
     }
 
     /// The first factor of order `j` with its weight, which several sums may share.
-    fn weighted(&self, weight: &Weight, j: &TokenStream, order: &TokenStream, a: &TokenStream) -> TokenStream {
+    pub(super) fn weighted(
+        &self,
+        weight: &Weight,
+        j: &TokenStream,
+        order: &TokenStream,
+        a: &TokenStream,
+    ) -> TokenStream {
         let scalar = self.printer.scalar;
         match weight {
             Weight::None | Weight::Half => a.clone(),
             Weight::Power { function, exponent } => quote!((#function(#exponent, #j, #order) * #a)),
-            Weight::Order { negative: false } => quote!((#scalar::of(#j as f64) * #a)),
-            Weight::Order { negative: true } => quote!((-(#scalar::of(#j as f64) * #a))),
+            Weight::Order { negative } => minus(*negative, quote!((#scalar::of(#j as f64) * #a))),
+            Weight::Rate { negative } => minus(*negative, a.clone()),
         }
     }
 
     /// The values of a block that have sums, and the names of these.
-    fn sums<'i>(
-        &mut self,
-        fields: &mut Fields,
-        items: impl IntoIterator<Item = &'i Item>,
-    ) -> Vec<(NodeId, Ident, Vec<Products>)> {
+    fn sums<'i>(&mut self, fields: &mut Fields, items: impl IntoIterator<Item = &'i Item>) -> Vec<Known> {
         let named = items.into_iter().flat_map(Item::named);
         let is_open = |id: &NodeId| self.is_nonlinear(*id) && !self.of_two.contains(id);
         let named: Vec<NodeId> = named.filter(is_open).collect();
@@ -210,8 +232,14 @@ impl Writer<'_> {
         format_ident!("rest_of_{}", self.printer.names[&id])
     }
 
+    /// That sum, when the value is computed.
+    pub(super) fn rest_of(&self, id: NodeId) -> TokenStream {
+        let rest = self.rest(id);
+        if self.of_two.contains(&id) { quote!(#rest[at]) } else { quote!(#rest) }
+    }
+
     /// The products that a value sums up.
-    fn products(&mut self, fields: &mut Fields, id: NodeId) -> Vec<Products> {
+    pub(super) fn products(&mut self, fields: &mut Fields, id: NodeId) -> Vec<Products> {
         let (runtime, scalar) = (self.printer.runtime, self.printer.scalar);
         let own = self.series(fields, id);
         let (weight, a, b) = match self.printer.graph.node(id) {
@@ -233,10 +261,16 @@ impl Writer<'_> {
                 (weight, self.unsigned(fields, a).1, own)
             }
             _ => {
-                let chained = self.chained(fields, id).into_iter();
-                return chained
-                    .map(|(negative, _, a, b)| Products { weight: Weight::Order { negative }, a, b })
-                    .collect();
+                let chained = self.chained(fields, id);
+                let negated = self.is_negated(&chained);
+                let products = chained.into_iter().map(|Chained { negative, x, series, slope }| {
+                    let negative = negative && !negated;
+                    match self.rate(x) {
+                        Some(rate) => Products { weight: Weight::Rate { negative }, a: rate.clone(), b: slope },
+                        None => Products { weight: Weight::Order { negative }, a: series, b: slope },
+                    }
+                });
+                return products.collect();
             }
         };
         vec![Products { weight, a, b }]
@@ -245,8 +279,7 @@ impl Writer<'_> {
     /// The coefficient of an order of a value that is not linear in what it is computed from.
     pub(super) fn recurrence(&mut self, fields: &mut Fields, id: NodeId) -> TokenStream {
         let runtime = self.printer.runtime;
-        let rest = self.rest(id);
-        let rest = if self.of_two.contains(&id) { quote!(#rest[at]) } else { quote!(#rest) };
+        let rest = self.rest_of(id);
         let own = self.series(fields, id).of(&quote!(0));
         match self.printer.graph.node(id) {
             Node::Mul(a, b) => {
@@ -281,23 +314,17 @@ impl Writer<'_> {
                 let exponent =
                     self.printer.lifted(Literal::f64_unsuffixed(f64::from(halves) / 2.0).into_token_stream());
                 let halves = Literal::i32_unsuffixed(halves);
-                quote!(if order == 0 {
-                    #inverted
-                    #runtime::half_power(#new, #halves)
-                } else {
-                    #new.fma(#exponent * #own * #inverse, #runtime::over(#rest * #inverse, order))
-                })
+                let first = quote!(#inverted #runtime::half_power(#new, #halves));
+                let newest = [[new, quote!(#exponent * #own * #inverse)]];
+                self.divided(fields, id, &first, &newest, |x| quote!(#x * #inverse))
             }
             Node::Binary(function, a, b) if is_power(function) => {
                 let new = self.newest(fields, a);
                 let (inverse, inverted) = self.inverse(id, &new);
                 let exponent = self.printer.receiver(fields, b);
-                quote!(if order == 0 {
-                    #inverted
-                    #new.powf(#exponent)
-                } else {
-                    #new.fma(#exponent * #own * #inverse, #runtime::over(#rest * #inverse, order))
-                })
+                let first = quote!(#inverted #new.powf(#exponent));
+                let newest = [[new, quote!(#exponent * #own * #inverse)]];
+                self.divided(fields, id, &first, &newest, |x| quote!(#x * #inverse))
             }
             node => {
                 let first = match node {
@@ -308,36 +335,30 @@ impl Writer<'_> {
                     _ => self.printer.computation(fields, id).tokens,
                 };
                 let chained = self.chained(fields, id);
-                // A function without a slope, such as the sign, stays what it is.
-                let later = match chained.is_empty() {
-                    true => self.printer.lifted(quote!(0.0)),
-                    false => chained.into_iter().fold(
-                        quote!(#runtime::over(#rest, order)),
-                        |sum, (negative, x, _, slope)| {
-                            let (new, slope) = (self.newest(fields, x), slope.of(&quote!(0)));
-                            let new = if negative { quote!((-#new)) } else { new };
-                            quote!(#new.fma(#slope, #sum))
-                        },
-                    ),
-                };
-                quote!(if order == 0 { #first } else { #later })
+                if chained.is_empty() {
+                    // A function without a slope, such as the sign, stays what it is.
+                    let zero = self.printer.lifted(quote!(0.0));
+                    return quote!(if order == 0 { #first } else { #zero });
+                }
+                let negated = self.is_negated(&chained);
+                let newest: Vec<_> = chained.iter().map(|chained| self.newest_product(fields, chained)).collect();
+                self.divided(fields, id, &first, &newest, |x| minus(negated, x))
             }
         }
     }
 
     /// The coefficient of the present order of a value, without a change of its sign.
-    fn newest(&self, fields: &mut Fields, id: NodeId) -> TokenStream {
+    pub(super) fn newest(&self, fields: &mut Fields, id: NodeId) -> TokenStream {
         self.printer.receiver(fields, signed(self.printer.graph, id).1)
     }
 
-    /// What a function of one argument or two is computed from: whether its sign is changed, an argument, the
-    /// coefficients of this, and those of its slope.
-    fn chained(&mut self, fields: &mut Fields, id: NodeId) -> Vec<(bool, NodeId, Series, Series)> {
+    /// What a function of one argument or two is computed from.
+    fn chained(&mut self, fields: &mut Fields, id: NodeId) -> Vec<Chained> {
         let (node, slopes) = (self.printer.graph.node(id), self.source.recurrences.slopes[&id]);
         let of_slopes = node.children().zip(slopes).filter_map(|(x, slope)| Some((x, slope?)));
         let chained = of_slopes.map(|(x, slope)| {
-            let ((minus_x, of_x), (minus_slope, slope)) = (self.unsigned(fields, x), self.unsigned(fields, slope));
-            (minus_x != minus_slope, x, of_x, slope)
+            let ((minus_x, series), (minus_slope, slope)) = (self.unsigned(fields, x), self.unsigned(fields, slope));
+            Chained { negative: minus_x != minus_slope, x, series, slope }
         });
         chained.collect()
     }
@@ -360,4 +381,9 @@ impl Writer<'_> {
         let at = &record.at;
         (quote!(#at.#name), quote!(#at.#name = #scalar::of(1.0) / #divisor;))
     }
+}
+
+/// Something, or minus that.
+pub(super) fn minus(negative: bool, x: TokenStream) -> TokenStream {
+    if negative { quote!((-#x)) } else { x }
 }

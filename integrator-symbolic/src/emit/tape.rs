@@ -27,6 +27,9 @@ impl Record {
 pub(super) enum Kept {
     /// Its coefficients.
     Series,
+    /// Those of its derivative, each multiplied by its order. They lie in a row of their own, where neighbours among the
+    /// series are computed side by side.
+    Rates,
     /// A number, the same for all orders.
     Number,
     /// Where it holds, for all orders.
@@ -109,6 +112,10 @@ fn structs(tape: &Tape<'_>, names: &Names) -> TokenStream {
         for (slot, kept) in &record.slots {
             match kept {
                 Kept::Series => series.push(slot),
+                Kept::Rates => {
+                    fields.extend(quote!(#slot: [#scalar; #runtime::COEFFICIENTS],));
+                    values.extend(quote!(#slot: [#scalar::of(0.0); #runtime::COEFFICIENTS],));
+                }
                 Kept::Number => {
                     fields.extend(quote!(#slot: #scalar,));
                     values.extend(quote!(#slot: #scalar::of(0.0),));
