@@ -42,8 +42,10 @@ impl<R: Real> Ends<R> {
 /// The largest size in each lane of numbers or rows; no number, if one of them is none.
 #[inline(always)]
 fn largest<R: Real, W: Row<R>>(numbers: &[R]) -> W {
-    let mut most = W::of(0.0);
-    for numbers in numbers.chunks_exact(W::LANES / R::LANES) {
+    let mut rows = numbers.chunks_exact(W::LANES / R::LANES);
+    let Some(first) = rows.next() else { return W::of(0.0) };
+    let mut most = W::read(first).abs();
+    for numbers in rows {
         let size = W::read(numbers).abs();
         let stays = size.less_or_equal(most).or(most.equal(most).not());
         most = W::select(stays, most, size);
@@ -133,12 +135,11 @@ impl<R: Real, K: Keep> Part<R, K> {
             return largest::<R, R>(numbers);
         }
         // As integers, sizes are in the same order, behind infinity those that are no numbers.
-        let bits = |number: f64| number.abs().to_bits() as i64;
         let most = if layout.is_few() {
-            numbers.iter().map(|number| bits(number.lane(0))).fold(0, i64::max)
+            numbers.iter().map(|number| number.lane(0).abs().to_bits() as i64).fold(0, i64::max)
         } else {
             let most = largest::<R, Eight<R>>(numbers);
-            let mut most: [i64; EIGHT] = core::array::from_fn(|place| bits(most.lane(place * R::LANES)));
+            let mut most: [i64; EIGHT] = core::array::from_fn(|place| most.lane(place * R::LANES).to_bits() as i64);
             for half in [4, 2, 1] {
                 for place in 0..half {
                     most[place] = most[place].max(most[place + half]);
