@@ -100,68 +100,66 @@ impl Tape<'_> {
 
     /// The structs of the tape.
     pub(super) fn structs(&self, names: &Names) -> TokenStream {
-        structs(self, names)
+        let Names { runtime, scalar, .. } = names;
+        let numbered = || self.records.iter().enumerate().skip(1);
+        let mobility = self.is_mobile.then(|| (format_ident!("mobility"), quote!(#runtime::Mobility<#scalar>)));
+        let of_loops = numbered().filter_map(|(number, record)| Some((list(number), kind(number, record, names)?)));
+        let lists: Vec<(Ident, TokenStream)> = mobility.into_iter().chain(of_loops).collect();
+        let turns = numbered().filter(|(_, record)| !record.slots.is_empty()).map(|(number, record)| {
+            structure(names, &turn(number, names), record, &[], " What a turn of a loop keeps.")
+        });
+        let doc = " The coefficients that recurrences read.";
+        let whole = (!self.is_empty()).then(|| structure(names, &names.tape, &self.records[0], &lists, doc));
+        quote!(#(#turns)* #whole)
     }
 }
 
-fn structs(tape: &Tape<'_>, names: &Names) -> TokenStream {
-    let Tape { records, is_mobile } = tape;
+/// The struct that holds a record, beside lists of what loops keep.
+fn structure(names: &Names, name: &Ident, record: &Record, lists: &[(Ident, TokenStream)], doc: &str) -> TokenStream {
     let Names { runtime, scalar, .. } = names;
-    let structure = |name: &Ident, record: &Record, lists: &[(Ident, TokenStream)], doc: &str| {
-        let (mut series, mut fields, mut values) = (Vec::new(), TokenStream::new(), TokenStream::new());
-        for (slot, kept) in &record.slots {
-            match kept {
-                Kept::Series => series.push(slot),
-                Kept::Rates => {
-                    fields.extend(quote!(#slot: [#scalar; #runtime::COEFFICIENTS],));
-                    values.extend(quote!(#slot: [#scalar::of(0.0); #runtime::COEFFICIENTS],));
-                }
-                Kept::Number => {
-                    fields.extend(quote!(#slot: #scalar,));
-                    values.extend(quote!(#slot: #scalar::of(0.0),));
-                }
-                Kept::Condition => {
-                    fields.extend(quote!(#slot: #scalar::Mask,));
-                    values.extend(quote!(#slot: <#scalar::Mask as #runtime::Mask>::of(false),));
-                }
+    let (mut series, mut fields, mut values) = (Vec::new(), TokenStream::new(), TokenStream::new());
+    for (slot, kept) in &record.slots {
+        match kept {
+            Kept::Series => series.push(slot),
+            Kept::Rates => {
+                fields.extend(quote!(#slot: [#scalar; #runtime::COEFFICIENTS],));
+                values.extend(quote!(#slot: [#scalar::of(0.0); #runtime::COEFFICIENTS],));
+            }
+            Kept::Number => {
+                fields.extend(quote!(#slot: #scalar,));
+                values.extend(quote!(#slot: #scalar::of(0.0),));
+            }
+            Kept::Condition => {
+                fields.extend(quote!(#slot: #scalar::Mask,));
+                values.extend(quote!(#slot: <#scalar::Mask as #runtime::Mask>::of(false),));
             }
         }
-        let of_order = format_ident!("{name}Order");
-        let orders = (!series.is_empty()).then(|| {
-            fields.extend(quote!(kept: [#of_order<#scalar>; #runtime::COEFFICIENTS],));
-            values.extend(quote!(kept: [#of_order { #(#series: #scalar::of(0.0)),* }; #runtime::COEFFICIENTS],));
-            quote! {
-                /// Coefficients of an order.
-                #[derive(::core::clone::Clone, ::core::marker::Copy)]
-                pub struct #of_order<#scalar: #runtime::Real> { #(#series: #scalar),* }
-            }
-        });
-        for (list, kind) in lists {
-            fields.extend(quote!(#list: #kind,));
-            values.extend(quote!(#list: ::core::default::Default::default(),));
-        }
+    }
+    let of_order = format_ident!("{name}Order");
+    let orders = (!series.is_empty()).then(|| {
+        fields.extend(quote!(kept: [#of_order<#scalar>; #runtime::COEFFICIENTS],));
+        values.extend(quote!(kept: [#of_order { #(#series: #scalar::of(0.0)),* }; #runtime::COEFFICIENTS],));
         quote! {
-            #orders
+            /// Coefficients of an order.
+            #[derive(::core::clone::Clone, ::core::marker::Copy)]
+            pub struct #of_order<#scalar: #runtime::Real> { #(#series: #scalar),* }
+        }
+    });
+    for (list, kind) in lists {
+        fields.extend(quote!(#list: #kind,));
+        values.extend(quote!(#list: ::core::default::Default::default(),));
+    }
+    quote! {
+        #orders
 
-            #[doc = #doc]
-            #[derive(::core::clone::Clone)]
-            pub struct #name<#scalar: #runtime::Real> { #fields }
+        #[doc = #doc]
+        #[derive(::core::clone::Clone)]
+        pub struct #name<#scalar: #runtime::Real> { #fields }
 
-            impl<#scalar: #runtime::Real> ::core::default::Default for #name<#scalar> {
-                fn default() -> Self {
-                    Self { #values }
-                }
+        impl<#scalar: #runtime::Real> ::core::default::Default for #name<#scalar> {
+            fn default() -> Self {
+                Self { #values }
             }
         }
-    };
-    let numbered = || records.iter().enumerate().skip(1);
-    let mobility = is_mobile.then(|| (format_ident!("mobility"), quote!(#runtime::Mobility<#scalar>)));
-    let of_loops = numbered().filter_map(|(number, record)| Some((list(number), kind(number, record, names)?)));
-    let lists: Vec<(Ident, TokenStream)> = mobility.into_iter().chain(of_loops).collect();
-    let turns = numbered()
-        .filter(|(_, record)| !record.slots.is_empty())
-        .map(|(number, record)| structure(&turn(number, names), record, &[], " What a turn of a loop keeps."));
-    let whole = (!tape.is_empty())
-        .then(|| structure(&names.tape, &records[0], &lists, " The coefficients that recurrences read."));
-    quote!(#(#turns)* #whole)
+    }
 }
