@@ -10,10 +10,21 @@ pub const HIGHEST: usize = 28;
 /// momenta do.
 pub const COEFFICIENTS: usize = HIGHEST + 2;
 
+/// The orders as numbers, which are read sooner than they are converted.
+const NUMBERS: [f64; COEFFICIENTS] = {
+    let mut numbers = [0.0; COEFFICIENTS];
+    let mut k = 0;
+    while k < COEFFICIENTS {
+        numbers[k] = k as f64;
+        k += 1;
+    }
+    numbers
+};
+
 /// The weight of `aⱼ yₖ₋ⱼ` in the recurrence of `y = aᵉ`, `k a₀ yₖ = Σ (e j - (k - j)) aⱼ yₖ₋ⱼ`.
 #[inline(always)]
 pub fn weight<R: Real>(exponent: f64, j: usize, k: usize) -> R {
-    R::of(exponent * j as f64 - (k - j) as f64)
+    R::of((exponent + 1.0) * NUMBERS[j] - NUMBERS[k])
 }
 
 /// The same with an exponent that is a parameter.
