@@ -230,4 +230,18 @@ rows! {
         }
         sum
     }
+    walls_that_move [&[f64]] {
+        let mut sum = 0.0;
+        for i in 0..p.len() {
+            sum += p[i] * p[i] / (2.0 * (i + 1) as f64);
+        }
+        sum
+    } {
+        let mut sum = (q[0] - (2.0 * t).sin()).powi(4) / 4.0 + t * q[q.len() - 1].cos();
+        for i in 1..q.len() {
+            let r = q[i] - q[i - 1];
+            sum += r * r / 2.0 + r * r * r / 4.0;
+        }
+        sum
+    }
 }

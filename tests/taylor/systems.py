@@ -223,3 +223,10 @@ def ring_of_points(q, p, t):
     bonds = list(zip(points, points[1:] + points[:1]))
     ratios = [(a[0] * b[1] - a[1] * b[0]) / -(2 + a[0] ** 2 + b[1] ** 2) for a, b in bonds]
     return half_squares(p), sum(x**2 for point in points for x in point) / 2 + sum(ratios)
+
+
+@system([0.5, -0.75, 1.0, 0.25, 0.0, -0.5, 0.75, 0.25, -0.25, 0.5], [0.25, 0.0, -0.125, 0.5, 0.0] * 2, 0.25)
+def walls_that_move(q, p, t):
+    bonds = [b - a for a, b in zip(q, q[1:])]
+    walls = (q[0] - sin(2 * t)) ** 4 / 4 + t * cos(q[-1])
+    return sum(x**2 / (2 * (i + 1)) for i, x in enumerate(p)), walls + sum(r**2 / 2 + r**3 / 4 for r in bonds)
