@@ -220,7 +220,7 @@ fn expand<H: Recurrences, R: Real, K: Keep>(expansion: &mut Of<H, R, K>, t0: f64
     let last = method.order;
     let layout = Layout::of::<H::Coords>(*length);
     let length = H::Coords::LENGTH.unwrap_or(*length);
-    let (mut q, mut p) = (q.begun(layout), p.begun(layout));
+    let (mut q, mut p) = (q.coefficients(layout), p.coefficients(layout));
     macro_rules! orders {
         ($($k:literal)*) => {$(
             if $k < last {

@@ -112,7 +112,7 @@ impl<R: Real, K: Keep> Part<R, K> {
 
     /// The coefficients, those of order 0 being where the polynomials begin.
     #[inline(always)]
-    pub(super) fn begun(&mut self, layout: Layout) -> Coefficients<'_, R> {
+    pub(super) fn coefficients(&mut self, layout: Layout) -> Coefficients<'_, R> {
         self.table.of(layout)
     }
 

@@ -30,7 +30,7 @@ pub fn weight<R: Real>(exponent: f64, j: usize, k: usize) -> R {
 /// The same with an exponent that is a parameter.
 #[inline(always)]
 pub fn weight_with<R: Real>(exponent: R, j: usize, k: usize) -> R {
-    exponent * R::of(j as f64) - R::of((k - j) as f64)
+    exponent * R::of(NUMBERS[j]) - R::of(NUMBERS[k - j])
 }
 
 /// `x / n` for an order `n`, as if in one division.

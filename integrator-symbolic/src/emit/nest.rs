@@ -5,7 +5,7 @@ use super::{
     fields::Fields,
     function::Body,
     orders::{Source, Writer},
-    pass::Pass,
+    pass::{Pass, clock_read},
     tape::{self, Record, Turns, list},
 };
 use crate::{
@@ -126,11 +126,7 @@ impl Writer<'_> {
         let [of_reads, of_constants, of_targets, of_orders] = counts.map(Literal::usize_unsuffixed);
         let of_common = Literal::usize_unsuffixed(given.common.len());
         let (own, order) = (body.argument("turn"), body.argument("order"));
-        let clock: Vec<Ident> = ["step", "time"]
-            .into_iter()
-            .filter(|name| body.mentions(name))
-            .map(|name| format_ident!("{name}"))
-            .collect();
+        let clock = clock_read(&body);
         let Given { constants, common, flags, .. } = given;
         let body = &body.0;
         let function = quote! {
@@ -211,12 +207,7 @@ impl Writer<'_> {
         let body = self.items(fields, lines());
         let opening = &self.opening;
         let lines = quote!(#opening #body);
-        let of_time = Body::new(lines.clone());
-        let clock: Vec<Ident> = ["step", "time"]
-            .into_iter()
-            .filter(|name| of_time.mentions(name))
-            .map(|name| format_ident!("{name}"))
-            .collect();
+        let clock = clock_read(&Body::new(lines.clone()));
         match self.pass {
             Pass::One => quote!(#(let [#clock] = #clock;)* let [#([#reads]),*] = reads; #lines),
             Pass::Two => {

@@ -8,7 +8,7 @@ use super::{
     orders::Writer,
 };
 use crate::program::Item;
-use proc_macro2::{Ident, TokenStream};
+use proc_macro2::{Ident, Span, TokenStream};
 use quote::quote;
 
 /// How many orders are found in one call.
@@ -28,11 +28,16 @@ impl Pass {
     }
 }
 
+/// Which coefficients lines read that say how the clock moves: those of one, and those of the time.
+pub(super) fn clock_read(lines: &Body) -> Vec<Ident> {
+    let read = ["step", "time"].into_iter().filter(|name| lines.mentions(name));
+    read.map(|name| Ident::new(name, Span::call_site())).collect()
+}
+
 /// The line that gives the coefficients of the time, where they are read.
-pub(super) fn clock(runtime: &Ident, body: &TokenStream) -> Option<TokenStream> {
-    let body = Body::new(body.clone());
-    (body.mentions("step") || body.mentions("time"))
-        .then(|| quote!(let (step, time) = #runtime::order_of_time(order, time);))
+fn clock(runtime: &Ident, lines: &TokenStream) -> Option<TokenStream> {
+    let is_read = !clock_read(&Body::new(lines.clone())).is_empty();
+    is_read.then(|| quote!(let (step, time) = #runtime::order_of_time(order, time);))
 }
 
 impl Writer<'_> {

@@ -20,13 +20,12 @@ pub(crate) fn mobilities(graph: &mut Graph, gradient: &[Contribution]) -> Option
     gradient.iter().map(of).collect()
 }
 
-/// What a momentum is multiplied by, if a value is a multiple of it.
+/// What a momentum is multiplied by, if a value is a multiple of it. Products have their prepared factors at the left.
 fn factor(graph: &mut Graph, value: NodeId, of: Element) -> Option<NodeId> {
     match graph.node(value) {
         Node::Coordinate(element) => (element == of).then(|| graph.constant(1.0)),
         Node::Neg(inner) => factor(graph, inner, of).map(|inner| graph.neg(inner)),
         Node::Mul(by, inner) if graph.is_prepared(by) => factor(graph, inner, of).map(|inner| graph.mul(by, inner)),
-        Node::Mul(inner, by) if graph.is_prepared(by) => factor(graph, inner, of).map(|inner| graph.mul(by, inner)),
         Node::Div(inner, by) if graph.is_prepared(by) => factor(graph, inner, of).map(|inner| graph.div(inner, by)),
         _ => None,
     }
