@@ -244,4 +244,17 @@ rows! {
         }
         sum
     }
+    linear_loops [&[f64]] { p.iter().map(|p| p * p / 2.0).sum() } {
+        let mut sum = 0.0;
+        for i in 0..q.len() {
+            sum += (i + 1) as f64 * q[i] / 8.0;
+        }
+        for i in 0..q.len() {
+            sum += q[i] * q[i] / 2.0;
+        }
+        for i in 1..q.len() {
+            sum += (q[i] - q[i - 1]).powi(4);
+        }
+        sum
+    }
 }

@@ -230,3 +230,9 @@ def walls_that_move(q, p, t):
     bonds = [b - a for a, b in zip(q, q[1:])]
     walls = (q[0] - sin(2 * t)) ** 4 / 4 + t * cos(q[-1])
     return sum(x**2 / (2 * (i + 1)) for i, x in enumerate(p)), walls + sum(r**2 / 2 + r**3 / 4 for r in bonds)
+
+
+@system([0.5, -0.75, 1.0, 0.25, 0.0, -0.5, 0.75, 0.25, -0.25, 0.5], [0.25, 0.0, -0.125, 0.5, 0.0] * 2)
+def linear_loops(q, p, t):
+    alone = sum((i + 1) * x / 8 + x**2 / 2 for i, x in enumerate(q))
+    return half_squares(p), alone + sum((b - a) ** 4 for a, b in zip(q, q[1:]))

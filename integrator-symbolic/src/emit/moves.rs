@@ -13,6 +13,8 @@ pub(super) enum Moves {
     Alone(Vec<Element>),
     /// They are added to coordinates where these are.
     InPlace,
+    /// The same, once in a run, by loops as they stand.
+    Once,
     /// They are those of turns side by side, which have found numbers for so many targets so far.
     Abreast(usize),
 }

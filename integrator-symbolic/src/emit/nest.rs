@@ -4,6 +4,7 @@
 use super::{
     fields::Fields,
     function::Body,
+    moves::Moves,
     orders::{Source, Writer},
     pass::{Pass, clock_read},
     tape::{self, Record, Turns, list},
@@ -59,22 +60,12 @@ impl Given {
 impl Writer<'_> {
     /// The nests of a loop whose turns can be computed side by side.
     pub(super) fn nests<'p>(&self, by: LoopId, body: &'p [Item]) -> Option<Vec<Nest<'p>>> {
-        if self.within.len() > 1 || !self.masks.is_empty() {
+        if self.within.len() > 1 || !self.masks.is_empty() || matches!(self.moves, Moves::Once) {
             return None;
         }
         let Source { model, program, recurrences, .. } = self.source;
         let operands = |id| recurrences.operands.get(&id).cloned().unwrap_or_default();
         Surroundings { graph: &model.graph, named: &program.named, operands: &operands }.nests(by, body)
-    }
-
-    /// The loops of a nest. Turns that keep nothing are left to the compiler.
-    pub(super) fn loops(&mut self, fields: &mut Fields, nest: &Nest<'_>) -> TokenStream {
-        let keeps = |item: &&Item| matches!(item, Item::Let(_) | Item::SineCosine { .. } | Item::Branch { .. });
-        if nest.body.iter().any(keeps) {
-            return self.nest(fields, nest);
-        }
-        let body = self.items(fields, nest.body.iter().copied());
-        nest.loops.iter().rev().fold(body, |body, by| self.printer.looped(fields, *by, &body))
     }
 
     /// A loop, whose turns keep what they compute each in a place of its own.
@@ -98,7 +89,7 @@ impl Writer<'_> {
     }
 
     /// A nest of loops: its turns are laid out once, and computed in rows.
-    fn nest(&mut self, fields: &mut Fields, nest: &Nest<'_>) -> TokenStream {
+    pub(super) fn nest(&mut self, fields: &mut Fields, nest: &Nest<'_>) -> TokenStream {
         let names = self.source.names;
         let (runtime, scalar, wide) = (&names.runtime, &names.scalar, &names.wide);
         let number = self.records.len();

@@ -67,7 +67,7 @@ pub(super) fn orders(
         Some(mobile) => {
             let source = Source { program: mobile, ..source };
             let mut of_mobilities = Writer::new(&source, Record::of("tape", Turns::Once));
-            of_mobilities.moves = Moves::InPlace;
+            of_mobilities.moves = Moves::Once;
             let mobilities = of_mobilities.items(fields, &mobile.items);
             writer.orders_of_momenta(fields, &program.items, &mobilities)
         }
@@ -202,7 +202,7 @@ impl<'m> Writer<'m> {
                 quote!(let mut #name = #zero;)
             }
             Item::Loop { by, body } => match self.nests(*by, body) {
-                Some(nests) => nests.iter().map(|nest| self.loops(fields, nest)).collect(),
+                Some(nests) => nests.iter().map(|nest| self.nest(fields, nest)).collect(),
                 None => self.turns(fields, *by, body),
             },
             Item::Branch { condition, holds, body } => {
@@ -240,7 +240,7 @@ impl<'m> Writer<'m> {
                             Pass::Two => quote!(found[#number][at] = #value;),
                         };
                     }
-                    Moves::InPlace => {}
+                    Moves::InPlace | Moves::Once => {}
                 }
                 let (part, place) = (self.printer.part(*element), self.printer.in_row(fields, *element));
                 quote!(#part[order + 1][#place] += #value;)
@@ -311,7 +311,7 @@ impl<'m> Writer<'m> {
     /// Where the coefficients of a value are.
     pub(super) fn series(&mut self, fields: &mut Fields, id: NodeId) -> Series {
         match (self.printer.graph.node(id), &self.moves) {
-            (Node::Coordinate(element), Moves::Alone(_) | Moves::InPlace) => {
+            (Node::Coordinate(element), Moves::Alone(_) | Moves::InPlace | Moves::Once) => {
                 Series::Row { part: self.printer.part(element), place: self.printer.in_row(fields, element) }
             }
             (Node::Coordinate(_) | Node::Time | Node::Step, _) => self.begun_with(fields, id),
