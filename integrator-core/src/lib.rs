@@ -225,7 +225,7 @@ pub mod __private {
             mobility::Mobility,
             series::{COEFFICIENTS, half_power, order_of_time, over, turn, weight, weight_with},
             table::{Coefficients, Layout, Table},
-            turns::{Abreast, Turns, spread},
+            turns::{Abreast, Target, Turns, spread},
         },
         tiled::{Flow, Reach},
         tiles::Tiles,

@@ -80,6 +80,22 @@ fn recurrences_of_pairs_within_reach() {
     ));
 }
 
+#[test]
+fn recurrences_of_a_chain_between_walls() {
+    insta::assert_snapshot!(recurrences(
+        "impl Chain {
+            fn kinetic(&self, p: [f64; 32]) -> f64 { p.iter().map(|p| p * p / 2.0).sum() }
+            fn potential(&self, q: [f64; 32]) -> f64 {
+                let mut energy = q[0].powi(4) / 4.0 + q[31].powi(4) / 4.0;
+                for i in 1..32 {
+                    energy += (q[i] - q[i - 1]).powi(3) / 3.0;
+                }
+                energy
+            }
+        }"
+    ));
+}
+
 /// What is written beside the stepper where Taylor series are asked for.
 fn recurrences(item: &str) -> String {
     let text = stepper("taylor", item);

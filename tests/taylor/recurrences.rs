@@ -20,8 +20,8 @@ pub(crate) type Series = [f64; ORDER + 1];
 pub(crate) fn expand<H: Recurrences>(system: &H, motion: &Motion) -> [Vec<Series>; 2] {
     let begin = motion.q.iter().map(|series| series[0].value).collect();
     let length = H::Coords::from_flat(begin).expect("as many as the shape has").length();
-    let layout = Layout::of::<H::Coords>(length);
-    let place = |coordinate: &usize| layout.place(*coordinate);
+    let layout = Layout::of::<H::Coords>(length, H::INTERLEAVED);
+    let place = |coordinate: &usize| layout.place_of(*coordinate);
     let coordinates: Vec<usize> = (0..motion.q.len()).collect();
     let (mut tables, mut tape) = ([Table::new(layout), Table::new(layout)], H::Tape::<f64>::default());
     let parameters = <H as Hamiltonian>::parameters(system, length);

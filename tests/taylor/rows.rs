@@ -257,4 +257,23 @@ rows! {
         }
         sum
     }
+    lattice [[f64; 20]] { p.iter().map(|p| p * p / 2.0).sum() } {
+        let mut sum = q[7] * q[19].sin();
+        for i in 0..4 {
+            for j in 0..5 {
+                sum += (j + 1) as f64 * q[5 * i + j].cos();
+            }
+        }
+        for i in 0..4 {
+            for j in 1..5 {
+                sum -= (q[5 * i + j] - q[5 * i + j - 1]).cos();
+            }
+        }
+        for i in 1..4 {
+            for j in 0..5 {
+                sum -= (q[5 * i + j] - q[5 * i + j - 5]).cos() / 2.0;
+            }
+        }
+        sum
+    }
 }

@@ -236,3 +236,12 @@ def walls_that_move(q, p, t):
 def linear_loops(q, p, t):
     alone = sum((i + 1) * x / 8 + x**2 / 2 for i, x in enumerate(q))
     return half_squares(p), alone + sum((b - a) ** 4 for a, b in zip(q, q[1:]))
+
+
+@system([0.5, -0.75, 1.0, 0.25, 0.0, -0.5, 0.75, 0.25, -0.25, 0.5] * 2, [0.25, 0.0, -0.125, 0.5, 0.0] * 4)
+def lattice(q, p, t):
+    rows = [q[5 * i:5 * i + 5] for i in range(4)]
+    sites = sum((j + 1) * cos(x) for row in rows for j, x in enumerate(row))
+    along = sum(cos(b - a) for row in rows for a, b in zip(row, row[1:]))
+    across = sum(cos(b - a) for above, below in zip(rows, rows[1:]) for a, b in zip(above, below))
+    return half_squares(p), q[7] * sin(q[19]) + sites - along - across / 2

@@ -1,7 +1,7 @@
 //! What coordinates get from turns that lie side by side.
 //!
-//! Always true: a coordinate gets its addends in the order in which they are given, row of turns by row, so that bits do not
-//! depend on how numbers get there.
+//! Always true: in which order a coordinate gets its addends follows from the turns and their targets alone, so that bits
+//! do not depend on how numbers get there.
 
 use super::table::{Coefficients, EIGHT, Eight};
 use crate::{real::Real, row::Row};
@@ -15,21 +15,24 @@ pub(super) struct Addend {
     /// Which of the rows of numbers that have been found.
     pub(super) found: usize,
     /// Where it is in this row.
-    pub(super) turn: usize,
+    pub(super) lane: usize,
+    /// One, or minus one where it is taken away.
+    pub(super) sign: i8,
 }
 
-/// What each of eight coordinates beside each other gets from a row of numbers.
-type Pattern = [Option<usize>; EIGHT];
+/// What each of eight coordinates beside each other gets from a row of numbers: that of a lane, and with which sign.
+type Pattern = [Option<(usize, i8)>; EIGHT];
 
 /// The patterns in which places get numbers of a row, each one at most at a time.
-fn patterns(addends: &[[usize; 2]]) -> Vec<Pattern> {
+fn patterns(addends: &[Addend]) -> Vec<Pattern> {
     let mut patterns: Vec<Pattern> = Vec::new();
-    for [place, turn] in addends {
-        match patterns.iter_mut().find(|pattern| pattern[*place].is_none()) {
-            Some(pattern) => pattern[*place] = Some(*turn),
+    for Addend { place, lane, sign, .. } in addends {
+        let (place, gets) = (place % EIGHT, Some((*lane, *sign)));
+        match patterns.iter_mut().find(|pattern| pattern[place].is_none()) {
+            Some(pattern) => pattern[place] = gets,
             None => {
                 let mut pattern = [None; EIGHT];
-                pattern[*place] = Some(*turn);
+                pattern[place] = gets;
                 patterns.push(pattern);
             }
         }
@@ -37,15 +40,15 @@ fn patterns(addends: &[[usize; 2]]) -> Vec<Pattern> {
     patterns
 }
 
-/// What `N` times eight coordinates get from as many rows of numbers, by the same pattern.
+/// What `N` times eight coordinates get from as many rows of numbers beside each other, by the same pattern.
 #[derive(Clone)]
-struct Round<R: Real, const N: usize> {
-    /// Which of the rows.
-    found: [usize; N],
-    /// What each coordinate gets of it,
-    turns: [u64; EIGHT],
-    /// and which of them get something.
-    moved: <Eight<R> as Real>::Mask,
+struct Round<R: Real> {
+    /// The first one of the rows.
+    found: usize,
+    /// The lanes of which each coordinate gets the numbers, if they are not all its own,
+    lanes: Option<[u64; EIGHT]>,
+    /// and with which signs: zero, where it gets none.
+    signs: Eight<R>,
 }
 
 /// `N` times eight coordinates, such as the components of points, with the same patterns: each is looked at once for all.
@@ -53,24 +56,30 @@ struct Round<R: Real, const N: usize> {
 pub(super) struct Group<R: Real, const N: usize> {
     /// Where the eights begin.
     begins: [usize; N],
-    rounds: Vec<Round<R, N>>,
+    rounds: Vec<Round<R>>,
 }
 
+/// Where an eight begins, and from which row it gets numbers in each round.
+type Rounds = (usize, Vec<usize>);
+
 impl<R: Real, const N: usize> Group<R, N> {
-    /// The eights, each with its beginning and its rows.
-    fn of(patterns: &[Pattern], eights: &[(usize, Vec<usize>); N]) -> Self {
-        let round = |(number, pattern): (usize, &Pattern)| {
-            let moved = pattern.map(|turn| R::of(if turn.is_some() { 1.0 } else { 0.0 }));
-            Round {
-                found: core::array::from_fn(|eight| eights[eight].1[number]),
-                turns: pattern.map(|turn| turn.unwrap_or_default() as u64),
-                moved: Eight::<R>::of(0.0).less(Eight::<R>::read(&moved)),
-            }
-        };
-        Self {
-            begins: core::array::from_fn(|eight| eights[eight].0),
-            rounds: patterns.iter().enumerate().map(round).collect(),
+    /// As many eights as there are in such a group, where their rows are beside each other.
+    fn of(patterns: &[Pattern], eights: &[Rounds; N]) -> Option<Self> {
+        let found = &eights[0].1;
+        let beside =
+            |(number, (_, rows)): (usize, &Rounds)| rows.iter().zip(found).all(|(row, first)| *row == first + number);
+        if !eights.iter().enumerate().all(beside) {
+            return None;
         }
+        let rounds = patterns.iter().zip(found).map(|(pattern, found)| {
+            let signs = pattern.map(|gets| R::of(gets.map_or(0.0, |(_, sign)| f64::from(sign))));
+            // What a lane has computed without a turn may be no number, which no factor makes zero.
+            let some = pattern.iter().flatten().next().map_or(0, |(lane, _)| *lane);
+            let lanes = pattern.map(|gets| gets.map_or(some, |(lane, _)| lane) as u64);
+            let is_own = lanes == core::array::from_fn(|lane| lane as u64);
+            Round { found: *found, lanes: (!is_own).then_some(lanes), signs: Eight::<R>::read(&signs) }
+        });
+        Some(Self { begins: core::array::from_fn(|eight| eights[eight].0), rounds: rounds.collect() })
     }
 
     #[inline(always)]
@@ -81,12 +90,22 @@ impl<R: Real, const N: usize> Group<R, N> {
                 sums[eight][at] = Row::read(&to[order + at][self.begins[eight]..]);
             }
         }
-        for Round { found: rows, turns, moved } in &self.rounds {
-            for eight in 0..N {
-                let found = &found[rows[eight]];
-                for at in 0..AT_ONCE {
-                    let sum = sums[eight][at];
-                    sums[eight][at] = Eight::<R>::select(*moved, sum + found[at].picked(turns), sum);
+        for Round { found: first, lanes, signs } in &self.rounds {
+            let rows = &found[*first..][..N];
+            match lanes {
+                None => {
+                    for eight in 0..N {
+                        for at in 0..AT_ONCE {
+                            sums[eight][at] = rows[eight][at].fma(*signs, sums[eight][at]);
+                        }
+                    }
+                }
+                Some(lanes) => {
+                    for eight in 0..N {
+                        for at in 0..AT_ONCE {
+                            sums[eight][at] = rows[eight][at].picked(lanes).fma(*signs, sums[eight][at]);
+                        }
+                    }
                 }
             }
         }
@@ -114,23 +133,18 @@ impl<R: Real> Default for Addends<R> {
 }
 
 impl<R: Real> Addends<R> {
-    /// Those of the coordinates of a row of such a width, in the order in which they are added.
+    /// Those of the coordinates of a row of such a width.
     pub(super) fn of(addends: Vec<Addend>, width: usize) -> Self {
         if width < EIGHT {
             return Self::Single(addends);
         }
-        // What places of an eight get from turns of a row, row by row.
-        type OfRows = Vec<(usize, Vec<[usize; 2]>)>;
-        let mut eights: BTreeMap<usize, OfRows> = BTreeMap::new();
-        for Addend { place, found, turn } in addends {
-            let rows = eights.entry(place / EIGHT * EIGHT).or_default();
-            let added = [place % EIGHT, turn];
-            match rows.last_mut().filter(|(row, _)| *row == found) {
-                Some((_, row)) => row.push(added),
-                None => rows.push((found, Vec::from([added]))),
-            }
+        // By eights, and what each gets by rows.
+        let mut eights: BTreeMap<usize, BTreeMap<usize, Vec<Addend>>> = BTreeMap::new();
+        for addend in addends {
+            let rows = eights.entry(addend.place / EIGHT * EIGHT).or_default();
+            rows.entry(addend.found).or_default().push(addend);
         }
-        let mut alike: BTreeMap<Vec<Pattern>, Vec<(usize, Vec<usize>)>> = BTreeMap::new();
+        let mut alike: BTreeMap<Vec<Pattern>, Vec<Rounds>> = BTreeMap::new();
         for (begin, rows) in eights {
             let rounds = rows.iter().flat_map(|(found, addends)| patterns(addends).into_iter().map(|of| (of, *found)));
             let (patterns, found) = rounds.unzip();
@@ -138,12 +152,21 @@ impl<R: Real> Addends<R> {
         }
         let (mut threes, mut twos, mut ones) = (Vec::new(), Vec::new(), Vec::new());
         for (patterns, eights) in &alike {
-            let (by_three, rest) = eights.as_chunks();
-            let (by_two, rest) = rest.as_chunks();
-            let (by_one, _) = rest.as_chunks();
-            threes.extend(by_three.iter().map(|eights| Group::of(patterns, eights)));
-            twos.extend(by_two.iter().map(|eights| Group::of(patterns, eights)));
-            ones.extend(by_one.iter().map(|eights| Group::of(patterns, eights)));
+            let mut rest = eights.as_slice();
+            loop {
+                if let Some((group, others)) = taken(patterns, rest) {
+                    threes.push(group);
+                    rest = others;
+                } else if let Some((group, others)) = taken(patterns, rest) {
+                    twos.push(group);
+                    rest = others;
+                } else if let Some((group, others)) = taken(patterns, rest) {
+                    ones.push(group);
+                    rest = others;
+                } else {
+                    break;
+                }
+            }
         }
         Self::Groups(threes, twos, ones)
     }
@@ -169,14 +192,38 @@ impl<R: Real> Addends<R> {
                 }
             }
             Self::Single(addends) => {
-                for Addend { place, found: number, turn } in addends {
+                for Addend { place, found: number, lane, sign } in addends {
                     for (at, found) in found[*number].iter().enumerate() {
                         let mut numbers = [R::of(0.0); EIGHT];
                         found.write(&mut numbers);
-                        to[order + at][*place] += numbers[*turn];
+                        to[order + at][*place] += R::of(f64::from(*sign)) * numbers[*lane];
                     }
                 }
             }
         }
+    }
+}
+
+/// A group of the first eights, and those behind it.
+fn taken<'e, R: Real, const N: usize>(
+    patterns: &[Pattern],
+    eights: &'e [Rounds],
+) -> Option<(Group<R, N>, &'e [Rounds])> {
+    let (first, others) = eights.split_first_chunk()?;
+    Some((Group::of(patterns, first)?, others))
+}
+
+#[cfg(test)]
+impl<R: Real> Addends<R> {
+    /// How often eight coordinates get a row of numbers as it is, and how often in other lanes.
+    pub(super) fn rounds(&self) -> [usize; 2] {
+        let Self::Groups(threes, twos, ones) = self else { return [0; 2] };
+        let groups = threes.iter().map(|group| (3, &group.rounds));
+        let groups = groups.chain(twos.iter().map(|group| (2, &group.rounds)));
+        let groups = groups.chain(ones.iter().map(|group| (1, &group.rounds)));
+        groups.fold([0; 2], |[own, other], (eights, rounds)| {
+            let of_own = rounds.iter().filter(|round| round.lanes.is_none()).count();
+            [own + eights * of_own, other + eights * (rounds.len() - of_own)]
+        })
     }
 }

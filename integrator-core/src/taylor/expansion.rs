@@ -28,6 +28,7 @@ use alloc::sync::Arc;
 pub struct Constants<P> {
     pub(super) parameters: Arc<P>,
     pub(super) method: Taylor,
+    pub(super) interleaved: bool,
 }
 
 /// The polynomials of the members, and where on them these are.
@@ -35,8 +36,7 @@ pub struct Constants<P> {
 pub struct Expansion<R: Real, C: Coords, P, T> {
     method: Taylor,
     parameters: P,
-    /// How many numbers or points there are.
-    length: usize,
+    layout: Layout,
     q: Part<R, C::Leaf>,
     p: Part<R, C::Leaf>,
     tape: T,
@@ -54,12 +54,11 @@ where
 {
     fn load<'a>(of_lane: impl Fn(usize) -> (&'a Constants<Q>, &'a Phase<C>)) -> Self {
         let (constants, start) = of_lane(0);
-        let length = start.q.length();
-        let layout = Layout::of::<C>(length);
+        let layout = Layout::of::<C>(start.q.length(), constants.interleaved);
         Self {
             method: constants.method,
             parameters: P::gather(|lane| &*of_lane(lane).0.parameters),
-            length,
+            layout,
             q: Part::at(layout, |lane, coordinate| of_lane(lane).1.q.flat()[coordinate]),
             p: Part::at(layout, |lane, coordinate| of_lane(lane).1.p.flat()[coordinate]),
             tape: T::default(),
@@ -67,12 +66,11 @@ where
         }
     }
     fn gathered(from: &[(&Constants<Q>, &Self, usize)], _shape: &Phase<C>) -> Self {
-        let (constants, Self { length, .. }, _) = from[0];
-        let layout = Layout::of::<C>(*length);
+        let (constants, &Self { layout, .. }, _) = from[0];
         Self {
             method: constants.method,
             parameters: P::gather(|lane| &*from[lane].0.parameters),
-            length: *length,
+            layout,
             q: Part::gathered(layout, |lane| (&from[lane].1.q, from[lane].2)),
             p: Part::gathered(layout, |lane| (&from[lane].1.p, from[lane].2)),
             tape: T::default(),
@@ -84,10 +82,9 @@ where
         }
     }
     fn store(&self, lane: usize, to: &mut Phase<C>) {
-        let layout = Layout::of::<C>(self.length);
         for (part, to) in [(&self.q, to.q.flat_mut()), (&self.p, to.p.flat_mut())] {
             for (coordinate, leaf) in to.iter_mut().enumerate() {
-                *leaf = part.leaf(lane, layout.place(coordinate));
+                *leaf = part.leaf(lane, self.layout.place_of(coordinate));
             }
         }
     }
@@ -144,13 +141,13 @@ impl<H: Recurrences, R: Real, K: Keep> Kernel for Follow<'_, H, R, K> {
     fn call(self) {
         let Self { expansion, clock: Clock { t0, h, .. }, end } = self;
         let order = expansion.method.order();
-        let layout = Layout::of::<H::Coords>(expansion.length);
+        let layout = layout::<H>(expansion.layout);
         loop {
             // Beside what legs keep: what has just been stored would be waited for.
             let mut reaches = [0.0; WIDEST];
             if expansion.legs[..R::MEMBERS].iter().any(Leg::is_unknown) {
-                expand::<H, R, K>(expansion, t0);
-                horizons(expansion, h, &mut reaches);
+                expand::<H, R, K>(expansion, layout, t0);
+                horizons(expansion, layout, h, &mut reaches);
             } else {
                 for (reach, leg) in reaches.iter_mut().zip(&expansion.legs[..R::MEMBERS]) {
                     *reach = leg.reach.unwrap_or(0.0);
@@ -185,9 +182,14 @@ impl<H: Recurrences, R: Real, K: Keep> Kernel for Follow<'_, H, R, K> {
 
 /// Finds how far the new polynomials reach, and tells it of all of them.
 #[inline(always)]
-fn horizons<R: Real, C: Coords, P, T>(expansion: &mut Expansion<R, C, P, T>, h: f64, reaches: &mut [f64; WIDEST]) {
-    let Expansion { method: Taylor { order, tolerance }, length, q, p, legs, .. } = expansion;
-    let (order, tolerance, layout) = (*order, *tolerance, Layout::of::<C>(*length));
+fn horizons<R: Real, C: Coords, P, T>(
+    expansion: &mut Expansion<R, C, P, T>,
+    layout: Layout,
+    h: f64,
+    reaches: &mut [f64; WIDEST],
+) {
+    let Expansion { method: Taylor { order, tolerance }, q, p, legs, .. } = expansion;
+    let (order, tolerance) = (*order, *tolerance);
     let ends = [q.ends(layout, order), p.ends(layout, order)];
     let parts = [&*q, &*p];
     for lane in 0..R::MEMBERS {
@@ -204,6 +206,12 @@ fn horizons<R: Real, C: Coords, P, T>(expansion: &mut Expansion<R, C, P, T>, h: 
     }
 }
 
+/// The layout, with the numbers that code knows.
+#[inline(always)]
+fn layout<H: Recurrences>(layout: Layout) -> Layout {
+    Layout::of::<H::Coords>(layout.length(), H::INTERLEAVED)
+}
+
 /// Calls back with the orders, one after the other, so that each is compiled on its own: sums of known length, without
 /// loops. That is faster where a state is a few numbers, and takes the compiler minutes where turns lie side by side.
 macro_rules! for_each_order {
@@ -214,12 +222,10 @@ macro_rules! for_each_order {
 
 /// Finds the polynomials from their beginnings.
 #[inline(always)]
-fn expand<H: Recurrences, R: Real, K: Keep>(expansion: &mut Of<H, R, K>, t0: f64) {
+fn expand<H: Recurrences, R: Real, K: Keep>(expansion: &mut Of<H, R, K>, layout: Layout, t0: f64) {
     let time = R::parameter(|lane| t0 + expansion.legs[lane].begin.nearest());
-    let Expansion { method, parameters, length, q, p, tape, .. } = expansion;
-    let last = method.order;
-    let layout = Layout::of::<H::Coords>(*length);
-    let length = H::Coords::LENGTH.unwrap_or(*length);
+    let Expansion { method, parameters, q, p, tape, .. } = expansion;
+    let (last, length) = (method.order, layout.length());
     let (mut q, mut p) = (q.coefficients(layout), p.coefficients(layout));
     macro_rules! orders {
         ($($k:literal)*) => {$(

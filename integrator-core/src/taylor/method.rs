@@ -81,7 +81,7 @@ impl<H: Recurrences> Method<H> for Taylor {
     type Motion<R: Real, K: Keep> = Expansion<R, Shaped<H, K>, H::Parameters<R>, H::Tape<R>>;
 
     fn constants(self, parameters: Arc<H::Parameters<f64>>) -> Arc<Self::Constants> {
-        Arc::new(Constants { parameters, method: self })
+        Arc::new(Constants { parameters, method: self, interleaved: H::INTERLEAVED })
     }
     fn moves<R: Real, K: Keep>() -> Moves<Self::Motion<R, K>> {
         moves::<H, R, K>()

@@ -40,6 +40,7 @@
 //! ```
 
 mod addends;
+mod arrangement;
 mod expansion;
 mod horizon;
 #[cfg(feature = "std")]
@@ -50,6 +51,7 @@ mod method;
 pub(crate) mod mobility;
 mod moment;
 mod part;
+mod places;
 mod recurrences;
 pub(crate) mod series;
 mod states;

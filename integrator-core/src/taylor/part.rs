@@ -97,11 +97,11 @@ impl<R: Real, K: Keep> Part<R, K> {
     pub(super) fn gathered<'p>(layout: Layout, of_lane: impl Fn(usize) -> (&'p Self, usize)) -> Self {
         let begin = slots(layout, |lane, coordinate| {
             let (part, lane) = of_lane(lane);
-            leaf::<R, K>(&part.few.begin, &part.rows.begin, lane, layout.place(coordinate))
+            leaf::<R, K>(&part.few.begin, &part.rows.begin, lane, layout.place_of(coordinate))
         });
         let shown = slots(layout, |lane, coordinate| {
             let (part, lane) = of_lane(lane);
-            part.leaf(lane, layout.place(coordinate))
+            part.leaf(lane, layout.place_of(coordinate))
         });
         Self {
             table: begun::<R, K>(layout, &begin),

@@ -16,6 +16,10 @@ pub trait Recurrences: Hamiltonian {
     /// Whether there are loops over coordinates, so that orders need no code of their own.
     const ROLLED: bool;
 
+    /// Whether every turn of the loops reads coordinates of its own first, so that whole registers are read where points
+    /// lie [interleaved](Layout::of).
+    const INTERLEAVED: bool;
+
     /// How many orders are found at once.
     const AT_ONCE: usize;
 

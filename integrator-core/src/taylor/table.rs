@@ -2,7 +2,10 @@
 
 use super::series::{COEFFICIENTS, over};
 use crate::{aligned::Aligned, coords::Coords, real::Real, row::Row};
-use core::ops::{Index, IndexMut};
+use core::{
+    num::NonZero,
+    ops::{Index, IndexMut},
+};
 
 /// How many coordinates are computed on at once.
 pub(super) const EIGHT: usize = 8;
@@ -13,12 +16,15 @@ pub(super) type Eight<R> = <R as Real>::Row<EIGHT>;
 /// Up to how many coordinates lie close together; rows of more begin where a register is read at once.
 pub(super) const FEW: usize = 4;
 
-/// How coordinates lie in the rows of a table.
+/// How coordinates lie in the rows of a table: components one after the other, each of all points.
 #[derive(Clone, Copy)]
 pub struct Layout {
     /// How many numbers or points there are.
     length: usize,
     components: usize,
+    interleaved: bool,
+    /// To how many registers points are dealt out, one after the other; one, where neighbours lie side by side.
+    registers: NonZero<usize>,
     /// How far a component of the points is from the next one.
     stride: usize,
     /// How far the coefficients of one order are from those of the next.
@@ -26,14 +32,23 @@ pub struct Layout {
 }
 
 impl Layout {
-    /// For so many numbers or points: a number that code knows, where the type tells it.
+    /// For so many numbers or points: a number that code knows, where the type tells it. Interleaved, points lie
+    /// in the same lanes of registers as those a little further on, so that what reads points and their neighbours reads
+    /// whole registers.
     #[inline(always)]
-    pub fn of<C: Coords>(length: usize) -> Self {
+    pub fn of<C: Coords>(length: usize, interleaved: bool) -> Self {
         let length = C::LENGTH.unwrap_or(length);
         let components = C::COMPONENTS;
         let few = length * components <= FEW;
         let stride = if few { length } else { length.next_multiple_of(EIGHT) };
-        Self { length, components, stride, width: components * stride }
+        let registers = if interleaved && !few { NonZero::new(stride / EIGHT) } else { None };
+        let registers = registers.unwrap_or(NonZero::<usize>::MIN);
+        Self { length, components, interleaved, registers, stride, width: components * stride }
+    }
+    /// How many numbers or points there are.
+    #[inline(always)]
+    pub(super) fn length(self) -> usize {
+        self.length
     }
     /// Whether coordinates are so few that they are not computed on in registers.
     #[inline(always)]
@@ -45,14 +60,36 @@ impl Layout {
     pub(super) fn width(self) -> usize {
         self.width
     }
-    /// The coordinate in a place: components one after the other, each of all points. Places beyond the last point
-    /// repeat it.
+    /// How far a component of the points is from the next one.
+    #[inline(always)]
+    pub(super) fn stride(self) -> usize {
+        self.stride
+    }
+    /// Whether points lie where what reads their neighbours reads whole registers.
+    pub(super) fn is_interleaved(self) -> bool {
+        self.interleaved
+    }
+    /// The coordinate in a place. Places that no point has repeat the last one.
     pub(super) fn coordinate(self, place: usize) -> usize {
-        (place % self.stride).min(self.length - 1) * self.components + place / self.stride
+        let (component, within) = (place / self.stride, place % self.stride);
+        let point = match self.registers.get() {
+            1 => within,
+            registers => within % EIGHT * registers + within / EIGHT,
+        };
+        point.min(self.length - 1) * self.components + component
+    }
+    /// Where a component of a point is in a row.
+    #[inline(always)]
+    pub fn place(self, point: usize, component: usize) -> usize {
+        let within = match self.registers.get() {
+            1 => point,
+            _ => point % self.registers * EIGHT + point / self.registers,
+        };
+        component * self.stride + within
     }
     /// Where a coordinate is in a row.
-    pub fn place(self, coordinate: usize) -> usize {
-        coordinate % self.components * self.stride + coordinate / self.components
+    pub fn place_of(self, coordinate: usize) -> usize {
+        self.place(coordinate / self.components, coordinate % self.components)
     }
 }
 
@@ -133,6 +170,12 @@ impl<R: Real> Coefficients<'_, R> {
     #[inline(always)]
     pub(super) fn is_few(&self) -> bool {
         self.layout.is_few()
+    }
+
+    /// How coordinates lie in a row.
+    #[inline(always)]
+    pub fn layout(&self) -> Layout {
+        self.layout
     }
 
     /// How far a component of the points is from the next one.

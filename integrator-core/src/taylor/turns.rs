@@ -6,13 +6,12 @@
 
 use super::{
     addends::{Addend, Addends},
-    table::{Coefficients, EIGHT, Eight},
+    arrangement::{Turn, dealt, in_lanes},
+    places::Places,
+    table::{Coefficients, EIGHT, Eight, Layout},
 };
 use crate::{real::Real, row::Row};
-use alloc::{collections::VecDeque, vec::Vec};
-
-/// How many turns lie side by side.
-const TURNS: usize = EIGHT;
+use alloc::vec::Vec;
 
 /// Numbers side by side, one of each turn.
 pub type Abreast<R> = Eight<R>;
@@ -21,37 +20,6 @@ pub type Abreast<R> = Eight<R>;
 #[inline(always)]
 pub fn spread<R: Real>(x: R) -> Abreast<R> {
     Abreast::<R>::splat(x)
-}
-
-/// Where the numbers of eight turns are among the coordinates.
-#[derive(Clone, Copy, Debug, PartialEq)]
-enum Places {
-    /// Side by side from here on.
-    Neighbours(usize),
-    /// Among the eight from here on.
-    Near(usize, [u64; TURNS]),
-    /// Anywhere.
-    Far([usize; TURNS]),
-}
-
-impl Places {
-    /// Where eight places are in a row of so many coordinates.
-    fn of(places: [usize; TURNS], width: usize) -> Self {
-        let (first, last) =
-            places.iter().fold((usize::MAX, 0), |(first, last), place| (first.min(*place), last.max(*place)));
-        if last - first >= TURNS || width < TURNS {
-            return Self::Far(places);
-        }
-        // A register that begins where one has been written is read sooner.
-        let aligned = first / TURNS * TURNS;
-        let begin = if last < aligned + TURNS { aligned } else { first.min(width - TURNS) };
-        let near = places.map(|place| (place - begin) as u64);
-        if near == core::array::from_fn(|place| place as u64) {
-            Self::Neighbours(begin)
-        } else {
-            Self::Near(begin, near)
-        }
-    }
 }
 
 /// Eight turns side by side, each of which reads so many coordinates and has so many constants; `T` is what they keep.
@@ -68,78 +36,67 @@ impl<R: Real, T, const READS: usize, const CONSTANTS: usize> Line<R, T, READS, C
     /// What the turns read from the coefficients of some orders.
     #[inline(always)]
     pub fn read<const AT_ONCE: usize>(&self, read: usize, from: [&[R]; AT_ONCE]) -> [Abreast<R>; AT_ONCE] {
-        let mut found = [Abreast::<R>::of(0.0); AT_ONCE];
-        match &self.reads[read] {
-            Places::Neighbours(begin) => {
-                for at in 0..AT_ONCE {
-                    found[at] = Row::read(&from[at][*begin..]);
-                }
-            }
-            Places::Near(begin, places) => {
-                for at in 0..AT_ONCE {
-                    found[at] = <Abreast<R> as Row<R>>::read(&from[at][*begin..]).picked(places);
-                }
-            }
-            Places::Far(places) => {
-                for at in 0..AT_ONCE {
-                    let mut numbers = [R::of(0.0); TURNS];
-                    for (number, place) in numbers.iter_mut().zip(places) {
-                        *number = from[at][*place];
-                    }
-                    found[at] = Row::read(&numbers);
-                }
-            }
-        }
-        found
+        self.reads[read].read(from)
     }
 }
 
-/// What turns have computed for so many targets, each of the orders that are found at once.
-type Found<R, const TARGETS: usize, const AT_ONCE: usize> = [[Abreast<R>; AT_ONCE]; TARGETS];
+/// So many numbers that turns have computed, each of the orders that are found at once.
+type Found<R, const VALUES: usize, const AT_ONCE: usize> = [[Abreast<R>; AT_ONCE]; VALUES];
 
-/// A turn before it is in a row: what it reads, its constants, and what it moves.
-type Turn<R, const READS: usize, const CONSTANTS: usize, const TARGETS: usize> =
-    ([usize; READS], [R; CONSTANTS], [usize; TARGETS]);
+/// What a coordinate that turns move gets from them.
+#[derive(Clone, Copy)]
+pub struct Target {
+    /// Of positions (0) or momenta (1).
+    part: usize,
+    /// Which of the numbers that a turn has computed,
+    value: usize,
+    /// and one, or minus one where it is taken away.
+    sign: i8,
+}
 
-/// From how many turns the next one of a row is taken.
-const NEAR: usize = 8 * TURNS;
-
-/// The turns in an order in which few of a row move the same coordinate: those have to be added one after the other.
-fn dealt<R: Real, const READS: usize, const CONSTANTS: usize, const TARGETS: usize>(
-    turns: Vec<Turn<R, READS, CONSTANTS, TARGETS>>,
-) -> Vec<Turn<R, READS, CONSTANTS, TARGETS>> {
-    let mut dealt: Vec<Turn<R, READS, CONSTANTS, TARGETS>> = Vec::with_capacity(turns.len());
-    let mut waiting = VecDeque::from(turns);
-    while !waiting.is_empty() {
-        let (begin, mut most) = (dealt.len(), 1);
-        while dealt.len() < begin + TURNS && !waiting.is_empty() {
-            let moves =
-                |target: usize, place: usize| dealt[begin..].iter().filter(|turn| turn.2[target] == place).count();
-            let fits = |turn: &Turn<R, READS, CONSTANTS, TARGETS>| {
-                turn.2.iter().enumerate().all(|(target, place)| moves(target, *place) < most)
-            };
-            match waiting.iter().take(NEAR).position(fits) {
-                Some(next) => dealt.extend(waiting.remove(next)),
-                None => most += 1,
-            }
-        }
+impl Target {
+    /// A position that gets such a number.
+    pub const fn position(value: usize) -> Self {
+        Self { part: 0, value, sign: 1 }
     }
-    dealt
+    /// A momentum that gets such a number.
+    pub const fn momentum(value: usize) -> Self {
+        Self { part: 1, value, sign: 1 }
+    }
+    /// The same, with the sign changed.
+    pub const fn negated(self) -> Self {
+        Self { sign: -self.sign, ..self }
+    }
 }
 
 /// The turns of a loop, or of loops inside each other: each reads so many coordinates, has so many constants, and moves
-/// so many coordinates, by so many orders at once; `T` is what eight of them keep.
+/// so many coordinates by so many values, of so many orders at once; `T` is what eight of them keep.
 #[derive(Clone)]
-pub struct Turns<R: Real, T, const READS: usize, const CONSTANTS: usize, const TARGETS: usize, const AT_ONCE: usize> {
+pub struct Turns<
+    R: Real,
+    T,
+    const READS: usize,
+    const CONSTANTS: usize,
+    const TARGETS: usize,
+    const VALUES: usize,
+    const AT_ONCE: usize,
+> {
     turns: Vec<Turn<R, READS, CONSTANTS, TARGETS>>,
     lines: Vec<Line<R, T, READS, CONSTANTS>>,
-    found: Vec<Found<R, TARGETS, AT_ONCE>>,
+    found: Vec<Found<R, VALUES, AT_ONCE>>,
     /// What positions and momenta get.
     addends: [Addends<R>; 2],
 }
 
-impl<R: Real, T, const READS: usize, const CONSTANTS: usize, const TARGETS: usize, const AT_ONCE: usize> Default
-    for Turns<R, T, READS, CONSTANTS, TARGETS, AT_ONCE>
+impl<
+    R: Real,
+    T,
+    const READS: usize,
+    const CONSTANTS: usize,
+    const TARGETS: usize,
+    const VALUES: usize,
+    const AT_ONCE: usize,
+> Default for Turns<R, T, READS, CONSTANTS, TARGETS, VALUES, AT_ONCE>
 {
     fn default() -> Self {
         Self {
@@ -151,8 +108,15 @@ impl<R: Real, T, const READS: usize, const CONSTANTS: usize, const TARGETS: usiz
     }
 }
 
-impl<R: Real, T: Default, const READS: usize, const CONSTANTS: usize, const TARGETS: usize, const AT_ONCE: usize>
-    Turns<R, T, READS, CONSTANTS, TARGETS, AT_ONCE>
+impl<
+    R: Real,
+    T: Default,
+    const READS: usize,
+    const CONSTANTS: usize,
+    const TARGETS: usize,
+    const VALUES: usize,
+    const AT_ONCE: usize,
+> Turns<R, T, READS, CONSTANTS, TARGETS, VALUES, AT_ONCE>
 {
     /// Whether the turns are not there yet.
     #[inline(always)]
@@ -163,43 +127,55 @@ impl<R: Real, T: Default, const READS: usize, const CONSTANTS: usize, const TARG
     pub fn take(&mut self, reads: [usize; READS], constants: [R; CONSTANTS], targets: [usize; TARGETS]) {
         self.turns.push((reads, constants, targets));
     }
-    /// Lays the turns out in rows, for coordinates of such a width; targets are positions (0) or momenta (1).
+    /// Lays the turns out in rows, for coordinates that lie so.
     #[cold]
     #[inline(never)]
-    pub fn lay_out(&mut self, width: usize, parts: [usize; TARGETS]) {
-        let turns = dealt(core::mem::take(&mut self.turns));
-        for turns in turns.chunks(TURNS) {
-            // At the end, the last turn stands in for those that are not there.
-            let turn = |place: usize| turns[place.min(turns.len() - 1)];
+    pub fn lay_out(&mut self, layout: Layout, targets: [Target; TARGETS]) {
+        let (turns, width) = (core::mem::take(&mut self.turns), layout.width());
+        let rows = match layout.is_interleaved() {
+            true => in_lanes(turns),
+            // Where one register holds a component of all points, any turns read from registers.
+            false if layout.stride() == EIGHT => dealt(turns, targets.map(|target| target.value)),
+            false => dealt(turns, core::array::from_fn(|target| target)),
+        };
+        for row in &rows {
+            // One of the turns stands in for those that are not there.
+            let first = row.iter().flatten().next();
             self.lines.push(Line {
                 kept: T::default(),
                 constants: core::array::from_fn(|constant| {
-                    let constants: [R; TURNS] = core::array::from_fn(|place| turn(place).1[constant]);
-                    Abreast::<R>::read(&constants)
+                    let constant = |turn: &Option<Turn<R, READS, CONSTANTS, TARGETS>>| {
+                        turn.as_ref().or(first).map_or(R::of(0.0), |turn| turn.1[constant])
+                    };
+                    Abreast::<R>::read(&row.each_ref().map(constant))
                 }),
-                reads: core::array::from_fn(|read| {
-                    Places::of(core::array::from_fn(|place| turn(place).0[read]), width)
-                }),
+                reads: core::array::from_fn(|read| Places::of(row.map(|turn| turn.map(|turn| turn.0[read])), width)),
             });
-            self.found.push([[Abreast::<R>::of(0.0); AT_ONCE]; TARGETS]);
+            self.found.push([[Abreast::<R>::of(0.0); AT_ONCE]; VALUES]);
         }
         self.addends = [0, 1].map(|part| {
-            let targets = (0..TARGETS).filter(|target| parts[*target] == part);
-            let addends = targets.flat_map(|target| {
-                turns.iter().enumerate().map(move |(number, turn)| Addend {
-                    place: turn.2[target],
-                    found: number / TURNS * TARGETS + target,
-                    turn: number % TURNS,
-                })
-            });
-            Addends::of(addends.collect(), width)
+            let targets = || targets.iter().enumerate().filter(move |(_, target)| target.part == part);
+            let mut addends = Vec::new();
+            for (number, row) in rows.iter().enumerate() {
+                for (lane, turn) in row.iter().enumerate() {
+                    addends.extend(turn.iter().flat_map(|turn| {
+                        targets().map(|(target, moved)| Addend {
+                            place: turn.2[target],
+                            found: number * VALUES + moved.value,
+                            lane,
+                            sign: moved.sign,
+                        })
+                    }));
+                }
+            }
+            Addends::of(addends, width)
         });
     }
     /// The rows of turns, and where each puts down what it has computed.
     #[inline(always)]
     pub fn rows(
         &mut self,
-    ) -> impl Iterator<Item = (&mut Line<R, T, READS, CONSTANTS>, &mut Found<R, TARGETS, AT_ONCE>)> {
+    ) -> impl Iterator<Item = (&mut Line<R, T, READS, CONSTANTS>, &mut Found<R, VALUES, AT_ONCE>)> {
         self.lines.iter_mut().zip(&mut self.found)
     }
     /// Adds what all turns have computed to the coefficients of positions, of the orders from this one on.
@@ -246,15 +222,19 @@ mod tests {
 
     /// The sums are those of a loop.
     fn turns_are_those_of_a_loop<R: Real>() {
-        for (name, width, list) in lists() {
-            let mut turns: Turns<R, (), 2, 1, 3, 2> = Turns::default();
+        for (case, interleaved) in lists().into_iter().flat_map(|list| [(list.clone(), false), (list, true)]) {
+            let (name, width, points) = case;
+            let layout = Layout::of::<Vec<f64>>(width, interleaved);
+            let list: Vec<[usize; 2]> = points.into_iter().map(|points| points.map(|i| layout.place(i, 0))).collect();
+            let mut turns: Turns<R, (), 2, 1, 4, 3, 2> = Turns::default();
             assert!(turns.is_empty());
             for (seed, [i, j]) in list.iter().enumerate() {
-                turns.take([*i, *j], [R::of(number(seed))], [*i, *j, *i]);
+                turns.take([*i, *j], [R::of(number(seed))], [*i, *j, *i, *j]);
             }
-            turns.lay_out(width, [1, 1, 0]);
-            assert_eq!(turns.rows().count(), list.len().div_ceil(TURNS), "{name}");
-            let layout = Layout::of::<Vec<f64>>(width);
+            let momenta = [Target::momentum(0), Target::momentum(1)];
+            let positions = [Target::position(2), Target::position(2).negated()];
+            turns.lay_out(layout, [momenta[0], momenta[1], positions[0], positions[1]]);
+            assert!(turns.rows().count() >= list.len().div_ceil(EIGHT), "{name}");
             let (mut of_q, mut of_p) = (Table::new(layout), Table::new(layout));
             let (mut q, mut p) = (of_q.of(layout), of_p.of(layout));
             let from: Vec<R> = (0..width).map(|place| R::of(number(place + 100))).collect();
@@ -284,14 +264,14 @@ mod tests {
             };
             let x = |i: usize| from[i];
             let expected = [
-                after(&[&|[i, _], _| (i, R::of(2.0) * x(i))]),
-                after(&[&|[i, _], _| (i, x(i) * x(i))]),
+                after(&[&|[i, _], _| (i, R::of(2.0) * x(i)), &|[i, j], _| (j, R::of(-2.0) * x(i))]),
+                after(&[&|[i, _], _| (i, x(i) * x(i)), &|[i, j], _| (j, -(x(i) * x(i)))]),
                 after(&[&|[i, j], _| (i, x(i) * x(j)), &|[i, j], constant| (j, (x(i) - x(j)) * constant)]),
                 after(&[&|[i, j], _| (i, x(j)), &|[i, j], _| (j, x(i) - x(j))]),
             ];
             let bits = |numbers: &[R]| -> Vec<u64> { numbers.iter().map(|x| x.lane(0).to_bits()).collect() };
             for (found, expected) in [&q[3], &q[4], &p[3], &p[4]].into_iter().zip(&expected) {
-                assert_eq!(bits(found), bits(expected), "{name}");
+                assert_eq!(bits(found), bits(expected), "{name}, interleaved: {interleaved}");
             }
         }
     }
@@ -312,34 +292,19 @@ mod tests {
     }
 
     #[test]
-    fn turns_of_a_row_seldom_move_the_same_coordinate() {
-        let turns =
-            |list: Vec<[usize; 2]>| list.into_iter().map(|places| (places, [0.0; 0], places)).collect::<Vec<_>>();
-        for (name, _, list) in lists() {
-            let all = turns(list.clone());
-            let mut dealt = dealt::<f64, 2, 0, 2>(all.clone());
-            let rounds = |turns: &[Turn<f64, 2, 0, 2>]| -> usize {
-                let of_row = |row: &[Turn<f64, 2, 0, 2>], target: usize| {
-                    let same = |place| row.iter().filter(|turn| turn.2[target] == place).count();
-                    row.iter().map(|turn| same(turn.2[target])).max().unwrap_or_default()
-                };
-                turns.chunks(TURNS).map(|row| of_row(row, 0) + of_row(row, 1)).sum()
-            };
-            assert!(rounds(&dealt) <= rounds(&all), "{name}");
-            if name == "pairs of six" {
-                assert_eq!((rounds(&all), rounds(&dealt)), (14, 11));
-            }
-            dealt.sort_by_key(|turn| list.iter().position(|places| *places == turn.0));
-            assert_eq!(dealt, all, "{name}");
+    fn a_chain_reads_and_moves_whole_registers() {
+        let layout = Layout::of::<Vec<f64>>(32, true);
+        let mut turns: Turns<f64, (), 2, 0, 2, 1, 1> = Turns::default();
+        for i in 0..31 {
+            let places = [i, i + 1].map(|i| layout.place(i, 0));
+            turns.take(places, [], places);
         }
-    }
-
-    #[test]
-    fn places_are_found_the_nearest_way() {
-        let side_by_side: [usize; TURNS] = core::array::from_fn(|turn| turn);
-        assert_eq!(Places::of(side_by_side.map(|turn| turn + 3), 16), Places::Neighbours(3));
-        assert_eq!(Places::of([1, 0, 2, 2, 5, 4, 0, 1], 8), Places::Near(0, [1, 0, 2, 2, 5, 4, 0, 1]));
-        assert_eq!(Places::of([0, 8, 0, 8, 0, 8, 0, 8], 16), Places::Far([0, 8, 0, 8, 0, 8, 0, 8]));
-        assert_eq!(Places::of([3; TURNS], 4), Places::Far([3; TURNS]), "a row that is shorter than a register");
+        turns.lay_out(layout, [Target::momentum(0), Target::momentum(0).negated()]);
+        let reads: Vec<&Places> = turns.lines.iter().flat_map(|line| &line.reads).collect();
+        let whole = reads.iter().filter(|places| matches!(places, Places::Neighbours(begin) if begin % EIGHT == 0));
+        // All but those of the neighbours of the last register, which are one lane further on in the first.
+        assert_eq!((reads.len(), whole.count()), (8, 7));
+        // One number is added and one taken away, both in all lanes but where the chain ends and at the seam.
+        assert_eq!(turns.addends[1].rounds(), [6, 2]);
     }
 }

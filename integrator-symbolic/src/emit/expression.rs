@@ -298,7 +298,7 @@ impl Printer<'_> {
                 quote!(#place.value())
             }
             Frame::Sites(_) => self.neighbour(element),
-            Frame::Bodies(_) | Frame::Series => place(fields),
+            Frame::Bodies(_) | Frame::Series { .. } => place(fields),
         }
     }
 
@@ -314,7 +314,7 @@ impl Printer<'_> {
                 let (part, at) = (bodies.of_index(self.graph, part, element.index), self.at(fields, element));
                 quote!(#part #at)
             }
-            Frame::Series => {
+            Frame::Series { .. } => {
                 let place = self.in_row(fields, element);
                 quote!(#part[order][#place])
             }

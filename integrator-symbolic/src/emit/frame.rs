@@ -1,6 +1,6 @@
 //! Where a generated function finds coordinates and prepared constants.
 
-use super::{expression::Printer, fields::Fields, names::Names};
+use super::{expression::Printer, fields::Fields, names::Names, places::Places};
 use crate::{
     gather::Gathered,
     graph::{
@@ -20,8 +20,8 @@ pub(super) enum Frame<'m> {
     Sites(&'m Gathered),
     /// In its arguments: the coordinates and constants of bodies, and the constants that all bodies share.
     Bodies(Bodies),
-    /// In tables of Taylor coefficients that are its arguments.
-    Series,
+    /// In tables of Taylor coefficients that are its arguments, whose rows may be interleaved.
+    Series { interleaved: Option<Places> },
 }
 
 /// Bodies that are arguments of a function.
@@ -36,7 +36,7 @@ impl Frame<'_> {
     /// What is computed in.
     pub(super) fn scalar<'n>(&self, names: &'n Names) -> &'n Ident {
         match self {
-            Frame::Motion | Frame::Series => &names.scalar,
+            Frame::Motion | Frame::Series { .. } => &names.scalar,
             Frame::Sites(_) | Frame::Bodies(_) => &names.wide,
         }
     }
@@ -44,7 +44,7 @@ impl Frame<'_> {
     /// Whether an integer of these loops' indices is read as a prepared number.
     pub(super) fn has_prepared_index(&self, loops: LoopSet) -> bool {
         match self {
-            Frame::Motion | Frame::Series => false,
+            Frame::Motion | Frame::Series { .. } => false,
             Frame::Sites(_) => !loops.is_empty(),
             Frame::Bodies(_) => true,
         }
@@ -74,7 +74,7 @@ impl Printer<'_> {
     /// A field of the prepared constants as a number of the flow, for the present turns of the loops.
     pub(super) fn shared(&self, name: Ident, loops: LoopSet) -> TokenStream {
         match self.frame {
-            Frame::Motion | Frame::Series => self.prepared(name, loops),
+            Frame::Motion | Frame::Series { .. } => self.prepared(name, loops),
             Frame::Sites(lattice) => self.spread(lattice, name, loops),
             Frame::Bodies(_) => {
                 let (scalar, field) = (self.scalar, self.prepared(name, loops));
@@ -91,7 +91,7 @@ impl Printer<'_> {
         });
         match self.frame {
             Frame::Motion => quote!(motion.parameters.#name #(#at)*),
-            Frame::Sites(_) | Frame::Bodies(_) | Frame::Series => quote!(parameters.#name #(#at)*),
+            Frame::Sites(_) | Frame::Bodies(_) | Frame::Series { .. } => quote!(parameters.#name #(#at)*),
         }
     }
 }

@@ -26,6 +26,12 @@ impl Printer<'_> {
 
     /// Where a coordinate is in the row of an order: components one after the other, each of all points.
     pub(super) fn in_row(&self, fields: &mut Fields, element: Element) -> TokenStream {
+        if let Frame::Series { interleaved: Some(places) } = self.frame {
+            return match places.name(element) {
+                Some(name) => name.to_token_stream(),
+                None => self.dealt_place(fields, element.index, element.component),
+            };
+        }
         let index = self.index(fields, element.index);
         let Some(component) = element.component else { return index };
         match self.graph.loops.literal(component) {
@@ -38,6 +44,13 @@ impl Printer<'_> {
         }
     }
 
+    /// The same where points are dealt out to registers.
+    pub(super) fn dealt_place(&self, fields: &mut Fields, index: IndexId, component: Option<IndexId>) -> TokenStream {
+        let index = self.index(fields, index);
+        let component = component.map_or(quote!(0), |component| self.index(fields, component));
+        quote!(layout.place(#index, #component))
+    }
+
     /// The indices of a coordinate; of a body that is an argument, those behind the body's.
     pub(super) fn at(&self, fields: &mut Fields, element: Element) -> TokenStream {
         let component = element.component.map(|component| {
@@ -45,7 +58,7 @@ impl Printer<'_> {
             quote!([#component])
         });
         match self.frame {
-            Frame::Motion | Frame::Sites(_) | Frame::Series => {
+            Frame::Motion | Frame::Sites(_) | Frame::Series { .. } => {
                 let index = self.index(fields, element.index);
                 quote!([#index] #component)
             }
@@ -69,7 +82,7 @@ impl Printer<'_> {
                     quote!(near.length())
                 }
             }
-            Index::Length if self.dialect == Dialect::Generic && !matches!(self.frame, Frame::Series) => {
+            Index::Length if self.dialect == Dialect::Generic && !matches!(self.frame, Frame::Series { .. }) => {
                 quote!(motion.q.len())
             }
             Index::Length => quote!(length),

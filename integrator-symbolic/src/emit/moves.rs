@@ -1,8 +1,9 @@
 //! How the coefficients of coordinates get their addends.
 
 use crate::{
-    graph::{Element, Graph},
+    graph::{Element, Graph, NodeId},
     program::{Item, Sink},
+    taylor::signed,
 };
 use proc_macro2::Ident;
 use quote::format_ident;
@@ -15,8 +16,36 @@ pub(super) enum Moves {
     InPlace,
     /// The same, once in a run, by loops as they stand.
     Once,
-    /// They are those of turns side by side, which have found numbers for so many targets so far.
-    Abreast(usize),
+    /// They are those of turns side by side, which put numbers down.
+    Abreast(Found),
+}
+
+/// The numbers that turns have found so far.
+#[derive(Default)]
+pub(super) struct Found {
+    /// Those that are found in all lanes, and may be had by several coordinates.
+    values: Vec<Option<NodeId>>,
+    /// For each coordinate, which one it gets, and whether that is taken away.
+    pub(super) targets: Vec<(usize, bool)>,
+}
+
+impl Found {
+    /// Another coordinate gets a value. Gives the number's place, where it has to be put down.
+    pub(super) fn another(&mut self, graph: &Graph, value: NodeId, in_all_lanes: bool) -> Option<usize> {
+        let (negative, value) = signed(graph, value);
+        let of_all = in_all_lanes.then_some(value);
+        let known = of_all.and_then(|_| self.values.iter().position(|known| *known == of_all));
+        self.targets.push((known.unwrap_or(self.values.len()), negative));
+        if known.is_some() {
+            return None;
+        }
+        self.values.push(of_all);
+        Some(self.values.len() - 1)
+    }
+    /// How many numbers there are.
+    pub(super) fn values(&self) -> usize {
+        self.values.len()
+    }
 }
 
 impl Moves {
@@ -43,6 +72,14 @@ impl Moves {
             elements.dedup();
             Self::Alone(elements)
         })
+    }
+
+    /// What turns side by side have found; nothing, of other lines.
+    pub(super) fn found(self) -> Found {
+        match self {
+            Self::Abreast(found) => found,
+            Self::Alone(_) | Self::InPlace | Self::Once => Found::default(),
+        }
     }
 }
 

@@ -4,17 +4,19 @@
 use super::{
     fields::Fields,
     function::Body,
-    moves::Moves,
+    moves::{Found, Moves},
     orders::{Source, Writer},
     pass::{Pass, clock_read},
     tape::{self, Record, Turns, list},
 };
 use crate::{
     graph::{NodeId, Part, index::LoopId},
+    model::Model,
     program::{
-        Item,
+        Item, Program,
         nest::{Nest, Surroundings},
     },
+    taylor::Recurrences,
 };
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{format_ident, quote};
@@ -57,6 +59,15 @@ impl Given {
     }
 }
 
+/// What is known of a program around its loops.
+pub(super) fn surroundings<'s>(
+    model: &'s Model,
+    program: &'s Program,
+    recurrences: &'s Recurrences,
+) -> Surroundings<'s> {
+    Surroundings { graph: &model.graph, named: &program.named, operands: &recurrences.operands }
+}
+
 impl Writer<'_> {
     /// The nests of a loop whose turns can be computed side by side.
     pub(super) fn nests<'p>(&self, by: LoopId, body: &'p [Item]) -> Option<Vec<Nest<'p>>> {
@@ -64,8 +75,7 @@ impl Writer<'_> {
             return None;
         }
         let Source { model, program, recurrences, .. } = self.source;
-        let operands = |id| recurrences.operands.get(&id).cloned().unwrap_or_default();
-        Surroundings { graph: &model.graph, named: &program.named, operands: &operands }.nests(by, body)
+        surroundings(model, program, recurrences).nests(by, body)
     }
 
     /// A loop, whose turns keep what they compute each in a place of its own.
@@ -96,14 +106,16 @@ impl Writer<'_> {
         let (turns, turn) = (list(number), format_ident!("turn_{number}"));
         let given = Given::of(nest, &self.printer.names, wide);
         let at_once = self.pass.orders();
-        let counts = [given.reads.len(), given.constants.len(), nest.targets.len(), at_once];
-        let (body, record) = {
-            let mut writer = Writer::abreast(self.source, Record::of("turn", Turns::Abreast(counts)));
+        let (body, mut record, found) = {
+            let mut writer = Writer::abreast(self.source, Record::of("turn", Turns::Once));
             writer.pass = self.pass;
             writer.printer.names.extend(given.names);
             writer.allocate(nest.body.iter().copied());
-            (writer.turn(fields, nest, &given.reads), writer.records.swap_remove(0))
+            let body = writer.turn(fields, nest, &given.reads);
+            (body, writer.records.swap_remove(0), writer.moves.found())
         };
+        let counts = [given.reads.len(), given.constants.len(), nest.targets.len(), found.values(), at_once];
+        record.turns = Turns::Abreast(counts);
         let body = Body::new(body);
         let kept = match record.slots.is_empty() {
             true => quote!(()),
@@ -114,7 +126,7 @@ impl Writer<'_> {
         };
         self.records.push(record);
 
-        let [of_reads, of_constants, of_targets, of_orders] = counts.map(Literal::usize_unsuffixed);
+        let [of_reads, of_constants, _, of_values, of_orders] = counts.map(Literal::usize_unsuffixed);
         let of_common = Literal::usize_unsuffixed(given.common.len());
         let (own, order) = (body.argument("turn"), body.argument("order"));
         let clock = clock_read(&body);
@@ -129,15 +141,15 @@ impl Writer<'_> {
                 [#(#common),*]: [#wide; #of_common],
                 #order: usize,
                 #(#clock: [#wide; #of_orders],)*
-            ) -> [[#wide; #of_orders]; #of_targets] {
-                let mut found = [[#wide::of(0.0); #of_orders]; #of_targets];
+            ) -> [[#wide; #of_orders]; #of_values] {
+                let mut found = [[#wide::of(0.0); #of_orders]; #of_values];
                 #flags
                 #body
                 found
             }
         };
 
-        let taken = self.taken(fields, nest, &turns);
+        let taken = self.taken(fields, nest, &turns, &found);
         let common = nest.common.iter().map(|id| {
             let value = self.printer.expression(fields, *id).tokens;
             quote!(#runtime::spread(#value))
@@ -218,8 +230,8 @@ impl Writer<'_> {
     }
 
     /// The lines that take down the turns.
-    fn taken(&mut self, fields: &mut Fields, nest: &Nest<'_>, turns: &Ident) -> TokenStream {
-        let scalar = self.printer.scalar;
+    fn taken(&mut self, fields: &mut Fields, nest: &Nest<'_>, turns: &Ident, found: &Found) -> TokenStream {
+        let (scalar, runtime) = (self.printer.scalar, self.printer.runtime);
         // Names are those of values that are computed at every order.
         let named = std::mem::take(&mut self.printer.names);
         let printer = &self.printer;
@@ -233,10 +245,15 @@ impl Writer<'_> {
         let take = quote!(tape.#turns.take([#(#reads),*], [#(#constants),*], [#(#targets),*]););
         let take = nest.loops.iter().rev().fold(take, |take, by| printer.looped(fields, *by, &take));
         self.printer.names = named;
-        let parts = nest.targets.iter().map(|element| match element.part {
-            Part::Position => quote!(0),
-            Part::Momentum => quote!(1),
+        let targets = nest.targets.iter().zip(&found.targets).map(|(element, (value, negative))| {
+            let value = Literal::usize_unsuffixed(*value);
+            let part = match element.part {
+                Part::Position => quote!(position),
+                Part::Momentum => quote!(momentum),
+            };
+            let negated = negative.then(|| quote!(.negated()));
+            quote!(#runtime::Target::#part(#value) #negated)
         });
-        quote!(#take tape.#turns.lay_out(q[0].len(), [#(#parts),*]);)
+        quote!(#take tape.#turns.lay_out(layout, [#(#targets),*]);)
     }
 }

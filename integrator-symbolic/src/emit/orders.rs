@@ -8,11 +8,14 @@ use super::{
     fields::{Fields, is_leaf},
     frame::Frame,
     function::Body,
-    moves::{Moves, next},
+    implementation::{Kind, implementation},
+    moves::{Found, Moves, next},
     names::Names,
+    nest::surroundings,
     pass::Pass,
+    places::Places,
     recurrence::Series,
-    tape::{self, Kept, Record, Tape, Turns, one_by_one},
+    tape::{Kept, Record, Tape, Turns},
 };
 use crate::{
     differentiate::Contribution,
@@ -57,7 +60,9 @@ pub(super) fn orders(
         Some(mobilities) => (program(model, &[], &potential), Some(program(model, &mobilities, &[]))),
         None => (all, None),
     };
-    let frame = Frame::Series;
+    let interleaved =
+        matches!(moves, Moves::InPlace) && surroundings(model, &program, &recurrences).reads_neighbours(&program.items);
+    let frame = Frame::Series { interleaved: interleaved.then(|| Places::of(&model.graph)) };
     let source = Source { model, names, program: &program, frame: &frame, recurrences: &recurrences };
     let rolled = matches!(moves, Moves::InPlace);
     let mut writer = Writer::new(&source, Record::of("tape", Turns::Once));
@@ -73,8 +78,18 @@ pub(super) fn orders(
         }
         None => writer.order_of_all(fields, &program.items),
     };
+    let body = match &frame {
+        Frame::Series { interleaved: Some(places) } => {
+            let body = Body::new(body);
+            let found = places.found(&writer.printer, fields, &body);
+            let Body(body) = body;
+            quote!(#found #body)
+        }
+        _ => body,
+    };
     let tape = Tape { records: &writer.records, is_mobile: mobile.is_some() };
-    Orders { tape: tape.structs(names), items: implementation(body, &tape, rolled, writer.pass, names) }
+    let kind = Kind { rolled, interleaved, at_once: writer.pass.orders() };
+    Orders { tape: tape.structs(names), items: implementation(body, &tape, &kind, names) }
 }
 
 /// Recurrences have lines of their own, and read the series of slopes where they stand.
@@ -154,7 +169,7 @@ impl<'m> Writer<'m> {
     pub(super) fn abreast(source: &'m Source<'m>, record: Record) -> Self {
         let mut writer = Self::new(source, record);
         writer.printer.scalar = &source.names.wide;
-        writer.moves = Moves::Abreast(0);
+        writer.moves = Moves::Abreast(Found::default());
         writer
     }
 
@@ -225,16 +240,20 @@ impl<'m> Writer<'m> {
                     None => quote!(#name = #value;),
                 }
             }
-            Item::Sink(Sink::Collect(element), value) => {
-                let value = self.masked(fields, *value);
+            Item::Sink(Sink::Collect(element), id) => {
+                let value = self.masked(fields, *id);
                 match &mut self.moves {
                     Moves::Alone(elements) => {
                         let next = next(elements.iter().position(|known| known == element).unwrap_or_default());
                         return quote!(#next += #value;);
                     }
-                    Moves::Abreast(target) => {
-                        let number = Literal::usize_unsuffixed(*target);
-                        *target += 1;
+                    Moves::Abreast(found) => {
+                        let Some(number) = found.another(self.printer.graph, *id, self.masks.is_empty()) else {
+                            return TokenStream::new();
+                        };
+                        let number = Literal::usize_unsuffixed(number);
+                        let unsigned = signed(self.printer.graph, *id).1;
+                        let value = self.masked(fields, unsigned);
                         return match self.pass {
                             Pass::One => quote!(found[#number] = [#value];),
                             Pass::Two => quote!(found[#number][at] = #value;),
@@ -346,40 +365,5 @@ fn makes(item: &Item, id: NodeId) -> bool {
         Item::Add { sum: made, .. } | Item::Choose { choice: made, .. } => *made == id,
         Item::Loop { body, .. } | Item::Branch { body, .. } => body.iter().any(|item| makes(item, id)),
         _ => false,
-    }
-}
-
-fn implementation(body: TokenStream, tape: &Tape<'_>, rolled: bool, pass: Pass, names: &Names) -> TokenStream {
-    let Names { runtime, scalar, .. } = names;
-    let name = &names.tape;
-    let kind = if tape.is_empty() { quote!(()) } else { quote!(#name<#scalar>) };
-    let body = Body::new(body);
-    let [parameters, length, time] = ["parameters", "length", "time"].map(|name| body.argument(name));
-    let stride = body.mentions("stride").then(|| quote!(let stride = q.stride();));
-    let at_once = Literal::usize_unsuffixed(pass.orders());
-    let body = &body.0;
-    let counters = one_by_one(tape.records).map(|number| {
-        let next = tape::next(number);
-        quote!(let mut #next = 0;)
-    });
-    quote! {
-        type Tape<#scalar: #runtime::Real> = #kind;
-        const ROLLED: bool = #rolled;
-        const AT_ONCE: usize = #at_once;
-
-        #[cfg_attr(not(debug_assertions), inline(always))]
-        fn order<#scalar: #runtime::Real>(
-            #parameters: &Self::Parameters<#scalar>,
-            #length: usize,
-            q: &mut #runtime::Coefficients<'_, #scalar>,
-            p: &mut #runtime::Coefficients<'_, #scalar>,
-            tape: &mut Self::Tape<#scalar>,
-            order: usize,
-            #time: #scalar,
-        ) {
-            #stride
-            #(#counters)*
-            #body
-        }
     }
 }

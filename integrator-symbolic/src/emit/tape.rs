@@ -43,9 +43,9 @@ pub(super) enum Turns {
     Once,
     /// For every turn, one after the other.
     OneByOne,
-    /// For every eight turns, which read so many coordinates, have so many constants, and move so many coordinates, by so
-    /// many orders at once.
-    Abreast([usize; 4]),
+    /// For every eight turns, which read so many coordinates, have so many constants, and move so many coordinates by so
+    /// many values, of so many orders at once.
+    Abreast([usize; 5]),
 }
 
 /// The list that has a place for every turn of a loop.

@@ -171,6 +171,17 @@ impl Loops {
         self.index_sets[id.0 as usize]
     }
 
+    /// Whether running indices come in as they are, not by way of a list.
+    pub(crate) fn is_without_lists(&self, id: IndexId) -> bool {
+        match self.index(id) {
+            Index::Literal(_) | Index::Length | Index::Running(_) => true,
+            Index::Parameter(parameter) => self.of_parameter(parameter).is_empty(),
+            Index::Add(a, b) | Index::Sub(a, b) | Index::Mul(a, b) | Index::Div(a, b) | Index::Rem(a, b) => {
+                self.is_without_lists(a) && self.is_without_lists(b)
+            }
+        }
+    }
+
     pub(crate) fn of_element(&self, element: Element) -> LoopSet {
         let component = element.component.map_or(LoopSet::EMPTY, |index| self.of_index(index));
         self.of_index(element.index).union(component)

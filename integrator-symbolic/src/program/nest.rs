@@ -6,7 +6,7 @@
 
 use super::{Item, Sink};
 use crate::graph::{Element, Graph, Node, NodeId, index::LoopId};
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// Lines and the loops around them, outermost first.
 #[derive(Debug)]
@@ -31,7 +31,7 @@ pub(crate) struct Surroundings<'s> {
     /// The nodes that have a name.
     pub(crate) named: &'s BTreeSet<NodeId>,
     /// The nodes whose coefficients of all orders a node is computed from.
-    pub(crate) operands: &'s dyn Fn(NodeId) -> Vec<NodeId>,
+    pub(crate) operands: &'s BTreeMap<NodeId, Vec<NodeId>>,
 }
 
 impl Surroundings<'_> {
@@ -52,6 +52,31 @@ impl Surroundings<'_> {
                 Some(Nest { loops, body, reads, constants, flags, common, targets })
             })
             .collect()
+    }
+
+    /// Whether all loops are such nests, and every turn reads coordinates of its own first (without it, moves them), so
+    /// that neighbours are read by turns beside each other.
+    pub(crate) fn reads_neighbours(&self, items: &[Item]) -> bool {
+        let mut nests = Vec::new();
+        for item in items {
+            match item {
+                Item::Loop { by, body } => match self.nests(*by, body) {
+                    Some(found) => nests.extend(found),
+                    None => return false,
+                },
+                Item::Branch { body, .. } if body.iter().any(|item| matches!(item, Item::Loop { .. })) => return false,
+                _ => {}
+            }
+        }
+        let loops = &self.graph.loops;
+        let has_its_own = |Nest { loops: around, reads, targets, .. }: &Nest<'_>| {
+            let first = reads.first().map(|(_, element)| *element).or(targets.first().copied());
+            first.is_some_and(|first| {
+                let of_element = loops.of_element(first);
+                loops.is_without_lists(first.index) && around.iter().all(|by| of_element.contains(*by))
+            })
+        };
+        !nests.is_empty() && nests.iter().all(has_its_own)
     }
 
     /// Takes loops and the lines beside them apart.
@@ -150,7 +175,7 @@ impl<'s> Needs<'s> {
         if self.around.graph.is_prepared(id) {
             return self.of(id);
         }
-        for operand in (self.around.operands)(id) {
+        for operand in self.around.operands.get(&id).into_iter().flatten().copied() {
             let is_read = matches!(self.around.graph.node(operand), Node::Coordinate(_) | Node::Time | Node::Step);
             if !is_read && !self.own.contains(&operand) {
                 return None;
