@@ -1,6 +1,6 @@
 //! Where eight turns side by side read.
 
-use super::table::{EIGHT, Eight};
+use super::table::{Coefficients, EIGHT, Eight, Layout};
 use crate::{real::Real, row::Row};
 
 /// Where the numbers of eight turns are among the coordinates.
@@ -15,22 +15,23 @@ pub(super) enum Places {
 }
 
 impl Places {
-    /// Where the numbers of the turns that there are lie in a row of so many coordinates.
-    pub(super) fn of(places: [Option<usize>; EIGHT], width: usize) -> Self {
+    /// Where the numbers of the turns that there are lie. Those of further components lie as many strides further on.
+    pub(super) fn of(places: [Option<usize>; EIGHT], layout: Layout) -> Self {
         let known = || places.iter().flatten();
         let (first, last) = known().fold((usize::MAX, 0), |(first, last), place| (first.min(*place), last.max(*place)));
-        let aligned = first / EIGHT * EIGHT;
+        let stride = layout.stride();
+        let (aligned, end) = (first / EIGHT * EIGHT, (first / stride + 1) * stride);
         // Lanes that no turn has may read anything.
         let in_lane = |(lane, place): (usize, &Option<usize>)| place.is_none_or(|place| place == aligned + lane);
-        if aligned + EIGHT <= width && places.iter().enumerate().all(in_lane) {
+        if stride >= EIGHT && places.iter().enumerate().all(in_lane) {
             return Self::Neighbours(aligned);
         }
         let places = places.map(|place| place.unwrap_or(first));
-        if last - first >= EIGHT || width < EIGHT {
+        if last - first >= EIGHT || last >= end || stride < EIGHT {
             return Self::Far(places);
         }
         // A register that begins where one has been written is read sooner.
-        let begin = if last < aligned + EIGHT { aligned } else { first.min(width - EIGHT) };
+        let begin = if last < aligned + EIGHT { aligned } else { first.min(end - EIGHT) };
         let near = places.map(|place| (place - begin) as u64);
         if near == core::array::from_fn(|place| place as u64) {
             Self::Neighbours(begin)
@@ -39,30 +40,37 @@ impl Places {
         }
     }
 
-    /// The numbers there, of some orders.
+    /// The numbers there of so many components, of some orders.
     #[inline(always)]
-    pub(super) fn read<R: Real, const AT_ONCE: usize>(&self, from: [&[R]; AT_ONCE]) -> [Eight<R>; AT_ONCE] {
-        let mut found = [Eight::<R>::of(0.0); AT_ONCE];
-        match self {
-            Places::Neighbours(begin) => {
-                for at in 0..AT_ONCE {
-                    found[at] = Row::read(&from[at][*begin..]);
-                }
-            }
-            Places::Near(begin, places) => {
-                for at in 0..AT_ONCE {
-                    found[at] = <Eight<R> as Row<R>>::read(&from[at][*begin..]).picked(places);
-                }
-            }
-            Places::Far(places) => {
-                for at in 0..AT_ONCE {
-                    let mut numbers = [R::of(0.0); EIGHT];
-                    for (number, place) in numbers.iter_mut().zip(places) {
-                        *number = from[at][*place];
+    pub(super) fn read<R: Real, const COMPONENTS: usize, const AT_ONCE: usize>(
+        &self,
+        from: &Coefficients<'_, R>,
+        order: usize,
+    ) -> [[Eight<R>; AT_ONCE]; COMPONENTS] {
+        let mut found = [[Eight::<R>::of(0.0); AT_ONCE]; COMPONENTS];
+        // What this begins is the same for all components, and looked at once.
+        macro_rules! each {
+            (|$numbers:ident| $read:expr) => {
+                for component in 0..COMPONENTS {
+                    for at in 0..AT_ONCE {
+                        let $numbers = &from[order + at][component * from.stride()..];
+                        found[component][at] = $read;
                     }
-                    found[at] = Row::read(&numbers);
                 }
+            };
+        }
+        match self {
+            Places::Neighbours(begin) => each!(|numbers| Row::read(&numbers[*begin..])),
+            Places::Near(begin, places) => {
+                each!(|numbers| <Eight<R> as Row<R>>::read(&numbers[*begin..]).picked(places));
             }
+            Places::Far(places) => each!(|numbers| {
+                let mut gathered = [R::of(0.0); EIGHT];
+                for (number, place) in gathered.iter_mut().zip(places) {
+                    *number = numbers[*place];
+                }
+                Row::read(&gathered)
+            }),
         }
         found
     }
@@ -71,10 +79,15 @@ impl Places {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use alloc::vec::Vec;
+
+    fn layout(length: usize) -> Layout {
+        Layout::of::<Vec<f64>>(length, false)
+    }
 
     /// Where eight turns read.
-    fn of_all(places: [usize; EIGHT], width: usize) -> Places {
-        Places::of(places.map(Some), width)
+    fn of_all(places: [usize; EIGHT], length: usize) -> Places {
+        Places::of(places.map(Some), layout(length))
     }
 
     #[test]
@@ -87,10 +100,22 @@ mod tests {
     }
 
     #[test]
+    fn places_of_two_components_are_far_from_each_other() {
+        let points = Layout::of::<Vec<[f64; 2]>>(8, false);
+        assert_eq!(Places::of([6, 7, 8, 9, 6, 7, 8, 9].map(Some), points), Places::Far([6, 7, 8, 9, 6, 7, 8, 9]));
+        let points = Layout::of::<Vec<[f64; 2]>>(16, false);
+        assert_eq!(Places::of([7, 8, 15, 9, 7, 8, 9, 9].map(Some), points), Places::Far([7, 8, 15, 9, 7, 8, 9, 9]));
+        let near = Places::of([7, 8, 14, 9, 7, 8, 9, 9].map(Some), points);
+        assert_eq!(near, Places::Near(7, [0, 1, 7, 2, 0, 1, 2, 2]));
+        let near = Places::of([15, 14, 14, 9, 11, 12, 9, 9].map(Some), points);
+        assert_eq!(near, Places::Near(8, [7, 6, 6, 1, 3, 4, 1, 1]), "not beyond the last point");
+    }
+
+    #[test]
     fn lanes_without_a_turn_read_what_is_nearest() {
         let some = |turn: usize| (turn % 3 == 1).then_some(8 + turn);
-        assert_eq!(Places::of(core::array::from_fn(some), 16), Places::Neighbours(8));
+        assert_eq!(Places::of(core::array::from_fn(some), layout(16)), Places::Neighbours(8));
         let some = |turn: usize| (turn < 2).then_some(9 + turn);
-        assert_eq!(Places::of(core::array::from_fn(some), 16), Places::Near(8, [1, 2, 1, 1, 1, 1, 1, 1]));
+        assert_eq!(Places::of(core::array::from_fn(some), layout(16)), Places::Near(8, [1, 2, 1, 1, 1, 1, 1, 1]));
     }
 }

@@ -22,7 +22,7 @@ pub fn spread<R: Real>(x: R) -> Abreast<R> {
     Abreast::<R>::splat(x)
 }
 
-/// Eight turns side by side, each of which reads so many coordinates and has so many constants; `T` is what they keep.
+/// Eight turns side by side, each of which reads so many points and has so many constants; `T` is what they keep.
 #[derive(Clone)]
 pub struct Line<R: Real, T, const READS: usize, const CONSTANTS: usize> {
     /// What the turns keep.
@@ -33,10 +33,15 @@ pub struct Line<R: Real, T, const READS: usize, const CONSTANTS: usize> {
 }
 
 impl<R: Real, T, const READS: usize, const CONSTANTS: usize> Line<R, T, READS, CONSTANTS> {
-    /// What the turns read from the coefficients of some orders.
+    /// What the turns read from coefficients: so many components of a point, of the orders from this one on.
     #[inline(always)]
-    pub fn read<const AT_ONCE: usize>(&self, read: usize, from: [&[R]; AT_ONCE]) -> [Abreast<R>; AT_ONCE] {
-        self.reads[read].read(from)
+    pub fn read<const COMPONENTS: usize, const AT_ONCE: usize>(
+        &self,
+        point: usize,
+        from: &Coefficients<'_, R>,
+        order: usize,
+    ) -> [[Abreast<R>; AT_ONCE]; COMPONENTS] {
+        self.reads[point].read(from, order)
     }
 }
 
@@ -69,7 +74,7 @@ impl Target {
     }
 }
 
-/// The turns of a loop, or of loops inside each other: each reads so many coordinates, has so many constants, and moves
+/// The turns of a loop, or of loops inside each other: each reads so many points, has so many constants, and moves
 /// so many coordinates by so many values, of so many orders at once; `T` is what eight of them keep.
 #[derive(Clone)]
 pub struct Turns<
@@ -149,7 +154,7 @@ impl<
                     };
                     Abreast::<R>::read(&row.each_ref().map(constant))
                 }),
-                reads: core::array::from_fn(|read| Places::of(row.map(|turn| turn.map(|turn| turn.0[read])), width)),
+                reads: core::array::from_fn(|read| Places::of(row.map(|turn| turn.map(|turn| turn.0[read])), layout)),
             });
             self.found.push([[Abreast::<R>::of(0.0); AT_ONCE]; VALUES]);
         }
@@ -243,7 +248,7 @@ mod tests {
                 p[order].copy_from_slice(&from);
             }
             for (row, found) in turns.rows() {
-                let [[a], [b]] = [row.read(0, [&from]), row.read(1, [&from])];
+                let [[[a]], [[b]]] = [row.read(0, &q, 3), row.read(1, &q, 3)];
                 let [constant] = row.constants;
                 *found = [[a * b, b], [(a - b) * constant, a - b], [spread(R::of(2.0)) * a, a * a]];
             }

@@ -10,7 +10,10 @@ use super::{
     tape::{self, Record, Turns, list},
 };
 use crate::{
-    graph::{NodeId, Part, index::LoopId},
+    graph::{
+        NodeId, Part,
+        index::{LoopId, Loops},
+    },
     model::Model,
     program::{
         Item, Program,
@@ -68,6 +71,28 @@ pub(super) fn surroundings<'s>(
     Surroundings { graph: &model.graph, named: &program.named, operands: &recurrences.operands }
 }
 
+/// Which numbers a turn reads together: the first components of a point, in their order, or one alone.
+fn points(loops: &Loops, nest: &Nest<'_>) -> Vec<Vec<usize>> {
+    let component = |read: &usize| nest.reads[*read].1.component.and_then(|component| loops.literal(component));
+    let mut points: Vec<Vec<usize>> = Vec::new();
+    for (read, (_, element)) in nest.reads.iter().enumerate() {
+        let same = |point: &&mut Vec<usize>| {
+            let first = nest.reads[point[0]].1;
+            (first.part, first.index) == (element.part, element.index)
+        };
+        match points.iter_mut().find(same) {
+            Some(point) => point.push(read),
+            None => points.push(vec![read]),
+        }
+    }
+    let parted = points.into_iter().flat_map(|mut point| {
+        point.sort_by_key(component);
+        let are_first = point.iter().zip(0..).all(|(read, number)| component(read) == Some(number));
+        if are_first { vec![point] } else { point.into_iter().map(|read| vec![read]).collect() }
+    });
+    parted.collect()
+}
+
 impl Writer<'_> {
     /// The nests of a loop whose turns can be computed side by side.
     pub(super) fn nests<'p>(&self, by: LoopId, body: &'p [Item]) -> Option<Vec<Nest<'p>>> {
@@ -114,7 +139,8 @@ impl Writer<'_> {
             let body = writer.turn(fields, nest, &given.reads);
             (body, writer.records.swap_remove(0), writer.moves.found())
         };
-        let counts = [given.reads.len(), given.constants.len(), nest.targets.len(), found.values(), at_once];
+        let points = points(&self.printer.graph.loops, nest);
+        let counts = [points.len(), given.constants.len(), nest.targets.len(), found.values(), at_once];
         record.turns = Turns::Abreast(counts);
         let body = Body::new(body);
         let kept = match record.slots.is_empty() {
@@ -126,11 +152,12 @@ impl Writer<'_> {
         };
         self.records.push(record);
 
-        let [of_reads, of_constants, _, of_values, of_orders] = counts.map(Literal::usize_unsuffixed);
+        let [_, of_constants, _, of_values, of_orders] = counts.map(Literal::usize_unsuffixed);
         let of_common = Literal::usize_unsuffixed(given.common.len());
+        let of_reads = Literal::usize_unsuffixed(given.reads.len());
         let (own, order) = (body.argument("turn"), body.argument("order"));
         let clock = clock_read(&body);
-        let Given { constants, common, flags, .. } = given;
+        let Given { reads, constants, common, flags, .. } = given;
         let body = &body.0;
         let function = quote! {
             #[cfg_attr(not(debug_assertions), inline(always))]
@@ -149,16 +176,16 @@ impl Writer<'_> {
             }
         };
 
-        let taken = self.taken(fields, nest, &turns, &found);
+        let taken = self.taken(fields, nest, &points, &turns, &found);
         let common = nest.common.iter().map(|id| {
             let value = self.printer.expression(fields, *id).tokens;
             quote!(#runtime::spread(#value))
         });
         let common: Vec<TokenStream> = common.collect();
-        let reads = nest.reads.iter().enumerate().map(|(number, (_, element))| {
-            let (part, number) = (self.printer.part(*element), Literal::usize_unsuffixed(number));
-            let orders = [quote!(order), quote!(order + 1)].into_iter().take(at_once);
-            quote!(row.read(#number, [#(&#part[#orders]),*]))
+        let read = points.iter().enumerate().map(|(number, point)| {
+            let (part, number) = (self.printer.part(nest.reads[point[0]].1), Literal::usize_unsuffixed(number));
+            let components = point.iter().map(|read| &reads[*read]);
+            quote!(let [#(#components),*] = row.read(#number, #part, order);)
         });
         let moves = |part| nest.targets.iter().any(|element| element.part == part);
         let added = [
@@ -186,10 +213,10 @@ impl Writer<'_> {
             #times
             if order == 0 && tape.#turns.is_empty() { #taken }
             for (row, found) in tape.#turns.rows() {
-                let reads = [#(#reads),*];
+                #(#read)*
                 *found = #turn::<#scalar, #runtime::Abreast<#scalar>>(
                     &mut row.kept,
-                    reads,
+                    [#(#reads),*],
                     row.constants,
                     [#(#common),*],
                     order,
@@ -230,12 +257,19 @@ impl Writer<'_> {
     }
 
     /// The lines that take down the turns.
-    fn taken(&mut self, fields: &mut Fields, nest: &Nest<'_>, turns: &Ident, found: &Found) -> TokenStream {
+    fn taken(
+        &mut self,
+        fields: &mut Fields,
+        nest: &Nest<'_>,
+        points: &[Vec<usize>],
+        turns: &Ident,
+        found: &Found,
+    ) -> TokenStream {
         let (scalar, runtime) = (self.printer.scalar, self.printer.runtime);
         // Names are those of values that are computed at every order.
         let named = std::mem::take(&mut self.printer.names);
         let printer = &self.printer;
-        let reads: Vec<_> = nest.reads.iter().map(|(_, element)| printer.in_row(fields, *element)).collect();
+        let reads: Vec<_> = points.iter().map(|point| printer.in_row(fields, nest.reads[point[0]].1)).collect();
         let targets: Vec<_> = nest.targets.iter().map(|element| printer.in_row(fields, *element)).collect();
         let mut constants: Vec<_> = nest.constants.iter().map(|id| printer.computation(fields, *id).tokens).collect();
         constants.extend(nest.flags.iter().map(|id| {

@@ -43,7 +43,7 @@ pub(super) enum Turns {
     Once,
     /// For every turn, one after the other.
     OneByOne,
-    /// For every eight turns, which read so many coordinates, have so many constants, and move so many coordinates by so
+    /// For every eight turns, which read so many points, have so many constants, and move so many coordinates by so
     /// many values, of so many orders at once.
     Abreast([usize; 5]),
 }
