@@ -10,7 +10,7 @@ use super::{
     moment::Moment,
     part::Part,
     states::To,
-    table::Layout,
+    table::{Layout, Rows},
 };
 use crate::{
     block::WIDEST,
@@ -227,18 +227,36 @@ fn expand<H: Recurrences, R: Real, K: Keep>(expansion: &mut Of<H, R, K>, layout:
     let Expansion { method, parameters, q, p, tape, .. } = expansion;
     let (last, length) = (method.order, layout.length());
     let (mut q, mut p) = (q.coefficients(layout), p.coefficients(layout));
-    macro_rules! orders {
-        ($($k:literal)*) => {$(
-            if $k < last {
-                H::order(parameters, length, &mut q, &mut p, tape, $k, time);
-            }
-        )*};
-    }
     if H::ROLLED {
         for k in (0..last).step_by(H::AT_ONCE) {
             H::order(parameters, length, &mut q, &mut p, tape, k, time);
         }
+    } else if const { R::LANES == 1 && Rows::<R>::hold::<H::Coords>() } {
+        // A tape and rows that nothing else sees, so that they are registers: what an order finds is read by the next one
+        // where it is, and not where it was written to.
+        let tape = &mut H::Tape::<R>::default();
+        let [mut rows_q, mut rows_p] = [Rows::new(); 2];
+        let [mut near_q, mut near_p] = [rows_q.of(layout), rows_p.of(layout)];
+        near_q[0].copy_from_slice(&q[0]);
+        near_p[0].copy_from_slice(&p[0]);
+        macro_rules! orders {
+            ($($k:literal)*) => {$(
+                if $k < last {
+                    H::order(parameters, length, &mut near_q, &mut near_p, tape, $k, time);
+                    q[$k + 1].copy_from_slice(&near_q[$k + 1]);
+                    p[$k + 1].copy_from_slice(&near_p[$k + 1]);
+                }
+            )*};
+        }
+        for_each_order!(orders);
     } else {
+        macro_rules! orders {
+            ($($k:literal)*) => {$(
+                if $k < last {
+                    H::order(parameters, length, &mut q, &mut p, tape, $k, time);
+                }
+            )*};
+        }
         for_each_order!(orders);
     }
 }

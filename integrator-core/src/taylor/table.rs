@@ -129,6 +129,31 @@ impl<R: Copy> Clone for Table<R> {
     }
 }
 
+/// Room for the coefficients of a few coordinates, which the compiler holds in registers where it knows the orders.
+#[derive(Clone, Copy)]
+pub(super) struct Rows<R> {
+    numbers: [R; COEFFICIENTS * FEW],
+}
+
+impl<R: Real> Rows<R> {
+    /// Whether there is room for coordinates of this type.
+    pub(super) const fn hold<C: Coords>() -> bool {
+        match C::LENGTH {
+            Some(length) => length * C::COMPONENTS <= FEW,
+            None => false,
+        }
+    }
+    #[inline(always)]
+    pub(super) fn new() -> Self {
+        Self { numbers: [R::of(0.0); COEFFICIENTS * FEW] }
+    }
+    /// The coefficients.
+    #[inline(always)]
+    pub(super) fn of(&mut self, layout: Layout) -> Coefficients<'_, R> {
+        Coefficients { numbers: &mut self.numbers, layout }
+    }
+}
+
 /// The coefficients of the coordinates by order; in each order, components one after the other.
 pub struct Coefficients<'t, R> {
     numbers: &'t mut [R],
