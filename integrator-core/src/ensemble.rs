@@ -113,7 +113,7 @@ impl<C: Coords> Ensemble<C> {
                 packs::<H, X, <K as Abreast>::Fused, <K as Keep>::Fused, K, REGISTERS>(prepared, threads)
             }
             // Alone, a member is what a run would be.
-            InstructionSet::Avx512 if H::WIDE => {
+            InstructionSet::Avx512 if X::WIDE => {
                 packs::<H, X, <K as Abreast>::Avx512, <K as Keep>::Avx512, K, 32>(prepared, threads)
             }
             InstructionSet::Avx512 => {

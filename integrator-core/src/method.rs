@@ -103,6 +103,8 @@ impl<X: Scheme> Described for X {
 pub trait Method<H: Hamiltonian>: Described {
     /// Whether its steps are compiled for several instruction sets, of which a run takes the best.
     const CLONED: bool = true;
+    /// Whether a single run takes instructions for vectors of 512 bits, where the machine has them.
+    const WIDE: bool = H::WIDE;
 
     /// What stays the same in a run.
     type Constants: Send + Sync + 'static;

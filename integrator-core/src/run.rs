@@ -115,7 +115,7 @@ impl<C: Coords> Run<C> {
         let mut engine = if const { X::CLONED } {
             match InstructionSet::chosen() {
                 InstructionSet::Baseline => engine::<H, X, K::Plain, K>(method, parameters, start),
-                InstructionSet::Avx512 if H::WIDE => engine::<H, X, K::Avx512, K>(method, parameters, start),
+                InstructionSet::Avx512 if X::WIDE => engine::<H, X, K::Avx512, K>(method, parameters, start),
                 InstructionSet::Fused | InstructionSet::Avx512 => {
                     engine::<H, X, K::Fused, K>(method, parameters, start)
                 }

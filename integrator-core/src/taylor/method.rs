@@ -77,6 +77,7 @@ impl Described for Taylor {
 }
 
 impl<H: Recurrences> Method<H> for Taylor {
+    const WIDE: bool = true;
     type Constants = Constants<H::Parameters<f64>>;
     type Motion<R: Real, K: Keep> = Expansion<R, Shaped<H, K>, H::Parameters<R>, H::Tape<R>>;
 
