@@ -6,6 +6,7 @@ use crate::{
     functions::{self, fast_functions, fast_kernels, kernel},
     instruction_set::enter_fused,
     lanes::Lanes,
+    pair::Pair,
     real::{Kernel, Real, compared, elementary_functions},
     row::Row,
 };
@@ -25,6 +26,8 @@ pub trait Instructions: Copy + Debug + PartialEq + Send + Sync + 'static {
     type RowOfDoubles: Row<Fused<f64, Self>>;
     /// Eight bodies in single precision.
     type RowOfSingles: Row<Fused<f32, Self>>;
+    /// Two doubles.
+    type PairOfDoubles: Pair<Fused<f64, Self>>;
 
     /// `n / x^(3/2)`.
     #[inline(always)]
@@ -48,6 +51,8 @@ impl Instructions for Fma {
     type RowOfDoubles = Lanes<crate::vector::X4, 2>;
     #[cfg(all(target_arch = "x86_64", feature = "std"))]
     type RowOfSingles = crate::vector::S8;
+    #[cfg(all(target_arch = "x86_64", feature = "std"))]
+    type PairOfDoubles = crate::vector::X2;
     #[cfg(not(all(target_arch = "x86_64", feature = "std")))]
     type Doubles = Fused<f64>;
     #[cfg(not(all(target_arch = "x86_64", feature = "std")))]
@@ -56,6 +61,8 @@ impl Instructions for Fma {
     type RowOfDoubles = Lanes<Fused<f64>, 8>;
     #[cfg(not(all(target_arch = "x86_64", feature = "std")))]
     type RowOfSingles = Lanes<Fused<f32>, 8>;
+    #[cfg(not(all(target_arch = "x86_64", feature = "std")))]
+    type PairOfDoubles = [Fused<f64>; 2];
 
     #[inline(always)]
     fn enter<K: Kernel>(kernel: K) -> K::Out {
@@ -78,6 +85,7 @@ impl Instructions for Avx512 {
     type Singles = crate::vector::S16;
     type RowOfDoubles = crate::vector::X8;
     type RowOfSingles = crate::vector::S8;
+    type PairOfDoubles = crate::vector::X2;
 
     #[inline(always)]
     fn over_root_cubed(n: Fused<f64, Self>, x: Fused<f64, Self>) -> Fused<f64, Self> {
@@ -117,7 +125,7 @@ macro_rules! operators {
 }
 
 macro_rules! fused_real {
-    ($scalar:ty, $block:ident, $row:ident, $over_root_cubed:expr; unary: $($unary:ident)*; binary: $($binary:ident)*;) => {
+    ($scalar:ty, $block:ident, $row:ident, $pair:ty, $over_root_cubed:expr; unary: $($unary:ident)*; binary: $($binary:ident)*;) => {
         operators!($scalar: Add add +, Sub sub -, Mul mul *, Div div /);
 
         impl<S: Instructions> Neg for Fused<$scalar, S> {
@@ -145,6 +153,7 @@ macro_rules! fused_real {
             type Mask = bool;
             type Block = S::$block;
             type Row<const N: usize> = S::$row;
+            type Pair = $pair;
 
             #[inline(always)]
             fn of(x: f64) -> Self {
@@ -199,5 +208,5 @@ macro_rules! fused_real {
         }
     };
 }
-elementary_functions!(fused_real! { f64, Doubles, RowOfDoubles, S::over_root_cubed; });
-elementary_functions!(fused_real! { f32, Singles, RowOfSingles, |n, x: Self| n / (x * x.sqrt()); });
+elementary_functions!(fused_real! { f64, Doubles, RowOfDoubles, S::PairOfDoubles, S::over_root_cubed; });
+elementary_functions!(fused_real! { f32, Singles, RowOfSingles, [Self; 2], |n, x: Self| n / (x * x.sqrt()); });

@@ -125,6 +125,7 @@ mod neighbours;
 pub mod output;
 #[cfg(feature = "std")]
 mod pack;
+mod pair;
 mod phase;
 mod plane;
 mod real;
@@ -215,6 +216,7 @@ pub mod __private {
         hamiltonian::{Flows, Hamiltonian, Motion, Plain, Prepared, QuadraticKinetic, Shaped},
         many_body::{ManyBody, PerBody},
         neighbours::Neighbours,
+        pair::{Pair, pair},
         real::{Kernel, Mask, Real},
         ring::Ring,
         row::Row,

@@ -5,6 +5,7 @@ use crate::{
     elementary::Elementary,
     functions::{self, fast_functions, fast_kernels, kernel},
     lanes::Lanes,
+    pair::Pair,
     row::Row,
 };
 use core::ops::{Add, AddAssign, Div, Mul, Neg, Sub, SubAssign};
@@ -109,6 +110,8 @@ macro_rules! declare_real {
             type Block: Block<Self>;
             /// Up to eight bodies side by side.
             type Row<const N: usize>: Row<Self>;
+            /// Two numbers side by side.
+            type Pair: Pair<Self>;
 
             /// The same number in every lane, rounded to the precision of the scalar; a dual has no tangent here.
             fn of(x: f64) -> Self;
@@ -201,6 +204,7 @@ macro_rules! plain_real {
             type Mask = bool;
             type Block = Self;
             type Row<const N: usize> = Lanes<Self, N>;
+            type Pair = [Self; 2];
 
             #[inline(always)]
             fn of(x: f64) -> Self {

@@ -126,6 +126,7 @@ macro_rules! twofold_real {
             type Mask = bool;
             type Block = Self;
             type Row<const N: usize> = Lanes<Self, N>;
+            type Pair = [Self; 2];
 
             #[inline(always)]
             fn of(x: f64) -> Self {

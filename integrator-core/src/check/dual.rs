@@ -116,6 +116,7 @@ macro_rules! dual_real {
             type Mask = bool;
             type Block = Self;
             type Row<const N: usize> = Lanes<Self, N>;
+            type Pair = [Self; 2];
 
             fn of(x: f64) -> Self {
                 Self::new(x, 0.0)

@@ -15,12 +15,14 @@ macro_rules! instruction {
 mod avx2;
 mod avx512;
 mod bits;
+mod pair;
 mod real;
 mod root_cubed;
 mod row;
 
 pub use avx2::{S8, X4};
 pub use avx512::{S16, X8};
+pub use pair::X2;
 pub(crate) use root_cubed::over_root_cubed;
 
 #[cfg(test)]

@@ -86,6 +86,7 @@ macro_rules! vector {
                 type Mask = $mask;
                 type Block = Self;
             type Row<const N: usize> = crate::lanes::Lanes<Self, N>;
+                type Pair = [Self; 2];
 
                 #[inline(always)]
                 fn of(x: f64) -> Self {

@@ -25,6 +25,7 @@ mod pairs;
 mod pass;
 mod places;
 mod recurrence;
+mod sums;
 mod tape;
 mod texts;
 mod unrolled;

@@ -22,7 +22,7 @@ pub(super) enum Series {
     /// In a record.
     Kept { at: Ident, name: Ident },
     /// In a row of a record.
-    Rates { at: Ident, name: Ident },
+    Own { at: Ident, name: Ident },
 }
 
 impl Series {
@@ -31,7 +31,7 @@ impl Series {
         match self {
             Series::Row { part, place } => quote!(#part[#order][#place]),
             Series::Kept { at, name } => quote!(#at.kept[#order].#name),
-            Series::Rates { at, name } => quote!(#at.#name[#order]),
+            Series::Own { at, name } => quote!(#at.#name[#order]),
         }
     }
 }

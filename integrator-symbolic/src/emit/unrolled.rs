@@ -9,7 +9,7 @@ use super::{
     fields::Fields,
     moves::Moves,
     orders::Writer,
-    recurrence::{Chained, Known, Products, Series, Sum, Weight, minus},
+    recurrence::{Chained, Products, Series, Weight, minus},
     tape::Kept,
 };
 use crate::{
@@ -40,7 +40,7 @@ impl Writer<'_> {
             let name = format_ident!("rates_{}", self.rates.len());
             let record = self.record();
             record.slots.push((name.clone(), Kept::Rates));
-            let rate = Series::Rates { at: record.at.clone(), name };
+            let rate = Series::Own { at: record.at.clone(), name };
             self.rates.push((x, rate));
         }
     }
@@ -60,9 +60,14 @@ impl Writer<'_> {
 
     /// The line that keeps that of a coordinate: what its own one is before it is divided by its order.
     pub(super) fn keep_rate_of(&self, element: &Element, next: &impl ToTokens) -> Option<TokenStream> {
-        let is_of = |(id, _): &&(NodeId, Series)| self.printer.graph.node(*id) == Node::Coordinate(*element);
-        let rate = self.rates.iter().find(is_of)?.1.of(&quote!(order + 1));
+        let rate = self.rate_of(element)?.of(&quote!(order + 1));
         Some(quote!(#rate = #next;))
+    }
+
+    /// Where the coefficients of the derivative of a coordinate are.
+    pub(super) fn rate_of(&self, element: &Element) -> Option<&Series> {
+        let is_of = |(id, _): &&(NodeId, Series)| self.printer.graph.node(*id) == Node::Coordinate(*element);
+        self.rates.iter().find(is_of).map(|(_, rate)| rate)
     }
 
     /// The product with the newest coefficient of what a value is computed from, to be added to a sum that has been
@@ -78,58 +83,14 @@ impl Writer<'_> {
         }
     }
 
-    /// The sums over what is known. Those that are divided by the order are without the latest product. Those of rates are
-    /// two, for the products with earlier and with later coefficients of the slope, so that each is half as long.
-    pub(super) fn known_unrolled(&self, sums: &[Known]) -> TokenStream {
-        let (zero, middle, low, high) = (self.printer.lifted(quote!(0.0)), quote!(middle), quote!(low), quote!(high));
-        let (mut begun, mut middles, mut pairs) = (TokenStream::new(), TokenStream::new(), TokenStream::new());
-        let (mut early, mut late, mut late_middles) = (TokenStream::new(), TokenStream::new(), TokenStream::new());
-        for (id, rest, products) in sums {
-            let half = self.early(*id, products);
-            let rests = half.iter().chain([rest]);
-            begun.extend(quote!(#(let mut #rests = #zero;)*));
-            for products in products {
-                if products.weight.is_of_order() {
-                    let line = |sum: &Ident, j: &TokenStream, other: &TokenStream| {
-                        let (a, b) = (self.factor(products, j), products.b.of(other));
-                        quote!(#sum = #a.fma(#b, #sum);)
-                    };
-                    early.extend(line(half.as_ref().unwrap_or(rest), &high, &low));
-                    late.extend(line(rest, &low, &high));
-                    late_middles.extend(line(rest, &middle, &middle));
-                } else {
-                    let sum = Sum::of(rest, quote!(order));
-                    middles.extend(self.middle(&sum, products));
-                    pairs.extend(self.pair(&sum, products, [&low, &high]));
-                }
-            }
-        }
-        let late = (!late.is_empty()).then(|| quote!(if low > 1 { #late }));
-        let late_middles = (!late_middles.is_empty()).then(|| quote!(if middle > 1 { #late_middles }));
-        quote! {
-            #begun
-            if order > 0 && order % 2 == 0 {
-                let middle = order / 2;
-                #middles
-                #late_middles
-            }
-            for low in (1..order.div_ceil(2)).rev() {
-                let high = order - low;
-                #pairs
-                #early
-                #late
-            }
-        }
-    }
-
     /// What the sum of products with earlier coefficients is called, where there is one.
-    fn early(&self, id: NodeId, products: &[Products]) -> Option<Ident> {
+    pub(super) fn early(&self, id: NodeId, products: &[Products]) -> Option<Ident> {
         let is_of_rates = products.iter().any(|products| matches!(products.weight, Weight::Rate { .. }));
         is_of_rates.then(|| format_ident!("early_of_{}", self.printer.names[&id]))
     }
 
     /// The first factor of order `j`.
-    fn factor(&self, Products { weight, a, .. }: &Products, j: &TokenStream) -> TokenStream {
+    pub(super) fn factor(&self, Products { weight, a, .. }: &Products, j: &TokenStream) -> TokenStream {
         self.weighted(weight, j, &quote!(order), &a.of(j))
     }
 
@@ -167,12 +128,5 @@ impl Writer<'_> {
     /// Whether a sum gets the sign that all of its products have.
     pub(super) fn is_negated(&self, chained: &[Chained]) -> bool {
         self.is_unrolled() && chained.iter().all(|chained| chained.negative)
-    }
-}
-
-impl Weight {
-    /// Whether sums of such products are divided by their order.
-    fn is_of_order(&self) -> bool {
-        matches!(self, Weight::Power { .. } | Weight::Order { .. } | Weight::Rate { .. })
     }
 }
