@@ -38,18 +38,29 @@ pub fn weight_with<R: Real>(exponent: R, j: usize, k: usize) -> R {
 /// A rounded `1/n` would be off by the same share at every step, which adds up to a drift; so it comes in two parts.
 #[inline(always)]
 pub fn over<R: Real>(x: R, n: usize) -> R {
-    let [high, low] = const { reciprocals() }[n];
+    times(x, const { reciprocals(0) }[n])
+}
+
+/// `x / (n (n + 1))`, as if in one division.
+#[inline(always)]
+pub fn over_two<R: Real>(x: R, n: usize) -> R {
+    times(x, const { reciprocals(1) }[n])
+}
+
+#[inline(always)]
+fn times<R: Real>(x: R, [high, low]: [f64; 2]) -> R {
     x.fma(R::of(high), x * R::of(low))
 }
 
-/// `1/n` as a number with as many digits as a single has, and the rest.
-const fn reciprocals() -> [[f64; 2]; COEFFICIENTS] {
+/// `1/n`, or `1/(n (n + 1))` for one more, as a number with as many digits as a single has, and the rest.
+const fn reciprocals(more: usize) -> [[f64; 2]; COEFFICIENTS] {
     let mut parts = [[0.0; 2]; COEFFICIENTS];
     let mut n = 1;
     while n < COEFFICIENTS {
-        let high = (1.0 / n as f64) as f32 as f64;
+        let divisor = if more == 0 { n } else { n * (n + 1) } as f64;
+        let high = (1.0 / divisor) as f32 as f64;
         // The product with a small integer is exact, and so is the difference of neighbours.
-        parts[n] = [high, (1.0 - n as f64 * high) / n as f64];
+        parts[n] = [high, (1.0 - divisor * high) / divisor];
         n += 1;
     }
     parts
@@ -84,4 +95,17 @@ pub fn turn<'t, T: Default>(turns: &'t mut Vec<T>, next: &mut usize) -> &'t mut 
         turns.push(T::default());
     }
     &mut turns[place]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{HIGHEST, over, over_two};
+
+    #[test]
+    fn reciprocals_are_those_of_one_division() {
+        for n in 1..=HIGHEST + 1 {
+            assert_eq!(over(1.0, n), 1.0 / n as f64, "1/{n}");
+            assert_eq!(over_two(1.0, n), 1.0 / (n * (n + 1)) as f64, "1/({n} ({n} + 1))");
+        }
+    }
 }

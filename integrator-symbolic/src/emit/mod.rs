@@ -4,6 +4,7 @@
 //! scope of its own. Always true: nothing here fails; the same model gives the same tokens; the text names only paths of
 //! the user, of `::core`, and of the runtime's private door.
 
+mod ahead;
 mod block;
 mod bodies;
 mod condition;

@@ -4,6 +4,7 @@
 //! read are kept in a tape: beside each other where no loop is around, and else in a list with a place for every turn.
 
 use super::{
+    ahead::Mobilities,
     expression::{Dialect, Printer},
     fields::{Fields, is_leaf},
     frame::Frame,
@@ -53,30 +54,29 @@ pub(super) fn orders(
         schedule_with(&model.graph, &placed, leaf, &asked)
     };
     let all = program(model, &kinetic, &potential);
-    let moves = Moves::of(&model.graph, &all.items);
-    // Where momenta are in loops, positions that merely follow them are taken out of these.
-    let mobilities = mobilities(&mut model.graph, &kinetic).filter(|_| matches!(moves, Moves::InPlace));
-    let (program, mobile) = match mobilities {
-        Some(mobilities) => (program(model, &[], &potential), Some(program(model, &mobilities, &[]))),
-        None => (all, None),
+    let rolled = matches!(Moves::of(&model.graph, &all.items), Moves::InPlace);
+    // Positions that merely follow momenta are found from these: they are taken out of loops, and come an order ahead.
+    let (program, mobile, ahead) = match mobilities(&mut model.graph, &kinetic) {
+        Some(mobilities) if rolled => (program(model, &[], &potential), Some(program(model, &mobilities, &[])), None),
+        Some(mobilities) => (program(model, &[], &potential), None, Some(Mobilities::of(&mobilities))),
+        None => (all, None, None),
     };
-    let interleaved =
-        matches!(moves, Moves::InPlace) && surroundings(model, &program, &recurrences).reads_neighbours(&program.items);
+    let interleaved = rolled && surroundings(model, &program, &recurrences).reads_neighbours(&program.items);
     let frame = Frame::Series { interleaved: interleaved.then(|| Places::of(&model.graph)) };
     let source = Source { model, names, program: &program, frame: &frame, recurrences: &recurrences };
-    let rolled = matches!(moves, Moves::InPlace);
     let mut writer = Writer::new(&source, Record::of("tape", Turns::Once));
-    writer.moves = moves;
+    writer.moves = if rolled { Moves::InPlace } else { Moves::of(&model.graph, &program.items) };
     writer.allocate(&program.items);
-    let body = match &mobile {
-        Some(mobile) => {
+    let body = match (&mobile, &ahead) {
+        (_, Some(ahead)) => writer.order_ahead(fields, &program.items, ahead),
+        (Some(mobile), None) => {
             let source = Source { program: mobile, ..source };
             let mut of_mobilities = Writer::new(&source, Record::of("tape", Turns::Once));
             of_mobilities.moves = Moves::Once;
             let mobilities = of_mobilities.items(fields, &mobile.items);
             writer.orders_of_momenta(fields, &program.items, &mobilities)
         }
-        None => writer.order_of_all(fields, &program.items),
+        (None, None) => writer.order_of_all(fields, &program.items),
     };
     let body = match &frame {
         Frame::Series { interleaved: Some(places) } => {

@@ -35,7 +35,7 @@ pub(super) fn clock_read(lines: &Body) -> Vec<Ident> {
 }
 
 /// The line that gives the coefficients of the time, where they are read.
-fn clock(runtime: &Ident, lines: &TokenStream) -> Option<TokenStream> {
+pub(super) fn clock(runtime: &Ident, lines: &TokenStream) -> Option<TokenStream> {
     let is_read = !clock_read(&Body::new(lines.clone())).is_empty();
     is_read.then(|| quote!(let (step, time) = #runtime::order_of_time(order, time);))
 }
