@@ -225,7 +225,7 @@ pub mod __private {
         taylor::{
             Recurrences,
             mobility::Mobility,
-            series::{COEFFICIENTS, half_power, order_of_time, over, over_two, turn, weight, weight_with},
+            series::{COEFFICIENTS, half_power, order_of_time, over, over_two, turn, weight, weight_with, weighted},
             table::{Coefficients, Layout, Table},
             turns::{Abreast, Target, Turns, spread},
         },

@@ -1,6 +1,6 @@
 //! What the recurrences of generated code are made of, beside sums of products.
 
-use crate::real::Real;
+use crate::{pair::Pair, real::Real};
 use alloc::vec::Vec;
 
 /// The highest order of a polynomial.
@@ -31,6 +31,13 @@ pub fn weight<R: Real>(exponent: f64, j: usize, k: usize) -> R {
 #[inline(always)]
 pub fn weight_with<R: Real>(exponent: R, j: usize, k: usize) -> R {
     exponent * R::of(NUMBERS[j]) - R::of(NUMBERS[k - j])
+}
+
+/// The sum of such products, from `Σ aⱼ yₖ₋ⱼ` and `Σ j aⱼ yₖ₋ⱼ` side by side, each in two halves.
+#[inline(always)]
+pub fn weighted<R: Real>(exponent: R, k: usize, halves: [R::Pair; 2]) -> R {
+    let [[early, early_by_order], [late, late_by_order]] = halves.map(Pair::parts);
+    (early + late).fma(R::of(-NUMBERS[k]), (exponent + R::of(1.0)) * (early_by_order + late_by_order))
 }
 
 /// `x / n` for an order `n`, as if in one division.

@@ -1,5 +1,5 @@
 //! Recurrences as Rust: what is known since the last order is summed up at the beginning of a block, for all of its
-//! values in one loop; the newest coefficients come in where a value is computed.
+//! values; the newest coefficients come in where a value is computed.
 //!
 //! For a product `Σ aⱼ bₖ₋ⱼ`; for a square, half of that; for a power `y = aᵉ`, `Σ (e j - (k - j)) aⱼ yₖ₋ⱼ` over `k a₀`;
 //! for `y' = g x'`, `Σ j xⱼ gₖ₋ⱼ` over `k`. Sums run from the middle outwards, so that they begin with coefficients that
@@ -49,8 +49,8 @@ pub(super) enum Weight {
     None,
     /// One half where both factors are the same coefficient, since two others stand for each other.
     Half,
-    /// `e j - (k - j)` for a power, by the function that computes it with an exponent.
-    Power { function: TokenStream, exponent: TokenStream },
+    /// `e j - (k - j)` for a power, by the function that computes it with an exponent, which is a number of the flow too.
+    Power { function: TokenStream, exponent: TokenStream, number: TokenStream },
     /// The order of the first factor, or minus that.
     Order { negative: bool },
     /// One or minus one, since the first factor has been multiplied by its order.
@@ -212,7 +212,7 @@ impl Writer<'_> {
         let scalar = self.printer.scalar;
         match weight {
             Weight::None | Weight::Half => a.clone(),
-            Weight::Power { function, exponent } => quote!((#function(#exponent, #j, #order) * #a)),
+            Weight::Power { function, exponent, .. } => quote!((#function(#exponent, #j, #order) * #a)),
             Weight::Order { negative } => minus(*negative, quote!((#scalar::of(#j as f64) * #a))),
             Weight::Rate { negative } => minus(*negative, a.clone()),
         }
@@ -252,12 +252,14 @@ impl Writer<'_> {
             Node::Power(a, halves) if self.has_no_slopes(id) => {
                 let exponent = Literal::f64_unsuffixed(f64::from(halves) / 2.0);
                 let (function, exponent) = (quote!(#runtime::weight::<#scalar>), exponent.into_token_stream());
-                let weight = Weight::Power { function, exponent };
+                let number = self.printer.lifted(exponent.clone());
+                let weight = Weight::Power { function, exponent, number };
                 (weight, self.unsigned(fields, a).1, own)
             }
             Node::Binary(function, a, b) if is_power(function) => {
                 let exponent = self.printer.expression(fields, b).tokens;
-                let weight = Weight::Power { function: quote!(#runtime::weight_with), exponent };
+                let function = quote!(#runtime::weight_with);
+                let weight = Weight::Power { function, number: exponent.clone(), exponent };
                 (weight, self.unsigned(fields, a).1, own)
             }
             _ => {

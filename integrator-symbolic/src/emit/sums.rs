@@ -1,5 +1,6 @@
 //! The sums over what is known where orders are compiled one by one: two sums of a kind are computed side by side, and of
-//! a product that is left alone its two halves, `aⱼ bₖ₋ⱼ` and `bⱼ aₖ₋ⱼ` with `j < k/2`.
+//! a product that is left alone its two halves, `aⱼ bₖ₋ⱼ` and `bⱼ aₖ₋ⱼ` with `j < k/2`. Of a power, these are
+//! `Σ aⱼ yₖ₋ⱼ` and `Σ j aⱼ yₖ₋ⱼ`, so that no product has a weight of its own.
 
 use super::{
     orders::Writer,
@@ -70,6 +71,9 @@ impl Writer<'_> {
         for sum in left {
             match sum.2.as_slice() {
                 [product] if is_product(&product.weight) => self.sum_up_halves(&mut lines, &sum.1, product),
+                [Products { weight: Weight::Power { number, .. }, a, b }] => {
+                    self.sum_up_power(&mut lines, &sum.1, number, [a, b]);
+                }
                 _ => self.sum_up(&mut lines, &[sum]),
             }
         }
@@ -172,6 +176,28 @@ impl Writer<'_> {
         lines.middle.extend(quote!(#halves = #half.mul(#of_middle).mul(#turned_middle);));
         lines.outwards(1, &quote!(#halves = #of_low.fma(#turned_high, #halves);));
         lines.parts.extend(quote!(let #rest = #halves.total();));
+    }
+
+    /// The sum of a power: what is weighted with an order is in one lane, and what isn't in the other.
+    fn sum_up_power(&mut self, lines: &mut Lines, rest: &Ident, exponent: &TokenStream, [a, b]: [&Series; 2]) {
+        let (scalar, runtime) = (self.printer.scalar, self.printer.runtime);
+        let (middle, low, high) = (quote!(middle), quote!(low), quote!(high));
+        let first = a.of(&quote!(last));
+        let pairs = self.pairs(lines, &first, &quote!(#scalar::of(last as f64) * #first));
+        let zero = self.printer.lifted(quote!(0.0));
+        let zeros = self.side_by_side(&[zero.clone(), zero]);
+        let [early, late] = ["early", "late"]
+            .map(|half| format_ident!("{half}_of_{}", rest.to_string().trim_start_matches("rest_of_")));
+        lines.begin.extend(quote!(let mut #early = #zeros; let mut #late = #zeros;));
+        let line = |sum: &Ident, i: &TokenStream, j: &TokenStream| {
+            let (a, b) = (pairs.of(i), b.of(j));
+            let b = self.side_by_side(&[b.clone(), b]);
+            quote!(#sum = #a.fma(#b, #sum);)
+        };
+        lines.late_middle.extend(line(&late, &middle, &middle));
+        lines.outwards(1, &line(&early, &high, &low));
+        lines.outwards(2, &line(&late, &low, &high));
+        lines.parts.extend(quote!(let #rest = #runtime::weighted(#exponent, order, [#early, #late]);));
     }
 
     /// Where two coefficients of each order lie side by side, as they are there of the last one.
