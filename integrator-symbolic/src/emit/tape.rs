@@ -27,8 +27,7 @@ impl Record {
 pub(super) enum Kept {
     /// Its coefficients.
     Series,
-    /// Those of its derivative, each multiplied by its order. They lie in a row of their own, where neighbours among the
-    /// series are computed side by side.
+    /// Those of its derivative, each its own multiplied by the order.
     Rates,
     /// Two coefficients side by side.
     Pairs,
