@@ -9,6 +9,7 @@ use super::{
     leg::{Leg, Way},
     moment::Moment,
     part::Part,
+    series::HIGHEST,
     states::To,
     table::{Layout, Rows},
 };
@@ -219,6 +220,11 @@ macro_rules! for_each_order {
         $callback! { 0 1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 16 17 18 19 20 21 22 23 24 25 26 27 }
     };
 }
+
+macro_rules! count {
+    ($($k:literal)*) => { [$($k),*].len() };
+}
+const _: () = assert!(for_each_order!(count) == HIGHEST, "the highest order comes from the one below");
 
 /// Finds the polynomials from their beginnings.
 #[inline(always)]
