@@ -17,7 +17,7 @@ pub trait Recurrences: Hamiltonian {
     const ROLLED: bool;
 
     /// Whether every turn of the loops reads coordinates of its own first, so that whole registers are read where points
-    /// lie [interleaved](Layout::of).
+    /// are dealt out to registers.
     const INTERLEAVED: bool;
 
     /// How many orders are found at once.
