@@ -40,7 +40,7 @@ fn patterns(addends: &[Addend]) -> Vec<Pattern> {
     patterns
 }
 
-/// What `N` times eight coordinates get from as many rows of numbers beside each other, by the same pattern.
+/// What the eights of a group get from as many rows of numbers beside each other, by the same pattern.
 #[derive(Clone)]
 struct Round<R: Real> {
     /// The first one of the rows.
@@ -153,20 +153,10 @@ impl<R: Real> Addends<R> {
         let (mut threes, mut twos, mut ones) = (Vec::new(), Vec::new(), Vec::new());
         for (patterns, eights) in &alike {
             let mut rest = eights.as_slice();
-            loop {
-                if let Some((group, others)) = taken(patterns, rest) {
-                    threes.push(group);
-                    rest = others;
-                } else if let Some((group, others)) = taken(patterns, rest) {
-                    twos.push(group);
-                    rest = others;
-                } else if let Some((group, others)) = taken(patterns, rest) {
-                    ones.push(group);
-                    rest = others;
-                } else {
-                    break;
-                }
-            }
+            while group(patterns, &mut rest, &mut threes)
+                || group(patterns, &mut rest, &mut twos)
+                || group(patterns, &mut rest, &mut ones)
+            {}
         }
         Self::Groups(threes, twos, ones)
     }
@@ -204,13 +194,13 @@ impl<R: Real> Addends<R> {
     }
 }
 
-/// A group of the first eights, and those behind it.
-fn taken<'e, R: Real, const N: usize>(
-    patterns: &[Pattern],
-    eights: &'e [Rounds],
-) -> Option<(Group<R, N>, &'e [Rounds])> {
-    let (first, others) = eights.split_first_chunk()?;
-    Some((Group::of(patterns, first)?, others))
+/// Takes the first eights away as a group, if they are one.
+fn group<R: Real, const N: usize>(patterns: &[Pattern], eights: &mut &[Rounds], groups: &mut Vec<Group<R, N>>) -> bool {
+    let Some((first, others)) = eights.split_first_chunk() else { return false };
+    let Some(group) = Group::of(patterns, first) else { return false };
+    groups.push(group);
+    *eights = others;
+    true
 }
 
 #[cfg(test)]

@@ -56,7 +56,14 @@ pub(super) fn dealt<R: Real, const READS: usize, const CONSTANTS: usize, const T
         }
         dealt.push(next);
     }
-    dealt.chunks(EIGHT).map(|turns| core::array::from_fn(|lane| turns.get(lane).copied())).collect()
+    by_eights(&dealt)
+}
+
+/// Turns side by side as they come.
+fn by_eights<R: Real, const READS: usize, const CONSTANTS: usize, const TARGETS: usize>(
+    turns: &[Turn<R, READS, CONSTANTS, TARGETS>],
+) -> Vec<EightTurns<R, READS, CONSTANTS, TARGETS>> {
+    turns.chunks(EIGHT).map(|turns| core::array::from_fn(|lane| turns.get(lane).copied())).collect()
 }
 
 /// Turns side by side, in the lanes of what they read first; without it, of what they move first.
@@ -95,8 +102,7 @@ mod tests {
     #[test]
     fn turns_of_a_row_seldom_move_the_same_coordinate() {
         let pairs = turns((0..6).flat_map(|i| (0..i).map(move |j| [i, j])));
-        let as_they_come: Vec<EightTurns<f64, 2, 0, 2>> =
-            pairs.chunks(EIGHT).map(|turns| core::array::from_fn(|lane| turns.get(lane).copied())).collect();
+        let as_they_come = by_eights(&pairs);
         let dealt = dealt(pairs.clone(), [0, 0]);
         assert_eq!((rounds(&as_they_come), rounds(&dealt)), (9, 6));
         let mut found: Vec<_> = dealt.into_iter().flatten().flatten().collect();

@@ -16,6 +16,11 @@ pub(super) type Eight<R> = <R as Real>::Row<EIGHT>;
 /// Up to how many coordinates lie close together; rows of more begin where a register is read at once.
 pub(super) const FEW: usize = 4;
 
+/// Whether coordinates lie close together.
+const fn are_few(length: usize, components: usize) -> bool {
+    length * components <= FEW
+}
+
 /// How coordinates lie in the rows of a table: components one after the other, each of all points.
 #[derive(Clone, Copy)]
 pub struct Layout {
@@ -39,7 +44,7 @@ impl Layout {
     pub fn of<C: Coords>(length: usize, interleaved: bool) -> Self {
         let length = C::LENGTH.unwrap_or(length);
         let components = C::COMPONENTS;
-        let few = length * components <= FEW;
+        let few = are_few(length, components);
         let stride = if few { length } else { length.next_multiple_of(EIGHT) };
         let registers = if interleaved && !few { NonZero::new(stride / EIGHT) } else { None };
         let registers = registers.unwrap_or(NonZero::<usize>::MIN);
@@ -139,7 +144,7 @@ impl<R: Real> Rows<R> {
     /// Whether there is room for coordinates of this type.
     pub(super) const fn hold<C: Coords>() -> bool {
         match C::LENGTH {
-            Some(length) => length * C::COMPONENTS <= FEW,
+            Some(length) => are_few(length, C::COMPONENTS),
             None => false,
         }
     }
