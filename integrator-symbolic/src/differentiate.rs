@@ -71,7 +71,7 @@ pub(crate) fn gradient(graph: &mut Graph, root: NodeId, part: Part) -> Vec<Contr
 pub(crate) fn hessian_product(graph: &mut Graph, of: &[Contribution], part: Part) -> Vec<Contribution> {
     let mut along = graph.constant(0.0);
     for Contribution { context, element, value } in of {
-        let direction = graph.coordinate(Element { part: element.part.other(), ..*element });
+        let direction = graph.coordinate(element.partner());
         let product = graph.mul(*value, direction);
         let product = context.iter().rev().fold(product, |product, around| chosen(graph, *around, product));
         along = graph.add(along, product);

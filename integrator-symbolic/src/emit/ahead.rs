@@ -3,7 +3,7 @@
 
 use super::{
     fields::Fields,
-    moves::{Moves, next},
+    moves::{Moves, begun, next},
     orders::Writer,
     pass::clock,
 };
@@ -31,16 +31,11 @@ impl Writer<'_> {
         let body = self.items(fields, items);
         let Moves::Alone(elements) = &self.moves else { return body };
         let (opening, scalar, runtime) = (&self.opening, self.printer.scalar, self.printer.runtime);
-        // Minus zero is what nothing has been added to.
-        let begun = (0..elements.len()).map(|number| {
-            let next = next(number);
-            quote!(let mut #next = #scalar::of(-0.0);)
-        });
+        let begun = begun(elements.len(), scalar);
         let first = mobilities.0.iter().map(|(momentum, mobility)| {
             let place = self.printer.in_row(fields, *momentum);
             let value = self.moved(fields, *mobility, &quote!(p[0][#place]));
-            let position = Element { part: momentum.part.other(), ..*momentum };
-            let rate = self.rate_of(&position).map(|rate| rate.of(&quote!(1)));
+            let rate = self.rate_of(&momentum.partner()).map(|rate| rate.of(&quote!(1)));
             let rate = rate.map(|rate| quote!(#rate = q[1][#place];));
             quote!(q[1][#place] = #value; #rate)
         });
@@ -49,8 +44,7 @@ impl Writer<'_> {
             let (next, place) = (next(number), self.printer.in_row(fields, *momentum));
             let position = mobilities.0.get(momentum).map(|mobility| {
                 let value = self.moved(fields, *mobility, &quote!(#next));
-                let position = Element { part: momentum.part.other(), ..*momentum };
-                match self.rate_of(&position).map(|rate| rate.of(&quote!(order + 2))) {
+                match self.rate_of(&momentum.partner()).map(|rate| rate.of(&quote!(order + 2))) {
                     Some(rate) => quote! {
                         #rate = #runtime::over(#value, order + 1);
                         q[order + 2][#place] = #runtime::over(#rate, order + 2);
@@ -61,7 +55,7 @@ impl Writer<'_> {
             quote!(p[order + 1][#place] = #runtime::over(#next, order + 1); #position)
         });
         let lines: TokenStream = lines.collect();
-        let lines = quote!(if order == 0 { #first } #opening #(#begun)* #body #lines);
+        let lines = quote!(if order == 0 { #first } #opening #begun #body #lines);
         let clock = clock(runtime, &lines);
         quote!(#clock #lines)
     }

@@ -109,7 +109,7 @@ impl Formulas<'_> {
 
     /// The left side of the equation that a component of a gradient belongs to.
     fn left(&self, element: Element) -> String {
-        format!("d{}/dt", self.coordinate(Element { part: element.part.other(), ..element }))
+        format!("d{}/dt", self.coordinate(element.partner()))
     }
 
     fn sigma(&self, by: LoopId) -> String {

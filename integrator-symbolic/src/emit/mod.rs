@@ -293,7 +293,7 @@ fn flow(
 fn placed(model: &mut Model, gradient: &[Contribution], sink: fn(Element) -> Sink) -> Vec<Placed> {
     let placed = |contribution: &Contribution| {
         let element = contribution.element;
-        sink(Element { part: element.part.other(), ..element })
+        sink(element.partner())
     };
     let mut value = |contribution: &Contribution| match placed(contribution) {
         Sink::Update(_) => model.graph.stepped(contribution.value),

@@ -5,8 +5,8 @@ use crate::{
     program::{Item, Sink},
     taylor::signed,
 };
-use proc_macro2::Ident;
-use quote::format_ident;
+use proc_macro2::{Ident, TokenStream};
+use quote::{format_ident, quote};
 
 /// How lines move coordinates.
 pub(super) enum Moves {
@@ -81,6 +81,13 @@ impl Moves {
             Self::Alone(_) | Self::InPlace | Self::Once => Found::default(),
         }
     }
+}
+
+/// The lines with which the sums of so many coordinates begin that are moved alone: minus zero is what nothing has been
+/// added to.
+pub(super) fn begun(count: usize, scalar: &Ident) -> TokenStream {
+    let names = (0..count).map(next);
+    quote!(#(let mut #names = #scalar::of(-0.0);)*)
 }
 
 /// What the sum of a coordinate that is moved alone is called.

@@ -20,7 +20,7 @@ use super::{
 };
 use crate::{
     differentiate::Contribution,
-    graph::{Element, Graph, Node, NodeId},
+    graph::{Graph, Node, NodeId},
     model::Model,
     program::{Asked, Item, Placed, Program, Sink, schedule_with},
     taylor::{Recurrences, mobilities, signed},
@@ -107,7 +107,7 @@ fn placed(graph: &mut Graph, kinetic: &[Contribution], potential: &[Contribution
     for (gradient, is_force) in [(kinetic, false), (potential, true)] {
         for Contribution { context, element, value } in gradient {
             let value = if is_force { graph.neg(*value) } else { *value };
-            let moved = Element { part: element.part.other(), ..*element };
+            let moved = element.partner();
             let addends = crate::taylor::addends(graph, context.clone(), value).into_iter();
             placed.extend(addends.map(|(context, value)| Placed { context, sink: Sink::Collect(moved), value }));
         }
@@ -241,25 +241,21 @@ impl<'m> Writer<'m> {
                 }
             }
             Item::Sink(Sink::Collect(element), id) => {
+                if let Moves::Abreast(found) = &mut self.moves {
+                    let Some(number) = found.another(self.printer.graph, *id, self.masks.is_empty()) else {
+                        return TokenStream::new();
+                    };
+                    let number = Literal::usize_unsuffixed(number);
+                    let value = self.masked(fields, signed(self.printer.graph, *id).1);
+                    return match self.pass {
+                        Pass::One => quote!(found[#number] = [#value];),
+                        Pass::Two => quote!(found[#number][at] = #value;),
+                    };
+                }
                 let value = self.masked(fields, *id);
-                match &mut self.moves {
-                    Moves::Alone(elements) => {
-                        let next = next(elements.iter().position(|known| known == element).unwrap_or_default());
-                        return quote!(#next += #value;);
-                    }
-                    Moves::Abreast(found) => {
-                        let Some(number) = found.another(self.printer.graph, *id, self.masks.is_empty()) else {
-                            return TokenStream::new();
-                        };
-                        let number = Literal::usize_unsuffixed(number);
-                        let unsigned = signed(self.printer.graph, *id).1;
-                        let value = self.masked(fields, unsigned);
-                        return match self.pass {
-                            Pass::One => quote!(found[#number] = [#value];),
-                            Pass::Two => quote!(found[#number][at] = #value;),
-                        };
-                    }
-                    Moves::InPlace | Moves::Once => {}
+                if let Moves::Alone(elements) = &self.moves {
+                    let next = next(elements.iter().position(|known| known == element).unwrap_or_default());
+                    return quote!(#next += #value;);
                 }
                 let (part, place) = (self.printer.part(*element), self.printer.in_row(fields, *element));
                 quote!(#part[order + 1][#place] += #value;)

@@ -4,7 +4,7 @@
 use super::{
     fields::Fields,
     function::Body,
-    moves::{Moves, next},
+    moves::{Moves, begun, next},
     orders::Writer,
 };
 use crate::program::Item;
@@ -47,18 +47,14 @@ impl Writer<'_> {
         let (opening, scalar, runtime) = (&self.opening, self.printer.scalar, self.printer.runtime);
         let lines = match &self.moves {
             Moves::Alone(elements) => {
-                // Minus zero is what nothing has been added to.
-                let begun = (0..elements.len()).map(|number| {
-                    let next = next(number);
-                    quote!(let mut #next = #scalar::of(-0.0);)
-                });
+                let begun = begun(elements.len(), scalar);
                 let moved = elements.iter().enumerate().map(|(number, element)| {
                     let (next, part) = (next(number), self.printer.part(*element));
                     let place = self.printer.in_row(fields, *element);
                     let rate = self.keep_rate_of(element, &next);
                     quote!(#rate #part[order + 1][#place] = #runtime::over(#next, order + 1);)
                 });
-                quote!(#opening #(#begun)* #body #(#moved)*)
+                quote!(#opening #begun #body #(#moved)*)
             }
             _ => quote! {
                 q[order + 1].fill(#scalar::of(-0.0));

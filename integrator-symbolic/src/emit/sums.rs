@@ -70,9 +70,9 @@ impl Writer<'_> {
         }
         for sum in left {
             match sum.2.as_slice() {
-                [product] if is_product(&product.weight) => self.sum_up_halves(&mut lines, &sum.1, product),
+                [product] if is_product(&product.weight) => self.sum_up_halves(&mut lines, sum, product),
                 [Products { weight: Weight::Power { number, .. }, a, b }] => {
-                    self.sum_up_power(&mut lines, &sum.1, number, [a, b]);
+                    self.sum_up_power(&mut lines, sum, number, [a, b]);
                 }
                 _ => self.sum_up(&mut lines, &[sum]),
             }
@@ -97,8 +97,8 @@ impl Writer<'_> {
         let (middle, low, high) = (quote!(middle), quote!(low), quote!(high));
         let rests: Vec<Ident> = sums.iter().map(|(_, rest, _)| rest.clone()).collect();
         let earlies: Vec<Ident> = sums.iter().filter_map(|(id, _, products)| self.early(*id, products)).collect();
-        let rest = self.begin(lines, &rests);
-        let early = if earlies.is_empty() { rest.clone() } else { self.begin(lines, &earlies) };
+        let rest = self.begin(lines, sums, &rests);
+        let early = if earlies.is_empty() { rest.clone() } else { self.begin(lines, sums, &earlies) };
         for n in 0..sums[0].2.len() {
             let products: Vec<&Products> = sums.iter().map(|(.., products)| &products[n]).collect();
             let factors = [false, true].map(|is_second| self.factors(lines, &products, is_second));
@@ -161,7 +161,7 @@ impl Writer<'_> {
     }
 
     /// The two halves of a sum of products.
-    fn sum_up_halves(&mut self, lines: &mut Lines, rest: &Ident, Products { a, b, .. }: &Products) {
+    fn sum_up_halves(&mut self, lines: &mut Lines, (id, rest, _): &Known, Products { a, b, .. }: &Products) {
         let (last, middle, low, high) = (quote!(last), quote!(middle), quote!(low), quote!(high));
         let [half, zero] = [quote!(0.5), quote!(0.0)].map(|number| {
             let number = self.printer.lifted(number);
@@ -169,7 +169,7 @@ impl Writer<'_> {
         });
         let [a, b] = [a, b].map(|series| series.of(&last));
         let (pairs, turned) = (self.pairs(lines, &a, &b), self.pairs(lines, &b, &a));
-        let halves = format_ident!("halves_of_{}", rest.to_string().trim_start_matches("rest_of_"));
+        let halves = format_ident!("halves_of_{}", self.printer.names[id]);
         let [of_middle, of_low] = [&middle, &low].map(|j| pairs.of(j));
         let [turned_middle, turned_high] = [&middle, &high].map(|j| turned.of(j));
         lines.begin.extend(quote!(let mut #halves = #zero;));
@@ -179,15 +179,14 @@ impl Writer<'_> {
     }
 
     /// The sum of a power: what is weighted with an order is in one lane, and what isn't in the other.
-    fn sum_up_power(&mut self, lines: &mut Lines, rest: &Ident, exponent: &TokenStream, [a, b]: [&Series; 2]) {
+    fn sum_up_power(&mut self, lines: &mut Lines, (id, rest, _): &Known, exponent: &TokenStream, [a, b]: [&Series; 2]) {
         let (scalar, runtime) = (self.printer.scalar, self.printer.runtime);
         let (middle, low, high) = (quote!(middle), quote!(low), quote!(high));
         let first = a.of(&quote!(last));
         let pairs = self.pairs(lines, &first, &quote!(#scalar::of(last as f64) * #first));
         let zero = self.printer.lifted(quote!(0.0));
         let zeros = self.side_by_side(&[zero.clone(), zero]);
-        let [early, late] = ["early", "late"]
-            .map(|half| format_ident!("{half}_of_{}", rest.to_string().trim_start_matches("rest_of_")));
+        let [early, late] = ["early", "late"].map(|half| format_ident!("{half}_of_{}", self.printer.names[id]));
         lines.begin.extend(quote!(let mut #early = #zeros; let mut #late = #zeros;));
         let line = |sum: &Ident, i: &TokenStream, j: &TokenStream| {
             let (a, b) = (pairs.of(i), b.of(j));
@@ -218,19 +217,17 @@ impl Writer<'_> {
         series
     }
 
-    /// Begins with nothing, and says what sums are called together.
-    fn begin(&self, lines: &mut Lines, sums: &[Ident]) -> Ident {
+    /// Begins sums, or halves of them, with nothing, and says what these are called together.
+    fn begin(&self, lines: &mut Lines, sums: &[&Known], names: &[Ident]) -> Ident {
         let zero = self.printer.lifted(quote!(0.0));
-        let zeros = self.side_by_side(&vec![zero; sums.len()]);
-        let name = match sums {
-            [first, second] => {
-                let second = second.to_string();
-                let name =
-                    format_ident!("{first}_and_{}", second.split_once("_of_").map_or(&*second, |(_, name)| name));
-                lines.parts.extend(quote!(let [#(#sums),*] = #name.parts();));
+        let zeros = self.side_by_side(&vec![zero; names.len()]);
+        let name = match (sums, names) {
+            ([_, (second, ..)], [first, _]) => {
+                let name = format_ident!("{first}_and_{}", self.printer.names[second]);
+                lines.parts.extend(quote!(let [#(#names),*] = #name.parts();));
                 name
             }
-            _ => sums[0].clone(),
+            _ => names[0].clone(),
         };
         lines.begin.extend(quote!(let mut #name = #zeros;));
         name

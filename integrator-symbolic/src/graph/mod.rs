@@ -66,6 +66,13 @@ pub(crate) struct Element {
     pub(crate) component: Option<IndexId>,
 }
 
+impl Element {
+    /// The coordinate of the other part with the same indices.
+    pub(crate) fn partner(self) -> Self {
+        Self { part: self.part.other(), ..self }
+    }
+}
+
 /// What a node is. Children are ids, so a node is small and can be compared and hashed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(crate) enum Node {
