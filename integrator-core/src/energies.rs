@@ -2,6 +2,7 @@
 
 use crate::{
     coords::Coords,
+    error::Error,
     hamiltonian::{Hamiltonian, Motion, Shaped},
     phase::Phase,
     real::{Kernel, Real},
@@ -9,9 +10,36 @@ use crate::{
 };
 use alloc::sync::Arc;
 
+/// The two parts of an energy, and their sum as it is rounded once where it has twice the digits.
+#[derive(Clone, Copy)]
+pub(crate) struct Parts {
+    kinetic: f64,
+    potential: f64,
+    pub(crate) total: f64,
+}
+
+impl Parts {
+    /// Whether a motion may start with these.
+    ///
+    /// # Errors
+    /// [`Error::Energy`] naming the part that is not finite: forces may be finite there all the same, as those of
+    /// `q - ln q` are at `q = -1`.
+    pub(crate) fn admissible(self, time: f64) -> Result<(), Error> {
+        let parts = [("kinetic", self.kinetic), ("potential", self.potential)];
+        match parts.into_iter().find(|(_, value)| !value.is_finite()) {
+            Some((function, value)) => Err(Error::Energy { function, value, time }),
+            None => Ok(()),
+        }
+    }
+}
+
 /// What tells the energy of a state without holding the run.
 pub(crate) trait Energies<C: Coords>: Send + Sync {
-    fn energy(&self, state: &Phase<C>, time: f64) -> f64;
+    fn parts(&self, state: &Phase<C>, time: f64) -> Parts;
+
+    fn energy(&self, state: &Phase<C>, time: f64) -> f64 {
+        self.parts(state, time).total
+    }
 }
 
 /// Prepared constants, from which the energy of any state can be told.
@@ -29,20 +57,20 @@ pub(crate) fn energies<P: Send + Sync + 'static, C: Coords>(
 }
 
 impl<P: Send + Sync, C: Coords> Energies<C> for Constants<P, C> {
-    fn energy(&self, state: &Phase<C>, time: f64) -> f64 {
+    fn parts(&self, state: &Phase<C>, time: f64) -> Parts {
         (self.energy)(&self.parameters, state, time)
     }
 }
 
 /// What tells the energy of a state at a time, compiled for one system and leaf.
-pub(crate) type EnergyOf<P, C> = fn(&P, &Phase<C>, f64) -> f64;
+pub(crate) type EnergyOf<P, C> = fn(&P, &Phase<C>, f64) -> Parts;
 
 /// The energy of a state, in what its leaf asks for, where flows are computed in `R`.
 pub(crate) fn energy<H: Hamiltonian, R: Real, K: Keep>(
     parameters: &H::Parameters<f64>,
     state: &Phase<Shaped<H, K>>,
     time: f64,
-) -> f64 {
+) -> Parts {
     let part =
         |part: usize| Phase { q: state.q.map(|leaf| leaf.parts()[part]), p: state.p.map(|leaf| leaf.parts()[part]) };
     let value = part(0);
@@ -58,10 +86,12 @@ struct Energy<'m, H: Hamiltonian, R: Real> {
 }
 
 impl<H: Hamiltonian, R: Real> Kernel for Energy<'_, H, R> {
-    type Out = f64;
+    type Out = Parts;
 
     #[inline(always)]
-    fn call(self) -> f64 {
-        (H::kinetic::<R, f64>(self.motion, self.time) + H::potential::<R, f64>(self.motion, self.time)).lane(0)
+    fn call(self) -> Parts {
+        let kinetic = H::kinetic::<R, f64>(self.motion, self.time);
+        let potential = H::potential::<R, f64>(self.motion, self.time);
+        Parts { kinetic: kinetic.lane(0), potential: potential.lane(0), total: (kinetic + potential).lane(0) }
     }
 }

@@ -70,6 +70,9 @@ pub struct Ensemble<C: Coords> {
     /// How many coordinates all members have together.
     coordinates: u64,
     clock: Clock,
+    /// Whether the energies of the starts are still to be looked at, where they depend on the time that the clock starts
+    /// at.
+    starts_unseen: bool,
     threads: usize,
 }
 
@@ -120,7 +123,29 @@ impl<C: Coords> Ensemble<C> {
                 packs::<H, X, <K as Abreast>::Avx512, <K as Keep>::Fused, K, 32>(prepared, threads)
             }
         };
-        Ok(Self { packs, members, coordinates, clock: Clock { t0: 0.0, h, steps: 0 }, threads })
+        let clock = Clock { t0: 0.0, h, steps: 0 };
+        let mut ensemble = Self { packs, members, coordinates, clock, starts_unseen: true, threads };
+        if H::AUTONOMOUS {
+            ensemble.see_starts()?;
+        }
+        Ok(ensemble)
+    }
+
+    /// Looks at the energies of the starts, once.
+    ///
+    /// # Errors
+    /// [`Error::Member`] naming the first member whose energy is not finite.
+    fn see_starts(&mut self) -> Result<(), Error> {
+        if self.starts_unseen {
+            let time = self.time();
+            for member in 0..self.members {
+                let admissible =
+                    self.pack_of(member).map_or(Ok(()), |pack| pack.energy(member, self.clock).admissible(time));
+                admissible.map_err(|error| Error::Member { member, error: Box::new(error) })?;
+            }
+            self.starts_unseen = false;
+        }
+        Ok(())
     }
 
     /// Starts the clock at `t0` instead of 0. A `t0` that is not finite is reported by the first `advance`.
@@ -143,7 +168,8 @@ impl<C: Coords> Ensemble<C> {
     /// [`Error::Lost`] names the members that left the finite numbers in these steps, or came too near to a singularity for
     /// [`Taylor`](crate::taylor::Taylor); all others have taken them, and
     /// the ensemble goes on without the lost ones, which stay at their last finite state. [`Error::Time`],
-    /// [`Error::Clock`] and [`Error::Steps`] leave the ensemble as it was.
+    /// [`Error::Clock`] and [`Error::Steps`] leave the ensemble as it was, and so does [`Error::Member`], which the first
+    /// call returns where `H` reads the time and has no value at a start.
     pub fn advance(&mut self, steps: u64) -> Result<(), Error> {
         self.advance_with(steps, |_| {})
     }
@@ -205,6 +231,7 @@ impl<C: Coords> Ensemble<C> {
         progress: &mut dyn FnMut(u64),
     ) -> Result<(), Error> {
         let end = self.clock.end(steps)?;
+        self.see_starts()?;
         let course = Course { clock: self.clock, steps, interval, stays };
         let (members, packs) = (self.members as u64, self.packs.len());
         let updates = self.coordinates.saturating_mul(steps);
@@ -275,7 +302,7 @@ impl<C: Coords> Ensemble<C> {
 
     /// The energy of a member in that state.
     pub fn energy(&self, member: usize) -> Option<f64> {
-        Some(self.pack_of(member)?.energy(member, self.clock))
+        Some(self.pack_of(member)?.energy(member, self.clock).total)
     }
 
     /// The states of all members, in their order.

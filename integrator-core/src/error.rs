@@ -34,6 +34,20 @@ pub enum Error {
         /// The numbers, of a table the first one.
         constants: Vec<NotFinite>,
     },
+    /// The kinetic or the potential energy of the start is not finite, as at a pole or where a logarithm or a root has no
+    /// value.
+    #[error(
+        "`{function}` is {value} at the start (t = {time}): this state has no energy. Start elsewhere, or look at the \
+         parameters"
+    )]
+    Energy {
+        /// `kinetic` or `potential`.
+        function: &'static str,
+        /// What it is.
+        value: f64,
+        /// The time at the start.
+        time: f64,
+    },
     /// The spacing of a reversible start's grid is no power of two.
     #[error(
         "the grid of {coordinate}[{index}] has the spacing {spacing}: it has to be a power of two, for example \

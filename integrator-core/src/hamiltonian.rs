@@ -81,8 +81,8 @@ pub trait Hamiltonian: Sized {
     /// A run from `start` with step `h` and the annotated composition.
     ///
     /// # Errors
-    /// A step that is zero or not finite; a start that is not finite or whose `q` and `p` differ in length; parameters
-    /// that make the motion from this start infinite or not a number, such as a mass of zero; a reversible start with a
+    /// A step that is zero or not finite; a start that is not finite or whose `q` and `p` differ in length, or whose
+    /// energy is not finite (where `H` reads the time, the first `advance` returns this error); parameters that make the motion from this start infinite or not a number, such as a mass of zero; a reversible start with a
     /// composition that is not symmetric, or with a grid that it does not fit.
     ///
     /// # Panics

@@ -2,7 +2,7 @@
 
 use crate::{
     coords::Coords,
-    energies::{EnergyOf, energies},
+    energies::{EnergyOf, Parts, energies},
     engine::{BLOCK, Clock, Engine, Moves, Solo},
     error::Divergence,
     hamiltonian::Motion,
@@ -56,7 +56,7 @@ pub(crate) trait Pack<C: Coords>: Send + Sync {
     /// The state of a member.
     fn state(&self, member: usize, clock: Clock) -> Phase<C>;
     /// The energy of that state.
-    fn energy(&self, member: usize, clock: Clock) -> f64;
+    fn energy(&self, member: usize, clock: Clock) -> Parts;
 }
 
 /// A member as it starts: the prepared constants of the system, those of a run by the method, and the state.
@@ -130,8 +130,8 @@ impl<M: Motion<C, Q>, Q: Send + Sync + 'static, C: Coords> Pack<C> for Alone<M, 
         self.solo.state(self.clock(clock))
     }
 
-    fn energy(&self, member: usize, clock: Clock) -> f64 {
+    fn energy(&self, member: usize, clock: Clock) -> Parts {
         let Clock { steps, .. } = self.clock(clock);
-        self.solo.energies().energy(&self.state(member, clock), clock.at(steps))
+        self.solo.energies().parts(&self.state(member, clock), clock.at(steps))
     }
 }

@@ -81,6 +81,8 @@ pub struct Run<C: Coords> {
     method: &'static str,
     /// How often a step evaluates the force, where that is known beforehand.
     forces: Option<usize>,
+    /// Whether the energy of the start is still to be looked at, where it depends on the time that the clock starts at.
+    start_unseen: bool,
     /// Whose checkpoints its own are.
     #[cfg(feature = "checkpoint")]
     pub(crate) origin: Origin,
@@ -95,7 +97,24 @@ impl<C: Coords> Run<C> {
         H::Coords: Coords<With<K> = C>,
     {
         admissible_with(method, &start, h)?;
-        Self::going_on::<H, X, K>(system, method, start, Clock { t0: 0.0, h, steps: 0 })
+        let mut run = Self::going_on::<H, X, K>(system, method, start, Clock { t0: 0.0, h, steps: 0 })?;
+        run.start_unseen = true;
+        if H::AUTONOMOUS {
+            run.see_start()?;
+        }
+        Ok(run)
+    }
+
+    /// Looks at the energy of the start, once.
+    ///
+    /// # Errors
+    /// [`Error::Energy`]
+    fn see_start(&mut self) -> Result<(), Error> {
+        if self.start_unseen {
+            self.engine.energies().parts(&self.state(), self.time()).admissible(self.time())?;
+            self.start_unseen = false;
+        }
+        Ok(())
     }
 
     /// A run from a state in the middle of the step that the clock tells.
@@ -129,6 +148,7 @@ impl<C: Coords> Run<C> {
             clock,
             method: method.facts().name,
             forces: method.facts().forces,
+            start_unseen: false,
             #[cfg(feature = "checkpoint")]
             origin: Origin::of::<H>(method.facts()),
         };
@@ -169,9 +189,11 @@ impl<C: Coords> Run<C> {
     /// # Errors
     /// [`Error::Diverged`] if the state leaves the finite numbers; the run then stays at the last finite state, and
     /// [`Run::time`] and [`Run::state`] tell it. [`Error::Time`], [`Error::Clock`] and [`Error::Steps`] leave the run as
-    /// it was.
+    /// it was, and so does [`Error::Energy`], which the first call returns where `H` reads the time and has no value at
+    /// the start.
     pub fn advance(&mut self, steps: u64) -> Result<(), Error> {
         let end = self.clock.end(steps)?;
+        self.see_start()?;
         let taken = self.engine.advance(self.clock, steps);
         self.clock.steps += taken;
         if self.clock.steps < end {

@@ -5,7 +5,7 @@
 
 use crate::{
     coords::Coords,
-    energies::EnergyOf,
+    energies::{EnergyOf, Parts},
     engine::Clock,
     error::Divergence,
     group::GroupMoves,
@@ -246,7 +246,7 @@ where
         state
     }
 
-    fn energy(&self, member: usize, clock: Clock) -> f64 {
+    fn energy(&self, member: usize, clock: Clock) -> Parts {
         let (state, parameters) = (self.state(member, clock), &self.members[member - self.first].parameters);
         (self.energy)(parameters, &state, clock.at(self.steps(member, clock)))
     }

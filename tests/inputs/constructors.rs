@@ -10,7 +10,8 @@ use integrator_core::{
     taylor::Taylor,
 };
 
-/// A chain as long as its start, with a mass for every site.
+/// A chain as long as its start, with a mass for every site, and an end whose energy has no value beyond 30 though no force
+/// tells.
 #[derive(Clone)]
 struct Chain {
     mass: Vec<f64>,
@@ -28,7 +29,7 @@ impl Chain {
         sum
     }
     fn potential(&self, q: &[f64]) -> f64 {
-        let mut sum = 0.0;
+        let mut sum = 0.0 * (30.0 - q[0]).ln();
         for i in 1..q.len() {
             let stretch = q[i] - q[i - 1];
             if stretch < self.cutoff {
@@ -225,7 +226,8 @@ fn every_constructor_names_the_same_reason() {
     let start = |coordinate, index, value| (Asks::Start, Error::Start { coordinate, index, value }.reason());
     let step = |h| (Asks::Step, Error::Step { h }.reason());
     let length = |positions, momenta| (Asks::Start, Error::Length { positions, momenta }.reason());
-    let rows: [((Asks, String), Spoil); 16] = [
+    let energy = (Asks::Start, Error::Energy { function: "potential", value: f64::NAN, time: 0.0 }.reason());
+    let rows: [((Asks, String), Spoil); 17] = [
         (step(0.0), |input| input.h = 0.0),
         (step(-0.0), |input| input.h = -0.0),
         (step(f64::NAN), |input| input.h = f64::NAN),
@@ -234,6 +236,7 @@ fn every_constructor_names_the_same_reason() {
         (start("q", 1, f64::NAN), |input| input.q[1] = f64::NAN),
         (start("q", 0, f64::INFINITY), |input| input.q[0] = f64::INFINITY),
         (start("p", 2, f64::NEG_INFINITY), |input| input.p[2] = f64::NEG_INFINITY),
+        (energy, |input| input.q[0] = 40.0),
         (length(3, 2), |input| input.p.truncate(2)),
         (length(2, 3), |input| input.q.truncate(2)),
         (length(3, 0), |input| input.p.clear()),

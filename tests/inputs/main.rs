@@ -3,6 +3,7 @@
 
 mod any;
 mod constructors;
+mod energies;
 #[path = "../support/instruction_sets.rs"]
 mod instruction_sets;
 mod parameters;
