@@ -7,7 +7,9 @@
 //!
 //! Inside a sum the adjoint of a node is a value per turn of the loops around it. Where such a value reaches a node
 //! that does not depend on the innermost of these loops, it is summed over them first, so that the sweep leaves a loop
-//! as soon as it can. It never leaves a condition: what a branch contributes is computed in the branch.
+//! as soon as it can. It never leaves a condition: what a branch contributes is computed in the branch, and where a loop
+//! is left that may have had no turn in its branches, what is computed from then on stays under the condition that it had
+//! one, unless no value of it could do harm.
 
 use crate::graph::{Around, Element, Graph, Node, NodeId, Part, index::LoopId};
 
@@ -213,14 +215,26 @@ impl Sweep {
         if !self.depends[to.position()] {
             return;
         }
-        let depth = depth(graph, to, context);
-        let value = context[depth..].iter().rev().fold(value, |value, around| chosen(graph, *around, value));
+        let (outer, left) = context.split_at(depth(graph, to, context));
+        let value = left.iter().rev().fold(value, |value, around| chosen(graph, *around, value));
+        let mut outer = outer.to_vec();
+        outer.extend(guard(graph, to, left));
         let adjoints = &mut self.adjoints[to.position()];
-        match adjoints.iter_mut().find(|(known, _)| known == &context[..depth]) {
+        match adjoints.iter_mut().find(|(known, _)| *known == outer) {
             Some((_, sum)) => *sum = graph.add(*sum, value),
-            None => adjoints.push((context[..depth].to_vec(), value)),
+            None => adjoints.push((outer, value)),
         }
     }
+}
+
+/// What stays around the adjoint of a node in the place of the loops and branches that were `left`: where nothing entered
+/// them, the adjoint is an empty sum, and a slope that is not finite there must not be multiplied by it.
+fn guard(graph: &mut Graph, id: NodeId, left: &[Around]) -> Option<Around> {
+    if left.is_empty() || graph.is_total(id) {
+        return None;
+    }
+    let entered = graph.happens(left);
+    graph.as_truth(entered).is_none().then_some(Around::Branch(entered, true))
 }
 
 /// How much of `context` stays around the adjoint of a node: up to the first loop behind all those it depends on.

@@ -2,8 +2,9 @@
 //!
 //! Comes in: lowered nodes, each with its destination. Goes out: a block of lets, loops, branches and destinations, in
 //! order. Always true: a node is computed outside of every loop that it does not depend on, and inside of every branch
-//! that alone needs it; loops over the same range that do not wait for each other are one loop, branches on one condition
-//! are one branch; a node has a name if it is used twice or in a block inside its own.
+//! that alone needs it, but for the sums of a loop whose turns the branch asks for; loops over the same range that do not
+//! wait for each other are one loop, branches on one condition are one branch; a node has a name if it is used twice or
+//! in a block inside its own.
 
 pub(crate) mod nest;
 mod order;
@@ -204,11 +205,20 @@ impl<L: Fn(&Graph, NodeId) -> bool> Scheduler<'_, L> {
         path.iter().rposition(is_own).map_or(1, |deepest| deepest + 1)
     }
 
-    /// How much of a path a node may be inside of: up to the first loop that it does not depend on.
+    /// How much of a path a node may be inside of: up to the first loop that it does not depend on, and for a sum up to
+    /// the question whether its loop has turns, which the same loop answers.
     fn allowed(&self, path: &[usize], id: NodeId) -> usize {
         let needed = self.needed(path, id);
-        let is_loop = |scope: &usize| matches!(self.scopes[*scope].around, Some(Around::Loop(_)));
-        path[needed..].iter().position(is_loop).map_or(path.len(), |next| needed + next)
+        let sum = match self.graph.node(id) {
+            Node::Sum(by, _) => Some(by),
+            _ => None,
+        };
+        let is_end = |scope: &usize| match self.scopes[*scope].around {
+            Some(Around::Loop(_)) => true,
+            Some(Around::Branch(condition, _)) => sum.is_some_and(|by| self.graph.asks_for_turns(condition, by)),
+            None => false,
+        };
+        path[needed..].iter().position(is_end).map_or(path.len(), |next| needed + next)
     }
 
     /// How many inner blocks of a kind, one after the other, a node waits for in the last block of `path`.

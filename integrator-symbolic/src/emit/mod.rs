@@ -15,6 +15,8 @@ mod force_gradient;
 mod form;
 mod frame;
 mod function;
+#[cfg(test)]
+mod guarded;
 mod implementation;
 mod index;
 mod lattice;

@@ -138,7 +138,13 @@ impl Graph {
         let range = self.loops.get(by);
         let turns = self.loops.intern(Index::Sub(range.to, range.from));
         let turns = self.number_of(turns);
-        self.mul(turns, body)
+        let product = self.mul(turns, body);
+        if self.is_total(body) {
+            return product;
+        }
+        // Where there is no turn, nothing is added, whatever the body would be.
+        let (entered, zero) = (self.has_turns(by), self.constant(0.0));
+        self.select(entered, product, zero)
     }
 
     /// The derivative of a function of one argument, if it is not zero.

@@ -1,8 +1,8 @@
 //! Conditions, and the choice between two values.
 
 use super::{
-    Comparison, Graph, Node, NodeId, ParameterId,
-    index::{Index, IndexId},
+    Around, Comparison, Graph, Node, NodeId, ParameterId,
+    index::{Index, IndexId, Loop, LoopId},
 };
 
 impl Graph {
@@ -78,6 +78,62 @@ impl Graph {
             _ if a == b => a,
             _ => self.intern(Node::Or(a, b)),
         }
+    }
+
+    /// The condition that what is `around` a place is entered at all: that its loops have a turn in which its conditions
+    /// hold.
+    pub(crate) fn happens(&mut self, around: &[Around]) -> NodeId {
+        let always = self.truth(true);
+        around.iter().rev().fold(always, |inner, around| match *around {
+            Around::Branch(condition, true) => self.and(condition, inner),
+            Around::Branch(condition, false) => {
+                let otherwise = self.not(condition);
+                self.and(otherwise, inner)
+            }
+            Around::Loop(by) if self.loops_of(inner).contains(by) => {
+                let [zero, one] = [0.0, 1.0].map(|number| self.constant(number));
+                let counted = self.select(inner, one, zero);
+                let count = self.sum(by, counted);
+                self.compare(Comparison::Less, zero, count)
+            }
+            Around::Loop(by) => {
+                let turns = self.has_turns(by);
+                self.and(turns, inner)
+            }
+        })
+    }
+
+    /// Whether a condition asks if a loop has a turn, as [`Graph::happens`] does.
+    pub(crate) fn asks_for_turns(&self, condition: NodeId, by: LoopId) -> bool {
+        let is_one = |id| self.as_constant(id) == Some(1.0);
+        match self.node(condition) {
+            Node::And(a, b) => self.asks_for_turns(a, by) || self.asks_for_turns(b, by),
+            Node::Compare(Comparison::Less, _, count) => match self.node(count) {
+                Node::Sum(counted, body) if counted == by => {
+                    matches!(self.node(body), Node::Select(_, a, b) if is_one(a) || is_one(b))
+                }
+                _ => false,
+            },
+            Node::CompareIndex(Comparison::Less, _, end) => {
+                let to = self.loops.get(by).to;
+                to == end || matches!(self.loops.index(to), Index::Sub(to, _) if to == end)
+            }
+            _ => false,
+        }
+    }
+
+    /// The condition that a loop has a turn.
+    pub(super) fn has_turns(&mut self, by: LoopId) -> NodeId {
+        if self.loops.has_turns(by) {
+            return self.truth(true);
+        }
+        let Loop { from, to, .. } = self.loops.get(by);
+        // Integers do not go below zero: a < b - c is asked as a + c < b.
+        let (from, to) = match self.loops.index(to) {
+            Index::Sub(to, less) => (self.loops.intern(Index::Add(from, less)), to),
+            _ => (from, to),
+        };
+        self.compare_index(Comparison::Less, from, to)
     }
 
     /// `a` where the condition holds, else `b`. Both may be conditions.

@@ -15,11 +15,13 @@ pub(crate) struct Point<'p> {
     pub(crate) parameters: &'p [f64],
     /// The running indices of the loops around.
     pub(crate) running: HashMap<LoopId, u64>,
+    /// Values that were computed before.
+    pub(crate) known: HashMap<NodeId, f64>,
 }
 
 impl<'p> Point<'p> {
     pub(crate) fn new(q: &'p [f64], p: &'p [f64]) -> Self {
-        Self { q, p, parameters: &[], running: HashMap::new() }
+        Self { q, p, parameters: &[], running: HashMap::new(), known: HashMap::new() }
     }
 
     /// All turns of the loops of `context`, outermost first.
@@ -61,6 +63,9 @@ impl<'p> Point<'p> {
     }
 
     pub(crate) fn value(&mut self, graph: &Graph, id: NodeId) -> f64 {
+        if let Some(value) = self.known.get(&id) {
+            return *value;
+        }
         match graph.node(id) {
             Node::Constant(bits) => f64::from_bits(bits),
             Node::Parameter(id) => self.parameters[id.0 as usize],
@@ -101,6 +106,9 @@ impl<'p> Point<'p> {
     }
 
     pub(crate) fn holds(&mut self, graph: &Graph, id: NodeId) -> bool {
+        if let Some(value) = self.known.get(&id) {
+            return *value != 0.0;
+        }
         fn compare<T: PartialOrd>(comparison: Comparison, a: T, b: T) -> bool {
             match comparison {
                 Comparison::Less => a < b,

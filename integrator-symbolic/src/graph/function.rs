@@ -26,6 +26,8 @@ pub(crate) struct Row {
     pub(crate) name: &'static str,
     /// The method of the runtime's reals that is faster and less precise, if there is one.
     pub(crate) fast: Option<&'static str>,
+    /// Whether value and derivative are finite for all finite arguments, but for overflow.
+    pub(crate) total: bool,
     pub(crate) rule: Rule,
 }
 
@@ -33,14 +35,18 @@ impl Row {
     const fn with_fast(self, name: &'static str) -> Self {
         Self { fast: Some(name), ..self }
     }
+
+    const fn total(self) -> Self {
+        Self { total: true, ..self }
+    }
 }
 
 const fn unary(name: &'static str, value: fn(f64) -> f64, slope: Slope) -> Row {
-    Row { name, fast: None, rule: Rule::Unary(value, Some(slope)) }
+    Row { name, fast: None, total: false, rule: Rule::Unary(value, Some(slope)) }
 }
 
 const fn binary(name: &'static str, value: fn(f64, f64) -> f64, slopes: Slopes) -> Row {
-    Row { name, fast: None, rule: Rule::Binary(value, slopes) }
+    Row { name, fast: None, total: false, rule: Rule::Binary(value, slopes) }
 }
 
 /// `1 / g`
@@ -76,13 +82,14 @@ fn smaller(graph: &mut Graph, a: NodeId, b: NodeId) -> [NodeId; 2] {
 ///
 /// Derivatives avoid cancellation: `tanh'` is `1/cosh²`, not `1 - tanh²`; `asin'` has `(1-x)(1+x)` under its root.
 pub(crate) const TABLE: &[Row] = &[
-    unary("sin", f64::sin, |g, x, _| g.call("cos", x)).with_fast("fast_sin"),
+    unary("sin", f64::sin, |g, x, _| g.call("cos", x)).total().with_fast("fast_sin"),
     unary("cos", f64::cos, |g, x, _| {
         let sine = g.call("sin", x);
         g.neg(sine)
     })
+    .total()
     .with_fast("fast_cos"),
-    unary("tan", f64::tan, |g, _, y| one_plus_square(g, y)).with_fast("fast_tan"),
+    unary("tan", f64::tan, |g, _, y| one_plus_square(g, y)).total().with_fast("fast_tan"),
     unary("asin", f64::asin, |g, x, _| {
         let square = one_minus_square(g, x);
         g.power(square, -1)
@@ -98,18 +105,21 @@ pub(crate) const TABLE: &[Row] = &[
         let square = one_plus_square(g, x);
         over(g, square)
     })
+    .total()
     .with_fast("fast_atan"),
-    unary("sinh", f64::sinh, |g, x, _| g.call("cosh", x)),
-    unary("cosh", f64::cosh, |g, x, _| g.call("sinh", x)),
+    unary("sinh", f64::sinh, |g, x, _| g.call("cosh", x)).total(),
+    unary("cosh", f64::cosh, |g, x, _| g.call("sinh", x)).total(),
     unary("tanh", f64::tanh, |g, x, _| {
         let cosine = g.call("cosh", x);
         g.power(cosine, -4)
     })
+    .total()
     .with_fast("fast_tanh"),
     unary("asinh", f64::asinh, |g, x, _| {
         let square = one_plus_square(g, x);
         g.power(square, -1)
-    }),
+    })
+    .total(),
     unary("acosh", f64::acosh, |g, x, _| {
         let one = g.constant(1.0);
         let (minus, plus) = (g.sub(x, one), g.add(x, one));
@@ -120,12 +130,13 @@ pub(crate) const TABLE: &[Row] = &[
         let square = one_minus_square(g, x);
         over(g, square)
     }),
-    unary("exp", f64::exp, |_, _, y| y).with_fast("fast_exp"),
+    unary("exp", f64::exp, |_, _, y| y).total().with_fast("fast_exp"),
     unary("exp2", f64::exp2, |g, _, y| {
         let scale = g.constant(std::f64::consts::LN_2);
         g.mul(scale, y)
-    }),
-    unary("exp_m1", f64::exp_m1, |g, x, _| g.call("exp", x)),
+    })
+    .total(),
+    unary("exp_m1", f64::exp_m1, |g, x, _| g.call("exp", x)).total(),
     unary("ln", f64::ln, |g, x, _| over(g, x)).with_fast("fast_ln"),
     unary("ln_1p", f64::ln_1p, |g, x, _| {
         let one = g.constant(1.0);
@@ -139,13 +150,14 @@ pub(crate) const TABLE: &[Row] = &[
         g.div(square, three)
     })
     .with_fast("fast_cbrt"),
-    unary("abs", f64::abs, |g, x, _| g.call("signum", x)),
-    binary("min", f64::min, |g, a, b, _| smaller(g, a, b)),
+    unary("abs", f64::abs, |g, x, _| g.call("signum", x)).total(),
+    binary("min", f64::min, |g, a, b, _| smaller(g, a, b)).total(),
     binary("max", f64::max, |g, a, b, _| {
         let [of_a, of_b] = smaller(g, a, b);
         [of_b, of_a]
-    }),
-    Row { name: "signum", fast: None, rule: Rule::Unary(f64::signum, None) },
+    })
+    .total(),
+    Row { name: "signum", fast: None, total: true, rule: Rule::Unary(f64::signum, None) },
     binary("powf", f64::powf, |g, a, b, y| {
         let one = g.constant(1.0);
         let (less, logarithm) = (g.sub(b, one), g.call("ln", a));
@@ -263,6 +275,35 @@ mod tests {
                     assert!((slope - expected).abs() < bound, "{}' at {x}, {y}: {slope} for {expected}", row.name);
                 }
             }
+        }
+    }
+
+    /// Zero, the edges of domains, and what is far from both.
+    const EVERYWHERE: [f64; 9] = [-300.0, -2.0, -1.0, -0.5, 0.0, 0.5, 1.0, 2.0, 300.0];
+
+    #[test]
+    fn a_function_is_total_where_nothing_of_it_has_a_pole_or_an_edge() {
+        for row in TABLE {
+            let mut graph = Graph::default();
+            let (a, b) = (coordinate(&mut graph, 0), coordinate(&mut graph, 1));
+            let function = Function::named(row.name).expect("a row");
+            let parts = match row.rule {
+                Rule::Unary(..) => {
+                    let call = graph.call(row.name, a);
+                    [Some(call), graph.slope(function, a, call), None]
+                }
+                Rule::Binary(..) => {
+                    let call = graph.call_two(row.name, a, b);
+                    let [first, second] = graph.slopes(function, a, b, call);
+                    [Some(call), first, second]
+                }
+            };
+            let points = EVERYWHERE.into_iter().flat_map(|x| EVERYWHERE.map(|y| [x, y]));
+            let mut values = points.flat_map(|at| {
+                let parts = parts.into_iter().flatten();
+                parts.map(|part| Point::new(&at, &[]).value(&graph, part)).collect::<Vec<_>>()
+            });
+            assert_eq!(values.all(f64::is_finite), row.total, "{}", row.name);
         }
     }
 

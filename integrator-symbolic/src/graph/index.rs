@@ -86,6 +86,8 @@ pub(crate) struct Loops {
     loops: Vec<Loop>,
     loop_ids: HashMap<Loop, LoopId>,
     parameter_sets: HashMap<ParameterId, LoopSet>,
+    /// How many numbers or points the coordinates have, and how many components a point has.
+    extents: Vec<IndexId>,
 }
 
 impl Loops {
@@ -191,6 +193,22 @@ impl Loops {
     pub(crate) fn of_range(&self, by: LoopId) -> LoopSet {
         let Loop { from, to, .. } = self.get(by);
         self.of_index(from).union(self.of_index(to))
+    }
+
+    /// States that an integer is one of the lengths of the coordinates. Without coordinates there is nothing to compute,
+    /// so it counts as positive.
+    pub(crate) fn declare_extent(&mut self, id: IndexId) {
+        self.extents.push(id);
+    }
+
+    /// Whether a loop is known to have a turn: its bounds are numbers, those of the coordinates, or those of a loop around
+    /// it.
+    pub(crate) fn has_turns(&self, by: LoopId) -> bool {
+        let Loop { parent, from, to } = self.get(by);
+        let numbers = self.literal(from).zip(self.literal(to)).is_some_and(|(from, to)| from < to);
+        let around = std::iter::successors(parent, |by| self.get(*by).parent);
+        let whole = self.literal(from) == Some(0) && self.extents.contains(&to);
+        numbers || whole || around.into_iter().any(|by| (self.get(by).from, self.get(by).to) == (from, to))
     }
 
     /// An expression without running indices that is never below `id` (taking parts as unsigned), if one can be told.

@@ -216,6 +216,8 @@ struct Facts {
     positions: bool,
     /// Whether it depends on momenta.
     momenta: bool,
+    /// Whether it and its derivatives are finite wherever its coordinates are, but for overflow.
+    total: bool,
 }
 
 /// The arena.
@@ -254,6 +256,12 @@ impl Graph {
     /// Whether a node depends on parameters, numbers and loop indices alone, so that it is computed once per run.
     pub(crate) fn is_prepared(&self, id: NodeId) -> bool {
         self.facts[id.position()].prepared
+    }
+
+    /// Whether a node and its derivatives are finite wherever its coordinates are, but for overflow: it is made of sums,
+    /// products, whole powers and functions without poles or edges.
+    pub(crate) fn is_total(&self, id: NodeId) -> bool {
+        self.facts[id.position()].total
     }
 
     /// Whether a node depends on coordinates of a part.
@@ -315,6 +323,7 @@ impl Graph {
             prepared: !matches!(node, Node::Time | Node::Step | Node::Coordinate(_)),
             positions: part == Some(Part::Position),
             momenta: part == Some(Part::Momentum),
+            total: self.is_total_by_itself(node),
         };
         for child in node.children() {
             let child = self.facts[child.position()];
@@ -325,7 +334,22 @@ impl Graph {
             facts.prepared &= child.prepared;
             facts.positions |= child.positions;
             facts.momenta |= child.momenta;
+            facts.total &= child.total;
         }
+        // A prepared constant is known to be finite, and a condition is no factor of anything.
+        let is_constant = facts.prepared && facts.loops.iter().count() <= 1;
+        facts.total |= is_constant || node.is_condition();
         facts
+    }
+
+    /// Whether a node is total where its children are.
+    fn is_total_by_itself(&self, node: Node) -> bool {
+        match node {
+            Node::Power(_, halves) => halves > 0 && halves % 2 == 0,
+            Node::Div(_, divisor) => self.as_constant(divisor).is_some_and(|divisor| divisor != 0.0),
+            Node::Unary(function, _) | Node::Binary(function, ..) => function.row().total,
+            Node::External(..) | Node::ExternalTwo(..) => false,
+            _ => true,
+        }
     }
 }

@@ -324,6 +324,8 @@ impl<'i> Reader<'i> {
             }
             Length::OfStart => Index::Length,
         };
-        self.graph.loops.intern(index)
+        let length = self.graph.loops.intern(index);
+        self.graph.loops.declare_extent(length);
+        length
     }
 }
