@@ -181,6 +181,24 @@ mod slices_of_points {
     moves!(System, vec![[0.4, -0.3], [0.1, 0.2]], vec![[-0.3, 0.4], [0.2, 0.1]]);
 }
 
+mod vectors_behind_references {
+    use super::*;
+
+    struct System;
+
+    #[hamiltonian]
+    impl System {
+        fn kinetic(&self, p: &Vec<f64>) -> f64 {
+            p.iter().map(|p| p * p / 2.0).sum()
+        }
+        fn potential(&self, q: &Vec<f64>) -> f64 {
+            q.windows(2).map(|w| w[0] * w[1]).sum()
+        }
+    }
+
+    moves!(System, vec![0.4, -0.3, 0.2], vec![-0.3, 0.6, -0.3]);
+}
+
 mod constants {
     use super::*;
 

@@ -2,6 +2,7 @@
 
 use crate::{Cell, START, TIME, close};
 use integrator_core::prelude::*;
+use std::sync::Arc;
 
 /// Declares a test for every row: the name, the body of `potential`, and its gradient at coordinates `a, b, c, d` and
 /// time `t` for the system `s`. Names that rows mention are given once, in front.
@@ -24,6 +25,9 @@ macro_rules! rows {
                 soft: f32,
                 tilted: bool,
                 cell: Cell,
+                boxed: Box<f64>,
+                shared: Arc<f64>,
+                lent: &'static f64,
             }
 
             #[hamiltonian]
@@ -65,6 +69,9 @@ macro_rules! rows {
                     soft: 0.5,
                     tilted: true,
                     cell: Cell { edge: 1.5, sides: [1.0, 2.5] },
+                    boxed: Box::new(1.25),
+                    shared: Arc::new(2.25),
+                    lent: &3.25,
                 };
                 // From rest, one step of length 1 kicks the momenta to minus the gradient.
                 let mut run = system.run_with(Euler, Phase::new(START, [0.0; 4]), 1.0).expect("a run").at_time(TIME);
@@ -172,6 +179,9 @@ rows! {
     casts { self.count as f64 * q[0] + f64::from(self.charge) * q[1] + self.soft as f64 * q[2] } => [3.0, 2.0, 0.5, 0.0];
     truth { f64::from(self.tilted) * q[0] + self.tilted as u8 as f64 * q[1] } => [1.0, 1.0, 0.0, 0.0];
     constants { Self::WIDTH as f64 * q[0] + std::f64::consts::PI * q[1] } => [2.0, std::f64::consts::PI, 0.0, 0.0];
+    struct_patterns { let Self { mass, cell: Cell { edge, .. }, bonds, .. } = self; let (i, j) = bonds[1]; mass * edge * q[i] * q[j] } => [0.0, 3.0 * d, 0.0, 3.0 * b];
+    boxes { *self.boxed * q[0] + *self.shared * q[1] + *self.lent * q[2] } => [1.25, 2.25, 3.25, 0.0];
+    borrowed_values { let k = &self.mass; let l = match self.charge { 1 => 1.0, _ => *k }; self.table.iter().zip(q).map(|(s, x)| *s * l * x).sum::<f64>() } => [8.0, 6.0, 4.0, 2.0];
     any_rust { let top = self.table.iter().copied().fold(0.0, f64::max); top * q[0] } => [4.0, 0.0, 0.0, 0.0];
     made_lists { let twice = |x: f64| 2.0 * x; let list = vec![1.0, twice(self.mass)]; list[1] * q[0] } => [4.0, 0.0, 0.0, 0.0];
 

@@ -3,6 +3,7 @@
 use super::{
     BindingId, Reader,
     statement::Assigned,
+    text::place,
     value::{Opaque, Value},
 };
 use crate::graph::{Comparison, NodeId};
@@ -15,7 +16,7 @@ impl Reader<'_> {
         match value {
             Value::Condition(node) => Some(*node),
             Value::Opaque(Opaque { text, loops }) => {
-                let parameter = self.parameter(text.clone(), "condition", *loops);
+                let parameter = self.parameter(place(text.clone()), "condition", *loops);
                 Some(self.graph.flag(parameter))
             }
             _ => None,

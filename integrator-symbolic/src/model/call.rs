@@ -5,6 +5,7 @@ use super::{
     integer::operand,
     sequence::{ADAPTED, is_adaptor},
     statement::simple_name,
+    text::place,
     total::is_total,
     value::{Opaque, Value},
 };
@@ -24,6 +25,9 @@ use syn::{Expr, ExprCall, ExprLit, ExprMethodCall, ExprUnary, FnArg, ImplItemFn,
 /// Methods of `f64` that are arithmetic on the functions of the table.
 const ARITHMETIC: [&str; 10] =
     ["sqrt", "powi", "recip", "mul_add", "sin_cos", "log", "clamp", "to_radians", "to_degrees", "clone"];
+
+/// What may be done with code that is never looked into.
+const OR_STATE: &str = "or call it from a method with a stated derivative, `#[derivative(slope)]`";
 
 impl Reader<'_> {
     /// `receiver.name(arguments)`
@@ -74,7 +78,7 @@ impl Reader<'_> {
             && !matches!(receiver, Value::Real(_))
             && let Some((text, loops)) = self.opaque_list(&arguments)
         {
-            let object_text = &object.text;
+            let object_text = place(object.text);
             let text = quote!(#object_text.#name #turbofish(#text));
             return Some(Value::Opaque(Opaque { text, loops: loops.union(object.loops) }));
         }
@@ -149,7 +153,10 @@ impl Reader<'_> {
                 None
             }
             _ => {
-                self.unknown_function(&call.func, &quoted(&function));
+                let (name, last) = (quoted(&function), segments.last());
+                let last = last.map_or_else(|| name.clone(), ToString::to_string);
+                let cure = format!("move the function into it and call `Self::{last}`, {OR_STATE}");
+                self.outside(&call.func, &name, &cure);
                 None
             }
         }
@@ -173,6 +180,12 @@ impl Reader<'_> {
         let loops = texts.iter().fold(LoopSet::EMPTY, |loops, opaque| loops.union(opaque.loops));
         let texts = texts.iter().map(|opaque| &opaque.text);
         Some((quote!(#(#texts),*), loops))
+    }
+
+    /// Notes that a function of coordinates is not in this impl.
+    fn outside(&mut self, place: impl ToTokens, name: &str, cure: &str) {
+        let message = format!("`{name}` of a coordinate is not known: the macro sees this impl alone; {cure}");
+        self.errors.at(place, message);
     }
 
     fn unknown_function(&mut self, place: impl ToTokens, name: &str) {
@@ -201,6 +214,11 @@ impl Reader<'_> {
             (Some(Rule::Binary(..)), _) | (None, "powi" | "log") => 1,
             (None, "mul_add" | "clamp") => 2,
             (None, known) if ARITHMETIC.contains(&known) => 0,
+            _ if matches!(receiver, Value::Opaque(_)) => {
+                let cure = format!("write the formula as a method of it, {OR_STATE}");
+                self.outside(name, &method, &cure);
+                return None;
+            }
             _ => {
                 self.unknown_function(name, &method);
                 return None;
@@ -283,7 +301,8 @@ impl Reader<'_> {
     fn helper(&mut self, name: &Ident, arguments: Vec<Value>, places: &[&Expr]) -> Option<Value> {
         let input = self.input;
         let Some(helper) = input.function(&name.to_string()) else {
-            self.unknown_function(name, &name.to_string());
+            let cure = format!("move the function into it, {OR_STATE}");
+            self.outside(name, &name.to_string(), &cure);
             return None;
         };
         if let Some(attribute) = super::external::attribute(helper) {

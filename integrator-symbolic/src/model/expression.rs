@@ -5,7 +5,7 @@ use super::{
     escape::escape,
     integer::operand,
     statement::Assigned,
-    text::{identifiers, with_variables},
+    text::{identifiers, place, with_variables},
     value::{Opaque, Value, View},
 };
 use crate::{
@@ -38,7 +38,9 @@ impl Reader<'_> {
         match expression {
             Expr::Paren(inner) => self.grouped(&inner.expr),
             Expr::Group(inner) => self.expression(&inner.expr),
-            Expr::Reference(inner) if inner.mutability.is_none() => self.expression(&inner.expr),
+            Expr::Reference(inner) if inner.mutability.is_none() => {
+                self.expression(&inner.expr).map(Value::into_reference)
+            }
             Expr::Block(inner) if inner.label.is_none() => self.block(&inner.block).map(Value::into_operand),
             Expr::Lit(literal) => self.literal(literal),
             Expr::Path(path) => self.path(path),
@@ -193,7 +195,7 @@ impl Reader<'_> {
             }
             Value::Opaque(Opaque { text, loops }) => {
                 let at = self.opaque(&at)?;
-                let inner = at.text;
+                let (text, inner) = (place(text), place(at.text));
                 Some(Value::Opaque(Opaque { text: quote!(#text[#inner]), loops: loops.union(at.loops) }))
             }
             other => {
@@ -257,6 +259,7 @@ impl Reader<'_> {
         let value = self.expression(&field.base)?;
         match (value, &field.member) {
             (Value::Opaque(Opaque { text, loops }), member) => {
+                let text = place(text);
                 Some(Value::Opaque(Opaque { text: quote!(#text.#member), loops }))
             }
             (Value::Tuple(parts), Member::Unnamed(position)) if (position.index as usize) < parts.len() => {

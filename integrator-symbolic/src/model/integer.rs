@@ -2,6 +2,7 @@
 
 use super::{
     Reader,
+    text::place,
     value::{Opaque, Value, View},
 };
 use crate::graph::{
@@ -17,7 +18,7 @@ impl Reader<'_> {
         match value {
             Value::Real(node) => Some(*node),
             Value::Opaque(Opaque { text, loops }) => {
-                let parameter = self.parameter(text.clone(), "number", *loops);
+                let parameter = self.parameter(place(text.clone()), "number", *loops);
                 Some(self.graph.parameter(parameter))
             }
             _ => None,
@@ -29,7 +30,7 @@ impl Reader<'_> {
         match value {
             Value::Integer(index) => Some(*index),
             Value::Opaque(Opaque { text, loops }) => {
-                let parameter = self.parameter(text.clone(), "integer", *loops);
+                let parameter = self.parameter(place(text.clone()), "integer", *loops);
                 Some(self.graph.loops.intern(Index::Parameter(parameter)))
             }
             _ => None,

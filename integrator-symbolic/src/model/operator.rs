@@ -2,6 +2,8 @@
 
 use super::{
     Reader,
+    statement::simple_name,
+    text::{mentions_item, referent},
     value::{Opaque, Value},
 };
 use crate::graph::{
@@ -14,8 +16,11 @@ use syn::{BinOp, Expr, ExprCast, ExprUnary, Type, UnOp};
 impl Reader<'_> {
     pub(super) fn unary(&mut self, unary: &ExprUnary, whole: &Expr) -> Option<Value> {
         match &unary.op {
-            UnOp::Deref(_) => self.expression(&unary.expr),
-            UnOp::Neg(_) => match self.expression(&unary.expr)? {
+            UnOp::Deref(_) => {
+                let value = self.expression(&unary.expr)?;
+                Some(dereferenced(value, &unary.expr))
+            }
+            UnOp::Neg(_) => match self.expression(&unary.expr)?.into_place() {
                 Value::Opaque(Opaque { text, loops }) => Some(Value::Opaque(Opaque { text: quote!(-#text), loops })),
                 // No index and no bound is negative, but an exponent may be: it is kept as text.
                 Value::Integer(index) => {
@@ -27,7 +32,7 @@ impl Reader<'_> {
                     Some(Value::Real(self.graph.neg(number)))
                 }
             },
-            UnOp::Not(_) => match self.expression(&unary.expr)? {
+            UnOp::Not(_) => match self.expression(&unary.expr)?.into_place() {
                 Value::Opaque(Opaque { text, loops }) => Some(Value::Opaque(Opaque { text: quote!(!#text), loops })),
                 value => match self.condition(&value) {
                     Some(condition) => Some(Value::Condition(self.graph.not(condition))),
@@ -68,6 +73,7 @@ impl Reader<'_> {
         right_place: &Expr,
         whole: &Expr,
     ) -> Option<Value> {
+        let (left, right) = (left.into_place(), right.into_place());
         if !matches!(op, BinOp::Add(_) | BinOp::Sub(_) | BinOp::Mul(_) | BinOp::Div(_) | BinOp::Rem(_)) {
             let literals =
                 matches!((&left, &right), (Value::Integer(_) | Value::Real(_), Value::Integer(_) | Value::Real(_)));
@@ -161,6 +167,27 @@ impl Reader<'_> {
     }
 }
 
+/// `*value`
+fn dereferenced(value: Value, place: &Expr) -> Value {
+    let Value::Opaque(Opaque { text, loops }) = value else { return value };
+    let text = match referent(&text) {
+        Some(text) => text,
+        // An item of a list is a reference or not, as the list is: the text reads it where it lies.
+        None if is_variable(place) && mentions_item(&text) => text,
+        None => quote!((*#text)),
+    };
+    Value::Opaque(Opaque { text, loops })
+}
+
+/// Whether an expression is a variable, or what a variable refers to.
+fn is_variable(expression: &Expr) -> bool {
+    match expression {
+        Expr::Unary(ExprUnary { op: UnOp::Deref(_), expr, .. }) => is_variable(expr),
+        Expr::Paren(inner) => is_variable(&inner.expr),
+        other => simple_name(other).is_some_and(|name| name != "self"),
+    }
+}
+
 /// Whether an operator makes a condition.
 fn is_condition(op: &BinOp) -> bool {
     let compares =
@@ -168,7 +195,7 @@ fn is_condition(op: &BinOp) -> bool {
     compares || matches!(op, BinOp::And(_) | BinOp::Or(_))
 }
 
-fn is_integer(kind: &Type) -> bool {
+pub(super) fn is_integer(kind: &Type) -> bool {
     const INTEGERS: [&str; 10] = ["usize", "u64", "u32", "u16", "u8", "isize", "i64", "i32", "i16", "i8"];
     matches!(kind, Type::Path(path) if INTEGERS.iter().any(|name| path.path.is_ident(name)))
 }

@@ -2,18 +2,20 @@
 
 use super::{
     Reader,
+    text::{place, referent},
     value::{Opaque, Value, View},
 };
 use crate::graph::index::Index;
-use proc_macro2::Literal;
+use proc_macro2::{Literal, TokenStream};
 use quote::quote;
-use syn::{Pat, PatIdent, spanned::Spanned, visit::Visit};
+use syn::{Pat, PatIdent, PatStruct, spanned::Spanned, visit::Visit};
 
 impl Reader<'_> {
     /// Binds the names of a pattern to the parts of a value.
     pub(super) fn bind(&mut self, pattern: &Pat, value: Value) {
         match pattern {
-            Pat::Ident(name) if name.subpat.is_none() && name.by_ref.is_none() => {
+            Pat::Ident(name) if name.subpat.is_none() => {
+                let value = if name.by_ref.is_some() { value.into_reference() } else { value };
                 self.declare(name.ident.to_string(), value);
                 if let Some(binding) = self.bindings.last_mut() {
                     binding.mutable = name.mutability.is_some();
@@ -22,7 +24,8 @@ impl Reader<'_> {
             Pat::Wild(_) => {}
             Pat::Type(typed) => self.bind(&typed.pat, value),
             Pat::Paren(inner) => self.bind(&inner.pat, value),
-            Pat::Reference(inner) => self.bind(&inner.pat, value),
+            Pat::Reference(inner) => self.bind(&inner.pat, value.into_place()),
+            Pat::Struct(parts) if matches!(value, Value::Opaque(_)) => self.bind_fields(parts, &value),
             Pat::Slice(parts) => self.bind_all(pattern, &parts.elems.iter().collect::<Vec<_>>(), value),
             Pat::Tuple(parts) => self.bind_all(pattern, &parts.elems.iter().collect::<Vec<_>>(), value),
             other => {
@@ -39,6 +42,15 @@ impl Reader<'_> {
                     );
                 }
             }
+        }
+    }
+
+    /// Binds the names of a struct's fields. Behind a reference they are references, as Rust has it.
+    fn bind_fields(&mut self, parts: &PatStruct, value: &Value) {
+        let Value::Opaque(opaque) = value else { return };
+        for field in &parts.fields {
+            let member = &field.member;
+            self.bind(&field.pat, part(opaque, &quote!(.#member)));
         }
     }
 
@@ -75,18 +87,12 @@ impl Reader<'_> {
             }
             Value::Opaque(opaque) => {
                 let parts = (0..count).map(|position| {
-                    let text = &opaque.text;
-                    let text = match pattern {
-                        Pat::Slice(_) => {
-                            let position = Literal::usize_unsuffixed(position);
-                            quote!(#text[#position])
-                        }
-                        _ => {
-                            let position = Literal::usize_unsuffixed(position);
-                            quote!(#text.#position)
-                        }
+                    let position = Literal::usize_unsuffixed(position);
+                    let position = match pattern {
+                        Pat::Slice(_) => quote!([#position]),
+                        _ => quote!(.#position),
                     };
-                    Value::Opaque(Opaque { text, loops: opaque.loops })
+                    part(opaque, &position)
                 });
                 Some(parts.collect())
             }
@@ -98,6 +104,14 @@ impl Reader<'_> {
             }
         }
     }
+}
+
+/// A part of a struct, a tuple or a list, which is behind a reference where the whole is.
+fn part(whole: &Opaque, at: &TokenStream) -> Value {
+    let Opaque { text, loops } = whole;
+    let place = place(text.clone());
+    let part = Value::Opaque(Opaque { text: quote!(#place #at), loops: *loops });
+    if referent(text).is_some() || place.to_string() == "self" { part.into_reference() } else { part }
 }
 
 /// The names that a pattern declares.

@@ -3,6 +3,7 @@
 use super::{
     Reader,
     statement::Assigned,
+    text::{self, referent},
     value::{Opaque, Value, View},
 };
 use crate::graph::{
@@ -23,6 +24,23 @@ pub(super) struct Sequence {
     filtered: bool,
     /// Whether its items are an array's, which has elements for literal indices alone.
     pub(super) literal: bool,
+}
+
+impl Sequence {
+    /// The same sequence with something done to the value of every item.
+    fn with(self, change: fn(Value) -> Value) -> Self {
+        let Self { at, .. } = self;
+        let at = move |reader: &mut Reader<'_>, index| {
+            let Item { value, condition } = at(reader, index)?;
+            Some(Item { value: change(value), condition })
+        };
+        Self { at: Rc::new(at), ..self }
+    }
+
+    /// References to the items, which only the text of parameters tells from the items themselves.
+    fn of_references(self) -> Self {
+        self.with(Value::into_reference)
+    }
 }
 
 /// Reads the item for an index.
@@ -49,7 +67,7 @@ impl Reader<'_> {
         match expression {
             Expr::Paren(inner) => self.sequence(&inner.expr),
             Expr::Group(inner) => self.sequence(&inner.expr),
-            Expr::Reference(inner) => self.sequence(&inner.expr),
+            Expr::Reference(inner) => self.sequence(&inner.expr).map(Sequence::of_references),
             Expr::Range(range) => {
                 let (Some(start), Some(end)) = (&range.start, &range.end) else {
                     self.errors.at(range, "the range of a loop needs both bounds: write `a..b` or `a..=b`");
@@ -119,12 +137,15 @@ impl Reader<'_> {
                 Some(Sequence { literal: true, ..items })
             }
             Value::Opaque(Opaque { text, loops }) => {
+                let behind_reference = referent(&text).is_some();
+                let text = text::place(text);
                 let length = self.parameter(quote!(#text.len()), "integer", loops);
                 let length = self.graph.loops.intern(Index::Parameter(length));
-                Some(self.items(zero, length, move |reader, index| {
+                let items = self.items(zero, length, move |reader, index| {
                     let (at, mentioned) = (reader.index_text(index), reader.graph.loops.of_index(index));
                     Some(Value::Opaque(Opaque { text: quote!(#text[#at]), loops: loops.union(mentioned) }))
-                }))
+                });
+                Some(if behind_reference { items.of_references() } else { items })
             }
             Value::Unknown => None,
             other => {
@@ -164,7 +185,9 @@ impl Reader<'_> {
             return None;
         }
         match (name.as_str(), call.args.first()) {
-            ("iter" | "into_iter" | "copied" | "cloned" | "by_ref", None) => Some(base),
+            ("iter", None) => Some(base.of_references()),
+            ("copied" | "cloned", None) => Some(base.with(Value::into_place)),
+            ("into_iter" | "by_ref", None) => Some(base),
             ("map", Some(closure)) => {
                 let closure = self.closure(closure)?;
                 let at = move |reader: &mut Reader<'_>, index| {

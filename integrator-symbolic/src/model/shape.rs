@@ -1,10 +1,13 @@
 //! The arguments of the two functions: their shapes, and which is which.
 
+use super::operator::is_integer;
 use crate::{
     errors::{Errors, quoted},
     graph::Part,
 };
-use syn::{Expr, ExprLit, FnArg, ImplItemFn, Lit, Pat, PatType, ReceiverKind, ReturnType, Type};
+use syn::{
+    Expr, ExprLit, FnArg, GenericArgument, ImplItemFn, Lit, Pat, PatType, PathArguments, ReceiverKind, ReturnType, Type,
+};
 
 /// The length of an array of coordinates.
 #[derive(Clone)]
@@ -96,8 +99,9 @@ impl Shape {
         let (element, length) = match (kind, peeled(kind)) {
             (_, Type::Array(array)) => (&*array.elem, Length::of(&array.len)),
             (Type::Reference(_), Type::Slice(slice)) => (&*slice.elem, Length::OfStart),
+            (Type::Reference(_), list) if let Some(element) = element_of_list(list) => (element, Length::OfStart),
             (_, other) => {
-                errors.at(other, EXPECTED);
+                unexpected(other, errors);
                 return None;
             }
         };
@@ -105,7 +109,7 @@ impl Shape {
             number if is_f64(number) => None,
             Type::Array(point) if is_f64(&point.elem) => Some(Length::of(&point.len)),
             other => {
-                errors.at(other, EXPECTED);
+                unexpected(other, errors);
                 return None;
             }
         };
@@ -115,6 +119,37 @@ impl Shape {
 
 const EXPECTED: &str = "coordinates are f64 numbers or points: `[f64; N]`, `[[f64; D]; N]`, references to them, or \
                         slices `&[f64]` and `&[[f64; D]]`";
+
+/// Notes a type that coordinates do not have, or may have behind a name of the user's.
+fn unexpected(kind: &Type, errors: &mut Errors) {
+    const PRIMITIVE: [&str; 6] = ["f64", "f32", "bool", "char", "str", "String"];
+    let name = match kind {
+        Type::Path(path) if path.qself.is_none() => path.path.get_ident(),
+        _ => None,
+    };
+    match name.map(ToString::to_string) {
+        Some(name) if !PRIMITIVE.contains(&name.as_str()) && !is_integer(kind) => {
+            let message = format!(
+                "the macro cannot see what type `{name}` is: write the array itself, `[f64; N]` or `[[f64; D]; N]`"
+            );
+            errors.at(kind, message);
+        }
+        _ => errors.at(kind, EXPECTED),
+    }
+}
+
+/// What a `Vec` is a list of.
+fn element_of_list(kind: &Type) -> Option<&Type> {
+    let Type::Path(path) = kind else { return None };
+    let last = path.path.segments.last().filter(|last| last.ident == "Vec")?;
+    match &last.arguments {
+        PathArguments::AngleBracketed(arguments) => match arguments.args.first() {
+            Some(GenericArgument::Type(element)) => Some(element),
+            _ => None,
+        },
+        _ => None,
+    }
+}
 
 fn peeled(kind: &Type) -> &Type {
     match kind {

@@ -1,8 +1,9 @@
 //! Text of the user that is moved to where it is evaluated once per run.
 
-use proc_macro2::{Group, Ident, Span, TokenStream, TokenTree};
-use quote::quote;
-use syn::{ItemUse, UseTree};
+use super::integer::operand;
+use proc_macro2::{Delimiter, Group, Ident, Span, TokenStream, TokenTree};
+use quote::{ToTokens, quote};
+use syn::{Expr, ExprReference, ItemUse, UseTree};
 
 /// The text of variables that an expression mentions, declared in front of it, so that it can stand alone.
 pub(super) fn with_variables(text: TokenStream, variables: &[(Ident, TokenStream)]) -> TokenStream {
@@ -11,6 +12,47 @@ pub(super) fn with_variables(text: TokenStream, variables: &[(Ident, TokenStream
     }
     let declarations = variables.iter().map(|(name, value)| quote!(let #name = #value;));
     quote!({ #(#declarations)* #text })
+}
+
+/// A reference to what a text stands for.
+pub(super) fn reference_to(text: &TokenStream) -> TokenStream {
+    match syn::parse2(quote!(&#text)) {
+        Ok(Expr::Reference(_)) => quote!((&#text)),
+        _ => quote!((&(#text))),
+    }
+}
+
+/// What a text refers to, if it is a reference written as such.
+pub(super) fn referent(text: &TokenStream) -> Option<TokenStream> {
+    let mut tokens = text.clone().into_iter();
+    match (tokens.next(), tokens.next()) {
+        (Some(TokenTree::Group(group)), None) if group.delimiter() == Delimiter::Parenthesis => {
+            referent(&group.stream())
+        }
+        (Some(TokenTree::Punct(mark)), Some(_)) if mark.as_char() == '&' => match syn::parse2(text.clone()) {
+            Ok(Expr::Reference(ExprReference { mutability: None, expr, .. })) => Some(match *expr {
+                Expr::Unary(_) => operand(expr.to_token_stream()),
+                _ => expr.to_token_stream(),
+            }),
+            _ => None,
+        },
+        _ => None,
+    }
+}
+
+/// What a text refers to, by way of any number of references, or the text itself: what arithmetic, fields, indices and
+/// methods see of it.
+pub(super) fn place(text: TokenStream) -> TokenStream {
+    std::iter::successors(Some(text.clone()), referent).last().unwrap_or(text)
+}
+
+/// Whether a text is an item of a list, or a part of one.
+pub(super) fn mentions_item(text: &TokenStream) -> bool {
+    text.clone().into_iter().any(|token| match token {
+        TokenTree::Group(group) if group.delimiter() == Delimiter::Bracket => true,
+        TokenTree::Group(group) => mentions_item(&group.stream()),
+        _ => false,
+    })
 }
 
 /// Text that means the same outside the function that it comes from: it brings what the function imports, and its `self`

@@ -1,6 +1,9 @@
 //! What an expression of the user stands for while it is read.
 
-use super::integer::operand;
+use super::{
+    integer::operand,
+    text::{place, reference_to, referent},
+};
 use crate::graph::{
     NodeId, Part,
     index::{IndexId, LoopSet},
@@ -51,6 +54,24 @@ impl Value {
     pub(super) fn into_operand(self) -> Self {
         match self {
             Value::Opaque(Opaque { text, loops }) => Value::Opaque(Opaque { text: operand(text), loops }),
+            other => other,
+        }
+    }
+
+    /// A reference to the value, which only the text of parameters tells from the value itself.
+    pub(super) fn into_reference(self) -> Self {
+        match self {
+            Value::Opaque(Opaque { text, loops }) if referent(&text).is_none() => {
+                Value::Opaque(Opaque { text: reference_to(&text), loops })
+            }
+            other => other,
+        }
+    }
+
+    /// The value behind a reference.
+    pub(super) fn into_place(self) -> Self {
+        match self {
+            Value::Opaque(Opaque { text, loops }) => Value::Opaque(Opaque { text: place(text), loops }),
             other => other,
         }
     }

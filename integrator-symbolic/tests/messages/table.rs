@@ -227,8 +227,18 @@ pub(crate) const BODIES: &[Row] = &[
         ],
     ),
     ("q[0].floor()", &["2:5 `floor` of a coordinate is not known."]),
-    ("bessel(q[0])", &["2:0 `bessel` of a coordinate is not known."]),
-    ("self.unknown(q[0])", &["2:5 `unknown` of a coordinate is not known."]),
+    (
+        "bessel(q[0])",
+        &[
+            "2:0 `bessel` of a coordinate is not known: the macro sees this impl alone; move the function into it and call `Self::bessel`, or call it from a method with a stated derivative, `#[derivative(slope)]`",
+        ],
+    ),
+    (
+        "self.unknown(q[0])",
+        &[
+            "2:5 `unknown` of a coordinate is not known: the macro sees this impl alone; move the function into it, or call it from a method with a stated derivative, `#[derivative(slope)]`",
+        ],
+    ),
     ("self.endless(q[0])", &["3:84 `endless` calls itself: recursion has no derivative here; write a loop"]),
     ("self.helper(q[0], q[1])", &["2:5 `helper` takes 1 argument, not 2"]),
     ("q[0].sin(1.0)", &["2:5 `sin` takes 0 arguments, not 1"]),
