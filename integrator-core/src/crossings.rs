@@ -192,6 +192,8 @@ impl<C: Coords, G: FnMut(&Phase<C>, f64) -> f64> Iterator for Crossings<C, G> {
         if self.failed {
             return None;
         }
+        // It stays so if a function of the user panics: what was between two steps is not known any more.
+        self.failed = true;
         let found = self.look();
         self.failed = found.is_err();
         found.transpose()

@@ -7,6 +7,7 @@ use crate::{
     error::{Divergence, Error, Unsolved},
     hamiltonian::{Flows, Hamiltonian, Motion, Single},
     leap::Leaps,
+    panics::attempted,
     phase::Phase,
     real::{Kernel, Real},
     slot::Keep,
@@ -66,8 +67,12 @@ impl Clock {
 
 /// A run without its clock, behind one type whatever system, composition and scalar it was made of.
 pub(crate) trait Engine<C: Coords>: Send + Sync {
-    /// Takes `steps` steps from `clock`, or as many as end in a finite state, and returns how many.
-    fn advance(&mut self, clock: Clock, steps: u64) -> u64;
+    /// Takes `steps` steps from `clock`, or as many as end in a finite state, and counts them on the clock.
+    ///
+    /// # Panics
+    /// Where the user's functions do. Clock and motion are then at the last step before that one, as they are where steps
+    /// lead out of the finite numbers. Without `std` they are where the block of steps began.
+    fn advance(&mut self, clock: &mut Clock, steps: u64);
     fn state(&self, clock: Clock) -> Phase<C>;
     /// The state a while into the last step, which began at `from` and `clock`, if [`Engine::advance`] took no other with
     /// it; the run itself stays where it is.
@@ -178,15 +183,17 @@ impl<M: Clone> Watched<M> {
         M: Motion<C, P>,
     {
         self.snapshot.copy_state(&self.motion);
-        self.moves.advance(&mut self.motion, clock, steps);
+        let mut attempt = Attempt { watched: self, taken: false, marker: PhantomData };
+        let watched = &mut *attempt.watched;
+        watched.moves.advance(&mut watched.motion, clock, steps);
         // Completing the step only adds, so that no number becomes finite by it.
-        self.closed.copy_state(&self.motion);
-        self.moves.close(&mut self.closed, Clock { steps: clock.steps + steps, ..clock });
-        let finite = self.closed.finite();
+        watched.closed.copy_state(&watched.motion);
+        watched.moves.close(&mut watched.closed, Clock { steps: clock.steps + steps, ..clock });
+        let finite = watched.closed.finite();
         if !finite {
-            self.unsolved = self.motion.unsolved(0).cloned();
-            self.motion.copy_state(&self.snapshot);
+            watched.unsolved = watched.motion.unsolved(0).cloned();
         }
+        attempt.taken = finite;
         finite
     }
 
@@ -216,6 +223,21 @@ impl<M: Clone> Watched<M> {
     }
 }
 
+/// Steps under way. Unless they are taken, the motion goes back to the snapshot, also where a function of the user panics.
+struct Attempt<'w, M: Motion<C, P>, C: Coords, P> {
+    watched: &'w mut Watched<M>,
+    taken: bool,
+    marker: PhantomData<fn(C, P)>,
+}
+
+impl<M: Motion<C, P>, C: Coords, P> Drop for Attempt<'_, M, C, P> {
+    fn drop(&mut self) {
+        if !self.taken {
+            self.watched.motion.copy_state(&self.watched.snapshot);
+        }
+    }
+}
+
 /// The engine of one trajectory.
 pub(crate) struct Solo<M, P, C> {
     watched: Watched<M>,
@@ -230,29 +252,37 @@ impl<M: Motion<C, P>, P, C: Coords> Solo<M, P, C> {
         Self { watched: Watched::new(motion, moves), constants, energies, shape: start }
     }
 
-    /// Takes a block of steps, or as many of them as end in a finite state.
-    fn block(&mut self, clock: Clock, steps: u64) -> u64 {
-        if self.watched.advance(clock, steps) {
-            return steps;
+    /// Takes a block of steps and counts them on the clock; `false` after as many of them as end in a finite state.
+    fn block(&mut self, clock: &mut Clock, steps: u64) -> bool {
+        let whole = attempted(|| self.watched.advance(*clock, steps));
+        match whole {
+            Ok(true) => {
+                clock.steps += steps;
+                return true;
+            }
+            Ok(false) if steps == 1 => return false,
+            Err(panic) if steps == 1 => panic.resume(),
+            Ok(false) | Err(_) => {}
         }
-        // What left the finite numbers never returns, since updates only add: replay the block step by step.
-        let at = |taken| Clock { steps: clock.steps + taken, ..clock };
-        (0..steps).find(|taken| !self.watched.advance(at(*taken), 1)).unwrap_or(steps)
+        // What left the finite numbers never returns, since updates only add: replay the block step by step. What panicked
+        // does so again, after the steps before it were counted.
+        for _ in 0..steps {
+            if !self.watched.advance(*clock, 1) {
+                return false;
+            }
+            clock.steps += 1;
+        }
+        match whole {
+            Ok(_) => true,
+            Err(panic) => panic.resume(),
+        }
     }
 }
 
 impl<M: Motion<C, P>, P: Send + Sync + 'static, C: Coords> Engine<C> for Solo<M, P, C> {
-    fn advance(&mut self, mut clock: Clock, steps: u64) -> u64 {
+    fn advance(&mut self, clock: &mut Clock, steps: u64) {
         let end = clock.steps + steps;
-        while clock.steps < end {
-            let block = BLOCK.min(end - clock.steps);
-            let taken = self.block(clock, block);
-            clock.steps += taken;
-            if taken < block {
-                break;
-            }
-        }
-        steps - (end - clock.steps)
+        while clock.steps < end && self.block(clock, BLOCK.min(end - clock.steps)) {}
     }
 
     fn state(&self, clock: Clock) -> Phase<C> {

@@ -15,6 +15,7 @@ use crate::{
     instruction_set::InstructionSet,
     method::Method,
     pack::{Alone, Course, Pack, Start},
+    panics::Panics,
     phase::Phase,
     real::Real,
     run::{Run, admissible_with},
@@ -170,6 +171,11 @@ impl<C: Coords> Ensemble<C> {
     /// the ensemble goes on without the lost ones, which stay at their last finite state. [`Error::Time`],
     /// [`Error::Clock`] and [`Error::Steps`] leave the ensemble as it was, and so does [`Error::Member`], which the first
     /// call returns where `H` reads the time and has no value at a start.
+    ///
+    /// # Panics
+    /// Where your own functions would, once all members have taken the steps for which they do not. A program that catches
+    /// the panic finds the members for which they do at the last step before it, as if they had left there
+    /// ([`Ensemble::steps_of`]); the ensemble goes on without them.
     pub fn advance(&mut self, steps: u64) -> Result<(), Error> {
         self.advance_with(steps, |_| {})
     }
@@ -232,7 +238,8 @@ impl<C: Coords> Ensemble<C> {
     ) -> Result<(), Error> {
         let end = self.clock.end(steps)?;
         self.see_starts()?;
-        let course = Course { clock: self.clock, steps, interval, stays };
+        let panics = Panics::default();
+        let course = Course { clock: self.clock, steps, interval, stays, panics: &panics };
         let (members, packs) = (self.members as u64, self.packs.len());
         let updates = self.coordinates.saturating_mul(steps);
         let threads = if updates < WORTH_A_THREAD { 1 } else { self.threads.min(packs) };
@@ -245,7 +252,7 @@ impl<C: Coords> Ensemble<C> {
             while let Some(pack) = next() {
                 lost.extend(pack.advance(&course, &mut |took| {
                     let done = done.fetch_add(took, Ordering::Relaxed) + took;
-                    progress(done / members);
+                    panics.attempted(|| progress(done / members));
                 }));
             }
             lost
@@ -254,12 +261,12 @@ impl<C: Coords> Ensemble<C> {
             let others: Vec<_> = (1..threads).map(|_| scope.spawn(|| work(&mut |_| {}))).collect();
             let mut lost = work(progress);
             for other in others {
-                // A thread only ends early if a function of the user panicked in it, and then so does this one.
                 lost.extend(other.join().unwrap_or_else(|panic| resume_unwind(panic)));
             }
             lost
         });
         self.clock.steps = end;
+        panics.resume();
         progress(steps);
         lost.sort_unstable_by_key(|(member, _)| *member);
         if lost.is_empty() { Ok(()) } else { Err(Error::Lost(Lost { members: lost })) }

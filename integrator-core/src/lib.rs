@@ -126,6 +126,7 @@ pub mod output;
 #[cfg(feature = "std")]
 mod pack;
 mod pair;
+mod panics;
 mod phase;
 mod plane;
 mod real;

@@ -6,6 +6,7 @@ use crate::{
     engine::{BLOCK, Clock, Engine, Moves, Solo},
     error::Divergence,
     hamiltonian::Motion,
+    panics::Panics,
     phase::Phase,
 };
 use alloc::sync::Arc;
@@ -20,6 +21,8 @@ pub(crate) struct Course<'a, C> {
     pub(crate) interval: u64,
     /// Whether the member of this number goes on from this state.
     pub(crate) stays: &'a (dyn Fn(usize, &Phase<C>) -> bool + Sync),
+    /// Those of the user's functions: whoever is concerned halts at the last step before, and all others go on.
+    pub(crate) panics: &'a Panics,
 }
 
 impl<C> Course<'_, C> {
@@ -32,6 +35,11 @@ impl<C> Course<'_, C> {
     /// Whether the members are asked after `done` steps.
     pub(crate) fn asks(&self, done: u64) -> bool {
         done.is_multiple_of(self.interval)
+    }
+
+    /// Whether a member goes on from this state; not if the question panics.
+    pub(crate) fn stays(&self, member: usize, state: &Phase<C>) -> bool {
+        self.panics.attempted(|| (self.stays)(member, state)).unwrap_or(false)
     }
 
     /// The clock after `done` steps.
@@ -99,15 +107,17 @@ impl<M: Motion<C, Q>, Q: Send + Sync + 'static, C: Coords> Pack<C> for Alone<M, 
         let (mut done, mut lost) = (0, Vec::new());
         while done < course.steps && self.halted.is_none() {
             let block = course.block(done);
-            let taken = self.solo.advance(course.at(done), block);
-            let clock = course.at(done + taken);
-            if taken < block {
+            let mut clock = course.at(done);
+            let outcome = course.panics.attempted(|| self.solo.advance(&mut clock, block));
+            done += block;
+            if outcome.is_none() {
+                self.halted = Some(clock.steps);
+            } else if clock.steps < course.at(done).steps {
                 lost.push((self.number, clock.divergence(&self.solo.state(clock))));
                 self.halted = Some(clock.steps);
-            } else if course.asks(done + block) && !(course.stays)(self.number, &self.solo.state(clock)) {
+            } else if course.asks(done) && !course.stays(self.number, &self.solo.state(clock)) {
                 self.halted = Some(clock.steps);
             }
-            done += block;
             took(block);
         }
         took(course.steps - done);

@@ -11,6 +11,7 @@ use crate::{
     group::GroupMoves,
     hamiltonian::Motion,
     pack::{Course, Pack, Start},
+    panics::Panics,
     phase::Phase,
     slot::Keep,
 };
@@ -39,6 +40,17 @@ struct Member<P, Q, C> {
     state: Phase<C>,
     /// How many steps it took, once it is no longer under way.
     halted: Option<u64>,
+}
+
+/// A member that was taken through a block on its own.
+struct Replay<L, C> {
+    /// How many steps lead to good states.
+    taken: u64,
+    /// The last of these states.
+    last: Phase<C>,
+    motion: [L; 1],
+    /// Whether the next step is not taken because a function of the user panics in it.
+    panicked: bool,
 }
 
 /// The motion and the lane in it that are the lane of this number.
@@ -87,14 +99,22 @@ where
 
     /// A motion of the members that are in some lanes of these motions, of which there are no more than a motion has.
     fn gathered(&self, motions: &[L], numbers: &[usize]) -> L {
-        let from: Vec<_> = (0..self.together.lanes)
-            .map(|to| {
-                let number = numbers[to.min(numbers.len() - 1)];
-                let (motion, lane) = lane(motions, self.together.lanes, number);
-                (&*self.members[self.lanes[number]].constants, motion, lane)
-            })
-            .collect();
-        L::gathered(&from, &self.members[self.lanes[numbers[0]]].state)
+        let of_member = |number: &usize| {
+            let (motion, lane) = lane(motions, self.together.lanes, *number);
+            (self.lanes[*number], motion, lane)
+        };
+        self.motion_of(&numbers.iter().map(of_member).collect::<Vec<_>>())
+    }
+
+    /// A motion of some members, of which there are no more than a motion has, each with the motion and the lane that it is
+    /// in.
+    fn motion_of(&self, members: &[(usize, &L, usize)]) -> L {
+        let of_lane = |to: usize| {
+            let (place, motion, lane) = members[to.min(members.len() - 1)];
+            (&*self.members[place].constants, motion, lane)
+        };
+        let from: Vec<_> = (0..self.together.lanes).map(of_lane).collect();
+        L::gathered(&from, &self.members[members[0].0].state)
     }
 
     /// The state in a lane of these motions.
@@ -119,14 +139,27 @@ where
         }
         let stay: Vec<usize> = (0..self.lanes.len()).filter(|number| is_under_way(&self.lanes[*number])).collect();
         let motions = stay.chunks(self.together.lanes).map(|numbers| self.gathered(&self.motions, numbers)).collect();
-        self.lanes = stay.into_iter().map(|number| self.lanes[number]).collect();
+        let places = stay.into_iter().map(|number| self.lanes[number]).collect();
+        self.set_lanes(places, motions);
+    }
+
+    /// Puts the members at some places into the lanes of motions.
+    fn set_lanes(&mut self, places: Vec<usize>, motions: Vec<L>) {
+        self.lanes = places;
         self.motions = motions;
         self.snapshot.clone_from(&self.motions);
         self.closed.clone_from(&self.motions);
     }
 
+    /// Takes a block of steps with all lanes and completes the last of them on a copy.
+    fn advance_lanes(&mut self, clock: Clock, block: u64) {
+        copy_states(&mut self.snapshot, &self.motions);
+        (self.together.advance)(&mut self.motions, clock, block);
+        self.close(Clock { steps: clock.steps + block, ..clock });
+    }
+
     /// The members that are lost in a block from `clock`, whose end is in `closed`.
-    fn lost(&mut self, clock: Clock, block: u64) -> Vec<(usize, Divergence)> {
+    fn lost(&mut self, clock: Clock, block: u64, panics: &Panics) -> Vec<(usize, Divergence)> {
         if (self.together.finite)(&self.closed) {
             return Vec::new();
         }
@@ -137,34 +170,67 @@ where
             if is_good(motion, lane, &self.in_lane(&self.closed, number)) {
                 continue;
             }
-            let (taken, state) = self.replayed(number, clock, block);
+            let Replay { taken, last, .. } = self.replayed(number, clock, block, panics);
             let at = Clock { steps: clock.steps + taken, ..clock };
-            lost.push((self.first + place, at.divergence(&state)));
-            self.members[place].state = state;
+            lost.push((self.first + place, at.divergence(&last)));
+            self.members[place].state = last;
             self.members[place].halted = Some(at.steps);
         }
         lost
     }
 
-    /// How many steps of a block from `clock` lead a member to good states, and the last of these. What left the finite numbers
-    /// never returns, since updates only add; so it goes from the snapshot step by step, in all lanes of a motion of its own.
-    fn replayed(&self, number: usize, clock: Clock, block: u64) -> (u64, Phase<C>) {
-        let mut motion = [self.gathered(&self.snapshot, &[number])];
-        let (mut closed, mut last) = (motion.clone(), self.members[self.lanes[number]].state.clone());
-        for taken in 0..=block {
-            let at = Clock { steps: clock.steps + taken, ..clock };
-            copy_states(&mut closed, &motion);
-            (self.together.close)(&mut closed, at);
-            let mut state = last.clone();
-            closed[0].store(0, &mut state);
-            // The block began at a good one.
-            if taken > 0 && !is_good(&closed[0], 0, &state) {
-                return (taken - 1, last);
+    /// Takes a block of steps in which a function of the user panicked again, from the snapshot, with each member on its own:
+    /// those for whom it panics halt before that step. Returns those that are lost.
+    fn one_by_one(&mut self, clock: Clock, block: u64, panics: &Panics) -> Vec<(usize, Divergence)> {
+        let (mut places, mut motions, mut lost) = (Vec::new(), Vec::new(), Vec::new());
+        for number in 0..self.lanes.len() {
+            let (place, replay) = (self.lanes[number], self.replayed(number, clock, block, panics));
+            if replay.taken == block {
+                places.push(place);
+                motions.push(replay.motion);
+                continue;
             }
-            last = state;
-            (self.together.advance)(&mut motion, at, 1);
+            let at = Clock { steps: clock.steps + replay.taken, ..clock };
+            if !replay.panicked {
+                lost.push((self.first + place, at.divergence(&replay.last)));
+            }
+            self.members[place].state = replay.last;
+            self.members[place].halted = Some(at.steps);
         }
-        (block, last)
+        let under_way: Vec<_> = places.iter().zip(&motions).map(|(place, [motion])| (*place, motion, 0)).collect();
+        let motions = under_way.chunks(self.together.lanes).map(|members| self.motion_of(members)).collect();
+        self.set_lanes(places, motions);
+        self.close(Clock { steps: clock.steps + block, ..clock });
+        lost
+    }
+
+    /// Takes a member step by step through a block from `clock`, in all lanes of a motion of its own, from the snapshot to the
+    /// last good state. What left the finite numbers never returns, since updates only add.
+    fn replayed(&self, number: usize, clock: Clock, block: u64, panics: &Panics) -> Replay<L, C> {
+        let motion = [self.gathered(&self.snapshot, &[number])];
+        let mut closed = motion.clone();
+        // The block began at a good one.
+        (self.together.close)(&mut closed, clock);
+        let mut last = self.members[self.lanes[number]].state.clone();
+        closed[0].store(0, &mut last);
+        let mut replay = Replay { taken: 0, last, motion, panicked: false };
+        while replay.taken < block {
+            let at = |taken| Clock { steps: clock.steps + taken, ..clock };
+            let step = panics.attempted(|| {
+                (self.together.advance)(&mut replay.motion, at(replay.taken), 1);
+                copy_states(&mut closed, &replay.motion);
+                (self.together.close)(&mut closed, at(replay.taken + 1));
+            });
+            replay.panicked = step.is_none();
+            let mut state = replay.last.clone();
+            closed[0].store(0, &mut state);
+            if replay.panicked || !is_good(&closed[0], 0, &state) {
+                break;
+            }
+            replay.last = state;
+            replay.taken += 1;
+        }
+        replay
     }
 
     /// Asks the members that are under way whether they stay; `closed` holds their states.
@@ -175,7 +241,7 @@ where
                 continue;
             }
             let state = self.in_lane(&self.closed, number);
-            if !(course.stays)(self.first + place, &state) {
+            if !course.stays(self.first + place, &state) {
                 self.members[place].state = state;
                 self.members[place].halted = Some(clock.steps);
             }
@@ -200,11 +266,11 @@ where
         while done < course.steps && !self.lanes.is_empty() {
             let block = course.block(done);
             let before = course.at(done);
-            copy_states(&mut self.snapshot, &self.motions);
-            (self.together.advance)(&mut self.motions, before, block);
             done += block;
-            self.close(course.at(done));
-            lost.extend(self.lost(before, block));
+            lost.extend(match course.panics.attempted(|| self.advance_lanes(before, block)) {
+                Some(()) => self.lost(before, block, course.panics),
+                None => self.one_by_one(before, block, course.panics),
+            });
             if course.asks(done) {
                 self.ask(course, course.at(done));
             }

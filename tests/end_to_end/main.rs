@@ -14,6 +14,7 @@ mod instruction_sets;
 mod kepler;
 mod orders;
 mod pairs;
+mod panics;
 mod precision;
 mod refusals;
 mod reversible;

@@ -1,0 +1,69 @@
+//! Panics of the user's functions, held back until what they interrupted is whole again.
+//!
+//! Without `std` nothing is held back, and guards alone restore what was interrupted.
+
+#[cfg(feature = "std")]
+use std::{
+    any::Any,
+    panic::{AssertUnwindSafe, catch_unwind, resume_unwind},
+    sync::{Mutex, PoisonError},
+};
+
+/// A panic that was caught.
+#[cfg(feature = "std")]
+pub(crate) struct Panic(Box<dyn Any + Send>);
+
+#[cfg(feature = "std")]
+impl Panic {
+    /// Lets the panic go on.
+    pub(crate) fn resume(self) -> ! {
+        resume_unwind(self.0)
+    }
+}
+
+/// There is none that could be caught.
+#[cfg(not(feature = "std"))]
+pub(crate) enum Panic {}
+
+#[cfg(not(feature = "std"))]
+impl Panic {
+    /// Never called.
+    pub(crate) fn resume(self) -> ! {
+        match self {}
+    }
+}
+
+/// Calls a function that may end in a panic of the user's functions. Whatever it changes has to be whole after a panic, or
+/// restored by the caller.
+pub(crate) fn attempted<T>(function: impl FnOnce() -> T) -> Result<T, Panic> {
+    #[cfg(feature = "std")]
+    return catch_unwind(AssertUnwindSafe(function)).map_err(Panic);
+    #[cfg(not(feature = "std"))]
+    return Ok(function());
+}
+
+/// The first panic of several threads.
+#[cfg(feature = "std")]
+#[derive(Default)]
+pub(crate) struct Panics(Mutex<Option<Panic>>);
+
+#[cfg(feature = "std")]
+impl Panics {
+    /// Calls a function; nothing if it panicked.
+    pub(crate) fn attempted<T>(&self, function: impl FnOnce() -> T) -> Option<T> {
+        match attempted(function) {
+            Ok(value) => Some(value),
+            Err(panic) => {
+                self.0.lock().unwrap_or_else(PoisonError::into_inner).get_or_insert(panic);
+                None
+            }
+        }
+    }
+
+    /// Lets the first panic go on, if there was one.
+    pub(crate) fn resume(self) {
+        if let Some(panic) = self.0.into_inner().unwrap_or_else(PoisonError::into_inner) {
+            panic.resume();
+        }
+    }
+}
