@@ -68,7 +68,9 @@ impl Rows {
 /// What a processed composition does once before its first step, and undoes wherever its state is shown.
 ///
 /// With the processor `P` and the kernel `K`, `n` steps are `P`, then `K` `n` times, then the inverse of `P`: conjugate
-/// to `K`, hence as symplectic, at the cost of `K` alone. The inverse acts on a copy, so what is shown changes no run.
+/// to `K`, hence as symplectic, at the cost of `K` alone. The inverse acts on a copy, so what is shown changes no run. Nor
+/// does it end one: a run diverges where `K` does. Where the inverse alone leaves the domain of a potential, or the finite
+/// numbers, the end of the step of `K` is shown as it is: `P` is near the identity, and its order means nothing there.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Processor {
     /// `P`.
@@ -180,15 +182,27 @@ pub trait Composition<H: Hamiltonian>: Scheme {
         }
     }
 
-    /// Completes the step that began at `time`.
+    /// Completes the step that began at `time`, and undoes the processor.
     #[inline(always)]
     fn close(flows: &mut impl Flows<H>, h: f64, time: f64) {
+        Self::complete(flows, h, time);
+        Self::show(flows, h, time);
+    }
+
+    /// Completes the step of the kernel that began at `time`.
+    #[inline(always)]
+    fn complete(flows: &mut impl Flows<H>, h: f64, time: f64) {
         let closing = &Self::STAGES.closing;
         match Self::STAGES.lead {
             Lead::Drift if closing.drift != 0.0 => flows.drift(h * closing.drift, time + h * closing.drift_time),
             Lead::Kick if closing.kick != 0.0 || closing.gradient != 0.0 => Self::kick(flows, closing, h, time),
             _ => {}
         }
+    }
+
+    /// Undoes the processor at the end of the step that began at `time`.
+    #[inline(always)]
+    fn show(flows: &mut impl Flows<H>, h: f64, time: f64) {
         Self::once(flows, &Self::PROCESSOR.after, h, time);
     }
 }

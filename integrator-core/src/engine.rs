@@ -99,7 +99,10 @@ pub(crate) trait Engine<C: Coords>: Send + Sync {
 /// compiled once per motion, and a system that borrows its parameters can be run all the same.
 pub struct Moves<M> {
     advance: fn(&mut M, Clock, u64, Option<usize>),
-    close: fn(&mut M, Clock),
+    /// Completes the step under way.
+    complete: fn(&mut M, Clock),
+    /// Makes of a completed step the state that is shown, where that differs.
+    show: Option<fn(&mut M, Clock)>,
     /// Takes a motion a while into the step that begins at the other one and at the clock, where a method has dense output.
     /// It may stand anywhere in this step.
     dense: Option<fn(&mut M, &M, Clock, f64)>,
@@ -110,7 +113,7 @@ pub struct Moves<M> {
 impl<M> Moves<M> {
     /// The moves of a method whose motion stands at the end of a step whenever it is looked at.
     pub(crate) fn closed(advance: fn(&mut M, Clock, u64, Option<usize>)) -> Self {
-        Self { advance, close: |_, _| {}, dense: None, threads: Some(1) }
+        Self { advance, complete: |_, _| {}, show: None, dense: None, threads: Some(1) }
     }
     /// The same with dense output.
     pub(crate) fn with_dense(self, dense: fn(&mut M, &M, Clock, f64)) -> Self {
@@ -119,8 +122,17 @@ impl<M> Moves<M> {
     pub(crate) fn advance(&self, motion: &mut M, clock: Clock, steps: u64) {
         (self.advance)(motion, clock, steps, self.threads);
     }
-    pub(crate) fn close(&self, motion: &mut M, clock: Clock) {
-        (self.close)(motion, clock);
+    /// Completes the step under way, up to the state that is shown: the end of the step of the kernel, where what undoes
+    /// the processor leaves the finite numbers.
+    pub(crate) fn shown<C: Coords, P>(&self, mut motion: M, clock: Clock) -> M
+    where
+        M: Motion<C, P>,
+    {
+        (self.complete)(&mut motion, clock);
+        let Some(show) = self.show else { return motion };
+        let mut shown = motion.clone();
+        show(&mut shown, clock);
+        if shown.finite() { shown } else { motion }
     }
 }
 
@@ -144,17 +156,24 @@ pub(crate) fn moves<H: Hamiltonian, X: Composition<H>, R: Real, K: Keep>() -> Mo
                 R::enter(Advance::<_, H, X>::new(Single::<H, R, K>(motion), clock, steps));
             }
         },
-        close: |motion, clock| {
-            if Tiled::<H, R, K>::PAYS {
-                let mut flows = Tiled::<H, R, K>::new(motion, Some(1));
-                Close::<_, H, X>::new(&mut flows, clock).call();
-                flows.finish();
-            } else {
-                R::enter(Close::<_, H, X>::new(Single::<H, R, K>(motion), clock));
-            }
-        },
+        complete: end::<H, X, R, K, false>,
+        show: if const { X::PROCESSOR.after.rows.is_empty() } { None } else { Some(end::<H, X, R, K, true>) },
         dense: None,
         threads: Some(1),
+    }
+}
+
+/// The end of the step under way: its last stages, or what undoes the processor behind them.
+fn end<H: Hamiltonian, X: Composition<H>, R: Real, K: Keep, const SHOWN: bool>(
+    motion: &mut H::Motion<R, K>,
+    clock: Clock,
+) {
+    if Tiled::<H, R, K>::PAYS {
+        let mut flows = Tiled::<H, R, K>::new(motion, Some(1));
+        End::<_, H, X, SHOWN>::new(&mut flows, clock).call();
+        flows.finish();
+    } else {
+        R::enter(End::<_, H, X, SHOWN>::new(Single::<H, R, K>(motion), clock));
     }
 }
 
@@ -164,7 +183,7 @@ struct Watched<M> {
     motion: M,
     /// The motion at the last look that found it finite; kept here so that no block allocates.
     snapshot: M,
-    /// Where a step is completed to see whether its state is finite.
+    /// Where a step is completed to see whether it is finite.
     closed: M,
     moves: Moves<M>,
     /// Why the last step that was not taken could not be solved, if that is why.
@@ -177,7 +196,8 @@ impl<M: Clone> Watched<M> {
     }
 
     /// Takes `steps` steps; `false`, and back where they began, if their state is not finite: the motion, or what
-    /// completing the last step makes of it.
+    /// completing the last step makes of it. What undoes a processor has no say: it would cost as much as steps do, and acts
+    /// only where the run is looked at.
     fn advance<C: Coords, P>(&mut self, clock: Clock, steps: u64) -> bool
     where
         M: Motion<C, P>,
@@ -188,7 +208,7 @@ impl<M: Clone> Watched<M> {
         watched.moves.advance(&mut watched.motion, clock, steps);
         // Completing the step only adds, so that no number becomes finite by it.
         watched.closed.copy_state(&watched.motion);
-        watched.moves.close(&mut watched.closed, Clock { steps: clock.steps + steps, ..clock });
+        (watched.moves.complete)(&mut watched.closed, Clock { steps: clock.steps + steps, ..clock });
         let finite = watched.closed.finite();
         if !finite {
             watched.unsolved = watched.motion.unsolved(0).cloned();
@@ -209,8 +229,7 @@ impl<M: Clone> Watched<M> {
     where
         M: Motion<C, P>,
     {
-        let mut motion = self.motion.clone();
-        self.moves.close(&mut motion, clock);
+        let motion = self.moves.shown(self.motion.clone(), clock);
         let mut state = shape.clone();
         motion.store(0, &mut state);
         state
@@ -299,8 +318,7 @@ impl<M: Motion<C, P>, P: Send + Sync + 'static, C: Coords> Engine<C> for Solo<M,
                 let clock = Clock { t0: clock.at(clock.steps), h: duration, steps: 0 };
                 let mut motion = M::load(|_| (&**constants, from));
                 moves.advance(&mut motion, clock, 1);
-                moves.close(&mut motion, Clock { steps: 1, ..clock });
-                shorter = motion;
+                shorter = moves.shown(motion, Clock { steps: 1, ..clock });
                 &shorter
             }
         };
@@ -387,26 +405,31 @@ impl<F: Flows<H>, H: Hamiltonian, X: Composition<H>> Kernel for Advance<F, H, X>
     }
 }
 
-/// The end of the step under way.
-pub(crate) struct Close<F, H, X> {
+/// The end of the step under way: its last stages, or what undoes the processor behind them.
+pub(crate) struct End<F, H, X, const SHOWN: bool> {
     flows: F,
     clock: Clock,
     marker: PhantomData<(fn(H), X)>,
 }
 
-impl<F, H, X> Close<F, H, X> {
+impl<F, H, X, const SHOWN: bool> End<F, H, X, SHOWN> {
     pub(crate) fn new(flows: F, clock: Clock) -> Self {
         Self { flows, clock, marker: PhantomData }
     }
 }
 
-impl<F: Flows<H>, H: Hamiltonian, X: Composition<H>> Kernel for Close<F, H, X> {
+impl<F: Flows<H>, H: Hamiltonian, X: Composition<H>, const SHOWN: bool> Kernel for End<F, H, X, SHOWN> {
     type Out = ();
 
     #[inline(always)]
     fn call(mut self) {
         if let Some(under_way) = self.clock.steps.checked_sub(1) {
-            X::close(&mut self.flows, self.clock.h, self.clock.at(under_way));
+            let (h, time) = (self.clock.h, self.clock.at(under_way));
+            if SHOWN {
+                X::show(&mut self.flows, h, time);
+            } else {
+                X::complete(&mut self.flows, h, time);
+            }
         }
     }
 }

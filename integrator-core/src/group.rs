@@ -6,7 +6,7 @@
 use crate::{
     composition::Composition,
     coords::Coords,
-    engine::{Advance, Clock, Close},
+    engine::{Advance, Clock, End},
     hamiltonian::{Flows, Hamiltonian, Motion, QuadraticKinetic, Shaped},
     real::{Kernel, Real},
     slot::Keep,
@@ -29,9 +29,22 @@ pub struct GroupMoves<M> {
     /// How many motions go together.
     pub(crate) together: usize,
     pub(crate) advance: fn(&mut [M], Clock, u64),
-    pub(crate) close: fn(&mut [M], Clock),
+    /// Completes the step under way.
+    pub(crate) complete: fn(&mut [M], Clock),
+    /// Makes of a completed step the state that is shown, where that differs.
+    pub(crate) show: Option<fn(&mut [M], Clock)>,
     /// Whether all numbers are finite.
     pub(crate) finite: fn(&[M]) -> bool,
+}
+
+impl<M: Clone> GroupMoves<M> {
+    /// The states that are shown at the ends of completed steps, where they differ from these.
+    pub(crate) fn shown(&self, completed: &[M], clock: Clock) -> Option<Vec<M>> {
+        let show = self.show?;
+        let mut shown = completed.to_vec();
+        show(&mut shown, clock);
+        Some(shown)
+    }
 }
 
 impl<M> Clone for GroupMoves<M> {
@@ -56,7 +69,12 @@ where
         advance: |motions, clock, steps| {
             L::enter(AdvanceAll::<H, X, L, K, REGISTERS> { motions, clock, steps, marker: PhantomData });
         },
-        close: |motions, clock| L::enter(CloseAll::<H, X, L, K> { motions, clock, marker: PhantomData }),
+        complete: |motions, clock| L::enter(EndAll::<H, X, L, K, false> { motions, clock, marker: PhantomData }),
+        show: if const { X::PROCESSOR.after.rows.is_empty() } {
+            None
+        } else {
+            Some(|motions, clock| L::enter(EndAll::<H, X, L, K, true> { motions, clock, marker: PhantomData }))
+        },
         finite: |motions| L::enter(Finite::<H, L, K>(motions)),
     }
 }
@@ -158,20 +176,26 @@ where
     }
 }
 
-/// The end of the step under way.
-struct CloseAll<'m, H: Hamiltonian, X, L: Real, K: Keep> {
+/// The end of the step under way: its last stages, or what undoes the processor behind them.
+struct EndAll<'m, H: Hamiltonian, X, L: Real, K: Keep, const SHOWN: bool> {
     motions: &'m mut [H::Motion<L, K>],
     clock: Clock,
     marker: PhantomData<X>,
 }
 
-impl<H: Hamiltonian, X: Composition<H>, L: Real, K: Keep> Kernel for CloseAll<'_, H, X, L, K> {
+impl<H, X, L, K, const SHOWN: bool> Kernel for EndAll<'_, H, X, L, K, SHOWN>
+where
+    H: Hamiltonian,
+    X: Composition<H>,
+    L: Real,
+    K: Keep,
+{
     type Out = ();
 
     #[inline(always)]
     fn call(self) {
         for motion in self.motions.as_chunks_mut::<1>().0 {
-            Close::<_, H, X>::new(Together::<H, L, K, 1>(motion), self.clock).call();
+            End::<_, H, X, SHOWN>::new(Together::<H, L, K, 1>(motion), self.clock).call();
         }
     }
 }

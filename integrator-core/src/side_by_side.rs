@@ -117,18 +117,25 @@ where
         L::gathered(&from, &self.members[members[0].0].state)
     }
 
-    /// The state in a lane of these motions.
-    fn in_lane(&self, motions: &[L], number: usize) -> Phase<C> {
-        let mut state = self.members[self.lanes[number]].state.clone();
+    /// The state in a lane of these motions, of the shape of `shape`.
+    fn in_lane(&self, motions: &[L], number: usize, shape: &Phase<C>) -> Phase<C> {
+        let mut state = shape.clone();
         let (motion, lane) = lane(motions, self.together.lanes, number);
         motion.store(lane, &mut state);
         state
     }
 
+    /// The state that is shown of a lane: the end of the step of the kernel, where what undoes the processor leaves the finite
+    /// numbers.
+    fn shown_in(&self, completed: &[L], shown: Option<&[L]>, number: usize, shape: &Phase<C>) -> Phase<C> {
+        let shown = shown.map(|shown| self.in_lane(shown, number, shape)).filter(is_finite);
+        shown.unwrap_or_else(|| self.in_lane(completed, number, shape))
+    }
+
     /// Completes the step under way on a copy.
-    fn close(&mut self, clock: Clock) {
+    fn complete(&mut self, clock: Clock) {
         copy_states(&mut self.closed, &self.motions);
-        (self.together.close)(&mut self.closed, clock);
+        (self.together.complete)(&mut self.closed, clock);
     }
 
     /// Takes the members that halted out of the lanes.
@@ -155,7 +162,7 @@ where
     fn advance_lanes(&mut self, clock: Clock, block: u64) {
         copy_states(&mut self.snapshot, &self.motions);
         (self.together.advance)(&mut self.motions, clock, block);
-        self.close(Clock { steps: clock.steps + block, ..clock });
+        self.complete(Clock { steps: clock.steps + block, ..clock });
     }
 
     /// The members that are lost in a block from `clock`, whose end is in `closed`.
@@ -167,7 +174,7 @@ where
         for number in 0..self.lanes.len() {
             let (motion, lane) = lane(&self.closed, self.together.lanes, number);
             let place = self.lanes[number];
-            if is_good(motion, lane, &self.in_lane(&self.closed, number)) {
+            if is_good(motion, lane, &self.in_lane(&self.closed, number, &self.members[place].state)) {
                 continue;
             }
             let Replay { taken, last, .. } = self.replayed(number, clock, block, panics);
@@ -200,47 +207,46 @@ where
         let under_way: Vec<_> = places.iter().zip(&motions).map(|(place, [motion])| (*place, motion, 0)).collect();
         let motions = under_way.chunks(self.together.lanes).map(|members| self.motion_of(members)).collect();
         self.set_lanes(places, motions);
-        self.close(Clock { steps: clock.steps + block, ..clock });
+        self.complete(Clock { steps: clock.steps + block, ..clock });
         lost
     }
 
     /// Takes a member step by step through a block from `clock`, in all lanes of a motion of its own, from the snapshot to the
     /// last good state. What left the finite numbers never returns, since updates only add.
     fn replayed(&self, number: usize, clock: Clock, block: u64, panics: &Panics) -> Replay<L, C> {
-        let motion = [self.gathered(&self.snapshot, &[number])];
-        let mut closed = motion.clone();
-        // The block began at a good one.
-        (self.together.close)(&mut closed, clock);
-        let mut last = self.members[self.lanes[number]].state.clone();
-        closed[0].store(0, &mut last);
-        let mut replay = Replay { taken: 0, last, motion, panicked: false };
-        while replay.taken < block {
-            let at = |taken| Clock { steps: clock.steps + taken, ..clock };
+        let mut motion = [self.gathered(&self.snapshot, &[number])];
+        let (mut closed, mut last) = (motion.clone(), motion.clone());
+        let mut state = self.members[self.lanes[number]].state.clone();
+        let at = |taken| Clock { steps: clock.steps + taken, ..clock };
+        let (mut taken, mut panicked) = (0, false);
+        while taken < block {
             let step = panics.attempted(|| {
-                (self.together.advance)(&mut replay.motion, at(replay.taken), 1);
-                copy_states(&mut closed, &replay.motion);
-                (self.together.close)(&mut closed, at(replay.taken + 1));
+                (self.together.advance)(&mut motion, at(taken), 1);
+                copy_states(&mut closed, &motion);
+                (self.together.complete)(&mut closed, at(taken + 1));
             });
-            replay.panicked = step.is_none();
-            let mut state = replay.last.clone();
+            panicked = step.is_none();
             closed[0].store(0, &mut state);
-            if replay.panicked || !is_good(&closed[0], 0, &state) {
+            if panicked || !is_good(&closed[0], 0, &state) {
                 break;
             }
-            replay.last = state;
-            replay.taken += 1;
+            copy_states(&mut last, &motion);
+            taken += 1;
         }
-        replay
+        (self.together.complete)(&mut last, at(taken));
+        let last = self.shown_in(&last, self.together.shown(&last, at(taken)).as_deref(), 0, &state);
+        Replay { taken, last, motion, panicked }
     }
 
-    /// Asks the members that are under way whether they stay; `closed` holds their states.
+    /// Asks the members that are under way whether they stay; `closed` holds the ends of their steps.
     fn ask(&mut self, course: &Course<C>, clock: Clock) {
+        let shown = self.together.shown(&self.closed, clock);
         for number in 0..self.lanes.len() {
             let place = self.lanes[number];
             if self.members[place].halted.is_some() {
                 continue;
             }
-            let state = self.in_lane(&self.closed, number);
+            let state = self.shown_in(&self.closed, shown.as_deref(), number, &self.members[place].state);
             if !course.stays(self.first + place, &state) {
                 self.members[place].state = state;
                 self.members[place].halted = Some(clock.steps);
@@ -291,10 +297,11 @@ where
 
     fn states(&self, clock: Clock) -> Vec<Phase<C>> {
         let mut closed = self.motions.clone();
-        (self.together.close)(&mut closed, clock);
+        (self.together.complete)(&mut closed, clock);
+        let shown = self.together.shown(&closed, clock);
         let mut states: Vec<_> = self.members.iter().map(|member| member.state.clone()).collect();
         for (number, place) in self.lanes.iter().enumerate() {
-            states[*place] = self.in_lane(&closed, number);
+            states[*place] = self.shown_in(&closed, shown.as_deref(), number, &states[*place]);
         }
         states
     }
@@ -304,12 +311,11 @@ where
         let Ok(number) = self.lanes.binary_search(&place) else {
             return self.members[place].state.clone();
         };
-        let (motion, lane) = lane(&self.motions, self.together.lanes, number);
-        let mut motion = motion.clone();
-        (self.together.close)(core::slice::from_mut(&mut motion), clock);
-        let mut state = self.members[place].state.clone();
-        motion.store(lane, &mut state);
-        state
+        let per_motion = self.together.lanes;
+        let mut closed = [self.motions[number / per_motion].clone()];
+        (self.together.complete)(&mut closed, clock);
+        let shown = self.together.shown(&closed, clock);
+        self.shown_in(&closed, shown.as_deref(), number % per_motion, &self.members[place].state)
     }
 
     fn energy(&self, member: usize, clock: Clock) -> Parts {
@@ -320,6 +326,9 @@ where
 
 /// Whether a lane, whose state this is, may go on.
 fn is_good<L: Motion<C, Q>, Q, C: Coords>(motion: &L, lane: usize, state: &Phase<C>) -> bool {
-    let finite = state.q.flat().iter().chain(state.p.flat()).all(|leaf| leaf.to_f64().is_finite());
-    finite && motion.unsolved(lane).is_none()
+    is_finite(state) && motion.unsolved(lane).is_none()
+}
+
+fn is_finite<C: Coords>(state: &Phase<C>) -> bool {
+    state.q.flat().iter().chain(state.p.flat()).all(|leaf| leaf.to_f64().is_finite())
 }

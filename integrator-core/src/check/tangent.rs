@@ -43,7 +43,7 @@ impl<H: Hamiltonian, X: Method<H>> Tangents<H, X> {
         let mut motion = X::Motion::<Dual, f64>::load(|lane| (&*self.constants, [point, tangent][lane]));
         let clock = Clock { t0, h: self.h, steps: 0 };
         moves.advance(&mut motion, clock, steps);
-        moves.close(&mut motion, Clock { steps, ..clock });
+        let motion = moves.shown(motion, Clock { steps, ..clock });
         motion.store(0, &mut arrived.0);
         motion.store(1, &mut arrived.1);
         arrived

@@ -18,7 +18,8 @@ impl<H: Recurrences> InLanes<H> for Taylor {
                     follow::<H, L, K>(expansion, clock, Moment::of(clock.steps + steps, clock.h));
                 }
             },
-            close: |_, _| {},
+            complete: |_, _| {},
+            show: None,
             finite: |expansions| expansions.iter().all(Motion::finite),
         }
     }
