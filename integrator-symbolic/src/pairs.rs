@@ -278,7 +278,15 @@ fn reads_only(graph: &mut Graph, root: NodeId, own: &[LoopId], parameters: &mut 
         if !fits {
             return false;
         }
-        open.extend(graph.node(id).children());
+        match graph.node(id) {
+            // A number of one body that is chosen once per run, such as that of a list which ends before the bodies do.
+            Node::Select(condition, a, b)
+                if alone && graph.is_prepared(id) && matches!(graph.node(condition), Node::CompareIndex(..)) =>
+            {
+                open.extend([a, b]);
+            }
+            node => open.extend(node.children()),
+        }
     }
     true
 }

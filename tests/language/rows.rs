@@ -146,6 +146,8 @@ rows! {
     mapped_ranges { (0..4).map(|i| self.stiffness[i] * q[i] * q[i]).sum::<f64>() } => [2.0 * a, 4.0 * b, 6.0 * c, 8.0 * d];
     enumerated { q.iter().enumerate().map(|(i, x)| i as f64 * x).sum::<f64>() } => [0.0, 1.0, 2.0, 3.0];
     zipped { q.iter().zip(&self.table).map(|(x, k)| k * x).sum::<f64>() } => [4.0, 3.0, 2.0, 1.0];
+    zipped_with_fewer { q.iter().zip(self.table.iter().skip(2)).map(|(x, k)| k * x).sum::<f64>() } => [2.0, 1.0, 0.0, 0.0];
+    zipped_neighbours { q.iter().zip(q.iter().skip(1)).map(|(x, y)| x * y).sum::<f64>() } => [b, a + c, b + d, c];
     windows { q.windows(2).map(|w| w[0] * w[1]).sum::<f64>() } => [b, a + c, b + d, c];
     chunks { q.chunks_exact(2).map(|c| c[0] * c[1]).sum::<f64>() } => [b, a, d, c];
     folded { q.iter().fold(0.0, |sum, x| sum + x * x) } => [2.0 * a, 2.0 * b, 2.0 * c, 2.0 * d];

@@ -148,6 +148,8 @@ impl Formulas<'_> {
             Index::Mul(a, b) => binary(a, '*', b),
             Index::Div(a, b) => binary(a, '/', b),
             Index::Rem(a, b) => binary(a, '%', b),
+            Index::Monus(a, b) => binary(a, '-', b),
+            Index::Min(a, b) => format!("min({}, {})", self.index(a), self.index(b)),
         }
     }
 
@@ -163,7 +165,8 @@ impl Formulas<'_> {
     }
 
     fn tied(&self, id: NodeId) -> (String, Tie) {
-        match self.0.graph.node(id) {
+        let graph = &self.0.graph;
+        match graph.node(id) {
             Node::Constant(bits) => (f64::from_bits(bits).to_string(), Tie::Power),
             Node::Parameter(parameter) => {
                 let text = self.text(parameter.0);
@@ -224,12 +227,22 @@ impl Formulas<'_> {
             }
             Node::Or(a, b) => (format!("{} or {}", self.formula(a, Tie::Power), self.formula(b, Tie::Power)), Tie::Sum),
             Node::Not(a) => (format!("not {}", self.formula(a, Tie::Power)), Tie::Sum),
+            // That an item behind the end of a list adds nothing goes without saying.
+            Node::Select(condition, a, b) if self.ends_a_list(condition) && graph.as_constant(b) == Some(0.0) => {
+                self.tied(a)
+            }
             Node::Select(condition, a, b) => {
                 let [condition, a, b] = [condition, a, b].map(|id| self.formula(id, Tie::Sum));
                 (format!("{{{a} if {condition}, else {b}}}"), Tie::Power)
             }
             Node::Sum(by, body) => (format!("{} {}", self.sigma(by), self.formula(body, Tie::Product)), Tie::Product),
         }
+    }
+
+    /// Whether a condition is that an index is not behind the end of a list.
+    fn ends_a_list(&self, condition: NodeId) -> bool {
+        let graph = &self.0.graph;
+        matches!(graph.node(condition), Node::CompareIndex(Comparison::Less, _, end) if graph.loops.mentions_lists(end))
     }
 
     /// The summands of a node that are not polynomials of degree two at most in the momenta.

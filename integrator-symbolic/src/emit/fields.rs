@@ -293,7 +293,7 @@ impl Level {
         let printer = single(model, names);
         let mut none = Fields::default();
         let (from, to, extent) =
-            (printer.index(&mut none, from), printer.index(&mut none, to), printer.bound(&mut none, extent));
+            (printer.index(&mut none, from), printer.index(&mut none, to), printer.index(&mut none, extent));
         let inside = match (zero, whole) {
             (true, true) => None,
             (true, false) => Some(quote!(#index < #to)),

@@ -10,7 +10,7 @@ use crate::{
         Element, Part,
         index::{Index, IndexId, LoopId},
     },
-    model::integer::operand,
+    model::integer::{operand, operation},
 };
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{ToTokens, format_ident, quote};
@@ -68,11 +68,12 @@ impl Printer<'_> {
 
     /// An integer expression.
     pub(super) fn index(&self, fields: &mut Fields, id: IndexId) -> TokenStream {
-        let mut binary = |a, operator: TokenStream, b| {
-            let (a, b) = (self.inner_index(fields, a), self.inner_index(fields, b));
-            quote!(#a #operator #b)
-        };
-        match self.graph.loops.index(id) {
+        let known = self.graph.loops.index(id);
+        if let Some(both) = known.operands() {
+            let [a, b] = both.map(|id| self.inner_index(fields, id));
+            return operation(known, a, b);
+        }
+        match known {
             Index::Literal(value) => Literal::u64_unsuffixed(value).to_token_stream(),
             Index::Running(by) => self.running.get(&by).to_token_stream(),
             Index::Length if let Frame::Sites(lattice) = self.frame => {
@@ -86,11 +87,6 @@ impl Printer<'_> {
                 quote!(motion.q.len())
             }
             Index::Length => quote!(length),
-            Index::Add(a, b) => binary(a, quote!(+), b),
-            Index::Sub(a, b) => binary(a, quote!(-), b),
-            Index::Mul(a, b) => binary(a, quote!(*), b),
-            Index::Div(a, b) => binary(a, quote!(/), b),
-            Index::Rem(a, b) => binary(a, quote!(%), b),
             Index::Parameter(parameter) => {
                 let known = &self.parameters[parameter.0 as usize];
                 if self.dialect == Dialect::Single || super::fields::is_constant(&known.text) {
@@ -99,25 +95,15 @@ impl Printer<'_> {
                 let name = fields.integer(self.parameters, parameter);
                 self.prepared(name, self.graph.loops.of_parameter(parameter))
             }
+            _ => TokenStream::new(),
         }
     }
 
     /// Lines within a loop.
     pub(super) fn looped(&self, fields: &mut Fields, by: LoopId, lines: &TokenStream) -> TokenStream {
         let (range, index) = (self.graph.loops.get(by), self.running.get(&by));
-        let (from, to) = (self.bound(fields, range.from), self.bound(fields, range.to));
+        let (from, to) = (self.index(fields, range.from), self.index(fields, range.to));
         quote!(for #index in #from..#to { #lines })
-    }
-
-    /// A bound of a loop: a difference that may be below zero ends the loop before it begins.
-    pub(super) fn bound(&self, fields: &mut Fields, id: IndexId) -> TokenStream {
-        match self.graph.loops.index(id) {
-            Index::Sub(a, b) => {
-                let (a, b) = (self.inner_index(fields, a), self.index(fields, b));
-                quote!(#a.saturating_sub(#b))
-            }
-            _ => self.index(fields, id),
-        }
     }
 
     /// An integer expression inside another one.

@@ -208,7 +208,7 @@ impl Printer<'_> {
         let name = share(&of.onward());
         let begun = lattice.shares[..number].iter().any(|before| before.onward() == of.onward());
         let mut range = |from: IndexId, to: IndexId| {
-            let (from, to) = (self.bound(fields, from), self.bound(fields, to));
+            let (from, to) = (self.index(fields, from), self.index(fields, to));
             quote!(#from..#to)
         };
         let (mut value, mut few) = (value, None);

@@ -200,7 +200,8 @@ impl Direction {
             Index::Literal(value) => plain(None, 0, i64::try_from(value).ok()?),
             Index::Running(by) => plain(Some(by), 0, 0),
             Index::Add(a, b) => self.sum(graph, a, b, 1),
-            Index::Sub(a, b) => self.sum(graph, a, b, -1),
+            // Bounds of a lattice that is long enough: nothing is below zero.
+            Index::Sub(a, b) | Index::Monus(a, b) => self.sum(graph, a, b, -1),
             Index::Rem(a, b) if b == self.length => {
                 let inner = self.linear(graph, a).filter(|inner| !inner.wraps && inner.running.is_some())?;
                 // The nearest of all numbers that are the same place.
@@ -255,6 +256,6 @@ impl Direction {
             (Place::FromEnd(constant), None) => (Some(self.length), constant),
         };
         let literal = graph.loops.intern(Index::Literal(u64::try_from(constant).ok()?));
-        Some(back.map_or(literal, |length| graph.loops.intern(Index::Sub(length, literal))))
+        Some(back.map_or(literal, |length| graph.loops.intern(Index::Monus(length, literal))))
     }
 }

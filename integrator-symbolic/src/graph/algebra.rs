@@ -7,7 +7,7 @@
 use super::{
     Element, Graph, Node, NodeId, ParameterId,
     function::{Function, Rule},
-    index::{Index, IndexId, LoopId},
+    index::{IndexId, LoopId},
 };
 
 impl Graph {
@@ -125,6 +125,11 @@ impl Graph {
         if self.as_constant(body) == Some(0.0) {
             return body;
         }
+        let range = self.loops.get(by);
+        let turns = self.loops.span(range.from, range.to);
+        if self.loops.literal(turns) == Some(0) {
+            return self.constant(0.0);
+        }
         if self.loops_of(body).contains(by) {
             // exact: signs move outwards
             return match self.node(body) {
@@ -135,8 +140,6 @@ impl Graph {
                 _ => self.intern(Node::Sum(by, body)),
             };
         }
-        let range = self.loops.get(by);
-        let turns = self.loops.intern(Index::Sub(range.to, range.from));
         let turns = self.number_of(turns);
         let product = self.mul(turns, body);
         if self.is_total(body) {
@@ -192,7 +195,7 @@ fn is_half_whole(exponent: f64) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::graph::{Part, evaluate::Point};
+    use crate::graph::{Part, evaluate::Point, index::Index};
 
     fn coordinates(graph: &mut Graph) -> [NodeId; 3] {
         [0, 1, 2].map(|position| {

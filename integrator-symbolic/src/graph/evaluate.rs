@@ -51,6 +51,8 @@ impl<'p> Point<'p> {
             Index::Mul(a, b) => self.index(graph, a) * self.index(graph, b),
             Index::Div(a, b) => self.index(graph, a) / self.index(graph, b),
             Index::Rem(a, b) => self.index(graph, a) % self.index(graph, b),
+            Index::Monus(a, b) => self.index(graph, a).saturating_sub(self.index(graph, b)),
+            Index::Min(a, b) => self.index(graph, a).min(self.index(graph, b)),
         }
     }
 

@@ -4,7 +4,7 @@
 //! range in the same place are one, so that their bodies share subexpressions and are generated together.
 
 use super::{Element, ParameterId};
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 
 /// An integer expression.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -35,7 +35,44 @@ pub(crate) enum Index {
     Mul(IndexId, IndexId),
     Div(IndexId, IndexId),
     Rem(IndexId, IndexId),
+    /// The difference, or zero where it is below zero: how many items of a sequence are left.
+    Monus(IndexId, IndexId),
+    /// The smaller one: how many items two sequences share.
+    Min(IndexId, IndexId),
 }
+
+impl Index {
+    /// The two expressions that an operation combines.
+    pub(crate) fn operands(self) -> Option<[IndexId; 2]> {
+        match self {
+            Index::Literal(_) | Index::Running(_) | Index::Length | Index::Parameter(_) => None,
+            Index::Add(a, b)
+            | Index::Sub(a, b)
+            | Index::Mul(a, b)
+            | Index::Div(a, b)
+            | Index::Rem(a, b)
+            | Index::Monus(a, b)
+            | Index::Min(a, b) => Some([a, b]),
+        }
+    }
+
+    /// The same operation of two other expressions.
+    pub(crate) fn with_operands(self, [a, b]: [IndexId; 2]) -> Self {
+        match self {
+            Index::Literal(_) | Index::Running(_) | Index::Length | Index::Parameter(_) => self,
+            Index::Add(..) => Index::Add(a, b),
+            Index::Sub(..) => Index::Sub(a, b),
+            Index::Mul(..) => Index::Mul(a, b),
+            Index::Div(..) => Index::Div(a, b),
+            Index::Rem(..) => Index::Rem(a, b),
+            Index::Monus(..) => Index::Monus(a, b),
+            Index::Min(..) => Index::Min(a, b),
+        }
+    }
+}
+
+/// How many steps are taken to see which of two expressions is smaller.
+const DEEPEST: u32 = 8;
 
 /// `for index in from..to`, inside another loop or not.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -88,6 +125,8 @@ pub(crate) struct Loops {
     parameter_sets: HashMap<ParameterId, LoopSet>,
     /// How many numbers or points the coordinates have, and how many components a point has.
     extents: Vec<IndexId>,
+    /// How long lists of the system are.
+    list_lengths: HashSet<IndexId>,
 }
 
 impl Loops {
@@ -111,6 +150,38 @@ impl Loops {
         }
     }
 
+    /// How many integers are in `from..to`.
+    pub(crate) fn span(&mut self, from: IndexId, to: IndexId) -> IndexId {
+        self.intern(Index::Monus(to, from))
+    }
+
+    /// What is as far from `to` as `index` is from `from`, which is not beyond it.
+    pub(crate) fn shifted(&mut self, index: IndexId, from: IndexId, to: IndexId) -> IndexId {
+        match (self.literal(from), self.literal(to)) {
+            _ if from == to => index,
+            (Some(from), Some(to)) if from < to => {
+                let further = self.intern(Index::Literal(to - from));
+                self.intern(Index::Add(index, further))
+            }
+            (Some(from), Some(to)) => {
+                let back = self.intern(Index::Literal(from - to));
+                self.intern(Index::Sub(index, back))
+            }
+            _ => {
+                let position = self.intern(Index::Sub(index, from));
+                self.intern(Index::Add(position, to))
+            }
+        }
+    }
+
+    /// A bound of a loop: a difference that is below zero ends the loop before it begins.
+    pub(crate) fn ending(&mut self, bound: IndexId) -> IndexId {
+        match self.index(bound) {
+            Index::Sub(a, b) => self.intern(Index::Monus(a, b)),
+            _ => bound,
+        }
+    }
+
     /// The id of an integer expression. Numbers are folded where they stay in range.
     pub(crate) fn intern(&mut self, index: Index) -> IndexId {
         let index = self.fold(index);
@@ -119,19 +190,21 @@ impl Loops {
         }
         let id = IndexId(self.indices.len() as u32);
         self.index_sets.push(match index {
-            Index::Literal(_) | Index::Length => LoopSet::EMPTY,
             Index::Running(by) => LoopSet::of(by),
             Index::Parameter(parameter) => self.of_parameter(parameter),
-            Index::Add(a, b) | Index::Sub(a, b) | Index::Mul(a, b) | Index::Div(a, b) | Index::Rem(a, b) => {
-                self.of_index(a).union(self.of_index(b))
-            }
+            _ => index.operands().map_or(LoopSet::EMPTY, |[a, b]| self.of_index(a).union(self.of_index(b))),
         });
         self.indices.push(index);
         self.index_ids.insert(index, id);
         id
     }
 
-    fn fold(&self, index: Index) -> Index {
+    fn fold(&mut self, index: Index) -> Index {
+        match index {
+            Index::Monus(a, b) => return self.monus(a, b),
+            Index::Min(a, b) => return self.min(a, b),
+            _ => {}
+        }
         let numbers = |a, b| Some((self.literal(a)?, self.literal(b)?));
         let folded = match index {
             Index::Add(a, b) if self.literal(b) == Some(0) => return self.index(a),
@@ -149,6 +222,80 @@ impl Loops {
         folded.map_or(index, Index::Literal)
     }
 
+    /// `max(a - b, 0)`, as short as it can be told.
+    fn monus(&mut self, a: IndexId, b: IndexId) -> Index {
+        match (self.index(a), self.index(b), self.literal(b)) {
+            (Index::Literal(a), Index::Literal(b), _) => Index::Literal(a.saturating_sub(b)),
+            (known, _, Some(0)) => known,
+            (Index::Literal(0), ..) => Index::Literal(0),
+            _ if a == b => Index::Literal(0),
+            (Index::Add(rest, added), ..) if added == b => self.index(rest),
+            (Index::Add(added, rest), ..) if added == b => self.index(rest),
+            (Index::Add(rest, added), _, Some(taken)) if let Some(added) = self.literal(added) => {
+                let (more, less) = (added.saturating_sub(taken), taken.saturating_sub(added));
+                let (more, less) = (self.intern(Index::Literal(more)), self.intern(Index::Literal(less)));
+                let rest = self.intern(Index::Add(rest, more));
+                // One of both is zero.
+                if self.literal(less) == Some(0) { self.index(rest) } else { self.monus(rest, less) }
+            }
+            (Index::Monus(rest, first), _, Some(second)) if let Some(first) = self.literal(first) => {
+                let both = self.intern(Index::Literal(first.saturating_add(second)));
+                Index::Monus(rest, both)
+            }
+            // The end of a zip is where the nearer end is.
+            (Index::Min(first, second), ..) => {
+                let first = self.intern(Index::Monus(first, b));
+                let second = self.intern(Index::Monus(second, b));
+                self.min(first, second)
+            }
+            _ => Index::Monus(a, b),
+        }
+    }
+
+    /// The smaller one, as short as it can be told; a literal stands on the right.
+    fn min(&mut self, a: IndexId, b: IndexId) -> Index {
+        if self.is_at_most(a, b, DEEPEST) {
+            return self.index(a);
+        }
+        if self.is_at_most(b, a, DEEPEST) {
+            return self.index(b);
+        }
+        match (self.literal(a), self.literal(b)) {
+            (Some(_), None) => Index::Min(b, a),
+            (None, Some(_)) => Index::Min(a, b),
+            _ => Index::Min(a.min(b), a.max(b)),
+        }
+    }
+
+    /// Whether `a <= b` whatever the values of what is not known; `false` where it takes more than `depth` steps to see.
+    fn is_at_most(&self, a: IndexId, b: IndexId, depth: u32) -> bool {
+        if a == b || self.literal(a).zip(self.literal(b)).is_some_and(|(a, b)| a <= b) {
+            return true;
+        }
+        let Some(depth) = depth.checked_sub(1) else { return false };
+        let is = |a, b| self.is_at_most(a, b, depth);
+        let by_amount = match (self.index(a), self.index(b)) {
+            // x - s <= x - t where t <= s
+            (Index::Monus(x, s), Index::Monus(y, t)) => x == y && is(t, s),
+            // x + s <= x + t where s <= t
+            (Index::Add(x, s), Index::Add(y, t)) => x == y && is(s, t),
+            _ => false,
+        };
+        let from_left = match self.index(a) {
+            Index::Monus(x, _) => is(x, b),
+            Index::Min(x, y) => is(x, b) || is(y, b),
+            _ => false,
+        };
+        // a <= (x - s) + s where a <= x
+        let refilled = |rest, s| matches!(self.index(rest), Index::Monus(x, taken) if taken == s && is(a, x));
+        let from_right = || match self.index(b) {
+            Index::Add(x, y) => is(a, x) || is(a, y) || refilled(x, y) || refilled(y, x),
+            Index::Min(x, y) => is(a, x) && is(a, y),
+            _ => false,
+        };
+        by_amount || from_left || from_right()
+    }
+
     /// The loop over a range, new or known.
     pub(crate) fn range(&mut self, range: Loop) -> LoopId {
         if let Some(id) = self.loop_ids.get(&range) {
@@ -158,6 +305,36 @@ impl Loops {
         self.loops.push(range);
         self.loop_ids.insert(range, id);
         id
+    }
+
+    /// States that an integer is how long a list of the system is.
+    pub(crate) fn declare_list_length(&mut self, id: IndexId) {
+        self.list_lengths.insert(id);
+    }
+
+    /// Whether an integer is made of how long lists are.
+    pub(crate) fn mentions_lists(&self, id: IndexId) -> bool {
+        let operands = self.index(id).operands();
+        self.list_lengths.contains(&id)
+            || operands.is_some_and(|both| both.iter().any(|operand| self.mentions_lists(*operand)))
+    }
+
+    /// Where a sequence would end without lists of the system, and where these end it, if both are known.
+    pub(crate) fn end_without_lists(&mut self, end: IndexId) -> Option<(IndexId, IndexId)> {
+        let Index::Min(a, b) = self.index(end) else { return None };
+        match [a, b].map(|end| self.mentions_lists(end)) {
+            [true, false] => Some((b, a)),
+            [false, true] => Some((a, b)),
+            [true, true] => {
+                let ((whole, inner), outer) = match (self.end_without_lists(a), self.end_without_lists(b)) {
+                    (Some(found), None) => (found, b),
+                    (None, Some(found)) => (found, a),
+                    _ => return None,
+                };
+                Some((whole, self.intern(Index::Min(inner, outer))))
+            }
+            [false, false] => None,
+        }
     }
 
     /// States which loops' indices a parameter's text mentions.
@@ -176,11 +353,8 @@ impl Loops {
     /// Whether running indices come in as they are, not by way of a list.
     pub(crate) fn is_without_lists(&self, id: IndexId) -> bool {
         match self.index(id) {
-            Index::Literal(_) | Index::Length | Index::Running(_) => true,
             Index::Parameter(parameter) => self.of_parameter(parameter).is_empty(),
-            Index::Add(a, b) | Index::Sub(a, b) | Index::Mul(a, b) | Index::Div(a, b) | Index::Rem(a, b) => {
-                self.is_without_lists(a) && self.is_without_lists(b)
-            }
+            operation => operation.operands().is_none_or(|both| both.iter().all(|id| self.is_without_lists(*id))),
         }
     }
 
@@ -220,16 +394,21 @@ impl Loops {
             Index::Running(by) => {
                 let one = self.intern(Index::Literal(1));
                 let to = self.get(by).to;
-                Index::Sub(self.upper(to)?, one)
+                Index::Monus(self.upper(to)?, one)
             }
             Index::Add(a, b) => Index::Add(self.upper(a)?, self.upper(b)?),
-            Index::Sub(a, b) => Index::Sub(self.upper(a)?, self.lower(b)?),
+            Index::Sub(a, b) | Index::Monus(a, b) => Index::Monus(self.upper(a)?, self.lower(b)?),
             Index::Mul(a, b) => Index::Mul(self.upper(a)?, self.upper(b)?),
             Index::Div(a, b) => Index::Div(self.upper(a)?, self.lower(b)?),
             Index::Rem(_, b) => {
                 let one = self.intern(Index::Literal(1));
-                Index::Sub(self.upper(b)?, one)
+                Index::Monus(self.upper(b)?, one)
             }
+            // Either is a bound.
+            Index::Min(a, b) => match (self.upper(a), self.upper(b)) {
+                (Some(a), Some(b)) => Index::Min(a, b),
+                (a, b) => return a.or(b),
+            },
             Index::Literal(_) | Index::Length | Index::Parameter(_) => return None,
         };
         Some(self.intern(bound))
@@ -247,9 +426,10 @@ impl Loops {
             }
             Index::Add(a, b) => Index::Add(self.lower(a)?, self.lower(b)?),
             Index::Mul(a, b) => Index::Mul(self.lower(a)?, self.lower(b)?),
-            Index::Sub(a, b) => Index::Sub(self.lower(a)?, self.upper(b)?),
+            Index::Sub(a, b) | Index::Monus(a, b) => Index::Monus(self.lower(a)?, self.upper(b)?),
             Index::Div(a, b) => Index::Div(self.lower(a)?, self.upper(b)?),
             Index::Rem(..) => Index::Literal(0),
+            Index::Min(a, b) => Index::Min(self.lower(a)?, self.lower(b)?),
             Index::Literal(_) | Index::Length | Index::Parameter(_) => return None,
         };
         Some(self.intern(bound))

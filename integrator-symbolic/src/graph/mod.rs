@@ -13,6 +13,7 @@ pub(crate) mod evaluate;
 mod external;
 pub(crate) mod function;
 pub(crate) mod index;
+mod partial;
 mod polynomial;
 mod product;
 

@@ -70,11 +70,13 @@ impl Reader<'_> {
 
     /// An integer expression as the user would write it.
     pub(super) fn index_text(&self, id: IndexId) -> TokenStream {
-        let binary = |a, operator: TokenStream, b| {
-            let (a, b) = (self.index_text(a), self.index_text(b));
-            quote!((#a #operator #b))
-        };
-        match self.graph.loops.index(id) {
+        let known = self.graph.loops.index(id);
+        if let Some(both) = known.operands() {
+            let [a, b] = both.map(|id| self.index_text(id));
+            let text = operation(known, a, b);
+            return quote!((#text));
+        }
+        match known {
             Index::Literal(value) => Literal::u64_unsuffixed(value).to_token_stream(),
             Index::Running(by) => self.running.get(&by).to_token_stream(),
             Index::Length => quote!(length),
@@ -82,12 +84,33 @@ impl Reader<'_> {
                 let text = &self.parameters[parameter.0 as usize].text;
                 quote!((#text))
             }
-            Index::Add(a, b) => binary(a, quote!(+), b),
-            Index::Sub(a, b) => binary(a, quote!(-), b),
-            Index::Mul(a, b) => binary(a, quote!(*), b),
-            Index::Div(a, b) => binary(a, quote!(/), b),
-            Index::Rem(a, b) => binary(a, quote!(%), b),
+            _ => TokenStream::new(),
         }
+    }
+}
+
+/// An operation on integers as Rust, of operands that hold together; nothing for what is no operation.
+pub(crate) fn operation(index: Index, a: TokenStream, b: TokenStream) -> TokenStream {
+    match index {
+        Index::Add(..) => quote!(#a + #b),
+        Index::Sub(..) => quote!(#a - #b),
+        Index::Mul(..) => quote!(#a * #b),
+        Index::Div(..) => quote!(#a / #b),
+        Index::Rem(..) => quote!(#a % #b),
+        Index::Monus(..) => {
+            let a = typed(a);
+            quote!(#a.saturating_sub(#b))
+        }
+        Index::Min(..) => quote!(#a.min(#b)),
+        Index::Literal(_) | Index::Running(_) | Index::Length | Index::Parameter(_) => TokenStream::new(),
+    }
+}
+
+/// A literal with its type, so that it has methods; anything else as it is.
+fn typed(text: TokenStream) -> TokenStream {
+    match text.to_string().parse() {
+        Ok(value) => Literal::usize_suffixed(value).to_token_stream(),
+        Err(_) => text,
     }
 }
 

@@ -1,7 +1,10 @@
 //! Loops: what `for` runs over, and sums that stay sums.
 
 use super::{Frame, Reader, Target, sequence::Sequence, statement::Assigned, value::Value};
-use crate::graph::index::{Index, IndexId, Loop, LoopId, LoopSet};
+use crate::graph::{
+    Comparison, NodeId,
+    index::{Index, IndexId, Loop, LoopId, LoopSet},
+};
 use proc_macro2::Ident;
 use quote::{ToTokens, format_ident};
 use std::{collections::HashMap, ops::Range};
@@ -25,6 +28,9 @@ const RESERVED: [&str; 14] = [
     "p",
 ];
 
+/// What a turn of a loop adds to variables.
+type Sums = Vec<(Target, NodeId)>;
+
 /// How many turns a loop may have that is written out, because its body is more than a sum.
 const FEW: u64 = 16;
 
@@ -33,31 +39,53 @@ impl Reader<'_> {
     pub(super) fn repeat(&mut self, repeat: &ExprForLoop) -> Option<Value> {
         let sequence = self.sequence(&repeat.expr)?;
         if sequence.literal {
+            let sequence = self.with_conditions(sequence);
             let turns = self.few_turns(&sequence, &repeat.expr)?;
             return self.write_out(repeat, &sequence, turns);
         }
-        if self.needs_writing_out(repeat)
-            && let Some(turns) = self.known_turns(&sequence)
-        {
-            return self.write_out(repeat, &sequence, turns);
+        if self.needs_writing_out(repeat) {
+            let sequence = self.with_conditions(sequence.clone());
+            if let Some(turns) = self.known_turns(&sequence) {
+                return self.write_out(repeat, &sequence, turns);
+            }
         }
-        let by = self.enter(loop_name(&repeat.pat), sequence.from, sequence.to, &repeat.expr)?;
+        if let Some((whole, end)) = self.graph.loops.end_without_lists(sequence.to) {
+            let (by, sums) = self.summed(repeat, &sequence, whole)?;
+            let index = self.graph.loops.intern(Index::Running(by));
+            let inside = self.graph.compare_index(Comparison::Less, index, end);
+            let weighted =
+                sums.into_iter().map(|(target, addend)| Some((target, self.graph.weighted(by, inside, addend)?)));
+            if let Some(sums) = weighted.collect::<Option<Vec<_>>>() {
+                return self.add_sums(by, sums, &repeat.pat);
+            }
+        }
+        let (by, sums) = self.summed(repeat, &sequence, sequence.to)?;
+        self.add_sums(by, sums, &repeat.pat)
+    }
+
+    /// What each turn of a loop adds to variables, if it ends there.
+    fn summed(&mut self, repeat: &ExprForLoop, sequence: &Sequence, to: IndexId) -> Option<(LoopId, Sums)> {
+        let by = self.enter(loop_name(&repeat.pat), sequence.from, to, &repeat.expr)?;
         let held = self.hold(&repeat.body);
         let index = self.graph.loops.intern(Index::Running(by));
-        let body = self.turn(repeat, &sequence, index);
+        let body = self.turn(repeat, sequence, index);
         let sums = self.leave();
         for (id, value) in held {
             self.bindings[id.0].value = value;
         }
+        body.map(|_| (by, sums))
+    }
+
+    fn add_sums(&mut self, by: LoopId, sums: Sums, place: &Pat) -> Option<Value> {
         for (target, addend) in sums {
             let sum = self.graph.sum(by, addend);
-            self.add_sum(target, sum, &repeat.pat)?;
+            self.add_sum(target, sum, place)?;
         }
-        body.map(|_| Value::Unit)
+        Some(Value::Unit)
     }
 
     /// Adds a whole sum to its variable, or, where an outer loop sums that up too, to what a turn of it adds.
-    fn add_sum(&mut self, target: Target, sum: crate::graph::NodeId, place: &Pat) -> Option<()> {
+    fn add_sum(&mut self, target: Target, sum: NodeId, place: &Pat) -> Option<()> {
         if self.bindings[target.id.0].depth < self.frames.len() {
             self.add_to_frame(target, sum);
             return Some(());
@@ -132,6 +160,7 @@ impl Reader<'_> {
             self.errors.at(place, message);
             return None;
         }
+        let [from, to] = [from, to].map(|bound| self.graph.loops.ending(bound));
         if self.graph.loops.upper(to).is_none() || self.graph.loops.lower(from).is_none() {
             let message = "how far this loop may get is not known: its bounds are made of literals, integers of the \
                            impl that depend on no loop, and indices of outer loops";
@@ -157,7 +186,7 @@ impl Reader<'_> {
     }
 
     /// Closes the innermost loop and returns what a turn of it adds.
-    pub(super) fn leave(&mut self) -> Vec<(Target, crate::graph::NodeId)> {
+    pub(super) fn leave(&mut self) -> Sums {
         self.frames.pop().map(|frame| frame.sums).unwrap_or_default()
     }
 }

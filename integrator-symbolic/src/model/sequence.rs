@@ -1,5 +1,8 @@
 //! What loops and iterator chains run over: ranges, coordinates and lists of parameters, one item per index.
 
+#[cfg(test)]
+mod tests;
+
 use super::{
     Reader,
     statement::Assigned,
@@ -7,7 +10,7 @@ use super::{
     value::{Opaque, Value, View},
 };
 use crate::graph::{
-    NodeId,
+    Comparison, NodeId,
     index::{Index, IndexId},
 };
 use quote::quote;
@@ -141,6 +144,7 @@ impl Reader<'_> {
                 let text = text::place(text);
                 let length = self.parameter(quote!(#text.len()), "integer", loops);
                 let length = self.graph.loops.intern(Index::Parameter(length));
+                self.graph.loops.declare_list_length(length);
                 let items = self.items(zero, length, move |reader, index| {
                     let (at, mentioned) = (reader.index_text(index), reader.graph.loops.of_index(index));
                     Some(Value::Opaque(Opaque { text: quote!(#text[#at]), loops: loops.union(mentioned) }))
@@ -171,6 +175,20 @@ impl Reader<'_> {
     pub(super) fn item_of(&mut self, sequence: &Sequence, index: IndexId) -> Option<Item> {
         let at = Rc::clone(&sequence.at);
         at(self, index)
+    }
+
+    /// A sequence that lists of the system may end, as one with conditions on its items that they do not end; any other
+    /// as it is.
+    pub(super) fn with_conditions(&mut self, sequence: Sequence) -> Sequence {
+        let Some((to, end)) = self.graph.loops.end_without_lists(sequence.to) else { return sequence };
+        let at = Rc::clone(&sequence.at);
+        let at = move |reader: &mut Reader<'_>, index| {
+            let Item { value, condition } = at(reader, index)?;
+            let inside = reader.graph.compare_index(Comparison::Less, index, end);
+            let condition = condition.map_or(inside, |condition| reader.graph.and(inside, condition));
+            Some(Item { value, condition: Some(condition) })
+        };
+        Sequence { to, at: Rc::new(at), ..sequence }
     }
 
     /// `sequence.map(...)`, `.enumerate()` and so on.
@@ -235,7 +253,8 @@ impl Reader<'_> {
             }
             ("take", Some(count)) => {
                 let count = self.bound(count)?;
-                let to = self.graph.loops.intern(Index::Add(from, count));
+                let end = self.graph.loops.intern(Index::Add(from, count));
+                let to = self.graph.loops.intern(Index::Min(to, end));
                 Some(Sequence { to, ..base })
             }
             ("step_by", Some(stride)) => self.strided(base, stride),
@@ -248,19 +267,22 @@ impl Reader<'_> {
         }
     }
 
-    /// Pairs of items. The index is the first sequence's; the shorter one decides where their lengths are known.
-    fn zipped(&mut self, base: Sequence, other: &Expr) -> Option<Sequence> {
-        let other = self.sequence(other)?;
+    /// Pairs of items, as many as the shorter sequence has. The index is the first sequence's.
+    fn zipped(&mut self, base: Sequence, place: &Expr) -> Option<Sequence> {
+        let other = self.sequence(place)?;
+        if other.filtered {
+            let message = "how many items `filter` leaves is not known, so they have no partners in a `zip`: zip first \
+                           and put `filter` last, or write a loop with an `if`";
+            self.errors.at(place, message);
+            return None;
+        }
         let loops = &mut self.graph.loops;
-        let (first, second) =
-            (loops.intern(Index::Sub(base.to, base.from)), loops.intern(Index::Sub(other.to, other.from)));
-        let shorter = loops.literal(first).zip(loops.literal(second)).is_some_and(|(first, second)| second < first);
-        let to = if shorter { loops.intern(Index::Add(base.from, second)) } else { base.to };
+        let count = loops.span(other.from, other.to);
+        let end = loops.intern(Index::Add(base.from, count));
+        let to = loops.intern(Index::Min(base.to, end));
         let (from, others_from, literal) = (base.from, other.from, base.literal || other.literal);
         let at = move |reader: &mut Reader<'_>, index| {
-            let position = reader.graph.loops.intern(Index::Sub(index, from));
-            let others = reader.graph.loops.intern(Index::Add(position, others_from));
-            let others = if from == others_from { index } else { others };
+            let others = reader.graph.loops.shifted(index, from, others_from);
             let (a, b) = (reader.item_of(&base, index)?, reader.item_of(&other, others)?);
             Some(Item::plain(Value::Tuple(vec![a.value, b.value])))
         };
@@ -272,18 +294,18 @@ impl Reader<'_> {
         let stride = self.bound(stride)?;
         let zero = self.literal_index(0);
         let loops = &mut self.graph.loops;
-        let length = loops.intern(Index::Sub(base.to, base.from));
+        let length = loops.span(base.from, base.to);
         let one = loops.intern(Index::Literal(1));
         let less = loops.intern(Index::Sub(stride, one));
         let rounded = loops.intern(Index::Add(length, less));
-        let turns = loops.intern(Index::Div(rounded, stride));
+        let count = loops.intern(Index::Div(rounded, stride));
         let literal = base.literal;
         let at = move |reader: &mut Reader<'_>, index| {
             let distance = reader.graph.loops.intern(Index::Mul(index, stride));
             let position = reader.graph.loops.intern(Index::Add(base.from, distance));
             reader.item_of(&base, position)
         };
-        Some(Sequence { from: zero, to: turns, at: Rc::new(at), filtered: false, literal })
+        Some(Sequence { from: zero, to: count, at: Rc::new(at), filtered: false, literal })
     }
 
     /// Neighbouring items as arrays: overlapping windows, or chunks one after the other.
@@ -296,8 +318,8 @@ impl Reader<'_> {
         let zero = self.literal_index(0);
         let less = self.literal_index(count - 1);
         let loops = &mut self.graph.loops;
-        let length = loops.intern(Index::Sub(base.to, base.from));
-        let to = loops.intern(if windows { Index::Sub(length, less) } else { Index::Div(length, width) });
+        let length = loops.span(base.from, base.to);
+        let to = loops.intern(if windows { Index::Monus(length, less) } else { Index::Div(length, width) });
         let literal = base.literal;
         let at = move |reader: &mut Reader<'_>, index| {
             let first = if windows { index } else { reader.graph.loops.intern(Index::Mul(index, width)) };

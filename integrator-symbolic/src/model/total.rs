@@ -2,7 +2,7 @@
 
 use super::{Reader, sequence::Sequence, value::Value};
 use crate::graph::{
-    NodeId,
+    Comparison, NodeId,
     index::{Index, IndexId},
 };
 use syn::{ExprClosure, ExprMethodCall};
@@ -19,6 +19,7 @@ impl Reader<'_> {
             _ => (self.graph.constant(0.0), None),
         };
         if sequence.literal {
+            let sequence = self.with_conditions(sequence);
             let mut sum = start;
             for turn in self.few_turns(&sequence, call)? {
                 let index = self.literal_index(turn);
@@ -27,12 +28,37 @@ impl Reader<'_> {
             }
             return Some(Value::Real(sum));
         }
-        let by = self.enter(None, sequence.from, sequence.to, call)?;
-        let index = self.graph.loops.intern(Index::Running(by));
-        let addend = self.addend_of(&sequence, index, step.as_deref(), call);
-        self.leave();
-        let sum = self.graph.sum(by, addend?);
+        let addend = |reader: &mut Self, index| reader.addend_of(&sequence, index, step.as_deref(), call);
+        let sum = match self.over_whole(&sequence, call, &addend)? {
+            Some(sum) => sum,
+            None => {
+                let by = self.enter(None, sequence.from, sequence.to, call)?;
+                let index = self.graph.loops.intern(Index::Running(by));
+                let addend = addend(self, index);
+                self.leave();
+                self.graph.sum(by, addend?)
+            }
+        };
         Some(Value::Real(self.graph.add(start, sum)))
+    }
+
+    /// A sum that lists of the system may end, as one that they do not end, with coefficients that are zero behind their
+    /// ends; nothing where the sum has no such form.
+    fn over_whole(
+        &mut self,
+        sequence: &Sequence,
+        call: &ExprMethodCall,
+        addend: &dyn Fn(&mut Self, IndexId) -> Option<NodeId>,
+    ) -> Option<Option<NodeId>> {
+        let Some((whole, end)) = self.graph.loops.end_without_lists(sequence.to) else { return Some(None) };
+        let by = self.enter(None, sequence.from, whole, call)?;
+        let index = self.graph.loops.intern(Index::Running(by));
+        let addend = addend(self, index);
+        self.leave();
+        let addend = addend?;
+        let inside = self.graph.compare_index(Comparison::Less, index, end);
+        let weighted = self.graph.weighted(by, inside, addend);
+        Some(weighted.map(|addend| self.graph.sum(by, addend)))
     }
 
     /// What the item for an index adds to a sum.

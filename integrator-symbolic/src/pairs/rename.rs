@@ -29,19 +29,10 @@ impl Renaming {
     /// An integer expression for the other indices.
     pub(super) fn index(self, graph: &mut Graph, id: IndexId) -> IndexId {
         let known = graph.loops.index(id);
-        let renamed = match known {
-            Index::Running(by) => Index::Running(self.of(by)),
-            Index::Literal(_) | Index::Length | Index::Parameter(_) => known,
-            Index::Add(a, b) | Index::Sub(a, b) | Index::Mul(a, b) | Index::Div(a, b) | Index::Rem(a, b) => {
-                let (a, b) = (self.index(graph, a), self.index(graph, b));
-                match known {
-                    Index::Add(..) => Index::Add(a, b),
-                    Index::Sub(..) => Index::Sub(a, b),
-                    Index::Mul(..) => Index::Mul(a, b),
-                    Index::Div(..) => Index::Div(a, b),
-                    _ => Index::Rem(a, b),
-                }
-            }
+        let renamed = match (known, known.operands()) {
+            (Index::Running(by), _) => Index::Running(self.of(by)),
+            (_, Some(both)) => known.with_operands(both.map(|id| self.index(graph, id))),
+            (_, None) => known,
         };
         graph.loops.intern(renamed)
     }
@@ -78,7 +69,10 @@ pub(crate) fn renamed(
         Node::Or(a, b) => Node::Or(of(graph, a)?, of(graph, b)?),
         Node::Not(a) => Node::Not(of(graph, a)?),
         Node::Select(condition, a, b) => Node::Select(of(graph, condition)?, of(graph, a)?, of(graph, b)?),
-        Node::CompareIndex(..) | Node::Flag(_) | Node::External(..) | Node::ExternalTwo(..) => return None,
+        Node::CompareIndex(comparison, a, b) => {
+            Node::CompareIndex(comparison, renaming.index(graph, a), renaming.index(graph, b))
+        }
+        Node::Flag(_) | Node::External(..) | Node::ExternalTwo(..) => return None,
         same @ (Node::Constant(_) | Node::Time | Node::Step) => same,
     };
     Some(graph.rebuilt(node))

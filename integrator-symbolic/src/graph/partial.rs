@@ -1,0 +1,72 @@
+//! Sums of which only the first items count: whether that can be said of their coefficients.
+//!
+//! A list of the system may be shorter than the coordinates that it is zipped with. What an item adds is then a product
+//! with a coefficient that is zero from some index on, and is prepared once per run; the loop itself stays one over all
+//! coordinates, as lattices and pairs of bodies need it.
+
+use super::{Graph, Node, NodeId, index::LoopId};
+
+/// Functions that are finite wherever their argument is, as far as numbers reach.
+const FINITE: [&str; 11] = ["sin", "cos", "tanh", "atan", "abs", "exp", "sinh", "cosh", "asinh", "min", "max"];
+
+impl Graph {
+    /// `value` where the condition holds, else zero, with the condition in prepared coefficients alone; `None` where
+    /// something else reads lists by the index of the loop, or might be infinite where the condition does not hold.
+    pub(crate) fn weighted(&mut self, by: LoopId, condition: NodeId, value: NodeId) -> Option<NodeId> {
+        if self.is_prepared(value) && self.loops_of(value).iter().all(|other| other == by) {
+            let zero = self.constant(0.0);
+            return Some(self.select(condition, value, zero));
+        }
+        match self.node(value) {
+            // finite: c ? -x : 0 == -(c ? x : 0)
+            Node::Neg(x) => {
+                let x = self.weighted(by, condition, x)?;
+                Some(self.neg(x))
+            }
+            // finite: c ? x + y : 0 == (c ? x : 0) + (c ? y : 0)
+            Node::Add(x, y) => {
+                let (x, y) = (self.weighted(by, condition, x)?, self.weighted(by, condition, y)?);
+                Some(self.add(x, y))
+            }
+            // finite: c ? x y : 0 == (c ? x : 0) y, for an x that is a coefficient
+            Node::Mul(x, y) if self.is_finite_without_lists(by, y) => {
+                let x = self.weighted(by, condition, x)?;
+                Some(self.mul(x, y))
+            }
+            Node::Mul(x, y) if self.is_finite_without_lists(by, x) => {
+                let y = self.weighted(by, condition, y)?;
+                Some(self.mul(x, y))
+            }
+            Node::Div(x, y) if self.as_constant(y).is_some() => {
+                let x = self.weighted(by, condition, x)?;
+                Some(self.div(x, y))
+            }
+            Node::Sum(inner, body) => {
+                let body = self.weighted(by, condition, body)?;
+                Some(self.sum(inner, body))
+            }
+            _ => None,
+        }
+    }
+
+    /// Whether a node is finite for any coordinates, and reads no list by the index of a loop.
+    fn is_finite_without_lists(&self, by: LoopId, root: NodeId) -> bool {
+        self.reachable([root]).into_iter().all(|id| match self.node(id) {
+            Node::Parameter(parameter) => !self.loops.of_parameter(parameter).contains(by),
+            Node::Coordinate(element) => {
+                [Some(element.index), element.component].into_iter().flatten().all(|at| self.loops.is_without_lists(at))
+            }
+            Node::Power(_, halves) => halves > 0 && halves % 2 == 0,
+            Node::Div(_, divisor) => self.as_constant(divisor).is_some(),
+            Node::Unary(function, _) | Node::Binary(function, ..) => FINITE.contains(&function.name()),
+            Node::Constant(_)
+            | Node::Time
+            | Node::Step
+            | Node::Neg(_)
+            | Node::Add(..)
+            | Node::Mul(..)
+            | Node::Sum(..) => true,
+            _ => false,
+        })
+    }
+}
