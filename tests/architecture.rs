@@ -6,9 +6,10 @@ use std::{
 };
 
 /// What each module of `integrator-symbolic` may import from its crate, in the order of the pipeline.
-const MAY_KNOW: [(&str, &[&str]); 14] = [
+const MAY_KNOW: [(&str, &[&str]); 15] = [
     ("errors", &[]),
     ("limits", &["errors"]),
+    ("spelling", &[]),
     ("graph", &[]),
     ("differentiate", &["graph"]),
     ("gather", &["differentiate", "graph"]),
@@ -18,7 +19,7 @@ const MAY_KNOW: [(&str, &[&str]); 14] = [
     ("scheme", &["errors"]),
     ("taylor", &["differentiate", "graph"]),
     ("syntax", &["errors", "scheme"]),
-    ("model", &["errors", "graph", "limits", "syntax"]),
+    ("model", &["errors", "graph", "limits", "spelling", "syntax"]),
     ("emit", &["differentiate", "gather", "graph", "lower", "model", "pairs", "program", "scheme", "syntax", "taylor"]),
     ("report", &["differentiate", "emit", "errors", "graph", "lower", "model", "syntax"]),
 ];

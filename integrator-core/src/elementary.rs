@@ -31,6 +31,17 @@ macro_rules! declare {
 }
 elementary_functions!(declare! {});
 
+/// A function of two arguments in `std`, where the remainder of a division is an operator.
+#[cfg(feature = "std")]
+macro_rules! std_binary {
+    (remainder $scalar:ident $x:expr, $y:expr) => {
+        $x % $y
+    };
+    ($binary:ident $scalar:ident $x:expr, $y:expr) => {
+        $scalar::$binary($x, $y)
+    };
+}
+
 #[cfg(feature = "std")]
 macro_rules! of_std {
     ($scalar:ident; unary: $($unary:ident)*; binary: $($binary:ident)*;) => {
@@ -56,7 +67,7 @@ macro_rules! of_std {
             $(
                 #[inline(always)]
                 fn $binary(self, other: Self) -> Self {
-                    $scalar::$binary(self, other)
+                    std_binary!($binary $scalar self, other)
                 }
             )*
         }
@@ -113,8 +124,9 @@ of_libm! {
     core: abs signum;
     unary: sqrt sqrt cbrt cbrt exp exp exp2 exp2 exp_m1 expm1 ln log ln_1p log1p log2 log2 log10 log10
            sin sin cos cos tan tan asin asin acos acos atan atan
-           sinh sinh cosh cosh tanh tanh asinh asinh acosh acosh atanh atanh;
-    binary: powf pow atan2 atan2 hypot hypot;
+           sinh sinh cosh cosh tanh tanh asinh asinh acosh acosh atanh atanh
+           floor floor ceil ceil trunc trunc round round;
+    binary: powf pow atan2 atan2 hypot hypot remainder fmod;
 }
 #[cfg(not(feature = "std"))]
 of_libm! {
@@ -122,6 +134,7 @@ of_libm! {
     core: abs signum;
     unary: sqrt sqrtf cbrt cbrtf exp expf exp2 exp2f exp_m1 expm1f ln logf ln_1p log1pf log2 log2f log10 log10f
            sin sinf cos cosf tan tanf asin asinf acos acosf atan atanf
-           sinh sinhf cosh coshf tanh tanhf asinh asinhf acosh acoshf atanh atanhf;
-    binary: powf powf atan2 atan2f hypot hypotf;
+           sinh sinhf cosh coshf tanh tanhf asinh asinhf acosh acoshf atanh atanhf
+           floor floorf ceil ceilf trunc truncf round roundf;
+    binary: powf powf atan2 atan2f hypot hypotf remainder fmodf;
 }

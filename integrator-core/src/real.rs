@@ -65,8 +65,8 @@ macro_rules! elementary_functions {
         $callback! {
             $($context)*
             unary: sqrt cbrt exp exp2 exp_m1 ln ln_1p log2 log10 sin cos tan asin acos atan
-                   sinh cosh tanh asinh acosh atanh abs signum;
-            binary: powf atan2 hypot min max;
+                   sinh cosh tanh asinh acosh atanh abs signum floor ceil trunc round;
+            binary: powf atan2 hypot min max remainder;
         }
     };
 }

@@ -113,6 +113,13 @@ macro_rules! binary {
     (max $x:expr, $y:expr) => {
         if $x >= $y || $y.value.is_nan() { $x } else { $y }
     };
+    // The remainder of the values is exact, and what lies below their last digits is left as it is.
+    (remainder $x:expr, $y:expr) => {
+        Twofold::new(
+            Elementary::remainder($x.value, $y.value),
+            $x.rest - Elementary::trunc($x.value / $y.value) * $y.rest,
+        )
+    };
     ($function:ident $x:expr, $y:expr) => {
         Twofold::of(<f64 as Real>::$function($x.value, $y.value))
     };

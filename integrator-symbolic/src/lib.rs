@@ -22,6 +22,7 @@ mod pairs;
 mod program;
 mod report;
 mod scheme;
+mod spelling;
 mod syntax;
 mod taylor;
 
@@ -65,6 +66,11 @@ pub fn report(arguments: TokenStream, item: TokenStream) -> syn::Result<Report> 
         Some(report::report(&input, model))
     });
     told(report, errors)
+}
+
+/// The names of the functions of coordinates that the language of H knows, as methods of `f64`.
+pub fn known_functions() -> impl Iterator<Item = &'static str> {
+    model::known_functions()
 }
 
 /// What is proved of the compositions that a `composition!` block declares; the error holds all that is wrong with it.

@@ -41,12 +41,17 @@ pub(crate) struct Input {
 }
 
 impl Input {
-    /// The function of the impl with this name.
-    pub(crate) fn function(&self, name: &str) -> Option<&ImplItemFn> {
-        self.item.items.iter().find_map(|item| match item {
-            ImplItem::Fn(function) if function.sig.ident == name => Some(function),
+    /// The functions of the impl.
+    pub(crate) fn functions(&self) -> impl Iterator<Item = &ImplItemFn> {
+        self.item.items.iter().filter_map(|item| match item {
+            ImplItem::Fn(function) => Some(function),
             _ => None,
         })
+    }
+
+    /// The function of this name, if the impl has one.
+    pub(crate) fn function(&self, name: &str) -> Option<&ImplItemFn> {
+        self.functions().find(|function| function.sig.ident == name)
     }
 }
 

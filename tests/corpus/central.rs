@@ -237,6 +237,13 @@ impl SoftBox {
         0.5 * p.iter().map(|p| p * p).sum::<f64>()
     }
     fn potential(&self, [x, y]: [f64; 2]) -> f64 {
+        // The nearest image in a box of 16, in the spellings that there are: the particle stays within half of it, where they
+        // all leave it where it is.
+        let x = x - 16.0 * (x / 16.0).round();
+        let x = x - 16.0 * (x / 16.0 + 0.5).floor();
+        let y = y - 16.0 * (y / 16.0 - 0.5).ceil();
+        let y = 16.0 * (y / 16.0).fract();
+        let y = y - 16.0 * (y / 16.0).trunc();
         let mut energy = 0.0;
         let inside = x >= -self.half && x <= self.half;
         if x > self.half {
@@ -244,7 +251,7 @@ impl SoftBox {
         } else if !inside || x < -2.0 * self.half {
             energy += 0.5 * self.hardness * (x + self.half).powi(2);
         }
-        let outside = y.abs().max(self.half) - self.half;
+        let outside = (y.abs() % 16.0).rem_euclid(16.0).max(self.half) - self.half;
         energy += 0.5 * self.hardness * outside * outside;
         energy + self.friction * x.min(y) + self.friction * y.signum() * y.powi(3)
     }

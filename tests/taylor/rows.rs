@@ -71,6 +71,11 @@ rows! {
     min [[f64; 2]] { (p[0] * p[0] + p[1] * p[1]) / 2.0 } { q[0].sin().min(q[1] * q[1]) }
     max [[f64; 2]] { (p[0] * p[0] + p[1] * p[1]) / 2.0 } { q[0].sin().max(q[1] * q[1]) * q[0] }
     signum [[f64; 2]] { (p[0] * p[0] + p[1] * p[1]) / 2.0 } { q[0].signum() * q[0].powi(2) * q[1] }
+    floor [[f64; 1]] { p[0] * p[0] / 2.0 } { (q[0] - q[0].floor()).powi(3) }
+    ceil [[f64; 1]] { p[0] * p[0] / 2.0 } { (q[0] - q[0].ceil()).powi(3) }
+    trunc [[f64; 1]] { p[0] * p[0] / 2.0 } { q[0].trunc() * q[0].powi(2) }
+    round [[f64; 1]] { p[0] * p[0] / 2.0 } { (q[0] - 2.0 * (q[0] / 2.0).round()).powi(4) }
+    remainder [[f64; 2]] { (p[0] * p[0] + p[1] * p[1]) / 2.0 } { (q[0] % q[1]).powi(3) }
     powf [[f64; 1]] { p[0] * p[0] / 2.0 } { q[0].powf(1.25) }
     powf_of_parameter [[f64; 1]] { p[0] * p[0] / 2.0 } { (q[0] * q[0] + 1.0).powf(self.exponent) }
     powf_of_both [[f64; 2]] { (p[0] * p[0] + p[1] * p[1]) / 2.0 } { q[0].powf(q[1]) }

@@ -9,7 +9,7 @@ struct System {
 #[hamiltonian]
 impl System {
     fn kinetic(&self, p: [f64; 2]) -> f64 {
-        p[0].fract() + p[1] * p[1]
+        p[0].next_up() + p[1] * p[1]
     }
     fn potential(&self, q: [f64; 2]) -> f64 {
         q[0].cos() + q[7]

@@ -16,7 +16,7 @@ impl System {
         (p[0] * p[0] + p[1] * p[1]) / 2.0
     }
     fn potential(&self, q: [f64; 2]) -> f64 {
-        bessel(q[0]) + q[1].floor()
+        bessel(q[0]) + q[1].div_euclid(2.0)
     }
 }
 

@@ -67,6 +67,19 @@ macro_rules! unary {
     (signum $x:expr) => {
         $x.chain($x.0.re.signum(), 0.0)
     };
+    // Steps have the slope zero wherever they have one.
+    (floor $x:expr) => {
+        $x.chain($x.0.re.floor(), 0.0)
+    };
+    (ceil $x:expr) => {
+        $x.chain($x.0.re.ceil(), 0.0)
+    };
+    (trunc $x:expr) => {
+        $x.chain($x.0.re.trunc(), 0.0)
+    };
+    (round $x:expr) => {
+        $x.chain($x.0.re.round(), 0.0)
+    };
     // sinh / cosh is inf / inf from 711 on; 1 - tanh² has no such end.
     (tanh $x:expr) => {{
         let value = $x.0.re.tanh();
@@ -98,6 +111,12 @@ macro_rules! binary {
         let (x, y) = ($x.0, $y.0);
         let radius = x.re.hypot(y.re);
         Dual::new(radius, x.re / radius * x.eps + y.re / radius * y.eps)
+    }};
+    // x - n y, with the whole number n that stays the same nearby.
+    (remainder $x:expr, $y:expr) => {{
+        let (x, y) = ($x.0, $y.0);
+        let by_y = if y.eps == 0.0 { 0.0 } else { (x.re / y.re).trunc() * y.eps };
+        Dual::new(x.re % y.re, x.eps - by_y)
     }};
     // As in std, a NaN gives way to the other argument; the tangent goes with the value.
     (min $x:expr, $y:expr) => {
@@ -183,7 +202,7 @@ elementary_functions!(dual_real! {});
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::check::tolerance::within;
+    use crate::{check::tolerance::within, elementary::Elementary};
 
     /// The difference quotient of fourth order, good to about 1e-11 at unit scale.
     fn quotient(f: impl Fn(f64) -> f64, x: f64) -> f64 {
@@ -205,7 +224,7 @@ mod tests {
             fn binary_table() -> Vec<(&'static str, Dual, f64, f64)> {
                 vec![$({
                     let (x, y) = (Dual::new(0.8, 2.0), Dual::new(1.3, -1.0));
-                    let along = |s: f64| f64::$binary(0.8 + 2.0 * s, 1.3 - s);
+                    let along = |s: f64| Elementary::$binary(0.8 + 2.0 * s, 1.3 - s);
                     (stringify!($binary), Real::$binary(x, y), along(0.0), quotient(along, 0.0) / 2.0)
                 }),*]
             }

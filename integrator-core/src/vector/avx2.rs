@@ -11,10 +11,10 @@ use core::arch::x86_64::{
     _mm256_castpd_si256, _mm256_castps_si256, _mm256_castsi256_pd, _mm256_castsi256_ps, _mm256_cmp_pd, _mm256_cmp_ps,
     _mm256_div_pd, _mm256_div_ps, _mm256_fmadd_pd, _mm256_fmadd_ps, _mm256_loadu_pd, _mm256_loadu_ps,
     _mm256_movemask_pd, _mm256_movemask_ps, _mm256_mul_pd, _mm256_mul_ps, _mm256_or_pd, _mm256_or_ps,
-    _mm256_permute2f128_pd, _mm256_permute2x128_si256, _mm256_set1_pd, _mm256_set1_ps, _mm256_shuffle_pd,
-    _mm256_sll_epi32, _mm256_sll_epi64, _mm256_slli_epi32, _mm256_slli_epi64, _mm256_sqrt_pd, _mm256_sqrt_ps,
-    _mm256_srl_epi32, _mm256_srl_epi64, _mm256_storeu_pd, _mm256_storeu_ps, _mm256_sub_pd, _mm256_sub_ps,
-    _mm256_xor_pd, _mm256_xor_ps,
+    _mm256_permute2f128_pd, _mm256_permute2x128_si256, _mm256_round_pd, _mm256_round_ps, _mm256_set1_pd,
+    _mm256_set1_ps, _mm256_shuffle_pd, _mm256_sll_epi32, _mm256_sll_epi64, _mm256_slli_epi32, _mm256_slli_epi64,
+    _mm256_sqrt_pd, _mm256_sqrt_ps, _mm256_srl_epi32, _mm256_srl_epi64, _mm256_storeu_pd, _mm256_storeu_ps,
+    _mm256_sub_pd, _mm256_sub_ps, _mm256_xor_pd, _mm256_xor_ps,
 };
 
 /// A mask in a register as wide as the numbers: the sign of a lane says whether the condition holds there.
@@ -65,7 +65,7 @@ elementary_functions!(vector! {
     X4: 4 of f64 in __m256d, masked by X4Mask, of the instructions Fma;
     load _mm256_loadu_pd, store _mm256_storeu_pd, splat _mm256_set1_pd,
     add _mm256_add_pd, sub _mm256_sub_pd, mul _mm256_mul_pd, div _mm256_div_pd,
-    fma _mm256_fmadd_pd, sqrt _mm256_sqrt_pd, xor _mm256_xor_pd, andnot _mm256_andnot_pd,
+    fma _mm256_fmadd_pd, sqrt _mm256_sqrt_pd, xor _mm256_xor_pd, andnot _mm256_andnot_pd, to whole numbers _mm256_round_pd,
     compare _mm256_cmp_pd, select |mask, a, b| _mm256_blendv_pd(b, a, mask),
     after |low, high| _mm256_shuffle_pd::<0b0101>(low, _mm256_permute2f128_pd::<0x21>(low, high)),
     before |low, high| _mm256_shuffle_pd::<0b0101>(_mm256_permute2f128_pd::<0x21>(low, high), high),
@@ -76,7 +76,7 @@ elementary_functions!(vector! {
     S8: 8 of f32 in __m256, masked by S8Mask, of the instructions Fma;
     load _mm256_loadu_ps, store _mm256_storeu_ps, splat _mm256_set1_ps,
     add _mm256_add_ps, sub _mm256_sub_ps, mul _mm256_mul_ps, div _mm256_div_ps,
-    fma _mm256_fmadd_ps, sqrt _mm256_sqrt_ps, xor _mm256_xor_ps, andnot _mm256_andnot_ps,
+    fma _mm256_fmadd_ps, sqrt _mm256_sqrt_ps, xor _mm256_xor_ps, andnot _mm256_andnot_ps, to whole numbers _mm256_round_ps,
     compare _mm256_cmp_ps, select |mask, a, b| _mm256_blendv_ps(b, a, mask),
     after |low, high| {
         let (low, high) = (_mm256_castps_si256(low), _mm256_castps_si256(high));

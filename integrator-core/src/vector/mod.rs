@@ -37,13 +37,29 @@ mod tests {
 
     /// Points where the operations and comparisons have their edges: 1e-310 is subnormal in double precision, 1e-40 in
     /// single precision.
-    const POINTS: [f64; 9] = [0.0, -0.0, 1.5, -2.25, f64::INFINITY, f64::NEG_INFINITY, f64::NAN, 1e-310, 1e-40];
+    const POINTS: [f64; 13] = [
+        0.0,
+        -0.0,
+        1.5,
+        -2.25,
+        f64::INFINITY,
+        f64::NEG_INFINITY,
+        f64::NAN,
+        1e-310,
+        1e-40,
+        // The largest number below a half, a half, and a whole number with no place for a half behind it.
+        0.499_999_999_999_999_94,
+        -0.5,
+        4_503_599_627_370_497.0,
+        -0.499_999_97,
+    ];
 
     /// Every operation on the numbers `a` and `b`: all lanes of the results.
     fn results<R: Real>(a: R, b: R) -> Vec<Vec<u64>> {
         let mut results =
             vec![a + b, a - b, a * b, a / b, -a, a.fma(b, b), a.sqrt(), a.abs(), a.sin(), a.min(b), a.powf(b)];
         results.extend([a.sin_cos().0, a.sin_cos().1]);
+        results.extend([a.floor(), a.ceil(), a.trunc(), a.round(), a.remainder(b)]);
         let masks = [
             a.less(b),
             a.less_or_equal(b),

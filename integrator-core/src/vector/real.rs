@@ -2,13 +2,29 @@
 
 /// The functions that are one instruction, and the others, lane by lane.
 macro_rules! unary {
-    (sqrt $x:expr, $vector:ident of $scalar:ident, $sqrt:ident $andnot:ident $splat:ident) => {
+    (sqrt $x:expr, $vector:ident of $scalar:ident, $sqrt:ident $andnot:ident $splat:ident $xor:ident $to_whole:ident) => {
         $vector(instruction!($sqrt($x.0)))
     };
-    (abs $x:expr, $vector:ident of $scalar:ident, $sqrt:ident $andnot:ident $splat:ident) => {
+    (abs $x:expr, $vector:ident of $scalar:ident, $sqrt:ident $andnot:ident $splat:ident $xor:ident $to_whole:ident) => {
         $vector(instruction!($andnot($splat(-0.0), $x.0)))
     };
-    ($function:ident $x:expr, $vector:ident of $scalar:ident, $sqrt:ident $andnot:ident $splat:ident) => {
+    (floor $x:expr, $vector:ident of $scalar:ident, $sqrt:ident $andnot:ident $splat:ident $xor:ident $to_whole:ident) => {
+        $vector(instruction!($to_whole::<{ _MM_FROUND_TO_NEG_INF | _MM_FROUND_NO_EXC }>($x.0)))
+    };
+    (ceil $x:expr, $vector:ident of $scalar:ident, $sqrt:ident $andnot:ident $splat:ident $xor:ident $to_whole:ident) => {
+        $vector(instruction!($to_whole::<{ _MM_FROUND_TO_POS_INF | _MM_FROUND_NO_EXC }>($x.0)))
+    };
+    (trunc $x:expr, $vector:ident of $scalar:ident, $sqrt:ident $andnot:ident $splat:ident $xor:ident $to_whole:ident) => {
+        $vector(instruction!($to_whole::<{ _MM_FROUND_TO_ZERO | _MM_FROUND_NO_EXC }>($x.0)))
+    };
+    // Halves away from zero: the largest number below a half is added to the size before that is cut off. A half itself
+    // would round 0.49999999999999994 up to one.
+    (round $x:expr, $vector:ident of $scalar:ident, $sqrt:ident $andnot:ident $splat:ident $xor:ident $to_whole:ident) => {{
+        let size = $x.abs();
+        let whole = (size + $vector(instruction!($splat(0.5 - $scalar::EPSILON / 4.0)))).trunc();
+        $vector(instruction!($xor(whole.0, $xor($x.0, size.0))))
+    }};
+    ($function:ident $x:expr, $vector:ident of $scalar:ident, $sqrt:ident $andnot:ident $splat:ident $xor:ident $to_whole:ident) => {
         crate::functions::kernel!($function $x; $vector::of_lanes($x.lanes().map($scalar::$function)))
     };
 }
@@ -22,7 +38,7 @@ macro_rules! vector {
         of the instructions $set:ident;
         load $load:ident, store $store:ident, splat $splat:ident,
         add $add:ident, sub $sub:ident, mul $mul:ident, div $div:ident,
-        fma $fma:ident, sqrt $sqrt:ident, xor $xor:ident, andnot $andnot:ident,
+        fma $fma:ident, sqrt $sqrt:ident, xor $xor:ident, andnot $andnot:ident, to whole numbers $to_whole:ident,
         compare $compare:ident, select |$of:ident, $a:ident, $b:ident| $select:expr,
         after |$low:ident, $high:ident| $after:expr, before |$lower:ident, $higher:ident| $before:expr,
         over_root_cubed $over_root_cubed:expr;
@@ -36,12 +52,16 @@ macro_rules! vector {
             use super::real::unary;
             use crate::{
                 block::Block,
+                elementary::Elementary,
                 functions::{fast_functions, fast_kernels},
                 fused::{Fused, Instructions},
                 real::{Kernel, Real},
             };
             use core::{
-                arch::x86_64::{_CMP_EQ_OQ, _CMP_LE_OQ, _CMP_LT_OQ},
+                arch::x86_64::{
+                    _CMP_EQ_OQ, _CMP_LE_OQ, _CMP_LT_OQ, _MM_FROUND_NO_EXC, _MM_FROUND_TO_NEG_INF, _MM_FROUND_TO_POS_INF,
+                    _MM_FROUND_TO_ZERO,
+                },
                 array,
                 ops::{Add, AddAssign, Div, Mul, Neg, Sub, SubAssign},
             };
@@ -141,7 +161,7 @@ macro_rules! vector {
                 $(
                     #[inline(always)]
                     fn $unary(self) -> Self {
-                        unary!($unary self, $vector of $scalar, $sqrt $andnot $splat)
+                        unary!($unary self, $vector of $scalar, $sqrt $andnot $splat $xor $to_whole)
                     }
                 )*
                 $(
@@ -149,7 +169,7 @@ macro_rules! vector {
                     fn $binary(self, other: Self) -> Self {
                         crate::functions::kernel!($binary self, other; {
                             let (a, b) = (self.lanes(), other.lanes());
-                            Self::of_lanes(array::from_fn(|lane| $scalar::$binary(a[lane], b[lane])))
+                            Self::of_lanes(array::from_fn(|lane| <$scalar as Elementary>::$binary(a[lane], b[lane])))
                         })
                     }
                 )*

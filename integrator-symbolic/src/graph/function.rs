@@ -28,7 +28,23 @@ pub(crate) struct Row {
     pub(crate) fast: Option<&'static str>,
     /// Whether value and derivative are finite for all finite arguments, but for overflow.
     pub(crate) total: bool,
+    pub(crate) symmetry: Symmetry,
     pub(crate) rule: Rule,
+}
+
+/// What becomes of a value where arguments change their sign or their order.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Symmetry {
+    /// Nothing that could be said.
+    None,
+    /// The sign of the argument (of two, of either one) does not matter.
+    Even,
+    /// The value changes its sign with the argument, the first of two.
+    Odd,
+    /// The order of two arguments does not matter.
+    Commutative,
+    /// Neither their order nor their signs do.
+    EvenCommutative,
 }
 
 impl Row {
@@ -39,14 +55,23 @@ impl Row {
     const fn total(self) -> Self {
         Self { total: true, ..self }
     }
+
+    const fn with(self, symmetry: Symmetry) -> Self {
+        Self { symmetry, ..self }
+    }
 }
 
 const fn unary(name: &'static str, value: fn(f64) -> f64, slope: Slope) -> Row {
-    Row { name, fast: None, total: false, rule: Rule::Unary(value, Some(slope)) }
+    Row { name, fast: None, total: false, symmetry: Symmetry::None, rule: Rule::Unary(value, Some(slope)) }
+}
+
+/// A function that is constant but for its jumps, so that its derivative is zero wherever it has one.
+const fn step(name: &'static str, value: fn(f64) -> f64) -> Row {
+    Row { name, fast: None, total: true, symmetry: Symmetry::None, rule: Rule::Unary(value, None) }
 }
 
 const fn binary(name: &'static str, value: fn(f64, f64) -> f64, slopes: Slopes) -> Row {
-    Row { name, fast: None, total: false, rule: Rule::Binary(value, slopes) }
+    Row { name, fast: None, total: false, symmetry: Symmetry::None, rule: Rule::Binary(value, slopes) }
 }
 
 /// `1 / g`
@@ -82,19 +107,21 @@ fn smaller(graph: &mut Graph, a: NodeId, b: NodeId) -> [NodeId; 2] {
 ///
 /// Derivatives avoid cancellation: `tanh'` is `1/cosh²`, not `1 - tanh²`; `asin'` has `(1-x)(1+x)` under its root.
 pub(crate) const TABLE: &[Row] = &[
-    unary("sin", f64::sin, |g, x, _| g.call("cos", x)).total().with_fast("fast_sin"),
+    unary("sin", f64::sin, |g, x, _| g.call("cos", x)).total().with_fast("fast_sin").with(Symmetry::Odd),
     unary("cos", f64::cos, |g, x, _| {
         let sine = g.call("sin", x);
         g.neg(sine)
     })
     .total()
-    .with_fast("fast_cos"),
-    unary("tan", f64::tan, |g, _, y| one_plus_square(g, y)).total().with_fast("fast_tan"),
+    .with_fast("fast_cos")
+    .with(Symmetry::Even),
+    unary("tan", f64::tan, |g, _, y| one_plus_square(g, y)).total().with_fast("fast_tan").with(Symmetry::Odd),
     unary("asin", f64::asin, |g, x, _| {
         let square = one_minus_square(g, x);
         g.power(square, -1)
     })
-    .with_fast("fast_asin"),
+    .with_fast("fast_asin")
+    .with(Symmetry::Odd),
     unary("acos", f64::acos, |g, x, _| {
         let square = one_minus_square(g, x);
         let slope = g.power(square, -1);
@@ -106,20 +133,23 @@ pub(crate) const TABLE: &[Row] = &[
         over(g, square)
     })
     .total()
-    .with_fast("fast_atan"),
-    unary("sinh", f64::sinh, |g, x, _| g.call("cosh", x)).total(),
-    unary("cosh", f64::cosh, |g, x, _| g.call("sinh", x)).total(),
+    .with_fast("fast_atan")
+    .with(Symmetry::Odd),
+    unary("sinh", f64::sinh, |g, x, _| g.call("cosh", x)).total().with(Symmetry::Odd),
+    unary("cosh", f64::cosh, |g, x, _| g.call("sinh", x)).total().with(Symmetry::Even),
     unary("tanh", f64::tanh, |g, x, _| {
         let cosine = g.call("cosh", x);
         g.power(cosine, -4)
     })
     .total()
-    .with_fast("fast_tanh"),
+    .with_fast("fast_tanh")
+    .with(Symmetry::Odd),
     unary("asinh", f64::asinh, |g, x, _| {
         let square = one_plus_square(g, x);
         g.power(square, -1)
     })
-    .total(),
+    .total()
+    .with(Symmetry::Odd),
     unary("acosh", f64::acosh, |g, x, _| {
         let one = g.constant(1.0);
         let (minus, plus) = (g.sub(x, one), g.add(x, one));
@@ -129,7 +159,8 @@ pub(crate) const TABLE: &[Row] = &[
     unary("atanh", f64::atanh, |g, x, _| {
         let square = one_minus_square(g, x);
         over(g, square)
-    }),
+    })
+    .with(Symmetry::Odd),
     unary("exp", f64::exp, |_, _, y| y).total().with_fast("fast_exp"),
     unary("exp2", f64::exp2, |g, _, y| {
         let scale = g.constant(std::f64::consts::LN_2);
@@ -149,15 +180,31 @@ pub(crate) const TABLE: &[Row] = &[
         let (square, three) = (g.power(y, -4), g.constant(3.0));
         g.div(square, three)
     })
-    .with_fast("fast_cbrt"),
-    unary("abs", f64::abs, |g, x, _| g.call("signum", x)).total(),
-    binary("min", f64::min, |g, a, b, _| smaller(g, a, b)).total(),
+    .with_fast("fast_cbrt")
+    .with(Symmetry::Odd),
+    unary("abs", f64::abs, |g, x, _| g.call("signum", x)).total().with(Symmetry::Even),
+    binary("min", f64::min, |g, a, b, _| smaller(g, a, b)).total().with(Symmetry::Commutative),
     binary("max", f64::max, |g, a, b, _| {
         let [of_a, of_b] = smaller(g, a, b);
         [of_b, of_a]
     })
-    .total(),
-    Row { name: "signum", fast: None, total: true, rule: Rule::Unary(f64::signum, None) },
+    .total()
+    .with(Symmetry::Commutative),
+    step("signum", f64::signum).with(Symmetry::Odd),
+    step("floor", f64::floor),
+    step("ceil", f64::ceil),
+    step("trunc", f64::trunc).with(Symmetry::Odd),
+    step("round", f64::round).with(Symmetry::Odd),
+    binary(
+        "remainder",
+        |x, y| x % y,
+        |g, a, b, _| {
+            let quotient = g.div(a, b);
+            let whole = g.call("trunc", quotient);
+            [g.constant(1.0), g.neg(whole)]
+        },
+    )
+    .with(Symmetry::Odd),
     binary("powf", f64::powf, |g, a, b, y| {
         let one = g.constant(1.0);
         let (less, logarithm) = (g.sub(b, one), g.call("ln", a));
@@ -175,7 +222,8 @@ pub(crate) const TABLE: &[Row] = &[
     binary("hypot", f64::hypot, |g, a, b, y| {
         let scale = over(g, y);
         [g.mul(scale, a), g.mul(scale, b)]
-    }),
+    })
+    .with(Symmetry::EvenCommutative),
 ];
 
 impl Function {
@@ -227,6 +275,11 @@ mod tests {
         ("min", [0.2, 4.0]),
         ("max", [0.2, 4.0]),
         ("signum", [0.1, 9.0]),
+        ("floor", [0.1, 9.0]),
+        ("ceil", [-9.0, 0.1]),
+        ("trunc", [0.1, 9.0]),
+        ("round", [-9.0, 0.1]),
+        ("remainder", [2.0, 9.0]),
     ];
 
     /// The argument at which a test evaluates, one of nine in the interval.
@@ -304,6 +357,38 @@ mod tests {
                 parts.map(|part| Point::new(&at, &[]).value(&graph, part)).collect::<Vec<_>>()
             });
             assert_eq!(values.all(f64::is_finite), row.total, "{}", row.name);
+        }
+    }
+
+    /// The signs and orders of arguments under which a symmetry keeps a value, with the sign that it then has.
+    #[test]
+    fn symmetries_are_those_of_the_values() {
+        for row in TABLE {
+            let (_, domain) = *DOMAINS.iter().find(|(name, _)| *name == row.name).expect("a domain");
+            for position in 0..9 {
+                let (x, y) = (argument(domain, position), argument(domain, (position + 4) % 9));
+                let value = |x: f64, y: f64| match row.rule {
+                    Rule::Unary(value, _) => value(x),
+                    Rule::Binary(value, _) => value(x, y),
+                };
+                let same = |x: f64, y: f64, expected: f64| {
+                    // `atanh` of `std` takes a logarithm of (1 + x) / (1 - x), whose roundings differ on the two sides of zero.
+                    let close = (value(x, y) - expected).abs() <= 4.0 * f64::EPSILON * expected.abs();
+                    assert!(close, "{} at {x}, {y}: {} for {expected}", row.name, value(x, y));
+                };
+                let own = value(x, y);
+                match row.symmetry {
+                    Symmetry::None => {}
+                    Symmetry::Even => same(-x, y, own),
+                    Symmetry::Odd => same(-x, y, -own),
+                    Symmetry::Commutative => same(y, x, own),
+                    Symmetry::EvenCommutative => {
+                        for (x, y) in [(-x, y), (x, -y), (y, x)] {
+                            same(x, y, own);
+                        }
+                    }
+                }
+            }
         }
     }
 

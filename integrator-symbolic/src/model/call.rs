@@ -12,10 +12,11 @@ use super::{
 use crate::{
     errors::quoted,
     graph::{
-        NodeId,
+        Comparison, NodeId,
         function::{Function, Rule, TABLE},
         index::{Index, LoopSet},
     },
+    spelling::nearest,
 };
 use proc_macro2::{Ident, TokenStream};
 use quote::{ToTokens, quote};
@@ -23,8 +24,23 @@ use std::collections::HashMap;
 use syn::{Expr, ExprCall, ExprLit, ExprMethodCall, ExprUnary, FnArg, ImplItemFn, Lit, UnOp};
 
 /// Methods of `f64` that are arithmetic on the functions of the table.
-const ARITHMETIC: [&str; 10] =
-    ["sqrt", "powi", "recip", "mul_add", "sin_cos", "log", "clamp", "to_radians", "to_degrees", "clone"];
+const ARITHMETIC: [&str; 12] = [
+    "sqrt",
+    "powi",
+    "recip",
+    "mul_add",
+    "sin_cos",
+    "log",
+    "clamp",
+    "fract",
+    "rem_euclid",
+    "to_radians",
+    "to_degrees",
+    "clone",
+];
+
+/// Names of the tables that nobody writes as a function of coordinates: an operator, and what changes nothing.
+const UNSPELLED: [&str; 2] = ["remainder", "clone"];
 
 /// What may be done with code that is never looked into.
 const OR_STATE: &str = "or call it from a method with a stated derivative, `#[derivative(slope)]`";
@@ -188,12 +204,15 @@ impl Reader<'_> {
         self.errors.at(place, message);
     }
 
+    /// Notes a function of coordinates that is none of the table and no helper, with the names nearest to it.
     fn unknown_function(&mut self, place: impl ToTokens, name: &str) {
-        let known: Vec<&str> =
-            TABLE.iter().map(|row| row.name).chain(ARITHMETIC).filter(|name| *name != "clone").collect();
+        let helpers = self.input.functions().map(|function| function.sig.ident.to_string());
+        let known: Vec<String> = known_functions().map(str::to_owned).chain(helpers).collect();
+        let near: Vec<String> = nearest(name, &known).into_iter().map(|near| format!("`{near}`")).collect();
+        let like = if near.is_empty() { String::new() } else { format!(" Spelled like it: {}.", near.join(", ")) };
         let message = format!(
-            "`{name}` of a coordinate is not known. Known are the methods of f64 {}, and helper methods of this impl",
-            known.join(", ")
+            "`{name}` of a coordinate is not known: known are the methods of f64 that have a derivative, and helper \
+             methods of this impl.{like} The whole list is in docs/language.md"
         );
         self.errors.at(place, message);
     }
@@ -211,7 +230,7 @@ impl Reader<'_> {
         let function = Function::named(&method);
         let expected = match (function.map(|function| &function.row().rule), method.as_str()) {
             (Some(Rule::Unary(..)), _) => 0,
-            (Some(Rule::Binary(..)), _) | (None, "powi" | "log") => 1,
+            (Some(Rule::Binary(..)), _) | (None, "powi" | "log" | "rem_euclid") => 1,
             (None, "mul_add" | "clamp") => 2,
             (None, known) if ARITHMETIC.contains(&known) => 0,
             _ if matches!(receiver, Value::Opaque(_)) => {
@@ -267,6 +286,19 @@ impl Reader<'_> {
             (None, "log", [base]) => {
                 let (logarithm, of_base) = (graph.call("ln", x), graph.call("ln", *base));
                 graph.div(logarithm, of_base)
+            }
+            (None, "fract", _) => {
+                let whole = graph.call("trunc", x);
+                graph.sub(x, whole)
+            }
+            // As in std: what `%` leaves below zero is moved up by one divisor.
+            (None, "rem_euclid", [divisor]) => {
+                let zero = graph.constant(0.0);
+                let remainder = graph.call_two("remainder", x, *divisor);
+                let size = graph.call("abs", *divisor);
+                let raised = graph.add(remainder, size);
+                let below = graph.compare(Comparison::Less, remainder, zero);
+                graph.select(below, raised, remainder)
             }
             (None, "to_degrees", _) => {
                 let scale = graph.constant(180.0 / std::f64::consts::PI);
@@ -332,6 +364,11 @@ impl Reader<'_> {
         self.scopes = scopes;
         value.map(Value::into_operand)
     }
+}
+
+/// The methods of `f64` that may be called with coordinates.
+pub(crate) fn known_functions() -> impl Iterator<Item = &'static str> {
+    TABLE.iter().map(|row| row.name).chain(ARITHMETIC).filter(|name| !UNSPELLED.contains(name))
 }
 
 /// Whether a method leaves its receiver as it is: those of numbers do, and those that only look at a list.

@@ -29,6 +29,7 @@ use crate::{
     },
     syntax::{Functions, Input},
 };
+pub(crate) use call::known_functions;
 pub(crate) use external::stripped;
 use proc_macro2::{Ident, TokenStream};
 use quote::ToTokens;

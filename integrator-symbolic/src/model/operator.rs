@@ -101,7 +101,7 @@ impl Reader<'_> {
         }
         let (a, b) = (self.number(&left, left_place), self.number(&right, right_place));
         let (a, b) = (a?, b?);
-        if matches!(op, BinOp::Mul(_) | BinOp::Div(_)) && self.mixes(a, b) {
+        if matches!(op, BinOp::Mul(_) | BinOp::Div(_) | BinOp::Rem(_)) && self.mixes(a, b) {
             self.not_separable(whole);
             return None;
         }
@@ -110,12 +110,7 @@ impl Reader<'_> {
             BinOp::Sub(_) => self.graph.sub(a, b),
             BinOp::Mul(_) => self.graph.mul(a, b),
             BinOp::Div(_) => self.graph.div(a, b),
-            _ => {
-                let message = "`%` of a number that depends on coordinates jumps, and no force tells of a jump: write \
-                               a periodic function, such as `sin`; `%` of indices is fine";
-                self.errors.at(whole, message);
-                return None;
-            }
+            _ => self.graph.call_two("remainder", a, b),
         }))
     }
 

@@ -6,7 +6,7 @@
 use super::{Parameters, rename::Renaming};
 use crate::graph::{
     Comparison, Element, Graph, Node, NodeId, ParameterId,
-    function::Function,
+    function::{Function, Symmetry},
     index::{IndexId, LoopId},
 };
 use std::collections::HashMap;
@@ -50,12 +50,6 @@ enum Form {
     Or([Signed; 2]),
     Select([Signed; 3]),
 }
-
-/// Functions whose value stays, those whose sign changes with the sign of the argument, and those of two arguments in
-/// either order.
-const EVEN: [&str; 3] = ["abs", "cos", "cosh"];
-const ODD: [&str; 10] = ["sin", "tan", "asin", "atan", "sinh", "tanh", "asinh", "atanh", "cbrt", "signum"];
-const COMMUTATIVE: [&str; 3] = ["min", "max", "hypot"];
 
 /// The forms known so far.
 pub(super) struct Forms<'p> {
@@ -104,20 +98,25 @@ impl<'p> Forms<'p> {
             Node::Coordinate(element) => Form::Coordinate(element),
             Node::Unary(function, a) => {
                 let a = self.of(graph, a, exchanged)?;
-                let (even, odd) = (EVEN.contains(&function.name()), ODD.contains(&function.name()));
-                let unsigned = Signed { negative: a.negative && !(even || odd), ..a };
+                let symmetry = function.row().symmetry;
+                let unsigned = Signed { negative: a.negative && symmetry == Symmetry::None, ..a };
                 let form = self.id(Form::Unary(function, unsigned));
-                return Some(form.negated_if(a.negative && odd));
+                return Some(form.negated_if(a.negative && symmetry == Symmetry::Odd));
             }
             Node::Binary(function, a, b) => {
                 let mut arguments = [self.of(graph, a, exchanged)?, self.of(graph, b, exchanged)?];
-                if function.name() == "hypot" {
+                let symmetry = function.row().symmetry;
+                if symmetry == Symmetry::EvenCommutative {
                     arguments = arguments.map(|argument| Signed { negative: false, ..argument });
                 }
-                if COMMUTATIVE.contains(&function.name()) {
+                if matches!(symmetry, Symmetry::Commutative | Symmetry::EvenCommutative) {
                     arguments.sort();
                 }
-                Form::Binary(function, arguments[0], arguments[1])
+                let [first, second] = arguments;
+                let odd = first.negative && symmetry == Symmetry::Odd;
+                let form =
+                    self.id(Form::Binary(function, Signed { negative: first.negative && !odd, ..first }, second));
+                return Some(form.negated_if(odd));
             }
             Node::Sum(by, body) => {
                 let body = self.of(graph, body, exchanged)?;

@@ -200,12 +200,7 @@ pub(crate) const BODIES: &[Row] = &[
     ("2", &["2:0 `potential` has to end in a number, the energy; this is an integer"]),
     ("q + 1.0", &["2:0 expected a number, found the whole array of coordinates"]),
     ("2 * q[0]", &["2:0 this is an integer: write it as a number, `2.0`, or `n as f64`"]),
-    (
-        "q[0] % 2.0",
-        &[
-            "2:0 `%` of a number that depends on coordinates jumps, and no force tells of a jump: write a periodic function, such as `sin`; `%` of indices is fine",
-        ],
-    ),
+    ("q[0] % 2.0", &[]),
     ("q[0] as f32", &["2:0 a number cannot be cast here: energies are computed in f64"]),
     ("if q[0] > 0.0 { q[0] } else { 0.0 }", &[]),
     ("match q[0] { _ => q[0] }", &["2:0 `match` on coordinates is not understood: write `if ... else if ... else`"]),
@@ -226,7 +221,7 @@ pub(crate) const BODIES: &[Row] = &[
             "2:0 this expression over coordinates is not understood: arithmetic, f64 methods, helper methods of this impl, `let`, `if` and `for i in a..b` are",
         ],
     ),
-    ("q[0].floor()", &["2:5 `floor` of a coordinate is not known."]),
+    ("q[0].div_euclid(2.0)", &["2:5 `div_euclid` of a coordinate is not known: Spelled like it: `rem_euclid`."]),
     (
         "bessel(q[0])",
         &[
@@ -369,9 +364,9 @@ pub(crate) const BODIES: &[Row] = &[
     ("fn inner(x: f64) -> f64 { x } inner(q[0])", &["2:0 an item inside the function: move it out of the impl"]),
     ("use std::f64::consts::PI; PI * q[0]", &[]),
     (
-        "q[0].floor() +\nq[2] +\nx",
+        "q[0].next_up() +\nq[2] +\nx",
         &[
-            "2:5 `floor` of a coordinate is not known.",
+            "2:5 `next_up` of a coordinate is not known:",
             "3:2 index 2 is out of bounds: the coordinates are `[f64; 2]`, the last index here is 1",
             "4:0 `x` is not known here",
         ],
