@@ -34,10 +34,7 @@ impl Contribution {
 
     /// The conditions around it, outermost first.
     pub(crate) fn conditions(&self) -> impl Iterator<Item = NodeId> {
-        self.context.iter().filter_map(|around| match around {
-            Around::Loop(_) => None,
-            Around::Branch(condition, _) => Some(*condition),
-        })
+        self.context.iter().filter_map(Around::condition)
     }
 
     /// What is around it, with other nodes for its conditions.

@@ -130,11 +130,13 @@ fn attempt<L: Fn(&Graph, NodeId) -> bool>(
     };
     for Placed { context, sink, value } in placed {
         let mut path = vec![0];
-        for around in context {
-            let mut waits = scheduler.waits(&path, *value, *around);
-            if let Around::Branch(condition, _) = around {
-                waits = waits.max(scheduler.waits(&path, *condition, *around));
-                scheduler.used(*condition, &path);
+        for (position, around) in context.iter().enumerate() {
+            // Conditions further in count as well: a sum in one of them has its loop before this block.
+            let conditions = context[position..].iter().filter_map(Around::condition);
+            let needed = conditions.chain([*value]);
+            let waits = needed.map(|id| scheduler.waits(&path, id, *around)).max().unwrap_or(0);
+            if let Some(condition) = around.condition() {
+                scheduler.used(condition, &path);
             }
             path.push(scheduler.inner(&path, *around, waits + 1));
         }

@@ -136,6 +136,8 @@ pub(super) struct Writer<'m> {
     pub(super) within: Vec<usize>,
     /// Where the series of a value is.
     pub(super) places: HashMap<NodeId, Series>,
+    /// Where it is of what the function begins with, in all of its blocks.
+    begun: HashMap<NodeId, Series>,
     /// The lines that keep what the function begins with, where recurrences read its series.
     pub(super) opening: TokenStream,
     pub(super) moves: Moves,
@@ -157,6 +159,7 @@ impl<'m> Writer<'m> {
             records: vec![record],
             within: vec![0],
             places: HashMap::new(),
+            begun: HashMap::new(),
             opening: TokenStream::new(),
             moves: Moves::InPlace,
             pass: Pass::One,
@@ -340,7 +343,7 @@ impl<'m> Writer<'m> {
 
     /// Where the series of something is kept that the function begins with.
     fn begun_with(&mut self, fields: &mut Fields, id: NodeId) -> Series {
-        if let Some(place) = self.places.get(&id) {
+        if let Some(place) = self.begun.get(&id) {
             return place.clone();
         }
         let value = self.printer.expression(fields, id).tokens;
@@ -350,7 +353,7 @@ impl<'m> Writer<'m> {
         let place = Series::Kept { at: record.at.clone(), name };
         let coefficient = place.of(&quote!(order));
         self.opening.extend(quote!(#coefficient = #value;));
-        self.places.insert(id, place.clone());
+        self.begun.insert(id, place.clone());
         place
     }
 }

@@ -206,6 +206,16 @@ pub(crate) enum Around {
     Branch(NodeId, bool),
 }
 
+impl Around {
+    /// The condition of a branch.
+    pub(crate) fn condition(&self) -> Option<NodeId> {
+        match self {
+            Around::Loop(_) => None,
+            Around::Branch(condition, _) => Some(*condition),
+        }
+    }
+}
+
 /// What is known of a node beside its children, found when it is built.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 struct Facts {
