@@ -51,6 +51,16 @@ pub struct Stages {
     pub closing: Stage,
 }
 
+impl Stages {
+    /// How often a step that is not merged with others evaluates the force, with its processor; kicks along the gradient of the
+    /// squared force count twice.
+    pub(crate) fn forces(&self, processor: &Processor) -> usize {
+        let step = [&self.opening].into_iter().chain(&self.cycle[1..]).chain([&self.closing]);
+        let rows = processor.before.rows.iter().chain(step).chain(processor.after.rows);
+        rows.map(|row| usize::from(row.kick != 0.0 || row.gradient != 0.0) + usize::from(row.gradient != 0.0)).sum()
+    }
+}
+
 /// A list of stages that is gone through once.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Rows {

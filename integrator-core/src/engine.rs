@@ -385,6 +385,9 @@ impl<F: Flows<H>, H: Hamiltonian, X: Composition<H>> Kernel for Advance<F, H, X>
     fn call(mut self) {
         let Clock { h, steps: mut step, .. } = self.clock;
         let end = step + self.steps;
+        if const { H::PIECEWISE_IN_TIME } {
+            return self.whole_steps(end);
+        }
         if step == 0 && end > 0 {
             X::open(&mut self.flows, h, self.clock.at(0));
             step = 1;
@@ -401,6 +404,30 @@ impl<F: Flows<H>, H: Hamiltonian, X: Composition<H>> Kernel for Advance<F, H, X>
         while step < end {
             X::cycle(&mut self.flows, h, self.clock.at(step));
             step += 1;
+        }
+    }
+}
+
+impl<F: Flows<H>, H: Hamiltonian, X: Composition<H>> Advance<F, H, X> {
+    /// The same where a stage that is merged across steps would belong to two pieces: each step ends before the next one begins,
+    /// with its own middle.
+    #[inline(always)]
+    fn whole_steps(mut self, end: u64) {
+        let Clock { h, steps, .. } = self.clock;
+        let leaps = Leaps::of_whole_steps(&X::STAGES, &X::PROCESSOR, h);
+        for step in steps..end {
+            if let Some(under_way) = step.checked_sub(1) {
+                let time = self.clock.at(under_way);
+                self.flows.begin_step(time + h / 2.0);
+                X::close(&mut self.flows, h, time);
+            }
+            let time = self.clock.at(step);
+            self.flows.begin_step(time + h / 2.0);
+            if F::COMPENSATED {
+                X::open(&mut leaps.on(&mut self.flows, step), h, time);
+            } else {
+                X::open(&mut self.flows, h, time);
+            }
         }
     }
 }
@@ -425,6 +452,9 @@ impl<F: Flows<H>, H: Hamiltonian, X: Composition<H>, const SHOWN: bool> Kernel f
     fn call(mut self) {
         if let Some(under_way) = self.clock.steps.checked_sub(1) {
             let (h, time) = (self.clock.h, self.clock.at(under_way));
+            if const { H::PIECEWISE_IN_TIME } {
+                self.flows.begin_step(time + h / 2.0);
+            }
             if SHOWN {
                 X::show(&mut self.flows, h, time);
             } else {

@@ -87,6 +87,12 @@ struct Together<'m, H: Hamiltonian, L: Real, K: Keep, const N: usize>(&'m mut [H
 impl<H: Hamiltonian, L: Real, K: Keep, const N: usize> Flows<H> for Together<'_, H, L, K, N> {
     const COMPENSATED: bool = K::COMPENSATED;
 
+    #[inline(always)]
+    fn begin_step(&mut self, middle: f64) {
+        for motion in self.0.iter_mut() {
+            H::begin_step::<L, K>(motion, middle);
+        }
+    }
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn drift(&mut self, duration: f64, time: f64) {
         for motion in self.0.iter_mut() {

@@ -37,6 +37,9 @@ pub trait Hamiltonian: Sized {
 
     /// Whether neither `T` nor `V` reads the time, so that the energy is conserved.
     const AUTONOMOUS: bool;
+    /// Whether a flow changes its formula at times that the clock and parameters alone decide: a switch, a pulse. Steps are
+    /// then taken one by one, each with the formulas of its middle, and their stages are not merged.
+    const PIECEWISE_IN_TIME: bool = false;
     /// Whether a single run gains from vectors of 512 bits: its flows compute neighbours or bodies side by side. Code for
     /// numbers one by one can be slower there, and is then compiled for AVX2 at most.
     const WIDE: bool = false;
@@ -47,6 +50,8 @@ pub trait Hamiltonian: Sized {
     ///
     /// `length` is how many numbers or points the positions of the start are.
     fn parameters(&self, length: usize) -> Self::Parameters<f64>;
+    /// Tells a motion that the flows from here on belong to a step with this middle, where conditions on the time are read.
+    fn begin_step<R: Real, K: Keep>(_motion: &mut Self::Motion<R, K>, _middle: f64) {}
     /// The exact flow of `T` for a time `duration`; `time` is where an explicit time dependence is read.
     fn drift<R: Real, K: Keep>(motion: &mut Self::Motion<R, K>, duration: f64, time: f64);
     /// The exact flow of `V` for a time `duration`; `time` is where an explicit time dependence is read.
@@ -133,6 +138,8 @@ pub trait Prepared<R: Real>: Clone + Send + Sync + 'static {
     fn not_finite(_single: &Self::Single) -> Vec<NotFinite> {
         Vec::new()
     }
+    /// Says where conditions on the time are read: in the middle of the step under way.
+    fn begin_step(&mut self, _middle: f64) {}
     /// Gathers the constants of one member per lane.
     fn gather<'a>(of_lane: impl Fn(usize) -> &'a Self::Single) -> Self;
 }
@@ -236,6 +243,8 @@ pub trait Flows<H: Hamiltonian> {
     /// Whether coordinates carry what updates lose, so that durations have to add up as well.
     const COMPENSATED: bool;
 
+    /// What follows belongs to a step with this middle: [`Hamiltonian::begin_step`].
+    fn begin_step(&mut self, _middle: f64) {}
     /// The flow of `T`.
     fn drift(&mut self, duration: f64, time: f64);
     /// The flow of `V`.
@@ -252,6 +261,10 @@ pub(crate) struct Single<'m, H: Hamiltonian, R: Real, K: Keep>(pub(crate) &'m mu
 impl<H: Hamiltonian, R: Real, K: Keep> Flows<H> for Single<'_, H, R, K> {
     const COMPENSATED: bool = K::COMPENSATED;
 
+    #[inline(always)]
+    fn begin_step(&mut self, middle: f64) {
+        H::begin_step::<R, K>(self.0, middle);
+    }
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn drift(&mut self, duration: f64, time: f64) {
         H::drift::<R, K>(self.0, duration, time);

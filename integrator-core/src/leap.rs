@@ -8,7 +8,7 @@
 //! change nothing; and after `n` steps the sum of all durations is off by what one step is longer at most.
 
 use crate::{
-    composition::Stages,
+    composition::{Processor, Stage, Stages},
     hamiltonian::{Flows, Hamiltonian, QuadraticKinetic},
 };
 use core::mem::take;
@@ -80,10 +80,22 @@ pub(crate) struct Leaps {
 }
 
 impl Leaps {
+    /// Those of stages that are merged across steps.
     pub(crate) fn new(stages: &Stages, h: f64) -> Self {
+        Self::of(h, stages.cycle.iter())
+    }
+
+    /// Those of steps that are taken one by one, each with its processor.
+    pub(crate) fn of_whole_steps(stages: &Stages, processor: &Processor, h: f64) -> Self {
+        let (before, after) = (processor.before.rows.iter(), processor.after.rows.iter());
+        let step = [&stages.opening].into_iter().chain(&stages.cycle[1..]).chain([&stages.closing]);
+        Self::of(h, before.chain(step).chain(after))
+    }
+
+    fn of<'s>(h: f64, rows: impl Iterator<Item = &'s Stage> + Clone) -> Self {
         Self {
-            drift: Leap::new(h, stages.cycle.iter().map(|stage| stage.drift)),
-            kick: Leap::new(h, stages.cycle.iter().map(|stage| stage.kick)),
+            drift: Leap::new(h, rows.clone().map(|stage| stage.drift)),
+            kick: Leap::new(h, rows.map(|stage| stage.kick)),
         }
     }
 
@@ -109,6 +121,10 @@ pub(crate) struct Longer<'f, F> {
 impl<F: Flows<H>, H: Hamiltonian> Flows<H> for Longer<'_, F> {
     const COMPENSATED: bool = F::COMPENSATED;
 
+    #[inline(always)]
+    fn begin_step(&mut self, middle: f64) {
+        self.flows.begin_step(middle);
+    }
     #[inline(always)]
     fn drift(&mut self, duration: f64, time: f64) {
         self.flows.drift(duration + f64::from_bits(take(&mut self.drift)), time);
@@ -251,7 +267,7 @@ mod tests {
             X::close(&mut close, h, 0.0);
             close.after(&cycle.power(steps - 1)).after(&open)
         };
-        let [drifts, kicks] = [|stage: &crate::Stage| stage.drift, |stage: &crate::Stage| stage.kick];
+        let [drifts, kicks] = [|stage: &Stage| stage.drift, |stage: &Stage| stage.kick];
         let punctual =
             exact([missing(h, X::STAGES.cycle.iter().map(drifts)), missing(h, X::STAGES.cycle.iter().map(kicks))]);
         let rounded = exact([0.0; 2]);

@@ -106,6 +106,11 @@ pub trait Method<H: Hamiltonian>: Described {
     /// Whether a single run takes instructions for vectors of 512 bits, where the machine has them.
     const WIDE: bool = H::WIDE;
 
+    /// How often a step evaluates the force, where that is known beforehand: [`Facts`] tell it of steps that go on where the last
+    /// one ended, which those of systems with pieces in time do not.
+    fn forces(self) -> Option<usize> {
+        if H::PIECEWISE_IN_TIME { None } else { self.facts().forces }
+    }
     /// What stays the same in a run.
     type Constants: Send + Sync + 'static;
     /// What moves.
@@ -118,6 +123,9 @@ pub trait Method<H: Hamiltonian>: Described {
 }
 
 impl<H: Hamiltonian, X: Scheme + Composition<H>> Method<H> for X {
+    fn forces(self) -> Option<usize> {
+        if H::PIECEWISE_IN_TIME { Some(X::STAGES.forces(&X::PROCESSOR)) } else { self.facts().forces }
+    }
     type Constants = H::Parameters<f64>;
     type Motion<R: Real, K: Keep> = H::Motion<R, K>;
 

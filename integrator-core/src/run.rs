@@ -147,7 +147,7 @@ impl<C: Coords> Run<C> {
             engine,
             clock,
             method: method.facts().name,
-            forces: method.facts().forces,
+            forces: method.forces(),
             start_unseen: false,
             #[cfg(feature = "checkpoint")]
             origin: Origin::of::<H>(method.facts()),

@@ -106,6 +106,11 @@ impl<'m, H: Hamiltonian, R: Real, K: Keep> Tiled<'m, H, R, K> {
 impl<H: Hamiltonian, R: Real, K: Keep> Flows<H> for &mut Tiled<'_, H, R, K> {
     const COMPENSATED: bool = K::COMPENSATED;
 
+    fn begin_step(&mut self, middle: f64) {
+        // What was collected belongs to another step.
+        self.finish();
+        H::begin_step::<R, K>(self.motion, middle);
+    }
     fn drift(&mut self, duration: f64, time: f64) {
         self.collect(Flow { drifts: true, duration, time });
     }

@@ -15,6 +15,7 @@ mod kepler;
 mod orders;
 mod pairs;
 mod panics;
+mod pieces;
 mod precision;
 mod refusals;
 mod reversible;

@@ -144,6 +144,7 @@ impl<'s, H: Hamiltonian> Gradient<'s, H> {
     /// One lane of the gradient: what the flow of unit duration adds to the half that is moved, from zero.
     pub(crate) fn flow<R: Real>(&self, point: &Phase<H::Coords>, tangent: &Phase<H::Coords>, lane: usize) -> Vec<f64> {
         let mut motion = self.load::<R>(point, tangent);
+        H::begin_step::<R, f64>(&mut motion, self.time);
         let mut moved = point.clone();
         match self.part {
             Part::Kinetic => {

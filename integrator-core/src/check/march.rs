@@ -65,6 +65,7 @@ impl<'s, H: Hamiltonian> March<'s, H> {
         let (mut ends, mut scale) = (Vec::with_capacity(PARTS as usize), Scale::ZERO);
         for step in 0..PARTS * steps {
             let mut time = step as f64 * h;
+            H::begin_step::<f64, Compensated<f64>>(&mut motion, time + h / 2.0);
             for weight in weights {
                 verlet::<H>(&mut Single::<H, f64, Compensated<f64>>(&mut motion), weight * h, time);
                 time += weight * h;

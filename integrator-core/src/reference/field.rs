@@ -24,6 +24,8 @@ pub(crate) trait Field<R> {
 pub(crate) struct Generated<'s, H: Hamiltonian> {
     pub(crate) parameters: &'s H::Parameters<f64>,
     pub(crate) shape: &'s Phase<H::Coords>,
+    /// The middle of the step that asks for it.
+    pub(crate) middle: f64,
     /// How often it was evaluated; a Jacobian counts once for each of its columns.
     pub(crate) evaluations: Cell<u64>,
 }
@@ -50,6 +52,7 @@ impl<H: Hamiltonian> Generated<'_, H> {
         flow: impl Fn(&mut H::Motion<R, f64>),
     ) -> Vec<Phase<H::Coords>> {
         let mut motion = H::Motion::<R, f64>::load(|lane| (self.parameters, &points[lane]));
+        H::begin_step::<R, f64>(&mut motion, self.middle);
         flow(&mut motion);
         for (lane, point) in points.iter_mut().enumerate() {
             motion.store(lane, point);

@@ -128,9 +128,15 @@ pub(crate) fn moves<H: Hamiltonian, R: Real, K: Keep, M: Recipe>() -> Moves<Walk
                 return;
             }
             let Walk { parameters, recipe, shape, q, p, memory, unsolved, evaluations } = walk;
+            if H::PIECEWISE_IN_TIME {
+                // What a method remembers is of another formula where a piece ends.
+                *memory = M::Memory::default();
+            }
             let y: Vec<R> = q.iter().chain(p.iter()).map(|slot| slot.value()).collect();
-            let field = Generated::<H> { parameters, shape, evaluations: (*evaluations).into() };
-            let from = Place { field: &field, y: &y, time: clock.at(step), h: clock.h, epsilon: K::EPSILON };
+            let (time, h) = (clock.at(step), clock.h);
+            let field =
+                Generated::<H> { parameters, shape, middle: time + h / 2.0, evaluations: (*evaluations).into() };
+            let from = Place { field: &field, y: &y, time, h, epsilon: K::EPSILON };
             match recipe.increment(memory, &from) {
                 Ok(increment) => q.iter_mut().chain(p).zip(increment).for_each(|(slot, d)| slot.add(d)),
                 Err(reason) => *unsolved = Some(reason),

@@ -110,7 +110,7 @@ pub(super) type Of<H, R, K> =
 /// The moves of the Taylor method.
 pub(super) fn moves<H: Recurrences, R: Real, K: Keep>() -> Moves<Of<H, R, K>> {
     let advance = |expansion: &mut Of<H, R, K>, clock: Clock, steps, _| {
-        follow::<H, R, K>(expansion, clock, Moment::of(clock.steps + steps, clock.h));
+        advance_by::<H, R, K>(expansion, clock, steps);
     };
     Moves::closed(advance).with_dense(|expansion, begin, clock, duration| {
         let end = Moment::of(clock.steps, clock.h).after(duration);
@@ -118,14 +118,48 @@ pub(super) fn moves<H: Recurrences, R: Real, K: Keep>() -> Moves<Of<H, R, K>> {
         if end.since(expansion.legs[0].begin) * clock.h <= 0.0 {
             expansion.copy_state(begin);
         }
+        expansion.begin_step::<H>(clock);
         follow::<H, R, K>(expansion, clock, end);
     })
 }
 
+/// Follows the motion over so many steps. No polynomial leads from one piece in time to another: each step begins with new
+/// ones where there are pieces.
+pub(super) fn advance_by<H: Recurrences, R: Real, K: Keep>(expansion: &mut Of<H, R, K>, clock: Clock, steps: u64) {
+    if const { !H::PIECEWISE_IN_TIME } {
+        return follow::<H, R, K>(expansion, clock, Moment::of(clock.steps + steps, clock.h));
+    }
+    for step in clock.steps..clock.steps + steps {
+        let clock = Clock { steps: step, ..clock };
+        expansion.begin_step::<H>(clock);
+        follow::<H, R, K>(expansion, clock, Moment::of(step + 1, clock.h));
+    }
+}
+
 /// Follows the motion to `end`: compiled once for steps and for what lies within them.
 #[inline(never)]
-pub(super) fn follow<H: Recurrences, R: Real, K: Keep>(expansion: &mut Of<H, R, K>, clock: Clock, end: Moment) {
+fn follow<H: Recurrences, R: Real, K: Keep>(expansion: &mut Of<H, R, K>, clock: Clock, end: Moment) {
     R::enter(Follow::<H, R, K> { expansion, clock, end });
+}
+
+impl<R: Real, C: Coords, P: Prepared<R>, T> Expansion<R, C, P, T> {
+    /// Conditions on the time are read in the middle of the step that begins at the clock.
+    fn begin_step<H: Hamiltonian>(&mut self, clock: Clock) {
+        if const { H::PIECEWISE_IN_TIME } {
+            self.parameters.begin_step(clock.at(clock.steps) + clock.h / 2.0);
+        }
+    }
+
+    /// Ends the polynomials of these lanes a while after their beginnings: the next ones begin there.
+    #[inline(always)]
+    fn end(&mut self, layout: Layout, t: R, lanes: &[f64; WIDEST], end: Moment) {
+        let (order, to) = (self.method.order(), To::Begin { moves: R::parameter(|lane| lanes[lane]) });
+        self.q.follow(layout, order, t, to);
+        self.p.follow(layout, order, t, to);
+        for (leg, _) in self.legs.iter_mut().zip(lanes).filter(|(_, ends)| **ends > 0.0) {
+            *leg = Leg { begin: end, ..Leg::default() };
+        }
+    }
 }
 
 /// Follows the motion to a moment: whoever arrives waits for the others.
@@ -156,10 +190,10 @@ impl<H: Recurrences, R: Real, K: Keep> Kernel for Follow<'_, H, R, K> {
             }
             // How far each member goes on its polynomial, and whether to where the next one begins.
             let (mut t, mut moves) = ([0.0; WIDEST], [0.0; WIDEST]);
-            let (mut over, mut within) = (false, false);
+            let (mut over, mut within, mut arrives) = (false, false, [0.0; WIDEST]);
             for lane in 0..R::MEMBERS {
                 match expansion.legs[lane].proceed(reaches[lane], end, t0) {
-                    Way::Within(ahead) => (t[lane], within) = (ahead, true),
+                    Way::Within(ahead) => (t[lane], arrives[lane], within) = (ahead, 1.0, true),
                     Way::Over(reach) => (t[lane], moves[lane], over) = (reach, 1.0, true),
                     Way::Ended => {}
                 }
@@ -175,6 +209,9 @@ impl<H: Recurrences, R: Real, K: Keep> Kernel for Follow<'_, H, R, K> {
             expansion.q.follow(layout, order, t, to);
             expansion.p.follow(layout, order, t, to);
             if let To::Shown = to {
+                if const { H::PIECEWISE_IN_TIME } {
+                    expansion.end(layout, t, &arrives, end);
+                }
                 return;
             }
         }

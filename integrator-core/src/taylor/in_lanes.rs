@@ -2,8 +2,7 @@
 
 use super::{
     Recurrences, Taylor,
-    expansion::{Of, follow},
-    moment::Moment,
+    expansion::{Of, advance_by},
 };
 use crate::{group::GroupMoves, hamiltonian::Motion, in_lanes::InLanes, real::Real, slot::Keep};
 
@@ -15,7 +14,7 @@ impl<H: Recurrences> InLanes<H> for Taylor {
             together: 1,
             advance: |expansions, clock, steps| {
                 for expansion in expansions {
-                    follow::<H, L, K>(expansion, clock, Moment::of(clock.steps + steps, clock.h));
+                    advance_by::<H, L, K>(expansion, clock, steps);
                 }
             },
             complete: |_, _| {},

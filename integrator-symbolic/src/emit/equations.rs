@@ -175,7 +175,7 @@ impl Formulas<'_> {
                 (text, if whole { Tie::Power } else { Tie::Sum })
             }
             Node::Coordinate(element) => (self.coordinate(element), Tie::Power),
-            Node::Time => ("t".to_owned(), Tie::Power),
+            Node::Time | Node::Middle => ("t".to_owned(), Tie::Power),
             Node::Step => ("h".to_owned(), Tie::Power),
             Node::FromIndex(index) => (self.index(index), Tie::Power),
             Node::Neg(a) => (format!("-{}", self.formula(a, Tie::Product)), Tie::Sum),

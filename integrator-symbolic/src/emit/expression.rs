@@ -2,7 +2,11 @@
 
 use super::{fields::Fields, frame::Frame};
 use crate::{
-    graph::{Element, ExternalId, Graph, Node, NodeId, function::Function, index::LoopId},
+    graph::{
+        Element, ExternalId, Graph, Node, NodeId,
+        function::Function,
+        index::{LoopId, LoopSet},
+    },
     model::{Parameter, integer::number_literal},
     syntax::Functions,
 };
@@ -98,6 +102,10 @@ impl Printer<'_> {
             }
             Node::Coordinate(element) => Printed::new(Binding::Atom, self.coordinate(fields, element)),
             Node::Time => Printed::new(Binding::Atom, quote!(time)),
+            Node::Middle => {
+                let name = fields.middle();
+                Printed::new(Binding::Atom, self.shared(name, LoopSet::EMPTY))
+            }
             Node::Step => Printed::new(Binding::Atom, quote!(step)),
             Node::FromIndex(_) if self.frame.has_prepared_index(self.graph.loops_of(id)) => {
                 Printed::new(Binding::Atom, self.field(fields, id))

@@ -27,6 +27,8 @@ enum Content {
     Flag(ParameterId),
     /// A method of the user with so many arguments.
     External(ExternalId),
+    /// The middle of the step under way, which is the same for all lanes.
+    Middle,
 }
 
 /// The fields asked for so far, in order of first use.
@@ -49,8 +51,10 @@ pub(super) fn is_field(graph: &Graph, parameters: &[Parameter], id: NodeId) -> b
 
 /// Whether a node is read rather than computed by a flow.
 pub(super) fn is_leaf(graph: &Graph, parameters: &[Parameter], id: NodeId) -> bool {
-    matches!(graph.node(id), Node::Constant(_) | Node::FromIndex(_) | Node::Parameter(_) | Node::Time | Node::Step)
-        || is_field(graph, parameters, id)
+    matches!(
+        graph.node(id),
+        Node::Constant(_) | Node::FromIndex(_) | Node::Parameter(_) | Node::Time | Node::Middle | Node::Step
+    ) || is_field(graph, parameters, id)
 }
 
 /// Whether a text is the path of a constant, which needs no preparation.
@@ -81,6 +85,15 @@ impl Fields {
 
     pub(super) fn external(&mut self, externals: &[Ident], id: ExternalId) -> Ident {
         self.named_as(Content::External(id), Some(externals[id.0 as usize].clone()))
+    }
+
+    pub(super) fn middle(&mut self) -> Ident {
+        self.named_as(Content::Middle, Some(format_ident!("middle")))
+    }
+
+    /// The field that holds the middle of the step, if a flow reads it.
+    pub(super) fn known_middle(&self) -> Option<&Ident> {
+        self.names.get(&Content::Middle)
     }
 
     /// A field's name: the user's own where it is `self.name` or `self.name[i]`.
@@ -125,6 +138,7 @@ impl Fields {
                     let text = &model.parameters[id.0 as usize].text;
                     (scalar.to_token_stream(), quote!(if #text { 1.0 } else { 0.0 }))
                 }
+                Content::Middle => (scalar.to_token_stream(), quote!(0.0)),
                 Content::External(id) => {
                     let (name, runtime) = (&model.externals[id.0 as usize], &names.runtime);
                     let two = model.two_arguments(id);
@@ -139,7 +153,9 @@ impl Fields {
             };
             let at = table.at(table.levels.len());
             let gathered = match content {
-                Content::Number(_) | Content::Flag(_) => quote!(#scalar::parameter(|lane| of_lane(lane).#name #at)),
+                Content::Number(_) | Content::Flag(_) | Content::Middle => {
+                    quote!(#scalar::parameter(|lane| of_lane(lane).#name #at))
+                }
                 Content::Integer(_) => quote!(of_lane(0).#name #at),
                 Content::External(_) => {
                     let runtime = &names.runtime;
@@ -172,7 +188,7 @@ impl Content {
     fn node(self) -> Option<NodeId> {
         match self {
             Content::Number(id) => Some(id),
-            Content::Integer(_) | Content::Flag(_) | Content::External(_) => None,
+            Content::Integer(_) | Content::Flag(_) | Content::External(_) | Content::Middle => None,
         }
     }
 }
@@ -224,7 +240,7 @@ impl Table {
         let loops = match content {
             Content::Number(id) => model.graph.loops_of(id),
             Content::Integer(id) | Content::Flag(id) => model.graph.loops.of_parameter(id),
-            Content::External(_) => LoopSet::EMPTY,
+            Content::External(_) | Content::Middle => LoopSet::EMPTY,
         };
         Self { levels: loops.iter().map(|by| Level::of(model, names, by, loops)).collect() }
     }
@@ -273,7 +289,7 @@ impl Table {
             _ if conditions.is_empty() => element,
             Content::Number(_) | Content::Flag(_) => quote!(if #(#conditions)&&* { #element } else { 0.0 }),
             Content::Integer(_) => quote!(if #(#conditions)&&* { #element } else { 0 }),
-            Content::External(_) => element,
+            Content::External(_) | Content::Middle => element,
         };
         self.levels.iter().rev().fold(element, |inner, Level { index, literal, extent, .. }| match literal {
             Some(_) => quote!(::core::array::from_fn(|#index: usize| #inner)),

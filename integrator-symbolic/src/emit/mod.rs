@@ -26,6 +26,7 @@ mod nest;
 mod orders;
 mod pairs;
 mod pass;
+mod pieces;
 mod places;
 mod recurrence;
 mod sums;
@@ -51,6 +52,7 @@ use function::Body;
 use lattice::Sweep;
 use names::Names;
 use pairs::ManyBody;
+use pieces::Pieces;
 use proc_macro2::TokenStream;
 use quote::quote;
 
@@ -76,6 +78,8 @@ pub(crate) fn refusal(sequence: &InPlace, model: &Model) -> Option<String> {
 
 /// The implementation of `Hamiltonian` for the annotated type.
 pub(crate) fn stepper(input: &Input, mut model: Model) -> TokenStream {
+    let energies = [model.kinetic, model.potential];
+    [model.kinetic, model.potential] = model.graph.by_pieces(energies);
     let kinetic = gradient(&mut model.graph, model.kinetic, Part::Momentum);
     let potential = gradient(&mut model.graph, model.potential, Part::Position);
     let (kinetic_gradient, potential_gradient) = (kinetic.clone(), potential.clone());
@@ -95,7 +99,7 @@ pub(crate) fn stepper(input: &Input, mut model: Model) -> TokenStream {
         .then(|| force_gradient::functions(&mut model, &mut fields, &names, &potential, many_body.is_some()));
     // Bodies side by side are taken apart for what is seldom asked.
     let plain = many_body.as_ref().map(|_| quote!(let motion = &motion.plain::<Self::Coords>();));
-    let [kinetic, potential] = [model.kinetic, model.potential].map(|energy| {
+    let [kinetic, potential] = energies.map(|energy| {
         let lowered = block::lowered(&mut model, &[energy])[0];
         let energy = block::function(&model, &mut fields, &names, lowered, Dialect::Generic);
         quote!(#plain #energy)
@@ -105,7 +109,9 @@ pub(crate) fn stepper(input: &Input, mut model: Model) -> TokenStream {
     let orders =
         input.taylor.map(|_| orders::orders(&mut model, &mut fields, &names, kinetic_gradient, potential_gradient));
 
+    let pieces = Pieces::of(&fields, &names);
     let root = &input.root;
+    let Pieces { piecewise, begin, set } = pieces;
     let Names { runtime, parameters, scalar, leaf, .. } = &names;
     let fields::Prepared { fields, gathered, values, common, searched } = fields.emit(&mut model, &names);
     let alike = (!common.is_empty()).then(|| {
@@ -225,6 +231,7 @@ pub(crate) fn stepper(input: &Input, mut model: Model) -> TokenStream {
 
                 #alike
                 #not_finite
+                #set
             }
 
             #documentation
@@ -238,12 +245,14 @@ pub(crate) fn stepper(input: &Input, mut model: Model) -> TokenStream {
                 const AUTONOMOUS: bool = #autonomous;
                 #wide
                 #reach
+                #piecewise
 
                 fn parameters(&self, #length: usize) -> #of_f64 {
                     let _ = (#(Self::#functions),*);
                     #prepare
                 }
 
+                #begin
                 #drift
                 #kick
                 #kinetic

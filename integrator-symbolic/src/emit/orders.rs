@@ -49,7 +49,8 @@ pub(super) fn orders(
     let asked = asked(&model.graph, &recurrences);
     let program = |model: &mut Model, kinetic: &[Contribution], potential: &[Contribution]| {
         let placed = placed(&mut model.graph, kinetic, potential);
-        let is_read = |graph: &Graph, id| matches!(graph.node(id), Node::Coordinate(_) | Node::Time | Node::Step);
+        let is_read =
+            |graph: &Graph, id| matches!(graph.node(id), Node::Coordinate(_) | Node::Time | Node::Middle | Node::Step);
         let leaf = |graph: &Graph, id| is_read(graph, id) || is_leaf(graph, &model.parameters, id);
         schedule_with(&model.graph, &placed, leaf, &asked)
     };
@@ -332,7 +333,7 @@ impl<'m> Writer<'m> {
             (Node::Coordinate(element), Moves::Alone(_) | Moves::InPlace | Moves::Once) => {
                 Series::Row { part: self.printer.part(element), place: self.printer.in_row(fields, element) }
             }
-            (Node::Coordinate(_) | Node::Time | Node::Step, _) => self.begun_with(fields, id),
+            (Node::Coordinate(_) | Node::Time | Node::Middle | Node::Step, _) => self.begun_with(fields, id),
             _ => match self.places.get(&id) {
                 Some(place) => place.clone(),
                 // Of a value that no recurrence reads, nobody asks.

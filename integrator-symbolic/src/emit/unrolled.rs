@@ -33,7 +33,7 @@ impl Writer<'_> {
         let slopes = self.source.recurrences.slopes[&id];
         for (x, _) in self.printer.graph.node(id).children().zip(slopes).filter(|(_, slope)| slope.is_some()) {
             let x = signed(self.printer.graph, x).1;
-            let is_clock = matches!(self.printer.graph.node(x), Node::Time | Node::Step);
+            let is_clock = matches!(self.printer.graph.node(x), Node::Time | Node::Middle | Node::Step);
             if is_clock || self.rate(x).is_some() {
                 continue;
             }

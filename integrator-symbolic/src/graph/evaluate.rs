@@ -72,7 +72,7 @@ impl<'p> Point<'p> {
             Node::Constant(bits) => f64::from_bits(bits),
             Node::Parameter(id) => self.parameters[id.0 as usize],
             Node::Coordinate(element) => self.coordinate(graph, element),
-            Node::Time | Node::Step => 1.0,
+            Node::Time | Node::Middle | Node::Step => 1.0,
             Node::FromIndex(index) => self.index(graph, index) as f64,
             Node::Neg(a) => -self.value(graph, a),
             Node::Add(a, b) => self.value(graph, a) + self.value(graph, b),

@@ -14,6 +14,7 @@ mod external;
 pub(crate) mod function;
 pub(crate) mod index;
 mod partial;
+mod pieces;
 mod polynomial;
 mod product;
 
@@ -85,6 +86,8 @@ pub(crate) enum Node {
     Coordinate(Element),
     /// The explicit time.
     Time,
+    /// The middle of the step that a flow belongs to, at which conditions on the time are read.
+    Middle,
     /// The duration of the flow that an update belongs to, with its sign.
     Step,
     /// An integer expression as a number.
@@ -136,6 +139,7 @@ impl Node {
             | Node::Parameter(_)
             | Node::Coordinate(_)
             | Node::Time
+            | Node::Middle
             | Node::Step
             | Node::FromIndex(_)
             | Node::CompareIndex(..)
@@ -166,6 +170,7 @@ impl Node {
             | Node::Parameter(_)
             | Node::Coordinate(_)
             | Node::Time
+            | Node::Middle
             | Node::Step
             | Node::FromIndex(_)
             | Node::CompareIndex(..)
@@ -331,7 +336,7 @@ impl Graph {
         };
         let mut facts = Facts {
             loops,
-            prepared: !matches!(node, Node::Time | Node::Step | Node::Coordinate(_)),
+            prepared: !matches!(node, Node::Time | Node::Middle | Node::Step | Node::Coordinate(_)),
             positions: part == Some(Part::Position),
             momenta: part == Some(Part::Momentum),
             total: self.is_total_by_itself(node),

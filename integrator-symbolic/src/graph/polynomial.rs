@@ -10,7 +10,12 @@ impl Graph {
         for position in 0..=root.position() {
             let of = |id: NodeId| degrees[id.position()];
             let degree = match self.nodes[position] {
-                Node::Constant(_) | Node::Parameter(_) | Node::Time | Node::Step | Node::FromIndex(_) => Some(0),
+                Node::Constant(_)
+                | Node::Parameter(_)
+                | Node::Time
+                | Node::Middle
+                | Node::Step
+                | Node::FromIndex(_) => Some(0),
                 Node::Coordinate(element) => Some(u32::from(element.part == part)),
                 Node::Neg(a) | Node::Sum(_, a) => of(a),
                 Node::Add(a, b) => of(a).zip(of(b)).map(|(a, b)| a.max(b)),
@@ -41,6 +46,17 @@ impl Graph {
 
     /// Whether a node reads the explicit time.
     pub(crate) fn reads_time(&self, root: NodeId) -> bool {
-        self.reachable([root]).into_iter().any(|id| self.node(id) == Node::Time)
+        !self.reading_time([root]).is_empty()
+    }
+
+    /// All nodes that roots are made of and that read the explicit time, children first.
+    pub(super) fn reading_time(&self, roots: impl IntoIterator<Item = NodeId>) -> Vec<NodeId> {
+        let mut reads = vec![false; self.len()];
+        let read = self.reachable(roots).into_iter().filter(|id| {
+            let node = self.node(*id);
+            reads[id.position()] = node == Node::Time || node.children().any(|child| reads[child.position()]);
+            reads[id.position()]
+        });
+        read.collect()
     }
 }

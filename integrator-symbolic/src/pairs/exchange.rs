@@ -134,7 +134,7 @@ impl<'p> Forms<'p> {
                 self.of(graph, a, exchanged)?,
                 self.of(graph, b, exchanged)?,
             ]),
-            Node::Time | Node::Step => Form::Fixed(id),
+            Node::Time | Node::Middle | Node::Step => Form::Fixed(id),
             Node::External(..) | Node::ExternalTwo(..) | Node::CompareIndex(..) | Node::Flag(_) => return None,
         };
         Some(self.id(form))

@@ -73,7 +73,7 @@ pub(crate) fn renamed(
             Node::CompareIndex(comparison, renaming.index(graph, a), renaming.index(graph, b))
         }
         Node::Flag(_) | Node::External(..) | Node::ExternalTwo(..) => return None,
-        same @ (Node::Constant(_) | Node::Time | Node::Step) => same,
+        same @ (Node::Constant(_) | Node::Time | Node::Middle | Node::Step) => same,
     };
     Some(graph.rebuilt(node))
 }

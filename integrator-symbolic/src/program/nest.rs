@@ -176,7 +176,8 @@ impl<'s> Needs<'s> {
             return self.of(id);
         }
         for operand in self.around.operands.get(&id).into_iter().flatten().copied() {
-            let is_read = matches!(self.around.graph.node(operand), Node::Coordinate(_) | Node::Time | Node::Step);
+            let is_read =
+                matches!(self.around.graph.node(operand), Node::Coordinate(_) | Node::Time | Node::Middle | Node::Step);
             if !is_read && !self.own.contains(&operand) {
                 return None;
             }
@@ -198,6 +199,7 @@ impl<'s> Needs<'s> {
         }
         match node {
             Node::Coordinate(element) => self.reads.push((id, element)),
+            Node::Middle => self.common.push(id),
             Node::Neg(_) => return self.parts(id),
             _ if graph.is_prepared(id) && node.is_condition() => self.flags.push(id),
             _ if graph.is_prepared(id) && graph.loops_of(id).is_empty() => self.common.push(id),
