@@ -25,7 +25,7 @@ const CHAIN: &str = "fn kinetic(&self, p: [f64; 1000]) -> f64 {
     sum
 }";
 
-const ROWS: [Row; 10] = [
+const ROWS: [Row; 11] = [
     Row {
         point: "a cyclic coordinate has no force",
         system: [SQUARES, "fn potential(&self, q: [f64; 3]) -> f64 { (q[0] - q[2]).cos() }"],
@@ -53,6 +53,18 @@ const ROWS: [Row; 10] = [
         function: "kick",
         present: &["sin ()"],
         absent: &["cos ()", "potential"],
+    },
+    Row {
+        point: "a square of a parameter is known not to be negative: one division and one root",
+        system: [
+            SQUARES,
+            "fn potential(&self, q: [f64; 3]) -> f64 {
+                -1.0 / (q[0].powi(2) + q[1].powi(2) + q[2].powi(2) + self.eps * self.eps).sqrt()
+            }",
+        ],
+        function: "kick",
+        present: &["over_root_cubed"],
+        absent: &["sqrt", "/"],
     },
     Row {
         point: "what depends on parameters alone is evaluated once per run",

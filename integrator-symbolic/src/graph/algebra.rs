@@ -15,6 +15,11 @@ impl Graph {
         self.intern(Node::Constant(value.to_bits()))
     }
 
+    /// Declares that a parameter is never negative, before any node is made of it.
+    pub(crate) fn declare_never_negative(&mut self, id: ParameterId) {
+        self.never_negative.insert(id);
+    }
+
     pub(crate) fn parameter(&mut self, id: ParameterId) -> NodeId {
         self.intern(Node::Parameter(id))
     }

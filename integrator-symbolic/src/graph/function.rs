@@ -29,6 +29,8 @@ pub(crate) struct Row {
     /// Whether value and derivative are finite for all finite arguments, but for overflow.
     pub(crate) total: bool,
     pub(crate) symmetry: Symmetry,
+    /// Whether no value is below zero.
+    pub(crate) never_negative: bool,
     pub(crate) rule: Rule,
 }
 
@@ -59,19 +61,44 @@ impl Row {
     const fn with(self, symmetry: Symmetry) -> Self {
         Self { symmetry, ..self }
     }
+
+    const fn never_negative(self) -> Self {
+        Self { never_negative: true, ..self }
+    }
 }
 
 const fn unary(name: &'static str, value: fn(f64) -> f64, slope: Slope) -> Row {
-    Row { name, fast: None, total: false, symmetry: Symmetry::None, rule: Rule::Unary(value, Some(slope)) }
+    Row {
+        name,
+        fast: None,
+        total: false,
+        symmetry: Symmetry::None,
+        never_negative: false,
+        rule: Rule::Unary(value, Some(slope)),
+    }
 }
 
 /// A function that is constant but for its jumps, so that its derivative is zero wherever it has one.
 const fn step(name: &'static str, value: fn(f64) -> f64) -> Row {
-    Row { name, fast: None, total: true, symmetry: Symmetry::None, rule: Rule::Unary(value, None) }
+    Row {
+        name,
+        fast: None,
+        total: true,
+        symmetry: Symmetry::None,
+        never_negative: false,
+        rule: Rule::Unary(value, None),
+    }
 }
 
 const fn binary(name: &'static str, value: fn(f64, f64) -> f64, slopes: Slopes) -> Row {
-    Row { name, fast: None, total: false, symmetry: Symmetry::None, rule: Rule::Binary(value, slopes) }
+    Row {
+        name,
+        fast: None,
+        total: false,
+        symmetry: Symmetry::None,
+        never_negative: false,
+        rule: Rule::Binary(value, slopes),
+    }
 }
 
 /// `1 / g`
@@ -127,7 +154,8 @@ pub(crate) const TABLE: &[Row] = &[
         let slope = g.power(square, -1);
         g.neg(slope)
     })
-    .with_fast("fast_acos"),
+    .with_fast("fast_acos")
+    .never_negative(),
     unary("atan", f64::atan, |g, x, _| {
         let square = one_plus_square(g, x);
         over(g, square)
@@ -136,7 +164,7 @@ pub(crate) const TABLE: &[Row] = &[
     .with_fast("fast_atan")
     .with(Symmetry::Odd),
     unary("sinh", f64::sinh, |g, x, _| g.call("cosh", x)).total().with(Symmetry::Odd),
-    unary("cosh", f64::cosh, |g, x, _| g.call("sinh", x)).total().with(Symmetry::Even),
+    unary("cosh", f64::cosh, |g, x, _| g.call("sinh", x)).total().with(Symmetry::Even).never_negative(),
     unary("tanh", f64::tanh, |g, x, _| {
         let cosine = g.call("cosh", x);
         g.power(cosine, -4)
@@ -155,18 +183,20 @@ pub(crate) const TABLE: &[Row] = &[
         let (minus, plus) = (g.sub(x, one), g.add(x, one));
         let square = g.mul(minus, plus);
         g.power(square, -1)
-    }),
+    })
+    .never_negative(),
     unary("atanh", f64::atanh, |g, x, _| {
         let square = one_minus_square(g, x);
         over(g, square)
     })
     .with(Symmetry::Odd),
-    unary("exp", f64::exp, |_, _, y| y).total().with_fast("fast_exp"),
+    unary("exp", f64::exp, |_, _, y| y).total().with_fast("fast_exp").never_negative(),
     unary("exp2", f64::exp2, |g, _, y| {
         let scale = g.constant(std::f64::consts::LN_2);
         g.mul(scale, y)
     })
-    .total(),
+    .total()
+    .never_negative(),
     unary("exp_m1", f64::exp_m1, |g, x, _| g.call("exp", x)).total(),
     unary("ln", f64::ln, |g, x, _| over(g, x)).with_fast("fast_ln"),
     unary("ln_1p", f64::ln_1p, |g, x, _| {
@@ -182,7 +212,7 @@ pub(crate) const TABLE: &[Row] = &[
     })
     .with_fast("fast_cbrt")
     .with(Symmetry::Odd),
-    unary("abs", f64::abs, |g, x, _| g.call("signum", x)).total().with(Symmetry::Even),
+    unary("abs", f64::abs, |g, x, _| g.call("signum", x)).total().with(Symmetry::Even).never_negative(),
     binary("min", f64::min, |g, a, b, _| smaller(g, a, b)).total().with(Symmetry::Commutative),
     binary("max", f64::max, |g, a, b, _| {
         let [of_a, of_b] = smaller(g, a, b);
@@ -223,7 +253,8 @@ pub(crate) const TABLE: &[Row] = &[
         let scale = over(g, y);
         [g.mul(scale, a), g.mul(scale, b)]
     })
-    .with(Symmetry::EvenCommutative),
+    .with(Symmetry::EvenCommutative)
+    .never_negative(),
 ];
 
 impl Function {
@@ -357,6 +388,18 @@ mod tests {
                 parts.map(|part| Point::new(&at, &[]).value(&graph, part)).collect::<Vec<_>>()
             });
             assert_eq!(values.all(f64::is_finite), row.total, "{}", row.name);
+        }
+    }
+
+    #[test]
+    fn what_is_said_never_to_be_negative_is_not() {
+        for row in TABLE {
+            let points = EVERYWHERE.into_iter().flat_map(|x| EVERYWHERE.map(|y| [x, y]));
+            let below = points.map(|[x, y]| match row.rule {
+                Rule::Unary(value, _) => value(x),
+                Rule::Binary(value, _) => value(x, y),
+            });
+            assert_eq!(!below.into_iter().any(|value| value < 0.0), row.never_negative, "{}", row.name);
         }
     }
 

@@ -21,7 +21,7 @@ mod product;
 pub use cost::Tally;
 use function::Function;
 use index::{IndexId, LoopId, LoopSet, Loops};
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 
 /// A node of the arena.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -244,6 +244,8 @@ pub(crate) struct Graph {
     ids: HashMap<Node, NodeId>,
     /// The methods that give the derivatives of a method of the user, by its id.
     externals: Vec<[Option<ExternalId>; 2]>,
+    /// The parameters whose text says that they are not negative.
+    never_negative: HashSet<ParameterId>,
     /// Integer expressions and loops.
     pub(crate) loops: Loops,
 }

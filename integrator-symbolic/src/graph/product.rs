@@ -77,7 +77,7 @@ impl Graph {
                 self.neg(power)
             }
             // finite: (x^a)^b == x^(a b) where b is whole, and a is not a root that b would undo
-            (_, Node::Power(x, inner)) if halves % 2 == 0 && (inner % 2 == 0 || self.is_square_sum(x)) => {
+            (_, Node::Power(x, inner)) if halves % 2 == 0 && (inner % 2 == 0 || self.is_never_negative(x)) => {
                 match inner.checked_mul(halves / 2) {
                     Some(product) => self.power(x, product),
                     None => self.intern(Node::Power(base, halves)),
@@ -113,20 +113,25 @@ impl Graph {
             _ => (id, 2),
         };
         let ((base, first), (other, second)) = (exponent(a), exponent(b));
-        let undoes = first % 2 != 0 && second % 2 != 0 && !self.is_square_sum(base);
+        let undoes = first % 2 != 0 && second % 2 != 0 && !self.is_never_negative(base);
         if base != other || first.signum() != second.signum() || undoes {
             return None;
         }
         Some(self.power(base, first.checked_add(second)?))
     }
 
-    /// Whether a node is a sum of even powers and numbers that are not negative, so never below zero.
-    fn is_square_sum(&self, id: NodeId) -> bool {
+    /// Whether a value is zero, positive or NaN whatever its coordinates and parameters are.
+    fn is_never_negative(&self, id: NodeId) -> bool {
+        let of = |id| self.is_never_negative(id);
         match self.node(id) {
-            Node::Power(_, halves) => halves % 4 == 0,
+            // A root is NaN where its argument is negative.
+            Node::Power(base, halves) => halves % 4 == 0 || halves % 2 != 0 || of(base),
             Node::Constant(bits) => f64::from_bits(bits) >= 0.0,
-            Node::Add(a, b) => self.is_square_sum(a) && self.is_square_sum(b),
-            Node::Sum(_, body) => self.is_square_sum(body),
+            Node::Parameter(id) => self.never_negative.contains(&id),
+            Node::Unary(function, _) | Node::Binary(function, ..) if function.row().never_negative => true,
+            Node::Mul(a, b) => a == b || of(a) && of(b),
+            Node::Add(a, b) | Node::Div(a, b) | Node::Select(_, a, b) => of(a) && of(b),
+            Node::Sum(_, body) => of(body),
             _ => false,
         }
     }

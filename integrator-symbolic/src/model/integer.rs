@@ -2,6 +2,7 @@
 
 use super::{
     Reader,
+    sign::is_never_negative,
     text::place,
     value::{Opaque, Value, View},
 };
@@ -18,7 +19,12 @@ impl Reader<'_> {
         match value {
             Value::Real(node) => Some(*node),
             Value::Opaque(Opaque { text, loops }) => {
-                let parameter = self.parameter(place(text.clone()), "number", *loops);
+                let text = place(text.clone());
+                let never_negative = syn::parse2(text.clone()).is_ok_and(|text| is_never_negative(&text));
+                let parameter = self.parameter(text, "number", *loops);
+                if never_negative {
+                    self.graph.declare_never_negative(parameter);
+                }
                 Some(self.graph.parameter(parameter))
             }
             _ => None,

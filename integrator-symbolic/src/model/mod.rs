@@ -16,6 +16,7 @@ mod pattern;
 mod repeat;
 mod sequence;
 mod shape;
+mod sign;
 mod statement;
 mod text;
 mod total;
