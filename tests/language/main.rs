@@ -22,6 +22,13 @@ struct Cell {
     sides: [f64; 2],
 }
 
+/// Laws of which a system has one.
+enum Kind {
+    Free,
+    Spring(f64),
+    Listed { list: Vec<f64>, at: usize },
+}
+
 /// Compares numbers that two formulas give. They are of order one (powers and degrees reach 60) and take some ten
 /// roundings each, so that 64 units of the last place of the largest number are as many as both could lose.
 #[track_caller]

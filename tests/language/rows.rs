@@ -1,6 +1,6 @@
 //! Bodies of `potential` of every kind, each with its gradient written by hand.
 
-use crate::{Cell, START, TIME, close};
+use crate::{Cell, Kind, START, TIME, close};
 use integrator_core::prelude::*;
 use std::sync::Arc;
 
@@ -28,6 +28,9 @@ macro_rules! rows {
                 boxed: Box<f64>,
                 shared: Arc<f64>,
                 lent: &'static f64,
+                kind: Kind,
+                kinds: Vec<Kind>,
+                optional: Option<f64>,
             }
 
             #[hamiltonian]
@@ -72,6 +75,9 @@ macro_rules! rows {
                     boxed: Box::new(1.25),
                     shared: Arc::new(2.25),
                     lent: &3.25,
+                    kind: Kind::Spring(1.5),
+                    kinds: vec![Kind::Spring(2.0), Kind::Free, Kind::Listed { list: vec![5.0, 7.0], at: 1 }, Kind::Spring(3.0)],
+                    optional: Some(1.5),
                 };
                 // From rest, one step of length 1 kicks the momenta to minus the gradient.
                 let mut run = system.run_with(Euler, Phase::new(START, [0.0; 4]), 1.0).expect("a run").at_time(TIME);
@@ -169,6 +175,15 @@ rows! {
     on_indices { let mut v = 0.0; for i in 0..4 { v += if i % 2 == 0 { q[i] } else { -q[i] }; } v } => [1.0, -1.0, 1.0, -1.0];
     cutoffs { let mut v = 0.0; for i in 0..4 { for j in 0..i { let d = q[i] - q[j]; if d * d < 0.3 { v += d * d; } } } v } => [2.0 * (2.0 * a - c - d), 2.0 * (b - d), 2.0 * (2.0 * c - a - d), 2.0 * (3.0 * d - a - b - c)];
     matching { let k = match self.charge { 1 => 1.0, _ => 3.0 }; k * q[0] } => [3.0, 0.0, 0.0, 0.0];
+    match_arms { match self.charge { 1 => q[0], 2 | 3 => q[1] * q[1], _ => 0.0 } } => [0.0, 2.0 * b, 0.0, 0.0];
+    arm_names { match self.kind { Kind::Free => 0.0, Kind::Spring(k) if k > 9.0 => q[1], Kind::Spring(k) => k * q[0] * q[0], Kind::Listed { ref list, at: i } => list[i] * q[2] } } => [3.0 * a, 0.0, 0.0, 0.0];
+    matched_indices { let mut v = 0.0; for i in 0..4 { match i { 0 | 3 => {} _ => v += q[i] * q[i] } } v } => [0.0, 2.0 * b, 2.0 * c, 0.0];
+    matched_items { let mut v = 0.0; for (kind, x) in self.kinds.iter().zip(q) { v += match kind { Kind::Free => 0.0, Kind::Spring(k) => *k * x, Kind::Listed { list, at } => list[*at] * x * x }; } v } => [2.0, 0.0, 2.0 * 7.0 * c, 3.0];
+    if_let { if let Some(k) = self.optional { k * q[0] } else { q[1] } } => [1.5, 0.0, 0.0, 0.0];
+    let_else { let Some(k) = self.optional else { return 0.0 }; k * q[0] } => [1.5, 0.0, 0.0, 0.0];
+    early_return { let r = q[0] - q[1]; if r < 0.5 { return 0.0; } let s = r * q[2]; if self.tilted { return s; } s * s } => [c, -c, a - b, 0.0];
+    nested_return { let mut v = q[3]; if q[0] > 0.0 { v += q[2]; if q[1] > 0.0 { return v; } else { v *= 2.0; } } else if q[1] > 1.0 { return 0.0; } v * q[0] } => [2.0 * (c + d), 0.0, 2.0 * a, 2.0 * a];
+    returned_values { let k = match self.optional { Some(k) => k, None => return q[1] }; return k * q[0]; } => [1.5, 0.0, 0.0, 0.0];
     matching_macros { if matches!(self.charge, 1 | 2) { q[0] } else { 0.0 } } => [1.0, 0.0, 0.0, 0.0];
 
     // Helper methods

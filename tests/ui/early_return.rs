@@ -1,4 +1,4 @@
-//! An early return, which no force tells of.
+//! A return out of a loop, which no force tells of.
 
 use integrator_core::prelude::*;
 
@@ -12,8 +12,10 @@ impl System {
         (p[0] * p[0] + p[1] * p[1]) / 2.0
     }
     fn potential(&self, q: [f64; 2]) -> f64 {
-        if q[0] > 1.0 {
-            return 0.0;
+        for x in q {
+            if x > 1.0 {
+                return 0.0;
+            }
         }
         q[0].cos() + q[1] * q[1]
     }

@@ -24,7 +24,7 @@ impl Reader<'_> {
     }
 
     /// An expression that has to be a condition.
-    fn condition_of(&mut self, expression: &Expr) -> Option<NodeId> {
+    pub(super) fn condition_of(&mut self, expression: &Expr) -> Option<NodeId> {
         let value = self.expression(expression)?;
         let condition = self.condition(&value);
         if condition.is_none() {
@@ -68,25 +68,6 @@ impl Reader<'_> {
             self.graph.compare(comparison, a, b)
         };
         Some(Value::Condition(if negated { self.graph.not(condition) } else { condition }))
-    }
-
-    /// `if condition { ... } else { ... }`, as a value or as a statement.
-    pub(super) fn branch(&mut self, branch: &ExprIf) -> Option<Value> {
-        if let Expr::Let(_) = &*branch.cond {
-            self.errors.at(&branch.cond, "`if let` is not understood: compare numbers, as in `if r < cutoff`");
-            return None;
-        }
-        let condition = self.condition_of(&branch.cond);
-        let mut assigned = Assigned::default();
-        assigned.visit_expr_if(branch);
-        let otherwise = branch.else_branch.as_ref().map(|(_, otherwise)| &**otherwise);
-        self.choose(
-            condition,
-            assigned,
-            &|reader| reader.block(&branch.then_branch),
-            &|reader| otherwise.map_or(Some(Value::Unit), |otherwise| reader.expression(otherwise)),
-            branch,
-        )
     }
 
     /// `if condition { continue; }` and the statements behind it: they happen where the condition does not hold.

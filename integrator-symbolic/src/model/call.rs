@@ -359,7 +359,7 @@ impl Reader<'_> {
             self.bind(&parameter.pat, argument);
         }
         self.inlining.push(name.to_string());
-        let value = self.block(&helper.block);
+        let value = self.returned(&helper.block);
         self.inlining.pop();
         self.scopes = scopes;
         value.map(Value::into_operand)

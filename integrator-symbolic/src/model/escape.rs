@@ -4,6 +4,7 @@
 
 use syn::{
     Expr, ExprAsync, ExprBreak, ExprClosure, ExprContinue, ExprForLoop, ExprLoop, ExprReturn, ExprTry, ExprWhile, Item,
+    Stmt,
     visit::{Visit, visit_expr_for_loop, visit_expr_loop, visit_expr_while},
 };
 
@@ -12,6 +13,25 @@ pub(super) fn escape(expression: &Expr) -> Option<Expr> {
     let mut escape = Escape::default();
     escape.visit_expr(expression);
     escape.found
+}
+
+/// Whether a statement may return from the function that it stands in.
+pub(super) fn returns(statement: &Stmt) -> bool {
+    let mut returns = Returns(false);
+    returns.visit_stmt(statement);
+    returns.0
+}
+
+struct Returns(bool);
+
+impl Visit<'_> for Returns {
+    fn visit_expr_return(&mut self, _: &ExprReturn) {
+        self.0 = true;
+    }
+
+    fn visit_expr_closure(&mut self, _: &ExprClosure) {}
+    fn visit_expr_async(&mut self, _: &ExprAsync) {}
+    fn visit_item(&mut self, _: &Item) {}
 }
 
 #[derive(Default)]

@@ -3,6 +3,7 @@
 use super::{
     Reader,
     escape::escape,
+    flow::Flow,
     integer::operand,
     statement::Assigned,
     text::{identifiers, place, with_variables},
@@ -66,7 +67,8 @@ impl Reader<'_> {
                     }
                 }
             }
-            Expr::If(branch) => self.branch(branch),
+            Expr::If(branch) => self.branch(branch, Flow::Value),
+            Expr::Match(whole) => self.verbatim(expression).or_else(|| self.matched(whole, Flow::Value)),
             Expr::Tuple(tuple) => {
                 let parts: Vec<_> = tuple.elems.iter().map(|part| self.expression(part)).collect();
                 Some(Value::Tuple(parts.into_iter().collect::<Option<_>>()?))
@@ -305,7 +307,8 @@ impl Reader<'_> {
             Expr::Loop(_) => "`loop` has no derivative here: write the sum as `for i in a..b`",
             Expr::Match(_) => "`match` on coordinates is not understood: write `if ... else if ... else`",
             Expr::Return(_) => {
-                "an early `return` is not understood: let the energy be the last expression, as in `if ... { 0.0 } else { ... }`"
+                "a `return` is understood in branches of the function itself, as in `if r > cutoff { return 0.0; }`: out of a \
+                 loop, and from inside of an expression, it is not"
             }
             Expr::Closure(_) => "a closure over coordinates is not understood: write a helper method of this impl",
             Expr::Unsafe(_) => "`unsafe` code over coordinates is not understood: write it with plain indices",

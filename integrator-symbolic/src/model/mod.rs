@@ -5,11 +5,13 @@
 //!
 //! The functions are read by running them on symbols: a variable holds a [`value::Value`], an assignment replaces it.
 
+mod arm;
 mod branch;
 mod call;
 mod escape;
 mod expression;
 mod external;
+mod flow;
 pub(crate) mod integer;
 mod operator;
 mod pattern;
@@ -30,10 +32,11 @@ use crate::{
     },
     syntax::{Functions, Input},
 };
+use arm::Arm;
 pub(crate) use call::known_functions;
 pub(crate) use external::stripped;
 use proc_macro2::{Ident, TokenStream};
-use quote::ToTokens;
+use quote::{ToTokens, quote};
 pub(crate) use shape::{Length, Shape};
 use shape::{Signature, signature};
 use std::collections::HashMap;
@@ -196,6 +199,8 @@ struct Reader<'i> {
     scopes: Vec<HashMap<String, BindingId>>,
     frames: Vec<Frame>,
     shape: Option<Shape>,
+    /// The arms of a `match` that are being read, innermost last.
+    arms: Vec<Arm>,
     /// The helper methods being inlined, to find recursion.
     inlining: Vec<String>,
     /// The part that the function may not read, where its signature has it all the same.
@@ -225,6 +230,7 @@ impl<'i> Reader<'i> {
             scopes: Vec::new(),
             frames: Vec::new(),
             shape: None,
+            arms: Vec::new(),
             inlining: Vec::new(),
             foreign: None,
             uses: Vec::new(),
@@ -250,7 +256,7 @@ impl<'i> Reader<'i> {
             self.foreign = Some(wrong);
             self.bind(&foreign.pat, Value::View(View { part: wrong, at: Vec::new() }));
         }
-        let value = self.block(&function.block);
+        let value = self.returned(&function.block);
         self.scopes.pop();
         if let Some(foreign) = signature.foreign {
             self.note_foreign(foreign, part, &function.sig.ident);
@@ -305,6 +311,12 @@ impl<'i> Reader<'i> {
 
     /// The id of a parameter with this text, new or known; `kind` tells texts apart that are read differently.
     fn parameter(&mut self, text: TokenStream, kind: &str, loops: LoopSet) -> ParameterId {
+        let otherwise = match kind {
+            "condition" => quote!(false),
+            "integer" => quote!(0),
+            _ => quote!(0.0),
+        };
+        let (text, loops) = self.in_arms(text, loops, &otherwise);
         let text = standing_alone(text, &self.uses);
         let key = format!("{kind} {loops:?} {text}");
         if let Some(id) = self.parameter_ids.get(&key) {

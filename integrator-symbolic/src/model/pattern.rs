@@ -115,7 +115,7 @@ fn part(whole: &Opaque, at: &TokenStream) -> Value {
 }
 
 /// The names that a pattern declares.
-struct Names(Vec<String>);
+pub(super) struct Names(pub(super) Vec<String>);
 
 impl Visit<'_> for Names {
     fn visit_pat_ident(&mut self, name: &PatIdent) {

@@ -93,7 +93,7 @@ impl Reader<'_> {
     }
 
     /// An expression in the place of a statement.
-    fn statement(&mut self, expression: &Expr) -> Option<Value> {
+    pub(super) fn statement(&mut self, expression: &Expr) -> Option<Value> {
         match expression {
             Expr::ForLoop(repeat) => self.repeat(repeat),
             Expr::Assign(ExprAssign { left, right, .. }) => self.assign(left, None, right, expression),

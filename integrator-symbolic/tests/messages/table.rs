@@ -206,12 +206,6 @@ pub(crate) const BODIES: &[Row] = &[
     ("match q[0] { _ => q[0] }", &["2:0 `match` on coordinates is not understood: write `if ... else if ... else`"]),
     ("while q[0] > 0.0 {} q[0]", &["2:0 `while` has no derivative here: write the sum as `for i in a..b`"]),
     ("loop { q[0]; }", &["2:0 `loop` has no derivative here: write the sum as `for i in a..b`"]),
-    (
-        "return q[0];",
-        &[
-            "2:0 an early `return` is not understood: let the energy be the last expression, as in `if ... { 0.0 } else { ... }`",
-        ],
-    ),
     ("(|x: f64| x)(q[0])", &["2:0 this is called with coordinates and is no name: write a helper method of this impl"]),
     ("unsafe { q[0] }", &["2:0 `unsafe` code over coordinates is not understood: write it with plain indices"]),
     ("let x = q[0] < 1.0; q[0]", &[]),
@@ -243,7 +237,7 @@ pub(crate) const BODIES: &[Row] = &[
     ("let x; q[0]", &["2:0 a variable needs its value where it is declared: write `let x = ...;`"]),
     (
         "let Some(x) = q[0] else { return 0.0 }; x",
-        &["2:0 `let ... else` is not understood here: give the value unconditionally"],
+        &["2:0 `let ... else` is understood on values of the system, which read no coordinates"],
     ),
     ("let (a, b, c) = q; a", &["2:4 the coordinates are `[f64; 2]`: 3 names do not fit"]),
     ("let [a, b] = q[0]; a", &["2:4 a number cannot be taken apart into 2 parts"]),
@@ -290,9 +284,9 @@ pub(crate) const BODIES: &[Row] = &[
     ("q[0] + 1e400", &[]),
     ("q[99999999999999999999999999]", &["2:2 number too large to fit in target type"]),
     (
-        "if q[0] > 1.0 { return 0.0; } q[0]",
+        "for i in 0..2 { if q[i] > 1.0 { return 0.0; } } q[0]",
         &[
-            "2:16 an early `return` is not understood: let the energy be the last expression, as in `if ... { 0.0 } else { ... }`",
+            "2:32 a `return` is understood in branches of the function itself, as in `if r > cutoff { return 0.0; }`: out of a loop, and from inside of an expression, it is not",
         ],
     ),
     (
@@ -312,9 +306,9 @@ pub(crate) const BODIES: &[Row] = &[
         &["2:0 `?` leaves the function, and no force tells of that: give the energy unconditionally"],
     ),
     (
-        "let k = match self.kind { 0 => return 0.0, _ => 1.0 }; k * q[0]",
+        "q[0] * match self.kind { 0 => return 0.0, _ => 1.0 }",
         &[
-            "2:31 an early `return` is not understood: let the energy be the last expression, as in `if ... { 0.0 } else { ... }`",
+            "2:30 a `return` is understood in branches of the function itself, as in `if r > cutoff { return 0.0; }`: out of a loop, and from inside of an expression, it is not",
         ],
     ),
     (
@@ -351,7 +345,9 @@ pub(crate) const BODIES: &[Row] = &[
     ("if matches!(self.kind, 1 | 2) { q[0] } else { 0.0 }", &[]),
     (
         "if let Some(x) = Some(q[0]) { x } else { 0.0 }",
-        &["2:3 `if let` is not understood: compare numbers, as in `if r < cutoff`"],
+        &[
+            "2:3 `if let` is understood on values of the system, which read no coordinates: compare numbers, as in `if r < cutoff`",
+        ],
     ),
     (
         "q.iter().scan(0.0, |s, x| Some(x)).sum::<f64>()",

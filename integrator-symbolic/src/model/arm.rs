@@ -1,0 +1,256 @@
+//! `match` and `if let` on values of the system: an arm is a branch under a condition of parameters, and the names that it
+//! binds are parameters that are evaluated in a `match` of their own.
+
+use super::{
+    Reader,
+    flow::{Body, Flow},
+    pattern::Names,
+    statement::Assigned,
+    text::identifiers,
+    value::{Opaque, Value},
+};
+use crate::graph::{
+    Comparison, NodeId,
+    index::{Index, IndexId, LoopSet},
+};
+use proc_macro2::{Delimiter, Group, Ident, TokenStream, TokenTree};
+use quote::{ToTokens, format_ident, quote};
+use std::collections::HashMap;
+use syn::{Expr, ExprLit, ExprMatch, Lit, Pat, PatGuard, visit::Visit};
+
+/// An arm that is being read.
+#[derive(Clone)]
+pub(super) struct Arm {
+    matched: Opaque,
+    /// The patterns of the arms before, which are tried first.
+    earlier: Vec<TokenStream>,
+    pattern: TokenStream,
+    /// What the pattern binds: a name of the user's, and the one that texts have for it.
+    names: Vec<(Ident, Ident)>,
+}
+
+impl Arm {
+    /// Whether a text has a name that the arm binds.
+    fn binds(&self, text: &TokenStream) -> bool {
+        let mut found = Vec::new();
+        identifiers(text.clone(), &mut found);
+        self.names.iter().any(|(_, name)| found.contains(name))
+    }
+
+    /// A text that is evaluated where the arm is taken, and stands for `otherwise` elsewhere.
+    fn around(&self, text: &TokenStream, otherwise: &TokenStream) -> TokenStream {
+        let Self { matched: Opaque { text: matched, .. }, earlier, pattern, .. } = self;
+        quote!((match #matched { #(#earlier => #otherwise,)* #pattern => #text, _ => #otherwise }))
+    }
+}
+
+/// An arm as the user wrote it; one without a pattern is taken where no other is.
+pub(super) struct ArmText<'a> {
+    pub(super) pattern: Option<&'a Pat>,
+    pub(super) guard: Option<&'a Expr>,
+    pub(super) body: Body<'a>,
+}
+
+impl Reader<'_> {
+    /// The text of a parameter, evaluated under the arms whose names it mentions.
+    pub(super) fn in_arms(&self, text: TokenStream, loops: LoopSet, otherwise: &TokenStream) -> (TokenStream, LoopSet) {
+        self.arms.iter().rev().fold((text, loops), |(text, loops), arm| match arm.binds(&text) {
+            true => (arm.around(&text, otherwise), loops.union(arm.matched.loops)),
+            false => (text, loops),
+        })
+    }
+
+    /// `match value { ... }` on a value of the system.
+    pub(super) fn matched(&mut self, whole: &ExprMatch, flow: Flow<'_>) -> Option<Value> {
+        let arms = whole.arms.iter().map(|arm| {
+            let (pattern, guard) = match &arm.pat {
+                Pat::Guard(PatGuard { pat, guard, .. }) => (&**pat, Some(&**guard)),
+                pattern => (pattern, None),
+            };
+            ArmText { pattern: Some(pattern), guard, body: Body::Expression(&arm.body) }
+        });
+        let arms: Vec<ArmText<'_>> = arms.collect();
+        let Some((matched, integer)) = self.matchable(&whole.expr)? else {
+            return self.refused(&Expr::Match(whole.clone()));
+        };
+        self.first_of(&arms, &matched, integer, &[], flow, whole)
+    }
+
+    /// What may be matched: a value of the system, and the integer that it is where it is one of indices. Nothing is noted
+    /// of others.
+    pub(super) fn matchable(&mut self, expression: &Expr) -> Option<Option<(Opaque, Option<IndexId>)>> {
+        let Some(Value::Opaque(whole)) = self.verbatim(expression) else { return Some(None) };
+        if let Expr::Tuple(_) = expression {
+            return Some(Some((whole, None)));
+        }
+        Some(Some(match self.expression(expression)? {
+            Value::Opaque(opaque) => (opaque, None),
+            Value::Integer(index) => (self.opaque(&Value::Integer(index)).unwrap_or(whole), Some(index)),
+            _ => (whole, None),
+        }))
+    }
+
+    /// The value of the first arm that is taken.
+    pub(super) fn first_of(
+        &mut self,
+        arms: &[ArmText<'_>],
+        matched: &Opaque,
+        integer: Option<IndexId>,
+        earlier: &[TokenStream],
+        flow: Flow<'_>,
+        place: &dyn ToTokens,
+    ) -> Option<Value> {
+        let (first, rest) = arms.split_first()?;
+        let Some(pattern) = first.pattern else { return self.body(first.body, flow) };
+        let arm = self.arm(pattern, matched.clone(), earlier.to_vec());
+        let unconditional = first.guard.is_none() && (rest.is_empty() || is_irrefutable(pattern));
+        if unconditional {
+            return self.in_arm(arm, |reader| reader.settled_body(first.body, flow));
+        }
+        let fits = self.fits(&arm, integer, pattern);
+        let condition = match first.guard {
+            None => Some(fits),
+            Some(guard) => {
+                let guard = self.in_arm(arm.clone(), |reader| reader.condition_of(guard));
+                guard.map(|guard| self.graph.and(fits, guard))
+            }
+        };
+        // A guard may fail where its pattern fits, so that later arms are tried there as well.
+        let tried = first.guard.is_none().then(|| arm.pattern.clone());
+        let earlier: Vec<TokenStream> = earlier.iter().cloned().chain(tried).collect();
+        let mut assigned = Assigned::default();
+        for arm in arms {
+            arm.body.visit(&mut assigned);
+        }
+        self.split(
+            flow,
+            condition,
+            assigned,
+            &|reader| reader.in_arm(arm.clone(), |reader| reader.settled_body(first.body, flow)),
+            &|reader| reader.first_of(rest, matched, integer, &earlier, flow, place),
+            place,
+        )
+    }
+
+    /// Whether an arm's pattern fits.
+    fn fits(&mut self, arm: &Arm, integer: Option<IndexId>, pattern: &Pat) -> NodeId {
+        if let (Some(index), Some(literals)) = (integer, literals(pattern)) {
+            let none = self.graph.truth(false);
+            return literals.into_iter().fold(none, |any, literal| {
+                let literal = self.graph.loops.intern(Index::Literal(literal));
+                let equal = self.graph.compare_index(Comparison::Equal, index, literal);
+                self.graph.or(any, equal)
+            });
+        }
+        let Arm { matched: Opaque { text, loops }, pattern, .. } = arm;
+        let flag = self.parameter(quote!(::core::matches!(#text, #pattern)), "condition", *loops);
+        self.graph.flag(flag)
+    }
+
+    /// An arm whose names no other arm around it has.
+    fn arm(&self, pattern: &Pat, matched: Opaque, earlier: Vec<TokenStream>) -> Arm {
+        let mut names = Names(Vec::new());
+        names.visit_pat(pattern);
+        let taken = |name: &Ident| self.arms.iter().flat_map(|arm| &arm.names).any(|(_, known)| known == name);
+        let bound = names.0.into_iter().filter(|name| !name.starts_with(char::is_uppercase));
+        let mut names: Vec<(Ident, Ident)> = Vec::new();
+        for name in bound {
+            let own = format_ident!("matched_{name}");
+            let numbered = (2..).map(|count| format_ident!("matched_{name}_{count}"));
+            let own = std::iter::once(own.clone()).chain(numbered).find(|name| !taken(name)).unwrap_or(own);
+            if names.iter().all(|(known, _)| *known != name) {
+                names.push((format_ident!("{name}"), own));
+            }
+        }
+        let pattern = renamed(pattern.to_token_stream(), &names, false);
+        Arm { matched, earlier, pattern, names }
+    }
+
+    /// Reads something in an arm, where the names of its pattern are known.
+    fn in_arm<T>(&mut self, arm: Arm, read: impl FnOnce(&mut Self) -> T) -> T {
+        self.scopes.push(HashMap::new());
+        for (name, own) in &arm.names {
+            let value = Opaque { text: own.to_token_stream(), loops: arm.matched.loops };
+            self.declare(name.to_string(), Value::Opaque(value));
+        }
+        self.arms.push(arm);
+        let value = read(self);
+        self.arms.pop();
+        self.scopes.pop();
+        value
+    }
+
+    /// The body of an arm: what leaves it is a number, since the names of the pattern mean nothing outside.
+    fn settled_body(&mut self, body: Body<'_>, flow: Flow<'_>) -> Option<Value> {
+        let mut assigned = Assigned::default();
+        body.visit(&mut assigned);
+        let ids: Vec<_> = assigned.names.iter().filter_map(|name| self.lookup(name)).collect();
+        let value = self.body(body, flow);
+        for id in ids {
+            let left = std::mem::replace(&mut self.bindings[id.0].value, Value::Unknown);
+            self.bindings[id.0].value = self.settled(left);
+        }
+        value.map(|value| self.settled(value))
+    }
+
+    fn settled(&mut self, value: Value) -> Value {
+        match value {
+            Value::Opaque(Opaque { ref text, .. }) if self.arms.last().is_some_and(|arm| arm.binds(text)) => {
+                self.real(&value).map_or(value, Value::Real)
+            }
+            Value::Array(parts) => Value::Array(parts.into_iter().map(|part| self.settled(part)).collect()),
+            Value::Tuple(parts) => Value::Tuple(parts.into_iter().map(|part| self.settled(part)).collect()),
+            other => other,
+        }
+    }
+}
+
+/// Whether a pattern fits every value.
+fn is_irrefutable(pattern: &Pat) -> bool {
+    match pattern {
+        Pat::Wild(_) => true,
+        Pat::Ident(name) => name.subpat.is_none() && !name.ident.to_string().starts_with(char::is_uppercase),
+        Pat::Paren(inner) => is_irrefutable(&inner.pat),
+        _ => false,
+    }
+}
+
+/// The numbers of a pattern that is made of them.
+fn literals(pattern: &Pat) -> Option<Vec<u64>> {
+    match pattern {
+        Pat::Lit(ExprLit { lit: Lit::Int(number), .. }) => Some(vec![number.base10_parse().ok()?]),
+        Pat::Or(cases) => cases.cases.iter().map(literals).collect::<Option<Vec<_>>>().map(|found| found.concat()),
+        Pat::Paren(inner) => literals(&inner.pat),
+        _ => None,
+    }
+}
+
+/// A pattern whose names have other names; `fields` says that it is the list of a struct's fields, where a name alone is
+/// that of a field too.
+fn renamed(pattern: TokenStream, names: &[(Ident, Ident)], fields: bool) -> TokenStream {
+    let trees: Vec<TokenTree> = pattern.into_iter().collect();
+    let is_mark = |tree: &TokenTree, mark| matches!(tree, TokenTree::Punct(found) if found.as_char() == mark);
+    let own_of = |tree: &TokenTree| match tree {
+        TokenTree::Ident(name) => names.iter().find(|(known, _)| known == name),
+        _ => None,
+    };
+    let mut output = TokenStream::new();
+    for part in trees.split_inclusive(|tree| is_mark(tree, ',')) {
+        let has_pattern = part.iter().any(|tree| is_mark(tree, ':'));
+        if fields && !has_pattern {
+            output.extend(part.iter().filter_map(own_of).map(|(name, _)| quote!(#name:)));
+        }
+        for (at, tree) in part.iter().enumerate() {
+            let is_field = fields && has_pattern && at == 0;
+            match (tree, own_of(tree).filter(|_| !is_field)) {
+                (_, Some((_, own))) => output.extend(quote!(#own)),
+                (TokenTree::Group(group), None) => {
+                    let inner = renamed(group.stream(), names, group.delimiter() == Delimiter::Brace);
+                    output.extend([TokenTree::from(Group::new(group.delimiter(), inner))]);
+                }
+                (other, None) => output.extend([other.clone()]),
+            }
+        }
+    }
+    output
+}
