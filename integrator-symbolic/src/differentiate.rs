@@ -11,7 +11,7 @@
 //! is left that may have had no turn in its branches, what is computed from then on stays under the condition that it had
 //! one, unless no value of it could do harm.
 
-use crate::graph::{Around, Element, Graph, Node, NodeId, Part, index::LoopId};
+use crate::graph::{Around, Element, Graph, Node, NodeId, Part, function::Function, index::LoopId};
 
 /// An addend of one component of a gradient (of a family of them, where the component depends on loops).
 #[derive(Clone, Debug, PartialEq)]
@@ -162,6 +162,9 @@ impl Sweep {
                     self.push_product(graph, a, context, adjoint, slope);
                 }
             }
+            Node::Binary(function, a, b) if let Some(first) = self.choice(graph, function, [a, b], adjoint) => {
+                self.push_chosen(graph, [a, b], first, context, adjoint);
+            }
             Node::Binary(function, a, b) => {
                 let slopes = graph.slopes(function, a, b, id);
                 for (child, slope) in [a, b].into_iter().zip(slopes) {
@@ -188,15 +191,41 @@ impl Sweep {
                 let inside: Vec<Around> = context.iter().copied().chain([Around::Loop(by)]).collect();
                 self.push(graph, body, &inside, adjoint);
             }
-            Node::Select(condition, a, b) => {
-                for (child, holds) in [(a, true), (b, false)] {
-                    let inside: Vec<Around> =
-                        context.iter().copied().chain([Around::Branch(condition, holds)]).collect();
-                    self.push(graph, child, &inside, adjoint);
-                }
-            }
+            Node::Select(condition, a, b) => self.push_chosen(graph, [a, b], condition, context, adjoint),
             // Leaves and conditions pass nothing on; neither does what does not depend on the part.
             _ => {}
+        }
+    }
+
+    /// The condition that a function's value is its first argument, if it is one of the two and the slope zero of the other
+    /// might meet what is not finite.
+    fn choice(&self, graph: &mut Graph, function: Function, arguments: [NodeId; 2], adjoint: NodeId) -> Option<NodeId> {
+        let [a, b] = arguments;
+        let harmless = [a, b, adjoint].into_iter().all(|id| graph.is_total(id));
+        let chooses = function.row().chooses.filter(|_| !harmless)?;
+        Some(chooses(graph, a, b))
+    }
+
+    /// Passes an adjoint on to the first of two nodes where a condition holds, to the second where it does not.
+    fn push_chosen(
+        &mut self,
+        graph: &mut Graph,
+        nodes: [NodeId; 2],
+        condition: NodeId,
+        context: &[Around],
+        adjoint: NodeId,
+    ) {
+        for (node, holds) in nodes.into_iter().zip([true, false]) {
+            let branch = Around::Branch(condition, holds);
+            if context.contains(&Around::Branch(condition, !holds)) {
+                continue;
+            }
+            if context.contains(&branch) {
+                self.push(graph, node, context, adjoint);
+                continue;
+            }
+            let inside: Vec<Around> = context.iter().copied().chain([branch]).collect();
+            self.push(graph, node, &inside, adjoint);
         }
     }
 

@@ -11,6 +11,9 @@ type Slope = fn(graph: &mut Graph, x: NodeId, y: NodeId) -> NodeId;
 /// How the two partial derivatives of a function of two arguments are built from the arguments and the value.
 type Slopes = fn(graph: &mut Graph, a: NodeId, b: NodeId, y: NodeId) -> [NodeId; 2];
 
+/// How the condition that a value is the first of two arguments is built from them.
+type Choice = fn(graph: &mut Graph, a: NodeId, b: NodeId) -> NodeId;
+
 /// What a function does to one or two arguments: the value, and the derivative.
 #[derive(Clone, Copy)]
 pub(crate) enum Rule {
@@ -31,6 +34,8 @@ pub(crate) struct Row {
     pub(crate) symmetry: Symmetry,
     /// Whether no value is below zero.
     pub(crate) never_negative: bool,
+    /// Whether the value is the first of two arguments, as a condition, where it is always one of them.
+    pub(crate) chooses: Option<Choice>,
     pub(crate) rule: Rule,
 }
 
@@ -65,6 +70,10 @@ impl Row {
     const fn never_negative(self) -> Self {
         Self { never_negative: true, ..self }
     }
+
+    const fn choosing(self, first: Choice) -> Self {
+        Self { chooses: Some(first), ..self }
+    }
 }
 
 const fn unary(name: &'static str, value: fn(f64) -> f64, slope: Slope) -> Row {
@@ -74,6 +83,7 @@ const fn unary(name: &'static str, value: fn(f64) -> f64, slope: Slope) -> Row {
         total: false,
         symmetry: Symmetry::None,
         never_negative: false,
+        chooses: None,
         rule: Rule::Unary(value, Some(slope)),
     }
 }
@@ -86,6 +96,7 @@ const fn step(name: &'static str, value: fn(f64) -> f64) -> Row {
         total: true,
         symmetry: Symmetry::None,
         never_negative: false,
+        chooses: None,
         rule: Rule::Unary(value, None),
     }
 }
@@ -97,6 +108,7 @@ const fn binary(name: &'static str, value: fn(f64, f64) -> f64, slopes: Slopes) 
         total: false,
         symmetry: Symmetry::None,
         never_negative: false,
+        chooses: None,
         rule: Rule::Binary(value, slopes),
     }
 }
@@ -123,11 +135,43 @@ fn scaled_reciprocal(graph: &mut Graph, x: NodeId, scale: f64) -> NodeId {
     graph.mul(scale, reciprocal)
 }
 
-/// One for the smaller of two, zero for the other.
-fn smaller(graph: &mut Graph, a: NodeId, b: NodeId) -> [NodeId; 2] {
+/// The exponent of a slope. x^0 is 1 everywhere, at zero too, where 0 x^-1 has no value; 0 x^0 is zero.
+fn from_zero(graph: &mut Graph, exponent: NodeId, less: NodeId) -> NodeId {
+    let zero = graph.constant(0.0);
+    let flat = graph.compare(Comparison::Equal, exponent, zero);
+    graph.select(flat, zero, less)
+}
+
+/// Slopes of what is one of its arguments: one for that, zero for the other.
+fn of_chosen(graph: &mut Graph, first: NodeId) -> [NodeId; 2] {
     let (zero, one) = (graph.constant(0.0), graph.constant(1.0));
-    let first = graph.compare(Comparison::LessOrEqual, a, b);
     [graph.select(first, one, zero), graph.select(first, zero, one)]
+}
+
+/// Whether the minimum is the first of two: the smaller one, and the other of a NaN.
+fn is_minimum(graph: &mut Graph, a: NodeId, b: NodeId) -> NodeId {
+    let first = graph.compare(Comparison::LessOrEqual, a, b);
+    or_other_of_nan(graph, first, b)
+}
+
+/// Whether the maximum is the first of two: the larger one, and the other of a NaN.
+fn is_maximum(graph: &mut Graph, a: NodeId, b: NodeId) -> NodeId {
+    if graph.is_total(a) && graph.is_total(b) {
+        let second = graph.compare(Comparison::LessOrEqual, a, b);
+        return graph.not(second);
+    }
+    let first = graph.compare(Comparison::Less, b, a);
+    or_other_of_nan(graph, first, b)
+}
+
+/// A comparison with a NaN does not hold, so that the second is taken: it must not be one itself.
+fn or_other_of_nan(graph: &mut Graph, first: NodeId, b: NodeId) -> NodeId {
+    if graph.is_total(b) {
+        return first;
+    }
+    let number = graph.compare(Comparison::Equal, b, b);
+    let nan = graph.not(number);
+    graph.or(first, nan)
 }
 
 /// Every function but `sqrt`, which is the power ½, and the ones that are arithmetic (`recip`, `mul_add`, ...).
@@ -213,11 +257,18 @@ pub(crate) const TABLE: &[Row] = &[
     .with_fast("fast_cbrt")
     .with(Symmetry::Odd),
     unary("abs", f64::abs, |g, x, _| g.call("signum", x)).total().with(Symmetry::Even).never_negative(),
-    binary("min", f64::min, |g, a, b, _| smaller(g, a, b)).total().with(Symmetry::Commutative),
-    binary("max", f64::max, |g, a, b, _| {
-        let [of_a, of_b] = smaller(g, a, b);
-        [of_b, of_a]
+    binary("min", f64::min, |g, a, b, _| {
+        let first = is_minimum(g, a, b);
+        of_chosen(g, first)
     })
+    .choosing(is_minimum)
+    .total()
+    .with(Symmetry::Commutative),
+    binary("max", f64::max, |g, a, b, _| {
+        let first = is_maximum(g, a, b);
+        of_chosen(g, first)
+    })
+    .choosing(is_maximum)
     .total()
     .with(Symmetry::Commutative),
     step("signum", f64::signum).with(Symmetry::Odd),
@@ -238,6 +289,7 @@ pub(crate) const TABLE: &[Row] = &[
     binary("powf", f64::powf, |g, a, b, y| {
         let one = g.constant(1.0);
         let (less, logarithm) = (g.sub(b, one), g.call("ln", a));
+        let less = if g.is_prepared(b) { from_zero(g, b, less) } else { less };
         let lowered = g.call_two("powf", a, less);
         [g.mul(b, lowered), g.mul(y, logarithm)]
     }),
@@ -275,7 +327,7 @@ impl Function {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::graph::{Element, Part, evaluate::Point, index::Index};
+    use crate::graph::{Element, ParameterId, Part, evaluate::Point, index::Index};
 
     /// Where the arguments of each function are drawn from: inside its domain, on both sides of zero where it has both.
     const DOMAINS: &[(&str, [f64; 2])] = &[
@@ -432,6 +484,18 @@ mod tests {
                     }
                 }
             }
+        }
+    }
+
+    #[test]
+    fn a_power_with_exponent_zero_is_flat_at_zero_too() {
+        let mut graph = Graph::default();
+        let (x, exponent) = (coordinate(&mut graph, 0), graph.parameter(ParameterId(0)));
+        let power = graph.call_two("powf", x, exponent);
+        let [slope, _] = graph.slopes(Function::named("powf").expect("a row"), x, exponent, power);
+        for (exponent, expected) in [(0.0, 0.0), (1.0, 1.0), (2.0, 0.0)] {
+            let mut point = Point { parameters: &[exponent], ..Point::new(&[0.0], &[]) };
+            assert_eq!(slope.map(|slope| point.value(&graph, slope)), Some(expected), "x^{exponent}");
         }
     }
 

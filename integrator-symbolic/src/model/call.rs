@@ -276,8 +276,16 @@ impl Reader<'_> {
                 self.graph.add(product, *addend)
             }
             (None, "clamp", [low, high]) => {
-                let raised = graph.call_two("max", x, *low);
-                graph.call_two("min", raised, *high)
+                if graph.is_total(x) {
+                    let raised = graph.call_two("max", x, *low);
+                    graph.call_two("min", raised, *high)
+                } else {
+                    // A NaN is below nothing and above nothing, and stays; a maximum would hide it.
+                    let below = graph.compare(Comparison::Less, x, *low);
+                    let above = graph.compare(Comparison::Less, *high, x);
+                    let inside = graph.select(above, *high, x);
+                    graph.select(below, *low, inside)
+                }
             }
             (None, "sin_cos", _) => {
                 let (sine, cosine) = (graph.call("sin", x), graph.call("cos", x));
