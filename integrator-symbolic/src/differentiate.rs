@@ -54,7 +54,8 @@ pub(crate) fn gradient(graph: &mut Graph, root: NodeId, part: Part) -> Vec<Contr
     sweep.push(graph, root, &[], one);
     let mut contributions = Vec::new();
     for id in graph.reachable([root]).into_iter().rev() {
-        for (context, adjoint) in std::mem::take(&mut sweep.adjoints[id.position()]) {
+        let adjoints = std::mem::take(&mut sweep.adjoints[id.position()]);
+        for (context, adjoint) in gathered(graph, id, adjoints) {
             match graph.node(id) {
                 Node::Coordinate(element) => contributions.push(Contribution { context, element, value: adjoint }),
                 node => sweep.through(graph, id, node, &context, adjoint),
@@ -124,10 +125,60 @@ fn dependence(graph: &Graph, root: NodeId, part: Part) -> Vec<bool> {
     depends
 }
 
+/// How many contexts the adjoint of a node may have before they are made one. Where branch follows branch on what the
+/// last one left, the number would double each time.
+const CONTEXTS: usize = 2;
+
+/// The adjoints of a node, those in the same loops in one context where they are many. What they have in common stays
+/// around them; the rest is chosen, and the node's own slopes are computed where one of them is.
+fn gathered(graph: &mut Graph, id: NodeId, adjoints: Vec<Adjoint>) -> Vec<Adjoint> {
+    if adjoints.len() <= CONTEXTS || matches!(graph.node(id), Node::Coordinate(_)) {
+        return adjoints;
+    }
+    let loops = |context: &[Around]| {
+        context.iter().rposition(|around| matches!(around, Around::Loop(_))).map_or(0, |last| last + 1)
+    };
+    let mut groups: Vec<Vec<Adjoint>> = Vec::new();
+    for (context, adjoint) in adjoints {
+        let own = |group: &&mut Vec<Adjoint>| {
+            let known = &group[0].0;
+            known[..loops(known)] == context[..loops(&context)]
+        };
+        match groups.iter_mut().find(own) {
+            Some(group) => group.push((context, adjoint)),
+            None => groups.push(vec![(context, adjoint)]),
+        }
+    }
+    groups.into_iter().map(|group| in_common(graph, id, &group)).collect()
+}
+
+/// Adjoints in one context.
+fn in_common(graph: &mut Graph, id: NodeId, adjoints: &[Adjoint]) -> Adjoint {
+    let first = &adjoints[0].0;
+    let shared =
+        |known: usize, context: &[Around]| first[..known].iter().zip(context).take_while(|(a, b)| a == b).count();
+    let common = adjoints.iter().fold(first.len(), |known, (context, _)| shared(known, context));
+    let (mut sum, mut any) = (graph.constant(0.0), graph.truth(false));
+    for (context, adjoint) in adjoints {
+        let value = context[common..].iter().rev().fold(*adjoint, |value, around| chosen(graph, *around, value));
+        sum = graph.add(sum, value);
+        let entered = graph.happens(&context[common..]);
+        any = graph.or(any, entered);
+    }
+    let mut context = first[..common].to_vec();
+    if !graph.is_total(id) && graph.as_truth(any).is_none() {
+        context.push(Around::Branch(any, true));
+    }
+    (context, sum)
+}
+
+/// What an adjoint is and where: what is around it, and its value.
+type Adjoint = (Vec<Around>, NodeId);
+
 struct Sweep {
     depends: Vec<bool>,
     /// The adjoints of a node so far, one per context that it is used in.
-    adjoints: Vec<Vec<(Vec<Around>, NodeId)>>,
+    adjoints: Vec<Vec<Adjoint>>,
 }
 
 impl Sweep {

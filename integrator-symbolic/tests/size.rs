@@ -81,3 +81,34 @@ fn ten_bodies_written_out_stay_below_a_size() {
     let written = expansion(&item).len() - item.len();
     assert!((45_000..180_000).contains(&written), "{written} bytes");
 }
+
+/// Statements that follow each other, each behind a condition on coordinates of its own.
+const BRANCHES: &[(&str, &str)] = &[
+    ("walls", "if q[0] > self.wall[I] { v += 0.5 * (q[0] - self.wall[I]).powi(2); }"),
+    ("walls on both sides", "if q[0] > self.wall[I] { v += q[0].exp(); } else { v -= q[1].exp(); }"),
+    ("products", "if q[0] > self.wall[I] { v *= q[1].cosh(); }"),
+    ("variables", "let v = if q[0] > self.wall[I] { v.sin() } else { v * 1.5 + q[1] };"),
+    ("roots", "if v > self.wall[I] { v = (v + self.wall[I]).sqrt(); }"),
+    ("kinks", "v = v.max(self.wall[I] * q[0]).sqrt();"),
+];
+
+#[test]
+fn branches_that_follow_each_other_add_up() {
+    for (name, statement) in BRANCHES {
+        let length = |count: usize| {
+            let statements = (0..count).map(|at| statement.replace('I', &at.to_string())).collect::<String>();
+            let item = format!(
+                "impl Branches {{
+                    fn kinetic(&self, p: [f64; 2]) -> f64 {{ (p[0] * p[0] + p[1] * p[1]) / 2.0 }}
+                    fn potential(&self, q: [f64; 2]) -> f64 {{ let mut v = q[0] * q[1] + 3.0; {statements} v }}
+                }}"
+            );
+            expansion(&item).len()
+        };
+        // Were everything written for both sides of each, four more would cost sixteen times what the last four did. What
+        // is nested in itself has second derivatives between all of its levels, whose number grows with the square.
+        let [four, eight, twelve] = [4, 8, 12].map(length);
+        let (first, second) = (eight - four, twelve - eight);
+        assert!(second < 3 * first, "{name}: {four}, {eight}, {twelve}");
+    }
+}

@@ -96,6 +96,36 @@ const ROWS: &[Row] = rows! { q:
     clamped_nan {
         q.iter().map(|x| x.sqrt().clamp(0.1, 1.2)).sum()
     }
+    branches_one_after_the_other {
+        let mut v = 1.0;
+        for y in q {
+            let mut x = *y;
+            if x > 0.0 {
+                x = x.sqrt() + 0.1;
+            } else {
+                x = x * x;
+            }
+            if x > 0.2 {
+                x = x.ln() + 2.0;
+            }
+            if x < 1.5 {
+                x *= 1.1;
+            } else {
+                x -= 0.3;
+            }
+            if *y < 1.0 {
+                x += y.sin();
+                x += x * x;
+            } else {
+                x -= 1.0;
+            }
+            if x > 0.1 {
+                x = 1.0 / x;
+            }
+            v += x * x;
+        }
+        v
+    }
     stillinger_weber {
         let mut v = 0.0;
         for i in 0..q.len() {

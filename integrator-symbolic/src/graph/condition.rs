@@ -136,6 +136,55 @@ impl Graph {
         self.compare_index(Comparison::Less, from, to)
     }
 
+    /// The same where both sides may have added to a value from before the condition: then the addends are chosen and not
+    /// the sums, so that the value from before is written once however many conditions follow each other.
+    ///
+    /// exact, but for the sign of zero: s + a where c holds, else s + b == s + (a where c holds, else b)
+    pub(crate) fn select_addends(&mut self, condition: NodeId, before: NodeId, sides: [NodeId; 2]) -> NodeId {
+        let zero = self.constant(0.0);
+        let [Some(first), Some(second)] = sides.map(|side| self.addends(side, before)) else {
+            return self.select(condition, sides[0], sides[1]);
+        };
+        let of = |addends: &[NodeId], at: usize| addends.get(at).copied().unwrap_or(zero);
+        (0..first.len().max(second.len())).fold(before, |sum, at| {
+            let addend = self.select(condition, of(&first, at), of(&second, at));
+            self.add(sum, addend)
+        })
+    }
+
+    /// What was added to a value, one after the other, to make it another one.
+    fn addends(&mut self, sum: NodeId, value: NodeId) -> Option<Vec<NodeId>> {
+        let mut addends = Vec::new();
+        let mut rest = sum;
+        while rest != value {
+            let Node::Add(a, b) = self.node(rest) else { return None };
+            let [in_a, in_b] = [a, b].map(|part| self.is_summed_in(value, part));
+            let addend = match (in_a, in_b) {
+                (true, false) => b,
+                (false, true) => a,
+                _ => return None,
+            };
+            rest = if in_a { a } else { b };
+            addends.push(addend);
+        }
+        addends.reverse();
+        Some(addends)
+    }
+
+    /// Whether a value is among the addends of a sum.
+    fn is_summed_in(&self, value: NodeId, sum: NodeId) -> bool {
+        let mut open = vec![sum];
+        while let Some(id) = open.pop() {
+            match self.node(id) {
+                _ if id == value => return true,
+                // Children have smaller ids.
+                Node::Add(a, b) if id > value => open.extend([a, b]),
+                _ => {}
+            }
+        }
+        false
+    }
+
     /// `a` where the condition holds, else `b`. Both may be conditions.
     pub(crate) fn select(&mut self, condition: NodeId, a: NodeId, b: NodeId) -> NodeId {
         match (self.as_truth(condition), self.node(condition)) {

@@ -110,8 +110,13 @@ impl Reader<'_> {
             frame.sums = sums;
         }
         let condition = condition?;
-        for ((id, a), b) in ids.iter().zip(first.1).zip(second.1) {
-            self.bindings[id.0].value = self.either(condition, a, b, place)?;
+        for (((id, before), a), b) in ids.iter().zip(&before).zip(first.1).zip(second.1) {
+            self.bindings[id.0].value = match (before, &a, &b) {
+                (Value::Real(before), Value::Real(a), Value::Real(b)) => {
+                    Value::Real(self.graph.select_addends(condition, *before, [*a, *b]))
+                }
+                _ => self.either(condition, a, b, place)?,
+            };
         }
         let zero = self.graph.constant(0.0);
         for (target, a) in &first.2 {
