@@ -147,6 +147,7 @@ rows! {
     named_indices { let mut v = 0.0; for i in 0..4 { let next = (i + 1) % 4; v += q[i] * q[next]; } v } => [b + d, a + c, b + d, a + c];
     bounds { let mut v = 0.0; for i in 0..self.count { v += q[i] * q[i]; } v } => [2.0 * a, 2.0 * b, 2.0 * c, 0.0];
     lengths { let mut v = 0.0; for i in 0..q.len() - 1 { v += q[i] * q[i + 1]; } v } => [b, a + c, b + d, c];
+    horner { let mut v = 0.0; for k in (0..3).rev() { v = v * q[0] + self.stiffness[k]; } v } => [2.0 + 6.0 * a, 0.0, 0.0, 0.0];
     products { let mut v = 1.0; for i in 0..4 { v *= q[i]; } v } => [b * c * d, a * c * d, a * b * d, a * b * c];
 
     // Iterators
@@ -159,6 +160,11 @@ rows! {
     windows { q.windows(2).map(|w| w[0] * w[1]).sum::<f64>() } => [b, a + c, b + d, c];
     chunks { q.chunks_exact(2).map(|c| c[0] * c[1]).sum::<f64>() } => [b, a, d, c];
     folded { q.iter().fold(0.0, |sum, x| sum + x * x) } => [2.0 * a, 2.0 * b, 2.0 * c, 2.0 * d];
+    folded_further { q.iter().fold(0.0, |sum, x| sum * sum + x) } => [8.0 * a * (a * a + b) * ((a * a + b).powi(2) + c), 4.0 * (a * a + b) * ((a * a + b).powi(2) + c), 2.0 * ((a * a + b).powi(2) + c), 1.0];
+    folded_coefficients { (0..3).rev().fold(0.0, |v, k| v * q[0] + self.stiffness[k]) } => [2.0 + 6.0 * a, 0.0, 0.0, 0.0];
+    folded_branches { q.iter().fold(0.0, |sum, x| if *x > 0.0 { sum + x * x } else { sum }) } => [a, b, c, d].map(|x| if x > 0.0 { 2.0 * x } else { 0.0 });
+    largest { q.iter().fold(-1.0, |top: f64, x| top.max(*x)) } => [a, b, c, d].map(|x| if x == a.max(b).max(c).max(d) { 1.0 } else { 0.0 });
+    factors { q.iter().map(|x| 1.0 + x * x).product::<f64>() } => [a, b, c, d].map(|x| 2.0 * x / (1.0 + x * x) * (1.0 + a * a) * (1.0 + b * b) * (1.0 + c * c) * (1.0 + d * d));
     filtered { (0..4).filter(|i| i % 2 == 0).map(|i| q[i] * q[i]).sum::<f64>() } => [2.0 * a, 0.0, 2.0 * c, 0.0];
     adaptors { q.iter().skip(1).take(2).map(|x| x * x).sum::<f64>() + q.iter().rev().step_by(2).sum::<f64>() } => [0.0, 2.0 * b + 1.0, 2.0 * c, 1.0];
     nested_iterators { (0..4).map(|i| (0..i).map(|j| q[i] * q[j]).sum::<f64>()).sum::<f64>() } => [b + c + d, a + c + d, a + b + d, a + b + c];

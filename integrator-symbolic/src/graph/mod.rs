@@ -5,6 +5,7 @@
 //! subexpression is one node; nodes are built by the constructors in [`algebra`] alone, so their local identities hold
 //! everywhere. The arena knows neither syntax nor spans.
 
+mod addend;
 mod algebra;
 mod condition;
 mod cost;

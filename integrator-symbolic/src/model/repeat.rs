@@ -32,7 +32,7 @@ const RESERVED: [&str; 14] = [
 type Sums = Vec<(Target, NodeId)>;
 
 /// How many turns a loop may have that is written out, because its body is more than a sum.
-const FEW: u64 = 16;
+pub(super) const FEW: u64 = 16;
 
 impl Reader<'_> {
     /// `for pattern in sequence { ... }`
@@ -108,7 +108,7 @@ impl Reader<'_> {
     }
 
     /// The turns of a loop, if their number is known and small.
-    fn known_turns(&self, sequence: &Sequence) -> Option<Range<u64>> {
+    pub(super) fn known_turns(&self, sequence: &Sequence) -> Option<Range<u64>> {
         let (from, to) = (self.graph.loops.literal(sequence.from)?, self.graph.loops.literal(sequence.to)?);
         (to.saturating_sub(from) <= FEW).then_some(from..to)
     }

@@ -1,7 +1,7 @@
 //! What loops and iterator chains run over: ranges, coordinates and lists of parameters, one item per index.
 
 #[cfg(test)]
-mod tests;
+pub(super) mod tests;
 
 use super::{
     Reader,

@@ -1,6 +1,6 @@
 //! Blocks and assignments.
 
-use super::{BindingId, Reader, Target, branch::is_skip, value::Value};
+use super::{BindingId, Reader, Target, branch::is_skip, repeat::FEW, value::Value};
 use crate::{errors::quoted, graph::NodeId};
 use proc_macro2::Ident;
 use quote::quote;
@@ -207,7 +207,8 @@ impl Reader<'_> {
             let name = quoted(place);
             let message = format!(
                 "`{name}` comes from outside this loop, so the loop can only sum it up: write `{name} += ...` or \
-                 `{name} -= ...`"
+                 `{name} -= ...`. A loop that does more is written out where its bounds are literals, as in `for k in \
+                 0..4`, for up to {FEW} turns"
             );
             self.errors.at(whole, message);
             return None;

@@ -148,16 +148,18 @@ fn read(kind: &str, chain: &str, pattern: &str, as_loop: bool) -> Model {
     } else {
         format!("{chain}.enumerate().map(|(item, {pattern})| {item}).sum::<f64>()")
     };
+    potential(kind, &body).unwrap_or_else(|error| panic!("{body}: {error}"))
+}
+
+/// The model of a system with this potential of coordinates of a type.
+pub(in crate::model) fn potential(kind: &str, body: &str) -> syn::Result<Model> {
     let text = format!(
         "impl System {{ fn kinetic(&self, p: {kind}) -> f64 {{ 0.0 }} fn potential(&self, q: {kind}, t: f64) -> f64 {{ {body} }} }}"
     );
     let mut errors = Errors::default();
     let input = syntax::input(TokenStream::new(), text.parse().expect("tokens"), &mut errors).expect("an impl");
     let model = model(&input, &mut errors);
-    match errors.combined() {
-        None => model.expect("a model"),
-        Some(error) => panic!("{text}: {error}"),
-    }
+    errors.combined().map_or_else(|| Ok(model.expect("a model")), Err)
 }
 
 /// Holds the energy that was read against that of the items.
