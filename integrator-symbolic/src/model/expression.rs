@@ -16,7 +16,7 @@ use crate::{
     },
     limits::{OPERATIONS, READINGS},
 };
-use proc_macro2::Ident;
+use proc_macro2::{Ident, Span};
 use quote::{ToTokens, quote};
 use syn::{Expr, ExprArray, ExprField, ExprIndex, ExprLit, ExprPath, Lit, Macro, Member, visit::Visit};
 
@@ -322,8 +322,24 @@ impl Reader<'_> {
                  impl, `let`, `if` and `for i in a..b` are"
             }
         };
-        self.errors.at(expression, what);
+        match keyword(expression) {
+            Some(span) => self.errors.at_span(span, what),
+            None => self.errors.at(expression, what),
+        }
         None
+    }
+}
+
+/// The keyword at fault, where what follows it may be many lines long.
+fn keyword(expression: &Expr) -> Option<Span> {
+    match expression {
+        Expr::While(repeat) => Some(repeat.while_token.span),
+        Expr::Loop(repeat) => Some(repeat.loop_token.span),
+        Expr::ForLoop(repeat) => Some(repeat.for_token.span),
+        Expr::Match(choice) => Some(choice.match_token.span),
+        Expr::Unsafe(block) => Some(block.unsafe_token.span),
+        Expr::Try(attempt) => Some(attempt.question_token.span),
+        _ => None,
     }
 }
 
