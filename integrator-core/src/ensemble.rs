@@ -3,6 +3,8 @@
 //! Always true: a member's bits are those of the same system run alone on the same instruction set, whatever its
 //! neighbours do and however many threads there are.
 
+#[cfg(debug_assertions)]
+use crate::stated::hold_at_start;
 use crate::{
     abreast::Abreast,
     coords::Coords,
@@ -100,6 +102,8 @@ impl<C: Coords> Ensemble<C> {
                 // Whether that matters, a run of its own tells.
                 Run::start::<H, X, K>(&system, method, start.clone(), h).map_err(refused)?;
             }
+            #[cfg(debug_assertions)]
+            hold_at_start::<H, K>(&system, &parameters, &start).map_err(refused)?;
             coordinates += start.q.flat().len() as u64;
             let parameters = Arc::new(parameters);
             prepared.push(Start { constants: method.constants(parameters.clone()), parameters, state: start });

@@ -48,6 +48,10 @@ pub enum Error {
         /// The time at the start.
         time: f64,
     },
+    /// The generated code is not what the user's function says. Told by builds with debug assertions, at the start of a run
+    /// of at most 4096 coordinates.
+    #[error(transparent)]
+    Misread(#[from] Misread),
     /// The spacing of a reversible start's grid is no power of two.
     #[error(
         "the grid of {coordinate}[{index}] has the spacing {spacing}: it has to be a power of two, for example \
@@ -218,6 +222,42 @@ impl NotFinite {
 
 fn listed(constants: &[NotFinite]) -> String {
     constants.iter().map(NotFinite::to_string).collect::<Vec<_>>().join("; ")
+}
+
+/// A function of the user's whose value is not that of the code that was generated from it.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+#[error(
+    "`{function}` is misread: where it gives {stated}, the generated code gives {generated}, and rounding explains a \
+     difference of {rounding:.1e} (t = {time}, {}). This is a mistake of `#[hamiltonian]`: please report the function, and \
+     write it in other words until it is mended", self.place()
+)]
+pub struct Misread {
+    /// `kinetic` or `potential`.
+    pub function: &'static str,
+    /// What the function gives.
+    pub stated: f64,
+    /// What the generated code gives.
+    pub generated: f64,
+    /// How far apart rounding explains that both are.
+    pub rounding: f64,
+    /// The time at this state.
+    pub time: f64,
+    /// The positions, flattened.
+    pub q: Vec<f64>,
+    /// The momenta, flattened.
+    pub p: Vec<f64>,
+}
+
+impl Misread {
+    /// The coordinates that the function reads, the first ones of many.
+    fn place(&self) -> String {
+        let (name, numbers) = if self.function == "kinetic" { ("p", &self.p) } else { ("q", &self.q) };
+        match numbers.get(..8).filter(|first| first.len() < numbers.len()) {
+            Some(first) => format!("{name} begins with {first:?}"),
+            None => format!("{name} = {numbers:?}"),
+        }
+    }
 }
 
 /// Where a run left the finite numbers, or the range of its grid. The run itself stays at the last good state.

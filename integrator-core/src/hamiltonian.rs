@@ -61,6 +61,11 @@ pub trait Hamiltonian: Sized {
     /// `V` at the motion's positions.
     fn potential<R: Real, K: Keep>(motion: &Self::Motion<R, K>, time: f64) -> R;
 
+    /// `T` by the user's own function, as it is written: what the generated code is held against.
+    fn stated_kinetic(&self, p: &Self::Coords, time: f64) -> f64;
+    /// `V` by the user's own function, as it is written.
+    fn stated_potential(&self, q: &Self::Coords, time: f64) -> f64;
+
     /// The sites of a lattice.
     fn sites<R: Real, K: Keep>(_motion: &mut Self::Motion<R, K>) -> Option<Sites<'_, R, K, Self::Parameters<R>>> {
         None

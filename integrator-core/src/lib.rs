@@ -82,6 +82,8 @@ extern crate self as integrator_core;
 mod abreast;
 mod aligned;
 mod block;
+#[cfg(any(debug_assertions, feature = "check"))]
+mod bounded;
 mod catalogue;
 mod catalogue_list;
 #[cfg(feature = "check")]
@@ -142,6 +144,8 @@ mod samples;
 mod side_by_side;
 mod sites;
 mod slot;
+#[cfg(any(debug_assertions, feature = "check"))]
+mod stated;
 #[allow(unreachable_pub, reason = "named in bounds, never outside")]
 pub mod taylor;
 mod threads;
@@ -165,7 +169,7 @@ pub use crossings::{Crossings, Direction};
 pub use elementary::Elementary;
 #[cfg(feature = "std")]
 pub use ensemble::Ensemble;
-pub use error::{Divergence, Error, Lost, NotFinite, Unsolved};
+pub use error::{Divergence, Error, Lost, Misread, NotFinite, Unsolved};
 pub use fixed::Fixed;
 pub use hamiltonian::{Hamiltonian, QuadraticKinetic};
 #[cfg(feature = "std")]

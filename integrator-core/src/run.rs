@@ -2,6 +2,8 @@
 
 #[cfg(feature = "checkpoint")]
 use crate::checkpoint::Origin;
+#[cfg(debug_assertions)]
+use crate::stated::hold_at_start;
 use crate::{
     coords::Coords,
     energies::{Energies, energies, energy},
@@ -97,11 +99,15 @@ impl<C: Coords> Run<C> {
         H::Coords: Coords<With<K> = C>,
     {
         admissible_with(method, &start, h)?;
+        #[cfg(debug_assertions)]
+        let state = start.clone();
         let mut run = Self::going_on::<H, X, K>(system, method, start, Clock { t0: 0.0, h, steps: 0 })?;
         run.start_unseen = true;
         if H::AUTONOMOUS {
             run.see_start()?;
         }
+        #[cfg(debug_assertions)]
+        hold_at_start::<H, K>(system, &system.parameters(state.q.length()), &state)?;
         Ok(run)
     }
 

@@ -40,6 +40,45 @@ fn functions_of_the_flows_are_fast_where_that_is_asked() {
     assert_eq!(stepper("functions = precise", item), stepper("", item));
 }
 
+/// The generated code is held against the user's functions, which are called as their signatures say.
+#[test]
+fn the_functions_are_called_as_they_are() {
+    let rows = [
+        ("&self, q: [f64; 1]", "_time", "self, *q"),
+        ("&self, q: ([[f64; 3]; 4]), t: f64", "time", "self, *q, time"),
+        ("&self, q: &[f64; 1], _: &f64", "time", "self, q, &time"),
+        ("&self, &[x]: &[f64; 1]", "_time", "self, q"),
+        ("&self, q: &[f64]", "_time", "self, q"),
+        ("&self, q: &mut [[f64; 2]]", "_time", "self, &mut q.clone()"),
+        ("&self, q: &Vec<[f64; 3]>", "_time", "self, q"),
+        ("&self, q: &&[f64]", "_time", "self, &&q[..]"),
+        ("&self, q: &&[f64; 2]", "_time", "self, &q"),
+        ("q: [f64; 1]", "_time", "*q"),
+    ];
+    for (signature, time, arguments) in rows {
+        let kind: syn::ImplItemFn = syn::parse_str(&format!("fn f({signature}) {{}}")).expect("a function");
+        let of_coordinates = |argument: &syn::FnArg| match argument {
+            syn::FnArg::Typed(argument) => Some(quote::quote!(#argument).to_string()),
+            syn::FnArg::Receiver(_) => None,
+        };
+        let own = kind.sig.inputs.iter().find_map(of_coordinates).expect("coordinates");
+        let kind = own.split_once(':').expect("a type").1;
+        let text = stepper(
+            "",
+            &format!(
+                "impl System {{
+                    fn kinetic(&self, p: {kind}) -> f64 {{ 0.0 }}
+                    fn potential({signature}) -> f64 {{ 0.0 }}
+                }}"
+            ),
+        );
+        let text = text.split_once("fn stated_potential").expect("the call").1;
+        let expected =
+            format!("(&self, q: &Self::Coords, {time}: f64) -> f64 {{\n            Self::potential({arguments})");
+        assert!(text.starts_with(&expected), "{signature}: {text}");
+    }
+}
+
 #[test]
 fn henon_heiles() {
     insta::assert_snapshot!(stepper(

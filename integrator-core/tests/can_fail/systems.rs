@@ -1,6 +1,6 @@
 //! Hamiltonians written by hand, right ones and wrong ones, in the plainest layout.
 
-use integrator_core::{__private::*, Verlet};
+use integrator_core::{__private::*, Phase, Verlet};
 
 /// Writes what all hand-written systems have in common. Parameters are the system itself; a motion `m` keeps its slots
 /// `m.q` and `m.p` in the user's own shape; a flow is applied for a time `d` and reads the time `t`.
@@ -12,6 +12,7 @@ macro_rules! by_hand {
         kick($km:ident, $kd:ident, $kt:ident) $kick:block
         kinetic($tm:ident, $tt:ident) $kinetic:block
         potential($vm:ident, $vt:ident) $potential:block
+        $(stated_potential($sq:ident) $stated:block)?
     ) => {
         $(#[$attribute])*
         #[derive(Clone, Default)]
@@ -38,8 +39,22 @@ macro_rules! by_hand {
             fn kick<R: Real, K: Keep>($km: &mut Self::Motion<R, K>, $kd: f64, $kt: f64) $kick
             fn kinetic<R: Real, K: Keep>($tm: &Self::Motion<R, K>, $tt: f64) -> R $kinetic
             fn potential<R: Real, K: Keep>($vm: &Self::Motion<R, K>, $vt: f64) -> R $potential
+            fn stated_kinetic(&self, p: &Self::Coords, time: f64) -> f64 {
+                Self::kinetic::<f64, f64>(&at(self, p), time)
+            }
+            fn stated_potential(&self, q: &Self::Coords, time: f64) -> f64 {
+                let energy = Self::potential::<f64, f64>(&at(self, q), time);
+                $(let $sq = q; let energy = { let _ = energy; $stated };)?
+                energy
+            }
         }
     };
+}
+
+/// A motion whose positions and momenta are the same.
+fn at<H: Hamiltonian<Parameters<f64> = H>>(system: &H, coordinates: &H::Coords) -> H::Motion<f64, f64> {
+    let state = Phase::new(coordinates.clone(), coordinates.clone());
+    H::Motion::load(|_| (system, &state))
 }
 
 by_hand! {
@@ -209,6 +224,22 @@ by_hand! {
     }
     kinetic(m, _t) { R::of(0.5) * m.p[0].value() * m.p[0].value() }
     potential(m, _t) { -m.q[0].value().cos() }
+}
+
+by_hand! {
+    /// WRONG: `q.iter().fold(0.0, |s, x| s * s + x * x)`, read as a sum by energy and forces alike.
+    Misread {}: [f64; 2], autonomous = true;
+    drift(m, d, _t) {
+        m.q[0].fma(R::of(d), m.p[0].value());
+        m.q[1].fma(R::of(d), m.p[1].value());
+    }
+    kick(m, d, _t) {
+        m.p[0].fma(R::of(-2.0 * d), m.q[0].value());
+        m.p[1].fma(R::of(-2.0 * d), m.q[1].value());
+    }
+    kinetic(m, _t) { R::of(0.5) * (m.p[0].value() * m.p[0].value() + m.p[1].value() * m.p[1].value()) }
+    potential(m, _t) { m.q[0].value() * m.q[0].value() + m.q[1].value() * m.q[1].value() }
+    stated_potential(q) { q.iter().fold(0.0, |s, x| s * s + x * x) }
 }
 
 by_hand! {

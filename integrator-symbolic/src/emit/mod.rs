@@ -29,6 +29,7 @@ mod pass;
 mod pieces;
 mod places;
 mod recurrence;
+mod stated;
 mod sums;
 mod tape;
 mod texts;
@@ -152,8 +153,7 @@ pub(crate) fn stepper(input: &Input, mut model: Model) -> TokenStream {
             quote!(#parameters { #values }),
         )
     };
-    // They count as used; one that is missing has been noted.
-    let functions = ["kinetic", "potential"].into_iter().filter_map(|name| Some(&input.function(name)?.sig.ident));
+    let stated = stated::functions(input, &model);
     let length = Body::new(prepare.clone()).argument("length");
     let (of_r, of_f64) = (of(quote!(#scalar)), of(quote!(f64)));
 
@@ -248,7 +248,6 @@ pub(crate) fn stepper(input: &Input, mut model: Model) -> TokenStream {
                 #piecewise
 
                 fn parameters(&self, #length: usize) -> #of_f64 {
-                    let _ = (#(Self::#functions),*);
                     #prepare
                 }
 
@@ -257,6 +256,7 @@ pub(crate) fn stepper(input: &Input, mut model: Model) -> TokenStream {
                 #kick
                 #kinetic
                 #potential
+                #stated
                 #lattice
                 #visit
                 #visit_recurrences

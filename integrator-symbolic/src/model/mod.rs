@@ -72,6 +72,8 @@ pub(crate) struct Model {
     pub(crate) autonomous: bool,
     /// How near the elementary functions of the flows have to be.
     pub(crate) functions: Functions,
+    /// What `kinetic` and `potential` are called with; nothing where one of them is missing or a mistake.
+    pub(crate) arguments: Option<[Vec<TokenStream>; 2]>,
 }
 
 impl Model {
@@ -106,9 +108,10 @@ pub(crate) fn model(input: &Input, errors: &mut Errors) -> Option<Model> {
     let energies = functions.map(|function| {
         let (part, function, signature) = function?;
         let energy = reader.energy(part, function, &signature);
-        Some((energy?, signature.shape))
+        Some((energy?, signature))
     });
-    let [Some((kinetic, shape)), Some((potential, _))] = energies else { return None };
+    let [Some((kinetic, of_kinetic)), Some((potential, of_potential))] = energies else { return None };
+    let (shape, arguments) = (of_kinetic.shape, Some([of_kinetic.arguments, of_potential.arguments]));
     let lengths = [Some(&shape.length), shape.dimension.as_ref()].into_iter().flatten();
     let lengths = lengths.map(|length| reader.length(length)).collect();
     let Reader { graph, parameters, running, externals, two_arguments, .. } = reader;
@@ -128,6 +131,7 @@ pub(crate) fn model(input: &Input, errors: &mut Errors) -> Option<Model> {
         quadratic,
         autonomous,
         functions: input.functions,
+        arguments,
     })
 }
 
@@ -155,6 +159,7 @@ pub(crate) fn stub(input: &Input) -> Option<Model> {
         quadratic: true,
         autonomous: true,
         functions: input.functions,
+        arguments: None,
     })
 }
 

@@ -5,8 +5,11 @@ use crate::{
     errors::{Errors, quoted},
     graph::Part,
 };
+use proc_macro2::{Ident, Span, TokenStream};
+use quote::quote;
 use syn::{
-    Expr, ExprLit, FnArg, GenericArgument, ImplItemFn, Lit, Pat, PatType, PathArguments, ReceiverKind, ReturnType, Type,
+    Expr, ExprLit, FnArg, GenericArgument, GenericParam, ImplItemFn, Lit, Pat, PatType, PathArguments, ReceiverKind,
+    ReturnType, Safety, Type,
 };
 
 /// The length of an array of coordinates.
@@ -151,11 +154,19 @@ fn element_of_list(kind: &Type) -> Option<&Type> {
     }
 }
 
+/// The type behind all references.
 fn peeled(kind: &Type) -> &Type {
-    match kind {
+    match unwrapped(kind) {
         Type::Reference(reference) => peeled(&reference.elem),
-        Type::Paren(inner) => peeled(&inner.elem),
-        Type::Group(inner) => peeled(&inner.elem),
+        other => other,
+    }
+}
+
+/// The type without parentheses.
+fn unwrapped(kind: &Type) -> &Type {
+    match kind {
+        Type::Paren(inner) => unwrapped(&inner.elem),
+        Type::Group(inner) => unwrapped(&inner.elem),
         other => other,
     }
 }
@@ -173,6 +184,9 @@ pub(crate) struct Signature<'f> {
     pub(crate) foreign: Option<&'f PatType>,
     /// The explicit time.
     pub(crate) time: Option<&'f Pat>,
+    /// What the function is called with, where `self`, a reference to the coordinates under their usual name and `time` are
+    /// at hand.
+    pub(crate) arguments: Vec<TokenStream>,
 }
 
 /// The name that the coordinates of a part usually have.
@@ -195,18 +209,23 @@ pub(crate) fn signature<'f>(function: &'f ImplItemFn, part: Part, errors: &mut E
         ReturnType::Type(_, kind) => errors.at(kind, format!("`{name}` gives an energy: it has to return f64")),
         ReturnType::Default => errors.at(name, format!("`{name}` gives an energy: it has to return f64, `-> f64`")),
     }
-    let mut coordinates = Vec::new();
-    let mut time = None;
+    callable(function, errors);
+    let usual = Ident::new(letter, Span::call_site());
+    let (mut coordinates, mut time, mut arguments) = (Vec::new(), None, Vec::new());
     for argument in &function.sig.inputs {
         match argument {
             FnArg::Receiver(receiver) if !matches!(receiver.kind, ReceiverKind::Reference(_, _, None)) => {
                 errors.at(receiver, format!("`{name}` only looks at the parameters: it has to take `&self`"));
             }
-            FnArg::Receiver(_) => {}
+            FnArg::Receiver(_) => arguments.push(quote!(self)),
             FnArg::Typed(argument) if is_f64(&argument.ty) && !coordinates.is_empty() && time.is_none() => {
                 time = Some(&*argument.pat);
+                arguments.push(passed(&argument.ty, &quote!(time), false));
             }
-            FnArg::Typed(argument) => coordinates.push(argument),
+            FnArg::Typed(argument) => {
+                coordinates.push(argument);
+                arguments.push(passed(&argument.ty, &quote!(#usual), true));
+            }
         }
     }
     let (own, foreign) = match coordinates[..] {
@@ -231,5 +250,41 @@ pub(crate) fn signature<'f>(function: &'f ImplItemFn, part: Part, errors: &mut E
         let of = if part == Part::Position { "positions" } else { "momenta" };
         errors.at(&own.pat, format!("`{name}` is a function of the {of}: call its argument `{letter}`, not `{wrong}`"));
     }
-    Some(Signature { own: &own.pat, shape: Shape::of(&own.ty, errors)?, foreign, time })
+    Some(Signature { own: &own.pat, shape: Shape::of(&own.ty, errors)?, foreign, time, arguments })
+}
+
+/// Notes what keeps a function from being called as it is, with values alone.
+fn callable(function: &ImplItemFn, errors: &mut Errors) {
+    let (name, signature) = (&function.sig.ident, &function.sig);
+    let plain = format!("`{name}` is called as it is, to hold the generated code against it: write a plain `fn`");
+    if let Some(word) = &signature.asyncness {
+        errors.at(word, format!("{plain}, without `async`"));
+    }
+    if let Safety::Unsafe(word) = &signature.safety {
+        errors.at(word, format!("{plain}, without `unsafe`"));
+    }
+    for generic in signature.generics.params.iter().filter(|generic| !matches!(generic, GenericParam::Lifetime(_))) {
+        errors.at(generic, format!("{plain}; what is generic belongs on the impl"));
+    }
+}
+
+/// A value in the form in which an argument of a type takes it; coordinates are at hand by reference.
+fn passed(kind: &Type, value: &TokenStream, by_reference: bool) -> TokenStream {
+    let Type::Reference(reference) = unwrapped(kind) else {
+        return if by_reference { quote!(*#value) } else { value.clone() };
+    };
+    let (mutability, inner) = (&reference.mutability, unwrapped(&reference.elem));
+    match (inner, mutability) {
+        (Type::Reference(_), _) if by_reference && matches!(peeled(inner), Type::Slice(_)) => {
+            let slice = passed(inner, &quote!(&#value[..]), true);
+            quote!(&#mutability #slice)
+        }
+        (Type::Reference(_), _) => {
+            let inner = passed(inner, value, by_reference);
+            quote!(&#mutability #inner)
+        }
+        (_, Some(_)) if by_reference => quote!(&mut #value.clone()),
+        (_, None) if by_reference => value.clone(),
+        _ => quote!(&#mutability #value),
+    }
 }

@@ -131,6 +131,15 @@ pub(crate) const ITEMS: &[Row] = &[
         ],
     ),
     (
+        "impl System {\nasync fn kinetic<T>(&self, p: [f64; 1]) -> f64 { p[0] }\nunsafe fn potential<'q, const N: usize>(&self, q: &'q [f64; 1]) -> f64 { q[0] } }",
+        &[
+            "2:0 `kinetic` is called as it is, to hold the generated code against it: write a plain `fn`, without `async`",
+            "2:17 `kinetic` is called as it is, to hold the generated code against it: write a plain `fn`; what is generic belongs on the impl",
+            "3:0 `potential` is called as it is, to hold the generated code against it: write a plain `fn`, without `unsafe`",
+            "3:24 `potential` is called as it is, to hold the generated code against it: write a plain `fn`; what is generic belongs on the impl",
+        ],
+    ),
+    (
         "impl System {\nfn kinetic(&self) -> f64 { 0.0 }\nfn potential(&self, q: [f64; 1]) -> f64 { q[0] } }",
         &["2:3 `kinetic` has no coordinates: write `fn kinetic(&self, p: [f64; N]) -> f64`"],
     ),
