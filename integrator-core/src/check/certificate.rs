@@ -1,6 +1,6 @@
 //! What was measured, and how it reads.
 
-use crate::check::{energy::EnergyDrift, order::Order, stability::Stability};
+use crate::check::{energy::EnergyDrift, order::Order, stability::Stability, stated::Agreement};
 use std::fmt;
 
 /// What was measured of one composition on one system, with one start and one step.
@@ -35,6 +35,9 @@ pub struct Certificate {
     /// How far the flows are from the gradients of the energies: the largest
     /// [`gradient_error`](crate::check::gradient_error) along the path.
     pub gradient_error: f64,
+    /// How often the generated code was held against the user's own functions, at the start and along the path, and agreed.
+    /// Nothing where it does not, or where no comparison could be made.
+    pub agreement: Option<Agreement>,
     /// How near the step is to the one at which the composition becomes unstable. A warning at most: no certificate is
     /// refused for it.
     pub stability: Option<Stability>,
@@ -80,6 +83,13 @@ impl fmt::Display for Certificate {
             None => writeln!(f, "  energy drift       left out: H reads the time")?,
         }
         writeln!(f, "  gradient error     {:.1e} (rounding explains {gradient_error:.1e})", self.gradient_error)?;
+        match self.agreement {
+            Some(Agreement { energies, derivatives, left_out }) => writeln!(
+                f,
+                "  own functions      {energies} energies and {derivatives} derivatives agree, {left_out} could not be compared"
+            )?,
+            None => writeln!(f, "  own functions      no agreement")?,
+        }
         match self.stability {
             Some(stability) => write!(f, "  stability          {stability}"),
             None => write!(f, "  stability          not measured"),

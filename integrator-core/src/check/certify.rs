@@ -12,6 +12,7 @@ use crate::{
         reversibility::{RoundTrip, round_trip},
         shortfall::{CertifyError, Shortfall},
         stability::{Stability, nearness},
+        stated::{Visited, agreement},
         symplecticity::{Defect, defect},
         tolerance::{largest, within},
     },
@@ -40,10 +41,11 @@ const GRADIENT_SPAN: f64 = 64.0;
 ///
 /// A certificate says that one step of size `h` from `start` is symplectic, that errors fall with the claimed order,
 /// that a composition that claims symmetry runs back to where it began, that the energy stays (unless `H` reads the
-/// time), and that the flows belong to the energies. Each is judged by a bound that follows from the rounding of the
-/// scalar, the energy by the share of its deviation that is a trend. Beside these it warns of a step that is half as long
-/// as the composition bears, or longer. Small systems take milliseconds; the work grows with the number of coordinates
-/// times that of the forces.
+/// time), that the flows belong to the energies, and that both are what the user's own functions say. Each is judged by
+/// a bound that follows from the rounding of the scalar, the energy by the share of its deviation that is a trend, and
+/// derivatives of the user's functions by what their differences are known to. Beside these it warns of a step that is
+/// half as long as the composition bears, or longer. Small systems take milliseconds; the work grows with the number of
+/// coordinates times that of the forces.
 ///
 /// # Errors
 /// [`CertifyError::Run`] for a start or a step that no run would begin with; [`CertifyError::Refused`] with everything
@@ -105,11 +107,24 @@ pub fn certify<H: Hamiltonian, X: Method<H>, K: Keep>(
             (!drift.is_bounded()).then(|| shortfall(*drift))
         })
     });
+    let states = subject.states(order);
     let gradient_tolerance = gradient_tolerance(subject.start.q.flat().len());
-    let gradient = findings.judge("the gradient", subject.gradient(order), |error| {
-        let (error, tolerance) = (*error, gradient_tolerance);
-        (!within(error, tolerance)).then_some(Shortfall::Gradient { error, tolerance })
-    });
+    let gradient = findings.judge(
+        "the gradient",
+        states.as_ref().map_err(Clone::clone).and_then(|states| subject.gradient(states)),
+        |error| {
+            let (error, tolerance) = (*error, gradient_tolerance);
+            (!within(error, tolerance)).then_some(Shortfall::Gradient { error, tolerance })
+        },
+    );
+    let agreement = match states.map(|states| agreement(system, &states)) {
+        Ok(Ok(outcome)) => findings.judge("the agreement with your own functions", outcome, |_| None),
+        Ok(Err(misread)) => {
+            findings.0.extend(misread);
+            None
+        }
+        Err(reason) => findings.judge("the agreement with your own functions", Err(reason), |_| None),
+    };
 
     let stability =
         facts.stability_limit.and_then(|limit| findings.judge("the stability", subject.stability(limit), |_| None));
@@ -127,6 +142,7 @@ pub fn certify<H: Hamiltonian, X: Method<H>, K: Keep>(
         reversibility: trip.as_ref().map_or(f64::NAN, |trip| trip.distance),
         energy_drift: energy.flatten(),
         gradient_error: gradient.unwrap_or(f64::NAN),
+        agreement,
         stability,
         tolerances: Tolerances {
             symplectic_defect: defect.map_or(f64::NAN, |defect| defect.tolerance),
@@ -219,17 +235,19 @@ impl<H: Hamiltonian, X: Method<H>, K: Keep> Subject<'_, H, X, K> {
         nearness::<H, X, K>(self.system, self.method, limit, &self.start, self.h)
     }
 
-    /// The largest error of a gradient at the start and along the path: at the start alone, momenta are often zero, and
-    /// where they are zero a wrong factor in their gradient does not show.
-    fn gradient(&self, order: Option<Order>) -> Result<f64, CheckError> {
+    /// The start and states along the path, each with its time: at the start alone, momenta are often zero, and where they
+    /// are zero a wrong factor in their gradient does not show.
+    fn states(&self, order: Option<Order>) -> Result<Vec<Visited<H::Coords>>, CheckError> {
         let start = plain::<H, K>(&self.start);
         let (span, step) = order.map_or((GRADIENT_SPAN * self.h, self.h), |order| (order.span, order.coarsest));
         let path = path(self.system, self.method, &start, span, (span / step).abs().round() as u64 / PARTS)?;
-        let mut errors = vec![gradient_error::<H, f64>(self.system, start, 0.0)?];
-        for (part, end) in (1..).zip(path.ends) {
-            let time = span * f64::from(part) / PARTS as f64;
-            errors.push(gradient_error::<H, f64>(self.system, end, time)?);
-        }
-        Ok(largest(errors))
+        let times = (0..).map(|part| span * f64::from(part) / PARTS as f64);
+        Ok([start].into_iter().chain(path.ends).zip(times).collect())
+    }
+
+    /// The largest error of a gradient at some states.
+    fn gradient(&self, states: &[Visited<H::Coords>]) -> Result<f64, CheckError> {
+        let errors = states.iter().map(|(state, time)| gradient_error::<H, f64>(self.system, state.clone(), *time));
+        Ok(largest(errors.collect::<Result<Vec<_>, _>>()?))
     }
 }

@@ -57,6 +57,15 @@ pub enum CheckError {
         /// What truncation and rounding may add to the latter.
         uncertainty: f64,
     },
+    /// At no state could the generated code be held against the user's functions.
+    #[error(
+        "none of {left_out} comparisons with your own functions could be made: they have kinks or jumps wherever the orbit \
+         was looked at, or no value"
+    )]
+    NothingToCompare {
+        /// How many were tried.
+        left_out: usize,
+    },
     /// There is no such coordinate.
     #[error("there is no coordinate {index}: the system has {coordinates}, counted from 0")]
     NoCoordinate {

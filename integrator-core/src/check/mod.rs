@@ -12,6 +12,7 @@
 //! | [`reversibility()`] | rounding, if the composition is symmetric | of the size of the error |
 //! | [`energy_drift`] | [`Course::Bounded`], up to rounding | [`Course::Drift`] |
 //! | [`gradient_error`] | rounding | of the size of the gradient |
+//! | [`Agreement`] | the user's own functions and their differences | off by more than rounding |
 //! | [`shadow()`] | orders 2, 4 and 6 | a lower one |
 //!
 //! [`stability()`] tells how far a step is below the one at which its composition becomes unstable; that is no fault of a
@@ -46,6 +47,7 @@ mod shadow;
 mod shortfall;
 mod spectrum;
 mod stability;
+mod stated;
 mod symplecticity;
 mod tangent;
 mod tolerance;
@@ -65,6 +67,7 @@ pub use reversibility::reversibility;
 pub use shadow::{Shadow, Shadowed, Terms, shadow};
 pub use shortfall::{CertifyError, Shortfall};
 pub use stability::{Stability, stability};
+pub use stated::Agreement;
 pub use symplecticity::{poisson_bracket, symplectic_defect, symplectic_defect_after};
 #[cfg(feature = "reference")]
 pub(crate) use tolerance::{largest, ratio};

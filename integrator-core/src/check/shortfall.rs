@@ -2,7 +2,7 @@
 
 use crate::{
     check::{certificate::Certificate, energy::EnergyDrift, error::CheckError},
-    error::Error,
+    error::{Error, Misread},
 };
 use std::fmt;
 
@@ -84,6 +84,32 @@ pub enum Shortfall {
         /// What rounding explains.
         tolerance: f64,
     },
+    /// A function of the user's is not what the generated code computes.
+    #[error(transparent)]
+    Misread(Misread),
+    /// A derivative of the generated code is not that of the user's function: a derivative that is stated by
+    /// `#[derivative]` is wrong, or the function was misread.
+    #[error(
+        "{} is {stated} by differences and {generated} in the generated code, where {tolerance:.1e} are explained \
+         (t = {time}): look at the derivatives that `#[derivative]` states; if there are none, `{function}` is misread",
+        derivative(function, *order)
+    )]
+    Derivative {
+        /// `kinetic` or `potential`.
+        function: &'static str,
+        /// 1 for a force or a velocity, held against the function itself; 2 for the tangent of these, held against them.
+        order: u32,
+        /// The derivative by differences.
+        stated: f64,
+        /// The same of the generated code.
+        generated: f64,
+        /// What the differences are known to, and rounding.
+        tolerance: f64,
+        /// The time.
+        time: f64,
+        /// The state, positions first.
+        state: Vec<f64>,
+    },
     /// A check could not be carried out.
     #[error("{check} could not be measured: {reason}")]
     Unmeasured {
@@ -92,6 +118,16 @@ pub enum Shortfall {
         /// Why not.
         reason: CheckError,
     },
+}
+
+/// What a derivative is.
+fn derivative(function: &str, order: u32) -> String {
+    match (function, order) {
+        ("kinetic", 1) => "the derivative of `kinetic`, a velocity,".to_owned(),
+        ("kinetic", _) => "the derivative of the velocity, a second one of `kinetic`,".to_owned(),
+        (_, 1) => "the derivative of `potential`, a force,".to_owned(),
+        _ => "the derivative of the force, a second one of `potential`,".to_owned(),
+    }
 }
 
 /// Shortfalls, each on a line of its own.

@@ -5,5 +5,6 @@ mod systems;
 
 mod modified;
 mod right;
+mod stated;
 mod steps;
 mod wrong;
