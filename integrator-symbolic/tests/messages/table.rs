@@ -312,7 +312,7 @@ pub(crate) const BODIES: &[Row] = &[
     ),
     (
         "Some(1.0)? * q[0]",
-        &["2:0 `?` leaves the function, and no force tells of that: give the energy unconditionally"],
+        &["2:9 `?` leaves the function, and no force tells of that: give the energy unconditionally"],
     ),
     (
         "q[0] * match self.kind { 0 => return 0.0, _ => 1.0 }",
