@@ -93,15 +93,16 @@ fn with_own_self(tree: TokenTree) -> TokenTree {
     }
 }
 
-/// Every identifier of a text that could be a variable, once.
+/// Every identifier of a text that could be a variable, once: no field or method, but the bound of a range.
 pub(super) fn identifiers(text: TokenStream, found: &mut Vec<Ident>) {
-    let mut after_dot = false;
+    let (mut after_dot, mut dots) = (false, 0);
     for token in text {
         match &token {
             TokenTree::Ident(name) if !after_dot && !found.contains(name) && name != "self" => found.push(name.clone()),
             TokenTree::Group(group) => identifiers(group.stream(), found),
             _ => {}
         }
-        after_dot = matches!(&token, TokenTree::Punct(mark) if mark.as_char() == '.');
+        dots = if matches!(&token, TokenTree::Punct(mark) if mark.as_char() == '.') { dots + 1 } else { 0 };
+        after_dot = dots == 1;
     }
 }
