@@ -92,8 +92,8 @@ impl<L: Fn(&Graph, NodeId) -> bool> Scheduler<'_, L> {
             }
             Node::Select(condition, first, second) => {
                 self.used(condition, home);
-                // A choice begins as zero, which needs no branch.
-                let zero = |value: &NodeId| self.graph.as_constant(*value) == Some(0.0);
+                // A choice begins as zero, which needs no branch; the negative zero does.
+                let zero = |value: &NodeId| self.graph.as_constant(*value).is_some_and(|value| value.to_bits() == 0);
                 for (holds, value) in [(true, first), (false, second)].into_iter().filter(|(_, value)| !zero(value)) {
                     let around = Around::Branch(condition, holds);
                     let branch = self.inside(home, around, self.waits(home, id, around));
