@@ -1,0 +1,310 @@
+//! What the runtime does around generated functions, in its plainest form: sweeps along lattices and sums over pairs.
+
+use crate::{
+    bounded::Bounded,
+    machine::Machine,
+    number::{Kind, Number},
+    value::{Outcome, Value, argument, foreign},
+};
+use std::{collections::HashMap, rc::Rc};
+use syn::{Expr, ImplItemFn};
+
+/// The neighbourhood of a site, as `shares` sees it.
+pub(crate) struct Site {
+    /// The coordinates, row by row; a line is one row.
+    rows: Rc<Vec<Vec<Number>>>,
+    row: usize,
+    site: usize,
+    /// Whether rows, and the sites of a row, are closed.
+    periodic: [bool; 2],
+}
+
+/// How a generated flow shares out among the sites of a lattice, in the direction of sites or of rows.
+#[derive(Clone, Copy, Default)]
+pub(crate) struct Edges {
+    pub(crate) onward: usize,
+    pub(crate) periodic: bool,
+}
+
+/// A flow along a lattice.
+pub(crate) struct Lattice<'t> {
+    pub(crate) shares: &'t ImplItemFn,
+    pub(crate) sites: Edges,
+    pub(crate) rows: Option<Edges>,
+}
+
+/// What bodies do to each other.
+pub(crate) struct Bodies<'t> {
+    pub(crate) functions: HashMap<String, &'t ImplItemFn>,
+    pub(crate) reciprocal: bool,
+    pub(crate) central: bool,
+}
+
+/// The flows of an expansion that the runtime carries out.
+#[derive(Default)]
+pub(crate) struct Driven<'t> {
+    pub(crate) drift: Option<Lattice<'t>>,
+    pub(crate) kick: Option<Lattice<'t>>,
+    pub(crate) bodies: Option<Bodies<'t>>,
+}
+
+fn wrapped(place: usize, by: i128, length: usize, periodic: bool) -> Option<usize> {
+    let place = place as i128 + by;
+    let length = length as i128;
+    let place = if periodic && length > 0 { place.rem_euclid(length) } else { place };
+    (0..length).contains(&place).then_some(place as usize)
+}
+
+impl Site {
+    /// A neighbour; what lies beyond an open end is no number, so that nothing may use it.
+    fn neighbour(&self, down: i128, ahead: i128) -> Value {
+        let row = wrapped(self.row, down, self.rows.len(), self.periodic[0]);
+        let found = row.and_then(|row| {
+            let site = wrapped(self.site, ahead, self.rows[row].len(), self.periodic[1])?;
+            Some(self.rows[row][site].clone())
+        });
+        let beyond = Number { main: Bounded { value: f64::NAN, error: f64::NAN }, ..Number::plain(f64::NAN) };
+        found.unwrap_or(beyond).of_kind(Kind::Wide).into()
+    }
+
+    /// An element of a table at the row or site so much further on; zero where it has none.
+    fn of_table(table: &[Value], place: usize, by: i128, length: usize) -> Option<&Value> {
+        let place = (place as i128 + by).rem_euclid(length as i128);
+        table.get(place as usize)
+    }
+
+    pub(crate) fn method(self: Rc<Self>, name: &str, arguments: &[Value]) -> Outcome<Value> {
+        let length = self.rows[self.row].len();
+        let zero = || Value::from(Number::plain(0.0).of_kind(Kind::Wide));
+        let by = |place: usize| -> Outcome<i128> { Ok(argument(arguments, place)?.integer()?.value) };
+        let within = |place: usize| match argument(arguments, 0)? {
+            Value::Range(from, to) => Ok((from.value..to.value).contains(&(place as i128))),
+            other => foreign(format!("{} in place of a range", other.kind())),
+        };
+        let sum = |holds: bool| -> Outcome<Value> {
+            let (sum, value) = (argument(arguments, 1)?.number()?, argument(arguments, 2)?.number()?);
+            Ok(if holds { sum.add(value) } else { sum.clone() }.into())
+        };
+        match name {
+            "length" => Ok(Value::size(length)),
+            "rows" => Ok(Value::size(self.rows.len())),
+            "at" => Ok(self.neighbour(0, by(0)?)),
+            "above" => Ok(self.neighbour(-1, by(0)?)),
+            "below" => Ok(self.neighbour(1, by(0)?)),
+            "table" => {
+                let found = Self::of_table(argument(arguments, 0)?.items()?, self.site, by(1)?, length);
+                Ok(found.map_or_else(zero, |value| value.lifted(Kind::Wide)))
+            }
+            "table_over_rows" => {
+                let found = Self::of_table(argument(arguments, 0)?.items()?, self.row, by(1)?, self.rows.len());
+                Ok(found.map_or_else(zero, |value| value.lifted(Kind::Wide)))
+            }
+            "table_of_rows" => {
+                let Some(row) = Self::of_table(argument(arguments, 0)?.items()?, self.row, by(1)?, self.rows.len())
+                else {
+                    return Ok(zero());
+                };
+                let found = Self::of_table(row.items()?, self.site, by(2)?, length);
+                Ok(found.map_or_else(zero, |value| value.lifted(Kind::Wide)))
+            }
+            "within" => Ok(if within(self.site)? { argument(arguments, 1)?.clone() } else { zero() }),
+            "within_rows" => Ok(if within(self.row)? { argument(arguments, 1)?.clone() } else { zero() }),
+            "plus" => sum(within(self.site)?),
+            "plus_in_rows" => sum(within(self.row)?),
+            _ => foreign(format!("`{name}` of a site")),
+        }
+    }
+}
+
+impl Machine<'_> {
+    /// A call of what the runtime does with a motion.
+    pub(crate) fn driver(&mut self, call: &syn::ExprMethodCall, name: &str) -> Option<Outcome<Value>> {
+        if !matches!(&*call.receiver, Expr::Path(path) if path.path.is_ident("motion")) {
+            return None;
+        }
+        match name {
+            "plain" => Some(self.expression(&call.receiver)),
+            "drift" | "kick" | "drift_rows" | "kick_rows" => Some(self.driven_flow(call, name.starts_with("drift"))),
+            _ => None,
+        }
+    }
+
+    fn driven_flow(&mut self, call: &syn::ExprMethodCall, drifts: bool) -> Outcome<Value> {
+        let arguments = self.all(call.args.iter())?;
+        let [duration, time] = [argument(&arguments, 0)?.number()?, &argument(&arguments, 1)?.number()?.clone()];
+        let step = if drifts { duration.clone() } else { duration.neg() };
+        let motion = self.expression(&call.receiver)?;
+        let (read, moved) = if drifts { ("p", "q") } else { ("q", "p") };
+        let rows = |name| motion.field(name)?.items()?.iter().map(components).collect::<Outcome<Vec<_>>>();
+        let (read, mut coordinates) = (rows(read)?, rows(moved)?);
+        let driven = std::mem::take(&mut self.driven);
+        let lattice = if drifts { &driven.drift } else { &driven.kick };
+        let added = match (lattice, &driven.bodies) {
+            (Some(lattice), _) => self.swept(lattice, &read, &motion, time),
+            (None, Some(bodies)) if drifts => self.drifted(bodies, &read, &coordinates, &motion, [&step, time]),
+            (None, Some(bodies)) => self.attracted(bodies, &read, &motion, time),
+            (None, None) => foreign("a flow that nobody carries out"),
+        };
+        let replaces = drifts && lattice.is_none();
+        self.driven = driven;
+        for (row, added) in coordinates.iter_mut().zip(added?) {
+            for (slot, added) in row.iter_mut().zip(added) {
+                *slot = if replaces { added } else { slot.add(&added.mul(&step)).of_kind(Kind::Scalar) };
+            }
+        }
+        let shape = motion.field(moved)?.items()?.iter().any(|item| matches!(item, Value::List(_)));
+        let slots = coordinates.into_iter().map(|row| {
+            let mut slots = row.into_iter().map(|number| Value::Slot(number.of_kind(Kind::Scalar)));
+            if shape { Value::list(slots) } else { slots.next().unwrap_or(Value::Unit) }
+        });
+        let Value::Struct(fields) = &motion else { return foreign("a motion") };
+        let mut fields = fields.to_vec();
+        let moved = fields.iter_mut().find(|(name, _)| name == moved);
+        if let Some((_, value)) = moved {
+            *value = Value::list(slots);
+        }
+        self.store(&call.receiver, Value::Struct(Rc::new(fields)))?;
+        Ok(Value::Unit)
+    }
+
+    /// What every site of a lattice gets from all shares.
+    fn swept(
+        &mut self,
+        lattice: &Lattice<'_>,
+        read: &[Vec<Number>],
+        motion: &Value,
+        time: &Number,
+    ) -> Outcome<Vec<Vec<Number>>> {
+        let zero = Number::plain(0.0).of_kind(Kind::Wide);
+        let plane = lattice.rows.is_some();
+        let rows = if plane { read.to_vec() } else { vec![read.iter().map(|point| point[0].clone()).collect()] };
+        let mut sums: Vec<Vec<Number>> = rows.iter().map(|row| vec![zero.clone(); row.len()]).collect();
+        let rows = Rc::new(rows);
+        let along = lattice.rows.unwrap_or_default();
+        for row in 0..rows.len() {
+            for site in 0..rows[row].len() {
+                let periodic = [along.periodic, lattice.sites.periodic];
+                let near = Value::Site(Rc::new(Site { rows: rows.clone(), row, site, periodic }));
+                let arguments = vec![near, motion.field("parameters")?.clone(), time.clone().into()];
+                let shares = self.call(lattice.shares, arguments)?;
+                for (place, share) in shares.items()?.iter().enumerate() {
+                    let below = place > lattice.sites.onward;
+                    let (down, ahead) = if below { (1, place - lattice.sites.onward - 1) } else { (0, place) };
+                    let to = wrapped(row, down, rows.len(), along.periodic);
+                    let to = to.and_then(|to| Some((to, wrapped(site, ahead as i128, rows[to].len(), periodic[1])?)));
+                    if let Some((row, site)) = to {
+                        sums[row][site] = sums[row][site].add(share.number()?);
+                    }
+                }
+            }
+        }
+        Ok(if plane { sums } else { sums.remove(0).into_iter().map(|sum| vec![sum]).collect() })
+    }
+
+    /// What is prepared of every body.
+    fn prepared(&mut self, bodies: &Bodies<'_>, count: usize, motion: &Value) -> Outcome<Vec<Value>> {
+        let Some(per_body) = bodies.functions.get("per_body") else { return foreign("no `per_body`") };
+        let own = motion.field("parameters")?.lifted(Kind::Plain);
+        let mut prepared = Vec::new();
+        self.with_self(own, |machine| {
+            for body in 0..count {
+                prepared.push(machine.call(per_body, vec![Value::size(body)])?);
+            }
+            Ok(Value::Unit)
+        })?;
+        Ok(prepared.iter().map(|of| of.lifted(Kind::Wide)).collect())
+    }
+
+    /// The positions after a drift of each body.
+    fn drifted(
+        &mut self,
+        bodies: &Bodies<'_>,
+        momenta: &[Vec<Number>],
+        positions: &[Vec<Number>],
+        motion: &Value,
+        [step, time]: [&Number; 2],
+    ) -> Outcome<Vec<Vec<Number>>> {
+        let Some(drift_of) = bodies.functions.get("drift_of").copied() else { return foreign("no `drift_of`") };
+        let parameters = motion.field("parameters")?.clone();
+        let mut moved = Vec::new();
+        let prepared = self.prepared(bodies, momenta.len(), motion)?;
+        for ((q, p), of) in positions.iter().zip(momenta).zip(prepared) {
+            let slots = Value::list(q.iter().map(|number| Value::Slot(number.clone().of_kind(Kind::Wide))));
+            let step = Value::from(step.clone().of_kind(Kind::Wide));
+            let arguments = vec![parameters.clone(), slots, row(p), of, step, time.clone().into()];
+            let (_, changed) = self.run(drift_of, arguments, Some(1))?;
+            moved.push(components(&changed)?);
+        }
+        Ok(moved)
+    }
+
+    /// The gradient of the potential of bodies, pair by pair.
+    fn attracted(
+        &mut self,
+        bodies: &Bodies<'_>,
+        read: &[Vec<Number>],
+        motion: &Value,
+        time: &Number,
+    ) -> Outcome<Vec<Vec<Number>>> {
+        let zero = Number::plain(0.0).of_kind(Kind::Wide);
+        let (parameters, time) = (motion.field("parameters")?.clone(), Value::from(time.clone()));
+        let prepared = self.prepared(bodies, read.len(), motion)?;
+        let mut sums: Vec<Vec<Number>> = read.iter().map(|point| vec![zero.clone(); point.len()]).collect();
+        for i in 0..read.len() {
+            for j in 0..read.len() {
+                if i == j || bodies.reciprocal && j > i {
+                    continue;
+                }
+                let two = [row(&read[i]), row(&read[j]), prepared[i].clone(), prepared[j].clone()];
+                let arguments: Vec<Value> =
+                    std::iter::once(parameters.clone()).chain(two).chain([time.clone()]).collect();
+                if let Some(acts) = bodies.functions.get("acts").copied()
+                    && !self.call(acts, arguments.clone())?.truth()?
+                {
+                    continue;
+                }
+                let Some(pair) = bodies.functions.get("pair").copied() else { return foreign("no `pair`") };
+                let force = components(&self.call(pair, arguments)?)?;
+                for component in 0..read[i].len() {
+                    let force = if bodies.central {
+                        force[0].mul(&read[i][component].sub(&read[j][component]).of_kind(Kind::Wide))
+                    } else {
+                        force[component].clone()
+                    };
+                    sums[i][component] = sums[i][component].add(&force);
+                    if bodies.reciprocal {
+                        sums[j][component] = sums[j][component].sub(&force);
+                    }
+                }
+            }
+        }
+        if let Some(alone) = bodies.functions.get("alone").copied() {
+            for (body, sums) in sums.iter_mut().enumerate() {
+                let arguments = vec![parameters.clone(), row(&read[body]), prepared[body].clone(), time.clone()];
+                if let Value::Option(Some(gradient)) = self.call(alone, arguments)? {
+                    for (sum, force) in sums.iter_mut().zip(components(&gradient)?) {
+                        *sum = sum.add(&force);
+                    }
+                }
+            }
+        }
+        Ok(sums)
+    }
+}
+
+/// The coordinates of a point, or the one of a site.
+fn components(point: &Value) -> Outcome<Vec<Number>> {
+    match point {
+        Value::List(_) | Value::Slot(_) | Value::Number(_) => {
+            let mut numbers = Vec::new();
+            point.numbers(&mut numbers);
+            Ok(numbers)
+        }
+        other => foreign(format!("{} in place of coordinates", other.kind())),
+    }
+}
+
+/// Coordinates of bodies side by side.
+fn row(point: &[Number]) -> Value {
+    Value::list(point.iter().map(|number| number.clone().of_kind(Kind::Wide).into()))
+}
