@@ -31,8 +31,8 @@ use std::{
 /// What every checkpoint begins with.
 const MAGIC: [u8; 8] = *b"symplrun";
 
-/// The form of the record; a larger one is refused.
-const VERSION: u16 = 1;
+/// The form of the record; others are refused.
+const VERSION: u16 = 2;
 
 const CHECKSUM: Crc<u64> = Crc::<u64>::new(&CRC_64_XZ);
 
@@ -52,6 +52,12 @@ pub enum CheckpointError {
         "this checkpoint has version {version} of the format, which is newer than {VERSION}: update integrator-core"
     )]
     Newer {
+        /// The version of its format.
+        version: u16,
+    },
+    /// An earlier version of the library wrote it.
+    #[error("this checkpoint has version {version} of the format, and this library reads {VERSION} alone: begin anew")]
+    Older {
         /// The version of its format.
         version: u16,
     },
@@ -95,6 +101,8 @@ struct Record {
     stages: u64,
     leaf: String,
     steps: u64,
+    /// After how many of them the state was last changed from outside.
+    opened: u64,
     h: f64,
     t0: f64,
     q: Vec<f64>,
@@ -159,6 +167,7 @@ impl<C: Coords> Run<C> {
             stages: fingerprint(&self.origin),
             leaf: C::Leaf::NAME.to_owned(),
             steps,
+            opened: self.opened,
             h,
             t0,
             q: numbers(&q),
@@ -242,7 +251,8 @@ impl<C: Coords> Run<C> {
         X: Composition<H>,
         H::Coords: Coords<With<C::Leaf> = C>,
     {
-        let Record { system: name, composition: stored, stages, leaf, steps, h, t0, q, p } = record(checkpoint)?;
+        let Record { system: name, composition: stored, stages, leaf, steps, opened, h, t0, q, p } =
+            record(checkpoint)?;
         let origin = Origin::of::<H>(composition.facts());
         let asked = [
             ("system", name, origin.system),
@@ -261,7 +271,7 @@ impl<C: Coords> Run<C> {
         let (Some(q), Some(p)) = (coordinates(&q), coordinates(&p)) else { return Err(shape) };
         let unfinished = Phase { q, p };
         admissible_with(composition, &unfinished, h)?;
-        Ok(Self::going_on::<H, X, C::Leaf>(system, composition, unfinished, Clock { t0, h, steps })?)
+        Ok(Self::going_on::<H, X, C::Leaf>(system, composition, unfinished, Clock { t0, h, steps }, opened)?)
     }
 }
 
@@ -273,10 +283,14 @@ fn record(checkpoint: &[u8]) -> Result<Record, CheckpointError> {
     if version > VERSION {
         return Err(CheckpointError::Newer { version });
     }
+    if version < VERSION {
+        return Err(CheckpointError::Older { version });
+    }
     let (record, checksum) = rest.split_last_chunk().ok_or(CheckpointError::Damaged)?;
     let covered = &checkpoint[..checkpoint.len() - checksum.len()];
     if CHECKSUM.checksum(covered) != u64::from_le_bytes(*checksum) {
         return Err(CheckpointError::Damaged);
     }
-    postcard::from_bytes(record).map_err(|_| CheckpointError::Damaged)
+    let record: Record = postcard::from_bytes(record).map_err(|_| CheckpointError::Damaged)?;
+    if record.opened > record.steps { Err(CheckpointError::Damaged) } else { Ok(record) }
 }

@@ -13,8 +13,8 @@ use alloc::sync::Arc;
 /// The two parts of an energy, and their sum as it is rounded once where it has twice the digits.
 #[derive(Clone, Copy)]
 pub(crate) struct Parts {
-    kinetic: f64,
-    potential: f64,
+    pub(crate) kinetic: f64,
+    pub(crate) potential: f64,
     pub(crate) total: f64,
 }
 

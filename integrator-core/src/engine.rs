@@ -67,12 +67,16 @@ impl Clock {
 
 /// A run without its clock, behind one type whatever system, composition and scalar it was made of.
 pub(crate) trait Engine<C: Coords>: Send + Sync {
-    /// Takes `steps` steps from `clock`, or as many as end in a finite state, and counts them on the clock.
+    /// Takes `steps` steps from `clock`, or as many as end in a finite state, and counts them in `taken`.
     ///
     /// # Panics
-    /// Where the user's functions do. Clock and motion are then at the last step before that one, as they are where steps
-    /// lead out of the finite numbers. Without `std` they are where the block of steps began.
-    fn advance(&mut self, clock: &mut Clock, steps: u64);
+    /// Where the user's functions do. The count and the motion are then at the last step before that one, as they are where
+    /// steps lead out of the finite numbers. Without `std` they are where the block of steps began.
+    fn advance(&mut self, clock: Clock, steps: u64, taken: &mut u64);
+    /// Goes back to where the last call of [`Engine::advance`] began, if that took one step.
+    fn take_back(&mut self);
+    /// Goes on from another state of the same size, at the beginning of a clock.
+    fn restart(&mut self, state: &Phase<C>);
     fn state(&self, clock: Clock) -> Phase<C>;
     /// The state a while into the last step, which began at `from` and `clock`, if [`Engine::advance`] took no other with
     /// it; the run itself stays where it is.
@@ -271,12 +275,12 @@ impl<M: Motion<C, P>, P, C: Coords> Solo<M, P, C> {
         Self { watched: Watched::new(motion, moves), constants, energies, shape: start }
     }
 
-    /// Takes a block of steps and counts them on the clock; `false` after as many of them as end in a finite state.
-    fn block(&mut self, clock: &mut Clock, steps: u64) -> bool {
-        let whole = attempted(|| self.watched.advance(*clock, steps));
+    /// Takes a block of steps and counts them; `false` after as many of them as end in a finite state.
+    fn block(&mut self, clock: Clock, steps: u64, taken: &mut u64) -> bool {
+        let whole = attempted(|| self.watched.advance(clock, steps));
         match whole {
             Ok(true) => {
-                clock.steps += steps;
+                *taken += steps;
                 return true;
             }
             Ok(false) if steps == 1 => return false,
@@ -285,11 +289,11 @@ impl<M: Motion<C, P>, P, C: Coords> Solo<M, P, C> {
         }
         // What left the finite numbers never returns, since updates only add: replay the block step by step. What panicked
         // does so again, after the steps before it were counted.
-        for _ in 0..steps {
-            if !self.watched.advance(*clock, 1) {
+        for step in 0..steps {
+            if !self.watched.advance(Clock { steps: clock.steps + step, ..clock }, 1) {
                 return false;
             }
-            clock.steps += 1;
+            *taken += 1;
         }
         match whole {
             Ok(_) => true,
@@ -299,9 +303,27 @@ impl<M: Motion<C, P>, P, C: Coords> Solo<M, P, C> {
 }
 
 impl<M: Motion<C, P>, P: Send + Sync + 'static, C: Coords> Engine<C> for Solo<M, P, C> {
-    fn advance(&mut self, clock: &mut Clock, steps: u64) {
+    fn advance(&mut self, mut clock: Clock, steps: u64, taken: &mut u64) {
         let end = clock.steps + steps;
-        while clock.steps < end && self.block(clock, BLOCK.min(end - clock.steps)) {}
+        while clock.steps < end {
+            let block = BLOCK.min(end - clock.steps);
+            if !self.block(clock, block, taken) {
+                break;
+            }
+            clock.steps += block;
+        }
+    }
+
+    fn take_back(&mut self) {
+        let Watched { motion, snapshot, .. } = &mut self.watched;
+        motion.copy_state(snapshot);
+    }
+
+    fn restart(&mut self, state: &Phase<C>) {
+        let moves = self.watched.moves;
+        let mut motion = M::load(|_| (&*self.constants, state));
+        motion.share_among(moves.threads);
+        self.watched = Watched::new(motion, moves);
     }
 
     fn state(&self, clock: Clock) -> Phase<C> {

@@ -127,6 +127,40 @@ pub enum Error {
         /// What the function is there.
         value: f64,
     },
+    /// The energy of a run left the bound of its watch.
+    #[error(
+        "the energy after step {step} (t = {time}) is {energy}, and was {before} when the watch began: it strays by more \
+         than {bound} of |T| + |V|. The run stays one step before; a smaller step helps"
+    )]
+    EnergyStrayed {
+        /// The step that was not taken.
+        step: u64,
+        /// The time at the end of that step.
+        time: f64,
+        /// The energy there.
+        energy: f64,
+        /// The energy when the watch began.
+        before: f64,
+        /// The bound, relative to the sizes of `T` and `V` when the watch began.
+        bound: f64,
+    },
+    /// The bound of a watch is not above zero.
+    #[error("the energy is to stay within {bound} of |T| + |V|: the bound has to be above zero, for example 1e-3")]
+    WatchBound {
+        /// The bound that was asked for.
+        bound: f64,
+    },
+    /// A watch on an energy that is not conserved.
+    #[error("`kinetic` or `potential` reads the time, so that the energy is not conserved and no bound holds it")]
+    NotConserved,
+    /// A state that was changed between two steps has another number of coordinates than before.
+    #[error("the state had {before} positions, and has {after} now: a run keeps its coordinates")]
+    Resized {
+        /// How many positions there were.
+        before: usize,
+        /// How many there would be.
+        after: usize,
+    },
     /// The number of steps exceeds `u64::MAX`.
     #[error("{done} steps are done and {asked} more exceed the largest step count, {}", u64::MAX)]
     Steps {

@@ -158,6 +158,7 @@ mod twofold;
 #[allow(unreachable_pub, reason = "named in bounds, never outside")]
 mod vector;
 mod visit;
+mod watch;
 
 pub use catalogue::*;
 #[cfg(feature = "checkpoint")]

@@ -107,12 +107,13 @@ impl<M: Motion<C, Q>, Q: Send + Sync + 'static, C: Coords> Pack<C> for Alone<M, 
         let (mut done, mut lost) = (0, Vec::new());
         while done < course.steps && self.halted.is_none() {
             let block = course.block(done);
-            let mut clock = course.at(done);
-            let outcome = course.panics.attempted(|| self.solo.advance(&mut clock, block));
+            let mut taken = done;
+            let outcome = course.panics.attempted(|| self.solo.advance(course.at(done), block, &mut taken));
+            let clock = course.at(taken);
             done += block;
             if outcome.is_none() {
                 self.halted = Some(clock.steps);
-            } else if clock.steps < course.at(done).steps {
+            } else if taken < done {
                 lost.push((self.number, clock.divergence(&self.solo.state(clock))));
                 self.halted = Some(clock.steps);
             } else if course.asks(done) && !course.stays(self.number, &self.solo.state(clock)) {

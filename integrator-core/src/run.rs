@@ -6,7 +6,7 @@ use crate::checkpoint::Origin;
 use crate::stated::hold_at_start;
 use crate::{
     coords::Coords,
-    energies::{Energies, energies, energy},
+    energies::{Energies, Parts, energies, energy},
     engine::{Clock, Engine, Solo},
     error::{Divergence, Error},
     fixed::is_power_of_two,
@@ -17,6 +17,7 @@ use crate::{
     real::Real,
     samples::Samples,
     slot::Keep,
+    watch::Watch,
 };
 use alloc::{boxed::Box, sync::Arc};
 use core::fmt;
@@ -80,9 +81,15 @@ fn engine<H: Hamiltonian, X: Method<H>, R: Real, K: Keep>(
 pub struct Run<C: Coords> {
     engine: Box<dyn Engine<C>>,
     pub(crate) clock: Clock,
+    /// How many steps were done when the state was last changed from outside.
+    pub(crate) opened: u64,
+    pub(crate) watch: Option<Watch>,
+    pub(crate) autonomous: bool,
     method: &'static str,
     /// How often a step evaluates the force, where that is known beforehand.
     forces: Option<usize>,
+    /// How often steps before `opened` have evaluated the force, where steps count it.
+    evaluated: u64,
     /// Whether the energy of the start is still to be looked at, where it depends on the time that the clock starts at.
     start_unseen: bool,
     /// Whose checkpoints its own are.
@@ -101,7 +108,7 @@ impl<C: Coords> Run<C> {
         admissible_with(method, &start, h)?;
         #[cfg(debug_assertions)]
         let state = start.clone();
-        let mut run = Self::going_on::<H, X, K>(system, method, start, Clock { t0: 0.0, h, steps: 0 })?;
+        let mut run = Self::going_on::<H, X, K>(system, method, start, Clock { t0: 0.0, h, steps: 0 }, 0)?;
         run.start_unseen = true;
         if H::AUTONOMOUS {
             run.see_start()?;
@@ -123,11 +130,18 @@ impl<C: Coords> Run<C> {
         Ok(())
     }
 
-    /// A run from a state in the middle of the step that the clock tells.
+    /// A run from a state in the middle of the step that the clock tells, where the state was last changed from outside after
+    /// `opened` steps.
     ///
     /// # Errors
     /// [`Error::Parameters`], where a prepared constant is not finite and the motion is not.
-    pub(crate) fn going_on<H, X, K>(system: &H, method: X, start: Phase<C>, clock: Clock) -> Result<Self, Error>
+    pub(crate) fn going_on<H, X, K>(
+        system: &H,
+        method: X,
+        start: Phase<C>,
+        clock: Clock,
+        opened: u64,
+    ) -> Result<Self, Error>
     where
         H: Hamiltonian,
         X: Method<H>,
@@ -152,8 +166,12 @@ impl<C: Coords> Run<C> {
         let run = Self {
             engine,
             clock,
+            opened,
+            watch: None,
+            autonomous: H::AUTONOMOUS,
             method: method.facts().name,
             forces: method.forces(),
+            evaluated: 0,
             start_unseen: false,
             #[cfg(feature = "checkpoint")]
             origin: Origin::of::<H>(method.facts()),
@@ -167,9 +185,15 @@ impl<C: Coords> Run<C> {
 
     /// Whether a force or a velocity is not finite: then nor is a step of no length at all.
     fn is_spoilt(&self) -> bool {
-        let mut clock = Clock { h: 0.0, ..self.clock };
-        self.engine.boxed_clone().advance(&mut clock, 1);
-        clock.steps == self.clock.steps
+        let mut taken = 0;
+        self.engine.boxed_clone().advance(Clock { h: 0.0, ..self.since_opened() }, 1, &mut taken);
+        taken == 0
+    }
+
+    /// The clock of the engine, which begins where the state was last changed from outside.
+    fn since_opened(&self) -> Clock {
+        let Clock { h, steps, .. } = self.clock;
+        Clock { t0: self.clock.at(self.opened), h, steps: steps - self.opened }
     }
 
     /// Starts the clock at `t0` instead of 0. A `t0` that is not finite is reported by the first `advance`.
@@ -198,7 +222,8 @@ impl<C: Coords> Run<C> {
     /// [`Error::Diverged`] if the state leaves the finite numbers; the run then stays at the last finite state, and
     /// [`Run::time`] and [`Run::state`] tell it. [`Error::Time`], [`Error::Clock`] and [`Error::Steps`] leave the run as
     /// it was, and so does [`Error::Energy`], which the first call returns where `H` reads the time and has no value at
-    /// the start.
+    /// the start. [`Error::EnergyStrayed`] if a [watch](Run::watch_energy) says so; the run stays at the last step within its
+    /// bound.
     ///
     /// # Panics
     /// Where your own functions would. A program that catches the panic finds the run at the last step before it, as after
@@ -207,7 +232,24 @@ impl<C: Coords> Run<C> {
     pub fn advance(&mut self, steps: u64) -> Result<(), Error> {
         let end = self.clock.end(steps)?;
         self.see_start()?;
-        self.engine.advance(&mut self.clock, steps);
+        let Some(watch) = self.watch else { return self.advance_to(end) };
+        while self.clock.steps < end {
+            self.advance_to(self.clock.steps + 1)?;
+            let (step, time, energy) = (self.clock.steps, self.time(), self.energy());
+            if !watch.admits(energy) {
+                self.engine.take_back();
+                self.clock.steps -= 1;
+                let Watch { bound, energy: before, .. } = watch;
+                return Err(Error::EnergyStrayed { step, time, energy, before, bound });
+            }
+        }
+        Ok(())
+    }
+
+    /// Takes steps until so many are done.
+    fn advance_to(&mut self, end: u64) -> Result<(), Error> {
+        let clock = self.since_opened();
+        self.engine.advance(clock, end - self.clock.steps, &mut self.clock.steps);
         if self.clock.steps < end {
             let clock = self.clock;
             return Err(match self.engine.unsolved() {
@@ -244,18 +286,84 @@ impl<C: Coords> Run<C> {
     pub fn evaluations(&self) -> u64 {
         match self.forces {
             Some(forces) => self.clock.steps.saturating_mul(forces as u64),
-            None => self.engine.evaluations().unwrap_or(0),
+            None => self.evaluated.saturating_add(self.engine.evaluations().unwrap_or(0)),
         }
     }
 
     /// The state at [`Run::time`]: the step under way is completed on a copy, the run itself does not change.
     pub fn state(&self) -> Phase<C> {
-        self.engine.state(self.clock)
+        self.engine.state(self.since_opened())
     }
 
     /// The energy `T + V` at [`Run::time`].
+    ///
+    /// It is NaN or infinite where your functions have no value, as the logarithm left of zero: steps read forces alone, which
+    /// may be finite on the other side of a pole that a step has jumped over. [`Run::watch_energy`] stops a run there.
     pub fn energy(&self) -> f64 {
-        self.engine.energies().energy(&self.state(), self.time())
+        self.parts().total
+    }
+
+    /// The kinetic energy `T` at [`Run::time`].
+    pub fn kinetic(&self) -> f64 {
+        self.parts().kinetic
+    }
+
+    /// The potential energy `V` at [`Run::time`].
+    pub fn potential(&self) -> f64 {
+        self.parts().potential
+    }
+
+    pub(crate) fn parts(&self) -> Parts {
+        self.engine.energies().parts(&self.state(), self.time())
+    }
+
+    /// Changes the state between two steps: coordinates that are wrapped into a periodic box, momenta that are drawn
+    /// anew by a thermostat or for a Markov chain. Time and the number of steps go on.
+    ///
+    /// From there, the run has the bits of a new one that starts from this state [at this time](Run::at_time). A
+    /// [watch](Run::watch_energy) goes on with the energy of this state.
+    ///
+    /// ```
+    /// use integrator_core::prelude::*;
+    ///
+    /// struct Rotor;
+    ///
+    /// #[hamiltonian]
+    /// impl Rotor {
+    ///     fn kinetic(&self, p: [f64; 1]) -> f64 { p[0] * p[0] / 2.0 }
+    ///     fn potential(&self, q: [f64; 1]) -> f64 { -q[0].cos() }
+    /// }
+    ///
+    /// let mut run = Rotor.run(Phase::new([0.0], [5.0]), 0.01)?;
+    /// run.advance(1_000)?;
+    /// run.map_state(|state| state.q[0] = state.q[0].rem_euclid(std::f64::consts::TAU))?;
+    /// run.advance(1_000)?;
+    /// assert_eq!(run.time(), 20.0);
+    /// # Ok::<(), Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// What a run from the new state would be refused for, such as [`Error::Start`] where it is not finite, and
+    /// [`Error::Resized`] if it has another number of coordinates; the run stays as it was.
+    pub fn map_state(&mut self, map: impl FnOnce(&mut Phase<C>)) -> Result<(), Error> {
+        let mut state = self.state();
+        let before = state.q.flat().len();
+        map(&mut state);
+        admissible(&state, self.clock.h)?;
+        let after = state.q.flat().len();
+        if after != before {
+            return Err(Error::Resized { before, after });
+        }
+        let parts = self.engine.energies().parts(&state, self.time());
+        // Where the start is unseen, its time is not settled.
+        if !self.start_unseen {
+            parts.admissible(self.time())?;
+        }
+        self.watch = self.watch.map(|Watch { bound, .. }| Watch::new(bound, parts));
+        self.evaluated = self.evaluated.saturating_add(self.engine.evaluations().unwrap_or(0));
+        self.engine.restart(&state);
+        self.opened = self.clock.steps;
+        Ok(())
     }
 
     /// An iterator over the present state and then the state after every `interval` steps.
@@ -271,7 +379,9 @@ impl<C: Coords> Run<C> {
     pub(crate) fn within(&mut self, from: &Phase<C>, duration: f64) -> Result<Phase<C>, Error> {
         let step = self.clock.steps;
         let clock = Clock { steps: step.saturating_sub(1), ..self.clock };
-        self.engine.within(from, clock, duration).map_err(|unsolved| match unsolved {
+        let since = self.since_opened();
+        let since = Clock { steps: since.steps.saturating_sub(1), ..since };
+        self.engine.within(from, since, duration).map_err(|unsolved| match unsolved {
             Some(reason) => Error::NotSolved { method: self.method, step, time: clock.at(clock.steps), reason },
             None => {
                 Error::Diverged(Divergence { step, time: clock.at(clock.steps) + duration, ..clock.divergence(from) })

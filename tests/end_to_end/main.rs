@@ -6,6 +6,7 @@
 mod by_hand;
 #[path = "../../integrator-core/src/catalogue_list.rs"]
 mod catalogue;
+mod changed_states;
 mod divergence;
 mod ensemble;
 mod external;

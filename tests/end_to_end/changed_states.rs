@@ -1,0 +1,147 @@
+//! States that are changed between two steps, and watches that look after each.
+
+use integrator_core::{__private::Keep, Method, prelude::*, taylor::Taylor};
+
+/// A driven pendulum, or one left alone.
+struct Driven;
+
+#[hamiltonian(taylor)]
+impl Driven {
+    fn kinetic(&self, p: [f64; 2]) -> f64 {
+        (p[0] * p[0] + p[1] * p[1]) / 2.0
+    }
+    fn potential(&self, q: [f64; 2], t: f64) -> f64 {
+        -q[0].cos() * (1.0 + 0.3 * t.sin()) - (q[1] - q[0]).cos()
+    }
+}
+
+/// The same bits as a run that begins there.
+#[test]
+fn a_changed_state_is_gone_on_from_like_a_start() {
+    fn check<K: Keep>(method: impl Method<Driven>, start: Phase<[K; 2]>, kicked: K)
+    where
+        [f64; 2]: integrator_core::Coords<With<K> = [K; 2]>,
+    {
+        let change = |state: &mut Phase<[K; 2]>| state.p[1] = kicked;
+        let mut run = Driven.run_with::<K, _>(method, start, 0.125).expect("a good start").at_time(3.0);
+        run.advance(1_000).expect("bounded");
+        run.map_state(change).expect("a finite state");
+        let mut fresh = Driven.run_with::<K, _>(method, run.state(), 0.125).expect("a good start").at_time(run.time());
+        assert_eq!((run.steps(), run.time()), (1_000, 128.0));
+        assert_eq!(run.state().p[1], kicked);
+        for portion in [0, 1, 7, 2_000] {
+            run.advance(portion).expect("bounded");
+            fresh.advance(portion).expect("bounded");
+            assert_eq!((run.state(), run.time()), (fresh.state(), fresh.time()));
+            assert_eq!(run.energy(), fresh.energy());
+        }
+    }
+    let start = Phase::new([1.0, 0.5], [0.0, 0.2]);
+    check(Verlet, start, 0.75);
+    check(VelocityVerlet, start, 0.75);
+    check(Chin4C, start, 0.75);
+    check(BlanesCasasMurua8, start, 0.75);
+    check(Taylor::tolerance(1e-15), start, 0.75);
+    check(Yoshida4, Phase::new([1.0_f32, 0.5], [0.0, 0.2]), 0.75);
+    let compensated = Phase::compensated(start.q, start.p);
+    check(KahanLi8, compensated, compensated.q[1]);
+}
+
+#[test]
+fn a_state_that_is_refused_changes_nothing() {
+    let start = || Driven.run(Phase::new([1.0, 0.5], [0.0, 0.2]), 0.01).expect("a good start");
+    let (mut run, mut other) = (start(), start());
+    run.advance(10).expect("bounded");
+    other.advance(10).expect("bounded");
+    let refused = run.map_state(|state| state.q[1] = f64::INFINITY);
+    assert_eq!(refused, Err(Error::Start { coordinate: "q", index: 1, value: f64::INFINITY }));
+    run.advance(10).expect("bounded");
+    other.advance(10).expect("bounded");
+    assert_eq!(run.state(), other.state());
+}
+
+/// `H = p²/2 + q - ln q`: beyond the pole at zero the force is finite, and the energy is not a number.
+struct Pole;
+
+#[hamiltonian]
+impl Pole {
+    fn kinetic(&self, p: &[f64]) -> f64 {
+        p.iter().map(|p| 0.5 * p * p).sum()
+    }
+    fn potential(&self, q: &[f64]) -> f64 {
+        q.iter().map(|q| q - q.ln()).sum()
+    }
+}
+
+fn over_the_pole() -> Run<Vec<f64>> {
+    Pole.run(Phase::new(vec![1.0], vec![-8.0]), 0.3).expect("a good start")
+}
+
+#[test]
+fn a_state_keeps_its_coordinates_and_its_energy() {
+    let mut run = Pole.run(Phase::new(vec![1.0], vec![0.1]), 0.01).expect("a good start");
+    run.advance(10).expect("bounded");
+    let before = run.state();
+    let longer = run.map_state(|state| {
+        state.q.push(1.0);
+        state.p.push(0.0);
+    });
+    assert_eq!(longer, Err(Error::Resized { before: 1, after: 2 }));
+    let unequal = run.map_state(|state| state.q.push(1.0));
+    assert_eq!(unequal, Err(Error::Length { positions: 2, momenta: 1 }));
+    let beyond = run.map_state(|state| state.q[0] = -1.0);
+    assert!(matches!(beyond, Err(Error::Energy { function: "potential", .. })), "{beyond:?}");
+    assert_eq!(run.state(), before);
+    assert_eq!(run.kinetic() + run.potential(), run.energy());
+}
+
+#[test]
+fn a_watch_stops_at_the_same_step_in_any_portions() {
+    const STEPS: u64 = 3_000;
+    let start = || {
+        let mut run = Pole.run(Phase::new(vec![1.0], vec![1.5]), 0.2).expect("a good start");
+        run.watch_energy(0.05).expect("a good bound");
+        run
+    };
+    let mut single = start();
+    let stop = (0..STEPS).find_map(|_| single.advance(1).err()).expect("the step is too long for this bound");
+    let Error::EnergyStrayed { step, energy, before, bound, .. } = stop.clone() else { panic!("{stop}") };
+    assert_eq!((single.steps(), bound, before), (step - 1, 0.05, start().energy()));
+    // At the start, both T and V are above zero.
+    assert!((energy - before).abs() > bound * before);
+    assert!((single.energy() - before).abs() <= bound * before);
+    for portion in [2, 7, STEPS] {
+        let mut run = start();
+        let stopped = (0..STEPS).find_map(|_| run.advance(portion).err());
+        assert_eq!((stopped, run.state()), (Some(stop.clone()), single.state()), "in portions of {portion}");
+    }
+    // The bits are those of a run that nobody watches, and a looser watch lets it pass.
+    let mut free = Pole.run(Phase::new(vec![1.0], vec![1.5]), 0.2).expect("a good start");
+    free.advance(step - 1).expect("finite");
+    assert_eq!(free.state(), single.state());
+    single.watch_energy(f64::INFINITY).expect("a good bound");
+    single.advance(1).expect("finite");
+    free.advance(1).expect("finite");
+    assert_eq!(free.state(), single.state());
+}
+
+#[test]
+fn a_watch_sees_an_energy_that_is_not_a_number() {
+    let mut run = over_the_pole();
+    run.advance(1).expect("the force is finite on both sides");
+    assert!(run.energy().is_nan() && run.potential().is_nan() && run.kinetic().is_finite(), "{run:?}");
+    let mut watched = over_the_pole();
+    watched.watch_energy(f64::INFINITY).expect("a good bound");
+    assert!(matches!(watched.advance(100), Err(Error::EnergyStrayed { step: 1, .. })));
+    assert_eq!(watched.state(), over_the_pole().state());
+}
+
+#[test]
+fn a_watch_needs_a_bound_and_an_energy_that_is_conserved() {
+    for bound in [0.0, -1.0] {
+        assert_eq!(over_the_pole().watch_energy(bound), Err(Error::WatchBound { bound }));
+    }
+    assert!(matches!(over_the_pole().watch_energy(f64::NAN), Err(Error::WatchBound { .. })));
+    let mut driven = Driven.run(Phase::new([1.0, 0.5], [0.0, 0.2]), 0.01).expect("a good start");
+    assert_eq!(driven.watch_energy(0.1), Err(Error::NotConserved));
+}
