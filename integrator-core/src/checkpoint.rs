@@ -11,7 +11,7 @@ use crate::{
     composition::{Composition, Processor, Stage, Stages},
     coords::Coords,
     engine::Clock,
-    error::Error,
+    error::{Error, debug_as_display},
     hamiltonian::Hamiltonian,
     method::{Described, Facts},
     phase::Phase,
@@ -28,6 +28,8 @@ use std::{
     path::Path,
 };
 
+debug_as_display!(CheckpointError);
+
 /// What every checkpoint begins with.
 const MAGIC: [u8; 8] = *b"symplrun";
 
@@ -37,7 +39,7 @@ const VERSION: u16 = 2;
 const CHECKSUM: Crc<u64> = Crc::<u64>::new(&CRC_64_XZ);
 
 /// Why a checkpoint could not be written or resumed.
-#[derive(Debug, thiserror::Error)]
+#[derive(thiserror::Error)]
 #[non_exhaustive]
 pub enum CheckpointError {
     /// The file could not be read or written.

@@ -55,13 +55,17 @@ impl Clock {
         }
     }
 
-    /// What to say of a trajectory that has taken its last finite step, to `state`.
-    pub(crate) fn divergence<C: Coords>(&self, state: &Phase<C>) -> Divergence {
+    /// What to say of a trajectory that has taken its last finite step, to `state`; `next` is where one more leads.
+    pub(crate) fn divergence<C: Coords>(&self, state: &Phase<C>, next: &Phase<C>) -> Divergence {
         let flat = |coordinates: &C| coordinates.flat().iter().map(|leaf| leaf.to_f64()).collect();
         let step = self.steps.saturating_add(1);
         let leaves = state.q.flat().iter().chain(state.p.flat());
         let limit = leaves.map(|leaf| leaf.limit()).fold(f64::INFINITY, f64::min);
-        Divergence { step, time: self.at(step), limit, q: flat(&state.q), p: flat(&state.p) }
+        // The limit of a grid is exclusive, as infinity is.
+        let gone = |leaf: &C::Leaf| leaf.to_f64().is_nan() || leaf.to_f64().abs() >= limit;
+        let first = |name, coordinates: &C| Some((name, coordinates.flat().iter().position(gone)?));
+        let coordinate = first("q", &next.q).or_else(|| first("p", &next.p));
+        Divergence { step, time: self.at(step), limit, coordinate, q: flat(&state.q), p: flat(&state.p) }
     }
 }
 
@@ -78,6 +82,8 @@ pub(crate) trait Engine<C: Coords>: Send + Sync {
     /// Goes on from another state of the same size, at the beginning of a clock.
     fn restart(&mut self, state: &Phase<C>);
     fn state(&self, clock: Clock) -> Phase<C>;
+    /// Where the last step led that was tried.
+    fn tried(&self) -> Phase<C>;
     /// The state a while into the last step, which began at `from` and `clock`, if [`Engine::advance`] took no other with
     /// it; the run itself stays where it is.
     ///
@@ -328,6 +334,12 @@ impl<M: Motion<C, P>, P: Send + Sync + 'static, C: Coords> Engine<C> for Solo<M,
 
     fn state(&self, clock: Clock) -> Phase<C> {
         self.watched.state(clock, &self.shape)
+    }
+
+    fn tried(&self) -> Phase<C> {
+        let mut state = self.shape.clone();
+        self.watched.closed.store(0, &mut state);
+        state
     }
 
     fn within(&mut self, from: &Phase<C>, clock: Clock, duration: f64) -> Result<Phase<C>, Option<Unsolved>> {

@@ -8,8 +8,24 @@ use alloc::{
     vec::Vec,
 };
 
+/// Prints errors as sentences where they are debugged too: that is what a `main` shows that returns one, and what `expect`
+/// and `unwrap` show.
+macro_rules! debug_as_display {
+    ($($error:ty),* $(,)?) => {
+        $(impl core::fmt::Debug for $error {
+            fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+                core::fmt::Display::fmt(self, f)
+            }
+        })*
+    };
+}
+#[cfg(any(feature = "check", feature = "checkpoint", feature = "output"))]
+pub(crate) use debug_as_display;
+
+debug_as_display!(Error, Unsolved, NotFinite, Misread, Divergence, Lost);
+
 /// Why a run could not start or go on. Displays what is wrong, where, and what to do.
-#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[derive(Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum Error {
     /// The step is zero or not finite.
@@ -209,7 +225,7 @@ pub enum Error {
 }
 
 /// Why a method found no end of a step.
-#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[derive(Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum Unsolved {
     /// Newton's iteration for an implicit step did not converge.
@@ -236,7 +252,7 @@ pub enum Unsolved {
 }
 
 /// A number that is made of parameters alone, evaluated once per run, and not finite.
-#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[derive(Clone, PartialEq, thiserror::Error)]
 #[error("`{formula}` is {value}{}", self.place())]
 pub struct NotFinite {
     /// How it is made, in the words of `kinetic` and `potential`, without `self`.
@@ -259,7 +275,7 @@ fn listed(constants: &[NotFinite]) -> String {
 }
 
 /// A function of the user's whose value is not that of the code that was generated from it.
-#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[derive(Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 #[error(
     "`{function}` is misread: where it gives {stated}, the generated code gives {generated}, and rounding explains a \
@@ -295,7 +311,7 @@ impl Misread {
 }
 
 /// Where a run left the finite numbers, or the range of its grid. The run itself stays at the last good state.
-#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[derive(Clone, PartialEq, thiserror::Error)]
 #[error("{}", self.text())]
 pub struct Divergence {
     /// The first step whose state is not finite.
@@ -304,30 +320,49 @@ pub struct Divergence {
     pub time: f64,
     /// What coordinates have to stay below: infinity, or the range of the grid of a reversible state.
     pub limit: f64,
+    /// The first coordinate that is not finite after that step, or beyond the limit: `q` or `p`, and which one, counted over
+    /// the flattened coordinates. `None` where that was not found out.
+    pub coordinate: Option<(&'static str, usize)>,
     /// The positions one step earlier, flattened.
     pub q: Vec<f64>,
     /// The momenta one step earlier, flattened.
     pub p: Vec<f64>,
 }
 
+/// How many positions, and how many momenta, the text of a divergence shows.
+const SHOWN: usize = 4;
+
 impl Divergence {
     fn text(&self) -> String {
-        let Self { step, time, limit, q, p } = self;
+        let Self { step, time, limit, q, p, .. } = self;
         let (fault, last, helps) = if limit.is_finite() {
             (format!("has a coordinate beyond ±{limit}, the range of its grid"), "one within it", "coarser grid")
         } else {
             ("is not finite".to_owned(), "finite one", "smaller step")
         };
+        let first = self.coordinate.map(|(name, index)| format!(", first in {name}[{index}]")).unwrap_or_default();
+        let (q, p) = (self.near("q", q), self.near("p", p));
         format!(
-            "the state after step {step} (t = {time}) {fault}; the last {last} is kept (q = {q:?}, p = {p:?}). \
+            "the state after step {step} (t = {time}) {fault}{first}; the last {last} is kept ({q}, {p}). \
              A {helps}, or a look at the forces there, helps"
         )
+    }
+
+    /// The numbers about the coordinate that left, few enough for a message.
+    fn near(&self, name: &str, numbers: &[f64]) -> String {
+        if numbers.len() <= SHOWN {
+            return format!("{name} = {numbers:?}");
+        }
+        let index = self.coordinate.map_or(0, |(_, index)| index);
+        let start = index.saturating_sub(1).min(numbers.len() - SHOWN);
+        let end = start + SHOWN;
+        format!("{name}[{start}..{end}] = {:?} of {}", &numbers[start..end], numbers.len())
     }
 }
 
 /// Which members of an ensemble left the finite numbers, or have a next step that the method could not solve. They stay at
 /// their last finite state; the others have gone on.
-#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[derive(Clone, PartialEq, thiserror::Error)]
 #[error("{}", self.text())]
 pub struct Lost {
     /// The members that were lost in these steps, in order, each with where it happened.

@@ -114,7 +114,7 @@ impl<M: Motion<C, Q>, Q: Send + Sync + 'static, C: Coords> Pack<C> for Alone<M, 
             if outcome.is_none() {
                 self.halted = Some(clock.steps);
             } else if taken < done {
-                lost.push((self.number, clock.divergence(&self.solo.state(clock))));
+                lost.push((self.number, clock.divergence(&self.solo.state(clock), &self.solo.tried())));
                 self.halted = Some(clock.steps);
             } else if course.asks(done) && !course.stays(self.number, &self.solo.state(clock)) {
                 self.halted = Some(clock.steps);

@@ -259,7 +259,7 @@ impl<C: Coords> Run<C> {
                     time: clock.at(clock.steps),
                     reason: reason.clone(),
                 },
-                None => clock.divergence(&self.state()).into(),
+                None => clock.divergence(&self.state(), &self.engine.tried()).into(),
             });
         }
         Ok(())
@@ -383,9 +383,11 @@ impl<C: Coords> Run<C> {
         let since = Clock { steps: since.steps.saturating_sub(1), ..since };
         self.engine.within(from, since, duration).map_err(|unsolved| match unsolved {
             Some(reason) => Error::NotSolved { method: self.method, step, time: clock.at(clock.steps), reason },
-            None => {
-                Error::Diverged(Divergence { step, time: clock.at(clock.steps) + duration, ..clock.divergence(from) })
-            }
+            None => Error::Diverged(Divergence {
+                step,
+                time: clock.at(clock.steps) + duration,
+                ..clock.divergence(from, &self.engine.tried())
+            }),
         })
     }
 

@@ -48,6 +48,8 @@ struct Replay<L, C> {
     taken: u64,
     /// The last of these states.
     last: Phase<C>,
+    /// Where the last step led that was tried.
+    next: Phase<C>,
     motion: [L; 1],
     /// Whether the next step is not taken because a function of the user panics in it.
     panicked: bool,
@@ -177,9 +179,9 @@ where
             if is_good(motion, lane, &self.in_lane(&self.closed, number, &self.members[place].state)) {
                 continue;
             }
-            let Replay { taken, last, .. } = self.replayed(number, clock, block, panics);
+            let Replay { taken, last, next, .. } = self.replayed(number, clock, block, panics);
             let at = Clock { steps: clock.steps + taken, ..clock };
-            lost.push((self.first + place, at.divergence(&last)));
+            lost.push((self.first + place, at.divergence(&last, &next)));
             self.members[place].state = last;
             self.members[place].halted = Some(at.steps);
         }
@@ -199,7 +201,7 @@ where
             }
             let at = Clock { steps: clock.steps + replay.taken, ..clock };
             if !replay.panicked {
-                lost.push((self.first + place, at.divergence(&replay.last)));
+                lost.push((self.first + place, at.divergence(&replay.last, &replay.next)));
             }
             self.members[place].state = replay.last;
             self.members[place].halted = Some(at.steps);
@@ -235,7 +237,7 @@ where
         }
         (self.together.complete)(&mut last, at(taken));
         let last = self.shown_in(&last, self.together.shown(&last, at(taken)).as_deref(), 0, &state);
-        Replay { taken, last, motion, panicked }
+        Replay { taken, last, next: state, motion, panicked }
     }
 
     /// Asks the members that are under way whether they stay; `closed` holds the ends of their steps.

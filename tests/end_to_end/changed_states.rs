@@ -1,5 +1,6 @@
 //! States that are changed between two steps, and watches that look after each.
 
+use crate::divergence::diverged;
 use integrator_core::{__private::Keep, Method, prelude::*, taylor::Taylor};
 
 /// A driven pendulum, or one left alone.
@@ -144,4 +145,33 @@ fn a_watch_needs_a_bound_and_an_energy_that_is_conserved() {
     assert!(matches!(over_the_pole().watch_energy(f64::NAN), Err(Error::WatchBound { .. })));
     let mut driven = Driven.run(Phase::new([1.0, 0.5], [0.0, 0.2]), 0.01).expect("a good start");
     assert_eq!(driven.watch_energy(0.1), Err(Error::NotConserved));
+}
+
+#[test]
+fn a_divergence_names_the_coordinate_and_shows_few_numbers() {
+    /// Hills side by side.
+    struct Hills;
+
+    #[hamiltonian]
+    impl Hills {
+        fn kinetic(&self, p: &[f64]) -> f64 {
+            p.iter().map(|p| 0.5 * p * p).sum()
+        }
+        fn potential(&self, q: &[f64]) -> f64 {
+            q.iter().map(|q| -q.powi(4)).sum()
+        }
+    }
+
+    let mut q = vec![0.0; 1_000];
+    q[700] = 1.0;
+    let hills = || Phase::new(q.clone(), vec![0.0; 1_000]);
+    let mut run = Hills.run(hills(), 0.05).expect("a good start");
+    let divergence = diverged(run.advance(1_000));
+    assert_eq!(divergence.coordinate.map(|(_, index)| index), Some(700), "{divergence}");
+    let text = divergence.to_string();
+    assert!(text.contains("first in") && text.contains("q[699..703] = [0.0, ") && text.len() < 500, "{text}");
+    let mut swarm = Ensemble::new(Verlet, (0..20).map(|_| (Hills, hills())), 0.05).expect("good starts");
+    let Err(Error::Lost(lost)) = swarm.advance(1_000) else { panic!("{swarm:?}") };
+    assert!(lost.members.iter().all(|(_, each)| *each == divergence), "{lost}");
+    assert_eq!(format!("{:?}", Error::from(lost.clone())), lost.to_string(), "what `main` shows is the sentence");
 }

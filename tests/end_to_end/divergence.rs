@@ -20,7 +20,7 @@ fn fall<X: Composition<Hill>>(composition: X, h: f64) -> Run<[f64; 1]> {
     Hill.run_with(composition, Phase::new([1.0], [0.0]), h).expect("an admissible start").at_time(5.0)
 }
 
-fn diverged(outcome: Result<(), Error>) -> Divergence {
+pub(crate) fn diverged(outcome: Result<(), Error>) -> Divergence {
     match outcome {
         Err(Error::Diverged(divergence)) => divergence,
         other => panic!("not a divergence: {other:?}"),
@@ -159,10 +159,17 @@ fn samples_end_with_the_error() {
 
 #[test]
 fn the_text_says_where_and_what_to_do() {
-    let divergence = Divergence { step: 12, time: 0.6, limit: f64::INFINITY, q: vec![1e300], p: vec![-2.0] };
+    let divergence = Divergence {
+        step: 12,
+        time: 0.6,
+        limit: f64::INFINITY,
+        coordinate: Some(("q", 0)),
+        q: vec![1e300],
+        p: vec![-2.0],
+    };
     assert_eq!(
         Error::from(divergence).to_string(),
-        "the state after step 12 (t = 0.6) is not finite; the last finite one is kept (q = [1e300], p = [-2.0]). \
+        "the state after step 12 (t = 0.6) is not finite, first in q[0]; the last finite one is kept (q = [1e300], p = [-2.0]). \
          A smaller step, or a look at the forces there, helps"
     );
 }

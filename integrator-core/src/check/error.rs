@@ -1,9 +1,11 @@
 //! Why a check could not be carried out.
 
-use crate::error::Error;
+use crate::error::{Error, debug_as_display};
+
+debug_as_display!(CheckError);
 
 /// Why a check has no result. That a stepper is wrong is not among the reasons: then the result says so.
-#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[derive(Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum CheckError {
     /// The run that the check needs could not start or go on.

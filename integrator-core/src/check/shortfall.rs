@@ -2,12 +2,14 @@
 
 use crate::{
     check::{certificate::Certificate, energy::EnergyDrift, error::CheckError},
-    error::{Error, Misread},
+    error::{Error, Misread, debug_as_display},
 };
 use std::fmt;
 
+debug_as_display!(CertifyError, Shortfall);
+
 /// Why there is no certificate.
-#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[derive(Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum CertifyError {
     /// No run would begin with this start or this step.
@@ -24,7 +26,7 @@ pub enum CertifyError {
 }
 
 /// One thing that fell short of another.
-#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[derive(Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum Shortfall {
     /// The tangent map is not symplectic.

@@ -1,10 +1,17 @@
 //! Samples one by one, counted, to the end or to the first mistake.
 
-use crate::{coords::Coords, error::Error, samples::Sample, slot::Keep};
+use crate::{
+    coords::Coords,
+    error::{Error, debug_as_display},
+    samples::Sample,
+    slot::Keep,
+};
 use std::io;
 
+debug_as_display!(OutputError);
+
 /// Why not all samples were written.
-#[derive(Debug, thiserror::Error)]
+#[derive(thiserror::Error)]
 #[non_exhaustive]
 pub enum OutputError {
     /// The run went no further. What was seen of it is written.

@@ -1,9 +1,11 @@
 //! Why there is no ranking.
 
-use crate::check::CheckError;
+use crate::{check::CheckError, error::debug_as_display};
+
+debug_as_display!(ChooseError);
 
 /// Why no composition could be chosen.
-#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[derive(Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum ChooseError {
     /// A run could not start, or its energy says nothing.
