@@ -1,7 +1,7 @@
 //! `prove`: what holds of a sequence of stages that was typed by hand, or of a composition of the catalogue.
 
 use crate::{answer::Answer, catalogue::catalogue, mistake::Mistake, source::Source};
-use integrator_symbolic::{Proved, ProvedStage, sequence};
+use integrator_symbolic::{Proved, ProvedStage, nearest, sequence};
 use proc_macro2::{Span, TokenTree};
 use serde_json::{Value, json};
 use std::fmt::Write;
@@ -14,11 +14,12 @@ pub(crate) fn prove(text: &str, order: Option<u32>) -> Result<Answer, Mistake> {
     let source = Source { name: "sequence".to_owned(), text: text.to_owned() };
     let tokens = source.tokens()?;
     let trees: Vec<TokenTree> = tokens.clone().into_iter().collect();
+    let known = catalogue();
     let named = match &trees[..] {
-        [TokenTree::Ident(name)] => catalogue().into_iter().find(|proved| name == &proved.name),
+        [TokenTree::Ident(name)] => known.iter().find(|proved| name == &proved.name),
         _ => None,
     };
-    if let Some(proved) = &named
+    if let Some(proved) = named
         && let Some(order) = order.filter(|order| *order > proved.quadratic_order)
     {
         let failed = proved.violation.as_ref().map(|violation| {
@@ -30,9 +31,21 @@ pub(crate) fn prove(text: &str, order: Option<u32>) -> Result<Answer, Mistake> {
     }
     let proved = match named {
         Some(proved) => proved,
-        None => sequence(tokens, order).map_err(|error| Mistake::of(&source, error, Span::call_site()))?,
+        None => &sequence(tokens, order).map_err(|error| match misspelt(&trees, &known) {
+            Some((span, message)) => Mistake::at(&source, [(span, message)]),
+            None => Mistake::of(&source, error, Span::call_site()),
+        })?,
     };
-    Ok(Answer { text: shown(text, &proved), json: value(text, &proved) })
+    Ok(Answer { text: shown(text, proved), json: value(text, proved) })
+}
+
+/// What to say of a lone name that is nearly one of the catalogue.
+fn misspelt(trees: &[TokenTree], known: &[Proved]) -> Option<(Span, String)> {
+    let [TokenTree::Ident(name)] = trees else { return None };
+    let names: Vec<String> = known.iter().map(|proved| proved.name.clone()).collect();
+    let near: Vec<String> = nearest(&name.to_string(), &names).into_iter().map(|near| format!("`{near}`")).collect();
+    let message = format!("unknown composition `{name}`; did you mean {}?", near.join(" or "));
+    (!near.is_empty()).then(|| (name.span(), message))
 }
 
 fn shown(text: &str, proved: &Proved) -> String {

@@ -34,6 +34,7 @@ use proc_macro2::TokenStream;
 use quote::quote;
 pub use report::{Flow, Place, Report};
 pub use scheme::{Proved, ProvedStage, ProvedViolation};
+pub use spelling::nearest;
 use syntax::{Compose, Input};
 
 /// `#[hamiltonian]`: the annotated item, and behind it the stepper written for it, or the errors found in it

@@ -5,7 +5,7 @@ const OFFERED: usize = 3;
 
 /// The known names nearest to `typed`, at most three, nearest first: those that at most a third of its letters, and two
 /// letters of a short name, would have to change for, or that begin with it or it with them.
-pub(crate) fn nearest<'k>(typed: &str, known: &'k [String]) -> Vec<&'k str> {
+pub fn nearest<'k>(typed: &str, known: &'k [String]) -> Vec<&'k str> {
     let limit = (typed.chars().count() / 3).max(2);
     let begins = |name: &str| name.len().min(typed.len()) > 2 && (name.starts_with(typed) || typed.starts_with(name));
     let mut near: Vec<(usize, &str)> = known
