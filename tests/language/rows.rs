@@ -4,6 +4,9 @@ use crate::{Cell, Kind, START, TIME, close};
 use integrator_core::prelude::*;
 use std::sync::Arc;
 
+/// A list that is outside of every impl.
+const WEIGHTS: [f64; 2] = [2.0, 0.5];
+
 /// Declares a test for every row: the name, the body of `potential`, and its gradient at coordinates `a, b, c, d` and
 /// time `t` for the system `s`. Names that rows mention are given once, in front.
 macro_rules! rows {
@@ -31,6 +34,10 @@ macro_rules! rows {
                 kind: Kind,
                 kinds: Vec<Kind>,
                 optional: Option<f64>,
+                lists: Vec<Vec<usize>>,
+                starts: [usize; 5],
+                columns: Vec<usize>,
+                weights: Vec<Vec<f64>>,
             }
 
             #[hamiltonian]
@@ -78,6 +85,10 @@ macro_rules! rows {
                     kind: Kind::Spring(1.5),
                     kinds: vec![Kind::Spring(2.0), Kind::Free, Kind::Listed { list: vec![5.0, 7.0], at: 1 }, Kind::Spring(3.0)],
                     optional: Some(1.5),
+                    lists: vec![vec![1], vec![], vec![0, 3], vec![1]],
+                    starts: [0, 1, 1, 3, 4],
+                    columns: vec![1, 0, 3, 1],
+                    weights: vec![vec![1.0, 2.0, 3.0, 4.0], vec![1.0, -1.0]],
                 };
                 // From rest, one step of length 1 kicks the momenta to minus the gradient.
                 let mut run = system.run_with(Euler, Phase::new(START, [0.0; 4]), 1.0).expect("a run").at_time(TIME);
@@ -143,6 +154,10 @@ rows! {
     over_coordinates { let mut v = 0.0; for x in q { v += x * x; } for x in &q { v += x; } v } => [2.0 * a + 1.0, 2.0 * b + 1.0, 2.0 * c + 1.0, 2.0 * d + 1.0];
     over_lists { let mut v = 0.0; for &(i, j) in &self.bonds { v += (q[i] - q[j]).powi(2); } v } => [2.0 * (a - b), 2.0 * (b - a) + 2.0 * (b - d), 0.0, 2.0 * (d - b)];
     listed_indices { let mut v = 0.0; for i in 0..4 { v += q[i] * q[self.neighbours[i]]; } v } => [b + d, a + c, b + d, a + c];
+    neighbour_lists { let mut v = 0.0; for i in 0..4 { for &j in &self.lists[i] { v += q[i] * q[j]; } } v } => [b + c, a + d, a + d, c + b];
+    lists_of_lists { let mut v = 0.0; for (row, x) in self.lists.iter().zip(q) { for j in row.iter() { v += x * q[*j]; } } v } => [b + c, a + d, a + d, c + b];
+    compressed_rows { let mut v = 0.0; for i in 0..4 { for k in self.starts[i]..self.starts[i + 1] { v += self.table[k] * q[i] * q[self.columns[k]]; } } v } => [4.0 * b + 3.0 * c, 4.0 * a + d, 3.0 * a + 2.0 * d, 2.0 * c + b];
+    chosen_indices { let mut v = 0.0; for i in 0..4 { let next = if i + 1 == 4 { 0 } else { i + 1 }; let before = if i == 0 { 3 } else { i - 1 }; let far = if i < 2 { 3 } else { 1 }; v += q[i] * q[next] + 2.0 * q[i] * q[before] + q[i] * q[far]; } v } => [3.0 * (b + d) + d, 3.0 * (a + c) + d + c + d, 3.0 * (b + d) + b, 3.0 * (a + c) + a + b + b];
     index_arithmetic { let mut v = 0.0; for i in 0..2 { for j in 0..2 { v += q[i * 2 + j] * q[i * 2 + (j + 1) % 2]; } } v } => [2.0 * b, 2.0 * a, 2.0 * d, 2.0 * c];
     named_indices { let mut v = 0.0; for i in 0..4 { let next = (i + 1) % 4; v += q[i] * q[next]; } v } => [b + d, a + c, b + d, a + c];
     bounds { let mut v = 0.0; for i in 0..self.count { v += q[i] * q[i]; } v } => [2.0 * a, 2.0 * b, 2.0 * c, 0.0];
@@ -168,6 +183,8 @@ rows! {
     filtered { (0..4).filter(|i| i % 2 == 0).map(|i| q[i] * q[i]).sum::<f64>() } => [2.0 * a, 0.0, 2.0 * c, 0.0];
     adaptors { q.iter().skip(1).take(2).map(|x| x * x).sum::<f64>() + q.iter().rev().step_by(2).sum::<f64>() } => [0.0, 2.0 * b + 1.0, 2.0 * c, 1.0];
     nested_iterators { (0..4).map(|i| (0..i).map(|j| q[i] * q[j]).sum::<f64>()).sum::<f64>() } => [b + c + d, a + c + d, a + b + d, a + b + c];
+    matrix_rows { self.weights.iter().zip(&self.table).map(|(row, k)| k * row.iter().zip(q).map(|(w, x)| w * x).sum::<f64>().powi(2)).sum::<f64>() } => { let (y, z) = (8.0 * (a + 2.0 * b + 3.0 * c + 4.0 * d), 6.0 * (a - b)); [y + z, 2.0 * y - z, 3.0 * y, 4.0 * y] };
+    slices { q[1..].iter().zip(&q[..3]).map(|(y, x)| y * x).sum::<f64>() + q[1..=2].iter().sum::<f64>() } => [b, a + c + 1.0, b + d + 1.0, c];
     iterated_arrays { [q[0], q[3]].iter().map(|x| x * x).sum::<f64>() } => [2.0 * a, 0.0, 0.0, 2.0 * d];
     closures { q.windows(2).map(|w| { let d = w[1] - w[0]; d * d }).sum::<f64>() } => [2.0 * (a - b), 2.0 * (b - a) + 2.0 * (b - c), 2.0 * (c - b) + 2.0 * (c - d), 2.0 * (d - c)];
 
@@ -196,6 +213,8 @@ rows! {
     helpers { self.spring(q[0] - q[1]) } => [s.mass * (a - b), s.mass * (b - a), 0.0, 0.0];
     array_helpers { let d = Self::difference([q[0], q[1]], [q[2], q[3]]); d[0] * d[1] } => [b - d, a - c, d - b, c - a];
     tuple_helpers { let (r, angle) = self.polar(q[0], q[1]); r * r + angle } => [2.0 * a - b / (a * a + b * b), 2.0 * b + a / (a * a + b * b), 0.0, 0.0];
+    called_closures { let k = self.mass; let spring = |x: f64| { if x > 0.5 { return 0.0; } k * x * x }; spring(q[0]) + spring(q[2]) + (|x: f64| x * x)(q[1]) } => [2.0 * s.mass * a, 2.0 * b, 0.0, 0.0];
+    inner_functions { fn square(x: f64) -> f64 { x * x } square(q[0]) * q[1] } => [2.0 * a * b, a * a, 0.0, 0.0];
     parameter_methods { self.strength() * q[0] } => [5.0, 0.0, 0.0, 0.0];
 
     // The system's own values
@@ -207,6 +226,7 @@ rows! {
     struct_patterns { let Self { mass, cell: Cell { edge, .. }, bonds, .. } = self; let (i, j) = bonds[1]; mass * edge * q[i] * q[j] } => [0.0, 3.0 * d, 0.0, 3.0 * b];
     boxes { *self.boxed * q[0] + *self.shared * q[1] + *self.lent * q[2] } => [1.25, 2.25, 3.25, 0.0];
     borrowed_values { let k = &self.mass; let l = match self.charge { 1 => 1.0, _ => *k }; self.table.iter().zip(q).map(|(s, x)| *s * l * x).sum::<f64>() } => [8.0, 6.0, 4.0, 2.0];
+    constant_lists { const C: [f64; 3] = [1.0, 2.0, 4.0]; let mut v = 0.0; for i in 0..24 { v += C[i % 3] * WEIGHTS[i % 2] * q[i % 4]; } v } => [28.0, 7.0, 28.0, 7.0];
     any_rust { let top = self.table.iter().copied().fold(0.0, f64::max); top * q[0] } => [4.0, 0.0, 0.0, 0.0];
     made_lists { let twice = |x: f64| 2.0 * x; let list = vec![1.0, twice(self.mass)]; list[1] * q[0] } => [4.0, 0.0, 0.0, 0.0];
 

@@ -303,7 +303,9 @@ impl Level {
         let index = model.running[&by].clone();
         let range = model.graph.loops.get(by);
         let (from, to) = (bound(model, range.from, table, false), bound(model, range.to, table, true));
-        let extent = model.graph.loops.upper(range.to).unwrap_or(range.to);
+        // A row that is as long as a list says has the length of that list, others that of the longest.
+        let ragged = to == range.to && !model.graph.loops.is_without_lists(to);
+        let extent = if ragged { to } else { model.graph.loops.upper(range.to).unwrap_or(range.to) };
         let literal = model.graph.loops.literal(extent);
         let (zero, whole) = (model.graph.loops.literal(from) == Some(0), to == extent);
         let printer = single(model, names);

@@ -123,6 +123,8 @@ pub(crate) struct Loops {
     loops: Vec<Loop>,
     loop_ids: HashMap<Loop, LoopId>,
     parameter_sets: HashMap<ParameterId, LoopSet>,
+    /// The least and the greatest value of a parameter over the loops that it depends on.
+    parameter_ranges: HashMap<ParameterId, (IndexId, IndexId)>,
     /// How many numbers or points the coordinates have, and how many components a point has.
     extents: Vec<IndexId>,
     /// How long lists of the system are.
@@ -342,6 +344,21 @@ impl Loops {
         self.parameter_sets.insert(id, loops);
     }
 
+    /// States between which values a parameter stays, whatever the loops' indices are.
+    pub(crate) fn declare_range(&mut self, id: ParameterId, least: IndexId, greatest: IndexId) {
+        self.parameter_ranges.insert(id, (least, greatest));
+    }
+
+    pub(crate) fn range_of(&self, id: ParameterId) -> Option<(IndexId, IndexId)> {
+        self.parameter_ranges.get(&id).copied()
+    }
+
+    /// Some loops, and those that their bounds depend on.
+    pub(crate) fn with_outer(&self, loops: LoopSet) -> LoopSet {
+        let more = loops.iter().fold(loops, |all, by| all.union(self.of_range(by)));
+        if more == loops { loops } else { self.with_outer(more) }
+    }
+
     pub(crate) fn of_parameter(&self, id: ParameterId) -> LoopSet {
         self.parameter_sets.get(&id).copied().unwrap_or_default()
     }
@@ -409,7 +426,8 @@ impl Loops {
                 (Some(a), Some(b)) => Index::Min(a, b),
                 (a, b) => return a.or(b),
             },
-            Index::Literal(_) | Index::Length | Index::Parameter(_) => return None,
+            Index::Parameter(id) => return self.range_of(id).map(|(_, greatest)| greatest),
+            Index::Literal(_) | Index::Length => return None,
         };
         Some(self.intern(bound))
     }
@@ -430,7 +448,8 @@ impl Loops {
             Index::Div(a, b) => Index::Div(self.lower(a)?, self.upper(b)?),
             Index::Rem(..) => Index::Literal(0),
             Index::Min(a, b) => Index::Min(self.lower(a)?, self.lower(b)?),
-            Index::Literal(_) | Index::Length | Index::Parameter(_) => return None,
+            Index::Parameter(id) => return self.range_of(id).map(|(least, _)| least),
+            Index::Literal(_) | Index::Length => return None,
         };
         Some(self.intern(bound))
     }

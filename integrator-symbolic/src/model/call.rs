@@ -2,6 +2,7 @@
 
 use super::{
     Reader,
+    closure::Callable,
     integer::operand,
     sequence::{ADAPTED, is_adaptor},
     statement::simple_name,
@@ -20,7 +21,7 @@ use crate::{
 };
 use proc_macro2::{Ident, TokenStream};
 use quote::{ToTokens, quote};
-use std::collections::HashMap;
+use std::{collections::HashMap, rc::Rc};
 use syn::{Expr, ExprCall, ExprLit, ExprMethodCall, ExprUnary, FnArg, ImplItemFn, Lit, UnOp};
 
 /// Methods of `f64` that are arithmetic on the functions of the table.
@@ -120,6 +121,10 @@ impl Reader<'_> {
     /// `function(arguments)`
     pub(super) fn call(&mut self, call: &ExprCall) -> Option<Value> {
         let mut arguments = self.arguments(&call.args)?;
+        if let Some(callable) = self.callable(&call.func) {
+            let callable = callable?;
+            return self.called(&callable, arguments);
+        }
         let mut function = call.func.to_token_stream();
         if let Some(name) = simple_name(&call.func)
             && let Some(id) = self.lookup(&name.to_string())
@@ -129,8 +134,8 @@ impl Reader<'_> {
                 (Value::Opaque(Opaque { text, .. }), Some(_)) => function = operand(text.clone()),
                 _ => {
                     let message = format!(
-                        "`{name}` is a closure in a variable, which is not followed: write a helper method of this \
-                         impl, `fn {name}(&self, x: f64) -> f64`"
+                        "the macro cannot see what `{name}` does: write a helper method of this impl, \
+                         `fn {name}(&self, x: f64) -> f64`"
                     );
                     self.errors.at(name, message);
                     // One mistake, one message, however often it is called.
@@ -178,6 +183,23 @@ impl Reader<'_> {
         }
     }
 
+    /// The closure that is called, if it is one; `None` inside if a mistake was noted in it.
+    fn callable(&mut self, function: &Expr) -> Option<Option<Rc<Callable>>> {
+        let value = match function {
+            Expr::Paren(inner) => return self.callable(&inner.expr),
+            Expr::Closure(closure) => self.captured(closure),
+            _ => {
+                let id = self.lookup(&simple_name(function)?.to_string())?;
+                Some(self.bindings[id.0].value.clone())
+            }
+        };
+        match value {
+            Some(Value::Closure(callable)) => Some(Some(callable)),
+            Some(_) => None,
+            None => Some(None),
+        }
+    }
+
     /// The name of the variable that a receiver is, if it is declared with `mut` and holds values of the system.
     fn changeable<'e>(&self, receiver: &'e Expr) -> Option<&'e Ident> {
         let name = simple_name(receiver)?;
@@ -191,7 +213,7 @@ impl Reader<'_> {
     }
 
     /// Arguments as text, if all of them are parameters.
-    fn opaque_list(&self, arguments: &[Value]) -> Option<(TokenStream, LoopSet)> {
+    pub(super) fn opaque_list(&self, arguments: &[Value]) -> Option<(TokenStream, LoopSet)> {
         let texts: Vec<Opaque> = arguments.iter().map(|value| self.opaque(value)).collect::<Option<_>>()?;
         let loops = texts.iter().fold(LoopSet::EMPTY, |loops, opaque| loops.union(opaque.loops));
         let texts = texts.iter().map(|opaque| &opaque.text);

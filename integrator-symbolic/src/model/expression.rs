@@ -67,6 +67,7 @@ impl Reader<'_> {
                     }
                 }
             }
+            Expr::Closure(closure) => self.captured(closure),
             Expr::If(branch) => self.branch(branch, Flow::Value),
             Expr::Match(whole) => self.verbatim(expression).or_else(|| self.matched(whole, Flow::Value)),
             Expr::Tuple(tuple) => {
@@ -178,11 +179,22 @@ impl Reader<'_> {
             return None;
         };
         if let (Expr::Range(_), Value::View(_) | Value::Array(_)) = (&*index.index, &value) {
-            self.errors.at(&index.index, "a range of coordinates is no value: write `.iter().skip(a).take(n)`");
+            self.errors.at(
+                &index.index,
+                "a range of coordinates is no value: run over it, as in `q[a..b].iter()`, or add to the index",
+            );
             return None;
         }
         match value {
             Value::View(view) => self.coordinate(view, position, index),
+            Value::Array(parts)
+                if self.graph.loops.literal(position).is_none()
+                    && let Some(Opaque { text, loops }) = self.list_text(&parts) =>
+            {
+                let at = self.opaque(&at)?;
+                let inner = place(at.text);
+                Some(Value::Opaque(Opaque { text: quote!(#text[#inner]), loops: loops.union(at.loops) }))
+            }
             Value::Array(parts) => {
                 let literal = self.graph.loops.literal(position);
                 let part = literal.and_then(|literal| parts.get(usize::try_from(literal).ok()?));
@@ -310,7 +322,6 @@ impl Reader<'_> {
                 "a `return` is understood in branches of the function itself, as in `if r > cutoff { return 0.0; }`: out of a \
                  loop, and from inside of an expression, it is not"
             }
-            Expr::Closure(_) => "a closure over coordinates is not understood: write a helper method of this impl",
             Expr::Unsafe(_) => "`unsafe` code over coordinates is not understood: write it with plain indices",
             Expr::Break(_) => "`break` is not understood: give the loop its range, or put `if` around what it adds",
             Expr::Continue(_) => "`continue` is understood as `if condition { continue; }` in the body of a loop alone",

@@ -73,6 +73,11 @@ impl Reader<'_> {
             return self.first_of(&arms, &matched, integer, &[], flow, branch);
         }
         let condition = self.condition_of(&branch.cond);
+        if let (Flow::Value, Some(condition)) = (flow, condition)
+            && let Some(chosen) = self.chosen_integer(branch, condition)
+        {
+            return Some(chosen);
+        }
         let mut assigned = Assigned::default();
         assigned.visit_expr_if(branch);
         self.split(
@@ -83,6 +88,21 @@ impl Reader<'_> {
             &|reader| reader.body(second, flow),
             branch,
         )
+    }
+
+    /// An integer that a condition on indices or on the system chooses.
+    fn chosen_integer(&mut self, branch: &ExprIf, condition: NodeId) -> Option<Value> {
+        let [Stmt::Expr(first @ (Expr::Lit(_) | Expr::Binary(_) | Expr::Path(_)), None)] =
+            &branch.then_branch.stmts[..]
+        else {
+            return None;
+        };
+        let (_, otherwise) = branch.else_branch.as_ref()?;
+        let whole = self.verbatim(&Expr::If(branch.clone()))?;
+        let (Value::Integer(a), Value::Integer(b)) = (self.expression(first)?, self.expression(otherwise)?) else {
+            return None;
+        };
+        Some(self.wrapped(condition, a, b).map_or(whole, Value::Integer))
     }
 
     /// Reads both sides of a branch, and what follows them.

@@ -8,7 +8,7 @@ use super::{
 };
 use crate::graph::{
     Element, NodeId,
-    index::{Index, IndexId},
+    index::{Index, IndexId, LoopSet},
 };
 use proc_macro2::{Literal, TokenStream};
 use quote::{ToTokens, quote};
@@ -47,6 +47,7 @@ impl Reader<'_> {
     pub(super) fn opaque(&self, value: &Value) -> Option<Opaque> {
         match value {
             Value::Opaque(opaque) => Some(opaque.clone()),
+            Value::Closure(callable) => callable.text.clone(),
             Value::Integer(index) => {
                 Some(Opaque { text: self.index_text(*index), loops: self.graph.loops.of_index(*index) })
             }
@@ -58,6 +59,23 @@ impl Reader<'_> {
             }
             _ => None,
         }
+    }
+
+    /// An array of parameters as text.
+    pub(super) fn list_text(&self, parts: &[Value]) -> Option<Opaque> {
+        let mut loops = LoopSet::EMPTY;
+        let mut texts = Vec::new();
+        for part in parts {
+            let part_of_list = match part {
+                Value::Array(parts) => self.list_text(parts)?,
+                part => self.opaque(part)?,
+            };
+            loops = loops.union(part_of_list.loops);
+            let text = part_of_list.text;
+            // One number of a known type tells that of all.
+            texts.push(if let Value::Real(_) = part { quote!((#text as f64)) } else { text });
+        }
+        (!texts.is_empty()).then(|| Opaque { text: quote!([#(#texts),*]), loops })
     }
 
     /// The coordinate behind a view, or the view itself if an index is missing.

@@ -8,6 +8,7 @@
 mod arm;
 mod branch;
 mod call;
+mod closure;
 mod escape;
 mod expression;
 mod external;
@@ -15,6 +16,7 @@ mod flow;
 pub(crate) mod integer;
 mod operator;
 mod pattern;
+mod ragged;
 mod repeat;
 mod sequence;
 mod shape;
@@ -312,6 +314,14 @@ impl<'i> Reader<'i> {
         if let Some(scope) = self.scopes.last_mut() {
             scope.insert(name, id);
         }
+    }
+
+    /// A variable of its own with the value that another one has now.
+    fn copied(&mut self, id: BindingId) -> BindingId {
+        let Binding { value, depth, .. } = &self.bindings[id.0];
+        let copy = Binding { value: value.clone(), mutable: false, depth: *depth };
+        self.bindings.push(copy);
+        BindingId(self.bindings.len() - 1)
     }
 
     /// The id of a parameter with this text, new or known; `kind` tells texts apart that are read differently.

@@ -161,6 +161,8 @@ impl Reader<'_> {
             return None;
         }
         let [from, to] = [from, to].map(|bound| self.graph.loops.ending(bound));
+        self.bound_lists(from);
+        self.bound_lists(to);
         if self.graph.loops.upper(to).is_none() || self.graph.loops.lower(from).is_none() {
             let message = "how far this loop may get is not known: its bounds are made of literals, integers of the \
                            impl that depend on no loop, and indices of outer loops";

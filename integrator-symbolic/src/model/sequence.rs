@@ -5,6 +5,7 @@ pub(super) mod tests;
 
 use super::{
     Reader,
+    repeat::FEW,
     statement::Assigned,
     text::{self, referent},
     value::{Opaque, Value, View},
@@ -15,7 +16,7 @@ use crate::graph::{
 };
 use quote::quote;
 use std::{collections::HashMap, rc::Rc};
-use syn::{Block, Expr, ExprClosure, ExprMethodCall, RangeLimits, visit::Visit};
+use syn::{Block, Expr, ExprClosure, ExprIndex, ExprMethodCall, ExprRange, RangeLimits, visit::Visit};
 
 /// A sequence with one item for every index in `from..to`.
 #[derive(Clone)]
@@ -84,11 +85,40 @@ impl Reader<'_> {
                 Some(self.items(from, to, |_, index| Some(Value::Integer(index))))
             }
             Expr::MethodCall(call) if is_adaptor(call) => self.adapted(call),
+            Expr::Index(ExprIndex { expr, index, .. })
+                if let Expr::Range(range) = &**index
+                    && let Some(part) = self.part_of_list(expr, range) =>
+            {
+                part
+            }
             other => {
                 let value = self.expression(other)?;
                 self.listed(value, other)
             }
         }
+    }
+
+    /// `list[a..b]` of coordinates or of an array; `None` where the list is one of the system, which has text of its own.
+    fn part_of_list(&mut self, list: &Expr, range: &ExprRange) -> Option<Option<Sequence>> {
+        let value = match self.expression(list) {
+            Some(Value::Opaque(_)) => return None,
+            Some(value) => value,
+            None => return Some(None),
+        };
+        Some(self.listed(value, list).and_then(|base| {
+            let mut bound = |bound: &Option<Box<Expr>>| match bound {
+                Some(bound) => self.bound(bound).map(Some),
+                None => Some(None),
+            };
+            let (start, end) = (bound(&range.start)?, bound(&range.end)?);
+            let closed = u64::from(matches!(range.limits, RangeLimits::Closed(_)));
+            let to = end.map(|end| {
+                let end = self.offset(end, closed);
+                self.graph.loops.intern(Index::Add(base.from, end))
+            });
+            let from = start.map(|start| self.graph.loops.intern(Index::Add(base.from, start)));
+            Some(Sequence { from: from.unwrap_or(base.from), to: to.unwrap_or(base.to), ..base })
+        }))
     }
 
     fn bound(&mut self, bound: &Expr) -> Option<IndexId> {
@@ -130,6 +160,12 @@ impl Reader<'_> {
                     let at = view.at.iter().copied().chain([index]).collect();
                     Some(reader.element(View { part: view.part, at }))
                 }))
+            }
+            Value::Array(parts)
+                if parts.len() as u64 > FEW
+                    && let Some(list) = self.list_text(&parts) =>
+            {
+                self.listed(Value::Opaque(list), place)
             }
             Value::Array(parts) => {
                 let length = self.literal_index(parts.len() as u64);
@@ -354,7 +390,10 @@ impl Reader<'_> {
         for (pattern, argument) in closure.inputs.iter().zip(arguments) {
             self.bind(pattern, argument);
         }
-        let value = self.expression(&closure.body);
+        let value = match &*closure.body {
+            Expr::Block(body) if body.label.is_none() => self.returned(&body.block),
+            body => self.expression(body),
+        };
         self.scopes.pop();
         value
     }

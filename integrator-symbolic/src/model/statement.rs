@@ -70,11 +70,12 @@ impl Reader<'_> {
                 self.uses.push(item.clone());
                 Some(())
             }
+            Item::Fn(function) => {
+                self.inner_function(function);
+                Some(())
+            }
             other => {
                 self.errors.at(other, "an item inside the function: move it out of the impl");
-                if let Item::Fn(function) = other {
-                    self.declare(function.sig.ident.to_string(), Value::Unknown);
-                }
                 None
             }
         }

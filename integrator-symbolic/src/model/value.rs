@@ -1,6 +1,7 @@
 //! What an expression of the user stands for while it is read.
 
 use super::{
+    closure::Callable,
     integer::operand,
     text::{place, reference_to, referent},
 };
@@ -9,6 +10,7 @@ use crate::graph::{
     index::{IndexId, LoopSet},
 };
 use proc_macro2::TokenStream;
+use std::rc::Rc;
 
 /// The meaning of an expression.
 #[derive(Clone)]
@@ -27,6 +29,8 @@ pub(crate) enum Value {
     Tuple(Vec<Value>),
     /// What depends on parameters (and loop indices) alone, kept as the user's own expression.
     Opaque(Opaque),
+    /// A closure.
+    Closure(Rc<Callable>),
     /// A variable that the present loop sums up; it has no value before the loop ends.
     Accumulating,
     /// No value.
@@ -87,6 +91,7 @@ impl Value {
             Value::Array(_) => "an array",
             Value::Tuple(_) => "a tuple",
             Value::Opaque(_) => "a parameter",
+            Value::Closure(_) => "a closure",
             Value::Accumulating => "a sum under way",
             Value::Unit => "nothing",
             Value::Unknown => "unknown",

@@ -215,7 +215,7 @@ pub(crate) const BODIES: &[Row] = &[
     ("match q[0] { _ => q[0] }", &["2:0 `match` on coordinates is not understood: write `if ... else if ... else`"]),
     ("while q[0] > 0.0 {} q[0]", &["2:0 `while` has no derivative here: write the sum as `for i in a..b`"]),
     ("loop { q[0]; }", &["2:0 `loop` has no derivative here: write the sum as `for i in a..b`"]),
-    ("(|x: f64| x)(q[0])", &["2:0 this is called with coordinates and is no name: write a helper method of this impl"]),
+    ("(|x: f64| x)(q[0])", &[]),
     ("unsafe { q[0] }", &["2:0 `unsafe` code over coordinates is not understood: write it with plain indices"]),
     ("let x = q[0] < 1.0; q[0]", &[]),
     (
@@ -259,7 +259,8 @@ pub(crate) const BODIES: &[Row] = &[
     ("let a = [q[0], q[1]]; let mut v = 0.0; for i in 0..2 { v += a[i]; } v", &[]),
     ("let a = (q[0], q[1]); a.2", &["2:24 a tuple has no such field"]),
     ("q[0].x", &["2:5 a number has no such field"]),
-    ("fn inner() {} q[0]", &["2:0 an item inside the function: move it out of the impl"]),
+    ("fn inner() {} q[0]", &[]),
+    ("struct Inner; q[0]", &["2:0 an item inside the function: move it out of the impl"]),
     (
         "println!(\"{}\", q[0]); q[0]",
         &["2:0 `println!` cannot be differentiated: only assertions may stand here; write the formula out"],
@@ -283,12 +284,7 @@ pub(crate) const BODIES: &[Row] = &[
         &["2:29 this bound is a number: the range of a loop is made of integers"],
     ),
     ("let mut v = 0.0; for (i, j) in 0..2 { v += q[0]; } v", &["2:21 an integer cannot be taken apart into 2 parts"]),
-    (
-        "let mut v = 0.0; for i in 0..2 { for j in 0..self.bonds[i] { v += q[j]; } } v",
-        &[
-            "2:42 how far this loop may get is not known: its bounds are made of literals, integers of the impl that depend on no loop, and indices of outer loops",
-        ],
-    ),
+    ("let mut v = 0.0; for i in 0..2 { for j in 0..self.bonds[i] { v += q[j]; } } v", &[]),
     ("\"text\"", &[]),
     ("q[0] + 1e400", &[]),
     ("q[99999999999999999999999999]", &["2:2 number too large to fit in target type"]),
@@ -344,12 +340,7 @@ pub(crate) const BODIES: &[Row] = &[
         ],
     ),
     ("let mut k = self.mass; k = k.sqrt(); k += 1.0; k * q[0]", &[]),
-    (
-        "let square = |x: f64| x * x; square(q[0])",
-        &[
-            "2:29 `square` is a closure in a variable, which is not followed: write a helper method of this impl, `fn square(&self, x: f64) -> f64`",
-        ],
-    ),
+    ("let square = |x: f64| x * x; square(q[0])", &[]),
     ("let double = |x: f64| 2.0 * x; double(self.mass) * q[0]", &[]),
     ("if matches!(self.kind, 1 | 2) { q[0] } else { 0.0 }", &[]),
     (
@@ -365,8 +356,11 @@ pub(crate) const BODIES: &[Row] = &[
         ],
     ),
     ("self.list.iter().copied().reduce(f64::max).unwrap() * q[0]", &[]),
-    ("q[1..].iter().sum::<f64>()", &["2:2 a range of coordinates is no value: write `.iter().skip(a).take(n)`"]),
-    ("fn inner(x: f64) -> f64 { x } inner(q[0])", &["2:0 an item inside the function: move it out of the impl"]),
+    (
+        "let part = &q[1..]; part[0]",
+        &["2:14 a range of coordinates is no value: run over it, as in `q[a..b].iter()`, or add to the index"],
+    ),
+    ("fn inner(x: f64) -> f64 { x } inner(q[0])", &[]),
     ("use std::f64::consts::PI; PI * q[0]", &[]),
     (
         "q[0].next_up() +\nq[2] +\nx",
