@@ -306,12 +306,24 @@ impl Sweep {
 
 /// What stays around the adjoint of a node in the place of the loops and branches that were `left`: where nothing entered
 /// them, the adjoint is an empty sum, and a slope that is not finite there must not be multiplied by it.
-fn guard(graph: &mut Graph, id: NodeId, left: &[Around]) -> Option<Around> {
-    if left.is_empty() || graph.is_total(id) {
-        return None;
+fn guard(graph: &mut Graph, id: NodeId, left: &[Around]) -> Vec<Around> {
+    let harmless = graph.is_total(id) && !left.iter().any(|around| graph.protects(*around, id));
+    if left.is_empty() || harmless {
+        return Vec::new();
     }
     let entered = graph.happens(left);
-    graph.as_truth(entered).is_none().then_some(Around::Branch(entered, true))
+    branches(graph, entered)
+}
+
+/// A condition as branches, one inside the other where it has a part that is only asked where another one holds.
+fn branches(graph: &Graph, condition: NodeId) -> Vec<Around> {
+    match graph.node(condition) {
+        _ if graph.as_truth(condition).is_some() => Vec::new(),
+        Node::And(first, second) if graph.protects(Around::Branch(first, true), second) => {
+            [first, second].into_iter().flat_map(|part| branches(graph, part)).collect()
+        }
+        _ => vec![Around::Branch(condition, true)],
+    }
 }
 
 /// How much of `context` stays around the adjoint of a node: up to the first loop behind all those it depends on.

@@ -2,7 +2,8 @@
 //!
 //! Comes in: lowered nodes, each with its destination. Goes out: a block of lets, loops, branches and destinations, in
 //! order. Always true: a node is computed outside of every loop that it does not depend on, and inside of every branch
-//! that alone needs it, but for the sums of a loop whose turns the branch asks for; loops over the same range that do not
+//! that alone needs it, but for the sums of a loop whose turns the branch asks for; what may not be there is read inside of
+//! what decides that it is; loops over the same range that do not
 //! wait for each other are one loop, branches on one condition are one branch; a node has a name if it is used twice or
 //! in a block inside its own.
 
@@ -200,15 +201,20 @@ impl<L: Fn(&Graph, NodeId) -> bool> Scheduler<'_, L> {
         }
     }
 
-    /// How much of a path a node has to be inside of: up to the deepest loop that it depends on.
+    /// How much of a path a node has to be inside of: up to the deepest loop that it depends on, and up to the last place
+    /// that decides whether what it reads is there.
     fn needed(&self, path: &[usize], id: NodeId) -> usize {
         let loops = self.graph.loops_of(id);
-        let is_own = |scope: &usize| matches!(self.scopes[*scope].around, Some(Around::Loop(by)) if loops.contains(by));
-        path.iter().rposition(is_own).map_or(1, |deepest| deepest + 1)
+        let is_needed = |scope: &usize| {
+            self.scopes[*scope].around.is_some_and(|around| {
+                matches!(around, Around::Loop(by) if loops.contains(by)) || self.graph.protects(around, id)
+            })
+        };
+        path.iter().rposition(is_needed).map_or(1, |deepest| deepest + 1)
     }
 
-    /// How much of a path a node may be inside of: up to the first loop that it does not depend on, and for a sum up to
-    /// the question whether its loop has turns, which the same loop answers.
+    /// How much of a path a node may be inside of: up to the first loop that it does not need, and for a sum up to the
+    /// question whether its loop has turns, which the same loop answers.
     fn allowed(&self, path: &[usize], id: NodeId) -> usize {
         let needed = self.needed(path, id);
         let sum = match self.graph.node(id) {

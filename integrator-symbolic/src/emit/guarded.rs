@@ -1,7 +1,7 @@
 //! What stands behind a condition has no effect where the condition does not hold: a table of systems whose energy and
 //! force are computed as the stepper computes them, line by line, and held against the plain function.
 
-use super::{block, placed};
+use super::{block, is_protected, placed};
 use crate::{
     differentiate::{folded, gradient},
     errors::Errors,
@@ -126,6 +126,73 @@ const ROWS: &[Row] = rows! { q:
         }
         v
     }
+    index_below_zero {
+        let mut v = 0.0;
+        for i in 0..q.len() {
+            for j in 0..3 {
+                if i > 0 {
+                    v += q[i - 1].powi(2) * (q[i] + j as f64);
+                }
+            }
+        }
+        v
+    }
+    index_below_zero_in_an_empty_loop {
+        let mut v = 0.0;
+        for i in 0..q.len() {
+            for j in 0..i {
+                v += q[i - 1].sin() * q[j] + (i - 1) as f64 * q[i].cos();
+            }
+        }
+        v
+    }
+    indices_behind_two_conditions {
+        let mut v = 0.0;
+        for i in 0..q.len() {
+            for j in 0..q.len() {
+                if i + j < q.len() {
+                    v += q[i + j].exp() * q[i];
+                }
+                if j >= i {
+                    v += q[j - i].sin() * q[i];
+                }
+                if i > 0 && q[i - 1] > 0.5 {
+                    v += q[i - 1].ln() * q[j];
+                }
+                if i == 0 || q[i - 1] < 0.5 {
+                    v += q[j];
+                }
+            }
+        }
+        v
+    }
+    coordinates_that_may_not_be_there {
+        let mut v = 0.0;
+        for x in q {
+            if q.len() > 1 {
+                v += q[1] * q[0] * x;
+            }
+            if q.len() > 2 {
+                v += q[2].sin() * x;
+            }
+        }
+        if q.len() > 3 {
+            v += q[3] * q[0];
+        }
+        v
+    }
+    first_one_left_out {
+        let mut v = 0.0;
+        for i in 0..q.len() {
+            if i == 0 {
+                continue;
+            }
+            for j in 0..q.len() {
+                v += (q[i - 1] - q[i]).powi(2) * q[j];
+            }
+        }
+        v
+    }
     stillinger_weber {
         let mut v = 0.0;
         for i in 0..q.len() {
@@ -184,10 +251,10 @@ fn energy(model: &mut Model) -> Program {
     scheduled(model, &[Placed { context: Vec::new(), sink: Sink::Return, value }])
 }
 
-/// The gradient, collected by branches or by choices between values.
+/// The gradient, collected by branches or, where that is done, by choices between values.
 fn force(model: &mut Model, by_choices: bool) -> Program {
     let mut gradient = gradient(&mut model.graph, model.potential, Part::Position);
-    if by_choices {
+    if by_choices && !gradient.iter().any(|contribution| is_protected(model, contribution)) {
         gradient = folded(&mut model.graph, &gradient);
     }
     let placed = placed(model, &gradient, Sink::Collect);

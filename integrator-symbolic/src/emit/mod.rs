@@ -37,7 +37,7 @@ mod unrolled;
 
 use crate::{
     differentiate::{Contribution, folded, gradient},
-    graph::{Element, NodeId, Part, index::Index},
+    graph::{Around, Element, NodeId, Part, index::Index},
     model::{Length, Model},
     program::{Placed, Sink},
     scheme::{Class, InPlace},
@@ -284,10 +284,12 @@ fn flow(
         return (TokenStream::new(), None);
     }
     let folded = folded(&mut model.graph, gradient);
-    if let Some(sweep) = lattice::sweep(model, fields, names, &folded, part) {
+    // What is moved behind a condition that it is there is not moved by a choice of zero elsewhere.
+    let apart = gradient.iter().any(|contribution| is_protected(model, contribution));
+    if !apart && let Some(sweep) = lattice::sweep(model, fields, names, &folded, part) {
         return (sweep.flow(), Some(sweep));
     }
-    let direct = is_direct(model, &folded);
+    let direct = !apart && is_direct(model, &folded);
     let gradient = if direct { &folded[..] } else { gradient };
     let placed = placed(model, gradient, if direct { Sink::Update } else { Sink::Collect });
     let scalar = &names.scalar;
@@ -321,6 +323,13 @@ fn placed(model: &mut Model, gradient: &[Contribution], sink: fn(Element) -> Sin
         value: of(value),
     });
     placed.collect()
+}
+
+/// Whether a condition decides if the coordinate that a contribution belongs to is there.
+fn is_protected(model: &mut Model, contribution: &Contribution) -> bool {
+    let coordinate = model.graph.coordinate(contribution.element);
+    let is_branch = |around: &&Around| matches!(around, Around::Branch(..));
+    contribution.context.iter().filter(is_branch).any(|around| model.graph.protects(*around, coordinate))
 }
 
 /// Whether no coordinate is moved by two contributions or by two turns of a loop.

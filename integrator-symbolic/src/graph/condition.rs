@@ -198,6 +198,15 @@ impl Graph {
             }
             // exact: choosing the other way round
             (None, Node::Not(inner)) => self.select(inner, b, a),
+            // exact: the second of two conditions is asked where the first one says that it can be
+            (None, Node::And(first, second)) if self.protects(Around::Branch(first, true), second) => {
+                let inner = self.select(second, a, b);
+                self.select(first, inner, b)
+            }
+            (None, Node::Or(first, second)) if self.protects(Around::Branch(first, true), second) => {
+                let inner = self.select(second, a, b);
+                self.select(first, a, inner)
+            }
             _ => self.intern(Node::Select(condition, a, b)),
         }
     }

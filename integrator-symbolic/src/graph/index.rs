@@ -392,13 +392,23 @@ impl Loops {
         self.extents.push(id);
     }
 
+    /// Whether all lengths of the coordinates are numbers.
+    pub(crate) fn has_known_extents(&self) -> bool {
+        self.extents.iter().all(|id| self.literal(*id).is_some())
+    }
+
+    /// Whether an integer is one of the lengths of the coordinates.
+    pub(crate) fn is_extent(&self, id: IndexId) -> bool {
+        self.extents.contains(&id)
+    }
+
     /// Whether a loop is known to have a turn: its bounds are numbers, those of the coordinates, or those of a loop around
     /// it.
     pub(crate) fn has_turns(&self, by: LoopId) -> bool {
         let Loop { parent, from, to } = self.get(by);
         let numbers = self.literal(from).zip(self.literal(to)).is_some_and(|(from, to)| from < to);
         let around = std::iter::successors(parent, |by| self.get(*by).parent);
-        let whole = self.literal(from) == Some(0) && self.extents.contains(&to);
+        let whole = self.literal(from) == Some(0) && self.is_extent(to);
         numbers || whole || around.into_iter().any(|by| (self.get(by).from, self.get(by).to) == (from, to))
     }
 

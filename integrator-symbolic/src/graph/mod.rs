@@ -5,6 +5,7 @@
 //! subexpression is one node; nodes are built by the constructors in [`algebra`] alone, so their local identities hold
 //! everywhere. The arena knows neither syntax nor spans.
 
+mod access;
 mod addend;
 mod algebra;
 mod condition;
@@ -19,6 +20,7 @@ mod pieces;
 mod polynomial;
 mod product;
 
+use access::Access;
 pub use cost::Tally;
 use function::Function;
 use index::{IndexId, LoopId, LoopSet, Loops};
@@ -235,6 +237,8 @@ struct Facts {
     momenta: bool,
     /// Whether it and its derivatives are finite wherever its coordinates are, but for overflow.
     total: bool,
+    /// Where it may be computed.
+    access: Access,
 }
 
 /// The arena.
@@ -343,6 +347,7 @@ impl Graph {
             positions: part == Some(Part::Position),
             momenta: part == Some(Part::Momentum),
             total: self.is_total_by_itself(node),
+            access: self.own_access(node),
         };
         for child in node.children() {
             let child = self.facts[child.position()];
@@ -354,6 +359,7 @@ impl Graph {
             facts.positions |= child.positions;
             facts.momenta |= child.momenta;
             facts.total &= child.total;
+            facts.access = facts.access.max(child.access);
         }
         // A prepared constant is known to be finite, and a condition is no factor of anything.
         let is_constant = facts.prepared && facts.loops.iter().count() <= 1;

@@ -250,6 +250,7 @@ impl<'i> Reader<'i> {
     /// The energy that a function gives.
     fn energy(&mut self, part: Part, function: &ImplItemFn, signature: &Signature<'_>) -> Option<NodeId> {
         self.shape = Some(signature.shape.clone());
+        self.length(&signature.shape.length);
         self.scopes.push(HashMap::new());
         self.bind(signature.own, Value::View(View { part, at: Vec::new() }));
         if let Some(time) = signature.time {

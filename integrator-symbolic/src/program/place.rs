@@ -42,8 +42,10 @@ impl<L: Fn(&Graph, NodeId) -> bool> Scheduler<'_, L> {
         let mut homes = known.clone();
         for path in uses {
             let (needed, path) = (self.needed(&path, id), &path[..self.allowed(&path, id)]);
-            // Uses inside one turn of the deepest loop share what they have in common.
-            match homes.iter_mut().find(|home| home.get(..needed) == Some(&path[..needed])) {
+            // Uses inside one turn of the deepest loop share what they have in common, and what is computed further out.
+            let is_shared =
+                |home: &&mut Vec<usize>| home.get(..needed) == Some(&path[..needed]) || path.starts_with(home);
+            match homes.iter_mut().find(is_shared) {
                 Some(home) => {
                     let common = home.iter().zip(path).take_while(|(a, b)| a == b).count();
                     home.truncate(common);
