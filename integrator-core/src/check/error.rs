@@ -33,6 +33,17 @@ pub enum CheckError {
         /// The finest step size that was tried.
         finest: f64,
     },
+    /// A condition on the time changes inside of a step.
+    #[error(
+        "the Hamiltonian changes its formula at t = {time}, inside of a step of {h}, which costs the order: choose a step that \
+         ends there"
+    )]
+    EdgeInside {
+        /// When.
+        time: f64,
+        /// The step.
+        h: f64,
+    },
     /// The method takes steps of its own.
     #[error("{method} covers a step by steps of its own, so that its errors follow a tolerance and show no order")]
     NoOrder {

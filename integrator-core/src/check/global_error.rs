@@ -91,7 +91,7 @@ pub fn global_error<H: Hamiltonian, X: Method<H>, K: Keep>(
     }
     // Where a step follows the motion, flows in coarse steps follow it over some steps; where it does not, the exact motion must
     // not take longer than the run.
-    let exact = reference(system, &begin, span, steps.ilog2() as i32);
+    let exact = reference(system, &begin, span, part, steps.ilog2() as i32);
     let uncertainty = exact.uncertainty() + exact.rounding();
     if !within(uncertainty, KNOWN) {
         return Err(CheckError::NoReference { span, uncertainty });

@@ -24,11 +24,19 @@ pub(crate) struct March<'s, H: Hamiltonian> {
     system: &'s H,
     start: &'s Phase<H::Coords>,
     weights: Vec<f64>,
+    /// Into how many steps a part of the time is divided at least.
+    whole: u64,
 }
 
 impl<'s, H: Hamiltonian> March<'s, H> {
     pub(crate) fn new(system: &'s H, start: &'s Phase<H::Coords>) -> Self {
-        Self { system, start, weights: weights() }
+        Self { system, start, weights: weights(), whole: 1 }
+    }
+
+    /// The same in steps that divide those of a run, of which there are so many in a part: edges between pieces of the
+    /// Hamiltonian lie where these end.
+    pub(crate) fn within_steps(self, whole: u64) -> Self {
+        if H::PIECEWISE_IN_TIME { Self { whole, ..self } } else { self }
     }
 
     /// The motion over `span`, refined until halving the step changes nothing but rounding.
@@ -57,7 +65,8 @@ impl<'s, H: Hamiltonian> March<'s, H> {
 
     /// Takes `steps` steps of eighth order over each part of `span`, with a compensated state, and sees how far they go.
     fn path(&self, span: f64, steps: u64) -> (Path<H::Coords>, Scale) {
-        let Self { system, start, weights } = self;
+        let Self { system, start, weights, whole } = self;
+        let steps = whole * steps;
         let h = span / (PARTS * steps) as f64;
         let parameters = system.parameters(start.q.length());
         let mut state: Phase<Shaped<H, Compensated<f64>>> = Phase::compensated(start.q.clone(), start.p.clone());

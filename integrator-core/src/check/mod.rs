@@ -31,6 +31,7 @@ mod certify;
 mod choose;
 mod course;
 mod dual;
+mod edges;
 mod energy;
 mod error;
 mod global_error;

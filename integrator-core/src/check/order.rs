@@ -7,6 +7,7 @@
 use crate::{
     check::{
         CheckError,
+        edges::spacing,
         line::fit_finest,
         path::{PARTS, Path},
         points::{begin, plain},
@@ -46,6 +47,10 @@ pub(crate) const POINTS: usize = 6;
 /// How many step sizes a slope needs: two more than a line has parameters, so that its scatter is known.
 pub(crate) const NEEDED: usize = 4;
 
+/// How many steps per part edges are looked for in, and how many follow the motion from edge to edge at most.
+const FARTHEST_EDGE: u64 = 1 << 12;
+const MOST_OVER_EDGES: u64 = 8;
+
 /// By how much the time is shortened where the errors do not lie on a line, and how many times are tried.
 const SHORTENING: f64 = 0.75;
 const ATTEMPTS: usize = 10;
@@ -83,7 +88,8 @@ pub struct Order {
 /// search over multiples of `h`, that four steps already follow to a tenth, so that `h` itself may be far too fine or
 /// far too coarse. It is divided into ever more steps, at most 1024, until the error drowns in the rounding; the slope
 /// is a least-squares fit to the finest errors that do not, four to six of them. Where they do not lie on a line,
-/// because part of the motion is faster than the rest, the span is shortened.
+/// because part of the motion is faster than the rest, the span is shortened. Where the clock decides on pieces of the
+/// Hamiltonian, the span reaches over edges, and all steps end there.
 ///
 /// # Errors
 /// A start or a step that no run would begin with; a method that takes steps of its own; a start from which the errors of
@@ -99,14 +105,17 @@ pub fn observed_order<H: Hamiltonian, X: Method<H>, K: Keep>(
     if facts.adaptive {
         return Err(CheckError::NoOrder { method: facts.name });
     }
+    if let Some(grid) = problem.over_edges(h)? {
+        return problem.order(grid);
+    }
     let mut span = problem.longest_span(h)?;
-    let mut outcome = problem.order(span);
+    let mut outcome = problem.order(Grid::over(span));
     for _ in 1..ATTEMPTS {
         if outcome.as_ref().is_ok_and(|order| within(order.uncertainty, SCATTER)) {
             break;
         }
         span *= SHORTENING;
-        let shorter = problem.order(span);
+        let shorter = problem.order(Grid::over(span));
         let better = match (&shorter, &outcome) {
             (Ok(shorter), Ok(longer)) => within(shorter.uncertainty, longer.uncertainty),
             (Ok(_), Err(_)) => true,
@@ -117,6 +126,22 @@ pub fn observed_order<H: Hamiltonian, X: Method<H>, K: Keep>(
         }
     }
     outcome
+}
+
+/// Into how many steps a span is divided.
+struct Grid {
+    span: f64,
+    /// The steps of a run in a part of the span, where these matter.
+    whole: u64,
+    /// The steps in a part of those whose errors are compared.
+    ladder: [u64; LADDER.len()],
+}
+
+impl Grid {
+    /// Steps of any length.
+    fn over(span: f64) -> Self {
+        Self { span, whole: 1, ladder: LADDER }
+    }
 }
 
 /// What is measured.
@@ -135,9 +160,9 @@ impl<H: Hamiltonian, X: Method<H>> Problem<'_, H, X> {
     /// The longest time over which the coarsest step follows the motion.
     fn longest_span(&self, h: f64) -> Result<f64, CheckError> {
         let mut span = FIRST_SPAN * h;
-        if self.followed(span) {
+        if self.followed(span, 1) {
             for _ in 0..DOUBLINGS {
-                if !self.followed(2.0 * span) {
+                if !self.followed(2.0 * span, 1) {
                     break;
                 }
                 span *= 2.0;
@@ -146,7 +171,7 @@ impl<H: Hamiltonian, X: Method<H>> Problem<'_, H, X> {
         }
         for _ in 0..DOUBLINGS {
             span /= 2.0;
-            if self.followed(span) {
+            if self.followed(span, 1) {
                 return Ok(self.stretched(span));
             }
         }
@@ -158,14 +183,48 @@ impl<H: Hamiltonian, X: Method<H>> Problem<'_, H, X> {
     fn stretched(&self, span: f64) -> f64 {
         [0.5, 0.25, 0.125]
             .into_iter()
-            .fold(1.0, |factor, more| if self.followed(span * (factor + more)) { factor + more } else { factor })
+            .fold(1.0, |factor, more| if self.followed(span * (factor + more), 1) { factor + more } else { factor })
             * span
+    }
+
+    /// Steps that end where pieces of the Hamiltonian meet, over a span in which they do; nothing, if none meet in a time that
+    /// is followed. The span is the longest one, in a coarse search, that a few steps from edge to edge follow to a tenth.
+    ///
+    /// # Errors
+    /// An edge inside of a step of `h`.
+    fn over_edges(&self, h: f64) -> Result<Option<Grid>, CheckError> {
+        let mut found = None;
+        let mut whole = FIRST_SPAN as u64 / PARTS;
+        while H::PIECEWISE_IN_TIME && whole <= FARTHEST_EDGE {
+            let apart = self.spacing(h, whole)?;
+            if apart == 0 {
+                whole *= 2;
+                continue;
+            }
+            whole = whole.next_multiple_of(apart);
+            let (span, pieces) = ((PARTS * whole) as f64 * h, whole / self.spacing(h, whole)?);
+            let ladder = LADDER.map(|steps| steps * pieces);
+            if !ladder.iter().any(|steps| *steps <= MOST_OVER_EDGES && self.followed(span, *steps)) {
+                break;
+            }
+            found = Some(Grid { span, whole, ladder });
+            whole *= 2;
+        }
+        Ok(found)
+    }
+
+    /// By how many steps edges lie apart, in so many steps per part.
+    fn spacing(&self, h: f64, whole: u64) -> Result<u64, CheckError> {
+        let span = (PARTS * whole) as f64 * h;
+        let ends = self.path(span, whole).map_or(Vec::new(), |path| path.ends);
+        let points: Vec<_> = ends.into_iter().chain([self.start.clone()]).collect();
+        spacing(self.system, &points, h, PARTS * whole)
     }
 
     /// Whether halving the coarsest step changes little beside the motion itself. No reference is needed to tell: the
     /// difference is most of the error of the coarser one.
-    fn followed(&self, span: f64) -> bool {
-        let (Ok(coarse), Ok(fine)) = (self.path(span, 1), self.path(span, 2)) else { return false };
+    fn followed(&self, span: f64, steps: u64) -> bool {
+        let (Ok(coarse), Ok(fine)) = (self.path(span, steps), self.path(span, 2 * steps)) else { return false };
         let scale = fine.excursion();
         // Over a time so short that the motion itself drowns in the rounding, nothing speaks against a longer one.
         let drowned = !within(fine.rounding(scale), COARSEST_ERROR / CLEARANCE);
@@ -174,8 +233,9 @@ impl<H: Hamiltonian, X: Method<H>> Problem<'_, H, X> {
     }
 
     /// The slope over one span.
-    fn order(&self, span: f64) -> Result<Order, CheckError> {
-        let exact = reference(self.system, &self.start, span, SHORT);
+    fn order(&self, grid: Grid) -> Result<Order, CheckError> {
+        let Grid { span, whole, ladder } = grid;
+        let exact = reference(self.system, &self.start, span, whole, SHORT);
         let scale = exact.scale;
         // Both states are compensated, so that their sums lose nothing: each is rounded when it is seen. What is left
         // are the roundings of the flows, a few ε of what each adds to the state. These parts of the excursion, forth
@@ -183,7 +243,7 @@ impl<H: Hamiltonian, X: Method<H>> Problem<'_, H, X> {
         // many steps there are; the error of the reference adds to it.
         let plateau = exact.uncertainty() + 2.0 * exact.rounding() + 4.0 * f64::EPSILON;
         let mut points = Vec::with_capacity(LADDER.len());
-        for steps in LADDER {
+        for steps in ladder {
             // A step too coarse to stay finite is no reason to give up the finer ones.
             let Ok(path) = self.path(span, steps) else { continue };
             let count = (PARTS * steps) as f64;
@@ -196,7 +256,7 @@ impl<H: Hamiltonian, X: Method<H>> Problem<'_, H, X> {
             }
         }
         let Some((finest, slope)) = fit_finest(&points, NEEDED..=POINTS) else {
-            let coarsest = (span / PARTS as f64).abs();
+            let coarsest = (span / (PARTS * ladder[0]) as f64).abs();
             return Err(CheckError::TooFewPoints { found: points.len(), needed: NEEDED, coarsest });
         };
         let step = |point: Option<&(f64, f64)>| point.map_or(f64::NAN, |(logarithm, _)| logarithm.exp());

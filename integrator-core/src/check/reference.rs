@@ -67,21 +67,23 @@ impl<C: Coords<Leaf = f64>> Reference<C> {
     }
 }
 
-/// The motion of `system` from `start` at time 0 over `span`.
+/// The motion of `system` from `start` at time 0 over `span`, of which a run takes `whole` steps in each part.
 pub(crate) fn reference<H: Hamiltonian>(
     system: &H,
     start: &Phase<H::Coords>,
     span: f64,
+    whole: u64,
     halvings: i32,
 ) -> Reference<H::Coords> {
-    by_series(system, start, span, halvings).unwrap_or_else(|| March::new(system, start).refined(span))
+    let march = || March::new(system, start).within_steps(whole).refined(span);
+    by_series(system, start, span, halvings).unwrap_or_else(march)
 }
 
 /// The same, if there is a series and flows lead where it does.
 ///
 /// It is confirmed over each of `span`, its half, its quarter, ... that flows follow in coarse steps, down to the one
 /// that they follow to the rounding: the long ones see more, and the short ones more exactly. `halvings` is how often
-/// the time is halved at most, which bounds the number of expansions.
+/// the time is halved at most, which bounds the number of expansions. A polynomial does not know of pieces in time.
 pub(crate) fn by_series<H: Hamiltonian>(
     system: &H,
     start: &Phase<H::Coords>,
@@ -89,7 +91,11 @@ pub(crate) fn by_series<H: Hamiltonian>(
     halvings: i32,
 ) -> Option<Reference<H::Coords>> {
     let expanded = |span, method, looks| series(system, start, span, method, looks);
-    if is_written::<H>() { confirmed(expanded, &March::new(system, start), span, halvings) } else { None }
+    if is_written::<H>() && !H::PIECEWISE_IN_TIME {
+        confirmed(expanded, &March::new(system, start), span, halvings)
+    } else {
+        None
+    }
 }
 
 /// A series that flows confirm.
@@ -249,7 +255,7 @@ mod tests {
                 assert!(series(&system, &start, span, Taylor::tolerance(1e-20), 1).is_some());
                 assert!(by_series(&system, &start, span, 20).is_none());
             }
-            let (found, march) = (reference(&system, &start, 4.0, 8), March::new(&system, &start).refined(4.0));
+            let (found, march) = (reference(&system, &start, 4.0, 1, 8), March::new(&system, &start).refined(4.0));
             assert_eq!(found.path.ends, march.path.ends);
         }
     }
@@ -257,7 +263,7 @@ mod tests {
     #[test]
     fn a_long_time_is_known_by_series_alone() {
         let start = Phase::new([0.4, 0.0], [0.0, 2.0]);
-        let uncertainty = |halvings| reference(&Kepler, &start, 1e3, halvings).uncertainty();
+        let uncertainty = |halvings| reference(&Kepler, &start, 1e3, 1, halvings).uncertainty();
         // A rounding of the energy turns the phase ever more: by 1e-16 in each of some thousand steps, times the time.
         assert!(within(uncertainty(20), 1e-16 * 1e3 * 1e3), "{:e}", uncertainty(20));
         assert!(!within(uncertainty(0), FOLLOWED), "{:e}", uncertainty(0));

@@ -11,7 +11,8 @@
 //! take their exact motion from it, which adds 0.3 s and 65 kB to a program that calls them.
 //!
 //! A polynomial follows the branch that its beginning is in. Where sides of an `if` or of `abs` do not meet smoothly, a
-//! step across is as wrong as the kink is sharp, and the choice of the step does not notice.
+//! step across is as wrong as the kink is sharp, and the choice of the step does not notice. Where conditions on the
+//! time alone decide, polynomials end with each step of the run, so that none leads across an edge that lies where a step ends.
 //!
 //! It is not symplectic: it is the reference, the method for errors near the rounding, and what symplectic runs are
 //! held against. Its energy error does not oscillate but accumulates, however slowly.

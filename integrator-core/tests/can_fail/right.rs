@@ -1,6 +1,6 @@
 //! Right steppers, on nonlinear problems of every kind, are certified.
 
-use crate::systems::{Driven, HenonHeiles, Kepler, Pendulum, Relativistic, Skewed};
+use crate::systems::{Driven, HenonHeiles, Kepler, Pendulum, Relativistic, Ring, Skewed};
 use integrator_core::{
     __private::Composition,
     CalvoSanzSerna4, Chin4A, Euler, EulerAdjoint, Hamiltonian, KahanLi8, Phase, Ruth3, Suzuki4, TakahashiImada4,
@@ -166,4 +166,17 @@ fn many_steps_in_a_row_stay_symplectic() {
     // Regular motion stretches tangents in proportion to time, 50 here, and the form by its square; each of the 7000
     // flows rounds.
     assert!(defect < 7000.0 * 2500.0 * f64::EPSILON, "{defect:e}");
+}
+
+/// Edges lie where steps end, two of which fit into a magnet: kicks at the ends of steps belong to either side, and stages
+/// that read the clock outside of their step go on with its formula.
+#[test]
+fn magnets_of_a_ring() {
+    let (ring, start, h) = (Ring { cell: 1.0 }, Phase::new([1.0], [0.3]), 0.125);
+    all_certified(&ring, start, h);
+    for certificate in
+        [certified(&ring, CalvoSanzSerna4, start, h), certified(&ring, TakahashiImada4, start, h)].iter().flatten()
+    {
+        assert!((certificate.observed_order - 4.0).abs() < 0.2, "{certificate}");
+    }
 }

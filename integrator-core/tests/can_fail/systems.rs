@@ -326,3 +326,26 @@ quadratic_by_hand! {
         [(one + two * y) * a + x * b, x * a + (one - two * y) * b]
     }
 }
+
+/// Magnets of a ring that focus and defocus in turns, a quarter of a cell each, from the formula that users write.
+pub(crate) struct Ring {
+    pub(crate) cell: f64,
+}
+
+#[integrator_core::hamiltonian]
+impl Ring {
+    fn kinetic(&self, p: [f64; 1]) -> f64 {
+        p[0] * p[0] / 2.0
+    }
+    fn potential(&self, q: [f64; 1], t: f64) -> f64 {
+        let place = t % self.cell;
+        let strength = if place < 0.25 * self.cell {
+            2.0
+        } else if place >= 0.5 * self.cell && place < 0.75 * self.cell {
+            -2.0
+        } else {
+            0.0
+        };
+        strength * q[0] * q[0] / 2.0 + 0.1 * q[0].powi(4)
+    }
+}

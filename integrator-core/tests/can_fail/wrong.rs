@@ -2,7 +2,7 @@
 
 use crate::{
     schemes::{EulerThatClaims2, EulerThatClaimsSymmetry, Late, Lopsided, Strong, Unmerged},
-    systems::{Braked, Driven, Explicit, Hurried, Kinked, Miscounted, Pendulum, Repelled, Undefined},
+    systems::{Braked, Driven, Explicit, Hurried, Kinked, Miscounted, Pendulum, Repelled, Ring, Undefined},
 };
 use integrator_core::{
     __private::Composition,
@@ -210,4 +210,14 @@ fn bad_input_is_an_error_of_every_check() {
         check::global_error(&PENDULUM, Verlet, start, 0.01, 0),
         Err(CheckError::TooFewSteps { steps: 0, needed: 1 })
     );
+}
+
+#[test]
+fn an_edge_in_time_inside_of_a_step() {
+    let shortfalls = shortfalls(&Ring { cell: 1.02 }, Yoshida4, Phase::new([1.0], [0.3]), 0.125);
+    let [Shortfall::Unmeasured { check: "the order", reason: CheckError::EdgeInside { time, .. } }] = shortfalls[..]
+    else {
+        panic!("{shortfalls:?}");
+    };
+    assert_eq!(time, 0.255, "a quarter of the cell, rounded like the formula");
 }

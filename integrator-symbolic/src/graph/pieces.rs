@@ -48,6 +48,12 @@ impl Graph {
                 let (negative, opposite) = (self.compare(Comparison::Less, pieces.middle(a), zero), self.neg(value));
                 self.select(negative, opposite, value)
             }
+            Node::Binary(function, a, b) if is_of_time && function.name() == "remainder" => {
+                let (middle, divisor) = (self.div(pieces.middle(a), pieces.middle(b)), pieces.chosen(b));
+                let whole = self.call("trunc", middle);
+                let taken = self.mul(whole, divisor);
+                self.sub(pieces.chosen(a), taken)
+            }
             Node::Binary(function, a, b) if is_of_time && chooses(node) => {
                 // Second what does not read the time: it may be NaN, and the other is taken then.
                 let [a, b] = if pieces.reads_time(a) { [a, b] } else { [b, a] };
@@ -85,7 +91,7 @@ fn chooses(node: Node) -> bool {
     match node {
         Node::Compare(..) => true,
         Node::Unary(function, _) => is_level(function) || function.name() == "abs",
-        Node::Binary(function, ..) => matches!(function.name(), "min" | "max"),
+        Node::Binary(function, ..) => matches!(function.name(), "min" | "max" | "remainder"),
         _ => false,
     }
 }
@@ -151,6 +157,17 @@ mod tests {
                 g.select(negative, opposite, t)
             },
         ),
+        (
+            "t % a",
+            |g, [t, _, a]| g.call_two("remainder", t, a),
+            |g, Read { t, middle, a, .. }| {
+                let quotient = g.div(middle, a);
+                let whole = g.call("trunc", quotient);
+                let taken = g.mul(whole, a);
+                g.sub(t, taken)
+            },
+        ),
+        ("floor(t)", |g, [t, ..]| g.call("floor", t), |g, Read { middle, .. }| g.call("floor", middle)),
         ("signum(t)", |g, [t, ..]| g.call("signum", t), |g, Read { middle, .. }| g.call("signum", middle)),
         ("sin(t)", |g, [t, ..]| g.call("sin", t), |g, Read { t, .. }| g.call("sin", t)),
         ("max(q, t)", |g, [t, q, _]| g.call_two("max", q, t), |g, Read { t, q, .. }| g.call_two("max", q, t)),
