@@ -280,3 +280,52 @@ fn text_does_not_grow_with_the_system() {
     assert_eq!(text(100_000), text(1_000_000));
     assert!(text(10).len().abs_diff(text(1_000_000).len()) < 100);
 }
+
+/// What is prepared for a loop that a potential consists of, with a coordinate for each turn: the text that evaluates an
+/// element of the table, or the number, behind the condition that the function has around it.
+const PREPARED: &[(&str, &str)] = &[
+    ("if i > 0 { v += self.long[i - 1] * q[i]; }", "if (0) < (i) { self.long[(i - 1)] } else { 0.0 }"),
+    ("if i == 0 { continue; } v += self.long[i - 1] * q[i];", "if !((i) == (0)) { self.long[(i - 1)] } else { 0.0 }"),
+    (
+        "if i < self.short.len() { v += self.short[i] * q[i]; }",
+        "if (i < self.short.len()) { self.short[i] } else { 0.0 }",
+    ),
+    (
+        "for j in 0..q.len() { if j > i { v += self.long[j - i] * q[j]; } }",
+        "if (i) < (j) { self.long[(j - i)] } else { 0.0 }",
+    ),
+    (
+        "if self.list.is_empty() { v += q[i]; } else { v += self.list[0] * q[i]; }",
+        "if !((self.list.is_empty())) { self.list[0] } else { 0.0 }",
+    ),
+    ("if self.k.is_some() { v += self.k.unwrap() * q[i]; }", "if (self.k.is_some()) { self.k.unwrap() } else { 0.0 }"),
+    (
+        "if self.k.is_some() && self.k.unwrap() > q[i] { v += q[i]; }",
+        "if (self.k.is_some()) { self.k.unwrap() } else { 0.0 }",
+    ),
+    (
+        "v += if self.list.is_empty() { 0.0 } else { self.list[0] } * q[i];",
+        "if !((self.list.is_empty())) { (self.list[0]) } else { 0.0 }",
+    ),
+    // A list that is read by the index as it is has an element for every turn, whichever turns add.
+    (
+        "for j in 0..q.len() { if i != j { v += self.mass[i] * q[j]; } }",
+        "mass: runtime::table(length, |i: usize| self.mass[i])",
+    ),
+    ("if self.on { v += self.k * q[i]; }", "k: self.k"),
+];
+
+#[test]
+fn what_is_prepared_is_evaluated_where_the_function_does() {
+    let plain = |text: &str| text.split_whitespace().collect::<String>().replace(",)", ")");
+    for (body, expected) in PREPARED {
+        let item = format!(
+            "impl System {{
+                fn kinetic(&self, p: &[f64]) -> f64 {{ let mut t = 0.0; for i in 0..p.len() {{ t += p[i] * p[i] / 2.0; }} t }}
+                fn potential(&self, q: &[f64]) -> f64 {{ let mut v = 0.0; for i in 0..q.len() {{ {body} }} v }}
+            }}"
+        );
+        let text = plain(&stepper("", &item));
+        assert!(text.contains(&plain(expected)), "{body}: {expected}\n{}", stepper("", &item));
+    }
+}

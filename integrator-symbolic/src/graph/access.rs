@@ -32,6 +32,13 @@ impl Loops {
         }
     }
 
+    /// Whether a comparison may keep an index from being too large; indices of loops are compared to tell bodies apart,
+    /// and with a number on their left to leave out the first ones.
+    pub(crate) fn bounds_from_above(&self, a: IndexId, b: IndexId) -> bool {
+        let is_running = |id| matches!(self.index(id), Index::Running(_));
+        !(is_running(b) && (is_running(a) || self.literal(a).is_some()))
+    }
+
     /// Whether an integer is made of numbers, and of indices between numbers, without differences.
     fn is_of_numbers(&self, id: IndexId) -> bool {
         match self.index(id) {
@@ -95,7 +102,7 @@ impl Graph {
     /// Whether a condition has a part on integers, or one of parameters, that bears on reads of an access.
     fn is_on_integers(&self, condition: NodeId, access: Access) -> bool {
         match self.node(condition) {
-            Node::CompareIndex(_, a, b) => access == Access::WhereWritten || self.bounds_from_above(a, b),
+            Node::CompareIndex(_, a, b) => access == Access::WhereWritten || self.loops.bounds_from_above(a, b),
             Node::Flag(_) => access >= Access::InTurns,
             Node::And(a, b) | Node::Or(a, b) => self.is_on_integers(a, access) || self.is_on_integers(b, access),
             Node::Not(a) => self.is_on_integers(a, access),
@@ -107,12 +114,5 @@ impl Graph {
             Node::Select(condition, ..) => self.is_on_integers(condition, access),
             _ => false,
         }
-    }
-
-    /// Whether a comparison may keep an index from being too large; indices of loops are compared to tell bodies apart,
-    /// and with a number on their left to leave out the first ones.
-    fn bounds_from_above(&self, a: IndexId, b: IndexId) -> bool {
-        let is_running = |id| matches!(self.loops.index(id), Index::Running(_));
-        !(is_running(b) && (is_running(a) || self.loops.literal(a).is_some()))
     }
 }

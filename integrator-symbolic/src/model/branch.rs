@@ -45,11 +45,12 @@ impl Reader<'_> {
         places: (&Expr, &Expr),
     ) -> Option<Value> {
         if let BinOp::And(_) | BinOp::Or(_) = op {
-            let (Some(a), Some(b)) = (self.condition(left), self.condition(right)) else {
+            let (a, both) = (self.condition(left), matches!(op, BinOp::And(_)));
+            let b = self.under(a, both, |reader| reader.condition(right));
+            let (Some(a), Some(b)) = (a, b) else {
                 self.errors.at(places.0, "`&&` and `||` join conditions");
                 return None;
             };
-            let both = matches!(op, BinOp::And(_));
             return Some(Value::Condition(if both { self.graph.and(a, b) } else { self.graph.or(a, b) }));
         }
         let (comparison, swapped, negated) = match op {
@@ -98,8 +99,8 @@ impl Reader<'_> {
         ids.dedup();
         let before: Vec<Value> = ids.iter().map(|id| self.bindings[id.0].value.clone()).collect();
         let sums = self.frames.last_mut().map(|frame| std::mem::take(&mut frame.sums)).unwrap_or_default();
-        let side = |reader: &mut Self, read: &dyn Fn(&mut Self) -> Option<Value>| {
-            let value = read(reader);
+        let side = |reader: &mut Self, read: &dyn Fn(&mut Self) -> Option<Value>, holds: bool| {
+            let value = reader.under(condition, holds, read);
             let left = ids
                 .iter()
                 .zip(&before)
@@ -108,7 +109,7 @@ impl Reader<'_> {
             let added = reader.frames.last_mut().map(|frame| std::mem::take(&mut frame.sums)).unwrap_or_default();
             (value, left, added)
         };
-        let (first, second) = (side(self, first), side(self, second));
+        let (first, second) = (side(self, first, true), side(self, second, false));
         if let Some(frame) = self.frames.last_mut() {
             frame.sums = sums;
         }
@@ -150,8 +151,10 @@ impl Reader<'_> {
                 let parts = a.into_iter().zip(b).map(|(a, b)| self.either(condition, a, b, place));
                 Some(Value::Tuple(parts.collect::<Option<_>>()?))
             }
-            (a, b) => match (self.real(&a), self.real(&b)) {
-                (Some(a), Some(b)) => Some(Value::Real(self.graph.select(condition, a, b))),
+            (a, b) => match [(&a, true), (&b, false)]
+                .map(|(value, holds)| self.under(Some(condition), holds, |reader| reader.real(value)))
+            {
+                [Some(a), Some(b)] => Some(Value::Real(self.graph.select(condition, a, b))),
                 _ => {
                     let message =
                         format!("the branches give {} and {}: both have to give a number", a.describe(), b.describe());

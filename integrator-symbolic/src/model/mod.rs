@@ -13,6 +13,7 @@ mod escape;
 mod expression;
 mod external;
 mod flow;
+mod guard;
 pub(crate) mod integer;
 mod operator;
 mod pattern;
@@ -206,6 +207,8 @@ struct Reader<'i> {
     scopes: Vec<HashMap<String, BindingId>>,
     frames: Vec<Frame>,
     shape: Option<Shape>,
+    /// The conditions around what is being read, outermost first, and whether they hold there.
+    conditions: Vec<(NodeId, bool)>,
     /// The arms of a `match` that are being read, innermost last.
     arms: Vec<Arm>,
     /// The helper methods being inlined, to find recursion.
@@ -237,6 +240,7 @@ impl<'i> Reader<'i> {
             scopes: Vec::new(),
             frames: Vec::new(),
             shape: None,
+            conditions: Vec::new(),
             arms: Vec::new(),
             inlining: Vec::new(),
             foreign: None,
@@ -333,6 +337,7 @@ impl<'i> Reader<'i> {
             _ => quote!(0.0),
         };
         let (text, loops) = self.in_arms(text, loops, &otherwise);
+        let (text, loops) = self.guarded_text(text, loops, &otherwise);
         let text = standing_alone(text, &self.uses);
         let key = format!("{kind} {loops:?} {text}");
         if let Some(id) = self.parameter_ids.get(&key) {

@@ -54,7 +54,11 @@ impl Reader<'_> {
         }
         let mut value = self.expression(innermost);
         for (link, whole) in links.into_iter().rev() {
-            let right = self.expression(&link.right);
+            // The second of two conditions is asked behind the first.
+            let first = value.as_ref().filter(|_| matches!(link.op, BinOp::And(_) | BinOp::Or(_))).cloned();
+            let first = first.and_then(|first| self.condition(&first));
+            let holds = matches!(link.op, BinOp::And(_));
+            let right = self.under(first, holds, |reader| reader.expression(&link.right));
             value = match (value, right) {
                 (Some(left), Some(right)) => self.combine(&link.op, left, right, &link.left, &link.right, whole),
                 _ => None,

@@ -246,7 +246,8 @@ impl Reader<'_> {
                 let closure = self.closure(closure)?;
                 let at = move |reader: &mut Reader<'_>, index| {
                     let Item { value, condition } = at(reader, index)?;
-                    Some(Item { value: reader.applied(&closure, vec![value])?, condition })
+                    let value = reader.under(condition, true, |reader| reader.applied(&closure, vec![value]));
+                    Some(Item { value: value?, condition })
                 };
                 Some(Sequence { from, to, at: Rc::new(at), filtered, literal })
             }
@@ -254,8 +255,10 @@ impl Reader<'_> {
                 let closure = self.closure(closure)?;
                 let at = move |reader: &mut Reader<'_>, index| {
                     let Item { value, condition } = at(reader, index)?;
-                    let kept = reader.applied(&closure, vec![value.clone()])?;
-                    let kept = reader.condition(&kept)?;
+                    let kept = reader.under(condition, true, |reader| {
+                        let kept = reader.applied(&closure, vec![value.clone()])?;
+                        reader.condition(&kept)
+                    })?;
                     let condition = match condition {
                         Some(condition) => reader.graph.and(condition, kept),
                         None => kept,

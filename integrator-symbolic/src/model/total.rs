@@ -126,15 +126,15 @@ impl Reader<'_> {
         call: &ExprMethodCall,
     ) -> Option<Option<NodeId>> {
         let item = self.item_of(sequence, index)?;
-        let addend = match step {
-            Step::Add => Some(self.number(&item.value, &call.receiver)?),
-            Step::Multiply => None,
+        let addend = self.under(item.condition, true, |reader| match step {
+            Step::Add => Some(Some(reader.number(&item.value, &call.receiver)?)),
+            Step::Multiply => Some(None),
             Step::Fold(_) => {
-                let accumulator = self.accumulator();
-                let next = self.stepped(step, accumulator, item.value, call)?;
-                self.graph.added_to(accumulator, next)
+                let accumulator = reader.accumulator();
+                let next = reader.stepped(step, accumulator, item.value, call)?;
+                Some(reader.graph.added_to(accumulator, next))
             }
-        };
+        })?;
         let zero = self.graph.constant(0.0);
         let under = |addend| item.condition.map_or(addend, |condition| self.graph.select(condition, addend, zero));
         Some(addend.map(under))
