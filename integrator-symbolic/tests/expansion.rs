@@ -307,6 +307,11 @@ const PREPARED: &[(&str, &str)] = &[
         "v += if self.list.is_empty() { 0.0 } else { self.list[0] } * q[i];",
         "if !((self.list.is_empty())) { (self.list[0]) } else { 0.0 }",
     ),
+    // Names of the user's are not those of the generated code.
+    (
+        "let (m, length) = (q.len(), self.n); v += self.list.iter().map(|x| x + (length - m) as f64).sum::<f64>() * q[i];",
+        "let (length, m) = (self.n, length);",
+    ),
     // A list that is read by the index as it is has an element for every turn, whichever turns add.
     (
         "for j in 0..q.len() { if i != j { v += self.mass[i] * q[j]; } }",

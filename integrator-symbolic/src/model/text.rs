@@ -5,13 +5,17 @@ use proc_macro2::{Delimiter, Group, Ident, Span, TokenStream, TokenTree};
 use quote::{ToTokens, quote};
 use syn::{Expr, ExprReference, ItemUse, UseTree};
 
-/// The text of variables that an expression mentions, declared in front of it, so that it can stand alone.
+/// The text of variables that an expression mentions, declared in front of it, so that it can stand alone. All are declared
+/// at once: what one stands for may mention a name of the generated code that another one has.
 pub(super) fn with_variables(text: TokenStream, variables: &[(Ident, TokenStream)]) -> TokenStream {
-    if variables.is_empty() {
-        return text;
+    match variables {
+        [] => text,
+        [(name, value)] => quote!({ let #name = #value; #text }),
+        _ => {
+            let (names, values): (Vec<_>, Vec<_>) = variables.iter().map(|(name, value)| (name, value)).unzip();
+            quote!({ let (#(#names),*) = (#(#values),*); #text })
+        }
     }
-    let declarations = variables.iter().map(|(name, value)| quote!(let #name = #value;));
-    quote!({ #(#declarations)* #text })
 }
 
 /// A reference to what a text stands for.
