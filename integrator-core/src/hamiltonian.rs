@@ -92,8 +92,10 @@ pub trait Hamiltonian: Sized {
     ///
     /// # Errors
     /// A step that is zero or not finite; a start that is not finite or whose `q` and `p` differ in length, or whose
-    /// energy is not finite (where `H` reads the time, the first `advance` returns this error); parameters that make the motion from this start infinite or not a number, such as a mass of zero; a reversible start with a
-    /// composition that is not symmetric, or with a grid that it does not fit.
+    /// energy is not finite (where `H` reads the time, the first `advance` returns this error); parameters that make the
+    /// motion from this start infinite or not a number, such as a mass of zero; a reversible start with a composition that
+    /// is not symmetric, or with a grid that it does not fit. Where the runtime was built with debug assertions, also
+    /// [`Error::Misread`], if the generated energies are not those of your functions.
     ///
     /// # Panics
     /// Where your own functions would: their indices and their integer arithmetic are checked in a run as they are in
