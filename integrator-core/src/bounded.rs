@@ -123,8 +123,10 @@ impl Mul for Bounded {
     fn mul(self, other: Self) -> Self {
         let value = self.value * other.value;
         let of_operands = Real::abs(self.value) * other.error + (Real::abs(other.value) + other.error) * self.error;
-        // What is lost where a product is too small to have all digits is far below the smallest one that has them.
-        let rounding = ROUNDING * Real::abs(value) + f64::MIN_POSITIVE;
+        // What is lost where a product is too small to have all digits is far below the smallest one that has them; zero
+        // times anything loses nothing.
+        let zero = self.value == 0.0 || other.value == 0.0;
+        let rounding = if zero { 0.0 } else { ROUNDING * Real::abs(value) + f64::MIN_POSITIVE };
         Self::of_operands(value, [self, other], of_operands + rounding)
     }
 }
@@ -292,6 +294,7 @@ mod tests {
         assert_eq!(Real::sqrt(about(1e-17, 1e-16)).error, f64::INFINITY);
         assert_eq!((Bounded::of(1.0) / about(0.0, 1e-16)).error, f64::INFINITY);
         assert_eq!((about(1.0, f64::INFINITY) * Bounded::of(0.0)).error, f64::INFINITY);
+        assert_eq!(Real::sqrt(Bounded::of(0.0) * Bounded::of(0.0)).error, 0.0, "the distance of what coincides");
         // What is infinite or no number for certain is known to be.
         for value in [Bounded::of(1.0) / Bounded::of(0.0), Real::sqrt(Bounded::of(-1.0)), Real::ln(Bounded::of(-1.0))] {
             assert!(!value.value.is_finite() && value.error == 0.0, "{value:?}");

@@ -84,7 +84,8 @@ impl Function {
     ) -> Result<bool, Misread> {
         let stated = self.stated(system, state, time);
         let [generated, error] = self.generated::<H>(parameters, state, time);
-        let mut rounding = ROUNDINGS * error;
+        // An energy too small to have all digits is as good as none.
+        let mut rounding = ROUNDINGS * error + f64::MIN_POSITIVE;
         let agree = |rounding: f64| match [stated, generated].map(f64::is_finite) {
             [true, true] => Real::abs(stated - generated) <= rounding,
             [stated, generated] => stated == generated,

@@ -114,6 +114,27 @@ fn a_debug_build_holds_every_start_against_the_functions() {
     assert!(matches!(certified, Err(CertifyError::Run(Error::Misread(_)))), "{certified:?}");
 }
 
+/// Next to nothing, far away.
+struct Gaussian;
+
+#[hamiltonian]
+impl Gaussian {
+    fn kinetic(&self, p: [f64; 1]) -> f64 {
+        0.5 * p[0] * p[0]
+    }
+    fn potential(&self, q: [f64; 1]) -> f64 {
+        -(-q[0] * q[0]).exp()
+    }
+}
+
+#[test]
+fn an_energy_that_has_lost_its_digits_is_no_mistake() {
+    // From 26.6 on, it has fewer than all digits, and from 27.3 on none.
+    for tenths in 0..40 {
+        Gaussian.run(Phase::new([25.0 + 0.1 * f64::from(tenths)], [0.0]), 0.01).expect("the same");
+    }
+}
+
 /// The sum over a ring of what nearly cancels, of bodies that a branch leaves out, and of a kink on the way.
 struct Rough {
     offset: f64,
