@@ -110,8 +110,8 @@ impl<'t> Visit<'t> for Scopes {
 fn potentials() -> Vec<String> {
     let first = ["x * x", "t * x.sin()", "x.cos()"];
     let second = ["x.cos()", "t * x.sin() * x.cos()"];
-    let conditions = ["true", "s > 0.5", "*x > 0.1", "t < 1.0", "s > 0.5 && *x < 0.2"];
-    let ends = ["z", "s * z", "if z < 1.0 { q[0] * t } else { z }"];
+    let conditions = ["true", "s > 0.5", "*x > 0.1", "t < 1.0", "s > 0.5 && *x < 0.2", "(t % 0.7).cosh() < 1.1"];
+    let ends = ["z", "s * z", "if z < 1.0 { q[0] * t } else { z }", "z * t.clamp(-0.7, 0.8)"];
     let mut found = Vec::new();
     for (first, second) in first.iter().flat_map(|first| second.map(|second| (first, second))) {
         for (condition, end) in conditions.iter().flat_map(|condition| ends.map(|end| (condition, end))) {

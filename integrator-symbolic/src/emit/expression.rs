@@ -102,6 +102,8 @@ impl Printer<'_> {
             }
             Node::Coordinate(element) => Printed::new(Binding::Atom, self.coordinate(fields, element)),
             Node::Time => Printed::new(Binding::Atom, quote!(time)),
+            // A series, of which the recurrences read each order.
+            Node::Middle if matches!(self.frame, Frame::Series { .. }) => Printed::new(Binding::Atom, quote!(halfway)),
             Node::Middle => {
                 let name = fields.middle();
                 Printed::new(Binding::Atom, self.shared(name, LoopSet::EMPTY))

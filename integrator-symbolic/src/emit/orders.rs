@@ -88,6 +88,13 @@ pub(super) fn orders(
         }
         _ => body,
     };
+    let body = Body::new(body);
+    let halfway = body.mentions("halfway").then(|| {
+        let (scalar, middle) = (&names.scalar, fields.middle());
+        quote!(let halfway = if order == 0 { parameters.#middle } else { #scalar::of(0.0) };)
+    });
+    let Body(body) = body;
+    let body = quote!(#halfway #body);
     let tape = Tape { records: &writer.records, is_mobile: mobile.is_some() };
     let kind = Kind { rolled, interleaved, at_once: writer.pass.orders() };
     Orders { tape: tape.structs(names), items: implementation(body, &tape, &kind, names) }

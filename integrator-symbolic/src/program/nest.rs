@@ -199,7 +199,8 @@ impl<'s> Needs<'s> {
         }
         match node {
             Node::Coordinate(element) => self.reads.push((id, element)),
-            Node::Middle => self.common.push(id),
+            // What turns have in common is the same at all orders, which the middle of the step is not.
+            Node::Middle => return None,
             Node::Neg(_) => return self.parts(id),
             _ if graph.is_prepared(id) && node.is_condition() => self.flags.push(id),
             _ if graph.is_prepared(id) && graph.loops_of(id).is_empty() => self.common.push(id),
