@@ -160,6 +160,12 @@ rows! {
     chosen_indices { let mut v = 0.0; for i in 0..4 { let next = if i + 1 == 4 { 0 } else { i + 1 }; let before = if i == 0 { 3 } else { i - 1 }; let far = if i < 2 { 3 } else { 1 }; v += q[i] * q[next] + 2.0 * q[i] * q[before] + q[i] * q[far]; } v } => [3.0 * (b + d) + d, 3.0 * (a + c) + d + c + d, 3.0 * (b + d) + b, 3.0 * (a + c) + a + b + b];
     index_arithmetic { let mut v = 0.0; for i in 0..2 { for j in 0..2 { v += q[i * 2 + j] * q[i * 2 + (j + 1) % 2]; } } v } => [2.0 * b, 2.0 * a, 2.0 * d, 2.0 * c];
     named_indices { let mut v = 0.0; for i in 0..4 { let next = (i + 1) % 4; v += q[i] * q[next]; } v } => [b + d, a + c, b + d, a + c];
+    signed_integers { let mut v = 0.0; for i in 0..4 { v += (i as i32 - 2) as f64 * q[i]; } v } => [-2.0, -1.0, 0.0, 1.0];
+    signed_remainders { let mut v = 0.0; for i in 0..4 { v += q[i as usize] * q[((i - 1 + 4) % 4) as usize]; } v } => [b + d, a + c, b + d, a + c];
+    ranges_from_below_zero { let mut v = 0.0; for k in -1..2 { v += k as f64 * q[(k + 1) as usize]; } v } => [-1.0, 0.0, 1.0, 0.0];
+    wrapping_casts { let mut v = 0.0; for i in 254..258 { v += (i as u8) as f64 * q[0]; } v } => [510.0, 0.0, 0.0, 0.0];
+    stopped_differences { let mut v = 0.0; for i in 0..q.len() { for j in 0..i.saturating_sub(1) { v += q[i] * q[j]; } } v } => [c + d, d, a, a + b];
+    powers_by_an_index { let mut v = 0.0; for n in 0..4 { v += (1.0 + q[0]).powi(n as i32); } v } => [1.0 + 2.0 * (1.0 + a) + 3.0 * (1.0 + a).powi(2), 0.0, 0.0, 0.0];
     bounds { let mut v = 0.0; for i in 0..self.count { v += q[i] * q[i]; } v } => [2.0 * a, 2.0 * b, 2.0 * c, 0.0];
     lengths { let mut v = 0.0; for i in 0..q.len() - 1 { v += q[i] * q[i + 1]; } v } => [b, a + c, b + d, c];
     horner { let mut v = 0.0; for k in (0..3).rev() { v = v * q[0] + self.stiffness[k]; } v } => [2.0 + 6.0 * a, 0.0, 0.0, 0.0];

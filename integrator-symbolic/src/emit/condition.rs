@@ -25,7 +25,10 @@ impl Printer<'_> {
                 quote!(((#a) #sign (#b)))
             }
             (Node::CompareIndex(comparison, a, b), dialect) => {
-                let (a, b, sign) = (self.index(fields, a), self.index(fields, b), sign(comparison));
+                let signed = [a, b].iter().any(|id| self.graph.loops.is_signed(*id));
+                let [a, b] =
+                    [a, b].map(|id| if signed { self.signed_index(fields, id) } else { self.index(fields, id) });
+                let sign = sign(comparison);
                 match dialect {
                     Dialect::Generic => quote!(<#scalar::Mask as #runtime::Mask>::of((#a) #sign (#b))),
                     Dialect::Single => quote!(((#a) #sign (#b))),

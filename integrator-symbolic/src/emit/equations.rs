@@ -148,7 +148,9 @@ impl Formulas<'_> {
             Index::Mul(a, b) => binary(a, '*', b),
             Index::Div(a, b) => binary(a, '/', b),
             Index::Rem(a, b) => binary(a, '%', b),
-            Index::Monus(a, b) => binary(a, '-', b),
+            Index::Monus(a, b) | Index::Minus(a, b) => binary(a, '-', b),
+            Index::Typed(_, a) => self.index(a),
+            Index::Wrapped(kind, a) => format!("{} as {}", inner(a), kind.name),
             Index::Min(a, b) => format!("min({}, {})", self.index(a), self.index(b)),
         }
     }

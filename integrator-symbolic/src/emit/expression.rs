@@ -113,7 +113,7 @@ impl Printer<'_> {
                 Printed::new(Binding::Atom, self.field(fields, id))
             }
             Node::FromIndex(index) => {
-                let index = self.inner_index(fields, index);
+                let index = self.number_index(fields, index);
                 match self.dialect {
                     Dialect::Generic => Printed::new(Binding::Atom, self.lifted(quote!(#index as f64))),
                     Dialect::Single => Printed::new(Binding::Atom, quote!((#index as f64))),

@@ -10,7 +10,7 @@ use crate::{
         Element, Part,
         index::{Index, IndexId, LoopId},
     },
-    model::integer::{operand, operation},
+    model::integer::{operand, operation, signed_operation},
 };
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{ToTokens, format_ident, quote};
@@ -69,6 +69,19 @@ impl Printer<'_> {
     /// An integer expression.
     pub(super) fn index(&self, fields: &mut Fields, id: IndexId) -> TokenStream {
         let known = self.graph.loops.index(id);
+        if self.graph.loops.is_signed(id) {
+            let signed = self.signed_index(fields, id);
+            return quote!((#signed) as usize);
+        }
+        match known {
+            Index::Typed(_, a) => return self.index(fields, a),
+            Index::Wrapped(_, a) => {
+                let signed = self.signed_index(fields, a);
+                let wrapped = operation(known, quote!((#signed)), TokenStream::new());
+                return quote!(#wrapped as usize);
+            }
+            _ => {}
+        }
         if let Some(both) = known.operands() {
             let [a, b] = both.map(|id| self.inner_index(fields, id));
             return operation(known, a, b);
@@ -96,6 +109,36 @@ impl Printer<'_> {
                 self.prepared(name, self.graph.loops.of_parameter(parameter))
             }
             _ => TokenStream::new(),
+        }
+    }
+
+    /// An integer expression that becomes a number: below zero where it may be.
+    pub(super) fn number_index(&self, fields: &mut Fields, id: IndexId) -> TokenStream {
+        if self.graph.loops.is_signed(id) {
+            let signed = self.signed_index(fields, id);
+            return quote!((#signed));
+        }
+        self.inner_index(fields, id)
+    }
+
+    /// An integer expression as one that may be below zero, of 64 bits.
+    pub(super) fn signed_index(&self, fields: &mut Fields, id: IndexId) -> TokenStream {
+        let known = self.graph.loops.index(id);
+        if let Index::Literal(value) = known {
+            return Literal::u64_unsuffixed(value).to_token_stream();
+        }
+        match known.operands() {
+            Some(both) => {
+                let [a, b] = both.map(|id| {
+                    let signed = self.signed_index(fields, id);
+                    operand(signed)
+                });
+                signed_operation(known, a, b)
+            }
+            None => {
+                let natural = operand(self.index(fields, id));
+                quote!((#natural as i64))
+            }
         }
     }
 

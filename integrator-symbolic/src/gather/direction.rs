@@ -199,9 +199,10 @@ impl Direction {
         match graph.loops.index(index) {
             Index::Literal(value) => plain(None, 0, i64::try_from(value).ok()?),
             Index::Running(by) => plain(Some(by), 0, 0),
+            Index::Typed(_, a) => self.linear(graph, a),
             Index::Add(a, b) => self.sum(graph, a, b, 1),
             // Bounds of a lattice that is long enough: nothing is below zero.
-            Index::Sub(a, b) | Index::Monus(a, b) => self.sum(graph, a, b, -1),
+            Index::Sub(a, b) | Index::Minus(a, b) | Index::Monus(a, b) => self.sum(graph, a, b, -1),
             Index::Rem(a, b) if b == self.length => {
                 let inner = self.linear(graph, a).filter(|inner| !inner.wraps && inner.running.is_some())?;
                 // The nearest of all numbers that are the same place.

@@ -36,7 +36,7 @@ impl Graph {
 
     /// The same for integers.
     pub(crate) fn compare_index(&mut self, comparison: Comparison, a: IndexId, b: IndexId) -> NodeId {
-        match (self.loops.literal(a), self.loops.literal(b)) {
+        match (self.loops.signed_literal(a), self.loops.signed_literal(b)) {
             (Some(a), Some(b)) => self.truth(match comparison {
                 Comparison::Less => a < b,
                 Comparison::LessOrEqual => a <= b,

@@ -14,7 +14,7 @@ pub(crate) struct Point<'p> {
     /// The values of parameters, by their ids.
     pub(crate) parameters: &'p [f64],
     /// The running indices of the loops around.
-    pub(crate) running: HashMap<LoopId, u64>,
+    pub(crate) running: HashMap<LoopId, i64>,
     /// Values that were computed before.
     pub(crate) known: HashMap<NodeId, f64>,
 }
@@ -40,19 +40,22 @@ impl<'p> Point<'p> {
         };
     }
 
-    pub(crate) fn index(&self, graph: &Graph, id: IndexId) -> u64 {
+    pub(crate) fn index(&self, graph: &Graph, id: IndexId) -> i64 {
+        let value = |id| self.index(graph, id);
         match graph.loops.index(id) {
-            Index::Literal(value) => value,
-            Index::Length => self.q.len() as u64,
+            Index::Literal(value) => value as i64,
+            Index::Length => self.q.len() as i64,
             Index::Running(by) => self.running[&by],
-            Index::Parameter(id) => self.parameters[id.0 as usize] as u64,
-            Index::Add(a, b) => self.index(graph, a) + self.index(graph, b),
-            Index::Sub(a, b) => self.index(graph, a) - self.index(graph, b),
-            Index::Mul(a, b) => self.index(graph, a) * self.index(graph, b),
-            Index::Div(a, b) => self.index(graph, a) / self.index(graph, b),
-            Index::Rem(a, b) => self.index(graph, a) % self.index(graph, b),
-            Index::Monus(a, b) => self.index(graph, a).saturating_sub(self.index(graph, b)),
-            Index::Min(a, b) => self.index(graph, a).min(self.index(graph, b)),
+            Index::Parameter(id) => self.parameters[id.0 as usize] as i64,
+            Index::Add(a, b) => value(a) + value(b),
+            Index::Sub(a, b) | Index::Minus(a, b) => value(a) - value(b),
+            Index::Mul(a, b) => value(a) * value(b),
+            Index::Div(a, b) => value(a) / value(b),
+            Index::Rem(a, b) => value(a) % value(b),
+            Index::Monus(a, b) => (value(a) - value(b)).max(0),
+            Index::Min(a, b) => value(a).min(value(b)),
+            Index::Typed(_, a) => value(a),
+            Index::Wrapped(kind, a) => kind.wrapped(value(a)),
         }
     }
 

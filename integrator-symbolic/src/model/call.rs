@@ -89,6 +89,11 @@ impl Reader<'_> {
         let receiver = self.expression(&call.receiver);
         let arguments = self.arguments(&call.args);
         let (receiver, arguments) = (receiver?, arguments?);
+        if let (Value::Integer(a), [Value::Integer(b)]) = (&receiver, &arguments[..])
+            && let Some(index) = self.integer_method(&call.method, *a, *b)
+        {
+            return Some(Value::Integer(index));
+        }
         let turbofish = call.turbofish.as_ref().map(ToTokens::to_token_stream);
         let name = &call.method;
         if let Some(object) = self.opaque(&receiver)
@@ -149,6 +154,12 @@ impl Reader<'_> {
             Expr::Path(path) if path.qself.is_none() => path.path.segments.iter().map(|part| &part.ident).collect(),
             _ => Vec::new(),
         };
+        if let ([kind, name], [Value::Integer(index)]) = (&segments[..], &arguments[..])
+            && *kind == "f64"
+            && *name == "from"
+        {
+            return Some(Value::Real(self.graph.number_of(*index)));
+        }
         let literals = !arguments.is_empty() && arguments.iter().all(|value| matches!(value, Value::Real(_)));
         if !literals && let Some((text, loops)) = self.opaque_list(&arguments) {
             return Some(Value::Opaque(Opaque { text: quote!(#function(#text)), loops }));
@@ -350,12 +361,23 @@ impl Reader<'_> {
             };
             return Some(Value::Real(self.graph.power(x, halves)));
         }
-        let Some(Opaque { text, loops }) = self.opaque(exponent) else {
-            self.errors.at(place, "the exponent of `powi` is an integer that does not depend on coordinates");
-            return None;
+        let exponent = match exponent {
+            Value::Integer(index) => match self.graph.loops.signed_literal(*index).map(i32::try_from) {
+                Some(Ok(whole)) if let Some(halves) = whole.checked_mul(2) => {
+                    return Some(Value::Real(self.graph.power(x, halves)));
+                }
+                _ => self.graph.number_of(*index),
+            },
+            exponent => {
+                let Some(Opaque { text, loops }) = self.opaque(exponent) else {
+                    let message = "the exponent of `powi` is an integer that does not depend on coordinates";
+                    self.errors.at(place, message);
+                    return None;
+                };
+                let exponent = self.parameter(quote!(f64::from(#text)), "number", loops);
+                self.graph.parameter(exponent)
+            }
         };
-        let exponent = self.parameter(quote!(f64::from(#text)), "number", loops);
-        let exponent = self.graph.parameter(exponent);
         Some(Value::Real(self.graph.call_two("powf", x, exponent)))
     }
 

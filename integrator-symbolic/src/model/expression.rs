@@ -178,6 +178,8 @@ impl Reader<'_> {
             self.errors.at(&index.index, format!("an index is an integer; this is {}", at.describe()));
             return None;
         };
+        // The type of an index is `usize`.
+        let position = self.graph.loops.unsigned(position);
         if let (Expr::Range(_), Value::View(_) | Value::Array(_)) = (&*index.index, &value) {
             self.errors.at(
                 &index.index,
@@ -208,7 +210,10 @@ impl Reader<'_> {
                 part.cloned().map(Value::into_operand)
             }
             Value::Opaque(Opaque { text, loops }) => {
-                let at = self.opaque(&at)?;
+                let at = match at {
+                    Value::Integer(_) => self.opaque(&Value::Integer(position))?,
+                    at => self.opaque(&at)?,
+                };
                 let (text, inner) = (place(text), place(at.text));
                 Some(Value::Opaque(Opaque { text: quote!(#text[#inner]), loops: loops.union(at.loops) }))
             }

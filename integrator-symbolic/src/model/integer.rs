@@ -1,5 +1,8 @@
 //! Integers: indices, bounds, and numbers read as either.
 
+#[cfg(test)]
+mod tests;
+
 use super::{
     Reader,
     sign::is_never_negative,
@@ -8,9 +11,9 @@ use super::{
 };
 use crate::graph::{
     Element, NodeId,
-    index::{Index, IndexId, LoopSet},
+    index::{Index, IndexId, IntegerType, LoopSet},
 };
-use proc_macro2::{Literal, TokenStream};
+use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::{ToTokens, quote};
 
 impl Reader<'_> {
@@ -39,6 +42,19 @@ impl Reader<'_> {
                 let parameter = self.parameter(place(text.clone()), "integer", *loops);
                 Some(self.graph.loops.intern(Index::Parameter(parameter)))
             }
+            _ => None,
+        }
+    }
+
+    /// `a.saturating_sub(b)` and `a.min(b)` of integers without a sign.
+    pub(super) fn integer_method(&mut self, name: &Ident, a: IndexId, b: IndexId) -> Option<IndexId> {
+        let loops = &mut self.graph.loops;
+        if [a, b].iter().any(|id| loops.is_signed(*id) || loops.cast_type(*id).is_some_and(|kind| kind.signed)) {
+            return None;
+        }
+        match name.to_string().as_str() {
+            "saturating_sub" => Some(loops.intern(Index::Monus(a, b))),
+            "min" => Some(loops.intern(Index::Min(a, b))),
             _ => None,
         }
     }
@@ -92,23 +108,41 @@ impl Reader<'_> {
         }
     }
 
-    /// An integer expression as the user would write it.
+    /// An integer expression as the user would write it, with the types that casts gave to it.
     pub(super) fn index_text(&self, id: IndexId) -> TokenStream {
+        self.typed_text(id, self.graph.loops.cast_type(id).filter(|kind| !kind.is_usize()))
+    }
+
+    /// The same, in a type other than `usize` if there is one.
+    fn typed_text(&self, id: IndexId, kind: Option<IntegerType>) -> TokenStream {
         let known = self.graph.loops.index(id);
-        if let Some(both) = known.operands() {
-            let [a, b] = both.map(|id| self.index_text(id));
-            let text = operation(known, a, b);
-            return quote!((#text));
-        }
-        match known {
-            Index::Literal(value) => Literal::u64_unsuffixed(value).to_token_stream(),
-            Index::Running(by) => self.running.get(&by).to_token_stream(),
-            Index::Length => quote!(length),
-            Index::Parameter(parameter) => {
-                let text = &self.parameters[parameter.0 as usize].text;
+        let leaf = |text: TokenStream| match kind {
+            Some(kind) => {
+                let kind = Ident::new(kind.name, Span::call_site());
+                quote!((#text as #kind))
+            }
+            None => text,
+        };
+        match (known, known.operands()) {
+            (Index::Typed(..) | Index::Wrapped(..), Some([a, _])) => {
+                let inner = self.typed_text(a, self.graph.loops.type_of(a).filter(|kind| !kind.is_usize()));
+                let cast = operation(known, inner, TokenStream::new());
+                quote!((#cast))
+            }
+            (_, Some(both)) => {
+                let [a, b] = both.map(|id| self.typed_text(id, kind));
+                let signed = kind.is_some_and(|kind| kind.signed);
+                let text = if signed { signed_operation(known, a, b) } else { operation(known, a, b) };
                 quote!((#text))
             }
-            _ => TokenStream::new(),
+            (Index::Literal(value), None) => Literal::u64_unsuffixed(value).to_token_stream(),
+            (Index::Running(by), None) => leaf(self.running.get(&by).to_token_stream()),
+            (Index::Length, None) => leaf(quote!(length)),
+            (Index::Parameter(parameter), None) => {
+                let text = &self.parameters[parameter.0 as usize].text;
+                leaf(quote!((#text)))
+            }
+            (_, None) => TokenStream::new(),
         }
     }
 }
@@ -117,7 +151,7 @@ impl Reader<'_> {
 pub(crate) fn operation(index: Index, a: TokenStream, b: TokenStream) -> TokenStream {
     match index {
         Index::Add(..) => quote!(#a + #b),
-        Index::Sub(..) => quote!(#a - #b),
+        Index::Sub(..) | Index::Minus(..) => quote!(#a - #b),
         Index::Mul(..) => quote!(#a * #b),
         Index::Div(..) => quote!(#a / #b),
         Index::Rem(..) => quote!(#a % #b),
@@ -126,7 +160,25 @@ pub(crate) fn operation(index: Index, a: TokenStream, b: TokenStream) -> TokenSt
             quote!(#a.saturating_sub(#b))
         }
         Index::Min(..) => quote!(#a.min(#b)),
+        Index::Typed(kind, _) | Index::Wrapped(kind, _) => {
+            let kind = Ident::new(kind.name, Span::call_site());
+            quote!(#a as #kind)
+        }
         Index::Literal(_) | Index::Running(_) | Index::Length | Index::Parameter(_) => TokenStream::new(),
+    }
+}
+
+/// The same of integers with a sign, of 64 bits.
+pub(crate) fn signed_operation(index: Index, a: TokenStream, b: TokenStream) -> TokenStream {
+    match index {
+        Index::Monus(..) => quote!(::core::cmp::Ord::max(#a - #b, 0)),
+        Index::Min(..) => quote!(::core::cmp::Ord::min(#a, #b)),
+        Index::Typed(..) => a,
+        Index::Wrapped(..) => {
+            let wrapped = operation(index, a, b);
+            quote!(#wrapped as i64)
+        }
+        _ => operation(index, a, b),
     }
 }
 

@@ -8,7 +8,7 @@ use super::{
 };
 use crate::graph::{
     NodeId, Part,
-    index::{Index, IndexId},
+    index::{Index, IndexId, IntegerType},
 };
 use quote::quote;
 use syn::{BinOp, Expr, ExprCast, ExprUnary, Type, UnOp};
@@ -22,10 +22,9 @@ impl Reader<'_> {
             }
             UnOp::Neg(_) => match self.expression(&unary.expr)?.into_place() {
                 Value::Opaque(Opaque { text, loops }) => Some(Value::Opaque(Opaque { text: quote!(-#text), loops })),
-                // No index and no bound is negative, but an exponent may be: it is kept as text.
                 Value::Integer(index) => {
-                    let text = self.index_text(index);
-                    Some(Value::Opaque(Opaque { text: quote!(-#text), loops: self.graph.loops.of_index(index) }))
+                    let zero = self.literal_index(0);
+                    Some(Value::Integer(self.graph.loops.intern(Index::Minus(zero, index))))
                 }
                 value => {
                     let number = self.number(&value, &unary.expr)?;
@@ -89,6 +88,14 @@ impl Reader<'_> {
         }
         let literal_only = |value: &Value| matches!(value, Value::Real(_));
         match (&left, &right) {
+            // An integer of the system has the type of the one that it is combined with.
+            (Value::Integer(index), Value::Opaque(_)) | (Value::Opaque(_), Value::Integer(index))
+                if self.graph.loops.cast_type(*index).is_some_and(|kind| !kind.is_usize())
+                    && let (Some(a), Some(b)) = (self.opaque(&left), self.opaque(&right))
+                    && (a.loops.is_subset(b.loops) || b.loops.is_subset(a.loops)) =>
+            {
+                return Some(Value::Opaque(joined(&a, op, &b)));
+            }
             (Value::Integer(_), Value::Integer(_) | Value::Opaque(_)) | (Value::Opaque(_), Value::Integer(_)) => {
                 let (a, b) = (self.integer(&left)?, self.integer(&right)?);
                 return Some(Value::Integer(self.integer_operation(op, a, b)));
@@ -121,7 +128,7 @@ impl Reader<'_> {
     fn integer_operation(&mut self, op: &BinOp, a: IndexId, b: IndexId) -> IndexId {
         self.graph.loops.intern(match op {
             BinOp::Add(_) => Index::Add(a, b),
-            BinOp::Sub(_) => Index::Sub(a, b),
+            BinOp::Sub(_) => return self.graph.loops.minus(a, b),
             BinOp::Mul(_) => Index::Mul(a, b),
             BinOp::Div(_) => Index::Div(a, b),
             _ => Index::Rem(a, b),
@@ -149,7 +156,9 @@ impl Reader<'_> {
         let to_float = super::shape::is_f64(&cast.ty);
         match value {
             Value::Integer(index) if to_float => Some(Value::Real(self.graph.number_of(index))),
-            Value::Integer(index) if is_integer(&cast.ty) => Some(Value::Integer(index)),
+            Value::Integer(index) if let Some(kind) = integer_type(&cast.ty) => {
+                Some(Value::Integer(self.graph.loops.cast(index, kind)))
+            }
             Value::Real(number) if to_float => Some(Value::Real(number)),
             value => match self.opaque(&value) {
                 Some(Opaque { text, loops }) => {
@@ -194,9 +203,10 @@ fn is_condition(op: &BinOp) -> bool {
     compares || matches!(op, BinOp::And(_) | BinOp::Or(_))
 }
 
-pub(super) fn is_integer(kind: &Type) -> bool {
-    const INTEGERS: [&str; 10] = ["usize", "u64", "u32", "u16", "u8", "isize", "i64", "i32", "i16", "i8"];
-    matches!(kind, Type::Path(path) if INTEGERS.iter().any(|name| path.path.is_ident(name)))
+/// The type of integers that a type is.
+pub(super) fn integer_type(kind: &Type) -> Option<IntegerType> {
+    let Type::Path(path) = kind else { return None };
+    path.path.get_ident().and_then(|name| IntegerType::named(&name.to_string()))
 }
 
 fn joined(left: &Opaque, op: &BinOp, right: &Opaque) -> Opaque {

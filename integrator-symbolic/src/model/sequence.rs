@@ -82,7 +82,7 @@ impl Reader<'_> {
                 if matches!(range.limits, RangeLimits::Closed(_)) {
                     to = self.offset(to, 1);
                 }
-                Some(self.items(from, to, |_, index| Some(Value::Integer(index))))
+                Some(self.integers(from, to))
             }
             Expr::MethodCall(call) if is_adaptor(call) => self.adapted(call),
             Expr::Index(ExprIndex { expr, index, .. })
@@ -119,6 +119,20 @@ impl Reader<'_> {
             let from = start.map(|start| self.graph.loops.intern(Index::Add(base.from, start)));
             Some(Sequence { from: from.unwrap_or(base.from), to: to.unwrap_or(base.to), ..base })
         }))
+    }
+
+    /// The integers in `from..to`; those that may begin below zero are counted from the first one.
+    fn integers(&mut self, from: IndexId, to: IndexId) -> Sequence {
+        let loops = &mut self.graph.loops;
+        let count = loops.span(from, to);
+        if loops.is_signed(from) {
+            let zero = loops.intern(Index::Literal(0));
+            return self.items(zero, count, move |reader, index| {
+                Some(Value::Integer(reader.graph.loops.intern(Index::Add(from, index))))
+            });
+        }
+        let [from, to] = [from, to].map(|bound| loops.ending(bound));
+        self.items(from, to, |_, index| Some(Value::Integer(index)))
     }
 
     fn bound(&mut self, bound: &Expr) -> Option<IndexId> {

@@ -1,6 +1,6 @@
 //! The arguments of the two functions: their shapes, and which is which.
 
-use super::operator::is_integer;
+use super::operator::integer_type;
 use crate::{
     errors::{Errors, quoted},
     graph::Part,
@@ -131,7 +131,7 @@ fn unexpected(kind: &Type, errors: &mut Errors) {
         _ => None,
     };
     match name.map(ToString::to_string) {
-        Some(name) if !PRIMITIVE.contains(&name.as_str()) && !is_integer(kind) => {
+        Some(name) if !PRIMITIVE.contains(&name.as_str()) && integer_type(kind).is_none() => {
             let message = format!(
                 "the macro cannot see what type `{name}` is: write the array itself, `[f64; N]` or `[[f64; D]; N]`"
             );
