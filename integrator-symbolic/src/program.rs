@@ -11,7 +11,10 @@ pub(crate) mod nest;
 mod order;
 mod place;
 
-use crate::graph::{Around, Element, Graph, Node, NodeId, index::LoopId};
+use crate::graph::{
+    Around, Element, Graph, Node, NodeId,
+    index::{LoopId, LoopSet},
+};
 use std::collections::{BTreeMap, BTreeSet, HashMap};
 
 /// Where a value goes.
@@ -204,13 +207,15 @@ impl<L: Fn(&Graph, NodeId) -> bool> Scheduler<'_, L> {
     /// How much of a path a node has to be inside of: up to the deepest loop that it depends on, and up to the last place
     /// that decides whether what it reads is there.
     fn needed(&self, path: &[usize], id: NodeId) -> usize {
-        let loops = self.graph.loops_of(id);
-        let is_needed = |scope: &usize| {
-            self.scopes[*scope].around.is_some_and(|around| {
-                matches!(around, Around::Loop(by) if loops.contains(by)) || self.graph.protects(around, id)
-            })
-        };
-        path.iter().rposition(is_needed).map_or(1, |deepest| deepest + 1)
+        let (loops, summed) = (self.graph.loops_of(id), self.graph.summed_in(id));
+        let is_over = |scope: &usize, set: LoopSet| matches!(self.scopes[*scope].around, Some(Around::Loop(by)) if set.contains(by));
+        // The index of a loop has one value in it, so that the sum over the same loop is not computed there.
+        let outside = path.iter().position(|scope| is_over(scope, summed)).unwrap_or(path.len());
+        let is_protected =
+            |scope: &usize| self.scopes[*scope].around.is_some_and(|around| self.graph.protects(around, id));
+        let protected = path[..outside].iter().rposition(is_protected);
+        let own = path.iter().rposition(|scope| is_over(scope, loops));
+        own.max(protected).map_or(1, |deepest| deepest + 1)
     }
 
     /// How much of a path a node may be inside of: up to the first loop that it does not need, and for a sum up to the

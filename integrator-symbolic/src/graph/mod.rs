@@ -229,6 +229,8 @@ impl Around {
 struct Facts {
     /// The loops whose index it depends on.
     loops: LoopSet,
+    /// The loops of the sums in it.
+    summed: LoopSet,
     /// Whether it depends on parameters, numbers and loop indices alone.
     prepared: bool,
     /// Whether it depends on positions.
@@ -269,6 +271,11 @@ impl Graph {
     /// How many nodes there are.
     pub(crate) fn len(&self) -> usize {
         self.nodes.len()
+    }
+
+    /// The loops of the sums in a node.
+    pub(crate) fn summed_in(&self, id: NodeId) -> LoopSet {
+        self.facts[id.position()].summed
     }
 
     /// The loops whose index a node depends on.
@@ -343,6 +350,10 @@ impl Graph {
         };
         let mut facts = Facts {
             loops,
+            summed: match node {
+                Node::Sum(by, _) => LoopSet::of(by),
+                _ => LoopSet::EMPTY,
+            },
             prepared: !matches!(node, Node::Time | Node::Middle | Node::Step | Node::Coordinate(_)),
             positions: part == Some(Part::Position),
             momenta: part == Some(Part::Momentum),
@@ -355,6 +366,7 @@ impl Graph {
                 Node::Sum(by, _) => child.loops.without(by),
                 _ => child.loops,
             });
+            facts.summed = facts.summed.union(child.summed);
             facts.prepared &= child.prepared;
             facts.positions |= child.positions;
             facts.momenta |= child.momenta;
