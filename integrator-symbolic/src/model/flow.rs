@@ -98,11 +98,15 @@ impl Reader<'_> {
             return None;
         };
         let (_, otherwise) = branch.else_branch.as_ref()?;
-        let whole = self.verbatim(&Expr::If(branch.clone()))?;
+        // What reads elements is no choice of integers, and would have its mistakes noted twice.
+        let whole = self.verbatim(&Expr::If(branch.clone()));
+        if whole.is_none() && (reads_elements(first) || reads_elements(otherwise)) {
+            return None;
+        }
         let (Value::Integer(a), Value::Integer(b)) = (self.expression(first)?, self.expression(otherwise)?) else {
             return None;
         };
-        Some(self.wrapped(condition, a, b).map_or(whole, Value::Integer))
+        self.wrapped(condition, a, b).map(Value::Integer).or(whole)
     }
 
     /// Reads both sides of a branch, and what follows them.
@@ -214,4 +218,11 @@ impl Reader<'_> {
         self.scopes = around;
         value
     }
+}
+
+/// Whether an expression reads elements of coordinates or of lists.
+fn reads_elements(expression: &Expr) -> bool {
+    let mut assigned = Assigned::default();
+    assigned.visit_expr(expression);
+    !assigned.indexed.is_empty()
 }

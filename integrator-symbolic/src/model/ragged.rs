@@ -9,7 +9,7 @@ use proc_macro2::TokenStream;
 use quote::quote;
 
 impl Reader<'_> {
-    /// States how small and how large the values of lists in a bound may be, whatever the indices of loops are.
+    /// States how large the values of lists in a bound may be, whatever the indices of loops are.
     pub(super) fn bound_lists(&mut self, bound: IndexId) {
         let index = self.graph.loops.index(bound);
         for operand in index.operands().into_iter().flatten() {
@@ -20,11 +20,11 @@ impl Reader<'_> {
             && self.graph.loops.range_of(id).is_none()
         {
             let values = self.values_over_loops(id);
-            let [least, greatest] = [quote!(min), quote!(max)].map(|extreme| {
-                let text = quote!(::core::option::Option::unwrap_or(::core::iter::Iterator::#extreme(#values), 0));
-                let parameter = self.parameter(text, "integer", LoopSet::EMPTY);
-                self.graph.loops.intern(Index::Parameter(parameter))
-            });
+            let text = quote!(::core::option::Option::unwrap_or(::core::iter::Iterator::max(#values), 0));
+            let greatest = self.parameter(text, "integer", LoopSet::EMPTY);
+            let greatest = self.graph.loops.intern(Index::Parameter(greatest));
+            // A least value would be asked for at every element of a table; lists begin at zero nearly always.
+            let least = self.literal_index(0);
             self.graph.loops.declare_range(id, least, greatest);
         }
     }
