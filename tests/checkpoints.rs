@@ -208,6 +208,103 @@ fn what_belongs_to_another_run_is_refused_with_a_reason() {
     );
 }
 
+#[test]
+fn changed_parameters_are_refused_unless_they_are_meant() {
+    let bytes = run().checkpoint();
+    let longer = Pendulum { length: PENDULUM.length + 0.05 };
+    let refused: Result<Run<[f64; 1]>, _> = Run::resume(&longer, &bytes);
+    let text = refused.expect_err("another length").to_string();
+    assert!(text.starts_with("`checkpoints::Pendulum` has other parameters than when"), "{text}");
+    assert!(text.contains("resume_with_changed_parameters"), "{text}");
+    let mut meant: Run<[f64; 1]> = Run::resume_with_changed_parameters(&longer, &bytes).expect("meant");
+    assert_eq!((meant.steps(), meant.time()), (run().steps(), run().time()));
+    meant.advance(10).expect("bounded");
+    // The same parameters are those of the run itself.
+    let same: Run<[f64; 1]> = Run::resume_with_changed_parameters(&PENDULUM, &bytes).expect("the same");
+    assert_eq!(same.state(), run().state());
+
+    /// A list and a count, of which nothing else is prepared.
+    #[derive(Clone)]
+    struct Springs {
+        stiffness: Vec<f64>,
+        bonds: usize,
+    }
+    #[hamiltonian]
+    impl Springs {
+        fn kinetic(&self, p: &[f64]) -> f64 {
+            p.iter().map(|p| p * p / 2.0).sum()
+        }
+        fn potential(&self, q: &[f64]) -> f64 {
+            let mut sum = 0.0;
+            for i in 0..self.bonds {
+                sum += self.stiffness[i] * (q[i + 1] - q[i]).powi(2);
+            }
+            sum
+        }
+    }
+    let springs = Springs { stiffness: vec![1.0, 2.0, 3.0], bonds: 3 };
+    let mut run = springs.run(Phase::new(vec![0.0, 1.5, 2.0, 3.0], vec![0.0; 4]), 0.01).expect("a good start");
+    run.advance(7).expect("bounded");
+    let bytes = run.checkpoint();
+    assert!(Run::<Vec<f64>>::resume(&springs, &bytes).is_ok());
+    let others = [
+        Springs { stiffness: vec![1.0, 2.0, 3.0 + 1e-15], bonds: 3 },
+        Springs { stiffness: vec![2.0, 1.0, 3.0], bonds: 3 },
+        Springs { stiffness: vec![1.0, 2.0, 3.0], bonds: 2 },
+    ];
+    for other in others {
+        let refused = Run::<Vec<f64>>::resume(&other, &bytes);
+        assert!(matches!(refused, Err(CheckpointError::Parameters { .. })), "{refused:?}");
+    }
+}
+
+#[test]
+fn another_system_of_the_same_name_is_refused() {
+    let bytes = {
+        struct Well;
+        #[hamiltonian]
+        impl Well {
+            fn kinetic(&self, p: [f64; 1]) -> f64 {
+                p[0] * p[0] / 2.0
+            }
+            fn potential(&self, q: [f64; 1]) -> f64 {
+                q[0] * q[0] / 2.0
+            }
+        }
+        let mut run = Well.run(Phase::new([1.0], [0.0]), 0.1).expect("a good start");
+        run.advance(3).expect("bounded");
+        run.checkpoint()
+    };
+    struct Well;
+    #[hamiltonian]
+    impl Well {
+        fn kinetic(&self, p: [f64; 1]) -> f64 {
+            p[0] * p[0] / 2.0
+        }
+        fn potential(&self, q: [f64; 1]) -> f64 {
+            q[0] * q[0] / 2.0 + q[0].powi(4)
+        }
+    }
+    let refused = Run::<[f64; 1]>::resume(&Well, &bytes);
+    assert!(matches!(refused, Err(CheckpointError::Formulas { .. })), "{refused:?}");
+    assert!(Run::<[f64; 1]>::resume_with_changed_parameters(&Well, &bytes).is_ok());
+}
+
+#[test]
+fn a_run_whose_state_was_changed_is_resumed_where_it_was() {
+    let mut run = run();
+    run.map_state(|state| state.p[0] = 0.5).expect("a finite state");
+    for steps in [0, 5] {
+        run.advance(steps).expect("bounded");
+        let mut again = resumed(&run.checkpoint()).expect("whole");
+        let mut first = run.clone();
+        assert_eq!((again.state(), again.time()), (first.state(), first.time()));
+        again.advance(2_000).expect("bounded");
+        first.advance(2_000).expect("bounded");
+        assert_eq!(again.state(), first.state());
+    }
+}
+
 /// A path that no other test uses.
 fn scratch(name: &str) -> PathBuf {
     Path::new(env!("CARGO_TARGET_TMPDIR")).join(format!("{name}-{}", std::process::id()))

@@ -10,9 +10,10 @@
 use crate::{
     composition::{Composition, Processor, Stage, Stages},
     coords::Coords,
+    digest::Digest,
     engine::Clock,
     error::{Error, debug_as_display},
-    hamiltonian::Hamiltonian,
+    hamiltonian::{Hamiltonian, Prepared},
     method::{Described, Facts},
     phase::Phase,
     run::{Run, admissible_with},
@@ -82,6 +83,24 @@ pub enum CheckpointError {
         /// Its name.
         composition: String,
     },
+    /// The system computes other flows or energies than then: its functions were changed, or the library was.
+    #[error(
+        "`{system}` has other formulas than when this checkpoint was made, or another version of the library wrote its flows: \
+         if that is meant, `Run::resume_with_changed_parameters` goes on"
+    )]
+    Formulas {
+        /// The name of its type.
+        system: String,
+    },
+    /// The parameters of the system have other values than then.
+    #[error(
+        "`{system}` has other parameters than when this checkpoint was made: if that is meant, \
+         `Run::resume_with_changed_parameters` goes on"
+    )]
+    Parameters {
+        /// The name of its type.
+        system: String,
+    },
     /// The state has another number of coordinates than the system.
     #[error("this checkpoint has {positions} positions and {momenta} momenta, which this system does not have")]
     Shape {
@@ -99,6 +118,9 @@ pub enum CheckpointError {
 #[derive(Serialize, Deserialize)]
 struct Record {
     system: String,
+    /// Fingerprints of what was generated for the system, and of its prepared constants.
+    formulas: u64,
+    parameters: u64,
     composition: String,
     stages: u64,
     leaf: String,
@@ -115,21 +137,31 @@ struct Record {
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Origin {
     system: &'static str,
+    formulas: u64,
+    parameters: u64,
     composition: &'static str,
     /// Nothing for a method that is no composition; its runs cannot be resumed.
     table: Option<(Stages, Processor)>,
 }
 
 impl Origin {
-    pub(crate) fn of<H>(Facts { name, table, .. }: Facts) -> Self {
-        Self { system: core::any::type_name::<H>(), composition: name, table }
+    pub(crate) fn of<H: Hamiltonian>(Facts { name, table, .. }: Facts, parameters: &H::Parameters<f64>) -> Self {
+        let mut digest = Digest::EMPTY;
+        H::Parameters::<f64>::digest(parameters, &mut digest);
+        Self {
+            system: core::any::type_name::<H>(),
+            formulas: H::FINGERPRINT,
+            parameters: digest.value(),
+            composition: name,
+            table,
+        }
     }
 }
 
 /// A number that tells the stages of compositions apart.
-fn fingerprint(Origin { table, .. }: &Origin) -> u64 {
+fn fingerprint(table: Option<&(Stages, Processor)>) -> u64 {
     let mut digest = CHECKSUM.digest();
-    let rows = table.iter().flat_map(|(stages, processor)| {
+    let rows = table.into_iter().flat_map(|(stages, processor)| {
         let ends = [stages.opening, stages.closing].into_iter();
         ends.chain(stages.cycle.iter().chain(processor.before.rows).chain(processor.after.rows).copied())
     });
@@ -165,8 +197,10 @@ impl<C: Coords> Run<C> {
         let Clock { t0, h, steps } = self.clock;
         let record = Record {
             system: self.origin.system.to_owned(),
+            formulas: self.origin.formulas,
+            parameters: self.origin.parameters,
             composition: self.origin.composition.to_owned(),
-            stages: fingerprint(&self.origin),
+            stages: fingerprint(self.origin.table.as_ref()),
             leaf: C::Leaf::NAME.to_owned(),
             steps,
             opened: self.opened,
@@ -233,8 +267,9 @@ impl<C: Coords> Run<C> {
     /// The run that a checkpoint was made of, with the annotated composition of its system.
     ///
     /// # Errors
-    /// Bytes that are no checkpoint, damaged, or of a newer format; a checkpoint of another system (by the name of its
-    /// type), composition or precision; a state from which no run can go on.
+    /// Bytes that are no checkpoint, damaged, or of another format; a checkpoint of another system (by the name of its type,
+    /// the formulas of its energies and the values of its parameters), composition or precision; a state from which no run
+    /// can go on. What a method with a stated derivative computes is not looked at.
     pub fn resume<H>(system: &H, checkpoint: &[u8]) -> Result<Self, CheckpointError>
     where
         H: Hamiltonian,
@@ -253,27 +288,65 @@ impl<C: Coords> Run<C> {
         X: Composition<H>,
         H::Coords: Coords<With<C::Leaf> = C>,
     {
-        let Record { system: name, composition: stored, stages, leaf, steps, opened, h, t0, q, p } =
-            record(checkpoint)?;
-        let origin = Origin::of::<H>(composition.facts());
-        let asked = [
-            ("system", name, origin.system),
-            ("composition", stored, origin.composition),
-            ("precision", leaf, C::Leaf::NAME),
-        ];
-        for (what, stored, asked) in asked {
-            if stored != asked {
-                return Err(CheckpointError::Other { what, stored, asked: asked.to_owned() });
-            }
-        }
-        if stages != fingerprint(&origin) {
-            return Err(CheckpointError::Stages { composition: origin.composition.to_owned() });
-        }
+        Self::resumed(system, composition, checkpoint, false)
+    }
+
+    /// The run that a checkpoint was made of, with the annotated composition of its system, whatever the parameters and the
+    /// formulas of the system are now: it goes on with those from the stored state. This one is in the middle of a step, so that
+    /// where they differ the step under way is taken with both.
+    ///
+    /// # Errors
+    /// As [`Run::resume`], but for the parameters and the formulas.
+    pub fn resume_with_changed_parameters<H>(system: &H, checkpoint: &[u8]) -> Result<Self, CheckpointError>
+    where
+        H: Hamiltonian,
+        H::Coords: Coords<With<C::Leaf> = C>,
+    {
+        Self::resumed(system, H::Compose::default(), checkpoint, true)
+    }
+
+    fn resumed<H, X>(system: &H, composition: X, checkpoint: &[u8], changed: bool) -> Result<Self, CheckpointError>
+    where
+        H: Hamiltonian,
+        X: Composition<H>,
+        H::Coords: Coords<With<C::Leaf> = C>,
+    {
+        let stored = record(checkpoint)?;
+        stored.belongs_to::<H, C::Leaf>(composition.facts())?;
+        let Record { formulas, parameters, steps, opened, h, t0, q, p, .. } = stored;
         let shape = CheckpointError::Shape { positions: q.len(), momenta: p.len() };
         let (Some(q), Some(p)) = (coordinates(&q), coordinates(&p)) else { return Err(shape) };
         let unfinished = Phase { q, p };
         admissible_with(composition, &unfinished, h)?;
-        Ok(Self::going_on::<H, X, C::Leaf>(system, composition, unfinished, Clock { t0, h, steps }, opened)?)
+        let run = Self::going_on::<H, X, C::Leaf>(system, composition, unfinished, Clock { t0, h, steps }, opened)?;
+        let name = || run.origin.system.to_owned();
+        if !changed && formulas != run.origin.formulas {
+            return Err(CheckpointError::Formulas { system: name() });
+        }
+        if !changed && parameters != run.origin.parameters {
+            return Err(CheckpointError::Parameters { system: name() });
+        }
+        Ok(run)
+    }
+}
+
+impl Record {
+    /// Whether the names of a system, a method and a precision are those of this record, and the stages too.
+    fn belongs_to<H: Hamiltonian, K: Keep>(&self, facts: Facts) -> Result<(), CheckpointError> {
+        let asked = [
+            ("system", &self.system, core::any::type_name::<H>()),
+            ("composition", &self.composition, facts.name),
+            ("precision", &self.leaf, K::NAME),
+        ];
+        for (what, stored, asked) in asked {
+            if stored != asked {
+                return Err(CheckpointError::Other { what, stored: stored.clone(), asked: asked.to_owned() });
+            }
+        }
+        match self.stages == fingerprint(facts.table.as_ref()) {
+            true => Ok(()),
+            false => Err(CheckpointError::Stages { composition: facts.name.to_owned() }),
+        }
     }
 }
 

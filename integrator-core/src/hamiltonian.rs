@@ -3,6 +3,7 @@
 use crate::{
     composition::Composition,
     coords::Coords,
+    digest::Digest,
     error::{Error, NotFinite, Unsolved},
     method::Method,
     phase::Phase,
@@ -43,6 +44,8 @@ pub trait Hamiltonian: Sized {
     /// Whether a single run gains from vectors of 512 bits: its flows compute neighbours or bodies side by side. Code for
     /// numbers one by one can be slower there, and is then compiled for AVX2 at most.
     const WIDE: bool = false;
+    /// A fingerprint of the generated flows and energies: another one, and a checkpoint belongs to another motion.
+    const FINGERPRINT: u64 = 0;
     /// How far the flows of a lattice look, whose sites can be moved a part at a time.
     const REACH: Option<Reach> = None;
 
@@ -147,6 +150,8 @@ pub trait Prepared<R: Real>: Clone + Send + Sync + 'static {
     }
     /// Says where conditions on the time are read: in the middle of the step under way.
     fn begin_step(&mut self, _middle: f64) {}
+    /// Adds the constants to a fingerprint.
+    fn digest(_single: &Self::Single, _digest: &mut Digest) {}
     /// Gathers the constants of one member per lane.
     fn gather<'a>(of_lane: impl Fn(usize) -> &'a Self::Single) -> Self;
 }

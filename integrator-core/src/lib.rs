@@ -94,6 +94,8 @@ mod composition;
 mod constants;
 mod coords;
 mod crossings;
+#[allow(unreachable_pub, reason = "named in bounds, never outside")]
+mod digest;
 #[cfg_attr(feature = "std", allow(dead_code, unreachable_pub, reason = "users need it where there is no std"))]
 mod elementary;
 mod energies;
@@ -216,6 +218,7 @@ pub mod __private {
         composition::{Class, Composition, Lead, Processor, Rows, Scheme, Stage, Stages},
         constants::{all_found, not_finite},
         coords::Coords,
+        digest::Digest,
         error::NotFinite,
         fused::Fused,
         gather::{Drift, Edges, Gather, Kick},

@@ -150,6 +150,8 @@ impl<C: Coords> Run<C> {
     {
         let parameters = system.parameters(start.q.length());
         let constants = H::Parameters::<f64>::not_finite(&parameters);
+        #[cfg(feature = "checkpoint")]
+        let origin = Origin::of::<H>(method.facts(), &parameters);
         // Known when this is compiled, so that nothing is compiled for the others.
         let mut engine = if const { X::CLONED } {
             match InstructionSet::chosen() {
@@ -174,7 +176,7 @@ impl<C: Coords> Run<C> {
             evaluated: 0,
             start_unseen: false,
             #[cfg(feature = "checkpoint")]
-            origin: Origin::of::<H>(method.facts()),
+            origin,
         };
         // An infinite constant may be meant, such as a cutoff beyond all distances: what counts is what it does.
         if !constants.is_empty() && run.is_spoilt() {

@@ -170,6 +170,9 @@ impl Fields {
                 (_, Some(Level { literal: None, .. })) => Some(quote!(a.#name.len() == b.#name.len())),
                 _ => None,
             });
+            if !matches!(content, Content::External(_)) {
+                prepared.digested.push(name.clone());
+            }
             if let Content::Number(id) = content {
                 let (formula, runtime) = (Formulas(model).short(id), &names.runtime);
                 let formula = formula.unwrap_or_else(|| name.to_string());
@@ -203,6 +206,8 @@ pub(super) struct Prepared {
     pub(super) common: Vec<TokenStream>,
     /// The search for a number that is not finite in each field of a `single`.
     pub(super) searched: Vec<TokenStream>,
+    /// The fields that are numbers, or tables of numbers.
+    pub(super) digested: Vec<Ident>,
 }
 
 /// `name` of `self.name` and of `self.name[...]`.

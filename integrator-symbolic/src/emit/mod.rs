@@ -11,6 +11,7 @@ mod condition;
 mod equations;
 mod expression;
 mod fields;
+mod fingerprint;
 mod force_gradient;
 mod form;
 mod frame;
@@ -47,6 +48,7 @@ use equations::{Formulas, documented_motion};
 pub(crate) use equations::{equations, ranges};
 use expression::Dialect;
 use fields::Fields;
+use fingerprint::fingerprint;
 pub use form::Form;
 pub(crate) use form::forms;
 use function::Body;
@@ -114,7 +116,7 @@ pub(crate) fn stepper(input: &Input, mut model: Model) -> TokenStream {
     let root = &input.root;
     let Pieces { piecewise, begin, set } = pieces;
     let Names { runtime, parameters, scalar, leaf, .. } = &names;
-    let fields::Prepared { fields, gathered, values, common, searched } = fields.emit(&mut model, &names);
+    let fields::Prepared { fields, gathered, values, common, searched, digested } = fields.emit(&mut model, &names);
     let alike = (!common.is_empty()).then(|| {
         quote! {
             #[inline]
@@ -125,6 +127,13 @@ pub(crate) fn stepper(input: &Input, mut model: Model) -> TokenStream {
         quote! {
             fn not_finite(single: &Self::Single) -> #runtime::Vec<#runtime::NotFinite> {
                 #runtime::all_found([#(#searched),*])
+            }
+        }
+    });
+    let digest = (!digested.is_empty()).then(|| {
+        quote! {
+            fn digest(single: &Self::Single, digest: &mut #runtime::Digest) {
+                #(digest.add(&single.#digested);)*
             }
         }
     });
@@ -212,6 +221,9 @@ pub(crate) fn stepper(input: &Input, mut model: Model) -> TokenStream {
     let (drift, kick) = (drift.flow("drift", &names), kick.flow("kick", &names));
     let many_body = many_body.map(|many_body| many_body.implementations(implementation, &of_f64, &names));
     let (kinetic, potential) = (kinetic.energy("kinetic", &names), potential.energy("potential", &names));
+    let along: TokenStream = along.collect();
+    let fingerprint =
+        fingerprint(quote!(#prepare #drift #kick #kinetic #potential #many_body #quadratic #taylor #along));
     quote! {
         #[allow(warnings, clippy::all, clippy::pedantic, reason = "generated")]
         const _: () = {
@@ -231,6 +243,7 @@ pub(crate) fn stepper(input: &Input, mut model: Model) -> TokenStream {
 
                 #alike
                 #not_finite
+                #digest
                 #set
             }
 
@@ -243,6 +256,7 @@ pub(crate) fn stepper(input: &Input, mut model: Model) -> TokenStream {
                 type Motion<#scalar: #runtime::Real, #leaf: #runtime::Keep> = #motion;
 
                 const AUTONOMOUS: bool = #autonomous;
+                const FINGERPRINT: u64 = #fingerprint;
                 #wide
                 #reach
                 #piecewise
@@ -265,7 +279,7 @@ pub(crate) fn stepper(input: &Input, mut model: Model) -> TokenStream {
             #many_body
             #quadratic
             #taylor
-            #(#along)*
+            #along
         };
     }
 }
