@@ -4,12 +4,10 @@
 use super::{block, is_protected, placed};
 use crate::{
     differentiate::{folded, gradient},
-    errors::Errors,
     graph::{Graph, Node, NodeId, Part, evaluate::Point},
     model::Model,
     program::{Item, Placed, Program, Sink, schedule},
 };
-use proc_macro2::TokenStream;
 
 /// A potential as text, and as the function that it is.
 struct Row {
@@ -231,13 +229,7 @@ fn model_of(text: &str) -> Model {
             fn potential(&self, q: &[f64]) -> f64 {text}
         }}"
     );
-    let mut errors = Errors::default();
-    let input = crate::syntax::input(TokenStream::new(), item.parse().expect("tokens"), &mut errors);
-    let model = input.and_then(|input| crate::model::model(&input, &mut errors));
-    match (model, errors.combined()) {
-        (Some(model), None) => model,
-        (_, error) => panic!("{text}: {error:?}"),
-    }
+    crate::model::of_text(&item)
 }
 
 fn scheduled(model: &Model, placed: &[Placed]) -> Program {

@@ -166,6 +166,18 @@ pub(crate) fn stub(input: &Input) -> Option<Model> {
     })
 }
 
+/// The model of an impl without mistakes.
+#[cfg(test)]
+pub(crate) fn of_text(item: &str) -> Model {
+    let mut errors = Errors::default();
+    let input = crate::syntax::input(TokenStream::new(), item.parse().expect("tokens"), &mut errors);
+    let model = input.and_then(|input| model(&input, &mut errors));
+    match (model, errors.combined()) {
+        (Some(model), None) => model,
+        (_, error) => panic!("{item}: {error:?}"),
+    }
+}
+
 /// A variable.
 struct Binding {
     value: Value,
