@@ -8,6 +8,7 @@ pub struct Digest(u64);
 
 impl Digest {
     /// That of nothing.
+    #[cfg(feature = "checkpoint")]
     pub(crate) const EMPTY: Self = Self(0xcbf2_9ce4_8422_2325);
 
     /// The fingerprint of all that was added.
