@@ -102,8 +102,9 @@ pub(crate) fn schedule_with(
     leaf: impl Fn(&Graph, NodeId) -> bool,
     asked: &Asked,
 ) -> Program {
-    attempt(graph, placed, &leaf, asked, Waiting::ForItsLike)
-        .or_else(|| attempt(graph, placed, &leaf, asked, Waiting::ForAny))
+    [Waiting::ForItsLike, Waiting::ForAny, Waiting::Apart]
+        .into_iter()
+        .find_map(|waiting| attempt(graph, placed, &leaf, asked, waiting))
         .unwrap_or(Program { items: Vec::new(), named: BTreeSet::new() })
 }
 
@@ -112,8 +113,11 @@ pub(crate) fn schedule_with(
 enum Waiting {
     /// Those over the same loop or on the same condition. Fewest blocks, but two kinds may end up waiting for each other.
     ForItsLike,
-    /// All, so that an order always exists.
+    /// All. What a condition or a factor of one block needs may still come from a block that waits for it.
     ForAny,
+    /// None is joined with another: each block makes one value or leads to one destination, from values that were made
+    /// before it, so that an order always exists.
+    Apart,
 }
 
 fn attempt<L: Fn(&Graph, NodeId) -> bool>(
@@ -266,7 +270,11 @@ impl<L: Fn(&Graph, NodeId) -> bool> Scheduler<'_, L> {
     /// The block inside the last one of `path`, new or known.
     fn inner(&mut self, path: &[usize], around: Around, waits: u32) -> usize {
         let beside = &self.scopes[path[path.len() - 1]].inner;
-        let known = beside.iter().find(|(own, scope)| *own == waits && self.scopes[*scope].around == Some(around));
+        let joined = self.waiting != Waiting::Apart;
+        let known = beside
+            .iter()
+            .filter(|_| joined)
+            .find(|(own, scope)| *own == waits && self.scopes[*scope].around == Some(around));
         if let Some((_, known)) = known {
             return *known;
         }
