@@ -12,6 +12,7 @@ pub mod std {}
 
 pub mod attributes;
 pub mod const_generics;
+pub mod locals;
 pub mod names;
 pub mod no_parameters;
 pub mod no_prelude;
