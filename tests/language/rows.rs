@@ -190,6 +190,9 @@ rows! {
     adaptors { q.iter().skip(1).take(2).map(|x| x * x).sum::<f64>() + q.iter().rev().step_by(2).sum::<f64>() } => [0.0, 2.0 * b + 1.0, 2.0 * c, 1.0];
     nested_iterators { (0..4).map(|i| (0..i).map(|j| q[i] * q[j]).sum::<f64>()).sum::<f64>() } => [b + c + d, a + c + d, a + b + d, a + b + c];
     matrix_rows { self.weights.iter().zip(&self.table).map(|(row, k)| k * row.iter().zip(q).map(|(w, x)| w * x).sum::<f64>().powi(2)).sum::<f64>() } => { let (y, z) = (8.0 * (a + 2.0 * b + 3.0 * c + 4.0 * d), 6.0 * (a - b)); [y + z, 2.0 * y - z, 3.0 * y, 4.0 * y] };
+    flattened { [[q[0], q[1]], [q[2], q[3]]].iter().flatten().map(|x| x * x).sum::<f64>() } => [2.0 * a, 2.0 * b, 2.0 * c, 2.0 * d];
+    flat_maps { (0..4).flat_map(|i| (0..i).map(move |j| (i, j))).map(|(i, j)| q[i] * q[j]).sum::<f64>() } => [b + c + d, a + c + d, a + b + d, a + b + c];
+    parts { let part = &q[1..]; part[0] * part[2] + part.len() as f64 * part.iter().sum::<f64>() } => [0.0, d + 3.0, 3.0, b + 3.0];
     slices { q[1..].iter().zip(&q[..3]).map(|(y, x)| y * x).sum::<f64>() + q[1..=2].iter().sum::<f64>() } => [b, a + c + 1.0, b + d + 1.0, c];
     iterated_arrays { [q[0], q[3]].iter().map(|x| x * x).sum::<f64>() } => [2.0 * a, 0.0, 0.0, 2.0 * d];
     closures { q.windows(2).map(|w| { let d = w[1] - w[0]; d * d }).sum::<f64>() } => [2.0 * (a - b), 2.0 * (b - a) + 2.0 * (b - c), 2.0 * (c - b) + 2.0 * (c - d), 2.0 * (d - c)];

@@ -111,6 +111,7 @@ impl Reader<'_> {
                 Value::Array(parts) => {
                     Some(Value::Integer(self.graph.loops.intern(Index::Literal(parts.len() as u64))))
                 }
+                Value::List(part) => Some(Value::Integer(self.count_of(part))),
                 other => {
                     self.errors.at(name, format!("{} has no length", other.describe()));
                     None

@@ -172,6 +172,11 @@ impl Reader<'_> {
     }
 
     fn index(&mut self, index: &ExprIndex) -> Option<Value> {
+        if let Expr::Range(range) = &*index.index
+            && let Some(part) = self.part_of_list(&index.expr, range)
+        {
+            return part.map(Value::List);
+        }
         let (value, at) = (self.expression(&index.expr), self.expression(&index.index));
         let (value, at) = (value?, at?);
         let Some(position) = self.integer(&at) else {
@@ -180,13 +185,6 @@ impl Reader<'_> {
         };
         // The type of an index is `usize`.
         let position = self.graph.loops.unsigned(position);
-        if let (Expr::Range(_), Value::View(_) | Value::Array(_)) = (&*index.index, &value) {
-            self.errors.at(
-                &index.index,
-                "a range of coordinates is no value: run over it, as in `q[a..b].iter()`, or add to the index",
-            );
-            return None;
-        }
         match value {
             Value::View(view) => self.coordinate(view, position, index),
             Value::Array(parts)
@@ -217,6 +215,7 @@ impl Reader<'_> {
                 let (text, inner) = (place(text), place(at.text));
                 Some(Value::Opaque(Opaque { text: quote!(#text[#inner]), loops: loops.union(at.loops) }))
             }
+            Value::List(part) => self.nth(&part, position),
             other => {
                 self.errors.at(&index.expr, format!("{} cannot be indexed", other.describe()));
                 None

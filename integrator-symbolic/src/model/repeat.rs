@@ -1,6 +1,6 @@
 //! Loops: what `for` runs over, and sums that stay sums.
 
-use super::{Frame, Reader, Target, sequence::Sequence, statement::Assigned, value::Value};
+use super::{Frame, Reader, Target, flatten::nested_loop, sequence::Sequence, statement::Assigned, value::Value};
 use crate::graph::{
     Comparison, NodeId,
     index::{Index, IndexId, Loop, LoopId, LoopSet},
@@ -37,6 +37,9 @@ pub(super) const FEW: u64 = 16;
 impl Reader<'_> {
     /// `for pattern in sequence { ... }`
     pub(super) fn repeat(&mut self, repeat: &ExprForLoop) -> Option<Value> {
+        if let Some(nested) = nested_loop(repeat) {
+            return self.repeat(&nested);
+        }
         let sequence = self.sequence(&repeat.expr)?;
         if sequence.literal {
             let sequence = self.with_conditions(sequence);

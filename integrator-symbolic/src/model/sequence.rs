@@ -20,7 +20,7 @@ use syn::{Block, Expr, ExprClosure, ExprIndex, ExprMethodCall, ExprRange, RangeL
 
 /// A sequence with one item for every index in `from..to`.
 #[derive(Clone)]
-pub(super) struct Sequence {
+pub(crate) struct Sequence {
     pub(super) from: IndexId,
     pub(super) to: IndexId,
     at: Rc<ItemAt>,
@@ -99,7 +99,7 @@ impl Reader<'_> {
     }
 
     /// `list[a..b]` of coordinates or of an array; `None` where the list is one of the system, which has text of its own.
-    fn part_of_list(&mut self, list: &Expr, range: &ExprRange) -> Option<Option<Sequence>> {
+    pub(super) fn part_of_list(&mut self, list: &Expr, range: &ExprRange) -> Option<Option<Sequence>> {
         let value = match self.expression(list) {
             Some(Value::Opaque(_)) => return None,
             Some(value) => value,
@@ -201,6 +201,7 @@ impl Reader<'_> {
                 });
                 Some(if behind_reference { items.of_references() } else { items })
             }
+            Value::List(part) => Some(part),
             Value::Unknown => None,
             other => {
                 self.errors.at(place, format!("{} cannot be run over: {EXPECTED}", other.describe()));
@@ -219,6 +220,17 @@ impl Reader<'_> {
                 None
             }
         }
+    }
+
+    /// How many items there are.
+    pub(super) fn count_of(&mut self, sequence: &Sequence) -> IndexId {
+        self.graph.loops.span(sequence.from, sequence.to)
+    }
+
+    /// The item at a position, counted from the first one.
+    pub(super) fn nth(&mut self, sequence: &Sequence, position: IndexId) -> Option<Value> {
+        let index = self.graph.loops.intern(Index::Add(sequence.from, position));
+        self.item_of(sequence, index).map(|item| item.value)
     }
 
     /// The item for an index.

@@ -3,7 +3,7 @@
 #[cfg(test)]
 mod tests;
 
-use super::{Reader, repeat::FEW, sequence::Sequence, value::Value};
+use super::{Reader, flatten::nested_sum, repeat::FEW, sequence::Sequence, value::Value};
 use crate::graph::{
     Comparison, NodeId,
     index::{Index, IndexId},
@@ -26,6 +26,9 @@ impl Reader<'_> {
     /// `sequence.sum()`, `sequence.product()` and `sequence.fold(start, |accumulator, item| ...)`: a sum where all that is
     /// done is to add, else written out item by item.
     pub(super) fn total(&mut self, call: &ExprMethodCall) -> Option<Value> {
+        if let Some(nested) = nested_sum(call) {
+            return self.expression(&nested);
+        }
         let sequence = self.sequence(&call.receiver)?;
         let (start, step) = self.step(call)?;
         if !sequence.literal

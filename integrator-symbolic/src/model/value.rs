@@ -3,6 +3,7 @@
 use super::{
     closure::Callable,
     integer::operand,
+    sequence::Sequence,
     text::{place, reference_to, referent},
 };
 use crate::graph::{
@@ -25,6 +26,8 @@ pub(crate) enum Value {
     View(View),
     /// An array of values.
     Array(Vec<Value>),
+    /// A part of a list, `&q[1..]`.
+    List(Sequence),
     /// A tuple of values.
     Tuple(Vec<Value>),
     /// What depends on parameters (and loop indices) alone, kept as the user's own expression.
@@ -89,6 +92,7 @@ impl Value {
             Value::View(view) if view.at.is_empty() => "the whole array of coordinates",
             Value::View(_) => "a point",
             Value::Array(_) => "an array",
+            Value::List(_) => "a part of a list",
             Value::Tuple(_) => "a tuple",
             Value::Opaque(_) => "a parameter",
             Value::Closure(_) => "a closure",
