@@ -12,6 +12,7 @@ macro_rules! rows {
 }
 
 #[test]
+#[allow(clippy::needless_range_loop, clippy::unnecessary_cast, reason = "rows are written as users write H")]
 fn energies_over_integers_are_those_of_the_code() {
     let rows = rows! { q:
         { let mut v = 0.0; for i in 0..4 { v += (i as i32 - 2) as f64 * q[i]; } v }
