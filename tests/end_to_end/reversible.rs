@@ -125,8 +125,8 @@ fn a_run_stops_within_the_range_of_its_grid() {
     assert_eq!((run.steps(), run.state().q[0].value()), (127, 126.0078125));
     assert_eq!(
         error.to_string(),
-        "the state after step 128 (t = 16) has a coordinate beyond ±128, the range of its grid; the last one within it is \
-         kept (q = [126.0078125], p = [15.875]). A coarser grid, or a look at the forces there, helps"
+        "the state after step 128 (t = 16) has a coordinate beyond ±128, the range of its grid, first in q[0]; the last one \
+         within it is kept (q = [126.0078125], p = [15.875]). A coarser grid, or a look at the forces there, helps"
     );
 }
 
