@@ -173,27 +173,23 @@ fn areas_change_by_the_factors_of_the_step_matrix() {
     let oscillator = Oscillator { mass: 1.0 };
     let bracket = |found: Result<f64, CheckError>| found.expect("a bracket");
     let rows = [
-        ("forward", bracket(poisson_bracket(&oscillator, ForwardEuler, &start, h, 0)), 1.0 + square),
-        ("backward", bracket(poisson_bracket(&oscillator, BackwardEuler, &start, h, 0)), 1.0 / (1.0 + square)),
-        (
-            "midpoint",
-            bracket(poisson_bracket(&oscillator, ExplicitMidpoint, &start, h, 0)),
-            1.0 + square * square / 4.0,
-        ),
+        ("forward", bracket(poisson_bracket(&oscillator, ForwardEuler, start, h, 0)), 1.0 + square),
+        ("backward", bracket(poisson_bracket(&oscillator, BackwardEuler, start, h, 0)), 1.0 / (1.0 + square)),
+        ("midpoint", bracket(poisson_bracket(&oscillator, ExplicitMidpoint, start, h, 0)), 1.0 + square * square / 4.0),
         (
             "classical",
-            bracket(poisson_bracket(&oscillator, RungeKutta4, &start, h, 0)),
+            bracket(poisson_bracket(&oscillator, RungeKutta4, start, h, 0)),
             1.0 - square.powi(3) / 72.0 + square.powi(4) / 576.0,
         ),
-        ("implicit", bracket(poisson_bracket(&oscillator, ImplicitMidpoint, &start, h, 0)), 1.0),
-        ("leapfrog", bracket(poisson_bracket(&oscillator, StaggeredLeapfrog, &start, h, 0)), 1.0),
-        ("composition", bracket(poisson_bracket(&oscillator, Yoshida4, &start, h, 0)), 1.0),
+        ("implicit", bracket(poisson_bracket(&oscillator, ImplicitMidpoint, start, h, 0)), 1.0),
+        ("leapfrog", bracket(poisson_bracket(&oscillator, StaggeredLeapfrog, start, h, 0)), 1.0),
+        ("composition", bracket(poisson_bracket(&oscillator, Yoshida4, start, h, 0)), 1.0),
     ];
     for (name, found, exact) in rows {
         // Some ten roundings of numbers up to one.
         assert!((found - exact).abs() < 20.0 * f64::EPSILON, "{name}: {found} instead of {exact}");
     }
-    let refused = poisson_bracket(&oscillator, ForwardEuler, &start, h, 1);
+    let refused = poisson_bracket(&oscillator, ForwardEuler, start, h, 1);
     assert_eq!(refused, Err(CheckError::NoCoordinate { index: 1, coordinates: 1 }));
 }
 

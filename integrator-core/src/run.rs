@@ -122,7 +122,7 @@ impl<C: Coords> Run<C> {
     ///
     /// # Errors
     /// [`Error::Energy`]
-    fn see_start(&mut self) -> Result<(), Error> {
+    pub(crate) fn see_start(&mut self) -> Result<(), Error> {
         if self.start_unseen {
             self.engine.energies().parts(&self.state(), self.time()).admissible(self.time())?;
             self.start_unseen = false;

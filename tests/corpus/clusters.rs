@@ -37,6 +37,8 @@ impl LennardJones {
 
 impl Member for LennardJones {
     const STEP: f64 = 0.01;
+    const ROUGH: Option<&'static str> =
+        Some("the potential jumps where a pair passes the cutoff, so the energy is lost there");
 
     fn example() -> Self {
         Self { mass: 1.1, sigma: 1.0, epsilon: 0.9, cutoff: 1.9 }
@@ -91,6 +93,8 @@ impl Morse {
 
 impl Member for Morse {
     const STEP: f64 = 0.02;
+    const ROUGH: Option<&'static str> =
+        Some("the potential jumps where a pair passes the cutoff, so the energy is lost there");
 
     fn example() -> Self {
         Self { depth: 1.2, width: 1.5, length: 1.1, cutoff: 2.25 }
@@ -156,7 +160,9 @@ impl Colloids {
 }
 
 impl Member for Colloids {
-    const STEP: f64 = 0.02;
+    const STEP: f64 = 0.05;
+    // Slopes of the force jump at the cutoff.
+    const SMOOTH: u32 = 2;
 
     fn example() -> Self {
         Self { strength: 1.5, screening: 0.8, cutoff: 2.0 }

@@ -5,7 +5,7 @@ use crate::{
     reference::{self, Exact, Point},
 };
 use integrator_core::{
-    Coords, Visitor,
+    Compensated, Coords, Visitor,
     check::{Certificate, CertifyError, gradient_error},
     prelude::*,
 };
@@ -93,17 +93,26 @@ fn gradients_agree<S: Member>(name: &str, system: &S, point: &Point) {
     all_close("dual dV/dq", &by_positions, &point.potential_gradient);
 }
 
-/// The gradients of `T` and `V` as a run sees them: a kick of unit duration from rest leaves `-dV/dq` in the momenta,
-/// a drift of unit duration from the origin leaves `dT/dp` in the positions.
+/// A duration so short that conditions on the time hold throughout, and a power of two, by which numbers are multiplied and
+/// divided without rounding.
+const SHORT: f64 = 1.0 / (1 << 20) as f64;
+
+/// The gradients of `T` and `V` as a run sees them: a kick from rest leaves `-dV/dq` times its duration in the momenta, a
+/// drift adds `dT/dp` times its duration to the positions, which carry what the sum rounds. (There may be no energy at the
+/// origin.)
 fn generated<S: Member>(system: &S, point: &Point) -> (Vec<f64>, Vec<f64>) {
     let zeros = S::Coords::filled(&vec![0.0; point.q.len()]);
-    let from_rest = Phase::new(S::Coords::filled(&point.q), zeros.clone());
-    let from_origin = Phase::new(zeros, S::Coords::filled(&point.p));
-    let mut kick = system.run_with::<f64, _>(Euler, from_rest, 1.0).expect("a start").at_time(point.time);
+    let from_rest = Phase::new(S::Coords::filled(&point.q), zeros);
+    let moving = Phase::compensated(S::Coords::filled(&point.q), S::Coords::filled(&point.p));
+    let mut kick = system.run_with::<f64, _>(Euler, from_rest, SHORT).expect("a start").at_time(point.time);
     kick.advance(1).expect("finite");
-    let mut drift = system.run_with::<f64, _>(EulerAdjoint, from_origin, 1.0).expect("a start").at_time(point.time);
+    let mut drift =
+        system.run_with::<Compensated<f64>, _>(EulerAdjoint, moving, SHORT).expect("a start").at_time(point.time);
     drift.advance(1).expect("finite");
-    (drift.state().q.flat().to_vec(), kick.state().p.flat().iter().map(|change| -change).collect())
+    let moved =
+        drift.state().q.flat().iter().zip(&point.q).map(|(q, from)| (q.value - from) + q.carried).collect::<Vec<_>>();
+    let rates = |changes: &[f64], sign: f64| changes.iter().map(|change| sign * change / SHORT).collect();
+    (rates(&moved, 1.0), rates(kick.state().p.flat(), -1.0))
 }
 
 /// A gradient by dual numbers, one seed after the other.

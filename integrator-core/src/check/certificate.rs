@@ -13,6 +13,8 @@ pub struct Certificate {
     pub composition: &'static str,
     /// The step.
     pub step: f64,
+    /// The time at the start.
+    pub time: f64,
     /// The order that the composition claims.
     pub claimed_order: u32,
     /// Whether it claims to be symmetric.
@@ -25,6 +27,8 @@ pub struct Certificate {
     pub observed_order: f64,
     /// The range and the scatter of that slope.
     pub order: Option<Order>,
+    /// Until when the order was found to hold along the orbit, piece by piece; NaN where that could not be measured.
+    pub order_until: f64,
     /// How far a run forward and back ends from its start: [`reversibility`](crate::check::reversibility()) over the
     /// span of [`Certificate::order`], in its coarsest steps or in [`Certificate::step`] if that is longer.
     pub reversibility: f64,
@@ -32,6 +36,8 @@ pub struct Certificate {
     /// many are too short to tell a trend from the flank of an oscillation. Nothing for a Hamiltonian that reads the
     /// time.
     pub energy_drift: Option<EnergyDrift>,
+    /// The same over as long a time in steps of half the length; nothing where rounding explains the deviation.
+    pub finer_energy_drift: Option<EnergyDrift>,
     /// How far the flows are from the gradients of the energies: the largest
     /// [`gradient_error`](crate::check::gradient_error) along the path.
     pub gradient_error: f64,
@@ -57,42 +63,57 @@ pub struct Tolerances {
     pub gradient_error: f64,
 }
 
+/// What was measured, a line for each; what could not be measured has none.
 impl fmt::Display for Certificate {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{} on {}, h = {}", self.composition, self.system, self.step)?;
+        if self.time != 0.0 {
+            write!(f, ", from t = {}", self.time)?;
+        }
         let Tolerances { symplectic_defect, reversibility, gradient_error } = self.tolerances;
-        writeln!(f, "{} on {}, h = {}", self.composition, self.system, self.step)?;
-        writeln!(f, "  symplectic defect  {:.1e} (rounding explains {symplectic_defect:.1e})", self.symplectic_defect)?;
-        write!(f, "  observed order     {:.2} (claimed {}", self.observed_order, self.claimed_order)?;
-        if let Some(Order { points, finest, coarsest, span, .. }) = self.order {
-            write!(f, "; {points} steps from {finest:.1e} to {coarsest:.1e} over a time of {span:.1e}")?;
+        let line = |f: &mut fmt::Formatter<'_>, name, number: f64, rest: String| match number.is_nan() {
+            true => Ok(()),
+            false => write!(f, "\n  {name:<18} {number:.1e} {rest}"),
+        };
+        let explained = |tolerance: f64| format!("(rounding explains {tolerance:.1e})");
+        line(f, "symplectic defect", self.symplectic_defect, explained(symplectic_defect))?;
+        if let Some(order) = &self.order {
+            self.write_order(order, f)?;
         }
-        writeln!(f, ")")?;
-        write!(f, "  reversibility      {:.1e} ", self.reversibility)?;
-        if self.symmetric {
-            writeln!(f, "(rounding explains {reversibility:.1e})")?;
-        } else {
-            writeln!(f, "(not symmetric, none claimed)")?;
+        let returned =
+            if self.symmetric { explained(reversibility) } else { "(not symmetric, none claimed)".to_owned() };
+        line(f, "reversibility", self.reversibility, returned)?;
+        match &self.energy_drift {
+            Some(drift) => self.write_energy(drift, f)?,
+            None if self.autonomous => {}
+            None => write!(f, "\n  energy drift       left out: H reads the time")?,
         }
-        match self.energy_drift {
-            Some(EnergyDrift { deviation, course, slope, uncertainty, step, steps, .. }) => writeln!(
-                f,
-                "  energy drift       {course}: {deviation:.1e} at most in {steps} steps of {step:.1e}; \
-                 slope {slope:.1e} +- {uncertainty:.1e} per unit time"
-            )?,
-            None if self.autonomous => writeln!(f, "  energy drift       not measured")?,
-            None => writeln!(f, "  energy drift       left out: H reads the time")?,
+        line(f, "gradient error", self.gradient_error, explained(gradient_error))?;
+        if let Some(Agreement { energies, derivatives, left_out }) = self.agreement {
+            write!(f, "\n  own functions      {energies} energies and {derivatives} derivatives agree, ")?;
+            write!(f, "{left_out} could not be compared")?;
         }
-        writeln!(f, "  gradient error     {:.1e} (rounding explains {gradient_error:.1e})", self.gradient_error)?;
-        match self.agreement {
-            Some(Agreement { energies, derivatives, left_out }) => writeln!(
-                f,
-                "  own functions      {energies} energies and {derivatives} derivatives agree, {left_out} could not be compared"
-            )?,
-            None => writeln!(f, "  own functions      no agreement")?,
+        self.stability.iter().try_for_each(|stability| write!(f, "\n  stability          {stability}"))
+    }
+}
+
+impl Certificate {
+    fn write_order(&self, order: &Order, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Order { slope, points, finest, coarsest, span, .. } = order;
+        write!(f, "\n  observed order     {slope:.2} (claimed {}", self.claimed_order)?;
+        write!(f, "; {points} steps from {finest:.1e} to {coarsest:.1e} over a time of {span:.1e}")?;
+        if !self.order_until.is_nan() {
+            write!(f, "; it holds up to t = {:.1e}", self.order_until)?;
         }
-        match self.stability {
-            Some(stability) => write!(f, "  stability          {stability}"),
-            None => write!(f, "  stability          not measured"),
+        write!(f, ")")
+    }
+
+    fn write_energy(&self, drift: &EnergyDrift, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let EnergyDrift { deviation, course, slope, uncertainty, step, steps, .. } = drift;
+        write!(f, "\n  energy drift       {course}: {deviation:.1e} at most in {steps} steps of {step:.1e}")?;
+        if let Some(EnergyDrift { deviation, .. }) = self.finer_energy_drift {
+            write!(f, ", {deviation:.1e} in halves of them")?;
         }
+        write!(f, "; slope {slope:.1e} +- {uncertainty:.1e} per unit time")
     }
 }

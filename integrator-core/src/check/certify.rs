@@ -6,12 +6,14 @@ use crate::{
         certificate::{Certificate, Tolerances},
         energy::{EnergyDrift, energy_drift},
         gradient::{gradient_error, gradient_tolerance},
-        order::{Order, observed_order, path},
+        local_order::{OrderAlong, UNITS, order_along},
+        order::{ORDER_TOLERANCE, Order, observed_order, path},
         path::PARTS,
-        points::{begin, plain},
+        points::{begin, plain, run},
         reversibility::{RoundTrip, round_trip},
         shortfall::{CertifyError, Shortfall},
         stability::{Stability, nearness},
+        start::Start,
         stated::{Visited, agreement},
         symplecticity::{Defect, defect},
         tolerance::{largest, within},
@@ -19,19 +21,21 @@ use crate::{
     coords::Coords,
     hamiltonian::{Hamiltonian, Shaped},
     method::Method,
-    phase::Phase,
     slot::Keep,
 };
-
-/// By how much an observed order may stay below the claimed one. Orders are whole numbers, so that what lies within
-/// half of one is nearer to the claimed order than to any lower one.
-const ORDER_TOLERANCE: f64 = 0.5;
 
 /// How many steps a round trip takes each way at least.
 const ROUND_TRIP: u64 = 16;
 
 /// How many steps the energy is followed for.
 const ENERGY_STEPS: u64 = 8192;
+
+/// In how many units the time that four steps follow to a tenth is divided at least, where the order is looked for.
+/// Their halves are the coarsest steps.
+const FOLLOWING: f64 = 3.0;
+
+/// How many pieces of an orbit are looked at: all that there are, unless steps follow the motion by a fortieth only.
+const MOST_PIECES: u64 = 4096;
 
 /// The time over which gradients are taken, in steps, where no order tells a better one.
 const GRADIENT_SPAN: f64 = 64.0;
@@ -76,9 +80,10 @@ const GRADIENT_SPAN: f64 = 64.0;
 pub fn certify<H: Hamiltonian, X: Method<H>, K: Keep>(
     system: &H,
     method: X,
-    start: Phase<Shaped<H, K>>,
+    start: impl Into<Start<Shaped<H, K>>>,
     h: f64,
 ) -> Result<Certificate, CertifyError> {
+    let start = start.into();
     begin::<H, X, K>(system, method, &start, h)?;
     let facts = method.facts();
     let subject = Subject::<H, X, K> { system, method, start, h };
@@ -96,6 +101,16 @@ pub fn certify<H: Hamiltonian, X: Method<H>, K: Keep>(
         let reached = observed >= f64::from(claimed) - ORDER_TOLERANCE;
         (!reached).then_some(Shortfall::Order { observed, claimed })
     });
+    let held = order.is_some_and(|order| order.slope >= f64::from(facts.order) - ORDER_TOLERANCE);
+    // Where no order could be measured, the reason has been told.
+    let course = order.map(|order| subject.course(order.followed));
+    // An order that shows nowhere is not lost, and has been told too.
+    let loss = course.and_then(|course| course.loss).filter(|loss| held || loss.time != subject.start.time);
+    findings.0.extend(loss.map(|loss| Shortfall::OrderLost {
+        time: loss.time,
+        observed: loss.order,
+        claimed: facts.order,
+    }));
     let trip = findings.judge("reversibility", subject.round_trip(order), |trip| {
         let &RoundTrip { distance, tolerance } = trip;
         let returned = !facts.symmetric || within(distance, tolerance);
@@ -104,11 +119,19 @@ pub fn certify<H: Hamiltonian, X: Method<H>, K: Keep>(
     let energy = H::AUTONOMOUS.then(|| {
         findings.judge("the energy", subject.energy(order), |drift| {
             let shortfall = if drift.is_lost() { Shortfall::EnergyLost } else { Shortfall::EnergyDrift };
-            (!drift.is_bounded()).then(|| shortfall(*drift))
+            (!drift.may_stay()).then(|| shortfall(*drift))
+        })
+    });
+    let energy = energy.flatten();
+    let finer = energy.filter(|drift| !within(drift.deviation, drift.rounding)).and_then(|drift| {
+        findings.judge("the energy in finer steps", subject.finer_energy(&drift), |finer| {
+            (held && drift.may_stay() && !drift.shrinks_to(finer, needed_of_energy(facts.order))).then(|| {
+                Shortfall::EnergyNotExplained { drift: Box::new(drift), finer: Box::new(*finer), order: facts.order }
+            })
         })
     });
     let states = subject.states(order);
-    let gradient_tolerance = gradient_tolerance(subject.start.q.flat().len());
+    let gradient_tolerance = gradient_tolerance(subject.start.phase.q.flat().len());
     let gradient = findings.judge(
         "the gradient",
         states.as_ref().map_err(Clone::clone).and_then(|states| subject.gradient(states)),
@@ -133,14 +156,17 @@ pub fn certify<H: Hamiltonian, X: Method<H>, K: Keep>(
         system: std::any::type_name::<H>(),
         composition: facts.name,
         step: h,
+        time: subject.start.time,
         claimed_order: facts.order,
         symmetric: facts.symmetric,
         autonomous: H::AUTONOMOUS,
         symplectic_defect: defect.as_ref().map_or(f64::NAN, |defect| defect.size),
         observed_order: order.map_or(f64::NAN, |order| order.slope),
         order,
+        order_until: course.map_or(f64::NAN, |course| course.until),
         reversibility: trip.as_ref().map_or(f64::NAN, |trip| trip.distance),
-        energy_drift: energy.flatten(),
+        energy_drift: energy,
+        finer_energy_drift: finer,
         gradient_error: gradient.unwrap_or(f64::NAN),
         agreement,
         stability,
@@ -151,6 +177,19 @@ pub fn certify<H: Hamiltonian, X: Method<H>, K: Keep>(
         },
     };
     findings.conclude(certificate)
+}
+
+/// The power of the step with which errors have to shrink everywhere along an orbit. Those of high orders fall into the
+/// rounding before the leading one of them prevails.
+fn needed_along(claimed: u32) -> f64 {
+    let claimed = f64::from(claimed);
+    claimed - ORDER_TOLERANCE.max((claimed - 2.0) / 4.0)
+}
+
+/// The power of the step with which the deviation of the energy has to shrink. It is the largest of a long run, in steps as
+/// coarse as the user's, whose leading error need not prevail; that of a potential that jumps does not shrink at all.
+fn needed_of_energy(claimed: u32) -> f64 {
+    f64::from(claimed) / 2.0
 }
 
 /// What fell short so far.
@@ -177,7 +216,9 @@ impl Findings {
         }
     }
 
-    fn conclude(self, certificate: Certificate) -> Result<Certificate, CertifyError> {
+    fn conclude(mut self, certificate: Certificate) -> Result<Certificate, CertifyError> {
+        // A run that cannot go on is why other things fall short.
+        self.0.sort_by_key(|shortfall| !matches!(shortfall, Shortfall::Unmeasured { reason: CheckError::Run(_), .. }));
         if self.0.is_empty() {
             Ok(certificate)
         } else {
@@ -190,17 +231,45 @@ impl Findings {
 struct Subject<'s, H: Hamiltonian, X, K: Keep> {
     system: &'s H,
     method: X,
-    start: Phase<Shaped<H, K>>,
+    start: Start<Shaped<H, K>>,
     h: f64,
 }
 
 impl<H: Hamiltonian, X: Method<H>, K: Keep> Subject<'_, H, X, K> {
     fn defect(&self) -> Result<Defect, CheckError> {
-        defect::<H, X, K>(self.system, self.method, &self.start, self.h, 1)
+        let defect = defect::<H, X, K>(self.system, self.method, &self.start, self.h, 1)?;
+        if defect.size.is_nan() {
+            // A step that leaves the numbers says where it does.
+            run::<H, X, K>(self.system, self.method, &self.start, self.h)?.advance(1)?;
+            return Err(CheckError::NotFinite { what: "the derivative of a step by its start" });
+        }
+        Ok(defect)
     }
 
     fn order(&self) -> Result<Order, CheckError> {
         observed_order::<H, X, K>(self.system, self.method, self.start.clone(), self.h)
+    }
+
+    /// Whether the order holds along the orbit, as far as the energy is followed and as far as the order was tried.
+    ///
+    /// A unit is the step of the run, halved or doubled until some of them follow the motion where the order was tried.
+    /// Where the Hamiltonian reads the time, which may switch something at one of the steps, it is not doubled.
+    fn course(&self, followed: f64) -> OrderAlong {
+        let mut unit = self.h;
+        let longest = 1.01 * followed.abs() / FOLLOWING;
+        while within(2.0 * unit, longest) && H::AUTONOMOUS {
+            unit *= 2.0;
+        }
+        while !within(unit, longest) {
+            unit /= 2.0;
+        }
+        let span = ENERGY_STEPS as f64 * self.h.abs();
+        let span = if H::AUTONOMOUS { span.max(followed.abs()) } else { span };
+        let piece = unit * UNITS as f64;
+        let pieces = ((span / piece.abs()).ceil() as u64).min(MOST_PIECES);
+        let needed = needed_along(self.method.facts().order);
+        let start = plain::<H, K>(&self.start.phase).at_time(self.start.time);
+        order_along((self.system, self.method, needed), &start, piece, pieces)
     }
 
     /// A round trip over the span of the order, in the coarsest steps that show it, or in steps of `h` where they are
@@ -231,6 +300,12 @@ impl<H: Hamiltonian, X: Method<H>, K: Keep> Subject<'_, H, X, K> {
         Ok(drift)
     }
 
+    /// The course of the energy over the same time in steps of half the length.
+    fn finer_energy(&self, drift: &EnergyDrift) -> Result<EnergyDrift, CheckError> {
+        let (h, steps) = (drift.step / 2.0, 2 * drift.steps);
+        energy_drift::<H, X, K>(self.system, self.method, self.start.clone(), h, steps)
+    }
+
     fn stability(&self, limit: f64) -> Result<Stability, CheckError> {
         nearness::<H, X, K>(self.system, self.method, limit, &self.start, self.h)
     }
@@ -238,16 +313,17 @@ impl<H: Hamiltonian, X: Method<H>, K: Keep> Subject<'_, H, X, K> {
     /// The start and states along the path, each with its time: at the start alone, momenta are often zero, and where they
     /// are zero a wrong factor in their gradient does not show.
     fn states(&self, order: Option<Order>) -> Result<Vec<Visited<H::Coords>>, CheckError> {
-        let start = plain::<H, K>(&self.start);
+        let start = plain::<H, K>(&self.start.phase).at_time(self.start.time);
         let (span, step) = order.map_or((GRADIENT_SPAN * self.h, self.h), |order| (order.span, order.coarsest));
         let path = path(self.system, self.method, &start, span, (span / step).abs().round() as u64 / PARTS)?;
-        let times = (0..).map(|part| span * f64::from(part) / PARTS as f64);
-        Ok([start].into_iter().chain(path.ends).zip(times).collect())
+        let times = (0..).map(|part| self.start.time + span * f64::from(part) / PARTS as f64);
+        Ok([start.phase].into_iter().chain(path.ends).zip(times).collect())
     }
 
     /// The largest error of a gradient at some states.
     fn gradient(&self, states: &[Visited<H::Coords>]) -> Result<f64, CheckError> {
         let errors = states.iter().map(|(state, time)| gradient_error::<H, f64>(self.system, state.clone(), *time));
-        Ok(largest(errors.collect::<Result<Vec<_>, _>>()?))
+        let error = largest(errors.collect::<Result<Vec<_>, _>>()?);
+        if error.is_nan() { Err(CheckError::NotFinite { what: "a force or a velocity" }) } else { Ok(error) }
     }
 }

@@ -14,7 +14,7 @@ use crate::{
 /// to it.
 const ROUNDINGS: f64 = 16.0;
 
-/// The greatest common divisor of the numbers of steps that lie between edges, from time 0; zero, if there are none among so many
+/// The greatest common divisor of the numbers of steps that lie between edges, from time `t0`; zero, if there are none among so many
 /// steps.
 ///
 /// # Errors
@@ -22,6 +22,7 @@ const ROUNDINGS: f64 = 16.0;
 pub(crate) fn spacing<H: Hamiltonian>(
     system: &H,
     points: &[Phase<H::Coords>],
+    t0: f64,
     h: f64,
     steps: u64,
 ) -> Result<u64, CheckError> {
@@ -29,7 +30,7 @@ pub(crate) fn spacing<H: Hamiltonian>(
     let pieces = Pieces::<H> { parameters: system.parameters(length), points, h };
     let mut apart = 0;
     for step in 1..steps {
-        let end = step as f64 * h;
+        let end = t0 + step as f64 * h;
         let Some(time) = pieces.edge(end - h / 2.0, end + h / 2.0) else { continue };
         if !within(time - end, ROUNDINGS * f64::EPSILON * end.abs()) {
             return Err(CheckError::EdgeInside { time, h });

@@ -8,14 +8,15 @@ use crate::{
     check::{
         CheckError,
         course::{Course, GROUPS, Trend},
-        points::resolution,
-        tolerance::{largest, ratio, within},
+        order::CLEARANCE,
+        points::{resolution, run},
+        start::Start,
+        tolerance::{largest, length, ratio, within},
     },
     coords::Coords,
     hamiltonian::{Hamiltonian, Motion, Shaped},
     method::Method,
     phase::Phase,
-    run::Run,
     slot::Keep,
 };
 
@@ -33,8 +34,12 @@ const LOST: f64 = 0.5;
 pub struct EnergyDrift {
     /// The largest deviation from the start.
     pub deviation: f64,
+    /// The root of the mean squared deviation from the start.
+    pub mean_deviation: f64,
     /// Whether it oscillates, walks at random or drifts, as far as the run is long enough to tell.
     pub course: Course,
+    /// The mean kinetic energy.
+    pub mean_kinetic: f64,
     /// The slope of the straight line through the energy, per unit time.
     pub slope: f64,
     /// The standard error of the slope. It allows for a random walk, whose values resemble their neighbours.
@@ -53,10 +58,27 @@ impl EnergyDrift {
         self.slope * self.step * self.steps as f64
     }
 
-    /// Whether the energy is lost: it strays by more than half of the kinetic energy, which no longer is an error of
-    /// the step but another motion. A smaller step helps, if the composition is right.
+    /// Whether the energy is lost: it strays by more than half of the largest kinetic energy, or by more than the mean
+    /// one in the mean, which no longer is an error of the step but another motion. (A comet that is fast for a moment
+    /// is another one long before the first.) A smaller step helps, if the composition is right.
     pub fn is_lost(&self) -> bool {
-        !within(self.deviation, LOST)
+        let strays = !within(self.deviation, LOST) || !within(self.mean_deviation, self.mean_kinetic);
+        strays && !within(self.deviation, self.rounding)
+    }
+
+    /// Whether the deviation shrinks by this power of the step to the one in steps of half the length, `finer`, or until
+    /// that one is of the size of its rounding. Of the largest and the mean deviation one may happen to be small.
+    pub(crate) fn shrinks_to(&self, finer: &Self, order: f64) -> bool {
+        let shrinks = |coarse: f64, fine: f64| within(fine * order.exp2(), coarse);
+        shrinks(self.deviation, finer.deviation)
+            || shrinks(self.mean_deviation, finer.mean_deviation)
+            || within(finer.deviation, CLEARANCE * finer.rounding)
+    }
+
+    /// Whether the energy stays, or walks without a slope that is certain: a single encounter of bodies is a step from which
+    /// it does not return. Whether the length of the steps explains the walk, finer ones tell.
+    pub(crate) fn may_stay(&self) -> bool {
+        self.is_bounded() || (self.course == Course::RandomWalk && !self.is_lost())
     }
 
     /// Whether the energy stays: it is not lost, and either rounding explains how far it goes or at most half of that
@@ -68,7 +90,7 @@ impl EnergyDrift {
     }
 }
 
-/// The course of the energy over `steps` steps from `start` at time 0.
+/// The course of the energy over `steps` steps from `start`.
 ///
 /// # Errors
 /// A Hamiltonian that reads the time; fewer than 64 steps; a start or a step that no run would begin with; a run that
@@ -76,7 +98,7 @@ impl EnergyDrift {
 pub fn energy_drift<H: Hamiltonian, X: Method<H>, K: Keep>(
     system: &H,
     method: X,
-    start: Phase<Shaped<H, K>>,
+    start: impl Into<Start<Shaped<H, K>>>,
     h: f64,
     steps: u64,
 ) -> Result<EnergyDrift, CheckError> {
@@ -87,8 +109,8 @@ pub fn energy_drift<H: Hamiltonian, X: Method<H>, K: Keep>(
     if steps < needed {
         return Err(CheckError::TooFewSteps { steps, needed });
     }
-    let begin = start.clone();
-    let mut run = Run::start::<H, X, K>(system, method, start, h)?;
+    let begin = start.into();
+    let mut run = run::<H, X, K>(system, method, &begin, h)?;
     let parameters = system.parameters(run.state().q.length());
     let parts = |state: &Phase<Shaped<H, K>>, time: f64| {
         let motion = H::Motion::<f64, K>::load(|_| (&parameters, state));
@@ -100,9 +122,11 @@ pub fn energy_drift<H: Hamiltonian, X: Method<H>, K: Keep>(
     let energy = kinetic + potential;
     let (mut largest_kinetic, mut largest_term) = (kinetic.abs(), kinetic.abs() + potential.abs());
     let mut changes = Vec::with_capacity(usize::try_from(samples).unwrap_or_default());
+    let mut sum_of_kinetic = 0.0;
     for _ in 0..samples {
         run.advance(interval)?;
         let (kinetic, potential) = parts(&run.state(), run.time());
+        sum_of_kinetic += kinetic.abs();
         largest_kinetic = largest([largest_kinetic, kinetic]);
         largest_term = largest([largest_term, kinetic.abs() + potential.abs()]);
         changes.push((run.time(), kinetic + potential - energy));
@@ -110,13 +134,16 @@ pub fn energy_drift<H: Hamiltonian, X: Method<H>, K: Keep>(
     let groups: Vec<(f64, f64)> = changes.chunks_exact(changes.len() / GROUPS).take(GROUPS).map(middle).collect();
     let trend = Trend::of(&groups);
     let farthest = largest(changes.iter().map(|(_, change)| *change));
-    let share = ratio(trend.slope * run.time(), farthest);
+    let mean = length(changes.iter().map(|(_, change)| *change)) / (changes.len() as f64).sqrt();
+    let share = ratio(trend.slope * (run.time() - begin.time), farthest);
     // Every flow rounds the state, which changes the energy by up to ε of its terms, at random: the farthest such a
     // walk gets is about 2.5 times the root of its steps. The factor 16 leaves room for flows that round several
     // numbers, and for the sum of the energy itself.
-    let walk = 16.0 * resolution(&[&begin, &run.state()]) * method.facts().roundings_in(run.steps()).sqrt();
+    let walk = 16.0 * resolution(&[&begin.phase, &run.state()]) * method.facts().roundings_in(run.steps()).sqrt();
     Ok(EnergyDrift {
         deviation: ratio(farthest, largest_kinetic),
+        mean_deviation: ratio(mean, largest_kinetic),
+        mean_kinetic: ratio(sum_of_kinetic / changes.len() as f64, largest_kinetic),
         course: trend.course(share),
         slope: ratio(trend.slope, largest_kinetic),
         uncertainty: ratio(trend.uncertainty, largest_kinetic),

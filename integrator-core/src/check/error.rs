@@ -50,6 +50,12 @@ pub enum CheckError {
         /// The name of the method.
         method: &'static str,
     },
+    /// What is measured is no number where the motion itself is one.
+    #[error("{what} is no number along the orbit, where the energies are: they have no finite derivatives there")]
+    NotFinite {
+        /// What it is.
+        what: &'static str,
+    },
     /// The Hamiltonian depends on time, so its energy is not conserved.
     #[error("the Hamiltonian reads the time, so that its energy is not conserved and says nothing about the stepper")]
     NotAutonomous,

@@ -8,14 +8,13 @@ use crate::{
     check::{
         CheckError,
         path::{PARTS, Path},
-        points::{begin, plain},
+        points::{begin, plain, run},
         reference::reference,
+        start::Start,
         tolerance::within,
     },
     hamiltonian::{Hamiltonian, Shaped},
     method::Method,
-    phase::Phase,
-    run::Run,
     slot::Keep,
 };
 
@@ -32,11 +31,11 @@ pub struct GlobalError {
     /// The distance that two references have from each other, and the rounding of a state: what is less than a few of
     /// these is not known.
     pub uncertainty: f64,
-    /// The time over which it was measured, from 0. Negative for a negative step.
+    /// The time over which it was measured, from the start. Negative for a negative step.
     pub span: f64,
 }
 
-/// How far `method` is from the exact motion in `steps` steps of `h` from `start` at time 0, rounded up to a multiple of
+/// How far `method` is from the exact motion in `steps` steps of `h` from `start`, rounded up to a multiple of
 /// four: the root of the mean squared distance in phase space after each fourth of them, where the error at a single time may
 /// happen to vanish.
 ///
@@ -73,17 +72,18 @@ pub struct GlobalError {
 pub fn global_error<H: Hamiltonian, X: Method<H>, K: Keep>(
     system: &H,
     method: X,
-    start: Phase<Shaped<H, K>>,
+    start: impl Into<Start<Shaped<H, K>>>,
     h: f64,
     steps: u64,
 ) -> Result<GlobalError, CheckError> {
     if steps == 0 {
         return Err(CheckError::TooFewSteps { steps, needed: 1 });
     }
+    let start = start.into();
     let begin = begin::<H, X, K>(system, method, &start, h)?;
     let part = steps.div_ceil(PARTS);
     let span = PARTS as f64 * part as f64 * h;
-    let mut run = Run::start::<H, X, K>(system, method, start, h)?;
+    let mut run = run::<H, X, K>(system, method, &start, h)?;
     let mut ends = Vec::with_capacity(PARTS as usize);
     for _ in 0..PARTS {
         run.advance(part)?;
@@ -96,6 +96,6 @@ pub fn global_error<H: Hamiltonian, X: Method<H>, K: Keep>(
     if !within(uncertainty, KNOWN) {
         return Err(CheckError::NoReference { span, uncertainty });
     }
-    let distance = Path { start: begin, ends }.distance(&exact.path, exact.scale);
+    let distance = Path { start: begin.phase, ends }.distance(&exact.path, exact.scale);
     Ok(GlobalError { distance, uncertainty, span })
 }

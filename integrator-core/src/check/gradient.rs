@@ -34,10 +34,7 @@ pub fn gradient_error<H: Hamiltonian, K: Keep>(
     point: Phase<Shaped<H, K>>,
     time: f64,
 ) -> Result<f64, CheckError> {
-    let point = begin::<H, _, K>(system, H::Compose::default(), &point, 1.0)?;
-    if !time.is_finite() {
-        return Err(crate::Error::Time { time }.into());
-    }
+    let point = begin::<H, _, K>(system, H::Compose::default(), &point.at_time(time), 1.0)?.phase;
     let parameters = system.parameters(point.q.length());
     let error = |part| Gradient::<H>::new(&parameters, part, time).error(&point);
     Ok(largest([error(Part::Kinetic)?, error(Part::Potential)?]))

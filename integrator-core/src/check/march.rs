@@ -7,6 +7,7 @@ use crate::{
         path::{PARTS, Path, Scale},
         points::plain,
         reference::Reference,
+        start::Start,
         tolerance::within,
     },
     coords::Coords,
@@ -19,17 +20,17 @@ use crate::{
 const COARSEST: u64 = 2;
 const FINEST: u64 = 64;
 
-/// The flows of a system from a start at time 0.
+/// The flows of a system from a start.
 pub(crate) struct March<'s, H: Hamiltonian> {
     system: &'s H,
-    start: &'s Phase<H::Coords>,
+    start: &'s Start<H::Coords>,
     weights: Vec<f64>,
     /// Into how many steps a part of the time is divided at least.
     whole: u64,
 }
 
 impl<'s, H: Hamiltonian> March<'s, H> {
-    pub(crate) fn new(system: &'s H, start: &'s Phase<H::Coords>) -> Self {
+    pub(crate) fn new(system: &'s H, start: &'s Start<H::Coords>) -> Self {
         Self { system, start, weights: weights(), whole: 1 }
     }
 
@@ -68,12 +69,13 @@ impl<'s, H: Hamiltonian> March<'s, H> {
         let Self { system, start, weights, whole } = self;
         let steps = whole * steps;
         let h = span / (PARTS * steps) as f64;
+        let Start { phase: start, time: t0 } = start;
         let parameters = system.parameters(start.q.length());
         let mut state: Phase<Shaped<H, Compensated<f64>>> = Phase::compensated(start.q.clone(), start.p.clone());
         let mut motion = H::Motion::<f64, Compensated<f64>>::load(|_| (&parameters, &state));
         let (mut ends, mut scale) = (Vec::with_capacity(PARTS as usize), Scale::ZERO);
         for step in 0..PARTS * steps {
-            let mut time = step as f64 * h;
+            let mut time = t0 + step as f64 * h;
             H::begin_step::<f64, Compensated<f64>>(&mut motion, time + h / 2.0);
             for weight in weights {
                 verlet::<H>(&mut Single::<H, f64, Compensated<f64>>(&mut motion), weight * h, time);
@@ -86,7 +88,7 @@ impl<'s, H: Hamiltonian> March<'s, H> {
                 ends.push(end);
             }
         }
-        (Path { start: (*start).clone(), ends }, scale)
+        (Path { start: start.clone(), ends }, scale)
     }
 }
 

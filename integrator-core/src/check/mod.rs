@@ -15,6 +15,12 @@
 //! | [`Agreement`] | the user's own functions and their differences | off by more than rounding |
 //! | [`shadow()`] | orders 2, 4 and 6 | a lower one |
 //!
+//! [`certify()`] also looks for the order piece by piece along the orbit, wherever the slope of [`observed_order`] was
+//! measured, and at the energy in steps of half the length: a kink that is met later, or a potential that jumps, would
+//! escape the others.
+//!
+//! Each of them takes a [`Phase`](crate::Phase) as its start, or a [`Start`], which has a time as well.
+//!
 //! [`stability()`] tells how far a step is below the one at which its composition becomes unstable; that is no fault of a
 //! stepper, so a certificate mentions it and is not refused for it.
 //!
@@ -37,6 +43,7 @@ mod error;
 mod global_error;
 mod gradient;
 mod line;
+mod local_order;
 mod march;
 mod order;
 mod path;
@@ -48,6 +55,7 @@ mod shadow;
 mod shortfall;
 mod spectrum;
 mod stability;
+mod start;
 mod stated;
 mod symplecticity;
 mod tangent;
@@ -68,6 +76,7 @@ pub use reversibility::reversibility;
 pub use shadow::{Shadow, Shadowed, Terms, shadow};
 pub use shortfall::{CertifyError, Shortfall};
 pub use stability::{Stability, stability};
+pub use start::Start;
 pub use stated::Agreement;
 pub use symplecticity::{poisson_bracket, symplectic_defect, symplectic_defect_after};
 #[cfg(feature = "reference")]

@@ -10,15 +10,14 @@ use crate::{
         edges::spacing,
         line::fit_finest,
         path::{PARTS, Path},
-        points::{begin, plain},
+        points::{begin, compensated_run, plain},
         reference::reference,
+        start::Start,
         tolerance::within,
     },
     error::Error,
     hamiltonian::{Hamiltonian, Shaped},
     method::Method,
-    phase::Phase,
-    run::Run,
     slot::{Compensated, Keep},
 };
 
@@ -55,6 +54,10 @@ const MOST_OVER_EDGES: u64 = 8;
 const SHORTENING: f64 = 0.75;
 const ATTEMPTS: usize = 10;
 
+/// By how much an observed order may stay below the claimed one. Orders are whole numbers, so that what lies within
+/// half of one is nearer to the claimed order than to any lower one.
+pub(crate) const ORDER_TOLERANCE: f64 = 0.5;
+
 /// The standard error of a slope up to which its points are taken to lie on a line.
 const SCATTER: f64 = 0.05;
 
@@ -76,8 +79,10 @@ pub struct Order {
     pub finest: f64,
     /// The coarsest of them.
     pub coarsest: f64,
-    /// The time over which errors were measured, from 0. Negative for a negative step.
+    /// The time over which errors were measured, from the start. Negative for a negative step.
     pub span: f64,
+    /// The longest time that was tried, of which the span is a part: so far, four steps already follow the motion.
+    pub followed: f64,
 }
 
 /// The order that `composition` shows on this very problem.
@@ -97,9 +102,10 @@ pub struct Order {
 pub fn observed_order<H: Hamiltonian, X: Method<H>, K: Keep>(
     system: &H,
     method: X,
-    start: Phase<Shaped<H, K>>,
+    start: impl Into<Start<Shaped<H, K>>>,
     h: f64,
 ) -> Result<Order, CheckError> {
+    let start = start.into();
     let problem = Problem::<H, X> { system, method, start: begin::<H, X, K>(system, method, &start, h)? };
     let facts = method.facts();
     if facts.adaptive {
@@ -108,7 +114,8 @@ pub fn observed_order<H: Hamiltonian, X: Method<H>, K: Keep>(
     if let Some(grid) = problem.over_edges(h)? {
         return problem.order(grid);
     }
-    let mut span = problem.longest_span(h)?;
+    let followed = problem.longest_span(h)?;
+    let mut span = followed;
     let mut outcome = problem.order(Grid::over(span));
     for _ in 1..ATTEMPTS {
         if outcome.as_ref().is_ok_and(|order| within(order.uncertainty, SCATTER)) {
@@ -125,7 +132,7 @@ pub fn observed_order<H: Hamiltonian, X: Method<H>, K: Keep>(
             outcome = shorter;
         }
     }
-    outcome
+    outcome.map(|order| Order { followed, ..order })
 }
 
 /// Into how many steps a span is divided.
@@ -148,7 +155,7 @@ impl Grid {
 struct Problem<'s, H: Hamiltonian, X> {
     system: &'s H,
     method: X,
-    start: Phase<H::Coords>,
+    start: Start<H::Coords>,
 }
 
 impl<H: Hamiltonian, X: Method<H>> Problem<'_, H, X> {
@@ -217,8 +224,8 @@ impl<H: Hamiltonian, X: Method<H>> Problem<'_, H, X> {
     fn spacing(&self, h: f64, whole: u64) -> Result<u64, CheckError> {
         let span = (PARTS * whole) as f64 * h;
         let ends = self.path(span, whole).map_or(Vec::new(), |path| path.ends);
-        let points: Vec<_> = ends.into_iter().chain([self.start.clone()]).collect();
-        spacing(self.system, &points, h, PARTS * whole)
+        let points: Vec<_> = ends.into_iter().chain([self.start.phase.clone()]).collect();
+        spacing(self.system, &points, self.start.time, h, PARTS * whole)
     }
 
     /// Whether halving the coarsest step changes little beside the motion itself. No reference is needed to tell: the
@@ -267,25 +274,25 @@ impl<H: Hamiltonian, X: Method<H>> Problem<'_, H, X> {
             finest: step(finest.last()),
             coarsest: step(finest.first()),
             span,
+            followed: span,
         })
     }
 }
 
-/// The motion of a compensated run from `start` at time 0 over `span`, in `steps` steps for each part.
+/// The motion of a compensated run from `start` over `span`, in `steps` steps for each part.
 pub(crate) fn path<H: Hamiltonian, X: Method<H>>(
     system: &H,
     method: X,
-    start: &Phase<H::Coords>,
+    start: &Start<H::Coords>,
     span: f64,
     steps: u64,
 ) -> Result<Path<H::Coords>, Error> {
     let h = span / (PARTS * steps) as f64;
-    let compensated = Phase::compensated(start.q.clone(), start.p.clone());
-    let mut run = Run::start::<H, X, Compensated<f64>>(system, method, compensated, h)?;
+    let mut run = compensated_run(system, method, start, h)?;
     let mut ends = Vec::with_capacity(PARTS as usize);
     for _ in 0..PARTS {
         run.advance(steps)?;
         ends.push(plain::<H, Compensated<f64>>(&run.state()));
     }
-    Ok(Path { start: start.clone(), ends })
+    Ok(Path { start: start.phase.clone(), ends })
 }

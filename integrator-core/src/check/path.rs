@@ -13,7 +13,7 @@ use crate::{
 /// leading error may happen to vanish, as that of a pendulum's energy does after each period.
 pub(crate) const PARTS: u64 = 4;
 
-/// A start, and where the motion is at the end of each of the [`PARTS`].
+/// A start, and where the motion is at the end of each part of a time, mostly of [`PARTS`] of them.
 #[derive(Clone)]
 pub(crate) struct Path<C> {
     pub(crate) start: Phase<C>,
@@ -60,7 +60,7 @@ impl<C: Coords<Leaf = f64>> Path<C> {
         let apart = self.ends.iter().zip(&other.ends).flat_map(|(one, other)| {
             [ratio(separation(&one.q, &other.q), scale.q), ratio(separation(&one.p, &other.p), scale.p)]
         });
-        length(apart) / (PARTS as f64).sqrt()
+        length(apart) / (self.ends.len() as f64).sqrt()
     }
 
     /// What one rounding of every coordinate amounts to, in units of `scale`.

@@ -1,14 +1,17 @@
 //! Points of phase space as checks see them: in `f64`, and as one row of numbers.
 
 use crate::{
-    check::tolerance::{largest, ratio},
+    check::{
+        start::Start,
+        tolerance::{largest, ratio},
+    },
     coords::Coords,
     error::Error,
     hamiltonian::{Hamiltonian, Shaped},
     method::Method,
     phase::Phase,
     run::{Run, admissible},
-    slot::Keep,
+    slot::{Compensated, Keep},
 };
 
 /// The values of a point, whatever its leaves carry beside.
@@ -20,13 +23,40 @@ pub(crate) fn plain<H: Hamiltonian, K: Keep>(point: &Phase<Shaped<H, K>>) -> Pha
 pub(crate) fn begin<H: Hamiltonian, X: Method<H>, K: Keep>(
     system: &H,
     method: X,
-    start: &Phase<Shaped<H, K>>,
+    start: &Start<Shaped<H, K>>,
     h: f64,
-) -> Result<Phase<H::Coords>, Error> {
-    admissible(start, h)?;
-    let start = plain::<H, K>(start);
-    Run::start::<H, X, f64>(system, method, start.clone(), h)?;
+) -> Result<Start<H::Coords>, Error> {
+    if !start.time.is_finite() {
+        return Err(Error::Time { time: start.time });
+    }
+    admissible(&start.phase, h)?;
+    let start = plain::<H, K>(&start.phase).at_time(start.time);
+    run::<H, X, f64>(system, method, &start, h)?;
     Ok(start)
+}
+
+/// A run from a start and its time.
+pub(crate) fn run<H: Hamiltonian, X: Method<H>, K: Keep>(
+    system: &H,
+    method: X,
+    start: &Start<Shaped<H, K>>,
+    h: f64,
+) -> Result<Run<Shaped<H, K>>, Error> {
+    let Start { phase, time } = start.clone();
+    let mut run = Run::start::<H, X, K>(system, method, phase, h)?.at_time(time);
+    run.see_start()?;
+    Ok(run)
+}
+
+/// A run from a start and its time, which carries the rounding error of every update.
+pub(crate) fn compensated_run<H: Hamiltonian, X: Method<H>>(
+    system: &H,
+    method: X,
+    start: &Start<H::Coords>,
+    h: f64,
+) -> Result<Run<Shaped<H, Compensated<f64>>>, Error> {
+    let Start { phase, time } = start.clone();
+    run::<H, X, Compensated<f64>>(system, method, &Phase::compensated(phase.q, phase.p).at_time(time), h)
 }
 
 /// What one rounding amounts to, relative to the largest position or to the largest momentum of some points.

@@ -14,11 +14,11 @@ use crate::{
         march::March,
         path::{Path, Scale},
         series::{is_written, series},
+        start::Start,
         tolerance::within,
     },
     coords::Coords,
     hamiltonian::Hamiltonian,
-    phase::Phase,
     taylor::Taylor,
 };
 
@@ -67,10 +67,10 @@ impl<C: Coords<Leaf = f64>> Reference<C> {
     }
 }
 
-/// The motion of `system` from `start` at time 0 over `span`, of which a run takes `whole` steps in each part.
+/// The motion of `system` from `start` over `span`, of which a run takes `whole` steps in each part.
 pub(crate) fn reference<H: Hamiltonian>(
     system: &H,
-    start: &Phase<H::Coords>,
+    start: &Start<H::Coords>,
     span: f64,
     whole: u64,
     halvings: i32,
@@ -86,7 +86,7 @@ pub(crate) fn reference<H: Hamiltonian>(
 /// the time is halved at most, which bounds the number of expansions. A polynomial does not know of pieces in time.
 pub(crate) fn by_series<H: Hamiltonian>(
     system: &H,
-    start: &Phase<H::Coords>,
+    start: &Start<H::Coords>,
     span: f64,
     halvings: i32,
 ) -> Option<Reference<H::Coords>> {
@@ -133,7 +133,7 @@ fn confirmed<H: Hamiltonian>(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::hamiltonian;
+    use crate::{hamiltonian, phase::Phase};
 
     struct Pendulum {
         gravity: f64,
@@ -207,6 +207,7 @@ mod tests {
     }
 
     fn agree<H: Hamiltonian>(system: &H, start: Phase<H::Coords>) {
+        let start = start.at_time(0.0);
         for span in [0.1, 1.0, 5.0, 20.0, -20.0] {
             let series = by_series(system, &start, span, 8).expect("a series");
             let flows = March::new(system, &start).refined(span);
@@ -230,7 +231,7 @@ mod tests {
 
     #[test]
     fn a_series_of_another_system_is_not_trusted() {
-        let start = Phase::new([2.0], [0.0]);
+        let start = Phase::new([2.0], [0.0]).at_time(0.0);
         let (system, heavier) = (Pendulum { gravity: 1.0 }, Pendulum { gravity: 1.0 + 1e-9 });
         let trusted = |of: &Pendulum, span| {
             confirmed(
@@ -250,7 +251,7 @@ mod tests {
     fn flows_lead_where_a_series_is_blind() {
         let cases = [(Blind { kink: 1.0, wall: 0.0 }, [1.0], [0.0]), (Blind { kink: 0.0, wall: 1.0 }, [0.0], [1.0])];
         for (system, q, p) in cases {
-            let start = Phase::new(q, p);
+            let start = Phase::new(q, p).at_time(0.0);
             for span in [4.0, 400.0] {
                 assert!(series(&system, &start, span, Taylor::tolerance(1e-20), 1).is_some());
                 assert!(by_series(&system, &start, span, 20).is_none());
@@ -262,7 +263,7 @@ mod tests {
 
     #[test]
     fn a_long_time_is_known_by_series_alone() {
-        let start = Phase::new([0.4, 0.0], [0.0, 2.0]);
+        let start = Phase::new([0.4, 0.0], [0.0, 2.0]).at_time(0.0);
         let uncertainty = |halvings| reference(&Kepler, &start, 1e3, 1, halvings).uncertainty();
         // A rounding of the energy turns the phase ever more: by 1e-16 in each of some thousand steps, times the time.
         assert!(within(uncertainty(20), 1e-16 * 1e3 * 1e3), "{:e}", uncertainty(20));

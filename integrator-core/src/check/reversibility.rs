@@ -7,7 +7,8 @@
 use crate::{
     check::{
         CheckError,
-        points::{coordinate, numbers, origin, plain, resolution},
+        points::{coordinate, numbers, origin, plain, resolution, run},
+        start::Start,
         tangent::Tangents,
         tolerance::{largest, ratio},
     },
@@ -15,11 +16,10 @@ use crate::{
     hamiltonian::{Hamiltonian, Shaped},
     method::Method,
     phase::Phase,
-    run::Run,
     slot::Keep,
 };
 
-/// How far from `start` a run ends that takes `steps` steps by `h` from time 0 and as many by `-h` back: the largest
+/// How far from `start` a run ends that takes `steps` steps by `h` and as many by `-h` back: the largest
 /// difference of a position in units of the largest position, or of a momentum in units of the largest momentum.
 ///
 /// A symmetric composition comes back up to rounding, however coarse the step. Another one misses the start by about
@@ -30,11 +30,11 @@ use crate::{
 pub fn reversibility<H: Hamiltonian, X: Method<H>, K: Keep>(
     system: &H,
     method: X,
-    start: Phase<Shaped<H, K>>,
+    start: impl Into<Start<Shaped<H, K>>>,
     h: f64,
     steps: u64,
 ) -> Result<f64, CheckError> {
-    Ok(Trip::take::<H, X, K>(system, method, &start, h, steps)?.distance())
+    Ok(Trip::take::<H, X, K>(system, method, &start.into(), h, steps)?.distance())
 }
 
 /// How far a round trip ends from its start, and how far rounding alone may take it.
@@ -53,13 +53,13 @@ pub(crate) struct RoundTrip {
 pub(crate) fn round_trip<H: Hamiltonian, X: Method<H>, K: Keep>(
     system: &H,
     method: X,
-    start: &Phase<Shaped<H, K>>,
+    start: &Start<Shaped<H, K>>,
     h: f64,
     steps: u64,
 ) -> Result<RoundTrip, CheckError> {
     let trip = Trip::take::<H, X, K>(system, method, start, h, steps)?;
     let growth = largest([
-        growth(system, method, &trip.start, trip.size, h, 0.0, steps),
+        growth(system, method, &trip.start, trip.size, h, start.time, steps),
         growth(system, method, &trip.turn, trip.size, -h, trip.time, steps),
     ]);
     let roundings = 16.0 * (2.0 * method.facts().roundings_in(steps)).sqrt();
@@ -82,16 +82,16 @@ impl<C: Coords<Leaf = f64>> Trip<C> {
     fn take<H: Hamiltonian<Coords = C>, X: Method<H>, K: Keep>(
         system: &H,
         method: X,
-        start: &Phase<Shaped<H, K>>,
+        start: &Start<Shaped<H, K>>,
         h: f64,
         steps: u64,
     ) -> Result<Self, CheckError> {
-        let mut there = Run::start::<H, X, K>(system, method, start.clone(), h)?;
+        let mut there = run::<H, X, K>(system, method, start, h)?;
         there.advance(steps)?;
-        let mut back = Run::start::<H, X, K>(system, method, there.state(), -h)?.at_time(there.time());
+        let mut back = run::<H, X, K>(system, method, &there.state().at_time(there.time()), -h)?;
         back.advance(steps)?;
-        let resolution = resolution(&[start, &there.state()]);
-        let (start, turn) = (plain::<H, K>(start), plain::<H, K>(&there.state()));
+        let resolution = resolution(&[&start.phase, &there.state()]);
+        let (start, turn) = (plain::<H, K>(&start.phase), plain::<H, K>(&there.state()));
         let size = Size::of(&[&start, &turn]);
         Ok(Self { start, turn, end: plain::<H, K>(&back.state()), time: there.time(), resolution, size })
     }

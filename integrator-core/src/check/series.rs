@@ -7,6 +7,7 @@ use crate::{
     check::{
         path::{PARTS, Path, Scale},
         points::plain,
+        start::Start,
     },
     coords::Coords,
     engine::Clock,
@@ -35,11 +36,11 @@ pub(crate) fn is_written<H: Hamiltonian>() -> bool {
     written.0
 }
 
-/// The motion of `system` from `start` at time 0 over `span`, with a compensated state, and how far it goes, by so many looks
+/// The motion of `system` from `start` over `span`, with a compensated state, and how far it goes, by so many looks
 /// at each part; nothing where there are no recurrences, or a singularity lies on the way.
 pub(crate) fn series<H: Hamiltonian>(
     system: &H,
-    start: &Phase<H::Coords>,
+    start: &Start<H::Coords>,
     span: f64,
     method: Taylor,
     looks: u64,
@@ -51,7 +52,7 @@ pub(crate) fn series<H: Hamiltonian>(
 
 struct Expansion<'s, H: Hamiltonian> {
     system: &'s H,
-    start: &'s Phase<H::Coords>,
+    start: &'s Start<H::Coords>,
     span: f64,
     method: Taylor,
     looks: u64,
@@ -63,7 +64,7 @@ impl<H: Hamiltonian> RecurrencesVisitor<H> for Expansion<'_, H> {
     where
         H: Recurrences,
     {
-        let Self { system, start, span, method, looks, .. } = *self;
+        let Self { system, start: &Start { phase: ref start, time: t0 }, span, method, looks, .. } = *self;
         let constants = Method::<H>::constants(method, Arc::new(system.parameters(start.q.length())));
         let mut state = Phase::compensated(start.q.clone(), start.p.clone());
         let mut motion = <Taylor as Method<H>>::Motion::<f64, Compensated<f64>>::load(|_| (&*constants, &state));
@@ -73,7 +74,7 @@ impl<H: Hamiltonian> RecurrencesVisitor<H> for Expansion<'_, H> {
             // Ends of parts are multiples of a part, whatever the looks between them round.
             let is_end = step % looks == 0;
             let (number, count) = if is_end { (step / looks, PARTS) } else { (step, PARTS * looks) };
-            moves.advance(&mut motion, Clock { t0: 0.0, h: span / count as f64, steps: number - 1 }, 1);
+            moves.advance(&mut motion, Clock { t0, h: span / count as f64, steps: number - 1 }, 1);
             if !motion.finite() {
                 return;
             }

@@ -14,14 +14,14 @@ use crate::{
         line::fit_finest,
         order::{CLEARANCE, LADDER, NEEDED, POINTS, observed_order},
         path::PARTS,
-        points::{numbers, origin, plain},
+        points::{compensated_run, numbers, origin, plain},
+        start::Start,
         tolerance::{largest, length, within},
     },
     composition::{Composition, Scheme},
     coords::Coords,
     hamiltonian::{Motion, QuadraticKinetic, Shaped},
     phase::Phase,
-    run::Run,
     slot::{Compensated, Keep},
 };
 
@@ -107,17 +107,18 @@ impl Shadow {
 pub fn shadow<H: QuadraticKinetic, X: Composition<H> + Shadowed, K: Keep>(
     system: &H,
     composition: X,
-    start: Phase<Shaped<H, K>>,
+    start: impl Into<Start<Shaped<H, K>>>,
     h: f64,
 ) -> Result<Shadow, CheckError> {
     if !H::AUTONOMOUS {
         return Err(CheckError::NotAutonomous);
     }
     let _ = composition;
+    let start = start.into();
     // How long the motion can be followed does not depend on the composition that is under suspicion.
     let span = observed_order::<H, Verlet, K>(system, Verlet, start.clone(), h)?.span;
-    let start = plain::<H, K>(&start);
-    let parameters = system.parameters(start.q.length());
+    let start = plain::<H, K>(&start.phase).at_time(start.time);
+    let parameters = system.parameters(start.phase.q.length());
     let mut points: [Vec<(f64, f64)>; 3] = Default::default();
     let mut drowned = [false; 3];
     for steps in LADDER.map(|steps| PARTS * steps) {
@@ -155,14 +156,13 @@ struct Course {
 fn course<H: QuadraticKinetic, X: Composition<H> + Shadowed>(
     system: &H,
     parameters: &H::Parameters<f64>,
-    start: &Phase<H::Coords>,
+    start: &Start<H::Coords>,
     h: f64,
     steps: u64,
 ) -> Result<Course, CheckError> {
-    let compensated = Phase::compensated(start.q.clone(), start.p.clone());
-    let mut run = Run::start::<H, X, Compensated<f64>>(system, X::default(), compensated, h)?;
+    let mut run = compensated_run(system, X::default(), start, h)?;
     let at = |point: &Phase<H::Coords>| Point::<H> { parameters, point }.energies(&X::TERMS, h);
-    let (first, mut terms) = at(start);
+    let (first, mut terms) = at(&start.phase);
     let mut changes: [Vec<f64>; 3] = Default::default();
     for _ in 0..steps {
         run.advance(1)?;
@@ -174,7 +174,7 @@ fn course<H: QuadraticKinetic, X: Composition<H> + Shadowed>(
     }
     let count = (steps as f64).sqrt();
     // Each of the coordinates is rounded, and each of the terms of the energies, to half an ε of the largest at most.
-    let rounding = (2.0 * numbers(start).count() as f64).sqrt() * f64::EPSILON * terms;
+    let rounding = (2.0 * numbers(&start.phase).count() as f64).sqrt() * f64::EPSILON * terms;
     Ok(Course { deviations: changes.map(|changes| length(changes) / count), rounding })
 }
 

@@ -53,6 +53,18 @@ pub enum Shortfall {
         /// The order that the composition claims.
         claimed: u32,
     },
+    /// The order holds up to a time only.
+    #[error(
+        "the order {claimed} holds up to t = {} only: {}", readable(*time), Shrinking(*observed)
+    )]
+    OrderLost {
+        /// When it is lost.
+        time: f64,
+        /// With which power of the step errors shrink there.
+        observed: f64,
+        /// The order that the composition claims.
+        claimed: u32,
+    },
     /// A composition that claims symmetry does not come back.
     #[error(
         "a run forward and back ends {distance:.1e} from its start, \
@@ -66,8 +78,9 @@ pub enum Shortfall {
     },
     /// The energy strays so far that the motion is another one.
     #[error(
-        "the energy strays by {:.2} of the kinetic energy in {} steps of {}: the step is too coarse, or wrong",
-        .0.deviation, .0.steps, .0.step
+        "the energy strays by {:.2} of the largest kinetic energy, and in the mean by {:.2} of the mean one, in {} steps \
+         of {}: the step is too coarse, or wrong",
+        .0.deviation, .0.mean_deviation / .0.mean_kinetic, .0.steps, .0.step
     )]
     EnergyLost(EnergyDrift),
     /// The energy has a trend.
@@ -76,6 +89,20 @@ pub enum Shortfall {
         .0.deviation, .0.steps, .0.step, .0.drift()
     )]
     EnergyDrift(EnergyDrift),
+    /// The energy strays by more than steps of half the length and the order explain.
+    #[error(
+        "the energy strays by {:.1e} of the kinetic energy in steps of {}, and by {:.1e} in steps of {}, where an order of \
+         {order} explains a factor of about {}: the step is too coarse, or the energy jumps",
+        .drift.deviation, .drift.step, .finer.deviation, .finer.step, 1_u64 << (*order).min(63)
+    )]
+    EnergyNotExplained {
+        /// In the step of the certificate.
+        drift: Box<EnergyDrift>,
+        /// In steps of half the length.
+        finer: Box<EnergyDrift>,
+        /// The order that the composition claims.
+        order: u32,
+    },
     /// A flow is not that of its energy.
     #[error(
         "gradient error {error:.1e} exceeds what rounding explains, {tolerance:.1e}: the flows do not belong to T and V"
@@ -132,11 +159,67 @@ fn derivative(function: &str, order: u32) -> String {
     }
 }
 
-/// Shortfalls, each on a line of its own.
+/// Shortfalls, each on a line of its own. Checks that failed for the same reason share one.
 struct Lines<'s>(&'s [Shortfall]);
 
 impl fmt::Display for Lines<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        self.0.iter().try_for_each(|shortfall| write!(f, "\n  {shortfall}"))
+        let mut told: Vec<String> = Vec::new();
+        for shortfall in self.0 {
+            let Shortfall::Unmeasured { reason, .. } = shortfall else {
+                write!(f, "\n  {shortfall}")?;
+                continue;
+            };
+            // Reasons that hold a NaN differ from themselves, and their words do not.
+            let reason = reason.to_string();
+            if !told.contains(&reason) {
+                let same = |other: &&Shortfall| matches!(other, Shortfall::Unmeasured { reason: of, .. } if of.to_string() == reason);
+                let checks: Vec<&str> = self.0.iter().filter(same).filter_map(Shortfall::check).collect();
+                write!(f, "\n  {} could not be measured: {reason}", list(&checks))?;
+                told.push(reason);
+            }
+        }
+        Ok(())
+    }
+}
+
+/// How errors shrink where the order is lost.
+struct Shrinking(f64);
+
+impl fmt::Display for Shrinking {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self(observed) = self;
+        if observed.is_nan() {
+            return f.write_str("from there, no step is short enough to end in numbers");
+        }
+        write!(
+            f,
+            "there, errors shrink with the power {observed:.1} of the step, however short it is, as they do at a kink, a \
+             jump or a cutoff of the potential"
+        )
+    }
+}
+
+/// A number with the digits that are worth reading.
+fn readable(number: f64) -> f64 {
+    format!("{number:.4e}").parse().unwrap_or(number)
+}
+
+/// Names, as they are read aloud.
+fn list(names: &[&str]) -> String {
+    match names {
+        [] => String::new(),
+        [name] => (*name).to_owned(),
+        [names @ .., last] => format!("{} and {last}", names.join(", ")),
+    }
+}
+
+impl Shortfall {
+    /// What could not be measured.
+    fn check(&self) -> Option<&'static str> {
+        match self {
+            Self::Unmeasured { check, .. } => Some(check),
+            _ => None,
+        }
     }
 }

@@ -10,8 +10,9 @@ use crate::{
         CheckError,
         dual::Dual,
         gradient::{Gradient, Part},
-        points::{begin, coordinate, origin},
+        points::{begin, coordinate, origin, run},
         spectrum::eigenvalues,
+        start::Start,
         tolerance::{largest, within},
     },
     composition::Composition,
@@ -19,7 +20,6 @@ use crate::{
     hamiltonian::{Hamiltonian, Shaped},
     method::Method,
     phase::Phase,
-    run::Run,
     slot::Keep,
 };
 use std::fmt;
@@ -70,7 +70,7 @@ impl fmt::Display for Stability {
     }
 }
 
-/// How near a run from `start` with step `h`, from time 0, comes to the stability limit of `composition`: the largest
+/// How near a run from `start` with step `h` comes to the stability limit of `composition`: the largest
 /// `h·ω` at 256 points of its first 8192 steps, or of as many as end in finite states.
 ///
 /// The frequencies at a point are those of the linear motion about it, the roots of the eigenvalues of `T″ V″`; eigenvalues
@@ -103,10 +103,10 @@ impl fmt::Display for Stability {
 pub fn stability<H: Hamiltonian, X: Composition<H>, K: Keep>(
     system: &H,
     composition: X,
-    start: &Phase<Shaped<H, K>>,
+    start: impl Into<Start<Shaped<H, K>>>,
     h: f64,
 ) -> Result<Stability, CheckError> {
-    nearness::<H, X, K>(system, composition, X::STABILITY_LIMIT, start, h)
+    nearness::<H, X, K>(system, composition, X::STABILITY_LIMIT, &start.into(), h)
 }
 
 /// As [`stability`], for a method with this limit.
@@ -114,11 +114,11 @@ pub(crate) fn nearness<H: Hamiltonian, X: Method<H>, K: Keep>(
     system: &H,
     method: X,
     limit: f64,
-    start: &Phase<Shaped<H, K>>,
+    start: &Start<Shaped<H, K>>,
     h: f64,
 ) -> Result<Stability, CheckError> {
     let start = begin::<H, X, K>(system, method, start, h)?;
-    let mut run = Run::start::<H, X, f64>(system, method, start, h)?;
+    let mut run = run::<H, X, f64>(system, method, &start, h)?;
     let parameters = system.parameters(run.state().q.length());
     let mut fastest = Stability { turn: 0.0, time: run.time(), limit };
     for _ in 0..LOOKS {

@@ -5,16 +5,15 @@
 //! however coarse the step; of the size of the step for a map that is not symplectic.
 
 use crate::{
-    check::{CheckError, points::begin, tangent::Tangents, tolerance::largest},
+    check::{CheckError, points::begin, start::Start, tangent::Tangents, tolerance::largest},
     coords::Coords,
     hamiltonian::{Hamiltonian, Shaped},
     method::Method,
-    phase::Phase,
     slot::Keep,
 };
 use nalgebra::DMatrix;
 
-/// By how much one closed step of size `h` from `start`, at time 0, fails to be symplectic: the largest entry of
+/// By how much one closed step of size `h` from `start` fails to be symplectic: the largest entry of
 /// `Mᵀ J M - J` for the exact tangent map `M`.
 ///
 /// The entries are taken in units that balance `M`: each pair `(qᵢ, pᵢ)` is measured as `(qᵢ/s, s·pᵢ)` with a power
@@ -28,7 +27,7 @@ use nalgebra::DMatrix;
 pub fn symplectic_defect<H: Hamiltonian, X: Method<H>, K: Keep>(
     system: &H,
     method: X,
-    start: Phase<Shaped<H, K>>,
+    start: impl Into<Start<Shaped<H, K>>>,
     h: f64,
 ) -> Result<f64, CheckError> {
     symplectic_defect_after::<H, X, K>(system, method, start, h, 1)
@@ -41,14 +40,14 @@ pub fn symplectic_defect<H: Hamiltonian, X: Method<H>, K: Keep>(
 pub fn symplectic_defect_after<H: Hamiltonian, X: Method<H>, K: Keep>(
     system: &H,
     method: X,
-    start: Phase<Shaped<H, K>>,
+    start: impl Into<Start<Shaped<H, K>>>,
     h: f64,
     steps: u64,
 ) -> Result<f64, CheckError> {
-    Ok(defect::<H, X, K>(system, method, &start, h, steps)?.size)
+    Ok(defect::<H, X, K>(system, method, &start.into(), h, steps)?.size)
 }
 
-/// The Poisson bracket `{qᵢ, pᵢ}` of where one closed step of size `h` from `start`, at time 0, leads, by where it begins:
+/// The Poisson bracket `{qᵢ, pᵢ}` of where one closed step of size `h` from `start` leads, by where it begins:
 /// `Σₖ ∂qᵢ'/∂qₖ ∂pᵢ'/∂pₖ - ∂qᵢ'/∂pₖ ∂pᵢ'/∂qₖ` from the exact tangent map. One for a symplectic step, up to rounding; in one
 /// degree of freedom, the factor by which a step changes areas. Coordinates are counted over their flattened form.
 ///
@@ -57,16 +56,16 @@ pub fn symplectic_defect_after<H: Hamiltonian, X: Method<H>, K: Keep>(
 pub fn poisson_bracket<H: Hamiltonian, X: Method<H>, K: Keep>(
     system: &H,
     method: X,
-    start: &Phase<Shaped<H, K>>,
+    start: impl Into<Start<Shaped<H, K>>>,
     h: f64,
     index: usize,
 ) -> Result<f64, CheckError> {
-    let start = begin::<H, X, K>(system, method, start, h)?;
+    let Start { phase: start, time } = begin::<H, X, K>(system, method, &start.into(), h)?;
     let coordinates = start.q.flat().len();
     if index >= coordinates {
         return Err(CheckError::NoCoordinate { index, coordinates });
     }
-    let map = Tangents::<H, X>::new(system, method, start.q.length(), h).matrix(&start, 0.0, 1);
+    let map = Tangents::<H, X>::new(system, method, start.q.length(), h).matrix(&start, time, 1);
     let (q, p) = (map.row(index), map.row(coordinates + index));
     Ok((0..coordinates).map(|k| q[k] * p[coordinates + k] - q[coordinates + k] * p[k]).sum())
 }
@@ -88,12 +87,12 @@ pub(crate) struct Defect {
 pub(crate) fn defect<H: Hamiltonian, X: Method<H>, K: Keep>(
     system: &H,
     method: X,
-    start: &Phase<Shaped<H, K>>,
+    start: &Start<Shaped<H, K>>,
     h: f64,
     steps: u64,
 ) -> Result<Defect, CheckError> {
-    let start = begin::<H, X, K>(system, method, start, h)?;
-    let mut map = Tangents::<H, X>::new(system, method, start.q.length(), h).matrix(&start, 0.0, steps);
+    let Start { phase: start, time } = begin::<H, X, K>(system, method, start, h)?;
+    let mut map = Tangents::<H, X>::new(system, method, start.q.length(), h).matrix(&start, time, steps);
     balance(&mut map);
     let n = map.nrows() / 2;
     let size = largest((form(&map) - form(&DMatrix::identity(2 * n, 2 * n))).iter().copied());

@@ -4,6 +4,7 @@ mod schemes;
 mod systems;
 
 mod modified;
+mod orbit;
 mod right;
 mod stated;
 mod steps;

@@ -349,3 +349,30 @@ impl Ring {
         strength * q[0] * q[0] / 2.0 + 0.1 * q[0].powi(4)
     }
 }
+
+by_hand! {
+    /// WRONG for a composition of order 2 and above: `V = q²/2 + k |q - a|` has no second derivative at `a`, and
+    /// `j θ(q - a)` jumps there, of which the force knows nothing.
+    Rough { kink, jump, at }: [f64; 1], autonomous = true;
+    drift(m, d, _t) { m.q[0].fma(R::of(d), m.p[0].value()); }
+    kick(m, d, _t) {
+        let (q, kink) = (m.q[0].value(), R::of(m.parameters.kink));
+        m.p[0].fma(R::of(-d), q + kink * (q - R::of(m.parameters.at)).signum());
+    }
+    kinetic(m, _t) { R::of(0.5) * m.p[0].value() * m.p[0].value() }
+    potential(m, _t) {
+        let q = m.q[0].value();
+        let beyond = q - R::of(m.parameters.at);
+        let jump = R::of(0.5 * m.parameters.jump) * (R::of(1.0) + beyond.signum());
+        R::of(0.5) * q * q + R::of(m.parameters.kink) * beyond.abs() + jump
+    }
+}
+
+by_hand! {
+    /// `T = p²/(2 t²)`, `V = -t cos q`: a motion from some time on. At time 0 there is none.
+    Expanding {}: [f64; 1], autonomous = false;
+    drift(m, d, t) { m.q[0].fma(R::of(d / (t * t)), m.p[0].value()); }
+    kick(m, d, t) { m.p[0].fma(R::of(-d * t), m.q[0].value().sin()); }
+    kinetic(m, t) { R::of(0.5 / (t * t)) * m.p[0].value() * m.p[0].value() }
+    potential(m, t) { -(R::of(t) * m.q[0].value().cos()) }
+}

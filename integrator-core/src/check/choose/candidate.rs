@@ -1,17 +1,17 @@
 //! A composition as one of many: what the search needs to know of it, without its type.
 
 use crate::{
+    check::{points::run, start::Start},
     composition::{Class, Composition, Rows},
     error::Error,
     hamiltonian::{Hamiltonian, Shaped},
-    phase::Phase,
     run::Run,
     slot::Keep,
     visit::Visitor,
 };
 
 /// How a run begins, whatever its composition.
-type Begin<H, K> = fn(&H, Phase<Shaped<H, K>>, f64) -> Result<Run<Shaped<H, K>>, Error>;
+type Begin<H, K> = fn(&H, &Start<Shaped<H, K>>, f64) -> Result<Run<Shaped<H, K>>, Error>;
 
 /// One composition.
 pub(super) struct Candidate<H: Hamiltonian, K: Keep> {
@@ -43,7 +43,7 @@ impl<H: Hamiltonian, K: Keep> Visitor<H> for Candidates<H, K> {
             class: X::CLASS,
             each: (X::FORCE_EVALUATIONS + X::GRADIENT_EVALUATIONS) as u64,
             once: evaluations(&X::PROCESSOR.before) + evaluations(&X::PROCESSOR.after),
-            begin: |system, start, h| Run::start::<H, X, K>(system, X::default(), start, h),
+            begin: |system, start, h| run::<H, X, K>(system, X::default(), start, h),
         });
     }
 }

@@ -15,9 +15,8 @@ pub use error::ChooseError;
 pub use ranking::{Choice, Ranking};
 
 use crate::{
-    check::{CheckError, points::begin, tolerance::within},
+    check::{CheckError, points::begin, start::Start, tolerance::within},
     hamiltonian::{Hamiltonian, Shaped},
-    phase::Phase,
     slot::Keep,
 };
 use problem::Problem;
@@ -42,7 +41,7 @@ impl Goal {
     }
 }
 
-/// Ranks the compositions of the catalogue by the work with which each of them reaches `goal` from `start` at time 0
+/// Ranks the compositions of the catalogue by the work with which each of them reaches `goal` from `start`
 /// over `span`, cheapest first.
 ///
 /// Work is the number of force evaluations, where a gradient of the squared force counts as one more, and a processor is
@@ -80,13 +79,14 @@ impl Goal {
 /// the time; a motion that cannot be followed to the tolerance; a tolerance that no composition reaches.
 pub fn choose<H: Hamiltonian, K: Keep>(
     system: &H,
-    start: Phase<Shaped<H, K>>,
+    start: impl Into<Start<Shaped<H, K>>>,
     span: f64,
     goal: Goal,
 ) -> Result<Ranking, ChooseError> {
     if span == 0.0 || !span.is_finite() {
         return Err(ChooseError::Span { span });
     }
+    let start = start.into();
     begin::<H, _, K>(system, H::Compose::default(), &start, span).map_err(CheckError::from)?;
     let tolerance = goal.tolerance();
     if !within(tolerance, f64::MAX) || tolerance <= 0.0 {

@@ -6,8 +6,9 @@ use crate::{
     check::{
         CheckError,
         path::{PARTS, Path, Scale},
-        points::plain,
+        points::{compensated_run, plain},
         reference::by_series,
+        start::Start,
         tolerance::{largest, ratio, within},
     },
     coords::Coords,
@@ -41,7 +42,7 @@ pub(super) fn stalled(error: f64, two_halvings_ago: f64, epsilon: f64) -> bool {
 /// A system, a start, a span and a goal.
 pub(super) struct Problem<'s, H: Hamiltonian, K: Keep> {
     pub(super) system: &'s H,
-    pub(super) start: Phase<Shaped<H, K>>,
+    pub(super) start: Start<Shaped<H, K>>,
     pub(super) span: f64,
     pub(super) goal: Goal,
     /// The true motion and how far it goes; none where the energy is the goal.
@@ -49,7 +50,7 @@ pub(super) struct Problem<'s, H: Hamiltonian, K: Keep> {
 }
 
 impl<'s, H: Hamiltonian, K: Keep> Problem<'s, H, K> {
-    pub(super) fn new(system: &'s H, start: Phase<Shaped<H, K>>, span: f64, goal: Goal) -> Result<Self, ChooseError> {
+    pub(super) fn new(system: &'s H, start: Start<Shaped<H, K>>, span: f64, goal: Goal) -> Result<Self, ChooseError> {
         let mut problem = Self { system, start, span, goal, exact: None };
         match goal {
             Goal::Energy(_) if !H::AUTONOMOUS => return Err(CheckError::NotAutonomous.into()),
@@ -62,7 +63,7 @@ impl<'s, H: Hamiltonian, K: Keep> Problem<'s, H, K> {
     /// The true motion: a Taylor series, or a run of order 10 with a compensated state, its step halved until that changes
     /// nothing.
     fn followed(&self, tolerance: f64) -> Result<(Path<H::Coords>, Scale), ChooseError> {
-        if let Some(exact) = by_series(self.system, &plain::<H, K>(&self.start), self.span, HALVINGS)
+        if let Some(exact) = by_series(self.system, &self.begins(), self.span, HALVINGS)
             && within(exact.uncertainty() * MARGIN, tolerance)
         {
             return Ok((exact.path, exact.scale));
@@ -92,10 +93,9 @@ impl<'s, H: Hamiltonian, K: Keep> Problem<'s, H, K> {
 
     /// One refinement of the true motion. How far it goes is looked at after every step.
     fn reference(&self, steps: u64) -> Result<(Path<H::Coords>, Scale), Error> {
-        let start = plain::<H, K>(&self.start);
-        let compensated = Phase::compensated(start.q.clone(), start.p.clone());
-        let h = self.span / steps as f64;
-        let mut run = Run::start::<H, _, Compensated<f64>>(self.system, SofroniouSpaletta10, compensated, h)?;
+        let start = self.begins();
+        let mut run = compensated_run(self.system, SofroniouSpaletta10, &start, self.span / steps as f64)?;
+        let start = start.phase;
         let (mut ends, mut scale) = (Vec::with_capacity(PARTS as usize), Scale::ZERO);
         for step in 1..=steps {
             run.advance(1)?;
@@ -117,8 +117,13 @@ impl<'s, H: Hamiltonian, K: Keep> Problem<'s, H, K> {
         error.unwrap_or(f64::INFINITY)
     }
 
+    /// The start in plain numbers.
+    fn begins(&self) -> Start<H::Coords> {
+        plain::<H, K>(&self.start.phase).at_time(self.start.time)
+    }
+
     fn begin(&self, candidate: &Candidate<H, K>, steps: u64) -> Result<Run<Shaped<H, K>>, Error> {
-        (candidate.begin)(self.system, self.start.clone(), self.span / steps as f64)
+        (candidate.begin)(self.system, &self.start, self.span / steps as f64)
     }
 
     fn ends(&self, candidate: &Candidate<H, K>, steps: u64) -> Result<Path<H::Coords>, Error> {
@@ -128,18 +133,18 @@ impl<'s, H: Hamiltonian, K: Keep> Problem<'s, H, K> {
             run.advance(steps / PARTS)?;
             ends.push(plain::<H, K>(&run.state()));
         }
-        Ok(Path { start: plain::<H, K>(&self.start), ends })
+        Ok(Path { start: self.begins().phase, ends })
     }
 
     fn deviation(&self, candidate: &Candidate<H, K>, steps: u64) -> Result<f64, Error> {
         let run = self.begin(candidate, steps)?;
-        let parameters = self.system.parameters(self.start.q.length());
+        let parameters = self.system.parameters(self.start.phase.q.length());
         let energies = |state: &Phase<Shaped<H, K>>, time| {
             let motion = H::Motion::<f64, K>::load(|_| (&parameters, state));
             let kinetic = H::kinetic::<f64, K>(&motion, time);
             (kinetic, kinetic + H::potential::<f64, K>(&motion, time))
         };
-        let (mut kinetic, first) = energies(&self.start, run.time());
+        let (mut kinetic, first) = energies(&self.start.phase, run.time());
         let mut deviation = 0.0;
         let interval = steps.div_ceil(LOOKS);
         for sample in run.samples(interval).take((steps / interval + 1) as usize) {

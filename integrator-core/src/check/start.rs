@@ -1,0 +1,62 @@
+//! Where and when a measured motion begins.
+
+use crate::{coords::Coords, phase::Phase};
+
+/// A point of phase space and a time: where and when the motion that a check measures begins.
+///
+/// A [`Phase`] alone begins at time 0; [`Phase::at_time`] tells another one. Checks take either.
+///
+/// ```
+/// use integrator_core::prelude::*;
+///
+/// struct Expanding;
+///
+/// #[hamiltonian(compose = Yoshida4)]
+/// impl Expanding {
+///     fn kinetic(&self, p: [f64; 1], t: f64) -> f64 {
+///         0.5 * p[0] * p[0] / t.powi(2)
+///     }
+///     fn potential(&self, q: [f64; 1], t: f64) -> f64 {
+///         -q[0].cos() * t
+///     }
+/// }
+///
+/// // At time 0 there is no such motion.
+/// let start = Phase::new([1.0], [0.0]);
+/// assert!(certify(&Expanding, Yoshida4, start, 0.01).is_err());
+/// println!("{}", certify(&Expanding, Yoshida4, start.at_time(1.0), 0.01)?);
+/// # Ok::<(), integrator_core::check::CertifyError>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Start<C> {
+    /// Where.
+    pub phase: Phase<C>,
+    /// When.
+    pub time: f64,
+}
+
+impl<C: Coords> Phase<C> {
+    /// This point at time `time`, as the start of what a check measures. A run is told its time by
+    /// [`Run::at_time`](crate::Run::at_time).
+    pub fn at_time(self, time: f64) -> Start<C> {
+        Start { phase: self, time }
+    }
+}
+
+impl<C> From<Phase<C>> for Start<C> {
+    fn from(phase: Phase<C>) -> Self {
+        Self { phase, time: 0.0 }
+    }
+}
+
+impl<C: Clone> From<&Phase<C>> for Start<C> {
+    fn from(phase: &Phase<C>) -> Self {
+        phase.clone().into()
+    }
+}
+
+impl<C: Clone> From<&Start<C>> for Start<C> {
+    fn from(start: &Start<C>) -> Self {
+        start.clone()
+    }
+}
