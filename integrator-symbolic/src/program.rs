@@ -102,10 +102,10 @@ pub(crate) fn schedule_with(
     leaf: impl Fn(&Graph, NodeId) -> bool,
     asked: &Asked,
 ) -> Program {
-    [Waiting::ForItsLike, Waiting::ForAny, Waiting::Apart]
-        .into_iter()
-        .find_map(|waiting| attempt(graph, placed, &leaf, asked, waiting))
-        .unwrap_or(Program { items: Vec::new(), named: BTreeSet::new() })
+    // With what it protects, an order may have copies of too much in too many branches.
+    let ways = [true, false].into_iter().flat_map(|protects| WAITING.map(|waiting| Way { waiting, protects }));
+    let mut found = ways.filter_map(|way| attempt(graph, placed, &leaf, asked, way));
+    found.next().unwrap_or(Program { items: Vec::new(), named: BTreeSet::new() })
 }
 
 /// Which inner blocks keep a later one from being joined with an earlier one.
@@ -120,18 +120,32 @@ enum Waiting {
     Apart,
 }
 
+const WAITING: [Waiting; 3] = [Waiting::ForItsLike, Waiting::ForAny, Waiting::Apart];
+
+/// A way to order blocks.
+#[derive(Clone, Copy)]
+struct Way {
+    waiting: Waiting,
+    /// Whether what may not be there is read inside of what decides that it is.
+    protects: bool,
+}
+
+/// How many uses a node of the graph has on average, at most, in an order that protects.
+const USES: usize = 8;
+
 fn attempt<L: Fn(&Graph, NodeId) -> bool>(
     graph: &Graph,
     placed: &[Placed],
     leaf: &L,
     asked: &Asked,
-    waiting: Waiting,
+    way: Way,
 ) -> Option<Program> {
     let mut scheduler = Scheduler {
         graph,
         leaf,
         asked,
-        waiting,
+        way,
+        left: USES * (graph.len() + USES),
         scopes: vec![Scope::default()],
         uses: BTreeMap::new(),
         homes: BTreeMap::new(),
@@ -151,7 +165,7 @@ fn attempt<L: Fn(&Graph, NodeId) -> bool>(
         scheduler.used(*value, &path);
         scheduler.scope(&path).ends.push(End::Sink(*sink, *value));
     }
-    scheduler.place();
+    scheduler.place()?;
     let named = scheduler.named();
     Some(Program { items: scheduler.items(0, &named)?, named })
 }
@@ -189,7 +203,9 @@ struct Scheduler<'g, L> {
     graph: &'g Graph,
     leaf: &'g L,
     asked: &'g Asked,
-    waiting: Waiting,
+    way: Way,
+    /// How many uses may still be noted.
+    left: usize,
     scopes: Vec<Scope>,
     /// The blocks that nodes are used in, as paths from the outermost one; the last node is placed first.
     uses: BTreeMap<NodeId, Vec<Vec<usize>>>,
@@ -204,6 +220,7 @@ impl<L: Fn(&Graph, NodeId) -> bool> Scheduler<'_, L> {
 
     fn used(&mut self, id: NodeId, path: &[usize]) {
         if !(self.leaf)(self.graph, id) {
+            self.left = self.left.saturating_sub(1);
             self.uses.entry(id).or_default().push(path.to_vec());
         }
     }
@@ -215,8 +232,9 @@ impl<L: Fn(&Graph, NodeId) -> bool> Scheduler<'_, L> {
         let is_over = |scope: &usize, set: LoopSet| matches!(self.scopes[*scope].around, Some(Around::Loop(by)) if set.contains(by));
         // The index of a loop has one value in it, so that the sum over the same loop is not computed there.
         let outside = path.iter().position(|scope| is_over(scope, summed)).unwrap_or(path.len());
-        let is_protected =
-            |scope: &usize| self.scopes[*scope].around.is_some_and(|around| self.graph.protects(around, id));
+        let is_protected = |scope: &usize| {
+            self.scopes[*scope].around.is_some_and(|around| self.way.protects && self.graph.protects(around, id))
+        };
         let protected = path[..outside].iter().rposition(is_protected);
         let own = path.iter().rposition(|scope| is_over(scope, loops));
         own.max(protected).map_or(1, |deepest| deepest + 1)
@@ -256,7 +274,7 @@ impl<L: Fn(&Graph, NodeId) -> bool> Scheduler<'_, L> {
             let node = self.graph.node(id);
             let children = node.children().map(|child| self.waits_of(path, child, kind, known)).max().unwrap_or(0);
             let like = match (node, kind) {
-                (Node::Sum(..) | Node::Select(..), _) if self.waiting == Waiting::ForAny => true,
+                (Node::Sum(..) | Node::Select(..), _) if self.way.waiting == Waiting::ForAny => true,
                 (Node::Sum(by, _), Around::Loop(kind)) => by == kind,
                 (Node::Select(condition, ..), Around::Branch(kind, _)) => condition == kind,
                 _ => false,
@@ -270,7 +288,7 @@ impl<L: Fn(&Graph, NodeId) -> bool> Scheduler<'_, L> {
     /// The block inside the last one of `path`, new or known.
     fn inner(&mut self, path: &[usize], around: Around, waits: u32) -> usize {
         let beside = &self.scopes[path[path.len() - 1]].inner;
-        let joined = self.waiting != Waiting::Apart;
+        let joined = self.way.waiting != Waiting::Apart;
         let known = beside
             .iter()
             .filter(|_| joined)

@@ -5,16 +5,19 @@ use super::{End, Scheduler};
 use crate::graph::{Around, Graph, Node, NodeId};
 
 impl<L: Fn(&Graph, NodeId) -> bool> Scheduler<'_, L> {
-    /// Finds the block of every node, and then of those that are computed beside others.
-    pub(super) fn place(&mut self) {
+    /// Finds the block of every node, and then of those that are computed beside others; `None` if that comes to too many.
+    pub(super) fn place(&mut self) -> Option<()> {
         loop {
             // Users come before what they use, since their ids are larger.
             while let Some((id, uses)) = self.uses.pop_last() {
                 self.place_uses(id, uses);
+                if self.way.protects && self.left == 0 {
+                    return None;
+                }
             }
             let missing = self.missing();
             if missing.is_empty() {
-                return;
+                return Some(());
             }
             for (id, path) in missing {
                 self.used(id, &path);
