@@ -90,7 +90,7 @@ impl Machine<'_> {
             ("f64", "from", [Value::Integer(integer)]) => Ok(Value::plain(integer.value as f64)),
             ("f64", "from", [value @ Value::Number(_)]) => Ok(value.clone()),
             ("Box" | "Arc" | "Rc", "new", [value]) => Ok(value.clone()),
-            ("f64", name, [receiver, rest @ ..]) => self.method_of(receiver.clone(), name, rest.to_vec()),
+            ("f64" | "Ord", name, [receiver, rest @ ..]) => self.method_of(receiver.clone(), name, rest.to_vec()),
             (of, "from", [Value::Integer(integer)]) if IntegerType::named(of).is_some() => {
                 Ok(Integer { of: IntegerType::named(of), ..*integer }.into())
             }

@@ -36,7 +36,7 @@ fn seeds(count: u64) -> std::ops::Range<u64> {
 }
 
 /// How many faults are shown: each takes a while to be made small.
-const SHOWN: usize = 6;
+const SHOWN: usize = 3;
 
 /// What came of many systems.
 #[derive(Default)]

@@ -87,8 +87,7 @@ impl Number {
     pub(crate) fn div(&self, other: &Self) -> Self {
         let main = self.main / other.main;
         self.with(main, &[other], |of| {
-            let below = of(other);
-            let numerator = if below.is_zero() { of(self) } else { of(self) - main * below };
+            let numerator = of(self) - chained(main, of(other));
             if numerator.is_zero() { ZERO } else { numerator / other.main }
         })
     }

@@ -21,7 +21,7 @@ pub(crate) struct Parts {
     bounds: bool,
 }
 
-pub(crate) const PARTS: Parts = Parts { guards: false, integers: false, bounds: true };
+pub(crate) const PARTS: Parts = Parts { guards: true, integers: true, bounds: true };
 
 /// What a text in the making may name.
 #[derive(Clone, Default)]
