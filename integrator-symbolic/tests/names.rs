@@ -129,6 +129,14 @@ fn potentials() -> Vec<String> {
             }
         }
     }
+    // A power of the parameters that the kick computes in two branches, each behind its own reading of a coordinate.
+    let chosen = "(if self.b <= self.a { q[0] - q[0] } else { 2.5_f64.powi(self.pw) })";
+    found.push(format!(
+        "let v = (1.0 + {chosen} * {chosen}).powi(self.pw);
+         let mut z = 0.0; for x in q {{ z += x.cos(); }}
+         -(q[2] + q[2]) - (q[2].abs() + 1.0).log10().clamp(-0.7, 0.8)
+             + ((if self.flag {{ (1.0 + v * v).powi(self.pw) }} else {{ q[0] }}) - (self.a + q[0] * q[2])) + v + z * z"
+    ));
     found
 }
 

@@ -311,7 +311,7 @@ impl<'m> Writer<'m> {
     fn slot(&mut self, id: NodeId, is_condition: bool) {
         let name = self.printer.names[&id].clone();
         let record = self.record();
-        record.slots.push((name.clone(), if is_condition { Kept::Condition } else { Kept::Series }));
+        record.keep(name.clone(), if is_condition { Kept::Condition } else { Kept::Series });
         let place = Series::Kept { at: record.at.clone(), name };
         self.places.insert(id, place);
     }
@@ -357,7 +357,7 @@ impl<'m> Writer<'m> {
         let value = self.printer.expression(fields, id).tokens;
         let name = Ident::new(&value.to_string(), Span::call_site());
         let record = &mut self.records[0];
-        record.slots.push((name.clone(), Kept::Series));
+        record.keep(name.clone(), Kept::Series);
         let place = Series::Kept { at: record.at.clone(), name };
         let coefficient = place.of(&quote!(order));
         self.opening.extend(quote!(#coefficient = #value;));

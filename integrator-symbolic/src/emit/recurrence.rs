@@ -379,7 +379,7 @@ impl Writer<'_> {
     fn inverse(&mut self, id: NodeId, divisor: &TokenStream) -> (TokenStream, TokenStream) {
         let (name, scalar) = (format_ident!("over_{}", self.printer.names[&id]), self.printer.scalar);
         let record = self.record();
-        record.slots.push((name.clone(), Kept::Number));
+        record.keep(name.clone(), Kept::Number);
         let at = &record.at;
         (quote!(#at.#name), quote!(#at.#name = #scalar::of(1.0) / #divisor;))
     }

@@ -209,7 +209,7 @@ impl Writer<'_> {
         let record = self.record();
         let number = record.slots.iter().filter(|(_, kept)| matches!(kept, Kept::Pairs)).count();
         let name = format_ident!("pairs_{number}");
-        record.slots.push((name.clone(), Kept::Pairs));
+        record.keep(name.clone(), Kept::Pairs);
         let series = Series::Own { at: record.at.clone(), name };
         let place = series.of(&quote!(last));
         lines.keep.extend(quote!(#place = #both;));

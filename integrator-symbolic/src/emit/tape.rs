@@ -20,10 +20,18 @@ impl Record {
     pub(super) fn of(at: &str, turns: Turns) -> Self {
         Self { at: format_ident!("{at}"), slots: Vec::new(), turns }
     }
+
+    /// Gives a value its place. One that is computed in several branches has one place, which each of them writes before it
+    /// reads it.
+    pub(super) fn keep(&mut self, name: Ident, kept: Kept) {
+        if !self.slots.contains(&(name.clone(), kept)) {
+            self.slots.push((name, kept));
+        }
+    }
 }
 
 /// What is kept of a value.
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, PartialEq, Eq)]
 pub(super) enum Kept {
     /// Its coefficients.
     Series,

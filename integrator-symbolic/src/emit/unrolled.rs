@@ -39,7 +39,7 @@ impl Writer<'_> {
             }
             let name = format_ident!("rates_{}", self.rates.len());
             let record = self.record();
-            record.slots.push((name.clone(), Kept::Rates));
+            record.keep(name.clone(), Kept::Rates);
             let rate = Series::Own { at: record.at.clone(), name };
             self.rates.push((x, rate));
         }
