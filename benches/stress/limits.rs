@@ -107,7 +107,7 @@ fn outcome<X: Composition<Chain>>(chain: &Chain, composition: X, h: f64, steps: 
     match grew() {
         Ok(false) => Outcome::Bounded,
         Err(_) => Outcome::Reported,
-        Ok(true) if stability(chain, composition, &start, h).is_ok_and(|stability| stability.is_near()) => {
+        Ok(true) if stability(chain, composition, start, h).is_ok_and(|stability| stability.is_near()) => {
             Outcome::Warned
         }
         Ok(true) => Outcome::Silent,

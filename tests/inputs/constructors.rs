@@ -157,7 +157,7 @@ fn checks(input: &Input) -> Vec<Door> {
         ("energy_drift", Asks::Step, outcome(energy_drift(chain, Verlet, plain(input), h, 100))),
         ("global_error", Asks::Step, outcome(global_error(chain, Verlet, plain(input), h, 100))),
         ("gradient_error", Asks::Start, outcome(gradient_error(chain, plain(input), 0.0))),
-        ("stability", Asks::Step, outcome(stability(chain, Verlet, &plain(input), h))),
+        ("stability", Asks::Step, outcome(stability(chain, Verlet, plain(input), h))),
         ("shadow", Asks::Step, outcome(shadow(chain, Verlet, plain(input), h))),
     ]
     .map(|(name, asks, outcome)| Door { name, asks, outcome })

@@ -1,6 +1,7 @@
 //! The language of H at work: every construct that `docs/language.md` lists as accepted moves a system as a force written
 //! by hand does. That the rest is refused, and how, is tested beside the generator.
 #![allow(
+    clippy::explicit_iter_loop,
     dead_code,
     unused_variables,
     clippy::all,
