@@ -336,7 +336,7 @@ impl<C: Coords> Run<C> {
     ///     fn potential(&self, q: [f64; 1]) -> f64 { -q[0].cos() }
     /// }
     ///
-    /// let mut run = Rotor.run(Phase::new([0.0], [5.0]), 0.01)?;
+    /// let mut run = Rotor.run(Phase::new([0.0_f64], [5.0]), 0.01)?;
     /// run.advance(1_000)?;
     /// run.map_state(|state| state.q[0] = state.q[0].rem_euclid(std::f64::consts::TAU))?;
     /// run.advance(1_000)?;
