@@ -6,9 +6,6 @@
 
 use super::{Graph, Node, NodeId, index::LoopId};
 
-/// Functions that are finite wherever their argument is, as far as numbers reach.
-const FINITE: [&str; 11] = ["sin", "cos", "tanh", "atan", "abs", "exp", "sinh", "cosh", "asinh", "min", "max"];
-
 impl Graph {
     /// `value` where the condition holds, else zero, with the condition in prepared coefficients alone; `None` where
     /// something else reads lists by the index of the loop, or might be infinite where the condition does not hold.
@@ -56,16 +53,17 @@ impl Graph {
             Node::Coordinate(element) => {
                 [Some(element.index), element.component].into_iter().flatten().all(|at| self.loops.is_without_lists(at))
             }
-            Node::Power(_, halves) => halves > 0 && halves % 2 == 0,
-            Node::Div(_, divisor) => self.as_constant(divisor).is_some(),
-            Node::Unary(function, _) | Node::Binary(function, ..) => FINITE.contains(&function.name()),
-            Node::Constant(_)
+            node @ (Node::Constant(_)
             | Node::Time
             | Node::Step
             | Node::Neg(_)
             | Node::Add(..)
             | Node::Mul(..)
-            | Node::Sum(..) => true,
+            | Node::Div(..)
+            | Node::Power(..)
+            | Node::Unary(..)
+            | Node::Binary(..)
+            | Node::Sum(..)) => self.is_total_by_itself(node),
             _ => false,
         })
     }
