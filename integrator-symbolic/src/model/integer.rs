@@ -5,7 +5,6 @@ mod tests;
 
 use super::{
     Reader,
-    sign::is_never_negative,
     text::place,
     value::{Opaque, Value, View},
 };
@@ -22,12 +21,7 @@ impl Reader<'_> {
         match value {
             Value::Real(node) => Some(*node),
             Value::Opaque(Opaque { text, loops }) => {
-                let text = place(text.clone());
-                let never_negative = syn::parse2(text.clone()).is_ok_and(|text| is_never_negative(&text));
-                let parameter = self.parameter(text, "number", *loops);
-                if never_negative {
-                    self.graph.declare_never_negative(parameter);
-                }
+                let parameter = self.parameter(place(text.clone()), "number", *loops);
                 Some(self.graph.parameter(parameter))
             }
             _ => None,

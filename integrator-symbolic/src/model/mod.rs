@@ -43,6 +43,7 @@ use proc_macro2::{Ident, TokenStream};
 use quote::{ToTokens, quote};
 pub(crate) use shape::{Length, Shape};
 use shape::{Signature, signature};
+use sign::is_never_negative;
 use std::collections::HashMap;
 use syn::{ImplItemFn, ItemUse, ReturnType, spanned::Spanned};
 use text::standing_alone;
@@ -349,7 +350,8 @@ impl<'i> Reader<'i> {
             "integer" => quote!(0),
             _ => quote!(0.0),
         };
-        let (text, loops) = self.in_arms(text, loops, &otherwise);
+        let own = text;
+        let (text, loops) = self.in_arms(own.clone(), loops, &otherwise);
         let (text, loops) = self.guarded_text(text, loops, &otherwise);
         let text = standing_alone(text, &self.uses);
         let key = format!("{kind} {loops:?} {text}");
@@ -360,6 +362,10 @@ impl<'i> Reader<'i> {
         self.parameters.push(Parameter { text });
         self.parameter_ids.insert(key, id);
         self.graph.loops.declare_parameter(id, loops);
+        // What takes its place where it is not evaluated is zero.
+        if kind == "number" && syn::parse2(own).is_ok_and(|own| is_never_negative(&own)) {
+            self.graph.declare_never_negative(id);
+        }
         id
     }
 
