@@ -288,12 +288,8 @@ impl<L: Fn(&Graph, NodeId) -> bool> Scheduler<'_, L> {
     /// The block inside the last one of `path`, new or known.
     fn inner(&mut self, path: &[usize], around: Around, waits: u32) -> usize {
         let beside = &self.scopes[path[path.len() - 1]].inner;
-        let joined = self.way.waiting != Waiting::Apart;
-        let known = beside
-            .iter()
-            .filter(|_| joined)
-            .find(|(own, scope)| *own == waits && self.scopes[*scope].around == Some(around));
-        if let Some((_, known)) = known {
+        let known = beside.iter().find(|(own, scope)| *own == waits && self.scopes[*scope].around == Some(around));
+        if let Some((_, known)) = known.filter(|_| self.way.waiting != Waiting::Apart) {
             return *known;
         }
         let made = self.scopes.len();

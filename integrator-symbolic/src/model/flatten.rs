@@ -3,7 +3,7 @@
 //! A sum over `rows.flatten()` is the sum over the rows of the sums over each of them, so the text is read as that: the
 //! loops stay two, as bodies and lattices are recognised by.
 
-use proc_macro2::{Ident, Span};
+use proc_macro2::Ident;
 use quote::format_ident;
 use syn::{Block, Expr, ExprClosure, ExprForLoop, ExprMethodCall, parse_quote};
 
@@ -68,5 +68,5 @@ fn nested(sequence: &Expr) -> Option<Nested> {
 
 /// A name that no user has.
 fn name() -> Ident {
-    format_ident!("__list", span = Span::call_site())
+    format_ident!("__list")
 }
