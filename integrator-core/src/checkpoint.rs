@@ -8,15 +8,16 @@
 //! steps of one that was never interrupted.
 
 use crate::{
+    admissible::admissible_with,
+    clock::Clock,
     composition::{Composition, Processor, Stage, Stages},
     coords::Coords,
     digest::Digest,
-    engine::Clock,
     error::{Error, debug_as_display},
     hamiltonian::{Hamiltonian, Prepared},
     method::{Described, Facts},
     phase::Phase,
-    run::{Run, admissible_with},
+    run::Run,
     slot::Keep,
 };
 use alloc::{borrow::ToOwned, string::String, vec::Vec};

@@ -1,73 +1,14 @@
-//! What carries a trajectory on: the motion, its copies for faults and looks, and the loops compiled for it.
+//! What carries a trajectory on: the motion, and its copies for faults and looks.
 
 use crate::{
-    composition::Composition,
-    coords::Coords,
-    energies::Energies,
-    error::{Divergence, Error, Unsolved},
-    hamiltonian::{Flows, Hamiltonian, Motion, Single},
-    leap::Leaps,
-    panics::attempted,
-    phase::Phase,
-    real::{Kernel, Real},
-    slot::Keep,
-    tiled::Tiled,
+    clock::Clock, coords::Coords, energies::Energies, error::Unsolved, hamiltonian::Motion, moves::Moves,
+    panics::attempted, phase::Phase,
 };
 use alloc::{boxed::Box, sync::Arc};
 use core::marker::PhantomData;
 
 /// How many steps lie between two looks at whether the state is finite. A divergence replays at most so many.
 pub(crate) const BLOCK: u64 = 1024;
-
-/// Time as an integer number of steps: `t0 + n·h`, never an accumulated sum.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Clock {
-    pub(crate) t0: f64,
-    pub(crate) h: f64,
-    pub(crate) steps: u64,
-}
-
-impl Clock {
-    pub(crate) fn at(&self, steps: u64) -> f64 {
-        self.t0 + steps as f64 * self.h
-    }
-
-    /// How many steps will be done after `asked` more.
-    ///
-    /// # Errors
-    /// A clock that did not start at a time, more steps than can be counted, and steps that the clock does not notice.
-    pub(crate) fn end(&self, asked: u64) -> Result<u64, Error> {
-        self.check()?;
-        let end = self.steps.checked_add(asked).ok_or(Error::Steps { done: self.steps, asked })?;
-        // Time is coarsest where it is farthest from zero, which is at one end of the way. An infinite time is found too.
-        let ends = if asked == 0 { None } else { Some([self.steps, end]) };
-        match ends.into_iter().flatten().map(|steps| self.at(steps)).find(|time| time + self.h == *time) {
-            Some(time) => Err(Error::Clock { h: self.h, time }),
-            None => Ok(end),
-        }
-    }
-
-    /// Whether the clock started at a time.
-    pub(crate) fn check(&self) -> Result<(), Error> {
-        match self.t0.is_finite() {
-            true => Ok(()),
-            false => Err(Error::Time { time: self.t0 }),
-        }
-    }
-
-    /// What to say of a trajectory that has taken its last finite step, to `state`; `next` is where one more leads.
-    pub(crate) fn divergence<C: Coords>(&self, state: &Phase<C>, next: &Phase<C>) -> Divergence {
-        let flat = |coordinates: &C| coordinates.flat().iter().map(|leaf| leaf.to_f64()).collect();
-        let step = self.steps.saturating_add(1);
-        let leaves = state.q.flat().iter().chain(state.p.flat());
-        let limit = leaves.map(|leaf| leaf.limit()).fold(f64::INFINITY, f64::min);
-        // The limit of a grid is exclusive, as infinity is.
-        let gone = |leaf: &C::Leaf| leaf.to_f64().is_nan() || leaf.to_f64().abs() >= limit;
-        let first = |name, coordinates: &C| Some((name, coordinates.flat().iter().position(gone)?));
-        let coordinate = first("q", &next.q).or_else(|| first("p", &next.p));
-        Divergence { step, time: self.at(step), limit, coordinate, q: flat(&state.q), p: flat(&state.p) }
-    }
-}
 
 /// A run without its clock, behind one type whatever system, composition and scalar it was made of.
 pub(crate) trait Engine<C: Coords>: Send + Sync {
@@ -101,90 +42,6 @@ pub(crate) trait Engine<C: Coords>: Send + Sync {
     /// Lets so many threads share a long lattice or the pairs of many bodies, or all that the machine has.
     fn share_among(&mut self, threads: Option<usize>);
     fn boxed_clone(&self) -> Box<dyn Engine<C>>;
-}
-
-/// What an engine does to its motion, compiled for one system, composition and scalar.
-///
-/// These are functions and not a type parameter: so the engine knows the motion's type alone, what is seldom called is
-/// compiled once per motion, and a system that borrows its parameters can be run all the same.
-pub struct Moves<M> {
-    advance: fn(&mut M, Clock, u64, Option<usize>),
-    /// Completes the step under way.
-    complete: fn(&mut M, Clock),
-    /// Makes of a completed step the state that is shown, where that differs.
-    show: Option<fn(&mut M, Clock)>,
-    /// Takes a motion a while into the step that begins at the other one and at the clock, where a method has dense output.
-    /// It may stand anywhere in this step.
-    dense: Option<fn(&mut M, &M, Clock, f64)>,
-    /// How many threads may share a long lattice, if not all.
-    threads: Option<usize>,
-}
-
-impl<M> Moves<M> {
-    /// The moves of a method whose motion stands at the end of a step whenever it is looked at.
-    pub(crate) fn closed(advance: fn(&mut M, Clock, u64, Option<usize>)) -> Self {
-        Self { advance, complete: |_, _| {}, show: None, dense: None, threads: Some(1) }
-    }
-    /// The same with dense output.
-    pub(crate) fn with_dense(self, dense: fn(&mut M, &M, Clock, f64)) -> Self {
-        Self { dense: Some(dense), ..self }
-    }
-    pub(crate) fn advance(&self, motion: &mut M, clock: Clock, steps: u64) {
-        (self.advance)(motion, clock, steps, self.threads);
-    }
-    /// Completes the step under way, up to the state that is shown: the end of the step of the kernel, where what undoes
-    /// the processor leaves the finite numbers.
-    pub(crate) fn shown<C: Coords, P>(&self, mut motion: M, clock: Clock) -> M
-    where
-        M: Motion<C, P>,
-    {
-        (self.complete)(&mut motion, clock);
-        let Some(show) = self.show else { return motion };
-        let mut shown = motion.clone();
-        show(&mut shown, clock);
-        if shown.finite() { shown } else { motion }
-    }
-}
-
-impl<M> Clone for Moves<M> {
-    fn clone(&self) -> Self {
-        *self
-    }
-}
-
-impl<M> Copy for Moves<M> {}
-
-/// The moves of a system under a composition.
-pub(crate) fn moves<H: Hamiltonian, X: Composition<H>, R: Real, K: Keep>() -> Moves<H::Motion<R, K>> {
-    Moves {
-        advance: |motion, clock, steps, threads| {
-            if Tiled::<H, R, K>::PAYS {
-                let mut flows = Tiled::<H, R, K>::new(motion, threads);
-                Advance::<_, H, X>::new(&mut flows, clock, steps).call();
-                flows.finish();
-            } else {
-                R::enter(Advance::<_, H, X>::new(Single::<H, R, K>(motion), clock, steps));
-            }
-        },
-        complete: end::<H, X, R, K, false>,
-        show: if const { X::PROCESSOR.after.rows.is_empty() } { None } else { Some(end::<H, X, R, K, true>) },
-        dense: None,
-        threads: Some(1),
-    }
-}
-
-/// The end of the step under way: its last stages, or what undoes the processor behind them.
-fn end<H: Hamiltonian, X: Composition<H>, R: Real, K: Keep, const SHOWN: bool>(
-    motion: &mut H::Motion<R, K>,
-    clock: Clock,
-) {
-    if Tiled::<H, R, K>::PAYS {
-        let mut flows = Tiled::<H, R, K>::new(motion, Some(1));
-        End::<_, H, X, SHOWN>::new(&mut flows, clock).call();
-        flows.finish();
-    } else {
-        R::enter(End::<_, H, X, SHOWN>::new(Single::<H, R, K>(motion), clock));
-    }
 }
 
 /// A motion that is looked after: a step that leads out of the finite numbers is not taken.
@@ -395,105 +252,5 @@ impl<M: Motion<C, P>, P: Send + Sync + 'static, C: Coords> Engine<C> for Solo<M,
             constants: self.constants.clone(),
             shape: self.shape.clone(),
         })
-    }
-}
-
-/// The n-step loop.
-pub(crate) struct Advance<F, H, X> {
-    flows: F,
-    clock: Clock,
-    steps: u64,
-    marker: PhantomData<(fn(H), X)>,
-}
-
-impl<F, H, X> Advance<F, H, X> {
-    pub(crate) fn new(flows: F, clock: Clock, steps: u64) -> Self {
-        Self { flows, clock, steps, marker: PhantomData }
-    }
-}
-
-impl<F: Flows<H>, H: Hamiltonian, X: Composition<H>> Kernel for Advance<F, H, X> {
-    type Out = ();
-
-    #[inline(always)]
-    fn call(mut self) {
-        let Clock { h, steps: mut step, .. } = self.clock;
-        let end = step + self.steps;
-        if const { H::PIECEWISE_IN_TIME } {
-            return self.whole_steps(end);
-        }
-        if step == 0 && end > 0 {
-            X::open(&mut self.flows, h, self.clock.at(0));
-            step = 1;
-        }
-        if F::COMPENSATED {
-            let leaps = Leaps::new(&X::STAGES, h);
-            if !leaps.none() {
-                while step < end {
-                    X::cycle(&mut leaps.on(&mut self.flows, step), h, self.clock.at(step));
-                    step += 1;
-                }
-            }
-        }
-        while step < end {
-            X::cycle(&mut self.flows, h, self.clock.at(step));
-            step += 1;
-        }
-    }
-}
-
-impl<F: Flows<H>, H: Hamiltonian, X: Composition<H>> Advance<F, H, X> {
-    /// The same where a stage that is merged across steps would belong to two pieces: each step ends before the next one begins,
-    /// with its own middle.
-    #[inline(always)]
-    fn whole_steps(mut self, end: u64) {
-        let Clock { h, steps, .. } = self.clock;
-        let leaps = Leaps::of_whole_steps(&X::STAGES, &X::PROCESSOR, h);
-        for step in steps..end {
-            if let Some(under_way) = step.checked_sub(1) {
-                let time = self.clock.at(under_way);
-                self.flows.begin_step(time + h / 2.0);
-                X::close(&mut self.flows, h, time);
-            }
-            let time = self.clock.at(step);
-            self.flows.begin_step(time + h / 2.0);
-            if F::COMPENSATED {
-                X::open(&mut leaps.on(&mut self.flows, step), h, time);
-            } else {
-                X::open(&mut self.flows, h, time);
-            }
-        }
-    }
-}
-
-/// The end of the step under way: its last stages, or what undoes the processor behind them.
-pub(crate) struct End<F, H, X, const SHOWN: bool> {
-    flows: F,
-    clock: Clock,
-    marker: PhantomData<(fn(H), X)>,
-}
-
-impl<F, H, X, const SHOWN: bool> End<F, H, X, SHOWN> {
-    pub(crate) fn new(flows: F, clock: Clock) -> Self {
-        Self { flows, clock, marker: PhantomData }
-    }
-}
-
-impl<F: Flows<H>, H: Hamiltonian, X: Composition<H>, const SHOWN: bool> Kernel for End<F, H, X, SHOWN> {
-    type Out = ();
-
-    #[inline(always)]
-    fn call(mut self) {
-        if let Some(under_way) = self.clock.steps.checked_sub(1) {
-            let (h, time) = (self.clock.h, self.clock.at(under_way));
-            if const { H::PIECEWISE_IN_TIME } {
-                self.flows.begin_step(time + h / 2.0);
-            }
-            if SHOWN {
-                X::show(&mut self.flows, h, time);
-            } else {
-                X::complete(&mut self.flows, h, time);
-            }
-        }
     }
 }

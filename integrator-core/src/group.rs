@@ -4,10 +4,11 @@
 //! one waits, the others compute, and all of them stay in registers.
 
 use crate::{
+    clock::Clock,
     composition::Composition,
     coords::Coords,
-    engine::{Advance, Clock, End},
     hamiltonian::{Flows, Hamiltonian, Motion, QuadraticKinetic, Shaped},
+    moves::{Advance, End},
     real::{Kernel, Real},
     slot::Keep,
 };

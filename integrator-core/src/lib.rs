@@ -80,6 +80,7 @@ extern crate self as integrator_core;
 #[cfg(feature = "std")]
 #[allow(unreachable_pub, reason = "named in bounds, never outside")]
 mod abreast;
+mod admissible;
 mod aligned;
 mod block;
 #[cfg(any(debug_assertions, feature = "check"))]
@@ -90,6 +91,7 @@ mod catalogue_list;
 pub mod check;
 #[cfg(feature = "checkpoint")]
 mod checkpoint;
+mod clock;
 mod composition;
 mod constants;
 mod coords;
@@ -99,7 +101,6 @@ mod digest;
 #[cfg_attr(feature = "std", allow(dead_code, unreachable_pub, reason = "users need it where there is no std"))]
 mod elementary;
 mod energies;
-#[allow(unreachable_pub, reason = "named in bounds, never outside")]
 mod engine;
 #[cfg(feature = "std")]
 mod ensemble;
@@ -124,6 +125,8 @@ mod leap;
 mod many_body;
 #[allow(unreachable_pub, reason = "named in bounds, never outside")]
 mod method;
+#[allow(unreachable_pub, reason = "named in bounds, never outside")]
+mod moves;
 mod neighbours;
 #[cfg(feature = "output")]
 pub mod output;

@@ -5,9 +5,9 @@
 
 use crate::{
     composition::{Composition, Processor, Scheme, Stages},
-    engine::{Moves, moves},
     error::Error,
     hamiltonian::{Hamiltonian, Motion, Shaped},
+    moves::{Moves, moves},
     real::Real,
     slot::Keep,
 };

@@ -1,11 +1,13 @@
 //! A part of the members of an ensemble, looked after together.
 
 use crate::{
+    clock::Clock,
     coords::Coords,
     energies::{EnergyOf, Parts, energies},
-    engine::{BLOCK, Clock, Engine, Moves, Solo},
+    engine::{BLOCK, Engine, Solo},
     error::Divergence,
     hamiltonian::Motion,
+    moves::Moves,
     panics::Panics,
     phase::Phase,
 };

@@ -5,14 +5,15 @@ use crate::checkpoint::Origin;
 #[cfg(debug_assertions)]
 use crate::stated::hold_at_start;
 use crate::{
+    admissible::{admissible, admissible_with},
+    clock::Clock,
     coords::Coords,
     energies::{Energies, Parts, energies, energy},
-    engine::{Clock, Engine, Solo},
+    engine::{Engine, Solo},
     error::{Divergence, Error},
-    fixed::is_power_of_two,
     hamiltonian::{Hamiltonian, Prepared, Shaped},
     instruction_set::InstructionSet,
-    method::{Described, Method},
+    method::Method,
     phase::Phase,
     real::Real,
     samples::Samples,
@@ -21,50 +22,6 @@ use crate::{
 };
 use alloc::{boxed::Box, sync::Arc};
 use core::fmt;
-
-/// Whether a run may begin at `start` with step `h`.
-///
-/// # Errors
-/// A step that is zero or not finite; a start that is not finite, whose `q` and `p` differ in length, or that has no place on
-/// its grid.
-pub(crate) fn admissible<C: Coords>(start: &Phase<C>, h: f64) -> Result<(), Error> {
-    if h == 0.0 || !h.is_finite() {
-        return Err(Error::Step { h });
-    }
-    let (positions, momenta) = (start.q.flat().len(), start.p.flat().len());
-    if positions != momenta {
-        return Err(Error::Length { positions, momenta });
-    }
-    for (coordinate, leaves) in [("q", start.q.flat()), ("p", start.p.flat())] {
-        for (index, leaf) in leaves.iter().enumerate() {
-            let (value, limit) = (leaf.to_f64(), leaf.limit());
-            if !value.is_finite() {
-                return Err(Error::Start { coordinate, index, value });
-            }
-            let Some(spacing) = leaf.spacing() else { continue };
-            if !is_power_of_two(spacing) {
-                return Err(Error::Grid { coordinate, index, spacing });
-            }
-            if value.abs() >= limit {
-                return Err(Error::GridRange { coordinate, index, value, spacing, limit });
-            }
-        }
-    }
-    Ok(())
-}
-
-/// Whether a run with a method may begin at `start` with step `h`.
-///
-/// # Errors
-/// As [`admissible`]; a reversible start and a method that is not symmetric; what the method itself refuses.
-pub(crate) fn admissible_with<C: Coords>(method: impl Described, start: &Phase<C>, h: f64) -> Result<(), Error> {
-    method.admissible()?;
-    let facts = method.facts();
-    if C::Leaf::REVERSIBLE && !facts.symmetric {
-        return Err(Error::NotSymmetric { composition: facts.name });
-    }
-    admissible(start, h)
-}
 
 /// The engine of a run whose steps are computed in `R`.
 fn engine<H: Hamiltonian, X: Method<H>, R: Real, K: Keep>(
@@ -194,8 +151,7 @@ impl<C: Coords> Run<C> {
 
     /// The clock of the engine, which begins where the state was last changed from outside.
     fn since_opened(&self) -> Clock {
-        let Clock { h, steps, .. } = self.clock;
-        Clock { t0: self.clock.at(self.opened), h, steps: steps - self.opened }
+        self.clock.since(self.opened)
     }
 
     /// Starts the clock at `t0` instead of 0. A `t0` that is not finite is reported by the first `advance`.

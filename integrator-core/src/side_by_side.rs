@@ -4,9 +4,9 @@
 //! last motion repeats the last of them. So whoever is lost or leaves takes its share of the work along.
 
 use crate::{
+    clock::Clock,
     coords::Coords,
     energies::{EnergyOf, Parts},
-    engine::Clock,
     error::Divergence,
     group::GroupMoves,
     hamiltonian::Motion,

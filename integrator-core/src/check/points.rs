@@ -1,6 +1,7 @@
 //! Points of phase space as checks see them: in `f64`, and as one row of numbers.
 
 use crate::{
+    admissible::admissible,
     check::{
         start::Start,
         tolerance::{largest, ratio},
@@ -10,7 +11,7 @@ use crate::{
     hamiltonian::{Hamiltonian, Shaped},
     method::Method,
     phase::Phase,
-    run::{Run, admissible},
+    run::Run,
     slot::{Compensated, Keep},
 };
 

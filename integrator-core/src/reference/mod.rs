@@ -63,7 +63,7 @@ pub use leapfrog::StaggeredLeapfrog;
 pub use multistep::AdamsBashforthMoulton4;
 pub use runge_kutta::{ExplicitMidpoint, ForwardEuler, RungeKutta4};
 
-use crate::{engine::Moves, hamiltonian::Hamiltonian, method::Method, real::Real, slot::Keep};
+use crate::{hamiltonian::Hamiltonian, method::Method, moves::Moves, real::Real, slot::Keep};
 use std::sync::Arc;
 use walk::{Constants, Walked, moves};
 

@@ -2,11 +2,12 @@
 
 use super::field::{Field, Generated};
 use crate::{
+    clock::Clock,
     coords::Coords,
-    engine::{Clock, Moves},
     error::Unsolved,
     hamiltonian::{Hamiltonian, Motion, Shaped},
     method::Described,
+    moves::Moves,
     phase::Phase,
     real::Real,
     slot::{Keep, Slot},

@@ -15,10 +15,11 @@ use super::{
 };
 use crate::{
     block::WIDEST,
+    clock::Clock,
     coords::Coords,
-    engine::{Clock, Moves},
     error::Unsolved,
     hamiltonian::{Hamiltonian, Motion, Prepared, Shaped},
+    moves::Moves,
     phase::Phase,
     real::{Kernel, Real},
     slot::Keep,

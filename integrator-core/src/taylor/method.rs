@@ -7,10 +7,10 @@ use super::{
     series::HIGHEST,
 };
 use crate::{
-    engine::Moves,
     error::Error,
     hamiltonian::Shaped,
     method::{Described, Facts, Method},
+    moves::Moves,
     real::Real,
     slot::Keep,
 };
