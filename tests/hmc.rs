@@ -42,7 +42,7 @@ fn draws_have_the_mean_of_the_posterior() {
     // The sum over the grid has converged.
     let coarser = posterior.mean_on_grid(80, |b| [b[0], b[1], posterior.probability(b, MORNING)]);
     assert!(reference.iter().zip(coarser).all(|(a, b)| (a - b).abs() < 1e-6), "{reference:?} {coarser:?}");
-    let mut sampler = sampler::Sampler::new(&posterior, 0.4, 12, 1986);
+    let mut sampler = sampler::Sampler::new(&posterior, 0.4, 12, 1986).expect("a posterior");
     let draws: Vec<_> = (0..4_000).map(|_| sampler.draw().expect("a posterior")).collect();
     assert!((0.9..0.99).contains(&sampler.acceptance()), "{}", sampler.acceptance());
     let series = [

@@ -24,7 +24,7 @@ const DRAWS: usize = 50_000;
 
 fn main() -> Result<(), Box<dyn Error>> {
     let posterior = Posterior::measured(3.0)?;
-    let mut sampler = Sampler::new(&posterior, 0.4, 12, 1986);
+    let mut sampler = Sampler::new(&posterior, 0.4, 12, 1986)?;
     let watch = Watch::new(DRAWS as u64, "draws");
     let mut draws = Vec::with_capacity(DRAWS);
     while draws.len() < DRAWS && watch.done(draws.len() as u64) {

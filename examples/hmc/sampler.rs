@@ -8,9 +8,8 @@ mod normal;
 use normal::normal;
 
 /// Draws from the density `exp(-V)`.
-pub(crate) struct Sampler<'s, H> {
-    system: &'s H,
-    step: f64,
+pub(crate) struct Sampler {
+    run: Run<[f64; 2]>,
     /// A trajectory has between one step and so many.
     steps: u64,
     random: fastrand::Rng,
@@ -19,10 +18,14 @@ pub(crate) struct Sampler<'s, H> {
     accepted: u64,
 }
 
-impl<'s, H: Hamiltonian<Coords = [f64; 2]>> Sampler<'s, H> {
-    pub(crate) fn new(system: &'s H, step: f64, steps: u64, seed: u64) -> Self {
-        let random = fastrand::Rng::with_seed(seed);
-        Self { system, step, steps, random, at: [0.0; 2], proposed: 0, accepted: 0 }
+impl Sampler {
+    pub(crate) fn new<H>(system: &H, step: f64, steps: u64, seed: u64) -> Result<Self, Error>
+    where
+        H: Hamiltonian<Coords = [f64; 2]>,
+    {
+        let (random, at) = (fastrand::Rng::with_seed(seed), [0.0; 2]);
+        let run = system.run(Phase::new(at, [0.0; 2]), step)?;
+        Ok(Self { run, steps, random, at, proposed: 0, accepted: 0 })
     }
 
     /// The next point: where a trajectory with fresh momenta leads, or the last one again.
@@ -31,12 +34,13 @@ impl<'s, H: Hamiltonian<Coords = [f64; 2]>> Sampler<'s, H> {
     /// length for all trajectories could be a whole period of the motion; hence they differ.
     pub(crate) fn draw(&mut self) -> Result<[f64; 2], Error> {
         let momenta = [normal(&mut self.random), normal(&mut self.random)];
-        let mut run = self.system.run(Phase::new(self.at, momenta), self.step)?;
+        let Self { run, at, .. } = self;
+        run.map_state(|state| *state = Phase::new(*at, momenta))?;
         let before = run.energy();
         self.proposed += 1;
         match run.advance(self.random.u64(1..=self.steps)) {
             Ok(()) if self.random.f64() < (before - run.energy()).exp() => {
-                self.at = run.state().q;
+                *at = run.state().q;
                 self.accepted += 1;
             }
             // A trajectory that is lost has an infinite energy: as good as rejected.

@@ -40,10 +40,9 @@ impl Argon {
         }
         energy
     }
-    /// The square of a distance along an axis, to the nearest image if atoms are less than one and a half sides apart.
+    /// The square of a distance along an axis, to the nearest image.
     fn across(&self, difference: f64) -> f64 {
-        let there = difference.abs();
-        there.min((self.side - there).abs()).powi(2)
+        (difference - self.side * (difference / self.side).round()).powi(2)
     }
     fn value(&self) -> f64 {
         4.0 * (self.cutoff.powi(-12) - self.cutoff.powi(-6))
@@ -56,12 +55,18 @@ impl Argon {
 /// A liquid under way.
 pub(crate) struct Liquid {
     pub(crate) argon: Argon,
-    pub(crate) state: Phase<Vec<[f64; 3]>>,
+    run: Run<Vec<[f64; 3]>>,
 }
 
 impl Liquid {
     /// Four atoms in each of `cells` cubed cells of a crystal, with normally distributed momenta and a total of zero.
-    pub(crate) fn crystal(cells: usize, density: f64, temperature: f64, random: &mut fastrand::Rng) -> Self {
+    pub(crate) fn crystal(
+        cells: usize,
+        density: f64,
+        temperature: f64,
+        h: f64,
+        random: &mut fastrand::Rng,
+    ) -> Result<Self, Error> {
         let cell = (4.0 / density).cbrt();
         let corners = [[0.25, 0.25, 0.25], [0.75, 0.75, 0.25], [0.75, 0.25, 0.75], [0.25, 0.75, 0.75]];
         let mut q = Vec::new();
@@ -72,35 +77,36 @@ impl Liquid {
         let mean = [0, 1, 2].map(|axis| p.iter().map(|p| p[axis]).sum::<f64>() / p.len() as f64);
         p.iter_mut().for_each(|p| *p = [0, 1, 2].map(|axis| p[axis] - mean[axis]));
         let side = cell * cells as f64;
-        let mut liquid = Self { argon: Argon { side, cutoff: 2.5_f64.min(side / 2.0) }, state: Phase::new(q, p) };
-        liquid.heat_to(temperature);
-        liquid
+        let argon = Argon { side, cutoff: 2.5_f64.min(side / 2.0) };
+        let mut liquid = Self { argon, run: argon.run(Phase::new(q, p), h)? };
+        liquid.heat_to(temperature)?;
+        Ok(liquid)
+    }
+
+    pub(crate) fn state(&self) -> Phase<Vec<[f64; 3]>> {
+        self.run.state()
     }
 
     /// `2 T / (3 N - 3)`: a total momentum of zero leaves three degrees of freedom less.
     pub(crate) fn temperature(&self) -> f64 {
-        2.0 * self.argon.kinetic(&self.state.p) / (3 * self.state.p.len() - 3) as f64
+        2.0 * self.run.kinetic() / (3 * self.state().p.len() - 3) as f64
     }
 
     /// Makes all atoms faster or slower.
-    pub(crate) fn heat_to(&mut self, temperature: f64) {
+    pub(crate) fn heat_to(&mut self, temperature: f64) -> Result<(), Error> {
         let factor = (temperature / self.temperature()).sqrt();
-        self.state.p.iter_mut().for_each(|p| *p = p.map(|p| factor * p));
+        self.run.map_state(|state| state.p.iter_mut().for_each(|p| *p = p.map(|p| factor * p)))
     }
 
     pub(crate) fn energy(&self) -> f64 {
-        self.argon.kinetic(&self.state.p) + self.argon.potential(&self.state.q)
+        self.run.energy()
     }
 
-    /// Takes steps, few enough for no atom to get half a box away; then those who left the box come back in on the other
-    /// side, which changes nothing but their numbers.
-    pub(crate) fn advance(&mut self, steps: u64, h: f64) -> Result<(), Error> {
-        let mut run = self.argon.run(self.state.clone(), h)?;
-        run.advance(steps)?;
-        self.state = run.state();
+    /// Takes steps; then those who left the box come back in on the other side, which changes nothing but their numbers.
+    pub(crate) fn advance(&mut self, steps: u64) -> Result<(), Error> {
+        self.run.advance(steps)?;
         let side = self.argon.side;
-        self.state.q.iter_mut().for_each(|q| *q = q.map(|x| x - side * (x / side).floor()));
-        Ok(())
+        self.run.map_state(|state| state.q.iter_mut().for_each(|q| *q = q.map(|x| x.rem_euclid(side))))
     }
 }
 
@@ -119,7 +125,7 @@ impl Distances {
 
     pub(crate) fn look(&mut self, liquid: &Liquid) {
         self.looks += 1;
-        let q = &liquid.state.q;
+        let Phase { q, .. } = liquid.state();
         for i in 0..q.len() {
             for j in 0..i {
                 let square: f64 = (0..3).map(|axis| liquid.argon.across(q[i][axis] - q[j][axis])).sum();
@@ -132,7 +138,7 @@ impl Distances {
 
     /// `g(r)` in the middle of each class: pairs per pairs of a gas of that density.
     pub(crate) fn distribution(&self, liquid: &Liquid) -> Vec<(f64, f64)> {
-        let atoms = liquid.state.q.len() as f64;
+        let atoms = liquid.state().q.len() as f64;
         let density = 0.5 * atoms * atoms / liquid.argon.side.powi(3) * self.looks as f64;
         let shell = |class: usize| {
             let radius = |edge: usize| (edge as f64 * self.width).powi(3);

@@ -27,20 +27,20 @@ const SETTINGS: u64 = 75;
 const LOOKS: u64 = 150;
 
 fn main() -> Result<(), Box<dyn Error>> {
-    let mut liquid = Liquid::crystal(CELLS, DENSITY, TEMPERATURE, &mut fastrand::Rng::with_seed(1964));
-    let pairs = (liquid.state.q.len() * (liquid.state.q.len() - 1) / 2) as f64;
+    let mut liquid = Liquid::crystal(CELLS, DENSITY, TEMPERATURE, STEP, &mut fastrand::Rng::with_seed(1964))?;
+    let atoms = liquid.state().q.len() as f64;
+    let pairs = atoms * (atoms - 1.0) / 2.0;
     let (watch, clock) = (Watch::new((SETTINGS + LOOKS) * INTERVAL, "steps"), Instant::now());
     let mut steps = 0;
     while steps < SETTINGS * INTERVAL && watch.done(steps) {
-        liquid.heat_to(TEMPERATURE);
-        liquid.advance(INTERVAL, STEP)?;
+        liquid.heat_to(TEMPERATURE)?;
+        liquid.advance(INTERVAL)?;
         steps += INTERVAL;
     }
-    let atoms = liquid.state.q.len() as f64;
     let (energy, begin) = (liquid.energy(), steps);
     let (mut distances, mut looks) = (Distances::new(&liquid.argon, 200), Vec::new());
     while steps < begin + LOOKS * INTERVAL && watch.done(steps) {
-        liquid.advance(INTERVAL, STEP)?;
+        liquid.advance(INTERVAL)?;
         steps += INTERVAL;
         distances.look(&liquid);
         let time = (steps - begin) as f64 * STEP;
@@ -60,7 +60,8 @@ fn main() -> Result<(), Box<dyn Error>> {
     let file = folder().join("lennard_jones");
     write(&file, &picture(&distribution, (place, height), &looks))?;
     println!("the picture is {}", file.with_extension("png").display());
-    let momentum = [0, 1, 2].map(|axis| liquid.state.p.iter().map(|p| p[axis]).sum::<f64>().abs());
+    let Phase { p, .. } = liquid.state();
+    let momentum = [0, 1, 2].map(|axis| p.iter().map(|p| p[axis]).sum::<f64>().abs());
     println!("first_peak_at={place}");
     println!("first_peak_height={height}");
     println!("temperature={mean}");

@@ -45,3 +45,17 @@ pub(crate) fn admissible_with<C: Coords>(method: impl Described, start: &Phase<C
     }
     admissible(start, h)
 }
+
+/// Changes the state of a run under way from outside.
+///
+/// # Errors
+/// As [`admissible`]; another number of coordinates.
+pub(crate) fn change<C: Coords>(state: &mut Phase<C>, h: f64, map: impl FnOnce(&mut Phase<C>)) -> Result<(), Error> {
+    let before = state.q.flat().len();
+    map(state);
+    admissible(state, h)?;
+    match state.q.flat().len() {
+        after if after != before => Err(Error::Resized { before, after }),
+        _ => Ok(()),
+    }
+}

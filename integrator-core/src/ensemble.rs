@@ -7,23 +7,18 @@
 use crate::stated::hold_at_start;
 use crate::{
     abreast::Abreast,
-    admissible::admissible_with,
+    admissible::{admissible_with, change},
     clock::Clock,
     coords::Coords,
-    energies::{EnergyOf, energy},
     error::{Error, Lost},
-    group::GroupMoves,
-    hamiltonian::{Hamiltonian, Prepared, Shaped},
+    hamiltonian::{Hamiltonian, Prepared},
     in_lanes::InLanes,
     instruction_set::InstructionSet,
-    method::Method,
-    moves::Moves,
-    pack::{Alone, Course, Pack, Start},
+    pack::{Course, Pack, Start},
+    packs::packs,
     panics::Panics,
     phase::Phase,
-    real::Real,
     run::Run,
-    side_by_side::SideBySide,
     slot::Keep,
     threads::all_threads,
 };
@@ -40,11 +35,6 @@ use std::{
 /// From how many updates of a coordinate on, all members together, other threads are started: that takes some ten
 /// microseconds each, in which one thread does about so many.
 const WORTH_A_THREAD: u64 = 1 << 17;
-
-/// How many packs a thread gets, so that all threads end at about the same time, and how large a pack may grow, so that
-/// those who leave early leave a gap in few of the motions.
-const PACKS_PER_THREAD: usize = 4;
-const GROUPS_PER_PACK: usize = 16;
 
 /// How many vector registers there are without AVX-512, which has 32.
 const REGISTERS: usize = if cfg!(target_arch = "x86_64") { 16 } else { 32 };
@@ -97,7 +87,7 @@ impl<C: Coords> Ensemble<C> {
     {
         let (mut prepared, mut coordinates) = (Vec::new(), 0);
         for (member, (system, start)) in members.into_iter().enumerate() {
-            let refused = |error| Error::Member { member, error: Box::new(error) };
+            let refused = of_member(member);
             admissible_with(method, &start, h).map_err(refused)?;
             let parameters = system.parameters(start.q.length());
             if !H::Parameters::<f64>::not_finite(&parameters).is_empty() {
@@ -145,10 +135,10 @@ impl<C: Coords> Ensemble<C> {
     fn see_starts(&mut self) -> Result<(), Error> {
         if self.starts_unseen {
             let time = self.time();
-            for member in 0..self.members {
-                let admissible =
-                    self.pack_of(member).map_or(Ok(()), |pack| pack.energy(member, self.clock).admissible(time));
-                admissible.map_err(|error| Error::Member { member, error: Box::new(error) })?;
+            for pack in &self.packs {
+                for (member, state) in (pack.first()..).zip(pack.states(self.clock)) {
+                    pack.energy(member, &state, time).admissible(time).map_err(of_member(member))?;
+                }
             }
             self.starts_unseen = false;
         }
@@ -278,6 +268,73 @@ impl<C: Coords> Ensemble<C> {
         if lost.is_empty() { Ok(()) } else { Err(Error::Lost(Lost { members: lost })) }
     }
 
+    /// Changes the states of the members that are under way, one after the other, between two steps: coordinates that are
+    /// wrapped into a periodic box, momenta that are drawn anew by a thermostat. Time and the number of steps go on; members
+    /// that are lost or gone stay as they are.
+    ///
+    /// Each member has the bits of a run whose state is [changed](Run::map_state) in the same way.
+    ///
+    /// ```
+    /// use integrator_core::prelude::*;
+    /// use std::f64::consts::TAU;
+    ///
+    /// struct Rotor;
+    ///
+    /// #[hamiltonian]
+    /// impl Rotor {
+    ///     fn kinetic(&self, p: [f64; 1]) -> f64 { p[0] * p[0] / 2.0 }
+    ///     fn potential(&self, q: [f64; 1]) -> f64 { -q[0].cos() }
+    /// }
+    ///
+    /// let members = (0..20).map(|i| (Rotor, Phase::new([0.0_f64], [f64::from(i)])));
+    /// let mut rotors = Ensemble::new(Verlet, members, 0.01)?;
+    /// for _ in 0..10 {
+    ///     rotors.advance(100)?;
+    ///     rotors.map_states(|_, state| state.q[0] = state.q[0].rem_euclid(TAU))?;
+    /// }
+    /// assert!(rotors.states().all(|state| (0.0..TAU).contains(&state.q[0])));
+    /// assert_eq!((rotors.steps(), rotors.time()), (1_000, 10.0));
+    /// # Ok::<(), Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`Error::Member`] naming the first member whose new state is refused, for the reasons of [`Run::map_state`]; all
+    /// members stay as they were.
+    pub fn map_states(&mut self, mut map: impl FnMut(usize, &mut Phase<C>)) -> Result<(), Error> {
+        let mut changed = Vec::with_capacity(self.packs.len());
+        for pack in &self.packs {
+            let mut states = pack.states(self.clock);
+            for (member, state) in (pack.first()..).zip(&mut states).filter(|(member, _)| pack.is_under_way(*member)) {
+                self.change(pack.as_ref(), member, state, &mut map).map_err(of_member(member))?;
+            }
+            changed.push(states);
+        }
+        for (pack, states) in self.packs.iter_mut().zip(changed) {
+            pack.restart(states, self.clock.steps);
+        }
+        Ok(())
+    }
+
+    /// Changes the state of a member.
+    ///
+    /// # Errors
+    /// As [`Run::map_state`].
+    fn change(
+        &self,
+        pack: &dyn Pack<C>,
+        member: usize,
+        state: &mut Phase<C>,
+        map: &mut impl FnMut(usize, &mut Phase<C>),
+    ) -> Result<(), Error> {
+        change(state, self.clock.h, |state| map(member, state))?;
+        // Where the starts are unseen, their time is not settled.
+        if !self.starts_unseen {
+            let time = self.time();
+            pack.energy(member, state, time).admissible(time)?;
+        }
+        Ok(())
+    }
+
     /// How many members there are.
     pub fn len(&self) -> usize {
         self.members
@@ -315,7 +372,9 @@ impl<C: Coords> Ensemble<C> {
 
     /// The energy of a member in that state.
     pub fn energy(&self, member: usize) -> Option<f64> {
-        Some(self.pack_of(member)?.energy(member, self.clock).total)
+        let pack = self.pack_of(member)?;
+        let time = self.clock.at(pack.steps(member, self.clock));
+        Some(pack.energy(member, &pack.state(member, self.clock), time).total)
     }
 
     /// The states of all members, in their order.
@@ -342,39 +401,7 @@ impl<C: Coords> fmt::Debug for Ensemble<C> {
     }
 }
 
-/// A member of a system as it starts with a method.
-type StartOf<H, X, K> = Start<<H as Hamiltonian>::Parameters<f64>, <X as Method<H>>::Constants, Shaped<H, K>>;
-
-/// Neighbours that are alike in what lanes have to share go side by side, in packs of such a size that threads can share
-/// them; whoever is like no neighbour goes alone.
-fn packs<H: Hamiltonian, X: InLanes<H>, L: Real, R: Real, K: Keep, const REGISTERS: usize>(
-    members: Vec<StartOf<H, X, K>>,
-    threads: usize,
-) -> Vec<Box<dyn Pack<Shaped<H, K>>>> {
-    let together: GroupMoves<X::Motion<L, K>> = X::group_moves::<L, K, REGISTERS>();
-    let alone: Moves<X::Motion<R, K>> = X::moves::<R, K>();
-    let energy: EnergyOf<H::Parameters<f64>, Shaped<H, K>> = energy::<H, R, K>;
-    let group = together.lanes * together.together;
-    let size = group * (members.len() / (group * PACKS_PER_THREAD * threads)).clamp(1, GROUPS_PER_PACK);
-    let mut packs: Vec<Box<dyn Pack<Shaped<H, K>>>> = Vec::new();
-    let mut members = members.into_iter().peekable();
-    let mut first = 0;
-    while let Some(member) = members.next() {
-        let mut alike = vec![member];
-        while alike.len() < size
-            && let Some(next) = members.next_if(|next| {
-                let same = <H::Parameters<f64> as Prepared<f64>>::alike(&alike[0].parameters, &next.parameters);
-                same && alike[0].state.q.length() == next.state.q.length()
-            })
-        {
-            alike.push(next);
-        }
-        let count = alike.len();
-        packs.push(match <[_; 1]>::try_from(alike) {
-            Ok([member]) => Box::new(Alone::new(first, member, alone, energy)),
-            Err(alike) => Box::new(SideBySide::new(first, alike, together, energy)),
-        });
-        first += count;
-    }
-    packs
+/// What is said of an error that concerns a member.
+fn of_member(member: usize) -> impl Fn(Error) -> Error + Copy {
+    move |error| Error::Member { member, error: Box::new(error) }
 }

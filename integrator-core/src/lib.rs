@@ -132,6 +132,8 @@ mod neighbours;
 pub mod output;
 #[cfg(feature = "std")]
 mod pack;
+#[cfg(feature = "std")]
+mod packs;
 mod pair;
 mod panics;
 mod phase;

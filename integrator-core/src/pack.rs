@@ -65,8 +65,12 @@ pub(crate) trait Pack<C: Coords>: Send + Sync {
     fn states(&self, clock: Clock) -> Vec<Phase<C>>;
     /// The state of a member.
     fn state(&self, member: usize, clock: Clock) -> Phase<C>;
-    /// The energy of that state.
-    fn energy(&self, member: usize, clock: Clock) -> Parts;
+    /// The energy of a member in some state.
+    fn energy(&self, member: usize, state: &Phase<C>, time: f64) -> Parts;
+    /// Whether a member is neither lost nor gone.
+    fn is_under_way(&self, member: usize) -> bool;
+    /// Lets the members that are under way go on from these states, one for each member, after so many steps.
+    fn restart(&mut self, states: Vec<Phase<C>>, steps: u64);
 }
 
 /// A member as it starts: the prepared constants of the system, those of a run by the method, and the state.
@@ -82,6 +86,8 @@ pub(crate) struct Alone<M, Q, C> {
     solo: Solo<M, Q, C>,
     /// How many steps it took, once it is no longer under way.
     halted: Option<u64>,
+    /// How many steps were done when the state was last changed from outside.
+    opened: u64,
 }
 
 impl<M: Motion<C, Q>, Q: Send + Sync + 'static, C: Coords> Alone<M, Q, C> {
@@ -92,11 +98,12 @@ impl<M: Motion<C, Q>, Q: Send + Sync + 'static, C: Coords> Alone<M, Q, C> {
         energy: EnergyOf<P, C>,
     ) -> Self {
         let energies = energies(parameters, energy);
-        Self { number, solo: Solo::new(constants, state, moves, energies), halted: None }
+        Self { number, solo: Solo::new(constants, state, moves, energies), halted: None, opened: 0 }
     }
 
-    fn clock(&self, clock: Clock) -> Clock {
-        Clock { steps: self.halted.unwrap_or(clock.steps), ..clock }
+    /// The state after the steps of this clock.
+    fn state_at(&self, clock: Clock) -> Phase<C> {
+        self.solo.state(clock.since(self.opened))
     }
 }
 
@@ -110,15 +117,16 @@ impl<M: Motion<C, Q>, Q: Send + Sync + 'static, C: Coords> Pack<C> for Alone<M, 
         while done < course.steps && self.halted.is_none() {
             let block = course.block(done);
             let mut taken = done;
-            let outcome = course.panics.attempted(|| self.solo.advance(course.at(done), block, &mut taken));
+            let before = course.at(done).since(self.opened);
+            let outcome = course.panics.attempted(|| self.solo.advance(before, block, &mut taken));
             let clock = course.at(taken);
             done += block;
             if outcome.is_none() {
                 self.halted = Some(clock.steps);
             } else if taken < done {
-                lost.push((self.number, clock.divergence(&self.solo.state(clock), &self.solo.tried())));
+                lost.push((self.number, clock.divergence(&self.state_at(clock), &self.solo.tried())));
                 self.halted = Some(clock.steps);
-            } else if course.asks(done) && !course.stays(self.number, &self.solo.state(clock)) {
+            } else if course.asks(done) && !course.stays(self.number, &self.state_at(clock)) {
                 self.halted = Some(clock.steps);
             }
             took(block);
@@ -132,19 +140,29 @@ impl<M: Motion<C, Q>, Q: Send + Sync + 'static, C: Coords> Pack<C> for Alone<M, 
     }
 
     fn steps(&self, _member: usize, clock: Clock) -> u64 {
-        self.clock(clock).steps
+        self.halted.unwrap_or(clock.steps)
     }
 
     fn states(&self, clock: Clock) -> Vec<Phase<C>> {
         vec![self.state(self.number, clock)]
     }
 
-    fn state(&self, _member: usize, clock: Clock) -> Phase<C> {
-        self.solo.state(self.clock(clock))
+    fn state(&self, member: usize, clock: Clock) -> Phase<C> {
+        self.state_at(Clock { steps: self.steps(member, clock), ..clock })
     }
 
-    fn energy(&self, member: usize, clock: Clock) -> Parts {
-        let Clock { steps, .. } = self.clock(clock);
-        self.solo.energies().parts(&self.state(member, clock), clock.at(steps))
+    fn energy(&self, _member: usize, state: &Phase<C>, time: f64) -> Parts {
+        self.solo.energies().parts(state, time)
+    }
+
+    fn is_under_way(&self, _member: usize) -> bool {
+        self.halted.is_none()
+    }
+
+    fn restart(&mut self, states: Vec<Phase<C>>, steps: u64) {
+        if let (None, Some(state)) = (self.halted, states.first()) {
+            self.solo.restart(state);
+            self.opened = steps;
+        }
     }
 }

@@ -5,7 +5,7 @@ use crate::checkpoint::Origin;
 #[cfg(debug_assertions)]
 use crate::stated::hold_at_start;
 use crate::{
-    admissible::{admissible, admissible_with},
+    admissible::{admissible_with, change},
     clock::Clock,
     coords::Coords,
     energies::{Energies, Parts, energies, energy},
@@ -305,13 +305,7 @@ impl<C: Coords> Run<C> {
     /// [`Error::Resized`] if it has another number of coordinates; the run stays as it was.
     pub fn map_state(&mut self, map: impl FnOnce(&mut Phase<C>)) -> Result<(), Error> {
         let mut state = self.state();
-        let before = state.q.flat().len();
-        map(&mut state);
-        admissible(&state, self.clock.h)?;
-        let after = state.q.flat().len();
-        if after != before {
-            return Err(Error::Resized { before, after });
-        }
+        change(&mut state, self.clock.h, map)?;
         let parts = self.engine.energies().parts(&state, self.time());
         // Where the start is unseen, its time is not settled.
         if !self.start_unseen {

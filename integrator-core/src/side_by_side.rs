@@ -30,6 +30,8 @@ pub(crate) struct SideBySide<L, P, Q, C> {
     closed: Vec<L>,
     together: GroupMoves<L>,
     energy: EnergyOf<P, C>,
+    /// How many steps were done when the states were last changed from outside.
+    opened: u64,
 }
 
 struct Member<P, Q, C> {
@@ -80,23 +82,35 @@ where
     ) -> Self {
         let member = |Start { parameters, constants, state }| Member { parameters, constants, state, halted: None };
         let members: Vec<_> = members.into_iter().map(member).collect();
-        let load = |members: &[Member<P, Q, C>]| {
-            L::load(|lane| {
-                let member = &members[lane.min(members.len() - 1)];
-                (&*member.constants, &member.state)
-            })
-        };
-        let motions: Vec<_> = members.chunks(together.lanes).map(load).collect();
+        let lanes: Vec<_> = (0..members.len()).collect();
+        let motions = Self::loaded(&members, &lanes, together.lanes);
         Self {
             first,
-            lanes: (0..members.len()).collect(),
+            lanes,
             members,
             snapshot: motions.clone(),
             closed: motions.clone(),
             motions,
             together,
             energy,
+            opened: 0,
         }
+    }
+
+    /// Motions of the members at some places, as their states are.
+    fn loaded(members: &[Member<P, Q, C>], places: &[usize], per_motion: usize) -> Vec<L> {
+        let load = |places: &[usize]| {
+            L::load(|lane| {
+                let member = &members[places[lane.min(places.len() - 1)]];
+                (&*member.constants, &member.state)
+            })
+        };
+        places.chunks(per_motion).map(load).collect()
+    }
+
+    /// The clock of the motions, which begins where the states were last changed from outside.
+    fn since_opened(&self, clock: Clock) -> Clock {
+        clock.since(self.opened)
     }
 
     /// A motion of the members that are in some lanes of these motions, of which there are no more than a motion has.
@@ -137,6 +151,7 @@ where
     /// Completes the step under way on a copy.
     fn complete(&mut self, clock: Clock) {
         copy_states(&mut self.closed, &self.motions);
+        let clock = self.since_opened(clock);
         (self.together.complete)(&mut self.closed, clock);
     }
 
@@ -163,7 +178,8 @@ where
     /// Takes a block of steps with all lanes and completes the last of them on a copy.
     fn advance_lanes(&mut self, clock: Clock, block: u64) {
         copy_states(&mut self.snapshot, &self.motions);
-        (self.together.advance)(&mut self.motions, clock, block);
+        let since = self.since_opened(clock);
+        (self.together.advance)(&mut self.motions, since, block);
         self.complete(Clock { steps: clock.steps + block, ..clock });
     }
 
@@ -219,7 +235,8 @@ where
         let mut motion = [self.gathered(&self.snapshot, &[number])];
         let (mut closed, mut last) = (motion.clone(), motion.clone());
         let mut state = self.members[self.lanes[number]].state.clone();
-        let at = |taken| Clock { steps: clock.steps + taken, ..clock };
+        let begin = self.since_opened(clock);
+        let at = |taken| Clock { steps: begin.steps + taken, ..begin };
         let (mut taken, mut panicked) = (0, false);
         while taken < block {
             let step = panics.attempted(|| {
@@ -242,7 +259,7 @@ where
 
     /// Asks the members that are under way whether they stay; `closed` holds the ends of their steps.
     fn ask(&mut self, course: &Course<C>, clock: Clock) {
-        let shown = self.together.shown(&self.closed, clock);
+        let shown = self.together.shown(&self.closed, self.since_opened(clock));
         for number in 0..self.lanes.len() {
             let place = self.lanes[number];
             if self.members[place].halted.is_some() {
@@ -298,7 +315,7 @@ where
     }
 
     fn states(&self, clock: Clock) -> Vec<Phase<C>> {
-        let mut closed = self.motions.clone();
+        let (mut closed, clock) = (self.motions.clone(), self.since_opened(clock));
         (self.together.complete)(&mut closed, clock);
         let shown = self.together.shown(&closed, clock);
         let mut states: Vec<_> = self.members.iter().map(|member| member.state.clone()).collect();
@@ -314,15 +331,27 @@ where
             return self.members[place].state.clone();
         };
         let per_motion = self.together.lanes;
-        let mut closed = [self.motions[number / per_motion].clone()];
+        let (mut closed, clock) = ([self.motions[number / per_motion].clone()], self.since_opened(clock));
         (self.together.complete)(&mut closed, clock);
         let shown = self.together.shown(&closed, clock);
         self.shown_in(&closed, shown.as_deref(), number % per_motion, &self.members[place].state)
     }
 
-    fn energy(&self, member: usize, clock: Clock) -> Parts {
-        let (state, parameters) = (self.state(member, clock), &self.members[member - self.first].parameters);
-        (self.energy)(parameters, &state, clock.at(self.steps(member, clock)))
+    fn energy(&self, member: usize, state: &Phase<C>, time: f64) -> Parts {
+        (self.energy)(&self.members[member - self.first].parameters, state, time)
+    }
+
+    fn is_under_way(&self, member: usize) -> bool {
+        self.members[member - self.first].halted.is_none()
+    }
+
+    fn restart(&mut self, states: Vec<Phase<C>>, steps: u64) {
+        for (member, state) in self.members.iter_mut().zip(states).filter(|(member, _)| member.halted.is_none()) {
+            member.state = state;
+        }
+        let motions = Self::loaded(&self.members, &self.lanes, self.together.lanes);
+        self.set_lanes(self.lanes.clone(), motions);
+        self.opened = steps;
     }
 }
 

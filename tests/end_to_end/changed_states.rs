@@ -1,6 +1,6 @@
 //! States that are changed between two steps, and watches that look after each.
 
-use crate::divergence::diverged;
+use crate::{divergence::diverged, systems::HenonHeiles};
 use integrator_core::{__private::Keep, Method, prelude::*, taylor::Taylor};
 
 /// A driven pendulum, or one left alone.
@@ -46,6 +46,91 @@ fn a_changed_state_is_gone_on_from_like_a_start() {
     check(Yoshida4, Phase::new([1.0_f32, 0.5], [0.0, 0.2]), 0.75);
     let compensated = Phase::compensated(start.q, start.p);
     check(KahanLi8, compensated, compensated.q[1]);
+}
+
+/// Members that fill some motions and leave lanes over.
+const MEMBERS: usize = 37;
+
+/// In every precision; those that are gone before stay where they are, and those that go later are at the right step.
+#[test]
+fn members_are_changed_as_runs_are() {
+    macro_rules! check {
+        ($method:expr, $start:expr) => {
+            let start = |member: usize| $start(0.02 * member as f64);
+            let members = (0..MEMBERS).map(|member| (Driven, start(member)));
+            let mut swarm = Ensemble::new($method, members, 0.125).expect("good starts").at_time(3.0);
+            let mut runs: Vec<_> = (0..MEMBERS)
+                .map(|member| Driven.run_with($method, start(member), 0.125).expect("a good start").at_time(3.0))
+                .collect();
+            let late = |member: usize| member % 5 == 2;
+            let gone = |member: usize| member % 3 == 1;
+            swarm.advance_while(100, 50, |member, _| !gone(member)).expect("bounded");
+            for (member, run) in runs.iter_mut().enumerate() {
+                run.advance(if gone(member) { 50 } else { 100 }).expect("bounded");
+            }
+            for portion in [0, 1, 7, 1_100] {
+                swarm.map_states(|member, state| state.p[1] = start(member).q[1]).expect("finite states");
+                swarm.advance_while(portion, 7, |member, _| !late(member)).expect("bounded");
+                for (member, run) in runs.iter_mut().enumerate() {
+                    if swarm.steps_of(member) > Some(run.steps()) || swarm.steps_of(member) == Some(swarm.steps()) {
+                        run.map_state(|state| state.p[1] = start(member).q[1]).expect("a finite state");
+                        run.advance(swarm.steps_of(member).expect("a member") - run.steps()).expect("bounded");
+                    }
+                    assert_eq!(swarm.state(member), Some(run.state()), "member {member} with {}", stringify!($method));
+                    assert_eq!(
+                        swarm.energy(member),
+                        Some(run.energy()),
+                        "member {member} with {}",
+                        stringify!($method)
+                    );
+                }
+            }
+            assert_eq!((swarm.steps(), swarm.time()), (1_208, 154.0));
+            assert_eq!(swarm.active(), (0..MEMBERS).filter(|member| !gone(*member) && !late(*member)).count());
+        };
+    }
+    check!(Verlet, |x: f64| Phase::new([1.0, 0.5 + x], [0.0, 0.2]));
+    check!(BlanesCasasMurua8, |x: f64| Phase::new([1.0, 0.5 + x], [0.0, 0.2]));
+    check!(Taylor::tolerance(1e-15), |x: f64| Phase::new([1.0, 0.5 + x], [0.0, 0.2]));
+    check!(Yoshida4, |x: f64| Phase::new([1.0_f32, 0.5 + x as f32], [0.0, 0.2]));
+    check!(VelocityVerlet, |x: f64| Phase::compensated([1.0, 0.5 + x], [0.0, 0.2]));
+}
+
+/// Members are lost at the step and the time of the ensemble, and a change that is refused for one of them changes none.
+#[test]
+fn members_that_are_changed_are_named_where_they_are_lost() {
+    let start = |member: usize| Phase::new([0.1, 0.001 * member as f64], [0.0, 0.2]);
+    let far = |member: usize| member % 9 == 4;
+    let out =
+        |member: usize, state: &mut Phase<[f64; 2]>| state.q[0] += if far(member) { 1.0 + member as f64 } else { 0.0 };
+    let mut swarm =
+        Ensemble::new(Verlet, (0..MEMBERS).map(|member| (HenonHeiles, start(member))), 0.1).expect("good starts");
+    swarm.advance(100).expect("bounded");
+    let before: Vec<_> = swarm.states().collect();
+    let refused = swarm.map_states(|member, state| state.p[1] = if member < 20 { 0.0 } else { f64::NAN });
+    let Err(Error::Member { member: 20, error }) = refused else { panic!("{refused:?}") };
+    assert!(matches!(*error, Error::Start { coordinate: "p", index: 1, .. }), "{error}");
+    assert_eq!(swarm.states().collect::<Vec<_>>(), before);
+    swarm.map_states(out).expect("finite states");
+    let Err(Error::Lost(lost)) = swarm.advance(5_000) else { panic!("some members escape") };
+    assert_eq!(lost.members.len(), (0..MEMBERS).filter(|member| far(*member)).count());
+    // Those that are lost stay.
+    swarm.map_states(|_, state| state.p[0] += 0.001).expect("finite states");
+    for member in 0..MEMBERS {
+        let mut run = HenonHeiles.run_with(Verlet, start(member), 0.1).expect("a good start");
+        run.advance(100).expect("bounded");
+        run.map_state(|state| out(member, state)).expect("a finite state");
+        match (run.advance(5_000), lost.members.iter().find(|(name, _)| *name == member)) {
+            (Ok(()), None) => run.map_state(|state| state.p[0] += 0.001).expect("a finite state"),
+            (Err(Error::Diverged(expected)), Some((_, divergence))) => assert_eq!(*divergence, expected),
+            (outcome, lost) => panic!("member {member}: alone {outcome:?}, in the ensemble {lost:?}"),
+        }
+        assert_eq!(
+            (swarm.state(member), swarm.steps_of(member)),
+            (Some(run.state()), Some(run.steps())),
+            "member {member}"
+        );
+    }
 }
 
 #[test]
