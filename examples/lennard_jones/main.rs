@@ -60,8 +60,8 @@ fn main() -> Result<(), Box<dyn Error>> {
     let file = folder().join("lennard_jones");
     write(&file, &picture(&distribution, (place, height), &looks))?;
     println!("the picture is {}", file.with_extension("png").display());
-    let Phase { p, .. } = liquid.state();
-    let momentum = [0, 1, 2].map(|axis| p.iter().map(|p| p[axis]).sum::<f64>().abs());
+    let state = liquid.state();
+    let momentum = [0, 1, 2].map(|axis| state.p.iter().map(|p| p[axis]).sum::<f64>().abs());
     println!("first_peak_at={place}");
     println!("first_peak_height={height}");
     println!("temperature={mean}");
