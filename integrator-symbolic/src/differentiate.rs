@@ -162,11 +162,12 @@ fn in_common(graph: &mut Graph, id: NodeId, adjoints: &[Adjoint]) -> Adjoint {
     for (context, adjoint) in adjoints {
         let value = context[common..].iter().rev().fold(*adjoint, |value, around| chosen(graph, *around, value));
         sum = graph.add(sum, value);
-        let entered = graph.happens(&context[common..]);
+        let entered = graph.happens(&context[common..], id);
         any = graph.or(any, entered);
     }
     let mut context = first[..common].to_vec();
-    if !graph.is_total(id) && graph.as_truth(any).is_none() {
+    let is_harmless = adjoints.iter().all(|(left, _)| is_harmless(graph, id, &left[common..]));
+    if !is_harmless && graph.as_truth(any).is_none() {
         context.push(Around::Branch(any, true));
     }
     (context, sum)
@@ -294,8 +295,8 @@ impl Sweep {
         }
         let (outer, left) = context.split_at(depth(graph, to, context));
         let value = left.iter().rev().fold(value, |value, around| chosen(graph, *around, value));
-        let mut outer = outer.to_vec();
-        outer.extend(guard(graph, to, left));
+        let more = guard(graph, to, left).into_iter().filter(|around| !outer.contains(around));
+        let outer: Vec<Around> = outer.iter().copied().chain(more).collect();
         let adjoints = &mut self.adjoints[to.position()];
         match adjoints.iter_mut().find(|(known, _)| *known == outer) {
             Some((_, sum)) => *sum = graph.add(*sum, value),
@@ -307,12 +308,16 @@ impl Sweep {
 /// What stays around the adjoint of a node in the place of the loops and branches that were `left`: where nothing entered
 /// them, the adjoint is an empty sum, and a slope that is not finite there must not be multiplied by it.
 fn guard(graph: &mut Graph, id: NodeId, left: &[Around]) -> Vec<Around> {
-    let harmless = graph.is_total(id) && !left.iter().any(|around| graph.protects(*around, id));
-    if left.is_empty() || harmless {
+    if left.is_empty() || is_harmless(graph, id, left) {
         return Vec::new();
     }
-    let entered = graph.happens(left);
+    let entered = graph.happens(left, id);
     branches(graph, entered)
+}
+
+/// Whether a node can be computed outside of what is around its use.
+fn is_harmless(graph: &Graph, id: NodeId, left: &[Around]) -> bool {
+    graph.is_total(id) && !left.iter().any(|around| graph.protects(*around, id))
 }
 
 /// A condition as branches, one inside the other where it has a part that is only asked where another one holds.

@@ -232,12 +232,26 @@ impl<L: Fn(&Graph, NodeId) -> bool> Scheduler<'_, L> {
         let is_over = |scope: &usize, set: LoopSet| matches!(self.scopes[*scope].around, Some(Around::Loop(by)) if set.contains(by));
         // The index of a loop has one value in it, so that the sum over the same loop is not computed there.
         let outside = path.iter().position(|scope| is_over(scope, summed)).unwrap_or(path.len());
-        let is_protected = |scope: &usize| {
-            self.scopes[*scope].around.is_some_and(|around| self.way.protects && self.graph.protects(around, id))
-        };
-        let protected = path[..outside].iter().rposition(is_protected);
+        let protected = if self.way.protects { self.protected(&path[..outside], id) } else { None };
         let own = path.iter().rposition(|scope| is_over(scope, loops));
         own.max(protected).map_or(1, |deepest| deepest + 1)
+    }
+
+    /// The last place of a path that decides whether what a node reads is there: in the place of a loop the question
+    /// around it whether it has turns.
+    fn protected(&self, path: &[usize], id: NodeId) -> Option<usize> {
+        let around = |place: usize| self.scopes[path[place]].around;
+        let places = (0..path.len()).filter(|place| around(*place).is_some_and(|at| self.graph.protects(at, id)));
+        let decided = places.map(|place| match around(place) {
+            Some(Around::Loop(by)) => {
+                let asks = |place: &usize| {
+                    matches!(around(*place), Some(Around::Branch(condition, true)) if self.graph.asks_for_turns(condition, by))
+                };
+                (0..place).rev().find(asks).unwrap_or(place)
+            }
+            _ => place,
+        });
+        decided.max()
     }
 
     /// How much of a path a node may be inside of: up to the first loop that it does not need, and for a sum up to the
@@ -245,7 +259,7 @@ impl<L: Fn(&Graph, NodeId) -> bool> Scheduler<'_, L> {
     fn allowed(&self, path: &[usize], id: NodeId) -> usize {
         let needed = self.needed(path, id);
         let sum = match self.graph.node(id) {
-            Node::Sum(by, _) => Some(by),
+            Node::Sum(by, body) if !self.graph.is_kept_by_turns(by, body) => Some(by),
             _ => None,
         };
         let is_end = |scope: &usize| match self.scopes[*scope].around {

@@ -157,7 +157,7 @@ impl Formulas<'_> {
 
     /// A parameter as the user wrote it, without the spaces of tokens and without `self`.
     fn text(&self, parameter: u32) -> String {
-        readable(&self.0.parameters[parameter as usize].text)
+        readable(&self.0.parameters[parameter as usize].own)
     }
 
     /// A node as a formula that holds together at least as tightly as `needed`.

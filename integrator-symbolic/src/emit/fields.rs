@@ -69,18 +69,18 @@ pub(super) fn is_constant(text: &TokenStream) -> bool {
 impl Fields {
     pub(super) fn number(&mut self, graph: &Graph, parameters: &[Parameter], id: NodeId) -> Ident {
         let text = match graph.node(id) {
-            Node::Parameter(parameter) => Some(&parameters[parameter.0 as usize].text),
+            Node::Parameter(parameter) => Some(&parameters[parameter.0 as usize].own),
             _ => None,
         };
         self.named(Content::Number(id), text)
     }
 
     pub(super) fn integer(&mut self, parameters: &[Parameter], id: ParameterId) -> Ident {
-        self.named(Content::Integer(id), Some(&parameters[id.0 as usize].text))
+        self.named(Content::Integer(id), Some(&parameters[id.0 as usize].own))
     }
 
     pub(super) fn flag(&mut self, parameters: &[Parameter], id: ParameterId) -> Ident {
-        self.named(Content::Flag(id), Some(&parameters[id.0 as usize].text))
+        self.named(Content::Flag(id), Some(&parameters[id.0 as usize].own))
     }
 
     pub(super) fn external(&mut self, externals: &[Ident], id: ExternalId) -> Ident {

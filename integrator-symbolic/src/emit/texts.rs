@@ -61,7 +61,7 @@ impl<'m> Texts<'m> {
         }
         *self.known.entry((loops, text.to_string())).or_insert_with(|| {
             let made = ParameterId(self.parameters.len() as u32);
-            self.parameters.push(Parameter { text });
+            self.parameters.push(Parameter { own: text.clone(), text });
             graph.loops.declare_parameter(made, loops);
             made
         })

@@ -2,7 +2,7 @@
 
 use super::{
     Around, Element, Graph, Node, NodeId,
-    index::{Index, IndexId, Loops},
+    index::{DEEPEST, Index, IndexId, LoopId, LoopSet, Loops},
 };
 
 /// How far the reads of a value depend on where it stands.
@@ -13,7 +13,8 @@ pub(crate) enum Access {
     Anywhere,
     /// What it reads is there in all turns of the loops whose indices it reads by, unless these are compared with a length.
     ByRunning,
-    /// What it reads is there in all turns of the loops that it depends on, unless a condition on integers says otherwise.
+    /// What it reads is there where something is computed by it: in a turn of the loops around it, where the conditions
+    /// on integers hold that are around it.
     InTurns,
     /// Its indices are computed, and may be out of bounds where a loop further in has no turn, too.
     WhereWritten,
@@ -25,11 +26,28 @@ impl Loops {
         match self.index(id) {
             // How far such an index gets was held against the length when it was read.
             _ if self.has_known_extents() && self.is_of_numbers(id) => Access::Anywhere,
+            Index::Running(by) if self.passes_the_end(by) => Access::WhereWritten,
             Index::Running(_) => Access::ByRunning,
             Index::Literal(_) | Index::Length | Index::Parameter(_) => Access::InTurns,
+            // A turn of a loop over the coordinates has coordinates.
+            Index::Rem(place, size)
+                if self.is_extent(size)
+                    && !self.of_index(place).is_empty()
+                    && self.computes(place) == Access::Anywhere =>
+            {
+                Access::ByRunning
+            }
             Index::Rem(..) if self.computes(id) == Access::Anywhere => Access::InTurns,
             _ => Access::WhereWritten,
         }
+    }
+
+    /// Whether the last turns of a loop may have no coordinate, as those of `0..=q.len()`.
+    fn passes_the_end(&self, by: LoopId) -> bool {
+        let to = self.get(by).to;
+        let is_of_extents =
+            matches!(self.index(to), Index::Add(a, b) if [a, b].iter().any(|part| self.is_extent(*part)));
+        is_of_extents && !self.extents().any(|extent| self.is_at_most(to, extent, DEEPEST))
     }
 
     /// Whether a comparison may keep an index from being too large; indices of loops are compared to tell bodies apart,
@@ -94,24 +112,40 @@ impl Graph {
     pub(crate) fn protects(&self, around: Around, id: NodeId) -> bool {
         match (around, self.access(id)) {
             (_, Access::Anywhere) => false,
-            (Around::Loop(by), access) => access == Access::WhereWritten && !self.loops.has_turns(by),
-            (Around::Branch(condition, _), access) => self.is_on_integers(condition, access),
+            (Around::Loop(by), access) => access >= Access::InTurns && !self.loops.always_has_turns(by),
+            (Around::Branch(condition, _), access) => self.bears_on(condition, access),
         }
     }
 
-    /// Whether a condition has a part on integers, or one of parameters, that bears on reads of an access.
-    fn is_on_integers(&self, condition: NodeId, access: Access) -> bool {
+    /// The loops in all of whose turns alone a node is read that is not read anywhere, given what its children say: what
+    /// stands behind a condition that protects it stays there.
+    pub(super) fn read_in(&self, node: Node, own: LoopSet) -> LoopSet {
+        let is_behind = |child: NodeId| match node {
+            Node::Select(condition, ..) if child != condition => self.protects(Around::Branch(condition, true), child),
+            _ => false,
+        };
+        let of_itself = if self.own_access(node) >= Access::InTurns { own } else { LoopSet::ALL };
+        let children = node.children().filter(|child| !is_behind(*child));
+        children.fold(of_itself, |all, child| all.intersection(self.facts[child.position()].read_in))
+    }
+
+    /// Whether a loop that may be empty keeps something from being read that is the same in all of its turns.
+    pub(crate) fn is_kept_by_turns(&self, by: LoopId, body: NodeId) -> bool {
+        self.protects(Around::Loop(by), body) && !self.facts[body.position()].read_in.contains(by)
+    }
+
+    /// Whether a condition may decide that what is read with an access is there: one on integers, and for what is not
+    /// there in all turns of a loop any.
+    fn bears_on(&self, condition: NodeId, access: Access) -> bool {
         match self.node(condition) {
             Node::CompareIndex(_, a, b) => access == Access::WhereWritten || self.loops.bounds_from_above(a, b),
             Node::Flag(_) => access >= Access::InTurns,
-            Node::And(a, b) | Node::Or(a, b) => self.is_on_integers(a, access) || self.is_on_integers(b, access),
-            Node::Not(a) => self.is_on_integers(a, access),
+            Node::And(a, b) | Node::Or(a, b) => self.bears_on(a, access) || self.bears_on(b, access),
+            Node::Not(a) => self.bears_on(a, access),
             // A loop asks in this way whether it had turns.
-            Node::Compare(_, _, count) => match self.node(count) {
-                Node::Sum(_, body) => self.is_on_integers(body, access),
-                _ => false,
-            },
-            Node::Select(condition, ..) => self.is_on_integers(condition, access),
+            Node::Compare(_, _, count) if let Node::Sum(_, body) = self.node(count) => self.bears_on(body, access),
+            Node::Compare(..) => access >= Access::InTurns,
+            Node::Select(condition, ..) => self.bears_on(condition, access),
             _ => false,
         }
     }

@@ -5,7 +5,7 @@
 //! Nothing hides a NaN: `0·x` and `x - x` stay, and a square root is only undone under a sum of squares.
 
 use super::{
-    Element, Graph, Node, NodeId, ParameterId,
+    Around, Element, Graph, Node, NodeId, ParameterId,
     function::{Function, Rule},
     index::{IndexId, LoopId},
 };
@@ -142,17 +142,23 @@ impl Graph {
                     let sum = self.sum(by, inner);
                     self.neg(sum)
                 }
-                _ => self.intern(Node::Sum(by, body)),
+                _ => {
+                    let sum = self.intern(Node::Sum(by, body));
+                    if self.is_kept_by_turns(by, body) { self.where_entered(by, body, sum) } else { sum }
+                }
             };
         }
         let turns = self.number_of(turns);
         let product = self.mul(turns, body);
-        if self.is_total(body) {
-            return product;
-        }
         // Where there is no turn, nothing is added, whatever the body would be.
-        let (entered, zero) = (self.has_turns(by), self.constant(0.0));
-        self.select(entered, product, zero)
+        let is_harmless = self.is_total(body) && !self.protects(Around::Loop(by), body);
+        if is_harmless { product } else { self.where_entered(by, body, product) }
+    }
+
+    /// What the turns of a loop with some body come to, and zero where it has none.
+    fn where_entered(&mut self, by: LoopId, body: NodeId, value: NodeId) -> NodeId {
+        let (entered, zero) = (self.has_turns(by, body), self.constant(0.0));
+        self.select(entered, value, zero)
     }
 
     /// The derivative of a function of one argument, if it is not zero.

@@ -80,9 +80,9 @@ impl Graph {
         }
     }
 
-    /// The condition that what is `around` a place is entered at all: that its loops have a turn in which its conditions
-    /// hold.
-    pub(crate) fn happens(&mut self, around: &[Around]) -> NodeId {
+    /// The condition that what is `around` the use of a node is entered at all: that its loops have a turn in which its
+    /// conditions hold.
+    pub(crate) fn happens(&mut self, around: &[Around], id: NodeId) -> NodeId {
         let always = self.truth(true);
         around.iter().rev().fold(always, |inner, around| match *around {
             Around::Branch(condition, true) => self.and(condition, inner),
@@ -97,7 +97,7 @@ impl Graph {
                 self.compare(Comparison::Less, zero, count)
             }
             Around::Loop(by) => {
-                let turns = self.has_turns(by);
+                let turns = self.has_turns(by, id);
                 self.and(turns, inner)
             }
         })
@@ -122,9 +122,10 @@ impl Graph {
         }
     }
 
-    /// The condition that a loop has a turn.
-    pub(super) fn has_turns(&mut self, by: LoopId) -> NodeId {
-        if self.loops.has_turns(by) {
+    /// The condition that a loop around a node has a turn. Without coordinates there is nothing to compute, so that this
+    /// is asked of a loop over them only where the node could not be read without.
+    pub(super) fn has_turns(&mut self, by: LoopId, id: NodeId) -> NodeId {
+        if self.loops.has_turns(by) && !self.protects(Around::Loop(by), id) {
             return self.truth(true);
         }
         let Loop { from, to, .. } = self.loops.get(by);

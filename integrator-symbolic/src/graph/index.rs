@@ -132,7 +132,7 @@ impl Index {
 }
 
 /// How many steps are taken to see which of two expressions is smaller.
-const DEEPEST: u32 = 8;
+pub(super) const DEEPEST: u32 = 8;
 
 /// `for index in from..to`, inside another loop or not.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -148,6 +148,7 @@ pub(crate) struct LoopSet(u128);
 
 impl LoopSet {
     pub(crate) const EMPTY: Self = Self(0);
+    pub(crate) const ALL: Self = Self(u128::MAX);
     /// How many loops a Hamiltonian may have.
     pub(crate) const CAPACITY: usize = 128;
 
@@ -156,6 +157,9 @@ impl LoopSet {
     }
     pub(crate) fn union(self, other: Self) -> Self {
         Self(self.0 | other.0)
+    }
+    pub(crate) fn intersection(self, other: Self) -> Self {
+        Self(self.0 & other.0)
     }
     pub(crate) fn without(self, by: LoopId) -> Self {
         Self(self.0 & !Self::of(by).0)
@@ -447,7 +451,7 @@ impl Loops {
     }
 
     /// Whether `a <= b` whatever the values of what is not known; `false` where it takes more than `depth` steps to see.
-    fn is_at_most(&self, a: IndexId, b: IndexId, depth: u32) -> bool {
+    pub(super) fn is_at_most(&self, a: IndexId, b: IndexId, depth: u32) -> bool {
         if a == b || self.literal(a).zip(self.literal(b)).is_some_and(|(a, b)| a <= b) {
             return true;
         }
@@ -574,19 +578,30 @@ impl Loops {
         self.extents.iter().all(|id| self.literal(*id).is_some())
     }
 
+    /// The lengths of the coordinates.
+    pub(super) fn extents(&self) -> impl Iterator<Item = IndexId> {
+        self.extents.iter().copied()
+    }
+
     /// Whether an integer is one of the lengths of the coordinates.
     pub(crate) fn is_extent(&self, id: IndexId) -> bool {
         self.extents.contains(&id)
     }
 
-    /// Whether a loop is known to have a turn: its bounds are numbers, those of the coordinates, or those of a loop around
-    /// it.
+    /// Whether a loop is known to have a turn where there are coordinates: [`Loops::always_has_turns`], or it runs over
+    /// the coordinates.
     pub(crate) fn has_turns(&self, by: LoopId) -> bool {
+        let Loop { from, to, .. } = self.get(by);
+        let whole = self.literal(from) == Some(0) && self.is_extent(to);
+        whole || self.always_has_turns(by)
+    }
+
+    /// Whether a loop is known to have a turn: its bounds are numbers, or those of a loop around it.
+    pub(crate) fn always_has_turns(&self, by: LoopId) -> bool {
         let Loop { parent, from, to } = self.get(by);
         let numbers = self.literal(from).zip(self.literal(to)).is_some_and(|(from, to)| from < to);
-        let around = std::iter::successors(parent, |by| self.get(*by).parent);
-        let whole = self.literal(from) == Some(0) && self.is_extent(to);
-        numbers || whole || around.into_iter().any(|by| (self.get(by).from, self.get(by).to) == (from, to))
+        let mut around = std::iter::successors(parent, |by| self.get(*by).parent);
+        numbers || around.any(|by| (self.get(by).from, self.get(by).to) == (from, to))
     }
 
     /// An expression without running indices that is never below `id` (taking parts as unsigned), if one can be told.

@@ -20,7 +20,7 @@ mod pieces;
 mod polynomial;
 mod product;
 
-use access::Access;
+pub(crate) use access::Access;
 pub use cost::Tally;
 use function::Function;
 use index::{IndexId, LoopId, LoopSet, Loops};
@@ -241,6 +241,8 @@ struct Facts {
     total: bool,
     /// Where it may be computed.
     access: Access,
+    /// The loops that all it reads depends on, but for what can be read anywhere.
+    read_in: LoopSet,
 }
 
 /// The arena.
@@ -359,6 +361,7 @@ impl Graph {
             momenta: part == Some(Part::Momentum),
             total: self.is_total_by_itself(node),
             access: self.own_access(node),
+            read_in: self.read_in(node, loops),
         };
         for child in node.children() {
             let child = self.facts[child.position()];

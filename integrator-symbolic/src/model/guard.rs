@@ -5,59 +5,123 @@
 
 use super::{Reader, value::Opaque};
 use crate::graph::{
-    Comparison, Node, NodeId,
-    index::{IndexId, LoopSet},
+    Access, Comparison, Node, NodeId,
+    index::{IndexId, Loop, LoopId, LoopSet},
 };
 use proc_macro2::{Delimiter, TokenStream, TokenTree};
 use quote::quote;
 
+/// A condition around what is being read, and whether it holds there.
+#[derive(Clone, Copy)]
+pub(super) struct Condition {
+    node: NodeId,
+    holds: bool,
+    /// How many loops are around it.
+    depth: usize,
+}
+
 impl Reader<'_> {
     /// What `read` gives where a condition holds, or where it does not.
     pub(super) fn under<T>(&mut self, condition: Option<NodeId>, holds: bool, read: impl FnOnce(&mut Self) -> T) -> T {
-        let depth = self.conditions.len();
-        self.conditions.extend(condition.map(|condition| (condition, holds)));
+        let (known, depth) = (self.conditions.len(), self.frames.len());
+        self.conditions.extend(condition.map(|node| Condition { node, holds, depth }));
         let value = read(self);
-        self.conditions.truncate(depth);
+        self.conditions.truncate(known);
         value
     }
 
-    /// The text of a parameter, evaluated under those conditions around it that may keep it from being so.
-    pub(super) fn guarded_text(
-        &self,
-        text: TokenStream,
-        loops: LoopSet,
-        otherwise: &TokenStream,
-    ) -> (TokenStream, LoopSet) {
-        let needs = needs(&text);
-        if needs == Needs::Nothing {
-            return (text, loops);
+    /// The text of a parameter, evaluated under those loops and conditions around it that may keep it from being so.
+    pub(super) fn guarded_text(&self, text: TokenStream, loops: LoopSet, otherwise: &TokenStream) -> TokenStream {
+        let guard = match needs(&text) {
+            Needs::Nothing => None,
+            // What a condition computes may have no value either where another one does not hold.
+            Needs::Bounds if self.conditions.iter().any(|condition| self.computes(condition.node)) => {
+                self.guard(loops, Needs::All)
+            }
+            needs => self.guard(loops, needs),
+        };
+        match guard {
+            Some(Opaque { text: guard, .. }) => quote!((if #guard { #text } else { #otherwise })),
+            None => text,
         }
-        let mut open: Vec<(NodeId, bool)> = self.conditions.iter().rev().copied().collect();
-        let mut guards: Vec<Opaque> = Vec::new();
-        while let Some((condition, holds)) = open.pop() {
-            match (self.graph.node(condition), holds) {
-                (Node::Not(inner), _) => open.push((inner, !holds)),
-                (Node::And(a, b), true) | (Node::Or(a, b), false) => open.extend([(b, holds), (a, holds)]),
-                (Node::CompareIndex(_, a, b), _) if !self.bears_on(a, b, needs) => {}
-                (_, true) => guards.extend(self.condition_text(condition)),
-                (_, false) => guards.extend(
-                    self.condition_text(condition)
-                        .map(|Opaque { text, loops }| Opaque { text: quote!(!(#text)), loops }),
-                ),
+    }
+
+    /// Whether the functions evaluate a text in some turn of the loops that it does not depend on, as far as parameters
+    /// tell.
+    fn guard(&self, loops: LoopSet, needs: Needs) -> Option<Opaque> {
+        let inner = self.conditions_at(self.frames.len(), needs);
+        self.frames.iter().enumerate().rev().fold(inner, |inner, (depth, frame)| {
+            let inner = self.in_turns(frame.by, loops, needs, inner);
+            both(self.conditions_at(depth, needs), inner)
+        })
+    }
+
+    /// The conditions with so many loops around them that bear on a text.
+    fn conditions_at(&self, depth: usize, needs: Needs) -> Option<Opaque> {
+        let here = self.conditions.iter().filter(|condition| condition.depth == depth);
+        here.flat_map(|condition| self.parts_on(condition.node, condition.holds, needs)).map(Some).fold(None, both)
+    }
+
+    /// The parts of a condition that bear on a text.
+    fn parts_on(&self, condition: NodeId, holds: bool, needs: Needs) -> Vec<Opaque> {
+        match (self.graph.node(condition), holds) {
+            (Node::Not(inner), _) => self.parts_on(inner, !holds, needs),
+            (Node::And(a, b), true) | (Node::Or(a, b), false) => {
+                [a, b].into_iter().flat_map(|part| self.parts_on(part, holds, needs)).collect()
+            }
+            (Node::CompareIndex(_, a, b), _) if !self.bears_on(a, b, needs) => Vec::new(),
+            (_, true) => self.condition_text(condition).into_iter().collect(),
+            (_, false) => {
+                let not = |Opaque { text, loops }| Opaque { text: quote!(!(#text)), loops };
+                self.condition_text(condition).map(not).into_iter().collect()
             }
         }
-        let known = |guard: &Opaque| guard.loops.is_subset(loops);
-        let texts: Vec<TokenStream> =
-            guards.iter().filter(|guard| known(guard)).map(|guard| guard.text.clone()).collect();
-        if texts.is_empty() {
-            return (text, loops);
+    }
+
+    /// What holds in a turn of a loop, seen from outside of it; the loops of the text have a table.
+    fn in_turns(&self, by: LoopId, table: LoopSet, needs: Needs, inner: Option<Opaque>) -> Option<Opaque> {
+        let Loop { from, to, .. } = self.graph.loops.get(by);
+        let around = self.graph.loops.of_range(by);
+        let [first, end] = [from, to].map(|bound| self.index_text(bound));
+        match inner {
+            Some(inner) if table.contains(by) => {
+                let name = &self.running[&by];
+                // The table has no more than the longest turns.
+                let inside = Opaque { text: quote!(#first <= #name && #name < #end), loops: around };
+                both((!around.is_subset(table)).then_some(inside), Some(inner))
+            }
+            None if table.contains(by) => None,
+            Some(Opaque { text, loops }) if loops.contains(by) => {
+                let name = &self.running[&by];
+                let text = quote!((#first..#end).any(|#name: usize| #text));
+                Some(Opaque { text, loops: loops.without(by).union(around) })
+            }
+            inner => {
+                let is_full = match needs {
+                    Needs::Division => self.graph.loops.always_has_turns(by),
+                    // A list that is read up to some index in one turn is as long in another, and a table has as many
+                    // elements as the turns of its loops say.
+                    Needs::Bounds => {
+                        let loops = &self.graph.loops;
+                        let ends = table.iter().any(|inner| loops.of_index(loops.get(inner).to).contains(by));
+                        loops.has_turns(by) || !around.is_empty() || ends
+                    }
+                    _ => self.graph.loops.has_turns(by),
+                };
+                let entered = Opaque { text: quote!(#first < #end), loops: around };
+                both((!is_full).then_some(entered), inner)
+            }
         }
-        (quote!((if #(#texts)&&* { #text } else { #otherwise })), loops)
+    }
+
+    /// Whether a condition of parameters computes an integer that there may not be.
+    fn computes(&self, condition: NodeId) -> bool {
+        self.graph.is_prepared(condition) && self.graph.access(condition) == Access::WhereWritten
     }
 
     /// Whether a comparison of integers may say that an element is there.
     fn bears_on(&self, a: IndexId, b: IndexId, needs: Needs) -> bool {
-        needs == Needs::All || self.graph.loops.bounds_from_above(a, b)
+        needs > Needs::Bounds || self.graph.loops.bounds_from_above(a, b)
     }
 
     /// A condition of parameters and indices as text.
@@ -96,8 +160,12 @@ impl Reader<'_> {
         }
     }
 
-    /// A number that is a parameter or a literal, as text.
+    /// A number made of parameters, indices and literals, as text.
     fn number_text(&self, number: NodeId) -> Option<(TokenStream, LoopSet)> {
+        let two = |a, b| {
+            let ((a, first), (b, second)) = (self.number_text(a)?, self.number_text(b)?);
+            Some((a, b, first.union(second)))
+        };
         match self.graph.node(number) {
             Node::Parameter(parameter) => {
                 let text = &self.parameters[parameter.0 as usize].text;
@@ -107,8 +175,27 @@ impl Reader<'_> {
                 let Opaque { text, loops } = self.opaque(&super::value::Value::Real(number))?;
                 Some((text, loops))
             }
+            Node::FromIndex(index) => {
+                let text = self.index_text(index);
+                Some((quote!((#text as f64)), self.graph.loops.of_index(index)))
+            }
+            Node::Neg(inner) => self.number_text(inner).map(|(text, loops)| (quote!((-(#text))), loops)),
+            Node::Add(a, b) => two(a, b).map(|(a, b, loops)| (quote!(((#a) + (#b))), loops)),
+            Node::Mul(a, b) => two(a, b).map(|(a, b, loops)| (quote!(((#a) * (#b))), loops)),
+            Node::Div(a, b) => two(a, b).map(|(a, b, loops)| (quote!(((#a) / (#b))), loops)),
             _ => None,
         }
+    }
+}
+
+/// The condition that two hold, the second asked behind the first.
+fn both(first: Option<Opaque>, second: Option<Opaque>) -> Option<Opaque> {
+    match (first, second) {
+        (Some(first), Some(second)) => {
+            let (a, b) = (first.text, second.text);
+            Some(Opaque { text: quote!(#a && #b), loops: first.loops.union(second.loops) })
+        }
+        (first, second) => first.or(second),
     }
 }
 
@@ -129,6 +216,8 @@ enum Needs {
     Bounds,
     /// It computes something that may have no value elsewhere.
     All,
+    /// It divides by how many coordinates there are.
+    Division,
 }
 
 /// Methods that have a value for every receiver, beside those of floats.
@@ -150,6 +239,7 @@ fn needs(text: &TokenStream) -> Needs {
             TokenTree::Group(group) => needs(&group.stream()),
             // A cast is made of integers, which are not below zero.
             TokenTree::Ident(word) if word == "as" => Needs::All,
+            TokenTree::Ident(word) if word == "length" && matches!(name.as_str(), "/" | "%") => Needs::Division,
             _ => Needs::Nothing,
         };
         most = most.max(own);

@@ -39,6 +39,7 @@ use crate::{
 use arm::Arm;
 pub(crate) use call::known_functions;
 pub(crate) use external::stripped;
+use guard::Condition;
 use proc_macro2::{Ident, TokenStream};
 use quote::{ToTokens, quote};
 pub(crate) use shape::{Length, Shape};
@@ -52,6 +53,8 @@ use value::{Value, View};
 /// An expression of parameters that is evaluated once per run.
 pub(crate) struct Parameter {
     /// The user's own expression.
+    pub(crate) own: TokenStream,
+    /// The same, evaluated where the functions evaluate it.
     pub(crate) text: TokenStream,
 }
 
@@ -221,8 +224,8 @@ struct Reader<'i> {
     scopes: Vec<HashMap<String, BindingId>>,
     frames: Vec<Frame>,
     shape: Option<Shape>,
-    /// The conditions around what is being read, outermost first, and whether they hold there.
-    conditions: Vec<(NodeId, bool)>,
+    /// The conditions around what is being read, outermost first.
+    conditions: Vec<Condition>,
     /// The arms of a `match` that are being read, innermost last.
     arms: Vec<Arm>,
     /// The helper methods being inlined, to find recursion.
@@ -352,14 +355,15 @@ impl<'i> Reader<'i> {
         };
         let own = text;
         let (text, loops) = self.in_arms(own.clone(), loops, &otherwise);
-        let (text, loops) = self.guarded_text(text, loops, &otherwise);
+        let shown = text.clone();
+        let text = self.guarded_text(text, loops, &otherwise);
         let text = standing_alone(text, &self.uses);
         let key = format!("{kind} {loops:?} {text}");
         if let Some(id) = self.parameter_ids.get(&key) {
             return *id;
         }
         let id = ParameterId(self.parameters.len() as u32);
-        self.parameters.push(Parameter { text });
+        self.parameters.push(Parameter { own: shown, text });
         self.parameter_ids.insert(key, id);
         self.graph.loops.declare_parameter(id, loops);
         // What takes its place where it is not evaluated is zero.

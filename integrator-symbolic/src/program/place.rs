@@ -52,6 +52,8 @@ impl<L: Fn(&Graph, NodeId) -> bool> Scheduler<'_, L> {
                 Some(home) => {
                     let common = home.iter().zip(path).take_while(|(a, b)| a == b).count();
                     home.truncate(common);
+                    let home = home.clone();
+                    homes.retain(|other| *other == home || !other.starts_with(&home));
                 }
                 None => homes.push(path.to_vec()),
             }

@@ -244,8 +244,9 @@ impl Grammar {
                 ("self.n < self.short.len()", "self.short[self.n]"),
             ];
             if scope.has_coordinates && (self.is_dynamic || self.length > 1) && self.choices.percent(30) {
-                let place = self.coordinate_at("1");
-                return (format!("{n} > 1"), place);
+                let last = if self.is_dynamic { self.choices.below(4) } else { 1 };
+                let place = self.coordinate_at(&last.to_string());
+                return (format!("{n} > {last}"), place);
             }
             let (guard, place) = of_system[self.choices.below(of_system.len())];
             return (guard.to_owned(), place.to_owned());
@@ -255,7 +256,8 @@ impl Grammar {
             true => grammar.coordinate_at(&index),
             false => format!("self.long[{index}]"),
         };
-        match self.choices.below(7) {
+        match self.choices.below(8) {
+            7 => (format!("{j} > {i}"), format!("self.k[{i} + 1]")),
             0 => (format!("{i} > 0"), at(self, format!("{i} - 1"))),
             1 => (format!("{i} + 1 < {n}"), at(self, format!("{i} + 1"))),
             2 => (format!("{i} < self.short.len()"), format!("self.short[{i}]")),

@@ -125,6 +125,14 @@ impl Grammar {
         text
     }
 
+    /// What is there in the turns of a loop that may have none: elements of lists, and a coordinate that is not there
+    /// where others are few.
+    fn read_in_turns(&mut self, scope: &mut Scope, elements: &[&str]) {
+        let coordinate = self.choices.below(self.length).to_string();
+        let numbers = elements.iter().map(ToString::to_string).chain([self.coordinate_at(&coordinate)]);
+        scope.numbers.extend(numbers.filter(|_| PARTS.guards));
+    }
+
     /// The head of a loop; its names enter the scope.
     fn head(&mut self, scope: &mut Scope) -> String {
         scope.loops += 1;
@@ -149,7 +157,10 @@ impl Grammar {
             6 => format!("(0..{n}).rev()"),
             7 => format!("(0..{n}).step_by(2)"),
             8 => "0..self.n".to_owned(),
-            9 if PARTS.bounds => format!("{}..self.n", 1 + self.choices.below(3)),
+            9 if PARTS.bounds => {
+                self.read_in_turns(scope, &["self.k[self.n - 1]", "self.long[self.n]"]);
+                format!("{}..self.n", 1 + self.choices.below(3))
+            }
             10 => format!("0..{n} / 2"),
             11 if PARTS.integers => {
                 let name = self.fresh("signed");
@@ -165,6 +176,12 @@ impl Grammar {
                 let w = self.fresh("w");
                 scope.numbers.push(w.clone());
                 return format!("&({i}, {j}, {w}) in &self.springs");
+            }
+            14 if PARTS.guards => {
+                self.read_in_turns(scope, &["self.short[0]", "self.short[self.short.len() - 1]"]);
+                let x = self.fresh("x");
+                scope.numbers.push(x.clone());
+                return format!("&{x} in self.short.iter()");
             }
             _ => {
                 let (chain, pattern, inner) = self.chain(scope);
