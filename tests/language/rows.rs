@@ -38,6 +38,7 @@ macro_rules! rows {
                 starts: [usize; 5],
                 columns: Vec<usize>,
                 weights: Vec<Vec<f64>>,
+                rings: Vec<[usize; 2]>,
             }
 
             #[hamiltonian]
@@ -88,6 +89,7 @@ macro_rules! rows {
                     lists: vec![vec![1], vec![], vec![0, 3], vec![1]],
                     starts: [0, 1, 1, 3, 4],
                     columns: vec![1, 0, 3, 1],
+                    rings: vec![[1, 3], [2, 0], [3, 1], [0, 2]],
                     weights: vec![vec![1.0, 2.0, 3.0, 4.0], vec![1.0, -1.0]],
                 };
                 // From rest, one step of length 1 kicks the momenta to minus the gradient.
@@ -112,6 +114,10 @@ rows! {
     tuples { let pair = (q[0], q[1]); pair.0 * pair.1 } => [b, a, 0.0, 0.0];
     arrays { let d = [q[0] - q[1], q[2] - q[3]]; d[0] * d[1] } => [c - d, d - c, a - b, b - a];
     filled_arrays { let mut s = [0.0; 4]; for i in 0..4 { s[i] = q[i] * q[i]; } s[0] * s[3] } => [2.0 * a * d * d, 0.0, 0.0, 2.0 * d * a * a];
+    filled_layers { let mut h = [0.0; 32]; for k in 0..32 { let mut s = 0.1 * k as f64; for i in 0..4 { s += self.stiffness[(i + k) % 4] * q[i]; } h[k] = s.tanh(); } let mut v = 0.0; for k in 0..32 { v += self.table[k % 4] * h[k]; } v } => [0, 1, 2, 3].map(|i| (0..32).map(|k| { let x = 0.1 * k as f64 + (0..4).map(|i| s.stiffness[(i + k) % 4] * START[i]).sum::<f64>(); s.table[k % 4] * s.stiffness[(i + k) % 4] / x.cosh().powi(2) }).sum::<f64>());
+    filled_vectors { let mut h = vec![0.0; self.count]; for k in 0..self.count { h[k] = q[k] * q[k]; } h.iter().map(|x| x * x).sum::<f64>() } => [4.0 * a.powi(3), 4.0 * b.powi(3), 4.0 * c.powi(3), 0.0];
+    collected { let s: Vec<f64> = q.iter().map(|x| x * x).collect(); let r = q.map(f64::exp); s[0] * s[1] + r[2] } => [2.0 * a * b * b, 2.0 * b * a * a, c.exp(), 0.0];
+    from_functions { let h: [f64; 24] = std::array::from_fn(|k| k as f64 * q[k % 4]); h.iter().map(|x| x * x).sum::<f64>() } => [0, 1, 2, 3].map(|i| (0..6).map(|m| 2.0 * START[i] * ((i + 4 * m) as f64).powi(2)).sum::<f64>());
     patterns { let ([x, _], (y, z)) = ([q[0], q[1]], (q[2], q[3])); x * y * z } => [c * d, 0.0, a * d, a * c];
     taken_apart { let [x, y, z, w] = q; x * y * z * w } => [b * c * d, a * c * d, a * b * d, a * b * c];
     references { let x = &q[0]; *x * x } => [2.0 * a, 0.0, 0.0, 0.0];
@@ -155,6 +161,8 @@ rows! {
     over_lists { let mut v = 0.0; for &(i, j) in &self.bonds { v += (q[i] - q[j]).powi(2); } v } => [2.0 * (a - b), 2.0 * (b - a) + 2.0 * (b - d), 0.0, 2.0 * (d - b)];
     listed_indices { let mut v = 0.0; for i in 0..4 { v += q[i] * q[self.neighbours[i]]; } v } => [b + d, a + c, b + d, a + c];
     neighbour_lists { let mut v = 0.0; for i in 0..4 { for &j in &self.lists[i] { v += q[i] * q[j]; } } v } => [b + c, a + d, a + d, c + b];
+    neighbour_arrays { let mut v = 0.0; for i in 0..4 { for &j in &self.rings[i] { v += q[i] * q[j]; } } for &[i, j] in &self.rings { v += q[i] * q[j] * q[j]; } v } => [2.0 * (b + d) + 2.0 * c * a + c * c, 2.0 * (a + c) + d * d + 2.0 * d * b, 2.0 * (b + d) + a * a + 2.0 * a * c, 2.0 * (a + c) + 2.0 * b * d + b * b];
+    arrays_of_points { let mut v = 0.0; for [x, y] in [[q[0], q[1]], [q[2], q[3]]] { v += x * y; } for a in [[q[0], q[2]]] { v += a[0] * a[1] * a[1]; } v } => [b + c * c, a, d + 2.0 * a * c, c];
     lists_of_lists { let mut v = 0.0; for (row, x) in self.lists.iter().zip(q) { for j in row.iter() { v += x * q[*j]; } } v } => [b + c, a + d, a + d, c + b];
     compressed_rows { let mut v = 0.0; for i in 0..4 { for k in self.starts[i]..self.starts[i + 1] { v += self.table[k] * q[i] * q[self.columns[k]]; } } v } => [4.0 * b + 3.0 * c, 4.0 * a + d, 3.0 * a + 2.0 * d, 2.0 * c + b];
     chosen_indices { let mut v = 0.0; for i in 0..4 { let next = if i + 1 == q.len() { 0 } else { i + 1 }; let before = if i == 0 { 3 } else { i - 1 }; let far = if i < 2 { 3 } else { 1 }; v += q[i] * q[next] + 2.0 * q[i] * q[before] + q[i] * q[far]; } v } => [3.0 * (b + d) + d, 3.0 * (a + c) + d + c + d, 3.0 * (b + d) + b, 3.0 * (a + c) + a + b + b];
@@ -169,6 +177,7 @@ rows! {
     bounds { let mut v = 0.0; for i in 0..self.count { v += q[i] * q[i]; } v } => [2.0 * a, 2.0 * b, 2.0 * c, 0.0];
     lengths { let mut v = 0.0; for i in 0..q.len() - 1 { v += q[i] * q[i + 1]; } v } => [b, a + c, b + d, c];
     horner { let mut v = 0.0; for k in (0..3).rev() { v = v * q[0] + self.stiffness[k]; } v } => [2.0 + 6.0 * a, 0.0, 0.0, 0.0];
+    polynomials { let mut v = 0.0; for k in self.table.iter().rev() { v = v * q[0] + k; } v } => [3.0 + 4.0 * a + 3.0 * a * a, 0.0, 0.0, 0.0];
     products { let mut v = 1.0; for i in 0..4 { v *= q[i]; } v } => [b * c * d, a * c * d, a * b * d, a * b * c];
 
     // Iterators
@@ -183,8 +192,11 @@ rows! {
     folded { q.iter().fold(0.0, |sum, x| sum + x * x) } => [2.0 * a, 2.0 * b, 2.0 * c, 2.0 * d];
     folded_further { q.iter().fold(0.0, |sum, x| sum * sum + x) } => [8.0 * a * (a * a + b) * ((a * a + b).powi(2) + c), 4.0 * (a * a + b) * ((a * a + b).powi(2) + c), 2.0 * ((a * a + b).powi(2) + c), 1.0];
     folded_coefficients { (0..3).rev().fold(0.0, |v, k| v * q[0] + self.stiffness[k]) } => [2.0 + 6.0 * a, 0.0, 0.0, 0.0];
+    folded_lists { self.table.iter().rev().fold(0.0, |v, k| v * q[0] + k) } => [3.0 + 4.0 * a + 3.0 * a * a, 0.0, 0.0, 0.0];
+    folded_tuples { let (a, b) = q.iter().fold((0.0, 0.0), |(a, b), x| (a + x, b + x * x)); a * b } => [a, b, c, d].map(|x| (a * a + b * b + c * c + d * d) + 2.0 * x * (a + b + c + d));
     folded_branches { q.iter().fold(0.0, |sum, x| if *x > 0.0 { sum + x * x } else { sum }) } => [a, b, c, d].map(|x| if x > 0.0 { 2.0 * x } else { 0.0 });
     largest { q.iter().fold(-1.0, |top: f64, x| top.max(*x)) } => [a, b, c, d].map(|x| if x == a.max(b).max(c).max(d) { 1.0 } else { 0.0 });
+    paths_of_functions { let square = |x: f64| x * x; q.into_iter().map(f64::sin).sum::<f64>() + q.into_iter().map(square).sum::<f64>() } => [a, b, c, d].map(|x| x.cos() + 2.0 * x);
     factors { q.iter().map(|x| 1.0 + x * x).product::<f64>() } => [a, b, c, d].map(|x| 2.0 * x / (1.0 + x * x) * (1.0 + a * a) * (1.0 + b * b) * (1.0 + c * c) * (1.0 + d * d));
     filtered { (0..4).filter(|i| i % 2 == 0).map(|i| q[i] * q[i]).sum::<f64>() } => [2.0 * a, 0.0, 2.0 * c, 0.0];
     adaptors { q.iter().skip(1).take(2).map(|x| x * x).sum::<f64>() + q.iter().rev().step_by(2).sum::<f64>() } => [0.0, 2.0 * b + 1.0, 2.0 * c, 1.0];

@@ -371,6 +371,13 @@ impl Loops {
             {
                 return Index::Add(x, self.intern(Index::Literal(both)));
             }
+            // a - (a - x) == x
+            Index::Sub(a, b)
+                if let Index::Sub(whole, x) = self.index(b)
+                    && whole == a =>
+            {
+                return self.index(x);
+            }
             Index::Monus(a, b) => return self.monus(a, b),
             Index::Min(a, b) => return self.min(a, b),
             _ => {}

@@ -2,6 +2,7 @@
 
 use super::{
     BindingId, Reader,
+    sequence::Sequence,
     statement::Assigned,
     text::place,
     value::{Opaque, Value},
@@ -136,7 +137,7 @@ impl Reader<'_> {
     }
 
     /// The first value where the condition holds, else the second.
-    fn either(&mut self, condition: NodeId, a: Value, b: Value, place: &dyn ToTokens) -> Option<Value> {
+    pub(super) fn either(&mut self, condition: NodeId, a: Value, b: Value, place: &dyn ToTokens) -> Option<Value> {
         match (a, b) {
             (Value::Unit, Value::Unit) => Some(Value::Unit),
             (Value::Accumulating, Value::Accumulating) => Some(Value::Accumulating),
@@ -146,6 +147,18 @@ impl Reader<'_> {
             (Value::Array(a), Value::Array(b)) if a.len() == b.len() => {
                 let parts = a.into_iter().zip(b).map(|(a, b)| self.either(condition, a, b, place));
                 Some(Value::Array(parts.collect::<Option<_>>()?))
+            }
+            (a @ (Value::List(_) | Value::Array(_)), b @ (Value::List(_) | Value::Array(_)))
+                if let (Some(a), Some(b)) = (self.as_list(&a), self.as_list(&b))
+                    && (a.from, a.to) == (b.from, b.to) =>
+            {
+                let place = place.to_token_stream();
+                Some(Value::List(Sequence::new(a.from, a.to, move |reader, index| {
+                    let [a, b] = [(&a, true), (&b, false)].map(|(list, holds)| {
+                        reader.under(Some(condition), holds, |reader| reader.item_of(list, index))
+                    });
+                    reader.either(condition, a?.value, b?.value, &place)
+                })))
             }
             (Value::Tuple(a), Value::Tuple(b)) if a.len() == b.len() => {
                 let parts = a.into_iter().zip(b).map(|(a, b)| self.either(condition, a, b, place));

@@ -58,6 +58,9 @@ impl Reader<'_> {
             if is_total(call) {
                 return self.total(call);
             }
+            if is_map_of_array(call) {
+                return self.collected(&whole);
+            }
             self.errors.at(&call.method, format!("`{}` makes a sequence: end it with `.sum::<f64>()`", call.method));
             return None;
         }
@@ -65,6 +68,9 @@ impl Reader<'_> {
             && is_adaptor(inner)
         {
             let value = self.verbatim(&Expr::MethodCall(call.clone()));
+            if value.is_none() && call.method == "collect" {
+                return self.collected(&call.receiver);
+            }
             if value.is_none() {
                 let message = format!(
                     "`{}` of a sequence is not understood: {ADAPTED} are, and `sum` and `fold` at the end",
@@ -422,6 +428,11 @@ impl Reader<'_> {
 /// The methods of `f64` that may be called with coordinates.
 pub(crate) fn known_functions() -> impl Iterator<Item = &'static str> {
     TABLE.iter().map(|row| row.name).chain(ARITHMETIC).filter(|name| !UNSPELLED.contains(name))
+}
+
+/// Whether a call is `array.map(...)`, an array, and not `array.iter().map(...)`, a sequence.
+fn is_map_of_array(call: &ExprMethodCall) -> bool {
+    call.method == "map" && matches!(&*call.receiver, Expr::Path(_) | Expr::Array(_) | Expr::Index(_))
 }
 
 /// Whether a method leaves its receiver as it is: those of numbers do, and those that only look at a list.

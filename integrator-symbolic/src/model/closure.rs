@@ -7,15 +7,19 @@ use super::{
     text::identifiers,
     value::{Opaque, Value},
 };
+use proc_macro2::TokenStream;
 use quote::{ToTokens, quote};
 use std::{collections::HashMap, rc::Rc};
 use syn::{Expr, ExprClosure, ItemFn, visit::Visit};
+
+/// Variables by their names.
+pub(super) type Scope = HashMap<String, BindingId>;
 
 /// What is called with values.
 pub(crate) struct Callable {
     closure: ExprClosure,
     /// The variables that it sees, as they were where it was written.
-    captured: HashMap<String, BindingId>,
+    captured: Scope,
     /// Itself as text, where it reads parameters alone.
     pub(super) text: Option<Opaque>,
 }
@@ -36,12 +40,25 @@ impl Reader<'_> {
             Some(Value::Opaque(text)) => Some(text),
             _ => None,
         };
+        let captured = self.captured_by(closure.body.to_token_stream());
+        Some(Value::Closure(Rc::new(Callable { closure: closure.clone(), captured, text })))
+    }
+
+    /// The variables that a text mentions, as they are now.
+    pub(super) fn captured_by(&mut self, text: TokenStream) -> Scope {
         let mut names = Vec::new();
-        identifiers(closure.body.to_token_stream(), &mut names);
+        identifiers(text, &mut names);
         let known = names.into_iter().filter_map(|name| Some((name.to_string(), self.lookup(&name.to_string())?)));
         let known: Vec<_> = known.collect();
-        let captured = known.into_iter().map(|(name, id)| (name, self.copied(id))).collect();
-        Some(Value::Closure(Rc::new(Callable { closure: closure.clone(), captured, text })))
+        known.into_iter().map(|(name, id)| (name, self.copied(id))).collect()
+    }
+
+    /// What `read` gives where no other variables are seen.
+    pub(super) fn seeing<T>(&mut self, variables: &Scope, read: impl FnOnce(&mut Self) -> T) -> T {
+        let scopes = std::mem::replace(&mut self.scopes, vec![variables.clone()]);
+        let value = read(self);
+        self.scopes = scopes;
+        value
     }
 
     /// A function inside of the function, which sees no variables.
@@ -62,9 +79,7 @@ impl Reader<'_> {
             let function = operand(text.clone());
             return Some(Value::Opaque(Opaque { text: quote!(#function(#arguments)), loops: loops.union(mentioned) }));
         }
-        let scopes = std::mem::replace(&mut self.scopes, vec![callable.captured.clone()]);
-        let value = self.applied(&callable.closure, arguments);
-        self.scopes = scopes;
+        let value = self.seeing(&callable.captured, |reader| reader.applied(&callable.closure, arguments));
         value.map(Value::into_operand)
     }
 }

@@ -23,6 +23,10 @@ use syn::{Expr, ExprArray, ExprField, ExprIndex, ExprLit, ExprPath, Lit, Macro, 
 /// How many elements an array of values may have.
 const MANY: usize = 1024;
 
+/// How arrays of values that differ are read.
+const BY_LITERALS: &str = "an array of values is indexed by literals, or in a loop of up to 16 turns; one that a loop \
+                           fills, `for k in 0..32 { h[k] = ...; }`, by any index";
+
 impl Reader<'_> {
     /// The value of an expression; `None` if a mistake was noted in it.
     pub(super) fn expression(&mut self, expression: &Expr) -> Option<Value> {
@@ -57,9 +61,12 @@ impl Reader<'_> {
             Expr::Repeat(repeat) => {
                 let (value, length) = (self.expression(&repeat.expr), self.expression(&repeat.len));
                 let (value, length) = (value?, length?);
-                let length = self.integer(&length).and_then(|length| self.graph.loops.literal(length));
-                match length.and_then(|length| usize::try_from(length).ok()).filter(|length| *length <= MANY) {
+                let literal = self.integer(&length).and_then(|length| self.graph.loops.literal(length));
+                match literal.and_then(|length| usize::try_from(length).ok()).filter(|length| *length <= MANY) {
                     Some(length) => Some(Value::Array(vec![value; length])),
+                    None if literal.is_none() && matches!(length, Value::Integer(_) | Value::Opaque(_)) => {
+                        self.repeated_to(value, &length)
+                    }
                     None => {
                         let message = format!("the length of an array of values is a literal up to {MANY}");
                         self.errors.at(&repeat.len, message);
@@ -198,10 +205,15 @@ impl Reader<'_> {
             Value::Array(parts) => {
                 let literal = self.graph.loops.literal(position);
                 let part = literal.and_then(|literal| parts.get(usize::try_from(literal).ok()?));
+                if literal.is_none()
+                    && let Some(list) = self.as_list(&Value::Array(parts.clone()))
+                {
+                    return self.nth(&list, position);
+                }
                 if part.is_none() {
                     let message = match literal {
                         Some(_) => format!("the index is out of bounds: this array has {} elements", parts.len()),
-                        None => "an array of values is indexed by literals, or in a loop of up to 16 turns".to_owned(),
+                        None => BY_LITERALS.to_owned(),
                     };
                     self.errors.at(&index.index, message);
                 }
@@ -215,7 +227,18 @@ impl Reader<'_> {
                 let (text, inner) = (place(text), place(at.text));
                 Some(Value::Opaque(Opaque { text: quote!(#text[#inner]), loops: loops.union(at.loops) }))
             }
-            Value::List(part) => self.nth(&part, position),
+            Value::List(part) => {
+                let (count, literal) = (self.count_of_literal(&part), self.graph.loops.literal(position));
+                let message = match literal.zip(count) {
+                    Some((position, count)) if position >= count => {
+                        format!("the index is out of bounds: this array has {count} elements")
+                    }
+                    None if part.literal => BY_LITERALS.to_owned(),
+                    _ => return self.nth(&part, position),
+                };
+                self.errors.at(&index.index, message);
+                None
+            }
             other => {
                 self.errors.at(&index.expr, format!("{} cannot be indexed", other.describe()));
                 None

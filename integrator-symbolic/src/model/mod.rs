@@ -12,6 +12,7 @@ mod closure;
 mod escape;
 mod expression;
 mod external;
+mod fill;
 mod flatten;
 mod flow;
 mod guard;

@@ -96,6 +96,12 @@ impl Reader<'_> {
                 });
                 Some(parts.collect())
             }
+            Value::List(list) if self.count_of_literal(list) == Some(count as u64) => (0..count as u64)
+                .map(|position| {
+                    let position = self.literal_index(position);
+                    self.nth(list, position)
+                })
+                .collect(),
             Value::Unknown => None,
             other => {
                 let message = format!("{} cannot be taken apart into {count} parts", other.describe());

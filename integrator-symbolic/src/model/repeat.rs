@@ -31,6 +31,9 @@ const RESERVED: [&str; 14] = [
 /// What a turn of a loop adds to variables.
 type Sums = Vec<(Target, NodeId)>;
 
+/// Reads the turn of a loop for an index.
+type Turn<'t> = dyn Fn(&mut Reader<'_>, IndexId) -> Option<Value> + 't;
+
 /// How many turns a loop may have that is written out, because its body is more than a sum.
 pub(super) const FEW: u64 = 16;
 
@@ -47,13 +50,29 @@ impl Reader<'_> {
             return self.write_out(repeat, &sequence, turns);
         }
         if self.needs_writing_out(repeat) {
-            let sequence = self.with_conditions(sequence.clone());
-            if let Some(turns) = self.known_turns(&sequence) {
-                return self.write_out(repeat, &sequence, turns);
+            if self.assigns_to_long_list(repeat)
+                && let Some(value) = self.fill(repeat, &sequence)?
+            {
+                return Some(value);
+            }
+            let written = self.with_conditions(sequence.clone());
+            if let Some(turns) = self.known_turns(&written) {
+                return self.write_out(repeat, &written, turns);
+            }
+            if let Some(value) = self.loop_by_powers(repeat, &sequence)? {
+                return Some(value);
+            }
+            if let Some(value) = self.fill(repeat, &sequence)? {
+                return Some(value);
             }
         }
+        self.sums(repeat, &sequence, &|reader, index| reader.turn(repeat, &sequence, index))
+    }
+
+    /// A loop that only adds to variables, as sums over what a turn of it adds.
+    pub(super) fn sums(&mut self, repeat: &ExprForLoop, sequence: &Sequence, turn: &Turn<'_>) -> Option<Value> {
         if let Some((whole, end)) = self.graph.loops.end_without_lists(sequence.to) {
-            let (by, sums) = self.summed(repeat, &sequence, whole)?;
+            let (by, sums) = self.summed(repeat, sequence.from, whole, turn)?;
             let index = self.graph.loops.intern(Index::Running(by));
             let inside = self.graph.compare_index(Comparison::Less, index, end);
             let weighted =
@@ -62,16 +81,16 @@ impl Reader<'_> {
                 return self.add_sums(by, sums, &repeat.pat);
             }
         }
-        let (by, sums) = self.summed(repeat, &sequence, sequence.to)?;
+        let (by, sums) = self.summed(repeat, sequence.from, sequence.to, turn)?;
         self.add_sums(by, sums, &repeat.pat)
     }
 
     /// What each turn of a loop adds to variables, if it ends there.
-    fn summed(&mut self, repeat: &ExprForLoop, sequence: &Sequence, to: IndexId) -> Option<(LoopId, Sums)> {
-        let by = self.enter(loop_name(&repeat.pat), sequence.from, to, &repeat.expr)?;
+    fn summed(&mut self, repeat: &ExprForLoop, from: IndexId, to: IndexId, turn: &Turn<'_>) -> Option<(LoopId, Sums)> {
+        let by = self.enter(loop_name(&repeat.pat), from, to, &repeat.expr)?;
         let held = self.hold(&repeat.body);
         let index = self.graph.loops.intern(Index::Running(by));
-        let body = self.turn(repeat, sequence, index);
+        let body = turn(self, index);
         let sums = self.leave();
         for (id, value) in held {
             self.bindings[id.0].value = value;
@@ -105,9 +124,25 @@ impl Reader<'_> {
         let mut assigned = Assigned::default();
         assigned.visit_block(&repeat.body);
         let is_outside = |name: &String| self.lookup(name).is_some();
-        let is_array =
-            |name: &String| self.lookup(name).is_some_and(|id| matches!(self.bindings[id.0].value, Value::Array(_)));
+        let is_array = |name: &String| {
+            self.lookup(name).is_some_and(|id| match &self.bindings[id.0].value {
+                Value::Array(_) => true,
+                Value::List(part) => part.literal,
+                _ => false,
+            })
+        };
         assigned.replaced.iter().any(is_outside) || assigned.indexed.iter().any(is_array)
+    }
+
+    /// Whether a body assigns to a list, or to an array with more elements than a loop that is written out has turns.
+    fn assigns_to_long_list(&self, repeat: &ExprForLoop) -> bool {
+        let mut assigned = Assigned::default();
+        assigned.visit_block(&repeat.body);
+        assigned.names.iter().any(|name| match self.lookup(name).map(|id| &self.bindings[id.0].value) {
+            Some(Value::List(_)) => true,
+            Some(Value::Array(parts)) => parts.len() as u64 > FEW,
+            _ => false,
+        })
     }
 
     /// The turns of a loop, if their number is known and small.

@@ -14,9 +14,9 @@ use crate::graph::{
     Comparison, NodeId,
     index::{Index, IndexId},
 };
-use quote::quote;
+use quote::{format_ident, quote};
 use std::{collections::HashMap, rc::Rc};
-use syn::{Block, Expr, ExprClosure, ExprIndex, ExprMethodCall, ExprRange, RangeLimits, visit::Visit};
+use syn::{Block, Expr, ExprClosure, ExprIndex, ExprMethodCall, ExprRange, RangeLimits, parse_quote, visit::Visit};
 
 /// A sequence with one item for every index in `from..to`.
 #[derive(Clone)]
@@ -25,12 +25,22 @@ pub(crate) struct Sequence {
     pub(super) to: IndexId,
     at: Rc<ItemAt>,
     /// Whether a filter may leave items out, so that an item's position is not known.
-    filtered: bool,
+    pub(super) filtered: bool,
     /// Whether its items are an array's, which has elements for literal indices alone.
     pub(super) literal: bool,
 }
 
 impl Sequence {
+    /// One item for every index in `from..to`.
+    pub(super) fn new(
+        from: IndexId,
+        to: IndexId,
+        at: impl Fn(&mut Reader<'_>, IndexId) -> Option<Value> + 'static,
+    ) -> Self {
+        let at = Rc::new(move |reader: &mut Reader<'_>, index| at(reader, index).map(Item::plain));
+        Self { from, to, at, filtered: false, literal: false }
+    }
+
     /// The same sequence with something done to the value of every item.
     fn with(self, change: fn(Value) -> Value) -> Self {
         let Self { at, .. } = self;
@@ -127,12 +137,12 @@ impl Reader<'_> {
         let count = loops.span(from, to);
         if loops.is_signed(from) {
             let zero = loops.intern(Index::Literal(0));
-            return self.items(zero, count, move |reader, index| {
+            return Sequence::new(zero, count, move |reader, index| {
                 Some(Value::Integer(reader.graph.loops.intern(Index::Add(from, index))))
             });
         }
         let [from, to] = [from, to].map(|bound| loops.ending(bound));
-        self.items(from, to, |_, index| Some(Value::Integer(index)))
+        Sequence::new(from, to, |_, index| Some(Value::Integer(index)))
     }
 
     fn bound(&mut self, bound: &Expr) -> Option<IndexId> {
@@ -143,16 +153,6 @@ impl Reader<'_> {
             self.errors.at(bound, message);
         }
         index
-    }
-
-    fn items(
-        &mut self,
-        from: IndexId,
-        to: IndexId,
-        at: impl Fn(&mut Reader<'_>, IndexId) -> Option<Value> + 'static,
-    ) -> Sequence {
-        let at = Rc::new(move |reader: &mut Reader<'_>, index| at(reader, index).map(Item::plain));
-        Sequence { from, to, at, filtered: false, literal: false }
     }
 
     pub(super) fn literal_index(&mut self, value: u64) -> IndexId {
@@ -170,7 +170,7 @@ impl Reader<'_> {
         match value {
             Value::View(view) => {
                 let length = self.extent(view.at.len(), place)?;
-                Some(self.items(zero, length, move |reader, index| {
+                Some(Sequence::new(zero, length, move |reader, index| {
                     let at = view.at.iter().copied().chain([index]).collect();
                     Some(reader.element(View { part: view.part, at }))
                 }))
@@ -181,9 +181,15 @@ impl Reader<'_> {
             {
                 self.listed(Value::Opaque(list), place)
             }
+            Value::Array(ref parts)
+                if parts.len() as u64 > FEW
+                    && let Some(list) = self.as_list(&value) =>
+            {
+                Some(list)
+            }
             Value::Array(parts) => {
                 let length = self.literal_index(parts.len() as u64);
-                let items = self.items(zero, length, move |reader, index| {
+                let items = Sequence::new(zero, length, move |reader, index| {
                     let position = reader.graph.loops.literal(index)?;
                     parts.get(usize::try_from(position).ok()?).cloned()
                 });
@@ -195,7 +201,7 @@ impl Reader<'_> {
                 let length = self.parameter(quote!(#text.len()), "integer", loops);
                 let length = self.graph.loops.intern(Index::Parameter(length));
                 self.graph.loops.declare_list_length(length);
-                let items = self.items(zero, length, move |reader, index| {
+                let items = Sequence::new(zero, length, move |reader, index| {
                     let (at, mentioned) = (reader.index_text(index), reader.graph.loops.of_index(index));
                     Some(Value::Opaque(Opaque { text: quote!(#text[#at]), loops: loops.union(mentioned) }))
                 });
@@ -225,6 +231,12 @@ impl Reader<'_> {
     /// How many items there are.
     pub(super) fn count_of(&mut self, sequence: &Sequence) -> IndexId {
         self.graph.loops.span(sequence.from, sequence.to)
+    }
+
+    /// The same, if it is known here.
+    pub(super) fn count_of_literal(&mut self, sequence: &Sequence) -> Option<u64> {
+        let count = self.count_of(sequence);
+        self.graph.loops.literal(count)
     }
 
     /// The item at a position, counted from the first one.
@@ -269,7 +281,7 @@ impl Reader<'_> {
             ("copied" | "cloned", None) => Some(base.with(Value::into_place)),
             ("into_iter" | "by_ref", None) => Some(base),
             ("map", Some(closure)) => {
-                let closure = self.closure(closure)?;
+                let closure = self.closure(closure, 1)?;
                 let at = move |reader: &mut Reader<'_>, index| {
                     let Item { value, condition } = at(reader, index)?;
                     let value = reader.under(condition, true, |reader| reader.applied(&closure, vec![value]));
@@ -278,7 +290,7 @@ impl Reader<'_> {
                 Some(Sequence { from, to, at: Rc::new(at), filtered, literal })
             }
             ("filter", Some(closure)) => {
-                let closure = self.closure(closure)?;
+                let closure = self.closure(closure, 1)?;
                 let at = move |reader: &mut Reader<'_>, index| {
                     let Item { value, condition } = at(reader, index)?;
                     let kept = reader.under(condition, true, |reader| {
@@ -398,12 +410,18 @@ impl Reader<'_> {
         Some(Sequence { from: zero, to, at: Rc::new(at), filtered: false, literal })
     }
 
-    /// A closure written in place.
-    pub(super) fn closure(&mut self, expression: &Expr) -> Option<Rc<ExprClosure>> {
+    /// A closure with a number of arguments, or a function by its path, as the closure that calls it.
+    pub(super) fn closure(&mut self, expression: &Expr, arguments: usize) -> Option<Rc<ExprClosure>> {
         match expression {
             Expr::Closure(closure) => Some(Rc::new(closure.clone())),
+            Expr::Paren(inner) => self.closure(&inner.expr, arguments),
+            Expr::Path(function) => {
+                let names: Vec<_> = (0..arguments).map(|number| format_ident!("__argument_{number}")).collect();
+                Some(Rc::new(parse_quote!(|#(#names),*| #function(#(#names),*))))
+            }
             other => {
-                self.errors.at(other, "a closure written in place is expected here: `|x| ...`");
+                let message = "a closure or the path of a function is expected here: `|x| ...` or `f64::sin`";
+                self.errors.at(other, message);
                 None
             }
         }

@@ -1,6 +1,6 @@
 //! Blocks and assignments.
 
-use super::{BindingId, Reader, Target, branch::is_skip, repeat::FEW, value::Value};
+use super::{BindingId, Reader, Target, branch::is_skip, fill::declared_array, repeat::FEW, value::Value};
 use crate::{errors::quoted, graph::NodeId};
 use proc_macro2::Ident;
 use quote::quote;
@@ -8,6 +8,10 @@ use std::collections::HashMap;
 use syn::{
     BinOp, Block, Expr, ExprAssign, ExprBinary, ExprIndex, ExprReference, Item, Local, Macro, Stmt, visit::Visit,
 };
+
+/// How elements of arrays are assigned.
+const BY_INDEX: &str = "elements of an array are assigned at literal indices, in a loop of a few turns, or in a loop whose \
+                        own index they stand at, `for k in 0..32 { h[k] = ...; }`, with any other loop inside of it";
 
 impl Reader<'_> {
     /// The value of a block; `None` if a mistake was noted in it.
@@ -24,7 +28,7 @@ impl Reader<'_> {
         let mut sound = true;
         for (position, statement) in statements.iter().enumerate() {
             let rest = &statements[position + 1..];
-            if let Some(skip) = is_skip(statement).filter(|_| !self.frames.is_empty()) {
+            if let Some(skip) = is_skip(statement) {
                 return self.skipped(skip, rest).filter(|_| sound);
             }
             match statement {
@@ -43,7 +47,10 @@ impl Reader<'_> {
 
     fn local(&mut self, local: &Local) -> Option<()> {
         let value = match &local.init {
-            Some(init) if init.diverge.is_none() => self.expression(&init.expr),
+            Some(init) if init.diverge.is_none() => match declared_array(local) {
+                Some(array) => self.expression(&array),
+                None => self.expression(&init.expr),
+            },
             Some(_) => {
                 self.errors.at(local, "`let ... else` is not understood here: give the value unconditionally");
                 None
@@ -141,6 +148,10 @@ impl Reader<'_> {
                 let elements = match self.element_of(&target)? {
                     Value::Array(elements) => elements.len(),
                     Value::Accumulating => usize::MAX,
+                    Value::List(_) => {
+                        self.errors.at(place, BY_INDEX);
+                        return None;
+                    }
                     _ => 0,
                 };
                 match position.and_then(|position| usize::try_from(position).ok()) {
@@ -151,9 +162,7 @@ impl Reader<'_> {
                         return None;
                     }
                     None => {
-                        let message =
-                            "elements of an array are assigned by literal indices, or in a loop of a few turns";
-                        self.errors.at(index, message);
+                        self.errors.at(index, BY_INDEX);
                         return None;
                     }
                 }

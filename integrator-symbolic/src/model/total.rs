@@ -3,14 +3,17 @@
 #[cfg(test)]
 mod tests;
 
-use super::{Reader, flatten::nested_sum, repeat::FEW, sequence::Sequence, value::Value};
+use super::{
+    BindingId, Reader, flatten::nested_sum, repeat::FEW, sequence::Sequence, statement::Assigned, value::Value,
+};
 use crate::graph::{
     Comparison, NodeId,
-    index::{Index, IndexId},
+    index::{Index, IndexId, LoopId},
 };
-use quote::quote;
-use std::rc::Rc;
-use syn::{ExprClosure, ExprMethodCall};
+use proc_macro2::Ident;
+use quote::{format_ident, quote};
+use std::{ops::Range, rc::Rc};
+use syn::{Expr, ExprClosure, ExprForLoop, ExprMethodCall, parse_quote, visit::Visit};
 
 /// What is done with every item.
 enum Step {
@@ -24,7 +27,7 @@ enum Step {
 
 impl Reader<'_> {
     /// `sequence.sum()`, `sequence.product()` and `sequence.fold(start, |accumulator, item| ...)`: a sum where all that is
-    /// done is to add, else written out item by item.
+    /// done is to add, powers where it is Horner's rule, else written out item by item.
     pub(super) fn total(&mut self, call: &ExprMethodCall) -> Option<Value> {
         if let Some(nested) = nested_sum(call) {
             return self.expression(&nested);
@@ -32,72 +35,153 @@ impl Reader<'_> {
         let sequence = self.sequence(&call.receiver)?;
         let (start, step) = self.step(call)?;
         if !sequence.literal
-            && let Some(sum) = self.as_sum(&sequence, &step, call)?
+            && let Some(sums) = self.as_sums(&sequence, &start, &step, call)?
         {
-            return Some(Value::Real(self.graph.add(start, sum)));
+            let totals: Vec<NodeId> =
+                start.numbers.iter().zip(sums).map(|(start, sum)| self.graph.add(*start, sum)).collect();
+            return Some(start.with(&totals));
         }
-        self.item_by_item(sequence, start, &step, call)
+        let sequence = self.with_conditions(sequence);
+        let turns = if sequence.literal { Some(self.few_turns(&sequence, call)?) } else { self.known_turns(&sequence) };
+        if let Some(turns) = turns {
+            return self.item_by_item(&sequence, turns, &start, &step, call);
+        }
+        if let Some(total) = self.by_powers(&sequence, &start, &step, call)? {
+            return Some(total);
+        }
+        let name = &call.method;
+        let message = format!(
+            "this `{name}` does more than add, so it is written out, for up to {FEW} items whose number is known here: \
+             run over literals, as in `(0..4).rev().fold(0.0, |sum, k| sum * x + self.c[k])`, or write a sum. Over any \
+             number of items, `sum * x + c` with the same x for all of them is a polynomial, and understood"
+        );
+        self.errors.at(name, message);
+        None
+    }
+
+    /// A loop that does to variables what Horner's rule does, `v = v * x + c`, as a fold over its items; outside, whether it
+    /// was read.
+    pub(super) fn loop_by_powers(&mut self, repeat: &ExprForLoop, sequence: &Sequence) -> Option<Option<Value>> {
+        let mut assigned = Assigned::default();
+        assigned.visit_block(&repeat.body);
+        let mut names: Vec<String> = assigned.names.into_iter().filter(|name| self.lookup(name).is_some()).collect();
+        names.sort();
+        names.dedup();
+        let ids: Vec<BindingId> = names.iter().filter_map(|name| self.lookup(name)).collect();
+        let values: Vec<Value> = ids.iter().map(|id| self.bindings[id.0].value.clone()).collect();
+        let here = |id: &BindingId| self.bindings[id.0].depth == self.frames.len();
+        if !ids.iter().all(here) || !values.iter().all(|value| matches!(value, Value::Real(_) | Value::Opaque(_))) {
+            return Some(None);
+        }
+        let variables: Vec<Ident> = names.iter().map(|name| format_ident!("{name}")).collect();
+        let ExprForLoop { pat: pattern, expr: items, body, .. } = repeat;
+        let call: ExprMethodCall = parse_quote!(
+            (#items).fold((#(#variables,)*), |(#(mut #variables,)*), #pattern| { #body (#(#variables,)*) })
+        );
+        let (start, step) = self.step(&call)?;
+        let Some(Value::Tuple(totals)) = self.by_powers(sequence, &start, &step, &call)? else { return Some(None) };
+        for (id, total) in ids.into_iter().zip(totals) {
+            self.bindings[id.0].value = total;
+        }
+        Some(Some(Value::Unit))
     }
 
     /// What the accumulator begins with, and what is done with every item.
-    fn step(&mut self, call: &ExprMethodCall) -> Option<(NodeId, Step)> {
+    fn step(&mut self, call: &ExprMethodCall) -> Option<(Accumulator, Step)> {
         match (call.method.to_string().as_str(), call.args.len()) {
             ("fold", 2) => {
-                let start = self.expression(&call.args[0])?;
-                Some((self.number(&start, &call.args[0])?, Step::Fold(self.closure(&call.args[1])?)))
+                let shape = self.expression(&call.args[0])?;
+                let mut numbers = Vec::new();
+                self.flat(&shape, &call.args[0], &mut numbers)?;
+                Some((Accumulator { shape, numbers }, Step::Fold(self.closure(&call.args[1], 2)?)))
             }
-            ("product", _) => Some((self.graph.constant(1.0), Step::Multiply)),
-            _ => Some((self.graph.constant(0.0), Step::Add)),
+            ("product", _) => Some((self.beginning(1.0), Step::Multiply)),
+            _ => Some((self.beginning(0.0), Step::Add)),
         }
     }
 
-    /// The accumulator behind an item.
-    fn stepped(&mut self, step: &Step, accumulator: NodeId, item: Value, call: &ExprMethodCall) -> Option<NodeId> {
+    fn beginning(&mut self, number: f64) -> Accumulator {
+        let number = self.graph.constant(number);
+        Accumulator { shape: Value::Real(number), numbers: vec![number] }
+    }
+
+    /// The numbers of a value, which may be a tuple or an array of some.
+    fn flat(&mut self, value: &Value, place: &Expr, numbers: &mut Vec<NodeId>) -> Option<()> {
+        match value {
+            Value::Tuple(parts) | Value::Array(parts) => {
+                parts.iter().try_for_each(|part| self.flat(part, place, numbers))
+            }
+            value => {
+                numbers.push(self.number(value, place)?);
+                Some(())
+            }
+        }
+    }
+
+    /// The numbers of the accumulator behind an item.
+    fn stepped(
+        &mut self,
+        step: &Step,
+        before: &Accumulator,
+        item: Value,
+        call: &ExprMethodCall,
+    ) -> Option<Vec<NodeId>> {
         match step {
             Step::Add => {
                 let item = self.number(&item, &call.receiver)?;
-                Some(self.graph.add(accumulator, item))
+                Some(before.numbers.iter().map(|sum| self.graph.add(*sum, item)).collect())
             }
             Step::Multiply => {
                 let item = self.number(&item, &call.receiver)?;
-                if self.mixes(accumulator, item) {
-                    self.not_separable(&syn::Expr::MethodCall(call.clone()));
+                if before.numbers.iter().any(|product| self.mixes(*product, item)) {
+                    self.not_separable(&Expr::MethodCall(call.clone()));
                     return None;
                 }
-                Some(self.graph.mul(accumulator, item))
+                Some(before.numbers.iter().map(|product| self.graph.mul(*product, item)).collect())
             }
             Step::Fold(closure) => {
-                let value = self.applied(closure, vec![Value::Real(accumulator), item])?;
-                self.number(&value, &closure.body)
+                let value = self.applied(closure, vec![before.with(&before.numbers), item])?;
+                let mut numbers = Vec::new();
+                self.flat(&value, &closure.body, &mut numbers)?;
+                if numbers.len() != before.numbers.len() {
+                    self.errors.at(&closure.body, "this closure has to give as many numbers as the fold begins with");
+                    return None;
+                }
+                Some(numbers)
             }
         }
     }
 
-    /// All items one after the other; notes a mistake if they are too many.
-    fn item_by_item(&mut self, sequence: Sequence, start: NodeId, step: &Step, call: &ExprMethodCall) -> Option<Value> {
-        let sequence = self.with_conditions(sequence);
-        let turns = if sequence.literal { Some(self.few_turns(&sequence, call)?) } else { self.known_turns(&sequence) };
-        let Some(turns) = turns else {
-            let name = &call.method;
-            let message = format!(
-                "this `{name}` does more than add, so it is written out, for up to {FEW} items whose number is known \
-                 here: run over literals, as in `(0..4).rev().fold(0.0, |sum, k| sum * x + self.c[k])`, or write a sum"
-            );
-            self.errors.at(name, message);
-            return None;
-        };
-        let mut accumulator = start;
+    /// All items one after the other.
+    fn item_by_item(
+        &mut self,
+        sequence: &Sequence,
+        turns: Range<u64>,
+        start: &Accumulator,
+        step: &Step,
+        call: &ExprMethodCall,
+    ) -> Option<Value> {
+        let mut before = start.clone();
         for turn in turns {
             let index = self.literal_index(turn);
-            let item = self.item_of(&sequence, index)?;
-            let next = self.stepped(step, accumulator, item.value, call)?;
-            accumulator = item.condition.map_or(next, |condition| self.graph.select(condition, next, accumulator));
+            let item = self.item_of(sequence, index)?;
+            let next = self.stepped(step, &before, item.value, call)?;
+            let joined = next.into_iter().zip(&before.numbers).map(|(next, before)| {
+                item.condition.map_or(next, |condition| self.graph.select(condition, next, *before))
+            });
+            before.numbers = joined.collect();
         }
-        Some(Value::Real(accumulator))
+        Some(before.with(&before.numbers))
     }
 
-    /// The sum that a sequence adds, if adding is all that is done with its items; outside, whether it was read.
-    fn as_sum(&mut self, sequence: &Sequence, step: &Step, call: &ExprMethodCall) -> Option<Option<NodeId>> {
+    /// The sums that a sequence adds, if adding is all that is done with its items; outside, whether it was read.
+    fn as_sums(
+        &mut self,
+        sequence: &Sequence,
+        start: &Accumulator,
+        step: &Step,
+        call: &ExprMethodCall,
+    ) -> Option<Option<Vec<NodeId>>> {
         if let Step::Multiply = step {
             return Some(None);
         }
@@ -105,49 +189,151 @@ impl Reader<'_> {
             // As one that lists do not end, with coefficients that are zero behind their ends.
             let by = self.enter(None, sequence.from, whole, call)?;
             let index = self.graph.loops.intern(Index::Running(by));
-            let addend = self.addend_of(sequence, index, step, call);
+            let addends = self.addends_of(sequence, index, start, step, call);
             self.leave();
-            let Some(addend) = addend? else { return Some(None) };
+            let Some(addends) = addends? else { return Some(None) };
             let inside = self.graph.compare_index(Comparison::Less, index, end);
-            if let Some(addend) = self.graph.weighted(by, inside, addend) {
-                return Some(Some(self.graph.sum(by, addend)));
+            let addends = addends.into_iter().map(|addend| self.graph.weighted(by, inside, addend));
+            if let Some(addends) = addends.collect::<Option<Vec<NodeId>>>() {
+                return Some(Some(addends.into_iter().map(|addend| self.graph.sum(by, addend)).collect()));
             }
         }
         let by = self.enter(None, sequence.from, sequence.to, call)?;
         let index = self.graph.loops.intern(Index::Running(by));
-        let addend = self.addend_of(sequence, index, step, call);
+        let addends = self.addends_of(sequence, index, start, step, call);
         self.leave();
-        Some(addend?.map(|addend| self.graph.sum(by, addend)))
+        Some(addends?.map(|addends| addends.into_iter().map(|addend| self.graph.sum(by, addend)).collect()))
     }
 
     /// What the item for an index adds, if adding is all that is done with it.
-    fn addend_of(
+    fn addends_of(
         &mut self,
         sequence: &Sequence,
         index: IndexId,
+        start: &Accumulator,
         step: &Step,
         call: &ExprMethodCall,
-    ) -> Option<Option<NodeId>> {
+    ) -> Option<Option<Vec<NodeId>>> {
         let item = self.item_of(sequence, index)?;
-        let addend = self.under(item.condition, true, |reader| match step {
-            Step::Add => Some(Some(reader.number(&item.value, &call.receiver)?)),
+        let addends = self.under(item.condition, true, |reader| match step {
+            Step::Add => Some(Some(vec![reader.number(&item.value, &call.receiver)?])),
             Step::Multiply => Some(None),
             Step::Fold(_) => {
-                let accumulator = reader.accumulator();
-                let next = reader.stepped(step, accumulator, item.value, call)?;
-                Some(reader.graph.added_to(accumulator, next))
+                let before = reader.unknown(start);
+                let next = reader.stepped(step, &before, item.value, call)?;
+                let pairs = before.numbers.iter().zip(next);
+                let addends = pairs.map(|(before, next)| reader.graph.added_to(*before, next));
+                let addends = addends.collect::<Option<Vec<NodeId>>>();
+                let alone = |addend: &NodeId| !reader.graph.mentions(*addend, &before.numbers);
+                Some(addends.filter(|addends| addends.iter().all(alone)))
             }
         })?;
         let zero = self.graph.constant(0.0);
         let under = |addend| item.condition.map_or(addend, |condition| self.graph.select(condition, addend, zero));
-        Some(addend.map(under))
+        Some(addends.map(|addends| addends.into_iter().map(under).collect()))
     }
 
-    /// A number of which nothing is known, another one each time.
-    fn accumulator(&mut self) -> NodeId {
-        let number = self.parameters.len();
-        let parameter = self.parameter(quote!(accumulator #number), "accumulator", Default::default());
-        self.graph.parameter(parameter)
+    /// Horner's rule over any number of items, `sum * x + c`, as the sum over `c xᵏ`, with k counted from the last item;
+    /// outside, whether it was read.
+    fn by_powers(
+        &mut self,
+        sequence: &Sequence,
+        start: &Accumulator,
+        step: &Step,
+        call: &ExprMethodCall,
+    ) -> Option<Option<Value>> {
+        let (zero, count) = (self.literal_index(0), self.count_of(sequence));
+        let by = self.enter(None, zero, count, call)?;
+        let terms = self.terms_of(sequence, by, start, step, call);
+        self.leave();
+        let Some(terms) = terms? else { return Some(None) };
+        let index = self.graph.loops.intern(Index::Running(by));
+        let mut totals = Vec::new();
+        for ((factor, addend), start) in terms.into_iter().zip(&start.numbers) {
+            let [power, whole] = [index, count].map(|exponent| self.index_power(factor, exponent));
+            let term = self.graph.mul(addend, power);
+            let sum = self.graph.sum(by, term);
+            // Zero, with which a polynomial begins, is no term.
+            totals.push(match self.graph.as_constant(*start) {
+                Some(0.0) => sum,
+                _ => {
+                    let first = self.graph.mul(*start, whole);
+                    self.graph.add(first, sum)
+                }
+            });
+        }
+        Some(Some(start.with(&totals)))
+    }
+
+    /// The factors and addends of Horner's rule, where a loop counts from the last item, if a step is that.
+    fn terms_of(
+        &mut self,
+        sequence: &Sequence,
+        by: LoopId,
+        start: &Accumulator,
+        step: &Step,
+        call: &ExprMethodCall,
+    ) -> Option<Option<Vec<(NodeId, NodeId)>>> {
+        let (index, one) = (self.graph.loops.intern(Index::Running(by)), self.literal_index(1));
+        let last = self.graph.loops.intern(Index::Sub(sequence.to, one));
+        let from_last = self.graph.loops.intern(Index::Sub(last, index));
+        let item = self.item_of(sequence, from_last)?;
+        if item.condition.is_some() {
+            return Some(None);
+        }
+        let before = self.unknown(start);
+        let next = self.stepped(step, &before, item.value, call)?;
+        let graph = &mut self.graph;
+        let terms = before.numbers.iter().zip(next).map(|(before, next)| graph.linear_in(*before, next));
+        let Some(terms) = terms.collect::<Option<Vec<_>>>() else { return Some(None) };
+        let fits = |(factor, addend): &(NodeId, NodeId)| {
+            let alone = [factor, addend].into_iter().all(|number| !graph.mentions(*number, &before.numbers));
+            alone && !graph.loops_of(*factor).contains(by)
+        };
+        Some(terms.iter().all(fits).then_some(terms))
+    }
+
+    /// A number to the power of an integer.
+    fn index_power(&mut self, x: NodeId, exponent: IndexId) -> NodeId {
+        if self.graph.as_constant(x) == Some(1.0) {
+            return x;
+        }
+        let exponent = self.graph.number_of(exponent);
+        self.graph.call_two("powf", x, exponent)
+    }
+
+    /// An accumulator of numbers of which nothing is known, other ones each time.
+    fn unknown(&mut self, like: &Accumulator) -> Accumulator {
+        let numbers = like.numbers.iter().map(|_| {
+            let number = self.parameters.len();
+            let parameter = self.parameter(quote!(accumulator #number), "accumulator", Default::default());
+            self.graph.parameter(parameter)
+        });
+        Accumulator { numbers: numbers.collect(), shape: like.shape.clone() }
+    }
+}
+
+/// What a fold carries from item to item: a number, or a tuple or an array of some.
+#[derive(Clone)]
+struct Accumulator {
+    /// A value with this many numbers in these places.
+    shape: Value,
+    numbers: Vec<NodeId>,
+}
+
+impl Accumulator {
+    /// The value with other numbers.
+    fn with(&self, numbers: &[NodeId]) -> Value {
+        filled(&self.shape, &mut numbers.iter().copied())
+    }
+}
+
+/// A value of the same shape, made of other numbers.
+fn filled(shape: &Value, numbers: &mut impl Iterator<Item = NodeId>) -> Value {
+    match shape {
+        Value::Tuple(parts) => Value::Tuple(parts.iter().map(|part| filled(part, numbers)).collect()),
+        Value::Array(parts) => Value::Array(parts.iter().map(|part| filled(part, numbers)).collect()),
+        _ => numbers.next().map_or(Value::Unknown, Value::Real),
     }
 }
 
