@@ -5,11 +5,8 @@
 //! Always true: where a comparison or the edge of a domain lies within the bounds, both sides are allowed for, and where
 //! nothing can be said the bound is infinite. What is not finite for certain has the bound zero.
 
-use crate::{
-    lanes::Lanes,
-    real::{Mask, Real, elementary_functions},
-};
-use core::ops::{Add, AddAssign, Div, Mul, Neg, Sub, SubAssign};
+use crate::real::{Mask, Real, elementary_functions, real_of_two_parts};
+use core::ops::{Add, Div, Mul, Neg, Sub};
 
 /// What an operation loses, relative to its result: half of this, and the other half for the roundings of the bound.
 const ROUNDING: f64 = f64::EPSILON;
@@ -145,91 +142,70 @@ impl Div for Bounded {
     }
 }
 
-impl AddAssign for Bounded {
-    fn add_assign(&mut self, other: Self) {
-        *self = *self + other;
-    }
-}
-
-impl SubAssign for Bounded {
-    fn sub_assign(&mut self, other: Self) {
-        *self = *self - other;
-    }
-}
-
-macro_rules! bounded_real {
-    (unary: $($unary:ident)*; binary: $($binary:ident)*;) => {
-        impl Real for Bounded {
-            const LANES: usize = 2;
-            const MEMBERS: usize = 1;
-            type Mask = Truth;
-            type Block = Self;
-            type Row<const N: usize> = Lanes<Self, N>;
-            type Pair = [Self; 2];
-
-            fn of(x: f64) -> Self {
-                Self { value: x, error: 0.0 }
-            }
-            fn lane(self, lane: usize) -> f64 {
-                if lane == 0 { self.value } else { self.error }
-            }
-            /// Constants are products of parameters in another order than the user's.
-            fn parameter(of_lane: impl Fn(usize) -> f64) -> Self {
-                let value = of_lane(0);
-                Self::of_operands(value, [], FUNCTION * Real::abs(value))
-            }
-            fn state(of_lane: impl Fn(usize) -> f64) -> Self {
-                Self::of(of_lane(0))
-            }
-            fn fma(self, b: Self, c: Self) -> Self {
-                self * b + c
-            }
-            fn lane_by_lane(
-                self,
-                other: Self,
-                value: impl Fn(usize, f64, f64) -> f64,
-                _slopes: impl Fn(usize, f64, f64) -> [f64; 2],
-            ) -> Self {
-                self.binary(other, |x, y| value(0, x, y))
-            }
-            fn sin_cos(self) -> (Self, Self) {
-                (Real::sin(self), Real::cos(self))
-            }
-            fn finite(self) -> bool {
-                self.value.is_finite()
-            }
-            fn less(self, other: Self) -> Truth {
-                self.compared(other, self.value < other.value)
-            }
-            fn less_or_equal(self, other: Self) -> Truth {
-                self.compared(other, self.value <= other.value)
-            }
-            fn equal(self, other: Self) -> Truth {
-                self.compared(other, self.value == other.value)
-            }
-            fn select(mask: Truth, a: Self, b: Self) -> Self {
-                let chosen = if mask.holds { a } else { b };
-                if !mask.doubtful {
-                    return chosen;
-                }
-                let apart = Real::abs(a.value - b.value);
-                let error = if apart.is_finite() { a.error + b.error + apart } else { f64::INFINITY };
-                Self { error, ..chosen }
-            }
-            $(
-                fn $unary(self) -> Self {
-                    self.unary(<f64 as Real>::$unary)
-                }
-            )*
-            $(
-                fn $binary(self, other: Self) -> Self {
-                    self.binary(other, <f64 as Real>::$binary)
-                }
-            )*
-        }
+/// A function of one argument.
+macro_rules! unary {
+    ($function:ident $x:expr) => {
+        $x.unary(<f64 as Real>::$function)
     };
 }
-elementary_functions!(bounded_real! {});
+
+/// A function of two arguments.
+macro_rules! binary {
+    ($function:ident $x:expr, $y:expr) => {
+        $x.binary($y, <f64 as Real>::$function)
+    };
+}
+
+elementary_functions!(real_of_two_parts! {
+    Bounded: inline; lanes of self: self.value, self.error;
+    {
+        type Mask = Truth;
+
+        fn of(x: f64) -> Self {
+            Self { value: x, error: 0.0 }
+        }
+        /// Constants are products of parameters in another order than the user's.
+        fn parameter(of_lane: impl Fn(usize) -> f64) -> Self {
+            let value = of_lane(0);
+            Self::of_operands(value, [], FUNCTION * Real::abs(value))
+        }
+        fn state(of_lane: impl Fn(usize) -> f64) -> Self {
+            Self::of(of_lane(0))
+        }
+        fn lane_by_lane(
+            self,
+            other: Self,
+            value: impl Fn(usize, f64, f64) -> f64,
+            _slopes: impl Fn(usize, f64, f64) -> [f64; 2],
+        ) -> Self {
+            self.binary(other, |x, y| value(0, x, y))
+        }
+        fn sin_cos(self) -> (Self, Self) {
+            (Real::sin(self), Real::cos(self))
+        }
+        fn finite(self) -> bool {
+            self.value.is_finite()
+        }
+        fn less(self, other: Self) -> Truth {
+            self.compared(other, self.value < other.value)
+        }
+        fn less_or_equal(self, other: Self) -> Truth {
+            self.compared(other, self.value <= other.value)
+        }
+        fn equal(self, other: Self) -> Truth {
+            self.compared(other, self.value == other.value)
+        }
+        fn select(mask: Truth, a: Self, b: Self) -> Self {
+            let chosen = if mask.holds { a } else { b };
+            if !mask.doubtful {
+                return chosen;
+            }
+            let apart = Real::abs(a.value - b.value);
+            let error = if apart.is_finite() { a.error + b.error + apart } else { f64::INFINITY };
+            Self { error, ..chosen }
+        }
+    }
+});
 
 #[cfg(test)]
 mod tests {

@@ -175,18 +175,18 @@ elementary_functions!(declare_real! {});
 
 /// The methods of `Real` that compare, where a value is one number, perhaps in a field, and a mask is a truth.
 macro_rules! compared {
-    ($($field:tt)?) => {
+    ($($field:tt).*) => {
         #[inline(always)]
         fn less(self, other: Self) -> bool {
-            self $(.$field)? < other $(.$field)?
+            self $(.$field)* < other $(.$field)*
         }
         #[inline(always)]
         fn less_or_equal(self, other: Self) -> bool {
-            self $(.$field)? <= other $(.$field)?
+            self $(.$field)* <= other $(.$field)*
         }
         #[inline(always)]
         fn equal(self, other: Self) -> bool {
-            self $(.$field)? == other $(.$field)?
+            self $(.$field)* == other $(.$field)*
         }
         #[inline(always)]
         fn select(mask: bool, a: Self, b: Self) -> Self {
@@ -195,6 +195,60 @@ macro_rules! compared {
     };
 }
 pub(crate) use compared;
+
+/// A number that is made of two parts, as a scalar: lane 0 is the number as it is told, lane 1 what else is known of it, and
+/// several of them side by side are an array. Functions are those of the macros `unary` and `binary` where this is called.
+macro_rules! real_of_two_parts {
+    (
+        $number:ident: $inline:meta; lanes of $this:ident: $told:expr, $carried:expr; { $($own:tt)* }
+        unary: $($unary:ident)*; binary: $($binary:ident)*;
+    ) => {
+        impl Real for $number {
+            const LANES: usize = 2;
+            const MEMBERS: usize = 1;
+            type Block = Self;
+            type Row<const N: usize> = $crate::lanes::Lanes<Self, N>;
+            type Pair = [Self; 2];
+
+            #[$inline]
+            fn lane($this, lane: usize) -> f64 {
+                if lane == 0 { $told } else { $carried }
+            }
+            #[$inline]
+            fn fma(self, b: Self, c: Self) -> Self {
+                self * b + c
+            }
+            $($own)*
+            $(
+                #[$inline]
+                fn $unary(self) -> Self {
+                    unary!($unary self)
+                }
+            )*
+            $(
+                #[$inline]
+                fn $binary(self, other: Self) -> Self {
+                    binary!($binary self, other)
+                }
+            )*
+        }
+
+        impl core::ops::AddAssign for $number {
+            #[$inline]
+            fn add_assign(&mut self, other: Self) {
+                *self = *self + other;
+            }
+        }
+
+        impl core::ops::SubAssign for $number {
+            #[$inline]
+            fn sub_assign(&mut self, other: Self) {
+                *self = *self - other;
+            }
+        }
+    };
+}
+pub(crate) use real_of_two_parts;
 
 /// The scalar as it is: `fma` is a multiplication and an addition, so that no machine calls a library for it.
 macro_rules! plain_real {

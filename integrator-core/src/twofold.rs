@@ -8,10 +8,9 @@
 use crate::{
     elementary::Elementary,
     fused::Fused,
-    lanes::Lanes,
-    real::{Kernel, Real, compared, elementary_functions},
+    real::{Kernel, Real, compared, elementary_functions, real_of_two_parts},
 };
-use core::ops::{Add, AddAssign, Div, Mul, Neg, Sub, SubAssign};
+use core::ops::{Add, Div, Mul, Neg, Sub};
 
 /// A sum of two doubles, the second one below half a unit in the last place of the first.
 #[derive(Clone, Copy, Debug, PartialEq, PartialOrd)]
@@ -76,20 +75,6 @@ impl Div for Twofold {
     }
 }
 
-impl AddAssign for Twofold {
-    #[inline(always)]
-    fn add_assign(&mut self, other: Self) {
-        *self = *self + other;
-    }
-}
-
-impl SubAssign for Twofold {
-    #[inline(always)]
-    fn sub_assign(&mut self, other: Self) {
-        *self = *self - other;
-    }
-}
-
 /// A function of one argument: exact but for one rounding where that takes no more than arithmetic.
 macro_rules! unary {
     (sqrt $x:expr) => {{
@@ -125,76 +110,49 @@ macro_rules! binary {
     };
 }
 
-macro_rules! twofold_real {
-    (unary: $($unary:ident)*; binary: $($binary:ident)*;) => {
-        impl Real for Twofold {
-            const LANES: usize = 2;
-            const MEMBERS: usize = 1;
-            type Mask = bool;
-            type Block = Self;
-            type Row<const N: usize> = Lanes<Self, N>;
-            type Pair = [Self; 2];
+elementary_functions!(real_of_two_parts! {
+    Twofold: inline(always); lanes of self: self.value, self.rest;
+    {
+        type Mask = bool;
 
-            #[inline(always)]
-            fn of(x: f64) -> Self {
-                Self { value: x, rest: 0.0 }
-            }
-            #[inline(always)]
-            fn lane(self, lane: usize) -> f64 {
-                if lane == 0 { self.value } else { self.rest }
-            }
-            #[inline(always)]
-            fn parameter(of_lane: impl Fn(usize) -> f64) -> Self {
-                Self::of(of_lane(0))
-            }
-            #[inline(always)]
-            fn state(of_lane: impl Fn(usize) -> f64) -> Self {
-                Self::new(of_lane(0), of_lane(1))
-            }
-            #[inline(always)]
-            fn fma(self, b: Self, c: Self) -> Self {
-                self * b + c
-            }
-            #[inline(always)]
-            fn lane_by_lane(
-                self,
-                other: Self,
-                value: impl Fn(usize, f64, f64) -> f64,
-                _slopes: impl Fn(usize, f64, f64) -> [f64; 2],
-            ) -> Self {
-                Self::of(value(0, self.value, other.value))
-            }
-            #[inline(always)]
-            fn sin_cos(self) -> (Self, Self) {
-                let (sine, cosine) = Real::sin_cos(self.value);
-                (Self::of(sine), Self::of(cosine))
-            }
-            #[inline(always)]
-            fn finite(self) -> bool {
-                self.value.is_finite()
-            }
-            compared!();
-            $(
-                #[inline(always)]
-                fn $unary(self) -> Self {
-                    unary!($unary self)
-                }
-            )*
-            $(
-                #[inline(always)]
-                fn $binary(self, other: Self) -> Self {
-                    binary!($binary self, other)
-                }
-            )*
-            /// The products' errors are one instruction each in there, and the same bits as elsewhere.
-            #[inline(always)]
-            fn enter<K: Kernel>(kernel: K) -> K::Out {
-                Fused::<f64>::enter(kernel)
-            }
+        #[inline(always)]
+        fn of(x: f64) -> Self {
+            Self { value: x, rest: 0.0 }
         }
-    };
-}
-elementary_functions!(twofold_real! {});
+        #[inline(always)]
+        fn parameter(of_lane: impl Fn(usize) -> f64) -> Self {
+            Self::of(of_lane(0))
+        }
+        #[inline(always)]
+        fn state(of_lane: impl Fn(usize) -> f64) -> Self {
+            Self::new(of_lane(0), of_lane(1))
+        }
+        #[inline(always)]
+        fn lane_by_lane(
+            self,
+            other: Self,
+            value: impl Fn(usize, f64, f64) -> f64,
+            _slopes: impl Fn(usize, f64, f64) -> [f64; 2],
+        ) -> Self {
+            Self::of(value(0, self.value, other.value))
+        }
+        #[inline(always)]
+        fn sin_cos(self) -> (Self, Self) {
+            let (sine, cosine) = Real::sin_cos(self.value);
+            (Self::of(sine), Self::of(cosine))
+        }
+        #[inline(always)]
+        fn finite(self) -> bool {
+            self.value.is_finite()
+        }
+        compared!();
+        /// The products' errors are one instruction each in there, and the same bits as elsewhere.
+        #[inline(always)]
+        fn enter<K: Kernel>(kernel: K) -> K::Out {
+            Fused::<f64>::enter(kernel)
+        }
+    }
+});
 
 #[cfg(test)]
 mod tests {

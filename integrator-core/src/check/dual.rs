@@ -4,12 +4,9 @@
 //! tangent. Always true: a tangent that is not a number, or a derivative that does not exist, comes out as not a
 //! number or infinite, never as a plausible number.
 
-use crate::{
-    lanes::Lanes,
-    real::{Real, elementary_functions},
-};
+use crate::real::{Real, compared, elementary_functions, real_of_two_parts};
 use num_dual::{Dual64, DualNum};
-use std::ops::{Add, AddAssign, Div, Mul, Neg, Sub, SubAssign};
+use std::ops::{Add, Div, Mul, Neg, Sub};
 
 /// A number in `f64` and its first derivative along one direction.
 #[derive(Clone, Copy, Debug)]
@@ -28,7 +25,7 @@ impl Dual {
 }
 
 macro_rules! operators {
-    ($($trait:ident $method:ident $(, $assign:ident $assign_method:ident)?;)*) => {$(
+    ($($trait:ident $method:ident;)*) => {$(
         impl $trait for Dual {
             type Output = Self;
             #[inline]
@@ -36,17 +33,11 @@ macro_rules! operators {
                 Self($trait::$method(self.0, other.0))
             }
         }
-        $(impl $assign for Dual {
-            #[inline]
-            fn $assign_method(&mut self, other: Self) {
-                *self = $trait::$method(*self, other);
-            }
-        })?
     )*};
 }
 operators! {
-    Add add, AddAssign add_assign;
-    Sub sub, SubAssign sub_assign;
+    Add add;
+    Sub sub;
     Mul mul;
     Div div;
 }
@@ -127,77 +118,42 @@ macro_rules! binary {
     };
 }
 
-macro_rules! dual_real {
-    (unary: $($unary:ident)*; binary: $($binary:ident)*;) => {
-        impl Real for Dual {
-            const LANES: usize = 2;
-            const MEMBERS: usize = 1;
-            type Mask = bool;
-            type Block = Self;
-            type Row<const N: usize> = Lanes<Self, N>;
-            type Pair = [Self; 2];
+elementary_functions!(real_of_two_parts! {
+    Dual: inline; lanes of self: self.0.re, self.0.eps;
+    {
+        type Mask = bool;
 
-            fn of(x: f64) -> Self {
-                Self::new(x, 0.0)
-            }
-            fn lane(self, lane: usize) -> f64 {
-                if lane == 0 { self.0.re } else { self.0.eps }
-            }
-            fn parameter(of_lane: impl Fn(usize) -> f64) -> Self {
-                Self::of(of_lane(0))
-            }
-            fn state(of_lane: impl Fn(usize) -> f64) -> Self {
-                Self::new(of_lane(0), of_lane(1))
-            }
-            #[inline]
-            fn fma(self, b: Self, c: Self) -> Self {
-                self * b + c
-            }
-            fn lane_by_lane(
-                self,
-                other: Self,
-                value: impl Fn(usize, f64, f64) -> f64,
-                slopes: impl Fn(usize, f64, f64) -> [f64; 2],
-            ) -> Self {
-                let (a, b) = (self.0, other.0);
-                let [by_first, by_second] = slopes(0, a.re, b.re);
-                // A slope that is not known is no number; it must not touch what does not move.
-                let along = |slope: f64, tangent: f64| if tangent == 0.0 { 0.0 } else { slope * tangent };
-                Self::new(value(0, a.re, b.re), along(by_first, a.eps) + along(by_second, b.eps))
-            }
-            fn sin_cos(self) -> (Self, Self) {
-                let (sine, cosine) = DualNum::sin_cos(&self.0);
-                (Self(sine), Self(cosine))
-            }
-            fn finite(self) -> bool {
-                self.0.re.is_finite() && self.0.eps.is_finite()
-            }
-            fn less(self, other: Self) -> bool {
-                self.0.re < other.0.re
-            }
-            fn less_or_equal(self, other: Self) -> bool {
-                self.0.re <= other.0.re
-            }
-            fn equal(self, other: Self) -> bool {
-                self.0.re == other.0.re
-            }
-            fn select(mask: bool, a: Self, b: Self) -> Self {
-                if mask { a } else { b }
-            }
-            $(
-                fn $unary(self) -> Self {
-                    unary!($unary self)
-                }
-            )*
-            $(
-                fn $binary(self, other: Self) -> Self {
-                    binary!($binary self, other)
-                }
-            )*
+        fn of(x: f64) -> Self {
+            Self::new(x, 0.0)
         }
-    };
-}
-elementary_functions!(dual_real! {});
+        fn parameter(of_lane: impl Fn(usize) -> f64) -> Self {
+            Self::of(of_lane(0))
+        }
+        fn state(of_lane: impl Fn(usize) -> f64) -> Self {
+            Self::new(of_lane(0), of_lane(1))
+        }
+        fn lane_by_lane(
+            self,
+            other: Self,
+            value: impl Fn(usize, f64, f64) -> f64,
+            slopes: impl Fn(usize, f64, f64) -> [f64; 2],
+        ) -> Self {
+            let (a, b) = (self.0, other.0);
+            let [by_first, by_second] = slopes(0, a.re, b.re);
+            // A slope that is not known is no number; it must not touch what does not move.
+            let along = |slope: f64, tangent: f64| if tangent == 0.0 { 0.0 } else { slope * tangent };
+            Self::new(value(0, a.re, b.re), along(by_first, a.eps) + along(by_second, b.eps))
+        }
+        fn sin_cos(self) -> (Self, Self) {
+            let (sine, cosine) = DualNum::sin_cos(&self.0);
+            (Self(sine), Self(cosine))
+        }
+        fn finite(self) -> bool {
+            self.0.re.is_finite() && self.0.eps.is_finite()
+        }
+        compared!(0.re);
+    }
+});
 
 #[cfg(test)]
 mod tests {
