@@ -222,6 +222,11 @@ fn changed_parameters_are_refused_unless_they_are_meant() {
     // The same parameters are those of the run itself.
     let same: Run<[f64; 1]> = Run::resume_with_changed_parameters(&PENDULUM, &bytes).expect("the same");
     assert_eq!(same.state(), run().state());
+    // By another composition as well.
+    let bytes = PENDULUM.run_with(Verlet, Phase::new([1.0], [0.0]), 0.1).expect("an admissible start").checkpoint();
+    assert!(Run::<[f64; 1]>::resume_with_changed_parameters_with(&longer, Verlet, &bytes).is_ok());
+    assert!(Run::<[f64; 1]>::resume_with(&longer, Verlet, &bytes).is_err());
+    assert!(Run::<[f64; 1]>::resume_with_changed_parameters(&longer, &bytes).is_err());
 
     /// A list and a count, of which nothing else is prepared.
     #[derive(Clone)]

@@ -303,7 +303,24 @@ impl<C: Coords> Run<C> {
         H: Hamiltonian,
         H::Coords: Coords<With<C::Leaf> = C>,
     {
-        Self::resumed(system, H::Compose::default(), checkpoint, true)
+        Self::resume_with_changed_parameters_with(system, H::Compose::default(), checkpoint)
+    }
+
+    /// The same with the composition that the run was begun with.
+    ///
+    /// # Errors
+    /// As [`Run::resume_with_changed_parameters`].
+    pub fn resume_with_changed_parameters_with<H, X>(
+        system: &H,
+        composition: X,
+        checkpoint: &[u8],
+    ) -> Result<Self, CheckpointError>
+    where
+        H: Hamiltonian,
+        X: Composition<H>,
+        H::Coords: Coords<With<C::Leaf> = C>,
+    {
+        Self::resumed(system, composition, checkpoint, true)
     }
 
     fn resumed<H, X>(system: &H, composition: X, checkpoint: &[u8], changed: bool) -> Result<Self, CheckpointError>

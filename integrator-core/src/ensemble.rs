@@ -95,7 +95,7 @@ impl<C: Coords> Ensemble<C> {
                 Run::start::<H, X, K>(&system, method, start.clone(), h).map_err(refused)?;
             }
             #[cfg(debug_assertions)]
-            hold_at_start::<H, K>(&system, &parameters, &start).map_err(refused)?;
+            hold_at_start::<H, K>(&system, &parameters, &start, 0.0).map_err(refused)?;
             coordinates += start.q.flat().len() as u64;
             let parameters = Arc::new(parameters);
             prepared.push(Start { constants: method.constants(parameters.clone()), parameters, state: start });

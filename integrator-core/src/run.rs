@@ -63,15 +63,11 @@ impl<C: Coords> Run<C> {
         H::Coords: Coords<With<K> = C>,
     {
         admissible_with(method, &start, h)?;
-        #[cfg(debug_assertions)]
-        let state = start.clone();
         let mut run = Self::going_on::<H, X, K>(system, method, start, Clock { t0: 0.0, h, steps: 0 }, 0)?;
         run.start_unseen = true;
         if H::AUTONOMOUS {
             run.see_start()?;
         }
-        #[cfg(debug_assertions)]
-        hold_at_start::<H, K>(system, &system.parameters(state.q.length()), &state)?;
         Ok(run)
     }
 
@@ -91,7 +87,8 @@ impl<C: Coords> Run<C> {
     /// `opened` steps.
     ///
     /// # Errors
-    /// [`Error::Parameters`], where a prepared constant is not finite and the motion is not.
+    /// [`Error::Parameters`], where a prepared constant is not finite and the motion is not; in builds with debug assertions
+    /// [`Error::Misread`].
     pub(crate) fn going_on<H, X, K>(
         system: &H,
         method: X,
@@ -106,6 +103,8 @@ impl<C: Coords> Run<C> {
         H::Coords: Coords<With<K> = C>,
     {
         let parameters = system.parameters(start.q.length());
+        #[cfg(debug_assertions)]
+        let held = hold_at_start::<H, K>(system, &parameters, &start, clock.at(clock.steps));
         let constants = H::Parameters::<f64>::not_finite(&parameters);
         #[cfg(feature = "checkpoint")]
         let origin = Origin::of::<H>(method.facts(), &parameters);
@@ -139,6 +138,8 @@ impl<C: Coords> Run<C> {
         if !constants.is_empty() && run.is_spoilt() {
             return Err(Error::Parameters { constants });
         }
+        #[cfg(debug_assertions)]
+        held?;
         Ok(run)
     }
 

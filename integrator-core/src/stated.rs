@@ -144,7 +144,8 @@ impl Digits {
     }
 }
 
-/// Holds the generated energies against the user's functions where a run starts, in builds with debug assertions.
+/// Holds the generated energies against the user's functions where a run starts, in builds with debug assertions. The time is
+/// what the clock tells when the run is made, since a run that is moved by `at_time` knows its system no more.
 ///
 /// # Errors
 /// [`Error::Misread`]
@@ -153,11 +154,12 @@ pub(crate) fn hold_at_start<H: Hamiltonian, K: Keep>(
     system: &H,
     parameters: &H::Parameters<f64>,
     start: &Phase<Shaped<H, K>>,
+    time: f64,
 ) -> Result<(), Error> {
     if start.q.flat().len() <= SMALL {
         let state = Phase { q: start.q.map(|leaf| leaf.to_f64()), p: start.p.map(|leaf| leaf.to_f64()) };
         for function in Function::BOTH {
-            function.hold(system, parameters, &state, 0.0)?;
+            function.hold(system, parameters, &state, time)?;
         }
     }
     Ok(())
