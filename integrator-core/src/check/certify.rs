@@ -7,7 +7,7 @@ use crate::{
         energy::{EnergyDrift, energy_drift},
         gradient::{gradient_error, gradient_tolerance},
         local_order::{OrderAlong, UNITS, order_along},
-        order::{ORDER_TOLERANCE, Order, observed_order, path},
+        order::{Order, needed_along, observed_order, path},
         path::PARTS,
         points::{begin, plain, run},
         reversibility::{RoundTrip, round_trip},
@@ -98,10 +98,9 @@ pub fn certify<H: Hamiltonian, X: Method<H>, K: Keep>(
     }
     let order = findings.judge("the order", subject.order(), |order| {
         let (observed, claimed) = (order.slope, facts.order);
-        let reached = observed >= f64::from(claimed) - ORDER_TOLERANCE;
-        (!reached).then_some(Shortfall::Order { observed, claimed })
+        (!order.reaches(claimed)).then_some(Shortfall::Order { observed, claimed })
     });
-    let held = order.is_some_and(|order| order.slope >= f64::from(facts.order) - ORDER_TOLERANCE);
+    let held = order.is_some_and(|order| order.reaches(facts.order));
     // Where no order could be measured, the reason has been told.
     let course = order.map(|order| subject.course(order.followed));
     // An order that shows nowhere is not lost, and has been told too.
@@ -177,13 +176,6 @@ pub fn certify<H: Hamiltonian, X: Method<H>, K: Keep>(
         },
     };
     findings.conclude(certificate)
-}
-
-/// The power of the step with which errors have to shrink everywhere along an orbit. Those of high orders fall into the
-/// rounding before the leading one of them prevails.
-fn needed_along(claimed: u32) -> f64 {
-    let claimed = f64::from(claimed);
-    claimed - ORDER_TOLERANCE.max((claimed - 2.0) / 4.0)
 }
 
 /// The power of the step with which the deviation of the energy has to shrink. It is the largest of a long run, in steps as

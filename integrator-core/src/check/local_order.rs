@@ -121,7 +121,7 @@ impl<H: Hamiltonian, X: Method<H>> Orbit<'_, H, X> {
     /// as `above` tells.
     fn examine(&self, at: &Start<H::Coords>, piece: f64, depth: u32, above: Missing) -> (Verdict, Start<H::Coords>) {
         let view = self.view(at, piece, depth);
-        let slopes = match view.judge(self.order, at.time / piece) {
+        let slopes = match view.judge(self.order, self.clock(at, piece)) {
             Judgement::Passed(verdict) => return (verdict, view.end(at, piece)),
             Judgement::Missing(slopes) => slopes,
         };
@@ -144,10 +144,17 @@ impl<H: Hamiltonian, X: Method<H>> Orbit<'_, H, X> {
         let verdict = match (first, second) {
             (_, Verdict::Lost(_)) => second,
             (Verdict::Silent, Verdict::Silent) if missing.in_a_row >= IN_A_ROW => lost,
+            // Steps were too long, but the finest ones.
+            (Verdict::Silent, Verdict::Silent) if missing.in_a_row == 0 => Verdict::Shown,
             (Verdict::Silent, Verdict::Silent) => Verdict::Silent,
             _ => Verdict::Shown,
         };
         (verdict, end)
+    }
+
+    /// How many pieces the clock shows, where a force reads it.
+    fn clock(&self, at: &Start<H::Coords>, piece: f64) -> f64 {
+        if H::AUTONOMOUS { 0.0 } else { at.time / piece }
     }
 
     /// A piece in steps of ever half the length.

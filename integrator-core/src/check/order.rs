@@ -50,7 +50,11 @@ pub(crate) const NEEDED: usize = 4;
 const FARTHEST_EDGE: u64 = 1 << 12;
 const MOST_OVER_EDGES: u64 = 8;
 
-/// By how much the time is shortened where the errors do not lie on a line, and how many times are tried.
+/// The factor in the step over which errors are compared.
+const LEVER: f64 = 3.0;
+
+/// By how much the time is shortened where the errors do not lie on a line, and how many times are tried at least; shorter ones
+/// are tried as long as a step of the run fits in.
 const SHORTENING: f64 = 0.75;
 const ATTEMPTS: usize = 10;
 
@@ -85,6 +89,17 @@ pub struct Order {
     pub followed: f64,
 }
 
+impl Order {
+    fn is_line(&self) -> bool {
+        within(self.uncertainty, SCATTER)
+    }
+
+    /// Whether this is the claimed order. Where errors lie on no line, they fall into the rounding before the leading one prevails.
+    pub(crate) fn reaches(&self, claimed: u32) -> bool {
+        self.slope >= if self.is_line() { f64::from(claimed) - ORDER_TOLERANCE } else { needed_along(claimed) }
+    }
+}
+
 /// The order that `composition` shows on this very problem.
 ///
 /// Errors are distances in phase space to the exact motion, at four times along a common span, in units of how far the
@@ -93,7 +108,9 @@ pub struct Order {
 /// search over multiples of `h`, that four steps already follow to a tenth, so that `h` itself may be far too fine or
 /// far too coarse. It is divided into ever more steps, at most 1024, until the error drowns in the rounding; the slope
 /// is a least-squares fit to the finest errors that do not, four to six of them. Where they do not lie on a line,
-/// because part of the motion is faster than the rest, the span is shortened. Where the clock decides on pieces of the
+/// because part of the motion is faster than the rest, or fall short of the claimed order, the span is shortened, to a step
+/// of `h` at the least: what shows in one that is short is the order of the composition, and [`certify`](super::certify) looks
+/// for where it is lost along the orbit. Where the clock decides on pieces of the
 /// Hamiltonian, the span reaches over edges, and all steps end there.
 ///
 /// # Errors
@@ -112,27 +129,21 @@ pub fn observed_order<H: Hamiltonian, X: Method<H>, K: Keep>(
         return Err(CheckError::NoOrder { method: facts.name });
     }
     if let Some(grid) = problem.over_edges(h)? {
-        return problem.order(grid);
+        return problem.order(grid).order;
     }
     let followed = problem.longest_span(h)?;
     let mut span = followed;
-    let mut outcome = problem.order(Grid::over(span));
-    for _ in 1..ATTEMPTS {
-        if outcome.as_ref().is_ok_and(|order| within(order.uncertainty, SCATTER)) {
-            break;
-        }
+    let mut best = problem.order(Grid::over(span));
+    let mut attempts = 1;
+    while !best.shows(facts.order) && (attempts < ATTEMPTS || within(h, span.abs())) {
+        attempts += 1;
         span *= SHORTENING;
         let shorter = problem.order(Grid::over(span));
-        let better = match (&shorter, &outcome) {
-            (Ok(shorter), Ok(longer)) => within(shorter.uncertainty, longer.uncertainty),
-            (Ok(_), Err(_)) => true,
-            (Err(_), _) => false,
-        };
-        if better {
-            outcome = shorter;
+        if shorter.shows(facts.order) || shorter.is_better_than(&best) {
+            best = shorter;
         }
     }
-    outcome.map(|order| Order { followed, ..order })
+    best.order.map(|order| Order { followed, ..order })
 }
 
 /// Into how many steps a span is divided.
@@ -149,6 +160,44 @@ impl Grid {
     fn over(span: f64) -> Self {
         Self { span, whole: 1, ladder: LADDER }
     }
+}
+
+/// What errors say over one span.
+struct Slope {
+    order: Result<Order, CheckError>,
+    /// Whether errors are known over a factor of three in the step. Where the exact motion turns so fast that no reference
+    /// resolves it, coarse steps show another order than those that do.
+    known: bool,
+}
+
+impl Slope {
+    /// Whether errors lie on a line.
+    fn is_line(&self) -> bool {
+        self.known && self.order.as_ref().is_ok_and(Order::is_line)
+    }
+
+    /// Whether they do, and fall with the order that is claimed. Steps that are longer than what is fastest in the motion show
+    /// another order, on a line as straight; what they show over ever shorter times is the order of the composition.
+    fn shows(&self, claimed: u32) -> bool {
+        self.is_line() && self.order.as_ref().is_ok_and(|order| order.reaches(claimed))
+    }
+
+    /// Whether this is the better line.
+    fn is_better_than(&self, other: &Self) -> bool {
+        match (&self.order, &other.order) {
+            (Ok(one), Ok(other_one)) if self.known == other.known => within(one.uncertainty, other_one.uncertainty),
+            (Ok(_), Ok(_)) => self.known,
+            (Ok(_), Err(_)) => true,
+            (Err(_), _) => false,
+        }
+    }
+}
+
+/// The power of the step with which errors have to shrink everywhere along an orbit. Those of high orders fall into the
+/// rounding before the leading one of them prevails.
+pub(crate) fn needed_along(claimed: u32) -> f64 {
+    let claimed = f64::from(claimed);
+    claimed - ORDER_TOLERANCE.max((claimed - 2.0) / 4.0)
 }
 
 /// What is measured.
@@ -240,7 +289,7 @@ impl<H: Hamiltonian, X: Method<H>> Problem<'_, H, X> {
     }
 
     /// The slope over one span.
-    fn order(&self, grid: Grid) -> Result<Order, CheckError> {
+    fn order(&self, grid: Grid) -> Slope {
         let Grid { span, whole, ladder } = grid;
         let exact = reference(self.system, &self.start, span, whole, SHORT);
         let scale = exact.scale;
@@ -262,12 +311,10 @@ impl<H: Hamiltonian, X: Method<H>> Problem<'_, H, X> {
                 points.push(((span / count).abs().ln(), error.ln()));
             }
         }
-        let Some((finest, slope)) = fit_finest(&points, NEEDED..=POINTS) else {
-            let coarsest = (span / (PARTS * ladder[0]) as f64).abs();
-            return Err(CheckError::TooFewPoints { found: points.len(), needed: NEEDED, coarsest });
-        };
+        let coarsest = (span / (PARTS * ladder[0]) as f64).abs();
+        let too_few = CheckError::TooFewPoints { found: points.len(), needed: NEEDED, coarsest };
         let step = |point: Option<&(f64, f64)>| point.map_or(f64::NAN, |(logarithm, _)| logarithm.exp());
-        Ok(Order {
+        let slope = fit_finest(&points, NEEDED..=POINTS).map(|(finest, slope)| Order {
             slope: slope.value,
             uncertainty: slope.uncertainty,
             points: finest.len(),
@@ -275,7 +322,9 @@ impl<H: Hamiltonian, X: Method<H>> Problem<'_, H, X> {
             coarsest: step(finest.first()),
             span,
             followed: span,
-        })
+        });
+        let lever = LEVER.powi(self.method.facts().order as i32);
+        Slope { order: slope.ok_or(too_few), known: within(plateau, COARSEST_ERROR / CLEARANCE / lever) }
     }
 }
 

@@ -46,7 +46,9 @@ pub enum Shortfall {
         method: &'static str,
     },
     /// The observed order is lower than the claimed one.
-    #[error("observed order {observed:.2} falls short of the claimed order {claimed}")]
+    #[error(
+        "observed order {observed:.2} falls short of the claimed order {claimed}: the sequence has another order, or the motion          turns faster than these steps, which shorter ones tell"
+    )]
     Order {
         /// The slope.
         observed: f64,
@@ -194,8 +196,8 @@ impl fmt::Display for Shrinking {
         }
         write!(
             f,
-            "there, errors shrink with the power {observed:.1} of the step, however short it is, as they do at a kink, a \
-             jump or a cutoff of the potential"
+            "there, errors shrink with the power {observed:.1} of the step, as they do at a kink, a jump or a \
+             cutoff of the potential, however short it is, and where the motion turns much faster than it: then shorten it"
         )
     }
 }

@@ -74,6 +74,25 @@ fn a_kinetic_energy_that_is_not_quadratic() {
     all_certified(&Relativistic {}, Phase::new([1.5], [0.5]), 0.02);
 }
 
+/// As fast as light nearly everywhere, and turned back within a hundredth or a thousandth of that time: steps that follow such
+/// a motion to a tenth show no order of theirs. It is looked for in shorter ones, down to the user's.
+#[test]
+fn a_motion_that_turns_within_a_thousandth_of_its_time() {
+    for (start, h) in [(3.0, 0.1), (5.0, 0.02), (5.0, 0.001), (10.0, 0.005)] {
+        certified(&Relativistic {}, KahanLi8, Phase::new([start], [0.0]), h);
+    }
+    for start in [3.0, 5.0] {
+        certified(&Relativistic {}, Yoshida4, Phase::new([start], [0.0]), 0.02);
+        certified(&Relativistic {}, Verlet, Phase::new([start], [0.0]), 0.02);
+    }
+    // What is too fast for these steps is to be followed by shorter ones.
+    for (start, h) in [(30.0, 0.02), (10.0, 0.05)] {
+        let refused = certify(&Relativistic {}, KahanLi8, Phase::new([start], [0.0]), h);
+        let text = refused.expect_err("far too long a step").to_string();
+        assert!(text.contains("shorte"), "{text}");
+    }
+}
+
 #[test]
 fn a_kinetic_energy_that_is_not_diagonal() {
     all_certified(&Skewed {}, Phase::new([0.4, 1.0], [0.2, -0.3]), 0.02);
