@@ -166,7 +166,7 @@ fn in_common(graph: &mut Graph, id: NodeId, adjoints: &[Adjoint]) -> Adjoint {
         any = graph.or(any, entered);
     }
     let mut context = first[..common].to_vec();
-    let is_harmless = adjoints.iter().all(|(left, _)| is_harmless(graph, id, &left[common..]));
+    let is_harmless = adjoints.iter().all(|(left, _)| graph.is_harmless(id, &left[common..]));
     if !is_harmless && graph.as_truth(any).is_none() {
         context.push(Around::Branch(any, true));
     }
@@ -308,16 +308,11 @@ impl Sweep {
 /// What stays around the adjoint of a node in the place of the loops and branches that were `left`: where nothing entered
 /// them, the adjoint is an empty sum, and a slope that is not finite there must not be multiplied by it.
 fn guard(graph: &mut Graph, id: NodeId, left: &[Around]) -> Vec<Around> {
-    if left.is_empty() || is_harmless(graph, id, left) {
+    if left.is_empty() || graph.is_harmless(id, left) {
         return Vec::new();
     }
     let entered = graph.happens(left, id);
     branches(graph, entered)
-}
-
-/// Whether a node can be computed outside of what is around its use.
-fn is_harmless(graph: &Graph, id: NodeId, left: &[Around]) -> bool {
-    graph.is_total(id) && !left.iter().any(|around| graph.protects(*around, id))
 }
 
 /// A condition as branches, one inside the other where it has a part that is only asked where another one holds.

@@ -24,6 +24,7 @@ impl Loops {
     /// The access of a coordinate with this index.
     fn access(&self, id: IndexId) -> Access {
         match self.index(id) {
+            _ if self.is_guarded(id) => Access::WhereWritten,
             // How far such an index gets was held against the length when it was read.
             _ if self.has_known_extents() && self.is_of_numbers(id) => Access::Anywhere,
             Index::Running(by) if self.passes_the_end(by) => Access::WhereWritten,

@@ -151,8 +151,7 @@ impl Graph {
         let turns = self.number_of(turns);
         let product = self.mul(turns, body);
         // Where there is no turn, nothing is added, whatever the body would be.
-        let is_harmless = self.is_total(body) && !self.protects(Around::Loop(by), body);
-        if is_harmless { product } else { self.where_entered(by, body, product) }
+        if self.is_harmless(body, &[Around::Loop(by)]) { product } else { self.where_entered(by, body, product) }
     }
 
     /// What the turns of a loop with some body come to, and zero where it has none.

@@ -193,6 +193,8 @@ pub(crate) struct Loops {
     extents: Vec<IndexId>,
     /// How long lists of the system are.
     list_lengths: HashSet<IndexId>,
+    /// Indices of coordinates that are below their length where a condition holds alone.
+    guarded: HashSet<IndexId>,
 }
 
 impl Loops {
@@ -500,6 +502,15 @@ impl Loops {
     /// States that an integer is how long a list of the system is.
     pub(crate) fn declare_list_length(&mut self, id: IndexId) {
         self.list_lengths.insert(id);
+    }
+
+    /// States that an index is that of a coordinate only where a condition holds.
+    pub(crate) fn declare_guarded(&mut self, id: IndexId) {
+        self.guarded.insert(id);
+    }
+
+    pub(super) fn is_guarded(&self, id: IndexId) -> bool {
+        self.guarded.contains(&id)
     }
 
     /// Whether an integer is made of how long lists are.

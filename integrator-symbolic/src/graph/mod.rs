@@ -239,6 +239,8 @@ struct Facts {
     momenta: bool,
     /// Whether it and its derivatives are finite wherever its coordinates are, but for overflow.
     total: bool,
+    /// Whether it is total even where what is computed of parameters alone is not finite, as `1 / self.k` is.
+    total_of_any: bool,
     /// Where it may be computed.
     access: Access,
     /// The loops that all it reads depends on, but for what can be read anywhere.
@@ -305,6 +307,12 @@ impl Graph {
         }
     }
 
+    /// Whether a node can be computed outside of what is `left` around its use, and multiplied by zero where nothing
+    /// entered that: it is there, it is total, and so is what it is made of that is prepared.
+    pub(crate) fn is_harmless(&self, id: NodeId, left: &[Around]) -> bool {
+        self.facts[id.position()].total_of_any && !left.iter().any(|around| self.protects(*around, id))
+    }
+
     /// The number that a node is, if it is one.
     pub(crate) fn as_constant(&self, id: NodeId) -> Option<f64> {
         match self.node(id) {
@@ -360,6 +368,7 @@ impl Graph {
             positions: part == Some(Part::Position),
             momenta: part == Some(Part::Momentum),
             total: self.is_total_by_itself(node),
+            total_of_any: self.is_total_by_itself(node),
             access: self.own_access(node),
             read_in: self.read_in(node, loops),
         };
@@ -374,11 +383,13 @@ impl Graph {
             facts.positions |= child.positions;
             facts.momenta |= child.momenta;
             facts.total &= child.total;
+            facts.total_of_any &= child.total_of_any;
             facts.access = facts.access.max(child.access);
         }
         // A prepared constant is known to be finite, and a condition is no factor of anything.
         let is_constant = facts.prepared && facts.loops.iter().count() <= 1;
         facts.total |= is_constant || node.is_condition();
+        facts.total_of_any |= node.is_condition();
         facts
     }
 

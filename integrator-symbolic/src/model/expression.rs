@@ -257,6 +257,7 @@ impl Reader<'_> {
         if let (Some(length), Some(upper)) = (extent.literal(), upper)
             && upper >= length
             && !self.is_empty_loop(position)
+            && !self.is_kept_below(position, length)
         {
             let message = format!(
                 "index {upper} is out of bounds: the coordinates are `{}`, the last index here is {}",

@@ -6,7 +6,7 @@
 use super::{Reader, value::Opaque};
 use crate::graph::{
     Access, Comparison, Node, NodeId,
-    index::{IndexId, Loop, LoopId, LoopSet},
+    index::{Index, IndexId, Loop, LoopId, LoopSet},
 };
 use proc_macro2::{Delimiter, TokenStream, TokenTree};
 use quote::quote;
@@ -124,6 +124,49 @@ impl Reader<'_> {
         needs > Needs::Bounds || self.graph.loops.bounds_from_above(a, b)
     }
 
+    /// Whether the conditions around a coordinate keep its index below a length, as `i + 1 < 6` does that of `q[i + 1]`.
+    pub(super) fn is_kept_below(&mut self, position: IndexId, length: u64) -> bool {
+        let mut open: Vec<_> = self.conditions.iter().map(|condition| (condition.node, condition.holds)).collect();
+        while let Some((condition, holds)) = open.pop() {
+            let is_kept = match (self.graph.node(condition), holds) {
+                _ if self.graph.as_truth(condition).is_some_and(|always| always != holds) => true,
+                (Node::Not(inner), _) => {
+                    open.push((inner, !holds));
+                    false
+                }
+                (Node::And(a, b), true) | (Node::Or(a, b), false) => {
+                    open.extend([(a, holds), (b, holds)]);
+                    false
+                }
+                (Node::CompareIndex(comparison, a, b), _) => {
+                    ordered(comparison, a, b, holds).iter().any(|order| self.is_below(*order, position, length))
+                }
+                _ => false,
+            };
+            if is_kept {
+                self.graph.loops.declare_guarded(position);
+                return true;
+            }
+        }
+        false
+    }
+
+    /// Whether an order of two integers says that an index is below a length.
+    fn is_below(&mut self, (less, end, closed): Order, position: IndexId, length: u64) -> bool {
+        let end = self.graph.loops.upper(end).and_then(|end| self.graph.loops.literal(end));
+        let ((base, further), (own, offset)) = (self.with_offset(less), self.with_offset(position));
+        // less < end, so that position = less - further + offset is below end - further + offset.
+        base == own && end.is_some_and(|end| end.saturating_add(closed + offset) <= length.saturating_add(further))
+    }
+
+    /// An index as another one and a literal that is added to it.
+    fn with_offset(&self, index: IndexId) -> (IndexId, u64) {
+        match self.graph.loops.index(index) {
+            Index::Add(base, by) if let Some(by) = self.graph.loops.literal(by) => (base, by),
+            _ => (index, 0),
+        }
+    }
+
     /// A condition of parameters and indices as text.
     fn condition_text(&self, condition: NodeId) -> Option<Opaque> {
         let of = |text, loops| Some(Opaque { text, loops });
@@ -185,6 +228,21 @@ impl Reader<'_> {
             Node::Div(a, b) => two(a, b).map(|(a, b, loops)| (quote!(((#a) / (#b))), loops)),
             _ => None,
         }
+    }
+}
+
+/// An integer that is below another one, or below that and so much more.
+type Order = (IndexId, IndexId, u64);
+
+/// What a comparison says of the order of two integers where it holds, or does not.
+fn ordered(comparison: Comparison, a: IndexId, b: IndexId, holds: bool) -> Vec<Order> {
+    match (comparison, holds) {
+        (Comparison::Less, true) => vec![(a, b, 0)],
+        (Comparison::Less, false) => vec![(b, a, 1)],
+        (Comparison::LessOrEqual, true) => vec![(a, b, 1)],
+        (Comparison::LessOrEqual, false) => vec![(b, a, 0)],
+        (Comparison::Equal, true) => vec![(a, b, 1), (b, a, 1)],
+        (Comparison::Equal, false) => Vec::new(),
     }
 }
 
