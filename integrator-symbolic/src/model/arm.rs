@@ -3,7 +3,8 @@
 
 use super::{
     Reader,
-    flow::{Body, Flow},
+    branch::Sides,
+    flow::{Body, Flow, Outcome},
     pattern::Names,
     statement::Assigned,
     text::identifiers,
@@ -61,7 +62,7 @@ impl Reader<'_> {
     }
 
     /// `match value { ... }` on a value of the system.
-    pub(super) fn matched(&mut self, whole: &ExprMatch, flow: Flow<'_>) -> Option<Value> {
+    pub(super) fn matched(&mut self, whole: &ExprMatch, flow: Flow) -> Option<Outcome> {
         let arms = whole.arms.iter().map(|arm| {
             let (pattern, guard) = match &arm.pat {
                 Pat::Guard(PatGuard { pat, guard, .. }) => (&**pat, Some(&**guard)),
@@ -71,9 +72,9 @@ impl Reader<'_> {
         });
         let arms: Vec<ArmText<'_>> = arms.collect();
         let Some((matched, integer)) = self.matchable(&whole.expr)? else {
-            return self.refused(&Expr::Match(whole.clone()));
+            return self.refused(&Expr::Match(whole.clone())).map(Outcome::of);
         };
-        self.first_of(&arms, &matched, integer, &[], flow, whole)
+        self.first_of(&arms, &matched, integer, flow, whole)
     }
 
     /// What may be matched: a value of the system, and the integer that it is where it is one of indices. Nothing is noted
@@ -96,40 +97,49 @@ impl Reader<'_> {
         arms: &[ArmText<'_>],
         matched: &Opaque,
         integer: Option<IndexId>,
-        earlier: &[TokenStream],
-        flow: Flow<'_>,
+        flow: Flow,
         place: &dyn ToTokens,
-    ) -> Option<Value> {
-        let (first, rest) = arms.split_first()?;
-        let Some(pattern) = first.pattern else { return self.body(first.body, flow) };
-        let arm = self.arm(pattern, matched.clone(), earlier.to_vec());
-        let unconditional = first.guard.is_none() && (rest.is_empty() || is_irrefutable(pattern));
-        if unconditional {
-            return self.in_arm(arm, |reader| reader.settled_body(first.body, flow));
-        }
-        let fits = self.fits(&arm, integer, pattern);
-        let condition = match first.guard {
-            None => Some(fits),
-            Some(guard) => {
-                let guard = self.in_arm(arm.clone(), |reader| reader.condition_of(guard));
-                guard.map(|guard| self.graph.and(fits, guard))
-            }
-        };
-        // A guard may fail where its pattern fits, so that later arms are tried there as well.
-        let tried = first.guard.is_none().then(|| arm.pattern.clone());
-        let earlier: Vec<TokenStream> = earlier.iter().cloned().chain(tried).collect();
+    ) -> Option<Outcome> {
         let mut assigned = Assigned::default();
         for arm in arms {
             arm.body.visit(&mut assigned);
         }
-        self.split(
-            flow,
-            condition,
-            assigned,
-            &|reader| reader.in_arm(arm.clone(), |reader| reader.settled_body(first.body, flow)),
-            &|reader| reader.first_of(rest, matched, integer, &earlier, flow, place),
-            place,
-        )
+        let fork = self.fork(&assigned);
+        let depth = self.conditions.len();
+        let (mut sides, mut earlier): (Sides<'_>, Vec<TokenStream>) = (Vec::new(), Vec::new());
+        let mut last = None;
+        for (at, text) in arms.iter().enumerate() {
+            let is_last = at + 1 == arms.len();
+            let Some(pattern) = text.pattern else {
+                last = Some(self.side(&fork, None, true, |reader| reader.body(text.body, flow)));
+                break;
+            };
+            let arm = self.arm(pattern, matched.clone(), earlier.clone());
+            if text.guard.is_none() && (is_last || is_irrefutable(pattern)) {
+                let read = |reader: &mut Self| reader.in_arm(arm, |reader| reader.settled_body(text.body, flow));
+                last = Some(self.side(&fork, None, true, read));
+                break;
+            }
+            // What is matched has its value before any arm is tried.
+            let tried = self.conditions.split_off(depth);
+            let fits = self.fits(&arm, integer, pattern);
+            self.conditions.extend(tried);
+            let condition = match text.guard {
+                None => Some(fits),
+                Some(guard) => {
+                    let guard = self.in_arm(arm.clone(), |reader| reader.condition_of(guard));
+                    guard.map(|guard| self.graph.and(fits, guard))
+                }
+            };
+            // A guard may fail where its pattern fits, so that later arms are tried there as well.
+            earlier.extend(text.guard.is_none().then(|| arm.pattern.clone()));
+            let read = |reader: &mut Self| reader.in_arm(arm, |reader| reader.settled_body(text.body, flow));
+            let side = self.side(&fork, condition, true, read);
+            sides.push((condition, side, place));
+            condition.into_iter().for_each(|condition| self.past(condition));
+        }
+        self.conditions.truncate(depth);
+        self.joined(fork, sides, last?)
     }
 
     /// Whether an arm's pattern fits.
@@ -181,16 +191,18 @@ impl Reader<'_> {
     }
 
     /// The body of an arm: what leaves it is a number, since the names of the pattern mean nothing outside.
-    fn settled_body(&mut self, body: Body<'_>, flow: Flow<'_>) -> Option<Value> {
+    fn settled_body(&mut self, body: Body<'_>, flow: Flow) -> Option<Outcome> {
         let mut assigned = Assigned::default();
         body.visit(&mut assigned);
         let ids: Vec<_> = assigned.names.iter().filter_map(|name| self.lookup(name)).collect();
-        let value = self.body(body, flow);
+        let outcome = self.body(body, flow);
         for id in ids {
             let left = std::mem::replace(&mut self.bindings[id.0].value, Value::Unknown);
             self.bindings[id.0].value = self.settled(left);
         }
-        value.map(|value| self.settled(value))
+        let Outcome { value, returned } = outcome?;
+        let returned = returned.into_iter().map(|(condition, value)| (condition, self.settled(value))).collect();
+        Some(Outcome { value: self.settled(value), returned })
     }
 
     fn settled(&mut self, value: Value) -> Value {

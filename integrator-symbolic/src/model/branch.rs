@@ -1,7 +1,8 @@
 //! Conditions and branches.
 
 use super::{
-    BindingId, Reader,
+    BindingId, Reader, Target,
+    flow::Outcome,
     sequence::Sequence,
     statement::Assigned,
     text::place,
@@ -13,6 +14,24 @@ use crate::graph::{
 };
 use quote::ToTokens;
 use syn::{BinOp, Block, Expr, ExprIf, Stmt, visit::Visit};
+
+/// The variables that the sides of a branch assign to, and what they were before it.
+pub(super) struct Fork {
+    ids: Vec<BindingId>,
+    before: Vec<Value>,
+    /// What the present loop has added so far.
+    sums: Vec<(Target, NodeId)>,
+}
+
+/// One side of a branch: its value, what it left of the variables, and what it added to sums.
+pub(super) struct Side {
+    outcome: Option<Outcome>,
+    left: Vec<Value>,
+    added: Vec<(Target, NodeId)>,
+}
+
+/// Sides of a branch, each with its condition and its place in the text.
+pub(super) type Sides<'a> = Vec<(Option<NodeId>, Side, &'a dyn ToTokens)>;
 
 impl Reader<'_> {
     /// A value as a condition.
@@ -94,46 +113,140 @@ impl Reader<'_> {
         second: &dyn Fn(&mut Self) -> Option<Value>,
         place: &dyn ToTokens,
     ) -> Option<Value> {
+        let fork = self.fork(&assigned);
+        let first = self.side(&fork, condition, true, |reader| first(reader).map(Outcome::of));
+        let second = self.side(&fork, condition, false, |reader| second(reader).map(Outcome::of));
+        self.joined(fork, vec![(condition, first, place)], second).map(|outcome| outcome.value)
+    }
+
+    /// The state that all sides of a branch are read from.
+    pub(super) fn fork(&mut self, assigned: &Assigned) -> Fork {
         let mut ids: Vec<BindingId> = assigned.names.iter().filter_map(|name| self.lookup(name)).collect();
-        // Both sides may assign to one variable: it is put back once, and joined once.
+        // Several sides may assign to one variable: it is put back once, and joined once.
         ids.sort_unstable();
         ids.dedup();
-        let before: Vec<Value> = ids.iter().map(|id| self.bindings[id.0].value.clone()).collect();
+        let before = ids.iter().map(|id| self.bindings[id.0].value.clone()).collect();
         let sums = self.frames.last_mut().map(|frame| std::mem::take(&mut frame.sums)).unwrap_or_default();
-        let side = |reader: &mut Self, read: &dyn Fn(&mut Self) -> Option<Value>, holds: bool| {
-            let value = reader.under(condition, holds, read);
-            let left = ids
-                .iter()
-                .zip(&before)
-                .map(|(id, before)| std::mem::replace(&mut reader.bindings[id.0].value, before.clone()));
-            let left: Vec<Value> = left.collect();
-            let added = reader.frames.last_mut().map(|frame| std::mem::take(&mut frame.sums)).unwrap_or_default();
-            (value, left, added)
-        };
-        let (first, second) = (side(self, first, true), side(self, second, false));
+        Fork { ids, before, sums }
+    }
+
+    /// Reads one side of a branch, and goes back to where the branch began.
+    pub(super) fn side(
+        &mut self,
+        fork: &Fork,
+        condition: Option<NodeId>,
+        holds: bool,
+        read: impl FnOnce(&mut Self) -> Option<Outcome>,
+    ) -> Side {
+        let outcome = self.under(condition, holds, read);
+        let states = fork.ids.iter().zip(&fork.before);
+        let left =
+            states.map(|(id, before)| std::mem::replace(&mut self.bindings[id.0].value, before.clone())).collect();
+        let added = self.frames.last_mut().map(|frame| std::mem::take(&mut frame.sums)).unwrap_or_default();
+        Side { outcome, left, added }
+    }
+
+    /// What is known behind a branch: of its sides, the first one whose condition holds was taken, else the last.
+    pub(super) fn joined(&mut self, fork: Fork, sides: Sides<'_>, last: Side) -> Option<Outcome> {
+        let depth = self.conditions.len();
+        sides.iter().filter_map(|(condition, ..)| *condition).for_each(|condition| self.past(condition));
+        let mut behind = Some(last);
+        for (condition, side, place) in sides.into_iter().rev() {
+            if condition.is_some() {
+                self.conditions.pop();
+            }
+            let of_two = |second| self.of_two(&fork, condition?, side, second, place);
+            behind = behind.and_then(of_two);
+        }
+        self.conditions.truncate(depth);
         if let Some(frame) = self.frames.last_mut() {
-            frame.sums = sums;
+            frame.sums = fork.sums;
         }
-        let condition = condition?;
-        for (((id, before), a), b) in ids.iter().zip(&before).zip(first.1).zip(second.1) {
-            self.bindings[id.0].value = match (before, &a, &b) {
-                (Value::Real(before), Value::Real(a), Value::Real(b)) => {
-                    Value::Real(self.graph.select_addends(condition, *before, [*a, *b]))
-                }
-                _ => self.either(condition, a, b, place)?,
-            };
+        let Side { outcome, left, added } = behind?;
+        for (id, value) in fork.ids.iter().zip(left) {
+            self.bindings[id.0].value = value;
         }
+        for (target, value) in added {
+            self.add_to_frame(target, value);
+        }
+        outcome
+    }
+
+    /// The first side where the condition holds, else the second.
+    fn of_two(
+        &mut self,
+        fork: &Fork,
+        condition: NodeId,
+        first: Side,
+        second: Side,
+        place: &dyn ToTokens,
+    ) -> Option<Side> {
+        let [first_leaves, second_leaves] = [&first, &second].map(|side| self.leaves(side));
+        let states = first.left.into_iter().zip(second.left);
+        let left = match (first_leaves, second_leaves) {
+            (true, _) => states.map(|(_, second)| second).collect(),
+            (_, true) => states.map(|(first, _)| first).collect(),
+            _ => {
+                let states = states.zip(&fork.before).map(|((a, b), before)| match (before, &a, &b) {
+                    (Value::Real(before), Value::Real(a), Value::Real(b)) => {
+                        Some(Value::Real(self.graph.select_addends(condition, *before, [*a, *b])))
+                    }
+                    _ => self.either(condition, a, b, place),
+                });
+                states.collect::<Option<_>>()?
+            }
+        };
         let zero = self.graph.constant(0.0);
-        for (target, a) in &first.2 {
-            let b = second.2.iter().find(|(known, _)| known == target).map_or(zero, |(_, b)| *b);
-            let value = self.graph.select(condition, *a, b);
-            self.add_to_frame(target.clone(), value);
+        let mut added: Vec<(Target, NodeId)> = Vec::new();
+        for (target, a) in &first.added {
+            let b = second.added.iter().find(|(known, _)| known == target).map_or(zero, |(_, b)| *b);
+            added.push((target.clone(), self.graph.select(condition, *a, b)));
         }
-        for (target, b) in second.2.iter().filter(|(target, _)| !first.2.iter().any(|(known, _)| known == target)) {
-            let value = self.graph.select(condition, zero, *b);
-            self.add_to_frame(target.clone(), value);
+        for (target, b) in
+            second.added.iter().filter(|(target, _)| !first.added.iter().any(|(known, _)| known == target))
+        {
+            added.push((target.clone(), self.graph.select(condition, zero, *b)));
         }
-        self.either(condition, first.0?, second.0?, place)
+        let outcome = self.outcome_of_two(condition, first.outcome?, second.outcome?, place)?;
+        Some(Side { outcome: Some(outcome), left, added })
+    }
+
+    /// The value of the side that is taken, and what it may have returned before.
+    fn outcome_of_two(
+        &mut self,
+        condition: NodeId,
+        first: Outcome,
+        second: Outcome,
+        place: &dyn ToTokens,
+    ) -> Option<Outcome> {
+        let otherwise = self.graph.not(condition);
+        let (first_leaves, second_leaves) = (first.leaves(&self.graph), second.leaves(&self.graph));
+        if first_leaves && second_leaves {
+            let [a, b] = [(first, true), (second, false)]
+                .map(|(side, holds)| self.under(Some(condition), holds, |reader| reader.settled_outcome(side, place)));
+            let value = self.either(condition, a?, b?, place)?;
+            let always = self.graph.truth(true);
+            return Some(Outcome { value: Value::Unit, returned: vec![(always, value)] });
+        }
+        if first_leaves || second_leaves {
+            let (leaving, falling, taken) =
+                if first_leaves { (first, second, condition) } else { (second, first, otherwise) };
+            let value = self.under(Some(taken), true, |reader| reader.settled_outcome(leaving, place))?;
+            let returned = [(taken, value)].into_iter().chain(falling.returned).collect();
+            return Some(Outcome { value: falling.value, returned });
+        }
+        let mut returned = Vec::new();
+        for (side, taken) in [(first.returned, condition), (second.returned, otherwise)] {
+            for (inner, value) in side {
+                returned.push((self.graph.and(taken, inner), value));
+            }
+        }
+        Some(Outcome { value: self.either(condition, first.value, second.value, place)?, returned })
+    }
+
+    /// Whether nothing behind a side is reached from it.
+    fn leaves(&self, side: &Side) -> bool {
+        side.outcome.as_ref().is_some_and(|outcome| outcome.leaves(&self.graph))
     }
 
     /// The first value where the condition holds, else the second.

@@ -75,8 +75,10 @@ impl Reader<'_> {
                 }
             }
             Expr::Closure(closure) => self.captured(closure),
-            Expr::If(branch) => self.branch(branch, Flow::Value),
-            Expr::Match(whole) => self.verbatim(expression).or_else(|| self.matched(whole, Flow::Value)),
+            Expr::If(branch) => self.branch(branch, Flow::Value).map(|outcome| outcome.value),
+            Expr::Match(whole) => {
+                self.verbatim(expression).or_else(|| self.matched(whole, Flow::Value).map(|outcome| outcome.value))
+            }
             Expr::Tuple(tuple) => {
                 let parts: Vec<_> = tuple.elems.iter().map(|part| self.expression(part)).collect();
                 Some(Value::Tuple(parts.into_iter().collect::<Option<_>>()?))

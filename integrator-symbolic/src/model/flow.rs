@@ -1,28 +1,37 @@
-//! Early `return`: what follows a branch that may return is read where it does not.
+//! Early `return`: what follows a branch that may return is read once, where it has not.
 
-use super::{Reader, arm::ArmText, escape::returns, statement::Assigned, value::Value};
-use crate::graph::NodeId;
+use super::{Reader, arm::ArmText, branch::Sides, escape::returns, statement::Assigned, value::Value};
+use crate::graph::{Graph, NodeId};
 use quote::ToTokens;
 use std::collections::HashMap;
-use syn::{Block, Expr, ExprIf, ExprLet, Local, Pat, Stmt, visit::Visit};
+use syn::{Block, Expr, ExprBlock, ExprIf, ExprLet, Local, Pat, Stmt, visit::Visit};
 
-/// What follows a statement in a function: the rest of its block, and then that of the blocks around it.
-pub(super) struct Rest<'a> {
-    /// What the value of the statement is bound to.
-    pattern: Option<&'a Pat>,
-    statements: &'a [Stmt],
-    /// How many scopes are around the rest.
-    scopes: usize,
-    next: Option<&'a Rest<'a>>,
+/// Where a branch stands.
+#[derive(Clone, Copy)]
+pub(super) enum Flow {
+    /// In an expression, out of which nothing returns.
+    Value,
+    /// In the body of a function, which its sides may return from.
+    Function,
 }
 
-/// Where the value of a branch goes.
-#[derive(Clone, Copy)]
-pub(super) enum Flow<'a> {
-    /// To the expression around it.
-    Value,
-    /// To the rest of the function, or out of it.
-    Function(Option<&'a Rest<'a>>),
+/// What a part of a function gives: its value, unless it returned before.
+pub(super) struct Outcome {
+    pub(super) value: Value,
+    /// What was returned: the first value whose condition holds.
+    pub(super) returned: Vec<(NodeId, Value)>,
+}
+
+impl Outcome {
+    /// A value, where nothing returns.
+    pub(super) fn of(value: Value) -> Self {
+        Self { value, returned: Vec::new() }
+    }
+
+    /// Whether it returns in any case.
+    pub(super) fn leaves(&self, graph: &Graph) -> bool {
+        self.returned.last().is_some_and(|(condition, _)| graph.as_truth(*condition) == Some(true))
+    }
 }
 
 /// One side of a branch.
@@ -30,6 +39,8 @@ pub(super) enum Flow<'a> {
 pub(super) enum Body<'a> {
     Expression(&'a Expr),
     Block(&'a Block),
+    /// The rest of a block, in its scope.
+    Statements(&'a [Stmt]),
     Nothing,
 }
 
@@ -38,27 +49,48 @@ impl<'a> Body<'a> {
         match self {
             Body::Expression(expression) => assigned.visit_expr(expression),
             Body::Block(block) => assigned.visit_block(block),
+            Body::Statements(statements) => statements.iter().for_each(|statement| assigned.visit_stmt(statement)),
             Body::Nothing => {}
         }
     }
+}
 
-    fn otherwise(branch: &'a ExprIf) -> Self {
-        branch.else_branch.as_ref().map_or(Body::Nothing, |(_, otherwise)| Body::Expression(otherwise))
+/// The branches of `if ... else if ...`, and what is behind the last `else`.
+fn chain(first: &ExprIf) -> (Vec<&ExprIf>, Body<'_>) {
+    let mut branches = vec![first];
+    loop {
+        match branches[branches.len() - 1].else_branch.as_ref().map(|(_, otherwise)| &**otherwise) {
+            Some(Expr::If(next)) if !matches!(*next.cond, Expr::Let(_)) => branches.push(next),
+            Some(otherwise) => return (branches, Body::Expression(otherwise)),
+            None => return (branches, Body::Nothing),
+        }
     }
 }
 
 impl Reader<'_> {
     /// The value that a function returns.
     pub(super) fn returned(&mut self, block: &Block) -> Option<Value> {
-        self.scopes.push(HashMap::new());
-        let value = self.run(&block.stmts, None);
-        self.scopes.pop();
+        let outcome = self.body(Body::Block(block), Flow::Function)?;
+        self.settled_outcome(outcome, block)
+    }
+
+    /// The value that a function has where a part of it ends.
+    pub(super) fn settled_outcome(&mut self, outcome: Outcome, place: &dyn ToTokens) -> Option<Value> {
+        let leaves = outcome.leaves(&self.graph);
+        let Outcome { value, mut returned } = outcome;
+        let last = if leaves { returned.pop().map(|(_, value)| value)? } else { value };
+        let depth = self.conditions.len();
+        returned.iter().for_each(|(condition, _)| self.past(*condition));
+        let value = returned.into_iter().rev().try_fold(last, |behind, (condition, value)| {
+            self.conditions.pop();
+            self.either(condition, value, behind, place)
+        });
+        self.conditions.truncate(depth);
         value
     }
 
     /// `if condition { ... } else { ... }`, as a value or as a statement.
-    pub(super) fn branch(&mut self, branch: &ExprIf, flow: Flow<'_>) -> Option<Value> {
-        let (first, second) = (Body::Block(&branch.then_branch), Body::otherwise(branch));
+    pub(super) fn branch(&mut self, branch: &ExprIf, flow: Flow) -> Option<Outcome> {
         if let Expr::Let(ExprLet { pat, expr, .. }) = &*branch.cond {
             let Some((matched, integer)) = self.matchable(expr)? else {
                 let message = "`if let` is understood on values of the system, which read no coordinates: compare \
@@ -66,28 +98,37 @@ impl Reader<'_> {
                 self.errors.at(&branch.cond, message);
                 return None;
             };
+            let otherwise = branch.else_branch.as_ref().map_or(Body::Nothing, |(_, body)| Body::Expression(body));
             let arms = [
-                ArmText { pattern: Some(pat), guard: None, body: first },
-                ArmText { pattern: None, guard: None, body: second },
+                ArmText { pattern: Some(pat), guard: None, body: Body::Block(&branch.then_branch) },
+                ArmText { pattern: None, guard: None, body: otherwise },
             ];
-            return self.first_of(&arms, &matched, integer, &[], flow, branch);
+            return self.first_of(&arms, &matched, integer, flow, branch);
         }
-        let condition = self.condition_of(&branch.cond);
+        let (branches, last) = chain(branch);
+        let mut condition = self.condition_of(&branch.cond);
         if let (Flow::Value, Some(condition)) = (flow, condition)
             && let Some(chosen) = self.chosen_integer(branch, condition)
         {
-            return Some(chosen);
+            return Some(Outcome::of(chosen));
         }
         let mut assigned = Assigned::default();
         assigned.visit_expr_if(branch);
-        self.split(
-            flow,
-            condition,
-            assigned,
-            &|reader| reader.body(first, flow),
-            &|reader| reader.body(second, flow),
-            branch,
-        )
+        let fork = self.fork(&assigned);
+        let depth = self.conditions.len();
+        let mut sides: Sides<'_> = Vec::new();
+        for (at, branch) in branches.iter().enumerate() {
+            if at > 0 {
+                condition = self.condition_of(&branch.cond);
+            }
+            let body = Body::Block(&branch.then_branch);
+            let side = self.side(&fork, condition, true, |reader| reader.body(body, flow));
+            sides.push((condition, side, *branch));
+            condition.into_iter().for_each(|condition| self.past(condition));
+        }
+        let last = self.side(&fork, None, true, |reader| reader.body(last, flow));
+        self.conditions.truncate(depth);
+        self.joined(fork, sides, last)
     }
 
     /// An integer that a condition on indices or on the system chooses.
@@ -98,125 +139,122 @@ impl Reader<'_> {
             return None;
         };
         let (_, otherwise) = branch.else_branch.as_ref()?;
+        let Expr::Block(ExprBlock { block: Block { stmts, .. }, .. }) = &**otherwise else { return None };
+        let [Stmt::Expr(Expr::Lit(_) | Expr::Binary(_) | Expr::Path(_), None)] = &stmts[..] else { return None };
         // What reads elements is no choice of integers, and would have its mistakes noted twice.
         let whole = self.verbatim(&Expr::If(branch.clone()));
         if whole.is_none() && (reads_elements(first) || reads_elements(otherwise)) {
             return None;
         }
-        let (Value::Integer(a), Value::Integer(b)) = (self.expression(first)?, self.expression(otherwise)?) else {
-            return None;
-        };
+        let Value::Integer(a) = self.expression(first)? else { return None };
+        let Value::Integer(b) = self.expression(otherwise)? else { return None };
         self.wrapped(condition, a, b).map(Value::Integer).or(whole)
     }
 
-    /// Reads both sides of a branch, and what follows them.
-    pub(super) fn split(
-        &mut self,
-        flow: Flow<'_>,
-        condition: Option<NodeId>,
-        assigned: Assigned,
-        first: &dyn Fn(&mut Self) -> Option<Value>,
-        second: &dyn Fn(&mut Self) -> Option<Value>,
-        place: &dyn ToTokens,
-    ) -> Option<Value> {
-        let Flow::Function(_) = flow else { return self.choose(condition, assigned, first, second, place) };
-        // Behind the branch nothing is left of the function, so that its variables need not be joined.
-        let before: Vec<Value> = self.bindings.iter().map(|binding| binding.value.clone()).collect();
-        let from_here = |reader: &mut Self, side: &dyn Fn(&mut Self) -> Option<Value>| {
-            let value = side(reader);
-            for (binding, before) in reader.bindings.iter_mut().zip(&before) {
-                binding.value = before.clone();
-            }
-            value
-        };
-        let none = Assigned::default();
-        self.choose(condition, none, &|reader| from_here(reader, first), &|reader| from_here(reader, second), place)
-    }
-
-    /// One side of a branch, and what follows it.
-    pub(super) fn body(&mut self, body: Body<'_>, flow: Flow<'_>) -> Option<Value> {
+    /// One side of a branch, or a whole function.
+    pub(super) fn body(&mut self, body: Body<'_>, flow: Flow) -> Option<Outcome> {
         match (body, flow) {
-            (Body::Expression(expression), Flow::Value) => self.statement(expression),
-            (Body::Block(block), Flow::Value) => self.block(block),
-            (Body::Nothing, Flow::Value) => Some(Value::Unit),
-            (Body::Expression(expression), Flow::Function(rest)) => self.leaving(expression, rest),
-            (Body::Block(block), Flow::Function(rest)) => {
+            (Body::Expression(expression), Flow::Value) => self.statement(expression).map(Outcome::of),
+            (Body::Expression(expression), Flow::Function) => self.leaving(expression),
+            (Body::Nothing, _) => Some(Outcome::of(Value::Unit)),
+            (Body::Statements(statements), _) => self.run(statements),
+            (Body::Block(block), _) => {
                 self.scopes.push(HashMap::new());
-                let value = self.run(&block.stmts, rest);
+                let outcome = match flow {
+                    Flow::Value => self.statements(&block.stmts).map(Outcome::of),
+                    Flow::Function => self.run(&block.stmts),
+                };
                 self.scopes.pop();
-                value
+                outcome
             }
-            (Body::Nothing, Flow::Function(rest)) => self.goes_on(Value::Unit, rest),
         }
     }
 
-    /// Statements of a function's own body, and what follows them.
-    fn run(&mut self, statements: &[Stmt], rest: Option<&Rest<'_>>) -> Option<Value> {
-        let Some(position) = statements.iter().position(returns) else {
-            let value = self.statements(statements)?;
-            return self.goes_on(value, rest);
-        };
-        let (before, behind) = (&statements[..position], &statements[position + 1..]);
-        self.statements(before)?;
-        let next = Rest { pattern: None, statements: behind, scopes: self.scopes.len(), next: rest };
-        match &statements[position] {
-            Stmt::Expr(expression, None) if behind.is_empty() => self.leaving(expression, rest),
-            Stmt::Expr(expression, _) => self.leaving(expression, Some(&next)),
-            Stmt::Local(local) => self.leaving_local(local, next),
-            _ => None,
-        }
+    /// Statements of a function's own body. What is behind one that may return is read where it did not.
+    fn run(&mut self, statements: &[Stmt]) -> Option<Outcome> {
+        let depth = self.conditions.len();
+        let outcome = self.run_on(statements);
+        self.conditions.truncate(depth);
+        outcome
     }
 
-    /// `let pattern = value;` and `let pattern = value else { ... };` with a `return` in them.
-    fn leaving_local(&mut self, local: &Local, next: Rest<'_>) -> Option<Value> {
-        let init = local.init.as_ref()?;
-        let Some((_, otherwise)) = &init.diverge else {
-            return self.leaving(&init.expr, Some(&Rest { pattern: Some(&local.pat), ..next }));
-        };
-        let Some((matched, integer)) = self.matchable(&init.expr)? else {
-            self.errors.at(local, "`let ... else` is understood on values of the system, which read no coordinates");
+    fn run_on(&mut self, statements: &[Stmt]) -> Option<Outcome> {
+        let mut whole = Outcome::of(Value::Unit);
+        let mut rest = statements;
+        while let Some(position) = rest.iter().position(returns) {
+            self.statements(&rest[..position])?;
+            let statement = &rest[position];
+            rest = &rest[position + 1..];
+            let outcome = match statement {
+                Stmt::Local(Local { pat, init: Some(init), .. }) => match &init.diverge {
+                    Some((_, otherwise)) => {
+                        let outcome = self.let_else(pat, &init.expr, otherwise, rest, statement);
+                        rest = &[];
+                        outcome?
+                    }
+                    None => {
+                        let Outcome { value, returned } = self.leaving(&init.expr)?;
+                        self.bind(pat, value);
+                        Outcome { value: Value::Unit, returned }
+                    }
+                },
+                Stmt::Expr(expression, semicolon) => {
+                    let Outcome { value, returned } = self.leaving(expression)?;
+                    let value = if semicolon.is_none() { value } else { Value::Unit };
+                    Outcome { value, returned }
+                }
+                _ => return None,
+            };
+            let leaves = outcome.leaves(&self.graph);
+            outcome.returned.iter().for_each(|(condition, _)| self.past(*condition));
+            whole.returned.extend(outcome.returned);
+            whole.value = outcome.value;
+            if leaves || rest.is_empty() {
+                return Some(whole);
+            }
+        }
+        whole.value = self.statements(rest)?;
+        Some(whole)
+    }
+
+    /// `let pattern = value else { return ... };` and what is behind it, which knows the names of the pattern.
+    fn let_else(
+        &mut self,
+        pattern: &Pat,
+        value: &Expr,
+        otherwise: &Expr,
+        rest: &[Stmt],
+        place: &Stmt,
+    ) -> Option<Outcome> {
+        let Some((matched, integer)) = self.matchable(value)? else {
+            self.errors.at(place, "`let ... else` is understood on values of the system, which read no coordinates");
             return None;
         };
-        // The names of the pattern are known to the rest, which is read in the scope of the arm.
-        let rest = Rest { scopes: next.scopes + 1, ..next };
         let arms = [
-            ArmText { pattern: Some(&local.pat), guard: None, body: Body::Nothing },
+            ArmText { pattern: Some(pattern), guard: None, body: Body::Statements(rest) },
             ArmText { pattern: None, guard: None, body: Body::Expression(otherwise) },
         ];
-        self.first_of(&arms, &matched, integer, &[], Flow::Function(Some(&rest)), local)
+        self.first_of(&arms, &matched, integer, Flow::Function, place)
     }
 
-    /// An expression that may return, and what follows it where it does not.
-    fn leaving(&mut self, expression: &Expr, rest: Option<&Rest<'_>>) -> Option<Value> {
-        let flow = Flow::Function(rest);
+    /// An expression of a function's own body, which may return.
+    fn leaving(&mut self, expression: &Expr) -> Option<Outcome> {
         match expression {
-            Expr::Return(left) => match &left.expr {
-                Some(value) => self.expression(value),
-                None => Some(Value::Unit),
-            },
-            Expr::Paren(inner) => self.leaving(&inner.expr, rest),
-            Expr::Group(inner) => self.leaving(&inner.expr, rest),
-            Expr::Block(inner) if inner.label.is_none() => self.body(Body::Block(&inner.block), flow),
-            Expr::If(branch) => self.branch(branch, flow),
-            Expr::Match(whole) => self.matched(whole, flow),
-            _ => {
-                let value = self.statement(expression)?;
-                self.goes_on(value, rest)
+            Expr::Return(left) => {
+                let value = match &left.expr {
+                    Some(value) => self.expression(value)?,
+                    None => Value::Unit,
+                };
+                let always = self.graph.truth(true);
+                Some(Outcome { value: Value::Unit, returned: vec![(always, value)] })
             }
+            Expr::Paren(inner) => self.leaving(&inner.expr),
+            Expr::Group(inner) => self.leaving(&inner.expr),
+            Expr::Block(inner) if inner.label.is_none() => self.body(Body::Block(&inner.block), Flow::Function),
+            Expr::If(branch) => self.branch(branch, Flow::Function),
+            Expr::Match(whole) => self.matched(whole, Flow::Function),
+            _ => self.statement(expression).map(Outcome::of),
         }
-    }
-
-    /// What follows in the function where a branch does not return.
-    fn goes_on(&mut self, value: Value, rest: Option<&Rest<'_>>) -> Option<Value> {
-        let Some(rest) = rest else { return Some(value) };
-        let around = self.scopes.clone();
-        self.scopes.truncate(rest.scopes);
-        if let Some(pattern) = rest.pattern {
-            self.bind(pattern, value);
-        }
-        let value = self.run(rest.statements, rest.next);
-        self.scopes = around;
-        value
     }
 }
 

@@ -30,6 +30,12 @@ impl Reader<'_> {
         value
     }
 
+    /// From here on a condition does not hold.
+    pub(super) fn past(&mut self, condition: NodeId) {
+        let depth = self.frames.len();
+        self.conditions.push(Condition { node: condition, holds: false, depth });
+    }
+
     /// The text of a parameter, evaluated under those loops and conditions around it that may keep it from being so.
     pub(super) fn guarded_text(&self, text: TokenStream, loops: LoopSet, otherwise: &TokenStream) -> TokenStream {
         let guard = match needs(&text) {
@@ -38,7 +44,11 @@ impl Reader<'_> {
             Needs::Bounds if self.conditions.iter().any(|condition| self.computes(condition.node)) => {
                 self.guard(loops, Needs::All)
             }
-            needs => self.guard(loops, needs),
+            own => match self.guard(loops, own) {
+                // What a guard needs is asked in front of it.
+                Some(guard) if needs(&guard.text) > own => self.guard(loops, Needs::All),
+                guard => guard,
+            },
         };
         match guard {
             Some(Opaque { text: guard, .. }) => quote!((if #guard { #text } else { #otherwise })),
@@ -167,7 +177,7 @@ impl Reader<'_> {
         }
     }
 
-    /// A condition of parameters and indices as text.
+    /// A condition of parameters and indices as text, for where all conditions around it have been asked.
     fn condition_text(&self, condition: NodeId) -> Option<Opaque> {
         let of = |text, loops| Some(Opaque { text, loops });
         match self.graph.node(condition) {
@@ -178,7 +188,7 @@ impl Reader<'_> {
                 of(quote!((#a) #sign (#b)), both)
             }
             Node::Flag(parameter) => {
-                let text = &self.parameters[parameter.0 as usize].text;
+                let text = &self.parameters[parameter.0 as usize].own;
                 of(quote!((#text)), self.graph.loops.of_parameter(parameter))
             }
             Node::Not(inner) => {
@@ -211,7 +221,7 @@ impl Reader<'_> {
         };
         match self.graph.node(number) {
             Node::Parameter(parameter) => {
-                let text = &self.parameters[parameter.0 as usize].text;
+                let text = &self.parameters[parameter.0 as usize].own;
                 Some((quote!(#text), self.graph.loops.of_parameter(parameter)))
             }
             Node::Constant(_) => {
