@@ -12,6 +12,7 @@
 //! one, unless no value of it could do harm.
 
 use crate::graph::{Around, Element, Graph, Node, NodeId, Part, function::Function, index::LoopId};
+use std::collections::HashMap;
 
 /// An addend of one component of a gradient (of a family of them, where the component depends on loops).
 #[derive(Clone, Debug, PartialEq)]
@@ -82,17 +83,93 @@ pub(crate) fn hessian_product(graph: &mut Graph, of: &[Contribution], part: Part
 /// The same gradient with branches as choices between values: one contribution per element and loops, as long as
 /// nothing else tells them apart.
 pub(crate) fn folded(graph: &mut Graph, gradient: &[Contribution]) -> Vec<Contribution> {
-    let mut folded: Vec<Contribution> = Vec::new();
-    for Contribution { context, element, value } in gradient {
-        let outer = context.iter().rposition(|around| matches!(around, Around::Loop(_))).map_or(0, |last| last + 1);
-        let value = context[outer..].iter().rev().fold(*value, |value, around| chosen(graph, *around, value));
-        let context = context[..outer].to_vec();
-        match folded.iter_mut().find(|known| known.element == *element && known.context == context) {
-            Some(known) => known.value = joined(graph, known.value, value),
-            None => folded.push(Contribution { context, element: *element, value }),
+    let mut places: HashMap<(Element, &[Around]), usize> = HashMap::new();
+    let mut families: Vec<(&Contribution, usize, Vec<Inside<'_>>)> = Vec::new();
+    for contribution in gradient {
+        let Contribution { context, element, value } = contribution;
+        let outer = loops_end(context);
+        let place = *places.entry((*element, &context[..outer])).or_insert(families.len());
+        if place == families.len() {
+            families.push((contribution, outer, Vec::new()));
+        }
+        families[place].2.push((&context[outer..], *value));
+    }
+    let folded = families.into_iter().map(|(Contribution { context, element, .. }, outer, values)| Contribution {
+        context: context[..outer].to_vec(),
+        element: *element,
+        value: summed(graph, &values),
+    });
+    folded.collect()
+}
+
+/// How much of a context its loops are, with what is between them.
+fn loops_end(context: &[Around]) -> usize {
+    context.iter().rposition(|around| matches!(around, Around::Loop(_))).map_or(0, |last| last + 1)
+}
+
+/// A value, and the branches around it.
+type Inside<'a> = (&'a [Around], NodeId);
+
+/// Values by the outermost of their branches, in the order of these, and those without.
+enum Slot<'a> {
+    Value(NodeId),
+    /// A condition, with what is there where it holds and where it does not.
+    Branch(NodeId, [Vec<Inside<'a>>; 2]),
+}
+
+fn slots<'a>(values: &[Inside<'a>]) -> Vec<Slot<'a>> {
+    let mut places: HashMap<NodeId, usize> = HashMap::new();
+    let mut slots = Vec::new();
+    for (context, value) in values {
+        let Some((Around::Branch(condition, holds), inner)) = context.split_first() else {
+            slots.push(Slot::Value(*value));
+            continue;
+        };
+        let place = *places.entry(*condition).or_insert(slots.len());
+        if place == slots.len() {
+            slots.push(Slot::Branch(*condition, [Vec::new(), Vec::new()]));
+        }
+        if let Slot::Branch(_, sides) = &mut slots[place] {
+            sides[usize::from(!holds)].push((inner, *value));
         }
     }
-    folded
+    slots
+}
+
+/// The sum of values that are zero where their branches are not taken: one choice for each condition.
+fn summed(graph: &mut Graph, values: &[Inside<'_>]) -> NodeId {
+    let zero = graph.constant(0.0);
+    slots(values).into_iter().fold(zero, |sum, slot| {
+        let value = match slot {
+            Slot::Value(value) => value,
+            Slot::Branch(condition, sides) => {
+                let [first, second] = sides.map(|side| summed(graph, &side));
+                graph.select(condition, first, second)
+            }
+        };
+        joined(graph, sum, value)
+    })
+}
+
+/// The condition that one of the values is there.
+fn entered(graph: &mut Graph, values: &[Inside<'_>]) -> NodeId {
+    if values.iter().any(|(context, _)| context.is_empty()) {
+        return graph.truth(true);
+    }
+    let never = graph.truth(false);
+    slots(values).into_iter().fold(never, |any, slot| {
+        let Slot::Branch(condition, sides) = slot else { return any };
+        let [first, second] = sides.map(|side| entered(graph, &side));
+        let one = match [first, second].map(|side| graph.as_truth(side)) {
+            [Some(true), None] => graph.or(condition, second),
+            [None, Some(true)] => {
+                let otherwise = graph.not(condition);
+                graph.or(otherwise, first)
+            }
+            _ => graph.select(condition, first, second),
+        };
+        graph.or(any, one)
+    })
 }
 
 /// A value where a branch is taken, zero elsewhere.
@@ -135,14 +212,11 @@ fn gathered(graph: &mut Graph, id: NodeId, adjoints: Vec<Adjoint>) -> Vec<Adjoin
     if adjoints.len() <= CONTEXTS || matches!(graph.node(id), Node::Coordinate(_)) {
         return adjoints;
     }
-    let loops = |context: &[Around]| {
-        context.iter().rposition(|around| matches!(around, Around::Loop(_))).map_or(0, |last| last + 1)
-    };
     let mut groups: Vec<Vec<Adjoint>> = Vec::new();
     for (context, adjoint) in adjoints {
         let own = |group: &&mut Vec<Adjoint>| {
             let known = &group[0].0;
-            known[..loops(known)] == context[..loops(&context)]
+            known[..loops_end(known)] == context[..loops_end(&context)]
         };
         match groups.iter_mut().find(own) {
             Some(group) => group.push((context, adjoint)),
@@ -158,13 +232,8 @@ fn in_common(graph: &mut Graph, id: NodeId, adjoints: &[Adjoint]) -> Adjoint {
     let shared =
         |known: usize, context: &[Around]| first[..known].iter().zip(context).take_while(|(a, b)| a == b).count();
     let common = adjoints.iter().fold(first.len(), |known, (context, _)| shared(known, context));
-    let (mut sum, mut any) = (graph.constant(0.0), graph.truth(false));
-    for (context, adjoint) in adjoints {
-        let value = context[common..].iter().rev().fold(*adjoint, |value, around| chosen(graph, *around, value));
-        sum = graph.add(sum, value);
-        let entered = graph.happens(&context[common..], id);
-        any = graph.or(any, entered);
-    }
+    let values: Vec<Inside<'_>> = adjoints.iter().map(|(context, adjoint)| (&context[common..], *adjoint)).collect();
+    let (sum, any) = (summed(graph, &values), entered(graph, &values));
     let mut context = first[..common].to_vec();
     let is_harmless = adjoints.iter().all(|(left, _)| graph.is_harmless(id, &left[common..]));
     if !is_harmless && graph.as_truth(any).is_none() {

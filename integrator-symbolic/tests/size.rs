@@ -1,7 +1,7 @@
 //! How much is written: as much as there are formulas, whatever the number of sites.
 
 use integrator_symbolic::hamiltonian;
-use proc_macro2::TokenStream;
+use proc_macro2::{TokenStream, TokenTree};
 
 fn expansion(item: &str) -> String {
     let expansion = hamiltonian(TokenStream::new(), item.parse().expect("tokens")).to_string();
@@ -82,33 +82,123 @@ fn ten_bodies_written_out_stay_below_a_size() {
     assert!((45_000..180_000).contains(&written), "{written} bytes");
 }
 
-/// Statements that follow each other, each behind a condition on coordinates of its own.
-const BRANCHES: &[(&str, &str)] = &[
-    ("walls", "if q[0] > self.wall[I] { v += 0.5 * (q[0] - self.wall[I]).powi(2); }"),
-    ("walls on both sides", "if q[0] > self.wall[I] { v += q[0].exp(); } else { v -= q[1].exp(); }"),
-    ("products", "if q[0] > self.wall[I] { v *= q[1].cosh(); }"),
-    ("variables", "let v = if q[0] > self.wall[I] { v.sin() } else { v * 1.5 + q[1] };"),
-    ("roots", "if v > self.wall[I] { v = (v + self.wall[I]).sqrt(); }"),
-    ("kinks", "v = v.max(self.wall[I] * q[0]).sqrt();"),
+/// Systems that grow along one axis of the language: what is in front, what is there once for each number `I` (`N` is the
+/// next one), what joins these, and what is behind. Beside `self`, `q` is known, of as many coordinates as there are parts.
+const AXES: &[(&str, [&str; 4])] = &[
+    ("terms", ["", "I.5 * q[0].sin() * (q[1] - I.25).powi(2)", " + ", ""]),
+    ("factors", ["", "(q[0] - I.5).sin()", " * ", ""]),
+    ("coordinates", ["", "q[I].sin() * q[(I + 1) % 2]", " + ", ""]),
+    ("parameters", ["", "self.k[I] * (self.k[I] * q[0]).sin() * q[1]", " + ", ""]),
+    ("powers", ["", "q[0].powi(I) / q[1].powi(N)", " + ", ""]),
+    ("variables", ["let x_0 = q[0] * q[1];", "let x_N = x_I * q[1].sin() + x_I;", "", "x_N"]),
+    (
+        "variables of two",
+        ["let (x_0, y_0) = (q[0], q[1]);", "let (x_N, y_N) = (x_I.sin() * y_I, x_I + y_I);", "", "x_N * y_N"],
+    ),
+    ("arrays", ["let mut a = [q[0], q[1]];", "a[0] = a[1] * I.5 + a[0].sin();", "", "a[0]"]),
+    ("closures", ["let f = |x: f64| x.sin() * q[1];", "f(I.5 * q[0])", " + ", ""]),
+    ("loops", ["let mut v = 0.0;", "for i in 0..3 { v += (I.5 * q[i]).sin(); }", "", "v"]),
+    ("loops in loops", ["", "(0..3).map(|i_I| q[i_I].sin() * ", "", "1.0"]),
+    ("roots", ["let v = q[0];", "let v = (v * q[1] + I.5).sqrt();", "", "v"]),
+    ("kinks", ["let v = q[0];", "let v = v.max(I.5 * q[1]).sqrt();", "", "v"]),
+    ("walls", ["let mut v = q[1];", "if q[0] > self.wall[I] { v += 0.5 * (q[0] - self.wall[I]).powi(2); }", "", "v"]),
+    (
+        "walls on both sides",
+        ["let mut v = q[1];", "if q[0] > self.wall[I] { v += q[0].exp(); } else { v -= q[1].exp(); }", "", "v"],
+    ),
+    ("products by branches", ["let mut v = q[1];", "if q[0] > self.wall[I] { v *= q[1].cosh(); }", "", "v"]),
+    (
+        "choices of the last",
+        ["let v = q[1];", "let v = if q[0] > self.wall[I] { v.sin() } else { v * 1.5 + q[1] };", "", "v"],
+    ),
+    ("branches on the last", ["let mut v = q[1];", "if v > I.5 { v = v.sin(); } else { v = v * q[1]; }", "", "v"]),
+    (
+        "branches on parameters",
+        ["let mut v = q[1];", "if self.w > I.5 { v = v.sin(); } else { v = v * q[1]; }", "", "v"],
+    ),
+    (
+        "two variables",
+        [
+            "let (mut v, mut u) = (q[0], q[1]);",
+            "if v > u + I.5 { v = v.sin(); u = u + v; } else { v = v * u; u = u.cos(); }",
+            "",
+            "v * u",
+        ],
+    ),
+    ("pieces", ["", "if q[0] < I.5 { I.25 * q[0] * q[0] }", " else ", " else { q[1] * q[1] }"]),
+    ("numbers of pieces", ["let x = q[0]; q[1] * ", "if x < I.5 { I.25 }", " else ", " else { 1.0 }"]),
+    (
+        "pieces of anything",
+        ["", "if q[0] * q[0] < I.5 + q[1] { (I.25 * q[0]).sin() }", " else ", " else { q[1] * q[1] }"],
+    ),
+    ("pieces that return", ["", "if q[0] < I.5 { return I.25 * q[0] * q[0]; }", "", "q[1] * q[1]"]),
+    (
+        "pieces that may return",
+        ["let mut v = q[1];", "if q[0] < I.5 { if q[1] < I.5 { return I.25 * v; } v += I.5 * q[0].sin(); }", "", "v"],
+    ),
+    ("pieces that replace", ["let mut v = q[1];", "if q[0] > I.5 { v = I.25 * q[0] * q[0]; }", "", "v"]),
+    ("pieces in pieces", ["", "if q[0] > I.5 { I.25 * q[1] * q[0] } else {", "", "q[1]"]),
+    ("arms", ["match self.kind {", "I => I.5 * q[0].sin(),", "", "_ => q[1].cos() }"]),
+    ("conditions", ["if ", "q[0] > -I.5", " && ", "{ q[0].sin() } else { q[1] * q[1] }"]),
+    (
+        "turns that are left",
+        ["let mut v = 0.0; for i in 0..3 {", "if q[i] > I.5 { continue; } v += I.5 * q[i] * q[i];", "", "} v"],
+    ),
 ];
 
+/// A system that is `count` long along an axis.
+fn along([front, part, joint, end]: [&str; 4], count: usize) -> String {
+    let of = |text: &str, at: usize| text.replace('N', &(at + 1).to_string()).replace('I', &at.to_string());
+    let parts: Vec<String> = (0..count).map(|at| of(part, at)).collect();
+    // What the parts leave open is closed behind them.
+    let closing = match part {
+        _ if part.ends_with('{') => "}",
+        _ if part.ends_with("* ") => ").sum::<f64>()",
+        _ => "",
+    };
+    let (parts, end, closed) = (parts.join(joint), of(end, count - 1), closing.repeat(count));
+    let coordinates = count.max(3);
+    format!(
+        "impl Growing {{
+            fn kinetic(&self, p: [f64; {coordinates}]) -> f64 {{ p[0] * p[0] / 2.0 }}
+            fn potential(&self, q: [f64; {coordinates}]) -> f64 {{ {front} {parts} {end} {closed} }}
+        }}"
+    )
+}
+
+/// How many tokens there are, with those in brackets.
+fn tokens(text: TokenStream) -> usize {
+    let of = |tree| match tree {
+        TokenTree::Group(group) => 2 + tokens(group.stream()),
+        _ => 1,
+    };
+    text.into_iter().map(of).sum()
+}
+
 #[test]
-fn branches_that_follow_each_other_add_up() {
-    for (name, statement) in BRANCHES {
-        let length = |count: usize| {
-            let statements = (0..count).map(|at| statement.replace('I', &at.to_string())).collect::<String>();
-            let item = format!(
-                "impl Branches {{
-                    fn kinetic(&self, p: [f64; 2]) -> f64 {{ (p[0] * p[0] + p[1] * p[1]) / 2.0 }}
-                    fn potential(&self, q: [f64; 2]) -> f64 {{ let mut v = q[0] * q[1] + 3.0; {statements} v }}
-                }}"
-            );
-            expansion(&item).len()
-        };
-        // Were everything written for both sides of each, four more would cost sixteen times what the last four did. What
-        // is nested in itself has second derivatives between all of its levels, whose number grows with the square.
-        let [four, eight, twelve] = [4, 8, 12].map(length);
-        let (first, second) = (eight - four, twelve - eight);
-        assert!(second < 3 * first, "{name}: {four}, {eight}, {twelve}");
+fn what_is_written_grows_with_the_text() {
+    let mut faster = Vec::new();
+    for (name, axis) in AXES {
+        let [once, twice] = [12, 24].map(|count| {
+            let item: TokenStream = along(*axis, count).parse().expect("tokens");
+            let (read, written) = (tokens(item.clone()), hamiltonian(TokenStream::new(), item));
+            assert!(!written.to_string().contains("compile_error"), "{name}: {written}");
+            tokens(written) - read
+        });
+        // Twice as many parts, and a tenth for what is asked once more where conditions are halved.
+        if 10 * twice > 22 * once {
+            faster.push(format!("{name}: {once} and {twice} tokens"));
+        }
+    }
+    assert_eq!(faster, [""; 0]);
+}
+
+#[test]
+fn as_many_pieces_may_follow_each_other_as_there_are_lines_in_a_table() {
+    for name in ["pieces", "pieces that return", "pieces that replace"] {
+        let axis = AXES.iter().find(|(known, _)| *known == name).expect("an axis").1;
+        let item: TokenStream = along(axis, 400).parse().expect("tokens");
+        let written = hamiltonian(TokenStream::new(), item).to_string();
+        assert!(!written.contains("compile_error"), "{name}");
     }
 }

@@ -76,7 +76,10 @@ impl Graph {
             (_, Some(false)) => a,
             (Some(true), _) | (_, Some(true)) => self.truth(true),
             _ if a == b => a,
-            _ => self.intern(Node::Or(a, b)),
+            _ => match self.either_bound(a, b) {
+                Some(wider) => wider,
+                None => self.intern(Node::Or(a, b)),
+            },
         }
     }
 

@@ -14,6 +14,7 @@ mod cost;
 pub(crate) mod evaluate;
 mod external;
 pub(crate) mod function;
+mod halves;
 pub(crate) mod index;
 mod partial;
 mod pieces;

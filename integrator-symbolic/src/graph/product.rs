@@ -3,6 +3,9 @@
 
 use super::{Graph, Node, NodeId};
 
+/// How many factors a long product has.
+const LONG: usize = 8;
+
 impl Graph {
     /// A product. Numbers are gathered from both sides and put, with parameters, at the far left, where they are
     /// multiplied once per run.
@@ -175,6 +178,8 @@ impl Graph {
                 let product = self.scaled_by(scale, inner);
                 self.neg(product)
             }
+            // Put into the front of a long product, it would keep that from being shared with its multiples.
+            (Node::Mul(..), Some(_)) if self.is_long_product(rest) => self.intern(Node::Mul(scale, rest)),
             (Node::Mul(a, b), _) => {
                 let left = self.scaled_by(scale, a);
                 match self.as_constant(left) {
@@ -202,6 +207,16 @@ impl Graph {
             }
             _ => self.intern(Node::Mul(scale, rest)),
         }
+    }
+
+    /// Whether a product has many factors, and none in front that is prepared, with which a number would be multiplied.
+    fn is_long_product(&self, id: NodeId) -> bool {
+        let factors = std::iter::successors(Some(id), |id| match self.node(*id) {
+            Node::Mul(left, _) => Some(left),
+            _ => None,
+        });
+        let (count, first) = factors.take(LONG + 1).fold((0, id), |(count, _), left| (count + 1, left));
+        count > LONG && !self.is_prepared(first)
     }
 
     /// Whether a node is a number times something else.

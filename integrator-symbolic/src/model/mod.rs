@@ -123,7 +123,8 @@ pub(crate) fn model(input: &Input, errors: &mut Errors) -> Option<Model> {
     let (shape, arguments) = (of_kinetic.shape, Some([of_kinetic.arguments, of_potential.arguments]));
     let lengths = [Some(&shape.length), shape.dimension.as_ref()].into_iter().flatten();
     let lengths = lengths.map(|length| reader.length(length)).collect();
-    let Reader { graph, parameters, running, externals, two_arguments, .. } = reader;
+    let Reader { mut graph, parameters, running, externals, two_arguments, .. } = reader;
+    let [kinetic, potential] = graph.halved([kinetic, potential]);
     let autonomous = !graph.reads_time(kinetic) && !graph.reads_time(potential);
     let quadratic =
         graph.degree(kinetic, Part::Momentum).is_some_and(|degree| degree <= 2) && !graph.reads_time(kinetic);
