@@ -10,6 +10,7 @@
 pub(crate) mod nest;
 mod order;
 mod place;
+mod unwritten;
 
 use crate::graph::{
     Around, Element, Graph, Node, NodeId,
@@ -146,6 +147,7 @@ fn attempt<L: Fn(&Graph, NodeId) -> bool>(
         asked,
         way,
         left: USES * (graph.len() + USES),
+        known: (0, None, HashMap::new()),
         scopes: vec![Scope::default()],
         uses: BTreeMap::new(),
         homes: BTreeMap::new(),
@@ -206,6 +208,8 @@ struct Scheduler<'g, L> {
     way: Way,
     /// How many uses may still be noted.
     left: usize,
+    /// How many blocks of a kind nodes wait for in a block, as far as that was asked last.
+    known: (usize, Option<Around>, HashMap<NodeId, u32>),
     scopes: Vec<Scope>,
     /// The blocks that nodes are used in, as paths from the outermost one; the last node is placed first.
     uses: BTreeMap<NodeId, Vec<Vec<usize>>>,
@@ -271,11 +275,21 @@ impl<L: Fn(&Graph, NodeId) -> bool> Scheduler<'_, L> {
     }
 
     /// How many inner blocks of a kind, one after the other, a node waits for in the last block of `path`.
-    fn waits(&self, path: &[usize], id: NodeId, kind: Around) -> u32 {
-        self.waits_of(path, id, kind, &mut HashMap::new())
+    fn waits(&mut self, path: &[usize], id: NodeId, kind: Around) -> u32 {
+        let (scope, kind) = (path[path.len() - 1], kind.either_side());
+        let (known_scope, known_kind, known) = std::mem::take(&mut self.known);
+        let mut known = if (known_scope, known_kind) == (scope, Some(kind)) { known } else { HashMap::new() };
+        let waits = self.waits_of(path, id, kind, &mut known);
+        self.known = (scope, Some(kind), known);
+        waits
     }
 
     fn waits_of(&self, path: &[usize], id: NodeId, kind: Around, known: &mut HashMap<NodeId, u32>) -> u32 {
+        // A choice has a larger id than its condition.
+        let is_before = kind.condition().is_some_and(|condition| id <= condition);
+        if is_before && self.way.waiting != Waiting::ForAny {
+            return 0;
+        }
         if let Some(waits) = known.get(&id) {
             return *waits;
         }

@@ -216,6 +216,14 @@ pub(crate) enum Around {
 }
 
 impl Around {
+    /// The same for both branches of a condition.
+    pub(crate) fn either_side(self) -> Self {
+        match self {
+            Around::Loop(_) => self,
+            Around::Branch(condition, _) => Around::Branch(condition, true),
+        }
+    }
+
     /// The condition of a branch.
     pub(crate) fn condition(&self) -> Option<NodeId> {
         match self {

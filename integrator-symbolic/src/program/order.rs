@@ -1,6 +1,6 @@
 //! The lines of a block, in an order in which each finds what it needs.
 
-use super::{End, Item, Scheduler, Scope};
+use super::{End, Item, Scheduler, Scope, unwritten::Unwritten};
 use crate::graph::{Around, Graph, Node, NodeId};
 use std::collections::{BTreeSet, HashMap};
 
@@ -10,41 +10,32 @@ impl<L: Fn(&Graph, NodeId) -> bool> Scheduler<'_, L> {
     pub(super) fn items(&self, scope: usize, named: &BTreeSet<NodeId>) -> Option<Vec<Item>> {
         let own = &self.scopes[scope];
         let pairs = self.pairs(own);
-        let mut waiting: BTreeSet<NodeId> = own.nodes.iter().filter(|id| named.contains(id)).copied().collect();
-        let mut blocks: Vec<usize> = own.inner.iter().map(|(_, block)| *block).collect();
+        let paired: HashMap<NodeId, usize> =
+            pairs.iter().enumerate().flat_map(|(at, (sine, cosine, _))| [(*sine, at), (*cosine, at)]).collect();
+        let blocks: Vec<usize> = own.inner.iter().map(|(_, block)| *block).collect();
+        let mut unwritten = Unwritten::of(self, own, named, &blocks);
         let mut begun = BTreeSet::new();
         let mut items = Vec::new();
         loop {
-            // Children have smaller ids, so one pass finds all that wait for no block.
-            for id in waiting.clone() {
-                if !self.is_ready(id, own, named, &blocks, &waiting) {
-                    continue;
-                }
-                waiting.remove(&id);
-                match pairs.iter().find(|(sine, cosine, _)| *sine == id || *cosine == id) {
+            while let Some(id) = unwritten.next_value() {
+                match paired.get(&id).map(|at| pairs[*at]) {
                     _ if self.is_made_inside(id) => {}
-                    Some((sine, cosine, argument)) if id == *sine.min(cosine) => {
-                        items.push(Item::SineCosine { argument: *argument, sine: *sine, cosine: *cosine });
+                    Some((sine, cosine, argument)) if id == sine.min(cosine) => {
+                        items.push(Item::SineCosine { argument, sine, cosine });
                     }
                     Some(_) => {}
                     None => items.push(Item::Let(id)),
                 }
             }
-            if blocks.is_empty() {
+            if unwritten.blocks == 0 {
                 break;
             }
-            let position = blocks.iter().position(|block| {
-                let (mut needs, makes) = (BTreeSet::new(), self.makes(*block));
-                self.block_needs(*block, own, &mut needs);
-                // What the block itself makes is not needed from outside.
-                needs.iter().all(|id| makes.contains(id) || !waiting.contains(id))
-            })?;
-            let block = blocks.remove(position);
+            let block = blocks[unwritten.next_block()?];
             let makes = self.makes(block).into_iter().filter(|id| own.nodes.contains(id));
             items.extend(makes.filter(|id| begun.insert(*id)).map(Item::Begin));
             items.push(self.block(block, named)?);
         }
-        if !waiting.is_empty() {
+        if unwritten.values > 0 {
             return None;
         }
         items.extend(own.ends.iter().map(|end| match *end {
@@ -55,25 +46,8 @@ impl<L: Fn(&Graph, NodeId) -> bool> Scheduler<'_, L> {
         Some(items)
     }
 
-    /// Whether a named value can be computed: what it is made of has been, and no block that makes it is left.
-    fn is_ready(
-        &self,
-        id: NodeId,
-        own: &Scope,
-        named: &BTreeSet<NodeId>,
-        blocks: &[usize],
-        waiting: &BTreeSet<NodeId>,
-    ) -> bool {
-        if self.is_made_inside(id) {
-            return !blocks.iter().any(|block| self.makes(*block).contains(&id));
-        }
-        let mut needs = BTreeSet::new();
-        self.needs(id, own, named, &mut needs);
-        needs.is_disjoint(waiting)
-    }
-
     /// The named values of this block that a node is computed from.
-    fn needs(&self, id: NodeId, own: &Scope, named: &BTreeSet<NodeId>, needs: &mut BTreeSet<NodeId>) {
+    pub(super) fn needs(&self, id: NodeId, own: &Scope, named: &BTreeSet<NodeId>, needs: &mut BTreeSet<NodeId>) {
         for child in self.graph.node(id).children().filter(|child| own.nodes.contains(child)) {
             if named.contains(&child) {
                 needs.insert(child);
@@ -84,7 +58,7 @@ impl<L: Fn(&Graph, NodeId) -> bool> Scheduler<'_, L> {
     }
 
     /// The values of this block that an inner one uses; they are named, since an inner block uses them.
-    fn block_needs(&self, block: usize, own: &Scope, needs: &mut BTreeSet<NodeId>) {
+    pub(super) fn block_needs(&self, block: usize, own: &Scope, needs: &mut BTreeSet<NodeId>) {
         let block = &self.scopes[block];
         if let Some(Around::Branch(condition, _)) = block.around {
             needs.insert(condition);
@@ -108,7 +82,7 @@ impl<L: Fn(&Graph, NodeId) -> bool> Scheduler<'_, L> {
     }
 
     /// The sums and choices that a block, or one inside it, adds to or makes.
-    fn makes(&self, block: usize) -> BTreeSet<NodeId> {
+    pub(super) fn makes(&self, block: usize) -> BTreeSet<NodeId> {
         let block = &self.scopes[block];
         let own = block.ends.iter().filter_map(|end| match end {
             End::Add { sum: id, .. } | End::Choose { choice: id, .. } => Some(*id),
@@ -118,7 +92,7 @@ impl<L: Fn(&Graph, NodeId) -> bool> Scheduler<'_, L> {
     }
 
     /// Whether a node gets its value in an inner block.
-    fn is_made_inside(&self, id: NodeId) -> bool {
+    pub(super) fn is_made_inside(&self, id: NodeId) -> bool {
         matches!(self.graph.node(id), Node::Sum(..) | Node::Select(..))
     }
 

@@ -85,7 +85,8 @@ impl<L: Fn(&Graph, NodeId) -> bool> Scheduler<'_, L> {
         self.scope(home).nodes.insert(id);
         match self.graph.node(id) {
             Node::Sum(by, body) => {
-                let turn = self.inside(home, Around::Loop(by), self.waits(home, id, Around::Loop(by)));
+                let waits = self.waits(home, id, Around::Loop(by));
+                let turn = self.inside(home, Around::Loop(by), waits);
                 match self.graph.node(body) {
                     // What a turn adds under a condition alone is added there.
                     Node::Select(condition, value, zero) if self.graph.as_constant(zero) == Some(0.0) => {
@@ -103,7 +104,8 @@ impl<L: Fn(&Graph, NodeId) -> bool> Scheduler<'_, L> {
                 let zero = |value: &NodeId| self.graph.as_constant(*value).is_some_and(|value| value.to_bits() == 0);
                 for (holds, value) in [(true, first), (false, second)].into_iter().filter(|(_, value)| !zero(value)) {
                     let around = Around::Branch(condition, holds);
-                    let branch = self.inside(home, around, self.waits(home, id, around));
+                    let waits = self.waits(home, id, around);
+                    let branch = self.inside(home, around, waits);
                     self.end(&branch, End::Choose { choice: id, value });
                 }
             }
