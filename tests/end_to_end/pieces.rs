@@ -1,7 +1,12 @@
 //! Hamiltonians that are defined by pieces in time, whose edges lie where steps end.
 
 use crate::slope::{assert_order, observed_order};
-use integrator_core::{InLanes, Method, Visitor, prelude::*, taylor::Taylor};
+use integrator_core::{
+    Compensated, InLanes, Method, Visitor,
+    check::{ChooseError, Goal, certify, choose},
+    prelude::*,
+    taylor::Taylor,
+};
 
 /// Magnets along a ring, each with its own strength: a negative one defocuses.
 struct Magnets {
@@ -177,4 +182,110 @@ fn tiles_do_not_reach_over_edges() {
         state = part.state();
     }
     assert_eq!(whole.state(), state);
+}
+
+/// Cells of a focusing lens, a drift, a defocusing lens and a drift, one after the other without an end.
+struct Fodo {
+    cell: f64,
+    strength: f64,
+}
+
+#[hamiltonian]
+impl Fodo {
+    fn kinetic(&self, p: [f64; 1]) -> f64 {
+        p[0] * p[0] / 2.0
+    }
+    fn potential(&self, q: [f64; 1], t: f64) -> f64 {
+        let along = t % self.cell;
+        if along < self.cell / 4.0 {
+            self.strength * q[0] * q[0] / 2.0
+        } else if along >= self.cell / 2.0 && along < 0.75 * self.cell {
+            -self.strength * q[0] * q[0] / 2.0
+        } else {
+            0.0
+        }
+    }
+}
+
+/// A quarter of a cell is 0.7 radians of the lens, and the phase turns by 48 degrees per cell.
+const FODO: Fodo = Fodo { cell: 2.0, strength: 2.0 };
+const CELLS: u64 = 100;
+
+/// The end of a particle that starts at (1, 0.3), behind so many cells.
+fn behind_cells() -> [f64; 2] {
+    let (omega, length) = (FODO.strength.sqrt(), FODO.cell / 4.0);
+    let angle = omega * length;
+    let drift = [[1.0, length], [0.0, 1.0]];
+    let cell = [
+        [[angle.cos(), angle.sin() / omega], [-omega * angle.sin(), angle.cos()]],
+        drift,
+        [[angle.cosh(), angle.sinh() / omega], [omega * angle.sinh(), angle.cosh()]],
+        drift,
+    ];
+    let elements = (0..CELLS).flat_map(|_| cell);
+    elements.fold([1.0, 0.3], |[q, p], matrix| matrix.map(|[of_q, of_p]| of_q * q + of_p * p))
+}
+
+/// The order of every composition behind all cells.
+struct AlongCells(usize);
+
+impl Visitor<Fodo> for AlongCells {
+    fn visit<X: Composition<Fodo>>(&mut self, composition: X) {
+        let [q, p] = behind_cells();
+        let error = |steps: u64| {
+            let (start, h) = (Phase::compensated([1.0], [0.3]), FODO.cell / (4 * steps) as f64);
+            let mut run = FODO.run_with(composition, start, h).expect("an admissible start");
+            // Steps that are too long for the lens may lead anywhere.
+            match run.advance(4 * steps * CELLS) {
+                Ok(()) => (run.state().q[0].value - q).hypot(run.state().p[0].value - p),
+                Err(_) => f64::INFINITY,
+            }
+        };
+        // The motion is linear, so that an error is the leading one and a share of about its own size.
+        let small = if X::ORDER < 4 { 0.05 } else { 1e-3 };
+        let (mut steps, mut coarse) = (1, error(1));
+        while coarse > small {
+            steps *= 2;
+            coarse = error(steps);
+            assert!(steps < 1 << 12, "{}: {coarse:e} in {steps} steps per element", X::NAME);
+        }
+        assert_order(X::NAME, X::ORDER, (coarse / error(2 * steps)).log2());
+        self.0 += 1;
+    }
+}
+
+#[test]
+fn all_compositions_keep_their_order_over_a_hundred_cells() {
+    let mut compositions = AlongCells(0);
+    Fodo::visit_compositions(&mut compositions);
+    assert!(compositions.0 > 40, "{}", compositions.0);
+}
+
+#[test]
+fn cells_are_certified() {
+    fn certified<X: Composition<Fodo>>(composition: X) {
+        let (start, h) = (Phase::compensated([1.0], [0.3]), FODO.cell / 32.0);
+        let outcome = certify::<_, _, Compensated<f64>>(&FODO, composition, start, h);
+        let certificate = outcome.unwrap_or_else(|refused| panic!("{refused}"));
+        assert!((certificate.observed_order - f64::from(X::ORDER)).abs() < 0.5, "{certificate}");
+        assert!(certificate.order_until >= CELLS as f64 * FODO.cell, "{certificate}");
+    }
+    certified(Verlet);
+    certified(VelocityVerlet);
+    certified(Yoshida4);
+    certified(BlanesMoanSrkn6);
+    certified(KahanLi8);
+}
+
+/// Steps of a choice end at all edges, or it is told where none does.
+#[test]
+fn what_is_chosen_steps_on_edges() {
+    let start = || Phase::compensated([1.0], [0.3]);
+    let ranking = choose(&FODO, start(), 10.0 * FODO.cell, Goal::Trajectory(1e-6)).expect("a ranking");
+    for choice in ranking.choices() {
+        assert!(choice.steps.is_multiple_of(4 * 10), "{}: {} steps", choice.composition, choice.steps);
+    }
+    assert!(ranking.best().order >= 4, "{ranking}");
+    let between = choose(&FODO, start(), 7.0_f64.sqrt(), Goal::Trajectory(1e-6));
+    assert!(matches!(between, Err(ChooseError::Edge { time: 0.5, .. })), "{between:?}");
 }

@@ -40,6 +40,38 @@ pub(crate) fn spacing<H: Hamiltonian>(
     Ok(apart)
 }
 
+/// In how many parts edges are looked for in a span, one in each at most, and into how many steps it is divided at most to meet
+/// them.
+const PARTS: u32 = 1 << 13;
+
+/// The fewest equal steps over a span from `t0` that end at all edges in it.
+///
+/// # Errors
+/// The first edge that no number of steps meets.
+pub(crate) fn fewest_steps<H: Hamiltonian>(
+    system: &H,
+    points: &[Phase<H::Coords>],
+    t0: f64,
+    span: f64,
+) -> Result<u64, f64> {
+    let length = points.first().map_or(0, |point| point.q.length());
+    let at = |part: u32| t0 + span * (f64::from(part) / f64::from(PARTS));
+    let pieces = Pieces::<H> { parameters: system.parameters(length), points, h: span / f64::from(PARTS) };
+    let edges = (0..PARTS).filter_map(|part| pieces.edge(at(part), at(part + 1)));
+    let edges: Vec<f64> = edges.filter(|edge| *edge != t0 && *edge != t0 + span).collect();
+    let rounding = ROUNDINGS * f64::EPSILON * (t0.abs() + span.abs());
+    let off = |edge: f64, steps: f64| {
+        let place = (edge - t0) / span * steps;
+        (place - place.round()) * span / steps
+    };
+    let met = |steps: &u32| edges.iter().all(|edge| within(off(*edge, f64::from(*steps)), rounding));
+    let first_off = |edge: &f64| (1..=PARTS).all(|steps| !within(off(*edge, f64::from(steps)), rounding));
+    match (1..=PARTS).find(met) {
+        Some(steps) => Ok(u64::from(steps)),
+        None => Err(edges.iter().copied().find(first_off).or(edges.first().copied()).unwrap_or(t0)),
+    }
+}
+
 struct Pieces<'p, H: Hamiltonian> {
     parameters: H::Parameters<f64>,
     points: &'p [Phase<H::Coords>],
@@ -86,6 +118,6 @@ impl<H: Hamiltonian> Pieces<'_, H> {
     }
 }
 
-fn greatest_common_divisor(a: u64, b: u64) -> u64 {
+pub(crate) fn greatest_common_divisor(a: u64, b: u64) -> u64 {
     if b == 0 { a } else { greatest_common_divisor(b, a % b) }
 }

@@ -23,6 +23,17 @@ pub enum ChooseError {
         /// The tolerance that was asked for.
         tolerance: f64,
     },
+    /// The Hamiltonian is defined by pieces in time, and no equal steps over the span end where these do.
+    #[error(
+        "the Hamiltonian changes its formula at t = {time}, where no equal steps over a span of {span} end, and a step over the \
+         edge costs the order: choose a span that is a multiple of the time between edges"
+    )]
+    Edge {
+        /// When.
+        time: f64,
+        /// The span that was asked for.
+        span: f64,
+    },
     /// The true motion is not known to the tolerance.
     #[error(
         "the motion cannot be followed to {tolerance:e} over this span: halving the step of a run of order 10 changes it \

@@ -47,6 +47,8 @@ impl Goal {
 /// Work is the number of force evaluations, where a gradient of the squared force counts as one more, and a processor is
 /// charged once. Compositions that need more than sixteen times the work of the best are left out.
 ///
+/// Where the clock decides on pieces of the Hamiltonian, all steps in the ranking end where these do.
+///
 /// The span should be long enough to show what matters, some periods of the slowest motion, but no longer: all of it is
 /// run some hundred times. A start with compensated leaves finds the best composition for compensated runs.
 ///
@@ -76,7 +78,7 @@ impl Goal {
 ///
 /// # Errors
 /// A span, a start or a tolerance that no run can have; an energy that is not conserved because the Hamiltonian reads
-/// the time; a motion that cannot be followed to the tolerance; a tolerance that no composition reaches.
+/// the time; edges between pieces in time that no equal steps over the span meet; a motion that cannot be followed to the tolerance; a tolerance that no composition reaches.
 pub fn choose<H: Hamiltonian, K: Keep>(
     system: &H,
     start: impl Into<Start<Shaped<H, K>>>,

@@ -5,6 +5,7 @@ use crate::{
     catalogue::SofroniouSpaletta10,
     check::{
         CheckError,
+        edges::{fewest_steps, greatest_common_divisor},
         path::{PARTS, Path, Scale},
         points::{compensated_run, plain},
         reference::by_series,
@@ -31,6 +32,9 @@ const HALVINGS: i32 = 15;
 /// most of the error of the coarser one; that of the finer one is smaller by a thousand times.
 const MARGIN: f64 = 16.0;
 
+/// In how many steps the motion is seen on which edges are looked for.
+const SEEN: u64 = 1 << 10;
+
 /// How often the energy of a run is looked at, at most.
 const LOOKS: u64 = 4096;
 
@@ -47,17 +51,44 @@ pub(super) struct Problem<'s, H: Hamiltonian, K: Keep> {
     pub(super) goal: Goal,
     /// The true motion and how far it goes; none where the energy is the goal.
     exact: Option<(Path<H::Coords>, Scale)>,
+    /// Of what numbers of steps are multiples: of the parts in which the motion is seen, and where the Hamiltonian is defined by
+    /// pieces in time, of the steps that end where these do.
+    unit: u64,
 }
 
 impl<'s, H: Hamiltonian, K: Keep> Problem<'s, H, K> {
     pub(super) fn new(system: &'s H, start: Start<Shaped<H, K>>, span: f64, goal: Goal) -> Result<Self, ChooseError> {
-        let mut problem = Self { system, start, span, goal, exact: None };
+        let mut problem = Self { system, start, span, goal, exact: None, unit: PARTS };
+        if H::PIECEWISE_IN_TIME {
+            problem.unit = problem.over_edges()?;
+        }
         match goal {
             Goal::Energy(_) if !H::AUTONOMOUS => return Err(CheckError::NotAutonomous.into()),
             Goal::Energy(_) => {}
             Goal::Trajectory(tolerance) => problem.exact = Some(problem.followed(tolerance)?),
         }
         Ok(problem)
+    }
+
+    /// The fewest steps that end at all edges and are shared evenly by the parts.
+    fn over_edges(&self) -> Result<u64, ChooseError> {
+        let start = self.begins();
+        let seen = self.reference(SEEN).map(|(path, _)| path.ends).unwrap_or_default();
+        let points: Vec<_> = [start.phase].into_iter().chain(seen).collect();
+        match fewest_steps(self.system, &points, start.time, self.span) {
+            Ok(steps) => Ok(steps * (PARTS / greatest_common_divisor(steps, PARTS))),
+            Err(time) => Err(ChooseError::Edge { time, span: self.span }),
+        }
+    }
+
+    /// The nearest number of steps that can be taken.
+    pub(super) fn whole(&self, steps: f64) -> u64 {
+        self.unit * ((steps / self.unit as f64).round() as u64).max(1)
+    }
+
+    /// The next larger one by an eighth, or by one unit.
+    pub(super) fn finer(&self, steps: u64) -> u64 {
+        self.whole(steps as f64 * 1.125).max(steps + self.unit)
     }
 
     /// The true motion: a Taylor series, or a run of order 10 with a compensated state, its step halved until that changes
@@ -71,7 +102,7 @@ impl<'s, H: Hamiltonian, K: Keep> Problem<'s, H, K> {
         let mut changes = [f64::INFINITY; 2];
         let mut least = f64::INFINITY;
         let mut coarse: Option<(Path<H::Coords>, Scale)> = None;
-        let mut steps = PARTS;
+        let mut steps = self.unit;
         while steps <= MOST_EVALUATIONS {
             let fine = self.reference(steps).ok();
             if let (Some((coarse, _)), Some((fine, scale))) = (coarse, &fine) {

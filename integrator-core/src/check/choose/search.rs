@@ -9,7 +9,7 @@ use super::{
     problem::{MOST_EVALUATIONS, Problem, stalled},
 };
 use crate::{
-    check::{CheckError, path::PARTS, tolerance::within},
+    check::{CheckError, tolerance::within},
     hamiltonian::Hamiltonian,
     slot::Keep,
 };
@@ -46,7 +46,7 @@ pub(super) fn rank<H: Hamiltonian, K: Keep>(
     while evaluations <= limit && !attempts.is_empty() {
         let mut open = Vec::with_capacity(attempts.len());
         for mut attempt in attempts {
-            let steps = whole(evaluations as f64 / attempt.candidate.each as f64);
+            let steps = problem.whole(evaluations as f64 / attempt.candidate.each as f64);
             if steps == attempt.missed {
                 open.push(attempt);
                 continue;
@@ -83,7 +83,7 @@ impl<H: Hamiltonian, K: Keep> Attempt<H, K> {
         let candidate = &self.candidate;
         let mut missed = self.missed;
         loop {
-            let middle = whole((missed.max(1) as f64 * steps as f64).sqrt());
+            let middle = problem.whole((missed.max(1) as f64 * steps as f64).sqrt());
             if middle <= missed || middle >= steps || steps as f64 <= missed as f64 * RESOLUTION {
                 break;
             }
@@ -115,11 +115,5 @@ fn meets<H: Hamiltonian, K: Keep>(
     error: f64,
 ) -> bool {
     let tolerance = problem.goal.tolerance();
-    let finer = whole(steps as f64 * 1.125).max(steps + PARTS);
-    within(error, tolerance) && within(problem.error(candidate, finer), tolerance)
-}
-
-/// The nearest number of steps that the parts of the span share evenly.
-fn whole(steps: f64) -> u64 {
-    PARTS * ((steps / PARTS as f64).round() as u64).max(1)
+    within(error, tolerance) && within(problem.error(candidate, problem.finer(steps)), tolerance)
 }
