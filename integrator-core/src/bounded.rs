@@ -172,13 +172,17 @@ elementary_functions!(real_of_two_parts! {
         fn state(of_lane: impl Fn(usize) -> f64) -> Self {
             Self::of(of_lane(0))
         }
-        fn lane_by_lane(
-            self,
-            other: Self,
-            value: impl Fn(usize, f64, f64) -> f64,
-            _slopes: impl Fn(usize, f64, f64) -> [f64; 2],
+        fn lane_by_lane<const N: usize>(
+            arguments: [Self; N],
+            value: impl Fn(usize, [f64; N]) -> f64,
+            _slopes: impl Fn(usize, [f64; N]) -> [f64; N],
         ) -> Self {
-            self.binary(other, |x, y| value(0, x, y))
+            let at = arguments.map(|argument| argument.value);
+            let by_each = core::array::from_fn::<Self, N, _>(|place| {
+                arguments[place].unary(|x| value(0, core::array::from_fn(|other| if other == place { x } else { at[other] })))
+            });
+            let error = by_each.iter().map(|by| by.error).sum();
+            Self::of_operands(value(0, at), by_each, error)
         }
         fn sin_cos(self) -> (Self, Self) {
             (Real::sin(self), Real::cos(self))

@@ -216,7 +216,7 @@ pub mod prelude {
 
 /// The door through which generated code enters. Nothing here is stable.
 pub mod __private {
-    pub use crate::external::{External, ExternalTwo, external, external_two};
+    pub use crate::external::{External, external};
     pub use crate::{
         block::Block,
         catalogue::Verlet,

@@ -124,16 +124,15 @@ macro_rules! declare_real {
             /// `self * b + c`, in one rounding where the scalar has it.
             fn fma(self, b: Self, c: Self) -> Self;
             /// A function known in `f64` alone, lane by lane. Only a dual asks for the derivatives, which come in the
-            /// order of the arguments; the second argument may be ignored.
+            /// order of the arguments.
             #[inline]
-            fn lane_by_lane(
-                self,
-                other: Self,
-                value: impl Fn(usize, f64, f64) -> f64,
-                slopes: impl Fn(usize, f64, f64) -> [f64; 2],
+            fn lane_by_lane<const N: usize>(
+                arguments: [Self; N],
+                value: impl Fn(usize, [f64; N]) -> f64,
+                slopes: impl Fn(usize, [f64; N]) -> [f64; N],
             ) -> Self {
                 let _ = slopes;
-                Self::state(|lane| value(lane, self.lane(lane), other.lane(lane)))
+                Self::state(|lane| value(lane, arguments.map(|argument| argument.lane(lane))))
             }
             /// `self / x^(3/2)`, the strength of forces that fall with the square of the distance. The formula, or on
             /// AVX-512 a kernel of at most two ulp that scalar and vectors share.

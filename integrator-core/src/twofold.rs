@@ -128,13 +128,12 @@ elementary_functions!(real_of_two_parts! {
             Self::new(of_lane(0), of_lane(1))
         }
         #[inline(always)]
-        fn lane_by_lane(
-            self,
-            other: Self,
-            value: impl Fn(usize, f64, f64) -> f64,
-            _slopes: impl Fn(usize, f64, f64) -> [f64; 2],
+        fn lane_by_lane<const N: usize>(
+            arguments: [Self; N],
+            value: impl Fn(usize, [f64; N]) -> f64,
+            _slopes: impl Fn(usize, [f64; N]) -> [f64; N],
         ) -> Self {
-            Self::of(value(0, self.value, other.value))
+            Self::of(value(0, arguments.map(|argument| argument.value)))
         }
         #[inline(always)]
         fn sin_cos(self) -> (Self, Self) {

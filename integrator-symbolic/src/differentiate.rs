@@ -294,16 +294,10 @@ impl Sweep {
                     }
                 }
             }
-            Node::External(external, a) => {
-                if let [Some(slope), _] = graph.external_slopes(external) {
-                    let slope = graph.external(slope, a, None);
-                    self.push_product(graph, a, context, adjoint, slope);
-                }
-            }
-            Node::ExternalTwo(external, a, b) => {
-                for (child, slope) in [a, b].into_iter().zip(graph.external_slopes(external)) {
-                    if let Some(slope) = slope {
-                        let slope = graph.external(slope, a, Some(b));
+            Node::External(external, arguments) => {
+                for (place, child) in arguments.iter().enumerate() {
+                    if let Some(slope) = graph.external_slope(external, place) {
+                        let slope = graph.external(slope, arguments);
                         self.push_product(graph, child, context, adjoint, slope);
                     }
                 }

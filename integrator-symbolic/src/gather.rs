@@ -171,7 +171,7 @@ impl<L: Fn(&Graph, NodeId) -> bool> Gathering<'_, L> {
                 _ if !own => return None,
                 _ if (self.leaf)(self.graph, id) => rows_first.then_some(id)?,
                 Node::Coordinate(element) => self.neighbour(turns, begins, element)?,
-                Node::Sum(..) | Node::External(..) | Node::ExternalTwo(..) => return None,
+                Node::Sum(..) | Node::External(..) => return None,
                 Node::CompareIndex(..) if !loops.is_empty() => return None,
                 node => self.graph.rebuilt(node.map(|child| seen[&child])),
             };

@@ -272,7 +272,7 @@ fn reads_only(graph: &mut Graph, root: NodeId, own: &[LoopId], parameters: &mut 
             Node::FromIndex(_) => alone,
             Node::Flag(_) | Node::CompareIndex(..) => named == 0,
             // A method of the user is called member by member, not body by body.
-            Node::External(..) | Node::ExternalTwo(..) => false,
+            Node::External(..) => false,
             _ => true,
         };
         if !fits {

@@ -30,14 +30,47 @@ fn a_function_may_be_its_own_derivative() {
 }
 
 #[test]
+fn a_gradient_in_an_array_is_read_by_its_elements() {
+    let written = expanded(
+        "fn phi(&self, r: f64) -> f64 { self.field(r, 1.0, r) }
+        #[derivative(slopes)] fn field(&self, x: f64, y: f64, z: f64) -> f64 { x * y * z }
+        #[derivative(bends)] fn slopes(&self, x: f64, y: f64, z: f64) -> [f64; 3] { [y * z, x * z, x * y] }
+        fn bends(&self, x: f64, y: f64, z: f64) -> [[f64; 3]; 3] { [[0.0, z, y], [z, 0.0, x], [y, x, 0.0]] }",
+    );
+    assert!(!written.contains("compile_error"), "{written}");
+    for (method, element) in [("slopes", "[0]"), ("slopes", "[1]"), ("slopes", "[2]"), ("bends", "[0] [2]")] {
+        let call = format!("system . {method} (argument_0 , argument_1 , argument_2) {element})");
+        assert!(written.contains(&call), "{call}\n{written}");
+    }
+}
+
+#[test]
 fn mistakes_are_named() {
     let rows = [
         ("#[derivative(slope)] fn phi(&self, r: f64) -> f64 { r }", "the impl lacks `fn slope(&self, x: f64) -> f64`"),
         ("#[derivative] fn phi(&self, r: f64) -> f64 { r }", "name the method that gives the derivative"),
         ("#[derivative(a, b)] fn phi(&self, r: f64) -> f64 { r }", "name the method that gives the derivative"),
-        ("#[derivative(phi)] fn phi(&self, r: f64) -> f32 { r }", "takes one f64 or two"),
-        ("#[derivative(phi)] fn phi(&self, r: [f64; 1]) -> f64 { r[0] }", "takes one f64 or two"),
+        ("#[derivative(phi)] fn phi(&self, r: f64) -> f32 { r }", "takes one f64 or up to 8"),
+        ("#[derivative(phi)] fn phi(&self, r: [f64; 1]) -> f64 { r[0] }", "takes one f64 or up to 8"),
         ("#[derivative(phi)] fn phi(&self, r: f64, s: f64) -> f64 { r }", "`phi` takes 2 arguments, not 1"),
+        (
+            "fn phi(&self, r: f64) -> f64 { self.field(r, 1.0, r) } #[derivative(a, b)] fn field(&self, x: f64, y: f64, z: f64) -> f64 { x }",
+            "name the methods that give the 3 derivatives",
+        ),
+        (
+            "fn phi(&self, r: f64) -> f64 { self.field(r, 1.0) } #[derivative(slopes)] fn field(&self, x: f64, y: f64) -> f64 { x }",
+            "the impl lacks `fn slopes(&self, x: f64, y: f64) -> [f64; 2]`, the derivative of `field`",
+        ),
+        (
+            "fn phi(&self, r: f64) -> f64 { self.field(r, 1.0) } #[derivative(slopes)] fn field(&self, x: f64, y: f64) -> f64 { x }
+            fn slopes(&self, x: f64, y: f64) -> [f64; 3] { [1.0, 0.0, 0.0] }",
+            "`slopes` gives the derivatives in order: it has to return `[f64; 2]`",
+        ),
+        (
+            "fn phi(&self, r: f64) -> f64 { self.field(r, 1.0) } #[derivative(slopes)] fn field(&self, x: f64, y: f64) -> f64 { x }
+            #[derivative(a, b)] fn slopes(&self, x: f64, y: f64) -> [f64; 2] { [1.0, 0.0] }",
+            "name the method that gives the derivatives of these: `#[derivative(hessian)]`",
+        ),
     ];
     for (helpers, message) in rows {
         let written = expanded(helpers);

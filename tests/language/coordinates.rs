@@ -441,6 +441,64 @@ mod stated_derivatives {
     moves!(Tabulated, [0.5], [2.0]);
 }
 
+mod three_stated_derivatives {
+    use super::*;
+
+    #[derive(Clone)]
+    struct Tabulated;
+
+    #[hamiltonian]
+    impl Tabulated {
+        fn kinetic(&self, p: [f64; 3]) -> f64 {
+            p[0] * p[1] * p[2]
+        }
+        fn potential(&self, q: [f64; 3]) -> f64 {
+            self.law(q[0], q[1], q[2])
+        }
+        #[derivative(by_x, by_y, by_z)]
+        fn law(&self, x: f64, y: f64, z: f64) -> f64 {
+            x * y * y * z
+        }
+        fn by_x(&self, _x: f64, y: f64, z: f64) -> f64 {
+            y * y * z
+        }
+        fn by_y(&self, x: f64, y: f64, z: f64) -> f64 {
+            2.0 * x * y * z
+        }
+        fn by_z(&self, x: f64, y: f64, _z: f64) -> f64 {
+            x * y * y
+        }
+    }
+
+    moves!(Tabulated, [0.5, 0.4, -0.3], [-0.048, -0.12, 0.08]);
+}
+
+mod stated_gradients {
+    use super::*;
+
+    #[derive(Clone)]
+    struct Tabulated;
+
+    #[hamiltonian]
+    impl Tabulated {
+        fn kinetic(&self, p: [f64; 3]) -> f64 {
+            p[0] * p[1] * p[2]
+        }
+        fn potential(&self, q: [f64; 3]) -> f64 {
+            self.law(q[0], q[1], q[2])
+        }
+        #[derivative(gradient)]
+        fn law(&self, x: f64, y: f64, z: f64) -> f64 {
+            x * y * y * z
+        }
+        fn gradient(&self, x: f64, y: f64, z: f64) -> [f64; 3] {
+            [y * y * z, 2.0 * x * y * z, x * y * y]
+        }
+    }
+
+    moves!(Tabulated, [0.5, 0.4, -0.3], [-0.048, -0.12, 0.08]);
+}
+
 mod where_clauses {
     use super::*;
 

@@ -132,17 +132,18 @@ elementary_functions!(real_of_two_parts! {
         fn state(of_lane: impl Fn(usize) -> f64) -> Self {
             Self::new(of_lane(0), of_lane(1))
         }
-        fn lane_by_lane(
-            self,
-            other: Self,
-            value: impl Fn(usize, f64, f64) -> f64,
-            slopes: impl Fn(usize, f64, f64) -> [f64; 2],
+        fn lane_by_lane<const N: usize>(
+            arguments: [Self; N],
+            value: impl Fn(usize, [f64; N]) -> f64,
+            slopes: impl Fn(usize, [f64; N]) -> [f64; N],
         ) -> Self {
-            let (a, b) = (self.0, other.0);
-            let [by_first, by_second] = slopes(0, a.re, b.re);
+            let at = arguments.map(|argument| argument.0.re);
             // A slope that is not known is no number; it must not touch what does not move.
-            let along = |slope: f64, tangent: f64| if tangent == 0.0 { 0.0 } else { slope * tangent };
-            Self::new(value(0, a.re, b.re), along(by_first, a.eps) + along(by_second, b.eps))
+            let along = |(slope, argument): (f64, Self)| match argument.0.eps {
+                0.0 => 0.0,
+                tangent => slope * tangent,
+            };
+            Self::new(value(0, at), slopes(0, at).into_iter().zip(arguments).map(along).sum())
         }
         fn sin_cos(self) -> (Self, Self) {
             let (sine, cosine) = DualNum::sin_cos(&self.0);

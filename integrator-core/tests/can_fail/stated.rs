@@ -74,6 +74,56 @@ fn stated_derivatives_are_held_against_differences() {
     }
 }
 
+/// A map of a field in space, whose derivatives come as arrays, which may be a little wrong in one element each.
+#[derive(Clone)]
+struct Mapped {
+    slope: f64,
+    curvature: f64,
+}
+
+#[hamiltonian]
+impl Mapped {
+    fn kinetic(&self, p: [f64; 3]) -> f64 {
+        0.5 * (p[0] * p[0] + p[1] * p[1] + p[2] * p[2])
+    }
+    fn potential(&self, q: [f64; 3]) -> f64 {
+        self.field(q[0], q[1], q[2]) + 0.5 * (q[0] * q[0] + q[1] * q[1] + q[2] * q[2])
+    }
+    #[derivative(gradient)]
+    fn field(&self, x: f64, y: f64, z: f64) -> f64 {
+        0.1 * x * y * z.sin()
+    }
+    #[derivative(hessian)]
+    fn gradient(&self, x: f64, y: f64, z: f64) -> [f64; 3] {
+        [0.1 * y * z.sin(), 0.1 * x * z.sin(), self.slope * 0.1 * x * y * z.cos()]
+    }
+    fn hessian(&self, x: f64, y: f64, z: f64) -> [[f64; 3]; 3] {
+        let (xy, yz, xz) = (0.1 * z.sin(), self.curvature * 0.1 * x * z.cos(), 0.1 * y * z.cos());
+        [[0.0, xy, xz], [xy, 0.0, yz], [self.slope * xz, self.slope * yz, -self.slope * 0.1 * x * y * z.sin()]]
+    }
+}
+
+#[test]
+fn arrays_of_stated_derivatives_are_held_against_differences() {
+    let outcome = |slope, curvature| {
+        let start = Phase::new([0.7, 0.5, 0.9], [0.3, 0.1, -0.2]);
+        certify(&Mapped { slope, curvature }, Verlet, start, 0.05)
+    };
+    let certificate = outcome(1.0, 1.0).unwrap_or_else(|error| panic!("{error}"));
+    assert!(certificate.agreement.is_some_and(|agreement| agreement.left_out == 0), "{certificate}");
+    for wrong in [1.0 + 1e-4, 1.0 - 1e-4] {
+        for (of, at, outcome) in
+            [("the slope by z", 1, outcome(wrong, 1.0)), ("the mixed slope", 2, outcome(1.0, wrong))]
+        {
+            let Err(CertifyError::Refused { shortfalls, .. }) = outcome else { panic!("{of}: {outcome:?}") };
+            let found = shortfalls.iter().any(|shortfall| {
+                matches!(shortfall, Shortfall::Derivative { function: "potential", order, .. } if *order == at)
+            });
+            assert!(found, "{of}: {shortfalls:?}");
+        }
+    }
+}
+
 #[test]
 fn a_text_that_is_misread_is_told_where_it_shows() {
     // From the axis, where the square of the square is none, so that only the orbit shows it.

@@ -205,12 +205,10 @@ impl Formulas<'_> {
             }
             Node::Power(a, halves) => (format!("{}^({halves}/2)", self.formula(a, Tie::Power)), Tie::Power),
             Node::Unary(function, a) => (format!("{}({})", function.name(), self.formula(a, Tie::Sum)), Tie::Power),
-            Node::External(id, a) => {
-                (format!("{}({})", self.0.externals[id.0 as usize], self.formula(a, Tie::Sum)), Tie::Power)
-            }
-            Node::ExternalTwo(id, a, b) => {
-                let (a, b) = (self.formula(a, Tie::Sum), self.formula(b, Tie::Sum));
-                (format!("{}({a}, {b})", self.0.externals[id.0 as usize]), Tie::Power)
+            Node::External(id, arguments) => {
+                let arguments: Vec<String> =
+                    arguments.iter().map(|argument| self.formula(argument, Tie::Sum)).collect();
+                (self.0.externals[id.0 as usize].written(&arguments.join(", ")), Tie::Power)
             }
             Node::Binary(function, a, b) => {
                 let (a, b) = (self.formula(a, Tie::Sum), self.formula(b, Tie::Sum));

@@ -4,10 +4,11 @@ use super::{fields::Fields, frame::Frame};
 use crate::{
     graph::{
         Element, ExternalId, Graph, Node, NodeId,
+        external::Arguments,
         function::Function,
         index::{LoopId, LoopSet},
     },
-    model::{Parameter, integer::number_literal},
+    model::{Method, Parameter, integer::number_literal},
     syntax::Functions,
 };
 use proc_macro2::{Ident, TokenStream, TokenTree};
@@ -70,7 +71,7 @@ pub(super) struct Printer<'m> {
     /// The runtime's private door.
     pub(super) runtime: &'m Ident,
     /// The names of the user's methods, by their ids.
-    pub(super) externals: &'m [Ident],
+    pub(super) externals: &'m [Method],
     /// How near the elementary functions have to be.
     pub(super) functions: Functions,
     /// Where coordinates and prepared constants are.
@@ -148,8 +149,7 @@ impl Printer<'_> {
             }
             Node::Unary(function, a) => self.method(fields, a, self.method_name(function), None),
             Node::Binary(function, a, b) => self.method(fields, a, self.method_name(function), Some(b)),
-            Node::External(id, a) => self.external(fields, id, a, None),
-            Node::ExternalTwo(id, a, b) => self.external(fields, id, a, Some(b)),
+            Node::External(id, arguments) => self.external(fields, id, arguments),
             // Sums and choices are always named; the blocks inside theirs compute them.
             Node::Sum(_, body) | Node::Select(_, body, _) => self.expression(fields, body),
             condition => Printed::new(Binding::Atom, self.condition(fields, condition)),
@@ -213,12 +213,11 @@ impl Printer<'_> {
     }
 
     /// A call of a method of the user: member by member in a flow, with its derivatives for duals.
-    fn external(&self, fields: &mut Fields, id: ExternalId, a: NodeId, b: Option<NodeId>) -> Printed {
-        let a = self.expression(fields, a);
-        let b = b.map(|b| self.expression(fields, b).tokens);
+    fn external(&self, fields: &mut Fields, id: ExternalId, arguments: Arguments) -> Printed {
+        let numbers: Vec<TokenStream> =
+            arguments.iter().map(|argument| self.expression(fields, argument).tokens).collect();
         if self.dialect == Dialect::Single {
-            let (name, a, b) = (&self.externals[id.0 as usize], a.tokens, b.map(|b| quote!(, #b)));
-            return Printed::new(Binding::Atom, quote!(self.#name(#a #b)));
+            return Printed::new(Binding::Atom, self.externals[id.0 as usize].call(&quote!(self), &numbers));
         }
         let mut field = |id: Option<ExternalId>| match id {
             Some(id) => {
@@ -227,15 +226,10 @@ impl Printer<'_> {
             }
             None => quote!(::core::option::Option::None),
         };
-        let ([first, second], a, runtime) = (self.graph.external_slopes(id), a.tokens, self.runtime);
-        let (value, first, second) = (field(Some(id)), field(first), field(second));
-        Printed::new(
-            Binding::Atom,
-            match b {
-                None => quote!(#runtime::external(#a, #value, #first)),
-                Some(b) => quote!(#runtime::external_two(#a, #b, #value, [#first, #second])),
-            },
-        )
+        let (value, runtime) = (field(Some(id)), self.runtime);
+        let slopes: Vec<_> =
+            (0..numbers.len()).map(|argument| field(self.graph.external_slope(id, argument))).collect();
+        Printed::new(Binding::Atom, quote!(#runtime::external([#(#numbers),*], #value, [#(#slopes),*])))
     }
 
     /// `a + b`, where a product among the two is fused with the addition.

@@ -12,9 +12,9 @@ use crate::{
         index::{Index, IndexId, LoopId, LoopSet},
     },
     lower::lower,
-    model::{Model, Parameter},
+    model::{Method, Model, Parameter},
 };
-use proc_macro2::{Ident, TokenStream, TokenTree};
+use proc_macro2::{Ident, Literal, TokenStream, TokenTree};
 use quote::{ToTokens, format_ident, quote};
 use std::collections::HashMap;
 
@@ -83,8 +83,8 @@ impl Fields {
         self.named(Content::Flag(id), Some(&parameters[id.0 as usize].own))
     }
 
-    pub(super) fn external(&mut self, externals: &[Ident], id: ExternalId) -> Ident {
-        self.named_as(Content::External(id), Some(externals[id.0 as usize].clone()))
+    pub(super) fn external(&mut self, externals: &[Method], id: ExternalId) -> Ident {
+        self.named_as(Content::External(id), Some(externals[id.0 as usize].name.clone()))
     }
 
     pub(super) fn middle(&mut self) -> Ident {
@@ -140,15 +140,17 @@ impl Fields {
                 }
                 Content::Middle => (scalar.to_token_stream(), quote!(0.0)),
                 Content::External(id) => {
-                    let (name, runtime) = (&model.externals[id.0 as usize], &names.runtime);
-                    let two = model.two_arguments(id);
-                    let kind = if two { quote!(#runtime::ExternalTwo) } else { quote!(#runtime::External) };
-                    let call = if two { quote!(|a, b| system.#name(a, b)) } else { quote!(|a| system.#name(a)) };
+                    let (method, runtime) = (&model.externals[id.0 as usize], &names.runtime);
+                    let count = Literal::usize_unsuffixed(method.arguments);
+                    let arguments: Vec<_> = (0..method.arguments)
+                        .map(|number| format_ident!("argument_{number}").to_token_stream())
+                        .collect();
+                    let call = method.call(&quote!(system), &arguments);
                     let value = quote!({
                         let system = ::core::clone::Clone::clone(self);
-                        #runtime::Vec::from([#runtime::Arc::new(move #call) as _])
+                        #runtime::Vec::from([#runtime::Arc::new(move |[#(#arguments),*]: [f64; #count]| #call) as _])
                     });
-                    (kind, value)
+                    (quote!(#runtime::External<#count>), value)
                 }
             };
             let at = table.at(table.levels.len());
@@ -255,7 +257,7 @@ impl Table {
         let runtime = &names.runtime;
         self.levels.iter().rev().fold(element, |inner, level| match level.literal {
             Some(length) => {
-                let length = proc_macro2::Literal::u64_unsuffixed(length);
+                let length = Literal::u64_unsuffixed(length);
                 quote!([#inner; #length])
             }
             None => quote!(#runtime::Vec<#inner>),

@@ -60,7 +60,7 @@ pub(super) fn functions(
             ::core::mem::swap(&mut force.q, &mut bent.p);
             <Self as #runtime::Hamiltonian>::drift::<#scalar, f64>(&mut force, 1.0, time);
             bent.p = force.q;
-            Self::hessian::<#scalar>(&mut bent, time);
+            <Self as #runtime::QuadraticKinetic>::hessian::<#scalar>(&mut bent, time);
             motion.push(#scalar::of(-2.0 * gradient), &bent);
         }
     }

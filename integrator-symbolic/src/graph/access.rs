@@ -104,7 +104,7 @@ impl Graph {
             Node::FromIndex(index) => self.loops.computes(index),
             Node::CompareIndex(_, a, b) => self.loops.computes(a).max(self.loops.computes(b)),
             // A method of the user may look anything up.
-            Node::External(..) | Node::ExternalTwo(..) => Access::InTurns,
+            Node::External(..) => Access::InTurns,
             _ => Access::Anywhere,
         }
     }

@@ -97,7 +97,7 @@ impl Graph {
                 Node::Div(..) => tally.divisions += 1,
                 Node::Power(..) => tally.roots += 1,
                 Node::Unary(function, _) | Node::Binary(function, ..) => call(function.name().to_owned()),
-                Node::External(id, _) | Node::ExternalTwo(id, ..) => call(external(id)),
+                Node::External(id, _) => call(external(id)),
                 Node::Select(..) => tally.branches += 1,
                 _ => {}
             }

@@ -12,7 +12,7 @@ mod condition;
 mod cost;
 #[cfg(test)]
 pub(crate) mod evaluate;
-mod external;
+pub(crate) mod external;
 pub(crate) mod function;
 mod halves;
 pub(crate) mod index;
@@ -23,6 +23,7 @@ mod product;
 
 pub(crate) use access::Access;
 pub use cost::Tally;
+use external::Arguments;
 use function::Function;
 use index::{IndexId, LoopId, LoopSet, Loops};
 use std::collections::{HashMap, HashSet};
@@ -105,10 +106,8 @@ pub(crate) enum Node {
     Power(NodeId, i32),
     Unary(Function, NodeId),
     Binary(Function, NodeId, NodeId),
-    /// A method of the user, of one argument.
-    External(ExternalId, NodeId),
-    /// A method of the user, of two arguments.
-    ExternalTwo(ExternalId, NodeId, NodeId),
+    /// A method of the user.
+    External(ExternalId, Arguments),
     /// The sum of the body over the loop's index.
     Sum(LoopId, NodeId),
     /// A condition: how two numbers compare.
@@ -147,24 +146,25 @@ impl Node {
             | Node::Step
             | Node::FromIndex(_)
             | Node::CompareIndex(..)
+            | Node::External(..)
             | Node::Flag(_) => [None; 3],
-            Node::Neg(a)
-            | Node::Power(a, _)
-            | Node::Unary(_, a)
-            | Node::External(_, a)
-            | Node::Sum(_, a)
-            | Node::Not(a) => [Some(a), None, None],
+            Node::Neg(a) | Node::Power(a, _) | Node::Unary(_, a) | Node::Sum(_, a) | Node::Not(a) => {
+                [Some(a), None, None]
+            }
             Node::Add(a, b)
             | Node::Mul(a, b)
             | Node::Div(a, b)
             | Node::Binary(_, a, b)
-            | Node::ExternalTwo(_, a, b)
             | Node::Compare(_, a, b)
             | Node::And(a, b)
             | Node::Or(a, b) => [Some(a), Some(b), None],
             Node::Select(condition, a, b) => [Some(condition), Some(a), Some(b)],
         };
-        children.into_iter().flatten()
+        let arguments = match self {
+            Node::External(_, arguments) => Some(arguments.iter()),
+            _ => None,
+        };
+        children.into_iter().flatten().chain(arguments.into_iter().flatten())
     }
 
     /// The same with other children.
@@ -182,14 +182,13 @@ impl Node {
             Node::Neg(a) => Node::Neg(of(a)),
             Node::Power(a, halves) => Node::Power(of(a), halves),
             Node::Unary(function, a) => Node::Unary(function, of(a)),
-            Node::External(id, a) => Node::External(id, of(a)),
+            Node::External(id, arguments) => Node::External(id, arguments.map(of)),
             Node::Sum(by, a) => Node::Sum(by, of(a)),
             Node::Not(a) => Node::Not(of(a)),
             Node::Add(a, b) => Node::Add(of(a), of(b)),
             Node::Mul(a, b) => Node::Mul(of(a), of(b)),
             Node::Div(a, b) => Node::Div(of(a), of(b)),
             Node::Binary(function, a, b) => Node::Binary(function, of(a), of(b)),
-            Node::ExternalTwo(id, a, b) => Node::ExternalTwo(id, of(a), of(b)),
             Node::Compare(comparison, a, b) => Node::Compare(comparison, of(a), of(b)),
             Node::And(a, b) => Node::And(of(a), of(b)),
             Node::Or(a, b) => Node::Or(of(a), of(b)),
@@ -263,7 +262,7 @@ pub(crate) struct Graph {
     facts: Vec<Facts>,
     ids: HashMap<Node, NodeId>,
     /// The methods that give the derivatives of a method of the user, by its id.
-    externals: Vec<[Option<ExternalId>; 2]>,
+    externals: Vec<Vec<ExternalId>>,
     /// The parameters whose text says that they are not negative.
     never_negative: HashSet<ParameterId>,
     /// Integer expressions and loops.
@@ -408,7 +407,7 @@ impl Graph {
             Node::Power(_, halves) => halves > 0 && halves % 2 == 0,
             Node::Div(_, divisor) => self.as_constant(divisor).is_some_and(|divisor| divisor != 0.0),
             Node::Unary(function, _) | Node::Binary(function, ..) => function.row().total,
-            Node::External(..) | Node::ExternalTwo(..) => false,
+            Node::External(..) => false,
             _ => true,
         }
     }

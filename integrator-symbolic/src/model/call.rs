@@ -396,8 +396,8 @@ impl Reader<'_> {
             self.outside(name, &name.to_string(), &cure);
             return None;
         };
-        if let Some(attribute) = super::external::attribute(helper) {
-            return self.external(helper, attribute, arguments, places);
+        if super::external::attribute(helper).is_some() {
+            return self.external(helper, arguments, places);
         }
         if self.inlining.iter().any(|known| name == known) {
             self.errors.at(name, format!("`{name}` calls itself: recursion has no derivative here; write a loop"));

@@ -6,7 +6,7 @@ use super::{
     flow::Flow,
     integer::operand,
     statement::Assigned,
-    text::{identifiers, place, with_variables},
+    text::{element, identifiers, in_parentheses, place, with_variables},
     value::{Opaque, Value, View},
 };
 use crate::{
@@ -113,7 +113,7 @@ impl Reader<'_> {
     /// Parentheses stay around parameters, whose text is kept.
     fn grouped(&mut self, inner: &Expr) -> Option<Value> {
         Some(match self.expression(inner)? {
-            Value::Opaque(Opaque { text, loops }) => Value::Opaque(Opaque { text: quote!((#text)), loops }),
+            Value::Opaque(Opaque { text, loops }) => Value::Opaque(Opaque { text: in_parentheses(text), loops }),
             value => value,
         })
     }
@@ -202,7 +202,10 @@ impl Reader<'_> {
             {
                 let at = self.opaque(&at)?;
                 let inner = place(at.text);
-                Some(Value::Opaque(Opaque { text: quote!(#text[#inner]), loops: loops.union(at.loops) }))
+                Some(Value::Opaque(Opaque {
+                    text: element(text, inner, index.bracket_token.span.join()),
+                    loops: loops.union(at.loops),
+                }))
             }
             Value::Array(parts) => {
                 let literal = self.graph.loops.literal(position);
@@ -227,7 +230,10 @@ impl Reader<'_> {
                     at => self.opaque(&at)?,
                 };
                 let (text, inner) = (place(text), place(at.text));
-                Some(Value::Opaque(Opaque { text: quote!(#text[#inner]), loops: loops.union(at.loops) }))
+                Some(Value::Opaque(Opaque {
+                    text: element(text, inner, index.bracket_token.span.join()),
+                    loops: loops.union(at.loops),
+                }))
             }
             Value::List(part) => {
                 let (count, literal) = (self.count_of_literal(&part), self.graph.loops.literal(position));

@@ -1,4 +1,5 @@
-//! Methods of the user that are called as they are: `#[derivative(slope)]` names the method that gives their derivative.
+//! Methods of the user that are called as they are: `#[derivative(slope)]` names the method that gives their
+//! derivative, or the methods, or the one that gives an array of them.
 
 use super::{
     Reader,
@@ -6,9 +7,11 @@ use super::{
     shape::is_f64,
     value::Value,
 };
-use crate::graph::{ExternalId, NodeId};
-use proc_macro2::{Ident, TokenStream, TokenTree};
-use syn::{Attribute, Expr, ImplItemFn, ReturnType, Token, punctuated::Punctuated};
+use crate::graph::{ExternalId, NodeId, external::Arguments};
+use proc_macro2::{Ident, Literal, TokenStream, TokenTree};
+use quote::quote;
+use std::fmt;
+use syn::{Attribute, Expr, ExprLit, ImplItemFn, Lit, ReturnType, Token, Type, punctuated::Punctuated};
 
 /// The name of the attribute.
 const ATTRIBUTE: &str = "derivative";
@@ -45,94 +48,152 @@ fn ends_with_hash(trees: &[TokenTree]) -> bool {
     matches!(trees.last(), Some(TokenTree::Punct(mark)) if mark.as_char() == '#')
 }
 
+/// A method of the user, or a part of what one gives.
+#[derive(Clone, PartialEq, Eq)]
+pub(crate) struct Method {
+    pub(crate) name: Ident,
+    /// How many arguments it takes.
+    pub(crate) arguments: usize,
+    /// Which element is meant, where the method gives an array of slopes, or of arrays of them.
+    at: Vec<usize>,
+}
+
+impl Method {
+    /// The call of the method of a system.
+    pub(crate) fn call(&self, system: &TokenStream, arguments: &[TokenStream]) -> TokenStream {
+        let (name, at) = (&self.name, self.at.iter().map(|place| Literal::usize_unsuffixed(*place)));
+        quote!(#system.#name(#(#arguments),*) #([#at])*)
+    }
+
+    /// The call as a formula.
+    pub(crate) fn written(&self, arguments: &str) -> String {
+        let at: String = self.at.iter().map(|place| format!("[{place}]")).collect();
+        format!("{}({arguments}){at}", self.name)
+    }
+}
+
+impl fmt::Display for Method {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        self.name.fmt(formatter)
+    }
+}
+
 impl Reader<'_> {
     /// A call of a method with stated derivatives.
-    pub(super) fn external(
-        &mut self,
-        method: &ImplItemFn,
-        attribute: &Attribute,
-        arguments: Vec<Value>,
-        places: &[&Expr],
-    ) -> Option<Value> {
+    pub(super) fn external(&mut self, method: &ImplItemFn, arguments: Vec<Value>, places: &[&Expr]) -> Option<Value> {
         let expected = typed_arguments(method).count();
         if expected != arguments.len() {
             self.errors.at(places.first(), takes(&method.sig.ident.to_string(), expected, arguments.len()));
             return None;
         }
-        let id = self.external_id(method, Some(attribute))?;
+        let id = self.external_id(method, Vec::new())?;
         let numbers: Vec<_> = arguments.iter().zip(places).map(|(value, place)| self.number(value, place)).collect();
         let numbers = numbers.into_iter().collect::<Option<Vec<NodeId>>>()?;
-        Some(Value::Real(match numbers[..] {
-            [a, b] if self.mixes(a, b) => {
-                self.not_separable(places[1]);
+        for (place, later) in numbers.iter().enumerate().skip(1) {
+            if numbers[..place].iter().any(|earlier| self.mixes(*earlier, *later)) {
+                self.not_separable(places[place]);
                 return None;
             }
-            [a, b] => self.graph.external(id, a, Some(b)),
-            [a, ..] => self.graph.external(id, a, None),
-            [] => return None,
-        }))
+        }
+        let arguments = Arguments::new(&numbers)?;
+        Some(Value::Real(self.graph.external(id, arguments)))
     }
 
-    /// The id of a method, new or known; its derivatives are looked up by name.
-    fn external_id(&mut self, method: &ImplItemFn, attribute: Option<&Attribute>) -> Option<ExternalId> {
-        let name = &method.sig.ident;
-        if let Some(known) = self.externals.iter().position(|known| known == name) {
+    /// The id of a method, or of an element of what it gives, new or known; its derivatives are looked up by name.
+    fn external_id(&mut self, method: &ImplItemFn, at: Vec<usize>) -> Option<ExternalId> {
+        let arguments: Vec<_> = typed_arguments(method).collect();
+        let own = Method { name: method.sig.ident.clone(), arguments: arguments.len(), at };
+        if let Some(known) = self.externals.iter().position(|known| *known == own) {
             return Some(ExternalId(known as u32));
         }
-        let arguments: Vec<_> = typed_arguments(method).collect();
-        let returns_f64 = matches!(&method.sig.output, ReturnType::Type(_, kind) if is_f64(kind));
-        if !(1..=2).contains(&arguments.len()) || !arguments.iter().all(|argument| is_f64(&argument.ty)) || !returns_f64
-        {
-            let message =
-                format!("a method with stated derivatives takes one f64 or two: `fn {name}(&self, x: f64) -> f64`");
+        let fits = arguments.iter().all(|argument| is_f64(&argument.ty)) && Arguments::fits(arguments.len());
+        if !fits || !gives(&method.sig.output, arguments.len(), own.at.len()) {
+            let (name, most) = (&own.name, Arguments::MOST);
+            let message = match own.at.len() {
+                0 => format!(
+                    "a method with stated derivatives takes one f64 or up to {most}: `fn {name}(&self, x: f64) -> f64`"
+                ),
+                depth => format!(
+                    "`{name}` gives the derivatives in order: it has to return `{}`",
+                    kind(own.arguments, depth)
+                ),
+            };
             self.errors.at(&method.sig.ident, message);
             return None;
         }
         // Known before its derivatives are, which may lead back to it: exp is its own.
         let id = self.graph.declare_external();
-        self.externals.push(name.clone());
-        self.two_arguments.push(arguments.len() == 2);
-        if let Some(attribute) = attribute {
-            let slopes = self.slopes_of(method, attribute, arguments.len())?;
+        self.externals.push(own.clone());
+        if let Some(attribute) = attribute(method) {
+            let slopes = self.slopes_of(method, attribute, &own)?;
             self.graph.derive_external(id, slopes);
         }
         Some(id)
     }
 
-    /// The methods that an attribute names, one for each argument.
-    fn slopes_of(
-        &mut self,
-        method: &ImplItemFn,
-        attribute: &Attribute,
-        count: usize,
-    ) -> Option<[Option<ExternalId>; 2]> {
+    /// The methods that an attribute names, one for each argument, or one that gives an array of the derivatives.
+    fn slopes_of(&mut self, method: &ImplItemFn, attribute: &Attribute, own: &Method) -> Option<Vec<ExternalId>> {
+        let count = own.arguments;
         let names = attribute.parse_args_with(Punctuated::<Ident, Token![,]>::parse_terminated);
-        let names: Vec<Ident> = match names {
-            Ok(names) if names.len() == count => names.into_iter().collect(),
-            _ => {
-                let message = match count {
-                    1 => "name the method that gives the derivative: `#[derivative(slope)]`",
-                    _ => "name the methods that give the two derivatives: `#[derivative(by_first, by_second)]`",
-                };
-                self.errors.at(attribute, message);
-                return None;
-            }
-        };
-        let mut slopes = [None; 2];
-        let input = self.input;
-        for (slope, name) in slopes.iter_mut().zip(&names) {
+        let names: Vec<Ident> = names.map(|names| names.into_iter().collect()).unwrap_or_default();
+        let (one_each, in_array) = (names.len() == count && own.at.is_empty(), names.len() == 1 && count > 1);
+        if !one_each && !in_array {
+            let message = match (count, own.at.len()) {
+                (1, _) => "name the method that gives the derivative: `#[derivative(slope)]`".to_owned(),
+                (_, 0) => format!(
+                    "name the methods that give the {count} derivatives, `#[derivative(by_first, by_second)]`, or the one \
+                     that gives an array of them, `#[derivative(gradient)]`"
+                ),
+                _ => "name the method that gives the derivatives of these: `#[derivative(hessian)]`".to_owned(),
+            };
+            self.errors.at(attribute, message);
+            return None;
+        }
+        let mut slopes = Vec::new();
+        for argument in 0..count {
+            let (name, at) = match in_array {
+                true => (&names[0], own.at.iter().copied().chain([argument]).collect()),
+                false => (&names[argument], Vec::new()),
+            };
+            let input = self.input;
             let found = input.function(&name.to_string()).filter(|found| typed_arguments(found).count() == count);
             let Some(found) = found else {
-                let arguments = if count == 1 { "x: f64" } else { "x: f64, y: f64" };
+                let arguments: Vec<String> = NAMES.iter().take(count).map(|name| format!("{name}: f64")).collect();
                 let message = format!(
-                    "the impl lacks `fn {name}(&self, {arguments}) -> f64`, the derivative of `{}`",
+                    "the impl lacks `fn {name}(&self, {}) -> {}`, the derivative of `{}`",
+                    arguments.join(", "),
+                    kind(count, at.len()),
                     method.sig.ident
                 );
                 self.errors.at(name, message);
                 return None;
             };
-            *slope = Some(self.external_id(found, super::external::attribute(found))?);
+            slopes.push(self.external_id(found, at)?);
         }
         Some(slopes)
     }
+}
+
+/// What arguments are called in messages.
+const NAMES: [&str; Arguments::MOST] = ["x", "y", "z", "u", "v", "w", "s", "t"];
+
+/// The type of a number, of an array of slopes, or of arrays of them.
+fn kind(count: usize, depth: usize) -> String {
+    (0..depth).fold("f64".to_owned(), |inner, _| format!("[{inner}; {count}]"))
+}
+
+/// Whether a method returns that type. A length that is no literal is the compiler's to compare.
+fn gives(output: &ReturnType, count: usize, depth: usize) -> bool {
+    let ReturnType::Type(_, returned) = output else { return false };
+    let mut kind: &Type = returned;
+    for _ in 0..depth {
+        let Type::Array(array) = kind else { return false };
+        if let Expr::Lit(ExprLit { lit: Lit::Int(length), .. }) = &array.len
+            && length.base10_parse::<usize>().is_ok_and(|length| length != count)
+        {
+            return false;
+        }
+        kind = &array.elem;
+    }
+    is_f64(kind)
 }

@@ -5,7 +5,7 @@ mod tests;
 
 use super::{
     Reader,
-    text::place,
+    text::{in_parentheses, place},
     value::{Opaque, Value, View},
 };
 use crate::graph::{
@@ -196,7 +196,7 @@ pub(crate) fn number_literal(value: f64) -> Literal {
 pub(crate) fn operand(text: TokenStream) -> TokenStream {
     let mut tokens = text.clone().into_iter();
     match (tokens.next(), tokens.next()) {
-        (Some(_), Some(_)) => quote!((#text)),
+        (Some(_), Some(_)) => in_parentheses(text),
         _ => text,
     }
 }

@@ -32,14 +32,14 @@ mod value;
 use crate::{
     errors::Errors,
     graph::{
-        ExternalId, Graph, NodeId, ParameterId, Part,
+        Graph, NodeId, ParameterId, Part,
         index::{Index, IndexId, LoopId, LoopSet},
     },
     syntax::{Functions, Input},
 };
 use arm::Arm;
 pub(crate) use call::known_functions;
-pub(crate) use external::stripped;
+pub(crate) use external::{Method, stripped};
 use guard::Condition;
 use proc_macro2::{Ident, TokenStream};
 use quote::{ToTokens, quote};
@@ -72,9 +72,7 @@ pub(crate) struct Model {
     /// What the index of each loop is called.
     pub(crate) running: HashMap<LoopId, Ident>,
     /// The user's methods that are called as they are, by their ids.
-    pub(crate) externals: Vec<Ident>,
-    /// Which of them take two arguments.
-    two_arguments: Vec<bool>,
+    pub(crate) externals: Vec<Method>,
     /// Whether `T = ½ pᵀ M⁻¹ p` with a constant `M`.
     pub(crate) quadratic: bool,
     /// Whether neither function reads the time.
@@ -83,13 +81,6 @@ pub(crate) struct Model {
     pub(crate) functions: Functions,
     /// What `kinetic` and `potential` are called with; nothing where one of them is missing or a mistake.
     pub(crate) arguments: Option<[Vec<TokenStream>; 2]>,
-}
-
-impl Model {
-    /// Whether a method of the user takes two arguments.
-    pub(crate) fn two_arguments(&self, id: ExternalId) -> bool {
-        self.two_arguments[id.0 as usize]
-    }
 }
 
 /// Reads the two functions of `input`, or notes what is wrong with them.
@@ -123,7 +114,7 @@ pub(crate) fn model(input: &Input, errors: &mut Errors) -> Option<Model> {
     let (shape, arguments) = (of_kinetic.shape, Some([of_kinetic.arguments, of_potential.arguments]));
     let lengths = [Some(&shape.length), shape.dimension.as_ref()].into_iter().flatten();
     let lengths = lengths.map(|length| reader.length(length)).collect();
-    let Reader { mut graph, parameters, running, externals, two_arguments, .. } = reader;
+    let Reader { mut graph, parameters, running, externals, .. } = reader;
     let [kinetic, potential] = graph.halved([kinetic, potential]);
     let autonomous = !graph.reads_time(kinetic) && !graph.reads_time(potential);
     let quadratic =
@@ -137,7 +128,6 @@ pub(crate) fn model(input: &Input, errors: &mut Errors) -> Option<Model> {
         parameters,
         running,
         externals,
-        two_arguments,
         quadratic,
         autonomous,
         functions: input.functions,
@@ -165,7 +155,6 @@ pub(crate) fn stub(input: &Input) -> Option<Model> {
         parameters: Vec::new(),
         running: HashMap::new(),
         externals: Vec::new(),
-        two_arguments: Vec::new(),
         quadratic: true,
         autonomous: true,
         functions: input.functions,
@@ -219,8 +208,7 @@ struct Reader<'i> {
     parameters: Vec<Parameter>,
     parameter_ids: HashMap<String, ParameterId>,
     running: HashMap<LoopId, Ident>,
-    externals: Vec<Ident>,
-    two_arguments: Vec<bool>,
+    externals: Vec<Method>,
     bindings: Vec<Binding>,
     /// Names in scope, innermost last. A helper method sees its own scopes alone.
     scopes: Vec<HashMap<String, BindingId>>,
@@ -254,7 +242,6 @@ impl<'i> Reader<'i> {
             parameter_ids: HashMap::new(),
             running: HashMap::new(),
             externals: Vec::new(),
-            two_arguments: Vec::new(),
             bindings: Vec::new(),
             scopes: Vec::new(),
             frames: Vec::new(),

@@ -18,6 +18,21 @@ pub(super) fn with_variables(text: TokenStream, variables: &[(Ident, TokenStream
     }
 }
 
+/// `list[at]`, where a panic is located: in the user's own brackets.
+pub(super) fn element(list: TokenStream, at: TokenStream, brackets: Span) -> TokenStream {
+    let mut index = Group::new(Delimiter::Bracket, at);
+    index.set_span(brackets);
+    quote!(#list #index)
+}
+
+/// `(text)`, located where the text begins.
+pub(super) fn in_parentheses(text: TokenStream) -> TokenStream {
+    let place = text.clone().into_iter().next().map_or_else(Span::call_site, |token| token.span());
+    let mut group = Group::new(Delimiter::Parenthesis, text);
+    group.set_span(place);
+    group.to_token_stream()
+}
+
 /// A reference to what a text stands for.
 pub(super) fn reference_to(text: &TokenStream) -> TokenStream {
     match syn::parse2(quote!(&#text)) {

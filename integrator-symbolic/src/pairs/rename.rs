@@ -72,7 +72,7 @@ pub(crate) fn renamed(
         Node::CompareIndex(comparison, a, b) => {
             Node::CompareIndex(comparison, renaming.index(graph, a), renaming.index(graph, b))
         }
-        Node::Flag(_) | Node::External(..) | Node::ExternalTwo(..) => return None,
+        Node::Flag(_) | Node::External(..) => return None,
         same @ (Node::Constant(_) | Node::Time | Node::Middle | Node::Step) => same,
     };
     Some(graph.rebuilt(node))
