@@ -164,3 +164,29 @@ fn only_clones_and_vectors_are_unsafe() {
         assert!(root.contains("\n#![forbid(unsafe_code)]\n"), "{path} forbids unsafe code");
     }
 }
+
+/// What a `main` shows that returns an error, and what `expect` shows, is the sentence: no error has a `Debug` of its own.
+#[test]
+fn every_error_is_debugged_as_it_is_displayed() {
+    let files = sources(&root().join("integrator-core/src"));
+    let listed: Vec<&str> = files
+        .iter()
+        .flat_map(|(_, text)| text.split("debug_as_display!(").skip(1))
+        .filter_map(|call| call.split(')').next())
+        .flat_map(|names| names.split(','))
+        .map(str::trim)
+        .collect();
+    let mut count = 0;
+    for (path, text) in &files {
+        for (at, _) in text.match_indices("thiserror::Error)]") {
+            let derive = text[..at].rsplit("#[derive(").next().expect("a derive");
+            let item =
+                text[at..].split(['\n', ' ', '<', '{', '(', ';']).skip_while(|word| !["enum", "struct"].contains(word));
+            let name = item.skip(1).find(|word| !word.is_empty()).expect("a name");
+            assert!(!derive.contains("Debug"), "{}: {name} derives Debug", path.display());
+            assert!(listed.contains(&name), "{}: {name} is in no `debug_as_display!`", path.display());
+            count += 1;
+        }
+    }
+    assert!(count > 10, "the errors are found: {count}");
+}

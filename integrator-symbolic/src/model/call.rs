@@ -1,10 +1,11 @@
-//! Calls: elementary functions, helper methods of the impl, and whatever takes parameters alone.
+//! Calls: which function is meant, helper methods of the impl, and whatever takes parameters alone.
 
 use super::{
     Reader,
+    adaptor::{ADAPTED, is_adaptor},
     closure::Callable,
+    elementary::is_elementary,
     integer::operand,
-    sequence::{ADAPTED, is_adaptor},
     statement::simple_name,
     text::place,
     total::is_total,
@@ -12,39 +13,15 @@ use super::{
 };
 use crate::{
     errors::quoted,
-    graph::{
-        Comparison, NodeId,
-        function::{Function, Rule, TABLE},
-        index::{Index, LoopSet},
-    },
-    spelling::nearest,
+    graph::index::{Index, LoopSet},
 };
 use proc_macro2::{Ident, TokenStream};
 use quote::{ToTokens, quote};
 use std::{collections::HashMap, rc::Rc};
-use syn::{Expr, ExprCall, ExprLit, ExprMethodCall, ExprUnary, FnArg, ImplItemFn, Lit, UnOp};
-
-/// Methods of `f64` that are arithmetic on the functions of the table.
-const ARITHMETIC: [&str; 12] = [
-    "sqrt",
-    "powi",
-    "recip",
-    "mul_add",
-    "sin_cos",
-    "log",
-    "clamp",
-    "fract",
-    "rem_euclid",
-    "to_radians",
-    "to_degrees",
-    "clone",
-];
-
-/// Names of the tables that nobody writes as a function of coordinates: an operator, and what changes nothing.
-const UNSPELLED: [&str; 2] = ["remainder", "clone"];
+use syn::{Expr, ExprCall, ExprMethodCall, FnArg, ImplItemFn};
 
 /// What may be done with code that is never looked into.
-const OR_STATE: &str = "or call it from a method with a stated derivative, `#[derivative(slope)]`";
+pub(super) const OR_STATE: &str = "or call it from a method with a stated derivative, `#[derivative(slope)]`";
 
 impl Reader<'_> {
     /// `receiver.name(arguments)`
@@ -239,153 +216,9 @@ impl Reader<'_> {
     }
 
     /// Notes that a function of coordinates is not in this impl.
-    fn outside(&mut self, place: impl ToTokens, name: &str, cure: &str) {
+    pub(super) fn outside(&mut self, place: impl ToTokens, name: &str, cure: &str) {
         let message = format!("`{name}` of a coordinate is not known: the macro sees this impl alone; {cure}");
         self.errors.at(place, message);
-    }
-
-    /// Notes a function of coordinates that is none of the table and no helper, with the names nearest to it.
-    fn unknown_function(&mut self, place: impl ToTokens, name: &str) {
-        let helpers = self.input.functions().map(|function| function.sig.ident.to_string());
-        let known: Vec<String> = known_functions().map(str::to_owned).chain(helpers).collect();
-        let near: Vec<String> = nearest(name, &known).into_iter().map(|near| format!("`{near}`")).collect();
-        let like = if near.is_empty() { String::new() } else { format!(" Spelled like it: {}.", near.join(", ")) };
-        let message = format!(
-            "`{name}` of a coordinate is not known: known are the methods of f64 that have a derivative, and helper \
-             methods of this impl.{like} The whole list is in docs/language.md"
-        );
-        self.errors.at(place, message);
-    }
-
-    /// A method of `f64`.
-    fn elementary(
-        &mut self,
-        name: &Ident,
-        receiver: Value,
-        place: &Expr,
-        arguments: Vec<Value>,
-        places: &[&Expr],
-    ) -> Option<Value> {
-        let method = name.to_string();
-        let function = Function::named(&method);
-        let expected = match (function.map(|function| &function.row().rule), method.as_str()) {
-            (Some(Rule::Unary(..)), _) => 0,
-            (Some(Rule::Binary(..)), _) | (None, "powi" | "log" | "rem_euclid") => 1,
-            (None, "mul_add" | "clamp") => 2,
-            (None, known) if ARITHMETIC.contains(&known) => 0,
-            _ if matches!(receiver, Value::Opaque(_)) => {
-                let cure = format!("write the formula as a method of it, {OR_STATE}");
-                self.outside(name, &method, &cure);
-                return None;
-            }
-            _ => {
-                self.unknown_function(name, &method);
-                return None;
-            }
-        };
-        if method == "clone" {
-            return Some(receiver);
-        }
-        let x = self.number(&receiver, place)?;
-        if arguments.len() != expected {
-            self.errors.at(name, takes(&method, expected, arguments.len()));
-            return None;
-        }
-        if method == "powi" {
-            return self.whole_power(x, &arguments[0], places[0]);
-        }
-        let numbers: Vec<_> = arguments.iter().zip(places).map(|(value, place)| self.number(value, place)).collect();
-        let numbers = numbers.into_iter().collect::<Option<Vec<NodeId>>>()?;
-        let mixed = numbers.iter().zip(places).find(|(number, _)| self.mixes(x, **number));
-        if let Some((_, place)) = mixed.filter(|_| method != "mul_add") {
-            self.not_separable(place);
-            return None;
-        }
-        let graph = &mut self.graph;
-        Some(Value::Real(match (function, method.as_str(), &numbers[..]) {
-            (Some(function), _, []) => graph.unary(function, x),
-            (Some(function), _, [y]) => graph.binary(function, x, *y),
-            (None, "sqrt", _) => graph.power(x, 1),
-            (None, "recip", _) => graph.power(x, -2),
-            (None, "mul_add", [factor, addend]) => {
-                if self.mixes(x, *factor) {
-                    self.not_separable(place);
-                    return None;
-                }
-                let product = self.graph.mul(x, *factor);
-                self.graph.add(product, *addend)
-            }
-            (None, "clamp", [low, high]) => {
-                if graph.is_total(x) {
-                    let raised = graph.call_two("max", x, *low);
-                    graph.call_two("min", raised, *high)
-                } else {
-                    // A NaN is below nothing and above nothing, and stays; a maximum would hide it.
-                    let below = graph.compare(Comparison::Less, x, *low);
-                    let above = graph.compare(Comparison::Less, *high, x);
-                    let inside = graph.select(above, *high, x);
-                    graph.select(below, *low, inside)
-                }
-            }
-            (None, "sin_cos", _) => {
-                let (sine, cosine) = (graph.call("sin", x), graph.call("cos", x));
-                return Some(Value::Tuple(vec![Value::Real(sine), Value::Real(cosine)]));
-            }
-            (None, "log", [base]) => {
-                let (logarithm, of_base) = (graph.call("ln", x), graph.call("ln", *base));
-                graph.div(logarithm, of_base)
-            }
-            (None, "fract", _) => {
-                let whole = graph.call("trunc", x);
-                graph.sub(x, whole)
-            }
-            // As in std: what `%` leaves below zero is moved up by one divisor.
-            (None, "rem_euclid", [divisor]) => {
-                let zero = graph.constant(0.0);
-                let remainder = graph.call_two("remainder", x, *divisor);
-                let size = graph.call("abs", *divisor);
-                let raised = graph.add(remainder, size);
-                let below = graph.compare(Comparison::Less, remainder, zero);
-                graph.select(below, raised, remainder)
-            }
-            (None, "to_degrees", _) => {
-                let scale = graph.constant(180.0 / std::f64::consts::PI);
-                graph.mul(scale, x)
-            }
-            _ => {
-                let scale = graph.constant(std::f64::consts::PI / 180.0);
-                graph.mul(scale, x)
-            }
-        }))
-    }
-
-    /// `x.powi(n)`: multiplications for a literal, a power with real exponent for a parameter.
-    fn whole_power(&mut self, x: NodeId, exponent: &Value, place: &Expr) -> Option<Value> {
-        if let Some(literal) = signed_literal(place) {
-            let Some(halves) = literal.checked_mul(2) else {
-                self.errors.at(place, "this exponent is too large");
-                return None;
-            };
-            return Some(Value::Real(self.graph.power(x, halves)));
-        }
-        let exponent = match exponent {
-            Value::Integer(index) => match self.graph.loops.signed_literal(*index).map(i32::try_from) {
-                Some(Ok(whole)) if let Some(halves) = whole.checked_mul(2) => {
-                    return Some(Value::Real(self.graph.power(x, halves)));
-                }
-                _ => self.graph.number_of(*index),
-            },
-            exponent => {
-                let Some(Opaque { text, loops }) = self.opaque(exponent) else {
-                    let message = "the exponent of `powi` is an integer that does not depend on coordinates";
-                    self.errors.at(place, message);
-                    return None;
-                };
-                let exponent = self.parameter(quote!(f64::from(#text)), "number", loops);
-                self.graph.parameter(exponent)
-            }
-        };
-        Some(Value::Real(self.graph.call_two("powf", x, exponent)))
     }
 
     /// A helper method of the impl, inlined.
@@ -425,11 +258,6 @@ impl Reader<'_> {
     }
 }
 
-/// The methods of `f64` that may be called with coordinates.
-pub(crate) fn known_functions() -> impl Iterator<Item = &'static str> {
-    TABLE.iter().map(|row| row.name).chain(ARITHMETIC).filter(|name| !UNSPELLED.contains(name))
-}
-
 /// Whether a call is `array.map(...)`, an array, and not `array.iter().map(...)`, a sequence.
 fn is_map_of_array(call: &ExprMethodCall) -> bool {
     call.method == "map" && matches!(&*call.receiver, Expr::Path(_) | Expr::Array(_) | Expr::Index(_))
@@ -439,7 +267,7 @@ fn is_map_of_array(call: &ExprMethodCall) -> bool {
 fn is_harmless(method: &Ident) -> bool {
     const LOOKS: [&str; 9] = ["len", "is_empty", "iter", "get", "first", "last", "contains", "max", "min"];
     let name = method.to_string();
-    Function::named(&name).is_some() || ARITHMETIC.contains(&name.as_str()) || LOOKS.contains(&name.as_str())
+    is_elementary(&name) || LOOKS.contains(&name.as_str())
 }
 
 pub(super) fn typed_arguments(function: &ImplItemFn) -> impl Iterator<Item = &syn::PatType> {
@@ -453,14 +281,4 @@ pub(super) fn typed_arguments(function: &ImplItemFn) -> impl Iterator<Item = &sy
 pub(super) fn takes(name: &str, expected: usize, found: usize) -> String {
     let plural = if expected == 1 { "" } else { "s" };
     format!("`{name}` takes {expected} argument{plural}, not {found}")
-}
-
-/// The value of `3`, `-3` or `(3)`.
-fn signed_literal(expression: &Expr) -> Option<i32> {
-    match expression {
-        Expr::Lit(ExprLit { lit: Lit::Int(number), .. }) => number.base10_parse().ok(),
-        Expr::Unary(ExprUnary { op: UnOp::Neg(_), expr, .. }) => signed_literal(expr).and_then(i32::checked_neg),
-        Expr::Paren(inner) => signed_literal(&inner.expr),
-        _ => None,
-    }
 }

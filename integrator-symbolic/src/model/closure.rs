@@ -8,9 +8,9 @@ use super::{
     value::{Opaque, Value},
 };
 use proc_macro2::TokenStream;
-use quote::{ToTokens, quote};
+use quote::{ToTokens, format_ident, quote};
 use std::{collections::HashMap, rc::Rc};
-use syn::{Expr, ExprClosure, ItemFn, visit::Visit};
+use syn::{Expr, ExprClosure, ItemFn, parse_quote, visit::Visit};
 
 /// Variables by their names.
 pub(super) type Scope = HashMap<String, BindingId>;
@@ -25,6 +25,41 @@ pub(crate) struct Callable {
 }
 
 impl Reader<'_> {
+    /// A closure with a number of arguments, or a function by its path, as the closure that calls it.
+    pub(super) fn closure(&mut self, expression: &Expr, arguments: usize) -> Option<Rc<ExprClosure>> {
+        match expression {
+            Expr::Closure(closure) => Some(Rc::new(closure.clone())),
+            Expr::Paren(inner) => self.closure(&inner.expr, arguments),
+            Expr::Path(function) => {
+                let names: Vec<_> = (0..arguments).map(|number| format_ident!("__argument_{number}")).collect();
+                Some(Rc::new(parse_quote!(|#(#names),*| #function(#(#names),*))))
+            }
+            other => {
+                let message = "a closure or the path of a function is expected here: `|x| ...` or `f64::sin`";
+                self.errors.at(other, message);
+                None
+            }
+        }
+    }
+
+    /// The value of a closure for given arguments.
+    pub(super) fn applied(&mut self, closure: &ExprClosure, arguments: Vec<Value>) -> Option<Value> {
+        if closure.inputs.len() != arguments.len() {
+            self.errors.at(closure, format!("this closure has to take {} arguments", arguments.len()));
+            return None;
+        }
+        self.scopes.push(HashMap::new());
+        for (pattern, argument) in closure.inputs.iter().zip(arguments) {
+            self.bind(pattern, argument);
+        }
+        let value = match &*closure.body {
+            Expr::Block(body) if body.label.is_none() => self.returned(&body.block),
+            body => self.expression(body),
+        };
+        self.scopes.pop();
+        value
+    }
+
     /// A closure as a value.
     pub(super) fn captured(&mut self, closure: &ExprClosure) -> Option<Value> {
         let expression = Expr::Closure(closure.clone());

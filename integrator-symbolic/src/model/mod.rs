@@ -5,10 +5,12 @@
 //!
 //! The functions are read by running them on symbols: a variable holds a [`value::Value`], an assignment replaces it.
 
+mod adaptor;
 mod arm;
 mod branch;
 mod call;
 mod closure;
+mod elementary;
 mod escape;
 mod expression;
 mod external;
@@ -38,7 +40,7 @@ use crate::{
     syntax::{Functions, Input},
 };
 use arm::Arm;
-pub(crate) use call::known_functions;
+pub(crate) use elementary::known_functions;
 pub(crate) use external::{Method, stripped};
 use guard::Condition;
 use proc_macro2::{Ident, TokenStream};

@@ -1,0 +1,182 @@
+//! Adaptors: what is made of a sequence item by item, `map`, `filter`, `zip`, `windows` and the others.
+
+use super::{
+    Reader,
+    sequence::{Item, Sequence},
+    value::Value,
+};
+use crate::graph::index::Index;
+use std::rc::Rc;
+use syn::{Expr, ExprMethodCall};
+
+impl Reader<'_> {
+    /// `sequence.map(...)`, `.enumerate()` and so on.
+    pub(super) fn adapted(&mut self, call: &ExprMethodCall) -> Option<Sequence> {
+        let base = self.sequence(&call.receiver)?;
+        let Sequence { from, to, ref at, filtered, literal } = base;
+        let at = Rc::clone(at);
+        let name = call.method.to_string();
+        if filtered && !matches!(name.as_str(), "map" | "filter" | "copied" | "cloned" | "iter" | "into_iter") {
+            let message = format!("`{name}` behind `filter` depends on how many items are left: put `filter` last");
+            self.errors.at(&call.method, message);
+            return None;
+        }
+        match (name.as_str(), call.args.first()) {
+            ("iter", None) => Some(base.of_references()),
+            ("copied" | "cloned", None) => Some(base.with(Value::into_place)),
+            ("into_iter" | "by_ref", None) => Some(base),
+            ("map", Some(closure)) => {
+                let closure = self.closure(closure, 1)?;
+                let at = move |reader: &mut Reader<'_>, index| {
+                    let Item { value, condition } = at(reader, index)?;
+                    let value = reader.under(condition, true, |reader| reader.applied(&closure, vec![value]));
+                    Some(Item { value: value?, condition })
+                };
+                Some(Sequence { from, to, at: Rc::new(at), filtered, literal })
+            }
+            ("filter", Some(closure)) => {
+                let closure = self.closure(closure, 1)?;
+                let at = move |reader: &mut Reader<'_>, index| {
+                    let Item { value, condition } = at(reader, index)?;
+                    let kept = reader.under(condition, true, |reader| {
+                        let kept = reader.applied(&closure, vec![value.clone()])?;
+                        reader.condition(&kept)
+                    })?;
+                    let condition = match condition {
+                        Some(condition) => reader.graph.and(condition, kept),
+                        None => kept,
+                    };
+                    Some(Item { value, condition: Some(condition) })
+                };
+                Some(Sequence { from, to, at: Rc::new(at), filtered: true, literal })
+            }
+            ("enumerate", None) => {
+                let at = move |reader: &mut Reader<'_>, index| {
+                    let Item { value, .. } = at(reader, index)?;
+                    let position = reader.graph.loops.intern(Index::Sub(index, from));
+                    Some(Item::plain(Value::Tuple(vec![Value::Integer(position), value])))
+                };
+                Some(Sequence { from, to, at: Rc::new(at), filtered, literal })
+            }
+            ("rev", None) => {
+                let at = move |reader: &mut Reader<'_>, index| {
+                    let (sum, one) = (reader.graph.loops.intern(Index::Add(from, to)), reader.literal_index(1));
+                    let last = reader.graph.loops.intern(Index::Sub(sum, one));
+                    let mirrored = reader.graph.loops.intern(Index::Sub(last, index));
+                    at(reader, mirrored)
+                };
+                Some(Sequence { from, to, at: Rc::new(at), filtered, literal })
+            }
+            ("zip", Some(other)) => self.zipped(base, other),
+            ("skip", Some(count)) => {
+                let count = self.bound(count)?;
+                let from = self.graph.loops.intern(Index::Add(from, count));
+                Some(Sequence { from, ..base })
+            }
+            ("take", Some(count)) => {
+                let count = self.bound(count)?;
+                let end = self.graph.loops.intern(Index::Add(from, count));
+                let to = self.graph.loops.intern(Index::Min(to, end));
+                Some(Sequence { to, ..base })
+            }
+            ("step_by", Some(stride)) => self.strided(base, stride),
+            ("windows" | "chunks_exact", Some(size)) => self.grouped_items(base, size, name == "windows"),
+            _ => {
+                let message = format!("`{name}` is not understood here; {ADAPTED} are");
+                self.errors.at(&call.method, message);
+                None
+            }
+        }
+    }
+
+    /// Pairs of items, as many as the shorter sequence has. The index is the first sequence's.
+    fn zipped(&mut self, base: Sequence, place: &Expr) -> Option<Sequence> {
+        let other = self.sequence(place)?;
+        if other.filtered {
+            let message = "how many items `filter` leaves is not known, so they have no partners in a `zip`: zip first \
+                           and put `filter` last, or write a loop with an `if`";
+            self.errors.at(place, message);
+            return None;
+        }
+        let loops = &mut self.graph.loops;
+        let count = loops.span(other.from, other.to);
+        let end = loops.intern(Index::Add(base.from, count));
+        let to = loops.intern(Index::Min(base.to, end));
+        let (from, others_from, literal) = (base.from, other.from, base.literal || other.literal);
+        let at = move |reader: &mut Reader<'_>, index| {
+            let others = reader.graph.loops.shifted(index, from, others_from);
+            let (a, b) = (reader.item_of(&base, index)?, reader.item_of(&other, others)?);
+            Some(Item::plain(Value::Tuple(vec![a.value, b.value])))
+        };
+        Some(Sequence { from, to, at: Rc::new(at), filtered: false, literal })
+    }
+
+    /// Every so many items, counted from the first.
+    fn strided(&mut self, base: Sequence, stride: &Expr) -> Option<Sequence> {
+        let stride = self.bound(stride)?;
+        let zero = self.literal_index(0);
+        let loops = &mut self.graph.loops;
+        let length = loops.span(base.from, base.to);
+        let one = loops.intern(Index::Literal(1));
+        let less = loops.intern(Index::Sub(stride, one));
+        let rounded = loops.intern(Index::Add(length, less));
+        let count = loops.intern(Index::Div(rounded, stride));
+        let literal = base.literal;
+        let at = move |reader: &mut Reader<'_>, index| {
+            let distance = reader.graph.loops.intern(Index::Mul(index, stride));
+            let position = reader.graph.loops.intern(Index::Add(base.from, distance));
+            reader.item_of(&base, position)
+        };
+        Some(Sequence { from: zero, to: count, at: Rc::new(at), filtered: false, literal })
+    }
+
+    /// Neighbouring items as arrays: overlapping windows, or chunks one after the other.
+    fn grouped_items(&mut self, base: Sequence, size: &Expr, windows: bool) -> Option<Sequence> {
+        let width = self.bound(size)?;
+        let Some(count) = self.graph.loops.literal(width).filter(|count| (1..=64).contains(count)) else {
+            self.errors.at(size, "how many items are grouped is a literal between 1 and 64");
+            return None;
+        };
+        let zero = self.literal_index(0);
+        let less = self.literal_index(count - 1);
+        let loops = &mut self.graph.loops;
+        let length = loops.span(base.from, base.to);
+        let to = loops.intern(if windows { Index::Monus(length, less) } else { Index::Div(length, width) });
+        let literal = base.literal;
+        let at = move |reader: &mut Reader<'_>, index| {
+            let first = if windows { index } else { reader.graph.loops.intern(Index::Mul(index, width)) };
+            let parts = (0..count).map(|position| {
+                let position = reader.offset(first, position);
+                let position = reader.graph.loops.intern(Index::Add(base.from, position));
+                reader.item_of(&base, position).map(|item| item.value)
+            });
+            Some(Item::plain(Value::Array(parts.collect::<Option<_>>()?)))
+        };
+        Some(Sequence { from: zero, to, at: Rc::new(at), filtered: false, literal })
+    }
+}
+
+/// What may be asked of a sequence, for messages.
+pub(super) const ADAPTED: &str =
+    "iter, map, filter, enumerate, zip, rev, skip, take, step_by, windows and chunks_exact";
+
+/// Whether a method makes a sequence of a sequence.
+pub(super) fn is_adaptor(call: &ExprMethodCall) -> bool {
+    const ADAPTORS: [&str; 13] = [
+        "iter",
+        "into_iter",
+        "copied",
+        "cloned",
+        "map",
+        "filter",
+        "enumerate",
+        "rev",
+        "zip",
+        "skip",
+        "take",
+        "step_by",
+        "by_ref",
+    ];
+    let name = call.method.to_string();
+    ADAPTORS.contains(&name.as_str()) || matches!(name.as_str(), "windows" | "chunks_exact")
+}
