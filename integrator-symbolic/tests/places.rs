@@ -56,13 +56,12 @@ fn function_body(text: TokenStream, name: &str) -> TokenStream {
     let mut body = TokenStream::new();
     while let Some(token) = tokens.next() {
         match &token {
-            TokenTree::Ident(word) if word == "fn" => {
-                if tokens.next().is_some_and(|found| found.to_string() == name) {
-                    let brace = |token: &TokenTree| matches!(token, TokenTree::Group(group) if group.delimiter() == Delimiter::Brace);
-                    if let Some(TokenTree::Group(found)) = tokens.by_ref().find(brace) {
-                        body.extend(found.stream());
-                    }
-                }
+            TokenTree::Ident(word) if word == "fn" && tokens.next().is_some_and(|found| found.to_string() == name) => {
+                let brace = tokens.by_ref().find_map(|token| match token {
+                    TokenTree::Group(group) if group.delimiter() == Delimiter::Brace => Some(group),
+                    _ => None,
+                });
+                body.extend(brace.map(|brace| brace.stream()));
             }
             TokenTree::Group(group) => body.extend(function_body(group.stream(), name)),
             _ => {}
