@@ -15,7 +15,7 @@ pub struct Aligned<T> {
 
 impl<T: Copy> Aligned<T> {
     /// The array of what each place has.
-    pub(crate) fn new(length: usize, at: impl Fn(usize) -> T) -> Self {
+    pub(crate) fn new(length: usize, at: &dyn Fn(usize) -> T) -> Self {
         if length == 0 {
             return Self { elements: Vec::new(), first: 0 };
         }
@@ -25,14 +25,16 @@ impl<T: Copy> Aligned<T> {
         let fits = first.checked_add(length).is_some_and(|end| end <= elements.capacity());
         let first = if fits { first } else { 0 };
         elements.resize(first, at(0));
-        elements.extend((0..length).map(at));
+        for place in 0..length {
+            elements.push(at(place));
+        }
         Self { elements, first }
     }
 }
 
 impl<T: Copy> Clone for Aligned<T> {
     fn clone(&self) -> Self {
-        Self::new(self.len(), |place| self[place])
+        Self::new(self.len(), &|place| self[place])
     }
     fn clone_from(&mut self, from: &Self) {
         if self.len() == from.len() {
@@ -65,8 +67,8 @@ mod tests {
     /// The array, its copy, and what it becomes by copying another one have their elements, and begin at a line.
     fn begins_at_a_line<T: Copy + PartialEq + core::fmt::Debug>(of: fn(usize) -> T, aligned: bool) {
         for length in [0, 1, 7, 8, 100, 5_000] {
-            let array = Aligned::new(length, of);
-            let mut other = Aligned::new(3, of);
+            let array = Aligned::new(length, &of);
+            let mut other = Aligned::new(3, &of);
             other.clone_from(&array);
             for array in [array.clone(), array, other] {
                 assert!(array.iter().copied().eq((0..length).map(of)), "{length} elements");

@@ -165,11 +165,11 @@ elementary_functions!(real_of_two_parts! {
             Self { value: x, error: 0.0 }
         }
         /// Constants are products of parameters in another order than the user's.
-        fn parameter(of_lane: impl Fn(usize) -> f64) -> Self {
+        fn parameter(of_lane: &dyn Fn(usize) -> f64) -> Self {
             let value = of_lane(0);
             Self::of_operands(value, [], FUNCTION * Real::abs(value))
         }
-        fn state(of_lane: impl Fn(usize) -> f64) -> Self {
+        fn state(of_lane: &dyn Fn(usize) -> f64) -> Self {
             Self::of(of_lane(0))
         }
         fn lane_by_lane<const N: usize>(

@@ -45,12 +45,12 @@ pub trait Coords: Clone + Debug + PartialEq + Send + Sync + 'static {
     fn slots_mut<R: Real>(slots: &mut Self::Slots<R>) -> &mut [<Self::Leaf as Keep>::Slot<R>];
     /// Slots filled from one set of coordinates per lane.
     #[inline(always)]
-    fn inward<'a, R: Real>(of_lane: impl Fn(usize) -> &'a Self) -> Self::Slots<R> {
-        Self::slots_from(of_lane(0).flat().len(), |k| Self::Leaf::inward(|lane| of_lane(lane).flat()[k]))
+    fn inward<'a, R: Real>(of_lane: &dyn Fn(usize) -> &'a Self) -> Self::Slots<R> {
+        Self::slots_from(of_lane(0).flat().len(), |k| Self::Leaf::inward(&|lane| of_lane(lane).flat()[k]))
     }
     /// The slots of one set of coordinates per lane as a list.
-    fn listed<'a, R: Real>(of_lane: impl Fn(usize) -> &'a Self) -> Vec<<Self::Leaf as Keep>::Slot<R>> {
-        (0..of_lane(0).flat().len()).map(|k| Self::Leaf::inward(|lane| of_lane(lane).flat()[k])).collect()
+    fn listed<'a, R: Real>(of_lane: &dyn Fn(usize) -> &'a Self) -> Vec<<Self::Leaf as Keep>::Slot<R>> {
+        (0..of_lane(0).flat().len()).map(|k| Self::Leaf::inward(&|lane| of_lane(lane).flat()[k])).collect()
     }
     /// One number per slot, in the same shape.
     #[inline(always)]
@@ -184,7 +184,7 @@ impl<K: Keep> Coords for Vec<K> {
     }
     #[inline(always)]
     fn slots_from<R: Real>(count: usize, slot: impl Fn(usize) -> K::Slot<R>) -> Self::Slots<R> {
-        Aligned::new(count, slot)
+        Aligned::new(count, &slot)
     }
     fn slots<R: Real>(slots: &Self::Slots<R>) -> &[K::Slot<R>] {
         slots
@@ -221,7 +221,7 @@ impl<K: Keep, const D: usize> Coords for Vec<[K; D]> {
     #[inline(always)]
     fn slots_from<R: Real>(count: usize, slot: impl Fn(usize) -> K::Slot<R>) -> Self::Slots<R> {
         let points = count.checked_div(D).unwrap_or(0);
-        Aligned::new(points, |i| core::array::from_fn(|d| slot(i * D + d)))
+        Aligned::new(points, &|i| core::array::from_fn(|d| slot(i * D + d)))
     }
     fn slots<R: Real>(slots: &Self::Slots<R>) -> &[K::Slot<R>] {
         slots.as_flattened()

@@ -76,7 +76,7 @@ pub(crate) fn energy<H: Hamiltonian, R: Real, K: Keep>(
     let value = part(0);
     let carried = if <K::Energy<R>>::LANES > 1 { Some(part(1)) } else { None };
     let of_lane = |lane: usize| (parameters, carried.as_ref().filter(|_| lane > 0).unwrap_or(&value));
-    let motion = H::Motion::<K::Energy<R>, f64>::load(of_lane);
+    let motion = H::Motion::<K::Energy<R>, f64>::load(&of_lane);
     <K::Energy<R>>::enter(Energy::<H, K::Energy<R>> { motion: &motion, time })
 }
 

@@ -101,8 +101,8 @@ impl Keep for Fixed<f64> {
     const REVERSIBLE: bool = true;
 
     #[inline(always)]
-    fn inward<R: Real>(of_lane: impl Fn(usize) -> Self) -> Fixed<R> {
-        Fixed { value: R::state(|lane| of_lane(lane).value), spacing: R::parameter(|lane| of_lane(lane).spacing) }
+    fn inward<R: Real>(of_lane: &dyn Fn(usize) -> Self) -> Fixed<R> {
+        Fixed { value: R::state(&|lane| of_lane(lane).value), spacing: R::parameter(&|lane| of_lane(lane).spacing) }
     }
     #[inline(always)]
     fn outward<R: Real>(slot: Fixed<R>, lane: usize) -> Self {

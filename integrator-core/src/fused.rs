@@ -164,11 +164,11 @@ macro_rules! fused_real {
                 f64::from(self.0)
             }
             #[inline(always)]
-            fn parameter(of_lane: impl Fn(usize) -> f64) -> Self {
+            fn parameter(of_lane: &dyn Fn(usize) -> f64) -> Self {
                 Self::of(of_lane(0))
             }
             #[inline(always)]
-            fn state(of_lane: impl Fn(usize) -> f64) -> Self {
+            fn state(of_lane: &dyn Fn(usize) -> f64) -> Self {
                 Self::of(of_lane(0))
             }
             #[inline(always)]

@@ -153,13 +153,13 @@ pub trait Prepared<R: Real>: Clone + Send + Sync + 'static {
     /// Adds the constants to a fingerprint.
     fn digest(_single: &Self::Single, _digest: &mut Digest) {}
     /// Gathers the constants of one member per lane.
-    fn gather<'a>(of_lane: impl Fn(usize) -> &'a Self::Single) -> Self;
+    fn gather<'a>(of_lane: &dyn Fn(usize) -> &'a Self::Single) -> Self;
 }
 
 /// State and prepared constants in the layout that the generator chose.
 pub trait Motion<C: Coords, P>: Clone + Send + Sync + 'static {
     /// One member per lane.
-    fn load<'a>(of_lane: impl Fn(usize) -> (&'a P, &'a Phase<C>)) -> Self
+    fn load<'a>(of_lane: &dyn Fn(usize) -> (&'a P, &'a Phase<C>)) -> Self
     where
         P: 'a;
     /// One member per lane, each from a lane of another motion, of the shape of `shape`, and from there on as it would have
@@ -171,7 +171,7 @@ pub trait Motion<C: Coords, P>: Clone + Send + Sync + 'static {
             state
         };
         let states: Vec<_> = from.iter().map(state).collect();
-        Self::load(|lane| (from[lane].0, &states[lane]))
+        Self::load(&|lane| (from[lane].0, &states[lane]))
     }
     /// Writes the state of one lane.
     fn store(&self, lane: usize, to: &mut Phase<C>);
@@ -204,14 +204,14 @@ pub struct Plain<R: Real, C: Coords, P> {
 
 impl<R: Real, C: Coords, P: Prepared<R>> Motion<C, P::Single> for Plain<R, C, P> {
     #[inline(always)]
-    fn load<'a>(of_lane: impl Fn(usize) -> (&'a P::Single, &'a Phase<C>)) -> Self
+    fn load<'a>(of_lane: &dyn Fn(usize) -> (&'a P::Single, &'a Phase<C>)) -> Self
     where
         P::Single: 'a,
     {
         Self {
-            q: C::inward(|lane| &of_lane(lane).1.q),
-            p: C::inward(|lane| &of_lane(lane).1.p),
-            parameters: P::gather(|lane| of_lane(lane).0),
+            q: C::inward(&|lane| &of_lane(lane).1.q),
+            p: C::inward(&|lane| &of_lane(lane).1.p),
+            parameters: P::gather(&|lane| of_lane(lane).0),
         }
     }
     #[inline(always)]

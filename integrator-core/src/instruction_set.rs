@@ -98,16 +98,15 @@ fn avx512_available() -> bool {
     false
 }
 
-/// Runs `kernel` in plain code: a function of its own, so that unoptimised code does not hold the variables of both at
-/// once on the stack.
-#[cfg(all(target_arch = "x86_64", feature = "std"))]
-#[cold]
+/// Runs `kernel` in code compiled for the target as it is: a function of its own, so that a kernel is compiled once and
+/// not wherever it is run.
 #[inline(never)]
-fn plainly<K: Kernel>(kernel: K) -> K::Out {
+pub(crate) fn enter_baseline<K: Kernel>(kernel: K) -> K::Out {
     kernel.call()
 }
 
-/// Runs `kernel` in code compiled for AVX2 and FMA; where the machine lacks them, in plain code with the same result.
+/// Runs `kernel` in code compiled for AVX2 and FMA. Nothing else is compiled for it: its scalars are those of machines
+/// that have them, and [`InstructionSet::chosen`] decides who gets these.
 #[cfg(all(target_arch = "x86_64", feature = "std"))]
 #[inline]
 #[allow(unsafe_code, reason = "calling a function compiled for more than the target's features")]
@@ -117,22 +116,28 @@ pub(crate) fn enter_fused<K: Kernel>(kernel: K) -> K::Out {
         kernel.call()
     }
 
-    if fused_available() {
-        // SAFETY: the features that `clone` is compiled for were just detected.
-        unsafe { clone(kernel) }
-    } else {
-        plainly(kernel)
+    if !fused_available() {
+        lacking(InstructionSet::Fused);
     }
+    // SAFETY: the features that `clone` is compiled for were just detected.
+    unsafe { clone(kernel) }
 }
 
 /// Fused multiply-add is part of the target here, or absent: there is no clone to enter.
 #[cfg(not(all(target_arch = "x86_64", feature = "std")))]
 #[inline]
 pub(crate) fn enter_fused<K: Kernel>(kernel: K) -> K::Out {
-    kernel.call()
+    enter_baseline(kernel)
 }
 
-/// Runs `kernel` in code compiled for AVX-512; where the machine lacks it, in plain code with the same result.
+/// Runs `kernel` as [`enter_fused`] where the machine has what that asks for, and else as [`enter_baseline`], with the same
+/// result: for scalars that every machine computes in.
+#[inline]
+pub(crate) fn enter_fused_or_baseline<K: Kernel>(kernel: K) -> K::Out {
+    if fused_available() { enter_fused(kernel) } else { enter_baseline(kernel) }
+}
+
+/// Runs `kernel` in code compiled for AVX-512, as [`enter_fused`] for its set.
 #[cfg(all(target_arch = "x86_64", feature = "std"))]
 #[inline]
 #[allow(unsafe_code, reason = "calling a function compiled for more than the target's features")]
@@ -142,12 +147,19 @@ pub(crate) fn enter_avx512<K: Kernel>(kernel: K) -> K::Out {
         kernel.call()
     }
 
-    if avx512_available() {
-        // SAFETY: the features that `clone` is compiled for were just detected.
-        unsafe { clone(kernel) }
-    } else {
-        plainly(kernel)
+    if !avx512_available() {
+        lacking(InstructionSet::Avx512);
     }
+    // SAFETY: the features that `clone` is compiled for were just detected.
+    unsafe { clone(kernel) }
+}
+
+/// Nobody chooses a set that the machine lacks.
+#[cfg(all(target_arch = "x86_64", feature = "std"))]
+#[cold]
+#[inline(never)]
+fn lacking(set: InstructionSet) -> ! {
+    unreachable!("scalars of {set} on a machine without it");
 }
 
 #[cfg(test)]

@@ -135,12 +135,12 @@ macro_rules! lanes_real {
                 self.0[lane / F::LANES].lane(lane % F::LANES)
             }
             #[inline(always)]
-            fn parameter(of_lane: impl Fn(usize) -> f64) -> Self {
-                Self(core::array::from_fn(|part| F::parameter(|lane| of_lane(part * F::LANES + lane))))
+            fn parameter(of_lane: &dyn Fn(usize) -> f64) -> Self {
+                Self(core::array::from_fn(|part| F::parameter(&|lane| of_lane(part * F::LANES + lane))))
             }
             #[inline(always)]
-            fn state(of_lane: impl Fn(usize) -> f64) -> Self {
-                Self(core::array::from_fn(|part| F::state(|lane| of_lane(part * F::LANES + lane))))
+            fn state(of_lane: &dyn Fn(usize) -> f64) -> Self {
+                Self(core::array::from_fn(|part| F::state(&|lane| of_lane(part * F::LANES + lane))))
             }
             #[inline(always)]
             fn fma(self, b: Self, c: Self) -> Self {
@@ -203,7 +203,7 @@ mod tests {
 
     #[test]
     fn every_lane_is_the_scalar() {
-        let x = Lanes::<f64, 4>::state(|lane| 0.3 + lane as f64);
+        let x = Lanes::<f64, 4>::state(&|lane| 0.3 + lane as f64);
         let y = (x.sin() * x).fma(x.exp(), x.powf(Lanes::of(1.5)));
         for lane in 0..4 {
             let x = 0.3 + lane as f64;
@@ -214,7 +214,7 @@ mod tests {
 
     #[test]
     fn a_mask_chooses_lane_by_lane() {
-        let x = Lanes::<f64, 4>::state(|lane| lane as f64);
+        let x = Lanes::<f64, 4>::state(&|lane| lane as f64);
         let small = x.less(Lanes::of(2.0));
         let chosen = Lanes::select(small, x, Lanes::of(-1.0));
         assert_eq!([0, 1, 2, 3].map(|lane| chosen.lane(lane)), [0.0, 1.0, -1.0, -1.0]);

@@ -250,7 +250,13 @@ pub mod __private {
     pub use alloc::{sync::Arc, vec::Vec};
 
     /// A table of prepared constants whose length is known at run time.
-    pub fn table<T>(length: usize, element: impl FnMut(usize) -> T) -> Vec<T> {
-        (0..length).map(element).collect()
+    ///
+    /// A function of its own for each `T` and not for each table: what is seldom called is compiled as seldom as possible.
+    pub fn table<T>(length: usize, element: &dyn Fn(usize) -> T) -> Vec<T> {
+        let mut table = Vec::with_capacity(length);
+        for place in 0..length {
+            table.push(element(place));
+        }
+        table
     }
 }

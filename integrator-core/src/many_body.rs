@@ -174,7 +174,7 @@ where
     let mut sum = H::alone::<R, W>(parameters, bodies.q, bodies.of, time);
     // Written out, so that the rotations are known when this is compiled.
     macro_rules! turns {
-        ($($by:literal)*) => {$(
+        ($($by:tt)*) => {$(
             if 2 * $by <= N || $by < N && !H::RECIPROCAL {
                 let force = turn::<H, R, W, N, D, S>(parameters, bodies, present, time, $by);
                 sum = match sum {
@@ -184,7 +184,13 @@ where
             }
         )*};
     }
-    turns!(1 2 3 4 5 6 7);
+    if W::WRITTEN_OUT {
+        turns!(1 2 3 4 5 6 7);
+    } else {
+        for by in 1..N {
+            turns!(by);
+        }
+    }
     sum.unwrap_or([W::of(0.0); D])
 }
 
@@ -235,7 +241,7 @@ pub(crate) fn between<H, R, W, const N: usize, const D: usize, const S: usize>(
     let [sum, other] = sums;
     let mut meeting = Meeting { others, present, sum: *sum, reaction: *other };
     // A full round, so that at the end everybody is back in their place.
-    if present.is_some() {
+    if present.is_some() || !W::WRITTEN_OUT {
         for _ in 0..N {
             meeting.turn::<H, R, N>(parameters, bodies, time);
         }

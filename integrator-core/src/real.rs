@@ -118,9 +118,9 @@ macro_rules! declare_real {
             /// One lane, widened to `f64`.
             fn lane(self, lane: usize) -> f64;
             /// A prepared constant, one number per lane; a dual ignores all but the first.
-            fn parameter(of_lane: impl Fn(usize) -> f64) -> Self;
+            fn parameter(of_lane: &dyn Fn(usize) -> f64) -> Self;
             /// A coordinate, one number per lane; for a dual, lane 1 is the tangent.
-            fn state(of_lane: impl Fn(usize) -> f64) -> Self;
+            fn state(of_lane: &dyn Fn(usize) -> f64) -> Self;
             /// `self * b + c`, in one rounding where the scalar has it.
             fn fma(self, b: Self, c: Self) -> Self;
             /// A function known in `f64` alone, lane by lane. Only a dual asks for the derivatives, which come in the
@@ -132,7 +132,7 @@ macro_rules! declare_real {
                 slopes: impl Fn(usize, [f64; N]) -> [f64; N],
             ) -> Self {
                 let _ = slopes;
-                Self::state(|lane| value(lane, arguments.map(|argument| argument.lane(lane))))
+                Self::state(&|lane| value(lane, arguments.map(|argument| argument.lane(lane))))
             }
             /// `self / x^(3/2)`, the strength of forces that fall with the square of the distance. The formula, or on
             /// AVX-512 a kernel of at most two ulp that scalar and vectors share.
@@ -165,7 +165,7 @@ macro_rules! declare_real {
             /// Runs `kernel` inside the clone for the instruction set that this scalar is made for.
             #[inline(always)]
             fn enter<K: Kernel>(kernel: K) -> K::Out {
-                kernel.call()
+                $crate::instruction_set::enter_baseline(kernel)
             }
         }
     };
@@ -268,11 +268,11 @@ macro_rules! plain_real {
                 f64::from(self)
             }
             #[inline(always)]
-            fn parameter(of_lane: impl Fn(usize) -> f64) -> Self {
+            fn parameter(of_lane: &dyn Fn(usize) -> f64) -> Self {
                 Self::of(of_lane(0))
             }
             #[inline(always)]
-            fn state(of_lane: impl Fn(usize) -> f64) -> Self {
+            fn state(of_lane: &dyn Fn(usize) -> f64) -> Self {
                 Self::of(of_lane(0))
             }
             #[inline(always)]

@@ -32,15 +32,15 @@ where
     P::Single: PerBody<S>,
 {
     #[inline(always)]
-    fn load<'a>(of_lane: impl Fn(usize) -> (&'a P::Single, &'a Phase<C>)) -> Self
+    fn load<'a>(of_lane: &dyn Fn(usize) -> (&'a P::Single, &'a Phase<C>)) -> Self
     where
         P::Single: 'a,
     {
         Self {
-            q: inward::<R, K, N, D>(0..N, |lane, k| of_lane(lane).1.q.flat()[k]),
-            p: inward::<R, K, N, D>(0..N, |lane, k| of_lane(lane).1.p.flat()[k]),
-            of: prepared::<R, N, S>(0..N, |lane, body| of_lane(lane).0.per_body(body)),
-            parameters: P::gather(|lane| of_lane(lane).0),
+            q: inward::<R, K, N, D>(0..N, &|lane, k| of_lane(lane).1.q.flat()[k]),
+            p: inward::<R, K, N, D>(0..N, &|lane, k| of_lane(lane).1.p.flat()[k]),
+            of: prepared::<R, N, S>(0..N, &|lane, body| of_lane(lane).0.per_body(body)),
+            parameters: P::gather(&|lane| of_lane(lane).0),
         }
     }
     #[inline(always)]
@@ -103,6 +103,6 @@ impl<R: Real, P, const N: usize, const D: usize, const S: usize> Ring<R, f64, P,
     /// Takes over momenta in the user's own shape.
     pub fn set_momenta<C: Coords<Leaf = f64>>(&mut self, plain: &Plain<R, C, P>) {
         let p = C::slots(&plain.p);
-        self.p = core::array::from_fn(|d| of_bodies::<R, N>(0..N, |body| p[body * D + d]));
+        self.p = core::array::from_fn(|d| of_bodies::<R, N>(0..N, &|body| p[body * D + d]));
     }
 }

@@ -13,6 +13,10 @@ use core::ops::Range;
 /// how wide the hardware is. Places beyond the last body repeat the first ones: whatever is computed there is finite
 /// where the bodies are, and never read.
 pub trait Row<R: Real>: Real {
+    /// Whether rows are few registers, so that loops over rotations are written out: rotations by a known number of places
+    /// are instructions there. Where every body is a number of its own, this would be sixty-four copies of a force.
+    const WRITTEN_OUT: bool = true;
+
     /// The same number for every body.
     fn splat(x: R) -> Self;
     /// The row of `N` bodies in which each body's place is taken by the one so many places further on, the first bodies
@@ -66,13 +70,12 @@ fn place<R: Real>(bodies: &Range<usize>, lane: usize) -> (usize, usize) {
 }
 
 /// The slots of a row of bodies, from one leaf per lane and coordinate.
-#[inline(always)]
 pub(crate) fn inward<R: Real, K: Keep, const N: usize, const D: usize>(
     bodies: Range<usize>,
-    leaf: impl Fn(usize, usize) -> K,
+    leaf: &dyn Fn(usize, usize) -> K,
 ) -> [K::Slot<R::Row<N>>; D] {
     core::array::from_fn(|d| {
-        K::inward(|lane| {
+        K::inward(&|lane| {
             let (body, lane) = place::<R>(&bodies, lane);
             leaf(lane, body * D + d)
         })
@@ -95,13 +98,12 @@ pub(crate) fn outward<R: Real, K: Keep, const N: usize, const D: usize>(
 }
 
 /// What is prepared of a row of bodies.
-#[inline(always)]
 pub(crate) fn prepared<R: Real, const N: usize, const S: usize>(
     bodies: Range<usize>,
-    of: impl Fn(usize, usize) -> [f64; S],
+    of: &dyn Fn(usize, usize) -> [f64; S],
 ) -> [R::Row<N>; S] {
     core::array::from_fn(|s| {
-        Real::parameter(|lane| {
+        Real::parameter(&|lane| {
             let (body, lane) = place::<R>(&bodies, lane);
             of(lane, body)[s]
         })
@@ -110,8 +112,8 @@ pub(crate) fn prepared<R: Real, const N: usize, const S: usize>(
 
 /// A row of numbers, one for each body.
 #[inline(always)]
-pub(crate) fn of_bodies<R: Real, const N: usize>(bodies: Range<usize>, number: impl Fn(usize) -> R) -> R::Row<N> {
-    Real::state(|lane| {
+pub(crate) fn of_bodies<R: Real, const N: usize>(bodies: Range<usize>, number: &dyn Fn(usize) -> R) -> R::Row<N> {
+    Real::state(&|lane| {
         let (body, lane) = place::<R>(&bodies, lane);
         number(body).lane(lane)
     })
@@ -130,10 +132,12 @@ pub(crate) fn values<W: Real, L: Slot<W>, const D: usize>(slots: &[L; D]) -> [W;
 /// The number in one place of a row.
 #[inline(always)]
 pub(crate) fn of_place<R: Real>(row: impl Row<R>, place: usize) -> R {
-    R::state(|lane| row.lane(place * R::LANES + lane))
+    R::state(&|lane| row.lane(place * R::LANES + lane))
 }
 
 impl<R: Real, const BODIES: usize> Row<R> for Lanes<R, BODIES> {
+    const WRITTEN_OUT: bool = BODIES <= 2;
+
     #[inline(always)]
     fn splat(x: R) -> Self {
         Self::of_parts([x; BODIES])

@@ -100,7 +100,7 @@ where
     /// Motions of the members at some places, as their states are.
     fn loaded(members: &[Member<P, Q, C>], places: &[usize], per_motion: usize) -> Vec<L> {
         let load = |places: &[usize]| {
-            L::load(|lane| {
+            L::load(&|lane| {
                 let member = &members[places[lane.min(places.len() - 1)]];
                 (&*member.constants, &member.state)
             })

@@ -93,7 +93,7 @@ pub trait Keep: Copy + Debug + PartialEq + Default + Send + Sync + 'static {
     const COMPENSATED: bool = false;
 
     /// Fills a slot from one leaf per lane.
-    fn inward<R: Real>(of_lane: impl Fn(usize) -> Self) -> Self::Slot<R>;
+    fn inward<R: Real>(of_lane: &dyn Fn(usize) -> Self) -> Self::Slot<R>;
     /// One lane of a slot.
     fn outward<R: Real>(slot: Self::Slot<R>, lane: usize) -> Self;
     /// The value, without what compensation carries.
@@ -127,8 +127,8 @@ macro_rules! keep_plainly {
             const EPSILON: f64 = <$scalar>::EPSILON as f64;
 
             #[inline(always)]
-            fn inward<R: Real>(of_lane: impl Fn(usize) -> Self) -> R {
-                R::state(|lane| f64::from(of_lane(lane)))
+            fn inward<R: Real>(of_lane: &dyn Fn(usize) -> Self) -> R {
+                R::state(&|lane| f64::from(of_lane(lane)))
             }
             #[inline(always)]
             fn outward<R: Real>(slot: R, lane: usize) -> Self {
@@ -198,8 +198,8 @@ impl Keep for Compensated<f64> {
     const COMPENSATED: bool = true;
 
     #[inline(always)]
-    fn inward<R: Real>(of_lane: impl Fn(usize) -> Self) -> Compensated<R> {
-        Compensated { value: R::state(|lane| of_lane(lane).value), carried: R::state(|lane| of_lane(lane).carried) }
+    fn inward<R: Real>(of_lane: &dyn Fn(usize) -> Self) -> Compensated<R> {
+        Compensated { value: R::state(&|lane| of_lane(lane).value), carried: R::state(&|lane| of_lane(lane).carried) }
     }
     #[inline(always)]
     fn outward<R: Real>(slot: Compensated<R>, lane: usize) -> Self {

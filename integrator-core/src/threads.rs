@@ -1,5 +1,7 @@
 //! Threads, where there is an operating system to give some.
 
+#[cfg(feature = "std")]
+use alloc::boxed::Box;
 use alloc::vec::Vec;
 #[cfg(feature = "std")]
 use std::{num::NonZeroUsize, sync::OnceLock, thread};
@@ -19,16 +21,29 @@ pub(crate) fn all_threads() -> usize {
 
 /// Does a job for each of these, all at the same time, the last one in this thread.
 #[cfg(feature = "std")]
-pub(crate) fn at_once<T: Send>(mut all: Vec<T>, job: impl Fn(T) + Sync) {
-    let last = all.pop();
-    if all.is_empty() {
-        last.into_iter().for_each(job);
+pub(crate) fn at_once<T: Send>(all: Vec<T>, job: impl Fn(T) + Sync) {
+    let mut jobs = Vec::with_capacity(all.len());
+    for one in all {
+        jobs.push(Box::new(|| job(one)) as Job<'_>);
+    }
+    all_at_once(jobs);
+}
+
+/// A job behind a pointer: what starts threads is compiled once for all of them.
+#[cfg(feature = "std")]
+type Job<'j> = Box<dyn FnOnce() + Send + 'j>;
+
+#[cfg(feature = "std")]
+fn all_at_once(mut jobs: Vec<Job<'_>>) {
+    let Some(last) = jobs.pop() else { return };
+    if jobs.is_empty() {
+        last();
     } else {
         thread::scope(|scope| {
-            for one in all {
-                scope.spawn(|| job(one));
+            for job in jobs {
+                scope.spawn(job);
             }
-            last.into_iter().for_each(&job);
+            last();
         });
     }
 }

@@ -46,6 +46,15 @@ fn tiles(bodies: usize) -> impl Iterator<Item = Range<usize>> {
     (0..bodies).step_by(WIDTH).map(move |first| first..bodies.min(first + WIDTH))
 }
 
+/// One element for each tile.
+fn by_tile<T>(bodies: usize, element: &dyn Fn(Range<usize>) -> T) -> Vec<T> {
+    let mut elements = Vec::with_capacity(bodies.div_ceil(WIDTH));
+    for tile in tiles(bodies) {
+        elements.push(element(tile));
+    }
+    elements
+}
+
 impl<C, R, K, P, const D: usize, const S: usize> Motion<C, P::Single> for Tiles<R, K, P, D, S>
 where
     C: Coords<Leaf = K>,
@@ -54,23 +63,21 @@ where
     P: Prepared<R>,
     P::Single: PerBody<S>,
 {
-    fn load<'a>(of_lane: impl Fn(usize) -> (&'a P::Single, &'a Phase<C>)) -> Self
+    fn load<'a>(of_lane: &dyn Fn(usize) -> (&'a P::Single, &'a Phase<C>)) -> Self
     where
         P::Single: 'a,
     {
         let bodies = of_lane(0).1.q.length();
         let shares = if bodies < MANY * WIDTH { 1 } else { SHARES };
-        let q = tiles(bodies).map(|tile| inward::<R, K, WIDTH, D>(tile, |lane, k| of_lane(lane).1.q.flat()[k]));
-        let p = tiles(bodies).map(|tile| inward::<R, K, WIDTH, D>(tile, |lane, k| of_lane(lane).1.p.flat()[k]));
-        let of = tiles(bodies).map(|tile| prepared::<R, WIDTH, S>(tile, |lane, body| of_lane(lane).0.per_body(body)));
+        let slots = |leaf: &dyn Fn(usize, usize) -> K| by_tile(bodies, &|tile| inward::<R, K, WIDTH, D>(tile, leaf));
         Self {
-            q: q.collect(),
-            p: p.collect(),
-            of: of.collect(),
-            gradients: vec![tiles(bodies).map(|_| [Real::of(0.0); D]).collect(); shares],
+            q: slots(&|lane, k| of_lane(lane).1.q.flat()[k]),
+            p: slots(&|lane, k| of_lane(lane).1.p.flat()[k]),
+            of: by_tile(bodies, &|tile| prepared::<R, WIDTH, S>(tile, &|lane, body| of_lane(lane).0.per_body(body))),
+            gradients: vec![vec![[Real::of(0.0); D]; bodies.div_ceil(WIDTH)]; shares],
             threads: 1,
             bodies,
-            parameters: P::gather(|lane| of_lane(lane).0),
+            parameters: P::gather(&|lane| of_lane(lane).0),
         }
     }
     fn store(&self, lane: usize, to: &mut Phase<C>) {
@@ -194,8 +201,8 @@ impl<R: Real, P, const D: usize, const S: usize> Tiles<R, f64, P, D, S> {
     /// Takes over momenta in the user's own shape.
     pub fn set_momenta<C: Coords<Leaf = f64>>(&mut self, plain: &Plain<R, C, P>) {
         let p = C::slots(&plain.p);
-        let row = |tile: Range<usize>, d| of_bodies::<R, WIDTH>(tile, |body| p[body * D + d]);
-        self.p = tiles(self.bodies).map(|tile| core::array::from_fn(|d| row(tile.clone(), d))).collect();
+        let row = |tile: Range<usize>, d| of_bodies::<R, WIDTH>(tile, &|body| p[body * D + d]);
+        self.p = by_tile(self.bodies, &|tile| core::array::from_fn(|d| row(tile.clone(), d)));
     }
 }
 
@@ -221,7 +228,7 @@ impl<H: ManyBody<D, S>, R: Real, K: Keep, const D: usize, const S: usize> Kernel
         let Self { q, of, bodies, parameters, time, number, count, gradient, .. } = self;
         let tile = |tile: usize| Bodies { q: values(&q[tile]), of: of[tile] };
         let (last, rest) = (q.len().saturating_sub(1), bodies % WIDTH);
-        let present = (rest > 0).then(|| Real::parameter(|lane| if lane / R::LANES < rest { 1.0 } else { 0.0 }));
+        let present = (rest > 0).then(|| Real::parameter(&|lane| if lane / R::LANES < rest { 1.0 } else { 0.0 }));
         let present = |tile: usize| if tile == last { present } else { None };
         // Sums begin as a zero without a sign, so that no bit tells whether a zero is added to them.
         gradient.fill([Real::of(0.0); D]);

@@ -7,7 +7,7 @@
 
 use crate::{
     elementary::Elementary,
-    fused::Fused,
+    instruction_set::enter_fused_or_baseline,
     real::{Kernel, Real, compared, elementary_functions, real_of_two_parts},
 };
 use core::ops::{Add, Div, Mul, Neg, Sub};
@@ -120,11 +120,11 @@ elementary_functions!(real_of_two_parts! {
             Self { value: x, rest: 0.0 }
         }
         #[inline(always)]
-        fn parameter(of_lane: impl Fn(usize) -> f64) -> Self {
+        fn parameter(of_lane: &dyn Fn(usize) -> f64) -> Self {
             Self::of(of_lane(0))
         }
         #[inline(always)]
-        fn state(of_lane: impl Fn(usize) -> f64) -> Self {
+        fn state(of_lane: &dyn Fn(usize) -> f64) -> Self {
             Self::new(of_lane(0), of_lane(1))
         }
         #[inline(always)]
@@ -148,7 +148,7 @@ elementary_functions!(real_of_two_parts! {
         /// The products' errors are one instruction each in there, and the same bits as elsewhere.
         #[inline(always)]
         fn enter<K: Kernel>(kernel: K) -> K::Out {
-            Fused::<f64>::enter(kernel)
+            enter_fused_or_baseline(kernel)
         }
     }
 });

@@ -318,7 +318,7 @@ const PREPARED: &[(&str, &str)] = &[
     // A list that is read by the index as it is has an element for every turn, whichever turns add.
     (
         "for j in 0..q.len() { if i != j { v += self.mass[i] * q[j]; } }",
-        "mass: runtime::table(length, |i: usize| self.mass[i])",
+        "mass: runtime::table(length, &|i: usize| self.mass[i])",
     ),
     ("if self.on { v += self.k * q[i]; }", "k: self.k"),
 ];

@@ -126,10 +126,10 @@ elementary_functions!(real_of_two_parts! {
         fn of(x: f64) -> Self {
             Self::new(x, 0.0)
         }
-        fn parameter(of_lane: impl Fn(usize) -> f64) -> Self {
+        fn parameter(of_lane: &dyn Fn(usize) -> f64) -> Self {
             Self::of(of_lane(0))
         }
-        fn state(of_lane: impl Fn(usize) -> f64) -> Self {
+        fn state(of_lane: &dyn Fn(usize) -> f64) -> Self {
             Self::new(of_lane(0), of_lane(1))
         }
         fn lane_by_lane<const N: usize>(
@@ -216,7 +216,7 @@ mod tests {
 
     #[test]
     fn a_prepared_constant_has_no_tangent() {
-        let constant = Dual::parameter(|lane| [3.0, 5.0][lane]);
+        let constant = Dual::parameter(&|lane| [3.0, 5.0][lane]);
         assert_eq!((constant.lane(0), constant.lane(1)), (3.0, 0.0));
     }
 }

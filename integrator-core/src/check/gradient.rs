@@ -159,6 +159,6 @@ impl<'s, H: Hamiltonian> Gradient<'s, H> {
 
     /// A motion at `point`, with `tangent` in the second lane if there is one.
     fn load<R: Real>(&self, point: &Phase<H::Coords>, tangent: &Phase<H::Coords>) -> H::Motion<R, f64> {
-        H::Motion::<R, f64>::load(|lane| (self.parameters, if lane == 0 { point } else { tangent }))
+        H::Motion::<R, f64>::load(&|lane| (self.parameters, if lane == 0 { point } else { tangent }))
     }
 }

@@ -72,7 +72,7 @@ impl<'s, H: Hamiltonian> March<'s, H> {
         let Start { phase: start, time: t0 } = start;
         let parameters = system.parameters(start.q.length());
         let mut state: Phase<Shaped<H, Compensated<f64>>> = Phase::compensated(start.q.clone(), start.p.clone());
-        let mut motion = H::Motion::<f64, Compensated<f64>>::load(|_| (&parameters, &state));
+        let mut motion = H::Motion::<f64, Compensated<f64>>::load(&|_| (&parameters, &state));
         let (mut ends, mut scale) = (Vec::with_capacity(PARTS as usize), Scale::ZERO);
         for step in 0..PARTS * steps {
             let mut time = t0 + step as f64 * h;

@@ -3,6 +3,7 @@
 use crate::{
     admissible::admissible,
     check::{
+        baseline::Baseline,
         start::Start,
         tolerance::{largest, ratio},
     },
@@ -49,7 +50,8 @@ pub(crate) fn run<H: Hamiltonian, X: Method<H>, K: Keep>(
     Ok(run)
 }
 
-/// A run from a start and its time, which carries the rounding error of every update.
+/// A run from a start and its time, which carries the rounding error of every update; in code for the baseline, so that no other
+/// is compiled for it.
 pub(crate) fn compensated_run<H: Hamiltonian, X: Method<H>>(
     system: &H,
     method: X,
@@ -57,7 +59,12 @@ pub(crate) fn compensated_run<H: Hamiltonian, X: Method<H>>(
     h: f64,
 ) -> Result<Run<Shaped<H, Compensated<f64>>>, Error> {
     let Start { phase, time } = start.clone();
-    run::<H, X, Compensated<f64>>(system, method, &Phase::compensated(phase.q, phase.p).at_time(time), h)
+    run::<H, Baseline<X>, Compensated<f64>>(
+        system,
+        Baseline(method),
+        &Phase::compensated(phase.q, phase.p).at_time(time),
+        h,
+    )
 }
 
 /// What one rounding amounts to, relative to the largest position or to the largest momentum of some points.

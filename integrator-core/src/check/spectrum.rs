@@ -14,7 +14,7 @@ const SWEEPS: usize = 100 * SUBSPACE;
 
 /// Approximate eigenvalues of `operator` on vectors of `length` numbers (Arnoldi 1951): those of its restriction to the
 /// space of a vector and its first images. `None` where the operator is not finite.
-pub(crate) fn eigenvalues(length: usize, operator: impl Fn(&[f64]) -> Vec<f64>) -> Option<Vec<Complex<f64>>> {
+pub(crate) fn eigenvalues(length: usize, operator: &dyn Fn(&[f64]) -> Vec<f64>) -> Option<Vec<Complex<f64>>> {
     /// Its multiples fall evenly into (0, 1), so that the vector lies in no space that a symmetry leaves to itself.
     const GOLDEN: f64 = 0.618_033_988_749_894_9;
     if length == 0 {
@@ -63,11 +63,11 @@ mod tests {
 
     #[test]
     fn nothing_has_no_eigenvalues() {
-        assert_eq!(eigenvalues(0, |_| Vec::new()), Some(Vec::new()));
+        assert_eq!(eigenvalues(0, &|_| Vec::new()), Some(Vec::new()));
     }
 
     fn largest(length: usize, operator: impl Fn(&[f64]) -> Vec<f64>) -> f64 {
-        let eigenvalues = eigenvalues(length, operator).expect("a finite operator");
+        let eigenvalues = eigenvalues(length, &operator).expect("a finite operator");
         eigenvalues.iter().map(|value| value.re).fold(f64::NEG_INFINITY, f64::max)
     }
 
@@ -81,7 +81,7 @@ mod tests {
     fn few_dimensions_give_all_eigenvalues() {
         for length in [1, 2, 5, 24] {
             let mut found: Vec<f64> =
-                eigenvalues(length, chain).expect("finite").iter().map(|value| value.re).collect();
+                eigenvalues(length, &chain).expect("finite").iter().map(|value| value.re).collect();
             found.sort_by(f64::total_cmp);
             for (mode, found) in (1..).zip(&found) {
                 let exact = 2.0 - 2.0 * (PI * f64::from(mode) / (length + 1) as f64).cos();
@@ -100,10 +100,10 @@ mod tests {
 
     #[test]
     fn a_rotation_has_complex_eigenvalues_and_nothing_has_zero() {
-        let turned = eigenvalues(2, |x| vec![-x[1], x[0]]).expect("finite");
+        let turned = eigenvalues(2, &|x| vec![-x[1], x[0]]).expect("finite");
         assert!(turned.iter().all(|value| (value.im.abs() - 1.0).abs() < 4.0 * f64::EPSILON), "{turned:?}");
         assert_eq!(largest(3, |x| vec![0.0; x.len()]), 0.0);
-        assert_eq!(eigenvalues(2, |_| vec![f64::NAN; 2]), None);
-        assert_eq!(eigenvalues(0, |_| Vec::new()), Some(Vec::new()));
+        assert_eq!(eigenvalues(2, &|_| vec![f64::NAN; 2]), None);
+        assert_eq!(eigenvalues(0, &|_| Vec::new()), Some(Vec::new()));
     }
 }

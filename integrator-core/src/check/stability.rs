@@ -150,7 +150,7 @@ fn frequency<H: Hamiltonian>(parameters: &H::Parameters<f64>, point: &Phase<H::C
         }
         tangent
     };
-    let squared = eigenvalues(length, |direction| {
+    let squared = eigenvalues(length, &|direction| {
         let pull = force.flow::<Dual>(&at_rest, &tangent(direction, 0), 1);
         velocity.flow::<Dual>(&at_origin, &tangent(&pull, length), 1)
     });

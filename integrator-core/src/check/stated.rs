@@ -159,7 +159,7 @@ impl<H: Hamiltonian> Point<'_, H> {
             [self.function.stated(self.system, &state, self.time), rounding]
         };
         let terms = self.generated(self.state).into_iter().zip(direction).map(|(slope, along)| slope * along);
-        self.hold(1, terms.collect(), slope_of(value))
+        self.hold(1, terms.collect(), slope_of(&value))
     }
 
     /// Whether the tangent of the force or of the velocity is the slope of the latter in a direction: a sum over all
@@ -179,7 +179,7 @@ impl<H: Hamiltonian> Point<'_, H> {
         self.hold(
             2,
             tangents.into_iter().zip(&weights).map(|(tangent, weight)| tangent * weight).collect(),
-            slope_of(value),
+            slope_of(&value),
         )
     }
 
@@ -213,10 +213,10 @@ struct Slope {
 
 /// The derivative at zero of a function that tells its rounding too; none where no two widths lead to the same, or where
 /// the slopes from both sides differ.
-fn slope_of(value: impl Fn(f64) -> [f64; 2]) -> Option<Slope> {
+fn slope_of(value: &dyn Fn(f64) -> [f64; 2]) -> Option<Slope> {
     let mut best: Option<Slope> = None;
     for width in WIDTHS {
-        let Some(slope) = extrapolated(&value, width) else { continue };
+        let Some(slope) = extrapolated(value, width) else { continue };
         if let Some(before) = best {
             let both = before.uncertainty + slope.uncertainty;
             if within(both, KNOWN * before.scale) && within(before.value - slope.value, both) {
@@ -231,7 +231,7 @@ fn slope_of(value: impl Fn(f64) -> [f64; 2]) -> Option<Slope> {
 /// The derivative at zero from differences over a width and its halves, by Richardson's extrapolation: central ones, whose
 /// error is a series in the square of the width, and those to either side, in its powers, which have to agree with each
 /// other or there is a kink in between.
-fn extrapolated(value: impl Fn(f64) -> [f64; 2], width: f64) -> Option<Slope> {
+fn extrapolated(value: &dyn Fn(f64) -> [f64; 2], width: f64) -> Option<Slope> {
     let [middle, mut rounding] = value(0.0);
     let (mut central, mut right, mut left) = ([0.0; LEVELS], [0.0; LEVELS], [0.0; LEVELS]);
     let mut narrowest = width;
@@ -288,7 +288,7 @@ mod tests {
             ("a kink nearby", |x| (x - 1e-3).abs(), -1.0),
         ];
         for (name, function, expected) in smooth {
-            let found = slope_of(|x| [function(x), 4.0 * f64::EPSILON * function(x).abs()]);
+            let found = slope_of(&|x| [function(x), 4.0 * f64::EPSILON * function(x).abs()]);
             let Slope { value, uncertainty, scale } = found.unwrap_or_else(|| panic!("{name} has a slope"));
             assert!((value - expected).abs() <= SAFETY * uncertainty, "{name}: {found:?}");
             assert!(uncertainty <= KNOWN * scale.max(1.0), "{name}: {found:?}");
@@ -300,7 +300,7 @@ mod tests {
             ("the edge of a domain", f64::sqrt),
         ];
         for (name, function) in rough {
-            let found = slope_of(|x| [function(x), 4.0 * f64::EPSILON * function(x).abs()]);
+            let found = slope_of(&|x| [function(x), 4.0 * f64::EPSILON * function(x).abs()]);
             assert!(found.is_none_or(|slope| slope.uncertainty > KNOWN * slope.scale), "{name}: {found:?}");
         }
     }

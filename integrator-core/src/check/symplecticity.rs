@@ -92,13 +92,17 @@ pub(crate) fn defect<H: Hamiltonian, X: Method<H>, K: Keep>(
     steps: u64,
 ) -> Result<Defect, CheckError> {
     let Start { phase: start, time } = begin::<H, X, K>(system, method, start, h)?;
-    let mut map = Tangents::<H, X>::new(system, method, start.q.length(), h).matrix(&start, time, steps);
+    let map = Tangents::<H, X>::new(system, method, start.q.length(), h).matrix(&start, time, steps);
+    Ok(defect_of(map, method.facts().roundings_in(steps.max(1))))
+}
+
+/// The defect of a tangent map whose steps round the state so often.
+fn defect_of(mut map: DMatrix<f64>, roundings: f64) -> Defect {
     balance(&mut map);
     let n = map.nrows() / 2;
     let size = largest((form(&map) - form(&DMatrix::identity(2 * n, 2 * n))).iter().copied());
     let amplification = largest(absolute_form(&map).iter().copied());
-    let roundings = 32.0 * method.facts().roundings_in(steps.max(1)) + 2.0 * n as f64;
-    Ok(Defect { size, tolerance: roundings * f64::EPSILON * amplification })
+    Defect { size, tolerance: (32.0 * roundings + 2.0 * n as f64) * f64::EPSILON * amplification }
 }
 
 /// `Mᵀ J M`: with the rows of `M` split into those of `q` and those of `p`, `Qᵀ P` less its transpose.

@@ -40,7 +40,7 @@ impl<H: Hamiltonian, X: Method<H>> Tangents<H, X> {
     ) -> (Phase<H::Coords>, Phase<H::Coords>) {
         let mut arrived = (point.clone(), tangent.clone());
         let moves = X::moves::<Dual, f64>();
-        let mut motion = X::Motion::<Dual, f64>::load(|lane| (&*self.constants, [point, tangent][lane]));
+        let mut motion = X::Motion::<Dual, f64>::load(&|lane| (&*self.constants, [point, tangent][lane]));
         let clock = Clock { t0, h: self.h, steps: 0 };
         moves.advance(&mut motion, clock, steps);
         let motion = moves.shown(motion, Clock { steps, ..clock });

@@ -11,14 +11,25 @@ pub(crate) fn within(value: f64, tolerance: f64) -> bool {
 
 /// The largest size among `values`, zero where there are none, NaN where one is NaN.
 pub(crate) fn largest(values: impl IntoIterator<Item = f64>) -> f64 {
-    values
-        .into_iter()
-        .fold(0.0, |most: f64, value| if most.is_nan() || value.abs() <= most { most } else { value.abs() })
+    let mut most = 0.0_f64;
+    each(&mut values.into_iter(), &mut |value| {
+        most = if most.is_nan() || value.abs() <= most { most } else { value.abs() };
+    });
+    most
 }
 
 /// The Euclidean length of `values`.
 pub(crate) fn length(values: impl IntoIterator<Item = f64>) -> f64 {
-    values.into_iter().map(|value| value * value).sum::<f64>().sqrt()
+    let mut squares = 0.0;
+    each(&mut values.into_iter(), &mut |value| squares += value * value);
+    squares.sqrt()
+}
+
+/// Not generic, so that checks do not compile a loop for every kind of iterator.
+fn each(values: &mut dyn Iterator<Item = f64>, what: &mut dyn FnMut(f64)) {
+    while let Some(value) = values.next() {
+        what(value);
+    }
 }
 
 /// `part` in units of `whole`, where nothing in units of nothing is nothing.

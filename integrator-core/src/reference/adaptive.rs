@@ -30,7 +30,7 @@ fn flat<R: Real>(y: &[R]) -> Vec<f64> {
 /// The numbers whose lanes these are.
 fn lanes<R: Real>(flat: &[f64]) -> Vec<R> {
     let count = flat.len() / R::LANES;
-    (0..count).map(|i| R::state(|lane| flat[lane * count + i])).collect()
+    (0..count).map(|i| R::state(&|lane| flat[lane * count + i])).collect()
 }
 
 impl<R: Real> ODE<f64, Vec<f64>> for Flat<'_, R> {

@@ -51,7 +51,7 @@ impl<H: Hamiltonian> Generated<'_, H> {
         mut points: Vec<Phase<H::Coords>>,
         flow: impl Fn(&mut H::Motion<R, f64>),
     ) -> Vec<Phase<H::Coords>> {
-        let mut motion = H::Motion::<R, f64>::load(|lane| (self.parameters, &points[lane]));
+        let mut motion = H::Motion::<R, f64>::load(&|lane| (self.parameters, &points[lane]));
         H::begin_step::<R, f64>(&mut motion, self.middle);
         flow(&mut motion);
         for (lane, point) in points.iter_mut().enumerate() {
@@ -70,15 +70,15 @@ impl<H: Hamiltonian, R: Real> Field<R> for Generated<'_, H> {
             self.flown::<R>(self.points(p, |point| &mut point.p), |motion| H::drift::<R, f64>(motion, 1.0, time));
         let kicked =
             self.flown::<R>(self.points(q, |point| &mut point.q), |motion| H::kick::<R, f64>(motion, 1.0, time));
-        let velocity = (0..q.len()).map(|i| R::state(|lane| drifted[lane].q.flat()[i]));
-        let force = (0..p.len()).map(|i| R::state(|lane| kicked[lane].p.flat()[i]));
+        let velocity = (0..q.len()).map(|i| R::state(&|lane| drifted[lane].q.flat()[i]));
+        let force = (0..p.len()).map(|i| R::state(&|lane| kicked[lane].p.flat()[i]));
         velocity.chain(force).collect()
     }
 
     fn jacobian(&self, y: &[f64], time: f64) -> DMatrix<f64> {
         let mut jacobian = DMatrix::zeros(y.len(), y.len());
         for column in 0..y.len() {
-            let along = |i: usize| Dual::state(|lane| if lane == 0 { y[i] } else { f64::from(u8::from(i == column)) });
+            let along = |i: usize| Dual::state(&|lane| if lane == 0 { y[i] } else { f64::from(u8::from(i == column)) });
             let y: Vec<Dual> = (0..y.len()).map(along).collect();
             for (row, derivative) in self.derivative(&y, time).into_iter().enumerate() {
                 jacobian[(row, column)] = derivative.lane(1);

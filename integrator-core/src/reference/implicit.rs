@@ -42,7 +42,7 @@ fn increment<R: Real>(a: f64, from: &Place<'_, R>) -> Result<Vec<R>, Unsolved> {
             lanes.push(step);
         }
         for (i, z) in z.iter_mut().enumerate() {
-            *z -= R::state(|lane| lanes[lane][i]);
+            *z -= R::state(&|lane| lanes[lane][i]);
         }
         let relative = largest(lanes.iter().enumerate().flat_map(|(lane, step)| {
             [0..half, half..z.len()].map(|range| {

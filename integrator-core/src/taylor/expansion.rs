@@ -54,15 +54,18 @@ where
     Q: Send + Sync + 'static,
     T: Clone + Default + Send + Sync + 'static,
 {
-    fn load<'a>(of_lane: impl Fn(usize) -> (&'a Constants<Q>, &'a Phase<C>)) -> Self {
+    fn load<'a>(of_lane: &dyn Fn(usize) -> (&'a Constants<Q>, &'a Phase<C>)) -> Self
+    where
+        Constants<Q>: 'a,
+    {
         let (constants, start) = of_lane(0);
         let layout = Layout::of::<C>(start.q.length(), constants.interleaved);
         Self {
             method: constants.method,
-            parameters: P::gather(|lane| &*of_lane(lane).0.parameters),
+            parameters: P::gather(&|lane| &*of_lane(lane).0.parameters),
             layout,
-            q: Part::at(layout, |lane, coordinate| of_lane(lane).1.q.flat()[coordinate]),
-            p: Part::at(layout, |lane, coordinate| of_lane(lane).1.p.flat()[coordinate]),
+            q: Part::at(layout, &|lane, coordinate| of_lane(lane).1.q.flat()[coordinate]),
+            p: Part::at(layout, &|lane, coordinate| of_lane(lane).1.p.flat()[coordinate]),
             tape: T::default(),
             legs: Default::default(),
         }
@@ -71,7 +74,7 @@ where
         let (constants, &Self { layout, .. }, _) = from[0];
         Self {
             method: constants.method,
-            parameters: P::gather(|lane| &*from[lane].0.parameters),
+            parameters: P::gather(&|lane| &*from[lane].0.parameters),
             layout,
             q: Part::gathered(layout, |lane| (&from[lane].1.q, from[lane].2)),
             p: Part::gathered(layout, |lane| (&from[lane].1.p, from[lane].2)),
@@ -154,7 +157,7 @@ impl<R: Real, C: Coords, P: Prepared<R>, T> Expansion<R, C, P, T> {
     /// Ends the polynomials of these lanes a while after their beginnings: the next ones begin there.
     #[inline(always)]
     fn end(&mut self, layout: Layout, t: R, lanes: &[f64; WIDEST], end: Moment) {
-        let (order, to) = (self.method.order(), To::Begin { moves: R::parameter(|lane| lanes[lane]) });
+        let (order, to) = (self.method.order(), To::Begin { moves: R::parameter(&|lane| lanes[lane]) });
         self.q.follow(layout, order, t, to);
         self.p.follow(layout, order, t, to);
         for (leg, _) in self.legs.iter_mut().zip(lanes).filter(|(_, ends)| **ends > 0.0) {
@@ -200,13 +203,13 @@ impl<H: Recurrences, R: Real, K: Keep> Kernel for Follow<'_, H, R, K> {
                 }
             }
             let to = if over {
-                To::Begin { moves: R::parameter(|lane| moves[lane]) }
+                To::Begin { moves: R::parameter(&|lane| moves[lane]) }
             } else if within {
                 To::Shown
             } else {
                 return;
             };
-            let t = R::parameter(|lane| t[lane]);
+            let t = R::parameter(&|lane| t[lane]);
             expansion.q.follow(layout, order, t, to);
             expansion.p.follow(layout, order, t, to);
             if let To::Shown = to {
@@ -267,7 +270,7 @@ const _: () = assert!(for_each_order!(count) == HIGHEST, "the highest order come
 /// Finds the polynomials from their beginnings.
 #[inline(always)]
 fn expand<H: Recurrences, R: Real, K: Keep>(expansion: &mut Of<H, R, K>, layout: Layout, t0: f64) {
-    let time = R::parameter(|lane| t0 + expansion.legs[lane].begin.nearest());
+    let time = R::parameter(&|lane| t0 + expansion.legs[lane].begin.nearest());
     let Expansion { method, parameters, q, p, tape, .. } = expansion;
     let (last, length) = (method.order, layout.length());
     let (mut q, mut p) = (q.coefficients(layout), p.coefficients(layout));

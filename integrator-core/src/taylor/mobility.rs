@@ -17,14 +17,14 @@ pub struct Mobility<R: Copy> {
 
 impl<R: Real> Default for Mobility<R> {
     fn default() -> Self {
-        Self { numbers: Aligned::new(0, |_| R::of(0.0)) }
+        Self { numbers: Aligned::new(0, &|_| R::of(0.0)) }
     }
 }
 
 impl<R: Real> Mobility<R> {
     /// The mobilities of a row of coordinates.
     pub fn of(row: &[R]) -> Self {
-        Self { numbers: Aligned::new(row.len(), |place| row[place]) }
+        Self { numbers: Aligned::new(row.len(), &|place| row[place]) }
     }
 
     /// Whether nothing has been found.

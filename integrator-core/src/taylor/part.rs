@@ -57,11 +57,11 @@ fn largest<R: Real, W: Row<R>>(numbers: &[R]) -> W {
 type Slots<R, K> = (Vec<<K as Keep>::Slot<R>>, Vec<<K as Keep>::Slot<Eight<R>>>);
 
 /// The slots of coordinates in this layout.
-fn slots<R: Real, K: Keep>(layout: Layout, leaf: impl Fn(usize, usize) -> K) -> Slots<R, K> {
+fn slots<R: Real, K: Keep>(layout: Layout, leaf: &dyn Fn(usize, usize) -> K) -> Slots<R, K> {
     let (few, rows) = if layout.is_few() { (layout.width(), 0) } else { (0, layout.width() / EIGHT) };
-    let few = (0..few).map(|place| K::inward(|lane| leaf(lane, layout.coordinate(place))));
+    let few = (0..few).map(|place| K::inward(&|lane| leaf(lane, layout.coordinate(place))));
     let rows =
-        (0..rows).map(|row| K::inward(|lane| leaf(lane % R::LANES, layout.coordinate(row * EIGHT + lane / R::LANES))));
+        (0..rows).map(|row| K::inward(&|lane| leaf(lane % R::LANES, layout.coordinate(row * EIGHT + lane / R::LANES))));
     (few.collect(), rows.collect())
 }
 
@@ -88,18 +88,18 @@ fn leaf<R: Real, K: Keep>(few: &[K::Slot<R>], rows: &[K::Slot<Eight<R>>], lane: 
 
 impl<R: Real, K: Keep> Part<R, K> {
     /// The coordinates of each lane.
-    pub(super) fn at(layout: Layout, leaf: impl Fn(usize, usize) -> K) -> Self {
+    pub(super) fn at(layout: Layout, leaf: &dyn Fn(usize, usize) -> K) -> Self {
         let begin = slots(layout, leaf);
         Self { table: begun::<R, K>(layout, &begin), few: States::at(begin.0), rows: States::at(begin.1) }
     }
 
     /// The coordinates of each lane, from lanes of others of the same layout. Their polynomials have to be found again.
     pub(super) fn gathered<'p>(layout: Layout, of_lane: impl Fn(usize) -> (&'p Self, usize)) -> Self {
-        let begin = slots(layout, |lane, coordinate| {
+        let begin = slots(layout, &|lane, coordinate| {
             let (part, lane) = of_lane(lane);
             leaf::<R, K>(&part.few.begin, &part.rows.begin, lane, layout.place_of(coordinate))
         });
-        let shown = slots(layout, |lane, coordinate| {
+        let shown = slots(layout, &|lane, coordinate| {
             let (part, lane) = of_lane(lane);
             part.leaf(lane, layout.place_of(coordinate))
         });

@@ -106,7 +106,7 @@ pub struct Table<R> {
 impl<R: Real> Table<R> {
     /// Room for coefficients that lie so.
     pub fn new(layout: Layout) -> Self {
-        Self { numbers: Aligned::new(COEFFICIENTS * layout.width, |_| R::of(0.0)) }
+        Self { numbers: Aligned::new(COEFFICIENTS * layout.width, &|_| R::of(0.0)) }
     }
     /// The coefficients.
     #[inline(always)]

@@ -84,7 +84,7 @@ mod tests {
         let point = |lane: usize| POINTS[lane % POINTS.len()];
         for first in 0..POINTS.len() {
             for second in 0..POINTS.len() {
-                let (a, b) = (V::state(|lane| point(first + lane)), V::state(|lane| point(second + 2 * lane)));
+                let (a, b) = (V::state(&|lane| point(first + lane)), V::state(&|lane| point(second + 2 * lane)));
                 let together = results(a, b);
                 for lane in 0..V::LANES {
                     let (x, y) = (point(first + lane), point(second + 2 * lane));
@@ -101,13 +101,13 @@ mod tests {
     fn whole<V: Real>() {
         for special in 0..V::LANES {
             for x in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
-                assert!(!V::state(|lane| if lane == special { x } else { 1.0 }).finite(), "{x} in lane {special}");
+                assert!(!V::state(&|lane| if lane == special { x } else { 1.0 }).finite(), "{x} in lane {special}");
             }
-            let ramp = V::state(|lane| lane as f64);
+            let ramp = V::state(&|lane| lane as f64);
             assert!(ramp.equal(V::of(special as f64)).any());
             assert!(!ramp.equal(V::of(special as f64 + 0.5)).any());
         }
-        assert!(V::state(|lane| lane as f64).finite());
+        assert!(V::state(&|lane| lane as f64).finite());
     }
 
     /// Neighbours of an array are read and written where they are, and nothing beside them.

@@ -117,11 +117,11 @@ macro_rules! vector {
                     f64::from(self.lanes()[lane])
                 }
                 #[inline(always)]
-                fn parameter(of_lane: impl Fn(usize) -> f64) -> Self {
+                fn parameter(of_lane: &dyn Fn(usize) -> f64) -> Self {
                     Self::state(of_lane)
                 }
                 #[inline(always)]
-                fn state(of_lane: impl Fn(usize) -> f64) -> Self {
+                fn state(of_lane: &dyn Fn(usize) -> f64) -> Self {
                     Self::of_lanes(array::from_fn(|lane| of_lane(lane) as $scalar))
                 }
                 #[inline(always)]

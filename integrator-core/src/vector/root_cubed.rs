@@ -82,7 +82,7 @@ mod tests {
                 let mut values = Vec::with_capacity(self.0.len());
                 for pairs in self.0.chunks(R::LANES) {
                     let pair = |lane: usize| pairs[lane.min(pairs.len() - 1)];
-                    let value = R::state(|lane| pair(lane)[0]).over_root_cubed(R::state(|lane| pair(lane)[1]));
+                    let value = R::state(&|lane| pair(lane)[0]).over_root_cubed(R::state(&|lane| pair(lane)[1]));
                     values.extend((0..pairs.len()).map(|lane| value.lane(lane)));
                 }
                 values

@@ -143,7 +143,7 @@ mod tests {
     /// last body repeat the first ones.
     fn rotations<W: Row<R>, R: Real, const N: usize>() {
         let number = |body: usize| 1.5 + body as f64;
-        let row = W::state(|lane| number(lane % N));
+        let row = W::state(&|lane| number(lane % N));
         for by in 0..N {
             let rotated = row.rotated::<N>(by);
             for lane in 0..W::LANES {

@@ -20,7 +20,7 @@ macro_rules! by_hand {
 
         impl<R: Real> Prepared<R> for $name {
             type Single = Self;
-            fn gather<'a>(of_lane: impl Fn(usize) -> &'a Self) -> Self {
+            fn gather<'a>(of_lane: &dyn Fn(usize) -> &'a Self) -> Self {
                 of_lane(0).clone()
             }
         }
@@ -54,7 +54,7 @@ macro_rules! by_hand {
 /// A motion whose positions and momenta are the same.
 fn at<H: Hamiltonian<Parameters<f64> = H>>(system: &H, coordinates: &H::Coords) -> H::Motion<f64, f64> {
     let state = Phase::new(coordinates.clone(), coordinates.clone());
-    H::Motion::load(|_| (system, &state))
+    H::Motion::load(&|_| (system, &state))
 }
 
 by_hand! {

@@ -142,7 +142,7 @@ fn buffer(
     let open = if on_stack {
         quote!(let mut gradient = [#element; #length];)
     } else {
-        quote!(let mut gradient = #runtime::table(#length, |_| #element);)
+        quote!(let mut gradient = #runtime::table(#length, &|_| #element);)
     };
     let at = |indices: TokenStream| apply(quote!(motion.#coordinates #indices), quote!(gradient #indices));
     let close = match dimension {

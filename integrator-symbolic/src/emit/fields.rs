@@ -156,12 +156,12 @@ impl Fields {
             let at = table.at(table.levels.len());
             let gathered = match content {
                 Content::Number(_) | Content::Flag(_) | Content::Middle => {
-                    quote!(#scalar::parameter(|lane| of_lane(lane).#name #at))
+                    quote!(#scalar::parameter(&|lane| of_lane(lane).#name #at))
                 }
                 Content::Integer(_) => quote!(of_lane(0).#name #at),
                 Content::External(_) => {
                     let runtime = &names.runtime;
-                    quote!(#runtime::table(<#scalar as #runtime::Real>::LANES, |lane| of_lane(lane).#name[0].clone()))
+                    quote!(#runtime::table(<#scalar as #runtime::Real>::LANES, &|lane| of_lane(lane).#name[0].clone()))
                 }
             };
             let documentation = super::equations::documentation(model, content.node());
@@ -283,7 +283,7 @@ impl Table {
             Some(_) => quote!(::core::array::from_fn(|#index: usize| #inner)),
             None => {
                 let at = self.at(depth);
-                quote!(#runtime::table(of_lane(0).#name #at.len(), |#index: usize| #inner))
+                quote!(#runtime::table(of_lane(0).#name #at.len(), &|#index: usize| #inner))
             }
         })
     }
@@ -300,7 +300,7 @@ impl Table {
         };
         self.levels.iter().rev().fold(element, |inner, Level { index, literal, extent, .. }| match literal {
             Some(_) => quote!(::core::array::from_fn(|#index: usize| #inner)),
-            None => quote!(#runtime::table(#extent, |#index: usize| #inner)),
+            None => quote!(#runtime::table(#extent, &|#index: usize| #inner)),
         })
     }
 }

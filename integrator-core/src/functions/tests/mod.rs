@@ -32,7 +32,7 @@ fn sweep<F: Function, R: Real>(points: &[[f64; 2]]) -> Vec<f64> {
         fn call(self) -> Vec<f64> {
             let mut values = Vec::with_capacity(self.0.len());
             for points in self.0.chunks(R::LANES) {
-                let [x, y] = [0, 1].map(|place| R::state(|lane| points[lane.min(points.len() - 1)][place]));
+                let [x, y] = [0, 1].map(|place| R::state(&|lane| points[lane.min(points.len() - 1)][place]));
                 let value = F::call(x, y);
                 values.extend((0..points.len()).map(|lane| value.lane(lane)));
             }
