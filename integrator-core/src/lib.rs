@@ -100,6 +100,7 @@ mod crossings;
 mod digest;
 #[cfg_attr(feature = "std", allow(dead_code, unreachable_pub, reason = "users need it where there is no std"))]
 mod elementary;
+mod elements;
 mod energies;
 mod engine;
 #[cfg(feature = "std")]
@@ -224,6 +225,7 @@ pub mod __private {
         constants::{all_found, not_finite},
         coords::Coords,
         digest::Digest,
+        elements::Elements,
         error::NotFinite,
         fused::Fused,
         gather::{Drift, Edges, Gather, Kick},

@@ -236,16 +236,22 @@ impl<L: Fn(&Graph, NodeId) -> bool> Scheduler<'_, L> {
         let is_over = |scope: &usize, set: LoopSet| matches!(self.scopes[*scope].around, Some(Around::Loop(by)) if set.contains(by));
         // The index of a loop has one value in it, so that the sum over the same loop is not computed there.
         let outside = path.iter().position(|scope| is_over(scope, summed)).unwrap_or(path.len());
-        let protected = if self.way.protects { self.protected(&path[..outside], id) } else { None };
+        let protected = if self.way.protects { self.protected(path, outside, id) } else { None };
         let own = path.iter().rposition(|scope| is_over(scope, loops));
         own.max(protected).map_or(1, |deepest| deepest + 1)
     }
 
     /// The last place of a path that decides whether what a node reads is there: in the place of a loop the question
-    /// around it whether it has turns.
-    fn protected(&self, path: &[usize], id: NodeId) -> Option<usize> {
+    /// around it whether it has turns. The sums in the node are computed in the first `outside` blocks.
+    fn protected(&self, path: &[usize], outside: usize, id: NodeId) -> Option<usize> {
         let around = |place: usize| self.scopes[path[place]].around;
-        let places = (0..path.len()).filter(|place| around(*place).is_some_and(|at| self.graph.protects(at, id)));
+        let is_protected = |place: &usize| {
+            around(*place).is_some_and(|at| match *place < outside {
+                true => self.graph.protects(at, id),
+                false => self.graph.protects_beside_sums(at, id),
+            })
+        };
+        let places = (0..path.len()).filter(is_protected);
         let decided = places.map(|place| match around(place) {
             Some(Around::Loop(by)) => {
                 let asks = |place: &usize| {

@@ -51,6 +51,17 @@ impl Loops {
         is_of_extents && !self.extents().any(|extent| self.is_at_most(to, extent, DEEPEST))
     }
 
+    /// Whether a loop ends where coordinates or a list of the system do, or before.
+    pub(crate) fn is_bounded_by_lists(&self, by: LoopId) -> bool {
+        let to = self.get(by).to;
+        let is_outer = |id| matches!(self.index(id), Index::Running(outer) if self.is_bounded_by_lists(outer));
+        let is_index = match self.index(to) {
+            Index::Add(index, one) => self.literal(one) == Some(1) && is_outer(index),
+            _ => is_outer(to),
+        };
+        is_index || self.mentions_lists(to) || self.extents().any(|extent| self.is_at_most(to, extent, DEEPEST))
+    }
+
     /// Whether a comparison may keep an index from being too large; indices of loops are compared to tell bodies apart,
     /// and with a number on their left to leave out the first ones.
     pub(crate) fn bounds_from_above(&self, a: IndexId, b: IndexId) -> bool {
@@ -111,7 +122,16 @@ impl Graph {
 
     /// Whether something around a place may decide that what a node reads is there.
     pub(crate) fn protects(&self, around: Around, id: NodeId) -> bool {
-        match (around, self.access(id)) {
+        self.protects_reads(around, self.access(id))
+    }
+
+    /// The same of a node whose sums have been computed.
+    pub(crate) fn protects_beside_sums(&self, around: Around, id: NodeId) -> bool {
+        self.protects_reads(around, self.facts[id.position()].beside_sums)
+    }
+
+    fn protects_reads(&self, around: Around, access: Access) -> bool {
+        match (around, access) {
             (_, Access::Anywhere) => false,
             (Around::Loop(by), access) => access >= Access::InTurns && !self.loops.always_has_turns(by),
             (Around::Branch(condition, _), access) => self.bears_on(condition, access),

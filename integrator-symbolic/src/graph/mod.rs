@@ -251,6 +251,8 @@ struct Facts {
     total_of_any: bool,
     /// Where it may be computed.
     access: Access,
+    /// Where it may be computed where the sums in it have been.
+    beside_sums: Access,
     /// The loops that all it reads depends on, but for what can be read anywhere.
     read_in: LoopSet,
 }
@@ -378,6 +380,7 @@ impl Graph {
             total: self.is_total_by_itself(node),
             total_of_any: self.is_total_by_itself(node),
             access: self.own_access(node),
+            beside_sums: self.own_access(node),
             read_in: self.read_in(node, loops),
         };
         for child in node.children() {
@@ -393,6 +396,9 @@ impl Graph {
             facts.total &= child.total;
             facts.total_of_any &= child.total_of_any;
             facts.access = facts.access.max(child.access);
+            if !matches!(node, Node::Sum(..)) {
+                facts.beside_sums = facts.beside_sums.max(child.beside_sums);
+            }
         }
         // A prepared constant is known to be finite, and a condition is no factor of anything.
         let is_constant = facts.prepared && facts.loops.iter().count() <= 1;

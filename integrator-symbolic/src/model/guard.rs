@@ -3,7 +3,7 @@
 //! It is prepared once per run for every turn of its loops, and there, too, is evaluated only where the function does it:
 //! `if i > 0 { self.long[i - 1] * q[i] }` asks for no element before the first.
 
-use super::{Reader, value::Opaque};
+use super::{Reader, presence::looked_up, value::Opaque};
 use crate::graph::{
     Access, Comparison, Node, NodeId,
     index::{Index, IndexId, Loop, LoopId, LoopSet},
@@ -37,7 +37,15 @@ impl Reader<'_> {
     }
 
     /// The text of a parameter, evaluated under those loops and conditions around it that may keep it from being so.
-    pub(super) fn guarded_text(&self, text: TokenStream, loops: LoopSet, otherwise: &TokenStream) -> TokenStream {
+    ///
+    /// Whether a condition on coordinates holds is not known then: a number behind one is looked up where it is there.
+    pub(super) fn guarded_text(
+        &self,
+        text: TokenStream,
+        kind: &str,
+        loops: LoopSet,
+        otherwise: &TokenStream,
+    ) -> TokenStream {
         let guard = match needs(&text) {
             Needs::Nothing => None,
             // What a condition computes may have no value either where another one does not hold.
@@ -50,10 +58,27 @@ impl Reader<'_> {
                 guard => guard,
             },
         };
+        let text = match kind {
+            "number" if self.is_on_coordinates() && !self.is_as_long_as_the_coordinates(&text, loops) => {
+                looked_up(text, &self.input.root)
+            }
+            _ => text,
+        };
         match guard {
             Some(Opaque { text: guard, .. }) => quote!((if #guard { #text } else { #otherwise })),
             None => text,
         }
+    }
+
+    /// Whether some condition around what is being read is not one of parameters.
+    fn is_on_coordinates(&self) -> bool {
+        self.conditions.iter().any(|condition| !self.graph.is_prepared(condition.node))
+    }
+
+    /// Whether a text reads lists by the indices of loops over the coordinates, or over lists, alone.
+    fn is_as_long_as_the_coordinates(&self, text: &TokenStream, table: LoopSet) -> bool {
+        let is_bounded = |by: LoopId| self.graph.loops.is_bounded_by_lists(by);
+        needs(text) <= Needs::Bounds && !has_fixed_index(text) && table.iter().all(is_bounded)
     }
 
     /// Whether the functions evaluate a text in some turn of the loops that it does not depend on, as far as parameters
@@ -286,6 +311,17 @@ enum Needs {
     All,
     /// It divides by how many coordinates there are.
     Division,
+}
+
+/// Whether a list is read by a literal.
+fn has_fixed_index(text: &TokenStream) -> bool {
+    text.clone().into_iter().any(|token| match token {
+        TokenTree::Group(group) if group.delimiter() == Delimiter::Bracket => {
+            matches!(group.stream().into_iter().next(), Some(TokenTree::Literal(_))) || has_fixed_index(&group.stream())
+        }
+        TokenTree::Group(group) => has_fixed_index(&group.stream()),
+        _ => false,
+    })
 }
 
 /// Methods that have a value for every receiver, beside those of floats.

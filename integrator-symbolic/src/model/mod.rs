@@ -21,6 +21,7 @@ mod guard;
 pub(crate) mod integer;
 mod operator;
 mod pattern;
+mod presence;
 mod ragged;
 mod repeat;
 mod sequence;
@@ -347,7 +348,7 @@ impl<'i> Reader<'i> {
         let own = text;
         let (text, loops) = self.in_arms(own.clone(), loops, &otherwise);
         let shown = text.clone();
-        let text = self.guarded_text(text, loops, &otherwise);
+        let text = self.guarded_text(text, kind, loops, &otherwise);
         let text = standing_alone(text, &self.uses);
         let key = format!("{kind} {loops:?} {text}");
         if let Some(id) = self.parameter_ids.get(&key) {

@@ -67,6 +67,8 @@ impl Machine<'_> {
         match names.last().map_or("", String::as_str) {
             "from_fn" => self.array_from(given(&call.args, 0)?),
             "table" => self.table(given(&call.args, 0)?, given(&call.args, 1)?),
+            // Whether a list has an element is asked of the list.
+            "Elements" => self.expression(given(&call.args, 0)?),
             _ => {
                 let arguments = self.all(call.args.iter())?;
                 // `<Scalar::Mask as runtime::Mask>::of`: the type is told before the trait.

@@ -147,6 +147,7 @@ impl Machine<'_> {
         Some(match name {
             "len" => Ok(Value::size(items.len())),
             "is_empty" => Ok(Value::Bool(items.is_empty())),
+            "has" => argument(arguments, 0).and_then(Value::index).map(|index| Value::Bool(index < items.len())),
             "windows" => size().and_then(|size| parts(items.windows(size).map(part).collect())),
             "chunks_exact" => size().and_then(|size| parts(items.chunks_exact(size).map(part).collect())),
             "chunks" => size().and_then(|size| parts(items.chunks(size).map(part).collect())),

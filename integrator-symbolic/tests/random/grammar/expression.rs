@@ -256,7 +256,15 @@ impl Grammar {
             true => grammar.coordinate_at(&index),
             false => format!("self.long[{index}]"),
         };
-        match self.choices.below(8) {
+        match self.choices.below(9) {
+            // No coordinate is so large, and not all lists are so long.
+            8 if scope.has_coordinates => {
+                let element = self.choices.of(&["self.k[self.n - 1 - i]", "self.long[i + self.n]", "self.k[3]"]);
+                (
+                    format!("{} > 1.6", self.coordinate_at(&i)),
+                    element.replace("i]", &format!("{i}]")).replace("[i", &format!("[{i}")),
+                )
+            }
             7 => (format!("{j} > {i}"), format!("self.k[{i} + 1]")),
             0 => (format!("{i} > 0"), at(self, format!("{i} - 1"))),
             1 => (format!("{i} + 1 < {n}"), at(self, format!("{i} + 1"))),
