@@ -18,7 +18,8 @@ pub struct Report {
     pub system: String,
     /// The composition that the annotation asks for, a name or a sequence, as it is spelled.
     pub compose: String,
-    /// `dq[i]/dt = ...` and `dp[i]/dt = ...`; `+=` marks one of several terms.
+    /// `dq[i]/dt = ...` and `dp[i]/dt = ...`, where `+=` marks one of several terms, and `where r = ...` for what has a name
+    /// in them.
     pub equations: Vec<String>,
     /// Whether `T = ½ pᵀ M⁻¹ p` with a constant `M`.
     pub quadratic_kinetic: bool,

@@ -14,7 +14,7 @@ fn a_pendulum_is_two_equations_and_few_operations() {
         fn potential(&self, q: [f64; 1]) -> f64 { -self.torque * q[0].cos() }
     }";
     let report = report(TokenStream::new(), tokens(pendulum)).expect("no mistake");
-    assert_eq!(report.equations, ["dq[0]/dt = 2 / (2.0 * mass) p[0]", "dp[0]/dt = (-torque) sin(q[0])"]);
+    assert_eq!(report.equations, ["dq[0]/dt = p[0] / mass", "dp[0]/dt = -torque sin(q[0])"]);
     assert!(report.quadratic_kinetic && report.autonomous);
     // A product in the drift; a sine and a product in the kick.
     assert_eq!((report.operations_written, report.operations_shared), (3, 3));
@@ -134,4 +134,182 @@ fn compositions_are_proved_by_themselves_and_in_blocks() {
         [("A", 2), ("B", 4)]
     );
     assert!(declared(tokens("struct A: order 3 = Verlet;")).is_err());
+}
+
+/// Systems of textbooks, with the equations that are printed of them.
+const TEXTBOOK: &[(&str, [&str; 2])] = &[
+    (
+        "pendulum: [f64; 1]",
+        ["p[0].powi(2) / (2.0 * self.mass * self.length.powi(2))", "-self.mass * self.g * self.length * q[0].cos()"],
+    ),
+    ("oscillator: [f64; 1]", ["p[0] * p[0] / 2.0 / self.m", "self.k / 2.0 * q[0] * q[0]"]),
+    (
+        "Henon-Heiles: [f64; 2]",
+        [
+            "(p[0] * p[0] + p[1] * p[1]) / 2.0",
+            "0.5 * (q[0].powi(2) + q[1].powi(2)) + self.lambda * (q[0].powi(2) * q[1] - q[1].powi(3) / 3.0)",
+        ],
+    ),
+    ("Duffing: [f64; 1]", ["0.5 * p[0] * p[0]", "0.5 * self.alpha * q[0].powi(2) + self.beta / 4.0 * q[0].powi(4)"]),
+    ("driven pendulum: [f64; 1], t", ["0.5 * p[0] * p[0]", "-(1.0 + self.a * (self.omega * t).cos()) * q[0].cos()"]),
+    ("double well: [f64; 1]", ["0.5 * p[0] * p[0]", "self.height * ((q[0] / self.width).powi(2) - 1.0).powi(2)"]),
+    (
+        "FPUT: &[f64]",
+        [
+            "p.iter().map(|p| 0.5 * p * p).sum()",
+            "let mut v = 0.0; for i in 0..q.len() - 1 { let d = q[i + 1] - q[i]; v += 0.5 * d * d + self.alpha / 3.0 * d.powi(3) + self.beta / 4.0 * d.powi(4); } v",
+        ],
+    ),
+    ("Toda: &[f64]", ["p.iter().map(|p| 0.5 * p * p).sum()", "q.windows(2).map(|w| (w[0] - w[1]).exp()).sum()"]),
+    ("Kepler: [f64; 2]", ["0.5 * (p[0] * p[0] + p[1] * p[1])", "-self.gm / (q[0] * q[0] + q[1] * q[1]).sqrt()"]),
+    (
+        "softened bodies: &[[f64; 3]]",
+        [
+            "p.iter().enumerate().map(|(i, p)| (p[0] * p[0] + p[1] * p[1] + p[2] * p[2]) / (2.0 * self.m[i])).sum()",
+            "let mut v = 0.0; for i in 0..q.len() { for j in 0..i { let r2: f64 = (0..3).map(|k| (q[i][k] - q[j][k]).powi(2)).sum(); v -= self.g * self.m[i] * self.m[j] / (r2 + self.eps * self.eps).sqrt(); } } v",
+        ],
+    ),
+    (
+        "Lennard-Jones with a cutoff: &[[f64; 2]]",
+        [
+            "p.iter().map(|p| 0.5 * (p[0] * p[0] + p[1] * p[1])).sum()",
+            "let mut v = 0.0; for i in 0..q.len() { for j in 0..i { let (x, y) = (q[i][0] - q[j][0], q[i][1] - q[j][1]); let r2 = x * x + y * y; if r2 < self.cutoff * self.cutoff { let s6 = (self.sigma * self.sigma / r2).powi(3); v += 4.0 * self.epsilon * (s6 * s6 - s6); } } } v",
+        ],
+    ),
+    (
+        "nearest image: [f64; 2]",
+        [
+            "0.5 * (p[0] * p[0] + p[1] * p[1])",
+            "let d = q[1] - q[0]; let d = d - self.l * (d / self.l).round(); 0.5 * self.k * d * d",
+        ],
+    ),
+    (
+        "phi^4 on a ring: [f64; 16]",
+        [
+            "p.iter().map(|p| 0.5 * p * p).sum()",
+            "let mut v = 0.0; for i in 0..16 { v += 0.5 * (q[(i + 1) % 16] - q[i]).powi(2) + 0.25 * self.lambda * (q[i].powi(2) - 1.0).powi(2); } v",
+        ],
+    ),
+    ("relativistic: [f64; 3]", ["(1.0 + p[0] * p[0] + p[1] * p[1] + p[2] * p[2]).sqrt()", "0.5 * q[0] * q[0]"]),
+    (
+        "relativistic oscillator: [f64; 1]",
+        ["(self.m.powi(2) * self.c.powi(4) + p[0].powi(2) * self.c.powi(2)).sqrt()", "0.5 * self.k * q[0] * q[0]"],
+    ),
+    (
+        "FODO: [f64; 1], t",
+        [
+            "0.5 * p[0] * p[0]",
+            "let s = t % self.cell; let k = if s < self.cell / 2.0 { self.k } else { -self.k }; 0.5 * k * q[0] * q[0]",
+        ],
+    ),
+    (
+        "three bodies and angles: [[f64; 2]; 3]",
+        [
+            "p.iter().map(|p| 0.5 * (p[0] * p[0] + p[1] * p[1])).sum()",
+            "let a = [q[1][0] - q[0][0], q[1][1] - q[0][1]]; let b = [q[2][0] - q[0][0], q[2][1] - q[0][1]]; let r = (a[0] * a[0] + a[1] * a[1]).sqrt(); let s = (b[0] * b[0] + b[1] * b[1]).sqrt(); let c = (a[0] * b[0] + a[1] * b[1]) / (r * s); self.lambda * (c + 1.0 / 3.0).powi(2) * (self.gamma / (r - self.a) + self.gamma / (s - self.a)).exp()",
+        ],
+    ),
+    (
+        "a layer: [f64; 2]",
+        [
+            "0.5 * (p[0] * p[0] + p[1] * p[1])",
+            "let mut v = 0.0; for k in 0..8 { v += self.out[k] * (self.w[k] * q[0] + self.u[k] * q[1] + self.b[k]).tanh(); } v",
+        ],
+    ),
+    (
+        "Morse: [f64; 1]",
+        ["p[0] * p[0] / (2.0 * self.mu)", "self.d * (1.0 - (-self.a * (q[0] - self.r0)).exp()).powi(2)"],
+    ),
+    (
+        "a table: [f64; 1]",
+        ["0.5 * p[0] * p[0]", "let x = q[0]; if x < 1.0 { 0.5 * x * x } else if x < 2.0 { x - 0.5 } else { 1.5 }"],
+    ),
+    (
+        "a walled box: [f64; 1]",
+        [
+            "0.5 * p[0] * p[0]",
+            "let mut v = 0.0; if q[0] > self.wall { v += 0.5 * self.k * (q[0] - self.wall).powi(2); } v + q[0].abs()",
+        ],
+    ),
+    (
+        "double pendulum without gravity: [f64; 2]",
+        [
+            "(self.m2 * self.l2.powi(2) * p[0].powi(2) + (self.m1 + self.m2) * self.l1.powi(2) * p[1].powi(2)) / 2.0",
+            "-(self.m1 + self.m2) * self.g * self.l1 * q[0].cos() - self.m2 * self.g * self.l2 * q[1].cos()",
+        ],
+    ),
+    (
+        "standard map: [f64; 1]",
+        [
+            "0.5 * p[0].powi(2)",
+            "self.k / (2.0 * std::f64::consts::PI).powi(2) * (2.0 * std::f64::consts::PI * q[0]).cos()",
+        ],
+    ),
+    (
+        "Coulomb and a magnetic bottle: [f64; 3]",
+        [
+            "0.5 * (p[0] * p[0] + p[1] * p[1] + p[2] * p[2])",
+            "1.0 / (q[0].powi(2) + q[1].powi(2) + q[2].powi(2)).sqrt() + 0.5 * self.b.powi(2) * (q[0].powi(2) + q[1].powi(2))",
+        ],
+    ),
+    (
+        "rotors: [f64; 8]",
+        [
+            "p.iter().map(|p| p * p / 2.0).sum()",
+            "let mut v = 0.0; for i in 0..8 { for j in 0..8 { v += 1.0 - (q[i] - q[j]).cos(); } } v * self.epsilon / (2.0 * 8.0)",
+        ],
+    ),
+];
+
+#[test]
+fn equations_are_what_a_person_writes() {
+    let mut text = String::new();
+    for (name, [kinetic, potential]) in TEXTBOOK {
+        let (title, shape) = name.split_once(": ").expect("a shape");
+        let (shape, time) = shape.split_once(", ").map_or((shape, ""), |(shape, _)| (shape, ", t: f64"));
+        let item = format!(
+            "impl System {{
+                fn kinetic(&self, p: {shape}) -> f64 {{ {kinetic} }}
+                fn potential(&self, q: {shape}{time}) -> f64 {{ {potential} }}
+            }}"
+        );
+        let report = report(TokenStream::new(), tokens(&item)).unwrap_or_else(|mistake| panic!("{name}: {mistake}"));
+        text += &format!("{title}\n    {}\n\n", report.equations.join("\n    "));
+    }
+    insta::assert_snapshot!(text);
+}
+
+/// Long systems: what follows each other, with `I` for its number.
+const LONG: &[(&str, &str)] = &[
+    ("terms", "v += (I.5 * q[0]).sin() * (q[1] - I.25).powi(2);"),
+    ("nested", "v = (v * q[1] + I.5).sin();"),
+    ("pieces", "if q[0] * q[1] > I.5 { v = (I.25 * q[0]).exp(); }"),
+    ("roots", "v += 1.0 / (q[0] * q[0] + (q[1] - I.5).powi(2)).sqrt();"),
+];
+
+#[test]
+fn every_system_is_shown_whole_in_lines_that_can_be_read() {
+    for (name, statement) in LONG {
+        let statements: String = (0..60).map(|at| statement.replace('I', &at.to_string())).collect();
+        let item = format!(
+            "impl Long {{
+                fn kinetic(&self, p: [f64; 2]) -> f64 {{ p[0] * p[0] }}
+                fn potential(&self, q: [f64; 2]) -> f64 {{ let mut v = q[0]; {statements} v }}
+            }}"
+        );
+        let equations = report(TokenStream::new(), tokens(&item)).expect("no mistake").equations;
+        let mut defined: Vec<&str> = Vec::new();
+        for line in &equations {
+            assert!(line.len() < 400, "{name}: {line}");
+            if let Some(definition) = line.strip_prefix("where ") {
+                let (own, value) = definition.split_once(" = ").expect("a definition");
+                let words = value.split(|letter: char| !letter.is_alphanumeric());
+                for word in words.filter(|word| word.starts_with('u') && word.len() > 1) {
+                    assert!(defined.contains(&word), "{name}: {word} in {line}");
+                }
+                defined.push(own);
+            }
+        }
+        assert!(defined.len() > 10, "{name}: {equations:#?}");
+    }
 }

@@ -21,7 +21,7 @@ fn parameters_that_spoil_the_motion() {
     assert_eq!(
         error.to_string(),
         "the motion from this start is not finite. Look at the parameters of the system: \
-         `2 / (2.0 * mass * length.powi(2))` is inf; `1 / (2.0 * mass * length.powi(2))` is inf"
+         `1 / (mass length^2)` is inf; `1 / (2 mass length^2)` is inf"
     );
 }
 

@@ -70,7 +70,7 @@ impl Relativistic {{
     assert_eq!(message, expected);
     let path = file("relativistic_in_place.rs", relativistic("V(1/6) T(1/2) V(2/3, -1/72) T(1/2) V(1/6)"));
     let message = refusal(&["show", &path]);
-    assert!(message.contains("T has the term `sqrt(p[0]^2 + 1)`") && message.contains(":1:46\n"), "{message}");
+    assert!(message.contains("T has the term `sqrt(1 + p[0]^2)`") && message.contains(":1:46\n"), "{message}");
     let own = "composition! { pub struct Mine: order 4 = V(1/6) T(1/2) V(2/3) T(1/2) V(1/6); }\n";
     let path = file("relativistic_own.rs", format!("{own}{}", relativistic("Mine")));
     let message = refusal(&["show", &path]);

@@ -6,8 +6,8 @@ use super::{answer, file, json, keys};
 fn a_pendulum_is_two_equations() {
     let found = answer(&["show", "examples/pendulum.rs"]);
     let expected = "Pendulum, examples/pendulum.rs:15
-    dq[0]/dt = 2 / (2.0 * mass * length.powi(2)) p[0]
-    dp[0]/dt = (-mass * gravity * length) sin(q[0])
+    dq[0]/dt = p[0] / (mass length^2)
+    dp[0]/dt = -mass gravity length sin(q[0])
     H: separable; T: quadratic in p, constant masses; time: not read
     drift: as the formulas stand
       once: 1 multiplication, 1 coordinate moved

@@ -1,6 +1,10 @@
 //! Formulas for people: the equations of motion in the documentation of what is generated.
 
-use super::is_direct;
+use super::{
+    formula::{Formula, Kind, Tie},
+    is_direct,
+    naming::{LINE, Name},
+};
 use crate::{
     differentiate::{Contribution, folded},
     graph::{
@@ -10,20 +14,23 @@ use crate::{
     model::Model,
 };
 use proc_macro2::TokenStream;
-use quote::quote;
+use quote::{ToTokens, quote};
 use std::collections::HashMap;
+use syn::{BinOp, Expr, ExprUnary, Lit, UnOp};
 
 /// The equations of motion, one line each.
 pub(crate) fn equations(model: &mut Model, kinetic: &[Contribution], potential: &[Contribution]) -> Vec<String> {
     let [kinetic, potential] = [kinetic, potential].map(|gradient| folded(&mut model.graph, gradient));
     let (drift, kick) = (is_direct(model, &kinetic), is_direct(model, &potential));
-    let formulas = Formulas(model);
-    formulas.motion(&kinetic, false, drift).into_iter().chain(formulas.motion(&potential, true, kick)).collect()
+    let values = kinetic.iter().chain(&potential).map(|contribution| contribution.value);
+    let formulas = Formulas::with_names(model, &values.collect::<Vec<_>>());
+    let motion = formulas.motion(&kinetic, false, drift).into_iter().chain(formulas.motion(&potential, true, kick));
+    motion.chain(formulas.definitions()).collect()
 }
 
 /// Loops as `i in 0..n`.
 pub(crate) fn ranges(model: &Model, loops: LoopSet) -> Vec<String> {
-    loops.iter().map(|by| Formulas(model).range(by)).collect()
+    loops.iter().map(|by| Formulas::of(model).range(by)).collect()
 }
 
 /// The equations of motion as the documentation of the implementation.
@@ -49,19 +56,21 @@ pub(super) fn documented_motion(
     }
 }
 
-/// How many operations a formula may show.
+/// How many operations a formula has that stands in a message.
 const LONG: u64 = 400;
 
-/// How tightly a formula holds together.
-#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
-enum Tie {
-    Sum,
-    Product,
-    Power,
+/// Writes formulas over the nodes of a model.
+pub(super) struct Formulas<'m> {
+    pub(super) model: &'m Model,
+    /// What has a name of its own.
+    pub(super) names: HashMap<NodeId, Name>,
 }
 
-/// Writes formulas over the nodes of a model.
-pub(super) struct Formulas<'m>(pub(super) &'m Model);
+impl<'m> Formulas<'m> {
+    pub(super) fn of(model: &'m Model) -> Self {
+        Self { model, names: HashMap::new() }
+    }
+}
 
 impl Formulas<'_> {
     /// `dq[i]/dt = ...` for every component of a gradient, `+= ...` for its terms where it has several; `force` for
@@ -71,14 +80,7 @@ impl Formulas<'_> {
             let Contribution { element, value, .. } = contribution;
             let left = self.left(*element);
             let places: Vec<String> = contribution.loops().map(|by| self.range(by)).collect();
-            let right = self.shown(*value);
-            let right = match right.strip_prefix('-') {
-                _ if !force => right,
-                Some(flipped) if is_grouped(flipped) => flipped[1..flipped.len() - 1].to_owned(),
-                Some(flipped) if !is_sum(flipped) => flipped.to_owned(),
-                None if !is_sum(&right) => format!("-{right}"),
-                _ => format!("-({right})"),
-            };
+            let right = if force { self.negative(*value) } else { self.read(*value) }.text();
             let sign = if whole { "=" } else { "+=" };
             let places = if places.is_empty() { String::new() } else { format!("   for {}", places.join(", ")) };
             format!("{left} {sign} {right}{places}")
@@ -86,21 +88,16 @@ impl Formulas<'_> {
         gradient.iter().map(line).collect()
     }
 
-    /// A formula, or that it is too long.
-    fn shown(&self, id: NodeId) -> String {
-        self.short(id).unwrap_or_else(|| "(too long to be shown)".to_owned())
-    }
-
-    /// A formula, if it is short enough for people.
+    /// A formula, if it is short enough for one line.
     pub(super) fn short(&self, id: NodeId) -> Option<String> {
-        (self.size(id) <= LONG).then(|| self.formula(id, Tie::Sum))
+        (self.size(id) <= LONG).then(|| self.read(id).text())
     }
 
     /// How many operations a formula shows, shared ones as often as they occur.
     fn size(&self, id: NodeId) -> u64 {
         let mut sizes: HashMap<NodeId, u64> = HashMap::new();
-        for part in self.0.graph.reachable([id]) {
-            let children = self.0.graph.node(part).children().map(|child| sizes[&child]);
+        for part in self.model.graph.reachable([id]) {
+            let children = self.model.graph.node(part).children().map(|child| sizes[&child]);
             let size = children.fold(1, u64::saturating_add);
             sizes.insert(part, size);
         }
@@ -118,8 +115,8 @@ impl Formulas<'_> {
 
     /// A loop as `i in 0..n`.
     pub(super) fn range(&self, by: LoopId) -> String {
-        let range = self.0.graph.loops.get(by);
-        let name = self.0.running.get(&by).map_or_else(String::new, ToString::to_string);
+        let range = self.model.graph.loops.get(by);
+        let name = self.model.running.get(&by).map_or_else(String::new, ToString::to_string);
         format!("{name} in {}..{}", self.index(range.from), self.index(range.to))
     }
 
@@ -133,15 +130,15 @@ impl Formulas<'_> {
     }
 
     fn index(&self, id: IndexId) -> String {
-        let inner = |id| match self.0.graph.loops.index(id) {
+        let inner = |id| match self.model.graph.loops.index(id) {
             Index::Literal(_) | Index::Running(_) | Index::Length | Index::Parameter(_) => self.index(id),
             _ => format!("({})", self.index(id)),
         };
         let binary = |a, sign, b| format!("{} {sign} {}", inner(a), inner(b));
-        match self.0.graph.loops.index(id) {
+        match self.model.graph.loops.index(id) {
             Index::Literal(value) => value.to_string(),
             Index::Length => "n".to_owned(),
-            Index::Running(by) => self.0.running.get(&by).map_or_else(String::new, ToString::to_string),
+            Index::Running(by) => self.model.running.get(&by).map_or_else(String::new, ToString::to_string),
             Index::Parameter(parameter) => self.text(parameter.0),
             Index::Add(a, b) => binary(a, '+', b),
             Index::Sub(a, b) => binary(a, '-', b),
@@ -155,141 +152,215 @@ impl Formulas<'_> {
         }
     }
 
-    /// A parameter as the user wrote it, without the spaces of tokens and without `self`.
-    fn text(&self, parameter: u32) -> String {
-        readable(&self.0.parameters[parameter as usize].own)
+    /// A node as a formula.
+    pub(super) fn read(&self, id: NodeId) -> Formula {
+        match self.names.get(&id) {
+            Some(Name { text, halves: 2 }) => Formula::atom(Kind::Function, text.clone()),
+            Some(Name { text, halves }) => Formula::atom(Kind::Size, text.clone()).power(*halves),
+            None => self.computed(id),
+        }
     }
 
-    /// A node as a formula that holds together at least as tightly as `needed`.
-    fn formula(&self, id: NodeId, needed: Tie) -> String {
-        let (text, tie) = self.tied(id);
-        if tie >= needed { text } else { format!("({text})") }
-    }
-
-    fn tied(&self, id: NodeId) -> (String, Tie) {
-        let graph = &self.0.graph;
+    /// A node as a formula of what it is computed from, whatever its name.
+    pub(super) fn computed(&self, id: NodeId) -> Formula {
+        let graph = &self.model.graph;
         match graph.node(id) {
-            Node::Constant(bits) => (f64::from_bits(bits).to_string(), Tie::Power),
-            Node::Parameter(parameter) => {
-                let text = self.text(parameter.0);
-                let whole = text.chars().all(|letter| letter.is_alphanumeric() || "_.:[]()".contains(letter))
-                    || is_grouped(&text);
-                (text, if whole { Tie::Power } else { Tie::Sum })
-            }
-            Node::Coordinate(element) => (self.coordinate(element), Tie::Power),
-            Node::Time | Node::Middle => ("t".to_owned(), Tie::Power),
-            Node::Step => ("h".to_owned(), Tie::Power),
-            Node::FromIndex(index) => (self.index(index), Tie::Power),
-            Node::Neg(a) => (format!("-{}", self.formula(a, Tie::Product)), Tie::Sum),
-            Node::Add(a, b) => {
-                let left = self.formula(a, Tie::Sum);
-                let text = match self.0.graph.node(b) {
-                    Node::Neg(b) => format!("{left} - {}", self.formula(b, Tie::Product)),
-                    _ => format!("{left} + {}", self.formula(b, Tie::Sum)),
-                };
-                (text, Tie::Sum)
-            }
-            Node::Mul(a, b) => match self.0.graph.node(b) {
-                Node::Power(base, -2) => {
-                    (format!("{} / {}", self.formula(a, Tie::Product), self.formula(base, Tie::Power)), Tie::Product)
-                }
-                _ => (format!("{} {}", self.formula(a, Tie::Product), self.formula(b, Tie::Power)), Tie::Product),
+            Node::Constant(bits) => Formula::number(f64::from_bits(bits)),
+            Node::Parameter(parameter) => written(&self.model.parameters[parameter.0 as usize].own),
+            Node::Coordinate(element) => Formula::atom(Kind::Coordinate, self.coordinate(element)),
+            Node::Time | Node::Middle => Formula::atom(Kind::Coordinate, "t".to_owned()),
+            Node::Step => Formula::atom(Kind::Coordinate, "h".to_owned()),
+            Node::FromIndex(index) => match graph.loops.literal(index) {
+                Some(number) => Formula::number(number as f64),
+                None => opaque(self.index(index)),
             },
-            Node::Div(a, b) => {
-                (format!("{} / {}", self.formula(a, Tie::Product), self.formula(b, Tie::Power)), Tie::Product)
-            }
-            Node::Power(a, 1) => (format!("sqrt({})", self.formula(a, Tie::Sum)), Tie::Power),
-            Node::Power(a, -2) => (format!("1 / {}", self.formula(a, Tie::Power)), Tie::Product),
-            Node::Power(a, halves) if halves % 2 == 0 => {
-                (format!("{}^{}", self.formula(a, Tie::Power), halves / 2), Tie::Power)
-            }
-            Node::Power(a, halves) => (format!("{}^({halves}/2)", self.formula(a, Tie::Power)), Tie::Power),
-            Node::Unary(function, a) => (format!("{}({})", function.name(), self.formula(a, Tie::Sum)), Tie::Power),
+            Node::Neg(a) => self.read(a).neg(),
+            Node::Add(a, b) => self.read(a).add(self.read(b)),
+            Node::Mul(a, b) => self.read(a).mul(self.read(b)),
+            Node::Div(a, b) => self.read(a).mul(self.read(b).power(-2)),
+            Node::Power(a, halves) => self.read(a).power(halves),
+            Node::Unary(row, a) => called(row.name(), &[self.read(a)]),
+            Node::Binary(row, a, b) => called(row.name(), &[self.read(a), self.read(b)]),
             Node::External(id, arguments) => {
-                let arguments: Vec<String> =
-                    arguments.iter().map(|argument| self.formula(argument, Tie::Sum)).collect();
-                (self.0.externals[id.0 as usize].written(&arguments.join(", ")), Tie::Power)
+                let arguments: Vec<String> = arguments.iter().map(|argument| self.read(argument).text()).collect();
+                Formula::atom(Kind::Function, self.model.externals[id.0 as usize].written(&arguments.join(", ")))
             }
-            Node::Binary(function, a, b) => {
-                let (a, b) = (self.formula(a, Tie::Sum), self.formula(b, Tie::Sum));
-                (format!("{}({a}, {b})", function.name()), Tie::Power)
-            }
-            Node::Compare(comparison, a, b) => {
-                let (a, b) = (self.formula(a, Tie::Sum), self.formula(b, Tie::Sum));
-                (format!("{a} {} {b}", sign(comparison)), Tie::Sum)
-            }
-            Node::CompareIndex(comparison, a, b) => {
-                (format!("{} {} {}", self.index(a), sign(comparison), self.index(b)), Tie::Sum)
-            }
-            Node::Flag(parameter) => (self.text(parameter.0), Tie::Power),
-            Node::And(a, b) => {
-                (format!("{} and {}", self.formula(a, Tie::Power), self.formula(b, Tie::Power)), Tie::Sum)
-            }
-            Node::Or(a, b) => (format!("{} or {}", self.formula(a, Tie::Power), self.formula(b, Tie::Power)), Tie::Sum),
-            Node::Not(a) => (format!("not {}", self.formula(a, Tie::Power)), Tie::Sum),
             // That an item behind the end of a list adds nothing goes without saying.
             Node::Select(condition, a, b) if self.ends_a_list(condition) && graph.as_constant(b) == Some(0.0) => {
-                self.tied(a)
+                self.read(a)
             }
-            Node::Select(condition, a, b) => {
-                let [condition, a, b] = [condition, a, b].map(|id| self.formula(id, Tie::Sum));
-                (format!("{{{a} if {condition}, else {b}}}"), Tie::Power)
-            }
-            Node::Sum(by, body) => (format!("{} {}", self.sigma(by), self.formula(body, Tie::Product)), Tie::Product),
+            Node::Select(..) => self.cases(id, Self::read),
+            Node::Sum(by, body) => self.total(by, &self.read(body)),
+            _ => opaque(self.condition(id, true)),
         }
+    }
+
+    /// Minus a node, with the sign inside of sums and cases.
+    fn negative(&self, id: NodeId) -> Formula {
+        match self.model.graph.node(id) {
+            _ if self.names.contains_key(&id) => self.read(id).neg(),
+            Node::Add(a, b) => self.negative(a).add(self.negative(b)),
+            Node::Select(condition, ..) if !self.ends_a_list(condition) => self.cases(id, Self::negative),
+            Node::Sum(by, body) => {
+                let inside = self.negative(body);
+                match inside.text().starts_with('-') {
+                    true => self.read(id).neg(),
+                    false => self.total(by, &inside),
+                }
+            }
+            _ => self.read(id).neg(),
+        }
+    }
+
+    fn total(&self, by: LoopId, body: &Formula) -> Formula {
+        Formula::atom(Kind::Total, format!("{} {}", self.sigma(by), body.text_of(Tie::Product)))
+    }
+
+    /// `{a if c, b if d, else e}`
+    fn cases(&self, id: NodeId, read: impl Fn(&Self, NodeId) -> Formula) -> Formula {
+        let mut text = String::new();
+        let mut last = id;
+        while let Node::Select(condition, value, otherwise) = self.model.graph.node(last)
+            && (last == id || !self.names.contains_key(&last))
+        {
+            text += &format!("{} if {}, ", read(self, value).text(), self.condition(condition, true));
+            last = otherwise;
+        }
+        Formula::atom(Kind::Function, format!("{{{text}else {}}}", read(self, last).text()))
+    }
+
+    /// A condition, or that it does not hold.
+    fn condition(&self, id: NodeId, holds: bool) -> String {
+        let graph = &self.model.graph;
+        let joined = |a, b, word: &str| {
+            let [a, b] = [a, b].map(|part| match graph.node(part) {
+                Node::And(..) | Node::Or(..) => format!("({})", self.condition(part, holds)),
+                _ => self.condition(part, holds),
+            });
+            format!("{a} {word} {b}")
+        };
+        match (graph.node(id), holds) {
+            (Node::Compare(comparison, a, b), _) => {
+                let moves = |id| graph.reads(id, Part::Position) || graph.reads(id, Part::Momentum);
+                // What moves stands on the left.
+                let turned = !moves(a) && (moves(b) || graph.is_prepared(a) && !graph.is_prepared(b));
+                let (left, right) = if turned { (b, a) } else { (a, b) };
+                format!("{} {} {}", self.read(left).text(), sign(comparison, turned, holds), self.read(right).text())
+            }
+            (Node::CompareIndex(comparison, a, b), _) => {
+                format!("{} {} {}", self.index(a), sign(comparison, false, holds), self.index(b))
+            }
+            (Node::Flag(parameter), true) => self.text(parameter.0),
+            (Node::Flag(parameter), false) => format!("not {}", self.text(parameter.0)),
+            (Node::Not(inner), _) => self.condition(inner, !holds),
+            (Node::And(a, b), true) | (Node::Or(a, b), false) => joined(a, b, "and"),
+            (Node::Or(a, b), true) | (Node::And(a, b), false) => joined(a, b, "or"),
+            _ => self.read(id).text(),
+        }
+    }
+
+    /// A parameter as the user wrote it, without the spaces of tokens and without `self`.
+    fn text(&self, parameter: u32) -> String {
+        readable(&self.model.parameters[parameter as usize].own)
     }
 
     /// Whether a condition is that an index is not behind the end of a list.
     fn ends_a_list(&self, condition: NodeId) -> bool {
-        let graph = &self.0.graph;
+        let graph = &self.model.graph;
         matches!(graph.node(condition), Node::CompareIndex(Comparison::Less, _, end) if graph.loops.mentions_lists(end))
     }
 
     /// The summands of a node that are not polynomials of degree two at most in the momenta.
     pub(super) fn not_quadratic(&self, id: NodeId) -> String {
-        match self.0.graph.node(id) {
+        match self.model.graph.node(id) {
             Node::Add(a, b) => {
-                let offends = |id| self.0.graph.degree(id, Part::Momentum).is_none_or(|degree| degree > 2);
+                let offends = |id| self.model.graph.degree(id, Part::Momentum).is_none_or(|degree| degree > 2);
                 self.not_quadratic(if offends(a) { a } else { b })
             }
-            _ => self.shown(id),
+            _ => self.short(id).unwrap_or_else(|| "a long one".to_owned()),
         }
     }
 }
 
-fn sign(comparison: Comparison) -> &'static str {
-    match comparison {
-        Comparison::Less => "<",
-        Comparison::LessOrEqual => "<=",
-        Comparison::Equal => "==",
+/// How a comparison is written, from right to left where it is `turned`.
+fn sign(comparison: Comparison, turned: bool, holds: bool) -> &'static str {
+    match (comparison, turned == holds) {
+        (Comparison::Equal, _) => ["!=", "=="][usize::from(holds)],
+        (Comparison::Less, false) => ["<=", "<"][usize::from(holds)],
+        (Comparison::Less, true) => [">=", ">"][usize::from(holds)],
+        (Comparison::LessOrEqual, false) => ["<", "<="][usize::from(holds)],
+        (Comparison::LessOrEqual, true) => [">", ">="][usize::from(holds)],
     }
 }
 
-/// Whether the first parenthesis closes at the very end.
-fn is_grouped(text: &str) -> bool {
-    let mut depth = 0;
-    text.starts_with('(')
-        && text.char_indices().all(|(at, letter)| {
-            match letter {
-                '(' => depth += 1,
-                ')' => depth -= 1,
-                _ => {}
+/// A function of the table, as it is written.
+fn called(name: &str, arguments: &[Formula]) -> Formula {
+    let texts: Vec<String> = arguments.iter().map(Formula::text).collect();
+    let text = match (name, arguments) {
+        ("abs", [a]) => format!("|{}|", a.text()),
+        ("remainder", [a, b]) => return opaque(format!("{} % {}", a.text_of(Tie::Product), b.text_of(Tie::Atom))),
+        ("powf", [a, b]) => format!("{}^{}", a.text_of(Tie::Atom), b.text_of(Tie::Atom)),
+        _ => format!("{name}({})", texts.join(", ")),
+    };
+    Formula::atom(Kind::Function, text)
+}
+
+/// A text that may need parentheses.
+fn opaque(text: String) -> Formula {
+    let whole = text.chars().all(|letter| letter.is_alphanumeric() || "_.:[]()".contains(letter));
+    Formula::atom(if whole { Kind::Parameter } else { Kind::Group }, text)
+}
+
+/// An expression of parameters as a formula.
+fn written(text: &TokenStream) -> Formula {
+    syn::parse2(text.clone()).map_or_else(|_| opaque(readable(text)), |expression| of_expression(&expression))
+}
+
+fn of_expression(expression: &Expr) -> Formula {
+    let other = || opaque(readable(&expression.to_token_stream()));
+    match expression {
+        Expr::Paren(inner) => of_expression(&inner.expr),
+        Expr::Group(inner) => of_expression(&inner.expr),
+        Expr::Unary(ExprUnary { op: UnOp::Neg(_), expr, .. }) => of_expression(expr).neg(),
+        Expr::Unary(ExprUnary { op: UnOp::Deref(_), expr, .. }) => of_expression(expr),
+        Expr::Path(path) if path.path.segments.len() > 1 && path.qself.is_none() => {
+            let last = path.path.segments.last().map(|segment| segment.ident.to_string());
+            last.filter(|name| name.chars().all(|letter| !letter.is_lowercase())).map_or_else(other, opaque)
+        }
+        Expr::Cast(cast) if cast.ty.to_token_stream().to_string() == "f64" => of_expression(&cast.expr),
+        Expr::Lit(literal) => {
+            let number = match &literal.lit {
+                Lit::Float(number) => number.base10_parse().ok(),
+                Lit::Int(number) => number.base10_parse().ok(),
+                _ => None,
+            };
+            number.map_or_else(other, Formula::number)
+        }
+        Expr::Binary(binary) => {
+            let (a, b) = (of_expression(&binary.left), of_expression(&binary.right));
+            match binary.op {
+                BinOp::Add(_) => a.add(b),
+                BinOp::Sub(_) => a.add(b.neg()),
+                BinOp::Mul(_) => a.mul(b),
+                BinOp::Div(_) if !b.is_zero() => a.mul(b.power(-2)),
+                _ => other(),
             }
-            depth > 0 || at + 1 == text.len()
-        })
-}
-
-/// Whether a formula has a sum outside of all parentheses.
-fn is_sum(text: &str) -> bool {
-    let mut depth = 0;
-    text.char_indices().any(|(at, letter)| {
-        match letter {
-            '(' | '[' | '{' => depth += 1,
-            ')' | ']' | '}' => depth -= 1,
-            _ => {}
         }
-        depth == 0 && (text[at..].starts_with(" + ") || text[at..].starts_with(" - "))
-    })
+        Expr::MethodCall(call) => {
+            let name = call.method.to_string();
+            let arguments: Vec<Formula> = [&*call.receiver].into_iter().chain(&call.args).map(of_expression).collect();
+            match (name.as_str(), &arguments[..]) {
+                ("sqrt", [base]) => base.clone().power(1),
+                ("recip", [base]) => base.clone().power(-2),
+                ("powi", [base, exponent]) if let Some(exponent) = exponent.as_number() => {
+                    base.clone().power(2 * exponent as i32)
+                }
+                _ if crate::model::known_functions().any(|known| known == name) => called(&name, &arguments),
+                _ => other(),
+            }
+        }
+        _ => other(),
+    }
 }
 
 /// Tokens with the spaces that a person would leave, and without `self.`.
@@ -314,6 +385,9 @@ fn readable(text: &TokenStream) -> String {
 /// The doc comment of a prepared constant: its formula.
 pub(super) fn documentation(model: &Model, id: Option<NodeId>) -> TokenStream {
     let Some(id) = id else { return TokenStream::new() };
-    let text = format!(" `{}`", Formulas(model).shown(id));
-    quote!(#[doc = #text])
+    let formulas = Formulas::of(model);
+    let formulas = if formulas.size(id) > LINE { Formulas::with_names(model, &[id]) } else { formulas };
+    let first = format!("`{}`", formulas.read(id).text());
+    let lines = std::iter::once(first).chain(formulas.definitions()).map(|line| format!(" {line}"));
+    quote!(#(#[doc = #lines])*)
 }

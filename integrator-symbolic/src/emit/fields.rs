@@ -176,7 +176,7 @@ impl Fields {
                 prepared.digested.push(name.clone());
             }
             if let Content::Number(id) = content {
-                let (formula, runtime) = (Formulas(model).short(id), &names.runtime);
+                let (formula, runtime) = (Formulas::of(model).short(id), &names.runtime);
                 let formula = formula.unwrap_or_else(|| name.to_string());
                 let indices = table.levels.iter().map(|level| level.index.to_string());
                 prepared.searched.push(quote!(#runtime::not_finite(#formula, &[#(#indices),*], &single.#name)));

@@ -14,6 +14,7 @@ mod fields;
 mod fingerprint;
 mod force_gradient;
 mod form;
+mod formula;
 mod frame;
 mod function;
 #[cfg(test)]
@@ -23,6 +24,7 @@ mod index;
 mod lattice;
 mod moves;
 mod names;
+mod naming;
 mod nest;
 mod orders;
 mod pairs;
@@ -64,7 +66,7 @@ pub(crate) fn refusal(sequence: &InPlace, model: &Model) -> Option<String> {
     if model.quadratic {
         return None;
     }
-    let term = Formulas(model).not_quadratic(model.kinetic);
+    let term = Formulas::of(model).not_quadratic(model.kinetic);
     let proof = sequence.proof();
     match proof.general {
         None => Some(format!(
