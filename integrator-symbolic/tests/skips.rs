@@ -146,6 +146,41 @@ fn what_is_not_needed_is_not_there() {
     }
 }
 
+/// What softens a distance and cannot be negative, of parameters and of coordinates.
+const SOFTENINGS: &[&str] = &[
+    "self.eps * self.eps",
+    "self.eps.powi(2)",
+    "self.eps.powi(2) + self.delta.powi(4)",
+    "self.eps.powi(2) * self.delta.abs()",
+    "2.0 * self.eps.powi(2) + 0.01",
+    "self.eps.abs() + 1.0",
+    "self.eps.max(0.0)",
+    "self.eps.exp()",
+    "self.eps.exp() * self.delta.max(0.0)",
+    "self.eps.hypot(self.delta)",
+    "q[2].abs() + 1.0",
+    "q[2].max(0.0)",
+    "q[2].exp() + self.eps.powi(2)",
+    "self.eps.powi(2) * q[2].powi(2)",
+];
+
+#[test]
+fn softened_gravity_takes_one_division_and_one_root() {
+    for softening in SOFTENINGS {
+        let potential = format!(
+            "fn potential(&self, q: [f64; 3]) -> f64 {{
+                -self.gm / (q[0].powi(2) + q[1].powi(2) + {softening}).sqrt()
+            }}"
+        );
+        let item = format!("impl Scene {{ {SQUARES} {potential} }}").parse().expect("tokens");
+        let text = function(&hamiltonian(TokenStream::new(), item).to_string(), "kick");
+        let count = |part: &str| text.matches(part).count();
+        let roots = count("over_root_cubed") + count("sqrt ()");
+        let divisions = count("over_root_cubed") + count(" / ");
+        assert_eq!((roots, divisions), (1, 1), "{softening}: {text}");
+    }
+}
+
 /// Stages that meet are one, inside a step and from a step to the next.
 #[test]
 fn stages_that_meet_are_one() {

@@ -132,6 +132,11 @@ impl Graph {
             Node::Constant(bits) => f64::from_bits(bits) >= 0.0,
             Node::Parameter(id) => self.never_negative.contains(&id),
             Node::Unary(function, _) | Node::Binary(function, ..) if function.row().never_negative => true,
+            // The larger of a value and a number is no smaller than the number, also where the value is NaN.
+            Node::Binary(function, a, b) if function.name() == "max" => {
+                [a, b].into_iter().any(|id| self.as_constant(id).is_some_and(|bound| bound >= 0.0)) || of(a) && of(b)
+            }
+            Node::Binary(function, a, b) if function.name() == "min" => of(a) && of(b),
             Node::Mul(a, b) => a == b || of(a) && of(b),
             Node::Add(a, b) | Node::Div(a, b) | Node::Select(_, a, b) => of(a) && of(b),
             Node::Sum(_, body) => of(body),

@@ -33,6 +33,10 @@ pub(super) fn is_never_negative(expression: &Expr) -> bool {
 fn of_method(call: &ExprMethodCall) -> bool {
     match (call.method.to_string().as_str(), call.args.first()) {
         ("abs" | "sqrt" | "exp" | "exp2" | "cosh" | "acosh", None) | ("hypot", Some(_)) => true,
+        // The larger of a number and a literal is no smaller than the literal, also where the number is NaN.
+        ("max" | "clamp", Some(bound @ Expr::Lit(_))) => is_never_negative(bound),
+        ("min", Some(other)) => is_never_negative(&call.receiver) && is_never_negative(other),
+        ("powf", Some(_)) => is_never_negative(&call.receiver),
         ("powi", Some(Expr::Lit(exponent))) => {
             let even = match &exponent.lit {
                 Lit::Int(exponent) => exponent.base10_parse::<u32>().is_ok_and(|exponent| exponent % 2 == 0),
@@ -75,6 +79,10 @@ mod tests {
             "{ let eps = self.eps; eps * eps }",
             "self.table[3] * self.table[3]",
             "self.a.hypot(self.b)",
+            "self.eps.max(0.0)",
+            "self.eps.clamp(0.0, 1.0) * self.eps.exp()",
+            "self.a.abs().min(self.b * self.b)",
+            "self.a.abs().powf(self.n)",
         ] {
             assert!(is_never_negative(&syn::parse_str(text).expect("an expression")), "{text}");
         }
@@ -91,6 +99,11 @@ mod tests {
             "self.eps.powi(self.n)",
             "self.next() * self.next()",
             "self.eps * self.eps - 1.0",
+            "self.eps.max(self.b)",
+            "self.eps.max(self.b * self.b)",
+            "self.eps.max(-1.0)",
+            "self.eps.min(1.0)",
+            "self.eps.powf(2.0)",
             "{ let eps = self.eps; eps }",
         ] {
             assert!(!is_never_negative(&syn::parse_str(text).expect("an expression")), "{text}");
