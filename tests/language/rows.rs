@@ -116,6 +116,7 @@ rows! {
     filled_arrays { let mut s = [0.0; 4]; for i in 0..4 { s[i] = q[i] * q[i]; } s[0] * s[3] } => [2.0 * a * d * d, 0.0, 0.0, 2.0 * d * a * a];
     filled_layers { let mut h = [0.0; 32]; for k in 0..32 { let mut s = 0.1 * k as f64; for i in 0..4 { s += self.stiffness[(i + k) % 4] * q[i]; } h[k] = s.tanh(); } let mut v = 0.0; for k in 0..32 { v += self.table[k % 4] * h[k]; } v } => [0, 1, 2, 3].map(|i| (0..32).map(|k| { let x = 0.1 * k as f64 + (0..4).map(|i| s.stiffness[(i + k) % 4] * START[i]).sum::<f64>(); s.table[k % 4] * s.stiffness[(i + k) % 4] / x.cosh().powi(2) }).sum::<f64>());
     filled_vectors { let mut h = vec![0.0; self.count]; for k in 0..self.count { h[k] = q[k] * q[k]; } h.iter().map(|x| x * x).sum::<f64>() } => [4.0 * a.powi(3), 4.0 * b.powi(3), 4.0 * c.powi(3), 0.0];
+    changed_items { let mut h = [1.0; 20]; for (k, h) in h.iter_mut().enumerate() { *h += k as f64 * q[k % 4]; } let mut s = [0.0; 4]; for (s, (x, k)) in s.iter_mut().zip(q.iter().zip(&self.table)) { *s = k * x; } h.iter().sum::<f64>() + s[0] * s[1] } => [40.0 + 12.0 * b, 45.0 + 12.0 * a, 50.0, 55.0];
     collected { let s: Vec<f64> = q.iter().map(|x| x * x).collect(); let r = q.map(f64::exp); s[0] * s[1] + r[2] } => [2.0 * a * b * b, 2.0 * b * a * a, c.exp(), 0.0];
     from_functions { let h: [f64; 24] = std::array::from_fn(|k| k as f64 * q[k % 4]); h.iter().map(|x| x * x).sum::<f64>() } => [0, 1, 2, 3].map(|i| (0..6).map(|m| 2.0 * START[i] * ((i + 4 * m) as f64).powi(2)).sum::<f64>());
     patterns { let ([x, _], (y, z)) = ([q[0], q[1]], (q[2], q[3])); x * y * z } => [c * d, 0.0, a * d, a * c];
@@ -197,6 +198,7 @@ rows! {
     folded_branches { q.iter().fold(0.0, |sum, x| if *x > 0.0 { sum + x * x } else { sum }) } => [a, b, c, d].map(|x| if x > 0.0 { 2.0 * x } else { 0.0 });
     largest { q.iter().fold(-1.0, |top: f64, x| top.max(*x)) } => [a, b, c, d].map(|x| if x == a.max(b).max(c).max(d) { 1.0 } else { 0.0 });
     paths_of_functions { let square = |x: f64| x * x; q.into_iter().map(f64::sin).sum::<f64>() + q.into_iter().map(square).sum::<f64>() } => [a, b, c, d].map(|x| x.cos() + 2.0 * x);
+    kept_in_bounds { let mut v = 0.0; for i in 0..4 { if i + 1 < 4 { v += q[i] * q[i + 1]; } if i >= 2 { continue; } v += q[i + 2]; } v } => [b, a + c, b + d + 1.0, c + 1.0];
     factors { q.iter().map(|x| 1.0 + x * x).product::<f64>() } => [a, b, c, d].map(|x| 2.0 * x / (1.0 + x * x) * (1.0 + a * a) * (1.0 + b * b) * (1.0 + c * c) * (1.0 + d * d));
     filtered { (0..4).filter(|i| i % 2 == 0).map(|i| q[i] * q[i]).sum::<f64>() } => [2.0 * a, 0.0, 2.0 * c, 0.0];
     adaptors { q.iter().skip(1).take(2).map(|x| x * x).sum::<f64>() + q.iter().rev().step_by(2).sum::<f64>() } => [0.0, 2.0 * b + 1.0, 2.0 * c, 1.0];

@@ -4,13 +4,21 @@
 #[cfg(test)]
 mod tests;
 
-use super::{BindingId, Reader, closure::Scope, pattern::Names, sequence::Sequence, statement::Assigned, value::Value};
+use super::{
+    BindingId, Reader,
+    closure::Scope,
+    pattern::Names,
+    sequence::Sequence,
+    statement::{Assigned, simple_name},
+    text::identifiers,
+    value::Value,
+};
 use crate::graph::{
     Comparison, NodeId,
     index::{Index, IndexId},
 };
 use proc_macro2::{Delimiter, Group, Ident, TokenStream, TokenTree};
-use quote::{ToTokens, quote};
+use quote::{ToTokens, format_ident, quote};
 use std::{collections::HashMap, rc::Rc};
 use syn::{Block, Expr, ExprForLoop, ExprRepeat, Local, Pat, Type, parse_quote, visit::Visit};
 
@@ -284,6 +292,71 @@ impl Elements<'_> {
         self.index = index;
         self.found.push(array);
     }
+}
+
+/// `for x in array.iter_mut() { *x = ...; }` as `for k in 0..array.len() { array[k] = ...; }`, also where the array is
+/// zipped with others or counted.
+pub(super) fn indexed_loop(repeat: &ExprForLoop) -> Option<ExprForLoop> {
+    let mut repeat = repeat.clone();
+    let mut known = Vec::new();
+    identifiers(repeat.to_token_stream(), &mut known);
+    let mut free = (1..).map(|count| if count == 1 { format_ident!("k") } else { format_ident!("k_{count}") });
+    let index = free.find(|name| !known.contains(name))?;
+    let (name, array) = changed_items(&mut repeat.expr, &mut repeat.pat, &index)?;
+    let body = by_index(repeat.body.to_token_stream(), &name, &quote!(#array[#index]));
+    repeat.body = syn::parse2(body).ok()?;
+    Some(repeat)
+}
+
+/// The name of the items that may be changed, and the array that they are of; a range and an index take their places.
+fn changed_items(sequence: &mut Expr, pattern: &mut Pat, index: &Ident) -> Option<(Ident, Ident)> {
+    let array = match sequence {
+        Expr::MethodCall(call) => match call.method.to_string().as_str() {
+            "iter_mut" => simple_name(&call.receiver)?.clone(),
+            "zip" => return changed_items(&mut call.receiver, part_of(pattern, 0)?, index),
+            "enumerate" => return changed_items(&mut call.receiver, part_of(pattern, 1)?, index),
+            _ => return None,
+        },
+        Expr::Reference(inner) if inner.mutability.is_some() => simple_name(&inner.expr)?.clone(),
+        _ => return None,
+    };
+    let Pat::Ident(name) = pattern else { return None };
+    let name = std::mem::replace(&mut name.ident, index.clone());
+    *sequence = parse_quote!((0..#array.len()));
+    Some((name, array))
+}
+
+/// A part of a pattern for a tuple.
+fn part_of(pattern: &mut Pat, place: usize) -> Option<&mut Pat> {
+    match pattern {
+        Pat::Tuple(parts) => parts.elems.get_mut(place),
+        _ => None,
+    }
+}
+
+/// Text in which the items of an array, `*name` or `name` alone, are its elements by index.
+fn by_index(text: TokenStream, name: &Ident, element: &TokenStream) -> TokenStream {
+    let mut tokens = text.into_iter().peekable();
+    let mut written = TokenStream::new();
+    let mut is_field = false;
+    while let Some(token) = tokens.next() {
+        let dot = matches!(&token, TokenTree::Punct(mark) if mark.as_char() == '.');
+        let starred = matches!(&token, TokenTree::Punct(mark) if mark.as_char() == '*');
+        match token {
+            // Of a reference that may be changed there is no product: the star is for what is behind it.
+            _ if starred
+                && tokens.peek().is_some_and(|next| matches!(next, TokenTree::Ident(next) if next == name)) => {}
+            TokenTree::Ident(ref found) if found == name && !is_field => written.extend(element.clone()),
+            TokenTree::Group(group) => {
+                let mut inner = Group::new(group.delimiter(), by_index(group.stream(), name, element));
+                inner.set_span(group.span());
+                written.extend([TokenTree::Group(inner)]);
+            }
+            other => written.extend([other]),
+        }
+        is_field = dot;
+    }
+    written
 }
 
 /// An array that a variable is declared with, written so that its elements are computed where they are read:

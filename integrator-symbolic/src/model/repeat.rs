@@ -1,6 +1,9 @@
 //! Loops: what `for` runs over, and sums that stay sums.
 
-use super::{Frame, Reader, Target, flatten::nested_loop, sequence::Sequence, statement::Assigned, value::Value};
+use super::{
+    Frame, Reader, Target, fill::indexed_loop, flatten::nested_loop, sequence::Sequence, statement::Assigned,
+    value::Value,
+};
 use crate::graph::{
     Comparison, NodeId,
     index::{Index, IndexId, Loop, LoopId, LoopSet},
@@ -40,8 +43,8 @@ pub(super) const FEW: u64 = 16;
 impl Reader<'_> {
     /// `for pattern in sequence { ... }`
     pub(super) fn repeat(&mut self, repeat: &ExprForLoop) -> Option<Value> {
-        if let Some(nested) = nested_loop(repeat) {
-            return self.repeat(&nested);
+        if let Some(rewritten) = nested_loop(repeat).or_else(|| indexed_loop(repeat)) {
+            return self.repeat(&rewritten);
         }
         let sequence = self.sequence(&repeat.expr)?;
         if sequence.literal {
@@ -203,7 +206,8 @@ impl Reader<'_> {
         self.bound_lists(to);
         if self.graph.loops.upper(to).is_none() || self.graph.loops.lower(from).is_none() {
             let message = "how far this loop may get is not known: its bounds are made of literals, integers of the \
-                           impl that depend on no loop, and indices of outer loops";
+                           system and indices of outer loops that do not go below zero. Run over all that may be \
+                           meant, `for j in 0..q.len()`, and put an `if` around what is added";
             self.errors.at(place, message);
             return None;
         }

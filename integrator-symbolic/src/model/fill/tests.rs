@@ -12,7 +12,7 @@ macro_rules! rows {
 /// A function as text and as what it is.
 type Row = (&'static str, fn([f64; 5]) -> f64);
 
-const ROWS: [Row; 17] = rows![
+const ROWS: [Row; 20] = rows![
     |q| {
         let mut h = [0.0; 32];
         for k in 0..32 {
@@ -202,6 +202,36 @@ const ROWS: [Row; 17] = rows![
             }
         }
         v
+    },
+    |q| {
+        let mut h = [1.0; 20];
+        for (k, h) in h.iter_mut().enumerate() {
+            *h += k as f64 * q[k % 5];
+        }
+        let mut v = h[3];
+        for h in h {
+            v += h * h;
+        }
+        v
+    },
+    |q| {
+        let mut h = [0.5; 24];
+        for (x, (y, k)) in h.iter_mut().zip(q.iter().zip(1..4)) {
+            *x *= y * k as f64;
+            *x += 1.0;
+        }
+        h[1] * h[2] * h[3] + h.iter().sum::<f64>()
+    },
+    |q| {
+        let mut h = [q[0], q[1], q[2], q[3], q[4]];
+        for x in &mut h {
+            *x = x.cos();
+        }
+        let mut g = [0.25; 4];
+        for g in g.iter_mut() {
+            *g = 2.0 * *g * h[0];
+        }
+        h[1] * h[4] + g[3]
     },
 ];
 
