@@ -1,5 +1,5 @@
 //! Arrays that loops fill have the values that Rust gives them, wherever they are read.
-#![allow(clippy::needless_range_loop, reason = "the language of H")]
+#![allow(clippy::explicit_iter_loop, clippy::needless_range_loop, reason = "the language of H")]
 
 use crate::{graph::evaluate::Point, model::sequence::tests::potential};
 
