@@ -3,7 +3,13 @@
 //! A loop is identified by where it stands and what it runs over, not by where it was typed: two loops over the same
 //! range in the same place are one, so that their bodies share subexpressions and are generated together.
 
+mod bounds;
+mod fold;
+mod kind;
+
 use super::{Element, ParameterId};
+pub(super) use bounds::DEEPEST;
+pub(crate) use kind::IntegerType;
 use std::collections::{HashMap, HashSet};
 
 /// An integer expression.
@@ -47,55 +53,6 @@ pub(crate) enum Index {
     Wrapped(IntegerType, IndexId),
 }
 
-/// A type of integers of Rust's.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub(crate) struct IntegerType {
-    pub(crate) name: &'static str,
-    /// How many bits it has; `usize` and `isize` have 64 here.
-    bits: u32,
-    pub(crate) signed: bool,
-}
-
-impl IntegerType {
-    const I64: Self = Self { name: "i64", bits: 64, signed: true };
-    const ALL: [Self; 10] = [
-        Self { name: "usize", bits: 64, signed: false },
-        Self { name: "u64", bits: 64, signed: false },
-        Self { name: "u32", bits: 32, signed: false },
-        Self { name: "u16", bits: 16, signed: false },
-        Self { name: "u8", bits: 8, signed: false },
-        Self { name: "isize", bits: 64, signed: true },
-        Self::I64,
-        Self { name: "i32", bits: 32, signed: true },
-        Self { name: "i16", bits: 16, signed: true },
-        Self { name: "i8", bits: 8, signed: true },
-    ];
-
-    pub(crate) fn named(name: &str) -> Option<Self> {
-        Self::ALL.into_iter().find(|known| known.name == name)
-    }
-
-    pub(crate) fn is_usize(self) -> bool {
-        self.name == "usize"
-    }
-
-    /// What a cast makes of an integer; 64 bits without a sign keep those of a negative one, which no index reaches.
-    pub(crate) fn wrapped(self, value: i64) -> i64 {
-        let unused = 64 - self.bits;
-        let shifted = value << unused;
-        if self.signed || self.bits == 64 { shifted >> unused } else { ((shifted as u64) >> unused) as i64 }
-    }
-
-    /// Whether it holds all integers up to `largest`; one that is not known is no larger than a list is long.
-    fn holds(self, largest: Option<u64>) -> bool {
-        let bits = if self.signed { self.bits - 1 } else { self.bits };
-        match largest {
-            Some(largest) => bits >= 64 || largest < 1 << bits,
-            None => self.bits >= 32,
-        }
-    }
-}
-
 impl Index {
     /// The two expressions that an operation combines; a cast has one, twice.
     pub(crate) fn operands(self) -> Option<[IndexId; 2]> {
@@ -130,9 +87,6 @@ impl Index {
         }
     }
 }
-
-/// How many steps are taken to see which of two expressions is smaller.
-pub(super) const DEEPEST: u32 = 8;
 
 /// `for index in from..to`, inside another loop or not.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -237,77 +191,6 @@ impl Loops {
         Index::Minus(zero, below)
     }
 
-    /// Whether an integer may be below zero, or is computed from one that is.
-    pub(crate) fn is_signed(&self, id: IndexId) -> bool {
-        match self.index(id) {
-            Index::Minus(..) => true,
-            Index::Wrapped(kind, _) => kind.signed,
-            index => index.operands().is_some_and(|both| both.iter().any(|operand| self.is_signed(*operand))),
-        }
-    }
-
-    /// The type that a cast gave to an integer, or that it has to have to be below zero.
-    pub(crate) fn type_of(&self, id: IndexId) -> Option<IntegerType> {
-        self.cast_type(id).or(self.is_signed(id).then_some(IntegerType::I64))
-    }
-
-    /// The type that a cast gave to an integer.
-    pub(crate) fn cast_type(&self, id: IndexId) -> Option<IntegerType> {
-        match self.index(id) {
-            Index::Typed(kind, _) | Index::Wrapped(kind, _) => Some(kind),
-            index => index.operands().and_then(|both| both.into_iter().find_map(|operand| self.cast_type(operand))),
-        }
-    }
-
-    /// The difference of two integers: without a sign where the type is `usize` or the first is plainly not smaller.
-    pub(crate) fn minus(&mut self, a: IndexId, b: IndexId) -> IndexId {
-        let lowest = self.lower(a).and_then(|lower| self.literal(lower));
-        let highest = self.upper(b).and_then(|upper| self.literal(upper));
-        let natural = lowest.zip(highest).is_some_and(|(lowest, highest)| lowest >= highest);
-        let signed = self.is_signed(a) || self.is_signed(b);
-        let unsigned = !signed && (natural || self.is_length(a) || self.is_length(b));
-        self.intern(if unsigned { Index::Sub(a, b) } else { Index::Minus(a, b) })
-    }
-
-    /// Whether an integer is made of a length, so that its type is `usize`.
-    fn is_length(&self, id: IndexId) -> bool {
-        match self.index(id) {
-            Index::Length => true,
-            Index::Parameter(_) => self.extents.contains(&id) || self.list_lengths.contains(&id),
-            Index::Running(by) => {
-                let Loop { from, to, .. } = self.get(by);
-                self.is_length(from) || self.is_length(to)
-            }
-            Index::Typed(kind, _) | Index::Wrapped(kind, _) => kind.is_usize(),
-            index => index.operands().is_some_and(|both| both.iter().any(|operand| self.is_length(*operand))),
-        }
-    }
-
-    /// An integer as one whose type is `usize`, as that of indices is: no difference is below zero.
-    pub(crate) fn unsigned(&mut self, id: IndexId) -> IndexId {
-        let index = self.index(id);
-        match (index, index.operands()) {
-            (Index::Wrapped(..), _) | (_, None) => id,
-            (Index::Typed(_, a), _) => self.unsigned(a),
-            (_, Some(both)) => {
-                let both = both.map(|operand| self.unsigned(operand));
-                match (index, both) {
-                    (Index::Minus(..), [a, b]) => self.intern(Index::Sub(a, b)),
-                    (_, both) => self.intern(index.with_operands(both)),
-                }
-            }
-        }
-    }
-
-    /// An integer cast to another type.
-    pub(crate) fn cast(&mut self, id: IndexId, kind: IntegerType) -> IndexId {
-        let largest = self.upper(id).and_then(|upper| self.literal(upper));
-        if !self.is_signed(id) && kind.holds(largest) {
-            return if kind.is_usize() { self.unsigned(id) } else { self.intern(Index::Typed(kind, id)) };
-        }
-        self.intern(Index::Wrapped(kind, id))
-    }
-
     /// How many integers are in `from..to`.
     pub(crate) fn span(&mut self, from: IndexId, to: IndexId) -> IndexId {
         self.intern(Index::Monus(to, from))
@@ -362,130 +245,6 @@ impl Loops {
         self.indices.push(index);
         self.index_ids.insert(index, id);
         id
-    }
-
-    fn fold(&mut self, index: Index) -> Index {
-        match index {
-            // (x + s) + t == x + (s + t)
-            Index::Add(a, t)
-                if let Index::Add(x, s) = self.index(a)
-                    && let Some(both) = self.literal(s).zip(self.literal(t)).and_then(|(s, t)| s.checked_add(t)) =>
-            {
-                return Index::Add(x, self.intern(Index::Literal(both)));
-            }
-            // a - (a - x) == x
-            Index::Sub(a, b)
-                if let Index::Sub(whole, x) = self.index(b)
-                    && whole == a =>
-            {
-                return self.index(x);
-            }
-            Index::Monus(a, b) => return self.monus(a, b),
-            Index::Min(a, b) => return self.min(a, b),
-            _ => {}
-        }
-        let numbers = |a, b| Some((self.signed_literal(a)?, self.signed_literal(b)?));
-        let folded = match index {
-            Index::Add(a, b) if self.literal(b) == Some(0) => return self.index(a),
-            Index::Add(a, b) if self.literal(a) == Some(0) => return self.index(b),
-            Index::Sub(a, b) | Index::Minus(a, b) if self.literal(b) == Some(0) => return self.index(a),
-            Index::Mul(a, b) if self.literal(b) == Some(1) => return self.index(a),
-            Index::Mul(a, b) if self.literal(a) == Some(1) => return self.index(b),
-            Index::Add(a, b) => numbers(a, b).and_then(|(a, b)| a.checked_add(b)),
-            Index::Sub(a, b) => numbers(a, b).and_then(|(a, b)| a.checked_sub(b)).filter(|difference| *difference >= 0),
-            Index::Minus(a, b) => numbers(a, b).and_then(|(a, b)| a.checked_sub(b)),
-            Index::Mul(a, b) => numbers(a, b).and_then(|(a, b)| a.checked_mul(b)),
-            Index::Div(a, b) => numbers(a, b).and_then(|(a, b)| a.checked_div(b)),
-            Index::Rem(a, b) => numbers(a, b).and_then(|(a, b)| a.checked_rem(b)),
-            Index::Wrapped(kind, a) => self.signed_literal(a).map(|value| kind.wrapped(value)),
-            Index::Typed(_, a) => self.signed_literal(a),
-            _ => None,
-        };
-        folded.map_or(index, |value| self.of_signed(value))
-    }
-
-    /// `max(a - b, 0)`, as short as it can be told.
-    fn monus(&mut self, a: IndexId, b: IndexId) -> Index {
-        match (self.index(a), self.index(b), self.literal(b)) {
-            (Index::Literal(a), Index::Literal(b), _) => Index::Literal(a.saturating_sub(b)),
-            _ if let Some((a, b)) = self.signed_literal(a).zip(self.signed_literal(b)) => {
-                self.of_signed(a.saturating_sub(b).max(0))
-            }
-            // (x + s) - (x - t) == s + t
-            (Index::Add(x, s), Index::Minus(y, t), _) if x == y => {
-                let both = self.intern(Index::Add(s, t));
-                self.index(both)
-            }
-            (_, Index::Minus(x, t), _) if a == x => self.index(t),
-            _ if self.is_signed(a) || self.is_signed(b) => Index::Monus(a, b),
-            (known, _, Some(0)) => known,
-            (Index::Literal(0), ..) => Index::Literal(0),
-            _ if a == b => Index::Literal(0),
-            (Index::Add(rest, added), ..) if added == b => self.index(rest),
-            (Index::Add(added, rest), ..) if added == b => self.index(rest),
-            (Index::Add(rest, added), _, Some(taken)) if let Some(added) = self.literal(added) => {
-                let (more, less) = (added.saturating_sub(taken), taken.saturating_sub(added));
-                let (more, less) = (self.intern(Index::Literal(more)), self.intern(Index::Literal(less)));
-                let rest = self.intern(Index::Add(rest, more));
-                // One of both is zero.
-                if self.literal(less) == Some(0) { self.index(rest) } else { self.monus(rest, less) }
-            }
-            (Index::Monus(rest, first), _, Some(second)) if let Some(first) = self.literal(first) => {
-                let both = self.intern(Index::Literal(first.saturating_add(second)));
-                Index::Monus(rest, both)
-            }
-            // The end of a zip is where the nearer end is.
-            (Index::Min(first, second), ..) => {
-                let first = self.intern(Index::Monus(first, b));
-                let second = self.intern(Index::Monus(second, b));
-                self.min(first, second)
-            }
-            _ => Index::Monus(a, b),
-        }
-    }
-
-    /// The smaller one, as short as it can be told; a literal stands on the right.
-    fn min(&mut self, a: IndexId, b: IndexId) -> Index {
-        if self.is_at_most(a, b, DEEPEST) {
-            return self.index(a);
-        }
-        if self.is_at_most(b, a, DEEPEST) {
-            return self.index(b);
-        }
-        match (self.literal(a), self.literal(b)) {
-            (Some(_), None) => Index::Min(b, a),
-            (None, Some(_)) => Index::Min(a, b),
-            _ => Index::Min(a.min(b), a.max(b)),
-        }
-    }
-
-    /// Whether `a <= b` whatever the values of what is not known; `false` where it takes more than `depth` steps to see.
-    pub(super) fn is_at_most(&self, a: IndexId, b: IndexId, depth: u32) -> bool {
-        if a == b || self.literal(a).zip(self.literal(b)).is_some_and(|(a, b)| a <= b) {
-            return true;
-        }
-        let Some(depth) = depth.checked_sub(1) else { return false };
-        let is = |a, b| self.is_at_most(a, b, depth);
-        let by_amount = match (self.index(a), self.index(b)) {
-            // x - s <= x - t where t <= s
-            (Index::Monus(x, s), Index::Monus(y, t)) => x == y && is(t, s),
-            // x + s <= x + t where s <= t
-            (Index::Add(x, s), Index::Add(y, t)) => x == y && is(s, t),
-            _ => false,
-        };
-        let from_left = match self.index(a) {
-            Index::Monus(x, _) => is(x, b),
-            Index::Min(x, y) => is(x, b) || is(y, b),
-            _ => false,
-        };
-        // a <= (x - s) + s where a <= x
-        let refilled = |rest, s| matches!(self.index(rest), Index::Monus(x, taken) if taken == s && is(a, x));
-        let from_right = || match self.index(b) {
-            Index::Add(x, y) => is(a, x) || is(a, y) || refilled(x, y) || refilled(y, x),
-            Index::Min(x, y) => is(a, x) && is(a, y),
-            _ => false,
-        };
-        by_amount || from_left || from_right()
     }
 
     /// The loop over a range, new or known.
@@ -620,68 +379,6 @@ impl Loops {
         let numbers = self.literal(from).zip(self.literal(to)).is_some_and(|(from, to)| from < to);
         let mut around = std::iter::successors(parent, |by| self.get(*by).parent);
         numbers || around.any(|by| (self.get(by).from, self.get(by).to) == (from, to))
-    }
-
-    /// An expression without running indices that is never below `id` (taking parts as unsigned), if one can be told.
-    pub(crate) fn upper(&mut self, id: IndexId) -> Option<IndexId> {
-        if self.of_index(id).is_empty() {
-            return Some(id);
-        }
-        if self.is_signed(id) {
-            return None;
-        }
-        let bound = match self.index(id) {
-            Index::Typed(_, a) => return self.upper(a),
-            Index::Wrapped(kind, _) if kind.bits < 64 => Index::Literal((1 << kind.bits) - 1),
-            Index::Running(by) => {
-                let one = self.intern(Index::Literal(1));
-                let to = self.get(by).to;
-                Index::Monus(self.upper(to)?, one)
-            }
-            Index::Add(a, b) => Index::Add(self.upper(a)?, self.upper(b)?),
-            Index::Sub(a, b) | Index::Monus(a, b) => Index::Monus(self.upper(a)?, self.lower(b)?),
-            Index::Mul(a, b) => Index::Mul(self.upper(a)?, self.upper(b)?),
-            Index::Div(a, b) => Index::Div(self.upper(a)?, self.lower(b)?),
-            Index::Rem(_, b) => {
-                let one = self.intern(Index::Literal(1));
-                Index::Monus(self.upper(b)?, one)
-            }
-            // Either is a bound.
-            Index::Min(a, b) => match (self.upper(a), self.upper(b)) {
-                (Some(a), Some(b)) => Index::Min(a, b),
-                (a, b) => return a.or(b),
-            },
-            Index::Parameter(id) => return self.range_of(id).map(|(_, greatest)| greatest),
-            Index::Literal(_) | Index::Length | Index::Minus(..) | Index::Wrapped(..) => return None,
-        };
-        Some(self.intern(bound))
-    }
-
-    /// An expression without running indices that is never above `id`, if one can be told.
-    pub(crate) fn lower(&mut self, id: IndexId) -> Option<IndexId> {
-        if self.of_index(id).is_empty() {
-            return Some(id);
-        }
-        if self.is_signed(id) {
-            return None;
-        }
-        let bound = match self.index(id) {
-            Index::Typed(_, a) => return self.lower(a),
-            Index::Wrapped(..) => Index::Literal(0),
-            Index::Running(by) => {
-                let from = self.get(by).from;
-                return self.lower(from);
-            }
-            Index::Add(a, b) => Index::Add(self.lower(a)?, self.lower(b)?),
-            Index::Mul(a, b) => Index::Mul(self.lower(a)?, self.lower(b)?),
-            Index::Sub(a, b) | Index::Monus(a, b) => Index::Monus(self.lower(a)?, self.upper(b)?),
-            Index::Div(a, b) => Index::Div(self.lower(a)?, self.upper(b)?),
-            Index::Rem(..) => Index::Literal(0),
-            Index::Min(a, b) => Index::Min(self.lower(a)?, self.lower(b)?),
-            Index::Parameter(id) => return self.range_of(id).map(|(least, _)| least),
-            Index::Literal(_) | Index::Length | Index::Minus(..) => return None,
-        };
-        Some(self.intern(bound))
     }
 }
 

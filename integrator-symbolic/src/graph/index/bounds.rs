@@ -1,0 +1,99 @@
+//! How large integers may be, whatever the indices of loops are.
+
+use super::{Index, IndexId, Loops};
+
+/// How many steps are taken to see which of two expressions is smaller.
+pub(in crate::graph) const DEEPEST: u32 = 8;
+
+impl Loops {
+    /// An expression without running indices that is never below `id` (taking parts as unsigned), if one can be told.
+    pub(crate) fn upper(&mut self, id: IndexId) -> Option<IndexId> {
+        if self.of_index(id).is_empty() {
+            return Some(id);
+        }
+        if self.is_signed(id) {
+            return None;
+        }
+        let bound = match self.index(id) {
+            Index::Typed(_, a) => return self.upper(a),
+            Index::Wrapped(kind, _) if kind.bits < 64 => Index::Literal((1 << kind.bits) - 1),
+            Index::Running(by) => {
+                let one = self.intern(Index::Literal(1));
+                let to = self.get(by).to;
+                Index::Monus(self.upper(to)?, one)
+            }
+            Index::Add(a, b) => Index::Add(self.upper(a)?, self.upper(b)?),
+            Index::Sub(a, b) | Index::Monus(a, b) => Index::Monus(self.upper(a)?, self.lower(b)?),
+            Index::Mul(a, b) => Index::Mul(self.upper(a)?, self.upper(b)?),
+            Index::Div(a, b) => Index::Div(self.upper(a)?, self.lower(b)?),
+            Index::Rem(_, b) => {
+                let one = self.intern(Index::Literal(1));
+                Index::Monus(self.upper(b)?, one)
+            }
+            // Either is a bound.
+            Index::Min(a, b) => match (self.upper(a), self.upper(b)) {
+                (Some(a), Some(b)) => Index::Min(a, b),
+                (a, b) => return a.or(b),
+            },
+            Index::Parameter(id) => return self.range_of(id).map(|(_, greatest)| greatest),
+            Index::Literal(_) | Index::Length | Index::Minus(..) | Index::Wrapped(..) => return None,
+        };
+        Some(self.intern(bound))
+    }
+
+    /// An expression without running indices that is never above `id`, if one can be told.
+    pub(crate) fn lower(&mut self, id: IndexId) -> Option<IndexId> {
+        if self.of_index(id).is_empty() {
+            return Some(id);
+        }
+        if self.is_signed(id) {
+            return None;
+        }
+        let bound = match self.index(id) {
+            Index::Typed(_, a) => return self.lower(a),
+            Index::Wrapped(..) => Index::Literal(0),
+            Index::Running(by) => {
+                let from = self.get(by).from;
+                return self.lower(from);
+            }
+            Index::Add(a, b) => Index::Add(self.lower(a)?, self.lower(b)?),
+            Index::Mul(a, b) => Index::Mul(self.lower(a)?, self.lower(b)?),
+            Index::Sub(a, b) | Index::Monus(a, b) => Index::Monus(self.lower(a)?, self.upper(b)?),
+            Index::Div(a, b) => Index::Div(self.lower(a)?, self.upper(b)?),
+            Index::Rem(..) => Index::Literal(0),
+            Index::Min(a, b) => Index::Min(self.lower(a)?, self.lower(b)?),
+            Index::Parameter(id) => return self.range_of(id).map(|(least, _)| least),
+            Index::Literal(_) | Index::Length | Index::Minus(..) => return None,
+        };
+        Some(self.intern(bound))
+    }
+
+    /// Whether `a <= b` whatever the values of what is not known; `false` where it takes more than `depth` steps to see.
+    pub(in crate::graph) fn is_at_most(&self, a: IndexId, b: IndexId, depth: u32) -> bool {
+        if a == b || self.literal(a).zip(self.literal(b)).is_some_and(|(a, b)| a <= b) {
+            return true;
+        }
+        let Some(depth) = depth.checked_sub(1) else { return false };
+        let is = |a, b| self.is_at_most(a, b, depth);
+        let by_amount = match (self.index(a), self.index(b)) {
+            // x - s <= x - t where t <= s
+            (Index::Monus(x, s), Index::Monus(y, t)) => x == y && is(t, s),
+            // x + s <= x + t where s <= t
+            (Index::Add(x, s), Index::Add(y, t)) => x == y && is(s, t),
+            _ => false,
+        };
+        let from_left = match self.index(a) {
+            Index::Monus(x, _) => is(x, b),
+            Index::Min(x, y) => is(x, b) || is(y, b),
+            _ => false,
+        };
+        // a <= (x - s) + s where a <= x
+        let refilled = |rest, s| matches!(self.index(rest), Index::Monus(x, taken) if taken == s && is(a, x));
+        let from_right = || match self.index(b) {
+            Index::Add(x, y) => is(a, x) || is(a, y) || refilled(x, y) || refilled(y, x),
+            Index::Min(x, y) => is(a, x) && is(a, y),
+            _ => false,
+        };
+        by_amount || from_left || from_right()
+    }
+}
