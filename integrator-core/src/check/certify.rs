@@ -5,11 +5,12 @@ use crate::{
         CheckError,
         certificate::{Certificate, Tolerances},
         energy::{EnergyDrift, energy_drift},
+        exact::Steps,
         gradient::{gradient_error, gradient_tolerance},
         local_order::{OrderAlong, UNITS, order_along},
         order::{Order, needed_along, observed_order, path},
         path::PARTS,
-        points::{begin, plain, run},
+        points::{begin, flat_start, plain, run, shaped},
         reversibility::{RoundTrip, round_trip},
         shortfall::{CertifyError, Shortfall},
         stability::{Stability, nearness},
@@ -261,7 +262,7 @@ impl<H: Hamiltonian, X: Method<H>, K: Keep> Subject<'_, H, X, K> {
         let pieces = ((span / piece.abs()).ceil() as u64).min(MOST_PIECES);
         let needed = needed_along(self.method.facts().order);
         let start = plain::<H, K>(&self.start.phase).at_time(self.start.time);
-        order_along((self.system, self.method, needed), &start, piece, pieces)
+        order_along((&Steps::new(self.system, self.method, &start.phase), needed), &flat_start(&start), piece, pieces)
     }
 
     /// A round trip over the span of the order, in the coarsest steps that show it, or in steps of `h` where they are
@@ -307,9 +308,11 @@ impl<H: Hamiltonian, X: Method<H>, K: Keep> Subject<'_, H, X, K> {
     fn states(&self, order: Option<Order>) -> Result<Vec<Visited<H::Coords>>, CheckError> {
         let start = plain::<H, K>(&self.start.phase).at_time(self.start.time);
         let (span, step) = order.map_or((GRADIENT_SPAN * self.h, self.h), |order| (order.span, order.coarsest));
-        let path = path(self.system, self.method, &start, span, (span / step).abs().round() as u64 / PARTS)?;
+        let stepper = Steps::new(self.system, self.method, &start.phase);
+        let path = path(&stepper, &flat_start(&start), span, (span / step).abs().round() as u64 / PARTS)?;
+        let ends: Vec<_> = path.ends.iter().map(|end| shaped(&start.phase, end)).collect();
         let times = (0..).map(|part| self.start.time + span * f64::from(part) / PARTS as f64);
-        Ok([start.phase].into_iter().chain(path.ends).zip(times).collect())
+        Ok([start.phase].into_iter().chain(ends).zip(times).collect())
     }
 
     /// The largest error of a gradient at some states.

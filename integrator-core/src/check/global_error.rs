@@ -7,8 +7,9 @@
 use crate::{
     check::{
         CheckError,
+        exact::Motions,
         path::{PARTS, Path},
-        points::{begin, plain, run},
+        points::{begin, flat, flat_start, run},
         reference::reference,
         start::Start,
         tolerance::within,
@@ -87,15 +88,16 @@ pub fn global_error<H: Hamiltonian, X: Method<H>, K: Keep>(
     let mut ends = Vec::with_capacity(PARTS as usize);
     for _ in 0..PARTS {
         run.advance(part)?;
-        ends.push(plain::<H, K>(&run.state()));
+        ends.push(flat(&run.state()));
     }
     // Where a step follows the motion, flows in coarse steps follow it over some steps; where it does not, the exact motion must
     // not take longer than the run.
-    let exact = reference(system, &begin, span, part, steps.ilog2() as i32);
+    let start = flat_start(&begin);
+    let exact = reference(&Motions { system, shape: &begin.phase }, &start, span, part, steps.ilog2() as i32);
     let uncertainty = exact.uncertainty() + exact.rounding();
     if !within(uncertainty, KNOWN) {
         return Err(CheckError::NoReference { span, uncertainty });
     }
-    let distance = Path { start: begin.phase, ends }.distance(&exact.path, exact.scale);
+    let distance = Path { start: start.phase, ends }.distance(&exact.path, exact.scale);
     Ok(GlobalError { distance, uncertainty, span })
 }

@@ -11,17 +11,13 @@
 
 use crate::{
     check::{
+        exact::Stepper,
         order::CLEARANCE,
         path::Path,
-        points::{compensated_run, plain},
         start::Start,
         tolerance::{largest, within},
     },
-    coords::Coords,
     error::Error,
-    hamiltonian::Hamiltonian,
-    method::Method,
-    slot::Compensated,
 };
 
 /// How many units a piece has. A step is a whole fraction of a unit, so that what switches at one of the user's steps, of
@@ -75,13 +71,13 @@ pub(crate) struct OrderAlong {
 }
 
 /// How far an `order` holds in `pieces` pieces of `piece` each.
-pub(crate) fn order_along<H: Hamiltonian, X: Method<H>>(
-    (system, method, order): (&H, X, f64),
-    start: &Start<H::Coords>,
+pub(crate) fn order_along(
+    (stepper, order): (&dyn Stepper, f64),
+    start: &Start<Vec<f64>>,
     piece: f64,
     pieces: u64,
 ) -> OrderAlong {
-    let orbit = Orbit { system, method, order, is_long: pieces > MANY };
+    let orbit = Orbit { stepper, order, is_long: pieces > MANY };
     let mut at = start.clone();
     for number in 0..pieces {
         at.time = start.time + number as f64 * piece;
@@ -97,9 +93,8 @@ pub(crate) fn order_along<H: Hamiltonian, X: Method<H>>(
 }
 
 /// What is looked at.
-struct Orbit<'s, H: Hamiltonian, X> {
-    system: &'s H,
-    method: X,
+struct Orbit<'s> {
+    stepper: &'s dyn Stepper,
     /// The power of the step with which errors have to shrink.
     order: f64,
     /// Whether there are many pieces.
@@ -116,10 +111,10 @@ enum Verdict {
     Lost(Loss),
 }
 
-impl<H: Hamiltonian, X: Method<H>> Orbit<'_, H, X> {
+impl Orbit<'_> {
     /// What a piece shows, and where it ends. It is the `depth`th half, and the order was missing in those that it is a part of
     /// as `above` tells.
-    fn examine(&self, at: &Start<H::Coords>, piece: f64, depth: u32, above: Missing) -> (Verdict, Start<H::Coords>) {
+    fn examine(&self, at: &Start<Vec<f64>>, piece: f64, depth: u32, above: Missing) -> (Verdict, Start<Vec<f64>>) {
         let view = self.view(at, piece, depth);
         let slopes = match view.judge(self.order, self.clock(at, piece)) {
             Judgement::Passed(verdict) => return (verdict, view.end(at, piece)),
@@ -153,12 +148,12 @@ impl<H: Hamiltonian, X: Method<H>> Orbit<'_, H, X> {
     }
 
     /// How many pieces the clock shows, where a force reads it.
-    fn clock(&self, at: &Start<H::Coords>, piece: f64) -> f64 {
-        if H::AUTONOMOUS { 0.0 } else { at.time / piece }
+    fn clock(&self, at: &Start<Vec<f64>>, piece: f64) -> f64 {
+        if self.stepper.autonomous() { 0.0 } else { at.time / piece }
     }
 
     /// A piece in steps of ever half the length.
-    fn view(&self, at: &Start<H::Coords>, piece: f64, depth: u32) -> View<H::Coords> {
+    fn view(&self, at: &Start<Vec<f64>>, piece: f64, depth: u32) -> View {
         let (groups, finest) = self.divisions(depth);
         let Ok(exact) = self.path(at, piece, finest) else { return View { exact: None, errors: Vec::new() } };
         let scale = exact.excursion();
@@ -177,14 +172,8 @@ impl<H: Hamiltonian, X: Method<H>> Orbit<'_, H, X> {
     }
 
     /// A piece in so many steps for each of its units.
-    fn path(&self, at: &Start<H::Coords>, piece: f64, steps: u64) -> Result<Path<H::Coords>, Error> {
-        let mut run = compensated_run(self.system, self.method, at, piece / (UNITS * steps) as f64)?;
-        let mut ends = Vec::with_capacity(UNITS as usize);
-        for _ in 0..UNITS {
-            run.advance(steps)?;
-            ends.push(plain::<H, Compensated<f64>>(&run.state()));
-        }
-        Ok(Path { start: at.phase.clone(), ends })
+    fn path(&self, at: &Start<Vec<f64>>, piece: f64, steps: u64) -> Result<Path, Error> {
+        self.stepper.path(at, piece / (UNITS * steps) as f64, UNITS, steps)
     }
 }
 
@@ -216,9 +205,9 @@ impl Missing {
 }
 
 /// A piece in steps of ever half the length.
-struct View<C> {
+struct View {
     /// In the finest ones, if these stay finite.
-    exact: Option<Path<C>>,
+    exact: Option<Path>,
     /// The largest error of each group, in units of how far the motion goes.
     errors: Vec<f64>,
 }
@@ -231,7 +220,7 @@ enum Judgement {
     Missing(Vec<f64>),
 }
 
-impl<C: Coords<Leaf = f64>> View<C> {
+impl View {
     /// What errors say that have to shrink with the power `needed`, where the clock shows so many pieces: a force that reads
     /// it is off by its rounding.
     fn judge(&self, needed: f64, clock: f64) -> Judgement {
@@ -262,7 +251,7 @@ impl<C: Coords<Leaf = f64>> View<C> {
     }
 
     /// Where and when the piece that begins at `at` ends.
-    fn end(&self, at: &Start<C>, piece: f64) -> Start<C> {
+    fn end(&self, at: &Start<Vec<f64>>, piece: f64) -> Start<Vec<f64>> {
         let last = self.exact.as_ref().and_then(|path| path.ends.last());
         last.unwrap_or(&at.phase).clone().at_time(at.time + piece)
     }

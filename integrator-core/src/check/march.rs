@@ -4,8 +4,9 @@
 
 use crate::{
     check::{
+        exact::Exact,
         path::{PARTS, Path, Scale},
-        points::plain,
+        points::{Flat, flat},
         reference::Reference,
         start::Start,
         tolerance::within,
@@ -21,36 +22,36 @@ const COARSEST: u64 = 2;
 const FINEST: u64 = 64;
 
 /// The flows of a system from a start.
-pub(crate) struct March<'s, H: Hamiltonian> {
-    system: &'s H,
-    start: &'s Start<H::Coords>,
+pub(crate) struct March<'s> {
+    system: &'s dyn Exact,
+    start: &'s Start<Vec<f64>>,
     weights: Vec<f64>,
     /// Into how many steps a part of the time is divided at least.
     whole: u64,
 }
 
-impl<'s, H: Hamiltonian> March<'s, H> {
-    pub(crate) fn new(system: &'s H, start: &'s Start<H::Coords>) -> Self {
+impl<'s> March<'s> {
+    pub(crate) fn new(system: &'s dyn Exact, start: &'s Start<Vec<f64>>) -> Self {
         Self { system, start, weights: weights(), whole: 1 }
     }
 
     /// The same in steps that divide those of a run, of which there are so many in a part: edges between pieces of the
     /// Hamiltonian lie where these end.
     pub(crate) fn within_steps(self, whole: u64) -> Self {
-        if H::PIECEWISE_IN_TIME { Self { whole, ..self } } else { self }
+        if self.system.piecewise_in_time() { Self { whole, ..self } } else { self }
     }
 
     /// The motion over `span`, refined until halving the step changes nothing but rounding.
-    pub(crate) fn refined(&self, span: f64) -> Reference<H::Coords> {
+    pub(crate) fn refined(&self, span: f64) -> Reference {
         self.refined_to(span, FINEST)
     }
 
     /// The motion over `span` in the two coarsest steps.
-    pub(crate) fn coarse(&self, span: f64) -> Reference<H::Coords> {
+    pub(crate) fn coarse(&self, span: f64) -> Reference {
         self.refined_to(span, 2 * COARSEST)
     }
 
-    fn refined_to(&self, span: f64, finest: u64) -> Reference<H::Coords> {
+    fn refined_to(&self, span: f64, finest: u64) -> Reference {
         let mut steps = COARSEST;
         let (mut other, _) = self.path(span, steps);
         loop {
@@ -64,31 +65,43 @@ impl<'s, H: Hamiltonian> March<'s, H> {
         }
     }
 
-    /// Takes `steps` steps of eighth order over each part of `span`, with a compensated state, and sees how far they go.
-    fn path(&self, span: f64, steps: u64) -> (Path<H::Coords>, Scale) {
+    /// Takes `steps` steps of eighth order over each part of `span`, and sees how far they go.
+    fn path(&self, span: f64, steps: u64) -> (Path, Scale) {
         let Self { system, start, weights, whole } = self;
         let steps = whole * steps;
         let h = span / (PARTS * steps) as f64;
-        let Start { phase: start, time: t0 } = start;
-        let parameters = system.parameters(start.q.length());
-        let mut state: Phase<Shaped<H, Compensated<f64>>> = Phase::compensated(start.q.clone(), start.p.clone());
-        let mut motion = H::Motion::<f64, Compensated<f64>>::load(&|_| (&parameters, &state));
-        let (mut ends, mut scale) = (Vec::with_capacity(PARTS as usize), Scale::ZERO);
-        for step in 0..PARTS * steps {
-            let mut time = t0 + step as f64 * h;
-            H::begin_step::<f64, Compensated<f64>>(&mut motion, time + h / 2.0);
-            for weight in weights {
-                verlet::<H>(&mut Single::<H, f64, Compensated<f64>>(&mut motion), weight * h, time);
-                time += weight * h;
-            }
-            motion.store(0, &mut state);
-            let end = plain::<H, Compensated<f64>>(&state);
-            scale = scale.reaching(start, &end);
-            if (step + 1) % steps == 0 {
+        let (mut ends, mut scale, mut step) = (Vec::with_capacity(PARTS as usize), Scale::ZERO, 0);
+        system.march(start, (h, PARTS * steps), weights, &mut |end| {
+            scale = scale.reaching(&start.phase, &end);
+            step += 1;
+            if step % steps == 0 {
                 ends.push(end);
             }
+        });
+        (Path { start: start.phase.clone(), ends }, scale)
+    }
+}
+
+/// Takes so many steps of `h` with a compensated state, each of them Verlet over fractions of it, and shows the states.
+pub(crate) fn march<H: Hamiltonian>(
+    system: &H,
+    Start { phase: start, time: t0 }: Start<H::Coords>,
+    (h, steps): (f64, u64),
+    fractions: &[f64],
+    see: &mut dyn FnMut(Flat),
+) {
+    let parameters = system.parameters(start.q.length());
+    let mut state: Phase<Shaped<H, Compensated<f64>>> = Phase::compensated(start.q, start.p);
+    let mut motion = H::Motion::<f64, Compensated<f64>>::load(&|_| (&parameters, &state));
+    for step in 0..steps {
+        let mut time = t0 + step as f64 * h;
+        H::begin_step::<f64, Compensated<f64>>(&mut motion, time + h / 2.0);
+        for fraction in fractions {
+            verlet::<H>(&mut Single::<H, f64, Compensated<f64>>(&mut motion), fraction * h, time);
+            time += fraction * h;
         }
-        (Path { start: start.clone(), ends }, scale)
+        motion.store(0, &mut state);
+        see(flat(&state));
     }
 }
 

@@ -41,6 +41,7 @@ mod dual;
 mod edges;
 mod energy;
 mod error;
+mod exact;
 mod global_error;
 mod gradient;
 mod line;

@@ -7,10 +7,10 @@
 use crate::{
     check::{
         CheckError,
-        edges::spacing,
+        exact::{Stepper, Steps},
         line::fit_finest,
         path::{PARTS, Path},
-        points::{begin, compensated_run, plain},
+        points::{Flat, begin, flat_start},
         reference::reference,
         start::Start,
         tolerance::within,
@@ -18,7 +18,7 @@ use crate::{
     error::Error,
     hamiltonian::{Hamiltonian, Shaped},
     method::Method,
-    slot::{Compensated, Keep},
+    slot::Keep,
 };
 
 /// How many of the user's steps the first time spans that is tried; a power of two keeps the doublings exact.
@@ -123,8 +123,14 @@ pub fn observed_order<H: Hamiltonian, X: Method<H>, K: Keep>(
     h: f64,
 ) -> Result<Order, CheckError> {
     let start = start.into();
-    let problem = Problem::<H, X> { system, method, start: begin::<H, X, K>(system, method, &start, h)? };
-    let facts = method.facts();
+    let start = begin::<H, X, K>(system, method, &start, h)?;
+    order_of(&Steps::new(system, method, &start.phase), flat_start(&start), h)
+}
+
+/// As [`observed_order`], from a start that a run may begin with.
+pub(crate) fn order_of(stepper: &dyn Stepper, start: Start<Vec<f64>>, h: f64) -> Result<Order, CheckError> {
+    let problem = Problem { stepper, start };
+    let facts = stepper.facts();
     if facts.adaptive {
         return Err(CheckError::NoOrder { method: facts.name });
     }
@@ -201,16 +207,15 @@ pub(crate) fn needed_along(claimed: u32) -> f64 {
 }
 
 /// What is measured.
-struct Problem<'s, H: Hamiltonian, X> {
-    system: &'s H,
-    method: X,
-    start: Start<H::Coords>,
+struct Problem<'s> {
+    stepper: &'s dyn Stepper,
+    start: Start<Vec<f64>>,
 }
 
-impl<H: Hamiltonian, X: Method<H>> Problem<'_, H, X> {
+impl Problem<'_> {
     /// The motion over `span`, in `steps` steps for each part.
-    fn path(&self, span: f64, steps: u64) -> Result<Path<H::Coords>, Error> {
-        path(self.system, self.method, &self.start, span, steps)
+    fn path(&self, span: f64, steps: u64) -> Result<Path, Error> {
+        path(self.stepper, &self.start, span, steps)
     }
 
     /// The longest time over which the coarsest step follows the motion.
@@ -251,7 +256,7 @@ impl<H: Hamiltonian, X: Method<H>> Problem<'_, H, X> {
     fn over_edges(&self, h: f64) -> Result<Option<Grid>, CheckError> {
         let mut found = None;
         let mut whole = FIRST_SPAN as u64 / PARTS;
-        while H::PIECEWISE_IN_TIME && whole <= FARTHEST_EDGE {
+        while self.stepper.exact().piecewise_in_time() && whole <= FARTHEST_EDGE {
             let apart = self.spacing(h, whole)?;
             if apart == 0 {
                 whole *= 2;
@@ -273,8 +278,8 @@ impl<H: Hamiltonian, X: Method<H>> Problem<'_, H, X> {
     fn spacing(&self, h: f64, whole: u64) -> Result<u64, CheckError> {
         let span = (PARTS * whole) as f64 * h;
         let ends = self.path(span, whole).map_or(Vec::new(), |path| path.ends);
-        let points: Vec<_> = ends.into_iter().chain([self.start.phase.clone()]).collect();
-        spacing(self.system, &points, self.start.time, h, PARTS * whole)
+        let points: Vec<Flat> = ends.into_iter().chain([self.start.phase.clone()]).collect();
+        self.stepper.spacing(&points, self.start.time, h, PARTS * whole)
     }
 
     /// Whether halving the coarsest step changes little beside the motion itself. No reference is needed to tell: the
@@ -291,7 +296,7 @@ impl<H: Hamiltonian, X: Method<H>> Problem<'_, H, X> {
     /// The slope over one span.
     fn order(&self, grid: Grid) -> Slope {
         let Grid { span, whole, ladder } = grid;
-        let exact = reference(self.system, &self.start, span, whole, SHORT);
+        let exact = reference(self.stepper.exact(), &self.start, span, whole, SHORT);
         let scale = exact.scale;
         // Both states are compensated, so that their sums lose nothing: each is rounded when it is seen. What is left
         // are the roundings of the flows, a few ε of what each adds to the state. These parts of the excursion, forth
@@ -323,25 +328,12 @@ impl<H: Hamiltonian, X: Method<H>> Problem<'_, H, X> {
             span,
             followed: span,
         });
-        let lever = LEVER.powi(self.method.facts().order as i32);
+        let lever = LEVER.powi(self.stepper.facts().order as i32);
         Slope { order: slope.ok_or(too_few), known: within(plateau, COARSEST_ERROR / CLEARANCE / lever) }
     }
 }
 
 /// The motion of a compensated run from `start` over `span`, in `steps` steps for each part.
-pub(crate) fn path<H: Hamiltonian, X: Method<H>>(
-    system: &H,
-    method: X,
-    start: &Start<H::Coords>,
-    span: f64,
-    steps: u64,
-) -> Result<Path<H::Coords>, Error> {
-    let h = span / (PARTS * steps) as f64;
-    let mut run = compensated_run(system, method, start, h)?;
-    let mut ends = Vec::with_capacity(PARTS as usize);
-    for _ in 0..PARTS {
-        run.advance(steps)?;
-        ends.push(plain::<H, Compensated<f64>>(&run.state()));
-    }
-    Ok(Path { start: start.phase.clone(), ends })
+pub(crate) fn path(stepper: &dyn Stepper, start: &Start<Vec<f64>>, span: f64, steps: u64) -> Result<Path, Error> {
+    stepper.path(start, span / (PARTS * steps) as f64, PARTS, steps)
 }

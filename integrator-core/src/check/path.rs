@@ -3,10 +3,9 @@
 //! Always true: positions are measured against positions and momenta against momenta, so that units cancel, and a
 //! displacement against a displacement, so that the origin of the coordinates does not matter.
 
-use crate::{
-    check::tolerance::{largest, length, ratio},
-    coords::Coords,
-    phase::Phase,
+use crate::check::{
+    points::Flat,
+    tolerance::{largest, length, ratio},
 };
 
 /// Into how many equal parts a time is divided. Errors are taken over all of their ends, because at a single time the
@@ -15,9 +14,9 @@ pub(crate) const PARTS: u64 = 4;
 
 /// A start, and where the motion is at the end of each part of a time, mostly of [`PARTS`] of them.
 #[derive(Clone)]
-pub(crate) struct Path<C> {
-    pub(crate) start: Phase<C>,
-    pub(crate) ends: Vec<Phase<C>>,
+pub(crate) struct Path {
+    pub(crate) start: Flat,
+    pub(crate) ends: Vec<Flat>,
 }
 
 /// One number for positions, one for momenta.
@@ -32,7 +31,7 @@ impl Scale {
 
     /// How far a motion went that was this far before and now is at `point`. At the few ends of a path alone, a periodic
     /// motion may be back at its start.
-    pub(crate) fn reaching<C: Coords<Leaf = f64>>(self, start: &Phase<C>, point: &Phase<C>) -> Self {
+    pub(crate) fn reaching(self, start: &Flat, point: &Flat) -> Self {
         Self {
             q: largest([self.q, separation(&point.q, &start.q)]),
             p: largest([self.p, separation(&point.p, &start.p)]),
@@ -40,7 +39,7 @@ impl Scale {
     }
 }
 
-impl<C: Coords<Leaf = f64>> Path<C> {
+impl Path {
     /// The farthest from the start that the motion was seen.
     pub(crate) fn excursion(&self) -> Scale {
         self.ends.iter().fold(Scale::ZERO, |scale, end| scale.reaching(&self.start, end))
@@ -50,8 +49,8 @@ impl<C: Coords<Leaf = f64>> Path<C> {
     pub(crate) fn magnitude(&self) -> Scale {
         let points = || self.ends.iter().chain([&self.start]);
         Scale {
-            q: largest(points().map(|point| length(point.q.flat().iter().copied()))),
-            p: largest(points().map(|point| length(point.p.flat().iter().copied()))),
+            q: largest(points().map(|point| length(point.q.iter().copied()))),
+            p: largest(points().map(|point| length(point.p.iter().copied()))),
         }
     }
 
@@ -71,6 +70,6 @@ impl<C: Coords<Leaf = f64>> Path<C> {
 }
 
 /// The Euclidean distance of two sets of coordinates.
-fn separation<C: Coords<Leaf = f64>>(one: &C, other: &C) -> f64 {
-    length(one.flat().iter().zip(other.flat()).map(|(one, other)| one - other))
+fn separation(one: &[f64], other: &[f64]) -> f64 {
+    length(one.iter().zip(other).map(|(one, other)| one - other))
 }

@@ -21,6 +21,41 @@ pub(crate) fn plain<H: Hamiltonian, K: Keep>(point: &Phase<Shaped<H, K>>) -> Pha
     Phase { q: point.q.map(|leaf| leaf.to_f64()), p: point.p.map(|leaf| leaf.to_f64()) }
 }
 
+/// A point without its shape: all numbers of its positions, and all of its momenta.
+pub(crate) type Flat = Phase<Vec<f64>>;
+
+/// The values of a point without its shape.
+pub(crate) fn flat<C: Coords>(point: &Phase<C>) -> Flat {
+    Phase { q: values(point.q.flat()), p: values(point.p.flat()) }
+}
+
+fn values<K: Keep>(leaves: &[K]) -> Vec<f64> {
+    let mut values = Vec::with_capacity(leaves.len());
+    for leaf in leaves {
+        values.push(leaf.to_f64());
+    }
+    values
+}
+
+/// A start without its shape.
+pub(crate) fn flat_start<C: Coords>(start: &Start<C>) -> Start<Vec<f64>> {
+    Start { phase: flat(&start.phase), time: start.time }
+}
+
+/// The point with these numbers, in the shape of another one.
+pub(crate) fn shaped<C: Coords<Leaf = f64>>(like: &Phase<C>, numbers: &Flat) -> Phase<C> {
+    let mut point = like.clone();
+    overwrite(point.q.flat_mut(), &numbers.q);
+    overwrite(point.p.flat_mut(), &numbers.p);
+    point
+}
+
+fn overwrite(numbers: &mut [f64], with: &[f64]) {
+    for (number, with) in numbers.iter_mut().zip(with) {
+        *number = *with;
+    }
+}
+
 /// The values of a start, if a run may begin there.
 pub(crate) fn begin<H: Hamiltonian, X: Method<H>, K: Keep>(
     system: &H,
@@ -55,10 +90,9 @@ pub(crate) fn run<H: Hamiltonian, X: Method<H>, K: Keep>(
 pub(crate) fn compensated_run<H: Hamiltonian, X: Method<H>>(
     system: &H,
     method: X,
-    start: &Start<H::Coords>,
+    Start { phase, time }: Start<H::Coords>,
     h: f64,
 ) -> Result<Run<Shaped<H, Compensated<f64>>>, Error> {
-    let Start { phase, time } = start.clone();
     run::<H, Baseline<X>, Compensated<f64>>(
         system,
         Baseline(method),

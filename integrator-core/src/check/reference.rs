@@ -11,14 +11,12 @@
 
 use crate::{
     check::{
+        exact::Exact,
         march::March,
         path::{Path, Scale},
-        series::{is_written, series},
         start::Start,
         tolerance::within,
     },
-    coords::Coords,
-    hamiltonian::Hamiltonian,
     taylor::Taylor,
 };
 
@@ -39,8 +37,8 @@ const LOOKS: u64 = 251;
 const ROUNDINGS: f64 = 32.0;
 
 /// The exact motion as far as it is known.
-pub(crate) struct Reference<C> {
-    pub(crate) path: Path<C>,
+pub(crate) struct Reference {
+    pub(crate) path: Path,
     /// What it is held against: of a march, the next coarser one.
     ///
     /// Of a series, another one. A compensated state loses nothing, so that the errors of a series are these: each
@@ -50,12 +48,12 @@ pub(crate) struct Reference<C> {
     /// independent: the root of the mean square of the differences, over four times and all coordinates, is √2 of those of
     /// one. What truncation leaves is 100 times larger in the other one. Over less than an expansion both round alike,
     /// by little more than one rounding of a state.
-    pub(crate) other: Path<C>,
+    pub(crate) other: Path,
     /// How far the motion goes, seen at more times than the ends of the path.
     pub(crate) scale: Scale,
 }
 
-impl<C: Coords<Leaf = f64>> Reference<C> {
+impl Reference {
     /// How far the two are apart: above the error, for a march of any order.
     pub(crate) fn uncertainty(&self) -> f64 {
         self.path.distance(&self.other, self.scale)
@@ -68,13 +66,13 @@ impl<C: Coords<Leaf = f64>> Reference<C> {
 }
 
 /// The motion of `system` from `start` over `span`, of which a run takes `whole` steps in each part.
-pub(crate) fn reference<H: Hamiltonian>(
-    system: &H,
-    start: &Start<H::Coords>,
+pub(crate) fn reference(
+    system: &dyn Exact,
+    start: &Start<Vec<f64>>,
     span: f64,
     whole: u64,
     halvings: i32,
-) -> Reference<H::Coords> {
+) -> Reference {
     let march = || March::new(system, start).within_steps(whole).refined(span);
     by_series(system, start, span, halvings).unwrap_or_else(march)
 }
@@ -84,27 +82,23 @@ pub(crate) fn reference<H: Hamiltonian>(
 /// It is confirmed over each of `span`, its half, its quarter, ... that flows follow in coarse steps, down to the one
 /// that they follow to the rounding: the long ones see more, and the short ones more exactly. `halvings` is how often
 /// the time is halved at most, which bounds the number of expansions. A polynomial does not know of pieces in time.
-pub(crate) fn by_series<H: Hamiltonian>(
-    system: &H,
-    start: &Start<H::Coords>,
-    span: f64,
-    halvings: i32,
-) -> Option<Reference<H::Coords>> {
-    let expanded = |span, method, looks| series(system, start, span, method, looks);
-    if is_written::<H>() && !H::PIECEWISE_IN_TIME {
-        confirmed(expanded, &March::new(system, start), span, halvings)
+pub(crate) fn by_series(system: &dyn Exact, start: &Start<Vec<f64>>, span: f64, halvings: i32) -> Option<Reference> {
+    if system.is_expanded() && !system.piecewise_in_time() {
+        confirmed(system, start, &March::new(system, start), span, halvings)
     } else {
         None
     }
 }
 
 /// A series that flows confirm.
-fn confirmed<H: Hamiltonian>(
-    series: impl Fn(f64, Taylor, u64) -> Option<(Path<H::Coords>, Scale)>,
-    march: &March<'_, H>,
+fn confirmed(
+    expanded: &dyn Exact,
+    start: &Start<Vec<f64>>,
+    march: &March<'_>,
     span: f64,
     halvings: i32,
-) -> Option<Reference<H::Coords>> {
+) -> Option<Reference> {
+    let series = |span, method, looks| expanded.series(start, span, method, looks);
     let [finer, other] = TOLERANCES.map(Taylor::tolerance);
     let mut is_confirmed = false;
     for halving in 0..=halvings {
@@ -133,7 +127,12 @@ fn confirmed<H: Hamiltonian>(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{hamiltonian, phase::Phase};
+    use crate::{
+        check::{exact::Motions, points::flat},
+        hamiltonian,
+        hamiltonian::Hamiltonian,
+        phase::Phase,
+    };
 
     struct Pendulum {
         gravity: f64,
@@ -207,7 +206,7 @@ mod tests {
     }
 
     fn agree<H: Hamiltonian>(system: &H, start: Phase<H::Coords>) {
-        let start = start.at_time(0.0);
+        let (system, start) = (&Motions { system, shape: &start }, flat(&start).at_time(0.0));
         for span in [0.1, 1.0, 5.0, 20.0, -20.0] {
             let series = by_series(system, &start, span, 8).expect("a series");
             let flows = March::new(system, &start).refined(span);
@@ -231,16 +230,12 @@ mod tests {
 
     #[test]
     fn a_series_of_another_system_is_not_trusted() {
-        let start = Phase::new([2.0], [0.0]).at_time(0.0);
+        let shape = &Phase::new([2.0], [0.0]);
+        let start = flat(shape).at_time(0.0);
         let (system, heavier) = (Pendulum { gravity: 1.0 }, Pendulum { gravity: 1.0 + 1e-9 });
         let trusted = |of: &Pendulum, span| {
-            confirmed(
-                |span, method, looks| series(of, &start, span, method, looks),
-                &March::new(&system, &start),
-                span,
-                20,
-            )
-            .is_some()
+            let [of, flows] = [of, &system].map(|system| Motions { system, shape });
+            confirmed(&of, &start, &March::new(&flows, &start), span, 20).is_some()
         };
         for span in [1.0, 5.0, 1e4] {
             assert!(trusted(&system, span) && !trusted(&heavier, span), "{span}");
@@ -251,20 +246,22 @@ mod tests {
     fn flows_lead_where_a_series_is_blind() {
         let cases = [(Blind { kink: 1.0, wall: 0.0 }, [1.0], [0.0]), (Blind { kink: 0.0, wall: 1.0 }, [0.0], [1.0])];
         for (system, q, p) in cases {
-            let start = Phase::new(q, p).at_time(0.0);
+            let shape = &Phase::new(q, p);
+            let (system, start) = (&Motions { system: &system, shape }, flat(shape).at_time(0.0));
             for span in [4.0, 400.0] {
-                assert!(series(&system, &start, span, Taylor::tolerance(1e-20), 1).is_some());
-                assert!(by_series(&system, &start, span, 20).is_none());
+                assert!(system.series(&start, span, Taylor::tolerance(1e-20), 1).is_some());
+                assert!(by_series(system, &start, span, 20).is_none());
             }
-            let (found, march) = (reference(&system, &start, 4.0, 1, 8), March::new(&system, &start).refined(4.0));
+            let (found, march) = (reference(system, &start, 4.0, 1, 8), March::new(system, &start).refined(4.0));
             assert_eq!(found.path.ends, march.path.ends);
         }
     }
 
     #[test]
     fn a_long_time_is_known_by_series_alone() {
-        let start = Phase::new([0.4, 0.0], [0.0, 2.0]).at_time(0.0);
-        let uncertainty = |halvings| reference(&Kepler, &start, 1e3, 1, halvings).uncertainty();
+        let shape = &Phase::new([0.4, 0.0], [0.0, 2.0]);
+        let (system, start) = (&Motions { system: &Kepler, shape }, flat(shape).at_time(0.0));
+        let uncertainty = |halvings| reference(system, &start, 1e3, 1, halvings).uncertainty();
         // A rounding of the energy turns the phase ever more: by 1e-16 in each of some thousand steps, times the time.
         assert!(within(uncertainty(20), 1e-16 * 1e3 * 1e3), "{:e}", uncertainty(20));
         assert!(!within(uncertainty(0), FOLLOWED), "{:e}", uncertainty(0));

@@ -6,7 +6,7 @@
 use crate::{
     check::{
         path::{PARTS, Path, Scale},
-        points::plain,
+        points::flat,
         start::Start,
     },
     clock::Clock,
@@ -44,7 +44,7 @@ pub(crate) fn series<H: Hamiltonian>(
     span: f64,
     method: Taylor,
     looks: u64,
-) -> Option<(Path<H::Coords>, Scale)> {
+) -> Option<(Path, Scale)> {
     let mut expansion = Expansion::<H> { system, start, span, method, looks, found: None };
     H::visit_recurrences(&mut expansion);
     expansion.found
@@ -56,7 +56,7 @@ struct Expansion<'s, H: Hamiltonian> {
     span: f64,
     method: Taylor,
     looks: u64,
-    found: Option<(Path<H::Coords>, Scale)>,
+    found: Option<(Path, Scale)>,
 }
 
 impl<H: Hamiltonian> RecurrencesVisitor<H> for Expansion<'_, H> {
@@ -69,6 +69,7 @@ impl<H: Hamiltonian> RecurrencesVisitor<H> for Expansion<'_, H> {
         let mut state = Phase::compensated(start.q.clone(), start.p.clone());
         let mut motion = <Taylor as Method<H>>::Motion::<f64, Compensated<f64>>::load(&|_| (&*constants, &state));
         let moves = <Taylor as Method<H>>::moves::<f64, Compensated<f64>>();
+        let begin = flat(start);
         let (mut ends, mut scale) = (Vec::with_capacity(PARTS as usize), Scale::ZERO);
         for step in 1..=PARTS * looks {
             // Ends of parts are multiples of a part, whatever the looks between them round.
@@ -79,12 +80,12 @@ impl<H: Hamiltonian> RecurrencesVisitor<H> for Expansion<'_, H> {
                 return;
             }
             motion.store(0, &mut state);
-            let point = plain::<H, Compensated<f64>>(&state);
-            scale = scale.reaching(start, &point);
+            let point = flat(&state);
+            scale = scale.reaching(&begin, &point);
             if is_end {
                 ends.push(point);
             }
         }
-        self.found = Some((Path { start: start.clone(), ends }, scale));
+        self.found = Some((Path { start: begin, ends }, scale));
     }
 }

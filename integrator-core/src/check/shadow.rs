@@ -160,7 +160,7 @@ fn course<H: QuadraticKinetic, X: Composition<H> + Shadowed>(
     h: f64,
     steps: u64,
 ) -> Result<Course, CheckError> {
-    let mut run = compensated_run(system, X::default(), start, h)?;
+    let mut run = compensated_run(system, X::default(), start.clone(), h)?;
     let at = |point: &Phase<H::Coords>| Point::<H> { parameters, point }.energies(&X::TERMS, h);
     let (first, mut terms) = at(&start.phase);
     let mut changes: [Vec<f64>; 3] = Default::default();

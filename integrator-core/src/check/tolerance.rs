@@ -27,7 +27,7 @@ pub(crate) fn length(values: impl IntoIterator<Item = f64>) -> f64 {
 
 /// Not generic, so that checks do not compile a loop for every kind of iterator.
 fn each(values: &mut dyn Iterator<Item = f64>, what: &mut dyn FnMut(f64)) {
-    while let Some(value) = values.next() {
+    for value in values {
         what(value);
     }
 }

@@ -6,9 +6,10 @@ use crate::{
     check::{
         CheckError,
         edges::{fewest_steps, greatest_common_divisor},
+        exact::Motions,
         path::{PARTS, Path, Scale},
-        points::{compensated_run, plain},
-        reference::by_series,
+        points::{compensated_run, flat, flat_start, plain, shaped},
+        reference::{Reference, by_series},
         start::Start,
         tolerance::{largest, ratio, within},
     },
@@ -17,7 +18,7 @@ use crate::{
     hamiltonian::{Hamiltonian, Motion, Shaped},
     phase::Phase,
     run::Run,
-    slot::{Compensated, Keep},
+    slot::Keep,
 };
 use std::time::Instant;
 
@@ -50,7 +51,7 @@ pub(super) struct Problem<'s, H: Hamiltonian, K: Keep> {
     pub(super) span: f64,
     pub(super) goal: Goal,
     /// The true motion and how far it goes; none where the energy is the goal.
-    exact: Option<(Path<H::Coords>, Scale)>,
+    exact: Option<(Path, Scale)>,
     /// Of what numbers of steps are multiples: of the parts in which the motion is seen, and where the Hamiltonian is defined by
     /// pieces in time, of the steps that end where these do.
     unit: u64,
@@ -74,6 +75,7 @@ impl<'s, H: Hamiltonian, K: Keep> Problem<'s, H, K> {
     fn over_edges(&self) -> Result<u64, ChooseError> {
         let start = self.begins();
         let seen = self.reference(SEEN).map(|(path, _)| path.ends).unwrap_or_default();
+        let seen: Vec<_> = seen.iter().map(|point| shaped(&start.phase, point)).collect();
         let points: Vec<_> = [start.phase].into_iter().chain(seen).collect();
         match fewest_steps(self.system, &points, start.time, self.span) {
             Ok(steps) => Ok(steps * (PARTS / greatest_common_divisor(steps, PARTS))),
@@ -93,15 +95,15 @@ impl<'s, H: Hamiltonian, K: Keep> Problem<'s, H, K> {
 
     /// The true motion: a Taylor series, or a run of order 10 with a compensated state, its step halved until that changes
     /// nothing.
-    fn followed(&self, tolerance: f64) -> Result<(Path<H::Coords>, Scale), ChooseError> {
-        if let Some(exact) = by_series(self.system, &self.begins(), self.span, HALVINGS)
+    fn followed(&self, tolerance: f64) -> Result<(Path, Scale), ChooseError> {
+        if let Some(exact) = self.by_series()
             && within(exact.uncertainty() * MARGIN, tolerance)
         {
             return Ok((exact.path, exact.scale));
         }
         let mut changes = [f64::INFINITY; 2];
         let mut least = f64::INFINITY;
-        let mut coarse: Option<(Path<H::Coords>, Scale)> = None;
+        let mut coarse: Option<(Path, Scale)> = None;
         let mut steps = self.unit;
         while steps <= MOST_EVALUATIONS {
             let fine = self.reference(steps).ok();
@@ -123,20 +125,26 @@ impl<'s, H: Hamiltonian, K: Keep> Problem<'s, H, K> {
     }
 
     /// One refinement of the true motion. How far it goes is looked at after every step.
-    fn reference(&self, steps: u64) -> Result<(Path<H::Coords>, Scale), Error> {
+    fn reference(&self, steps: u64) -> Result<(Path, Scale), Error> {
         let start = self.begins();
-        let mut run = compensated_run(self.system, SofroniouSpaletta10, &start, self.span / steps as f64)?;
-        let start = start.phase;
+        let begin = flat(&start.phase);
+        let mut run = compensated_run(self.system, SofroniouSpaletta10, start, self.span / steps as f64)?;
         let (mut ends, mut scale) = (Vec::with_capacity(PARTS as usize), Scale::ZERO);
         for step in 1..=steps {
             run.advance(1)?;
-            let state = plain::<H, Compensated<f64>>(&run.state());
-            scale = scale.reaching(&start, &state);
+            let state = flat(&run.state());
+            scale = scale.reaching(&begin, &state);
             if step % (steps / PARTS) == 0 {
                 ends.push(state);
             }
         }
-        Ok((Path { start, ends }, scale))
+        Ok((Path { start: begin, ends }, scale))
+    }
+
+    /// The true motion by a Taylor series, where there is one.
+    fn by_series(&self) -> Option<Reference> {
+        let start = self.begins();
+        by_series(&Motions { system: self.system, shape: &start.phase }, &flat_start(&start), self.span, HALVINGS)
     }
 
     /// The error of a candidate in `steps` steps, a multiple of [`PARTS`]; infinite where the run breaks off.
@@ -157,14 +165,14 @@ impl<'s, H: Hamiltonian, K: Keep> Problem<'s, H, K> {
         (candidate.begin)(self.system, &self.start, self.span / steps as f64)
     }
 
-    fn ends(&self, candidate: &Candidate<H, K>, steps: u64) -> Result<Path<H::Coords>, Error> {
+    fn ends(&self, candidate: &Candidate<H, K>, steps: u64) -> Result<Path, Error> {
         let mut run = self.begin(candidate, steps)?;
         let mut ends = Vec::with_capacity(PARTS as usize);
         for _ in 0..PARTS {
             run.advance(steps / PARTS)?;
-            ends.push(plain::<H, K>(&run.state()));
+            ends.push(flat(&run.state()));
         }
-        Ok(Path { start: self.begins().phase, ends })
+        Ok(Path { start: flat(&self.start.phase), ends })
     }
 
     fn deviation(&self, candidate: &Candidate<H, K>, steps: u64) -> Result<f64, Error> {
