@@ -54,7 +54,7 @@
 //!
 //! # Features
 //!
-//! `check`, on by default: the measurements behind certificates. It brings nalgebra and num-dual; a program that only
+//! `check`, on by default: the measurements behind certificates. It brings nalgebra; a program that only
 //! steps turns it off and compiles neither.
 //!
 //! `std`, on by default: what takes an operating system. Without it, and with the feature `libm` for elementary functions,

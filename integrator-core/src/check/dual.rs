@@ -5,88 +5,160 @@
 //! number or infinite, never as a plausible number.
 
 use crate::real::{Real, compared, elementary_functions, real_of_two_parts};
-use num_dual::{Dual64, DualNum};
-use std::ops::{Add, Div, Mul, Neg, Sub};
+use std::{
+    f64::consts::{LN_2, LN_10},
+    ops::{Add, Div, Mul, Neg, Sub},
+};
 
 /// A number in `f64` and its first derivative along one direction.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Dual(Dual64);
+pub(crate) struct Dual {
+    re: f64,
+    eps: f64,
+}
 
 impl Dual {
-    /// The number `value` that changes by `tangent`.
-    fn new(value: f64, tangent: f64) -> Self {
-        Self(Dual64::new(value, tangent))
+    /// The number `re` that changes by `eps`.
+    fn new(re: f64, eps: f64) -> Self {
+        Self { re, eps }
     }
 
     /// A function of this number that has the value `value` and the derivative `slope` here.
     fn chain(self, value: f64, slope: f64) -> Self {
-        Self::new(value, slope * self.0.eps)
+        Self::new(value, slope * self.eps)
     }
 }
 
-macro_rules! operators {
-    ($($trait:ident $method:ident;)*) => {$(
-        impl $trait for Dual {
-            type Output = Self;
-            #[inline]
-            fn $method(self, other: Self) -> Self {
-                Self($trait::$method(self.0, other.0))
-            }
-        }
-    )*};
+impl Add for Dual {
+    type Output = Self;
+    #[inline]
+    fn add(self, other: Self) -> Self {
+        Self::new(self.re + other.re, self.eps + other.eps)
+    }
 }
-operators! {
-    Add add;
-    Sub sub;
-    Mul mul;
-    Div div;
+
+impl Sub for Dual {
+    type Output = Self;
+    #[inline]
+    fn sub(self, other: Self) -> Self {
+        Self::new(self.re - other.re, self.eps - other.eps)
+    }
+}
+
+impl Mul for Dual {
+    type Output = Self;
+    #[inline]
+    fn mul(self, other: Self) -> Self {
+        Self::new(self.re * other.re, self.eps * other.re + self.re * other.eps)
+    }
+}
+
+impl Div for Dual {
+    type Output = Self;
+    #[inline]
+    fn div(self, other: Self) -> Self {
+        let value = self.re / other.re;
+        Self::new(value, (self.eps - value * other.eps) / other.re)
+    }
 }
 
 impl Neg for Dual {
     type Output = Self;
     #[inline]
     fn neg(self) -> Self {
-        Self(-self.0)
+        Self::new(-self.re, -self.eps)
     }
 }
 
-/// A function of one argument: num-dual's, but for those that it lacks or that overflow there.
-macro_rules! unary {
-    (abs $x:expr) => {
-        $x.chain($x.0.re.abs(), $x.0.re.signum())
+/// The slope of a function of one argument at `x`, where it has this value.
+macro_rules! slope {
+    (sqrt $x:ident $value:ident) => {
+        0.5 / $value
     };
-    (signum $x:expr) => {
-        $x.chain($x.0.re.signum(), 0.0)
+    (cbrt $x:ident $value:ident) => {
+        1.0 / (3.0 * $value * $value)
     };
-    // Steps have the slope zero wherever they have one.
-    (floor $x:expr) => {
-        $x.chain($x.0.re.floor(), 0.0)
+    (exp $x:ident $value:ident) => {
+        $value
     };
-    (ceil $x:expr) => {
-        $x.chain($x.0.re.ceil(), 0.0)
+    (exp2 $x:ident $value:ident) => {
+        LN_2 * $value
     };
-    (trunc $x:expr) => {
-        $x.chain($x.0.re.trunc(), 0.0)
+    (exp_m1 $x:ident $value:ident) => {
+        $x.exp()
     };
-    (round $x:expr) => {
-        $x.chain($x.0.re.round(), 0.0)
+    (ln $x:ident $value:ident) => {
+        1.0 / $x
+    };
+    (ln_1p $x:ident $value:ident) => {
+        1.0 / (1.0 + $x)
+    };
+    (log2 $x:ident $value:ident) => {
+        1.0 / (LN_2 * $x)
+    };
+    (log10 $x:ident $value:ident) => {
+        1.0 / (LN_10 * $x)
+    };
+    (sin $x:ident $value:ident) => {
+        $x.cos()
+    };
+    (cos $x:ident $value:ident) => {
+        -$x.sin()
+    };
+    (tan $x:ident $value:ident) => {
+        1.0 + $value * $value
+    };
+    (asin $x:ident $value:ident) => {
+        1.0 / ((1.0 - $x) * (1.0 + $x)).sqrt()
+    };
+    (acos $x:ident $value:ident) => {
+        -1.0 / ((1.0 - $x) * (1.0 + $x)).sqrt()
+    };
+    (atan $x:ident $value:ident) => {
+        1.0 / (1.0 + $x * $x)
+    };
+    (sinh $x:ident $value:ident) => {
+        $x.cosh()
+    };
+    (cosh $x:ident $value:ident) => {
+        $x.sinh()
     };
     // sinh / cosh is inf / inf from 711 on; 1 - tanh² has no such end.
-    (tanh $x:expr) => {{
-        let value = $x.0.re.tanh();
-        $x.chain(value, 1.0 - value * value)
-    }};
-    ($function:ident $x:expr) => {
-        Dual(DualNum::$function(&$x.0))
+    (tanh $x:ident $value:ident) => {
+        1.0 - $value * $value
+    };
+    (asinh $x:ident $value:ident) => {
+        1.0 / $x.hypot(1.0)
+    };
+    (acosh $x:ident $value:ident) => {
+        1.0 / (($x - 1.0) * ($x + 1.0)).sqrt()
+    };
+    (atanh $x:ident $value:ident) => {
+        1.0 / ((1.0 - $x) * (1.0 + $x))
+    };
+    (abs $x:ident $value:ident) => {
+        $x.signum()
+    };
+    // Steps have the slope zero wherever they have one: signum, floor, ceil, trunc, round.
+    ($step:ident $x:ident $value:ident) => {
+        0.0
     };
 }
 
-/// A function of two arguments. None is num-dual's: it raises to constant powers only and divides in atan2, where the
-/// axis x = 0 is no exception.
+/// A function of one argument.
+macro_rules! unary {
+    ($function:ident $x:expr) => {{
+        let x = $x.re;
+        let value = x.$function();
+        $x.chain(value, slope!($function x value))
+    }};
+}
+
+/// A function of two arguments.
 macro_rules! binary {
     // d(xʸ) = y·x^(y-1) dx + xʸ·ln x dy; a constant exponent must not meet the logarithm of a negative base.
     (powf $x:expr, $y:expr) => {{
-        let (Dual64 { re: base, eps: of_base, .. }, Dual64 { re: exponent, eps: of_exponent, .. }) = ($x.0, $y.0);
+        let (Dual { re: base, eps: of_base }, Dual { re: exponent, eps: of_exponent }) = ($x, $y);
         let value = base.powf(exponent);
         let by_base = if exponent == 0.0 { 0.0 } else { exponent * base.powf(exponent - 1.0) * of_base };
         let by_exponent = if of_exponent == 0.0 { 0.0 } else { value * base.ln() * of_exponent };
@@ -94,32 +166,32 @@ macro_rules! binary {
     }};
     // d atan2(y, x) = (x dy - y dx) / (x² + y²), divided by the hypotenuse twice so that no square overflows.
     (atan2 $y:expr, $x:expr) => {{
-        let (y, x) = ($y.0, $x.0);
+        let (y, x) = ($y, $x);
         let radius = y.re.hypot(x.re);
         Dual::new(y.re.atan2(x.re), (x.re / radius * y.eps - y.re / radius * x.eps) / radius)
     }};
     (hypot $x:expr, $y:expr) => {{
-        let (x, y) = ($x.0, $y.0);
+        let (x, y) = ($x, $y);
         let radius = x.re.hypot(y.re);
         Dual::new(radius, x.re / radius * x.eps + y.re / radius * y.eps)
     }};
     // x - n y, with the whole number n that stays the same nearby.
     (remainder $x:expr, $y:expr) => {{
-        let (x, y) = ($x.0, $y.0);
+        let (x, y) = ($x, $y);
         let by_y = if y.eps == 0.0 { 0.0 } else { (x.re / y.re).trunc() * y.eps };
         Dual::new(x.re % y.re, x.eps - by_y)
     }};
     // As in std, a NaN gives way to the other argument; the tangent goes with the value.
     (min $x:expr, $y:expr) => {
-        if $x.0.re <= $y.0.re || $y.0.re.is_nan() { $x } else { $y }
+        if $x.re <= $y.re || $y.re.is_nan() { $x } else { $y }
     };
     (max $x:expr, $y:expr) => {
-        if $x.0.re >= $y.0.re || $y.0.re.is_nan() { $x } else { $y }
+        if $x.re >= $y.re || $y.re.is_nan() { $x } else { $y }
     };
 }
 
 elementary_functions!(real_of_two_parts! {
-    Dual: inline; lanes of self: self.0.re, self.0.eps;
+    Dual: inline; lanes of self: self.re, self.eps;
     {
         type Mask = bool;
 
@@ -137,22 +209,22 @@ elementary_functions!(real_of_two_parts! {
             value: impl Fn(usize, [f64; N]) -> f64,
             slopes: impl Fn(usize, [f64; N]) -> [f64; N],
         ) -> Self {
-            let at = arguments.map(|argument| argument.0.re);
+            let at = arguments.map(|argument| argument.re);
             // A slope that is not known is no number; it must not touch what does not move.
-            let along = |(slope, argument): (f64, Self)| match argument.0.eps {
+            let along = |(slope, argument): (f64, Self)| match argument.eps {
                 0.0 => 0.0,
                 tangent => slope * tangent,
             };
             Self::new(value(0, at), slopes(0, at).into_iter().zip(arguments).map(along).sum())
         }
         fn sin_cos(self) -> (Self, Self) {
-            let (sine, cosine) = DualNum::sin_cos(&self.0);
-            (Self(sine), Self(cosine))
+            let (sine, cosine) = self.re.sin_cos();
+            (self.chain(sine, cosine), self.chain(cosine, -sine))
         }
         fn finite(self) -> bool {
-            self.0.re.is_finite() && self.0.eps.is_finite()
+            self.re.is_finite() && self.eps.is_finite()
         }
-        compared!(0.re);
+        compared!(re);
     }
 });
 

@@ -147,7 +147,10 @@ fn balance(map: &mut DMatrix<f64>) {
 mod tests {
     use super::*;
     use crate::check::tolerance::within;
-    use nalgebra::dmatrix;
+
+    fn rows<const N: usize>(rows: [[f64; N]; N]) -> DMatrix<f64> {
+        DMatrix::from_row_slice(N, N, rows.as_flattened())
+    }
 
     /// The defect of a map, in balanced units.
     fn size(mut map: DMatrix<f64>) -> f64 {
@@ -158,9 +161,9 @@ mod tests {
 
     #[test]
     fn a_shear_is_symplectic_and_a_stretch_is_not() {
-        assert_eq!(size(dmatrix![1.0, 0.5; 0.0, 1.0] * dmatrix![1.0, 0.0; -0.25, 1.0]), 0.0);
-        assert_eq!(size(dmatrix![2.0, 0.0; 0.0, 1.0]), 1.0);
-        assert!(size(dmatrix![1.0, f64::NAN; 0.0, 1.0]).is_nan());
+        assert_eq!(size(rows([[1.0, 0.5], [0.0, 1.0]]) * rows([[1.0, 0.0], [-0.25, 1.0]])), 0.0);
+        assert_eq!(size(rows([[2.0, 0.0], [0.0, 1.0]])), 1.0);
+        assert!(size(rows([[1.0, f64::NAN], [0.0, 1.0]])).is_nan());
     }
 
     #[test]
@@ -168,20 +171,20 @@ mod tests {
         // Two bodies, a light and a heavy one, that pull on each other: q gains p/m, then p gains the force.
         let (light, heavy, stiffness) = (1e-9, 1e3, 3e-7);
         let drift = |m: f64| 0.1 / m;
-        let drift = dmatrix![
-            1.0, 0.0, drift(light), 0.0;
-            0.0, 1.0, 0.0, drift(heavy);
-            0.0, 0.0, 1.0, 0.0;
-            0.0, 0.0, 0.0, 1.0
-        ];
+        let drift = rows([
+            [1.0, 0.0, drift(light), 0.0],
+            [0.0, 1.0, 0.0, drift(heavy)],
+            [0.0, 0.0, 1.0, 0.0],
+            [0.0, 0.0, 0.0, 1.0],
+        ]);
         let kick = |on_light: f64| {
             let force = 0.1 * stiffness;
-            dmatrix![
-                1.0, 0.0, 0.0, 0.0;
-                0.0, 1.0, 0.0, 0.0;
-                -force, on_light * force, 1.0, 0.0;
-                force, -force, 0.0, 1.0
-            ]
+            rows([
+                [1.0, 0.0, 0.0, 0.0],
+                [0.0, 1.0, 0.0, 0.0],
+                [-force, on_light * force, 1.0, 0.0],
+                [force, -force, 0.0, 1.0],
+            ])
         };
         // A hundredth is the square of the step, 0.1, times that of a frequency of about one.
         assert!(within(size(&kick(1.0) * &drift), 8.0 * f64::EPSILON));
