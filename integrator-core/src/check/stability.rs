@@ -154,5 +154,7 @@ fn frequency<H: Hamiltonian>(parameters: &H::Parameters<f64>, point: &Phase<H::C
         let pull = force.flow::<Dual>(&at_rest, &tangent(direction, 0), 1);
         velocity.flow::<Dual>(&at_origin, &tangent(&pull, length), 1)
     });
-    squared.map_or(f64::NAN, |values| largest(values.iter().map(|value| value.sqrt().re)))
+    squared.map_or(f64::NAN, |values| {
+        largest(values.iter().map(|value| value.re.hypot(value.im).sqrt() * (value.im.atan2(value.re) / 2.0).cos()))
+    })
 }
