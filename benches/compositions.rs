@@ -1,4 +1,4 @@
-//! The time of a force evaluation inside every composition, against Verlet's: `cargo bench --bench compositions`.
+//! The time of a force evaluation inside every composition, against Verlet's: `cargo bench -p integrator --bench compositions`.
 //!
 //! A run loops over a static table of stages, so a step of 35 stages should cost 35 times that of Verlet. The last lines,
 //! `ratio_<problem>_<composition>=`, are nanoseconds per force evaluation over those of Verlet in the same turn, medians

@@ -1,4 +1,4 @@
-//! Instructions per step, held against those kept in `benches/instruction_counts.csv`: `cargo bench --bench instructions`.
+//! Instructions per step, held against those kept in `benches/instruction_counts.csv`: `cargo bench -p integrator --bench instructions`.
 //!
 //! The program runs itself under callgrind with two numbers of steps; the difference is that of the steps alone. Callgrind
 //! of Valgrind 3.19 knows no AVX-512, so the clone for AVX2 is counted. More than two per cent above what is kept is an
@@ -146,7 +146,7 @@ fn main() -> Result<ExitCode, Box<dyn Error>> {
     let holds = check(&kept)?;
     if !holds {
         println!(
-            "Some steps take over 2 % more instructions. If that is meant: UPDATE_COUNTS=1 cargo bench --bench instructions"
+            "Some steps take over 2 % more instructions. If that is meant: UPDATE_COUNTS=1 cargo bench -p integrator --bench instructions"
         );
     }
     Ok(if holds { ExitCode::SUCCESS } else { ExitCode::FAILURE })

@@ -29,7 +29,7 @@ for bench in "$@"; do
     if [ "$bench" = compile_cost ]; then
         benches/compile_cost.sh > "$output"
     else
-        cargo bench --bench "$bench" > "$output"
+        cargo bench -p integrator --bench "$bench" > "$output"
     fi
     # Every run of every method is in target/bench/work_precision.csv and taylor.csv; the page has the fastest.
     sed -i -e '/^problem  *method/,/^$/d' -e '/^ratio_\|^rate_\|^speedup_\|^time_ms_/d' "$output"

@@ -1,4 +1,4 @@
-//! What a scene does not need costs nothing: `cargo bench --bench skips`.
+//! What a scene does not need costs nothing: `cargo bench -p integrator --bench skips`.
 //!
 //! One row or two for each point of what the generator does: the same scene with something and without it, times in turns,
 //! and the operations of a drift and a kick as the macro counts them. Where a person could write the slower form only by

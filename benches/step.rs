@@ -1,4 +1,4 @@
-//! The time of a step, generated against written by hand: `cargo bench --bench step`.
+//! The time of a step, generated against written by hand: `cargo bench -p integrator --bench step`.
 //!
 //! Small systems in Verlet and in two long compositions, large ones in Verlet. The twins by hand are plain safe Rust, and
 //! where that is not the limit, vectors of `std::arch`; both get the instructions that the generated code gets. The last

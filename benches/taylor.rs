@@ -1,4 +1,4 @@
-//! Taylor's method, generated against written by hand: `cargo bench --bench taylor`.
+//! Taylor's method, generated against written by hand: `cargo bench -p integrator --bench taylor`.
 //!
 //! Both sides take the same orders and tolerances, carry the rounding of their states and choose their steps by the same
 //! rule, so that they take as many and err as much. A row tells the milliseconds of both for the problem's whole

@@ -1,4 +1,4 @@
-//! How the energy of Taylor runs drifts: `cargo bench --bench taylor_drift`.
+//! How the energy of Taylor runs drifts: `cargo bench -p integrator --bench taylor_drift`.
 //!
 //! Two dozen trajectories of the pendulum, of Hénon and Heiles's star and of Kepler's ellipse run for 10^5 times 2π
 //! (divided by `DRIFT_DIVISOR` in the environment). A line for each kind of start and tolerance tells the root of the

@@ -1,4 +1,4 @@
-//! How much gets done per second when there is much to do: `cargo bench --bench throughput`.
+//! How much gets done per second when there is much to do: `cargo bench -p integrator --bench throughput`.
 //!
 //! Ensembles against groups of vectors written by hand, with a sine of the same accuracy; chains against two plain loops
 //! and against time-skewed tiles; bodies against tiles that use the third law. The last lines are rates over those of the

@@ -1,4 +1,4 @@
-//! CPU time against error, beside other crates: `cargo bench --bench work_precision`.
+//! CPU time against error, beside other crates: `cargo bench -p integrator --bench work_precision`.
 //!
 //! The other crates belong to a workspace member of their own, `benches/peers`, and there to a feature that is off: nobody
 //! compiles them who only builds or tests. This program asks cargo for that member.

@@ -1,6 +1,6 @@
 //! `docs/compositions.md` says what the catalogue holds, and what its entries cost.
 //!
-//! `UPDATE_DOCS=1 cargo test --release --test composition_table` writes the tables anew.
+//! `UPDATE_DOCS=1 cargo test --release -p integrator --test composition_table` writes the tables anew.
 
 use integrator_core::{
     Class, Coords, Visitor,

@@ -38,7 +38,7 @@ fn table() -> String {
     rows.into_iter().fold(head.to_owned(), |table, (_, row)| table + &row)
 }
 
-/// After a change of the catalogue, `UPDATE_README=1 cargo test --test readme` writes the table anew.
+/// After a change of the catalogue, `UPDATE_README=1 cargo test -p integrator --test readme` writes the table anew.
 #[test]
 fn the_table_is_what_was_proved() {
     let readme = text("README.md");

@@ -1,4 +1,4 @@
-//! Long runs, hard cases and ill treatment: `cargo bench --bench stress`.
+//! Long runs, hard cases and ill treatment: `cargo bench -p integrator --bench stress`.
 //!
 //! In full it takes about two hours on two cores. With `STRESS_DIVISOR=1000` in the environment all runs are that much
 //! shorter, and exponents that much less certain.

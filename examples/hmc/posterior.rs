@@ -1,6 +1,11 @@
 //! How likely distress of O-rings is at a temperature, by logistic regression, as a Hamiltonian.
 
+#[path = "../support/table.rs"]
+mod table;
+
 use integrator_core::prelude::*;
+use std::num::ParseFloatError;
+use table::{numbers, rows};
 
 /// What was observed, and what is believed of intercept and slope beforehand.
 #[derive(Clone)]
@@ -33,14 +38,13 @@ impl Posterior {
 
 impl Posterior {
     /// The launches of the table.
-    pub(crate) fn measured(prior: f64) -> Result<Self, csv::Error> {
+    pub(crate) fn measured(prior: f64) -> Result<Self, ParseFloatError> {
         let table = include_str!("../data/challenger.csv");
-        let mut reader = csv::ReaderBuilder::new().comment(Some(b'#')).from_reader(table.as_bytes());
-        let launches: Vec<(f64, f64)> = reader.deserialize().collect::<Result<_, _>>()?;
+        let launches: Vec<[f64; 2]> = rows(table).map(|row| numbers(&row, 0)).collect::<Result<_, _>>()?;
         let count = launches.len() as f64;
-        let mean = launches.iter().map(|(temperature, _)| temperature).sum::<f64>() / count;
-        let variance = launches.iter().map(|(temperature, _)| (temperature - mean).powi(2)).sum::<f64>() / count;
-        let (scaled, distress) = launches.iter().map(|(t, distress)| ((t - mean) / variance.sqrt(), *distress)).unzip();
+        let mean = launches.iter().map(|[temperature, _]| temperature).sum::<f64>() / count;
+        let variance = launches.iter().map(|[temperature, _]| (temperature - mean).powi(2)).sum::<f64>() / count;
+        let (scaled, distress) = launches.iter().map(|[t, distress]| ((t - mean) / variance.sqrt(), *distress)).unzip();
         Ok(Self { scaled, distress, mean, deviation: variance.sqrt(), prior })
     }
 

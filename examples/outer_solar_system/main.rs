@@ -4,10 +4,12 @@
 //! and last, one per line, the worst errors, the distance from a reference computed in 113-bit arithmetic, and the time
 //! that all of it took. Look at the two columns of errors: they oscillate, but they do not grow with time.
 //!
-//! Two pictures go to `target/pictures`, or to the folder after `--out`: `outer_solar_system_orbits.png`, the paths of the
-//! planets in one revolution each, and `outer_solar_system_energy.png`, the energy error over 1,000 years for several
-//! compositions that compute the same number of forces. None of the curves rises.
+//! With `--features pictures`, two pictures go to `target/pictures`, or to the folder after `--out`:
+//! `outer_solar_system_orbits.png`, the paths of the planets in one revolution each, and
+//! `outer_solar_system_energy.png`, the energy error over 1,000 years for several compositions that compute the same
+//! number of forces. None of the curves rises.
 
+#[cfg(feature = "pictures")]
 mod pictures;
 #[path = "../support/mod.rs"]
 mod support;
@@ -15,7 +17,7 @@ mod system;
 
 use integrator_core::prelude::*;
 use std::{error::Error, time::Instant};
-use support::{Watch, folder};
+use support::Watch;
 use system::{Bodies, angular_momentum, measured, norm, reference, relative};
 
 const DAYS: f64 = 999_999.0;
@@ -56,8 +58,11 @@ fn main() -> Result<(), Box<dyn Error>> {
         }
     }
     drop(watch);
-    pictures::orbits(&system, start, &folder())?;
-    pictures::energies(&system, start, &folder())?;
+    #[cfg(feature = "pictures")]
+    {
+        pictures::orbits(&system, start, &support::folder())?;
+        pictures::energies(&system, start, &support::folder())?;
+    }
 
     let certificate = certify(&system, Yoshida4, start, h)?;
     println!("\n{certificate}\n");

@@ -1,6 +1,11 @@
 //! Six bodies that attract each other, where they start from, and where they are 999,999 days later.
 
+#[path = "../support/table.rs"]
+mod table;
+
 use integrator_core::prelude::*;
+use std::num::ParseFloatError;
+use table::{numbers, rows};
 
 /// The gravitational constant, in astronomical units, solar masses and days.
 const GRAVITY: f64 = 2.95912208286e-4;
@@ -39,16 +44,15 @@ impl OuterSolarSystem {
 }
 
 /// The system and its state on 5 September 1994. The table holds velocities; momenta are these times the mass.
-pub(crate) fn measured() -> Result<(OuterSolarSystem, Phase<Bodies>), csv::Error> {
+pub(crate) fn measured() -> Result<(OuterSolarSystem, Phase<Bodies>), ParseFloatError> {
     let table = include_str!("../data/outer_solar_system.csv");
-    let mut reader = csv::ReaderBuilder::new().comment(Some(b'#')).from_reader(table.as_bytes());
     let mut system = OuterSolarSystem { masses: [0.0; 6] };
     let mut start = Phase::new([[0.0; 3]; 6], [[0.0; 3]; 6]);
-    for (i, row) in reader.deserialize().enumerate() {
-        let (_name, mass, position, velocity): (String, f64, [f64; 3], [f64; 3]) = row?;
+    for (i, row) in rows(table).enumerate() {
+        let [mass] = numbers(&row, 1)?;
         system.masses[i] = mass;
-        start.q[i] = position;
-        start.p[i] = velocity.map(|v| mass * v);
+        start.q[i] = numbers(&row, 2)?;
+        start.p[i] = numbers(&row, 5)?.map(|v| mass * v);
     }
     Ok((system, start))
 }

@@ -2,9 +2,7 @@
 
 use indicatif::{ProgressBar, ProgressState, ProgressStyle};
 use std::{
-    env,
     fmt::Write,
-    path::PathBuf,
     process::exit,
     sync::{
         Once,
@@ -17,9 +15,10 @@ static STOPPED: AtomicBool = AtomicBool::new(false);
 static HANDLER: Once = Once::new();
 
 /// Where pictures go: the folder after `--out`, or `target/pictures`.
-pub(crate) fn folder() -> PathBuf {
-    let mut arguments = env::args().skip_while(|argument| argument != "--out");
-    arguments.nth(1).map_or_else(|| "target/pictures".into(), PathBuf::from)
+#[cfg(feature = "pictures")]
+pub(crate) fn folder() -> std::path::PathBuf {
+    let mut arguments = std::env::args().skip_while(|argument| argument != "--out");
+    arguments.nth(1).map_or_else(|| "target/pictures".into(), std::path::PathBuf::from)
 }
 
 /// How far a long computation is: a bar with rate and remaining time where someone is watching. With Ctrl-C it is asked to

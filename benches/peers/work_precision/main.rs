@@ -1,4 +1,4 @@
-//! CPU time against error, this library beside other crates: `cargo bench --bench work_precision`.
+//! CPU time against error, this library beside other crates: `cargo bench -p integrator --bench work_precision`.
 //!
 //! A run of each of the five problems by each method with ever shorter steps (or tighter tolerances): its CPU time, the
 //! largest relative deviation of its energy at 256 looks, and the distance of its end from the reference. The last lines

@@ -25,11 +25,11 @@ pub(super) fn element(list: TokenStream, at: TokenStream, brackets: Span) -> Tok
     quote!(#list #index)
 }
 
-/// `(text)`, located where the text begins.
+/// `(text)`, located where the text begins. They stay parentheses of the macro's, about which no lint speaks to the user.
 pub(super) fn in_parentheses(text: TokenStream) -> TokenStream {
     let place = text.clone().into_iter().next().map_or_else(Span::call_site, |token| token.span());
     let mut group = Group::new(Delimiter::Parenthesis, text);
-    group.set_span(place);
+    group.set_span(Span::call_site().located_at(place));
     group.to_token_stream()
 }
 
