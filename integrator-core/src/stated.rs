@@ -7,12 +7,18 @@ use crate::{
     bounded::Bounded,
     coords::Coords,
     error::Misread,
+    flat::Flat,
     hamiltonian::{Hamiltonian, Motion},
     phase::Phase,
     real::Real,
 };
 #[cfg(debug_assertions)]
-use crate::{error::Error, hamiltonian::Shaped, slot::Keep};
+use crate::{
+    error::Error,
+    flat::{flat, shaped},
+    hamiltonian::Shaped,
+    slot::Keep,
+};
 
 /// How many roundings of the user's function are explained by each of the generated code's: what a loop adds up one by one
 /// may be one product here, or a constant that is made once per run. A text that is misread is off by far more.
@@ -45,7 +51,7 @@ impl Function {
     }
 
     /// The user's own value.
-    pub(crate) fn stated<H: Hamiltonian>(self, system: &H, state: &Phase<H::Coords>, time: f64) -> f64 {
+    fn stated<H: Hamiltonian>(self, system: &H, state: &Phase<H::Coords>, time: f64) -> f64 {
         match self {
             Self::Kinetic => system.stated_kinetic(&state.p, time),
             Self::Potential => system.stated_potential(&state.q, time),
@@ -53,7 +59,7 @@ impl Function {
     }
 
     /// The value of the generated code, and a bound on its rounding.
-    pub(crate) fn generated<H: Hamiltonian>(
+    fn generated<H: Hamiltonian>(
         self,
         parameters: &H::Parameters<f64>,
         state: &Phase<H::Coords>,
@@ -75,15 +81,8 @@ impl Function {
     ///
     /// # Errors
     /// [`Misread`], where rounding does not explain the difference.
-    pub(crate) fn hold<H: Hamiltonian>(
-        self,
-        system: &H,
-        parameters: &H::Parameters<f64>,
-        state: &Phase<H::Coords>,
-        time: f64,
-    ) -> Result<bool, Misread> {
-        let stated = self.stated(system, state, time);
-        let [generated, error] = self.generated::<H>(parameters, state, time);
+    pub(crate) fn hold(self, state: &Flat, time: f64, values: &dyn Fn(&Flat) -> Values) -> Result<bool, Misread> {
+        let Values { stated, generated, rounding: error } = values(state);
         // An energy too small to have all digits is as good as none.
         let mut rounding = ROUNDINGS * error + f64::MIN_POSITIVE;
         let agree = |rounding: f64| match [stated, generated].map(f64::is_finite) {
@@ -94,38 +93,50 @@ impl Function {
             return Ok(false);
         }
         if !agree(rounding) {
-            rounding += self.scatter(system, parameters, state, time);
+            rounding += scatter(state, values);
         }
         if agree(rounding) {
             return Ok(true);
         }
-        let (q, p) = (state.q.flat().to_vec(), state.p.flat().to_vec());
+        let (q, p) = (state.q.clone(), state.p.clone());
         Err(Misread { function: self.name(), stated, generated, rounding, time, q, p })
     }
+}
 
-    /// By how much the difference of both scatters next to a state: what rounding makes of numbers that the generated code
-    /// prepares once, where they nearly cancel in the function, is another number at each neighbour; what is misread is
-    /// not.
-    fn scatter<H: Hamiltonian>(
-        self,
-        system: &H,
-        parameters: &H::Parameters<f64>,
-        state: &Phase<H::Coords>,
-        time: f64,
-    ) -> f64 {
-        let mut digits = Digits::default();
-        let differences = (0..NEIGHBOURS).map(|_| {
-            let mut near = state.clone();
-            for number in near.q.flat_mut().iter_mut().chain(near.p.flat_mut()) {
-                *number *= 1.0 + NEARBY * f64::EPSILON * digits.next();
-            }
-            self.stated(system, &near, time) - self.generated::<H>(parameters, &near, time)[0]
-        });
-        let (least, most) = differences.fold((f64::INFINITY, f64::NEG_INFINITY), |(least, most), difference| {
-            (f64::min(least, difference), f64::max(most, difference))
-        });
-        if least <= most { 2.0 * (most - least) } else { 0.0 }
+/// What both say at a state, and a bound on the rounding of the generated code.
+pub(crate) struct Values {
+    pub(crate) stated: f64,
+    pub(crate) generated: f64,
+    pub(crate) rounding: f64,
+}
+
+/// The values of a function.
+pub(crate) fn values<H: Hamiltonian>(
+    function: Function,
+    system: &H,
+    parameters: &H::Parameters<f64>,
+    state: &Phase<H::Coords>,
+    time: f64,
+) -> Values {
+    let stated = function.stated(system, state, time);
+    let [generated, rounding] = function.generated::<H>(parameters, state, time);
+    Values { stated, generated, rounding }
+}
+
+/// By how much the difference of both scatters next to a state: what rounding makes of numbers that the generated code
+/// prepares once, where they nearly cancel in the function, is another number at each neighbour; what is misread is not.
+fn scatter(state: &Flat, values: &dyn Fn(&Flat) -> Values) -> f64 {
+    let mut digits = Digits::default();
+    let (mut least, mut most) = (f64::INFINITY, f64::NEG_INFINITY);
+    for _ in 0..NEIGHBOURS {
+        let mut near = state.clone();
+        for number in near.q.iter_mut().chain(&mut near.p) {
+            *number *= 1.0 + NEARBY * f64::EPSILON * digits.next();
+        }
+        let Values { stated, generated, .. } = values(&near);
+        (least, most) = (f64::min(least, stated - generated), f64::max(most, stated - generated));
     }
+    if least <= most { 2.0 * (most - least) } else { 0.0 }
 }
 
 /// Numbers between -1 and 1 that look random and are the same in every run (Knuth's linear congruence).
@@ -157,9 +168,10 @@ pub(crate) fn hold_at_start<H: Hamiltonian, K: Keep>(
     time: f64,
 ) -> Result<(), Error> {
     if start.q.flat().len() <= SMALL {
-        let state = Phase { q: start.q.map(|leaf| leaf.to_f64()), p: start.p.map(|leaf| leaf.to_f64()) };
+        let shape = Phase { q: start.q.map(|leaf| leaf.to_f64()), p: start.p.map(|leaf| leaf.to_f64()) };
         for function in Function::BOTH {
-            function.hold(system, parameters, &state, time)?;
+            let values = |state: &Flat| values(function, system, parameters, &shaped(&shape, state), time);
+            function.hold(&flat(&shape), time, &values)?;
         }
     }
     Ok(())

@@ -4,22 +4,21 @@ use crate::{
     check::{
         CheckError,
         certificate::{Certificate, Tolerances},
-        energy::{EnergyDrift, energy_drift},
+        energy::EnergyDrift,
         exact::Steps,
-        gradient::{gradient_error, gradient_tolerance},
+        gradient::{Energies, error_at, gradient_tolerance},
         local_order::{OrderAlong, UNITS, order_along},
-        order::{Order, needed_along, observed_order, path},
-        path::PARTS,
-        points::{begin, flat_start, plain, run, shaped},
-        reversibility::{RoundTrip, round_trip},
+        measurable::{Measurable, Measured},
+        order::{Order, needed_along, order_of, path},
+        path::{PARTS, Path},
+        points::{begin, flat_start},
+        reversibility::RoundTrip,
         shortfall::{CertifyError, Shortfall},
-        stability::{Stability, nearness},
         start::Start,
         stated::{Visited, agreement},
-        symplecticity::{Defect, defect},
+        symplecticity::Defect,
         tolerance::{largest, within},
     },
-    coords::Coords,
     hamiltonian::{Hamiltonian, Shaped},
     method::Method,
     slot::Keep,
@@ -85,12 +84,20 @@ pub fn certify<H: Hamiltonian, X: Method<H>, K: Keep>(
     h: f64,
 ) -> Result<Certificate, CertifyError> {
     let start = start.into();
-    begin::<H, X, K>(system, method, &start, h)?;
-    let facts = method.facts();
-    let subject = Subject::<H, X, K> { system, method, start, h };
+    let begun = begin::<H, X, K>(system, method, &start, h)?;
+    let energies = Energies::new(system, &begun.phase);
+    let steps = Steps::new(system, method, &begun.phase);
+    let measured = Measured::<H, X, K> { system, method, start: &start, h, energies, steps };
+    certificate(&Subject { measured: &measured, start: flat_start(&begun), h })
+}
+
+/// The certificate of what is measured.
+fn certificate(subject: &Subject<'_>) -> Result<Certificate, CertifyError> {
+    let facts = subject.measured.stepper().facts();
+    let autonomous = subject.measured.stepper().autonomous();
     let mut findings = Findings::default();
 
-    let defect = findings.judge("symplecticity", subject.defect(), |defect| {
+    let defect = findings.judge("symplecticity", subject.measured.defect(), |defect| {
         let &Defect { size: defect, tolerance } = defect;
         (!within(defect, tolerance)).then_some(Shortfall::Symplecticity { defect, tolerance })
     });
@@ -116,7 +123,7 @@ pub fn certify<H: Hamiltonian, X: Method<H>, K: Keep>(
         let returned = !facts.symmetric || within(distance, tolerance);
         (!returned).then_some(Shortfall::Reversibility { distance, tolerance })
     });
-    let energy = H::AUTONOMOUS.then(|| {
+    let energy = autonomous.then(|| {
         findings.judge("the energy", subject.energy(order), |drift| {
             let shortfall = if drift.is_lost() { Shortfall::EnergyLost } else { Shortfall::EnergyDrift };
             (!drift.may_stay()).then(|| shortfall(*drift))
@@ -131,7 +138,7 @@ pub fn certify<H: Hamiltonian, X: Method<H>, K: Keep>(
         })
     });
     let states = subject.states(order);
-    let gradient_tolerance = gradient_tolerance(subject.start.phase.q.flat().len());
+    let gradient_tolerance = gradient_tolerance(subject.start.phase.q.len());
     let gradient = findings.judge(
         "the gradient",
         states.as_ref().map_err(Clone::clone).and_then(|states| subject.gradient(states)),
@@ -140,7 +147,7 @@ pub fn certify<H: Hamiltonian, X: Method<H>, K: Keep>(
             (!within(error, tolerance)).then_some(Shortfall::Gradient { error, tolerance })
         },
     );
-    let agreement = match states.map(|states| agreement(system, &states)) {
+    let agreement = match states.map(|states| agreement(subject.measured.stated(), &states)) {
         Ok(Ok(outcome)) => findings.judge("the agreement with your own functions", outcome, |_| None),
         Ok(Err(misread)) => {
             findings.0.extend(misread);
@@ -149,17 +156,18 @@ pub fn certify<H: Hamiltonian, X: Method<H>, K: Keep>(
         Err(reason) => findings.judge("the agreement with your own functions", Err(reason), |_| None),
     };
 
-    let stability =
-        facts.stability_limit.and_then(|limit| findings.judge("the stability", subject.stability(limit), |_| None));
+    let stability = facts
+        .stability_limit
+        .and_then(|limit| findings.judge("the stability", subject.measured.stability(limit), |_| None));
 
     let certificate = Certificate {
-        system: std::any::type_name::<H>(),
+        system: subject.measured.system(),
         composition: facts.name,
-        step: h,
+        step: subject.h,
         time: subject.start.time,
         claimed_order: facts.order,
         symmetric: facts.symmetric,
-        autonomous: H::AUTONOMOUS,
+        autonomous,
         symplectic_defect: defect.as_ref().map_or(f64::NAN, |defect| defect.size),
         observed_order: order.map_or(f64::NAN, |order| order.slope),
         order,
@@ -221,26 +229,15 @@ impl Findings {
 }
 
 /// What is certified.
-struct Subject<'s, H: Hamiltonian, X, K: Keep> {
-    system: &'s H,
-    method: X,
-    start: Start<Shaped<H, K>>,
+struct Subject<'s> {
+    measured: &'s dyn Measurable,
+    start: Start<Vec<f64>>,
     h: f64,
 }
 
-impl<H: Hamiltonian, X: Method<H>, K: Keep> Subject<'_, H, X, K> {
-    fn defect(&self) -> Result<Defect, CheckError> {
-        let defect = defect::<H, X, K>(self.system, self.method, &self.start, self.h, 1)?;
-        if defect.size.is_nan() {
-            // A step that leaves the numbers says where it does.
-            run::<H, X, K>(self.system, self.method, &self.start, self.h)?.advance(1)?;
-            return Err(CheckError::NotFinite { what: "the derivative of a step by its start" });
-        }
-        Ok(defect)
-    }
-
+impl Subject<'_> {
     fn order(&self) -> Result<Order, CheckError> {
-        observed_order::<H, X, K>(self.system, self.method, self.start.clone(), self.h)
+        order_of(self.measured.stepper(), self.start.clone(), self.h)
     }
 
     /// Whether the order holds along the orbit, as far as the energy is followed and as far as the order was tried.
@@ -248,21 +245,22 @@ impl<H: Hamiltonian, X: Method<H>, K: Keep> Subject<'_, H, X, K> {
     /// A unit is the step of the run, halved or doubled until some of them follow the motion where the order was tried.
     /// Where the Hamiltonian reads the time, which may switch something at one of the steps, it is not doubled.
     fn course(&self, followed: f64) -> OrderAlong {
+        let stepper = self.measured.stepper();
+        let autonomous = stepper.autonomous();
         let mut unit = self.h;
         let longest = 1.01 * followed.abs() / FOLLOWING;
-        while within(2.0 * unit, longest) && H::AUTONOMOUS {
+        while within(2.0 * unit, longest) && autonomous {
             unit *= 2.0;
         }
         while !within(unit, longest) {
             unit /= 2.0;
         }
         let span = ENERGY_STEPS as f64 * self.h.abs();
-        let span = if H::AUTONOMOUS { span.max(followed.abs()) } else { span };
+        let span = if autonomous { span.max(followed.abs()) } else { span };
         let piece = unit * UNITS as f64;
         let pieces = ((span / piece.abs()).ceil() as u64).min(MOST_PIECES);
-        let needed = needed_along(self.method.facts().order);
-        let start = plain::<H, K>(&self.start.phase).at_time(self.start.time);
-        order_along((&Steps::new(self.system, self.method, &start.phase), needed), &flat_start(&start), piece, pieces)
+        let needed = needed_along(stepper.facts().order);
+        order_along((stepper, needed), &self.start, piece, pieces)
     }
 
     /// A round trip over the span of the order, in the coarsest steps that show it, or in steps of `h` where they are
@@ -273,14 +271,14 @@ impl<H: Hamiltonian, X: Method<H>, K: Keep> Subject<'_, H, X, K> {
             let h = order.coarsest.max(self.h.abs());
             (h.copysign(self.h), ((order.span.abs() / h).round() as u64).max(ROUND_TRIP))
         });
-        round_trip::<H, X, K>(self.system, self.method, &self.start, h, steps)
+        self.measured.round_trip(h, steps)
     }
 
     /// The course of the energy in steps of `h`. If it looks like a trend, this may be the flank of an oscillation that
     /// the run is too short to see the end of: then longer steps, up to the coarsest one that follows the motion, tell.
     /// A true trend is one at every step.
     fn energy(&self, order: Option<Order>) -> Result<EnergyDrift, CheckError> {
-        let course = |h| energy_drift::<H, X, K>(self.system, self.method, self.start.clone(), h, ENERGY_STEPS);
+        let course = |h| self.measured.energy_drift(h, ENERGY_STEPS);
         let drift = course(self.h)?;
         let coarsest = order.map_or(0.0, |order| (order.span / PARTS as f64).abs());
         let mut h = 2.0 * self.h;
@@ -296,28 +294,25 @@ impl<H: Hamiltonian, X: Method<H>, K: Keep> Subject<'_, H, X, K> {
     /// The course of the energy over the same time in steps of half the length.
     fn finer_energy(&self, drift: &EnergyDrift) -> Result<EnergyDrift, CheckError> {
         let (h, steps) = (drift.step / 2.0, 2 * drift.steps);
-        energy_drift::<H, X, K>(self.system, self.method, self.start.clone(), h, steps)
-    }
-
-    fn stability(&self, limit: f64) -> Result<Stability, CheckError> {
-        nearness::<H, X, K>(self.system, self.method, limit, &self.start, self.h)
+        self.measured.energy_drift(h, steps)
     }
 
     /// The start and states along the path, each with its time: at the start alone, momenta are often zero, and where they
     /// are zero a wrong factor in their gradient does not show.
-    fn states(&self, order: Option<Order>) -> Result<Vec<Visited<H::Coords>>, CheckError> {
-        let start = plain::<H, K>(&self.start.phase).at_time(self.start.time);
+    fn states(&self, order: Option<Order>) -> Result<Vec<Visited>, CheckError> {
         let (span, step) = order.map_or((GRADIENT_SPAN * self.h, self.h), |order| (order.span, order.coarsest));
-        let stepper = Steps::new(self.system, self.method, &start.phase);
-        let path = path(&stepper, &flat_start(&start), span, (span / step).abs().round() as u64 / PARTS)?;
-        let ends: Vec<_> = path.ends.iter().map(|end| shaped(&start.phase, end)).collect();
+        let steps = (span / step).abs().round() as u64 / PARTS;
+        let Path { start, ends } = path(self.measured.stepper(), &self.start, span, steps)?;
         let times = (0..).map(|part| self.start.time + span * f64::from(part) / PARTS as f64);
-        Ok([start.phase].into_iter().chain(ends).zip(times).collect())
+        Ok([start].into_iter().chain(ends).zip(times).collect())
     }
 
     /// The largest error of a gradient at some states.
-    fn gradient(&self, states: &[Visited<H::Coords>]) -> Result<f64, CheckError> {
-        let errors = states.iter().map(|(state, time)| gradient_error::<H, f64>(self.system, state.clone(), *time));
+    fn gradient(&self, states: &[Visited]) -> Result<f64, CheckError> {
+        let errors = states.iter().map(|(state, time)| {
+            self.measured.begin(state, *time)?;
+            error_at(self.measured.stated().energies(), state, *time)
+        });
         let error = largest(errors.collect::<Result<Vec<_>, _>>()?);
         if error.is_nan() { Err(CheckError::NotFinite { what: "a force or a velocity" }) } else { Ok(error) }
     }

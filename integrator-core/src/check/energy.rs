@@ -14,6 +14,7 @@ use crate::{
         tolerance::{largest, length, ratio, within},
     },
     coords::Coords,
+    error::Error,
     hamiltonian::{Hamiltonian, Motion, Shaped},
     method::Method,
     phase::Phase,
@@ -116,41 +117,77 @@ pub fn energy_drift<H: Hamiltonian, X: Method<H>, K: Keep>(
         let motion = H::Motion::<f64, K>::load(&|_| (&parameters, state));
         (H::kinetic::<f64, K>(&motion, time), H::potential::<f64, K>(&motion, time))
     };
+    let (kinetic, potential) = parts(&run.state(), run.time());
+    let followed = follow([run.time(), kinetic, potential], steps, &mut |interval| {
+        run.advance(interval)?;
+        let (kinetic, potential) = parts(&run.state(), run.time());
+        Ok([run.time(), kinetic, potential])
+    })?;
+    let resolution = resolution(&[&begin.phase, &run.state()]);
+    Ok(followed.drift(h, resolution, method.facts().roundings_in(run.steps())))
+}
+
+/// What is seen of the energies of a run.
+struct Followed {
+    /// How many steps the run took.
+    steps: u64,
+    /// The time of the start, and the deviations from there, each with its time.
+    begin: f64,
+    changes: Vec<(f64, f64)>,
+    largest_kinetic: f64,
+    sum_of_kinetic: f64,
+    /// The largest sum of the sizes of both energies.
+    largest_term: f64,
+}
+
+/// Looks at the energies of a run over so many steps: time, kinetic and potential energy at the start, and after a few steps more.
+fn follow(
+    [begin, kinetic, potential]: [f64; 3],
+    steps: u64,
+    advance: &mut dyn FnMut(u64) -> Result<[f64; 3], Error>,
+) -> Result<Followed, CheckError> {
     let interval = steps.div_ceil(SAMPLES);
     let samples = steps / interval;
-    let (kinetic, potential) = parts(&run.state(), run.time());
     let energy = kinetic + potential;
     let (mut largest_kinetic, mut largest_term) = (kinetic.abs(), kinetic.abs() + potential.abs());
     let mut changes = Vec::with_capacity(usize::try_from(samples).unwrap_or_default());
     let mut sum_of_kinetic = 0.0;
     for _ in 0..samples {
-        run.advance(interval)?;
-        let (kinetic, potential) = parts(&run.state(), run.time());
+        let [time, kinetic, potential] = advance(interval)?;
         sum_of_kinetic += kinetic.abs();
         largest_kinetic = largest([largest_kinetic, kinetic]);
         largest_term = largest([largest_term, kinetic.abs() + potential.abs()]);
-        changes.push((run.time(), kinetic + potential - energy));
+        changes.push((time, kinetic + potential - energy));
     }
-    let groups: Vec<(f64, f64)> = changes.chunks_exact(changes.len() / GROUPS).take(GROUPS).map(middle).collect();
-    let trend = Trend::of(&groups);
-    let farthest = largest(changes.iter().map(|(_, change)| *change));
-    let mean = length(changes.iter().map(|(_, change)| *change)) / (changes.len() as f64).sqrt();
-    let share = ratio(trend.slope * (run.time() - begin.time), farthest);
-    // Every flow rounds the state, which changes the energy by up to ε of its terms, at random: the farthest such a
-    // walk gets is about 2.5 times the root of its steps. The factor 16 leaves room for flows that round several
-    // numbers, and for the sum of the energy itself.
-    let walk = 16.0 * resolution(&[&begin.phase, &run.state()]) * method.facts().roundings_in(run.steps()).sqrt();
-    Ok(EnergyDrift {
-        deviation: ratio(farthest, largest_kinetic),
-        mean_deviation: ratio(mean, largest_kinetic),
-        mean_kinetic: ratio(sum_of_kinetic / changes.len() as f64, largest_kinetic),
-        course: trend.course(share),
-        slope: ratio(trend.slope, largest_kinetic),
-        uncertainty: ratio(trend.uncertainty, largest_kinetic),
-        step: h,
-        steps: run.steps(),
-        rounding: ratio(walk * largest_term, largest_kinetic),
-    })
+    Ok(Followed { steps: samples * interval, begin, changes, largest_kinetic, sum_of_kinetic, largest_term })
+}
+
+impl Followed {
+    /// The course of the energy in steps of `h`, where states have this `resolution` and were rounded so often.
+    fn drift(self, h: f64, resolution: f64, roundings: f64) -> EnergyDrift {
+        let Self { steps, begin, changes, largest_kinetic, sum_of_kinetic, largest_term } = self;
+        let groups: Vec<(f64, f64)> = changes.chunks_exact(changes.len() / GROUPS).take(GROUPS).map(middle).collect();
+        let trend = Trend::of(&groups);
+        let farthest = largest(changes.iter().map(|(_, change)| *change));
+        let mean = length(changes.iter().map(|(_, change)| *change)) / (changes.len() as f64).sqrt();
+        let end = changes.last().map_or(begin, |(time, _)| *time);
+        let share = ratio(trend.slope * (end - begin), farthest);
+        // Every flow rounds the state, which changes the energy by up to ε of its terms, at random: the farthest such a
+        // walk gets is about 2.5 times the root of its steps. The factor 16 leaves room for flows that round several
+        // numbers, and for the sum of the energy itself.
+        let walk = 16.0 * resolution * roundings.sqrt();
+        EnergyDrift {
+            deviation: ratio(farthest, largest_kinetic),
+            mean_deviation: ratio(mean, largest_kinetic),
+            mean_kinetic: ratio(sum_of_kinetic / changes.len() as f64, largest_kinetic),
+            course: trend.course(share),
+            slope: ratio(trend.slope, largest_kinetic),
+            uncertainty: ratio(trend.uncertainty, largest_kinetic),
+            step: h,
+            steps,
+            rounding: ratio(walk * largest_term, largest_kinetic),
+        }
+    }
 }
 
 /// The mean time and the mean value of some samples.

@@ -13,12 +13,12 @@ use crate::{
         tolerance::{largest, ratio, within},
     },
     coords::Coords,
+    flat::{Flat, flat, shaped},
     hamiltonian::{Hamiltonian, Motion, Shaped},
     phase::Phase,
     real::Real,
     slot::Keep,
 };
-use std::marker::PhantomData;
 
 /// How far the flows of `T` and `V` are from the gradients of `T` and `V` at `point` and `time`: the largest error of a
 /// component, in units of its condition.
@@ -35,8 +35,12 @@ pub fn gradient_error<H: Hamiltonian, K: Keep>(
     time: f64,
 ) -> Result<f64, CheckError> {
     let point = begin::<H, _, K>(system, H::Compose::default(), &point.at_time(time), 1.0)?.phase;
-    let parameters = system.parameters(point.q.length());
-    let error = |part| Gradient::<H>::new(&parameters, part, time).error(&point);
+    error_at(&Energies::new(system, &point), &flat(&point), time)
+}
+
+/// As [`gradient_error`], at a point that a run may begin with.
+pub(crate) fn error_at(system: &dyn Differentiable, point: &Flat, time: f64) -> Result<f64, CheckError> {
+    let error = |part| Gradient::new(system, part, time).error(point);
     Ok(largest([error(Part::Kinetic)?, error(Part::Potential)?]))
 }
 
@@ -54,37 +58,127 @@ pub(crate) enum Part {
     Potential,
 }
 
-/// What is differentiated.
-pub(crate) struct Gradient<'s, H: Hamiltonian> {
-    parameters: &'s H::Parameters<f64>,
-    part: Part,
-    time: f64,
-    marker: PhantomData<H>,
+/// The energies of a system and their flows, whatever the shape of its coordinates: in one lane, or along a tangent in the
+/// second one of duals.
+pub(crate) trait Differentiable {
+    /// An energy, or its derivative along a tangent.
+    fn energy(&self, part: Part, point: &Flat, tangent: Option<&Flat>, time: f64) -> f64;
+
+    /// The gradient of an energy, or the derivative of that along a tangent.
+    fn flow(&self, part: Part, point: &Flat, tangent: Option<&Flat>, time: f64) -> Vec<f64>;
 }
 
-impl<'s, H: Hamiltonian> Gradient<'s, H> {
-    pub(crate) fn new(parameters: &'s H::Parameters<f64>, part: Part, time: f64) -> Self {
-        Self { parameters, part, time, marker: PhantomData }
+/// Those of a system with its parameters, and a point in the shape of its coordinates.
+pub(crate) struct Energies<'s, H: Hamiltonian> {
+    pub(crate) system: &'s H,
+    pub(crate) parameters: H::Parameters<f64>,
+    pub(crate) shape: &'s Phase<H::Coords>,
+}
+
+impl<'s, H: Hamiltonian> Energies<'s, H> {
+    pub(crate) fn new(system: &'s H, shape: &'s Phase<H::Coords>) -> Self {
+        Self { system, parameters: system.parameters(shape.q.length()), shape }
+    }
+}
+
+impl<H: Hamiltonian> Differentiable for Energies<'_, H> {
+    fn energy(&self, part: Part, point: &Flat, tangent: Option<&Flat>, time: f64) -> f64 {
+        let point = shaped(self.shape, point);
+        match tangent {
+            None => energy::<H, f64>(&self.parameters, part, [&point, &point], time).lane(0),
+            Some(tangent) => {
+                let tangent = shaped(self.shape, tangent);
+                energy::<H, Dual>(&self.parameters, part, [&point, &tangent], time).lane(1)
+            }
+        }
+    }
+
+    fn flow(&self, part: Part, point: &Flat, tangent: Option<&Flat>, time: f64) -> Vec<f64> {
+        let point = shaped(self.shape, point);
+        match tangent {
+            None => flow::<H, f64>(&self.parameters, part, [&point, &point], time, 0),
+            Some(tangent) => {
+                let tangent = shaped(self.shape, tangent);
+                flow::<H, Dual>(&self.parameters, part, [&point, &tangent], time, 1)
+            }
+        }
+    }
+}
+
+/// An energy at a point, with a tangent in the second lane if there is one.
+fn energy<H: Hamiltonian, R: Real>(
+    parameters: &H::Parameters<f64>,
+    part: Part,
+    lanes: [&Phase<H::Coords>; 2],
+    time: f64,
+) -> R {
+    let motion = H::Motion::<R, f64>::load(&|lane| (parameters, lanes[lane.min(1)]));
+    match part {
+        Part::Kinetic => H::kinetic::<R, f64>(&motion, time),
+        Part::Potential => H::potential::<R, f64>(&motion, time),
+    }
+}
+
+/// One lane of the gradient of an energy at a point, with a tangent in the second lane if there is one: what the flow of unit
+/// duration adds to the half that is moved, from zero.
+pub(crate) fn flow<H: Hamiltonian, R: Real>(
+    parameters: &H::Parameters<f64>,
+    part: Part,
+    lanes: [&Phase<H::Coords>; 2],
+    time: f64,
+    lane: usize,
+) -> Vec<f64> {
+    let mut motion = H::Motion::<R, f64>::load(&|lane| (parameters, lanes[lane.min(1)]));
+    H::begin_step::<R, f64>(&mut motion, time);
+    let mut moved = lanes[0].clone();
+    match part {
+        Part::Kinetic => {
+            H::drift::<R, f64>(&mut motion, 1.0, time);
+            motion.store(lane, &mut moved);
+            moved.q.flat().to_vec()
+        }
+        Part::Potential => {
+            H::kick::<R, f64>(&mut motion, 1.0, time);
+            motion.store(lane, &mut moved);
+            negated(moved.p.flat())
+        }
+    }
+}
+
+fn negated(numbers: &[f64]) -> Vec<f64> {
+    numbers.iter().map(|number| -number).collect()
+}
+
+/// What is differentiated.
+pub(crate) struct Gradient<'s> {
+    system: &'s dyn Differentiable,
+    part: Part,
+    time: f64,
+}
+
+impl<'s> Gradient<'s> {
+    pub(crate) fn new(system: &'s dyn Differentiable, part: Part, time: f64) -> Self {
+        Self { system, part, time }
     }
 
     /// The largest error of a component, in units of its condition.
-    fn error(&self, point: &Phase<H::Coords>) -> Result<f64, CheckError> {
+    fn error(&self, point: &Flat) -> Result<f64, CheckError> {
         let still = origin(point);
         let point = match self.part {
             Part::Kinetic => Phase { q: still.q.clone(), p: point.p.clone() },
             Part::Potential => Phase { q: point.q.clone(), p: still.p.clone() },
         };
         let extent = largest(numbers(&point));
-        let generated = self.flow::<f64>(&point, &still, 0);
+        let generated = self.flow(&point, None);
         let mut exact = Vec::with_capacity(generated.len());
         let mut conditions: Vec<f64> = generated.iter().map(|component| component.abs()).collect();
         for index in 0..generated.len() {
             let mut along = still.clone();
             *self.read(&mut along, index) = 1.0;
-            let derivative = self.energy::<Dual>(&point, &along, 1);
+            let derivative = self.energy(&point, Some(&along));
             self.witness(&point, index, extent, derivative)?;
             exact.push(derivative);
-            for (condition, curvature) in conditions.iter_mut().zip(self.flow::<Dual>(&point, &along, 1)) {
+            for (condition, curvature) in conditions.iter_mut().zip(self.flow(&point, Some(&along))) {
                 *condition += curvature.abs() * extent;
             }
         }
@@ -96,7 +190,7 @@ impl<'s, H: Hamiltonian> Gradient<'s, H> {
     /// rounding of the energy over `d`; twice the width tells `3·c·d²`, and `d = ε^(1/3)` of the scale of the energy
     /// balances the two. That scale may be much shorter than the coordinates are long, where two bodies are close: then
     /// a narrower width tells. At a kink none does.
-    fn witness(&self, point: &Phase<H::Coords>, index: usize, extent: f64, dual: f64) -> Result<(), CheckError> {
+    fn witness(&self, point: &Flat, index: usize, extent: f64, dual: f64) -> Result<(), CheckError> {
         const NARROWING: [f64; 4] = [1.0, 3e-2, 1e-3, 3e-5];
         let scale = f64::EPSILON.cbrt() * if extent > 0.0 { extent } else { 1.0 };
         let differences = NARROWING.map(|narrowing| self.difference(point, index, extent, dual, narrowing * scale));
@@ -109,12 +203,11 @@ impl<'s, H: Hamiltonian> Gradient<'s, H> {
     }
 
     /// The central difference of a width, and what truncation and rounding may add to it.
-    fn difference(&self, point: &Phase<H::Coords>, index: usize, extent: f64, dual: f64, width: f64) -> (f64, f64) {
-        let still = origin(point);
+    fn difference(&self, point: &Flat, index: usize, extent: f64, dual: f64, width: f64) -> (f64, f64) {
         let energy = |offset: f64| {
             let mut moved = point.clone();
             *self.read(&mut moved, index) += offset;
-            self.energy::<f64>(&moved, &still, 0)
+            self.energy(&moved, None)
         };
         let [narrow, wide] = [width, 2.0 * width].map(|width| (energy(width) - energy(-width)) / (2.0 * width));
         let terms = energy(width).abs() + (dual * extent).abs();
@@ -123,42 +216,18 @@ impl<'s, H: Hamiltonian> Gradient<'s, H> {
     }
 
     /// One of the numbers that this energy reads.
-    fn read<'p>(&self, point: &'p mut Phase<H::Coords>, index: usize) -> &'p mut f64 {
+    fn read<'p>(&self, point: &'p mut Flat, index: usize) -> &'p mut f64 {
         let first = if self.part == Part::Kinetic { point.q.flat().len() } else { 0 };
         coordinate(point, first + index)
     }
 
-    /// One lane of the energy.
-    fn energy<R: Real>(&self, point: &Phase<H::Coords>, tangent: &Phase<H::Coords>, lane: usize) -> f64 {
-        let motion = self.load::<R>(point, tangent);
-        match self.part {
-            Part::Kinetic => H::kinetic::<R, f64>(&motion, self.time),
-            Part::Potential => H::potential::<R, f64>(&motion, self.time),
-        }
-        .lane(lane)
+    /// The energy, or its derivative along a tangent.
+    fn energy(&self, point: &Flat, tangent: Option<&Flat>) -> f64 {
+        self.system.energy(self.part, point, tangent, self.time)
     }
 
-    /// One lane of the gradient: what the flow of unit duration adds to the half that is moved, from zero.
-    pub(crate) fn flow<R: Real>(&self, point: &Phase<H::Coords>, tangent: &Phase<H::Coords>, lane: usize) -> Vec<f64> {
-        let mut motion = self.load::<R>(point, tangent);
-        H::begin_step::<R, f64>(&mut motion, self.time);
-        let mut moved = point.clone();
-        match self.part {
-            Part::Kinetic => {
-                H::drift::<R, f64>(&mut motion, 1.0, self.time);
-                motion.store(lane, &mut moved);
-                moved.q.flat().to_vec()
-            }
-            Part::Potential => {
-                H::kick::<R, f64>(&mut motion, 1.0, self.time);
-                motion.store(lane, &mut moved);
-                moved.p.flat().iter().map(|change| -change).collect()
-            }
-        }
-    }
-
-    /// A motion at `point`, with `tangent` in the second lane if there is one.
-    fn load<R: Real>(&self, point: &Phase<H::Coords>, tangent: &Phase<H::Coords>) -> H::Motion<R, f64> {
-        H::Motion::<R, f64>::load(&|lane| (self.parameters, if lane == 0 { point } else { tangent }))
+    /// The gradient, or its derivative along a tangent.
+    pub(crate) fn flow(&self, point: &Flat, tangent: Option<&Flat>) -> Vec<f64> {
+        self.system.flow(self.part, point, tangent, self.time)
     }
 }

@@ -6,12 +6,12 @@ use crate::{
     check::{
         exact::Exact,
         path::{PARTS, Path, Scale},
-        points::{Flat, flat},
         reference::Reference,
         start::Start,
         tolerance::within,
     },
     coords::Coords,
+    flat::{Flat, flat},
     hamiltonian::{Flows, Hamiltonian, Motion, Shaped, Single},
     phase::Phase,
     slot::Compensated,

@@ -47,6 +47,7 @@ mod gradient;
 mod line;
 mod local_order;
 mod march;
+mod measurable;
 mod order;
 mod path;
 mod points;

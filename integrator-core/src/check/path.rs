@@ -3,9 +3,9 @@
 //! Always true: positions are measured against positions and momenta against momenta, so that units cancel, and a
 //! displacement against a displacement, so that the origin of the coordinates does not matter.
 
-use crate::check::{
-    points::Flat,
-    tolerance::{largest, length, ratio},
+use crate::{
+    check::tolerance::{largest, length, ratio},
+    flat::Flat,
 };
 
 /// Into how many equal parts a time is divided. Errors are taken over all of their ends, because at a single time the

@@ -9,6 +9,7 @@ use crate::{
     },
     coords::Coords,
     error::Error,
+    flat::{Flat, flat},
     hamiltonian::{Hamiltonian, Shaped},
     method::Method,
     phase::Phase,
@@ -21,39 +22,9 @@ pub(crate) fn plain<H: Hamiltonian, K: Keep>(point: &Phase<Shaped<H, K>>) -> Pha
     Phase { q: point.q.map(|leaf| leaf.to_f64()), p: point.p.map(|leaf| leaf.to_f64()) }
 }
 
-/// A point without its shape: all numbers of its positions, and all of its momenta.
-pub(crate) type Flat = Phase<Vec<f64>>;
-
-/// The values of a point without its shape.
-pub(crate) fn flat<C: Coords>(point: &Phase<C>) -> Flat {
-    Phase { q: values(point.q.flat()), p: values(point.p.flat()) }
-}
-
-fn values<K: Keep>(leaves: &[K]) -> Vec<f64> {
-    let mut values = Vec::with_capacity(leaves.len());
-    for leaf in leaves {
-        values.push(leaf.to_f64());
-    }
-    values
-}
-
 /// A start without its shape.
 pub(crate) fn flat_start<C: Coords>(start: &Start<C>) -> Start<Vec<f64>> {
     Start { phase: flat(&start.phase), time: start.time }
-}
-
-/// The point with these numbers, in the shape of another one.
-pub(crate) fn shaped<C: Coords<Leaf = f64>>(like: &Phase<C>, numbers: &Flat) -> Phase<C> {
-    let mut point = like.clone();
-    overwrite(point.q.flat_mut(), &numbers.q);
-    overwrite(point.p.flat_mut(), &numbers.p);
-    point
-}
-
-fn overwrite(numbers: &mut [f64], with: &[f64]) {
-    for (number, with) in numbers.iter_mut().zip(with) {
-        *number = *with;
-    }
 }
 
 /// The values of a start, if a run may begin there.
@@ -120,12 +91,12 @@ pub(crate) fn origin<C: Coords<Leaf = f64>>(point: &Phase<C>) -> Phase<C> {
 }
 
 /// One number of a point, positions counted first.
-pub(crate) fn coordinate<C: Coords<Leaf = f64>>(point: &mut Phase<C>, index: usize) -> &mut f64 {
-    let n = point.q.flat().len();
-    if index < n { &mut point.q.flat_mut()[index] } else { &mut point.p.flat_mut()[index - n] }
+pub(crate) fn coordinate(point: &mut Flat, index: usize) -> &mut f64 {
+    let n = point.q.len();
+    if index < n { &mut point.q[index] } else { &mut point.p[index - n] }
 }
 
 /// All numbers of a point, positions first.
-pub(crate) fn numbers<C: Coords<Leaf = f64>>(point: &Phase<C>) -> impl Iterator<Item = f64> {
-    point.q.flat().iter().chain(point.p.flat()).copied()
+pub(crate) fn numbers(point: &Flat) -> impl Iterator<Item = f64> {
+    point.q.iter().chain(&point.p).copied()
 }

@@ -127,12 +127,7 @@ fn confirmed(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{
-        check::{exact::Motions, points::flat},
-        hamiltonian,
-        hamiltonian::Hamiltonian,
-        phase::Phase,
-    };
+    use crate::{check::exact::Motions, flat::flat, hamiltonian, hamiltonian::Hamiltonian, phase::Phase};
 
     struct Pendulum {
         gravity: f64,

@@ -9,13 +9,12 @@ use crate::{
         CheckError,
         points::{coordinate, numbers, origin, plain, resolution, run},
         start::Start,
-        tangent::Tangents,
+        tangent::{Carry, Tangents},
         tolerance::{largest, ratio},
     },
-    coords::Coords,
+    flat::{Flat, flat},
     hamiltonian::{Hamiltonian, Shaped},
     method::Method,
-    phase::Phase,
     slot::Keep,
 };
 
@@ -58,19 +57,21 @@ pub(crate) fn round_trip<H: Hamiltonian, X: Method<H>, K: Keep>(
     steps: u64,
 ) -> Result<RoundTrip, CheckError> {
     let trip = Trip::take::<H, X, K>(system, method, start, h, steps)?;
+    let shape = plain::<H, K>(&start.phase);
+    let [there, back] = [h, -h].map(|h| Tangents::<H, X>::new(system, method, &shape, h));
     let growth = largest([
-        growth(system, method, &trip.start, trip.size, h, start.time, steps),
-        growth(system, method, &trip.turn, trip.size, -h, trip.time, steps),
+        growth(&there, &trip.start, trip.size, (start.time, h), steps),
+        growth(&back, &trip.turn, trip.size, (trip.time, -h), steps),
     ]);
     let roundings = 16.0 * (2.0 * method.facts().roundings_in(steps)).sqrt();
     Ok(RoundTrip { distance: trip.distance(), tolerance: roundings * trip.resolution * growth })
 }
 
 /// The points of a round trip.
-struct Trip<C> {
-    start: Phase<C>,
-    turn: Phase<C>,
-    end: Phase<C>,
+struct Trip {
+    start: Flat,
+    turn: Flat,
+    end: Flat,
     /// The time of the turn.
     time: f64,
     /// What one rounding amounts to, in the unit of the coordinate.
@@ -78,8 +79,8 @@ struct Trip<C> {
     size: Size,
 }
 
-impl<C: Coords<Leaf = f64>> Trip<C> {
-    fn take<H: Hamiltonian<Coords = C>, X: Method<H>, K: Keep>(
+impl Trip {
+    fn take<H: Hamiltonian, X: Method<H>, K: Keep>(
         system: &H,
         method: X,
         start: &Start<Shaped<H, K>>,
@@ -91,9 +92,9 @@ impl<C: Coords<Leaf = f64>> Trip<C> {
         let mut back = run::<H, X, K>(system, method, &there.state().at_time(there.time()), -h)?;
         back.advance(steps)?;
         let resolution = resolution(&[&start.phase, &there.state()]);
-        let (start, turn) = (plain::<H, K>(&start.phase), plain::<H, K>(&there.state()));
+        let (start, turn) = (flat(&start.phase), flat(&there.state()));
         let size = Size::of(&[&start, &turn]);
-        Ok(Self { start, turn, end: plain::<H, K>(&back.state()), time: there.time(), resolution, size })
+        Ok(Self { start, turn, end: flat(&back.state()), time: there.time(), resolution, size })
     }
 
     fn distance(&self) -> f64 {
@@ -110,11 +111,11 @@ struct Size {
 }
 
 impl Size {
-    fn of<C: Coords<Leaf = f64>>(points: &[&Phase<C>]) -> Self {
+    fn of(points: &[&Flat]) -> Self {
         Self {
-            q: largest(points.iter().flat_map(|point| point.q.flat().iter().copied())),
-            p: largest(points.iter().flat_map(|point| point.p.flat().iter().copied())),
-            positions: points.first().map_or(0, |point| point.q.flat().len()),
+            q: largest(points.iter().flat_map(|point| point.q.iter().copied())),
+            p: largest(points.iter().flat_map(|point| point.p.iter().copied())),
+            positions: points.first().map_or(0, |point| point.q.len()),
         }
     }
 
@@ -131,19 +132,10 @@ impl Size {
 
 /// The largest size, in units of `size`, that tangents reach within `steps` steps, where every number of a tangent
 /// begins with one unit.
-fn growth<H: Hamiltonian, X: Method<H>>(
-    system: &H,
-    method: X,
-    point: &Phase<H::Coords>,
-    size: Size,
-    h: f64,
-    t0: f64,
-    steps: u64,
-) -> f64 {
+fn growth(tangents: &dyn Carry, point: &Flat, size: Size, (t0, h): (f64, f64), steps: u64) -> f64 {
     /// Its multiples fall evenly into (0, 1), so that signs taken from them share no symmetry with the system: a shift
     /// of all bodies at once, for one, would meet no force between them.
     const GOLDEN: f64 = 0.618_033_988_749_894_9;
-    let tangents = Tangents::<H, X>::new(system, method, point.q.length(), h);
     largest([1.0, -1.0].map(|sign_of_p| {
         let (mut point, mut tangent) = (point.clone(), origin(point));
         for index in 0..2 * size.positions {

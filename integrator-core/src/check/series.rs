@@ -6,11 +6,11 @@
 use crate::{
     check::{
         path::{PARTS, Path, Scale},
-        points::flat,
         start::Start,
     },
     clock::Clock,
     coords::Coords,
+    flat::flat,
     hamiltonian::{Hamiltonian, Motion},
     method::Method,
     phase::Phase,

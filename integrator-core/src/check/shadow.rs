@@ -10,11 +10,11 @@ use crate::{
     check::{
         CheckError,
         dual::Dual,
-        gradient::{Gradient, Part},
+        gradient::{Part, flow},
         line::fit_finest,
         order::{CLEARANCE, LADDER, NEEDED, POINTS, observed_order},
         path::PARTS,
-        points::{compensated_run, numbers, origin, plain},
+        points::{compensated_run, origin, plain},
         start::Start,
         tolerance::{largest, length, within},
     },
@@ -174,7 +174,7 @@ fn course<H: QuadraticKinetic, X: Composition<H> + Shadowed>(
     }
     let count = (steps as f64).sqrt();
     // Each of the coordinates is rounded, and each of the terms of the energies, to half an ε of the largest at most.
-    let rounding = (2.0 * numbers(&start.phase).count() as f64).sqrt() * f64::EPSILON * terms;
+    let rounding = (4.0 * start.phase.q.flat().len() as f64).sqrt() * f64::EPSILON * terms;
     Ok(Course { deviations: changes.map(|changes| length(changes) / count), rounding })
 }
 
@@ -192,7 +192,7 @@ impl<H: QuadraticKinetic> Point<'_, H> {
         let energy = kinetic + potential;
         let still = origin(self.point);
         let at_rest = Phase { q: self.point.q.clone(), p: still.p.clone() };
-        let gradient = Gradient::<H>::new(self.parameters, Part::Potential, 0.0).flow::<f64>(&at_rest, &still, 0);
+        let gradient = flow::<H, f64>(self.parameters, Part::Potential, [&at_rest, &still], 0.0, 0);
         let v = self.velocity(self.point.p.flat());
         let g = self.velocity(&gradient);
         let bent = self.hessian(&v);
@@ -211,7 +211,7 @@ impl<H: QuadraticKinetic> Point<'_, H> {
     fn velocity(&self, momenta: &[f64]) -> Vec<f64> {
         let mut point = origin(self.point);
         point.p.flat_mut().copy_from_slice(momenta);
-        Gradient::<H>::new(self.parameters, Part::Kinetic, 0.0).flow::<f64>(&point, &point, 0)
+        flow::<H, f64>(self.parameters, Part::Kinetic, [&point, &point], 0.0, 0)
     }
 
     /// The second derivative of `V` along `direction`.

@@ -8,18 +8,16 @@
 use crate::{
     check::{
         CheckError,
-        dual::Dual,
-        gradient::{Gradient, Part},
+        gradient::{Differentiable, Energies, Gradient, Part},
         points::{begin, coordinate, origin, run},
         spectrum::eigenvalues,
         start::Start,
         tolerance::{largest, within},
     },
     composition::Composition,
-    coords::Coords,
+    flat::{Flat, flat},
     hamiltonian::{Hamiltonian, Shaped},
     method::Method,
-    phase::Phase,
     slot::Keep,
 };
 use std::fmt;
@@ -119,10 +117,10 @@ pub(crate) fn nearness<H: Hamiltonian, X: Method<H>, K: Keep>(
 ) -> Result<Stability, CheckError> {
     let start = begin::<H, X, K>(system, method, start, h)?;
     let mut run = run::<H, X, f64>(system, method, &start, h)?;
-    let parameters = system.parameters(run.state().q.length());
+    let energies = Energies::new(system, &start.phase);
     let mut fastest = Stability { turn: 0.0, time: run.time(), limit };
     for _ in 0..LOOKS {
-        let turn = (h * frequency::<H>(&parameters, &run.state(), run.time())).abs();
+        let turn = (h * frequency(&energies, &flat(&run.state()), run.time())).abs();
         if !within(turn, fastest.turn) {
             fastest = Stability { turn, time: run.time(), ..fastest };
         }
@@ -136,13 +134,13 @@ pub(crate) fn nearness<H: Hamiltonian, X: Method<H>, K: Keep>(
 
 /// The largest frequency of the linear motion about `point`: with `δq' = T″ δp` and `δp' = -V″ δq`, the largest real
 /// part of a root of an eigenvalue of `T″ V″`.
-fn frequency<H: Hamiltonian>(parameters: &H::Parameters<f64>, point: &Phase<H::Coords>, time: f64) -> f64 {
-    let length = point.q.flat().len();
+fn frequency(energies: &dyn Differentiable, point: &Flat, time: f64) -> f64 {
+    let length = point.q.len();
     let still = origin(point);
-    let at_rest = Phase { q: point.q.clone(), p: still.p.clone() };
-    let at_origin = Phase { q: still.q.clone(), p: point.p.clone() };
-    let force = Gradient::<H>::new(parameters, Part::Potential, time);
-    let velocity = Gradient::<H>::new(parameters, Part::Kinetic, time);
+    let at_rest = Flat { q: point.q.clone(), p: still.p.clone() };
+    let at_origin = Flat { q: still.q.clone(), p: point.p.clone() };
+    let force = Gradient::new(energies, Part::Potential, time);
+    let velocity = Gradient::new(energies, Part::Kinetic, time);
     let tangent = |numbers: &[f64], first: usize| {
         let mut tangent = still.clone();
         for (index, number) in numbers.iter().enumerate() {
@@ -151,8 +149,8 @@ fn frequency<H: Hamiltonian>(parameters: &H::Parameters<f64>, point: &Phase<H::C
         tangent
     };
     let squared = eigenvalues(length, &|direction| {
-        let pull = force.flow::<Dual>(&at_rest, &tangent(direction, 0), 1);
-        velocity.flow::<Dual>(&at_origin, &tangent(&pull, length), 1)
+        let pull = force.flow(&at_rest, Some(&tangent(direction, 0)));
+        velocity.flow(&at_origin, Some(&tangent(&pull, length)))
     });
     squared.map_or(f64::NAN, |values| {
         largest(values.iter().map(|value| value.re.hypot(value.im).sqrt() * (value.im.atan2(value.re) / 2.0).cos()))

@@ -8,16 +8,14 @@
 use crate::{
     check::{
         CheckError,
-        dual::Dual,
-        gradient::{Gradient, Part},
+        gradient::{Differentiable, Energies, Gradient, Part},
         points::{numbers, origin},
         shortfall::Shortfall,
         tolerance::{largest, within},
     },
-    coords::Coords,
+    flat::{Flat, shaped},
     hamiltonian::Hamiltonian,
-    phase::Phase,
-    stated::{Digits, Function},
+    stated::{Digits, Function, Values, values},
 };
 
 /// Up to how many coordinates each is a direction of its own, and in how many directions differences are taken otherwise.
@@ -38,7 +36,7 @@ const KNOWN: f64 = 1e-6;
 const SAFETY: f64 = 8.0;
 
 /// A state and its time.
-pub(crate) type Visited<C> = (Phase<C>, f64);
+pub(crate) type Visited = (Flat, f64);
 
 /// How often the generated code was held against the user's functions.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -57,15 +55,17 @@ pub struct Agreement {
 ///
 /// # Errors
 /// What does not agree, at most once for each function.
-pub(crate) fn agreement<H: Hamiltonian>(
-    system: &H,
-    states: &[Visited<H::Coords>],
+pub(crate) fn agreement(
+    system: &dyn Stated,
+    states: &[Visited],
 ) -> Result<Result<Agreement, CheckError>, Vec<Shortfall>> {
     let (mut agreement, mut shortfalls) = (Agreement::default(), Vec::new());
     for function in Function::BOTH {
         let outcome = states.iter().try_for_each(|(state, time)| {
-            let parameters = system.parameters(state.q.length());
-            match function.hold(system, &parameters, state, *time).map_err(Shortfall::Misread)? {
+            match function
+                .hold(state, *time, &|state| system.values(function, state, *time))
+                .map_err(Shortfall::Misread)?
+            {
                 true => agreement.energies += 1,
                 false => agreement.left_out += 1,
             }
@@ -73,8 +73,8 @@ pub(crate) fn agreement<H: Hamiltonian>(
                 Function::Kinetic => Part::Kinetic,
                 Function::Potential => Part::Potential,
             };
-            let gradient = Gradient::<H>::new(&parameters, part, *time);
-            let point = Point { system, function, gradient, parameters: &parameters, state, time: *time };
+            let gradient = Gradient::new(system.energies(), part, *time);
+            let point = Point { system, function, gradient, state, time: *time };
             point.directions().iter().try_for_each(|direction| {
                 for held in [point.slope(direction)?, point.tangent(direction)?] {
                     if held { agreement.derivatives += 1 } else { agreement.left_out += 1 }
@@ -93,38 +93,56 @@ pub(crate) fn agreement<H: Hamiltonian>(
     }
 }
 
+/// A system beside the user's own functions.
+pub(crate) trait Stated {
+    /// The generated code alone.
+    fn energies(&self) -> &dyn Differentiable;
+
+    /// The values of both.
+    fn values(&self, function: Function, state: &Flat, time: f64) -> Values;
+}
+
+impl<H: Hamiltonian> Stated for Energies<'_, H> {
+    fn energies(&self) -> &dyn Differentiable {
+        self
+    }
+
+    fn values(&self, function: Function, state: &Flat, time: f64) -> Values {
+        values(function, self.system, &self.parameters, &shaped(self.shape, state), time)
+    }
+}
+
 /// A function at a state.
-struct Point<'s, H: Hamiltonian> {
-    system: &'s H,
+struct Point<'s> {
+    system: &'s dyn Stated,
     function: Function,
-    gradient: Gradient<'s, H>,
-    parameters: &'s H::Parameters<f64>,
-    state: &'s Phase<H::Coords>,
+    gradient: Gradient<'s>,
+    state: &'s Flat,
     time: f64,
 }
 
-impl<H: Hamiltonian> Point<'_, H> {
+impl Point<'_> {
     /// The coordinates that the function reads, of a state.
-    fn own(&self, state: &Phase<H::Coords>) -> Vec<f64> {
+    fn own(&self, state: &Flat) -> Vec<f64> {
         match self.function {
-            Function::Kinetic => state.p.flat().to_vec(),
-            Function::Potential => state.q.flat().to_vec(),
+            Function::Kinetic => state.p.clone(),
+            Function::Potential => state.q.clone(),
         }
     }
 
     /// A state with other coordinates for the function to read.
-    fn with(&self, of: &Phase<H::Coords>, own: impl Iterator<Item = f64>) -> Phase<H::Coords> {
+    fn with(&self, of: &Flat, own: impl Iterator<Item = f64>) -> Flat {
         let mut state = of.clone();
         let numbers = match self.function {
-            Function::Kinetic => state.p.flat_mut(),
-            Function::Potential => state.q.flat_mut(),
+            Function::Kinetic => &mut state.p,
+            Function::Potential => &mut state.q,
         };
         numbers.iter_mut().zip(own).for_each(|(number, own)| *number = own);
         state
     }
 
     /// The state that far in a direction.
-    fn moved(&self, direction: &[f64], distance: f64) -> Phase<H::Coords> {
+    fn moved(&self, direction: &[f64], distance: f64) -> Flat {
         let own = self.own(self.state).into_iter().zip(direction);
         self.with(self.state, own.map(|(number, along)| number + distance * along))
     }
@@ -144,10 +162,10 @@ impl<H: Hamiltonian> Point<'_, H> {
     }
 
     /// The gradient of the generated code at a state.
-    fn generated(&self, state: &Phase<H::Coords>) -> Vec<f64> {
+    fn generated(&self, state: &Flat) -> Vec<f64> {
         let still = origin(state);
         let own = self.with(&still, self.own(state).into_iter());
-        self.gradient.flow::<f64>(&own, &still, 0)
+        self.gradient.flow(&own, None)
     }
 
     /// Whether the force or the velocity is the slope of the user's function in a direction; `false` where no slope is
@@ -155,8 +173,8 @@ impl<H: Hamiltonian> Point<'_, H> {
     fn slope(&self, direction: &[f64]) -> Result<bool, Shortfall> {
         let value = |distance| {
             let state = self.moved(direction, distance);
-            let [_, rounding] = self.function.generated::<H>(self.parameters, &state, self.time);
-            [self.function.stated(self.system, &state, self.time), rounding]
+            let Values { stated, rounding, .. } = self.system.values(self.function, &state, self.time);
+            [stated, rounding]
         };
         let terms = self.generated(self.state).into_iter().zip(direction).map(|(slope, along)| slope * along);
         self.hold(1, terms.collect(), slope_of(&value))
@@ -175,7 +193,7 @@ impl<H: Hamiltonian> Point<'_, H> {
         let still = origin(self.state);
         let own = self.with(&still, self.own(self.state).into_iter());
         let along = self.with(&still, direction.iter().copied());
-        let tangents = self.gradient.flow::<Dual>(&own, &along, 1);
+        let tangents = self.gradient.flow(&own, Some(&along));
         self.hold(
             2,
             tangents.into_iter().zip(&weights).map(|(tangent, weight)| tangent * weight).collect(),

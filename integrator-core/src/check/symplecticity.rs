@@ -5,8 +5,15 @@
 //! however coarse the step; of the size of the step for a map that is not symplectic.
 
 use crate::{
-    check::{CheckError, points::begin, start::Start, tangent::Tangents, tolerance::largest},
+    check::{
+        CheckError,
+        points::begin,
+        start::Start,
+        tangent::{Tangents, matrix},
+        tolerance::largest,
+    },
     coords::Coords,
+    flat::flat,
     hamiltonian::{Hamiltonian, Shaped},
     method::Method,
     slot::Keep,
@@ -65,7 +72,7 @@ pub fn poisson_bracket<H: Hamiltonian, X: Method<H>, K: Keep>(
     if index >= coordinates {
         return Err(CheckError::NoCoordinate { index, coordinates });
     }
-    let map = Tangents::<H, X>::new(system, method, start.q.length(), h).matrix(&start, time, 1);
+    let map = matrix(&Tangents::<H, X>::new(system, method, &start, h), &flat(&start), time, 1);
     let (q, p) = (map.row(index), map.row(coordinates + index));
     Ok((0..coordinates).map(|k| q[k] * p[coordinates + k] - q[coordinates + k] * p[k]).sum())
 }
@@ -92,7 +99,7 @@ pub(crate) fn defect<H: Hamiltonian, X: Method<H>, K: Keep>(
     steps: u64,
 ) -> Result<Defect, CheckError> {
     let Start { phase: start, time } = begin::<H, X, K>(system, method, start, h)?;
-    let map = Tangents::<H, X>::new(system, method, start.q.length(), h).matrix(&start, time, steps);
+    let map = matrix(&Tangents::<H, X>::new(system, method, &start, h), &flat(&start), time, steps);
     Ok(defect_of(map, method.facts().roundings_in(steps.max(1))))
 }
 

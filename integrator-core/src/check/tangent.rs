@@ -11,58 +11,60 @@ use crate::{
     },
     clock::Clock,
     coords::Coords,
+    flat::{Flat, flat, shaped},
     hamiltonian::{Hamiltonian, Motion},
     method::Method,
     phase::Phase,
 };
 use nalgebra::DMatrix;
-use std::{marker::PhantomData, sync::Arc};
+use std::sync::Arc;
 
-/// Tangents on their way with the point that they are attached to.
-pub(crate) struct Tangents<H: Hamiltonian, X: Method<H>> {
-    constants: Arc<X::Constants>,
-    h: f64,
-    marker: PhantomData<H>,
+/// Steps that carry a tangent with the point that it is attached to.
+pub(crate) trait Carry {
+    /// Where `point` is after `steps` steps from time `t0`, closed, and what has become of `tangent` there.
+    fn carry(&self, point: &Flat, tangent: &Flat, t0: f64, steps: u64) -> (Flat, Flat);
 }
 
-impl<H: Hamiltonian, X: Method<H>> Tangents<H, X> {
-    pub(crate) fn new(system: &H, method: X, length: usize, h: f64) -> Self {
-        Self { constants: method.constants(Arc::new(system.parameters(length))), h, marker: PhantomData }
-    }
+/// Those of a method, with a point in the shape of the coordinates of its system.
+pub(crate) struct Tangents<'s, H: Hamiltonian, X: Method<H>> {
+    constants: Arc<X::Constants>,
+    shape: &'s Phase<H::Coords>,
+    h: f64,
+}
 
-    /// Where `point` is after `steps` steps from time `t0`, closed, and what has become of `tangent` there.
-    pub(crate) fn carry(
-        &self,
-        point: &Phase<H::Coords>,
-        tangent: &Phase<H::Coords>,
-        t0: f64,
-        steps: u64,
-    ) -> (Phase<H::Coords>, Phase<H::Coords>) {
-        let mut arrived = (point.clone(), tangent.clone());
+impl<'s, H: Hamiltonian, X: Method<H>> Tangents<'s, H, X> {
+    pub(crate) fn new(system: &H, method: X, shape: &'s Phase<H::Coords>, h: f64) -> Self {
+        Self { constants: method.constants(Arc::new(system.parameters(shape.q.length()))), shape, h }
+    }
+}
+
+impl<H: Hamiltonian, X: Method<H>> Carry for Tangents<'_, H, X> {
+    fn carry(&self, point: &Flat, tangent: &Flat, t0: f64, steps: u64) -> (Flat, Flat) {
+        let mut arrived = [shaped(self.shape, point), shaped(self.shape, tangent)];
         let moves = X::moves::<Dual, f64>();
-        let mut motion = X::Motion::<Dual, f64>::load(&|lane| (&*self.constants, [point, tangent][lane]));
+        let mut motion = X::Motion::<Dual, f64>::load(&|lane| (&*self.constants, &arrived[lane]));
         let clock = Clock { t0, h: self.h, steps: 0 };
         moves.advance(&mut motion, clock, steps);
         let motion = moves.shown(motion, Clock { steps, ..clock });
-        motion.store(0, &mut arrived.0);
-        motion.store(1, &mut arrived.1);
-        arrived
+        motion.store(0, &mut arrived[0]);
+        motion.store(1, &mut arrived[1]);
+        (flat(&arrived[0]), flat(&arrived[1]))
     }
+}
 
-    /// The Jacobian matrix of `steps` steps from `point`, rows and columns ordered as all of `q`, then all of `p`.
-    ///
-    /// The time is 2n times that of the steps in duals, where n is the number of positions.
-    pub(crate) fn matrix(&self, point: &Phase<H::Coords>, t0: f64, steps: u64) -> DMatrix<f64> {
-        let n = point.q.flat().len();
-        let mut matrix = DMatrix::zeros(2 * n, 2 * n);
-        for column in 0..2 * n {
-            let mut unit = origin(point);
-            *coordinate(&mut unit, column) = 1.0;
-            let (_, arrived) = self.carry(point, &unit, t0, steps);
-            for (row, value) in numbers(&arrived).enumerate() {
-                matrix[(row, column)] = value;
-            }
+/// The Jacobian matrix of `steps` steps from `point`, rows and columns ordered as all of `q`, then all of `p`.
+///
+/// The time is 2n times that of the steps in duals, where n is the number of positions.
+pub(crate) fn matrix(tangents: &dyn Carry, point: &Flat, t0: f64, steps: u64) -> DMatrix<f64> {
+    let n = point.q.len();
+    let mut matrix = DMatrix::zeros(2 * n, 2 * n);
+    for column in 0..2 * n {
+        let mut unit = origin(point);
+        *coordinate(&mut unit, column) = 1.0;
+        let (_, arrived) = tangents.carry(point, &unit, t0, steps);
+        for (row, value) in numbers(&arrived).enumerate() {
+            matrix[(row, column)] = value;
         }
-        matrix
     }
+    matrix
 }

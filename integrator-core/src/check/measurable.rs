@@ -1,0 +1,100 @@
+//! What a certificate asks of a system, a method, a start and a step: whatever is compiled for them is behind one trait.
+
+use crate::{
+    check::{
+        CheckError,
+        energy::{EnergyDrift, energy_drift},
+        exact::{Stepper, Steps},
+        gradient::Energies,
+        points::{self, run},
+        reversibility::{RoundTrip, round_trip},
+        stability::{Stability, nearness},
+        start::Start,
+        stated::Stated,
+        symplecticity::{Defect, defect},
+    },
+    error::Error,
+    flat::{Flat, shaped},
+    hamiltonian::{Hamiltonian, Shaped},
+    method::Method,
+    slot::Keep,
+};
+
+/// What can be measured, by every check.
+pub(crate) trait Measurable {
+    /// The name of the system.
+    fn system(&self) -> &'static str;
+
+    /// Its method.
+    fn stepper(&self) -> &dyn Stepper;
+
+    /// Its energies and flows beside the user's own functions.
+    fn stated(&self) -> &dyn Stated;
+
+    /// Whether a run may begin at a state.
+    fn begin(&self, state: &Flat, time: f64) -> Result<(), Error>;
+
+    /// The defect of one step.
+    fn defect(&self) -> Result<Defect, CheckError>;
+
+    /// The round trip in so many steps of `h` each way.
+    fn round_trip(&self, h: f64, steps: u64) -> Result<RoundTrip, CheckError>;
+
+    /// The course of the energy over so many steps of `h`.
+    fn energy_drift(&self, h: f64, steps: u64) -> Result<EnergyDrift, CheckError>;
+
+    /// How near the steps come to the limit of stability.
+    fn stability(&self, limit: f64) -> Result<Stability, CheckError>;
+}
+
+/// A system, a method, a start and a step.
+pub(crate) struct Measured<'s, H: Hamiltonian, X, K: Keep> {
+    pub(crate) system: &'s H,
+    pub(crate) method: X,
+    pub(crate) start: &'s Start<Shaped<H, K>>,
+    pub(crate) h: f64,
+    pub(crate) energies: Energies<'s, H>,
+    pub(crate) steps: Steps<'s, H, X>,
+}
+
+impl<H: Hamiltonian, X: Method<H>, K: Keep> Measurable for Measured<'_, H, X, K> {
+    fn system(&self) -> &'static str {
+        std::any::type_name::<H>()
+    }
+
+    fn stepper(&self) -> &dyn Stepper {
+        &self.steps
+    }
+
+    fn stated(&self) -> &dyn Stated {
+        &self.energies
+    }
+
+    fn begin(&self, state: &Flat, time: f64) -> Result<(), Error> {
+        let start = shaped(self.energies.shape, state).at_time(time);
+        points::begin::<H, X, f64>(self.system, self.method, &start, 1.0)?;
+        Ok(())
+    }
+
+    fn defect(&self) -> Result<Defect, CheckError> {
+        let defect = defect::<H, X, K>(self.system, self.method, self.start, self.h, 1)?;
+        if defect.size.is_nan() {
+            // A step that leaves the numbers says where it does.
+            run::<H, X, K>(self.system, self.method, self.start, self.h)?.advance(1)?;
+            return Err(CheckError::NotFinite { what: "the derivative of a step by its start" });
+        }
+        Ok(defect)
+    }
+
+    fn round_trip(&self, h: f64, steps: u64) -> Result<RoundTrip, CheckError> {
+        round_trip::<H, X, K>(self.system, self.method, self.start, h, steps)
+    }
+
+    fn energy_drift(&self, h: f64, steps: u64) -> Result<EnergyDrift, CheckError> {
+        energy_drift::<H, X, K>(self.system, self.method, self.start, h, steps)
+    }
+
+    fn stability(&self, limit: f64) -> Result<Stability, CheckError> {
+        nearness::<H, X, K>(self.system, self.method, limit, self.start, self.h)
+    }
+}
