@@ -5,7 +5,6 @@
 
 use crate::{
     bounded::Bounded,
-    coords::Coords,
     error::Misread,
     flat::Flat,
     hamiltonian::{Hamiltonian, Motion},
@@ -14,6 +13,7 @@ use crate::{
 };
 #[cfg(debug_assertions)]
 use crate::{
+    coords::Coords,
     error::Error,
     flat::{flat, shaped},
     hamiltonian::Shaped,
