@@ -17,20 +17,26 @@ pub(crate) fn admissible<C: Coords>(start: &Phase<C>, h: f64) -> Result<(), Erro
     }
     for (coordinate, leaves) in [("q", start.q.flat()), ("p", start.p.flat())] {
         for (index, leaf) in leaves.iter().enumerate() {
-            let (value, limit) = (leaf.to_f64(), leaf.limit());
-            if !value.is_finite() {
-                return Err(Error::Start { coordinate, index, value });
-            }
-            let Some(spacing) = leaf.spacing() else { continue };
-            if !is_power_of_two(spacing) {
-                return Err(Error::Grid { coordinate, index, spacing });
-            }
-            if value.abs() >= limit {
-                return Err(Error::GridRange { coordinate, index, value, spacing, limit });
-            }
+            on_its_grid((coordinate, index, leaf.to_f64()), leaf.spacing(), leaf.limit())?;
         }
     }
     Ok(())
+}
+
+/// Whether a coordinate is finite, and has a place on its grid if it has one.
+fn on_its_grid(
+    (coordinate, index, value): (&'static str, usize, f64),
+    spacing: Option<f64>,
+    limit: f64,
+) -> Result<(), Error> {
+    if !value.is_finite() {
+        return Err(Error::Start { coordinate, index, value });
+    }
+    match spacing {
+        Some(spacing) if !is_power_of_two(spacing) => Err(Error::Grid { coordinate, index, spacing }),
+        Some(spacing) if value.abs() >= limit => Err(Error::GridRange { coordinate, index, value, spacing, limit }),
+        _ => Ok(()),
+    }
 }
 
 /// Whether a run with a method may begin at `start` with step `h`.

@@ -3,6 +3,7 @@
 use crate::{
     coords::Coords,
     error::{Divergence, Error},
+    flat::{Flat, flat},
     phase::Phase,
     slot::Keep,
 };
@@ -50,14 +51,25 @@ impl Clock {
 
     /// What to say of a trajectory that has taken its last finite step, to `state`; `next` is where one more leads.
     pub(crate) fn divergence<C: Coords>(&self, state: &Phase<C>, next: &Phase<C>) -> Divergence {
-        let flat = |coordinates: &C| coordinates.flat().iter().map(|leaf| leaf.to_f64()).collect();
-        let step = self.steps.saturating_add(1);
-        let leaves = state.q.flat().iter().chain(state.p.flat());
-        let limit = leaves.map(|leaf| leaf.limit()).fold(f64::INFINITY, f64::min);
-        // The limit of a grid is exclusive, as infinity is.
-        let gone = |leaf: &C::Leaf| leaf.to_f64().is_nan() || leaf.to_f64().abs() >= limit;
-        let first = |name, coordinates: &C| Some((name, coordinates.flat().iter().position(gone)?));
-        let coordinate = first("q", &next.q).or_else(|| first("p", &next.p));
-        Divergence { step, time: self.at(step), limit, coordinate, q: flat(&state.q), p: flat(&state.p) }
+        let limit = f64::min(lowest_limit(state.q.flat()), lowest_limit(state.p.flat()));
+        self.diverged(flat(state), flat(next), limit)
     }
+
+    fn diverged(&self, state: Flat, next: Flat, limit: f64) -> Divergence {
+        let step = self.steps.saturating_add(1);
+        // The limit of a grid is exclusive, as infinity is.
+        let gone = |value: &f64| value.is_nan() || value.abs() >= limit;
+        let first = |name, values: &[f64]| Some((name, values.iter().position(gone)?));
+        let coordinate = first("q", &next.q).or_else(|| first("p", &next.p));
+        Divergence { step, time: self.at(step), limit, coordinate, q: state.q, p: state.p }
+    }
+}
+
+/// What all values stay below, in absolute value.
+fn lowest_limit<K: Keep>(leaves: &[K]) -> f64 {
+    let mut lowest = f64::INFINITY;
+    for leaf in leaves {
+        lowest = f64::min(lowest, leaf.limit());
+    }
+    lowest
 }

@@ -20,6 +20,7 @@ fn values<K: Keep>(leaves: &[K]) -> Vec<f64> {
 }
 
 /// The point with these numbers, in the shape of another one.
+#[cfg(any(debug_assertions, feature = "check"))]
 pub(crate) fn shaped<C: Coords<Leaf = f64>>(like: &Phase<C>, numbers: &Flat) -> Phase<C> {
     let mut point = like.clone();
     overwrite(point.q.flat_mut(), &numbers.q);
@@ -27,6 +28,7 @@ pub(crate) fn shaped<C: Coords<Leaf = f64>>(like: &Phase<C>, numbers: &Flat) -> 
     point
 }
 
+#[cfg(any(debug_assertions, feature = "check"))]
 fn overwrite(numbers: &mut [f64], with: &[f64]) {
     for (number, with) in numbers.iter_mut().zip(with) {
         *number = *with;

@@ -108,7 +108,6 @@ mod ensemble;
 mod error;
 mod external;
 mod fixed;
-#[cfg(any(debug_assertions, feature = "check"))]
 mod flat;
 mod functions;
 mod fused;

@@ -74,12 +74,36 @@ pub(crate) fn compensated_run<H: Hamiltonian, X: Method<H>>(
 
 /// What one rounding amounts to, relative to the largest position or to the largest momentum of some points.
 pub(crate) fn resolution<C: Coords>(points: &[&Phase<C>]) -> f64 {
-    let of = |part: fn(&Phase<C>) -> &C| {
-        let leaves = || points.iter().flat_map(|point| part(point).flat());
-        let spacing = largest(leaves().filter_map(|leaf| leaf.spacing()));
-        ratio(spacing, largest(leaves().map(|leaf| leaf.to_f64())))
-    };
-    C::Leaf::EPSILON.max(of(|point| &point.q)).max(of(|point| &point.p))
+    let (mut q, mut p) = (Grain::default(), Grain::default());
+    for point in points {
+        q.see(point.q.flat());
+        p.see(point.p.flat());
+    }
+    C::Leaf::EPSILON.max(q.resolution()).max(p.resolution())
+}
+
+/// The coarsest spacing of some coordinates that lie on grids, and the largest of them.
+#[derive(Default)]
+struct Grain {
+    spacing: f64,
+    size: f64,
+}
+
+impl Grain {
+    fn see<K: Keep>(&mut self, leaves: &[K]) {
+        for leaf in leaves {
+            self.see_one(leaf.to_f64(), leaf.spacing());
+        }
+    }
+
+    fn see_one(&mut self, value: f64, spacing: Option<f64>) {
+        self.size = largest([self.size, value]);
+        self.spacing = largest([self.spacing, spacing.unwrap_or(0.0)]);
+    }
+
+    fn resolution(&self) -> f64 {
+        ratio(self.spacing, self.size)
+    }
 }
 
 /// The origin, in the shape of `point`.

@@ -12,6 +12,7 @@ use crate::{
         tangent::{Carry, Tangents},
         tolerance::{largest, ratio},
     },
+    error::Error,
     flat::{Flat, flat},
     hamiltonian::{Hamiltonian, Shaped},
     method::Method,
@@ -87,19 +88,30 @@ impl Trip {
         h: f64,
         steps: u64,
     ) -> Result<Self, CheckError> {
-        let mut there = run::<H, X, K>(system, method, start, h)?;
-        there.advance(steps)?;
-        let mut back = run::<H, X, K>(system, method, &there.state().at_time(there.time()), -h)?;
-        back.advance(steps)?;
-        let resolution = resolution(&[&start.phase, &there.state()]);
-        let (start, turn) = (flat(&start.phase), flat(&there.state()));
+        let turn = after::<H, X, K>(system, method, start, h, steps)?;
+        let end = after::<H, X, K>(system, method, &turn, -h, steps)?;
+        let (resolution, time) = (resolution(&[&start.phase, &turn.phase]), turn.time);
+        let (start, turn) = (flat(&start.phase), flat(&turn.phase));
         let size = Size::of(&[&start, &turn]);
-        Ok(Self { start, turn, end: flat(&back.state()), time: there.time(), resolution, size })
+        Ok(Self { start, turn, end: flat(&end.phase), time, resolution, size })
     }
 
     fn distance(&self) -> f64 {
         self.size.relative(numbers(&self.start).zip(numbers(&self.end)).map(|(start, end)| start - end))
     }
+}
+
+/// Where and when a run is after so many steps.
+fn after<H: Hamiltonian, X: Method<H>, K: Keep>(
+    system: &H,
+    method: X,
+    start: &Start<Shaped<H, K>>,
+    h: f64,
+    steps: u64,
+) -> Result<Start<Shaped<H, K>>, Error> {
+    let mut run = run::<H, X, K>(system, method, start, h)?;
+    run.advance(steps)?;
+    Ok(run.state().at_time(run.time()))
 }
 
 /// The largest position and the largest momentum.

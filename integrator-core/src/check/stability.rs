@@ -118,18 +118,36 @@ pub(crate) fn nearness<H: Hamiltonian, X: Method<H>, K: Keep>(
     let start = begin::<H, X, K>(system, method, start, h)?;
     let mut run = run::<H, X, f64>(system, method, &start, h)?;
     let energies = Energies::new(system, &start.phase);
-    let mut fastest = Stability { turn: 0.0, time: run.time(), limit };
+    let begin = (flat(&run.state()), run.time());
+    Ok(fastest((&energies, h, limit), begin, &mut || {
+        run.advance(INTERVAL).ok()?;
+        Some((flat(&run.state()), run.time()))
+    }))
+}
+
+/// The fastest oscillation of a run in units of its step, seen at its start and as often as it goes on from there.
+fn fastest(
+    (system, h, limit): (&dyn Differentiable, f64, f64),
+    mut seen: (Flat, f64),
+    advance: &mut dyn FnMut() -> Option<(Flat, f64)>,
+) -> Stability {
+    let mut fastest = Stability { turn: 0.0, time: seen.1, limit };
     for _ in 0..LOOKS {
-        let turn = (h * frequency(&energies, &flat(&run.state()), run.time())).abs();
+        let (state, time) = &seen;
+        let turn = (h * frequency(system, state, *time)).abs();
         if !within(turn, fastest.turn) {
-            fastest = Stability { turn, time: run.time(), ..fastest };
+            fastest = Stability { turn, time: *time, ..fastest };
         }
-        // A run that diverges has been told what it comes near to by the states before.
-        if turn.is_nan() || run.advance(INTERVAL).is_err() {
+        if turn.is_nan() {
             break;
         }
+        // A run that diverges has been told what it comes near to by the states before.
+        match advance() {
+            Some(next) => seen = next,
+            None => break,
+        }
     }
-    Ok(fastest)
+    fastest
 }
 
 /// The largest frequency of the linear motion about `point`: with `δq' = T″ δp` and `δp' = -V″ δq`, the largest real
