@@ -36,10 +36,21 @@ impl Panic {
 /// Calls a function that may end in a panic of the user's functions. Whatever it changes has to be whole after a panic, or
 /// restored by the caller.
 pub(crate) fn attempted<T>(function: impl FnOnce() -> T) -> Result<T, Panic> {
+    let (mut function, mut value) = (Some(function), None);
+    caught(&mut || value = function.take().map(|function| function()))?;
+    // Called once, and not interrupted.
+    Ok(value.unwrap_or_else(|| unreachable!("a function that has ended has a value")))
+}
+
+/// Not generic: what catches panics is compiled once.
+fn caught(function: &mut dyn FnMut()) -> Result<(), Panic> {
     #[cfg(feature = "std")]
     return catch_unwind(AssertUnwindSafe(function)).map_err(Panic);
     #[cfg(not(feature = "std"))]
-    return Ok(function());
+    {
+        function();
+        Ok(())
+    }
 }
 
 /// The first panic of several threads.
