@@ -60,7 +60,7 @@ for system in pendulum chain bodies; do
         touch src/main.rs
         cargo rustc --release --quiet --features "$system,$use" -- --emit=llvm-ir -C no-prepopulate-passes -C codegen-units=1
         lines=$(cat target/release/deps/user-*.ll | wc -l)
-        before=$(awk -F, -v system="$system" -v use="$use" '$1 == system && $2 == use { print $3 }' "$kept" 2> /dev/null || true)
+        before=$(awk -F, -v row="$system,$use" '$1 "," $2 == row { print $3 }' "$kept")
         printf '%-10s %-10s %10s %10s %10s\n' "$system" "$use" "$taken" "$lines" "${before:--}"
         echo "$system,$use,$lines" >> "$rows"
         if [ -z "$before" ] || awk "BEGIN { exit !($lines > 1.02 * $before) }"; then failed=1; fi
