@@ -22,6 +22,10 @@ pub(crate) fn all_threads() -> usize {
 /// Does a job for each of these, all at the same time, the last one in this thread.
 #[cfg(feature = "std")]
 pub(crate) fn at_once<T: Send>(all: Vec<T>, job: impl Fn(T) + Sync) {
+    // What is done alone is done in every sweep of a short lattice, and needs no place of its own.
+    if all.len() < 2 {
+        return all.into_iter().for_each(job);
+    }
     let mut jobs = Vec::with_capacity(all.len());
     for one in all {
         jobs.push(Box::new(|| job(one)) as Job<'_>);
@@ -35,17 +39,13 @@ type Job<'j> = Box<dyn FnOnce() + Send + 'j>;
 
 #[cfg(feature = "std")]
 fn all_at_once(mut jobs: Vec<Job<'_>>) {
-    let Some(last) = jobs.pop() else { return };
-    if jobs.is_empty() {
-        last();
-    } else {
-        thread::scope(|scope| {
-            for job in jobs {
-                scope.spawn(job);
-            }
-            last();
-        });
-    }
+    let last = jobs.pop();
+    thread::scope(|scope| {
+        for job in jobs {
+            scope.spawn(job);
+        }
+        last.into_iter().for_each(|job| job());
+    });
 }
 
 /// Does a job for each of these, one after the other.
