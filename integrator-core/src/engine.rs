@@ -44,6 +44,13 @@ pub(crate) trait Engine<C: Coords>: Send + Sync {
     fn boxed_clone(&self) -> Box<dyn Engine<C>>;
 }
 
+/// Whether a force or a velocity is not finite: then nor is a step of no length at all.
+pub(crate) fn is_spoilt<C: Coords>(engine: &dyn Engine<C>, clock: Clock) -> bool {
+    let mut taken = 0;
+    engine.boxed_clone().advance(Clock { h: 0.0, ..clock }, 1, &mut taken);
+    taken == 0
+}
+
 /// A motion that is looked after: a step that leads out of the finite numbers is not taken.
 #[derive(Clone)]
 struct Watched<M> {

@@ -8,33 +8,25 @@ use crate::stated::hold_at_start;
 use crate::{
     abreast::Abreast,
     admissible::{admissible_with, change},
+    chosen::Chosen,
     clock::Clock,
     coords::Coords,
-    error::{Error, Lost},
-    hamiltonian::{Hamiltonian, Prepared},
+    engine::is_spoilt,
+    error::Error,
+    hamiltonian::{Hamiltonian, Prepared, Shaped},
     in_lanes::InLanes,
     instruction_set::InstructionSet,
-    pack::{Course, Pack, Start},
-    packs::packs,
-    panics::Panics,
+    members::{Members, of_member},
+    method::Method,
+    motions::{Group, Motions},
+    packs::Starts,
     phase::Phase,
-    run::Run,
+    point::{Point, shaped},
+    real::Real,
     slot::Keep,
     threads::all_threads,
 };
-use std::{
-    fmt,
-    panic::resume_unwind,
-    sync::{
-        Arc, Mutex, PoisonError,
-        atomic::{AtomicU64, Ordering},
-    },
-    thread,
-};
-
-/// From how many updates of a coordinate on, all members together, other threads are started: that takes some ten
-/// microseconds each, in which one thread does about so many.
-const WORTH_A_THREAD: u64 = 1 << 17;
+use std::{fmt, marker::PhantomData, sync::Arc};
 
 /// How many vector registers there are without AVX-512, which has 32.
 const REGISTERS: usize = if cfg!(target_arch = "x86_64") { 16 } else { 32 };
@@ -60,15 +52,16 @@ const REGISTERS: usize = if cfg!(target_arch = "x86_64") { 16 } else { 32 };
 /// # Ok::<(), Error>(())
 /// ```
 pub struct Ensemble<C: Coords> {
-    packs: Vec<Box<dyn Pack<C>>>,
-    members: usize,
-    /// How many coordinates all members have together.
-    coordinates: u64,
-    clock: Clock,
-    /// Whether the energies of the starts are still to be looked at, where they depend on the time that the clock starts
-    /// at.
-    starts_unseen: bool,
-    threads: usize,
+    members: Members,
+    shape: PhantomData<C>,
+}
+
+/// What the members have in the beginning.
+struct Start<P, Q, C> {
+    parameters: Vec<Arc<P>>,
+    /// Those of a run by the method.
+    constants: Vec<Arc<Q>>,
+    states: Vec<Phase<C>>,
 }
 
 impl<C: Coords> Ensemble<C> {
@@ -85,77 +78,59 @@ impl<C: Coords> Ensemble<C> {
         X: InLanes<H>,
         H::Coords: Coords<With<K> = C>,
     {
-        let (mut prepared, mut coordinates) = (Vec::new(), 0);
-        for (member, (system, start)) in members.into_iter().enumerate() {
-            let refused = of_member(member);
-            admissible_with(method, &start, h).map_err(refused)?;
-            let parameters = system.parameters(start.q.length());
-            if !H::Parameters::<f64>::not_finite(&parameters).is_empty() {
-                // Whether that matters, a run of its own tells.
-                Run::start::<H, X, K>(&system, method, start.clone(), h).map_err(refused)?;
-            }
-            #[cfg(debug_assertions)]
-            hold_at_start::<H, K>(&system, &parameters, &start, 0.0).map_err(refused)?;
-            coordinates += start.q.flat().len() as u64;
-            let parameters = Arc::new(parameters);
-            prepared.push(Start { constants: method.constants(parameters.clone()), parameters, state: start });
+        let mut start = Start { parameters: Vec::new(), constants: Vec::new(), states: Vec::new() };
+        let chosen = Chosen::<H, X, K>::here();
+        for (system, state) in members {
+            let parameters = parameters(&system, &chosen, method, &state, h).map_err(of_member(start.states.len()))?;
+            start.constants.push(method.constants(parameters.clone()));
+            start.parameters.push(parameters);
+            start.states.push(state);
         }
-        if prepared.is_empty() {
+        if start.states.is_empty() {
             return Err(Error::NoMembers);
         }
-        let members = prepared.len();
-        let threads = all_threads();
-        let packs = match InstructionSet::chosen() {
-            InstructionSet::Baseline => {
-                packs::<H, X, <K as Abreast>::Plain, <K as Keep>::Plain, K, REGISTERS>(prepared, threads)
-            }
-            InstructionSet::Fused => {
-                packs::<H, X, <K as Abreast>::Fused, <K as Keep>::Fused, K, REGISTERS>(prepared, threads)
-            }
-            // Alone, a member is what a run would be.
-            InstructionSet::Avx512 if X::WIDE => {
-                packs::<H, X, <K as Abreast>::Avx512, <K as Keep>::Avx512, K, 32>(prepared, threads)
-            }
-            InstructionSet::Avx512 => {
-                packs::<H, X, <K as Abreast>::Avx512, <K as Keep>::Fused, K, 32>(prepared, threads)
-            }
+        let Start { parameters, constants, states } = start;
+        let lanes = match InstructionSet::chosen() {
+            InstructionSet::Baseline => lanes::<H, X, <K as Abreast>::Plain, K, REGISTERS>(constants),
+            InstructionSet::Fused => lanes::<H, X, <K as Abreast>::Fused, K, REGISTERS>(constants),
+            InstructionSet::Avx512 => lanes::<H, X, <K as Abreast>::Avx512, K, 32>(constants),
         };
-        let clock = Clock { t0: 0.0, h, steps: 0 };
-        let mut ensemble = Self { packs, members, coordinates, clock, starts_unseen: true, threads };
+        let starts = Starts {
+            states: &|member| &states[member],
+            alike: &|a, b| {
+                let same = <H::Parameters<f64> as Prepared<f64>>::alike(&parameters[a], &parameters[b]);
+                same && states[a].q.length() == states[b].q.length()
+            },
+            lanes: &*lanes,
+            // Alone, a member is what a run would be.
+            lone: &|member| Box::new(chosen.engine(method, parameters[member].clone(), states[member].clone())),
+        };
+        let mut coordinates = 0;
+        for state in &states {
+            coordinates += state.q.flat().len() as u64;
+        }
+        let packs = starts.packs(states.len(), all_threads());
+        let energies = Box::new(move |member: usize, state: &dyn Point, time: f64| {
+            (chosen.energy)(&parameters[member], shaped(state), time)
+        });
+        let mut members = Members::new(packs, energies, states.len(), coordinates, h);
         if H::AUTONOMOUS {
-            ensemble.see_starts()?;
+            members.see_starts()?;
         }
-        Ok(ensemble)
-    }
-
-    /// Looks at the energies of the starts, once.
-    ///
-    /// # Errors
-    /// [`Error::Member`] naming the first member whose energy is not finite.
-    fn see_starts(&mut self) -> Result<(), Error> {
-        if self.starts_unseen {
-            let time = self.time();
-            for pack in &self.packs {
-                for (member, state) in (pack.first()..).zip(pack.states(self.clock)) {
-                    pack.energy(member, &state, time).admissible(time).map_err(of_member(member))?;
-                }
-            }
-            self.starts_unseen = false;
-        }
-        Ok(())
+        Ok(Self { members, shape: PhantomData })
     }
 
     /// Starts the clock at `t0` instead of 0. A `t0` that is not finite is reported by the first `advance`.
     #[must_use]
     pub fn at_time(mut self, t0: f64) -> Self {
-        self.clock.t0 = t0;
+        self.members.clock.t0 = t0;
         self
     }
 
     /// Uses at most so many threads instead of all that the machine has; no result depends on it.
     #[must_use]
     pub fn with_threads(mut self, threads: usize) -> Self {
-        self.threads = threads.max(1);
+        self.members.threads = threads.max(1);
         self
     }
 
@@ -182,7 +157,7 @@ impl<C: Coords> Ensemble<C> {
     /// # Errors
     /// As [`Ensemble::advance`].
     pub fn advance_with(&mut self, steps: u64, mut progress: impl FnMut(u64)) -> Result<(), Error> {
-        self.carry_on(steps, u64::MAX, &|_, _| true, &mut progress)
+        self.members.carry_on(steps, u64::MAX, &|_, _| true, &mut progress)
     }
 
     /// As [`Ensemble::advance`], but members may leave when they are done: after every `interval` steps, each member
@@ -219,53 +194,7 @@ impl<C: Coords> Ensemble<C> {
         interval: u64,
         stays: impl Fn(usize, &Phase<C>) -> bool + Sync,
     ) -> Result<(), Error> {
-        match interval {
-            0 => Err(Error::SampleInterval),
-            _ => self.carry_on(steps, interval, &stays, &mut |_| {}),
-        }
-    }
-
-    fn carry_on(
-        &mut self,
-        steps: u64,
-        interval: u64,
-        stays: &(dyn Fn(usize, &Phase<C>) -> bool + Sync),
-        progress: &mut dyn FnMut(u64),
-    ) -> Result<(), Error> {
-        let end = self.clock.end(steps)?;
-        self.see_starts()?;
-        let panics = Panics::default();
-        let course = Course { clock: self.clock, steps, interval, stays, panics: &panics };
-        let (members, packs) = (self.members as u64, self.packs.len());
-        let updates = self.coordinates.saturating_mul(steps);
-        let threads = if updates < WORTH_A_THREAD { 1 } else { self.threads.min(packs) };
-        let done = AtomicU64::new(0);
-        // Whoever is free takes the next pack; no result depends on who that is.
-        let packs = Mutex::new(self.packs.iter_mut());
-        let next = || packs.lock().unwrap_or_else(PoisonError::into_inner).next();
-        let work = |progress: &mut dyn FnMut(u64)| {
-            let mut lost = Vec::new();
-            while let Some(pack) = next() {
-                lost.extend(pack.advance(&course, &mut |took| {
-                    let done = done.fetch_add(took, Ordering::Relaxed) + took;
-                    panics.attempted(|| progress(done / members));
-                }));
-            }
-            lost
-        };
-        let mut lost = thread::scope(|scope| {
-            let others: Vec<_> = (1..threads).map(|_| scope.spawn(|| work(&mut |_| {}))).collect();
-            let mut lost = work(progress);
-            for other in others {
-                lost.extend(other.join().unwrap_or_else(|panic| resume_unwind(panic)));
-            }
-            lost
-        });
-        self.clock.steps = end;
-        panics.resume();
-        progress(steps);
-        lost.sort_unstable_by_key(|(member, _)| *member);
-        if lost.is_empty() { Ok(()) } else { Err(Error::Lost(Lost { members: lost })) }
+        self.members.carry_on(steps, interval, &|member, state| stays(member, shaped(state)), &mut |_| {})
     }
 
     /// Changes the states of the members that are under way, one after the other, between two steps: coordinates that are
@@ -301,107 +230,107 @@ impl<C: Coords> Ensemble<C> {
     /// [`Error::Member`] naming the first member whose new state is refused, for the reasons of [`Run::map_state`]; all
     /// members stay as they were.
     pub fn map_states(&mut self, mut map: impl FnMut(usize, &mut Phase<C>)) -> Result<(), Error> {
-        let mut changed = Vec::with_capacity(self.packs.len());
-        for pack in &self.packs {
-            let mut states = pack.states(self.clock);
-            for (member, state) in (pack.first()..).zip(&mut states).filter(|(member, _)| pack.is_under_way(*member)) {
-                self.change(pack.as_ref(), member, state, &mut map).map_err(of_member(member))?;
-            }
-            changed.push(states);
+        let mut states: Vec<_> = self.states().collect();
+        for (member, state) in states.iter_mut().enumerate().filter(|(member, _)| self.members.is_under_way(*member)) {
+            change(state, self.members.clock.h, |state| map(member, state)).map_err(of_member(member))?;
+            self.members.changed(member, state)?;
         }
-        for (pack, states) in self.packs.iter_mut().zip(changed) {
-            pack.restart(states, self.clock.steps);
-        }
-        Ok(())
-    }
-
-    /// Changes the state of a member.
-    ///
-    /// # Errors
-    /// As [`Run::map_state`].
-    fn change(
-        &self,
-        pack: &dyn Pack<C>,
-        member: usize,
-        state: &mut Phase<C>,
-        map: &mut impl FnMut(usize, &mut Phase<C>),
-    ) -> Result<(), Error> {
-        change(state, self.clock.h, |state| map(member, state))?;
-        // Where the starts are unseen, their time is not settled.
-        if !self.starts_unseen {
-            let time = self.time();
-            pack.energy(member, state, time).admissible(time)?;
-        }
+        self.members.restart(&|member| &states[member]);
         Ok(())
     }
 
     /// How many members there are.
     pub fn len(&self) -> usize {
-        self.members
+        self.members.count()
     }
 
     /// Whether there are no members; never so.
     pub fn is_empty(&self) -> bool {
-        self.members == 0
+        self.members.count() == 0
     }
 
     /// How many members are under way: neither lost nor gone.
     pub fn active(&self) -> usize {
-        self.packs.iter().map(|pack| pack.active()).sum()
+        self.members.active()
     }
 
     /// The time of the members that are under way, `t0 + n·h`.
     pub fn time(&self) -> f64 {
-        self.clock.at(self.clock.steps)
+        self.members.time()
     }
 
     /// How many steps the members that are under way have taken.
     pub fn steps(&self) -> u64 {
-        self.clock.steps
+        self.members.clock.steps
     }
 
     /// How many steps a member has taken: fewer than the others if it is lost or gone. `None` beyond the last member.
     pub fn steps_of(&self, member: usize) -> Option<u64> {
-        Some(self.pack_of(member)?.steps(member, self.clock))
+        self.members.steps_of(member)
     }
 
     /// The state of a member: its last finite one if it is lost, the one in which it left if it is gone.
     pub fn state(&self, member: usize) -> Option<Phase<C>> {
-        Some(self.pack_of(member)?.state(member, self.clock))
+        Some(shaped::<C>(&*self.members.state(member)?).clone())
     }
 
     /// The energy of a member in that state.
     pub fn energy(&self, member: usize) -> Option<f64> {
-        let pack = self.pack_of(member)?;
-        let time = self.clock.at(pack.steps(member, self.clock));
-        Some(pack.energy(member, &pack.state(member, self.clock), time).total)
+        self.members.energy(member)
     }
 
     /// The states of all members, in their order.
     pub fn states(&self) -> impl Iterator<Item = Phase<C>> {
-        self.packs.iter().flat_map(|pack| pack.states(self.clock))
-    }
-
-    /// The member's pack: packs hold members in their order.
-    fn pack_of(&self, member: usize) -> Option<&dyn Pack<C>> {
-        let after = self.packs.partition_point(|pack| pack.first() <= member);
-        let pack = after.checked_sub(1).filter(|_| member < self.members)?;
-        Some(self.packs.get(pack)?.as_ref())
+        (0..self.members.packs()).flat_map(|pack| {
+            let mut states: Vec<Phase<C>> = Vec::new();
+            self.members.states(pack, &mut |_, state| states.push(shaped::<C>(state).clone()));
+            states
+        })
     }
 }
 
 impl<C: Coords> fmt::Debug for Ensemble<C> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.debug_struct("Ensemble")
-            .field("members", &self.members)
-            .field("step", &self.clock.h)
-            .field("steps", &self.clock.steps)
+            .field("members", &self.len())
+            .field("step", &self.members.clock.h)
+            .field("steps", &self.steps())
             .field("time", &self.time())
             .finish()
     }
 }
 
-/// What is said of an error that concerns a member.
-fn of_member(member: usize) -> impl Fn(Error) -> Error + Copy {
-    move |error| Error::Member { member, error: Box::new(error) }
+/// The prepared constants of a member that may begin where it is asked to.
+///
+/// # Errors
+/// Those of [`Hamiltonian::run`].
+fn parameters<H: Hamiltonian, K: Keep, X: Method<H>>(
+    system: &H,
+    chosen: &Chosen<H, X, K>,
+    method: X,
+    start: &Phase<Shaped<H, K>>,
+    h: f64,
+) -> Result<Arc<H::Parameters<f64>>, Error> {
+    admissible_with(method, start, h)?;
+    let parameters = Arc::new(system.parameters(start.q.length()));
+    let constants = H::Parameters::<f64>::not_finite(&parameters);
+    let unsettled = !constants.is_empty();
+    let clock = Clock { t0: 0.0, h, steps: 0 };
+    // An infinite constant may be meant: what counts is what a run of its own does with it.
+    if unsettled && is_spoilt(&*chosen.engine(method, parameters.clone(), start.clone()), clock) {
+        return Err(Error::Parameters { constants });
+    }
+    #[cfg(debug_assertions)]
+    hold_at_start::<H, K>(system, &parameters, start, 0.0)?;
+    if unsettled && H::AUTONOMOUS {
+        (chosen.energy)(&parameters, start, 0.0).admissible(0.0)?;
+    }
+    Ok(parameters)
+}
+
+/// No motions yet, of members in lanes.
+fn lanes<H: Hamiltonian, X: InLanes<H>, L: Real, K: Keep, const REGISTERS: usize>(
+    constants: Vec<Arc<X::Constants>>,
+) -> Box<dyn Motions> {
+    Group::<X::Motion<L, K>, X::Constants, Shaped<H, K>>::empty(X::group_moves::<L, K, REGISTERS>(), constants)
 }

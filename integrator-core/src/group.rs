@@ -38,16 +38,6 @@ pub struct GroupMoves<M> {
     pub(crate) finite: fn(&[M]) -> bool,
 }
 
-impl<M: Clone> GroupMoves<M> {
-    /// The states that are shown at the ends of completed steps, where they differ from these.
-    pub(crate) fn shown(&self, completed: &[M], clock: Clock) -> Option<Vec<M>> {
-        let show = self.show?;
-        let mut shown = completed.to_vec();
-        show(&mut shown, clock);
-        Some(shown)
-    }
-}
-
 impl<M> Clone for GroupMoves<M> {
     fn clone(&self) -> Self {
         *self

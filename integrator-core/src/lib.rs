@@ -91,6 +91,7 @@ mod catalogue_list;
 pub mod check;
 #[cfg(feature = "checkpoint")]
 mod checkpoint;
+mod chosen;
 mod clock;
 mod composition;
 mod constants;
@@ -125,8 +126,12 @@ mod lanes;
 mod leap;
 #[allow(unreachable_pub, reason = "named in bounds, never outside")]
 mod many_body;
+#[cfg(feature = "std")]
+mod members;
 #[allow(unreachable_pub, reason = "named in bounds, never outside")]
 mod method;
+#[cfg(feature = "std")]
+mod motions;
 #[allow(unreachable_pub, reason = "named in bounds, never outside")]
 mod moves;
 mod neighbours;
@@ -140,6 +145,8 @@ mod pair;
 mod panics;
 mod phase;
 mod plane;
+#[cfg(feature = "std")]
+mod point;
 mod real;
 #[cfg(feature = "reference")]
 #[allow(unreachable_pub, reason = "named in bounds, never outside")]

@@ -6,33 +6,21 @@ use crate::checkpoint::Origin;
 use crate::stated::hold_at_start;
 use crate::{
     admissible::{admissible_with, change},
+    chosen::Chosen,
     clock::Clock,
     coords::Coords,
-    energies::{Energies, Parts, energies, energy},
-    engine::{Engine, Solo},
+    energies::{Energies, Parts},
+    engine::{Engine, is_spoilt},
     error::{Divergence, Error},
-    hamiltonian::{Hamiltonian, Prepared, Shaped},
-    instruction_set::InstructionSet,
+    hamiltonian::{Hamiltonian, Prepared},
     method::Method,
     phase::Phase,
-    real::Real,
     samples::Samples,
     slot::Keep,
     watch::Watch,
 };
 use alloc::{boxed::Box, sync::Arc};
 use core::fmt;
-
-/// The engine of a run whose steps are computed in `R`.
-fn engine<H: Hamiltonian, X: Method<H>, R: Real, K: Keep>(
-    method: X,
-    parameters: H::Parameters<f64>,
-    start: Phase<Shaped<H, K>>,
-) -> Box<dyn Engine<Shaped<H, K>>> {
-    let parameters = Arc::new(parameters);
-    let energies = energies(parameters.clone(), energy::<H, R, K>);
-    Box::new(Solo::new(method.constants(parameters), start, X::moves::<R, K>(), energies))
-}
 
 /// A trajectory under way, made by [`Hamiltonian::run`]. Its type names the coordinates alone, so it can be stored.
 pub struct Run<C: Coords> {
@@ -108,18 +96,7 @@ impl<C: Coords> Run<C> {
         let constants = H::Parameters::<f64>::not_finite(&parameters);
         #[cfg(feature = "checkpoint")]
         let origin = Origin::of::<H>(method.facts(), &parameters);
-        // Known when this is compiled, so that nothing is compiled for the others.
-        let mut engine = if const { X::CLONED } {
-            match InstructionSet::chosen() {
-                InstructionSet::Baseline => engine::<H, X, K::Plain, K>(method, parameters, start),
-                InstructionSet::Avx512 if X::WIDE => engine::<H, X, K::Avx512, K>(method, parameters, start),
-                InstructionSet::Fused | InstructionSet::Avx512 => {
-                    engine::<H, X, K::Fused, K>(method, parameters, start)
-                }
-            }
-        } else {
-            engine::<H, X, K::Plain, K>(method, parameters, start)
-        };
+        let mut engine = Chosen::<H, X, K>::here().engine(method, Arc::new(parameters), start);
         engine.share_among(None);
         let run = Self {
             engine,
@@ -135,19 +112,12 @@ impl<C: Coords> Run<C> {
             origin,
         };
         // An infinite constant may be meant, such as a cutoff beyond all distances: what counts is what it does.
-        if !constants.is_empty() && run.is_spoilt() {
+        if !constants.is_empty() && is_spoilt(&*run.engine, run.since_opened()) {
             return Err(Error::Parameters { constants });
         }
         #[cfg(debug_assertions)]
         held?;
         Ok(run)
-    }
-
-    /// Whether a force or a velocity is not finite: then nor is a step of no length at all.
-    fn is_spoilt(&self) -> bool {
-        let mut taken = 0;
-        self.engine.boxed_clone().advance(Clock { h: 0.0, ..self.since_opened() }, 1, &mut taken);
-        taken == 0
     }
 
     /// The clock of the engine, which begins where the state was last changed from outside.

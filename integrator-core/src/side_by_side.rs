@@ -5,107 +5,93 @@
 
 use crate::{
     clock::Clock,
-    coords::Coords,
-    energies::{EnergyOf, Parts},
     error::Divergence,
-    group::GroupMoves,
-    hamiltonian::Motion,
-    pack::{Course, Pack, Start},
+    motions::{Lane, Motions, copy},
+    pack::{Course, Pack, States},
     panics::Panics,
-    phase::Phase,
-    slot::Keep,
+    point::Point,
 };
-use alloc::sync::Arc;
+use std::ops::Range;
 
 /// Neighbours that are alike in what lanes have to share.
-pub(crate) struct SideBySide<L, P, Q, C> {
+pub(crate) struct SideBySide {
     first: usize,
-    members: Vec<Member<P, Q, C>>,
-    /// The place in `members` of the one in each lane.
+    /// Where each member halted that is no longer under way.
+    halted: Vec<Option<Halt>>,
+    /// The place in `halted` of the one in each lane.
     lanes: Vec<usize>,
-    motions: Vec<L>,
+    motions: Box<dyn Motions>,
     /// The motions at the last look; kept here, like the next, so that no block allocates.
-    snapshot: Vec<L>,
+    snapshot: Box<dyn Motions>,
     /// Where a step is completed to be looked at.
-    closed: Vec<L>,
-    together: GroupMoves<L>,
-    energy: EnergyOf<P, C>,
+    closed: Box<dyn Motions>,
+    /// Where a state is written to be looked at: any one of the members' shape.
+    seen: Box<dyn Point>,
     /// How many steps were done when the states were last changed from outside.
     opened: u64,
 }
 
-struct Member<P, Q, C> {
-    parameters: Arc<P>,
-    /// Those of a run by the method.
-    constants: Arc<Q>,
-    /// The state where the member halted; before, any state of the same shape.
-    state: Phase<C>,
-    /// How many steps it took, once it is no longer under way.
-    halted: Option<u64>,
+/// The last state of a member, after so many steps.
+struct Halt {
+    steps: u64,
+    state: Box<dyn Point>,
 }
 
 /// A member that was taken through a block on its own.
-struct Replay<L, C> {
+struct Replay {
     /// How many steps lead to good states.
     taken: u64,
     /// The last of these states.
-    last: Phase<C>,
+    last: Box<dyn Point>,
     /// Where the last step led that was tried.
-    next: Phase<C>,
-    motion: [L; 1],
+    next: Box<dyn Point>,
+    motion: Box<dyn Motions>,
     /// Whether the next step is not taken because a function of the user panics in it.
     panicked: bool,
 }
 
-/// The motion and the lane in it that are the lane of this number.
-fn lane<L>(motions: &[L], per_motion: usize, lane: usize) -> (&L, usize) {
-    (&motions[lane / per_motion], lane % per_motion)
+/// What lanes are filled with, where the last of these takes what it leaves of its motion.
+fn filled<T: Copy>(mut lanes: Vec<T>, per_motion: usize) -> Vec<T> {
+    if let Some(last) = lanes.last() {
+        lanes.resize(lanes.len().next_multiple_of(per_motion), *last);
+    }
+    lanes
 }
 
-/// The states of motions with the same constants.
-fn copy_states<L: Motion<C, Q>, Q, C: Coords>(to: &mut [L], from: &[L]) {
-    to.iter_mut().zip(from).for_each(|(to, from)| to.copy_state(from));
-}
-
-impl<L, P, Q, C> SideBySide<L, P, Q, C>
-where
-    L: Motion<C, Q>,
-    P: Send + Sync + 'static,
-    Q: Send + Sync + 'static,
-    C: Coords,
-{
-    pub(crate) fn new(
-        first: usize,
-        members: Vec<Start<P, Q, C>>,
-        together: GroupMoves<L>,
-        energy: EnergyOf<P, C>,
-    ) -> Self {
-        let member = |Start { parameters, constants, state }| Member { parameters, constants, state, halted: None };
-        let members: Vec<_> = members.into_iter().map(member).collect();
-        let lanes: Vec<_> = (0..members.len()).collect();
-        let motions = Self::loaded(&members, &lanes, together.lanes);
-        Self {
-            first,
-            lanes,
-            members,
-            snapshot: motions.clone(),
-            closed: motions.clone(),
-            motions,
-            together,
-            energy,
-            opened: 0,
+/// Writes the state that is shown of a lane: the end of the step of the kernel, where what undoes the processor leaves the finite
+/// numbers.
+fn show(completed: &dyn Motions, shown: Option<&dyn Motions>, lane: usize, to: &mut dyn Point) {
+    if let Some(shown) = shown {
+        shown.store(lane, to);
+        if to.is_finite() {
+            return;
         }
     }
+    completed.store(lane, to);
+}
 
-    /// Motions of the members at some places, as their states are.
-    fn loaded(members: &[Member<P, Q, C>], places: &[usize], per_motion: usize) -> Vec<L> {
-        let load = |places: &[usize]| {
-            L::load(&|lane| {
-                let member = &members[places[lane.min(places.len() - 1)]];
-                (&*member.constants, &member.state)
-            })
-        };
-        places.chunks(per_motion).map(load).collect()
+/// Whether a lane may go on, whose state `seen` becomes.
+fn is_good(motions: &dyn Motions, lane: usize, seen: &mut dyn Point) -> bool {
+    motions.store(lane, seen);
+    seen.is_finite() && motions.solved(lane)
+}
+
+impl SideBySide {
+    /// Members in lanes like those of some motions, from their states.
+    pub(crate) fn new(members: Range<usize>, like: &dyn Motions, states: &States) -> Self {
+        let first = members.start;
+        let lanes: Vec<_> = (0..members.len()).collect();
+        let motions = loaded(like, first, &lanes, states);
+        Self {
+            first,
+            halted: members.map(|_| None).collect(),
+            lanes,
+            snapshot: copy(&*motions),
+            closed: copy(&*motions),
+            motions,
+            seen: states(first).boxed_clone(),
+            opened: 0,
+        }
     }
 
     /// The clock of the motions, which begins where the states were last changed from outside.
@@ -113,93 +99,71 @@ where
         clock.since(self.opened)
     }
 
-    /// A motion of the members that are in some lanes of these motions, of which there are no more than a motion has.
-    fn gathered(&self, motions: &[L], numbers: &[usize]) -> L {
-        let of_member = |number: &usize| {
-            let (motion, lane) = lane(motions, self.together.lanes, *number);
-            (self.lanes[*number], motion, lane)
-        };
-        self.motion_of(&numbers.iter().map(of_member).collect::<Vec<_>>())
+    /// Where the member in a lane of these motions is.
+    fn lane<'m>(&self, motions: &'m dyn Motions, lane: usize) -> Lane<'m> {
+        Lane { member: self.first + self.lanes[lane], motions, lane }
     }
 
-    /// A motion of some members, of which there are no more than a motion has, each with the motion and the lane that it is
-    /// in.
-    fn motion_of(&self, members: &[(usize, &L, usize)]) -> L {
-        let of_lane = |to: usize| {
-            let (place, motion, lane) = members[to.min(members.len() - 1)];
-            (&*self.members[place].constants, motion, lane)
-        };
-        let from: Vec<_> = (0..self.together.lanes).map(of_lane).collect();
-        L::gathered(&from, &self.members[members[0].0].state)
-    }
-
-    /// The state in a lane of these motions, of the shape of `shape`.
-    fn in_lane(&self, motions: &[L], number: usize, shape: &Phase<C>) -> Phase<C> {
-        let mut state = shape.clone();
-        let (motion, lane) = lane(motions, self.together.lanes, number);
-        motion.store(lane, &mut state);
-        state
-    }
-
-    /// The state that is shown of a lane: the end of the step of the kernel, where what undoes the processor leaves the finite
-    /// numbers.
-    fn shown_in(&self, completed: &[L], shown: Option<&[L]>, number: usize, shape: &Phase<C>) -> Phase<C> {
-        let shown = shown.map(|shown| self.in_lane(shown, number, shape)).filter(is_finite);
-        shown.unwrap_or_else(|| self.in_lane(completed, number, shape))
+    /// Motions of members from lanes of others.
+    fn gathered(&self, lanes: Vec<Lane>) -> Box<dyn Motions> {
+        self.motions.gathered(&filled(lanes, self.motions.lanes()), &*self.seen)
     }
 
     /// Completes the step under way on a copy.
     fn complete(&mut self, clock: Clock) {
-        copy_states(&mut self.closed, &self.motions);
+        self.closed.copy_states(&*self.motions);
         let clock = self.since_opened(clock);
-        (self.together.complete)(&mut self.closed, clock);
+        self.closed.complete(clock);
     }
 
     /// Takes the members that halted out of the lanes.
     fn close_ranks(&mut self) {
-        let is_under_way = |place: &usize| self.members[*place].halted.is_none();
-        if self.lanes.iter().all(is_under_way) {
+        let is_under_way = |place: usize| self.halted[place].is_none();
+        if self.lanes.iter().all(|place| is_under_way(*place)) {
             return;
         }
-        let stay: Vec<usize> = (0..self.lanes.len()).filter(|number| is_under_way(&self.lanes[*number])).collect();
-        let motions = stay.chunks(self.together.lanes).map(|numbers| self.gathered(&self.motions, numbers)).collect();
-        let places = stay.into_iter().map(|number| self.lanes[number]).collect();
+        let stay: Vec<_> = (0..self.lanes.len()).filter(|lane| is_under_way(self.lanes[*lane])).collect();
+        let motions = self.gathered(stay.iter().map(|lane| self.lane(&*self.motions, *lane)).collect());
+        let places = stay.into_iter().map(|lane| self.lanes[lane]).collect();
         self.set_lanes(places, motions);
     }
 
     /// Puts the members at some places into the lanes of motions.
-    fn set_lanes(&mut self, places: Vec<usize>, motions: Vec<L>) {
+    fn set_lanes(&mut self, places: Vec<usize>, motions: Box<dyn Motions>) {
         self.lanes = places;
+        self.snapshot = copy(&*motions);
+        self.closed = copy(&*motions);
         self.motions = motions;
-        self.snapshot.clone_from(&self.motions);
-        self.closed.clone_from(&self.motions);
     }
 
     /// Takes a block of steps with all lanes and completes the last of them on a copy.
     fn advance_lanes(&mut self, clock: Clock, block: u64) {
-        copy_states(&mut self.snapshot, &self.motions);
+        self.snapshot.copy_states(&*self.motions);
         let since = self.since_opened(clock);
-        (self.together.advance)(&mut self.motions, since, block);
+        self.motions.advance(since, block);
         self.complete(Clock { steps: clock.steps + block, ..clock });
+    }
+
+    /// Lets the member at a place halt.
+    fn halt(&mut self, place: usize, steps: u64, state: Box<dyn Point>) {
+        self.halted[place] = Some(Halt { steps, state });
     }
 
     /// The members that are lost in a block from `clock`, whose end is in `closed`.
     fn lost(&mut self, clock: Clock, block: u64, panics: &Panics) -> Vec<(usize, Divergence)> {
-        if (self.together.finite)(&self.closed) {
-            return Vec::new();
-        }
         let mut lost = Vec::new();
-        for number in 0..self.lanes.len() {
-            let (motion, lane) = lane(&self.closed, self.together.lanes, number);
-            let place = self.lanes[number];
-            if is_good(motion, lane, &self.in_lane(&self.closed, number, &self.members[place].state)) {
+        if self.closed.finite() {
+            return lost;
+        }
+        for lane in 0..self.lanes.len() {
+            if is_good(&*self.closed, lane, &mut *self.seen) {
                 continue;
             }
-            let Replay { taken, last, next, .. } = self.replayed(number, clock, block, panics);
+            let place = self.lanes[lane];
+            let Replay { taken, last, next, .. } = self.replayed(lane, clock, block, panics);
             let at = Clock { steps: clock.steps + taken, ..clock };
-            lost.push((self.first + place, at.divergence(&last, &next)));
-            self.members[place].state = last;
-            self.members[place].halted = Some(at.steps);
+            lost.push((self.first + place, last.divergence(&*next, at)));
+            self.halt(place, at.steps, last);
         }
         lost
     }
@@ -208,8 +172,8 @@ where
     /// those for whom it panics halt before that step. Returns those that are lost.
     fn one_by_one(&mut self, clock: Clock, block: u64, panics: &Panics) -> Vec<(usize, Divergence)> {
         let (mut places, mut motions, mut lost) = (Vec::new(), Vec::new(), Vec::new());
-        for number in 0..self.lanes.len() {
-            let (place, replay) = (self.lanes[number], self.replayed(number, clock, block, panics));
+        for lane in 0..self.lanes.len() {
+            let (place, replay) = (self.lanes[lane], self.replayed(lane, clock, block, panics));
             if replay.taken == block {
                 places.push(place);
                 motions.push(replay.motion);
@@ -217,13 +181,13 @@ where
             }
             let at = Clock { steps: clock.steps + replay.taken, ..clock };
             if !replay.panicked {
-                lost.push((self.first + place, at.divergence(&replay.last, &replay.next)));
+                lost.push((self.first + place, replay.last.divergence(&*replay.next, at)));
             }
-            self.members[place].state = replay.last;
-            self.members[place].halted = Some(at.steps);
+            self.halt(place, at.steps, replay.last);
         }
-        let under_way: Vec<_> = places.iter().zip(&motions).map(|(place, [motion])| (*place, motion, 0)).collect();
-        let motions = under_way.chunks(self.together.lanes).map(|members| self.motion_of(members)).collect();
+        let under_way = places.iter().zip(&motions);
+        let lanes = under_way.map(|(place, motion)| Lane { member: self.first + place, motions: &**motion, lane: 0 });
+        let motions = self.gathered(lanes.collect());
         self.set_lanes(places, motions);
         self.complete(Clock { steps: clock.steps + block, ..clock });
         lost
@@ -231,63 +195,61 @@ where
 
     /// Takes a member step by step through a block from `clock`, in all lanes of a motion of its own, from the snapshot to the
     /// last good state. What left the finite numbers never returns, since updates only add.
-    fn replayed(&self, number: usize, clock: Clock, block: u64, panics: &Panics) -> Replay<L, C> {
-        let mut motion = [self.gathered(&self.snapshot, &[number])];
-        let (mut closed, mut last) = (motion.clone(), motion.clone());
-        let mut state = self.members[self.lanes[number]].state.clone();
+    fn replayed(&self, lane: usize, clock: Clock, block: u64, panics: &Panics) -> Replay {
+        let mut motion = self.gathered(vec![self.lane(&*self.snapshot, lane)]);
+        let (mut closed, mut before) = (copy(&*motion), copy(&*motion));
+        let (mut next, mut last) = (self.seen.boxed_clone(), self.seen.boxed_clone());
         let begin = self.since_opened(clock);
         let at = |taken| Clock { steps: begin.steps + taken, ..begin };
         let (mut taken, mut panicked) = (0, false);
         while taken < block {
             let step = panics.attempted(|| {
-                (self.together.advance)(&mut motion, at(taken), 1);
-                copy_states(&mut closed, &motion);
-                (self.together.complete)(&mut closed, at(taken + 1));
+                motion.advance(at(taken), 1);
+                closed.copy_states(&*motion);
+                closed.complete(at(taken + 1));
             });
             panicked = step.is_none();
-            closed[0].store(0, &mut state);
-            if panicked || !is_good(&closed[0], 0, &state) {
+            if !is_good(&*closed, 0, &mut *next) || panicked {
                 break;
             }
-            copy_states(&mut last, &motion);
+            before.copy_states(&*motion);
             taken += 1;
         }
-        (self.together.complete)(&mut last, at(taken));
-        let last = self.shown_in(&last, self.together.shown(&last, at(taken)).as_deref(), 0, &state);
-        Replay { taken, last, next: state, motion, panicked }
+        before.complete(at(taken));
+        show(&*before, before.shown(at(taken)).as_deref(), 0, &mut *last);
+        Replay { taken, last, next, motion, panicked }
     }
 
     /// Asks the members that are under way whether they stay; `closed` holds the ends of their steps.
-    fn ask(&mut self, course: &Course<C>, clock: Clock) {
-        let shown = self.together.shown(&self.closed, self.since_opened(clock));
-        for number in 0..self.lanes.len() {
-            let place = self.lanes[number];
-            if self.members[place].halted.is_some() {
+    fn ask(&mut self, course: &Course, clock: Clock) {
+        let shown = self.closed.shown(self.since_opened(clock));
+        for lane in 0..self.lanes.len() {
+            let place = self.lanes[lane];
+            if self.halted[place].is_some() {
                 continue;
             }
-            let state = self.shown_in(&self.closed, shown.as_deref(), number, &self.members[place].state);
-            if !course.stays(self.first + place, &state) {
-                self.members[place].state = state;
-                self.members[place].halted = Some(clock.steps);
+            show(&*self.closed, shown.as_deref(), lane, &mut *self.seen);
+            if !course.stays(self.first + place, &*self.seen) {
+                self.halt(place, clock.steps, self.seen.boxed_clone());
             }
         }
     }
 }
 
-impl<L, P, Q, C> Pack<C> for SideBySide<L, P, Q, C>
-where
-    L: Motion<C, Q>,
-    P: Send + Sync + 'static,
-    Q: Send + Sync + 'static,
-    C: Coords,
-{
+/// Motions, like others, of the members at some places behind the first one.
+fn loaded(like: &dyn Motions, first: usize, places: &[usize], states: &States) -> Box<dyn Motions> {
+    let members = places.iter().map(|place| (first + place, states(first + place))).collect();
+    like.loaded(&filled(members, like.lanes()))
+}
+
+impl Pack for SideBySide {
     fn first(&self) -> usize {
         self.first
     }
 
-    fn advance(&mut self, course: &Course<C>, took: &mut dyn FnMut(u64)) -> Vec<(usize, Divergence)> {
+    fn advance(&mut self, course: &Course, took: &mut dyn FnMut(u64)) -> Vec<(usize, Divergence)> {
         let (mut done, mut lost) = (0, Vec::new());
-        let all = self.members.len() as u64;
+        let all = self.halted.len() as u64;
         while done < course.steps && !self.lanes.is_empty() {
             let block = course.block(done);
             let before = course.at(done);
@@ -311,55 +273,50 @@ where
     }
 
     fn steps(&self, member: usize, clock: Clock) -> u64 {
-        self.members[member - self.first].halted.unwrap_or(clock.steps)
+        self.halted[member - self.first].as_ref().map_or(clock.steps, |halt| halt.steps)
     }
 
-    fn states(&self, clock: Clock) -> Vec<Phase<C>> {
-        let (mut closed, clock) = (self.motions.clone(), self.since_opened(clock));
-        (self.together.complete)(&mut closed, clock);
-        let shown = self.together.shown(&closed, clock);
-        let mut states: Vec<_> = self.members.iter().map(|member| member.state.clone()).collect();
-        for (number, place) in self.lanes.iter().enumerate() {
-            states[*place] = self.shown_in(&closed, shown.as_deref(), number, &states[*place]);
+    fn states(&self, clock: Clock, visit: &mut dyn FnMut(usize, &dyn Point)) {
+        let (mut closed, clock) = (copy(&*self.motions), self.since_opened(clock));
+        closed.complete(clock);
+        let shown = closed.shown(clock);
+        let mut seen = self.seen.boxed_clone();
+        // Those who are under way are in the lanes, in their order.
+        let mut lane = 0;
+        for (member, halted) in (self.first..).zip(&self.halted) {
+            if let Some(halt) = halted {
+                visit(member, &*halt.state);
+                continue;
+            }
+            show(&*closed, shown.as_deref(), lane, &mut *seen);
+            visit(member, &*seen);
+            lane += 1;
         }
-        states
     }
 
-    fn state(&self, member: usize, clock: Clock) -> Phase<C> {
+    fn state(&self, member: usize, clock: Clock) -> Box<dyn Point> {
         let place = member - self.first;
-        let Ok(number) = self.lanes.binary_search(&place) else {
-            return self.members[place].state.clone();
-        };
-        let per_motion = self.together.lanes;
-        let (mut closed, clock) = ([self.motions[number / per_motion].clone()], self.since_opened(clock));
-        (self.together.complete)(&mut closed, clock);
-        let shown = self.together.shown(&closed, clock);
-        self.shown_in(&closed, shown.as_deref(), number % per_motion, &self.members[place].state)
-    }
-
-    fn energy(&self, member: usize, state: &Phase<C>, time: f64) -> Parts {
-        (self.energy)(&self.members[member - self.first].parameters, state, time)
+        if let Some(halt) = &self.halted[place] {
+            return halt.state.boxed_clone();
+        }
+        // Those before it that are under way are in the lanes before.
+        let lane = self.lanes.partition_point(|other| *other < place);
+        let (motion, lane) = (lane / self.motions.lanes(), lane % self.motions.lanes());
+        let (mut closed, clock) = (self.motions.copied(motion..motion + 1), self.since_opened(clock));
+        closed.complete(clock);
+        let mut state = self.seen.boxed_clone();
+        show(&*closed, closed.shown(clock).as_deref(), lane, &mut *state);
+        state
     }
 
     fn is_under_way(&self, member: usize) -> bool {
-        self.members[member - self.first].halted.is_none()
+        self.halted[member - self.first].is_none()
     }
 
-    fn restart(&mut self, states: Vec<Phase<C>>, steps: u64) {
-        for (member, state) in self.members.iter_mut().zip(states).filter(|(member, _)| member.halted.is_none()) {
-            member.state = state;
-        }
-        let motions = Self::loaded(&self.members, &self.lanes, self.together.lanes);
-        self.set_lanes(self.lanes.clone(), motions);
+    fn restart(&mut self, states: &States, steps: u64) {
+        let motions = loaded(&*self.motions, self.first, &self.lanes, states);
+        let places = core::mem::take(&mut self.lanes);
+        self.set_lanes(places, motions);
         self.opened = steps;
     }
-}
-
-/// Whether a lane, whose state this is, may go on.
-fn is_good<L: Motion<C, Q>, Q, C: Coords>(motion: &L, lane: usize, state: &Phase<C>) -> bool {
-    is_finite(state) && motion.unsolved(lane).is_none()
-}
-
-fn is_finite<C: Coords>(state: &Phase<C>) -> bool {
-    state.q.flat().iter().chain(state.p.flat()).all(|leaf| leaf.to_f64().is_finite())
 }
