@@ -40,103 +40,56 @@ fn patterns(addends: &[Addend]) -> Vec<Pattern> {
     patterns
 }
 
-/// What the eights of a group get from as many rows of numbers beside each other, by the same pattern.
-#[derive(Clone)]
-struct Round<R: Real> {
+/// Up to how many eights are in a group.
+const MOST: usize = 3;
+
+/// One, two or three times eight coordinates, such as the components of points, with the same patterns: each is looked at
+/// once for all.
+struct Group {
+    /// Where the eights begin.
+    begins: [usize; MOST],
+    /// How many rounds they get.
+    rounds: usize,
+}
+
+/// What the eights of a group get from as many rows of numbers beside each other, by the same pattern: the signs are
+/// numbers of the kind `S`.
+struct Round<S> {
     /// The first one of the rows.
     found: usize,
     /// The lanes of which each coordinate gets the numbers, if they are not all its own,
     lanes: Option<[u64; EIGHT]>,
     /// and with which signs: zero, where it gets none.
-    signs: Eight<R>,
-}
-
-/// `N` times eight coordinates, such as the components of points, with the same patterns: each is looked at once for all.
-#[derive(Clone)]
-pub(super) struct Group<R: Real, const N: usize> {
-    /// Where the eights begin.
-    begins: [usize; N],
-    rounds: Vec<Round<R>>,
+    signs: S,
 }
 
 /// Where an eight begins, and from which row it gets numbers in each round.
 type Rounds = (usize, Vec<usize>);
 
-impl<R: Real, const N: usize> Group<R, N> {
-    /// As many eights as there are in such a group, where their rows are beside each other.
-    fn of(patterns: &[Pattern], eights: &[Rounds; N]) -> Option<Self> {
-        let found = &eights[0].1;
-        let beside =
-            |(number, (_, rows)): (usize, &Rounds)| rows.iter().zip(found).all(|(row, first)| *row == first + number);
-        if !eights.iter().enumerate().all(beside) {
-            return None;
-        }
-        let rounds = patterns.iter().zip(found).map(|(pattern, found)| {
-            let signs = pattern.map(|gets| R::of(gets.map_or(0.0, |(_, sign)| f64::from(sign))));
-            // What a lane has computed without a turn may be no number, which no factor makes zero.
-            let some = pattern.iter().flatten().next().map_or(0, |(lane, _)| *lane);
-            let lanes = pattern.map(|gets| gets.map_or(some, |(lane, _)| lane) as u64);
-            let is_own = lanes == core::array::from_fn(|lane| lane as u64);
-            Round { found: *found, lanes: (!is_own).then_some(lanes), signs: Eight::<R>::read(&signs) }
-        });
-        Some(Self { begins: core::array::from_fn(|eight| eights[eight].0), rounds: rounds.collect() })
-    }
-
-    #[inline(always)]
-    fn add<const AT_ONCE: usize>(&self, found: &[[Eight<R>; AT_ONCE]], to: &mut Coefficients<'_, R>, order: usize) {
-        let mut sums = [[Eight::<R>::of(0.0); AT_ONCE]; N];
-        for eight in 0..N {
-            for at in 0..AT_ONCE {
-                sums[eight][at] = Row::read(&to[order + at][self.begins[eight]..]);
-            }
-        }
-        for Round { found: first, lanes, signs } in &self.rounds {
-            let rows = &found[*first..][..N];
-            match lanes {
-                None => {
-                    for eight in 0..N {
-                        for at in 0..AT_ONCE {
-                            sums[eight][at] = rows[eight][at].fma(*signs, sums[eight][at]);
-                        }
-                    }
-                }
-                Some(lanes) => {
-                    for eight in 0..N {
-                        for at in 0..AT_ONCE {
-                            sums[eight][at] = rows[eight][at].picked(lanes).fma(*signs, sums[eight][at]);
-                        }
-                    }
-                }
-            }
-        }
-        for eight in 0..N {
-            for at in 0..AT_ONCE {
-                sums[eight][at].write(&mut to[order + at][self.begins[eight]..]);
-            }
-        }
-    }
+/// How the coordinates of a part get their addends.
+struct Plan<S> {
+    /// By eights of coordinates, first the groups of three, then those of two and of one,
+    groups: [Vec<Group>; MOST],
+    /// with the rounds of one behind those of the one before it;
+    rounds: Vec<Round<S>>,
+    /// or one by one.
+    single: Vec<Addend>,
 }
 
-/// What the coordinates of a part get from all turns.
-#[derive(Clone)]
-pub(super) enum Addends<R: Real> {
-    /// By eights of coordinates, three, two or one at a time.
-    Groups(Vec<Group<R, 3>>, Vec<Group<R, 2>>, Vec<Group<R, 1>>),
-    /// One by one.
-    Single(Vec<Addend>),
-}
-
-impl<R: Real> Default for Addends<R> {
+impl<S> Default for Plan<S> {
     fn default() -> Self {
-        Self::Single(Vec::new())
+        Self { groups: [Vec::new(), Vec::new(), Vec::new()], rounds: Vec::new(), single: Vec::new() }
     }
 }
 
-impl<R: Real> Addends<R> {
-    /// Those of the coordinates of a row of such a width.
-    pub(super) fn of(addends: Vec<Addend>, width: usize) -> Self {
+/// Whatever numbers are computed in: compiled once, and not with every system.
+impl Plan<[i8; EIGHT]> {
+    /// That of the coordinates of a row of such a width.
+    fn of(addends: Vec<Addend>, width: usize) -> Self {
+        let mut plan = Self::default();
         if width < EIGHT {
-            return Self::Single(addends);
+            plan.single = addends;
+            return plan;
         }
         // By eights, and what each gets by rows.
         let mut eights: BTreeMap<usize, BTreeMap<usize, Vec<Addend>>> = BTreeMap::new();
@@ -150,15 +103,70 @@ impl<R: Real> Addends<R> {
             let (patterns, found) = rounds.unzip();
             alike.entry(patterns).or_default().push((begin, found));
         }
-        let (mut threes, mut twos, mut ones) = (Vec::new(), Vec::new(), Vec::new());
+        let mut groups = Vec::new();
         for (patterns, eights) in &alike {
             let mut rest = eights.as_slice();
-            while group(patterns, &mut rest, &mut threes)
-                || group(patterns, &mut rest, &mut twos)
-                || group(patterns, &mut rest, &mut ones)
-            {}
+            while !rest.is_empty() {
+                // One is beside itself.
+                let count = (1..=MOST.min(rest.len())).rev().find(|count| are_beside(&rest[..*count])).unwrap_or(1);
+                let (group, others) = rest.split_at(count);
+                groups.push((patterns, group));
+                rest = others;
+            }
         }
-        Self::Groups(threes, twos, ones)
+        groups.sort_by_key(|(_, eights)| MOST - eights.len());
+        for (patterns, eights) in groups {
+            let begins = core::array::from_fn(|eight| eights.get(eight).map_or(0, |(begin, _)| *begin));
+            plan.groups[MOST - eights.len()].push(Group { begins, rounds: patterns.len() });
+            plan.rounds.extend(patterns.iter().zip(&eights[0].1).map(|(pattern, found)| Round {
+                found: *found,
+                lanes: lanes(pattern),
+                signs: pattern.map(|gets| gets.map_or(0, |(_, sign)| sign)),
+            }));
+        }
+        plan
+    }
+}
+
+/// Whether the rows of eights are beside each other.
+fn are_beside(eights: &[Rounds]) -> bool {
+    let is_beside = |(number, (_, rows)): (usize, &Rounds)| {
+        rows.iter().zip(&eights[0].1).all(|(row, first)| *row == first + number)
+    };
+    eights.iter().enumerate().all(is_beside)
+}
+
+/// The lanes of which coordinates get numbers, if they are not all their own.
+fn lanes(pattern: &Pattern) -> Option<[u64; EIGHT]> {
+    // What a lane has computed without a turn may be no number, which no factor makes zero.
+    let some = pattern.iter().flatten().next().map_or(0, |(lane, _)| *lane);
+    let lanes = pattern.map(|gets| gets.map_or(some, |(lane, _)| lane) as u64);
+    let is_own = lanes == core::array::from_fn(|lane| lane as u64);
+    (!is_own).then_some(lanes)
+}
+
+/// What the coordinates of a part get from all turns.
+pub(super) struct Addends<R: Real>(Plan<Eight<R>>);
+
+impl<R: Real> Default for Addends<R> {
+    fn default() -> Self {
+        Self(Plan::default())
+    }
+}
+
+impl<R: Real> Addends<R> {
+    /// Those of the coordinates of a row of such a width.
+    pub(super) fn of(addends: Vec<Addend>, width: usize) -> Self {
+        let plan = Plan::of(addends, width);
+        let mut rounds = Vec::with_capacity(plan.rounds.len());
+        for Round { found, lanes, signs } in &plan.rounds {
+            let mut numbers = [R::of(0.0); EIGHT];
+            for lane in 0..EIGHT {
+                numbers[lane] = R::of(f64::from(signs[lane]));
+            }
+            rounds.push(Round { found: *found, lanes: *lanes, signs: Eight::<R>::read(&numbers) });
+        }
+        Self(Plan { groups: plan.groups, rounds, single: plan.single })
     }
 
     /// Adds numbers of as many orders to the coefficients from this order on.
@@ -169,51 +177,81 @@ impl<R: Real> Addends<R> {
         to: &mut Coefficients<'_, R>,
         order: usize,
     ) {
-        match self {
-            Self::Groups(threes, twos, ones) => {
-                for group in threes {
-                    group.add(found, to, order);
-                }
-                for group in twos {
-                    group.add(found, to, order);
-                }
-                for group in ones {
-                    group.add(found, to, order);
-                }
-            }
-            Self::Single(addends) => {
-                for Addend { place, found: number, lane, sign } in addends {
-                    for (at, found) in found[*number].iter().enumerate() {
-                        let mut numbers = [R::of(0.0); EIGHT];
-                        found.write(&mut numbers);
-                        to[order + at][*place] += R::of(f64::from(*sign)) * numbers[*lane];
-                    }
-                }
+        let Plan { groups: [threes, twos, ones], rounds, single } = &self.0;
+        let mut rounds = rounds.as_slice();
+        for group in threes {
+            rounds = add_to::<R, AT_ONCE, 3>(group, rounds, found, to, order);
+        }
+        for group in twos {
+            rounds = add_to::<R, AT_ONCE, 2>(group, rounds, found, to, order);
+        }
+        for group in ones {
+            rounds = add_to::<R, AT_ONCE, 1>(group, rounds, found, to, order);
+        }
+        for Addend { place, found: number, lane, sign } in single {
+            for at in 0..AT_ONCE {
+                let mut numbers = [R::of(0.0); EIGHT];
+                found[*number][at].write(&mut numbers);
+                to[order + at][*place] += R::of(f64::from(*sign)) * numbers[*lane];
             }
         }
     }
 }
 
-/// Takes the first eights away as a group, if they are one.
-fn group<R: Real, const N: usize>(patterns: &[Pattern], eights: &mut &[Rounds], groups: &mut Vec<Group<R, N>>) -> bool {
-    let Some((first, others)) = eights.split_first_chunk() else { return false };
-    let Some(group) = Group::of(patterns, first) else { return false };
-    groups.push(group);
-    *eights = others;
-    true
+/// Adds what a group of so many eights gets, of the first rounds, and tells the others.
+#[inline(always)]
+fn add_to<'r, R: Real, const AT_ONCE: usize, const EIGHTS: usize>(
+    group: &Group,
+    rounds: &'r [Round<Eight<R>>],
+    found: &[[Eight<R>; AT_ONCE]],
+    to: &mut Coefficients<'_, R>,
+    order: usize,
+) -> &'r [Round<Eight<R>>] {
+    let mut sums = [[Eight::<R>::of(0.0); AT_ONCE]; EIGHTS];
+    for eight in 0..EIGHTS {
+        for at in 0..AT_ONCE {
+            sums[eight][at] = Row::read(&to[order + at][group.begins[eight]..]);
+        }
+    }
+    let (rounds, others) = rounds.split_at(group.rounds);
+    for Round { found: first, lanes, signs } in rounds {
+        let rows = &found[*first..][..EIGHTS];
+        match lanes {
+            None => {
+                for eight in 0..EIGHTS {
+                    for at in 0..AT_ONCE {
+                        sums[eight][at] = rows[eight][at].fma(*signs, sums[eight][at]);
+                    }
+                }
+            }
+            Some(lanes) => {
+                for eight in 0..EIGHTS {
+                    for at in 0..AT_ONCE {
+                        sums[eight][at] = rows[eight][at].picked(lanes).fma(*signs, sums[eight][at]);
+                    }
+                }
+            }
+        }
+    }
+    for eight in 0..EIGHTS {
+        for at in 0..AT_ONCE {
+            sums[eight][at].write(&mut to[order + at][group.begins[eight]..]);
+        }
+    }
+    others
 }
 
 #[cfg(test)]
 impl<R: Real> Addends<R> {
     /// How often eight coordinates get a row of numbers as it is, and how often in other lanes.
     pub(super) fn rounds(&self) -> [usize; 2] {
-        let Self::Groups(threes, twos, ones) = self else { return [0; 2] };
-        let groups = threes.iter().map(|group| (3, &group.rounds));
-        let groups = groups.chain(twos.iter().map(|group| (2, &group.rounds)));
-        let groups = groups.chain(ones.iter().map(|group| (1, &group.rounds)));
-        groups.fold([0; 2], |[own, other], (eights, rounds)| {
-            let of_own = rounds.iter().filter(|round| round.lanes.is_none()).count();
-            [own + eights * of_own, other + eights * (rounds.len() - of_own)]
-        })
+        let mut rounds = self.0.rounds.iter();
+        let mut counts = [0; 2];
+        for (groups, eights) in self.0.groups.iter().zip([3, 2, 1]) {
+            for round in groups.iter().flat_map(|group| rounds.by_ref().take(group.rounds).collect::<Vec<_>>()) {
+                counts[usize::from(round.lanes.is_some())] += eights;
+            }
+        }
+        counts
     }
 }

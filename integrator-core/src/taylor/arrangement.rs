@@ -1,48 +1,72 @@
 //! Which turns lie side by side.
+//!
+//! Turns are numbers here, whatever they compute in: so all of this is compiled once, and not with every system.
 
 use super::table::EIGHT;
-use crate::real::Real;
 use alloc::{
     collections::{BTreeMap, VecDeque},
     vec,
     vec::Vec,
 };
 
-/// A turn before it is in a row: what it reads, its constants, and what it moves.
-pub(super) type Turn<R, const READS: usize, const CONSTANTS: usize, const TARGETS: usize> =
-    ([usize; READS], [R; CONSTANTS], [usize; TARGETS]);
+/// What turns read and move, in the order of the loops: so many places each.
+#[derive(Clone, Default)]
+pub(super) struct List {
+    reads: Vec<usize>,
+    targets: Vec<usize>,
+    count: usize,
+}
 
-/// Turns side by side; there may be fewer than lanes.
-pub(super) type EightTurns<R, const READS: usize, const CONSTANTS: usize, const TARGETS: usize> =
-    [Option<Turn<R, READS, CONSTANTS, TARGETS>>; EIGHT];
+impl List {
+    /// Another turn. All of them read and move as many places.
+    pub(super) fn push(&mut self, reads: &[usize], targets: &[usize]) {
+        self.reads.extend_from_slice(reads);
+        self.targets.extend_from_slice(targets);
+        self.count += 1;
+    }
+    /// What a turn reads.
+    pub(super) fn reads(&self, turn: usize) -> &[usize] {
+        of_turn(&self.reads, turn, self.count)
+    }
+    /// What a turn moves.
+    pub(super) fn targets(&self, turn: usize) -> &[usize] {
+        of_turn(&self.targets, turn, self.count)
+    }
+}
+
+/// The places of one of so many turns.
+fn of_turn(places: &[usize], turn: usize, count: usize) -> &[usize] {
+    let each = places.len() / count;
+    &places[turn * each..][..each]
+}
+
+/// The numbers of turns side by side; there may be fewer than lanes.
+pub(super) type EightTurns = [Option<usize>; EIGHT];
 
 /// From how many turns the next one of a row is taken.
 const NEAR: usize = 8 * EIGHT;
 
 /// The turns in an order in which a row seldom moves the same coordinate by the same number: those have to be added one
 /// after the other. `values` tells which targets count as moved by the same one.
-pub(super) fn dealt<R: Real, const READS: usize, const CONSTANTS: usize, const TARGETS: usize>(
-    turns: Vec<Turn<R, READS, CONSTANTS, TARGETS>>,
-    values: [usize; TARGETS],
-) -> Vec<EightTurns<R, READS, CONSTANTS, TARGETS>> {
-    let mut dealt: Vec<Turn<R, READS, CONSTANTS, TARGETS>> = Vec::with_capacity(turns.len());
+pub(super) fn dealt(turns: &List, values: &[usize]) -> Vec<EightTurns> {
+    let mut dealt: Vec<usize> = Vec::with_capacity(turns.count);
     // How often the present row moves each place by each number.
-    let places = turns.iter().flat_map(|(.., places)| places).max().map_or(0, |last| last + 1);
-    let mut moved = vec![0; places * TARGETS];
-    let mut waiting = VecDeque::from(turns);
-    let at = |(place, value): (&usize, usize)| place * TARGETS + value;
+    let places = turns.targets.iter().max().map_or(0, |last| last + 1);
+    let mut moved = vec![0; places * values.len()];
+    let mut waiting: VecDeque<usize> = (0..turns.count).collect();
+    let at = |(place, value): (&usize, &usize)| place * values.len() + value;
     while !waiting.is_empty() {
         if dealt.len().is_multiple_of(EIGHT) {
             moved.fill(0);
         }
         // How often what a turn moves is moved already: at most, and in all.
-        let moves = |(.., places): &Turn<R, READS, CONSTANTS, TARGETS>| {
-            let counts = places.iter().zip(values).map(|moves| moved[at(moves)]);
+        let moves = |turn: usize| {
+            let counts = turns.targets(turn).iter().zip(values).map(|moves| moved[at(moves)]);
             counts.fold([0, 0], |[most, sum]: [usize; 2], count| [count.max(most), sum + count])
         };
         let mut least: Option<(usize, [usize; 2])> = None;
         for (next, turn) in waiting.iter().take(NEAR).enumerate() {
-            let moves = moves(turn);
+            let moves = moves(*turn);
             if least.is_none_or(|(_, least)| moves < least) {
                 least = Some((next, moves));
             }
@@ -51,7 +75,7 @@ pub(super) fn dealt<R: Real, const READS: usize, const CONSTANTS: usize, const T
             }
         }
         let Some(next) = least.and_then(|(next, _)| waiting.remove(next)) else { break };
-        for moves in next.2.iter().zip(values) {
+        for moves in turns.targets(next).iter().zip(values) {
             moved[at(moves)] += 1;
         }
         dealt.push(next);
@@ -60,21 +84,17 @@ pub(super) fn dealt<R: Real, const READS: usize, const CONSTANTS: usize, const T
 }
 
 /// Turns side by side as they come.
-fn by_eights<R: Real, const READS: usize, const CONSTANTS: usize, const TARGETS: usize>(
-    turns: &[Turn<R, READS, CONSTANTS, TARGETS>],
-) -> Vec<EightTurns<R, READS, CONSTANTS, TARGETS>> {
+fn by_eights(turns: &[usize]) -> Vec<EightTurns> {
     turns.chunks(EIGHT).map(|turns| core::array::from_fn(|lane| turns.get(lane).copied())).collect()
 }
 
 /// Turns side by side, in the lanes of what they read first; without it, of what they move first.
-pub(super) fn in_lanes<R: Real, const READS: usize, const CONSTANTS: usize, const TARGETS: usize>(
-    turns: Vec<Turn<R, READS, CONSTANTS, TARGETS>>,
-) -> Vec<EightTurns<R, READS, CONSTANTS, TARGETS>> {
+pub(super) fn in_lanes(turns: &List) -> Vec<EightTurns> {
     // By the register, and by how many have read the same place before.
-    let mut rows: BTreeMap<[usize; 2], EightTurns<R, READS, CONSTANTS, TARGETS>> = BTreeMap::new();
+    let mut rows: BTreeMap<[usize; 2], EightTurns> = BTreeMap::new();
     let mut before: BTreeMap<usize, usize> = BTreeMap::new();
-    for turn in turns {
-        let place = turn.0.first().or(turn.2.first()).copied().unwrap_or_default();
+    for turn in 0..turns.count {
+        let place = turns.reads(turn).first().or(turns.targets(turn).first()).copied().unwrap_or_default();
         let before = before.entry(place).or_default();
         rows.entry([place / EIGHT, *before]).or_insert([None; EIGHT])[place % EIGHT] = Some(turn);
         *before += 1;
@@ -87,38 +107,42 @@ mod tests {
     use super::*;
 
     /// How many rounds it takes to add what rows of turns have found, where both targets get the same number.
-    fn rounds(rows: &[EightTurns<f64, 2, 0, 2>]) -> usize {
-        let of_row = |row: &EightTurns<f64, 2, 0, 2>| {
-            let places = || row.iter().flatten().flat_map(|turn| turn.2);
+    fn rounds(turns: &List, rows: &[EightTurns]) -> usize {
+        let of_row = |row: &EightTurns| {
+            let places = || row.iter().flatten().flat_map(|turn| turns.targets(*turn));
             places().map(|place| places().filter(|other| *other == place).count()).max().unwrap_or_default()
         };
         rows.iter().map(of_row).sum()
     }
 
-    fn turns(list: impl IntoIterator<Item = [usize; 2]>) -> Vec<Turn<f64, 2, 0, 2>> {
-        list.into_iter().map(|places| (places, [], places)).collect()
+    fn turns(list: impl IntoIterator<Item = [usize; 2]>) -> List {
+        let mut turns = List::default();
+        for places in list {
+            turns.push(&places, &places);
+        }
+        turns
     }
 
     #[test]
     fn turns_of_a_row_seldom_move_the_same_coordinate() {
         let pairs = turns((0..6).flat_map(|i| (0..i).map(move |j| [i, j])));
-        let as_they_come = by_eights(&pairs);
-        let dealt = dealt(pairs.clone(), [0, 0]);
-        assert_eq!((rounds(&as_they_come), rounds(&dealt)), (9, 6));
-        let mut found: Vec<_> = dealt.into_iter().flatten().flatten().collect();
-        found.sort_by_key(|turn| turn.0);
-        assert_eq!(found, pairs);
+        let as_they_come = by_eights(&(0..pairs.count).collect::<Vec<_>>());
+        let dealt = dealt(&pairs, &[0, 0]);
+        assert_eq!((rounds(&pairs, &as_they_come), rounds(&pairs, &dealt)), (9, 6));
+        let mut found: Vec<usize> = dealt.into_iter().flatten().flatten().collect();
+        found.sort_unstable();
+        assert!(found.into_iter().eq(0..pairs.count));
     }
 
     #[test]
     fn turns_lie_in_the_lanes_of_what_they_read() {
         // The third turn finds its lane taken, and the lane of the first one of the second register has none.
-        let rows = in_lanes(turns([[3, 4], [9, 1], [3, 5]]));
+        let rows = in_lanes(&turns([[3, 4], [9, 1], [3, 5]]));
         let lanes: Vec<Vec<usize>> = rows
             .iter()
             .map(|row| row.iter().enumerate().filter(|(_, turn)| turn.is_some()).map(|(lane, _)| lane).collect())
             .collect();
         assert_eq!(lanes, [vec![3], vec![3], vec![1]]);
-        assert_eq!(rows[1][3].map(|turn| turn.0), Some([3, 5]));
+        assert_eq!(rows[1][3], Some(2));
     }
 }

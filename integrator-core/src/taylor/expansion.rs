@@ -34,7 +34,6 @@ pub struct Constants<P> {
 }
 
 /// The polynomials of the members, and where on them these are.
-#[derive(Clone)]
 pub struct Expansion<R: Real, C: Coords, P, T> {
     method: Taylor,
     parameters: P,
@@ -46,13 +45,29 @@ pub struct Expansion<R: Real, C: Coords, P, T> {
     legs: [Leg; WIDEST],
 }
 
+impl<R: Real, C: Coords, P: Clone, T: Default> Clone for Expansion<R, C, P, T> {
+    /// A tape is written before it is read, and most copies are looked at once: theirs are empty.
+    fn clone(&self) -> Self {
+        let Self { method, layout, .. } = *self;
+        Self {
+            method,
+            parameters: self.parameters.clone(),
+            layout,
+            q: self.q.clone(),
+            p: self.p.clone(),
+            tape: T::default(),
+            legs: self.legs.clone(),
+        }
+    }
+}
+
 impl<R, C, P, Q, T> Motion<C, Constants<Q>> for Expansion<R, C, P, T>
 where
     R: Real,
     C: Coords,
     P: Prepared<R, Single = Q>,
     Q: Send + Sync + 'static,
-    T: Clone + Default + Send + Sync + 'static,
+    T: Default + Send + Sync + 'static,
 {
     fn load<'a>(of_lane: &dyn Fn(usize) -> (&'a Constants<Q>, &'a Phase<C>)) -> Self
     where

@@ -10,7 +10,6 @@ use super::{
 use crate::{aligned::Aligned, real::Real, row::Row};
 
 /// What each position multiplies its momentum by; nothing, before it is found.
-#[derive(Clone)]
 pub struct Mobility<R: Copy> {
     numbers: Aligned<R>,
 }

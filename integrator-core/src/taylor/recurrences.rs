@@ -11,7 +11,7 @@ use crate::{hamiltonian::Hamiltonian, real::Real};
 )]
 pub trait Recurrences: Hamiltonian {
     /// The coefficients that recurrences read.
-    type Tape<R: Real>: Clone + Default + Send + Sync + 'static;
+    type Tape<R: Real>: Default + Send + Sync + 'static;
 
     /// Whether there are loops over coordinates, so that orders need no code of their own.
     const ROLLED: bool;

@@ -6,7 +6,7 @@
 
 use super::{
     addends::{Addend, Addends},
-    arrangement::{Turn, dealt, in_lanes},
+    arrangement::{EightTurns, List, dealt, in_lanes},
     places::Places,
     table::{Coefficients, EIGHT, Eight, Layout},
 };
@@ -23,7 +23,6 @@ pub fn spread<R: Real>(x: R) -> Abreast<R> {
 }
 
 /// Eight turns side by side, each of which reads so many points and has so many constants; `T` is what they keep.
-#[derive(Clone)]
 pub struct Line<R: Real, T, const READS: usize, const CONSTANTS: usize> {
     /// What the turns keep.
     pub kept: T,
@@ -74,9 +73,51 @@ impl Target {
     }
 }
 
+/// How turns lie side by side, whatever they compute in: compiled once, and not with every system.
+struct Arrangement {
+    rows: Vec<EightTurns>,
+    /// Where each row reads, one after the other.
+    reads: Vec<Places>,
+}
+
+impl Arrangement {
+    /// That of turns which read so many points each, for coordinates that lie so.
+    #[cold]
+    #[inline(never)]
+    fn of(turns: &List, reads: usize, layout: Layout, targets: &[Target]) -> Self {
+        let rows = match layout.is_interleaved() {
+            true => in_lanes(turns),
+            // Where one register holds a component of all points, any turns read from registers.
+            false if layout.stride() == EIGHT => {
+                dealt(turns, &targets.iter().map(|target| target.value).collect::<Vec<_>>())
+            }
+            false => dealt(turns, &(0..targets.len()).collect::<Vec<_>>()),
+        };
+        let places =
+            |row: &EightTurns, read| Places::of(row.map(|turn| turn.map(|turn| turns.reads(turn)[read])), layout);
+        let reads = rows.iter().flat_map(|row| (0..reads).map(move |read| places(row, read))).collect();
+        Self { rows, reads }
+    }
+
+    /// What a part of the state gets from turns that compute so many values each.
+    #[cold]
+    #[inline(never)]
+    fn addends(&self, turns: &List, targets: &[Target], part: usize, values: usize) -> Vec<Addend> {
+        let mut addends = Vec::new();
+        for (number, row) in self.rows.iter().enumerate() {
+            for (lane, turn) in row.iter().enumerate().filter_map(|(lane, turn)| Some((lane, (*turn)?))) {
+                for (place, moved) in turns.targets(turn).iter().zip(targets).filter(|(_, moved)| moved.part == part) {
+                    let found = number * values + moved.value;
+                    addends.push(Addend { place: *place, found, lane, sign: moved.sign });
+                }
+            }
+        }
+        addends
+    }
+}
+
 /// The turns of a loop, or of loops inside each other: each reads so many points, has so many constants, and moves
 /// so many coordinates by so many values, of so many orders at once; `T` is what eight of them keep.
-#[derive(Clone)]
 pub struct Turns<
     R: Real,
     T,
@@ -86,7 +127,8 @@ pub struct Turns<
     const VALUES: usize,
     const AT_ONCE: usize,
 > {
-    turns: Vec<Turn<R, READS, CONSTANTS, TARGETS>>,
+    turns: List,
+    constants: Vec<[R; CONSTANTS]>,
     lines: Vec<Line<R, T, READS, CONSTANTS>>,
     found: Vec<Found<R, VALUES, AT_ONCE>>,
     /// What positions and momenta get.
@@ -105,7 +147,8 @@ impl<
 {
     fn default() -> Self {
         Self {
-            turns: Vec::new(),
+            turns: List::default(),
+            constants: Vec::new(),
             lines: Vec::new(),
             found: Vec::new(),
             addends: [Addends::default(), Addends::default()],
@@ -130,51 +173,37 @@ impl<
     }
     /// Another turn.
     pub fn take(&mut self, reads: [usize; READS], constants: [R; CONSTANTS], targets: [usize; TARGETS]) {
-        self.turns.push((reads, constants, targets));
+        self.turns.push(&reads, &targets);
+        self.constants.push(constants);
     }
     /// Lays the turns out in rows, for coordinates that lie so.
     #[cold]
     #[inline(never)]
     pub fn lay_out(&mut self, layout: Layout, targets: [Target; TARGETS]) {
-        let (turns, width) = (core::mem::take(&mut self.turns), layout.width());
-        let rows = match layout.is_interleaved() {
-            true => in_lanes(turns),
-            // Where one register holds a component of all points, any turns read from registers.
-            false if layout.stride() == EIGHT => dealt(turns, targets.map(|target| target.value)),
-            false => dealt(turns, core::array::from_fn(|target| target)),
-        };
-        for row in &rows {
+        let turns = core::mem::take(&mut self.turns);
+        let constants = core::mem::take(&mut self.constants);
+        let arrangement = Arrangement::of(&turns, READS, layout, &targets);
+        for (number, row) in arrangement.rows.iter().enumerate() {
             // One of the turns stands in for those that are not there.
             let first = row.iter().flatten().next();
-            self.lines.push(Line {
-                kept: T::default(),
-                constants: core::array::from_fn(|constant| {
-                    let constant = |turn: &Option<Turn<R, READS, CONSTANTS, TARGETS>>| {
-                        turn.as_ref().or(first).map_or(R::of(0.0), |turn| turn.1[constant])
-                    };
-                    Abreast::<R>::read(&row.each_ref().map(constant))
-                }),
-                reads: core::array::from_fn(|read| Places::of(row.map(|turn| turn.map(|turn| turn.0[read])), layout)),
-            });
+            let mut of_rows = [Abreast::<R>::of(0.0); CONSTANTS];
+            for constant in 0..CONSTANTS {
+                let mut numbers = [R::of(0.0); EIGHT];
+                for lane in 0..EIGHT {
+                    if let Some(turn) = row[lane].as_ref().or(first) {
+                        numbers[lane] = constants[*turn][constant];
+                    }
+                }
+                of_rows[constant] = Abreast::<R>::read(&numbers);
+            }
+            let mut reads = [Places::Neighbours(0); READS];
+            reads.copy_from_slice(&arrangement.reads[number * READS..][..READS]);
+            self.lines.push(Line { kept: T::default(), constants: of_rows, reads });
             self.found.push([[Abreast::<R>::of(0.0); AT_ONCE]; VALUES]);
         }
-        self.addends = [0, 1].map(|part| {
-            let targets = || targets.iter().enumerate().filter(move |(_, target)| target.part == part);
-            let mut addends = Vec::new();
-            for (number, row) in rows.iter().enumerate() {
-                for (lane, turn) in row.iter().enumerate() {
-                    addends.extend(turn.iter().flat_map(|turn| {
-                        targets().map(|(target, moved)| Addend {
-                            place: turn.2[target],
-                            found: number * VALUES + moved.value,
-                            lane,
-                            sign: moved.sign,
-                        })
-                    }));
-                }
-            }
-            Addends::of(addends, width)
-        });
+        for (part, addends) in self.addends.iter_mut().enumerate() {
+            *addends = Addends::of(arrangement.addends(&turns, &targets, part, VALUES), layout.width());
+        }
     }
     /// The rows of turns, and where each puts down what it has computed.
     #[inline(always)]

@@ -167,7 +167,6 @@ fn structure(names: &Names, name: &Ident, record: &Record, lists: &[(Ident, Toke
         #orders
 
         #[doc = #doc]
-        #[derive(::core::clone::Clone)]
         pub struct #name<#scalar: #runtime::Real> { #fields }
 
         impl<#scalar: #runtime::Real> ::core::default::Default for #name<#scalar> {
