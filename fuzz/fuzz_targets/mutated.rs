@@ -9,7 +9,7 @@ use libfuzzer_sys::fuzz_target;
 use std::{path::Path, sync::LazyLock};
 
 static SAMPLES: LazyLock<Vec<mutate::Sample>> =
-    LazyLock::new(|| mutate::annotated(&Path::new(env!("CARGO_MANIFEST_DIR")).join("../tests/corpus")));
+    LazyLock::new(|| mutate::annotated(&Path::new(env!("CARGO_MANIFEST_DIR")).join("../tests/long/tests/corpus")));
 
 fuzz_target!(|bytes: &[u8]| {
     let case = mutate::mutated(bytes, &SAMPLES);

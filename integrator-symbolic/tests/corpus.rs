@@ -23,7 +23,7 @@ impl System {
 
 /// All of them, in the order of their files' names.
 fn corpus() -> Vec<System> {
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../tests/corpus");
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../tests/long/tests/corpus");
     let entries = fs::read_dir(folder).expect("the corpus").map(|entry| entry.expect("an entry").path());
     let mut paths: Vec<_> = entries.filter(|path| path.extension().is_some_and(|kind| kind == "rs")).collect();
     paths.sort();

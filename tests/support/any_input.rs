@@ -183,33 +183,49 @@ impl Choices<'_> {
     }
 }
 
-/// What is done with a start, whatever its leaves.
+/// What is done with a start in `f64`, or in the other leaf that a system is tried with. What leaves do differently they do
+/// for every system: two systems meet each of them, and one of these with other members.
 macro_rules! with_leaves {
-    ($choices:expr, $system:expr, $q:expr, $p:expr) => {{
+    ($choices:expr, $system:expr, $q:expr, $p:expr, $other:ident $(, $swarm:ident)?) => {{
         let (system, q, p) = ($system, $q, $p);
         let choices = $choices;
         checked(choices, &system, Phase::new(q.clone(), p.clone()));
-        match choices.below(4) {
-            0 => both!(choices, system, Phase::new(q, p)),
-            1 => both!(choices, system, Phase { q: q.map(|x| x as f32), p: p.map(|x| x as f32) }),
-            2 => both!(choices, system, Phase::compensated(q, p)),
-            _ => {
-                let grid = if choices.below(4) == 0 { choices.number() } else { 1.0 / (1_u64 << 40) as f64 };
-                both!(choices, system, Phase::reversible(q, p, grid))
-            }
+        let h = choices.step();
+        if choices.below(2) == 0 {
+            alone(choices, &system, Phase::new(q, p), h)
+        } else {
+            let start = $other!(choices, q, p);
+            $($swarm!(choices, system, start, h);)?
+            alone(choices, &system, start, h)
         }
     }};
 }
 
-/// A run, and an ensemble whose other members begin elsewhere or are the same.
-macro_rules! both {
-    ($choices:expr, $system:expr, $start:expr) => {{
-        let (choices, system, start) = ($choices, $system, $start);
-        let h = choices.step();
-        let members: Vec<_> = (0..choices.below(10)).map(|_| (system.clone(), start.clone())).collect();
-        let ensemble = Ensemble::new(Verlet, members, h).map(|swarm| swarm.with_threads(choices.below(3)));
-        together(choices, ensemble)?;
-        alone(choices, &system, start, h)
+/// An ensemble whose members are the same.
+macro_rules! together {
+    ($choices:expr, $system:expr, $start:expr, $h:expr) => {{
+        let members: Vec<_> = (0..$choices.below(10)).map(|_| ($system.clone(), $start.clone())).collect();
+        let ensemble = Ensemble::new(Verlet, members, $h).map(|swarm| swarm.with_threads($choices.below(3)));
+        together($choices, ensemble)?;
+    }};
+}
+
+macro_rules! single {
+    ($choices:expr, $q:expr, $p:expr) => {
+        Phase { q: $q.map(|x| x as f32), p: $p.map(|x| x as f32) }
+    };
+}
+
+macro_rules! compensated {
+    ($choices:expr, $q:expr, $p:expr) => {
+        Phase::compensated($q, $p)
+    };
+}
+
+macro_rules! reversible {
+    ($choices:expr, $q:expr, $p:expr) => {{
+        let grid = if $choices.below(4) == 0 { $choices.number() } else { 1.0 / (1_u64 << 40) as f64 };
+        Phase::reversible($q, $p, grid)
     }};
 }
 
@@ -219,30 +235,34 @@ pub(crate) fn outcome(bytes: &[u8]) -> Result<(), String> {
     match choices.below(6) {
         0 => {
             let [mass, length] = choices.numbers();
-            with_leaves!(choices, Pendulum { mass, length }, choices.numbers::<1>(), choices.numbers::<1>())
+            let [q, p] = choices.numbers().map(|x| [x]);
+            with_leaves!(choices, Pendulum { mass, length }, q, p, single, together)
         }
         1 => {
             let strength = choices.number();
-            with_leaves!(choices, Kepler { strength }, choices.numbers::<2>(), choices.numbers::<2>())
+            let (q, p) = (choices.numbers::<2>(), choices.numbers::<2>());
+            with_leaves!(choices, Kepler { strength }, q, p, reversible, together)
         }
         2 => {
             let [mass, cubic] = choices.numbers();
             let (q, p) = lists(choices, |choices| choices.number());
-            with_leaves!(choices, Lattice { mass, cubic }, q, p)
+            with_leaves!(choices, Lattice { mass, cubic }, q, p, compensated, together)
         }
         3 => {
             let cutoff = choices.number();
             let (q, p) = lists(choices, |choices| choices.numbers::<2>());
             let masses = (0..q.len()).map(|_| choices.number()).collect();
-            with_leaves!(choices, Cluster { masses, cutoff }, q, p)
+            with_leaves!(choices, Cluster { masses, cutoff }, q, p, compensated)
         }
         4 => {
             let frequency = choices.number();
-            with_leaves!(choices, Driven { frequency }, choices.numbers::<1>(), choices.numbers::<1>())
+            let [q, p] = choices.numbers().map(|x| [x]);
+            with_leaves!(choices, Driven { frequency }, q, p, single)
         }
         _ => {
             let power = choices.number();
-            with_leaves!(choices, Edges { power }, choices.numbers::<3>(), choices.numbers::<3>())
+            let (q, p) = (choices.numbers::<3>(), choices.numbers::<3>());
+            with_leaves!(choices, Edges { power }, q, p, reversible)
         }
     }
 }

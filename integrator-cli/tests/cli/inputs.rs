@@ -125,7 +125,7 @@ fn what_cannot_be_read_is_said_so() {
 #[test]
 fn the_files_of_the_repository_are_answered() {
     let mut found = Vec::new();
-    for folder in ["examples", "tests/corpus", "tests/hygiene", "tests/language", "tests/ui/cases"] {
+    for folder in ["examples", "tests/long/tests/corpus", "tests/hygiene", "tests/language", "tests/ui/cases"] {
         annotated(&repository().join(folder), &mut found);
     }
     assert!(found.len() > 20, "{}", found.len());

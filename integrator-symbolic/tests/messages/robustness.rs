@@ -57,7 +57,7 @@ const SAMPLES: [(&str, &str); 4] = [
 /// The samples here, and the systems of the corpus.
 fn samples() -> &'static [Sample] {
     static ALL: LazyLock<Vec<Sample>> = LazyLock::new(|| {
-        let corpus = Path::new(env!("CARGO_MANIFEST_DIR")).join("../tests/corpus");
+        let corpus = Path::new(env!("CARGO_MANIFEST_DIR")).join("../tests/long/tests/corpus");
         let mut all = annotated(&corpus);
         assert!(all.len() > 30, "the corpus is found: {}", all.len());
         all.extend(SAMPLES.map(|(arguments, item)| Sample::new(arguments, item)));

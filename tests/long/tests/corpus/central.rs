@@ -259,8 +259,6 @@ impl SoftBox {
 
 impl Member for SoftBox {
     const STEP: f64 = 0.02;
-    // Slopes of the force jump at the walls.
-    const SMOOTH: u32 = 2;
     const ROUGH: Option<&'static str> = Some("the force jumps where the smaller coordinate becomes the larger one");
 
     fn example() -> Self {

@@ -4,19 +4,19 @@ use integrator_bench::problems::HenonHeiles;
 use integrator_core::prelude::*;
 use std::{env, io, process::Command};
 
-#[path = "../../benches/stress/brouwer.rs"]
+#[path = "../../../../benches/stress/brouwer.rs"]
 mod brouwer;
-#[path = "../../benches/stress/chaos.rs"]
+#[path = "../../../../benches/stress/chaos.rs"]
 mod chaos;
-#[path = "../../benches/stress/encounters.rs"]
+#[path = "../../../../benches/stress/encounters.rs"]
 mod encounters;
-#[path = "../../benches/stress/hostile.rs"]
+#[path = "../../../../benches/stress/hostile.rs"]
 mod hostile;
-#[path = "../../benches/stress/interruption.rs"]
+#[path = "../../../../benches/stress/interruption.rs"]
 mod interruption;
-#[path = "../../benches/stress/limits.rs"]
+#[path = "../../../../benches/stress/limits.rs"]
 mod limits;
-#[path = "../../benches/stress/reversal.rs"]
+#[path = "../../../../benches/stress/reversal.rs"]
 mod reversal;
 
 use limits::Outcome;

@@ -223,8 +223,6 @@ impl RampedLattice {
 
 impl Member for RampedLattice {
     const STEP: f64 = 0.05;
-    // The second derivative of the ramp jumps at its end.
-    const SMOOTH: u32 = 2;
 
     fn example() -> Self {
         let started = [Species::Light, Species::Heavy].into_iter().next_back();

@@ -4,6 +4,6 @@
 mod any;
 mod constructors;
 mod energies;
-#[path = "../support/instruction_sets.rs"]
+#[path = "../../../support/instruction_sets.rs"]
 mod instruction_sets;
 mod parameters;

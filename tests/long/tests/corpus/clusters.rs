@@ -161,8 +161,6 @@ impl Colloids {
 
 impl Member for Colloids {
     const STEP: f64 = 0.05;
-    // Slopes of the force jump at the cutoff.
-    const SMOOTH: u32 = 2;
 
     fn example() -> Self {
         Self { strength: 1.5, screening: 0.8, cutoff: 2.0 }

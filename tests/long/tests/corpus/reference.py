@@ -1,6 +1,6 @@
 """Writes reference.json: points, energies and gradients of every system of the corpus, with fifty digits.
 
-    python3 tests/corpus/reference.py
+    python3 tests/long/tests/corpus/reference.py
 
 Each formula is defined here on its own, from the literature; SymPy differentiates it, mpmath evaluates it. Beside each
 number stands the scale of the error that an evaluation may have: to first order, what the number may move by, in units

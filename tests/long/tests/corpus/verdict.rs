@@ -5,8 +5,9 @@ use crate::{
     reference::{self, Exact, Point},
 };
 use integrator_core::{
-    Compensated, Coords, Visitor,
-    check::{Certificate, CertifyError, gradient_error},
+    __private::{Composition, Motion},
+    Coords,
+    check::{CertifyError, gradient_error},
     prelude::*,
 };
 use num_dual::Dual64;
@@ -27,45 +28,12 @@ pub(crate) fn judge<S: Member>(name: &str) {
         // Units of the rounding of the coordinates; the same operations as above, once as code and once in duals.
         assert!(deviation.as_ref().is_ok_and(|error| *error <= 32.0 * f64::EPSILON), "{name}: {deviation:?}");
     }
-    let start = phase::<S>(&points[0]);
-    let certificate = if const { S::SMOOTH >= Yoshida4::ORDER } {
-        certify::<S, _, f64>(&system, Yoshida4, start.clone(), S::STEP)
-    } else {
-        certify::<S, _, f64>(&system, Verlet, start.clone(), S::STEP)
-    };
-    agrees_with_smoothness::<S>(name, certificate);
-    S::visit_compositions(&mut WithForceGradients { name, system: &system, start });
-}
-
-/// Certifies a system with `Chin4A` if its `T` is quadratic: force gradients need the generated second derivatives.
-struct WithForceGradients<'m, S: Member> {
-    name: &'m str,
-    system: &'m S,
-    start: Phase<S::Coords>,
-}
-
-impl<S: Member> Visitor<S> for WithForceGradients<'_, S> {
-    fn visit<X: Composition<S>>(&mut self, composition: X) {
-        // Known when this is compiled, so that nothing is compiled for the others: one certificate of one system takes
-        // the compiler a second.
-        if const { is_chin_4a::<X>() && S::SMOOTH >= X::ORDER } {
-            let certificate = certify::<S, X, f64>(self.system, composition, self.start.clone(), S::STEP);
-            agrees_with_smoothness::<S>(self.name, certificate);
-        }
-    }
-}
-
-/// Whether a composition has the numbers of `Chin4A`, which no other one in the catalogue has.
-const fn is_chin_4a<X: Scheme>() -> bool {
-    X::SYMMETRIC
-        && X::ORDER == Chin4A::ORDER
-        && X::FORCE_EVALUATIONS == Chin4A::FORCE_EVALUATIONS
-        && X::GRADIENT_EVALUATIONS == Chin4A::GRADIENT_EVALUATIONS
 }
 
 /// A smooth system is certified, a rough one is not.
-fn agrees_with_smoothness<S: Member>(name: &str, certificate: Result<Certificate, CertifyError>) {
-    match (certificate, S::ROUGH) {
+pub(crate) fn certified<S: Member, X: Composition<S>>(name: &str, method: X) {
+    let start = phase::<S>(&reference::points(name)[0]);
+    match (certify::<S, X, f64>(&S::example(), method, start, S::STEP), S::ROUGH) {
         (Ok(_), None) | (Err(CertifyError::Refused { .. }), Some(_)) => {}
         (Ok(certificate), Some(reason)) => panic!("{name}: certified, though {reason}: {certificate}"),
         (Err(refused), _) => panic!("{name}: {refused}"),
@@ -93,26 +61,27 @@ fn gradients_agree<S: Member>(name: &str, system: &S, point: &Point) {
     all_close("dual dV/dq", &by_positions, &point.potential_gradient);
 }
 
-/// A duration so short that conditions on the time hold throughout, and a power of two, by which numbers are multiplied and
-/// divided without rounding.
-const SHORT: f64 = 1.0 / (1 << 20) as f64;
-
-/// The gradients of `T` and `V` as a run sees them: a kick from rest leaves `-dV/dq` times its duration in the momenta, a
-/// drift adds `dT/dp` times its duration to the positions, which carry what the sum rounds. (There may be no energy at the
-/// origin.)
+/// The gradients of `T` and `V` as a step has them: a drift of unit duration adds `dT/dp` to positions, and from zero without
+/// rounding; a kick takes `dV/dq` from momenta. (There may be no energy at the origin.)
 fn generated<S: Member>(system: &S, point: &Point) -> (Vec<f64>, Vec<f64>) {
-    let zeros = S::Coords::filled(&vec![0.0; point.q.len()]);
-    let from_rest = Phase::new(S::Coords::filled(&point.q), zeros);
-    let moving = Phase::compensated(S::Coords::filled(&point.q), S::Coords::filled(&point.p));
-    let mut kick = system.run_with::<f64, _>(Euler, from_rest, SHORT).expect("a start").at_time(point.time);
-    kick.advance(1).expect("finite");
-    let mut drift =
-        system.run_with::<Compensated<f64>, _>(EulerAdjoint, moving, SHORT).expect("a start").at_time(point.time);
-    drift.advance(1).expect("finite");
-    let moved =
-        drift.state().q.flat().iter().zip(&point.q).map(|(q, from)| (q.value - from) + q.carried).collect::<Vec<_>>();
-    let rates = |changes: &[f64], sign: f64| changes.iter().map(|change| sign * change / SHORT).collect();
-    (rates(&moved, 1.0), rates(kick.state().p.flat(), -1.0))
+    let zeros = vec![0.0; point.q.len()];
+    let flown = |q: &[f64], p: &[f64], flow: fn(&mut S::Motion<f64, f64>, f64, f64)| {
+        let mut moved = Phase::new(S::Coords::filled(q), S::Coords::filled(p));
+        let mut motion = motion(system, &moved);
+        S::begin_step::<f64, f64>(&mut motion, point.time);
+        flow(&mut motion, 1.0, point.time);
+        motion.store(0, &mut moved);
+        moved
+    };
+    let drifted = flown(&zeros, &point.p, S::drift::<f64, f64>);
+    let kicked = flown(&point.q, &zeros, S::kick::<f64, f64>);
+    (drifted.q.flat().to_vec(), kicked.p.flat().iter().map(|p| -p).collect())
+}
+
+/// A system at a point, as runs hold it.
+fn motion<S: Member>(system: &S, at: &Phase<S::Coords>) -> S::Motion<f64, f64> {
+    let parameters = system.parameters(at.q.flat().len());
+    S::Motion::<f64, f64>::load(&|_| (&parameters, at))
 }
 
 /// A gradient by dual numbers, one seed after the other.
@@ -137,8 +106,9 @@ fn energies_agree<S: Member>(name: &str, system: &S, point: &Point) {
         value: point.kinetic.value + point.potential.value,
         scale: point.kinetic.scale + point.potential.scale,
     };
-    let run = system.run::<f64>(at, S::STEP).expect("a start").at_time(point.time);
-    assert_close(&format!("{name}: the generated energy"), run.energy(), &total);
+    let motion = motion(system, &at);
+    let generated = S::kinetic::<f64, f64>(&motion, point.time) + S::potential::<f64, f64>(&motion, point.time);
+    assert_close(&format!("{name}: the generated energy"), generated, &total);
 }
 
 fn assert_close(what: &str, found: f64, exact: &Exact) {

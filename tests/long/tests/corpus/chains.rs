@@ -304,8 +304,6 @@ impl HertzBeads {
 
 impl Member for HertzBeads {
     const STEP: f64 = 0.01;
-    // The third derivative of the contact law is infinite where beads part.
-    const SMOOTH: u32 = 2;
 
     fn example() -> Self {
         Self { diameter: 1.0, hardness: 3.1 }

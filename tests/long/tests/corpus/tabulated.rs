@@ -47,8 +47,6 @@ impl Tabulated {
 
 impl Member for Tabulated {
     const STEP: f64 = 0.05;
-    // The second derivative of the spline jumps between cells.
-    const SMOOTH: u32 = 2;
 
     fn example() -> Self {
         Self { cell: 0.75, values: [1.5, -0.2, -0.4, 0.3], slopes: [-3.0, -1.1, 0.4, 1.2] }

@@ -1,6 +1,6 @@
 //! Whatever it is given, no public function panics.
 
-#[path = "../support/any_input.rs"]
+#[path = "../../../support/any_input.rs"]
 mod any_input;
 
 use any_input::outcome;

@@ -9,8 +9,6 @@ pub(crate) trait Member: Hamiltonian<Coords: Filled> {
     const STEP: f64;
     /// Why every certificate is refused, where the potential is not smooth enough for any order.
     const ROUGH: Option<&'static str> = None;
-    /// The highest order that shows, where the potential is not smooth enough for all.
-    const SMOOTH: u32 = u32::MAX;
 
     /// The system with the parameters of the reference.
     fn example() -> Self;
