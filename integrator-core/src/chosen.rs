@@ -1,7 +1,7 @@
 //! What one trajectory of a system is carried on by, compiled for the instruction sets of which this machine chooses one.
 
 use crate::{
-    energies::{Energies, EnergyOf, energies, energy},
+    energies::{Energies, energies, energy},
     engine::{Engine, Solo},
     hamiltonian::{Hamiltonian, Shaped},
     instruction_set::InstructionSet,
@@ -15,7 +15,6 @@ use alloc::{boxed::Box, sync::Arc};
 /// What is compiled for one system, method and leaf.
 pub(crate) struct Chosen<H: Hamiltonian, X: Method<H>, K: Keep> {
     solo: SoloOf<X::Constants, Shaped<H, K>>,
-    pub(crate) energy: EnergyOf<H::Parameters<f64>, Shaped<H, K>>,
 }
 
 /// What makes an engine from constants and a start.
@@ -37,7 +36,7 @@ impl<H: Hamiltonian, X: Method<H>, K: Keep> Chosen<H, X, K> {
     }
 
     fn computed_in<R: Real>() -> Self {
-        Self { solo: solo::<H, X, R, K>, energy: energy::<H, R, K> }
+        Self { solo: solo::<H, X, R, K> }
     }
 
     /// The engine of a trajectory.
@@ -47,7 +46,7 @@ impl<H: Hamiltonian, X: Method<H>, K: Keep> Chosen<H, X, K> {
         parameters: Arc<H::Parameters<f64>>,
         start: Phase<Shaped<H, K>>,
     ) -> Box<dyn Engine<Shaped<H, K>>> {
-        let energies = energies(parameters.clone(), self.energy);
+        let energies = energies(parameters.clone(), energy::<H, K>);
         (self.solo)(method.constants(parameters), start, energies)
     }
 }

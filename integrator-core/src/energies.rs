@@ -65,8 +65,8 @@ impl<P: Send + Sync, C: Coords> Energies<C> for Constants<P, C> {
 /// What tells the energy of a state at a time, compiled for one system and leaf.
 pub(crate) type EnergyOf<P, C> = fn(&P, &Phase<C>, f64) -> Parts;
 
-/// The energy of a state, in what its leaf asks for, where flows are computed in `R`.
-pub(crate) fn energy<H: Hamiltonian, R: Real, K: Keep>(
+/// The energy of a state, in what its leaf asks for.
+pub(crate) fn energy<H: Hamiltonian, K: Keep>(
     parameters: &H::Parameters<f64>,
     state: &Phase<Shaped<H, K>>,
     time: f64,
@@ -74,10 +74,10 @@ pub(crate) fn energy<H: Hamiltonian, R: Real, K: Keep>(
     let part =
         |part: usize| Phase { q: state.q.map(|leaf| leaf.parts()[part]), p: state.p.map(|leaf| leaf.parts()[part]) };
     let value = part(0);
-    let carried = if <K::Energy<R>>::LANES > 1 { Some(part(1)) } else { None };
+    let carried = if K::Energy::LANES > 1 { Some(part(1)) } else { None };
     let of_lane = |lane: usize| (parameters, carried.as_ref().filter(|_| lane > 0).unwrap_or(&value));
-    let motion = H::Motion::<K::Energy<R>, f64>::load(&of_lane);
-    <K::Energy<R>>::enter(Energy::<H, K::Energy<R>> { motion: &motion, time })
+    let motion = H::Motion::<K::Energy, f64>::load(&of_lane);
+    K::Energy::enter(Energy::<H, K::Energy> { motion: &motion, time })
 }
 
 struct Energy<'m, H: Hamiltonian, R: Real> {

@@ -11,6 +11,7 @@ use crate::{
     chosen::Chosen,
     clock::Clock,
     coords::Coords,
+    energies::energy,
     engine::is_spoilt,
     error::Error,
     hamiltonian::{Hamiltonian, Prepared, Shaped},
@@ -111,7 +112,7 @@ impl<C: Coords> Ensemble<C> {
         }
         let packs = starts.packs(states.len(), all_threads());
         let energies = Box::new(move |member: usize, state: &dyn Point, time: f64| {
-            (chosen.energy)(&parameters[member], shaped(state), time)
+            energy::<H, K>(&parameters[member], shaped(state), time)
         });
         let mut members = Members::new(packs, energies, states.len(), coordinates, h);
         if H::AUTONOMOUS {
@@ -323,7 +324,7 @@ fn parameters<H: Hamiltonian, K: Keep, X: Method<H>>(
     #[cfg(debug_assertions)]
     hold_at_start::<H, K>(system, &parameters, start, 0.0)?;
     if unsettled && H::AUTONOMOUS {
-        (chosen.energy)(&parameters, start, 0.0).admissible(0.0)?;
+        energy::<H, K>(&parameters, start, 0.0).admissible(0.0)?;
     }
     Ok(parameters)
 }

@@ -93,7 +93,7 @@ impl Keep for Fixed<f64> {
     type Fused = Fused<f64>;
     type Avx512 = Fused<f64, Avx512>;
     type Slot<R: Real> = Fixed<R>;
-    type Energy<R: Real> = R;
+    type Energy = f64;
 
     const NAME: &'static str = "reversible f64";
     const PARTS: usize = 2;

@@ -203,7 +203,6 @@ pub struct Plain<R: Real, C: Coords, P> {
 }
 
 impl<R: Real, C: Coords, P: Prepared<R>> Motion<C, P::Single> for Plain<R, C, P> {
-    #[inline(always)]
     fn load<'a>(of_lane: &dyn Fn(usize) -> (&'a P::Single, &'a Phase<C>)) -> Self
     where
         P::Single: 'a,

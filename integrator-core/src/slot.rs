@@ -78,8 +78,8 @@ pub trait Keep: Copy + Debug + PartialEq + Default + Send + Sync + 'static {
     type Avx512: Real;
     /// How a coordinate is kept.
     type Slot<R: Real>: Slot<R>;
-    /// What energies are computed in, where flows are computed in `R`.
-    type Energy<R: Real>: Real;
+    /// What energies are computed in: the same on every machine, and compiled once.
+    type Energy: Real;
 
     /// What a checkpoint calls it.
     const NAME: &'static str;
@@ -121,7 +121,7 @@ macro_rules! keep_plainly {
             type Fused = Fused<$scalar>;
             type Avx512 = Fused<$scalar, Avx512>;
             type Slot<R: Real> = R;
-            type Energy<R: Real> = R;
+            type Energy = $scalar;
 
             const NAME: &'static str = stringify!($scalar);
             const EPSILON: f64 = <$scalar>::EPSILON as f64;
@@ -190,7 +190,7 @@ impl Keep for Compensated<f64> {
     type Fused = Fused<f64>;
     type Avx512 = Fused<f64, Avx512>;
     type Slot<R: Real> = Compensated<R>;
-    type Energy<R: Real> = Twofold;
+    type Energy = Twofold;
 
     const NAME: &'static str = "compensated f64";
     const PARTS: usize = 2;
