@@ -5,7 +5,7 @@ use crate::{
     real::Real,
     slot::{Keep, Slot},
 };
-use alloc::vec::Vec;
+use alloc::{vec, vec::Vec};
 use core::fmt::Debug;
 
 /// How many coordinates are looked at between two chances to stop looking.
@@ -50,7 +50,12 @@ pub trait Coords: Clone + Debug + PartialEq + Send + Sync + 'static {
     }
     /// The slots of one set of coordinates per lane as a list.
     fn listed<'a, R: Real>(of_lane: &dyn Fn(usize) -> &'a Self) -> Vec<<Self::Leaf as Keep>::Slot<R>> {
-        (0..of_lane(0).flat().len()).map(|k| Self::Leaf::inward(&|lane| of_lane(lane).flat()[k])).collect()
+        let count = of_lane(0).flat().len();
+        let mut slots = Vec::with_capacity(count);
+        for k in 0..count {
+            slots.push(Self::Leaf::inward(&|lane| of_lane(lane).flat()[k]));
+        }
+        slots
     }
     /// One number per slot, in the same shape.
     #[inline(always)]
@@ -105,11 +110,19 @@ impl<K: Keep, const N: usize> Coords for [K; N] {
         self
     }
     fn map<L: Keep>(&self, leaf: impl Fn(K) -> L) -> [L; N] {
-        core::array::from_fn(|i| leaf(self[i]))
+        let mut mapped = [L::default(); N];
+        for (mapped, own) in mapped.iter_mut().zip(self) {
+            *mapped = leaf(*own);
+        }
+        mapped
     }
     #[inline(always)]
     fn slots_from<R: Real>(_count: usize, slot: impl Fn(usize) -> K::Slot<R>) -> [K::Slot<R>; N] {
-        core::array::from_fn(slot)
+        let mut slots = [Slot::zero(); N];
+        for (k, to) in slots.iter_mut().enumerate() {
+            *to = slot(k);
+        }
+        slots
     }
     #[inline(always)]
     fn slots<R: Real>(slots: &Self::Slots<R>) -> &[K::Slot<R>] {
@@ -143,11 +156,19 @@ impl<K: Keep, const D: usize, const N: usize> Coords for [[K; D]; N] {
         self.as_flattened_mut()
     }
     fn map<L: Keep>(&self, leaf: impl Fn(K) -> L) -> [[L; D]; N] {
-        core::array::from_fn(|i| core::array::from_fn(|d| leaf(self[i][d])))
+        let mut mapped = [[L::default(); D]; N];
+        for (mapped, own) in mapped.as_flattened_mut().iter_mut().zip(self.flat()) {
+            *mapped = leaf(*own);
+        }
+        mapped
     }
     #[inline(always)]
     fn slots_from<R: Real>(_count: usize, slot: impl Fn(usize) -> K::Slot<R>) -> [[K::Slot<R>; D]; N] {
-        core::array::from_fn(|i| core::array::from_fn(|d| slot(i * D + d)))
+        let mut slots = [[Slot::zero(); D]; N];
+        for (k, to) in slots.as_flattened_mut().iter_mut().enumerate() {
+            *to = slot(k);
+        }
+        slots
     }
     #[inline(always)]
     fn slots<R: Real>(slots: &Self::Slots<R>) -> &[K::Slot<R>] {
@@ -180,7 +201,11 @@ impl<K: Keep> Coords for Vec<K> {
         self
     }
     fn map<L: Keep>(&self, leaf: impl Fn(K) -> L) -> Vec<L> {
-        self.iter().map(|x| leaf(*x)).collect()
+        let mut mapped = Vec::with_capacity(self.len());
+        for own in self {
+            mapped.push(leaf(*own));
+        }
+        mapped
     }
     #[inline(always)]
     fn slots_from<R: Real>(count: usize, slot: impl Fn(usize) -> K::Slot<R>) -> Self::Slots<R> {
@@ -216,7 +241,11 @@ impl<K: Keep, const D: usize> Coords for Vec<[K; D]> {
         self.as_flattened_mut()
     }
     fn map<L: Keep>(&self, leaf: impl Fn(K) -> L) -> Vec<[L; D]> {
-        self.iter().map(|point| point.map(&leaf)).collect()
+        let mut mapped = vec![[L::default(); D]; self.len()];
+        for (mapped, own) in mapped.as_flattened_mut().iter_mut().zip(self.flat()) {
+            *mapped = leaf(*own);
+        }
+        mapped
     }
     #[inline(always)]
     fn slots_from<R: Real>(count: usize, slot: impl Fn(usize) -> K::Slot<R>) -> Self::Slots<R> {

@@ -69,6 +69,10 @@ impl<R: Real> Slot<R> for Fixed<R> {
     type Wide = R;
 
     #[inline(always)]
+    fn zero() -> Self {
+        Self { value: R::of(0.0), spacing: R::of(0.0) }
+    }
+    #[inline(always)]
     fn value(self) -> R {
         self.value
     }

@@ -120,6 +120,10 @@ pub trait Method<H: Hamiltonian>: Described {
     fn constants(self, parameters: Arc<H::Parameters<f64>>) -> Arc<Self::Constants>;
     /// The steps, compiled for one scalar and leaf.
     fn moves<R: Real, K: Keep>() -> Moves<Self::Motion<R, K>>;
+    /// The same for the steps of checks, compiled without what only large systems gain from.
+    fn plain_moves<R: Real, K: Keep>() -> Moves<Self::Motion<R, K>> {
+        Self::moves::<R, K>()
+    }
 }
 
 impl<H: Hamiltonian, X: Scheme + Composition<H>> Method<H> for X {
@@ -133,6 +137,9 @@ impl<H: Hamiltonian, X: Scheme + Composition<H>> Method<H> for X {
         parameters
     }
     fn moves<R: Real, K: Keep>() -> Moves<H::Motion<R, K>> {
-        moves::<H, X, R, K>()
+        moves::<H, X, R, K, true>()
+    }
+    fn plain_moves<R: Real, K: Keep>() -> Moves<H::Motion<R, K>> {
+        moves::<H, X, R, K, false>()
     }
 }

@@ -65,10 +65,13 @@ impl<M> Clone for Moves<M> {
 impl<M> Copy for Moves<M> {}
 
 /// The moves of a system under a composition.
-pub(crate) fn moves<H: Hamiltonian, X: Composition<H>, R: Real, K: Keep>() -> Moves<H::Motion<R, K>> {
+///
+/// With `TILES`, lattices too long for the cache are swept in tiles; without, they are moved flow by flow, in less code.
+pub(crate) fn moves<H: Hamiltonian, X: Composition<H>, R: Real, K: Keep, const TILES: bool>() -> Moves<H::Motion<R, K>>
+{
     Moves {
         advance: |motion, clock, steps, threads| {
-            if Tiled::<H, R, K>::PAYS {
+            if const { TILES && Tiled::<H, R, K>::PAYS } {
                 let mut flows = Tiled::<H, R, K>::new(motion, threads);
                 Advance::<_, H, X>::new(&mut flows, clock, steps).call();
                 flows.finish();
@@ -76,19 +79,19 @@ pub(crate) fn moves<H: Hamiltonian, X: Composition<H>, R: Real, K: Keep>() -> Mo
                 R::enter(Advance::<_, H, X>::new(Single::<H, R, K>(motion), clock, steps));
             }
         },
-        complete: end::<H, X, R, K, false>,
-        show: if const { X::PROCESSOR.after.rows.is_empty() } { None } else { Some(end::<H, X, R, K, true>) },
+        complete: end::<H, X, R, K, TILES, false>,
+        show: if const { X::PROCESSOR.after.rows.is_empty() } { None } else { Some(end::<H, X, R, K, TILES, true>) },
         dense: None,
         threads: Some(1),
     }
 }
 
 /// The end of the step under way: its last stages, or what undoes the processor behind them.
-fn end<H: Hamiltonian, X: Composition<H>, R: Real, K: Keep, const SHOWN: bool>(
+fn end<H: Hamiltonian, X: Composition<H>, R: Real, K: Keep, const TILES: bool, const SHOWN: bool>(
     motion: &mut H::Motion<R, K>,
     clock: Clock,
 ) {
-    if Tiled::<H, R, K>::PAYS {
+    if const { TILES && Tiled::<H, R, K>::PAYS } {
         let mut flows = Tiled::<H, R, K>::new(motion, Some(1));
         End::<_, H, X, SHOWN>::new(&mut flows, clock).call();
         flows.finish();

@@ -13,6 +13,8 @@ pub trait Slot<R: Real>: Copy + Send + Sync + 'static {
     /// How many neighbours are computed on together.
     type Wide: Block<R>;
 
+    /// A slot with nothing in it, to be filled.
+    fn zero() -> Self;
     /// The number that flows read.
     fn value(self) -> R;
     /// Adds `d`.
@@ -42,6 +44,10 @@ pub trait Slot<R: Real>: Copy + Send + Sync + 'static {
 impl<R: Real> Slot<R> for R {
     type Wide = R::Block;
 
+    #[inline(always)]
+    fn zero() -> R {
+        R::of(0.0)
+    }
     #[inline(always)]
     fn value(self) -> R {
         self
@@ -161,6 +167,10 @@ impl<R: Real> Slot<R> for Compensated<R> {
     /// A number and what it carries lie side by side, so neighbours do not.
     type Wide = R;
 
+    #[inline(always)]
+    fn zero() -> Self {
+        Self { value: R::of(0.0), carried: R::of(0.0) }
+    }
     #[inline(always)]
     fn value(self) -> R {
         self.value

@@ -5,15 +5,16 @@
 
 use crate::{
     check::{
-        CheckError, edges,
+        CheckError,
+        compensated::CompensatedSteps,
+        edges,
         march::march,
         path::{Path, Scale},
-        points::compensated_run,
         series::{is_written, series},
         start::Start,
     },
     error::Error,
-    flat::{Flat, flat, shaped},
+    flat::{Flat, shaped},
     hamiltonian::Hamiltonian,
     method::{Facts, Method},
     phase::Phase,
@@ -109,11 +110,10 @@ impl<H: Hamiltonian, X: Method<H>> Stepper for Steps<'_, H, X> {
     }
 
     fn path(&self, start: &Start<Vec<f64>>, h: f64, parts: u64, steps: u64) -> Result<Path, Error> {
-        let mut run = compensated_run(self.motions.system, self.method, self.motions.start(start), h)?;
+        let mut run = CompensatedSteps::new(self.motions.system, self.method, self.motions.start(start), h)?;
         let mut ends = Vec::with_capacity(parts as usize);
         for _ in 0..parts {
-            run.advance(steps)?;
-            ends.push(flat(&run.state()));
+            ends.push(run.advance(steps)?);
         }
         Ok(Path { start: start.phase.clone(), ends })
     }

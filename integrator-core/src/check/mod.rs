@@ -32,10 +32,10 @@
 //! What is a property of the flows (symplecticity, order, gradient) is measured in `f64` whatever the leaf of the
 //! start; what rounding takes part in (reversibility, energy) is measured in the precision of the start.
 
-mod baseline;
 mod certificate;
 mod certify;
 mod choose;
+mod compensated;
 mod course;
 mod dual;
 mod edges;

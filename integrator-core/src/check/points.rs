@@ -3,7 +3,6 @@
 use crate::{
     admissible::admissible,
     check::{
-        baseline::Baseline,
         start::Start,
         tolerance::{largest, ratio},
     },
@@ -14,7 +13,7 @@ use crate::{
     method::Method,
     phase::Phase,
     run::Run,
-    slot::{Compensated, Keep},
+    slot::Keep,
 };
 
 /// The values of a point, whatever its leaves carry beside.
@@ -54,22 +53,6 @@ pub(crate) fn run<H: Hamiltonian, X: Method<H>, K: Keep>(
     let mut run = Run::start::<H, X, K>(system, method, phase, h)?.at_time(time);
     run.see_start()?;
     Ok(run)
-}
-
-/// A run from a start and its time, which carries the rounding error of every update; in code for the baseline, so that no other
-/// is compiled for it.
-pub(crate) fn compensated_run<H: Hamiltonian, X: Method<H>>(
-    system: &H,
-    method: X,
-    Start { phase, time }: Start<H::Coords>,
-    h: f64,
-) -> Result<Run<Shaped<H, Compensated<f64>>>, Error> {
-    run::<H, Baseline<X>, Compensated<f64>>(
-        system,
-        Baseline(method),
-        &Phase::compensated(phase.q, phase.p).at_time(time),
-        h,
-    )
 }
 
 /// What one rounding amounts to, relative to the largest position or to the largest momentum of some points.

@@ -9,20 +9,22 @@ use crate::{
     catalogue::{VelocityVerlet, Verlet},
     check::{
         CheckError,
+        compensated::CompensatedSteps,
         dual::Dual,
         gradient::{Part, flow},
         line::fit_finest,
         order::{CLEARANCE, LADDER, NEEDED, POINTS, observed_order},
         path::PARTS,
-        points::{compensated_run, origin, plain},
+        points::{origin, plain},
         start::Start,
         tolerance::{largest, length, within},
     },
     composition::{Composition, Scheme},
     coords::Coords,
+    flat::shaped,
     hamiltonian::{Motion, QuadraticKinetic, Shaped},
     phase::Phase,
-    slot::{Compensated, Keep},
+    slot::Keep,
 };
 
 /// A composition whose modified Hamiltonian is known to order 4, for quadratic `T`.
@@ -160,13 +162,12 @@ fn course<H: QuadraticKinetic, X: Composition<H> + Shadowed>(
     h: f64,
     steps: u64,
 ) -> Result<Course, CheckError> {
-    let mut run = compensated_run(system, X::default(), start.clone(), h)?;
+    let mut run = CompensatedSteps::new(system, X::default(), start.clone(), h)?;
     let at = |point: &Phase<H::Coords>| Point::<H> { parameters, point }.energies(&X::TERMS, h);
     let (first, mut terms) = at(&start.phase);
     let mut changes: [Vec<f64>; 3] = Default::default();
     for _ in 0..steps {
-        run.advance(1)?;
-        let (energies, present) = at(&plain::<H, Compensated<f64>>(&run.state()));
+        let (energies, present) = at(&shaped(&start.phase, &run.advance(1)?));
         terms = largest([terms, present]);
         for (index, changes) in changes.iter_mut().enumerate() {
             changes.push(energies[index] - first[index]);

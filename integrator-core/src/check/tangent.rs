@@ -41,7 +41,7 @@ impl<'s, H: Hamiltonian, X: Method<H>> Tangents<'s, H, X> {
 impl<H: Hamiltonian, X: Method<H>> Carry for Tangents<'_, H, X> {
     fn carry(&self, point: &Flat, tangent: &Flat, t0: f64, steps: u64) -> (Flat, Flat) {
         let mut arrived = [shaped(self.shape, point), shaped(self.shape, tangent)];
-        let moves = X::moves::<Dual, f64>();
+        let moves = X::plain_moves::<Dual, f64>();
         let mut motion = X::Motion::<Dual, f64>::load(&|lane| (&*self.constants, &arrived[lane]));
         let clock = Clock { t0, h: self.h, steps: 0 };
         moves.advance(&mut motion, clock, steps);

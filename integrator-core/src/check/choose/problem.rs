@@ -5,10 +5,11 @@ use crate::{
     catalogue::SofroniouSpaletta10,
     check::{
         CheckError,
+        compensated::CompensatedSteps,
         edges::{fewest_steps, greatest_common_divisor},
         exact::Motions,
         path::{PARTS, Path, Scale},
-        points::{compensated_run, flat_start, plain},
+        points::{flat_start, plain},
         reference::{Reference, by_series},
         start::Start,
         tolerance::{largest, ratio, within},
@@ -129,11 +130,10 @@ impl<'s, H: Hamiltonian, K: Keep> Problem<'s, H, K> {
     fn reference(&self, steps: u64) -> Result<(Path, Scale), Error> {
         let start = self.begins();
         let begin = flat(&start.phase);
-        let mut run = compensated_run(self.system, SofroniouSpaletta10, start, self.span / steps as f64)?;
+        let mut run = CompensatedSteps::new(self.system, SofroniouSpaletta10, start, self.span / steps as f64)?;
         let (mut ends, mut scale) = (Vec::with_capacity(PARTS as usize), Scale::ZERO);
         for step in 1..=steps {
-            run.advance(1)?;
-            let state = flat(&run.state());
+            let state = run.advance(1)?;
             scale = scale.reaching(&begin, &state);
             if step % (steps / PARTS) == 0 {
                 ends.push(state);
