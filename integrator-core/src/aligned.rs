@@ -19,14 +19,13 @@ impl<T: Copy> Aligned<T> {
         if length == 0 {
             return Self { elements: Vec::new(), first: 0 };
         }
-        let mut elements = Vec::<T>::with_capacity(length + LINE / size_of::<T>().max(1));
-        let first = elements.as_ptr().align_offset(LINE);
-        // Where no few elements fill a line, the array begins where it may.
-        let fits = first.checked_add(length).is_some_and(|end| end <= elements.capacity());
-        let first = if fits { first } else { 0 };
-        elements.resize(first, at(0));
-        for place in 0..length {
-            elements.push(at(place));
+        let size = size_of::<T>().max(1);
+        let mut elements = Vec::<T>::with_capacity(length + LINE / size);
+        let left = elements.as_ptr().addr().wrapping_neg() % LINE;
+        // Where no few elements fill what is left of a line, the array begins where it may.
+        let first = if left.is_multiple_of(size) { left / size } else { 0 };
+        for place in 0..first + length {
+            elements.push(at(place.saturating_sub(first)));
         }
         Self { elements, first }
     }

@@ -20,16 +20,6 @@ pub trait Block<R: Real>: Real {
     fn after(self, next: Self) -> Self;
     /// The block that begins one place earlier, where this one follows `previous`.
     fn before(self, previous: Self) -> Self;
-
-    /// The block of what each place of it has.
-    #[inline(always)]
-    fn from_places(at: impl Fn(usize) -> R) -> Self {
-        let mut numbers = [R::of(0.0); WIDEST];
-        for (place, number) in numbers.iter_mut().enumerate().take(Self::WIDTH) {
-            *number = at(place);
-        }
-        Self::read(&numbers)
-    }
 }
 
 /// The width of the widest block.

@@ -7,7 +7,7 @@
 //! are the bits.
 
 use crate::{
-    block::Block,
+    block::{Block, WIDEST},
     hamiltonian::Hamiltonian,
     neighbours::{Around, FARTHEST, Neighbours},
     real::Real,
@@ -36,6 +36,13 @@ pub struct Edges {
     pub ahead: usize,
     /// Whether the last site is followed by the first.
     pub periodic: bool,
+}
+
+impl Edges {
+    /// Whether every site is like all others, and looks at itself alone.
+    const fn none(&self) -> bool {
+        self.first == 0 && self.last == 0 && self.onward == 0 && self.behind == 0 && self.ahead == 0
+    }
 }
 
 /// A flow that every site takes part in alike. Written by `#[hamiltonian]`; `F` is [`Drift`] or [`Kick`].
@@ -108,12 +115,15 @@ impl<H: Gather<F>, F, R: Real, S: Slot<R>> Sweep<'_, H, F, R, S> {
     /// Whether a row shares anything with the next one.
     pub(crate) const PASSES_ON: bool = matches!(H::ROWS, Some(Edges { onward: 1.., .. }));
 
+    /// Whether sites have nothing to do with each other, as the momenta of a kinetic energy that is a sum of squares.
+    const APART: bool = H::EDGES.none() && H::ROWS.is_none();
+
     /// Moves the coordinates of `sites`: whole blocks, then one by one the sites that fill none.
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub(crate) fn over(mut self, sites: Range<usize>) {
         let rest = self.blocks::<S::Wide>(sites.clone());
-        if rest < sites.end {
-            self.blocks::<R>(rest..sites.end);
+        if const { S::Wide::WIDTH > 1 } && rest < sites.end {
+            self.singles(rest..sites.end);
         }
     }
 
@@ -123,6 +133,11 @@ impl<H: Gather<F>, F, R: Real, S: Slot<R>> Sweep<'_, H, F, R, S> {
         let (mut site, end) = (sites.start, sites.end);
         if site + W::WIDTH > end {
             return site;
+        }
+        if const { Self::APART } {
+            let blocks = (end - site) / W::WIDTH;
+            self.middle::<W>(site, blocks, Self::nothing());
+            return site + blocks * W::WIDTH;
         }
         let mut carried = self.carried::<W>(site);
         while site < H::EDGES.first && site + W::WIDTH <= end {
@@ -139,6 +154,19 @@ impl<H: Gather<F>, F, R: Real, S: Slot<R>> Sweep<'_, H, F, R, S> {
             site += W::WIDTH;
         }
         site
+    }
+
+    /// Moves sites one by one.
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn singles(&mut self, sites: Range<usize>) {
+        if const { Self::APART } {
+            self.middle::<R>(sites.start, sites.len(), Self::nothing());
+        } else {
+            let mut carried = self.carried::<R>(sites.start);
+            for site in sites {
+                carried = self.block(site, carried);
+            }
+        }
     }
 
     /// How many blocks from the beginning of `sites` on have no site of the last ones, and all around them at hand.
@@ -158,7 +186,7 @@ impl<H: Gather<F>, F, R: Real, S: Slot<R>> Sweep<'_, H, F, R, S> {
     fn block<W: Block<R>>(&mut self, site: usize, carried: [H::Shares<W>; FARTHEST]) -> [H::Shares<W>; FARTHEST] {
         let found = self.shares::<W>(site);
         let begin = site - self.first;
-        let passed = self.beside.passed.get_mut(begin..).unwrap_or_default();
+        let passed = if const { H::ROWS.is_some() } { &mut self.beside.passed[begin..] } else { &mut [] };
         S::update(&mut self.moved[begin..], self.step, Self::sum(found, carried, passed));
         [found, carried[0]]
     }
@@ -172,23 +200,32 @@ impl<H: Gather<F>, F, R: Real, S: Slot<R>> Sweep<'_, H, F, R, S> {
         blocks: usize,
         mut carried: [H::Shares<W>; FARTHEST],
     ) -> [H::Shares<W>; FARTHEST] {
-        if H::ROWS.is_some() {
+        if const { H::ROWS.is_some() } {
             return self.middle_of_row(site, blocks, carried);
         }
         let [nearest, farthest] = Self::window::<W>();
         let begin = site - self.first;
-        let mut around = self.around::<W>(self.read, site as isize - W::WIDTH as isize);
-        let read = self.read[begin + (farthest - FARTHEST) * W::WIDTH..].chunks_exact(W::WIDTH).take(blocks);
-        let moved = self.moved[begin..].chunks_exact_mut(W::WIDTH);
-        for (next, moved) in read.zip(moved) {
-            around.copy_within(nearest + 1..=farthest, nearest);
-            around[farthest] = S::read(next);
+        let mut around = [W::of(0.0); 2 * FARTHEST + 1];
+        if const { !Self::APART } {
+            around = self.around(self.read, site as isize - W::WIDTH as isize);
+        }
+        // Slices of one length, so that nothing is asked at a block.
+        let sites = blocks * W::WIDTH;
+        let mut read = &self.read[begin + (farthest - FARTHEST) * W::WIDTH..][..sites];
+        let mut moved = &mut self.moved[begin..][..sites];
+        while read.len() >= W::WIDTH && moved.len() >= W::WIDTH {
+            for place in nearest..farthest {
+                around[place] = around[place + 1];
+            }
+            around[farthest] = S::read(read);
             let (beside, length) = ([around; 2], self.length);
             let near = Neighbours { around, beside, site, length, row: 0, rows: 1, edge: false, scalar: PhantomData };
             let found = H::shares::<R, W>(&near, self.parameters, self.time);
             S::update(moved, self.step, Self::sum(found, carried, &mut []));
             carried = [found, carried[0]];
             site += W::WIDTH;
+            read = &read[W::WIDTH..];
+            moved = &mut moved[W::WIDTH..];
         }
         carried
     }
@@ -199,7 +236,7 @@ impl<H: Gather<F>, F, R: Real, S: Slot<R>> Sweep<'_, H, F, R, S> {
     pub(crate) fn sum<W: Block<R>>(found: H::Shares<W>, carried: [H::Shares<W>; FARTHEST], passed: &mut [R]) -> W {
         let below = H::EDGES.onward + 1;
         let mut sum = Self::sum_of(0..below, found, carried);
-        if Self::PASSES_ON {
+        if const { Self::PASSES_ON } {
             sum += W::read(passed);
             Self::sum_of(below..found.as_ref().len(), found, carried).write(passed);
         }
@@ -221,8 +258,9 @@ impl<H: Gather<F>, F, R: Real, S: Slot<R>> Sweep<'_, H, F, R, S> {
     /// The shares of the sites before `site`, as if the sweep came from there.
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn carried<W: Block<R>>(&self, site: usize) -> [H::Shares<W>; FARTHEST] {
-        let mut carried = [H::Shares::<W>::filled(W::of(0.0)); FARTHEST];
-        for behind in (1..=H::EDGES.onward).rev() {
+        let mut carried = Self::nothing::<W>();
+        for nearer in 0..H::EDGES.onward {
+            let behind = H::EDGES.onward - nearer;
             let before = match site.checked_sub(behind) {
                 None if H::EDGES.periodic => (site + FARTHEST * self.length - behind) % self.length,
                 None => continue,
@@ -241,11 +279,17 @@ impl<H: Gather<F>, F, R: Real, S: Slot<R>> Sweep<'_, H, F, R, S> {
         carried
     }
 
+    /// Shares of nothing.
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn nothing<W: Block<R>>() -> [H::Shares<W>; FARTHEST] {
+        [H::Shares::<W>::filled(W::of(0.0)); FARTHEST]
+    }
+
     /// The shares of a block that may have sites unlike others.
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn shares<W: Block<R>>(&self, site: usize) -> H::Shares<W> {
         let around = self.around(self.read, site as isize);
-        let beside = self.beside(around, site as isize);
+        let beside = if const { H::ROWS.is_some() } { self.beside(around, site as isize) } else { [around; 2] };
         let (length, row, rows) = (self.length, self.beside.row, self.beside.rows);
         let near = Neighbours { around, beside, site, length, row, rows, edge: true, scalar: PhantomData };
         H::shares::<R, W>(&near, self.parameters, self.time)
@@ -262,8 +306,14 @@ impl<H: Gather<F>, F, R: Real, S: Slot<R>> Sweep<'_, H, F, R, S> {
     pub(crate) fn around<W: Block<R>>(&self, row: &[S], site: isize) -> Around<W> {
         let [nearest, farthest] = Self::window::<W>();
         let mut around = [self.coordinates::<W>(row, site); 2 * FARTHEST + 1];
-        for place in (nearest..=farthest).filter(|place| *place != FARTHEST) {
-            around[place] = self.coordinates::<W>(row, site + (place as isize - FARTHEST as isize) * W::WIDTH as isize);
+        for distance in 1..FARTHEST + 1 {
+            let far = (distance * W::WIDTH) as isize;
+            if FARTHEST >= nearest + distance {
+                around[FARTHEST - distance] = self.coordinates(row, site - far);
+            }
+            if FARTHEST + distance <= farthest {
+                around[FARTHEST + distance] = self.coordinates(row, site + far);
+            }
         }
         around
     }
@@ -293,12 +343,16 @@ impl<H: Gather<F>, F, R: Real, S: Slot<R>> Sweep<'_, H, F, R, S> {
         if begin >= 0 && begin as usize + W::WIDTH <= row.len() {
             return S::read(&row[begin as usize..]);
         }
-        W::from_places(|place| {
+        let mut numbers = [R::of(0.0); WIDEST];
+        for (place, number) in numbers[..W::WIDTH].iter_mut().enumerate() {
             let site = site + place as isize;
             let site = if H::EDGES.periodic { site.rem_euclid(length) } else { site };
-            let slot = usize::try_from(site - self.first as isize).ok().and_then(|place| row.get(place));
-            slot.map_or(R::of(0.0), |slot| slot.value())
-        })
+            let at = site - self.first as isize;
+            if at >= 0 && (at as usize) < row.len() {
+                *number = row[at as usize].value();
+            }
+        }
+        W::read(&numbers)
     }
 }
 

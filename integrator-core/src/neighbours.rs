@@ -2,7 +2,7 @@
 //! is a line of sites, or a plane of rows of them.
 
 use crate::{
-    block::Block,
+    block::{Block, WIDEST},
     real::{Mask, Real},
 };
 use core::{marker::PhantomData, ops::Range};
@@ -83,10 +83,14 @@ impl<R: Real, W: Block<R>> Neighbours<R, W> {
         if !self.edge {
             return W::read(&table[first as usize..]);
         }
-        W::from_places(|place| {
-            let element = (first + place as isize).rem_euclid(self.length as isize);
-            table.get(element as usize).copied().unwrap_or(R::of(0.0))
-        })
+        let mut elements = [R::of(0.0); WIDEST];
+        for (place, element) in elements[..W::WIDTH].iter_mut().enumerate() {
+            let at = (first + place as isize).rem_euclid(self.length as isize) as usize;
+            if at < table.len() {
+                *element = table[at];
+            }
+        }
+        W::read(&elements)
     }
 
     /// The element of a table over rows, `down` rows further on; zero where it has none.
@@ -137,8 +141,13 @@ impl<R: Real, W: Block<R>> Neighbours<R, W> {
         if W::WIDTH == 1 {
             return W::Mask::of(sites.contains(&self.site));
         }
-        let place = W::from_places(|place| R::of(place as f64));
-        let [from, to] = [sites.start, sites.end].map(|end| W::of(end as f64 - self.site as f64));
+        let mut places = [R::of(0.0); WIDEST];
+        for (place, number) in places.iter_mut().enumerate() {
+            *number = R::of(place as f64);
+        }
+        let place = W::read(&places);
+        let from = W::of(sites.start as f64 - self.site as f64);
+        let to = W::of(sites.end as f64 - self.site as f64);
         from.less_or_equal(place).and(place.less(to))
     }
 }

@@ -69,11 +69,6 @@ impl<'m, R: Real, K: Keep, P> Sites<'m, R, K, P> {
         (Self { q, p, ..self }, Self { q: q_after, p: p_after, first: site, ..self })
     }
 
-    /// Which sites they are.
-    pub(crate) fn range(&self) -> Range<usize> {
-        self.first..self.first + self.q.len()
-    }
-
     /// A flow moves the coordinates of `sites`.
     pub fn take<H>(&mut self, flow: &Flow, sites: Range<usize>)
     where

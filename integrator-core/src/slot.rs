@@ -28,7 +28,11 @@ pub trait Slot<R: Real>: Copy + Send + Sync + 'static {
     #[inline(always)]
     fn read<B: Block<R>>(from: &[Self]) -> B {
         let from = &from[..B::WIDTH];
-        B::from_places(|place| from[place].value())
+        let mut numbers = [from[0].value(); WIDEST];
+        for place in 1..B::WIDTH {
+            numbers[place] = from[place].value();
+        }
+        B::read(&numbers)
     }
     /// Adds `a * b` to the first slots.
     #[inline(always)]

@@ -17,7 +17,7 @@ use crate::{
     slot::{Keep, Slot},
     threads::{all_threads, at_once},
 };
-use alloc::vec::Vec;
+use alloc::{boxed::Box, vec::Vec};
 use core::ops::Range;
 
 /// How many sites a tile moves at a time: two arrays of doubles of this length fill a third of a first-level cache.
@@ -68,6 +68,38 @@ impl Reach {
 /// What a sweep reads at a time.
 type Wide<R, K> = <<K as Keep>::Slot<R> as Slot<R>>::Wide;
 
+/// Neighbouring sites that flows move, whatever they are computed in: how a lattice is shared out is compiled once.
+trait Part: Send {
+    /// How many sites the lattice has.
+    fn length(&self) -> usize;
+    /// A flow moves some of the sites.
+    fn along(&mut self, flow: &Flow, sites: Range<usize>);
+    /// The sites up to each of these borders, one part after the other.
+    fn split(&mut self, borders: &[usize]) -> Vec<Box<dyn Part + '_>>;
+}
+
+/// The sites of a lattice, or a window of them.
+struct Window<'m, H: Hamiltonian, R: Real, K: Keep>(Sites<'m, R, K, H::Parameters<R>>);
+
+impl<H: Hamiltonian, R: Real, K: Keep> Part for Window<'_, H, R, K> {
+    fn length(&self) -> usize {
+        self.0.length
+    }
+    fn along(&mut self, flow: &Flow, sites: Range<usize>) {
+        H::along::<R, K>(&mut self.0, flow, sites);
+    }
+    fn split(&mut self, borders: &[usize]) -> Vec<Box<dyn Part + '_>> {
+        let mut parts: Vec<Box<dyn Part + '_>> = Vec::with_capacity(borders.len());
+        let mut rest = self.0.whole();
+        for border in borders {
+            let (sites, after) = rest.split_at(*border);
+            rest = after;
+            parts.push(Box::new(Window::<H, R, K>(sites)));
+        }
+        parts
+    }
+}
+
 /// The flows of a lattice, collected and carried out a few at a time.
 pub(crate) struct Tiled<'m, H: Hamiltonian, R: Real, K: Keep> {
     motion: &'m mut H::Motion<R, K>,
@@ -97,7 +129,8 @@ impl<'m, H: Hamiltonian, R: Real, K: Keep> Tiled<'m, H, R, K> {
     /// Carries out what was collected.
     pub(crate) fn finish(&mut self) {
         if let (Some(reach), Some(sites)) = (H::REACH, H::sites::<R, K>(self.motion)) {
-            sweep::<H, R, K>(sites, &Slopes::new(&self.flows, reach, Wide::<R, K>::WIDTH), self.threads);
+            let slopes = Slopes::new(&self.flows, reach, Wide::<R, K>::WIDTH);
+            sweep(&mut Window::<H, R, K>(sites), &slopes, self.threads);
         }
         self.flows.clear();
     }
@@ -156,15 +189,11 @@ impl Slopes {
 }
 
 /// Carries flows out on all sites.
-fn sweep<H: Hamiltonian, R: Real, K: Keep>(
-    mut lattice: Sites<'_, R, K, H::Parameters<R>>,
-    slopes: &Slopes,
-    threads: Option<usize>,
-) {
-    let length = lattice.length;
+fn sweep(lattice: &mut dyn Part, slopes: &Slopes, threads: Option<usize>) {
+    let length = lattice.length();
     if length < CACHED {
         for (flow, _) in &slopes.flows {
-            H::along::<R, K>(&mut lattice, flow, 0..length);
+            lattice.along(flow, 0..length);
         }
         return;
     }
@@ -172,24 +201,26 @@ fn sweep<H: Hamiltonian, R: Real, K: Keep>(
         0 | 1 => 1,
         most => threads.unwrap_or_else(all_threads).clamp(1, most),
     };
-    let border = |number: usize| number * length / count;
-    let mut shares = Vec::with_capacity(count);
-    let mut rest = lattice.whole();
-    for number in 0..count {
-        let (sites, after) = rest.split_at(border(number + 1));
-        rest = after;
-        let (leans_left, leans_right) = (number > 0 || slopes.periodic, number + 1 < count || slopes.periodic);
-        shares.push(Share::<H, R, K> { sites, slopes, leans_left, leans_right });
-    }
-    at_once(shares, Share::advance);
+    let borders: Vec<usize> = (0..=count).map(|number| number * length / count).collect();
+    let parts = lattice.split(&borders[1..]).into_iter().enumerate();
+    let shares = parts.map(|(number, part)| Share {
+        part,
+        sites: borders[number]..borders[number + 1],
+        slopes,
+        leans_left: number > 0 || slopes.periodic,
+        leans_right: number + 1 < count || slopes.periodic,
+    });
+    at_once(shares.collect(), Share::advance);
     for number in (0..count).filter(|number| *number > 0 || slopes.periodic) {
-        fill::<H, R, K>(lattice.whole(), slopes, border(number));
+        fill(lattice, slopes, borders[number]);
     }
 }
 
 /// What one thread moves.
-struct Share<'s, H: Hamiltonian, R: Real, K: Keep> {
-    sites: Sites<'s, R, K, H::Parameters<R>>,
+struct Share<'s> {
+    part: Box<dyn Part + 's>,
+    /// Which sites the part has.
+    sites: Range<usize>,
     slopes: &'s Slopes,
     /// Whether there is a neighbour to the left.
     leans_left: bool,
@@ -197,10 +228,10 @@ struct Share<'s, H: Hamiltonian, R: Real, K: Keep> {
     leans_right: bool,
 }
 
-impl<H: Hamiltonian, R: Real, K: Keep> Share<'_, H, R, K> {
+impl Share<'_> {
     /// The flows on all sites, but for what leans on the neighbours.
     fn advance(mut self) {
-        let Range { start, end } = self.sites.range();
+        let Range { start, end } = self.sites;
         let last = if self.leans_right { end } else { end + self.slopes.widest() };
         let mut border = start;
         while border < last {
@@ -209,7 +240,7 @@ impl<H: Hamiltonian, R: Real, K: Keep> Share<'_, H, R, K> {
                 let begin = if self.leans_left { start + left } else { start };
                 let sites = border.saturating_sub(*right).max(begin)..next.saturating_sub(*right).min(end);
                 if !sites.is_empty() {
-                    H::along::<R, K>(&mut self.sites, flow, sites);
+                    self.part.along(flow, sites);
                 }
             }
             border = next;
@@ -218,16 +249,12 @@ impl<H: Hamiltonian, R: Real, K: Keep> Share<'_, H, R, K> {
 }
 
 /// The flows on what the neighbours left out at a border.
-fn fill<H: Hamiltonian, R: Real, K: Keep>(
-    mut lattice: Sites<'_, R, K, H::Parameters<R>>,
-    slopes: &Slopes,
-    border: usize,
-) {
+fn fill(lattice: &mut dyn Part, slopes: &Slopes, border: usize) {
     for (flow, [left, right]) in &slopes.flows {
         // Where the ends of a ring meet, what is left of the border is at the other end.
-        let end = if border == 0 { lattice.length } else { border };
+        let end = if border == 0 { lattice.length() } else { border };
         for sites in [end - right..end, border..border + left] {
-            H::along::<R, K>(&mut lattice, flow, sites);
+            lattice.along(flow, sites);
         }
     }
 }

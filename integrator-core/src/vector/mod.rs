@@ -126,7 +126,6 @@ mod tests {
             let (later, earlier) = (first.after(second), second.before(first));
             assert_eq!(later.lane(place), (place + 1) as f64 + 0.5, "one place later");
             assert_eq!(earlier.lane(place), (V::WIDTH + place - 1) as f64 + 0.5, "one place earlier");
-            assert_eq!(V::from_places(|place| array[place + 1]).lane(place), later.lane(place), "place by place");
         }
     }
 
