@@ -75,17 +75,26 @@ pub trait Coords: Clone + Debug + PartialEq + Send + Sync + 'static {
     /// Writes one lane of a list of slots into `self`.
     #[inline(always)]
     fn unlisted<R: Real>(&mut self, slots: &[<Self::Leaf as Keep>::Slot<R>], lane: usize) {
-        for (leaf, slot) in self.flat_mut().iter_mut().zip(slots) {
-            *leaf = Self::Leaf::outward(*slot, lane);
+        let (leaves, mut k) = (self.flat_mut(), 0);
+        while k < leaves.len() {
+            leaves[k] = Self::Leaf::outward(slots[k], lane);
+            k += 1;
         }
     }
     /// Whether every coordinate of every lane is finite.
     #[inline(always)]
     fn finite<R: Real>(slots: &Self::Slots<R>) -> bool {
         // In pieces without a way out, so that numbers are looked at side by side.
-        let all =
-            |slots: &[<Self::Leaf as Keep>::Slot<R>]| slots.iter().fold(true, |all, slot| all & slot.value().finite());
-        Self::slots(slots).chunks(PIECE).all(all)
+        for piece in Self::slots(slots).chunks(PIECE) {
+            let mut finite = true;
+            for slot in piece {
+                finite &= slot.value().finite();
+            }
+            if !finite {
+                return false;
+            }
+        }
+        true
     }
 }
 
@@ -250,7 +259,14 @@ impl<K: Keep, const D: usize> Coords for Vec<[K; D]> {
     #[inline(always)]
     fn slots_from<R: Real>(count: usize, slot: impl Fn(usize) -> K::Slot<R>) -> Self::Slots<R> {
         let points = count.checked_div(D).unwrap_or(0);
-        Aligned::new(points, &|i| core::array::from_fn(|d| slot(i * D + d)))
+        Aligned::new(points, &|i| {
+            let (mut point, mut d) = ([Slot::zero(); D], 0);
+            while d < D {
+                point[d] = slot(i * D + d);
+                d += 1;
+            }
+            point
+        })
     }
     fn slots<R: Real>(slots: &Self::Slots<R>) -> &[K::Slot<R>] {
         slots.as_flattened()

@@ -19,7 +19,7 @@ use crate::{
     instruction_set::InstructionSet,
     members::{Members, of_member},
     method::Method,
-    motions::{Group, Motions},
+    motions::{Everyone, Group, Member, Motions},
     packs::Starts,
     phase::Phase,
     point::{Point, shaped},
@@ -57,14 +57,6 @@ pub struct Ensemble<C: Coords> {
     shape: PhantomData<C>,
 }
 
-/// What the members have in the beginning.
-struct Start<P, Q, C> {
-    parameters: Vec<Arc<P>>,
-    /// Those of a run by the method.
-    constants: Vec<Arc<Q>>,
-    states: Vec<Phase<C>>,
-}
-
 impl<C: Coords> Ensemble<C> {
     /// An ensemble of `(system, start)` pairs that take steps `h` with any composition that may integrate the systems, or with
     /// [`Taylor`](crate::taylor::Taylor), where each member goes by polynomials of its own between these steps.
@@ -79,40 +71,36 @@ impl<C: Coords> Ensemble<C> {
         X: InLanes<H>,
         H::Coords: Coords<With<K> = C>,
     {
-        let mut start = Start { parameters: Vec::new(), constants: Vec::new(), states: Vec::new() };
         let chosen = Chosen::<H, X, K>::here();
+        let (mut all, mut states, mut coordinates) = (Vec::new(), Vec::new(), 0);
         for (system, state) in members {
-            let parameters = parameters(&system, &chosen, method, &state, h).map_err(of_member(start.states.len()))?;
-            start.constants.push(method.constants(parameters.clone()));
-            start.parameters.push(parameters);
-            start.states.push(state);
+            let member = member(&system, &chosen, method, &state, h).map_err(of_member(states.len()))?;
+            coordinates += state.q.flat().len() as u64;
+            all.push(member);
+            states.push(state);
         }
-        if start.states.is_empty() {
+        if states.is_empty() {
             return Err(Error::NoMembers);
         }
-        let Start { parameters, constants, states } = start;
+        let members = Arc::new(all);
         let lanes = match InstructionSet::chosen() {
-            InstructionSet::Baseline => lanes::<H, X, <K as Abreast>::Plain, K, REGISTERS>(constants),
-            InstructionSet::Fused => lanes::<H, X, <K as Abreast>::Fused, K, REGISTERS>(constants),
-            InstructionSet::Avx512 => lanes::<H, X, <K as Abreast>::Avx512, K, 32>(constants),
+            InstructionSet::Baseline => lanes::<H, X, <K as Abreast>::Plain, K, REGISTERS>(&members),
+            InstructionSet::Fused => lanes::<H, X, <K as Abreast>::Fused, K, REGISTERS>(&members),
+            InstructionSet::Avx512 => lanes::<H, X, <K as Abreast>::Avx512, K, 32>(&members),
         };
         let starts = Starts {
             states: &|member| &states[member],
             alike: &|a, b| {
-                let same = <H::Parameters<f64> as Prepared<f64>>::alike(&parameters[a], &parameters[b]);
+                let same = <H::Parameters<f64> as Prepared<f64>>::alike(&members[a].parameters, &members[b].parameters);
                 same && states[a].q.length() == states[b].q.length()
             },
             lanes: &*lanes,
             // Alone, a member is what a run would be.
-            lone: &|member| Box::new(chosen.engine(method, parameters[member].clone(), states[member].clone())),
+            lone: &|member| Box::new(chosen.engine(method, members[member].parameters.clone(), states[member].clone())),
         };
-        let mut coordinates = 0;
-        for state in &states {
-            coordinates += state.q.flat().len() as u64;
-        }
         let packs = starts.packs(states.len(), all_threads());
         let energies = Box::new(move |member: usize, state: &dyn Point, time: f64| {
-            energy::<H, K>(&parameters[member], shaped(state), time)
+            energy::<H, K>(&members[member].parameters, shaped(state), time)
         });
         let mut members = Members::new(packs, energies, states.len(), coordinates, h);
         if H::AUTONOMOUS {
@@ -301,17 +289,17 @@ impl<C: Coords> fmt::Debug for Ensemble<C> {
     }
 }
 
-/// The prepared constants of a member that may begin where it is asked to.
+/// A member that may begin where it is asked to.
 ///
 /// # Errors
 /// Those of [`Hamiltonian::run`].
-fn parameters<H: Hamiltonian, K: Keep, X: Method<H>>(
+fn member<H: Hamiltonian, K: Keep, X: Method<H>>(
     system: &H,
     chosen: &Chosen<H, X, K>,
     method: X,
     start: &Phase<Shaped<H, K>>,
     h: f64,
-) -> Result<Arc<H::Parameters<f64>>, Error> {
+) -> Result<Member<H::Parameters<f64>, X::Constants>, Error> {
     admissible_with(method, start, h)?;
     let parameters = Arc::new(system.parameters(start.q.length()));
     let constants = H::Parameters::<f64>::not_finite(&parameters);
@@ -326,12 +314,13 @@ fn parameters<H: Hamiltonian, K: Keep, X: Method<H>>(
     if unsettled && H::AUTONOMOUS {
         energy::<H, K>(&parameters, start, 0.0).admissible(0.0)?;
     }
-    Ok(parameters)
+    Ok(Member { constants: method.constants(parameters.clone()), parameters })
 }
 
 /// No motions yet, of members in lanes.
 fn lanes<H: Hamiltonian, X: InLanes<H>, L: Real, K: Keep, const REGISTERS: usize>(
-    constants: Vec<Arc<X::Constants>>,
+    members: &Everyone<H::Parameters<f64>, X::Constants>,
 ) -> Box<dyn Motions> {
-    Group::<X::Motion<L, K>, X::Constants, Shaped<H, K>>::empty(X::group_moves::<L, K, REGISTERS>(), constants)
+    let moves = X::group_moves::<L, K, REGISTERS>();
+    Group::<X::Motion<L, K>, _, _, Shaped<H, K>>::empty(moves, members.clone(), 0)
 }

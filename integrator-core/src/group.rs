@@ -12,7 +12,7 @@ use crate::{
     real::{Kernel, Real},
     slot::Keep,
 };
-use core::marker::PhantomData;
+use core::{array, marker::PhantomData};
 
 /// How many motions go together at most. By measurement, more than six wait no less.
 const MOST: usize = 6;
@@ -57,17 +57,30 @@ where
     GroupMoves {
         lanes: L::LANES,
         together: AdvanceAll::<H, X, L, K, REGISTERS>::TOGETHER,
-        advance: |motions, clock, steps| {
-            L::enter(AdvanceAll::<H, X, L, K, REGISTERS> { motions, clock, steps, marker: PhantomData });
-        },
-        complete: |motions, clock| L::enter(EndAll::<H, X, L, K, false> { motions, clock, marker: PhantomData }),
-        show: if const { X::PROCESSOR.after.rows.is_empty() } {
-            None
-        } else {
-            Some(|motions, clock| L::enter(EndAll::<H, X, L, K, true> { motions, clock, marker: PhantomData }))
-        },
-        finite: |motions| L::enter(Finite::<H, L, K>(motions)),
+        advance: advance::<H, X, L, K, REGISTERS>,
+        complete: end::<H, X, L, K, false>,
+        show: if const { X::PROCESSOR.after.rows.is_empty() } { None } else { Some(end::<H, X, L, K, true>) },
+        finite: finite::<H, L, K>,
     }
+}
+
+fn advance<H: Hamiltonian, X: Composition<H>, L: Real, K: Keep, const REGISTERS: usize>(
+    motions: &mut [H::Motion<L, K>],
+    clock: Clock,
+    steps: u64,
+) {
+    L::enter(AdvanceAll::<H, X, L, K, REGISTERS> { motions, clock, steps, marker: PhantomData });
+}
+
+fn end<H: Hamiltonian, X: Composition<H>, L: Real, K: Keep, const SHOWN: bool>(
+    motions: &mut [H::Motion<L, K>],
+    clock: Clock,
+) {
+    L::enter(EndAll::<H, X, L, K, SHOWN> { motions, clock, marker: PhantomData });
+}
+
+fn finite<H: Hamiltonian, L: Real, K: Keep>(motions: &[H::Motion<L, K>]) -> bool {
+    L::enter(Finite::<H, L, K>(motions))
 }
 
 /// Several motions, stage by stage.
@@ -169,7 +182,9 @@ where
             MOST => Self::groups::<MOST>(motions, clock, steps),
             _ => motions,
         };
-        Self::groups::<1>(rest, clock, steps);
+        for motion in rest {
+            Advance::<_, H, X>::new(Together::<H, L, K, 1>(array::from_mut(motion)), clock, steps).call();
+        }
     }
 }
 
@@ -191,8 +206,8 @@ where
 
     #[inline(always)]
     fn call(self) {
-        for motion in self.motions.as_chunks_mut::<1>().0 {
-            End::<_, H, X, SHOWN>::new(Together::<H, L, K, 1>(motion), self.clock).call();
+        for motion in self.motions {
+            End::<_, H, X, SHOWN>::new(Together::<H, L, K, 1>(array::from_mut(motion)), self.clock).call();
         }
     }
 }
@@ -204,6 +219,11 @@ impl<H: Hamiltonian, L: Real, K: Keep> Kernel for Finite<'_, H, L, K> {
 
     #[inline(always)]
     fn call(self) -> bool {
-        self.0.iter().all(H::Motion::<L, K>::finite)
+        for motion in self.0 {
+            if !motion.finite() {
+                return false;
+            }
+        }
+        true
     }
 }

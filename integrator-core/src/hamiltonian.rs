@@ -162,16 +162,13 @@ pub trait Motion<C: Coords, P>: Clone + Send + Sync + 'static {
     fn load<'a>(of_lane: &dyn Fn(usize) -> (&'a P, &'a Phase<C>)) -> Self
     where
         P: 'a;
-    /// One member per lane, each from a lane of another motion, of the shape of `shape`, and from there on as it would have
-    /// gone on there.
-    fn gathered(from: &[(&P, &Self, usize)], shape: &Phase<C>) -> Self {
-        let state = |(_, motion, lane): &(&P, &Self, usize)| {
-            let mut state = shape.clone();
-            motion.store(*lane, &mut state);
-            state
-        };
-        let states: Vec<_> = from.iter().map(state).collect();
-        Self::load(&|lane| (from[lane].0, &states[lane]))
+    /// One member per lane, each from a lane of another motion, and from there on as it would have gone on there; `None`
+    /// where one that is loaded from the states does.
+    fn gathered<'a>(_of_lane: &dyn Fn(usize) -> (&'a P, &'a Self, usize)) -> Option<Self>
+    where
+        P: 'a,
+    {
+        None
     }
     /// Writes the state of one lane.
     fn store(&self, lane: usize, to: &mut Phase<C>);

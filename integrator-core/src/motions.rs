@@ -21,30 +21,29 @@ pub(crate) trait Motions: Any + Send + Sync {
     fn together(&self) -> usize;
     /// How many motions there are.
     fn count(&self) -> usize;
-    /// Motions of members, one in each lane, from their states; all lanes are filled.
-    fn loaded(&self, lanes: &[(usize, &dyn Point)]) -> Box<dyn Motions>;
-    /// Motions with members from lanes of others, of the shape of `shape`; all lanes are filled.
-    fn gathered(&self, lanes: &[Lane], shape: &dyn Point) -> Box<dyn Motions>;
-    /// Some of these motions once more.
-    fn copied(&self, motions: Range<usize>) -> Box<dyn Motions>;
+    /// No motions of this kind yet, with room for as many.
+    fn none(&self, room: usize) -> Box<dyn Motions>;
+    /// Adds a motion of members, one in each lane, from their states.
+    fn push(&mut self, lanes: &[(usize, &dyn Point)]);
+    /// Adds a motion with members from lanes of others, if their states do not tell all of it; else adds nothing.
+    fn push_gathered(&mut self, lanes: &[Lane]) -> bool;
+    /// Adds one of others once more.
+    fn push_copy(&mut self, from: &dyn Motions, motion: usize);
     /// Takes over the states of as many motions with the same constants, in place.
     fn copy_states(&mut self, from: &dyn Motions);
     fn advance(&mut self, clock: Clock, steps: u64);
     /// Completes the step under way.
     fn complete(&mut self, clock: Clock);
-    /// The states that are shown at the ends of completed steps, where they differ from these.
-    fn shown(&self, clock: Clock) -> Option<Box<dyn Motions>>;
+    /// Whether the states that are shown at the ends of completed steps differ from these.
+    fn shows(&self) -> bool;
+    /// Makes these of them.
+    fn show(&mut self, clock: Clock);
     /// Whether all numbers are finite.
     fn finite(&self) -> bool;
     /// Writes the state of a lane.
     fn store(&self, lane: usize, to: &mut dyn Point);
     /// Whether the steps in a lane could be solved.
     fn solved(&self, lane: usize) -> bool;
-}
-
-/// The same motions once more.
-pub(crate) fn copy(motions: &dyn Motions) -> Box<dyn Motions> {
-    motions.copied(0..motions.count())
 }
 
 /// Where a member is.
@@ -55,32 +54,91 @@ pub(crate) struct Lane<'m> {
     pub(crate) lane: usize,
 }
 
+/// Motions of members like some, from the states of the members.
+pub(crate) fn loaded(like: &dyn Motions, members: Vec<(usize, &dyn Point)>) -> Box<dyn Motions> {
+    let mut motions = like.none(members.len().div_ceil(like.lanes()));
+    for lanes in filled(members, like.lanes()).chunks(like.lanes()) {
+        motions.push(lanes);
+    }
+    motions
+}
+
+/// Motions like some with members from lanes of others, of the shape of `shape`.
+pub(crate) fn gathered(like: &dyn Motions, members: Vec<Lane>, shape: &dyn Point) -> Box<dyn Motions> {
+    let mut motions = like.none(members.len().div_ceil(like.lanes()));
+    for lanes in filled(members, like.lanes()).chunks(like.lanes()) {
+        if motions.push_gathered(lanes) {
+            continue;
+        }
+        let mut states: Vec<_> = lanes.iter().map(|_| shape.boxed_clone()).collect();
+        for (state, from) in states.iter_mut().zip(lanes) {
+            from.motions.store(from.lane, &mut **state);
+        }
+        let states = lanes.iter().zip(&states);
+        motions.push(&states.map(|(from, state)| (from.member, &**state)).collect::<Vec<_>>());
+    }
+    motions
+}
+
+/// What lanes are filled with, where the last of these takes what it leaves of its motion.
+fn filled<T: Copy>(mut lanes: Vec<T>, per_motion: usize) -> Vec<T> {
+    if let Some(last) = lanes.last() {
+        lanes.resize(lanes.len().next_multiple_of(per_motion), *last);
+    }
+    lanes
+}
+
+/// Some motions once more.
+pub(crate) fn copied(from: &dyn Motions, motions: Range<usize>) -> Box<dyn Motions> {
+    let mut copies = from.none(motions.len());
+    for motion in motions {
+        copies.push_copy(from, motion);
+    }
+    copies
+}
+
+/// All motions once more.
+pub(crate) fn copy(motions: &dyn Motions) -> Box<dyn Motions> {
+    copied(motions, 0..motions.count())
+}
+
+/// The states that are shown at the ends of completed steps, where they differ from these.
+pub(crate) fn shown(completed: &dyn Motions, clock: Clock) -> Option<Box<dyn Motions>> {
+    completed.shows().then(|| {
+        let mut shown = copy(completed);
+        shown.show(clock);
+        shown
+    })
+}
+
+/// What stays the same of a member.
+pub(crate) struct Member<P, Q> {
+    pub(crate) parameters: Arc<P>,
+    /// Those of a run by the method.
+    pub(crate) constants: Arc<Q>,
+}
+
+/// All members of an ensemble.
+pub(crate) type Everyone<P, Q> = Arc<Vec<Member<P, Q>>>;
+
 /// Motions of one type.
-pub(crate) struct Group<L, Q, C> {
+pub(crate) struct Group<L, P, Q, C> {
     motions: Vec<L>,
     moves: GroupMoves<L>,
-    /// Those of all members of the ensemble.
-    constants: Arc<Vec<Arc<Q>>>,
+    members: Everyone<P, Q>,
     shape: PhantomData<fn(C)>,
 }
 
-impl<L, Q, C> Group<L, Q, C>
+impl<L, P, Q, C> Group<L, P, Q, C>
 where
     L: Motion<C, Q>,
+    P: Send + Sync + 'static,
     Q: Send + Sync + 'static,
     C: Coords,
 {
-    /// No motions yet, of members with these constants.
-    pub(crate) fn empty(moves: GroupMoves<L>, constants: Vec<Arc<Q>>) -> Box<dyn Motions> {
-        Self::boxed(Vec::new(), moves, Arc::new(constants))
-    }
-
-    fn boxed(motions: Vec<L>, moves: GroupMoves<L>, constants: Arc<Vec<Arc<Q>>>) -> Box<dyn Motions> {
-        Box::new(Self { motions, moves, constants, shape: PhantomData })
-    }
-
-    fn with(&self, motions: Vec<L>) -> Box<dyn Motions> {
-        Self::boxed(motions, self.moves, self.constants.clone())
+    /// No motions yet of some of these members, with room for so many.
+    pub(crate) fn empty(moves: GroupMoves<L>, members: Everyone<P, Q>, room: usize) -> Box<dyn Motions> {
+        Box::new(Self { motions: Vec::with_capacity(room), moves, members, shape: PhantomData })
     }
 
     fn of(motions: &dyn Motions) -> &Self {
@@ -96,9 +154,22 @@ where
     }
 }
 
-impl<L, Q, C> Motions for Group<L, Q, C>
+/// What goes into the lanes of a motion.
+fn filling<'m, P, Q, C: Coords>(
+    members: &'m [Member<P, Q>],
+    lanes: &[(usize, &'m dyn Point)],
+) -> Vec<(&'m Q, &'m Phase<C>)> {
+    let mut filling: Vec<(&Q, &Phase<C>)> = Vec::with_capacity(lanes.len());
+    for (member, state) in lanes {
+        filling.push((&members[*member].constants, shaped(*state)));
+    }
+    filling
+}
+
+impl<L, P, Q, C> Motions for Group<L, P, Q, C>
 where
     L: Motion<C, Q>,
+    P: Send + Sync + 'static,
     Q: Send + Sync + 'static,
     C: Coords,
 {
@@ -114,46 +185,35 @@ where
         self.motions.len()
     }
 
-    fn loaded(&self, lanes: &[(usize, &dyn Point)]) -> Box<dyn Motions> {
-        let mut members: Vec<(&Q, &Phase<C>)> = Vec::with_capacity(lanes.len());
-        for (member, state) in lanes {
-            members.push((&self.constants[*member], shaped(*state)));
-        }
-        let (mut motions, mut first) = (Vec::new(), 0);
-        while first < members.len() {
-            motions.push(L::load(&|lane| members[first + lane]));
-            first += self.moves.lanes;
-        }
-        self.with(motions)
+    fn none(&self, room: usize) -> Box<dyn Motions> {
+        Self::empty(self.moves, self.members.clone(), room)
     }
 
-    fn gathered(&self, lanes: &[Lane], shape: &dyn Point) -> Box<dyn Motions> {
-        let mut members: Vec<(&Q, &L, usize)> = Vec::with_capacity(lanes.len());
-        for from in lanes {
+    fn push(&mut self, lanes: &[(usize, &dyn Point)]) {
+        let filling = filling(&self.members, lanes);
+        self.motions.push(L::load(&|lane| filling[lane]));
+    }
+
+    fn push_gathered(&mut self, lanes: &[Lane]) -> bool {
+        let motion = L::gathered(&|lane| {
+            let from = &lanes[lane];
             let (motion, lane) = Self::of(from.motions).place(from.lane);
-            members.push((&self.constants[from.member], motion, lane));
-        }
-        let (mut motions, mut first) = (Vec::new(), 0);
-        while first < members.len() {
-            let next = first + self.moves.lanes;
-            motions.push(L::gathered(&members[first..next], shaped(shape)));
-            first = next;
-        }
-        self.with(motions)
+            (&*self.members[from.member].constants, motion, lane)
+        });
+        let Some(motion) = motion else { return false };
+        self.motions.push(motion);
+        true
     }
 
-    fn copied(&self, motions: Range<usize>) -> Box<dyn Motions> {
-        let mut copies = Vec::with_capacity(motions.len());
-        for motion in &self.motions[motions] {
-            copies.push(motion.clone());
-        }
-        self.with(copies)
+    fn push_copy(&mut self, from: &dyn Motions, motion: usize) {
+        self.motions.push(Self::of(from).motions[motion].clone());
     }
 
     fn copy_states(&mut self, from: &dyn Motions) {
-        let from = Self::of(from);
-        for (number, motion) in self.motions.iter_mut().enumerate() {
-            motion.copy_state(&from.motions[number]);
+        let (from, mut number) = (&Self::of(from).motions, 0);
+        while number < from.len() {
+            self.motions[number].copy_state(&from[number]);
+            number += 1;
         }
     }
 
@@ -165,11 +225,14 @@ where
         (self.moves.complete)(&mut self.motions, clock);
     }
 
-    fn shown(&self, clock: Clock) -> Option<Box<dyn Motions>> {
-        let show = self.moves.show?;
-        let mut shown = self.motions.clone();
-        show(&mut shown, clock);
-        Some(self.with(shown))
+    fn shows(&self) -> bool {
+        self.moves.show.is_some()
+    }
+
+    fn show(&mut self, clock: Clock) {
+        if let Some(show) = self.moves.show {
+            show(&mut self.motions, clock);
+        }
     }
 
     fn finite(&self) -> bool {

@@ -6,7 +6,7 @@
 use crate::{
     clock::Clock,
     error::Divergence,
-    motions::{Lane, Motions, copy},
+    motions::{Lane, Motions, copied, copy, gathered, loaded, shown},
     pack::{Course, Pack, States},
     panics::Panics,
     point::Point,
@@ -50,14 +50,6 @@ struct Replay {
     panicked: bool,
 }
 
-/// What lanes are filled with, where the last of these takes what it leaves of its motion.
-fn filled<T: Copy>(mut lanes: Vec<T>, per_motion: usize) -> Vec<T> {
-    if let Some(last) = lanes.last() {
-        lanes.resize(lanes.len().next_multiple_of(per_motion), *last);
-    }
-    lanes
-}
-
 /// Writes the state that is shown of a lane: the end of the step of the kernel, where what undoes the processor leaves the finite
 /// numbers.
 fn show(completed: &dyn Motions, shown: Option<&dyn Motions>, lane: usize, to: &mut dyn Point) {
@@ -81,7 +73,7 @@ impl SideBySide {
     pub(crate) fn new(members: Range<usize>, like: &dyn Motions, states: &States) -> Self {
         let first = members.start;
         let lanes: Vec<_> = (0..members.len()).collect();
-        let motions = loaded(like, first, &lanes, states);
+        let motions = loaded(like, at(first, &lanes, states));
         Self {
             first,
             halted: members.map(|_| None).collect(),
@@ -106,7 +98,7 @@ impl SideBySide {
 
     /// Motions of members from lanes of others.
     fn gathered(&self, lanes: Vec<Lane>) -> Box<dyn Motions> {
-        self.motions.gathered(&filled(lanes, self.motions.lanes()), &*self.seen)
+        gathered(&*self.motions, lanes, &*self.seen)
     }
 
     /// Completes the step under way on a copy.
@@ -216,13 +208,13 @@ impl SideBySide {
             taken += 1;
         }
         before.complete(at(taken));
-        show(&*before, before.shown(at(taken)).as_deref(), 0, &mut *last);
+        show(&*before, shown(&*before, at(taken)).as_deref(), 0, &mut *last);
         Replay { taken, last, next, motion, panicked }
     }
 
     /// Asks the members that are under way whether they stay; `closed` holds the ends of their steps.
     fn ask(&mut self, course: &Course, clock: Clock) {
-        let shown = self.closed.shown(self.since_opened(clock));
+        let shown = shown(&*self.closed, self.since_opened(clock));
         for lane in 0..self.lanes.len() {
             let place = self.lanes[lane];
             if self.halted[place].is_some() {
@@ -236,10 +228,9 @@ impl SideBySide {
     }
 }
 
-/// Motions, like others, of the members at some places behind the first one.
-fn loaded(like: &dyn Motions, first: usize, places: &[usize], states: &States) -> Box<dyn Motions> {
-    let members = places.iter().map(|place| (first + place, states(first + place))).collect();
-    like.loaded(&filled(members, like.lanes()))
+/// The members at some places behind the first one, with their states.
+fn at<'s>(first: usize, places: &[usize], states: &States<'s>) -> Vec<(usize, &'s dyn Point)> {
+    places.iter().map(|place| (first + place, states(first + place))).collect()
 }
 
 impl Pack for SideBySide {
@@ -279,7 +270,7 @@ impl Pack for SideBySide {
     fn states(&self, clock: Clock, visit: &mut dyn FnMut(usize, &dyn Point)) {
         let (mut closed, clock) = (copy(&*self.motions), self.since_opened(clock));
         closed.complete(clock);
-        let shown = closed.shown(clock);
+        let shown = shown(&*closed, clock);
         let mut seen = self.seen.boxed_clone();
         // Those who are under way are in the lanes, in their order.
         let mut lane = 0;
@@ -302,10 +293,10 @@ impl Pack for SideBySide {
         // Those before it that are under way are in the lanes before.
         let lane = self.lanes.partition_point(|other| *other < place);
         let (motion, lane) = (lane / self.motions.lanes(), lane % self.motions.lanes());
-        let (mut closed, clock) = (self.motions.copied(motion..motion + 1), self.since_opened(clock));
+        let (mut closed, clock) = (copied(&*self.motions, motion..motion + 1), self.since_opened(clock));
         closed.complete(clock);
         let mut state = self.seen.boxed_clone();
-        show(&*closed, closed.shown(clock).as_deref(), lane, &mut *state);
+        show(&*closed, shown(&*closed, clock).as_deref(), lane, &mut *state);
         state
     }
 
@@ -314,7 +305,7 @@ impl Pack for SideBySide {
     }
 
     fn restart(&mut self, states: &States, steps: u64) {
-        let motions = loaded(&*self.motions, self.first, &self.lanes, states);
+        let motions = loaded(&*self.motions, at(self.first, &self.lanes, states));
         let places = core::mem::take(&mut self.lanes);
         self.set_lanes(places, motions);
         self.opened = steps;

@@ -85,21 +85,30 @@ where
             legs: Default::default(),
         }
     }
-    fn gathered(from: &[(&Constants<Q>, &Self, usize)], _shape: &Phase<C>) -> Self {
-        let (constants, &Self { layout, .. }, _) = from[0];
-        Self {
-            method: constants.method,
-            parameters: P::gather(&|lane| &*from[lane].0.parameters),
-            layout,
-            q: Part::gathered(layout, |lane| (&from[lane].1.q, from[lane].2)),
-            p: Part::gathered(layout, |lane| (&from[lane].1.p, from[lane].2)),
-            tape: T::default(),
-            legs: core::array::from_fn(|lane| {
-                let leg = from.get(lane).map(|(_, motion, lane)| motion.legs[*lane].clone());
-                // From the same beginning, the same polynomial is found again.
-                Leg { reach: None, ..leg.unwrap_or_default() }
-            }),
+    fn gathered<'a>(of_lane: &dyn Fn(usize) -> (&'a Constants<Q>, &'a Self, usize)) -> Option<Self>
+    where
+        Constants<Q>: 'a,
+    {
+        let (constants, &Self { layout, .. }, _) = of_lane(0);
+        let part = |lane, part: fn(&Self) -> &Part<R, C::Leaf>| {
+            let (_, motion, lane) = of_lane(lane);
+            (part(motion), lane)
+        };
+        let mut legs: [Leg; WIDEST] = Default::default();
+        for (lane, leg) in legs.iter_mut().enumerate().take(R::LANES) {
+            let (_, motion, lane) = of_lane(lane);
+            // From the same beginning, the same polynomial is found again.
+            *leg = Leg { reach: None, ..motion.legs[lane].clone() };
         }
+        Some(Self {
+            method: constants.method,
+            parameters: P::gather(&|lane| &*of_lane(lane).0.parameters),
+            layout,
+            q: Part::gathered(layout, |lane| part(lane, |motion| &motion.q)),
+            p: Part::gathered(layout, |lane| part(lane, |motion| &motion.p)),
+            tape: T::default(),
+            legs,
+        })
     }
     fn store(&self, lane: usize, to: &mut Phase<C>) {
         for (part, to) in [(&self.q, to.q.flat_mut()), (&self.p, to.p.flat_mut())] {

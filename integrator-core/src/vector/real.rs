@@ -122,7 +122,11 @@ macro_rules! vector {
                 }
                 #[inline(always)]
                 fn state(of_lane: &dyn Fn(usize) -> f64) -> Self {
-                    Self::of_lanes(array::from_fn(|lane| of_lane(lane) as $scalar))
+                    let mut lanes: [$scalar; $lanes] = [0.0; $lanes];
+                    for (lane, number) in lanes.iter_mut().enumerate() {
+                        *number = of_lane(lane) as $scalar;
+                    }
+                    Self::of_lanes(lanes)
                 }
                 #[inline(always)]
                 fn fma(self, b: Self, c: Self) -> Self {
