@@ -153,6 +153,7 @@ macro_rules! fused_real {
             type Mask = bool;
             type Block = S::$block;
             type Row<const N: usize> = S::$row;
+            type Wide = S::$row;
             type Pair = $pair;
 
             #[inline(always)]

@@ -124,6 +124,7 @@ macro_rules! lanes_real {
             type Mask = LaneMask<F::Mask, N>;
             type Block = Self;
             type Row<const M: usize> = Lanes<Self, M>;
+            type Wide = Self;
             type Pair = [Self; 2];
 
             #[inline(always)]

@@ -110,6 +110,9 @@ macro_rules! declare_real {
             type Block: Block<Self>;
             /// Up to eight bodies side by side.
             type Row<const N: usize>: Row<Self>;
+            /// Eight numbers side by side, where registers hold them; `Self`, where they would be eight one by one, which is
+            /// as much code as eight times the text that computes on them.
+            type Wide: Row<Self>;
             /// Two numbers side by side.
             type Pair: Pair<Self>;
 
@@ -207,6 +210,7 @@ macro_rules! real_of_two_parts {
             const MEMBERS: usize = 1;
             type Block = Self;
             type Row<const N: usize> = $crate::lanes::Lanes<Self, N>;
+            type Wide = Self;
             type Pair = [Self; 2];
 
             #[$inline]
@@ -257,6 +261,7 @@ macro_rules! plain_real {
             type Mask = bool;
             type Block = Self;
             type Row<const N: usize> = Lanes<Self, N>;
+            type Wide = Self;
             type Pair = [Self; 2];
 
             #[inline(always)]

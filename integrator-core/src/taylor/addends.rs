@@ -3,7 +3,7 @@
 //! Always true: in which order a coordinate gets its addends follows from the turns and their targets alone, so that bits
 //! do not depend on how numbers get there.
 
-use super::table::{Coefficients, EIGHT, Eight};
+use super::table::{Coefficients, EIGHT, Wide, is_narrow};
 use crate::{real::Real, row::Row};
 use alloc::{collections::BTreeMap, vec::Vec};
 
@@ -146,7 +146,7 @@ fn lanes(pattern: &Pattern) -> Option<[u64; EIGHT]> {
 }
 
 /// What the coordinates of a part get from all turns.
-pub(super) struct Addends<R: Real>(Plan<Eight<R>>);
+pub(super) struct Addends<R: Real>(Plan<Wide<R>>);
 
 impl<R: Real> Default for Addends<R> {
     fn default() -> Self {
@@ -157,14 +157,14 @@ impl<R: Real> Default for Addends<R> {
 impl<R: Real> Addends<R> {
     /// Those of the coordinates of a row of such a width.
     pub(super) fn of(addends: Vec<Addend>, width: usize) -> Self {
-        let plan = Plan::of(addends, width);
+        let plan = Plan::of(addends, if is_narrow::<R>() { 0 } else { width });
         let mut rounds = Vec::with_capacity(plan.rounds.len());
         for Round { found, lanes, signs } in &plan.rounds {
             let mut numbers = [R::of(0.0); EIGHT];
             for lane in 0..EIGHT {
                 numbers[lane] = R::of(f64::from(signs[lane]));
             }
-            rounds.push(Round { found: *found, lanes: *lanes, signs: Eight::<R>::read(&numbers) });
+            rounds.push(Round { found: *found, lanes: *lanes, signs: Wide::<R>::read(&numbers) });
         }
         Self(Plan { groups: plan.groups, rounds, single: plan.single })
     }
@@ -173,41 +173,55 @@ impl<R: Real> Addends<R> {
     #[inline(always)]
     pub(super) fn add<const AT_ONCE: usize>(
         &self,
-        found: &[[Eight<R>; AT_ONCE]],
+        found: &[[Wide<R>; AT_ONCE]],
         to: &mut Coefficients<'_, R>,
         order: usize,
     ) {
         let Plan { groups: [threes, twos, ones], rounds, single } = &self.0;
         let mut rounds = rounds.as_slice();
-        for group in threes {
-            rounds = add_to::<R, AT_ONCE, 3>(group, rounds, found, to, order);
-        }
-        for group in twos {
-            rounds = add_to::<R, AT_ONCE, 2>(group, rounds, found, to, order);
-        }
-        for group in ones {
-            rounds = add_to::<R, AT_ONCE, 1>(group, rounds, found, to, order);
+        if const { !is_narrow::<R>() } {
+            for group in threes {
+                rounds = add_to::<R, AT_ONCE, 3>(group, rounds, found, to, order);
+            }
+            for group in twos {
+                rounds = add_to::<R, AT_ONCE, 2>(group, rounds, found, to, order);
+            }
+            for group in ones {
+                rounds = add_to::<R, AT_ONCE, 1>(group, rounds, found, to, order);
+            }
         }
         for Addend { place, found: number, lane, sign } in single {
             for at in 0..AT_ONCE {
-                let mut numbers = [R::of(0.0); EIGHT];
-                found[*number][at].write(&mut numbers);
-                to[order + at][*place] += R::of(f64::from(*sign)) * numbers[*lane];
+                let number = in_lane(found[*number][at], *lane);
+                to[order + at][*place] += R::of(f64::from(*sign)) * number;
             }
         }
     }
+}
+
+/// The number in a lane.
+#[inline(always)]
+fn in_lane<R: Real>(numbers: Wide<R>, lane: usize) -> R {
+    if const { is_narrow::<R>() } {
+        let mut single = [R::of(0.0)];
+        numbers.write(&mut single);
+        return single[0];
+    }
+    let mut lanes = [R::of(0.0); EIGHT];
+    numbers.write(&mut lanes);
+    lanes[lane]
 }
 
 /// Adds what a group of so many eights gets, of the first rounds, and tells the others.
 #[inline(always)]
 fn add_to<'r, R: Real, const AT_ONCE: usize, const EIGHTS: usize>(
     group: &Group,
-    rounds: &'r [Round<Eight<R>>],
-    found: &[[Eight<R>; AT_ONCE]],
+    rounds: &'r [Round<Wide<R>>],
+    found: &[[Wide<R>; AT_ONCE]],
     to: &mut Coefficients<'_, R>,
     order: usize,
-) -> &'r [Round<Eight<R>>] {
-    let mut sums = [[Eight::<R>::of(0.0); AT_ONCE]; EIGHTS];
+) -> &'r [Round<Wide<R>>] {
+    let mut sums = [[Wide::<R>::of(0.0); AT_ONCE]; EIGHTS];
     for eight in 0..EIGHTS {
         for at in 0..AT_ONCE {
             sums[eight][at] = Row::read(&to[order + at][group.begins[eight]..]);
@@ -241,17 +255,16 @@ fn add_to<'r, R: Real, const AT_ONCE: usize, const EIGHTS: usize>(
     others
 }
 
+/// How often eight coordinates get a row of numbers as it is, and how often in other lanes.
 #[cfg(test)]
-impl<R: Real> Addends<R> {
-    /// How often eight coordinates get a row of numbers as it is, and how often in other lanes.
-    pub(super) fn rounds(&self) -> [usize; 2] {
-        let mut rounds = self.0.rounds.iter();
-        let mut counts = [0; 2];
-        for (groups, eights) in self.0.groups.iter().zip([3, 2, 1]) {
-            for round in groups.iter().flat_map(|group| rounds.by_ref().take(group.rounds).collect::<Vec<_>>()) {
-                counts[usize::from(round.lanes.is_some())] += eights;
-            }
+pub(super) fn rounds(addends: Vec<Addend>, width: usize) -> [usize; 2] {
+    let plan = Plan::of(addends, width);
+    let mut rounds = plan.rounds.iter();
+    let mut counts = [0; 2];
+    for (groups, eights) in plan.groups.iter().zip([3, 2, 1]) {
+        for round in groups.iter().flat_map(|group| rounds.by_ref().take(group.rounds).collect::<Vec<_>>()) {
+            counts[usize::from(round.lanes.is_some())] += eights;
         }
-        counts
     }
+    counts
 }

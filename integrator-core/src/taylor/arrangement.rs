@@ -83,6 +83,13 @@ pub(super) fn dealt(turns: &List, values: &[usize]) -> Vec<EightTurns> {
     by_eights(&dealt)
 }
 
+/// One turn, with none beside it.
+pub(super) fn alone(turn: usize) -> EightTurns {
+    let mut alone = [None; EIGHT];
+    alone[0] = Some(turn);
+    alone
+}
+
 /// Turns side by side as they come.
 fn by_eights(turns: &[usize]) -> Vec<EightTurns> {
     turns.chunks(EIGHT).map(|turns| core::array::from_fn(|lane| turns.get(lane).copied())).collect()

@@ -11,7 +11,7 @@ use super::{
     part::Part,
     series::HIGHEST,
     states::To,
-    table::{Layout, Rows},
+    table::{Layout, Rows, are_always_few},
 };
 use crate::{
     block::WIDEST,
@@ -38,8 +38,8 @@ pub struct Expansion<R: Real, C: Coords, P, T> {
     method: Taylor,
     parameters: P,
     layout: Layout,
-    q: Part<R, C::Leaf>,
-    p: Part<R, C::Leaf>,
+    q: Part<R, C>,
+    p: Part<R, C>,
     tape: T,
     /// Those of the members, of which there may be fewer.
     legs: [Leg; WIDEST],
@@ -90,7 +90,7 @@ where
         Constants<Q>: 'a,
     {
         let (constants, &Self { layout, .. }, _) = of_lane(0);
-        let part = |lane, part: fn(&Self) -> &Part<R, C::Leaf>| {
+        let part = |lane, part: fn(&Self) -> &Part<R, C>| {
             let (_, motion, lane) = of_lane(lane);
             (part(motion), lane)
         };
@@ -178,12 +178,19 @@ impl<R: Real, C: Coords, P: Prepared<R>, T> Expansion<R, C, P, T> {
         }
     }
 
+    /// Follows the polynomials of both parts for a while, by one text.
+    #[inline(always)]
+    fn follow(&mut self, layout: Layout, t: R, to: To<R>) {
+        let order = self.method.order();
+        for part in [&mut self.q, &mut self.p] {
+            part.follow(layout, order, t, to);
+        }
+    }
+
     /// Ends the polynomials of these lanes a while after their beginnings: the next ones begin there.
     #[inline(always)]
     fn end(&mut self, layout: Layout, t: R, lanes: &[f64; WIDEST], end: Moment) {
-        let (order, to) = (self.method.order(), To::Begin { moves: R::parameter(&|lane| lanes[lane]) });
-        self.q.follow(layout, order, t, to);
-        self.p.follow(layout, order, t, to);
+        self.follow(layout, t, To::Begin { moves: R::parameter(&|lane| lanes[lane]) });
         for (leg, _) in self.legs.iter_mut().zip(lanes).filter(|(_, ends)| **ends > 0.0) {
             *leg = Leg { begin: end, ..Leg::default() };
         }
@@ -203,7 +210,6 @@ impl<H: Recurrences, R: Real, K: Keep> Kernel for Follow<'_, H, R, K> {
     #[inline(always)]
     fn call(self) {
         let Self { expansion, clock: Clock { t0, h, .. }, end } = self;
-        let order = expansion.method.order();
         let layout = layout::<H>(expansion.layout);
         loop {
             // Beside what legs keep: what has just been stored would be waited for.
@@ -234,8 +240,7 @@ impl<H: Recurrences, R: Real, K: Keep> Kernel for Follow<'_, H, R, K> {
                 return;
             };
             let t = R::parameter(&|lane| t[lane]);
-            expansion.q.follow(layout, order, t, to);
-            expansion.p.follow(layout, order, t, to);
+            expansion.follow(layout, t, to);
             if let To::Shown = to {
                 if const { H::PIECEWISE_IN_TIME } {
                     expansion.end(layout, t, &arrives, end);
@@ -302,7 +307,7 @@ fn expand<H: Recurrences, R: Real, K: Keep>(expansion: &mut Of<H, R, K>, layout:
         for k in (0..last).step_by(H::AT_ONCE) {
             H::order(parameters, length, &mut q, &mut p, tape, k, time);
         }
-    } else if const { R::LANES == 1 && Rows::<R>::hold::<H::Coords>() } {
+    } else if const { R::LANES == 1 && are_always_few::<H::Coords>() } {
         // A tape and rows that nothing else sees, so that they are registers: what an order finds is read by the next one
         // where it is, and not where it was written to.
         let tape = &mut H::Tape::<R>::default();

@@ -5,7 +5,7 @@
 
 use super::{
     series::over,
-    table::{Coefficients, EIGHT, Eight},
+    table::{Coefficients, EIGHT, Wide, is_narrow},
 };
 use crate::{aligned::Aligned, real::Real, row::Row};
 
@@ -43,7 +43,7 @@ impl<R: Real> Mobility<R> {
     /// Divides what momenta have got by their order, and finds the coefficients of positions of the next one.
     #[inline(always)]
     pub fn follow(&self, q: &mut Coefficients<'_, R>, p: &mut Coefficients<'_, R>, order: usize) {
-        if q.is_few() {
+        if const { is_narrow::<R>() } || q.is_few() {
             for ((q, p), mobility) in q[order + 1].iter_mut().zip(&mut p[order]).zip(&*self.numbers) {
                 *p = over(*p, order);
                 *q = over(*mobility * *p, order + 1);
@@ -52,9 +52,9 @@ impl<R: Real> Mobility<R> {
         }
         let rows = q[order + 1].chunks_exact_mut(EIGHT).zip(p[order].chunks_exact_mut(EIGHT));
         for ((q, p), mobility) in rows.zip(self.numbers.chunks_exact(EIGHT)) {
-            let momentum = over(<Eight<R> as Row<R>>::read(p), order);
+            let momentum = over(<Wide<R> as Row<R>>::read(p), order);
             momentum.write(p);
-            over(<Eight<R> as Row<R>>::read(mobility) * momentum, order + 1).write(q);
+            over(<Wide<R> as Row<R>>::read(mobility) * momentum, order + 1).write(q);
         }
     }
 }

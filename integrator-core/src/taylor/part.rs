@@ -3,9 +3,10 @@
 use super::{
     horizon::Sizes,
     states::{States, To},
-    table::{Coefficients, EIGHT, Eight, FEW, Layout, Table},
+    table::{Coefficients, EIGHT, FEW, Layout, Table, Wide, are_always_few, is_narrow},
 };
 use crate::{
+    coords::Coords,
     real::{Mask, Real},
     row::Row,
     slot::{Keep, Slot},
@@ -14,28 +15,23 @@ use alloc::vec::Vec;
 
 /// The coordinates of a part, in the order of the rows of its table.
 #[derive(Clone)]
-pub(super) struct Part<R: Real, K: Keep> {
+pub(super) struct Part<R: Real, C: Coords> {
     /// The polynomials.
     table: Table<R>,
-    /// A few coordinates, one by one.
-    few: States<K::Slot<R>>,
-    /// More than a few, side by side in registers.
-    rows: States<K::Slot<Eight<R>>>,
+    /// Coordinates one by one, a few, or all where nothing else is computed on,
+    few: States<<C::Leaf as Keep>::Slot<R>>,
+    /// or side by side in registers.
+    rows: States<<C::Leaf as Keep>::Slot<Wide<R>>>,
 }
 
-/// How large the first coefficients of a part are, and the last ones.
-pub(super) struct Ends<R> {
-    value: R,
-    slope: R,
-    before: R,
-    last: R,
-}
+/// How large the first two coefficients of a part are, and the last two.
+pub(super) struct Ends<R>([R; 4]);
 
 impl<R: Real> Ends<R> {
     /// Those in a lane.
     #[inline(always)]
     pub(super) fn lane(&self, lane: usize) -> Sizes {
-        [self.value.lane(lane), self.slope.lane(lane), self.before.lane(lane), self.last.lane(lane)]
+        self.0.map(|size| size.lane(lane))
     }
 }
 
@@ -54,15 +50,26 @@ fn largest<R: Real, W: Row<R>>(numbers: &[R]) -> W {
 }
 
 /// The slots of a part, one by one and side by side.
-type Slots<R, K> = (Vec<<K as Keep>::Slot<R>>, Vec<<K as Keep>::Slot<Eight<R>>>);
+type Slots<R, K> = (Vec<<K as Keep>::Slot<R>>, Vec<<K as Keep>::Slot<Wide<R>>>);
+
+/// Whether all coordinates of a type are computed on one by one, so that nothing else is compiled.
+const fn are_single<R: Real, C: Coords>() -> bool {
+    is_narrow::<R>() || are_always_few::<C>()
+}
 
 /// The slots of coordinates in this layout.
-fn slots<R: Real, K: Keep>(layout: Layout, leaf: &dyn Fn(usize, usize) -> K) -> Slots<R, K> {
-    let (few, rows) = if layout.is_few() { (layout.width(), 0) } else { (0, layout.width() / EIGHT) };
-    let few = (0..few).map(|place| K::inward(&|lane| leaf(lane, layout.coordinate(place))));
-    let rows =
-        (0..rows).map(|row| K::inward(&|lane| leaf(lane % R::LANES, layout.coordinate(row * EIGHT + lane / R::LANES))));
-    (few.collect(), rows.collect())
+fn slots<R: Real, C: Coords>(layout: Layout, leaf: &dyn Fn(usize, usize) -> C::Leaf) -> Slots<R, C::Leaf> {
+    let (mut few, mut rows) = (Vec::new(), Vec::new());
+    if const { are_single::<R, C>() } || layout.is_few() {
+        for place in 0..layout.width() {
+            few.push(C::Leaf::inward(&|lane| leaf(lane, layout.coordinate(place))));
+        }
+    } else {
+        for begin in (0..layout.width()).step_by(EIGHT) {
+            rows.push(C::Leaf::inward(&|lane| leaf(lane % R::LANES, layout.coordinate(begin + lane / R::LANES))));
+        }
+    }
+    (few, rows)
 }
 
 /// A table of polynomials that begin in such slots.
@@ -79,32 +86,32 @@ fn begun<R: Real, K: Keep>(layout: Layout, (few, rows): &Slots<R, K>) -> Table<R
 }
 
 /// The coordinate in a place of such slots.
-fn leaf<R: Real, K: Keep>(few: &[K::Slot<R>], rows: &[K::Slot<Eight<R>>], lane: usize, place: usize) -> K {
+fn leaf<R: Real, K: Keep>(few: &[K::Slot<R>], rows: &[K::Slot<Wide<R>>], lane: usize, place: usize) -> K {
     match few.get(place) {
         Some(slot) => K::outward(*slot, lane),
         None => K::outward(rows[place / EIGHT], place % EIGHT * R::LANES + lane),
     }
 }
 
-impl<R: Real, K: Keep> Part<R, K> {
+impl<R: Real, C: Coords> Part<R, C> {
     /// The coordinates of each lane.
-    pub(super) fn at(layout: Layout, leaf: &dyn Fn(usize, usize) -> K) -> Self {
-        let begin = slots(layout, leaf);
-        Self { table: begun::<R, K>(layout, &begin), few: States::at(begin.0), rows: States::at(begin.1) }
+    pub(super) fn at(layout: Layout, leaf: &dyn Fn(usize, usize) -> C::Leaf) -> Self {
+        let begin = slots::<R, C>(layout, leaf);
+        Self { table: begun::<R, C::Leaf>(layout, &begin), few: States::at(begin.0), rows: States::at(begin.1) }
     }
 
     /// The coordinates of each lane, from lanes of others of the same layout. Their polynomials have to be found again.
     pub(super) fn gathered<'p>(layout: Layout, of_lane: impl Fn(usize) -> (&'p Self, usize)) -> Self {
-        let begin = slots(layout, &|lane, coordinate| {
+        let begin = slots::<R, C>(layout, &|lane, coordinate| {
             let (part, lane) = of_lane(lane);
-            leaf::<R, K>(&part.few.begin, &part.rows.begin, lane, layout.place_of(coordinate))
+            leaf::<R, C::Leaf>(&part.few.begin, &part.rows.begin, lane, layout.place_of(coordinate))
         });
-        let shown = slots(layout, &|lane, coordinate| {
+        let shown = slots::<R, C>(layout, &|lane, coordinate| {
             let (part, lane) = of_lane(lane);
             part.leaf(lane, layout.place_of(coordinate))
         });
         Self {
-            table: begun::<R, K>(layout, &begin),
+            table: begun::<R, C::Leaf>(layout, &begin),
             few: States { begin: begin.0, shown: shown.0 },
             rows: States { begin: begin.1, shown: shown.1 },
         }
@@ -120,10 +127,10 @@ impl<R: Real, K: Keep> Part<R, K> {
     #[inline(always)]
     pub(super) fn follow(&mut self, layout: Layout, order: usize, t: R, to: To<R>) {
         let table = self.table.numbers_mut(layout);
-        if layout.is_few() {
+        if const { are_single::<R, C>() } || layout.is_few() {
             self.few.follow::<R, R, FEW>(table, layout, order, t, to);
         } else {
-            self.rows.follow::<R, Eight<R>, 1>(table, layout, order, t, to);
+            self.rows.follow::<R, Wide<R>, 1>(table, layout, order, t, to);
         }
     }
 
@@ -135,11 +142,15 @@ impl<R: Real, K: Keep> Part<R, K> {
             return largest::<R, R>(numbers);
         }
         // As integers, sizes are in the same order, behind infinity those that are no numbers.
-        let most = if layout.is_few() {
+        let most = if const { are_single::<R, C>() } || layout.is_few() {
             numbers.iter().map(|number| number.lane(0).abs().to_bits() as i64).fold(0, i64::max)
         } else {
-            let most = largest::<R, Eight<R>>(numbers);
-            let mut most: [i64; EIGHT] = core::array::from_fn(|place| most.lane(place * R::LANES).to_bits() as i64);
+            let most = largest::<R, Wide<R>>(numbers);
+            let mut sizes = [0; EIGHT];
+            for (place, size) in sizes.iter_mut().enumerate() {
+                *size = most.lane(place * R::LANES).to_bits() as i64;
+            }
+            let mut most = sizes;
             for half in [4, 2, 1] {
                 for place in 0..half {
                     most[place] = most[place].max(most[place + half]);
@@ -153,17 +164,16 @@ impl<R: Real, K: Keep> Part<R, K> {
     /// The sizes of the coefficients of the orders that a horizon is found from.
     #[inline(always)]
     pub(super) fn ends(&self, layout: Layout, order: usize) -> Ends<R> {
-        Ends {
-            value: self.size(layout, 0),
-            slope: self.size(layout, 1),
-            before: self.size(layout, order - 1),
-            last: self.size(layout, order),
+        let mut sizes = [R::of(0.0); 4];
+        for (size, order) in sizes.iter_mut().zip([0, 1, order - 1, order]) {
+            *size = self.size(layout, order);
         }
+        Ends(sizes)
     }
 
     /// The coordinate in a place, as the run shows it.
-    pub(super) fn leaf(&self, lane: usize, place: usize) -> K {
-        leaf::<R, K>(&self.few.shown, &self.rows.shown, lane, place)
+    pub(super) fn leaf(&self, lane: usize, place: usize) -> C::Leaf {
+        leaf::<R, C::Leaf>(&self.few.shown, &self.rows.shown, lane, place)
     }
 
     /// Whether all coordinates are finite.

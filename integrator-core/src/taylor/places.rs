@@ -1,6 +1,6 @@
 //! Where eight turns side by side read.
 
-use super::table::{Coefficients, EIGHT, Eight, Layout};
+use super::table::{Coefficients, EIGHT, Layout, Wide};
 use crate::{real::Real, row::Row};
 
 /// Where the numbers of eight turns are among the coordinates.
@@ -46,8 +46,8 @@ impl Places {
         &self,
         from: &Coefficients<'_, R>,
         order: usize,
-    ) -> [[Eight<R>; AT_ONCE]; COMPONENTS] {
-        let mut found = [[Eight::<R>::of(0.0); AT_ONCE]; COMPONENTS];
+    ) -> [[Wide<R>; AT_ONCE]; COMPONENTS] {
+        let mut found = [[Wide::<R>::of(0.0); AT_ONCE]; COMPONENTS];
         // What this begins is the same for all components, and looked at once.
         macro_rules! each {
             (|$numbers:ident| $read:expr) => {
@@ -62,7 +62,7 @@ impl Places {
         match self {
             Places::Neighbours(begin) => each!(|numbers| Row::read(&numbers[*begin..])),
             Places::Near(begin, places) => {
-                each!(|numbers| <Eight<R> as Row<R>>::read(&numbers[*begin..]).picked(places));
+                each!(|numbers| <Wide<R> as Row<R>>::read(&numbers[*begin..]).picked(places));
             }
             Places::Far(places) => each!(|numbers| {
                 let mut gathered = [R::of(0.0); EIGHT];

@@ -7,11 +7,16 @@ use core::{
     ops::{Index, IndexMut},
 };
 
-/// How many coordinates are computed on at once.
+/// How many coordinates lie side by side.
 pub(super) const EIGHT: usize = 8;
 
-/// Eight numbers side by side.
-pub(super) type Eight<R> = <R as Real>::Row<EIGHT>;
+/// Numbers that are computed on at once: eight side by side, or one.
+pub(super) type Wide<R> = <R as Real>::Wide;
+
+/// Whether numbers are computed on one by one.
+pub(super) const fn is_narrow<R: Real>() -> bool {
+    Wide::<R>::LANES == R::LANES
+}
 
 /// Up to how many coordinates lie close together; rows of more begin where a register is read at once.
 pub(super) const FEW: usize = 4;
@@ -19,6 +24,14 @@ pub(super) const FEW: usize = 4;
 /// Whether coordinates lie close together.
 const fn are_few(length: usize, components: usize) -> bool {
     length * components <= FEW
+}
+
+/// Whether all coordinates of a type do.
+pub(super) const fn are_always_few<C: Coords>() -> bool {
+    match C::LENGTH {
+        Some(length) => are_few(length, C::COMPONENTS),
+        None => false,
+    }
 }
 
 /// How coordinates lie in the rows of a table: components one after the other, each of all points.
@@ -141,13 +154,6 @@ pub(super) struct Rows<R> {
 }
 
 impl<R: Real> Rows<R> {
-    /// Whether there is room for coordinates of this type.
-    pub(super) const fn hold<C: Coords>() -> bool {
-        match C::LENGTH {
-            Some(length) => are_few(length, C::COMPONENTS),
-            None => false,
-        }
-    }
     #[inline(always)]
     pub(super) fn new() -> Self {
         Self { numbers: [R::of(0.0); COEFFICIENTS * FEW] }
@@ -185,13 +191,13 @@ impl<R: Real> Coefficients<'_, R> {
     /// Divides the coefficients of an order by it.
     #[inline(always)]
     pub fn divide(&mut self, order: usize) {
-        if self.layout.is_few() {
+        if const { is_narrow::<R>() } || self.layout.is_few() {
             for number in &mut self[order] {
                 *number = over(*number, order);
             }
         } else {
             for numbers in self[order].chunks_exact_mut(EIGHT) {
-                over(<Eight<R> as Row<R>>::read(numbers), order).write(numbers);
+                over(<Wide<R> as Row<R>>::read(numbers), order).write(numbers);
             }
         }
     }

@@ -6,15 +6,15 @@
 
 use super::{
     addends::{Addend, Addends},
-    arrangement::{EightTurns, List, dealt, in_lanes},
+    arrangement::{EightTurns, List, alone, dealt, in_lanes},
     places::Places,
-    table::{Coefficients, EIGHT, Eight, Layout},
+    table::{Coefficients, EIGHT, Layout, Wide, is_narrow},
 };
 use crate::{real::Real, row::Row};
 use alloc::vec::Vec;
 
-/// Numbers side by side, one of each turn.
-pub type Abreast<R> = Eight<R>;
+/// Numbers side by side, one of each turn; or that of one turn.
+pub type Abreast<R> = Wide<R>;
 
 /// The same number in all turns.
 #[inline(always)]
@@ -22,7 +22,7 @@ pub fn spread<R: Real>(x: R) -> Abreast<R> {
     Abreast::<R>::splat(x)
 }
 
-/// Eight turns side by side, each of which reads so many points and has so many constants; `T` is what they keep.
+/// Eight turns side by side, or one, each of which reads so many points and has so many constants; `T` is what they keep.
 pub struct Line<R: Real, T, const READS: usize, const CONSTANTS: usize> {
     /// What the turns keep.
     pub kept: T,
@@ -73,18 +73,19 @@ impl Target {
     }
 }
 
-/// How turns lie side by side, whatever they compute in: compiled once, and not with every system.
+/// Which turns each line computes, whatever they compute in: compiled once, and not with every system.
 struct Arrangement {
-    rows: Vec<EightTurns>,
-    /// Where each row reads, one after the other.
+    lines: Vec<EightTurns>,
+    /// Where each line reads, one after the other.
     reads: Vec<Places>,
 }
 
 impl Arrangement {
-    /// That of turns which read so many points each, for coordinates that lie so.
+    /// That of turns which read so many points each, for coordinates that lie so: eight of them side by side, or one by one
+    /// in the same order.
     #[cold]
     #[inline(never)]
-    fn of(turns: &List, reads: usize, layout: Layout, targets: &[Target]) -> Self {
+    fn of(turns: &List, reads: usize, is_narrow: bool, layout: Layout, targets: &[Target]) -> Self {
         let rows = match layout.is_interleaved() {
             true => in_lanes(turns),
             // Where one register holds a component of all points, any turns read from registers.
@@ -93,10 +94,16 @@ impl Arrangement {
             }
             false => dealt(turns, &(0..targets.len()).collect::<Vec<_>>()),
         };
+        if is_narrow {
+            let lines: Vec<usize> = rows.into_iter().flatten().flatten().collect();
+            let reads =
+                lines.iter().flat_map(|turn| turns.reads(*turn)).map(|place| Places::Neighbours(*place)).collect();
+            return Self { lines: lines.into_iter().map(alone).collect(), reads };
+        }
         let places =
             |row: &EightTurns, read| Places::of(row.map(|turn| turn.map(|turn| turns.reads(turn)[read])), layout);
         let reads = rows.iter().flat_map(|row| (0..reads).map(move |read| places(row, read))).collect();
-        Self { rows, reads }
+        Self { lines: rows, reads }
     }
 
     /// What a part of the state gets from turns that compute so many values each.
@@ -104,7 +111,7 @@ impl Arrangement {
     #[inline(never)]
     fn addends(&self, turns: &List, targets: &[Target], part: usize, values: usize) -> Vec<Addend> {
         let mut addends = Vec::new();
-        for (number, row) in self.rows.iter().enumerate() {
+        for (number, row) in self.lines.iter().enumerate() {
             for (lane, turn) in row.iter().enumerate().filter_map(|(lane, turn)| Some((lane, (*turn)?))) {
                 for (place, moved) in turns.targets(turn).iter().zip(targets).filter(|(_, moved)| moved.part == part) {
                     let found = number * values + moved.value;
@@ -182,11 +189,11 @@ impl<
     pub fn lay_out(&mut self, layout: Layout, targets: [Target; TARGETS]) {
         let turns = core::mem::take(&mut self.turns);
         let constants = core::mem::take(&mut self.constants);
-        let arrangement = Arrangement::of(&turns, READS, layout, &targets);
-        for (number, row) in arrangement.rows.iter().enumerate() {
+        let arrangement = Arrangement::of(&turns, READS, is_narrow::<R>(), layout, &targets);
+        for (number, row) in arrangement.lines.iter().enumerate() {
             // One of the turns stands in for those that are not there.
             let first = row.iter().flatten().next();
-            let mut of_rows = [Abreast::<R>::of(0.0); CONSTANTS];
+            let mut of_turns = [Abreast::<R>::of(0.0); CONSTANTS];
             for constant in 0..CONSTANTS {
                 let mut numbers = [R::of(0.0); EIGHT];
                 for lane in 0..EIGHT {
@@ -194,11 +201,11 @@ impl<
                         numbers[lane] = constants[*turn][constant];
                     }
                 }
-                of_rows[constant] = Abreast::<R>::read(&numbers);
+                of_turns[constant] = Abreast::<R>::read(&numbers);
             }
             let mut reads = [Places::Neighbours(0); READS];
             reads.copy_from_slice(&arrangement.reads[number * READS..][..READS]);
-            self.lines.push(Line { kept: T::default(), constants: of_rows, reads });
+            self.lines.push(Line { kept: T::default(), constants: of_turns, reads });
             self.found.push([[Abreast::<R>::of(0.0); AT_ONCE]; VALUES]);
         }
         for (part, addends) in self.addends.iter_mut().enumerate() {
@@ -227,7 +234,10 @@ impl<
 #[cfg(test)]
 mod tests {
     use super::{
-        super::table::{Layout, Table},
+        super::{
+            addends::rounds,
+            table::{Layout, Table},
+        },
         *,
     };
     use crate::{
@@ -268,7 +278,8 @@ mod tests {
             let momenta = [Target::momentum(0), Target::momentum(1)];
             let positions = [Target::position(2), Target::position(2).negated()];
             turns.lay_out(layout, [momenta[0], momenta[1], positions[0], positions[1]]);
-            assert!(turns.rows().count() >= list.len().div_ceil(EIGHT), "{name}");
+            let together = if is_narrow::<R>() { 1 } else { EIGHT };
+            assert!(turns.rows().count() >= list.len().div_ceil(together), "{name}");
             let (mut of_q, mut of_p) = (Table::new(layout), Table::new(layout));
             let (mut q, mut p) = (of_q.of(layout), of_p.of(layout));
             let from: Vec<R> = (0..width).map(|place| R::of(number(place + 100))).collect();
@@ -328,17 +339,18 @@ mod tests {
     #[test]
     fn a_chain_reads_and_moves_whole_registers() {
         let layout = Layout::of::<Vec<f64>>(32, true);
-        let mut turns: Turns<f64, (), 2, 0, 2, 1, 1> = Turns::default();
+        let mut turns = List::default();
         for i in 0..31 {
             let places = [i, i + 1].map(|i| layout.place(i, 0));
-            turns.take(places, [], places);
+            turns.push(&places, &places);
         }
-        turns.lay_out(layout, [Target::momentum(0), Target::momentum(0).negated()]);
-        let reads: Vec<&Places> = turns.lines.iter().flat_map(|line| &line.reads).collect();
+        let targets = [Target::momentum(0), Target::momentum(0).negated()];
+        let arrangement = Arrangement::of(&turns, 2, false, layout, &targets);
+        let reads = &arrangement.reads;
         let whole = reads.iter().filter(|places| matches!(places, Places::Neighbours(begin) if begin % EIGHT == 0));
         // All but those of the neighbours of the last register, which are one lane further on in the first.
         assert_eq!((reads.len(), whole.count()), (8, 7));
         // One number is added and one taken away, both in all lanes but where the chain ends and at the seam.
-        assert_eq!(turns.addends[1].rounds(), [6, 2]);
+        assert_eq!(rounds(arrangement.addends(&turns, &targets, 1, 1), layout.width()), [6, 2]);
     }
 }

@@ -106,6 +106,7 @@ macro_rules! vector {
                 type Mask = $mask;
                 type Block = Self;
             type Row<const N: usize> = crate::lanes::Lanes<Self, N>;
+                type Wide = Self;
                 type Pair = [Self; 2];
 
                 #[inline(always)]
