@@ -3,7 +3,8 @@
 use crate::{
     coords::Coords,
     error::Error,
-    hamiltonian::{Hamiltonian, Motion, Shaped},
+    hamiltonian::{Hamiltonian, Shaped},
+    motion::Motion,
     phase::Phase,
     real::{Kernel, Real},
     slot::Keep,

@@ -1,8 +1,8 @@
 //! What carries a trajectory on: the motion, and its copies for faults and looks.
 
 use crate::{
-    clock::Clock, coords::Coords, energies::Energies, error::Unsolved, hamiltonian::Motion, moves::Moves,
-    panics::attempted, phase::Phase,
+    clock::Clock, coords::Coords, energies::Energies, error::Unsolved, motion::Motion, moves::Moves, panics::attempted,
+    phase::Phase,
 };
 use alloc::{boxed::Box, sync::Arc};
 use core::marker::PhantomData;

@@ -99,6 +99,8 @@ mod coords;
 mod crossings;
 #[allow(unreachable_pub, reason = "named in bounds, never outside")]
 mod digest;
+#[cfg(feature = "check")]
+mod dual;
 #[cfg_attr(feature = "std", allow(dead_code, unreachable_pub, reason = "users need it where there is no std"))]
 mod elementary;
 mod elements;
@@ -130,6 +132,7 @@ mod many_body;
 mod members;
 #[allow(unreachable_pub, reason = "named in bounds, never outside")]
 mod method;
+mod motion;
 #[cfg(feature = "std")]
 mod motions;
 #[allow(unreachable_pub, reason = "named in bounds, never outside")]
@@ -167,6 +170,8 @@ pub mod taylor;
 mod threads;
 mod tiled;
 mod tiles;
+#[cfg(feature = "check")]
+mod tolerance;
 #[allow(unreachable_pub, reason = "named in bounds, never outside")]
 mod twofold;
 #[cfg(all(target_arch = "x86_64", feature = "std"))]
@@ -198,7 +203,8 @@ pub use phase::Phase;
 pub use run::Run;
 pub use samples::{Sample, Samples};
 pub use slot::Compensated;
-pub use visit::{RecurrencesVisitor, Visitor, visit_general, visit_quadratic};
+pub use taylor::RecurrencesVisitor;
+pub use visit::{Visitor, visit_general, visit_quadratic};
 
 /// The examples of the README, so that they compile and hold.
 #[cfg(doctest)]
@@ -237,8 +243,9 @@ pub mod __private {
         error::NotFinite,
         fused::Fused,
         gather::{Drift, Edges, Gather, Kick},
-        hamiltonian::{Flows, Hamiltonian, Motion, Plain, Prepared, QuadraticKinetic, Shaped},
+        hamiltonian::{Flows, Hamiltonian, QuadraticKinetic, Shaped},
         many_body::{ManyBody, PerBody},
+        motion::{Motion, Plain, Prepared},
         neighbours::Neighbours,
         pair::{Pair, pair},
         real::{Kernel, Mask, Real},
@@ -247,7 +254,7 @@ pub mod __private {
         sites::Sites,
         slot::{Keep, Slot},
         taylor::{
-            Recurrences,
+            Recurrences, RecurrencesVisitor,
             mobility::Mobility,
             series::{COEFFICIENTS, half_power, order_of_time, over, over_two, turn, weight, weight_with, weighted},
             table::{Coefficients, Layout, Table},
@@ -255,7 +262,7 @@ pub mod __private {
         },
         tiled::{Flow, Reach},
         tiles::Tiles,
-        visit::{RecurrencesVisitor, Visitor, visit_quadratic},
+        visit::{Visitor, visit_quadratic},
     };
     pub use alloc::{sync::Arc, vec::Vec};
 

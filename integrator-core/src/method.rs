@@ -6,7 +6,8 @@
 use crate::{
     composition::{Composition, Processor, Scheme, Stages},
     error::Error,
-    hamiltonian::{Hamiltonian, Motion, Shaped},
+    hamiltonian::{Hamiltonian, Shaped},
+    motion::Motion,
     moves::{Moves, moves},
     real::Real,
     slot::Keep,

@@ -7,7 +7,7 @@ use crate::{
     clock::Clock,
     coords::Coords,
     group::GroupMoves,
-    hamiltonian::Motion,
+    motion::Motion,
     phase::Phase,
     point::{Point, mixed_up, shaped, shaped_mut},
 };

@@ -7,7 +7,7 @@ use crate::{
     block::Block,
     coords::Coords,
     gather::{Beside, Drift, Gather, Kick, Sweep},
-    hamiltonian::Plain,
+    motion::Plain,
     neighbours::{FARTHEST, Neighbours},
     real::{Kernel, Real},
     slot::Slot,

@@ -2,8 +2,8 @@
 
 use crate::{
     coords::Coords,
-    hamiltonian::{Motion, Plain, Prepared},
     many_body::{Bodies, ManyBody, PerBody, within},
+    motion::{Motion, Plain, Prepared},
     phase::Phase,
     real::Real,
     row::{Row, inward, of_bodies, of_place, outward, prepared, values},

@@ -3,7 +3,7 @@
 use crate::{
     coords::Coords,
     gather::{Beside, Drift, Gather, Kick, Sweep},
-    hamiltonian::Plain,
+    motion::Plain,
     real::{Kernel, Real},
     slot::{Keep, Slot},
     tiled::Flow,

@@ -4,12 +4,7 @@
 //! a text that was misread shows here, however well its energy and its forces agree.
 
 use crate::{
-    bounded::Bounded,
-    error::Misread,
-    flat::Flat,
-    hamiltonian::{Hamiltonian, Motion},
-    phase::Phase,
-    real::Real,
+    bounded::Bounded, error::Misread, flat::Flat, hamiltonian::Hamiltonian, motion::Motion, phase::Phase, real::Real,
 };
 #[cfg(debug_assertions)]
 use crate::{

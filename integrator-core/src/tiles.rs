@@ -2,8 +2,8 @@
 
 use crate::{
     coords::Coords,
-    hamiltonian::{Motion, Plain, Prepared},
     many_body::{Bodies, ManyBody, PerBody, add, between, within},
+    motion::{Motion, Plain, Prepared},
     phase::Phase,
     real::{Kernel, Real},
     row::{Row, inward, of_bodies, of_place, outward, prepared, values},

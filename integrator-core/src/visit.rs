@@ -1,14 +1,12 @@
 //! The catalogue as a list: every composition that a Hamiltonian admits, one after the other.
 //!
-//! A composition is a type, and types do not fit into a `Vec`; a [`Visitor`] is a loop body that is generic instead. So is
-//! a [`RecurrencesVisitor`] of what some systems have and others have not.
+//! A composition is a type, and types do not fit into a `Vec`; a [`Visitor`] is a loop body that is generic instead.
 
 use crate::{
     catalogue::*,
     catalogue_list::for_each_composition,
     composition::Composition,
     hamiltonian::{Hamiltonian, QuadraticKinetic},
-    taylor::Recurrences,
 };
 
 /// What is done with each composition that may integrate `H`.
@@ -43,15 +41,6 @@ use crate::{
 pub trait Visitor<H: Hamiltonian> {
     /// Called once with each composition.
     fn visit<X: Composition<H>>(&mut self, composition: X);
-}
-
-/// What is done with `H` where it has recurrences for the Taylor method: shown to
-/// [`Hamiltonian::visit_recurrences`], code that is generic over all systems can use that method for those that have it.
-pub trait RecurrencesVisitor<H: Hamiltonian> {
-    /// Called once if there are recurrences.
-    fn visit(&mut self)
-    where
-        H: Recurrences;
 }
 
 /// Shows `visitor` the compositions for every `T(p)`.

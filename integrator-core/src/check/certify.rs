@@ -17,11 +17,11 @@ use crate::{
         start::Start,
         stated::{Visited, agreement},
         symplecticity::Defect,
-        tolerance::{largest, within},
     },
     hamiltonian::{Hamiltonian, Shaped},
     method::Method,
     slot::Keep,
+    tolerance::{largest, within},
 };
 
 /// How many steps a round trip takes each way at least.

@@ -9,8 +9,9 @@ use crate::{
     coords::Coords,
     error::Error,
     flat::{Flat, flat},
-    hamiltonian::{Hamiltonian, Motion, Shaped},
+    hamiltonian::{Hamiltonian, Shaped},
     method::Method,
+    motion::Motion,
     phase::Phase,
     slot::Compensated,
 };

@@ -4,8 +4,8 @@
 //! scatter with and without memory, and how its scatter grows with time. Always true: a verdict of a drift takes a
 //! slope that neither an oscillation nor a random walk explains; a NaN is a drift.
 
-use crate::check::{
-    line::fit,
+use crate::{
+    check::line::fit,
     tolerance::{ratio, within},
 };
 use std::fmt;

@@ -4,10 +4,7 @@
 //! where the flows with the conditions of either do the same to all of these points.
 
 use crate::{
-    check::{CheckError, tolerance::within},
-    coords::Coords,
-    hamiltonian::{Hamiltonian, Motion},
-    phase::Phase,
+    check::CheckError, coords::Coords, hamiltonian::Hamiltonian, motion::Motion, phase::Phase, tolerance::within,
 };
 
 /// How far an edge may be from the end of a step, in units of ε of the time: both are computed with a few roundings of numbers up

@@ -11,14 +11,15 @@ use crate::{
         order::CLEARANCE,
         points::{resolution, run},
         start::Start,
-        tolerance::{largest, length, ratio, within},
     },
     coords::Coords,
     error::Error,
-    hamiltonian::{Hamiltonian, Motion, Shaped},
+    hamiltonian::{Hamiltonian, Shaped},
     method::Method,
+    motion::Motion,
     phase::Phase,
     slot::Keep,
+    tolerance::{largest, length, ratio, within},
 };
 
 /// How many samples are taken at most; a run of so many steps is looked at after each of them.

@@ -12,12 +12,12 @@ use crate::{
         points::{begin, flat_start, run},
         reference::reference,
         start::Start,
-        tolerance::within,
     },
     flat::flat,
     hamiltonian::{Hamiltonian, Shaped},
     method::Method,
     slot::Keep,
+    tolerance::within,
 };
 
 /// The uncertainty of the exact motion from which on nothing is held against it. An arbitrary line: an error cannot

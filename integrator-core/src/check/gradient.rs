@@ -8,16 +8,17 @@
 use crate::{
     check::{
         CheckError,
-        dual::Dual,
         points::{begin, coordinate, numbers, origin},
-        tolerance::{largest, ratio, within},
     },
     coords::Coords,
+    dual::Dual,
     flat::{Flat, flat, shaped},
-    hamiltonian::{Hamiltonian, Motion, Shaped},
+    hamiltonian::{Hamiltonian, Shaped},
+    motion::Motion,
     phase::Phase,
     real::Real,
     slot::Keep,
+    tolerance::{largest, ratio, within},
 };
 
 /// How far the flows of `T` and `V` are from the gradients of `T` and `V` at `point` and `time`: the largest error of a

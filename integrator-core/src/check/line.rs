@@ -38,7 +38,7 @@ pub(crate) fn fit_finest(points: &[(f64, f64)], counts: RangeInclusive<usize>) -
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::check::tolerance::within;
+    use crate::tolerance::within;
 
     #[test]
     fn a_line_is_found_and_its_scatter_told() {

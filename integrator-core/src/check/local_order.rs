@@ -10,14 +10,9 @@
 //! remains that never does.
 
 use crate::{
-    check::{
-        exact::Stepper,
-        order::CLEARANCE,
-        path::Path,
-        start::Start,
-        tolerance::{largest, within},
-    },
+    check::{exact::Stepper, order::CLEARANCE, path::Path, start::Start},
     error::Error,
+    tolerance::{largest, within},
 };
 
 /// How many units a piece has. A step is a whole fraction of a unit, so that what switches at one of the user's steps, of

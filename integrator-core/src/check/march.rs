@@ -8,13 +8,14 @@ use crate::{
         path::{PARTS, Path, Scale},
         reference::Reference,
         start::Start,
-        tolerance::within,
     },
     coords::Coords,
     flat::{Flat, flat},
-    hamiltonian::{Flows, Hamiltonian, Motion, Shaped, Single},
+    hamiltonian::{Flows, Hamiltonian, Shaped, Single},
+    motion::Motion,
     phase::Phase,
     slot::Compensated,
+    tolerance::within,
 };
 
 /// The steps per part that the refinement begins with, and those that it ends with at the latest.

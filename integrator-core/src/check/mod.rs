@@ -37,7 +37,6 @@ mod certify;
 mod choose;
 mod compensated;
 mod course;
-mod dual;
 mod edges;
 mod energy;
 mod error;
@@ -62,14 +61,11 @@ mod start;
 mod stated;
 mod symplecticity;
 mod tangent;
-mod tolerance;
 
 pub use certificate::{Certificate, Tolerances};
 pub use certify::certify;
 pub use choose::{Choice, ChooseError, Goal, Ranking, choose};
 pub use course::Course;
-#[cfg(feature = "reference")]
-pub(crate) use dual::Dual;
 pub use energy::{EnergyDrift, energy_drift};
 pub use error::CheckError;
 pub use global_error::{GlobalError, global_error};
@@ -82,5 +78,3 @@ pub use stability::{Stability, stability};
 pub use start::Start;
 pub use stated::Agreement;
 pub use symplecticity::{poisson_bracket, symplectic_defect, symplectic_defect_after};
-#[cfg(feature = "reference")]
-pub(crate) use tolerance::{largest, ratio};

@@ -13,13 +13,13 @@ use crate::{
         points::{begin, flat_start},
         reference::reference,
         start::Start,
-        tolerance::within,
     },
     error::Error,
     flat::Flat,
     hamiltonian::{Hamiltonian, Shaped},
     method::Method,
     slot::Keep,
+    tolerance::within,
 };
 
 /// How many of the user's steps the first time spans that is tried; a power of two keeps the doublings exact.

@@ -4,8 +4,8 @@
 //! displacement against a displacement, so that the origin of the coordinates does not matter.
 
 use crate::{
-    check::tolerance::{largest, length, ratio},
     flat::Flat,
+    tolerance::{largest, length, ratio},
 };
 
 /// Into how many equal parts a time is divided. Errors are taken over all of their ends, because at a single time the

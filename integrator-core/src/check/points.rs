@@ -2,10 +2,7 @@
 
 use crate::{
     admissible::admissible,
-    check::{
-        start::Start,
-        tolerance::{largest, ratio},
-    },
+    check::start::Start,
     coords::Coords,
     error::Error,
     flat::{Flat, flat},
@@ -14,6 +11,7 @@ use crate::{
     phase::Phase,
     run::Run,
     slot::Keep,
+    tolerance::{largest, ratio},
 };
 
 /// The values of a point, whatever its leaves carry beside.

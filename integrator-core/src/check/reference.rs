@@ -15,9 +15,9 @@ use crate::{
         march::March,
         path::{Path, Scale},
         start::Start,
-        tolerance::within,
     },
     taylor::Taylor,
+    tolerance::within,
 };
 
 /// The error, in units of the excursion, up to which flows in coarse steps are taken to follow the motion. Halving the

@@ -10,13 +10,13 @@ use crate::{
         points::{coordinate, numbers, origin, plain, resolution, run},
         start::Start,
         tangent::{Carry, Tangents},
-        tolerance::{largest, ratio},
     },
     error::Error,
     flat::{Flat, flat},
     hamiltonian::{Hamiltonian, Shaped},
     method::Method,
     slot::Keep,
+    tolerance::{largest, ratio},
 };
 
 /// How far from `start` a run ends that takes `steps` steps by `h` and as many by `-h` back: the largest

@@ -11,12 +11,12 @@ use crate::{
     clock::Clock,
     coords::Coords,
     flat::flat,
-    hamiltonian::{Hamiltonian, Motion},
+    hamiltonian::Hamiltonian,
     method::Method,
+    motion::Motion,
     phase::Phase,
     slot::Compensated,
-    taylor::{Recurrences, Taylor},
-    visit::RecurrencesVisitor,
+    taylor::{Recurrences, RecurrencesVisitor, Taylor},
 };
 use std::sync::Arc;
 

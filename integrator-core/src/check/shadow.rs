@@ -10,21 +10,22 @@ use crate::{
     check::{
         CheckError,
         compensated::CompensatedSteps,
-        dual::Dual,
         gradient::{Part, flow},
         line::fit_finest,
         order::{CLEARANCE, LADDER, NEEDED, POINTS, observed_order},
         path::PARTS,
         points::{origin, plain},
         start::Start,
-        tolerance::{largest, length, within},
     },
     composition::{Composition, Scheme},
     coords::Coords,
+    dual::Dual,
     flat::shaped,
-    hamiltonian::{Motion, QuadraticKinetic, Shaped},
+    hamiltonian::{QuadraticKinetic, Shaped},
+    motion::Motion,
     phase::Phase,
     slot::Keep,
+    tolerance::{largest, length, within},
 };
 
 /// A composition whose modified Hamiltonian is known to order 4, for quadratic `T`.

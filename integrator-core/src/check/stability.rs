@@ -12,13 +12,13 @@ use crate::{
         points::{begin, coordinate, origin, run},
         spectrum::eigenvalues,
         start::Start,
-        tolerance::{largest, within},
     },
     composition::Composition,
     flat::{Flat, flat},
     hamiltonian::{Hamiltonian, Shaped},
     method::Method,
     slot::Keep,
+    tolerance::{largest, within},
 };
 use std::fmt;
 

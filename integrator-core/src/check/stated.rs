@@ -11,11 +11,11 @@ use crate::{
         gradient::{Differentiable, Energies, Gradient, Part},
         points::{numbers, origin},
         shortfall::Shortfall,
-        tolerance::{largest, within},
     },
     flat::{Flat, shaped},
     hamiltonian::Hamiltonian,
     stated::{Digits, Function, Values, values},
+    tolerance::{largest, within},
 };
 
 /// Up to how many coordinates each is a direction of its own, and in how many directions differences are taken otherwise.

@@ -10,13 +10,13 @@ use crate::{
         points::begin,
         start::Start,
         tangent::{Tangents, matrix},
-        tolerance::largest,
     },
     coords::Coords,
     flat::flat,
     hamiltonian::{Hamiltonian, Shaped},
     method::Method,
     slot::Keep,
+    tolerance::largest,
 };
 use nalgebra::DMatrix;
 
@@ -153,7 +153,7 @@ fn balance(map: &mut DMatrix<f64>) {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::check::tolerance::within;
+    use crate::tolerance::within;
 
     fn rows<const N: usize>(rows: [[f64; N]; N]) -> DMatrix<f64> {
         DMatrix::from_row_slice(N, N, rows.as_flattened())

@@ -5,15 +5,14 @@
 //! difference quotient of good steps is off by 1e-7 and would pass off steps that are not symplectic by less than that.
 
 use crate::{
-    check::{
-        dual::Dual,
-        points::{coordinate, numbers, origin},
-    },
+    check::points::{coordinate, numbers, origin},
     clock::Clock,
     coords::Coords,
+    dual::Dual,
     flat::{Flat, flat, shaped},
-    hamiltonian::{Hamiltonian, Motion},
+    hamiltonian::Hamiltonian,
     method::Method,
+    motion::Motion,
     phase::Phase,
 };
 use nalgebra::DMatrix;

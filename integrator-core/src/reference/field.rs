@@ -2,13 +2,7 @@
 //!
 //! States are one list of numbers here, positions first.
 
-use crate::{
-    check::Dual,
-    coords::Coords,
-    hamiltonian::{Hamiltonian, Motion},
-    phase::Phase,
-    real::Real,
-};
+use crate::{coords::Coords, dual::Dual, hamiltonian::Hamiltonian, motion::Motion, phase::Phase, real::Real};
 use core::cell::Cell;
 use nalgebra::DMatrix;
 

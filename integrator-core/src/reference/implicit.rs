@@ -2,10 +2,10 @@
 
 use super::walk::{Place, Recipe};
 use crate::{
-    check::{largest, ratio},
     error::Unsolved,
     method::{Described, Facts},
     real::Real,
+    tolerance::{largest, ratio},
 };
 use nalgebra::{DMatrix, DVector};
 

@@ -4,7 +4,7 @@ use super::{
     Recurrences, Taylor,
     expansion::{Of, advance_by},
 };
-use crate::{group::GroupMoves, hamiltonian::Motion, in_lanes::InLanes, real::Real, slot::Keep};
+use crate::{group::GroupMoves, in_lanes::InLanes, motion::Motion, real::Real, slot::Keep};
 
 impl<H: Recurrences> InLanes<H> for Taylor {
     fn group_moves<L: Real, K: Keep, const REGISTERS: usize>() -> GroupMoves<Of<H, L, K>> {

@@ -58,6 +58,8 @@ pub(crate) mod series;
 mod states;
 pub(crate) mod table;
 pub(crate) mod turns;
+mod visit;
 
 pub use method::Taylor;
 pub use recurrences::Recurrences;
+pub use visit::RecurrencesVisitor;

@@ -15,9 +15,10 @@ pub use error::ChooseError;
 pub use ranking::{Choice, Ranking};
 
 use crate::{
-    check::{CheckError, points::begin, start::Start, tolerance::within},
+    check::{CheckError, points::begin, start::Start},
     hamiltonian::{Hamiltonian, Shaped},
     slot::Keep,
+    tolerance::within,
 };
 use problem::Problem;
 

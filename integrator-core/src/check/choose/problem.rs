@@ -12,15 +12,16 @@ use crate::{
         points::{flat_start, plain},
         reference::{Reference, by_series},
         start::Start,
-        tolerance::{largest, ratio, within},
     },
     coords::Coords,
     error::Error,
     flat::{flat, shaped},
-    hamiltonian::{Hamiltonian, Motion, Shaped},
+    hamiltonian::{Hamiltonian, Shaped},
+    motion::Motion,
     phase::Phase,
     run::Run,
     slot::Keep,
+    tolerance::{largest, ratio, within},
 };
 use std::time::Instant;
 

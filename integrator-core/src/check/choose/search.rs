@@ -8,11 +8,7 @@ use super::{
     candidate::Candidate,
     problem::{MOST_EVALUATIONS, Problem, stalled},
 };
-use crate::{
-    check::{CheckError, tolerance::within},
-    hamiltonian::Hamiltonian,
-    slot::Keep,
-};
+use crate::{check::CheckError, hamiltonian::Hamiltonian, slot::Keep, tolerance::within};
 
 /// The first round's evaluations.
 const FIRST_ROUND: u64 = 64;

@@ -231,7 +231,7 @@ elementary_functions!(real_of_two_parts! {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{check::tolerance::within, elementary::Elementary};
+    use crate::{elementary::Elementary, tolerance::within};
 
     /// The difference quotient of fourth order, good to about 1e-11 at unit scale.
     fn quotient(f: impl Fn(f64) -> f64, x: f64) -> f64 {
