@@ -7,6 +7,7 @@ use super::{
     series::HIGHEST,
 };
 use crate::{
+    coords::Coords,
     error::Error,
     hamiltonian::Shaped,
     method::{Described, Facts, Method},
@@ -77,7 +78,8 @@ impl Described for Taylor {
 }
 
 impl<H: Recurrences> Method<H> for Taylor {
-    const WIDE: bool = true;
+    /// Polynomials of one coordinate fit into the registers of any set, and those of AVX-512 make its steps no faster.
+    const WIDE: bool = !matches!((H::Coords::LENGTH, H::Coords::COMPONENTS), (Some(1), 1));
     type Constants = Constants<H::Parameters<f64>>;
     type Motion<R: Real, K: Keep> = Expansion<R, Shaped<H, K>, H::Parameters<R>, H::Tape<R>>;
 

@@ -5,9 +5,9 @@
 //! depend on where a run is looked at, so that its states do not either.
 //!
 //! Nothing of it is written unless the annotation asks for it, and what is written costs no time to build until a run is by
-//! this method: its first one takes the compiler 3 s for a pendulum and 7 s for pairs of bodies, and 280 to 700 kB of
-//! program, because each order of a pendulum and each instruction set has code of its own; the first ensemble takes 8 to
-//! 15 s and 0.7 to 1.4 MB, since there is code for lanes of each instruction set. Checks of errors
+//! this method: its first one takes the compiler 2 s for a pendulum and 5 s for pairs of bodies, and 150 to 400 kB of
+//! program, because each order of a pendulum and each instruction set has code of its own; the first ensemble takes 6 to
+//! 9 s and 0.4 to 0.7 MB, since there is code for lanes of each instruction set. Checks of errors
 //! take their exact motion from it, which adds 0.3 s and 65 kB to a program that calls them.
 //!
 //! A polynomial follows the branch that its beginning is in. Where sides of an `if` or of `abs` do not meet smoothly, a
