@@ -220,8 +220,12 @@ impl<C: Coords> Ensemble<C> {
     /// [`Error::Member`] naming the first member whose new state is refused, for the reasons of [`Run::map_state`]; all
     /// members stay as they were.
     pub fn map_states(&mut self, mut map: impl FnMut(usize, &mut Phase<C>)) -> Result<(), Error> {
-        let mut states: Vec<_> = self.states().collect();
-        for (member, state) in states.iter_mut().enumerate().filter(|(member, _)| self.members.is_under_way(*member)) {
+        let mut states = Vec::with_capacity(self.len());
+        for pack in 0..self.members.packs() {
+            self.members.states(pack, &mut |_, state| states.push(shaped::<C>(state).clone()));
+        }
+        for member in self.members.under_way() {
+            let state = &mut states[member];
             change(state, self.members.clock.h, |state| map(member, state)).map_err(of_member(member))?;
             self.members.changed(member, state)?;
         }

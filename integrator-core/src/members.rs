@@ -162,8 +162,14 @@ impl Members {
         self.clock.at(self.clock.steps)
     }
 
-    pub(crate) fn is_under_way(&self, member: usize) -> bool {
-        self.pack_of(member).is_some_and(|pack| pack.is_under_way(member))
+    /// The members that are neither lost nor gone.
+    pub(crate) fn under_way(&self) -> Vec<usize> {
+        let mut members = Vec::with_capacity(self.count);
+        for (number, pack) in self.packs.iter().enumerate() {
+            let end = self.packs.get(number + 1).map_or(self.count, |next| next.first());
+            members.extend((pack.first()..end).filter(|member| pack.is_under_way(*member)));
+        }
+        members
     }
 
     pub(crate) fn steps_of(&self, member: usize) -> Option<u64> {

@@ -305,9 +305,8 @@ impl Pack for SideBySide {
     }
 
     fn restart(&mut self, states: &States, steps: u64) {
-        let motions = loaded(&*self.motions, at(self.first, &self.lanes, states));
-        let places = core::mem::take(&mut self.lanes);
-        self.set_lanes(places, motions);
+        // The copies take over what they need of these before they are looked at.
+        self.motions = loaded(&*self.motions, at(self.first, &self.lanes, states));
         self.opened = steps;
     }
 }
