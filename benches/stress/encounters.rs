@@ -114,14 +114,14 @@ pub(crate) fn resolved(steps: u64) -> Vec<Encounter> {
     resolved
 }
 
-/// Orbits that no step of this length survives, and units out of all numbers.
-pub(crate) fn unresolved(steps: u64) -> Vec<Encounter> {
+/// Orbits that no step of these lengths survives, two bodies that collide and three that meet, and units out of all numbers.
+pub(crate) fn unresolved(steps: u64, colliding: &[f64], meeting: &[f64]) -> Vec<Encounter> {
     let mut unresolved = Vec::new();
-    for h in [0.01, 1e-3, 1.0 / 1024.0] {
+    for &h in colliding {
         let fall = Phase::new([1.0, 0.0], [0.0, 0.0]);
         unresolved.push(follow(&format!("head-on collision, h = {h}"), &Kepler, fall, h, steps, 1e-9));
     }
-    for h in [0.05, 0.01, 2e-3] {
+    for &h in meeting {
         unresolved.push(follow(&format!("three bodies meet, h = {h}"), &PYTHAGOREAN, at_rest(), h, steps, 1e-9));
     }
     for scale in [1e-300, 1e-150, 1e150, 1e300] {

@@ -106,7 +106,8 @@ fn limits_table(steps: u64, lines: &mut Vec<String>) -> Result<(), Box<dyn Failu
 }
 
 fn encounters_table(steps: u64, lines: &mut Vec<String>) -> Result<(), Box<dyn Failure>> {
-    let (resolved, unresolved) = (encounters::resolved(steps), encounters::unresolved(steps));
+    let resolved = encounters::resolved(steps);
+    let unresolved = encounters::unresolved(steps, &[0.01, 1e-3, 1.0 / 1024.0], &[0.05, 0.01, 2e-3]);
     let mut table = Table::new("stress_encounters", &["orbit", "outcome"]);
     for encounter in resolved.iter().chain(&unresolved) {
         table.row([&encounter.name, &encounter.outcome.to_string()], &[]);

@@ -6,7 +6,7 @@ use crate::{
 };
 use integrator_symbolic::hamiltonian;
 use proptest::{prelude::*, test_runner::RngSeed};
-use std::{path::Path, sync::LazyLock};
+use std::{env, path::Path, sync::LazyLock};
 
 #[test]
 fn equal_tokens_give_equal_text() {
@@ -66,15 +66,17 @@ fn samples() -> &'static [Sample] {
     &ALL
 }
 
-/// 100,000 cases in all, most of them short: without optimisation they take under a minute on one core.
+/// So many cases, or as many as the variable `PROPTEST_CASES` says: before a change is merged they are ten times as many.
 fn cases(count: u32) -> ProptestConfig {
     // The same cases every time: a build does not fail for what it did not change. New cases are for the fuzz targets.
     let rng_seed = RngSeed::Fixed(2027);
-    ProptestConfig { failure_persistence: None, rng_seed, ..ProptestConfig::with_cases(count) }
+    let default = ProptestConfig::default();
+    let cases = if env::var_os("PROPTEST_CASES").is_some() { default.cases } else { count };
+    ProptestConfig { failure_persistence: None, rng_seed, cases, ..default }
 }
 
 proptest! {
-    #![proptest_config(cases(25_000))]
+    #![proptest_config(cases(3_000))]
 
     /// Where tokens are lost, doubled, exchanged or replaced, the macro returns the item, and code or messages.
     #[test]
@@ -85,7 +87,7 @@ proptest! {
 }
 
 proptest! {
-    #![proptest_config(cases(75_000))]
+    #![proptest_config(cases(10_000))]
 
     /// So it does for bodies that nobody would write.
     #[test]
