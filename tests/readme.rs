@@ -1,55 +1,94 @@
-//! The documents say what is true: the table is what was proved, the commands are what is run, lists are complete.
+//! The documents say what is true: the commands are what is run, lists are complete, links lead somewhere.
 
-#[path = "../integrator-core/src/catalogue_list.rs"]
-mod catalogue;
+use std::{
+    fs,
+    path::{Path, PathBuf},
+};
 
-use catalogue::for_each_composition;
-use integrator_core::{Class, prelude::*};
-use std::{fs, path::Path};
+fn root() -> &'static Path {
+    Path::new(env!("CARGO_MANIFEST_DIR"))
+}
 
-const BEGIN: &str = "<!-- compositions: begin -->\n";
-const END: &str = "<!-- compositions: end -->";
-
-fn text(path: &str) -> String {
-    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join(path);
+fn text(path: impl AsRef<Path>) -> String {
+    let path = root().join(path);
     fs::read_to_string(&path).unwrap_or_else(|error| panic!("{}: {error}", path.display()))
 }
 
-/// One row of the table, and what rows are sorted by.
-fn row<X: Scheme>(_: X) -> ((u32, usize, &'static str), String) {
-    let symmetric = if X::SYMMETRIC { "yes" } else { "no" };
-    let kinetic = if X::CLASS == Class::General { "any" } else { "quadratic" };
-    let (name, order, forces, limit) = (X::NAME, X::ORDER, X::FORCE_EVALUATIONS, X::STABILITY_LIMIT);
-    let row = format!("| `{name}` | {order} | {symmetric} | {kinetic} | {forces} | {limit:.2} |\n");
-    ((X::ORDER, X::FORCE_EVALUATIONS, X::NAME), row)
+/// The pages in a folder, relative to the root, without those of folders in it.
+fn pages_in(folder: &str) -> Vec<PathBuf> {
+    let entries = fs::read_dir(root().join(folder)).expect("a folder of pages");
+    let names = entries.map(|entry| Path::new(folder).join(entry.expect("an entry").file_name()));
+    names.filter(|path| path.extension().is_some_and(|extension| extension == "md")).collect()
 }
 
-/// The table as it has to be: lowest order first, and in each order the cheapest step.
-fn table() -> String {
-    let mut rows = Vec::new();
-    macro_rules! note {
-        ($($name:ident)*) => { rows.extend([$(row($name)),*]); };
-    }
-    for_each_composition!(general: note!);
-    for_each_composition!(quadratic: note!);
-    rows.sort();
-    let head = "| composition | order | symmetric | `T` | forces per step | stable for `h·ω` below |\n\
-                |---|---|---|---|---|---|\n";
-    rows.into_iter().fold(head.to_owned(), |table, (_, row)| table + &row)
+/// Every document that is written for readers.
+fn pages() -> Vec<PathBuf> {
+    let pages = ["", "docs", "docs/guide/src", "integrator-core", "integrator-macros", "integrator-symbolic"]
+        .map(pages_in)
+        .concat();
+    assert!(pages.len() > 20, "the pages are found: {pages:?}");
+    pages
 }
 
-/// After a change of the catalogue, `UPDATE_README=1 cargo test -p integrator --test readme` writes the table anew.
+/// The lines of a page outside of its blocks of code.
+fn prose(page: &str) -> impl Iterator<Item = &str> {
+    let mut code = false;
+    page.lines().filter(move |line| {
+        let fence = line.starts_with("```");
+        code ^= fence;
+        !code && !fence
+    })
+}
+
+/// A heading as links name it: in small letters, words joined by hyphens, without other punctuation.
+fn anchor(heading: &str) -> String {
+    let kept = heading.trim_start_matches('#').trim().to_lowercase();
+    let kept = kept.chars().filter(|letter| letter.is_alphanumeric() || [' ', '-', '_'].contains(letter));
+    kept.map(|letter| if letter == ' ' { '-' } else { letter }).collect()
+}
+
+/// Two screens: what is longer has a page of its own in `docs`.
 #[test]
-fn the_table_is_what_was_proved() {
+fn the_readme_is_short() {
+    let length = text("README.md").len();
+    assert!(length <= 10 * 1024, "README.md has {length} bytes");
+}
+
+#[test]
+fn the_readme_counts_the_catalogue() {
+    let page = text("docs/compositions.md");
+    let (_, facts) = page.split_once("<!-- facts: begin -->").expect("where the table begins");
+    let (facts, _) = facts.split_once("<!-- facts: end -->").expect("where the table ends");
+    let count = facts.lines().filter(|line| line.starts_with("| `")).count();
+    assert!(text("README.md").contains(&format!("{count} compositions of orders 1 to 10,")), "there are {count}");
+}
+
+/// Times and rates that the README names are those of the page that the benches write.
+#[test]
+fn the_readme_quotes_what_was_measured() {
+    let numbers = |row: &str| row.split_whitespace().filter_map(|word| word.parse().ok()).collect::<Vec<f64>>();
+    let row_of = |page: &str, row: &str| {
+        let line = page.lines().find_map(|line| line.strip_prefix(row)).unwrap_or_else(|| panic!("no row {row:?}"));
+        numbers(&line.replace("·10⁹", ""))
+    };
+    let page = text("docs/performance.md");
+    let measured = |row| row_of(&page, row);
+    let step = measured("pendulum                 verlet");
+    let ensemble = measured("pendulum                 trajectory-steps/s");
+    let chain = measured("fput_1e7                 site-steps/s");
+    let solar = measured("solar_energy_1e-8");
     let readme = text("README.md");
-    let (before, rest) = readme.split_once(BEGIN).expect("where the table begins");
-    let (shown, after) = rest.split_once(END).expect("where the table ends");
-    let table = table();
-    if std::env::var_os("UPDATE_README").is_some() {
-        let updated = format!("{before}{BEGIN}{table}{END}{after}");
-        fs::write(Path::new(env!("CARGO_MANIFEST_DIR")).join("README.md"), updated).expect("a README to write");
-    } else {
-        assert_eq!(shown, table, "run this test with UPDATE_README=1");
+    for (row, expected) in [
+        ("| a pendulum, per force evaluation |", [step[0], step[3]]),
+        ("| an ensemble of pendulums |", [ensemble[0] / 1e9, ensemble[2]]),
+        ("| a chain of 10⁷ sites |", [chain[0] / 1e9, chain[0] / chain[1]]),
+        ("| the outer solar system, to an energy error of 10⁻⁸ |", [solar[0], solar[1]]),
+    ] {
+        let quoted = row_of(&readme, row);
+        // Two digits are off by half a unit of the second, a twentieth of the number at most.
+        let near = |(quoted, expected): (&f64, f64)| (quoted / expected - 1.0).abs() <= 0.05;
+        assert!(quoted.iter().zip(expected).all(near), "{row} {quoted:?} for {expected:?}");
+        assert_eq!(quoted.len(), 2, "{row} {quoted:?}");
     }
 }
 
@@ -81,13 +120,36 @@ fn every_elementary_function_is_documented() {
     }
 }
 
-/// Files that the README and the architecture send a reader to are there.
+/// Links to files and to headings of them, of all documents.
 #[test]
 fn every_link_leads_somewhere() {
-    for page in ["README.md", "ARCHITECTURE.md", "CHANGELOG.md"] {
-        for link in text(page).split("](").skip(1).filter_map(|rest| rest.split(')').next()) {
-            let local = !link.starts_with("http") && !link.starts_with('#');
-            assert!(!local || Path::new(env!("CARGO_MANIFEST_DIR")).join(link).exists(), "{page} links to {link}");
+    let mut local = 0;
+    for page in pages() {
+        let shown = page.display();
+        let folder = page.parent().expect("a folder");
+        let page_text = text(&page);
+        let links = prose(&page_text).flat_map(|line| line.split("](").skip(1));
+        for link in links.filter_map(|rest| rest.split(')').next()).filter(|link| !link.starts_with("http")) {
+            let (file, heading) = link.split_once('#').unwrap_or((link, ""));
+            let target = if file.is_empty() { page.clone() } else { folder.join(file) };
+            assert!(root().join(&target).exists(), "{shown} links to {link}");
+            let headed = || prose(&text(&target)).any(|line| line.starts_with('#') && anchor(line) == heading);
+            assert!(heading.is_empty() || headed(), "{shown} links to {link}, and there is no such heading");
+            local += 1;
+        }
+    }
+    assert!(local > 50, "the links are found: {local}");
+}
+
+/// Every page with programs is among the documentation tests of `integrator-core`; those of the guide are held to their list
+/// in `integrator-cli/tests/guide.rs`.
+#[test]
+fn every_program_of_a_page_is_run() {
+    let library = text("integrator-core/src/lib.rs");
+    for page in ["", "docs"].map(pages_in).concat() {
+        if text(&page).contains("\nuse integrator_core::") {
+            let included = format!("include_str!(\"../../{}\")", page.display());
+            assert!(library.contains(&included), "integrator-core/src/lib.rs lacks {included}");
         }
     }
 }

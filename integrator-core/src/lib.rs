@@ -206,10 +206,19 @@ pub use slot::Compensated;
 pub use taylor::RecurrencesVisitor;
 pub use visit::{Visitor, visit_general, visit_quadratic};
 
-/// The examples of the README, so that they compile and hold.
+/// The programs of the README and of the pages in `docs`, so that they compile and hold. These are files of the repository
+/// alone: nothing but its documentation tests reads them.
 #[cfg(doctest)]
-#[doc = include_str!("../../README.md")]
-mod readme {}
+mod documents {
+    #[doc = include_str!("../../README.md")]
+    mod readme {}
+    #[doc = include_str!("../../docs/compositions.md")]
+    mod compositions {}
+    #[doc = include_str!("../../docs/examples.md")]
+    mod examples {}
+    #[doc = include_str!("../../docs/promises.md")]
+    mod promises {}
+}
 
 #[cfg(doctest)]
 mod guide;

@@ -1,4 +1,4 @@
-//! A Hamiltonian of one's own, added as the README says: the annotated impl and the row that are printed there.
+//! A Hamiltonian of one's own, added as `docs/examples.md` says: the annotated impl and the row that are printed there.
 
 use crate::{
     SMALL, claims::verdicts, notes::notes, pictures::PICTURES, problem::Problem, study::measure, systems::System,
@@ -90,8 +90,9 @@ fn a_hamiltonian_that_reads_the_time_has_its_page() {
 }
 
 #[test]
-fn the_system_of_the_readme_has_its_page() {
-    let readme = fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join("README.md")).expect("a README");
+fn the_system_of_the_examples_has_its_page() {
+    let page = Path::new(env!("CARGO_MANIFEST_DIR")).join("docs/examples.md");
+    let page = fs::read_to_string(page).expect("a page");
     let own = include_str!("own.rs");
     let printed = own
         .split("struct Duffing")
@@ -103,7 +104,7 @@ fn the_system_of_the_readme_has_its_page() {
         .map(str::trim)
         .filter(|line| line.len() > 8 && !line.contains("ROW") && !line.contains("// The row"))
     {
-        assert!(readme.contains(line), "the README lacks {line:?}");
+        assert!(page.contains(line), "docs/examples.md lacks {line:?}");
     }
     let study = ROW.study(&SMALL).expect("measurements");
     assert_eq!(study.system, "duffing");
