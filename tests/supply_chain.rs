@@ -1,5 +1,6 @@
-//! What the crates are built from and with: licences, sources, the oldest compiler.
+//! What the crates are built from and with, and what is published: licences, sources, the oldest compiler, packages.
 
+use serde_json::Value;
 use std::{fs, path::Path, process::Command};
 
 fn text(path: &str) -> String {
@@ -27,6 +28,24 @@ fn is_allowed(expression: &str, allowed: &[String]) -> bool {
     })
 }
 
+/// What a command of cargo prints.
+fn cargo(arguments: &[&str]) -> String {
+    let output = Command::new(env!("CARGO"))
+        .args(arguments)
+        .current_dir(env!("CARGO_MANIFEST_DIR"))
+        .output()
+        .expect("cargo runs");
+    assert!(output.status.success(), "cargo {arguments:?}: {}", String::from_utf8_lossy(&output.stderr));
+    String::from_utf8(output.stdout).expect("text")
+}
+
+/// The packages that `cargo metadata` lists.
+fn packages(options: &[&str]) -> Vec<Value> {
+    let arguments = [&["metadata", "--format-version", "1", "--locked"], options].concat();
+    let metadata: Value = serde_json::from_str(&cargo(&arguments)).expect("JSON");
+    metadata["packages"].as_array().expect("a list").clone()
+}
+
 #[test]
 fn expressions_are_read() {
     let allowed = allowed();
@@ -45,16 +64,9 @@ fn every_package_has_an_allowed_licence_and_comes_from_the_registry() {
     let compiler = Command::new("rustc").arg("-vV").output().expect("rustc runs").stdout;
     let compiler = String::from_utf8_lossy(&compiler).into_owned();
     let host = compiler.lines().find_map(|line| line.strip_prefix("host: ")).expect("the host");
-    let output = Command::new(env!("CARGO"))
-        .args(["metadata", "--format-version", "1", "--locked", "--filter-platform", host])
-        .current_dir(env!("CARGO_MANIFEST_DIR"))
-        .output()
-        .expect("cargo runs");
-    let metadata: serde_json::Value = serde_json::from_slice(&output.stdout)
-        .unwrap_or_else(|error| panic!("{error}: {}", String::from_utf8_lossy(&output.stderr)));
-    let packages = metadata["packages"].as_array().expect("a list");
+    let packages = packages(&["--filter-platform", host]);
     assert!(packages.len() > 20, "dependencies are listed");
-    for package in packages {
+    for package in &packages {
         let (name, licence) = (&package["name"], package["license"].as_str().unwrap_or_default());
         assert!(is_allowed(licence, &allowed), "{name} has the licence {licence:?}");
         let source = package["source"].as_str();
@@ -85,5 +97,51 @@ fn the_documentation_of_published_crates_has_all_features() {
     for member in PUBLISHED {
         let manifest = text(&format!("{member}/Cargo.toml"));
         assert!(manifest.contains("\n[package.metadata.docs.rs]\nall-features = true\n"), "{member}");
+    }
+}
+
+/// A registry asks for a description and a licence, and readers find a crate by the rest. The limits are those of crates.io.
+#[test]
+fn published_crates_are_described() {
+    let packages = packages(&["--no-deps"]);
+    let is_published = |package: &&Value| package["publish"].is_null();
+    let mut published: Vec<&str> =
+        packages.iter().filter(is_published).filter_map(|package| package["name"].as_str()).collect();
+    published.sort_unstable();
+    assert_eq!(published, PUBLISHED, "every other crate has `publish = false`");
+    for package in packages.iter().filter(is_published) {
+        let name = package["name"].as_str().expect("a name");
+        for key in ["description", "license", "readme", "rust_version"] {
+            assert!(package[key].as_str().is_some_and(|value| !value.is_empty()), "{name} has no {key}");
+        }
+        for key in ["keywords", "categories"] {
+            let values = package[key].as_array().expect("a list");
+            assert!((1..=5).contains(&values.len()), "{name} has {} {key}", values.len());
+            let short = |value: &Value| value.as_str().is_some_and(|value| value.len() <= 20);
+            assert!(key == "categories" || values.iter().all(short), "{name}: a keyword has 20 letters at most");
+        }
+        let about = text(&format!("{name}/README.md"));
+        assert!(about.starts_with(&format!("# {name}\n")), "{name}/README.md begins with the name");
+    }
+}
+
+/// A package has its sources, its README and its licences, and nothing that needs the rest of the repository.
+#[test]
+fn packages_hold_what_they_need() {
+    let written = ["Cargo.toml", "Cargo.toml.orig", "Cargo.lock", ".cargo_vcs_info.json"];
+    let added = ["README.md", "LICENSE-APACHE", "LICENSE-MIT"];
+    for member in PUBLISHED {
+        let list = cargo(&["package", "--list", "--allow-dirty", "--offline", "-p", member]);
+        let files: Vec<&str> = list.lines().collect();
+        for file in added.into_iter().chain(["src/lib.rs"]) {
+            assert!(files.contains(&file), "the package of {member} lacks {file}");
+        }
+        for file in &files {
+            let known = file.starts_with("src/") || added.contains(file) || written.contains(file);
+            assert!(known, "the package of {member} has {file}");
+        }
+        for licence in ["LICENSE-APACHE", "LICENSE-MIT"] {
+            assert_eq!(text(&format!("{member}/{licence}")), text(licence), "{member}/{licence}");
+        }
     }
 }
