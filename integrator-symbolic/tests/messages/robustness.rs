@@ -66,7 +66,7 @@ fn samples() -> &'static [Sample] {
     &ALL
 }
 
-/// So many cases, or as many as the variable `PROPTEST_CASES` says: before a change is merged they are ten times as many.
+/// So many cases, or as many as the variable `PROPTEST_CASES` says: before a change is merged they are many more.
 fn cases(count: u32) -> ProptestConfig {
     // The same cases every time: a build does not fail for what it did not change. New cases are for the fuzz targets.
     let rng_seed = RngSeed::Fixed(2027);
