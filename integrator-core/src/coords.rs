@@ -2,6 +2,7 @@
 
 use crate::{
     aligned::Aligned,
+    phase::Phase,
     real::Real,
     slot::{Keep, Slot},
 };
@@ -43,17 +44,17 @@ pub trait Coords: Clone + Debug + PartialEq + Send + Sync + 'static {
     fn slots<R: Real>(slots: &Self::Slots<R>) -> &[<Self::Leaf as Keep>::Slot<R>];
     /// Slots as a flat slice, to be written.
     fn slots_mut<R: Real>(slots: &mut Self::Slots<R>) -> &mut [<Self::Leaf as Keep>::Slot<R>];
-    /// Slots filled from one set of coordinates per lane.
+    /// Slots filled from the positions or the momenta of one state per lane.
     #[inline(always)]
-    fn inward<'a, R: Real>(of_lane: &dyn Fn(usize) -> &'a Self) -> Self::Slots<R> {
-        Self::slots_from(of_lane(0).flat().len(), |k| Self::Leaf::inward(&|lane| of_lane(lane).flat()[k]))
+    fn inward<R: Real>(states: &[&Phase<Self>], half: fn(&Phase<Self>) -> &Self) -> Self::Slots<R> {
+        Self::slots_from(half(states[0]).flat().len(), |k| Self::Leaf::inward(&|lane| half(states[lane]).flat()[k]))
     }
-    /// The slots of one set of coordinates per lane as a list.
-    fn listed<'a, R: Real>(of_lane: &dyn Fn(usize) -> &'a Self) -> Vec<<Self::Leaf as Keep>::Slot<R>> {
-        let count = of_lane(0).flat().len();
+    /// The slots of the positions or the momenta of one state per lane as a list.
+    fn listed<R: Real>(states: &[&Phase<Self>], half: fn(&Phase<Self>) -> &Self) -> Vec<<Self::Leaf as Keep>::Slot<R>> {
+        let count = half(states[0]).flat().len();
         let mut slots = Vec::with_capacity(count);
         for k in 0..count {
-            slots.push(Self::Leaf::inward(&|lane| of_lane(lane).flat()[k]));
+            slots.push(Self::Leaf::inward(&|lane| half(states[lane]).flat()[k]));
         }
         slots
     }

@@ -76,8 +76,8 @@ pub(crate) fn energy<H: Hamiltonian, K: Keep>(
         |part: usize| Phase { q: state.q.map(|leaf| leaf.parts()[part]), p: state.p.map(|leaf| leaf.parts()[part]) };
     let value = part(0);
     let carried = if K::Energy::LANES > 1 { Some(part(1)) } else { None };
-    let of_lane = |lane: usize| (parameters, carried.as_ref().filter(|_| lane > 0).unwrap_or(&value));
-    let motion = H::Motion::<K::Energy, f64>::load(&of_lane);
+    let states = [&value, carried.as_ref().unwrap_or(&value)];
+    let motion = H::Motion::<K::Energy, f64>::load(&[parameters; 2], &states);
     K::Energy::enter(Energy::<H, K::Energy> { motion: &motion, time })
 }
 

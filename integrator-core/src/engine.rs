@@ -141,7 +141,7 @@ pub(crate) struct Solo<M, P, C> {
 
 impl<M: Motion<C, P>, P, C: Coords> Solo<M, P, C> {
     pub(crate) fn new(constants: Arc<P>, start: Phase<C>, moves: Moves<M>, energies: Arc<dyn Energies<C>>) -> Self {
-        let motion = M::load(&|_| (&*constants, &start));
+        let motion = M::load(&[&*constants], &[&start]);
         Self { watched: Watched::new(motion, moves), constants, energies, shape: start }
     }
 
@@ -191,7 +191,7 @@ impl<M: Motion<C, P>, P: Send + Sync + 'static, C: Coords> Engine<C> for Solo<M,
 
     fn restart(&mut self, state: &Phase<C>) {
         let moves = self.watched.moves;
-        let mut motion = M::load(&|_| (&*self.constants, state));
+        let mut motion = M::load(&[&*self.constants], &[state]);
         motion.share_among(moves.threads);
         self.watched = Watched::new(motion, moves);
     }
@@ -214,7 +214,7 @@ impl<M: Motion<C, P>, P: Send + Sync + 'static, C: Coords> Engine<C> for Solo<M,
             Some(motion) => motion,
             None => {
                 let clock = Clock { t0: clock.at(clock.steps), h: duration, steps: 0 };
-                let mut motion = M::load(&|_| (&**constants, from));
+                let mut motion = M::load(&[&**constants], &[from]);
                 moves.advance(&mut motion, clock, 1);
                 shorter = moves.shown(motion, Clock { steps: 1, ..clock });
                 &shorter

@@ -31,17 +31,47 @@ impl<F: Copy, const N: usize> Lanes<F, N> {
     }
     #[inline(always)]
     fn map(self, of: impl Fn(F) -> F) -> Self {
-        Self(core::array::from_fn(|lane| of(self.0[lane])))
+        let Self(mut parts) = self;
+        for part in &mut parts {
+            *part = of(*part);
+        }
+        Self(parts)
     }
     #[inline(always)]
     fn zip(self, other: Self, of: impl Fn(F, F) -> F) -> Self {
-        Self(core::array::from_fn(|lane| of(self.0[lane], other.0[lane])))
+        let (Self(mut parts), Self(others)) = (self, other);
+        for part in 0..N {
+            parts[part] = of(parts[part], others[part]);
+        }
+        Self(parts)
+    }
+}
+
+impl<F: Real, const N: usize> Lanes<F, N> {
+    #[inline(always)]
+    fn compare(self, other: Self, holds: impl Fn(F, F) -> F::Mask) -> LaneMask<F::Mask, N> {
+        let (Self(parts), Self(others), mut mask) = (self, other, [F::Mask::of(false); N]);
+        for part in 0..N {
+            mask[part] = holds(parts[part], others[part]);
+        }
+        LaneMask(mask)
     }
 }
 
 /// Which lanes a condition holds in.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LaneMask<M, const N: usize>([M; N]);
+
+impl<M: Mask, const N: usize> LaneMask<M, N> {
+    #[inline(always)]
+    fn zip(self, other: Self, of: impl Fn(M, M) -> M) -> Self {
+        let (Self(mut lanes), Self(others)) = (self, other);
+        for lane in 0..N {
+            lanes[lane] = of(lanes[lane], others[lane]);
+        }
+        Self(lanes)
+    }
+}
 
 impl<M: Mask, const N: usize> Mask for LaneMask<M, N> {
     #[inline(always)]
@@ -50,19 +80,23 @@ impl<M: Mask, const N: usize> Mask for LaneMask<M, N> {
     }
     #[inline(always)]
     fn any(self) -> bool {
-        self.0.into_iter().fold(false, |any, lane| any | lane.any())
+        let mut any = false;
+        for lane in &self.0 {
+            any |= lane.any();
+        }
+        any
     }
     #[inline(always)]
     fn and(self, other: Self) -> Self {
-        Self(core::array::from_fn(|lane| self.0[lane].and(other.0[lane])))
+        self.zip(other, M::and)
     }
     #[inline(always)]
     fn or(self, other: Self) -> Self {
-        Self(core::array::from_fn(|lane| self.0[lane].or(other.0[lane])))
+        self.zip(other, M::or)
     }
     #[inline(always)]
     fn not(self) -> Self {
-        Self(self.0.map(M::not))
+        self.zip(self, |lane, _| lane.not())
     }
 }
 
@@ -137,15 +171,27 @@ macro_rules! lanes_real {
             }
             #[inline(always)]
             fn parameter(of_lane: &dyn Fn(usize) -> f64) -> Self {
-                Self(core::array::from_fn(|part| F::parameter(&|lane| of_lane(part * F::LANES + lane))))
+                let mut parts = [F::of(0.0); N];
+                for (number, part) in parts.iter_mut().enumerate() {
+                    *part = F::parameter(&|lane| of_lane(number * F::LANES + lane));
+                }
+                Self(parts)
             }
             #[inline(always)]
             fn state(of_lane: &dyn Fn(usize) -> f64) -> Self {
-                Self(core::array::from_fn(|part| F::state(&|lane| of_lane(part * F::LANES + lane))))
+                let mut parts = [F::of(0.0); N];
+                for (number, part) in parts.iter_mut().enumerate() {
+                    *part = F::state(&|lane| of_lane(number * F::LANES + lane));
+                }
+                Self(parts)
             }
             #[inline(always)]
             fn fma(self, b: Self, c: Self) -> Self {
-                Self(core::array::from_fn(|lane| self.0[lane].fma(b.0[lane], c.0[lane])))
+                let Self(mut parts) = self;
+                for part in 0..N {
+                    parts[part] = parts[part].fma(b.0[part], c.0[part]);
+                }
+                Self(parts)
             }
             #[inline(always)]
             fn over_root_cubed(self, x: Self) -> Self {
@@ -153,29 +199,40 @@ macro_rules! lanes_real {
             }
             #[inline(always)]
             fn sin_cos(self) -> (Self, Self) {
-                let both = self.0.map(F::sin_cos);
-                (Self(both.map(|(sine, _)| sine)), Self(both.map(|(_, cosine)| cosine)))
+                let (mut sines, mut cosines) = (self, self);
+                for part in 0..N {
+                    (sines.0[part], cosines.0[part]) = self.0[part].sin_cos();
+                }
+                (sines, cosines)
             }
             fast_functions!(fast_lanes);
             #[inline(always)]
             fn finite(self) -> bool {
-                self.0.into_iter().all(F::finite)
+                let mut finite = true;
+                for part in &self.0 {
+                    finite = finite && part.finite();
+                }
+                finite
             }
             #[inline(always)]
             fn less(self, other: Self) -> Self::Mask {
-                LaneMask(core::array::from_fn(|lane| self.0[lane].less(other.0[lane])))
+                self.compare(other, F::less)
             }
             #[inline(always)]
             fn less_or_equal(self, other: Self) -> Self::Mask {
-                LaneMask(core::array::from_fn(|lane| self.0[lane].less_or_equal(other.0[lane])))
+                self.compare(other, F::less_or_equal)
             }
             #[inline(always)]
             fn equal(self, other: Self) -> Self::Mask {
-                LaneMask(core::array::from_fn(|lane| self.0[lane].equal(other.0[lane])))
+                self.compare(other, F::equal)
             }
             #[inline(always)]
             fn select(mask: Self::Mask, a: Self, b: Self) -> Self {
-                Self(core::array::from_fn(|lane| F::select(mask.0[lane], a.0[lane], b.0[lane])))
+                let Self(mut parts) = a;
+                for part in 0..N {
+                    parts[part] = F::select(mask.0[part], parts[part], b.0[part]);
+                }
+                Self(parts)
             }
             $(
                 #[inline(always)]

@@ -150,6 +150,8 @@ mod phase;
 mod plane;
 #[cfg(feature = "std")]
 mod point;
+#[allow(unreachable_pub, reason = "named in bounds, never outside")]
+mod prepared;
 mod real;
 #[cfg(feature = "reference")]
 #[allow(unreachable_pub, reason = "named in bounds, never outside")]
@@ -257,6 +259,7 @@ pub mod __private {
         motion::{Motion, Plain, Prepared},
         neighbours::Neighbours,
         pair::{Pair, pair},
+        prepared::in_lanes,
         real::{Kernel, Mask, Real},
         ring::Ring,
         row::Row,

@@ -87,8 +87,11 @@ impl<R: Real, const N: usize, const D: usize, const S: usize> Bodies<Lanes<R, N>
     pub(crate) fn body(&self, body: usize) -> Bodies<R, D, S> {
         let zero = R::of(0.0);
         let mut one = Bodies { q: [zero; D], of: [zero; S] };
-        for (one, all) in one.q.iter_mut().zip(&self.q).chain(one.of.iter_mut().zip(&self.of)) {
-            *one = all.part(body);
+        for d in 0..D {
+            one.q[d] = self.q[d].part(body);
+        }
+        for s in 0..S {
+            one.of[s] = self.of[s].part(body);
         }
         one
     }
@@ -106,16 +109,16 @@ fn rotated<R: Real, W: Row<R>, const N: usize, const D: usize>(mut rows: [W; D],
 
 #[inline(always)]
 pub(crate) fn add<W: Real, const D: usize>(mut a: [W; D], b: [W; D]) -> [W; D] {
-    for (a, b) in a.iter_mut().zip(b) {
-        *a += b;
+    for d in 0..D {
+        a[d] += b[d];
     }
     a
 }
 
 #[inline(always)]
 fn sub<W: Real, const D: usize>(mut a: [W; D], b: [W; D]) -> [W; D] {
-    for (a, b) in a.iter_mut().zip(b) {
-        *a -= b;
+    for d in 0..D {
+        a[d] -= b[d];
     }
     a
 }
@@ -134,8 +137,8 @@ fn components<H: ManyBody<D, S>, W: Real, const D: usize, const S: usize>(
 ) -> [W; D] {
     let mut components = displacement(bodies);
     let force = force.as_ref();
-    for (d, component) in components.iter_mut().enumerate() {
-        *component = if H::CENTRAL { force[0] * *component } else { force[d] };
+    for d in 0..D {
+        components[d] = if H::CENTRAL { force[0] * components[d] } else { force[d] };
     }
     components
 }
@@ -176,11 +179,7 @@ where
     macro_rules! turns {
         ($($by:tt)*) => {$(
             if 2 * $by <= N || $by < N && !H::RECIPROCAL {
-                let force = turn::<H, R, W, N, D, S>(parameters, bodies, present, time, $by);
-                sum = match sum {
-                    Some(sum) => Some(add(sum, force)),
-                    None => Some(force),
-                };
+                sum = with(sum, turn::<H, R, W, N, D, S>(parameters, bodies, present, time, $by));
             }
         )*};
     }
@@ -192,6 +191,15 @@ where
         }
     }
     sum.unwrap_or([W::of(0.0); D])
+}
+
+/// A sum and one addend more.
+#[inline(always)]
+fn with<W: Real, const D: usize>(sum: Option<[W; D]>, addend: [W; D]) -> Option<[W; D]> {
+    Some(match sum {
+        Some(sum) => add(sum, addend),
+        None => addend,
+    })
 }
 
 /// What acts on each body of a row in one turn.
@@ -286,10 +294,11 @@ impl<W: Real, const D: usize, const S: usize> Meeting<W, D, S> {
         if H::acts::<R, W>(parameters, i.q, j.q, i.of, j.of, time) {
             let force = W::pairs::<H, D, S>(parameters, rows, time);
             if H::CENTRAL && self.present.is_none() {
-                let pull = force.as_ref()[0];
-                for (d, apart) in displacement(rows).into_iter().enumerate() {
-                    self.sum[d] = pull.fma(apart, self.sum[d]);
-                    self.reaction[d] = (-pull).fma(apart, self.reaction[d]);
+                let (pull, apart) = (force.as_ref()[0], displacement(rows));
+                let Self { sum, reaction, .. } = self;
+                for d in 0..D {
+                    sum[d] = pull.fma(apart[d], sum[d]);
+                    reaction[d] = (-pull).fma(apart[d], reaction[d]);
                 }
             } else {
                 let force = acting(components::<H, W, D, S>(force, rows), self.present);

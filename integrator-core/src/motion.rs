@@ -28,15 +28,13 @@ pub trait Prepared<R: Real>: Clone + Send + Sync + 'static {
     /// Adds the constants to a fingerprint.
     fn digest(_single: &Self::Single, _digest: &mut Digest) {}
     /// Gathers the constants of one member per lane.
-    fn gather<'a>(of_lane: &dyn Fn(usize) -> &'a Self::Single) -> Self;
+    fn gather(members: &[&Self::Single]) -> Self;
 }
 
 /// State and prepared constants in the layout that the generator chose.
 pub trait Motion<C: Coords, P>: Clone + Send + Sync + 'static {
-    /// One member per lane.
-    fn load<'a>(of_lane: &dyn Fn(usize) -> (&'a P, &'a Phase<C>)) -> Self
-    where
-        P: 'a;
+    /// One member per lane, each with its constants and its state.
+    fn load(constants: &[&P], states: &[&Phase<C>]) -> Self;
     /// One member per lane, each from a lane of another motion, and from there on as it would have gone on there; `None`
     /// where one that is loaded from the states does.
     fn gathered<'a>(_of_lane: &dyn Fn(usize) -> (&'a P, &'a Self, usize)) -> Option<Self>
@@ -75,14 +73,11 @@ pub struct Plain<R: Real, C: Coords, P> {
 }
 
 impl<R: Real, C: Coords, P: Prepared<R>> Motion<C, P::Single> for Plain<R, C, P> {
-    fn load<'a>(of_lane: &dyn Fn(usize) -> (&'a P::Single, &'a Phase<C>)) -> Self
-    where
-        P::Single: 'a,
-    {
+    fn load(constants: &[&P::Single], states: &[&Phase<C>]) -> Self {
         Self {
-            q: C::inward(&|lane| &of_lane(lane).1.q),
-            p: C::inward(&|lane| &of_lane(lane).1.p),
-            parameters: P::gather(&|lane| of_lane(lane).0),
+            q: C::inward(states, |state| &state.q),
+            p: C::inward(states, |state| &state.p),
+            parameters: P::gather(constants),
         }
     }
     #[inline(always)]

@@ -154,16 +154,17 @@ where
     }
 }
 
-/// What goes into the lanes of a motion.
+/// What goes into the lanes of a motion: constants and states.
 fn filling<'m, P, Q, C: Coords>(
     members: &'m [Member<P, Q>],
     lanes: &[(usize, &'m dyn Point)],
-) -> Vec<(&'m Q, &'m Phase<C>)> {
-    let mut filling: Vec<(&Q, &Phase<C>)> = Vec::with_capacity(lanes.len());
+) -> (Vec<&'m Q>, Vec<&'m Phase<C>>) {
+    let (mut constants, mut states) = (Vec::with_capacity(lanes.len()), Vec::with_capacity(lanes.len()));
     for (member, state) in lanes {
-        filling.push((&members[*member].constants, shaped(*state)));
+        constants.push(&*members[*member].constants);
+        states.push(shaped(*state));
     }
-    filling
+    (constants, states)
 }
 
 impl<L, P, Q, C> Motions for Group<L, P, Q, C>
@@ -190,8 +191,8 @@ where
     }
 
     fn push(&mut self, lanes: &[(usize, &dyn Point)]) {
-        let filling = filling(&self.members, lanes);
-        self.motions.push(L::load(&|lane| filling[lane]));
+        let (constants, states) = filling(&self.members, lanes);
+        self.motions.push(L::load(&constants, &states));
     }
 
     fn push_gathered(&mut self, lanes: &[Lane]) -> bool {

@@ -32,21 +32,18 @@ where
     P::Single: PerBody<S>,
 {
     #[inline(always)]
-    fn load<'a>(of_lane: &dyn Fn(usize) -> (&'a P::Single, &'a Phase<C>)) -> Self
-    where
-        P::Single: 'a,
-    {
+    fn load(constants: &[&P::Single], states: &[&Phase<C>]) -> Self {
         Self {
-            q: inward::<R, K, N, D>(0..N, &|lane, k| of_lane(lane).1.q.flat()[k]),
-            p: inward::<R, K, N, D>(0..N, &|lane, k| of_lane(lane).1.p.flat()[k]),
-            of: prepared::<R, N, S>(0..N, &|lane, body| of_lane(lane).0.per_body(body)),
-            parameters: P::gather(&|lane| of_lane(lane).0),
+            q: inward::<R, C, N, D>(&(0..N), states, |state| &state.q),
+            p: inward::<R, C, N, D>(&(0..N), states, |state| &state.p),
+            of: prepared::<R, P::Single, N, S>(&(0..N), constants),
+            parameters: P::gather(constants),
         }
     }
     #[inline(always)]
     fn store(&self, lane: usize, to: &mut Phase<C>) {
-        outward::<R, K, N, D>(0..N, &self.q, lane, to.q.flat_mut());
-        outward::<R, K, N, D>(0..N, &self.p, lane, to.p.flat_mut());
+        outward::<R, K, N, D>(&(0..N), &self.q, lane, to.q.flat_mut());
+        outward::<R, K, N, D>(&(0..N), &self.p, lane, to.p.flat_mut());
     }
     #[inline(always)]
     fn copy_state(&mut self, from: &Self) {
@@ -54,7 +51,11 @@ where
     }
     #[inline(always)]
     fn finite(&self) -> bool {
-        self.q.iter().chain(&self.p).all(|slot| slot.value().finite())
+        let mut finite = true;
+        for slot in self.q.iter().chain(&self.p) {
+            finite = finite && slot.value().finite();
+        }
+        finite
     }
 }
 
@@ -73,9 +74,9 @@ impl<R: Real, K: Keep, P: Prepared<R>, const N: usize, const D: usize, const S: 
     pub fn kick<H: ManyBody<D, S, Parameters<R> = P>>(&mut self, duration: f64, time: f64) {
         let bodies = Bodies { q: values(&self.q), of: self.of };
         let gradient = within::<H, R, R::Row<N>, N, D, S>(&self.parameters, bodies, None, time);
-        let step = Real::of(-duration);
-        for (p, gradient) in self.p.iter_mut().zip(gradient) {
-            p.fma(step, gradient);
+        let (step, p) = (Real::of(-duration), &mut self.p);
+        for d in 0..D {
+            p[d].fma(step, gradient[d]);
         }
     }
     /// The motion in the user's own shape, with slots that hold numbers and nothing else.
@@ -93,8 +94,8 @@ impl<R: Real, K: Keep, P: Prepared<R>, const N: usize, const D: usize, const S: 
     #[inline(always)]
     pub fn push(&mut self, factor: R, other: &Ring<R, f64, P, N, D, S>) {
         let factor = Row::splat(factor);
-        for (slot, number) in self.p.iter_mut().zip(other.p) {
-            slot.fma(factor, number);
+        for d in 0..D {
+            self.p[d].fma(factor, other.p[d]);
         }
     }
 }
@@ -103,6 +104,8 @@ impl<R: Real, P, const N: usize, const D: usize, const S: usize> Ring<R, f64, P,
     /// Takes over momenta in the user's own shape.
     pub fn set_momenta<C: Coords<Leaf = f64>>(&mut self, plain: &Plain<R, C, P>) {
         let p = C::slots(&plain.p);
-        self.p = core::array::from_fn(|d| of_bodies::<R, N>(0..N, &|body| p[body * D + d]));
+        for (d, row) in self.p.iter_mut().enumerate() {
+            *row = of_bodies::<R, N>(&(0..N), &|body| p[body * D + d]);
+        }
     }
 }

@@ -1,9 +1,11 @@
 //! Bodies side by side: what lets one text of a force serve a body at a time on one machine and eight on another.
 
 use crate::{
+    coords::Coords,
     gather::Array,
     lanes::Lanes,
-    many_body::{Bodies, ManyBody},
+    many_body::{Bodies, ManyBody, PerBody},
+    phase::Phase,
     real::Real,
     slot::{Keep, Slot},
 };
@@ -69,52 +71,62 @@ fn place<R: Real>(bodies: &Range<usize>, lane: usize) -> (usize, usize) {
     (bodies.start + lane / R::LANES % bodies.len(), lane % R::LANES)
 }
 
-/// The slots of a row of bodies, from one leaf per lane and coordinate.
-pub(crate) fn inward<R: Real, K: Keep, const N: usize, const D: usize>(
-    bodies: Range<usize>,
-    leaf: &dyn Fn(usize, usize) -> K,
-) -> [K::Slot<R::Row<N>>; D] {
-    core::array::from_fn(|d| {
-        K::inward(&|lane| {
-            let (body, lane) = place::<R>(&bodies, lane);
-            leaf(lane, body * D + d)
+/// The slots of a row of bodies, from the positions or the momenta of one state per lane.
+pub(crate) fn inward<R: Real, C: Coords, const N: usize, const D: usize>(
+    bodies: &Range<usize>,
+    states: &[&Phase<C>],
+    half: fn(&Phase<C>) -> &C,
+) -> [<C::Leaf as Keep>::Slot<R::Row<N>>; D] {
+    let slot = |d: usize| {
+        C::Leaf::inward(&|lane| {
+            let (body, lane) = place::<R>(bodies, lane);
+            half(states[lane]).flat()[body * D + d]
         })
-    })
+    };
+    let mut slots = [slot(0); D];
+    for (d, other) in slots.iter_mut().enumerate() {
+        *other = slot(d);
+    }
+    slots
 }
 
 /// Writes one lane of the slots of a row of bodies to their coordinates.
 #[inline(always)]
 pub(crate) fn outward<R: Real, K: Keep, const N: usize, const D: usize>(
-    bodies: Range<usize>,
+    bodies: &Range<usize>,
     slots: &[K::Slot<R::Row<N>>; D],
     lane: usize,
     to: &mut [K],
 ) {
-    for (place, body) in bodies.enumerate() {
-        for (d, slot) in slots.iter().enumerate() {
-            to[body * D + d] = K::outward(*slot, place * R::LANES + lane);
+    let mut place = lane;
+    for body in to[bodies.start * D..bodies.end * D].chunks_exact_mut(D) {
+        for (leaf, slot) in body.iter_mut().zip(slots) {
+            *leaf = K::outward(*slot, place);
         }
+        place += R::LANES;
     }
 }
 
 /// What is prepared of a row of bodies.
-pub(crate) fn prepared<R: Real, const N: usize, const S: usize>(
-    bodies: Range<usize>,
-    of: &dyn Fn(usize, usize) -> [f64; S],
+pub(crate) fn prepared<R: Real, P: PerBody<S>, const N: usize, const S: usize>(
+    bodies: &Range<usize>,
+    constants: &[&P],
 ) -> [R::Row<N>; S] {
-    core::array::from_fn(|s| {
-        Real::parameter(&|lane| {
-            let (body, lane) = place::<R>(&bodies, lane);
-            of(lane, body)[s]
-        })
-    })
+    let mut of = [Real::of(0.0); S];
+    for (s, row) in of.iter_mut().enumerate() {
+        *row = Real::parameter(&|lane| {
+            let (body, lane) = place::<R>(bodies, lane);
+            constants[lane].per_body(body)[s]
+        });
+    }
+    of
 }
 
 /// A row of numbers, one for each body.
 #[inline(always)]
-pub(crate) fn of_bodies<R: Real, const N: usize>(bodies: Range<usize>, number: &dyn Fn(usize) -> R) -> R::Row<N> {
+pub(crate) fn of_bodies<R: Real, const N: usize>(bodies: &Range<usize>, number: &dyn Fn(usize) -> R) -> R::Row<N> {
     Real::state(&|lane| {
-        let (body, lane) = place::<R>(&bodies, lane);
+        let (body, lane) = place::<R>(bodies, lane);
         number(body).lane(lane)
     })
 }
@@ -123,8 +135,8 @@ pub(crate) fn of_bodies<R: Real, const N: usize>(bodies: Range<usize>, number: &
 #[inline(always)]
 pub(crate) fn values<W: Real, L: Slot<W>, const D: usize>(slots: &[L; D]) -> [W; D] {
     let mut values = [W::of(0.0); D];
-    for (value, slot) in values.iter_mut().zip(slots) {
-        *value = slot.value();
+    for d in 0..D {
+        values[d] = slots[d].value();
     }
     values
 }
@@ -181,8 +193,9 @@ impl<R: Real, const BODIES: usize> Row<R> for Lanes<R, BODIES> {
         for body in 0..BODIES {
             let (i, j) = (i.body(body), j.body(body));
             let force = H::pair::<R, R>(parameters, i.q, j.q, i.of, j.of, time);
-            for (forces, force) in forces.as_mut().iter_mut().zip(force.as_ref()) {
-                forces.set_part(body, *force);
+            let (forces, force) = (forces.as_mut(), force.as_ref());
+            for number in 0..force.len() {
+                forces[number].set_part(body, force[number]);
             }
         }
         forces

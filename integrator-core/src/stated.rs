@@ -60,7 +60,7 @@ impl Function {
         state: &Phase<H::Coords>,
         time: f64,
     ) -> [f64; 2] {
-        let motion = H::Motion::<Bounded, f64>::load(&|_| (parameters, state));
+        let motion = H::Motion::<Bounded, f64>::load(&[parameters; 2], &[state; 2]);
         let energy = match self {
             Self::Kinetic => H::kinetic::<Bounded, f64>(&motion, time),
             Self::Potential => H::potential::<Bounded, f64>(&motion, time),

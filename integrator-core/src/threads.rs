@@ -1,8 +1,6 @@
 //! Threads, where there is an operating system to give some.
 
-#[cfg(feature = "std")]
-use alloc::boxed::Box;
-use alloc::vec::Vec;
+use alloc::{boxed::Box, vec::Vec};
 #[cfg(feature = "std")]
 use std::{num::NonZeroUsize, sync::OnceLock, thread};
 
@@ -19,26 +17,12 @@ pub(crate) fn all_threads() -> usize {
     1
 }
 
-/// Does a job for each of these, all at the same time, the last one in this thread.
-#[cfg(feature = "std")]
-pub(crate) fn at_once<T: Send>(all: Vec<T>, job: impl Fn(T) + Sync) {
-    // What is done alone is done in every sweep of a short lattice, and needs no place of its own.
-    if all.len() < 2 {
-        return all.into_iter().for_each(job);
-    }
-    let mut jobs = Vec::with_capacity(all.len());
-    for one in all {
-        jobs.push(Box::new(|| job(one)) as Job<'_>);
-    }
-    all_at_once(jobs);
-}
-
 /// A job behind a pointer: what starts threads is compiled once for all of them.
-#[cfg(feature = "std")]
-type Job<'j> = Box<dyn FnOnce() + Send + 'j>;
+pub(crate) type Job<'j> = Box<dyn FnOnce() + Send + 'j>;
 
+/// Does all of these at the same time, the last one in this thread.
 #[cfg(feature = "std")]
-fn all_at_once(mut jobs: Vec<Job<'_>>) {
+pub(crate) fn at_once(mut jobs: Vec<Job<'_>>) {
     let last = jobs.pop();
     thread::scope(|scope| {
         for job in jobs {
@@ -48,8 +32,8 @@ fn all_at_once(mut jobs: Vec<Job<'_>>) {
     });
 }
 
-/// Does a job for each of these, one after the other.
+/// Does all of these, one after the other.
 #[cfg(not(feature = "std"))]
-pub(crate) fn at_once<T: Send>(all: Vec<T>, job: impl Fn(T) + Sync) {
-    all.into_iter().for_each(job);
+pub(crate) fn at_once(jobs: Vec<Job<'_>>) {
+    jobs.into_iter().for_each(|job| job());
 }

@@ -15,7 +15,7 @@ use crate::{
     real::Real,
     sites::{LONG, Sites},
     slot::{Keep, Slot},
-    threads::{all_threads, at_once},
+    threads::{Job, all_threads, at_once},
 };
 use alloc::{boxed::Box, vec::Vec};
 use core::ops::Range;
@@ -203,14 +203,12 @@ fn sweep(lattice: &mut dyn Part, slopes: &Slopes, threads: Option<usize>) {
     };
     let borders: Vec<usize> = (0..=count).map(|number| number * length / count).collect();
     let parts = lattice.split(&borders[1..]).into_iter().enumerate();
-    let shares = parts.map(|(number, part)| Share {
-        part,
-        sites: borders[number]..borders[number + 1],
-        slopes,
-        leans_left: number > 0 || slopes.periodic,
-        leans_right: number + 1 < count || slopes.periodic,
+    let jobs = parts.map(|(number, part)| -> Job<'_> {
+        let (leans_left, leans_right) = (number > 0 || slopes.periodic, number + 1 < count || slopes.periodic);
+        let share = Share { part, sites: borders[number]..borders[number + 1], slopes, leans_left, leans_right };
+        Box::new(|| share.advance())
     });
-    at_once(shares.collect(), Share::advance);
+    at_once(jobs.collect());
     for number in (0..count).filter(|number| *number > 0 || slopes.periodic) {
         fill(lattice, slopes, borders[number]);
     }

@@ -8,9 +8,9 @@ use crate::{
     real::{Kernel, Real},
     row::{Row, inward, of_bodies, of_place, outward, prepared, values},
     slot::{Keep, Slot},
-    threads::{all_threads, at_once},
+    threads::{Job, all_threads, at_once},
 };
-use alloc::{vec, vec::Vec};
+use alloc::{boxed::Box, vec::Vec};
 use core::{marker::PhantomData, ops::Range};
 
 /// How many bodies a tile has, whatever the hardware: the order of sums depends on it.
@@ -23,7 +23,6 @@ const SHARES: usize = 8;
 
 /// Any number of bodies with `D` coordinates and `S` prepared constants each. The last tile may have fewer bodies than
 /// places; what is behind them never acts on anything.
-#[derive(Clone)]
 pub struct Tiles<R: Real, K: Keep, P, const D: usize, const S: usize> {
     /// Positions.
     pub q: Vec<[K::Slot<R::Row<WIDTH>>; D]>,
@@ -31,8 +30,8 @@ pub struct Tiles<R: Real, K: Keep, P, const D: usize, const S: usize> {
     pub p: Vec<[K::Slot<R::Row<WIDTH>>; D]>,
     /// What is prepared of each body.
     of: Vec<[R::Row<WIDTH>; S]>,
-    /// Where forces are summed, by shares; in the end all of them are in the first.
-    gradients: Vec<Vec<[R::Row<WIDTH>; D]>>,
+    /// Where forces are summed, share after share; in the end all of them are in the first.
+    gradients: Vec<[R::Row<WIDTH>; D]>,
     /// How many threads may take shares.
     threads: usize,
     /// How many bodies there are.
@@ -41,18 +40,71 @@ pub struct Tiles<R: Real, K: Keep, P, const D: usize, const S: usize> {
     pub parameters: P,
 }
 
-/// The bodies of each tile.
-fn tiles(bodies: usize) -> impl Iterator<Item = Range<usize>> {
-    (0..bodies).step_by(WIDTH).map(move |first| first..bodies.min(first + WIDTH))
+/// The bodies of a tile, of so many in all.
+fn in_tile(tile: usize, bodies: usize) -> Range<usize> {
+    tile * WIDTH..bodies.min((tile + 1) * WIDTH)
 }
 
-/// One element for each tile.
-fn by_tile<T>(bodies: usize, element: &dyn Fn(Range<usize>) -> T) -> Vec<T> {
-    let mut elements = Vec::with_capacity(bodies.div_ceil(WIDTH));
-    for tile in tiles(bodies) {
-        elements.push(element(tile));
+/// In how many shares the pairs of so many bodies are summed.
+const fn shares(bodies: usize) -> usize {
+    if bodies < MANY * WIDTH { 1 } else { SHARES }
+}
+
+/// The same rows once more.
+fn copied<T: Copy>(rows: &[T]) -> Vec<T> {
+    let mut copied = Vec::with_capacity(rows.len());
+    for row in rows {
+        copied.push(*row);
     }
-    elements
+    copied
+}
+
+/// Rows of zeros.
+fn zeros<W: Real, const D: usize>(tiles: usize) -> Vec<[W; D]> {
+    let mut zeros = Vec::with_capacity(tiles);
+    for _ in 0..tiles {
+        zeros.push([W::of(0.0); D]);
+    }
+    zeros
+}
+
+/// What slots hold, row by row.
+fn held<W: Real, L: Slot<W>, const D: usize>(slots: &[[L; D]]) -> Vec<[W; D]> {
+    let mut held = Vec::with_capacity(slots.len());
+    for slots in slots {
+        held.push(values(slots));
+    }
+    held
+}
+
+/// Whether so many lanes of rows are finite. Places behind the last body drift on without a force, and may leave the finite
+/// numbers when no body does.
+fn finite<W: Real, L: Slot<W>, const D: usize>(rows: &[[L; D]], mut lanes: usize) -> bool {
+    for row in rows {
+        let here = lanes.min(W::LANES);
+        lanes -= here;
+        for slot in row {
+            let row = slot.value();
+            if !row.finite() && (0..here).any(|lane| !row.lane(lane).is_finite()) {
+                return false;
+            }
+        }
+    }
+    true
+}
+
+impl<R: Real, K: Keep, P: Clone, const D: usize, const S: usize> Clone for Tiles<R, K, P, D, S> {
+    fn clone(&self) -> Self {
+        Self {
+            q: copied(&self.q),
+            p: copied(&self.p),
+            of: copied(&self.of),
+            gradients: copied(&self.gradients),
+            threads: self.threads,
+            bodies: self.bodies,
+            parameters: self.parameters.clone(),
+        }
+    }
 }
 
 impl<C, R, K, P, const D: usize, const S: usize> Motion<C, P::Single> for Tiles<R, K, P, D, S>
@@ -63,49 +115,37 @@ where
     P: Prepared<R>,
     P::Single: PerBody<S>,
 {
-    fn load<'a>(of_lane: &dyn Fn(usize) -> (&'a P::Single, &'a Phase<C>)) -> Self
-    where
-        P::Single: 'a,
-    {
-        let bodies = of_lane(0).1.q.length();
-        let shares = if bodies < MANY * WIDTH { 1 } else { SHARES };
-        let slots = |leaf: &dyn Fn(usize, usize) -> K| by_tile(bodies, &|tile| inward::<R, K, WIDTH, D>(tile, leaf));
-        Self {
-            q: slots(&|lane, k| of_lane(lane).1.q.flat()[k]),
-            p: slots(&|lane, k| of_lane(lane).1.p.flat()[k]),
-            of: by_tile(bodies, &|tile| prepared::<R, WIDTH, S>(tile, &|lane, body| of_lane(lane).0.per_body(body))),
-            gradients: vec![vec![[Real::of(0.0); D]; bodies.div_ceil(WIDTH)]; shares],
-            threads: 1,
-            bodies,
-            parameters: P::gather(&|lane| of_lane(lane).0),
+    fn load(constants: &[&P::Single], states: &[&Phase<C>]) -> Self {
+        let bodies = states[0].q.length();
+        let tiles = bodies.div_ceil(WIDTH);
+        let (mut q, mut p) = (Vec::with_capacity(tiles), Vec::with_capacity(tiles));
+        let mut of = Vec::with_capacity(tiles);
+        for tile in 0..tiles {
+            let bodies = in_tile(tile, bodies);
+            q.push(inward::<R, C, WIDTH, D>(&bodies, states, |state| &state.q));
+            p.push(inward::<R, C, WIDTH, D>(&bodies, states, |state| &state.p));
+            of.push(prepared::<R, P::Single, WIDTH, S>(&bodies, constants));
         }
+        let (gradients, parameters) = (zeros(shares(bodies) * tiles), P::gather(constants));
+        Self { q, p, of, gradients, threads: 1, bodies, parameters }
     }
     fn store(&self, lane: usize, to: &mut Phase<C>) {
-        for (tile, (q, p)) in tiles(self.bodies).zip(self.q.iter().zip(&self.p)) {
-            outward::<R, K, WIDTH, D>(tile.clone(), q, lane, to.q.flat_mut());
-            outward::<R, K, WIDTH, D>(tile, p, lane, to.p.flat_mut());
+        for tile in 0..self.q.len() {
+            let bodies = in_tile(tile, self.bodies);
+            outward::<R, K, WIDTH, D>(&bodies, &self.q[tile], lane, to.q.flat_mut());
+            outward::<R, K, WIDTH, D>(&bodies, &self.p[tile], lane, to.p.flat_mut());
         }
     }
     fn copy_state(&mut self, from: &Self) {
-        self.q.clone_from(&from.q);
-        self.p.clone_from(&from.p);
+        self.q.copy_from_slice(&from.q);
+        self.p.copy_from_slice(&from.p);
     }
     fn share_among(&mut self, threads: Option<usize>) {
         self.threads = threads.unwrap_or_else(all_threads).clamp(1, SHARES);
     }
-    #[inline(always)]
     fn finite(&self) -> bool {
-        // Places behind the last body drift on without a force, and may leave the finite numbers when no body does.
-        let finite = |slots: &[[K::Slot<R::Row<WIDTH>>; D]]| {
-            tiles(self.bodies).zip(slots).all(|(tile, slots)| {
-                let lanes = tile.len() * R::LANES;
-                slots.iter().all(|slot| {
-                    let row = slot.value();
-                    row.finite() || (0..lanes).all(|lane| row.lane(lane).is_finite())
-                })
-            })
-        };
-        finite(&self.q) && finite(&self.p)
+        let lanes = self.bodies * R::LANES;
+        finite::<R::Row<WIDTH>, _, D>(&self.q, lanes) && finite::<R::Row<WIDTH>, _, D>(&self.p, lanes)
     }
 }
 
@@ -116,8 +156,9 @@ impl<R: Real, K: Keep, P: Prepared<R>, const D: usize, const S: usize> Tiles<R, 
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn drift<H: ManyBody<D, S, Parameters<R> = P>>(&mut self, duration: f64, time: f64) {
         let step = Real::of(duration);
-        for ((q, p), of) in self.q.iter_mut().zip(&self.p).zip(&self.of) {
-            H::drift_of::<R, R::Row<WIDTH>, _>(&self.parameters, q, values(p), *of, step, time);
+        let Self { q, p, of, parameters, .. } = self;
+        for tile in 0..q.len() {
+            H::drift_of::<R, R::Row<WIDTH>, _>(parameters, &mut q[tile], values(&p[tile]), of[tile], step, time);
         }
     }
     /// The flow of `V`.
@@ -126,9 +167,11 @@ impl<R: Real, K: Keep, P: Prepared<R>, const D: usize, const S: usize> Tiles<R, 
     pub fn kick<H: ManyBody<D, S, Parameters<R> = P>>(&mut self, duration: f64, time: f64) {
         self.sum_forces::<H>(time);
         let step = Real::of(-duration);
-        for (p, gradient) in self.p.iter_mut().zip(&self.gradients[0]) {
-            for (p, gradient) in p.iter_mut().zip(gradient) {
-                p.fma(step, *gradient);
+        let Self { p, gradients, .. } = self;
+        for tile in 0..p.len() {
+            let (p, gradient) = (&mut p[tile], &gradients[tile]);
+            for d in 0..D {
+                p[d].fma(step, gradient[d]);
             }
         }
     }
@@ -136,33 +179,29 @@ impl<R: Real, K: Keep, P: Prepared<R>, const D: usize, const S: usize> Tiles<R, 
     #[inline(always)]
     fn sum_forces<H: ManyBody<D, S, Parameters<R> = P>>(&mut self, time: f64) {
         let Self { q, of, gradients, threads, bodies, parameters, .. } = self;
-        let count = gradients.len();
-        let sum = |first: usize, gradients: &mut [Vec<[R::Row<WIDTH>; D]>]| {
-            for (number, gradient) in (first..).zip(gradients) {
-                R::enter(Share::<H, R, K, D, S> {
-                    q,
-                    of,
-                    bodies: *bodies,
-                    parameters,
-                    time,
-                    number,
-                    count,
-                    gradient,
-                    system: PhantomData,
-                });
-            }
+        let (tiles, bodies, count, system) = (q.len(), *bodies, shares(*bodies), PhantomData);
+        let sum = |number: usize, gradient: &mut [[R::Row<WIDTH>; D]]| {
+            R::enter(Share::<H, R, K, D, S> { q, of, bodies, parameters, time, number, count, gradient, system });
         };
-        if (*threads).min(count) == 1 {
-            sum(0, gradients);
-        } else {
-            let each = count.div_ceil(*threads);
-            at_once(gradients.chunks_mut(each).enumerate().collect(), |(group, gradients)| {
-                sum(group * each, gradients);
-            });
+        if count == 1 {
+            return sum(0, gradients);
         }
-        if let Some((all, others)) = gradients.split_first_mut() {
-            for other in others {
-                all.iter_mut().zip(other).for_each(|(sum, other)| *sum = add(*sum, *other));
+        let (each, sum) = (count.div_ceil(*threads), &sum);
+        let (mut jobs, mut next) = (Vec::<Job<'_>>::with_capacity(count), 0);
+        for gradients in gradients.chunks_mut(each * tiles) {
+            let first = next;
+            next += each;
+            jobs.push(Box::new(move || {
+                for (number, gradient) in (first..).zip(gradients.chunks_exact_mut(tiles)) {
+                    sum(number, gradient);
+                }
+            }));
+        }
+        at_once(jobs);
+        let (all, others) = gradients.split_at_mut(tiles);
+        for other in others.chunks_exact(tiles) {
+            for tile in 0..tiles {
+                all[tile] = add(all[tile], other[tile]);
             }
         }
     }
@@ -179,10 +218,10 @@ impl<R: Real, K: Keep, P: Prepared<R>, const D: usize, const S: usize> Tiles<R, 
     /// The same positions and no momenta, with slots that hold numbers and nothing else.
     pub fn at_rest(&self) -> Tiles<R, f64, P, D, S> {
         Tiles {
-            q: self.q.iter().map(values).collect(),
-            p: self.q.iter().map(|_| [Real::of(0.0); D]).collect(),
-            of: self.of.clone(),
-            gradients: self.gradients.clone(),
+            q: held(&self.q),
+            p: zeros(self.q.len()),
+            of: copied(&self.of),
+            gradients: copied(&self.gradients),
             threads: self.threads,
             bodies: self.bodies,
             parameters: self.parameters.clone(),
@@ -191,7 +230,7 @@ impl<R: Real, K: Keep, P: Prepared<R>, const D: usize, const S: usize> Tiles<R, 
     /// Adds a multiple of the momenta of another motion.
     pub fn push(&mut self, factor: R, other: &Tiles<R, f64, P, D, S>) {
         let factor = Row::splat(factor);
-        for (slot, number) in self.p.iter_mut().flatten().zip(other.p.iter().flatten()) {
+        for (slot, number) in self.p.as_flattened_mut().iter_mut().zip(other.p.as_flattened()) {
             slot.fma(factor, *number);
         }
     }
@@ -201,8 +240,12 @@ impl<R: Real, P, const D: usize, const S: usize> Tiles<R, f64, P, D, S> {
     /// Takes over momenta in the user's own shape.
     pub fn set_momenta<C: Coords<Leaf = f64>>(&mut self, plain: &Plain<R, C, P>) {
         let p = C::slots(&plain.p);
-        let row = |tile: Range<usize>, d| of_bodies::<R, WIDTH>(tile, &|body| p[body * D + d]);
-        self.p = by_tile(self.bodies, &|tile| core::array::from_fn(|d| row(tile.clone(), d)));
+        for (tile, rows) in self.p.iter_mut().enumerate() {
+            let bodies = in_tile(tile, self.bodies);
+            for (d, row) in rows.iter_mut().enumerate() {
+                *row = of_bodies::<R, WIDTH>(&bodies, &|body| p[body * D + d]);
+            }
+        }
     }
 }
 
@@ -228,27 +271,28 @@ impl<H: ManyBody<D, S>, R: Real, K: Keep, const D: usize, const S: usize> Kernel
         let Self { q, of, bodies, parameters, time, number, count, gradient, .. } = self;
         let tile = |tile: usize| Bodies { q: values(&q[tile]), of: of[tile] };
         let (last, rest) = (q.len().saturating_sub(1), bodies % WIDTH);
-        let present = (rest > 0).then(|| Real::parameter(&|lane| if lane / R::LANES < rest { 1.0 } else { 0.0 }));
-        let present = |tile: usize| if tile == last { present } else { None };
+        let present = Real::parameter(&|lane| if lane / R::LANES < rest { 1.0 } else { 0.0 });
+        let present = |tile: usize| {
+            let partly = tile == last && rest > 0;
+            partly.then_some(present)
+        };
         // Sums begin as a zero without a sign, so that no bit tells whether a zero is added to them.
         gradient.fill([Real::of(0.0); D]);
-        for first in (number..q.len()).step_by(count) {
+        let mut first = number;
+        while first < q.len() {
             let bodies = tile(first);
             let own = within::<H, R, R::Row<WIDTH>, WIDTH, D, S>(parameters, bodies, present(first), time);
             let mut sum = add(gradient[first], own);
-            let others = if H::RECIPROCAL { first + 1..q.len() } else { 0..q.len() };
-            for second in others.filter(|second| *second != first) {
-                let sums = [&mut sum, &mut gradient[second]];
-                between::<H, R, R::Row<WIDTH>, WIDTH, D, S>(
-                    parameters,
-                    bodies,
-                    tile(second),
-                    present(second),
-                    time,
-                    sums,
-                );
+            let mut second = if H::RECIPROCAL { first + 1 } else { 0 };
+            while second < q.len() {
+                if second != first {
+                    let (others, present, sums) = (tile(second), present(second), [&mut sum, &mut gradient[second]]);
+                    between::<H, R, R::Row<WIDTH>, WIDTH, D, S>(parameters, bodies, others, present, time, sums);
+                }
+                second += 1;
             }
             gradient[first] = sum;
+            first += count;
         }
     }
 }

@@ -54,7 +54,7 @@ macro_rules! by_hand {
 /// A motion whose positions and momenta are the same.
 fn at<H: Hamiltonian<Parameters<f64> = H>>(system: &H, coordinates: &H::Coords) -> H::Motion<f64, f64> {
     let state = Phase::new(coordinates.clone(), coordinates.clone());
-    H::Motion::load(&|_| (system, &state))
+    H::Motion::load(&[system], &[&state])
 }
 
 by_hand! {

@@ -38,7 +38,7 @@ impl<H: Hamiltonian, X: Method<H>> CompensatedSteps<H, X> {
     }
 
     fn begin(method: X, constants: Arc<X::Constants>, start: Phase<Shaped<H, Compensated<f64>>>, clock: Clock) -> Self {
-        let motion = X::Motion::<f64, Compensated<f64>>::load(&|_| (&*constants, &start));
+        let motion = X::Motion::<f64, Compensated<f64>>::load(&[&*constants], &[&start]);
         Self { method, constants, motion, state: start.clone(), start, clock }
     }
 

@@ -105,7 +105,7 @@ impl<H: Hamiltonian> Pieces<'_, H> {
     }
 
     fn moved(&self, point: &Phase<H::Coords>, middle: f64, time: f64) -> Phase<H::Coords> {
-        let mut motion = H::Motion::<f64, f64>::load(&|_| (&self.parameters, point));
+        let mut motion = H::Motion::<f64, f64>::load(&[&self.parameters], &[point]);
         H::begin_step::<f64, f64>(&mut motion, middle);
         H::drift::<f64, f64>(&mut motion, self.h, time);
         H::kick::<f64, f64>(&mut motion, self.h, time);

@@ -115,7 +115,7 @@ pub fn energy_drift<H: Hamiltonian, X: Method<H>, K: Keep>(
     let mut run = run::<H, X, K>(system, method, &begin, h)?;
     let parameters = system.parameters(run.state().q.length());
     let parts = |state: &Phase<Shaped<H, K>>, time: f64| {
-        let motion = H::Motion::<f64, K>::load(&|_| (&parameters, state));
+        let motion = H::Motion::<f64, K>::load(&[&parameters], &[state]);
         (H::kinetic::<f64, K>(&motion, time), H::potential::<f64, K>(&motion, time))
     };
     let (kinetic, potential) = parts(&run.state(), run.time());

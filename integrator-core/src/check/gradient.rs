@@ -113,7 +113,7 @@ fn energy<H: Hamiltonian, R: Real>(
     lanes: [&Phase<H::Coords>; 2],
     time: f64,
 ) -> R {
-    let motion = H::Motion::<R, f64>::load(&|lane| (parameters, lanes[lane.min(1)]));
+    let motion = H::Motion::<R, f64>::load(&[parameters; 2], &lanes);
     match part {
         Part::Kinetic => H::kinetic::<R, f64>(&motion, time),
         Part::Potential => H::potential::<R, f64>(&motion, time),
@@ -129,7 +129,7 @@ pub(crate) fn flow<H: Hamiltonian, R: Real>(
     time: f64,
     lane: usize,
 ) -> Vec<f64> {
-    let mut motion = H::Motion::<R, f64>::load(&|lane| (parameters, lanes[lane.min(1)]));
+    let mut motion = H::Motion::<R, f64>::load(&[parameters; 2], &lanes);
     H::begin_step::<R, f64>(&mut motion, time);
     let mut moved = lanes[0].clone();
     match part {

@@ -93,7 +93,7 @@ pub(crate) fn march<H: Hamiltonian>(
 ) {
     let parameters = system.parameters(start.q.length());
     let mut state: Phase<Shaped<H, Compensated<f64>>> = Phase::compensated(start.q, start.p);
-    let mut motion = H::Motion::<f64, Compensated<f64>>::load(&|_| (&parameters, &state));
+    let mut motion = H::Motion::<f64, Compensated<f64>>::load(&[&parameters], &[&state]);
     for step in 0..steps {
         let mut time = t0 + step as f64 * h;
         H::begin_step::<f64, Compensated<f64>>(&mut motion, time + h / 2.0);

@@ -67,7 +67,7 @@ impl<H: Hamiltonian> RecurrencesVisitor<H> for Expansion<'_, H> {
         let Self { system, start: &Start { phase: ref start, time: t0 }, span, method, looks, .. } = *self;
         let constants = Method::<H>::constants(method, Arc::new(system.parameters(start.q.length())));
         let mut state = Phase::compensated(start.q.clone(), start.p.clone());
-        let mut motion = <Taylor as Method<H>>::Motion::<f64, Compensated<f64>>::load(&|_| (&*constants, &state));
+        let mut motion = <Taylor as Method<H>>::Motion::<f64, Compensated<f64>>::load(&[&*constants], &[&state]);
         let moves = <Taylor as Method<H>>::moves::<f64, Compensated<f64>>();
         let begin = flat(start);
         let (mut ends, mut scale) = (Vec::with_capacity(PARTS as usize), Scale::ZERO);

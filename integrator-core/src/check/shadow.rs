@@ -189,7 +189,7 @@ struct Point<'p, H: QuadraticKinetic> {
 impl<H: QuadraticKinetic> Point<'_, H> {
     /// `H` and its modifications for a step `h`, and the size of the terms of `H`.
     fn energies(&self, terms: &Terms, h: f64) -> ([f64; 3], f64) {
-        let motion = H::Motion::<f64, f64>::load(&|_| (self.parameters, self.point));
+        let motion = H::Motion::<f64, f64>::load(&[self.parameters], &[self.point]);
         let (kinetic, potential) = (H::kinetic::<f64, f64>(&motion, 0.0), H::potential::<f64, f64>(&motion, 0.0));
         let energy = kinetic + potential;
         let still = origin(self.point);
@@ -220,7 +220,7 @@ impl<H: QuadraticKinetic> Point<'_, H> {
     fn hessian(&self, direction: &[f64]) -> Vec<f64> {
         let mut point = self.point.clone();
         point.p.flat_mut().copy_from_slice(direction);
-        let mut motion = H::Motion::<f64, f64>::load(&|_| (self.parameters, &point));
+        let mut motion = H::Motion::<f64, f64>::load(&[self.parameters], &[&point]);
         H::hessian::<f64>(&mut motion, 0.0);
         motion.store(0, &mut point);
         point.p.flat().to_vec()
@@ -235,7 +235,7 @@ impl<H: QuadraticKinetic> Point<'_, H> {
         }
         point.p.flat_mut().copy_from_slice(other);
         tangent.q.flat_mut().copy_from_slice(one);
-        let mut motion = H::Motion::<Dual, f64>::load(&|lane| (self.parameters, [&point, &tangent][lane]));
+        let mut motion = H::Motion::<Dual, f64>::load(&[self.parameters; 2], &[&point, &tangent]);
         H::hessian::<Dual>(&mut motion, 0.0);
         motion.store(1, &mut tangent);
         tangent.p.flat().to_vec()

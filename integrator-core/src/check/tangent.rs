@@ -41,7 +41,7 @@ impl<H: Hamiltonian, X: Method<H>> Carry for Tangents<'_, H, X> {
     fn carry(&self, point: &Flat, tangent: &Flat, t0: f64, steps: u64) -> (Flat, Flat) {
         let mut arrived = [shaped(self.shape, point), shaped(self.shape, tangent)];
         let moves = X::plain_moves::<Dual, f64>();
-        let mut motion = X::Motion::<Dual, f64>::load(&|lane| (&*self.constants, &arrived[lane]));
+        let mut motion = X::Motion::<Dual, f64>::load(&[&*self.constants; 2], &[&arrived[0], &arrived[1]]);
         let clock = Clock { t0, h: self.h, steps: 0 };
         moves.advance(&mut motion, clock, steps);
         let motion = moves.shown(motion, Clock { steps, ..clock });

@@ -45,7 +45,8 @@ impl<H: Hamiltonian> Generated<'_, H> {
         mut points: Vec<Phase<H::Coords>>,
         flow: impl Fn(&mut H::Motion<R, f64>),
     ) -> Vec<Phase<H::Coords>> {
-        let mut motion = H::Motion::<R, f64>::load(&|lane| (self.parameters, &points[lane]));
+        let states: Vec<_> = points.iter().collect();
+        let mut motion = H::Motion::<R, f64>::load(&vec![self.parameters; states.len()], &states);
         H::begin_step::<R, f64>(&mut motion, self.middle);
         flow(&mut motion);
         for (lane, point) in points.iter_mut().enumerate() {

@@ -84,17 +84,14 @@ pub struct Walk<R: Real, C: Coords, P, M: Recipe> {
 }
 
 impl<R: Real, C: Coords, P: Clone + Send + Sync + 'static, M: Recipe> Motion<C, Constants<P, M>> for Walk<R, C, P, M> {
-    fn load<'a>(of_lane: &dyn Fn(usize) -> (&'a Constants<P, M>, &'a Phase<C>)) -> Self
-    where
-        Constants<P, M>: 'a,
-    {
-        let (constants, start) = of_lane(0);
+    fn load(constants: &[&Constants<P, M>], states: &[&Phase<C>]) -> Self {
+        let (constants, start) = (constants[0], states[0]);
         Self {
             parameters: constants.parameters.clone(),
             recipe: constants.recipe,
             shape: Phase { q: start.q.map(Keep::to_f64), p: start.p.map(Keep::to_f64) },
-            q: C::listed(&|lane| &of_lane(lane).1.q),
-            p: C::listed(&|lane| &of_lane(lane).1.p),
+            q: C::listed(states, |state| &state.q),
+            p: C::listed(states, |state| &state.p),
             memory: M::Memory::default(),
             unsolved: None,
             evaluations: 0,

@@ -70,18 +70,18 @@ where
     Q: Send + Sync + 'static,
     T: Default + Send + Sync + 'static,
 {
-    fn load<'a>(of_lane: &dyn Fn(usize) -> (&'a Constants<Q>, &'a Phase<C>)) -> Self
-    where
-        Constants<Q>: 'a,
-    {
-        let (constants, start) = of_lane(0);
-        let layout = Layout::of::<C>(start.q.length(), constants.interleaved);
+    fn load(constants: &[&Constants<Q>], states: &[&Phase<C>]) -> Self {
+        let layout = Layout::of::<C>(states[0].q.length(), constants[0].interleaved);
+        let mut parameters = Vec::with_capacity(constants.len());
+        for constants in constants {
+            parameters.push(&*constants.parameters);
+        }
         Self {
-            method: constants.method,
-            parameters: P::gather(&|lane| &*of_lane(lane).0.parameters),
+            method: constants[0].method,
+            parameters: P::gather(&parameters),
             layout,
-            q: Part::at(layout, &|lane, coordinate| of_lane(lane).1.q.flat()[coordinate]),
-            p: Part::at(layout, &|lane, coordinate| of_lane(lane).1.p.flat()[coordinate]),
+            q: Part::at(layout, &|lane, coordinate| states[lane].q.flat()[coordinate]),
+            p: Part::at(layout, &|lane, coordinate| states[lane].p.flat()[coordinate]),
             tape: T::default(),
             legs: Default::default(),
         }
@@ -95,6 +95,10 @@ where
             let (_, motion, lane) = of_lane(lane);
             (part(motion), lane)
         };
+        let mut parameters = Vec::with_capacity(R::LANES);
+        for lane in 0..R::LANES {
+            parameters.push(&*of_lane(lane).0.parameters);
+        }
         let mut legs: [Leg; WIDEST] = Default::default();
         for (lane, leg) in legs.iter_mut().enumerate().take(R::LANES) {
             let (_, motion, lane) = of_lane(lane);
@@ -103,7 +107,7 @@ where
         }
         Some(Self {
             method: constants.method,
-            parameters: P::gather(&|lane| &*of_lane(lane).0.parameters),
+            parameters: P::gather(&parameters),
             layout,
             q: Part::gathered(layout, |lane| part(lane, |motion| &motion.q)),
             p: Part::gathered(layout, |lane| part(lane, |motion| &motion.p)),

@@ -153,20 +153,19 @@ impl Fields {
                     (quote!(#runtime::External<#count>), value)
                 }
             };
-            let at = table.at(table.levels.len());
+            let runtime = &names.runtime;
             let gathered = match content {
                 Content::Number(_) | Content::Flag(_) | Content::Middle => {
-                    quote!(#scalar::parameter(&|lane| of_lane(lane).#name #at))
+                    quote!(#runtime::in_lanes(members, |member| &member.#name))
                 }
-                Content::Integer(_) => quote!(of_lane(0).#name #at),
+                Content::Integer(_) => quote!(members[0].#name.clone()),
                 Content::External(_) => {
-                    let runtime = &names.runtime;
-                    quote!(#runtime::table(<#scalar as #runtime::Real>::LANES, &|lane| of_lane(lane).#name[0].clone()))
+                    quote!(#runtime::table(<#scalar as #runtime::Real>::LANES, &|lane| members[lane].#name[0].clone()))
                 }
             };
             let documentation = super::equations::documentation(model, content.node());
             let kind = table.kind(kind, names);
-            let (gathered, value) = (table.gathered(gathered, &name, names), table.prepared(value, content, names));
+            let value = table.prepared(value, content, names);
             prepared.common.extend(match (content, table.levels.first()) {
                 (Content::Integer(_), _) => Some(quote!(a.#name == b.#name)),
                 (_, Some(Level { literal: None, .. })) => Some(quote!(a.#name.len() == b.#name.len())),
@@ -261,30 +260,6 @@ impl Table {
                 quote!([#inner; #length])
             }
             None => quote!(#runtime::Vec<#inner>),
-        })
-    }
-
-    /// The indices of an element down to `depth`.
-    fn at(&self, depth: usize) -> TokenStream {
-        self.levels[..depth]
-            .iter()
-            .map(|level| {
-                let index = &level.index;
-                quote!([#index])
-            })
-            .collect()
-    }
-
-    /// The whole table, with elements gathered from lanes; the first lane tells how long a table is.
-    fn gathered(&self, element: TokenStream, name: &Ident, names: &Names) -> TokenStream {
-        let runtime = &names.runtime;
-        self.levels.iter().enumerate().rev().fold(element, |inner, (depth, Level { index, literal, .. })| match literal
-        {
-            Some(_) => quote!(::core::array::from_fn(|#index: usize| #inner)),
-            None => {
-                let at = self.at(depth);
-                quote!(#runtime::table(of_lane(0).#name #at.len(), &|#index: usize| #inner))
-            }
         })
     }
 

@@ -148,7 +148,7 @@ pub(crate) fn stepper(input: &Input, mut model: Model) -> TokenStream {
                 pub struct #parameters;
             ),
             quote!(
-                fn gather<'a>(_of_lane: &dyn ::core::ops::Fn(usize) -> &'a Self::Single) -> Self {
+                fn gather(_members: &[&Self::Single]) -> Self {
                     #parameters
                 }
             ),
@@ -158,7 +158,7 @@ pub(crate) fn stepper(input: &Input, mut model: Model) -> TokenStream {
         let declared = of(quote!(#scalar));
         (
             quote!(pub struct #declared { #fields }),
-            quote!(fn gather<'a>(of_lane: &dyn ::core::ops::Fn(usize) -> &'a Self::Single) -> Self {
+            quote!(fn gather(members: &[&Self::Single]) -> Self {
                 #parameters { #gathered }
             }),
             quote!(#parameters { #values }),

@@ -181,7 +181,7 @@ impl<'s, H: Hamiltonian, K: Keep> Problem<'s, H, K> {
         let run = self.begin(candidate, steps)?;
         let parameters = self.system.parameters(self.start.phase.q.length());
         let energies = |state: &Phase<Shaped<H, K>>, time| {
-            let motion = H::Motion::<f64, K>::load(&|_| (&parameters, state));
+            let motion = H::Motion::<f64, K>::load(&[&parameters], &[state]);
             let kinetic = H::kinetic::<f64, K>(&motion, time);
             (kinetic, kinetic + H::potential::<f64, K>(&motion, time))
         };
