@@ -19,10 +19,15 @@ impl<F: Copy, const N: usize> Lanes<F, N> {
     pub(crate) fn of_parts(parts: [F; N]) -> Self {
         Self(parts)
     }
-    /// Replaces one of the parts.
+    /// The parts.
     #[inline(always)]
-    pub(crate) fn set_part(&mut self, part: usize, to: F) {
-        self.0[part] = to;
+    pub(crate) fn parts(&self) -> &[F] {
+        &self.0
+    }
+    /// The parts, to be written.
+    #[inline(always)]
+    pub(crate) fn parts_mut(&mut self) -> &mut [F] {
+        &mut self.0
     }
     /// One of the parts.
     #[inline(always)]

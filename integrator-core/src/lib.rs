@@ -126,6 +126,7 @@ mod instruction_set;
 #[allow(unreachable_pub, reason = "named in bounds, never outside")]
 mod lanes;
 mod leap;
+mod load_store;
 #[allow(unreachable_pub, reason = "named in bounds, never outside")]
 mod many_body;
 #[cfg(feature = "std")]

@@ -3,7 +3,7 @@
 //! Always true: pairs are taken in the order of rotations, which no hardware decides, so that every sum has the same bits
 //! whatever a row is made of; what stands behind the last body changes no sum.
 
-use crate::{gather::Array, hamiltonian::Hamiltonian, lanes::Lanes, real::Real, row::Row, slot::Slot};
+use crate::{gather::Array, hamiltonian::Hamiltonian, real::Real, row::Row, slot::Slot};
 
 /// What is prepared of each body.
 pub trait PerBody<const S: usize> {
@@ -79,19 +79,16 @@ impl<W: Real, const D: usize, const S: usize> Bodies<W, D, S> {
     {
         Self { q: rotated::<R, W, N, D>(self.q, by), of: rotated::<R, W, N, S>(self.of, by) }
     }
-}
-
-impl<R: Real, const N: usize, const D: usize, const S: usize> Bodies<Lanes<R, N>, D, S> {
-    /// One of them.
+    /// One of the bodies of rows that are made of parts.
     #[inline(always)]
-    pub(crate) fn body(&self, body: usize) -> Bodies<R, D, S> {
+    fn part<R: Real>(&self, part: usize) -> Bodies<R, D, S>
+    where
+        W: Row<R>,
+    {
         let zero = R::of(0.0);
         let mut one = Bodies { q: [zero; D], of: [zero; S] };
-        for d in 0..D {
-            one.q[d] = self.q[d].part(body);
-        }
-        for s in 0..S {
-            one.of[s] = self.of[s].part(body);
+        for (one, all) in one.q.iter_mut().zip(&self.q).chain(one.of.iter_mut().zip(&self.of)) {
+            *one = all.parts()[part];
         }
         one
     }
@@ -121,6 +118,32 @@ fn sub<W: Real, const D: usize>(mut a: [W; D], b: [W; D]) -> [W; D] {
         a[d] -= b[d];
     }
     a
+}
+
+/// What the system says of each body and the one in the same place of another row.
+#[inline(always)]
+fn pairs<H, R, W, const D: usize, const S: usize>(
+    parameters: &H::Parameters<R>,
+    [i, j]: [Bodies<W, D, S>; 2],
+    time: f64,
+) -> H::Force<W>
+where
+    H: ManyBody<D, S>,
+    R: Real,
+    W: Row<R>,
+{
+    if const { W::PARTS == 0 } {
+        return H::pair::<R, W>(parameters, i.q, j.q, i.of, j.of, time);
+    }
+    let mut forces = H::Force::<W>::filled(W::of(0.0));
+    for part in 0..W::PARTS {
+        let (i, j) = (i.part::<R>(part), j.part::<R>(part));
+        let force = H::pair::<R, R>(parameters, i.q, j.q, i.of, j.of, time);
+        for (forces, force) in forces.as_mut().iter_mut().zip(force.as_ref()) {
+            forces.parts_mut()[part] = *force;
+        }
+    }
+    forces
 }
 
 /// From the second of two rows to the first.
@@ -220,7 +243,7 @@ where
     W: Row<R>,
 {
     let bodies = [bodies, bodies.rotated::<R, N>(by)];
-    let force = W::pairs::<H, D, S>(parameters, bodies, time);
+    let force = pairs::<H, R, W, D, S>(parameters, bodies, time);
     let mut force = acting(components::<H, W, D, S>(force, bodies), present);
     if let Some(present) = present {
         force = acting(force, Some(present.rotated::<N>(by)));
@@ -292,7 +315,7 @@ impl<W: Real, const D: usize, const S: usize> Meeting<W, D, S> {
         let rows = [bodies, self.others];
         let [i, j] = &rows;
         if H::acts::<R, W>(parameters, i.q, j.q, i.of, j.of, time) {
-            let force = W::pairs::<H, D, S>(parameters, rows, time);
+            let force = pairs::<H, R, W, D, S>(parameters, rows, time);
             if H::CENTRAL && self.present.is_none() {
                 let (pull, apart) = (force.as_ref()[0], displacement(rows));
                 let Self { sum, reaction, .. } = self;

@@ -2,11 +2,12 @@
 
 use crate::{
     coords::Coords,
+    load_store::{inward, of_bodies, of_place, outward, prepared, values},
     many_body::{Bodies, ManyBody, PerBody, within},
     motion::{Motion, Plain, Prepared},
     phase::Phase,
     real::Real,
-    row::{Row, inward, of_bodies, of_place, outward, prepared, values},
+    row::Row,
     slot::{Keep, Slot},
 };
 

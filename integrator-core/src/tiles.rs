@@ -2,11 +2,12 @@
 
 use crate::{
     coords::Coords,
+    load_store::{inward, of_bodies, of_place, outward, prepared, values},
     many_body::{Bodies, ManyBody, PerBody, add, between, within},
     motion::{Motion, Plain, Prepared},
     phase::Phase,
     real::{Kernel, Real},
-    row::{Row, inward, of_bodies, of_place, outward, prepared, values},
+    row::Row,
     slot::{Keep, Slot},
     threads::{Job, all_threads, at_once},
 };
