@@ -25,7 +25,7 @@ use crate::{
     real::{Kernel, Real},
     slot::Keep,
 };
-use alloc::sync::Arc;
+use alloc::{sync::Arc, vec::Vec};
 
 /// What stays the same in a run.
 pub struct Constants<P> {
