@@ -81,7 +81,7 @@ fn generated<S: Member>(system: &S, point: &Point) -> (Vec<f64>, Vec<f64>) {
 /// A system at a point, as runs hold it.
 fn motion<S: Member>(system: &S, at: &Phase<S::Coords>) -> S::Motion<f64, f64> {
     let parameters = system.parameters(at.q.flat().len());
-    S::Motion::<f64, f64>::load(&|_| (&parameters, at))
+    S::Motion::<f64, f64>::load(&[&parameters], &[at])
 }
 
 /// A gradient by dual numbers, one seed after the other.
