@@ -1,6 +1,6 @@
 //! The catalogue end to end: what the macro proved, measured on nonlinear problems.
 
-#[path = "../integrator-core/src/catalogue_list.rs"]
+#[path = "../integrator-core/src/composition/catalogue_list.rs"]
 mod catalogue;
 
 use catalogue::for_each_composition;
@@ -175,7 +175,7 @@ impl<H: Hamiltonian> Visitor<H> for Names {
 
 #[test]
 fn every_composition_of_the_catalogue_is_tested() {
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("integrator-core/src/catalogue");
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("integrator-core/src/composition/catalogue");
     let files = fs::read_dir(folder).expect("the catalogue").map(|entry| entry.expect("a file").path());
     let text: String = files.map(|file| fs::read_to_string(file).expect("text")).collect();
     let mut declared: Vec<&str> =

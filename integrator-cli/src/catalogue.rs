@@ -5,12 +5,12 @@ use integrator_symbolic::{Proved, declared};
 
 /// The files of the catalogue; a test compares them with the folder.
 pub(crate) const FILES: [(&str, &str); 6] = [
-    ("basic", include_str!("../../integrator-core/src/catalogue/basic.rs")),
-    ("general", include_str!("../../integrator-core/src/catalogue/general.rs")),
-    ("gradient", include_str!("../../integrator-core/src/catalogue/gradient.rs")),
-    ("nystrom", include_str!("../../integrator-core/src/catalogue/nystrom.rs")),
-    ("processed", include_str!("../../integrator-core/src/catalogue/processed.rs")),
-    ("symmetric", include_str!("../../integrator-core/src/catalogue/symmetric.rs")),
+    ("basic", include_str!("../../integrator-core/src/composition/catalogue/basic.rs")),
+    ("general", include_str!("../../integrator-core/src/composition/catalogue/general.rs")),
+    ("gradient", include_str!("../../integrator-core/src/composition/catalogue/gradient.rs")),
+    ("nystrom", include_str!("../../integrator-core/src/composition/catalogue/nystrom.rs")),
+    ("processed", include_str!("../../integrator-core/src/composition/catalogue/processed.rs")),
+    ("symmetric", include_str!("../../integrator-core/src/composition/catalogue/symmetric.rs")),
 ];
 
 /// All of them, lowest order first, and in each order the cheapest step.
@@ -33,7 +33,7 @@ mod tests {
 
     #[test]
     fn every_file_is_read() {
-        let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../integrator-core/src/catalogue");
+        let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../integrator-core/src/composition/catalogue");
         let names = fs::read_dir(folder).expect("the catalogue").map(|entry| {
             let path = entry.expect("an entry").path();
             path.file_stem().expect("a name").to_string_lossy().into_owned()
@@ -44,7 +44,7 @@ mod tests {
     /// As many as the runtime lists, so that no block was left out for an error.
     #[test]
     fn every_composition_is_proved() {
-        let list = include_str!("../../integrator-core/src/catalogue_list.rs");
+        let list = include_str!("../../integrator-core/src/composition/catalogue_list.rs");
         let found = catalogue();
         assert!(found.len() > 50, "{}", found.len());
         for composition in &found {

@@ -1,19 +1,20 @@
 //! What moves: the trait that `#[hamiltonian]` writes, and the two sides from which executors see a system.
 
 use crate::{
-    composition::Composition,
-    coords::Coords,
+    composition::{
+        Composition,
+        visit::{Visitor, visit_general},
+    },
     error::Error,
-    method::Method,
-    motion::{Motion, Prepared},
-    phase::Phase,
-    real::Real,
-    run::Run,
-    sites::Sites,
-    slot::Keep,
-    taylor::RecurrencesVisitor,
-    tiled::{Flow, Reach},
-    visit::{Visitor, visit_general},
+    layout::lattice::{
+        sites::Sites,
+        tiled::{Flow, Reach},
+    },
+    methods::taylor::RecurrencesVisitor,
+    scalar::real::Real,
+    state::{coords::Coords, phase::Phase, slot::Keep},
+    system::motion::{Motion, Prepared},
+    trajectory::{method::Method, run::Run},
 };
 use core::ops::Range;
 

@@ -77,137 +77,49 @@ compile_error!("elementary functions come from `std` or from `libm`: turn on one
 extern crate alloc;
 extern crate self as integrator_core;
 
-#[cfg(feature = "std")]
-#[allow(unreachable_pub, reason = "named in bounds, never outside")]
-mod abreast;
-mod admissible;
-mod aligned;
-mod block;
-#[cfg(any(debug_assertions, feature = "check"))]
-mod bounded;
-mod catalogue;
-mod catalogue_list;
 #[cfg(feature = "check")]
 pub mod check;
-#[cfg(feature = "checkpoint")]
-mod checkpoint;
-mod chosen;
-mod clock;
 mod composition;
-mod constants;
-mod coords;
-mod crossings;
-#[allow(unreachable_pub, reason = "named in bounds, never outside")]
-mod digest;
-#[cfg(feature = "check")]
-mod dual;
-#[cfg_attr(feature = "std", allow(dead_code, unreachable_pub, reason = "users need it where there is no std"))]
-mod elementary;
-mod elements;
-mod energies;
-mod engine;
 #[cfg(feature = "std")]
 mod ensemble;
 mod error;
-mod external;
-mod fixed;
-mod flat;
-mod functions;
-mod fused;
-mod gather;
-#[cfg(feature = "std")]
-#[allow(unreachable_pub, reason = "named in bounds, never outside")]
-mod group;
 mod hamiltonian;
-#[cfg(feature = "std")]
-#[allow(unreachable_pub, reason = "named in bounds, never outside")]
-mod in_lanes;
-mod instruction_set;
-#[allow(unreachable_pub, reason = "named in bounds, never outside")]
-mod lanes;
-mod leap;
-mod load_store;
-#[allow(unreachable_pub, reason = "named in bounds, never outside")]
-mod many_body;
-#[cfg(feature = "std")]
-mod members;
-#[allow(unreachable_pub, reason = "named in bounds, never outside")]
-mod method;
-mod motion;
-#[cfg(feature = "std")]
-mod motions;
-#[allow(unreachable_pub, reason = "named in bounds, never outside")]
-mod moves;
-mod neighbours;
+mod layout;
+mod methods;
 #[cfg(feature = "output")]
 pub mod output;
-#[cfg(feature = "std")]
-mod pack;
-#[cfg(feature = "std")]
-mod packs;
-mod pair;
-mod panics;
-mod phase;
-mod plane;
-#[cfg(feature = "std")]
-mod point;
-#[allow(unreachable_pub, reason = "named in bounds, never outside")]
-mod prepared;
-mod real;
-#[cfg(feature = "reference")]
-#[allow(unreachable_pub, reason = "named in bounds, never outside")]
-pub mod reference;
-mod ring;
-#[allow(unreachable_pub, reason = "named in bounds, never outside")]
-mod row;
-mod run;
-mod samples;
-#[cfg(feature = "std")]
-mod side_by_side;
-mod sites;
-mod slot;
-#[cfg(any(debug_assertions, feature = "check"))]
-mod stated;
-#[allow(unreachable_pub, reason = "named in bounds, never outside")]
-pub mod taylor;
-mod threads;
-mod tiled;
-mod tiles;
-#[cfg(feature = "check")]
-mod tolerance;
-#[allow(unreachable_pub, reason = "named in bounds, never outside")]
-mod twofold;
-#[cfg(all(target_arch = "x86_64", feature = "std"))]
-#[allow(unsafe_code, reason = "instructions that the target may lack, used where they were detected")]
-#[allow(unreachable_pub, reason = "named in bounds, never outside")]
-mod vector;
-mod visit;
-mod watch;
+mod scalar;
+mod state;
+mod system;
+mod trajectory;
 
-pub use catalogue::*;
-#[cfg(feature = "checkpoint")]
-pub use checkpoint::CheckpointError;
+pub use composition::catalogue::*;
+pub use composition::visit::{Visitor, visit_general, visit_quadratic};
 pub use composition::{Class, Composition, Lead, Processor, Rows, Scheme, Stage, Stages};
-pub use coords::Coords;
-pub use crossings::{Crossings, Direction};
-#[cfg(not(feature = "std"))]
-pub use elementary::Elementary;
 #[cfg(feature = "std")]
 pub use ensemble::Ensemble;
-pub use error::{Divergence, Error, Lost, Misread, NotFinite, Unsolved};
-pub use fixed::Fixed;
-pub use hamiltonian::{Hamiltonian, QuadraticKinetic};
 #[cfg(feature = "std")]
-pub use in_lanes::InLanes;
-pub use instruction_set::InstructionSet;
+pub use ensemble::in_lanes::InLanes;
+pub use error::{Divergence, Error, Lost, Misread, NotFinite, Unsolved};
+pub use hamiltonian::{Hamiltonian, QuadraticKinetic};
 pub use integrator_macros::{composition, hamiltonian};
-pub use method::{Described, Facts, Method};
-pub use phase::Phase;
-pub use run::Run;
-pub use samples::{Sample, Samples};
-pub use slot::Compensated;
-pub use taylor::RecurrencesVisitor;
-pub use visit::{Visitor, visit_general, visit_quadratic};
+#[cfg(feature = "reference")]
+pub use methods::reference;
+pub use methods::taylor;
+pub use methods::taylor::RecurrencesVisitor;
+#[cfg(not(feature = "std"))]
+pub use scalar::elementary::Elementary;
+pub use scalar::instruction_set::InstructionSet;
+pub use state::coords::Coords;
+pub use state::fixed::Fixed;
+pub use state::phase::Phase;
+pub use state::slot::Compensated;
+#[cfg(feature = "checkpoint")]
+pub use trajectory::checkpoint::CheckpointError;
+pub use trajectory::crossings::{Crossings, Direction};
+pub use trajectory::method::{Described, Facts, Method};
+pub use trajectory::run::Run;
+pub use trajectory::samples::{Sample, Samples};
 
 /// The programs of the README and of the pages in `docs`, so that they compile and hold. These are files of the repository
 /// alone: nothing but its documentation tests reads them.
@@ -232,9 +144,9 @@ pub mod prelude {
     pub use crate::Elementary;
     #[cfg(feature = "std")]
     pub use crate::Ensemble;
-    pub use crate::catalogue::*;
     #[cfg(feature = "check")]
     pub use crate::check::{Certificate, certify};
+    pub use crate::composition::catalogue::*;
     pub use crate::{
         Compensated, Composition, Crossings, Direction, Error, Fixed, Hamiltonian, Phase, Run, Sample, Samples, Scheme,
         composition, hamiltonian,
@@ -243,39 +155,55 @@ pub mod prelude {
 
 /// The door through which generated code enters. Nothing here is stable.
 pub mod __private {
-    pub use crate::external::{External, external};
+    pub use crate::system::external::{External, external};
     pub use crate::{
-        block::Block,
-        catalogue::Verlet,
-        composition::{Class, Composition, Lead, Processor, Rows, Scheme, Stage, Stages},
-        constants::{all_found, not_finite},
-        coords::Coords,
-        digest::Digest,
-        elements::Elements,
+        composition::{
+            Class, Composition, Lead, Processor, Rows, Scheme, Stage, Stages,
+            catalogue::Verlet,
+            visit::{Visitor, visit_quadratic},
+        },
         error::NotFinite,
-        fused::Fused,
-        gather::{Drift, Edges, Gather, Kick},
         hamiltonian::{Flows, Hamiltonian, QuadraticKinetic, Shaped},
-        many_body::{ManyBody, PerBody},
-        motion::{Motion, Plain, Prepared},
-        neighbours::Neighbours,
-        pair::{Pair, pair},
-        prepared::in_lanes,
-        real::{Kernel, Mask, Real},
-        ring::Ring,
-        row::Row,
-        sites::Sites,
-        slot::{Keep, Slot},
-        taylor::{
+        layout::{
+            bodies::{
+                many_body::{ManyBody, PerBody},
+                ring::Ring,
+                tiles::Tiles,
+            },
+            lattice::{
+                gather::{Drift, Edges, Gather, Kick},
+                neighbours::Neighbours,
+                sites::Sites,
+                tiled::{Flow, Reach},
+            },
+        },
+        methods::taylor::{
             Recurrences, RecurrencesVisitor,
             mobility::Mobility,
             series::{COEFFICIENTS, half_power, order_of_time, over, over_two, turn, weight, weight_with, weighted},
             table::{Coefficients, Layout, Table},
             turns::{Abreast, Target, Turns, spread},
         },
-        tiled::{Flow, Reach},
-        tiles::Tiles,
-        visit::{Visitor, visit_quadratic},
+        scalar::{
+            fused::Fused,
+            real::{Kernel, Mask, Real},
+            simd::{
+                block::Block,
+                pair::{Pair, pair},
+                row::Row,
+            },
+        },
+        state::{
+            coords::Coords,
+            digest::Digest,
+            slot::{Keep, Slot},
+        },
+        system::{
+            constants::{all_found, not_finite},
+            elements::Elements,
+            motion::{Motion, Plain, Prepared},
+            prepared::in_lanes,
+        },
     };
     pub use alloc::{sync::Arc, vec::Vec};
 

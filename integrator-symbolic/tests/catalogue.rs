@@ -7,7 +7,7 @@ use proc_macro2::{Literal, TokenStream, TokenTree};
 
 /// The declarations of every block, by file.
 fn catalogue() -> Vec<(String, Vec<TokenStream>)> {
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../integrator-core/src/catalogue");
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../integrator-core/src/composition/catalogue");
     let mut files: Vec<_> =
         fs::read_dir(folder).expect("the catalogue").map(|entry| entry.expect("a file").path()).collect();
     files.sort();

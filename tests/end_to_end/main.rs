@@ -4,7 +4,7 @@
 //! process for each of the others.
 
 mod by_hand;
-#[path = "../../integrator-core/src/catalogue_list.rs"]
+#[path = "../../integrator-core/src/composition/catalogue_list.rs"]
 mod catalogue;
 mod changed_states;
 mod divergence;

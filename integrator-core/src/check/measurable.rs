@@ -3,21 +3,25 @@
 use crate::{
     check::{
         CheckError,
-        energy::{EnergyDrift, energy_drift},
-        exact::{Stepper, Steps},
-        gradient::Energies,
-        points::{self, run},
-        reversibility::{RoundTrip, round_trip},
-        stability::{Stability, nearness},
+        oracle::exact::{Stepper, Steps},
+        property::{
+            energy::{EnergyDrift, energy_drift},
+            gradient::Energies,
+            reversibility::{RoundTrip, round_trip},
+            stability::{Stability, nearness},
+            stated::Stated,
+            symplecticity::{Defect, defect},
+        },
         start::Start,
-        stated::Stated,
-        symplecticity::{Defect, defect},
+        statistics::points::{self, run},
     },
     error::Error,
-    flat::{Flat, shaped},
     hamiltonian::{Hamiltonian, Shaped},
-    method::Method,
-    slot::Keep,
+    state::{
+        flat::{Flat, shaped},
+        slot::Keep,
+    },
+    trajectory::method::Method,
 };
 
 /// What can be measured, by every check.

@@ -1,7 +1,7 @@
 //! What a stepper falls short of.
 
 use crate::{
-    check::{certificate::Certificate, energy::EnergyDrift, error::CheckError},
+    check::{certificate::Certificate, error::CheckError, property::energy::EnergyDrift},
     error::{Error, Misread, debug_as_display},
 };
 use std::fmt;

@@ -1,6 +1,6 @@
 //! Where and when a measured motion begins.
 
-use crate::{coords::Coords, phase::Phase};
+use crate::state::{coords::Coords, phase::Phase};
 
 /// A point of phase space and a time: where and when the motion that a check measures begins.
 ///

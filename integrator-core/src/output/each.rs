@@ -1,10 +1,9 @@
 //! Samples one by one, counted, to the end or to the first mistake.
 
 use crate::{
-    coords::Coords,
     error::{Error, debug_as_display},
-    samples::Sample,
-    slot::Keep,
+    state::{coords::Coords, slot::Keep},
+    trajectory::samples::Sample,
 };
 use std::io;
 

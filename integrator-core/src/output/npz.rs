@@ -1,7 +1,7 @@
 //! Samples as arrays for NumPy.
 
 use super::each::{OutputError, each, numbers, unequal};
-use crate::{coords::Coords, error::Error, samples::Sample};
+use crate::{error::Error, state::coords::Coords, trajectory::samples::Sample};
 use alloc::vec::Vec;
 use npyz::{WriteOptions, WriterBuilder};
 use std::io::{self, BufWriter, Seek, Write};

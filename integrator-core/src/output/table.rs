@@ -1,7 +1,7 @@
 //! Samples as lines of text.
 
 use super::each::{OutputError, each, numbers, unequal};
-use crate::{coords::Coords, error::Error, samples::Sample};
+use crate::{error::Error, state::coords::Coords, trajectory::samples::Sample};
 use ::csv::ErrorKind;
 use alloc::{
     format,

@@ -1,13 +1,12 @@
 //! A composition as one of many: what the search needs to know of it, without its type.
 
 use crate::{
-    check::{points::run, start::Start},
-    composition::{Class, Composition, Rows},
+    check::{start::Start, statistics::points::run},
+    composition::{Class, Composition, Rows, visit::Visitor},
     error::Error,
     hamiltonian::{Hamiltonian, Shaped},
-    run::Run,
-    slot::Keep,
-    visit::Visitor,
+    state::slot::Keep,
+    trajectory::run::Run,
 };
 
 /// How a run begins, whatever its composition.

@@ -15,10 +15,10 @@ pub use error::ChooseError;
 pub use ranking::{Choice, Ranking};
 
 use crate::{
-    check::{CheckError, points::begin, start::Start},
+    check::{CheckError, start::Start, statistics::points::begin},
     hamiltonian::{Hamiltonian, Shaped},
-    slot::Keep,
-    tolerance::within,
+    scalar::tolerance::within,
+    state::slot::Keep,
 };
 use problem::Problem;
 

@@ -2,26 +2,32 @@
 
 use super::{ChooseError, Goal, candidate::Candidate};
 use crate::{
-    catalogue::SofroniouSpaletta10,
     check::{
         CheckError,
-        compensated::CompensatedSteps,
-        edges::{fewest_steps, greatest_common_divisor},
-        exact::Motions,
-        path::{PARTS, Path, Scale},
-        points::{flat_start, plain},
-        reference::{Reference, by_series},
+        oracle::{
+            compensated::CompensatedSteps,
+            edges::{fewest_steps, greatest_common_divisor},
+            exact::Motions,
+            reference::{Reference, by_series},
+        },
         start::Start,
+        statistics::{
+            path::{PARTS, Path, Scale},
+            points::{flat_start, plain},
+        },
     },
-    coords::Coords,
+    composition::catalogue::SofroniouSpaletta10,
     error::Error,
-    flat::{flat, shaped},
     hamiltonian::{Hamiltonian, Shaped},
-    motion::Motion,
-    phase::Phase,
-    run::Run,
-    slot::Keep,
-    tolerance::{largest, ratio, within},
+    scalar::tolerance::{largest, ratio, within},
+    state::{
+        coords::Coords,
+        flat::{flat, shaped},
+        phase::Phase,
+        slot::Keep,
+    },
+    system::motion::Motion,
+    trajectory::run::Run,
 };
 use std::time::Instant;
 

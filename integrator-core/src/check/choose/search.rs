@@ -8,7 +8,7 @@ use super::{
     candidate::Candidate,
     problem::{MOST_EVALUATIONS, Problem, stalled},
 };
-use crate::{check::CheckError, hamiltonian::Hamiltonian, slot::Keep, tolerance::within};
+use crate::{check::CheckError, hamiltonian::Hamiltonian, scalar::tolerance::within, state::slot::Keep};
 
 /// The first round's evaluations.
 const FIRST_ROUND: u64 = 64;

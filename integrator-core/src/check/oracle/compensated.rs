@@ -1,0 +1,85 @@
+//! Steps with a compensated state, for measurements that rounding would drown.
+//!
+//! Always true: one scalar is all that they are compiled for, and none of the bookkeeping of a run.
+
+use crate::{
+    check::start::Start,
+    error::Error,
+    hamiltonian::{Hamiltonian, Shaped},
+    state::{
+        clock::Clock,
+        coords::Coords,
+        flat::{Flat, flat},
+        phase::Phase,
+        slot::Compensated,
+    },
+    system::motion::Motion,
+    trajectory::{admissible::admissible_with, method::Method},
+};
+use std::sync::Arc;
+
+/// The steps of a method from a start, whose state carries the rounding error of every update.
+pub(crate) struct CompensatedSteps<H: Hamiltonian, X: Method<H>> {
+    method: X,
+    constants: Arc<X::Constants>,
+    start: Phase<Shaped<H, Compensated<f64>>>,
+    motion: X::Motion<f64, Compensated<f64>>,
+    state: Phase<Shaped<H, Compensated<f64>>>,
+    clock: Clock,
+}
+
+impl<H: Hamiltonian, X: Method<H>> CompensatedSteps<H, X> {
+    /// # Errors
+    /// A start or a step that no run would begin with.
+    pub(crate) fn new(system: &H, method: X, Start { phase, time }: Start<H::Coords>, h: f64) -> Result<Self, Error> {
+        admissible_with(method, &phase, h)?;
+        let constants = method.constants(Arc::new(system.parameters(phase.q.length())));
+        let start = Phase::compensated(phase.q, phase.p);
+        Ok(Self::begin(method, constants, start, Clock { t0: time, h, steps: 0 }))
+    }
+
+    fn begin(method: X, constants: Arc<X::Constants>, start: Phase<Shaped<H, Compensated<f64>>>, clock: Clock) -> Self {
+        let motion = X::Motion::<f64, Compensated<f64>>::load(&[&*constants], &[&start]);
+        Self { method, constants, motion, state: start.clone(), start, clock }
+    }
+
+    /// Takes so many steps.
+    ///
+    /// # Errors
+    /// As those of a run: steps that the clock does not notice, and those that leave the finite numbers.
+    pub(crate) fn advance(&mut self, steps: u64) -> Result<Flat, Error> {
+        self.clock.end(steps)?;
+        if self.take(steps) { Ok(flat(&self.state)) } else { Err(self.divergence()) }
+    }
+
+    /// Takes so many steps, the last of which is completed to be seen; whether it ends in finite numbers.
+    fn take(&mut self, steps: u64) -> bool {
+        let moves = X::plain_moves::<f64, Compensated<f64>>();
+        moves.advance(&mut self.motion, self.clock, steps);
+        self.clock.steps += steps;
+        let shown = moves.shown(self.motion.clone(), self.clock);
+        shown.store(0, &mut self.state);
+        shown.finite()
+    }
+
+    /// Which of the steps so far left the finite numbers.
+    fn divergence(&self) -> Error {
+        let clock = Clock { steps: 0, ..self.clock };
+        let mut again = Self::begin(self.method, self.constants.clone(), self.start.clone(), clock);
+        let mut last = again.state.clone();
+        while again.clock.steps < self.clock.steps && again.take(1) {
+            last.clone_from(&again.state);
+        }
+        let Clock { steps: step, .. } = again.clock;
+        let before = Clock { steps: step.saturating_sub(1), ..clock };
+        match again.motion.unsolved(0) {
+            Some(reason) => Error::NotSolved {
+                method: self.method.facts().name,
+                step,
+                time: before.at(before.steps),
+                reason: reason.clone(),
+            },
+            None => before.divergence(&last, &again.state).into(),
+        }
+    }
+}

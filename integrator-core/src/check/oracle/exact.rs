@@ -1,0 +1,133 @@
+//! A system and a method without their types, as the logic of checks sees them: states are rows of numbers.
+//!
+//! Always true: all that is compiled for each system and method is what takes a state from one time to another; ladders, fits
+//! and judgements are compiled once, in this crate.
+
+use crate::{
+    check::{
+        CheckError,
+        oracle::{
+            compensated::CompensatedSteps,
+            edges,
+            march::march,
+            series::{is_written, series},
+        },
+        start::Start,
+        statistics::path::{Path, Scale},
+    },
+    error::Error,
+    hamiltonian::Hamiltonian,
+    methods::taylor::Taylor,
+    state::{
+        flat::{Flat, shaped},
+        phase::Phase,
+    },
+    trajectory::method::{Facts, Method},
+};
+
+/// What the exact motion of a system is found by.
+pub(crate) trait Exact {
+    /// Whether the clock decides on pieces of the Hamiltonian.
+    fn piecewise_in_time(&self) -> bool;
+
+    /// Whether there are recurrences for a series.
+    fn is_expanded(&self) -> bool;
+
+    /// The motion by Taylor polynomials, as [`series`] makes it.
+    fn series(&self, start: &Start<Vec<f64>>, span: f64, method: Taylor, looks: u64) -> Option<(Path, Scale)>;
+
+    /// So many steps of `h` by the flows of the system, each of them Verlet over fractions of it; the states are shown one
+    /// after the other.
+    fn march(&self, start: &Start<Vec<f64>>, steps: (f64, u64), fractions: &[f64], see: &mut dyn FnMut(Flat));
+}
+
+/// A method that carries on a system.
+pub(crate) trait Stepper {
+    fn facts(&self) -> Facts;
+
+    /// Whether the Hamiltonian does not read the time.
+    fn autonomous(&self) -> bool;
+
+    /// The system alone.
+    fn exact(&self) -> &dyn Exact;
+
+    /// Where a compensated run in steps of `h` is at the end of each of some parts of its time, each of so many `steps`.
+    fn path(&self, start: &Start<Vec<f64>>, h: f64, parts: u64, steps: u64) -> Result<Path, Error>;
+
+    /// By how many steps edges lie apart, as [`edges::spacing`] tells it; zero where the clock decides on no pieces.
+    fn spacing(&self, points: &[Flat], t0: f64, h: f64, steps: u64) -> Result<u64, CheckError>;
+}
+
+/// A system, and a point in the shape of its coordinates.
+pub(crate) struct Motions<'s, H: Hamiltonian> {
+    pub(crate) system: &'s H,
+    pub(crate) shape: &'s Phase<H::Coords>,
+}
+
+/// And a method.
+pub(crate) struct Steps<'s, H: Hamiltonian, X> {
+    motions: Motions<'s, H>,
+    method: X,
+}
+
+impl<'s, H: Hamiltonian, X> Steps<'s, H, X> {
+    pub(crate) fn new(system: &'s H, method: X, shape: &'s Phase<H::Coords>) -> Self {
+        Self { motions: Motions { system, shape }, method }
+    }
+}
+
+impl<H: Hamiltonian> Motions<'_, H> {
+    fn start(&self, start: &Start<Vec<f64>>) -> Start<H::Coords> {
+        Start { phase: shaped(self.shape, &start.phase), time: start.time }
+    }
+}
+
+impl<H: Hamiltonian> Exact for Motions<'_, H> {
+    fn piecewise_in_time(&self) -> bool {
+        H::PIECEWISE_IN_TIME
+    }
+
+    fn is_expanded(&self) -> bool {
+        is_written::<H>()
+    }
+
+    fn series(&self, start: &Start<Vec<f64>>, span: f64, method: Taylor, looks: u64) -> Option<(Path, Scale)> {
+        series(self.system, &self.start(start), span, method, looks)
+    }
+
+    fn march(&self, start: &Start<Vec<f64>>, steps: (f64, u64), fractions: &[f64], see: &mut dyn FnMut(Flat)) {
+        march(self.system, self.start(start), steps, fractions, see);
+    }
+}
+
+impl<H: Hamiltonian, X: Method<H>> Stepper for Steps<'_, H, X> {
+    fn facts(&self) -> Facts {
+        self.method.facts()
+    }
+
+    fn autonomous(&self) -> bool {
+        H::AUTONOMOUS
+    }
+
+    fn exact(&self) -> &dyn Exact {
+        &self.motions
+    }
+
+    fn path(&self, start: &Start<Vec<f64>>, h: f64, parts: u64, steps: u64) -> Result<Path, Error> {
+        let mut run = CompensatedSteps::new(self.motions.system, self.method, self.motions.start(start), h)?;
+        let mut ends = Vec::with_capacity(parts as usize);
+        for _ in 0..parts {
+            ends.push(run.advance(steps)?);
+        }
+        Ok(Path { start: start.phase.clone(), ends })
+    }
+
+    fn spacing(&self, points: &[Flat], t0: f64, h: f64, steps: u64) -> Result<u64, CheckError> {
+        if H::PIECEWISE_IN_TIME {
+            let points: Vec<_> = points.iter().map(|point| shaped(self.motions.shape, point)).collect();
+            edges::spacing(self.motions.system, &points, t0, h, steps)
+        } else {
+            Ok(0)
+        }
+    }
+}

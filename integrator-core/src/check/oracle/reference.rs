@@ -1,0 +1,268 @@
+//! The motion that a method is measured against.
+//!
+//! In: a system, a start, a time. Out: where the exact flow leads, with an estimate of the error that is left. It is a Taylor
+//! series where recurrences were written, and a march by the flows of the system where they were not. Always true:
+//! neither the catalogue nor the executor of runs is involved, so that a wrong coefficient or a wrong time in one of them
+//! cannot hide by standing on both sides; in particular a composition that converges to another motion is found out.
+//!
+//! A series is trusted as far as the flows confirm it. It knows nothing of what lies beyond a branch, nor of a force whose
+//! first derivatives all vanish, and recurrences may be those of another motion. Whether flows are those of the
+//! energies is seen by the check of gradients.
+
+use crate::{
+    check::{
+        oracle::{exact::Exact, march::March},
+        start::Start,
+        statistics::path::{Path, Scale},
+    },
+    methods::taylor::Taylor,
+    scalar::tolerance::within,
+};
+
+/// The error, in units of the excursion, up to which flows in coarse steps are taken to follow the motion. Halving the
+/// steps then leaves little of it, so that what is left is less than what changed.
+const FOLLOWED: f64 = 0.1;
+
+/// The share of the state that the last coefficients add, of the series and of the one that it is held against. Both are
+/// far below the rounding; polynomials of the second begin at other times, for its steps have another length.
+const TOLERANCES: [f64; 2] = [1e-20, 1e-18];
+
+/// How often each part of a series is looked at for how far it goes. A prime, so that a periodic motion is not back at its
+/// start whenever it is looked at.
+const LOOKS: u64 = 251;
+
+/// How many roundings a march may be off beside what refining it changes. Its durations add up to nine times the time,
+/// forth and back, and each is rounded as a weight, as a product with the step, and in what its flow adds.
+const ROUNDINGS: f64 = 32.0;
+
+/// The exact motion as far as it is known.
+pub(crate) struct Reference {
+    pub(crate) path: Path,
+    /// What it is held against: of a march, the next coarser one.
+    ///
+    /// Of a series, another one. A compensated state loses nothing, so that the errors of a series are these: each
+    /// expansion begins at a state that is rounded to half an ε, which turns its force by so much, and sums of
+    /// coefficients are off by a few ε of what they add. Both are stretched by the flow from there on, which no bound
+    /// known beforehand tells. The other series rounds at other states, so that its errors are as large and
+    /// independent: the root of the mean square of the differences, over four times and all coordinates, is √2 of those of
+    /// one. What truncation leaves is 100 times larger in the other one. Over less than an expansion both round alike,
+    /// by little more than one rounding of a state.
+    pub(crate) other: Path,
+    /// How far the motion goes, seen at more times than the ends of the path.
+    pub(crate) scale: Scale,
+}
+
+impl Reference {
+    /// How far the two are apart: above the error, for a march of any order.
+    pub(crate) fn uncertainty(&self) -> f64 {
+        self.path.distance(&self.other, self.scale)
+    }
+
+    /// What one rounding of every coordinate amounts to.
+    pub(crate) fn rounding(&self) -> f64 {
+        self.path.rounding(self.scale)
+    }
+}
+
+/// The motion of `system` from `start` over `span`, of which a run takes `whole` steps in each part.
+pub(crate) fn reference(
+    system: &dyn Exact,
+    start: &Start<Vec<f64>>,
+    span: f64,
+    whole: u64,
+    halvings: i32,
+) -> Reference {
+    let march = || March::new(system, start).within_steps(whole).refined(span);
+    by_series(system, start, span, halvings).unwrap_or_else(march)
+}
+
+/// The same, if there is a series and flows lead where it does.
+///
+/// It is confirmed over each of `span`, its half, its quarter, ... that flows follow in coarse steps, down to the one
+/// that they follow to the rounding: the long ones see more, and the short ones more exactly. `halvings` is how often
+/// the time is halved at most, which bounds the number of expansions. A polynomial does not know of pieces in time.
+pub(crate) fn by_series(system: &dyn Exact, start: &Start<Vec<f64>>, span: f64, halvings: i32) -> Option<Reference> {
+    if system.is_expanded() && !system.piecewise_in_time() {
+        confirmed(system, start, &March::new(system, start), span, halvings)
+    } else {
+        None
+    }
+}
+
+/// A series that flows confirm.
+fn confirmed(
+    expanded: &dyn Exact,
+    start: &Start<Vec<f64>>,
+    march: &March<'_>,
+    span: f64,
+    halvings: i32,
+) -> Option<Reference> {
+    let series = |span, method, looks| expanded.series(start, span, method, looks);
+    let [finer, other] = TOLERANCES.map(Taylor::tolerance);
+    let mut is_confirmed = false;
+    for halving in 0..=halvings {
+        let time = span / 2.0_f64.powi(halving);
+        let flows = march.coarse(time);
+        let (uncertainty, rounding) = (flows.uncertainty(), flows.rounding());
+        if !within(uncertainty, FOLLOWED) {
+            continue;
+        }
+        let apart = series(time, finer, 1)?.0.distance(&flows.path, flows.scale);
+        if !within(apart, uncertainty + ROUNDINGS * rounding) {
+            return None;
+        }
+        is_confirmed = true;
+        if within(uncertainty, rounding) {
+            break;
+        }
+    }
+    if !is_confirmed {
+        return None;
+    }
+    let ((path, scale), (other, _)) = (series(span, finer, LOOKS)?, series(span, other, 1)?);
+    Some(Reference { path, other, scale })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{
+        check::oracle::exact::Motions,
+        hamiltonian,
+        hamiltonian::Hamiltonian,
+        state::{flat::flat, phase::Phase},
+    };
+
+    struct Pendulum {
+        gravity: f64,
+    }
+
+    #[hamiltonian(taylor)]
+    impl Pendulum {
+        fn kinetic(&self, p: [f64; 1]) -> f64 {
+            p[0] * p[0] / 2.0
+        }
+        fn potential(&self, q: [f64; 1]) -> f64 {
+            -self.gravity * q[0].cos()
+        }
+    }
+
+    struct Kepler;
+
+    #[hamiltonian(taylor)]
+    impl Kepler {
+        fn kinetic(&self, p: [f64; 2]) -> f64 {
+            (p[0] * p[0] + p[1] * p[1]) / 2.0
+        }
+        fn potential(&self, q: [f64; 2]) -> f64 {
+            -1.0 / (q[0] * q[0] + q[1] * q[1]).sqrt()
+        }
+    }
+
+    struct Driven;
+
+    #[hamiltonian(taylor)]
+    impl Driven {
+        fn kinetic(&self, p: [f64; 1]) -> f64 {
+            p[0] * p[0] / 2.0
+        }
+        fn potential(&self, q: [f64; 1], t: f64) -> f64 {
+            -(1.0 + 0.5 * (2.0 * t).cos()) * q[0].cos()
+        }
+    }
+
+    struct Chain;
+
+    #[hamiltonian(taylor)]
+    impl Chain {
+        fn kinetic(&self, p: &[f64]) -> f64 {
+            p.iter().map(|p| p * p / 2.0).sum()
+        }
+        fn potential(&self, q: &[f64]) -> f64 {
+            let mut sum = 0.0;
+            for i in 1..q.len() {
+                let stretch = q[i] - q[i - 1];
+                sum += stretch * stretch / 2.0 + stretch.powi(4) / 4.0;
+            }
+            sum
+        }
+    }
+
+    /// A potential whose force jumps, and one whose derivatives at zero vanish up to the 39th.
+    struct Blind {
+        kink: f64,
+        wall: f64,
+    }
+
+    #[hamiltonian(taylor)]
+    impl Blind {
+        fn kinetic(&self, p: [f64; 1]) -> f64 {
+            p[0] * p[0] / 2.0
+        }
+        fn potential(&self, q: [f64; 1]) -> f64 {
+            self.kink * q[0].abs() + self.wall * q[0].powi(40)
+        }
+    }
+
+    fn agree<H: Hamiltonian>(system: &H, start: Phase<H::Coords>) {
+        let (system, start) = (&Motions { system, shape: &start }, flat(&start).at_time(0.0));
+        for span in [0.1, 1.0, 5.0, 20.0, -20.0] {
+            let series = by_series(system, &start, span, 8).expect("a series");
+            let flows = March::new(system, &start).refined(span);
+            let apart = series.path.distance(&flows.path, flows.scale);
+            // Each unit of time is about a turn, and rounds as much as the first one.
+            let rounding = ROUNDINGS * (flows.rounding() + f64::EPSILON * span.abs());
+            let bound = series.uncertainty() + flows.uncertainty() + rounding;
+            assert!(within(apart, bound), "{} over {span}: {apart:e}, {bound:e}", std::any::type_name::<H>());
+            // Ten roundings are all that motions without an instability leave.
+            assert!(within(series.uncertainty(), 10.0 * f64::EPSILON), "{:e}", series.uncertainty());
+        }
+    }
+
+    #[test]
+    fn series_and_flows_lead_to_the_same_states() {
+        agree(&Pendulum { gravity: 1.0 }, Phase::new([2.0], [0.0]));
+        agree(&Kepler, Phase::new([0.4, 0.0], [0.0, 2.0]));
+        agree(&Driven, Phase::new([1.0], [0.0]));
+        agree(&Chain, Phase::new(vec![0.0, 1.0, 0.5, -0.25], vec![0.0, 0.1, 0.0, 0.3]));
+    }
+
+    #[test]
+    fn a_series_of_another_system_is_not_trusted() {
+        let shape = &Phase::new([2.0], [0.0]);
+        let start = flat(shape).at_time(0.0);
+        let (system, heavier) = (Pendulum { gravity: 1.0 }, Pendulum { gravity: 1.0 + 1e-9 });
+        let trusted = |of: &Pendulum, span| {
+            let [of, flows] = [of, &system].map(|system| Motions { system, shape });
+            confirmed(&of, &start, &March::new(&flows, &start), span, 20).is_some()
+        };
+        for span in [1.0, 5.0, 1e4] {
+            assert!(trusted(&system, span) && !trusted(&heavier, span), "{span}");
+        }
+    }
+
+    #[test]
+    fn flows_lead_where_a_series_is_blind() {
+        let cases = [(Blind { kink: 1.0, wall: 0.0 }, [1.0], [0.0]), (Blind { kink: 0.0, wall: 1.0 }, [0.0], [1.0])];
+        for (system, q, p) in cases {
+            let shape = &Phase::new(q, p);
+            let (system, start) = (&Motions { system: &system, shape }, flat(shape).at_time(0.0));
+            for span in [4.0, 400.0] {
+                assert!(system.series(&start, span, Taylor::tolerance(1e-20), 1).is_some());
+                assert!(by_series(system, &start, span, 20).is_none());
+            }
+            let (found, march) = (reference(system, &start, 4.0, 1, 8), March::new(system, &start).refined(4.0));
+            assert_eq!(found.path.ends, march.path.ends);
+        }
+    }
+
+    #[test]
+    fn a_long_time_is_known_by_series_alone() {
+        let shape = &Phase::new([0.4, 0.0], [0.0, 2.0]);
+        let (system, start) = (&Motions { system: &Kepler, shape }, flat(shape).at_time(0.0));
+        let uncertainty = |halvings| reference(system, &start, 1e3, 1, halvings).uncertainty();
+        // A rounding of the energy turns the phase ever more: by 1e-16 in each of some thousand steps, times the time.
+        assert!(within(uncertainty(20), 1e-16 * 1e3 * 1e3), "{:e}", uncertainty(20));
+        assert!(!within(uncertainty(0), FOLLOWED), "{:e}", uncertainty(0));
+    }
+}

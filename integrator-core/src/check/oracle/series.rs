@@ -1,0 +1,87 @@
+//! A motion by Taylor polynomials, for systems whose recurrences were written.
+//!
+//! Always true: neither the executor of runs nor the flows of the system are involved, and one scalar is all that it is
+//! compiled for.
+
+use crate::{
+    check::{
+        start::Start,
+        statistics::path::{PARTS, Path, Scale},
+    },
+    hamiltonian::Hamiltonian,
+    methods::taylor::{Recurrences, RecurrencesVisitor, Taylor},
+    state::{clock::Clock, coords::Coords, flat::flat, phase::Phase, slot::Compensated},
+    system::motion::Motion,
+    trajectory::method::Method,
+};
+use std::sync::Arc;
+
+/// Whether the recurrences of a system were written.
+pub(crate) fn is_written<H: Hamiltonian>() -> bool {
+    struct Written(bool);
+    impl<H: Hamiltonian> RecurrencesVisitor<H> for Written {
+        fn visit(&mut self)
+        where
+            H: Recurrences,
+        {
+            self.0 = true;
+        }
+    }
+    let mut written = Written(false);
+    H::visit_recurrences(&mut written);
+    written.0
+}
+
+/// The motion of `system` from `start` over `span`, with a compensated state, and how far it goes, by so many looks
+/// at each part; nothing where there are no recurrences, or a singularity lies on the way.
+pub(crate) fn series<H: Hamiltonian>(
+    system: &H,
+    start: &Start<H::Coords>,
+    span: f64,
+    method: Taylor,
+    looks: u64,
+) -> Option<(Path, Scale)> {
+    let mut expansion = Expansion::<H> { system, start, span, method, looks, found: None };
+    H::visit_recurrences(&mut expansion);
+    expansion.found
+}
+
+struct Expansion<'s, H: Hamiltonian> {
+    system: &'s H,
+    start: &'s Start<H::Coords>,
+    span: f64,
+    method: Taylor,
+    looks: u64,
+    found: Option<(Path, Scale)>,
+}
+
+impl<H: Hamiltonian> RecurrencesVisitor<H> for Expansion<'_, H> {
+    fn visit(&mut self)
+    where
+        H: Recurrences,
+    {
+        let Self { system, start: &Start { phase: ref start, time: t0 }, span, method, looks, .. } = *self;
+        let constants = Method::<H>::constants(method, Arc::new(system.parameters(start.q.length())));
+        let mut state = Phase::compensated(start.q.clone(), start.p.clone());
+        let mut motion = <Taylor as Method<H>>::Motion::<f64, Compensated<f64>>::load(&[&*constants], &[&state]);
+        let moves = <Taylor as Method<H>>::moves::<f64, Compensated<f64>>();
+        let begin = flat(start);
+        let (mut ends, mut scale) = (Vec::with_capacity(PARTS as usize), Scale::ZERO);
+        for step in 1..=PARTS * looks {
+            // Ends of parts are multiples of a part, whatever the looks between them round.
+            let is_end = step % looks == 0;
+            let (number, count) = if is_end { (step / looks, PARTS) } else { (step, PARTS * looks) };
+            moves.advance(&mut motion, Clock { t0, h: span / count as f64, steps: number - 1 }, 1);
+            if !motion.finite() {
+                return;
+            }
+            motion.store(0, &mut state);
+            let point = flat(&state);
+            scale = scale.reaching(&begin, &point);
+            if is_end {
+                ends.push(point);
+            }
+        }
+        self.found = Some((Path { start: begin, ends }, scale));
+    }
+}

@@ -1,0 +1,199 @@
+//! Whether the energy stays where it began.
+//!
+//! In: a system that does not read the time, a method, a start, a step, a number of steps. Out: how far the energy
+//! went, the straight line through it, and whether it oscillates, walks or drifts. Always true: the very run of the user, in the precision of the user's state;
+//! the energy of a symplectic step oscillates about its value and goes nowhere, until rounding takes over.
+
+use crate::{
+    check::{
+        CheckError,
+        property::order::CLEARANCE,
+        start::Start,
+        statistics::{
+            course::{Course, GROUPS, Trend},
+            points::{resolution, run},
+        },
+    },
+    error::Error,
+    hamiltonian::{Hamiltonian, Shaped},
+    scalar::tolerance::{largest, length, ratio, within},
+    state::{coords::Coords, phase::Phase, slot::Keep},
+    system::motion::Motion,
+    trajectory::method::Method,
+};
+
+/// How many samples are taken at most; a run of so many steps is looked at after each of them.
+const SAMPLES: u64 = 4096;
+
+/// The share of the kinetic energy beyond which the energy is not conserved, whatever its course. An arbitrary line:
+/// no motion that resembles the true one crosses it.
+const LOST: f64 = 0.5;
+
+/// What became of the energy `H` in a run, in units of the largest kinetic energy on the way. The value of `H` itself
+/// is no unit: a constant in `V` changes it at will, and it may be zero.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub struct EnergyDrift {
+    /// The largest deviation from the start.
+    pub deviation: f64,
+    /// The root of the mean squared deviation from the start.
+    pub mean_deviation: f64,
+    /// Whether it oscillates, walks at random or drifts, as far as the run is long enough to tell.
+    pub course: Course,
+    /// The mean kinetic energy.
+    pub mean_kinetic: f64,
+    /// The slope of the straight line through the energy, per unit time.
+    pub slope: f64,
+    /// The standard error of the slope. It allows for a random walk, whose values resemble their neighbours.
+    pub uncertainty: f64,
+    /// The step of the run.
+    pub step: f64,
+    /// The number of steps of the run.
+    pub steps: u64,
+    /// What rounding alone may add to the deviation.
+    pub rounding: f64,
+}
+
+impl EnergyDrift {
+    /// What the straight line alone accounts for over the whole run.
+    pub fn drift(&self) -> f64 {
+        self.slope * self.step * self.steps as f64
+    }
+
+    /// Whether the energy is lost: it strays by more than half of the largest kinetic energy, or by more than the mean
+    /// one in the mean, which no longer is an error of the step but another motion. (A comet that is fast for a moment
+    /// is another one long before the first.) A smaller step helps, if the composition is right.
+    pub fn is_lost(&self) -> bool {
+        let strays = !within(self.deviation, LOST) || !within(self.mean_deviation, self.mean_kinetic);
+        strays && !within(self.deviation, self.rounding)
+    }
+
+    /// Whether the deviation shrinks by this power of the step to the one in steps of half the length, `finer`, or until
+    /// that one is of the size of its rounding. Of the largest and the mean deviation one may happen to be small.
+    pub(crate) fn shrinks_to(&self, finer: &Self, order: f64) -> bool {
+        let shrinks = |coarse: f64, fine: f64| within(fine * order.exp2(), coarse);
+        shrinks(self.deviation, finer.deviation)
+            || shrinks(self.mean_deviation, finer.mean_deviation)
+            || within(finer.deviation, CLEARANCE * finer.rounding)
+    }
+
+    /// Whether the energy stays, or walks without a slope that is certain: a single encounter of bodies is a step from which
+    /// it does not return. Whether the length of the steps explains the walk, finer ones tell.
+    pub(crate) fn may_stay(&self) -> bool {
+        self.is_bounded() || (self.course == Course::RandomWalk && !self.is_lost())
+    }
+
+    /// Whether the energy stays: it is not lost, and either rounding explains how far it goes or at most half of that
+    /// is a trend. The line through `m` periods of a sine accounts for `6/(πm)` of its amplitude, less than half from
+    /// the fourth period on; the line through a steady loss or gain accounts for nearly all of it.
+    pub fn is_bounded(&self) -> bool {
+        let trendless = within(self.deviation, self.rounding) || within(self.drift(), self.deviation / 2.0);
+        trendless && !self.is_lost()
+    }
+}
+
+/// The course of the energy over `steps` steps from `start`.
+///
+/// # Errors
+/// A Hamiltonian that reads the time; fewer than 64 steps; a start or a step that no run would begin with; a run that
+/// leaves the finite numbers.
+pub fn energy_drift<H: Hamiltonian, X: Method<H>, K: Keep>(
+    system: &H,
+    method: X,
+    start: impl Into<Start<Shaped<H, K>>>,
+    h: f64,
+    steps: u64,
+) -> Result<EnergyDrift, CheckError> {
+    if !H::AUTONOMOUS {
+        return Err(CheckError::NotAutonomous);
+    }
+    let needed = GROUPS as u64;
+    if steps < needed {
+        return Err(CheckError::TooFewSteps { steps, needed });
+    }
+    let begin = start.into();
+    let mut run = run::<H, X, K>(system, method, &begin, h)?;
+    let parameters = system.parameters(run.state().q.length());
+    let parts = |state: &Phase<Shaped<H, K>>, time: f64| {
+        let motion = H::Motion::<f64, K>::load(&[&parameters], &[state]);
+        (H::kinetic::<f64, K>(&motion, time), H::potential::<f64, K>(&motion, time))
+    };
+    let (kinetic, potential) = parts(&run.state(), run.time());
+    let followed = follow([run.time(), kinetic, potential], steps, &mut |interval| {
+        run.advance(interval)?;
+        let (kinetic, potential) = parts(&run.state(), run.time());
+        Ok([run.time(), kinetic, potential])
+    })?;
+    let resolution = resolution(&[&begin.phase, &run.state()]);
+    Ok(followed.drift(h, resolution, method.facts().roundings_in(run.steps())))
+}
+
+/// What is seen of the energies of a run.
+struct Followed {
+    /// How many steps the run took.
+    steps: u64,
+    /// The time of the start, and the deviations from there, each with its time.
+    begin: f64,
+    changes: Vec<(f64, f64)>,
+    largest_kinetic: f64,
+    sum_of_kinetic: f64,
+    /// The largest sum of the sizes of both energies.
+    largest_term: f64,
+}
+
+/// Looks at the energies of a run over so many steps: time, kinetic and potential energy at the start, and after a few steps more.
+fn follow(
+    [begin, kinetic, potential]: [f64; 3],
+    steps: u64,
+    advance: &mut dyn FnMut(u64) -> Result<[f64; 3], Error>,
+) -> Result<Followed, CheckError> {
+    let interval = steps.div_ceil(SAMPLES);
+    let samples = steps / interval;
+    let energy = kinetic + potential;
+    let (mut largest_kinetic, mut largest_term) = (kinetic.abs(), kinetic.abs() + potential.abs());
+    let mut changes = Vec::with_capacity(usize::try_from(samples).unwrap_or_default());
+    let mut sum_of_kinetic = 0.0;
+    for _ in 0..samples {
+        let [time, kinetic, potential] = advance(interval)?;
+        sum_of_kinetic += kinetic.abs();
+        largest_kinetic = largest([largest_kinetic, kinetic]);
+        largest_term = largest([largest_term, kinetic.abs() + potential.abs()]);
+        changes.push((time, kinetic + potential - energy));
+    }
+    Ok(Followed { steps: samples * interval, begin, changes, largest_kinetic, sum_of_kinetic, largest_term })
+}
+
+impl Followed {
+    /// The course of the energy in steps of `h`, where states have this `resolution` and were rounded so often.
+    fn drift(self, h: f64, resolution: f64, roundings: f64) -> EnergyDrift {
+        let Self { steps, begin, changes, largest_kinetic, sum_of_kinetic, largest_term } = self;
+        let groups: Vec<(f64, f64)> = changes.chunks_exact(changes.len() / GROUPS).take(GROUPS).map(middle).collect();
+        let trend = Trend::of(&groups);
+        let farthest = largest(changes.iter().map(|(_, change)| *change));
+        let mean = length(changes.iter().map(|(_, change)| *change)) / (changes.len() as f64).sqrt();
+        let end = changes.last().map_or(begin, |(time, _)| *time);
+        let share = ratio(trend.slope * (end - begin), farthest);
+        // Every flow rounds the state, which changes the energy by up to ε of its terms, at random: the farthest such a
+        // walk gets is about 2.5 times the root of its steps. The factor 16 leaves room for flows that round several
+        // numbers, and for the sum of the energy itself.
+        let walk = 16.0 * resolution * roundings.sqrt();
+        EnergyDrift {
+            deviation: ratio(farthest, largest_kinetic),
+            mean_deviation: ratio(mean, largest_kinetic),
+            mean_kinetic: ratio(sum_of_kinetic / changes.len() as f64, largest_kinetic),
+            course: trend.course(share),
+            slope: ratio(trend.slope, largest_kinetic),
+            uncertainty: ratio(trend.uncertainty, largest_kinetic),
+            step: h,
+            steps,
+            rounding: ratio(walk * largest_term, largest_kinetic),
+        }
+    }
+}
+
+/// The mean time and the mean value of some samples.
+fn middle(samples: &[(f64, f64)]) -> (f64, f64) {
+    let count = samples.len() as f64;
+    let (time, value) = samples.iter().fold((0.0, 0.0), |sum, sample| (sum.0 + sample.0, sum.1 + sample.1));
+    (time / count, value / count)
+}

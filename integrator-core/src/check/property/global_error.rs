@@ -1,0 +1,104 @@
+//! How far a run is from the exact motion.
+//!
+//! In: a system, a method, a start, a step, a number of steps. Out: a distance, and how well the exact motion is known.
+//! Always true: the very run of the user, in the precision of the user's state; the reference shares nothing with a
+//! composition but flows, and with a Taylor run what flows have confirmed.
+
+use crate::{
+    check::{
+        CheckError,
+        oracle::{exact::Motions, reference::reference},
+        start::Start,
+        statistics::{
+            path::{PARTS, Path},
+            points::{begin, flat_start, run},
+        },
+    },
+    hamiltonian::{Hamiltonian, Shaped},
+    scalar::tolerance::within,
+    state::{flat::flat, slot::Keep},
+    trajectory::method::Method,
+};
+
+/// The uncertainty of the exact motion from which on nothing is held against it. An arbitrary line: an error cannot
+/// be told to one digit beyond it.
+const KNOWN: f64 = 0.1;
+
+/// How far a run is from the exact motion.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub struct GlobalError {
+    /// The distance in phase space, positions and momenta each in units of how far the exact motion goes.
+    pub distance: f64,
+    /// The distance that two references have from each other, and the rounding of a state: what is less than a few of
+    /// these is not known.
+    pub uncertainty: f64,
+    /// The time over which it was measured, from the start. Negative for a negative step.
+    pub span: f64,
+}
+
+/// How far `method` is from the exact motion in `steps` steps of `h` from `start`, rounded up to a multiple of
+/// four: the root of the mean squared distance in phase space after each fourth of them, where the error at a single time may
+/// happen to vanish.
+///
+/// The exact motion is a Taylor series, with a compensated state and a tolerance far below the rounding, where
+/// `#[hamiltonian(taylor)]` wrote its recurrences and the flows of the system confirm it: it is known to the rounding for
+/// many periods. Of other systems it is a march in steps of eighth order, which is good for some ten periods.
+///
+/// ```
+/// use integrator_core::{check::global_error, prelude::*};
+///
+/// struct Pendulum;
+///
+/// #[hamiltonian(taylor)]
+/// impl Pendulum {
+///     fn kinetic(&self, p: [f64; 1]) -> f64 {
+///         0.5 * p[0] * p[0]
+///     }
+///     fn potential(&self, q: [f64; 1]) -> f64 {
+///         -q[0].cos()
+///     }
+/// }
+///
+/// let start = Phase::new([2.0], [0.0]);
+/// let coarse = global_error(&Pendulum, Yoshida4, start, 0.1, 10_000)?;
+/// let fine = global_error(&Pendulum, Yoshida4, start, 0.05, 20_000)?;
+/// let order = (coarse.distance / fine.distance).log2();
+/// assert!((order - 4.0).abs() < 0.1 && fine.uncertainty < 1e-11);
+/// # Ok::<(), integrator_core::check::CheckError>(())
+/// ```
+///
+/// # Errors
+/// No steps; a start or a step that no run would begin with; a run that leaves the finite numbers; an exact motion that is not
+/// known to a tenth of the way it goes.
+pub fn global_error<H: Hamiltonian, X: Method<H>, K: Keep>(
+    system: &H,
+    method: X,
+    start: impl Into<Start<Shaped<H, K>>>,
+    h: f64,
+    steps: u64,
+) -> Result<GlobalError, CheckError> {
+    if steps == 0 {
+        return Err(CheckError::TooFewSteps { steps, needed: 1 });
+    }
+    let start = start.into();
+    let begin = begin::<H, X, K>(system, method, &start, h)?;
+    let part = steps.div_ceil(PARTS);
+    let span = PARTS as f64 * part as f64 * h;
+    let mut run = run::<H, X, K>(system, method, &start, h)?;
+    let mut ends = Vec::with_capacity(PARTS as usize);
+    for _ in 0..PARTS {
+        run.advance(part)?;
+        ends.push(flat(&run.state()));
+    }
+    // Where a step follows the motion, flows in coarse steps follow it over some steps; where it does not, the exact motion must
+    // not take longer than the run.
+    let start = flat_start(&begin);
+    let exact = reference(&Motions { system, shape: &begin.phase }, &start, span, part, steps.ilog2() as i32);
+    let uncertainty = exact.uncertainty() + exact.rounding();
+    if !within(uncertainty, KNOWN) {
+        return Err(CheckError::NoReference { span, uncertainty });
+    }
+    let distance = Path { start: start.phase, ends }.distance(&exact.path, exact.scale);
+    Ok(GlobalError { distance, uncertainty, span })
+}

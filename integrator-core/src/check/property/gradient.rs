@@ -1,0 +1,238 @@
+//! Whether the flows belong to the energies.
+//!
+//! In: a system and a point. Out: the largest difference between a component of the generated gradient and the exact
+//! derivative of the generated energy. Always true: the gradient is taken from the flow itself, as what a kick or a
+//! drift of unit duration adds, and the derivative from duals through the energy, so that the two meet only here.
+//! Central differences, which know nothing of duals, stand by as a coarse witness.
+
+use crate::{
+    check::{
+        CheckError,
+        statistics::points::{begin, coordinate, numbers, origin},
+    },
+    hamiltonian::{Hamiltonian, Shaped},
+    scalar::{
+        dual::Dual,
+        real::Real,
+        tolerance::{largest, ratio, within},
+    },
+    state::{
+        coords::Coords,
+        flat::{Flat, flat, shaped},
+        phase::Phase,
+        slot::Keep,
+    },
+    system::motion::Motion,
+};
+
+/// How far the flows of `T` and `V` are from the gradients of `T` and `V` at `point` and `time`: the largest error of a
+/// component, in units of its condition.
+///
+/// The condition of a component `g` is `|g| + Σ |∂g/∂xⱼ|·x` with the largest coordinate `x`: what rounding the
+/// coordinates may do to `g` is ε times that. So a tiny component beside a huge one is judged by its own size, and one
+/// that is the small difference of large terms is not blamed for it.
+///
+/// # Errors
+/// A point that no run would begin with, a `time` that is not finite, or a point where an energy has no derivative.
+pub fn gradient_error<H: Hamiltonian, K: Keep>(
+    system: &H,
+    point: Phase<Shaped<H, K>>,
+    time: f64,
+) -> Result<f64, CheckError> {
+    let point = begin::<H, _, K>(system, H::Compose::default(), &point.at_time(time), 1.0)?.phase;
+    error_at(&Energies::new(system, &point), &flat(&point), time)
+}
+
+/// As [`gradient_error`], at a point that a run may begin with.
+pub(crate) fn error_at(system: &dyn Differentiable, point: &Flat, time: f64) -> Result<f64, CheckError> {
+    let error = |part| Gradient::new(system, part, time).error(point);
+    Ok(largest([error(Part::Kinetic)?, error(Part::Potential)?]))
+}
+
+/// The error up to which a component of a gradient over `coordinates` coordinates is right: a sum of as many terms,
+/// each of some operations and elementary functions of up to 4 ulp, evaluated twice, as code and through duals, whose
+/// chain rule rounds a few times more.
+pub(crate) fn gradient_tolerance(coordinates: usize) -> f64 {
+    32.0 * (coordinates + 1) as f64 * f64::EPSILON
+}
+
+/// One of the two energies. Its gradient is by the half of the coordinates that it reads, and moves the other half.
+#[derive(Clone, Copy, PartialEq)]
+pub(crate) enum Part {
+    Kinetic,
+    Potential,
+}
+
+/// The energies of a system and their flows, whatever the shape of its coordinates: in one lane, or along a tangent in the
+/// second one of duals.
+pub(crate) trait Differentiable {
+    /// An energy, or its derivative along a tangent.
+    fn energy(&self, part: Part, point: &Flat, tangent: Option<&Flat>, time: f64) -> f64;
+
+    /// The gradient of an energy, or the derivative of that along a tangent.
+    fn flow(&self, part: Part, point: &Flat, tangent: Option<&Flat>, time: f64) -> Vec<f64>;
+}
+
+/// Those of a system with its parameters, and a point in the shape of its coordinates.
+pub(crate) struct Energies<'s, H: Hamiltonian> {
+    pub(crate) system: &'s H,
+    pub(crate) parameters: H::Parameters<f64>,
+    pub(crate) shape: &'s Phase<H::Coords>,
+}
+
+impl<'s, H: Hamiltonian> Energies<'s, H> {
+    pub(crate) fn new(system: &'s H, shape: &'s Phase<H::Coords>) -> Self {
+        Self { system, parameters: system.parameters(shape.q.length()), shape }
+    }
+}
+
+impl<H: Hamiltonian> Differentiable for Energies<'_, H> {
+    fn energy(&self, part: Part, point: &Flat, tangent: Option<&Flat>, time: f64) -> f64 {
+        let point = shaped(self.shape, point);
+        match tangent {
+            None => energy::<H, f64>(&self.parameters, part, [&point, &point], time).lane(0),
+            Some(tangent) => {
+                let tangent = shaped(self.shape, tangent);
+                energy::<H, Dual>(&self.parameters, part, [&point, &tangent], time).lane(1)
+            }
+        }
+    }
+
+    fn flow(&self, part: Part, point: &Flat, tangent: Option<&Flat>, time: f64) -> Vec<f64> {
+        let point = shaped(self.shape, point);
+        match tangent {
+            None => flow::<H, f64>(&self.parameters, part, [&point, &point], time, 0),
+            Some(tangent) => {
+                let tangent = shaped(self.shape, tangent);
+                flow::<H, Dual>(&self.parameters, part, [&point, &tangent], time, 1)
+            }
+        }
+    }
+}
+
+/// An energy at a point, with a tangent in the second lane if there is one.
+fn energy<H: Hamiltonian, R: Real>(
+    parameters: &H::Parameters<f64>,
+    part: Part,
+    lanes: [&Phase<H::Coords>; 2],
+    time: f64,
+) -> R {
+    let motion = H::Motion::<R, f64>::load(&[parameters; 2], &lanes);
+    match part {
+        Part::Kinetic => H::kinetic::<R, f64>(&motion, time),
+        Part::Potential => H::potential::<R, f64>(&motion, time),
+    }
+}
+
+/// One lane of the gradient of an energy at a point, with a tangent in the second lane if there is one: what the flow of unit
+/// duration adds to the half that is moved, from zero.
+pub(crate) fn flow<H: Hamiltonian, R: Real>(
+    parameters: &H::Parameters<f64>,
+    part: Part,
+    lanes: [&Phase<H::Coords>; 2],
+    time: f64,
+    lane: usize,
+) -> Vec<f64> {
+    let mut motion = H::Motion::<R, f64>::load(&[parameters; 2], &lanes);
+    H::begin_step::<R, f64>(&mut motion, time);
+    let mut moved = lanes[0].clone();
+    match part {
+        Part::Kinetic => {
+            H::drift::<R, f64>(&mut motion, 1.0, time);
+            motion.store(lane, &mut moved);
+            moved.q.flat().to_vec()
+        }
+        Part::Potential => {
+            H::kick::<R, f64>(&mut motion, 1.0, time);
+            motion.store(lane, &mut moved);
+            negated(moved.p.flat())
+        }
+    }
+}
+
+fn negated(numbers: &[f64]) -> Vec<f64> {
+    numbers.iter().map(|number| -number).collect()
+}
+
+/// What is differentiated.
+pub(crate) struct Gradient<'s> {
+    system: &'s dyn Differentiable,
+    part: Part,
+    time: f64,
+}
+
+impl<'s> Gradient<'s> {
+    pub(crate) fn new(system: &'s dyn Differentiable, part: Part, time: f64) -> Self {
+        Self { system, part, time }
+    }
+
+    /// The largest error of a component, in units of its condition.
+    fn error(&self, point: &Flat) -> Result<f64, CheckError> {
+        let still = origin(point);
+        let point = match self.part {
+            Part::Kinetic => Phase { q: still.q.clone(), p: point.p.clone() },
+            Part::Potential => Phase { q: point.q.clone(), p: still.p.clone() },
+        };
+        let extent = largest(numbers(&point));
+        let generated = self.flow(&point, None);
+        let mut exact = Vec::with_capacity(generated.len());
+        let mut conditions: Vec<f64> = generated.iter().map(|component| component.abs()).collect();
+        for index in 0..generated.len() {
+            let mut along = still.clone();
+            *self.read(&mut along, index) = 1.0;
+            let derivative = self.energy(&point, Some(&along));
+            self.witness(&point, index, extent, derivative)?;
+            exact.push(derivative);
+            for (condition, curvature) in conditions.iter_mut().zip(self.flow(&point, Some(&along))) {
+                *condition += curvature.abs() * extent;
+            }
+        }
+        let errors = exact.iter().zip(&generated).zip(&conditions);
+        Ok(largest(errors.map(|((exact, generated), condition)| ratio(exact - generated, *condition))))
+    }
+
+    /// Whether central differences agree with a derivative by duals. With the width `d` they are off by `c·d²` and the
+    /// rounding of the energy over `d`; twice the width tells `3·c·d²`, and `d = ε^(1/3)` of the scale of the energy
+    /// balances the two. That scale may be much shorter than the coordinates are long, where two bodies are close: then
+    /// a narrower width tells. At a kink none does.
+    fn witness(&self, point: &Flat, index: usize, extent: f64, dual: f64) -> Result<(), CheckError> {
+        const NARROWING: [f64; 4] = [1.0, 3e-2, 1e-3, 3e-5];
+        let scale = f64::EPSILON.cbrt() * if extent > 0.0 { extent } else { 1.0 };
+        let differences = NARROWING.map(|narrowing| self.difference(point, index, extent, dual, narrowing * scale));
+        if differences.iter().any(|&(difference, uncertainty)| within(difference - dual, uncertainty)) {
+            return Ok(());
+        }
+        let energy = if self.part == Part::Kinetic { "T" } else { "V" };
+        let (difference, uncertainty) = differences[0];
+        Err(CheckError::NotDifferentiable { energy, index, dual, difference, uncertainty })
+    }
+
+    /// The central difference of a width, and what truncation and rounding may add to it.
+    fn difference(&self, point: &Flat, index: usize, extent: f64, dual: f64, width: f64) -> (f64, f64) {
+        let energy = |offset: f64| {
+            let mut moved = point.clone();
+            *self.read(&mut moved, index) += offset;
+            self.energy(&moved, None)
+        };
+        let [narrow, wide] = [width, 2.0 * width].map(|width| (energy(width) - energy(-width)) / (2.0 * width));
+        let terms = energy(width).abs() + (dual * extent).abs();
+        let rounding = gradient_tolerance(point.q.flat().len()) * terms / width;
+        (narrow, (wide - narrow).abs() + rounding)
+    }
+
+    /// One of the numbers that this energy reads.
+    fn read<'p>(&self, point: &'p mut Flat, index: usize) -> &'p mut f64 {
+        let first = if self.part == Part::Kinetic { point.q.flat().len() } else { 0 };
+        coordinate(point, first + index)
+    }
+
+    /// The energy, or its derivative along a tangent.
+    fn energy(&self, point: &Flat, tangent: Option<&Flat>) -> f64 {
+        self.system.energy(self.part, point, tangent, self.time)
+    }
+
+    /// The gradient, or its derivative along a tangent.
+    pub(crate) fn flow(&self, point: &Flat, tangent: Option<&Flat>) -> Vec<f64> {
+        self.system.flow(self.part, point, tangent, self.time)
+    }
+}

@@ -1,0 +1,12 @@
+//! What is measured of a method and a system: one property in each file.
+
+pub(crate) mod energy;
+pub(crate) mod global_error;
+pub(crate) mod gradient;
+pub(crate) mod local_order;
+pub(crate) mod order;
+pub(crate) mod reversibility;
+pub(crate) mod shadow;
+pub(crate) mod stability;
+pub(crate) mod stated;
+pub(crate) mod symplecticity;

@@ -1,0 +1,343 @@
+//! The order of a composition, measured.
+//!
+//! In: a system, a composition, a start, a step. Out: the slope of the logarithm of the error over the logarithm of the
+//! step. Always true: only errors that stand well out of the rounding enter the slope, and where too few do, there is
+//! no slope but an error.
+
+use crate::{
+    check::{
+        CheckError,
+        oracle::{
+            exact::{Stepper, Steps},
+            reference::reference,
+        },
+        start::Start,
+        statistics::{
+            line::fit_finest,
+            path::{PARTS, Path},
+            points::{begin, flat_start},
+        },
+    },
+    error::Error,
+    hamiltonian::{Hamiltonian, Shaped},
+    scalar::tolerance::within,
+    state::{flat::Flat, slot::Keep},
+    trajectory::method::Method,
+};
+
+/// How many of the user's steps the first time spans that is tried; a power of two keeps the doublings exact.
+const FIRST_SPAN: f64 = 16.0;
+
+/// How often a time is doubled or halved at most: between a step 10^19 times too fine and one as much too coarse.
+const DOUBLINGS: usize = 64;
+
+/// The error of the coarsest step, in units of the excursion, beyond which a time counts as too long. At a tenth the
+/// leading term of the error of the finer steps prevails in all compositions that were tried.
+const COARSEST_ERROR: f64 = 0.1;
+
+/// The steps per part of the time, growing by about a quarter each.
+pub(crate) const LADDER: [u64; 22] =
+    [1, 2, 3, 4, 5, 6, 8, 10, 12, 16, 20, 24, 32, 40, 48, 64, 80, 96, 128, 160, 192, 256];
+
+/// By how much an error has to exceed the rounding for its logarithm to count. What is left is 4 % of the finest error
+/// at most, and less than 0.04 of a slope over a factor of three in the step.
+pub(crate) const CLEARANCE: f64 = 25.0;
+
+/// How many step sizes enter a slope, if so many are clear of the rounding: the finest ones, where the leading term of
+/// the error prevails. Six of them span a factor of three in the step.
+pub(crate) const POINTS: usize = 6;
+
+/// How many step sizes a slope needs: two more than a line has parameters, so that its scatter is known.
+pub(crate) const NEEDED: usize = 4;
+
+/// How many steps per part edges are looked for in, and how many follow the motion from edge to edge at most.
+const FARTHEST_EDGE: u64 = 1 << 12;
+const MOST_OVER_EDGES: u64 = 8;
+
+/// The factor in the step over which errors are compared.
+const LEVER: f64 = 3.0;
+
+/// By how much the time is shortened where the errors do not lie on a line, and how many times are tried at least; shorter ones
+/// are tried as long as a step of the run fits in.
+const SHORTENING: f64 = 0.75;
+const ATTEMPTS: usize = 10;
+
+/// By how much an observed order may stay below the claimed one. Orders are whole numbers, so that what lies within
+/// half of one is nearer to the claimed order than to any lower one.
+pub(crate) const ORDER_TOLERANCE: f64 = 0.5;
+
+/// The standard error of a slope up to which its points are taken to lie on a line.
+const SCATTER: f64 = 0.05;
+
+/// How often a reference may halve a time that four steps of a method follow: those of the march, which are shorter, follow it
+/// to the rounding before that.
+const SHORT: i32 = 8;
+
+/// A measured order.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub struct Order {
+    /// The slope of the logarithm of the error over the logarithm of the step.
+    pub slope: f64,
+    /// The standard error of the slope.
+    pub uncertainty: f64,
+    /// How many step sizes the slope was fitted to.
+    pub points: usize,
+    /// The finest of them.
+    pub finest: f64,
+    /// The coarsest of them.
+    pub coarsest: f64,
+    /// The time over which errors were measured, from the start. Negative for a negative step.
+    pub span: f64,
+    /// The longest time that was tried, of which the span is a part: so far, four steps already follow the motion.
+    pub followed: f64,
+}
+
+impl Order {
+    fn is_line(&self) -> bool {
+        within(self.uncertainty, SCATTER)
+    }
+
+    /// Whether this is the claimed order. Where errors lie on no line, they fall into the rounding before the leading one prevails.
+    pub(crate) fn reaches(&self, claimed: u32) -> bool {
+        self.slope >= if self.is_line() { f64::from(claimed) - ORDER_TOLERANCE } else { needed_along(claimed) }
+    }
+}
+
+/// The order that `composition` shows on this very problem.
+///
+/// Errors are distances in phase space to the exact motion, at four times along a common span, in units of how far the
+/// motion went; all states are compensated. The exact motion is a Taylor series where `#[hamiltonian(taylor)]` wrote its
+/// recurrences, and else a march that is refined until it settles. The span is the longest one, in a coarse
+/// search over multiples of `h`, that four steps already follow to a tenth, so that `h` itself may be far too fine or
+/// far too coarse. It is divided into ever more steps, at most 1024, until the error drowns in the rounding; the slope
+/// is a least-squares fit to the finest errors that do not, four to six of them. Where they do not lie on a line,
+/// because part of the motion is faster than the rest, or fall short of the claimed order, the span is shortened, to a step
+/// of `h` at the least: what shows in one that is short is the order of the composition, and [`certify`](super::certify) looks
+/// for where it is lost along the orbit. Where the clock decides on pieces of the
+/// Hamiltonian, the span reaches over edges, and all steps end there.
+///
+/// # Errors
+/// A start or a step that no run would begin with; a method that takes steps of its own; a start from which the errors of
+/// fewer than four step sizes stand out of the rounding, or from which no step follows the motion.
+pub fn observed_order<H: Hamiltonian, X: Method<H>, K: Keep>(
+    system: &H,
+    method: X,
+    start: impl Into<Start<Shaped<H, K>>>,
+    h: f64,
+) -> Result<Order, CheckError> {
+    let start = start.into();
+    let start = begin::<H, X, K>(system, method, &start, h)?;
+    order_of(&Steps::new(system, method, &start.phase), flat_start(&start), h)
+}
+
+/// As [`observed_order`], from a start that a run may begin with.
+pub(crate) fn order_of(stepper: &dyn Stepper, start: Start<Vec<f64>>, h: f64) -> Result<Order, CheckError> {
+    let problem = Problem { stepper, start };
+    let facts = stepper.facts();
+    if facts.adaptive {
+        return Err(CheckError::NoOrder { method: facts.name });
+    }
+    if let Some(grid) = problem.over_edges(h)? {
+        return problem.order(grid).order;
+    }
+    let followed = problem.longest_span(h)?;
+    let mut span = followed;
+    let mut best = problem.order(Grid::over(span));
+    let mut attempts = 1;
+    while !best.shows(facts.order) && (attempts < ATTEMPTS || within(h, span.abs())) {
+        attempts += 1;
+        span *= SHORTENING;
+        let shorter = problem.order(Grid::over(span));
+        if shorter.shows(facts.order) || shorter.is_better_than(&best) {
+            best = shorter;
+        }
+    }
+    best.order.map(|order| Order { followed, ..order })
+}
+
+/// Into how many steps a span is divided.
+struct Grid {
+    span: f64,
+    /// The steps of a run in a part of the span, where these matter.
+    whole: u64,
+    /// The steps in a part of those whose errors are compared.
+    ladder: [u64; LADDER.len()],
+}
+
+impl Grid {
+    /// Steps of any length.
+    fn over(span: f64) -> Self {
+        Self { span, whole: 1, ladder: LADDER }
+    }
+}
+
+/// What errors say over one span.
+struct Slope {
+    order: Result<Order, CheckError>,
+    /// Whether errors are known over a factor of three in the step. Where the exact motion turns so fast that no reference
+    /// resolves it, coarse steps show another order than those that do.
+    known: bool,
+}
+
+impl Slope {
+    /// Whether errors lie on a line.
+    fn is_line(&self) -> bool {
+        self.known && self.order.as_ref().is_ok_and(Order::is_line)
+    }
+
+    /// Whether they do, and fall with the order that is claimed. Steps that are longer than what is fastest in the motion show
+    /// another order, on a line as straight; what they show over ever shorter times is the order of the composition.
+    fn shows(&self, claimed: u32) -> bool {
+        self.is_line() && self.order.as_ref().is_ok_and(|order| order.reaches(claimed))
+    }
+
+    /// Whether this is the better line.
+    fn is_better_than(&self, other: &Self) -> bool {
+        match (&self.order, &other.order) {
+            (Ok(one), Ok(other_one)) if self.known == other.known => within(one.uncertainty, other_one.uncertainty),
+            (Ok(_), Ok(_)) => self.known,
+            (Ok(_), Err(_)) => true,
+            (Err(_), _) => false,
+        }
+    }
+}
+
+/// The power of the step with which errors have to shrink everywhere along an orbit. Those of high orders fall into the
+/// rounding before the leading one of them prevails.
+pub(crate) fn needed_along(claimed: u32) -> f64 {
+    let claimed = f64::from(claimed);
+    claimed - ORDER_TOLERANCE.max((claimed - 2.0) / 4.0)
+}
+
+/// What is measured.
+struct Problem<'s> {
+    stepper: &'s dyn Stepper,
+    start: Start<Vec<f64>>,
+}
+
+impl Problem<'_> {
+    /// The motion over `span`, in `steps` steps for each part.
+    fn path(&self, span: f64, steps: u64) -> Result<Path, Error> {
+        path(self.stepper, &self.start, span, steps)
+    }
+
+    /// The longest time over which the coarsest step follows the motion.
+    fn longest_span(&self, h: f64) -> Result<f64, CheckError> {
+        let mut span = FIRST_SPAN * h;
+        if self.followed(span, 1) {
+            for _ in 0..DOUBLINGS {
+                if !self.followed(2.0 * span, 1) {
+                    break;
+                }
+                span *= 2.0;
+            }
+            return Ok(self.stretched(span));
+        }
+        for _ in 0..DOUBLINGS {
+            span /= 2.0;
+            if self.followed(span, 1) {
+                return Ok(self.stretched(span));
+            }
+        }
+        Err(CheckError::NotSmooth { finest: (span / PARTS as f64).abs() })
+    }
+
+    /// The longest time between a span that is followed and twice that, in eighths: a body that falls from far away is
+    /// followed with next to no error until it arrives, and from then on not at all.
+    fn stretched(&self, span: f64) -> f64 {
+        [0.5, 0.25, 0.125]
+            .into_iter()
+            .fold(1.0, |factor, more| if self.followed(span * (factor + more), 1) { factor + more } else { factor })
+            * span
+    }
+
+    /// Steps that end where pieces of the Hamiltonian meet, over a span in which they do; nothing, if none meet in a time that
+    /// is followed. The span is the longest one, in a coarse search, that a few steps from edge to edge follow to a tenth.
+    ///
+    /// # Errors
+    /// An edge inside of a step of `h`.
+    fn over_edges(&self, h: f64) -> Result<Option<Grid>, CheckError> {
+        let mut found = None;
+        let mut whole = FIRST_SPAN as u64 / PARTS;
+        while self.stepper.exact().piecewise_in_time() && whole <= FARTHEST_EDGE {
+            let apart = self.spacing(h, whole)?;
+            if apart == 0 {
+                whole *= 2;
+                continue;
+            }
+            whole = whole.next_multiple_of(apart);
+            let (span, pieces) = ((PARTS * whole) as f64 * h, whole / self.spacing(h, whole)?);
+            let ladder = LADDER.map(|steps| steps * pieces);
+            if !ladder.iter().any(|steps| *steps <= MOST_OVER_EDGES && self.followed(span, *steps)) {
+                break;
+            }
+            found = Some(Grid { span, whole, ladder });
+            whole *= 2;
+        }
+        Ok(found)
+    }
+
+    /// By how many steps edges lie apart, in so many steps per part.
+    fn spacing(&self, h: f64, whole: u64) -> Result<u64, CheckError> {
+        let span = (PARTS * whole) as f64 * h;
+        let ends = self.path(span, whole).map_or(Vec::new(), |path| path.ends);
+        let points: Vec<Flat> = ends.into_iter().chain([self.start.phase.clone()]).collect();
+        self.stepper.spacing(&points, self.start.time, h, PARTS * whole)
+    }
+
+    /// Whether halving the coarsest step changes little beside the motion itself. No reference is needed to tell: the
+    /// difference is most of the error of the coarser one.
+    fn followed(&self, span: f64, steps: u64) -> bool {
+        let (Ok(coarse), Ok(fine)) = (self.path(span, steps), self.path(span, 2 * steps)) else { return false };
+        let scale = fine.excursion();
+        // Over a time so short that the motion itself drowns in the rounding, nothing speaks against a longer one.
+        let drowned = !within(fine.rounding(scale), COARSEST_ERROR / CLEARANCE);
+        let unseen = drowned && scale.q.is_finite() && scale.p.is_finite();
+        unseen || within(fine.distance(&coarse, scale), COARSEST_ERROR)
+    }
+
+    /// The slope over one span.
+    fn order(&self, grid: Grid) -> Slope {
+        let Grid { span, whole, ladder } = grid;
+        let exact = reference(self.stepper.exact(), &self.start, span, whole, SHORT);
+        let scale = exact.scale;
+        // Both states are compensated, so that their sums lose nothing: each is rounded when it is seen. What is left
+        // are the roundings of the flows, a few ε of what each adds to the state. These parts of the excursion, forth
+        // and back within a step included, sum up to a few excursions, and their errors to a few ε of one, however
+        // many steps there are; the error of the reference adds to it.
+        let plateau = exact.uncertainty() + 2.0 * exact.rounding() + 4.0 * f64::EPSILON;
+        let mut points = Vec::with_capacity(LADDER.len());
+        for steps in ladder {
+            // A step too coarse to stay finite is no reason to give up the finer ones.
+            let Ok(path) = self.path(span, steps) else { continue };
+            let count = (PARTS * steps) as f64;
+            let error = path.distance(&exact.path, scale);
+            if within(error, CLEARANCE * plateau) {
+                break;
+            }
+            if error.is_finite() {
+                points.push(((span / count).abs().ln(), error.ln()));
+            }
+        }
+        let coarsest = (span / (PARTS * ladder[0]) as f64).abs();
+        let too_few = CheckError::TooFewPoints { found: points.len(), needed: NEEDED, coarsest };
+        let step = |point: Option<&(f64, f64)>| point.map_or(f64::NAN, |(logarithm, _)| logarithm.exp());
+        let slope = fit_finest(&points, NEEDED..=POINTS).map(|(finest, slope)| Order {
+            slope: slope.value,
+            uncertainty: slope.uncertainty,
+            points: finest.len(),
+            finest: step(finest.last()),
+            coarsest: step(finest.first()),
+            span,
+            followed: span,
+        });
+        let lever = LEVER.powi(self.stepper.facts().order as i32);
+        Slope { order: slope.ok_or(too_few), known: within(plateau, COARSEST_ERROR / CLEARANCE / lever) }
+    }
+}
+
+/// The motion of a compensated run from `start` over `span`, in `steps` steps for each part.
+pub(crate) fn path(stepper: &dyn Stepper, start: &Start<Vec<f64>>, span: f64, steps: u64) -> Result<Path, Error> {
+    stepper.path(start, span / (PARTS * steps) as f64, PARTS, steps)
+}

@@ -1,0 +1,165 @@
+//! Whether steps by `-h` undo steps by `h`.
+//!
+//! In: a system, a method, a start, a step, a number of steps. Out: how far from its start a run ends that goes
+//! forward and back. Always true: the very runs of the user, in the precision of the user's state, with the clock
+//! turned round where the forward run ends.
+
+use crate::{
+    check::{
+        CheckError,
+        oracle::tangent::{Carry, Tangents},
+        start::Start,
+        statistics::points::{coordinate, numbers, origin, plain, resolution, run},
+    },
+    error::Error,
+    hamiltonian::{Hamiltonian, Shaped},
+    scalar::tolerance::{largest, ratio},
+    state::{
+        flat::{Flat, flat},
+        slot::Keep,
+    },
+    trajectory::method::Method,
+};
+
+/// How far from `start` a run ends that takes `steps` steps by `h` and as many by `-h` back: the largest
+/// difference of a position in units of the largest position, or of a momentum in units of the largest momentum.
+///
+/// A symmetric composition comes back up to rounding, however coarse the step. Another one misses the start by about
+/// its own error, and the coarser the step, the more clearly so.
+///
+/// # Errors
+/// A start or a step that no run would begin with; a run that leaves the finite numbers.
+pub fn reversibility<H: Hamiltonian, X: Method<H>, K: Keep>(
+    system: &H,
+    method: X,
+    start: impl Into<Start<Shaped<H, K>>>,
+    h: f64,
+    steps: u64,
+) -> Result<f64, CheckError> {
+    Ok(Trip::take::<H, X, K>(system, method, &start.into(), h, steps)?.distance())
+}
+
+/// How far a round trip ends from its start, and how far rounding alone may take it.
+pub(crate) struct RoundTrip {
+    pub(crate) distance: f64,
+    pub(crate) tolerance: f64,
+}
+
+/// The round trip and its tolerance.
+///
+/// Each of the `2 n f` flows on the way rounds every coordinate, by at most 2 ε of the largest one with the error of
+/// the update itself. What an error grows to until the end of the trip is told by tangents that begin with that size:
+/// the largest they become on the way there, or on the way back. The errors are independent, so that they add up to the
+/// root of their number, `2 ε √(2 n f)` times this growth. A factor 8 covers the tail of such a sum and what tangents
+/// in two directions may miss of the growth.
+pub(crate) fn round_trip<H: Hamiltonian, X: Method<H>, K: Keep>(
+    system: &H,
+    method: X,
+    start: &Start<Shaped<H, K>>,
+    h: f64,
+    steps: u64,
+) -> Result<RoundTrip, CheckError> {
+    let trip = Trip::take::<H, X, K>(system, method, start, h, steps)?;
+    let shape = plain::<H, K>(&start.phase);
+    let [there, back] = [h, -h].map(|h| Tangents::<H, X>::new(system, method, &shape, h));
+    let growth = largest([
+        growth(&there, &trip.start, trip.size, (start.time, h), steps),
+        growth(&back, &trip.turn, trip.size, (trip.time, -h), steps),
+    ]);
+    let roundings = 16.0 * (2.0 * method.facts().roundings_in(steps)).sqrt();
+    Ok(RoundTrip { distance: trip.distance(), tolerance: roundings * trip.resolution * growth })
+}
+
+/// The points of a round trip.
+struct Trip {
+    start: Flat,
+    turn: Flat,
+    end: Flat,
+    /// The time of the turn.
+    time: f64,
+    /// What one rounding amounts to, in the unit of the coordinate.
+    resolution: f64,
+    size: Size,
+}
+
+impl Trip {
+    fn take<H: Hamiltonian, X: Method<H>, K: Keep>(
+        system: &H,
+        method: X,
+        start: &Start<Shaped<H, K>>,
+        h: f64,
+        steps: u64,
+    ) -> Result<Self, CheckError> {
+        let turn = after::<H, X, K>(system, method, start, h, steps)?;
+        let end = after::<H, X, K>(system, method, &turn, -h, steps)?;
+        let (resolution, time) = (resolution(&[&start.phase, &turn.phase]), turn.time);
+        let (start, turn) = (flat(&start.phase), flat(&turn.phase));
+        let size = Size::of(&[&start, &turn]);
+        Ok(Self { start, turn, end: flat(&end.phase), time, resolution, size })
+    }
+
+    fn distance(&self) -> f64 {
+        self.size.relative(numbers(&self.start).zip(numbers(&self.end)).map(|(start, end)| start - end))
+    }
+}
+
+/// Where and when a run is after so many steps.
+fn after<H: Hamiltonian, X: Method<H>, K: Keep>(
+    system: &H,
+    method: X,
+    start: &Start<Shaped<H, K>>,
+    h: f64,
+    steps: u64,
+) -> Result<Start<Shaped<H, K>>, Error> {
+    let mut run = run::<H, X, K>(system, method, start, h)?;
+    run.advance(steps)?;
+    Ok(run.state().at_time(run.time()))
+}
+
+/// The largest position and the largest momentum.
+#[derive(Clone, Copy)]
+struct Size {
+    q: f64,
+    p: f64,
+    positions: usize,
+}
+
+impl Size {
+    fn of(points: &[&Flat]) -> Self {
+        Self {
+            q: largest(points.iter().flat_map(|point| point.q.iter().copied())),
+            p: largest(points.iter().flat_map(|point| point.p.iter().copied())),
+            positions: points.first().map_or(0, |point| point.q.len()),
+        }
+    }
+
+    /// The unit of one number of a point, positions counted first.
+    fn unit(self, index: usize) -> f64 {
+        if index < self.positions { self.q } else { self.p }
+    }
+
+    /// The largest of some numbers, positions first, in these units.
+    fn relative(self, numbers: impl Iterator<Item = f64>) -> f64 {
+        largest(numbers.enumerate().map(|(index, number)| ratio(number, self.unit(index))))
+    }
+}
+
+/// The largest size, in units of `size`, that tangents reach within `steps` steps, where every number of a tangent
+/// begins with one unit.
+fn growth(tangents: &dyn Carry, point: &Flat, size: Size, (t0, h): (f64, f64), steps: u64) -> f64 {
+    /// Its multiples fall evenly into (0, 1), so that signs taken from them share no symmetry with the system: a shift
+    /// of all bodies at once, for one, would meet no force between them.
+    const GOLDEN: f64 = 0.618_033_988_749_894_9;
+    largest([1.0, -1.0].map(|sign_of_p| {
+        let (mut point, mut tangent) = (point.clone(), origin(point));
+        for index in 0..2 * size.positions {
+            let sign = if (index as f64 * GOLDEN).fract() < 0.5 { 1.0 } else { -1.0 };
+            let relative = if index < size.positions { 1.0 } else { sign_of_p };
+            *coordinate(&mut tangent, index) = sign * relative * size.unit(index);
+        }
+        largest((0..steps).map(|step| {
+            (point, tangent) = tangents.carry(&point, &tangent, t0 + step as f64 * h, 1);
+            size.relative(numbers(&tangent))
+        }))
+    }))
+}

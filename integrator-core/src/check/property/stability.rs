@@ -1,0 +1,180 @@
+//! How far a step is below the one at which it becomes unstable.
+//!
+//! In: a system, a composition, a start, a step. Out: the largest `h·ω` on the way, and the composition's limit for it.
+//! Always true: frequencies are those of the flows linearised by duals, for any `T`; what flees instead of oscillating
+//! has none. It is a hint: it looks at the motion in places, and a limit for oscillators is no promise for what is not
+//! one.
+
+use crate::{
+    check::{
+        CheckError,
+        property::gradient::{Differentiable, Energies, Gradient, Part},
+        start::Start,
+        statistics::{
+            points::{begin, coordinate, origin, run},
+            spectrum::eigenvalues,
+        },
+    },
+    composition::Composition,
+    hamiltonian::{Hamiltonian, Shaped},
+    scalar::tolerance::{largest, within},
+    state::{
+        flat::{Flat, flat},
+        slot::Keep,
+    },
+    trajectory::method::Method,
+};
+use std::fmt;
+
+/// How many times the motion is looked at, and how many steps lie between two looks: as far as the energy is followed
+/// in a certificate.
+const LOOKS: u64 = 256;
+const INTERVAL: u64 = 32;
+
+/// The share of the limit from which a step is called near to it. At half of the limit Verlet's frequencies are off by a
+/// tenth, resonances between them begin to be felt, and a spring that hardens to the fourfold on the way leads beyond it.
+const NEAR: f64 = 0.5;
+
+/// The fastest oscillation of a run in units of its step, and how much of it the composition bears.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub struct Stability {
+    /// The largest `h·ω` that was seen, in radians: by how much the fastest oscillation turns in one step. Zero where
+    /// nothing oscillates, NaN where the motion has no finite second derivatives.
+    pub turn: f64,
+    /// When it was seen.
+    pub time: f64,
+    /// The `h·ω` from which the composition is unstable: [`Scheme::STABILITY_LIMIT`](crate::Scheme::STABILITY_LIMIT).
+    pub limit: f64,
+}
+
+impl Stability {
+    /// The turn as a share of the limit.
+    pub fn share(&self) -> f64 {
+        self.turn / self.limit
+    }
+
+    /// Whether the turn is half of the limit or more. The motion is then poorly resolved at best; a smaller step is
+    /// called for.
+    pub fn is_near(&self) -> bool {
+        !within(self.share(), NEAR.next_down())
+    }
+}
+
+impl fmt::Display for Stability {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { turn, time, limit } = self;
+        write!(f, "h·ω = {turn:.2e} at most (t = {time}), {:.1} % of the limit {limit:.2}", 100.0 * self.share())?;
+        if self.is_near() {
+            write!(f, "; WARNING: from half of it on, take a smaller step")?;
+        }
+        Ok(())
+    }
+}
+
+/// How near a run from `start` with step `h` comes to the stability limit of `composition`: the largest
+/// `h·ω` at 256 points of its first 8192 steps, or of as many as end in finite states.
+///
+/// The frequencies at a point are those of the linear motion about it, the roots of the eigenvalues of `T″ V″`; eigenvalues
+/// of directions in which the motion flees have no frequency. Up to 24 coordinates all of them are found, beyond that
+/// the largest within a hundredth or so. The work is that of 24 force evaluations in duals per point at most.
+///
+/// # Errors
+/// A start or a step that no run would begin with.
+///
+/// ```
+/// use integrator_core::{check::stability, prelude::*};
+///
+/// struct Spring;
+///
+/// #[hamiltonian]
+/// impl Spring {
+///     fn kinetic(&self, p: [f64; 1]) -> f64 {
+///         0.5 * p[0] * p[0]
+///     }
+///     fn potential(&self, q: [f64; 1]) -> f64 {
+///         50.0 * q[0] * q[0]
+///     }
+/// }
+///
+/// // The frequency is 10, and Verlet is unstable from h·ω = 2 on.
+/// assert!(!stability(&Spring, Verlet, &Phase::new([1.0_f64], [0.0]), 0.05)?.is_near());
+/// assert!(stability(&Spring, Verlet, &Phase::new([1.0_f64], [0.0]), 0.15)?.is_near());
+/// # Ok::<(), integrator_core::check::CheckError>(())
+/// ```
+pub fn stability<H: Hamiltonian, X: Composition<H>, K: Keep>(
+    system: &H,
+    composition: X,
+    start: impl Into<Start<Shaped<H, K>>>,
+    h: f64,
+) -> Result<Stability, CheckError> {
+    nearness::<H, X, K>(system, composition, X::STABILITY_LIMIT, &start.into(), h)
+}
+
+/// As [`stability`], for a method with this limit.
+pub(crate) fn nearness<H: Hamiltonian, X: Method<H>, K: Keep>(
+    system: &H,
+    method: X,
+    limit: f64,
+    start: &Start<Shaped<H, K>>,
+    h: f64,
+) -> Result<Stability, CheckError> {
+    let start = begin::<H, X, K>(system, method, start, h)?;
+    let mut run = run::<H, X, f64>(system, method, &start, h)?;
+    let energies = Energies::new(system, &start.phase);
+    let begin = (flat(&run.state()), run.time());
+    Ok(fastest((&energies, h, limit), begin, &mut || {
+        run.advance(INTERVAL).ok()?;
+        Some((flat(&run.state()), run.time()))
+    }))
+}
+
+/// The fastest oscillation of a run in units of its step, seen at its start and as often as it goes on from there.
+fn fastest(
+    (system, h, limit): (&dyn Differentiable, f64, f64),
+    mut seen: (Flat, f64),
+    advance: &mut dyn FnMut() -> Option<(Flat, f64)>,
+) -> Stability {
+    let mut fastest = Stability { turn: 0.0, time: seen.1, limit };
+    for _ in 0..LOOKS {
+        let (state, time) = &seen;
+        let turn = (h * frequency(system, state, *time)).abs();
+        if !within(turn, fastest.turn) {
+            fastest = Stability { turn, time: *time, ..fastest };
+        }
+        if turn.is_nan() {
+            break;
+        }
+        // A run that diverges has been told what it comes near to by the states before.
+        match advance() {
+            Some(next) => seen = next,
+            None => break,
+        }
+    }
+    fastest
+}
+
+/// The largest frequency of the linear motion about `point`: with `δq' = T″ δp` and `δp' = -V″ δq`, the largest real
+/// part of a root of an eigenvalue of `T″ V″`.
+fn frequency(energies: &dyn Differentiable, point: &Flat, time: f64) -> f64 {
+    let length = point.q.len();
+    let still = origin(point);
+    let at_rest = Flat { q: point.q.clone(), p: still.p.clone() };
+    let at_origin = Flat { q: still.q.clone(), p: point.p.clone() };
+    let force = Gradient::new(energies, Part::Potential, time);
+    let velocity = Gradient::new(energies, Part::Kinetic, time);
+    let tangent = |numbers: &[f64], first: usize| {
+        let mut tangent = still.clone();
+        for (index, number) in numbers.iter().enumerate() {
+            *coordinate(&mut tangent, first + index) = *number;
+        }
+        tangent
+    };
+    let squared = eigenvalues(length, &|direction| {
+        let pull = force.flow(&at_rest, Some(&tangent(direction, 0)));
+        velocity.flow(&at_origin, Some(&tangent(&pull, length)))
+    });
+    squared.map_or(f64::NAN, |values| {
+        largest(values.iter().map(|value| value.re.hypot(value.im).sqrt() * (value.im.atan2(value.re) / 2.0).cos()))
+    })
+}

@@ -1,0 +1,325 @@
+//! Whether the generated code is what the user's own functions say.
+//!
+//! In: a system and the states of an orbit. Out: how often energies, forces and velocities, and the tangents of these,
+//! were held against the user's functions, and what did not agree. Always true: derivatives are held against differences
+//! that are extrapolated (Richardson) until two widths agree; where they do not, as at a kink, nothing is said and the
+//! comparison is not counted.
+
+use crate::{
+    check::{
+        CheckError,
+        property::gradient::{Differentiable, Energies, Gradient, Part},
+        shortfall::Shortfall,
+        statistics::points::{numbers, origin},
+    },
+    hamiltonian::Hamiltonian,
+    scalar::tolerance::{largest, within},
+    state::flat::{Flat, shaped},
+    system::stated::{Digits, Function, Values, values},
+};
+
+/// Up to how many coordinates each is a direction of its own, and in how many directions differences are taken otherwise.
+const COORDINATES: usize = 8;
+const DIRECTIONS: usize = 4;
+
+/// The widths at which differences begin, in units of the largest coordinate, and how often each is halved: they reach from
+/// a tenth of it down to where rounding takes half of the digits.
+const WIDTHS: [f64; 6] = [1e-1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6];
+const LEVELS: usize = 6;
+
+/// How well a derivative has to be known that anything is held against it, in units of its terms. Orders of magnitude below
+/// the mistakes that are made in a derivative by hand, and above what differences reach where a function is smooth.
+const KNOWN: f64 = 1e-6;
+
+/// By how much more than its estimated error a difference may be off: the estimate is the last correction of an
+/// extrapolation, which the next ones fall short of where it converges.
+const SAFETY: f64 = 8.0;
+
+/// A state and its time.
+pub(crate) type Visited = (Flat, f64);
+
+/// How often the generated code was held against the user's functions.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[non_exhaustive]
+pub struct Agreement {
+    /// How many energies agree.
+    pub energies: usize,
+    /// How many derivatives agree: forces and velocities, and their tangents, in one direction at one state each.
+    pub derivatives: usize,
+    /// How many comparisons could not be made: at a kink or a jump, or where rounding leaves nothing to be compared.
+    pub left_out: usize,
+}
+
+/// Holds the generated energies and flows against the user's functions at some states, each with its time: how often they
+/// agree, or why that is not known.
+///
+/// # Errors
+/// What does not agree, at most once for each function.
+pub(crate) fn agreement(
+    system: &dyn Stated,
+    states: &[Visited],
+) -> Result<Result<Agreement, CheckError>, Vec<Shortfall>> {
+    let (mut agreement, mut shortfalls) = (Agreement::default(), Vec::new());
+    for function in Function::BOTH {
+        let outcome = states.iter().try_for_each(|(state, time)| {
+            match function
+                .hold(state, *time, &|state| system.values(function, state, *time))
+                .map_err(Shortfall::Misread)?
+            {
+                true => agreement.energies += 1,
+                false => agreement.left_out += 1,
+            }
+            let part = match function {
+                Function::Kinetic => Part::Kinetic,
+                Function::Potential => Part::Potential,
+            };
+            let gradient = Gradient::new(system.energies(), part, *time);
+            let point = Point { system, function, gradient, state, time: *time };
+            point.directions().iter().try_for_each(|direction| {
+                for held in [point.slope(direction)?, point.tangent(direction)?] {
+                    if held { agreement.derivatives += 1 } else { agreement.left_out += 1 }
+                }
+                Ok(())
+            })
+        });
+        shortfalls.extend(outcome.err());
+    }
+    match agreement {
+        _ if !shortfalls.is_empty() => Err(shortfalls),
+        Agreement { energies: 0, left_out, .. } | Agreement { derivatives: 0, left_out, .. } => {
+            Ok(Err(CheckError::NothingToCompare { left_out }))
+        }
+        _ => Ok(Ok(agreement)),
+    }
+}
+
+/// A system beside the user's own functions.
+pub(crate) trait Stated {
+    /// The generated code alone.
+    fn energies(&self) -> &dyn Differentiable;
+
+    /// The values of both.
+    fn values(&self, function: Function, state: &Flat, time: f64) -> Values;
+}
+
+impl<H: Hamiltonian> Stated for Energies<'_, H> {
+    fn energies(&self) -> &dyn Differentiable {
+        self
+    }
+
+    fn values(&self, function: Function, state: &Flat, time: f64) -> Values {
+        values(function, self.system, &self.parameters, &shaped(self.shape, state), time)
+    }
+}
+
+/// A function at a state.
+struct Point<'s> {
+    system: &'s dyn Stated,
+    function: Function,
+    gradient: Gradient<'s>,
+    state: &'s Flat,
+    time: f64,
+}
+
+impl Point<'_> {
+    /// The coordinates that the function reads, of a state.
+    fn own(&self, state: &Flat) -> Vec<f64> {
+        match self.function {
+            Function::Kinetic => state.p.clone(),
+            Function::Potential => state.q.clone(),
+        }
+    }
+
+    /// A state with other coordinates for the function to read.
+    fn with(&self, of: &Flat, own: impl Iterator<Item = f64>) -> Flat {
+        let mut state = of.clone();
+        let numbers = match self.function {
+            Function::Kinetic => &mut state.p,
+            Function::Potential => &mut state.q,
+        };
+        numbers.iter_mut().zip(own).for_each(|(number, own)| *number = own);
+        state
+    }
+
+    /// The state that far in a direction.
+    fn moved(&self, direction: &[f64], distance: f64) -> Flat {
+        let own = self.own(self.state).into_iter().zip(direction);
+        self.with(self.state, own.map(|(number, along)| number + distance * along))
+    }
+
+    /// Each coordinate for itself where there are few, else some fixed directions through all of them; as long as the
+    /// largest coordinate.
+    fn directions(&self) -> Vec<Vec<f64>> {
+        let own = self.own(self.state);
+        let extent = largest(own.iter().copied());
+        let length = if extent > 0.0 { extent } else { 1.0 };
+        let mut digits = Digits::default();
+        if own.len() <= COORDINATES {
+            let unit = |index| (0..own.len()).map(|other| if other == index { length } else { 0.0 }).collect();
+            return (0..own.len()).map(unit).collect();
+        }
+        (0..DIRECTIONS).map(|_| own.iter().map(|_| length * digits.next()).collect()).collect()
+    }
+
+    /// The gradient of the generated code at a state.
+    fn generated(&self, state: &Flat) -> Vec<f64> {
+        let still = origin(state);
+        let own = self.with(&still, self.own(state).into_iter());
+        self.gradient.flow(&own, None)
+    }
+
+    /// Whether the force or the velocity is the slope of the user's function in a direction; `false` where no slope is
+    /// known.
+    fn slope(&self, direction: &[f64]) -> Result<bool, Shortfall> {
+        let value = |distance| {
+            let state = self.moved(direction, distance);
+            let Values { stated, rounding, .. } = self.system.values(self.function, &state, self.time);
+            [stated, rounding]
+        };
+        let terms = self.generated(self.state).into_iter().zip(direction).map(|(slope, along)| slope * along);
+        self.hold(1, terms.collect(), slope_of(&value))
+    }
+
+    /// Whether the tangent of the force or of the velocity is the slope of the latter in a direction: a sum over all
+    /// components, each with a weight of its own.
+    fn tangent(&self, direction: &[f64]) -> Result<bool, Shortfall> {
+        let mut digits = Digits::default();
+        let weights: Vec<f64> = direction.iter().map(|_| 1.5 + 0.5 * digits.next()).collect();
+        let value = |distance| {
+            let terms = self.generated(&self.moved(direction, distance)).into_iter().zip(&weights);
+            let terms: Vec<f64> = terms.map(|(slope, weight)| slope * weight).collect();
+            [terms.iter().sum(), f64::EPSILON * terms.iter().map(|term| term.abs()).sum::<f64>()]
+        };
+        let still = origin(self.state);
+        let own = self.with(&still, self.own(self.state).into_iter());
+        let along = self.with(&still, direction.iter().copied());
+        let tangents = self.gradient.flow(&own, Some(&along));
+        self.hold(
+            2,
+            tangents.into_iter().zip(&weights).map(|(tangent, weight)| tangent * weight).collect(),
+            slope_of(&value),
+        )
+    }
+
+    /// A derivative of the generated code, as the sum of its terms, against one by differences.
+    fn hold(&self, order: u32, terms: Vec<f64>, known: Option<Slope>) -> Result<bool, Shortfall> {
+        let Some(Slope { value: stated, uncertainty, scale }) = known else { return Ok(false) };
+        let generated: f64 = terms.iter().sum();
+        let size = f64::max(scale, terms.iter().map(|term| term.abs()).sum());
+        if !within(uncertainty, KNOWN * size) {
+            return Ok(false);
+        }
+        // Beside the differences, the generated code rounds: half of the digits allow for any sum that is of use.
+        let tolerance = SAFETY * uncertainty + f64::EPSILON.sqrt() * size;
+        if within(generated - stated, tolerance) {
+            return Ok(true);
+        }
+        let (time, state) = (self.time, numbers(self.state).collect());
+        let function = self.function.name();
+        Err(Shortfall::Derivative { function, order, stated, generated, tolerance, time, state })
+    }
+}
+
+/// A derivative by differences.
+#[derive(Clone, Copy, Debug)]
+struct Slope {
+    value: f64,
+    uncertainty: f64,
+    /// The size of the differences that it was made of.
+    scale: f64,
+}
+
+/// The derivative at zero of a function that tells its rounding too; none where no two widths lead to the same, or where
+/// the slopes from both sides differ.
+fn slope_of(value: &dyn Fn(f64) -> [f64; 2]) -> Option<Slope> {
+    let mut best: Option<Slope> = None;
+    for width in WIDTHS {
+        let Some(slope) = extrapolated(value, width) else { continue };
+        if let Some(before) = best {
+            let both = before.uncertainty + slope.uncertainty;
+            if within(both, KNOWN * before.scale) && within(before.value - slope.value, both) {
+                return Some(if slope.uncertainty < before.uncertainty { slope } else { before });
+            }
+        }
+        best = Some(slope);
+    }
+    None
+}
+
+/// The derivative at zero from differences over a width and its halves, by Richardson's extrapolation: central ones, whose
+/// error is a series in the square of the width, and those to either side, in its powers, which have to agree with each
+/// other or there is a kink in between.
+fn extrapolated(value: &dyn Fn(f64) -> [f64; 2], width: f64) -> Option<Slope> {
+    let [middle, mut rounding] = value(0.0);
+    let (mut central, mut right, mut left) = ([0.0; LEVELS], [0.0; LEVELS], [0.0; LEVELS]);
+    let mut narrowest = width;
+    for level in 0..LEVELS {
+        narrowest = width / (1_u32 << level) as f64;
+        let [[above, of_above], [below, of_below]] = [value(narrowest), value(-narrowest)];
+        rounding = f64::max(rounding, f64::max(of_above, of_below));
+        central[level] = (above - below) / (2.0 * narrowest);
+        right[level] = (above - middle) / narrowest;
+        left[level] = (middle - below) / narrowest;
+    }
+    let scale = largest([right[0], left[0]]);
+    // Where nothing changes, no rounding does.
+    let still = scale == 0.0 && right == left;
+    // The weights of an extrapolation add up to less than 2 in size where errors fall by four, and to 9 where by two.
+    let noise = if still { 0.0 } else { rounding / narrowest };
+    let [(value, error), (right, of_right), (left, of_left)] =
+        [(central, 4.0), (right, 2.0), (left, 2.0)].map(|(differences, fall)| limit(differences, fall));
+    let uncertainty = error + 2.0 * noise;
+    let one_sided = of_right + of_left + 18.0 * noise;
+    let smooth = within(right - left, SAFETY * one_sided) && within(one_sided, KNOWN.sqrt() * scale);
+    let known = smooth && uncertainty.is_finite();
+    known.then_some(Slope { value, uncertainty, scale })
+}
+
+/// The limit of a sequence whose error is a series in powers of `1/fall`, and its last correction.
+fn limit(mut row: [f64; LEVELS], fall: f64) -> (f64, f64) {
+    let mut error = f64::INFINITY;
+    let mut factor = 1.0;
+    for column in 1..LEVELS {
+        factor *= fall;
+        let before = row[LEVELS - 1];
+        for level in (column..LEVELS).rev() {
+            row[level] += (row[level] - row[level - 1]) / (factor - 1.0);
+        }
+        error = f64::max((row[LEVELS - 1] - before).abs(), (row[LEVELS - 1] - row[LEVELS - 2]).abs());
+    }
+    (row[LEVELS - 1], error)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn slopes_are_found_where_there_are_any() {
+        type Function = fn(f64) -> f64;
+        let smooth: [(&str, Function, f64); 6] = [
+            ("sin", |x| (0.3 + x).sin(), 0.3_f64.cos()),
+            ("1/r", |x| 1.0 / (0.001 + x).abs(), -1e6),
+            ("a fast wave", |x| (1e3 * x).sin(), 1e3),
+            ("a constant", |_| 7.0, 0.0),
+            ("a parabola at rest", |x| 0.5 * x * x, 0.0),
+            ("a kink nearby", |x| (x - 1e-3).abs(), -1.0),
+        ];
+        for (name, function, expected) in smooth {
+            let found = slope_of(&|x| [function(x), 4.0 * f64::EPSILON * function(x).abs()]);
+            let Slope { value, uncertainty, scale } = found.unwrap_or_else(|| panic!("{name} has a slope"));
+            assert!((value - expected).abs() <= SAFETY * uncertainty, "{name}: {found:?}");
+            assert!(uncertainty <= KNOWN * scale.max(1.0), "{name}: {found:?}");
+        }
+        let rough: [(&str, Function); 4] = [
+            ("a kink", f64::abs),
+            ("a jump", |x| if x < 0.0 { 1.0 } else { 2.0 }),
+            ("a cusp", |x| x.abs().sqrt()),
+            ("the edge of a domain", f64::sqrt),
+        ];
+        for (name, function) in rough {
+            let found = slope_of(&|x| [function(x), 4.0 * f64::EPSILON * function(x).abs()]);
+            assert!(found.is_none_or(|slope| slope.uncertainty > KNOWN * slope.scale), "{name}: {found:?}");
+        }
+    }
+}

@@ -1,0 +1,75 @@
+//! A motion seen at a few equally spaced times, and how far apart two such views are.
+//!
+//! Always true: positions are measured against positions and momenta against momenta, so that units cancel, and a
+//! displacement against a displacement, so that the origin of the coordinates does not matter.
+
+use crate::{
+    scalar::tolerance::{largest, length, ratio},
+    state::flat::Flat,
+};
+
+/// Into how many equal parts a time is divided. Errors are taken over all of their ends, because at a single time the
+/// leading error may happen to vanish, as that of a pendulum's energy does after each period.
+pub(crate) const PARTS: u64 = 4;
+
+/// A start, and where the motion is at the end of each part of a time, mostly of [`PARTS`] of them.
+#[derive(Clone)]
+pub(crate) struct Path {
+    pub(crate) start: Flat,
+    pub(crate) ends: Vec<Flat>,
+}
+
+/// One number for positions, one for momenta.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Scale {
+    pub(crate) q: f64,
+    pub(crate) p: f64,
+}
+
+impl Scale {
+    pub(crate) const ZERO: Self = Self { q: 0.0, p: 0.0 };
+
+    /// How far a motion went that was this far before and now is at `point`. At the few ends of a path alone, a periodic
+    /// motion may be back at its start.
+    pub(crate) fn reaching(self, start: &Flat, point: &Flat) -> Self {
+        Self {
+            q: largest([self.q, separation(&point.q, &start.q)]),
+            p: largest([self.p, separation(&point.p, &start.p)]),
+        }
+    }
+}
+
+impl Path {
+    /// The farthest from the start that the motion was seen.
+    pub(crate) fn excursion(&self) -> Scale {
+        self.ends.iter().fold(Scale::ZERO, |scale, end| scale.reaching(&self.start, end))
+    }
+
+    /// The farthest from the origin that the motion was seen.
+    pub(crate) fn magnitude(&self) -> Scale {
+        let points = || self.ends.iter().chain([&self.start]);
+        Scale {
+            q: largest(points().map(|point| length(point.q.iter().copied()))),
+            p: largest(points().map(|point| length(point.p.iter().copied()))),
+        }
+    }
+
+    /// The root of the mean squared distance to `other` over the ends, in units of `scale`.
+    pub(crate) fn distance(&self, other: &Self, scale: Scale) -> f64 {
+        let apart = self.ends.iter().zip(&other.ends).flat_map(|(one, other)| {
+            [ratio(separation(&one.q, &other.q), scale.q), ratio(separation(&one.p, &other.p), scale.p)]
+        });
+        length(apart) / (self.ends.len() as f64).sqrt()
+    }
+
+    /// What one rounding of every coordinate amounts to, in units of `scale`.
+    pub(crate) fn rounding(&self, scale: Scale) -> f64 {
+        let magnitude = self.magnitude();
+        f64::EPSILON * (ratio(magnitude.q, scale.q) + ratio(magnitude.p, scale.p))
+    }
+}
+
+/// The Euclidean distance of two sets of coordinates.
+fn separation(one: &[f64], other: &[f64]) -> f64 {
+    length(one.iter().zip(other).map(|(one, other)| one - other))
+}

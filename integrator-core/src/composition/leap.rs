@@ -1,0 +1,311 @@
+//! Durations that add up to the step, however often it is taken.
+//!
+//! The stages of a step last `h·a`, rounded, and what they add up to misses `h` by about ε/10 of it, in every step by
+//! the same: a clock that is a little fast or slow. Calendars have the same trouble with the day and the year, and the
+//! same cure: now and then a stage is longer, by an amount with which it comes out without a rounding.
+//!
+//! Always true: which steps are the longer ones depends on their number alone, so that portions, samples and checkpoints
+//! change nothing; and after `n` steps the sum of all durations is off by what one step is longer at most.
+
+use crate::{
+    composition::{Processor, Stage, Stages},
+    hamiltonian::{Flows, Hamiltonian, QuadraticKinetic},
+};
+use core::mem::take;
+
+/// 2^64.
+const TURN: f64 = 18_446_744_073_709_551_616.0;
+
+/// How much longer a stage is in some of the cycles, and in which share of them.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Leap {
+    longer: f64,
+    /// In units of 2^-64.
+    share: u64,
+}
+
+impl Leap {
+    const NONE: Self = Self { longer: 0.0, share: 0 };
+
+    /// For the first of the durations `h·a`, with the fractions `a`.
+    ///
+    /// Fractions and durations are rounded once each. Where more is missing than that explains, the composition is wrong,
+    /// and nothing may hide it.
+    fn new(h: f64, mut fractions: impl Iterator<Item = f64> + Clone) -> Self {
+        let missing = missing(h, fractions.clone());
+        let explained = f64::EPSILON * fractions.clone().map(|fraction| (h * fraction).abs()).sum::<f64>();
+        let first = h * fractions.next().unwrap_or(0.0);
+        if missing == 0.0 || !missing.is_finite() || missing.abs() > explained {
+            return Self::NONE;
+        }
+        // From the spacing of the numbers at the first stage on; where that is a short one, more. What the sum rounds to is
+        // what the stage will last, so that the difference is the one to count with.
+        let mut least = f64::from_bits(first.abs().to_bits() + 1) - first.abs();
+        let mut longer = 0.0_f64;
+        while longer.abs() < missing.abs() {
+            longer = (first + least.copysign(missing)) - first;
+            least *= 2.0;
+        }
+        if longer.is_finite() { Self { longer, share: (missing / longer * TURN) as u64 } } else { Self::NONE }
+    }
+
+    /// How much longer the stage is in the cycle of this number, counted from 1: where the multiple of the share passes an
+    /// integer. The bits of a number, because flows take all registers that numbers have.
+    #[inline(always)]
+    fn of(&self, cycle: u64) -> u64 {
+        let passes = u64::from(cycle.wrapping_mul(self.share) < self.share);
+        self.longer.to_bits() & passes.wrapping_neg()
+    }
+}
+
+/// `h` less the rounded durations `h·a` of all fractions `a`, with twice the precision: each subtraction's rounding
+/// error is a number too (Knuth 1969).
+fn missing(h: f64, fractions: impl Iterator<Item = f64>) -> f64 {
+    let (mut left, mut errors) = (h, 0.0);
+    for fraction in fractions {
+        let duration = h * fraction;
+        let difference = left - duration;
+        let taken = left - difference;
+        errors += (left - (difference + taken)) + (taken - duration);
+        left = difference;
+    }
+    left + errors
+}
+
+/// The longer stages of a composition with a step.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Leaps {
+    drift: Leap,
+    kick: Leap,
+}
+
+impl Leaps {
+    /// Those of stages that are merged across steps.
+    pub(crate) fn new(stages: &Stages, h: f64) -> Self {
+        Self::of(h, stages.cycle.iter())
+    }
+
+    /// Those of steps that are taken one by one, each with its processor.
+    pub(crate) fn of_whole_steps(stages: &Stages, processor: &Processor, h: f64) -> Self {
+        let (before, after) = (processor.before.rows.iter(), processor.after.rows.iter());
+        let step = [&stages.opening].into_iter().chain(&stages.cycle[1..]).chain([&stages.closing]);
+        Self::of(h, before.chain(step).chain(after))
+    }
+
+    fn of<'s>(h: f64, rows: impl Iterator<Item = &'s Stage> + Clone) -> Self {
+        Self {
+            drift: Leap::new(h, rows.clone().map(|stage| stage.drift)),
+            kick: Leap::new(h, rows.map(|stage| stage.kick)),
+        }
+    }
+
+    /// Whether no stage is ever longer: the durations add up as they are.
+    pub(crate) fn none(&self) -> bool {
+        *self == Self { drift: Leap::NONE, kick: Leap::NONE }
+    }
+
+    /// The flows for the cycle of this number.
+    #[inline(always)]
+    pub(crate) fn on<'f, F>(&self, flows: &'f mut F, cycle: u64) -> Longer<'f, F> {
+        Longer { flows, drift: self.drift.of(cycle), kick: self.kick.of(cycle) }
+    }
+}
+
+/// Flows in one cycle, the first drift and the first kick of which are longer by these numbers.
+pub(crate) struct Longer<'f, F> {
+    flows: &'f mut F,
+    drift: u64,
+    kick: u64,
+}
+
+impl<F: Flows<H>, H: Hamiltonian> Flows<H> for Longer<'_, F> {
+    const COMPENSATED: bool = F::COMPENSATED;
+
+    #[inline(always)]
+    fn begin_step(&mut self, middle: f64) {
+        self.flows.begin_step(middle);
+    }
+    #[inline(always)]
+    fn drift(&mut self, duration: f64, time: f64) {
+        self.flows.drift(duration + f64::from_bits(take(&mut self.drift)), time);
+    }
+    #[inline(always)]
+    fn kick(&mut self, duration: f64, time: f64) {
+        self.flows.kick(duration + f64::from_bits(take(&mut self.kick)), time);
+    }
+    #[inline(always)]
+    fn gradient_kick(&mut self, duration: f64, gradient: f64, time: f64)
+    where
+        H: QuadraticKinetic,
+    {
+        self.flows.gradient_kick(duration + f64::from_bits(take(&mut self.kick)), gradient, time);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{
+        Composition, Phase,
+        composition::{Scheme, catalogue::*, catalogue_list::for_each_composition},
+    };
+    use dashu_float::{FBig, round::mode::HalfEven};
+
+    type Big = FBig<HalfEven, 2>;
+
+    fn big(x: f64) -> Big {
+        Big::try_from(x).expect("a finite number").with_precision(400).value()
+    }
+
+    /// By how much the durations of so many cycles miss `h` times as many, with longer stages and without.
+    fn off(h: f64, cycles: u64, fractions: &[f64]) -> [f64; 2] {
+        let leap = Leap::new(h, fractions.iter().copied());
+        let first = h * fractions[0];
+        let rounded: Big = fractions.iter().map(|fraction| big(h * fraction)).sum();
+        let without = (rounded - big(h)) * big(cycles as f64);
+        let longer: Big = (1..=cycles).map(|cycle| big(first + f64::from_bits(leap.of(cycle))) - big(first)).sum();
+        [without.clone() + longer, without].map(|sum| sum.to_f64().value())
+    }
+
+    #[test]
+    fn durations_add_up_in_every_composition() {
+        const CYCLES: u64 = 300;
+        let mut drifting = 0;
+        let mut check = |name: &str, stages: Stages| {
+            let drifts: Vec<f64> = stages.cycle.iter().map(|stage| stage.drift).collect();
+            let kicks: Vec<f64> = stages.cycle.iter().map(|stage| stage.kick).collect();
+            for h in [0.1, -0.1, 1.0 / 3.0, 1e-3, 7e10, 1e-300] {
+                for fractions in [&drifts, &kicks] {
+                    let longer = Leap::new(h, fractions.iter().copied()).longer.abs();
+                    let [off, without] = off(h, CYCLES, fractions);
+                    assert!(off.abs() <= longer, "{name} with h = {h:e} is off by {off:e}, {longer:e} at a time");
+                    drifting += u32::from(without.abs() > 10.0 * longer);
+                }
+            }
+        };
+        macro_rules! each {
+            ($($composition:ident)*) => {$( check($composition::NAME, $composition::STAGES); )*};
+        }
+        for_each_composition!(general: each!);
+        for_each_composition!(quadratic: each!);
+        assert!(drifting > 100, "without leaps, {drifting} sums are off by more than ten of them");
+    }
+
+    struct Oscillator;
+
+    #[crate::hamiltonian]
+    impl Oscillator {
+        fn kinetic(&self, p: [f64; 1]) -> f64 {
+            p[0] * p[0] / 2.0
+        }
+        fn potential(&self, q: [f64; 1]) -> f64 {
+            q[0] * q[0] / 2.0
+        }
+    }
+
+    /// The flows of the oscillator on the columns of a matrix of many digits.
+    #[derive(Clone)]
+    struct Exact([[Big; 2]; 2]);
+
+    impl Exact {
+        fn one() -> Self {
+            Self([[big(1.0), big(0.0)], [big(0.0), big(1.0)]])
+        }
+        /// Adds a multiple of one row to the other.
+        fn shear(&mut self, to: usize, factor: Big) {
+            for column in 0..2 {
+                let added = factor.clone() * self.0[1 - to][column].clone();
+                self.0[to][column] += added;
+            }
+        }
+        fn after(&self, first: &Self) -> Self {
+            let entry = |row: usize, column: usize| {
+                let term = |k: usize| self.0[row][k].clone() * first.0[k][column].clone();
+                term(0) + term(1)
+            };
+            Self([[entry(0, 0), entry(0, 1)], [entry(1, 0), entry(1, 1)]])
+        }
+        fn power(&self, mut exponent: u64) -> Self {
+            let (mut power, mut result) = (self.clone(), Self::one());
+            while exponent > 0 {
+                if exponent % 2 == 1 {
+                    result = power.after(&result);
+                }
+                power = power.after(&power);
+                exponent /= 2;
+            }
+            result
+        }
+    }
+
+    impl Flows<Oscillator> for Exact {
+        const COMPENSATED: bool = true;
+
+        fn drift(&mut self, duration: f64, _time: f64) {
+            self.shear(0, big(duration));
+        }
+        fn kick(&mut self, duration: f64, _time: f64) {
+            self.shear(1, big(-duration));
+        }
+        fn gradient_kick(&mut self, duration: f64, gradient: f64, _time: f64) {
+            // |∇V|² = q².
+            self.shear(1, big(-duration) - big(2.0 * gradient));
+        }
+    }
+
+    /// By how much an oscillator is off after so many steps from (1, 0), first as it runs and then with durations that
+    /// are rounded as they are, from one whose durations add up to the step.
+    fn errors<X: Composition<Oscillator>>(composition: X, h: f64, steps: u64) -> [f64; 2] {
+        let start = Phase::compensated([1.0], [0.0]);
+        let mut run = Hamiltonian::run_with(&Oscillator, composition, start, h).expect("a start");
+        run.advance(steps).expect("finite");
+        let Phase { q: [q], p: [p] } = run.state();
+        let exact = |missing: [f64; 2]| {
+            let (mut open, mut cycle, mut close) = (Exact::one(), Exact::one(), Exact::one());
+            X::open(&mut open, h, 0.0);
+            X::cycle(&mut cycle, h, 0.0);
+            // Where in the step it goes changes the motion by `h` times as little.
+            cycle.shear(0, big(missing[0]));
+            cycle.shear(1, big(-missing[1]));
+            X::close(&mut close, h, 0.0);
+            close.after(&cycle.power(steps - 1)).after(&open)
+        };
+        let [drifts, kicks] = [|stage: &Stage| stage.drift, |stage: &Stage| stage.kick];
+        let punctual =
+            exact([missing(h, X::STAGES.cycle.iter().map(drifts)), missing(h, X::STAGES.cycle.iter().map(kicks))]);
+        let rounded = exact([0.0; 2]);
+        let off = |q: Big, p: Big| {
+            let (q, p) = (q - punctual.0[0][0].clone(), p - punctual.0[1][0].clone());
+            q.to_f64().value().hypot(p.to_f64().value())
+        };
+        [
+            off(big(q.value) + big(q.carried), big(p.value) + big(p.carried)),
+            off(rounded.0[0][0].clone(), rounded.0[1][0].clone()),
+        ]
+    }
+
+    #[test]
+    fn the_phase_of_a_compensated_oscillator_does_not_drift() {
+        const STEPS: u64 = 1 << 20;
+        let table = [
+            ("Yoshida4", 0.3, errors(Yoshida4, 0.3, STEPS)),
+            ("KahanLi8", 0.3, errors(KahanLi8, 0.3, STEPS)),
+            ("Chin4A", 0.3, errors(Chin4A, 0.3, STEPS)),
+        ];
+        // What is left are the roundings of the kicks, some 1e-17 each, of which a random walk makes a thousand times more.
+        for (name, h, [run, rounded]) in table {
+            assert!(run < rounded / 20.0, "{name} with h = {h} is off by {run:e}, and would be by {rounded:e}");
+        }
+    }
+
+    #[test]
+    fn numbers_at_the_ends_of_all_numbers_do_no_harm() {
+        for h in [0.0, 5e-324, -5e-324, 1e-310, f64::MAX, -f64::MAX, f64::INFINITY, f64::NAN] {
+            let Leap { longer, share } = Leap::new(h, [1.0 / 3.0, 1.0 / 3.0, 1.0 / 3.0].into_iter());
+            assert!(longer.is_finite(), "{h:e}: {longer:e} in {share}");
+        }
+        assert_eq!(Leap::new(0.1, [0.5, 0.5].into_iter()), Leap::NONE, "halves are exact");
+        assert_eq!(Leap::new(0.1, [0.5, 0.4999].into_iter()), Leap::NONE, "a mistake stays one");
+        assert_eq!(Leap::new(0.1, [].into_iter()).of(u64::MAX), 0, "nothing to lengthen");
+    }
+}

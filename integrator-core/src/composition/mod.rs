@@ -1,0 +1,223 @@
+//! In what order a step moves the parts of a Hamiltonian: a composition is a proved, static table of stages.
+//!
+//! A table knows its coefficients and nothing of systems; [`Flows`] is all it asks of an executor.
+
+pub(crate) mod catalogue;
+pub(crate) mod catalogue_list;
+pub(crate) mod leap;
+pub(crate) mod visit;
+
+use crate::hamiltonian::{Flows, Hamiltonian};
+
+/// One drift and one kick of a composition, as fractions of the step `h`.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Stage {
+    /// `a` in the drift, the flow of `T` for a time `a·h`.
+    pub drift: f64,
+    /// `b` in the kick, the flow of `V` for a time `b·h`.
+    pub kick: f64,
+    /// `c` in the force-gradient kick with `b·V + c·h²·|∇V|²`; zero in a plain kick.
+    pub gradient: f64,
+    /// When `T(p, t)` is read, as a fraction of the step: the sum of the kicks before this drift.
+    pub drift_time: f64,
+    /// When `V(q, t)` is read, as a fraction of the step: the sum of the drifts before this kick.
+    pub kick_time: f64,
+}
+
+impl Stage {
+    /// The stage that moves nothing.
+    pub const NONE: Self = Self { drift: 0.0, kick: 0.0, gradient: 0.0, drift_time: 0.0, kick_time: 0.0 };
+}
+
+/// The part of the Hamiltonian that a stage moves first.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Lead {
+    /// `T` moves the positions, then `V` the momenta.
+    Drift,
+    /// `V` moves the momenta, then `T` the positions.
+    Kick,
+}
+
+/// The stages of a composition, merged inside a step and across step boundaries.
+///
+/// A run keeps its state just before the last stage of a step, so that this stage and the first one of the next step
+/// are one. `opening` then `cycle[1..]` bring a start there, `cycle` goes from there to the same place one step later,
+/// and `closing` completes the step (on a copy). Where the first and the last letter of the sequence differ, nothing
+/// merges: `opening` is `cycle[0]` and `closing` is [`Stage::NONE`].
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Stages {
+    /// The part that comes first in every row.
+    pub lead: Lead,
+    /// The first row of the first step: `cycle[0]` before its leading part was merged with the previous step's end.
+    pub opening: Stage,
+    /// One step, from just before its merged first stage.
+    pub cycle: &'static [Stage],
+    /// The leading part that ends a step; its other part is zero.
+    pub closing: Stage,
+}
+
+impl Stages {
+    /// How often a step that is not merged with others evaluates the force, with its processor; kicks along the gradient of the
+    /// squared force count twice.
+    pub(crate) fn forces(&self, processor: &Processor) -> usize {
+        let step = [&self.opening].into_iter().chain(&self.cycle[1..]).chain([&self.closing]);
+        let rows = processor.before.rows.iter().chain(step).chain(processor.after.rows);
+        rows.map(|row| usize::from(row.kick != 0.0 || row.gradient != 0.0) + usize::from(row.gradient != 0.0)).sum()
+    }
+}
+
+/// A list of stages that is gone through once.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Rows {
+    /// The part that comes first in every row.
+    pub lead: Lead,
+    /// The stages.
+    pub rows: &'static [Stage],
+}
+
+impl Rows {
+    /// No stages.
+    pub const NONE: Self = Self { lead: Lead::Drift, rows: &[] };
+}
+
+/// What a processed composition does once before its first step, and undoes wherever its state is shown.
+///
+/// With the processor `P` and the kernel `K`, `n` steps are `P`, then `K` `n` times, then the inverse of `P`: conjugate
+/// to `K`, hence as symplectic, at the cost of `K` alone. The inverse acts on a copy, so what is shown changes no run. Nor
+/// does it end one: a run diverges where `K` does. Where the inverse alone leaves the domain of a potential, or the finite
+/// numbers, the end of the step of `K` is shown as it is: `P` is near the identity, and its order means nothing there.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Processor {
+    /// `P`.
+    pub before: Rows,
+    /// The inverse of `P`.
+    pub after: Rows,
+}
+
+impl Processor {
+    /// No processor.
+    pub const NONE: Self = Self { before: Rows::NONE, after: Rows::NONE };
+}
+
+/// What a composition asks of the Hamiltonian beside being separable.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Class {
+    /// Any `T(p)`.
+    General,
+    /// `T = ½ pᵀ M⁻¹ p` with a constant `M`.
+    QuadraticKinetic,
+}
+
+/// The facts about a composition, all proved when it was compiled. Written by `composition!`.
+pub trait Scheme: Copy + Default + Send + Sync + 'static {
+    /// The name it was declared by.
+    const NAME: &'static str;
+    /// Where it was published; empty if the declaration does not say.
+    const CITATION: &'static str;
+    /// The order, proved from the order conditions.
+    const ORDER: u32;
+    /// Whether the sequence reads the same backwards, so that a step by `-h` undoes a step by `h`.
+    const SYMMETRIC: bool;
+    /// What it asks of the Hamiltonian.
+    const CLASS: Class;
+    /// Force evaluations per step, after merging across steps.
+    const FORCE_EVALUATIONS: usize;
+    /// How many of these also go along the gradient of the squared force, which costs about one more evaluation each.
+    const GRADIENT_EVALUATIONS: usize;
+    /// The smallest `h·ω` beyond which the step is unstable on a harmonic oscillator, computed from its step matrix.
+    const STABILITY_LIMIT: f64;
+    /// The norm of the first terms that the step gets wrong, those of degree `ORDER + 1`, in the basis of bracketed Lyndon
+    /// words (modulo the brackets that vanish for quadratic `T`, where that is the class). It compares compositions of one
+    /// order and class.
+    const LEADING_ERROR: Option<f64>;
+    /// The table that a run loops over.
+    const STAGES: Stages;
+    /// What comes once before the first step; mostly nothing.
+    const PROCESSOR: Processor = Processor::NONE;
+}
+
+/// A composition that may integrate `H`. Written by `composition!`.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` is not a composition that may integrate `{H}`",
+    label = "not a composition for this Hamiltonian",
+    note = "`Verlet`, `Yoshida4` and all other compositions of general class integrate every separable Hamiltonian",
+    note = "a new one is declared with `composition! {{ pub struct Mine: order 2 = T(1/2) V(1) T(1/2); }}`"
+)]
+pub trait Composition<H: Hamiltonian>: Scheme {
+    /// The kick of one stage.
+    #[inline(always)]
+    fn kick(flows: &mut impl Flows<H>, stage: &Stage, h: f64, time: f64) {
+        flows.kick(h * stage.kick, time + h * stage.kick_time);
+    }
+
+    /// One row of the table, from a step that begins at `time`.
+    #[inline(always)]
+    fn stage(flows: &mut impl Flows<H>, stage: &Stage, h: f64, time: f64) {
+        if Self::STAGES.lead == Lead::Kick {
+            Self::kick(flows, stage, h, time);
+        }
+        flows.drift(h * stage.drift, time + h * stage.drift_time);
+        if Self::STAGES.lead == Lead::Drift {
+            Self::kick(flows, stage, h, time);
+        }
+    }
+
+    /// The rows of a processor. Its last row may lack a part, which is left out then.
+    #[inline(always)]
+    fn once(flows: &mut impl Flows<H>, rows: &Rows, h: f64, time: f64) {
+        for stage in rows.rows {
+            let kicks = stage.kick != 0.0 || stage.gradient != 0.0;
+            if kicks && rows.lead == Lead::Kick {
+                Self::kick(flows, stage, h, time);
+            }
+            if stage.drift != 0.0 {
+                flows.drift(h * stage.drift, time + h * stage.drift_time);
+            }
+            if kicks && rows.lead == Lead::Drift {
+                Self::kick(flows, stage, h, time);
+            }
+        }
+    }
+
+    /// From a closed state at `time` to just before the last stage of the step.
+    #[inline(always)]
+    fn open(flows: &mut impl Flows<H>, h: f64, time: f64) {
+        Self::once(flows, &Self::PROCESSOR.before, h, time);
+        Self::stage(flows, &Self::STAGES.opening, h, time);
+        for stage in &Self::STAGES.cycle[1..] {
+            Self::stage(flows, stage, h, time);
+        }
+    }
+
+    /// From just before the end of the step that ends at `time` to just before the end of the next one.
+    #[inline(always)]
+    fn cycle(flows: &mut impl Flows<H>, h: f64, time: f64) {
+        for stage in Self::STAGES.cycle {
+            Self::stage(flows, stage, h, time);
+        }
+    }
+
+    /// Completes the step that began at `time`, and undoes the processor.
+    #[inline(always)]
+    fn close(flows: &mut impl Flows<H>, h: f64, time: f64) {
+        Self::complete(flows, h, time);
+        Self::show(flows, h, time);
+    }
+
+    /// Completes the step of the kernel that began at `time`.
+    #[inline(always)]
+    fn complete(flows: &mut impl Flows<H>, h: f64, time: f64) {
+        let closing = &Self::STAGES.closing;
+        match Self::STAGES.lead {
+            Lead::Drift if closing.drift != 0.0 => flows.drift(h * closing.drift, time + h * closing.drift_time),
+            Lead::Kick if closing.kick != 0.0 || closing.gradient != 0.0 => Self::kick(flows, closing, h, time),
+            _ => {}
+        }
+    }
+
+    /// Undoes the processor at the end of the step that began at `time`.
+    #[inline(always)]
+    fn show(flows: &mut impl Flows<H>, h: f64, time: f64) {
+        Self::once(flows, &Self::PROCESSOR.after, h, time);
+    }
+}

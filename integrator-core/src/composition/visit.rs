@@ -1,0 +1,59 @@
+//! The catalogue as a list: every composition that a Hamiltonian admits, one after the other.
+//!
+//! A composition is a type, and types do not fit into a `Vec`; a [`Visitor`] is a loop body that is generic instead.
+
+use crate::{
+    composition::{Composition, catalogue::*, catalogue_list::for_each_composition},
+    hamiltonian::{Hamiltonian, QuadraticKinetic},
+};
+
+/// What is done with each composition that may integrate `H`.
+///
+/// ```
+/// use integrator_core::{Visitor, prelude::*};
+///
+/// struct Names(Vec<&'static str>);
+///
+/// impl<H: Hamiltonian> Visitor<H> for Names {
+///     fn visit<X: Composition<H>>(&mut self, _: X) {
+///         self.0.push(X::NAME);
+///     }
+/// }
+///
+/// struct Oscillator;
+///
+/// #[hamiltonian]
+/// impl Oscillator {
+///     fn kinetic(&self, p: [f64; 1]) -> f64 {
+///         0.5 * p[0] * p[0]
+///     }
+///     fn potential(&self, q: [f64; 1]) -> f64 {
+///         0.5 * q[0] * q[0]
+///     }
+/// }
+///
+/// let mut names = Names(Vec::new());
+/// Oscillator::visit_compositions(&mut names);
+/// assert!(names.0.contains(&"Verlet") && names.0.contains(&"BlanesMoanSrkn11"));
+/// ```
+pub trait Visitor<H: Hamiltonian> {
+    /// Called once with each composition.
+    fn visit<X: Composition<H>>(&mut self, composition: X);
+}
+
+/// Shows `visitor` the compositions for every `T(p)`.
+pub fn visit_general<H: Hamiltonian>(visitor: &mut impl Visitor<H>) {
+    macro_rules! visit {
+        ($($composition:ident)*) => {$( visitor.visit($composition); )*};
+    }
+    for_each_composition!(general: visit!);
+}
+
+/// Shows `visitor` the compositions for quadratic `T`, after those for every `T`.
+pub fn visit_quadratic<H: QuadraticKinetic>(visitor: &mut impl Visitor<H>) {
+    macro_rules! visit {
+        ($($composition:ident)*) => {$( visitor.visit($composition); )*};
+    }
+    visit_general(visitor);
+    for_each_composition!(quadratic: visit!);
+}

@@ -1,0 +1,46 @@
+//! Which lanes the members of an ensemble share, on each instruction set.
+
+use crate::{
+    scalar::{
+        fused::{Avx512, Fma, Fused},
+        real::Real,
+        simd::lanes::Lanes,
+    },
+    state::{
+        fixed::Fixed,
+        slot::{Compensated, Keep},
+    },
+};
+
+/// What members of an ensemble are computed in. Named nowhere outside, like the types it leads to: vectors may only be
+/// used where their instructions were detected.
+pub trait Abreast: Keep {
+    /// On every machine.
+    type Plain: Real;
+    /// Where the machine has fused multiply-add.
+    type Fused: Real;
+    /// Where it has AVX-512.
+    type Avx512: Real;
+}
+
+/// A register where its instructions are known, else as many scalars as the 128 bits of every baseline hold.
+#[cfg(target_arch = "x86_64")]
+type Vector<F, S, const N: usize> = <Fused<F, S> as Real>::Block;
+#[cfg(not(target_arch = "x86_64"))]
+type Vector<F, S, const N: usize> = Lanes<Fused<F, S>, N>;
+
+macro_rules! abreast {
+    ($($leaf:ty: $lanes:literal of $scalar:ident;)*) => {$(
+        impl Abreast for $leaf {
+            type Plain = Lanes<$scalar, $lanes>;
+            type Fused = Vector<$scalar, Fma, $lanes>;
+            type Avx512 = Vector<$scalar, Avx512, $lanes>;
+        }
+    )*};
+}
+abreast! {
+    f64: 2 of f64;
+    Compensated<f64>: 2 of f64;
+    Fixed<f64>: 2 of f64;
+    f32: 4 of f32;
+}

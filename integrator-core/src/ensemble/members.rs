@@ -1,0 +1,208 @@
+//! The members of an ensemble, whatever they are: dealt out to packs that threads take in turns.
+
+use crate::{
+    ensemble::pack::{Course, Pack, States},
+    error::{Divergence, Error, Lost},
+    layout::threads::all_threads,
+    state::{clock::Clock, point::Point},
+    system::energies::Parts,
+    trajectory::panics::Panics,
+};
+use std::{
+    panic::resume_unwind,
+    sync::{
+        Mutex, PoisonError,
+        atomic::{AtomicU64, Ordering},
+    },
+    thread,
+};
+
+/// From how many updates of a coordinate on, all members together, other threads are started: that takes some ten
+/// microseconds each, in which one thread does about so many.
+const WORTH_A_THREAD: u64 = 1 << 17;
+
+/// What tells the energies of the member of some number in some state.
+pub(crate) type EnergiesOf = dyn Fn(usize, &dyn Point, f64) -> Parts + Send + Sync;
+
+/// All members of an ensemble.
+pub(crate) struct Members {
+    packs: Vec<Box<dyn Pack>>,
+    energies: Box<EnergiesOf>,
+    count: usize,
+    /// How many coordinates all members have together.
+    coordinates: u64,
+    pub(crate) clock: Clock,
+    /// Whether the energies of the starts are still to be looked at, where they depend on the time that the clock starts
+    /// at.
+    starts_unseen: bool,
+    pub(crate) threads: usize,
+}
+
+impl Members {
+    pub(crate) fn new(
+        packs: Vec<Box<dyn Pack>>,
+        energies: Box<EnergiesOf>,
+        count: usize,
+        coordinates: u64,
+        h: f64,
+    ) -> Self {
+        let clock = Clock { t0: 0.0, h, steps: 0 };
+        Self { packs, energies, count, coordinates, clock, starts_unseen: true, threads: all_threads() }
+    }
+
+    /// Looks at the energies of the starts, once.
+    ///
+    /// # Errors
+    /// [`Error::Member`] naming the first member whose energy is not finite.
+    pub(crate) fn see_starts(&mut self) -> Result<(), Error> {
+        if self.starts_unseen {
+            let (time, mut seen) = (self.time(), Ok(()));
+            for pack in &self.packs {
+                pack.states(self.clock, &mut |member, state| {
+                    if seen.is_ok() {
+                        seen = self.admissible(member, state, time);
+                    }
+                });
+            }
+            seen?;
+            self.starts_unseen = false;
+        }
+        Ok(())
+    }
+
+    /// Whether a member has an energy in a state.
+    ///
+    /// # Errors
+    /// [`Error::Member`]
+    fn admissible(&self, member: usize, state: &dyn Point, time: f64) -> Result<(), Error> {
+        (self.energies)(member, state, time).admissible(time).map_err(of_member(member))
+    }
+
+    /// Whether a member may go on from a state that was changed from outside.
+    ///
+    /// # Errors
+    /// [`Error::Member`], if it has no energy.
+    pub(crate) fn changed(&self, member: usize, state: &dyn Point) -> Result<(), Error> {
+        // Where the starts are unseen, their time is not settled.
+        if self.starts_unseen { Ok(()) } else { self.admissible(member, state, self.time()) }
+    }
+
+    /// Lets the members that are under way go on from these states.
+    pub(crate) fn restart(&mut self, states: &States) {
+        for pack in &mut self.packs {
+            pack.restart(states, self.clock.steps);
+        }
+    }
+
+    /// Takes steps with every member that is under way; after every `interval` of them, each is asked whether it stays.
+    ///
+    /// # Errors
+    /// As [`Ensemble::advance`](crate::Ensemble::advance).
+    pub(crate) fn carry_on(
+        &mut self,
+        steps: u64,
+        interval: u64,
+        stays: &(dyn Fn(usize, &dyn Point) -> bool + Sync),
+        progress: &mut dyn FnMut(u64),
+    ) -> Result<(), Error> {
+        if interval == 0 {
+            return Err(Error::SampleInterval);
+        }
+        let end = self.clock.end(steps)?;
+        self.see_starts()?;
+        let panics = Panics::default();
+        let course = Course { clock: self.clock, steps, interval, stays, panics: &panics };
+        let mut lost = self.all_on(&course, progress);
+        self.clock.steps = end;
+        panics.resume();
+        progress(steps);
+        lost.sort_unstable_by_key(|(member, _)| *member);
+        if lost.is_empty() { Ok(()) } else { Err(Error::Lost(Lost { members: lost })) }
+    }
+
+    /// Carries on all packs, on as many threads as are worth it, and returns the members that are lost.
+    fn all_on(&mut self, course: &Course, progress: &mut dyn FnMut(u64)) -> Vec<(usize, Divergence)> {
+        let (members, packs) = (self.count as u64, self.packs.len());
+        let updates = self.coordinates.saturating_mul(course.steps);
+        let threads = if updates < WORTH_A_THREAD { 1 } else { self.threads.min(packs) };
+        let done = AtomicU64::new(0);
+        // Whoever is free takes the next pack; no result depends on who that is.
+        let packs = Mutex::new(self.packs.iter_mut());
+        let next = || packs.lock().unwrap_or_else(PoisonError::into_inner).next();
+        let work = |progress: &mut dyn FnMut(u64)| {
+            let mut lost = Vec::new();
+            while let Some(pack) = next() {
+                lost.extend(pack.advance(course, &mut |took| {
+                    let done = done.fetch_add(took, Ordering::Relaxed) + took;
+                    course.panics.attempted(|| progress(done / members));
+                }));
+            }
+            lost
+        };
+        thread::scope(|scope| {
+            let others: Vec<_> = (1..threads).map(|_| scope.spawn(|| work(&mut |_| {}))).collect();
+            let mut lost = work(progress);
+            for other in others {
+                lost.extend(other.join().unwrap_or_else(|panic| resume_unwind(panic)));
+            }
+            lost
+        })
+    }
+
+    pub(crate) fn count(&self) -> usize {
+        self.count
+    }
+
+    pub(crate) fn active(&self) -> usize {
+        self.packs.iter().map(|pack| pack.active()).sum()
+    }
+
+    pub(crate) fn time(&self) -> f64 {
+        self.clock.at(self.clock.steps)
+    }
+
+    /// The members that are neither lost nor gone.
+    pub(crate) fn under_way(&self) -> Vec<usize> {
+        let mut members = Vec::with_capacity(self.count);
+        for (number, pack) in self.packs.iter().enumerate() {
+            let end = self.packs.get(number + 1).map_or(self.count, |next| next.first());
+            members.extend((pack.first()..end).filter(|member| pack.is_under_way(*member)));
+        }
+        members
+    }
+
+    pub(crate) fn steps_of(&self, member: usize) -> Option<u64> {
+        Some(self.pack_of(member)?.steps(member, self.clock))
+    }
+
+    pub(crate) fn state(&self, member: usize) -> Option<Box<dyn Point>> {
+        Some(self.pack_of(member)?.state(member, self.clock))
+    }
+
+    pub(crate) fn energy(&self, member: usize) -> Option<f64> {
+        let pack = self.pack_of(member)?;
+        let time = self.clock.at(pack.steps(member, self.clock));
+        Some((self.energies)(member, &*pack.state(member, self.clock), time).total)
+    }
+
+    pub(crate) fn packs(&self) -> usize {
+        self.packs.len()
+    }
+
+    /// Shows the states of the members of a pack, in their order.
+    pub(crate) fn states(&self, pack: usize, visit: &mut dyn FnMut(usize, &dyn Point)) {
+        self.packs[pack].states(self.clock, visit);
+    }
+
+    /// The member's pack: packs hold members in their order.
+    fn pack_of(&self, member: usize) -> Option<&dyn Pack> {
+        let after = self.packs.partition_point(|pack| pack.first() <= member);
+        let pack = after.checked_sub(1).filter(|_| member < self.count)?;
+        Some(self.packs.get(pack)?.as_ref())
+    }
+}
+
+/// What is said of an error that concerns a member.
+pub(crate) fn of_member(member: usize) -> impl Fn(Error) -> Error + Copy {
+    move |error| Error::Member { member, error: Box::new(error) }
+}

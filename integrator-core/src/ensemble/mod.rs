@@ -1,0 +1,355 @@
+//! Many trajectories of one kind of system: side by side in lanes, shared out among threads.
+//!
+//! Always true: a member's bits are those of the same system run alone on the same instruction set, whatever its
+//! neighbours do and however many threads there are.
+
+#[cfg(feature = "std")]
+#[allow(unreachable_pub, reason = "named in bounds, never outside")]
+pub(crate) mod abreast;
+#[cfg(feature = "std")]
+#[allow(unreachable_pub, reason = "named in bounds, never outside")]
+pub(crate) mod group;
+#[cfg(feature = "std")]
+#[allow(unreachable_pub, reason = "named in bounds, never outside")]
+pub(crate) mod in_lanes;
+#[cfg(feature = "std")]
+pub(crate) mod members;
+#[cfg(feature = "std")]
+pub(crate) mod motions;
+#[cfg(feature = "std")]
+pub(crate) mod pack;
+#[cfg(feature = "std")]
+pub(crate) mod packs;
+#[cfg(feature = "std")]
+pub(crate) mod side_by_side;
+
+#[cfg(debug_assertions)]
+use crate::system::stated::hold_at_start;
+use crate::{
+    ensemble::{
+        abreast::Abreast,
+        in_lanes::InLanes,
+        members::{Members, of_member},
+        motions::{Everyone, Group, Member, Motions},
+        packs::Starts,
+    },
+    error::Error,
+    hamiltonian::{Hamiltonian, Shaped},
+    layout::threads::all_threads,
+    scalar::{instruction_set::InstructionSet, real::Real},
+    state::{
+        clock::Clock,
+        coords::Coords,
+        phase::Phase,
+        point::{Point, shaped},
+        slot::Keep,
+    },
+    system::{energies::energy, motion::Prepared},
+    trajectory::{
+        admissible::{admissible_with, change},
+        chosen::Chosen,
+        engine::is_spoilt,
+        method::Method,
+    },
+};
+use std::{fmt, marker::PhantomData, sync::Arc};
+
+/// How many vector registers there are without AVX-512, which has 32.
+const REGISTERS: usize = if cfg!(target_arch = "x86_64") { 16 } else { 32 };
+
+/// Trajectories of one kind of system under way together; parameters may differ from member to member.
+///
+/// ```
+/// use integrator_core::prelude::*;
+///
+/// struct Pendulum { length: f64 }
+///
+/// #[hamiltonian(compose = Yoshida4)]
+/// impl Pendulum {
+///     fn kinetic(&self, p: [f64; 1]) -> f64 { p[0].powi(2) / (2.0 * self.length.powi(2)) }
+///     fn potential(&self, q: [f64; 1]) -> f64 { -9.81 * self.length * q[0].cos() }
+/// }
+///
+/// let members = (1..=100).map(|i| (Pendulum { length: i as f64 / 100.0 }, Phase::new([1.0_f64], [0.0])));
+/// let mut swarm = Ensemble::new(Yoshida4, members, 0.01)?;
+/// swarm.advance(1_000)?;
+/// let shortest = swarm.state(0).expect("a hundred members");
+/// assert!(shortest.q[0].abs() < 1.01);
+/// # Ok::<(), Error>(())
+/// ```
+pub struct Ensemble<C: Coords> {
+    members: Members,
+    shape: PhantomData<C>,
+}
+
+impl<C: Coords> Ensemble<C> {
+    /// An ensemble of `(system, start)` pairs that take steps `h` with any composition that may integrate the systems, or with
+    /// [`Taylor`](crate::methods::taylor::Taylor), where each member goes by polynomials of its own between these steps.
+    ///
+    /// # Errors
+    /// [`Error::NoMembers`] without members; [`Error::Member`] naming the first member whose start or step is refused,
+    /// for the reasons of [`Hamiltonian::run`].
+    pub fn new<H, K, X>(method: X, members: impl IntoIterator<Item = (H, Phase<C>)>, h: f64) -> Result<Self, Error>
+    where
+        H: Hamiltonian,
+        K: Abreast,
+        X: InLanes<H>,
+        H::Coords: Coords<With<K> = C>,
+    {
+        let chosen = Chosen::<H, X, K>::here();
+        let (mut all, mut states, mut coordinates) = (Vec::new(), Vec::new(), 0);
+        for (system, state) in members {
+            let member = member(&system, &chosen, method, &state, h).map_err(of_member(states.len()))?;
+            coordinates += state.q.flat().len() as u64;
+            all.push(member);
+            states.push(state);
+        }
+        if states.is_empty() {
+            return Err(Error::NoMembers);
+        }
+        let members = Arc::new(all);
+        let lanes = match InstructionSet::chosen() {
+            InstructionSet::Baseline => lanes::<H, X, <K as Abreast>::Plain, K, REGISTERS>(&members),
+            InstructionSet::Fused => lanes::<H, X, <K as Abreast>::Fused, K, REGISTERS>(&members),
+            InstructionSet::Avx512 => lanes::<H, X, <K as Abreast>::Avx512, K, 32>(&members),
+        };
+        let starts = Starts {
+            states: &|member| &states[member],
+            alike: &|a, b| {
+                let same = <H::Parameters<f64> as Prepared<f64>>::alike(&members[a].parameters, &members[b].parameters);
+                same && states[a].q.length() == states[b].q.length()
+            },
+            lanes: &*lanes,
+            // Alone, a member is what a run would be.
+            lone: &|member| Box::new(chosen.engine(method, members[member].parameters.clone(), states[member].clone())),
+        };
+        let packs = starts.packs(states.len(), all_threads());
+        let energies = Box::new(move |member: usize, state: &dyn Point, time: f64| {
+            energy::<H, K>(&members[member].parameters, shaped(state), time)
+        });
+        let mut members = Members::new(packs, energies, states.len(), coordinates, h);
+        if H::AUTONOMOUS {
+            members.see_starts()?;
+        }
+        Ok(Self { members, shape: PhantomData })
+    }
+
+    /// Starts the clock at `t0` instead of 0. A `t0` that is not finite is reported by the first `advance`.
+    #[must_use]
+    pub fn at_time(mut self, t0: f64) -> Self {
+        self.members.clock.t0 = t0;
+        self
+    }
+
+    /// Uses at most so many threads instead of all that the machine has; no result depends on it.
+    #[must_use]
+    pub fn with_threads(mut self, threads: usize) -> Self {
+        self.members.threads = threads.max(1);
+        self
+    }
+
+    /// Takes `steps` steps with every member that is under way.
+    ///
+    /// # Errors
+    /// [`Error::Lost`] names the members that left the finite numbers in these steps, or came too near to a singularity for
+    /// [`Taylor`](crate::methods::taylor::Taylor); all others have taken them, and
+    /// the ensemble goes on without the lost ones, which stay at their last finite state. [`Error::Time`],
+    /// [`Error::Clock`] and [`Error::Steps`] leave the ensemble as it was, and so does [`Error::Member`], which the first
+    /// call returns where `H` reads the time and has no value at a start.
+    ///
+    /// # Panics
+    /// Where your own functions would, once all members have taken the steps for which they do not. A program that catches
+    /// the panic finds the members for which they do at the last step before it, as if they had left there
+    /// ([`Ensemble::steps_of`]); the ensemble goes on without them.
+    pub fn advance(&mut self, steps: u64) -> Result<(), Error> {
+        self.advance_with(steps, |_| {})
+    }
+
+    /// As [`Ensemble::advance`], and tells `progress` from time to time how many of the `steps` are done, as the mean
+    /// over all members; at the end, `steps`. It is called by this thread, which works like the others in between.
+    ///
+    /// # Errors
+    /// As [`Ensemble::advance`].
+    pub fn advance_with(&mut self, steps: u64, mut progress: impl FnMut(u64)) -> Result<(), Error> {
+        self.members.carry_on(steps, u64::MAX, &|_, _| true, &mut progress)
+    }
+
+    /// As [`Ensemble::advance`], but members may leave when they are done: after every `interval` steps, each member
+    /// under way is shown to `stays`, and those for which it returns `false` stay where they are from then on. Their
+    /// lanes are closed up, so that they cost nothing any more.
+    ///
+    /// A member is shown at increasing times, by any thread; what is returned should depend on nothing else.
+    ///
+    /// ```
+    /// use integrator_core::prelude::*;
+    ///
+    /// struct Fall;
+    ///
+    /// #[hamiltonian]
+    /// impl Fall {
+    ///     fn kinetic(&self, p: [f64; 1]) -> f64 { 0.5 * p[0] * p[0] }
+    ///     fn potential(&self, q: [f64; 1]) -> f64 { 9.81 * q[0] }
+    /// }
+    ///
+    /// let stones = (1..=20).map(|height| (Fall, Phase::new([f64::from(height)], [0.0])));
+    /// let mut stones = Ensemble::new(Verlet, stones, 0.001)?;
+    /// stones.advance_while(10_000, 1, |_, stone| stone.q[0] > 0.0)?;
+    /// assert_eq!(stones.active(), 0);
+    /// let seconds = 0.001 * stones.steps_of(4).expect("twenty stones") as f64;
+    /// assert!((seconds - (2.0_f64 * 5.0 / 9.81).sqrt()).abs() < 0.001);
+    /// # Ok::<(), Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// As [`Ensemble::advance`]; [`Error::SampleInterval`] for an interval of 0.
+    pub fn advance_while(
+        &mut self,
+        steps: u64,
+        interval: u64,
+        stays: impl Fn(usize, &Phase<C>) -> bool + Sync,
+    ) -> Result<(), Error> {
+        self.members.carry_on(steps, interval, &|member, state| stays(member, shaped(state)), &mut |_| {})
+    }
+
+    /// Changes the states of the members that are under way, one after the other, between two steps: coordinates that are
+    /// wrapped into a periodic box, momenta that are drawn anew by a thermostat. Time and the number of steps go on; members
+    /// that are lost or gone stay as they are.
+    ///
+    /// Each member has the bits of a run whose state is [changed](Run::map_state) in the same way.
+    ///
+    /// ```
+    /// use integrator_core::prelude::*;
+    /// use std::f64::consts::TAU;
+    ///
+    /// struct Rotor;
+    ///
+    /// #[hamiltonian]
+    /// impl Rotor {
+    ///     fn kinetic(&self, p: [f64; 1]) -> f64 { p[0] * p[0] / 2.0 }
+    ///     fn potential(&self, q: [f64; 1]) -> f64 { -q[0].cos() }
+    /// }
+    ///
+    /// let members = (0..20).map(|i| (Rotor, Phase::new([0.0_f64], [f64::from(i)])));
+    /// let mut rotors = Ensemble::new(Verlet, members, 0.01)?;
+    /// for _ in 0..10 {
+    ///     rotors.advance(100)?;
+    ///     rotors.map_states(|_, state| state.q[0] = state.q[0].rem_euclid(TAU))?;
+    /// }
+    /// assert!(rotors.states().all(|state| (0.0..TAU).contains(&state.q[0])));
+    /// assert_eq!((rotors.steps(), rotors.time()), (1_000, 10.0));
+    /// # Ok::<(), Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`Error::Member`] naming the first member whose new state is refused, for the reasons of [`Run::map_state`]; all
+    /// members stay as they were.
+    pub fn map_states(&mut self, mut map: impl FnMut(usize, &mut Phase<C>)) -> Result<(), Error> {
+        let mut states = Vec::with_capacity(self.len());
+        for pack in 0..self.members.packs() {
+            self.members.states(pack, &mut |_, state| states.push(shaped::<C>(state).clone()));
+        }
+        for member in self.members.under_way() {
+            let state = &mut states[member];
+            change(state, self.members.clock.h, |state| map(member, state)).map_err(of_member(member))?;
+            self.members.changed(member, state)?;
+        }
+        self.members.restart(&|member| &states[member]);
+        Ok(())
+    }
+
+    /// How many members there are.
+    pub fn len(&self) -> usize {
+        self.members.count()
+    }
+
+    /// Whether there are no members; never so.
+    pub fn is_empty(&self) -> bool {
+        self.members.count() == 0
+    }
+
+    /// How many members are under way: neither lost nor gone.
+    pub fn active(&self) -> usize {
+        self.members.active()
+    }
+
+    /// The time of the members that are under way, `t0 + n·h`.
+    pub fn time(&self) -> f64 {
+        self.members.time()
+    }
+
+    /// How many steps the members that are under way have taken.
+    pub fn steps(&self) -> u64 {
+        self.members.clock.steps
+    }
+
+    /// How many steps a member has taken: fewer than the others if it is lost or gone. `None` beyond the last member.
+    pub fn steps_of(&self, member: usize) -> Option<u64> {
+        self.members.steps_of(member)
+    }
+
+    /// The state of a member: its last finite one if it is lost, the one in which it left if it is gone.
+    pub fn state(&self, member: usize) -> Option<Phase<C>> {
+        Some(shaped::<C>(&*self.members.state(member)?).clone())
+    }
+
+    /// The energy of a member in that state.
+    pub fn energy(&self, member: usize) -> Option<f64> {
+        self.members.energy(member)
+    }
+
+    /// The states of all members, in their order.
+    pub fn states(&self) -> impl Iterator<Item = Phase<C>> {
+        (0..self.members.packs()).flat_map(|pack| {
+            let mut states: Vec<Phase<C>> = Vec::new();
+            self.members.states(pack, &mut |_, state| states.push(shaped::<C>(state).clone()));
+            states
+        })
+    }
+}
+
+impl<C: Coords> fmt::Debug for Ensemble<C> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("Ensemble")
+            .field("members", &self.len())
+            .field("step", &self.members.clock.h)
+            .field("steps", &self.steps())
+            .field("time", &self.time())
+            .finish()
+    }
+}
+
+/// A member that may begin where it is asked to.
+///
+/// # Errors
+/// Those of [`Hamiltonian::run`].
+fn member<H: Hamiltonian, K: Keep, X: Method<H>>(
+    system: &H,
+    chosen: &Chosen<H, X, K>,
+    method: X,
+    start: &Phase<Shaped<H, K>>,
+    h: f64,
+) -> Result<Member<H::Parameters<f64>, X::Constants>, Error> {
+    admissible_with(method, start, h)?;
+    let parameters = Arc::new(system.parameters(start.q.length()));
+    let constants = H::Parameters::<f64>::not_finite(&parameters);
+    let unsettled = !constants.is_empty();
+    let clock = Clock { t0: 0.0, h, steps: 0 };
+    // An infinite constant may be meant: what counts is what a run of its own does with it.
+    if unsettled && is_spoilt(&*chosen.engine(method, parameters.clone(), start.clone()), clock) {
+        return Err(Error::Parameters { constants });
+    }
+    #[cfg(debug_assertions)]
+    hold_at_start::<H, K>(system, &parameters, start, 0.0)?;
+    if unsettled && H::AUTONOMOUS {
+        energy::<H, K>(&parameters, start, 0.0).admissible(0.0)?;
+    }
+    Ok(Member { constants: method.constants(parameters.clone()), parameters })
+}
+
+/// No motions yet, of members in lanes.
+fn lanes<H: Hamiltonian, X: InLanes<H>, L: Real, K: Keep, const REGISTERS: usize>(
+    members: &Everyone<H::Parameters<f64>, X::Constants>,
+) -> Box<dyn Motions> {
+    let moves = X::group_moves::<L, K, REGISTERS>();
+    Group::<X::Motion<L, K>, _, _, Shaped<H, K>>::empty(moves, members.clone(), 0)
+}

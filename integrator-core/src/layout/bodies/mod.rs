@@ -1,0 +1,7 @@
+//! Flows of bodies that act on each other in pairs.
+
+pub(crate) mod load_store;
+#[allow(unreachable_pub, reason = "named in bounds, never outside")]
+pub(crate) mod many_body;
+pub(crate) mod ring;
+pub(crate) mod tiles;

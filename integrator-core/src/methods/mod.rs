@@ -1,0 +1,7 @@
+//! Methods that are no compositions.
+
+#[cfg(feature = "reference")]
+#[allow(unreachable_pub, reason = "named in bounds, never outside")]
+pub mod reference;
+#[allow(unreachable_pub, reason = "named in bounds, never outside")]
+pub mod taylor;

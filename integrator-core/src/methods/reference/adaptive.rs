@@ -1,0 +1,135 @@
+//! Methods that choose their steps by a tolerance, from the crate `differential-equations`.
+//!
+//! That crate has all three on plain vectors and takes a Jacobian; ode_solvers has no stiff method, and diffsol wants
+//! its equations in matrices of its own.
+
+use super::{
+    field::Field,
+    walk::{Place, Recipe},
+};
+use crate::{
+    error::{Error, Unsolved},
+    scalar::real::Real,
+    trajectory::method::{Described, Facts},
+};
+use differential_equations::{
+    error::Error as Failure,
+    linalg::Matrix,
+    prelude::{BackwardDifferentiationFormula, ExplicitRungeKutta, IVP, ODE},
+};
+
+/// A field as that crate sees it: the lanes of a state one after the other. A dual is integrated with its tangent, by
+/// the variational equation.
+struct Flat<'f, R>(&'f dyn Field<R>);
+
+/// All lanes as one list.
+fn flat<R: Real>(y: &[R]) -> Vec<f64> {
+    (0..R::LANES).flat_map(|lane| y.iter().map(move |y| y.lane(lane))).collect()
+}
+
+/// The numbers whose lanes these are.
+fn lanes<R: Real>(flat: &[f64]) -> Vec<R> {
+    let count = flat.len() / R::LANES;
+    (0..count).map(|i| R::state(&|lane| flat[lane * count + i])).collect()
+}
+
+impl<R: Real> ODE<f64, Vec<f64>> for Flat<'_, R> {
+    fn diff(&self, time: f64, y: &Vec<f64>, derivative: &mut Vec<f64>) {
+        *derivative = flat(&self.0.derivative(&lanes::<R>(y), time));
+    }
+
+    /// The Jacobian in every lane. How the tangents of a dual depend on its value is left out: Newton's iteration, for
+    /// which the matrix is wanted, finds the same end with a matrix that is nearly right.
+    fn jacobian(&self, time: f64, y: &Vec<f64>, to: &mut Matrix<f64>) {
+        let count = y.len() / R::LANES;
+        let jacobian = self.0.jacobian(&y[..count], time);
+        for row in 0..y.len() {
+            for column in 0..y.len() {
+                let same = row / count == column / count;
+                to[(row, column)] = if same { jacobian[(row % count, column % count)] } else { 0.0 };
+            }
+        }
+    }
+}
+
+/// What a step adds.
+fn increment<R: Real>(
+    from: &Place<'_, R>,
+    solve: impl Fn(&Flat<'_, R>, [f64; 2], Vec<f64>) -> Result<Option<Vec<f64>>, Failure<f64, Vec<f64>>>,
+) -> Result<Vec<R>, Unsolved> {
+    let start = flat(from.y);
+    if from.h == 0.0 {
+        return Ok(from.derivative().into_iter().map(|slope| R::of(0.0) * slope).collect());
+    }
+    let end = solve(&Flat(from.field), [from.time, from.time + from.h], start.clone()).map_err(unsolved)?;
+    let Some(end) = end else { return Err(Unsolved::Adaptive("no end was returned".to_owned())) };
+    let moved: Vec<f64> = end.iter().zip(&start).map(|(end, start)| end - start).collect();
+    Ok(lanes(&moved))
+}
+
+/// What the crate says, without the state, which the run tells.
+fn unsolved(failure: Failure<f64, Vec<f64>>) -> Unsolved {
+    Unsolved::Adaptive(match failure {
+        Failure::BadInput { msg } => msg,
+        Failure::MaxSteps { t, .. } => format!("too many of them up to t = {t}"),
+        Failure::StepSize { t, .. } => format!("they become too small at t = {t}"),
+        Failure::Stiffness { t, .. } => format!("the equations are stiff at t = {t}"),
+        Failure::LinearAlgebra { t, msg, .. } => format!("{msg} at t = {t}"),
+        _ => "for no reason that is known".to_owned(),
+    })
+}
+
+macro_rules! adaptive {
+    ($($(#[$doc:meta])* $name:ident: order $order:literal, $method:expr;)*) => {$(
+        $(#[$doc])*
+        #[derive(Clone, Copy, Debug, PartialEq)]
+        pub struct $name {
+            /// The error that a step may make, in the unit of a coordinate where it is small, relative to it where it
+            /// is above one.
+            pub tolerance: f64,
+        }
+
+        impl Described for $name {
+            fn facts(self) -> Facts {
+                Facts {
+                    name: stringify!($name),
+                    order: $order,
+                    adaptive: true,
+                    roundings: 16,
+                    ..Facts::UNCLAIMED
+                }
+            }
+            fn admissible(self) -> Result<(), Error> {
+                let tolerance = self.tolerance;
+                match tolerance.is_finite() && tolerance > 0.0 {
+                    true => Ok(()),
+                    false => Err(Error::Tolerance { method: stringify!($name), tolerance }),
+                }
+            }
+        }
+
+        impl Recipe for $name {
+            type Memory<R: Real> = ();
+
+            fn increment<R: Real>(self, _: &mut (), from: &Place<'_, R>) -> Result<Vec<R>, Unsolved> {
+                increment(from, |field, [begin, end], start| {
+                    let method = $method.rtol(self.tolerance).atol(self.tolerance).max_steps(MOST);
+                    Ok(IVP::ode(field, begin, end, start).method(method).solve()?.y.pop())
+                })
+            }
+        }
+    )*};
+}
+
+/// More steps of its own than this within one step of the run are taken for an error.
+const MOST: usize = 1_000_000;
+
+adaptive! {
+    /// The pair of orders 5 and 4 of Dormand and Prince (1980), DOPRI5.
+    DormandPrince5: order 5, ExplicitRungeKutta::dopri5();
+    /// The method of order 8 of Dormand and Prince with the error estimate of Hairer, Nørsett and Wanner (1993), DOP853.
+    DormandPrince8: order 8, ExplicitRungeKutta::dop853();
+    /// Backward differences of order 1 to 5 and steps chosen by the tolerance, for stiff systems (Gear 1971). They damp
+    /// what oscillates fast. Each step of the run begins with order 1, so that it should be a long one.
+    Bdf: order 1, BackwardDifferentiationFormula::adaptive();
+}

@@ -1,0 +1,89 @@
+//! The vector field of a Hamiltonian, from its generated flows.
+//!
+//! States are one list of numbers here, positions first.
+
+use crate::{
+    hamiltonian::Hamiltonian,
+    scalar::{dual::Dual, real::Real},
+    state::{coords::Coords, phase::Phase},
+    system::motion::Motion,
+};
+use core::cell::Cell;
+use nalgebra::DMatrix;
+
+/// `y' = f(y, t)`. Behind a pointer, so that methods are compiled once for all systems.
+pub(crate) trait Field<R> {
+    /// `f`: velocities, then forces.
+    fn derivative(&self, y: &[R], time: f64) -> Vec<R>;
+    /// `∂f/∂y` at plain numbers.
+    fn jacobian(&self, y: &[f64], time: f64) -> DMatrix<f64>;
+}
+
+/// The field of `H`, with its parameters and a point that has the shape of its coordinates.
+pub(crate) struct Generated<'s, H: Hamiltonian> {
+    pub(crate) parameters: &'s H::Parameters<f64>,
+    pub(crate) shape: &'s Phase<H::Coords>,
+    /// The middle of the step that asks for it.
+    pub(crate) middle: f64,
+    /// How often it was evaluated; a Jacobian counts once for each of its columns.
+    pub(crate) evaluations: Cell<u64>,
+}
+
+impl<H: Hamiltonian> Generated<'_, H> {
+    /// One half of `y` in every lane, and nothing in the other half.
+    fn points<R: Real>(&self, y: &[R], half: fn(&mut Phase<H::Coords>) -> &mut H::Coords) -> Vec<Phase<H::Coords>> {
+        let point = |lane: usize| {
+            let mut point = self.shape.clone();
+            point.q.flat_mut().fill(0.0);
+            point.p.flat_mut().fill(0.0);
+            for (to, from) in half(&mut point).flat_mut().iter_mut().zip(y) {
+                *to = from.lane(lane);
+            }
+            point
+        };
+        (0..R::LANES).map(point).collect()
+    }
+
+    /// What a flow of unit duration makes of these points.
+    fn flown<R: Real>(
+        &self,
+        mut points: Vec<Phase<H::Coords>>,
+        flow: impl Fn(&mut H::Motion<R, f64>),
+    ) -> Vec<Phase<H::Coords>> {
+        let states: Vec<_> = points.iter().collect();
+        let mut motion = H::Motion::<R, f64>::load(&vec![self.parameters; states.len()], &states);
+        H::begin_step::<R, f64>(&mut motion, self.middle);
+        flow(&mut motion);
+        for (lane, point) in points.iter_mut().enumerate() {
+            motion.store(lane, point);
+        }
+        points
+    }
+}
+
+impl<H: Hamiltonian, R: Real> Field<R> for Generated<'_, H> {
+    fn derivative(&self, y: &[R], time: f64) -> Vec<R> {
+        self.evaluations.set(self.evaluations.get() + 1);
+        let (q, p) = y.split_at(y.len() / 2);
+        // A drift moves the positions by the velocities, and from zero without rounding; a kick the momenta by the forces.
+        let drifted =
+            self.flown::<R>(self.points(p, |point| &mut point.p), |motion| H::drift::<R, f64>(motion, 1.0, time));
+        let kicked =
+            self.flown::<R>(self.points(q, |point| &mut point.q), |motion| H::kick::<R, f64>(motion, 1.0, time));
+        let velocity = (0..q.len()).map(|i| R::state(&|lane| drifted[lane].q.flat()[i]));
+        let force = (0..p.len()).map(|i| R::state(&|lane| kicked[lane].p.flat()[i]));
+        velocity.chain(force).collect()
+    }
+
+    fn jacobian(&self, y: &[f64], time: f64) -> DMatrix<f64> {
+        let mut jacobian = DMatrix::zeros(y.len(), y.len());
+        for column in 0..y.len() {
+            let along = |i: usize| Dual::state(&|lane| if lane == 0 { y[i] } else { f64::from(u8::from(i == column)) });
+            let y: Vec<Dual> = (0..y.len()).map(along).collect();
+            for (row, derivative) in self.derivative(&y, time).into_iter().enumerate() {
+                jacobian[(row, column)] = derivative.lane(1);
+            }
+        }
+        jacobian
+    }
+}

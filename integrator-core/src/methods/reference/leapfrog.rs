@@ -1,0 +1,55 @@
+//! The leapfrog as it is written in textbooks: positions at whole steps and momenta at half ones.
+
+use super::walk::{Place, Recipe};
+use crate::{
+    error::Unsolved,
+    scalar::real::Real,
+    trajectory::method::{Described, Facts},
+};
+
+/// Positions leap over momenta: `q += h ∂T/∂p` with the momenta in the middle of the step, then `p -= h ∂V/∂q` with the
+/// positions at its end. A half kick starts the momenta, and another one brings them to the time of the positions
+/// wherever the state is shown.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct StaggeredLeapfrog;
+
+impl Described for StaggeredLeapfrog {
+    fn facts(self) -> Facts {
+        Facts {
+            name: "StaggeredLeapfrog",
+            order: 2,
+            symmetric: true,
+            symplectic: true,
+            forces: Some(1),
+            stability_limit: Some(2.0),
+            roundings: 4,
+            ..Facts::UNCLAIMED
+        }
+    }
+}
+
+impl Recipe for StaggeredLeapfrog {
+    /// The momenta half a step ahead; nothing before the first step.
+    type Memory<R: Real> = Option<Vec<R>>;
+
+    fn increment<R: Real>(self, memory: &mut Option<Vec<R>>, from: &Place<'_, R>) -> Result<Vec<R>, Unsolved> {
+        let Place { field, y, time, h, .. } = *from;
+        let (q, p) = y.split_at(y.len() / 2);
+        let kicked = |p: &[R], force: &[R], duration: f64| -> Vec<R> {
+            p.iter().zip(force).map(|(p, f)| R::of(duration).fma(*f, *p)).collect()
+        };
+        let ahead = match memory.take() {
+            Some(ahead) => ahead,
+            None => kicked(p, &from.derivative()[q.len()..], h / 2.0),
+        };
+        let middle: Vec<R> = q.iter().chain(&ahead).copied().collect();
+        let leaps: Vec<R> =
+            field.derivative(&middle, time + h / 2.0)[..q.len()].iter().map(|v| R::of(h) * *v).collect();
+        let end: Vec<R> = q.iter().zip(&leaps).map(|(q, d)| *q + *d).chain(ahead.iter().copied()).collect();
+        let force = field.derivative(&end, time + h)[q.len()..].to_vec();
+        let shown = kicked(&ahead, &force, h / 2.0);
+        let increment = leaps.into_iter().chain(shown.iter().zip(p).map(|(shown, p)| *shown - *p)).collect();
+        *memory = Some(kicked(&ahead, &force, h));
+        Ok(increment)
+    }
+}

@@ -1,0 +1,95 @@
+//! Methods that are no compositions, to compare with: what a course in numerical integration goes through.
+//!
+//! In: the vector field `q' = ∂T/∂p`, `p' = -∂V/∂q` that `#[hamiltonian]` derives. Out: the same [`Run`](crate::Run) as
+//! that of a composition, and the same checks. Always true: the field is taken from the generated flows, as what a flow
+//! of unit duration adds, so that the methods share all of a system and nothing of the compositions.
+//!
+//! | method | order | symplectic | what it shows |
+//! |---|---|---|---|
+//! | [`ForwardEuler`] | 1 | no | energies grow, as if friction were negative |
+//! | [`BackwardEuler`] | 1 | no | energies decay, as if there were friction |
+//! | [`StaggeredLeapfrog`] | 2 | yes | momenta at half steps: Verlet in another dress |
+//! | [`ExplicitMidpoint`] | 2 | no | of the order of the leapfrog, and yet energies drift |
+//! | [`ImplicitMidpoint`] | 2 | yes | symplectic without a splitting, for the price of an equation per step |
+//! | [`RungeKutta4`] | 4 | no | the classical one |
+//! | [`AdamsBashforthMoulton4`] | 4 | no | a predictor and a corrector over past forces |
+//! | [`GraggBulirschStoer`] | 8 | no | extrapolation of modified midpoint steps |
+//! | [`DormandPrince5`], [`DormandPrince8`] | 5, 8 | no | steps chosen by a tolerance |
+//! | [`Bdf`] | 1 to 5 | no | backward differences for stiff systems (Gear) |
+//!
+//! The last three come from the crate `differential-equations`, which has all of them on plain vectors; they cover each
+//! step `h` of the run by steps of their own, and begin anew with the next.
+//!
+//! They are made to be compared with and not to be fast: each evaluation of the field loads a motion, and there is code
+//! for the baseline of the target alone. Their work is counted in evaluations.
+//!
+//! ```
+//! use integrator_core::{check::symplectic_defect, prelude::*, reference::RungeKutta4};
+//!
+//! struct Pendulum;
+//!
+//! #[hamiltonian]
+//! impl Pendulum {
+//!     fn kinetic(&self, p: [f64; 1]) -> f64 {
+//!         0.5 * p[0] * p[0]
+//!     }
+//!     fn potential(&self, q: [f64; 1]) -> f64 {
+//!         -q[0].cos()
+//!     }
+//! }
+//!
+//! let start = Phase::new([2.0_f64], [0.0]);
+//! let mut run = Pendulum.run_with(RungeKutta4, start, 0.1)?;
+//! let energy = run.energy();
+//! run.advance(10_000)?;
+//! assert!(run.energy() < energy - 1e-4, "it loses energy, and goes on to lose it");
+//! assert!(symplectic_defect(&Pendulum, RungeKutta4, start, 0.1)? > 1e-10); // rounding explains 1e-13
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+
+mod adaptive;
+mod extrapolation;
+mod field;
+mod implicit;
+mod leapfrog;
+mod multistep;
+mod runge_kutta;
+mod walk;
+
+pub use adaptive::{Bdf, DormandPrince5, DormandPrince8};
+pub use extrapolation::GraggBulirschStoer;
+pub use implicit::{BackwardEuler, ImplicitMidpoint};
+pub use leapfrog::StaggeredLeapfrog;
+pub use multistep::AdamsBashforthMoulton4;
+pub use runge_kutta::{ExplicitMidpoint, ForwardEuler, RungeKutta4};
+
+use crate::{
+    hamiltonian::Hamiltonian,
+    scalar::real::Real,
+    state::slot::Keep,
+    trajectory::{method::Method, moves::Moves},
+};
+use std::sync::Arc;
+use walk::{Constants, Walked, moves};
+
+macro_rules! methods {
+    ($($method:ident)*) => {$(
+        impl<H: Hamiltonian> Method<H> for $method {
+            const CLONED: bool = false;
+
+            type Constants = Constants<H::Parameters<f64>, Self>;
+            type Motion<R: Real, K: Keep> = Walked<H, R, K, Self>;
+
+            fn constants(self, parameters: Arc<H::Parameters<f64>>) -> Arc<Self::Constants> {
+                Arc::new(Constants { parameters, recipe: self })
+            }
+            fn moves<R: Real, K: Keep>() -> Moves<Self::Motion<R, K>> {
+                moves::<H, R, K, Self>()
+            }
+        }
+    )*};
+}
+methods! {
+    ForwardEuler BackwardEuler StaggeredLeapfrog ExplicitMidpoint ImplicitMidpoint RungeKutta4 AdamsBashforthMoulton4
+    GraggBulirschStoer DormandPrince5 DormandPrince8 Bdf
+}

@@ -1,0 +1,150 @@
+//! A motion that is carried on by increments of the whole state.
+
+use super::field::{Field, Generated};
+use crate::{
+    error::Unsolved,
+    hamiltonian::{Hamiltonian, Shaped},
+    scalar::real::Real,
+    state::{
+        clock::Clock,
+        coords::Coords,
+        phase::Phase,
+        slot::{Keep, Slot},
+    },
+    system::motion::Motion,
+    trajectory::{method::Described, moves::Moves},
+};
+use alloc::sync::Arc;
+
+/// How a method steps.
+pub trait Recipe: Described {
+    /// What it keeps from step to step beside the state.
+    type Memory<R: Real>: Clone + Default + Send + Sync + 'static;
+
+    /// What a step adds to the state.
+    ///
+    /// # Errors
+    /// An end of the step that was not found.
+    fn increment<R: Real>(self, memory: &mut Self::Memory<R>, from: &Place<'_, R>) -> Result<Vec<R>, Unsolved>;
+}
+
+/// Where a step begins.
+pub struct Place<'f, R> {
+    /// The field.
+    pub(crate) field: &'f dyn Field<R>,
+    /// Positions, then momenta.
+    pub(crate) y: &'f [R],
+    /// When.
+    pub(crate) time: f64,
+    /// How far the step leads.
+    pub(crate) h: f64,
+    /// The spacing of numbers just above one in this precision.
+    pub(crate) epsilon: f64,
+}
+
+impl<R: Real> Place<'_, R> {
+    /// The field at the beginning of the step.
+    pub(crate) fn derivative(&self) -> Vec<R> {
+        self.field.derivative(self.y, self.time)
+    }
+
+    /// The state, moved.
+    pub(crate) fn moved(&self, increment: &[R]) -> Vec<R> {
+        self.y.iter().zip(increment).map(|(y, d)| *y + *d).collect()
+    }
+}
+
+/// A linear combination of lists, scaled.
+pub(crate) fn combined<R: Real>(scale: f64, terms: &[(f64, &[R])]) -> Vec<R> {
+    let length = terms.first().map_or(0, |(_, list)| list.len());
+    let sum = |i: usize| terms.iter().fold(R::of(0.0), |sum, (factor, list)| sum + R::of(*factor) * list[i]);
+    (0..length).map(|i| R::of(scale) * sum(i)).collect()
+}
+
+/// What stays the same in a run.
+pub struct Constants<P, M> {
+    /// Those of the system.
+    pub(crate) parameters: Arc<P>,
+    /// The method.
+    pub(crate) recipe: M,
+}
+
+/// State and memory of a run.
+#[derive(Clone)]
+pub struct Walk<R: Real, C: Coords, P, M: Recipe> {
+    parameters: Arc<P>,
+    recipe: M,
+    /// A point that has the shape of the coordinates.
+    shape: Phase<C::With<f64>>,
+    q: Vec<<C::Leaf as Keep>::Slot<R>>,
+    p: Vec<<C::Leaf as Keep>::Slot<R>>,
+    memory: M::Memory<R>,
+    unsolved: Option<Unsolved>,
+    /// How often the field was evaluated.
+    evaluations: u64,
+}
+
+impl<R: Real, C: Coords, P: Clone + Send + Sync + 'static, M: Recipe> Motion<C, Constants<P, M>> for Walk<R, C, P, M> {
+    fn load(constants: &[&Constants<P, M>], states: &[&Phase<C>]) -> Self {
+        let (constants, start) = (constants[0], states[0]);
+        Self {
+            parameters: constants.parameters.clone(),
+            recipe: constants.recipe,
+            shape: Phase { q: start.q.map(Keep::to_f64), p: start.p.map(Keep::to_f64) },
+            q: C::listed(states, |state| &state.q),
+            p: C::listed(states, |state| &state.p),
+            memory: M::Memory::default(),
+            unsolved: None,
+            evaluations: 0,
+        }
+    }
+    fn store(&self, lane: usize, to: &mut Phase<C>) {
+        to.q.unlisted(&self.q, lane);
+        to.p.unlisted(&self.p, lane);
+    }
+    fn copy_state(&mut self, from: &Self) {
+        self.q.clone_from(&from.q);
+        self.p.clone_from(&from.p);
+        self.memory.clone_from(&from.memory);
+        self.unsolved.clone_from(&from.unsolved);
+        self.evaluations = from.evaluations;
+    }
+    fn unsolved(&self, _lane: usize) -> Option<&Unsolved> {
+        self.unsolved.as_ref()
+    }
+    fn evaluations(&self) -> Option<u64> {
+        Some(self.evaluations)
+    }
+    fn finite(&self) -> bool {
+        self.unsolved.is_none() && self.q.iter().chain(&self.p).all(|slot| slot.value().finite())
+    }
+}
+
+/// What a method moves of a system.
+pub(crate) type Walked<H, R, K, M> = Walk<R, Shaped<H, K>, <H as Hamiltonian>::Parameters<f64>, M>;
+
+/// The steps of a method. An end that was not found is remembered, and no step is taken from there.
+pub(crate) fn moves<H: Hamiltonian, R: Real, K: Keep, M: Recipe>() -> Moves<Walked<H, R, K, M>> {
+    Moves::closed(|walk, clock: Clock, steps, _| {
+        for step in clock.steps..clock.steps + steps {
+            if walk.unsolved.is_some() {
+                return;
+            }
+            let Walk { parameters, recipe, shape, q, p, memory, unsolved, evaluations } = walk;
+            if H::PIECEWISE_IN_TIME {
+                // What a method remembers is of another formula where a piece ends.
+                *memory = M::Memory::default();
+            }
+            let y: Vec<R> = q.iter().chain(p.iter()).map(|slot| slot.value()).collect();
+            let (time, h) = (clock.at(step), clock.h);
+            let field =
+                Generated::<H> { parameters, shape, middle: time + h / 2.0, evaluations: (*evaluations).into() };
+            let from = Place { field: &field, y: &y, time, h, epsilon: K::EPSILON };
+            match recipe.increment(memory, &from) {
+                Ok(increment) => q.iter_mut().chain(p).zip(increment).for_each(|(slot, d)| slot.add(d)),
+                Err(reason) => *unsolved = Some(reason),
+            }
+            *evaluations = field.evaluations.get();
+        }
+    })
+}

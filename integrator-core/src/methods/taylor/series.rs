@@ -1,0 +1,118 @@
+//! What the recurrences of generated code are made of, beside sums of products.
+
+use crate::scalar::{real::Real, simd::pair::Pair};
+use alloc::vec::Vec;
+
+/// The highest order of a polynomial.
+pub const HIGHEST: usize = 28;
+
+/// How many coefficients there is room for: that of order 0, and one above the highest order, which positions have before
+/// momenta do.
+pub const COEFFICIENTS: usize = HIGHEST + 2;
+
+/// The orders as numbers, which are read sooner than they are converted.
+const NUMBERS: [f64; COEFFICIENTS] = {
+    let mut numbers = [0.0; COEFFICIENTS];
+    let mut k = 0;
+    while k < COEFFICIENTS {
+        numbers[k] = k as f64;
+        k += 1;
+    }
+    numbers
+};
+
+/// The weight of `aⱼ yₖ₋ⱼ` in the recurrence of `y = aᵉ`, `k a₀ yₖ = Σ (e j - (k - j)) aⱼ yₖ₋ⱼ`.
+#[inline(always)]
+pub fn weight<R: Real>(exponent: f64, j: usize, k: usize) -> R {
+    R::of((exponent + 1.0) * NUMBERS[j] - NUMBERS[k])
+}
+
+/// The same with an exponent that is a parameter.
+#[inline(always)]
+pub fn weight_with<R: Real>(exponent: R, j: usize, k: usize) -> R {
+    exponent * R::of(NUMBERS[j]) - R::of(NUMBERS[k - j])
+}
+
+/// The sum of such products, from `Σ aⱼ yₖ₋ⱼ` and `Σ j aⱼ yₖ₋ⱼ` side by side, each in two halves.
+#[inline(always)]
+pub fn weighted<R: Real>(exponent: R, k: usize, halves: [R::Pair; 2]) -> R {
+    let [[early, early_by_order], [late, late_by_order]] = halves.map(Pair::parts);
+    (early + late).fma(R::of(-NUMBERS[k]), (exponent + R::of(1.0)) * (early_by_order + late_by_order))
+}
+
+/// `x / n` for an order `n`, as if in one division.
+///
+/// A rounded `1/n` would be off by the same share at every step, which adds up to a drift; so it comes in two parts.
+#[inline(always)]
+pub fn over<R: Real>(x: R, n: usize) -> R {
+    times(x, const { reciprocals(0) }[n])
+}
+
+/// `x / (n (n + 1))`, as if in one division.
+#[inline(always)]
+pub fn over_two<R: Real>(x: R, n: usize) -> R {
+    times(x, const { reciprocals(1) }[n])
+}
+
+#[inline(always)]
+fn times<R: Real>(x: R, [high, low]: [f64; 2]) -> R {
+    x.fma(R::of(high), x * R::of(low))
+}
+
+/// `1/n`, or `1/(n (n + 1))` for one more, as a number with as many digits as a single has, and the rest.
+const fn reciprocals(more: usize) -> [[f64; 2]; COEFFICIENTS] {
+    let mut parts = [[0.0; 2]; COEFFICIENTS];
+    let mut n = 1;
+    while n < COEFFICIENTS {
+        let divisor = if more == 0 { n } else { n * (n + 1) } as f64;
+        let high = (1.0 / divisor) as f32 as f64;
+        // The product with a small integer is exact, and so is the difference of neighbours.
+        parts[n] = [high, (1.0 - divisor * high) / divisor];
+        n += 1;
+    }
+    parts
+}
+
+/// `x` to the power of so many halves.
+#[inline(always)]
+pub fn half_power<R: Real>(x: R, halves: i32) -> R {
+    let mut power = if halves % 2 == 0 { R::of(1.0) } else { x.sqrt() };
+    for _ in 0..halves.unsigned_abs() / 2 {
+        power = power * x;
+    }
+    if halves < 0 { R::of(1.0) / power } else { power }
+}
+
+/// The coefficients of one and of the time at an expansion.
+#[inline(always)]
+pub fn order_of_time<R: Real>(k: usize, time: R) -> (R, R) {
+    match k {
+        0 => (R::of(1.0), time),
+        1 => (R::of(0.0), R::of(1.0)),
+        _ => (R::of(0.0), R::of(0.0)),
+    }
+}
+
+/// What the next turn of a loop keeps.
+#[inline(always)]
+pub fn turn<'t, T: Default>(turns: &'t mut Vec<T>, next: &mut usize) -> &'t mut T {
+    let place = *next;
+    *next += 1;
+    if place == turns.len() {
+        turns.push(T::default());
+    }
+    &mut turns[place]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{HIGHEST, over, over_two};
+
+    #[test]
+    fn reciprocals_are_those_of_one_division() {
+        for n in 1..=HIGHEST + 1 {
+            assert_eq!(over(1.0, n), 1.0 / n as f64, "1/{n}");
+            assert_eq!(over_two(1.0, n), 1.0 / (n * (n + 1)) as f64, "1/({n} ({n} + 1))");
+        }
+    }
+}

@@ -1,0 +1,139 @@
+//! Elementary functions of our own: one text for scalars and vectors, so that every lane has the bits of the scalar.
+//!
+//! Comes in: numbers whose bits can be handled. Goes out: the function in every lane, within one ulp of the exact value
+//! (the documentation of each says how near), with the zeros, infinities and NaNs of `std`. Always true: there is no
+//! branch on a value but one, which is hardly ever taken and leads to the maths library.
+
+mod arc;
+mod arc_sine;
+mod bits;
+mod cube_root;
+mod exact;
+mod exponential;
+mod fast_sine;
+mod fast_tangent;
+mod logarithm;
+mod power;
+mod sine;
+#[cfg(test)]
+mod tests;
+
+pub(crate) use bits::Bits;
+
+use crate::scalar::real::Mask;
+
+/// A function: its kernel, or `$otherwise` where it has none.
+macro_rules! kernel {
+    (sin $x:expr; $otherwise:expr) => {
+        crate::scalar::functions::sin($x)
+    };
+    (cos $x:expr; $otherwise:expr) => {
+        crate::scalar::functions::cos($x)
+    };
+    (tan $x:expr; $otherwise:expr) => {
+        crate::scalar::functions::tan($x)
+    };
+    (exp $x:expr; $otherwise:expr) => {
+        crate::scalar::functions::exp($x)
+    };
+    (ln $x:expr; $otherwise:expr) => {
+        crate::scalar::functions::ln($x)
+    };
+    (tanh $x:expr; $otherwise:expr) => {
+        crate::scalar::functions::tanh($x)
+    };
+    (atan $x:expr; $otherwise:expr) => {
+        crate::scalar::functions::atan($x)
+    };
+    (asin $x:expr; $otherwise:expr) => {
+        crate::scalar::functions::asin($x)
+    };
+    (acos $x:expr; $otherwise:expr) => {
+        crate::scalar::functions::acos($x)
+    };
+    (cbrt $x:expr; $otherwise:expr) => {
+        crate::scalar::functions::cbrt($x)
+    };
+    (atan2 $x:expr, $y:expr; $otherwise:expr) => {
+        crate::scalar::functions::atan2($x, $y)
+    };
+    (powf $x:expr, $y:expr; $otherwise:expr) => {
+        crate::scalar::functions::powf($x, $y)
+    };
+    ($function:ident $x:expr $(, $y:expr)?; $otherwise:expr) => {
+        $otherwise
+    };
+}
+pub(crate) use kernel;
+
+/// Calls back with the functions that have a kernel of less precision beside that of full precision, which are those
+/// that gain by it: the one list, in pairs of the two names.
+macro_rules! fast_functions {
+    ($callback:ident) => {
+        $callback! {
+            unary: fast_sin sin, fast_cos cos, fast_tan tan, fast_exp exp, fast_ln ln, fast_tanh tanh, fast_atan atan,
+                   fast_asin asin, fast_acos acos, fast_cbrt cbrt;
+            binary: fast_atan2 atan2;
+        }
+    };
+}
+pub(crate) use fast_functions;
+
+/// The methods of `Real` for these, where a number has the bits that kernels handle.
+macro_rules! fast_kernels {
+    (unary: $($unary:ident $precise:ident),*; binary: $($binary:ident $other:ident),*;) => {
+        $(
+            #[cfg_attr(not(debug_assertions), inline(always))]
+            fn $unary(self) -> Self {
+                crate::scalar::functions::$unary(self)
+            }
+        )*
+        $(
+            #[cfg_attr(not(debug_assertions), inline(always))]
+            fn $binary(self, other: Self) -> Self {
+                crate::scalar::functions::$binary(self, other)
+            }
+        )*
+    };
+}
+pub(crate) use fast_kernels;
+
+pub(crate) use arc::{atan, atan2, fast_atan, fast_atan2};
+pub(crate) use arc_sine::{acos, asin, fast_acos, fast_asin};
+pub(crate) use cube_root::{cbrt, fast_cbrt};
+pub(crate) use exponential::{exp, fast_exp, fast_tanh, tanh};
+pub(crate) use fast_sine::{fast_cos, fast_sin};
+pub(crate) use fast_tangent::fast_tan;
+pub(crate) use logarithm::{fast_ln, ln};
+pub(crate) use power::powf;
+pub(crate) use sine::{cos, sin, sin_cos, tan};
+
+/// The first two terms of a polynomial. A function and not a closure, because only functions are sure to be inlined.
+#[cfg_attr(not(debug_assertions), inline(always))]
+fn linear<R: Bits>(x: R, [a, b]: [f64; 2]) -> R {
+    x.fma(R::of(b), R::of(a))
+}
+
+/// The first four terms of a polynomial, summed in pairs.
+#[cfg_attr(not(debug_assertions), inline(always))]
+fn cubic<R: Bits>(x: R, square: R, [a, b, c, d]: [f64; 4]) -> R {
+    square.fma(linear(x, [c, d]), linear(x, [a, b]))
+}
+
+/// The quotient of two numbers that carry their rounding errors, correct but for the rounding of the quotient.
+#[cfg_attr(not(debug_assertions), inline(always))]
+fn quotient<R: Bits>([a, error_of_a]: [R; 2], [b, error_of_b]: [R; 2]) -> R {
+    let quotient = a / b;
+    let left = error_of_a - quotient * error_of_b;
+    // Without a fused multiply-add the rest of the division is not at hand; it is half a unit at most.
+    let left = if R::FUSED { left + (-quotient).fma(b, a) } else { left };
+    quotient + left / b
+}
+
+/// `near` in the lanes where `x` is at most `farthest` in absolute value; what `far` makes of `x` in the others, NaNs
+/// among them.
+#[cfg_attr(not(debug_assertions), inline(always))]
+fn rescued<R: Bits>(near: R, x: R, farthest: f64, far: fn(&mut [R::Scalar])) -> R {
+    let beyond = x.abs().less_or_equal(R::of(farthest)).not();
+    if beyond.any() { R::select(beyond, x.through(far), near) } else { near }
+}

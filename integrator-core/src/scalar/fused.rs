@@ -1,0 +1,210 @@
+//! The scalars of machines with a fused multiply-add, one for each clone of the hot loops that is compiled for them.
+
+use crate::scalar::{
+    elementary::Elementary,
+    functions::{self, fast_functions, fast_kernels, kernel},
+    instruction_set::enter_fused,
+    real::{Kernel, Real, compared, elementary_functions},
+    simd::{block::Block, lanes::Lanes, pair::Pair, row::Row},
+};
+use core::{
+    fmt::Debug,
+    marker::PhantomData,
+    ops::{Add, AddAssign, Div, Mul, Neg, Sub, SubAssign},
+};
+
+/// Instructions with a fused multiply-add: where code for them is, and what holds neighbours of an array there.
+pub trait Instructions: Copy + Debug + PartialEq + Send + Sync + 'static {
+    /// Neighbours in an array of doubles.
+    type Doubles: Block<Fused<f64, Self>>;
+    /// Neighbours in an array of singles.
+    type Singles: Block<Fused<f32, Self>>;
+    /// Eight bodies in double precision.
+    type RowOfDoubles: Row<Fused<f64, Self>>;
+    /// Eight bodies in single precision.
+    type RowOfSingles: Row<Fused<f32, Self>>;
+    /// Two doubles.
+    type PairOfDoubles: Pair<Fused<f64, Self>>;
+
+    /// `n / x^(3/2)`.
+    #[inline(always)]
+    fn over_root_cubed(n: Fused<f64, Self>, x: Fused<f64, Self>) -> Fused<f64, Self> {
+        n / (x * x.sqrt())
+    }
+    /// Runs `kernel` in the clone for these instructions.
+    fn enter<K: Kernel>(kernel: K) -> K::Out;
+}
+
+/// The instructions of `InstructionSet::Fused`.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Fma;
+
+impl Instructions for Fma {
+    #[cfg(all(target_arch = "x86_64", feature = "std"))]
+    type Doubles = crate::scalar::simd::x86::X4;
+    #[cfg(all(target_arch = "x86_64", feature = "std"))]
+    type Singles = crate::scalar::simd::x86::S8;
+    #[cfg(all(target_arch = "x86_64", feature = "std"))]
+    type RowOfDoubles = Lanes<crate::scalar::simd::x86::X4, 2>;
+    #[cfg(all(target_arch = "x86_64", feature = "std"))]
+    type RowOfSingles = crate::scalar::simd::x86::S8;
+    #[cfg(all(target_arch = "x86_64", feature = "std"))]
+    type PairOfDoubles = crate::scalar::simd::x86::X2;
+    #[cfg(not(all(target_arch = "x86_64", feature = "std")))]
+    type Doubles = Fused<f64>;
+    #[cfg(not(all(target_arch = "x86_64", feature = "std")))]
+    type Singles = Fused<f32>;
+    #[cfg(not(all(target_arch = "x86_64", feature = "std")))]
+    type RowOfDoubles = Lanes<Fused<f64>, 8>;
+    #[cfg(not(all(target_arch = "x86_64", feature = "std")))]
+    type RowOfSingles = Lanes<Fused<f32>, 8>;
+    #[cfg(not(all(target_arch = "x86_64", feature = "std")))]
+    type PairOfDoubles = [Fused<f64>; 2];
+
+    #[inline(always)]
+    fn enter<K: Kernel>(kernel: K) -> K::Out {
+        enter_fused(kernel)
+    }
+}
+
+/// The instructions of `InstructionSet::Avx512`.
+#[cfg(all(target_arch = "x86_64", feature = "std"))]
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Avx512;
+
+/// No other target has the set, so that nothing is compiled for it.
+#[cfg(not(all(target_arch = "x86_64", feature = "std")))]
+pub(crate) type Avx512 = Fma;
+
+#[cfg(all(target_arch = "x86_64", feature = "std"))]
+impl Instructions for Avx512 {
+    type Doubles = crate::scalar::simd::x86::X8;
+    type Singles = crate::scalar::simd::x86::S16;
+    type RowOfDoubles = crate::scalar::simd::x86::X8;
+    type RowOfSingles = crate::scalar::simd::x86::S8;
+    type PairOfDoubles = crate::scalar::simd::x86::X2;
+
+    #[inline(always)]
+    fn over_root_cubed(n: Fused<f64, Self>, x: Fused<f64, Self>) -> Fused<f64, Self> {
+        crate::scalar::simd::x86::over_root_cubed(n, x)
+    }
+    #[inline(always)]
+    fn enter<K: Kernel>(kernel: K) -> K::Out {
+        crate::scalar::instruction_set::enter_avx512(kernel)
+    }
+}
+
+/// `f64` or `f32` whose `fma` is one instruction with one rounding. The clone that it belongs to changes no bit.
+///
+/// Only worth using inside [`Real::enter`]: elsewhere the same bits come from a call into the maths library.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[repr(transparent)]
+pub struct Fused<F, S = Fma>(pub F, PhantomData<S>);
+
+impl<F, S> Fused<F, S> {
+    /// The number `x`.
+    #[inline(always)]
+    pub fn new(x: F) -> Self {
+        Self(x, PhantomData)
+    }
+}
+
+macro_rules! operators {
+    ($scalar:ty: $($trait:ident $method:ident $operator:tt),*) => {$(
+        impl<S: Instructions> $trait for Fused<$scalar, S> {
+            type Output = Self;
+            #[inline(always)]
+            fn $method(self, other: Self) -> Self {
+                Self::new(self.0 $operator other.0)
+            }
+        }
+    )*};
+}
+
+macro_rules! fused_real {
+    ($scalar:ty, $block:ident, $row:ident, $pair:ty, $over_root_cubed:expr; unary: $($unary:ident)*; binary: $($binary:ident)*;) => {
+        operators!($scalar: Add add +, Sub sub -, Mul mul *, Div div /);
+
+        impl<S: Instructions> Neg for Fused<$scalar, S> {
+            type Output = Self;
+            #[inline(always)]
+            fn neg(self) -> Self {
+                Self::new(-self.0)
+            }
+        }
+        impl<S: Instructions> AddAssign for Fused<$scalar, S> {
+            #[inline(always)]
+            fn add_assign(&mut self, other: Self) {
+                self.0 += other.0;
+            }
+        }
+        impl<S: Instructions> SubAssign for Fused<$scalar, S> {
+            #[inline(always)]
+            fn sub_assign(&mut self, other: Self) {
+                self.0 -= other.0;
+            }
+        }
+
+        impl<S: Instructions> Real for Fused<$scalar, S> {
+            const LANES: usize = 1;
+            type Mask = bool;
+            type Block = S::$block;
+            type Row<const N: usize> = S::$row;
+            type Wide = S::$row;
+            type Pair = $pair;
+
+            #[inline(always)]
+            fn of(x: f64) -> Self {
+                Self::new(x as $scalar)
+            }
+            #[inline(always)]
+            fn lane(self, _lane: usize) -> f64 {
+                f64::from(self.0)
+            }
+            #[inline(always)]
+            fn parameter(of_lane: &dyn Fn(usize) -> f64) -> Self {
+                Self::of(of_lane(0))
+            }
+            #[inline(always)]
+            fn state(of_lane: &dyn Fn(usize) -> f64) -> Self {
+                Self::of(of_lane(0))
+            }
+            #[inline(always)]
+            fn fma(self, b: Self, c: Self) -> Self {
+                Self::new(Elementary::mul_add(self.0, b.0, c.0))
+            }
+            #[inline(always)]
+            fn over_root_cubed(self, x: Self) -> Self {
+                $over_root_cubed(self, x)
+            }
+            #[inline(always)]
+            fn sin_cos(self) -> (Self, Self) {
+                functions::sin_cos(self)
+            }
+            fast_functions!(fast_kernels);
+            #[inline(always)]
+            fn finite(self) -> bool {
+                self.0.is_finite()
+            }
+            compared!(0);
+            $(
+                #[inline(always)]
+                fn $unary(self) -> Self {
+                    kernel!($unary self; Self::new(<$scalar as Elementary>::$unary(self.0)))
+                }
+            )*
+            $(
+                #[inline(always)]
+                fn $binary(self, other: Self) -> Self {
+                    kernel!($binary self, other; Self::new(<$scalar as Elementary>::$binary(self.0, other.0)))
+                }
+            )*
+            #[inline(always)]
+            fn enter<K: Kernel>(kernel: K) -> K::Out {
+                S::enter(kernel)
+            }
+        }
+    };
+}
+elementary_functions!(fused_real! { f64, Doubles, RowOfDoubles, S::PairOfDoubles, S::over_root_cubed; });
+elementary_functions!(fused_real! { f32, Singles, RowOfSingles, [Self; 2], |n, x: Self| n / (x * x.sqrt()); });

@@ -1,0 +1,194 @@
+//! Which instructions this machine has, and the way into code compiled for them. Beside the vectors the only module with
+//! `unsafe`.
+
+use crate::scalar::real::Kernel;
+use core::fmt;
+#[cfg(feature = "std")]
+use std::{env, sync::OnceLock};
+
+/// The instruction sets that the hot loops are compiled for, from the least to the most.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum InstructionSet {
+    /// What every machine of the target has.
+    Baseline,
+    /// Fused multiply-add: AVX2 and FMA on x86-64, every aarch64.
+    Fused,
+    /// Vectors of 512 bits: AVX-512 with its extensions F, DQ, VL and BW, on x86-64 alone.
+    Avx512,
+}
+
+impl InstructionSet {
+    /// All sets, from the least to the most; a machine that has one has those before it.
+    const ALL: [Self; 3] = [Self::Baseline, Self::Fused, Self::Avx512];
+
+    /// The best set of this machine, or the one that the environment variable `INTEGRATOR_ISA` asks for (`baseline`,
+    /// `avx2` or `avx512`), read once. A set that the machine lacks is not used, whatever the variable says. Without the
+    /// feature `std` nobody tells what the machine has: then it is the baseline.
+    pub fn chosen() -> Self {
+        #[cfg(feature = "std")]
+        {
+            static CHOSEN: OnceLock<InstructionSet> = OnceLock::new();
+            *CHOSEN.get_or_init(|| Self::choose(env::var("INTEGRATOR_ISA").ok().as_deref(), best()))
+        }
+        #[cfg(not(feature = "std"))]
+        best()
+    }
+
+    /// The sets of this machine, the best one last.
+    pub fn available() -> &'static [Self] {
+        let best = best();
+        &Self::ALL[..Self::ALL.iter().filter(|set| **set <= best).count()]
+    }
+
+    #[cfg(any(feature = "std", test))]
+    fn choose(asked: Option<&str>, best: Self) -> Self {
+        let asked = Self::ALL.into_iter().find(|set| Some(set.name()) == asked);
+        asked.map_or(best, |asked| asked.min(best))
+    }
+
+    /// What `INTEGRATOR_ISA` calls it.
+    fn name(self) -> &'static str {
+        match self {
+            Self::Baseline => "baseline",
+            Self::Fused => "avx2",
+            Self::Avx512 => "avx512",
+        }
+    }
+}
+
+/// Writes what the environment variable `INTEGRATOR_ISA` calls it.
+impl fmt::Display for InstructionSet {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.pad(self.name())
+    }
+}
+
+/// The best set of this machine.
+fn best() -> InstructionSet {
+    if avx512_available() {
+        InstructionSet::Avx512
+    } else if fused_available() {
+        InstructionSet::Fused
+    } else {
+        InstructionSet::Baseline
+    }
+}
+
+#[cfg(all(target_arch = "x86_64", feature = "std"))]
+fn fused_available() -> bool {
+    std::arch::is_x86_feature_detected!("avx2") && std::arch::is_x86_feature_detected!("fma")
+}
+
+#[cfg(not(all(target_arch = "x86_64", feature = "std")))]
+fn fused_available() -> bool {
+    cfg!(all(target_arch = "aarch64", feature = "std"))
+}
+
+#[cfg(all(target_arch = "x86_64", feature = "std"))]
+fn avx512_available() -> bool {
+    fused_available()
+        && std::arch::is_x86_feature_detected!("avx512f")
+        && std::arch::is_x86_feature_detected!("avx512dq")
+        && std::arch::is_x86_feature_detected!("avx512vl")
+        && std::arch::is_x86_feature_detected!("avx512bw")
+}
+
+#[cfg(not(all(target_arch = "x86_64", feature = "std")))]
+fn avx512_available() -> bool {
+    false
+}
+
+/// Runs `kernel` in code compiled for the target as it is: a function of its own, so that a kernel is compiled once and
+/// not wherever it is run.
+#[inline(never)]
+pub(crate) fn enter_baseline<K: Kernel>(kernel: K) -> K::Out {
+    kernel.call()
+}
+
+/// Runs `kernel` in code compiled for AVX2 and FMA. Nothing else is compiled for it: its scalars are those of machines
+/// that have them, and [`InstructionSet::chosen`] decides who gets these.
+#[cfg(all(target_arch = "x86_64", feature = "std"))]
+#[inline]
+#[allow(unsafe_code, reason = "calling a function compiled for more than the target's features")]
+pub(crate) fn enter_fused<K: Kernel>(kernel: K) -> K::Out {
+    #[target_feature(enable = "avx2,fma")]
+    fn clone<K: Kernel>(kernel: K) -> K::Out {
+        kernel.call()
+    }
+
+    if !fused_available() {
+        lacking(InstructionSet::Fused);
+    }
+    // SAFETY: the features that `clone` is compiled for were just detected.
+    unsafe { clone(kernel) }
+}
+
+/// Fused multiply-add is part of the target here, or absent: there is no clone to enter.
+#[cfg(not(all(target_arch = "x86_64", feature = "std")))]
+#[inline]
+pub(crate) fn enter_fused<K: Kernel>(kernel: K) -> K::Out {
+    enter_baseline(kernel)
+}
+
+/// Runs `kernel` as [`enter_fused`] where the machine has what that asks for, and else as [`enter_baseline`], with the same
+/// result: for scalars that every machine computes in.
+#[inline]
+pub(crate) fn enter_fused_or_baseline<K: Kernel>(kernel: K) -> K::Out {
+    if fused_available() { enter_fused(kernel) } else { enter_baseline(kernel) }
+}
+
+/// Runs `kernel` in code compiled for AVX-512, as [`enter_fused`] for its set.
+#[cfg(all(target_arch = "x86_64", feature = "std"))]
+#[inline]
+#[allow(unsafe_code, reason = "calling a function compiled for more than the target's features")]
+pub(crate) fn enter_avx512<K: Kernel>(kernel: K) -> K::Out {
+    #[target_feature(enable = "avx512f,avx512dq,avx512vl,avx512bw,avx2,fma")]
+    fn clone<K: Kernel>(kernel: K) -> K::Out {
+        kernel.call()
+    }
+
+    if !avx512_available() {
+        lacking(InstructionSet::Avx512);
+    }
+    // SAFETY: the features that `clone` is compiled for were just detected.
+    unsafe { clone(kernel) }
+}
+
+/// Nobody chooses a set that the machine lacks.
+#[cfg(all(target_arch = "x86_64", feature = "std"))]
+#[cold]
+#[inline(never)]
+fn lacking(set: InstructionSet) -> ! {
+    unreachable!("scalars of {set} on a machine without it");
+}
+
+#[cfg(test)]
+mod tests {
+    use super::InstructionSet::{self, Avx512, Baseline, Fused};
+
+    #[test]
+    fn the_machine_decides_and_the_variable_only_restricts() {
+        let table = [
+            (None, Avx512, Avx512),
+            (None, Fused, Fused),
+            (None, Baseline, Baseline),
+            (Some("baseline"), Avx512, Baseline),
+            (Some("avx2"), Avx512, Fused),
+            (Some("avx2"), Fused, Fused),
+            (Some("avx2"), Baseline, Baseline),
+            (Some("avx512"), Avx512, Avx512),
+            (Some("avx512"), Fused, Fused),
+            (Some("nonsense"), Fused, Fused),
+        ];
+        for (asked, best, expected) in table {
+            assert_eq!(InstructionSet::choose(asked, best), expected, "{asked:?} where {best} is the best");
+        }
+    }
+
+    #[test]
+    fn what_is_chosen_is_available() {
+        let available = InstructionSet::available();
+        assert_eq!(available.first(), Some(&Baseline));
+        assert!(available.contains(&InstructionSet::chosen()), "{available:?}");
+    }
+}

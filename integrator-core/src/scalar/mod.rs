@@ -1,0 +1,17 @@
+//! What steps are computed in: numbers, vectors of numbers, and their elementary functions.
+
+#[cfg(any(debug_assertions, feature = "check"))]
+pub(crate) mod bounded;
+#[cfg(feature = "check")]
+pub(crate) mod dual;
+#[cfg_attr(feature = "std", allow(dead_code, unreachable_pub, reason = "users need it where there is no std"))]
+pub(crate) mod elementary;
+pub(crate) mod functions;
+pub(crate) mod fused;
+pub(crate) mod instruction_set;
+pub(crate) mod real;
+pub(crate) mod simd;
+#[cfg(feature = "check")]
+pub(crate) mod tolerance;
+#[allow(unreachable_pub, reason = "named in bounds, never outside")]
+pub(crate) mod twofold;

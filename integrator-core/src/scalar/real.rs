@@ -1,0 +1,310 @@
+//! What generated code computes in: one trait, so that one text serves plain and fused scalars, duals and lanes.
+
+use crate::scalar::{
+    elementary::Elementary,
+    functions::{self, fast_functions, fast_kernels, kernel},
+    simd::{block::Block, lanes::Lanes, pair::Pair, row::Row},
+};
+use core::ops::{Add, AddAssign, Div, Mul, Neg, Sub, SubAssign};
+
+/// A body of code that an executor runs inside the clone compiled for one instruction set.
+///
+/// A trait and not a closure, because only a method can carry the `inline(always)` that brings the body into the clone.
+pub trait Kernel {
+    /// What the body returns.
+    type Out;
+
+    /// The body; implementations are `inline(always)`.
+    fn call(self) -> Self::Out;
+}
+
+/// In which lanes a condition holds.
+pub trait Mask: Copy + Send + Sync + 'static {
+    /// The same in every lane.
+    fn of(holds: bool) -> Self;
+    /// Whether it holds in one lane at least: if not, the branch is skipped.
+    fn any(self) -> bool;
+    /// Where both hold.
+    fn and(self, other: Self) -> Self;
+    /// Where one holds at least.
+    fn or(self, other: Self) -> Self;
+    /// Where it does not hold.
+    fn not(self) -> Self;
+}
+
+impl Mask for bool {
+    #[inline(always)]
+    fn of(holds: bool) -> Self {
+        holds
+    }
+    #[inline(always)]
+    fn any(self) -> bool {
+        self
+    }
+    #[inline(always)]
+    fn and(self, other: Self) -> Self {
+        self & other
+    }
+    #[inline(always)]
+    fn or(self, other: Self) -> Self {
+        self | other
+    }
+    #[inline(always)]
+    fn not(self) -> Self {
+        !self
+    }
+}
+
+/// Calls back with the elementary functions that the language of H knows beside the arithmetic operators: the one list
+/// from which trait, implementations and tests are written. Methods are named as in `std`.
+macro_rules! elementary_functions {
+    ($callback:ident! { $($context:tt)* }) => {
+        $callback! {
+            $($context)*
+            unary: sqrt cbrt exp exp2 exp_m1 ln ln_1p log2 log10 sin cos tan asin acos atan
+                   sinh cosh tanh asinh acosh atanh abs signum floor ceil trunc round;
+            binary: powf atan2 hypot min max remainder;
+        }
+    };
+}
+pub(crate) use elementary_functions;
+
+macro_rules! declare_fast {
+    (unary: $($unary:ident $precise:ident),*; binary: $($binary:ident $other:ident),*;) => {
+        $(
+            #[doc = concat!("`", stringify!($precise), "` within 4 ulp, where that is faster.")]
+            #[inline(always)]
+            fn $unary(self) -> Self {
+                self.$precise()
+            }
+        )*
+        $(
+            #[doc = concat!("`", stringify!($other), "` within 4 ulp, where that is faster.")]
+            #[inline(always)]
+            fn $binary(self, other: Self) -> Self {
+                self.$other(other)
+            }
+        )*
+    };
+}
+
+macro_rules! declare_real {
+    (unary: $($unary:ident)*; binary: $($binary:ident)*;) => {
+        /// A number, or several side by side, that flows are computed in.
+        pub trait Real:
+            Copy + Send + Sync + 'static
+            + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + Div<Output = Self> + Neg<Output = Self>
+            + AddAssign + SubAssign
+        {
+            /// How many members of an ensemble (or parts of a dual) one value holds.
+            const LANES: usize;
+            /// How many of its lanes are members, each with a way of its own: all, but for a number that is made of parts.
+            const MEMBERS: usize = Self::LANES;
+            /// Which lanes a condition holds in.
+            type Mask: Mask;
+            /// Neighbouring numbers of an array side by side, as many as the registers of the clone hold; `Self` where
+            /// a value has lanes or parts already.
+            type Block: Block<Self>;
+            /// Up to eight bodies side by side.
+            type Row<const N: usize>: Row<Self>;
+            /// Eight numbers side by side, where registers hold them; `Self`, where they would be eight one by one, which is
+            /// as much code as eight times the text that computes on them.
+            type Wide: Row<Self>;
+            /// Two numbers side by side.
+            type Pair: Pair<Self>;
+
+            /// The same number in every lane, rounded to the precision of the scalar; a dual has no tangent here.
+            fn of(x: f64) -> Self;
+            /// One lane, widened to `f64`.
+            fn lane(self, lane: usize) -> f64;
+            /// A prepared constant, one number per lane; a dual ignores all but the first.
+            fn parameter(of_lane: &dyn Fn(usize) -> f64) -> Self;
+            /// A coordinate, one number per lane; for a dual, lane 1 is the tangent.
+            fn state(of_lane: &dyn Fn(usize) -> f64) -> Self;
+            /// `self * b + c`, in one rounding where the scalar has it.
+            fn fma(self, b: Self, c: Self) -> Self;
+            /// A function known in `f64` alone, lane by lane. Only a dual asks for the derivatives, which come in the
+            /// order of the arguments.
+            #[inline]
+            fn lane_by_lane<const N: usize>(
+                arguments: [Self; N],
+                value: impl Fn(usize, [f64; N]) -> f64,
+                slopes: impl Fn(usize, [f64; N]) -> [f64; N],
+            ) -> Self {
+                let _ = slopes;
+                Self::state(&|lane| value(lane, arguments.map(|argument| argument.lane(lane))))
+            }
+            /// `self / x^(3/2)`, the strength of forces that fall with the square of the distance. The formula, or on
+            /// AVX-512 a kernel of at most two ulp that scalar and vectors share.
+            #[inline(always)]
+            fn over_root_cubed(self, x: Self) -> Self {
+                self / (x * x.sqrt())
+            }
+            /// Sine and cosine of one argument.
+            fn sin_cos(self) -> (Self, Self);
+            fast_functions!(declare_fast);
+            /// Whether all lanes are finite.
+            fn finite(self) -> bool;
+            /// Which lanes are below those of `other`.
+            fn less(self, other: Self) -> Self::Mask;
+            /// Which lanes are not above those of `other`.
+            fn less_or_equal(self, other: Self) -> Self::Mask;
+            /// Which lanes are equal to those of `other`.
+            fn equal(self, other: Self) -> Self::Mask;
+            /// `a` in the lanes of `mask`, `b` in the others.
+            fn select(mask: Self::Mask, a: Self, b: Self) -> Self;
+            $(
+                #[doc = concat!("`", stringify!($unary), "` of every lane, as in `std`.")]
+                fn $unary(self) -> Self;
+            )*
+            $(
+                #[doc = concat!("`", stringify!($binary), "` of every lane, as in `std`.")]
+                fn $binary(self, other: Self) -> Self;
+            )*
+
+            /// Runs `kernel` inside the clone for the instruction set that this scalar is made for.
+            #[inline(always)]
+            fn enter<K: Kernel>(kernel: K) -> K::Out {
+                $crate::scalar::instruction_set::enter_baseline(kernel)
+            }
+        }
+    };
+}
+elementary_functions!(declare_real! {});
+
+/// The methods of `Real` that compare, where a value is one number, perhaps in a field, and a mask is a truth.
+macro_rules! compared {
+    ($($field:tt).*) => {
+        #[inline(always)]
+        fn less(self, other: Self) -> bool {
+            self $(.$field)* < other $(.$field)*
+        }
+        #[inline(always)]
+        fn less_or_equal(self, other: Self) -> bool {
+            self $(.$field)* <= other $(.$field)*
+        }
+        #[inline(always)]
+        fn equal(self, other: Self) -> bool {
+            self $(.$field)* == other $(.$field)*
+        }
+        #[inline(always)]
+        fn select(mask: bool, a: Self, b: Self) -> Self {
+            if mask { a } else { b }
+        }
+    };
+}
+pub(crate) use compared;
+
+/// A number that is made of two parts, as a scalar: lane 0 is the number as it is told, lane 1 what else is known of it, and
+/// several of them side by side are an array. Functions are those of the macros `unary` and `binary` where this is called.
+macro_rules! real_of_two_parts {
+    (
+        $number:ident: $inline:meta; lanes of $this:ident: $told:expr, $carried:expr; { $($own:tt)* }
+        unary: $($unary:ident)*; binary: $($binary:ident)*;
+    ) => {
+        impl Real for $number {
+            const LANES: usize = 2;
+            const MEMBERS: usize = 1;
+            type Block = Self;
+            type Row<const N: usize> = $crate::scalar::simd::lanes::Lanes<Self, N>;
+            type Wide = Self;
+            type Pair = [Self; 2];
+
+            #[$inline]
+            fn lane($this, lane: usize) -> f64 {
+                if lane == 0 { $told } else { $carried }
+            }
+            #[$inline]
+            fn fma(self, b: Self, c: Self) -> Self {
+                self * b + c
+            }
+            $($own)*
+            $(
+                #[$inline]
+                fn $unary(self) -> Self {
+                    unary!($unary self)
+                }
+            )*
+            $(
+                #[$inline]
+                fn $binary(self, other: Self) -> Self {
+                    binary!($binary self, other)
+                }
+            )*
+        }
+
+        impl core::ops::AddAssign for $number {
+            #[$inline]
+            fn add_assign(&mut self, other: Self) {
+                *self = *self + other;
+            }
+        }
+
+        impl core::ops::SubAssign for $number {
+            #[$inline]
+            fn sub_assign(&mut self, other: Self) {
+                *self = *self - other;
+            }
+        }
+    };
+}
+pub(crate) use real_of_two_parts;
+
+/// The scalar as it is: `fma` is a multiplication and an addition, so that no machine calls a library for it.
+macro_rules! plain_real {
+    ($scalar:ty; unary: $($unary:ident)*; binary: $($binary:ident)*;) => {
+        impl Real for $scalar {
+            const LANES: usize = 1;
+            type Mask = bool;
+            type Block = Self;
+            type Row<const N: usize> = Lanes<Self, N>;
+            type Wide = Self;
+            type Pair = [Self; 2];
+
+            #[inline(always)]
+            fn of(x: f64) -> Self {
+                x as $scalar
+            }
+            #[inline(always)]
+            fn lane(self, _lane: usize) -> f64 {
+                f64::from(self)
+            }
+            #[inline(always)]
+            fn parameter(of_lane: &dyn Fn(usize) -> f64) -> Self {
+                Self::of(of_lane(0))
+            }
+            #[inline(always)]
+            fn state(of_lane: &dyn Fn(usize) -> f64) -> Self {
+                Self::of(of_lane(0))
+            }
+            #[inline(always)]
+            fn fma(self, b: Self, c: Self) -> Self {
+                self * b + c
+            }
+            #[inline(always)]
+            fn sin_cos(self) -> (Self, Self) {
+                functions::sin_cos(self)
+            }
+            fast_functions!(fast_kernels);
+            #[inline(always)]
+            fn finite(self) -> bool {
+                self.is_finite()
+            }
+            compared!();
+            $(
+                #[inline(always)]
+                fn $unary(self) -> Self {
+                    kernel!($unary self; <$scalar as Elementary>::$unary(self))
+                }
+            )*
+            $(
+                #[inline(always)]
+                fn $binary(self, other: Self) -> Self {
+                    kernel!($binary self, other; <$scalar as Elementary>::$binary(self, other))
+                }
+            )*
+        }
+    };
+}
+elementary_functions!(plain_real! { f64; });
+elementary_functions!(plain_real! { f32; });

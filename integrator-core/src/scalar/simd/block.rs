@@ -1,0 +1,52 @@
+//! Neighbouring numbers of an array side by side: what lets one text of a loop over sites serve whole vectors and the
+//! rest that fills none.
+
+use crate::scalar::real::Real;
+
+/// `WIDTH` neighbours of an array of `R`, computed on as one number. Every operation has the bits of `R`'s own, so that
+/// no result depends on where blocks begin.
+pub trait Block<R: Real>: Real {
+    /// How many neighbours it holds.
+    const WIDTH: usize;
+
+    /// The first `WIDTH` numbers of a slice that is not shorter.
+    fn read(from: &[R]) -> Self;
+    /// Writes them to the beginning of a slice that is not shorter than `WIDTH`.
+    fn write(self, to: &mut [R]);
+    /// The same number `WIDTH` times.
+    fn splat(x: R) -> Self;
+
+    /// The block that begins one place later, where `next` follows this one.
+    fn after(self, next: Self) -> Self;
+    /// The block that begins one place earlier, where this one follows `previous`.
+    fn before(self, previous: Self) -> Self;
+}
+
+/// The width of the widest block.
+pub(crate) const WIDEST: usize = 16;
+
+/// A number is a block of one: for rests of loops, and for all that has lanes or parts of its own already.
+impl<R: Real> Block<R> for R {
+    const WIDTH: usize = 1;
+
+    #[inline(always)]
+    fn read(from: &[R]) -> Self {
+        from[0]
+    }
+    #[inline(always)]
+    fn write(self, to: &mut [R]) {
+        to[0] = self;
+    }
+    #[inline(always)]
+    fn splat(x: R) -> Self {
+        x
+    }
+    #[inline(always)]
+    fn after(self, next: Self) -> Self {
+        next
+    }
+    #[inline(always)]
+    fn before(self, previous: Self) -> Self {
+        previous
+    }
+}

@@ -1,0 +1,194 @@
+//! Bodies in the lanes of a vector, or of two.
+
+use super::{S8, X4, X8};
+use crate::scalar::{
+    fused::{Avx512, Fma, Fused},
+    real::Real,
+    simd::{block::Block, lanes::Lanes, row::Row},
+};
+use core::arch::x86_64::{
+    _mm256_loadu_ps, _mm256_loadu_si256, _mm256_permutevar8x32_ps, _mm256_storeu_ps, _mm512_loadu_si512,
+    _mm512_permutexvar_pd,
+};
+
+/// The lane that each lane is taken from when `N` bodies are rotated. A constant, since both numbers are.
+#[inline(always)]
+const fn source<const N: usize>(lane: usize, by: usize) -> usize {
+    (lane % N + by) % N
+}
+
+/// For each rotation of `N` bodies, the lanes that the eight lanes are taken from.
+struct Sources<const N: usize>;
+
+impl<const N: usize> Sources<N> {
+    const DOUBLES: [[u64; 8]; 8] = {
+        let mut sources = [[0; 8]; 8];
+        let mut at = 0;
+        while at < 64 {
+            sources[at / 8][at % 8] = source::<N>(at % 8, at / 8) as u64;
+            at += 1;
+        }
+        sources
+    };
+    const SINGLES: [[u32; 8]; 8] = {
+        let mut sources = [[0; 8]; 8];
+        let mut at = 0;
+        while at < 64 {
+            sources[at / 8][at % 8] = source::<N>(at % 8, at / 8) as u32;
+            at += 1;
+        }
+        sources
+    };
+}
+
+impl Row<Fused<f64, Avx512>> for X8 {
+    #[inline(always)]
+    fn splat(x: Fused<f64, Avx512>) -> Self {
+        Self::of(x.0)
+    }
+    #[inline(always)]
+    fn rotated<const N: usize>(self, by: usize) -> Self {
+        let sources = &const { Sources::<N>::DOUBLES }[by];
+        Self(instruction!(_mm512_permutexvar_pd(_mm512_loadu_si512(sources.as_ptr().cast()), self.0)))
+    }
+    #[inline(always)]
+    fn read(from: &[Fused<f64, Avx512>]) -> Self {
+        Block::read(from)
+    }
+    #[inline(always)]
+    fn write(self, to: &mut [Fused<f64, Avx512>]) {
+        Block::write(self, to);
+    }
+    #[inline(always)]
+    fn picked(self, places: &[u64; 8]) -> Self {
+        Self(instruction!(_mm512_permutexvar_pd(_mm512_loadu_si512(places.as_ptr().cast()), self.0)))
+    }
+}
+
+/// Eight singles, on either set.
+macro_rules! singles {
+    ($($set:ident)*) => {$(
+        impl Row<Fused<f32, $set>> for S8 {
+            #[inline(always)]
+            fn splat(x: Fused<f32, $set>) -> Self {
+                Self::of(f64::from(x.0))
+            }
+            #[inline(always)]
+            fn rotated<const N: usize>(self, by: usize) -> Self {
+                let sources = &const { Sources::<N>::SINGLES }[by];
+                Self(instruction!(_mm256_permutevar8x32_ps(self.0, _mm256_loadu_si256(sources.as_ptr().cast()))))
+            }
+            #[inline(always)]
+            fn read(from: &[Fused<f32, $set>]) -> Self {
+                let from = &from[..8];
+                // The slice is long enough, and a fused scalar is transparent.
+                Self(instruction!(_mm256_loadu_ps(from.as_ptr().cast())))
+            }
+            #[inline(always)]
+            fn write(self, to: &mut [Fused<f32, $set>]) {
+                let to = &mut to[..8];
+                // As in `read`.
+                instruction!(_mm256_storeu_ps(to.as_mut_ptr().cast(), self.0));
+            }
+            #[inline(always)]
+            fn picked(self, places: &[u64; 8]) -> Self {
+                let places = places.map(|place| place as u32);
+                Self(instruction!(_mm256_permutevar8x32_ps(self.0, _mm256_loadu_si256(places.as_ptr().cast()))))
+            }
+        }
+    )*};
+}
+singles!(Fma Avx512);
+
+impl Row<Fused<f64, Fma>> for Lanes<X4, 2> {
+    #[inline(always)]
+    fn splat(x: Fused<f64, Fma>) -> Self {
+        Self::of(x.0)
+    }
+    #[inline(always)]
+    fn rotated<const N: usize>(self, by: usize) -> Self {
+        let ([a, b, c, d], [e, f, g, h]) = (self.part(0).lanes(), self.part(1).lanes());
+        let x = [a, b, c, d, e, f, g, h];
+        // Written out, since as a loop it goes through memory.
+        let first = [x[source::<N>(0, by)], x[source::<N>(1, by)], x[source::<N>(2, by)], x[source::<N>(3, by)]];
+        let second = [x[source::<N>(4, by)], x[source::<N>(5, by)], x[source::<N>(6, by)], x[source::<N>(7, by)]];
+        Self::of_parts([X4::of_lanes(first), X4::of_lanes(second)])
+    }
+    #[inline(always)]
+    fn read(from: &[Fused<f64, Fma>]) -> Self {
+        Self::of_parts([Block::read(from), Block::read(&from[4..])])
+    }
+    #[inline(always)]
+    fn write(self, to: &mut [Fused<f64, Fma>]) {
+        Block::write(self.part(0), to);
+        Block::write(self.part(1), &mut to[4..]);
+    }
+    #[inline(always)]
+    fn picked(self, places: &[u64; 8]) -> Self {
+        let ([a, b, c, d], [e, f, g, h]) = (self.part(0).lanes(), self.part(1).lanes());
+        let x = [a, b, c, d, e, f, g, h];
+        let at = |place: usize| x[places[place] as usize % 8];
+        Self::of_parts([X4::of_lanes([at(0), at(1), at(2), at(3)]), X4::of_lanes([at(4), at(5), at(6), at(7)])])
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Avx512, Fma, Fused, Lanes, Real, Row, S8, X4, X8};
+    use crate::scalar::instruction_set::InstructionSet;
+
+    /// All rotations of `N` bodies: each place has what the body so many places further on had, and places behind the
+    /// last body repeat the first ones.
+    fn rotations<W: Row<R>, R: Real, const N: usize>() {
+        let number = |body: usize| 1.5 + body as f64;
+        let row = W::state(&|lane| number(lane % N));
+        for by in 0..N {
+            let rotated = row.rotated::<N>(by);
+            for lane in 0..W::LANES {
+                assert_eq!(rotated.lane(lane), number((lane % N + by) % N), "place {lane} of {N} bodies, by {by}");
+            }
+        }
+        assert!((0..W::LANES).all(|lane| W::splat(R::of(2.5)).lane(lane) == 2.5));
+    }
+
+    /// Rows are read and written where they are, and their places are picked in any order.
+    fn places<W: Row<R>, R: Real>() {
+        let array: Vec<R> = (0..12).map(|i| R::of(f64::from(i) + 0.5)).collect();
+        for first in 0..4 {
+            let (row, mut copy) = (W::read(&array[first..]), array.clone());
+            (row + W::of(100.0)).write(&mut copy[first..]);
+            for (i, number) in copy.iter().enumerate() {
+                let moved = if (first..first + W::LANES).contains(&i) { 100.0 } else { 0.0 };
+                assert_eq!(number.lane(0), i as f64 + 0.5 + moved, "number {i} of a row at {first}");
+            }
+            let picked = row.picked(&[3, 3, 0, 7, 6, 1, 2, 0]);
+            for (lane, from) in [3, 3, 0, 7, 6, 1, 2, 0].into_iter().enumerate() {
+                assert_eq!(picked.lane(lane), row.lane(from), "place {lane} is taken by {from}");
+            }
+        }
+    }
+
+    fn all_rotations<W: Row<R>, R: Real>(set: InstructionSet) {
+        if InstructionSet::available().contains(&set) {
+            places::<W, R>();
+            rotations::<W, R, 2>();
+            rotations::<W, R, 3>();
+            rotations::<W, R, 4>();
+            rotations::<W, R, 5>();
+            rotations::<W, R, 6>();
+            rotations::<W, R, 7>();
+            rotations::<W, R, 8>();
+        }
+    }
+
+    #[test]
+    fn rows_of_all_sets_turn_alike() {
+        all_rotations::<X8, Fused<f64, Avx512>>(InstructionSet::Avx512);
+        all_rotations::<S8, Fused<f32, Avx512>>(InstructionSet::Avx512);
+        all_rotations::<S8, Fused<f32, Fma>>(InstructionSet::Fused);
+        all_rotations::<Lanes<X4, 2>, Fused<f64, Fma>>(InstructionSet::Fused);
+        places::<Lanes<f64, 8>, f64>();
+        rotations::<Lanes<f64, 5>, f64, 5>();
+        rotations::<Lanes<f64, 8>, f64, 8>();
+    }
+}

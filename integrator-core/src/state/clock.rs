@@ -1,0 +1,77 @@
+//! Time as an integer number of steps, and what may be asked of it.
+
+use crate::{
+    error::{Divergence, Error},
+    state::{
+        coords::Coords,
+        flat::{Flat, flat},
+        phase::Phase,
+        slot::Keep,
+    },
+};
+
+/// Time as an integer number of steps: `t0 + n·h`, never an accumulated sum.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Clock {
+    pub(crate) t0: f64,
+    pub(crate) h: f64,
+    pub(crate) steps: u64,
+}
+
+impl Clock {
+    pub(crate) fn at(&self, steps: u64) -> f64 {
+        self.t0 + steps as f64 * self.h
+    }
+
+    /// The clock that begins where this one had counted so many steps.
+    pub(crate) fn since(&self, opened: u64) -> Self {
+        Self { t0: self.at(opened), h: self.h, steps: self.steps - opened }
+    }
+
+    /// How many steps will be done after `asked` more.
+    ///
+    /// # Errors
+    /// A clock that did not start at a time, more steps than can be counted, and steps that the clock does not notice.
+    pub(crate) fn end(&self, asked: u64) -> Result<u64, Error> {
+        self.check()?;
+        let end = self.steps.checked_add(asked).ok_or(Error::Steps { done: self.steps, asked })?;
+        // Time is coarsest where it is farthest from zero, which is at one end of the way. An infinite time is found too.
+        let ends = if asked == 0 { None } else { Some([self.steps, end]) };
+        match ends.into_iter().flatten().map(|steps| self.at(steps)).find(|time| time + self.h == *time) {
+            Some(time) => Err(Error::Clock { h: self.h, time }),
+            None => Ok(end),
+        }
+    }
+
+    /// Whether the clock started at a time.
+    pub(crate) fn check(&self) -> Result<(), Error> {
+        match self.t0.is_finite() {
+            true => Ok(()),
+            false => Err(Error::Time { time: self.t0 }),
+        }
+    }
+
+    /// What to say of a trajectory that has taken its last finite step, to `state`; `next` is where one more leads.
+    pub(crate) fn divergence<C: Coords>(&self, state: &Phase<C>, next: &Phase<C>) -> Divergence {
+        let limit = f64::min(lowest_limit(state.q.flat()), lowest_limit(state.p.flat()));
+        self.diverged(flat(state), flat(next), limit)
+    }
+
+    fn diverged(&self, state: Flat, next: Flat, limit: f64) -> Divergence {
+        let step = self.steps.saturating_add(1);
+        // The limit of a grid is exclusive, as infinity is.
+        let gone = |value: &f64| value.is_nan() || value.abs() >= limit;
+        let first = |name, values: &[f64]| Some((name, values.iter().position(gone)?));
+        let coordinate = first("q", &next.q).or_else(|| first("p", &next.p));
+        Divergence { step, time: self.at(step), limit, coordinate, q: state.q, p: state.p }
+    }
+}
+
+/// What all values stay below, in absolute value.
+fn lowest_limit<K: Keep>(leaves: &[K]) -> f64 {
+    let mut lowest = f64::INFINITY;
+    for leaf in leaves {
+        lowest = f64::min(lowest, leaf.limit());
+    }
+    lowest
+}

@@ -1,0 +1,280 @@
+//! The shapes that coordinates come in: arrays and vectors of numbers or of points.
+
+use crate::{
+    scalar::real::Real,
+    state::{
+        aligned::Aligned,
+        phase::Phase,
+        slot::{Keep, Slot},
+    },
+};
+use alloc::{vec, vec::Vec};
+use core::fmt::Debug;
+
+/// How many coordinates are looked at between two chances to stop looking.
+const PIECE: usize = 256;
+
+/// The positions or the momenta of a system, in the shape that the user wrote: `[K; N]`, `[[K; D]; N]`, `Vec<K>` or
+/// `Vec<[K; D]>` with a leaf `K` of `f64`, `f32`, [`Compensated<f64>`](crate::Compensated) or
+/// [`Fixed<f64>`](crate::Fixed).
+pub trait Coords: Clone + Debug + PartialEq + Send + Sync + 'static {
+    /// The type of one coordinate.
+    type Leaf: Keep;
+    /// The same shape with another leaf; from there, `f64` leads back to where it leads from here.
+    type With<K: Keep>: Coords<Leaf = K, With<f64> = Self::With<f64>>;
+    /// The same shape, filled with slots.
+    type Slots<R: Real>: Clone + Send + Sync + 'static;
+
+    /// How many numbers or points there are, where the type tells.
+    const LENGTH: Option<usize>;
+    /// How many numbers a point has; one where there are no points.
+    const COMPONENTS: usize;
+
+    /// How many numbers or points there are.
+    fn length(&self) -> usize;
+    /// The coordinates whose flat form this is; `None` where the shape has another size.
+    fn from_flat(flat: Vec<Self::Leaf>) -> Option<Self>;
+    /// All coordinates, points one after the other.
+    fn flat(&self) -> &[Self::Leaf];
+    /// All coordinates, to be written.
+    fn flat_mut(&mut self) -> &mut [Self::Leaf];
+    /// The same numbers with another leaf.
+    fn map<K: Keep>(&self, leaf: impl Fn(Self::Leaf) -> K) -> Self::With<K>;
+    /// Slots for so many coordinates, in the order of [`Coords::flat`]; an array has as many as it has.
+    fn slots_from<R: Real>(count: usize, slot: impl Fn(usize) -> <Self::Leaf as Keep>::Slot<R>) -> Self::Slots<R>;
+    /// Slots as a flat slice.
+    fn slots<R: Real>(slots: &Self::Slots<R>) -> &[<Self::Leaf as Keep>::Slot<R>];
+    /// Slots as a flat slice, to be written.
+    fn slots_mut<R: Real>(slots: &mut Self::Slots<R>) -> &mut [<Self::Leaf as Keep>::Slot<R>];
+    /// Slots filled from the positions or the momenta of one state per lane.
+    #[inline(always)]
+    fn inward<R: Real>(states: &[&Phase<Self>], half: fn(&Phase<Self>) -> &Self) -> Self::Slots<R> {
+        Self::slots_from(half(states[0]).flat().len(), |k| Self::Leaf::inward(&|lane| half(states[lane]).flat()[k]))
+    }
+    /// The slots of the positions or the momenta of one state per lane as a list.
+    fn listed<R: Real>(states: &[&Phase<Self>], half: fn(&Phase<Self>) -> &Self) -> Vec<<Self::Leaf as Keep>::Slot<R>> {
+        let count = half(states[0]).flat().len();
+        let mut slots = Vec::with_capacity(count);
+        for k in 0..count {
+            slots.push(Self::Leaf::inward(&|lane| half(states[lane]).flat()[k]));
+        }
+        slots
+    }
+    /// One number per slot, in the same shape.
+    #[inline(always)]
+    fn numbers<R: Real>(
+        slots: &Self::Slots<R>,
+        number: impl Fn(<Self::Leaf as Keep>::Slot<R>) -> R,
+    ) -> <Self::With<f64> as Coords>::Slots<R> {
+        let slots = Self::slots(slots);
+        Self::With::<f64>::slots_from(slots.len(), |k| number(slots[k]))
+    }
+
+    /// Writes one lane of `slots` into `self`.
+    #[inline(always)]
+    fn outward<R: Real>(&mut self, slots: &Self::Slots<R>, lane: usize) {
+        self.unlisted(Self::slots(slots), lane);
+    }
+    /// Writes one lane of a list of slots into `self`.
+    #[inline(always)]
+    fn unlisted<R: Real>(&mut self, slots: &[<Self::Leaf as Keep>::Slot<R>], lane: usize) {
+        let (leaves, mut k) = (self.flat_mut(), 0);
+        while k < leaves.len() {
+            leaves[k] = Self::Leaf::outward(slots[k], lane);
+            k += 1;
+        }
+    }
+    /// Whether every coordinate of every lane is finite.
+    #[inline(always)]
+    fn finite<R: Real>(slots: &Self::Slots<R>) -> bool {
+        // In pieces without a way out, so that numbers are looked at side by side.
+        for piece in Self::slots(slots).chunks(PIECE) {
+            let mut finite = true;
+            for slot in piece {
+                finite &= slot.value().finite();
+            }
+            if !finite {
+                return false;
+            }
+        }
+        true
+    }
+}
+
+impl<K: Keep, const N: usize> Coords for [K; N] {
+    type Leaf = K;
+    type With<L: Keep> = [L; N];
+    type Slots<R: Real> = [K::Slot<R>; N];
+
+    const LENGTH: Option<usize> = Some(N);
+    const COMPONENTS: usize = 1;
+
+    fn length(&self) -> usize {
+        self.len()
+    }
+    fn from_flat(flat: Vec<K>) -> Option<Self> {
+        flat.try_into().ok()
+    }
+    fn flat(&self) -> &[K] {
+        self
+    }
+    fn flat_mut(&mut self) -> &mut [K] {
+        self
+    }
+    fn map<L: Keep>(&self, leaf: impl Fn(K) -> L) -> [L; N] {
+        let mut mapped = [L::default(); N];
+        for (mapped, own) in mapped.iter_mut().zip(self) {
+            *mapped = leaf(*own);
+        }
+        mapped
+    }
+    #[inline(always)]
+    fn slots_from<R: Real>(_count: usize, slot: impl Fn(usize) -> K::Slot<R>) -> [K::Slot<R>; N] {
+        let mut slots = [Slot::zero(); N];
+        for (k, to) in slots.iter_mut().enumerate() {
+            *to = slot(k);
+        }
+        slots
+    }
+    #[inline(always)]
+    fn slots<R: Real>(slots: &Self::Slots<R>) -> &[K::Slot<R>] {
+        slots
+    }
+    #[inline(always)]
+    fn slots_mut<R: Real>(slots: &mut Self::Slots<R>) -> &mut [K::Slot<R>] {
+        slots
+    }
+}
+
+impl<K: Keep, const D: usize, const N: usize> Coords for [[K; D]; N] {
+    type Leaf = K;
+    type With<L: Keep> = [[L; D]; N];
+    type Slots<R: Real> = [[K::Slot<R>; D]; N];
+
+    const LENGTH: Option<usize> = Some(N);
+    const COMPONENTS: usize = D;
+
+    fn length(&self) -> usize {
+        self.len()
+    }
+    fn from_flat(flat: Vec<K>) -> Option<Self> {
+        let (points, rest) = flat.as_chunks::<D>();
+        if rest.is_empty() { points.try_into().ok() } else { None }
+    }
+    fn flat(&self) -> &[K] {
+        self.as_flattened()
+    }
+    fn flat_mut(&mut self) -> &mut [K] {
+        self.as_flattened_mut()
+    }
+    fn map<L: Keep>(&self, leaf: impl Fn(K) -> L) -> [[L; D]; N] {
+        let mut mapped = [[L::default(); D]; N];
+        for (mapped, own) in mapped.as_flattened_mut().iter_mut().zip(self.flat()) {
+            *mapped = leaf(*own);
+        }
+        mapped
+    }
+    #[inline(always)]
+    fn slots_from<R: Real>(_count: usize, slot: impl Fn(usize) -> K::Slot<R>) -> [[K::Slot<R>; D]; N] {
+        let mut slots = [[Slot::zero(); D]; N];
+        for (k, to) in slots.as_flattened_mut().iter_mut().enumerate() {
+            *to = slot(k);
+        }
+        slots
+    }
+    #[inline(always)]
+    fn slots<R: Real>(slots: &Self::Slots<R>) -> &[K::Slot<R>] {
+        slots.as_flattened()
+    }
+    #[inline(always)]
+    fn slots_mut<R: Real>(slots: &mut Self::Slots<R>) -> &mut [K::Slot<R>] {
+        slots.as_flattened_mut()
+    }
+}
+
+impl<K: Keep> Coords for Vec<K> {
+    type Leaf = K;
+    type With<L: Keep> = Vec<L>;
+    type Slots<R: Real> = Aligned<K::Slot<R>>;
+
+    const LENGTH: Option<usize> = None;
+    const COMPONENTS: usize = 1;
+
+    fn length(&self) -> usize {
+        self.len()
+    }
+    fn from_flat(flat: Vec<K>) -> Option<Self> {
+        Some(flat)
+    }
+    fn flat(&self) -> &[K] {
+        self
+    }
+    fn flat_mut(&mut self) -> &mut [K] {
+        self
+    }
+    fn map<L: Keep>(&self, leaf: impl Fn(K) -> L) -> Vec<L> {
+        let mut mapped = Vec::with_capacity(self.len());
+        for own in self {
+            mapped.push(leaf(*own));
+        }
+        mapped
+    }
+    #[inline(always)]
+    fn slots_from<R: Real>(count: usize, slot: impl Fn(usize) -> K::Slot<R>) -> Self::Slots<R> {
+        Aligned::new(count, &slot)
+    }
+    fn slots<R: Real>(slots: &Self::Slots<R>) -> &[K::Slot<R>] {
+        slots
+    }
+    fn slots_mut<R: Real>(slots: &mut Self::Slots<R>) -> &mut [K::Slot<R>] {
+        slots
+    }
+}
+
+impl<K: Keep, const D: usize> Coords for Vec<[K; D]> {
+    type Leaf = K;
+    type With<L: Keep> = Vec<[L; D]>;
+    type Slots<R: Real> = Aligned<[K::Slot<R>; D]>;
+
+    const LENGTH: Option<usize> = None;
+    const COMPONENTS: usize = D;
+
+    fn length(&self) -> usize {
+        self.len()
+    }
+    fn from_flat(flat: Vec<K>) -> Option<Self> {
+        let (points, rest) = flat.as_chunks::<D>();
+        rest.is_empty().then(|| points.to_vec())
+    }
+    fn flat(&self) -> &[K] {
+        self.as_flattened()
+    }
+    fn flat_mut(&mut self) -> &mut [K] {
+        self.as_flattened_mut()
+    }
+    fn map<L: Keep>(&self, leaf: impl Fn(K) -> L) -> Vec<[L; D]> {
+        let mut mapped = vec![[L::default(); D]; self.len()];
+        for (mapped, own) in mapped.as_flattened_mut().iter_mut().zip(self.flat()) {
+            *mapped = leaf(*own);
+        }
+        mapped
+    }
+    #[inline(always)]
+    fn slots_from<R: Real>(count: usize, slot: impl Fn(usize) -> K::Slot<R>) -> Self::Slots<R> {
+        let points = count.checked_div(D).unwrap_or(0);
+        Aligned::new(points, &|i| {
+            let (mut point, mut d) = ([Slot::zero(); D], 0);
+            while d < D {
+                point[d] = slot(i * D + d);
+                d += 1;
+            }
+            point
+        })
+    }
+    fn slots<R: Real>(slots: &Self::Slots<R>) -> &[K::Slot<R>] {
+        slots.as_flattened()
+    }
+    fn slots_mut<R: Real>(slots: &mut Self::Slots<R>) -> &mut [K::Slot<R>] {
+        slots.as_flattened_mut()
+    }
+}

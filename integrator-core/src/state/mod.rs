@@ -1,0 +1,13 @@
+//! What a state is made of: coordinates, their precision, and points of phase space.
+
+pub(crate) mod aligned;
+pub(crate) mod clock;
+pub(crate) mod coords;
+#[allow(unreachable_pub, reason = "named in bounds, never outside")]
+pub(crate) mod digest;
+pub(crate) mod fixed;
+pub(crate) mod flat;
+pub(crate) mod phase;
+#[cfg(feature = "std")]
+pub(crate) mod point;
+pub(crate) mod slot;

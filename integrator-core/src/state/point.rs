@@ -1,0 +1,61 @@
+//! A point of phase space behind a pointer, whatever its shape: what looks after ensembles is compiled for these, once.
+
+use crate::{
+    error::Divergence,
+    state::{clock::Clock, coords::Coords, phase::Phase, slot::Keep},
+};
+use std::any::Any;
+
+/// A state of some shape.
+pub(crate) trait Point: Any + Send + Sync {
+    fn boxed_clone(&self) -> Box<dyn Point>;
+    fn is_finite(&self) -> bool;
+    /// What to say of a trajectory that has taken its last finite step, to this state; `next` is where one more leads.
+    fn divergence(&self, next: &dyn Point, clock: Clock) -> Divergence;
+}
+
+impl<C: Coords> Point for Phase<C> {
+    fn boxed_clone(&self) -> Box<dyn Point> {
+        Box::new(self.clone())
+    }
+
+    fn is_finite(&self) -> bool {
+        all_finite(self.q.flat()) && all_finite(self.p.flat())
+    }
+
+    fn divergence(&self, next: &dyn Point, clock: Clock) -> Divergence {
+        clock.divergence(self, shaped(next))
+    }
+}
+
+fn all_finite<K: Keep>(leaves: &[K]) -> bool {
+    for leaf in leaves {
+        if !leaf.to_f64().is_finite() {
+            return false;
+        }
+    }
+    true
+}
+
+/// The point in its shape, which is that of its ensemble.
+pub(crate) fn shaped<C: Coords>(point: &dyn Point) -> &Phase<C> {
+    match (point as &dyn Any).downcast_ref() {
+        Some(point) => point,
+        None => mixed_up(),
+    }
+}
+
+/// The point in its shape, to be written.
+pub(crate) fn shaped_mut<C: Coords>(point: &mut dyn Point) -> &mut Phase<C> {
+    match (point as &mut dyn Any).downcast_mut() {
+        Some(point) => point,
+        None => mixed_up(),
+    }
+}
+
+/// What an ensemble is made of has one type each, which its members decide.
+#[cold]
+#[inline(never)]
+pub(crate) fn mixed_up() -> ! {
+    unreachable!("states or motions of two ensembles mixed up")
+}

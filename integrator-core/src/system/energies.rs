@@ -1,0 +1,96 @@
+//! The energy of any state of a system, told without its run.
+
+use crate::{
+    error::Error,
+    hamiltonian::{Hamiltonian, Shaped},
+    scalar::real::{Kernel, Real},
+    state::{coords::Coords, phase::Phase, slot::Keep},
+    system::motion::Motion,
+};
+use alloc::sync::Arc;
+
+/// The two parts of an energy, and their sum as it is rounded once where it has twice the digits.
+#[derive(Clone, Copy)]
+pub(crate) struct Parts {
+    pub(crate) kinetic: f64,
+    pub(crate) potential: f64,
+    pub(crate) total: f64,
+}
+
+impl Parts {
+    /// Whether a motion may start with these.
+    ///
+    /// # Errors
+    /// [`Error::Energy`] naming the part that is not finite: forces may be finite there all the same, as those of
+    /// `q - ln q` are at `q = -1`.
+    pub(crate) fn admissible(self, time: f64) -> Result<(), Error> {
+        let parts = [("kinetic", self.kinetic), ("potential", self.potential)];
+        match parts.into_iter().find(|(_, value)| !value.is_finite()) {
+            Some((function, value)) => Err(Error::Energy { function, value, time }),
+            None => Ok(()),
+        }
+    }
+}
+
+/// What tells the energy of a state without holding the run.
+pub(crate) trait Energies<C: Coords>: Send + Sync {
+    fn parts(&self, state: &Phase<C>, time: f64) -> Parts;
+
+    fn energy(&self, state: &Phase<C>, time: f64) -> f64 {
+        self.parts(state, time).total
+    }
+}
+
+/// Prepared constants, from which the energy of any state can be told.
+struct Constants<P, C> {
+    parameters: Arc<P>,
+    energy: EnergyOf<P, C>,
+}
+
+/// What tells the energies of the states of a system.
+pub(crate) fn energies<P: Send + Sync + 'static, C: Coords>(
+    parameters: Arc<P>,
+    energy: EnergyOf<P, C>,
+) -> Arc<dyn Energies<C>> {
+    Arc::new(Constants { parameters, energy })
+}
+
+impl<P: Send + Sync, C: Coords> Energies<C> for Constants<P, C> {
+    fn parts(&self, state: &Phase<C>, time: f64) -> Parts {
+        (self.energy)(&self.parameters, state, time)
+    }
+}
+
+/// What tells the energy of a state at a time, compiled for one system and leaf.
+pub(crate) type EnergyOf<P, C> = fn(&P, &Phase<C>, f64) -> Parts;
+
+/// The energy of a state, in what its leaf asks for.
+pub(crate) fn energy<H: Hamiltonian, K: Keep>(
+    parameters: &H::Parameters<f64>,
+    state: &Phase<Shaped<H, K>>,
+    time: f64,
+) -> Parts {
+    let part =
+        |part: usize| Phase { q: state.q.map(|leaf| leaf.parts()[part]), p: state.p.map(|leaf| leaf.parts()[part]) };
+    let value = part(0);
+    let carried = if K::Energy::LANES > 1 { Some(part(1)) } else { None };
+    let states = [&value, carried.as_ref().unwrap_or(&value)];
+    let motion = H::Motion::<K::Energy, f64>::load(&[parameters; 2], &states);
+    K::Energy::enter(Energy::<H, K::Energy> { motion: &motion, time })
+}
+
+struct Energy<'m, H: Hamiltonian, R: Real> {
+    motion: &'m H::Motion<R, f64>,
+    time: f64,
+}
+
+impl<H: Hamiltonian, R: Real> Kernel for Energy<'_, H, R> {
+    type Out = Parts;
+
+    #[inline(always)]
+    fn call(self) -> Parts {
+        let kinetic = H::kinetic::<R, f64>(self.motion, self.time);
+        let potential = H::potential::<R, f64>(self.motion, self.time);
+        Parts { kinetic: kinetic.lane(0), potential: potential.lane(0), total: (kinetic + potential).lane(0) }
+    }
+}

@@ -1,0 +1,11 @@
+//! What is known of a system: its state in a layout, its energies, its constants, its lists and outside functions.
+
+pub(crate) mod constants;
+pub(crate) mod elements;
+pub(crate) mod energies;
+pub(crate) mod external;
+pub(crate) mod motion;
+#[allow(unreachable_pub, reason = "named in bounds, never outside")]
+pub(crate) mod prepared;
+#[cfg(any(debug_assertions, feature = "check"))]
+pub(crate) mod stated;

@@ -1,0 +1,114 @@
+//! What flows move: a state with prepared constants, in a layout.
+
+use crate::{
+    error::{NotFinite, Unsolved},
+    scalar::real::Real,
+    state::{coords::Coords, digest::Digest, phase::Phase, slot::Slot},
+};
+use alloc::vec::Vec;
+
+/// Constants that a motion computes with, one per lane.
+pub trait Prepared<R: Real>: Clone + Send + Sync + 'static {
+    /// The constants of one member.
+    type Single: Clone + Send + Sync + 'static;
+
+    /// Whether two members may share lanes: integers and the lengths of tables are the same in all lanes.
+    fn alike(_a: &Self::Single, _b: &Self::Single) -> bool {
+        true
+    }
+    /// The constants that are not finite, of a table the first one.
+    fn not_finite(_single: &Self::Single) -> Vec<NotFinite> {
+        Vec::new()
+    }
+    /// Says where conditions on the time are read: in the middle of the step under way.
+    fn begin_step(&mut self, _middle: f64) {}
+    /// Adds the constants to a fingerprint.
+    fn digest(_single: &Self::Single, _digest: &mut Digest) {}
+    /// Gathers the constants of one member per lane.
+    fn gather(members: &[&Self::Single]) -> Self;
+}
+
+/// State and prepared constants in the layout that the generator chose.
+pub trait Motion<C: Coords, P>: Clone + Send + Sync + 'static {
+    /// One member per lane, each with its constants and its state.
+    fn load(constants: &[&P], states: &[&Phase<C>]) -> Self;
+    /// One member per lane, each from a lane of another motion, and from there on as it would have gone on there; `None`
+    /// where one that is loaded from the states does.
+    fn gathered<'a>(_of_lane: &dyn Fn(usize) -> (&'a P, &'a Self, usize)) -> Option<Self>
+    where
+        P: 'a,
+    {
+        None
+    }
+    /// Writes the state of one lane.
+    fn store(&self, lane: usize, to: &mut Phase<C>);
+    /// Takes over the coordinates of another motion with the same constants, in place.
+    fn copy_state(&mut self, from: &Self);
+    /// Lets so many threads share the work, or all that the machine has, where a layout has work to share.
+    fn share_among(&mut self, _threads: Option<usize>) {}
+    /// Why the steps of a method could not be solved in a lane, after which this stands still and is not finite.
+    fn unsolved(&self, _lane: usize) -> Option<&Unsolved> {
+        None
+    }
+    /// How often steps have evaluated the force, where they count it.
+    fn evaluations(&self) -> Option<u64> {
+        None
+    }
+    /// Whether every coordinate of every lane is finite.
+    fn finite(&self) -> bool;
+}
+
+/// The plainest layout: the user's own shape.
+#[derive(Clone)]
+pub struct Plain<R: Real, C: Coords, P> {
+    /// Positions.
+    pub q: C::Slots<R>,
+    /// Momenta.
+    pub p: C::Slots<R>,
+    /// Prepared constants.
+    pub parameters: P,
+}
+
+impl<R: Real, C: Coords, P: Prepared<R>> Motion<C, P::Single> for Plain<R, C, P> {
+    fn load(constants: &[&P::Single], states: &[&Phase<C>]) -> Self {
+        Self {
+            q: C::inward(states, |state| &state.q),
+            p: C::inward(states, |state| &state.p),
+            parameters: P::gather(constants),
+        }
+    }
+    #[inline(always)]
+    fn store(&self, lane: usize, to: &mut Phase<C>) {
+        to.q.outward(&self.q, lane);
+        to.p.outward(&self.p, lane);
+    }
+    #[inline(always)]
+    fn copy_state(&mut self, from: &Self) {
+        self.q.clone_from(&from.q);
+        self.p.clone_from(&from.p);
+    }
+    #[inline(always)]
+    fn finite(&self) -> bool {
+        C::finite(&self.q) && C::finite(&self.p)
+    }
+}
+
+impl<R: Real, C: Coords, P: Clone> Plain<R, C, P> {
+    /// The same positions and no momenta, with slots that hold numbers and nothing else.
+    #[inline(always)]
+    pub fn at_rest(&self) -> Plain<R, C::With<f64>, P> {
+        let zero = R::of(0.0);
+        Plain {
+            q: C::numbers(&self.q, |slot| slot.value()),
+            p: C::numbers(&self.q, |_| zero),
+            parameters: self.parameters.clone(),
+        }
+    }
+    /// Adds a multiple of the momenta of another motion.
+    #[inline(always)]
+    pub fn push(&mut self, factor: R, other: &Plain<R, C::With<f64>, P>) {
+        for (slot, number) in C::slots_mut(&mut self.p).iter_mut().zip(C::With::<f64>::slots(&other.p)) {
+            slot.fma(factor, *number);
+        }
+    }
+}

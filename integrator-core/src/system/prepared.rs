@@ -1,0 +1,52 @@
+//! Prepared constants as flows read them: a number of each member in the lanes of one, and tables of such numbers.
+
+use crate::scalar::real::Real;
+use alloc::vec::Vec;
+
+/// A number, or a table of numbers over the indices of loops, for all members; each of them has a `T`.
+pub trait OfMembers<T> {
+    /// One member per lane.
+    fn in_lanes<'c>(of_lane: &dyn Fn(usize) -> &'c T) -> Self
+    where
+        T: 'c;
+}
+
+impl<R: Real> OfMembers<f64> for R {
+    fn in_lanes<'c>(of_lane: &dyn Fn(usize) -> &'c f64) -> Self
+    where
+        f64: 'c,
+    {
+        R::parameter(&|lane| *of_lane(lane))
+    }
+}
+
+/// The first lane tells how long a table is.
+impl<L: OfMembers<T>, T> OfMembers<Vec<T>> for Vec<L> {
+    fn in_lanes<'c>(of_lane: &dyn Fn(usize) -> &'c Vec<T>) -> Self
+    where
+        T: 'c,
+    {
+        let length = of_lane(0).len();
+        let mut table = Vec::with_capacity(length);
+        for place in 0..length {
+            table.push(L::in_lanes(&|lane| &of_lane(lane)[place]));
+        }
+        table
+    }
+}
+
+impl<L: OfMembers<T>, T, const N: usize> OfMembers<[T; N]> for [L; N] {
+    fn in_lanes<'c>(of_lane: &dyn Fn(usize) -> &'c [T; N]) -> Self
+    where
+        T: 'c,
+    {
+        core::array::from_fn(|place| L::in_lanes(&|lane| &of_lane(lane)[place]))
+    }
+}
+
+/// A constant of members, of each in its lane.
+///
+/// A function of its own for each type and not for each constant: what is seldom called is compiled as seldom as possible.
+pub fn in_lanes<M, T, L: OfMembers<T>>(members: &[&M], constant: fn(&M) -> &T) -> L {
+    L::in_lanes(&|lane| constant(members[lane]))
+}

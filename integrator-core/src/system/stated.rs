@@ -1,0 +1,179 @@
+//! The generated energies against the user's own functions.
+//!
+//! In: a system and a state. Out: whether both are the same up to rounding. Always true: neither knows the other, so that
+//! a text that was misread shows here, however well its energy and its forces agree.
+
+#[cfg(debug_assertions)]
+use crate::{
+    error::Error,
+    hamiltonian::Shaped,
+    state::{
+        coords::Coords,
+        flat::{flat, shaped},
+        slot::Keep,
+    },
+};
+use crate::{
+    error::Misread,
+    hamiltonian::Hamiltonian,
+    scalar::{bounded::Bounded, real::Real},
+    state::{flat::Flat, phase::Phase},
+    system::motion::Motion,
+};
+
+/// How many roundings of the user's function are explained by each of the generated code's: what a loop adds up one by one
+/// may be one product here, or a constant that is made once per run. A text that is misread is off by far more.
+const ROUNDINGS: f64 = 1024.0;
+
+/// How many neighbours of a state tell how a function scatters, and how far they are at most, in roundings.
+const NEIGHBOURS: u64 = 8;
+const NEARBY: f64 = 256.0;
+
+/// How large a system may be that every run is checked at the start: a sum over the pairs of so many coordinates takes a
+/// second where code is not optimised.
+#[cfg(debug_assertions)]
+const SMALL: usize = 4096;
+
+/// One of the two functions that a Hamiltonian is made of.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum Function {
+    Kinetic,
+    Potential,
+}
+
+impl Function {
+    pub(crate) const BOTH: [Self; 2] = [Self::Kinetic, Self::Potential];
+
+    pub(crate) fn name(self) -> &'static str {
+        match self {
+            Self::Kinetic => "kinetic",
+            Self::Potential => "potential",
+        }
+    }
+
+    /// The user's own value.
+    fn stated<H: Hamiltonian>(self, system: &H, state: &Phase<H::Coords>, time: f64) -> f64 {
+        match self {
+            Self::Kinetic => system.stated_kinetic(&state.p, time),
+            Self::Potential => system.stated_potential(&state.q, time),
+        }
+    }
+
+    /// The value of the generated code, and a bound on its rounding.
+    fn generated<H: Hamiltonian>(
+        self,
+        parameters: &H::Parameters<f64>,
+        state: &Phase<H::Coords>,
+        time: f64,
+    ) -> [f64; 2] {
+        let motion = H::Motion::<Bounded, f64>::load(&[parameters; 2], &[state; 2]);
+        let energy = match self {
+            Self::Kinetic => H::kinetic::<Bounded, f64>(&motion, time),
+            Self::Potential => H::potential::<Bounded, f64>(&motion, time),
+        };
+        [energy.lane(0), energy.lane(1)]
+    }
+
+    /// Whether the user's function and the generated code are the same at a state; `false` where rounding may have made
+    /// anything of the latter.
+    ///
+    /// What is not finite in one has to be so in the other: rewrites are exact for finite numbers, and may make a NaN of
+    /// what is infinite.
+    ///
+    /// # Errors
+    /// [`Misread`], where rounding does not explain the difference.
+    pub(crate) fn hold(self, state: &Flat, time: f64, values: &dyn Fn(&Flat) -> Values) -> Result<bool, Misread> {
+        let Values { stated, generated, rounding: error } = values(state);
+        // An energy too small to have all digits is as good as none.
+        let mut rounding = ROUNDINGS * error + f64::MIN_POSITIVE;
+        let agree = |rounding: f64| match [stated, generated].map(f64::is_finite) {
+            [true, true] => Real::abs(stated - generated) <= rounding,
+            [stated, generated] => stated == generated,
+        };
+        if error == f64::INFINITY {
+            return Ok(false);
+        }
+        if !agree(rounding) {
+            rounding += scatter(state, values);
+        }
+        if agree(rounding) {
+            return Ok(true);
+        }
+        let (q, p) = (state.q.clone(), state.p.clone());
+        Err(Misread { function: self.name(), stated, generated, rounding, time, q, p })
+    }
+}
+
+/// What both say at a state, and a bound on the rounding of the generated code.
+pub(crate) struct Values {
+    pub(crate) stated: f64,
+    pub(crate) generated: f64,
+    pub(crate) rounding: f64,
+}
+
+/// The values of a function.
+pub(crate) fn values<H: Hamiltonian>(
+    function: Function,
+    system: &H,
+    parameters: &H::Parameters<f64>,
+    state: &Phase<H::Coords>,
+    time: f64,
+) -> Values {
+    let stated = function.stated(system, state, time);
+    let [generated, rounding] = function.generated::<H>(parameters, state, time);
+    Values { stated, generated, rounding }
+}
+
+/// By how much the difference of both scatters next to a state: what rounding makes of numbers that the generated code
+/// prepares once, where they nearly cancel in the function, is another number at each neighbour; what is misread is not.
+fn scatter(state: &Flat, values: &dyn Fn(&Flat) -> Values) -> f64 {
+    let mut digits = Digits::default();
+    let (mut least, mut most) = (f64::INFINITY, f64::NEG_INFINITY);
+    for _ in 0..NEIGHBOURS {
+        let mut near = state.clone();
+        for number in near.q.iter_mut().chain(&mut near.p) {
+            *number *= 1.0 + NEARBY * f64::EPSILON * digits.next();
+        }
+        let Values { stated, generated, .. } = values(&near);
+        (least, most) = (f64::min(least, stated - generated), f64::max(most, stated - generated));
+    }
+    if least <= most { 2.0 * (most - least) } else { 0.0 }
+}
+
+/// Numbers between -1 and 1 that look random and are the same in every run (Knuth's linear congruence).
+pub(crate) struct Digits(u64);
+
+impl Default for Digits {
+    fn default() -> Self {
+        Self(0x9E37_79B9_7F4A_7C15)
+    }
+}
+
+impl Digits {
+    pub(crate) fn next(&mut self) -> f64 {
+        self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        (self.0 >> 11) as f64 / (1_u64 << 52) as f64 - 1.0
+    }
+}
+
+/// Holds the generated energies against the user's functions where a run starts, in builds with debug assertions. The time is
+/// what the clock tells when the run is made, since a run that is moved by `at_time` knows its system no more.
+///
+/// # Errors
+/// [`Error::Misread`]
+#[cfg(debug_assertions)]
+pub(crate) fn hold_at_start<H: Hamiltonian, K: Keep>(
+    system: &H,
+    parameters: &H::Parameters<f64>,
+    start: &Phase<Shaped<H, K>>,
+    time: f64,
+) -> Result<(), Error> {
+    if start.q.flat().len() <= SMALL {
+        let shape = Phase { q: start.q.map(|leaf| leaf.to_f64()), p: start.p.map(|leaf| leaf.to_f64()) };
+        for function in Function::BOTH {
+            let values = |state: &Flat| values(function, system, parameters, &shaped(&shape, state), time);
+            function.hold(&flat(&shape), time, &values)?;
+        }
+    }
+    Ok(())
+}

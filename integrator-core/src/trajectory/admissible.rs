@@ -1,0 +1,71 @@
+//! What a trajectory may begin with.
+
+use crate::{
+    error::Error,
+    state::{coords::Coords, fixed::is_power_of_two, phase::Phase, slot::Keep},
+    trajectory::method::Described,
+};
+
+/// Whether a run may begin at `start` with step `h`.
+///
+/// # Errors
+/// A step that is zero or not finite; a start that is not finite, whose `q` and `p` differ in length, or that has no place on
+/// its grid.
+pub(crate) fn admissible<C: Coords>(start: &Phase<C>, h: f64) -> Result<(), Error> {
+    if h == 0.0 || !h.is_finite() {
+        return Err(Error::Step { h });
+    }
+    let (positions, momenta) = (start.q.flat().len(), start.p.flat().len());
+    if positions != momenta {
+        return Err(Error::Length { positions, momenta });
+    }
+    for (coordinate, leaves) in [("q", start.q.flat()), ("p", start.p.flat())] {
+        for (index, leaf) in leaves.iter().enumerate() {
+            on_its_grid((coordinate, index, leaf.to_f64()), leaf.spacing(), leaf.limit())?;
+        }
+    }
+    Ok(())
+}
+
+/// Whether a coordinate is finite, and has a place on its grid if it has one.
+fn on_its_grid(
+    (coordinate, index, value): (&'static str, usize, f64),
+    spacing: Option<f64>,
+    limit: f64,
+) -> Result<(), Error> {
+    if !value.is_finite() {
+        return Err(Error::Start { coordinate, index, value });
+    }
+    match spacing {
+        Some(spacing) if !is_power_of_two(spacing) => Err(Error::Grid { coordinate, index, spacing }),
+        Some(spacing) if value.abs() >= limit => Err(Error::GridRange { coordinate, index, value, spacing, limit }),
+        _ => Ok(()),
+    }
+}
+
+/// Whether a run with a method may begin at `start` with step `h`.
+///
+/// # Errors
+/// As [`admissible`]; a reversible start and a method that is not symmetric; what the method itself refuses.
+pub(crate) fn admissible_with<C: Coords>(method: impl Described, start: &Phase<C>, h: f64) -> Result<(), Error> {
+    method.admissible()?;
+    let facts = method.facts();
+    if C::Leaf::REVERSIBLE && !facts.symmetric {
+        return Err(Error::NotSymmetric { composition: facts.name });
+    }
+    admissible(start, h)
+}
+
+/// Changes the state of a run under way from outside.
+///
+/// # Errors
+/// As [`admissible`]; another number of coordinates.
+pub(crate) fn change<C: Coords>(state: &mut Phase<C>, h: f64, map: impl FnOnce(&mut Phase<C>)) -> Result<(), Error> {
+    let before = state.q.flat().len();
+    map(state);
+    admissible(state, h)?;
+    match state.q.flat().len() {
+        after if after != before => Err(Error::Resized { before, after }),
+        _ => Ok(()),
+    }
+}

@@ -1,0 +1,215 @@
+//! Where a run passes through a zero of a function: Poincaré sections, and the times of events.
+//!
+//! Comes in: a run and a function of state and time. Goes out: the states in which the function changes its sign.
+//!
+//! Always true: the run takes its steps as `advance` would, bit for bit. Where a step is a polynomial, crossings lie on it:
+//! their states are those of the run, had it been looked at then. Where it is not, a crossing is reached from the state
+//! before it by one shorter step of the same method, on a copy: it lies on the numerical trajectory to the order of the
+//! method, and nothing is interpolated. Hénon (1982) makes the function the independent variable for that one
+//! step instead; a shorter step needs no other equations, hence works for every function and every leaf.
+
+use crate::{
+    error::Error,
+    state::{coords::Coords, phase::Phase},
+    trajectory::{run::Run, samples::Sample},
+};
+use core::{fmt, mem};
+
+/// After so many evaluations without an end, intervals are halved.
+const IMPATIENT: u32 = 32;
+
+/// Which way a function passes through zero, as the run goes: backwards in time where its step is negative.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Direction {
+    /// From negative to positive values.
+    Rising,
+    /// From positive to negative values.
+    Falling,
+    /// Both ways.
+    Either,
+}
+
+impl Direction {
+    fn admits(self, rising: bool) -> bool {
+        match self {
+            Self::Rising => rising,
+            Self::Falling => !rising,
+            Self::Either => true,
+        }
+    }
+}
+
+/// The states in which a function changes its sign along a run. Made by [`Run::crossings`].
+///
+/// After an error the iterator ends.
+#[derive(Clone)]
+pub struct Crossings<C: Coords, G> {
+    run: Run<C>,
+    steps: u64,
+    direction: Direction,
+    function: G,
+    /// The present state of the run, once it was looked at.
+    present: Option<Point<C>>,
+    /// The last value that was not zero; zero until there is one.
+    side: f64,
+    failed: bool,
+}
+
+/// A state, and the function there.
+#[derive(Clone)]
+struct Point<C> {
+    time: f64,
+    state: Phase<C>,
+    value: f64,
+}
+
+impl<C: Coords> Run<C> {
+    /// An iterator over the states in which `function` passes through zero within the next `steps` steps: a Poincaré
+    /// section, or the times of events.
+    ///
+    /// Signs are compared after every step. Between two that differ, the time is found to the rounding of the step, by
+    /// shorter steps from the state before, so that it has the order of the method, or on the polynomial of
+    /// [`Taylor`](crate::methods::taylor::Taylor), so that it has the precision of the run; `step` of such a sample counts the whole
+    /// steps before it. Two crossings within one step are not seen: take a step in which the function turns at most once.
+    ///
+    /// A function that is zero after a step has passed through it if it leaves to the other side, and the crossing is
+    /// this very state (the last one, if there are several), seen one step later. A zero at the start is no crossing,
+    /// nor is one from which the function returns to its side; a function that is zero everywhere has none. A jump from
+    /// one side to the other counts: an angle that is wrapped around jumps one way and passes the other way, so that
+    /// a [`Direction`] tells these apart.
+    ///
+    /// Coordinates in `f32` or on a grid move in jumps, and a crossing is one of the states beside the zero.
+    ///
+    /// ```
+    /// use integrator_core::prelude::*;
+    ///
+    /// struct Oscillator;
+    ///
+    /// #[hamiltonian(compose = BlanesMoan6)]
+    /// impl Oscillator {
+    ///     fn kinetic(&self, p: [f64; 1]) -> f64 { p[0] * p[0] / 2.0 }
+    ///     fn potential(&self, q: [f64; 1]) -> f64 { q[0] * q[0] / 2.0 }
+    /// }
+    ///
+    /// let run = Oscillator.run(Phase::new([0.0], [1.0]), 0.1)?;
+    /// let mut turns = run.crossings(100, Direction::Falling, |state, _| state.p[0]);
+    /// let first = turns.next().expect("a turn within 10 units of time")?;
+    /// assert!((first.time - std::f64::consts::FRAC_PI_2).abs() < 1e-9);
+    /// assert!((first.state.q[0] - 1.0).abs() < 1e-9);
+    /// # Ok::<(), Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// Items are errors where [`Run::advance`] has one, and [`Error::Crossing`] where the function is not finite.
+    pub fn crossings<G>(self, steps: u64, direction: Direction, function: G) -> Crossings<C, G>
+    where
+        G: FnMut(&Phase<C>, f64) -> f64,
+    {
+        Crossings { run: self, steps, direction, function, present: None, side: 0.0, failed: false }
+    }
+}
+
+impl<C: Coords, G: FnMut(&Phase<C>, f64) -> f64> Crossings<C, G> {
+    /// The run, after the last step that was looked at.
+    pub fn into_run(self) -> Run<C> {
+        self.run
+    }
+
+    fn point(&mut self, time: f64, state: Phase<C>) -> Result<Point<C>, Error> {
+        let value = (self.function)(&state, time);
+        if value.is_finite() { Ok(Point { time, state, value }) } else { Err(Error::Crossing { time, value }) }
+    }
+
+    /// The next crossing within the steps that are left.
+    fn look(&mut self) -> Result<Option<Sample<C>>, Error> {
+        let mut before = match self.present.take() {
+            Some(point) => point,
+            None => {
+                self.run.check_clock()?;
+                let start = self.point(self.run.time(), self.run.state())?;
+                self.side = start.value;
+                start
+            }
+        };
+        while let Some(left) = self.steps.checked_sub(1) {
+            let whole_steps = self.run.steps();
+            self.run.advance(1)?;
+            self.steps = left;
+            let after = self.point(self.run.time(), self.run.state())?;
+            let side = if after.value == 0.0 { self.side } else { mem::replace(&mut self.side, after.value) };
+            let crosses = (side < 0.0 && after.value > 0.0) || (side > 0.0 && after.value < 0.0);
+            if crosses && self.direction.admits(after.value > 0.0) {
+                let Point { time, state, .. } = self.between(&before, &after)?;
+                self.present = Some(after);
+                return Ok(Some(Sample::new(&self.run, time, whole_steps, state)));
+            }
+            before = after;
+        }
+        self.present = Some(before);
+        Ok(None)
+    }
+
+    /// Where the function is zero in a step, by the method of Chandrupatla (1997): the inverse of a parabola through three
+    /// values where these lie on one without doubt, and the middle otherwise.
+    fn between(&mut self, before: &Point<C>, after: &Point<C>) -> Result<Point<C>, Error> {
+        let h = self.run.step();
+        // Fractions of the step: the newest, the one on the other side of the zero, and the one that was given up.
+        let (mut near, mut far) = ((1.0, after.clone()), (0.0, before.clone()));
+        let mut fraction = 0.5_f64;
+        for evaluation in 1_u32.. {
+            let width: f64 = far.0 - near.0;
+            // A rounding of the step, in units of the interval.
+            let least = f64::EPSILON / width.abs();
+            let exact = near.1.value == 0.0 || far.1.value == 0.0;
+            if exact || least > 0.5 {
+                break;
+            }
+            let at = near.0 + fraction.clamp(least, 1.0 - least) * width;
+            let time = before.time + at * h;
+            let state = self.run.within(&before.state, at * h)?;
+            let newest = (at, self.point(time, state)?);
+            let same_side = (newest.1.value > 0.0) == (near.1.value > 0.0);
+            let given_up = if same_side { near } else { mem::replace(&mut far, near) };
+            near = newest;
+            let along = |point: &(f64, Point<C>)| (point.0 - far.0) / (given_up.0 - far.0);
+            let up = |point: &(f64, Point<C>)| (point.1.value - far.1.value) / (given_up.1.value - far.1.value);
+            let (xi, phi) = (along(&near), up(&near));
+            let on_parabola = phi * phi < xi && (1.0 - phi) * (1.0 - phi) < 1.0 - xi;
+            fraction = if on_parabola && evaluation < IMPATIENT { parabola(&near, &far, &given_up) } else { 0.5 };
+        }
+        let nearest = if near.1.value.abs() < far.1.value.abs() { near } else { far };
+        Ok(nearest.1)
+    }
+}
+
+/// Where the inverse of a parabola through three points is zero, from the first of them on as a fraction of the way to the
+/// second.
+fn parabola<C>(a: &(f64, Point<C>), b: &(f64, Point<C>), c: &(f64, Point<C>)) -> f64 {
+    let (fa, fb, fc) = (a.1.value, b.1.value, c.1.value);
+    fa / (fb - fa) * fc / (fb - fc) + (c.0 - a.0) / (b.0 - a.0) * fa / (fc - fa) * fb / (fc - fb)
+}
+
+impl<C: Coords, G: FnMut(&Phase<C>, f64) -> f64> Iterator for Crossings<C, G> {
+    type Item = Result<Sample<C>, Error>;
+
+    fn next(&mut self) -> Option<Self::Item> {
+        if self.failed {
+            return None;
+        }
+        // It stays so if a function of the user panics: what was between two steps is not known any more.
+        self.failed = true;
+        let found = self.look();
+        self.failed = found.is_err();
+        found.transpose()
+    }
+}
+
+impl<C: Coords, G> fmt::Debug for Crossings<C, G> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("Crossings")
+            .field("run", &self.run)
+            .field("steps", &self.steps)
+            .field("direction", &self.direction)
+            .finish_non_exhaustive()
+    }
+}

@@ -1,0 +1,146 @@
+//! How a run is carried on: by a composition, or by a method that knows the vector field alone.
+//!
+//! An executor asks a method for a motion to load a start into, and for the moves that carry it on. Every composition is
+//! a method, whose motion is that of the system.
+
+use crate::{
+    composition::{Composition, Processor, Scheme, Stages},
+    error::Error,
+    hamiltonian::{Hamiltonian, Shaped},
+    scalar::real::Real,
+    state::slot::Keep,
+    system::motion::Motion,
+    trajectory::moves::{Moves, moves},
+};
+use alloc::sync::Arc;
+
+/// What a method says of itself, whatever it integrates.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub struct Facts {
+    /// Its name.
+    pub name: &'static str,
+    /// With which power of the step its errors fall.
+    pub order: u32,
+    /// Whether a step by `-h` undoes a step by `h`.
+    pub symmetric: bool,
+    /// Whether steps preserve the symplectic form, whatever their size. An accurate step that does not is hard to tell from
+    /// one that does, so that a method has to say it.
+    pub symplectic: bool,
+    /// Whether it covers a step of the run by steps of its own, so that errors follow a tolerance and not the step.
+    pub adaptive: bool,
+    /// How often a step evaluates the force, where that is known beforehand.
+    pub forces: Option<usize>,
+    /// The `h·ω` from which a step is unstable on a harmonic oscillator, where that is known.
+    pub stability_limit: Option<f64>,
+    /// How often a step rounds the state, about.
+    pub(crate) roundings: usize,
+    /// The stages of a composition.
+    pub(crate) table: Option<(Stages, Processor)>,
+}
+
+impl Facts {
+    /// Those of a method that claims nothing.
+    pub(crate) const UNCLAIMED: Self = Self {
+        name: "",
+        order: 0,
+        symmetric: false,
+        symplectic: false,
+        adaptive: false,
+        forces: None,
+        stability_limit: None,
+        roundings: 0,
+        table: None,
+    };
+
+    /// How often so many steps round the state, in doubles, which no number of steps exceeds.
+    #[cfg(feature = "check")]
+    pub(crate) fn roundings_in(&self, steps: u64) -> f64 {
+        self.roundings as f64 * steps as f64
+    }
+}
+
+/// What carries states on, and can say what it is. Every composition does.
+pub trait Described: Copy + Send + Sync + 'static {
+    /// What this method is.
+    fn facts(self) -> Facts;
+
+    /// Whether its own parameters, such as a tolerance, make sense.
+    ///
+    /// # Errors
+    /// A tolerance that is not a positive number.
+    fn admissible(self) -> Result<(), Error> {
+        Ok(())
+    }
+}
+
+impl<X: Scheme> Described for X {
+    fn facts(self) -> Facts {
+        let rows = X::PROCESSOR.before.rows.len() + X::STAGES.cycle.len() + X::PROCESSOR.after.rows.len();
+        Facts {
+            name: X::NAME,
+            order: X::ORDER,
+            symmetric: X::SYMMETRIC,
+            symplectic: true,
+            forces: Some(X::FORCE_EVALUATIONS + X::GRADIENT_EVALUATIONS),
+            stability_limit: Some(X::STABILITY_LIMIT),
+            // Each row moves positions and momenta once, and the closing flow one of them.
+            roundings: 2 * rows + 1,
+            table: Some((X::STAGES, X::PROCESSOR)),
+            ..Facts::UNCLAIMED
+        }
+    }
+}
+
+/// A method that may integrate `H`: any composition that may, those of `reference`, and
+/// [`Taylor`](crate::methods::taylor::Taylor) where the system has its recurrences.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` is not a method that may integrate `{H}`",
+    label = "neither a composition nor another method for this Hamiltonian",
+    note = "`Verlet`, `Yoshida4` and all other compositions of general class integrate every separable Hamiltonian",
+    note = "a new one is declared with `composition! {{ pub struct Mine: order 2 = T(1/2) V(1) T(1/2); }}`",
+    note = "`Taylor` needs recurrences, which are only written where they are asked for: `#[hamiltonian(taylor)]`"
+)]
+pub trait Method<H: Hamiltonian>: Described {
+    /// Whether its steps are compiled for several instruction sets, of which a run takes the best.
+    const CLONED: bool = true;
+    /// Whether a single run takes instructions for vectors of 512 bits, where the machine has them.
+    const WIDE: bool = H::WIDE;
+
+    /// How often a step evaluates the force, where that is known beforehand: [`Facts`] tell it of steps that go on where the last
+    /// one ended, which those of systems with pieces in time do not.
+    fn forces(self) -> Option<usize> {
+        if H::PIECEWISE_IN_TIME { None } else { self.facts().forces }
+    }
+    /// What stays the same in a run.
+    type Constants: Send + Sync + 'static;
+    /// What moves.
+    type Motion<R: Real, K: Keep>: Motion<Shaped<H, K>, Self::Constants>;
+
+    /// The constants of a run, from those of the system.
+    fn constants(self, parameters: Arc<H::Parameters<f64>>) -> Arc<Self::Constants>;
+    /// The steps, compiled for one scalar and leaf.
+    fn moves<R: Real, K: Keep>() -> Moves<Self::Motion<R, K>>;
+    /// The same for the steps of checks, compiled without what only large systems gain from.
+    fn plain_moves<R: Real, K: Keep>() -> Moves<Self::Motion<R, K>> {
+        Self::moves::<R, K>()
+    }
+}
+
+impl<H: Hamiltonian, X: Scheme + Composition<H>> Method<H> for X {
+    fn forces(self) -> Option<usize> {
+        if H::PIECEWISE_IN_TIME { Some(X::STAGES.forces(&X::PROCESSOR)) } else { self.facts().forces }
+    }
+    type Constants = H::Parameters<f64>;
+    type Motion<R: Real, K: Keep> = H::Motion<R, K>;
+
+    fn constants(self, parameters: Arc<H::Parameters<f64>>) -> Arc<H::Parameters<f64>> {
+        parameters
+    }
+    fn moves<R: Real, K: Keep>() -> Moves<H::Motion<R, K>> {
+        moves::<H, X, R, K, true>()
+    }
+    fn plain_moves<R: Real, K: Keep>() -> Moves<H::Motion<R, K>> {
+        moves::<H, X, R, K, false>()
+    }
+}

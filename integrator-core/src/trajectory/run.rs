@@ -1,0 +1,346 @@
+//! One trajectory: integer time, stages merged across steps, stopped where it leaves the finite numbers.
+
+#[cfg(debug_assertions)]
+use crate::system::stated::hold_at_start;
+#[cfg(feature = "checkpoint")]
+use crate::trajectory::checkpoint::Origin;
+use crate::{
+    error::{Divergence, Error},
+    hamiltonian::Hamiltonian,
+    state::{clock::Clock, coords::Coords, phase::Phase, slot::Keep},
+    system::{
+        energies::{Energies, Parts},
+        motion::Prepared,
+    },
+    trajectory::{
+        admissible::{admissible_with, change},
+        chosen::Chosen,
+        engine::{Engine, is_spoilt},
+        method::Method,
+        samples::Samples,
+        watch::Watch,
+    },
+};
+use alloc::{boxed::Box, sync::Arc};
+use core::fmt;
+
+/// A trajectory under way, made by [`Hamiltonian::run`]. Its type names the coordinates alone, so it can be stored.
+pub struct Run<C: Coords> {
+    engine: Box<dyn Engine<C>>,
+    pub(crate) clock: Clock,
+    /// How many steps were done when the state was last changed from outside.
+    pub(crate) opened: u64,
+    pub(crate) watch: Option<Watch>,
+    pub(crate) autonomous: bool,
+    method: &'static str,
+    /// How often a step evaluates the force, where that is known beforehand.
+    forces: Option<usize>,
+    /// How often steps before `opened` have evaluated the force, where steps count it.
+    evaluated: u64,
+    /// Whether the energy of the start is still to be looked at, where it depends on the time that the clock starts at.
+    start_unseen: bool,
+    /// Whose checkpoints its own are.
+    #[cfg(feature = "checkpoint")]
+    pub(crate) origin: Origin,
+}
+
+impl<C: Coords> Run<C> {
+    pub(crate) fn start<H, X, K>(system: &H, method: X, start: Phase<C>, h: f64) -> Result<Self, Error>
+    where
+        H: Hamiltonian,
+        X: Method<H>,
+        K: Keep,
+        H::Coords: Coords<With<K> = C>,
+    {
+        admissible_with(method, &start, h)?;
+        let mut run = Self::going_on::<H, X, K>(system, method, start, Clock { t0: 0.0, h, steps: 0 }, 0)?;
+        run.start_unseen = true;
+        if H::AUTONOMOUS {
+            run.see_start()?;
+        }
+        Ok(run)
+    }
+
+    /// Looks at the energy of the start, once.
+    ///
+    /// # Errors
+    /// [`Error::Energy`]
+    pub(crate) fn see_start(&mut self) -> Result<(), Error> {
+        if self.start_unseen {
+            self.engine.energies().parts(&self.state(), self.time()).admissible(self.time())?;
+            self.start_unseen = false;
+        }
+        Ok(())
+    }
+
+    /// A run from a state in the middle of the step that the clock tells, where the state was last changed from outside after
+    /// `opened` steps.
+    ///
+    /// # Errors
+    /// [`Error::Parameters`], where a prepared constant is not finite and the motion is not; in builds with debug assertions
+    /// [`Error::Misread`].
+    pub(crate) fn going_on<H, X, K>(
+        system: &H,
+        method: X,
+        start: Phase<C>,
+        clock: Clock,
+        opened: u64,
+    ) -> Result<Self, Error>
+    where
+        H: Hamiltonian,
+        X: Method<H>,
+        K: Keep,
+        H::Coords: Coords<With<K> = C>,
+    {
+        let parameters = system.parameters(start.q.length());
+        #[cfg(debug_assertions)]
+        let held = hold_at_start::<H, K>(system, &parameters, &start, clock.at(clock.steps));
+        let constants = H::Parameters::<f64>::not_finite(&parameters);
+        #[cfg(feature = "checkpoint")]
+        let origin = Origin::of::<H>(method.facts(), &parameters);
+        let mut engine = Chosen::<H, X, K>::here().engine(method, Arc::new(parameters), start);
+        engine.share_among(None);
+        let run = Self {
+            engine,
+            clock,
+            opened,
+            watch: None,
+            autonomous: H::AUTONOMOUS,
+            method: method.facts().name,
+            forces: method.forces(),
+            evaluated: 0,
+            start_unseen: false,
+            #[cfg(feature = "checkpoint")]
+            origin,
+        };
+        // An infinite constant may be meant, such as a cutoff beyond all distances: what counts is what it does.
+        if !constants.is_empty() && is_spoilt(&*run.engine, run.since_opened()) {
+            return Err(Error::Parameters { constants });
+        }
+        #[cfg(debug_assertions)]
+        held?;
+        Ok(run)
+    }
+
+    /// The clock of the engine, which begins where the state was last changed from outside.
+    fn since_opened(&self) -> Clock {
+        self.clock.since(self.opened)
+    }
+
+    /// Starts the clock at `t0` instead of 0. A `t0` that is not finite is reported by the first `advance`.
+    #[must_use]
+    pub fn at_time(mut self, t0: f64) -> Self {
+        self.clock.t0 = t0;
+        self
+    }
+
+    /// Uses at most so many threads instead of all that the machine has; no result depends on it. Lattices of many sites
+    /// and the pairs of thousands of bodies are shared out among threads, and nothing else.
+    #[must_use]
+    pub fn with_threads(mut self, threads: usize) -> Self {
+        self.engine.share_among(Some(threads));
+        self
+    }
+
+    /// Whether the clock started at a time.
+    pub(crate) fn check_clock(&self) -> Result<(), Error> {
+        self.clock.check()
+    }
+
+    /// Takes `steps` steps. In any portions, the result is the same bit for bit.
+    ///
+    /// # Errors
+    /// [`Error::Diverged`] if the state leaves the finite numbers; the run then stays at the last finite state, and
+    /// [`Run::time`] and [`Run::state`] tell it. [`Error::Time`], [`Error::Clock`] and [`Error::Steps`] leave the run as
+    /// it was, and so does [`Error::Energy`], which the first call returns where `H` reads the time and has no value at
+    /// the start. [`Error::EnergyStrayed`] if a [watch](Run::watch_energy) says so; the run stays at the last step within its
+    /// bound.
+    ///
+    /// # Panics
+    /// Where your own functions would. A program that catches the panic finds the run at the last step before it, as after
+    /// a divergence; the message is printed twice where this step has to be found in a block of steps. Without the feature
+    /// `std`, the run stays up to 1023 steps before it.
+    pub fn advance(&mut self, steps: u64) -> Result<(), Error> {
+        let end = self.clock.end(steps)?;
+        self.see_start()?;
+        let Some(watch) = self.watch else { return self.advance_to(end) };
+        while self.clock.steps < end {
+            self.advance_to(self.clock.steps + 1)?;
+            let (step, time, energy) = (self.clock.steps, self.time(), self.energy());
+            if !watch.admits(energy) {
+                self.engine.take_back();
+                self.clock.steps -= 1;
+                let Watch { bound, energy: before, .. } = watch;
+                return Err(Error::EnergyStrayed { step, time, energy, before, bound });
+            }
+        }
+        Ok(())
+    }
+
+    /// Takes steps until so many are done.
+    fn advance_to(&mut self, end: u64) -> Result<(), Error> {
+        let clock = self.since_opened();
+        self.engine.advance(clock, end - self.clock.steps, &mut self.clock.steps);
+        if self.clock.steps < end {
+            let clock = self.clock;
+            return Err(match self.engine.unsolved() {
+                Some(reason) => Error::NotSolved {
+                    method: self.method,
+                    step: clock.steps.saturating_add(1),
+                    time: clock.at(clock.steps),
+                    reason: reason.clone(),
+                },
+                None => clock.divergence(&self.state(), &self.engine.tried()).into(),
+            });
+        }
+        Ok(())
+    }
+
+    /// The time, `t0 + n·h`.
+    pub fn time(&self) -> f64 {
+        self.clock.at(self.clock.steps)
+    }
+
+    /// The step `h`.
+    pub fn step(&self) -> f64 {
+        self.clock.h
+    }
+
+    /// How many steps were taken.
+    pub fn steps(&self) -> u64 {
+        self.clock.steps
+    }
+
+    /// How often the steps of this run have evaluated the force: that of a step times the steps, where kicks along the
+    /// gradient of the squared force count twice; or counted, where the number differs from step to step, with a Jacobian
+    /// of an implicit method once for each of its columns.
+    pub fn evaluations(&self) -> u64 {
+        match self.forces {
+            Some(forces) => self.clock.steps.saturating_mul(forces as u64),
+            None => self.evaluated.saturating_add(self.engine.evaluations().unwrap_or(0)),
+        }
+    }
+
+    /// The state at [`Run::time`]: the step under way is completed on a copy, the run itself does not change.
+    pub fn state(&self) -> Phase<C> {
+        self.engine.state(self.since_opened())
+    }
+
+    /// The energy `T + V` at [`Run::time`].
+    ///
+    /// It is NaN or infinite where your functions have no value, as the logarithm left of zero: steps read forces alone, which
+    /// may be finite on the other side of a pole that a step has jumped over. [`Run::watch_energy`] stops a run there.
+    pub fn energy(&self) -> f64 {
+        self.parts().total
+    }
+
+    /// The kinetic energy `T` at [`Run::time`].
+    pub fn kinetic(&self) -> f64 {
+        self.parts().kinetic
+    }
+
+    /// The potential energy `V` at [`Run::time`].
+    pub fn potential(&self) -> f64 {
+        self.parts().potential
+    }
+
+    pub(crate) fn parts(&self) -> Parts {
+        self.engine.energies().parts(&self.state(), self.time())
+    }
+
+    /// Changes the state between two steps: coordinates that are wrapped into a periodic box, momenta that are drawn
+    /// anew by a thermostat or for a Markov chain. Time and the number of steps go on.
+    ///
+    /// From there, the run has the bits of a new one that starts from this state [at this time](Run::at_time). A
+    /// [watch](Run::watch_energy) goes on with the energy of this state.
+    ///
+    /// ```
+    /// use integrator_core::prelude::*;
+    ///
+    /// struct Rotor;
+    ///
+    /// #[hamiltonian]
+    /// impl Rotor {
+    ///     fn kinetic(&self, p: [f64; 1]) -> f64 { p[0] * p[0] / 2.0 }
+    ///     fn potential(&self, q: [f64; 1]) -> f64 { -q[0].cos() }
+    /// }
+    ///
+    /// let mut run = Rotor.run(Phase::new([0.0_f64], [5.0]), 0.01)?;
+    /// run.advance(1_000)?;
+    /// run.map_state(|state| state.q[0] = state.q[0].rem_euclid(std::f64::consts::TAU))?;
+    /// run.advance(1_000)?;
+    /// assert_eq!(run.time(), 20.0);
+    /// # Ok::<(), Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// What a run from the new state would be refused for, such as [`Error::Start`] where it is not finite, and
+    /// [`Error::Resized`] if it has another number of coordinates; the run stays as it was.
+    pub fn map_state(&mut self, map: impl FnOnce(&mut Phase<C>)) -> Result<(), Error> {
+        let mut state = self.state();
+        change(&mut state, self.clock.h, map)?;
+        let parts = self.engine.energies().parts(&state, self.time());
+        // Where the start is unseen, its time is not settled.
+        if !self.start_unseen {
+            parts.admissible(self.time())?;
+        }
+        self.watch = self.watch.map(|Watch { bound, .. }| Watch::new(bound, parts));
+        self.evaluated = self.evaluated.saturating_add(self.engine.evaluations().unwrap_or(0));
+        self.engine.restart(&state);
+        self.opened = self.clock.steps;
+        Ok(())
+    }
+
+    /// An iterator over the present state and then the state after every `interval` steps.
+    pub fn samples(self, interval: u64) -> Samples<C> {
+        Samples::new(self, interval)
+    }
+
+    /// The state a while into the last step, which [`Run::advance`] took alone and which began at `from`: on the polynomial
+    /// of a method that has one, and else after a shorter step. The run itself stays where it is.
+    ///
+    /// # Errors
+    /// As [`Run::advance`] for this step.
+    pub(crate) fn within(&mut self, from: &Phase<C>, duration: f64) -> Result<Phase<C>, Error> {
+        let step = self.clock.steps;
+        let clock = Clock { steps: step.saturating_sub(1), ..self.clock };
+        let since = self.since_opened();
+        let since = Clock { steps: since.steps.saturating_sub(1), ..since };
+        self.engine.within(from, since, duration).map_err(|unsolved| match unsolved {
+            Some(reason) => Error::NotSolved { method: self.method, step, time: clock.at(clock.steps), reason },
+            None => Error::Diverged(Divergence {
+                step,
+                time: clock.at(clock.steps) + duration,
+                ..clock.divergence(from, &self.engine.tried())
+            }),
+        })
+    }
+
+    /// The state in the middle of the step under way.
+    #[cfg(feature = "checkpoint")]
+    pub(crate) fn unfinished(&self) -> Phase<C> {
+        self.engine.unfinished()
+    }
+
+    pub(crate) fn energies(&self) -> Arc<dyn Energies<C>> {
+        self.engine.energies()
+    }
+}
+
+impl<C: Coords> Clone for Run<C> {
+    fn clone(&self) -> Self {
+        Self { engine: self.engine.boxed_clone(), ..*self }
+    }
+}
+
+impl<C: Coords> fmt::Debug for Run<C> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("Run")
+            .field("method", &self.method)
+            .field("step", &self.clock.h)
+            .field("steps", &self.clock.steps)
+            .field("time", &self.time())
+            .field("state", &self.state())
+            .finish()
+    }
+}

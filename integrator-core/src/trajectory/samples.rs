@@ -1,0 +1,87 @@
+//! Looking at a run from time to time, without touching it.
+
+use crate::{
+    error::Error,
+    state::{coords::Coords, phase::Phase},
+    system::energies::Energies,
+    trajectory::run::Run,
+};
+use alloc::sync::Arc;
+use core::fmt;
+
+/// A run, seen at its start and then every so many steps. Made by [`Run::samples`].
+///
+/// Sampling completes the step under way on a copy, so the trajectory is the one that `advance` alone would take.
+/// After an error the iterator ends.
+#[derive(Clone, Debug)]
+pub struct Samples<C: Coords> {
+    run: Run<C>,
+    interval: u64,
+    next: Next,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Next {
+    Present,
+    Later,
+    Nothing,
+}
+
+impl<C: Coords> Samples<C> {
+    pub(crate) fn new(run: Run<C>, interval: u64) -> Self {
+        Self { run, interval, next: Next::Present }
+    }
+
+    /// The run, where the last sample left it.
+    pub fn into_run(self) -> Run<C> {
+        self.run
+    }
+}
+
+impl<C: Coords> Iterator for Samples<C> {
+    type Item = Result<Sample<C>, Error>;
+
+    fn next(&mut self) -> Option<Self::Item> {
+        let outcome = match self.next {
+            Next::Nothing => return None,
+            _ if self.interval == 0 => Err(Error::SampleInterval),
+            Next::Present => self.run.check_clock(),
+            Next::Later => self.run.advance(self.interval),
+        };
+        self.next = if outcome.is_ok() { Next::Later } else { Next::Nothing };
+        Some(outcome.map(|()| Sample::new(&self.run, self.run.time(), self.run.steps(), self.run.state())))
+    }
+}
+
+/// The state of a run at one time.
+#[derive(Clone)]
+pub struct Sample<C: Coords> {
+    /// The time, `t0 + n·h`; of a crossing, the time within the step that led through it.
+    pub time: f64,
+    /// The number of whole steps up to there, `n`.
+    pub step: u64,
+    /// Positions and momenta.
+    pub state: Phase<C>,
+    energies: Arc<dyn Energies<C>>,
+}
+
+impl<C: Coords> Sample<C> {
+    pub(crate) fn new(run: &Run<C>, time: f64, step: u64, state: Phase<C>) -> Self {
+        Self { time, step, state, energies: run.energies() }
+    }
+
+    /// The energy `T + V` of this state, computed when asked for.
+    pub fn energy(&self) -> f64 {
+        self.energies.energy(&self.state, self.time)
+    }
+}
+
+impl<C: Coords> fmt::Debug for Sample<C> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("Sample")
+            .field("time", &self.time)
+            .field("step", &self.step)
+            .field("state", &self.state)
+            .finish()
+    }
+}

@@ -1,0 +1,71 @@
+//! A bound on the energy of a run, looked at after every step, so that portions do not matter.
+
+use crate::{error::Error, state::coords::Coords, system::energies::Parts, trajectory::run::Run};
+
+/// What the energy of a run is held against.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Watch {
+    pub(crate) bound: f64,
+    pub(crate) energy: f64,
+    /// `|T| + |V|`, where the watch began.
+    scale: f64,
+}
+
+impl Watch {
+    pub(crate) fn new(bound: f64, Parts { kinetic, potential, total }: Parts) -> Self {
+        Self { bound, energy: total, scale: kinetic.abs() + potential.abs() }
+    }
+
+    /// Whether a step may lead to this energy; what is not finite is refused.
+    pub(crate) fn admits(&self, energy: f64) -> bool {
+        // A state of no energy at rest, such as an equilibrium, has no scale: nothing may change then.
+        let allowed = if self.scale == 0.0 { 0.0 } else { self.bound * self.scale };
+        energy.is_finite() && (energy - self.energy).abs() <= allowed
+    }
+}
+
+impl<C: Coords> Run<C> {
+    /// Makes [`Run::advance`] stop where the energy leaves a bound: it looks after every step, and takes no step whose
+    /// energy `H` differs by more than `relative_bound` times `|T₀| + |V₀|` from `H₀`, or is not a number. `H₀`, `T₀` and
+    /// `V₀` are the energies at the time of this call, so that the bound makes sense where `H₀` is zero, as on a parabola
+    /// of Kepler, and does not grow in an encounter. Call it again for another bound; infinity stops at what is not a number
+    /// alone.
+    ///
+    /// No bit of the run changes, and it stops at the same step in any portions. A step costs one [`Run::energy`] more:
+    /// that shows where steps are cheap. A checkpoint does not keep the watch.
+    ///
+    /// ```
+    /// use integrator_core::prelude::*;
+    ///
+    /// struct Kepler;
+    ///
+    /// #[hamiltonian]
+    /// impl Kepler {
+    ///     fn kinetic(&self, p: [f64; 2]) -> f64 { (p[0] * p[0] + p[1] * p[1]) / 2.0 }
+    ///     fn potential(&self, q: [f64; 2]) -> f64 { -1.0 / q[0].hypot(q[1]) }
+    /// }
+    ///
+    /// // Nearly a fall into the centre, at a step that is far too long there.
+    /// let mut run = Kepler.run(Phase::new([1.0, 0.0], [0.0, 0.05]), 0.1)?;
+    /// run.watch_energy(0.01)?;
+    /// assert!(matches!(run.advance(1_000), Err(Error::EnergyStrayed { .. })));
+    /// assert!((run.energy() + 1.0).abs() < 0.02);
+    /// # Ok::<(), Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`Error::WatchBound`] for a bound that is not above zero; [`Error::NotConserved`] where `H` reads the time;
+    /// [`Error::Energy`] where it has no value at this state.
+    pub fn watch_energy(&mut self, relative_bound: f64) -> Result<(), Error> {
+        if !self.autonomous {
+            return Err(Error::NotConserved);
+        }
+        if relative_bound.is_nan() || relative_bound <= 0.0 {
+            return Err(Error::WatchBound { bound: relative_bound });
+        }
+        let parts = self.parts();
+        parts.admissible(self.time())?;
+        self.watch = Some(Watch::new(relative_bound, parts));
+        Ok(())
+    }
+}
