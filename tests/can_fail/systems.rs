@@ -20,8 +20,8 @@ macro_rules! by_hand {
 
         impl<R: Real> Prepared<R> for $name {
             type Single = Self;
-            fn gather<'a>(of_lane: &dyn Fn(usize) -> &'a Self) -> Self {
-                of_lane(0).clone()
+            fn gather(members: &[&Self]) -> Self {
+                members[0].clone()
             }
         }
 

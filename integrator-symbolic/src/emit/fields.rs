@@ -158,9 +158,9 @@ impl Fields {
                 Content::Number(_) | Content::Flag(_) | Content::Middle => {
                     quote!(#runtime::in_lanes(members, |member| &member.#name))
                 }
-                Content::Integer(_) => quote!(members[0].#name.clone()),
+                Content::Integer(_) => quote!(::core::clone::Clone::clone(&members[0].#name)),
                 Content::External(_) => {
-                    quote!(#runtime::table(<#scalar as #runtime::Real>::LANES, &|lane| members[lane].#name[0].clone()))
+                    quote!(#runtime::table(<#scalar as #runtime::Real>::LANES, &|lane| ::core::clone::Clone::clone(&members[lane].#name[0])))
                 }
             };
             let documentation = super::equations::documentation(model, content.node());
