@@ -4,7 +4,7 @@
 
 pub(crate) mod catalogue;
 pub(crate) mod catalogue_list;
-pub(crate) mod leap;
+pub(crate) mod corrected_durations;
 pub(crate) mod visit;
 
 use crate::hamiltonian::{Flows, Hamiltonian};

@@ -2,7 +2,7 @@
 
 use crate::{
     composition::{Composition, Scheme},
-    ensemble::group::{GroupMoves, group_moves},
+    ensemble::interleaved::{GroupMoves, group_moves},
     hamiltonian::Hamiltonian,
     scalar::real::Real,
     state::slot::Keep,

@@ -1,7 +1,7 @@
-//! The members of an ensemble, whatever they are: dealt out to packs that threads take in turns.
+//! The members of an ensemble, whatever they are: dealt out to batches that threads take in turns.
 
 use crate::{
-    ensemble::pack::{Course, Pack, States},
+    ensemble::batch::{AdvanceRequest, Batch, States},
     error::{Divergence, Error, Lost},
     layout::threads::all_threads,
     state::{clock::Clock, point::Point},
@@ -26,7 +26,7 @@ pub(crate) type EnergiesOf = dyn Fn(usize, &dyn Point, f64) -> Parts + Send + Sy
 
 /// All members of an ensemble.
 pub(crate) struct Members {
-    packs: Vec<Box<dyn Pack>>,
+    batches: Vec<Box<dyn Batch>>,
     energies: Box<EnergiesOf>,
     count: usize,
     /// How many coordinates all members have together.
@@ -40,14 +40,14 @@ pub(crate) struct Members {
 
 impl Members {
     pub(crate) fn new(
-        packs: Vec<Box<dyn Pack>>,
+        batches: Vec<Box<dyn Batch>>,
         energies: Box<EnergiesOf>,
         count: usize,
         coordinates: u64,
         h: f64,
     ) -> Self {
         let clock = Clock { t0: 0.0, h, steps: 0 };
-        Self { packs, energies, count, coordinates, clock, starts_unseen: true, threads: all_threads() }
+        Self { batches, energies, count, coordinates, clock, starts_unseen: true, threads: all_threads() }
     }
 
     /// Looks at the energies of the starts, once.
@@ -57,8 +57,8 @@ impl Members {
     pub(crate) fn see_starts(&mut self) -> Result<(), Error> {
         if self.starts_unseen {
             let (time, mut seen) = (self.time(), Ok(()));
-            for pack in &self.packs {
-                pack.states(self.clock, &mut |member, state| {
+            for batch in &self.batches {
+                batch.states(self.clock, &mut |member, state| {
                     if seen.is_ok() {
                         seen = self.admissible(member, state, time);
                     }
@@ -89,8 +89,8 @@ impl Members {
 
     /// Lets the members that are under way go on from these states.
     pub(crate) fn restart(&mut self, states: &States) {
-        for pack in &mut self.packs {
-            pack.restart(states, self.clock.steps);
+        for batch in &mut self.batches {
+            batch.restart(states, self.clock.steps);
         }
     }
 
@@ -111,8 +111,8 @@ impl Members {
         let end = self.clock.end(steps)?;
         self.see_starts()?;
         let panics = Panics::default();
-        let course = Course { clock: self.clock, steps, interval, stays, panics: &panics };
-        let mut lost = self.all_on(&course, progress);
+        let request = AdvanceRequest { clock: self.clock, steps, interval, stays, panics: &panics };
+        let mut lost = self.all_on(&request, progress);
         self.clock.steps = end;
         panics.resume();
         progress(steps);
@@ -120,21 +120,21 @@ impl Members {
         if lost.is_empty() { Ok(()) } else { Err(Error::Lost(Lost { members: lost })) }
     }
 
-    /// Carries on all packs, on as many threads as are worth it, and returns the members that are lost.
-    fn all_on(&mut self, course: &Course, progress: &mut dyn FnMut(u64)) -> Vec<(usize, Divergence)> {
-        let (members, packs) = (self.count as u64, self.packs.len());
-        let updates = self.coordinates.saturating_mul(course.steps);
-        let threads = if updates < WORTH_A_THREAD { 1 } else { self.threads.min(packs) };
+    /// Carries on all batches, on as many threads as are worth it, and returns the members that are lost.
+    fn all_on(&mut self, request: &AdvanceRequest, progress: &mut dyn FnMut(u64)) -> Vec<(usize, Divergence)> {
+        let (members, batches) = (self.count as u64, self.batches.len());
+        let updates = self.coordinates.saturating_mul(request.steps);
+        let threads = if updates < WORTH_A_THREAD { 1 } else { self.threads.min(batches) };
         let done = AtomicU64::new(0);
-        // Whoever is free takes the next pack; no result depends on who that is.
-        let packs = Mutex::new(self.packs.iter_mut());
-        let next = || packs.lock().unwrap_or_else(PoisonError::into_inner).next();
+        // Whoever is free takes the next batch; no result depends on who that is.
+        let batches = Mutex::new(self.batches.iter_mut());
+        let next = || batches.lock().unwrap_or_else(PoisonError::into_inner).next();
         let work = |progress: &mut dyn FnMut(u64)| {
             let mut lost = Vec::new();
-            while let Some(pack) = next() {
-                lost.extend(pack.advance(course, &mut |took| {
+            while let Some(batch) = next() {
+                lost.extend(batch.advance(request, &mut |took| {
                     let done = done.fetch_add(took, Ordering::Relaxed) + took;
-                    course.panics.attempted(|| progress(done / members));
+                    request.panics.attempted(|| progress(done / members));
                 }));
             }
             lost
@@ -154,7 +154,7 @@ impl Members {
     }
 
     pub(crate) fn active(&self) -> usize {
-        self.packs.iter().map(|pack| pack.active()).sum()
+        self.batches.iter().map(|batch| batch.active()).sum()
     }
 
     pub(crate) fn time(&self) -> f64 {
@@ -164,41 +164,41 @@ impl Members {
     /// The members that are neither lost nor gone.
     pub(crate) fn under_way(&self) -> Vec<usize> {
         let mut members = Vec::with_capacity(self.count);
-        for (number, pack) in self.packs.iter().enumerate() {
-            let end = self.packs.get(number + 1).map_or(self.count, |next| next.first());
-            members.extend((pack.first()..end).filter(|member| pack.is_under_way(*member)));
+        for (number, batch) in self.batches.iter().enumerate() {
+            let end = self.batches.get(number + 1).map_or(self.count, |next| next.first());
+            members.extend((batch.first()..end).filter(|member| batch.is_under_way(*member)));
         }
         members
     }
 
     pub(crate) fn steps_of(&self, member: usize) -> Option<u64> {
-        Some(self.pack_of(member)?.steps(member, self.clock))
+        Some(self.batch_of(member)?.steps(member, self.clock))
     }
 
     pub(crate) fn state(&self, member: usize) -> Option<Box<dyn Point>> {
-        Some(self.pack_of(member)?.state(member, self.clock))
+        Some(self.batch_of(member)?.state(member, self.clock))
     }
 
     pub(crate) fn energy(&self, member: usize) -> Option<f64> {
-        let pack = self.pack_of(member)?;
-        let time = self.clock.at(pack.steps(member, self.clock));
-        Some((self.energies)(member, &*pack.state(member, self.clock), time).total)
+        let batch = self.batch_of(member)?;
+        let time = self.clock.at(batch.steps(member, self.clock));
+        Some((self.energies)(member, &*batch.state(member, self.clock), time).total)
     }
 
-    pub(crate) fn packs(&self) -> usize {
-        self.packs.len()
+    pub(crate) fn batches(&self) -> usize {
+        self.batches.len()
     }
 
-    /// Shows the states of the members of a pack, in their order.
-    pub(crate) fn states(&self, pack: usize, visit: &mut dyn FnMut(usize, &dyn Point)) {
-        self.packs[pack].states(self.clock, visit);
+    /// Shows the states of the members of a batch, in their order.
+    pub(crate) fn states(&self, batch: usize, visit: &mut dyn FnMut(usize, &dyn Point)) {
+        self.batches[batch].states(self.clock, visit);
     }
 
-    /// The member's pack: packs hold members in their order.
-    fn pack_of(&self, member: usize) -> Option<&dyn Pack> {
-        let after = self.packs.partition_point(|pack| pack.first() <= member);
-        let pack = after.checked_sub(1).filter(|_| member < self.count)?;
-        Some(self.packs.get(pack)?.as_ref())
+    /// The member's batch: batches hold members in their order.
+    fn batch_of(&self, member: usize) -> Option<&dyn Batch> {
+        let after = self.batches.partition_point(|batch| batch.first() <= member);
+        let batch = after.checked_sub(1).filter(|_| member < self.count)?;
+        Some(self.batches.get(batch)?.as_ref())
     }
 }
 

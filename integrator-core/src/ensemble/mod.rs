@@ -4,34 +4,34 @@
 //! neighbours do and however many threads there are.
 
 #[cfg(feature = "std")]
-#[allow(unreachable_pub, reason = "named in bounds, never outside")]
-pub(crate) mod abreast;
+pub(crate) mod batch;
 #[cfg(feature = "std")]
-#[allow(unreachable_pub, reason = "named in bounds, never outside")]
-pub(crate) mod group;
+pub(crate) mod batches;
 #[cfg(feature = "std")]
 #[allow(unreachable_pub, reason = "named in bounds, never outside")]
 pub(crate) mod in_lanes;
 #[cfg(feature = "std")]
+#[allow(unreachable_pub, reason = "named in bounds, never outside")]
+pub(crate) mod interleaved;
+#[cfg(feature = "std")]
+pub(crate) mod lane_batch;
+#[cfg(feature = "std")]
+#[allow(unreachable_pub, reason = "named in bounds, never outside")]
+pub(crate) mod lane_scalars;
+#[cfg(feature = "std")]
 pub(crate) mod members;
 #[cfg(feature = "std")]
 pub(crate) mod motions;
-#[cfg(feature = "std")]
-pub(crate) mod pack;
-#[cfg(feature = "std")]
-pub(crate) mod packs;
-#[cfg(feature = "std")]
-pub(crate) mod side_by_side;
 
 #[cfg(debug_assertions)]
 use crate::system::stated::hold_at_start;
 use crate::{
     ensemble::{
-        abreast::Abreast,
+        batches::Starts,
         in_lanes::InLanes,
+        lane_scalars::LaneScalars,
         members::{Members, of_member},
         motions::{Everyone, Group, Member, Motions},
-        packs::Starts,
     },
     error::Error,
     hamiltonian::{Hamiltonian, Shaped},
@@ -92,7 +92,7 @@ impl<C: Coords> Ensemble<C> {
     pub fn new<H, K, X>(method: X, members: impl IntoIterator<Item = (H, Phase<C>)>, h: f64) -> Result<Self, Error>
     where
         H: Hamiltonian,
-        K: Abreast,
+        K: LaneScalars,
         X: InLanes<H>,
         H::Coords: Coords<With<K> = C>,
     {
@@ -109,9 +109,9 @@ impl<C: Coords> Ensemble<C> {
         }
         let members = Arc::new(all);
         let lanes = match InstructionSet::chosen() {
-            InstructionSet::Baseline => lanes::<H, X, <K as Abreast>::Plain, K, REGISTERS>(&members),
-            InstructionSet::Fused => lanes::<H, X, <K as Abreast>::Fused, K, REGISTERS>(&members),
-            InstructionSet::Avx512 => lanes::<H, X, <K as Abreast>::Avx512, K, 32>(&members),
+            InstructionSet::Baseline => lanes::<H, X, <K as LaneScalars>::Plain, K, REGISTERS>(&members),
+            InstructionSet::Fused => lanes::<H, X, <K as LaneScalars>::Fused, K, REGISTERS>(&members),
+            InstructionSet::Avx512 => lanes::<H, X, <K as LaneScalars>::Avx512, K, 32>(&members),
         };
         let starts = Starts {
             states: &|member| &states[member],
@@ -123,11 +123,11 @@ impl<C: Coords> Ensemble<C> {
             // Alone, a member is what a run would be.
             lone: &|member| Box::new(chosen.engine(method, members[member].parameters.clone(), states[member].clone())),
         };
-        let packs = starts.packs(states.len(), all_threads());
+        let batches = starts.batches(states.len(), all_threads());
         let energies = Box::new(move |member: usize, state: &dyn Point, time: f64| {
             energy::<H, K>(&members[member].parameters, shaped(state), time)
         });
-        let mut members = Members::new(packs, energies, states.len(), coordinates, h);
+        let mut members = Members::new(batches, energies, states.len(), coordinates, h);
         if H::AUTONOMOUS {
             members.see_starts()?;
         }
@@ -245,8 +245,8 @@ impl<C: Coords> Ensemble<C> {
     /// members stay as they were.
     pub fn map_states(&mut self, mut map: impl FnMut(usize, &mut Phase<C>)) -> Result<(), Error> {
         let mut states = Vec::with_capacity(self.len());
-        for pack in 0..self.members.packs() {
-            self.members.states(pack, &mut |_, state| states.push(shaped::<C>(state).clone()));
+        for batch in 0..self.members.batches() {
+            self.members.states(batch, &mut |_, state| states.push(shaped::<C>(state).clone()));
         }
         for member in self.members.under_way() {
             let state = &mut states[member];
@@ -299,9 +299,9 @@ impl<C: Coords> Ensemble<C> {
 
     /// The states of all members, in their order.
     pub fn states(&self) -> impl Iterator<Item = Phase<C>> {
-        (0..self.members.packs()).flat_map(|pack| {
+        (0..self.members.batches()).flat_map(|batch| {
             let mut states: Vec<Phase<C>> = Vec::new();
-            self.members.states(pack, &mut |_, state| states.push(shaped::<C>(state).clone()));
+            self.members.states(batch, &mut |_, state| states.push(shaped::<C>(state).clone()));
             states
         })
     }

@@ -1,10 +1,10 @@
 //! Motions whose lanes are members of an ensemble, behind one type whatever they are computed in.
 //!
 //! Only what meets the motions themselves is compiled for a system and an instruction set: short loops, since a user pays
-//! for each of them. All else is compiled once, in [`side_by_side`](crate::ensemble::side_by_side).
+//! for each of them. All else is compiled once, in [`lane_batch`](crate::ensemble::lane_batch).
 
 use crate::{
-    ensemble::group::GroupMoves,
+    ensemble::interleaved::GroupMoves,
     state::{
         clock::Clock,
         coords::Coords,

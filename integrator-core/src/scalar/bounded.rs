@@ -214,7 +214,7 @@ elementary_functions!(real_of_two_parts! {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::scalar::twofold::Twofold;
+    use crate::scalar::double_double::DoubleDouble;
 
     /// A number that is as far off as the bound says at most.
     fn about(value: f64, error: f64) -> Bounded {
@@ -234,7 +234,7 @@ mod tests {
         }
         for shift in [0.0, 1e3, 1e6, 1e9] {
             let x: Vec<f64> = (0..40).map(|k| shift + 1.0 / f64::from(k + 3)).collect();
-            let (found, exact) = (expanded::<Bounded>(&x), expanded::<Twofold>(&x).lane(0));
+            let (found, exact) = (expanded::<Bounded>(&x), expanded::<DoubleDouble>(&x).lane(0));
             let off = (found.value - exact).abs();
             assert!(off <= found.error, "{found:?}, {exact} at {shift}");
             assert!(found.error <= 1e-12 * (1.0 + shift * shift), "{found:?} says something at {shift}");

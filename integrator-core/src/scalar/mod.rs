@@ -2,6 +2,8 @@
 
 #[cfg(any(debug_assertions, feature = "check"))]
 pub(crate) mod bounded;
+#[allow(unreachable_pub, reason = "named in bounds, never outside")]
+pub(crate) mod double_double;
 #[cfg(feature = "check")]
 pub(crate) mod dual;
 #[cfg_attr(feature = "std", allow(dead_code, unreachable_pub, reason = "users need it where there is no std"))]
@@ -13,5 +15,3 @@ pub(crate) mod real;
 pub(crate) mod simd;
 #[cfg(feature = "check")]
 pub(crate) mod tolerance;
-#[allow(unreachable_pub, reason = "named in bounds, never outside")]
-pub(crate) mod twofold;

@@ -1,10 +1,10 @@
 //! How one coordinate is kept between updates: the user's leaf type names a family of slots.
 
 use crate::scalar::{
+    double_double::DoubleDouble,
     fused::{Avx512, Fused},
     real::Real,
     simd::block::{Block, WIDEST},
-    twofold::Twofold,
 };
 use core::fmt::Debug;
 
@@ -204,7 +204,7 @@ impl Keep for Compensated<f64> {
     type Fused = Fused<f64>;
     type Avx512 = Fused<f64, Avx512>;
     type Slot<R: Real> = Compensated<R>;
-    type Energy = Twofold;
+    type Energy = DoubleDouble;
 
     const NAME: &'static str = "compensated f64";
     const PARTS: usize = 2;

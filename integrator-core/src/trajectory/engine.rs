@@ -55,7 +55,7 @@ pub(crate) fn is_spoilt<C: Coords>(engine: &dyn Engine<C>, clock: Clock) -> bool
 
 /// A motion that is looked after: a step that leads out of the finite numbers is not taken.
 #[derive(Clone)]
-struct Watched<M> {
+struct Checked<M> {
     motion: M,
     /// The motion at the last look that found it finite; kept here so that no block allocates.
     snapshot: M,
@@ -66,7 +66,7 @@ struct Watched<M> {
     unsolved: Option<Unsolved>,
 }
 
-impl<M: Clone> Watched<M> {
+impl<M: Clone> Checked<M> {
     fn new(motion: M, moves: Moves<M>) -> Self {
         Self { snapshot: motion.clone(), closed: motion.clone(), motion, moves, unsolved: None }
     }
@@ -79,15 +79,15 @@ impl<M: Clone> Watched<M> {
         M: Motion<C, P>,
     {
         self.snapshot.copy_state(&self.motion);
-        let mut attempt = Attempt { watched: self, taken: false, marker: PhantomData };
-        let watched = &mut *attempt.watched;
-        watched.moves.advance(&mut watched.motion, clock, steps);
+        let mut attempt = Attempt { checked: self, taken: false, marker: PhantomData };
+        let checked = &mut *attempt.checked;
+        checked.moves.advance(&mut checked.motion, clock, steps);
         // Completing the step only adds, so that no number becomes finite by it.
-        watched.closed.copy_state(&watched.motion);
-        (watched.moves.complete)(&mut watched.closed, Clock { steps: clock.steps + steps, ..clock });
-        let finite = watched.closed.finite();
+        checked.closed.copy_state(&checked.motion);
+        (checked.moves.complete)(&mut checked.closed, Clock { steps: clock.steps + steps, ..clock });
+        let finite = checked.closed.finite();
         if !finite {
-            watched.unsolved = watched.motion.unsolved(0).cloned();
+            checked.unsolved = checked.motion.unsolved(0).cloned();
         }
         attempt.taken = finite;
         finite
@@ -120,7 +120,7 @@ impl<M: Clone> Watched<M> {
 
 /// Steps under way. Unless they are taken, the motion goes back to the snapshot, also where a function of the user panics.
 struct Attempt<'w, M: Motion<C, P>, C: Coords, P> {
-    watched: &'w mut Watched<M>,
+    checked: &'w mut Checked<M>,
     taken: bool,
     marker: PhantomData<fn(C, P)>,
 }
@@ -128,14 +128,14 @@ struct Attempt<'w, M: Motion<C, P>, C: Coords, P> {
 impl<M: Motion<C, P>, C: Coords, P> Drop for Attempt<'_, M, C, P> {
     fn drop(&mut self) {
         if !self.taken {
-            self.watched.motion.copy_state(&self.watched.snapshot);
+            self.checked.motion.copy_state(&self.checked.snapshot);
         }
     }
 }
 
 /// The engine of one trajectory.
 pub(crate) struct Solo<M, P, C> {
-    watched: Watched<M>,
+    checked: Checked<M>,
     constants: Arc<P>,
     energies: Arc<dyn Energies<C>>,
     shape: Phase<C>,
@@ -144,12 +144,12 @@ pub(crate) struct Solo<M, P, C> {
 impl<M: Motion<C, P>, P, C: Coords> Solo<M, P, C> {
     pub(crate) fn new(constants: Arc<P>, start: Phase<C>, moves: Moves<M>, energies: Arc<dyn Energies<C>>) -> Self {
         let motion = M::load(&[&*constants], &[&start]);
-        Self { watched: Watched::new(motion, moves), constants, energies, shape: start }
+        Self { checked: Checked::new(motion, moves), constants, energies, shape: start }
     }
 
     /// Takes a block of steps and counts them; `false` after as many of them as end in a finite state.
     fn block(&mut self, clock: Clock, steps: u64, taken: &mut u64) -> bool {
-        let whole = attempted(|| self.watched.advance(clock, steps));
+        let whole = attempted(|| self.checked.advance(clock, steps));
         match whole {
             Ok(true) => {
                 *taken += steps;
@@ -162,7 +162,7 @@ impl<M: Motion<C, P>, P, C: Coords> Solo<M, P, C> {
         // What left the finite numbers never returns, since updates only add: replay the block step by step. What panicked
         // does so again, after the steps before it were counted.
         for step in 0..steps {
-            if !self.watched.advance(Clock { steps: clock.steps + step, ..clock }, 1) {
+            if !self.checked.advance(Clock { steps: clock.steps + step, ..clock }, 1) {
                 return false;
             }
             *taken += 1;
@@ -187,32 +187,32 @@ impl<M: Motion<C, P>, P: Send + Sync + 'static, C: Coords> Engine<C> for Solo<M,
     }
 
     fn take_back(&mut self) {
-        let Watched { motion, snapshot, .. } = &mut self.watched;
+        let Checked { motion, snapshot, .. } = &mut self.checked;
         motion.copy_state(snapshot);
     }
 
     fn restart(&mut self, state: &Phase<C>) {
-        let moves = self.watched.moves;
+        let moves = self.checked.moves;
         let mut motion = M::load(&[&*self.constants], &[state]);
         motion.share_among(moves.threads);
-        self.watched = Watched::new(motion, moves);
+        self.checked = Checked::new(motion, moves);
     }
 
     fn state(&self, clock: Clock) -> Phase<C> {
-        self.watched.state(clock, &self.shape)
+        self.checked.state(clock, &self.shape)
     }
 
     fn tried(&self) -> Phase<C> {
         let mut state = self.shape.clone();
-        self.watched.closed.store(0, &mut state);
+        self.checked.closed.store(0, &mut state);
         state
     }
 
     fn within(&mut self, from: &Phase<C>, clock: Clock, duration: f64) -> Result<Phase<C>, Option<Unsolved>> {
-        let Self { watched, constants, .. } = self;
-        let moves = watched.moves;
+        let Self { checked, constants, .. } = self;
+        let moves = checked.moves;
         let shorter;
-        let motion = match watched.within(clock, duration) {
+        let motion = match checked.within(clock, duration) {
             Some(motion) => motion,
             None => {
                 let clock = Clock { t0: clock.at(clock.steps), h: duration, steps: 0 };
@@ -233,7 +233,7 @@ impl<M: Motion<C, P>, P: Send + Sync + 'static, C: Coords> Engine<C> for Solo<M,
     #[cfg(feature = "checkpoint")]
     fn unfinished(&self) -> Phase<C> {
         let mut state = self.shape.clone();
-        self.watched.motion().store(0, &mut state);
+        self.checked.motion().store(0, &mut state);
         state
     }
 
@@ -242,21 +242,21 @@ impl<M: Motion<C, P>, P: Send + Sync + 'static, C: Coords> Engine<C> for Solo<M,
     }
 
     fn unsolved(&self) -> Option<&Unsolved> {
-        self.watched.unsolved.as_ref()
+        self.checked.unsolved.as_ref()
     }
 
     fn evaluations(&self) -> Option<u64> {
-        self.watched.motion.evaluations()
+        self.checked.motion.evaluations()
     }
 
     fn share_among(&mut self, threads: Option<usize>) {
-        self.watched.moves.threads = threads;
-        self.watched.motion.share_among(threads);
+        self.checked.moves.threads = threads;
+        self.checked.motion.share_among(threads);
     }
 
     fn boxed_clone(&self) -> Box<dyn Engine<C>> {
         Box::new(Self {
-            watched: self.watched.clone(),
+            checked: self.checked.clone(),
             energies: self.energies.clone(),
             constants: self.constants.clone(),
             shape: self.shape.clone(),

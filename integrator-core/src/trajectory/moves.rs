@@ -2,7 +2,7 @@
 //! the end of the step under way.
 
 use crate::{
-    composition::{Composition, leap::Leaps},
+    composition::{Composition, corrected_durations::Corrections},
     hamiltonian::{Flows, Hamiltonian, Single},
     layout::lattice::tiled::Tiled,
     scalar::real::{Kernel, Real},
@@ -127,10 +127,10 @@ impl<F: Flows<H>, H: Hamiltonian, X: Composition<H>> Kernel for Advance<F, H, X>
             step = 1;
         }
         if F::COMPENSATED {
-            let leaps = Leaps::new(&X::STAGES, h);
-            if !leaps.none() {
+            let corrections = Corrections::new(&X::STAGES, h);
+            if !corrections.none() {
                 while step < end {
-                    X::cycle(&mut leaps.on(&mut self.flows, step), h, self.clock.at(step));
+                    X::cycle(&mut corrections.on(&mut self.flows, step), h, self.clock.at(step));
                     step += 1;
                 }
             }
@@ -148,7 +148,7 @@ impl<F: Flows<H>, H: Hamiltonian, X: Composition<H>> Advance<F, H, X> {
     #[inline(always)]
     fn whole_steps(mut self, end: u64) {
         let Clock { h, steps, .. } = self.clock;
-        let leaps = Leaps::of_whole_steps(&X::STAGES, &X::PROCESSOR, h);
+        let corrections = Corrections::of_whole_steps(&X::STAGES, &X::PROCESSOR, h);
         for step in steps..end {
             if let Some(under_way) = step.checked_sub(1) {
                 let time = self.clock.at(under_way);
@@ -158,7 +158,7 @@ impl<F: Flows<H>, H: Hamiltonian, X: Composition<H>> Advance<F, H, X> {
             let time = self.clock.at(step);
             self.flows.begin_step(time + h / 2.0);
             if F::COMPENSATED {
-                X::open(&mut leaps.on(&mut self.flows, step), h, time);
+                X::open(&mut corrections.on(&mut self.flows, step), h, time);
             } else {
                 X::open(&mut self.flows, h, time);
             }

@@ -43,12 +43,12 @@ impl Recipe for StaggeredLeapfrog {
             None => kicked(p, &from.derivative()[q.len()..], h / 2.0),
         };
         let middle: Vec<R> = q.iter().chain(&ahead).copied().collect();
-        let leaps: Vec<R> =
+        let corrections: Vec<R> =
             field.derivative(&middle, time + h / 2.0)[..q.len()].iter().map(|v| R::of(h) * *v).collect();
-        let end: Vec<R> = q.iter().zip(&leaps).map(|(q, d)| *q + *d).chain(ahead.iter().copied()).collect();
+        let end: Vec<R> = q.iter().zip(&corrections).map(|(q, d)| *q + *d).chain(ahead.iter().copied()).collect();
         let force = field.derivative(&end, time + h)[q.len()..].to_vec();
         let shown = kicked(&ahead, &force, h / 2.0);
-        let increment = leaps.into_iter().chain(shown.iter().zip(p).map(|(shown, p)| *shown - *p)).collect();
+        let increment = corrections.into_iter().chain(shown.iter().zip(p).map(|(shown, p)| *shown - *p)).collect();
         *memory = Some(kicked(&ahead, &force, h));
         Ok(increment)
     }

@@ -5,7 +5,7 @@ use super::{
     expansion::{Of, advance_by},
 };
 use crate::{
-    ensemble::{group::GroupMoves, in_lanes::InLanes},
+    ensemble::{in_lanes::InLanes, interleaved::GroupMoves},
     scalar::real::Real,
     state::slot::Keep,
     system::motion::Motion,

@@ -17,7 +17,7 @@ use crate::{
 pub(crate) type States<'s> = dyn (Fn(usize) -> &'s dyn Point) + 's;
 
 /// How an ensemble is carried on.
-pub(crate) struct Course<'a> {
+pub(crate) struct AdvanceRequest<'a> {
     /// From where.
     pub(crate) clock: Clock,
     /// How many steps.
@@ -30,7 +30,7 @@ pub(crate) struct Course<'a> {
     pub(crate) panics: &'a Panics,
 }
 
-impl Course<'_> {
+impl AdvanceRequest<'_> {
     /// How many steps lie between the first `done` ones and the next look at the state.
     pub(crate) fn block(&self, done: u64) -> u64 {
         let to_next_question = self.interval - done % self.interval;
@@ -54,12 +54,12 @@ impl Course<'_> {
 }
 
 /// Members of an ensemble that are carried on together.
-pub(crate) trait Pack: Send + Sync {
+pub(crate) trait Batch: Send + Sync {
     /// The number of the first member.
     fn first(&self) -> usize;
     /// Carries on the members that are under way, tells `took` how many steps the members have done meanwhile, all
     /// together, and returns those that are lost now. A member that is no longer under way counts as if it were.
-    fn advance(&mut self, course: &Course, took: &mut dyn FnMut(u64)) -> Vec<(usize, Divergence)>;
+    fn advance(&mut self, request: &AdvanceRequest, took: &mut dyn FnMut(u64)) -> Vec<(usize, Divergence)>;
     /// How many members are under way.
     fn active(&self) -> usize;
     /// How many steps a member has taken, by its number in the ensemble.
@@ -104,7 +104,7 @@ impl<C: Coords> Lone for Box<dyn Engine<C>> {
 }
 
 /// A member that shares no lanes.
-pub(crate) struct Alone {
+pub(crate) struct LoneMember {
     number: usize,
     engine: Box<dyn Lone>,
     /// Where a state is written to be looked at: any one of the member's shape.
@@ -115,31 +115,31 @@ pub(crate) struct Alone {
     opened: u64,
 }
 
-impl Alone {
+impl LoneMember {
     pub(crate) fn new(number: usize, engine: Box<dyn Lone>, start: &dyn Point) -> Self {
         Self { number, engine, seen: start.boxed_clone(), halted: None, opened: 0 }
     }
 
     /// Whether the member goes on from where it is.
-    fn stays(&mut self, course: &Course, clock: Clock) -> bool {
+    fn stays(&mut self, request: &AdvanceRequest, clock: Clock) -> bool {
         self.engine.state(clock.since(self.opened), &mut *self.seen);
-        course.stays(self.number, &*self.seen)
+        request.stays(self.number, &*self.seen)
     }
 }
 
-impl Pack for Alone {
+impl Batch for LoneMember {
     fn first(&self) -> usize {
         self.number
     }
 
-    fn advance(&mut self, course: &Course, took: &mut dyn FnMut(u64)) -> Vec<(usize, Divergence)> {
+    fn advance(&mut self, request: &AdvanceRequest, took: &mut dyn FnMut(u64)) -> Vec<(usize, Divergence)> {
         let (mut done, mut lost) = (0, Vec::new());
-        while done < course.steps && self.halted.is_none() {
-            let block = course.block(done);
+        while done < request.steps && self.halted.is_none() {
+            let block = request.block(done);
             let mut taken = done;
-            let before = course.at(done).since(self.opened);
-            let outcome = course.panics.attempted(|| self.engine.advance(before, block, &mut taken));
-            let clock = course.at(taken);
+            let before = request.at(done).since(self.opened);
+            let outcome = request.panics.attempted(|| self.engine.advance(before, block, &mut taken));
+            let clock = request.at(taken);
             done += block;
             if outcome.is_none() {
                 self.halted = Some(clock.steps);
@@ -147,12 +147,12 @@ impl Pack for Alone {
                 self.engine.tried(&mut *self.seen);
                 lost.push((self.number, self.state(self.number, clock).divergence(&*self.seen, clock)));
                 self.halted = Some(clock.steps);
-            } else if course.asks(done) && !self.stays(course, clock) {
+            } else if request.asks(done) && !self.stays(request, clock) {
                 self.halted = Some(clock.steps);
             }
             took(block);
         }
-        took(course.steps - done);
+        took(request.steps - done);
         lost
     }
 

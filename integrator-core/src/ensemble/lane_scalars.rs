@@ -14,7 +14,7 @@ use crate::{
 
 /// What members of an ensemble are computed in. Named nowhere outside, like the types it leads to: vectors may only be
 /// used where their instructions were detected.
-pub trait Abreast: Keep {
+pub trait LaneScalars: Keep {
     /// On every machine.
     type Plain: Real;
     /// Where the machine has fused multiply-add.
@@ -29,16 +29,16 @@ type Vector<F, S, const N: usize> = <Fused<F, S> as Real>::Block;
 #[cfg(not(target_arch = "x86_64"))]
 type Vector<F, S, const N: usize> = Lanes<Fused<F, S>, N>;
 
-macro_rules! abreast {
+macro_rules! lane_scalars {
     ($($leaf:ty: $lanes:literal of $scalar:ident;)*) => {$(
-        impl Abreast for $leaf {
+        impl LaneScalars for $leaf {
             type Plain = Lanes<$scalar, $lanes>;
             type Fused = Vector<$scalar, Fma, $lanes>;
             type Avx512 = Vector<$scalar, Avx512, $lanes>;
         }
     )*};
 }
-abreast! {
+lane_scalars! {
     f64: 2 of f64;
     Compensated<f64>: 2 of f64;
     Fixed<f64>: 2 of f64;

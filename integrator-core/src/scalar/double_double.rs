@@ -14,12 +14,12 @@ use core::ops::{Add, Div, Mul, Neg, Sub};
 
 /// A sum of two doubles, the second one below half a unit in the last place of the first.
 #[derive(Clone, Copy, Debug, PartialEq, PartialOrd)]
-pub struct Twofold {
+pub struct DoubleDouble {
     value: f64,
     rest: f64,
 }
 
-impl Twofold {
+impl DoubleDouble {
     /// `value + rest`, where the rest is the smaller one.
     #[inline(always)]
     fn new(value: f64, rest: f64) -> Self {
@@ -28,7 +28,7 @@ impl Twofold {
     }
 }
 
-impl Add for Twofold {
+impl Add for DoubleDouble {
     type Output = Self;
     #[inline(always)]
     fn add(self, other: Self) -> Self {
@@ -39,7 +39,7 @@ impl Add for Twofold {
     }
 }
 
-impl Neg for Twofold {
+impl Neg for DoubleDouble {
     type Output = Self;
     #[inline(always)]
     fn neg(self) -> Self {
@@ -47,7 +47,7 @@ impl Neg for Twofold {
     }
 }
 
-impl Sub for Twofold {
+impl Sub for DoubleDouble {
     type Output = Self;
     #[inline(always)]
     fn sub(self, other: Self) -> Self {
@@ -55,7 +55,7 @@ impl Sub for Twofold {
     }
 }
 
-impl Mul for Twofold {
+impl Mul for DoubleDouble {
     type Output = Self;
     #[inline(always)]
     fn mul(self, other: Self) -> Self {
@@ -65,7 +65,7 @@ impl Mul for Twofold {
     }
 }
 
-impl Div for Twofold {
+impl Div for DoubleDouble {
     type Output = Self;
     #[inline(always)]
     fn div(self, other: Self) -> Self {
@@ -80,13 +80,13 @@ macro_rules! unary {
     (sqrt $x:expr) => {{
         let root = Elementary::sqrt($x.value);
         let left = Elementary::mul_add(-root, root, $x.value) + $x.rest;
-        Twofold::new(root, left / (root + root))
+        DoubleDouble::new(root, left / (root + root))
     }};
     (abs $x:expr) => {
         if $x.value.is_sign_negative() { -$x } else { $x }
     };
     ($function:ident $x:expr) => {
-        Twofold::of(<f64 as Real>::$function($x.value))
+        DoubleDouble::of(<f64 as Real>::$function($x.value))
     };
 }
 
@@ -100,18 +100,18 @@ macro_rules! binary {
     };
     // The remainder of the values is exact, and what lies below their last digits is left as it is.
     (remainder $x:expr, $y:expr) => {
-        Twofold::new(
+        DoubleDouble::new(
             Elementary::remainder($x.value, $y.value),
             $x.rest - Elementary::trunc($x.value / $y.value) * $y.rest,
         )
     };
     ($function:ident $x:expr, $y:expr) => {
-        Twofold::of(<f64 as Real>::$function($x.value, $y.value))
+        DoubleDouble::of(<f64 as Real>::$function($x.value, $y.value))
     };
 }
 
 elementary_functions!(real_of_two_parts! {
-    Twofold: inline(always); lanes of self: self.value, self.rest;
+    DoubleDouble: inline(always); lanes of self: self.value, self.rest;
     {
         type Mask = bool;
 
@@ -163,21 +163,21 @@ mod tests {
     fn big(x: f64) -> Big {
         Big::try_from(x).expect("a finite number").with_precision(400).value()
     }
-    fn exact(x: Twofold) -> Big {
+    fn exact(x: DoubleDouble) -> Big {
         big(x.value) + big(x.rest)
     }
 
     /// Numbers with two parts: quotients have rests of all kinds.
-    fn numbers() -> Vec<Twofold> {
-        let tenths = |k: i32| Twofold::of(f64::from(k)) / Twofold::of(10.0);
-        (-30..30).map(tenths).chain([1e-9, 1e9, 3e17].map(|x| tenths(7) * Twofold::of(x))).collect()
+    fn numbers() -> Vec<DoubleDouble> {
+        let tenths = |k: i32| DoubleDouble::of(f64::from(k)) / DoubleDouble::of(10.0);
+        (-30..30).map(tenths).chain([1e-9, 1e9, 3e17].map(|x| tenths(7) * DoubleDouble::of(x))).collect()
     }
 
     #[test]
     fn arithmetic_has_twice_the_digits() {
         // The bounds of these algorithms are a few 2^-104.
         let bound = big(2.0_f64.powi(-101));
-        let off = |found: Twofold, exact: Big, scale: Big| {
+        let off = |found: DoubleDouble, exact: Big, scale: Big| {
             let far = (self::exact(found) - exact).to_f64().value().abs();
             assert!(found.rest.abs() <= found.value.abs() * f64::EPSILON / 2.0, "{found:?} is rounded");
             far <= (scale * bound.clone()).to_f64().value().abs()
@@ -205,18 +205,18 @@ mod tests {
     #[test]
     fn what_is_not_finite_is_what_it_is_in_f64() {
         let edges = [0.0, -0.0, 1.0, -1.0, f64::MAX, f64::MIN_POSITIVE, f64::INFINITY, f64::NEG_INFINITY, f64::NAN];
-        let same = |found: Twofold, expected: f64, what: &str| {
+        let same = |found: DoubleDouble, expected: f64, what: &str| {
             let equal = found.value == expected || (found.value.is_nan() && expected.is_nan());
             // The root of the largest number lies between two, and both parts together are nearer to it than either.
             let near = (found.value - expected).abs() <= f64::EPSILON * expected.abs();
             assert!((equal || near) && found.rest.is_finite(), "{what}: {found:?}, {expected}");
         };
         for x in edges {
-            same(Real::sqrt(Twofold::of(x)), x.sqrt(), &format!("sqrt({x})"));
-            same(Real::abs(Twofold::of(x)), x.abs(), &format!("abs({x})"));
-            same(Real::cos(Twofold::of(x)), Real::cos(x), &format!("cos({x})"));
+            same(Real::sqrt(DoubleDouble::of(x)), x.sqrt(), &format!("sqrt({x})"));
+            same(Real::abs(DoubleDouble::of(x)), x.abs(), &format!("abs({x})"));
+            same(Real::cos(DoubleDouble::of(x)), Real::cos(x), &format!("cos({x})"));
             for y in edges {
-                let (a, b) = (Twofold::of(x), Twofold::of(y));
+                let (a, b) = (DoubleDouble::of(x), DoubleDouble::of(y));
                 same(a + b, x + y, &format!("{x} + {y}"));
                 same(a - b, x - y, &format!("{x} - {y}"));
                 same(a * b, x * y, &format!("{x} * {y}"));

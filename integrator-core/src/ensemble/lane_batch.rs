@@ -5,8 +5,8 @@
 
 use crate::{
     ensemble::{
+        batch::{AdvanceRequest, Batch, States},
         motions::{Lane, Motions, copied, copy, gathered, loaded, shown},
-        pack::{Course, Pack, States},
     },
     error::Divergence,
     state::{clock::Clock, point::Point},
@@ -15,7 +15,7 @@ use crate::{
 use std::ops::Range;
 
 /// Neighbours that are alike in what lanes have to share.
-pub(crate) struct SideBySide {
+pub(crate) struct LaneBatch {
     first: usize,
     /// Where each member halted that is no longer under way.
     halted: Vec<Option<Halt>>,
@@ -69,7 +69,7 @@ fn is_good(motions: &dyn Motions, lane: usize, seen: &mut dyn Point) -> bool {
     seen.is_finite() && motions.solved(lane)
 }
 
-impl SideBySide {
+impl LaneBatch {
     /// Members in lanes like those of some motions, from their states.
     pub(crate) fn new(members: Range<usize>, like: &dyn Motions, states: &States) -> Self {
         let first = members.start;
@@ -110,7 +110,7 @@ impl SideBySide {
     }
 
     /// Takes the members that halted out of the lanes.
-    fn close_ranks(&mut self) {
+    fn compact_lanes(&mut self) {
         let is_under_way = |place: usize| self.halted[place].is_none();
         if self.lanes.iter().all(|place| is_under_way(*place)) {
             return;
@@ -214,7 +214,7 @@ impl SideBySide {
     }
 
     /// Asks the members that are under way whether they stay; `closed` holds the ends of their steps.
-    fn ask(&mut self, course: &Course, clock: Clock) {
+    fn ask(&mut self, request: &AdvanceRequest, clock: Clock) {
         let shown = shown(&*self.closed, self.since_opened(clock));
         for lane in 0..self.lanes.len() {
             let place = self.lanes[lane];
@@ -222,7 +222,7 @@ impl SideBySide {
                 continue;
             }
             show(&*self.closed, shown.as_deref(), lane, &mut *self.seen);
-            if !course.stays(self.first + place, &*self.seen) {
+            if !request.stays(self.first + place, &*self.seen) {
                 self.halt(place, clock.steps, self.seen.boxed_clone());
             }
         }
@@ -234,29 +234,29 @@ fn at<'s>(first: usize, places: &[usize], states: &States<'s>) -> Vec<(usize, &'
     places.iter().map(|place| (first + place, states(first + place))).collect()
 }
 
-impl Pack for SideBySide {
+impl Batch for LaneBatch {
     fn first(&self) -> usize {
         self.first
     }
 
-    fn advance(&mut self, course: &Course, took: &mut dyn FnMut(u64)) -> Vec<(usize, Divergence)> {
+    fn advance(&mut self, request: &AdvanceRequest, took: &mut dyn FnMut(u64)) -> Vec<(usize, Divergence)> {
         let (mut done, mut lost) = (0, Vec::new());
         let all = self.halted.len() as u64;
-        while done < course.steps && !self.lanes.is_empty() {
-            let block = course.block(done);
-            let before = course.at(done);
+        while done < request.steps && !self.lanes.is_empty() {
+            let block = request.block(done);
+            let before = request.at(done);
             done += block;
-            lost.extend(match course.panics.attempted(|| self.advance_lanes(before, block)) {
-                Some(()) => self.lost(before, block, course.panics),
-                None => self.one_by_one(before, block, course.panics),
+            lost.extend(match request.panics.attempted(|| self.advance_lanes(before, block)) {
+                Some(()) => self.lost(before, block, request.panics),
+                None => self.one_by_one(before, block, request.panics),
             });
-            if course.asks(done) {
-                self.ask(course, course.at(done));
+            if request.asks(done) {
+                self.ask(request, request.at(done));
             }
-            self.close_ranks();
+            self.compact_lanes();
             took(block * all);
         }
-        took((course.steps - done) * all);
+        took((request.steps - done) * all);
         lost
     }
 

@@ -14,17 +14,17 @@ use crate::{
 use core::mem::take;
 
 /// 2^64.
-const TURN: f64 = 18_446_744_073_709_551_616.0;
+const MODULUS: f64 = 18_446_744_073_709_551_616.0;
 
 /// How much longer a stage is in some of the cycles, and in which share of them.
 #[derive(Clone, Copy, Debug, PartialEq)]
-struct Leap {
+struct Correction {
     longer: f64,
     /// In units of 2^-64.
     share: u64,
 }
 
-impl Leap {
+impl Correction {
     const NONE: Self = Self { longer: 0.0, share: 0 };
 
     /// For the first of the durations `h·a`, with the fractions `a`.
@@ -46,7 +46,7 @@ impl Leap {
             longer = (first + least.copysign(missing)) - first;
             least *= 2.0;
         }
-        if longer.is_finite() { Self { longer, share: (missing / longer * TURN) as u64 } } else { Self::NONE }
+        if longer.is_finite() { Self { longer, share: (missing / longer * MODULUS) as u64 } } else { Self::NONE }
     }
 
     /// How much longer the stage is in the cycle of this number, counted from 1: where the multiple of the share passes an
@@ -74,12 +74,12 @@ fn missing(h: f64, fractions: impl Iterator<Item = f64>) -> f64 {
 
 /// The longer stages of a composition with a step.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Leaps {
-    drift: Leap,
-    kick: Leap,
+pub(crate) struct Corrections {
+    drift: Correction,
+    kick: Correction,
 }
 
-impl Leaps {
+impl Corrections {
     /// Those of stages that are merged across steps.
     pub(crate) fn new(stages: &Stages, h: f64) -> Self {
         Self::of(h, stages.cycle.iter())
@@ -94,31 +94,31 @@ impl Leaps {
 
     fn of<'s>(h: f64, rows: impl Iterator<Item = &'s Stage> + Clone) -> Self {
         Self {
-            drift: Leap::new(h, rows.clone().map(|stage| stage.drift)),
-            kick: Leap::new(h, rows.map(|stage| stage.kick)),
+            drift: Correction::new(h, rows.clone().map(|stage| stage.drift)),
+            kick: Correction::new(h, rows.map(|stage| stage.kick)),
         }
     }
 
     /// Whether no stage is ever longer: the durations add up as they are.
     pub(crate) fn none(&self) -> bool {
-        *self == Self { drift: Leap::NONE, kick: Leap::NONE }
+        *self == Self { drift: Correction::NONE, kick: Correction::NONE }
     }
 
     /// The flows for the cycle of this number.
     #[inline(always)]
-    pub(crate) fn on<'f, F>(&self, flows: &'f mut F, cycle: u64) -> Longer<'f, F> {
-        Longer { flows, drift: self.drift.of(cycle), kick: self.kick.of(cycle) }
+    pub(crate) fn on<'f, F>(&self, flows: &'f mut F, cycle: u64) -> Corrected<'f, F> {
+        Corrected { flows, drift: self.drift.of(cycle), kick: self.kick.of(cycle) }
     }
 }
 
 /// Flows in one cycle, the first drift and the first kick of which are longer by these numbers.
-pub(crate) struct Longer<'f, F> {
+pub(crate) struct Corrected<'f, F> {
     flows: &'f mut F,
     drift: u64,
     kick: u64,
 }
 
-impl<F: Flows<H>, H: Hamiltonian> Flows<H> for Longer<'_, F> {
+impl<F: Flows<H>, H: Hamiltonian> Flows<H> for Corrected<'_, F> {
     const COMPENSATED: bool = F::COMPENSATED;
 
     #[inline(always)]
@@ -159,11 +159,12 @@ mod tests {
 
     /// By how much the durations of so many cycles miss `h` times as many, with longer stages and without.
     fn off(h: f64, cycles: u64, fractions: &[f64]) -> [f64; 2] {
-        let leap = Leap::new(h, fractions.iter().copied());
+        let correction = Correction::new(h, fractions.iter().copied());
         let first = h * fractions[0];
         let rounded: Big = fractions.iter().map(|fraction| big(h * fraction)).sum();
         let without = (rounded - big(h)) * big(cycles as f64);
-        let longer: Big = (1..=cycles).map(|cycle| big(first + f64::from_bits(leap.of(cycle))) - big(first)).sum();
+        let longer: Big =
+            (1..=cycles).map(|cycle| big(first + f64::from_bits(correction.of(cycle))) - big(first)).sum();
         [without.clone() + longer, without].map(|sum| sum.to_f64().value())
     }
 
@@ -176,7 +177,7 @@ mod tests {
             let kicks: Vec<f64> = stages.cycle.iter().map(|stage| stage.kick).collect();
             for h in [0.1, -0.1, 1.0 / 3.0, 1e-3, 7e10, 1e-300] {
                 for fractions in [&drifts, &kicks] {
-                    let longer = Leap::new(h, fractions.iter().copied()).longer.abs();
+                    let longer = Correction::new(h, fractions.iter().copied()).longer.abs();
                     let [off, without] = off(h, CYCLES, fractions);
                     assert!(off.abs() <= longer, "{name} with h = {h:e} is off by {off:e}, {longer:e} at a time");
                     drifting += u32::from(without.abs() > 10.0 * longer);
@@ -188,7 +189,7 @@ mod tests {
         }
         for_each_composition!(general: each!);
         for_each_composition!(quadratic: each!);
-        assert!(drifting > 100, "without leaps, {drifting} sums are off by more than ten of them");
+        assert!(drifting > 100, "without corrections, {drifting} sums are off by more than ten of them");
     }
 
     struct Oscillator;
@@ -301,11 +302,11 @@ mod tests {
     #[test]
     fn numbers_at_the_ends_of_all_numbers_do_no_harm() {
         for h in [0.0, 5e-324, -5e-324, 1e-310, f64::MAX, -f64::MAX, f64::INFINITY, f64::NAN] {
-            let Leap { longer, share } = Leap::new(h, [1.0 / 3.0, 1.0 / 3.0, 1.0 / 3.0].into_iter());
+            let Correction { longer, share } = Correction::new(h, [1.0 / 3.0, 1.0 / 3.0, 1.0 / 3.0].into_iter());
             assert!(longer.is_finite(), "{h:e}: {longer:e} in {share}");
         }
-        assert_eq!(Leap::new(0.1, [0.5, 0.5].into_iter()), Leap::NONE, "halves are exact");
-        assert_eq!(Leap::new(0.1, [0.5, 0.4999].into_iter()), Leap::NONE, "a mistake stays one");
-        assert_eq!(Leap::new(0.1, [].into_iter()).of(u64::MAX), 0, "nothing to lengthen");
+        assert_eq!(Correction::new(0.1, [0.5, 0.5].into_iter()), Correction::NONE, "halves are exact");
+        assert_eq!(Correction::new(0.1, [0.5, 0.4999].into_iter()), Correction::NONE, "a mistake stays one");
+        assert_eq!(Correction::new(0.1, [].into_iter()).of(u64::MAX), 0, "nothing to lengthen");
     }
 }
