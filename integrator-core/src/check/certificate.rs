@@ -29,7 +29,7 @@ pub struct Certificate {
     pub order: Option<Order>,
     /// Until when the order was found to hold along the orbit, piece by piece; NaN where that could not be measured.
     pub order_until: f64,
-    /// How far a run forward and back ends from its start: [`reversibility`](crate::check::property::reversibility()) over the
+    /// How far a run forward and back ends from its start: [`reversibility`](crate::check::reversibility()) over the
     /// span of [`Certificate::order`], in its coarsest steps or in [`Certificate::step`] if that is longer.
     pub reversibility: f64,
     /// What became of the energy: [`energy_drift`](crate::check::energy_drift) over 8192 steps, longer ones where so

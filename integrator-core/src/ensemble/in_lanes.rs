@@ -10,7 +10,7 @@ use crate::{
 };
 
 /// A method that may carry on an ensemble of `H`: any composition that may integrate it, and
-/// [`Taylor`](crate::methods::taylor::Taylor) where the system has its recurrences.
+/// [`Taylor`](crate::taylor::Taylor) where the system has its recurrences.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` does not carry on the members of an ensemble",
     label = "neither a composition for this Hamiltonian, nor another method that has lanes",

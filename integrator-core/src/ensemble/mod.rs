@@ -84,7 +84,7 @@ pub struct Ensemble<C: Coords> {
 
 impl<C: Coords> Ensemble<C> {
     /// An ensemble of `(system, start)` pairs that take steps `h` with any composition that may integrate the systems, or with
-    /// [`Taylor`](crate::methods::taylor::Taylor), where each member goes by polynomials of its own between these steps.
+    /// [`Taylor`](crate::taylor::Taylor), where each member goes by polynomials of its own between these steps.
     ///
     /// # Errors
     /// [`Error::NoMembers`] without members; [`Error::Member`] naming the first member whose start or step is refused,
@@ -152,7 +152,7 @@ impl<C: Coords> Ensemble<C> {
     ///
     /// # Errors
     /// [`Error::Lost`] names the members that left the finite numbers in these steps, or came too near to a singularity for
-    /// [`Taylor`](crate::methods::taylor::Taylor); all others have taken them, and
+    /// [`Taylor`](crate::taylor::Taylor); all others have taken them, and
     /// the ensemble goes on without the lost ones, which stay at their last finite state. [`Error::Time`],
     /// [`Error::Clock`] and [`Error::Steps`] leave the ensemble as it was, and so does [`Error::Member`], which the first
     /// call returns where `H` reads the time and has no value at a start.
@@ -215,7 +215,7 @@ impl<C: Coords> Ensemble<C> {
     /// wrapped into a periodic box, momenta that are drawn anew by a thermostat. Time and the number of steps go on; members
     /// that are lost or gone stay as they are.
     ///
-    /// Each member has the bits of a run whose state is [changed](Run::map_state) in the same way.
+    /// Each member has the bits of a run whose state is [changed](crate::Run::map_state) in the same way.
     ///
     /// ```
     /// use integrator_core::prelude::*;
@@ -241,7 +241,7 @@ impl<C: Coords> Ensemble<C> {
     /// ```
     ///
     /// # Errors
-    /// [`Error::Member`] naming the first member whose new state is refused, for the reasons of [`Run::map_state`]; all
+    /// [`Error::Member`] naming the first member whose new state is refused, for the reasons of [`Run::map_state`](crate::Run::map_state); all
     /// members stay as they were.
     pub fn map_states(&mut self, mut map: impl FnMut(usize, &mut Phase<C>)) -> Result<(), Error> {
         let mut states = Vec::with_capacity(self.len());

@@ -69,7 +69,7 @@ impl<C: Coords> Run<C> {
     ///
     /// Signs are compared after every step. Between two that differ, the time is found to the rounding of the step, by
     /// shorter steps from the state before, so that it has the order of the method, or on the polynomial of
-    /// [`Taylor`](crate::methods::taylor::Taylor), so that it has the precision of the run; `step` of such a sample counts the whole
+    /// [`Taylor`](crate::taylor::Taylor), so that it has the precision of the run; `step` of such a sample counts the whole
     /// steps before it. Two crossings within one step are not seen: take a step in which the function turns at most once.
     ///
     /// A function that is zero after a step has passed through it if it leaves to the other side, and the crossing is

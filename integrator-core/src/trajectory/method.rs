@@ -93,7 +93,7 @@ impl<X: Scheme> Described for X {
 }
 
 /// A method that may integrate `H`: any composition that may, those of `reference`, and
-/// [`Taylor`](crate::methods::taylor::Taylor) where the system has its recurrences.
+/// [`Taylor`](crate::taylor::Taylor) where the system has its recurrences.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` is not a method that may integrate `{H}`",
     label = "neither a composition nor another method for this Hamiltonian",

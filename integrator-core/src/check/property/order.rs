@@ -113,7 +113,7 @@ impl Order {
 /// far too coarse. It is divided into ever more steps, at most 1024, until the error drowns in the rounding; the slope
 /// is a least-squares fit to the finest errors that do not, four to six of them. Where they do not lie on a line,
 /// because part of the motion is faster than the rest, or fall short of the claimed order, the span is shortened, to a step
-/// of `h` at the least: what shows in one that is short is the order of the composition, and [`certify`](super::certify) looks
+/// of `h` at the least: what shows in one that is short is the order of the composition, and [`certify`](crate::check::certify()) looks
 /// for where it is lost along the orbit. Where the clock decides on pieces of the
 /// Hamiltonian, the span reaches over edges, and all steps end there.
 ///
