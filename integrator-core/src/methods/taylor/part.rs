@@ -35,7 +35,12 @@ impl<R: Real> Ends<R> {
     /// Those in a lane.
     #[inline(always)]
     pub(super) fn lane(&self, lane: usize) -> Sizes {
-        self.0.map(|size| size.lane(lane))
+        // A loop: a closure would be compiled outside of the clone, and its vectors be passed through memory.
+        let mut sizes = [0.0; 4];
+        for (size, all) in sizes.iter_mut().zip(&self.0) {
+            *size = all.lane(lane);
+        }
+        sizes
     }
 }
 
