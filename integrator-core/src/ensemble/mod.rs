@@ -3,24 +3,16 @@
 //! Always true: a member's bits are those of the same system run alone on the same instruction set, whatever its
 //! neighbours do and however many threads there are.
 
-#[cfg(feature = "std")]
 pub(crate) mod batch;
-#[cfg(feature = "std")]
 pub(crate) mod batches;
-#[cfg(feature = "std")]
 #[allow(unreachable_pub, reason = "named in bounds, never outside")]
 pub(crate) mod in_lanes;
-#[cfg(feature = "std")]
 #[allow(unreachable_pub, reason = "named in bounds, never outside")]
 pub(crate) mod interleaved;
-#[cfg(feature = "std")]
 pub(crate) mod lane_batch;
-#[cfg(feature = "std")]
 #[allow(unreachable_pub, reason = "named in bounds, never outside")]
 pub(crate) mod lane_scalars;
-#[cfg(feature = "std")]
 pub(crate) mod members;
-#[cfg(feature = "std")]
 pub(crate) mod motions;
 
 #[cfg(debug_assertions)]
@@ -47,7 +39,7 @@ use crate::{
     system::{energies::energy, motion::Prepared},
     trajectory::{
         admissible::{admissible_with, change},
-        chosen::Chosen,
+        chosen::engine,
         engine::is_spoilt,
         method::Method,
     },
@@ -96,10 +88,9 @@ impl<C: Coords> Ensemble<C> {
         X: InLanes<H>,
         H::Coords: Coords<With<K> = C>,
     {
-        let chosen = Chosen::<H, X, K>::here();
         let (mut all, mut states, mut coordinates) = (Vec::new(), Vec::new(), 0);
         for (system, state) in members {
-            let member = member(&system, &chosen, method, &state, h).map_err(of_member(states.len()))?;
+            let member = member::<H, K, X>(&system, method, &state, h).map_err(of_member(states.len()))?;
             coordinates += state.q.flat().len() as u64;
             all.push(member);
             states.push(state);
@@ -121,7 +112,9 @@ impl<C: Coords> Ensemble<C> {
             },
             lanes: &*lanes,
             // Alone, a member is what a run would be.
-            lone: &|member| Box::new(chosen.engine(method, members[member].parameters.clone(), states[member].clone())),
+            lone: &|member| {
+                Box::new(engine::<H, X, K>(method, members[member].parameters.clone(), states[member].clone()))
+            },
         };
         let batches = starts.batches(states.len(), all_threads());
         let energies = Box::new(move |member: usize, state: &dyn Point, time: f64| {
@@ -324,7 +317,6 @@ impl<C: Coords> fmt::Debug for Ensemble<C> {
 /// Those of [`Hamiltonian::run`].
 fn member<H: Hamiltonian, K: Keep, X: Method<H>>(
     system: &H,
-    chosen: &Chosen<H, X, K>,
     method: X,
     start: &Phase<Shaped<H, K>>,
     h: f64,
@@ -335,7 +327,7 @@ fn member<H: Hamiltonian, K: Keep, X: Method<H>>(
     let unsettled = !constants.is_empty();
     let clock = Clock { t0: 0.0, h, steps: 0 };
     // An infinite constant may be meant: what counts is what a run of its own does with it.
-    if unsettled && is_spoilt(&*chosen.engine(method, parameters.clone(), start.clone()), clock) {
+    if unsettled && is_spoilt(&*engine::<H, X, K>(method, parameters.clone(), start.clone()), clock) {
         return Err(Error::Parameters { constants });
     }
     #[cfg(debug_assertions)]

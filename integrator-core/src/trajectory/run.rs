@@ -14,7 +14,7 @@ use crate::{
     },
     trajectory::{
         admissible::{admissible_with, change},
-        chosen::Chosen,
+        chosen::engine,
         engine::{Engine, is_spoilt},
         method::Method,
         samples::Samples,
@@ -98,7 +98,7 @@ impl<C: Coords> Run<C> {
         let constants = H::Parameters::<f64>::not_finite(&parameters);
         #[cfg(feature = "checkpoint")]
         let origin = Origin::of::<H>(method.facts(), &parameters);
-        let mut engine = Chosen::<H, X, K>::here().engine(method, Arc::new(parameters), start);
+        let mut engine = engine::<H, X, K>(method, Arc::new(parameters), start);
         engine.share_among(None);
         let run = Self {
             engine,

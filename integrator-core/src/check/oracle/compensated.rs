@@ -70,7 +70,7 @@ impl<H: Hamiltonian, X: Method<H>> CompensatedSteps<H, X> {
         while again.clock.steps < self.clock.steps && again.take(1) {
             last.clone_from(&again.state);
         }
-        let Clock { steps: step, .. } = again.clock;
+        let step = again.clock.steps;
         let before = Clock { steps: step.saturating_sub(1), ..clock };
         match again.motion.unsolved(0) {
             Some(reason) => Error::NotSolved {

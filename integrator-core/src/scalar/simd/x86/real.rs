@@ -50,7 +50,13 @@ macro_rules! vector {
 
         const _: () = {
             use super::real::unary;
-            use crate::scalar::{simd::block::Block, elementary::Elementary, functions::{fast_functions, fast_kernels}, fused::{Fused, Instructions}, real::{Kernel, Real}};
+            use crate::scalar::{
+                elementary::Elementary,
+                functions::{fast_functions, fast_kernels},
+                fused::{Fused, Instructions},
+                real::{Kernel, Real},
+                simd::{block::Block, lanes::Lanes},
+            };
             use core::{
                 arch::x86_64::{
                     _CMP_EQ_OQ, _CMP_LE_OQ, _CMP_LT_OQ, _MM_FROUND_NO_EXC, _MM_FROUND_TO_NEG_INF, _MM_FROUND_TO_POS_INF,
@@ -99,7 +105,7 @@ macro_rules! vector {
                 const LANES: usize = $lanes;
                 type Mask = $mask;
                 type Block = Self;
-            type Row<const N: usize> = crate::scalar::simd::lanes::Lanes<Self, N>;
+                type Row<const N: usize> = Lanes<Self, N>;
                 type Wide = Self;
                 type Pair = [Self; 2];
 
