@@ -12,7 +12,7 @@ use crate::{
     },
     methods::taylor::RecurrencesVisitor,
     scalar::real::Real,
-    state::{coords::Coords, phase::Phase, slot::Keep},
+    state::{coords::Coords, phase::Phase, precision::Precision},
     system::motion::{Motion, Prepared},
     trajectory::{method::Method, run::Run},
 };
@@ -35,7 +35,7 @@ pub trait Hamiltonian: Sized {
     /// What depends on parameters alone, evaluated once per run.
     type Parameters<R: Real>: Prepared<R, Single = Self::Parameters<f64>>;
     /// Prepared constants and state, in the layout that the generator chose.
-    type Motion<R: Real, K: Keep>: Motion<Shaped<Self, K>, Self::Parameters<f64>>;
+    type Motion<R: Real, K: Precision>: Motion<Shaped<Self, K>, Self::Parameters<f64>>;
 
     /// Whether neither `T` nor `V` reads the time, so that the energy is conserved.
     const AUTONOMOUS: bool;
@@ -55,15 +55,15 @@ pub trait Hamiltonian: Sized {
     /// `length` is how many numbers or points the positions of the start are.
     fn parameters(&self, length: usize) -> Self::Parameters<f64>;
     /// Tells a motion that the flows from here on belong to a step with this middle, where conditions on the time are read.
-    fn begin_step<R: Real, K: Keep>(_motion: &mut Self::Motion<R, K>, _middle: f64) {}
+    fn begin_step<R: Real, K: Precision>(_motion: &mut Self::Motion<R, K>, _middle: f64) {}
     /// The exact flow of `T` for a time `duration`; `time` is where an explicit time dependence is read.
-    fn drift<R: Real, K: Keep>(motion: &mut Self::Motion<R, K>, duration: f64, time: f64);
+    fn drift<R: Real, K: Precision>(motion: &mut Self::Motion<R, K>, duration: f64, time: f64);
     /// The exact flow of `V` for a time `duration`; `time` is where an explicit time dependence is read.
-    fn kick<R: Real, K: Keep>(motion: &mut Self::Motion<R, K>, duration: f64, time: f64);
+    fn kick<R: Real, K: Precision>(motion: &mut Self::Motion<R, K>, duration: f64, time: f64);
     /// `T` at the motion's momenta.
-    fn kinetic<R: Real, K: Keep>(motion: &Self::Motion<R, K>, time: f64) -> R;
+    fn kinetic<R: Real, K: Precision>(motion: &Self::Motion<R, K>, time: f64) -> R;
     /// `V` at the motion's positions.
-    fn potential<R: Real, K: Keep>(motion: &Self::Motion<R, K>, time: f64) -> R;
+    fn potential<R: Real, K: Precision>(motion: &Self::Motion<R, K>, time: f64) -> R;
 
     /// `T` by the user's own function, as it is written: what the generated code is held against.
     fn stated_kinetic(&self, p: &Self::Coords, time: f64) -> f64;
@@ -71,11 +71,11 @@ pub trait Hamiltonian: Sized {
     fn stated_potential(&self, q: &Self::Coords, time: f64) -> f64;
 
     /// The sites of a lattice.
-    fn sites<R: Real, K: Keep>(_motion: &mut Self::Motion<R, K>) -> Option<Sites<'_, R, K, Self::Parameters<R>>> {
+    fn sites<R: Real, K: Precision>(_motion: &mut Self::Motion<R, K>) -> Option<Sites<'_, R, K, Self::Parameters<R>>> {
         None
     }
     /// A flow of a lattice, on a part of its sites.
-    fn along<R: Real, K: Keep>(
+    fn along<R: Real, K: Precision>(
         _lattice: &mut Sites<'_, R, K, Self::Parameters<R>>,
         _flow: &Flow,
         _sites: Range<usize>,
@@ -104,7 +104,7 @@ pub trait Hamiltonian: Sized {
     /// # Panics
     /// Where your own functions would: their indices and their integer arithmetic are checked in a run as they are in
     /// plain Rust. A list of the system that is too short for the start is an index out of bounds.
-    fn run<K: Keep>(&self, start: Phase<Shaped<Self, K>>, h: f64) -> Result<Run<Shaped<Self, K>>, Error> {
+    fn run<K: Precision>(&self, start: Phase<Shaped<Self, K>>, h: f64) -> Result<Run<Shaped<Self, K>>, Error> {
         Run::start::<Self, Self::Compose, K>(self, Self::Compose::default(), start, h)
     }
 
@@ -112,7 +112,7 @@ pub trait Hamiltonian: Sized {
     ///
     /// # Errors
     /// As [`Hamiltonian::run`].
-    fn run_with<K: Keep, X: Method<Self>>(
+    fn run_with<K: Precision, X: Method<Self>>(
         &self,
         method: X,
         start: Phase<Shaped<Self, K>>,
@@ -133,7 +133,7 @@ pub trait QuadraticKinetic: Hamiltonian {
     /// Replaces the momenta by the Hessian of `V` times the momenta.
     fn hessian<R: Real>(motion: &mut Self::Motion<R, f64>, time: f64);
     /// The exact flow of `duration·V + gradient·|∇V|²`, with the norm that `M⁻¹` defines.
-    fn gradient_kick<R: Real, K: Keep>(motion: &mut Self::Motion<R, K>, duration: f64, gradient: f64, time: f64);
+    fn gradient_kick<R: Real, K: Precision>(motion: &mut Self::Motion<R, K>, duration: f64, gradient: f64, time: f64);
 }
 
 /// The flows as a composition sees them: the executor decides what they are applied to.
@@ -154,9 +154,9 @@ pub trait Flows<H: Hamiltonian> {
 }
 
 /// One motion.
-pub(crate) struct Single<'m, H: Hamiltonian, R: Real, K: Keep>(pub(crate) &'m mut H::Motion<R, K>);
+pub(crate) struct Single<'m, H: Hamiltonian, R: Real, K: Precision>(pub(crate) &'m mut H::Motion<R, K>);
 
-impl<H: Hamiltonian, R: Real, K: Keep> Flows<H> for Single<'_, H, R, K> {
+impl<H: Hamiltonian, R: Real, K: Precision> Flows<H> for Single<'_, H, R, K> {
     const COMPENSATED: bool = K::COMPENSATED;
 
     #[inline(always)]

@@ -113,7 +113,7 @@ pub use scalar::instruction_set::InstructionSet;
 pub use state::coords::Coords;
 pub use state::fixed::Fixed;
 pub use state::phase::Phase;
-pub use state::slot::Compensated;
+pub use state::precision::Compensated;
 #[cfg(feature = "checkpoint")]
 pub use trajectory::checkpoint::CheckpointError;
 pub use trajectory::crossings::{Crossings, Direction};
@@ -196,7 +196,7 @@ pub mod __private {
         state::{
             coords::Coords,
             digest::Digest,
-            slot::{Keep, Slot},
+            precision::{Precision, Slot},
         },
         system::{
             constants::{all_found, not_finite},

@@ -29,16 +29,16 @@ macro_rules! by_hand {
             type Coords = [f64; $n];
             type Compose = Verlet;
             type Parameters<R: Real> = Self;
-            type Motion<R: Real, K: Keep> = Plain<R, Shaped<Self, K>, Self>;
+            type Motion<R: Real, K: Precision> = Plain<R, Shaped<Self, K>, Self>;
             const AUTONOMOUS: bool = $autonomous;
 
             fn parameters(&self, _length: usize) -> Self {
                 self.clone()
             }
-            fn drift<R: Real, K: Keep>($dm: &mut Self::Motion<R, K>, $dd: f64, $dt: f64) $drift
-            fn kick<R: Real, K: Keep>($km: &mut Self::Motion<R, K>, $kd: f64, $kt: f64) $kick
-            fn kinetic<R: Real, K: Keep>($tm: &Self::Motion<R, K>, $tt: f64) -> R $kinetic
-            fn potential<R: Real, K: Keep>($vm: &Self::Motion<R, K>, $vt: f64) -> R $potential
+            fn drift<R: Real, K: Precision>($dm: &mut Self::Motion<R, K>, $dd: f64, $dt: f64) $drift
+            fn kick<R: Real, K: Precision>($km: &mut Self::Motion<R, K>, $kd: f64, $kt: f64) $kick
+            fn kinetic<R: Real, K: Precision>($tm: &Self::Motion<R, K>, $tt: f64) -> R $kinetic
+            fn potential<R: Real, K: Precision>($vm: &Self::Motion<R, K>, $vt: f64) -> R $potential
             fn stated_kinetic(&self, p: &Self::Coords, time: f64) -> f64 {
                 Self::kinetic::<f64, f64>(&at(self, p), time)
             }
@@ -269,7 +269,7 @@ macro_rules! quadratic_by_hand {
                 let ($q, $u) = (motion.q, motion.p);
                 motion.p = $hessian;
             }
-            fn gradient_kick<R: Real, K: Keep>(
+            fn gradient_kick<R: Real, K: Precision>(
                 motion: &mut Self::Motion<R, K>,
                 duration: f64,
                 gradient: f64,

@@ -1,7 +1,7 @@
 //! States that are changed between two steps, and watches that look after each.
 
 use crate::{divergence::diverged, systems::HenonHeiles};
-use integrator_core::{__private::Keep, Method, prelude::*, taylor::Taylor};
+use integrator_core::{__private::Precision, Method, prelude::*, taylor::Taylor};
 
 /// A driven pendulum, or one left alone.
 struct Driven;
@@ -19,7 +19,7 @@ impl Driven {
 /// The same bits as a run that begins there.
 #[test]
 fn a_changed_state_is_gone_on_from_like_a_start() {
-    fn check<K: Keep>(method: impl Method<Driven>, start: Phase<[K; 2]>, kicked: K)
+    fn check<K: Precision>(method: impl Method<Driven>, start: Phase<[K; 2]>, kicked: K)
     where
         [f64; 2]: integrator_core::Coords<With<K> = [K; 2]>,
     {

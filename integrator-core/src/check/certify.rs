@@ -24,7 +24,7 @@ use crate::{
     },
     hamiltonian::{Hamiltonian, Shaped},
     scalar::tolerance::{largest, within},
-    state::slot::Keep,
+    state::precision::Precision,
     trajectory::method::Method,
 };
 
@@ -81,7 +81,7 @@ const GRADIENT_SPAN: f64 = 64.0;
 /// assert!(certificate.symplectic_defect < 1e-14);
 /// # Ok::<(), integrator_core::check::CertifyError>(())
 /// ```
-pub fn certify<H: Hamiltonian, X: Method<H>, K: Keep>(
+pub fn certify<H: Hamiltonian, X: Method<H>, K: Precision>(
     system: &H,
     method: X,
     start: impl Into<Start<Shaped<H, K>>>,

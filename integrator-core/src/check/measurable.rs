@@ -19,7 +19,7 @@ use crate::{
     hamiltonian::{Hamiltonian, Shaped},
     state::{
         flat::{Flat, shaped},
-        slot::Keep,
+        precision::Precision,
     },
     trajectory::method::Method,
 };
@@ -52,7 +52,7 @@ pub(crate) trait Measurable {
 }
 
 /// A system, a method, a start and a step.
-pub(crate) struct Measured<'s, H: Hamiltonian, X, K: Keep> {
+pub(crate) struct Measured<'s, H: Hamiltonian, X, K: Precision> {
     pub(crate) system: &'s H,
     pub(crate) method: X,
     pub(crate) start: &'s Start<Shaped<H, K>>,
@@ -61,7 +61,7 @@ pub(crate) struct Measured<'s, H: Hamiltonian, X, K: Keep> {
     pub(crate) steps: Steps<'s, H, X>,
 }
 
-impl<H: Hamiltonian, X: Method<H>, K: Keep> Measurable for Measured<'_, H, X, K> {
+impl<H: Hamiltonian, X: Method<H>, K: Precision> Measurable for Measured<'_, H, X, K> {
     fn system(&self) -> &'static str {
         std::any::type_name::<H>()
     }

@@ -5,7 +5,7 @@ use crate::{
     ensemble::interleaved::{GroupMoves, group_moves},
     hamiltonian::Hamiltonian,
     scalar::real::Real,
-    state::slot::Keep,
+    state::precision::Precision,
     trajectory::method::Method,
 };
 
@@ -20,11 +20,11 @@ use crate::{
 )]
 pub trait InLanes<H: Hamiltonian>: Method<H> {
     /// The steps, compiled for members in the lanes of `L`, where so many registers hold a number of all lanes each.
-    fn group_moves<L: Real, K: Keep, const REGISTERS: usize>() -> GroupMoves<Self::Motion<L, K>>;
+    fn group_moves<L: Real, K: Precision, const REGISTERS: usize>() -> GroupMoves<Self::Motion<L, K>>;
 }
 
 impl<H: Hamiltonian, X: Scheme + Composition<H>> InLanes<H> for X {
-    fn group_moves<L: Real, K: Keep, const REGISTERS: usize>() -> GroupMoves<H::Motion<L, K>> {
+    fn group_moves<L: Real, K: Precision, const REGISTERS: usize>() -> GroupMoves<H::Motion<L, K>> {
         group_moves::<H, X, L, K, REGISTERS>()
     }
 }

@@ -7,7 +7,7 @@ use crate::{
     composition::Composition,
     hamiltonian::{Flows, Hamiltonian, QuadraticKinetic, Shaped},
     scalar::real::{Kernel, Real},
-    state::{clock::Clock, coords::Coords, slot::Keep},
+    state::{clock::Clock, coords::Coords, precision::Precision},
     system::motion::Motion,
     trajectory::moves::{Advance, End},
 };
@@ -51,7 +51,7 @@ where
     H: Hamiltonian,
     X: Composition<H>,
     L: Real,
-    K: Keep,
+    K: Precision,
 {
     GroupMoves {
         lanes: L::LANES,
@@ -63,7 +63,7 @@ where
     }
 }
 
-fn advance<H: Hamiltonian, X: Composition<H>, L: Real, K: Keep, const REGISTERS: usize>(
+fn advance<H: Hamiltonian, X: Composition<H>, L: Real, K: Precision, const REGISTERS: usize>(
     motions: &mut [H::Motion<L, K>],
     clock: Clock,
     steps: u64,
@@ -71,23 +71,23 @@ fn advance<H: Hamiltonian, X: Composition<H>, L: Real, K: Keep, const REGISTERS:
     L::enter(AdvanceAll::<H, X, L, K, REGISTERS> { motions, clock, steps, marker: PhantomData });
 }
 
-fn end<H: Hamiltonian, X: Composition<H>, L: Real, K: Keep, const SHOWN: bool>(
+fn end<H: Hamiltonian, X: Composition<H>, L: Real, K: Precision, const SHOWN: bool>(
     motions: &mut [H::Motion<L, K>],
     clock: Clock,
 ) {
     L::enter(EndAll::<H, X, L, K, SHOWN> { motions, clock, marker: PhantomData });
 }
 
-fn finite<H: Hamiltonian, L: Real, K: Keep>(motions: &[H::Motion<L, K>]) -> bool {
+fn finite<H: Hamiltonian, L: Real, K: Precision>(motions: &[H::Motion<L, K>]) -> bool {
     L::enter(Finite::<H, L, K>(motions))
 }
 
 /// Several motions, stage by stage.
 ///
 /// Unoptimised, a flow in vectors that was inlined at every stage would take megabytes of stack.
-struct Together<'m, H: Hamiltonian, L: Real, K: Keep, const N: usize>(&'m mut [H::Motion<L, K>; N]);
+struct Together<'m, H: Hamiltonian, L: Real, K: Precision, const N: usize>(&'m mut [H::Motion<L, K>; N]);
 
-impl<H: Hamiltonian, L: Real, K: Keep, const N: usize> Flows<H> for Together<'_, H, L, K, N> {
+impl<H: Hamiltonian, L: Real, K: Precision, const N: usize> Flows<H> for Together<'_, H, L, K, N> {
     const COMPENSATED: bool = K::COMPENSATED;
 
     #[inline(always)]
@@ -120,7 +120,7 @@ impl<H: Hamiltonian, L: Real, K: Keep, const N: usize> Flows<H> for Together<'_,
 }
 
 /// The n-step loop over all motions, one group after the other.
-struct AdvanceAll<'m, H: Hamiltonian, X, L: Real, K: Keep, const REGISTERS: usize> {
+struct AdvanceAll<'m, H: Hamiltonian, X, L: Real, K: Precision, const REGISTERS: usize> {
     motions: &'m mut [H::Motion<L, K>],
     clock: Clock,
     steps: u64,
@@ -132,7 +132,7 @@ where
     H: Hamiltonian,
     X: Composition<H>,
     L: Real,
-    K: Keep,
+    K: Precision,
 {
     const TOGETHER: usize = {
         let numbers = 2 * size_of::<<Shaped<H, K> as Coords>::Slots<L>>() / size_of::<L>();
@@ -166,7 +166,7 @@ where
     H: Hamiltonian,
     X: Composition<H>,
     L: Real,
-    K: Keep,
+    K: Precision,
 {
     type Out = ();
 
@@ -188,7 +188,7 @@ where
 }
 
 /// The end of the step under way: its last stages, or what undoes the processor behind them.
-struct EndAll<'m, H: Hamiltonian, X, L: Real, K: Keep, const SHOWN: bool> {
+struct EndAll<'m, H: Hamiltonian, X, L: Real, K: Precision, const SHOWN: bool> {
     motions: &'m mut [H::Motion<L, K>],
     clock: Clock,
     marker: PhantomData<X>,
@@ -199,7 +199,7 @@ where
     H: Hamiltonian,
     X: Composition<H>,
     L: Real,
-    K: Keep,
+    K: Precision,
 {
     type Out = ();
 
@@ -211,9 +211,9 @@ where
     }
 }
 
-struct Finite<'m, H: Hamiltonian, L: Real, K: Keep>(&'m [H::Motion<L, K>]);
+struct Finite<'m, H: Hamiltonian, L: Real, K: Precision>(&'m [H::Motion<L, K>]);
 
-impl<H: Hamiltonian, L: Real, K: Keep> Kernel for Finite<'_, H, L, K> {
+impl<H: Hamiltonian, L: Real, K: Precision> Kernel for Finite<'_, H, L, K> {
     type Out = bool;
 
     #[inline(always)]

@@ -8,13 +8,13 @@ use crate::{
     },
     state::{
         fixed::Fixed,
-        slot::{Compensated, Keep},
+        precision::{Compensated, Precision},
     },
 };
 
 /// What members of an ensemble are computed in. Named nowhere outside, like the types it leads to: vectors may only be
 /// used where their instructions were detected.
-pub trait LaneScalars: Keep {
+pub trait LaneScalars: Precision {
     /// On every machine.
     type Plain: Real;
     /// Where the machine has fused multiply-add.

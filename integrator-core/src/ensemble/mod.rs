@@ -34,7 +34,7 @@ use crate::{
         coords::Coords,
         phase::Phase,
         point::{Point, shaped},
-        slot::Keep,
+        precision::Precision,
     },
     system::{energies::energy, motion::Prepared},
     trajectory::{
@@ -315,7 +315,7 @@ impl<C: Coords> fmt::Debug for Ensemble<C> {
 ///
 /// # Errors
 /// Those of [`Hamiltonian::run`].
-fn member<H: Hamiltonian, K: Keep, X: Method<H>>(
+fn member<H: Hamiltonian, K: Precision, X: Method<H>>(
     system: &H,
     method: X,
     start: &Phase<Shaped<H, K>>,
@@ -339,7 +339,7 @@ fn member<H: Hamiltonian, K: Keep, X: Method<H>>(
 }
 
 /// No motions yet, of members in lanes.
-fn lanes<H: Hamiltonian, X: InLanes<H>, L: Real, K: Keep, const REGISTERS: usize>(
+fn lanes<H: Hamiltonian, X: InLanes<H>, L: Real, K: Precision, const REGISTERS: usize>(
     members: &Everyone<H::Parameters<f64>, X::Constants>,
 ) -> Box<dyn Motions> {
     let moves = X::group_moves::<L, K, REGISTERS>();

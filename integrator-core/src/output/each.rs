@@ -2,7 +2,7 @@
 
 use crate::{
     error::{Error, debug_as_display},
-    state::{coords::Coords, slot::Keep},
+    state::{coords::Coords, precision::Precision},
     trajectory::samples::Sample,
 };
 use std::io;

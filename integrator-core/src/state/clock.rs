@@ -6,7 +6,7 @@ use crate::{
         coords::Coords,
         flat::{Flat, flat},
         phase::Phase,
-        slot::Keep,
+        precision::Precision,
     },
 };
 
@@ -68,7 +68,7 @@ impl Clock {
 }
 
 /// What all values stay below, in absolute value.
-fn lowest_limit<K: Keep>(leaves: &[K]) -> f64 {
+fn lowest_limit<K: Precision>(leaves: &[K]) -> f64 {
     let mut lowest = f64::INFINITY;
     for leaf in leaves {
         lowest = f64::min(lowest, leaf.limit());

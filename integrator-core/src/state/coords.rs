@@ -5,7 +5,7 @@ use crate::{
     state::{
         aligned::Aligned,
         phase::Phase,
-        slot::{Keep, Slot},
+        precision::{Precision, Slot},
     },
 };
 use alloc::{vec, vec::Vec};
@@ -19,9 +19,9 @@ const PIECE: usize = 256;
 /// [`Fixed<f64>`](crate::Fixed).
 pub trait Coords: Clone + Debug + PartialEq + Send + Sync + 'static {
     /// The type of one coordinate.
-    type Leaf: Keep;
+    type Leaf: Precision;
     /// The same shape with another leaf; from there, `f64` leads back to where it leads from here.
-    type With<K: Keep>: Coords<Leaf = K, With<f64> = Self::With<f64>>;
+    type With<K: Precision>: Coords<Leaf = K, With<f64> = Self::With<f64>>;
     /// The same shape, filled with slots.
     type Slots<R: Real>: Clone + Send + Sync + 'static;
 
@@ -39,24 +39,27 @@ pub trait Coords: Clone + Debug + PartialEq + Send + Sync + 'static {
     /// All coordinates, to be written.
     fn flat_mut(&mut self) -> &mut [Self::Leaf];
     /// The same numbers with another leaf.
-    fn map<K: Keep>(&self, leaf: impl Fn(Self::Leaf) -> K) -> Self::With<K>;
+    fn map<K: Precision>(&self, leaf: impl Fn(Self::Leaf) -> K) -> Self::With<K>;
     /// Slots for so many coordinates, in the order of [`Coords::flat`]; an array has as many as it has.
-    fn slots_from<R: Real>(count: usize, slot: impl Fn(usize) -> <Self::Leaf as Keep>::Slot<R>) -> Self::Slots<R>;
+    fn slots_from<R: Real>(count: usize, slot: impl Fn(usize) -> <Self::Leaf as Precision>::Slot<R>) -> Self::Slots<R>;
     /// Slots as a flat slice.
-    fn slots<R: Real>(slots: &Self::Slots<R>) -> &[<Self::Leaf as Keep>::Slot<R>];
+    fn slots<R: Real>(slots: &Self::Slots<R>) -> &[<Self::Leaf as Precision>::Slot<R>];
     /// Slots as a flat slice, to be written.
-    fn slots_mut<R: Real>(slots: &mut Self::Slots<R>) -> &mut [<Self::Leaf as Keep>::Slot<R>];
+    fn slots_mut<R: Real>(slots: &mut Self::Slots<R>) -> &mut [<Self::Leaf as Precision>::Slot<R>];
     /// Slots filled from the positions or the momenta of one state per lane.
     #[inline(always)]
-    fn inward<R: Real>(states: &[&Phase<Self>], half: fn(&Phase<Self>) -> &Self) -> Self::Slots<R> {
-        Self::slots_from(half(states[0]).flat().len(), |k| Self::Leaf::inward(&|lane| half(states[lane]).flat()[k]))
+    fn pack<R: Real>(states: &[&Phase<Self>], half: fn(&Phase<Self>) -> &Self) -> Self::Slots<R> {
+        Self::slots_from(half(states[0]).flat().len(), |k| Self::Leaf::pack(&|lane| half(states[lane]).flat()[k]))
     }
     /// The slots of the positions or the momenta of one state per lane as a list.
-    fn listed<R: Real>(states: &[&Phase<Self>], half: fn(&Phase<Self>) -> &Self) -> Vec<<Self::Leaf as Keep>::Slot<R>> {
+    fn listed<R: Real>(
+        states: &[&Phase<Self>],
+        half: fn(&Phase<Self>) -> &Self,
+    ) -> Vec<<Self::Leaf as Precision>::Slot<R>> {
         let count = half(states[0]).flat().len();
         let mut slots = Vec::with_capacity(count);
         for k in 0..count {
-            slots.push(Self::Leaf::inward(&|lane| half(states[lane]).flat()[k]));
+            slots.push(Self::Leaf::pack(&|lane| half(states[lane]).flat()[k]));
         }
         slots
     }
@@ -64,7 +67,7 @@ pub trait Coords: Clone + Debug + PartialEq + Send + Sync + 'static {
     #[inline(always)]
     fn numbers<R: Real>(
         slots: &Self::Slots<R>,
-        number: impl Fn(<Self::Leaf as Keep>::Slot<R>) -> R,
+        number: impl Fn(<Self::Leaf as Precision>::Slot<R>) -> R,
     ) -> <Self::With<f64> as Coords>::Slots<R> {
         let slots = Self::slots(slots);
         Self::With::<f64>::slots_from(slots.len(), |k| number(slots[k]))
@@ -72,15 +75,15 @@ pub trait Coords: Clone + Debug + PartialEq + Send + Sync + 'static {
 
     /// Writes one lane of `slots` into `self`.
     #[inline(always)]
-    fn outward<R: Real>(&mut self, slots: &Self::Slots<R>, lane: usize) {
+    fn unpack<R: Real>(&mut self, slots: &Self::Slots<R>, lane: usize) {
         self.unlisted(Self::slots(slots), lane);
     }
     /// Writes one lane of a list of slots into `self`.
     #[inline(always)]
-    fn unlisted<R: Real>(&mut self, slots: &[<Self::Leaf as Keep>::Slot<R>], lane: usize) {
+    fn unlisted<R: Real>(&mut self, slots: &[<Self::Leaf as Precision>::Slot<R>], lane: usize) {
         let (leaves, mut k) = (self.flat_mut(), 0);
         while k < leaves.len() {
-            leaves[k] = Self::Leaf::outward(slots[k], lane);
+            leaves[k] = Self::Leaf::unpack(slots[k], lane);
             k += 1;
         }
     }
@@ -101,9 +104,9 @@ pub trait Coords: Clone + Debug + PartialEq + Send + Sync + 'static {
     }
 }
 
-impl<K: Keep, const N: usize> Coords for [K; N] {
+impl<K: Precision, const N: usize> Coords for [K; N] {
     type Leaf = K;
-    type With<L: Keep> = [L; N];
+    type With<L: Precision> = [L; N];
     type Slots<R: Real> = [K::Slot<R>; N];
 
     const LENGTH: Option<usize> = Some(N);
@@ -121,7 +124,7 @@ impl<K: Keep, const N: usize> Coords for [K; N] {
     fn flat_mut(&mut self) -> &mut [K] {
         self
     }
-    fn map<L: Keep>(&self, leaf: impl Fn(K) -> L) -> [L; N] {
+    fn map<L: Precision>(&self, leaf: impl Fn(K) -> L) -> [L; N] {
         let mut mapped = [L::default(); N];
         for (mapped, own) in mapped.iter_mut().zip(self) {
             *mapped = leaf(*own);
@@ -146,9 +149,9 @@ impl<K: Keep, const N: usize> Coords for [K; N] {
     }
 }
 
-impl<K: Keep, const D: usize, const N: usize> Coords for [[K; D]; N] {
+impl<K: Precision, const D: usize, const N: usize> Coords for [[K; D]; N] {
     type Leaf = K;
-    type With<L: Keep> = [[L; D]; N];
+    type With<L: Precision> = [[L; D]; N];
     type Slots<R: Real> = [[K::Slot<R>; D]; N];
 
     const LENGTH: Option<usize> = Some(N);
@@ -167,7 +170,7 @@ impl<K: Keep, const D: usize, const N: usize> Coords for [[K; D]; N] {
     fn flat_mut(&mut self) -> &mut [K] {
         self.as_flattened_mut()
     }
-    fn map<L: Keep>(&self, leaf: impl Fn(K) -> L) -> [[L; D]; N] {
+    fn map<L: Precision>(&self, leaf: impl Fn(K) -> L) -> [[L; D]; N] {
         let mut mapped = [[L::default(); D]; N];
         for (mapped, own) in mapped.as_flattened_mut().iter_mut().zip(self.flat()) {
             *mapped = leaf(*own);
@@ -192,9 +195,9 @@ impl<K: Keep, const D: usize, const N: usize> Coords for [[K; D]; N] {
     }
 }
 
-impl<K: Keep> Coords for Vec<K> {
+impl<K: Precision> Coords for Vec<K> {
     type Leaf = K;
-    type With<L: Keep> = Vec<L>;
+    type With<L: Precision> = Vec<L>;
     type Slots<R: Real> = Aligned<K::Slot<R>>;
 
     const LENGTH: Option<usize> = None;
@@ -212,7 +215,7 @@ impl<K: Keep> Coords for Vec<K> {
     fn flat_mut(&mut self) -> &mut [K] {
         self
     }
-    fn map<L: Keep>(&self, leaf: impl Fn(K) -> L) -> Vec<L> {
+    fn map<L: Precision>(&self, leaf: impl Fn(K) -> L) -> Vec<L> {
         let mut mapped = Vec::with_capacity(self.len());
         for own in self {
             mapped.push(leaf(*own));
@@ -231,9 +234,9 @@ impl<K: Keep> Coords for Vec<K> {
     }
 }
 
-impl<K: Keep, const D: usize> Coords for Vec<[K; D]> {
+impl<K: Precision, const D: usize> Coords for Vec<[K; D]> {
     type Leaf = K;
-    type With<L: Keep> = Vec<[L; D]>;
+    type With<L: Precision> = Vec<[L; D]>;
     type Slots<R: Real> = Aligned<[K::Slot<R>; D]>;
 
     const LENGTH: Option<usize> = None;
@@ -252,7 +255,7 @@ impl<K: Keep, const D: usize> Coords for Vec<[K; D]> {
     fn flat_mut(&mut self) -> &mut [K] {
         self.as_flattened_mut()
     }
-    fn map<L: Keep>(&self, leaf: impl Fn(K) -> L) -> Vec<[L; D]> {
+    fn map<L: Precision>(&self, leaf: impl Fn(K) -> L) -> Vec<[L; D]> {
         let mut mapped = vec![[L::default(); D]; self.len()];
         for (mapped, own) in mapped.as_flattened_mut().iter_mut().zip(self.flat()) {
             *mapped = leaf(*own);

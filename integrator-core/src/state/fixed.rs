@@ -8,7 +8,7 @@ use crate::{
         fused::{Avx512, Fused},
         real::{Mask, Real},
     },
-    state::slot::{Keep, Slot},
+    state::precision::{Precision, Slot},
 };
 
 /// 1.5 · 2^52: a double of this many grid spacings has neighbours one spacing apart, on both sides for 2^51 of them.
@@ -94,7 +94,7 @@ impl<R: Real> Slot<R> for Fixed<R> {
     }
 }
 
-impl Keep for Fixed<f64> {
+impl Precision for Fixed<f64> {
     type Plain = f64;
     type Fused = Fused<f64>;
     type Avx512 = Fused<f64, Avx512>;
@@ -107,11 +107,11 @@ impl Keep for Fixed<f64> {
     const REVERSIBLE: bool = true;
 
     #[inline(always)]
-    fn inward<R: Real>(of_lane: &dyn Fn(usize) -> Self) -> Fixed<R> {
+    fn pack<R: Real>(of_lane: &dyn Fn(usize) -> Self) -> Fixed<R> {
         Fixed { value: R::state(&|lane| of_lane(lane).value), spacing: R::parameter(&|lane| of_lane(lane).spacing) }
     }
     #[inline(always)]
-    fn outward<R: Real>(slot: Fixed<R>, lane: usize) -> Self {
+    fn unpack<R: Real>(slot: Fixed<R>, lane: usize) -> Self {
         Self { value: slot.value.lane(lane), spacing: slot.spacing.lane(lane) }
     }
     fn to_f64(self) -> f64 {

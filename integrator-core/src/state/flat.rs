@@ -1,6 +1,6 @@
 //! Points of phase space without the shape of their coordinates: code that is not hot is compiled for these, once.
 
-use crate::state::{coords::Coords, phase::Phase, slot::Keep};
+use crate::state::{coords::Coords, phase::Phase, precision::Precision};
 use alloc::vec::Vec;
 
 /// A point without its shape: all numbers of its positions, and all of its momenta.
@@ -11,7 +11,7 @@ pub(crate) fn flat<C: Coords>(point: &Phase<C>) -> Flat {
     Phase { q: values(point.q.flat()), p: values(point.p.flat()) }
 }
 
-fn values<K: Keep>(leaves: &[K]) -> Vec<f64> {
+fn values<K: Precision>(leaves: &[K]) -> Vec<f64> {
     let mut values = Vec::with_capacity(leaves.len());
     for leaf in leaves {
         values.push(leaf.to_f64());

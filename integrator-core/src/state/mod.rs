@@ -10,4 +10,4 @@ pub(crate) mod flat;
 pub(crate) mod phase;
 #[cfg(feature = "std")]
 pub(crate) mod point;
-pub(crate) mod slot;
+pub(crate) mod precision;

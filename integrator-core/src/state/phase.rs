@@ -1,6 +1,6 @@
 //! A point of phase space.
 
-use crate::state::{coords::Coords, fixed::Fixed, slot::Compensated};
+use crate::state::{coords::Coords, fixed::Fixed, precision::Compensated};
 
 /// Positions and momenta, in the shape that the Hamiltonian's functions take them.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -2,7 +2,7 @@
 
 use crate::{
     error::Divergence,
-    state::{clock::Clock, coords::Coords, phase::Phase, slot::Keep},
+    state::{clock::Clock, coords::Coords, phase::Phase, precision::Precision},
 };
 use std::any::Any;
 
@@ -28,7 +28,7 @@ impl<C: Coords> Point for Phase<C> {
     }
 }
 
-fn all_finite<K: Keep>(leaves: &[K]) -> bool {
+fn all_finite<K: Precision>(leaves: &[K]) -> bool {
     for leaf in leaves {
         if !leaf.to_f64().is_finite() {
             return false;

@@ -4,7 +4,7 @@ use crate::{
     error::Error,
     hamiltonian::{Hamiltonian, Shaped},
     scalar::real::{Kernel, Real},
-    state::{coords::Coords, phase::Phase, slot::Keep},
+    state::{coords::Coords, phase::Phase, precision::Precision},
     system::motion::Motion,
 };
 use alloc::sync::Arc;
@@ -65,7 +65,7 @@ impl<P: Send + Sync, C: Coords> Energies<C> for Constants<P, C> {
 pub(crate) type EnergyOf<P, C> = fn(&P, &Phase<C>, f64) -> Parts;
 
 /// The energy of a state, in what its leaf asks for.
-pub(crate) fn energy<H: Hamiltonian, K: Keep>(
+pub(crate) fn energy<H: Hamiltonian, K: Precision>(
     parameters: &H::Parameters<f64>,
     state: &Phase<Shaped<H, K>>,
     time: f64,

@@ -3,7 +3,7 @@
 use crate::{
     error::{NotFinite, Unsolved},
     scalar::real::Real,
-    state::{coords::Coords, digest::Digest, phase::Phase, slot::Slot},
+    state::{coords::Coords, digest::Digest, phase::Phase, precision::Slot},
 };
 use alloc::vec::Vec;
 
@@ -72,15 +72,15 @@ pub struct Plain<R: Real, C: Coords, P> {
 impl<R: Real, C: Coords, P: Prepared<R>> Motion<C, P::Single> for Plain<R, C, P> {
     fn load(constants: &[&P::Single], states: &[&Phase<C>]) -> Self {
         Self {
-            q: C::inward(states, |state| &state.q),
-            p: C::inward(states, |state| &state.p),
+            q: C::pack(states, |state| &state.q),
+            p: C::pack(states, |state| &state.p),
             parameters: P::gather(constants),
         }
     }
     #[inline(always)]
     fn store(&self, lane: usize, to: &mut Phase<C>) {
-        to.q.outward(&self.q, lane);
-        to.p.outward(&self.p, lane);
+        to.q.unpack(&self.q, lane);
+        to.p.unpack(&self.p, lane);
     }
     #[inline(always)]
     fn copy_state(&mut self, from: &Self) {

@@ -10,7 +10,7 @@ use crate::{
     state::{
         coords::Coords,
         flat::{flat, shaped},
-        slot::Keep,
+        precision::Precision,
     },
 };
 use crate::{
@@ -162,7 +162,7 @@ impl Digits {
 /// # Errors
 /// [`Error::Misread`]
 #[cfg(debug_assertions)]
-pub(crate) fn hold_at_start<H: Hamiltonian, K: Keep>(
+pub(crate) fn hold_at_start<H: Hamiltonian, K: Precision>(
     system: &H,
     parameters: &H::Parameters<f64>,
     start: &Phase<Shaped<H, K>>,

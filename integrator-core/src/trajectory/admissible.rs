@@ -2,7 +2,7 @@
 
 use crate::{
     error::Error,
-    state::{coords::Coords, fixed::is_power_of_two, phase::Phase, slot::Keep},
+    state::{coords::Coords, fixed::is_power_of_two, phase::Phase, precision::Precision},
     trajectory::method::Described,
 };
 

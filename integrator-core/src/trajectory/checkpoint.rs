@@ -11,7 +11,7 @@ use crate::{
     composition::{Composition, Processor, Stage, Stages},
     error::{Error, debug_as_display},
     hamiltonian::Hamiltonian,
-    state::{clock::Clock, coords::Coords, digest::Digest, phase::Phase, slot::Keep},
+    state::{clock::Clock, coords::Coords, digest::Digest, phase::Phase, precision::Precision},
     system::motion::Prepared,
     trajectory::{
         admissible::admissible_with,
@@ -349,7 +349,7 @@ impl<C: Coords> Run<C> {
 
 impl Record {
     /// Whether the names of a system, a method and a precision are those of this record, and the stages too.
-    fn belongs_to<H: Hamiltonian, K: Keep>(&self, facts: Facts) -> Result<(), CheckpointError> {
+    fn belongs_to<H: Hamiltonian, K: Precision>(&self, facts: Facts) -> Result<(), CheckpointError> {
         let asked = [
             ("system", &self.system, core::any::type_name::<H>()),
             ("composition", &self.composition, facts.name),

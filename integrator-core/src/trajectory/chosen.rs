@@ -3,7 +3,7 @@
 use crate::{
     hamiltonian::{Hamiltonian, Shaped},
     scalar::{instruction_set::InstructionSet, real::Real},
-    state::{phase::Phase, slot::Keep},
+    state::{phase::Phase, precision::Precision},
     system::energies::{Energies, energies, energy},
     trajectory::{
         engine::{Engine, Solo},
@@ -13,7 +13,7 @@ use crate::{
 use alloc::{boxed::Box, sync::Arc};
 
 /// The engine of a trajectory, computed in what this machine takes.
-pub(crate) fn engine<H: Hamiltonian, X: Method<H>, K: Keep>(
+pub(crate) fn engine<H: Hamiltonian, X: Method<H>, K: Precision>(
     method: X,
     parameters: Arc<H::Parameters<f64>>,
     start: Phase<Shaped<H, K>>,
@@ -35,7 +35,7 @@ pub(crate) fn engine<H: Hamiltonian, X: Method<H>, K: Keep>(
 }
 
 /// The engine of a trajectory whose steps are computed in `R`.
-fn computed_in<H: Hamiltonian, X: Method<H>, R: Real, K: Keep>(
+fn computed_in<H: Hamiltonian, X: Method<H>, R: Real, K: Precision>(
     constants: Arc<X::Constants>,
     start: Phase<Shaped<H, K>>,
     energies: Arc<dyn Energies<Shaped<H, K>>>,

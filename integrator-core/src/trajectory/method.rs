@@ -8,7 +8,7 @@ use crate::{
     error::Error,
     hamiltonian::{Hamiltonian, Shaped},
     scalar::real::Real,
-    state::slot::Keep,
+    state::precision::Precision,
     system::motion::Motion,
     trajectory::moves::{Moves, moves},
 };
@@ -115,14 +115,14 @@ pub trait Method<H: Hamiltonian>: Described {
     /// What stays the same in a run.
     type Constants: Send + Sync + 'static;
     /// What moves.
-    type Motion<R: Real, K: Keep>: Motion<Shaped<H, K>, Self::Constants>;
+    type Motion<R: Real, K: Precision>: Motion<Shaped<H, K>, Self::Constants>;
 
     /// The constants of a run, from those of the system.
     fn constants(self, parameters: Arc<H::Parameters<f64>>) -> Arc<Self::Constants>;
     /// The steps, compiled for one scalar and leaf.
-    fn moves<R: Real, K: Keep>() -> Moves<Self::Motion<R, K>>;
+    fn moves<R: Real, K: Precision>() -> Moves<Self::Motion<R, K>>;
     /// The same for the steps of checks, compiled without what only large systems gain from.
-    fn plain_moves<R: Real, K: Keep>() -> Moves<Self::Motion<R, K>> {
+    fn plain_moves<R: Real, K: Precision>() -> Moves<Self::Motion<R, K>> {
         Self::moves::<R, K>()
     }
 }
@@ -132,15 +132,15 @@ impl<H: Hamiltonian, X: Scheme + Composition<H>> Method<H> for X {
         if H::PIECEWISE_IN_TIME { Some(X::STAGES.forces(&X::PROCESSOR)) } else { self.facts().forces }
     }
     type Constants = H::Parameters<f64>;
-    type Motion<R: Real, K: Keep> = H::Motion<R, K>;
+    type Motion<R: Real, K: Precision> = H::Motion<R, K>;
 
     fn constants(self, parameters: Arc<H::Parameters<f64>>) -> Arc<H::Parameters<f64>> {
         parameters
     }
-    fn moves<R: Real, K: Keep>() -> Moves<H::Motion<R, K>> {
+    fn moves<R: Real, K: Precision>() -> Moves<H::Motion<R, K>> {
         moves::<H, X, R, K, true>()
     }
-    fn plain_moves<R: Real, K: Keep>() -> Moves<H::Motion<R, K>> {
+    fn plain_moves<R: Real, K: Precision>() -> Moves<H::Motion<R, K>> {
         moves::<H, X, R, K, false>()
     }
 }

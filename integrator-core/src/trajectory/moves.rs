@@ -6,7 +6,7 @@ use crate::{
     hamiltonian::{Flows, Hamiltonian, Single},
     layout::lattice::tiled::Tiled,
     scalar::real::{Kernel, Real},
-    state::{clock::Clock, coords::Coords, slot::Keep},
+    state::{clock::Clock, coords::Coords, precision::Precision},
     system::motion::Motion,
 };
 use core::marker::PhantomData;
@@ -65,8 +65,8 @@ impl<M> Copy for Moves<M> {}
 /// The moves of a system under a composition.
 ///
 /// With `TILES`, lattices too long for the cache are swept in tiles; without, they are moved flow by flow, in less code.
-pub(crate) fn moves<H: Hamiltonian, X: Composition<H>, R: Real, K: Keep, const TILES: bool>() -> Moves<H::Motion<R, K>>
-{
+pub(crate) fn moves<H: Hamiltonian, X: Composition<H>, R: Real, K: Precision, const TILES: bool>()
+-> Moves<H::Motion<R, K>> {
     Moves {
         advance: |motion, clock, steps, threads| {
             if const { TILES && Tiled::<H, R, K>::PAYS } {
@@ -85,7 +85,7 @@ pub(crate) fn moves<H: Hamiltonian, X: Composition<H>, R: Real, K: Keep, const T
 }
 
 /// The end of the step under way: its last stages, or what undoes the processor behind them.
-fn end<H: Hamiltonian, X: Composition<H>, R: Real, K: Keep, const TILES: bool, const SHOWN: bool>(
+fn end<H: Hamiltonian, X: Composition<H>, R: Real, K: Precision, const TILES: bool, const SHOWN: bool>(
     motion: &mut H::Motion<R, K>,
     clock: Clock,
 ) {

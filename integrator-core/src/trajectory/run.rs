@@ -7,7 +7,7 @@ use crate::trajectory::checkpoint::Origin;
 use crate::{
     error::{Divergence, Error},
     hamiltonian::Hamiltonian,
-    state::{clock::Clock, coords::Coords, phase::Phase, slot::Keep},
+    state::{clock::Clock, coords::Coords, phase::Phase, precision::Precision},
     system::{
         energies::{Energies, Parts},
         motion::Prepared,
@@ -49,7 +49,7 @@ impl<C: Coords> Run<C> {
     where
         H: Hamiltonian,
         X: Method<H>,
-        K: Keep,
+        K: Precision,
         H::Coords: Coords<With<K> = C>,
     {
         admissible_with(method, &start, h)?;
@@ -89,7 +89,7 @@ impl<C: Coords> Run<C> {
     where
         H: Hamiltonian,
         X: Method<H>,
-        K: Keep,
+        K: Precision,
         H::Coords: Coords<With<K> = C>,
     {
         let parameters = system.parameters(start.q.length());

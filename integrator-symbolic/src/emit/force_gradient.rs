@@ -47,7 +47,7 @@ pub(super) fn functions(
         fn hessian<#scalar: #runtime::Real>(#motion: &mut Self::Motion<#scalar, f64>, #time: f64) { #read #product }
 
         #[inline(always)]
-        fn gradient_kick<#scalar: #runtime::Real, #leaf: #runtime::Keep>(
+        fn gradient_kick<#scalar: #runtime::Real, #leaf: #runtime::Precision>(
             motion: &mut Self::Motion<#scalar, #leaf>,
             duration: f64,
             gradient: f64,

@@ -40,7 +40,7 @@ impl Body {
         let (motion, duration, time) = (self.argument("motion"), self.argument("duration"), self.argument("time"));
         quote! {
             #[inline(always)]
-            fn #name<#scalar: #runtime::Real, #leaf: #runtime::Keep>(#motion: &mut Self::Motion<#scalar, #leaf>, #duration: f64, #time: f64) { #body }
+            fn #name<#scalar: #runtime::Real, #leaf: #runtime::Precision>(#motion: &mut Self::Motion<#scalar, #leaf>, #duration: f64, #time: f64) { #body }
         }
     }
 
@@ -50,7 +50,7 @@ impl Body {
         let (motion, time) = (self.argument("motion"), self.argument("time"));
         quote! {
             #[inline(always)]
-            fn #name<#scalar: #runtime::Real, #leaf: #runtime::Keep>(#motion: &Self::Motion<#scalar, #leaf>, #time: f64) -> #scalar { #read #body }
+            fn #name<#scalar: #runtime::Real, #leaf: #runtime::Precision>(#motion: &Self::Motion<#scalar, #leaf>, #time: f64) -> #scalar { #read #body }
         }
     }
 }

@@ -131,13 +131,13 @@ pub(super) fn parts(names: &Names) -> (TokenStream, TokenStream) {
     let sites = quote!(#runtime::Sites<'_, #scalar, #leaf, Self::Parameters<#scalar>>);
     let lattice = quote! {
         #[inline(always)]
-        fn sites<#scalar: #runtime::Real, #leaf: #runtime::Keep>(
+        fn sites<#scalar: #runtime::Real, #leaf: #runtime::Precision>(
             motion: &mut Self::Motion<#scalar, #leaf>,
         ) -> ::core::option::Option<#sites> {
             ::core::option::Option::Some(motion.sites())
         }
         #[inline(always)]
-        fn along<#scalar: #runtime::Real, #leaf: #runtime::Keep>(
+        fn along<#scalar: #runtime::Real, #leaf: #runtime::Precision>(
             lattice: &mut #sites,
             flow: &#runtime::Flow,
             sites: ::core::ops::Range<usize>,

@@ -255,7 +255,7 @@ pub(crate) fn stepper(input: &Input, mut model: Model) -> TokenStream {
                 type Coords = #coordinates;
                 type Compose = #composition;
                 type Parameters<#scalar: #runtime::Real> = #of_r;
-                type Motion<#scalar: #runtime::Real, #leaf: #runtime::Keep> = #motion;
+                type Motion<#scalar: #runtime::Real, #leaf: #runtime::Precision> = #motion;
 
                 const AUTONOMOUS: bool = #autonomous;
                 const FINGERPRINT: u64 = #fingerprint;

@@ -26,7 +26,7 @@ impl Pieces {
             }),
             begin: Some(quote! {
                 #[inline(always)]
-                fn begin_step<#scalar: #runtime::Real, #leaf: #runtime::Keep>(motion: &mut Self::Motion<#scalar, #leaf>, middle: f64) {
+                fn begin_step<#scalar: #runtime::Real, #leaf: #runtime::Precision>(motion: &mut Self::Motion<#scalar, #leaf>, middle: f64) {
                     #runtime::Prepared::begin_step(&mut motion.parameters, middle);
                 }
             }),

@@ -5,7 +5,7 @@ use crate::{
     composition::{Class, Composition, Rows, visit::Visitor},
     error::Error,
     hamiltonian::{Hamiltonian, Shaped},
-    state::slot::Keep,
+    state::precision::Precision,
     trajectory::run::Run,
 };
 
@@ -13,7 +13,7 @@ use crate::{
 type Begin<H, K> = fn(&H, &Start<Shaped<H, K>>, f64) -> Result<Run<Shaped<H, K>>, Error>;
 
 /// One composition.
-pub(super) struct Candidate<H: Hamiltonian, K: Keep> {
+pub(super) struct Candidate<H: Hamiltonian, K: Precision> {
     pub(super) name: &'static str,
     pub(super) order: u32,
     pub(super) class: Class,
@@ -24,7 +24,7 @@ pub(super) struct Candidate<H: Hamiltonian, K: Keep> {
     pub(super) begin: Begin<H, K>,
 }
 
-impl<H: Hamiltonian, K: Keep> Candidate<H, K> {
+impl<H: Hamiltonian, K: Precision> Candidate<H, K> {
     /// The work of a run.
     pub(super) fn evaluations(&self, steps: u64) -> u64 {
         steps * self.each + self.once
@@ -32,9 +32,9 @@ impl<H: Hamiltonian, K: Keep> Candidate<H, K> {
 }
 
 /// Collects what it visits.
-pub(super) struct Candidates<H: Hamiltonian, K: Keep>(pub(super) Vec<Candidate<H, K>>);
+pub(super) struct Candidates<H: Hamiltonian, K: Precision>(pub(super) Vec<Candidate<H, K>>);
 
-impl<H: Hamiltonian, K: Keep> Visitor<H> for Candidates<H, K> {
+impl<H: Hamiltonian, K: Precision> Visitor<H> for Candidates<H, K> {
     fn visit<X: Composition<H>>(&mut self, _: X) {
         self.0.push(Candidate {
             name: X::NAME,

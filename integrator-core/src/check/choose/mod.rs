@@ -18,7 +18,7 @@ use crate::{
     check::{CheckError, start::Start, statistics::points::begin},
     hamiltonian::{Hamiltonian, Shaped},
     scalar::tolerance::within,
-    state::slot::Keep,
+    state::precision::Precision,
 };
 use problem::Problem;
 
@@ -80,7 +80,7 @@ impl Goal {
 /// # Errors
 /// A span, a start or a tolerance that no run can have; an energy that is not conserved because the Hamiltonian reads
 /// the time; edges between pieces in time that no equal steps over the span meet; a motion that cannot be followed to the tolerance; a tolerance that no composition reaches.
-pub fn choose<H: Hamiltonian, K: Keep>(
+pub fn choose<H: Hamiltonian, K: Precision>(
     system: &H,
     start: impl Into<Start<Shaped<H, K>>>,
     span: f64,

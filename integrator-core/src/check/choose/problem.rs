@@ -24,7 +24,7 @@ use crate::{
         coords::Coords,
         flat::{flat, shaped},
         phase::Phase,
-        slot::Keep,
+        precision::Precision,
     },
     system::motion::Motion,
     trajectory::run::Run,
@@ -54,7 +54,7 @@ pub(super) fn stalled(error: f64, two_halvings_ago: f64, epsilon: f64) -> bool {
 }
 
 /// A system, a start, a span and a goal.
-pub(super) struct Problem<'s, H: Hamiltonian, K: Keep> {
+pub(super) struct Problem<'s, H: Hamiltonian, K: Precision> {
     pub(super) system: &'s H,
     pub(super) start: Start<Shaped<H, K>>,
     pub(super) span: f64,
@@ -66,7 +66,7 @@ pub(super) struct Problem<'s, H: Hamiltonian, K: Keep> {
     unit: u64,
 }
 
-impl<'s, H: Hamiltonian, K: Keep> Problem<'s, H, K> {
+impl<'s, H: Hamiltonian, K: Precision> Problem<'s, H, K> {
     pub(super) fn new(system: &'s H, start: Start<Shaped<H, K>>, span: f64, goal: Goal) -> Result<Self, ChooseError> {
         let mut problem = Self { system, start, span, goal, exact: None, unit: PARTS };
         if H::PIECEWISE_IN_TIME {

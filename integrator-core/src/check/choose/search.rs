@@ -8,7 +8,7 @@ use super::{
     candidate::Candidate,
     problem::{MOST_EVALUATIONS, Problem, stalled},
 };
-use crate::{check::CheckError, hamiltonian::Hamiltonian, scalar::tolerance::within, state::slot::Keep};
+use crate::{check::CheckError, hamiltonian::Hamiltonian, scalar::tolerance::within, state::precision::Precision};
 
 /// The first round's evaluations.
 const FIRST_ROUND: u64 = 64;
@@ -20,7 +20,7 @@ const SPREAD: u64 = 16;
 const RESOLUTION: f64 = 1.02;
 
 /// One candidate on its way to the goal.
-struct Attempt<H: Hamiltonian, K: Keep> {
+struct Attempt<H: Hamiltonian, K: Precision> {
     candidate: Candidate<H, K>,
     /// The largest number of steps that missed the goal, zero before the first.
     missed: u64,
@@ -29,7 +29,7 @@ struct Attempt<H: Hamiltonian, K: Keep> {
 }
 
 /// Ranks the candidates.
-pub(super) fn rank<H: Hamiltonian, K: Keep>(
+pub(super) fn rank<H: Hamiltonian, K: Precision>(
     problem: &Problem<'_, H, K>,
     candidates: Vec<Candidate<H, K>>,
 ) -> Result<Ranking, ChooseError> {
@@ -73,7 +73,7 @@ pub(super) fn rank<H: Hamiltonian, K: Keep>(
     Ok(Ranking(choices))
 }
 
-impl<H: Hamiltonian, K: Keep> Attempt<H, K> {
+impl<H: Hamiltonian, K: Precision> Attempt<H, K> {
     /// The fewest steps that meet the goal, between those that miss it and those that are known to meet it.
     fn refined(&self, problem: &Problem<'_, H, K>, mut steps: u64, mut error: f64) -> Result<Choice, ChooseError> {
         let candidate = &self.candidate;
@@ -104,7 +104,7 @@ impl<H: Hamiltonian, K: Keep> Attempt<H, K> {
 }
 
 /// Whether `error` is within the tolerance, and not because it happens to vanish for this number of steps alone.
-fn meets<H: Hamiltonian, K: Keep>(
+fn meets<H: Hamiltonian, K: Precision>(
     problem: &Problem<'_, H, K>,
     candidate: &Candidate<H, K>,
     steps: u64,

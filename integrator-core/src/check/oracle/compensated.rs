@@ -11,7 +11,7 @@ use crate::{
         coords::Coords,
         flat::{Flat, flat},
         phase::Phase,
-        slot::Compensated,
+        precision::Compensated,
     },
     system::motion::Motion,
     trajectory::{admissible::admissible_with, method::Method},

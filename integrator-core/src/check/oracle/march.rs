@@ -14,7 +14,7 @@ use crate::{
         coords::Coords,
         flat::{Flat, flat},
         phase::Phase,
-        slot::Compensated,
+        precision::Compensated,
     },
     system::motion::Motion,
 };

@@ -10,7 +10,7 @@ use crate::{
     },
     hamiltonian::Hamiltonian,
     methods::taylor::{Recurrences, RecurrencesVisitor, Taylor},
-    state::{clock::Clock, coords::Coords, flat::flat, phase::Phase, slot::Compensated},
+    state::{clock::Clock, coords::Coords, flat::flat, phase::Phase, precision::Compensated},
     system::motion::Motion,
     trajectory::method::Method,
 };

@@ -17,7 +17,7 @@ use crate::{
     error::Error,
     hamiltonian::{Hamiltonian, Shaped},
     scalar::tolerance::{largest, length, ratio, within},
-    state::{coords::Coords, phase::Phase, slot::Keep},
+    state::{coords::Coords, phase::Phase, precision::Precision},
     system::motion::Motion,
     trajectory::method::Method,
 };
@@ -97,7 +97,7 @@ impl EnergyDrift {
 /// # Errors
 /// A Hamiltonian that reads the time; fewer than 64 steps; a start or a step that no run would begin with; a run that
 /// leaves the finite numbers.
-pub fn energy_drift<H: Hamiltonian, X: Method<H>, K: Keep>(
+pub fn energy_drift<H: Hamiltonian, X: Method<H>, K: Precision>(
     system: &H,
     method: X,
     start: impl Into<Start<Shaped<H, K>>>,

@@ -16,7 +16,7 @@ use crate::{
     },
     hamiltonian::{Hamiltonian, Shaped},
     scalar::tolerance::within,
-    state::{flat::flat, slot::Keep},
+    state::{flat::flat, precision::Precision},
     trajectory::method::Method,
 };
 
@@ -71,7 +71,7 @@ pub struct GlobalError {
 /// # Errors
 /// No steps; a start or a step that no run would begin with; a run that leaves the finite numbers; an exact motion that is not
 /// known to a tenth of the way it goes.
-pub fn global_error<H: Hamiltonian, X: Method<H>, K: Keep>(
+pub fn global_error<H: Hamiltonian, X: Method<H>, K: Precision>(
     system: &H,
     method: X,
     start: impl Into<Start<Shaped<H, K>>>,

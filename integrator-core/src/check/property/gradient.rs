@@ -20,7 +20,7 @@ use crate::{
         coords::Coords,
         flat::{Flat, flat, shaped},
         phase::Phase,
-        slot::Keep,
+        precision::Precision,
     },
     system::motion::Motion,
 };
@@ -34,7 +34,7 @@ use crate::{
 ///
 /// # Errors
 /// A point that no run would begin with, a `time` that is not finite, or a point where an energy has no derivative.
-pub fn gradient_error<H: Hamiltonian, K: Keep>(
+pub fn gradient_error<H: Hamiltonian, K: Precision>(
     system: &H,
     point: Phase<Shaped<H, K>>,
     time: f64,

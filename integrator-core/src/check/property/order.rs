@@ -21,7 +21,7 @@ use crate::{
     error::Error,
     hamiltonian::{Hamiltonian, Shaped},
     scalar::tolerance::within,
-    state::{flat::Flat, slot::Keep},
+    state::{flat::Flat, precision::Precision},
     trajectory::method::Method,
 };
 
@@ -120,7 +120,7 @@ impl Order {
 /// # Errors
 /// A start or a step that no run would begin with; a method that takes steps of its own; a start from which the errors of
 /// fewer than four step sizes stand out of the rounding, or from which no step follows the motion.
-pub fn observed_order<H: Hamiltonian, X: Method<H>, K: Keep>(
+pub fn observed_order<H: Hamiltonian, X: Method<H>, K: Precision>(
     system: &H,
     method: X,
     start: impl Into<Start<Shaped<H, K>>>,

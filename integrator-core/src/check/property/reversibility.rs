@@ -16,7 +16,7 @@ use crate::{
     scalar::tolerance::{largest, ratio},
     state::{
         flat::{Flat, flat},
-        slot::Keep,
+        precision::Precision,
     },
     trajectory::method::Method,
 };
@@ -29,7 +29,7 @@ use crate::{
 ///
 /// # Errors
 /// A start or a step that no run would begin with; a run that leaves the finite numbers.
-pub fn reversibility<H: Hamiltonian, X: Method<H>, K: Keep>(
+pub fn reversibility<H: Hamiltonian, X: Method<H>, K: Precision>(
     system: &H,
     method: X,
     start: impl Into<Start<Shaped<H, K>>>,
@@ -52,7 +52,7 @@ pub(crate) struct RoundTrip {
 /// the largest they become on the way there, or on the way back. The errors are independent, so that they add up to the
 /// root of their number, `2 ε √(2 n f)` times this growth. A factor 8 covers the tail of such a sum and what tangents
 /// in two directions may miss of the growth.
-pub(crate) fn round_trip<H: Hamiltonian, X: Method<H>, K: Keep>(
+pub(crate) fn round_trip<H: Hamiltonian, X: Method<H>, K: Precision>(
     system: &H,
     method: X,
     start: &Start<Shaped<H, K>>,
@@ -83,7 +83,7 @@ struct Trip {
 }
 
 impl Trip {
-    fn take<H: Hamiltonian, X: Method<H>, K: Keep>(
+    fn take<H: Hamiltonian, X: Method<H>, K: Precision>(
         system: &H,
         method: X,
         start: &Start<Shaped<H, K>>,
@@ -104,7 +104,7 @@ impl Trip {
 }
 
 /// Where and when a run is after so many steps.
-fn after<H: Hamiltonian, X: Method<H>, K: Keep>(
+fn after<H: Hamiltonian, X: Method<H>, K: Precision>(
     system: &H,
     method: X,
     start: &Start<Shaped<H, K>>,

@@ -29,7 +29,7 @@ use crate::{
         dual::Dual,
         tolerance::{largest, length, within},
     },
-    state::{coords::Coords, flat::shaped, phase::Phase, slot::Keep},
+    state::{coords::Coords, flat::shaped, phase::Phase, precision::Precision},
     system::motion::Motion,
 };
 
@@ -112,7 +112,7 @@ impl Shadow {
 /// assert!(shadow.is_conserved());
 /// # Ok::<(), integrator_core::check::CheckError>(())
 /// ```
-pub fn shadow<H: QuadraticKinetic, X: Composition<H> + Shadowed, K: Keep>(
+pub fn shadow<H: QuadraticKinetic, X: Composition<H> + Shadowed, K: Precision>(
     system: &H,
     composition: X,
     start: impl Into<Start<Shaped<H, K>>>,

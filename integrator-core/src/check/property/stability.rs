@@ -20,7 +20,7 @@ use crate::{
     scalar::tolerance::{largest, within},
     state::{
         flat::{Flat, flat},
-        slot::Keep,
+        precision::Precision,
     },
     trajectory::method::Method,
 };
@@ -102,7 +102,7 @@ impl fmt::Display for Stability {
 /// assert!(stability(&Spring, Verlet, &Phase::new([1.0_f64], [0.0]), 0.15)?.is_near());
 /// # Ok::<(), integrator_core::check::CheckError>(())
 /// ```
-pub fn stability<H: Hamiltonian, X: Composition<H>, K: Keep>(
+pub fn stability<H: Hamiltonian, X: Composition<H>, K: Precision>(
     system: &H,
     composition: X,
     start: impl Into<Start<Shaped<H, K>>>,
@@ -112,7 +112,7 @@ pub fn stability<H: Hamiltonian, X: Composition<H>, K: Keep>(
 }
 
 /// As [`stability`], for a method with this limit.
-pub(crate) fn nearness<H: Hamiltonian, X: Method<H>, K: Keep>(
+pub(crate) fn nearness<H: Hamiltonian, X: Method<H>, K: Precision>(
     system: &H,
     method: X,
     limit: f64,

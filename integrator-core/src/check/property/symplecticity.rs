@@ -13,7 +13,7 @@ use crate::{
     },
     hamiltonian::{Hamiltonian, Shaped},
     scalar::tolerance::largest,
-    state::{coords::Coords, flat::flat, slot::Keep},
+    state::{coords::Coords, flat::flat, precision::Precision},
     trajectory::method::Method,
 };
 use nalgebra::DMatrix;
@@ -29,7 +29,7 @@ use nalgebra::DMatrix;
 ///
 /// # Errors
 /// A start or a step that no run would begin with.
-pub fn symplectic_defect<H: Hamiltonian, X: Method<H>, K: Keep>(
+pub fn symplectic_defect<H: Hamiltonian, X: Method<H>, K: Precision>(
     system: &H,
     method: X,
     start: impl Into<Start<Shaped<H, K>>>,
@@ -42,7 +42,7 @@ pub fn symplectic_defect<H: Hamiltonian, X: Method<H>, K: Keep>(
 ///
 /// # Errors
 /// As [`symplectic_defect`].
-pub fn symplectic_defect_after<H: Hamiltonian, X: Method<H>, K: Keep>(
+pub fn symplectic_defect_after<H: Hamiltonian, X: Method<H>, K: Precision>(
     system: &H,
     method: X,
     start: impl Into<Start<Shaped<H, K>>>,
@@ -58,7 +58,7 @@ pub fn symplectic_defect_after<H: Hamiltonian, X: Method<H>, K: Keep>(
 ///
 /// # Errors
 /// A start or a step that no run would begin with; a coordinate that there is not.
-pub fn poisson_bracket<H: Hamiltonian, X: Method<H>, K: Keep>(
+pub fn poisson_bracket<H: Hamiltonian, X: Method<H>, K: Precision>(
     system: &H,
     method: X,
     start: impl Into<Start<Shaped<H, K>>>,
@@ -89,7 +89,7 @@ pub(crate) struct Defect {
 /// it, and `|δ(Mᵀ J M)| ≤ 8 f ε |M|ᵀ |J| |M|`. The scalar products of length 2n add `2n ε` of the same matrix. Parts of
 /// a step do stretch more where a composition goes forth and back inside of it, which a further factor 4 allows for:
 /// over the whole catalogue and up to h·ω = 4 no defect reached a thirtieth of the tolerance.
-pub(crate) fn defect<H: Hamiltonian, X: Method<H>, K: Keep>(
+pub(crate) fn defect<H: Hamiltonian, X: Method<H>, K: Precision>(
     system: &H,
     method: X,
     start: &Start<Shaped<H, K>>,

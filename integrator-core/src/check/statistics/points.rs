@@ -9,13 +9,13 @@ use crate::{
         coords::Coords,
         flat::{Flat, flat},
         phase::Phase,
-        slot::Keep,
+        precision::Precision,
     },
     trajectory::{admissible::admissible, method::Method, run::Run},
 };
 
 /// The values of a point, whatever its leaves carry beside.
-pub(crate) fn plain<H: Hamiltonian, K: Keep>(point: &Phase<Shaped<H, K>>) -> Phase<H::Coords> {
+pub(crate) fn plain<H: Hamiltonian, K: Precision>(point: &Phase<Shaped<H, K>>) -> Phase<H::Coords> {
     Phase { q: point.q.map(|leaf| leaf.to_f64()), p: point.p.map(|leaf| leaf.to_f64()) }
 }
 
@@ -25,7 +25,7 @@ pub(crate) fn flat_start<C: Coords>(start: &Start<C>) -> Start<Vec<f64>> {
 }
 
 /// The values of a start, if a run may begin there.
-pub(crate) fn begin<H: Hamiltonian, X: Method<H>, K: Keep>(
+pub(crate) fn begin<H: Hamiltonian, X: Method<H>, K: Precision>(
     system: &H,
     method: X,
     start: &Start<Shaped<H, K>>,
@@ -41,7 +41,7 @@ pub(crate) fn begin<H: Hamiltonian, X: Method<H>, K: Keep>(
 }
 
 /// A run from a start and its time.
-pub(crate) fn run<H: Hamiltonian, X: Method<H>, K: Keep>(
+pub(crate) fn run<H: Hamiltonian, X: Method<H>, K: Precision>(
     system: &H,
     method: X,
     start: &Start<Shaped<H, K>>,
@@ -71,7 +71,7 @@ struct Grain {
 }
 
 impl Grain {
-    fn see<K: Keep>(&mut self, leaves: &[K]) {
+    fn see<K: Precision>(&mut self, leaves: &[K]) {
         for leaf in leaves {
             self.see_one(leaf.to_f64(), leaf.spacing());
         }

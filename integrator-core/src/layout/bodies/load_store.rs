@@ -6,7 +6,7 @@ use crate::{
     state::{
         coords::Coords,
         phase::Phase,
-        slot::{Keep, Slot},
+        precision::{Precision, Slot},
     },
 };
 use core::ops::Range;
@@ -18,13 +18,13 @@ fn place<R: Real>(bodies: &Range<usize>, lane: usize) -> (usize, usize) {
 }
 
 /// The slots of a row of bodies, from the positions or the momenta of one state per lane.
-pub(crate) fn inward<R: Real, C: Coords, const N: usize, const D: usize>(
+pub(crate) fn pack<R: Real, C: Coords, const N: usize, const D: usize>(
     bodies: &Range<usize>,
     states: &[&Phase<C>],
     half: fn(&Phase<C>) -> &C,
-) -> [<C::Leaf as Keep>::Slot<R::Row<N>>; D] {
+) -> [<C::Leaf as Precision>::Slot<R::Row<N>>; D] {
     let slot = |d: usize| {
-        C::Leaf::inward(&|lane| {
+        C::Leaf::pack(&|lane| {
             let (body, lane) = place::<R>(bodies, lane);
             half(states[lane]).flat()[body * D + d]
         })
@@ -38,7 +38,7 @@ pub(crate) fn inward<R: Real, C: Coords, const N: usize, const D: usize>(
 
 /// Writes one lane of the slots of a row of bodies to their coordinates.
 #[inline(always)]
-pub(crate) fn outward<R: Real, K: Keep, const N: usize, const D: usize>(
+pub(crate) fn unpack<R: Real, K: Precision, const N: usize, const D: usize>(
     bodies: &Range<usize>,
     slots: &[K::Slot<R::Row<N>>; D],
     lane: usize,
@@ -47,7 +47,7 @@ pub(crate) fn outward<R: Real, K: Keep, const N: usize, const D: usize>(
     let mut place = lane;
     for body in to[bodies.start * D..bodies.end * D].chunks_exact_mut(D) {
         for (leaf, slot) in body.iter_mut().zip(slots) {
-            *leaf = K::outward(*slot, place);
+            *leaf = K::unpack(*slot, place);
         }
         place += R::LANES;
     }

@@ -7,7 +7,7 @@ use crate::{
     hamiltonian::Hamiltonian,
     layout::lattice::gather::Array,
     scalar::{real::Real, simd::row::Row},
-    state::slot::Slot,
+    state::precision::Slot,
 };
 
 /// What is prepared of each body.

@@ -2,21 +2,21 @@
 
 use crate::{
     layout::bodies::{
-        load_store::{inward, of_bodies, of_place, outward, prepared, values},
+        load_store::{of_bodies, of_place, pack, prepared, unpack, values},
         many_body::{Bodies, ManyBody, PerBody, within},
     },
     scalar::{real::Real, simd::row::Row},
     state::{
         coords::Coords,
         phase::Phase,
-        slot::{Keep, Slot},
+        precision::{Precision, Slot},
     },
     system::motion::{Motion, Plain, Prepared},
 };
 
 /// `N` bodies with `D` coordinates and `S` prepared constants each, eight at most.
 #[derive(Clone)]
-pub struct Ring<R: Real, K: Keep, P, const N: usize, const D: usize, const S: usize> {
+pub struct Ring<R: Real, K: Precision, P, const N: usize, const D: usize, const S: usize> {
     /// Positions.
     pub q: [K::Slot<R::Row<N>>; D],
     /// Momenta.
@@ -31,23 +31,23 @@ impl<C, R, K, P, const N: usize, const D: usize, const S: usize> Motion<C, P::Si
 where
     C: Coords<Leaf = K>,
     R: Real,
-    K: Keep,
+    K: Precision,
     P: Prepared<R>,
     P::Single: PerBody<S>,
 {
     #[inline(always)]
     fn load(constants: &[&P::Single], states: &[&Phase<C>]) -> Self {
         Self {
-            q: inward::<R, C, N, D>(&(0..N), states, |state| &state.q),
-            p: inward::<R, C, N, D>(&(0..N), states, |state| &state.p),
+            q: pack::<R, C, N, D>(&(0..N), states, |state| &state.q),
+            p: pack::<R, C, N, D>(&(0..N), states, |state| &state.p),
             of: prepared::<R, P::Single, N, S>(&(0..N), constants),
             parameters: P::gather(constants),
         }
     }
     #[inline(always)]
     fn store(&self, lane: usize, to: &mut Phase<C>) {
-        outward::<R, K, N, D>(&(0..N), &self.q, lane, to.q.flat_mut());
-        outward::<R, K, N, D>(&(0..N), &self.p, lane, to.p.flat_mut());
+        unpack::<R, K, N, D>(&(0..N), &self.q, lane, to.q.flat_mut());
+        unpack::<R, K, N, D>(&(0..N), &self.p, lane, to.p.flat_mut());
     }
     #[inline(always)]
     fn copy_state(&mut self, from: &Self) {
@@ -63,7 +63,7 @@ where
     }
 }
 
-impl<R: Real, K: Keep, P: Prepared<R>, const N: usize, const D: usize, const S: usize> Ring<R, K, P, N, D, S> {
+impl<R: Real, K: Precision, P: Prepared<R>, const N: usize, const D: usize, const S: usize> Ring<R, K, P, N, D, S> {
     /// The flow of `T`. As that of `V`, inlined for certain only where code is optimised: elsewhere every stage of a
     /// composition would have a copy with its own place on the stack.
     #[cfg_attr(debug_assertions, inline)]

@@ -3,7 +3,7 @@
 use crate::{
     layout::{
         bodies::{
-            load_store::{inward, of_bodies, of_place, outward, prepared, values},
+            load_store::{of_bodies, of_place, pack, prepared, unpack, values},
             many_body::{Bodies, ManyBody, PerBody, add, between, within},
         },
         threads::{Job, all_threads, at_once},
@@ -15,7 +15,7 @@ use crate::{
     state::{
         coords::Coords,
         phase::Phase,
-        slot::{Keep, Slot},
+        precision::{Precision, Slot},
     },
     system::motion::{Motion, Plain, Prepared},
 };
@@ -32,7 +32,7 @@ const SHARES: usize = 8;
 
 /// Any number of bodies with `D` coordinates and `S` prepared constants each. The last tile may have fewer bodies than
 /// places; what is behind them never acts on anything.
-pub struct Tiles<R: Real, K: Keep, P, const D: usize, const S: usize> {
+pub struct Tiles<R: Real, K: Precision, P, const D: usize, const S: usize> {
     /// Positions.
     pub q: Vec<[K::Slot<R::Row<WIDTH>>; D]>,
     /// Momenta.
@@ -102,7 +102,7 @@ fn finite<W: Real, L: Slot<W>, const D: usize>(rows: &[[L; D]], mut lanes: usize
     true
 }
 
-impl<R: Real, K: Keep, P: Clone, const D: usize, const S: usize> Clone for Tiles<R, K, P, D, S> {
+impl<R: Real, K: Precision, P: Clone, const D: usize, const S: usize> Clone for Tiles<R, K, P, D, S> {
     fn clone(&self) -> Self {
         Self {
             q: copied(&self.q),
@@ -120,7 +120,7 @@ impl<C, R, K, P, const D: usize, const S: usize> Motion<C, P::Single> for Tiles<
 where
     C: Coords<Leaf = K>,
     R: Real,
-    K: Keep,
+    K: Precision,
     P: Prepared<R>,
     P::Single: PerBody<S>,
 {
@@ -131,8 +131,8 @@ where
         let mut of = Vec::with_capacity(tiles);
         for tile in 0..tiles {
             let bodies = in_tile(tile, bodies);
-            q.push(inward::<R, C, WIDTH, D>(&bodies, states, |state| &state.q));
-            p.push(inward::<R, C, WIDTH, D>(&bodies, states, |state| &state.p));
+            q.push(pack::<R, C, WIDTH, D>(&bodies, states, |state| &state.q));
+            p.push(pack::<R, C, WIDTH, D>(&bodies, states, |state| &state.p));
             of.push(prepared::<R, P::Single, WIDTH, S>(&bodies, constants));
         }
         let (gradients, parameters) = (zeros(shares(bodies) * tiles), P::gather(constants));
@@ -141,8 +141,8 @@ where
     fn store(&self, lane: usize, to: &mut Phase<C>) {
         for tile in 0..self.q.len() {
             let bodies = in_tile(tile, self.bodies);
-            outward::<R, K, WIDTH, D>(&bodies, &self.q[tile], lane, to.q.flat_mut());
-            outward::<R, K, WIDTH, D>(&bodies, &self.p[tile], lane, to.p.flat_mut());
+            unpack::<R, K, WIDTH, D>(&bodies, &self.q[tile], lane, to.q.flat_mut());
+            unpack::<R, K, WIDTH, D>(&bodies, &self.p[tile], lane, to.p.flat_mut());
         }
     }
     fn copy_state(&mut self, from: &Self) {
@@ -158,7 +158,7 @@ where
     }
 }
 
-impl<R: Real, K: Keep, P: Prepared<R>, const D: usize, const S: usize> Tiles<R, K, P, D, S> {
+impl<R: Real, K: Precision, P: Prepared<R>, const D: usize, const S: usize> Tiles<R, K, P, D, S> {
     /// The flow of `T`. As that of `V`, inlined for certain only where code is optimised: elsewhere every stage of a
     /// composition would have a copy with its own place on the stack.
     #[cfg_attr(debug_assertions, inline)]
@@ -260,7 +260,7 @@ impl<R: Real, P, const D: usize, const S: usize> Tiles<R, f64, P, D, S> {
 
 /// A share of the pairs: those of every `count`th tile with itself and with the tiles behind it; where action is not
 /// reaction, with all others.
-struct Share<'s, H: ManyBody<D, S>, R: Real, K: Keep, const D: usize, const S: usize> {
+struct Share<'s, H: ManyBody<D, S>, R: Real, K: Precision, const D: usize, const S: usize> {
     q: &'s [[K::Slot<R::Row<WIDTH>>; D]],
     of: &'s [[R::Row<WIDTH>; S]],
     bodies: usize,
@@ -272,7 +272,7 @@ struct Share<'s, H: ManyBody<D, S>, R: Real, K: Keep, const D: usize, const S: u
     system: PhantomData<fn(H)>,
 }
 
-impl<H: ManyBody<D, S>, R: Real, K: Keep, const D: usize, const S: usize> Kernel for Share<'_, H, R, K, D, S> {
+impl<H: ManyBody<D, S>, R: Real, K: Precision, const D: usize, const S: usize> Kernel for Share<'_, H, R, K, D, S> {
     type Out = ();
 
     #[inline(always)]

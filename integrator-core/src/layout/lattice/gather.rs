@@ -13,7 +13,7 @@ use crate::{
         real::Real,
         simd::block::{Block, WIDEST},
     },
-    state::slot::Slot,
+    state::precision::Slot,
 };
 use core::{marker::PhantomData, ops::Range};
 

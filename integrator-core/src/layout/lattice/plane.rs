@@ -12,7 +12,7 @@ use crate::{
         real::{Kernel, Real},
         simd::block::Block,
     },
-    state::{coords::Coords, slot::Slot},
+    state::{coords::Coords, precision::Slot},
     system::motion::Plain,
 };
 use alloc::vec;

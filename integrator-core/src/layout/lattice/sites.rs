@@ -8,14 +8,14 @@ use crate::{
     scalar::real::{Kernel, Real},
     state::{
         coords::Coords,
-        slot::{Keep, Slot},
+        precision::{Precision, Slot},
     },
     system::motion::Plain,
 };
 use core::{marker::PhantomData, ops::Range};
 
 /// The state of neighbouring sites, with the prepared constants of the whole lattice.
-pub struct Sites<'m, R: Real, K: Keep, P> {
+pub struct Sites<'m, R: Real, K: Precision, P> {
     pub(crate) q: &'m mut [K::Slot<R>],
     pub(crate) p: &'m mut [K::Slot<R>],
     pub(crate) parameters: &'m P,
@@ -60,7 +60,7 @@ impl<R: Real, C: Coords, P> Plain<R, C, P> {
     }
 }
 
-impl<'m, R: Real, K: Keep, P> Sites<'m, R, K, P> {
+impl<'m, R: Real, K: Precision, P> Sites<'m, R, K, P> {
     /// The same sites, for a while.
     pub(crate) fn whole(&mut self) -> Sites<'_, R, K, P> {
         Sites { q: self.q, p: self.p, ..*self }

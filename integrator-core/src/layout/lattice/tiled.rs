@@ -19,7 +19,7 @@ use crate::{
     scalar::{real::Real, simd::block::Block},
     state::{
         coords::Coords,
-        slot::{Keep, Slot},
+        precision::{Precision, Slot},
     },
 };
 use alloc::{boxed::Box, vec::Vec};
@@ -71,7 +71,7 @@ impl Reach {
 }
 
 /// What a sweep reads at a time.
-type Wide<R, K> = <<K as Keep>::Slot<R> as Slot<R>>::Wide;
+type Wide<R, K> = <<K as Precision>::Slot<R> as Slot<R>>::Wide;
 
 /// Neighbouring sites that flows move, whatever they are computed in: how a lattice is shared out is compiled once.
 trait Part: Send {
@@ -84,9 +84,9 @@ trait Part: Send {
 }
 
 /// The sites of a lattice, or a window of them.
-struct Window<'m, H: Hamiltonian, R: Real, K: Keep>(Sites<'m, R, K, H::Parameters<R>>);
+struct Window<'m, H: Hamiltonian, R: Real, K: Precision>(Sites<'m, R, K, H::Parameters<R>>);
 
-impl<H: Hamiltonian, R: Real, K: Keep> Part for Window<'_, H, R, K> {
+impl<H: Hamiltonian, R: Real, K: Precision> Part for Window<'_, H, R, K> {
     fn length(&self) -> usize {
         self.0.length
     }
@@ -106,13 +106,13 @@ impl<H: Hamiltonian, R: Real, K: Keep> Part for Window<'_, H, R, K> {
 }
 
 /// The flows of a lattice, collected and carried out a few at a time.
-pub(crate) struct Tiled<'m, H: Hamiltonian, R: Real, K: Keep> {
+pub(crate) struct Tiled<'m, H: Hamiltonian, R: Real, K: Precision> {
     motion: &'m mut H::Motion<R, K>,
     threads: Option<usize>,
     flows: Vec<Flow>,
 }
 
-impl<'m, H: Hamiltonian, R: Real, K: Keep> Tiled<'m, H, R, K> {
+impl<'m, H: Hamiltonian, R: Real, K: Precision> Tiled<'m, H, R, K> {
     /// Whether the flows of a system are carried out like this: a lattice does not fit into the registers, or may not.
     pub(crate) const PAYS: bool = H::REACH.is_some()
         && match <H::Coords as Coords>::LENGTH {
@@ -141,7 +141,7 @@ impl<'m, H: Hamiltonian, R: Real, K: Keep> Tiled<'m, H, R, K> {
     }
 }
 
-impl<H: Hamiltonian, R: Real, K: Keep> Flows<H> for &mut Tiled<'_, H, R, K> {
+impl<H: Hamiltonian, R: Real, K: Precision> Flows<H> for &mut Tiled<'_, H, R, K> {
     const COMPENSATED: bool = K::COMPENSATED;
 
     fn begin_step(&mut self, middle: f64) {

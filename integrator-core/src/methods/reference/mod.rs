@@ -66,7 +66,7 @@ pub use runge_kutta::{ExplicitMidpoint, ForwardEuler, RungeKutta4};
 use crate::{
     hamiltonian::Hamiltonian,
     scalar::real::Real,
-    state::slot::Keep,
+    state::precision::Precision,
     trajectory::{method::Method, moves::Moves},
 };
 use std::sync::Arc;
@@ -78,12 +78,12 @@ macro_rules! methods {
             const CLONED: bool = false;
 
             type Constants = Constants<H::Parameters<f64>, Self>;
-            type Motion<R: Real, K: Keep> = Walked<H, R, K, Self>;
+            type Motion<R: Real, K: Precision> = Walked<H, R, K, Self>;
 
             fn constants(self, parameters: Arc<H::Parameters<f64>>) -> Arc<Self::Constants> {
                 Arc::new(Constants { parameters, recipe: self })
             }
-            fn moves<R: Real, K: Keep>() -> Moves<Self::Motion<R, K>> {
+            fn moves<R: Real, K: Precision>() -> Moves<Self::Motion<R, K>> {
                 moves::<H, R, K, Self>()
             }
         }

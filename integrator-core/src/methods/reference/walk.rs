@@ -9,7 +9,7 @@ use crate::{
         clock::Clock,
         coords::Coords,
         phase::Phase,
-        slot::{Keep, Slot},
+        precision::{Precision, Slot},
     },
     system::motion::Motion,
     trajectory::{method::Described, moves::Moves},
@@ -76,8 +76,8 @@ pub struct Walk<R: Real, C: Coords, P, M: Recipe> {
     recipe: M,
     /// A point that has the shape of the coordinates.
     shape: Phase<C::With<f64>>,
-    q: Vec<<C::Leaf as Keep>::Slot<R>>,
-    p: Vec<<C::Leaf as Keep>::Slot<R>>,
+    q: Vec<<C::Leaf as Precision>::Slot<R>>,
+    p: Vec<<C::Leaf as Precision>::Slot<R>>,
     memory: M::Memory<R>,
     unsolved: Option<Unsolved>,
     /// How often the field was evaluated.
@@ -90,7 +90,7 @@ impl<R: Real, C: Coords, P: Clone + Send + Sync + 'static, M: Recipe> Motion<C, 
         Self {
             parameters: constants.parameters.clone(),
             recipe: constants.recipe,
-            shape: Phase { q: start.q.map(Keep::to_f64), p: start.p.map(Keep::to_f64) },
+            shape: Phase { q: start.q.map(Precision::to_f64), p: start.p.map(Precision::to_f64) },
             q: C::listed(states, |state| &state.q),
             p: C::listed(states, |state| &state.p),
             memory: M::Memory::default(),
@@ -124,7 +124,7 @@ impl<R: Real, C: Coords, P: Clone + Send + Sync + 'static, M: Recipe> Motion<C, 
 pub(crate) type Walked<H, R, K, M> = Walk<R, Shaped<H, K>, <H as Hamiltonian>::Parameters<f64>, M>;
 
 /// The steps of a method. An end that was not found is remembered, and no step is taken from there.
-pub(crate) fn moves<H: Hamiltonian, R: Real, K: Keep, M: Recipe>() -> Moves<Walked<H, R, K, M>> {
+pub(crate) fn moves<H: Hamiltonian, R: Real, K: Precision, M: Recipe>() -> Moves<Walked<H, R, K, M>> {
     Moves::closed(|walk, clock: Clock, steps, _| {
         for step in clock.steps..clock.steps + steps {
             if walk.unsolved.is_some() {

@@ -20,7 +20,7 @@ use crate::{
         real::{Kernel, Real},
         simd::block::WIDEST,
     },
-    state::{clock::Clock, coords::Coords, phase::Phase, slot::Keep},
+    state::{clock::Clock, coords::Coords, phase::Phase, precision::Precision},
     system::motion::{Motion, Prepared},
     trajectory::moves::Moves,
 };
@@ -140,7 +140,7 @@ pub(super) type Of<H, R, K> =
     Expansion<R, Shaped<H, K>, <H as Hamiltonian>::Parameters<R>, <H as Recurrences>::Tape<R>>;
 
 /// The moves of the Taylor method.
-pub(super) fn moves<H: Recurrences, R: Real, K: Keep>() -> Moves<Of<H, R, K>> {
+pub(super) fn moves<H: Recurrences, R: Real, K: Precision>() -> Moves<Of<H, R, K>> {
     let advance = |expansion: &mut Of<H, R, K>, clock: Clock, steps, _| {
         advance_by::<H, R, K>(expansion, clock, steps);
     };
@@ -157,7 +157,7 @@ pub(super) fn moves<H: Recurrences, R: Real, K: Keep>() -> Moves<Of<H, R, K>> {
 
 /// Follows the motion over so many steps. No polynomial leads from one piece in time to another: each step begins with new
 /// ones where there are pieces.
-pub(super) fn advance_by<H: Recurrences, R: Real, K: Keep>(expansion: &mut Of<H, R, K>, clock: Clock, steps: u64) {
+pub(super) fn advance_by<H: Recurrences, R: Real, K: Precision>(expansion: &mut Of<H, R, K>, clock: Clock, steps: u64) {
     if const { !H::PIECEWISE_IN_TIME } {
         return follow::<H, R, K>(expansion, clock, Moment::of(clock.steps + steps, clock.h));
     }
@@ -170,7 +170,7 @@ pub(super) fn advance_by<H: Recurrences, R: Real, K: Keep>(expansion: &mut Of<H,
 
 /// Follows the motion to `end`: compiled once for steps and for what lies within them.
 #[inline(never)]
-fn follow<H: Recurrences, R: Real, K: Keep>(expansion: &mut Of<H, R, K>, clock: Clock, end: Moment) {
+fn follow<H: Recurrences, R: Real, K: Precision>(expansion: &mut Of<H, R, K>, clock: Clock, end: Moment) {
     R::enter(Follow::<H, R, K> { expansion, clock, end });
 }
 
@@ -202,13 +202,13 @@ impl<R: Real, C: Coords, P: Prepared<R>, T> Expansion<R, C, P, T> {
 }
 
 /// Follows the motion to a moment: whoever arrives waits for the others.
-struct Follow<'e, H: Recurrences, R: Real, K: Keep> {
+struct Follow<'e, H: Recurrences, R: Real, K: Precision> {
     expansion: &'e mut Of<H, R, K>,
     clock: Clock,
     end: Moment,
 }
 
-impl<H: Recurrences, R: Real, K: Keep> Kernel for Follow<'_, H, R, K> {
+impl<H: Recurrences, R: Real, K: Precision> Kernel for Follow<'_, H, R, K> {
     type Out = ();
 
     #[inline(always)]
@@ -302,7 +302,7 @@ const _: () = assert!(for_each_order!(count) == HIGHEST, "the highest order come
 
 /// Finds the polynomials from their beginnings.
 #[inline(always)]
-fn expand<H: Recurrences, R: Real, K: Keep>(expansion: &mut Of<H, R, K>, layout: Layout, t0: f64) {
+fn expand<H: Recurrences, R: Real, K: Precision>(expansion: &mut Of<H, R, K>, layout: Layout, t0: f64) {
     let time = R::parameter(&|lane| t0 + expansion.legs[lane].begin.nearest());
     let Expansion { method, parameters, q, p, tape, .. } = expansion;
     let (last, length) = (method.order, layout.length());

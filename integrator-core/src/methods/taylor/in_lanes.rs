@@ -7,12 +7,12 @@ use super::{
 use crate::{
     ensemble::{in_lanes::InLanes, interleaved::GroupMoves},
     scalar::real::Real,
-    state::slot::Keep,
+    state::precision::Precision,
     system::motion::Motion,
 };
 
 impl<H: Recurrences> InLanes<H> for Taylor {
-    fn group_moves<L: Real, K: Keep, const REGISTERS: usize>() -> GroupMoves<Of<H, L, K>> {
+    fn group_moves<L: Real, K: Precision, const REGISTERS: usize>() -> GroupMoves<Of<H, L, K>> {
         GroupMoves {
             lanes: L::LANES,
             // No two of them would stay in registers.

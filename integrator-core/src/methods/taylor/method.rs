@@ -10,7 +10,7 @@ use crate::{
     error::Error,
     hamiltonian::Shaped,
     scalar::real::Real,
-    state::{coords::Coords, slot::Keep},
+    state::{coords::Coords, precision::Precision},
     trajectory::{
         method::{Described, Facts, Method},
         moves::Moves,
@@ -82,12 +82,12 @@ impl<H: Recurrences> Method<H> for Taylor {
     /// Polynomials of one coordinate fit into the registers of any set, and those of AVX-512 make its steps no faster.
     const WIDE: bool = !matches!((H::Coords::LENGTH, H::Coords::COMPONENTS), (Some(1), 1));
     type Constants = Constants<H::Parameters<f64>>;
-    type Motion<R: Real, K: Keep> = Expansion<R, Shaped<H, K>, H::Parameters<R>, H::Tape<R>>;
+    type Motion<R: Real, K: Precision> = Expansion<R, Shaped<H, K>, H::Parameters<R>, H::Tape<R>>;
 
     fn constants(self, parameters: Arc<H::Parameters<f64>>) -> Arc<Self::Constants> {
         Arc::new(Constants { parameters, method: self, interleaved: H::INTERLEAVED })
     }
-    fn moves<R: Real, K: Keep>() -> Moves<Self::Motion<R, K>> {
+    fn moves<R: Real, K: Precision>() -> Moves<Self::Motion<R, K>> {
         moves::<H, R, K>()
     }
 }

@@ -12,7 +12,7 @@ use crate::{
     },
     state::{
         coords::Coords,
-        slot::{Keep, Slot},
+        precision::{Precision, Slot},
     },
 };
 use alloc::vec::Vec;
@@ -23,9 +23,9 @@ pub(super) struct Part<R: Real, C: Coords> {
     /// The polynomials.
     table: Table<R>,
     /// Coordinates one by one, a few, or all where nothing else is computed on,
-    few: States<<C::Leaf as Keep>::Slot<R>>,
+    few: States<<C::Leaf as Precision>::Slot<R>>,
     /// or side by side in registers.
-    rows: States<<C::Leaf as Keep>::Slot<Wide<R>>>,
+    rows: States<<C::Leaf as Precision>::Slot<Wide<R>>>,
 }
 
 /// How large the first two coefficients of a part are, and the last two.
@@ -59,7 +59,7 @@ fn largest<R: Real, W: Row<R>>(numbers: &[R]) -> W {
 }
 
 /// The slots of a part, one by one and side by side.
-type Slots<R, K> = (Vec<<K as Keep>::Slot<R>>, Vec<<K as Keep>::Slot<Wide<R>>>);
+type Slots<R, K> = (Vec<<K as Precision>::Slot<R>>, Vec<<K as Precision>::Slot<Wide<R>>>);
 
 /// Whether all coordinates of a type are computed on one by one, so that nothing else is compiled.
 const fn are_single<R: Real, C: Coords>() -> bool {
@@ -71,18 +71,18 @@ fn slots<R: Real, C: Coords>(layout: Layout, leaf: &dyn Fn(usize, usize) -> C::L
     let (mut few, mut rows) = (Vec::new(), Vec::new());
     if const { are_single::<R, C>() } || layout.is_few() {
         for place in 0..layout.width() {
-            few.push(C::Leaf::inward(&|lane| leaf(lane, layout.coordinate(place))));
+            few.push(C::Leaf::pack(&|lane| leaf(lane, layout.coordinate(place))));
         }
     } else {
         for begin in (0..layout.width()).step_by(EIGHT) {
-            rows.push(C::Leaf::inward(&|lane| leaf(lane % R::LANES, layout.coordinate(begin + lane / R::LANES))));
+            rows.push(C::Leaf::pack(&|lane| leaf(lane % R::LANES, layout.coordinate(begin + lane / R::LANES))));
         }
     }
     (few, rows)
 }
 
 /// A table of polynomials that begin in such slots.
-fn begun<R: Real, K: Keep>(layout: Layout, (few, rows): &Slots<R, K>) -> Table<R> {
+fn begun<R: Real, K: Precision>(layout: Layout, (few, rows): &Slots<R, K>) -> Table<R> {
     let mut table = Table::new(layout);
     let numbers = table.numbers_mut(layout);
     for (place, slot) in few.iter().enumerate() {
@@ -95,10 +95,10 @@ fn begun<R: Real, K: Keep>(layout: Layout, (few, rows): &Slots<R, K>) -> Table<R
 }
 
 /// The coordinate in a place of such slots.
-fn leaf<R: Real, K: Keep>(few: &[K::Slot<R>], rows: &[K::Slot<Wide<R>>], lane: usize, place: usize) -> K {
+fn leaf<R: Real, K: Precision>(few: &[K::Slot<R>], rows: &[K::Slot<Wide<R>>], lane: usize, place: usize) -> K {
     match few.get(place) {
-        Some(slot) => K::outward(*slot, lane),
-        None => K::outward(rows[place / EIGHT], place % EIGHT * R::LANES + lane),
+        Some(slot) => K::unpack(*slot, lane),
+        None => K::unpack(rows[place / EIGHT], place % EIGHT * R::LANES + lane),
     }
 }
 

@@ -6,7 +6,7 @@
 use super::table::Layout;
 use crate::{
     scalar::{real::Real, simd::row::Row},
-    state::slot::Slot,
+    state::precision::Slot,
 };
 use alloc::vec::Vec;
 

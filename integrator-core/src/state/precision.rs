@@ -1,4 +1,4 @@
-//! How one coordinate is kept between updates: the user's leaf type names a family of slots.
+//! The precision of a state: what its leaf type is computed in, and how a coordinate is stored between updates.
 
 use crate::scalar::{
     double_double::DoubleDouble,
@@ -79,7 +79,7 @@ impl<R: Real> Slot<R> for R {
 }
 
 /// The leaf type of a state: `f64`, `f32`, [`Compensated`] or [`Fixed`](crate::Fixed). It decides the precision of a run.
-pub trait Keep: Copy + Debug + PartialEq + Default + Send + Sync + 'static {
+pub trait Precision: Copy + Debug + PartialEq + Default + Send + Sync + 'static {
     /// What flows are computed in on every machine.
     type Plain: Real;
     /// What flows are computed in where the machine has fused multiply-add.
@@ -103,12 +103,12 @@ pub trait Keep: Copy + Debug + PartialEq + Default + Send + Sync + 'static {
     const COMPENSATED: bool = false;
 
     /// Fills a slot from one leaf per lane.
-    fn inward<R: Real>(of_lane: &dyn Fn(usize) -> Self) -> Self::Slot<R>;
+    fn pack<R: Real>(of_lane: &dyn Fn(usize) -> Self) -> Self::Slot<R>;
     /// One lane of a slot.
-    fn outward<R: Real>(slot: Self::Slot<R>, lane: usize) -> Self;
+    fn unpack<R: Real>(slot: Self::Slot<R>, lane: usize) -> Self;
     /// The value, without what compensation carries.
     fn to_f64(self) -> f64;
-    /// All that it is made of, the first [`Keep::PARTS`] of these.
+    /// All that it is made of, the first [`Precision::PARTS`] of these.
     fn parts(self) -> [f64; 2] {
         [self.to_f64(), 0.0]
     }
@@ -124,9 +124,9 @@ pub trait Keep: Copy + Debug + PartialEq + Default + Send + Sync + 'static {
     }
 }
 
-macro_rules! keep_plainly {
+macro_rules! plain_precision {
     ($($scalar:ty)*) => {$(
-        impl Keep for $scalar {
+        impl Precision for $scalar {
             type Plain = $scalar;
             type Fused = Fused<$scalar>;
             type Avx512 = Fused<$scalar, Avx512>;
@@ -137,11 +137,11 @@ macro_rules! keep_plainly {
             const EPSILON: f64 = <$scalar>::EPSILON as f64;
 
             #[inline(always)]
-            fn inward<R: Real>(of_lane: &dyn Fn(usize) -> Self) -> R {
+            fn pack<R: Real>(of_lane: &dyn Fn(usize) -> Self) -> R {
                 R::state(&|lane| f64::from(of_lane(lane)))
             }
             #[inline(always)]
-            fn outward<R: Real>(slot: R, lane: usize) -> Self {
+            fn unpack<R: Real>(slot: R, lane: usize) -> Self {
                 slot.lane(lane) as $scalar
             }
             fn to_f64(self) -> f64 {
@@ -153,7 +153,7 @@ macro_rules! keep_plainly {
         }
     )*};
 }
-keep_plainly! { f64 f32 }
+plain_precision! { f64 f32 }
 
 /// A number together with the rounding error that its updates have left behind.
 ///
@@ -199,7 +199,7 @@ impl<R: Real> Slot<R> for Compensated<R> {
     }
 }
 
-impl Keep for Compensated<f64> {
+impl Precision for Compensated<f64> {
     type Plain = f64;
     type Fused = Fused<f64>;
     type Avx512 = Fused<f64, Avx512>;
@@ -212,11 +212,11 @@ impl Keep for Compensated<f64> {
     const COMPENSATED: bool = true;
 
     #[inline(always)]
-    fn inward<R: Real>(of_lane: &dyn Fn(usize) -> Self) -> Compensated<R> {
+    fn pack<R: Real>(of_lane: &dyn Fn(usize) -> Self) -> Compensated<R> {
         Compensated { value: R::state(&|lane| of_lane(lane).value), carried: R::state(&|lane| of_lane(lane).carried) }
     }
     #[inline(always)]
-    fn outward<R: Real>(slot: Compensated<R>, lane: usize) -> Self {
+    fn unpack<R: Real>(slot: Compensated<R>, lane: usize) -> Self {
         Self { value: slot.value.lane(lane), carried: slot.carried.lane(lane) }
     }
     fn to_f64(self) -> f64 {
