@@ -36,7 +36,7 @@ enum Task {
     /// What is derived of every `#[hamiltonian]` impl in a file: equations, class, operations, compositions
     ///
     /// The impls are read as the macro reads them, with the same messages; the rest of the file is not
-    /// looked at. Operations are those of one turn of the loops named beside them, with shared
+    /// looked at. Operations are those of one iteration of the loops named beside them, with shared
     /// subexpressions computed once; what depends on parameters alone is left out, as it is computed
     /// once per run.
     ///

@@ -8,8 +8,8 @@ use alloc::{
     vec::Vec,
 };
 
-/// Prints errors as sentences where they are debugged too: that is what a `main` shows that returns one, and what `expect`
-/// and `unwrap` show.
+/// Prints errors as sentences where they are debugged too: that is what a `main` shows that returns one, and what
+/// `expect` and `unwrap` show.
 macro_rules! debug_as_display {
     ($($error:ty),* $(,)?) => {
         $(impl core::fmt::Debug for $error {
@@ -50,8 +50,8 @@ pub enum Error {
         /// The numbers, of a table the first one.
         constants: Vec<NotFinite>,
     },
-    /// The kinetic or the potential energy of the start is not finite, as at a pole or where a logarithm or a root has no
-    /// value.
+    /// The kinetic or the potential energy of the start is not finite, as at a pole or where a logarithm or a root has
+    /// no value.
     #[error(
         "`{function}` is {value} at the start (t = {time}): this state has no energy. Start elsewhere, or look at the \
          parameters"
@@ -64,8 +64,8 @@ pub enum Error {
         /// The time at the start.
         time: f64,
     },
-    /// The generated code is not what the user's function says. Told by builds with debug assertions, at the start of a run
-    /// of at most 4096 coordinates.
+    /// The generated code is not what the user's function says. Told by builds with debug assertions, at the start of a
+    /// run of at most 4096 coordinates.
     #[error(transparent)]
     Misread(#[from] Misread),
     /// The spacing of a reversible start's grid is no power of two.
@@ -230,7 +230,7 @@ pub enum Error {
 pub enum Unsolved {
     /// Newton's iteration for an implicit step did not converge.
     #[error(
-        "Newton's iteration still moves by {update:.1e} of the state after {iterations} turns; a smaller step helps"
+        "Newton's method still moves by {update:.1e} of the state after {iterations} iterations; a smaller step helps"
     )]
     Newton {
         /// How many iterations were made.
@@ -257,7 +257,7 @@ pub enum Unsolved {
 pub struct NotFinite {
     /// How it is made, in the words of `kinetic` and `potential`, without `self`.
     pub formula: &'static str,
-    /// Which one, where there is one for each turn of a loop: the names of the indices, and what they are.
+    /// Which one, where there is one for each iteration of a loop: the names of the indices, and what they are.
     pub indices: Vec<(&'static str, usize)>,
     /// What it is.
     pub value: f64,
@@ -320,8 +320,8 @@ pub struct Divergence {
     pub time: f64,
     /// What coordinates have to stay below: infinity, or the range of the grid of a reversible state.
     pub limit: f64,
-    /// The first coordinate that is not finite after that step, or beyond the limit: `q` or `p`, and which one, counted over
-    /// the flattened coordinates. `None` where that was not found out.
+    /// The first coordinate that is not finite after that step, or beyond the limit: `q` or `p`, and which one, counted
+    /// over the flattened coordinates. `None` where that was not found out.
     pub coordinate: Option<(&'static str, usize)>,
     /// The positions one step earlier, flattened.
     pub q: Vec<f64>,
@@ -360,8 +360,8 @@ impl Divergence {
     }
 }
 
-/// Which members of an ensemble left the finite numbers, or have a next step that the method could not solve. They stay at
-/// their last finite state; the others have gone on.
+/// Which members of an ensemble left the finite numbers, or have a next step that the method could not solve. They stay
+/// at their last finite state; the others have gone on.
 #[derive(Clone, PartialEq, thiserror::Error)]
 #[error("{}", self.text())]
 pub struct Lost {

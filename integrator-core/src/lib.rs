@@ -57,9 +57,9 @@
 //! `check`, on by default: the measurements behind certificates. It brings nalgebra; a program that only
 //! steps turns it off and compiles neither.
 //!
-//! `std`, on by default: what takes an operating system. Without it, and with the feature `libm` for elementary functions,
-//! steppers need an allocator alone; there are no ensembles, no threads and no files, and runs use what every machine of
-//! the target has. `check` needs it.
+//! `std`, on by default: what takes an operating system. Without it, and with the feature `libm` for elementary
+//! functions, steppers need an allocator alone; there are no ensembles, no threads and no files, and runs use what
+//! every machine of the target has. `check` needs it.
 //!
 //! `reference`: methods that are no compositions, to compare with (module `reference`). It brings `check` and the crate
 //! differential-equations.
@@ -121,8 +121,8 @@ pub use trajectory::method::{Described, Facts, Method};
 pub use trajectory::run::Run;
 pub use trajectory::samples::{Sample, Samples};
 
-/// The programs of the README and of the pages in `docs`, so that they compile and hold. These are files of the repository
-/// alone: nothing but its documentation tests reads them.
+/// The programs of the README and of the pages in `docs`, so that they compile and hold. These are files of the
+/// repository alone: nothing but its documentation tests reads them.
 #[cfg(doctest)]
 mod documents {
     #[doc = include_str!("../../README.md")]
@@ -179,10 +179,12 @@ pub mod __private {
         },
         methods::taylor::{
             Recurrences, RecurrencesVisitor,
+            iterations::{Abreast, Iterations, Target, spread},
             mobility::Mobility,
-            series::{COEFFICIENTS, half_power, order_of_time, over, over_two, turn, weight, weight_with, weighted},
+            series::{
+                COEFFICIENTS, half_power, iteration, order_of_time, over, over_two, weight, weight_with, weighted,
+            },
             table::{Coefficients, Layout, Table},
-            turns::{Abreast, Target, Turns, spread},
         },
         scalar::{
             fused::Fused,
@@ -209,7 +211,8 @@ pub mod __private {
 
     /// A table of prepared constants whose length is known at run time.
     ///
-    /// A function of its own for each `T` and not for each table: what is seldom called is compiled as seldom as possible.
+    /// A function of its own for each `T` and not for each table: what is seldom called is compiled as seldom as
+    /// possible.
     pub fn table<T>(length: usize, element: &dyn Fn(usize) -> T) -> Vec<T> {
         let mut table = Vec::with_capacity(length);
         for place in 0..length {

@@ -72,13 +72,13 @@ use proc_macro::TokenStream;
 /// - `+ - * /`, numbers, constants, `let` with shadowing, blocks, tuples and arrays of values;
 /// - the methods of `f64`: `sqrt`, `cbrt`, `powi`, `powf`, `recip`, `exp`, `exp2`, `exp_m1`, `ln`, `ln_1p`, `log`,
 ///   `log2`, `log10`, `sin`, `cos`, `sin_cos`, `tan`, `asin`, `acos`, `atan`, `atan2`, `sinh`, `cosh`, `tanh`, `asinh`,
-///   `acosh`, `atanh`, `hypot`, `abs`, `signum`, `min`, `max`, `floor`, `ceil`, `round`, `trunc`, `fract`, `rem_euclid` and `%`,
-///   `mul_add`, `to_radians`, `to_degrees`, also as
+///   `acosh`, `atanh`, `hypot`, `abs`, `signum`, `min`, `max`, `floor`, `ceil`, `round`, `trunc`, `fract`, `rem_euclid`
+///   and `%`, `mul_add`, `to_radians`, `to_degrees`, also as
 ///   `f64::sin(x)`;
 /// - helper methods of the same impl, without recursion;
 /// - sums in `let mut` variables, by `+=` and `-=` in `for` loops, nested or not: over ranges of integers, over
-///   coordinates, over lists of parameters such as `for &(i, j) in &self.bonds`, with `continue` where a turn adds
-///   nothing. They stay loops in the generated code, whatever their length;
+///   coordinates, over lists of parameters such as `for &(i, j) in &self.bonds`, with `continue` where an iteration
+///   adds nothing. They stay loops in the generated code, whatever their length;
 /// - iterator chains that end in `sum` or in a `fold` that is a sum, of `iter`, `map`, `filter`, `enumerate`, `zip`,
 ///   `rev`, `skip`, `take`, `step_by`, `windows` and `chunks_exact`;
 /// - `if` with comparisons of coordinates, joined by `&&`, `||` and `!`. Each side is differentiated on its own, and

@@ -1,15 +1,15 @@
 //! Gradients by a reverse sweep over the arena.
 //!
 //! Comes in: a root and the part to differentiate by. Goes out: contributions to the components of the gradient, each
-//! with the loops and conditions around it. Always true: the sum of all contributions, over all turns of their loops in
-//! which their conditions hold, is the gradient; sums are never unrolled; what is zero has no contribution; the branch
-//! that is not taken has no part in anything.
+//! with the loops and conditions around it. Always true: the sum of all contributions, over all iterations of their
+//! loops in which their conditions hold, is the gradient; sums are never unrolled; what is zero has no contribution;
+//! the branch that is not taken has no part in anything.
 //!
-//! Inside a sum the adjoint of a node is a value per turn of the loops around it. Where such a value reaches a node
-//! that does not depend on the innermost of these loops, it is summed over them first, so that the sweep leaves a loop
-//! as soon as it can. It never leaves a condition: what a branch contributes is computed in the branch, and where a loop
-//! is left that may have had no turn in its branches, what is computed from then on stays under the condition that it had
-//! one, unless no value of it could do harm.
+//! Inside a sum the adjoint of a node is a value per iteration of the loops around it. Where such a value reaches a
+//! node that does not depend on the innermost of these loops, it is summed over them first, so that the sweep leaves a
+//! loop as soon as it can. It never leaves a condition: what a branch contributes is computed in the branch, and where
+//! a loop is left that may have had no iteration in its branches, what is computed from then on stays under the
+//! condition that it had one, unless no value of it could do harm.
 
 use crate::graph::{Around, Element, Graph, Node, NodeId, Part, function::Function, index::LoopId};
 use std::collections::HashMap;
@@ -312,8 +312,8 @@ impl Sweep {
         }
     }
 
-    /// The condition that a function's value is its first argument, if it is one of the two and the slope zero of the other
-    /// might meet what is not finite.
+    /// The condition that a function's value is its first argument, if it is one of the two and the slope zero of the
+    /// other might meet what is not finite.
     fn choice(&self, graph: &mut Graph, function: Function, arguments: [NodeId; 2], adjoint: NodeId) -> Option<NodeId> {
         let [a, b] = arguments;
         let harmless = [a, b, adjoint].into_iter().all(|id| graph.is_total(id));
@@ -351,7 +351,7 @@ impl Sweep {
         }
     }
 
-    /// Adds `value`, one per turn of the loops in `context`, to the adjoint of `to`.
+    /// Adds `value`, one per iteration of the loops in `context`, to the adjoint of `to`.
     fn push(&mut self, graph: &mut Graph, to: NodeId, context: &[Around], value: NodeId) {
         if !self.depends[to.position()] {
             return;
@@ -368,8 +368,8 @@ impl Sweep {
     }
 }
 
-/// What stays around the adjoint of a node in the place of the loops and branches that were `left`: where nothing entered
-/// them, the adjoint is an empty sum, and a slope that is not finite there must not be multiplied by it.
+/// What stays around the adjoint of a node in the place of the loops and branches that were `left`: where nothing
+/// entered them, the adjoint is an empty sum, and a slope that is not finite there must not be multiplied by it.
 fn guard(graph: &mut Graph, id: NodeId, left: &[Around]) -> Vec<Around> {
     if left.is_empty() || graph.is_harmless(id, left) {
         return Vec::new();
@@ -417,12 +417,12 @@ mod tests {
         graph.loops.range(Loop { parent, from, to })
     }
 
-    /// The turns of the loops of `context` in which its conditions hold.
+    /// The iterations of the loops of `context` in which its conditions hold.
     fn around(graph: &Graph, point: &mut Point<'_>, context: &[Around], body: &mut dyn FnMut(&mut Point<'_>)) {
         match context.split_first() {
             None => body(point),
             Some((Around::Loop(by), inner)) => {
-                point.turns(graph, &[*by], &mut |point| around(graph, point, inner, body));
+                point.iterations(graph, &[*by], &mut |point| around(graph, point, inner, body));
             }
             Some((Around::Branch(condition, holds), inner)) => {
                 if point.holds(graph, *condition) == *holds {

@@ -1,9 +1,9 @@
 //! Gradients in which every site of a lattice takes part alike, in a form in which each gets all its addends at once.
 //!
 //! Comes in: contributions to a gradient. Goes out: the same as shares: each is computed at a site from its
-//! neighbourhood and belongs to that site or to one further on. A lattice is a line of sites, or a plane of rows. Always
-//! true: the shares are the contributions, turn by turn, with the turns of every loop renumbered so that none belongs to
-//! a site behind; or nothing comes out, where one contribution is of another kind.
+//! neighbourhood and belongs to that site or to one further on. A lattice is a line of sites, or a plane of rows.
+//! Always true: the shares are the contributions, iteration by iteration, with the iterations of every loop renumbered
+//! so that none belongs to a site behind; or nothing comes out, where one contribution is of another kind.
 
 mod direction;
 
@@ -14,7 +14,7 @@ use crate::{
         index::{IndexId, LoopId},
     },
 };
-use direction::Turns;
+use direction::Iterations;
 pub(crate) use direction::{Along, Direction, Extent};
 use std::collections::{BTreeSet, HashMap};
 
@@ -59,8 +59,8 @@ impl Gathered {
         (0..self.directions.len()).map(|direction| farthest(direction).unwrap_or(0)).collect()
     }
 
-    /// How far onward the shares go that there are to be, in order: along a line or a row as far as any share goes, then
-    /// those for the next row, as far as one of them goes.
+    /// How far onward the shares go that there are to be, in order: along a line or a row as far as any share goes,
+    /// then those for the next row, as far as one of them goes.
     pub(crate) fn places(&self) -> Vec<Vec<usize>> {
         match self.onward()[..] {
             [rows, sites] => {
@@ -96,12 +96,13 @@ pub(crate) fn gathered(
         directions.push(Direction::new(graph, parent, *length, farthest)?);
     }
     let mut gathering = Gathering { leaf: &leaf, graph, gathered: Gathered { directions, shares: Vec::new() } };
-    let turns = gradient.iter().map(|contribution| gathering.turns(contribution)).collect::<Option<Vec<_>>>()?;
+    let iterations =
+        gradient.iter().map(|contribution| gathering.iterations(contribution)).collect::<Option<Vec<_>>>()?;
     // Nothing is gained where no loops run over the lattice.
-    turns.iter().find(|turns| turns.iter().all(Turns::run))?;
-    for (contribution, own) in gradient.iter().zip(&turns) {
+    iterations.iter().find(|iterations| iterations.iter().all(Iterations::run))?;
+    for (contribution, own) in gradient.iter().zip(&iterations) {
         let begins = own.iter().enumerate().map(|(direction, own)| {
-            let all = turns.iter().map(|turns| &turns[direction]);
+            let all = iterations.iter().map(|iterations| &iterations[direction]);
             let together = all.filter(|other| own.by.is_some() && other.by == own.by);
             together.map(|other| other.to_place).min().unwrap_or_default()
         });
@@ -126,23 +127,25 @@ struct Gathering<'g, L> {
 }
 
 impl<L: Fn(&Graph, NodeId) -> bool> Gathering<'_, L> {
-    /// The turns in which a contribution is made, direction by direction.
-    fn turns(&mut self, contribution: &Contribution) -> Option<Vec<Turns>> {
+    /// The iterations in which a contribution is made, direction by direction.
+    fn iterations(&mut self, contribution: &Contribution) -> Option<Vec<Iterations>> {
         let indices = indices(contribution.element);
-        let turns = self.gathered.directions.iter_mut().zip(indices);
-        let turns = turns.map(|(direction, index)| direction.turns(self.graph, index)).collect::<Option<Vec<_>>>()?;
+        let iterations = self.gathered.directions.iter_mut().zip(indices);
+        let iterations =
+            iterations.map(|(direction, index)| direction.iterations(self.graph, index)).collect::<Option<Vec<_>>>()?;
         // Every loop around it runs in one direction, and nothing else is around it.
-        let by: BTreeSet<LoopId> = turns.iter().filter_map(|turns| turns.by).collect();
+        let by: BTreeSet<LoopId> = iterations.iter().filter_map(|iterations| iterations.by).collect();
         let around: BTreeSet<LoopId> = contribution.loops().collect();
-        let running = turns.iter().filter(|turns| turns.by.is_some()).count();
-        (by == around && running == by.len() && running == contribution.context.len()).then_some(turns)
+        let running = iterations.iter().filter(|iterations| iterations.by.is_some()).count();
+        (by == around && running == by.len() && running == contribution.context.len()).then_some(iterations)
     }
 
-    /// Notes what some turns add to a site, as seen from the first site that turns of their loops add to.
-    fn share(&mut self, value: NodeId, turns: &[Turns], begins: &[i64]) -> Option<()> {
-        let value = self.seen(value, turns, begins)?;
-        let directions = self.gathered.directions.iter_mut().zip(turns).zip(begins);
-        let along = directions.map(|((direction, turns), begins)| direction.along(self.graph, turns, *begins));
+    /// Notes what some iterations add to a site, as seen from the first site that iterations of their loops add to.
+    fn share(&mut self, value: NodeId, iterations: &[Iterations], begins: &[i64]) -> Option<()> {
+        let value = self.seen(value, iterations, begins)?;
+        let directions = self.gathered.directions.iter_mut().zip(iterations).zip(begins);
+        let along =
+            directions.map(|((direction, iterations), begins)| direction.along(self.graph, iterations, *begins));
         let along = along.collect::<Option<Vec<_>>>()?;
         match self.gathered.shares.iter_mut().find(|share| share.along == along) {
             Some(share) => share.value = self.graph.add(share.value, value),
@@ -151,8 +154,8 @@ impl<L: Fn(&Graph, NodeId) -> bool> Gathering<'_, L> {
         Some(())
     }
 
-    /// The value of a turn as seen from its site: coordinates are named by how far from the site they are.
-    fn seen(&mut self, value: NodeId, turns: &[Turns], begins: &[i64]) -> Option<NodeId> {
+    /// The value of an iteration as seen from its site: coordinates are named by how far from the site they are.
+    fn seen(&mut self, value: NodeId, iterations: &[Iterations], begins: &[i64]) -> Option<NodeId> {
         let mut used = BTreeSet::new();
         let mut open = vec![value];
         while let Some(id) = open.pop() {
@@ -163,14 +166,15 @@ impl<L: Fn(&Graph, NodeId) -> bool> Gathering<'_, L> {
         let mut seen: HashMap<NodeId, NodeId> = HashMap::new();
         for id in used {
             let loops = self.graph.loops_of(id);
-            let own = loops.iter().all(|by| turns.iter().any(|turns| turns.by == Some(by)));
+            let own = loops.iter().all(|by| iterations.iter().any(|iterations| iterations.by == Some(by)));
             // A table over both directions is one of rows.
-            let rows_first =
-                loops.iter().eq(turns.iter().filter_map(|turns| turns.by).filter(|by| loops.contains(*by)));
+            let rows_first = loops
+                .iter()
+                .eq(iterations.iter().filter_map(|iterations| iterations.by).filter(|by| loops.contains(*by)));
             let node = match self.graph.node(id) {
                 _ if !own => return None,
                 _ if (self.leaf)(self.graph, id) => rows_first.then_some(id)?,
-                Node::Coordinate(element) => self.neighbour(turns, begins, element)?,
+                Node::Coordinate(element) => self.neighbour(iterations, begins, element)?,
                 Node::Sum(..) | Node::External(..) => return None,
                 Node::CompareIndex(..) if !loops.is_empty() => return None,
                 node => self.graph.rebuilt(node.map(|child| seen[&child])),
@@ -181,10 +185,10 @@ impl<L: Fn(&Graph, NodeId) -> bool> Gathering<'_, L> {
     }
 
     /// A coordinate as seen from a site.
-    fn neighbour(&mut self, turns: &[Turns], begins: &[i64], element: Element) -> Option<NodeId> {
-        let directions = self.gathered.directions.iter_mut().zip(turns.iter().zip(begins)).zip(indices(element));
-        let seen =
-            directions.map(|((direction, (turns, begins)), index)| direction.seen(self.graph, turns, *begins, index));
+    fn neighbour(&mut self, iterations: &[Iterations], begins: &[i64], element: Element) -> Option<NodeId> {
+        let directions = self.gathered.directions.iter_mut().zip(iterations.iter().zip(begins)).zip(indices(element));
+        let seen = directions
+            .map(|((direction, (iterations, begins)), index)| direction.seen(self.graph, iterations, *begins, index));
         match seen.collect::<Option<Vec<_>>>()?[..] {
             [index] => Some(self.graph.coordinate(Element { index, component: None, ..element })),
             [index, component] => Some(self.graph.coordinate(Element { index, component: Some(component), ..element })),

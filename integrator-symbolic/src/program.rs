@@ -2,8 +2,8 @@
 //!
 //! Comes in: lowered nodes, each with its destination. Goes out: a block of lets, loops, branches and destinations, in
 //! order. Always true: a node is computed outside of every loop that it does not depend on, and inside of every branch
-//! that alone needs it, but for the sums of a loop whose turns the branch asks for; what may not be there is read inside of
-//! what decides that it is; loops over the same range that do not
+//! that alone needs it, but for the sums of a loop whose iterations the branch asks for; what may not be there is read
+//! inside of what decides that it is; loops over the same range that do not
 //! wait for each other are one loop, branches on one condition are one branch; a node has a name if it is used twice or
 //! in a block inside its own.
 
@@ -54,7 +54,7 @@ pub(crate) enum Item {
     Loop { by: LoopId, body: Vec<Item> },
     /// What happens where a condition holds, or where it does not.
     Branch { condition: NodeId, holds: bool, body: Vec<Item> },
-    /// A turn adds to a sum.
+    /// An iteration adds to a sum.
     Add { sum: NodeId, value: NodeId },
     /// A choice is made.
     Choose { choice: NodeId, value: NodeId },
@@ -112,7 +112,8 @@ pub(crate) fn schedule_with(
 /// Which inner blocks keep a later one from being joined with an earlier one.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Waiting {
-    /// Those over the same loop or on the same condition. Fewest blocks, but two kinds may end up waiting for each other.
+    /// Those over the same loop or on the same condition. Fewest blocks, but two kinds may end up waiting for each
+    /// other.
     ForItsLike,
     /// All. What a condition or a factor of one block needs may still come from a block that waits for it.
     ForAny,
@@ -229,8 +230,8 @@ impl<L: Fn(&Graph, NodeId) -> bool> Scheduler<'_, L> {
         }
     }
 
-    /// How much of a path a node has to be inside of: up to the deepest loop that it depends on, and up to the last place
-    /// that decides whether what it reads is there.
+    /// How much of a path a node has to be inside of: up to the deepest loop that it depends on, and up to the last
+    /// place that decides whether what it reads is there.
     fn needed(&self, path: &[usize], id: NodeId) -> usize {
         let (loops, summed) = (self.graph.loops_of(id), self.graph.summed_in(id));
         let is_over = |scope: &usize, set: LoopSet| matches!(self.scopes[*scope].around, Some(Around::Loop(by)) if set.contains(by));
@@ -242,7 +243,7 @@ impl<L: Fn(&Graph, NodeId) -> bool> Scheduler<'_, L> {
     }
 
     /// The last place of a path that decides whether what a node reads is there: in the place of a loop the question
-    /// around it whether it has turns. The sums in the node are computed in the first `outside` blocks.
+    /// around it whether it has iterations. The sums in the node are computed in the first `outside` blocks.
     fn protected(&self, path: &[usize], outside: usize, id: NodeId) -> Option<usize> {
         let around = |place: usize| self.scopes[path[place]].around;
         let is_protected = |place: &usize| {
@@ -255,7 +256,8 @@ impl<L: Fn(&Graph, NodeId) -> bool> Scheduler<'_, L> {
         let decided = places.map(|place| match around(place) {
             Some(Around::Loop(by)) => {
                 let asks = |place: &usize| {
-                    matches!(around(*place), Some(Around::Branch(condition, true)) if self.graph.asks_for_turns(condition, by))
+                    let Some(Around::Branch(condition, true)) = around(*place) else { return false };
+                    self.graph.asks_for_iterations(condition, by)
                 };
                 (0..place).rev().find(asks).unwrap_or(place)
             }
@@ -265,16 +267,16 @@ impl<L: Fn(&Graph, NodeId) -> bool> Scheduler<'_, L> {
     }
 
     /// How much of a path a node may be inside of: up to the first loop that it does not need, and for a sum up to the
-    /// question whether its loop has turns, which the same loop answers.
+    /// question whether its loop has iterations, which the same loop answers.
     fn allowed(&self, path: &[usize], id: NodeId) -> usize {
         let needed = self.needed(path, id);
         let sum = match self.graph.node(id) {
-            Node::Sum(by, body) if !self.graph.is_kept_by_turns(by, body) => Some(by),
+            Node::Sum(by, body) if !self.graph.is_kept_by_iterations(by, body) => Some(by),
             _ => None,
         };
         let is_end = |scope: &usize| match self.scopes[*scope].around {
             Some(Around::Loop(_)) => true,
-            Some(Around::Branch(condition, _)) => sum.is_some_and(|by| self.graph.asks_for_turns(condition, by)),
+            Some(Around::Branch(condition, _)) => sum.is_some_and(|by| self.graph.asks_for_iterations(condition, by)),
             None => false,
         };
         path[needed..].iter().position(is_end).map_or(path.len(), |next| needed + next)

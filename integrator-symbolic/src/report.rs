@@ -18,8 +18,8 @@ pub struct Report {
     pub system: String,
     /// The composition that the annotation asks for, a name or a sequence, as it is spelled.
     pub compose: String,
-    /// `dq[i]/dt = ...` and `dp[i]/dt = ...`, where `+=` marks one of several terms, and `where r = ...` for what has a name
-    /// in them.
+    /// `dq[i]/dt = ...` and `dp[i]/dt = ...`, where `+=` marks one of several terms, and `where r = ...` for what has a
+    /// name in them.
     pub equations: Vec<String>,
     /// Whether `T = ½ pᵀ M⁻¹ p` with a constant `M`.
     pub quadratic_kinetic: bool,
@@ -53,7 +53,7 @@ pub struct Flow {
 pub struct Place {
     /// The loops around it, outermost first, as `i in 0..n`; none for what is computed once.
     pub loops: Vec<String>,
-    /// Operations of one turn.
+    /// Operations of one iteration.
     pub operations: Tally,
 }
 
@@ -88,7 +88,7 @@ impl fmt::Display for Flow {
         for Place { loops, operations } in &self.places {
             match &loops[..] {
                 [] => write!(f, "\n  once: {operations}")?,
-                loops => write!(f, "\n  per turn of {}: {operations}", loops.join(", "))?,
+                loops => write!(f, "\n  per iteration of {}: {operations}", loops.join(", "))?,
             }
         }
         Ok(())

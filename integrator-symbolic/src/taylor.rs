@@ -22,7 +22,8 @@ use std::collections::{BTreeMap, BTreeSet, HashMap};
 /// What an order is computed from beside the values themselves.
 #[derive(Debug, Default)]
 pub(crate) struct Recurrences {
-    /// The slopes of each node that is a function of another one or of two, by its arguments; those of numbers are `None`.
+    /// The slopes of each node that is a function of another one or of two, by its arguments; those of numbers are
+    /// `None`.
     pub(crate) slopes: BTreeMap<NodeId, [Option<NodeId>; 2]>,
     /// The nodes whose coefficients of all orders a node is computed from, itself perhaps among them.
     pub(crate) operands: BTreeMap<NodeId, Vec<NodeId>>,
@@ -114,8 +115,8 @@ pub(crate) fn signed(graph: &Graph, id: NodeId) -> (bool, NodeId) {
     }
 }
 
-/// A value in its surroundings as addends without sums over inner loops: what such a sum adds up is added in every turn
-/// of its loop, what is chosen or zero where it is chosen.
+/// A value in its surroundings as addends without sums over inner loops: what such a sum adds up is added in every
+/// iteration of its loop, what is chosen or zero where it is chosen.
 pub(crate) fn addends(graph: &mut Graph, context: Vec<Around>, value: NodeId) -> Vec<(Vec<Around>, NodeId)> {
     let within = |around: Around| -> Vec<Around> { context.iter().copied().chain([around]).collect() };
     let zero = |graph: &Graph, id| graph.as_constant(id) == Some(0.0);

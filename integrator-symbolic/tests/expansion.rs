@@ -139,9 +139,10 @@ fn recurrences_of_a_chain_between_walls() {
 fn recurrences(item: &str) -> String {
     let text = stepper("taylor", item);
     let (before, after) = text.split_once("    /// The coefficients that recurrences read.").expect("a tape");
-    let turns = before.split_once("    /// What a turn of a loop keeps.").map_or("", |(_, turns)| turns);
+    let iterations =
+        before.split_once("    /// What an iteration of a loop keeps.").map_or("", |(_, iterations)| iterations);
     assert!(!stepper("", item).contains("Recurrences"), "nothing is written unasked");
-    format!("{turns}{after}")
+    format!("{iterations}{after}")
 }
 
 #[test]
@@ -269,8 +270,8 @@ fn composition_in_place() {
     ));
 }
 
-/// Loops stay loops: the text for a long chain is that for a short one, but for the numbers and their fingerprint, and that small systems keep
-/// their buffers on the stack.
+/// Loops stay loops: the text for a long chain is that for a short one, but for the numbers and their fingerprint, and
+/// that small systems keep their buffers on the stack.
 #[test]
 fn text_does_not_grow_with_the_system() {
     let text = |length: u32| {
@@ -284,8 +285,8 @@ fn text_does_not_grow_with_the_system() {
     assert!(text(10).len().abs_diff(text(1_000_000).len()) < 100);
 }
 
-/// What is prepared for a loop that a potential consists of, with a coordinate for each turn: the text that evaluates an
-/// element of the table, or the number, behind the condition that the function has around it.
+/// What is prepared for a loop that a potential consists of, with a coordinate for each iteration: the text that
+/// evaluates an element of the table, or the number, behind the condition that the function has around it.
 const PREPARED: &[(&str, &str)] = &[
     ("if i > 0 { v += self.long[i - 1] * q[i]; }", "if (0) < (i) { self.long[(i - 1)] } else { 0.0 }"),
     ("if i == 0 { continue; } v += self.long[i - 1] * q[i];", "if !((i) == (0)) { self.long[(i - 1)] } else { 0.0 }"),
@@ -315,7 +316,7 @@ const PREPARED: &[(&str, &str)] = &[
         "let (m, length) = (q.len(), self.n); v += self.list.iter().map(|x| x + (length - m) as f64).sum::<f64>() * q[i];",
         "let (length, m) = (self.n, length);",
     ),
-    // A list that is read by the index as it is has an element for every turn, whichever turns add.
+    // A list that is read by the index as it is has an element for every iteration, whichever iterations add.
     (
         "for j in 0..q.len() { if i != j { v += self.mass[i] * q[j]; } }",
         "mass: runtime::table(length, &|i: usize| self.mass[i])",

@@ -73,8 +73,8 @@ fn a_larger_lattice_has_longer_numbers_alone() {
     assert!(small == skeleton(1_000) && small == skeleton(1_000_000), "{small}");
 }
 
-/// A pair takes some 900 bytes of tokens in the kick (three differences, a reciprocal cube, six updates), as much in the
-/// energy and its part of the derivatives' documentation, and twice that in the Hessian.
+/// A pair takes some 900 bytes of tokens in the kick (three differences, a reciprocal cube, six updates), as much in
+/// the energy and its part of the derivatives' documentation, and twice that in the Hessian.
 #[test]
 fn ten_bodies_written_out_stay_below_a_size() {
     let item = ten_bodies();
@@ -82,8 +82,9 @@ fn ten_bodies_written_out_stay_below_a_size() {
     assert!((45_000..180_000).contains(&written), "{written} bytes");
 }
 
-/// Systems that grow along one axis of the language: what is in front, what is there once for each number `I` (`N` is the
-/// next one), what joins these, and what is behind. Beside `self`, `q` is known, of as many coordinates as there are parts.
+/// Systems that grow along one axis of the language: what is in front, what is there once for each number `I` (`N` is
+/// the next one), what joins these, and what is behind. Beside `self`, `q` is known, of as many coordinates as there
+/// are parts.
 const AXES: &[(&str, [&str; 4])] = &[
     ("terms", ["", "I.5 * q[0].sin() * (q[1] - I.25).powi(2)", " + ", ""]),
     ("factors", ["", "(q[0] - I.5).sin()", " * ", ""]),
@@ -141,7 +142,7 @@ const AXES: &[(&str, [&str; 4])] = &[
     ("arms", ["match self.kind {", "I => I.5 * q[0].sin(),", "", "_ => q[1].cos() }"]),
     ("conditions", ["if ", "q[0] > -I.5", " && ", "{ q[0].sin() } else { q[1] * q[1] }"]),
     (
-        "turns that are left",
+        "iterations that are left",
         ["let mut v = 0.0; for i in 0..3 {", "if q[i] > I.5 { continue; } v += I.5 * q[i] * q[i];", "", "} v"],
     ),
 ];

@@ -40,7 +40,7 @@ pub(crate) fn pendulum(amplitude: f64, time: f64) -> [f64; 2] {
 /// Position and velocity on an ellipse of semimajor axis one, a time after the pericentre: `E - e sin E = t`.
 pub(crate) fn ellipse(eccentricity: f64, time: f64) -> [f64; 4] {
     let mut anomaly = time;
-    // Newton's iteration doubles the digits; from the mean anomaly, a few turns suffice for any ellipse that is this round.
+    // Newton's method doubles the digits; from the mean anomaly, a few iterations suffice for any ellipse that is this round.
     for _ in 0..20 {
         let (sine, cosine) = anomaly.sin_cos();
         anomaly -= (anomaly - eccentricity * sine - time) / (1.0 - eccentricity * cosine);

@@ -84,10 +84,19 @@ fn forms_loops_and_compositions() {
     let [chain, bodies, driven, free, catalogue] = sections[..] else { panic!("{found}") };
     let rows = [
         (chain, "Chain, "),
-        (chain, "kick: neighbour sums along a line of sites, in vectors\n      per turn of i in 0..n - 1: 1 addition,"),
+        (
+            chain,
+            "kick: neighbour sums along a line of sites, in vectors\n      per iteration of i in 0..n - 1: 1 addition,",
+        ),
         (chain, "composition: Verlet, order 2, symmetric, 1 force per step"),
-        (bodies, "kick: pair sums in tiles of eight bodies by eight\n      per turn of i in 0..n: 2 coordinates moved"),
-        (bodies, "per turn of i in 0..n, j in 0..i: 5 additions, 5 multiplications, 1 division, 1 square root, 2 coor"),
+        (
+            bodies,
+            "kick: pair sums in tiles of eight bodies by eight\n      per iteration of i in 0..n: 2 coordinates moved",
+        ),
+        (
+            bodies,
+            "per iteration of i in 0..n, j in 0..i: 5 additions, 5 multiplications, 1 division, 1 square root, 2 coor",
+        ),
         (bodies, "composition: V(1/2) T(1) V(1/2), order 2, symmetric, 1 force per step"),
         (driven, "T: general; time: read"),
         (driven, "once: 1 addition, 2 multiplications, 2 sin, 1 coordinate moved"),

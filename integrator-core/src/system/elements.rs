@@ -1,4 +1,5 @@
-//! Lists of a system: whether they have an element, asked where a table is prepared for turns that the functions may skip.
+//! Lists of a system: whether they have an element, asked where a table is prepared for iterations that the functions
+//! may skip.
 
 use alloc::{boxed::Box, collections::VecDeque, rc::Rc, sync::Arc, vec::Vec};
 use core::ops::Deref;

@@ -1,7 +1,8 @@
-//! Formulas as people write them: sums of products, numbers first, then parameters, coordinates and functions of them, what
-//! is divided by behind one stroke.
+//! Formulas as people write them: sums of products, numbers first, then parameters, coordinates and functions of them,
+//! what is divided by behind one stroke.
 //!
-//! They are for reading alone: what is equal for almost all arguments is written in one way, whatever its roundings are.
+//! They are for reading alone: what is equal for almost all arguments is written in one way, whatever its roundings
+//! are.
 
 /// A sum of products.
 #[derive(Clone, Debug, PartialEq)]
@@ -296,7 +297,7 @@ impl Product {
     fn tied(&self) -> (String, Tie) {
         let mut product = self.clone();
         product.put_number_inside();
-        product.turn_difference();
+        product.iteration_difference();
         if product.number == 0.0 {
             return ("0".to_owned(), Tie::Atom);
         }
@@ -348,7 +349,7 @@ impl Product {
     }
 
     /// Writes `-(a - b)` as `b - a`.
-    fn turn_difference(&mut self) {
+    fn iteration_difference(&mut self) {
         let is_difference = |factor: &&mut Factor| {
             let products = factor.atom.inner.as_ref().map_or(&[][..], |Formula(products)| &products[..]);
             let signs = products.iter().filter(|product| product.number < 0.0).count();

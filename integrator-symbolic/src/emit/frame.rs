@@ -60,7 +60,7 @@ impl Bodies {
 }
 
 impl Printer<'_> {
-    /// A prepared constant, or its element for the present turns of its loops.
+    /// A prepared constant, or its element for the present iterations of its loops.
     pub(super) fn field(&self, fields: &mut Fields, id: NodeId) -> TokenStream {
         if let Frame::Bodies(bodies) = self.frame
             && let Some(name) = bodies.constants.get(&id)
@@ -71,7 +71,7 @@ impl Printer<'_> {
         self.shared(name, self.graph.loops_of(id))
     }
 
-    /// A field of the prepared constants as a number of the flow, for the present turns of the loops.
+    /// A field of the prepared constants as a number of the flow, for the present iterations of the loops.
     pub(super) fn shared(&self, name: Ident, loops: LoopSet) -> TokenStream {
         match self.frame {
             Frame::Motion | Frame::Series { .. } => self.prepared(name, loops),
@@ -83,7 +83,7 @@ impl Printer<'_> {
         }
     }
 
-    /// A field of the prepared constants as it is, for the present turns of the loops.
+    /// A field of the prepared constants as it is, for the present iterations of the loops.
     pub(super) fn prepared(&self, name: Ident, loops: LoopSet) -> TokenStream {
         let at = loops.iter().map(|by| {
             let index = self.running.get(&by);

@@ -293,8 +293,8 @@ impl<'m> Lines<'m> {
             }
             Item::Loop { by, body } => {
                 let range = graph.loops.get(*by);
-                for turn in self.point.index(graph, range.from)..self.point.index(graph, range.to) {
-                    self.point.running.insert(*by, turn);
+                for iteration in self.point.index(graph, range.from)..self.point.index(graph, range.to) {
+                    self.point.running.insert(*by, iteration);
                     self.items(body);
                 }
                 self.point.running.remove(by);

@@ -1,8 +1,8 @@
 //! The stepper as Rust.
 //!
 //! Comes in: a model that is known to make sense. Goes out: the implementation of the runtime's `Hamiltonian`, in a
-//! scope of its own. Always true: nothing here fails; the same model gives the same tokens; the text names only paths of
-//! the user, of `::core`, and of the runtime's private door.
+//! scope of its own. Always true: nothing here fails; the same model gives the same tokens; the text names only paths
+//! of the user, of `::core`, and of the runtime's private door.
 
 mod ahead;
 mod block;
@@ -288,7 +288,8 @@ pub(crate) fn stepper(input: &Input, mut model: Model) -> TokenStream {
 
 /// The body of a flow: each component of the gradient moves its coordinate.
 ///
-/// Where all sites of a lattice take part alike, the runtime sweeps along them. Where every coordinate gets one contribution, it is updated on the spot; else contributions are collected first.
+/// Where all sites of a lattice take part alike, the runtime sweeps along them. Where every coordinate gets one
+/// contribution, it is updated on the spot; else contributions are collected first.
 fn flow(
     model: &mut Model,
     fields: &mut Fields,
@@ -348,7 +349,7 @@ fn is_protected(model: &mut Model, contribution: &Contribution) -> bool {
     contribution.context.iter().filter(is_branch).any(|around| model.graph.protects(*around, coordinate))
 }
 
-/// Whether no coordinate is moved by two contributions or by two turns of a loop.
+/// Whether no coordinate is moved by two contributions or by two iterations of a loop.
 fn is_direct(model: &Model, gradient: &[Contribution]) -> bool {
     let loops = &model.graph.loops;
     let indices = |element: Element| [Some(element.index), element.component];

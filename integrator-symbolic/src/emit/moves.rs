@@ -16,11 +16,11 @@ pub(super) enum Moves {
     InPlace,
     /// The same, once in a run, by loops as they stand.
     Once,
-    /// They are those of turns side by side, which put numbers down.
+    /// They are those of iterations side by side, which put numbers down.
     Abreast(Found),
 }
 
-/// The numbers that turns have found so far.
+/// The numbers that iterations have found so far.
 #[derive(Default)]
 pub(super) struct Found {
     /// Those that are found in all lanes, and may be had by several coordinates.
@@ -74,7 +74,7 @@ impl Moves {
         })
     }
 
-    /// What turns side by side have found; nothing, of other lines.
+    /// What iterations side by side have found; nothing, of other lines.
     pub(super) fn found(self) -> Found {
         match self {
             Self::Abreast(found) => found,

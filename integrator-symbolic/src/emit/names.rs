@@ -21,8 +21,8 @@ pub(crate) struct Names {
     pub(super) leaf: Ident,
     /// The struct of Taylor coefficients that recurrences read.
     pub(super) tape: Ident,
-    /// What the structs of the turns of its loops begin with.
-    pub(super) turn: Ident,
+    /// What the structs of the iterations of its loops begin with.
+    pub(super) iteration: Ident,
 }
 
 impl Names {
@@ -47,7 +47,7 @@ impl Names {
             wide: free("Wide"),
             leaf: free("Leaf"),
             tape: free("Tape"),
-            turn: free("Turn"),
+            iteration: free("Iteration"),
         }
     }
 }

@@ -1,5 +1,5 @@
-//! Loops as Rust: turns side by side as a function of what a turn reads, and the lines that call it; or turn by turn, where
-//! they wait for each other.
+//! Loops as Rust: iterations side by side as a function of what an iteration reads, and the lines that call it; or
+//! iteration by iteration, where they wait for each other.
 
 use super::{
     fields::Fields,
@@ -7,7 +7,7 @@ use super::{
     moves::{Found, Moves},
     orders::{Source, Writer},
     pass::{Pass, clock_read},
-    tape::{self, Record, Turns, list},
+    tape::{self, Iterations, Record, list},
 };
 use crate::{
     graph::{
@@ -25,7 +25,7 @@ use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{format_ident, quote};
 use std::collections::HashMap;
 
-/// The names of what a turn is given.
+/// The names of what an iteration is given.
 struct Given {
     reads: Vec<Ident>,
     constants: Vec<Ident>,
@@ -71,7 +71,7 @@ pub(super) fn surroundings<'s>(
     Surroundings { graph: &model.graph, named: &program.named, operands: &recurrences.operands }
 }
 
-/// Which numbers a turn reads together: the first components of a point, in their order, or one alone.
+/// Which numbers an iteration reads together: the first components of a point, in their order, or one alone.
 fn points(loops: &Loops, nest: &Nest<'_>) -> Vec<Vec<usize>> {
     let component = |read: &usize| nest.reads[*read].1.component.and_then(|component| loops.literal(component));
     let mut points: Vec<Vec<usize>> = Vec::new();
@@ -94,7 +94,7 @@ fn points(loops: &Loops, nest: &Nest<'_>) -> Vec<Vec<usize>> {
 }
 
 impl Writer<'_> {
-    /// The nests of a loop whose turns can be computed side by side.
+    /// The nests of a loop whose iterations can be computed side by side.
     pub(super) fn nests<'p>(&self, by: LoopId, body: &'p [Item]) -> Option<Vec<Nest<'p>>> {
         if self.within.len() > 1 || !self.masks.is_empty() || matches!(self.moves, Moves::Once) {
             return None;
@@ -103,10 +103,10 @@ impl Writer<'_> {
         surroundings(model, program, recurrences).nests(by, body)
     }
 
-    /// A loop, whose turns keep what they compute each in a place of its own.
-    pub(super) fn turns(&mut self, fields: &mut Fields, by: LoopId, body: &[Item]) -> TokenStream {
+    /// A loop, whose iterations keep what they compute each in a place of its own.
+    pub(super) fn iterations(&mut self, fields: &mut Fields, by: LoopId, body: &[Item]) -> TokenStream {
         let number = self.records.len();
-        let record = Record::of(&format!("turn_{number}"), Turns::OneByOne);
+        let record = Record::of(&format!("iteration_{number}"), Iterations::OneByOne);
         let at = record.at.clone();
         self.records.push(record);
         self.within.push(number);
@@ -116,37 +116,37 @@ impl Writer<'_> {
         let body = self.items(fields, body);
         self.places = outside;
         self.within.pop();
-        let turn = (!self.records[number].slots.is_empty()).then(|| {
+        let iteration = (!self.records[number].slots.is_empty()).then(|| {
             let (runtime, list, next) = (self.printer.runtime, list(number), tape::next(number));
-            quote!(let #at = #runtime::turn(&mut tape.#list, &mut #next);)
+            quote!(let #at = #runtime::iteration(&mut tape.#list, &mut #next);)
         });
-        self.printer.looped(fields, by, &quote!(#turn #body))
+        self.printer.looped(fields, by, &quote!(#iteration #body))
     }
 
-    /// A nest of loops: its turns are laid out once, and computed in rows.
+    /// A nest of loops: its iterations are laid out once, and computed in rows.
     pub(super) fn nest(&mut self, fields: &mut Fields, nest: &Nest<'_>) -> TokenStream {
         let names = self.source.names;
         let (runtime, scalar, wide) = (&names.runtime, &names.scalar, &names.wide);
         let number = self.records.len();
-        let (turns, turn) = (list(number), format_ident!("turn_{number}"));
+        let (iterations, iteration) = (list(number), format_ident!("iteration_{number}"));
         let given = Given::of(nest, &self.printer.names, wide);
         let at_once = self.pass.orders();
         let (body, mut record, found) = {
-            let mut writer = Writer::abreast(self.source, Record::of("turn", Turns::Once));
+            let mut writer = Writer::abreast(self.source, Record::of("iteration", Iterations::Once));
             writer.pass = self.pass;
             writer.printer.names.extend(given.names);
             writer.allocate(nest.body.iter().copied());
-            let body = writer.turn(fields, nest, &given.reads);
+            let body = writer.iteration(fields, nest, &given.reads);
             (body, writer.records.swap_remove(0), writer.moves.found())
         };
         let points = points(&self.printer.graph.loops, nest);
         let counts = [points.len(), given.constants.len(), nest.targets.len(), found.values(), at_once];
-        record.turns = Turns::Abreast(counts);
+        record.iterations = Iterations::Abreast(counts);
         let body = Body::new(body);
         let kept = match record.slots.is_empty() {
             true => quote!(()),
             false => {
-                let kept = tape::turn(number, names);
+                let kept = tape::iteration(number, names);
                 quote!(#kept<#wide>)
             }
         };
@@ -155,13 +155,13 @@ impl Writer<'_> {
         let [_, of_constants, _, of_values, of_orders] = counts.map(Literal::usize_unsuffixed);
         let of_common = Literal::usize_unsuffixed(given.common.len());
         let of_reads = Literal::usize_unsuffixed(given.reads.len());
-        let (own, order) = (body.argument("turn"), body.argument("order"));
+        let (own, order) = (body.argument("iteration"), body.argument("order"));
         let clock = clock_read(&body);
         let Given { reads, constants, common, flags, .. } = given;
         let body = &body.0;
         let function = quote! {
             #[cfg_attr(not(debug_assertions), inline(always))]
-            fn #turn<#scalar: #runtime::Real, #wide: #runtime::Row<#scalar>>(
+            fn #iteration<#scalar: #runtime::Real, #wide: #runtime::Row<#scalar>>(
                 #own: &mut #kept,
                 reads: [[#wide; #of_orders]; #of_reads],
                 [#(#constants),*]: [#wide; #of_constants],
@@ -176,7 +176,7 @@ impl Writer<'_> {
             }
         };
 
-        let taken = self.taken(fields, nest, &points, &turns, &found);
+        let taken = self.taken(fields, nest, &points, &iterations, &found);
         let common = nest.common.iter().map(|id| {
             let value = self.printer.expression(fields, *id).tokens;
             quote!(#runtime::spread(#value))
@@ -211,10 +211,10 @@ impl Writer<'_> {
         quote! {
             #function
             #times
-            if order == 0 && tape.#turns.is_empty() { #taken }
-            for (row, found) in tape.#turns.rows() {
+            if order == 0 && tape.#iterations.is_empty() { #taken }
+            for (row, found) in tape.#iterations.rows() {
                 #(#read)*
-                *found = #turn::<#scalar, #runtime::Abreast<#scalar>>(
+                *found = #iteration::<#scalar, #runtime::Abreast<#scalar>>(
                     &mut row.kept,
                     [#(#reads),*],
                     row.constants,
@@ -223,12 +223,12 @@ impl Writer<'_> {
                     #(#clock,)*
                 );
             }
-            #(tape.#turns.#added;)*
+            #(tape.#iterations.#added;)*
         }
     }
 
-    /// The lines of a turn, for each of the orders that are found at once.
-    fn turn(&mut self, fields: &mut Fields, nest: &Nest<'_>, reads: &[Ident]) -> TokenStream {
+    /// The lines of an iteration, for each of the orders that are found at once.
+    fn iteration(&mut self, fields: &mut Fields, nest: &Nest<'_>, reads: &[Ident]) -> TokenStream {
         let lines = || nest.body.iter().copied();
         let [known, newest] = match self.pass {
             Pass::One => [TokenStream::new(), TokenStream::new()],
@@ -256,13 +256,13 @@ impl Writer<'_> {
         }
     }
 
-    /// The lines that take down the turns.
+    /// The lines that take down the iterations.
     fn taken(
         &mut self,
         fields: &mut Fields,
         nest: &Nest<'_>,
         points: &[Vec<usize>],
-        turns: &Ident,
+        iterations: &Ident,
         found: &Found,
     ) -> TokenStream {
         let (scalar, runtime) = (self.printer.scalar, self.printer.runtime);
@@ -276,7 +276,7 @@ impl Writer<'_> {
             let holds = printer.computation(fields, *id).tokens;
             quote!(#scalar::select(#holds, #scalar::of(1.0), #scalar::of(0.0)))
         }));
-        let take = quote!(tape.#turns.take([#(#reads),*], [#(#constants),*], [#(#targets),*]););
+        let take = quote!(tape.#iterations.take([#(#reads),*], [#(#constants),*], [#(#targets),*]););
         let take = nest.loops.iter().rev().fold(take, |take, by| printer.looped(fields, *by, &take));
         self.printer.names = named;
         let targets = nest.targets.iter().zip(&found.targets).map(|(element, (value, negative))| {
@@ -288,6 +288,6 @@ impl Writer<'_> {
             let negated = negative.then(|| quote!(.negated()));
             quote!(#runtime::Target::#part(#value) #negated)
         });
-        quote!(#take tape.#turns.lay_out(layout, [#(#targets),*]);)
+        quote!(#take tape.#iterations.lay_out(layout, [#(#targets),*]);)
     }
 }

@@ -1,7 +1,8 @@
 //! The Taylor coefficients of a motion, order by order, as Rust.
 //!
 //! One pass over the nodes computes their coefficients of an order from those of lower orders. Values that recurrences
-//! read are kept in a tape: beside each other where no loop is around, and else in a list with a place for every turn.
+//! read are kept in a tape: beside each other where no loop is around, and else in a list with a place for every
+//! iteration.
 
 use super::{
     ahead::Mobilities,
@@ -16,7 +17,7 @@ use super::{
     pass::Pass,
     places::Places,
     recurrence::Series,
-    tape::{Kept, Record, Tape, Turns},
+    tape::{Iterations, Kept, Record, Tape},
 };
 use crate::{
     differentiate::Contribution,
@@ -65,14 +66,14 @@ pub(super) fn orders(
     let interleaved = rolled && surroundings(model, &program, &recurrences).reads_neighbours(&program.items);
     let frame = Frame::Series { interleaved: interleaved.then(|| Places::of(&model.graph)) };
     let source = Source { model, names, program: &program, frame: &frame, recurrences: &recurrences };
-    let mut writer = Writer::new(&source, Record::of("tape", Turns::Once));
+    let mut writer = Writer::new(&source, Record::of("tape", Iterations::Once));
     writer.moves = if rolled { Moves::InPlace } else { Moves::of(&model.graph, &program.items) };
     writer.allocate(&program.items);
     let body = match (&mobile, &ahead) {
         (_, Some(ahead)) => writer.order_ahead(fields, &program.items, ahead),
         (Some(mobile), None) => {
             let source = Source { program: mobile, ..source };
-            let mut of_mobilities = Writer::new(&source, Record::of("tape", Turns::Once));
+            let mut of_mobilities = Writer::new(&source, Record::of("tape", Iterations::Once));
             of_mobilities.moves = Moves::Once;
             let mobilities = of_mobilities.items(fields, &mobile.items);
             writer.orders_of_momenta(fields, &program.items, &mobilities)
@@ -109,7 +110,8 @@ fn asked(graph: &Graph, recurrences: &Recurrences) -> Asked {
     }
 }
 
-/// The values that move coordinates: what a sum adds up is added turn by turn, so that no turn waits for another.
+/// The values that move coordinates: what a sum adds up is added iteration by iteration, so that no iteration waits for
+/// another.
 fn placed(graph: &mut Graph, kinetic: &[Contribution], potential: &[Contribution]) -> Vec<Placed> {
     let mut placed = Vec::new();
     for (gradient, is_force) in [(kinetic, false), (potential, true)] {
@@ -176,7 +178,7 @@ impl<'m> Writer<'m> {
         }
     }
 
-    /// One whose lines are those of turns side by side.
+    /// One whose lines are those of iterations side by side.
     pub(super) fn abreast(source: &'m Source<'m>, record: Record) -> Self {
         let mut writer = Self::new(source, record);
         writer.printer.scalar = &source.names.wide;
@@ -229,7 +231,7 @@ impl<'m> Writer<'m> {
             }
             Item::Loop { by, body } => match self.nests(*by, body) {
                 Some(nests) => nests.iter().map(|nest| self.nest(fields, nest)).collect(),
-                None => self.turns(fields, *by, body),
+                None => self.iterations(fields, *by, body),
             },
             Item::Branch { condition, holds, body } => {
                 let mask = self.printer.expression(fields, *condition).tokens;
@@ -282,7 +284,7 @@ impl<'m> Writer<'m> {
         self.masks.iter().rev().fold(value, |value, mask| quote!(#scalar::select(#mask, #value, #zero)))
     }
 
-    /// Whether turns side by side are given a value, since it stays the same in a run.
+    /// Whether iterations side by side are given a value, since it stays the same in a run.
     fn is_given(&self, id: NodeId) -> bool {
         matches!(self.moves, Moves::Abreast(_)) && self.printer.graph.is_prepared(id)
     }

@@ -69,8 +69,8 @@ impl Writer<'_> {
         quote!(#clock #lines)
     }
 
-    /// The lines that find the orders of momenta, which positions follow. `mobilities` adds what positions multiply momenta
-    /// by to their coefficients of order 1.
+    /// The lines that find the orders of momenta, which positions follow. `mobilities` adds what positions multiply
+    /// momenta by to their coefficients of order 1.
     pub(super) fn orders_of_momenta(
         &mut self,
         fields: &mut Fields,
@@ -111,7 +111,7 @@ impl Writer<'_> {
         }
     }
 
-    /// Whether all loops are nests of turns side by side that need nothing from the lines around them.
+    /// Whether all loops are nests of iterations side by side that need nothing from the lines around them.
     fn is_for_two(&self, items: &[Item]) -> bool {
         items.iter().all(|item| match item {
             Item::Loop { by, body } => self.nests(*by, body).is_some_and(|nests| {

@@ -1,28 +1,28 @@
 //! The structs that hold the Taylor coefficients which recurrences read.
 //!
-//! Values outside of all loops lie beside each other; those inside of one have a place for every turn of it.
+//! Values outside of all loops lie beside each other; those inside of one have a place for every iteration of it.
 
 use super::names::Names;
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{format_ident, quote};
 
-/// What is kept in one block: the lines outside of all loops, or those of a turn.
+/// What is kept in one block: the lines outside of all loops, or those of an iteration.
 pub(super) struct Record {
     /// What it is called inside the block.
     pub(super) at: Ident,
     /// The name of each value, and what is kept of it.
     pub(super) slots: Vec<(Ident, Kept)>,
     /// How often there is one of it.
-    pub(super) turns: Turns,
+    pub(super) iterations: Iterations,
 }
 
 impl Record {
-    pub(super) fn of(at: &str, turns: Turns) -> Self {
-        Self { at: format_ident!("{at}"), slots: Vec::new(), turns }
+    pub(super) fn of(at: &str, iterations: Iterations) -> Self {
+        Self { at: format_ident!("{at}"), slots: Vec::new(), iterations }
     }
 
-    /// Gives a value its place. One that is computed in several branches has one place, which each of them writes before it
-    /// reads it.
+    /// Gives a value its place. One that is computed in several branches has one place, which each of them writes
+    /// before it reads it.
     pub(super) fn keep(&mut self, name: Ident, kept: Kept) {
         if !self.slots.contains(&(name.clone(), kept)) {
             self.slots.push((name, kept));
@@ -47,48 +47,50 @@ pub(super) enum Kept {
 
 /// How often there is a record.
 #[derive(Clone, Copy, PartialEq, Eq)]
-pub(super) enum Turns {
+pub(super) enum Iterations {
     /// It is that of the lines outside of all loops.
     Once,
-    /// For every turn, one after the other.
+    /// For every iteration, one after the other.
     OneByOne,
-    /// For every eight turns, which read so many points, have so many constants, and move so many coordinates by so
-    /// many values, of so many orders at once.
+    /// For every eight iterations, which read so many points, have so many constants, and move so many coordinates by
+    /// so many values, of so many orders at once.
     Abreast([usize; 5]),
 }
 
-/// The list that has a place for every turn of a loop.
+/// The list that has a place for every iteration of a loop.
 pub(super) fn list(number: usize) -> Ident {
-    format_ident!("turns_{number}")
+    format_ident!("iterations_{number}")
 }
 
-/// The turn that comes next.
+/// The iteration that comes next.
 pub(super) fn next(number: usize) -> Ident {
     format_ident!("next_{number}")
 }
 
-/// The struct of the turns of a loop.
-pub(super) fn turn(number: usize, names: &Names) -> Ident {
-    format_ident!("{}{number}", names.turn)
+/// The struct of the iterations of a loop.
+pub(super) fn iteration(number: usize, names: &Names) -> Ident {
+    format_ident!("{}{number}", names.iteration)
 }
 
-/// The numbers of the loops whose turns keep something, one by one.
+/// The numbers of the loops whose iterations keep something, one by one.
 pub(super) fn one_by_one(records: &[Record]) -> impl Iterator<Item = usize> {
-    (1..records.len()).filter(|number| records[*number].turns == Turns::OneByOne && !records[*number].slots.is_empty())
+    (1..records.len())
+        .filter(|number| records[*number].iterations == Iterations::OneByOne && !records[*number].slots.is_empty())
 }
 
-/// How the turns of a loop are kept, if they keep anything.
+/// How the iterations of a loop are kept, if they keep anything.
 fn kind(number: usize, record: &Record, names: &Names) -> Option<TokenStream> {
     let Names { runtime, scalar, .. } = names;
-    let turn = turn(number, names);
-    match record.turns {
-        Turns::Abreast(counts) => {
+    let iteration = iteration(number, names);
+    match record.iterations {
+        Iterations::Abreast(counts) => {
             let counts = counts.map(Literal::usize_unsuffixed);
-            let kept = if record.slots.is_empty() { quote!(()) } else { quote!(#turn<#runtime::Abreast<#scalar>>) };
-            Some(quote!(#runtime::Turns<#scalar, #kept, #(#counts),*>))
+            let kept =
+                if record.slots.is_empty() { quote!(()) } else { quote!(#iteration<#runtime::Abreast<#scalar>>) };
+            Some(quote!(#runtime::Iterations<#scalar, #kept, #(#counts),*>))
         }
-        Turns::OneByOne if !record.slots.is_empty() => Some(quote!(#runtime::Vec<#turn<#scalar>>)),
-        Turns::Once | Turns::OneByOne => None,
+        Iterations::OneByOne if !record.slots.is_empty() => Some(quote!(#runtime::Vec<#iteration<#scalar>>)),
+        Iterations::Once | Iterations::OneByOne => None,
     }
 }
 
@@ -103,7 +105,7 @@ pub(super) struct Tape<'r> {
 impl Tape<'_> {
     /// Whether nothing is kept: a motion whose forces are linear, without loops, reads coordinates alone.
     pub(super) fn is_empty(&self) -> bool {
-        let keeps = |record: &Record| !record.slots.is_empty() || matches!(record.turns, Turns::Abreast(_));
+        let keeps = |record: &Record| !record.slots.is_empty() || matches!(record.iterations, Iterations::Abreast(_));
         !self.is_mobile && !self.records.iter().any(keeps)
     }
 
@@ -114,12 +116,12 @@ impl Tape<'_> {
         let mobility = self.is_mobile.then(|| (format_ident!("mobility"), quote!(#runtime::Mobility<#scalar>)));
         let of_loops = numbered().filter_map(|(number, record)| Some((list(number), kind(number, record, names)?)));
         let lists: Vec<(Ident, TokenStream)> = mobility.into_iter().chain(of_loops).collect();
-        let turns = numbered().filter(|(_, record)| !record.slots.is_empty()).map(|(number, record)| {
-            structure(names, &turn(number, names), record, &[], " What a turn of a loop keeps.")
+        let iterations = numbered().filter(|(_, record)| !record.slots.is_empty()).map(|(number, record)| {
+            structure(names, &iteration(number, names), record, &[], " What an iteration of a loop keeps.")
         });
         let doc = " The coefficients that recurrences read.";
         let whole = (!self.is_empty()).then(|| structure(names, &names.tape, &self.records[0], &lists, doc));
-        quote!(#(#turns)* #whole)
+        quote!(#(#iterations)* #whole)
     }
 }
 

@@ -64,19 +64,19 @@ impl Place {
     }
 }
 
-/// The turns of a loop, or the one turn where there is none, in which something is added to a place.
+/// The iterations of a loop, or the one iteration where there is none, in which something is added to a place.
 #[derive(Debug, PartialEq)]
-pub(super) struct Turns {
+pub(super) struct Iterations {
     pub(super) by: Option<LoopId>,
     /// Whether there is one for every place; only then may the last place be followed by the first.
     whole: bool,
     from: Place,
     to: Place,
-    /// How much further on than its number the place of a turn is; nothing where there is no loop.
+    /// How much further on than its number the place of an iteration is; nothing where there is no loop.
     pub(super) to_place: i64,
 }
 
-impl Turns {
+impl Iterations {
     /// Whether they run over the lattice.
     pub(super) fn run(&self) -> bool {
         matches!((self.from, self.to), (Place::FromBegin(_), Place::FromEnd(_)))
@@ -116,12 +116,12 @@ impl Direction {
         self.behind > 0 || self.ahead > 0
     }
 
-    /// The turns of the loop whose index runs in `index`.
-    pub(super) fn turns(&mut self, graph: &Graph, index: IndexId) -> Option<Turns> {
+    /// The iterations of the loop whose index runs in `index`.
+    pub(super) fn iterations(&mut self, graph: &Graph, index: IndexId) -> Option<Iterations> {
         let linear = self.linear(graph, index)?;
         let Some(by) = linear.running else {
             let place = self.place(linear)?;
-            return Some(Turns { by: None, from: place, to: place.further(1), to_place: 0, whole: false });
+            return Some(Iterations { by: None, from: place, to: place.further(1), to_place: 0, whole: false });
         };
         let Loop { from, to, .. } = graph.loops.get(by);
         let bound = |bound| self.place(self.linear(graph, bound)?);
@@ -131,17 +131,17 @@ impl Direction {
             return None;
         }
         self.periodic |= linear.wraps;
-        Some(Turns { by: Some(by), from, to, to_place: linear.constant, whole })
+        Some(Iterations { by: Some(by), from, to, to_place: linear.constant, whole })
     }
 
-    /// Notes where what the turns add goes, as seen from the first place that turns of their loop add to, which is
-    /// `begins` further on than their number.
-    pub(super) fn along(&mut self, graph: &mut Graph, turns: &Turns, begins: i64) -> Option<Along> {
-        let onward = turns.to_place - begins;
-        let (from, to) = (turns.from.further(begins), turns.to.further(begins));
+    /// Notes where what the iterations add goes, as seen from the first place that iterations of their loop add to,
+    /// which is `begins` further on than their number.
+    pub(super) fn along(&mut self, graph: &mut Graph, iterations: &Iterations, begins: i64) -> Option<Along> {
+        let onward = iterations.to_place - begins;
+        let (from, to) = (iterations.from.further(begins), iterations.to.further(begins));
         let places = match (from, to) {
             _ if !(0..=self.farthest).contains(&onward) => return None,
-            _ if turns.whole => Extent::All,
+            _ if iterations.whole => Extent::All,
             (Place::FromBegin(first), Place::FromEnd(last)) => {
                 self.first = self.first.max(u64::try_from(first).ok()?);
                 self.last = self.last.max(u64::try_from(last).ok()?);
@@ -157,9 +157,9 @@ impl Direction {
             }
             (Place::FromEnd(_), Place::FromBegin(_)) => return None,
         };
-        if let Some(by) = turns.by {
+        if let Some(by) = iterations.by {
             self.begins.insert(by, begins);
-            if turns.whole {
+            if iterations.whole {
                 self.first = self.first.max(begins.unsigned_abs());
                 self.last = self.last.max(begins.unsigned_abs());
             }
@@ -168,13 +168,19 @@ impl Direction {
     }
 
     /// The index of a coordinate as seen from a place: how far it is from there.
-    pub(super) fn seen(&mut self, graph: &mut Graph, turns: &Turns, begins: i64, index: IndexId) -> Option<IndexId> {
+    pub(super) fn seen(
+        &mut self,
+        graph: &mut Graph,
+        iterations: &Iterations,
+        begins: i64,
+        index: IndexId,
+    ) -> Option<IndexId> {
         let linear = self.linear(graph, index)?;
-        let ahead = match turns.by {
-            Some(by) if linear.running == Some(by) && linear.lengths == 0 && (!linear.wraps || turns.whole) => {
+        let ahead = match iterations.by {
+            Some(by) if linear.running == Some(by) && linear.lengths == 0 && (!linear.wraps || iterations.whole) => {
                 linear.constant - begins
             }
-            None => self.distance(turns.from, self.place(linear)?)?,
+            None => self.distance(iterations.from, self.place(linear)?)?,
             Some(_) => return None,
         };
         if ahead.abs() > self.farthest {

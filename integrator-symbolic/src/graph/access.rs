@@ -11,12 +11,13 @@ pub(crate) enum Access {
     /// It can be computed anywhere: what it reads is always there.
     #[default]
     Anywhere,
-    /// What it reads is there in all turns of the loops whose indices it reads by, unless these are compared with a length.
+    /// What it reads is there in all iterations of the loops whose indices it reads by, unless these are compared with
+    /// a length.
     ByRunning,
-    /// What it reads is there where something is computed by it: in a turn of the loops around it, where the conditions
-    /// on integers hold that are around it.
-    InTurns,
-    /// Its indices are computed, and may be out of bounds where a loop further in has no turn, too.
+    /// What it reads is there where something is computed by it: in an iteration of the loops around it, where the
+    /// conditions on integers hold that are around it.
+    InIterations,
+    /// Its indices are computed, and may be out of bounds where a loop further in has no iteration, too.
     WhereWritten,
 }
 
@@ -29,8 +30,8 @@ impl Loops {
             _ if self.has_known_extents() && self.is_of_numbers(id) => Access::Anywhere,
             Index::Running(by) if self.passes_the_end(by) => Access::WhereWritten,
             Index::Running(_) => Access::ByRunning,
-            Index::Literal(_) | Index::Length | Index::Parameter(_) => Access::InTurns,
-            // A turn of a loop over the coordinates has coordinates.
+            Index::Literal(_) | Index::Length | Index::Parameter(_) => Access::InIterations,
+            // An iteration of a loop over the coordinates has coordinates.
             Index::Rem(place, size)
                 if self.is_extent(size)
                     && !self.of_index(place).is_empty()
@@ -38,12 +39,12 @@ impl Loops {
             {
                 Access::ByRunning
             }
-            Index::Rem(..) if self.computes(id) == Access::Anywhere => Access::InTurns,
+            Index::Rem(..) if self.computes(id) == Access::Anywhere => Access::InIterations,
             _ => Access::WhereWritten,
         }
     }
 
-    /// Whether the last turns of a loop may have no coordinate, as those of `0..=q.len()`.
+    /// Whether the last iterations of a loop may have no coordinate, as those of `0..=q.len()`.
     fn passes_the_end(&self, by: LoopId) -> bool {
         let to = self.get(by).to;
         let is_of_extents =
@@ -115,7 +116,7 @@ impl Graph {
             Node::FromIndex(index) => self.loops.computes(index),
             Node::CompareIndex(_, a, b) => self.loops.computes(a).max(self.loops.computes(b)),
             // A method of the user may look anything up.
-            Node::External(..) => Access::InTurns,
+            Node::External(..) => Access::InIterations,
             _ => Access::Anywhere,
         }
     }
@@ -133,39 +134,39 @@ impl Graph {
     fn protects_reads(&self, around: Around, access: Access) -> bool {
         match (around, access) {
             (_, Access::Anywhere) => false,
-            (Around::Loop(by), access) => access >= Access::InTurns && !self.loops.always_has_turns(by),
+            (Around::Loop(by), access) => access >= Access::InIterations && !self.loops.always_has_iterations(by),
             (Around::Branch(condition, _), access) => self.bears_on(condition, access),
         }
     }
 
-    /// The loops in all of whose turns alone a node is read that is not read anywhere, given what its children say: what
-    /// stands behind a condition that protects it stays there.
+    /// The loops in all of whose iterations alone a node is read that is not read anywhere, given what its children
+    /// say: what stands behind a condition that protects it stays there.
     pub(super) fn read_in(&self, node: Node, own: LoopSet) -> LoopSet {
         let is_behind = |child: NodeId| match node {
             Node::Select(condition, ..) if child != condition => self.protects(Around::Branch(condition, true), child),
             _ => false,
         };
-        let of_itself = if self.own_access(node) >= Access::InTurns { own } else { LoopSet::ALL };
+        let of_itself = if self.own_access(node) >= Access::InIterations { own } else { LoopSet::ALL };
         let children = node.children().filter(|child| !is_behind(*child));
         children.fold(of_itself, |all, child| all.intersection(self.facts[child.position()].read_in))
     }
 
-    /// Whether a loop that may be empty keeps something from being read that is the same in all of its turns.
-    pub(crate) fn is_kept_by_turns(&self, by: LoopId, body: NodeId) -> bool {
+    /// Whether a loop that may be empty keeps something from being read that is the same in all of its iterations.
+    pub(crate) fn is_kept_by_iterations(&self, by: LoopId, body: NodeId) -> bool {
         self.protects(Around::Loop(by), body) && !self.facts[body.position()].read_in.contains(by)
     }
 
     /// Whether a condition may decide that what is read with an access is there: one on integers, and for what is not
-    /// there in all turns of a loop any.
+    /// there in all iterations of a loop any.
     fn bears_on(&self, condition: NodeId, access: Access) -> bool {
         match self.node(condition) {
             Node::CompareIndex(_, a, b) => access == Access::WhereWritten || self.loops.bounds_from_above(a, b),
-            Node::Flag(_) => access >= Access::InTurns,
+            Node::Flag(_) => access >= Access::InIterations,
             Node::And(a, b) | Node::Or(a, b) => self.bears_on(a, access) || self.bears_on(b, access),
             Node::Not(a) => self.bears_on(a, access),
-            // A loop asks in this way whether it had turns.
+            // A loop asks in this way whether it had iterations.
             Node::Compare(_, _, count) if let Node::Sum(_, body) = self.node(count) => self.bears_on(body, access),
-            Node::Compare(..) => access >= Access::InTurns,
+            Node::Compare(..) => access >= Access::InIterations,
             Node::Select(condition, ..) => self.bears_on(condition, access),
             _ => false,
         }

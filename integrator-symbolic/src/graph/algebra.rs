@@ -125,14 +125,14 @@ impl Graph {
         }
     }
 
-    /// The sum of `body` over a loop; of what does not depend on the index, the number of turns times it.
+    /// The sum of `body` over a loop; of what does not depend on the index, the number of iterations times it.
     pub(crate) fn sum(&mut self, by: LoopId, body: NodeId) -> NodeId {
         if self.as_constant(body) == Some(0.0) {
             return body;
         }
         let range = self.loops.get(by);
-        let turns = self.loops.span(range.from, range.to);
-        if self.loops.literal(turns) == Some(0) {
+        let iterations = self.loops.span(range.from, range.to);
+        if self.loops.literal(iterations) == Some(0) {
             return self.constant(0.0);
         }
         if self.loops_of(body).contains(by) {
@@ -144,19 +144,19 @@ impl Graph {
                 }
                 _ => {
                     let sum = self.intern(Node::Sum(by, body));
-                    if self.is_kept_by_turns(by, body) { self.where_entered(by, body, sum) } else { sum }
+                    if self.is_kept_by_iterations(by, body) { self.where_entered(by, body, sum) } else { sum }
                 }
             };
         }
-        let turns = self.number_of(turns);
-        let product = self.mul(turns, body);
-        // Where there is no turn, nothing is added, whatever the body would be.
+        let iterations = self.number_of(iterations);
+        let product = self.mul(iterations, body);
+        // Where there is no iteration, nothing is added, whatever the body would be.
         if self.is_harmless(body, &[Around::Loop(by)]) { product } else { self.where_entered(by, body, product) }
     }
 
-    /// What the turns of a loop with some body come to, and zero where it has none.
+    /// What the iterations of a loop with some body come to, and zero where it has none.
     fn where_entered(&mut self, by: LoopId, body: NodeId, value: NodeId) -> NodeId {
-        let (entered, zero) = (self.has_turns(by, body), self.constant(0.0));
+        let (entered, zero) = (self.has_iterations(by, body), self.constant(0.0));
         self.select(entered, value, zero)
     }
 

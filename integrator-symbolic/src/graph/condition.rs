@@ -83,8 +83,8 @@ impl Graph {
         }
     }
 
-    /// The condition that what is `around` the use of a node is entered at all: that its loops have a turn in which its
-    /// conditions hold.
+    /// The condition that what is `around` the use of a node is entered at all: that its loops have an iteration in
+    /// which its conditions hold.
     pub(crate) fn happens(&mut self, around: &[Around], id: NodeId) -> NodeId {
         let always = self.truth(true);
         around.iter().rev().fold(always, |inner, around| match *around {
@@ -100,17 +100,17 @@ impl Graph {
                 self.compare(Comparison::Less, zero, count)
             }
             Around::Loop(by) => {
-                let turns = self.has_turns(by, id);
-                self.and(turns, inner)
+                let iterations = self.has_iterations(by, id);
+                self.and(iterations, inner)
             }
         })
     }
 
-    /// Whether a condition asks if a loop has a turn, as [`Graph::happens`] does.
-    pub(crate) fn asks_for_turns(&self, condition: NodeId, by: LoopId) -> bool {
+    /// Whether a condition asks if a loop has an iteration, as [`Graph::happens`] does.
+    pub(crate) fn asks_for_iterations(&self, condition: NodeId, by: LoopId) -> bool {
         let is_one = |id| self.as_constant(id) == Some(1.0);
         match self.node(condition) {
-            Node::And(a, b) => self.asks_for_turns(a, by) || self.asks_for_turns(b, by),
+            Node::And(a, b) => self.asks_for_iterations(a, by) || self.asks_for_iterations(b, by),
             Node::Compare(Comparison::Less, _, count) => match self.node(count) {
                 Node::Sum(counted, body) if counted == by => {
                     matches!(self.node(body), Node::Select(_, a, b) if is_one(a) || is_one(b))
@@ -125,10 +125,10 @@ impl Graph {
         }
     }
 
-    /// The condition that a loop around a node has a turn. Without coordinates there is nothing to compute, so that this
-    /// is asked of a loop over them only where the node could not be read without.
-    pub(super) fn has_turns(&mut self, by: LoopId, id: NodeId) -> NodeId {
-        if self.loops.has_turns(by) && !self.protects(Around::Loop(by), id) {
+    /// The condition that a loop around a node has an iteration. Without coordinates there is nothing to compute, so
+    /// that this is asked of a loop over them only where the node could not be read without.
+    pub(super) fn has_iterations(&mut self, by: LoopId, id: NodeId) -> NodeId {
+        if self.loops.has_iterations(by) && !self.protects(Around::Loop(by), id) {
             return self.truth(true);
         }
         let Loop { from, to, .. } = self.loops.get(by);
@@ -140,8 +140,8 @@ impl Graph {
         self.compare_index(Comparison::Less, from, to)
     }
 
-    /// The same where both sides may have added to a value from before the condition: then the addends are chosen and not
-    /// the sums, so that the value from before is written once however many conditions follow each other.
+    /// The same where both sides may have added to a value from before the condition: then the addends are chosen and
+    /// not the sums, so that the value from before is written once however many conditions follow each other.
     ///
     /// exact, but for the sign of zero: s + a where c holds, else s + b == s + (a where c holds, else b)
     pub(crate) fn select_addends(&mut self, condition: NodeId, before: NodeId, sides: [NodeId; 2]) -> NodeId {

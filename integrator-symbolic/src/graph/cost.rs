@@ -84,7 +84,7 @@ impl Graph {
                 continue;
             }
             let node = self.node(id);
-            // A sum adds once per turn.
+            // A sum adds once per iteration.
             let loops = match node {
                 Node::Sum(by, _) => self.loops_of(id).union(LoopSet::of(by)),
                 _ => self.loops_of(id),

@@ -24,18 +24,18 @@ impl<'p> Point<'p> {
         Self { q, p, parameters: &[], running: HashMap::new(), known: HashMap::new() }
     }
 
-    /// All turns of the loops of `context`, outermost first.
-    pub(crate) fn turns(&mut self, graph: &Graph, context: &[LoopId], body: &mut dyn FnMut(&mut Self)) {
+    /// All iterations of the loops of `context`, outermost first.
+    pub(crate) fn iterations(&mut self, graph: &Graph, context: &[LoopId], body: &mut dyn FnMut(&mut Self)) {
         let Some((by, inner)) = context.split_first() else { return body(self) };
         let range = graph.loops.get(*by);
         // A sum that the loop's body mentions may run over the same range: it has an index of its own.
         let around = self.running.get(by).copied();
-        for turn in self.index(graph, range.from)..self.index(graph, range.to) {
-            self.running.insert(*by, turn);
-            self.turns(graph, inner, body);
+        for iteration in self.index(graph, range.from)..self.index(graph, range.to) {
+            self.running.insert(*by, iteration);
+            self.iterations(graph, inner, body);
         }
         match around {
-            Some(turn) => self.running.insert(*by, turn),
+            Some(iteration) => self.running.insert(*by, iteration),
             None => self.running.remove(by),
         };
     }
@@ -103,7 +103,7 @@ impl<'p> Point<'p> {
             condition if condition.is_condition() => f64::from(self.holds(graph, id)),
             Node::Sum(by, body) => {
                 let mut sum = 0.0;
-                self.turns(graph, &[by], &mut |point| sum += point.value(graph, body));
+                self.iterations(graph, &[by], &mut |point| sum += point.value(graph, body));
                 sum
             }
             other => unreachable!("{other:?} is a condition"),

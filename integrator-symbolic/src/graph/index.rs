@@ -344,8 +344,8 @@ impl Loops {
         self.of_index(from).union(self.of_index(to))
     }
 
-    /// States that an integer is one of the lengths of the coordinates. Without coordinates there is nothing to compute,
-    /// so it counts as positive.
+    /// States that an integer is one of the lengths of the coordinates. Without coordinates there is nothing to
+    /// compute, so it counts as positive.
     pub(crate) fn declare_extent(&mut self, id: IndexId) {
         self.extents.push(id);
     }
@@ -365,16 +365,16 @@ impl Loops {
         self.extents.contains(&id)
     }
 
-    /// Whether a loop is known to have a turn where there are coordinates: [`Loops::always_has_turns`], or it runs over
-    /// the coordinates.
-    pub(crate) fn has_turns(&self, by: LoopId) -> bool {
+    /// Whether a loop is known to have an iteration where there are coordinates: [`Loops::always_has_iterations`], or
+    /// it runs over the coordinates.
+    pub(crate) fn has_iterations(&self, by: LoopId) -> bool {
         let Loop { from, to, .. } = self.get(by);
         let whole = self.literal(from) == Some(0) && self.is_extent(to);
-        whole || self.always_has_turns(by)
+        whole || self.always_has_iterations(by)
     }
 
-    /// Whether a loop is known to have a turn: its bounds are numbers, or those of a loop around it.
-    pub(crate) fn always_has_turns(&self, by: LoopId) -> bool {
+    /// Whether a loop is known to have an iteration: its bounds are numbers, or those of a loop around it.
+    pub(crate) fn always_has_iterations(&self, by: LoopId) -> bool {
         let Loop { parent, from, to } = self.get(by);
         let numbers = self.literal(from).zip(self.literal(to)).is_some_and(|(from, to)| from < to);
         let mut around = std::iter::successors(parent, |by| self.get(*by).parent);

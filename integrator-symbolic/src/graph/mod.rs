@@ -208,7 +208,7 @@ impl Node {
 /// Something around a value.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(crate) enum Around {
-    /// It is there in every turn of a loop.
+    /// It is there in every iteration of a loop.
     Loop(LoopId),
     /// It is there where a condition holds (`true`) or where it does not.
     Branch(NodeId, bool),
@@ -302,8 +302,8 @@ impl Graph {
         self.facts[id.position()].prepared
     }
 
-    /// Whether a node and its derivatives are finite wherever its coordinates are, but for overflow: it is made of sums,
-    /// products, whole powers and functions without poles or edges.
+    /// Whether a node and its derivatives are finite wherever its coordinates are, but for overflow: it is made of
+    /// sums, products, whole powers and functions without poles or edges.
     pub(crate) fn is_total(&self, id: NodeId) -> bool {
         self.facts[id.position()].total
     }

@@ -24,8 +24,8 @@ use syn::{Expr, ExprArray, ExprField, ExprIndex, ExprLit, ExprPath, Lit, Macro, 
 const MANY: usize = 1024;
 
 /// How arrays of values that differ are read.
-const BY_LITERALS: &str = "an array of values is indexed by literals, or in a loop of up to 16 turns; one that a loop \
-                           fills, `for k in 0..32 { h[k] = ...; }`, by any index";
+const BY_LITERALS: &str = "an array of values is indexed by literals, or in a loop of up to 16 iterations; one that a \
+                           loop fills, `for k in 0..32 { h[k] = ...; }`, by any index";
 
 impl Reader<'_> {
     /// The value of an expression; `None` if a mistake was noted in it.

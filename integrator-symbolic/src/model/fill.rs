@@ -1,5 +1,5 @@
-//! Arrays that a loop fills, an element in each turn, and lists that are collected: each element is computed where it is
-//! read, so that an array may be of any length and the loops that read it stay sums.
+//! Arrays that a loop fills, an element in each iteration, and lists that are collected: each element is computed where
+//! it is read, so that an array may be of any length and the loops that read it stay sums.
 
 #[cfg(test)]
 mod tests;
@@ -25,11 +25,11 @@ use syn::{Block, Expr, ExprForLoop, ExprRepeat, Local, Pat, Type, parse_quote, v
 /// Arrays with what they hold before a loop, and the body for one element of each.
 type Elementwise = (Vec<(Ident, Sequence)>, Block);
 
-/// A loop that fills arrays at the index of its turns.
+/// A loop that fills arrays at the index of its iterations.
 struct Fill {
     pattern: Pat,
     sequence: Sequence,
-    /// The body, in which the name of an array stands for its element of this turn.
+    /// The body, in which the name of an array stands for its element of this iteration.
     body: Block,
     /// The arrays, with what they hold before the loop.
     arrays: Vec<(Ident, Sequence)>,
@@ -58,8 +58,8 @@ impl Reader<'_> {
         read.map(Some)
     }
 
-    /// The arrays that a body assigns to at the index of its turn alone, with the body for one element; outside, whether
-    /// the loop was read.
+    /// The arrays that a body assigns to at the index of its iteration alone, with the body for one element; outside,
+    /// whether the loop was read.
     fn elementwise(&mut self, repeat: &ExprForLoop, sequence: &Sequence) -> Option<Option<Elementwise>> {
         let mut assigned = Assigned::default();
         assigned.visit_block(&repeat.body);
@@ -74,7 +74,8 @@ impl Reader<'_> {
         }
         let mut names = Names(Vec::new());
         names.visit_pat(&repeat.pat);
-        let mut elements = Elements { arrays: &arrays, turns: &names.0, index: None, found: Vec::new(), sound: true };
+        let mut elements =
+            Elements { arrays: &arrays, iterations: &names.0, index: None, found: Vec::new(), sound: true };
         let body = elements.written(repeat.body.to_token_stream());
         let Elements { index, found, sound, .. } = elements;
         let Some(index) = index.filter(|_| sound) else { return Some(None) };
@@ -89,9 +90,9 @@ impl Reader<'_> {
         }
         for (name, list) in &arrays {
             let count = self.count_of(list);
-            let (turns, count) = (self.graph.loops.literal(sequence.to), self.graph.loops.literal(count));
-            if let (Some(turns), Some(count)) = (turns, count)
-                && turns > count
+            let (iterations, count) = (self.graph.loops.literal(sequence.to), self.graph.loops.literal(count));
+            if let (Some(iterations), Some(count)) = (iterations, count)
+                && iterations > count
             {
                 let place = found.iter().find(|found| *found == name).map_or(&index, |found| found);
                 self.errors.at(place, format!("the index is out of bounds: this array has {count} elements"));
@@ -139,7 +140,7 @@ impl Reader<'_> {
         Some(Value::List(self.repeated(value, length)))
     }
 
-    /// Whether a name of a loop's pattern is the index of its turns.
+    /// Whether a name of a loop's pattern is the index of its iterations.
     fn counts(&mut self, name: &Ident, repeat: &ExprForLoop, sequence: &Sequence) -> Option<bool> {
         let by = self.enter(Some(name), sequence.from, sequence.to, &repeat.expr)?;
         let index = self.graph.loops.intern(Index::Running(by));
@@ -155,7 +156,7 @@ impl Reader<'_> {
         counts
     }
 
-    /// The elements of all arrays that a turn fills.
+    /// The elements of all arrays that an iteration fills.
     fn elements(&mut self, fill: &Fill, index: IndexId) -> Option<Vec<Value>> {
         let item = self.item_of(&fill.sequence, index)?;
         self.scopes.push(HashMap::new());
@@ -174,11 +175,11 @@ impl Reader<'_> {
         elements
     }
 
-    /// The condition under which a loop has a turn for an element; nothing where it has one for all of them.
-    fn has_turn(&mut self, turns: &Sequence, list: &Sequence, index: IndexId) -> Option<NodeId> {
-        let first =
-            (turns.from != list.from).then(|| self.graph.compare_index(Comparison::LessOrEqual, turns.from, index));
-        let last = (turns.to != list.to).then(|| self.graph.compare_index(Comparison::Less, index, turns.to));
+    /// The condition under which a loop has an iteration for an element; nothing where it has one for all of them.
+    fn has_iteration(&mut self, iterations: &Sequence, list: &Sequence, index: IndexId) -> Option<NodeId> {
+        let first = (iterations.from != list.from)
+            .then(|| self.graph.compare_index(Comparison::LessOrEqual, iterations.from, index));
+        let last = (iterations.to != list.to).then(|| self.graph.compare_index(Comparison::Less, index, iterations.to));
         match (first, last) {
             (Some(first), Some(last)) => Some(self.graph.and(first, last)),
             (one, other) => one.or(other),
@@ -195,9 +196,9 @@ impl Reader<'_> {
             return None;
         }
         if sequence.literal {
-            let turns = self.few_turns(&sequence, items)?;
-            let parts = turns.map(|turn| {
-                let index = self.literal_index(turn);
+            let iterations = self.few_iterations(&sequence, items)?;
+            let parts = iterations.map(|iteration| {
+                let index = self.literal_index(iteration);
                 Some(self.item_of(&sequence, index)?.value)
             });
             return Some(Value::Array(parts.collect::<Option<_>>()?));
@@ -215,13 +216,13 @@ fn filled(fill: &Rc<Fill>, place: usize) -> Sequence {
     let (fill, list) = (Rc::clone(fill), fill.arrays[place].1.clone());
     let (from, to) = (list.from, list.to);
     Sequence::new(from, to, move |reader, index| {
-        let turn = reader.has_turn(&fill.sequence, &list, index);
-        let element = reader.under(turn, true, |reader| {
+        let iteration = reader.has_iteration(&fill.sequence, &list, index);
+        let element = reader.under(iteration, true, |reader| {
             reader.seeing(&fill.captured, |reader| reader.elements(&fill, index))?.into_iter().nth(place)
         })?;
-        let Some(turn) = turn else { return Some(element) };
-        let before = reader.under(Some(turn), false, |reader| reader.item_of(&list, index))?;
-        reader.either(turn, element, before.value, &fill.arrays[place].0)
+        let Some(iteration) = iteration else { return Some(element) };
+        let before = reader.under(Some(iteration), false, |reader| reader.item_of(&list, index))?;
+        reader.either(iteration, element, before.value, &fill.arrays[place].0)
     })
 }
 
@@ -237,11 +238,11 @@ fn alike(a: &Value, b: &Value) -> bool {
     }
 }
 
-/// A body in which the elements of arrays at the index of the turn are variables of the arrays' names.
+/// A body in which the elements of arrays at the index of the iteration are variables of the arrays' names.
 struct Elements<'a> {
     arrays: &'a [(String, Sequence)],
     /// The names that the loop's pattern binds.
-    turns: &'a [String],
+    iterations: &'a [String],
     /// The name that is the index.
     index: Option<Ident>,
     /// The arrays that were found, as they stand in the text.
@@ -287,7 +288,7 @@ impl Elements<'_> {
             Some(TokenTree::Group(group)) => syn::parse2::<Ident>(group.stream()).ok(),
             _ => None,
         };
-        let known = index.as_ref().is_some_and(|index| self.turns.iter().any(|name| index == name));
+        let known = index.as_ref().is_some_and(|index| self.iterations.iter().any(|name| index == name));
         self.sound &= known && self.index.as_ref().is_none_or(|own| Some(own) == index.as_ref());
         self.index = index;
         self.found.push(array);

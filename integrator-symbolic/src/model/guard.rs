@@ -1,7 +1,7 @@
 //! The conditions of the system under which the functions evaluate an expression of parameters.
 //!
-//! It is prepared once per run for every turn of its loops, and there, too, is evaluated only where the function does it:
-//! `if i > 0 { self.long[i - 1] * q[i] }` asks for no element before the first.
+//! It is prepared once per run for every iteration of its loops, and there, too, is evaluated only where the function
+//! does it: `if i > 0 { self.long[i - 1] * q[i] }` asks for no element before the first.
 
 use super::{Reader, presence::looked_up, value::Opaque};
 use crate::graph::{
@@ -81,12 +81,12 @@ impl Reader<'_> {
         needs(text) <= Needs::Bounds && !has_fixed_index(text) && table.iter().all(is_bounded)
     }
 
-    /// Whether the functions evaluate a text in some turn of the loops that it does not depend on, as far as parameters
-    /// tell.
+    /// Whether the functions evaluate a text in some iteration of the loops that it does not depend on, as far as
+    /// parameters tell.
     fn guard(&self, loops: LoopSet, needs: Needs) -> Option<Opaque> {
         let inner = self.conditions_at(self.frames.len(), needs);
         self.frames.iter().enumerate().rev().fold(inner, |inner, (depth, frame)| {
-            let inner = self.in_turns(frame.by, loops, needs, inner);
+            let inner = self.in_iterations(frame.by, loops, needs, inner);
             both(self.conditions_at(depth, needs), inner)
         })
     }
@@ -113,15 +113,15 @@ impl Reader<'_> {
         }
     }
 
-    /// What holds in a turn of a loop, seen from outside of it; the loops of the text have a table.
-    fn in_turns(&self, by: LoopId, table: LoopSet, needs: Needs, inner: Option<Opaque>) -> Option<Opaque> {
+    /// What holds in an iteration of a loop, seen from outside of it; the loops of the text have a table.
+    fn in_iterations(&self, by: LoopId, table: LoopSet, needs: Needs, inner: Option<Opaque>) -> Option<Opaque> {
         let Loop { from, to, .. } = self.graph.loops.get(by);
         let around = self.graph.loops.of_range(by);
         let [first, end] = [from, to].map(|bound| self.index_text(bound));
         match inner {
             Some(inner) if table.contains(by) => {
                 let name = &self.running[&by];
-                // The table has no more than the longest turns.
+                // The table has no more than the longest iterations.
                 let inside = Opaque { text: quote!(#first <= #name && #name < #end), loops: around };
                 both((!around.is_subset(table)).then_some(inside), Some(inner))
             }
@@ -133,15 +133,15 @@ impl Reader<'_> {
             }
             inner => {
                 let is_full = match needs {
-                    Needs::Division => self.graph.loops.always_has_turns(by),
-                    // A list that is read up to some index in one turn is as long in another, and a table has as many
-                    // elements as the turns of its loops say.
+                    Needs::Division => self.graph.loops.always_has_iterations(by),
+                    // A list that is read up to some index in one iteration is as long in another, and a table has as
+                    // many elements as the iterations of its loops say.
                     Needs::Bounds => {
                         let loops = &self.graph.loops;
                         let ends = table.iter().any(|inner| loops.of_index(loops.get(inner).to).contains(by));
-                        loops.has_turns(by) || !around.is_empty() || ends
+                        loops.has_iterations(by) || !around.is_empty() || ends
                     }
-                    _ => self.graph.loops.has_turns(by),
+                    _ => self.graph.loops.has_iterations(by),
                 };
                 let entered = Opaque { text: quote!(#first < #end), loops: around };
                 both((!is_full).then_some(entered), inner)
@@ -159,7 +159,8 @@ impl Reader<'_> {
         needs > Needs::Bounds || self.graph.loops.bounds_from_above(a, b)
     }
 
-    /// Whether the conditions around a coordinate keep its index below a length, as `i + 1 < 6` does that of `q[i + 1]`.
+    /// Whether the conditions around a coordinate keep its index below a length, as `i + 1 < 6` does that of `q[i +
+    /// 1]`.
     pub(super) fn is_kept_below(&mut self, position: IndexId, length: u64) -> bool {
         let mut open: Vec<_> = self.conditions.iter().map(|condition| (condition.node, condition.holds)).collect();
         while let Some((condition, holds)) = open.pop() {

@@ -31,13 +31,13 @@ const RESERVED: [&str; 14] = [
     "p",
 ];
 
-/// What a turn of a loop adds to variables.
+/// What an iteration of a loop adds to variables.
 type Sums = Vec<(Target, NodeId)>;
 
-/// Reads the turn of a loop for an index.
-type Turn<'t> = dyn Fn(&mut Reader<'_>, IndexId) -> Option<Value> + 't;
+/// Reads the iteration of a loop for an index.
+type Iteration<'t> = dyn Fn(&mut Reader<'_>, IndexId) -> Option<Value> + 't;
 
-/// How many turns a loop may have that is written out, because its body is more than a sum.
+/// How many iterations a loop may have that is written out, because its body is more than a sum.
 pub(super) const FEW: u64 = 16;
 
 impl Reader<'_> {
@@ -49,8 +49,8 @@ impl Reader<'_> {
         let sequence = self.sequence(&repeat.expr)?;
         if sequence.literal {
             let sequence = self.with_conditions(sequence);
-            let turns = self.few_turns(&sequence, &repeat.expr)?;
-            return self.write_out(repeat, &sequence, turns);
+            let iterations = self.few_iterations(&sequence, &repeat.expr)?;
+            return self.write_out(repeat, &sequence, iterations);
         }
         if self.needs_writing_out(repeat) {
             if self.assigns_to_long_list(repeat)
@@ -59,8 +59,8 @@ impl Reader<'_> {
                 return Some(value);
             }
             let written = self.with_conditions(sequence.clone());
-            if let Some(turns) = self.known_turns(&written) {
-                return self.write_out(repeat, &written, turns);
+            if let Some(iterations) = self.known_iterations(&written) {
+                return self.write_out(repeat, &written, iterations);
             }
             if let Some(value) = self.loop_by_powers(repeat, &sequence)? {
                 return Some(value);
@@ -69,13 +69,18 @@ impl Reader<'_> {
                 return Some(value);
             }
         }
-        self.sums(repeat, &sequence, &|reader, index| reader.turn(repeat, &sequence, index))
+        self.sums(repeat, &sequence, &|reader, index| reader.iteration(repeat, &sequence, index))
     }
 
-    /// A loop that only adds to variables, as sums over what a turn of it adds.
-    pub(super) fn sums(&mut self, repeat: &ExprForLoop, sequence: &Sequence, turn: &Turn<'_>) -> Option<Value> {
+    /// A loop that only adds to variables, as sums over what an iteration of it adds.
+    pub(super) fn sums(
+        &mut self,
+        repeat: &ExprForLoop,
+        sequence: &Sequence,
+        iteration: &Iteration<'_>,
+    ) -> Option<Value> {
         if let Some((whole, end)) = self.graph.loops.end_without_lists(sequence.to) {
-            let (by, sums) = self.summed(repeat, sequence.from, whole, turn)?;
+            let (by, sums) = self.summed(repeat, sequence.from, whole, iteration)?;
             let index = self.graph.loops.intern(Index::Running(by));
             let inside = self.graph.compare_index(Comparison::Less, index, end);
             let weighted =
@@ -84,16 +89,22 @@ impl Reader<'_> {
                 return self.add_sums(by, sums, &repeat.pat);
             }
         }
-        let (by, sums) = self.summed(repeat, sequence.from, sequence.to, turn)?;
+        let (by, sums) = self.summed(repeat, sequence.from, sequence.to, iteration)?;
         self.add_sums(by, sums, &repeat.pat)
     }
 
-    /// What each turn of a loop adds to variables, if it ends there.
-    fn summed(&mut self, repeat: &ExprForLoop, from: IndexId, to: IndexId, turn: &Turn<'_>) -> Option<(LoopId, Sums)> {
+    /// What each iteration of a loop adds to variables, if it ends there.
+    fn summed(
+        &mut self,
+        repeat: &ExprForLoop,
+        from: IndexId,
+        to: IndexId,
+        iteration: &Iteration<'_>,
+    ) -> Option<(LoopId, Sums)> {
         let by = self.enter(loop_name(&repeat.pat), from, to, &repeat.expr)?;
         let held = self.hold(&repeat.body);
         let index = self.graph.loops.intern(Index::Running(by));
-        let body = turn(self, index);
+        let body = iteration(self, index);
         let sums = self.leave();
         for (id, value) in held {
             self.bindings[id.0].value = value;
@@ -109,7 +120,7 @@ impl Reader<'_> {
         Some(Value::Unit)
     }
 
-    /// Adds a whole sum to its variable, or, where an outer loop sums that up too, to what a turn of it adds.
+    /// Adds a whole sum to its variable, or, where an outer loop sums that up too, to what an iteration of it adds.
     fn add_sum(&mut self, target: Target, sum: NodeId, place: &Pat) -> Option<()> {
         if self.bindings[target.id.0].depth < self.frames.len() {
             self.add_to_frame(target, sum);
@@ -137,7 +148,8 @@ impl Reader<'_> {
         assigned.replaced.iter().any(is_outside) || assigned.indexed.iter().any(is_array)
     }
 
-    /// Whether a body assigns to a list, or to an array with more elements than a loop that is written out has turns.
+    /// Whether a body assigns to a list, or to an array with more elements than a loop that is written out has
+    /// iterations.
     fn assigns_to_long_list(&self, repeat: &ExprForLoop) -> bool {
         let mut assigned = Assigned::default();
         assigned.visit_block(&repeat.body);
@@ -148,33 +160,33 @@ impl Reader<'_> {
         })
     }
 
-    /// The turns of a loop, if their number is known and small.
-    pub(super) fn known_turns(&self, sequence: &Sequence) -> Option<Range<u64>> {
+    /// The iterations of a loop, if their number is known and small.
+    pub(super) fn known_iterations(&self, sequence: &Sequence) -> Option<Range<u64>> {
         let (from, to) = (self.graph.loops.literal(sequence.from)?, self.graph.loops.literal(sequence.to)?);
         (to.saturating_sub(from) <= FEW).then_some(from..to)
     }
 
-    /// The turns of a loop over an array of values, which is written out; notes a mistake if they are too many.
-    pub(super) fn few_turns(&mut self, sequence: &Sequence, place: &impl ToTokens) -> Option<Range<u64>> {
-        let turns = self.known_turns(sequence);
-        if turns.is_none() {
-            let message = format!("a loop over an array of values is written out, so it has {FEW} turns at most");
+    /// The iterations of a loop over an array of values, which is written out; notes a mistake if they are too many.
+    pub(super) fn few_iterations(&mut self, sequence: &Sequence, place: &impl ToTokens) -> Option<Range<u64>> {
+        let iterations = self.known_iterations(sequence);
+        if iterations.is_none() {
+            let message = format!("a loop over an array of values is written out, so it has {FEW} iterations at most");
             self.errors.at(place, message);
         }
-        turns
+        iterations
     }
 
-    /// The turns of a loop one after the other.
-    fn write_out(&mut self, repeat: &ExprForLoop, sequence: &Sequence, turns: Range<u64>) -> Option<Value> {
-        for turn in turns {
-            let index = self.graph.loops.intern(Index::Literal(turn));
-            self.turn(repeat, sequence, index)?;
+    /// The iterations of a loop one after the other.
+    fn write_out(&mut self, repeat: &ExprForLoop, sequence: &Sequence, iterations: Range<u64>) -> Option<Value> {
+        for iteration in iterations {
+            let index = self.graph.loops.intern(Index::Literal(iteration));
+            self.iteration(repeat, sequence, index)?;
         }
         Some(Value::Unit)
     }
 
-    /// One turn of a loop: its body with the pattern bound to the item for an index.
-    fn turn(&mut self, repeat: &ExprForLoop, sequence: &Sequence, index: IndexId) -> Option<Value> {
+    /// One iteration of a loop: its body with the pattern bound to the item for an index.
+    fn iteration(&mut self, repeat: &ExprForLoop, sequence: &Sequence, index: IndexId) -> Option<Value> {
         self.scopes.push(HashMap::new());
         let body = self.item_of(sequence, index).and_then(|item| {
             self.bind(&repeat.pat, item.value);
@@ -229,7 +241,7 @@ impl Reader<'_> {
         Some(by)
     }
 
-    /// Closes the innermost loop and returns what a turn of it adds.
+    /// Closes the innermost loop and returns what an iteration of it adds.
     pub(super) fn leave(&mut self) -> Sums {
         self.frames.pop().map(|frame| frame.sums).unwrap_or_default()
     }

@@ -10,8 +10,8 @@ use syn::{
 };
 
 /// How elements of arrays are assigned.
-const BY_INDEX: &str = "elements of an array are assigned at literal indices, in a loop of a few turns, or in a loop whose \
-                        own index they stand at, `for k in 0..32 { h[k] = ...; }`, with any other loop inside of it";
+const BY_INDEX: &str = "elements of an array are assigned at literal indices, in a loop of a few iterations, or in a loop \
+                        whose own index they stand at, `for k in 0..32 { h[k] = ...; }`, with any other loop inside of it";
 
 impl Reader<'_> {
     /// The value of a block; `None` if a mistake was noted in it.
@@ -218,7 +218,7 @@ impl Reader<'_> {
             let message = format!(
                 "`{name}` comes from outside this loop, so the loop can only sum it up: write `{name} += ...` or \
                  `{name} -= ...`. A loop that does more is written out where its bounds are literals, as in `for k in \
-                 0..4`, for up to {FEW} turns"
+                 0..4`, for up to {FEW} iterations"
             );
             self.errors.at(whole, message);
             return None;
@@ -230,7 +230,7 @@ impl Reader<'_> {
         Some(Value::Unit)
     }
 
-    /// Notes that a turn of the innermost loop adds `value` to a variable.
+    /// Notes that an iteration of the innermost loop adds `value` to a variable.
     pub(super) fn add_to_frame(&mut self, target: Target, value: NodeId) {
         let Self { graph, frames, .. } = self;
         let Some(frame) = frames.last_mut() else { return };

@@ -26,8 +26,8 @@ enum Step {
 }
 
 impl Reader<'_> {
-    /// `sequence.sum()`, `sequence.product()` and `sequence.fold(start, |accumulator, item| ...)`: a sum where all that is
-    /// done is to add, powers where it is Horner's rule, else written out item by item.
+    /// `sequence.sum()`, `sequence.product()` and `sequence.fold(start, |accumulator, item| ...)`: a sum where all that
+    /// is done is to add, powers where it is Horner's rule, else written out item by item.
     pub(super) fn total(&mut self, call: &ExprMethodCall) -> Option<Value> {
         if let Some(nested) = nested_sum(call) {
             return self.expression(&nested);
@@ -42,9 +42,13 @@ impl Reader<'_> {
             return Some(start.with(&totals));
         }
         let sequence = self.with_conditions(sequence);
-        let turns = if sequence.literal { Some(self.few_turns(&sequence, call)?) } else { self.known_turns(&sequence) };
-        if let Some(turns) = turns {
-            return self.item_by_item(&sequence, turns, &start, &step, call);
+        let iterations = if sequence.literal {
+            Some(self.few_iterations(&sequence, call)?)
+        } else {
+            self.known_iterations(&sequence)
+        };
+        if let Some(iterations) = iterations {
+            return self.item_by_item(&sequence, iterations, &start, &step, call);
         }
         if let Some(total) = self.by_powers(&sequence, &start, &step, call)? {
             return Some(total);
@@ -59,8 +63,8 @@ impl Reader<'_> {
         None
     }
 
-    /// A loop that does to variables what Horner's rule does, `v = v * x + c`, as a fold over its items; outside, whether it
-    /// was read.
+    /// A loop that does to variables what Horner's rule does, `v = v * x + c`, as a fold over its items; outside,
+    /// whether it was read.
     pub(super) fn loop_by_powers(&mut self, repeat: &ExprForLoop, sequence: &Sequence) -> Option<Option<Value>> {
         let mut assigned = Assigned::default();
         assigned.visit_block(&repeat.body);
@@ -156,14 +160,14 @@ impl Reader<'_> {
     fn item_by_item(
         &mut self,
         sequence: &Sequence,
-        turns: Range<u64>,
+        iterations: Range<u64>,
         start: &Accumulator,
         step: &Step,
         call: &ExprMethodCall,
     ) -> Option<Value> {
         let mut before = start.clone();
-        for turn in turns {
-            let index = self.literal_index(turn);
+        for iteration in iterations {
+            let index = self.literal_index(iteration);
             let item = self.item_of(sequence, index)?;
             let next = self.stepped(step, &before, item.value, call)?;
             let joined = next.into_iter().zip(&before.numbers).map(|(next, before)| {
@@ -233,8 +237,8 @@ impl Reader<'_> {
         Some(addends.map(|addends| addends.into_iter().map(under).collect()))
     }
 
-    /// Horner's rule over any number of items, `sum * x + c`, as the sum over `c xᵏ`, with k counted from the last item;
-    /// outside, whether it was read.
+    /// Horner's rule over any number of items, `sum * x + c`, as the sum over `c xᵏ`, with k counted from the last
+    /// item; outside, whether it was read.
     fn by_powers(
         &mut self,
         sequence: &Sequence,

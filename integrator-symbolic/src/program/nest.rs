@@ -1,8 +1,9 @@
-//! Loops whose turns do not wait for each other, so that several can be computed side by side.
+//! Loops whose iterations do not wait for each other, so that several can be computed side by side.
 //!
-//! Comes in: a loop of a program. Goes out: its innermost lines with the loops around them, and what a turn needs from
-//! outside; or nothing, where a turn hands anything to another or to the lines around it. Always true: what a turn reads
-//! is coordinates, numbers that stay the same in a run, and values that are the same for all turns.
+//! Comes in: a loop of a program. Goes out: its innermost lines with the loops around them, and what an iteration needs
+//! from outside; or nothing, where an iteration hands anything to another or to the lines around it. Always true: what
+//! an iteration reads is coordinates, numbers that stay the same in a run, and values that are the same for all
+//! iterations.
 
 use super::{Item, Sink};
 use crate::graph::{Element, Graph, Node, NodeId, index::LoopId};
@@ -13,15 +14,15 @@ use std::collections::{BTreeMap, BTreeSet};
 pub(crate) struct Nest<'p> {
     pub(crate) loops: Vec<LoopId>,
     pub(crate) body: Vec<&'p Item>,
-    /// The coordinates that a turn reads.
+    /// The coordinates that an iteration reads.
     pub(crate) reads: Vec<(NodeId, Element)>,
-    /// The numbers that a turn has for a whole run.
+    /// The numbers that an iteration has for a whole run.
     pub(crate) constants: Vec<NodeId>,
-    /// The conditions that hold in a turn for a whole run, or do not.
+    /// The conditions that hold in an iteration for a whole run, or do not.
     pub(crate) flags: Vec<NodeId>,
-    /// The numbers that are the same for all turns: prepared ones, and values with a name.
+    /// The numbers that are the same for all iterations: prepared ones, and values with a name.
     pub(crate) common: Vec<NodeId>,
-    /// The coordinates that a turn moves.
+    /// The coordinates that an iteration moves.
     pub(crate) targets: Vec<Element>,
 }
 
@@ -54,8 +55,8 @@ impl Surroundings<'_> {
             .collect()
     }
 
-    /// Whether all loops are such nests, and every turn reads coordinates of its own first (without it, moves them), so
-    /// that neighbours are read by turns beside each other.
+    /// Whether all loops are such nests, and every iteration reads coordinates of its own first (without it, moves
+    /// them), so that neighbours are read by iterations beside each other.
     pub(crate) fn reads_neighbours(&self, items: &[Item]) -> bool {
         let mut nests = Vec::new();
         for item in items {
@@ -120,12 +121,12 @@ fn made(lines: &[&Item]) -> BTreeSet<NodeId> {
     found
 }
 
-/// What the lines of a turn need.
+/// What the lines of an iteration need.
 struct Needs<'s> {
     around: &'s Surroundings<'s>,
     /// What the lines make.
     own: BTreeSet<NodeId>,
-    /// What other turns or other lines of the loop make.
+    /// What other iterations or other lines of the loop make.
     elsewhere: BTreeSet<NodeId>,
     seen: BTreeSet<NodeId>,
     reads: Vec<(NodeId, Element)>,
@@ -199,7 +200,7 @@ impl<'s> Needs<'s> {
         }
         match node {
             Node::Coordinate(element) => self.reads.push((id, element)),
-            // What turns have in common is the same at all orders, which the middle of the step is not.
+            // What iterations have in common is the same at all orders, which the middle of the step is not.
             Node::Middle => return None,
             Node::Neg(_) => return self.parts(id),
             _ if graph.is_prepared(id) && node.is_condition() => self.flags.push(id),

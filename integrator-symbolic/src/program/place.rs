@@ -1,11 +1,12 @@
-//! The block that each node is computed in: the innermost one around all of its uses, outside of every loop that it does
-//! not depend on.
+//! The block that each node is computed in: the innermost one around all of its uses, outside of every loop that it
+//! does not depend on.
 
 use super::{End, Scheduler};
 use crate::graph::{Around, Graph, Node, NodeId};
 
 impl<L: Fn(&Graph, NodeId) -> bool> Scheduler<'_, L> {
-    /// Finds the block of every node, and then of those that are computed beside others; `None` if that comes to too many.
+    /// Finds the block of every node, and then of those that are computed beside others; `None` if that comes to too
+    /// many.
     pub(super) fn place(&mut self) -> Option<()> {
         loop {
             // Users come before what they use, since their ids are larger.
@@ -45,7 +46,8 @@ impl<L: Fn(&Graph, NodeId) -> bool> Scheduler<'_, L> {
         let mut homes = known.clone();
         for path in uses {
             let (needed, path) = (self.needed(&path, id), &path[..self.allowed(&path, id)]);
-            // Uses inside one turn of the deepest loop share what they have in common, and what is computed further out.
+            // Uses inside one iteration of the deepest loop share what they have in common, and what is computed
+            // further out.
             let is_shared =
                 |home: &&mut Vec<usize>| home.get(..needed) == Some(&path[..needed]) || path.starts_with(home);
             match homes.iter_mut().find(is_shared) {
@@ -86,16 +88,16 @@ impl<L: Fn(&Graph, NodeId) -> bool> Scheduler<'_, L> {
         match self.graph.node(id) {
             Node::Sum(by, body) => {
                 let waits = self.waits(home, id, Around::Loop(by));
-                let turn = self.inside(home, Around::Loop(by), waits);
+                let iteration = self.inside(home, Around::Loop(by), waits);
                 match self.graph.node(body) {
-                    // What a turn adds under a condition alone is added there.
+                    // What an iteration adds under a condition alone is added there.
                     Node::Select(condition, value, zero) if self.graph.as_constant(zero) == Some(0.0) => {
-                        self.add_where(id, &turn, condition, true, value);
+                        self.add_where(id, &iteration, condition, true, value);
                     }
                     Node::Select(condition, zero, value) if self.graph.as_constant(zero) == Some(0.0) => {
-                        self.add_where(id, &turn, condition, false, value);
+                        self.add_where(id, &iteration, condition, false, value);
                     }
-                    _ => self.end(&turn, End::Add { sum: id, value: body }),
+                    _ => self.end(&iteration, End::Add { sum: id, value: body }),
                 }
             }
             Node::Select(condition, first, second) => {
@@ -117,11 +119,11 @@ impl<L: Fn(&Graph, NodeId) -> bool> Scheduler<'_, L> {
         }
     }
 
-    fn add_where(&mut self, sum: NodeId, turn: &[usize], condition: NodeId, holds: bool, value: NodeId) {
-        self.used(condition, turn);
+    fn add_where(&mut self, sum: NodeId, iteration: &[usize], condition: NodeId, holds: bool, value: NodeId) {
+        self.used(condition, iteration);
         let around = Around::Branch(condition, holds);
-        let waits = self.waits(turn, condition, around).max(self.waits(turn, value, around));
-        let branch = self.inside(turn, around, waits + 1);
+        let waits = self.waits(iteration, condition, around).max(self.waits(iteration, value, around));
+        let branch = self.inside(iteration, around, waits + 1);
         self.end(&branch, End::Add { sum, value });
     }
 

@@ -2,8 +2,8 @@
 //!
 //! One step is a matrix of determinant 1, so its powers stay bounded exactly while half its trace `t` is in `[-1, 1]`.
 //! With momenta in units of `x`, a drift is `q += a p` and a kick `p -= (b y + 2 c y^2) q`, where `y = x^2`, so that
-//! `t` is a polynomial in `y`. An accurate step has `t` close to `cos x`, which touches -1 at `x = pi`: whether `t` goes
-//! beyond hangs on its last digits there, hence extrema are judged in double-double.
+//! `t` is a polynomial in `y`. An accurate step has `t` close to `cos x`, which touches -1 at `x = pi`: whether `t`
+//! goes beyond hangs on its last digits there, hence extrema are judged in double-double.
 
 use super::{
     double::Double,
@@ -21,15 +21,16 @@ const COARSE: f64 = 0.01;
 
 /// The smallest `h omega > 0` beyond which a step is unstable, to ten digits.
 ///
-/// A polynomial that starts as `1 - y/2` leaves `[-1, 1]` before `y = 4 n^2`, where `n` is its degree, so the scan ends.
+/// A polynomial that starts as `1 - y/2` leaves `[-1, 1]` before `y = 4 n^2`, where `n` is its degree, so the scan
+/// ends.
 pub(super) fn limit(stages: &Stages) -> f64 {
     let trace = HalfTrace::of(stages);
     let end = 2.0 * trace.coefficients.len() as f64;
     let mut window = [0.0, STRIDE, 2.0 * STRIDE];
     while window[1] < end {
         let [left, middle, right] = window.map(|x| trace.rough(x));
-        let turns = (middle - left) * (right - middle) <= 0.0 && middle.abs() > 1.0 - COARSE;
-        if turns && trace.is_beyond(trace.extremum(window[0], window[2])) {
+        let iterations = (middle - left) * (right - middle) <= 0.0 && middle.abs() > 1.0 - COARSE;
+        if iterations && trace.is_beyond(trace.extremum(window[0], window[2])) {
             return trace.crossing(window[0], trace.extremum(window[0], window[2]));
         }
         if trace.is_beyond(window[2]) {

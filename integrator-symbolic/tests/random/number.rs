@@ -22,8 +22,8 @@ pub(crate) struct Number {
 
 const ZERO: Bounded = Bounded { value: 0.0, error: 0.0 };
 
-/// A slope times a derivative: that of a constant stays zero, however steep a function of it is. What is zero because of
-/// a factor is not that of a constant.
+/// A slope times a derivative: that of a constant stays zero, however steep a function of it is. What is zero because
+/// of a factor is not that of a constant.
 fn chained(slope: Bounded, tangent: Bounded) -> Bounded {
     match (tangent.is_zero(), slope.is_zero()) {
         (true, _) => ZERO,
@@ -93,10 +93,10 @@ impl Number {
     }
 
     pub(crate) fn rem(&self, other: &Self) -> Self {
-        let turns = (self.main.value / other.main.value).trunc();
-        let reduced = self.main - Bounded::from(turns) * other.main;
+        let iterations = (self.main.value / other.main.value).trunc();
+        let reduced = self.main - Bounded::from(iterations) * other.main;
         let main = Bounded { value: self.main.value % other.main.value, ..reduced };
-        self.with(main, &[other], |of| of(self) - chained(turns.into(), of(other)))
+        self.with(main, &[other], |of| of(self) - chained(iterations.into(), of(other)))
     }
 
     /// The absolute value; where the sign is not known, nor is the derivative.
@@ -173,7 +173,8 @@ impl Number {
         Self { main, tangents: Vec::new(), kind: self.kind }
     }
 
-    /// An elementary function of one argument; `fast_` ones are within four units in the last place, which all are here.
+    /// An elementary function of one argument; `fast_` ones are within four units in the last place, which all are
+    /// here.
     pub(crate) fn function(&self, name: &str) -> Option<Self> {
         let name = name.strip_prefix("fast_").unwrap_or(name);
         if let Some(row) = ELEMENTARY.iter().find(|row| row.name == name) {

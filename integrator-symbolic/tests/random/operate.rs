@@ -86,8 +86,8 @@ impl Machine<'_> {
             BinOp::Mul(_) => a.mul(b).into(),
             BinOp::Div(_) => a.div(b).into(),
             BinOp::Rem(_) => {
-                let (quotient, turns) = (a.div(b).main, (a.main.value / b.main.value).round().into());
-                self.on_edge |= quotient.is_near(turns);
+                let (quotient, iterations) = (a.div(b).main, (a.main.value / b.main.value).round().into());
+                self.on_edge |= quotient.is_near(iterations);
                 a.rem(b).into()
             }
             op => Value::Bool(self.compared(op, a, b)?),

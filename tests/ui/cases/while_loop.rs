@@ -1,4 +1,4 @@
-//! A loop whose turns depend on the coordinates.
+//! A loop whose iterations depend on the coordinates.
 
 use integrator_core::prelude::*;
 

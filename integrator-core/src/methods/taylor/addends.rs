@@ -1,7 +1,7 @@
-//! What coordinates get from turns that lie side by side.
+//! What coordinates get from iterations that lie side by side.
 //!
-//! Always true: in which order a coordinate gets its addends follows from the turns and their targets alone, so that bits
-//! do not depend on how numbers get there.
+//! Always true: in which order a coordinate gets its addends follows from the iterations and their targets alone, so
+//! that bits do not depend on how numbers get there.
 
 use super::table::{Coefficients, EIGHT, Wide, is_narrow};
 use crate::scalar::{real::Real, simd::row::Row};
@@ -43,8 +43,8 @@ fn patterns(addends: &[Addend]) -> Vec<Pattern> {
 /// Up to how many eights are in a group.
 const MOST: usize = 3;
 
-/// One, two or three times eight coordinates, such as the components of points, with the same patterns: each is looked at
-/// once for all.
+/// One, two or three times eight coordinates, such as the components of points, with the same patterns: each is looked
+/// at once for all.
 struct Group {
     /// Where the eights begin.
     begins: [usize; MOST],
@@ -138,14 +138,14 @@ fn are_beside(eights: &[Rounds]) -> bool {
 
 /// The lanes of which coordinates get numbers, if they are not all their own.
 fn lanes(pattern: &Pattern) -> Option<[u64; EIGHT]> {
-    // What a lane has computed without a turn may be no number, which no factor makes zero.
+    // What a lane has computed without an iteration may be no number, which no factor makes zero.
     let some = pattern.iter().flatten().next().map_or(0, |(lane, _)| *lane);
     let lanes = pattern.map(|gets| gets.map_or(some, |(lane, _)| lane) as u64);
     let is_own = lanes == core::array::from_fn(|lane| lane as u64);
     (!is_own).then_some(lanes)
 }
 
-/// What the coordinates of a part get from all turns.
+/// What the coordinates of a part get from all iterations.
 pub(super) struct Addends<R: Real>(Plan<Wide<R>>);
 
 impl<R: Real> Default for Addends<R> {

@@ -1,7 +1,7 @@
 //! A motion that is a polynomial for a while.
 //!
-//! Always true: a lane's polynomials are found from what is in the lane alone, and begin where this asks for it. Where one lane
-//! needs a polynomial all of them are computed, those of the others to the bits that they had.
+//! Always true: a lane's polynomials are found from what is in the lane alone, and begin where this asks for it. Where
+//! one lane needs a polynomial all of them are computed, those of the others to the bits that they had.
 
 use super::{
     Recurrences, Taylor,
@@ -155,8 +155,8 @@ pub(super) fn moves<H: Recurrences, R: Real, K: Precision>() -> Moves<Of<H, R, K
     })
 }
 
-/// Follows the motion over so many steps. No polynomial leads from one piece in time to another: each step begins with new
-/// ones where there are pieces.
+/// Follows the motion over so many steps. No polynomial leads from one piece in time to another: each step begins with
+/// new ones where there are pieces.
 pub(super) fn advance_by<H: Recurrences, R: Real, K: Precision>(expansion: &mut Of<H, R, K>, clock: Clock, steps: u64) {
     if const { !H::PIECEWISE_IN_TIME } {
         return follow::<H, R, K>(expansion, clock, Moment::of(clock.steps + steps, clock.h));
@@ -288,7 +288,8 @@ fn layout<H: Recurrences>(layout: Layout) -> Layout {
 }
 
 /// Calls back with the orders, one after the other, so that each is compiled on its own: sums of known length, without
-/// loops. That is faster where a state is a few numbers, and takes the compiler minutes where turns lie side by side.
+/// loops. That is faster where a state is a few numbers, and takes the compiler minutes where iterations lie side by
+/// side.
 macro_rules! for_each_order {
     ($callback:ident) => {
         $callback! { 0 1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 16 17 18 19 20 21 22 23 24 25 26 27 }
@@ -312,8 +313,8 @@ fn expand<H: Recurrences, R: Real, K: Precision>(expansion: &mut Of<H, R, K>, la
             H::order(parameters, length, &mut q, &mut p, tape, k, time);
         }
     } else if const { R::LANES == 1 && are_always_few::<H::Coords>() } {
-        // A tape and rows that nothing else sees, so that they are registers: what an order finds is read by the next one
-        // where it is, and not where it was written to.
+        // A tape and rows that nothing else sees, so that they are registers: what an order finds is read by the next
+        // one where it is, and not where it was written to.
         let tape = &mut H::Tape::<R>::default();
         let [mut rows_q, mut rows_p] = [Rows::new(); 2];
         let [mut near_q, mut near_p] = [rows_q.of(layout), rows_p.of(layout)];

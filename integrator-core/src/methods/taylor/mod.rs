@@ -4,15 +4,16 @@
 //! tolerance and whose states between them cost an evaluation of a polynomial. Always true: the polynomials do not
 //! depend on where a run is looked at, so that its states do not either.
 //!
-//! Nothing of it is written unless the annotation asks for it, and what is written costs no time to build until a run is by
-//! this method: its first one takes the compiler 2 s for a pendulum and 5 s for pairs of bodies, and 150 to 400 kB of
-//! program, because each order of a pendulum and each instruction set has code of its own; the first ensemble takes 6 to
-//! 9 s and 0.4 to 0.7 MB, since there is code for lanes of each instruction set. Checks of errors
+//! Nothing of it is written unless the annotation asks for it, and what is written costs no time to build until a run
+//! is by this method: its first one takes the compiler 2 s for a pendulum and 5 s for pairs of bodies, and 150 to 400
+//! kB of program, because each order of a pendulum and each instruction set has code of its own; the first ensemble
+//! takes 6 to 9 s and 0.4 to 0.7 MB, since there is code for lanes of each instruction set. Checks of errors
 //! take their exact motion from it, which adds 0.3 s and 65 kB to a program that calls them.
 //!
 //! A polynomial follows the branch that its beginning is in. Where sides of an `if` or of `abs` do not meet smoothly, a
 //! step across is as wrong as the kink is sharp, and the choice of the step does not notice. Where conditions on the
-//! time alone decide, polynomials end with each step of the run, so that none leads across an edge that lies where a step ends.
+//! time alone decide, polynomials end with each step of the run, so that none leads across an edge that lies where a
+//! step ends.
 //!
 //! It is not symplectic: it is the reference, the method for errors near the rounding, and what symplectic runs are
 //! held against. Its energy error does not oscillate but accumulates, however slowly.
@@ -46,6 +47,7 @@ mod expansion;
 mod horizon;
 #[cfg(feature = "std")]
 mod in_lanes;
+pub(crate) mod iterations;
 mod leg;
 mod logarithm;
 mod method;
@@ -57,7 +59,6 @@ mod recurrences;
 pub(crate) mod series;
 mod states;
 pub(crate) mod table;
-pub(crate) mod turns;
 mod visit;
 
 pub use method::Taylor;

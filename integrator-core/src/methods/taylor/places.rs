@@ -1,9 +1,9 @@
-//! Where eight turns side by side read.
+//! Where eight iterations side by side read.
 
 use super::table::{Coefficients, EIGHT, Layout, Wide};
 use crate::scalar::{real::Real, simd::row::Row};
 
-/// Where the numbers of eight turns are among the coordinates.
+/// Where the numbers of eight iterations are among the coordinates.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Places {
     /// Side by side from here on.
@@ -15,13 +15,14 @@ pub(super) enum Places {
 }
 
 impl Places {
-    /// Where the numbers of the turns that there are lie. Those of further components lie as many strides further on.
+    /// Where the numbers of the iterations that there are lie. Those of further components lie as many strides further
+    /// on.
     pub(super) fn of(places: [Option<usize>; EIGHT], layout: Layout) -> Self {
         let known = || places.iter().flatten();
         let (first, last) = known().fold((usize::MAX, 0), |(first, last), place| (first.min(*place), last.max(*place)));
         let stride = layout.stride();
         let (aligned, end) = (first / EIGHT * EIGHT, (first / stride + 1) * stride);
-        // Lanes that no turn has may read anything.
+        // Lanes that no iteration has may read anything.
         let in_lane = |(lane, place): (usize, &Option<usize>)| place.is_none_or(|place| place == aligned + lane);
         if stride >= EIGHT && places.iter().enumerate().all(in_lane) {
             return Self::Neighbours(aligned);
@@ -85,15 +86,15 @@ mod tests {
         Layout::of::<Vec<f64>>(length, false)
     }
 
-    /// Where eight turns read.
+    /// Where eight iterations read.
     fn of_all(places: [usize; EIGHT], length: usize) -> Places {
         Places::of(places.map(Some), layout(length))
     }
 
     #[test]
     fn places_are_found_the_nearest_way() {
-        let side_by_side: [usize; EIGHT] = core::array::from_fn(|turn| turn);
-        assert_eq!(of_all(side_by_side.map(|turn| turn + 3), 16), Places::Neighbours(3));
+        let side_by_side: [usize; EIGHT] = core::array::from_fn(|iteration| iteration);
+        assert_eq!(of_all(side_by_side.map(|iteration| iteration + 3), 16), Places::Neighbours(3));
         assert_eq!(of_all([1, 0, 2, 2, 5, 4, 0, 1], 8), Places::Near(0, [1, 0, 2, 2, 5, 4, 0, 1]));
         assert_eq!(of_all([0, 8, 0, 8, 0, 8, 0, 8], 16), Places::Far([0, 8, 0, 8, 0, 8, 0, 8]));
         assert_eq!(of_all([3; EIGHT], 4), Places::Far([3; EIGHT]), "a row that is shorter than a register");
@@ -112,10 +113,10 @@ mod tests {
     }
 
     #[test]
-    fn lanes_without_a_turn_read_what_is_nearest() {
-        let some = |turn: usize| (turn % 3 == 1).then_some(8 + turn);
+    fn lanes_without_a_iteration_read_what_is_nearest() {
+        let some = |iteration: usize| (iteration % 3 == 1).then_some(8 + iteration);
         assert_eq!(Places::of(core::array::from_fn(some), layout(16)), Places::Neighbours(8));
-        let some = |turn: usize| (turn < 2).then_some(9 + turn);
+        let some = |iteration: usize| (iteration < 2).then_some(9 + iteration);
         assert_eq!(Places::of(core::array::from_fn(some), layout(16)), Places::Near(8, [1, 2, 1, 1, 1, 1, 1, 1]));
     }
 }

@@ -16,15 +16,15 @@ pub trait Recurrences: Hamiltonian {
     /// Whether there are loops over coordinates, so that orders need no code of their own.
     const ROLLED: bool;
 
-    /// Whether every turn of the loops reads coordinates of its own first, so that whole registers are read where points
-    /// are dealt out to registers.
+    /// Whether every iteration of the loops reads coordinates of its own first, so that whole registers are read where
+    /// points are dealt out to registers.
     const INTERLEAVED: bool;
 
     /// How many orders are found at once.
     const AT_ONCE: usize;
 
-    /// Finds the coefficients of order `k + 1` of all coordinates from those of lower orders, and those of the orders behind
-    /// it that are found at once.
+    /// Finds the coefficients of order `k + 1` of all coordinates from those of lower orders, and those of the orders
+    /// behind it that are found at once.
     ///
     /// `length` is how many numbers or points the coordinates are. `time` is that of the expansion.
     fn order<R: Real>(

@@ -6,8 +6,8 @@ use alloc::vec::Vec;
 /// The highest order of a polynomial.
 pub const HIGHEST: usize = 28;
 
-/// How many coefficients there is room for: that of order 0, and one above the highest order, which positions have before
-/// momenta do.
+/// How many coefficients there is room for: that of order 0, and one above the highest order, which positions have
+/// before momenta do.
 pub const COEFFICIENTS: usize = HIGHEST + 2;
 
 /// The orders as numbers, which are read sooner than they are converted.
@@ -93,15 +93,15 @@ pub fn order_of_time<R: Real>(k: usize, time: R) -> (R, R) {
     }
 }
 
-/// What the next turn of a loop keeps.
+/// What the next iteration of a loop keeps.
 #[inline(always)]
-pub fn turn<'t, T: Default>(turns: &'t mut Vec<T>, next: &mut usize) -> &'t mut T {
+pub fn iteration<'t, T: Default>(iterations: &'t mut Vec<T>, next: &mut usize) -> &'t mut T {
     let place = *next;
     *next += 1;
-    if place == turns.len() {
-        turns.push(T::default());
+    if place == iterations.len() {
+        iterations.push(T::default());
     }
-    &mut turns[place]
+    &mut iterations[place]
 }
 
 #[cfg(test)]

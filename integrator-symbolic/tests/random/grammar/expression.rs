@@ -53,7 +53,7 @@ impl Grammar {
     }
 
     fn leaf(&mut self, scope: &Scope) -> String {
-        // A loop without turns and a branch that is not taken need no coordinates.
+        // A loop without iterations and a branch that is not taken need no coordinates.
         let known = PARTS.guards || !self.is_dynamic || !scope.indices.is_empty();
         match self.choices.below(14) {
             0..=4 if scope.has_coordinates && known => {

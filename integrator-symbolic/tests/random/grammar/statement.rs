@@ -125,9 +125,9 @@ impl Grammar {
         text
     }
 
-    /// What is there in the turns of a loop that may have none: elements of lists, and a coordinate that is not there
-    /// where others are few.
-    fn read_in_turns(&mut self, scope: &mut Scope, elements: &[&str]) {
+    /// What is there in the iterations of a loop that may have none: elements of lists, and a coordinate that is not
+    /// there where others are few.
+    fn read_in_iterations(&mut self, scope: &mut Scope, elements: &[&str]) {
         let coordinate = self.choices.below(self.length).to_string();
         let numbers = elements.iter().map(ToString::to_string).chain([self.coordinate_at(&coordinate)]);
         scope.numbers.extend(numbers.filter(|_| PARTS.guards));
@@ -158,7 +158,7 @@ impl Grammar {
             7 => format!("(0..{n}).step_by(2)"),
             8 => "0..self.n".to_owned(),
             9 if PARTS.bounds => {
-                self.read_in_turns(scope, &["self.k[self.n - 1]", "self.long[self.n]"]);
+                self.read_in_iterations(scope, &["self.k[self.n - 1]", "self.long[self.n]"]);
                 format!("{}..self.n", 1 + self.choices.below(3))
             }
             10 => format!("0..{n} / 2"),
@@ -178,7 +178,7 @@ impl Grammar {
                 return format!("&({i}, {j}, {w}) in &self.springs");
             }
             14 if PARTS.guards => {
-                self.read_in_turns(scope, &["self.short[0]", "self.short[self.short.len() - 1]"]);
+                self.read_in_iterations(scope, &["self.short[0]", "self.short[self.short.len() - 1]"]);
                 let x = self.fresh("x");
                 scope.numbers.push(x.clone());
                 return format!("&{x} in self.short.iter()");
