@@ -1,17 +1,18 @@
-//! The time of a force evaluation inside every composition, against Verlet's: `cargo bench -p integrator --bench compositions`.
+//! The time of a force evaluation inside every composition, against Verlet's: `cargo bench -p integrator --bench
+//! compositions`.
 //!
-//! A run loops over a static table of stages, so a step of 35 stages should cost 35 times that of Verlet. The last lines,
-//! `ratio_<problem>_<composition>=`, are nanoseconds per force evaluation over those of Verlet in the same turn, medians
-//! of interleaved turns: 1.03 is asked. Met on the pendulum (0.85 to 1.01), on Hénon-Heiles (1.01 at most), on Kepler
-//! (1.01) and on the outer solar system (1.01); not on FPUT-32, where a longer table costs 1.05 with the kick first and
-//! 1.08 to 1.12 with the drift first.
+//! A run loops over a static table of stages, so a step of 35 stages should cost 35 times that of Verlet. The last
+//! lines, `ratio_<problem>_<composition>=`, are nanoseconds per force evaluation over those of Verlet in the same
+//! round, medians of interleaved rounds: 1.03 is asked. Met on the pendulum (0.85 to 1.01), on Hénon-Heiles (1.01 at
+//! most), on Kepler (1.01) and on the outer solar system (1.01); not on FPUT-32, where a longer table costs 1.05 with
+//! the kick first and 1.08 to 1.12 with the drift first.
 //!
 //! A gradient of the squared force is counted as no evaluation here, so that the ratios of compositions in which every
-//! kick has one (`Chin4B`) tell what it costs: a kick with gradient takes the time of 1.3 forces on the pendulum, 1.6 on
-//! Kepler, 2 on Hénon-Heiles, 3.6 on FPUT-32 and 4.9 on the outer solar system.
+//! kick has one (`Chin4B`) tell what it costs: a kick with gradient takes the time of 1.3 forces on the pendulum, 1.6
+//! on Kepler, 2 on Hénon-Heiles, 3.6 on FPUT-32 and 4.9 on the outer solar system.
 //!
-//! A table costs little to compile: a program that runs the outer solar system by ten compositions takes 2.1 s of CPU time
-//! in release, libraries aside, and 0.6 s by one; under 4 s is asked.
+//! A table costs little to compile: a program that runs the outer solar system by ten compositions takes 2.1 s of CPU
+//! time in release, libraries aside, and 0.6 s by one; under 4 s is asked.
 
 use integrator_bench::{
     race::{Racer, race},
@@ -25,8 +26,8 @@ const EVALUATIONS: u64 = 2 * 2 * 2 * 3 * 3 * 5 * 7 * 11;
 /// A step so short that no composition strays from the orbit.
 const SHORTENING: f64 = 1e-6;
 
-/// Turns of a race; odd, so that the median is one of them.
-const TURNS: usize = 41;
+/// Rounds of a race; odd, so that the median is one of them.
+const ROUNDS: usize = 41;
 
 struct Ratios<'p, H: Hamiltonian> {
     problem: &'p Problem<H>,
@@ -39,7 +40,7 @@ where
 {
     fn visit<X: Composition<H>>(&mut self, _: X) {
         let racers = vec![self.evaluated::<X>(X::NAME), self.evaluated::<Verlet>("Verlet")];
-        let times = race(TURNS, EVALUATIONS as f64, racers);
+        let times = race(ROUNDS, EVALUATIONS as f64, racers);
         println!("{:<10} {:<24} {:>8.2} {:>8.2}", self.problem.name, X::NAME, times.median(0), times.median(1));
         self.lines.push(format!("ratio_{}_{}={:.3}", self.problem.name, X::NAME, times.ratio(0, 1)));
     }
@@ -49,7 +50,7 @@ impl<H: Hamiltonian> Ratios<'_, H>
 where
     H::Coords: Coords<Leaf = f64>,
 {
-    /// Steps with so many force evaluations in all. Every turn goes on from the last one.
+    /// Steps with so many force evaluations in all. Every round goes on from the last one.
     fn evaluated<X: Composition<H>>(&self, name: &'static str) -> Racer<'static> {
         let Problem { system, start, span, .. } = self.problem;
         let run = system.run_with::<f64, X>(X::default(), start.clone(), span * SHORTENING);

@@ -1,23 +1,23 @@
 //! What a scene does not need costs nothing: `cargo bench -p integrator --bench skips`.
 //!
-//! One row or two for each point of what the generator does: the same scene with something and without it, times in turns,
-//! and the operations of a drift and a kick as the macro counts them. Where a person could write the slower form only by
-//! hand, it is written by hand. The last lines, `ratio_<point>=`, are the time without over the time with.
+//! One row or two for each point of what the generator does: the same scene with something and without it, in
+//! interleaved rounds, and the operations of a drift and a kick as the macro counts them. Where a person could write the slower form
+//! only by hand, it is written by hand. The last lines, `ratio_<point>=`, are the time without over the time with.
 
 use integrator_bench::{
+    by_hand::{chain::Chain, law::Law},
     plan::Plan,
     plot::{Dots, Row, dots},
     problems::{Argon, Fput},
     race::{Racer, race},
     starts::{argon, cluster, waves},
     table::{Table, folder},
-    twins::{chain::Chain, law::Law},
 };
 use integrator_core::{Coords, prelude::*};
 use std::error::Error;
 
-/// Turns of a race; odd, so that the median is one of them.
-const TURNS: usize = 31;
+/// Rounds of a race; odd, so that the median is one of them.
+const ROUNDS: usize = 31;
 
 /// A system, and its text for the report of the macro.
 macro_rules! scene {
@@ -126,7 +126,7 @@ struct Report {
 impl Report {
     /// A race of `with` against `without`, and the operations of each.
     fn add(&mut self, name: &str, scene: &str, units: f64, [without, with]: [Racer; 2], operations: [f64; 2]) {
-        let times = race(TURNS, units, vec![without, with]);
+        let times = race(ROUNDS, units, vec![without, with]);
         let ratio = times.ratio(0, 1);
         self.table.row([name, scene], &[times.median(0), times.median(1), ratio, operations[0], operations[1]]);
         self.rows.push(Row { name: scene.to_owned(), values: vec![ratio] });
@@ -150,7 +150,7 @@ impl Report {
     }
 }
 
-/// Every turn goes on from the last one.
+/// Every round goes on from the last one.
 fn steps_of<H: Hamiltonian>(name: &'static str, system: H, start: Phase<H::Coords>, steps: u64) -> Racer<'static>
 where
     H::Coords: Coords<Leaf = f64>,

@@ -1,18 +1,12 @@
 //! The time of a step, generated against written by hand: `cargo bench -p integrator --bench step`.
 //!
-//! Small systems in Verlet and in two long compositions, large ones in Verlet. The twins by hand are plain safe Rust, and
-//! where that is not the limit, vectors of `std::arch`; both get the instructions that the generated code gets. The last
-//! lines, `ratio_<problem>_<what>=`, are the generated time over that of the best twin in the same turn, medians of
-//! interleaved turns: 1.05 is asked. `docs/performance.md` tells what was measured.
+//! Small systems in Verlet and in two long compositions, large ones in Verlet. The steppers written by hand are plain
+//! safe Rust, and where that is not the limit, vectors of `std::arch`; both get the instructions that the generated
+//! code gets. The last lines, `ratio_<problem>_<what>=`, are the generated time over that of the best stepper by hand
+//! in the same round, medians of interleaved rounds: 1.05 is asked. `docs/performance.md` tells what was measured.
 
 use integrator_bench::{
-    plan::Plan,
-    plot::{Dots, Row, dots},
-    problems::{Fput, Phi4, Phi4Plane, SineGordon, Toda},
-    race::{Racer, Times, race},
-    starts::{Problem, Problems, argon, cluster, rows_of_waves, waves},
-    table::{Table, folder},
-    twins::{
+    by_hand::{
         chain::Chain,
         law::Law,
         plain,
@@ -21,19 +15,25 @@ use integrator_bench::{
         row,
         tiles::{Attraction, Bodies},
     },
+    plan::Plan,
+    plot::{Dots, Row, dots},
+    problems::{Fput, Phi4, Phi4Plane, SineGordon, Toda},
+    race::{Racer, Times, race},
+    starts::{Problem, Problems, argon, cluster, rows_of_waves, waves},
+    table::{Table, folder},
 };
 use integrator_core::{Coords, prelude::*};
 use std::error::Error;
 
-/// Force evaluations of a turn of a small system, about.
+/// Force evaluations of a round of a small system, about.
 const EVALUATIONS: u64 = 40_000;
-/// Turns of a race; odd, so that the median is one of them.
-const TURNS: usize = 61;
-/// Turns of races between large systems, which take longer.
-const FEW_TURNS: usize = 15;
+/// Rounds of a race; odd, so that the median is one of them.
+const ROUNDS: usize = 61;
+/// Rounds of races between large systems, which take longer.
+const FEW_ROUNDS: usize = 15;
 
-/// A twin: its name, and the trajectory to its end.
-type Twin<'a> = (&'static str, Box<dyn Fn(&Plan, u64) -> f64 + 'a>);
+/// A stepper by hand: its name, and the trajectory to its end.
+type HandWritten<'a> = (&'static str, Box<dyn Fn(&Plan, u64) -> f64 + 'a>);
 
 struct Report {
     table: Table,
@@ -52,7 +52,7 @@ impl Report {
     }
 
     /// One composition on a small problem, nanoseconds per force evaluation.
-    fn small<H: Hamiltonian, X: Composition<H>>(&mut self, problem: &Problem<H>, _: X, h: f64, twins: &[Twin])
+    fn small<H: Hamiltonian, X: Composition<H>>(&mut self, problem: &Problem<H>, _: X, h: f64, by_hand: &[HandWritten])
     where
         H::Coords: Coords<Leaf = f64>,
     {
@@ -65,29 +65,29 @@ impl Report {
         };
         let plan = Plan::of::<X>(h);
         let mut racers = vec![Racer::new("generated", generated)];
-        racers.extend(twins.iter().map(|(name, twin)| Racer::new(name, || twin(&plan, steps))));
+        racers.extend(by_hand.iter().map(|(name, by_hand)| Racer::new(name, || by_hand(&plan, steps))));
         let units = (steps * X::FORCE_EVALUATIONS as u64) as f64;
-        self.add(problem.name, &X::NAME.to_lowercase(), &race(TURNS, units, racers));
+        self.add(problem.name, &X::NAME.to_lowercase(), &race(ROUNDS, units, racers));
     }
 
     /// Verlet and long compositions.
-    fn small_in_all<H: Hamiltonian>(&mut self, problem: &Problem<H>, h: f64, twins: &[Twin])
+    fn small_in_all<H: Hamiltonian>(&mut self, problem: &Problem<H>, h: f64, by_hand: &[HandWritten])
     where
         H::Coords: Coords<Leaf = f64>,
     {
-        self.small(problem, Verlet, h, twins);
-        self.small(problem, KahanLi8, h, twins);
-        self.small(problem, SofroniouSpaletta10, h, twins);
+        self.small(problem, Verlet, h, by_hand);
+        self.small(problem, KahanLi8, h, by_hand);
+        self.small(problem, SofroniouSpaletta10, h, by_hand);
     }
 
-    /// Verlet on a chain, nanoseconds per site and step. Every turn goes on from the last one.
+    /// Verlet on a chain, nanoseconds per site and step. Every round goes on from the last one.
     fn chain<H: Hamiltonian<Coords = Vec<f64>>>(&mut self, name: &str, system: &H, law: Law, sites: usize) {
         let start = waves(sites);
         // As many as there are from one look to the next in a long run.
         let steps = (2_000_000 / sites).max(1024);
         let h = 0.05;
         let plan = Plan::of::<Verlet>(h);
-        // One thread, as the twins have: the clock of a racer is that of its own thread.
+        // One thread, as the steppers by hand have: the clock of a racer is that of its own thread.
         let mut run = system.run_with::<f64, Verlet>(Verlet, start.clone(), h).expect("a start").with_threads(1);
         let skewed = Chain { law, q: start.q, p: start.p };
         let [mut skewed, mut plain] = [skewed.clone(), skewed];
@@ -96,7 +96,7 @@ impl Report {
             Racer::new("plain", || plain.two_pass(&plan, steps)),
             Racer::new("skewed", || skewed.skewed(&plan, steps)),
         ];
-        self.add(name, "verlet", &race(FEW_TURNS, (sites * steps) as f64, racers));
+        self.add(name, "verlet", &race(FEW_ROUNDS, (sites * steps) as f64, racers));
     }
 
     /// Verlet on a plane, nanoseconds per site and step.
@@ -114,15 +114,15 @@ impl Report {
             Racer::new("plain", || plain.two_pass(&plan, steps)),
             Racer::new("one pass", || one_pass.one_pass(&plan, steps)),
         ];
-        self.add(name, "verlet", &race(FEW_TURNS, (sites * steps) as f64, racers));
+        self.add(name, "verlet", &race(FEW_ROUNDS, (sites * steps) as f64, racers));
     }
 
     /// Verlet on bodies, nanoseconds per pair and step.
-    fn bodies<H: Hamiltonian<Coords = Vec<[f64; 3]>>>(&mut self, name: &str, system: &H, mut twin: Bodies, h: f64) {
-        let count = twin.count();
+    fn bodies<H: Hamiltonian<Coords = Vec<[f64; 3]>>>(&mut self, name: &str, system: &H, mut by_hand: Bodies, h: f64) {
+        let count = by_hand.count();
         let start = Phase::new(
-            (0..count).map(|i| twin.body(i)[0]).collect::<Vec<_>>(),
-            (0..count).map(|i| twin.body(i)[1]).collect(),
+            (0..count).map(|i| by_hand.body(i)[0]).collect::<Vec<_>>(),
+            (0..count).map(|i| by_hand.body(i)[1]).collect(),
         );
         let plan = Plan::of::<Verlet>(h);
         let pairs = count * (count - 1) / 2;
@@ -130,9 +130,9 @@ impl Report {
         let mut run = system.run_with::<f64, Verlet>(Verlet, start, h).expect("a start");
         let racers = vec![
             Racer::new("generated", || run.advance(steps).expect("finite states")),
-            Racer::new("tiles", || twin.advance(&plan, steps)),
+            Racer::new("tiles", || by_hand.advance(&plan, steps)),
         ];
-        self.add(name, "verlet", &race(FEW_TURNS, pairs as f64 * steps as f64, racers));
+        self.add(name, "verlet", &race(FEW_ROUNDS, pairs as f64 * steps as f64, racers));
     }
 }
 
@@ -200,8 +200,8 @@ fn large_problems(report: &mut Report) {
     report.plane("phi4_2d", Phi4Plane { stiffness }, 256);
 
     let (system, start) = cluster(1000);
-    let twin = Bodies::new(Attraction::Gravity, &system.masses, &start.q, &start.p);
-    report.bodies("nbody_1000", &system, twin, 1e-3);
+    let by_hand = Bodies::new(Attraction::Gravity, &system.masses, &start.q, &start.p);
+    report.bodies("nbody_1000", &system, by_hand, 1e-3);
     let (system, start) = argon(1000);
     let attraction = Attraction::LennardJones { cutoff: system.cutoff };
     report.bodies("argon_1000", &system, Bodies::new(attraction, &vec![1.0; 1000], &start.q, &start.p), 1e-4);
@@ -209,7 +209,7 @@ fn large_problems(report: &mut Report) {
 
 fn main() -> Result<(), Box<dyn Error>> {
     println!("ns per force evaluation of a small system, per site of a lattice, per pair of bodies");
-    let table = Table::new("step", &["problem", "composition", "generated", "plain", "best twin", "ratio"]);
+    let table = Table::new("step", &["problem", "composition", "generated", "plain", "by hand", "ratio"]);
     let mut report = Report { table, ratios: Vec::new(), rows: Vec::new() };
     small_problems(&mut report);
     large_problems(&mut report);
@@ -219,7 +219,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         &Dots {
             title: "A force evaluation, against the best that a person writes".to_owned(),
             better: "Further left is better; the tinted band is what is asked (at most 1.05)".to_owned(),
-            axis: "time over that of the best twin by hand".to_owned(),
+            axis: "time over that of the best by hand".to_owned(),
             series: vec!["generated".to_owned(), "by hand, plain loops".to_owned()],
             asked: [0.9, 1.05],
             rows: report.rows,

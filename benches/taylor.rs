@@ -1,20 +1,20 @@
 //! Taylor's method, generated against written by hand: `cargo bench -p integrator --bench taylor`.
 //!
-//! Both sides take the same orders and tolerances, carry the rounding of their states and choose their steps by the same
-//! rule, so that they take as many and err as much. A row tells the milliseconds of both for the problem's whole
-//! span, medians of interleaved turns, nanoseconds of the twin per polynomial, and the largest relative deviations of
-//! the energies at 256 looks. The last lines, `ratio_taylor_over_twin_<problem>_<error>=`, are the least time to an energy
-//! error over that of the twin, each the best of the same orders and tolerances: 1.1 is asked. Twins are written for
-//! AVX2 and AVX-512; elsewhere there are none. `ratio_taylor_lanes_over_alone_<problem>=` is the time of an ensemble in one
-//! thread over that of its members one after the other.
+//! Both sides take the same orders and tolerances, carry the rounding of their states and choose their steps by the
+//! same rule, so that they take as many and err as much. A row tells the milliseconds of both for the problem's whole
+//! span, medians of interleaved rounds, nanoseconds of the stepper by hand per polynomial, and the largest relative
+//! deviations of the energies at 256 looks. The last lines, `ratio_taylor_over_hand_<problem>_<error>=`, are the least
+//! time to an energy error over that of the stepper by hand, each the best of the same orders and tolerances: 1.1 is
+//! asked. They are written for AVX2 and AVX-512; elsewhere there are none. `ratio_taylor_lanes_over_alone_<problem>=`
+//! is the time of an ensemble in one thread over that of its members one after the other.
 
 use integrator_bench::{
     Instructions,
+    by_hand::taylor::{self, Course, ORDERS},
     precision::{Curve, Kind, Point, best},
     race::{Racer, race},
     starts::{Problem, Problems},
     table::Table,
-    twins::taylor::{self, Course, ORDERS},
 };
 use integrator_core::{
     Compensated, Coords,
@@ -23,19 +23,19 @@ use integrator_core::{
 };
 use std::error::Error;
 
-/// Turns of a race; odd, so that the median is one of them.
-const TURNS: usize = 15;
+/// Rounds of a race; odd, so that the median is one of them.
+const ROUNDS: usize = 15;
 /// How often energies are looked at.
 const LOOKS: u32 = 256;
 /// The energy errors to which times are compared.
 const ERRORS: [(f64, &str); 3] = [(1e-8, "1e-8"), (1e-10, "1e-10"), (1e-12, "1e-12")];
 
-/// The members of an ensemble, and the way of a turn.
+/// The members of an ensemble, and the step of a run.
 const MEMBERS: usize = 256;
-const TURN: f64 = 10.0;
+const STEP: f64 = 10.0;
 
 /// Follows a trajectory by hand, shows its states, and counts the polynomials.
-type Twin<'t, C> = &'t dyn Fn(Course, &mut dyn FnMut(Phase<C>)) -> u64;
+type HandWritten<'t, C> = &'t dyn Fn(Course, &mut dyn FnMut(Phase<C>)) -> u64;
 
 struct Report {
     table: Table,
@@ -49,7 +49,7 @@ impl Report {
         &mut self,
         problem: &Problem<H>,
         first: i32,
-        twin: Twin<H::Coords>,
+        by_hand: HandWritten<H::Coords>,
     ) -> Result<(), Box<dyn Error>>
     where
         H::Coords: Coords<Leaf = f64>,
@@ -58,7 +58,7 @@ impl Report {
         for order in ORDERS {
             let mut points = [Vec::new(), Vec::new()];
             for tolerance in (first..first + 8).map(|decade| 10.0_f64.powi(-decade)) {
-                let row = self.race(problem, order, tolerance, twin)?;
+                let row = self.race(problem, order, tolerance, by_hand)?;
                 points.iter_mut().zip(row).for_each(|(points, point)| points.push(point));
             }
             for ((side, points), ours) in curves.iter_mut().zip(points).zip([true, false]) {
@@ -66,13 +66,13 @@ impl Report {
             }
         }
         for (error, text) in ERRORS {
-            let [ours, twin] = [0, 1].map(|side| best(&curves[side], Kind::Energy, error));
-            if let Some(((ours, order), (twin, other))) = ours.zip(twin) {
+            let [ours, by_hand] = [0, 1].map(|side| best(&curves[side], Kind::Energy, error));
+            if let Some(((ours, order), (by_hand, other))) = ours.zip(by_hand) {
                 let name = problem.name;
-                let [name_of, ratio] = [format!("{name}_{text}"), format!("{:.3}", ours / twin)];
-                let times = format!("{ours:>9.4} ms by {order}; by hand {twin:>9.4} ms by {other}");
+                let [name_of, ratio] = [format!("{name}_{text}"), format!("{:.3}", ours / by_hand)];
+                let times = format!("{ours:>9.4} ms by {order}; by hand {by_hand:>9.4} ms by {other}");
                 self.choices.push(format!("{name_of:<16} {times}; ratio {ratio}"));
-                self.ratios.push(format!("ratio_taylor_over_twin_{name_of}={ratio}"));
+                self.ratios.push(format!("ratio_taylor_over_hand_{name_of}={ratio}"));
             }
         }
         Ok(())
@@ -84,7 +84,7 @@ impl Report {
         Problem { name, system, start, span, reference }: &Problem<H>,
         order: usize,
         tolerance: f64,
-        twin: Twin<H::Coords>,
+        by_hand: HandWritten<H::Coords>,
     ) -> Result<[Point; 2], Box<dyn Error>>
     where
         H::Coords: Coords<Leaf = f64>,
@@ -109,15 +109,15 @@ impl Report {
             worst = worst.max((sample.energy() / exact - 1.0).abs());
             end = sample.state.q.flat().iter().map(|leaf| leaf.value).collect();
         }
-        let generated = [worst, distance(&end)];
+        let errors = [worst, distance(&end)];
         let mut states = Vec::new();
-        let polynomials = twin(course(LOOKS), &mut |state| states.push(state));
+        let polynomials = by_hand(course(LOOKS), &mut |state| states.push(state));
         let mut worst = 0.0_f64;
         for state in states {
             end = state.q.flat().to_vec();
             worst = worst.max((energy(state)? / exact - 1.0).abs());
         }
-        let by_hand = [worst, distance(&end)];
+        let errors_by_hand = [worst, distance(&end)];
 
         let racers = vec![
             Racer::new("generated", || {
@@ -127,20 +127,20 @@ impl Report {
             }),
             Racer::new("by hand", || {
                 let mut end = None;
-                twin(course(1), &mut |state| end = Some(state));
+                by_hand(course(1), &mut |state| end = Some(state));
                 end
             }),
         ];
         // Nanoseconds per million units are milliseconds.
-        let times = race(TURNS, 1e6, racers);
+        let times = race(ROUNDS, 1e6, racers);
         let [ours, theirs] = [times.median(0), times.median(1)];
         let per_polynomial = theirs * 1e6 / polynomials as f64;
         self.table.row(
             [name, &format!("order {order}, {tolerance:.0e}")],
-            &[polynomials as f64, per_polynomial, theirs, ours, times.ratio(0, 1), by_hand[0], generated[0]],
+            &[polynomials as f64, per_polynomial, theirs, ours, times.ratio(0, 1), errors_by_hand[0], errors[0]],
         );
         let point = |milliseconds, [energy, global]: [f64; 2]| Point { milliseconds, energy, global };
-        Ok([point(ours, generated), point(theirs, by_hand)])
+        Ok([point(ours, errors), point(theirs, errors_by_hand)])
     }
 }
 
@@ -155,23 +155,23 @@ where
         (*system, Phase::new(shrunk(&start.q), shrunk(&start.p)))
     });
     let members: Vec<(H, Phase<H::Coords>)> = members.collect();
-    let runs = members.iter().map(|(system, start)| system.run_with::<f64, _>(method, start.clone(), TURN));
+    let runs = members.iter().map(|(system, start)| system.run_with::<f64, _>(method, start.clone(), STEP));
     let mut runs = runs.collect::<Result<Vec<_>, _>>()?;
-    let mut swarm = Ensemble::new::<H, f64, _>(method, members, TURN)?.with_threads(1);
+    let mut swarm = Ensemble::new::<H, f64, _>(method, members, STEP)?.with_threads(1);
     let racers = vec![
         Racer::new("lanes", || swarm.advance(1).expect("finite states")),
         Racer::new("alone", || runs.iter_mut().for_each(|run| run.advance(1).expect("finite states"))),
     ];
-    println!("ratio_taylor_lanes_over_alone_{name}={:.3}", race(TURNS, 1.0, racers).ratio(0, 1));
+    println!("ratio_taylor_lanes_over_alone_{name}={:.3}", race(ROUNDS, 1.0, racers).ratio(0, 1));
     Ok(())
 }
 
 fn main() -> Result<(), Box<dyn Error>> {
     if Instructions::chosen() == Instructions::Baseline {
-        println!("no twin: these are written for AVX2 and AVX-512");
+        println!("no steppers by hand: these are written for AVX2 and AVX-512");
         return Ok(());
     }
-    let head = ["polynomials", "ns each", "twin ms", "generated", "ratio", "twin error", "error"];
+    let head = ["polynomials", "ns each", "by hand", "generated", "ratio", "its error", "error"];
     let head: Vec<&str> = ["problem", "method"].into_iter().chain(head).collect();
     let mut report = Report { table: Table::new("taylor", &head), choices: Vec::new(), ratios: Vec::new() };
     let problems = Problems::default();

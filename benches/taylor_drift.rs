@@ -23,7 +23,7 @@ const AVERAGED: usize = 32;
 /// How often energies are looked at, the time doubling from one look to the next.
 const LOOKS: u32 = 9;
 
-/// How far apart states are, in a turn; no simple part of any period.
+/// How far apart states are, in a revolution; no simple part of any period.
 const STEP: f64 = TAU / 7.0;
 
 fn main() -> Result<(), Error> {

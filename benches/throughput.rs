@@ -1,33 +1,33 @@
 //! How much gets done per second when there is much to do: `cargo bench -p integrator --bench throughput`.
 //!
-//! Ensembles against groups of vectors written by hand, with a sine of the same accuracy; chains against two plain loops
-//! and against time-skewed tiles; bodies against tiles that use the third law. The last lines are rates over those of the
-//! best twin in the same turn (`ratio_<scene>_to_twin=`, 0.9 is asked), and what a second thread brings
-//! (`speedup_<scene>_two_threads=`). `docs/performance.md` tells what was measured.
+//! Ensembles against groups of vectors written by hand, with a sine of the same accuracy; chains against two plain
+//! loops and against time-skewed tiles; bodies against tiles that use the third law. The last lines are rates over
+//! those of the best stepper by hand in the same round (`ratio_<scene>_to_hand=`, 0.9 is asked), and what a second
+//! thread brings (`speedup_<scene>_two_threads=`). `docs/performance.md` tells what was measured.
 
 use integrator_bench::{
-    plan::Plan,
-    plot::{Dots, Row, dots},
-    problems::{FastPendulum, Fput, HenonHeiles, Kepler, Pendulum},
-    race::{Racer, race},
-    starts::{cluster, waves},
-    table::{Table, folder},
-    twins::{
+    by_hand::{
         chain::Chain,
         law::Law,
         points::Point,
         swarm::Swarm,
         tiles::{Attraction, Bodies},
     },
+    plan::Plan,
+    plot::{Dots, Row, dots},
+    problems::{FastPendulum, Fput, HenonHeiles, Kepler, Pendulum},
+    race::{Racer, race},
+    starts::{cluster, waves},
+    table::{Table, folder},
 };
 use integrator_core::prelude::*;
 use std::error::Error;
 
-/// Turns of a race; odd, so that the median is one of them.
-const TURNS: usize = 31;
+/// Rounds of a race; odd, so that the median is one of them.
+const ROUNDS: usize = 31;
 /// Trajectories of an ensemble: a few hundred groups of vectors.
 const MEMBERS: usize = 8192;
-/// Steps of a turn of an ensemble.
+/// Steps of a round of an ensemble.
 const STEPS: u64 = 1000;
 
 struct Report {
@@ -37,18 +37,18 @@ struct Report {
 }
 
 impl Report {
-    /// Units per second of the generated code, in one thread and in two, and of the twins.
-    fn add(&mut self, scene: &str, unit: &str, turns: usize, units: f64, racers: Vec<Racer>) {
-        let times = race(turns, units, racers);
+    /// Units per second of the generated code, in one thread and in two, and of the steppers by hand.
+    fn add(&mut self, scene: &str, unit: &str, rounds: usize, units: f64, racers: Vec<Racer>) {
+        let times = race(rounds, units, racers);
         let place = |name| times.names().iter().position(|racer| *racer == name);
         let rate = |name| place(name).map_or(f64::NAN, |i| 1e9 / times.median(i));
-        let twin = place("twin").expect("a twin");
-        let to_twin = 1.0 / times.ratio(0, twin);
-        let plain = place("plain").map_or(f64::NAN, |plain| times.ratio(twin, plain));
-        self.rows.push(Row { name: scene.to_owned(), values: vec![to_twin, plain] });
+        let by_hand = place("by hand").expect("a stepper by hand");
+        let to_hand = 1.0 / times.ratio(0, by_hand);
+        let plain = place("plain").map_or(f64::NAN, |plain| times.ratio(by_hand, plain));
+        self.rows.push(Row { name: scene.to_owned(), values: vec![to_hand, plain] });
         let two = place("one thread").zip(place("two threads")).map_or(f64::NAN, |(one, two)| times.ratio(one, two));
-        self.table.row([scene, unit], &[rate("generated"), rate("plain"), rate("twin"), to_twin, two]);
-        self.lines.push(format!("ratio_{scene}_to_twin={to_twin:.3}"));
+        self.table.row([scene, unit], &[rate("generated"), rate("plain"), rate("by hand"), to_hand, two]);
+        self.lines.push(format!("ratio_{scene}_to_hand={to_hand:.3}"));
         if two.is_finite() {
             self.lines.push(format!("speedup_{scene}_two_threads={two:.3}"));
         }
@@ -71,19 +71,19 @@ impl Report {
         let racers = vec![
             Racer::new("generated", || run.advance(steps as u64).expect("finite states")),
             Racer::new("plain", || plain.two_pass(&plan, steps)),
-            Racer::new("twin", || skewed.skewed(&plan, steps)),
+            Racer::new("by hand", || skewed.skewed(&plan, steps)),
             Racer::new("two threads", || two.advance(steps as u64).expect("finite states")).in_threads(),
             Racer::new("one thread", || wall.advance(steps as u64).expect("finite states")).in_threads(),
         ];
-        let turns = if sites > 1_000_000 { 5 } else { 15 };
-        self.add(name, "site-steps/s", turns, (sites * steps) as f64, racers);
+        let rounds = if sites > 1_000_000 { 5 } else { 15 };
+        self.add(name, "site-steps/s", rounds, (sites * steps) as f64, racers);
     }
 
     fn bodies(&mut self, name: &str, count: usize) {
         let (system, start) = cluster(count);
         let h = 1e-3;
         let plan = Plan::of::<Verlet>(h);
-        let mut twin = Bodies::new(Attraction::Gravity, &system.masses, &start.q, &start.p);
+        let mut by_hand = Bodies::new(Attraction::Gravity, &system.masses, &start.q, &start.p);
         let generated = system.run_with(Verlet, start, h).expect("a start").with_threads(1);
         let [mut run, mut wall] = [generated.clone(), generated.clone()];
         let mut two = generated.with_threads(2);
@@ -91,16 +91,16 @@ impl Report {
         let steps = (10_000_000 / pairs as u64).max(2);
         let racers = vec![
             Racer::new("generated", || run.advance(steps).expect("finite states")),
-            Racer::new("twin", || twin.advance(&plan, steps)),
+            Racer::new("by hand", || by_hand.advance(&plan, steps)),
             Racer::new("two threads", || two.advance(steps).expect("finite states")).in_threads(),
             Racer::new("one thread", || wall.advance(steps).expect("finite states")).in_threads(),
         ];
-        let turns = if count > 1_000 { 7 } else { 15 };
-        self.add(name, "pairs/s", turns, pairs as f64 * steps as f64, racers);
+        let rounds = if count > 1_000 { 7 } else { 15 };
+        self.add(name, "pairs/s", rounds, pairs as f64 * steps as f64, racers);
     }
 }
 
-/// Races an ensemble, in one thread and in two, with its twin.
+/// Races an ensemble, in one thread and in two, with its stepper by hand.
 macro_rules! ensemble {
     ($report:ident, $scene:literal, $number:ident, $h:expr, $point:expr, $columns:expr, $member:expr) => {{
         let columns: Vec<[f64; 4]> = (0..MEMBERS).map(|i| $columns(i as f64 / MEMBERS as f64)).collect();
@@ -109,15 +109,15 @@ macro_rules! ensemble {
         // Against two threads on the wall's clock, as these are measured.
         let mut wall = Ensemble::new(Verlet, members(), $h).expect("members").with_threads(1);
         let mut two = Ensemble::new(Verlet, members(), $h).expect("members").with_threads(2);
-        let mut twin = Swarm::<$number>::new($point, &columns);
+        let mut by_hand = Swarm::<$number>::new($point, &columns);
         let plan = Plan::of::<Verlet>($h);
         let racers = vec![
             Racer::new("generated", || one.advance(STEPS).expect("finite states")),
-            Racer::new("twin", || twin.advance(&plan, STEPS)),
+            Racer::new("by hand", || by_hand.advance(&plan, STEPS)),
             Racer::new("two threads", || two.advance(STEPS).expect("finite states")).in_threads(),
             Racer::new("one thread", || wall.advance(STEPS).expect("finite states")).in_threads(),
         ];
-        $report.add($scene, "trajectory-steps/s", TURNS, MEMBERS as f64 * STEPS as f64, racers);
+        $report.add($scene, "trajectory-steps/s", ROUNDS, MEMBERS as f64 * STEPS as f64, racers);
     }};
 }
 
@@ -155,7 +155,7 @@ fn ensembles(report: &mut Report) {
 }
 
 fn main() -> Result<(), Box<dyn Error>> {
-    let head = ["scene", "unit", "generated", "plain", "twin", "to twin", "2 threads"];
+    let head = ["scene", "unit", "generated", "plain", "by hand", "to hand", "2 threads"];
     let mut report = Report { table: Table::new("throughput", &head), lines: Vec::new(), rows: Vec::new() };
     ensembles(&mut report);
     for (name, sites) in
@@ -172,7 +172,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         &Dots {
             title: "Work per second, against the best that a person writes".to_owned(),
             better: "Further right is better; the tinted band is what is asked (at least 0.9), one thread".to_owned(),
-            axis: "rate over that of the best twin by hand".to_owned(),
+            axis: "rate over that of the best by hand".to_owned(),
             series: vec!["generated".to_owned(), "by hand, plain loops".to_owned()],
             asked: [0.9, 1.1],
             rows: report.rows,

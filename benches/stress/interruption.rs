@@ -34,14 +34,14 @@ pub(crate) fn answer() -> bool {
     true
 }
 
-/// Kills a run `turns` times, each time as soon as it has written something and at another moment; how many times what
+/// Kills a run `attempts` times, each time as soon as it has written something and at another moment; how many times what
 /// it left could not be gone on with or was behind what had been there, and whether the end has other bits than a run
 /// that was never killed. `command` starts a process that comes to [`answer`].
-pub(crate) fn failures(turns: u64, command: impl Fn() -> io::Result<Command>) -> io::Result<u64> {
+pub(crate) fn failures(attempts: u64, command: impl Fn() -> io::Result<Command>) -> io::Result<u64> {
     let path = env::temp_dir().join(format!("stress-run-{}", std::process::id()));
     let steps = |path: &Path| fs::read(path).map_or(Ok(0), |bytes| resumed(&bytes).map(|run| run.steps()));
     let (mut failures, mut done) = (0, 0);
-    for turn in 0..turns {
+    for attempt in 0..attempts {
         let mut child = command()?.env(FILE, &path).stdout(Stdio::null()).spawn()?;
         loop {
             let now = steps(&path).unwrap_or(0);
@@ -55,7 +55,7 @@ pub(crate) fn failures(turns: u64, command: impl Fn() -> io::Result<Command>) ->
                 return Err(io::Error::other(format!("the run ended by itself: {status}")));
             }
         }
-        std::thread::sleep(Duration::from_micros(7_919 * turn % 5_003));
+        std::thread::sleep(Duration::from_micros(7_919 * attempt % 5_003));
         child.kill()?;
         child.wait()?;
     }

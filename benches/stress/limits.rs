@@ -53,7 +53,7 @@ pub(crate) enum Outcome {
 pub(crate) struct Trial {
     pub(crate) composition: &'static str,
     /// `h·ω` of the fastest mode.
-    pub(crate) turn: f64,
+    pub(crate) angle: f64,
     /// The `h·ω` up to which the composition is stable.
     pub(crate) limit: f64,
     pub(crate) outcome: Outcome,
@@ -62,30 +62,30 @@ pub(crate) struct Trial {
 impl Trial {
     /// Whether the answer was wrong: an instability below the limit, or one that nobody was told of.
     pub(crate) fn is_wrong(&self) -> bool {
-        self.outcome == Outcome::Silent || (self.turn < self.limit && self.outcome != Outcome::Bounded)
+        self.outcome == Outcome::Silent || (self.angle < self.limit && self.outcome != Outcome::Bounded)
     }
 }
 
-/// All compositions with the steps `turns`.
-pub(crate) fn trials(turns: &[f64], steps: u64) -> Vec<Trial> {
+/// All compositions with the steps `angles`.
+pub(crate) fn trials(angles: &[f64], steps: u64) -> Vec<Trial> {
     let fastest = 2.0 * (PI * SITES as f64 / (2 * SITES + 2) as f64).sin();
-    let mut sweep = Sweep { chain: Chain { stiffness: fastest.powi(-2) }, turns, steps, trials: Vec::new() };
+    let mut sweep = Sweep { chain: Chain { stiffness: fastest.powi(-2) }, angles, steps, trials: Vec::new() };
     Chain::visit_compositions(&mut sweep);
     sweep.trials
 }
 
 struct Sweep<'t> {
     chain: Chain,
-    turns: &'t [f64],
+    angles: &'t [f64],
     steps: u64,
     trials: Vec<Trial>,
 }
 
 impl Visitor<Chain> for Sweep<'_> {
     fn visit<X: Composition<Chain>>(&mut self, composition: X) {
-        for &turn in self.turns {
-            let outcome = outcome(&self.chain, composition, turn, self.steps);
-            self.trials.push(Trial { composition: X::NAME, turn, limit: X::STABILITY_LIMIT, outcome });
+        for &angle in self.angles {
+            let outcome = outcome(&self.chain, composition, angle, self.steps);
+            self.trials.push(Trial { composition: X::NAME, angle, limit: X::STABILITY_LIMIT, outcome });
         }
     }
 }

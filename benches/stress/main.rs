@@ -94,11 +94,11 @@ impl Report {
 }
 
 fn limits_table(steps: u64, lines: &mut Vec<String>) -> Result<(), Box<dyn Failure>> {
-    let turns: Vec<f64> = (1..=25).map(|tenths| f64::from(tenths) / 10.0).collect();
-    let trials = limits::trials(&turns, steps);
+    let angles: Vec<f64> = (1..=25).map(|tenths| f64::from(tenths) / 10.0).collect();
+    let trials = limits::trials(&angles, steps);
     let mut table = Table::new("stress_limits", &["composition", "outcome", "h·ω", "limit"]);
     for trial in &trials {
-        table.row([trial.composition, &format!("{:?}", trial.outcome)], &[trial.turn, trial.limit]);
+        table.row([trial.composition, &format!("{:?}", trial.outcome)], &[trial.angle, trial.limit]);
     }
     table.write()?;
     lines.push(format!("stability_wrong={}", trials.iter().filter(|trial| trial.is_wrong()).count()));

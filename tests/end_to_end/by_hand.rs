@@ -1,7 +1,7 @@
 //! Generated steppers do, bit for bit, what a person would write out.
 //!
-//! Each twin is a plain loop over `f64` with the stages of neighbouring steps merged. On machines with fused multiply-add
-//! the twin uses it where an expert would; `instruction_sets` runs these tests on the baseline too.
+//! Each is a plain loop over `f64` with the stages of neighbouring steps merged. On machines with fused multiply-add
+//! the stepper by hand uses it where an expert would; `instruction_sets` runs these tests on the baseline too.
 
 use crate::systems::{Chain, HenonHeiles, Kepler, Pendulum, State};
 use integrator_core::{
@@ -40,8 +40,8 @@ fn generated<H: Hamiltonian<Coords = [f64; N]>, X: Composition<H>, const N: usiz
     (state.q, state.p)
 }
 
-/// The very same, but for AVX-512, where 1/r³ has a kernel that is off by two ulp at most. What a kick is off by grows with
-/// the time since, no faster than STEPS times, and there are STEPS kicks of h times a pull below ten.
+/// The very same, but for AVX-512, where 1/r³ has a kernel that is off by two ulp at most. What a kick is off by grows
+/// with the time since, no faster than STEPS times, and there are STEPS kicks of h times a pull below ten.
 fn same_orbit((q, p): State<2>, expected: State<2>, h: f64) {
     if InstructionSet::chosen() != InstructionSet::Avx512 {
         assert_eq!((q, p), expected);

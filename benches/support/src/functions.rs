@@ -1,9 +1,9 @@
-//! Sine and exponential of the twins, written out so that they vanish in the loop around them.
+//! Sine and exponential of the steppers by hand, written out so that they vanish in the loop around them.
 //!
 //! [`sine`] errs by less than one unit in the last place, [`sine_fast`] by less than four, both for arguments of some
-//! thousands, which the problems stay far below. Coefficients of the careful ones are those of fdlibm (s_sin.c, k_sin.c,
-//! k_cos.c) and Cephes (sinf.c); those of the fast one and of the exponential are Taylor's, which is as good as any after
-//! so many terms.
+//! thousands, which the problems stay far below. Coefficients of the careful ones are those of fdlibm (s_sin.c,
+//! k_sin.c, k_cos.c) and Cephes (sinf.c); those of the fast one and of the exponential are Taylor's, which is as good
+//! as any after so many terms.
 
 use crate::vector::{Number, Vector};
 use std::f64::consts::{FRAC_1_PI, FRAC_2_PI, LN_2, LOG2_E, PI};
@@ -61,14 +61,14 @@ pub(crate) fn sine<V: Vector>(x: V) -> V {
 /// Both, less than one unit in the last place.
 #[inline(always)]
 pub(crate) fn sine_and_cosine<V: Vector>(x: V) -> [V; 2] {
-    // π/2 in two parts of the type: whole turns times the first are exact.
+    // π/2 in two parts of the type: whole multiples of the first are exact.
     let (high, low) = if V::Number::BITS == 64 {
         (1.570_796_326_734_125_6, 6.077_100_506_506_192e-11)
     } else {
         (1.5707855224609375, 1.0804334124e-5)
     };
-    let turns = x.fma(V::splat(FRAC_2_PI), magic());
-    let whole = turns - magic();
+    let multiples = x.fma(V::splat(FRAC_2_PI), magic());
+    let whole = multiples - magic();
     let head = whole.fnma(V::splat(high), x);
     // The rest of the argument is `r + tail`.
     let r = whole.fnma(V::splat(low), head);
@@ -88,16 +88,16 @@ pub(crate) fn sine_and_cosine<V: Vector>(x: V) -> [V; 2] {
     let main = V::splat(1.0) - half;
     let lost = (V::splat(1.0) - main) - half;
     let cosine = main + (square * square).fma(c, r.fnma(tail, lost));
-    // A quarter of a turn ahead the cosine is the sine.
-    let ahead = turns + V::splat(1.0);
-    [V::choose(turns, cosine, sine).negate::<1>(turns), V::choose(turns, sine, cosine).negate::<1>(ahead)]
+    // A quarter of a revolution ahead the cosine is the sine.
+    let ahead = multiples + V::splat(1.0);
+    [V::choose(multiples, cosine, sine).negate::<1>(multiples), V::choose(multiples, sine, cosine).negate::<1>(ahead)]
 }
 
 /// Less than four units in the last place.
 #[inline(always)]
 pub(crate) fn sine_fast<V: Vector>(x: V) -> V {
-    let turns = x.fma(V::splat(FRAC_1_PI), magic());
-    let whole = turns - magic();
+    let multiples = x.fma(V::splat(FRAC_1_PI), magic());
+    let whole = multiples - magic();
     let (high, low) =
         if V::Number::BITS == 64 { (PI, 1.2246467991473532e-16) } else { (PI as f32 as f64, -8.742277657e-8) };
     let r = whole.fnma(V::splat(low), whole.fnma(V::splat(high), x));
@@ -120,14 +120,14 @@ pub(crate) fn sine_fast<V: Vector>(x: V) -> V {
     } else {
         horner(square, &[2.6083159809786593e-6, -1.981069071916863e-4, 8.333_078_585_565_09e-3, -1.6666659712791443e-1])
     };
-    (square * series).fma(r, r).negate::<0>(turns)
+    (square * series).fma(r, r).negate::<0>(multiples)
 }
 
 /// Less than one unit in the last place, where the result is a normal number.
 #[inline(always)]
 pub(crate) fn exponential<V: Vector<Number = f64>>(x: V) -> V {
-    let turns = x.fma(V::splat(LOG2_E), magic());
-    let whole = turns - magic();
+    let multiples = x.fma(V::splat(LOG2_E), magic());
+    let whole = multiples - magic();
     // ln 2 in two parts, whole multiples of the first being exact.
     let high = 6.931_471_803_691_238e-1;
     let low = 1.908_214_929_270_587_7e-10;
@@ -150,7 +150,7 @@ pub(crate) fn exponential<V: Vector<Number = f64>>(x: V) -> V {
         0.5,
     ];
     let series = horner(r, &inverse_factorials);
-    (V::splat(1.0) + (r + (r * r).fma(series, tail))).scale(turns)
+    (V::splat(1.0) + (r + (r * r).fma(series, tail))).scale(multiples)
 }
 
 #[cfg(test)]
@@ -174,10 +174,10 @@ mod tests {
 
     /// The sine as a sum of two doubles, by Taylor's series from a nearby point in steps that double the angle thrice.
     fn exact_sine(x: f64) -> (f64, f64) {
-        let turns = (x * FRAC_1_PI).round();
+        let multiples = (x * FRAC_1_PI).round();
         // π in three parts; the products with the first two are exact in twice the precision.
         let parts = [PI, 1.2246467991473532e-16, -2.9947698097183397e-33];
-        let r = parts.iter().fold((x, 0.0), |r, part| add(r, multiply((-turns, 0.0), (*part, 0.0))));
+        let r = parts.iter().fold((x, 0.0), |r, part| add(r, multiply((-multiples, 0.0), (*part, 0.0))));
         let square = multiply(r, r);
         let mut sum = (0.0, 0.0);
         for i in (1..16).rev() {
@@ -186,7 +186,7 @@ mod tests {
             sum = divide(multiply((-square.0, -square.1), next), divisor);
         }
         let sine = add(r, multiply(r, sum));
-        if turns % 2.0 == 0.0 { sine } else { (-sine.0, -sine.1) }
+        if multiples % 2.0 == 0.0 { sine } else { (-sine.0, -sine.1) }
     }
 
     fn exact_exponential(x: f64) -> (f64, f64) {

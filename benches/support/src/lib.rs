@@ -1,12 +1,12 @@
-//! What the benches share: the systems that are measured, twins of their steppers written by hand, races between the
+//! What the benches share: the systems that are measured, steppers written by hand, races between the
 //! two, tables and pictures.
 //!
 //! | module | holds |
 //! |---|---|
 //! | [`problems`], [`starts`] | the systems and where they begin |
-//! | [`twins`] | steppers by hand, over the vectors of `vector`, `x86`, `functions`, reached through `enter` |
-//! | [`plan`] | a composition as numbers, for twins |
-//! | [`race`] | computations in turns, medians and ratios |
+//! | [`by_hand`] | steppers by hand, over the vectors of `vector`, `x86`, `functions`, reached through `enter` |
+//! | [`plan`] | a composition as numbers, for steppers by hand |
+//! | [`race`] | interleaved computations, medians and ratios |
 //! | [`precision`] | work against error |
 //! | [`plot`] | pictures |
 //! | [`table`] | plain tables and CSV |
@@ -14,6 +14,7 @@
 
 #![allow(clippy::needless_range_loop, reason = "formulas number their axes, and closures are compiled without vectors")]
 
+pub mod by_hand;
 pub mod counts;
 mod enter;
 mod functions;
@@ -24,7 +25,6 @@ pub mod problems;
 pub mod race;
 pub mod starts;
 pub mod table;
-pub mod twins;
 mod vector;
 #[cfg(target_arch = "x86_64")]
 mod x86;

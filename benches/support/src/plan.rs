@@ -1,9 +1,9 @@
-//! A composition as twins go through it: numbers with the step folded in.
+//! A composition as steppers by hand go through it: numbers with the step folded in.
 
 use integrator_core::{Lead, Scheme, Stage};
 
-/// What a twin does: the two flows, for a time each.
-pub(crate) trait Twin {
+/// What a stepper by hand does: the two flows, for a time each.
+pub(crate) trait HandWritten {
     fn drift(&mut self, t: f64);
     fn kick(&mut self, t: f64);
     /// A drift and then a kick.
@@ -50,40 +50,40 @@ impl Plan {
 
     /// Takes `steps` steps, at least one.
     #[inline(always)]
-    pub(crate) fn march(&self, twin: &mut impl Twin, steps: u64) {
+    pub(crate) fn march(&self, by_hand: &mut impl HandWritten, steps: u64) {
         if self.kick_first {
-            self.march_leading(&mut Swapped(twin), steps);
+            self.march_leading(&mut Swapped(by_hand), steps);
         } else {
-            self.march_leading(twin, steps);
+            self.march_leading(by_hand, steps);
         }
     }
 
     /// Drifts lead.
     #[inline(always)]
-    fn march_leading(&self, twin: &mut impl Twin, steps: u64) {
-        twin.row(self.opening);
+    fn march_leading(&self, by_hand: &mut impl HandWritten, steps: u64) {
+        by_hand.row(self.opening);
         for row in &self.cycle[1..] {
-            twin.row(*row);
+            by_hand.row(*row);
         }
         if let [only] = self.cycle[..] {
             for _ in 1..steps {
-                twin.row(only);
+                by_hand.row(only);
             }
         } else {
             for _ in 1..steps {
                 for row in &self.cycle {
-                    twin.row(*row);
+                    by_hand.row(*row);
                 }
             }
         }
-        twin.drift(self.closing);
+        by_hand.drift(self.closing);
     }
 }
 
-/// A twin whose two flows have changed names.
+/// A stepper whose two flows have changed names.
 struct Swapped<'t, T>(&'t mut T);
 
-impl<T: Twin> Twin for Swapped<'_, T> {
+impl<T: HandWritten> HandWritten for Swapped<'_, T> {
     #[inline(always)]
     fn drift(&mut self, t: f64) {
         self.0.kick(t);

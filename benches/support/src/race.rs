@@ -1,4 +1,4 @@
-//! Ratios on a noisy machine: computations take turns, and the median of the ratios of each turn is what counts.
+//! Ratios on a noisy machine: computations are interleaved, and the median of the ratios of each round is what counts.
 
 use cpu_time::ThreadTime;
 use std::{
@@ -39,21 +39,21 @@ impl<'a> Racer<'a> {
     }
 }
 
-/// Nanoseconds per unit of work, by racer and turn.
+/// Nanoseconds per unit of work, by racer and round.
 #[derive(Clone, Debug)]
 pub struct Times {
     names: Vec<&'static str>,
-    turns: Vec<Vec<f64>>,
+    rounds: Vec<Vec<f64>>,
 }
 
-/// Lets all racers run `turns` times, one after the other, after one run that is not timed. Each run does `units` units
+/// Lets all racers run `rounds` times, one after the other, after one run that is not timed. Each run does `units` units
 /// of work.
-pub fn race(turns: usize, units: f64, mut racers: Vec<Racer>) -> Times {
+pub fn race(rounds: usize, units: f64, mut racers: Vec<Racer>) -> Times {
     racers.iter_mut().for_each(|racer| (racer.run)());
     let mut times =
-        Times { names: racers.iter().map(|racer| racer.name).collect(), turns: vec![Vec::new(); racers.len()] };
-    for _ in 0..turns {
-        for (racer, times) in racers.iter_mut().zip(&mut times.turns) {
+        Times { names: racers.iter().map(|racer| racer.name).collect(), rounds: vec![Vec::new(); racers.len()] };
+    for _ in 0..rounds {
+        for (racer, times) in racers.iter_mut().zip(&mut times.rounds) {
             times.push(racer.timed().as_secs_f64() * 1e9 / units);
         }
     }
@@ -66,14 +66,14 @@ impl Times {
         &self.names
     }
 
-    /// The median of a racer's turns.
+    /// The median of a racer's rounds.
     pub fn median(&self, racer: usize) -> f64 {
-        median(self.turns[racer].clone())
+        median(self.rounds[racer].clone())
     }
 
-    /// The median over the turns of what one racer took over what another took.
+    /// The median over the rounds of what one racer took over what another took.
     pub fn ratio(&self, racer: usize, other: usize) -> f64 {
-        median(self.turns[racer].iter().zip(&self.turns[other]).map(|(time, other)| time / other).collect())
+        median(self.rounds[racer].iter().zip(&self.rounds[other]).map(|(time, other)| time / other).collect())
     }
 
     /// The first racer against the best of the others.
@@ -99,8 +99,10 @@ mod tests {
 
     #[test]
     fn the_best_of_the_others_counts() {
-        let times =
-            Times { names: vec!["ours", "slow", "fast"], turns: vec![vec![2.0; 3], vec![4.0; 3], vec![1.0, 1.5, 2.0]] };
+        let times = Times {
+            names: vec!["ours", "slow", "fast"],
+            rounds: vec![vec![2.0; 3], vec![4.0; 3], vec![1.0, 1.5, 2.0]],
+        };
         assert_eq!(times.ratio(0, 1), 0.5);
         assert_eq!(times.ratio_to_best(), 2.0 / 1.5);
         assert_eq!(times.best_other(), 1.5);
@@ -111,7 +113,7 @@ mod tests {
         let (mut first, mut second) = (0, 0);
         let times = race(5, 1.0, vec![Racer::new("first", || first += 1), Racer::new("second", || second += 1)]);
         assert_eq!(times.names(), ["first", "second"]);
-        assert!(times.turns.iter().all(|turns| turns.len() == 5));
+        assert!(times.rounds.iter().all(|rounds| rounds.len() == 5));
         assert_eq!((first, second), (6, 6));
     }
 }

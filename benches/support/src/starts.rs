@@ -54,7 +54,7 @@ impl Problems {
         self.problem("henon", "henon", HenonHeiles, start)
     }
 
-    /// A thousand turns on an orbit of eccentricity 0.6.
+    /// A thousand revolutions on an orbit of eccentricity 0.6.
     pub fn kepler(&self) -> Problem<Kepler> {
         let start = Phase::new(array(&self.numbers("kepler", "q")), array(&self.numbers("kepler", "p")));
         self.problem("kepler", "kepler", Kepler, start)

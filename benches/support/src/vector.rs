@@ -1,4 +1,4 @@
-//! Numbers side by side, as a person writes them with `std::arch`: the arithmetic of the twins.
+//! Numbers side by side, as a person writes them with `std::arch`: the arithmetic of the steppers by hand.
 //!
 //! Always true: the types of [`x86`](super::x86) are named inside [`enter`](crate::enter::enter) alone, after their
 //! instructions were detected.
@@ -94,7 +94,7 @@ pub(crate) trait Row: Vector<Number = f64> {
     fn rotate<const BY: usize, const N: usize>(self) -> Self;
     /// All lanes one place on in their ring.
     #[inline(always)]
-    fn turn(self) -> Self {
+    fn rotate_by_one(self) -> Self {
         self.after(self)
     }
     /// Lanes 1 and up, and then the first lane of `next`.

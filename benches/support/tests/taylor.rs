@@ -1,25 +1,25 @@
 //! Taylor integrators by hand arrive where references in 113-bit arithmetic do.
 //!
 //! Each polynomial adds the share of its tolerance to the state. If all errors had one sign, they would add up over the
-//! polynomials, and a phase that is off by a share of the energy goes on to grow for the rest of the angle that is passed: the
-//! bounds are the tolerance times the number of polynomials times that angle, where motions are periodic. A wrong term
-//! would be off by far more.
+//! polynomials, and a phase that is off by a share of the energy goes on to grow for the rest of the angle that is
+//! passed: the bounds are the tolerance times the number of polynomials times that angle, where motions are periodic. A
+//! wrong term would be off by far more.
 
 use integrator_bench::{
     Instructions,
+    by_hand::taylor::{self, Course, ORDERS},
     starts::{Problem, Problems},
-    twins::taylor::{self, Course, ORDERS},
 };
 use integrator_core::{Coords, Hamiltonian, Phase};
 
 const TOLERANCE: f64 = 1e-15;
 
-/// The twins that follow `problem`, of each order, through so many radians.
+/// The steppers by hand that follow `problem`, of each order, through so many radians.
 #[track_caller]
 fn arrives<H: Hamiltonian>(
     problem: &Problem<H>,
     radians: f64,
-    twin: impl Fn(Course, &mut dyn FnMut(Phase<H::Coords>)) -> u64,
+    by_hand: impl Fn(Course, &mut dyn FnMut(Phase<H::Coords>)) -> u64,
 ) where
     H::Coords: Coords<Leaf = f64>,
 {
@@ -30,7 +30,7 @@ fn arrives<H: Hamiltonian>(
         for looks in [1, 7] {
             let mut states = Vec::new();
             let course = Course { order, tolerance: TOLERANCE, span: problem.span, looks };
-            let polynomials = twin(course, &mut |state| states.push(state));
+            let polynomials = by_hand(course, &mut |state| states.push(state));
             assert_eq!(states.len(), looks as usize);
             let end = states.pop().expect("an end");
             let bound = TOLERANCE * polynomials as f64 * radians;
@@ -47,7 +47,7 @@ fn arrives<H: Hamiltonian>(
 fn one_point_arrives() {
     let problems = Problems::default();
     let pendulum = problems.pendulum();
-    // Small swings, which are the fastest, and the turns of stars and planets take 2π.
+    // Small swings, which are the fastest, and the revolutions of stars and planets take 2π.
     arrives(&pendulum, pendulum.span, |course, see| taylor::pendulum(&pendulum.system, &pendulum.start, course, see));
     let henon = problems.henon_heiles();
     arrives(&henon, henon.span, |course, see| taylor::henon_heiles(&henon.start, course, see));
@@ -58,7 +58,7 @@ fn one_point_arrives() {
 #[test]
 fn planets_arrive() {
     let solar = Problems::default().solar();
-    // Jupiter turns once in 4333 days.
+    // Jupiter revolves once in 4333 days.
     let radians = solar.span / 4333.0 * std::f64::consts::TAU;
     arrives(&solar, radians, |course, see| taylor::solar(&solar.system, &solar.start, course, see));
 }

@@ -36,10 +36,10 @@ impl Member for FocusingChannel {
     fn energies(&self, at: &Phase<[f64; 2]>, time: f64) -> [f64; 2] {
         [self.kinetic(at.p), self.potential(at.q, time)]
     }
-    fn kinetic_twin<D: Number>(&self, p: &[D], _: f64) -> D {
+    fn kinetic_formula<D: Number>(&self, p: &[D], _: f64) -> D {
         half_squares(p)
     }
-    fn potential_twin<D: Number>(&self, q: &[D], time: f64) -> D {
+    fn potential_formula<D: Number>(&self, q: &[D], time: f64) -> D {
         let (xx, yy) = (q[0] * q[0], q[1] * q[1]);
         let linear = xx * (1.0 + 0.3 * (2.0 * time).sin()) + yy;
         linear * (self.quadrupole / 2.0)
@@ -75,10 +75,10 @@ impl Member for Bucket {
     fn energies(&self, at: &Phase<[f64; 1]>, _: f64) -> [f64; 2] {
         [self.kinetic(at.p), self.potential(at.q)]
     }
-    fn kinetic_twin<D: Number>(&self, p: &[D], _: f64) -> D {
+    fn kinetic_formula<D: Number>(&self, p: &[D], _: f64) -> D {
         half_squares(p) * self.slip
     }
-    fn potential_twin<D: Number>(&self, q: &[D], _: f64) -> D {
+    fn potential_formula<D: Number>(&self, q: &[D], _: f64) -> D {
         (q[0].cos() + (q[0] - self.synchronous) * self.synchronous.sin()) * self.voltage
     }
 }
@@ -108,10 +108,10 @@ impl Member for ExactDrift {
     fn energies(&self, at: &Phase<[f64; 2]>, _: f64) -> [f64; 2] {
         [self.kinetic(at.p), self.potential(at.q)]
     }
-    fn kinetic_twin<D: Number>(&self, p: &[D], _: f64) -> D {
+    fn kinetic_formula<D: Number>(&self, p: &[D], _: f64) -> D {
         -(-p[0] * p[0] - p[1] * p[1] + (1.0 + self.deviation).powi(2)).sqrt()
     }
-    fn potential_twin<D: Number>(&self, q: &[D], _: f64) -> D {
+    fn potential_formula<D: Number>(&self, q: &[D], _: f64) -> D {
         ((q[0] * q[0] + q[1] * q[1]) / 2.0 + q[0].powi(3) * 0.1) * self.focusing
     }
 }
@@ -142,10 +142,10 @@ impl Member for Relativistic {
     fn energies(&self, at: &Phase<[f64; 3]>, _: f64) -> [f64; 2] {
         [self.kinetic(at.p), self.potential(at.q)]
     }
-    fn kinetic_twin<D: Number>(&self, p: &[D], _: f64) -> D {
+    fn kinetic_formula<D: Number>(&self, p: &[D], _: f64) -> D {
         (half_squares(p) * 2.0 + self.light.powi(2)).sqrt() * self.light
     }
-    fn potential_twin<D: Number>(&self, q: &[D], _: f64) -> D {
+    fn potential_formula<D: Number>(&self, q: &[D], _: f64) -> D {
         -(half_squares(q) * 2.0 + 0.04).sqrt().recip() * self.charge
     }
 }
@@ -175,10 +175,10 @@ impl Member for Massless {
     fn energies(&self, at: &Phase<[f64; 2]>, _: f64) -> [f64; 2] {
         [self.kinetic(at.p), self.potential(at.q)]
     }
-    fn kinetic_twin<D: Number>(&self, p: &[D], _: f64) -> D {
+    fn kinetic_formula<D: Number>(&self, p: &[D], _: f64) -> D {
         (p[0] * p[0] + p[1] * p[1]).sqrt() * self.speed
     }
-    fn potential_twin<D: Number>(&self, q: &[D], _: f64) -> D {
+    fn potential_formula<D: Number>(&self, q: &[D], _: f64) -> D {
         let xx = q[0] * q[0];
         (xx / 2.0 + q[1] * q[1] / 4.0) * self.stiffness + xx * q[1] * 0.1
     }
@@ -209,10 +209,10 @@ impl Member for Bloch {
     fn energies(&self, at: &Phase<[f64; 1]>, _: f64) -> [f64; 2] {
         [self.kinetic(at.p), self.potential(at.q)]
     }
-    fn kinetic_twin<D: Number>(&self, p: &[D], _: f64) -> D {
+    fn kinetic_formula<D: Number>(&self, p: &[D], _: f64) -> D {
         (p[0] / 2.0).sin().powi(2) * (4.0 * self.band)
     }
-    fn potential_twin<D: Number>(&self, q: &[D], _: f64) -> D {
+    fn potential_formula<D: Number>(&self, q: &[D], _: f64) -> D {
         (q[0] * 0.05 + self.field) * q[0]
     }
 }
@@ -242,11 +242,11 @@ impl Member for CoupledRotors {
     fn energies(&self, at: &Phase<[f64; 2]>, _: f64) -> [f64; 2] {
         [self.kinetic(at.p), self.potential(at.q)]
     }
-    fn kinetic_twin<D: Number>(&self, p: &[D], _: f64) -> D {
+    fn kinetic_formula<D: Number>(&self, p: &[D], _: f64) -> D {
         let (aa, bb) = (p[0] * p[0], p[1] * p[1]);
         aa / 2.0 + bb + p[0] * p[1] * self.coupling + (aa * aa + bb * bb) * self.quartic
     }
-    fn potential_twin<D: Number>(&self, q: &[D], _: f64) -> D {
+    fn potential_formula<D: Number>(&self, q: &[D], _: f64) -> D {
         q[0].cos() * -2.0 - (q[1] - q[0]).cos()
     }
 }

@@ -33,10 +33,10 @@ impl Member for Kepler {
     fn energies(&self, at: &Phase<[f64; 2]>, _: f64) -> [f64; 2] {
         [self.kinetic(&at.p), self.potential(&at.q)]
     }
-    fn kinetic_twin<D: Number>(&self, p: &[D], _: f64) -> D {
+    fn kinetic_formula<D: Number>(&self, p: &[D], _: f64) -> D {
         half_squares(p) / self.mass
     }
-    fn potential_twin<D: Number>(&self, q: &[D], _: f64) -> D {
+    fn potential_formula<D: Number>(&self, q: &[D], _: f64) -> D {
         -(q[0] * q[0] + q[1] * q[1]).sqrt().recip() * self.mu
     }
 }
@@ -66,10 +66,10 @@ impl Member for AnisotropicKepler {
     fn energies(&self, at: &Phase<[f64; 2]>, _: f64) -> [f64; 2] {
         [self.kinetic(at.p), self.potential(at.q)]
     }
-    fn kinetic_twin<D: Number>(&self, p: &[D], _: f64) -> D {
+    fn kinetic_formula<D: Number>(&self, p: &[D], _: f64) -> D {
         p[0] * p[0] / (2.0 * self.heavy) + p[1] * p[1] / (2.0 * self.light)
     }
-    fn potential_twin<D: Number>(&self, q: &[D], _: f64) -> D {
+    fn potential_formula<D: Number>(&self, q: &[D], _: f64) -> D {
         -(q[0] * q[0] + q[1] * q[1]).sqrt().recip()
     }
 }
@@ -103,10 +103,10 @@ impl Member for Quarkonium {
     fn energies(&self, at: &Phase<[f64; 3]>, _: f64) -> [f64; 2] {
         [self.kinetic(at.p), self.potential(at.q)]
     }
-    fn kinetic_twin<D: Number>(&self, p: &[D], _: f64) -> D {
+    fn kinetic_formula<D: Number>(&self, p: &[D], _: f64) -> D {
         half_squares(p) / self.mass
     }
-    fn potential_twin<D: Number>(&self, q: &[D], _: f64) -> D {
+    fn potential_formula<D: Number>(&self, q: &[D], _: f64) -> D {
         let distance = (q[0] * q[0] + q[1] * q[1] + q[2] * q[2]).sqrt();
         distance * self.tension - distance.recip() * self.coulomb
     }
@@ -139,10 +139,10 @@ impl Member for Kratzer {
     fn energies(&self, at: &Phase<[f64; 2]>, _: f64) -> [f64; 2] {
         [self.kinetic(at.p), self.potential(at.q)]
     }
-    fn kinetic_twin<D: Number>(&self, p: &[D], _: f64) -> D {
+    fn kinetic_formula<D: Number>(&self, p: &[D], _: f64) -> D {
         half_squares(p)
     }
-    fn potential_twin<D: Number>(&self, q: &[D], _: f64) -> D {
+    fn potential_formula<D: Number>(&self, q: &[D], _: f64) -> D {
         let ratio = (q[0] * q[0] + q[1] * q[1]).sqrt().recip() * self.length;
         (ratio.powi(self.power) / 2.0 - ratio) * self.depth
     }
@@ -177,10 +177,10 @@ impl Member for FixedCentres {
     fn energies(&self, at: &Phase<[f64; 2]>, _: f64) -> [f64; 2] {
         [self.kinetic(at.p), self.potential(at.q)]
     }
-    fn kinetic_twin<D: Number>(&self, p: &[D], _: f64) -> D {
+    fn kinetic_formula<D: Number>(&self, p: &[D], _: f64) -> D {
         half_squares(p)
     }
-    fn potential_twin<D: Number>(&self, q: &[D], _: f64) -> D {
+    fn potential_formula<D: Number>(&self, q: &[D], _: f64) -> D {
         let pull = |([x, y], mass): ([f64; 2], f64)| -((q[0] - x).powi(2) + (q[1] - y).powi(2)).sqrt().recip() * mass;
         self.suns.into_iter().zip(self.masses).map(pull).sum()
     }
@@ -215,10 +215,10 @@ impl Member for SpringPendulum {
     fn energies(&self, at: &Phase<[f64; 2]>, _: f64) -> [f64; 2] {
         [self.kinetic(at.p), self.potential(at.q)]
     }
-    fn kinetic_twin<D: Number>(&self, p: &[D], _: f64) -> D {
+    fn kinetic_formula<D: Number>(&self, p: &[D], _: f64) -> D {
         half_squares(p)
     }
-    fn potential_twin<D: Number>(&self, q: &[D], _: f64) -> D {
+    fn potential_formula<D: Number>(&self, q: &[D], _: f64) -> D {
         let stretch = (q[0] * q[0] + q[1] * q[1]).sqrt() - self.length;
         stretch * stretch * (self.stiffness / 2.0) + (q[0] * 0.6 + q[1] * 0.8) * self.weight
     }
@@ -237,8 +237,8 @@ impl SoftBox {
         0.5 * p.iter().map(|p| p * p).sum::<f64>()
     }
     fn potential(&self, [x, y]: [f64; 2]) -> f64 {
-        // The nearest image in a box of 16, in the spellings that there are: the particle stays within half of it, where they
-        // all leave it where it is.
+        // The nearest image in a box of 16, in the spellings that there are: the particle stays within half of it,
+        // where they all leave it where it is.
         let x = x - 16.0 * (x / 16.0).round();
         let x = x - 16.0 * (x / 16.0 + 0.5).floor();
         let y = y - 16.0 * (y / 16.0 - 0.5).ceil();
@@ -267,10 +267,10 @@ impl Member for SoftBox {
     fn energies(&self, at: &Phase<[f64; 2]>, _: f64) -> [f64; 2] {
         [self.kinetic(at.p), self.potential(at.q)]
     }
-    fn kinetic_twin<D: Number>(&self, p: &[D], _: f64) -> D {
+    fn kinetic_formula<D: Number>(&self, p: &[D], _: f64) -> D {
         half_squares(p)
     }
-    fn potential_twin<D: Number>(&self, q: &[D], _: f64) -> D {
+    fn potential_formula<D: Number>(&self, q: &[D], _: f64) -> D {
         let magnitude = |x: D| if x < 0.0 { -x } else { x };
         let wall = |x: D| {
             let outside = magnitude(x) - self.half;

@@ -32,10 +32,10 @@ impl Member for FputAlpha {
     fn energies(&self, at: &Phase<Vec<f64>>, _: f64) -> [f64; 2] {
         [self.kinetic(&at.p), self.potential(&at.q)]
     }
-    fn kinetic_twin<D: Number>(&self, p: &[D], _: f64) -> D {
+    fn kinetic_formula<D: Number>(&self, p: &[D], _: f64) -> D {
         half_squares(p)
     }
-    fn potential_twin<D: Number>(&self, q: &[D], _: f64) -> D {
+    fn potential_formula<D: Number>(&self, q: &[D], _: f64) -> D {
         q.windows(2).map(|pair| spring(pair[1] - pair[0], self.alpha, 0.0)).sum()
     }
 }
@@ -77,10 +77,10 @@ impl Member for FputBeta {
     fn energies(&self, at: &Phase<[f64; 8]>, _: f64) -> [f64; 2] {
         [self.kinetic(&at.p), self.potential(&at.q)]
     }
-    fn kinetic_twin<D: Number>(&self, p: &[D], _: f64) -> D {
+    fn kinetic_formula<D: Number>(&self, p: &[D], _: f64) -> D {
         half_squares(p)
     }
-    fn potential_twin<D: Number>(&self, q: &[D], _: f64) -> D {
+    fn potential_formula<D: Number>(&self, q: &[D], _: f64) -> D {
         let ends = spring(q[0], 0.0, self.beta) + spring(-q[7], 0.0, self.beta);
         ends + q.windows(2).map(|pair| spring(pair[1] - pair[0], 0.0, self.beta)).sum::<D>()
     }
@@ -120,10 +120,10 @@ impl Member for Toda<5> {
     fn energies(&self, at: &Phase<[f64; 5]>, _: f64) -> [f64; 2] {
         [self.kinetic(at.p), self.potential(&at.q)]
     }
-    fn kinetic_twin<D: Number>(&self, p: &[D], _: f64) -> D {
+    fn kinetic_formula<D: Number>(&self, p: &[D], _: f64) -> D {
         half_squares(p)
     }
-    fn potential_twin<D: Number>(&self, q: &[D], _: f64) -> D {
+    fn potential_formula<D: Number>(&self, q: &[D], _: f64) -> D {
         let bond = |i: usize| {
             let stretch = q[(i + 1) % 5] - q[i];
             (stretch * -self.range).exp() * (self.strength / self.range) + stretch * self.strength
@@ -166,10 +166,10 @@ impl Member for FrenkelKontorova {
     fn energies(&self, at: &Phase<[f64; 6]>, _: f64) -> [f64; 2] {
         [self.kinetic(&at.p), self.potential(&at.q)]
     }
-    fn kinetic_twin<D: Number>(&self, p: &[D], _: f64) -> D {
+    fn kinetic_formula<D: Number>(&self, p: &[D], _: f64) -> D {
         half_squares(p)
     }
-    fn potential_twin<D: Number>(&self, q: &[D], _: f64) -> D {
+    fn potential_formula<D: Number>(&self, q: &[D], _: f64) -> D {
         let wave = std::f64::consts::TAU;
         let springs: D = q.windows(2).map(|pair| (pair[1] - pair[0] - self.misfit).powi(2)).sum();
         let surface: D = q.iter().map(|x| -(*x * wave).cos() + 1.0).sum();
@@ -177,7 +177,8 @@ impl Member for FrenkelKontorova {
     }
 }
 
-/// Base pairs of DNA that open: Morse potentials of different depths, stacked nonlinearly (Dauxois, Peyrard, Bishop 1993).
+/// Base pairs of DNA that open: Morse potentials of different depths, stacked nonlinearly (Dauxois, Peyrard, Bishop
+/// 1993).
 pub(crate) struct PeyrardBishop {
     depth: Vec<f64>,
     width: f64,
@@ -222,10 +223,10 @@ impl Member for PeyrardBishop {
     fn energies(&self, at: &Phase<Vec<f64>>, _: f64) -> [f64; 2] {
         [self.kinetic(&at.p), self.potential(&at.q)]
     }
-    fn kinetic_twin<D: Number>(&self, p: &[D], _: f64) -> D {
+    fn kinetic_formula<D: Number>(&self, p: &[D], _: f64) -> D {
         half_squares(p)
     }
-    fn potential_twin<D: Number>(&self, y: &[D], _: f64) -> D {
+    fn potential_formula<D: Number>(&self, y: &[D], _: f64) -> D {
         let Stacking { stiffness, gain, decay } = self.stacking;
         let morse = |(y, depth): (&D, &f64)| (*y * -self.width).exp_m1().powi(2) * *depth;
         let stack = |pair: &[D]| {
@@ -270,11 +271,11 @@ impl Member for Diatomic {
     fn energies(&self, at: &Phase<[f64; 6]>, _: f64) -> [f64; 2] {
         [self.kinetic(&at.p), self.potential(&at.q)]
     }
-    fn kinetic_twin<D: Number>(&self, p: &[D], _: f64) -> D {
+    fn kinetic_formula<D: Number>(&self, p: &[D], _: f64) -> D {
         let (light, heavy) = self.masses;
         p.iter().enumerate().map(|(i, p)| *p * *p / (2.0 * if i % 2 == 0 { light } else { heavy })).sum()
     }
-    fn potential_twin<D: Number>(&self, q: &[D], _: f64) -> D {
+    fn potential_formula<D: Number>(&self, q: &[D], _: f64) -> D {
         q.windows(2).map(|pair| spring(pair[1] - pair[0], self.alpha, self.beta)).sum()
     }
 }
@@ -311,10 +312,10 @@ impl Member for HertzBeads {
     fn energies(&self, at: &Phase<[f64; 4]>, _: f64) -> [f64; 2] {
         [self.kinetic(&at.p), self.potential(&at.q)]
     }
-    fn kinetic_twin<D: Number>(&self, p: &[D], _: f64) -> D {
+    fn kinetic_formula<D: Number>(&self, p: &[D], _: f64) -> D {
         half_squares(p)
     }
-    fn potential_twin<D: Number>(&self, q: &[D], _: f64) -> D {
+    fn potential_formula<D: Number>(&self, q: &[D], _: f64) -> D {
         let contact = |pair: &[D]| {
             let overlap = pair[0] - pair[1] + self.diameter;
             if overlap > 0.0 { overlap.powf(2.5) * (0.4 * self.hardness) } else { D::zero() }

@@ -46,10 +46,10 @@ impl Member for LennardJones {
     fn energies(&self, at: &Phase<Vec<[f64; 3]>>, _: f64) -> [f64; 2] {
         [self.kinetic(&at.p), self.potential(&at.q)]
     }
-    fn kinetic_twin<D: Number>(&self, p: &[D], _: f64) -> D {
+    fn kinetic_formula<D: Number>(&self, p: &[D], _: f64) -> D {
         half_squares(p) / self.mass
     }
-    fn potential_twin<D: Number>(&self, q: &[D], _: f64) -> D {
+    fn potential_formula<D: Number>(&self, q: &[D], _: f64) -> D {
         let pair = |square: D| {
             let sixth = (square / self.sigma.powi(2)).powi(-3);
             if square < self.cutoff.powi(2) { (sixth - 1.0) * sixth * (4.0 * self.epsilon) } else { D::zero() }
@@ -102,10 +102,10 @@ impl Member for Morse {
     fn energies(&self, at: &Phase<[[f64; 2]; 4]>, _: f64) -> [f64; 2] {
         [self.kinetic(&at.p), self.potential(&at.q)]
     }
-    fn kinetic_twin<D: Number>(&self, p: &[D], _: f64) -> D {
+    fn kinetic_formula<D: Number>(&self, p: &[D], _: f64) -> D {
         half_squares(p)
     }
-    fn potential_twin<D: Number>(&self, q: &[D], _: f64) -> D {
+    fn potential_formula<D: Number>(&self, q: &[D], _: f64) -> D {
         let pair = |square: D| {
             let distance = square.sqrt();
             let decayed = (-(distance - self.length) * self.width).exp();
@@ -168,10 +168,10 @@ impl Member for Colloids {
     fn energies(&self, at: &Phase<[[f64; 2]; 3]>, _: f64) -> [f64; 2] {
         [self.kinetic(&at.p), self.potential(&at.q)]
     }
-    fn kinetic_twin<D: Number>(&self, p: &[D], _: f64) -> D {
+    fn kinetic_formula<D: Number>(&self, p: &[D], _: f64) -> D {
         half_squares(p)
     }
-    fn potential_twin<D: Number>(&self, q: &[D], _: f64) -> D {
+    fn potential_formula<D: Number>(&self, q: &[D], _: f64) -> D {
         let Self { strength, screening, cutoff } = *self;
         let end = strength / cutoff * (-screening * cutoff).exp();
         let pair = |square: D| {
@@ -184,7 +184,8 @@ impl Member for Colloids {
     }
 }
 
-/// Silicon in a nutshell: bonds, and angles between them, in degrees, that want to be tetrahedral (after Stillinger and Weber 1985).
+/// Silicon in a nutshell: bonds, and angles between them, in degrees, that want to be tetrahedral (after Stillinger and
+/// Weber 1985).
 pub(crate) struct BondAngles {
     stiffness: f64,
     bending: f64,
@@ -226,10 +227,10 @@ impl Member for BondAngles {
     fn energies(&self, at: &Phase<[[f64; 3]; 3]>, _: f64) -> [f64; 2] {
         [self.kinetic(&at.p), self.potential(&at.q)]
     }
-    fn kinetic_twin<D: Number>(&self, p: &[D], _: f64) -> D {
+    fn kinetic_formula<D: Number>(&self, p: &[D], _: f64) -> D {
         half_squares(p)
     }
-    fn potential_twin<D: Number>(&self, q: &[D], _: f64) -> D {
+    fn potential_formula<D: Number>(&self, q: &[D], _: f64) -> D {
         let q = points::<D, 3>(q);
         let dot = |a: usize, b: usize| -> D { (0..3).map(|d| (q[a][d] - q[0][d]) * (q[b][d] - q[0][d])).sum() };
         let (a, b) = (dot(1, 1).sqrt(), dot(2, 2).sqrt());

@@ -33,10 +33,10 @@ impl Member for Logarithmic {
     fn energies(&self, at: &Phase<[f64; 3]>, _: f64) -> [f64; 2] {
         [self.kinetic(at.p), self.potential(at.q)]
     }
-    fn kinetic_twin<D: Number>(&self, p: &[D], _: f64) -> D {
+    fn kinetic_formula<D: Number>(&self, p: &[D], _: f64) -> D {
         half_squares(p)
     }
-    fn potential_twin<D: Number>(&self, q: &[D], _: f64) -> D {
+    fn potential_formula<D: Number>(&self, q: &[D], _: f64) -> D {
         let squares = q[0].powi(2) + q[1].powi(2) + (q[2] / self.flattening).powi(2) + self.core.powi(2);
         squares.ln() * (self.speed.powi(2) / 2.0)
     }
@@ -70,10 +70,10 @@ impl Member for MiyamotoNagai {
     fn energies(&self, at: &Phase<[f64; 3]>, _: f64) -> [f64; 2] {
         [self.kinetic(&at.p), self.potential(&at.q)]
     }
-    fn kinetic_twin<D: Number>(&self, p: &[D], _: f64) -> D {
+    fn kinetic_formula<D: Number>(&self, p: &[D], _: f64) -> D {
         half_squares(p)
     }
-    fn potential_twin<D: Number>(&self, q: &[D], _: f64) -> D {
+    fn potential_formula<D: Number>(&self, q: &[D], _: f64) -> D {
         let thickened = (q[2] * q[2] + self.height.powi(2)).sqrt() + self.length;
         -(q[0] * q[0] + q[1] * q[1] + thickened * thickened).sqrt().recip() * self.strength
     }
@@ -104,10 +104,10 @@ impl Member for Plummer {
     fn energies(&self, at: &Phase<[f64; 2]>, _: f64) -> [f64; 2] {
         [self.kinetic(at.p), self.potential(at.q)]
     }
-    fn kinetic_twin<D: Number>(&self, p: &[D], _: f64) -> D {
+    fn kinetic_formula<D: Number>(&self, p: &[D], _: f64) -> D {
         half_squares(p)
     }
-    fn potential_twin<D: Number>(&self, q: &[D], _: f64) -> D {
+    fn potential_formula<D: Number>(&self, q: &[D], _: f64) -> D {
         -(q[0] * q[0] + q[1] * q[1] + self.radius.powi(2)).sqrt().recip() * self.strength
     }
 }
@@ -137,10 +137,10 @@ impl Member for Hernquist {
     fn energies(&self, at: &Phase<[f64; 2]>, _: f64) -> [f64; 2] {
         [self.kinetic(at.p), self.potential(at.q)]
     }
-    fn kinetic_twin<D: Number>(&self, p: &[D], _: f64) -> D {
+    fn kinetic_formula<D: Number>(&self, p: &[D], _: f64) -> D {
         half_squares(p)
     }
-    fn potential_twin<D: Number>(&self, q: &[D], _: f64) -> D {
+    fn potential_formula<D: Number>(&self, q: &[D], _: f64) -> D {
         -((q[0] * q[0] + q[1] * q[1]).sqrt() + self.scale).recip() * self.strength
     }
 }
@@ -172,10 +172,10 @@ impl Member for NavarroFrenkWhite {
     fn energies(&self, at: &Phase<[f64; 3]>, _: f64) -> [f64; 2] {
         [self.kinetic(&at.p), self.potential(&at.q)]
     }
-    fn kinetic_twin<D: Number>(&self, p: &[D], _: f64) -> D {
+    fn kinetic_formula<D: Number>(&self, p: &[D], _: f64) -> D {
         half_squares(p)
     }
-    fn potential_twin<D: Number>(&self, q: &[D], _: f64) -> D {
+    fn potential_formula<D: Number>(&self, q: &[D], _: f64) -> D {
         let radius = (q[0] * q[0] + q[1] * q[1] + q[2] * q[2]).sqrt();
         -(radius / self.scale).ln_1p() / radius * self.strength
     }
@@ -207,10 +207,10 @@ impl Member for Isochrone {
     fn energies(&self, at: &Phase<[f64; 2]>, _: f64) -> [f64; 2] {
         [self.kinetic(at.p), self.potential(at.q)]
     }
-    fn kinetic_twin<D: Number>(&self, p: &[D], _: f64) -> D {
+    fn kinetic_formula<D: Number>(&self, p: &[D], _: f64) -> D {
         half_squares(p)
     }
-    fn potential_twin<D: Number>(&self, q: &[D], _: f64) -> D {
+    fn potential_formula<D: Number>(&self, q: &[D], _: f64) -> D {
         let distance = (q[0] * q[0] + q[1] * q[1] + self.scale.powi(2)).sqrt();
         -(distance + self.scale).recip() * self.strength
     }
@@ -252,10 +252,10 @@ impl Member for RotatingBar {
     fn energies(&self, at: &Phase<[f64; 2]>, time: f64) -> [f64; 2] {
         [self.kinetic(at.p), self.potential(at.q, time)]
     }
-    fn kinetic_twin<D: Number>(&self, p: &[D], _: f64) -> D {
+    fn kinetic_formula<D: Number>(&self, p: &[D], _: f64) -> D {
         half_squares(p)
     }
-    fn potential_twin<D: Number>(&self, q: &[D], time: f64) -> D {
+    fn potential_formula<D: Number>(&self, q: &[D], time: f64) -> D {
         let square = q[0] * q[0] + q[1] * q[1];
         let (radius, spread) = (square.sqrt(), square + 1.0);
         let bar = square / spread.powi(3) * self.strength;

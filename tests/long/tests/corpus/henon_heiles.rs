@@ -24,10 +24,10 @@ impl Member for HenonHeiles {
     fn energies(&self, at: &Phase<[f64; 2]>, _: f64) -> [f64; 2] {
         [self.kinetic(at.p), self.potential(at.q)]
     }
-    fn kinetic_twin<D: Number>(&self, p: &[D], _: f64) -> D {
+    fn kinetic_formula<D: Number>(&self, p: &[D], _: f64) -> D {
         (p[0] * p[0] + p[1] * p[1]) / 2.0
     }
-    fn potential_twin<D: Number>(&self, q: &[D], _: f64) -> D {
+    fn potential_formula<D: Number>(&self, q: &[D], _: f64) -> D {
         let (x, y) = (q[0], q[1]);
         (x * x + y * y) / 2.0 + (x * x - y * y / 3.0) * y
     }

@@ -37,10 +37,10 @@ impl Member for PhiFour {
     fn energies(&self, at: &Phase<Vec<f64>>, _: f64) -> [f64; 2] {
         [self.kinetic(&at.p), self.potential(&at.q)]
     }
-    fn kinetic_twin<D: Number>(&self, p: &[D], _: f64) -> D {
+    fn kinetic_formula<D: Number>(&self, p: &[D], _: f64) -> D {
         half_squares(p) / self.spacing
     }
-    fn potential_twin<D: Number>(&self, q: &[D], _: f64) -> D {
+    fn potential_formula<D: Number>(&self, q: &[D], _: f64) -> D {
         let next = q.iter().cycle().skip(1);
         let slopes: D = q.iter().zip(next).map(|(here, there)| (*there - *here).powi(2)).sum();
         let wells: D = q.iter().map(|x| (*x * *x - 1.0).powi(2)).sum();
@@ -83,10 +83,10 @@ impl Member for PlanarSpins {
     fn energies(&self, at: &Phase<Vec<f64>>, _: f64) -> [f64; 2] {
         [self.kinetic(&at.p), self.potential(&at.q)]
     }
-    fn kinetic_twin<D: Number>(&self, p: &[D], _: f64) -> D {
+    fn kinetic_formula<D: Number>(&self, p: &[D], _: f64) -> D {
         half_squares(p)
     }
-    fn potential_twin<D: Number>(&self, q: &[D], _: f64) -> D {
+    fn potential_formula<D: Number>(&self, q: &[D], _: f64) -> D {
         let (w, h) = (self.width as usize, self.height);
         let at = |i: usize, j: usize| q[i % h * w + j % w];
         let mut sum = D::zero();
@@ -138,10 +138,10 @@ impl Member for Network {
     fn energies(&self, at: &Phase<[f64; 5]>, _: f64) -> [f64; 2] {
         [self.kinetic(&at.p), self.potential(&at.q)]
     }
-    fn kinetic_twin<D: Number>(&self, p: &[D], _: f64) -> D {
+    fn kinetic_formula<D: Number>(&self, p: &[D], _: f64) -> D {
         half_squares(p)
     }
-    fn potential_twin<D: Number>(&self, q: &[D], _: f64) -> D {
+    fn potential_formula<D: Number>(&self, q: &[D], _: f64) -> D {
         let bond = |(&(a, b), stiffness): (&(usize, usize), &f64)| {
             let square = (q[b] - q[a]).powi(2);
             square * (stiffness / 2.0) + square * square * 0.1
@@ -194,10 +194,10 @@ impl Member for Membrane<'static, 4> {
     fn energies(&self, at: &Phase<[[f64; 3]; 4]>, _: f64) -> [f64; 2] {
         [self.kinetic(&at.p), self.potential(&at.q)]
     }
-    fn kinetic_twin<D: Number>(&self, p: &[D], _: f64) -> D {
+    fn kinetic_formula<D: Number>(&self, p: &[D], _: f64) -> D {
         half_squares(p)
     }
-    fn potential_twin<D: Number>(&self, q: &[D], _: f64) -> D {
+    fn potential_formula<D: Number>(&self, q: &[D], _: f64) -> D {
         let q = points::<D, 3>(q);
         let spring = |a: usize, b: usize| {
             let square: D = q[a].iter().zip(&q[b]).map(|(a, b)| (*a - *b).powi(2)).sum();
@@ -256,11 +256,11 @@ impl Member for Dimers<f64> {
     fn energies(&self, at: &Phase<Vec<f64>>, _: f64) -> [f64; 2] {
         [self.kinetic(&at.p), self.potential(&at.q)]
     }
-    fn kinetic_twin<D: Number>(&self, p: &[D], _: f64) -> D {
+    fn kinetic_formula<D: Number>(&self, p: &[D], _: f64) -> D {
         let last = p.len() - 1;
         p.iter().enumerate().map(|(i, p)| *p * *p * [0.6, 0.5][(last - i) % 2]).sum()
     }
-    fn potential_twin<D: Number>(&self, q: &[D], _: f64) -> D {
+    fn potential_formula<D: Number>(&self, q: &[D], _: f64) -> D {
         let stiffness = [self.law, self.weak].into_iter().cycle();
         let bond = |(pair, stiffness): (&[D], f64)| ((pair[1] - pair[0]).cosh() - 1.0) * stiffness;
         q.windows(2).zip(stiffness).map(bond).sum::<D>() + q[0].powi(4) * 0.5 + q[1].powi(4) * 1.5

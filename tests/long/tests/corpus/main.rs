@@ -1,8 +1,8 @@
 //! Hamiltonians from the literature, as their users would write them, and what the generated steppers make of them.
 //!
-//! Every gradient is derived three times: by the macro, by dual numbers through a twin of the formula, and by
-//! `reference.py` with fifty digits. The twins and the reference were written from the formulas, not from each other.
-//! All of it holds on every instruction set; [`instruction_sets`] starts a process for each of the others.
+//! Every gradient is derived three times: by the macro, by dual numbers through the formula written a second time, and
+//! by `reference.py` with fifty digits. These formulas and the reference were written from the formulas, not from each
+//! other. All of it holds on every instruction set; [`instruction_sets`] starts a process for each of the others.
 
 mod accelerator;
 mod central;
@@ -27,10 +27,10 @@ use integrator_core::prelude::{Chin4A, Verlet, Yoshida4};
 
 /// One test per system; its name is that of the system in the reference.
 ///
-/// Behind a system stands the method that it is certified with. For a quadratic `T` this is mostly `Chin4A`, which has the
-/// order 4 only if the generated second derivatives are right. Of the systems below the line, each has the layout and the kind
-/// of function of some system above it, and they are certified where the feature `every-certificate` asks for it: what is
-/// compiled for a certificate takes longer than all else of a system.
+/// Behind a system stands the method that it is certified with. For a quadratic `T` this is mostly `Chin4A`, which has
+/// the order 4 only if the generated second derivatives are right. Of the systems below the line, each has the layout
+/// and the kind of function of some system above it, and they are certified where the feature `every-certificate` asks
+/// for it: what is compiled for a certificate takes longer than all else of a system.
 macro_rules! corpus {
     ($($name:ident: $system:ty, $method:ident;)* --- $($more:ident: $more_system:ty, $more_method:ident;)*) => {
         $(#[test]

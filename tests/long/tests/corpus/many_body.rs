@@ -47,10 +47,10 @@ impl Member for Gravity {
     fn energies(&self, at: &Phase<[[f64; 3]; 4]>, _: f64) -> [f64; 2] {
         [self.kinetic(&at.p), self.potential(&at.q)]
     }
-    fn kinetic_twin<D: Number>(&self, p: &[D], _: f64) -> D {
+    fn kinetic_formula<D: Number>(&self, p: &[D], _: f64) -> D {
         p.chunks(3).zip(self.masses).map(|(p, mass)| half_squares(p) / mass).sum()
     }
-    fn potential_twin<D: Number>(&self, q: &[D], _: f64) -> D {
+    fn potential_formula<D: Number>(&self, q: &[D], _: f64) -> D {
         let products = (0..4).flat_map(|i| (0..i).map(move |j| (i, j))).map(|(i, j)| self.masses[i] * self.masses[j]);
         let softened = |square: D| (square + self.softening.powi(2)).sqrt().recip();
         let pair = |(square, product): (D, f64)| -softened(square) * (self.constant * product);
@@ -58,7 +58,8 @@ impl Member for Gravity {
     }
 }
 
-/// Three equal bodies, written out by their coordinates (the start is near the figure eight of Chenciner and Montgomery).
+/// Three equal bodies, written out by their coordinates (the start is near the figure eight of Chenciner and
+/// Montgomery).
 pub(crate) struct ThreeBodies;
 
 #[hamiltonian]
@@ -83,10 +84,10 @@ impl Member for ThreeBodies {
     fn energies(&self, at: &Phase<[[f64; 2]; 3]>, _: f64) -> [f64; 2] {
         [self.kinetic(at.p), self.potential(at.q)]
     }
-    fn kinetic_twin<D: Number>(&self, p: &[D], _: f64) -> D {
+    fn kinetic_formula<D: Number>(&self, p: &[D], _: f64) -> D {
         half_squares(p)
     }
-    fn potential_twin<D: Number>(&self, q: &[D], _: f64) -> D {
+    fn potential_formula<D: Number>(&self, q: &[D], _: f64) -> D {
         -pairs::<D, 2>(q).into_iter().map(|square| square.sqrt().recip()).sum::<D>()
     }
 }
@@ -126,10 +127,10 @@ impl Member for CoulombCrystal {
     fn energies(&self, at: &Phase<Vec<[f64; 3]>>, _: f64) -> [f64; 2] {
         [self.kinetic(&at.p), self.potential(&at.q)]
     }
-    fn kinetic_twin<D: Number>(&self, p: &[D], _: f64) -> D {
+    fn kinetic_formula<D: Number>(&self, p: &[D], _: f64) -> D {
         half_squares(p)
     }
-    fn potential_twin<D: Number>(&self, q: &[D], _: f64) -> D {
+    fn potential_formula<D: Number>(&self, q: &[D], _: f64) -> D {
         let trap = |ion: [D; 3]| -> D { ion.iter().zip(self.stiffness).map(|(x, k)| *x * *x * (k / 2.0)).sum() };
         let repulsion: D = pairs::<D, 3>(q).into_iter().map(|square| square.sqrt().recip()).sum();
         repulsion + points(q).into_iter().map(trap).sum::<D>()
@@ -163,10 +164,10 @@ impl Member for CalogeroMoser {
     fn energies(&self, at: &Phase<Vec<f64>>, _: f64) -> [f64; 2] {
         [self.kinetic(&at.p), self.potential(&at.q)]
     }
-    fn kinetic_twin<D: Number>(&self, p: &[D], _: f64) -> D {
+    fn kinetic_formula<D: Number>(&self, p: &[D], _: f64) -> D {
         half_squares(p)
     }
-    fn potential_twin<D: Number>(&self, q: &[D], _: f64) -> D {
+    fn potential_formula<D: Number>(&self, q: &[D], _: f64) -> D {
         let repulsion: D = pairs::<D, 1>(q).into_iter().map(|square| square.recip()).sum();
         half_squares(q) * self.frequency.powi(2) + repulsion * self.coupling
     }
@@ -209,10 +210,10 @@ impl Member for Sutherland<4> {
     fn energies(&self, at: &Phase<[f64; 4]>, _: f64) -> [f64; 2] {
         [self.kinetic(&at.p), self.potential(&at.q)]
     }
-    fn kinetic_twin<D: Number>(&self, p: &[D], _: f64) -> D {
+    fn kinetic_formula<D: Number>(&self, p: &[D], _: f64) -> D {
         half_squares(p)
     }
-    fn potential_twin<D: Number>(&self, q: &[D], _: f64) -> D {
+    fn potential_formula<D: Number>(&self, q: &[D], _: f64) -> D {
         let wave = std::f64::consts::PI / self.circumference;
         let chord = |square: D| (square.sqrt() * wave).sin().powi(-2) * wave.powi(2);
         pairs::<D, 1>(q).into_iter().map(chord).sum::<D>() * self.coupling
@@ -250,10 +251,10 @@ impl Member for Sheets {
     fn energies(&self, at: &Phase<[f64; 3]>, _: f64) -> [f64; 2] {
         [self.kinetic(at.p), self.potential(at.q)]
     }
-    fn kinetic_twin<D: Number>(&self, p: &[D], _: f64) -> D {
+    fn kinetic_formula<D: Number>(&self, p: &[D], _: f64) -> D {
         half_squares(p)
     }
-    fn potential_twin<D: Number>(&self, q: &[D], _: f64) -> D {
+    fn potential_formula<D: Number>(&self, q: &[D], _: f64) -> D {
         let apart = [q[1] - q[0], q[2] - q[0], q[2] - q[1]];
         apart.into_iter().map(|x| if x < 0.0 { -x } else { x }).sum::<D>() * self.density
     }

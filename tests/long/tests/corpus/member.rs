@@ -15,12 +15,12 @@ pub(crate) trait Member: Hamiltonian<Coords: Filled> {
     /// `T` and `V` by the user's own functions.
     fn energies(&self, at: &Phase<Self::Coords>, time: f64) -> [f64; 2];
     /// `T` once more, for dual numbers; coordinates are flat.
-    fn kinetic_twin<D: Number>(&self, p: &[D], time: f64) -> D;
+    fn kinetic_formula<D: Number>(&self, p: &[D], time: f64) -> D;
     /// `V` once more, for dual numbers; coordinates are flat.
-    fn potential_twin<D: Number>(&self, q: &[D], time: f64) -> D;
+    fn potential_formula<D: Number>(&self, q: &[D], time: f64) -> D;
 }
 
-/// What twins compute in.
+/// What formulas are computed in.
 pub(crate) trait Number: DualNum<Primitive = f64> + Copy {}
 
 impl<D: DualNum<Primitive = f64> + Copy> Number for D {}

@@ -41,10 +41,10 @@ impl Member for MeanField {
     fn energies(&self, at: &Phase<Vec<f64>>, _: f64) -> [f64; 2] {
         [self.kinetic(&at.p), self.potential(&at.q)]
     }
-    fn kinetic_twin<D: Number>(&self, p: &[D], _: f64) -> D {
+    fn kinetic_formula<D: Number>(&self, p: &[D], _: f64) -> D {
         half_squares(p)
     }
-    fn potential_twin<D: Number>(&self, q: &[D], _: f64) -> D {
+    fn potential_formula<D: Number>(&self, q: &[D], _: f64) -> D {
         let (along, across): (D, D) = (q.iter().map(|x| x.cos()).sum(), q.iter().map(|x| x.sin()).sum());
         let rotors = q.len() as f64;
         (-(along * along + across * across) / rotors + rotors) * (self.coupling / 2.0)
@@ -81,10 +81,10 @@ impl Member for LongRange {
     fn energies(&self, at: &Phase<[f64; 5]>, _: f64) -> [f64; 2] {
         [self.kinetic(&at.p), self.potential(&at.q)]
     }
-    fn kinetic_twin<D: Number>(&self, p: &[D], _: f64) -> D {
+    fn kinetic_formula<D: Number>(&self, p: &[D], _: f64) -> D {
         half_squares(p)
     }
-    fn potential_twin<D: Number>(&self, q: &[D], _: f64) -> D {
+    fn potential_formula<D: Number>(&self, q: &[D], _: f64) -> D {
         let mut sum = D::zero();
         for (i, j) in (0..5).flat_map(|i| (0..i).map(move |j| (i, j))) {
             sum += (-(q[i] - q[j]).cos() + 1.0) * ((i - j) as f64).powf(-self.decay);
@@ -121,10 +121,10 @@ impl Member for SineGordon {
     fn energies(&self, at: &Phase<Vec<f64>>, _: f64) -> [f64; 2] {
         [self.kinetic(&at.p), self.potential(&at.q)]
     }
-    fn kinetic_twin<D: Number>(&self, p: &[D], _: f64) -> D {
+    fn kinetic_formula<D: Number>(&self, p: &[D], _: f64) -> D {
         half_squares(p) / self.spacing
     }
-    fn potential_twin<D: Number>(&self, q: &[D], _: f64) -> D {
+    fn potential_formula<D: Number>(&self, q: &[D], _: f64) -> D {
         let bar: D = q.windows(2).map(|pair| (pair[1] - pair[0]).powi(2)).sum();
         let gravity: D = q.iter().map(|angle| -angle.cos() + 1.0).sum();
         let defects: D = q.iter().skip(1).step_by(2).map(|angle| angle.cos()).sum();
@@ -164,11 +164,11 @@ impl Member for GearedPendula {
     fn energies(&self, at: &Phase<[f64; 4]>, _: f64) -> [f64; 2] {
         [self.kinetic(&at.p), self.potential(&at.q)]
     }
-    fn kinetic_twin<D: Number>(&self, p: &[D], _: f64) -> D {
+    fn kinetic_formula<D: Number>(&self, p: &[D], _: f64) -> D {
         let geared = p[0] * p[1] + p[1] * p[2] + p[2] * p[3];
         (half_squares(p) + geared * (self.gearing / 2.0)) / self.inertia
     }
-    fn potential_twin<D: Number>(&self, q: &[D], _: f64) -> D {
+    fn potential_formula<D: Number>(&self, q: &[D], _: f64) -> D {
         -q.iter().zip(self.weights).map(|(angle, weight)| angle.cos() * weight).sum::<D>()
     }
 }
@@ -198,11 +198,11 @@ impl Member for FreeTop {
     fn energies(&self, at: &Phase<[f64; 2]>, _: f64) -> [f64; 2] {
         [self.kinetic(at.p), self.potential(at.q)]
     }
-    fn kinetic_twin<D: Number>(&self, p: &[D], _: f64) -> D {
+    fn kinetic_formula<D: Number>(&self, p: &[D], _: f64) -> D {
         let product = p[0] * p[1];
         (p[0] * p[0] + product + p[1] * p[1]) / (2.0 * self.inertia) + product.cos() * 0.1
     }
-    fn potential_twin<D: Number>(&self, _: &[D], _: f64) -> D {
+    fn potential_formula<D: Number>(&self, _: &[D], _: f64) -> D {
         D::zero()
     }
 }

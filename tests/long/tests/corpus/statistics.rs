@@ -45,10 +45,10 @@ impl Member for Logistic {
     fn energies(&self, at: &Phase<[f64; WEIGHTS]>, _: f64) -> [f64; 2] {
         [self.kinetic(&at.p), self.potential(&at.q)]
     }
-    fn kinetic_twin<D: Number>(&self, p: &[D], _: f64) -> D {
+    fn kinetic_formula<D: Number>(&self, p: &[D], _: f64) -> D {
         half_squares(p)
     }
-    fn potential_twin<D: Number>(&self, q: &[D], _: f64) -> D {
+    fn potential_formula<D: Number>(&self, q: &[D], _: f64) -> D {
         let loss = |(row, label): (&[f64; WEIGHTS], &bool)| {
             let logit: D = q.iter().zip(row).map(|(w, x)| *w * *x).sum();
             (if *label { -logit } else { logit }).exp().ln_1p()
@@ -87,10 +87,10 @@ impl Member for Poisson {
     fn energies(&self, at: &Phase<[f64; 2]>, _: f64) -> [f64; 2] {
         [self.kinetic(at.p), self.potential(at.q)]
     }
-    fn kinetic_twin<D: Number>(&self, p: &[D], _: f64) -> D {
+    fn kinetic_formula<D: Number>(&self, p: &[D], _: f64) -> D {
         half_squares(p)
     }
-    fn potential_twin<D: Number>(&self, q: &[D], _: f64) -> D {
+    fn potential_formula<D: Number>(&self, q: &[D], _: f64) -> D {
         let loss = |(x, count): (&f64, &usize)| {
             let rate = q[1] * *x + q[0];
             rate.exp() - rate * *count as f64
@@ -124,10 +124,10 @@ impl Member for Funnel {
     fn energies(&self, at: &Phase<Vec<f64>>, _: f64) -> [f64; 2] {
         [self.kinetic(&at.p), self.potential(&at.q)]
     }
-    fn kinetic_twin<D: Number>(&self, p: &[D], _: f64) -> D {
+    fn kinetic_formula<D: Number>(&self, p: &[D], _: f64) -> D {
         half_squares(p)
     }
-    fn potential_twin<D: Number>(&self, q: &[D], _: f64) -> D {
+    fn potential_formula<D: Number>(&self, q: &[D], _: f64) -> D {
         let others = &q[1..];
         q[0] * q[0] / 18.0 + half_squares(others) * (-q[0]).exp() + q[0] * (others.len() as f64 / 2.0)
     }
@@ -161,10 +161,10 @@ impl Member for Rosenbrock {
     fn energies(&self, at: &Phase<[f64; 4]>, _: f64) -> [f64; 2] {
         [self.kinetic(&at.p), self.potential(&at.q)]
     }
-    fn kinetic_twin<D: Number>(&self, p: &[D], _: f64) -> D {
+    fn kinetic_formula<D: Number>(&self, p: &[D], _: f64) -> D {
         half_squares(p)
     }
-    fn potential_twin<D: Number>(&self, q: &[D], _: f64) -> D {
+    fn potential_formula<D: Number>(&self, q: &[D], _: f64) -> D {
         let valley = |pair: &[D]| {
             let (wall, floor) = (pair[1] - pair[0] * pair[0], pair[0] - 1.0);
             wall * wall * (self.steepness / 20.0) + floor * floor / 20.0
@@ -204,10 +204,10 @@ impl Member for Mixture {
     fn energies(&self, at: &Phase<[f64; 2]>, _: f64) -> [f64; 2] {
         [self.kinetic(at.p), self.potential(at.q)]
     }
-    fn kinetic_twin<D: Number>(&self, p: &[D], _: f64) -> D {
+    fn kinetic_formula<D: Number>(&self, p: &[D], _: f64) -> D {
         half_squares(p)
     }
-    fn potential_twin<D: Number>(&self, q: &[D], _: f64) -> D {
+    fn potential_formula<D: Number>(&self, q: &[D], _: f64) -> D {
         let mode =
             |(weight, [x, y]): (f64, [f64; 2])| (-((q[0] - x).powi(2) + (q[1] - y).powi(2)) / 2.0).exp() * weight;
         -[self.weight, 1.0 - self.weight].into_iter().zip(self.means).map(mode).sum::<D>().ln()
@@ -250,10 +250,10 @@ impl Member for Schools {
     fn energies(&self, at: &Phase<[f64; 5]>, _: f64) -> [f64; 2] {
         [self.kinetic(&at.p), self.potential(&at.q)]
     }
-    fn kinetic_twin<D: Number>(&self, p: &[D], _: f64) -> D {
+    fn kinetic_formula<D: Number>(&self, p: &[D], _: f64) -> D {
         half_squares(p)
     }
-    fn potential_twin<D: Number>(&self, q: &[D], _: f64) -> D {
+    fn potential_formula<D: Number>(&self, q: &[D], _: f64) -> D {
         let width = q[4].exp();
         let school = |i: usize| ((q[3] + width * q[i] - self.effects[i]) / self.errors[i]).powi(2);
         half_squares(&q[..3])
@@ -292,10 +292,10 @@ impl Member for Student {
     fn energies(&self, at: &Phase<[f64; 2]>, _: f64) -> [f64; 2] {
         [self.kinetic(at.p), self.potential(at.q)]
     }
-    fn kinetic_twin<D: Number>(&self, p: &[D], _: f64) -> D {
+    fn kinetic_formula<D: Number>(&self, p: &[D], _: f64) -> D {
         half_squares(p)
     }
-    fn potential_twin<D: Number>(&self, q: &[D], _: f64) -> D {
+    fn potential_formula<D: Number>(&self, q: &[D], _: f64) -> D {
         let scaled = |x: &f64| (((q[0] - *x) / q[1].exp()).powi(2) / self.freedom).ln_1p();
         let tails: D = self.data.iter().map(scaled).sum();
         half_squares(q) * 0.2 + q[1] * self.data.len() as f64 + tails * ((self.freedom + 1.0) / 2.0)
@@ -334,10 +334,10 @@ impl Member for HeavyTails {
     fn energies(&self, at: &Phase<[f64; 4]>, _: f64) -> [f64; 2] {
         [self.kinetic(at.p), self.potential(at.q)]
     }
-    fn kinetic_twin<D: Number>(&self, p: &[D], _: f64) -> D {
+    fn kinetic_formula<D: Number>(&self, p: &[D], _: f64) -> D {
         half_squares(p)
     }
-    fn potential_twin<D: Number>(&self, q: &[D], _: f64) -> D {
+    fn potential_formula<D: Number>(&self, q: &[D], _: f64) -> D {
         let tails: D = q.iter().map(|x| (x.powi(2) / self.scale.powi(2)).ln_1p()).sum();
         let power = ((q[1] * q[1] + 1.5).ln() * q[2] * 0.1).exp();
         tails + (q[0] * q[0] + q[3] * q[3]) * 0.05 + power

@@ -54,10 +54,10 @@ impl Member for Tabulated {
     fn energies(&self, at: &Phase<[f64; 1]>, _: f64) -> [f64; 2] {
         [self.kinetic(at.p), self.potential(at.q)]
     }
-    fn kinetic_twin<D: Number>(&self, p: &[D], _: f64) -> D {
+    fn kinetic_formula<D: Number>(&self, p: &[D], _: f64) -> D {
         half_squares(p)
     }
-    fn potential_twin<D: Number>(&self, q: &[D], _: f64) -> D {
+    fn potential_formula<D: Number>(&self, q: &[D], _: f64) -> D {
         let left = (0..2).take_while(|left| q[0] >= (left + 1) as f64 * self.cell).count();
         let s = q[0] / self.cell - left as f64;
         let end = |node: usize, s: D| {

@@ -34,10 +34,10 @@ impl Member for PaulTrap {
     fn energies(&self, at: &Phase<[f64; 3]>, time: f64) -> [f64; 2] {
         [self.kinetic(at.p), self.potential(at.q, time)]
     }
-    fn kinetic_twin<D: Number>(&self, p: &[D], _: f64) -> D {
+    fn kinetic_formula<D: Number>(&self, p: &[D], _: f64) -> D {
         half_squares(p)
     }
-    fn potential_twin<D: Number>(&self, q: &[D], time: f64) -> D {
+    fn potential_formula<D: Number>(&self, q: &[D], time: f64) -> D {
         let voltage = self.steady + self.drive * (self.frequency * time).cos();
         (q[0] * q[0] + q[1] * q[1] - q[2] * q[2] * 2.0) * (self.charge / 2.0 * voltage)
     }
@@ -68,10 +68,10 @@ impl Member for DrivenPendulum {
     fn energies(&self, at: &Phase<[f64; 1]>, time: f64) -> [f64; 2] {
         [self.kinetic(at.p), self.potential(at.q, time)]
     }
-    fn kinetic_twin<D: Number>(&self, p: &[D], _: f64) -> D {
+    fn kinetic_formula<D: Number>(&self, p: &[D], _: f64) -> D {
         half_squares(p)
     }
-    fn potential_twin<D: Number>(&self, q: &[D], time: f64) -> D {
+    fn potential_formula<D: Number>(&self, q: &[D], time: f64) -> D {
         -q[0].cos() - q[0] * (self.amplitude * (self.frequency * time).sin())
     }
 }
@@ -103,10 +103,10 @@ impl Member for Kapitza {
     fn energies(&self, at: &Phase<[f64; 1]>, time: f64) -> [f64; 2] {
         [self.kinetic(at.p), self.potential(at.q, time)]
     }
-    fn kinetic_twin<D: Number>(&self, p: &[D], _: f64) -> D {
+    fn kinetic_formula<D: Number>(&self, p: &[D], _: f64) -> D {
         half_squares(p)
     }
-    fn potential_twin<D: Number>(&self, q: &[D], time: f64) -> D {
+    fn potential_formula<D: Number>(&self, q: &[D], time: f64) -> D {
         let shaken = self.shake * self.frequency.powi(2) * (self.frequency * time).cos();
         q[0].cos() * -(self.gravity + shaken)
     }
@@ -137,10 +137,10 @@ impl Member for TwoWaves {
     fn energies(&self, at: &Phase<[f64; 1]>, time: f64) -> [f64; 2] {
         [self.kinetic(at.p), self.potential(at.q, time)]
     }
-    fn kinetic_twin<D: Number>(&self, p: &[D], _: f64) -> D {
+    fn kinetic_formula<D: Number>(&self, p: &[D], _: f64) -> D {
         half_squares(p)
     }
-    fn potential_twin<D: Number>(&self, q: &[D], time: f64) -> D {
+    fn potential_formula<D: Number>(&self, q: &[D], time: f64) -> D {
         -q[0].cos() * self.standing - ((q[0] - time) * 2.0).cos() * self.running
     }
 }
@@ -171,10 +171,10 @@ impl Member for GrowingMass {
     fn energies(&self, at: &Phase<[f64; 2]>, time: f64) -> [f64; 2] {
         [self.kinetic(at.p, time), self.potential(at.q, time)]
     }
-    fn kinetic_twin<D: Number>(&self, p: &[D], time: f64) -> D {
+    fn kinetic_formula<D: Number>(&self, p: &[D], time: f64) -> D {
         half_squares(p) * (-self.rate * time).exp()
     }
-    fn potential_twin<D: Number>(&self, q: &[D], time: f64) -> D {
+    fn potential_formula<D: Number>(&self, q: &[D], time: f64) -> D {
         let spring = q[0] * q[0] + q[1] * q[1] + q[0] * q[0] * q[1];
         spring * ((self.rate * time).exp() * self.stiffness / 2.0)
     }
@@ -231,10 +231,10 @@ impl Member for RampedLattice {
     fn energies(&self, at: &Phase<[f64; 1]>, time: f64) -> [f64; 2] {
         [self.kinetic(at.p), self.potential(at.q, time)]
     }
-    fn kinetic_twin<D: Number>(&self, p: &[D], _: f64) -> D {
+    fn kinetic_formula<D: Number>(&self, p: &[D], _: f64) -> D {
         half_squares(p) / 2.5
     }
-    fn potential_twin<D: Number>(&self, q: &[D], time: f64) -> D {
+    fn potential_formula<D: Number>(&self, q: &[D], time: f64) -> D {
         let s = (time / self.ramp).min(1.0);
         let light = (q[0] * std::f64::consts::TAU).cos() - 1.0;
         q[0] * (2.0 * 1.5 * 0.21) - light * (s * s * (3.0 - 2.0 * s) * self.depth / 2.0)

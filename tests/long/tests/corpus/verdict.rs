@@ -16,7 +16,7 @@ use num_dual::Dual64;
 /// the longest path from the coordinates to it, the elementary functions' own roundings and the reference's included.
 const ULPS: f64 = 8.0;
 
-/// Holds everything that is generated for a system against the reference, the twin and the user's own functions.
+/// Holds everything that is generated for a system against the reference, the formula and the user's own functions.
 pub(crate) fn judge<S: Member>(name: &str) {
     let system = S::example();
     let points = reference::points(name);
@@ -44,11 +44,11 @@ fn phase<S: Member>(point: &Point) -> Phase<S::Coords> {
     Phase::new(S::Coords::filled(&point.q), S::Coords::filled(&point.p))
 }
 
-/// The generated gradients and those of the twin are those of the reference.
+/// The generated gradients and those of the formula are those of the reference.
 fn gradients_agree<S: Member>(name: &str, system: &S, point: &Point) {
     let (kinetic, potential) = generated(system, point);
-    let by_momenta = twin(&point.p, |p| system.kinetic_twin(p, point.time));
-    let by_positions = twin(&point.q, |q| system.potential_twin(q, point.time));
+    let by_momenta = formula(&point.p, |p| system.kinetic_formula(p, point.time));
+    let by_positions = formula(&point.q, |q| system.potential_formula(q, point.time));
     let all_close = |what: &str, found: &[f64], exact: &[Exact]| {
         assert_eq!(found.len(), exact.len(), "{name}: {what}");
         for (index, (found, exact)) in found.iter().zip(exact).enumerate() {
@@ -61,8 +61,8 @@ fn gradients_agree<S: Member>(name: &str, system: &S, point: &Point) {
     all_close("dual dV/dq", &by_positions, &point.potential_gradient);
 }
 
-/// The gradients of `T` and `V` as a step has them: a drift of unit duration adds `dT/dp` to positions, and from zero without
-/// rounding; a kick takes `dV/dq` from momenta. (There may be no energy at the origin.)
+/// The gradients of `T` and `V` as a step has them: a drift of unit duration adds `dT/dp` to positions, and from zero
+/// without rounding; a kick takes `dV/dq` from momenta. (There may be no energy at the origin.)
 fn generated<S: Member>(system: &S, point: &Point) -> (Vec<f64>, Vec<f64>) {
     let zeros = vec![0.0; point.q.len()];
     let flown = |q: &[f64], p: &[f64], flow: fn(&mut S::Motion<f64, f64>, f64, f64)| {
@@ -85,7 +85,7 @@ fn motion<S: Member>(system: &S, at: &Phase<S::Coords>) -> S::Motion<f64, f64> {
 }
 
 /// A gradient by dual numbers, one seed after the other.
-fn twin(at: &[f64], energy: impl Fn(&[Dual64]) -> Dual64) -> Vec<f64> {
+fn formula(at: &[f64], energy: impl Fn(&[Dual64]) -> Dual64) -> Vec<f64> {
     let seeded = |seed: usize| {
         let numbers: Vec<Dual64> =
             at.iter().enumerate().map(|(i, x)| Dual64::new(*x, if i == seed { 1.0 } else { 0.0 })).collect();
@@ -94,14 +94,14 @@ fn twin(at: &[f64], energy: impl Fn(&[Dual64]) -> Dual64) -> Vec<f64> {
     (0..at.len()).map(seeded).collect()
 }
 
-/// The user's functions, the generated energy and the twin give the energy of the reference.
+/// The user's functions, the generated energy and the formula give the energy of the reference.
 fn energies_agree<S: Member>(name: &str, system: &S, point: &Point) {
     let at = phase::<S>(point);
     let [kinetic, potential] = system.energies(&at, point.time);
     assert_close(&format!("{name}: the user's T"), kinetic, &point.kinetic);
     assert_close(&format!("{name}: the user's V"), potential, &point.potential);
-    assert_close(&format!("{name}: the twin's T"), system.kinetic_twin(&point.p, point.time), &point.kinetic);
-    assert_close(&format!("{name}: the twin's V"), system.potential_twin(&point.q, point.time), &point.potential);
+    assert_close(&format!("{name}: the formula's T"), system.kinetic_formula(&point.p, point.time), &point.kinetic);
+    assert_close(&format!("{name}: the formula's V"), system.potential_formula(&point.q, point.time), &point.potential);
     let total = Exact {
         value: point.kinetic.value + point.potential.value,
         scale: point.kinetic.scale + point.potential.scale,

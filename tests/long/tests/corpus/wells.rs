@@ -6,9 +6,9 @@ use crate::{
 };
 use integrator_core::prelude::*;
 
-/// Declares the parts of a member that all wells share: a momentum with the mass in `T`, and a twin of `V` alone.
+/// Declares the parts of a member that all wells share: a momentum with the mass in `T`, and a formula of `V` alone.
 macro_rules! well {
-    ($well:ident { $($parameter:ident: $value:expr),* }, step $step:expr, |$own:ident, $x:ident| $twin:expr) => {
+    ($well:ident { $($parameter:ident: $value:expr),* }, step $step:expr, |$own:ident, $x:ident| $formula:expr) => {
         impl Member for $well {
             const STEP: f64 = $step;
 
@@ -18,12 +18,12 @@ macro_rules! well {
             fn energies(&self, at: &Phase<[f64; 1]>, _: f64) -> [f64; 2] {
                 [self.kinetic(at.p), self.potential(at.q)]
             }
-            fn kinetic_twin<D: Number>(&self, p: &[D], _: f64) -> D {
+            fn kinetic_formula<D: Number>(&self, p: &[D], _: f64) -> D {
                 half_squares(p) / MASS
             }
-            fn potential_twin<D: Number>(&self, q: &[D], _: f64) -> D {
+            fn potential_formula<D: Number>(&self, q: &[D], _: f64) -> D {
                 let ($own, $x) = (self, q[0]);
-                $twin
+                $formula
             }
         }
     };

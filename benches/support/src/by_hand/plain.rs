@@ -2,24 +2,24 @@
 
 use crate::{
     enter::{Kernel, enter_scalar},
-    plan::{Plan, Twin},
+    plan::{HandWritten, Plan},
     problems::{Chain32, GRAVITY, Pendulum, Solar},
     vector::{Row, Vector},
 };
 use integrator_core::Phase;
 
 struct March<'p, T> {
-    twin: T,
+    by_hand: T,
     plan: &'p Plan,
     steps: u64,
 }
 
-impl<T: Twin> Kernel for March<'_, T> {
+impl<T: HandWritten> Kernel for March<'_, T> {
     type Out = T;
     #[inline(always)]
     fn run<V: Row, R: Row, S: Vector<Number = f32>>(mut self) -> T {
-        self.plan.march(&mut self.twin, self.steps);
-        self.twin
+        self.plan.march(&mut self.by_hand, self.steps);
+        self.by_hand
     }
 }
 
@@ -30,7 +30,7 @@ struct PlainPendulum {
     torque: f64,
 }
 
-impl Twin for PlainPendulum {
+impl HandWritten for PlainPendulum {
     #[inline(always)]
     fn drift(&mut self, t: f64) {
         self.q = (t * self.mobility).mul_add(self.p, self.q);
@@ -45,8 +45,8 @@ impl Twin for PlainPendulum {
 pub fn pendulum(system: &Pendulum, start: Phase<[f64; 1]>, plan: &Plan, steps: u64) -> Phase<[f64; 1]> {
     let mobility = 1.0 / (system.mass * system.length * system.length);
     let torque = system.mass * system.gravity * system.length;
-    let twin = PlainPendulum { q: start.q[0], p: start.p[0], mobility, torque };
-    let end = enter_scalar(March { twin, plan, steps });
+    let by_hand = PlainPendulum { q: start.q[0], p: start.p[0], mobility, torque };
+    let end = enter_scalar(March { by_hand, plan, steps });
     Phase::new([end.q], [end.p])
 }
 
@@ -56,7 +56,7 @@ struct PlainSolar {
     p: [[f64; 3]; 6],
 }
 
-impl Twin for PlainSolar {
+impl HandWritten for PlainSolar {
     #[inline(always)]
     fn drift(&mut self, t: f64) {
         for ((q, p), mass) in self.q.iter_mut().zip(&self.p).zip(self.masses) {
@@ -83,8 +83,8 @@ impl Twin for PlainSolar {
 
 /// The outer solar system, pair by pair.
 pub fn solar(system: &Solar, start: Phase<[[f64; 3]; 6]>, plan: &Plan, steps: u64) -> Phase<[[f64; 3]; 6]> {
-    let twin = PlainSolar { masses: system.masses, q: start.q, p: start.p };
-    let end = enter_scalar(March { twin, plan, steps });
+    let by_hand = PlainSolar { masses: system.masses, q: start.q, p: start.p };
+    let end = enter_scalar(March { by_hand, plan, steps });
     Phase::new(end.q, end.p)
 }
 
@@ -94,7 +94,7 @@ struct PlainChain {
     p: [f64; 32],
 }
 
-impl Twin for PlainChain {
+impl HandWritten for PlainChain {
     #[inline(always)]
     fn drift(&mut self, t: f64) {
         for (q, p) in self.q.iter_mut().zip(&self.p) {
@@ -118,6 +118,6 @@ impl Twin for PlainChain {
 
 /// The chain of 32 sites, each bond once.
 pub fn chain(system: &Chain32, start: Phase<[f64; 32]>, plan: &Plan, steps: u64) -> Phase<[f64; 32]> {
-    let end = enter_scalar(March { twin: PlainChain { alpha: system.alpha, q: start.q, p: start.p }, plan, steps });
+    let end = enter_scalar(March { by_hand: PlainChain { alpha: system.alpha, q: start.q, p: start.p }, plan, steps });
     Phase::new(end.q, end.p)
 }

@@ -1,14 +1,11 @@
-//! The twins do what they are measured against: the same steps, up to rounding.
+//! The steppers by hand do what they are measured against: the same steps, up to rounding.
 //!
-//! Twins and generated code round differently by a unit in the last place per operation, and over a few dozen steps an
-//! orbit takes such a difference up at most some hundredfold: 1e-12 of the largest coordinate is far above that, and far
-//! below a wrong term.
+//! Steppers by hand and generated code round differently by a unit in the last place per operation, and over a few
+//! dozen steps an orbit takes such a difference up at most some hundredfold: 1e-12 of the largest coordinate is far
+//! above that, and far below a wrong term.
 
 use integrator_bench::{
-    plan::Plan,
-    problems::{Argon, Fput, Phi4, Phi4Plane, SineGordon, Toda},
-    starts::{Problems, argon, cluster, rows_of_waves, waves},
-    twins::{
+    by_hand::{
         chain::Chain,
         law::Law,
         plain,
@@ -18,6 +15,9 @@ use integrator_bench::{
         swarm::Swarm,
         tiles::{Attraction, Bodies},
     },
+    plan::Plan,
+    problems::{Argon, Fput, Phi4, Phi4Plane, SineGordon, Toda},
+    starts::{Problems, argon, cluster, rows_of_waves, waves},
 };
 use integrator_core::{Coords, prelude::*};
 

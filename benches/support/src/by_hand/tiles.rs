@@ -1,10 +1,10 @@
 //! Many bodies, all pairs: tiles of a vector of bodies against a vector of bodies, turned until each has met each.
 //!
-//! A pair is evaluated once: the forces on the second vector turn along with it.
+//! A pair is evaluated once: the forces on the second vector rotate along with it.
 
 use crate::{
     enter::{Kernel, enter},
-    plan::{Plan, Twin},
+    plan::{HandWritten, Plan},
     problems::GRAVITY,
     vector::{Row, Vector},
 };
@@ -133,7 +133,7 @@ struct Tiles<'b, P, V> {
     vector: std::marker::PhantomData<V>,
 }
 
-impl<P: Pair, V: Row> Twin for Tiles<'_, P, V> {
+impl<P: Pair, V: Row> HandWritten for Tiles<'_, P, V> {
     #[inline(always)]
     fn drift(&mut self, t: f64) {
         let Bodies { masses, q, p, count, .. } = &mut *self.bodies;
@@ -181,7 +181,7 @@ impl<P: Pair, V: Row> Tiles<'_, P, V> {
         let mut other = own;
         let mut sum = [V::splat(0.0); 3];
         for _ in 1..V::LANES {
-            other.turn();
+            other.rotate_by_one();
             let apart = own.to(&other);
             if let Some(pull) = self.pair.pull(square(apart)) {
                 let pull = if P::MASSES { pull * other.mass } else { pull };
@@ -211,9 +211,9 @@ impl<P: Pair, V: Row> Tiles<'_, P, V> {
                     reaction[axis] = back.fnma(apart[axis], reaction[axis]);
                 }
             }
-            other.turn();
+            other.rotate_by_one();
             for reaction in &mut reaction {
-                *reaction = reaction.turn();
+                *reaction = reaction.rotate_by_one();
             }
         }
         for (column, reaction) in self.accelerations.iter_mut().zip(reaction) {
@@ -232,11 +232,11 @@ struct Tile<V> {
 
 impl<V: Row> Tile<V> {
     #[inline(always)]
-    fn turn(&mut self) {
+    fn rotate_by_one(&mut self) {
         for q in &mut self.q {
-            *q = q.turn();
+            *q = q.rotate_by_one();
         }
-        self.mass = self.mass.turn();
+        self.mass = self.mass.rotate_by_one();
     }
     #[inline(always)]
     fn to(&self, other: &Self) -> [V; 3] {

@@ -2,7 +2,7 @@
 
 use crate::{
     enter::{Kernel, enter},
-    plan::{Plan, Twin},
+    plan::{HandWritten, Plan},
     problems::{Chain32, GRAVITY, Solar},
     vector::{Row, Vector},
 };
@@ -14,7 +14,7 @@ struct Ring<R> {
     q: [R; 3],
     p: [R; 3],
     inverse_masses: R,
-    /// `G mᵢ mⱼ` for the three turns.
+    /// `G mᵢ mⱼ` for the three rotations.
     couplings: [R; 3],
 }
 
@@ -30,7 +30,7 @@ impl<R: Row> Ring<R> {
     }
 }
 
-impl<R: Row> Twin for Ring<R> {
+impl<R: Row> HandWritten for Ring<R> {
     #[inline(always)]
     fn drift(&mut self, t: f64) {
         let mobility = R::splat(t) * self.inverse_masses;
@@ -105,7 +105,7 @@ impl<R: Row> Blocks<R> {
     }
 }
 
-impl<R: Row> Twin for Blocks<R> {
+impl<R: Row> HandWritten for Blocks<R> {
     #[inline(always)]
     fn drift(&mut self, t: f64) {
         for i in 0..4 {

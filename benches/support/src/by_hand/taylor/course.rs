@@ -2,7 +2,7 @@
 
 use crate::vector::Vector;
 
-/// The orders that there are twins of.
+/// The orders that there are hand-written steppers of.
 pub const ORDERS: [usize; 3] = [16, 20, 24];
 
 /// The highest of them.
@@ -81,13 +81,14 @@ macro_rules! with_order {
                 const $of: usize = 24;
                 $call
             }
-            order => panic!("there is no twin of order {order}"),
+            order => panic!("there is no hand-written stepper of order {order}"),
         }
     };
 }
 pub(crate) use with_order;
 
-/// Calls `$do!(k)` for every order from 1 on that a twin may compute, as a literal, so that all sums are written out.
+/// Calls `$do!(k)` for every order from 1 on that a stepper by hand may compute, as a literal, so that all sums are
+/// written out.
 macro_rules! orders_from_one {
     ($do:ident) => {
         $do! { 1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 16 17 18 19 20 21 22 23 }

@@ -1,13 +1,14 @@
 //! Long chains between walls, stepped by Verlet.
 //!
 //! A step is one pass: a block of sites is kicked and at once drifted, because its neighbours to the left have been
-//! kicked and the bond to them is still in a register. Several steps go over a tile before the next tile is fetched, each
-//! a block further to the left than the one before, and the bond at the right end of each is kept for the next tile.
+//! kicked and the bond to them is still in a register. Several steps go over a tile before the next tile is fetched,
+//! each a block further to the left than the one before, and the bond at the right end of each is kept for the next
+//! tile.
 
 use crate::{
+    by_hand::law::{Forces, Fput, Law, Phi4, SineGordon, Toda},
     enter::{Kernel, enter, enter_scalar},
     plan::Plan,
-    twins::law::{Forces, Fput, Law, Phi4, SineGordon, Toda},
     vector::{Row, Vector},
 };
 

@@ -31,7 +31,7 @@ fn part<T: Two>(y: &[T; COEFFICIENTS], k: usize) -> T {
 
 /// From that part of order `k - 1` to the `ω` of order `k` with its signs.
 #[inline(always)]
-fn turn<T: Two>(pull: T, k: usize) -> T {
+fn rotate<T: Two>(pull: T, k: usize) -> T {
     let weight = -sign(k - 1) * sign(k) / k as f64;
     pull * T::of(weight, if k.is_multiple_of(2) { weight } else { -weight })
 }
@@ -75,7 +75,7 @@ impl<T: Two, const N: usize> Expansion for Pendulum<T, N> {
         let first = y[0].seconds();
         self.series[0] = begin;
         self.series[1] = T::of((momentum * drift).first(), (first * fall).first());
-        omega[1] = first * turn(pull, 1);
+        omega[1] = first * rotate(pull, 1);
         macro_rules! orders {
             ($($k:literal)*) => {$(
                 let k: usize = $k;
@@ -91,13 +91,13 @@ impl<T: Two, const N: usize> Expansion for Pendulum<T, N> {
                     let inverse = T::splat(1.0 / k as f64);
                     let mut next = (sum + other) * inverse;
                     if k > 4 {
-                        next = (turn(pull, k - 2) * inverse * factor(y, turned, k - 2, 1)).fma(part(y, k - 3), next);
+                        next = (rotate(pull, k - 2) * inverse * factor(y, turned, k - 2, 1)).fma(part(y, k - 3), next);
                     }
                     if k > 2 {
                         next = (omega[2] * inverse).fma(factor(y, turned, 2, k - 3), next);
                     }
                     if k > 3 {
-                        next = (turn(pull, k - 1) * inverse * factor(y, turned, k - 1, 0)).fma(part(y, k - 2), next);
+                        next = (rotate(pull, k - 1) * inverse * factor(y, turned, k - 1, 0)).fma(part(y, k - 2), next);
                     }
                     if k > 1 {
                         next = (omega[1] * inverse).fma(factor(y, turned, 1, k - 2), next);
@@ -112,7 +112,7 @@ impl<T: Two, const N: usize> Expansion for Pendulum<T, N> {
                     if k + 1 < N {
                         let angle = part * (fall * drift * T::splat(after / (k + 2) as f64));
                         self.series[k + 2] = T::of(angle.first(), 0.0);
-                        omega[k + 1] = part * turn(pull, k + 1);
+                        omega[k + 1] = part * rotate(pull, k + 1);
                     }
                 }
             )*};

@@ -1,16 +1,16 @@
 //! Ensembles: groups of vectors in flight, whose state stays in registers and the first cache for all the steps.
 
 use crate::{
+    by_hand::points::{Careful, Fast, HenonHeiles, Kepler, Lanes, Pendulum, Point},
     enter::{Kernel, enter},
-    plan::{Plan, Twin},
-    twins::points::{Careful, Fast, HenonHeiles, Kepler, Lanes, Pendulum, Point},
+    plan::{HandWritten, Plan},
     vector::{Number, Row, Vector},
 };
 
-/// Several twins that take turns, so that the latency of each is hidden behind the others.
+/// Several of them, step by step in alternation, so that the latency of each is hidden behind the others.
 struct Group<L, const IN_FLIGHT: usize>([L; IN_FLIGHT]);
 
-impl<L: Twin, const IN_FLIGHT: usize> Twin for Group<L, IN_FLIGHT> {
+impl<L: HandWritten, const IN_FLIGHT: usize> HandWritten for Group<L, IN_FLIGHT> {
     #[inline(always)]
     fn drift(&mut self, t: f64) {
         for lanes in &mut self.0 {

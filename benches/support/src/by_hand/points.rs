@@ -3,13 +3,13 @@
 use crate::{
     enter::{Kernel, enter, enter_scalar},
     functions,
-    plan::{Plan, Twin},
+    plan::{HandWritten, Plan},
     vector::{Row, Vector},
 };
 use std::marker::PhantomData;
 
 /// Trajectories side by side: columns of coordinates and parameters, a lane for each trajectory.
-pub(crate) trait Lanes<V: Vector>: Twin + Sized {
+pub(crate) trait Lanes<V: Vector>: HandWritten + Sized {
     fn load(columns: &[Vec<V::Number>], at: usize) -> Self;
     fn store(&self, columns: &mut [Vec<V::Number>], at: usize);
 }
@@ -45,7 +45,7 @@ pub(crate) struct Pendulum<V, S> {
     sine: PhantomData<S>,
 }
 
-impl<V: Vector, S: Sine> Twin for Pendulum<V, S> {
+impl<V: Vector, S: Sine> HandWritten for Pendulum<V, S> {
     #[inline(always)]
     fn drift(&mut self, t: f64) {
         self.q = (V::splat(t) * self.mobility).fma(self.p, self.q);
@@ -75,7 +75,7 @@ pub(crate) struct HenonHeiles<V> {
     p: [V; 2],
 }
 
-impl<V: Vector> Twin for HenonHeiles<V> {
+impl<V: Vector> HandWritten for HenonHeiles<V> {
     #[inline(always)]
     fn drift(&mut self, t: f64) {
         let [x, y] = &mut self.q;
@@ -95,7 +95,7 @@ pub(crate) struct Kepler<V> {
     p: [V; 2],
 }
 
-impl<V: Vector> Twin for Kepler<V> {
+impl<V: Vector> HandWritten for Kepler<V> {
     #[inline(always)]
     fn drift(&mut self, t: f64) {
         let [x, y] = &mut self.q;
