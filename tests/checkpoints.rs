@@ -349,7 +349,7 @@ fn a_run_killed_two_hundred_times_ends_with_the_same_bits() {
     let path = scratch("killed");
     let this = env::current_exe().expect("the path of this test");
     let mut steps = 0;
-    for turn in 0..200_u64 {
+    for attempt in 0..200_u64 {
         let mut child = Command::new(&this)
             .args(["--exact", "a_run_killed_two_hundred_times_ends_with_the_same_bits"])
             .env(FILE, &path)
@@ -364,11 +364,11 @@ fn a_run_killed_two_hundred_times_ends_with_the_same_bits() {
                 break;
             }
             let ended = child.try_wait().expect("a child");
-            assert!(ended.is_none(), "turn {turn} ended by itself: {ended:?}");
+            assert!(ended.is_none(), "attempt {attempt} ended by itself: {ended:?}");
         }
-        std::thread::sleep(Duration::from_micros(7_919 * turn % 5_003));
+        std::thread::sleep(Duration::from_micros(7_919 * attempt % 5_003));
         child.kill().expect("a child");
-        assert!(!child.wait().expect("a child").success(), "turn {turn} ended by itself");
+        assert!(!child.wait().expect("a child").success(), "attempt {attempt} ended by itself");
     }
     let mut resumed = resumed(&fs::read(&path).expect("the file")).expect("whole");
     let mut whole = PENDULUM.run(Phase::new([2.0], [0.1]), 0.01).expect("an admissible start");

@@ -1,6 +1,6 @@
-//! Motions that are known in closed form: the pendulum by Jacobi's elliptic functions, Kepler's ellipse by his equation.
-//! Every method arrives there, with an error that falls as its order says. The oscillator, where every single step has a
-//! closed form, is in `tests/laboratory`.
+//! Motions that are known in closed form: the pendulum by Jacobi's elliptic functions, Kepler's ellipse by his
+//! equation. Every method arrives there, with an error that falls as its order says. The oscillator, where every single
+//! step has a closed form, is in `tests/laboratory`.
 
 #[path = "support/motions.rs"]
 mod motions;
@@ -73,7 +73,7 @@ fn kepler_error<M: Method<Kepler>>(method: M, steps: u64) -> f64 {
     apart(&[state.q[0], state.q[1], state.p[0], state.p[1]], &ellipse(ECCENTRICITY, TIME))
 }
 
-/// A row for each method: steps over a turn and a bit from which the error falls as the order says, and the order.
+/// A row for each method: steps over a period and a bit from which the error falls as the order says, and the order.
 macro_rules! for_each_method {
     ($check:ident) => {
         $check! {
@@ -112,7 +112,8 @@ fn methods_approach_the_elliptic_functions_with_their_order() {
         )*};
     }
     for_each_method!(check);
-    // Half a thousand steps of 17 stages, each of which rounds a state of size 2: at worst 1e-11, and as a random walk 1e-13.
+    // Half a thousand steps of 17 stages, each of which rounds a state of size 2: at worst 1e-11, and as a random walk
+    // 1e-13.
     let error = pendulum_error(KahanLi8, 500);
     assert!(error < 1e-12, "{error:e}");
 }

@@ -132,12 +132,13 @@ fn the_times_of_crossings_have_the_order_of_any_method() {
         let observed = (errors[0] / errors[1]).log2();
         assert!((observed - order).abs() < 0.25, "{observed} for {order}: {errors:?}");
     }
-    // Within its tolerance, for four quarters of a turn.
+    // Within its tolerance, for four quarters of a period.
     let adaptive = [error(DormandPrince8 { tolerance: 1e-10 }, 0.5), error(Bdf { tolerance: 1e-8 }, 0.5)];
     assert!(adaptive[0] < 1e-8 && adaptive[1] < 1e-5, "{adaptive:?}");
 }
 
-/// A quarter of the period of a pendulum of amplitude `a` is `K(sin(a/2))`, half of π over an arithmetic-geometric mean.
+/// A quarter of the period of a pendulum of amplitude `a` is `K(sin(a/2))`, half of π over an arithmetic-geometric
+/// mean.
 #[test]
 fn a_pendulum_passes_its_lowest_point_when_the_elliptic_integral_says() {
     let amplitude = 2.5_f64;
@@ -169,7 +170,7 @@ fn directions_are_those_of_the_run() {
             all(run.crossings(126, direction, |state, _| state.q[0]))
         };
         let (rising, falling, either) = (count(Direction::Rising), count(Direction::Falling), count(Direction::Either));
-        assert_eq!((rising.len(), falling.len(), either.len()), (2, 2, 4), "12.6 is two turns");
+        assert_eq!((rising.len(), falling.len(), either.len()), (2, 2, 4), "12.6 is two periods");
         // Back in time, the position rises where its velocity is negative.
         assert!(rising.iter().all(|sample| sample.state.p[0] * h > 0.0));
         assert!(falling.iter().all(|sample| sample.state.p[0] * h < 0.0));

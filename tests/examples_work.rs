@@ -31,8 +31,8 @@ use drawn::drawn;
 use integrator_core::prelude::*;
 use section_picture::Section;
 
-/// Below an energy of about 0.11 there is hardly an orbit that is not regular, and at the energy of escape hardly one that
-/// is (Hénon and Heiles 1964).
+/// Below an energy of about 0.11 there is hardly an orbit that is not regular, and at the energy of escape hardly one
+/// that is (Hénon and Heiles 1964).
 #[test]
 fn order_gives_way_to_chaos_in_the_galaxy() {
     let section = |name: &'static str, energy: f64| {
@@ -99,14 +99,14 @@ fn the_soliton_passes_around_the_ring() {
         soliton.distance(&ring::values(&run.state()), run.time())
     };
     // The composition has order 6: half the step, 64 times as near.
-    let [coarse, fine] = [128, 256].map(|steps| distance(steps, soliton.turn())[0]);
+    let [coarse, fine] = [128, 256].map(|steps| distance(steps, soliton.period())[0]);
     assert!(coarse < 1e-5 && (coarse / fine).log2() > 5.5, "{coarse:e}, {fine:e}");
-    // In the middle of the second turn, where the ring closes, positions agree as well.
-    let [momenta, positions] = distance(768, 1.5 * soliton.turn());
+    // In the middle of the second period, where the ring closes, positions agree as well.
+    let [momenta, positions] = distance(768, 1.5 * soliton.period());
     assert!(momenta < 1e-9 && positions < 1e-9, "{momenta:e}, {positions:e}");
-    let looks = [0.0, 0.5, 1.0].map(|turns| (turns * soliton.turn(), soliton.state(turns * soliton.turn())));
+    let looks = [0.0, 0.5, 1.0].map(|periods| (periods * soliton.period(), soliton.state(periods * soliton.period())));
     let picture = ring_picture::picture(&soliton, &looks, &[(1.0, [coarse, coarse]), (1.5, [momenta, positions])]);
-    let text = drawn("ring", &picture, &["Toda", "site", "after 2 turns", "distance"]);
+    let text = drawn("ring", &picture, &["Toda", "site", "after 2 periods", "distance"]);
     assert_eq!(text.matches("<circle").count(), 3 * 64 + 4, "a dot for each site at each look, and two distances");
 }
 

@@ -1,4 +1,4 @@
-//! What rounding leaves of an orbit of eccentricity 0.6 after a thousand turns, with and without compensation.
+//! What rounding leaves of an orbit of eccentricity 0.6 after a thousand periods, with and without compensation.
 
 use integrator_core::prelude::*;
 use serde_json::{Value, from_str, from_value};
@@ -36,10 +36,10 @@ fn distance(found: [f64; 4], exact: [f64; 4]) -> f64 {
 }
 
 /// With every update compensated, the rounding of the forces is what is left: each kick changes the energy by up to
-/// ε/2·b·h·|F·v| at random. With 35 kicks a step of about a fifth of the step each, and a mean |F·v| of 2 on this orbit,
-/// 2^18 steps add up to 3e-15 in the energy. A change of the energy changes the period; over 1000 turns, that is 3e-11 in
-/// the time of arrival, where momenta change by three times their own size per unit of time: 1e-10 in the state. Bounds
-/// are three times this. No coefficient and no step enters but through the root of their number.
+/// ε/2·b·h·|F·v| at random. With 35 kicks a step of about a fifth of the step each, and a mean |F·v| of 2 on this
+/// orbit, 2^18 steps add up to 3e-15 in the energy. A change of the energy changes the period; over 1000 periods, that
+/// is 3e-11 in the time of arrival, where momenta change by three times their own size per unit of time: 1e-10 in the
+/// state. Bounds are three times this. No coefficient and no step enters but through the root of their number.
 #[test]
 fn compensation_leaves_the_rounding_of_the_forces() {
     let (start, time, exact) = problem();

@@ -1,9 +1,9 @@
 //! Which composition is the cheapest, and with which step: `choose SYSTEM TOLERANCE [energy]`, where SYSTEM is one of
 //! pendulum, henon_heiles, kepler, fput and outer_solar_system.
 //!
-//! Printed: the compositions that keep the trajectory (or the energy) of the system within the tolerance, cheapest first:
-//! the step to use, the error that was measured with it, and the work in force evaluations. Look at how the order of the
-//! best one grows as the tolerance shrinks.
+//! Printed: the compositions that keep the trajectory (or the energy) of the system within the tolerance, cheapest
+//! first: the step to use, the error that was measured with it, and the work in force evaluations. Look at how the
+//! order of the best one grows as the tolerance shrinks.
 
 #[path = "../outer_solar_system/system.rs"]
 #[expect(dead_code, reason = "the other example also compares with a reference")]
@@ -42,7 +42,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         "fput" => report(fput(), goal),
         "outer_solar_system" => {
             let (system, start) = outer_solar_system::measured()?;
-            // 27 years, two and a third turns of Jupiter.
+            // 27 years, two and a third periods of Jupiter.
             report(Problem { system, start, span: 10_000.0 }, goal)
         }
         other => {

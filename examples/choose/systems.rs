@@ -38,7 +38,7 @@ impl HenonHeiles {
     }
 }
 
-/// Some fifteen turns of a star in the galaxy.
+/// Some fifteen revolutions of a star in the galaxy.
 pub(crate) fn henon_heiles() -> Problem<HenonHeiles> {
     Problem { system: HenonHeiles, start: Phase::new([0.1, 0.0], [0.0, 0.5]), span: 99.0 }
 }
@@ -55,7 +55,7 @@ impl Kepler {
     }
 }
 
-/// Ten turns and a bit on an orbit of eccentricity 0.6, from the pericentre.
+/// Ten periods and a bit on an orbit of eccentricity 0.6, from the pericentre.
 pub(crate) fn kepler() -> Problem<Kepler> {
     Problem { system: Kepler, start: Phase::new([0.4, 0.0], [0.0, 2.0]), span: 64.0 }
 }

@@ -43,7 +43,7 @@ pub(crate) fn frequency(mode: usize) -> f64 {
     2.0 * (PI * mode as f64 / (2 * SEGMENTS) as f64).sin()
 }
 
-/// One turn of the lowest mode, were it alone.
+/// One period of the lowest mode, were it alone.
 pub(crate) fn period() -> f64 {
     2.0 * PI / frequency(1)
 }
@@ -70,7 +70,8 @@ pub(crate) fn mode_energies<const MODES: usize>(state: &Phase<Sites>) -> [f64; M
 /// A look at the chain: the time in periods of the lowest mode, and the shares that modes have in the energy.
 pub(crate) type Look<const MODES: usize> = (f64, [f64; MODES]);
 
-/// Looks at a run every so many steps over so many periods, while `go_on` wants more; and the largest change of its energy.
+/// Looks at a run every so many steps over so many periods, while `go_on` wants more; and the largest change of its
+/// energy.
 pub(crate) fn looks<const MODES: usize>(
     run: Run<Sites>,
     interval: u64,
@@ -90,8 +91,8 @@ pub(crate) fn looks<const MODES: usize>(
     Ok((looks, energy_error))
 }
 
-/// When most of the energy is back in the lowest mode after it had least: the time and the share. `None` if it still grows
-/// at the last look.
+/// When most of the energy is back in the lowest mode after it had least: the time and the share. `None` if it still
+/// grows at the last look.
 pub(crate) fn recurrence<const MODES: usize>(looks: &[Look<MODES>]) -> Option<(f64, f64)> {
     let first = || looks.iter().map(|(time, shares)| (*time, shares[0])).enumerate();
     let (least, _) = first().min_by(|a, b| a.1.1.total_cmp(&b.1.1))?;

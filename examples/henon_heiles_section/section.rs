@@ -20,8 +20,8 @@ const STEP: f64 = 0.25;
 
 /// Two orbits that begin so far from each other tell regular motion from chaos.
 const APART: f64 = 1e-10;
-/// Regular orbits part with the number of turns, chaotic ones exponentially: at the end, all that are not yet so many times
-/// as far apart are called regular.
+/// Regular orbits part with the number of periods, chaotic ones exponentially: at the end, all that are not yet so many
+/// times as far apart are called regular.
 const PARTED: f64 = 1e6;
 
 /// `p_x²` of the star that passes `x = 0` at `y` with `p_y` and this energy; negative where none can.
@@ -67,7 +67,7 @@ fn passages(
     count: usize,
 ) -> Result<impl Iterator<Item = Result<Sample<[f64; 2]>, Error>>, Error> {
     let px = square_across(energy, y, py).max(0.0).sqrt();
-    // A turn takes 6 to 20 units of time; where it takes longer, there are fewer points.
+    // A period takes 6 to 20 units of time; where it takes longer, there are fewer points.
     let steps = count as u64 * (25.0 / STEP) as u64;
     let run = HenonHeiles.run(Phase::new([0.0, y], [px, py]), STEP)?;
     Ok(run.crossings(steps, Direction::Rising, |state, _| state.q[0]).take(count))

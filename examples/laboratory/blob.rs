@@ -11,7 +11,7 @@ use std::{error::Error, f64::consts::TAU};
 #[derive(Default)]
 pub(crate) struct Blob {
     pub(crate) outlines: Vec<Vec<(f64, f64)>>,
-    /// Turns, and the area in units of that at the start.
+    /// Periods, and the area in units of that at the start.
     pub(crate) areas: Vec<(f64, f64)>,
 }
 
@@ -22,8 +22,8 @@ impl Blob {
     }
 }
 
-/// How long the blob is followed, in turns, and how often it is looked at.
-const TURNS: f64 = 1.5;
+/// How long the blob is followed, in periods, and how often it is looked at.
+const PERIODS: f64 = 1.5;
 const LOOKS: usize = 30;
 /// Every so many looks, the outline is kept.
 const SHOWN: usize = 5;
@@ -34,7 +34,7 @@ pub(crate) fn follow<H: Hamiltonian, M: Method<H>>(
     method: M,
     plan: &Plan,
 ) -> Result<Blob, Box<dyn Error>> {
-    let interval = ((TURNS * problem.turn / problem.step) as u64 / LOOKS as u64).max(1);
+    let interval = ((PERIODS * problem.period / problem.step) as u64 / LOOKS as u64).max(1);
     // For each look, all points of the outline.
     let mut looks: Vec<Vec<Vec<f64>>> = vec![Vec::new(); LOOKS + 1];
     for point in 0..plan.outline {
@@ -50,7 +50,7 @@ pub(crate) fn follow<H: Hamiltonian, M: Method<H>>(
     }
     // Where a point is lost, so is the outline.
     looks.retain(|look| look.len() == plan.outline);
-    let time = |look: usize| look as f64 * interval as f64 * problem.step / problem.turn;
+    let time = |look: usize| look as f64 * interval as f64 * problem.step / problem.period;
     let freedom = problem.start.q.flat().len();
     let first = invariant(&looks[0], freedom);
     let areas = looks.iter().enumerate().map(|(i, look)| (time(i), invariant(look, freedom) / first));
@@ -58,9 +58,9 @@ pub(crate) fn follow<H: Hamiltonian, M: Method<H>>(
     Ok(Blob { areas: areas.collect(), outlines: looks.iter().step_by(SHOWN).map(outline).collect() })
 }
 
-/// `Σ ∮ pᵢ dqᵢ` around a closed curve that points at equal angles of its parameter tell. Both the derivative, that of the
-/// trigonometric polynomial through the points, and the sum, which is the trapezoid rule, are exact up to the resolution of
-/// the curve.
+/// `Σ ∮ pᵢ dqᵢ` around a closed curve that points at equal angles of its parameter tell. Both the derivative, that of
+/// the trigonometric polynomial through the points, and the sum, which is the trapezoid rule, are exact up to the
+/// resolution of the curve.
 pub(crate) fn invariant(outline: &[Vec<f64>], freedom: usize) -> f64 {
     let count = outline.len();
     // The derivative at one point is a sum over the others, of (-1)ᵏ cot(kπ/N) / 2 at a distance of k points.

@@ -31,20 +31,20 @@ const fn order(order: f64) -> [f64; 2] {
 /// An energy that has changed by less than a hundredth has not grown or decayed to speak of.
 const CHANGED: f64 = 0.01;
 
-/// The distance from a closed form: each step rounds a few times, and the oscillator adds these roundings up, at worst in
-/// the same sense; in the closed form the roundings of `r` and of the angle are multiplied by the number of steps.
+/// The distance from a closed form: each step rounds a few times, and the oscillator adds these roundings up, at worst
+/// in the same sense; in the closed form the roundings of `r` and of the angle are multiplied by the number of steps.
 pub(crate) const CLOSED: f64 = crate::oscillator::STEPS as f64 * 16.0 * f64::EPSILON;
 
-/// A thousand steps whose roundings differ in two orbits: as far apart as they were after a step, times a shear that grows
-/// with the steps.
+/// A thousand steps whose roundings differ in two orbits: as far apart as they were after a step, times a shear that
+/// grows with the steps.
 const SHIFTED: f64 = 1e6 * 8.0 * f64::EPSILON;
 
 /// Areas are measured to the resolution of their outline.
 const AREA: f64 = 1e-6;
 
-/// The relative change of the energy after a turn. Later, a system may have escaped.
+/// The relative change of the energy after a period. Later, a system may have escaped.
 fn energy_change(study: &Study, method: &str) -> Option<f64> {
-    let (_, change) = study.method(method)?.energies.iter().take_while(|(turns, _)| *turns <= 1.0).last()?;
+    let (_, change) = study.method(method)?.energies.iter().take_while(|(periods, _)| *periods <= 1.0).last()?;
     Some(*change)
 }
 
@@ -52,14 +52,14 @@ fn energy_change(study: &Study, method: &str) -> Option<f64> {
 pub(crate) const CLAIMS: [Claim; 19] = [
     Claim {
         name: "forward_euler_energy_grows",
-        says: "forward Euler gains energy: the relative change after a turn",
+        says: "forward Euler gains energy: the relative change after a period",
         of_energy: true,
         value: |study, _| energy_change(study, "forward Euler"),
         within: [CHANGED, f64::INFINITY],
     },
     Claim {
         name: "backward_euler_energy_decays",
-        says: "backward Euler loses energy: the relative change after a turn",
+        says: "backward Euler loses energy: the relative change after a period",
         of_energy: true,
         value: |study, _| energy_change(study, "backward Euler"),
         within: [f64::NEG_INFINITY, -CHANGED],

@@ -27,8 +27,8 @@ pub(crate) struct Exact {
     uncertainty: f64,
 }
 
-/// Turns up to the errors: no whole number of half turns, where errors of symmetric orbits cancel.
-pub(crate) const TURNS: f64 = 2.25;
+/// Periods up to the errors: no whole number of half periods, where errors of symmetric orbits cancel.
+pub(crate) const PERIODS: f64 = 2.25;
 /// Steps up to there of the coarsest rung.
 const COARSEST: u32 = 18;
 /// The loosest tolerance.
@@ -40,7 +40,7 @@ const REFERENCE: u32 = 1152;
 pub(crate) fn exact<H: Hamiltonian>(problem: &Problem<H>) -> Result<Exact, Box<dyn Error>> {
     let orbit = |steps: u32| -> Result<Vec<Vec<f64>>, integrator_core::Error> {
         let start = Phase::compensated(problem.start.q.clone(), problem.start.p.clone());
-        let h = TURNS * problem.turn / f64::from(steps);
+        let h = PERIODS * problem.period / f64::from(steps);
         let samples = problem.system.run_with::<Compensated<f64>, _>(SofroniouSpaletta10, start, h)?.samples(1);
         let state = |sample: Result<Sample<_>, _>| sample.map(|sample| of_compensated::<H>(&sample.state));
         samples.take(steps as usize + 1).map(state).collect()
@@ -72,7 +72,7 @@ pub(crate) fn ladder<H: Hamiltonian, M: Method<H>>(
     let mut rungs = Vec::new();
     for rung in 0..plan.rungs {
         let steps = u64::from(COARSEST << rung);
-        let step = TURNS * problem.turn / steps as f64;
+        let step = PERIODS * problem.period / steps as f64;
         let Some(rung) = climb(problem, method, [step, step], steps, exact)? else { continue };
         rungs.push(rung);
         // What lies below the reference says nothing; nor does what lies below the rounding.
@@ -83,14 +83,15 @@ pub(crate) fn ladder<H: Hamiltonian, M: Method<H>>(
     Ok(rungs)
 }
 
-/// The errors of a method that chooses its own steps, for one tolerance after the other, each a tenth of the one before.
+/// The errors of a method that chooses its own steps, for one tolerance after the other, each a tenth of the one
+/// before.
 pub(crate) fn tolerances<H: Hamiltonian, M: Method<H>>(
     problem: &Problem<H>,
     method: fn(f64) -> M,
     plan: &Plan,
     exact: &Exact,
 ) -> Result<Vec<Rung>, Box<dyn Error>> {
-    let span = TURNS * problem.turn;
+    let span = PERIODS * problem.period;
     let tolerances = (0..plan.rungs).map(|rung| LOOSEST / 10.0_f64.powi(rung as i32));
     let rungs = tolerances.map(|tolerance| climb(problem, method(tolerance), [span, tolerance], 1, exact));
     rungs.filter_map(Result::transpose).collect()

@@ -1,5 +1,5 @@
-//! What is measured of one method. With `blob`, `errors` and `shifted` this is the code that is generic over systems and
-//! methods; what comes out are plain numbers.
+//! What is measured of one method. With `blob`, `errors` and `shifted` this is the code that is generic over systems
+//! and methods; what comes out are plain numbers.
 
 use crate::{
     blob::{Blob, follow},
@@ -29,7 +29,7 @@ pub(crate) struct Measured {
     pub(crate) brackets: Vec<(f64, f64)>,
     /// The view of the problem, step by step.
     pub(crate) portrait: Vec<(f64, f64)>,
-    /// Turns, and the change of the energy in units of that of the start.
+    /// Periods, and the change of the energy in units of that of the start.
     pub(crate) energies: Vec<(f64, f64)>,
     /// The blob of starts.
     pub(crate) blob: Blob,
@@ -37,11 +37,11 @@ pub(crate) struct Measured {
     pub(crate) errors: Vec<Rung>,
 }
 
-/// By how much a Poisson bracket that is one may be off by rounding: a step has less than two hundred flows, each rounds
-/// some products of the tangent map, a few ε each.
+/// By how much a Poisson bracket that is one may be off by rounding: a step has less than two hundred flows, each
+/// rounds some products of the tangent map, a few ε each.
 pub(crate) const BRACKET: f64 = 1e-12;
 
-/// How many steps to a turn brackets are computed for. The coarsest tell symplectic methods from those of high order.
+/// How many steps to a period brackets are computed for. The coarsest tell symplectic methods from those of high order.
 const BRACKET_STEPS: [f64; 7] = [1280.0, 640.0, 320.0, 160.0, 80.0, 40.0, 20.0];
 
 /// Changes of the energy beyond this tell no more than that it has changed.
@@ -73,11 +73,11 @@ pub(crate) fn measure<H: Hamiltonian, M: Method<H>>(
     plan: &Plan,
     exact: &Exact,
 ) -> Result<Measured, Box<dyn Error>> {
-    let Problem { system, start, step, turn, view, .. } = problem;
+    let Problem { system, start, step, period, view, .. } = problem;
     let run = problem.run(method, start, *step)?;
     let energy = run.energy();
     let unit = if energy == 0.0 { 1.0 } else { energy.abs() };
-    let steps = (plan.turns * turn / step) as usize;
+    let steps = (plan.periods * period / step) as usize;
     let (mut portrait, mut energies) = (Vec::new(), Vec::new());
     // A method may leave the finite numbers, or find no end of its step; up to there it is shown.
     for sample in run.samples(1).take(steps + 1).map_while(Result::ok) {
@@ -86,10 +86,10 @@ pub(crate) fn measure<H: Hamiltonian, M: Method<H>>(
             break;
         }
         portrait.push((state[view[0]], state[view[1]]));
-        energies.push((sample.time / turn, (now - energy) / unit));
+        energies.push((sample.time / period, (now - energy) / unit));
     }
     let bracket = |h: f64| poisson_bracket::<H, M, f64>(system, method, start, h, 0);
-    let brackets = BRACKET_STEPS.iter().map(|count| turn / count);
+    let brackets = BRACKET_STEPS.iter().map(|count| period / count);
     Ok(Measured {
         name,
         symplectic: method.facts().symplectic,

@@ -9,13 +9,13 @@ pub(crate) struct Problem<H: Hamiltonian> {
     pub(crate) formula: &'static str,
     pub(crate) start: Phase<H::Coords>,
     /// About how long the slowest motion takes to come around.
-    pub(crate) turn: f64,
+    pub(crate) period: f64,
     /// The step of the phase portraits: coarse, so that errors can be seen.
     pub(crate) step: f64,
     /// The radius of the blob of starts around `start`, in the plane of the first position and its momentum.
     pub(crate) blob: f64,
-    /// What portraits show along and up, counted through all positions and then all momenta: with two degrees of freedom,
-    /// `[0, 2]` is q₁ and p₁.
+    /// What portraits show along and up, counted through all positions and then all momenta: with two degrees of
+    /// freedom, `[0, 2]` is q₁ and p₁.
     pub(crate) view: [usize; 2],
 }
 

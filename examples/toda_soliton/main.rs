@@ -1,10 +1,11 @@
 //! A soliton on Toda's lattice: a wave that goes around a ring for ever and keeps its shape.
 //!
-//! Look at the picture, `toda_soliton.png`. On the left the momenta of all sites at several times in the first turn, one
-//! above the other, with the closed form as dots; on the right the distance from the closed form over a hundred turns: it
-//! grows like the time, since the step changes the speed by a little, and the shape stays. Positions grow by 2κ in every
-//! turn and round ever more coarsely, which would hide this; hence the run carries its rounding errors along. Printed: the
-//! speed, `sinh κ / κ`, and the distances after the first turn and at the end, in units of the height of the wave.
+//! Look at the picture, `toda_soliton.png`. On the left the momenta of all sites at several times in the first period,
+//! one above the other, with the closed form as dots; on the right the distance from the closed form over a hundred
+//! periods: it grows like the time, since the step changes the speed by a little, and the shape stays. Positions grow
+//! by 2κ in every period and round ever more coarsely, which would hide this; hence the run carries its rounding errors
+//! along. Printed: the speed, `sinh κ / κ`, and the distances after the first period and at the end, in units of the
+//! height of the wave.
 
 mod picture;
 mod ring;
@@ -19,14 +20,14 @@ use std::error::Error;
 use support::{Watch, folder};
 
 const SOLITON: Soliton = Soliton { sites: 64, kappa: 1.0 };
-/// A turn takes so many steps, of 0.053 each.
+/// A period takes so many steps, of 0.053 each.
 const STEPS: u64 = 1020;
-const TURNS: u64 = 100;
-/// Looks in the first turn.
+const PERIODS: u64 = 100;
+/// Looks in the first period.
 const LOOKS: u64 = 6;
 
 fn main() -> Result<(), Box<dyn Error>> {
-    let h = SOLITON.turn() / STEPS as f64;
+    let h = SOLITON.period() / STEPS as f64;
     let start = SOLITON.state(0.0);
     let run = SOLITON.ring().run(Phase::compensated(start.q, start.p), h)?;
     let looks: Vec<_> = run
@@ -36,9 +37,9 @@ fn main() -> Result<(), Box<dyn Error>> {
         .map(|sample| sample.map(|sample| (sample.time, values(&sample.state))))
         .collect::<Result<_, _>>()?;
 
-    let watch = Watch::new(STEPS * TURNS, "steps");
+    let watch = Watch::new(STEPS * PERIODS, "steps");
     let mut distances = Vec::new();
-    for sample in run.samples(STEPS).skip(1).take(TURNS as usize) {
+    for sample in run.samples(STEPS).skip(1).take(PERIODS as usize) {
         let sample = sample?;
         distances.push((sample.step as f64 / STEPS as f64, SOLITON.distance(&values(&sample.state), sample.time)));
         if !watch.done(sample.step) {
@@ -47,12 +48,12 @@ fn main() -> Result<(), Box<dyn Error>> {
     }
     drop(watch);
 
-    let [(_, first), .., (turns, last)] = distances[..] else { return Err("stopped in the first turn".into()) };
+    let [(_, first), .., (periods, last)] = distances[..] else { return Err("stopped in the first period".into()) };
     let file = folder().join("toda_soliton");
     write(&file, &picture(&SOLITON, &looks, &distances))?;
     println!("the picture is {}", file.with_extension("png").display());
     println!("speed={}", SOLITON.speed());
     println!("distance_after_one_turn={:e}", first[0]);
-    println!("distance_after_{turns}_turns={:e}", last[0]);
+    println!("distance_after_{periods}_periods={:e}", last[0]);
     Ok(())
 }

@@ -4,13 +4,14 @@ use crate::ring::Soliton;
 use integrator_core::prelude::*;
 use integrator_plot::{Axis, Chart, Mark, Panels, colour};
 
-/// Looks in the first turn, each `(time, state)`, and distances after each turn, `(turns, [of momenta, of positions])`.
+/// Looks in the first period, each `(time, state)`, and distances after each period, `(periods, [of momenta, of
+/// positions])`.
 pub(crate) fn picture(soliton: &Soliton, looks: &[(f64, Phase<Vec<f64>>)], distances: &[(f64, [f64; 2])]) -> Panels {
     let wave = |higher: usize, state: &Phase<Vec<f64>>| {
         let sites: Vec<_> = state.p.iter().enumerate().map(|(site, p)| (site as f64, p + higher as f64)).collect();
         sites
     };
-    let mut waves = Chart::new("One turn around the ring")
+    let mut waves = Chart::new("One period around the ring")
         .claim("Lines: computed, upwards in time. Dots: closed form")
         .along(Axis::linear("site"))
         .up(Axis::linear("momentum, each look 1 higher"));
@@ -18,15 +19,15 @@ pub(crate) fn picture(soliton: &Soliton, looks: &[(f64, Phase<Vec<f64>>)], dista
         waves = waves.line("", wave(number, state)).coloured(colour::COLOURS[6]);
     }
     let closed_form = looks.iter().enumerate().flat_map(|(number, (time, _))| wave(number, &soliton.state(*time)));
-    let of = |which: usize| distances.iter().map(move |(turns, distance)| (*turns, distance[which]));
+    let of = |which: usize| distances.iter().map(move |(periods, distance)| (*periods, distance[which]));
     let growth = Chart::new("Distance from the closed form")
         .claim("Black: momenta, relative to the height of the wave. Blue: positions")
-        .along(Axis::logarithmic("turns"))
+        .along(Axis::logarithmic("periods"))
         .up(Axis::logarithmic("distance"))
         .series(Mark::Dotted, "", of(0))
         .series(Mark::Dotted, "", of(1));
-    let measured = distances.last().map(|(turns, [momenta, _])| {
-        format!("after {turns:.0} turns the momenta are off by {momenta:.1e} of the height")
+    let measured = distances.last().map(|(periods, [momenta, _])| {
+        format!("after {periods:.0} periods the momenta are off by {momenta:.1e} of the height")
     });
     Panels::new("A soliton on Toda's lattice", "It keeps its shape and its speed")
         .measured(measured.unwrap_or_default())

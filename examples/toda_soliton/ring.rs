@@ -42,7 +42,7 @@ impl Soliton {
     }
 
     /// How long it takes around the ring.
-    pub(crate) fn turn(&self) -> f64 {
+    pub(crate) fn period(&self) -> f64 {
         self.sites as f64 / self.speed()
     }
 

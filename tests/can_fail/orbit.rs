@@ -29,8 +29,8 @@ where
     })
 }
 
-/// A kink is met within a quarter of a turn or later. However the step divides the time until then, the order is lost,
-/// and not before.
+/// A kink is met within a quarter of a period or later. However the step divides the time until then, the order is
+/// lost, and not before.
 #[test]
 fn a_kink_on_the_orbit_is_found_where_it_is() {
     for (kink, at) in [(1.0, 0.0), (1e-3, 0.0), (1.0, 0.77), (-0.2, -0.5)] {

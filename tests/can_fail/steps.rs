@@ -41,14 +41,15 @@ fn frequencies_are_those_of_the_linear_motion() {
 
 #[test]
 fn the_fastest_point_of_an_orbit_counts() {
-    // At the distance r the force restores across the line of sight with the frequency r^(-3/2), and along it, it flees.
+    // At the distance r the force restores across the line of sight with the frequency r^(-3/2), and along it, it
+    // flees.
     let eccentricity: f64 = 0.9;
     let start = Phase::new([1.0 + eccentricity, 0.0], [0.0, ((1.0 - eccentricity) / (1.0 + eccentricity)).sqrt()]);
     let found = told(&Kepler { mass: 1.0, attraction: 1.0 }, KahanLi8, start, 1e-3);
     let at_pericentre = 1e-3 * (1.0 - eccentricity).powf(-1.5);
     // Between two looks, 32 steps, the distance at the pericentre changes by a few hundredths.
     assert!(found.turn < at_pericentre && found.turn > 0.95 * at_pericentre, "{found:?} for {at_pericentre}");
-    assert!((found.time - std::f64::consts::PI).abs() < 0.032, "half a turn: {found:?}");
+    assert!((found.time - std::f64::consts::PI).abs() < 0.032, "half a period: {found:?}");
 }
 
 #[test]

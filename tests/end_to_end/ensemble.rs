@@ -180,7 +180,7 @@ fn members_are_asked_by_their_numbers() {
 /// Members of different sizes share no lanes.
 struct Chain {
     stiffness: f64,
-    turns: usize,
+    bonds: usize,
 }
 
 #[hamiltonian]
@@ -190,7 +190,7 @@ impl Chain {
     }
     fn potential(&self, q: &[f64]) -> f64 {
         let mut v = 0.0;
-        for i in 0..self.turns {
+        for i in 0..self.bonds {
             v += 0.5 * self.stiffness * (q[i + 1] - q[i]).powi(4);
         }
         v
@@ -200,10 +200,10 @@ impl Chain {
 #[test]
 fn members_of_different_sizes_run_beside_each_other() {
     let member = |i: usize| {
-        let turns = 2 + i / 10;
-        let q: Vec<f64> = (0..=turns).map(|site| (site + i) as f64 / 9.0).collect();
+        let bonds = 2 + i / 10;
+        let q: Vec<f64> = (0..=bonds).map(|site| (site + i) as f64 / 9.0).collect();
         let p = vec![0.1; q.len()];
-        (Chain { stiffness: 1.0 + i as f64, turns }, Phase::new(q, p))
+        (Chain { stiffness: 1.0 + i as f64, bonds }, Phase::new(q, p))
     };
     let mut swarm = Ensemble::new(Verlet, (0..25).map(member), 0.01).expect("an ensemble");
     swarm.advance(300).expect("finite");

@@ -21,10 +21,10 @@ impl Stated {
     fn curve(&self, r: f64) -> f64 {
         // A loop that the language of H refuses: nobody looks inside.
         let mut power = 1.0;
-        let mut turns = 0;
-        while turns < 2 {
+        let mut iterations = 0;
+        while iterations < 2 {
             power *= 1.0 - self.fall(r);
-            turns += 1;
+            iterations += 1;
         }
         self.depth * power
     }

@@ -15,19 +15,19 @@ fn there_and_back<H: Hamiltonian<Coords = [f64; N]>, X: Composition<H>, const N:
 ) -> Result<[Phase<[Fixed<f64>; N]>; 2], Error> {
     let mut there = system.run_with::<Fixed<f64>, X>(X::default(), start, h)?;
     there.advance(steps)?;
-    let turn = there.state();
-    let mut back = system.run_with::<Fixed<f64>, X>(X::default(), turn, -h)?;
+    let turnaround = there.state();
+    let mut back = system.run_with::<Fixed<f64>, X>(X::default(), turnaround, -h)?;
     back.advance(steps)?;
-    Ok([turn, back.state()])
+    Ok([turnaround, back.state()])
 }
 
 #[test]
 fn ten_million_steps_and_back() {
     let problem = pendulum();
     let start = Phase::reversible(problem.start.0, problem.start.1, GRID);
-    let [turn, end] = there_and_back::<_, Verlet, 1>(&problem.system, start, 0.01, 10_000_000).expect("in range");
+    let [turnaround, end] = there_and_back::<_, Verlet, 1>(&problem.system, start, 0.01, 10_000_000).expect("in range");
     assert_eq!(end, start);
-    assert_ne!(turn, start);
+    assert_ne!(turnaround, start);
 }
 
 /// Every symmetric composition returns; every other one is refused.
@@ -41,10 +41,10 @@ impl Visitor<HenonHeiles> for Returns {
         let (q, p) = henon_heiles().start;
         let start = Phase::reversible(q, p, GRID);
         match there_and_back::<HenonHeiles, X, 2>(&HenonHeiles, start, 0.1, 5_000) {
-            Ok([turn, end]) => {
+            Ok([turnaround, end]) => {
                 assert!(X::SYMMETRIC, "{} is not symmetric", X::NAME);
                 assert_eq!(end, start, "{}", X::NAME);
-                assert_ne!(turn, start, "{}", X::NAME);
+                assert_ne!(turnaround, start, "{}", X::NAME);
                 self.symmetric += 1;
             }
             Err(error) => {

@@ -8,7 +8,7 @@ use std::fs;
 /// Words of each picture that stand on its axes or in its head, and whether all methods have a curve in it.
 const SHOWN: [(&str, [&str; 3], bool); 9] = [
     ("portraits", ["Phase portraits", "symplectic", "gains energy"], true),
-    ("energy", ["Energy against time", "turns", "forward Euler"], false),
+    ("energy", ["Energy against time", "periods", "forward Euler"], false),
     ("energy_error", ["Energy error", "largest so far", "Kahan–Li 8"], true),
     ("errors", ["Error against step", "Runge–Kutta 4: ", "distance from the reference"], true),
     ("work_precision", ["Work and precision", "evaluations of the force", "Dormand–Prince 8"], false),

@@ -1,5 +1,5 @@
-//! The laboratory on small runs: its claims hold and can fail, its pictures have their axes, words and curves, and its page
-//! stands alone.
+//! The laboratory on small runs: its claims hold and can fail, its pictures have their axes, words and curves, and its
+//! page stands alone.
 
 #![allow(dead_code, reason = "the example has more to show than the tests look at")]
 
@@ -54,7 +54,7 @@ use std::{
 use systems::SYSTEMS;
 
 /// Enough of everything for claims to hold and for pictures to show what they show.
-const SMALL: Plan = Plan { turns: 4.0, outline: 64, rungs: 5, crossings: 20 };
+const SMALL: Plan = Plan { periods: 4.0, outline: 64, rungs: 5, crossings: 20 };
 
 /// A folder of this process for pictures.
 fn folder(name: &str) -> PathBuf {

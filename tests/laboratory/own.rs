@@ -29,7 +29,7 @@ const ROW: System =
                 system: Duffing { stiffening: 1.0 },
                 formula: "H = p²/2 + q²/2 + q⁴/4, from q = 1 at rest", // what the page says of it
                 start: Phase::new([1.0], [0.0]),
-                turn: 4.77,   // about how long the slowest motion takes to come around
+                period: 4.77, // about how long the slowest motion takes to come around
                 step: 0.1,    // the step of portraits and energies: coarse, so that errors are seen
                 blob: 0.1,    // the radius of the blob of starts
                 view: [0, 1], // what portraits show: positions count first, then momenta
@@ -56,7 +56,7 @@ fn driven(view: [usize; 2]) -> Problem<Driven> {
         system: Driven,
         formula: "H = Σ p²/2 + q²/2 − cos q sin t / 10",
         start: Phase::new(vec![1.0, 0.5], vec![0.0, 0.2]),
-        turn: 6.5,
+        period: 6.5,
         step: 0.1,
         blob: 0.1,
         view,

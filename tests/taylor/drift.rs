@@ -1,9 +1,10 @@
-//! How the energy drifts, over as long as a test may take; `cargo bench -p integrator --bench taylor_drift` takes 10^5 periods.
+//! How the energy drifts, over as long as a test may take; `cargo bench -p integrator --bench taylor_drift` takes 10^5
+//! periods.
 
 use crate::runs::{FINE, Kepler, Pendulum, pericentre};
 use integrator_core::{Coords, Run, prelude::*, taylor::Taylor};
 
-/// Steps of the runs, of 7/8 each: some 140 turns.
+/// Steps of the runs, of 7/8 each: some 140 periods.
 const STEPS: u64 = 1_000;
 
 /// The root of the mean squared change of energies.

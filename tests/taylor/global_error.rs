@@ -40,8 +40,8 @@ where
         let measured = global_error::<H, X, f64>(system, method, start.clone(), h, steps).expect("a reference");
         // As for states: 1e-15 in a unit of time, ten times as much where pericentres are steep.
         assert!(measured.uncertainty < 1e-14 * (1.0 + measured.span.abs()), "{measured:?}");
-        // Closed forms are summed in doubles, with a phase of up to 50. How far a motion goes is seen some hundred times in
-        // each turn, a fortieth of a radian beside its farthest point at most, where it is a parabola.
+        // Closed forms are summed in doubles, with a phase of up to 50. How far a motion goes is seen some hundred
+        // times in each period, a fortieth of a radian beside its farthest point at most, where it is a parabola.
         let bound = 4.0 * measured.uncertainty + 1e-13 + 1e-3 * known;
         assert!((measured.distance - known).abs() < bound, "{known:e}, {measured:?}");
         assert_eq!(measured.span, steps as f64 * h);
@@ -60,7 +60,8 @@ fn the_distance_is_that_to_the_closed_form() {
     };
     macro_rules! methods {
         ($($method:expr),*) => {$(
-            // From one side to the other, and the speed at the lowest point; to the apocentre, where velocities are opposite.
+            // From one side to the other, and the speed at the lowest point; to the apocentre, where velocities are
+            // opposite.
             check(&Pendulum, $method, Phase::new([2.0], [0.0]), [4.0, 2.0 * 1.0_f64.sin()], of_pendulum);
             check(&Kepler, $method, pericentre(0.6), [2.0, 2.5], of_kepler);
         )*};

@@ -209,7 +209,7 @@ rows! {
         squares * exponentials
     }
 
-    // Turns side by side: more than eight, with numbers and conditions of their own
+    // Iterations side by side: more than eight, with numbers and conditions of their own
     turns_of_their_own [&[f64]] { p.iter().map(|p| p * p / 2.0).sum() } {
         let mut sum = 0.0;
         for i in 0..q.len() {

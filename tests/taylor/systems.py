@@ -214,7 +214,7 @@ def product_of_sums(q, p, t):
     return half_squares(p) + sum(p) ** 2 / 8, sum(x**2 for x in q) * sum(exp(x) for x in q)
 
 
-# turns side by side: more than eight, with numbers and conditions of their own
+# iterations side by side: more than eight, with numbers and conditions of their own
 
 @system([-1.0, -0.75, -0.5, -0.25, 0.0, 0.25, 0.5, 0.75, 1.0, 1.25], [0.25, 0.0, -0.125, 0.5, 0.0] * 2, 0.25)
 def turns_of_their_own(q, p, t):

@@ -17,9 +17,9 @@ pub(super) fn low_orders(study: &Study) -> Drawing {
     let chart = Chart::new(format!("Energy against time: {}", study.system))
         .claim("Forward Euler gains energy, backward Euler loses it; that of symplectic methods oscillates.")
         .measured(format!("at the end: {}", numbers.collect::<Vec<_>>().join(", ")))
-        .along(Axis::linear("turns"))
+        .along(Axis::linear("periods"))
         .up(Axis::linear("(E − E₀) / |E₀|").between(-most, most));
-    let still = chart.line("", ends(study).map(|turns| (turns, 0.0))).coloured(GREY);
+    let still = chart.line("", ends(study).map(|periods| (periods, 0.0))).coloured(GREY);
     let low = styled(study).filter(|(measured, _)| measured.order <= LOW);
     Drawing::Chart(low.fold(still, |chart, (measured, style)| {
         style.apply(chart.line(measured.name, measured.energies.iter().copied()))
@@ -37,7 +37,7 @@ pub(super) fn all(study: &Study) -> Drawing {
     let chart = Chart::new(format!("Energy error against time: {}", study.system))
         .claim("The error of a symplectic method stays where it is, that of the others grows with time, whatever their order.")
         .measured(format!("step {}; at the end over half of the time: {}", study.step, growths.join(", ")))
-        .along(Axis::linear("turns"))
+        .along(Axis::linear("periods"))
         .up(Axis::logarithmic("|E − E₀| / |E₀|, largest so far"))
         .sized(1100, 720);
     Drawing::Chart(
@@ -49,13 +49,13 @@ pub(super) fn all(study: &Study) -> Drawing {
 /// The largest error so far, from the first step on.
 fn envelope(measured: &Measured) -> impl Iterator<Item = (f64, f64)> {
     let changes = measured.energies.iter().skip(1);
-    changes.scan(f64::EPSILON, |largest, (turns, change)| {
+    changes.scan(f64::EPSILON, |largest, (periods, change)| {
         *largest = largest.max(change.abs());
-        Some((*turns, *largest))
+        Some((*periods, *largest))
     })
 }
 
 fn ends(study: &Study) -> impl Iterator<Item = f64> {
-    let last = study.methods.iter().filter_map(|measured| measured.energies.last()).map(|(turns, _)| *turns);
+    let last = study.methods.iter().filter_map(|measured| measured.energies.last()).map(|(periods, _)| *periods);
     [0.0, last.fold(0.0, f64::max)].into_iter()
 }

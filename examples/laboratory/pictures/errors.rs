@@ -5,7 +5,7 @@ use super::{
     style::{others, styled},
 };
 use crate::{
-    errors::{Rung, TURNS},
+    errors::{PERIODS, Rung},
     measured::Measured,
     study::Study,
 };
@@ -17,7 +17,7 @@ pub(super) fn against_step(study: &Study) -> Drawing {
         .claim("On logarithmic axes the slope is the order of the method. It is measured where the error stands out of the rounding.")
         .measured("the number beside each name is the measured order")
         .along(Axis::logarithmic("step"))
-        .up(Axis::logarithmic(format!("distance from the reference after {TURNS} turns")).between(1e-16, 3.0))
+        .up(Axis::logarithmic(format!("distance from the reference after {PERIODS} periods")).between(1e-16, 3.0))
         .sized(1100, 720);
     let name = |measured: &Measured| match measured.slope {
         Some(slope) => format!("{}: {slope:.2}", measured.name),
@@ -32,7 +32,7 @@ pub(super) fn against_work(study: &Study) -> Drawing {
         .claim("Further down and to the left is better: less error for fewer evaluations of the force.")
         .measured(format!("evaluations up to an error of 10⁻⁸: {}", cheapest(study)))
         .along(Axis::logarithmic("evaluations of the force"))
-        .up(Axis::logarithmic(format!("distance from the reference after {TURNS} turns")).between(1e-16, 3.0))
+        .up(Axis::logarithmic(format!("distance from the reference after {PERIODS} periods")).between(1e-16, 3.0))
         .sized(1100, 720);
     let chart = curves(chart, study, |measured| measured.name.to_owned(), |rung| rung.evaluations as f64);
     Drawing::Chart(study.adaptive.iter().zip(others(study)).fold(chart, |chart, (adaptive, style)| {

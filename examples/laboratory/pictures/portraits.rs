@@ -20,13 +20,13 @@ pub(super) fn portraits(study: &Study) -> Drawing {
              energy, or inwards and lose it."
         }
     };
-    let measured = format!("step {}, {} turns", study.step, turns(study));
+    let measured = format!("step {}, {} periods", study.step, periods(study));
     let panels = Panels::new(title, claim).measured(measured).columns(4).panel(310, 350);
     Drawing::Panels(study.methods.iter().fold(panels, |panels, measured| panels.chart(portrait(study, measured))))
 }
 
-fn turns(study: &Study) -> f64 {
-    let last = |measured: &Measured| measured.energies.last().map_or(0.0, |(turns, _)| *turns);
+fn periods(study: &Study) -> f64 {
+    let last = |measured: &Measured| measured.energies.last().map_or(0.0, |(periods, _)| *periods);
     study.methods.iter().map(last).fold(0.0, f64::max).round()
 }
 

@@ -36,7 +36,7 @@ fn steps_through_the_limit_are_stable_below_and_reported_above() {
     let wrong: Vec<_> = trials.iter().filter(|trial| trial.is_wrong()).collect();
     assert!(wrong.is_empty(), "{wrong:?}");
     // Beyond 2, Verlet's tangent map grows by 4 in each step and leaves the finite numbers after 512.
-    let verlet = trials.iter().find(|trial| trial.composition == "Verlet" && trial.turn == 2.5);
+    let verlet = trials.iter().find(|trial| trial.composition == "Verlet" && trial.angle == 2.5);
     assert_eq!(verlet.map(|trial| trial.outcome), Some(Outcome::Reported));
 }
 
