@@ -2,7 +2,7 @@
 # What systems cost to compile: a crate of a user's with one system, rebuilt in release with the library built before. For
 # each system of benches/compile_cost and each use of it: CPU seconds of cargo and rustc, and lines of LLVM IR before any
 # optimisation, which no other load on the machine changes. More than 2 % more lines than benches/compile_cost.csv has is an
-# error; UPDATE_COSTS=1 writes that file anew. With --lines, nothing is optimised and no seconds are taken.
+# error; .ci/bless costs writes that file. With --lines, nothing is optimised and no seconds are taken.
 set -euo pipefail
 root=$(cd "$(dirname "$0")/.." && pwd)
 crate=$root/target/compile_cost
@@ -66,9 +66,9 @@ for system in pendulum chain bodies; do
         if [ -z "$before" ] || awk "BEGIN { exit !($lines > 1.02 * $before) }"; then failed=1; fi
     done
 done
-if [ -n "${UPDATE_COSTS:-}" ]; then
+if [ -n "${BLESS:-}" ]; then
     cp "$rows" "$kept"
 elif [ $failed = 1 ]; then
-    echo "Some uses take over 2 % more lines of LLVM IR than $kept has. If that is meant: UPDATE_COSTS=1 benches/compile_cost.sh --lines" >&2
+    echo "Some uses take over 2 % more lines of LLVM IR than $kept has. If that is meant: .ci/bless costs" >&2
     exit 1
 fi

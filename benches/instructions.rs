@@ -2,7 +2,7 @@
 //!
 //! The program runs itself under callgrind with two numbers of steps; the difference is that of the steps alone. Callgrind
 //! of Valgrind 3.19 knows no AVX-512, so the clone for AVX2 is counted. More than two per cent above what is kept is an
-//! error; `UPDATE_COUNTS=1` keeps the new numbers. Where Valgrind is missing, nothing is counted, and the output says so.
+//! error; `.ci/bless counts` keeps the new numbers. Where Valgrind is missing, nothing is counted, and the output says so.
 
 use integrator_bench::{
     counts::{Counts, compare, read, total, write},
@@ -119,7 +119,7 @@ fn count() -> Result<Counts, Box<dyn Error>> {
 /// Whether all kept counts hold.
 fn check(kept: &Path) -> Result<bool, Box<dyn Error>> {
     let counted = count()?;
-    if env::var_os("UPDATE_COUNTS").is_some() {
+    if env::var_os("BLESS").is_some() {
         fs::write(kept, write(&counted))?;
     }
     let differences = compare(&read(&fs::read_to_string(kept)?)?, &counted);
@@ -145,9 +145,7 @@ fn main() -> Result<ExitCode, Box<dyn Error>> {
     let kept = PathBuf::from(concat!(env!("CARGO_MANIFEST_DIR"), "/benches/instruction_counts.csv"));
     let holds = check(&kept)?;
     if !holds {
-        println!(
-            "Some steps take over 2 % more instructions. If that is meant: UPDATE_COUNTS=1 cargo bench -p integrator --bench instructions"
-        );
+        println!("Some steps take over 2 % more instructions. If that is meant: `.ci/bless counts`");
     }
     Ok(if holds { ExitCode::SUCCESS } else { ExitCode::FAILURE })
 }

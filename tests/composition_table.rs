@@ -1,6 +1,6 @@
 //! `docs/compositions.md` says what the catalogue holds, and what its entries cost.
 //!
-//! `UPDATE_DOCS=1 cargo test --release -p integrator --test composition_table` writes the tables anew.
+//! `.ci/bless docs` writes the tables.
 
 use integrator_core::{
     Class, Coords, Visitor,
@@ -115,12 +115,12 @@ fn around<'p>(page: &'p str, table: &str) -> [&'p str; 3] {
 
 #[test]
 fn the_facts_are_what_was_proved() {
-    if std::env::var_os("UPDATE_DOCS").is_some() {
+    if std::env::var_os("BLESS").is_some() {
         return update();
     }
     let page = page();
     let [_, shown, _] = around(&page, "facts");
-    assert!(shown == table_of_facts(), "run this test with UPDATE_DOCS=1; the table should be\n{}", table_of_facts());
+    assert!(shown == table_of_facts(), "`.ci/bless docs` writes the table, which should be\n{}", table_of_facts());
 }
 
 fn update() {
@@ -141,7 +141,7 @@ fn update() {
 /// by one place of its bisection, 2 %, on either side of the ratio, and a doubled error of a coefficient by far more.
 #[test]
 fn the_work_is_what_is_measured() {
-    if std::env::var_os("UPDATE_DOCS").is_some() {
+    if std::env::var_os("BLESS").is_some() {
         return;
     }
     let ranking = rank(pendulum(), Goal::Trajectory(TOLERANCES[1]));

@@ -7,7 +7,7 @@ fn rust_files(folder: &Path, found: &mut Vec<(String, String)>) {
         let name = entry.file_name().expect("a name").to_string_lossy().into_owned();
         if entry.is_dir() && name != "target" && !name.starts_with('.') {
             rust_files(&entry, found);
-        } else if name.ends_with(".rs") {
+        } else if name.ends_with(".rs") && !name.ends_with(".expanded.rs") {
             found.push((entry.display().to_string(), fs::read_to_string(&entry).expect("text")));
         }
     }

@@ -1,7 +1,7 @@
 //! What programs print in the guide is what they print, and the guide hangs together.
 //!
 //! A block below `<!-- output: show FILE.rs -->` is the answer of the program to these arguments; for the word `above`, to
-//! a file with the last block of Rust. `UPDATE_GUIDE=1 cargo test -p integrator-cli --test guide` writes the blocks anew.
+//! a file with the last block of Rust. `.ci/bless guide` writes the blocks.
 
 use std::{
     collections::BTreeSet,
@@ -9,6 +9,11 @@ use std::{
     path::{Path, PathBuf},
     process::Command,
 };
+
+#[path = "../../tests/support/kept.rs"]
+mod kept;
+
+use kept::assert_kept;
 
 const MARK: &str = "<!-- output: ";
 
@@ -89,13 +94,9 @@ fn outputs_are_what_is_printed() {
     let mut outputs = 0;
     for name in names() {
         let path = chapters().join(name).with_extension("md");
-        let (chapter, renewed) = (text(&path), renewed(&text(&path)));
+        let chapter = text(&path);
         outputs += chapter.matches(MARK).count();
-        if env::var_os("UPDATE_GUIDE").is_some() {
-            fs::write(&path, renewed).expect("a chapter to write");
-        } else {
-            assert_eq!(chapter, renewed, "{}: run this test with UPDATE_GUIDE=1", path.display());
-        }
+        assert_kept(&path, &renewed(&chapter));
     }
     assert!(outputs > 10, "{outputs}");
 }

@@ -42,28 +42,6 @@ fn facts(text: &str) -> Vec<String> {
 }
 
 #[test]
-fn a_declaration_becomes_a_type_and_its_table() {
-    insta::assert_snapshot!(pretty(
-        "/// Strang's splitting.\n pub struct Verlet: order 2, symmetric = T(1/2) V(1) T(1/2);"
-    ));
-}
-
-#[test]
-fn letters_that_differ_at_the_ends_do_not_merge() {
-    insta::assert_snapshot!(pretty("crate = my::runtime; struct Ruth3 = V(7/24) T(2/3) V(3/4) T(-2/3) V(-1/24) T(1);"));
-}
-
-#[test]
-fn gradient_kicks_bring_their_own_kick() {
-    insta::assert_snapshot!(pretty("pub struct Chin4A: order 4 = V(1/6) T(1/2) V(2/3, -1/72) T(1/2) V(1/6);"));
-}
-
-#[test]
-fn a_processor_runs_once_and_moves_the_times_of_its_kernel() {
-    insta::assert_snapshot!(pretty("struct Shifted = processed(V(1/4) T(1/2); T(1/2) V(1) T(1/2));"));
-}
-
-#[test]
 fn proved_facts_of_known_methods() {
     const TAKAHASHI_IMADA: &str = "processed(
         V(0.185935399684605464415966643791607204) T(0.874930615595543534033796586897314284)

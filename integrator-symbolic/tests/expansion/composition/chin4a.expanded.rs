@@ -1,7 +1,3 @@
----
-source: integrator-symbolic/tests/composition.rs
-expression: "pretty(\"pub struct Chin4A: order 4 = V(1/6) T(1/2) V(2/3, -1/72) T(1/2) V(1/6);\")"
----
 /// Order 4 for `T` quadratic in `p` (proved), symmetric, 2 force evaluations (1 with its gradient) a step. Stable up to `h ω = 3.464`, leading error 1.0e-3.
 #[derive(
     ::core::clone::Clone,

@@ -1,7 +1,3 @@
----
-source: integrator-symbolic/tests/expansion.rs
-expression: "stepper(\"\",\n\"impl Driven {\n            fn kinetic(&self, p: [f64; 1]) -> f64 { (1.0 + p[0] * p[0]).sqrt() }\n            fn potential(&self, q: [f64; 1], t: f64) -> f64 {\n                q[0].powi(2) / 2.0 - self.amplitude * q[0] * (self.omega * t).cos()\n            }\n        }\")"
----
 #[allow(warnings, clippy::all, clippy::pedantic, reason = "generated")]
 const _: () = {
     use ::integrator_core::__private::{self as runtime, Mask as _, Slot as _};

@@ -1,7 +1,3 @@
----
-source: integrator-symbolic/tests/expansion.rs
-expression: "stepper(\"\",\n\"impl Kepler {\n            fn kinetic(&self, p: &[f64; 2]) -> f64 { 0.5 * (p[0] * p[0] + p[1] * p[1]) }\n            fn potential(&self, q: &[f64; 2]) -> f64 { -self.mu / (q[0].powi(2) + q[1] * q[1]).sqrt() }\n        }\")"
----
 #[allow(warnings, clippy::all, clippy::pedantic, reason = "generated")]
 const _: () = {
     use ::integrator_core::__private::{self as runtime, Mask as _, Slot as _};

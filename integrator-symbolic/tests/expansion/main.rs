@@ -1,24 +1,87 @@
-//! What `#[hamiltonian]` writes, as reviewed text: the user's item is left out, the rest is formatted and stored.
+//! What the macros write, as reviewed text: in the folders beside this file, `name.expanded.rs` is what they make of
+//! `name.rs`, without the user's own item. Of what recurrences of Taylor series bring along, only that is kept.
 
-use integrator_symbolic::hamiltonian;
+use integrator_symbolic::{composition, hamiltonian};
+use proc_macro2::{Delimiter, TokenStream, TokenTree};
+use quote::{ToTokens, quote};
+use std::{
+    fs,
+    path::{Path, PathBuf},
+};
+use syn::Item;
+
+#[path = "../../../tests/support/kept.rs"]
+mod kept;
+
+use kept::assert_kept;
+
+#[test]
+fn expansions_are_those_that_are_kept() {
+    let entries = |folder: &Path| -> Vec<PathBuf> {
+        fs::read_dir(folder).expect("a folder").map(|entry| entry.expect("an entry").path()).collect()
+    };
+    let folders = entries(&Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/expansion"));
+    let files = folders.iter().filter(|folder| folder.is_dir()).flat_map(|folder| entries(folder));
+    let (outputs, inputs): (Vec<_>, Vec<_>) = files.partition(|file| file.to_string_lossy().ends_with(".expanded.rs"));
+    assert!(inputs.len() >= 15, "the walk must reach the folders");
+    for input in &inputs {
+        let file = syn::parse_file(&fs::read_to_string(input).expect("text")).expect("items");
+        let [item] = &file.items[..] else { panic!("{}: one item", input.display()) };
+        assert_kept(&input.with_extension("expanded.rs"), &expanded(item));
+    }
+    for output in &outputs {
+        assert!(output.with_extension("").with_extension("rs").exists(), "{} has no input", output.display());
+    }
+}
+
+/// What a macro makes of the item that calls it.
+fn expanded(item: &Item) -> String {
+    let items = match item {
+        Item::Macro(call) => syn::parse2(composition(call.mac.tokens.clone())).expect("items"),
+        Item::Impl(item) => {
+            let mut item = item.clone();
+            let attribute = item.attrs.pop().expect("the attribute").meta;
+            let arguments = attribute.require_list().map_or_else(|_| TokenStream::new(), |list| list.tokens.clone());
+            let mut items = generated(arguments.clone(), item.to_token_stream());
+            if arguments.to_string() == "taylor" {
+                let mut unasked = generated(TokenStream::new(), item.to_token_stream());
+                let heads: Vec<_> = statements(&mut unasked).iter().map(head).collect();
+                statements(&mut items).retain(|statement| !heads.contains(&head(statement)));
+            }
+            items
+        }
+        _ => panic!("an annotated impl, or a call of `composition!`"),
+    };
+    prettyplease::unparse(&items)
+}
+
+/// The statements of the block around all that is generated.
+fn statements(file: &mut syn::File) -> &mut Vec<syn::Stmt> {
+    match &mut file.items[..] {
+        [Item::Const(syn::ItemConst { expr, .. })] => match &mut **expr {
+            syn::Expr::Block(block) => &mut block.block.stmts,
+            _ => panic!("a block"),
+        },
+        _ => panic!("a constant"),
+    }
+}
+
+/// A statement up to its body.
+fn head(statement: &syn::Stmt) -> String {
+    let body = |token: &TokenTree| matches!(token, TokenTree::Group(group) if group.delimiter() == Delimiter::Brace);
+    statement.to_token_stream().into_iter().take_while(|token| !body(token)).collect::<TokenStream>().to_string()
+}
+
+/// What is generated beside the user's item.
+fn generated(arguments: TokenStream, item: TokenStream) -> syn::File {
+    let mut file: syn::File = syn::parse2(hamiltonian(arguments, item)).expect("items");
+    assert!(matches!(file.items.remove(0), Item::Impl(_)), "the user's item comes first");
+    file
+}
 
 /// The stepper alone.
 fn stepper(arguments: &str, item: &str) -> String {
-    let (arguments, item) = (arguments.parse().expect("tokens"), item.parse().expect("tokens"));
-    let mut file: syn::File = syn::parse2(hamiltonian(arguments, item)).expect("items");
-    assert!(matches!(file.items.remove(0), syn::Item::Impl(_)), "the user's item comes first");
-    prettyplease::unparse(&file)
-}
-
-#[test]
-fn pendulum() {
-    insta::assert_snapshot!(stepper(
-        "compose = Yoshida4",
-        "impl Pendulum {
-            fn kinetic(&self, p: [f64; 1]) -> f64 { p[0].powi(2) / (2.0 * self.mass * self.length.powi(2)) }
-            fn potential(&self, q: [f64; 1]) -> f64 { -self.mass * self.gravity * self.length * q[0].cos() }
-        }"
-    ));
+    prettyplease::unparse(&generated(arguments.parse().expect("tokens"), item.parse().expect("tokens")))
 }
 
 #[test]
@@ -58,7 +121,7 @@ fn the_functions_are_called_as_they_are() {
     for (signature, time, arguments) in rows {
         let kind: syn::ImplItemFn = syn::parse_str(&format!("fn f({signature}) {{}}")).expect("a function");
         let of_coordinates = |argument: &syn::FnArg| match argument {
-            syn::FnArg::Typed(argument) => Some(quote::quote!(#argument).to_string()),
+            syn::FnArg::Typed(argument) => Some(quote!(#argument).to_string()),
             syn::FnArg::Receiver(_) => None,
         };
         let own = kind.sig.inputs.iter().find_map(of_coordinates).expect("coordinates");
@@ -79,123 +142,6 @@ fn the_functions_are_called_as_they_are() {
     }
 }
 
-#[test]
-fn henon_heiles() {
-    insta::assert_snapshot!(stepper(
-        "",
-        "impl HenonHeiles {
-            fn kinetic(&self, [px, py]: [f64; 2]) -> f64 { 0.5 * (px * px + py * py) }
-            fn potential(&self, [x, y]: [f64; 2]) -> f64 { 0.5 * (x * x + y * y) + x * x * y - y.powi(3) / 3.0 }
-        }"
-    ));
-}
-
-#[test]
-fn recurrences_of_a_pendulum() {
-    insta::assert_snapshot!(recurrences(
-        "impl Pendulum {
-            fn kinetic(&self, p: [f64; 1]) -> f64 { p[0] * p[0] / (2.0 * self.mass) }
-            fn potential(&self, q: [f64; 1]) -> f64 { -self.strength * q[0].cos() }
-        }"
-    ));
-}
-
-#[test]
-fn recurrences_of_pairs_within_reach() {
-    insta::assert_snapshot!(recurrences(
-        "impl Cluster {
-            fn kinetic(&self, p: &[[f64; 2]]) -> f64 { p.iter().map(|[x, y]| 0.5 * (x * x + y * y)).sum() }
-            fn potential(&self, q: &[[f64; 2]]) -> f64 {
-                let mut energy = 0.0;
-                for i in 0..q.len() {
-                    for j in 0..i {
-                        let square = (q[i][0] - q[j][0]).powi(2) + (q[i][1] - q[j][1]).powi(2);
-                        if square < self.reach { energy += 1.0 / square.powi(3) - (1.0 + square).ln(); }
-                    }
-                }
-                energy
-            }
-        }"
-    ));
-}
-
-#[test]
-fn recurrences_of_a_chain_between_walls() {
-    insta::assert_snapshot!(recurrences(
-        "impl Chain {
-            fn kinetic(&self, p: [f64; 32]) -> f64 { p.iter().map(|p| p * p / 2.0).sum() }
-            fn potential(&self, q: [f64; 32]) -> f64 {
-                let mut energy = q[0].powi(4) / 4.0 + q[31].powi(4) / 4.0;
-                for i in 1..32 {
-                    energy += (q[i] - q[i - 1]).powi(3) / 3.0;
-                }
-                energy
-            }
-        }"
-    ));
-}
-
-/// What is written beside the stepper where Taylor series are asked for.
-fn recurrences(item: &str) -> String {
-    let text = stepper("taylor", item);
-    let (before, after) = text.split_once("    /// The coefficients that recurrences read.").expect("a tape");
-    let iterations =
-        before.split_once("    /// What an iteration of a loop keeps.").map_or("", |(_, iterations)| iterations);
-    assert!(!stepper("", item).contains("Recurrences"), "nothing is written unasked");
-    format!("{iterations}{after}")
-}
-
-#[test]
-fn kepler() {
-    insta::assert_snapshot!(stepper(
-        "",
-        "impl Kepler {
-            fn kinetic(&self, p: &[f64; 2]) -> f64 { 0.5 * (p[0] * p[0] + p[1] * p[1]) }
-            fn potential(&self, q: &[f64; 2]) -> f64 { -self.mu / (q[0].powi(2) + q[1] * q[1]).sqrt() }
-        }"
-    ));
-}
-
-#[test]
-fn outer_solar_system() {
-    insta::assert_snapshot!(stepper(
-        "compose = Yoshida4",
-        "impl Solar {
-            fn kinetic(&self, p: &[[f64; 3]; 6]) -> f64 {
-                let mut t = 0.0;
-                for i in 0..6 {
-                    for d in 0..3 { t += p[i][d] * p[i][d] / (2.0 * self.mass[i]); }
-                }
-                t
-            }
-            fn potential(&self, q: &[[f64; 3]; 6]) -> f64 {
-                let mut v = 0.0;
-                for i in 0..6 {
-                    for j in 0..i {
-                        let mut r2 = 0.0;
-                        for d in 0..3 { let dx = q[i][d] - q[j][d]; r2 += dx * dx; }
-                        v -= self.gravity * self.mass[i] * self.mass[j] / r2.sqrt();
-                    }
-                }
-                v
-            }
-        }"
-    ));
-}
-
-#[test]
-fn driven_relativistic_oscillator() {
-    insta::assert_snapshot!(stepper(
-        "",
-        "impl Driven {
-            fn kinetic(&self, p: [f64; 1]) -> f64 { (1.0 + p[0] * p[0]).sqrt() }
-            fn potential(&self, q: [f64; 1], t: f64) -> f64 {
-                q[0].powi(2) / 2.0 - self.amplitude * q[0] * (self.omega * t).cos()
-            }
-        }"
-    ));
-}
-
 /// A chain of so many nonlinear springs, with a helper method.
 fn chain(length: u32) -> String {
     let text = "impl Chain {
@@ -214,38 +160,6 @@ fn chain(length: u32) -> String {
     text.replace("LENGTH", &length.to_string()).replace("LAST", &(length - 1).to_string())
 }
 
-#[test]
-fn chain_with_a_helper() {
-    insta::assert_snapshot!(stepper("", &chain(32)));
-}
-
-/// Closed rows that lie open one beside the other.
-#[test]
-fn rotors_on_a_plane() {
-    insta::assert_snapshot!(stepper(
-        "",
-        "impl Rotors {
-            fn kinetic(&self, p: &[[f64; 64]]) -> f64 {
-                let mut t = 0.0;
-                for i in 0..p.len() {
-                    for j in 0..64 { t += p[i][j].powi(2) / (2.0 * self.inertia[i][j]); }
-                }
-                t
-            }
-            fn potential(&self, q: &[[f64; 64]]) -> f64 {
-                let mut v = 0.0;
-                for i in 0..q.len() {
-                    for j in 0..64 { v -= self.along[j] * (q[i][(j + 1) % 64] - q[i][j]).cos(); }
-                }
-                for i in 0..q.len() - 1 {
-                    for j in 0..64 { v -= self.across[i] * (q[i + 1][j] - q[i][j]).cos(); }
-                }
-                v
-            }
-        }"
-    ));
-}
-
 /// A share that no site has is zero.
 #[test]
 fn bonds_may_lead_to_the_second_next_site_alone() {
@@ -259,23 +173,12 @@ fn bonds_may_lead_to_the_second_next_site_alone() {
     assert!(text.contains("[share_0, Wide::of(0.0), share_2]"), "{text}");
 }
 
-#[test]
-fn composition_in_place() {
-    insta::assert_snapshot!(stepper(
-        "compose = V(1/2) T(1) V(1/2)",
-        "impl Oscillator {
-            fn kinetic(&self, p: [f64; 1]) -> f64 { p[0] * p[0] / 2.0 }
-            fn potential(&self, q: [f64; 1]) -> f64 { self.stiffness * q[0] * q[0] / 2.0 }
-        }"
-    ));
-}
-
 /// Loops stay loops: the text for a long chain is that for a short one, but for the numbers and their fingerprint, and
 /// that small systems keep their buffers on the stack.
 #[test]
 fn text_does_not_grow_with_the_system() {
     let text = |length: u32| {
-        let tokens = hamiltonian(proc_macro2::TokenStream::new(), chain(length).parse().expect("tokens"));
+        let tokens = hamiltonian(TokenStream::new(), chain(length).parse().expect("tokens"));
         let text = tokens.to_string();
         let (before, rest) = text.split_once("FINGERPRINT : u64 = ").expect("a fingerprint");
         let (_, after) = rest.split_once(' ').expect("a number");

@@ -1,7 +1,3 @@
----
-source: integrator-symbolic/tests/expansion.rs
-expression: "stepper(\"\",\n\"impl Rotors {\n            fn kinetic(&self, p: &[[f64; 64]]) -> f64 {\n                let mut t = 0.0;\n                for i in 0..p.len() {\n                    for j in 0..64 { t += p[i][j].powi(2) / (2.0 * self.inertia[i][j]); }\n                }\n                t\n            }\n            fn potential(&self, q: &[[f64; 64]]) -> f64 {\n                let mut v = 0.0;\n                for i in 0..q.len() {\n                    for j in 0..64 { v -= self.along[j] * (q[i][(j + 1) % 64] - q[i][j]).cos(); }\n                }\n                for i in 0..q.len() - 1 {\n                    for j in 0..64 { v -= self.across[i] * (q[i + 1][j] - q[i][j]).cos(); }\n                }\n                v\n            }\n        }\")"
----
 #[allow(warnings, clippy::all, clippy::pedantic, reason = "generated")]
 const _: () = {
     use ::integrator_core::__private::{self as runtime, Mask as _, Slot as _};

@@ -1,7 +1,3 @@
----
-source: integrator-symbolic/tests/composition.rs
-expression: "pretty(\"/// Strang's splitting.\\n pub struct Verlet: order 2, symmetric = T(1/2) V(1) T(1/2);\")"
----
 /// Strang's splitting.
 ///
 /// Order 2 for every `T` (proved), symmetric, 1 force evaluation a step. Stable up to `h ω = 2.000`, leading error 9.3e-2.

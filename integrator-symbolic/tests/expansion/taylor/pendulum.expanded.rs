@@ -1,8 +1,12 @@
----
-source: integrator-symbolic/tests/expansion.rs
-expression: "recurrences(\"impl Pendulum {\n            fn kinetic(&self, p: [f64; 1]) -> f64 { p[0] * p[0] / (2.0 * self.mass) }\n            fn potential(&self, q: [f64; 1]) -> f64 { -self.strength * q[0].cos() }\n        }\")"
----
-
+#[allow(warnings, clippy::all, clippy::pedantic, reason = "generated")]
+const _: () = {
+    /// Coefficients of an order.
+    #[derive(::core::clone::Clone, ::core::marker::Copy)]
+    pub struct TapeOrder<Scalar: runtime::Real> {
+        shared_1: Scalar,
+        shared_0: Scalar,
+    }
+    /// The coefficients that recurrences read.
     pub struct Tape<Scalar: runtime::Real> {
         rates_0: [Scalar; runtime::COEFFICIENTS],
         pairs_0: [Scalar::Pair; runtime::COEFFICIENTS],

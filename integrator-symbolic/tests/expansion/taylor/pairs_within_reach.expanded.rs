@@ -1,8 +1,19 @@
----
-source: integrator-symbolic/tests/expansion.rs
-expression: "recurrences(\"impl Cluster {\n            fn kinetic(&self, p: &[[f64; 2]]) -> f64 { p.iter().map(|[x, y]| 0.5 * (x * x + y * y)).sum() }\n            fn potential(&self, q: &[[f64; 2]]) -> f64 {\n                let mut energy = 0.0;\n                for i in 0..q.len() {\n                    for j in 0..i {\n                        let square = (q[i][0] - q[j][0]).powi(2) + (q[i][1] - q[j][1]).powi(2);\n                        if square < self.reach { energy += 1.0 / square.powi(3) - (1.0 + square).ln(); }\n                    }\n                }\n                energy\n            }\n        }\")"
----
-
+#[allow(warnings, clippy::all, clippy::pedantic, reason = "generated")]
+const _: () = {
+    /// Coefficients of an order.
+    #[derive(::core::clone::Clone, ::core::marker::Copy)]
+    pub struct Iteration1Order<Scalar: runtime::Real> {
+        shared_0: Scalar,
+        shared_2: Scalar,
+        shared_4: Scalar,
+        shared_5: Scalar,
+        shared_6: Scalar,
+        shared_7: Scalar,
+        shared_8: Scalar,
+        shared_9: Scalar,
+        shared_10: Scalar,
+    }
+    /// What an iteration of a loop keeps.
     pub struct Iteration1<Scalar: runtime::Real> {
         condition_0: Scalar::Mask,
         over_shared_5: Scalar,
@@ -29,7 +40,7 @@ expression: "recurrences(\"impl Cluster {\n            fn kinetic(&self, p: &[[f
             }
         }
     }
-
+    /// The coefficients that recurrences read.
     pub struct Tape<Scalar: runtime::Real> {
         mobility: runtime::Mobility<Scalar>,
         iterations_1: runtime::Iterations<

@@ -2,6 +2,12 @@
 
 use integrator_symbolic::{Form, Place, declared, report, sequence};
 use proc_macro2::TokenStream;
+use std::path::Path;
+
+#[path = "../../../tests/support/kept.rs"]
+mod kept;
+
+use kept::assert_kept;
 
 fn tokens(text: &str) -> TokenStream {
     text.parse().expect("tokens")
@@ -276,7 +282,7 @@ fn equations_are_what_a_person_writes() {
         let report = report(TokenStream::new(), tokens(&item)).unwrap_or_else(|mistake| panic!("{name}: {mistake}"));
         text += &format!("{title}\n    {}\n\n", report.equations.join("\n    "));
     }
-    insta::assert_snapshot!(text);
+    assert_kept(&Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/report/equations.txt"), &text);
 }
 
 /// Long systems: what follows each other, with `I` for its number.

@@ -1,7 +1,3 @@
----
-source: integrator-symbolic/tests/expansion.rs
-expression: "stepper(\"compose = V(1/2) T(1) V(1/2)\",\n\"impl Oscillator {\n            fn kinetic(&self, p: [f64; 1]) -> f64 { p[0] * p[0] / 2.0 }\n            fn potential(&self, q: [f64; 1]) -> f64 { self.stiffness * q[0] * q[0] / 2.0 }\n        }\")"
----
 #[allow(warnings, clippy::all, clippy::pedantic, reason = "generated")]
 const _: () = {
     use ::integrator_core::__private::{self as runtime, Mask as _, Slot as _};

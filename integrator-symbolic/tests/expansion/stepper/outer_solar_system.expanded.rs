@@ -1,7 +1,3 @@
----
-source: integrator-symbolic/tests/expansion.rs
-expression: "stepper(\"compose = Yoshida4\",\n\"impl Solar {\n            fn kinetic(&self, p: &[[f64; 3]; 6]) -> f64 {\n                let mut t = 0.0;\n                for i in 0..6 {\n                    for d in 0..3 { t += p[i][d] * p[i][d] / (2.0 * self.mass[i]); }\n                }\n                t\n            }\n            fn potential(&self, q: &[[f64; 3]; 6]) -> f64 {\n                let mut v = 0.0;\n                for i in 0..6 {\n                    for j in 0..i {\n                        let mut r2 = 0.0;\n                        for d in 0..3 { let dx = q[i][d] - q[j][d]; r2 += dx * dx; }\n                        v -= self.gravity * self.mass[i] * self.mass[j] / r2.sqrt();\n                    }\n                }\n                v\n            }\n        }\")"
----
 #[allow(warnings, clippy::all, clippy::pedantic, reason = "generated")]
 const _: () = {
     use ::integrator_core::__private::{self as runtime, Mask as _, Slot as _};

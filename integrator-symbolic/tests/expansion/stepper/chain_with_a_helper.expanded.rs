@@ -1,7 +1,3 @@
----
-source: integrator-symbolic/tests/expansion.rs
-expression: "stepper(\"\", &chain(32))"
----
 #[allow(warnings, clippy::all, clippy::pedantic, reason = "generated")]
 const _: () = {
     use ::integrator_core::__private::{self as runtime, Mask as _, Slot as _};

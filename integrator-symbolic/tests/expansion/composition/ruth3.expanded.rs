@@ -1,7 +1,3 @@
----
-source: integrator-symbolic/tests/composition.rs
-expression: "pretty(\"crate = my::runtime; struct Ruth3 = V(7/24) T(2/3) V(3/4) T(-2/3) V(-1/24) T(1);\")"
----
 /// Order 3 for every `T` (proved), not symmetric, 3 force evaluations a step. Stable up to `h ω = 2.507`, leading error 1.5e-2.
 #[derive(
     ::core::clone::Clone,

@@ -1,8 +1,11 @@
----
-source: integrator-symbolic/tests/expansion.rs
-expression: "recurrences(\"impl Chain {\n            fn kinetic(&self, p: [f64; 32]) -> f64 { p.iter().map(|p| p * p / 2.0).sum() }\n            fn potential(&self, q: [f64; 32]) -> f64 {\n                let mut energy = q[0].powi(4) / 4.0 + q[31].powi(4) / 4.0;\n                for i in 1..32 {\n                    energy += (q[i] - q[i - 1]).powi(3) / 3.0;\n                }\n                energy\n            }\n        }\")"
----
-
+#[allow(warnings, clippy::all, clippy::pedantic, reason = "generated")]
+const _: () = {
+    /// Coefficients of an order.
+    #[derive(::core::clone::Clone, ::core::marker::Copy)]
+    pub struct Iteration1Order<Scalar: runtime::Real> {
+        shared_0: Scalar,
+    }
+    /// What an iteration of a loop keeps.
     pub struct Iteration1<Scalar: runtime::Real> {
         kept: [Iteration1Order<Scalar>; runtime::COEFFICIENTS],
     }
@@ -21,7 +24,7 @@ expression: "recurrences(\"impl Chain {\n            fn kinetic(&self, p: [f64; 
         shared_5: Scalar,
         shared_7: Scalar,
     }
-
+    /// The coefficients that recurrences read.
     pub struct Tape<Scalar: runtime::Real> {
         kept: [TapeOrder<Scalar>; runtime::COEFFICIENTS],
         mobility: runtime::Mobility<Scalar>,
@@ -226,57 +229,6 @@ expression: "recurrences(\"impl Chain {\n            fn kinetic(&self, p: [f64; 
             tape.iterations_1.add_to_momenta(p, order + 1);
             tape.mobility.follow(q, p, order + 1);
             tape.mobility.follow(q, p, order + 2);
-        }
-    }
-    /// What every site computes from its neighbourhood, for itself and for the sites further on.
-    #[automatically_derived]
-    impl runtime::Gather<runtime::Drift> for Chain {
-        type Shares<Wide: ::core::marker::Copy> = [Wide; 1];
-        const EDGES: runtime::Edges = runtime::Edges {
-            first: 0,
-            last: 0,
-            onward: 0,
-            behind: 0,
-            ahead: 0,
-            periodic: false,
-        };
-        #[inline(always)]
-        fn shares<Scalar: runtime::Real, Wide: runtime::Block<Scalar>>(
-            near: &runtime::Neighbours<Scalar, Wide>,
-            _parameters: &Self::Parameters<Scalar>,
-            _time: f64,
-        ) -> [Wide; 1] {
-            let share_0 = near.at(0);
-            [share_0]
-        }
-    }
-    /// What every site computes from its neighbourhood, for itself and for the sites further on.
-    #[automatically_derived]
-    impl runtime::Gather<runtime::Kick> for Chain {
-        type Shares<Wide: ::core::marker::Copy> = [Wide; 2];
-        const EDGES: runtime::Edges = runtime::Edges {
-            first: 1,
-            last: 1,
-            onward: 1,
-            behind: 0,
-            ahead: 1,
-            periodic: false,
-        };
-        #[inline(always)]
-        fn shares<Scalar: runtime::Real, Wide: runtime::Block<Scalar>>(
-            near: &runtime::Neighbours<Scalar, Wide>,
-            _parameters: &Self::Parameters<Scalar>,
-            _time: f64,
-        ) -> [Wide; 2] {
-            let q_k = near.at(0);
-            let shared_0 = near.at(1) - q_k;
-            let shared_1 = q_k * q_k * q_k;
-            let shared_2 = shared_0 * shared_0;
-            let share_0 = near.within(0..31, -shared_2);
-            let share_0 = near.plus(0..1, share_0, shared_1);
-            let share_0 = near.plus(31..32, share_0, shared_1);
-            let share_1 = near.within(0..31, shared_2);
-            [share_0, share_1]
         }
     }
 };

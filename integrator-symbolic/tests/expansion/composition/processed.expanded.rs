@@ -1,7 +1,3 @@
----
-source: integrator-symbolic/tests/composition.rs
-expression: "pretty(\"struct Shifted = processed(V(1/4) T(1/2); T(1/2) V(1) T(1/2));\")"
----
 /// Order 1 for every `T` (proved), not symmetric, 1 force evaluation a step. Stable up to `h ω = 2.000`, leading error 2.5e-1.
 #[derive(
     ::core::clone::Clone,

@@ -1,69 +1,40 @@
----
-source: integrator-symbolic/tests/expansion.rs
-expression: "stepper(\"compose = Yoshida4\",\n\"impl Pendulum {\n            fn kinetic(&self, p: [f64; 1]) -> f64 { p[0].powi(2) / (2.0 * self.mass * self.length.powi(2)) }\n            fn potential(&self, q: [f64; 1]) -> f64 { -self.mass * self.gravity * self.length * q[0].cos() }\n        }\")"
----
 #[allow(warnings, clippy::all, clippy::pedantic, reason = "generated")]
 const _: () = {
     use ::integrator_core::__private::{self as runtime, Mask as _, Slot as _};
     /// What depends on parameters alone, evaluated once per run.
     #[derive(::core::clone::Clone)]
-    pub struct Parameters<Scalar> {
-        /// `1 / (mass length^2)`
-        prepared_0: Scalar,
-        /// `-mass gravity length`
-        prepared_1: Scalar,
-        /// `1 / (2 mass length^2)`
-        prepared_2: Scalar,
-    }
-    impl<Scalar: runtime::Real> runtime::Prepared<Scalar> for Parameters<Scalar> {
-        type Single = Parameters<f64>;
+    pub struct Parameters;
+    impl<Scalar: runtime::Real> runtime::Prepared<Scalar> for Parameters {
+        type Single = Parameters;
         #[inline(always)]
-        fn gather(members: &[&Self::Single]) -> Self {
-            Parameters {
-                prepared_0: runtime::in_lanes(members, |member| &member.prepared_0),
-                prepared_1: runtime::in_lanes(members, |member| &member.prepared_1),
-                prepared_2: runtime::in_lanes(members, |member| &member.prepared_2),
-            }
-        }
-        fn not_finite(single: &Self::Single) -> runtime::Vec<runtime::NotFinite> {
-            runtime::all_found([
-                runtime::not_finite("1 / (mass length^2)", &[], &single.prepared_0),
-                runtime::not_finite("-mass gravity length", &[], &single.prepared_1),
-                runtime::not_finite("1 / (2 mass length^2)", &[], &single.prepared_2),
-            ])
-        }
-        fn digest(single: &Self::Single, digest: &mut runtime::Digest) {
-            digest.add(&single.prepared_0);
-            digest.add(&single.prepared_1);
-            digest.add(&single.prepared_2);
+        fn gather(_members: &[&Self::Single]) -> Self {
+            Parameters
         }
     }
     /// The equations of motion, derived from `kinetic` and `potential`:
     ///
     /// ```text
-    /// dq[0]/dt = p[0] / (mass length^2)
-    /// dp[0]/dt = -mass gravity length sin(q[0])
+    /// dq[0]/dt = p[0]
+    /// dq[1]/dt = p[1]
+    /// dp[0]/dt = -q[0] (1 + 2 q[1])
+    /// dp[1]/dt = -q[1] - q[0]^2 + q[1]^2
     /// ```
     ///
     /// `T` is quadratic in the momenta, with a constant mass matrix.
     #[automatically_derived]
-    impl runtime::Hamiltonian for Pendulum {
-        type Coords = [f64; 1];
-        type Compose = Yoshida4;
-        type Parameters<Scalar: runtime::Real> = Parameters<Scalar>;
+    impl runtime::Hamiltonian for HenonHeiles {
+        type Coords = [f64; 2];
+        type Compose = runtime::Verlet;
+        type Parameters<Scalar: runtime::Real> = Parameters;
         type Motion<Scalar: runtime::Real, Leaf: runtime::Precision> = runtime::Plain<
             Scalar,
             runtime::Shaped<Self, Leaf>,
-            Parameters<Scalar>,
+            Parameters,
         >;
         const AUTONOMOUS: bool = true;
-        const FINGERPRINT: u64 = 166845942760950487;
-        fn parameters(&self, length: usize) -> Parameters<f64> {
-            Parameters {
-                prepared_0: 2.0 / (2.0 * self.mass * self.length.powi(2)),
-                prepared_1: -self.mass * self.gravity * self.length,
-                prepared_2: 1.0 / (2.0 * self.mass * self.length.powi(2)),
-            }
+        const FINGERPRINT: u64 = 4534234239192609612;
+        fn parameters(&self, _length: usize) -> Parameters {
+            Parameters
         }
         #[inline(always)]
         fn drift<Scalar: runtime::Real, Leaf: runtime::Precision>(
@@ -72,7 +43,8 @@ const _: () = {
             _time: f64,
         ) {
             let step = Scalar::of(duration);
-            motion.q[0].fma(step * motion.parameters.prepared_0, motion.p[0].value());
+            motion.q[0].fma(step, motion.p[0].value());
+            motion.q[1].fma(step, motion.p[1].value());
         }
         #[inline(always)]
         fn kick<Scalar: runtime::Real, Leaf: runtime::Precision>(
@@ -81,9 +53,10 @@ const _: () = {
             _time: f64,
         ) {
             let step = Scalar::of(-duration);
-            motion
-                .p[0]
-                .fma(-(step * motion.parameters.prepared_1), motion.q[0].value().sin());
+            let q0 = motion.q[0].value();
+            let q1 = motion.q[1].value();
+            motion.p[0].fma(step * Scalar::of(2.0) * q0, q1 + Scalar::of(0.5));
+            motion.p[1].fma(step, q1 + (-q1).fma(q1, q0 * q0));
         }
         #[inline(always)]
         fn kinetic<Scalar: runtime::Real, Leaf: runtime::Precision>(
@@ -91,14 +64,23 @@ const _: () = {
             _time: f64,
         ) -> Scalar {
             let p0 = motion.p[0].value();
-            motion.parameters.prepared_2 * (p0 * p0)
+            let p1 = motion.p[1].value();
+            Scalar::of(0.5) * p1.fma(p1, p0 * p0)
         }
         #[inline(always)]
         fn potential<Scalar: runtime::Real, Leaf: runtime::Precision>(
             motion: &Self::Motion<Scalar, Leaf>,
             _time: f64,
         ) -> Scalar {
-            motion.parameters.prepared_1 * motion.q[0].value().cos()
+            let q0 = motion.q[0].value();
+            let q1 = motion.q[1].value();
+            let shared_0 = q0 * q0;
+            let shared_1 = q1 * q1;
+            Scalar::of(-0.3333333333333333)
+                .fma(
+                    shared_1 * q1,
+                    q1.fma(shared_0, Scalar::of(0.5) * (shared_0 + shared_1)),
+                )
         }
         fn stated_kinetic(&self, p: &Self::Coords, _time: f64) -> f64 {
             Self::kinetic(self, *p)
@@ -111,16 +93,21 @@ const _: () = {
         }
     }
     #[automatically_derived]
-    impl runtime::QuadraticKinetic for Pendulum {
+    impl runtime::QuadraticKinetic for HenonHeiles {
         #[inline(always)]
         fn hessian<Scalar: runtime::Real>(
             motion: &mut Self::Motion<Scalar, f64>,
             _time: f64,
         ) {
-            let mut gradient = [Scalar::of(0.0); 1];
-            gradient[0] = (-(motion.parameters.prepared_1 * motion.p[0].value()))
-                .fma(motion.q[0].value().cos(), gradient[0]);
-            for i in 0..1 {
+            let mut gradient = [Scalar::of(0.0); 2];
+            let p1 = motion.p[1].value();
+            let q0 = motion.q[0].value();
+            let q1 = motion.q[1].value();
+            let shared_0 = Scalar::of(2.0) * p1;
+            let shared_1 = Scalar::of(2.0) * motion.p[0].value();
+            gradient[0] += shared_0.fma(q0, shared_1 * (q1 + Scalar::of(0.5)));
+            gradient[1] += (-shared_0).fma(q1, shared_1.fma(q0, p1));
+            for i in 0..2 {
                 motion.p[i] = gradient[i];
             }
         }
