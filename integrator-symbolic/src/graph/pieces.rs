@@ -91,7 +91,7 @@ fn chooses(node: Node) -> bool {
     match node {
         Node::Compare(..) => true,
         Node::Unary(function, _) => is_level(function) || function.name() == "abs",
-        Node::Binary(function, ..) => matches!(function.name(), "min" | "max" | "remainder"),
+        Node::Binary(function, ..) => function.row().chooses.is_some() || function.name() == "remainder",
         _ => false,
     }
 }

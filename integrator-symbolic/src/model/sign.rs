@@ -1,5 +1,6 @@
 //! Signs that the text of a parameter tells: `self.eps * self.eps` is not negative, whatever `eps` is.
 
+use crate::graph::function::Function;
 use quote::ToTokens;
 use syn::{BinOp, Expr, ExprMethodCall, Lit, Stmt};
 
@@ -31,8 +32,12 @@ pub(super) fn is_never_negative(expression: &Expr) -> bool {
 
 /// Whether a method of `f64` gives no negative number.
 fn of_method(call: &ExprMethodCall) -> bool {
-    match (call.method.to_string().as_str(), call.args.first()) {
-        ("abs" | "sqrt" | "exp" | "exp2" | "cosh" | "acosh", None) | ("hypot", Some(_)) => true,
+    let method = call.method.to_string();
+    if Function::named(&method).is_some_and(|function| function.row().never_negative) {
+        return true;
+    }
+    match (method.as_str(), call.args.first()) {
+        ("sqrt", None) => true,
         // The larger of a number and a literal is no smaller than the literal, also where the number is NaN.
         ("max" | "clamp", Some(bound @ Expr::Lit(_))) => is_never_negative(bound),
         ("min", Some(other)) => is_never_negative(&call.receiver) && is_never_negative(other),
@@ -79,6 +84,7 @@ mod tests {
             "{ let eps = self.eps; eps * eps }",
             "self.table[3] * self.table[3]",
             "self.a.hypot(self.b)",
+            "self.a.acos()",
             "self.eps.max(0.0)",
             "self.eps.clamp(0.0, 1.0) * self.eps.exp()",
             "self.a.abs().min(self.b * self.b)",

@@ -6,7 +6,7 @@
 use super::{Parameters, rename::Renaming};
 use crate::graph::{
     Comparison, Element, Graph, Node, NodeId, ParameterId,
-    function::{Function, Symmetry},
+    function::{Function, Parity},
     index::{IndexId, LoopId},
 };
 use std::collections::HashMap;
@@ -25,6 +25,10 @@ impl Signed {
 
     fn negated_if(self, negative: bool) -> Self {
         Self { negative: self.negative != negative, ..self }
+    }
+
+    fn unsigned_if(self, unsigned: bool) -> Self {
+        Self { negative: self.negative && !unsigned, ..self }
     }
 }
 
@@ -98,29 +102,27 @@ impl<'p> Forms<'p> {
             Node::Coordinate(element) => Form::Coordinate(element),
             Node::Unary(function, a) => {
                 let a = self.of(graph, a, exchanged)?;
-                let symmetry = function.row().symmetry;
-                let unsigned = Signed { negative: a.negative && symmetry == Symmetry::None, ..a };
-                let form = self.id(Form::Unary(function, unsigned));
-                return Some(form.negated_if(a.negative && symmetry == Symmetry::Odd));
+                let parity = function.row().parity;
+                let form = self.id(Form::Unary(function, a.unsigned_if(parity != Parity::Neither)));
+                return Some(form.negated_if(a.negative && parity == Parity::Odd));
             }
             Node::Binary(function, a, b) => {
                 let mut arguments = [self.of(graph, a, exchanged)?, self.of(graph, b, exchanged)?];
-                let symmetry = function.row().symmetry;
-                if symmetry == Symmetry::EvenCommutative {
-                    arguments = arguments.map(|argument| Signed { negative: false, ..argument });
+                let row = function.row();
+                if row.parity == Parity::Even {
+                    arguments = arguments.map(|argument| argument.unsigned_if(true));
                 }
-                if matches!(symmetry, Symmetry::Commutative | Symmetry::EvenCommutative) {
+                if row.commutative {
                     arguments.sort();
                 }
                 let [first, second] = arguments;
-                let odd = first.negative && symmetry == Symmetry::Odd;
-                let form =
-                    self.id(Form::Binary(function, Signed { negative: first.negative && !odd, ..first }, second));
-                return Some(form.negated_if(odd));
+                let odd = row.parity == Parity::Odd;
+                let form = self.id(Form::Binary(function, first.unsigned_if(odd), second));
+                return Some(form.negated_if(odd && first.negative));
             }
             Node::Sum(by, body) => {
                 let body = self.of(graph, body, exchanged)?;
-                let form = self.id(Form::Sum(by, Signed { negative: false, ..body }));
+                let form = self.id(Form::Sum(by, body.unsigned_if(true)));
                 return Some(form.negated_if(body.negative));
             }
             Node::Compare(comparison, a, b) => {
