@@ -8,7 +8,7 @@ use crate::{
     error::Error,
     layout::lattice::{
         sites::Sites,
-        tiled::{Flow, Reach},
+        time_tiling::{Flow, Reach},
     },
     methods::taylor::RecurrencesVisitor,
     scalar::real::Real,

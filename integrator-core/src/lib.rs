@@ -167,14 +167,14 @@ pub mod __private {
         layout::{
             bodies::{
                 many_body::{ManyBody, PerBody},
-                ring::Ring,
-                tiles::Tiles,
+                one_row::Ring,
+                rows::Tiles,
             },
             lattice::{
-                gather::{Drift, Edges, Gather, Kick},
-                neighbours::Neighbours,
                 sites::Sites,
-                tiled::{Flow, Reach},
+                stencil::{Drift, Edges, Gather, Kick},
+                time_tiling::{Flow, Reach},
+                window::Neighbours,
             },
         },
         methods::taylor::{
@@ -187,7 +187,7 @@ pub mod __private {
             table::{Coefficients, Layout, Table},
         },
         scalar::{
-            fused::Fused,
+            fma::Fused,
             real::{Kernel, Mask, Real},
             simd::{
                 block::Block,
@@ -201,9 +201,9 @@ pub mod __private {
             precision::{Precision, Slot},
         },
         system::{
-            constants::{all_found, not_finite},
             elements::Elements,
             motion::{Motion, Plain, Prepared},
+            not_finite::{all_found, not_finite},
             prepared::in_lanes,
         },
     };

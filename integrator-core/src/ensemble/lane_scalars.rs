@@ -2,7 +2,7 @@
 
 use crate::{
     scalar::{
-        fused::{Avx512, Fma, Fused},
+        fma::{Avx512, Fma, Fused},
         real::Real,
         simd::lanes::Lanes,
     },

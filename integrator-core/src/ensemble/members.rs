@@ -5,7 +5,7 @@ use crate::{
     error::{Divergence, Error, Lost},
     layout::threads::all_threads,
     state::{clock::Clock, point::Point},
-    system::energies::Parts,
+    system::energy::Parts,
     trajectory::panics::Panics,
 };
 use std::{

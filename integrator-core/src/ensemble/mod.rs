@@ -36,7 +36,7 @@ use crate::{
         point::{Point, shaped},
         precision::Precision,
     },
-    system::{energies::energy, motion::Prepared},
+    system::{energy::energy, motion::Prepared},
     trajectory::{
         admissible::{admissible_with, change},
         chosen::engine,

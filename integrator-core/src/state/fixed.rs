@@ -5,7 +5,7 @@
 
 use crate::{
     scalar::{
-        fused::{Avx512, Fused},
+        fma::{Avx512, Fused},
         real::{Mask, Real},
     },
     state::precision::{Precision, Slot},

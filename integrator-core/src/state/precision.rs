@@ -2,7 +2,7 @@
 
 use crate::scalar::{
     double_double::DoubleDouble,
-    fused::{Avx512, Fused},
+    fma::{Avx512, Fused},
     real::Real,
     simd::block::{Block, WIDEST},
 };

@@ -4,7 +4,7 @@ use crate::{
     hamiltonian::{Hamiltonian, Shaped},
     scalar::{instruction_set::InstructionSet, real::Real},
     state::{phase::Phase, precision::Precision},
-    system::energies::{Energies, energies, energy},
+    system::energy::{Energies, energies, energy},
     trajectory::{
         engine::{Engine, Solo},
         method::Method,

@@ -3,7 +3,7 @@
 use crate::{
     error::Unsolved,
     state::{clock::Clock, coords::Coords, phase::Phase},
-    system::{energies::Energies, motion::Motion},
+    system::{energy::Energies, motion::Motion},
     trajectory::{moves::Moves, panics::attempted},
 };
 use alloc::{boxed::Box, sync::Arc};

@@ -4,7 +4,7 @@
 use crate::{
     composition::{Composition, corrected_durations::Corrections},
     hamiltonian::{Flows, Hamiltonian, Single},
-    layout::lattice::tiled::Tiled,
+    layout::lattice::time_tiling::Tiled,
     scalar::real::{Kernel, Real},
     state::{clock::Clock, coords::Coords, precision::Precision},
     system::motion::Motion,

@@ -9,7 +9,7 @@ use crate::{
     hamiltonian::Hamiltonian,
     state::{clock::Clock, coords::Coords, phase::Phase, precision::Precision},
     system::{
-        energies::{Energies, Parts},
+        energy::{Energies, Parts},
         motion::Prepared,
     },
     trajectory::{

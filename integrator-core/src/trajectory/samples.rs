@@ -3,7 +3,7 @@
 use crate::{
     error::Error,
     state::{coords::Coords, phase::Phase},
-    system::energies::Energies,
+    system::energy::Energies,
     trajectory::run::Run,
 };
 use alloc::sync::Arc;

@@ -1,6 +1,6 @@
 //! A bound on the energy of a run, looked at after every step, so that portions do not matter.
 
-use crate::{error::Error, state::coords::Coords, system::energies::Parts, trajectory::run::Run};
+use crate::{error::Error, state::coords::Coords, system::energy::Parts, trajectory::run::Run};
 
 /// What the energy of a run is held against.
 #[derive(Clone, Copy, Debug)]

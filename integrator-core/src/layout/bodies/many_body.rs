@@ -5,7 +5,7 @@
 
 use crate::{
     hamiltonian::Hamiltonian,
-    layout::lattice::gather::Array,
+    layout::lattice::stencil::Array,
     scalar::{real::Real, simd::row::Row},
     state::precision::Slot,
 };

@@ -1,7 +1,7 @@
 //! Flows of lattices: a site and its neighbours.
 
-pub(crate) mod gather;
-pub(crate) mod neighbours;
 pub(crate) mod plane;
 pub(crate) mod sites;
-pub(crate) mod tiled;
+pub(crate) mod stencil;
+pub(crate) mod time_tiling;
+pub(crate) mod window;

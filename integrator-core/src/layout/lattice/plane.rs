@@ -5,8 +5,8 @@
 
 use crate::{
     layout::lattice::{
-        gather::{Beside, Drift, Gather, Kick, Sweep},
-        neighbours::{FARTHEST, Neighbours},
+        stencil::{Beside, Drift, Gather, Kick, Sweep},
+        window::{FARTHEST, Neighbours},
     },
     scalar::{
         real::{Kernel, Real},

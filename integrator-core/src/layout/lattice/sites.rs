@@ -2,8 +2,8 @@
 
 use crate::{
     layout::lattice::{
-        gather::{Beside, Drift, Gather, Kick, Sweep},
-        tiled::Flow,
+        stencil::{Beside, Drift, Gather, Kick, Sweep},
+        time_tiling::Flow,
     },
     scalar::real::{Kernel, Real},
     state::{

@@ -249,7 +249,7 @@ mod tests {
         *,
     };
     use crate::scalar::{
-        fused::{Avx512, Fma, Fused},
+        fma::{Avx512, Fma, Fused},
         instruction_set::InstructionSet,
     };
 

@@ -1,7 +1,7 @@
 //! What kernels need beside arithmetic: the bits of a number, lane by lane.
 
 use crate::scalar::{
-    fused::{Fused, Instructions},
+    fma::{Fused, Instructions},
     real::Real,
 };
 

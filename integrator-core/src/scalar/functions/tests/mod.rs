@@ -4,7 +4,7 @@ mod points;
 mod table;
 
 use crate::scalar::{
-    fused::{Fma, Fused},
+    fma::{Fma, Fused},
     instruction_set::InstructionSet,
     real::{Kernel, Real},
 };

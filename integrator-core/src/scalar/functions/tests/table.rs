@@ -2,7 +2,7 @@
 
 use super::{Big, Function, Points, Precision, SHARP, sweep};
 use crate::scalar::{
-    fused::{Avx512, Fma, Fused},
+    fma::{Avx512, Fma, Fused},
     instruction_set::InstructionSet,
     real::Real,
 };

@@ -2,7 +2,7 @@
 
 use super::{bits::bits, real::vector};
 use crate::scalar::{
-    fused::Avx512,
+    fma::Avx512,
     real::{Mask, elementary_functions},
 };
 use core::arch::x86_64::{

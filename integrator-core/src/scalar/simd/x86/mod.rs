@@ -1,6 +1,6 @@
 //! Numbers side by side in one register: members of an ensemble, or neighbours in an array.
 //!
-//! Always true: every lane has the bits of the [`Fused`](crate::scalar::fused::Fused) scalar of the same clone: the operations
+//! Always true: every lane has the bits of the [`Fused`](crate::scalar::fma::Fused) scalar of the same clone: the operations
 //! are the same IEEE ones, elementary functions have one kernel for both or are called lane by lane. Only code that runs where the instruction
 //! set was chosen names these types; that is what makes their instructions sound.
 
@@ -29,7 +29,7 @@ pub(crate) use root_cubed::over_root_cubed;
 mod tests {
     use super::{S8, S16, X4, X8};
     use crate::scalar::{
-        fused::{Avx512, Fma, Fused},
+        fma::{Avx512, Fma, Fused},
         instruction_set::InstructionSet,
         real::{Mask, Real},
         simd::block::Block,

@@ -1,7 +1,7 @@
 //! Two doubles in a register of 128 bits, which AVX2 and AVX-512 have alike.
 
 use crate::scalar::{
-    fused::{Fused, Instructions},
+    fma::{Fused, Instructions},
     simd::pair::Pair,
 };
 use core::arch::x86_64::{__m128d, _mm_cvtsd_f64, _mm_fmadd_pd, _mm_mul_pd, _mm_set_pd, _mm_unpackhi_pd};
@@ -33,7 +33,7 @@ impl<S: Instructions> Pair<Fused<f64, S>> for X2 {
 #[cfg(test)]
 mod tests {
     use crate::scalar::{
-        fused::{Avx512, Fma, Fused},
+        fma::{Avx512, Fma, Fused},
         instruction_set::InstructionSet,
         real::Real,
         simd::pair::{Pair, pair},

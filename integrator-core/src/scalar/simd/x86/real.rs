@@ -50,13 +50,7 @@ macro_rules! vector {
 
         const _: () = {
             use super::real::unary;
-            use crate::scalar::{
-                elementary::Elementary,
-                functions::{fast_functions, fast_kernels},
-                fused::{Fused, Instructions},
-                real::{Kernel, Real},
-                simd::{block::Block, lanes::Lanes},
-            };
+            use crate::scalar::{elementary::Elementary, functions::{fast_functions, fast_kernels}, fma::{Fused, Instructions}, real::{Kernel, Real}, simd::{block::Block, lanes::Lanes}};
             use core::{
                 arch::x86_64::{
                     _CMP_EQ_OQ, _CMP_LE_OQ, _CMP_LT_OQ, _MM_FROUND_NO_EXC, _MM_FROUND_TO_NEG_INF, _MM_FROUND_TO_POS_INF,

@@ -2,7 +2,7 @@
 
 use super::X8;
 use crate::scalar::{
-    fused::{Avx512, Fused},
+    fma::{Avx512, Fused},
     real::Real,
 };
 use core::arch::x86_64::{_mm_cvtsd_f64, _mm_rsqrt14_sd, _mm_set_sd, _mm512_rsqrt14_pd};

@@ -2,7 +2,7 @@
 
 use super::{S8, X4, X8};
 use crate::scalar::{
-    fused::{Avx512, Fma, Fused},
+    fma::{Avx512, Fma, Fused},
     real::Real,
     simd::{block::Block, lanes::Lanes, row::Row},
 };

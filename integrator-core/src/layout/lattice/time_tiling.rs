@@ -11,8 +11,8 @@ use crate::{
     hamiltonian::{Flows, Hamiltonian, QuadraticKinetic},
     layout::{
         lattice::{
-            gather::{Drift, Edges, Gather, Kick},
             sites::{LONG, Sites},
+            stencil::{Drift, Edges, Gather, Kick},
         },
         threads::{Job, all_threads, at_once},
     },

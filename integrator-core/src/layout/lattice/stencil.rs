@@ -8,7 +8,7 @@
 
 use crate::{
     hamiltonian::Hamiltonian,
-    layout::lattice::neighbours::{Around, FARTHEST, Neighbours},
+    layout::lattice::window::{Around, FARTHEST, Neighbours},
     scalar::{
         real::Real,
         simd::block::{Block, WIDEST},
