@@ -8,7 +8,7 @@ use crate::{
     error::Error,
     layout::lattice::{
         sites::Sites,
-        time_tiling::{Flow, Reach},
+        time_tiling::{Flow, StencilRadii},
     },
     methods::taylor::RecurrencesVisitor,
     scalar::real::Real,
@@ -39,22 +39,23 @@ pub trait Hamiltonian: Sized {
 
     /// Whether neither `T` nor `V` reads the time, so that the energy is conserved.
     const AUTONOMOUS: bool;
-    /// Whether a flow changes its formula at times that the clock and parameters alone decide: a switch, a pulse. Steps are
-    /// then taken one by one, each with the formulas of its middle, and their stages are not merged.
+    /// Whether a flow changes its formula at times that the clock and parameters alone decide: a switch, a pulse. Steps
+    /// are then taken one by one, each with the formulas of its middle, and their stages are not merged.
     const PIECEWISE_IN_TIME: bool = false;
-    /// Whether a single run gains from vectors of 512 bits: its flows compute neighbours or bodies side by side. Code for
-    /// numbers one by one can be slower there, and is then compiled for AVX2 at most.
+    /// Whether a single run gains from vectors of 512 bits: its flows compute neighbours or bodies side by side. Code
+    /// for numbers one by one can be slower there, and is then compiled for AVX2 at most.
     const WIDE: bool = false;
     /// A fingerprint of the generated flows and energies: another one, and a checkpoint belongs to another motion.
     const FINGERPRINT: u64 = 0;
-    /// How far the flows of a lattice look, whose sites can be moved a part at a time.
-    const REACH: Option<Reach> = None;
+    /// The stencil radii of the flows of a lattice whose sites can be moved a segment at a time.
+    const STENCIL_RADII: Option<StencilRadii> = None;
 
     /// Evaluates what depends on parameters alone, by the user's own expressions.
     ///
     /// `length` is how many numbers or points the positions of the start are.
     fn parameters(&self, length: usize) -> Self::Parameters<f64>;
-    /// Tells a motion that the flows from here on belong to a step with this middle, where conditions on the time are read.
+    /// Tells a motion that the flows from here on belong to a step with this middle, where conditions on the time are
+    /// read.
     fn begin_step<R: Real, K: Precision>(_motion: &mut Self::Motion<R, K>, _middle: f64) {}
     /// The exact flow of `T` for a time `duration`; `time` is where an explicit time dependence is read.
     fn drift<R: Real, K: Precision>(motion: &mut Self::Motion<R, K>, duration: f64, time: f64);
@@ -70,12 +71,12 @@ pub trait Hamiltonian: Sized {
     /// `V` by the user's own function, as it is written.
     fn stated_potential(&self, q: &Self::Coords, time: f64) -> f64;
 
-    /// The sites of a lattice.
+    /// The sites of a lattice, if it can be moved a segment at a time.
     fn sites<R: Real, K: Precision>(_motion: &mut Self::Motion<R, K>) -> Option<Sites<'_, R, K, Self::Parameters<R>>> {
         None
     }
-    /// A flow of a lattice, on a part of its sites.
-    fn along<R: Real, K: Precision>(
+    /// Applies a flow to some sites of a lattice.
+    fn apply_to_sites<R: Real, K: Precision>(
         _lattice: &mut Sites<'_, R, K, Self::Parameters<R>>,
         _flow: &Flow,
         _sites: Range<usize>,
@@ -88,18 +89,18 @@ pub trait Hamiltonian: Sized {
         visit_general(visitor);
     }
 
-    /// Calls `visitor` where recurrences for the Taylor method were written. Nothing is compiled for it where this is not
-    /// called.
+    /// Calls `visitor` where recurrences for the Taylor method were written. Nothing is compiled for it where this is
+    /// not called.
     fn visit_recurrences(_visitor: &mut impl RecurrencesVisitor<Self>) {}
 
     /// A run from `start` with step `h` and the annotated composition.
     ///
     /// # Errors
     /// A step that is zero or not finite; a start that is not finite or whose `q` and `p` differ in length, or whose
-    /// energy is not finite (where `H` reads the time, the first `advance` returns this error); parameters that make the
-    /// motion from this start infinite or not a number, such as a mass of zero; a reversible start with a composition that
-    /// is not symmetric, or with a grid that it does not fit. Where the runtime was built with debug assertions, also
-    /// [`Error::Misread`], if the generated energies are not those of your functions.
+    /// energy is not finite (where `H` reads the time, the first `advance` returns this error); parameters that make
+    /// the motion from this start infinite or not a number, such as a mass of zero; a reversible start with a
+    /// composition that is not symmetric, or with a grid that it does not fit. Where the runtime was built with debug
+    /// assertions, also [`Error::Misread`], if the generated energies are not those of your functions.
     ///
     /// # Panics
     /// Where your own functions would: their indices and their integer arithmetic are checked in a run as they are in

@@ -172,9 +172,9 @@ pub mod __private {
             },
             lattice::{
                 sites::Sites,
-                stencil::{Drift, Edges, Gather, Kick},
-                time_tiling::{Flow, Reach},
-                window::Neighbours,
+                stencil::{Boundary, Drift, Kick, Stencil},
+                time_tiling::{Flow, StencilRadii},
+                window::Window,
             },
         },
         methods::taylor::{

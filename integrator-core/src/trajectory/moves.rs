@@ -4,7 +4,7 @@
 use crate::{
     composition::{Composition, corrected_durations::Corrections},
     hamiltonian::{Flows, Hamiltonian, Single},
-    layout::lattice::time_tiling::Tiled,
+    layout::lattice::time_tiling::TimeTiling,
     scalar::real::{Kernel, Real},
     state::{clock::Clock, coords::Coords, precision::Precision},
     system::motion::Motion,
@@ -69,8 +69,8 @@ pub(crate) fn moves<H: Hamiltonian, X: Composition<H>, R: Real, K: Precision, co
 -> Moves<H::Motion<R, K>> {
     Moves {
         advance: |motion, clock, steps, threads| {
-            if const { TILES && Tiled::<H, R, K>::PAYS } {
-                let mut flows = Tiled::<H, R, K>::new(motion, threads);
+            if const { TILES && TimeTiling::<H, R, K>::ENABLED } {
+                let mut flows = TimeTiling::<H, R, K>::new(motion, threads);
                 Advance::<_, H, X>::new(&mut flows, clock, steps).call();
                 flows.finish();
             } else {
@@ -89,8 +89,8 @@ fn end<H: Hamiltonian, X: Composition<H>, R: Real, K: Precision, const TILES: bo
     motion: &mut H::Motion<R, K>,
     clock: Clock,
 ) {
-    if const { TILES && Tiled::<H, R, K>::PAYS } {
-        let mut flows = Tiled::<H, R, K>::new(motion, Some(1));
+    if const { TILES && TimeTiling::<H, R, K>::ENABLED } {
+        let mut flows = TimeTiling::<H, R, K>::new(motion, Some(1));
         End::<_, H, X, SHOWN>::new(&mut flows, clock).call();
         flows.finish();
     } else {

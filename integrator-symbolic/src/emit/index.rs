@@ -91,9 +91,9 @@ impl Printer<'_> {
             Index::Running(by) => self.running.get(&by).to_token_stream(),
             Index::Length if let Frame::Sites(lattice) = self.frame => {
                 if lattice.is_plane() {
-                    quote!(near.rows())
+                    quote!(window.rows())
                 } else {
-                    quote!(near.length())
+                    quote!(window.length())
                 }
             }
             Index::Length if self.dialect == Dialect::Generic && !matches!(self.frame, Frame::Series { .. }) => {

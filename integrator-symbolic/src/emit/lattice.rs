@@ -64,30 +64,30 @@ impl Sweep {
         quote!(motion.#method::<Self>(duration, time);)
     }
 
-    /// The items of the runtime's `Gather`.
+    /// The items of the runtime's `Stencil`.
     pub(super) fn items(&self, names: &Names) -> TokenStream {
         let (body, Names { runtime, scalar, wide, .. }) = (&self.body, names);
         let onward = self.gathered.onward();
         let count = Literal::usize_unsuffixed(self.gathered.places().len());
-        let edges = self.gathered.directions.iter().zip(onward).rev();
-        let mut edges = edges.map(|(direction, onward)| edges_of(direction, onward, runtime));
-        let sites = edges.next();
-        let rows = edges.next().map(|rows| {
+        let boundaries = self.gathered.directions.iter().zip(onward).rev();
+        let mut boundaries = boundaries.map(|(direction, onward)| boundary_of(direction, onward, runtime));
+        let sites = boundaries.next();
+        let rows = boundaries.next().map(|rows| {
             quote! {
-                const ROWS: ::core::option::Option<#runtime::Edges> = ::core::option::Option::Some(#rows);
+                const ROW_BOUNDARY: ::core::option::Option<#runtime::Boundary> = ::core::option::Option::Some(#rows);
             }
         });
-        let (near, parameters, time) = (body.argument("near"), body.argument("parameters"), body.argument("time"));
+        let (window, parameters, time) = (body.argument("window"), body.argument("parameters"), body.argument("time"));
         let (read, body) = (body.time(wide), &body.0);
         quote! {
-            type Shares<#wide: ::core::marker::Copy> = [#wide; #count];
+            type Contributions<#wide: ::core::marker::Copy> = [#wide; #count];
 
-            const EDGES: #runtime::Edges = #sites;
+            const BOUNDARY: #runtime::Boundary = #sites;
             #rows
 
             #[inline(always)]
-            fn shares<#scalar: #runtime::Real, #wide: #runtime::Block<#scalar>>(
-                #near: &#runtime::Neighbours<#scalar, #wide>,
+            fn contributions<#scalar: #runtime::Real, #wide: #runtime::Block<#scalar>>(
+                #window: &#runtime::Window<#scalar, #wide>,
                 #parameters: &Self::Parameters<#scalar>,
                 #time: f64,
             ) -> [#wide; #count] { #read #body }
@@ -105,16 +105,16 @@ impl Sweep {
     }
 }
 
-/// The runtime's `Edges` of a direction in which shares go so far.
-fn edges_of(direction: &Direction, onward: usize, runtime: &Ident) -> TokenStream {
+/// The runtime's `Boundary` of a direction in which shares go so far.
+fn boundary_of(direction: &Direction, onward: usize, runtime: &Ident) -> TokenStream {
     let Direction { first, last, behind, ahead, periodic, .. } = direction;
-    let onward = Literal::usize_unsuffixed(onward);
+    let forward = Literal::usize_unsuffixed(onward);
     let [first, last, behind, ahead] = [first, last, behind, ahead].map(|number| Literal::u64_unsuffixed(*number));
     quote! {
-        #runtime::Edges {
+        #runtime::Boundary {
             first: #first,
             last: #last,
-            onward: #onward,
+            forward: #forward,
             behind: #behind,
             ahead: #ahead,
             periodic: #periodic,
@@ -122,11 +122,12 @@ fn edges_of(direction: &Direction, onward: usize, runtime: &Ident) -> TokenStrea
     }
 }
 
-/// What lets the runtime move a lattice a part at a time: how far its flows look, and its sites.
+/// What lets the runtime move a lattice a segment at a time: the stencil radii of its flows, and its sites.
 pub(super) fn parts(names: &Names) -> (TokenStream, TokenStream) {
     let Names { runtime, scalar, leaf, .. } = names;
-    let reach = quote! {
-        const REACH: ::core::option::Option<#runtime::Reach> = ::core::option::Option::Some(#runtime::Reach::of::<Self>());
+    let radii = quote! {
+        const STENCIL_RADII: ::core::option::Option<#runtime::StencilRadii> =
+            ::core::option::Option::Some(#runtime::StencilRadii::of::<Self>());
     };
     let sites = quote!(#runtime::Sites<'_, #scalar, #leaf, Self::Parameters<#scalar>>);
     let lattice = quote! {
@@ -137,15 +138,15 @@ pub(super) fn parts(names: &Names) -> (TokenStream, TokenStream) {
             ::core::option::Option::Some(motion.sites())
         }
         #[inline(always)]
-        fn along<#scalar: #runtime::Real, #leaf: #runtime::Precision>(
+        fn apply_to_sites<#scalar: #runtime::Real, #leaf: #runtime::Precision>(
             lattice: &mut #sites,
             flow: &#runtime::Flow,
             sites: ::core::ops::Range<usize>,
         ) {
-            lattice.take::<Self>(flow, sites);
+            lattice.apply::<Self>(flow, sites);
         }
     };
-    (reach, lattice)
+    (radii, lattice)
 }
 
 /// Where the values of shares go.
@@ -159,10 +160,10 @@ pub(super) fn placed(gathered: &Gathered) -> Vec<Placed> {
     placed.collect()
 }
 
-/// The name of the shares that go `onward`: `share_1`, or `share_1_0` over rows and sites.
+/// The name of the shares that go `onward`: `contribution_1`, or `contribution_1_0` over rows and sites.
 fn share(onward: &[usize]) -> Ident {
     let onward: Vec<_> = onward.iter().map(ToString::to_string).collect();
-    format_ident!("share_{}", onward.join("_"))
+    format_ident!("contribution_{}", onward.join("_"))
 }
 
 impl Printer<'_> {
@@ -180,7 +181,7 @@ impl Printer<'_> {
         };
         let (is_ahead, far) = far(element.component.unwrap_or(element.index));
         let far = Literal::u64_unsuffixed(far);
-        if is_ahead { quote!(near.#row(#far)) } else { quote!(near.#row(-#far)) }
+        if is_ahead { quote!(window.#row(#far)) } else { quote!(window.#row(-#far)) }
     }
 
     /// A prepared constant, the same at all sites, or what a table holds for them.
@@ -194,9 +195,9 @@ impl Printer<'_> {
             })
         };
         match (&loops.iter().filter_map(place).collect::<Vec<_>>()[..], lattice.is_plane()) {
-            ([(_, rows), (_, sites)], _) => quote!(near.table_of_rows(&parameters.#name, #rows, #sites)),
-            ([(0, rows)], true) => quote!(near.table_over_rows(&parameters.#name, #rows)),
-            ([(_, sites)], _) => quote!(near.table(&parameters.#name, #sites)),
+            ([(_, rows), (_, sites)], _) => quote!(window.table_of_rows(&parameters.#name, #rows, #sites)),
+            ([(0, rows)], true) => quote!(window.table_over_rows(&parameters.#name, #rows)),
+            ([(_, sites)], _) => quote!(window.table(&parameters.#name, #sites)),
             _ => quote!(#wide::splat(parameters.#name)),
         }
     }
@@ -212,7 +213,7 @@ impl Printer<'_> {
             quote!(#from..#to)
         };
         let (mut value, mut few) = (value, None);
-        let methods = [(quote!(within), quote!(plus)), (quote!(within_rows), quote!(plus_in_rows))];
+        let methods = [(quote!(masked), quote!(masked_add)), (quote!(row_masked), quote!(row_masked_add))];
         // Sites come last, rows before them.
         for (along, (within, plus)) in of.along.iter().rev().zip(methods) {
             match along.places {
@@ -220,13 +221,13 @@ impl Printer<'_> {
                 Extent::Few(from, to) if few.is_none() => few = Some((plus, range(from, to))),
                 Extent::Most(from, to) | Extent::Few(from, to) => {
                     let places = range(from, to);
-                    value = quote!(near.#within(#places, #value));
+                    value = quote!(window.#within(#places, #value));
                 }
             }
         }
         if let Some((plus, places)) = few {
             let before = if begun { quote!(#name) } else { self.lifted(quote!(0.0)) };
-            return quote!(let #name = near.#plus(#places, #before, #value););
+            return quote!(let #name = window.#plus(#places, #before, #value););
         }
         if begun { quote!(let #name = #name + #value;) } else { quote!(let #name = #value;) }
     }

@@ -205,7 +205,7 @@ pub(crate) fn stepper(input: &Input, mut model: Model) -> TokenStream {
     };
     let along = [&drift_along, &kick_along].into_iter().flatten().map(|sweep| {
         let (flow, items) = (sweep.name(), sweep.items(&names));
-        let along = implementation(quote!(#runtime::Gather<#runtime::#flow>), items);
+        let along = implementation(quote!(#runtime::Stencil<#runtime::#flow>), items);
         quote! {
             /// What every site computes from its neighbourhood, for itself and for the sites further on.
             #along
@@ -219,7 +219,7 @@ pub(crate) fn stepper(input: &Input, mut model: Model) -> TokenStream {
     });
     let sweeps = drift_along.as_ref().zip(kick_along.as_ref());
     let line = sweeps.filter(|(drift, kick)| !drift.is_plane() && !kick.is_plane());
-    let (reach, lattice) = line.map(|_| lattice::parts(&names)).unzip();
+    let (radii, lattice) = line.map(|_| lattice::parts(&names)).unzip();
     let (drift, kick) = (drift.flow("drift", &names), kick.flow("kick", &names));
     let many_body = many_body.map(|many_body| many_body.implementations(implementation, &of_f64, &names));
     let (kinetic, potential) = (kinetic.energy("kinetic", &names), potential.energy("potential", &names));
@@ -260,7 +260,7 @@ pub(crate) fn stepper(input: &Input, mut model: Model) -> TokenStream {
                 const AUTONOMOUS: bool = #autonomous;
                 const FINGERPRINT: u64 = #fingerprint;
                 #wide
-                #reach
+                #radii
                 #piecewise
 
                 fn parameters(&self, #length: usize) -> #of_f64 {

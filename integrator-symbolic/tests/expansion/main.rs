@@ -160,7 +160,7 @@ fn chain(length: u32) -> String {
     text.replace("LENGTH", &length.to_string()).replace("LAST", &(length - 1).to_string())
 }
 
-/// A share that no site has is zero.
+/// A contribution that no site has is zero.
 #[test]
 fn bonds_may_lead_to_the_second_next_site_alone() {
     let text = stepper(
@@ -170,7 +170,7 @@ fn bonds_may_lead_to_the_second_next_site_alone() {
             fn potential(&self, q: &[f64]) -> f64 { (0..q.len() - 2).map(|i| (q[i + 2] - q[i]).powi(4)).sum() }
         }",
     );
-    assert!(text.contains("[share_0, Wide::of(0.0), share_2]"), "{text}");
+    assert!(text.contains("[contribution_0, Wide::of(0.0), contribution_2]"), "{text}");
 }
 
 /// Loops stay loops: the text for a long chain is that for a short one, but for the numbers and their fingerprint, and

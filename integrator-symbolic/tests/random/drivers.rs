@@ -21,16 +21,16 @@ pub(crate) struct Site {
 
 /// How a generated flow shares out among the sites of a lattice, in the direction of sites or of rows.
 #[derive(Clone, Copy, Default)]
-pub(crate) struct Edges {
-    pub(crate) onward: usize,
+pub(crate) struct Boundary {
+    pub(crate) forward: usize,
     pub(crate) periodic: bool,
 }
 
 /// A flow along a lattice.
 pub(crate) struct Lattice<'t> {
     pub(crate) shares: &'t ImplItemFn,
-    pub(crate) sites: Edges,
-    pub(crate) rows: Option<Edges>,
+    pub(crate) sites: Boundary,
+    pub(crate) rows: Option<Boundary>,
 }
 
 /// What bodies do to each other.
@@ -107,10 +107,10 @@ impl Site {
                 let found = Self::of_table(row.items()?, self.site, by(2)?, length);
                 Ok(found.map_or_else(zero, |value| value.lifted(Kind::Wide)))
             }
-            "within" => Ok(if within(self.site)? { argument(arguments, 1)?.clone() } else { zero() }),
-            "within_rows" => Ok(if within(self.row)? { argument(arguments, 1)?.clone() } else { zero() }),
-            "plus" => sum(within(self.site)?),
-            "plus_in_rows" => sum(within(self.row)?),
+            "masked" => Ok(if within(self.site)? { argument(arguments, 1)?.clone() } else { zero() }),
+            "row_masked" => Ok(if within(self.row)? { argument(arguments, 1)?.clone() } else { zero() }),
+            "masked_add" => sum(within(self.site)?),
+            "row_masked_add" => sum(within(self.row)?),
             _ => foreign(format!("`{name}` of a site")),
         }
     }
@@ -188,8 +188,8 @@ impl Machine<'_> {
                 let arguments = vec![near, motion.field("parameters")?.clone(), time.clone().into()];
                 let shares = self.call(lattice.shares, arguments)?;
                 for (place, share) in shares.items()?.iter().enumerate() {
-                    let below = place > lattice.sites.onward;
-                    let (down, ahead) = if below { (1, place - lattice.sites.onward - 1) } else { (0, place) };
+                    let below = place > lattice.sites.forward;
+                    let (down, ahead) = if below { (1, place - lattice.sites.forward - 1) } else { (0, place) };
                     let to = wrapped(row, down, rows.len(), along.periodic);
                     let to = to.and_then(|to| Some((to, wrapped(site, ahead as i128, rows[to].len(), periodic[1])?)));
                     if let Some((row, site)) = to {

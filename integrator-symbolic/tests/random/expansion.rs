@@ -2,7 +2,7 @@
 
 use crate::{
     calls::names_of,
-    drivers::{Bodies, Driven, Edges, Lattice},
+    drivers::{Bodies, Boundary, Driven, Lattice},
     machine::Machine,
 };
 use proc_macro2::TokenStream;
@@ -68,7 +68,7 @@ impl Expansion {
     pub(crate) fn teach<'t>(&'t self, machine: &mut Machine<'t>) {
         machine.is_generated = true;
         machine.structs = self.structs.iter().map(|item| (item.ident.to_string(), item)).collect();
-        let [drift, kick] = ["Drift", "Kick"].map(|flow| lattice(self.implementation("Gather", flow)?));
+        let [drift, kick] = ["Drift", "Kick"].map(|flow| lattice(self.implementation("Stencil", flow)?));
         machine.driven = Driven { drift, kick, bodies: self.bodies() };
     }
 
@@ -103,17 +103,17 @@ fn constant<'i>(item: &'i ItemImpl, name: &str) -> Option<&'i Expr> {
 }
 
 fn lattice(item: &ItemImpl) -> Option<Lattice<'_>> {
-    let sites = edges(constant(item, "EDGES")?).unwrap_or_default();
-    let rows = constant(item, "ROWS").and_then(|rows| match rows {
-        Expr::Call(some) => edges(some.args.first()?),
+    let sites = boundary(constant(item, "BOUNDARY")?).unwrap_or_default();
+    let rows = constant(item, "ROW_BOUNDARY").and_then(|rows| match rows {
+        Expr::Call(some) => boundary(some.args.first()?),
         _ => None,
     });
-    Some(Lattice { shares: function(item, "shares")?, sites, rows })
+    Some(Lattice { shares: function(item, "contributions")?, sites, rows })
 }
 
-fn edges(literal: &Expr) -> Option<Edges> {
+fn boundary(literal: &Expr) -> Option<Boundary> {
     let Expr::Struct(literal) = literal else { return None };
-    if names_of(&literal.path).last()? != "Edges" {
+    if names_of(&literal.path).last()? != "Boundary" {
         return None;
     }
     let value = |name: &str| {
@@ -125,5 +125,5 @@ fn edges(literal: &Expr) -> Option<Edges> {
             _ => None,
         })
     };
-    Some(Edges { onward: value("onward")?.parse().ok()?, periodic: value("periodic")? == "true" })
+    Some(Boundary { forward: value("forward")?.parse().ok()?, periodic: value("periodic")? == "true" })
 }

@@ -1,8 +1,8 @@
-//! The sites of a lattice, all of them or a window: what a flow moves when it does not move everything at once.
+//! The sites of a lattice, all of them or a segment: what a flow moves where it does not move everything at once.
 
 use crate::{
     layout::lattice::{
-        stencil::{Beside, Drift, Gather, Kick, Sweep},
+        stencil::{AdjacentRows, Drift, Kick, Stencil, StencilPass},
         time_tiling::Flow,
     },
     scalar::real::{Kernel, Real},
@@ -14,23 +14,24 @@ use crate::{
 };
 use core::{marker::PhantomData, ops::Range};
 
-/// The state of neighbouring sites, with the prepared constants of the whole lattice.
+/// The state of a segment of sites, with the prepared constants of the reborrow lattice.
 pub struct Sites<'m, R: Real, K: Precision, P> {
     pub(crate) q: &'m mut [K::Slot<R>],
     pub(crate) p: &'m mut [K::Slot<R>],
     pub(crate) parameters: &'m P,
-    /// The site that the slices begin with.
+    /// The index of the first site in the slices.
     pub(crate) first: usize,
-    /// How many sites the lattice has.
+    /// The number of sites of the whole lattice.
     pub(crate) length: usize,
 }
 
-/// Flows of lattices of a known length below this are compiled into the loop over stages, others once for all loops.
+/// The shortest lattice of a known length whose flows are compiled once for all loops over stages. Those of shorter
+/// ones are compiled into the loops.
 pub(crate) const LONG: usize = 128;
 
 impl<R: Real, C: Coords, P> Plain<R, C, P> {
-    /// Whether the lattice is short, and known to be so. Without optimization a function that everything is inlined into
-    /// would need megabytes of stack.
+    /// Whether the lattice is short, and known to be so. Without optimization a function that everything is inlined
+    /// into would need megabytes of stack.
     const SHORT: bool = match C::LENGTH {
         Some(length) => length < LONG && cfg!(not(debug_assertions)),
         None => false,
@@ -38,18 +39,18 @@ impl<R: Real, C: Coords, P> Plain<R, C, P> {
 
     /// The flow of `T` of a lattice.
     #[inline(always)]
-    pub fn drift<H: Gather<Drift, Parameters<R> = P>>(&mut self, duration: f64, time: f64) {
-        let along = self.sites().drift::<H>(duration, time);
-        let sites = 0..along.length;
-        if Self::SHORT { along.over(sites) } else { R::enter(Over { along, sites }) }
+    pub fn drift<H: Stencil<Drift, Parameters<R> = P>>(&mut self, duration: f64, time: f64) {
+        let pass = self.sites().drift::<H>(duration, time);
+        let sites = 0..pass.length;
+        if Self::SHORT { pass.apply(sites) } else { R::enter(ApplyPass { pass, sites }) }
     }
 
     /// The flow of `V` of a lattice.
     #[inline(always)]
-    pub fn kick<H: Gather<Kick, Parameters<R> = P>>(&mut self, duration: f64, time: f64) {
-        let along = self.sites().kick::<H>(duration, time);
-        let sites = 0..along.length;
-        if Self::SHORT { along.over(sites) } else { R::enter(Over { along, sites }) }
+    pub fn kick<H: Stencil<Kick, Parameters<R> = P>>(&mut self, duration: f64, time: f64) {
+        let pass = self.sites().kick::<H>(duration, time);
+        let sites = 0..pass.length;
+        if Self::SHORT { pass.apply(sites) } else { R::enter(ApplyPass { pass, sites }) }
     }
 
     /// All sites.
@@ -61,8 +62,8 @@ impl<R: Real, C: Coords, P> Plain<R, C, P> {
 }
 
 impl<'m, R: Real, K: Precision, P> Sites<'m, R, K, P> {
-    /// The same sites, for a while.
-    pub(crate) fn whole(&mut self) -> Sites<'_, R, K, P> {
+    /// The same sites, borrowed again.
+    pub(crate) fn reborrow(&mut self) -> Sites<'_, R, K, P> {
         Sites { q: self.q, p: self.p, ..*self }
     }
 
@@ -73,51 +74,56 @@ impl<'m, R: Real, K: Precision, P> Sites<'m, R, K, P> {
         (Self { q, p, ..self }, Self { q: q_after, p: p_after, first: site, ..self })
     }
 
-    /// A flow moves the coordinates of `sites`.
-    pub fn take<H>(&mut self, flow: &Flow, sites: Range<usize>)
+    /// Applies a flow to `sites`.
+    pub fn apply<H>(&mut self, flow: &Flow, sites: Range<usize>)
     where
-        H: Gather<Drift, Parameters<R> = P> + Gather<Kick, Parameters<R> = P>,
+        H: Stencil<Drift, Parameters<R> = P> + Stencil<Kick, Parameters<R> = P>,
     {
         if flow.drifts {
-            R::enter(Over { along: self.whole().drift::<H>(flow.duration, flow.time), sites });
+            R::enter(ApplyPass { pass: self.reborrow().drift::<H>(flow.duration, flow.time), sites });
         } else {
-            R::enter(Over { along: self.whole().kick::<H>(flow.duration, flow.time), sites });
+            R::enter(ApplyPass { pass: self.reborrow().kick::<H>(flow.duration, flow.time), sites });
         }
     }
 
-    /// The flow of `T`, which moves positions.
+    /// The pass of the flow of `T`, which moves positions.
     #[inline(always)]
-    fn drift<H: Gather<Drift, Parameters<R> = P>>(
+    fn drift<H: Stencil<Drift, Parameters<R> = P>>(
         self,
         duration: f64,
         time: f64,
-    ) -> Sweep<'m, H, Drift, R, K::Slot<R>> {
+    ) -> StencilPass<'m, H, Drift, R, K::Slot<R>> {
         let Self { q: moved, p: read, parameters, first, length } = self;
-        let (step, beside, flow) = (R::of(duration), Beside::line(), PhantomData);
-        Sweep { read, moved, first, length, beside, parameters, step, time, flow }
+        let (step, adjacent, flow) = (R::of(duration), AdjacentRows::none(), PhantomData);
+        StencilPass { read, moved, first, length, adjacent, parameters, step, time, flow }
     }
 
-    /// The flow of `V`, which moves momenta.
+    /// The pass of the flow of `V`, which moves momenta.
     #[inline(always)]
-    fn kick<H: Gather<Kick, Parameters<R> = P>>(self, duration: f64, time: f64) -> Sweep<'m, H, Kick, R, K::Slot<R>> {
+    fn kick<H: Stencil<Kick, Parameters<R> = P>>(
+        self,
+        duration: f64,
+        time: f64,
+    ) -> StencilPass<'m, H, Kick, R, K::Slot<R>> {
         let Self { q: read, p: moved, parameters, first, length } = self;
-        let (step, beside, flow) = (R::of(-duration), Beside::line(), PhantomData);
-        Sweep { read, moved, first, length, beside, parameters, step, time, flow }
+        let (step, adjacent, flow) = (R::of(-duration), AdjacentRows::none(), PhantomData);
+        StencilPass { read, moved, first, length, adjacent, parameters, step, time, flow }
     }
 }
 
-/// A flow over a range of sites, in the clone for this machine.
-struct Over<'m, H: Gather<F>, F, R: Real, S> {
-    along: Sweep<'m, H, F, R, S>,
+/// A stencil pass over a range of sites, in the multiversioned variant for this machine.
+struct ApplyPass<'m, H: Stencil<F>, F, R: Real, S> {
+    pass: StencilPass<'m, H, F, R, S>,
     sites: Range<usize>,
 }
 
-impl<H: Gather<F>, F, R: Real, S: Slot<R>> Kernel for Over<'_, H, F, R, S> {
+impl<H: Stencil<F>, F, R: Real, S: Slot<R>> Kernel for ApplyPass<'_, H, F, R, S> {
     type Out = ();
 
     #[inline(always)]
     fn call(self) {
-        // Said anew in the clone, which is compiled on its own: nothing of what is beside a line is left in it.
-        Sweep { beside: Beside::line(), ..self.along }.over(self.sites);
+        // The variant is compiled on its own: with the empty constant repeated here, the optimiser removes all that
+        // concerns adjacent rows.
+        StencilPass { adjacent: AdjacentRows::none(), ..self.pass }.apply(self.sites);
     }
 }

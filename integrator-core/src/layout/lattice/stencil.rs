@@ -1,14 +1,14 @@
-//! Flows of lattices in gather form: a site gets all its addends at once, and each of them is computed once.
+//! Stencil passes over lattices in gather form: a site gets all its addends at once, and each of them is computed once.
 //!
-//! At every site something is computed from its neighbourhood, the bond to the next one for instance, and shared out
-//! among the site and the next ones. A sweep carries shares along with it, so that no buffer is filled and no bond
-//! computed twice; in a plane it goes along a row, and what the row shares with the next one is passed on to that. The
-//! order of the addends of a site is that of the shares, whatever the width of a block is and wherever a sweep begins: so
+//! Each site computes contributions from its neighbourhood, those of the bond to the next site for instance: one to
+//! itself and others to sites further on. A pass carries them forward, so that it fills no buffer and computes no bond
+//! twice; in a plane it runs along a row, and the contributions of the row to the next one are a row carry. A site adds
+//! its contributions in the order of their offsets, whatever the width of a block is and wherever a pass begins, and so
 //! are the bits.
 
 use crate::{
     hamiltonian::Hamiltonian,
-    layout::lattice::window::{Around, FARTHEST, Neighbours},
+    layout::lattice::window::{Blocks, MAX_RADIUS, Window},
     scalar::{
         real::Real,
         simd::block::{Block, WIDEST},
@@ -17,142 +17,142 @@ use crate::{
 };
 use core::{marker::PhantomData, ops::Range};
 
-/// The flow of `T`, as a parameter of [`Gather`].
+/// The flow of `T`, as a parameter of [`Stencil`].
 pub struct Drift;
 
-/// The flow of `V`, as a parameter of [`Gather`].
+/// The flow of `V`, as a parameter of [`Stencil`].
 pub struct Kick;
 
-/// Where a lattice ends, and how far its sites look.
+/// The boundary of a lattice in one direction, and the radius of its stencil.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Edges {
-    /// How many sites at the beginning compute something of their own.
+pub struct Boundary {
+    /// The number of sites at the beginning that differ from those of the interior.
     pub first: usize,
-    /// How many sites at the end do.
+    /// The number of such sites at the end.
     pub last: usize,
-    /// How many places further on the farthest share goes.
-    pub onward: usize,
-    /// How far behind a site's shares depend on coordinates.
+    /// The largest forward offset of a contribution.
+    pub forward: usize,
+    /// The stencil's radius backwards: how far behind a site its contributions depend on coordinates.
     pub behind: usize,
-    /// How far ahead they do.
+    /// The stencil's radius forwards.
     pub ahead: usize,
     /// Whether the last site is followed by the first.
     pub periodic: bool,
 }
 
-impl Edges {
-    /// Whether every site is like all others, and looks at itself alone.
-    const fn none(&self) -> bool {
-        self.first == 0 && self.last == 0 && self.onward == 0 && self.behind == 0 && self.ahead == 0
+impl Boundary {
+    /// Whether every site is like all others, and depends on itself alone.
+    const fn is_pointwise(&self) -> bool {
+        self.first == 0 && self.last == 0 && self.forward == 0 && self.behind == 0 && self.ahead == 0
     }
 }
 
-/// A flow that every site takes part in alike. Written by `#[hamiltonian]`; `F` is [`Drift`] or [`Kick`].
-pub trait Gather<F>: Hamiltonian {
-    /// What is computed at a site: element `k` is an addend for the site `k` places further on. Behind the farthest of
-    /// these come those for the next row, for the site below and further on.
-    type Shares<W: Copy>: Array<W>;
+/// The stencil of a flow: what every site of a lattice computes from its neighbourhood. Written by `#[hamiltonian]`;
+/// `F` is [`Drift`] or [`Kick`].
+pub trait Stencil<F>: Hamiltonian {
+    /// The contributions of a site: element `k` is an addend of the site at the forward offset `k`. After the farthest
+    /// of these come those for the next row: for the site below, and for the ones after that.
+    type Contributions<W: Copy>: Array<W>;
 
-    /// Where the sites are that are not like all others.
-    const EDGES: Edges;
+    /// The boundary along a line or a row.
+    const BOUNDARY: Boundary;
 
-    /// Where the rows of a plane are that are not like all others.
-    const ROWS: Option<Edges> = None;
+    /// The boundary across the rows of a plane.
+    const ROW_BOUNDARY: Option<Boundary> = None;
 
-    /// The shares of a block of sites.
-    fn shares<R: Real, W: Block<R>>(
-        near: &Neighbours<R, W>,
+    /// The contributions of a block of sites.
+    fn contributions<R: Real, W: Block<R>>(
+        window: &Window<R, W>,
         parameters: &Self::Parameters<R>,
         time: f64,
-    ) -> Self::Shares<W>;
+    ) -> Self::Contributions<W>;
 }
 
-/// A flow on its way over sites that it finds in slices, which may be windows of a longer lattice, or rows of a plane.
-pub(crate) struct Sweep<'m, H: Hamiltonian, F, R: Real, S> {
+/// A stencil pass over slices of sites: a whole line, a segment of one, or a row of a plane.
+pub(crate) struct StencilPass<'m, H: Hamiltonian, F, R: Real, S> {
     /// The coordinates that the flow depends on.
     pub(crate) read: &'m [S],
     /// Those that it moves.
     pub(crate) moved: &'m mut [S],
-    /// The site that the slices begin with.
+    /// The index of the first site in the slices.
     pub(crate) first: usize,
-    /// How many sites there are in the line or in a row.
+    /// The number of sites in the line or in a row.
     pub(crate) length: usize,
-    /// What lies beside the sites.
-    pub(crate) beside: Beside<'m, R, S>,
+    pub(crate) adjacent: AdjacentRows<'m, R, S>,
     pub(crate) parameters: &'m H::Parameters<R>,
     pub(crate) step: R,
     pub(crate) time: f64,
     pub(crate) flow: PhantomData<F>,
 }
 
-/// The other rows of a plane, as a sweep along one of them sees them.
-pub(crate) struct Beside<'m, R, S> {
-    /// The number of the row that is swept.
+/// The rows adjacent to the one that a pass runs along, and the carry between them.
+pub(crate) struct AdjacentRows<'m, R, S> {
+    /// The index of the row that the pass runs along.
     pub(crate) row: usize,
-    /// How many rows there are.
+    /// The number of rows.
     pub(crate) rows: usize,
-    /// Whether something is different in the row from what it is in the middle of the plane.
-    pub(crate) edge: bool,
-    /// What the flow depends on in the rows above and below; nothing beyond an end.
+    /// Whether the row differs from those of the plane's interior.
+    pub(crate) at_boundary: bool,
+    /// The coordinates that the flow depends on in the rows above and below; nothing beyond an end.
     pub(crate) read: [&'m [S]; 2],
-    /// What the row above shares with this one, and after the sweep what this one shares with the row below.
-    pub(crate) passed: &'m mut [R],
+    /// The contributions of the row above to this one; after the pass those of this one to the row below.
+    pub(crate) carry: &'m mut [R],
 }
 
-impl<R, S> Beside<'_, R, S> {
-    /// Nothing is beside a line.
+impl<R, S> AdjacentRows<'_, R, S> {
+    /// A line has no adjacent rows.
     #[inline(always)]
-    pub(crate) fn line() -> Self {
-        Self { row: 0, rows: 1, edge: false, read: [&[], &[]], passed: &mut [] }
+    pub(crate) fn none() -> Self {
+        Self { row: 0, rows: 1, at_boundary: false, read: [&[], &[]], carry: &mut [] }
     }
 }
 
-impl<H: Gather<F>, F, R: Real, S: Slot<R>> Sweep<'_, H, F, R, S> {
-    /// Whether the rows above and below are looked at.
-    pub(crate) const LOOKED_AT: [bool; 2] = match H::ROWS {
+impl<H: Stencil<F>, F, R: Real, S: Slot<R>> StencilPass<'_, H, F, R, S> {
+    /// Whether the stencil reads the rows above and below.
+    pub(crate) const READS_ADJACENT: [bool; 2] = match H::ROW_BOUNDARY {
         Some(rows) => [rows.behind > 0, rows.ahead > 0],
         None => [false; 2],
     };
 
-    /// Whether a row shares anything with the next one.
-    pub(crate) const PASSES_ON: bool = matches!(H::ROWS, Some(Edges { onward: 1.., .. }));
+    /// Whether a row contributes to the next one.
+    pub(crate) const CARRIES_BETWEEN_ROWS: bool = matches!(H::ROW_BOUNDARY, Some(Boundary { forward: 1.., .. }));
 
-    /// Whether sites have nothing to do with each other, as the momenta of a kinetic energy that is a sum of squares.
-    const APART: bool = H::EDGES.none() && H::ROWS.is_none();
+    /// Whether every site depends on itself alone, as for a kinetic energy that is a sum of squares.
+    const POINTWISE: bool = H::BOUNDARY.is_pointwise() && H::ROW_BOUNDARY.is_none();
 
     /// Moves the coordinates of `sites`: whole blocks, then one by one the sites that fill none.
     #[cfg_attr(not(debug_assertions), inline(always))]
-    pub(crate) fn over(mut self, sites: Range<usize>) {
-        let rest = self.blocks::<S::Wide>(sites.clone());
+    pub(crate) fn apply(mut self, sites: Range<usize>) {
+        let rest = self.apply_blocks::<S::Wide>(sites.clone());
         if const { S::Wide::WIDTH > 1 } && rest < sites.end {
-            self.singles(rest..sites.end);
+            self.apply_singles(rest..sites.end);
         }
     }
 
     /// Moves whole blocks of `sites`, and returns where they end.
     #[cfg_attr(not(debug_assertions), inline(always))]
-    fn blocks<W: Block<R>>(&mut self, sites: Range<usize>) -> usize {
+    fn apply_blocks<W: Block<R>>(&mut self, sites: Range<usize>) -> usize {
         let (mut site, end) = (sites.start, sites.end);
         if site + W::WIDTH > end {
             return site;
         }
-        if const { Self::APART } {
+        if const { Self::POINTWISE } {
             let blocks = (end - site) / W::WIDTH;
-            self.middle::<W>(site, blocks, Self::nothing());
+            self.interior::<W>(site, blocks, Self::zero_carry());
             return site + blocks * W::WIDTH;
         }
-        let mut carried = self.carried::<W>(site);
-        while site < H::EDGES.first && site + W::WIDTH <= end {
-            carried = self.block(site, carried);
+        let mut carry = self.carry_into::<W>(site);
+        while site < H::BOUNDARY.first && site + W::WIDTH <= end {
+            carry = self.boundary_block(site, carry);
             site += W::WIDTH;
         }
-        let alike = self.alike::<W>(site..end);
-        if alike > 0 {
-            carried = self.middle(site, alike, carried);
-            site += alike * W::WIDTH;
+        let blocks = self.interior_blocks::<W>(site..end);
+        if blocks > 0 {
+            carry = self.interior(site, blocks, carry);
+            site += blocks * W::WIDTH;
         }
         while site + W::WIDTH <= end {
-            carried = self.block(site, carried);
+            carry = self.boundary_block(site, carry);
             site += W::WIDTH;
         }
         site
@@ -160,183 +160,198 @@ impl<H: Gather<F>, F, R: Real, S: Slot<R>> Sweep<'_, H, F, R, S> {
 
     /// Moves sites one by one.
     #[cfg_attr(not(debug_assertions), inline(always))]
-    fn singles(&mut self, sites: Range<usize>) {
-        if const { Self::APART } {
-            self.middle::<R>(sites.start, sites.len(), Self::nothing());
+    fn apply_singles(&mut self, sites: Range<usize>) {
+        if const { Self::POINTWISE } {
+            self.interior::<R>(sites.start, sites.len(), Self::zero_carry());
         } else {
-            let mut carried = self.carried::<R>(sites.start);
+            let mut carry = self.carry_into::<R>(sites.start);
             for site in sites {
-                carried = self.block(site, carried);
+                carry = self.boundary_block(site, carry);
             }
         }
     }
 
-    /// How many blocks from the beginning of `sites` on have no site of the last ones, and all around them at hand.
+    /// The number of interior blocks from the beginning of `sites` on: those without a site of the boundary at the end,
+    /// whose windows lie within the slices.
     #[cfg_attr(not(debug_assertions), inline(always))]
-    fn alike<W: Block<R>>(&self, sites: Range<usize>) -> usize {
-        if self.beside.edge {
+    fn interior_blocks<W: Block<R>>(&self, sites: Range<usize>) -> usize {
+        if self.adjacent.at_boundary {
             return 0;
         }
-        let [_, farthest] = Self::window::<W>();
-        let at_hand = (self.first + self.read.len()).saturating_sub((farthest - FARTHEST) * W::WIDTH);
-        let end = self.length.saturating_sub(H::EDGES.last).min(at_hand).min(sites.end);
+        let [_, farthest] = Self::reads::<W>();
+        let readable = (self.first + self.read.len()).saturating_sub((farthest - MAX_RADIUS) * W::WIDTH);
+        let end = self.length.saturating_sub(H::BOUNDARY.last).min(readable).min(sites.end);
         end.saturating_sub(sites.start) / W::WIDTH
     }
 
-    /// Moves a block that may have sites unlike others; `carried` as below.
+    /// Moves a block that may have sites of the boundary; `carry` as in [`Self::interior`].
     #[cfg_attr(not(debug_assertions), inline(always))]
-    fn block<W: Block<R>>(&mut self, site: usize, carried: [H::Shares<W>; FARTHEST]) -> [H::Shares<W>; FARTHEST] {
-        let found = self.shares::<W>(site);
+    fn boundary_block<W: Block<R>>(
+        &mut self,
+        site: usize,
+        carry: [H::Contributions<W>; MAX_RADIUS],
+    ) -> [H::Contributions<W>; MAX_RADIUS] {
+        let own = self.boundary_contributions::<W>(site);
         let begin = site - self.first;
-        let passed = if const { H::ROWS.is_some() } { &mut self.beside.passed[begin..] } else { &mut [] };
-        S::update(&mut self.moved[begin..], self.step, Self::sum(found, carried, passed));
-        [found, carried[0]]
+        let row_carry = if const { H::ROW_BOUNDARY.is_some() } { &mut self.adjacent.carry[begin..] } else { &mut [] };
+        S::update(&mut self.moved[begin..], self.step, Self::sum(own, carry, row_carry));
+        [own, carry[0]]
     }
 
-    /// Moves blocks that are alike; `carried` are the shares of the sites before them, nearest first. A window goes along,
-    /// so that every coordinate is read once.
+    /// Moves blocks of the interior; `carry` has the contributions of the sites before them, nearest first. A window
+    /// slides along, so that the pass reads every coordinate once.
     #[cfg_attr(not(debug_assertions), inline(always))]
-    fn middle<W: Block<R>>(
+    fn interior<W: Block<R>>(
         &mut self,
         mut site: usize,
-        blocks: usize,
-        mut carried: [H::Shares<W>; FARTHEST],
-    ) -> [H::Shares<W>; FARTHEST] {
-        if const { H::ROWS.is_some() } {
-            return self.middle_of_row(site, blocks, carried);
+        count: usize,
+        mut carry: [H::Contributions<W>; MAX_RADIUS],
+    ) -> [H::Contributions<W>; MAX_RADIUS] {
+        if const { H::ROW_BOUNDARY.is_some() } {
+            return self.interior_of_row(site, count, carry);
         }
-        let [nearest, farthest] = Self::window::<W>();
+        let [nearest, farthest] = Self::reads::<W>();
         let begin = site - self.first;
-        let mut around = [W::of(0.0); 2 * FARTHEST + 1];
-        if const { !Self::APART } {
-            around = self.around(self.read, site as isize - W::WIDTH as isize);
+        let mut blocks = [W::of(0.0); 2 * MAX_RADIUS + 1];
+        if const { !Self::POINTWISE } {
+            blocks = self.blocks_around(self.read, site as isize - W::WIDTH as isize);
         }
-        // Slices of one length, so that nothing is asked at a block.
-        let sites = blocks * W::WIDTH;
-        let mut read = &self.read[begin + (farthest - FARTHEST) * W::WIDTH..][..sites];
+        // Slices of one length, so that no bounds are checked at a block.
+        let sites = count * W::WIDTH;
+        let mut read = &self.read[begin + (farthest - MAX_RADIUS) * W::WIDTH..][..sites];
         let mut moved = &mut self.moved[begin..][..sites];
         while read.len() >= W::WIDTH && moved.len() >= W::WIDTH {
-            for place in nearest..farthest {
-                around[place] = around[place + 1];
+            for index in nearest..farthest {
+                blocks[index] = blocks[index + 1];
             }
-            around[farthest] = S::read(read);
-            let (beside, length) = ([around; 2], self.length);
-            let near = Neighbours { around, beside, site, length, row: 0, rows: 1, edge: false, scalar: PhantomData };
-            let found = H::shares::<R, W>(&near, self.parameters, self.time);
-            S::update(moved, self.step, Self::sum(found, carried, &mut []));
-            carried = [found, carried[0]];
+            blocks[farthest] = S::read(read);
+            let (adjacent, length) = ([blocks; 2], self.length);
+            let window =
+                Window { blocks, adjacent, site, length, row: 0, rows: 1, at_boundary: false, scalar: PhantomData };
+            let own = H::contributions::<R, W>(&window, self.parameters, self.time);
+            S::update(moved, self.step, Self::sum(own, carry, &mut []));
+            carry = [own, carry[0]];
             site += W::WIDTH;
             read = &read[W::WIDTH..];
             moved = &mut moved[W::WIDTH..];
         }
-        carried
+        carry
     }
 
-    /// What a block of sites gets; `carried` are the shares of the sites before it, nearest first. What the row above
-    /// passed on is replaced by what is passed on to the row below.
+    /// The sum of all contributions to a block of sites: its own, the `carry` from the sites before it, and the row
+    /// carry, in whose place the contributions to the row below are written.
     #[cfg_attr(not(debug_assertions), inline(always))]
-    pub(crate) fn sum<W: Block<R>>(found: H::Shares<W>, carried: [H::Shares<W>; FARTHEST], passed: &mut [R]) -> W {
-        let below = H::EDGES.onward + 1;
-        let mut sum = Self::sum_of(0..below, found, carried);
-        if const { Self::PASSES_ON } {
-            sum += W::read(passed);
-            Self::sum_of(below..found.as_ref().len(), found, carried).write(passed);
+    pub(crate) fn sum<W: Block<R>>(
+        own: H::Contributions<W>,
+        carry: [H::Contributions<W>; MAX_RADIUS],
+        row_carry: &mut [R],
+    ) -> W {
+        let below = H::BOUNDARY.forward + 1;
+        let mut sum = Self::sum_of(0..below, own, carry);
+        if const { Self::CARRIES_BETWEEN_ROWS } {
+            sum += W::read(row_carry);
+            Self::sum_of(below..own.as_ref().len(), own, carry).write(row_carry);
         }
         sum
     }
 
-    /// The sum of those of the shares that a block of sites gets.
+    /// The sum of those contributions, in this order, that arrive at a block of sites.
     #[cfg_attr(not(debug_assertions), inline(always))]
-    fn sum_of<W: Block<R>>(shares: Range<usize>, found: H::Shares<W>, carried: [H::Shares<W>; FARTHEST]) -> W {
-        let mut sum = found.as_ref()[shares.start];
-        for share in shares.start + 1..shares.end {
-            let [nearest, farther] = carried;
-            let carried = [nearest.as_ref()[share], farther.as_ref()[share]];
-            sum += arriving::<R, W>(share - shares.start, found.as_ref()[share], carried);
+    fn sum_of<W: Block<R>>(
+        indices: Range<usize>,
+        own: H::Contributions<W>,
+        carry: [H::Contributions<W>; MAX_RADIUS],
+    ) -> W {
+        let mut sum = own.as_ref()[indices.start];
+        for index in indices.start + 1..indices.end {
+            let [nearest, farther] = carry;
+            let carry = [nearest.as_ref()[index], farther.as_ref()[index]];
+            sum += shifted::<R, W>(index - indices.start, own.as_ref()[index], carry);
         }
         sum
     }
 
-    /// The shares of the sites before `site`, as if the sweep came from there.
+    /// The contributions of the sites before `site`, as if the pass came from there.
     #[cfg_attr(not(debug_assertions), inline(always))]
-    fn carried<W: Block<R>>(&self, site: usize) -> [H::Shares<W>; FARTHEST] {
-        let mut carried = Self::nothing::<W>();
-        for nearer in 0..H::EDGES.onward {
-            let behind = H::EDGES.onward - nearer;
+    fn carry_into<W: Block<R>>(&self, site: usize) -> [H::Contributions<W>; MAX_RADIUS] {
+        let mut carry = Self::zero_carry::<W>();
+        for nearer in 0..H::BOUNDARY.forward {
+            let behind = H::BOUNDARY.forward - nearer;
             let before = match site.checked_sub(behind) {
-                None if H::EDGES.periodic => (site + FARTHEST * self.length - behind) % self.length,
+                None if H::BOUNDARY.periodic => (site + MAX_RADIUS * self.length - behind) % self.length,
                 None => continue,
                 Some(before) => before,
             };
-            let found = self.shares::<R>(before);
-            let [nearest, farther] = &mut carried;
+            let own = self.boundary_contributions::<R>(before);
+            let [nearest, farther] = &mut carry;
             *farther = *nearest;
-            for share in 1..found.as_ref().len() {
-                let found = W::splat(found.as_ref()[share]);
-                // In a block of one the farther share is a block of its own.
-                let nearest = &mut nearest.as_mut()[share];
-                *nearest = nearest.after(found);
+            for index in 1..own.as_ref().len() {
+                let own = W::splat(own.as_ref()[index]);
+                // In blocks of one site the farther contribution is a block of its own.
+                let nearest = &mut nearest.as_mut()[index];
+                *nearest = nearest.after(own);
             }
         }
-        carried
+        carry
     }
 
-    /// Shares of nothing.
+    /// The carry where no site contributes.
     #[cfg_attr(not(debug_assertions), inline(always))]
-    fn nothing<W: Block<R>>() -> [H::Shares<W>; FARTHEST] {
-        [H::Shares::<W>::filled(W::of(0.0)); FARTHEST]
+    fn zero_carry<W: Block<R>>() -> [H::Contributions<W>; MAX_RADIUS] {
+        [H::Contributions::<W>::filled(W::of(0.0)); MAX_RADIUS]
     }
 
-    /// The shares of a block that may have sites unlike others.
+    /// The contributions of a block that may have sites of the boundary.
     #[cfg_attr(not(debug_assertions), inline(always))]
-    fn shares<W: Block<R>>(&self, site: usize) -> H::Shares<W> {
-        let around = self.around(self.read, site as isize);
-        let beside = if const { H::ROWS.is_some() } { self.beside(around, site as isize) } else { [around; 2] };
-        let (length, row, rows) = (self.length, self.beside.row, self.beside.rows);
-        let near = Neighbours { around, beside, site, length, row, rows, edge: true, scalar: PhantomData };
-        H::shares::<R, W>(&near, self.parameters, self.time)
+    fn boundary_contributions<W: Block<R>>(&self, site: usize) -> H::Contributions<W> {
+        let blocks = self.blocks_around(self.read, site as isize);
+        let is_plane = const { H::ROW_BOUNDARY.is_some() };
+        let adjacent = if is_plane { self.adjacent_blocks(blocks, site as isize) } else { [blocks; 2] };
+        let (length, row, rows) = (self.length, self.adjacent.row, self.adjacent.rows);
+        let window = Window { blocks, adjacent, site, length, row, rows, at_boundary: true, scalar: PhantomData };
+        H::contributions::<R, W>(&window, self.parameters, self.time)
     }
 
-    /// Where in [`Neighbours::around`] the first and the last block are that are looked at.
+    /// The indices in [`Window::blocks`] of the first and the last block that the stencil reads.
     #[cfg_attr(not(debug_assertions), inline(always))]
-    pub(crate) fn window<W: Block<R>>() -> [usize; 2] {
-        [FARTHEST - H::EDGES.behind.div_ceil(W::WIDTH), FARTHEST + H::EDGES.ahead.div_ceil(W::WIDTH)]
+    pub(crate) fn reads<W: Block<R>>() -> [usize; 2] {
+        [MAX_RADIUS - H::BOUNDARY.behind.div_ceil(W::WIDTH), MAX_RADIUS + H::BOUNDARY.ahead.div_ceil(W::WIDTH)]
     }
 
-    /// The coordinates of a row around the block that begins at `site`.
+    /// The window's blocks of a row around the block that begins at `site`.
     #[cfg_attr(not(debug_assertions), inline(always))]
-    pub(crate) fn around<W: Block<R>>(&self, row: &[S], site: isize) -> Around<W> {
-        let [nearest, farthest] = Self::window::<W>();
-        let mut around = [self.coordinates::<W>(row, site); 2 * FARTHEST + 1];
-        for distance in 1..FARTHEST + 1 {
-            let far = (distance * W::WIDTH) as isize;
-            if FARTHEST >= nearest + distance {
-                around[FARTHEST - distance] = self.coordinates(row, site - far);
+    pub(crate) fn blocks_around<W: Block<R>>(&self, row: &[S], site: isize) -> Blocks<W> {
+        let [nearest, farthest] = Self::reads::<W>();
+        let mut blocks = [self.block_at::<W>(row, site); 2 * MAX_RADIUS + 1];
+        for distance in 1..MAX_RADIUS + 1 {
+            let offset = (distance * W::WIDTH) as isize;
+            if MAX_RADIUS >= nearest + distance {
+                blocks[MAX_RADIUS - distance] = self.block_at(row, site - offset);
             }
-            if FARTHEST + distance <= farthest {
-                around[FARTHEST + distance] = self.coordinates(row, site + far);
+            if MAX_RADIUS + distance <= farthest {
+                blocks[MAX_RADIUS + distance] = self.block_at(row, site + offset);
             }
         }
-        around
+        blocks
     }
 
-    /// The same in the rows above and below, where they are looked at.
+    /// The same in the rows above and below, where the stencil reads them.
     #[cfg_attr(not(debug_assertions), inline(always))]
-    pub(crate) fn beside<W: Block<R>>(&self, around: Around<W>, site: isize) -> [Around<W>; 2] {
-        let [looks_above, looks_below] = Self::LOOKED_AT;
-        let [above, below] = self.beside.read;
+    pub(crate) fn adjacent_blocks<W: Block<R>>(&self, blocks: Blocks<W>, site: isize) -> [Blocks<W>; 2] {
+        let [reads_above, reads_below] = Self::READS_ADJACENT;
+        let [above, below] = self.adjacent.read;
         [
-            if looks_above { self.around(above, site) } else { around },
-            if looks_below { self.around(below, site) } else { around },
+            if reads_above { self.blocks_around(above, site) } else { blocks },
+            if reads_below { self.blocks_around(below, site) } else { blocks },
         ]
     }
 
-    /// The coordinates of the block from a site on, which may lie beyond an end.
+    /// The block of coordinates that begins at a site, which may lie beyond an end.
     #[cfg_attr(not(debug_assertions), inline(always))]
-    fn coordinates<W: Block<R>>(&self, row: &[S], site: isize) -> W {
+    fn block_at<W: Block<R>>(&self, row: &[S], site: isize) -> W {
         let length = self.length as isize;
         let site = match site {
-            _ if !H::EDGES.periodic => site,
+            _ if !H::BOUNDARY.periodic => site,
             behind if behind < 0 => behind + length,
             ahead if ahead >= length => ahead - length,
             inside => inside,
@@ -346,9 +361,9 @@ impl<H: Gather<F>, F, R: Real, S: Slot<R>> Sweep<'_, H, F, R, S> {
             return S::read(&row[begin as usize..]);
         }
         let mut numbers = [R::of(0.0); WIDEST];
-        for (place, number) in numbers[..W::WIDTH].iter_mut().enumerate() {
-            let site = site + place as isize;
-            let site = if H::EDGES.periodic { site.rem_euclid(length) } else { site };
+        for (offset, number) in numbers[..W::WIDTH].iter_mut().enumerate() {
+            let site = site + offset as isize;
+            let site = if H::BOUNDARY.periodic { site.rem_euclid(length) } else { site };
             let at = site - self.first as isize;
             if at >= 0 && (at as usize) < row.len() {
                 *number = row[at as usize].value();
@@ -358,12 +373,13 @@ impl<H: Gather<F>, F, R: Real, S: Slot<R>> Sweep<'_, H, F, R, S> {
     }
 }
 
-/// What comes to a block of sites from `onward` places behind: shares of the block itself, and those carried to it.
+/// The contributions of one forward offset, shifted onto the sites that they go to: the block's own, and those carried
+/// to it.
 #[cfg_attr(not(debug_assertions), inline(always))]
-fn arriving<R: Real, W: Block<R>>(onward: usize, own: W, carried: [W; FARTHEST]) -> W {
-    let [nearest, _] = carried;
-    match (onward, W::WIDTH) {
-        (_, 1) => carried[onward - 1],
+fn shifted<R: Real, W: Block<R>>(forward: usize, own: W, carry: [W; MAX_RADIUS]) -> W {
+    let [nearest, _] = carry;
+    match (forward, W::WIDTH) {
+        (_, 1) => carry[forward - 1],
         (1, _) => own.before(nearest),
         _ => own.before(nearest).before(nearest.before(nearest)),
     }
@@ -371,7 +387,7 @@ fn arriving<R: Real, W: Block<R>>(onward: usize, own: W, carried: [W; FARTHEST])
 
 /// An array whose length the generator chose.
 pub trait Array<T>: AsRef<[T]> + AsMut<[T]> + Copy {
-    /// The array of so many times the same.
+    /// The array with every element equal to `with`.
     fn filled(with: T) -> Self;
 }
 

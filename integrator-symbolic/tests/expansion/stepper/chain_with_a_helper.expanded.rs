@@ -71,10 +71,10 @@ const _: () = {
             Parameters<Scalar>,
         >;
         const AUTONOMOUS: bool = true;
-        const FINGERPRINT: u64 = 6421034171897076114;
+        const FINGERPRINT: u64 = 8513115078620026056;
         const WIDE: bool = true;
-        const REACH: ::core::option::Option<runtime::Reach> = ::core::option::Option::Some(
-            runtime::Reach::of::<Self>(),
+        const STENCIL_RADII: ::core::option::Option<runtime::StencilRadii> = ::core::option::Option::Some(
+            runtime::StencilRadii::of::<Self>(),
         );
         fn parameters(&self, _length: usize) -> Parameters<f64> {
             Parameters {
@@ -173,12 +173,12 @@ const _: () = {
             ::core::option::Option::Some(motion.sites())
         }
         #[inline(always)]
-        fn along<Scalar: runtime::Real, Leaf: runtime::Precision>(
+        fn apply_to_sites<Scalar: runtime::Real, Leaf: runtime::Precision>(
             lattice: &mut runtime::Sites<'_, Scalar, Leaf, Self::Parameters<Scalar>>,
             flow: &runtime::Flow,
             sites: ::core::ops::Range<usize>,
         ) {
-            lattice.take::<Self>(flow, sites);
+            lattice.apply::<Self>(flow, sites);
         }
         fn visit_compositions(visitor: &mut impl runtime::Visitor<Self>) {
             runtime::visit_quadratic(visitor);
@@ -238,46 +238,46 @@ const _: () = {
     }
     /// What every site computes from its neighbourhood, for itself and for the sites further on.
     #[automatically_derived]
-    impl runtime::Gather<runtime::Drift> for Chain {
-        type Shares<Wide: ::core::marker::Copy> = [Wide; 1];
-        const EDGES: runtime::Edges = runtime::Edges {
+    impl runtime::Stencil<runtime::Drift> for Chain {
+        type Contributions<Wide: ::core::marker::Copy> = [Wide; 1];
+        const BOUNDARY: runtime::Boundary = runtime::Boundary {
             first: 0,
             last: 0,
-            onward: 0,
+            forward: 0,
             behind: 0,
             ahead: 0,
             periodic: false,
         };
         #[inline(always)]
-        fn shares<Scalar: runtime::Real, Wide: runtime::Block<Scalar>>(
-            near: &runtime::Neighbours<Scalar, Wide>,
+        fn contributions<Scalar: runtime::Real, Wide: runtime::Block<Scalar>>(
+            window: &runtime::Window<Scalar, Wide>,
             _parameters: &Self::Parameters<Scalar>,
             _time: f64,
         ) -> [Wide; 1] {
-            let share_0 = near.at(0);
-            [share_0]
+            let contribution_0 = window.at(0);
+            [contribution_0]
         }
     }
     /// What every site computes from its neighbourhood, for itself and for the sites further on.
     #[automatically_derived]
-    impl runtime::Gather<runtime::Kick> for Chain {
-        type Shares<Wide: ::core::marker::Copy> = [Wide; 2];
-        const EDGES: runtime::Edges = runtime::Edges {
+    impl runtime::Stencil<runtime::Kick> for Chain {
+        type Contributions<Wide: ::core::marker::Copy> = [Wide; 2];
+        const BOUNDARY: runtime::Boundary = runtime::Boundary {
             first: 1,
             last: 1,
-            onward: 1,
+            forward: 1,
             behind: 0,
             ahead: 1,
             periodic: false,
         };
         #[inline(always)]
-        fn shares<Scalar: runtime::Real, Wide: runtime::Block<Scalar>>(
-            near: &runtime::Neighbours<Scalar, Wide>,
+        fn contributions<Scalar: runtime::Real, Wide: runtime::Block<Scalar>>(
+            window: &runtime::Window<Scalar, Wide>,
             parameters: &Self::Parameters<Scalar>,
             _time: f64,
         ) -> [Wide; 2] {
-            let q_i = near.at(0);
-            let shared_0 = near.at(1) - q_i;
+            let q_i = window.at(0);
+            let shared_0 = window.at(1) - q_i;
             let shared_1 = q_i * q_i;
             let shared_2 = Wide::splat(parameters.prepared_0) * (shared_1 * q_i);
             let shared_3 = Wide::splat(parameters.prepared_1) * shared_1;
@@ -288,11 +288,13 @@ const _: () = {
                         shared_4,
                         Wide::splat(parameters.prepared_0) * (shared_4 * shared_0),
                     );
-            let share_0 = near.within(0..31, -shared_5);
-            let share_0 = near.plus(0..1, share_0, q_i + (shared_2 + shared_3));
-            let share_0 = near.plus(31..32, share_0, q_i + (shared_2 - shared_3));
-            let share_1 = near.within(0..31, shared_5);
-            [share_0, share_1]
+            let contribution_0 = window.masked(0..31, -shared_5);
+            let contribution_0 = window
+                .masked_add(0..1, contribution_0, q_i + (shared_2 + shared_3));
+            let contribution_0 = window
+                .masked_add(31..32, contribution_0, q_i + (shared_2 - shared_3));
+            let contribution_1 = window.masked(0..31, shared_5);
+            [contribution_0, contribution_1]
         }
     }
 };

@@ -60,7 +60,7 @@ const _: () = {
             Parameters<Scalar>,
         >;
         const AUTONOMOUS: bool = true;
-        const FINGERPRINT: u64 = 2126905304629681369;
+        const FINGERPRINT: u64 = 8266251696996313367;
         const WIDE: bool = true;
         fn parameters(&self, length: usize) -> Parameters<f64> {
             Parameters {
@@ -211,71 +211,73 @@ const _: () = {
     }
     /// What every site computes from its neighbourhood, for itself and for the sites further on.
     #[automatically_derived]
-    impl runtime::Gather<runtime::Drift> for Rotors {
-        type Shares<Wide: ::core::marker::Copy> = [Wide; 1];
-        const EDGES: runtime::Edges = runtime::Edges {
+    impl runtime::Stencil<runtime::Drift> for Rotors {
+        type Contributions<Wide: ::core::marker::Copy> = [Wide; 1];
+        const BOUNDARY: runtime::Boundary = runtime::Boundary {
             first: 0,
             last: 0,
-            onward: 0,
+            forward: 0,
             behind: 0,
             ahead: 0,
             periodic: false,
         };
-        const ROWS: ::core::option::Option<runtime::Edges> = ::core::option::Option::Some(runtime::Edges {
+        const ROW_BOUNDARY: ::core::option::Option<runtime::Boundary> = ::core::option::Option::Some(runtime::Boundary {
             first: 0,
             last: 0,
-            onward: 0,
+            forward: 0,
             behind: 0,
             ahead: 0,
             periodic: false,
         });
         #[inline(always)]
-        fn shares<Scalar: runtime::Real, Wide: runtime::Block<Scalar>>(
-            near: &runtime::Neighbours<Scalar, Wide>,
+        fn contributions<Scalar: runtime::Real, Wide: runtime::Block<Scalar>>(
+            window: &runtime::Window<Scalar, Wide>,
             parameters: &Self::Parameters<Scalar>,
             _time: f64,
         ) -> [Wide; 1] {
-            let share_0_0 = Wide::of(2.0)
-                / near.table_of_rows(&parameters.prepared_0, 0, 0) * near.at(0);
-            [share_0_0]
+            let contribution_0_0 = Wide::of(2.0)
+                / window.table_of_rows(&parameters.prepared_0, 0, 0) * window.at(0);
+            [contribution_0_0]
         }
     }
     /// What every site computes from its neighbourhood, for itself and for the sites further on.
     #[automatically_derived]
-    impl runtime::Gather<runtime::Kick> for Rotors {
-        type Shares<Wide: ::core::marker::Copy> = [Wide; 3];
-        const EDGES: runtime::Edges = runtime::Edges {
+    impl runtime::Stencil<runtime::Kick> for Rotors {
+        type Contributions<Wide: ::core::marker::Copy> = [Wide; 3];
+        const BOUNDARY: runtime::Boundary = runtime::Boundary {
             first: 0,
             last: 0,
-            onward: 1,
+            forward: 1,
             behind: 0,
             ahead: 1,
             periodic: true,
         };
-        const ROWS: ::core::option::Option<runtime::Edges> = ::core::option::Option::Some(runtime::Edges {
+        const ROW_BOUNDARY: ::core::option::Option<runtime::Boundary> = ::core::option::Option::Some(runtime::Boundary {
             first: 0,
             last: 1,
-            onward: 1,
+            forward: 1,
             behind: 0,
             ahead: 1,
             periodic: false,
         });
         #[inline(always)]
-        fn shares<Scalar: runtime::Real, Wide: runtime::Block<Scalar>>(
-            near: &runtime::Neighbours<Scalar, Wide>,
+        fn contributions<Scalar: runtime::Real, Wide: runtime::Block<Scalar>>(
+            window: &runtime::Window<Scalar, Wide>,
             parameters: &Self::Parameters<Scalar>,
             _time: f64,
         ) -> [Wide; 3] {
-            let q_i_j = near.at(0);
-            let shared_0 = near.table(&parameters.along, 0) * (near.at(1) - q_i_j).sin();
-            let shared_1 = near.table_over_rows(&parameters.across, 0)
-                * (near.below(0) - q_i_j).sin();
-            let share_0_0 = -shared_0;
-            let share_0_0 = share_0_0
-                + near.within_rows(0..near.rows().saturating_sub(1), -shared_1);
-            let share_0_1 = shared_0;
-            let share_1_0 = near.within_rows(0..near.rows().saturating_sub(1), shared_1);
-            [share_0_0, share_0_1, share_1_0]
+            let q_i_j = window.at(0);
+            let shared_0 = window.table(&parameters.along, 0)
+                * (window.at(1) - q_i_j).sin();
+            let shared_1 = window.table_over_rows(&parameters.across, 0)
+                * (window.below(0) - q_i_j).sin();
+            let contribution_0_0 = -shared_0;
+            let contribution_0_0 = contribution_0_0
+                + window.row_masked(0..window.rows().saturating_sub(1), -shared_1);
+            let contribution_0_1 = shared_0;
+            let contribution_1_0 = window
+                .row_masked(0..window.rows().saturating_sub(1), shared_1);
+            [contribution_0_0, contribution_0_1, contribution_1_0]
         }
     }
 };
