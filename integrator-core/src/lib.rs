@@ -166,9 +166,9 @@ pub mod __private {
         hamiltonian::{Flows, Hamiltonian, QuadraticKinetic, Shaped},
         layout::{
             bodies::{
-                many_body::{ManyBody, PerBody},
-                one_row::Ring,
-                rows::Tiles,
+                many_body::{BodyConstants, ManyBody},
+                many_rows::ManyRows,
+                one_row::OneRow,
             },
             lattice::{
                 sites::Sites,

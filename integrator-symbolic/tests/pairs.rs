@@ -63,13 +63,16 @@ fn stepper(length: &str, kind: &str, [open, energy, close]: [&str; 3]) -> String
 fn pairs_are_found_whatever_their_order() {
     for (order, open, close) in LOOPS {
         for (name, energy, expected) in ENERGIES {
-            for (length, kind, layout) in
-                [("6", "[[f64; 3]; 6]", "Ring"), ("9", "[[f64; 3]; 9]", "Tiles"), ("len", "[[f64; 3]]", "Tiles")]
-            {
+            for (length, kind, layout) in [
+                ("6", "[[f64; 3]; 6]", "OneRow"),
+                ("9", "[[f64; 3]; 9]", "ManyRows"),
+                ("len", "[[f64; 3]]", "ManyRows"),
+            ] {
                 let text = stepper(length, kind, [open, energy, close]);
                 assert!(!text.contains("compile_error"), "{name}, {order}: {text}");
-                let found =
-                    ["Ring", "Tiles", "Plain"].into_iter().find(|name| text.contains(&format!("runtime :: {name}")));
+                let found = ["OneRow", "ManyRows", "Plain"]
+                    .into_iter()
+                    .find(|name| text.contains(&format!("runtime :: {name}")));
                 let expected_layout = if expected.is_some() { layout } else { "Plain" };
                 assert_eq!(found, Some(expected_layout), "{name}, {order}, {length}");
                 let reciprocal = expected.map(|expected| format!("const RECIPROCAL : bool = {expected}"));
@@ -95,7 +98,7 @@ fn a_kinetic_energy_that_couples_bodies_keeps_the_plain_loops() {
         );
         hamiltonian(proc_macro2::TokenStream::new(), text.parse().expect("tokens")).to_string()
     };
-    assert!(coupled("for i in 0..6 { t += p[i].powi(2); }").contains("runtime :: Ring"));
+    assert!(coupled("for i in 0..6 { t += p[i].powi(2); }").contains("runtime :: OneRow"));
     assert!(coupled("for i in 1..6 { t += p[i] * p[i - 1]; }").contains("runtime :: Plain"));
     assert!(coupled("for i in 0..5 { t += p[i].powi(2); }").contains("runtime :: Plain"));
     assert!(coupled("for i in 0..6 { for j in 0..i { t += (p[i] - p[j]).powi(2); } }").contains("runtime :: Plain"));

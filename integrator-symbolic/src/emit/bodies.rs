@@ -132,7 +132,7 @@ impl OfBodies {
         reads.sort();
         reads.dedup();
         let lets = reads.into_iter().map(|(place, by)| {
-            let (name, of) = (constants.name(model, fields, place, by), Self::named("of", model, by));
+            let (name, of) = (constants.name(model, fields, place, by), Self::named("constants", model, by));
             let place = Literal::usize_unsuffixed(place);
             quote!(let #name = #of[#place];)
         });

@@ -112,8 +112,8 @@ impl ManyBody {
         let Names { runtime, scalar, leaf, .. } = names;
         let [d, s] = &self.sizes;
         match &self.row {
-            Some(row) => quote!(#runtime::Ring<#scalar, #leaf, #parameters, #row, #d, #s>),
-            None => quote!(#runtime::Tiles<#scalar, #leaf, #parameters, #d, #s>),
+            Some(row) => quote!(#runtime::OneRow<#scalar, #leaf, #parameters, #row, #d, #s>),
+            None => quote!(#runtime::ManyRows<#scalar, #leaf, #parameters, #d, #s>),
         }
     }
 
@@ -129,7 +129,7 @@ impl ManyBody {
         quote! {
             #many_body
 
-            impl #runtime::PerBody<#s> for #parameters { #per_body }
+            impl #runtime::BodyConstants<#s> for #parameters { #per_body }
         }
     }
 }
@@ -156,12 +156,12 @@ struct Writer<'w> {
 impl Writer<'_> {
     /// What the flow of `T` does to a body.
     fn drift(&mut self, drift: &OfBodies) -> TokenStream {
-        let [q, p, of] = ["q", "p", "of"].map(|what| OfBodies::named(what, self.model, self.constants.bodies));
+        let [q, p, of] = ["q", "p", "constants"].map(|what| OfBodies::named(what, self.model, self.constants.bodies));
         let body = Body::new(drift.body(self.model, self.fields, self.names, self.constants));
         let (Names { runtime, wide, leaf, .. }, [d, s]) = (self.names, self.sizes);
         let generics = quote!(#leaf: #runtime::Slot<#wide>);
         let arguments = quote!(#q: &mut [#leaf; #d], #p: [#wide; #d], #of: [#wide; #s], step: #wide);
-        self.function("drift_of", generics, arguments, None, body)
+        self.function("drift_body", generics, arguments, None, body)
     }
 
     /// The gradient of the energy of a pair by the coordinates of its first body, or what their displacement is to be
@@ -169,7 +169,7 @@ impl Writer<'_> {
     fn pair(&mut self, pair: &OfBodies, central: bool, of: [LoopId; 2]) -> TokenStream {
         let body = if central {
             let pull = pair.body(self.model, self.fields, self.names, self.constants);
-            Body::new(quote!(let pull = { #pull }; [pull]))
+            Body::new(quote!(let radial = { #pull }; [radial]))
         } else {
             self.gradient(pair, quote!(gradient))
         };
@@ -181,26 +181,26 @@ impl Writer<'_> {
     fn acts(&mut self, condition: &OfBodies, holds: bool, of: [LoopId; 2]) -> TokenStream {
         let condition = condition.body(self.model, self.fields, self.names, self.constants);
         let negated = (!holds).then(|| quote!(.not()));
-        let body = Body::new(quote!(let acting = { #condition }; acting #negated.any()));
-        self.function("acts", TokenStream::new(), self.two_bodies(of), Some(quote!(bool)), body)
+        let body = Body::new(quote!(let interacting = { #condition }; interacting #negated.any()));
+        self.function("interacts", TokenStream::new(), self.two_bodies(of), Some(quote!(bool)), body)
     }
 
     /// The coordinates and prepared constants of a pair, as arguments.
     fn two_bodies(&self, of: [LoopId; 2]) -> TokenStream {
         let [q_i, q_j] = of.map(|by| OfBodies::named("q", self.model, by));
-        let [of_i, of_j] = of.map(|by| OfBodies::named("of", self.model, by));
+        let [of_i, of_j] = of.map(|by| OfBodies::named("constants", self.model, by));
         let (wide, [d, s]) = (&self.names.wide, self.sizes);
         quote!(#q_i: [#wide; #d], #q_j: [#wide; #d], #of_i: [#wide; #s], #of_j: [#wide; #s])
     }
 
     /// The gradient of what a body has alone.
     fn alone(&mut self, alone: &OfBodies) -> TokenStream {
-        let [q, of] = ["q", "of"].map(|what| OfBodies::named(what, self.model, self.constants.bodies));
+        let [q, of] = ["q", "constants"].map(|what| OfBodies::named(what, self.model, self.constants.bodies));
         let body = self.gradient(alone, quote!(::core::option::Option::Some(gradient)));
         let ([d, s], wide) = (self.sizes, &self.names.wide);
         let arguments = quote!(#q: [#wide; #d], #of: [#wide; #s]);
         let result = quote!(::core::option::Option<[#wide; #d]>);
-        self.function("alone", TokenStream::new(), arguments, Some(result), body)
+        self.function("one_body", TokenStream::new(), arguments, Some(result), body)
     }
 
     /// A function of bodies side by side.
@@ -245,7 +245,7 @@ impl Writer<'_> {
         let s = &self.sizes[1];
         quote! {
             #[inline]
-            fn per_body(&self, #argument: usize) -> [f64; #s] { [#(self.#fields[#index]),*] }
+            fn body_constants(&self, #argument: usize) -> [f64; #s] { [#(self.#fields[#index]),*] }
         }
     }
 }

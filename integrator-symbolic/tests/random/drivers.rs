@@ -203,12 +203,14 @@ impl Machine<'_> {
 
     /// What is prepared of every body.
     fn prepared(&mut self, bodies: &Bodies<'_>, count: usize, motion: &Value) -> Outcome<Vec<Value>> {
-        let Some(per_body) = bodies.functions.get("per_body") else { return foreign("no `per_body`") };
+        let Some(body_constants) = bodies.functions.get("body_constants") else {
+            return foreign("no `body_constants`");
+        };
         let own = motion.field("parameters")?.lifted(Kind::Plain);
         let mut prepared = Vec::new();
         self.with_self(own, |machine| {
             for body in 0..count {
-                prepared.push(machine.call(per_body, vec![Value::size(body)])?);
+                prepared.push(machine.call(body_constants, vec![Value::size(body)])?);
             }
             Ok(Value::Unit)
         })?;
@@ -224,7 +226,7 @@ impl Machine<'_> {
         motion: &Value,
         [step, time]: [&Number; 2],
     ) -> Outcome<Vec<Vec<Number>>> {
-        let Some(drift_of) = bodies.functions.get("drift_of").copied() else { return foreign("no `drift_of`") };
+        let Some(drift_body) = bodies.functions.get("drift_body").copied() else { return foreign("no `drift_body`") };
         let parameters = motion.field("parameters")?.clone();
         let mut moved = Vec::new();
         let prepared = self.prepared(bodies, momenta.len(), motion)?;
@@ -232,7 +234,7 @@ impl Machine<'_> {
             let slots = Value::list(q.iter().map(|number| Value::Slot(number.clone().of_kind(Kind::Wide))));
             let step = Value::from(step.clone().of_kind(Kind::Wide));
             let arguments = vec![parameters.clone(), slots, row(p), of, step, time.clone().into()];
-            let (_, changed) = self.run(drift_of, arguments, Some(1))?;
+            let (_, changed) = self.run(drift_body, arguments, Some(1))?;
             moved.push(components(&changed)?);
         }
         Ok(moved)
@@ -258,8 +260,8 @@ impl Machine<'_> {
                 let two = [row(&read[i]), row(&read[j]), prepared[i].clone(), prepared[j].clone()];
                 let arguments: Vec<Value> =
                     std::iter::once(parameters.clone()).chain(two).chain([time.clone()]).collect();
-                if let Some(acts) = bodies.functions.get("acts").copied()
-                    && !self.call(acts, arguments.clone())?.truth()?
+                if let Some(interacts) = bodies.functions.get("interacts").copied()
+                    && !self.call(interacts, arguments.clone())?.truth()?
                 {
                     continue;
                 }
@@ -278,10 +280,10 @@ impl Machine<'_> {
                 }
             }
         }
-        if let Some(alone) = bodies.functions.get("alone").copied() {
+        if let Some(one_body) = bodies.functions.get("one_body").copied() {
             for (body, sums) in sums.iter_mut().enumerate() {
                 let arguments = vec![parameters.clone(), row(&read[body]), prepared[body].clone(), time.clone()];
-                if let Value::Option(Some(gradient)) = self.call(alone, arguments)? {
+                if let Value::Option(Some(gradient)) = self.call(one_body, arguments)? {
                     for (sum, force) in sums.iter_mut().zip(components(&gradient)?) {
                         *sum = sum.add(&force);
                     }

@@ -73,12 +73,13 @@ impl Expansion {
     }
 
     fn bodies(&self) -> Option<Bodies<'_>> {
-        let (system, constants) = (self.implementation("ManyBody", "")?, self.implementation("PerBody", "")?);
-        let functions = ["drift_of", "pair", "acts", "alone"].into_iter();
+        let (system, constants) = (self.implementation("ManyBody", "")?, self.implementation("BodyConstants", "")?);
+        let functions = ["drift_body", "pair", "interacts", "one_body"].into_iter();
         let functions = functions.filter_map(|name| Some((name.to_owned(), function(system, name)?)));
-        let per_body = function(constants, "per_body").map(|function| ("per_body".to_owned(), function));
+        let body_constants =
+            function(constants, "body_constants").map(|function| ("body_constants".to_owned(), function));
         let [reciprocal, central] = ["RECIPROCAL", "CENTRAL"].map(|name| text(system, name) == "true");
-        let functions: HashMap<_, _> = functions.chain(per_body).collect();
+        let functions: HashMap<_, _> = functions.chain(body_constants).collect();
         Some(Bodies { functions, reciprocal, central })
     }
 }

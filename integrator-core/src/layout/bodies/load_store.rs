@@ -1,7 +1,7 @@
-//! Rows of bodies, filled from states and written back to them.
+//! Loads of rows of bodies from states, and stores back to them.
 
 use crate::{
-    layout::bodies::many_body::PerBody,
+    layout::bodies::many_body::BodyConstants,
     scalar::{real::Real, simd::row::Row},
     state::{
         coords::Coords,
@@ -11,9 +11,9 @@ use crate::{
 };
 use core::ops::Range;
 
-/// Which body and which of its lanes a lane of a row belongs to, for a row of the bodies of a range.
+/// The body that a lane of a row belongs to, and the lane of its state, for a row of the bodies of a range.
 #[inline(always)]
-fn place<R: Real>(bodies: &Range<usize>, lane: usize) -> (usize, usize) {
+fn body_and_lane<R: Real>(bodies: &Range<usize>, lane: usize) -> (usize, usize) {
     (bodies.start + lane / R::LANES % bodies.len(), lane % R::LANES)
 }
 
@@ -25,7 +25,7 @@ pub(crate) fn pack<R: Real, C: Coords, const N: usize, const D: usize>(
 ) -> [<C::Leaf as Precision>::Slot<R::Row<N>>; D] {
     let slot = |d: usize| {
         C::Leaf::pack(&|lane| {
-            let (body, lane) = place::<R>(bodies, lane);
+            let (body, lane) = body_and_lane::<R>(bodies, lane);
             half(states[lane]).flat()[body * D + d]
         })
     };
@@ -44,40 +44,40 @@ pub(crate) fn unpack<R: Real, K: Precision, const N: usize, const D: usize>(
     lane: usize,
     to: &mut [K],
 ) {
-    let mut place = lane;
+    let mut from = lane;
     for body in to[bodies.start * D..bodies.end * D].chunks_exact_mut(D) {
         for (leaf, slot) in body.iter_mut().zip(slots) {
-            *leaf = K::unpack(*slot, place);
+            *leaf = K::unpack(*slot, from);
         }
-        place += R::LANES;
+        from += R::LANES;
     }
 }
 
-/// What is prepared of a row of bodies.
-pub(crate) fn prepared<R: Real, P: PerBody<S>, const N: usize, const S: usize>(
+/// Loads the prepared constants of a row of bodies.
+pub(crate) fn load_constants<R: Real, P: BodyConstants<S>, const N: usize, const S: usize>(
     bodies: &Range<usize>,
     constants: &[&P],
 ) -> [R::Row<N>; S] {
-    let mut of = [Real::of(0.0); S];
-    for (s, row) in of.iter_mut().enumerate() {
+    let mut rows = [Real::of(0.0); S];
+    for (s, row) in rows.iter_mut().enumerate() {
         *row = Real::parameter(&|lane| {
-            let (body, lane) = place::<R>(bodies, lane);
-            constants[lane].per_body(body)[s]
+            let (body, lane) = body_and_lane::<R>(bodies, lane);
+            constants[lane].body_constants(body)[s]
         });
     }
-    of
+    rows
 }
 
-/// A row of numbers, one for each body.
+/// The row of numbers of these bodies.
 #[inline(always)]
-pub(crate) fn of_bodies<R: Real, const N: usize>(bodies: &Range<usize>, number: &dyn Fn(usize) -> R) -> R::Row<N> {
+pub(crate) fn row_of<R: Real, const N: usize>(bodies: &Range<usize>, number: &dyn Fn(usize) -> R) -> R::Row<N> {
     Real::state(&|lane| {
-        let (body, lane) = place::<R>(bodies, lane);
+        let (body, lane) = body_and_lane::<R>(bodies, lane);
         number(body).lane(lane)
     })
 }
 
-/// What the slots of a row hold.
+/// The values of the slots of a row.
 #[inline(always)]
 pub(crate) fn values<W: Real, L: Slot<W>, const D: usize>(slots: &[L; D]) -> [W; D] {
     let mut values = [W::of(0.0); D];
@@ -87,8 +87,8 @@ pub(crate) fn values<W: Real, L: Slot<W>, const D: usize>(slots: &[L; D]) -> [W;
     values
 }
 
-/// The number in one place of a row.
+/// One body's number of a row.
 #[inline(always)]
-pub(crate) fn of_place<R: Real>(row: impl Row<R>, place: usize) -> R {
-    R::state(&|lane| row.lane(place * R::LANES + lane))
+pub(crate) fn element<R: Real>(row: impl Row<R>, body: usize) -> R {
+    R::state(&|lane| row.lane(body * R::LANES + lane))
 }

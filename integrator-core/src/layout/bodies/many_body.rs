@@ -1,7 +1,8 @@
-//! Bodies that act on each other in pairs: what a system says of one pair, and the sums over all pairs of a row or two.
+//! Many-body forces: the force between two bodies, which a system defines, and its sums over the pairs of one row or
+//! two.
 //!
-//! Always true: pairs are taken in the order of rotations, which no hardware decides, so that every sum has the same bits
-//! whatever a row is made of; what stands behind the last body changes no sum.
+//! Always true: pairs are summed in the order of rotations, which no hardware decides, so that every sum has the same
+//! bits whatever a row is made of; the lanes behind the last body change no sum.
 
 use crate::{
     hamiltonian::Hamiltonian,
@@ -10,70 +11,76 @@ use crate::{
     state::precision::Slot,
 };
 
-/// What is prepared of each body.
-pub trait PerBody<const S: usize> {
-    /// What is prepared of a body.
-    fn per_body(&self, body: usize) -> [f64; S];
+/// The prepared constants of each body. Written by `#[hamiltonian]`.
+pub trait BodyConstants<const S: usize> {
+    /// The constants of one body.
+    fn body_constants(&self, body: usize) -> [f64; S];
 }
 
 /// A Hamiltonian of bodies with `D` coordinates and `S` prepared constants each, whose potential is a sum over pairs,
 /// and over bodies. Written by `#[hamiltonian]`.
 pub trait ManyBody<const D: usize, const S: usize>: Hamiltonian {
-    /// Whether action is reaction: the force on the second body is that on the first, with another sign.
+    /// Whether action is reaction: the force on the second body is that on the first, with the opposite sign.
     const RECIPROCAL: bool;
-    /// Whether forces are told as what the displacement from the second body to the first is to be multiplied by.
+    /// Whether forces are central: given by the radial factor that multiplies the displacement from the second body to
+    /// the first.
     const CENTRAL: bool;
-    /// One number where forces are central, else one per coordinate.
+    /// The force of a pair: the radial factor where forces are central, else one component per coordinate.
     type Force<W: Copy>: Array<W>;
 
     /// The flow of `T` on one body.
-    fn drift_of<R: Real, W: Row<R>, L: Slot<W>>(
+    fn drift_body<R: Real, W: Row<R>, L: Slot<W>>(
         parameters: &Self::Parameters<R>,
         q: &mut [L; D],
         p: [W; D],
-        of: [W; S],
+        constants: [W; S],
         step: W,
         time: f64,
     );
-    /// The gradient of the energy of a pair by the coordinates of the first body, or what the displacement is to be
-    /// multiplied by. The energy stays the same if the two are exchanged.
+    /// The force of a pair as the gradient of its energy by the coordinates of the first body, or as the radial factor.
+    /// The energy stays the same if the two are exchanged.
     fn pair<R: Real, W: Row<R>>(
         parameters: &Self::Parameters<R>,
         q_i: [W; D],
         q_j: [W; D],
-        of_i: [W; S],
-        of_j: [W; S],
+        constants_i: [W; S],
+        constants_j: [W; S],
         time: f64,
     ) -> Self::Force<W>;
-    /// Whether any two bodies in the same place of two rows act on each other; if not, the gradient is zero, and not
-    /// computed.
+    /// Whether any two bodies in the same lane of two rows interact, as within a cutoff; if not, the gradient is zero,
+    /// and not computed.
     #[inline(always)]
-    fn acts<R: Real, W: Row<R>>(
+    fn interacts<R: Real, W: Row<R>>(
         parameters: &Self::Parameters<R>,
         q_i: [W; D],
         q_j: [W; D],
-        of_i: [W; S],
-        of_j: [W; S],
+        constants_i: [W; S],
+        constants_j: [W; S],
         time: f64,
     ) -> bool {
-        let _ = (parameters, q_i, q_j, of_i, of_j, time);
+        let _ = (parameters, q_i, q_j, constants_i, constants_j, time);
         true
     }
-    /// The gradient of the energy that a body has alone, if it has any.
+    /// The gradient of a body's one-body energy, if it has any.
     #[inline(always)]
-    fn alone<R: Real, W: Row<R>>(parameters: &Self::Parameters<R>, q: [W; D], of: [W; S], time: f64) -> Option<[W; D]> {
-        let _ = (parameters, q, of, time);
+    fn one_body<R: Real, W: Row<R>>(
+        parameters: &Self::Parameters<R>,
+        q: [W; D],
+        constants: [W; S],
+        time: f64,
+    ) -> Option<[W; D]> {
+        let _ = (parameters, q, constants, time);
         None
     }
 }
 
-/// Bodies side by side: their positions and prepared constants.
+/// A row of bodies: their positions and prepared constants.
 #[derive(Clone, Copy)]
 pub struct Bodies<W, const D: usize, const S: usize> {
     /// Positions.
     pub q: [W; D],
-    /// What is prepared of each.
-    pub of: [W; S],
+    /// Prepared constants.
+    pub constants: [W; S],
 }
 
 impl<W: Real, const D: usize, const S: usize> Bodies<W, D, S> {
@@ -82,24 +89,24 @@ impl<W: Real, const D: usize, const S: usize> Bodies<W, D, S> {
     where
         W: Row<R>,
     {
-        Self { q: rotated::<R, W, N, D>(self.q, by), of: rotated::<R, W, N, S>(self.of, by) }
+        Self { q: rotated::<R, W, N, D>(self.q, by), constants: rotated::<R, W, N, S>(self.constants, by) }
     }
-    /// One of the bodies of rows that are made of parts.
+    /// The bodies of one part, where rows are made of parts.
     #[inline(always)]
     fn part<R: Real>(&self, part: usize) -> Bodies<R, D, S>
     where
         W: Row<R>,
     {
         let zero = R::of(0.0);
-        let mut one = Bodies { q: [zero; D], of: [zero; S] };
-        for (one, all) in one.q.iter_mut().zip(&self.q).chain(one.of.iter_mut().zip(&self.of)) {
+        let mut one = Bodies { q: [zero; D], constants: [zero; S] };
+        for (one, all) in one.q.iter_mut().zip(&self.q).chain(one.constants.iter_mut().zip(&self.constants)) {
             *one = all.parts()[part];
         }
         one
     }
 }
 
-// Plain loops: what they call belongs to a clone, and a closure might be compiled outside of it.
+// Plain loops: what they call belongs to a multiversioned variant, and a closure might be compiled outside of it.
 
 #[inline(always)]
 fn rotated<R: Real, W: Row<R>, const N: usize, const D: usize>(mut rows: [W; D], by: usize) -> [W; D] {
@@ -125,9 +132,9 @@ fn sub<W: Real, const D: usize>(mut a: [W; D], b: [W; D]) -> [W; D] {
     a
 }
 
-/// What the system says of each body and the one in the same place of another row.
+/// The forces between each body and the one in the same lane of another row.
 #[inline(always)]
-fn pairs<H, R, W, const D: usize, const S: usize>(
+fn pair_forces<H, R, W, const D: usize, const S: usize>(
     parameters: &H::Parameters<R>,
     [i, j]: [Bodies<W, D, S>; 2],
     time: f64,
@@ -138,12 +145,12 @@ where
     W: Row<R>,
 {
     if const { W::PARTS == 0 } {
-        return H::pair::<R, W>(parameters, i.q, j.q, i.of, j.of, time);
+        return H::pair::<R, W>(parameters, i.q, j.q, i.constants, j.constants, time);
     }
     let mut forces = H::Force::<W>::filled(W::of(0.0));
     for part in 0..W::PARTS {
         let (i, j) = (i.part::<R>(part), j.part::<R>(part));
-        let force = H::pair::<R, R>(parameters, i.q, j.q, i.of, j.of, time);
+        let force = H::pair::<R, R>(parameters, i.q, j.q, i.constants, j.constants, time);
         for (forces, force) in forces.as_mut().iter_mut().zip(force.as_ref()) {
             forces.parts_mut()[part] = *force;
         }
@@ -151,7 +158,7 @@ where
     forces
 }
 
-/// From the second of two rows to the first.
+/// The displacement from the second of two rows to the first.
 #[inline(always)]
 fn displacement<W: Real, const D: usize, const S: usize>([i, j]: [Bodies<W, D, S>; 2]) -> [W; D] {
     sub(i.q, j.q)
@@ -171,30 +178,32 @@ fn components<H: ManyBody<D, S>, W: Real, const D: usize, const S: usize>(
     components
 }
 
-/// Which places of a row hold bodies: one there, zero elsewhere. Nothing where all do.
-pub(crate) type Present<W> = Option<W>;
+/// The mask of the lanes of a row that hold bodies: one there, zero elsewhere. Nothing where all do.
+pub(crate) type ActiveMask<W> = Option<W>;
 
-/// The force where a body is there to exert or to feel it.
+/// The force in active lanes, zero in others.
 #[inline(always)]
-fn acting<W: Real, const D: usize>(mut force: [W; D], present: Present<W>) -> [W; D] {
-    if let Some(present) = present {
+fn masked<W: Real, const D: usize>(mut force: [W; D], active: ActiveMask<W>) -> [W; D] {
+    if let Some(active) = active {
         let zero = W::of(0.0);
         for force in &mut force {
-            *force = W::select(zero.less(present), *force, zero);
+            *force = W::select(zero.less(active), *force, zero);
         }
     }
     force
 }
 
-/// What acts on each of the `N` bodies of a row from the others and alone, as the gradient of the energy.
+/// The forces within a row: on each of its `N` bodies from the others, and the one-body force, as the gradient of the
+/// energy.
 ///
-/// In turn `s` each body is paired with the one `s` places further on. Where action is reaction, half a round will do; of
-/// an even number of bodies, the turn by half a round meets every pair twice, once from either side.
+/// Rotation `s` pairs each body with the one `s` lanes further on. Where action is reaction, the rotations by up to
+/// half the row suffice; of an even number of bodies, the rotation by half the row meets every pair twice, once from
+/// either side.
 #[inline(always)]
-pub(crate) fn within<H, R, W, const N: usize, const D: usize, const S: usize>(
+pub(crate) fn intra_row<H, R, W, const N: usize, const D: usize, const S: usize>(
     parameters: &H::Parameters<R>,
     bodies: Bodies<W, D, S>,
-    present: Present<W>,
+    active: ActiveMask<W>,
     time: f64,
 ) -> [W; D]
 where
@@ -202,43 +211,43 @@ where
     R: Real,
     W: Row<R>,
 {
-    let mut sum = H::alone::<R, W>(parameters, bodies.q, bodies.of, time);
-    // Written out, so that the rotations are known when this is compiled.
-    macro_rules! turns {
+    let mut sum = H::one_body::<R, W>(parameters, bodies.q, bodies.constants, time);
+    // Unrolled, so that the rotations are known when this is compiled.
+    macro_rules! rotations {
         ($($by:tt)*) => {$(
             if 2 * $by <= N || $by < N && !H::RECIPROCAL {
-                sum = with(sum, turn::<H, R, W, N, D, S>(parameters, bodies, present, time, $by));
+                sum = add_to(sum, rotation_forces::<H, R, W, N, D, S>(parameters, bodies, active, time, $by));
             }
         )*};
     }
     if W::WRITTEN_OUT {
-        turns!(1 2 3 4 5 6 7);
+        rotations!(1 2 3 4 5 6 7);
     } else {
         for by in 1..N {
-            turns!(by);
+            rotations!(by);
         }
     }
     sum.unwrap_or([W::of(0.0); D])
 }
 
-/// A sum and one addend more.
+/// A sum with one addend more.
 #[inline(always)]
-fn with<W: Real, const D: usize>(sum: Option<[W; D]>, addend: [W; D]) -> Option<[W; D]> {
+fn add_to<W: Real, const D: usize>(sum: Option<[W; D]>, addend: [W; D]) -> Option<[W; D]> {
     Some(match sum {
         Some(sum) => add(sum, addend),
         None => addend,
     })
 }
 
-/// What acts on each body of a row in one turn.
+/// The forces on each body of a row in one rotation.
 ///
-/// Only inlined for certain where code is optimised: elsewhere every copy of it would have its own place on the stack.
+/// Only inlined for certain where code is optimised: elsewhere every copy of it would have a stack slot of its own.
 #[cfg_attr(debug_assertions, inline)]
 #[cfg_attr(not(debug_assertions), inline(always))]
-fn turn<H, R, W, const N: usize, const D: usize, const S: usize>(
+fn rotation_forces<H, R, W, const N: usize, const D: usize, const S: usize>(
     parameters: &H::Parameters<R>,
     bodies: Bodies<W, D, S>,
-    present: Present<W>,
+    active: ActiveMask<W>,
     time: f64,
     by: usize,
 ) -> [W; D]
@@ -248,10 +257,10 @@ where
     W: Row<R>,
 {
     let bodies = [bodies, bodies.rotated::<R, N>(by)];
-    let force = pairs::<H, R, W, D, S>(parameters, bodies, time);
-    let mut force = acting(components::<H, W, D, S>(force, bodies), present);
-    if let Some(present) = present {
-        force = acting(force, Some(present.rotated::<N>(by)));
+    let force = pair_forces::<H, R, W, D, S>(parameters, bodies, time);
+    let mut force = masked(components::<H, W, D, S>(force, bodies), active);
+    if let Some(active) = active {
+        force = masked(force, Some(active.rotated::<N>(by)));
     }
     if 2 * by != N && H::RECIPROCAL {
         force = sub(force, rotated::<R, W, N, D>(force, N - by));
@@ -259,14 +268,14 @@ where
     force
 }
 
-/// What acts on each body of a row from those of another row, added to `sums`, and the other way round.
+/// Adds the forces between the bodies of two rows to the `sums` of both.
 #[cfg_attr(debug_assertions, inline)]
 #[cfg_attr(not(debug_assertions), inline(always))]
-pub(crate) fn between<H, R, W, const N: usize, const D: usize, const S: usize>(
+pub(crate) fn inter_row<H, R, W, const N: usize, const D: usize, const S: usize>(
     parameters: &H::Parameters<R>,
     bodies: Bodies<W, D, S>,
     others: Bodies<W, D, S>,
-    present: Present<W>,
+    active: ActiveMask<W>,
     time: f64,
     sums: [&mut [W; D]; 2],
 ) where
@@ -275,69 +284,73 @@ pub(crate) fn between<H, R, W, const N: usize, const D: usize, const S: usize>(
     W: Row<R>,
 {
     let [sum, other] = sums;
-    let mut meeting = Meeting { others, present, sum: *sum, reaction: *other };
-    // A full round, so that at the end everybody is back in their place.
-    if present.is_some() || !W::WRITTEN_OUT {
+    let mut row_pair = RowPair { others, active, sum: *sum, reaction: *other };
+    // All rotations, so that at the end every body is back in its lane.
+    if active.is_some() || !W::WRITTEN_OUT {
         for _ in 0..N {
-            meeting.turn::<H, R, N>(parameters, bodies, time);
+            row_pair.add_and_rotate::<H, R, N>(parameters, bodies, time);
         }
     } else {
-        // Written out, so that every turn has a branch of its own for the machine to foresee.
-        macro_rules! turns {
-            ($($turn:literal)*) => {$(
-                if $turn < N {
-                    meeting.turn::<H, R, N>(parameters, bodies, time);
+        // Unrolled, so that every rotation has a branch of its own for the branch predictor.
+        macro_rules! rotations {
+            ($($rotation:literal)*) => {$(
+                if $rotation < N {
+                    row_pair.add_and_rotate::<H, R, N>(parameters, bodies, time);
                 }
             )*};
         }
-        turns!(0 1 2 3 4 5 6 7);
+        rotations!(0 1 2 3 4 5 6 7);
     }
-    *sum = meeting.sum;
+    *sum = row_pair.sum;
     if H::RECIPROCAL {
-        *other = meeting.reaction;
+        *other = row_pair.reaction;
     }
 }
 
-/// Two rows that meet: the one that turns, and what acts on both.
-struct Meeting<W, const D: usize, const S: usize> {
+/// Two rows and the forces between them: the row that is rotated, and the sums of both.
+struct RowPair<W, const D: usize, const S: usize> {
     others: Bodies<W, D, S>,
-    /// Which of the others are there.
-    present: Present<W>,
+    /// The active lanes of the others.
+    active: ActiveMask<W>,
     sum: [W; D],
     reaction: [W; D],
 }
 
-impl<W: Real, const D: usize, const S: usize> Meeting<W, D, S> {
-    /// Adds what acts between bodies in the same place, and turns the others on by one place.
+impl<W: Real, const D: usize, const S: usize> RowPair<W, D, S> {
+    /// Adds the forces between bodies in the same lane, and rotates the others by one lane.
     #[cfg_attr(debug_assertions, inline)]
     #[cfg_attr(not(debug_assertions), inline(always))]
-    fn turn<H, R, const N: usize>(&mut self, parameters: &H::Parameters<R>, bodies: Bodies<W, D, S>, time: f64)
-    where
+    fn add_and_rotate<H, R, const N: usize>(
+        &mut self,
+        parameters: &H::Parameters<R>,
+        bodies: Bodies<W, D, S>,
+        time: f64,
+    ) where
         H: ManyBody<D, S>,
         R: Real,
         W: Row<R>,
     {
         let rows = [bodies, self.others];
         let [i, j] = &rows;
-        if H::acts::<R, W>(parameters, i.q, j.q, i.of, j.of, time) {
-            let force = pairs::<H, R, W, D, S>(parameters, rows, time);
-            if H::CENTRAL && self.present.is_none() {
-                let (pull, apart) = (force.as_ref()[0], displacement(rows));
+        if H::interacts::<R, W>(parameters, i.q, j.q, i.constants, j.constants, time) {
+            let force = pair_forces::<H, R, W, D, S>(parameters, rows, time);
+            if H::CENTRAL && self.active.is_none() {
+                let (radial, separation) = (force.as_ref()[0], displacement(rows));
                 let Self { sum, reaction, .. } = self;
                 for d in 0..D {
-                    sum[d] = pull.fma(apart[d], sum[d]);
-                    reaction[d] = (-pull).fma(apart[d], reaction[d]);
+                    sum[d] = radial.fma(separation[d], sum[d]);
+                    reaction[d] = (-radial).fma(separation[d], reaction[d]);
                 }
             } else {
-                let force = acting(components::<H, W, D, S>(force, rows), self.present);
+                let force = masked(components::<H, W, D, S>(force, rows), self.active);
                 self.sum = add(self.sum, force);
                 self.reaction = sub(self.reaction, force);
             }
         }
         self.reaction = rotated::<R, W, N, D>(self.reaction, 1);
         self.others = self.others.rotated::<R, N>(1);
-        if let Some(row) = self.present {
-            self.present = Some(row.rotated::<N>(1));
+        if let Some(row) = self.active {
+            self.active = Some(row.rotated::<N>(1));
         }
     }
 }

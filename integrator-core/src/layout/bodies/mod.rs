@@ -3,5 +3,5 @@
 pub(crate) mod load_store;
 #[allow(unreachable_pub, reason = "named in bounds, never outside")]
 pub(crate) mod many_body;
+pub(crate) mod many_rows;
 pub(crate) mod one_row;
-pub(crate) mod rows;

@@ -1,9 +1,9 @@
-//! The layout of a few bodies that act on each other in pairs: all of them side by side, in one row per coordinate.
+//! The layout of a few bodies that act on each other in pairs: one row per coordinate.
 
 use crate::{
     layout::bodies::{
-        load_store::{of_bodies, of_place, pack, prepared, unpack, values},
-        many_body::{Bodies, ManyBody, PerBody, within},
+        load_store::{element, load_constants, pack, row_of, unpack, values},
+        many_body::{Bodies, BodyConstants, ManyBody, intra_row},
     },
     scalar::{real::Real, simd::row::Row},
     state::{
@@ -16,31 +16,31 @@ use crate::{
 
 /// `N` bodies with `D` coordinates and `S` prepared constants each, eight at most.
 #[derive(Clone)]
-pub struct Ring<R: Real, K: Precision, P, const N: usize, const D: usize, const S: usize> {
+pub struct OneRow<R: Real, K: Precision, P, const N: usize, const D: usize, const S: usize> {
     /// Positions.
     pub q: [K::Slot<R::Row<N>>; D],
     /// Momenta.
     pub p: [K::Slot<R::Row<N>>; D],
-    /// What is prepared of each body.
-    of: [R::Row<N>; S],
+    /// The prepared constants of each body.
+    constants: [R::Row<N>; S],
     /// Prepared constants.
     pub parameters: P,
 }
 
-impl<C, R, K, P, const N: usize, const D: usize, const S: usize> Motion<C, P::Single> for Ring<R, K, P, N, D, S>
+impl<C, R, K, P, const N: usize, const D: usize, const S: usize> Motion<C, P::Single> for OneRow<R, K, P, N, D, S>
 where
     C: Coords<Leaf = K>,
     R: Real,
     K: Precision,
     P: Prepared<R>,
-    P::Single: PerBody<S>,
+    P::Single: BodyConstants<S>,
 {
     #[inline(always)]
     fn load(constants: &[&P::Single], states: &[&Phase<C>]) -> Self {
         Self {
             q: pack::<R, C, N, D>(&(0..N), states, |state| &state.q),
             p: pack::<R, C, N, D>(&(0..N), states, |state| &state.p),
-            of: prepared::<R, P::Single, N, S>(&(0..N), constants),
+            constants: load_constants::<R, P::Single, N, S>(&(0..N), constants),
             parameters: P::gather(constants),
         }
     }
@@ -63,21 +63,21 @@ where
     }
 }
 
-impl<R: Real, K: Precision, P: Prepared<R>, const N: usize, const D: usize, const S: usize> Ring<R, K, P, N, D, S> {
+impl<R: Real, K: Precision, P: Prepared<R>, const N: usize, const D: usize, const S: usize> OneRow<R, K, P, N, D, S> {
     /// The flow of `T`. As that of `V`, inlined for certain only where code is optimised: elsewhere every stage of a
-    /// composition would have a copy with its own place on the stack.
+    /// composition would have a copy with stack slots of its own.
     #[cfg_attr(debug_assertions, inline)]
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn drift<H: ManyBody<D, S, Parameters<R> = P>>(&mut self, duration: f64, time: f64) {
         let p = values(&self.p);
-        H::drift_of::<R, R::Row<N>, _>(&self.parameters, &mut self.q, p, self.of, Real::of(duration), time);
+        H::drift_body::<R, R::Row<N>, _>(&self.parameters, &mut self.q, p, self.constants, Real::of(duration), time);
     }
     /// The flow of `V`.
     #[cfg_attr(debug_assertions, inline)]
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn kick<H: ManyBody<D, S, Parameters<R> = P>>(&mut self, duration: f64, time: f64) {
-        let bodies = Bodies { q: values(&self.q), of: self.of };
-        let gradient = within::<H, R, R::Row<N>, N, D, S>(&self.parameters, bodies, None, time);
+        let bodies = Bodies { q: values(&self.q), constants: self.constants };
+        let gradient = intra_row::<H, R, R::Row<N>, N, D, S>(&self.parameters, bodies, None, time);
         let (step, p) = (Real::of(-duration), &mut self.p);
         for d in 0..D {
             p[d].fma(step, gradient[d]);
@@ -85,18 +85,18 @@ impl<R: Real, K: Precision, P: Prepared<R>, const N: usize, const D: usize, cons
     }
     /// The motion in the user's own shape, with slots that hold numbers and nothing else.
     pub fn plain<C: Coords<Leaf = f64>>(&self) -> Plain<R, C, P> {
-        let flat = |slots: &[K::Slot<R::Row<N>>; D]| C::slots_from(N * D, |k| of_place(slots[k % D].value(), k / D));
+        let flat = |slots: &[K::Slot<R::Row<N>>; D]| C::slots_from(N * D, |k| element(slots[k % D].value(), k / D));
         Plain { q: flat(&self.q), p: flat(&self.p), parameters: self.parameters.clone() }
     }
     /// The same positions and no momenta, with slots that hold numbers and nothing else.
     #[inline(always)]
-    pub fn at_rest(&self) -> Ring<R, f64, P, N, D, S> {
+    pub fn at_rest(&self) -> OneRow<R, f64, P, N, D, S> {
         let (q, p) = (values(&self.q), [Real::of(0.0); D]);
-        Ring { q, p, of: self.of, parameters: self.parameters.clone() }
+        OneRow { q, p, constants: self.constants, parameters: self.parameters.clone() }
     }
-    /// Adds a multiple of the momenta of another motion.
+    /// Adds a multiple of another motion's momenta.
     #[inline(always)]
-    pub fn push(&mut self, factor: R, other: &Ring<R, f64, P, N, D, S>) {
+    pub fn push(&mut self, factor: R, other: &OneRow<R, f64, P, N, D, S>) {
         let factor = Row::splat(factor);
         for d in 0..D {
             self.p[d].fma(factor, other.p[d]);
@@ -104,12 +104,12 @@ impl<R: Real, K: Precision, P: Prepared<R>, const N: usize, const D: usize, cons
     }
 }
 
-impl<R: Real, P, const N: usize, const D: usize, const S: usize> Ring<R, f64, P, N, D, S> {
-    /// Takes over momenta in the user's own shape.
+impl<R: Real, P, const N: usize, const D: usize, const S: usize> OneRow<R, f64, P, N, D, S> {
+    /// Sets the momenta from those in the user's own shape.
     pub fn set_momenta<C: Coords<Leaf = f64>>(&mut self, plain: &Plain<R, C, P>) {
         let p = C::slots(&plain.p);
         for (d, row) in self.p.iter_mut().enumerate() {
-            *row = of_bodies::<R, N>(&(0..N), &|body| p[body * D + d]);
+            *row = row_of::<R, N>(&(0..N), &|body| p[body * D + d]);
         }
     }
 }

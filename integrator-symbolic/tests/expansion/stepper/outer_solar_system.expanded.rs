@@ -64,7 +64,7 @@ const _: () = {
         type Coords = [[f64; 3]; 6];
         type Compose = Yoshida4;
         type Parameters<Scalar: runtime::Real> = Parameters<Scalar>;
-        type Motion<Scalar: runtime::Real, Leaf: runtime::Precision> = runtime::Ring<
+        type Motion<Scalar: runtime::Real, Leaf: runtime::Precision> = runtime::OneRow<
             Scalar,
             Leaf,
             Parameters<Scalar>,
@@ -73,7 +73,7 @@ const _: () = {
             3,
         >;
         const AUTONOMOUS: bool = true;
-        const FINGERPRINT: u64 = 10836904544433532951;
+        const FINGERPRINT: u64 = 12768479353675254612;
         const WIDE: bool = true;
         fn parameters(&self, _length: usize) -> Parameters<f64> {
             Parameters {
@@ -163,7 +163,7 @@ const _: () = {
         const CENTRAL: bool = false;
         type Force<Wide: ::core::marker::Copy> = [Wide; 3];
         #[inline(always)]
-        fn drift_of<
+        fn drift_body<
             Scalar: runtime::Real,
             Wide: runtime::Row<Scalar>,
             Leaf: runtime::Slot<Wide>,
@@ -171,11 +171,11 @@ const _: () = {
             _parameters: &Self::Parameters<Scalar>,
             q_i: &mut [Leaf; 3],
             p_i: [Wide; 3],
-            of_i: [Wide; 3],
+            constants_i: [Wide; 3],
             step: Wide,
             _time: f64,
         ) {
-            let prepared_0_of_i = of_i[0];
+            let prepared_0_of_i = constants_i[0];
             let shared_0 = step * prepared_0_of_i;
             for d in 0..3 {
                 q_i[d].fma(shared_0, p_i[d]);
@@ -186,13 +186,13 @@ const _: () = {
             _parameters: &Self::Parameters<Scalar>,
             q_i: [Wide; 3],
             q_j: [Wide; 3],
-            of_i: [Wide; 3],
-            of_j: [Wide; 3],
+            constants_i: [Wide; 3],
+            constants_j: [Wide; 3],
             _time: f64,
         ) -> Self::Force<Wide> {
             let mut gradient = [Wide::of(0.0); 3];
-            let prepared_1_of_i = of_i[1];
-            let mass_of_j = of_j[2];
+            let prepared_1_of_i = constants_i[1];
+            let mass_of_j = constants_j[2];
             let mut sum_0 = Wide::of(0.0);
             for d in 0..3 {
                 let shared_0 = q_i[d] - q_j[d];
@@ -206,9 +206,9 @@ const _: () = {
             gradient
         }
     }
-    impl runtime::PerBody<3> for Parameters<f64> {
+    impl runtime::BodyConstants<3> for Parameters<f64> {
         #[inline]
-        fn per_body(&self, i: usize) -> [f64; 3] {
+        fn body_constants(&self, i: usize) -> [f64; 3] {
             [self.prepared_0[i], self.prepared_1[i], self.mass[i]]
         }
     }

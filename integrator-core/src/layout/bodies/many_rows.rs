@@ -1,0 +1,318 @@
+//! The layout of many bodies that act on each other in pairs: rows of eight, one row per eight bodies and coordinate.
+
+use crate::{
+    layout::{
+        bodies::{
+            load_store::{element, load_constants, pack, row_of, unpack, values},
+            many_body::{Bodies, BodyConstants, ManyBody, add, inter_row, intra_row},
+        },
+        threads::{Job, all_threads, at_once},
+    },
+    scalar::{
+        real::{Kernel, Real},
+        simd::row::Row,
+    },
+    state::{
+        coords::Coords,
+        phase::Phase,
+        precision::{Precision, Slot},
+    },
+    system::motion::{Motion, Plain, Prepared},
+};
+use alloc::{boxed::Box, vec::Vec};
+use core::{marker::PhantomData, ops::Range};
+
+/// The number of bodies in a row, whatever the hardware: the order of sums depends on it.
+const WIDTH: usize = 8;
+
+/// The number of rows from which on pairs are summed in chunks, and the number of chunks: a thousand bodies are done
+/// before another thread has started. The order of sums depends on these, and not on the number of threads.
+const CHUNKED_FROM: usize = 256;
+const CHUNKS: usize = 8;
+
+/// Any number of bodies with `D` coordinates and `S` prepared constants each. The last row may have fewer bodies than
+/// lanes; what is behind them never acts on anything.
+pub struct ManyRows<R: Real, K: Precision, P, const D: usize, const S: usize> {
+    /// Positions.
+    pub q: Vec<[K::Slot<R::Row<WIDTH>>; D]>,
+    /// Momenta.
+    pub p: Vec<[K::Slot<R::Row<WIDTH>>; D]>,
+    /// The prepared constants of each body.
+    constants: Vec<[R::Row<WIDTH>; S]>,
+    /// The sums of forces, chunk after chunk; in the end the first chunk has the total.
+    gradients: Vec<[R::Row<WIDTH>; D]>,
+    /// The number of threads that may take chunks.
+    threads: usize,
+    /// The number of bodies.
+    bodies: usize,
+    /// Prepared constants.
+    pub parameters: P,
+}
+
+/// The indices of the bodies of a row, out of so many bodies.
+fn bodies_of_row(row: usize, bodies: usize) -> Range<usize> {
+    row * WIDTH..bodies.min((row + 1) * WIDTH)
+}
+
+/// The number of chunks in which the pairs of so many bodies are summed.
+const fn chunks(bodies: usize) -> usize {
+    if bodies < CHUNKED_FROM * WIDTH { 1 } else { CHUNKS }
+}
+
+/// A copy of rows.
+fn copied<T: Copy>(rows: &[T]) -> Vec<T> {
+    let mut copied = Vec::with_capacity(rows.len());
+    for row in rows {
+        copied.push(*row);
+    }
+    copied
+}
+
+/// Rows of zeros.
+fn zeros<W: Real, const D: usize>(rows: usize) -> Vec<[W; D]> {
+    let mut zeros = Vec::with_capacity(rows);
+    for _ in 0..rows {
+        zeros.push([W::of(0.0); D]);
+    }
+    zeros
+}
+
+/// The values of slots, row by row.
+fn values_of_rows<W: Real, L: Slot<W>, const D: usize>(slots: &[[L; D]]) -> Vec<[W; D]> {
+    let mut values_of_rows = Vec::with_capacity(slots.len());
+    for slots in slots {
+        values_of_rows.push(values(slots));
+    }
+    values_of_rows
+}
+
+/// Whether so many lanes of rows are finite. Lanes behind the last body drift on without a force, and may leave the
+/// finite numbers when no body does.
+fn finite<W: Real, L: Slot<W>, const D: usize>(rows: &[[L; D]], mut lanes: usize) -> bool {
+    for row in rows {
+        let here = lanes.min(W::LANES);
+        lanes -= here;
+        for slot in row {
+            let row = slot.value();
+            if !row.finite() && (0..here).any(|lane| !row.lane(lane).is_finite()) {
+                return false;
+            }
+        }
+    }
+    true
+}
+
+impl<R: Real, K: Precision, P: Clone, const D: usize, const S: usize> Clone for ManyRows<R, K, P, D, S> {
+    fn clone(&self) -> Self {
+        Self {
+            q: copied(&self.q),
+            p: copied(&self.p),
+            constants: copied(&self.constants),
+            gradients: copied(&self.gradients),
+            threads: self.threads,
+            bodies: self.bodies,
+            parameters: self.parameters.clone(),
+        }
+    }
+}
+
+impl<C, R, K, P, const D: usize, const S: usize> Motion<C, P::Single> for ManyRows<R, K, P, D, S>
+where
+    C: Coords<Leaf = K>,
+    R: Real,
+    K: Precision,
+    P: Prepared<R>,
+    P::Single: BodyConstants<S>,
+{
+    fn load(constants: &[&P::Single], states: &[&Phase<C>]) -> Self {
+        let bodies = states[0].q.length();
+        let rows = bodies.div_ceil(WIDTH);
+        let (mut q, mut p) = (Vec::with_capacity(rows), Vec::with_capacity(rows));
+        let mut rows_of_constants = Vec::with_capacity(rows);
+        for row in 0..rows {
+            let bodies = bodies_of_row(row, bodies);
+            q.push(pack::<R, C, WIDTH, D>(&bodies, states, |state| &state.q));
+            p.push(pack::<R, C, WIDTH, D>(&bodies, states, |state| &state.p));
+            rows_of_constants.push(load_constants::<R, P::Single, WIDTH, S>(&bodies, constants));
+        }
+        let (gradients, parameters) = (zeros(chunks(bodies) * rows), P::gather(constants));
+        let constants = rows_of_constants;
+        Self { q, p, constants, gradients, threads: 1, bodies, parameters }
+    }
+    fn store(&self, lane: usize, to: &mut Phase<C>) {
+        for row in 0..self.q.len() {
+            let bodies = bodies_of_row(row, self.bodies);
+            unpack::<R, K, WIDTH, D>(&bodies, &self.q[row], lane, to.q.flat_mut());
+            unpack::<R, K, WIDTH, D>(&bodies, &self.p[row], lane, to.p.flat_mut());
+        }
+    }
+    fn copy_state(&mut self, from: &Self) {
+        self.q.copy_from_slice(&from.q);
+        self.p.copy_from_slice(&from.p);
+    }
+    fn share_among(&mut self, threads: Option<usize>) {
+        self.threads = threads.unwrap_or_else(all_threads).clamp(1, CHUNKS);
+    }
+    fn finite(&self) -> bool {
+        let lanes = self.bodies * R::LANES;
+        finite::<R::Row<WIDTH>, _, D>(&self.q, lanes) && finite::<R::Row<WIDTH>, _, D>(&self.p, lanes)
+    }
+}
+
+impl<R: Real, K: Precision, P: Prepared<R>, const D: usize, const S: usize> ManyRows<R, K, P, D, S> {
+    /// The flow of `T`. As that of `V`, inlined for certain only where code is optimised: elsewhere every stage of a
+    /// composition would have a copy with stack slots of its own.
+    #[cfg_attr(debug_assertions, inline)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    pub fn drift<H: ManyBody<D, S, Parameters<R> = P>>(&mut self, duration: f64, time: f64) {
+        let step = Real::of(duration);
+        let Self { q, p, constants, parameters, .. } = self;
+        for row in 0..q.len() {
+            H::drift_body::<R, R::Row<WIDTH>, _>(parameters, &mut q[row], values(&p[row]), constants[row], step, time);
+        }
+    }
+    /// The flow of `V`.
+    #[cfg_attr(debug_assertions, inline)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    pub fn kick<H: ManyBody<D, S, Parameters<R> = P>>(&mut self, duration: f64, time: f64) {
+        self.sum_forces::<H>(time);
+        let step = Real::of(-duration);
+        let Self { p, gradients, .. } = self;
+        for row in 0..p.len() {
+            let (p, gradient) = (&mut p[row], &gradients[row]);
+            for d in 0..D {
+                p[d].fma(step, gradient[d]);
+            }
+        }
+    }
+    /// Sums the forces on each body, chunk by chunk, and all chunks in their order.
+    #[inline(always)]
+    fn sum_forces<H: ManyBody<D, S, Parameters<R> = P>>(&mut self, time: f64) {
+        let Self { q, constants, gradients, threads, bodies, parameters, .. } = self;
+        let (rows, bodies, count, system) = (q.len(), *bodies, chunks(*bodies), PhantomData);
+        let sum = |number: usize, gradient: &mut [[R::Row<WIDTH>; D]]| {
+            R::enter(PairChunk::<H, R, K, D, S> {
+                q,
+                constants,
+                bodies,
+                parameters,
+                time,
+                number,
+                count,
+                gradient,
+                system,
+            });
+        };
+        if count == 1 {
+            return sum(0, gradients);
+        }
+        let (each, sum) = (count.div_ceil(*threads), &sum);
+        let (mut jobs, mut next) = (Vec::<Job<'_>>::with_capacity(count), 0);
+        for gradients in gradients.chunks_mut(each * rows) {
+            let first = next;
+            next += each;
+            jobs.push(Box::new(move || {
+                for (number, gradient) in (first..).zip(gradients.chunks_exact_mut(rows)) {
+                    sum(number, gradient);
+                }
+            }));
+        }
+        at_once(jobs);
+        let (all, others) = gradients.split_at_mut(rows);
+        for other in others.chunks_exact(rows) {
+            for row in 0..rows {
+                all[row] = add(all[row], other[row]);
+            }
+        }
+    }
+    /// The motion in the user's own shape, with slots that hold numbers and nothing else.
+    pub fn plain<C: Coords<Leaf = f64>>(&self) -> Plain<R, C, P> {
+        let flat = |slots: &[[K::Slot<R::Row<WIDTH>>; D]]| {
+            C::slots_from(self.bodies * D, |k| {
+                let body = k / D;
+                element(slots[body / WIDTH][k % D].value(), body % WIDTH)
+            })
+        };
+        Plain { q: flat(&self.q), p: flat(&self.p), parameters: self.parameters.clone() }
+    }
+    /// The same positions and no momenta, with slots that hold numbers and nothing else.
+    pub fn at_rest(&self) -> ManyRows<R, f64, P, D, S> {
+        ManyRows {
+            q: values_of_rows(&self.q),
+            p: zeros(self.q.len()),
+            constants: copied(&self.constants),
+            gradients: copied(&self.gradients),
+            threads: self.threads,
+            bodies: self.bodies,
+            parameters: self.parameters.clone(),
+        }
+    }
+    /// Adds a multiple of another motion's momenta.
+    pub fn push(&mut self, factor: R, other: &ManyRows<R, f64, P, D, S>) {
+        let factor = Row::splat(factor);
+        for (slot, number) in self.p.as_flattened_mut().iter_mut().zip(other.p.as_flattened()) {
+            slot.fma(factor, *number);
+        }
+    }
+}
+
+impl<R: Real, P, const D: usize, const S: usize> ManyRows<R, f64, P, D, S> {
+    /// Sets the momenta from those in the user's own shape.
+    pub fn set_momenta<C: Coords<Leaf = f64>>(&mut self, plain: &Plain<R, C, P>) {
+        let p = C::slots(&plain.p);
+        for (row, rows) in self.p.iter_mut().enumerate() {
+            let bodies = bodies_of_row(row, self.bodies);
+            for (d, row) in rows.iter_mut().enumerate() {
+                *row = row_of::<R, WIDTH>(&bodies, &|body| p[body * D + d]);
+            }
+        }
+    }
+}
+
+/// A chunk of the pairs: those of every `count`th row with itself and with the rows behind it; where action is not
+/// reaction, with all others.
+struct PairChunk<'s, H: ManyBody<D, S>, R: Real, K: Precision, const D: usize, const S: usize> {
+    q: &'s [[K::Slot<R::Row<WIDTH>>; D]],
+    constants: &'s [[R::Row<WIDTH>; S]],
+    bodies: usize,
+    parameters: &'s H::Parameters<R>,
+    time: f64,
+    number: usize,
+    count: usize,
+    gradient: &'s mut [[R::Row<WIDTH>; D]],
+    system: PhantomData<fn(H)>,
+}
+
+impl<H: ManyBody<D, S>, R: Real, K: Precision, const D: usize, const S: usize> Kernel for PairChunk<'_, H, R, K, D, S> {
+    type Out = ();
+
+    #[inline(always)]
+    fn call(self) {
+        let Self { q, constants, bodies, parameters, time, number, count, gradient, .. } = self;
+        let row = |row: usize| Bodies { q: values(&q[row]), constants: constants[row] };
+        let (last, rest) = (q.len().saturating_sub(1), bodies % WIDTH);
+        let active = Real::parameter(&|lane| if lane / R::LANES < rest { 1.0 } else { 0.0 });
+        let active = |row: usize| {
+            let partly = row == last && rest > 0;
+            partly.then_some(active)
+        };
+        // Sums begin as a positive zero, so that no bit depends on whether a zero is added to them.
+        gradient.fill([Real::of(0.0); D]);
+        let mut first = number;
+        while first < q.len() {
+            let bodies = row(first);
+            let own = intra_row::<H, R, R::Row<WIDTH>, WIDTH, D, S>(parameters, bodies, active(first), time);
+            let mut sum = add(gradient[first], own);
+            let mut second = if H::RECIPROCAL { first + 1 } else { 0 };
+            while second < q.len() {
+                if second != first {
+                    let (others, active, sums) = (row(second), active(second), [&mut sum, &mut gradient[second]]);
+                    inter_row::<H, R, R::Row<WIDTH>, WIDTH, D, S>(parameters, bodies, others, active, time, sums);
+                }
+                second += 1;
+            }
+            gradient[first] = sum;
+            first += count;
+        }
+    }
+}
