@@ -10,6 +10,7 @@
 use crate::{
     composition::{Processor, Stage, Stages},
     hamiltonian::{Flows, Hamiltonian, QuadraticKinetic},
+    scalar::exact::two_sum,
 };
 use core::mem::take;
 
@@ -58,16 +59,12 @@ impl Correction {
     }
 }
 
-/// `h` less the rounded durations `h·a` of all fractions `a`, with twice the precision: each subtraction's rounding
-/// error is a number too (Knuth 1969).
+/// `h` less the rounded durations `h·a` of all fractions `a`, in double-double.
 fn missing(h: f64, fractions: impl Iterator<Item = f64>) -> f64 {
     let (mut left, mut errors) = (h, 0.0);
     for fraction in fractions {
-        let duration = h * fraction;
-        let difference = left - duration;
-        let taken = left - difference;
-        errors += (left - (difference + taken)) + (taken - duration);
-        left = difference;
+        let [difference, lost] = two_sum(left, -(h * fraction));
+        (left, errors) = (difference, errors + lost);
     }
     left + errors
 }

@@ -7,6 +7,8 @@
 
 use crate::scalar::{
     elementary::Elementary,
+    exact::{fast_two_sum, two_product, two_sum},
+    fma::Fused,
     instruction_set::enter_fused_or_baseline,
     real::{Kernel, Real, compared, elementary_functions, real_of_two_parts},
 };
@@ -23,8 +25,8 @@ impl DoubleDouble {
     /// `value + rest`, where the rest is the smaller one.
     #[inline(always)]
     fn new(value: f64, rest: f64) -> Self {
-        let sum = value + rest;
-        if sum.is_finite() { Self { value: sum, rest: rest - (sum - value) } } else { Self { value, rest: 0.0 } }
+        let [sum, lost] = fast_two_sum(value, rest);
+        if sum.is_finite() { Self { value: sum, rest: lost } } else { Self { value, rest: 0.0 } }
     }
 }
 
@@ -32,9 +34,7 @@ impl Add for DoubleDouble {
     type Output = Self;
     #[inline(always)]
     fn add(self, other: Self) -> Self {
-        let sum = self.value + other.value;
-        let of_other = sum - self.value;
-        let lost = (self.value - (sum - of_other)) + (other.value - of_other);
+        let [sum, lost] = two_sum(self.value, other.value);
         Self::new(sum, lost + (self.rest + other.rest))
     }
 }
@@ -59,8 +59,7 @@ impl Mul for DoubleDouble {
     type Output = Self;
     #[inline(always)]
     fn mul(self, other: Self) -> Self {
-        let product = self.value * other.value;
-        let lost = Elementary::mul_add(self.value, other.value, -product);
+        let [product, lost] = two_product(<Fused<f64>>::new(self.value), Fused::new(other.value)).map(|part| part.0);
         Self::new(product, lost + (self.value * other.rest + self.rest * other.value))
     }
 }

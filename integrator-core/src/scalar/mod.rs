@@ -8,6 +8,7 @@ pub(crate) mod double_double;
 pub(crate) mod dual;
 #[cfg_attr(feature = "std", allow(dead_code, unreachable_pub, reason = "users need it where there is no std"))]
 pub(crate) mod elementary;
+pub(crate) mod exact;
 pub(crate) mod fma;
 pub(crate) mod functions;
 pub(crate) mod instruction_set;

@@ -2,6 +2,7 @@
 
 use crate::scalar::{
     double_double::DoubleDouble,
+    exact::fast_two_sum,
     fma::{Avx512, Fused},
     real::Real,
     simd::block::{Block, WIDEST},
@@ -181,17 +182,11 @@ impl<R: Real> Slot<R> for Compensated<R> {
     }
     #[inline(always)]
     fn add(&mut self, d: R) {
-        let update = d + self.carried;
-        let sum = self.value + update;
-        self.carried = update - (sum - self.value);
-        self.value = sum;
+        [self.value, self.carried] = fast_two_sum(self.value, d + self.carried);
     }
     #[inline(always)]
     fn fma(&mut self, a: R, b: R) {
-        let update = a.fma(b, self.carried);
-        let sum = self.value + update;
-        self.carried = update - (sum - self.value);
-        self.value = sum;
+        [self.value, self.carried] = fast_two_sum(self.value, a.fma(b, self.carried));
     }
     #[inline(always)]
     fn select(mask: R::Mask, a: Self, b: Self) -> Self {

@@ -1,6 +1,8 @@
 //! Times of expansions, in twice the precision: steps of all lengths are added up, and states are looked at where an
 //! integer number of other steps leads.
 
+use crate::scalar::exact::{fast_two_sum, two_sum};
+
 /// A time as an unevaluated sum of two numbers.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(crate) struct Moment {
@@ -21,12 +23,9 @@ impl Moment {
 
     /// A little later, or earlier.
     pub(crate) fn after(self, duration: f64) -> Self {
-        let high = self.high + duration;
-        let back = high - self.high;
-        let lost = (self.high - (high - back)) + (duration - back);
-        let low = self.low + lost;
-        let sum = high + low;
-        Self { high: sum, low: low - (sum - high) }
+        let [high, lost] = two_sum(self.high, duration);
+        let [high, low] = fast_two_sum(high, self.low + lost);
+        Self { high, low }
     }
 
     /// How long it is from another one to this.

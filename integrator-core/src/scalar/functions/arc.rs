@@ -7,12 +7,12 @@
 //! `A` is minimax (Remez in 300 bits, weighted for the relative error of the result, coefficients rounded one after the
 //! other and the later ones fitted again).
 
-use super::{
-    Bits, cubic,
-    exact::{Parts, lost_by_quotient, sum},
-    linear,
+use super::{Bits, cubic, linear};
+use crate::scalar::{
+    elementary::Elementary,
+    exact::{Parts, fast_two_sum, lost_by_quotient},
+    real::Mask,
 };
-use crate::scalar::{elementary::Elementary, real::Mask};
 use core::f64::consts::FRAC_PI_2;
 
 /// What the arc tangent is made of in one format.
@@ -38,7 +38,7 @@ fn eighth<R: Bits<Scalar: Arc>>(small: R, big: R) -> [R; 2] {
     // The slope is 1/(1 + z), of which a few bits are enough.
     let slope = z.fma(R::of(-0.5), R::of(1.0));
     let cube = t * z;
-    let [angle, lost] = sum(t, cube * R::of(-0.25));
+    let [angle, lost] = fast_two_sum(t, cube * R::of(-0.25));
     [angle, cube.fma(R::Scalar::series(z), lost_by_quotient(t, small, big).fma(slope, lost))]
 }
 
@@ -46,7 +46,7 @@ fn eighth<R: Bits<Scalar: Arc>>(small: R, big: R) -> [R; 2] {
 #[cfg_attr(not(debug_assertions), inline(always))]
 pub(super) fn turned<R: Bits<Scalar: Arc>>(quarters: R, [angle, rest]: [R; 2]) -> R {
     let [quarter, small] = R::Scalar::QUARTER.map(R::of);
-    let [sum, lost] = sum(quarters * quarter, angle);
+    let [sum, lost] = fast_two_sum(quarters * quarter, angle);
     sum + (lost + quarters.fma(small, rest))
 }
 

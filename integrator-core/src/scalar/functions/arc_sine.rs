@@ -8,10 +8,9 @@
 use super::{
     Bits,
     arc::{Arc, sign, turned},
-    cubic,
-    exact::{less_product, pattern_less},
-    linear,
+    cubic, linear,
 };
+use crate::scalar::exact::{less_product, pattern_less};
 use core::f64::consts::FRAC_PI_2;
 
 /// What the arc sine is made of in one format.

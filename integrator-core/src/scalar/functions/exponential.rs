@@ -6,7 +6,7 @@
 //! `P` is minimax (Remez in 300 bits, weighted for the relative error of `eˣ`, coefficients rounded).
 
 use super::{Bits, cubic, quotient};
-use crate::scalar::real::Mask;
+use crate::scalar::{exact::fast_two_sum, real::Mask};
 use core::f64::consts::LOG2_E;
 
 /// What the reduction and the polynomial are made of in one format.
@@ -42,8 +42,7 @@ pub(super) fn parts<R: Bits<Scalar: Exponential>>(x: R, small: R) -> (R, [R; 2])
     let r = close - second;
     let excess = (r - close) + second;
     let rest = (r * r).fma(R::Scalar::series(r), -excess);
-    let sum = r + rest;
-    (turns, [sum, rest - (sum - r)])
+    (turns, fast_two_sum(r, rest))
 }
 
 /// `2ⁿ·(1 + less_one)`, where `2ⁿ` is a normal number.
@@ -116,9 +115,8 @@ pub(crate) fn tanh<R: Bits<Scalar: Exponential>>(x: R) -> R {
     let whole = power - R::of(1.0);
     let risen = power.fma(less_one, whole);
     let error = power.fma(error, power.fma(less_one, whole - risen));
-    let divisor = risen + R::of(2.0);
-    let lost = (risen - (divisor - R::of(2.0))) + error;
-    quotient([risen, error], [divisor, lost]).bits_xor(x.bits_and(R::of(-0.0)))
+    let [divisor, lost] = fast_two_sum(R::of(2.0), risen);
+    quotient([risen, error], [divisor, lost + error]).bits_xor(x.bits_and(R::of(-0.0)))
 }
 
 /// The errors of the polynomials: 2^-60.3 and 2^-51.6.

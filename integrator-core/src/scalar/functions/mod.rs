@@ -8,7 +8,6 @@ mod arc;
 mod arc_sine;
 mod bits;
 mod cube_root;
-mod exact;
 mod exponential;
 mod fast_sine;
 mod fast_tangent;

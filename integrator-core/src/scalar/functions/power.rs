@@ -9,12 +9,15 @@
 
 use super::{
     Bits, cubic,
-    exact::{Parts, less_product, product, sum},
     exponential::{Exponential, parts, raised},
     linear,
     logarithm::{Logarithm, normal, split},
 };
-use crate::scalar::{elementary::Elementary, real::Mask};
+use crate::scalar::{
+    elementary::Elementary,
+    exact::{Parts, fast_two_sum, less_product, two_product},
+    real::Mask,
+};
 
 /// What powers are made of in one format.
 pub(crate) trait Power: Logarithm + Parts {
@@ -31,32 +34,32 @@ pub(crate) trait Power: Logarithm + Parts {
 #[cfg_attr(not(debug_assertions), inline(always))]
 fn logarithm<R: Bits<Scalar: Power>>(x: R) -> [R; 2] {
     let (k, f) = split(x);
-    let [divisor, lost] = sum(R::of(2.0), f);
+    let [divisor, lost] = fast_two_sum(R::of(2.0), f);
     let reciprocal = R::of(1.0) / divisor;
     let s = f * reciprocal;
     let small_s = (less_product(f, s, divisor) - s * lost) * reciprocal;
 
-    let [z, lost] = product(s, s);
+    let [z, lost] = two_product(s, s);
     let small_z = (s + s).fma(small_s, lost);
     let [two_thirds, small] = R::Scalar::TWO_THIRDS.map(R::of);
-    let [slope, lost] = product(two_thirds, z);
+    let [slope, lost] = two_product(two_thirds, z);
     let series = (z * z).fma(<R::Scalar as Power>::series(z), lost);
     let small_slope = z.fma(small, two_thirds.fma(small_z, series));
-    let [term, lost] = product(s, slope);
+    let [term, lost] = two_product(s, slope);
     let small_term = s.fma(small_slope, small_s.fma(slope, lost));
 
-    let [mantissa, lost] = sum(s + s, term);
+    let [mantissa, lost] = fast_two_sum(s + s, term);
     let small_mantissa = lost + (small_s + small_s + small_term);
     let [first, second] = R::Scalar::LN_2.map(R::of);
-    let [value, lost] = sum(k * first, mantissa);
-    sum(value, lost + k.fma(second, small_mantissa))
+    let [value, lost] = fast_two_sum(k * first, mantissa);
+    fast_two_sum(value, lost + k.fma(second, small_mantissa))
 }
 
 /// At most 2 ulp.
 #[cfg_attr(not(debug_assertions), inline(always))]
 pub(crate) fn powf<R: Bits<Scalar: Power>>(x: R, y: R) -> R {
     let [logarithm, small] = logarithm(x);
-    let [exponent, lost] = product(y, logarithm);
+    let [exponent, lost] = two_product(y, logarithm);
     let (n, [less_one, _]) = parts(exponent, y.fma(small, lost));
     let value = raised(n, less_one);
     let beyond = normal(x).and(exponent.abs().less_or_equal(R::of(R::Scalar::FARTHEST))).not();

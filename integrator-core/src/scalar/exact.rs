@@ -1,6 +1,28 @@
-//! What operations lose: the errors of sums, products and quotients, to be added again later.
+//! Error-free transformations: sums, products and quotients with the rounding errors that they lose.
 
-use super::Bits;
+use crate::scalar::{functions::Bits, real::Real};
+
+/// Two-sum (Knuth 1969): the sum and its rounding error, exactly.
+#[inline(always)]
+pub(crate) fn two_sum<R: Real>(a: R, b: R) -> [R; 2] {
+    let sum = a + b;
+    let of_b = sum - a;
+    [sum, (a - (sum - of_b)) + (b - of_b)]
+}
+
+/// Fast two-sum (Dekker 1971): the sum and its rounding error, exactly where `large` is zero or not the smaller one.
+#[inline(always)]
+pub(crate) fn fast_two_sum<R: Real>(large: R, small: R) -> [R; 2] {
+    let sum = large + small;
+    [sum, small - (sum - large)]
+}
+
+/// Two-product (Dekker 1971): the product and its rounding error, exactly where `fma` rounds once.
+#[cfg_attr(not(debug_assertions), inline(always))]
+pub(crate) fn two_product<R: Bits<Scalar: Parts>>(a: R, b: R) -> [R; 2] {
+    let product = a * b;
+    [product, if R::FUSED { a.fma(b, -product) } else { -less_product(product, a, b) }]
+}
 
 /// What parts of a number of one format are found with.
 pub(crate) trait Parts: Sized {
@@ -29,7 +51,7 @@ fn halves<R: Bits<Scalar: Parts>>(a: R) -> [R; 2] {
 
 /// `c - a·b`, which is exact, but for the bits beyond those of a number, where `c` is next to the product.
 #[cfg_attr(not(debug_assertions), inline(always))]
-pub(super) fn less_product<R: Bits<Scalar: Parts>>(c: R, a: R, b: R) -> R {
+pub(crate) fn less_product<R: Bits<Scalar: Parts>>(c: R, a: R, b: R) -> R {
     if R::FUSED {
         (-a).fma(b, c)
     } else {
@@ -38,28 +60,14 @@ pub(super) fn less_product<R: Bits<Scalar: Parts>>(c: R, a: R, b: R) -> R {
     }
 }
 
-/// The product in two numbers.
-#[cfg_attr(not(debug_assertions), inline(always))]
-pub(super) fn product<R: Bits<Scalar: Parts>>(a: R, b: R) -> [R; 2] {
-    let product = a * b;
-    [product, -less_product(product, a, b)]
-}
-
-/// The sum in two numbers, of which the first is zero or not the smaller one.
-#[cfg_attr(not(debug_assertions), inline(always))]
-pub(super) fn sum<R: Bits>(large: R, small: R) -> [R; 2] {
-    let sum = large + small;
-    [sum, (large - sum) + small]
-}
-
 /// The difference of the patterns as integers.
 #[cfg_attr(not(debug_assertions), inline(always))]
-pub(super) fn pattern_less<R: Bits>(pattern: u64, x: R) -> R {
+pub(crate) fn pattern_less<R: Bits>(pattern: u64, x: R) -> R {
     x.bits_xor(R::pattern(!0)).bits_add(R::pattern(pattern.wrapping_add(1)))
 }
 
 /// What the quotient of `a` and `b` is too small by, where it was rounded: enough digits of it to be added.
 #[cfg_attr(not(debug_assertions), inline(always))]
-pub(super) fn lost_by_quotient<R: Bits<Scalar: Parts>>(quotient: R, a: R, b: R) -> R {
+pub(crate) fn lost_by_quotient<R: Bits<Scalar: Parts>>(quotient: R, a: R, b: R) -> R {
     less_product(a, quotient, b) * pattern_less(R::Scalar::RECIPROCAL, b)
 }
