@@ -17,6 +17,11 @@ use systems::{Pendulum, Problem, fput, henon_heiles, kepler, pendulum};
 const TOLERANCES: [f64; 3] = [1e-3, 1e-6, 1e-9];
 const PROBLEMS: [&str; 4] = ["pendulum", "Hénon-Heiles", "Kepler", "FPUT"];
 
+#[path = "../integrator-core/src/composition/catalogue_list.rs"]
+mod catalogue;
+
+use catalogue::for_each_composition;
+
 /// One composition: what rows are sorted by, and its row of facts.
 struct Facts(Vec<((u32, usize, &'static str), String)>);
 
@@ -49,6 +54,30 @@ fn table_of_facts() -> String {
     let head = "| composition | `T` | order | symmetric | evaluations | stable | leading error | source |\n\
                 |---|---|---|---|---|---|---|---|\n";
     facts().into_iter().fold(head.to_owned(), |table, (_, row)| table + &row)
+}
+
+/// The compositions for a small second part, in the order of the list.
+fn table_of_near_integrable() -> String {
+    let mut table = "| composition | `A` | orders | symmetric | evaluations | stable | source |\n\
+                     |---|---|---|---|---|---|---|\n"
+        .to_owned();
+    macro_rules! row {
+        ($($name:ident)*) => {$(
+            let orders: Vec<String> = $name::GENERALISED_ORDERS.iter().map(u32::to_string).collect();
+            let class = if $name::CLASS == Class::General { "any" } else { "quadratic in p" };
+            let symmetric = if $name::SYMMETRIC { "yes" } else { "no" };
+            let evaluations = match $name::GRADIENT_EVALUATIONS {
+                0 => $name::FORCE_EVALUATIONS.to_string(),
+                gradients => format!("{} + {gradients}", $name::FORCE_EVALUATIONS),
+            };
+            table += &format!(
+                "| `{}` | {class} | {} | {symmetric} | {evaluations} | {:.2} | {} |\n",
+                $name::NAME, orders.join(", "), $name::STABILITY_LIMIT, $name::CITATION
+            );
+        )*};
+    }
+    for_each_composition!(near_integrable: row!);
+    table
 }
 
 fn rank<H: Hamiltonian>(problem: Problem<H>, goal: Goal) -> Ranking
@@ -119,14 +148,17 @@ fn the_facts_are_what_was_proved() {
         return update();
     }
     let page = page();
-    let [_, shown, _] = around(&page, "facts");
-    assert!(shown == table_of_facts(), "`.ci/bless docs` writes the table, which should be\n{}", table_of_facts());
+    for (name, table) in [("facts", table_of_facts()), ("near_integrable", table_of_near_integrable())] {
+        let [_, shown, _] = around(&page, name);
+        assert!(shown == table, "`.ci/bless docs` writes the table, which should be\n{table}");
+    }
 }
 
 fn update() {
     let mut page = page();
     let tables = [
         ("facts", table_of_facts()),
+        ("near_integrable", table_of_near_integrable()),
         ("trajectory", table_of_work(&columns(Goal::Trajectory))),
         ("energy", table_of_work(&columns(Goal::Energy))),
     ];

@@ -4,10 +4,11 @@ use crate::source::Source;
 use integrator_symbolic::{Proved, declared};
 
 /// The files of the catalogue; a test compares them with the folder.
-pub(crate) const FILES: [(&str, &str); 6] = [
+pub(crate) const FILES: [(&str, &str); 7] = [
     ("basic", include_str!("../../integrator-core/src/composition/catalogue/basic.rs")),
     ("general", include_str!("../../integrator-core/src/composition/catalogue/general.rs")),
     ("gradient", include_str!("../../integrator-core/src/composition/catalogue/gradient.rs")),
+    ("near_integrable", include_str!("../../integrator-core/src/composition/catalogue/near_integrable.rs")),
     ("nystrom", include_str!("../../integrator-core/src/composition/catalogue/nystrom.rs")),
     ("processed", include_str!("../../integrator-core/src/composition/catalogue/processed.rs")),
     ("symmetric", include_str!("../../integrator-core/src/composition/catalogue/symmetric.rs")),

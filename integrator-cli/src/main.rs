@@ -65,7 +65,7 @@ enum Task {
     /// Order, symmetry, stability limit and error terms of a sequence of stages
     ///
     /// Keys of --json:
-    ///   sequence, order, general_order, quadratic_order, class (general, quadratic), symmetric,
+    ///   sequence, order, general_order, quadratic_order, generalised_orders, class (general, quadratic), symmetric,
     ///   stages and processor (part, coefficient, gradient), forces_per_step, gradients_per_step,
     ///   stability_limit, leading_error, error_terms (bracket, factor), violation (word, residual),
     ///   citation

@@ -64,6 +64,10 @@ fn shown(text: &str, proved: &Proved) -> String {
         let _ = writeln!(shown, "    {name:<16} {value}");
     };
     row("order", &order);
+    if let [_, _, ..] = proved.generalised_orders[..] {
+        let orders: Vec<String> = proved.generalised_orders.iter().map(u32::to_string).collect();
+        row("small second", &format!("({}) where the part of the kicks is small", orders.join(", ")));
+    }
     row("symmetric", if proved.symmetric { "yes" } else { "no" });
     row("class", class);
     row("stages", &stages(&proved.stages));
@@ -122,6 +126,7 @@ fn value(text: &str, proved: &Proved) -> Value {
         "sequence": text.trim(),
         "order": proved.order,
         "general_order": proved.general_order,
+        "generalised_orders": proved.generalised_orders,
         "quadratic_order": proved.quadratic_order,
         "class": if proved.quadratic_kinetic { "quadratic" } else { "general" },
         "symmetric": proved.symmetric,

@@ -112,25 +112,60 @@ fn a_wrong_twentieth_digit_is_refused() {
     assert!(refused > 30, "most entries have decimals");
 }
 
+/// The declared orders: one, or one for each power of a small part.
+fn orders(declaration: &TokenStream) -> Vec<u32> {
+    let trees: Vec<TokenTree> = declaration.clone().into_iter().collect();
+    let at = trees.iter().position(|tree| matches!(tree, TokenTree::Ident(word) if word == "order"));
+    let literals: Vec<TokenTree> = match &trees[at.expect("an order") + 1] {
+        TokenTree::Group(group) => group.stream().into_iter().collect(),
+        single => vec![single.clone()],
+    };
+    let literals = literals.iter().filter(|tree| matches!(tree, TokenTree::Literal(_)));
+    literals.map(|literal| literal.to_string().parse().expect("an order")).collect()
+}
+
 #[test]
 fn one_order_more_is_refused() {
     for declaration in catalogue().into_iter().flat_map(|(_, declarations)| declarations) {
-        let (mut done, mut order) = (false, 0);
-        let overclaimed = declaration.clone().into_iter().collect::<Vec<_>>();
-        let overclaimed = overclaimed.windows(2).map(|pair| match pair {
-            [TokenTree::Ident(word), TokenTree::Literal(literal)] if word == "order" && !done => {
-                done = true;
-                order = literal.to_string().parse::<u32>().expect("an order");
-                TokenTree::Literal(Literal::u32_unsuffixed(order + 1))
+        let orders = orders(&declaration);
+        for (place, order) in orders.iter().enumerate() {
+            // The orders do not rise.
+            if place > 0 && orders[place - 1] == *order {
+                continue;
             }
-            [_, tree] => tree.clone(),
-            _ => unreachable!("windows of two"),
-        });
-        // The first token, a `#` or `pub`, is lost to the windows.
-        let first = declaration.clone().into_iter().next();
-        let overclaimed: TokenStream = first.into_iter().chain(overclaimed).collect();
-        let message = refusal(overclaimed).unwrap_or_else(|| panic!("{} passes", name(&declaration)));
-        let finds = if order == 10 { "no order above 10".to_owned() } else { format!("finds order {order}") };
-        assert!(message.contains(&finds), "{message}");
+            let mut literals = 0;
+            let overclaimed = each_literal(declaration.clone(), &mut |literal| {
+                // The citation and the doc comment are literals as well, behind and before the orders.
+                let is_order = literal.to_string().parse::<u32>().is_ok() && literals < orders.len();
+                literals += usize::from(is_order);
+                match is_order && literals == place + 1 {
+                    true => Literal::u32_unsuffixed(order + 1),
+                    false => literal,
+                }
+            });
+            let message = refusal(overclaimed).unwrap_or_else(|| panic!("{} passes", name(&declaration)));
+            let finds = if *order == 10 && orders.len() == 1 {
+                "no order above 10".to_owned()
+            } else {
+                format!("finds order {order}")
+            };
+            assert!(message.contains(&finds), "{message}");
+        }
     }
+}
+
+/// A copy with every literal changed, in their order.
+fn each_literal(tokens: TokenStream, change: &mut dyn FnMut(Literal) -> Literal) -> TokenStream {
+    let mut changed = TokenStream::new();
+    for tree in tokens {
+        changed.extend([match tree {
+            TokenTree::Group(group) => {
+                let inner = each_literal(group.stream(), change);
+                TokenTree::Group(proc_macro2::Group::new(group.delimiter(), inner))
+            }
+            TokenTree::Literal(literal) => TokenTree::Literal(change(literal)),
+            other => other,
+        }]);
+    }
+    changed
 }

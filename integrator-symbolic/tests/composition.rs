@@ -148,12 +148,46 @@ fn every_mistake_has_one_message_on_its_token() {
         ("struct A: order 2, order 2 = Verlet;", &["1:19 `order` is claimed twice"]),
         (
             "struct A: oder 2 = Verlet;",
-            &["1:10 unknown claim `oder`: there are `order 4`, `symmetric` and `citation \"..\"`"],
+            &["1:10 unknown claim `oder`: there are `order 4`, `order (8, 2)`, `symmetric` and `citation \"..\"`"],
         ),
+        (
+            "struct A: order (6, 2) = A(1/2) B(1) A(1/2);",
+            &[
+                "1:16 declared order 6 for words with one B, but the proof finds order 2: the condition of the word AAB is \
+                 violated by 2.5e-1",
+            ],
+        ),
+        (
+            "struct A: order (4, 4) = symmetric(B(1/6) A(1/2) B(_));",
+            &[
+                "1:16 declared order 4, but the proof finds order 2: the condition of the word ABB is violated by 1.4e-2",
+            ],
+        ),
+        (
+            "struct A: order (2, 4) = Verlet;",
+            &["1:16 orders for higher powers of the small part are not larger: `order (8, 4)`"],
+        ),
+        (
+            "struct A: order (4) = Verlet;",
+            &["1:16 orders where the second part is small are one for each power of it, `order (8, 2)`"],
+        ),
+        (
+            "struct A: order (40, 2) = Verlet;",
+            &[
+                "1:16 declared order 40 for words with one V, but the proof finds order 2: the condition of the word TTV is \
+                 violated by 2.5e-1",
+            ],
+        ),
+        ("struct A = A(1/2) V(1) A(1/2);", &["1:18 stages are of `T` and `V`, or of `A` and `B`, not of both"]),
         ("struct A = V(1/2) T(1) V(1/3);", &["1:11 the coefficients of `V` sum to 0.833333333333, not to 1"]),
         ("struct A = V(1) T(0.999);", &["1:11 the coefficients of `T` sum to 0.999, not to 1"]),
         ("struct A = T(1);", &["1:11 the coefficients of `V` sum to 0, not to 1"]),
-        ("struct A = ;", &["1:9 a sequence has at least one stage: the stages are `T(a)`, `V(b)` and `V(b, c)`"]),
+        (
+            "struct A = ;",
+            &[
+                "1:9 a sequence has at least one stage: the stages are `T(a)`, `V(b)` and `V(b, c)`, or `A(a)` and `B(b)` of any two parts",
+            ],
+        ),
         ("struct A = Verlet", &["1:11 a declaration ends with `;`"]),
         ("struct A = Verlet, Euler;", &["1:17 a declaration ends with `;`"]),
         ("struct A;", &["1:8 expected `=`"]),
@@ -161,7 +195,7 @@ fn every_mistake_has_one_message_on_its_token() {
         (
             "struct A = W(1) T(1);",
             &[
-                "1:11 unknown combinator `W`: the stages are `T(a)`, `V(b)` and `V(b, c)`, the combinators `triple_jump(..)`, `suzuki(..)`, `symmetric(..)`, `compose(..)`, `adjoint(..)` and `processed(..)`",
+                "1:11 unknown combinator `W`: the stages are `T(a)`, `V(b)` and `V(b, c)`, or `A(a)` and `B(b)` of any two parts, the combinators `triple_jump(..)`, `suzuki(..)`, `symmetric(..)`, `compose(..)`, `adjoint(..)` and `processed(..)`",
             ],
         ),
         ("struct A = V T(1);", &["1:11 how long a stage? write `V(1/2)`"]),
@@ -172,7 +206,7 @@ fn every_mistake_has_one_message_on_its_token() {
         (
             "struct A = 1/2 V(1);",
             &[
-                "1:11 expected a stage, a combinator or the name of a composition; the stages are `T(a)`, `V(b)` and `V(b, c)`",
+                "1:11 expected a stage, a combinator or the name of a composition; the stages are `T(a)`, `V(b)` and `V(b, c)`, or `A(a)` and `B(b)` of any two parts",
             ],
         ),
         ("struct A = V(1/0) T(1);", &["1:15 division by zero"]),
@@ -199,13 +233,15 @@ fn every_mistake_has_one_message_on_its_token() {
         ("struct A = triple_jump;", &["1:11 `triple_jump` acts on a composition: `triple_jump(Verlet)`"]),
         (
             "struct A = triple_jump();",
-            &["1:11 a sequence has at least one stage: the stages are `T(a)`, `V(b)` and `V(b, c)`"],
+            &[
+                "1:11 a sequence has at least one stage: the stages are `T(a)`, `V(b)` and `V(b, c)`, or `A(a)` and `B(b)` of any two parts",
+            ],
         ),
         ("struct A = suzuki(Verlet, Verlet);", &["1:11 `suzuki` takes one composition"]),
         (
             "struct A = suzuki(1/2; Verlet);",
             &[
-                "1:18 expected a stage, a combinator or the name of a composition; the stages are `T(a)`, `V(b)` and `V(b, c)`",
+                "1:18 expected a stage, a combinator or the name of a composition; the stages are `T(a)`, `V(b)` and `V(b, c)`, or `A(a)` and `B(b)` of any two parts",
             ],
         ),
         (

@@ -33,6 +33,10 @@ fn answers() {
         (&["Chin4A"], &["class            T = ½ pᵀ M⁻¹ p alone", "source           Chin 1997"]),
         (&["BlanesCasasMurua6S11"], &["processor        ", "forces per step  11"]),
         (&["BlanesMoanSrkn11", "--order", "6"], &["4 for every T(p), 6 for T = ½ pᵀ M⁻¹ p"]),
+        (
+            &["Aba864"],
+            &["order            4 for every T(p)", "small second     (8, 6, 4) where", "stages           A(0.07"],
+        ),
         (&["KahanLi10"], &["order            10 for every T(p)", "and 180 smaller terms"]),
     ];
     for (arguments, lines) in rows {
@@ -101,6 +105,7 @@ fn json_says_the_same() {
             "error_terms",
             "forces_per_step",
             "general_order",
+            "generalised_orders",
             "gradients_per_step",
             "leading_error",
             "order",
@@ -114,6 +119,7 @@ fn json_says_the_same() {
         ]
     );
     assert_eq!((&found["order"], &found["class"]), (&2.into(), &"general".into()));
+    assert_eq!(json(&["prove", "WisdomHolmanTouma17"])["generalised_orders"], serde_json::json!([18, 2]));
     let third = found["error_terms"][0]["factor"].as_f64().expect("a number");
     assert!((third - 1.0 / 12.0).abs() < 1e-15, "{third}");
     assert_eq!(found["stages"].as_array().expect("a list").len(), 3);

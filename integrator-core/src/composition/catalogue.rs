@@ -10,6 +10,7 @@
 mod basic;
 mod general;
 mod gradient;
+mod near_integrable;
 mod nystrom;
 mod processed;
 mod symmetric;
@@ -17,6 +18,7 @@ mod symmetric;
 pub use basic::*;
 pub use general::*;
 pub use gradient::*;
+pub use near_integrable::*;
 pub use nystrom::*;
 pub use processed::*;
 pub use symmetric::*;

@@ -1,6 +1,7 @@
 //! The one list of the compositions in the catalogue, for visitors and for tests; a test holds it against the sources.
 
-/// Does something with every composition of the catalogue: those for every `T`, and those for quadratic `T`.
+/// Does something with every composition of the catalogue: those for every `T`, those for quadratic `T`, and those whose
+/// orders count where the second part is small, of both classes.
 macro_rules! for_each_composition {
     (general: $each:ident!) => {
         $each!(Euler EulerAdjoint Verlet VelocityVerlet McLachlanAtela2 McLachlan2 VelocityMcLachlan2);
@@ -17,6 +18,13 @@ macro_rules! for_each_composition {
         $each!(BlanesCasasEscorihuela8 Teloy8A Teloy8B Teloy8C);
         // With force gradients.
         $each!(Chin4A Chin4B Chin4C Chin4D Schaefers4 Schaefers6 TakahashiImada4 BlanesCasasRos6);
+    };
+    (near_integrable: $each:ident!) => {
+        $each!(Saba2 Saba3 Saba4 Sbab2 Sbab3 Sbab4 Aba84 Aba104 Aba864 Aba1064 Abah844 Abah864 Abah1064);
+        $each!(BlanesCasasRos764);
+        $each!(WisdomHolmanTouma3 WisdomHolmanTouma5 WisdomHolmanTouma7 WisdomHolmanTouma11 WisdomHolmanTouma17);
+        // With force gradients.
+        $each!(Sabac2 Sabac3 Sabac4 Sbabc2 Sbabc3 Sbabc4);
     };
 }
 pub(crate) use for_each_composition;

@@ -116,6 +116,10 @@ pub trait Scheme: Copy + Default + Send + Sync + 'static {
     const CITATION: &'static str;
     /// The order, proved from the order conditions.
     const ORDER: u32;
+    /// The generalised orders `(n₁, n₂, …)` for a Hamiltonian whose second part, that of the kicks, is of a small size `ε`: errors
+    /// are of the sizes `ε hⁿ¹`, `ε² hⁿ²` and so on, where the last one goes for all higher powers (McLachlan 1995, BIT 35,
+    /// 258). Proved where the declaration claims them, as in `order (8, 4)`; else [`ORDER`](Self::ORDER) alone.
+    const GENERALISED_ORDERS: &'static [u32] = &[Self::ORDER];
     /// Whether the sequence reads the same backwards, so that a step by `-h` undoes a step by `h`.
     const SYMMETRIC: bool;
     /// What it asks of the Hamiltonian.

@@ -5,7 +5,9 @@
 
 use super::{
     lower::{Known, lower},
+    near_integrable,
     prove::{Class, Proof, Scheme, Verdict},
+    stages::{Letter, Letters},
     syntax::Declaration,
 };
 use crate::errors::Errors;
@@ -14,10 +16,15 @@ use crate::errors::Errors;
 pub(super) fn check(declaration: &Declaration, known: &Known, errors: &mut Errors) -> Option<Scheme> {
     let mut scheme = lower(declaration.sequence.as_ref()?, known, errors)?;
     let found = errors.count();
-    if let Some(literal) = &declaration.claims.order {
-        let claimed = literal.base10_parse().map_err(|_| NO_ORDER.to_owned()).and_then(|n| order(&mut scheme, n));
+    if let Some(claim) = &declaration.claims.order {
+        let orders: Option<Vec<u32>> = claim.literals.iter().map(|literal| literal.base10_parse().ok()).collect();
+        let claimed = match orders.as_deref() {
+            None => Err(NO_ORDER.to_owned()),
+            Some([plain]) => order(&mut scheme, *plain),
+            Some(orders) => generalised(&mut scheme, orders),
+        };
         if let Err(message) = claimed {
-            errors.push(syn::Error::new(literal.span(), message));
+            errors.push(syn::Error::new_spanned(&claim.tokens, message));
         }
     }
     if let Some(claim) = &declaration.claims.symmetric
@@ -40,12 +47,42 @@ pub(super) fn order(scheme: &mut Scheme, order: u32) -> Result<(), String> {
             scheme.class = Class::QuadraticKinetic;
             scheme.order = scheme.proof.quadratic.order;
         }
-        _ => return Err(overclaimed(order, &scheme.proof)),
+        _ => return Err(overclaimed(order, &scheme.proof, scheme.letters)),
     }
     Ok(())
 }
 
-fn overclaimed(declared: u32, proof: &Proof) -> String {
+/// Holds generalised orders against the words with one letter of the second part, with two, and so on. The last order is
+/// that for words with any number of them: the plain one.
+fn generalised(scheme: &mut Scheme, orders: &[u32]) -> Result<(), String> {
+    if orders.windows(2).any(|pair| pair[0] < pair[1]) {
+        return Err("orders for higher powers of the small part are not larger: `order (8, 4)`".to_owned());
+    }
+    if let Some(last) = orders.last() {
+        order(scheme, *last)?;
+    }
+    let proved = near_integrable::orders(scheme);
+    for (number, (claimed, found)) in orders.iter().zip(&proved).enumerate() {
+        if found.order < *claimed {
+            let (second, order) = (scheme.letters.name(Letter::V), found.order);
+            let words = match number {
+                0 => format!("with one {second}"),
+                more => format!("with {} {second}", more + 1),
+            };
+            return Err(match &found.violation {
+                Some(violation) => format!(
+                    "declared order {claimed} for words {words}, but the proof finds order {order}: {}",
+                    violation.text(scheme.letters)
+                ),
+                None => format!("declared order {claimed} for words {words}, but no order above {order} is proved"),
+            });
+        }
+    }
+    scheme.generalised = orders.to_vec();
+    Ok(())
+}
+
+fn overclaimed(declared: u32, proof: &Proof, letters: Letters) -> String {
     let Verdict { order, violation, .. } = proof.quadratic;
     let Some(violation) = violation else {
         return format!("declared order {declared}, but no order above {order} is proved");
@@ -61,5 +98,5 @@ fn overclaimed(declared: u32, proof: &Proof) -> String {
         Some(Verdict { order: general, violation: Some(other), .. }) if general == order => other,
         _ => violation,
     };
-    format!("declared order {declared}, but the proof finds order {order}{class}: {violation}")
+    format!("declared order {declared}, but the proof finds order {order}{class}: {}", violation.text(letters))
 }

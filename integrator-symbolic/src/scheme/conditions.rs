@@ -5,11 +5,9 @@
 //! up to degree `n` exactly if they agree on the Lyndon words, which generate all words under the shuffle product.
 //! Where `T` is quadratic in `p`, every bracket with at least two more `V` than `T` vanishes, and fewer words decide.
 
-use std::fmt;
-
 use super::{
     double::Double,
-    stages::{Element, Letter},
+    stages::{Element, Letter, Letters},
 };
 
 /// The highest order that is proved.
@@ -22,6 +20,16 @@ pub(super) struct Word(usize);
 impl Word {
     pub(super) fn degree(self) -> usize {
         self.0.ilog2() as usize
+    }
+
+    /// How many letters are `V`.
+    pub(super) fn kicks(self) -> usize {
+        self.0.count_ones() as usize - 1
+    }
+
+    /// The Lyndon word of so many letters with one `V`, which is its last.
+    pub(super) fn with_one_kick(length: usize) -> Self {
+        Self(1 << length | 1)
     }
 
     fn read(text: &str) -> Self {
@@ -55,11 +63,17 @@ impl Word {
         (1..self.degree()).find(|length| self.split(*length).1.is_lyndon())
     }
 
+    /// The letters, as a sequence calls them.
+    pub(super) fn spelled(self, letters: Letters) -> String {
+        let letter = |position: usize| if self.0 >> position & 1 == 1 { Letter::V } else { Letter::T };
+        (0..self.degree()).rev().map(|position| letters.name(letter(position))).collect()
+    }
+
     /// The bracket of a Lyndon word as people write it: `[T, [T, V]]`.
-    pub(super) fn bracket(self) -> String {
-        let Some(length) = self.factor() else { return self.to_string() };
+    pub(super) fn bracket(self, letters: Letters) -> String {
+        let Some(length) = self.factor() else { return self.spelled(letters) };
         let (left, right) = self.split(length);
-        format!("[{}, {}]", left.bracket(), right.bracket())
+        format!("[{}, {}]", left.bracket(letters), right.bracket(letters))
     }
 
     /// Whether the word is strictly smaller than all its rotations.
@@ -67,15 +81,6 @@ impl Word {
         let degree = self.degree();
         let (mask, bits) = ((1 << degree) - 1, self.0 & ((1 << degree) - 1));
         (1..degree).all(|shift| (bits << shift | bits >> (degree - shift)) & mask > bits)
-    }
-}
-
-impl fmt::Display for Word {
-    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
-        for position in (0..self.degree()).rev() {
-            formatter.write_str(if self.0 >> position & 1 == 1 { "V" } else { "T" })?;
-        }
-        Ok(())
     }
 }
 
@@ -186,14 +191,14 @@ mod tests {
     use super::{HIGHEST, Series, Word, general, quadratic};
     use crate::scheme::{
         coefficient::Coefficient,
-        stages::{Element, Letter},
+        stages::{Element, Letter, Letters},
     };
 
     #[test]
     fn as_many_lyndon_words_as_the_free_lie_algebra_has_dimensions() {
         let counts: Vec<usize> = (1..=HIGHEST).map(|degree| general(degree).len()).collect();
         assert_eq!(counts, [2, 1, 2, 3, 6, 9, 18, 30, 56, 99]);
-        let words: Vec<String> = general(5).iter().map(ToString::to_string).collect();
+        let words: Vec<String> = general(5).iter().map(|word| word.spelled(Letters::Kinetic)).collect();
         assert_eq!(words, ["TTTTV", "TTTVV", "TTVTV", "TTVVV", "TVTVV", "TVVVV"]);
     }
 
@@ -217,20 +222,20 @@ mod tests {
         assert_eq!(["TTV", "TVT", "VTT", "TVV"].map(|word| coefficient(word, "TTV")), [1.0, -2.0, 1.0, 0.0]);
         // [[T, V], V] = TVV - 2 VTV + VVT
         assert_eq!(["TVV", "VTV", "VVT"].map(|word| coefficient(word, "TVV")), [1.0, -2.0, 1.0]);
-        assert_eq!(Word::read("TTV").bracket(), "[T, [T, V]]");
-        assert_eq!(Word::read("TTVTV").bracket(), "[[T, [T, V]], [T, V]]");
+        assert_eq!(Word::read("TTV").bracket(Letters::Kinetic), "[T, [T, V]]");
+        assert_eq!(Word::read("TTVTV").bracket(Letters::Parts), "[[A, [A, B]], [A, B]]");
         for degree in 1..=7 {
             for word in general(degree) {
-                assert_eq!(word.in_bracket_of(word), 1.0, "{word}");
+                assert_eq!(word.in_bracket_of(word), 1.0, "{word:?}");
                 let smaller = general(degree).into_iter().filter(|other| other.0 < word.0);
-                assert!(smaller.clone().all(|other| other.in_bracket_of(word) == 0.0), "{word}");
+                assert!(smaller.clone().all(|other| other.in_bracket_of(word) == 0.0), "{word:?}");
             }
         }
     }
 
     #[test]
     fn words_read_as_they_print() {
-        assert_eq!(Word::read("TTVTV").to_string(), "TTVTV");
+        assert_eq!(Word::read("TTVTV").spelled(Letters::Kinetic), "TTVTV");
         assert_eq!(Word::read("VTTVV").degree(), 5);
     }
 

@@ -67,6 +67,10 @@ pub(super) fn implementation(ident: &Ident, name: &str, citation: &str, facts: &
         }
         None => quote!(::core::option::Option::None),
     };
+    let generalised = (!facts.generalised.is_empty()).then(|| {
+        let orders = facts.generalised.iter().map(|order| Literal::u32_unsuffixed(*order));
+        quote!(const GENERALISED_ORDERS: &'static [u32] = &[#(#orders),*];)
+    });
     let stages = table.stages(root);
     let processor =
         table.processor(root).map(|processor| quote!(const PROCESSOR: #root::__private::Processor = #processor;));
@@ -81,6 +85,7 @@ pub(super) fn implementation(ident: &Ident, name: &str, citation: &str, facts: &
             const NAME: &'static str = #name;
             const CITATION: &'static str = #citation;
             const ORDER: u32 = #order;
+            #generalised
             const SYMMETRIC: bool = #symmetric;
             const CLASS: #root::__private::Class = #root::__private::Class::#class;
             const FORCE_EVALUATIONS: usize = #force_evaluations;

@@ -15,6 +15,8 @@ pub(super) struct Facts {
     pub(super) table: Table,
     pub(super) stability_limit: f64,
     pub(super) leading_error: Option<f64>,
+    /// The generalised orders that are claimed; mostly none.
+    pub(super) generalised: Vec<u32>,
     /// The proved orders for every `T`, if the composition is defined there, and for quadratic `T`.
     orders: (Option<u32>, u32),
 }
@@ -28,6 +30,7 @@ impl Facts {
             table: Table::of(scheme),
             stability_limit: stability::limit(&scheme.stages),
             leading_error: scheme.leading_error(),
+            generalised: scheme.generalised.clone(),
             orders: (scheme.proof.general.map(|general| general.order), scheme.proof.quadratic.order),
         }
     }
@@ -41,6 +44,7 @@ impl Facts {
             table: Table::stub(),
             stability_limit: 0.0,
             leading_error: None,
+            generalised: Vec::new(),
             orders: (Some(0), 0),
         }
     }
@@ -63,6 +67,13 @@ impl Facts {
             }
             (Class::QuadraticKinetic, (None, _)) => format!("Order {order} for `T` quadratic in `p` (proved)"),
         };
+        let generalised = match &self.generalised[..] {
+            [] => String::new(),
+            orders => {
+                let orders: Vec<String> = orders.iter().map(u32::to_string).collect();
+                format!("Order ({}) where the part of the kicks is small (proved). ", orders.join(", "))
+            }
+        };
         let symmetric = if self.symmetric { "symmetric" } else { "not symmetric" };
         let evaluations = match self.table.force_evaluations() {
             1 => "1 force evaluation".to_owned(),
@@ -79,7 +90,7 @@ impl Facts {
             citation => format!(" Source: {citation}."),
         };
         format!(
-            "{orders}, {symmetric}, {evaluations}{gradients} a step. Stable up to `h ω = {limit:.3}`{error}.{source}"
+            "{generalised}{orders}, {symmetric}, {evaluations}{gradients} a step. Stable up to `h ω = {limit:.3}`{error}.{source}"
         )
     }
 }

@@ -9,7 +9,7 @@ use syn::{Expr, Ident};
 use super::{
     coefficient::{Coefficient, evaluate},
     prove::{SUSPICIOUS, Scheme, Verdict, Violation},
-    stages::{Element, Letter, Stages},
+    stages::{Element, Letter, Letters, Stages},
     syntax::{COMBINATORS, Combined, Item, Sequence},
 };
 use crate::errors::Errors;
@@ -80,9 +80,9 @@ fn proved(kernel: Stages, processor: Stages, sequence: &Sequence, errors: &mut E
     let message = if count > MOST_STAGES {
         format!("{count} stages; at most {MOST_STAGES} are proved")
     } else {
-        let scheme = Scheme::inferred(kernel, processor);
+        let scheme = Scheme { letters: sequence.letters(), ..Scheme::inferred(kernel, processor) };
         match scheme.proof.quadratic {
-            Verdict { order: 0, violation: Some(violation), .. } => inconsistent(violation),
+            Verdict { order: 0, violation: Some(violation), .. } => inconsistent(violation, scheme.letters),
             _ => return Some(scheme),
         }
     };
@@ -90,7 +90,8 @@ fn proved(kernel: Stages, processor: Stages, sequence: &Sequence, errors: &mut E
     None
 }
 
-fn inconsistent(Violation { word, residual }: Violation) -> String {
+fn inconsistent(Violation { word, residual }: Violation, letters: Letters) -> String {
+    let word = word.spelled(letters);
     if residual.abs() < SUSPICIOUS {
         return format!("the coefficients of `{word}` miss the sum 1 by {residual:.1e}: a digit is wrong or missing");
     }

@@ -20,6 +20,7 @@ mod facts;
 mod in_place;
 mod leading_error;
 mod lower;
+mod near_integrable;
 mod prove;
 mod proved;
 mod stability;

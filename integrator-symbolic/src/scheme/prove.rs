@@ -8,13 +8,11 @@
 //!   pass with residuals around 1e-14, while one typed with 36 digits is refused for a wrong twentieth. However few the
 //!   digits, a residual above [`COARSEST`] is a violation.
 
-use std::fmt;
-
 use super::{
     coefficient::Coefficient,
     conditions::{self, HIGHEST, Series, Word},
     leading_error::{Term, general_terms, norm, quadratic_terms},
-    stages::{Letter, Stages},
+    stages::{Letter, Letters, Stages},
 };
 
 /// The smallest tolerance.
@@ -44,6 +42,10 @@ pub(super) struct Scheme {
     pub(super) class: Class,
     /// The proved order for the class.
     pub(super) order: u32,
+    /// The generalised orders that are claimed, for a second part that is small; mostly none.
+    pub(super) generalised: Vec<u32>,
+    /// What its sequence calls the two parts.
+    pub(super) letters: Letters,
 }
 
 impl Scheme {
@@ -54,7 +56,8 @@ impl Scheme {
             Some(general) => (Class::General, general),
             None => (Class::QuadraticKinetic, proof.quadratic),
         };
-        Self { stages, processor, proof, class, order: verdict.order }
+        let (order, letters) = (verdict.order, Letters::default());
+        Self { stages, processor, proof, class, order, generalised: Vec::new(), letters }
     }
 
     /// What the conditions say for the class.
@@ -84,8 +87,16 @@ impl Scheme {
     }
 }
 
+/// The words that decide a degree for the Hamiltonians of a class.
+pub(super) fn words(class: Class, degree: usize) -> Vec<Word> {
+    match class {
+        Class::General => conditions::general(degree),
+        Class::QuadraticKinetic => conditions::quadratic(degree),
+    }
+}
+
 /// One step with its processor before it and the inverse of that behind.
-fn whole(stages: &Stages, processor: &Stages) -> Stages {
+pub(super) fn whole(stages: &Stages, processor: &Stages) -> Stages {
     let mut whole = processor.clone();
     whole.append(stages, Coefficient::ONE);
     whole.append(&processor.inverse(), Coefficient::ONE);
@@ -120,14 +131,15 @@ pub(crate) struct Violation {
     pub(super) residual: f64,
 }
 
-impl fmt::Display for Violation {
-    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let (word, residual) = (self.word, self.residual.abs());
-        write!(formatter, "the condition of the word {word} is violated by {residual:.1e}")?;
-        if residual < SUSPICIOUS {
-            formatter.write_str("; so small a residual points at wrong or missing digits")?;
-        }
-        Ok(())
+impl Violation {
+    /// What is violated, in the letters of its sequence.
+    pub(super) fn text(&self, letters: Letters) -> String {
+        let (word, residual) = (self.word.spelled(letters), self.residual.abs());
+        let suspicion = match residual < SUSPICIOUS {
+            true => "; so small a residual points at wrong or missing digits",
+            false => "",
+        };
+        format!("the condition of the word {word} is violated by {residual:.1e}{suspicion}")
     }
 }
 
@@ -182,7 +194,7 @@ impl Verdict {
 }
 
 /// How large a residual of this degree may be.
-fn tolerance(stages: &Stages, degree: usize) -> f64 {
+pub(super) fn tolerance(stages: &Stages, degree: usize) -> f64 {
     let mut durations = [0.0_f64; 2];
     let mut doubt = 0.0;
     for element in stages.elements() {

@@ -13,8 +13,9 @@ use super::{
     claims,
     facts::Facts,
     lower::{Known, lower},
+    near_integrable,
     prove::{Class, Scheme},
-    stages::{Letter, Stages},
+    stages::{Letters, Stages},
     syntax,
 };
 use crate::errors::Errors;
@@ -32,6 +33,9 @@ pub struct Proved {
     pub general_order: Option<u32>,
     /// The proved order where `T` is quadratic in `p` with constant masses.
     pub quadratic_order: u32,
+    /// The proved generalised orders `(n₁, n₂, …)`: where the second part is small, of size `ε`, errors are of the sizes
+    /// `ε h^n₁`, `ε² h^n₂` and so on; the last one is `order`.
+    pub generalised_orders: Vec<u32>,
     /// Whether it is for Hamiltonians with a quadratic `T` alone.
     pub quadratic_kinetic: bool,
     /// Whether the step is its own adjoint, so that a run back retraces the way.
@@ -57,7 +61,7 @@ pub struct Proved {
 /// A stage of a step.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ProvedStage {
-    /// `'T'` for a drift, `'V'` for a kick.
+    /// `'T'` or `'A'` for a drift, `'V'` or `'B'` for a kick, as the sequence has it.
     pub letter: char,
     /// How long, as a fraction of the step.
     pub coefficient: f64,
@@ -68,7 +72,7 @@ pub struct ProvedStage {
 /// An order condition that does not hold.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ProvedViolation {
-    /// The word of the condition in the letters `T` and `V`.
+    /// The word of the condition in the letters of the sequence.
     pub word: String,
     /// By how much the coefficient of the step at this word differs from that of the exact flow.
     pub residual: f64,
@@ -111,33 +115,38 @@ pub(crate) fn sequence(tokens: TokenStream, order: Option<u32>, errors: &mut Err
 impl Proved {
     fn of(scheme: &Scheme, name: &str, citation: &str) -> Self {
         let facts = Facts::of(scheme);
-        let violation = scheme
-            .verdict()
-            .violation
-            .map(|violation| ProvedViolation { word: violation.word.to_string(), residual: violation.residual });
+        let violation = scheme.verdict().violation.map(|violation| ProvedViolation {
+            word: violation.word.spelled(scheme.letters),
+            residual: violation.residual,
+        });
         Self {
             name: name.to_owned(),
             citation: citation.to_owned(),
             order: scheme.order,
             general_order: scheme.proof.general.map(|general| general.order),
             quadratic_order: scheme.proof.quadratic.order,
+            generalised_orders: near_integrable::orders(scheme).iter().map(|found| found.order).collect(),
             quadratic_kinetic: scheme.class == Class::QuadraticKinetic,
             symmetric: scheme.proof.symmetric,
-            stages: shown(&scheme.stages),
-            processor: shown(&scheme.processor),
+            stages: shown(&scheme.stages, scheme.letters),
+            processor: shown(&scheme.processor, scheme.letters),
             force_evaluations: facts.table.force_evaluations(),
             gradient_evaluations: facts.table.gradient_evaluations(),
             stability_limit: facts.stability_limit,
             leading_error: facts.leading_error,
-            error_terms: scheme.error_terms().iter().map(|(word, factor)| (word.bracket(), *factor)).collect(),
+            error_terms: scheme
+                .error_terms()
+                .iter()
+                .map(|(word, factor)| (word.bracket(scheme.letters), *factor))
+                .collect(),
             violation,
         }
     }
 }
 
-fn shown(stages: &Stages) -> Vec<ProvedStage> {
+fn shown(stages: &Stages, letters: Letters) -> Vec<ProvedStage> {
     let stage = |element: &super::stages::Element| ProvedStage {
-        letter: if element.letter == Letter::T { 'T' } else { 'V' },
+        letter: letters.name(element.letter),
         coefficient: element.coefficient.value.value(),
         gradient: element.gradient.value.value(),
     };

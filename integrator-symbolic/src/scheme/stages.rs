@@ -8,10 +8,43 @@ use super::coefficient::Coefficient;
 /// The part of the Hamiltonian that a stage moves.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Letter {
-    /// The kinetic part; its stage is a drift.
+    /// The first part, mostly the kinetic one; its stage is a drift.
     T,
-    /// The potential part; its stage is a kick.
+    /// The second part, mostly the potential one; its stage is a kick.
     V,
+}
+
+/// What a sequence calls the two parts.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(super) enum Letters {
+    /// `T` and `V`, the kinetic and the potential energy.
+    #[default]
+    Kinetic,
+    /// `A` and `B`, the first and the second part of any split.
+    Parts,
+}
+
+impl Letters {
+    /// The letter that a name stands for, and the alphabet that it is of.
+    pub(super) fn read(name: &str) -> Option<(Letter, Self)> {
+        match name {
+            "T" => Some((Letter::T, Self::Kinetic)),
+            "V" => Some((Letter::V, Self::Kinetic)),
+            "A" => Some((Letter::T, Self::Parts)),
+            "B" => Some((Letter::V, Self::Parts)),
+            _ => None,
+        }
+    }
+
+    /// A letter as the sequence has it.
+    pub(super) fn name(self, letter: Letter) -> char {
+        match (self, letter) {
+            (Self::Kinetic, Letter::T) => 'T',
+            (Self::Kinetic, Letter::V) => 'V',
+            (Self::Parts, Letter::T) => 'A',
+            (Self::Parts, Letter::V) => 'B',
+        }
+    }
 }
 
 /// One stage, as a fraction of the step.

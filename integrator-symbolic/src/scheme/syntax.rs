@@ -14,7 +14,7 @@ use syn::{
     token,
 };
 
-use super::stages::Letter;
+use super::stages::{Letter, Letters};
 use crate::errors::Errors;
 
 /// The declarations of one macro call.
@@ -38,32 +38,65 @@ pub(super) struct Declaration {
 /// What a declaration says about its sequence.
 #[derive(Default)]
 pub(super) struct Claims {
-    pub(super) order: Option<LitInt>,
+    pub(super) order: Option<Order>,
     pub(super) symmetric: Option<Ident>,
     /// Where it was published.
     pub(super) citation: Option<LitStr>,
 }
 
+/// `order 4`, or `order (10, 6, 4)` where the second part is small.
+pub(super) struct Order {
+    /// One, or one for each power of the second part; never none.
+    pub(super) literals: Vec<LitInt>,
+    /// As typed.
+    pub(super) tokens: TokenStream,
+}
+
+impl Order {
+    fn parse(input: ParseStream<'_>) -> syn::Result<Self> {
+        if !input.peek(token::Paren) {
+            let literal: LitInt = input.parse()?;
+            return Ok(Self { tokens: literal.to_token_stream(), literals: vec![literal] });
+        }
+        let content;
+        let parentheses = parenthesized!(content in input);
+        let literals = Punctuated::<LitInt, Token![,]>::parse_terminated(&content)?;
+        let mut tokens = TokenStream::new();
+        parentheses.surround(&mut tokens, |inside| literals.to_tokens(inside));
+        if literals.len() < 2 {
+            let message = "orders where the second part is small are one for each power of it, `order (8, 2)`";
+            return Err(syn::Error::new_spanned(tokens, message));
+        }
+        Ok(Self { literals: literals.into_iter().collect(), tokens })
+    }
+}
+
 /// Items in order of application.
 pub(super) struct Sequence {
     pub(super) items: Vec<Item>,
+    /// What the stages call the parts, if there are any.
+    pub(super) named: Option<Letters>,
     /// As typed; also the span of messages about the whole.
     pub(super) tokens: TokenStream,
 }
 
 impl Sequence {
+    /// What it calls the two parts, itself or in what its combinators act on.
+    pub(super) fn letters(&self) -> Letters {
+        let within = self.items.iter().filter_map(|item| match item {
+            Item::Combined(combined) => Some(combined),
+            _ => None,
+        });
+        let inner = within.flat_map(Combined::sequences).map(Self::letters);
+        self.named.into_iter().chain(inner).find(|letters| *letters == Letters::Parts).unwrap_or_default()
+    }
+
     /// The second number of the first kick that has one.
     pub(super) fn gradient(&self) -> Option<&Expr> {
         self.items.iter().find_map(|item| match item {
             Item::Stage { gradient, .. } => gradient.as_deref(),
             Item::Name(_) => None,
-            Item::Combined(combined) => match combined {
-                Combined::TripleJump(inner) | Combined::Suzuki(inner) | Combined::Adjoint(inner) => inner.gradient(),
-                Combined::Mirrored(inner) => inner.gradient(),
-                Combined::Palindrome(_, inner) | Combined::Weighted(_, inner) => inner.gradient(),
-                Combined::Equal(steps) => steps.iter().find_map(Self::gradient),
-                Combined::Processed(pre, kernel) => pre.gradient().or_else(|| kernel.gradient()),
-            },
+            Item::Combined(combined) => combined.sequences().into_iter().find_map(Self::gradient),
         })
     }
 }
@@ -96,11 +129,23 @@ pub(super) enum Combined {
     Processed(Sequence, Sequence),
 }
 
+impl Combined {
+    /// What it acts on.
+    fn sequences(&self) -> Vec<&Sequence> {
+        match self {
+            Self::TripleJump(inner) | Self::Suzuki(inner) | Self::Adjoint(inner) | Self::Mirrored(inner) => vec![inner],
+            Self::Palindrome(_, inner) | Self::Weighted(_, inner) => vec![inner],
+            Self::Equal(steps) => steps.iter().collect(),
+            Self::Processed(pre, kernel) => vec![pre, kernel],
+        }
+    }
+}
+
 /// The combinators, as messages list them.
 pub(super) const COMBINATORS: &str =
     "`triple_jump(..)`, `suzuki(..)`, `symmetric(..)`, `compose(..)`, `adjoint(..)` and `processed(..)`";
 
-const STAGES: &str = "the stages are `T(a)`, `V(b)` and `V(b, c)`";
+const STAGES: &str = "the stages are `T(a)`, `V(b)` and `V(b, c)`, or `A(a)` and `B(b)` of any two parts";
 
 const NO_END: &str = "a declaration ends with `;`";
 
@@ -176,11 +221,13 @@ fn body(input: ParseStream<'_>, declaration: &mut Declaration, errors: &mut Erro
 fn claim(input: ParseStream<'_>, claims: &mut Claims, errors: &mut Errors) -> syn::Result<()> {
     let claim = input.call(Ident::parse_any)?;
     let repeated = match claim.to_string().as_str() {
-        "order" => claims.order.replace(input.parse()?).is_some(),
+        "order" => claims.order.replace(Order::parse(input)?).is_some(),
         "citation" => claims.citation.replace(input.parse()?).is_some(),
         "symmetric" => claims.symmetric.replace(claim.clone()).is_some(),
         _ => {
-            let message = format!("unknown claim `{claim}`: there are `order 4`, `symmetric` and `citation \"..\"`");
+            let message = format!(
+                "unknown claim `{claim}`: there are `order 4`, `order (8, 2)`, `symmetric` and `citation \"..\"`"
+            );
             return Err(syn::Error::new(claim.span(), message));
         }
     };
@@ -194,9 +241,9 @@ fn claim(input: ParseStream<'_>, claims: &mut Claims, errors: &mut Errors) -> sy
 pub(super) fn sequence(input: ParseStream<'_>, empty: &impl ToTokens, errors: &mut Errors) -> Option<Sequence> {
     let found = errors.count();
     let mut start = input.cursor();
-    let mut items = Vec::new();
+    let (mut items, mut named) = (Vec::new(), None);
     while !(input.is_empty() || input.peek(Token![;]) || input.peek(Token![,])) {
-        match item(input, errors) {
+        match item(input, &mut named, errors) {
             Ok(item) => items.extend(item),
             Err(error) => {
                 errors.push(error);
@@ -218,11 +265,11 @@ pub(super) fn sequence(input: ParseStream<'_>, empty: &impl ToTokens, errors: &m
         tokens.extend([tree]);
         start = next;
     }
-    Some(Sequence { items, tokens })
+    Some(Sequence { items, named, tokens })
 }
 
 /// One item; `Ok(None)` if all that is wrong is inside its parentheses. An error means that parsing cannot go on here.
-fn item(input: ParseStream<'_>, errors: &mut Errors) -> syn::Result<Option<Item>> {
+fn item(input: ParseStream<'_>, named: &mut Option<Letters>, errors: &mut Errors) -> syn::Result<Option<Item>> {
     let name: Ident = input.parse().map_err(|error| {
         syn::Error::new(error.span(), format!("expected a stage, a combinator or the name of a composition; {STAGES}"))
     })?;
@@ -239,8 +286,12 @@ fn item(input: ParseStream<'_>, errors: &mut Errors) -> syn::Result<Option<Item>
     let content;
     let parentheses = parenthesized!(content in input);
     let item = match spelled.as_str() {
-        "T" => errors.keep(stage(Letter::T, &name, &parentheses, &content)),
-        "V" => errors.keep(stage(Letter::V, &name, &parentheses, &content)),
+        _ if let Some((letter, letters)) = Letters::read(&spelled) => {
+            if *named.get_or_insert(letters) != letters {
+                errors.push(syn::Error::new(name.span(), "stages are of `T` and `V`, or of `A` and `B`, not of both"));
+            }
+            errors.keep(stage(letter, &name, &parentheses, &content))
+        }
         _ if is_combinator(&spelled) => combined(&name, &parentheses, &content, errors).map(Item::Combined),
         _ => {
             let message = format!("unknown combinator `{spelled}`: {STAGES}, the combinators {COMBINATORS}");
@@ -260,8 +311,11 @@ fn stage(letter: Letter, name: &Ident, parentheses: &token::Paren, content: Pars
         (Letter::V, Some(coefficient), Some(gradient), None) => {
             Ok(Item::Stage { letter, coefficient, gradient: Some(Box::new(gradient)) })
         }
-        (Letter::T, ..) => Err(at(name, parentheses, "a drift takes one number: `T(1/2)`")),
-        (Letter::V, ..) => Err(at(name, parentheses, "a kick takes one number, `V(1/2)`, or two, `V(2/3, -1/72)`")),
+        (Letter::T, ..) => Err(at(name, parentheses, &format!("a drift takes one number: `{name}(1/2)`"))),
+        (Letter::V, ..) => {
+            let message = format!("a kick takes one number, `{name}(1/2)`, or two, `{name}(2/3, -1/72)`");
+            Err(at(name, parentheses, &message))
+        }
     }
 }
 

@@ -69,7 +69,7 @@ pub(crate) const ARGUMENTS: &[Row] = &[
     (
         "compose = V(1/2) T(1) W(1/2)",
         &[
-            "1:22 unknown combinator `W`: the stages are `T(a)`, `V(b)` and `V(b, c)`, the combinators `triple_jump(..)`, `suzuki(..)`, `symmetric(..)`, `compose(..)`, `adjoint(..)` and `processed(..)`",
+            "1:22 unknown combinator `W`: the stages are `T(a)`, `V(b)` and `V(b, c)`, or `A(a)` and `B(b)` of any two parts, the combinators `triple_jump(..)`, `suzuki(..)`, `symmetric(..)`, `compose(..)`, `adjoint(..)` and `processed(..)`",
         ],
     ),
 ];
