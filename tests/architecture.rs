@@ -5,7 +5,7 @@ use std::{
     path::{Path, PathBuf},
 };
 
-/// What each module of a crate may import from its crate.
+/// What each module of a crate or of a folder may import from it.
 type MayKnow = (&'static str, &'static [(&'static str, &'static [&'static str])]);
 
 /// The modules of `integrator-symbolic`, in the order of the pipeline.
@@ -30,6 +30,18 @@ const SYMBOLIC: MayKnow = (
             &["differentiate", "gather", "graph", "lower", "model", "pairs", "program", "scheme", "syntax", "taylor"],
         ),
         ("report", &["differentiate", "emit", "errors", "graph", "lower", "model", "syntax"]),
+    ],
+);
+
+/// The folders of `emit`, from the ground up.
+const EMIT: MayKnow = (
+    "integrator-symbolic/src/emit",
+    &[
+        ("fingerprint", &[]),
+        ("prose", &[]),
+        ("printer", &[]),
+        ("flow", &["printer", "prose"]),
+        ("taylor", &["printer"]),
     ],
 );
 
@@ -89,31 +101,36 @@ fn module(source: &str, name: &str) -> Vec<(PathBuf, String)> {
     files
 }
 
-/// The modules that a text names, as `crate::name` or at the top of a group, `crate::{name, ...}`.
-fn imports(text: &str) -> Vec<String> {
+/// The modules of a folder that a text names, as `crate::folder::name` or in groups; of the crate, where there is no folder.
+fn imports(text: &str, folder: &str) -> Vec<String> {
     let code = text.lines().filter(|line| !line.trim_start().starts_with("//"));
     let dense: String = code.flat_map(str::split_whitespace).collect();
-    let mut found = Vec::new();
-    for after in dense.split("crate::").skip(1) {
-        let Some(group) = after.strip_prefix('{') else {
-            found.push(first_name(after));
-            continue;
-        };
-        let (mut depth, mut begins) = (0_u32, true);
-        for (position, character) in group.char_indices() {
-            if std::mem::take(&mut begins) {
-                found.push(first_name(&group[position..]));
+    let paths = dense.split("crate::").skip(1).flat_map(paths);
+    let mut found: Vec<_> = paths.filter_map(|path| path.strip_prefix(folder).map(first_name)).collect();
+    found.retain(|name| !name.is_empty());
+    found.dedup();
+    found
+}
+
+/// The paths of a group, or the one path, that a text begins with.
+fn paths(text: &str) -> Vec<String> {
+    let (mut found, mut groups, mut path) = (Vec::new(), Vec::new(), String::new());
+    for character in text.chars() {
+        match character {
+            '{' => groups.push(path.clone()),
+            ',' | '}' => {
+                found.push(path);
+                let Some(group) = groups.last() else { return found };
+                path = group.clone();
+                if character == '}' {
+                    groups.pop();
+                }
             }
-            match character {
-                '}' if depth == 0 => break,
-                ',' if depth == 0 => begins = true,
-                '{' => depth += 1,
-                '}' => depth -= 1,
-                _ => {}
-            }
+            ':' | '_' | 'a'..='z' | 'A'..='Z' | '0'..='9' => path.push(character),
+            _ => break,
         }
     }
-    found.retain(|name| !name.is_empty());
+    found.push(path);
     found
 }
 
@@ -125,19 +142,23 @@ fn first_name(text: &str) -> String {
 fn imports_are_found() {
     let text =
         "use crate::{\n    errors::Errors,\n    graph::{Graph, index::{Index, Loop}},\n};\nlet x: crate::model::Model;";
-    assert_eq!(imports(text), ["errors", "graph", "model"]);
+    assert_eq!(imports(text, ""), ["errors", "graph", "model"]);
+    assert_eq!(imports(text, "graph::"), ["Graph", "index"]);
 }
 
 /// Arrows between modules point one way: a module knows what its arrow comes from, never what it leads to.
 #[test]
 fn modules_import_what_lies_before_them() {
-    for (source, modules) in [SYMBOLIC, CORE] {
+    for (source, modules) in [SYMBOLIC, EMIT, CORE] {
+        let folder = source.split_once("/src/").map_or_else(String::new, |(_, folder)| format!("{folder}::"));
         for (name, may_know) in modules {
             for (path, text) in module(source, name) {
-                for import in imports(&text) {
+                for import in imports(&text, &folder) {
                     let allowed = import == *name || may_know.contains(&import.as_str());
                     assert!(allowed, "{} imports {import}; `{name}` may know {may_know:?}", path.display());
                 }
+                let unseen = if path.ends_with("mod.rs") { "use super::" } else { "super::super" };
+                assert!(folder.is_empty() || !text.contains(unseen), "{}: write `crate::`", path.display());
             }
         }
     }
@@ -145,10 +166,13 @@ fn modules_import_what_lies_before_them() {
 
 #[test]
 fn every_module_has_its_row() {
-    for (source, modules) in [SYMBOLIC, CORE] {
+    for (source, modules) in [SYMBOLIC, EMIT, CORE] {
         for entry in fs::read_dir(root().join(source)).expect("a folder").map(|entry| entry.expect("an entry").path()) {
             let name = entry.file_stem().expect("a name").to_string_lossy().into_owned();
-            assert!(name == "lib" || modules.iter().any(|(known, _)| *known == name), "say what `{name}` may know");
+            assert!(
+                ["lib", "mod"].contains(&&*name) || modules.iter().any(|(known, _)| *known == name),
+                "say what `{name}` may know"
+            );
         }
     }
 }

@@ -10,7 +10,10 @@
 pub(crate) mod nest;
 mod order;
 mod place;
+mod store;
 mod unwritten;
+
+pub(crate) use store::{is_direct, is_protected};
 
 use crate::graph::{
     Around, Element, Graph, Node, NodeId,

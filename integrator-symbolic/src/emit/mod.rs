@@ -4,62 +4,40 @@
 //! scope of its own. Always true: nothing here fails; the same model gives the same tokens; the text names only paths
 //! of the user, of `::core`, and of the runtime's private door.
 
-mod ahead;
-mod block;
-mod bodies;
-mod condition;
-mod equations;
-mod expression;
-mod fields;
 mod fingerprint;
-mod force_gradient;
-mod form;
-mod formula;
-mod frame;
-mod function;
-#[cfg(test)]
-mod guarded;
-mod implementation;
-mod index;
-mod lattice;
-mod moves;
-mod names;
-mod naming;
-mod nest;
-mod orders;
-mod pairs;
-mod pass;
-mod pieces;
-mod places;
-mod recurrence;
-mod stated;
-mod sums;
-mod tape;
-mod texts;
-mod unrolled;
+mod flow;
+mod printer;
+mod prose;
+mod taylor;
 
 use crate::{
-    differentiate::{Contribution, folded, gradient},
-    graph::{Around, Element, NodeId, Part, index::Index},
+    differentiate::{Contribution, gradient},
+    graph::Part,
     model::{Length, Model},
-    program::{Placed, Sink},
     scheme::{Class, InPlace},
     syntax::{Compose, Input},
 };
-use equations::{Formulas, documented_motion};
-pub(crate) use equations::{equations, ranges};
-use expression::Dialect;
-use fields::Fields;
 use fingerprint::fingerprint;
-pub use form::Form;
-pub(crate) use form::forms;
-use function::Body;
-use lattice::Sweep;
-use names::Names;
-use pairs::ManyBody;
-use pieces::Pieces;
+pub use flow::form::Form;
+pub(crate) use flow::form::forms;
+use flow::{
+    constants::{Prepared, constants},
+    flow, force_gradient, lattice,
+    pairs::ManyBody,
+    pieces::Pieces,
+    stated, value,
+};
+use printer::{
+    expression::Dialect,
+    fields::{Fields, lowered},
+    function::Body,
+    names::Names,
+};
 use proc_macro2::TokenStream;
+use prose::{Formulas, documented_motion};
+pub(crate) use prose::{equations, ranges};
 use quote::quote;
+use taylor::orders;
 
 /// What in a sequence asks for a quadratic `T` that this Hamiltonian does not have: the message for it.
 pub(crate) fn refusal(sequence: &InPlace, model: &Model) -> Option<String> {
@@ -105,8 +83,8 @@ pub(crate) fn stepper(input: &Input, mut model: Model) -> TokenStream {
     // Bodies side by side are taken apart for what is seldom asked.
     let plain = many_body.as_ref().map(|_| quote!(let motion = &motion.plain::<Self::Coords>();));
     let [kinetic, potential] = energies.map(|energy| {
-        let lowered = block::lowered(&mut model, &[energy])[0];
-        let energy = block::function(&model, &mut fields, &names, lowered, Dialect::Generic);
+        let lowered = lowered(&mut model, &[energy])[0];
+        let energy = value(&model, &mut fields, &names, lowered, Dialect::Generic);
         quote!(#plain #energy)
     });
     let [drift, kick, kinetic, potential] = [drift, kick, kinetic, potential].map(Body::new);
@@ -118,7 +96,7 @@ pub(crate) fn stepper(input: &Input, mut model: Model) -> TokenStream {
     let root = &input.root;
     let Pieces { piecewise, begin, set } = pieces;
     let Names { runtime, parameters, scalar, leaf, .. } = &names;
-    let fields::Prepared { fields, gathered, values, common, searched, digested } = fields.emit(&mut model, &names);
+    let Prepared { fields, gathered, values, common, searched, digested } = constants(fields, &mut model, &names);
     let alike = (!common.is_empty()).then(|| {
         quote! {
             #[inline]
@@ -284,91 +262,6 @@ pub(crate) fn stepper(input: &Input, mut model: Model) -> TokenStream {
             #along
         };
     }
-}
-
-/// The body of a flow: each component of the gradient moves its coordinate.
-///
-/// Where all sites of a lattice take part alike, the runtime sweeps along them. Where every coordinate gets one
-/// contribution, it is updated on the spot; else contributions are collected first.
-fn flow(
-    model: &mut Model,
-    fields: &mut Fields,
-    names: &Names,
-    gradient: &[Contribution],
-    part: Part,
-) -> (TokenStream, Option<Sweep>) {
-    if gradient.is_empty() {
-        return (TokenStream::new(), None);
-    }
-    let folded = folded(&mut model.graph, gradient);
-    // What is moved behind a condition that it is there is not moved by a choice of zero elsewhere.
-    let apart = gradient.iter().any(|contribution| is_protected(model, contribution));
-    if !apart && let Some(sweep) = lattice::sweep(model, fields, names, &folded, part) {
-        return (sweep.flow(), Some(sweep));
-    }
-    let direct = !apart && is_direct(model, &folded);
-    let gradient = if direct { &folded[..] } else { gradient };
-    let placed = placed(model, gradient, if direct { Sink::Update } else { Sink::Collect });
-    let scalar = &names.scalar;
-    let body = Body::new(block::flow(model, fields, names, &placed));
-    let (read, body) = (body.time(scalar), &body.0);
-    let duration = match part {
-        Part::Momentum => quote!(duration),
-        Part::Position => quote!(-duration),
-    };
-    (quote!(#read let step = #scalar::of(#duration); #body), None)
-}
-
-/// Where the components of a gradient go; what updates a coordinate is multiplied by the step.
-fn placed(model: &mut Model, gradient: &[Contribution], sink: fn(Element) -> Sink) -> Vec<Placed> {
-    let placed = |contribution: &Contribution| {
-        let element = contribution.element;
-        sink(element.partner())
-    };
-    let mut value = |contribution: &Contribution| match placed(contribution) {
-        Sink::Update(_) => model.graph.stepped(contribution.value),
-        _ => contribution.value,
-    };
-    let values: Vec<NodeId> = gradient.iter().map(&mut value).collect();
-    let conditions = gradient.iter().flat_map(Contribution::conditions);
-    let roots: Vec<NodeId> = values.iter().copied().chain(conditions).collect();
-    let lowered = block::lowered(model, &roots);
-    let of = |id: NodeId| roots.iter().position(|root| *root == id).map_or(id, |position| lowered[position]);
-    let placed = gradient.iter().zip(values).map(|(contribution, value)| Placed {
-        context: contribution.around(of),
-        sink: placed(contribution),
-        value: of(value),
-    });
-    placed.collect()
-}
-
-/// Whether a condition decides if the coordinate that a contribution belongs to is there.
-fn is_protected(model: &mut Model, contribution: &Contribution) -> bool {
-    let coordinate = model.graph.coordinate(contribution.element);
-    let is_branch = |around: &&Around| matches!(around, Around::Branch(..));
-    contribution.context.iter().filter(is_branch).any(|around| model.graph.protects(*around, coordinate))
-}
-
-/// Whether no coordinate is moved by two contributions or by two iterations of a loop.
-fn is_direct(model: &Model, gradient: &[Contribution]) -> bool {
-    let loops = &model.graph.loops;
-    let indices = |element: Element| [Some(element.index), element.component];
-    let once = gradient.iter().all(|contribution| {
-        contribution.loops().all(|by| {
-            let named = indices(contribution.element).into_iter().flatten();
-            named.into_iter().any(|index| loops.index(index) == Index::Running(by))
-        })
-    });
-    let apart = |a: Element, b: Element| {
-        indices(a).into_iter().zip(indices(b)).any(|(a, b)| {
-            let numbers = a.zip(b).and_then(|(a, b)| loops.literal(a).zip(loops.literal(b)));
-            numbers.is_some_and(|(a, b)| a != b)
-        })
-    };
-    once && gradient
-        .iter()
-        .enumerate()
-        .all(|(position, first)| gradient[..position].iter().all(|second| apart(first.element, second.element)))
 }
 
 /// The type of the coordinates.

@@ -1,0 +1,188 @@
+//! Functions whose arguments are bodies: coordinates as arrays, and the prepared constants of a body as another array.
+
+use super::{placed, texts::Texts, unwrapped};
+use crate::{
+    differentiate::{Contribution, folded},
+    emit::printer::{
+        block::Block,
+        expression::Dialect,
+        fields::{Fields, is_field, is_leaf, lowered},
+        frame::{Bodies, Frame},
+        names::Names,
+    },
+    graph::{Around, Element, Graph, Node, NodeId, index::LoopId},
+    model::Model,
+    pairs::{Renaming, renamed},
+    program::{Placed, Sink, is_direct, schedule},
+};
+use proc_macro2::{Ident, Literal, TokenStream};
+use quote::{format_ident, quote};
+use std::collections::BTreeSet;
+
+/// What is prepared of every body, as nodes inside the loop over all of them.
+pub(crate) struct Constants {
+    pub(crate) bodies: LoopId,
+    nodes: Vec<NodeId>,
+}
+
+impl Constants {
+    pub(crate) fn new(bodies: LoopId) -> Self {
+        Self { bodies, nodes: Vec::new() }
+    }
+
+    /// How many there are of a body.
+    pub(crate) fn count(&self) -> usize {
+        self.nodes.len()
+    }
+
+    /// The place of what is prepared for the index of a loop.
+    fn place(&mut self, model: &mut Model, id: NodeId, by: LoopId) -> Option<usize> {
+        let mut texts = Texts::new(&mut model.parameters, &model.running);
+        let renaming = Renaming::one(by, self.bodies);
+        let node = renamed(&mut model.graph, id, renaming, &mut texts)?;
+        let known = self.nodes.iter().position(|known| *known == node);
+        Some(known.unwrap_or_else(|| {
+            self.nodes.push(node);
+            self.nodes.len() - 1
+        }))
+    }
+
+    /// What a prepared constant of a body is called.
+    fn name(&self, model: &Model, fields: &mut Fields, place: usize, by: LoopId) -> Ident {
+        let field = fields.number(&model.graph, &model.parameters, self.nodes[place]);
+        OfBodies::named(&format!("{field}_of"), model, by)
+    }
+
+    /// The tables that hold them.
+    pub(crate) fn fields(&self, model: &Model, fields: &mut Fields) -> Vec<Ident> {
+        self.nodes.iter().map(|id| fields.number(&model.graph, &model.parameters, *id)).collect()
+    }
+}
+
+/// A function of the bodies with the indices of some loops.
+pub(crate) struct OfBodies {
+    of: Vec<LoopId>,
+    placed: Vec<Placed>,
+    /// What it reads of the prepared constants: where, of which body, and where among that body's.
+    reads: Vec<(NodeId, LoopId, usize)>,
+}
+
+impl OfBodies {
+    /// The function that gives the components of a gradient.
+    pub(crate) fn gradient(
+        model: &mut Model,
+        constants: &mut Constants,
+        of: &[LoopId],
+        gradient: &[Contribution],
+    ) -> Option<Self> {
+        let folded = folded(&mut model.graph, gradient);
+        let branches = folded.iter().any(|contribution| contribution.conditions().next().is_some());
+        if is_direct(&model.graph.loops, &folded) && !branches {
+            return Self::new(model, constants, of, &folded, Sink::Assign);
+        }
+        Self::new(model, constants, of, gradient, Sink::Collect)
+    }
+
+    /// The function that puts the components of a gradient somewhere.
+    pub(crate) fn new(
+        model: &mut Model,
+        constants: &mut Constants,
+        of: &[LoopId],
+        gradient: &[Contribution],
+        sink: fn(Element) -> Sink,
+    ) -> Option<Self> {
+        let placed = placed(model, gradient, sink);
+        Self::over(model, constants, of, placed)
+    }
+
+    /// The function that gives a value.
+    pub(crate) fn value(model: &mut Model, constants: &mut Constants, of: &[LoopId], value: NodeId) -> Option<Self> {
+        let value = lowered(model, &[value])[0];
+        Self::over(model, constants, of, vec![Placed { context: Vec::new(), sink: Sink::Return, value }])
+    }
+
+    fn over(model: &mut Model, constants: &mut Constants, of: &[LoopId], mut placed: Vec<Placed>) -> Option<Self> {
+        let leaves = read(model, &placed);
+        for placed in &mut placed {
+            placed.context.splice(0..0, of.iter().map(|by| Around::Loop(*by)));
+        }
+        let mut reads = Vec::new();
+        for id in leaves {
+            let loops = model.graph.loops_of(id);
+            if let Some(by) = of.iter().copied().find(|by| loops.contains(*by)) {
+                reads.push((id, by, constants.place(model, id, by)?));
+            }
+        }
+        Some(Self { of: of.to_vec(), placed, reads })
+    }
+
+    /// The name of something that belongs to a body.
+    pub(crate) fn named(what: &str, model: &Model, by: LoopId) -> Ident {
+        format_ident!("{what}{}", Self::suffix(model, by))
+    }
+
+    fn suffix(model: &Model, by: LoopId) -> String {
+        model.running.get(&by).map_or_else(String::new, |index| format!("_{index}"))
+    }
+
+    /// Names for what it reads of the prepared constants of its bodies.
+    fn constants(&self, model: &Model, fields: &mut Fields, constants: &Constants) -> TokenStream {
+        let mut reads: Vec<_> = self.reads.iter().map(|(_, by, place)| (*place, *by)).collect();
+        reads.sort();
+        reads.dedup();
+        let lets = reads.into_iter().map(|(place, by)| {
+            let (name, of) = (constants.name(model, fields, place, by), Self::named("constants", model, by));
+            let place = Literal::usize_unsuffixed(place);
+            quote!(let #name = #of[#place];)
+        });
+        lets.collect()
+    }
+
+    /// The body of the function.
+    pub(crate) fn body(&self, model: &Model, fields: &mut Fields, names: &Names, constants: &Constants) -> TokenStream {
+        let suffixes = self.of.iter().map(|by| (*by, Self::suffix(model, *by)));
+        let reads = self.reads.iter().map(|(id, by, place)| (*id, constants.name(model, fields, *place, *by)));
+        let bodies = Bodies { suffixes: suffixes.collect(), constants: reads.collect() };
+        let constants = self.constants(model, fields, constants);
+        let body = of_bodies(model, fields, names, &Frame::Bodies(bodies), &self.of, &self.placed);
+        quote!(#constants #body)
+    }
+}
+
+/// The prepared constants that values and conditions read.
+fn read(model: &Model, placed: &[Placed]) -> BTreeSet<NodeId> {
+    let conditions = placed.iter().flat_map(|placed| &placed.context).filter_map(|around| match around {
+        Around::Branch(condition, _) => Some(*condition),
+        Around::Loop(_) => None,
+    });
+    let mut open: Vec<NodeId> = placed.iter().map(|placed| placed.value).chain(conditions).collect();
+    let (mut seen, mut read) = (BTreeSet::new(), BTreeSet::new());
+    while let Some(id) = open.pop() {
+        let node = model.graph.node(id);
+        if matches!(node, Node::FromIndex(_)) || is_field(&model.graph, &model.parameters, id) {
+            read.insert(id);
+        } else if seen.insert(id) && !is_leaf(&model.graph, &model.parameters, id) {
+            open.extend(node.children());
+        }
+    }
+    read
+}
+
+/// The body of a function of bodies that are its arguments: the lowered updates or components, in the loops over
+/// `around`, which are not written, and their own.
+fn of_bodies(
+    model: &Model,
+    fields: &mut Fields,
+    names: &Names,
+    frame: &Frame<'_>,
+    around: &[LoopId],
+    placed: &[Placed],
+) -> TokenStream {
+    // The coordinates are numbers already.
+    let is_read = |graph: &Graph, id| matches!(graph.node(id), Node::Coordinate(_));
+    let program =
+        schedule(&model.graph, placed, |graph, id| is_read(graph, id) || is_leaf(graph, &model.parameters, id));
+    let mut block = Block::new(model, names, &program, Dialect::Generic, frame);
+    let items = around.iter().fold(program.items, |items, by| unwrapped(items, *by));
+    block.items(fields, &items)
+}

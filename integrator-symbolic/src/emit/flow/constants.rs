@@ -1,0 +1,207 @@
+//! The struct of prepared constants: its fields, how they are prepared, and how they are gathered for lanes.
+
+use super::value;
+use crate::{
+    emit::{
+        printer::{
+            expression::{Dialect, Printer},
+            fields::{Content, Fields},
+            frame::Frame,
+            names::Names,
+        },
+        prose::{self, Formulas},
+    },
+    graph::index::{Index, IndexId, LoopId, LoopSet},
+    lower::lower,
+    model::Model,
+};
+use proc_macro2::{Ident, Literal, TokenStream};
+use quote::{ToTokens, format_ident, quote};
+use std::collections::HashMap;
+
+/// The parts of what is written for prepared constants.
+#[derive(Default)]
+pub(crate) struct Prepared {
+    pub(crate) fields: TokenStream,
+    pub(crate) gathered: TokenStream,
+    pub(crate) values: TokenStream,
+    /// What two members that share lanes have in common, as conditions on `a` and `b`.
+    pub(crate) common: Vec<TokenStream>,
+    /// The search for a number that is not finite in each field of a `single`.
+    pub(crate) searched: Vec<TokenStream>,
+    /// The fields that are numbers, or tables of numbers.
+    pub(crate) digested: Vec<Ident>,
+}
+
+/// The struct of prepared constants, how one is gathered for lanes, and the body that prepares them.
+pub(crate) fn constants(fields: Fields, model: &mut Model, names: &Names) -> Prepared {
+    let mut single = Fields::default();
+    let mut prepared = Prepared::default();
+    let scalar = &names.scalar;
+    for (content, name) in fields.into_contents() {
+        let table = Table::of(model, names, content);
+        let (kind, value) = match content {
+            Content::Number(id) => {
+                let lowered = lower(&mut model.graph, &[id], |_, _| false)[0];
+                let body = value(model, &mut single, names, lowered, Dialect::Single);
+                (scalar.to_token_stream(), body)
+            }
+            Content::Integer(id) => {
+                let text = &model.parameters[id.0 as usize].text;
+                (quote!(usize), quote!(#text))
+            }
+            Content::Flag(id) => {
+                let text = &model.parameters[id.0 as usize].text;
+                (scalar.to_token_stream(), quote!(if #text { 1.0 } else { 0.0 }))
+            }
+            Content::Middle => (scalar.to_token_stream(), quote!(0.0)),
+            Content::External(id) => {
+                let (method, runtime) = (&model.externals[id.0 as usize], &names.runtime);
+                let count = Literal::usize_unsuffixed(method.arguments);
+                let arguments: Vec<_> =
+                    (0..method.arguments).map(|number| format_ident!("argument_{number}").to_token_stream()).collect();
+                let call = method.call(&quote!(system), &arguments);
+                let value = quote!({
+                    let system = ::core::clone::Clone::clone(self);
+                    #runtime::Vec::from([#runtime::Arc::new(move |[#(#arguments),*]: [f64; #count]| #call) as _])
+                });
+                (quote!(#runtime::External<#count>), value)
+            }
+        };
+        let runtime = &names.runtime;
+        let gathered = match content {
+            Content::Number(_) | Content::Flag(_) | Content::Middle => {
+                quote!(#runtime::in_lanes(members, |member| &member.#name))
+            }
+            Content::Integer(_) => quote!(::core::clone::Clone::clone(&members[0].#name)),
+            Content::External(_) => {
+                quote!(#runtime::table(<#scalar as #runtime::Real>::LANES, &|lane| ::core::clone::Clone::clone(&members[lane].#name[0])))
+            }
+        };
+        let documentation = prose::documentation(model, content.node());
+        let kind = table.kind(kind, names);
+        let value = table.prepared(value, content, names);
+        prepared.common.extend(match (content, table.levels.first()) {
+            (Content::Integer(_), _) => Some(quote!(a.#name == b.#name)),
+            (_, Some(Level { literal: None, .. })) => Some(quote!(a.#name.len() == b.#name.len())),
+            _ => None,
+        });
+        if !matches!(content, Content::External(_)) {
+            prepared.digested.push(name.clone());
+        }
+        if let Content::Number(id) = content {
+            let (formula, runtime) = (Formulas::of(model).short(id), &names.runtime);
+            let formula = formula.unwrap_or_else(|| name.to_string());
+            let indices = table.levels.iter().map(|level| level.index.to_string());
+            prepared.searched.push(quote!(#runtime::not_finite(#formula, &[#(#indices),*], &single.#name)));
+        }
+        prepared.fields.extend(quote!(#documentation #name: #kind,));
+        prepared.gathered.extend(quote!(#name: #gathered,));
+        prepared.values.extend(quote!(#name: #value,));
+    }
+    prepared
+}
+
+/// The loops that a prepared constant depends on, with how far each runs.
+struct Table {
+    levels: Vec<Level>,
+}
+
+struct Level {
+    index: Ident,
+    /// How many elements, if that is a number.
+    literal: Option<u64>,
+    /// How many elements, as text.
+    extent: TokenStream,
+    /// Whether an element is ever read; what lies outside the loop's range is not evaluated.
+    inside: Option<TokenStream>,
+}
+
+impl Table {
+    fn of(model: &mut Model, names: &Names, content: Content) -> Self {
+        let loops = match content {
+            Content::Number(id) => model.graph.loops_of(id),
+            Content::Integer(id) | Content::Flag(id) => model.graph.loops.of_parameter(id),
+            Content::External(_) | Content::Middle => LoopSet::EMPTY,
+        };
+        Self { levels: loops.iter().map(|by| Level::of(model, names, by, loops)).collect() }
+    }
+
+    /// The type of the table.
+    fn kind(&self, element: TokenStream, names: &Names) -> TokenStream {
+        let runtime = &names.runtime;
+        self.levels.iter().rev().fold(element, |inner, level| match level.literal {
+            Some(length) => {
+                let length = Literal::u64_unsuffixed(length);
+                quote!([#inner; #length])
+            }
+            None => quote!(#runtime::Vec<#inner>),
+        })
+    }
+
+    /// The whole table, with elements evaluated inside the loops' ranges alone.
+    fn prepared(&self, element: TokenStream, content: Content, names: &Names) -> TokenStream {
+        let runtime = &names.runtime;
+        let conditions: Vec<_> = self.levels.iter().filter_map(|level| level.inside.clone()).collect();
+        let element = match content {
+            _ if conditions.is_empty() => element,
+            Content::Number(_) | Content::Flag(_) => quote!(if #(#conditions)&&* { #element } else { 0.0 }),
+            Content::Integer(_) => quote!(if #(#conditions)&&* { #element } else { 0 }),
+            Content::External(_) | Content::Middle => element,
+        };
+        self.levels.iter().rev().fold(element, |inner, Level { index, literal, extent, .. }| match literal {
+            Some(_) => quote!(::core::array::from_fn(|#index: usize| #inner)),
+            None => quote!(#runtime::table(#extent, &|#index: usize| #inner)),
+        })
+    }
+}
+
+impl Level {
+    fn of(model: &mut Model, names: &Names, by: LoopId, table: LoopSet) -> Self {
+        let index = model.running[&by].clone();
+        let range = model.graph.loops.get(by);
+        let (from, to) = (bound(model, range.from, table, false), bound(model, range.to, table, true));
+        // A row that is as long as a list says has the length of that list, others that of the longest.
+        let ragged = to == range.to && !model.graph.loops.is_without_lists(to);
+        let extent = if ragged { to } else { model.graph.loops.upper(range.to).unwrap_or(range.to) };
+        let literal = model.graph.loops.literal(extent);
+        let (zero, whole) = (model.graph.loops.literal(from) == Some(0), to == extent);
+        let printer = single(model, names);
+        let mut none = Fields::default();
+        let (from, to, extent) =
+            (printer.index(&mut none, from), printer.index(&mut none, to), printer.index(&mut none, extent));
+        let inside = match (zero, whole) {
+            (true, true) => None,
+            (true, false) => Some(quote!(#index < #to)),
+            (false, true) => Some(quote!(#index >= #from)),
+            (false, false) => Some(quote!(#index >= #from && #index < #to)),
+        };
+        Self { index, literal, extent, inside }
+    }
+}
+
+/// A bound of a loop as seen from a table over `table`: itself, or the furthest it gets where it depends on more.
+fn bound(model: &mut Model, id: IndexId, table: LoopSet, upper: bool) -> IndexId {
+    let loops = &mut model.graph.loops;
+    if loops.of_index(id).is_subset(table) {
+        return id;
+    }
+    let furthest = if upper { loops.upper(id) } else { loops.lower(id) };
+    furthest.unwrap_or_else(|| loops.intern(Index::Literal(0)))
+}
+
+/// A printer of `f64` expressions.
+fn single<'m>(model: &'m Model, names: &'m Names) -> Printer<'m> {
+    Printer {
+        graph: &model.graph,
+        parameters: &model.parameters,
+        running: &model.running,
+        dialect: Dialect::Single,
+        names: HashMap::new(),
+        scalar: &names.scalar,
+        runtime: &names.runtime,
+        externals: &model.externals,
+        functions: model.functions,
+        frame: &Frame::Motion,
+    }
+}

@@ -1,0 +1,84 @@
+//! The force-gradient kick of a Hamiltonian with quadratic `T`: the exact flow of `b V + c |grad V|^2`.
+//!
+//! Comes in: the gradient of `V`. Goes out: the functions of the runtime's `QuadraticKinetic`. The norm is that of the
+//! inverse mass matrix `M`, so the kick is `p -= b grad V + 2 c V'' M^-1 grad V`. Always true: the product with the
+//! Hessian `V''` is the derivative of the gradient as it stands, so the kick is symplectic to rounding.
+
+use super::{buffer, placed};
+use crate::{
+    differentiate::{Contribution, hessian_product},
+    emit::printer::{
+        block::Block,
+        expression::Dialect,
+        fields::{Fields, is_leaf},
+        frame::Frame,
+        function::Body,
+        names::Names,
+    },
+    graph::Part,
+    model::Model,
+    program::{Placed, Sink, schedule},
+};
+use proc_macro2::TokenStream;
+use quote::quote;
+
+/// `hessian` and `gradient_kick`.
+///
+/// The kick is put together from the flows of a motion that starts at rest: a kick by -1 leaves it with the momenta
+/// `grad V`, a drift by 1 from the origin with the positions `M^-1 grad V`.
+pub(crate) fn functions(
+    model: &mut Model,
+    fields: &mut Fields,
+    names: &Names,
+    potential: &[Contribution],
+    many_body: bool,
+) -> TokenStream {
+    let product = hessian_product(&mut model.graph, potential, Part::Position);
+    let product = placed(model, &product, Sink::Collect);
+    let product = Body::new(replacement(model, fields, names, Part::Momentum, &product));
+    let (motion, time, read) = (product.argument("motion"), product.argument("time"), product.time(&names.scalar));
+    let product = &product.0;
+    let Names { runtime, scalar, leaf, .. } = names;
+    // Bodies side by side are taken apart for what is seldom asked.
+    let product = if many_body {
+        quote! {
+            let bodies = motion;
+            let motion = &mut bodies.plain::<Self::Coords>();
+            #product
+            bodies.set_momenta(motion);
+        }
+    } else {
+        product.clone()
+    };
+    quote! {
+        #[inline(always)]
+        fn hessian<#scalar: #runtime::Real>(#motion: &mut Self::Motion<#scalar, f64>, #time: f64) { #read #product }
+
+        #[inline(always)]
+        fn gradient_kick<#scalar: #runtime::Real, #leaf: #runtime::Precision>(
+            motion: &mut Self::Motion<#scalar, #leaf>,
+            duration: f64,
+            gradient: f64,
+            time: f64,
+        ) {
+            let mut force = motion.at_rest();
+            <Self as #runtime::Hamiltonian>::kick::<#scalar, f64>(&mut force, -1.0, time);
+            motion.push(#scalar::of(-duration), &force);
+            let mut bent = motion.at_rest();
+            ::core::mem::swap(&mut force.q, &mut bent.p);
+            <Self as #runtime::Hamiltonian>::drift::<#scalar, f64>(&mut force, 1.0, time);
+            bent.p = force.q;
+            <Self as #runtime::QuadraticKinetic>::hessian::<#scalar>(&mut bent, time);
+            motion.push(#scalar::of(-2.0 * gradient), &bent);
+        }
+    }
+}
+
+/// The body of a function that replaces the coordinates of `part`: nothing is written before all is read.
+fn replacement(model: &Model, fields: &mut Fields, names: &Names, part: Part, placed: &[Placed]) -> TokenStream {
+    let program = schedule(&model.graph, placed, |graph, id| is_leaf(graph, &model.parameters, id));
+    let mut block = Block::new(model, names, &program, Dialect::Generic, &Frame::Motion);
+    let body = block.items(fields, &program.items);
+    let (open, close) = buffer(&model.shape, part, &block.printer, |place, value| quote!(#place = #value;));
+    quote!(#open #body #close)
+}

@@ -1,0 +1,71 @@
+//! In which form the flows of a Hamiltonian are written, for people.
+
+use super::{flow, pairs::ManyBody};
+use crate::{
+    differentiate::Contribution,
+    emit::printer::{fields::Fields, names::Names},
+    graph::Part,
+    model::Model,
+    syntax::Input,
+};
+use std::fmt;
+
+/// How a flow goes about its coordinates.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Form {
+    /// Line by line and loop by loop, as the formulas stand.
+    Plain,
+    /// Along a line of sites, each of which looks at its neighbours: a sum over neighbours, in vectors.
+    Line,
+    /// Along the rows of a plane of sites, each of which looks at its neighbours.
+    Plane,
+    /// Bodies side by side in one row of a vector: a sum over pairs, by rotations of the row.
+    Row,
+    /// Bodies side by side in rows of eight: a sum over pairs, tile by tile.
+    Tiles,
+}
+
+impl Form {
+    /// One word for it.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Plain => "plain",
+            Self::Line => "line",
+            Self::Plane => "plane",
+            Self::Row => "row",
+            Self::Tiles => "tiles",
+        }
+    }
+}
+
+impl fmt::Display for Form {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        formatter.write_str(match self {
+            Self::Plain => "as the formulas stand",
+            Self::Line => "neighbour sums along a line of sites, in vectors",
+            Self::Plane => "neighbour sums along the rows of a plane, in vectors",
+            Self::Row => "pair sums by rotations of one row of bodies",
+            Self::Tiles => "pair sums in tiles of eight bodies by eight",
+        })
+    }
+}
+
+/// The forms of the drift and of the kick.
+pub(crate) fn forms(
+    input: &Input,
+    model: &mut Model,
+    kinetic: &[Contribution],
+    potential: &[Contribution],
+) -> [Form; 2] {
+    let (names, mut fields) = (Names::new(input), Fields::default());
+    if let Some(bodies) = ManyBody::of(model, &mut fields, &names) {
+        return [if bodies.is_row() { Form::Row } else { Form::Tiles }; 2];
+    }
+    [(kinetic, Part::Momentum), (potential, Part::Position)].map(|(gradient, part)| {
+        match flow(model, &mut fields, &names, gradient, part).1 {
+            None => Form::Plain,
+            Some(sweep) if sweep.is_plane() => Form::Plane,
+            Some(_) => Form::Line,
+        }
+    })
+}

@@ -1,0 +1,173 @@
+//! Flows of lattices as Rust: what each site computes from its neighbourhood, for the runtime to sweep along.
+
+use super::unwrapped;
+use crate::{
+    differentiate::Contribution,
+    emit::printer::{
+        block::Block,
+        expression::Dialect,
+        fields::{Fields, is_leaf, lowered},
+        frame::Frame,
+        function::Body,
+        names::Names,
+    },
+    gather::{Direction, Gathered, gathered},
+    graph::{Around, Part},
+    model::Model,
+    program::{Placed, Sink, schedule},
+};
+use proc_macro2::{Ident, Literal, TokenStream};
+use quote::{format_ident, quote};
+
+/// A flow that all sites take part in alike.
+pub(crate) struct Sweep {
+    /// Its type in the runtime.
+    flow: Ident,
+    body: Body,
+    gathered: Gathered,
+}
+
+/// The flow along `gradient`, if it has that form.
+pub(crate) fn sweep(
+    model: &mut Model,
+    fields: &mut Fields,
+    names: &Names,
+    gradient: &[Contribution],
+    part: Part,
+) -> Option<Sweep> {
+    let Model { graph, parameters, lengths, .. } = model;
+    let mut gathered = gathered(graph, gradient, lengths, |graph, id| is_leaf(graph, parameters, id))?;
+    for Direction { place, begins, .. } in &gathered.directions {
+        let first = gradient.iter().flat_map(Contribution::loops).find(|by| begins.contains_key(by))?;
+        let index = model.running.get(&first)?.clone();
+        model.running.entry(*place).or_insert(index);
+    }
+
+    let values: Vec<_> = gathered.shares.iter().map(|share| share.value).collect();
+    for (share, value) in gathered.shares.iter_mut().zip(lowered(model, &values)) {
+        share.value = value;
+    }
+    let body = Body::new(shares(model, fields, names, &gathered));
+    let flow = match part {
+        Part::Momentum => format_ident!("Drift"),
+        Part::Position => format_ident!("Kick"),
+    };
+    Some(Sweep { flow, body, gathered })
+}
+
+impl Sweep {
+    /// The flow, as the runtime goes about it.
+    pub(crate) fn flow(&self) -> TokenStream {
+        let rows = if self.is_plane() { "_rows" } else { "" };
+        let method = format_ident!("{}{rows}", self.flow.to_string().to_lowercase());
+        quote!(motion.#method::<Self>(duration, time);)
+    }
+
+    /// The items of the runtime's `Stencil`.
+    pub(crate) fn items(&self, names: &Names) -> TokenStream {
+        let (body, Names { runtime, scalar, wide, .. }) = (&self.body, names);
+        let onward = self.gathered.onward();
+        let count = Literal::usize_unsuffixed(self.gathered.places().len());
+        let boundaries = self.gathered.directions.iter().zip(onward).rev();
+        let mut boundaries = boundaries.map(|(direction, onward)| boundary_of(direction, onward, runtime));
+        let sites = boundaries.next();
+        let rows = boundaries.next().map(|rows| {
+            quote! {
+                const ROW_BOUNDARY: ::core::option::Option<#runtime::Boundary> = ::core::option::Option::Some(#rows);
+            }
+        });
+        let (window, parameters, time) = (body.argument("window"), body.argument("parameters"), body.argument("time"));
+        let (read, body) = (body.time(wide), &body.0);
+        quote! {
+            type Contributions<#wide: ::core::marker::Copy> = [#wide; #count];
+
+            const BOUNDARY: #runtime::Boundary = #sites;
+            #rows
+
+            #[inline(always)]
+            fn contributions<#scalar: #runtime::Real, #wide: #runtime::Block<#scalar>>(
+                #window: &#runtime::Window<#scalar, #wide>,
+                #parameters: &Self::Parameters<#scalar>,
+                #time: f64,
+            ) -> [#wide; #count] { #read #body }
+        }
+    }
+
+    /// The type of the flow in the runtime.
+    pub(crate) fn name(&self) -> &Ident {
+        &self.flow
+    }
+
+    /// Whether it moves the sites of a plane.
+    pub(crate) fn is_plane(&self) -> bool {
+        self.gathered.is_plane()
+    }
+}
+
+/// The runtime's `Boundary` of a direction in which shares go so far.
+fn boundary_of(direction: &Direction, onward: usize, runtime: &Ident) -> TokenStream {
+    let Direction { first, last, behind, ahead, periodic, .. } = direction;
+    let forward = Literal::usize_unsuffixed(onward);
+    let [first, last, behind, ahead] = [first, last, behind, ahead].map(|number| Literal::u64_unsuffixed(*number));
+    quote! {
+        #runtime::Boundary {
+            first: #first,
+            last: #last,
+            forward: #forward,
+            behind: #behind,
+            ahead: #ahead,
+            periodic: #periodic,
+        }
+    }
+}
+
+/// What lets the runtime move a lattice a segment at a time: the stencil radii of its flows, and its sites.
+pub(crate) fn parts(names: &Names) -> (TokenStream, TokenStream) {
+    let Names { runtime, scalar, leaf, .. } = names;
+    let radii = quote! {
+        const STENCIL_RADII: ::core::option::Option<#runtime::StencilRadii> =
+            ::core::option::Option::Some(#runtime::StencilRadii::of::<Self>());
+    };
+    let sites = quote!(#runtime::Sites<'_, #scalar, #leaf, Self::Parameters<#scalar>>);
+    let lattice = quote! {
+        #[inline(always)]
+        fn sites<#scalar: #runtime::Real, #leaf: #runtime::Precision>(
+            motion: &mut Self::Motion<#scalar, #leaf>,
+        ) -> ::core::option::Option<#sites> {
+            ::core::option::Option::Some(motion.sites())
+        }
+        #[inline(always)]
+        fn apply_to_sites<#scalar: #runtime::Real, #leaf: #runtime::Precision>(
+            lattice: &mut #sites,
+            flow: &#runtime::Flow,
+            sites: ::core::ops::Range<usize>,
+        ) {
+            lattice.apply::<Self>(flow, sites);
+        }
+    };
+    (radii, lattice)
+}
+
+/// The body of a function that returns what the sites of a lattice share out.
+fn shares(model: &Model, fields: &mut Fields, names: &Names, gathered: &Gathered) -> TokenStream {
+    let placed = placed(gathered);
+    let program = schedule(&model.graph, &placed, |graph, id| is_leaf(graph, &model.parameters, id));
+    let frame = Frame::Sites(gathered);
+    let mut block = Block::new(model, names, &program, Dialect::Generic, &frame);
+    // The runtime goes from site to site.
+    let items = gathered.directions.iter().fold(program.items, |items, along| unwrapped(items, along.place));
+    let body = block.items(fields, &items);
+    let shares = block.printer.shares(gathered);
+    quote!(#body [#(#shares),*])
+}
+
+/// Where the values of shares go.
+fn placed(gathered: &Gathered) -> Vec<Placed> {
+    let context: Vec<_> = gathered.directions.iter().map(|direction| Around::Loop(direction.place)).collect();
+    let placed = gathered.shares.iter().enumerate().map(|(number, share)| Placed {
+        context: context.clone(),
+        sink: Sink::Share(number),
+        value: share.value,
+    });
+    placed.collect()
+}

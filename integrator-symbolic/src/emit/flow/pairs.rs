@@ -1,0 +1,248 @@
+//! Systems of bodies that act on each other in pairs: what moves a body, and what one body does to another. The loops
+//! over bodies and pairs are the runtime's.
+
+use super::{
+    bodies::{Constants, OfBodies},
+    texts::Texts,
+};
+use crate::{
+    differentiate::{Contribution, folded},
+    emit::printer::{fields::Fields, function::Body, names::Names},
+    graph::{Around, NodeId, Part, index::LoopId},
+    model::Model,
+    pairs::{Pairs, one_by_one, pairs, pull},
+    program::{Sink, is_direct},
+};
+use proc_macro2::{Literal, TokenStream};
+use quote::{format_ident, quote};
+
+/// The most bodies whose state is one row.
+const ROW: u64 = 8;
+
+/// The parts of a stepper for bodies that act in pairs.
+pub(crate) struct ManyBody {
+    /// How many bodies, where they are one row.
+    row: Option<Literal>,
+    /// How many coordinates and how many prepared constants a body has.
+    sizes: [Literal; 2],
+    /// What the runtime asks of the system.
+    functions: TokenStream,
+    /// The prepared constants of one body, by its index.
+    per_body: TokenStream,
+}
+
+impl ManyBody {
+    /// The parts, if the potential is one of pairs and the kinetic energy one of bodies.
+    pub(crate) fn of(model: &mut Model, fields: &mut Fields, names: &Names) -> Option<Self> {
+        let dimension = match &model.shape.dimension {
+            None => 1,
+            Some(dimension) => dimension.literal()?,
+        };
+        // A body alone has no pairs.
+        if model.shape.length.literal().is_some_and(|length| length < 2) {
+            return None;
+        }
+        let Model { graph, parameters, running, kinetic, potential, lengths, .. } = &mut *model;
+        let mut texts = Texts::new(parameters, running);
+        let length = *lengths.first()?;
+        let Pairs { bodies, pair, force, reciprocal, alone } = pairs(graph, *potential, length, &mut texts)?;
+        let velocity = one_by_one(graph, *kinetic, length, Part::Momentum, &mut texts)?;
+        let velocity = folded(graph, &velocity);
+        if velocity.is_empty() || force.is_empty() || !is_direct(&model.graph.loops, &velocity) {
+            return None;
+        }
+        let index = model.running.get(&pair[0])?.clone();
+        model.running.entry(bodies).or_insert(index);
+
+        let mut constants = Constants::new(bodies);
+        let drift = OfBodies::new(model, &mut constants, &[bodies], &velocity, Sink::Update)?;
+        let acts = match condition(&force) {
+            None => None,
+            Some((condition, holds)) => Some((OfBodies::value(model, &mut constants, &pair, condition)?, holds)),
+        };
+        let pull = pull(&mut model.graph, pair, &force, dimension);
+        let central = pull.is_some();
+        let force = match pull {
+            Some(pull) => OfBodies::value(model, &mut constants, &pair, pull)?,
+            None => OfBodies::gradient(model, &mut constants, &pair, &force)?,
+        };
+        let alone = match &alone[..] {
+            [] => None,
+            alone => Some(OfBodies::gradient(model, &mut constants, &[bodies], alone)?),
+        };
+        let sizes = [Literal::u64_unsuffixed(dimension), Literal::usize_unsuffixed(constants.count())];
+        let mut writer = Writer { model, fields, names, constants: &constants, sizes: &sizes };
+        let functions = [writer.drift(&drift), writer.pair(&force, central, pair)];
+        let acts = acts.map(|(condition, holds)| writer.acts(&condition, holds, pair));
+        let alone = alone.map(|alone| writer.alone(&alone));
+        let per_body = writer.per_body();
+        let row = model.shape.length.literal().filter(|length| *length <= ROW).map(Literal::u64_unsuffixed);
+        let parts = if central { Literal::u64_unsuffixed(1) } else { sizes[0].clone() };
+        let wide = &names.wide;
+        let functions = quote! {
+            const RECIPROCAL: bool = #reciprocal;
+            const CENTRAL: bool = #central;
+            type Force<#wide: ::core::marker::Copy> = [#wide; #parts];
+
+            #(#functions)*
+            #acts
+            #alone
+        };
+        Some(Self { row, sizes, functions, per_body })
+    }
+
+    /// Whether the bodies are one row.
+    pub(crate) fn is_row(&self) -> bool {
+        self.row.is_some()
+    }
+
+    /// The flow that moves the other part, whose loops over bodies are the runtime's.
+    pub(crate) fn flow(part: Part) -> TokenStream {
+        match part {
+            Part::Momentum => quote!(motion.drift::<Self>(duration, time);),
+            Part::Position => quote!(motion.kick::<Self>(duration, time);),
+        }
+    }
+
+    /// The layout of the motion.
+    pub(crate) fn motion(&self, parameters: &TokenStream, names: &Names) -> TokenStream {
+        let Names { runtime, scalar, leaf, .. } = names;
+        let [d, s] = &self.sizes;
+        match &self.row {
+            Some(row) => quote!(#runtime::OneRow<#scalar, #leaf, #parameters, #row, #d, #s>),
+            None => quote!(#runtime::ManyRows<#scalar, #leaf, #parameters, #d, #s>),
+        }
+    }
+
+    /// The implementations of what the runtime asks of the system and of its prepared constants.
+    pub(crate) fn implementations(
+        self,
+        implementation: impl Fn(TokenStream, TokenStream) -> TokenStream,
+        parameters: &TokenStream,
+        names: &Names,
+    ) -> TokenStream {
+        let (runtime, Self { sizes: [d, s], functions, per_body, .. }) = (&names.runtime, self);
+        let many_body = implementation(quote!(#runtime::ManyBody<#d, #s>), functions);
+        quote! {
+            #many_body
+
+            impl #runtime::BodyConstants<#s> for #parameters { #per_body }
+        }
+    }
+}
+
+/// The condition that a whole gradient is under, if there is one, and whether it has to hold.
+fn condition(gradient: &[Contribution]) -> Option<(NodeId, bool)> {
+    let outermost = |contribution: &Contribution| match contribution.context.first() {
+        Some(Around::Branch(condition, holds)) => Some((*condition, *holds)),
+        _ => None,
+    };
+    let first = outermost(gradient.first()?)?;
+    gradient.iter().all(|contribution| outermost(contribution) == Some(first)).then_some(first)
+}
+
+/// What writes the functions.
+struct Writer<'w> {
+    model: &'w Model,
+    fields: &'w mut Fields,
+    names: &'w Names,
+    constants: &'w Constants,
+    sizes: &'w [Literal; 2],
+}
+
+impl Writer<'_> {
+    /// What the flow of `T` does to a body.
+    fn drift(&mut self, drift: &OfBodies) -> TokenStream {
+        let [q, p, of] = ["q", "p", "constants"].map(|what| OfBodies::named(what, self.model, self.constants.bodies));
+        let body = Body::new(drift.body(self.model, self.fields, self.names, self.constants));
+        let (Names { runtime, wide, leaf, .. }, [d, s]) = (self.names, self.sizes);
+        let generics = quote!(#leaf: #runtime::Slot<#wide>);
+        let arguments = quote!(#q: &mut [#leaf; #d], #p: [#wide; #d], #of: [#wide; #s], step: #wide);
+        self.function("drift_body", generics, arguments, None, body)
+    }
+
+    /// The gradient of the energy of a pair by the coordinates of its first body, or what their displacement is to be
+    /// multiplied by.
+    fn pair(&mut self, pair: &OfBodies, central: bool, of: [LoopId; 2]) -> TokenStream {
+        let body = if central {
+            let pull = pair.body(self.model, self.fields, self.names, self.constants);
+            Body::new(quote!(let radial = { #pull }; [radial]))
+        } else {
+            self.gradient(pair, quote!(gradient))
+        };
+        let wide = &self.names.wide;
+        self.function("pair", TokenStream::new(), self.two_bodies(of), Some(quote!(Self::Force<#wide>)), body)
+    }
+
+    /// Whether a condition holds for a pair.
+    fn acts(&mut self, condition: &OfBodies, holds: bool, of: [LoopId; 2]) -> TokenStream {
+        let condition = condition.body(self.model, self.fields, self.names, self.constants);
+        let negated = (!holds).then(|| quote!(.not()));
+        let body = Body::new(quote!(let interacting = { #condition }; interacting #negated.any()));
+        self.function("interacts", TokenStream::new(), self.two_bodies(of), Some(quote!(bool)), body)
+    }
+
+    /// The coordinates and prepared constants of a pair, as arguments.
+    fn two_bodies(&self, of: [LoopId; 2]) -> TokenStream {
+        let [q_i, q_j] = of.map(|by| OfBodies::named("q", self.model, by));
+        let [of_i, of_j] = of.map(|by| OfBodies::named("constants", self.model, by));
+        let (wide, [d, s]) = (&self.names.wide, self.sizes);
+        quote!(#q_i: [#wide; #d], #q_j: [#wide; #d], #of_i: [#wide; #s], #of_j: [#wide; #s])
+    }
+
+    /// The gradient of what a body has alone.
+    fn alone(&mut self, alone: &OfBodies) -> TokenStream {
+        let [q, of] = ["q", "constants"].map(|what| OfBodies::named(what, self.model, self.constants.bodies));
+        let body = self.gradient(alone, quote!(::core::option::Option::Some(gradient)));
+        let ([d, s], wide) = (self.sizes, &self.names.wide);
+        let arguments = quote!(#q: [#wide; #d], #of: [#wide; #s]);
+        let result = quote!(::core::option::Option<[#wide; #d]>);
+        self.function("one_body", TokenStream::new(), arguments, Some(result), body)
+    }
+
+    /// A function of bodies side by side.
+    fn function(
+        &self,
+        name: &str,
+        generics: TokenStream,
+        arguments: TokenStream,
+        result: Option<TokenStream>,
+        body: Body,
+    ) -> TokenStream {
+        let Names { runtime, scalar, wide, .. } = self.names;
+        let (name, result) = (format_ident!("{name}"), result.map(|result| quote!(-> #result)));
+        let (time, parameters, read) = (body.argument("time"), body.argument("parameters"), body.time(wide));
+        let body = body.0;
+        quote! {
+            #[inline(always)]
+            fn #name<#scalar: #runtime::Real, #wide: #runtime::Row<#scalar>, #generics>(
+                #parameters: &Self::Parameters<#scalar>,
+                #arguments,
+                #time: f64,
+            ) #result { #read #body }
+        }
+    }
+
+    /// The components of a gradient as an array, and what is returned of it.
+    fn gradient(&mut self, of: &OfBodies, result: TokenStream) -> Body {
+        let body = of.body(self.model, self.fields, self.names, self.constants);
+        let (wide, d) = (&self.names.wide, &self.sizes[0]);
+        Body::new(quote! {
+            let mut gradient = [#wide::of(0.0); #d];
+            #body
+            #result
+        })
+    }
+
+    /// The prepared constants of a body as an array.
+    fn per_body(&mut self) -> TokenStream {
+        let fields = self.constants.fields(self.model, self.fields);
+        let index = self.model.running.get(&self.constants.bodies);
+        let argument = index.filter(|_| !fields.is_empty()).map_or_else(|| format_ident!("_body"), Clone::clone);
+        let s = &self.sizes[1];
+        quote! {
+            #[inline]
+            fn body_constants(&self, #argument: usize) -> [f64; #s] { [#(self.#fields[#index]),*] }
+        }
+    }
+}

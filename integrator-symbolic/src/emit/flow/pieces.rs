@@ -1,0 +1,41 @@
+//! What is written for a Hamiltonian that is defined by pieces in time: where flows find the middle of the step.
+
+use crate::emit::printer::{fields::Fields, names::Names};
+use proc_macro2::TokenStream;
+use quote::quote;
+
+/// The items that are written where a flow reads the middle of its step, and none elsewhere.
+#[derive(Default)]
+pub(crate) struct Pieces {
+    /// That there are pieces.
+    pub(crate) piecewise: Option<TokenStream>,
+    /// How a motion is told of a step.
+    pub(crate) begin: Option<TokenStream>,
+    /// How prepared constants are.
+    pub(crate) set: Option<TokenStream>,
+}
+
+impl Pieces {
+    /// Those of the flows that have asked for these fields.
+    pub(crate) fn of(fields: &Fields, names: &Names) -> Self {
+        let Some(middle) = fields.known_middle() else { return Self::default() };
+        let Names { runtime, scalar, leaf, .. } = names;
+        Self {
+            piecewise: Some(quote! {
+                const PIECEWISE_IN_TIME: bool = true;
+            }),
+            begin: Some(quote! {
+                #[inline(always)]
+                fn begin_step<#scalar: #runtime::Real, #leaf: #runtime::Precision>(motion: &mut Self::Motion<#scalar, #leaf>, middle: f64) {
+                    #runtime::Prepared::begin_step(&mut motion.parameters, middle);
+                }
+            }),
+            set: Some(quote! {
+                #[inline(always)]
+                fn begin_step(&mut self, middle: f64) {
+                    self.#middle = #scalar::of(middle);
+                }
+            }),
+        }
+    }
+}

@@ -1,0 +1,236 @@
+//! Blocks as Rust: lets, loops, and where values go.
+
+use super::{
+    expression::{Dialect, Printer},
+    fields::Fields,
+    frame::Frame,
+    names::Names,
+};
+use crate::{
+    graph::{Element, Graph, Node, NodeId, Part, index::Index},
+    model::Model,
+    program::{Item, Program, Sink},
+};
+use proc_macro2::{Ident, TokenStream};
+use quote::{ToTokens, format_ident, quote};
+use std::collections::{BTreeSet, HashMap};
+
+/// A block being printed.
+pub(crate) struct Block<'m> {
+    pub(crate) printer: Printer<'m>,
+    /// The conditions around the present line, as masks, outermost first.
+    masks: Vec<TokenStream>,
+    /// How many conditions were around the beginning of a sum or a choice.
+    begun: HashMap<NodeId, usize>,
+}
+
+impl<'m> Printer<'m> {
+    /// What prints the expressions of a program.
+    pub(crate) fn new(
+        model: &'m Model,
+        reserved: &'m Names,
+        program: &Program,
+        dialect: Dialect,
+        frame: &'m Frame,
+    ) -> Self {
+        Self {
+            graph: &model.graph,
+            parameters: &model.parameters,
+            running: &model.running,
+            dialect,
+            names: names(&model.graph, model, &program.named),
+            scalar: frame.scalar(reserved),
+            runtime: &reserved.runtime,
+            externals: &model.externals,
+            functions: model.functions,
+            frame,
+        }
+    }
+}
+
+impl<'m> Block<'m> {
+    pub(crate) fn new(
+        model: &'m Model,
+        reserved: &'m Names,
+        program: &Program,
+        dialect: Dialect,
+        frame: &'m Frame,
+    ) -> Self {
+        let printer = Printer::new(model, reserved, program, dialect, frame);
+        Self { printer, masks: Vec::new(), begun: HashMap::new() }
+    }
+
+    pub(crate) fn items(&mut self, fields: &mut Fields, items: &[Item]) -> TokenStream {
+        items.iter().map(|item| self.item(fields, item)).collect()
+    }
+
+    fn item(&mut self, fields: &mut Fields, item: &Item) -> TokenStream {
+        let printer = &self.printer;
+        match item {
+            Item::Let(id) => {
+                let (name, value) = (&printer.names[id], printer.computation(fields, *id).tokens);
+                quote!(let #name = #value;)
+            }
+            Item::SineCosine { argument, sine, cosine } => {
+                let (sine, cosine) = (&printer.names[sine], &printer.names[cosine]);
+                let argument = printer.receiver(fields, *argument);
+                quote!(let (#sine, #cosine) = #argument.sin_cos();)
+            }
+            Item::Begin(id) => {
+                self.begun.insert(*id, self.masks.len());
+                let (name, zero) = (&printer.names[id], self.zero());
+                quote!(let mut #name = #zero;)
+            }
+            Item::Loop { by, body } => {
+                let body = self.items(fields, body);
+                self.printer.looped(fields, *by, &body)
+            }
+            Item::Branch { condition, holds, body } => self.branch(fields, *condition, *holds, body),
+            Item::Add { sum, value } => {
+                let (name, depth) = (printer.names[sum].to_token_stream(), self.begun.get(sum).copied());
+                self.accumulated(fields, name, *value, depth.unwrap_or_default())
+            }
+            Item::Choose { choice, value } => {
+                let (name, value) = (&printer.names[choice], printer.expression(fields, *value).tokens);
+                let chosen = self.masked(self.begun.get(choice).copied().unwrap_or_default(), &value, &quote!(#name));
+                quote!(#name = #chosen;)
+            }
+            Item::Sink(Sink::Share(share), value) => {
+                let value = printer.expression(fields, *value).tokens;
+                printer.share(fields, *share, value)
+            }
+            Item::Sink(Sink::Return, value) => printer.expression(fields, *value).tokens,
+            Item::Sink(Sink::Update(element), value) => self.updated(fields, *element, *value),
+            Item::Sink(Sink::Collect(element), value) => {
+                let at = printer.at(fields, *element);
+                self.accumulated(fields, quote!(gradient #at), *value, 0)
+            }
+            Item::Sink(Sink::Assign(element), value) => {
+                let (at, value) = (printer.at(fields, *element), printer.expression(fields, *value).tokens);
+                quote!(gradient #at = #value;)
+            }
+        }
+    }
+
+    fn zero(&self) -> TokenStream {
+        match self.printer.dialect {
+            Dialect::Generic => self.printer.lifted(quote!(0.0)),
+            Dialect::Single => quote!(0.0_f64),
+        }
+    }
+
+    /// A block that is skipped where no lane needs it.
+    fn branch(&mut self, fields: &mut Fields, condition: NodeId, holds: bool, body: &[Item]) -> TokenStream {
+        let mask = self.printer.expression(fields, condition).tokens;
+        let generic = self.printer.dialect == Dialect::Generic;
+        let mask = match (holds, generic) {
+            (true, _) => mask,
+            (false, true) => quote!(#mask.not()),
+            (false, false) => quote!(!#mask),
+        };
+        self.masks.push(mask.clone());
+        let body = self.items(fields, body);
+        self.masks.pop();
+        match (body.is_empty(), generic) {
+            (true, _) => TokenStream::new(),
+            (false, true) => quote!(if #mask.any() { #body }),
+            (false, false) => quote!(if #mask { #body }),
+        }
+    }
+
+    /// `value` in the lanes in which all conditions beyond the first `depth` hold, `other` elsewhere.
+    fn masked(&self, depth: usize, value: &TokenStream, other: &TokenStream) -> TokenStream {
+        let mut masks = self.masks[depth..].iter();
+        match (masks.next(), self.printer.dialect) {
+            (Some(first), Dialect::Generic) => {
+                let scalar = self.printer.scalar;
+                quote!(#scalar::select(#first #(.and(#masks))*, #value, #other))
+            }
+            _ => value.clone(),
+        }
+    }
+
+    /// A coordinate's update. Under a condition it is an addition, so that lanes that do not take part add zero.
+    fn updated(&self, fields: &mut Fields, element: Element, value: NodeId) -> TokenStream {
+        let printer = &self.printer;
+        let place = printer.place(fields, element);
+        match printer.product(value) {
+            Some((negative, a, b)) if self.masks.is_empty() => {
+                let (a, b) = (printer.outer_factor(fields, negative, a), printer.expression(fields, b).tokens);
+                quote!(#place.fma(#a, #b);)
+            }
+            _ => {
+                let value = self.masked(0, &printer.expression(fields, value).tokens, &self.zero());
+                quote!(#place.add(#value);)
+            }
+        }
+    }
+
+    /// `target += value`, fused where the value is a product, in the lanes in which all conditions beyond `depth` hold.
+    fn accumulated(&self, fields: &mut Fields, target: TokenStream, value: NodeId, depth: usize) -> TokenStream {
+        let printer = &self.printer;
+        let is_masked = self.masks.len() > depth && printer.dialect == Dialect::Generic;
+        if printer.dialect == Dialect::Generic
+            && let Some((negative, a, b)) = printer.product(value)
+        {
+            let (a, b) = (printer.factor(fields, negative, a), printer.expression(fields, b).tokens);
+            let sum = self.masked(depth, &quote!(#a.fma(#b, #target)), &target);
+            return quote!(#target = #sum;);
+        }
+        let (sign, value) = match printer.graph.node(value) {
+            Node::Neg(inner) if !printer.names.contains_key(&value) => (quote!(-), inner),
+            _ => (quote!(+), value),
+        };
+        let value = printer.expression(fields, value);
+        if is_masked {
+            let value = value.term();
+            let sum = self.masked(depth, &quote!(#target #sign #value), &target);
+            return quote!(#target = #sum;);
+        }
+        let value = value.tokens;
+        let operator = if sign.to_string() == "-" { quote!(-=) } else { quote!(+=) };
+        quote!(#target #operator #value;)
+    }
+}
+
+/// Names that say what a value is: coordinates by theirs, sums and shared subexpressions by number.
+fn names(graph: &Graph, model: &Model, named: &BTreeSet<NodeId>) -> HashMap<NodeId, Ident> {
+    let mut names = HashMap::new();
+    let mut counts: HashMap<&str, u32> = HashMap::new();
+    for id in named {
+        let kind = match graph.node(*id) {
+            Node::Sum(..) => "sum",
+            Node::Select(..) => "choice",
+            node if node.is_condition() => "condition",
+            _ => "shared",
+        };
+        let coordinate = match graph.node(*id) {
+            Node::Coordinate(element) => coordinate_name(graph, model, element),
+            _ => None,
+        };
+        let name = coordinate.unwrap_or_else(|| {
+            let count = counts.entry(kind).or_default();
+            *count += 1;
+            format!("{kind}_{}", *count - 1)
+        });
+        names.insert(*id, format_ident!("{name}"));
+    }
+    names
+}
+
+/// `q0`, `p_i_1`: where the indices are numbers or running.
+fn coordinate_name(graph: &Graph, model: &Model, element: Element) -> Option<String> {
+    let index = |id| match graph.loops.index(id) {
+        Index::Literal(value) => Some(value.to_string()),
+        Index::Running(by) => model.running.get(&by).map(ToString::to_string),
+        _ => None,
+    };
+    let letter = match element.part {
+        Part::Position => "q",
+        Part::Momentum => "p",
+    };
+    let first = index(element.index)?;
+    let separator = if first.starts_with(|first: char| first.is_ascii_digit()) { "" } else { "_" };
+    let second = element.component.map_or(Some(String::new()), |component| Some(format!("_{}", index(component)?)))?;
+    Some(format!("{letter}{separator}{first}{second}"))
+}

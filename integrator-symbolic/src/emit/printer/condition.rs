@@ -1,0 +1,80 @@
+//! Conditions as Rust: masks of lanes in a flow, `bool` where parameters are prepared.
+
+use super::{
+    expression::{Binding, Dialect, Printer},
+    fields::Fields,
+};
+use crate::graph::{Comparison, Node};
+use proc_macro2::{Ident, TokenStream};
+use quote::{format_ident, quote};
+
+impl Printer<'_> {
+    /// A condition: a mask of lanes in a flow, `bool` where parameters are prepared.
+    pub(crate) fn condition(&self, fields: &mut Fields, condition: Node) -> TokenStream {
+        let runtime = self.runtime;
+        let scalar = self.scalar;
+        match (condition, self.dialect) {
+            (Node::Compare(comparison, a, b), Dialect::Generic) => {
+                let a = self.expression(fields, a).at_least(Binding::Atom);
+                let (b, method) = (self.expression(fields, b).tokens, method(comparison));
+                quote!(#a.#method(#b))
+            }
+            (Node::Compare(comparison, a, b), Dialect::Single) => {
+                let (a, b) = (self.expression(fields, a), self.expression(fields, b));
+                let (a, b, sign) = (a.at_least(Binding::Sum), b.at_least(Binding::Sum), sign(comparison));
+                quote!(((#a) #sign (#b)))
+            }
+            (Node::CompareIndex(comparison, a, b), dialect) => {
+                let signed = [a, b].iter().any(|id| self.graph.loops.is_signed(*id));
+                let [a, b] =
+                    [a, b].map(|id| if signed { self.signed_index(fields, id) } else { self.index(fields, id) });
+                let sign = sign(comparison);
+                match dialect {
+                    Dialect::Generic => quote!(<#scalar::Mask as #runtime::Mask>::of((#a) #sign (#b))),
+                    Dialect::Single => quote!(((#a) #sign (#b))),
+                }
+            }
+            (Node::Flag(parameter), Dialect::Generic) => {
+                let name = fields.flag(self.parameters, parameter);
+                let flag = self.shared(name, self.graph.loops.of_parameter(parameter));
+                let zero = self.lifted(quote!(0.0));
+                quote!(#zero.less(#flag))
+            }
+            (Node::Flag(parameter), Dialect::Single) => {
+                let text = &self.parameters[parameter.0 as usize].text;
+                quote!((#text))
+            }
+            (Node::And(a, b), dialect) => {
+                let (a, b) = (self.expression(fields, a).tokens, self.expression(fields, b).tokens);
+                if dialect == Dialect::Generic { quote!(#a.and(#b)) } else { quote!((#a && #b)) }
+            }
+            (Node::Or(a, b), dialect) => {
+                let (a, b) = (self.expression(fields, a).tokens, self.expression(fields, b).tokens);
+                if dialect == Dialect::Generic { quote!(#a.or(#b)) } else { quote!((#a || #b)) }
+            }
+            (Node::Not(a), dialect) => {
+                let a = self.expression(fields, a).tokens;
+                if dialect == Dialect::Generic { quote!(#a.not()) } else { quote!((!#a)) }
+            }
+            // Numbers are printed elsewhere.
+            _ => TokenStream::new(),
+        }
+    }
+}
+
+/// The method of the runtime's reals that compares.
+fn method(comparison: Comparison) -> Ident {
+    match comparison {
+        Comparison::Less => format_ident!("less"),
+        Comparison::LessOrEqual => format_ident!("less_or_equal"),
+        Comparison::Equal => format_ident!("equal"),
+    }
+}
+
+fn sign(comparison: Comparison) -> TokenStream {
+    match comparison {
+        Comparison::Less => quote!(<),
+        Comparison::LessOrEqual => quote!(<=),
+        Comparison::Equal => quote!(==),
+    }
+}

@@ -1,0 +1,341 @@
+//! Expressions as Rust: with only the parentheses that are needed, products that are added as fused multiply-adds.
+
+use super::{
+    fields::{Fields, is_field},
+    frame::Frame,
+};
+use crate::{
+    graph::{
+        Element, ExternalId, Graph, Node, NodeId,
+        external::Arguments,
+        function::Function,
+        index::{LoopId, LoopSet},
+    },
+    model::{Method, Parameter, integer::number_literal},
+    syntax::Functions,
+};
+use proc_macro2::{Ident, TokenStream, TokenTree};
+use quote::{ToTokens, format_ident, quote};
+use std::collections::HashMap;
+
+/// How tightly an expression holds together.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub(crate) enum Binding {
+    Sum,
+    Product,
+    Sign,
+    Atom,
+}
+
+/// What numbers are computed in.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Dialect {
+    /// The type parameter of a flow.
+    Generic,
+    /// `f64`, where parameters are prepared.
+    Single,
+}
+
+/// A printed expression.
+pub(crate) struct Printed {
+    pub(crate) tokens: TokenStream,
+    binding: Binding,
+}
+
+impl Printed {
+    fn new(binding: Binding, tokens: TokenStream) -> Self {
+        Self { tokens, binding }
+    }
+
+    /// As the right side of an addition or a subtraction.
+    pub(crate) fn term(self) -> TokenStream {
+        self.at_least(Binding::Product)
+    }
+
+    /// In parentheses, unless it holds together at least as tightly as `needed`.
+    pub(crate) fn at_least(self, needed: Binding) -> TokenStream {
+        if self.binding >= needed {
+            return self.tokens;
+        }
+        let tokens = self.tokens;
+        quote!((#tokens))
+    }
+}
+
+/// What printing needs to know; `names` are the values that were given one.
+pub(crate) struct Printer<'m> {
+    pub(crate) graph: &'m Graph,
+    pub(crate) parameters: &'m [Parameter],
+    pub(crate) running: &'m HashMap<LoopId, Ident>,
+    pub(crate) dialect: Dialect,
+    pub(crate) names: HashMap<NodeId, Ident>,
+    /// What flows compute in.
+    pub(crate) scalar: &'m Ident,
+    /// The runtime's private door.
+    pub(crate) runtime: &'m Ident,
+    /// The names of the user's methods, by their ids.
+    pub(crate) externals: &'m [Method],
+    /// How near the elementary functions have to be.
+    pub(crate) functions: Functions,
+    /// Where coordinates and prepared constants are.
+    pub(crate) frame: &'m Frame<'m>,
+}
+
+impl Printer<'_> {
+    /// An expression, by its name if it has one.
+    pub(crate) fn expression(&self, fields: &mut Fields, id: NodeId) -> Printed {
+        match self.names.get(&id) {
+            Some(name) => Printed::new(Binding::Atom, name.to_token_stream()),
+            None => self.computation(fields, id),
+        }
+    }
+
+    /// An expression as it is computed, whatever its name.
+    pub(crate) fn computation(&self, fields: &mut Fields, id: NodeId) -> Printed {
+        if self.dialect == Dialect::Generic && is_field(self.graph, self.parameters, id) {
+            return Printed::new(Binding::Atom, self.field(fields, id));
+        }
+        match self.graph.node(id) {
+            Node::Constant(bits) => self.constant(f64::from_bits(bits)),
+            Node::Parameter(parameter) => {
+                let text = &self.parameters[parameter.0 as usize].text;
+                match self.dialect {
+                    Dialect::Generic => Printed::new(Binding::Atom, self.lifted(quote!(#text))),
+                    Dialect::Single => Printed::new(binding(text), quote!(#text)),
+                }
+            }
+            Node::Coordinate(element) => Printed::new(Binding::Atom, self.coordinate(fields, element)),
+            Node::Time => Printed::new(Binding::Atom, quote!(time)),
+            // A series, of which the recurrences read each order.
+            Node::Middle if matches!(self.frame, Frame::Series { .. }) => Printed::new(Binding::Atom, quote!(halfway)),
+            Node::Middle => {
+                let name = fields.middle();
+                Printed::new(Binding::Atom, self.shared(name, LoopSet::EMPTY))
+            }
+            Node::Step => Printed::new(Binding::Atom, quote!(step)),
+            Node::FromIndex(_) if self.frame.has_prepared_index(self.graph.loops_of(id)) => {
+                Printed::new(Binding::Atom, self.field(fields, id))
+            }
+            Node::FromIndex(index) => {
+                let index = self.number_index(fields, index);
+                match self.dialect {
+                    Dialect::Generic => Printed::new(Binding::Atom, self.lifted(quote!(#index as f64))),
+                    Dialect::Single => Printed::new(Binding::Atom, quote!((#index as f64))),
+                }
+            }
+            Node::Neg(a) => {
+                let a = self.expression(fields, a).at_least(Binding::Sign);
+                Printed::new(Binding::Sign, quote!(-#a))
+            }
+            Node::Add(a, b) => self.addition(fields, a, b),
+            Node::Mul(a, b) => {
+                let (a, b) = (self.expression(fields, a), self.expression(fields, b));
+                let (a, b) = (a.at_least(Binding::Product), b.at_least(Binding::Sign));
+                Printed::new(Binding::Product, quote!(#a * #b))
+            }
+            Node::Div(a, b) if let Some(base) = self.root_cubed(b) => {
+                let a = self.expression(fields, a).at_least(Binding::Atom);
+                let base = self.expression(fields, base).tokens;
+                Printed::new(Binding::Atom, quote!(#a.over_root_cubed(#base)))
+            }
+            Node::Div(a, b) => {
+                let (a, b) = (self.expression(fields, a), self.expression(fields, b));
+                let (a, b) = (a.at_least(Binding::Product), b.at_least(Binding::Sign));
+                Printed::new(Binding::Product, quote!(#a / #b))
+            }
+            Node::Power(a, 1) => self.method(fields, a, "sqrt", None),
+            // Lowering leaves no other power; this prints one all the same.
+            Node::Power(a, halves) => {
+                let a = self.expression(fields, a).at_least(Binding::Atom);
+                let exponent = self.constant(f64::from(halves) / 2.0).tokens;
+                Printed::new(Binding::Atom, quote!(#a.powf(#exponent)))
+            }
+            Node::Unary(function, a) => self.method(fields, a, self.method_name(function), None),
+            Node::Binary(function, a, b) => self.method(fields, a, self.method_name(function), Some(b)),
+            Node::External(id, arguments) => self.external(fields, id, arguments),
+            // Sums and choices are always named; the blocks inside theirs compute them.
+            Node::Sum(_, body) | Node::Select(_, body, _) => self.expression(fields, body),
+            condition => Printed::new(Binding::Atom, self.condition(fields, condition)),
+        }
+    }
+
+    /// The base of `x sqrt(x)`, where a flow divides by that and reads neither the product nor the root elsewhere.
+    fn root_cubed(&self, divisor: NodeId) -> Option<NodeId> {
+        let Node::Mul(base, root) = self.graph.node(divisor) else { return None };
+        let inline = self.dialect == Dialect::Generic && ![divisor, root].iter().any(|id| self.names.contains_key(id));
+        (inline && self.graph.node(root) == Node::Power(base, 1)).then_some(base)
+    }
+
+    /// An `f64` as a number that flows compute in.
+    pub(crate) fn lifted(&self, value: TokenStream) -> TokenStream {
+        let scalar = self.scalar;
+        quote!(#scalar::of(#value))
+    }
+
+    fn method(&self, fields: &mut Fields, receiver: NodeId, name: &str, argument: Option<NodeId>) -> Printed {
+        let name = format_ident!("{name}");
+        let argument = argument.map(|argument| self.expression(fields, argument).tokens);
+        // A method of literals alone would not tell of which type of numbers it is.
+        if self.dialect == Dialect::Single && self.is_literal(receiver) {
+            let (receiver, argument) = (self.expression(fields, receiver).tokens, argument.into_iter());
+            return Printed::new(Binding::Atom, quote!(f64::#name(#receiver #(, #argument)*)));
+        }
+        let receiver = self.expression(fields, receiver).at_least(Binding::Atom);
+        Printed::new(Binding::Atom, quote!(#receiver.#name(#argument)))
+    }
+
+    /// What a flow calls an elementary function: the faster one where it is allowed. What is prepared is `f64` of `std`.
+    fn method_name(&self, function: Function) -> &'static str {
+        match (self.functions, self.dialect) {
+            (Functions::Fast, Dialect::Generic) => function.row().fast.unwrap_or(function.name()),
+            _ => function.name(),
+        }
+    }
+
+    fn is_literal(&self, id: NodeId) -> bool {
+        let node = self.graph.node(id);
+        let is_leaf = node.children().next().is_none();
+        matches!(node, Node::Constant(_)) || !is_leaf && node.children().all(|child| self.is_literal(child))
+    }
+
+    fn constant(&self, value: f64) -> Printed {
+        let value = match value {
+            _ if value.is_nan() => quote!(f64::NAN),
+            f64::INFINITY => quote!(f64::INFINITY),
+            f64::NEG_INFINITY => quote!(f64::NEG_INFINITY),
+            // Only a finite number has a literal.
+            _ => {
+                let literal = number_literal(value.abs());
+                if value.is_sign_negative() { quote!(-#literal) } else { literal.to_token_stream() }
+            }
+        };
+        match self.dialect {
+            Dialect::Generic => Printed::new(Binding::Atom, self.lifted(quote!(#value))),
+            Dialect::Single => Printed::new(Binding::Atom, quote!(#value)),
+        }
+    }
+
+    /// A call of a method of the user: member by member in a flow, with its derivatives for duals.
+    fn external(&self, fields: &mut Fields, id: ExternalId, arguments: Arguments) -> Printed {
+        let numbers: Vec<TokenStream> =
+            arguments.iter().map(|argument| self.expression(fields, argument).tokens).collect();
+        if self.dialect == Dialect::Single {
+            return Printed::new(Binding::Atom, self.externals[id.0 as usize].call(&quote!(self), &numbers));
+        }
+        let mut field = |id: Option<ExternalId>| match id {
+            Some(id) => {
+                let name = fields.external(self.externals, id);
+                quote!(::core::option::Option::Some(&motion.parameters.#name))
+            }
+            None => quote!(::core::option::Option::None),
+        };
+        let (value, runtime) = (field(Some(id)), self.runtime);
+        let slopes: Vec<_> =
+            (0..numbers.len()).map(|argument| field(self.graph.external_slope(id, argument))).collect();
+        Printed::new(Binding::Atom, quote!(#runtime::external([#(#numbers),*], #value, [#(#slopes),*])))
+    }
+
+    /// `a + b`, where a product among the two is fused with the addition.
+    fn addition(&self, fields: &mut Fields, a: NodeId, b: NodeId) -> Printed {
+        if self.dialect == Dialect::Generic {
+            for (product, other) in [(b, a), (a, b)] {
+                if let Some((negative, x, y)) = self.product(product) {
+                    let factor = self.factor(fields, negative, x);
+                    let (y, other) = (self.expression(fields, y).tokens, self.expression(fields, other).tokens);
+                    return Printed::new(Binding::Atom, quote!(#factor.fma(#y, #other)));
+                }
+            }
+        }
+        let left = self.expression(fields, a).at_least(Binding::Sum);
+        if let Node::Neg(subtracted) = self.graph.node(b)
+            && !self.names.contains_key(&b)
+        {
+            let right = self.expression(fields, subtracted).at_least(Binding::Product);
+            return Printed::new(Binding::Sum, quote!(#left - #right));
+        }
+        let right = self.expression(fields, b).at_least(Binding::Product);
+        Printed::new(Binding::Sum, quote!(#left + #right))
+    }
+
+    /// The factors of a product that has no name, perhaps under a change of sign; `true` if so.
+    pub(crate) fn product(&self, id: NodeId) -> Option<(bool, NodeId, NodeId)> {
+        if self.names.contains_key(&id) || is_field(self.graph, self.parameters, id) {
+            return None;
+        }
+        match self.graph.node(id) {
+            Node::Mul(a, b) => Some((false, a, b)),
+            Node::Neg(inner) => self.product(inner).map(|(negative, a, b)| (!negative, a, b)),
+            _ => None,
+        }
+    }
+
+    /// A factor, perhaps under a change of sign.
+    fn signed(&self, fields: &mut Fields, negative: bool, x: NodeId) -> Printed {
+        match self.graph.as_constant(x) {
+            Some(constant) if negative => self.constant(-constant),
+            None if negative => {
+                let x = self.expression(fields, x).at_least(Binding::Sign);
+                Printed::new(Binding::Sign, quote!(-#x))
+            }
+            _ => self.expression(fields, x),
+        }
+    }
+
+    /// The first factor of a fused multiply-add.
+    pub(crate) fn factor(&self, fields: &mut Fields, negative: bool, x: NodeId) -> TokenStream {
+        self.signed(fields, negative, x).at_least(Binding::Atom)
+    }
+
+    /// The first of two arguments that are multiplied.
+    pub(crate) fn outer_factor(&self, fields: &mut Fields, negative: bool, x: NodeId) -> TokenStream {
+        self.signed(fields, negative, x).tokens
+    }
+
+    /// An expression that a method is called on.
+    pub(crate) fn receiver(&self, fields: &mut Fields, id: NodeId) -> TokenStream {
+        self.expression(fields, id).at_least(Binding::Atom)
+    }
+
+    /// The value of a coordinate.
+    fn coordinate(&self, fields: &mut Fields, element: Element) -> TokenStream {
+        let place = |fields| self.place(fields, element);
+        match self.frame {
+            Frame::Motion => {
+                let place = place(fields);
+                quote!(#place.value())
+            }
+            Frame::Sites(_) => self.neighbour(element),
+            Frame::Bodies(_) | Frame::Series { .. } => place(fields),
+        }
+    }
+
+    /// A coordinate's place: `motion.q[0]`, `motion.p[i][1]`, `q_i[d]`, `q[order][0]`.
+    pub(crate) fn place(&self, fields: &mut Fields, element: Element) -> TokenStream {
+        let part = self.part(element);
+        match self.frame {
+            Frame::Motion | Frame::Sites(_) => {
+                let at = self.at(fields, element);
+                quote!(motion.#part #at)
+            }
+            Frame::Bodies(bodies) => {
+                let (part, at) = (bodies.of_index(self.graph, part, element.index), self.at(fields, element));
+                quote!(#part #at)
+            }
+            Frame::Series { .. } => {
+                let place = self.in_row(fields, element);
+                quote!(#part[order][#place])
+            }
+        }
+    }
+}
+
+/// How tightly a text of the user holds together: as one operand where it has no operator outside of brackets.
+fn binding(text: &TokenStream) -> Binding {
+    let is_operator = |mark: char| !matches!(mark, '.' | ':');
+    let operators = text.clone().into_iter().any(|token| match token {
+        TokenTree::Punct(mark) => is_operator(mark.as_char()),
+        TokenTree::Ident(name) => name == "as",
+        TokenTree::Group(_) | TokenTree::Literal(_) => false,
+    });
+    if operators { Binding::Sum } else { Binding::Atom }
+}

@@ -1,0 +1,146 @@
+//! Prepared constants: what depends on parameters alone becomes a field, or a table where it depends on loops too.
+
+use crate::{
+    graph::{ExternalId, Graph, Node, NodeId, ParameterId},
+    lower::lower,
+    model::{Method, Model, Parameter},
+};
+use proc_macro2::{Ident, TokenStream, TokenTree};
+use quote::format_ident;
+use std::collections::HashMap;
+
+/// What a field holds.
+#[derive(Clone, Copy, PartialEq, Eq, Hash)]
+pub(crate) enum Content {
+    Number(NodeId),
+    Integer(ParameterId),
+    /// One where a condition of parameters holds, else zero.
+    Flag(ParameterId),
+    /// A method of the user with so many arguments.
+    External(ExternalId),
+    /// The middle of the step under way, which is the same for all lanes.
+    Middle,
+}
+
+/// The fields asked for so far, in order of first use.
+#[derive(Default)]
+pub(crate) struct Fields {
+    order: Vec<(Content, Ident)>,
+    names: HashMap<Content, Ident>,
+}
+
+/// Whether a node is read from a prepared constant: it depends on parameters, and on one loop at most unless it is a
+/// parameter itself (a table over two loops is only made where the user has one).
+pub(crate) fn is_field(graph: &Graph, parameters: &[Parameter], id: NodeId) -> bool {
+    match graph.node(id) {
+        Node::Constant(_) | Node::FromIndex(_) | Node::Neg(_) => false,
+        condition if condition.is_condition() => false,
+        Node::Parameter(parameter) => !is_constant(&parameters[parameter.0 as usize].text),
+        _ => graph.is_prepared(id) && graph.loops_of(id).iter().count() <= 1,
+    }
+}
+
+/// Whether a node is read rather than computed by a flow.
+pub(crate) fn is_leaf(graph: &Graph, parameters: &[Parameter], id: NodeId) -> bool {
+    matches!(
+        graph.node(id),
+        Node::Constant(_) | Node::FromIndex(_) | Node::Parameter(_) | Node::Time | Node::Middle | Node::Step
+    ) || is_field(graph, parameters, id)
+}
+
+/// Whether a text is the path of a constant, which needs no preparation.
+pub(crate) fn is_constant(text: &TokenStream) -> bool {
+    text.clone().into_iter().all(|token| match token {
+        TokenTree::Ident(name) => name != "self" && name != "length",
+        TokenTree::Punct(mark) => mark.as_char() == ':',
+        TokenTree::Literal(_) | TokenTree::Group(_) => false,
+    })
+}
+
+impl Fields {
+    pub(crate) fn number(&mut self, graph: &Graph, parameters: &[Parameter], id: NodeId) -> Ident {
+        let text = match graph.node(id) {
+            Node::Parameter(parameter) => Some(&parameters[parameter.0 as usize].own),
+            _ => None,
+        };
+        self.named(Content::Number(id), text)
+    }
+
+    pub(crate) fn integer(&mut self, parameters: &[Parameter], id: ParameterId) -> Ident {
+        self.named(Content::Integer(id), Some(&parameters[id.0 as usize].own))
+    }
+
+    pub(crate) fn flag(&mut self, parameters: &[Parameter], id: ParameterId) -> Ident {
+        self.named(Content::Flag(id), Some(&parameters[id.0 as usize].own))
+    }
+
+    pub(crate) fn external(&mut self, externals: &[Method], id: ExternalId) -> Ident {
+        self.named_as(Content::External(id), Some(externals[id.0 as usize].name.clone()))
+    }
+
+    pub(crate) fn middle(&mut self) -> Ident {
+        self.named_as(Content::Middle, Some(format_ident!("middle")))
+    }
+
+    /// The field that holds the middle of the step, if a flow reads it.
+    pub(crate) fn known_middle(&self) -> Option<&Ident> {
+        self.names.get(&Content::Middle)
+    }
+
+    /// A field's name: the user's own where it is `self.name` or `self.name[i]`.
+    fn named(&mut self, content: Content, text: Option<&TokenStream>) -> Ident {
+        self.named_as(content, text.and_then(own_name))
+    }
+
+    fn named_as(&mut self, content: Content, base: Option<Ident>) -> Ident {
+        if let Some(name) = self.names.get(&content) {
+            return name.clone();
+        }
+        let base = base.unwrap_or_else(|| format_ident!("prepared_{}", self.order.len()));
+        let mut name = base.clone();
+        let mut count = 1;
+        while self.order.iter().any(|(_, known)| *known == name) {
+            count += 1;
+            name = format_ident!("{base}_{count}");
+        }
+        self.names.insert(content, name.clone());
+        self.order.push((content, name.clone()));
+        name
+    }
+
+    /// What each field holds, and its name, in order of first use.
+    pub(crate) fn into_contents(self) -> Vec<(Content, Ident)> {
+        self.order
+    }
+}
+
+impl Content {
+    /// The node whose value the field holds.
+    pub(crate) fn node(self) -> Option<NodeId> {
+        match self {
+            Content::Number(id) => Some(id),
+            Content::Integer(_) | Content::Flag(_) | Content::External(_) | Content::Middle => None,
+        }
+    }
+}
+
+/// `name` of `self.name` and of `self.name[...]`.
+fn own_name(text: &TokenStream) -> Option<Ident> {
+    let tokens: Vec<TokenTree> = text.clone().into_iter().collect();
+    match &tokens[..] {
+        [TokenTree::Ident(own), TokenTree::Punct(_), TokenTree::Ident(name), rest @ ..]
+            if own == "self" && rest.iter().all(|token| matches!(token, TokenTree::Group(_))) =>
+        {
+            // A call is not a name.
+            let indexed = rest.iter().all(|token| token.to_string().starts_with('['));
+            indexed.then(|| name.clone())
+        }
+        _ => None,
+    }
+}
+
+/// Values for `roots` without powers, whose prepared constants are left alone.
+pub(crate) fn lowered(model: &mut Model, roots: &[NodeId]) -> Vec<NodeId> {
+    let Model { graph, parameters, .. } = model;
+    lower(graph, roots, |graph, id| is_leaf(graph, parameters, id))
+}

@@ -1,0 +1,97 @@
+//! Where a generated function finds coordinates and prepared constants.
+
+use super::{expression::Printer, fields::Fields, names::Names, places::Places};
+use crate::{
+    gather::Gathered,
+    graph::{
+        Graph, NodeId,
+        index::{Index, IndexId, LoopId, LoopSet},
+    },
+};
+use proc_macro2::{Ident, TokenStream};
+use quote::{ToTokens, format_ident, quote};
+use std::collections::HashMap;
+
+/// Where a function finds what it reads.
+pub(crate) enum Frame<'m> {
+    /// In the motion.
+    Motion,
+    /// In the neighbourhood of sites of a lattice, which is an argument.
+    Sites(&'m Gathered),
+    /// In its arguments: the coordinates and constants of bodies, and the constants that all bodies share.
+    Bodies(Bodies),
+    /// In tables of Taylor coefficients that are its arguments, whose rows may be interleaved.
+    Series { interleaved: Option<Places> },
+}
+
+/// Bodies that are arguments of a function.
+pub(crate) struct Bodies {
+    /// What is behind `q` and `p` in the names of a body's coordinates, by the loop whose index it has.
+    pub(crate) suffixes: Vec<(LoopId, String)>,
+    /// The names of their prepared constants.
+    pub(crate) constants: HashMap<NodeId, Ident>,
+}
+
+impl Frame<'_> {
+    /// What is computed in.
+    pub(crate) fn scalar<'n>(&self, names: &'n Names) -> &'n Ident {
+        match self {
+            Frame::Motion | Frame::Series { .. } => &names.scalar,
+            Frame::Sites(_) | Frame::Bodies(_) => &names.wide,
+        }
+    }
+
+    /// Whether an integer of these loops' indices is read as a prepared number.
+    pub(crate) fn has_prepared_index(&self, loops: LoopSet) -> bool {
+        match self {
+            Frame::Motion | Frame::Series { .. } => false,
+            Frame::Sites(_) => !loops.is_empty(),
+            Frame::Bodies(_) => true,
+        }
+    }
+}
+
+impl Bodies {
+    /// The name of the coordinates of the body with this index.
+    pub(crate) fn of_index(&self, graph: &Graph, letter: Ident, index: IndexId) -> Ident {
+        let suffix = self.suffixes.iter().find(|(by, _)| graph.loops.index(index) == Index::Running(*by));
+        suffix.map_or(letter.clone(), |(_, suffix)| format_ident!("{letter}{suffix}"))
+    }
+}
+
+impl Printer<'_> {
+    /// A prepared constant, or its element for the present iterations of its loops.
+    pub(crate) fn field(&self, fields: &mut Fields, id: NodeId) -> TokenStream {
+        if let Frame::Bodies(bodies) = self.frame
+            && let Some(name) = bodies.constants.get(&id)
+        {
+            return name.to_token_stream();
+        }
+        let name = fields.number(self.graph, self.parameters, id);
+        self.shared(name, self.graph.loops_of(id))
+    }
+
+    /// A field of the prepared constants as a number of the flow, for the present iterations of the loops.
+    pub(crate) fn shared(&self, name: Ident, loops: LoopSet) -> TokenStream {
+        match self.frame {
+            Frame::Motion | Frame::Series { .. } => self.prepared(name, loops),
+            Frame::Sites(lattice) => self.spread(lattice, name, loops),
+            Frame::Bodies(_) => {
+                let (scalar, field) = (self.scalar, self.prepared(name, loops));
+                quote!(#scalar::splat(#field))
+            }
+        }
+    }
+
+    /// A field of the prepared constants as it is, for the present iterations of the loops.
+    pub(crate) fn prepared(&self, name: Ident, loops: LoopSet) -> TokenStream {
+        let at = loops.iter().map(|by| {
+            let index = self.running.get(&by);
+            quote!([#index])
+        });
+        match self.frame {
+            Frame::Motion => quote!(motion.parameters.#name #(#at)*),
+            Frame::Sites(_) | Frame::Bodies(_) | Frame::Series { .. } => quote!(parameters.#name #(#at)*),
+        }
+    }
+}

@@ -1,0 +1,174 @@
+//! Where coordinates are, as Rust: integer expressions, bounds of loops, and the places that they lead to.
+
+use super::{
+    expression::{Dialect, Printer},
+    fields::{Fields, is_constant},
+    frame::Frame,
+};
+use crate::{
+    graph::{
+        Element, Part,
+        index::{Index, IndexId, LoopId},
+    },
+    model::{
+        Length,
+        integer::{operand, operation, signed_operation},
+    },
+};
+use proc_macro2::{Ident, Literal, TokenStream};
+use quote::{ToTokens, format_ident, quote};
+
+impl Printer<'_> {
+    /// The name of a coordinate's part.
+    pub(crate) fn part(&self, element: Element) -> Ident {
+        match element.part {
+            Part::Position => format_ident!("q"),
+            Part::Momentum => format_ident!("p"),
+        }
+    }
+
+    /// Where a coordinate is in the row of an order: components one after the other, each of all points.
+    pub(crate) fn in_row(&self, fields: &mut Fields, element: Element) -> TokenStream {
+        if let Frame::Series { interleaved: Some(places) } = self.frame {
+            return match places.name(element) {
+                Some(name) => name.to_token_stream(),
+                None => self.dealt_place(fields, element.index, element.component),
+            };
+        }
+        let index = self.index(fields, element.index);
+        let Some(component) = element.component else { return index };
+        match self.graph.loops.literal(component) {
+            Some(0) => index,
+            Some(1) => quote!(stride + #index),
+            _ => {
+                let component = self.inner_index(fields, component);
+                quote!(#component * stride + #index)
+            }
+        }
+    }
+
+    /// The same where points are dealt out to registers.
+    pub(crate) fn dealt_place(&self, fields: &mut Fields, index: IndexId, component: Option<IndexId>) -> TokenStream {
+        let index = self.index(fields, index);
+        let component = component.map_or(quote!(0), |component| self.index(fields, component));
+        quote!(layout.place(#index, #component))
+    }
+
+    /// The indices of a coordinate; of a body that is an argument, those behind the body's.
+    pub(crate) fn at(&self, fields: &mut Fields, element: Element) -> TokenStream {
+        let component = element.component.map(|component| {
+            let component = self.index(fields, component);
+            quote!([#component])
+        });
+        match self.frame {
+            Frame::Motion | Frame::Sites(_) | Frame::Series { .. } => {
+                let index = self.index(fields, element.index);
+                quote!([#index] #component)
+            }
+            Frame::Bodies(_) => component.unwrap_or_else(|| quote!([0])),
+        }
+    }
+
+    /// An integer expression.
+    pub(crate) fn index(&self, fields: &mut Fields, id: IndexId) -> TokenStream {
+        let known = self.graph.loops.index(id);
+        if self.graph.loops.is_signed(id) {
+            let signed = self.signed_index(fields, id);
+            return quote!((#signed) as usize);
+        }
+        match known {
+            Index::Typed(_, a) => return self.index(fields, a),
+            Index::Wrapped(_, a) => {
+                let signed = self.signed_index(fields, a);
+                let wrapped = operation(known, quote!((#signed)), TokenStream::new());
+                return quote!(#wrapped as usize);
+            }
+            _ => {}
+        }
+        if let Some(both) = known.operands() {
+            let [a, b] = both.map(|id| self.inner_index(fields, id));
+            return operation(known, a, b);
+        }
+        match known {
+            Index::Literal(value) => Literal::u64_unsuffixed(value).to_token_stream(),
+            Index::Running(by) => self.running.get(&by).to_token_stream(),
+            Index::Length if let Frame::Sites(lattice) = self.frame => {
+                if lattice.is_plane() {
+                    quote!(window.rows())
+                } else {
+                    quote!(window.length())
+                }
+            }
+            Index::Length if self.dialect == Dialect::Generic && !matches!(self.frame, Frame::Series { .. }) => {
+                quote!(motion.q.len())
+            }
+            Index::Length => quote!(length),
+            Index::Parameter(parameter) => {
+                let known = &self.parameters[parameter.0 as usize];
+                if self.dialect == Dialect::Single || is_constant(&known.text) {
+                    return operand(known.text.clone());
+                }
+                let name = fields.integer(self.parameters, parameter);
+                self.prepared(name, self.graph.loops.of_parameter(parameter))
+            }
+            _ => TokenStream::new(),
+        }
+    }
+
+    /// An integer expression that becomes a number: below zero where it may be.
+    pub(crate) fn number_index(&self, fields: &mut Fields, id: IndexId) -> TokenStream {
+        if self.graph.loops.is_signed(id) {
+            let signed = self.signed_index(fields, id);
+            return quote!((#signed));
+        }
+        self.inner_index(fields, id)
+    }
+
+    /// An integer expression as one that may be below zero, of 64 bits.
+    pub(crate) fn signed_index(&self, fields: &mut Fields, id: IndexId) -> TokenStream {
+        let known = self.graph.loops.index(id);
+        if let Index::Literal(value) = known {
+            return Literal::u64_unsuffixed(value).to_token_stream();
+        }
+        match known.operands() {
+            Some(both) => {
+                let [a, b] = both.map(|id| {
+                    let signed = self.signed_index(fields, id);
+                    operand(signed)
+                });
+                signed_operation(known, a, b)
+            }
+            None => {
+                let natural = operand(self.index(fields, id));
+                quote!((#natural as i64))
+            }
+        }
+    }
+
+    /// Lines within a loop.
+    pub(crate) fn looped(&self, fields: &mut Fields, by: LoopId, lines: &TokenStream) -> TokenStream {
+        let (range, index) = (self.graph.loops.get(by), self.running.get(&by));
+        let (from, to) = (self.index(fields, range.from), self.index(fields, range.to));
+        quote!(for #index in #from..#to { #lines })
+    }
+
+    /// An integer expression inside another one.
+    pub(crate) fn inner_index(&self, fields: &mut Fields, id: IndexId) -> TokenStream {
+        let index = self.index(fields, id);
+        match self.graph.loops.index(id) {
+            Index::Literal(_) | Index::Running(_) | Index::Length | Index::Parameter(_) => index,
+            _ => quote!((#index)),
+        }
+    }
+}
+
+impl Length {
+    /// The length as Rust.
+    pub(crate) fn tokens(&self) -> TokenStream {
+        match self {
+            Length::Literal(length) => Literal::u64_unsuffixed(*length).to_token_stream(),
+            Length::Constant(expression) => operand(expression.to_token_stream()),
+            Length::OfStart => quote!(motion.q.len()),
+        }
+    }
+}

@@ -1,0 +1,12 @@
+//! Values, indices, conditions and lines of a program as Rust.
+
+pub(super) mod block;
+pub(super) mod condition;
+pub(super) mod expression;
+pub(super) mod fields;
+pub(super) mod frame;
+pub(super) mod function;
+pub(super) mod index;
+pub(super) mod names;
+pub(super) mod places;
+pub(super) mod sites;

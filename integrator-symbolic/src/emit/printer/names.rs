@@ -1,0 +1,65 @@
+//! Names of what is written beside the user's own items, so that neither hides the other.
+
+use crate::syntax::{Compose, Input};
+use proc_macro2::{Ident, Span, TokenStream, TokenTree};
+use quote::ToTokens;
+use std::collections::HashSet;
+
+/// The names of generated items and type parameters: none is one that the user's text mentions.
+pub(crate) struct Names {
+    /// The runtime's private door.
+    pub(crate) runtime: Ident,
+    /// The struct of prepared constants.
+    pub(crate) parameters: Ident,
+    /// The composition that was written in place.
+    pub(crate) composition: Ident,
+    /// What flows compute in.
+    pub(crate) scalar: Ident,
+    /// Neighbours or bodies that a flow computes side by side.
+    pub(crate) wide: Ident,
+    /// How coordinates are kept.
+    pub(crate) leaf: Ident,
+    /// The struct of Taylor coefficients that recurrences read.
+    pub(crate) tape: Ident,
+    /// What the structs of the iterations of its loops begin with.
+    pub(crate) iteration: Ident,
+}
+
+impl Names {
+    pub(crate) fn new(input: &Input) -> Self {
+        let mut used = HashSet::new();
+        collect(input.item.to_token_stream(), &mut used);
+        if let Some(Compose::Named(path)) = &input.compose {
+            collect(path.to_token_stream(), &mut used);
+        }
+        let free = |name: &str| {
+            let mut free = name.to_owned();
+            while used.contains(&free) {
+                free.push('_');
+            }
+            Ident::new(&free, Span::call_site())
+        };
+        Self {
+            runtime: free("runtime"),
+            parameters: free("Parameters"),
+            composition: free("InPlace"),
+            scalar: free("Scalar"),
+            wide: free("Wide"),
+            leaf: free("Leaf"),
+            tape: free("Tape"),
+            iteration: free("Iteration"),
+        }
+    }
+}
+
+fn collect(tokens: TokenStream, used: &mut HashSet<String>) {
+    for token in tokens {
+        match token {
+            TokenTree::Ident(name) => {
+                used.insert(name.to_string());
+            }
+            TokenTree::Group(group) => collect(group.stream(), used),
+            TokenTree::Punct(_) | TokenTree::Literal(_) => {}
+        }
+    }
+}

@@ -1,0 +1,94 @@
+//! What the sites of a lattice read of their neighbourhood, and what they share out.
+
+use super::{expression::Printer, fields::Fields, frame::Frame};
+use crate::{
+    gather::{Extent, Gathered},
+    graph::{
+        Element,
+        index::{Index, IndexId, LoopId, LoopSet},
+    },
+};
+use proc_macro2::{Ident, Literal, TokenStream};
+use quote::{ToTokens, format_ident, quote};
+
+/// The name of the shares that go `onward`: `contribution_1`, or `contribution_1_0` over rows and sites.
+fn share(onward: &[usize]) -> Ident {
+    let onward: Vec<_> = onward.iter().map(ToString::to_string).collect();
+    format_ident!("contribution_{}", onward.join("_"))
+}
+
+impl Printer<'_> {
+    /// A coordinate of a neighbour.
+    pub(crate) fn neighbour(&self, element: Element) -> TokenStream {
+        let far = |index| match self.graph.loops.index(index) {
+            Index::Add(_, far) => (true, self.graph.loops.literal(far).unwrap_or_default()),
+            Index::Sub(_, far) => (false, self.graph.loops.literal(far).unwrap_or_default()),
+            _ => (true, 0),
+        };
+        let row = match element.component.map(|_| far(element.index)) {
+            None | Some((_, 0)) => quote!(at),
+            Some((true, _)) => quote!(below),
+            Some((false, _)) => quote!(above),
+        };
+        let (is_ahead, far) = far(element.component.unwrap_or(element.index));
+        let far = Literal::u64_unsuffixed(far);
+        if is_ahead { quote!(window.#row(#far)) } else { quote!(window.#row(-#far)) }
+    }
+
+    /// A prepared constant, the same at all sites, or what a table holds for them.
+    pub(crate) fn spread(&self, lattice: &Gathered, name: Ident, loops: LoopSet) -> TokenStream {
+        let wide = self.scalar;
+        let place = |by: LoopId| {
+            let mut directions = lattice.directions.iter().enumerate();
+            directions.find_map(|(number, direction)| {
+                let ahead = Literal::i64_unsuffixed(-*direction.begins.get(&by)?);
+                Some((number, ahead))
+            })
+        };
+        match (&loops.iter().filter_map(place).collect::<Vec<_>>()[..], lattice.is_plane()) {
+            ([(_, rows), (_, sites)], _) => quote!(window.table_of_rows(&parameters.#name, #rows, #sites)),
+            ([(0, rows)], true) => quote!(window.table_over_rows(&parameters.#name, #rows)),
+            ([(_, sites)], _) => quote!(window.table(&parameters.#name, #sites)),
+            _ => quote!(#wide::splat(parameters.#name)),
+        }
+    }
+
+    /// The line that notes a share.
+    pub(crate) fn share(&self, fields: &mut Fields, number: usize, value: TokenStream) -> TokenStream {
+        let Frame::Sites(lattice) = self.frame else { return TokenStream::new() };
+        let of = &lattice.shares[number];
+        let name = share(&of.onward());
+        let begun = lattice.shares[..number].iter().any(|before| before.onward() == of.onward());
+        let mut range = |from: IndexId, to: IndexId| {
+            let (from, to) = (self.index(fields, from), self.index(fields, to));
+            quote!(#from..#to)
+        };
+        let (mut value, mut few) = (value, None);
+        let methods = [(quote!(masked), quote!(masked_add)), (quote!(row_masked), quote!(row_masked_add))];
+        // Sites come last, rows before them.
+        for (along, (within, plus)) in of.along.iter().rev().zip(methods) {
+            match along.places {
+                Extent::All => {}
+                Extent::Few(from, to) if few.is_none() => few = Some((plus, range(from, to))),
+                Extent::Most(from, to) | Extent::Few(from, to) => {
+                    let places = range(from, to);
+                    value = quote!(window.#within(#places, #value));
+                }
+            }
+        }
+        if let Some((plus, places)) = few {
+            let before = if begun { quote!(#name) } else { self.lifted(quote!(0.0)) };
+            return quote!(let #name = window.#plus(#places, #before, #value););
+        }
+        if begun { quote!(let #name = #name + #value;) } else { quote!(let #name = #value;) }
+    }
+
+    /// All shares in order, with zero for those that no site has.
+    pub(crate) fn shares(&self, lattice: &Gathered) -> Vec<TokenStream> {
+        let named = |onward: &Vec<usize>| match lattice.shares.iter().any(|share| share.onward() == *onward) {
+            true => share(onward).to_token_stream(),
+            false => self.lifted(quote!(0.0)),
+        };
+        lattice.places().iter().map(named).collect()
+    }
+}

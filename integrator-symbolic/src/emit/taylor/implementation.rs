@@ -1,0 +1,54 @@
+//! The items of an implementation of `Recurrences`.
+
+use super::tape::{self, Tape, one_by_one};
+use crate::emit::printer::{function::Body, names::Names};
+use proc_macro2::{Literal, TokenStream};
+use quote::quote;
+
+/// What the runtime is told of recurrences.
+pub(super) struct Kind {
+    pub(super) rolled: bool,
+    pub(super) interleaved: bool,
+    pub(super) at_once: usize,
+}
+
+pub(super) fn implementation(body: TokenStream, tape: &Tape<'_>, kind: &Kind, names: &Names) -> TokenStream {
+    let Names { runtime, scalar, .. } = names;
+    let name = &names.tape;
+    let tape_of = if tape.is_empty() { quote!(()) } else { quote!(#name<#scalar>) };
+    let Kind { rolled, interleaved, at_once } = kind;
+    let body = Body::new(body);
+    let [parameters, length, time] = ["parameters", "length", "time"].map(|name| body.argument(name));
+    let pairs = body.mentions("pair").then(|| quote!(use #runtime::Pair as _;));
+    let stride = body.mentions("stride").then(|| quote!(let stride = q.stride();));
+    let layout = body.mentions("layout").then(|| quote!(let layout = q.layout();));
+    let at_once = Literal::usize_unsuffixed(*at_once);
+    let body = &body.0;
+    let counters = one_by_one(tape.records).map(|number| {
+        let next = tape::next(number);
+        quote!(let mut #next = 0;)
+    });
+    quote! {
+        type Tape<#scalar: #runtime::Real> = #tape_of;
+        const ROLLED: bool = #rolled;
+        const INTERLEAVED: bool = #interleaved;
+        const AT_ONCE: usize = #at_once;
+
+        #[cfg_attr(not(debug_assertions), inline(always))]
+        fn order<#scalar: #runtime::Real>(
+            #parameters: &Self::Parameters<#scalar>,
+            #length: usize,
+            q: &mut #runtime::Coefficients<'_, #scalar>,
+            p: &mut #runtime::Coefficients<'_, #scalar>,
+            tape: &mut Self::Tape<#scalar>,
+            order: usize,
+            #time: #scalar,
+        ) {
+            #pairs
+            #stride
+            #layout
+            #(#counters)*
+            #body
+        }
+    }
+}

@@ -1,0 +1,12 @@
+//! The recurrences of Taylor coefficients as Rust.
+
+mod ahead;
+mod implementation;
+mod moves;
+mod nest;
+pub(super) mod orders;
+mod pass;
+mod recurrence;
+mod sums;
+mod tape;
+mod unrolled;

@@ -1,0 +1,292 @@
+//! Loops as Rust: iterations side by side as a function of what an iteration reads, and the lines that call it; or
+//! iteration by iteration, where they wait for each other.
+
+use super::{
+    moves::{Found, Moves},
+    orders::{Source, Writer},
+    pass::{Pass, clock_read},
+    tape::{self, Iterations, Record, list},
+};
+use crate::{
+    emit::printer::{fields::Fields, function::Body},
+    graph::{
+        NodeId, Part,
+        index::{LoopId, Loops},
+    },
+    model::Model,
+    program::{
+        Item, Program,
+        nest::{Nest, Surroundings},
+    },
+    taylor::Recurrences,
+};
+use proc_macro2::{Ident, Literal, TokenStream};
+use quote::{format_ident, quote};
+use std::collections::HashMap;
+
+/// The names of what an iteration is given.
+struct Given {
+    reads: Vec<Ident>,
+    constants: Vec<Ident>,
+    common: Vec<Ident>,
+    /// The lines that make conditions of constants.
+    flags: TokenStream,
+    /// All of it, by what it is.
+    names: HashMap<NodeId, Ident>,
+}
+
+impl Given {
+    /// Values that have a name keep it.
+    fn of(nest: &Nest<'_>, known: &HashMap<NodeId, Ident>, wide: &Ident) -> Self {
+        let name = |id: &NodeId, kind: &str, number: usize| {
+            known.get(id).cloned().unwrap_or_else(|| format_ident!("{kind}_{number}"))
+        };
+        let all = |ids: &[NodeId], kind: &str| -> Vec<Ident> {
+            ids.iter().enumerate().map(|(number, id)| name(id, kind, number)).collect()
+        };
+        let read: Vec<NodeId> = nest.reads.iter().map(|(id, _)| *id).collect();
+        let (reads, mut constants, common) =
+            (all(&read, "read"), all(&nest.constants, "constant"), all(&nest.common, "common"));
+        let holds = all(&nest.flags, "holds");
+        let ids = read.iter().chain(&nest.constants).chain(&nest.common).chain(&nest.flags);
+        let names = reads.iter().chain(&constants).chain(&common).chain(&holds);
+        let names = ids.copied().zip(names.cloned()).collect();
+        let mut flags = TokenStream::new();
+        for (number, holds) in holds.iter().enumerate() {
+            let flag = format_ident!("flag_{number}");
+            flags.extend(quote!(let #holds = #wide::of(0.0).less(#flag);));
+            constants.push(flag);
+        }
+        Self { reads, constants, common, flags, names }
+    }
+}
+
+/// What is known of a program around its loops.
+pub(super) fn surroundings<'s>(
+    model: &'s Model,
+    program: &'s Program,
+    recurrences: &'s Recurrences,
+) -> Surroundings<'s> {
+    Surroundings { graph: &model.graph, named: &program.named, operands: &recurrences.operands }
+}
+
+/// Which numbers an iteration reads together: the first components of a point, in their order, or one alone.
+fn points(loops: &Loops, nest: &Nest<'_>) -> Vec<Vec<usize>> {
+    let component = |read: &usize| nest.reads[*read].1.component.and_then(|component| loops.literal(component));
+    let mut points: Vec<Vec<usize>> = Vec::new();
+    for (read, (_, element)) in nest.reads.iter().enumerate() {
+        let same = |point: &&mut Vec<usize>| {
+            let first = nest.reads[point[0]].1;
+            (first.part, first.index) == (element.part, element.index)
+        };
+        match points.iter_mut().find(same) {
+            Some(point) => point.push(read),
+            None => points.push(vec![read]),
+        }
+    }
+    let parted = points.into_iter().flat_map(|mut point| {
+        point.sort_by_key(component);
+        let are_first = point.iter().zip(0..).all(|(read, number)| component(read) == Some(number));
+        if are_first { vec![point] } else { point.into_iter().map(|read| vec![read]).collect() }
+    });
+    parted.collect()
+}
+
+impl Writer<'_> {
+    /// The nests of a loop whose iterations can be computed side by side.
+    pub(super) fn nests<'p>(&self, by: LoopId, body: &'p [Item]) -> Option<Vec<Nest<'p>>> {
+        if self.within.len() > 1 || !self.masks.is_empty() || matches!(self.moves, Moves::Once) {
+            return None;
+        }
+        let Source { model, program, recurrences, .. } = self.source;
+        surroundings(model, program, recurrences).nests(by, body)
+    }
+
+    /// A loop, whose iterations keep what they compute each in a place of its own.
+    pub(super) fn iterations(&mut self, fields: &mut Fields, by: LoopId, body: &[Item]) -> TokenStream {
+        let number = self.records.len();
+        let record = Record::of(&format!("iteration_{number}"), Iterations::OneByOne);
+        let at = record.at.clone();
+        self.records.push(record);
+        self.within.push(number);
+        // What two loops over the same range both compute is kept by each.
+        let outside = self.places.clone();
+        self.allocate(body);
+        let body = self.items(fields, body);
+        self.places = outside;
+        self.within.pop();
+        let iteration = (!self.records[number].slots.is_empty()).then(|| {
+            let (runtime, list, next) = (self.printer.runtime, list(number), tape::next(number));
+            quote!(let #at = #runtime::iteration(&mut tape.#list, &mut #next);)
+        });
+        self.printer.looped(fields, by, &quote!(#iteration #body))
+    }
+
+    /// A nest of loops: its iterations are laid out once, and computed in rows.
+    pub(super) fn nest(&mut self, fields: &mut Fields, nest: &Nest<'_>) -> TokenStream {
+        let names = self.source.names;
+        let (runtime, scalar, wide) = (&names.runtime, &names.scalar, &names.wide);
+        let number = self.records.len();
+        let (iterations, iteration) = (list(number), format_ident!("iteration_{number}"));
+        let given = Given::of(nest, &self.printer.names, wide);
+        let at_once = self.pass.orders();
+        let (body, mut record, found) = {
+            let mut writer = Writer::abreast(self.source, Record::of("iteration", Iterations::Once));
+            writer.pass = self.pass;
+            writer.printer.names.extend(given.names);
+            writer.allocate(nest.body.iter().copied());
+            let body = writer.iteration(fields, nest, &given.reads);
+            (body, writer.records.swap_remove(0), writer.moves.found())
+        };
+        let points = points(&self.printer.graph.loops, nest);
+        let counts = [points.len(), given.constants.len(), nest.targets.len(), found.values(), at_once];
+        record.iterations = Iterations::Abreast(counts);
+        let body = Body::new(body);
+        let kept = match record.slots.is_empty() {
+            true => quote!(()),
+            false => {
+                let kept = tape::iteration(number, names);
+                quote!(#kept<#wide>)
+            }
+        };
+        self.records.push(record);
+
+        let [_, of_constants, _, of_values, of_orders] = counts.map(Literal::usize_unsuffixed);
+        let of_common = Literal::usize_unsuffixed(given.common.len());
+        let of_reads = Literal::usize_unsuffixed(given.reads.len());
+        let (own, order) = (body.argument("iteration"), body.argument("order"));
+        let clock = clock_read(&body);
+        let Given { reads, constants, common, flags, .. } = given;
+        let body = &body.0;
+        let function = quote! {
+            #[cfg_attr(not(debug_assertions), inline(always))]
+            fn #iteration<#scalar: #runtime::Real, #wide: #runtime::Row<#scalar>>(
+                #own: &mut #kept,
+                reads: [[#wide; #of_orders]; #of_reads],
+                [#(#constants),*]: [#wide; #of_constants],
+                [#(#common),*]: [#wide; #of_common],
+                #order: usize,
+                #(#clock: [#wide; #of_orders],)*
+            ) -> [[#wide; #of_orders]; #of_values] {
+                let mut found = [[#wide::of(0.0); #of_orders]; #of_values];
+                #flags
+                #body
+                found
+            }
+        };
+
+        let taken = self.taken(fields, nest, &points, &iterations, &found);
+        let common = nest.common.iter().map(|id| {
+            let value = self.printer.expression(fields, *id).tokens;
+            quote!(#runtime::spread(#value))
+        });
+        let common: Vec<TokenStream> = common.collect();
+        let read = points.iter().enumerate().map(|(number, point)| {
+            let (part, number) = (self.printer.part(nest.reads[point[0]].1), Literal::usize_unsuffixed(number));
+            let components = point.iter().map(|read| &reads[*read]);
+            quote!(let [#(#components),*] = row.read(#number, #part, order);)
+        });
+        let moves = |part| nest.targets.iter().any(|element| element.part == part);
+        let added = [
+            (Part::Position, quote!(add_to_positions(q, order + 1))),
+            (Part::Momentum, quote!(add_to_momenta(p, order + 1))),
+        ];
+        let added = added.into_iter().filter(|(part, _)| moves(*part)).map(|(_, added)| added);
+        // The lines around have the coefficients of the time of one order.
+        let (times, clock) = match self.pass {
+            Pass::One => (None, clock.iter().map(|name| quote!([#runtime::spread(#name)])).collect()),
+            Pass::Two if clock.is_empty() => (None, Vec::new()),
+            Pass::Two => (
+                Some(quote!(let times = [order, order + 1].map(|order| #runtime::order_of_time(order, time));)),
+                clock
+                    .iter()
+                    .map(|name| {
+                        let number = Literal::usize_unsuffixed(usize::from(name == "time"));
+                        quote!([#runtime::spread(times[0].#number), #runtime::spread(times[1].#number)])
+                    })
+                    .collect(),
+            ),
+        };
+        quote! {
+            #function
+            #times
+            if order == 0 && tape.#iterations.is_empty() { #taken }
+            for (row, found) in tape.#iterations.rows() {
+                #(#read)*
+                *found = #iteration::<#scalar, #runtime::Abreast<#scalar>>(
+                    &mut row.kept,
+                    [#(#reads),*],
+                    row.constants,
+                    [#(#common),*],
+                    order,
+                    #(#clock,)*
+                );
+            }
+            #(tape.#iterations.#added;)*
+        }
+    }
+
+    /// The lines of an iteration, for each of the orders that are found at once.
+    fn iteration(&mut self, fields: &mut Fields, nest: &Nest<'_>, reads: &[Ident]) -> TokenStream {
+        let lines = || nest.body.iter().copied();
+        let [known, newest] = match self.pass {
+            Pass::One => [TokenStream::new(), TokenStream::new()],
+            Pass::Two => self.known_of_two(fields, lines()),
+        };
+        let body = self.items(fields, lines());
+        let opening = &self.opening;
+        let lines = quote!(#opening #body);
+        let clock = clock_read(&Body::new(lines.clone()));
+        match self.pass {
+            Pass::One => quote!(#(let [#clock] = #clock;)* let [#([#reads]),*] = reads; #lines),
+            Pass::Two => {
+                let numbers = (0..reads.len()).map(Literal::usize_unsuffixed);
+                quote! {
+                    #known
+                    for at in 0..2 {
+                        let order = order + at;
+                        #(let #clock = #clock[at];)*
+                        #(let #reads = reads[#numbers][at];)*
+                        #newest
+                        #lines
+                    }
+                }
+            }
+        }
+    }
+
+    /// The lines that take down the iterations.
+    fn taken(
+        &mut self,
+        fields: &mut Fields,
+        nest: &Nest<'_>,
+        points: &[Vec<usize>],
+        iterations: &Ident,
+        found: &Found,
+    ) -> TokenStream {
+        let (scalar, runtime) = (self.printer.scalar, self.printer.runtime);
+        // Names are those of values that are computed at every order.
+        let named = std::mem::take(&mut self.printer.names);
+        let printer = &self.printer;
+        let reads: Vec<_> = points.iter().map(|point| printer.in_row(fields, nest.reads[point[0]].1)).collect();
+        let targets: Vec<_> = nest.targets.iter().map(|element| printer.in_row(fields, *element)).collect();
+        let mut constants: Vec<_> = nest.constants.iter().map(|id| printer.computation(fields, *id).tokens).collect();
+        constants.extend(nest.flags.iter().map(|id| {
+            let holds = printer.computation(fields, *id).tokens;
+            quote!(#scalar::select(#holds, #scalar::of(1.0), #scalar::of(0.0)))
+        }));
+        let take = quote!(tape.#iterations.take([#(#reads),*], [#(#constants),*], [#(#targets),*]););
+        let take = nest.loops.iter().rev().fold(take, |take, by| printer.looped(fields, *by, &take));
+        self.printer.names = named;
+        let targets = nest.targets.iter().zip(&found.targets).map(|(element, (value, negative))| {
+            let value = Literal::usize_unsuffixed(*value);
+            let part = match element.part {
+                Part::Position => quote!(position),
+                Part::Momentum => quote!(momentum),
+            };
+            let negated = negative.then(|| quote!(.negated()));
+            quote!(#runtime::Target::#part(#value) #negated)
+        });
+        quote!(#take tape.#iterations.lay_out(layout, [#(#targets),*]);)
+    }
+}

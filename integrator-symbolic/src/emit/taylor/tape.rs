@@ -1,0 +1,180 @@
+//! The structs that hold the Taylor coefficients which recurrences read.
+//!
+//! Values outside of all loops lie beside each other; those inside of one have a place for every iteration of it.
+
+use crate::emit::printer::names::Names;
+use proc_macro2::{Ident, Literal, TokenStream};
+use quote::{format_ident, quote};
+
+/// What is kept in one block: the lines outside of all loops, or those of an iteration.
+pub(super) struct Record {
+    /// What it is called inside the block.
+    pub(super) at: Ident,
+    /// The name of each value, and what is kept of it.
+    pub(super) slots: Vec<(Ident, Kept)>,
+    /// How often there is one of it.
+    pub(super) iterations: Iterations,
+}
+
+impl Record {
+    pub(super) fn of(at: &str, iterations: Iterations) -> Self {
+        Self { at: format_ident!("{at}"), slots: Vec::new(), iterations }
+    }
+
+    /// Gives a value its place. One that is computed in several branches has one place, which each of them writes
+    /// before it reads it.
+    pub(super) fn keep(&mut self, name: Ident, kept: Kept) {
+        if !self.slots.contains(&(name.clone(), kept)) {
+            self.slots.push((name, kept));
+        }
+    }
+}
+
+/// What is kept of a value.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(super) enum Kept {
+    /// Its coefficients.
+    Series,
+    /// Those of its derivative, each its own multiplied by the order.
+    Rates,
+    /// Two coefficients side by side.
+    Pairs,
+    /// A number, the same for all orders.
+    Number,
+    /// Where it holds, for all orders.
+    Condition,
+}
+
+/// How often there is a record.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(super) enum Iterations {
+    /// It is that of the lines outside of all loops.
+    Once,
+    /// For every iteration, one after the other.
+    OneByOne,
+    /// For every eight iterations, which read so many points, have so many constants, and move so many coordinates by
+    /// so many values, of so many orders at once.
+    Abreast([usize; 5]),
+}
+
+/// The list that has a place for every iteration of a loop.
+pub(super) fn list(number: usize) -> Ident {
+    format_ident!("iterations_{number}")
+}
+
+/// The iteration that comes next.
+pub(super) fn next(number: usize) -> Ident {
+    format_ident!("next_{number}")
+}
+
+/// The struct of the iterations of a loop.
+pub(super) fn iteration(number: usize, names: &Names) -> Ident {
+    format_ident!("{}{number}", names.iteration)
+}
+
+/// The numbers of the loops whose iterations keep something, one by one.
+pub(super) fn one_by_one(records: &[Record]) -> impl Iterator<Item = usize> {
+    (1..records.len())
+        .filter(|number| records[*number].iterations == Iterations::OneByOne && !records[*number].slots.is_empty())
+}
+
+/// How the iterations of a loop are kept, if they keep anything.
+fn kind(number: usize, record: &Record, names: &Names) -> Option<TokenStream> {
+    let Names { runtime, scalar, .. } = names;
+    let iteration = iteration(number, names);
+    match record.iterations {
+        Iterations::Abreast(counts) => {
+            let counts = counts.map(Literal::usize_unsuffixed);
+            let kept =
+                if record.slots.is_empty() { quote!(()) } else { quote!(#iteration<#runtime::Abreast<#scalar>>) };
+            Some(quote!(#runtime::Iterations<#scalar, #kept, #(#counts),*>))
+        }
+        Iterations::OneByOne if !record.slots.is_empty() => Some(quote!(#runtime::Vec<#iteration<#scalar>>)),
+        Iterations::Once | Iterations::OneByOne => None,
+    }
+}
+
+/// All that is kept.
+pub(super) struct Tape<'r> {
+    /// The first one is that of the function.
+    pub(super) records: &'r [Record],
+    /// Whether positions merely follow momenta.
+    pub(super) is_mobile: bool,
+}
+
+impl Tape<'_> {
+    /// Whether nothing is kept: a motion whose forces are linear, without loops, reads coordinates alone.
+    pub(super) fn is_empty(&self) -> bool {
+        let keeps = |record: &Record| !record.slots.is_empty() || matches!(record.iterations, Iterations::Abreast(_));
+        !self.is_mobile && !self.records.iter().any(keeps)
+    }
+
+    /// The structs of the tape.
+    pub(super) fn structs(&self, names: &Names) -> TokenStream {
+        let Names { runtime, scalar, .. } = names;
+        let numbered = || self.records.iter().enumerate().skip(1);
+        let mobility = self.is_mobile.then(|| (format_ident!("mobility"), quote!(#runtime::Mobility<#scalar>)));
+        let of_loops = numbered().filter_map(|(number, record)| Some((list(number), kind(number, record, names)?)));
+        let lists: Vec<(Ident, TokenStream)> = mobility.into_iter().chain(of_loops).collect();
+        let iterations = numbered().filter(|(_, record)| !record.slots.is_empty()).map(|(number, record)| {
+            structure(names, &iteration(number, names), record, &[], " What an iteration of a loop keeps.")
+        });
+        let doc = " The coefficients that recurrences read.";
+        let whole = (!self.is_empty()).then(|| structure(names, &names.tape, &self.records[0], &lists, doc));
+        quote!(#(#iterations)* #whole)
+    }
+}
+
+/// The struct that holds a record, beside lists of what loops keep.
+fn structure(names: &Names, name: &Ident, record: &Record, lists: &[(Ident, TokenStream)], doc: &str) -> TokenStream {
+    let Names { runtime, scalar, .. } = names;
+    let (mut series, mut fields, mut values) = (Vec::new(), TokenStream::new(), TokenStream::new());
+    for (slot, kept) in &record.slots {
+        match kept {
+            Kept::Series => series.push(slot),
+            Kept::Rates => {
+                fields.extend(quote!(#slot: [#scalar; #runtime::COEFFICIENTS],));
+                values.extend(quote!(#slot: [#scalar::of(0.0); #runtime::COEFFICIENTS],));
+            }
+            Kept::Pairs => {
+                fields.extend(quote!(#slot: [#scalar::Pair; #runtime::COEFFICIENTS],));
+                let zero = quote!(#scalar::of(0.0));
+                values.extend(quote!(#slot: [#runtime::pair(#zero, #zero); #runtime::COEFFICIENTS],));
+            }
+            Kept::Number => {
+                fields.extend(quote!(#slot: #scalar,));
+                values.extend(quote!(#slot: #scalar::of(0.0),));
+            }
+            Kept::Condition => {
+                fields.extend(quote!(#slot: #scalar::Mask,));
+                values.extend(quote!(#slot: <#scalar::Mask as #runtime::Mask>::of(false),));
+            }
+        }
+    }
+    let of_order = format_ident!("{name}Order");
+    let orders = (!series.is_empty()).then(|| {
+        fields.extend(quote!(kept: [#of_order<#scalar>; #runtime::COEFFICIENTS],));
+        values.extend(quote!(kept: [#of_order { #(#series: #scalar::of(0.0)),* }; #runtime::COEFFICIENTS],));
+        quote! {
+            /// Coefficients of an order.
+            #[derive(::core::clone::Clone, ::core::marker::Copy)]
+            pub struct #of_order<#scalar: #runtime::Real> { #(#series: #scalar),* }
+        }
+    });
+    for (list, kind) in lists {
+        fields.extend(quote!(#list: #kind,));
+        values.extend(quote!(#list: ::core::default::Default::default(),));
+    }
+    quote! {
+        #orders
+
+        #[doc = #doc]
+        pub struct #name<#scalar: #runtime::Real> { #fields }
+
+        impl<#scalar: #runtime::Real> ::core::default::Default for #name<#scalar> {
+            fn default() -> Self {
+                Self { #values }
+            }
+        }
+    }
+}

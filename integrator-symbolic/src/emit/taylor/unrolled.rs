@@ -1,0 +1,132 @@
+//! Recurrences whose orders are compiled one by one, where a state is a few numbers: what counts is how soon an order
+//! follows from the one before it.
+//!
+//! Of a sum `Σ aⱼ bₖ₋ⱼ` that is divided by `k`, the product with the newest `b` comes in when the others have been
+//! divided, with an `a₁/k` that has been known for long. For `y' = g x'`, the coefficients `j xⱼ` of `x'` are kept:
+//! those of a coordinate are there before its own, which are divided by their order.
+
+use super::{
+    moves::Moves,
+    orders::Writer,
+    recurrence::{Chained, Products, Series, Weight, minus},
+    tape::Kept,
+};
+use crate::{
+    emit::printer::fields::Fields,
+    graph::{Element, Node, NodeId},
+    taylor::signed,
+};
+use proc_macro2::{Ident, TokenStream};
+use quote::{ToTokens, format_ident, quote};
+
+impl Writer<'_> {
+    /// Whether orders are compiled one by one.
+    pub(super) fn is_unrolled(&self) -> bool {
+        matches!(self.moves, Moves::Alone(_))
+    }
+
+    /// Finds places for the coefficients of `x'`, where a value is computed by `y' = g x'`.
+    pub(super) fn allocate_rates(&mut self, id: NodeId) {
+        if !self.is_unrolled() || !self.is_nonlinear(id) {
+            return;
+        }
+        let slopes = self.source.recurrences.slopes[&id];
+        for (x, _) in self.printer.graph.node(id).children().zip(slopes).filter(|(_, slope)| slope.is_some()) {
+            let x = signed(self.printer.graph, x).1;
+            let is_clock = matches!(self.printer.graph.node(x), Node::Time | Node::Middle | Node::Step);
+            if is_clock || self.rate(x).is_some() {
+                continue;
+            }
+            let name = format_ident!("rates_{}", self.rates.len());
+            let record = self.record();
+            record.keep(name.clone(), Kept::Rates);
+            let rate = Series::Own { at: record.at.clone(), name };
+            self.rates.push((x, rate));
+        }
+    }
+
+    /// Where the coefficients of the derivative of a value are.
+    pub(super) fn rate(&self, id: NodeId) -> Option<&Series> {
+        let id = signed(self.printer.graph, id).1;
+        self.rates.iter().find(|(known, _)| *known == id).map(|(_, rate)| rate)
+    }
+
+    /// The line that keeps such a coefficient of a value that has just been computed.
+    pub(super) fn keep_rate(&self, id: NodeId) -> Option<TokenStream> {
+        let (name, scalar) = (&self.printer.names[&id], self.printer.scalar);
+        let rate = self.rate(id)?.of(&quote!(order));
+        Some(quote!(#rate = #scalar::of(order as f64) * #name;))
+    }
+
+    /// The line that keeps that of a coordinate: what its own one is before it is divided by its order.
+    pub(super) fn keep_rate_of(&self, element: &Element, next: &impl ToTokens) -> Option<TokenStream> {
+        let rate = self.rate_of(element)?.of(&quote!(order + 1));
+        Some(quote!(#rate = #next;))
+    }
+
+    /// Where the coefficients of the derivative of a coordinate are.
+    pub(super) fn rate_of(&self, element: &Element) -> Option<&Series> {
+        let is_of = |(id, _): &&(NodeId, Series)| self.printer.graph.node(*id) == Node::Coordinate(*element);
+        self.rates.iter().find(is_of).map(|(_, rate)| rate)
+    }
+
+    /// The product with the newest coefficient of what a value is computed from, to be added to a sum that has been
+    /// divided by the order.
+    pub(super) fn newest_product(&self, fields: &mut Fields, chained: &Chained) -> [TokenStream; 2] {
+        let Chained { negative, x, slope, .. } = chained;
+        let (runtime, slope) = (self.printer.runtime, slope.of(&quote!(0)));
+        match (self.rate(*x), self.printer.graph.node(signed(self.printer.graph, *x).1)) {
+            (Some(rate), Node::Coordinate(_)) => {
+                [minus(*negative, rate.of(&quote!(order))), quote!(#runtime::over(#slope, order))]
+            }
+            _ => [minus(*negative, self.newest(fields, *x)), slope],
+        }
+    }
+
+    /// What the sum of products with earlier coefficients is called, where there is one.
+    pub(super) fn early(&self, id: NodeId, products: &[Products]) -> Option<Ident> {
+        let is_of_rates = products.iter().any(|products| matches!(products.weight, Weight::Rate { .. }));
+        is_of_rates.then(|| format_ident!("early_of_{}", self.printer.names[&id]))
+    }
+
+    /// The first factor of order `j`.
+    pub(super) fn factor(&self, Products { weight, a, .. }: &Products, j: &TokenStream) -> TokenStream {
+        self.weighted(weight, j, &quote!(order), &a.of(j))
+    }
+
+    /// A coefficient: the first one by its own lines, the others by the sum over what is known, which is divided by the
+    /// order, with `newest` products behind that. `scaled` makes of a sum what is divided.
+    pub(super) fn divided(
+        &mut self,
+        fields: &mut Fields,
+        id: NodeId,
+        first: &TokenStream,
+        newest: &[[TokenStream; 2]],
+        scaled: impl Fn(TokenStream) -> TokenStream,
+    ) -> TokenStream {
+        let (runtime, rest) = (self.printer.runtime, self.rest_of(id));
+        let with_newest = |sum| newest.iter().fold(sum, |sum, [a, b]| quote!(#a.fma(#b, #sum)));
+        if !self.is_unrolled() {
+            let rest = scaled(rest);
+            let later = with_newest(quote!(#runtime::over(#rest, order)));
+            return quote!(if order == 0 { #first } else { #later });
+        }
+        let products = self.products(fields, id);
+        let rest = scaled(match self.early(id, &products) {
+            Some(early) => quote!((#early + #rest)),
+            None => rest,
+        });
+        let sum = products.iter().fold(quote!(#runtime::over(#rest, order)), |sum, products| {
+            let (a, b) = (scaled(self.factor(products, &quote!(1))), products.b.of(&quote!(order - 1)));
+            quote!(#runtime::over(#a, order).fma(#b, #sum))
+        });
+        let later = with_newest(sum);
+        let second = newest.iter().map(|[a, b]| quote!(#b * #a)).reduce(|sum, product| quote!(#sum + #product));
+        quote!(match order { 0 => { #first } 1 => #second, _ => #later, })
+    }
+
+    /// Whether a sum gets the sign that all of its products have.
+    pub(super) fn is_negated(&self, chained: &[Chained]) -> bool {
+        self.is_unrolled() && chained.iter().all(|chained| chained.negative)
+    }
+}
