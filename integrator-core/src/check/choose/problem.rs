@@ -12,7 +12,7 @@ use crate::{
         },
         start::Start,
         statistics::{
-            path::{PARTS, Path, Scale},
+            path::{PARTS, Path, Recorder, Scale},
             points::{flat_start, plain},
         },
     },
@@ -59,8 +59,8 @@ pub(super) struct Problem<'s, H: Hamiltonian, K: Precision> {
     pub(super) start: Start<Shaped<H, K>>,
     pub(super) span: f64,
     pub(super) goal: Goal,
-    /// The true motion and how far it goes; none where the energy is the goal.
-    exact: Option<(Path, Scale)>,
+    /// The true motion; none where the energy is the goal.
+    exact: Option<Reference>,
     /// Of what numbers of steps are multiples: of the parts in which the motion is seen, and where the Hamiltonian is defined by
     /// pieces in time, of the steps that end where these do.
     unit: u64,
@@ -83,9 +83,9 @@ impl<'s, H: Hamiltonian, K: Precision> Problem<'s, H, K> {
     /// The fewest steps that end at all edges and are shared evenly by the parts.
     fn over_edges(&self) -> Result<u64, ChooseError> {
         let start = self.begins();
-        let seen = self.reference(SEEN).map(|(path, _)| path.ends).unwrap_or_default();
-        let seen: Vec<_> = seen.iter().map(|point| shaped(&start.phase, point)).collect();
-        let points: Vec<_> = [start.phase].into_iter().chain(seen).collect();
+        let (seen, _) = self.path(SEEN);
+        let points: Vec<_> =
+            [&seen.start].into_iter().chain(&seen.ends).map(|point| shaped(&start.phase, point)).collect();
         match fewest_steps(self.system, &points, start.time, self.span) {
             Ok(steps) => Ok(steps * (PARTS / greatest_common_divisor(steps, PARTS))),
             Err(time) => Err(ChooseError::Edge { time, span: self.span }),
@@ -104,49 +104,39 @@ impl<'s, H: Hamiltonian, K: Precision> Problem<'s, H, K> {
 
     /// The true motion: a Taylor series, or a run of order 10 with a compensated state, its step halved until that changes
     /// nothing.
-    fn followed(&self, tolerance: f64) -> Result<(Path, Scale), ChooseError> {
-        if let Some(exact) = self.by_series()
-            && within(exact.uncertainty() * MARGIN, tolerance)
-        {
-            return Ok((exact.path, exact.scale));
+    fn followed(&self, tolerance: f64) -> Result<Reference, ChooseError> {
+        let is_known = |reference: &Reference| within(reference.uncertainty() * MARGIN, tolerance);
+        if let Some(series) = self.by_series().filter(is_known) {
+            return Ok(series);
         }
-        let mut changes = [f64::INFINITY; 2];
-        let mut least = f64::INFINITY;
-        let mut coarse: Option<(Path, Scale)> = None;
-        let mut steps = self.unit;
-        while steps <= MOST_EVALUATIONS {
-            let fine = self.reference(steps).ok();
-            if let (Some((coarse, _)), Some((fine, scale))) = (coarse, &fine) {
-                let change = fine.distance(&coarse, *scale);
+        let (mut changes, mut least) = ([f64::INFINITY; 2], f64::INFINITY);
+        let run = Reference::refined(
+            self.unit..=MOST_EVALUATIONS,
+            |steps| self.path(steps),
+            |reference| {
+                let change = reference.uncertainty();
                 least = least.min(change);
-                if within(change * MARGIN, tolerance) {
-                    return Ok((fine.clone(), *scale));
-                }
-                if stalled(change, changes[0], f64::EPSILON) {
-                    break;
-                }
-                changes = [changes[1], change];
-            }
-            coarse = fine;
-            steps *= 2;
-        }
-        Err(ChooseError::Unfollowed { tolerance, difference: least })
+                let [two_halvings_ago, last] = changes;
+                changes = [last, change];
+                is_known(reference) || stalled(change, two_halvings_ago, f64::EPSILON)
+            },
+        );
+        if is_known(&run) { Ok(run) } else { Err(ChooseError::Unfollowed { tolerance, difference: least }) }
     }
 
-    /// One refinement of the true motion. How far it goes is looked at after every step.
-    fn reference(&self, steps: u64) -> Result<(Path, Scale), Error> {
+    /// One refinement of the true motion, seen after every step. It has no ends if the run breaks off.
+    fn path(&self, steps: u64) -> (Path, Scale) {
         let start = self.begins();
         let begin = flat(&start.phase);
-        let mut run = CompensatedSteps::new(self.system, SofroniouSpaletta10, start, self.span / steps as f64)?;
-        let (mut ends, mut scale) = (Vec::with_capacity(PARTS as usize), Scale::ZERO);
-        for step in 1..=steps {
-            let state = run.advance(1)?;
-            scale = scale.reaching(&begin, &state);
-            if step % (steps / PARTS) == 0 {
-                ends.push(state);
+        let recorded = || -> Result<_, Error> {
+            let mut recorder = Recorder::new(begin.clone(), steps / PARTS);
+            let mut run = CompensatedSteps::new(self.system, SofroniouSpaletta10, start, self.span / steps as f64)?;
+            for _ in 0..steps {
+                recorder.record(run.advance(1)?);
             }
-        }
-        Ok((Path { start: begin, ends }, scale))
+            Ok(recorder.finish())
+        };
+        recorded().unwrap_or_else(|_| Recorder::new(begin.clone(), 1).finish())
     }
 
     /// The true motion by a Taylor series, where there is one.
@@ -158,7 +148,7 @@ impl<'s, H: Hamiltonian, K: Precision> Problem<'s, H, K> {
     /// The error of a candidate in `steps` steps, a multiple of [`PARTS`]; infinite where the run breaks off.
     pub(super) fn error(&self, candidate: &Candidate<H, K>, steps: u64) -> f64 {
         let error = match &self.exact {
-            Some((exact, scale)) => self.ends(candidate, steps).map(|path| path.distance(exact, *scale)),
+            Some(exact) => self.ends(candidate, steps).map(|path| path.distance(&exact.path, exact.scale)),
             None => self.deviation(candidate, steps),
         };
         error.unwrap_or(f64::INFINITY)
@@ -175,12 +165,7 @@ impl<'s, H: Hamiltonian, K: Precision> Problem<'s, H, K> {
 
     fn ends(&self, candidate: &Candidate<H, K>, steps: u64) -> Result<Path, Error> {
         let mut run = self.begin(candidate, steps)?;
-        let mut ends = Vec::with_capacity(PARTS as usize);
-        for _ in 0..PARTS {
-            run.advance(steps / PARTS)?;
-            ends.push(flat(&run.state()));
-        }
-        Ok(Path { start: flat(&self.start.phase), ends })
+        Path::of_run(flat(&self.start.phase), PARTS, || run.advance(steps / PARTS).map(|_| flat(&run.state())))
     }
 
     fn deviation(&self, candidate: &Candidate<H, K>, steps: u64) -> Result<f64, Error> {

@@ -6,7 +6,7 @@ use crate::{
     check::{
         oracle::{exact::Exact, reference::Reference},
         start::Start,
-        statistics::path::{PARTS, Path, Scale},
+        statistics::path::{PARTS, Path, Recorder, Scale},
     },
     hamiltonian::{Flows, Hamiltonian, Shaped, Single},
     scalar::tolerance::within,
@@ -54,17 +54,8 @@ impl<'s> March<'s> {
     }
 
     fn refined_to(&self, span: f64, finest: u64) -> Reference {
-        let mut steps = COARSEST;
-        let (mut other, _) = self.path(span, steps);
-        loop {
-            steps *= 2;
-            let (path, scale) = self.path(span, steps);
-            let reference = Reference { path, other, scale };
-            if steps >= finest || within(reference.uncertainty(), reference.rounding()) {
-                return reference;
-            }
-            other = reference.path;
-        }
+        let settled = |reference: &Reference| within(reference.uncertainty(), reference.rounding());
+        Reference::refined(COARSEST..=finest, |steps| self.path(span, steps), settled)
     }
 
     /// Takes `steps` steps of eighth order over each part of `span`, and sees how far they go.
@@ -72,15 +63,9 @@ impl<'s> March<'s> {
         let Self { system, start, weights, whole } = self;
         let steps = whole * steps;
         let h = span / (PARTS * steps) as f64;
-        let (mut ends, mut scale, mut step) = (Vec::with_capacity(PARTS as usize), Scale::ZERO, 0);
-        system.march(start, (h, PARTS * steps), weights, &mut |end| {
-            scale = scale.reaching(&start.phase, &end);
-            step += 1;
-            if step % steps == 0 {
-                ends.push(end);
-            }
-        });
-        (Path { start: start.phase.clone(), ends }, scale)
+        let mut recorder = Recorder::new(start.phase.clone(), steps);
+        system.march(start, (h, PARTS * steps), weights, &mut |end| recorder.record(end));
+        recorder.finish()
     }
 }
 

@@ -18,6 +18,7 @@ use crate::{
     methods::taylor::Taylor,
     scalar::tolerance::within,
 };
+use std::ops::RangeInclusive;
 
 /// The error, in units of the excursion, up to which flows in coarse steps are taken to follow the motion. Halving the
 /// steps then leaves little of it, so that what is left is less than what changed.
@@ -53,6 +54,25 @@ pub(crate) struct Reference {
 }
 
 impl Reference {
+    /// Halves the steps that `path` takes, until the two finest motions have settled or the steps are the finest ones.
+    pub(crate) fn refined(
+        steps: RangeInclusive<u64>,
+        path: impl Fn(u64) -> (Path, Scale),
+        mut settled: impl FnMut(&Self) -> bool,
+    ) -> Self {
+        let (mut steps, finest) = steps.into_inner();
+        let (mut other, _) = path(steps);
+        loop {
+            steps *= 2;
+            let (path, scale) = path(steps);
+            let reference = Self { path, other, scale };
+            if settled(&reference) || 2 * steps > finest {
+                return reference;
+            }
+            other = reference.path;
+        }
+    }
+
     /// How far the two are apart: above the error, for a march of any order.
     pub(crate) fn uncertainty(&self) -> f64 {
         self.path.distance(&self.other, self.scale)

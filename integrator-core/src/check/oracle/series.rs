@@ -6,7 +6,7 @@
 use crate::{
     check::{
         start::Start,
-        statistics::path::{PARTS, Path, Scale},
+        statistics::path::{PARTS, Path, Recorder, Scale},
     },
     hamiltonian::Hamiltonian,
     methods::taylor::{Recurrences, RecurrencesVisitor, Taylor},
@@ -65,23 +65,17 @@ impl<H: Hamiltonian> RecurrencesVisitor<H> for Expansion<'_, H> {
         let mut state = Phase::compensated(start.q.clone(), start.p.clone());
         let mut motion = <Taylor as Method<H>>::Motion::<f64, Compensated<f64>>::load(&[&*constants], &[&state]);
         let moves = <Taylor as Method<H>>::moves::<f64, Compensated<f64>>();
-        let begin = flat(start);
-        let (mut ends, mut scale) = (Vec::with_capacity(PARTS as usize), Scale::ZERO);
+        let mut recorder = Recorder::new(flat(start), looks);
         for step in 1..=PARTS * looks {
             // Ends of parts are multiples of a part, whatever the looks between them round.
-            let is_end = step % looks == 0;
-            let (number, count) = if is_end { (step / looks, PARTS) } else { (step, PARTS * looks) };
+            let (number, count) = if step % looks == 0 { (step / looks, PARTS) } else { (step, PARTS * looks) };
             moves.advance(&mut motion, Clock { t0, h: span / count as f64, steps: number - 1 }, 1);
             if !motion.finite() {
                 return;
             }
             motion.store(0, &mut state);
-            let point = flat(&state);
-            scale = scale.reaching(&begin, &point);
-            if is_end {
-                ends.push(point);
-            }
+            recorder.record(flat(&state));
         }
-        self.found = Some((Path { start: begin, ends }, scale));
+        self.found = Some(recorder.finish());
     }
 }

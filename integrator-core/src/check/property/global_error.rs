@@ -86,19 +86,14 @@ pub fn global_error<H: Hamiltonian, X: Method<H>, K: Precision>(
     let part = steps.div_ceil(PARTS);
     let span = PARTS as f64 * part as f64 * h;
     let mut run = run::<H, X, K>(system, method, &start, h)?;
-    let mut ends = Vec::with_capacity(PARTS as usize);
-    for _ in 0..PARTS {
-        run.advance(part)?;
-        ends.push(flat(&run.state()));
-    }
+    let start = flat_start(&begin);
+    let path = Path::of_run(start.phase.clone(), PARTS, || run.advance(part).map(|_| flat(&run.state())))?;
     // Where a step follows the motion, flows in coarse steps follow it over some steps; where it does not, the exact motion must
     // not take longer than the run.
-    let start = flat_start(&begin);
     let exact = reference(&Motions { system, shape: &begin.phase }, &start, span, part, steps.ilog2() as i32);
     let uncertainty = exact.uncertainty() + exact.rounding();
     if !within(uncertainty, KNOWN) {
         return Err(CheckError::NoReference { span, uncertainty });
     }
-    let distance = Path { start: start.phase, ends }.distance(&exact.path, exact.scale);
-    Ok(GlobalError { distance, uncertainty, span })
+    Ok(GlobalError { distance: path.distance(&exact.path, exact.scale), uncertainty, span })
 }

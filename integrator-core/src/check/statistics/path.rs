@@ -40,6 +40,15 @@ impl Scale {
 }
 
 impl Path {
+    /// The path of a run, which `advance` takes to the end of one part after the other.
+    ///
+    /// # Errors
+    /// The first one of the run.
+    pub(crate) fn of_run<E>(start: Flat, parts: u64, mut advance: impl FnMut() -> Result<Flat, E>) -> Result<Self, E> {
+        let ends = (0..parts).map(|_| advance()).collect::<Result<_, _>>()?;
+        Ok(Self { start, ends })
+    }
+
     /// The farthest from the start that the motion was seen.
     pub(crate) fn excursion(&self) -> Scale {
         self.ends.iter().fold(Scale::ZERO, |scale, end| scale.reaching(&self.start, end))
@@ -54,18 +63,46 @@ impl Path {
         }
     }
 
-    /// The root of the mean squared distance to `other` over the ends, in units of `scale`.
+    /// The root of the mean squared distance to `other` over the ends, in units of `scale`; NaN if one of the two has none.
     pub(crate) fn distance(&self, other: &Self, scale: Scale) -> f64 {
         let apart = self.ends.iter().zip(&other.ends).flat_map(|(one, other)| {
             [ratio(separation(&one.q, &other.q), scale.q), ratio(separation(&one.p, &other.p), scale.p)]
         });
-        length(apart) / (self.ends.len() as f64).sqrt()
+        length(apart) / (self.ends.len().min(other.ends.len()) as f64).sqrt()
     }
 
     /// What one rounding of every coordinate amounts to, in units of `scale`.
     pub(crate) fn rounding(&self, scale: Scale) -> f64 {
         let magnitude = self.magnitude();
         f64::EPSILON * (ratio(magnitude.q, scale.q) + ratio(magnitude.p, scale.p))
+    }
+}
+
+/// A path that is recorded step by step, and how far the motion goes.
+pub(crate) struct Recorder {
+    path: Path,
+    scale: Scale,
+    /// The steps of a part, and those so far.
+    steps: u64,
+    step: u64,
+}
+
+impl Recorder {
+    pub(crate) fn new(start: Flat, steps: u64) -> Self {
+        Self { path: Path { start, ends: Vec::new() }, scale: Scale::ZERO, steps, step: 0 }
+    }
+
+    /// The end of the next step.
+    pub(crate) fn record(&mut self, point: Flat) {
+        self.scale = self.scale.reaching(&self.path.start, &point);
+        self.step += 1;
+        if self.step.is_multiple_of(self.steps) {
+            self.path.ends.push(point);
+        }
+    }
+
+    pub(crate) fn finish(self) -> (Path, Scale) {
+        (self.path, self.scale)
     }
 }
 
