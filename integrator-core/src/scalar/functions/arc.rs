@@ -15,7 +15,7 @@ use crate::scalar::{
 };
 use core::f64::consts::FRAC_PI_2;
 
-/// What the arc tangent is made of in one format.
+/// Constants and polynomials of the arc tangent in one format.
 pub(crate) trait Arc: Parts {
     /// π/2 in two parts.
     const QUARTER: [f64; 2];
@@ -26,13 +26,13 @@ pub(crate) trait Arc: Parts {
     fn series<R: Bits<Scalar = Self>>(z: R) -> R;
     /// `A - 1/4` at `z`, with the digits that 4 ulp need.
     fn short_series<R: Bits<Scalar = Self>>(z: R) -> R;
-    /// The functions of the maths library, for arguments that are not moderate.
-    fn beyond(lanes: &mut [Self], others: &[Self]);
+    /// The function of the maths library, for arguments that are not moderate.
+    fn fallback(lanes: &mut [Self], others: &[Self]);
 }
 
-/// The angle whose tangent is `small / big`, in two parts.
+/// The angle in the first octant whose tangent is `small / big`, in two parts.
 #[cfg_attr(not(debug_assertions), inline(always))]
-fn eighth<R: Bits<Scalar: Arc>>(small: R, big: R) -> [R; 2] {
+fn octant<R: Bits<Scalar: Arc>>(small: R, big: R) -> [R; 2] {
     let t = small / big;
     let z = t * t;
     // The slope is 1/(1 + z), of which a few bits are enough.
@@ -44,7 +44,7 @@ fn eighth<R: Bits<Scalar: Arc>>(small: R, big: R) -> [R; 2] {
 
 /// The sum of so many quarter turns, if there are any, and an angle that is smaller and in two parts.
 #[cfg_attr(not(debug_assertions), inline(always))]
-pub(super) fn turned<R: Bits<Scalar: Arc>>(quarters: R, [angle, rest]: [R; 2]) -> R {
+pub(super) fn add_quarters<R: Bits<Scalar: Arc>>(quarters: R, [angle, rest]: [R; 2]) -> R {
     let [quarter, small] = R::Scalar::QUARTER.map(R::of);
     let [sum, lost] = fast_two_sum(quarters * quarter, angle);
     sum + (lost + quarters.fma(small, rest))
@@ -80,11 +80,11 @@ fn quadrant<R: Bits>(x: R, steep: R::Mask) -> (R, R) {
 
 /// `value` where the sizes are moderate, that of the maths library elsewhere.
 #[cfg_attr(not(debug_assertions), inline(always))]
-fn rescued<R: Bits<Scalar: Arc>>(value: R, [y, x]: [R; 2], [small, big]: [R; 2]) -> R {
+fn with_fallback<R: Bits<Scalar: Arc>>(value: R, [y, x]: [R; 2], [small, big]: [R; 2]) -> R {
     let [least, greatest] = R::Scalar::MODERATE.map(R::of);
     let moderate = least.less(big).and(big.less(greatest)).and(least.less(small).or(small.equal(R::of(0.0))));
-    let beyond = moderate.not();
-    if beyond.any() { R::select(beyond, y.through_with(x, R::Scalar::beyond), value) } else { value }
+    let outside = moderate.not();
+    if outside.any() { R::select(outside, y.zip_scalars(x, R::Scalar::fallback), value) } else { value }
 }
 
 /// At most 1 ulp.
@@ -92,24 +92,24 @@ fn rescued<R: Bits<Scalar: Arc>>(value: R, [y, x]: [R; 2], [small, big]: [R; 2])
 pub(crate) fn atan<R: Bits<Scalar: Arc>>(x: R) -> R {
     let one = R::of(1.0);
     let (small, big, steep) = sorted(size(x), one);
-    let [angle, rest] = eighth(small, big);
+    let [angle, rest] = octant(small, big);
     let (quarters, flip) = quadrant(one, steep);
-    turned(quarters, [angle.bits_xor(flip), rest.bits_xor(flip)]).bits_xor(sign(x))
+    add_quarters(quarters, [angle.bits_xor(flip), rest.bits_xor(flip)]).bits_xor(sign(x))
 }
 
 /// At most 1 ulp.
 #[cfg_attr(not(debug_assertions), inline(always))]
 pub(crate) fn atan2<R: Bits<Scalar: Arc>>(y: R, x: R) -> R {
     let (small, big, steep) = sorted(y.abs(), x.abs());
-    let [angle, rest] = eighth(small, big);
+    let [angle, rest] = octant(small, big);
     let (quarters, flip) = quadrant(x, steep);
-    let value = turned(quarters, [angle.bits_xor(flip), rest.bits_xor(flip)]).bits_xor(sign(y));
-    rescued(value, [y, x], [small, big])
+    let value = add_quarters(quarters, [angle.bits_xor(flip), rest.bits_xor(flip)]).bits_xor(sign(y));
+    with_fallback(value, [y, x], [small, big])
 }
 
-/// The angle whose tangent is `small / big`, of which nothing is kept beyond its rounding.
+/// The angle in the first octant whose tangent is `small / big`, rounded.
 #[cfg_attr(not(debug_assertions), inline(always))]
-fn short_eighth<R: Bits<Scalar: Arc>>(small: R, big: R) -> R {
+fn short_octant<R: Bits<Scalar: Arc>>(small: R, big: R) -> R {
     let t = small / big;
     let z = t * t;
     (t * z).fma(R::Scalar::short_series(z), t)
@@ -121,7 +121,7 @@ pub(crate) fn fast_atan<R: Bits<Scalar: Arc>>(x: R) -> R {
     let one = R::of(1.0);
     let (small, big, steep) = sorted(x.abs(), one);
     let (quarters, flip) = quadrant(one, steep);
-    let angle = short_eighth(small, big).bits_xor(flip);
+    let angle = short_octant(small, big).bits_xor(flip);
     quarters.fma(R::of(FRAC_PI_2), angle).bits_xor(sign(x))
 }
 
@@ -130,8 +130,8 @@ pub(crate) fn fast_atan<R: Bits<Scalar: Arc>>(x: R) -> R {
 pub(crate) fn fast_atan2<R: Bits<Scalar: Arc>>(y: R, x: R) -> R {
     let (small, big, steep) = sorted(y.abs(), x.abs());
     let (quarters, flip) = quadrant(x, steep);
-    let angle = short_eighth(small, big).bits_xor(flip);
-    rescued(quarters.fma(R::of(FRAC_PI_2), angle).bits_xor(sign(y)), [y, x], [small, big])
+    let angle = short_octant(small, big).bits_xor(flip);
+    with_fallback(quarters.fma(R::of(FRAC_PI_2), angle).bits_xor(sign(y)), [y, x], [small, big])
 }
 
 /// The errors of the polynomials: 2^-56.4 and 2^-52.3.
@@ -228,7 +228,7 @@ impl Arc for f64 {
 
     #[cold]
     #[inline(never)]
-    fn beyond(lanes: &mut [f64], others: &[f64]) {
+    fn fallback(lanes: &mut [f64], others: &[f64]) {
         lanes.iter_mut().zip(others).for_each(|(y, &x)| *y = Elementary::atan2(*y, x));
     }
 }
@@ -273,7 +273,7 @@ impl Arc for f32 {
 
     #[cold]
     #[inline(never)]
-    fn beyond(lanes: &mut [f32], others: &[f32]) {
+    fn fallback(lanes: &mut [f32], others: &[f32]) {
         lanes.iter_mut().zip(others).for_each(|(y, &x)| *y = Elementary::atan2(*y, x));
     }
 }

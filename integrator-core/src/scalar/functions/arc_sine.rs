@@ -7,13 +7,13 @@
 
 use super::{
     Bits,
-    arc::{Arc, sign, turned},
+    arc::{Arc, add_quarters, sign},
     cubic, linear,
 };
 use crate::scalar::exact::{less_product, pattern_less};
 use core::f64::consts::FRAC_PI_2;
 
-/// What the arc sine is made of in one format.
+/// Constants and polynomials of the arc sine in one format.
 pub(crate) trait ArcSine: Arc {
     /// From this pattern half of that of a number is subtracted for `1/(2·√x)`, off by 4 % at most.
     const HALF_RECIPROCAL_ROOT: u64;
@@ -45,9 +45,9 @@ fn of_sine<R: Bits>(outer: R::Mask) -> [R; 2] {
 /// The same for the arc cosine.
 #[cfg_attr(not(debug_assertions), inline(always))]
 fn of_cosine<R: Bits>(x: R, outer: R::Mask) -> [R; 2] {
-    let turns = R::select(x.less(R::of(0.0)), R::of(2.0), R::of(0.0));
+    let quarters = R::select(x.less(R::of(0.0)), R::of(2.0), R::of(0.0));
     let factor = R::select(outer, R::of(2.0), R::of(-1.0)).bits_xor(sign(x));
-    [R::select(outer, turns, R::of(1.0)), factor]
+    [R::select(outer, quarters, R::of(1.0)), factor]
 }
 
 /// At most 1 ulp.
@@ -55,7 +55,7 @@ fn of_cosine<R: Bits>(x: R, outer: R::Mask) -> [R; 2] {
 pub(crate) fn asin<R: Bits<Scalar: ArcSine>>(x: R) -> R {
     let (outer, [s, rest]) = inner(x.abs());
     let [quarters, factor] = of_sine::<R>(outer);
-    turned(quarters, [factor * s, factor * rest]).bits_xor(sign(x))
+    add_quarters(quarters, [factor * s, factor * rest]).bits_xor(sign(x))
 }
 
 /// At most 1 ulp.
@@ -63,10 +63,10 @@ pub(crate) fn asin<R: Bits<Scalar: ArcSine>>(x: R) -> R {
 pub(crate) fn acos<R: Bits<Scalar: ArcSine>>(x: R) -> R {
     let (outer, [s, rest]) = inner(x.abs());
     let [quarters, factor] = of_cosine(x, outer);
-    turned(quarters, [factor * s, factor * rest])
+    add_quarters(quarters, [factor * s, factor * rest])
 }
 
-/// As `inner`, but nothing is kept beyond the rounding of the root and of the result.
+/// As `inner`, with the root and the result rounded.
 #[cfg_attr(not(debug_assertions), inline(always))]
 fn short_inner<R: Bits<Scalar: ArcSine>>(size: R) -> (R::Mask, R) {
     let half = R::of(0.5);

@@ -1,11 +1,11 @@
-//! What kernels need beside arithmetic: the bits of a number, lane by lane.
+//! Operations on the bits of numbers, lane by lane, which kernels need beside arithmetic.
 
 use crate::scalar::{
     fma::{Fused, Instructions},
     real::Real,
 };
 
-/// A number, or several side by side, whose bits a kernel may handle.
+/// A scalar or vector whose bits a kernel may handle.
 ///
 /// One text of a kernel serves scalars and vectors, so that every lane has the bits of the scalar.
 pub(crate) trait Bits: Real {
@@ -23,19 +23,19 @@ pub(crate) trait Bits: Real {
     fn bits_xor(self, other: Self) -> Self;
     /// The sum of the patterns as integers, without the carry beyond a lane.
     fn bits_add(self, other: Self) -> Self;
-    /// The patterns moved towards the sign.
+    /// The patterns shifted left, towards the sign.
     fn bits_left(self, by: u32) -> Self;
-    /// The patterns moved away from the sign, which zeros take the place of.
+    /// The patterns shifted right, with zeros shifted in at the sign.
     fn bits_right(self, by: u32) -> Self;
     /// Whether the last bit of the pattern is set.
     fn is_odd(self) -> Self::Mask;
 
-    /// What `each` makes of the lanes and those of `other`.
-    fn through_with(self, other: Self, each: impl Fn(&mut [Self::Scalar], &[Self::Scalar])) -> Self;
-    /// What `each` makes of the lanes.
+    /// Maps the lanes, with those of `other`, by a function of scalars.
+    fn zip_scalars(self, other: Self, each: impl Fn(&mut [Self::Scalar], &[Self::Scalar])) -> Self;
+    /// Maps the lanes by a function of scalars.
     #[cfg_attr(not(debug_assertions), inline(always))]
-    fn through(self, each: impl Fn(&mut [Self::Scalar])) -> Self {
-        self.through_with(self, |lanes, _| each(lanes))
+    fn map_scalars(self, each: impl Fn(&mut [Self::Scalar])) -> Self {
+        self.zip_scalars(self, |lanes, _| each(lanes))
     }
 }
 
@@ -81,7 +81,7 @@ macro_rules! scalar_bits {
                 $number.to_bits() & 1 == 1
             }
             #[cfg_attr(not(debug_assertions), inline(always))]
-            fn through_with(self, other: Self, each: impl Fn(&mut [$scalar], &[$scalar])) -> Self {
+            fn zip_scalars(self, other: Self, each: impl Fn(&mut [$scalar], &[$scalar])) -> Self {
                 let (mut lane, other) = ([{ let $x = self; $number }], [{ let $x = other; $number }]);
                 each(&mut lane, &other);
                 $new(lane[0])

@@ -1,8 +1,8 @@
 //! The cube root.
 //!
-//! A third of the pattern, subtracted from a constant, is that of `1/∛x` within 4 %; one correction makes it `p`, good to
-//! 18 bits. The root `x·p²` is rounded to so few bits, `y`, that `y³` is exact, and so is its difference from `x`. With
-//! `δ = (x - y³)/x`, the root is `y·(1 - δ)^(-1/3)`, of which a few terms of the series are enough.
+//! A third of the pattern, subtracted from a constant, is that of `1/∛x` within 4 %; one correction makes it `p`, good
+//! to 18 bits. The root `x·p²` is rounded to so few bits, `y`, that `y³` is exact, and so is its difference from `x`.
+//! With `δ = (x - y³)/x`, the root is `y·(1 - δ)^(-1/3)`, of which a few terms of the series are enough.
 
 use super::{
     Bits, cubic, linear,
@@ -10,18 +10,18 @@ use super::{
 };
 use crate::scalar::{elementary::Elementary, real::Mask};
 
-/// What the root is made of in one format.
+/// Constants of the cube root in one format.
 pub(crate) trait CubeRoot: Logarithm {
     /// Of the pattern, the last bits that the first estimate does without.
     const UNUSED: u32;
-    /// To a third of the others, negative, this is added, both in the last bits of a number: 4/3 of the exponent of one,
-    /// a bit less because the pattern is not quite a logarithm.
+    /// To a third of the others, negative, this is added, both in the last bits of a number: 4/3 of the exponent of
+    /// one, a bit less because the pattern is not quite a logarithm.
     const ESTIMATE: f64;
     /// Half of the last of the bits that remain of the root, and these.
     const ROUNDED: [u64; 2];
 
     /// The function of the maths library, for arguments that are not normal.
-    fn beyond(lanes: &mut [Self]);
+    fn fallback(lanes: &mut [Self]);
 }
 
 /// `1/∛x` of a size, good to 18 bits.
@@ -42,10 +42,10 @@ fn reciprocal<R: Bits<Scalar: CubeRoot>>(size: R) -> R {
 
 /// `value` where `x` is normal, that of the maths library elsewhere; with the sign of `x`.
 #[cfg_attr(not(debug_assertions), inline(always))]
-fn rescued<R: Bits<Scalar: CubeRoot>>(value: R, x: R, size: R) -> R {
+fn with_fallback<R: Bits<Scalar: CubeRoot>>(value: R, x: R, size: R) -> R {
     let value = value.bits_xor(x.bits_and(R::of(-0.0)));
-    let beyond = normal(size).not();
-    if beyond.any() { R::select(beyond, x.through(<R::Scalar as CubeRoot>::beyond), value) } else { value }
+    let outside = normal(size).not();
+    if outside.any() { R::select(outside, x.map_scalars(<R::Scalar as CubeRoot>::fallback), value) } else { value }
 }
 
 /// At most 1 ulp.
@@ -60,7 +60,7 @@ pub(crate) fn cbrt<R: Bits<Scalar: CubeRoot>>(x: R) -> R {
     // 1/x is p³·(1 + e + e²).
     let delta = (size - y * y * y) * (p * p * p) * (R::of(1.0) + e.fma(e, e));
     let terms = delta.fma(linear(delta, [2.0 / 9.0, 14.0 / 81.0]), R::of(1.0 / 3.0));
-    rescued((y * delta).fma(terms, y), x, size)
+    with_fallback((y * delta).fma(terms, y), x, size)
 }
 
 /// At most 4 ulp: of the root `x·p²` no bits are dropped, and the correction sees but a third of its rounding errors.
@@ -70,7 +70,7 @@ pub(crate) fn fast_cbrt<R: Bits<Scalar: CubeRoot>>(x: R) -> R {
     let p = reciprocal(size);
     let root = size * p * p;
     let e = (-root).fma(p, R::of(1.0));
-    rescued((root * e).fma(linear(e, [2.0 / 3.0, 5.0 / 9.0]), root), x, size)
+    with_fallback((root * e).fma(linear(e, [2.0 / 3.0, 5.0 / 9.0]), root), x, size)
 }
 
 impl CubeRoot for f64 {
@@ -80,7 +80,7 @@ impl CubeRoot for f64 {
 
     #[cold]
     #[inline(never)]
-    fn beyond(lanes: &mut [f64]) {
+    fn fallback(lanes: &mut [f64]) {
         lanes.iter_mut().for_each(|lane| *lane = Elementary::cbrt(*lane));
     }
 }
@@ -92,7 +92,7 @@ impl CubeRoot for f32 {
 
     #[cold]
     #[inline(never)]
-    fn beyond(lanes: &mut [f32]) {
+    fn fallback(lanes: &mut [f32]) {
         lanes.iter_mut().for_each(|lane| *lane = Elementary::cbrt(*lane));
     }
 }

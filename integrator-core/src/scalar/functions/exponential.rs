@@ -9,7 +9,7 @@ use super::{Bits, cubic, quotient};
 use crate::scalar::{exact::fast_two_sum, real::Mask};
 use core::f64::consts::LOG2_E;
 
-/// What the reduction and the polynomial are made of in one format.
+/// Constants and polynomials of the exponential function in one format.
 pub(crate) trait Exponential: Sized {
     /// Added to a number, leaves its nearest integer in the last bits of the sum.
     const MAGIC: f64;
@@ -18,7 +18,7 @@ pub(crate) trait Exponential: Sized {
     /// Where the exponent begins in the pattern.
     const EXPONENT: u32;
     /// The argument up to which neither `eˣ` nor `e⁻ˣ` leaves the normal numbers.
-    const FARTHEST: f64;
+    const MAX_FAST_ARGUMENT: f64;
     /// The arguments below and above which `eˣ` rounds to zero and to infinity.
     const LIMITS: [f64; 2];
     /// The argument from which on the hyperbolic tangent is one.
@@ -30,19 +30,20 @@ pub(crate) trait Exponential: Sized {
     fn short_series<R: Bits<Scalar = Self>>(r: R) -> R;
 }
 
-/// Of the sum of a number and a small one: `n` in the last bits of the pattern, and `eʳ - 1` with the error of its rounding.
+/// Of the sum of a number and a small one: `n` in the last bits of the pattern, and `eʳ - 1` with the error of its
+/// rounding.
 #[cfg_attr(not(debug_assertions), inline(always))]
 pub(super) fn parts<R: Bits<Scalar: Exponential>>(x: R, small: R) -> (R, [R; 2]) {
     let magic = R::of(R::Scalar::MAGIC);
-    let turns = x.fma(R::of(LOG2_E), magic);
-    let n = turns - magic;
+    let pattern = x.fma(R::of(LOG2_E), magic);
+    let n = pattern - magic;
     let [first, second] = R::Scalar::LN_2;
     let close = n.fma(R::of(-first), x);
     let second = n * R::of(second) - small;
     let r = close - second;
     let excess = (r - close) + second;
     let rest = (r * r).fma(R::Scalar::series(r), -excess);
-    (turns, fast_two_sum(r, rest))
+    (pattern, fast_two_sum(r, rest))
 }
 
 /// `2ⁿ·(1 + less_one)`, where `2ⁿ` is a normal number.
@@ -70,18 +71,18 @@ fn far<R: Bits<Scalar: Exponential>>(x: R) -> R {
 pub(crate) fn exp<R: Bits<Scalar: Exponential>>(x: R) -> R {
     let (n, [less_one, _]) = parts(x, R::of(0.0));
     let value = raised(n, less_one);
-    let beyond = x.abs().less_or_equal(R::of(R::Scalar::FARTHEST)).not();
-    if beyond.any() { R::select(beyond, far(x), value) } else { value }
+    let outside = x.abs().less_or_equal(R::of(R::Scalar::MAX_FAST_ARGUMENT)).not();
+    if outside.any() { R::select(outside, far(x), value) } else { value }
 }
 
-/// `n` in the last bits of the pattern, and `r`, of which nothing is kept beyond its rounding.
+/// `n` in the last bits of the pattern, and `r`, rounded.
 #[cfg_attr(not(debug_assertions), inline(always))]
 fn short_parts<R: Bits<Scalar: Exponential>>(x: R) -> (R, R) {
     let magic = R::of(R::Scalar::MAGIC);
-    let turns = x.fma(R::of(LOG2_E), magic);
-    let n = turns - magic;
+    let pattern = x.fma(R::of(LOG2_E), magic);
+    let n = pattern - magic;
     let [first, second] = R::Scalar::LN_2;
-    (turns, n.fma(R::of(-second), n.fma(R::of(-first), x)))
+    (pattern, n.fma(R::of(-second), n.fma(R::of(-first), x)))
 }
 
 /// At most 4 ulp.
@@ -89,8 +90,8 @@ fn short_parts<R: Bits<Scalar: Exponential>>(x: R) -> (R, R) {
 pub(crate) fn fast_exp<R: Bits<Scalar: Exponential>>(x: R) -> R {
     let (n, r) = short_parts(x);
     let value = raised(n, (r * r).fma(R::Scalar::short_series(r), r));
-    let beyond = x.abs().less_or_equal(R::of(R::Scalar::FARTHEST)).not();
-    if beyond.any() { R::select(beyond, far(x), value) } else { value }
+    let outside = x.abs().less_or_equal(R::of(R::Scalar::MAX_FAST_ARGUMENT)).not();
+    if outside.any() { R::select(outside, far(x), value) } else { value }
 }
 
 /// At most 4 ulp, as `tanh`.
@@ -124,7 +125,7 @@ impl Exponential for f64 {
     const MAGIC: f64 = 6_755_399_441_055_744.0;
     const LN_2: [f64; 2] = [0.693_147_180_559_890_3, 5.497_923_018_708_371e-14];
     const EXPONENT: u32 = 52;
-    const FARTHEST: f64 = 708.0;
+    const MAX_FAST_ARGUMENT: f64 = 708.0;
     const LIMITS: [f64; 2] = [-746.0, 710.0];
     const SATURATED: f64 = 20.0;
 
@@ -172,7 +173,7 @@ impl Exponential for f32 {
     const MAGIC: f64 = 12_582_912.0;
     const LN_2: [f64; 2] = [0.693_145_751_953_125, 1.428_606_765_330_187e-6];
     const EXPONENT: u32 = 23;
-    const FARTHEST: f64 = 87.0;
+    const MAX_FAST_ARGUMENT: f64 = 87.0;
     const LIMITS: [f64; 2] = [-104.0, 89.0];
     const SATURATED: f64 = 10.0;
 

@@ -6,20 +6,21 @@
 //! `S` is minimax as in [`sine`](super::sine); its error makes up most of that of the result.
 
 use super::{
-    Bits, rescued,
-    sine::{Circle, farthest},
+    Bits,
+    sine::{TrigReduction, max_fast_argument},
+    with_fallback,
 };
 use core::f64::consts::FRAC_1_PI;
 
 /// The polynomial of one format.
-pub(crate) trait HalfCircle: Circle {
+pub(crate) trait HalfCircle: TrigReduction {
     /// `S` at `z`.
     fn series<R: Bits<Scalar = Self>>(z: R) -> R;
 }
 
 /// `x - n·π/2`, or `x - n·π` for two quarters, and what the polynomial need not wait for.
 #[cfg_attr(not(debug_assertions), inline(always))]
-pub(super) fn difference<R: Bits<Scalar: Circle>>(x: R, n: R, quarters: f64) -> [R; 2] {
+pub(super) fn difference<R: Bits<Scalar: TrigReduction>>(x: R, n: R, quarters: f64) -> [R; 2] {
     if R::FUSED {
         let [first, second, third] = R::Scalar::QUARTER.map(|part| R::of(-quarters * part));
         let r = n.fma(second, n.fma(first, x));
@@ -44,18 +45,28 @@ fn rest<R: Bits<Scalar: HalfCircle>>(x: R, n: R) -> R {
 #[cfg_attr(not(debug_assertions), inline(always))]
 pub(crate) fn fast_sin<R: Bits<Scalar: HalfCircle>>(x: R) -> R {
     let magic = R::of(R::Scalar::MAGIC);
-    let turns = x.fma(R::of(FRAC_1_PI), magic);
-    let value = rest(x, turns - magic);
-    rescued(value.bits_xor(turns.bits_left(R::Scalar::SIGN)), x, farthest::<R>(), R::Scalar::BEYOND[0])
+    let half_turns = x.fma(R::of(FRAC_1_PI), magic);
+    let value = rest(x, half_turns - magic);
+    with_fallback(
+        value.bits_xor(half_turns.bits_left(R::Scalar::SIGN)),
+        x,
+        max_fast_argument::<R>(),
+        R::Scalar::FALLBACKS[0],
+    )
 }
 
 /// At most 4 ulp.
 #[cfg_attr(not(debug_assertions), inline(always))]
 pub(crate) fn fast_cos<R: Bits<Scalar: HalfCircle>>(x: R) -> R {
     let magic = R::of(R::Scalar::MAGIC);
-    let turns = x.fma(R::of(FRAC_1_PI), R::of(-0.5)) + magic;
-    let value = -rest(x, (turns - magic) + R::of(0.5));
-    rescued(value.bits_xor(turns.bits_left(R::Scalar::SIGN)), x, farthest::<R>(), R::Scalar::BEYOND[1])
+    let half_turns = x.fma(R::of(FRAC_1_PI), R::of(-0.5)) + magic;
+    let value = -rest(x, (half_turns - magic) + R::of(0.5));
+    with_fallback(
+        value.bits_xor(half_turns.bits_left(R::Scalar::SIGN)),
+        x,
+        max_fast_argument::<R>(),
+        R::Scalar::FALLBACKS[1],
+    )
 }
 
 /// Its error is 2^-52.3.

@@ -1,19 +1,20 @@
 //! The tangent within 4 ulp: half of the operations of the precise one.
 //!
-//! The argument becomes `n·π/2 + r` with `|r| <= π/4`, rounded. Of the continued fraction of Lambert,
-//! `tan r = r / (1 - z / (3 - z / (5 - ...)))` with `z = r²`, a few terms make a quotient of polynomials, `r·P(z) / Q(z)`;
-//! in odd quarters the tangent is its reciprocal, negative, for which the same division is enough.
+//! The argument becomes `n·π/2 + r` with `|r| <= π/4`, rounded. Of the continued fraction of Lambert, `tan r = r / (1 -
+//! z / (3 - z / (5 - ...)))` with `z = r²`, a few terms make a quotient of polynomials, `r·P(z) / Q(z)`; in odd
+//! quarters the tangent is its reciprocal, negative, for which the same division is enough.
 
 use super::{
     Bits, cubic,
     fast_sine::difference,
-    linear, rescued,
-    sine::{Circle, farthest},
+    linear,
+    sine::{TrigReduction, max_fast_argument},
+    with_fallback,
 };
 use core::f64::consts::FRAC_2_PI;
 
 /// The polynomials of one format.
-pub(crate) trait Fraction: Circle {
+pub(crate) trait Fraction: TrigReduction {
     /// `P` and `Q` at `z`.
     fn fraction<R: Bits<Scalar = Self>>(z: R) -> [R; 2];
 }
@@ -28,7 +29,7 @@ pub(crate) fn fast_tan<R: Bits<Scalar: Fraction>>(x: R) -> R {
     let above = r * above;
     let odd = quarters.is_odd();
     let value = R::select(odd, -below, above) / R::select(odd, above, below);
-    rescued(value, x, farthest::<R>(), R::Scalar::BEYOND[2])
+    with_fallback(value, x, max_fast_argument::<R>(), R::Scalar::FALLBACKS[2])
 }
 
 /// Nine terms of the fraction, whose error is 2^-60.

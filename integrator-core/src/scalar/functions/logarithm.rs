@@ -4,13 +4,13 @@
 //! `ln m = f - (f²/2 - s·(f²/2 + s²·L(s²)))`: the leading term is exact, so that little of what follows is rounded at
 //! its size. The first part of ln 2 is so short that its product with `k` is exact.
 //!
-//! `L` is minimax (Remez in 300 bits, weighted for the relative error of `ln m`, coefficients rounded one after the other
-//! and the later ones fitted again).
+//! `L` is minimax (Remez in 300 bits, weighted for the relative error of `ln m`, coefficients rounded one after the
+//! other and the later ones fitted again).
 
 use super::{Bits, cubic, exponential::Exponential, linear};
 use crate::scalar::{elementary::Elementary, real::Mask};
 
-/// What the reduction and the polynomial are made of in one format.
+/// Constants and polynomials of the natural logarithm in one format.
 pub(crate) trait Logarithm: Exponential {
     /// The patterns of √½ and of the exponent of one; a pattern whose exponent is that of 2^`EXPONENT`.
     const PATTERNS: [u64; 3];
@@ -22,7 +22,7 @@ pub(crate) trait Logarithm: Exponential {
     /// The same with the digits that 4 ulp need.
     fn short_series<R: Bits<Scalar = Self>>(z: R) -> R;
     /// The function of the maths library, for arguments that are not normal or not positive.
-    fn beyond(lanes: &mut [Self]);
+    fn fallback(lanes: &mut [Self]);
 }
 
 /// Of a normal number: `k` and `f`.
@@ -38,7 +38,7 @@ pub(super) fn split<R: Bits<Scalar: Logarithm>>(x: R) -> (R, R) {
     (k, moved.bits_and(mantissa).bits_add(R::pattern(root)) - R::of(1.0))
 }
 
-/// Which lanes are normal and positive.
+/// The mask of the lanes that are normal and positive.
 #[cfg_attr(not(debug_assertions), inline(always))]
 pub(super) fn normal<R: Bits<Scalar: Logarithm>>(x: R) -> R::Mask {
     let [least, greatest] = R::Scalar::NORMAL.map(R::of);
@@ -56,8 +56,8 @@ pub(crate) fn ln<R: Bits<Scalar: Logarithm>>(x: R) -> R {
     let small = s.fma(z.fma(<R::Scalar as Logarithm>::series(z), half_square), k * R::of(second));
     let value = k.fma(R::of(first), f - (half_square - small));
 
-    let beyond = normal(x).not();
-    if beyond.any() { R::select(beyond, x.through(<R::Scalar as Logarithm>::beyond), value) } else { value }
+    let outside = normal(x).not();
+    if outside.any() { R::select(outside, x.map_scalars(<R::Scalar as Logarithm>::fallback), value) } else { value }
 }
 
 /// At most 4 ulp: `ln m = s·(2 + s²·L(s²))`.
@@ -69,8 +69,8 @@ pub(crate) fn fast_ln<R: Bits<Scalar: Logarithm>>(x: R) -> R {
     let [first, second] = R::Scalar::LN_2;
     let slope = z.fma(<R::Scalar as Logarithm>::short_series(z), R::of(2.0));
     let value = k.fma(R::of(first), s.fma(slope, k * R::of(second)));
-    let beyond = normal(x).not();
-    if beyond.any() { R::select(beyond, x.through(<R::Scalar as Logarithm>::beyond), value) } else { value }
+    let outside = normal(x).not();
+    if outside.any() { R::select(outside, x.map_scalars(<R::Scalar as Logarithm>::fallback), value) } else { value }
 }
 
 /// The errors of the polynomials: 2^-59.5 and 2^-52.2.
@@ -101,7 +101,7 @@ impl Logarithm for f64 {
 
     #[cold]
     #[inline(never)]
-    fn beyond(lanes: &mut [f64]) {
+    fn fallback(lanes: &mut [f64]) {
         lanes.iter_mut().for_each(|lane| *lane = Elementary::ln(*lane));
     }
 }
@@ -124,7 +124,7 @@ impl Logarithm for f32 {
 
     #[cold]
     #[inline(never)]
-    fn beyond(lanes: &mut [f32]) {
+    fn fallback(lanes: &mut [f32]) {
         lanes.iter_mut().for_each(|lane| *lane = Elementary::ln(*lane));
     }
 }

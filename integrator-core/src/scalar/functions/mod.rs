@@ -1,8 +1,8 @@
 //! Elementary functions of our own: one text for scalars and vectors, so that every lane has the bits of the scalar.
 //!
-//! Comes in: numbers whose bits can be handled. Goes out: the function in every lane, within one ulp of the exact value
-//! (the documentation of each says how near), with the zeros, infinities and NaNs of `std`. Always true: there is no
-//! branch on a value but one, which is hardly ever taken and leads to the maths library.
+//! Comes in: scalars or vectors whose bits can be handled. Goes out: the function in every lane, within a few ulp of
+//! the exact value (the documentation of each gives its bound), with the zeros, infinities and NaNs of `std`. Always
+//! true: there is one branch on a value, which is hardly ever taken: the fallback to the maths library.
 
 mod arc;
 mod arc_sine;
@@ -129,10 +129,10 @@ fn quotient<R: Bits>([a, error_of_a]: [R; 2], [b, error_of_b]: [R; 2]) -> R {
     quotient + left / b
 }
 
-/// `near` in the lanes where `x` is at most `farthest` in absolute value; what `far` makes of `x` in the others, NaNs
-/// among them.
+/// The large-argument fallback: `value` in the lanes where `x` is at most `max` in absolute value, and the maths
+/// library's function of `x` in the others, NaNs among them.
 #[cfg_attr(not(debug_assertions), inline(always))]
-fn rescued<R: Bits>(near: R, x: R, farthest: f64, far: fn(&mut [R::Scalar])) -> R {
-    let beyond = x.abs().less_or_equal(R::of(farthest)).not();
-    if beyond.any() { R::select(beyond, x.through(far), near) } else { near }
+fn with_fallback<R: Bits>(value: R, x: R, max: f64, fallback: fn(&mut [R::Scalar])) -> R {
+    let outside = x.abs().less_or_equal(R::of(max)).not();
+    if outside.any() { R::select(outside, x.map_scalars(fallback), value) } else { value }
 }

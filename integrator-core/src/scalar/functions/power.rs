@@ -4,8 +4,8 @@
 //! than a number has, and comes in two. With `s = f / (2 + f)` as in [`logarithm`](super::logarithm) and `z = s²`,
 //! `ln m = 2·s + s·z·(2/3 + z·L(z))`: the first two terms in two numbers each, the rest, 13 bits smaller, in one.
 //!
-//! `L` is minimax (Remez in 300 bits, weighted for the relative error of `ln m`, coefficients rounded one after the other
-//! and the later ones fitted again).
+//! `L` is minimax (Remez in 300 bits, weighted for the relative error of `ln m`, coefficients rounded one after the
+//! other and the later ones fitted again).
 
 use super::{
     Bits, cubic,
@@ -19,7 +19,7 @@ use crate::scalar::{
     real::Mask,
 };
 
-/// What powers are made of in one format.
+/// Constants and polynomials of powers in one format.
 pub(crate) trait Power: Logarithm + Parts {
     /// 2/3 in two parts.
     const TWO_THIRDS: [f64; 2];
@@ -27,7 +27,7 @@ pub(crate) trait Power: Logarithm + Parts {
     /// `L` at `z`.
     fn series<R: Bits<Scalar = Self>>(z: R) -> R;
     /// The function of the maths library, for other bases and greater exponents.
-    fn beyond(bases: &mut [Self], exponents: &[Self]);
+    fn fallback(bases: &mut [Self], exponents: &[Self]);
 }
 
 /// The logarithm of a normal number, in two parts.
@@ -62,8 +62,8 @@ pub(crate) fn powf<R: Bits<Scalar: Power>>(x: R, y: R) -> R {
     let [exponent, lost] = two_product(y, logarithm);
     let (n, [less_one, _]) = parts(exponent, y.fma(small, lost));
     let value = raised(n, less_one);
-    let beyond = normal(x).and(exponent.abs().less_or_equal(R::of(R::Scalar::FARTHEST))).not();
-    if beyond.any() { R::select(beyond, x.through_with(y, <R::Scalar as Power>::beyond), value) } else { value }
+    let outside = normal(x).and(exponent.abs().less_or_equal(R::of(R::Scalar::MAX_FAST_ARGUMENT))).not();
+    if outside.any() { R::select(outside, x.zip_scalars(y, <R::Scalar as Power>::fallback), value) } else { value }
 }
 
 /// The error of the polynomial: 2^-66.3.
@@ -85,7 +85,7 @@ impl Power for f64 {
 
     #[cold]
     #[inline(never)]
-    fn beyond(bases: &mut [f64], exponents: &[f64]) {
+    fn fallback(bases: &mut [f64], exponents: &[f64]) {
         bases.iter_mut().zip(exponents).for_each(|(x, &y)| *x = Elementary::powf(*x, y));
     }
 }
@@ -101,7 +101,7 @@ impl Power for f32 {
 
     #[cold]
     #[inline(never)]
-    fn beyond(bases: &mut [f32], exponents: &[f32]) {
+    fn fallback(bases: &mut [f32], exponents: &[f32]) {
         bases.iter_mut().zip(exponents).for_each(|(x, &y)| *x = Elementary::powf(*x, y));
     }
 }

@@ -14,12 +14,12 @@
 //! after the other and the later ones fitted again). A zero keeps its sign because no operation on the way adds zeros
 //! of different signs: all parts of π/2 are rounded down, hence positive.
 
-use super::{Bits, quotient, rescued};
+use super::{Bits, quotient, with_fallback};
 use crate::scalar::{elementary::Elementary, real::Mask};
 use core::f64::consts::{FRAC_2_PI, FRAC_PI_2};
 
-/// What reduction and polynomials are made of in one format.
-pub(crate) trait Circle: Sized {
+/// Argument reduction and polynomials of the trigonometric functions in one format.
+pub(crate) trait TrigReduction: Sized {
     /// Added to a number, leaves its nearest integer in the last bits of the sum.
     const MAGIC: f64;
     /// π/2 in three parts, for machines that round `x - n·π/2` once: the difference from the first part is exact.
@@ -27,18 +27,18 @@ pub(crate) trait Circle: Sized {
     /// π/2 in four parts, for others: the products of `n` with the first three are exact, and so are their differences
     /// where they cancel.
     const SPLIT_QUARTER: [f64; 4];
-    /// The argument up to which that is so, on machines of the first kind and of the second.
-    const FARTHEST: [f64; 2];
+    /// The largest argument for which that is so, on machines of the first kind and of the second.
+    const MAX_FAST_ARGUMENT: [f64; 2];
     /// Where the sign stands in the pattern.
     const SIGN: u32;
     /// The first coefficients of `S` and of `C`.
     const LEADING: [f64; 2];
 
-    /// The other terms, `excess` added: those of the sine, or of the cosine where `odd` holds; `inner` is what the second
-    /// coefficient is multiplied by.
+    /// The other terms, `excess` added: those of the sine, or of the cosine where `odd` holds; `inner` is what the
+    /// second coefficient is multiplied by.
     fn tail<R: Bits<Scalar = Self>>(odd: R::Mask, z: R, inner: R, excess: R) -> R;
-    /// Sine, cosine and tangent of the maths library, for arguments beyond `FARTHEST`.
-    const BEYOND: [fn(&mut [Self]); 3];
+    /// Sine, cosine and tangent of the maths library, for arguments beyond `MAX_FAST_ARGUMENT`.
+    const FALLBACKS: [fn(&mut [Self]); 3];
 }
 
 /// An argument as a number of quarter turns and a rest.
@@ -48,12 +48,12 @@ pub(crate) struct Reduced<R> {
     quarters: R,
     /// The rest, rounded.
     r: R,
-    /// What the rest is too large by.
+    /// The error of its rounding: the rest is too large by it.
     excess: R,
 }
 
 #[cfg_attr(not(debug_assertions), inline(always))]
-fn reduce<R: Bits<Scalar: Circle>>(x: R) -> Reduced<R> {
+fn reduce<R: Bits<Scalar: TrigReduction>>(x: R) -> Reduced<R> {
     let quarters = x.fma(R::of(FRAC_2_PI), R::of(R::Scalar::MAGIC));
     let n = quarters - R::of(R::Scalar::MAGIC);
     if R::FUSED {
@@ -74,69 +74,75 @@ fn reduce<R: Bits<Scalar: Circle>>(x: R) -> Reduced<R> {
 
 /// A coefficient of the sine, or of the cosine where `odd` holds.
 #[cfg_attr(not(debug_assertions), inline(always))]
-fn pick<R: Bits>(odd: R::Mask, [sine, cosine]: [f64; 2]) -> R {
+fn coefficient<R: Bits>(odd: R::Mask, [sine, cosine]: [f64; 2]) -> R {
     R::select(odd, R::of(cosine), R::of(sine))
 }
 
-/// The sine of the rest where `odd` does not hold, the cosine where it does.
+/// The sine of the rest, or its cosine where `odd` holds.
 ///
 /// The leading term is added last but one, so that only two roundings are of the size of half a unit of the result.
 #[cfg_attr(not(debug_assertions), inline(always))]
-fn either<R: Bits<Scalar: Circle>>(odd: R::Mask, reduced: Reduced<R>) -> R {
-    either_carried(odd, reduced)[0]
+fn sin_or_cos<R: Bits<Scalar: TrigReduction>>(odd: R::Mask, reduced: Reduced<R>) -> R {
+    sin_or_cos_with_error(odd, reduced)[0]
 }
 
 /// The same, and the error of its last rounding.
 #[cfg_attr(not(debug_assertions), inline(always))]
-fn either_carried<R: Bits<Scalar: Circle>>(odd: R::Mask, Reduced { r, excess, .. }: Reduced<R>) -> [R; 2] {
+fn sin_or_cos_with_error<R: Bits<Scalar: TrigReduction>>(
+    odd: R::Mask,
+    Reduced { r, excess, .. }: Reduced<R>,
+) -> [R; 2] {
     let z = r * r;
     let (inner, outer) = (R::select(odd, r, r * z), R::select(odd, r, R::of(-1.0)));
     let tail = R::Scalar::tail(odd, z, inner * z, excess);
-    let sum = inner.fma(pick(odd, R::Scalar::LEADING), tail);
+    let sum = inner.fma(coefficient(odd, R::Scalar::LEADING), tail);
     let base = R::select(odd, R::of(1.0), r);
     let value = outer.fma(sum, base);
     [value, outer.fma(sum, base - value)]
 }
 
-/// Turns the sign of `value` around in every other pair of quarters.
+/// Flips the sign of `value` in every other pair of quarters.
 #[cfg_attr(not(debug_assertions), inline(always))]
-fn signed<R: Bits<Scalar: Circle>>(value: R, quarters: R) -> R {
+fn signed<R: Bits<Scalar: TrigReduction>>(value: R, quarters: R) -> R {
     value.bits_xor(quarters.bits_left(R::Scalar::SIGN - 1).bits_and(R::of(-0.0)))
 }
 
-/// The largest argument that is not left to the maths library.
+/// The largest argument that is reduced here; the maths library has those beyond it.
 #[cfg_attr(not(debug_assertions), inline(always))]
-pub(super) fn farthest<R: Bits<Scalar: Circle>>() -> f64 {
-    R::Scalar::FARTHEST[usize::from(!R::FUSED)]
+pub(super) fn max_fast_argument<R: Bits<Scalar: TrigReduction>>() -> f64 {
+    R::Scalar::MAX_FAST_ARGUMENT[usize::from(!R::FUSED)]
 }
 
 /// At most 0.81 ulp with a fused multiply-add, 1 without.
 #[cfg_attr(not(debug_assertions), inline(always))]
-pub(crate) fn sin<R: Bits<Scalar: Circle>>(x: R) -> R {
+pub(crate) fn sin<R: Bits<Scalar: TrigReduction>>(x: R) -> R {
     let reduced = reduce(x);
-    let value = either(reduced.quarters.is_odd(), reduced);
-    rescued(signed(value, reduced.quarters), x, farthest::<R>(), R::Scalar::BEYOND[0])
+    let value = sin_or_cos(reduced.quarters.is_odd(), reduced);
+    with_fallback(signed(value, reduced.quarters), x, max_fast_argument::<R>(), R::Scalar::FALLBACKS[0])
 }
 
 /// At most 0.81 ulp with a fused multiply-add, 1 without.
 #[cfg_attr(not(debug_assertions), inline(always))]
-pub(crate) fn cos<R: Bits<Scalar: Circle>>(x: R) -> R {
+pub(crate) fn cos<R: Bits<Scalar: TrigReduction>>(x: R) -> R {
     let reduced = reduce(x);
     let ahead = reduced.quarters + R::of(1.0);
-    let value = either(ahead.is_odd(), reduced);
-    rescued(signed(value, ahead), x, farthest::<R>(), R::Scalar::BEYOND[1])
+    let value = sin_or_cos(ahead.is_odd(), reduced);
+    with_fallback(signed(value, ahead), x, max_fast_argument::<R>(), R::Scalar::FALLBACKS[1])
 }
 
 /// The same bits as `sin` and `cos`.
 #[cfg_attr(not(debug_assertions), inline(always))]
-pub(crate) fn sin_cos<R: Bits<Scalar: Circle>>(x: R) -> (R, R) {
+pub(crate) fn sin_cos<R: Bits<Scalar: TrigReduction>>(x: R) -> (R, R) {
     let reduced = reduce(x);
-    let (sine, cosine) = (either(R::Mask::of(false), reduced), either(R::Mask::of(true), reduced));
+    let (sine, cosine) = (sin_or_cos(R::Mask::of(false), reduced), sin_or_cos(R::Mask::of(true), reduced));
     let (odd, ahead) = (reduced.quarters.is_odd(), reduced.quarters + R::of(1.0));
     let sine_of_x = signed(R::select(odd, cosine, sine), reduced.quarters);
     let cosine_of_x = signed(R::select(odd, sine, cosine), ahead);
-    let [far_sine, far_cosine, _] = R::Scalar::BEYOND;
-    (rescued(sine_of_x, x, farthest::<R>(), far_sine), rescued(cosine_of_x, x, farthest::<R>(), far_cosine))
+    let [sine_fallback, cosine_fallback, _] = R::Scalar::FALLBACKS;
+    (
+        with_fallback(sine_of_x, x, max_fast_argument::<R>(), sine_fallback),
+        with_fallback(cosine_of_x, x, max_fast_argument::<R>(), cosine_fallback),
+    )
 }
 
 /// Both parts of `a` in the lanes of `mask`, of `b` in the others.
@@ -147,88 +153,89 @@ fn select_both<R: Bits>(mask: R::Mask, a: [R; 2], b: [R; 2]) -> [R; 2] {
 
 /// At most 2 ulp: the quotient of sine and cosine of the rest, or of cosine and sine, negative, in odd quarters.
 #[cfg_attr(not(debug_assertions), inline(always))]
-pub(crate) fn tan<R: Bits<Scalar: Circle>>(x: R) -> R {
+pub(crate) fn tan<R: Bits<Scalar: TrigReduction>>(x: R) -> R {
     let reduced = reduce(x);
-    let (sine, cosine) = (either_carried(R::Mask::of(false), reduced), either_carried(R::Mask::of(true), reduced));
+    let (sine, cosine) =
+        (sin_or_cos_with_error(R::Mask::of(false), reduced), sin_or_cos_with_error(R::Mask::of(true), reduced));
     let odd = reduced.quarters.is_odd();
     let value = quotient(select_both(odd, cosine, sine), select_both(odd, [-sine[0], -sine[1]], cosine));
     // The sum of a zero and its correction has lost the sign.
     let value = R::select(x.equal(R::of(0.0)), x, value);
-    rescued(value, x, farthest::<R>(), R::Scalar::BEYOND[2])
+    with_fallback(value, x, max_fast_argument::<R>(), R::Scalar::FALLBACKS[2])
 }
 
 /// The error of the polynomials: 2^-57.9 for the sine, 2^-63.9 for the cosine.
-impl Circle for f64 {
+impl TrigReduction for f64 {
     const MAGIC: f64 = 6_755_399_441_055_744.0;
     const QUARTER: [f64; 3] = [FRAC_PI_2, 6.123_233_995_384_61e-17, 3.521_559_865_183_2e-27];
     const SPLIT_QUARTER: [f64; 4] =
         [1.570_796_326_734_125_6, 6.077_100_506_303_966e-11, 2.022_266_248_711_166_5e-21, 8.478_427_660_368_9e-32];
     /// 2^20 quarter turns.
-    const FARTHEST: [f64; 2] = [1_647_099.0; 2];
+    const MAX_FAST_ARGUMENT: [f64; 2] = [1_647_099.0; 2];
     const SIGN: u32 = 63;
     const LEADING: [f64; 2] = [0.166_666_666_666_666_3, -0.5];
 
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn tail<R: Bits<Scalar = f64>>(odd: R::Mask, z: R, inner: R, excess: R) -> R {
         let first = z.fma(
-            pick(odd, [1.984_126_982_935_850_6e-4, -1.388_888_888_887_334_2e-3]),
-            pick(odd, [-8.333_333_333_321_84e-3, 4.166_666_666_666_659_5e-2]),
+            coefficient(odd, [1.984_126_982_935_850_6e-4, -1.388_888_888_887_334_2e-3]),
+            coefficient(odd, [-8.333_333_333_321_84e-3, 4.166_666_666_666_659_5e-2]),
         );
         let second = z.fma(
-            pick(odd, [2.505_073_438_933_484_8e-8, -2.755_731_421_703_767e-7]),
-            pick(odd, [-2.755_731_353_850_646e-6, 2.480_158_728_900_208e-5]),
+            coefficient(odd, [2.505_073_438_933_484_8e-8, -2.755_731_421_703_767e-7]),
+            coefficient(odd, [-2.755_731_353_850_646e-6, 2.480_158_728_900_208e-5]),
         );
         let third = z.fma(
-            pick(odd, [0.0, -1.135_874_918_630_080_7e-11]),
-            pick(odd, [-1.589_543_341_933_909_4e-10, 2.087_570_539_550_263e-9]),
+            coefficient(odd, [0.0, -1.135_874_918_630_080_7e-11]),
+            coefficient(odd, [-1.589_543_341_933_909_4e-10, 2.087_570_539_550_263e-9]),
         );
         let zz = z * z;
         (inner * zz).fma(zz.fma(third, second), inner.fma(first, excess))
     }
 
-    const BEYOND: [fn(&mut [f64]); 3] = [far_sine, far_cosine, far_tangent];
+    const FALLBACKS: [fn(&mut [f64]); 3] = [sine_fallback, cosine_fallback, tangent_fallback];
 }
 
 #[cold]
 #[inline(never)]
-fn far_sine(lanes: &mut [f64]) {
+fn sine_fallback(lanes: &mut [f64]) {
     lanes.iter_mut().for_each(|lane| *lane = Elementary::sin(*lane));
 }
 
 #[cold]
 #[inline(never)]
-fn far_cosine(lanes: &mut [f64]) {
+fn cosine_fallback(lanes: &mut [f64]) {
     lanes.iter_mut().for_each(|lane| *lane = Elementary::cos(*lane));
 }
 
 #[cold]
 #[inline(never)]
-fn far_tangent(lanes: &mut [f64]) {
+fn tangent_fallback(lanes: &mut [f64]) {
     lanes.iter_mut().for_each(|lane| *lane = Elementary::tan(*lane));
 }
 
 /// The error of the polynomials: 2^-27.8 for the sine, 2^-32.9 for the cosine.
-impl Circle for f32 {
+impl TrigReduction for f32 {
     const MAGIC: f64 = 12_582_912.0;
     const QUARTER: [f64; 3] = [1.570_796_251_296_997, 7.549_533_620_476_723e-8, 2.563_344_068_257_089_6e-12];
     const SPLIT_QUARTER: [f64; 4] =
         [1.570_678_710_937_5, 1.176_148_653_030_395_5e-4, 9.920_313_459_588_215e-10, 6.223_371_969_669_989e-14];
     /// 2^11 and 2^10 quarter turns.
-    const FARTHEST: [f64; 2] = [3_216.0, 1_608.0];
+    const MAX_FAST_ARGUMENT: [f64; 2] = [3_216.0, 1_608.0];
     const SIGN: u32 = 31;
     const LEADING: [f64; 2] = [0.166_666_537_523_269_65, -0.5];
 
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn tail<R: Bits<Scalar = f32>>(odd: R::Mask, z: R, inner: R, excess: R) -> R {
         let first = z.fma(
-            pick(odd, [1.950_789_010_152_220_7e-4, -1.388_730_597_682_297_2e-3]),
-            pick(odd, [-8.332_106_284_797_192e-3, 4.166_664_555_668_831e-2]),
+            coefficient(odd, [1.950_789_010_152_220_7e-4, -1.388_730_597_682_297_2e-3]),
+            coefficient(odd, [-8.332_106_284_797_192e-3, 4.166_664_555_668_831e-2]),
         );
-        let third = pick(odd, [0.0, 2.443_165_067_236_707_4e-5]);
+        let third = coefficient(odd, [0.0, 2.443_165_067_236_707_4e-5]);
         (inner * (z * z)).fma(third, inner.fma(first, excess))
     }
 
-    const BEYOND: [fn(&mut [f32]); 3] = [far_sine_single, far_cosine_single, far_tangent_single];
+    const FALLBACKS: [fn(&mut [f32]); 3] = [far_sine_single, far_cosine_single, far_tangent_single];
 }
 
 #[cold]

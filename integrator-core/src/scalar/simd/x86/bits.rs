@@ -45,7 +45,7 @@ macro_rules! bits {
                 $mask(instruction!($odd))
             }
             #[inline(always)]
-            fn through_with(self, other: Self, each: impl Fn(&mut [$scalar], &[$scalar])) -> Self {
+            fn zip_scalars(self, other: Self, each: impl Fn(&mut [$scalar], &[$scalar])) -> Self {
                 let mut lanes = self.lanes();
                 each(&mut lanes, &other.lanes());
                 Self::of_lanes(lanes)

@@ -109,7 +109,7 @@ impl Row<Fused<f64, Fma>> for Lanes<X4, 2> {
     fn rotated<const N: usize>(self, by: usize) -> Self {
         let ([a, b, c, d], [e, f, g, h]) = (self.part(0).lanes(), self.part(1).lanes());
         let x = [a, b, c, d, e, f, g, h];
-        // Written out, since as a loop it goes through memory.
+        // Unrolled, since as a loop it goes through memory.
         let first = [x[source::<N>(0, by)], x[source::<N>(1, by)], x[source::<N>(2, by)], x[source::<N>(3, by)]];
         let second = [x[source::<N>(4, by)], x[source::<N>(5, by)], x[source::<N>(6, by)], x[source::<N>(7, by)]];
         Self::of_parts([X4::of_lanes(first), X4::of_lanes(second)])
