@@ -1,4 +1,4 @@
-//! The scalars of machines with a fused multiply-add, one for each clone of the hot loops that is compiled for them.
+//! The scalars of machines with a fused multiply-add, one for each multiversioned variant of the hot loops.
 
 use crate::scalar::{
     elementary::Elementary,
@@ -13,7 +13,7 @@ use core::{
     ops::{Add, AddAssign, Div, Mul, Neg, Sub, SubAssign},
 };
 
-/// Instructions with a fused multiply-add: where code for them is, and what holds neighbours of an array there.
+/// An instruction set with fused multiply-add: its vectors, and the variant of a kernel that is compiled for it.
 pub trait Instructions: Copy + Debug + PartialEq + Send + Sync + 'static {
     /// Neighbours in an array of doubles.
     type Doubles: Block<Fused<f64, Self>>;
@@ -28,10 +28,10 @@ pub trait Instructions: Copy + Debug + PartialEq + Send + Sync + 'static {
 
     /// `n / x^(3/2)`.
     #[inline(always)]
-    fn over_root_cubed(n: Fused<f64, Self>, x: Fused<f64, Self>) -> Fused<f64, Self> {
+    fn div_pow_3_2(n: Fused<f64, Self>, x: Fused<f64, Self>) -> Fused<f64, Self> {
         n / (x * x.sqrt())
     }
-    /// Runs `kernel` in the clone for these instructions.
+    /// Runs the variant of `kernel` for these instructions.
     fn enter<K: Kernel>(kernel: K) -> K::Out;
 }
 
@@ -85,8 +85,8 @@ impl Instructions for Avx512 {
     type PairOfDoubles = crate::scalar::simd::x86::X2;
 
     #[inline(always)]
-    fn over_root_cubed(n: Fused<f64, Self>, x: Fused<f64, Self>) -> Fused<f64, Self> {
-        crate::scalar::simd::x86::over_root_cubed(n, x)
+    fn div_pow_3_2(n: Fused<f64, Self>, x: Fused<f64, Self>) -> Fused<f64, Self> {
+        crate::scalar::simd::x86::div_pow_3_2(n, x)
     }
     #[inline(always)]
     fn enter<K: Kernel>(kernel: K) -> K::Out {
@@ -94,7 +94,7 @@ impl Instructions for Avx512 {
     }
 }
 
-/// `f64` or `f32` whose `fma` is one instruction with one rounding. The clone that it belongs to changes no bit.
+/// `f64` or `f32` whose `fma` is one instruction with one rounding. The variant that it belongs to changes no bit.
 ///
 /// Only worth using inside [`Real::enter`]: elsewhere the same bits come from a call into the maths library.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -122,7 +122,7 @@ macro_rules! operators {
 }
 
 macro_rules! fused_real {
-    ($scalar:ty, $block:ident, $row:ident, $pair:ty, $over_root_cubed:expr; unary: $($unary:ident)*; binary: $($binary:ident)*;) => {
+    ($scalar:ty, $block:ident, $row:ident, $pair:ty, $div_pow_3_2:expr; unary: $($unary:ident)*; binary: $($binary:ident)*;) => {
         operators!($scalar: Add add +, Sub sub -, Mul mul *, Div div /);
 
         impl<S: Instructions> Neg for Fused<$scalar, S> {
@@ -174,8 +174,8 @@ macro_rules! fused_real {
                 Self::new(Elementary::mul_add(self.0, b.0, c.0))
             }
             #[inline(always)]
-            fn over_root_cubed(self, x: Self) -> Self {
-                $over_root_cubed(self, x)
+            fn div_pow_3_2(self, x: Self) -> Self {
+                $div_pow_3_2(self, x)
             }
             #[inline(always)]
             fn sin_cos(self) -> (Self, Self) {
@@ -206,5 +206,5 @@ macro_rules! fused_real {
         }
     };
 }
-elementary_functions!(fused_real! { f64, Doubles, RowOfDoubles, S::PairOfDoubles, S::over_root_cubed; });
+elementary_functions!(fused_real! { f64, Doubles, RowOfDoubles, S::PairOfDoubles, S::div_pow_3_2; });
 elementary_functions!(fused_real! { f32, Singles, RowOfSingles, [Self; 2], |n, x: Self| n / (x * x.sqrt()); });

@@ -1,5 +1,5 @@
-//! Which instructions this machine has, and the way into code compiled for them. Beside the vectors the only module with
-//! `unsafe`.
+//! Runtime dispatch: the instruction sets that this machine has, and calls of the multiversioned variants compiled for
+//! them. Beside the vectors the only module with `unsafe`.
 
 use crate::scalar::real::Kernel;
 use core::fmt;
@@ -22,8 +22,8 @@ impl InstructionSet {
     const ALL: [Self; 3] = [Self::Baseline, Self::Fused, Self::Avx512];
 
     /// The best set of this machine, or the one that the environment variable `INTEGRATOR_ISA` asks for (`baseline`,
-    /// `avx2` or `avx512`), read once. A set that the machine lacks is not used, whatever the variable says. Without the
-    /// feature `std` nobody tells what the machine has: then it is the baseline.
+    /// `avx2` or `avx512`), read once. A set that the machine lacks is not used, whatever the variable says. Without
+    /// the feature `std` nobody tells what the machine has: then it is the baseline.
     pub fn chosen() -> Self {
         #[cfg(feature = "std")]
         {
@@ -112,26 +112,26 @@ pub(crate) fn enter_baseline<K: Kernel>(kernel: K) -> K::Out {
 #[allow(unsafe_code, reason = "calling a function compiled for more than the target's features")]
 pub(crate) fn enter_fused<K: Kernel>(kernel: K) -> K::Out {
     #[target_feature(enable = "avx2,fma")]
-    fn clone<K: Kernel>(kernel: K) -> K::Out {
+    fn variant<K: Kernel>(kernel: K) -> K::Out {
         kernel.call()
     }
 
     if !fused_available() {
         lacking(InstructionSet::Fused);
     }
-    // SAFETY: the features that `clone` is compiled for were just detected.
-    unsafe { clone(kernel) }
+    // SAFETY: the features that `variant` is compiled for were just detected.
+    unsafe { variant(kernel) }
 }
 
-/// Fused multiply-add is part of the target here, or absent: there is no clone to enter.
+/// Fused multiply-add is part of the target here, or absent: there is no variant to enter.
 #[cfg(not(all(target_arch = "x86_64", feature = "std")))]
 #[inline]
 pub(crate) fn enter_fused<K: Kernel>(kernel: K) -> K::Out {
     enter_baseline(kernel)
 }
 
-/// Runs `kernel` as [`enter_fused`] where the machine has what that asks for, and else as [`enter_baseline`], with the same
-/// result: for scalars that every machine computes in.
+/// Runs `kernel` as [`enter_fused`] where the machine has what that asks for, and else as [`enter_baseline`], with the
+/// same result: for scalars that every machine computes in.
 #[inline]
 pub(crate) fn enter_fused_or_baseline<K: Kernel>(kernel: K) -> K::Out {
     if fused_available() { enter_fused(kernel) } else { enter_baseline(kernel) }
@@ -143,15 +143,15 @@ pub(crate) fn enter_fused_or_baseline<K: Kernel>(kernel: K) -> K::Out {
 #[allow(unsafe_code, reason = "calling a function compiled for more than the target's features")]
 pub(crate) fn enter_avx512<K: Kernel>(kernel: K) -> K::Out {
     #[target_feature(enable = "avx512f,avx512dq,avx512vl,avx512bw,avx2,fma")]
-    fn clone<K: Kernel>(kernel: K) -> K::Out {
+    fn variant<K: Kernel>(kernel: K) -> K::Out {
         kernel.call()
     }
 
     if !avx512_available() {
         lacking(InstructionSet::Avx512);
     }
-    // SAFETY: the features that `clone` is compiled for were just detected.
-    unsafe { clone(kernel) }
+    // SAFETY: the features that `variant` is compiled for were just detected.
+    unsafe { variant(kernel) }
 }
 
 /// Nobody chooses a set that the machine lacks.

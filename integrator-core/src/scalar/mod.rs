@@ -1,4 +1,4 @@
-//! What steps are computed in: numbers, vectors of numbers, and their elementary functions.
+//! Scalars and vectors that steps are computed in, and their elementary functions.
 
 #[cfg(any(debug_assertions, feature = "check"))]
 pub(crate) mod bounded;

@@ -1,4 +1,4 @@
-//! What generated code computes in: one trait, so that one text serves plain and fused scalars, duals and lanes.
+//! The trait of scalars and vectors: generated code is one text for plain and fused scalars, duals and lanes.
 
 use crate::scalar::{
     elementary::Elementary,
@@ -7,9 +7,10 @@ use crate::scalar::{
 };
 use core::ops::{Add, AddAssign, Div, Mul, Neg, Sub, SubAssign};
 
-/// A body of code that an executor runs inside the clone compiled for one instruction set.
+/// A kernel: code of which the executor runs the variant compiled for one instruction set.
 ///
-/// A trait and not a closure, because only a method can carry the `inline(always)` that brings the body into the clone.
+/// A trait and not a closure, because only a method can carry the `inline(always)` that brings the code into the
+/// variant.
 pub trait Kernel {
     /// What the body returns.
     type Out;
@@ -18,17 +19,17 @@ pub trait Kernel {
     fn call(self) -> Self::Out;
 }
 
-/// In which lanes a condition holds.
+/// A mask: the lanes in which a condition holds.
 pub trait Mask: Copy + Send + Sync + 'static {
     /// The same in every lane.
     fn of(holds: bool) -> Self;
-    /// Whether it holds in one lane at least: if not, the branch is skipped.
+    /// Whether it holds in any lane: if not, the branch is skipped.
     fn any(self) -> bool;
-    /// Where both hold.
+    /// The lanes where both hold.
     fn and(self, other: Self) -> Self;
-    /// Where one holds at least.
+    /// The lanes where at least one holds.
     fn or(self, other: Self) -> Self;
-    /// Where it does not hold.
+    /// The lanes where it does not hold.
     fn not(self) -> Self;
 }
 
@@ -90,27 +91,27 @@ macro_rules! declare_fast {
 
 macro_rules! declare_real {
     (unary: $($unary:ident)*; binary: $($binary:ident)*;) => {
-        /// A number, or several side by side, that flows are computed in.
+        /// A scalar, or a vector of lanes, that flows are computed in.
         pub trait Real:
             Copy + Send + Sync + 'static
             + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + Div<Output = Self> + Neg<Output = Self>
             + AddAssign + SubAssign
         {
-            /// How many members of an ensemble (or parts of a dual) one value holds.
+            /// The number of lanes: members of an ensemble, or the parts of a dual.
             const LANES: usize;
-            /// How many of its lanes are members, each with a way of its own: all, but for a number that is made of parts.
+            /// The number of lanes that are members of an ensemble: all, but for a number that is made of two parts.
             const MEMBERS: usize = Self::LANES;
-            /// Which lanes a condition holds in.
+            /// The mask of its lanes.
             type Mask: Mask;
-            /// Neighbouring numbers of an array side by side, as many as the registers of the clone hold; `Self` where
-            /// a value has lanes or parts already.
+            /// A vector of consecutive numbers of an array, as wide as the variant's registers; `Self` where a value
+            /// has lanes or parts already.
             type Block: Block<Self>;
-            /// Up to eight bodies side by side.
+            /// A row of up to eight bodies.
             type Row<const N: usize>: Row<Self>;
-            /// Eight numbers side by side, where registers hold them; `Self`, where they would be eight one by one, which is
-            /// as much code as eight times the text that computes on them.
+            /// A vector of eight numbers, where registers hold them; `Self` where they would be computed one by one,
+            /// which takes eight times the code.
             type Wide: Row<Self>;
-            /// Two numbers side by side.
+            /// A vector of two numbers.
             type Pair: Pair<Self>;
 
             /// The same number in every lane, rounded to the precision of the scalar; a dual has no tangent here.
@@ -134,10 +135,10 @@ macro_rules! declare_real {
                 let _ = slopes;
                 Self::state(&|lane| value(lane, arguments.map(|argument| argument.lane(lane))))
             }
-            /// `self / x^(3/2)`, the strength of forces that fall with the square of the distance. The formula, or on
-            /// AVX-512 a kernel of at most two ulp that scalar and vectors share.
+            /// `self / x^(3/2)`, the radial factor of inverse-square forces. The formula, or on AVX-512 a kernel of at
+            /// most two ulp that scalar and vectors share.
             #[inline(always)]
-            fn over_root_cubed(self, x: Self) -> Self {
+            fn div_pow_3_2(self, x: Self) -> Self {
                 self / (x * x.sqrt())
             }
             /// Sine and cosine of one argument.
@@ -145,11 +146,11 @@ macro_rules! declare_real {
             fast_functions!(declare_fast);
             /// Whether all lanes are finite.
             fn finite(self) -> bool;
-            /// Which lanes are below those of `other`.
+            /// The mask of the lanes that are less than those of `other`.
             fn less(self, other: Self) -> Self::Mask;
-            /// Which lanes are not above those of `other`.
+            /// The mask of the lanes that are less than or equal to those of `other`.
             fn less_or_equal(self, other: Self) -> Self::Mask;
-            /// Which lanes are equal to those of `other`.
+            /// The mask of the lanes that are equal to those of `other`.
             fn equal(self, other: Self) -> Self::Mask;
             /// `a` in the lanes of `mask`, `b` in the others.
             fn select(mask: Self::Mask, a: Self, b: Self) -> Self;
@@ -162,7 +163,7 @@ macro_rules! declare_real {
                 fn $binary(self, other: Self) -> Self;
             )*
 
-            /// Runs `kernel` inside the clone for the instruction set that this scalar is made for.
+            /// Runs the variant of `kernel` for the instruction set that this scalar is made for.
             #[inline(always)]
             fn enter<K: Kernel>(kernel: K) -> K::Out {
                 $crate::scalar::instruction_set::enter_baseline(kernel)
@@ -172,7 +173,7 @@ macro_rules! declare_real {
 }
 elementary_functions!(declare_real! {});
 
-/// The methods of `Real` that compare, where a value is one number, perhaps in a field, and a mask is a truth.
+/// The comparisons of `Real` for one number, perhaps in a field, whose mask is a `bool`.
 macro_rules! compared {
     ($($field:tt).*) => {
         #[inline(always)]
@@ -195,11 +196,11 @@ macro_rules! compared {
 }
 pub(crate) use compared;
 
-/// A number that is made of two parts, as a scalar: lane 0 is the number as it is told, lane 1 what else is known of it, and
-/// several of them side by side are an array. Functions are those of the macros `unary` and `binary` where this is called.
+/// A number that is made of two parts, as a scalar: lane 0 is its value, lane 1 the other part, and several of them in
+/// a row are an array. Functions are those of the macros `unary` and `binary` where this is called.
 macro_rules! real_of_two_parts {
     (
-        $number:ident: $inline:meta; lanes of $this:ident: $told:expr, $carried:expr; { $($own:tt)* }
+        $number:ident: $inline:meta; lanes of $this:ident: $value:expr, $other:expr; { $($own:tt)* }
         unary: $($unary:ident)*; binary: $($binary:ident)*;
     ) => {
         impl Real for $number {
@@ -212,7 +213,7 @@ macro_rules! real_of_two_parts {
 
             #[$inline]
             fn lane($this, lane: usize) -> f64 {
-                if lane == 0 { $told } else { $carried }
+                if lane == 0 { $value } else { $other }
             }
             #[$inline]
             fn fma(self, b: Self, c: Self) -> Self {

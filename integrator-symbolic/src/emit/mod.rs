@@ -189,7 +189,7 @@ pub(crate) fn stepper(input: &Input, mut model: Model) -> TokenStream {
             #along
         }
     });
-    let roots = [&drift, &kick].into_iter().any(|flow| flow.mentions("over_root_cubed"));
+    let roots = [&drift, &kick].into_iter().any(|flow| flow.mentions("div_pow_3_2"));
     let wide = (kick_along.is_some() || many_body.is_some() || roots).then(|| {
         quote!(
             const WIDE: bool = true;

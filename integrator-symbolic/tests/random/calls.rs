@@ -286,7 +286,7 @@ impl Machine<'_> {
                 Value::tuple(both.into_iter().flatten().map(Value::from))
             }
             ("fast_sin_cos", []) => return self.of_number(number, "sin_cos", &[]),
-            ("over_root_cubed", [x]) => {
+            ("div_pow_3_2", [x]) => {
                 let x = alike(x)?;
                 match x.function("sqrt") {
                     Some(root) => number.div(&x.mul(&root)).into(),

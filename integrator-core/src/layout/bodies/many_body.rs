@@ -85,11 +85,11 @@ pub struct Bodies<W, const D: usize, const S: usize> {
 
 impl<W: Real, const D: usize, const S: usize> Bodies<W, D, S> {
     #[inline(always)]
-    fn rotated<R: Real, const N: usize>(self, by: usize) -> Self
+    fn rotate<R: Real, const N: usize>(self, by: usize) -> Self
     where
         W: Row<R>,
     {
-        Self { q: rotated::<R, W, N, D>(self.q, by), constants: rotated::<R, W, N, S>(self.constants, by) }
+        Self { q: rotate::<R, W, N, D>(self.q, by), constants: rotate::<R, W, N, S>(self.constants, by) }
     }
     /// The bodies of one part, where rows are made of parts.
     #[inline(always)]
@@ -109,9 +109,9 @@ impl<W: Real, const D: usize, const S: usize> Bodies<W, D, S> {
 // Plain loops: what they call belongs to a multiversioned variant, and a closure might be compiled outside of it.
 
 #[inline(always)]
-fn rotated<R: Real, W: Row<R>, const N: usize, const D: usize>(mut rows: [W; D], by: usize) -> [W; D] {
+fn rotate<R: Real, W: Row<R>, const N: usize, const D: usize>(mut rows: [W; D], by: usize) -> [W; D] {
     for row in &mut rows {
-        *row = row.rotated::<N>(by);
+        *row = row.rotate::<N>(by);
     }
     rows
 }
@@ -220,7 +220,7 @@ where
             }
         )*};
     }
-    if W::WRITTEN_OUT {
+    if W::UNROLLED {
         rotations!(1 2 3 4 5 6 7);
     } else {
         for by in 1..N {
@@ -256,14 +256,14 @@ where
     R: Real,
     W: Row<R>,
 {
-    let bodies = [bodies, bodies.rotated::<R, N>(by)];
+    let bodies = [bodies, bodies.rotate::<R, N>(by)];
     let force = pair_forces::<H, R, W, D, S>(parameters, bodies, time);
     let mut force = masked(components::<H, W, D, S>(force, bodies), active);
     if let Some(active) = active {
-        force = masked(force, Some(active.rotated::<N>(by)));
+        force = masked(force, Some(active.rotate::<N>(by)));
     }
     if 2 * by != N && H::RECIPROCAL {
-        force = sub(force, rotated::<R, W, N, D>(force, N - by));
+        force = sub(force, rotate::<R, W, N, D>(force, N - by));
     }
     force
 }
@@ -286,7 +286,7 @@ pub(crate) fn inter_row<H, R, W, const N: usize, const D: usize, const S: usize>
     let [sum, other] = sums;
     let mut row_pair = RowPair { others, active, sum: *sum, reaction: *other };
     // All rotations, so that at the end every body is back in its lane.
-    if active.is_some() || !W::WRITTEN_OUT {
+    if active.is_some() || !W::UNROLLED {
         for _ in 0..N {
             row_pair.add_and_rotate::<H, R, N>(parameters, bodies, time);
         }
@@ -347,10 +347,10 @@ impl<W: Real, const D: usize, const S: usize> RowPair<W, D, S> {
                 self.reaction = sub(self.reaction, force);
             }
         }
-        self.reaction = rotated::<R, W, N, D>(self.reaction, 1);
-        self.others = self.others.rotated::<R, N>(1);
+        self.reaction = rotate::<R, W, N, D>(self.reaction, 1);
+        self.others = self.others.rotate::<R, N>(1);
         if let Some(row) = self.active {
-            self.active = Some(row.rotated::<N>(1));
+            self.active = Some(row.rotate::<N>(1));
         }
     }
 }

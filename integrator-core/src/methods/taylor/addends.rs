@@ -241,7 +241,7 @@ fn add_to<'r, R: Real, const AT_ONCE: usize, const EIGHTS: usize>(
             Some(lanes) => {
                 for eight in 0..EIGHTS {
                     for at in 0..AT_ONCE {
-                        sums[eight][at] = rows[eight][at].picked(lanes).fma(*signs, sums[eight][at]);
+                        sums[eight][at] = rows[eight][at].permute(lanes).fma(*signs, sums[eight][at]);
                     }
                 }
             }

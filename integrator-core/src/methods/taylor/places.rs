@@ -63,7 +63,7 @@ impl Places {
         match self {
             Places::Neighbours(begin) => each!(|numbers| Row::read(&numbers[*begin..])),
             Places::Near(begin, places) => {
-                each!(|numbers| <Wide<R> as Row<R>>::read(&numbers[*begin..]).picked(places));
+                each!(|numbers| <Wide<R> as Row<R>>::read(&numbers[*begin..]).permute(places));
             }
             Places::Far(places) => each!(|numbers| {
                 let mut gathered = [R::of(0.0); EIGHT];

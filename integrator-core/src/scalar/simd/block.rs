@@ -1,12 +1,12 @@
-//! Neighbouring numbers of an array side by side: what lets one text of a loop over sites serve whole vectors and the
+//! Blocks: vectors of consecutive numbers of an array. A loop over sites is one text, for whole vectors and for the
 //! rest that fills none.
 
 use crate::scalar::real::Real;
 
-/// `WIDTH` neighbours of an array of `R`, computed on as one number. Every operation has the bits of `R`'s own, so that
-/// no result depends on where blocks begin.
+/// A block: a vector of `WIDTH` consecutive numbers of an array of `R`. Every operation has the bits of `R`'s own, so
+/// that no result depends on where blocks begin.
 pub trait Block<R: Real>: Real {
-    /// How many neighbours it holds.
+    /// The number of lanes.
     const WIDTH: usize;
 
     /// The first `WIDTH` numbers of a slice that is not shorter.
@@ -16,9 +16,9 @@ pub trait Block<R: Real>: Real {
     /// The same number `WIDTH` times.
     fn splat(x: R) -> Self;
 
-    /// The block that begins one place later, where `next` follows this one.
+    /// The block that begins one element later, where `next` follows this one.
     fn after(self, next: Self) -> Self;
-    /// The block that begins one place earlier, where this one follows `previous`.
+    /// The block that begins one element earlier, where this one follows `previous`.
     fn before(self, previous: Self) -> Self;
 }
 

@@ -1,4 +1,4 @@
-//! Members of an ensemble side by side: every operation is the scalar's own, lane by lane.
+//! Lanes: a vector of members of an ensemble. Every operation is the scalar's own, lane by lane.
 //!
 //! So a member's bits do not depend on its neighbours, nor on whether it has any; the compiler puts the lanes into the
 //! vector registers of the instruction set that the scalar is made for.
@@ -14,7 +14,7 @@ use core::ops::{Add, AddAssign, Div, Mul, Neg, Sub, SubAssign};
 pub struct Lanes<F, const N: usize>([F; N]);
 
 impl<F: Copy, const N: usize> Lanes<F, N> {
-    /// The parts side by side.
+    /// The vector of these parts.
     #[inline(always)]
     pub(crate) fn of_parts(parts: [F; N]) -> Self {
         Self(parts)
@@ -63,7 +63,7 @@ impl<F: Real, const N: usize> Lanes<F, N> {
     }
 }
 
-/// Which lanes a condition holds in.
+/// The mask of the lanes in which a condition holds.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LaneMask<M, const N: usize>([M; N]);
 
@@ -199,8 +199,8 @@ macro_rules! lanes_real {
                 Self(parts)
             }
             #[inline(always)]
-            fn over_root_cubed(self, x: Self) -> Self {
-                self.zip(x, F::over_root_cubed)
+            fn div_pow_3_2(self, x: Self) -> Self {
+                self.zip(x, F::div_pow_3_2)
             }
             #[inline(always)]
             fn sin_cos(self) -> (Self, Self) {

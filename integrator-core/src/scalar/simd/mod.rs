@@ -1,4 +1,4 @@
-//! Several numbers at once.
+//! Vectors: several numbers computed at once.
 
 pub(crate) mod block;
 #[allow(unreachable_pub, reason = "named in bounds, never outside")]

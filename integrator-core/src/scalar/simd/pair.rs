@@ -1,16 +1,16 @@
-//! Two numbers that are computed on together, where a register holds both.
+//! Pairs: vectors of two numbers, where a register holds both.
 
 use crate::scalar::real::Real;
 
-/// Two numbers side by side. Every operation has the bits of the two operations on `R`.
+/// A vector of two numbers. Every operation has the bits of the two operations on `R`.
 pub trait Pair<R: Real>: Copy + Send + Sync + 'static {
-    /// These two.
+    /// The pair of these two.
     fn of(parts: [R; 2]) -> Self;
-    /// The two.
+    /// The two numbers.
     fn parts(self) -> [R; 2];
-    /// `self * b`, each of the two with its own.
+    /// `self * b`, lane by lane.
     fn mul(self, b: Self) -> Self;
-    /// `self * b + c`, each of the two with its own.
+    /// `self * b + c`, lane by lane.
     fn fma(self, b: Self, c: Self) -> Self;
     /// The sum of the two.
     #[inline(always)]
@@ -40,7 +40,7 @@ impl<R: Real> Pair<R> for [R; 2] {
     }
 }
 
-/// These two numbers side by side.
+/// The pair of two numbers.
 #[inline(always)]
 pub fn pair<R: Real>(first: R, second: R) -> R::Pair {
     R::Pair::of([first, second])

@@ -1,35 +1,34 @@
-//! Bodies side by side: what lets one text of a force serve a body at a time on one machine and eight on another.
+//! Rows of bodies: a force is one text, for vectors of eight bodies and for one body at a time.
 
 use crate::scalar::{real::Real, simd::lanes::Lanes};
 
-/// Up to eight bodies side by side, each an `R`. Every operation has the bits of `R`'s own, so that no result depends on
-/// how wide the hardware is. Places beyond the last body repeat the first ones: whatever is computed there is finite
-/// where the bodies are, and never read.
+/// A row: a vector of up to eight bodies, each an `R`. Every operation has the bits of `R`'s own, so that no result
+/// depends on the width of the hardware. Lanes behind the last body repeat the first ones: whatever is computed there
+/// is finite where the bodies are, and never read.
 pub trait Row<R: Real>: Real {
-    /// Whether rows are few registers, so that loops over rotations are written out: rotations by a known number of places
+    /// Whether loops over rotations are unrolled, because rows are few registers: rotations by a known number of lanes
     /// are instructions there. Where every body is a number of its own, this would be sixty-four copies of a force.
-    const WRITTEN_OUT: bool = true;
-    /// Of how many numbers a row is made that are computed with one by one; none where a row is computed with as a whole.
+    const UNROLLED: bool = true;
+    /// The number of parts that a row is computed in one by one; zero where it is computed in as a whole.
     const PARTS: usize = 0;
 
     /// The same number for every body.
     fn splat(x: R) -> Self;
-    /// The row of `N` bodies in which each body's place is taken by the one so many places further on, the first bodies
-    /// coming after the last one.
-    fn rotated<const N: usize>(self, by: usize) -> Self;
+    /// Rotates a row of `N` bodies: each lane gets the body so many lanes further on, the first bodies coming after the
+    /// last one.
+    fn rotate<const N: usize>(self, by: usize) -> Self;
     /// The row of the first numbers of a slice that has as many at least.
     fn read(from: &[R]) -> Self;
     /// Writes them to the beginning of a slice that has room for them.
     fn write(self, to: &mut [R]);
-    /// The row in which each place is taken by another one of the eight.
-    fn picked(self, places: &[u64; 8]) -> Self;
-    /// The numbers that are computed with one by one, if a row is made of such: each may fill registers of its own, and all at
-    /// once would fill none.
+    /// Permutes the eight lanes: each gets the lane with its index.
+    fn permute(self, indices: &[u64; 8]) -> Self;
+    /// The parts, if a row is made of such: each may fill registers of its own.
     #[inline(always)]
     fn parts(&self) -> &[R] {
         &[]
     }
-    /// These numbers, to be written.
+    /// The parts, to be written.
     #[inline(always)]
     fn parts_mut(&mut self) -> &mut [R] {
         &mut []
@@ -43,7 +42,7 @@ impl<R: Real> Row<R> for R {
         x
     }
     #[inline(always)]
-    fn rotated<const N: usize>(self, _by: usize) -> Self {
+    fn rotate<const N: usize>(self, _by: usize) -> Self {
         self
     }
     #[inline(always)]
@@ -55,13 +54,13 @@ impl<R: Real> Row<R> for R {
         to[0] = self;
     }
     #[inline(always)]
-    fn picked(self, _places: &[u64; 8]) -> Self {
+    fn permute(self, _indices: &[u64; 8]) -> Self {
         self
     }
 }
 
 impl<R: Real, const BODIES: usize> Row<R> for Lanes<R, BODIES> {
-    const WRITTEN_OUT: bool = BODIES <= 2;
+    const UNROLLED: bool = BODIES <= 2;
     const PARTS: usize = BODIES;
 
     #[inline(always)]
@@ -69,7 +68,7 @@ impl<R: Real, const BODIES: usize> Row<R> for Lanes<R, BODIES> {
         Self::of_parts([x; BODIES])
     }
     #[inline(always)]
-    fn rotated<const N: usize>(self, by: usize) -> Self {
+    fn rotate<const N: usize>(self, by: usize) -> Self {
         let mut parts = [self.part(0); BODIES];
         for (body, part) in parts.iter_mut().enumerate() {
             *part = self.part((body + by) % N);
@@ -89,10 +88,10 @@ impl<R: Real, const BODIES: usize> Row<R> for Lanes<R, BODIES> {
         }
     }
     #[inline(always)]
-    fn picked(self, places: &[u64; 8]) -> Self {
+    fn permute(self, indices: &[u64; 8]) -> Self {
         let mut parts = [self.part(0); BODIES];
-        for (part, place) in parts.iter_mut().zip(places) {
-            *part = self.part(*place as usize % BODIES);
+        for (part, index) in parts.iter_mut().zip(indices) {
+            *part = self.part(*index as usize % BODIES);
         }
         Self::of_parts(parts)
     }

@@ -136,7 +136,7 @@ impl Printer<'_> {
             Node::Div(a, b) if let Some(base) = self.root_cubed(b) => {
                 let a = self.expression(fields, a).at_least(Binding::Atom);
                 let base = self.expression(fields, base).tokens;
-                Printed::new(Binding::Atom, quote!(#a.over_root_cubed(#base)))
+                Printed::new(Binding::Atom, quote!(#a.div_pow_3_2(#base)))
             }
             Node::Div(a, b) => {
                 let (a, b) = (self.expression(fields, a), self.expression(fields, b));

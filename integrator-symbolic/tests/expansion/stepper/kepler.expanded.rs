@@ -51,7 +51,7 @@ const _: () = {
             Parameters<Scalar>,
         >;
         const AUTONOMOUS: bool = true;
-        const FINGERPRINT: u64 = 12279234026355852980;
+        const FINGERPRINT: u64 = 3538952196728599074;
         const WIDE: bool = true;
         fn parameters(&self, _length: usize) -> Parameters<f64> {
             Parameters {
@@ -79,8 +79,7 @@ const _: () = {
             let q0 = motion.q[0].value();
             let q1 = motion.q[1].value();
             let shared_0 = q1.fma(q1, q0 * q0);
-            let shared_1 = (step * motion.parameters.prepared_0)
-                .over_root_cubed(shared_0);
+            let shared_1 = (step * motion.parameters.prepared_0).div_pow_3_2(shared_0);
             motion.p[0].fma(-shared_1, q0);
             motion.p[1].fma(-shared_1, q1);
         }

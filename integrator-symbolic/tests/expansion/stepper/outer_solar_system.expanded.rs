@@ -73,7 +73,7 @@ const _: () = {
             3,
         >;
         const AUTONOMOUS: bool = true;
-        const FINGERPRINT: u64 = 12768479353675254612;
+        const FINGERPRINT: u64 = 1084317908188527354;
         const WIDE: bool = true;
         fn parameters(&self, _length: usize) -> Parameters<f64> {
             Parameters {
@@ -198,7 +198,7 @@ const _: () = {
                 let shared_0 = q_i[d] - q_j[d];
                 sum_0 = shared_0.fma(shared_0, sum_0);
             }
-            let shared_1 = (prepared_1_of_i * mass_of_j).over_root_cubed(sum_0);
+            let shared_1 = (prepared_1_of_i * mass_of_j).div_pow_3_2(sum_0);
             for d in 0..3 {
                 let shared_0 = q_i[d] - q_j[d];
                 gradient[d] = shared_1 * shared_0;

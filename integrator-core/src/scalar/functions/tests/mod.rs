@@ -23,7 +23,7 @@ trait Function {
     fn call<R: Real>(x: R, y: R) -> R;
 }
 
-/// A function at many points, in the clone that belongs to `R`.
+/// A function at many points, in the variant of `R`.
 fn sweep<F: Function, R: Real>(points: &[[f64; 2]]) -> Vec<f64> {
     struct Sweep<'a, F, R>(&'a [[f64; 2]], std::marker::PhantomData<(F, R)>);
     impl<F: Function, R: Real> Kernel for Sweep<'_, F, R> {
@@ -113,7 +113,7 @@ fn every_function_is_as_near_as_it_says() {
     assert!(too_far.is_empty(), "{too_far:#?}");
 }
 
-/// Zeros, the ends of the exponents, what is no number, and arguments that are far out for every function.
+/// Zeros, the ends of the exponents, NaN, and arguments that are far out for every function.
 const EDGES: [f64; 20] = [
     0.0,
     5e-324,

@@ -79,7 +79,7 @@ macro_rules! rows {
                     ("X8", InstructionSet::Avx512, sweep::<This, crate::scalar::simd::x86::X8>, sweep::<This, Fused<f64, Fma>>),
                     #[cfg(target_arch = "x86_64")]
                     ("S16", InstructionSet::Avx512, sweep::<This, crate::scalar::simd::x86::S16>, sweep::<This, Fused<f32, Fma>>),
-                    ("the other clone", InstructionSet::Avx512, sweep::<This, Fused<f64, Avx512>>, sweep::<This, Fused<f64, Fma>>),
+                    ("the other variant", InstructionSet::Avx512, sweep::<This, Fused<f64, Avx512>>, sweep::<This, Fused<f64, Fma>>),
                 ],
             }
         }),*];

@@ -69,7 +69,7 @@ elementary_functions!(vector! {
     compare _mm256_cmp_pd, select |mask, a, b| _mm256_blendv_pd(b, a, mask),
     after |low, high| _mm256_shuffle_pd::<0b0101>(low, _mm256_permute2f128_pd::<0x21>(low, high)),
     before |low, high| _mm256_shuffle_pd::<0b0101>(_mm256_permute2f128_pd::<0x21>(low, high), high),
-    over_root_cubed |n, x: Self| n / (x * x.sqrt());
+    div_pow_3_2 |n, x: Self| n / (x * x.sqrt());
 });
 elementary_functions!(vector! {
     /// Eight singles.
@@ -86,7 +86,7 @@ elementary_functions!(vector! {
         let (low, high) = (_mm256_castps_si256(low), _mm256_castps_si256(high));
         _mm256_castsi256_ps(_mm256_alignr_epi8::<12>(high, _mm256_permute2x128_si256::<0x21>(low, high)))
     },
-    over_root_cubed |n, x: Self| n / (x * x.sqrt());
+    div_pow_3_2 |n, x: Self| n / (x * x.sqrt());
 });
 
 bits! {

@@ -73,7 +73,7 @@ elementary_functions!(vector! {
         let (low, high) = (_mm512_castpd_si512(low), _mm512_castpd_si512(high));
         _mm512_castsi512_pd(_mm512_alignr_epi64::<7>(high, low))
     },
-    over_root_cubed super::over_root_cubed;
+    div_pow_3_2 super::div_pow_3_2;
 });
 elementary_functions!(vector! {
     /// Sixteen singles.
@@ -90,7 +90,7 @@ elementary_functions!(vector! {
         let (low, high) = (_mm512_castps_si512(low), _mm512_castps_si512(high));
         _mm512_castsi512_ps(_mm512_alignr_epi32::<15>(high, low))
     },
-    over_root_cubed |n, x: Self| n / (x * x.sqrt());
+    div_pow_3_2 |n, x: Self| n / (x * x.sqrt());
 });
 
 bits! {

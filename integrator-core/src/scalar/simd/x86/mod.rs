@@ -1,8 +1,8 @@
-//! Numbers side by side in one register: members of an ensemble, or neighbours in an array.
+//! The SIMD vectors of x86-64: members of an ensemble, or consecutive numbers of an array.
 //!
-//! Always true: every lane has the bits of the [`Fused`](crate::scalar::fma::Fused) scalar of the same clone: the operations
-//! are the same IEEE ones, elementary functions have one kernel for both or are called lane by lane. Only code that runs where the instruction
-//! set was chosen names these types; that is what makes their instructions sound.
+//! Always true: every lane has the bits of the [`Fused`](crate::scalar::fma::Fused) scalar of the same variant: the
+//! operations are the same IEEE ones, elementary functions have one kernel for both or are called lane by lane. Only
+//! code that runs where the instruction set was chosen names these types; that is what makes their instructions sound.
 
 /// Runs instructions of the set that a vector belongs to.
 macro_rules! instruction {
@@ -15,15 +15,15 @@ macro_rules! instruction {
 mod avx2;
 mod avx512;
 mod bits;
+mod div_pow_3_2;
 mod pair;
 mod real;
-mod root_cubed;
 mod row;
 
 pub use avx2::{S8, X4};
 pub use avx512::{S16, X8};
+pub(crate) use div_pow_3_2::div_pow_3_2;
 pub use pair::X2;
-pub(crate) use root_cubed::over_root_cubed;
 
 #[cfg(test)]
 mod tests {
@@ -97,7 +97,7 @@ mod tests {
         }
     }
 
-    /// What looks at all lanes at once.
+    /// Predicates over all lanes.
     fn whole<V: Real>() {
         for special in 0..V::LANES {
             for x in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
@@ -121,11 +121,11 @@ mod tests {
                 assert_eq!(number.lane(0), i as f64 + 0.5 + moved, "element {i} of a block at {first}");
             }
         }
-        let [first, second] = [0, V::WIDTH].map(|place| V::read(&array[place..]));
-        for place in 0..V::WIDTH {
+        let [first, second] = [0, V::WIDTH].map(|begin| V::read(&array[begin..]));
+        for lane in 0..V::WIDTH {
             let (later, earlier) = (first.after(second), second.before(first));
-            assert_eq!(later.lane(place), (place + 1) as f64 + 0.5, "one place later");
-            assert_eq!(earlier.lane(place), (V::WIDTH + place - 1) as f64 + 0.5, "one place earlier");
+            assert_eq!(later.lane(lane), (lane + 1) as f64 + 0.5, "one element later");
+            assert_eq!(earlier.lane(lane), (V::WIDTH + lane - 1) as f64 + 0.5, "one element earlier");
         }
     }
 
@@ -146,7 +146,7 @@ mod tests {
     }
 
     #[test]
-    fn both_fused_clones_have_the_same_bits() {
+    fn both_fused_variants_have_the_same_bits() {
         compare::<Fused<f64, Fma>, Fused<f64, Avx512>>();
         compare::<Fused<f32, Fma>, Fused<f32, Avx512>>();
     }

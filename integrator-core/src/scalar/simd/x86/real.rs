@@ -41,7 +41,7 @@ macro_rules! vector {
         fma $fma:ident, sqrt $sqrt:ident, xor $xor:ident, andnot $andnot:ident, to whole numbers $to_whole:ident,
         compare $compare:ident, select |$of:ident, $a:ident, $b:ident| $select:expr,
         after |$low:ident, $high:ident| $after:expr, before |$lower:ident, $higher:ident| $before:expr,
-        over_root_cubed $over_root_cubed:expr;
+        div_pow_3_2 $div_pow_3_2:expr;
         unary: $($unary:ident)*; binary: $($binary:ident)*;
     ) => {
         $(#[$documentation])*
@@ -50,7 +50,13 @@ macro_rules! vector {
 
         const _: () = {
             use super::real::unary;
-            use crate::scalar::{elementary::Elementary, functions::{fast_functions, fast_kernels}, fma::{Fused, Instructions}, real::{Kernel, Real}, simd::{block::Block, lanes::Lanes}};
+            use crate::scalar::{
+                elementary::Elementary,
+                fma::{Fused, Instructions},
+                functions::{fast_functions, fast_kernels},
+                real::{Kernel, Real},
+                simd::{block::Block, lanes::Lanes},
+            };
             use core::{
                 arch::x86_64::{
                     _CMP_EQ_OQ, _CMP_LE_OQ, _CMP_LT_OQ, _MM_FROUND_NO_EXC, _MM_FROUND_TO_NEG_INF, _MM_FROUND_TO_POS_INF,
@@ -128,8 +134,8 @@ macro_rules! vector {
                     Self(instruction!($fma(self.0, b.0, c.0)))
                 }
                 #[inline(always)]
-                fn over_root_cubed(self, x: Self) -> Self {
-                    $over_root_cubed(self, x)
+                fn div_pow_3_2(self, x: Self) -> Self {
+                    $div_pow_3_2(self, x)
                 }
                 #[inline(always)]
                 fn sin_cos(self) -> (Self, Self) {
@@ -138,7 +144,7 @@ macro_rules! vector {
                 fast_functions!(fast_kernels);
                 #[inline(always)]
                 fn finite(self) -> bool {
-                    // x - x is zero for a finite x and no number for others.
+                    // x - x is zero for a finite x and NaN for others.
                     !(self - self).equal(Self::of(0.0)).not().any()
                 }
                 #[inline(always)]

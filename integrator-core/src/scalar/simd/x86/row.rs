@@ -1,4 +1,4 @@
-//! Bodies in the lanes of a vector, or of two.
+//! Rows of bodies in the lanes of one vector or two.
 
 use super::{S8, X4, X8};
 use crate::scalar::{
@@ -47,7 +47,7 @@ impl Row<Fused<f64, Avx512>> for X8 {
         Self::of(x.0)
     }
     #[inline(always)]
-    fn rotated<const N: usize>(self, by: usize) -> Self {
+    fn rotate<const N: usize>(self, by: usize) -> Self {
         let sources = &const { Sources::<N>::DOUBLES }[by];
         Self(instruction!(_mm512_permutexvar_pd(_mm512_loadu_si512(sources.as_ptr().cast()), self.0)))
     }
@@ -60,8 +60,8 @@ impl Row<Fused<f64, Avx512>> for X8 {
         Block::write(self, to);
     }
     #[inline(always)]
-    fn picked(self, places: &[u64; 8]) -> Self {
-        Self(instruction!(_mm512_permutexvar_pd(_mm512_loadu_si512(places.as_ptr().cast()), self.0)))
+    fn permute(self, indices: &[u64; 8]) -> Self {
+        Self(instruction!(_mm512_permutexvar_pd(_mm512_loadu_si512(indices.as_ptr().cast()), self.0)))
     }
 }
 
@@ -74,7 +74,7 @@ macro_rules! singles {
                 Self::of(f64::from(x.0))
             }
             #[inline(always)]
-            fn rotated<const N: usize>(self, by: usize) -> Self {
+            fn rotate<const N: usize>(self, by: usize) -> Self {
                 let sources = &const { Sources::<N>::SINGLES }[by];
                 Self(instruction!(_mm256_permutevar8x32_ps(self.0, _mm256_loadu_si256(sources.as_ptr().cast()))))
             }
@@ -91,9 +91,9 @@ macro_rules! singles {
                 instruction!(_mm256_storeu_ps(to.as_mut_ptr().cast(), self.0));
             }
             #[inline(always)]
-            fn picked(self, places: &[u64; 8]) -> Self {
-                let places = places.map(|place| place as u32);
-                Self(instruction!(_mm256_permutevar8x32_ps(self.0, _mm256_loadu_si256(places.as_ptr().cast()))))
+            fn permute(self, indices: &[u64; 8]) -> Self {
+                let indices = indices.map(|index| index as u32);
+                Self(instruction!(_mm256_permutevar8x32_ps(self.0, _mm256_loadu_si256(indices.as_ptr().cast()))))
             }
         }
     )*};
@@ -106,7 +106,7 @@ impl Row<Fused<f64, Fma>> for Lanes<X4, 2> {
         Self::of(x.0)
     }
     #[inline(always)]
-    fn rotated<const N: usize>(self, by: usize) -> Self {
+    fn rotate<const N: usize>(self, by: usize) -> Self {
         let ([a, b, c, d], [e, f, g, h]) = (self.part(0).lanes(), self.part(1).lanes());
         let x = [a, b, c, d, e, f, g, h];
         // Unrolled, since as a loop it goes through memory.
@@ -124,10 +124,10 @@ impl Row<Fused<f64, Fma>> for Lanes<X4, 2> {
         Block::write(self.part(1), &mut to[4..]);
     }
     #[inline(always)]
-    fn picked(self, places: &[u64; 8]) -> Self {
+    fn permute(self, indices: &[u64; 8]) -> Self {
         let ([a, b, c, d], [e, f, g, h]) = (self.part(0).lanes(), self.part(1).lanes());
         let x = [a, b, c, d, e, f, g, h];
-        let at = |place: usize| x[places[place] as usize % 8];
+        let at = |lane: usize| x[indices[lane] as usize % 8];
         Self::of_parts([X4::of_lanes([at(0), at(1), at(2), at(3)]), X4::of_lanes([at(4), at(5), at(6), at(7)])])
     }
 }
@@ -137,22 +137,22 @@ mod tests {
     use super::{Avx512, Fma, Fused, Lanes, Real, Row, S8, X4, X8};
     use crate::scalar::instruction_set::InstructionSet;
 
-    /// All rotations of `N` bodies: each place has what the body so many places further on had, and places behind the
-    /// last body repeat the first ones.
+    /// All rotations of `N` bodies: each lane gets the body so many lanes further on, and lanes behind the last
+    /// body repeat the first ones.
     fn rotations<W: Row<R>, R: Real, const N: usize>() {
         let number = |body: usize| 1.5 + body as f64;
         let row = W::state(&|lane| number(lane % N));
         for by in 0..N {
-            let rotated = row.rotated::<N>(by);
+            let rotated = row.rotate::<N>(by);
             for lane in 0..W::LANES {
-                assert_eq!(rotated.lane(lane), number((lane % N + by) % N), "place {lane} of {N} bodies, by {by}");
+                assert_eq!(rotated.lane(lane), number((lane % N + by) % N), "lane {lane} of {N} bodies, by {by}");
             }
         }
         assert!((0..W::LANES).all(|lane| W::splat(R::of(2.5)).lane(lane) == 2.5));
     }
 
-    /// Rows are read and written where they are, and their places are picked in any order.
-    fn places<W: Row<R>, R: Real>() {
+    /// Rows are read and written where they are, and their lanes are permuted in any order.
+    fn permutations<W: Row<R>, R: Real>() {
         let array: Vec<R> = (0..12).map(|i| R::of(f64::from(i) + 0.5)).collect();
         for first in 0..4 {
             let (row, mut copy) = (W::read(&array[first..]), array.clone());
@@ -161,16 +161,16 @@ mod tests {
                 let moved = if (first..first + W::LANES).contains(&i) { 100.0 } else { 0.0 };
                 assert_eq!(number.lane(0), i as f64 + 0.5 + moved, "number {i} of a row at {first}");
             }
-            let picked = row.picked(&[3, 3, 0, 7, 6, 1, 2, 0]);
+            let permuted = row.permute(&[3, 3, 0, 7, 6, 1, 2, 0]);
             for (lane, from) in [3, 3, 0, 7, 6, 1, 2, 0].into_iter().enumerate() {
-                assert_eq!(picked.lane(lane), row.lane(from), "place {lane} is taken by {from}");
+                assert_eq!(permuted.lane(lane), row.lane(from), "lane {lane} gets lane {from}");
             }
         }
     }
 
     fn all_rotations<W: Row<R>, R: Real>(set: InstructionSet) {
         if InstructionSet::available().contains(&set) {
-            places::<W, R>();
+            permutations::<W, R>();
             rotations::<W, R, 2>();
             rotations::<W, R, 3>();
             rotations::<W, R, 4>();
@@ -182,12 +182,12 @@ mod tests {
     }
 
     #[test]
-    fn rows_of_all_sets_turn_alike() {
+    fn rows_of_all_sets_rotate_alike() {
         all_rotations::<X8, Fused<f64, Avx512>>(InstructionSet::Avx512);
         all_rotations::<S8, Fused<f32, Avx512>>(InstructionSet::Avx512);
         all_rotations::<S8, Fused<f32, Fma>>(InstructionSet::Fused);
         all_rotations::<Lanes<X4, 2>, Fused<f64, Fma>>(InstructionSet::Fused);
-        places::<Lanes<f64, 8>, f64>();
+        permutations::<Lanes<f64, 8>, f64>();
         rotations::<Lanes<f64, 5>, f64, 5>();
         rotations::<Lanes<f64, 8>, f64, 8>();
     }

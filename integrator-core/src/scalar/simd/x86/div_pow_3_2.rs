@@ -31,14 +31,14 @@ impl Estimate for Fused<f64, Avx512> {
 /// between `315/128 e⁴` and `c e²` for `|e| < a` is least, `0.42 a⁴`, for `c = (√2 - 1) 315/64 a²`.
 const SECOND: f64 = 15.0 / 8.0 + (std::f64::consts::SQRT_2 - 1.0) * 315.0 / 64.0 / 67_108_864.0;
 
-/// With the estimate `y` of `1/√x` and `e = 1 - x y²`, `|e| < 2⁻¹³`, the value is `n y³ (1 - e)^(-3/2)`, whose series is
-/// `1 + 3/2 e + 15/8 e² + 35/16 e³ + …`. Roundings of `y²`, `y³`, their product with `n`, `e` and the last sum, and what
-/// the series lacks leave less than two ulp of a value that neither overflows nor loses bits to underflow.
+/// With the estimate `y` of `1/√x` and `e = 1 - x y²`, `|e| < 2⁻¹³`, the value is `n y³ (1 - e)^(-3/2)`, whose series
+/// is `1 + 3/2 e + 15/8 e² + 35/16 e³ + …`. Roundings of `y²`, `y³`, their product with `n`, `e` and the last sum, and
+/// what the series lacks leave less than two ulp of a value that neither overflows nor loses bits to underflow.
 ///
-/// No number where `x` is not positive and finite: no branch for these is worth its time in every step, since a kick by
-/// an infinite force ends in no number all the same.
+/// NaN where `x` is not positive and finite: a branch for these is not worth its time in every step, since a kick by an
+/// infinite force ends in NaN as well.
 #[inline(always)]
-pub(crate) fn over_root_cubed<R: Estimate>(n: R, x: R) -> R {
+pub(crate) fn div_pow_3_2<R: Estimate>(n: R, x: R) -> R {
     let y = x.reciprocal_root();
     let square = y * y;
     let e = (-x).fma(square, R::of(1.0));
@@ -55,10 +55,10 @@ mod tests {
     use core::marker::PhantomData;
     use dashu_float::{FBig, round::mode::HalfEven};
 
-    /// What has no value, or one beyond the numbers.
+    /// Arguments without a value, or with one that overflows.
     const WITHOUT: [f64; 8] = [0.0, -0.0, 5e-324, 1e-310, 1e-300, f64::INFINITY, f64::NAN, -1.0];
 
-    /// What is so large that the value is zero.
+    /// Arguments so large that the value is zero.
     const HUGE: [f64; 2] = [1e300, f64::MAX];
 
     /// Some thousand pairs of `n` and `x`, whose logarithms are spread (steps that no period fits), and special ones.
@@ -72,7 +72,7 @@ mod tests {
         (0..8_000).map(moderate).chain(special).collect()
     }
 
-    /// The values at these pairs, in the clone that belongs to `R`.
+    /// The values at these pairs, in the variant of `R`.
     fn values<R: Real>(pairs: &[[f64; 2]]) -> Vec<f64> {
         struct Values<'a, R>(&'a [[f64; 2]], PhantomData<R>);
         impl<R: Real> Kernel for Values<'_, R> {
@@ -82,7 +82,7 @@ mod tests {
                 let mut values = Vec::with_capacity(self.0.len());
                 for pairs in self.0.chunks(R::LANES) {
                     let pair = |lane: usize| pairs[lane.min(pairs.len() - 1)];
-                    let value = R::state(&|lane| pair(lane)[0]).over_root_cubed(R::state(&|lane| pair(lane)[1]));
+                    let value = R::state(&|lane| pair(lane)[0]).div_pow_3_2(R::state(&|lane| pair(lane)[1]));
                     values.extend((0..pairs.len()).map(|lane| value.lane(lane)));
                 }
                 values
