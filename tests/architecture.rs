@@ -55,7 +55,7 @@ const CORE: MayKnow = (
         ("state", &["error", "scalar"]),
         ("hamiltonian", &["composition", "error", "layout", "methods", "scalar", "state", "system", "trajectory"]),
         ("system", &["error", "hamiltonian", "scalar", "state"]),
-        ("composition", &["hamiltonian"]),
+        ("composition", &["hamiltonian", "scalar"]),
         ("layout", &["hamiltonian", "scalar", "state", "system"]),
         ("trajectory", &["composition", "error", "hamiltonian", "layout", "scalar", "state", "system"]),
         ("ensemble", &["composition", "error", "hamiltonian", "layout", "scalar", "state", "system", "trajectory"]),
@@ -216,6 +216,11 @@ fn only_clones_and_vectors_are_unsafe() {
             let reason = lines[..number].iter().rev().take_while(|line| line.trim_start().starts_with("//"));
             assert!(reason.into_iter().any(|line| line.contains("// SAFETY:")), "{}:{}", path.display(), number + 1);
         }
+    }
+    for (path, text) in sources(&root().join("integrator-core/src/scalar/simd")) {
+        let raw = |call: &&str| ["_ptr()", "load", "store"].iter().any(|raw| call.contains(raw));
+        let hidden = text.split("instruction!(").skip(1).filter_map(|call| call.split(['\n', ';']).next()).find(raw);
+        assert!(hidden.is_none(), "{}: {hidden:?} has a reason of its own", path.display());
     }
     for path in ["integrator-cli/src/main.rs", "integrator-macros/src/lib.rs", "integrator-symbolic/src/lib.rs"] {
         let root = fs::read_to_string(root().join(path)).expect("text");

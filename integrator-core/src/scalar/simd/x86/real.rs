@@ -70,12 +70,29 @@ macro_rules! vector {
                 #[inline(always)]
                 pub(super) fn lanes(self) -> [$scalar; $lanes] {
                     let mut lanes = [0.0; $lanes];
-                    instruction!($store(lanes.as_mut_ptr(), self.0));
+                    // SAFETY: the array has a number for every lane; for the instruction set as in `instruction!`.
+                    unsafe { $store(lanes.as_mut_ptr(), self.0) };
                     lanes
                 }
                 #[inline(always)]
                 pub(super) fn of_lanes(lanes: [$scalar; $lanes]) -> Self {
-                    Self(instruction!($load(lanes.as_ptr())))
+                    // SAFETY: the array has a number for every lane; for the instruction set as in `instruction!`.
+                    Self(unsafe { $load(lanes.as_ptr()) })
+                }
+                /// Reads the first numbers of a slice.
+                #[inline(always)]
+                pub(super) fn load<S>(from: &[Fused<$scalar, S>]) -> Self {
+                    let from = &from[..$lanes];
+                    // SAFETY: the slice has a number for every lane, and `Fused` is transparent; for the instruction set as in
+                    // `instruction!`.
+                    Self(unsafe { $load(from.as_ptr().cast()) })
+                }
+                /// Writes the first numbers of a slice.
+                #[inline(always)]
+                pub(super) fn store<S>(self, to: &mut [Fused<$scalar, S>]) {
+                    let to = &mut to[..$lanes];
+                    // SAFETY: as in `load`.
+                    unsafe { $store(to.as_mut_ptr().cast(), self.0) };
                 }
             }
 
@@ -189,15 +206,11 @@ macro_rules! vector {
 
                 #[inline(always)]
                 fn read(from: &[Fused<$scalar, $set>]) -> Self {
-                    let from = &from[..$lanes];
-                    // The slice is long enough, and a fused scalar is transparent.
-                    Self(instruction!($load(from.as_ptr().cast())))
+                    Self::load(from)
                 }
                 #[inline(always)]
                 fn write(self, to: &mut [Fused<$scalar, $set>]) {
-                    let to = &mut to[..$lanes];
-                    // As in `read`.
-                    instruction!($store(to.as_mut_ptr().cast(), self.0));
+                    self.store(to);
                 }
                 #[inline(always)]
                 fn splat(x: Fused<$scalar, $set>) -> Self {

@@ -7,8 +7,7 @@ use crate::scalar::{
     simd::{block::Block, lanes::Lanes, row::Row},
 };
 use core::arch::x86_64::{
-    _mm256_loadu_ps, _mm256_loadu_si256, _mm256_permutevar8x32_ps, _mm256_storeu_ps, _mm512_loadu_si512,
-    _mm512_permutexvar_pd,
+    __m256i, __m512i, _mm256_loadu_si256, _mm256_permutevar8x32_ps, _mm512_loadu_si512, _mm512_permutexvar_pd,
 };
 
 /// The lane that each lane is taken from when `N` bodies are rotated. A constant, since both numbers are.
@@ -41,6 +40,20 @@ impl<const N: usize> Sources<N> {
     };
 }
 
+/// Eight indices of lanes in a register.
+#[inline(always)]
+fn words(indices: &[u64; 8]) -> __m512i {
+    // SAFETY: eight words of 64 bits are the 512 bits that are read; for the instruction set as in `instruction!`.
+    unsafe { _mm512_loadu_si512(indices.as_ptr().cast()) }
+}
+
+/// The same in half a register.
+#[inline(always)]
+fn half_words(indices: &[u32; 8]) -> __m256i {
+    // SAFETY: eight words of 32 bits are the 256 bits that are read; for the instruction set as in `instruction!`.
+    unsafe { _mm256_loadu_si256(indices.as_ptr().cast()) }
+}
+
 impl Row<Fused<f64, Avx512>> for X8 {
     #[inline(always)]
     fn splat(x: Fused<f64, Avx512>) -> Self {
@@ -49,7 +62,7 @@ impl Row<Fused<f64, Avx512>> for X8 {
     #[inline(always)]
     fn rotate<const N: usize>(self, by: usize) -> Self {
         let sources = &const { Sources::<N>::DOUBLES }[by];
-        Self(instruction!(_mm512_permutexvar_pd(_mm512_loadu_si512(sources.as_ptr().cast()), self.0)))
+        Self(instruction!(_mm512_permutexvar_pd(words(sources), self.0)))
     }
     #[inline(always)]
     fn read(from: &[Fused<f64, Avx512>]) -> Self {
@@ -61,7 +74,7 @@ impl Row<Fused<f64, Avx512>> for X8 {
     }
     #[inline(always)]
     fn permute(self, indices: &[u64; 8]) -> Self {
-        Self(instruction!(_mm512_permutexvar_pd(_mm512_loadu_si512(indices.as_ptr().cast()), self.0)))
+        Self(instruction!(_mm512_permutexvar_pd(words(indices), self.0)))
     }
 }
 
@@ -76,24 +89,20 @@ macro_rules! singles {
             #[inline(always)]
             fn rotate<const N: usize>(self, by: usize) -> Self {
                 let sources = &const { Sources::<N>::SINGLES }[by];
-                Self(instruction!(_mm256_permutevar8x32_ps(self.0, _mm256_loadu_si256(sources.as_ptr().cast()))))
+                Self(instruction!(_mm256_permutevar8x32_ps(self.0, half_words(sources))))
             }
             #[inline(always)]
             fn read(from: &[Fused<f32, $set>]) -> Self {
-                let from = &from[..8];
-                // The slice is long enough, and a fused scalar is transparent.
-                Self(instruction!(_mm256_loadu_ps(from.as_ptr().cast())))
+                Self::load(from)
             }
             #[inline(always)]
             fn write(self, to: &mut [Fused<f32, $set>]) {
-                let to = &mut to[..8];
-                // As in `read`.
-                instruction!(_mm256_storeu_ps(to.as_mut_ptr().cast(), self.0));
+                self.store(to);
             }
             #[inline(always)]
             fn permute(self, indices: &[u64; 8]) -> Self {
                 let indices = indices.map(|index| index as u32);
-                Self(instruction!(_mm256_permutevar8x32_ps(self.0, _mm256_loadu_si256(indices.as_ptr().cast()))))
+                Self(instruction!(_mm256_permutevar8x32_ps(self.0, half_words(&indices))))
             }
         }
     )*};
