@@ -1,11 +1,12 @@
-//! Durations that add up to the step, however often it is taken.
+//! Corrected durations: the stages of a compensated run add up to the step, however often it is taken.
 //!
-//! The stages of a step last `h·a`, rounded, and what they add up to misses `h` by about ε/10 of it, in every step by
-//! the same: a clock that is a little fast or slow. Calendars have the same trouble with the day and the year, and the
-//! same cure: now and then a stage is longer, by an amount with which it comes out without a rounding.
+//! The stages of a step last `h·a`, rounded, and their sum misses `h` by the duration residual, about ε/10 of it, in
+//! every step the same: a clock that is a little fast or slow. As a leap day corrects the year, one stage is longer in
+//! some cycles (error diffusion, as in Bresenham's lines), by an amount that it can be lengthened by without a
+//! rounding.
 //!
-//! Always true: which steps are the longer ones depends on their number alone, so that portions, samples and checkpoints
-//! change nothing; and after `n` steps the sum of all durations is off by what one step is longer at most.
+//! Always true: which cycles these are depends on their number alone, so that portions, samples and checkpoints change
+//! nothing; and after `n` steps the sum of all durations is off by at most one correction.
 
 use crate::{
     composition::{Processor, Stage, Stages},
@@ -17,50 +18,50 @@ use core::mem::take;
 /// 2^64.
 const MODULUS: f64 = 18_446_744_073_709_551_616.0;
 
-/// How much longer a stage is in some of the cycles, and in which share of them.
+/// The correction of a stage: by how much it is longer, and how often.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Correction {
     longer: f64,
-    /// In units of 2^-64.
-    share: u64,
+    /// The fraction of the cycles, in units of 2^-64.
+    frequency: u64,
 }
 
 impl Correction {
-    const NONE: Self = Self { longer: 0.0, share: 0 };
+    const NONE: Self = Self { longer: 0.0, frequency: 0 };
 
-    /// For the first of the durations `h·a`, with the fractions `a`.
+    /// The correction of the first of the durations `h·a`, with the fractions `a`.
     ///
-    /// Fractions and durations are rounded once each. Where more is missing than that explains, the composition is wrong,
-    /// and nothing may hide it.
+    /// Fractions and durations are rounded once each. Where the residual is larger than that explains, the composition
+    /// is wrong, and nothing may hide it.
     fn new(h: f64, mut fractions: impl Iterator<Item = f64> + Clone) -> Self {
-        let missing = missing(h, fractions.clone());
+        let residual = residual(h, fractions.clone());
         let explained = f64::EPSILON * fractions.clone().map(|fraction| (h * fraction).abs()).sum::<f64>();
         let first = h * fractions.next().unwrap_or(0.0);
-        if missing == 0.0 || !missing.is_finite() || missing.abs() > explained {
+        if residual == 0.0 || !residual.is_finite() || residual.abs() > explained {
             return Self::NONE;
         }
-        // From the spacing of the numbers at the first stage on; where that is a short one, more. What the sum rounds to is
-        // what the stage will last, so that the difference is the one to count with.
+        // The least correction is the spacing of numbers at the first stage's duration, or more where that is short.
+        // The stage will last what the sum rounds to, so that the difference is the correction.
         let mut least = f64::from_bits(first.abs().to_bits() + 1) - first.abs();
         let mut longer = 0.0_f64;
-        while longer.abs() < missing.abs() {
-            longer = (first + least.copysign(missing)) - first;
+        while longer.abs() < residual.abs() {
+            longer = (first + least.copysign(residual)) - first;
             least *= 2.0;
         }
-        if longer.is_finite() { Self { longer, share: (missing / longer * MODULUS) as u64 } } else { Self::NONE }
+        if longer.is_finite() { Self { longer, frequency: (residual / longer * MODULUS) as u64 } } else { Self::NONE }
     }
 
-    /// How much longer the stage is in the cycle of this number, counted from 1: where the multiple of the share passes an
-    /// integer. The bits of a number, because flows take all registers that numbers have.
+    /// The correction in the cycle of this number, counted from 1: not zero where the multiple of the frequency passes
+    /// an integer. As bits, because flows take all floating-point registers.
     #[inline(always)]
     fn of(&self, cycle: u64) -> u64 {
-        let passes = u64::from(cycle.wrapping_mul(self.share) < self.share);
+        let passes = u64::from(cycle.wrapping_mul(self.frequency) < self.frequency);
         self.longer.to_bits() & passes.wrapping_neg()
     }
 }
 
-/// `h` less the rounded durations `h·a` of all fractions `a`, in double-double.
-fn missing(h: f64, fractions: impl Iterator<Item = f64>) -> f64 {
+/// The duration residual: `h` less the rounded durations `h·a` of all fractions `a`, in double-double.
+fn residual(h: f64, fractions: impl Iterator<Item = f64>) -> f64 {
     let (mut left, mut errors) = (h, 0.0);
     for fraction in fractions {
         let [difference, lost] = two_sum(left, -(h * fraction));
@@ -69,7 +70,7 @@ fn missing(h: f64, fractions: impl Iterator<Item = f64>) -> f64 {
     left + errors
 }
 
-/// The longer stages of a composition with a step.
+/// The corrections of a composition's drifts and kicks with a step.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Corrections {
     drift: Correction,
@@ -77,26 +78,26 @@ pub(crate) struct Corrections {
 }
 
 impl Corrections {
-    /// Those of stages that are merged across steps.
+    /// The corrections of stages that are merged across steps.
     pub(crate) fn new(stages: &Stages, h: f64) -> Self {
         Self::of(h, stages.cycle.iter())
     }
 
-    /// Those of steps that are taken one by one, each with its processor.
+    /// The corrections of steps that are taken one by one, each with its processor.
     pub(crate) fn of_whole_steps(stages: &Stages, processor: &Processor, h: f64) -> Self {
         let (before, after) = (processor.before.rows.iter(), processor.after.rows.iter());
         let step = [&stages.opening].into_iter().chain(&stages.cycle[1..]).chain([&stages.closing]);
         Self::of(h, before.chain(step).chain(after))
     }
 
-    fn of<'s>(h: f64, rows: impl Iterator<Item = &'s Stage> + Clone) -> Self {
+    fn of<'s>(h: f64, stages: impl Iterator<Item = &'s Stage> + Clone) -> Self {
         Self {
-            drift: Correction::new(h, rows.clone().map(|stage| stage.drift)),
-            kick: Correction::new(h, rows.map(|stage| stage.kick)),
+            drift: Correction::new(h, stages.clone().map(|stage| stage.drift)),
+            kick: Correction::new(h, stages.map(|stage| stage.kick)),
         }
     }
 
-    /// Whether no stage is ever longer: the durations add up as they are.
+    /// Whether there are none, because the durations add up as they are.
     pub(crate) fn none(&self) -> bool {
         *self == Self { drift: Correction::NONE, kick: Correction::NONE }
     }
@@ -108,7 +109,7 @@ impl Corrections {
     }
 }
 
-/// Flows in one cycle, the first drift and the first kick of which are longer by these numbers.
+/// Flows in one cycle, whose first drift and first kick are longer by the corrections.
 pub(crate) struct Corrected<'f, F> {
     flows: &'f mut F,
     drift: u64,
@@ -154,7 +155,7 @@ mod tests {
         Big::try_from(x).expect("a finite number").with_precision(400).value()
     }
 
-    /// By how much the durations of so many cycles miss `h` times as many, with longer stages and without.
+    /// By how much the durations of so many cycles miss `h` times as many, with corrections and without.
     fn off(h: f64, cycles: u64, fractions: &[f64]) -> [f64; 2] {
         let correction = Correction::new(h, fractions.iter().copied());
         let first = h * fractions[0];
@@ -258,19 +259,19 @@ mod tests {
         let mut run = Hamiltonian::run_with(&Oscillator, composition, start, h).expect("a start");
         run.advance(steps).expect("finite");
         let Phase { q: [q], p: [p] } = run.state();
-        let exact = |missing: [f64; 2]| {
+        let exact = |residual: [f64; 2]| {
             let (mut open, mut cycle, mut close) = (Exact::one(), Exact::one(), Exact::one());
             X::open(&mut open, h, 0.0);
             X::cycle(&mut cycle, h, 0.0);
             // Where in the step it goes changes the motion by `h` times as little.
-            cycle.shear(0, big(missing[0]));
-            cycle.shear(1, big(-missing[1]));
+            cycle.shear(0, big(residual[0]));
+            cycle.shear(1, big(-residual[1]));
             X::close(&mut close, h, 0.0);
             close.after(&cycle.power(steps - 1)).after(&open)
         };
         let [drifts, kicks] = [|stage: &Stage| stage.drift, |stage: &Stage| stage.kick];
         let punctual =
-            exact([missing(h, X::STAGES.cycle.iter().map(drifts)), missing(h, X::STAGES.cycle.iter().map(kicks))]);
+            exact([residual(h, X::STAGES.cycle.iter().map(drifts)), residual(h, X::STAGES.cycle.iter().map(kicks))]);
         let rounded = exact([0.0; 2]);
         let off = |q: Big, p: Big| {
             let (q, p) = (q - punctual.0[0][0].clone(), p - punctual.0[1][0].clone());
@@ -290,7 +291,8 @@ mod tests {
             ("KahanLi8", 0.3, errors(KahanLi8, 0.3, STEPS)),
             ("Chin4A", 0.3, errors(Chin4A, 0.3, STEPS)),
         ];
-        // What is left are the roundings of the kicks, some 1e-17 each, of which a random walk makes a thousand times more.
+        // What is left are the roundings of the kicks, some 1e-17 each, of which a random walk makes a thousand times
+        // more.
         for (name, h, [run, rounded]) in table {
             assert!(run < rounded / 20.0, "{name} with h = {h} is off by {run:e}, and would be by {rounded:e}");
         }
@@ -299,8 +301,8 @@ mod tests {
     #[test]
     fn numbers_at_the_ends_of_all_numbers_do_no_harm() {
         for h in [0.0, 5e-324, -5e-324, 1e-310, f64::MAX, -f64::MAX, f64::INFINITY, f64::NAN] {
-            let Correction { longer, share } = Correction::new(h, [1.0 / 3.0, 1.0 / 3.0, 1.0 / 3.0].into_iter());
-            assert!(longer.is_finite(), "{h:e}: {longer:e} in {share}");
+            let Correction { longer, frequency } = Correction::new(h, [1.0 / 3.0, 1.0 / 3.0, 1.0 / 3.0].into_iter());
+            assert!(longer.is_finite(), "{h:e}: {longer:e} in {frequency}");
         }
         assert_eq!(Correction::new(0.1, [0.5, 0.5].into_iter()), Correction::NONE, "halves are exact");
         assert_eq!(Correction::new(0.1, [0.5, 0.4999].into_iter()), Correction::NONE, "a mistake stays one");

@@ -1,6 +1,6 @@
-//! In what order a step moves the parts of a Hamiltonian: a composition is a proved, static table of stages.
+//! Compositions: proved, static tables of stages, which are the drifts and kicks of a step in their order.
 //!
-//! A table knows its coefficients and nothing of systems; [`Flows`] is all it asks of an executor.
+//! A table has coefficients and knows nothing of systems; [`Flows`] is all that it needs of an executor.
 
 pub(crate) mod catalogue;
 pub(crate) mod catalogue_list;
@@ -25,11 +25,11 @@ pub struct Stage {
 }
 
 impl Stage {
-    /// The stage that moves nothing.
+    /// The stage without a drift or a kick.
     pub const NONE: Self = Self { drift: 0.0, kick: 0.0, gradient: 0.0, drift_time: 0.0, kick_time: 0.0 };
 }
 
-/// The part of the Hamiltonian that a stage moves first.
+/// The flow that comes first in a stage.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Lead {
     /// `T` moves the positions, then `V` the momenta.
@@ -46,30 +46,31 @@ pub enum Lead {
 /// merges: `opening` is `cycle[0]` and `closing` is [`Stage::NONE`].
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Stages {
-    /// The part that comes first in every row.
+    /// The flow that comes first in every stage.
     pub lead: Lead,
-    /// The first row of the first step: `cycle[0]` before its leading part was merged with the previous step's end.
+    /// The first stage of the first step: `cycle[0]` before its leading flow was merged with the previous step's end.
     pub opening: Stage,
     /// One step, from just before its merged first stage.
     pub cycle: &'static [Stage],
-    /// The leading part that ends a step; its other part is zero.
+    /// The leading flow that ends a step; its other one is zero.
     pub closing: Stage,
 }
 
 impl Stages {
-    /// How often a step that is not merged with others evaluates the force, with its processor; kicks along the gradient of the
-    /// squared force count twice.
+    /// The number of force evaluations of a step that is not merged with others, with its processor; kicks along the
+    /// gradient of the squared force count twice.
     pub(crate) fn forces(&self, processor: &Processor) -> usize {
         let step = [&self.opening].into_iter().chain(&self.cycle[1..]).chain([&self.closing]);
-        let rows = processor.before.rows.iter().chain(step).chain(processor.after.rows);
-        rows.map(|row| usize::from(row.kick != 0.0 || row.gradient != 0.0) + usize::from(row.gradient != 0.0)).sum()
+        let stages = processor.before.rows.iter().chain(step).chain(processor.after.rows);
+        let forces = |kick, gradient| usize::from(kick || gradient) + usize::from(gradient);
+        stages.map(|stage| forces(stage.kick != 0.0, stage.gradient != 0.0)).sum()
     }
 }
 
-/// A list of stages that is gone through once.
+/// A list of stages that are applied once, before the first step or wherever a state is shown.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Rows {
-    /// The part that comes first in every row.
+    /// The flow that comes first in every stage.
     pub lead: Lead,
     /// The stages.
     pub rows: &'static [Stage],
@@ -80,12 +81,14 @@ impl Rows {
     pub const NONE: Self = Self { lead: Lead::Drift, rows: &[] };
 }
 
-/// What a processed composition does once before its first step, and undoes wherever its state is shown.
+/// A processor: stages that a processed composition applies once before its first step, and undoes wherever its state
+/// is shown.
 ///
 /// With the processor `P` and the kernel `K`, `n` steps are `P`, then `K` `n` times, then the inverse of `P`: conjugate
-/// to `K`, hence as symplectic, at the cost of `K` alone. The inverse acts on a copy, so what is shown changes no run. Nor
-/// does it end one: a run diverges where `K` does. Where the inverse alone leaves the domain of a potential, or the finite
-/// numbers, the end of the step of `K` is shown as it is: `P` is near the identity, and its order means nothing there.
+/// to `K`, hence as symplectic, at the cost of `K` alone. The inverse acts on a copy, so what is shown changes no run.
+/// Nor does it end one: a run diverges where `K` does. Where the inverse alone leaves the domain of a potential, or the
+/// finite numbers, the end of the step of `K` is shown as it is: `P` is near the identity, and its order means nothing
+/// there.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Processor {
     /// `P`.
@@ -99,7 +102,7 @@ impl Processor {
     pub const NONE: Self = Self { before: Rows::NONE, after: Rows::NONE };
 }
 
-/// What a composition asks of the Hamiltonian beside being separable.
+/// The class of Hamiltonians that a composition may integrate.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Class {
     /// Any `T(p)`.
@@ -116,27 +119,29 @@ pub trait Scheme: Copy + Default + Send + Sync + 'static {
     const CITATION: &'static str;
     /// The order, proved from the order conditions.
     const ORDER: u32;
-    /// The generalised orders `(n₁, n₂, …)` for a Hamiltonian whose second part, that of the kicks, is of a small size `ε`: errors
-    /// are of the sizes `ε hⁿ¹`, `ε² hⁿ²` and so on, where the last one goes for all higher powers (McLachlan 1995, BIT 35,
-    /// 258). Proved where the declaration claims them, as in `order (8, 4)`; else [`ORDER`](Self::ORDER) alone.
+    /// The generalised orders `(n₁, n₂, …)` for a Hamiltonian whose second part, that of the kicks, is of a small size
+    /// `ε`: errors are of the sizes `ε hⁿ¹`, `ε² hⁿ²` and so on, where the last one goes for all higher powers
+    /// (McLachlan 1995, BIT 35, 258). Proved where the declaration claims them, as in `order (8, 4)`; else
+    /// [`ORDER`](Self::ORDER) alone.
     const GENERALISED_ORDERS: &'static [u32] = &[Self::ORDER];
     /// Whether the sequence reads the same backwards, so that a step by `-h` undoes a step by `h`.
     const SYMMETRIC: bool;
-    /// What it asks of the Hamiltonian.
+    /// The class of Hamiltonians that it may integrate.
     const CLASS: Class;
     /// Force evaluations per step, after merging across steps.
     const FORCE_EVALUATIONS: usize;
-    /// How many of these also go along the gradient of the squared force, which costs about one more evaluation each.
+    /// The number of these that also go along the gradient of the squared force, which costs about one more evaluation
+    /// each.
     const GRADIENT_EVALUATIONS: usize;
     /// The smallest `h·ω` beyond which the step is unstable on a harmonic oscillator, computed from its step matrix.
     const STABILITY_LIMIT: f64;
-    /// The norm of the first terms that the step gets wrong, those of degree `ORDER + 1`, in the basis of bracketed Lyndon
-    /// words (modulo the brackets that vanish for quadratic `T`, where that is the class). It compares compositions of one
-    /// order and class.
+    /// The norm of the first terms that the step gets wrong, those of degree `ORDER + 1`, in the basis of bracketed
+    /// Lyndon words (modulo the brackets that vanish for quadratic `T`, where that is the class). It compares
+    /// compositions of one order and class.
     const LEADING_ERROR: Option<f64>;
     /// The table that a run loops over.
     const STAGES: Stages;
-    /// What comes once before the first step; mostly nothing.
+    /// The processor; none for most compositions.
     const PROCESSOR: Processor = Processor::NONE;
 }
 
@@ -154,7 +159,7 @@ pub trait Composition<H: Hamiltonian>: Scheme {
         flows.kick(h * stage.kick, time + h * stage.kick_time);
     }
 
-    /// One row of the table, from a step that begins at `time`.
+    /// One stage of a step that begins at `time`.
     #[inline(always)]
     fn stage(flows: &mut impl Flows<H>, stage: &Stage, h: f64, time: f64) {
         if Self::STAGES.lead == Lead::Kick {
@@ -166,18 +171,18 @@ pub trait Composition<H: Hamiltonian>: Scheme {
         }
     }
 
-    /// The rows of a processor. Its last row may lack a part, which is left out then.
+    /// The stages of a processor. A drift or a kick that is zero is left out.
     #[inline(always)]
-    fn once(flows: &mut impl Flows<H>, rows: &Rows, h: f64, time: f64) {
-        for stage in rows.rows {
+    fn once(flows: &mut impl Flows<H>, stages: &Rows, h: f64, time: f64) {
+        for stage in stages.rows {
             let kicks = stage.kick != 0.0 || stage.gradient != 0.0;
-            if kicks && rows.lead == Lead::Kick {
+            if kicks && stages.lead == Lead::Kick {
                 Self::kick(flows, stage, h, time);
             }
             if stage.drift != 0.0 {
                 flows.drift(h * stage.drift, time + h * stage.drift_time);
             }
-            if kicks && rows.lead == Lead::Drift {
+            if kicks && stages.lead == Lead::Drift {
                 Self::kick(flows, stage, h, time);
             }
         }
