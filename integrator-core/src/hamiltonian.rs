@@ -1,4 +1,5 @@
-//! What moves: the trait that `#[hamiltonian]` writes, and the two sides from which executors see a system.
+//! The trait of systems, which `#[hamiltonian]` implements, and the trait of flows, through which compositions see
+//! them.
 
 use crate::{
     composition::{
@@ -32,7 +33,7 @@ pub trait Hamiltonian: Sized {
     type Coords: Coords<Leaf = f64, With<f64> = Self::Coords>;
     /// The annotated composition.
     type Compose: Composition<Self>;
-    /// What depends on parameters alone, evaluated once per run.
+    /// The prepared constants, which depend on parameters alone.
     type Parameters<R: Real>: Prepared<R, Single = Self::Parameters<f64>>;
     /// Prepared constants and state, in the layout that the generator chose.
     type Motion<R: Real, K: Precision>: Motion<Shaped<Self, K>, Self::Parameters<f64>>;
@@ -54,8 +55,7 @@ pub trait Hamiltonian: Sized {
     ///
     /// `length` is how many numbers or points the positions of the start are.
     fn parameters(&self, length: usize) -> Self::Parameters<f64>;
-    /// Tells a motion that the flows from here on belong to a step with this middle, where conditions on the time are
-    /// read.
+    /// Sets the middle of the step under way, at which conditions on the time are read.
     fn begin_step<R: Real, K: Precision>(_motion: &mut Self::Motion<R, K>, _middle: f64) {}
     /// The exact flow of `T` for a time `duration`; `time` is where an explicit time dependence is read.
     fn drift<R: Real, K: Precision>(motion: &mut Self::Motion<R, K>, duration: f64, time: f64);
@@ -137,12 +137,12 @@ pub trait QuadraticKinetic: Hamiltonian {
     fn gradient_kick<R: Real, K: Precision>(motion: &mut Self::Motion<R, K>, duration: f64, gradient: f64, time: f64);
 }
 
-/// The flows as a composition sees them: the executor decides what they are applied to.
+/// The flows that a composition calls: the executor decides which motions they are applied to.
 pub trait Flows<H: Hamiltonian> {
-    /// Whether coordinates carry what updates lose, so that durations have to add up as well.
+    /// Whether coordinates carry the rounding errors of updates, so that durations have to add up as well.
     const COMPENSATED: bool;
 
-    /// What follows belongs to a step with this middle: [`Hamiltonian::begin_step`].
+    /// Sets the middle of the step under way: [`Hamiltonian::begin_step`].
     fn begin_step(&mut self, _middle: f64) {}
     /// The flow of `T`.
     fn drift(&mut self, duration: f64, time: f64);

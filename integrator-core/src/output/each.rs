@@ -1,4 +1,4 @@
-//! Samples one by one, counted, to the end or to the first mistake.
+//! Samples one by one, counted, up to the end or the first error.
 
 use crate::{
     error::{Error, debug_as_display},
@@ -13,10 +13,10 @@ debug_as_display!(OutputError);
 #[derive(thiserror::Error)]
 #[non_exhaustive]
 pub enum OutputError {
-    /// The run went no further. What was seen of it is written.
+    /// The run went no further. The samples before are written.
     #[error("the run ended after {written} samples, which are written: {error}")]
     Run {
-        /// How many samples are written.
+        /// The number of samples written.
         written: u64,
         /// Why it ended.
         error: Error,
@@ -24,9 +24,9 @@ pub enum OutputError {
     /// Something could not be written.
     #[error("writing ended after {written} samples: {error}")]
     Write {
-        /// How many samples the writer had taken before; what it held in memory of them may be lost.
+        /// The number of samples that the writer had accepted; those that it buffered may be lost.
         written: u64,
-        /// What the writer said.
+        /// The error of the writer.
         error: io::Error,
     },
 }
@@ -34,8 +34,8 @@ pub enum OutputError {
 /// Hands each sample to `callback`, and returns how many there were.
 ///
 /// # Errors
-/// [`OutputError::Run`] with the error of the run, [`OutputError::Write`] with the one that `callback` returned; either ends
-/// it.
+/// [`OutputError::Run`] with the error of the run, [`OutputError::Write`] with the one that `callback` returned; either
+/// ends it.
 pub fn each<C: Coords>(
     samples: impl IntoIterator<Item = Result<Sample<C>, Error>>,
     mut callback: impl FnMut(&Sample<C>) -> io::Result<()>,
@@ -54,7 +54,7 @@ pub(super) fn numbers<C: Coords>(coordinates: &C) -> impl Iterator<Item = f64> {
     coordinates.flat().iter().map(|leaf| leaf.to_f64())
 }
 
-/// What is wrong with a sample that does not go with those before it.
+/// The error of a sample with another number of coordinates than those before it.
 pub(super) fn unequal() -> io::Error {
     io::Error::new(io::ErrorKind::InvalidData, "samples differ in the number of their coordinates")
 }

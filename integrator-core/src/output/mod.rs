@@ -1,10 +1,11 @@
-//! Saving what is seen of a run: as CSV, as NPZ for NumPy, or by a function of your own.
+//! Saving the samples of a run: as CSV, as NPZ for NumPy, or by a function of your own.
 //!
-//! Comes in: the samples of a run, or its crossings, or whatever iterator adaptors leave of them. Goes out: one record for
-//! each, and how many there are.
+//! Comes in: the samples of a run, or its crossings, or whatever iterator adaptors leave of them. Goes out: one record
+//! for each, and how many there are.
 //!
-//! Always true: numbers read back equal, bit for bit; if the run fails, everything up to there is written, and the error
-//! comes with the count. Of [compensated](crate::Compensated) coordinates the number is written and not what it carries.
+//! Always true: numbers read back equal, bit for bit; if the run fails, everything up to there is written, and the
+//! error comes with the count. Of [compensated](crate::Compensated) coordinates the value is written and not the error
+//! that it carries.
 //!
 //! ```
 //! use integrator_core::{output, prelude::*};

@@ -10,8 +10,8 @@ use zip::{ZipWriter, write::SimpleFileOptions};
 /// Writes samples as an NPZ file, `np.load(path)` in Python, and returns how many there were.
 ///
 /// It holds the arrays `t` and `energy` of `n` samples, and `q` and `p` of the shape `(n, number of coordinates)` or
-/// `(n, number of points, components)`, all in double precision. A file of arrays has to know how many samples there are
-/// before the second array begins, so that all are in memory until the last one is seen.
+/// `(n, number of points, components)`, all in double precision. A file of arrays has to know how many samples there
+/// are before the second array begins, so that all are in memory until the last one is seen.
 ///
 /// # Errors
 /// As [`each`]; also [`OutputError::Write`] if a sample has more or fewer coordinates than the first one.
@@ -27,7 +27,7 @@ pub fn npz<C: Coords>(
     Ok(written)
 }
 
-/// What was seen, one sample after the other.
+/// The samples, one after the other.
 struct Arrays {
     /// The axes of `q` and of `p`.
     shape: Vec<u64>,
@@ -74,7 +74,7 @@ impl Arrays {
     }
 }
 
-/// How long the axes of an array are that holds so many of these coordinates.
+/// The shape of an array that holds so many of these coordinates.
 fn shape<C: Coords>(count: usize, coordinates: &C) -> Vec<u64> {
     let mut axes = [count, coordinates.length(), C::COMPONENTS].map(|length| length as u64).to_vec();
     axes.truncate(if C::COMPONENTS == 1 { 2 } else { 3 });

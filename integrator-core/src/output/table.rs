@@ -13,8 +13,9 @@ use std::io::{self, Write};
 
 /// Writes samples as CSV and returns how many there were.
 ///
-/// The columns are the time `t`, the positions `q0`, `q1` and so on (`q0_2` is the third component of the first point), the
-/// momenta likewise, and the `energy`. The first line names them. Each number is the shortest text that reads back equal.
+/// The columns are the time `t`, the positions `q0`, `q1` and so on (`q0_2` is the third component of the first point),
+/// the momenta likewise, and the `energy`. The first line names them. Each number is the shortest text that reads back
+/// equal.
 ///
 /// # Errors
 /// As [`each`]; also [`OutputError::Write`] if a sample has more or fewer coordinates than the first one.
@@ -39,7 +40,7 @@ pub fn csv<C: Coords>(
     Ok(written)
 }
 
-/// What the writer below said. Besides, a row may have another length than the first one.
+/// The error of the CSV writer: one of the writer below it, or that of a record with another length than the first one.
 fn cause(error: ::csv::Error) -> io::Error {
     match error.into_kind() {
         ErrorKind::Io(error) => error,

@@ -1,17 +1,18 @@
-//! The scalar of a running error analysis (Higham, Accuracy and Stability of Numerical Algorithms, section 3.3): a number
-//! and a bound on what rounding has made of it.
+//! The scalar of a running error analysis (Higham, Accuracy and Stability of Numerical Algorithms, section 3.3): a
+//! number and a bound on its rounding error.
 //!
-//! In: exact coordinates, constants that are rounded a few times. Out: lane 0 is the value, as in `f64`; lane 1 the bound.
-//! Always true: where a comparison or the edge of a domain lies within the bounds, both sides are allowed for, and where
-//! nothing can be said the bound is infinite. What is not finite for certain has the bound zero.
+//! In: exact coordinates, constants that are rounded a few times. Out: lane 0 is the value, as in `f64`; lane 1 the
+//! bound. Always true: where a comparison or the edge of a domain lies within the bounds, both sides are allowed for,
+//! and where there is no bound it is infinite. A number that is certainly not finite has the bound zero.
 
 use crate::scalar::real::{Mask, Real, elementary_functions, real_of_two_parts};
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
-/// What an operation loses, relative to its result: half of this, and the other half for the roundings of the bound.
+/// The rounding error of an operation, relative to its result: half of this, and the other half for the roundings of
+/// the bound.
 const ROUNDING: f64 = f64::EPSILON;
 
-/// What an elementary function loses: up to four units in the last place.
+/// The error of an elementary function: up to four units in the last place.
 const FUNCTION: f64 = 4.0 * f64::EPSILON;
 
 /// A number and a bound on its error.
@@ -33,8 +34,8 @@ impl Bounded {
         Self { value, error }
     }
 
-    /// By how much a function that is `value` in the middle differs at most at both ends of an interval; infinite where
-    /// its domain ends within. Twice that bounds what a smooth function does in between.
+    /// A bound on the change of a smooth function within an interval: twice its change from `value` in the middle to
+    /// the ends, or infinite where its domain ends within.
     fn spread(value: f64, ends: [f64; 2]) -> f64 {
         let inside = ends.iter().all(|end| end.is_finite() == value.is_finite());
         let farthest = ends.iter().fold(0.0, |most, end| f64::max(most, Real::abs(end - value)));
@@ -59,7 +60,7 @@ impl Bounded {
         Self::of_operands(of_first.value, [of_first, of_second], of_first.error + of_second.error)
     }
 
-    /// A comparison, which is in doubt where the two are nearer to each other than they are known.
+    /// A comparison, which is in doubt where the two are nearer to each other than their error bounds.
     fn compared(self, other: Self, holds: bool) -> Truth {
         let error = self.error + other.error;
         let apart = Real::abs(self.value - other.value) > error;
@@ -120,8 +121,7 @@ impl Mul for Bounded {
     fn mul(self, other: Self) -> Self {
         let value = self.value * other.value;
         let of_operands = Real::abs(self.value) * other.error + (Real::abs(other.value) + other.error) * self.error;
-        // What is lost where a product is too small to have all digits is far below the smallest one that has them; zero
-        // times anything loses nothing.
+        // The rounding error of a subnormal product is far below the smallest normal one; a product with zero is exact.
         let zero = self.value == 0.0 || other.value == 0.0;
         let rounding = if zero { 0.0 } else { ROUNDING * Real::abs(value) + f64::MIN_POSITIVE };
         Self::of_operands(value, [self, other], of_operands + rounding)
@@ -275,7 +275,7 @@ mod tests {
         assert_eq!((Bounded::of(1.0) / about(0.0, 1e-16)).error, f64::INFINITY);
         assert_eq!((about(1.0, f64::INFINITY) * Bounded::of(0.0)).error, f64::INFINITY);
         assert_eq!(Real::sqrt(Bounded::of(0.0) * Bounded::of(0.0)).error, 0.0, "the distance of what coincides");
-        // What is infinite or no number for certain is known to be.
+        // Numbers that are certainly infinite or NaN are known to be.
         for value in [Bounded::of(1.0) / Bounded::of(0.0), Real::sqrt(Bounded::of(-1.0)), Real::ln(Bounded::of(-1.0))] {
             assert!(!value.value.is_finite() && value.error == 0.0, "{value:?}");
         }

@@ -210,7 +210,7 @@ elementary_functions!(real_of_two_parts! {
             slopes: impl Fn(usize, [f64; N]) -> [f64; N],
         ) -> Self {
             let at = arguments.map(|argument| argument.re);
-            // A slope that is not known is no number; it must not touch what does not move.
+            // An unknown slope is NaN; it must not reach a result that it does not change.
             let along = |(slope, argument): (f64, Self)| match argument.eps {
                 0.0 => 0.0,
                 tangent => slope * tangent,
@@ -283,7 +283,7 @@ mod tests {
             assert!(within(dual.lane(0) - value, 4.0 * f64::EPSILON * value.abs()), "{name}: {dual:?}");
             assert!(within(dual.lane(1) - derivative, 4.0 * f64::EPSILON), "{name}: {dual:?}");
         }
-        assert!(!at(0.0).sqrt().finite(), "a derivative that does not exist is no number");
+        assert!(!at(0.0).sqrt().finite(), "a derivative that does not exist is not finite");
     }
 
     #[test]

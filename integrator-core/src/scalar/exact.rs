@@ -24,7 +24,7 @@ pub(crate) fn two_product<R: Bits<Scalar: Parts>>(a: R, b: R) -> [R; 2] {
     [product, if R::FUSED { a.fma(b, -product) } else { -less_product(product, a, b) }]
 }
 
-/// What parts of a number of one format are found with.
+/// The constants that split and invert numbers of one format.
 pub(crate) trait Parts: Sized {
     /// The bits of the upper half of a number: the product of two such halves is exact.
     const UPPER: u64;
@@ -66,7 +66,7 @@ pub(crate) fn pattern_less<R: Bits>(pattern: u64, x: R) -> R {
     x.bits_xor(R::pattern(!0)).bits_add(R::pattern(pattern.wrapping_add(1)))
 }
 
-/// What the quotient of `a` and `b` is too small by, where it was rounded: enough digits of it to be added.
+/// The rounding error of the quotient of `a` and `b`, to a few digits.
 #[cfg_attr(not(debug_assertions), inline(always))]
 pub(crate) fn lost_by_quotient<R: Bits<Scalar: Parts>>(quotient: R, a: R, b: R) -> R {
     less_product(a, quotient, b) * pattern_less(R::Scalar::RECIPROCAL, b)

@@ -1,15 +1,15 @@
-//! Sizes and their bounds: the one comparison of all checks, and the arithmetic in which a NaN is never lost.
+//! Tolerances: the one comparison of all checks, and norms that keep NaNs.
 //!
-//! Always true: a NaN that goes in makes the check fail, whatever else goes in.
+//! Always true: NaN if any input is NaN, so that the check fails.
 
-/// Whether `value` is at most `tolerance` in size. Every verdict of every check is reached here.
+/// Whether `value` is at most `tolerance` in absolute value: the comparison behind every verdict of every check.
 ///
 /// A NaN on either side is not within, and neither is anything within a tolerance that is infinite.
 pub(crate) fn within(value: f64, tolerance: f64) -> bool {
     tolerance.is_finite() && value.abs() <= tolerance
 }
 
-/// The largest size among `values`, zero where there are none, NaN where one is NaN.
+/// The largest absolute value, zero where there are none, NaN if any is NaN.
 pub(crate) fn largest(values: impl IntoIterator<Item = f64>) -> f64 {
     let mut most = 0.0_f64;
     each(&mut values.into_iter(), &mut |value| {

@@ -1,20 +1,20 @@
-//! Arrays that begin where a line of the cache begins.
+//! Aligned arrays, which begin at the border of a cache line.
 
 use alloc::vec::Vec;
 use core::ops::{Deref, DerefMut};
 
-/// How many bytes a line has; no register is longer. One that is read across the border of two lines takes two turns.
+/// The size of a cache line in bytes; no register is longer. A load across the border of two lines takes two accesses.
 const LINE: usize = 64;
 
-/// An array on the heap whose first element is the first of a line.
+/// An array on the heap whose first element is the first of a cache line.
 pub struct Aligned<T> {
-    /// The elements, behind as many that are never looked at as it takes.
+    /// The elements, after as many unused ones as the alignment takes.
     elements: Vec<T>,
     first: usize,
 }
 
 impl<T: Copy> Aligned<T> {
-    /// The array of what each place has.
+    /// The array with these elements.
     pub(crate) fn new(length: usize, at: &dyn Fn(usize) -> T) -> Self {
         if length == 0 {
             return Self { elements: Vec::new(), first: 0 };
@@ -22,10 +22,10 @@ impl<T: Copy> Aligned<T> {
         let size = size_of::<T>().max(1);
         let mut elements = Vec::<T>::with_capacity(length + LINE / size);
         let left = elements.as_ptr().addr().wrapping_neg() % LINE;
-        // Where no few elements fill what is left of a line, the array begins where it may.
+        // Where no whole number of elements fills the rest of the line, the array is not aligned.
         let first = if left.is_multiple_of(size) { left / size } else { 0 };
-        for place in 0..first + length {
-            elements.push(at(place.saturating_sub(first)));
+        for index in 0..first + length {
+            elements.push(at(index.saturating_sub(first)));
         }
         Self { elements, first }
     }
@@ -33,7 +33,7 @@ impl<T: Copy> Aligned<T> {
 
 impl<T: Copy> Clone for Aligned<T> {
     fn clone(&self) -> Self {
-        Self::new(self.len(), &|place| self[place])
+        Self::new(self.len(), &|index| self[index])
     }
     fn clone_from(&mut self, from: &Self) {
         if self.len() == from.len() {
@@ -63,7 +63,7 @@ impl<T> DerefMut for Aligned<T> {
 mod tests {
     use super::{Aligned, LINE};
 
-    /// The array, its copy, and what it becomes by copying another one have their elements, and begin at a line.
+    /// An array, its clone, and a clone into another array have its elements, and begin at a line.
     fn begins_at_a_line<T: Copy + PartialEq + core::fmt::Debug>(of: fn(usize) -> T, aligned: bool) {
         for length in [0, 1, 7, 8, 100, 5_000] {
             let array = Aligned::new(length, &of);

@@ -1,4 +1,4 @@
-//! Time as an integer number of steps, and what may be asked of it.
+//! The clock of a run: time as an integer number of steps.
 
 use crate::{
     error::{Divergence, Error},
@@ -23,19 +23,20 @@ impl Clock {
         self.t0 + steps as f64 * self.h
     }
 
-    /// The clock that begins where this one had counted so many steps.
+    /// The clock that begins at this one's step `opened`.
     pub(crate) fn since(&self, opened: u64) -> Self {
         Self { t0: self.at(opened), h: self.h, steps: self.steps - opened }
     }
 
-    /// How many steps will be done after `asked` more.
+    /// The number of steps done after `asked` more.
     ///
     /// # Errors
     /// A clock that did not start at a time, more steps than can be counted, and steps that the clock does not notice.
     pub(crate) fn end(&self, asked: u64) -> Result<u64, Error> {
         self.check()?;
         let end = self.steps.checked_add(asked).ok_or(Error::Steps { done: self.steps, asked })?;
-        // Time is coarsest where it is farthest from zero, which is at one end of the way. An infinite time is found too.
+        // Time is coarsest where it is farthest from zero, which is at one end of the steps. An infinite time is found
+        // too.
         let ends = if asked == 0 { None } else { Some([self.steps, end]) };
         match ends.into_iter().flatten().map(|steps| self.at(steps)).find(|time| time + self.h == *time) {
             Some(time) => Err(Error::Clock { h: self.h, time }),
@@ -51,7 +52,7 @@ impl Clock {
         }
     }
 
-    /// What to say of a trajectory that has taken its last finite step, to `state`; `next` is where one more leads.
+    /// The report on a trajectory that has taken its last finite step, to `state`; one more leads to `next`.
     pub(crate) fn divergence<C: Coords>(&self, state: &Phase<C>, next: &Phase<C>) -> Divergence {
         let limit = f64::min(lowest_limit(state.q.flat()), lowest_limit(state.p.flat()));
         self.diverged(flat(state), flat(next), limit)
@@ -67,7 +68,7 @@ impl Clock {
     }
 }
 
-/// What all values stay below, in absolute value.
+/// The lowest bound that values stay below, in absolute value.
 fn lowest_limit<K: Precision>(leaves: &[K]) -> f64 {
     let mut lowest = f64::INFINITY;
     for leaf in leaves {

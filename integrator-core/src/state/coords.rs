@@ -1,4 +1,4 @@
-//! The shapes that coordinates come in: arrays and vectors of numbers or of points.
+//! The shapes of coordinates: arrays and vectors of numbers or of points.
 
 use crate::{
     scalar::real::Real,
@@ -11,8 +11,8 @@ use crate::{
 use alloc::{vec, vec::Vec};
 use core::fmt::Debug;
 
-/// How many coordinates are looked at between two chances to stop looking.
-const PIECE: usize = 256;
+/// The number of coordinates that are searched without a branch.
+const CHUNK: usize = 256;
 
 /// The positions or the momenta of a system, in the shape that the user wrote: `[K; N]`, `[[K; D]; N]`, `Vec<K>` or
 /// `Vec<[K; D]>` with a leaf `K` of `f64`, `f32`, [`Compensated<f64>`](crate::Compensated) or
@@ -25,12 +25,12 @@ pub trait Coords: Clone + Debug + PartialEq + Send + Sync + 'static {
     /// The same shape, filled with slots.
     type Slots<R: Real>: Clone + Send + Sync + 'static;
 
-    /// How many numbers or points there are, where the type tells.
+    /// The number of numbers or points, where it is known from the type.
     const LENGTH: Option<usize>;
-    /// How many numbers a point has; one where there are no points.
+    /// The number of components of a point; one where there are no points.
     const COMPONENTS: usize;
 
-    /// How many numbers or points there are.
+    /// The number of numbers or points.
     fn length(&self) -> usize;
     /// The coordinates whose flat form this is; `None` where the shape has another size.
     fn from_flat(flat: Vec<Self::Leaf>) -> Option<Self>;
@@ -90,10 +90,10 @@ pub trait Coords: Clone + Debug + PartialEq + Send + Sync + 'static {
     /// Whether every coordinate of every lane is finite.
     #[inline(always)]
     fn finite<R: Real>(slots: &Self::Slots<R>) -> bool {
-        // In pieces without a way out, so that numbers are looked at side by side.
-        for piece in Self::slots(slots).chunks(PIECE) {
+        // In chunks without a branch, so that the search is vectorised.
+        for chunk in Self::slots(slots).chunks(CHUNK) {
             let mut finite = true;
-            for slot in piece {
+            for slot in chunk {
                 finite &= slot.value().finite();
             }
             if !finite {

@@ -1,4 +1,4 @@
-//! A fingerprint of prepared constants, which tells the parameters of two systems apart.
+//! Fingerprints of prepared constants, by which the parameters of two systems are distinguished.
 
 use alloc::vec::Vec;
 
@@ -7,11 +7,11 @@ use alloc::vec::Vec;
 pub struct Digest(u64);
 
 impl Digest {
-    /// That of nothing.
+    /// The fingerprint of no constants.
     #[cfg(feature = "checkpoint")]
     pub(crate) const EMPTY: Self = Self(0xcbf2_9ce4_8422_2325);
 
-    /// The fingerprint of all that was added.
+    /// The fingerprint of all constants that were added.
     #[cfg(feature = "checkpoint")]
     pub(crate) fn value(self) -> u64 {
         self.0

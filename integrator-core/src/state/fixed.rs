@@ -1,7 +1,8 @@
-//! Coordinates on a grid of fixed spacing, on which every update can be undone exactly.
+//! Fixed-point coordinates: a grid of fixed spacing, on which every update can be undone exactly.
 //!
 //! Always true: adding an increment and then its negative returns the very bits. Increments are rounded to the grid,
-//! which treats `d` and `-d` alike, and sums of grid points are exact as long as they stay within the range of the grid.
+//! which treats `d` and `-d` alike, and sums of grid points are exact as long as they stay within the range of the
+//! grid.
 
 use crate::{
     scalar::{
@@ -14,14 +15,14 @@ use crate::{
 /// 1.5 · 2^52: a double of this many grid spacings has neighbours one spacing apart, on both sides for 2^51 of them.
 const ANCHOR: f64 = 6_755_399_441_055_744.0;
 
-/// 2^51, how many spacings a coordinate may be away from zero.
+/// 2^51, the number of spacings that a coordinate may be away from zero.
 const RANGE: f64 = 2_251_799_813_685_248.0;
 
 /// A number on a grid. Made by [`Phase::reversible`](crate::Phase::reversible).
 ///
 /// It is a double that is a multiple of the grid's spacing, a power of two. An update rounds its increment to the grid
-/// by adding and subtracting 1.5 · 2^52 spacings, so that the sum is exact (the idea of a lattice map, Earn and Tremaine
-/// 1992). What leaves the range, 2^51 spacings to either side, is no number any more and stops a run.
+/// by adding and subtracting 1.5 · 2^52 spacings, so that the sum is exact (the idea of a lattice map, Earn and
+/// Tremaine 1992). A coordinate that leaves the range, 2^51 spacings to either side, becomes NaN and stops the run.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Fixed<F> {
     value: F,
@@ -67,7 +68,7 @@ impl<R: Real> Fixed<R> {
 }
 
 impl<R: Real> Slot<R> for Fixed<R> {
-    /// A number and its grid lie side by side, so neighbours do not.
+    /// A number and its spacing alternate in memory, so that coordinates are not contiguous.
     type Wide = R;
 
     #[inline(always)]

@@ -1,4 +1,5 @@
-//! Points of phase space without the shape of their coordinates: code that is not hot is compiled for these, once.
+//! Flat points of phase space, without the shape of their coordinates: code that is not hot is compiled for these,
+//! once.
 
 use crate::state::{coords::Coords, phase::Phase, precision::Precision};
 use alloc::vec::Vec;

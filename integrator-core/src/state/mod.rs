@@ -1,4 +1,4 @@
-//! What a state is made of: coordinates, their precision, and points of phase space.
+//! States: coordinates, their precision, and points of phase space.
 
 pub(crate) mod aligned;
 pub(crate) mod clock;

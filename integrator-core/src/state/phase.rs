@@ -1,4 +1,4 @@
-//! A point of phase space.
+//! Points of phase space.
 
 use crate::state::{coords::Coords, fixed::Fixed, precision::Compensated};
 
@@ -30,8 +30,8 @@ impl<C: Coords<Leaf = f64>> Phase<C> {
     /// the time.
     ///
     /// `grid` is the spacing of the values that every coordinate is rounded to after each update, in the unit of the
-    /// coordinate; it has to be a power of two, such as `1.0 / (1_u64 << 40) as f64`. Coordinates have to stay below 2^51
-    /// times the spacing. [`run`](crate::Hamiltonian::run) refuses another spacing, a start beyond the range, and
+    /// coordinate; it has to be a power of two, such as `1.0 / (1_u64 << 40) as f64`. Coordinates have to stay below
+    /// 2^51 times the spacing. [`run`](crate::Hamiltonian::run) refuses another spacing, a start beyond the range, and
     /// compositions that are not symmetric; a run that leaves the range stops at its last good state.
     pub fn reversible(q: C, p: C, grid: f64) -> Phase<C::With<Fixed<f64>>> {
         let leaf = |value| Fixed::new(value, grid);

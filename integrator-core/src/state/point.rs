@@ -1,4 +1,5 @@
-//! A point of phase space behind a pointer, whatever its shape: what looks after ensembles is compiled for these, once.
+//! Points of phase space behind a pointer, whatever their shape: the management of ensembles is compiled for these,
+//! once.
 
 use crate::{
     error::Divergence,
@@ -6,11 +7,11 @@ use crate::{
 };
 use std::any::Any;
 
-/// A state of some shape.
+/// A type-erased state.
 pub(crate) trait Point: Any + Send + Sync {
     fn boxed_clone(&self) -> Box<dyn Point>;
     fn is_finite(&self) -> bool;
-    /// What to say of a trajectory that has taken its last finite step, to this state; `next` is where one more leads.
+    /// The report on a trajectory that has taken its last finite step, to this state; one more leads to `next`.
     fn divergence(&self, next: &dyn Point, clock: Clock) -> Divergence;
 }
 
@@ -53,7 +54,7 @@ pub(crate) fn shaped_mut<C: Coords>(point: &mut dyn Point) -> &mut Phase<C> {
     }
 }
 
-/// What an ensemble is made of has one type each, which its members decide.
+/// All states of an ensemble have one type, which its members decide, and so have its motions.
 #[cold]
 #[inline(never)]
 pub(crate) fn mixed_up() -> ! {

@@ -1,4 +1,5 @@
-//! The precision of a state: what its leaf type is computed in, and how a coordinate is stored between updates.
+//! The precision of a state: the scalars that its leaf type is computed in, and the storage of a coordinate between
+//! updates.
 
 use crate::scalar::{
     double_double::DoubleDouble,
@@ -9,12 +10,12 @@ use crate::scalar::{
 };
 use core::fmt::Debug;
 
-/// A coordinate in memory, computed in `R`.
+/// The storage of a coordinate that is computed in `R`.
 pub trait Slot<R: Real>: Copy + Send + Sync + 'static {
-    /// How many neighbours are computed on together.
+    /// The block of consecutive coordinates that are computed at once.
     type Wide: Block<R>;
 
-    /// A slot with nothing in it, to be filled.
+    /// An empty slot, to be filled.
     fn zero() -> Self;
     /// The number that flows read.
     fn value(self) -> R;
@@ -25,17 +26,17 @@ pub trait Slot<R: Real>: Copy + Send + Sync + 'static {
     /// `a` in the lanes of `mask`, `b` in the others.
     fn select(mask: R::Mask, a: Self, b: Self) -> Self;
 
-    /// The numbers of the first slots.
+    /// Reads a block of slots.
     #[inline(always)]
     fn read<B: Block<R>>(from: &[Self]) -> B {
         let from = &from[..B::WIDTH];
         let mut numbers = [from[0].value(); WIDEST];
-        for place in 1..B::WIDTH {
-            numbers[place] = from[place].value();
+        for index in 1..B::WIDTH {
+            numbers[index] = from[index].value();
         }
         B::read(&numbers)
     }
-    /// Adds `a * b` to the first slots.
+    /// Adds `a * b` to a block of slots.
     #[inline(always)]
     fn update<B: Block<R>>(to: &mut [Self], a: R, b: B) {
         let mut numbers = [a; WIDEST];
@@ -79,37 +80,38 @@ impl<R: Real> Slot<R> for R {
     }
 }
 
-/// The leaf type of a state: `f64`, `f32`, [`Compensated`] or [`Fixed`](crate::Fixed). It decides the precision of a run.
+/// The leaf type of a state: `f64`, `f32`, [`Compensated`] or [`Fixed`](crate::Fixed). It decides the precision of a
+/// run.
 pub trait Precision: Copy + Debug + PartialEq + Default + Send + Sync + 'static {
-    /// What flows are computed in on every machine.
+    /// The scalar of flows on every machine.
     type Plain: Real;
-    /// What flows are computed in where the machine has fused multiply-add.
+    /// The scalar of flows where the machine has fused multiply-add.
     type Fused: Real;
-    /// What flows are computed in where the machine has AVX-512 and the system gains from it.
+    /// The scalar of flows where the machine has AVX-512 and the system gains from it.
     type Avx512: Real;
-    /// How a coordinate is kept.
+    /// The storage of a coordinate.
     type Slot<R: Real>: Slot<R>;
-    /// What energies are computed in: the same on every machine, and compiled once.
+    /// The scalar of energies: the same on every machine, and compiled once.
     type Energy: Real;
 
-    /// What a checkpoint calls it.
+    /// Its name in checkpoints.
     const NAME: &'static str;
-    /// How many numbers it is made of.
+    /// The number of `f64` that it is made of.
     const PARTS: usize = 1;
     /// The spacing of its values just above one.
     const EPSILON: f64;
     /// Whether every update can be undone exactly, for which the composition has to be symmetric.
     const REVERSIBLE: bool = false;
-    /// Whether it carries what its updates lose.
+    /// Whether it carries the rounding errors of its updates.
     const COMPENSATED: bool = false;
 
     /// Fills a slot from one leaf per lane.
     fn pack<R: Real>(of_lane: &dyn Fn(usize) -> Self) -> Self::Slot<R>;
     /// One lane of a slot.
     fn unpack<R: Real>(slot: Self::Slot<R>, lane: usize) -> Self;
-    /// The value, without what compensation carries.
+    /// The value, without the rounding errors that compensation carries.
     fn to_f64(self) -> f64;
-    /// All that it is made of, the first [`Precision::PARTS`] of these.
+    /// The numbers that it is made of: the first [`Precision::PARTS`] of these.
     fn parts(self) -> [f64; 2] {
         [self.to_f64(), 0.0]
     }
@@ -119,7 +121,7 @@ pub trait Precision: Copy + Debug + PartialEq + Default + Send + Sync + 'static 
     fn spacing(self) -> Option<f64> {
         None
     }
-    /// What its values stay below, in absolute value.
+    /// The bound that its values stay below, in absolute value.
     fn limit(self) -> f64 {
         f64::INFINITY
     }
@@ -158,18 +160,19 @@ plain_precision! { f64 f32 }
 
 /// A number together with the rounding error that its updates have left behind.
 ///
-/// Every update adds the carried error first and carries what the addition loses (Kahan 1965), so that the error of a
-/// long sum stays at the rounding of one addition. Made by [`Phase::compensated`](crate::Phase::compensated).
+/// Every update adds the carried error first and carries the rounding error of the addition (Kahan 1965), so that the
+/// error of a long sum stays at the rounding of one addition. Made by
+/// [`Phase::compensated`](crate::Phase::compensated).
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Compensated<F> {
     /// The number.
     pub value: F,
-    /// What is still to be added to it, below half a unit in its last place.
+    /// The rounding error that is still to be added to it, below half a unit in its last place.
     pub carried: F,
 }
 
 impl<R: Real> Slot<R> for Compensated<R> {
-    /// A number and what it carries lie side by side, so neighbours do not.
+    /// A number and its carried error alternate in memory, so that coordinates are not contiguous.
     type Wide = R;
 
     #[inline(always)]

@@ -1,25 +1,25 @@
-//! Lists of a system: whether they have an element, asked where a table is prepared for iterations that the functions
-//! may skip.
+//! Bounds of a system's lists: whether they have an element, where a table is prepared for iterations that the
+//! functions may skip.
 
 use alloc::{boxed::Box, collections::VecDeque, rc::Rc, sync::Arc, vec::Vec};
 use core::ops::Deref;
 
-/// What the text of a system indexes.
+/// A list that the text of a system indexes.
 #[derive(Debug)]
 pub struct Elements<'a, L: ?Sized>(pub &'a L);
 
-/// What has an index of its own kind: only the system knows which elements there are.
+/// A type with its own `Index`: only the system knows which elements it has.
 #[derive(Debug)]
 pub struct Unknown;
 
 impl Unknown {
-    /// An element is taken to be there.
+    /// Assumes that the element is there.
     pub fn has<I>(&self, _index: I) -> bool {
         true
     }
 }
 
-// A method of the type itself comes before one of what it leads to.
+// Rust prefers a method of the type itself to one of its `Deref` target.
 impl<L: ?Sized> Deref for Elements<'_, L> {
     type Target = Unknown;
 
@@ -62,7 +62,7 @@ mod tests {
     use super::*;
     use core::ops::Index;
 
-    /// A list that says at no index what is there.
+    /// A list without bounds.
     struct Ring(f64);
 
     impl Index<usize> for Ring {

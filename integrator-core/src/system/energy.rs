@@ -1,4 +1,4 @@
-//! The energy of any state of a system, told without its run.
+//! The energy of any state of a system, computed without its run.
 
 use crate::{
     error::Error,
@@ -9,7 +9,7 @@ use crate::{
 };
 use alloc::sync::Arc;
 
-/// The two parts of an energy, and their sum as it is rounded once where it has twice the digits.
+/// Kinetic, potential and total energy; the total is rounded once where energies are computed in double-double.
 #[derive(Clone, Copy)]
 pub(crate) struct Parts {
     pub(crate) kinetic: f64,
@@ -21,7 +21,7 @@ impl Parts {
     /// Whether a motion may start with these.
     ///
     /// # Errors
-    /// [`Error::Energy`] naming the part that is not finite: forces may be finite there all the same, as those of
+    /// [`Error::Energy`] naming the function that is not finite: forces may be finite there all the same, as those of
     /// `q - ln q` are at `q = -1`.
     pub(crate) fn admissible(self, time: f64) -> Result<(), Error> {
         let parts = [("kinetic", self.kinetic), ("potential", self.potential)];
@@ -32,7 +32,7 @@ impl Parts {
     }
 }
 
-/// What tells the energy of a state without holding the run.
+/// The energy function of a system, which does not borrow a run.
 pub(crate) trait Energies<C: Coords>: Send + Sync {
     fn parts(&self, state: &Phase<C>, time: f64) -> Parts;
 
@@ -41,30 +41,30 @@ pub(crate) trait Energies<C: Coords>: Send + Sync {
     }
 }
 
-/// Prepared constants, from which the energy of any state can be told.
-struct Constants<P, C> {
+/// The energy function of a system with its prepared constants.
+struct EnergyFunction<P, C> {
     parameters: Arc<P>,
     energy: EnergyOf<P, C>,
 }
 
-/// What tells the energies of the states of a system.
+/// The energy function of a system.
 pub(crate) fn energies<P: Send + Sync + 'static, C: Coords>(
     parameters: Arc<P>,
     energy: EnergyOf<P, C>,
 ) -> Arc<dyn Energies<C>> {
-    Arc::new(Constants { parameters, energy })
+    Arc::new(EnergyFunction { parameters, energy })
 }
 
-impl<P: Send + Sync, C: Coords> Energies<C> for Constants<P, C> {
+impl<P: Send + Sync, C: Coords> Energies<C> for EnergyFunction<P, C> {
     fn parts(&self, state: &Phase<C>, time: f64) -> Parts {
         (self.energy)(&self.parameters, state, time)
     }
 }
 
-/// What tells the energy of a state at a time, compiled for one system and leaf.
+/// The energy of a state at a time, compiled for one system and leaf.
 pub(crate) type EnergyOf<P, C> = fn(&P, &Phase<C>, f64) -> Parts;
 
-/// The energy of a state, in what its leaf asks for.
+/// The energy of a state, computed in the scalar of its leaf.
 pub(crate) fn energy<H: Hamiltonian, K: Precision>(
     parameters: &H::Parameters<f64>,
     state: &Phase<Shaped<H, K>>,

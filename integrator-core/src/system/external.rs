@@ -1,4 +1,4 @@
-//! Methods of the user that generated code calls as they are: tables, splines, anything with stated derivatives.
+//! External functions: methods of the user that generated code calls, as tables and splines, with stated derivatives.
 
 use crate::scalar::real::Real;
 use alloc::{sync::Arc, vec::Vec};

@@ -1,4 +1,4 @@
-//! What is known of a system: its state in a layout, its energies, its constants, its lists and outside functions.
+//! Systems: a state in its layout, energies, prepared constants, lists and functions of the user.
 
 pub(crate) mod elements;
 pub(crate) mod energy;

@@ -1,4 +1,4 @@
-//! What flows move: a state with prepared constants, in a layout.
+//! Motions: the state that flows move, with prepared constants, in a layout.
 
 use crate::{
     error::{NotFinite, Unsolved},
@@ -7,7 +7,7 @@ use crate::{
 };
 use alloc::vec::Vec;
 
-/// Constants that a motion computes with, one per lane.
+/// Prepared constants, one per lane.
 pub trait Prepared<R: Real>: Clone + Send + Sync + 'static {
     /// The constants of one member.
     type Single: Clone + Send + Sync + 'static;
@@ -20,7 +20,7 @@ pub trait Prepared<R: Real>: Clone + Send + Sync + 'static {
     fn not_finite(_single: &Self::Single) -> Vec<NotFinite> {
         Vec::new()
     }
-    /// Says where conditions on the time are read: in the middle of the step under way.
+    /// Sets the time at which conditions are read: the middle of the step under way.
     fn begin_step(&mut self, _middle: f64) {}
     /// Adds the constants to a fingerprint.
     fn digest(_single: &Self::Single, _digest: &mut Digest) {}
@@ -32,8 +32,8 @@ pub trait Prepared<R: Real>: Clone + Send + Sync + 'static {
 pub trait Motion<C: Coords, P>: Clone + Send + Sync + 'static {
     /// One member per lane, each with its constants and its state.
     fn load(constants: &[&P], states: &[&Phase<C>]) -> Self;
-    /// One member per lane, each from a lane of another motion, and from there on as it would have gone on there; `None`
-    /// where one that is loaded from the states does.
+    /// One member per lane, each from a lane of another motion, and from there on as it would have gone on there;
+    /// `None` where one that is loaded from the states does.
     fn gathered<'a>(_of_lane: &dyn Fn(usize) -> (&'a P, &'a Self, usize)) -> Option<Self>
     where
         P: 'a,
@@ -42,15 +42,15 @@ pub trait Motion<C: Coords, P>: Clone + Send + Sync + 'static {
     }
     /// Writes the state of one lane.
     fn store(&self, lane: usize, to: &mut Phase<C>);
-    /// Takes over the coordinates of another motion with the same constants, in place.
+    /// Copies the coordinates of another motion with the same constants, in place.
     fn copy_state(&mut self, from: &Self);
-    /// Lets so many threads share the work, or all that the machine has, where a layout has work to share.
+    /// Sets the number of threads, or all that the machine has, where a layout distributes its work.
     fn share_among(&mut self, _threads: Option<usize>) {}
     /// Why the steps of a method could not be solved in a lane, after which this stands still and is not finite.
     fn unsolved(&self, _lane: usize) -> Option<&Unsolved> {
         None
     }
-    /// How often steps have evaluated the force, where they count it.
+    /// The number of force evaluations, where steps count them.
     fn evaluations(&self) -> Option<u64> {
         None
     }
@@ -58,7 +58,7 @@ pub trait Motion<C: Coords, P>: Clone + Send + Sync + 'static {
     fn finite(&self) -> bool;
 }
 
-/// The plainest layout: the user's own shape.
+/// The plain layout: the user's own shape.
 #[derive(Clone)]
 pub struct Plain<R: Real, C: Coords, P> {
     /// Positions.
@@ -104,7 +104,7 @@ impl<R: Real, C: Coords, P: Clone> Plain<R, C, P> {
             parameters: self.parameters.clone(),
         }
     }
-    /// Adds a multiple of the momenta of another motion.
+    /// Adds a multiple of another motion's momenta.
     #[inline(always)]
     pub fn push(&mut self, factor: R, other: &Plain<R, C::With<f64>, P>) {
         for (slot, number) in C::slots_mut(&mut self.p).iter_mut().zip(C::With::<f64>::slots(&other.p)) {

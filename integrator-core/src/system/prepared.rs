@@ -1,4 +1,4 @@
-//! Prepared constants as flows read them: a number of each member in the lanes of one, and tables of such numbers.
+//! Prepared constants in lanes: a number of each member in the lanes of a vector, and tables of such vectors.
 
 use crate::scalar::real::Real;
 use alloc::vec::Vec;
@@ -20,7 +20,7 @@ impl<R: Real> OfMembers<f64> for R {
     }
 }
 
-/// The first lane tells how long a table is.
+/// The length of a table is that of the first lane's.
 impl<L: OfMembers<T>, T> OfMembers<Vec<T>> for Vec<L> {
     fn in_lanes<'c>(of_lane: &dyn Fn(usize) -> &'c Vec<T>) -> Self
     where
@@ -28,8 +28,8 @@ impl<L: OfMembers<T>, T> OfMembers<Vec<T>> for Vec<L> {
     {
         let length = of_lane(0).len();
         let mut table = Vec::with_capacity(length);
-        for place in 0..length {
-            table.push(L::in_lanes(&|lane| &of_lane(lane)[place]));
+        for index in 0..length {
+            table.push(L::in_lanes(&|lane| &of_lane(lane)[index]));
         }
         table
     }
@@ -40,13 +40,14 @@ impl<L: OfMembers<T>, T, const N: usize> OfMembers<[T; N]> for [L; N] {
     where
         T: 'c,
     {
-        core::array::from_fn(|place| L::in_lanes(&|lane| &of_lane(lane)[place]))
+        core::array::from_fn(|index| L::in_lanes(&|lane| &of_lane(lane)[index]))
     }
 }
 
-/// A constant of members, of each in its lane.
+/// A constant of all members, each in its lane.
 ///
-/// A function of its own for each type and not for each constant: what is seldom called is compiled as seldom as possible.
+/// A function of its own for each type and not for each constant: what is seldom called is compiled as seldom as
+/// possible.
 pub fn in_lanes<M, T, L: OfMembers<T>>(members: &[&M], constant: fn(&M) -> &T) -> L {
     L::in_lanes(&|lane| constant(members[lane]))
 }

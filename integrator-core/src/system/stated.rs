@@ -1,7 +1,7 @@
-//! The generated energies against the user's own functions.
+//! The check of generated energies against the user's own functions.
 //!
-//! In: a system and a state. Out: whether both are the same up to rounding. Always true: neither knows the other, so that
-//! a text that was misread shows here, however well its energy and its forces agree.
+//! In: a system and a state. Out: whether both are the same up to rounding. Always true: neither is derived from the
+//! other, so that a misread text is detected here, however well its energy and its forces agree.
 
 #[cfg(debug_assertions)]
 use crate::{
@@ -21,15 +21,16 @@ use crate::{
     system::motion::Motion,
 };
 
-/// How many roundings of the user's function are explained by each of the generated code's: what a loop adds up one by one
-/// may be one product here, or a constant that is made once per run. A text that is misread is off by far more.
+/// The number of roundings of the user's function for each one of the generated code: where one adds in a loop, the
+/// other may multiply, or read a constant that is prepared once per run. A misread text is off by far more.
 const ROUNDINGS: f64 = 1024.0;
 
-/// How many neighbours of a state tell how a function scatters, and how far they are at most, in roundings.
+/// The number of neighbours of a state that the scatter of a function is estimated from, and their largest distance, in
+/// roundings.
 const NEIGHBOURS: u64 = 8;
 const NEARBY: f64 = 256.0;
 
-/// How large a system may be that every run is checked at the start: a sum over the pairs of so many coordinates takes a
+/// The largest system whose every run is checked at the start: a sum over the pairs of so many coordinates takes a
 /// second where code is not optimised.
 #[cfg(debug_assertions)]
 const SMALL: usize = 4096;
@@ -77,14 +78,14 @@ impl Function {
     /// Whether the user's function and the generated code are the same at a state; `false` where rounding may have made
     /// anything of the latter.
     ///
-    /// What is not finite in one has to be so in the other: rewrites are exact for finite numbers, and may make a NaN of
-    /// what is infinite.
+    /// What is not finite in one has to be so in the other: rewrites are exact for finite numbers, and may make a NaN
+    /// of what is infinite.
     ///
     /// # Errors
     /// [`Misread`], where rounding does not explain the difference.
     pub(crate) fn hold(self, state: &Flat, time: f64, values: &dyn Fn(&Flat) -> Values) -> Result<bool, Misread> {
         let Values { stated, generated, rounding: error } = values(state);
-        // An energy too small to have all digits is as good as none.
+        // Subnormal energies count as zero.
         let mut rounding = ROUNDINGS * error + f64::MIN_POSITIVE;
         let agree = |rounding: f64| match [stated, generated].map(f64::is_finite) {
             [true, true] => Real::abs(stated - generated) <= rounding,
@@ -104,7 +105,7 @@ impl Function {
     }
 }
 
-/// What both say at a state, and a bound on the rounding of the generated code.
+/// The values of both at a state, and a bound on the rounding of the generated code.
 pub(crate) struct Values {
     pub(crate) stated: f64,
     pub(crate) generated: f64,
@@ -124,8 +125,8 @@ pub(crate) fn values<H: Hamiltonian>(
     Values { stated, generated, rounding }
 }
 
-/// By how much the difference of both scatters next to a state: what rounding makes of numbers that the generated code
-/// prepares once, where they nearly cancel in the function, is another number at each neighbour; what is misread is not.
+/// The scatter of the difference of both next to a state. The rounding of prepared numbers that nearly cancel in the
+/// function differs from neighbour to neighbour; the error of a misread text does not.
 fn scatter(state: &Flat, values: &dyn Fn(&Flat) -> Values) -> f64 {
     let mut digits = Digits::default();
     let (mut least, mut most) = (f64::INFINITY, f64::NEG_INFINITY);
@@ -156,8 +157,8 @@ impl Digits {
     }
 }
 
-/// Holds the generated energies against the user's functions where a run starts, in builds with debug assertions. The time is
-/// what the clock tells when the run is made, since a run that is moved by `at_time` knows its system no more.
+/// Holds the generated energies against the user's functions where a run starts, in builds with debug assertions. The
+/// time is that of the clock when the run is made, since a run that is moved by `at_time` no longer has its system.
 ///
 /// # Errors
 /// [`Error::Misread`]
