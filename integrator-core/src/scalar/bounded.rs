@@ -12,7 +12,7 @@ use core::ops::{Add, Div, Mul, Neg, Sub};
 /// the bound.
 const ROUNDING: f64 = f64::EPSILON;
 
-/// The error of an elementary function: up to four units in the last place.
+/// The error of an elementary function: up to four units in the last index.
 const FUNCTION: f64 = 4.0 * f64::EPSILON;
 
 /// A number and a bound on its error.
@@ -178,8 +178,8 @@ elementary_functions!(real_of_two_parts! {
             _slopes: impl Fn(usize, [f64; N]) -> [f64; N],
         ) -> Self {
             let at = arguments.map(|argument| argument.value);
-            let by_each = core::array::from_fn::<Self, N, _>(|place| {
-                arguments[place].unary(|x| value(0, core::array::from_fn(|other| if other == place { x } else { at[other] })))
+            let by_each = core::array::from_fn::<Self, N, _>(|index| {
+                arguments[index].unary(|x| value(0, core::array::from_fn(|other| if other == index { x } else { at[other] })))
             });
             let error = by_each.iter().map(|by| by.error).sum();
             Self::of_operands(value(0, at), by_each, error)

@@ -1,5 +1,5 @@
-//! The scalar of energies that are told to the last bit: a number and the rest of it, which together hold twice as many
-//! digits.
+//! Double-double numbers, the scalar of energies that are accurate to the last bit: a number and its rest, which
+//! together have twice as many digits.
 //!
 //! In: lane 0 is a number, lane 1 what it carries. Out: lane 0 is the value, rounded once. Always true: sums, products,
 //! quotients and roots are right to about 2^-104 (Dekker 1971); other functions are those of the rounded argument, as

@@ -4,8 +4,8 @@ use crate::scalar::real::elementary_functions;
 
 macro_rules! declare {
     (unary: $($unary:ident)*; binary: $($binary:ident)*;) => {
-        /// What `std` knows of `f64` and `f32` and `core` does not. Without the feature `std` the prelude brings it into
-        /// scope, so that `kinetic` and `potential` read the same with and without it.
+        /// The functions that `std` has for `f64` and `f32` and `core` has not. Without the feature `std` the prelude
+        /// brings it into scope, so that `kinetic` and `potential` read the same with and without it.
         pub trait Elementary: Copy {
             /// `self * b + c` in one rounding.
             #[must_use]

@@ -9,7 +9,7 @@ use std::{env, sync::OnceLock};
 /// The instruction sets that the hot loops are compiled for, from the least to the most.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum InstructionSet {
-    /// What every machine of the target has.
+    /// The instructions that every machine of the target has.
     Baseline,
     /// Fused multiply-add: AVX2 and FMA on x86-64, every aarch64.
     Fused,
@@ -23,7 +23,7 @@ impl InstructionSet {
 
     /// The best set of this machine, or the one that the environment variable `INTEGRATOR_ISA` asks for (`baseline`,
     /// `avx2` or `avx512`), read once. A set that the machine lacks is not used, whatever the variable says. Without
-    /// the feature `std` nobody tells what the machine has: then it is the baseline.
+    /// the feature `std` the machine cannot be queried, and it is the baseline.
     pub fn chosen() -> Self {
         #[cfg(feature = "std")]
         {
@@ -41,12 +41,12 @@ impl InstructionSet {
     }
 
     #[cfg(any(feature = "std", test))]
-    fn choose(asked: Option<&str>, best: Self) -> Self {
-        let asked = Self::ALL.into_iter().find(|set| Some(set.name()) == asked);
-        asked.map_or(best, |asked| asked.min(best))
+    fn choose(requested: Option<&str>, best: Self) -> Self {
+        let requested = Self::ALL.into_iter().find(|set| Some(set.name()) == requested);
+        requested.map_or(best, |requested| requested.min(best))
     }
 
-    /// What `INTEGRATOR_ISA` calls it.
+    /// Its name in `INTEGRATOR_ISA`.
     fn name(self) -> &'static str {
         match self {
             Self::Baseline => "baseline",
@@ -56,7 +56,7 @@ impl InstructionSet {
     }
 }
 
-/// Writes what the environment variable `INTEGRATOR_ISA` calls it.
+/// Writes its name in the environment variable `INTEGRATOR_ISA`.
 impl fmt::Display for InstructionSet {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.pad(self.name())
@@ -180,8 +180,8 @@ mod tests {
             (Some("avx512"), Fused, Fused),
             (Some("nonsense"), Fused, Fused),
         ];
-        for (asked, best, expected) in table {
-            assert_eq!(InstructionSet::choose(asked, best), expected, "{asked:?} where {best} is the best");
+        for (requested, best, expected) in table {
+            assert_eq!(InstructionSet::choose(requested, best), expected, "{requested:?} where {best} is the best");
         }
     }
 

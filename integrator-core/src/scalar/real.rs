@@ -12,16 +12,16 @@ use core::ops::{Add, AddAssign, Div, Mul, Neg, Sub, SubAssign};
 /// A trait and not a closure, because only a method can carry the `inline(always)` that brings the code into the
 /// variant.
 pub trait Kernel {
-    /// What the body returns.
+    /// The type that it returns.
     type Out;
 
-    /// The body; implementations are `inline(always)`.
+    /// Runs it; implementations are `inline(always)`.
     fn call(self) -> Self::Out;
 }
 
 /// A mask: the lanes in which a condition holds.
 pub trait Mask: Copy + Send + Sync + 'static {
-    /// The same in every lane.
+    /// The mask with all lanes alike.
     fn of(holds: bool) -> Self;
     /// Whether it holds in any lane: if not, the branch is skipped.
     fn any(self) -> bool;
@@ -124,7 +124,7 @@ macro_rules! declare_real {
             fn state(of_lane: &dyn Fn(usize) -> f64) -> Self;
             /// `self * b + c`, in one rounding where the scalar has it.
             fn fma(self, b: Self, c: Self) -> Self;
-            /// A function known in `f64` alone, lane by lane. Only a dual asks for the derivatives, which come in the
+            /// A function known in `f64` alone, lane by lane. Only a dual evaluates the derivatives, which come in the
             /// order of the arguments.
             #[inline]
             fn lane_by_lane<const N: usize>(

@@ -70,7 +70,8 @@ fn size<R: Bits<Scalar: Arc>>(x: R) -> R {
     R::select(farthest.less(x.abs()), farthest, x.abs())
 }
 
-/// How many quarter turns the angle of a point is counted from, and the sign with which: a pattern.
+/// The number of quarter turns that the angle of a point is counted from, and the sign that it is counted with, as a
+/// pattern.
 #[cfg_attr(not(debug_assertions), inline(always))]
 fn quadrant<R: Bits>(x: R, steep: R::Mask) -> (R, R) {
     let (zero, one, two) = (R::of(0.0), R::of(1.0), R::of(2.0));

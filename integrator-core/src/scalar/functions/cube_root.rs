@@ -7,8 +7,9 @@
 use super::{
     Bits, cubic, linear,
     logarithm::{Logarithm, normal},
+    with_fallback,
 };
-use crate::scalar::{elementary::Elementary, real::Mask};
+use crate::scalar::elementary::Elementary;
 
 /// Constants of the cube root in one format.
 pub(crate) trait CubeRoot: Logarithm {
@@ -42,10 +43,9 @@ fn reciprocal<R: Bits<Scalar: CubeRoot>>(size: R) -> R {
 
 /// `value` where `x` is normal, that of the maths library elsewhere; with the sign of `x`.
 #[cfg_attr(not(debug_assertions), inline(always))]
-fn with_fallback<R: Bits<Scalar: CubeRoot>>(value: R, x: R, size: R) -> R {
+fn signed_or_fallback<R: Bits<Scalar: CubeRoot>>(value: R, x: R, size: R) -> R {
     let value = value.bits_xor(x.bits_and(R::of(-0.0)));
-    let outside = normal(size).not();
-    if outside.any() { R::select(outside, x.map_scalars(<R::Scalar as CubeRoot>::fallback), value) } else { value }
+    with_fallback(value, normal(size), x, <R::Scalar as CubeRoot>::fallback)
 }
 
 /// At most 1 ulp.
@@ -60,7 +60,7 @@ pub(crate) fn cbrt<R: Bits<Scalar: CubeRoot>>(x: R) -> R {
     // 1/x is p³·(1 + e + e²).
     let delta = (size - y * y * y) * (p * p * p) * (R::of(1.0) + e.fma(e, e));
     let terms = delta.fma(linear(delta, [2.0 / 9.0, 14.0 / 81.0]), R::of(1.0 / 3.0));
-    with_fallback((y * delta).fma(terms, y), x, size)
+    signed_or_fallback((y * delta).fma(terms, y), x, size)
 }
 
 /// At most 4 ulp: of the root `x·p²` no bits are dropped, and the correction sees but a third of its rounding errors.
@@ -70,7 +70,7 @@ pub(crate) fn fast_cbrt<R: Bits<Scalar: CubeRoot>>(x: R) -> R {
     let p = reciprocal(size);
     let root = size * p * p;
     let e = (-root).fma(p, R::of(1.0));
-    with_fallback((root * e).fma(linear(e, [2.0 / 3.0, 5.0 / 9.0]), root), x, size)
+    signed_or_fallback((root * e).fma(linear(e, [2.0 / 3.0, 5.0 / 9.0]), root), x, size)
 }
 
 impl CubeRoot for f64 {

@@ -15,7 +15,7 @@ pub(crate) trait Exponential: Sized {
     const MAGIC: f64;
     /// ln 2 in two parts.
     const LN_2: [f64; 2];
-    /// Where the exponent begins in the pattern.
+    /// The position of the exponent in the pattern.
     const EXPONENT: u32;
     /// The argument up to which neither `eˣ` nor `e⁻ˣ` leaves the normal numbers.
     const MAX_FAST_ARGUMENT: f64;

@@ -7,8 +7,7 @@
 
 use super::{
     Bits,
-    sine::{TrigReduction, max_fast_argument},
-    with_fallback,
+    sine::{TrigReduction, reduced_or_fallback},
 };
 use core::f64::consts::FRAC_1_PI;
 
@@ -47,12 +46,7 @@ pub(crate) fn fast_sin<R: Bits<Scalar: HalfCircle>>(x: R) -> R {
     let magic = R::of(R::Scalar::MAGIC);
     let half_turns = x.fma(R::of(FRAC_1_PI), magic);
     let value = rest(x, half_turns - magic);
-    with_fallback(
-        value.bits_xor(half_turns.bits_left(R::Scalar::SIGN)),
-        x,
-        max_fast_argument::<R>(),
-        R::Scalar::FALLBACKS[0],
-    )
+    reduced_or_fallback(value.bits_xor(half_turns.bits_left(R::Scalar::SIGN)), x, 0)
 }
 
 /// At most 4 ulp.
@@ -61,12 +55,7 @@ pub(crate) fn fast_cos<R: Bits<Scalar: HalfCircle>>(x: R) -> R {
     let magic = R::of(R::Scalar::MAGIC);
     let half_turns = x.fma(R::of(FRAC_1_PI), R::of(-0.5)) + magic;
     let value = -rest(x, (half_turns - magic) + R::of(0.5));
-    with_fallback(
-        value.bits_xor(half_turns.bits_left(R::Scalar::SIGN)),
-        x,
-        max_fast_argument::<R>(),
-        R::Scalar::FALLBACKS[1],
-    )
+    reduced_or_fallback(value.bits_xor(half_turns.bits_left(R::Scalar::SIGN)), x, 1)
 }
 
 /// Its error is 2^-52.3.

@@ -8,8 +8,7 @@ use super::{
     Bits, cubic,
     fast_sine::difference,
     linear,
-    sine::{TrigReduction, max_fast_argument},
-    with_fallback,
+    sine::{TrigReduction, reduced_or_fallback},
 };
 use core::f64::consts::FRAC_2_PI;
 
@@ -29,7 +28,7 @@ pub(crate) fn fast_tan<R: Bits<Scalar: Fraction>>(x: R) -> R {
     let above = r * above;
     let odd = quarters.is_odd();
     let value = R::select(odd, -below, above) / R::select(odd, above, below);
-    with_fallback(value, x, max_fast_argument::<R>(), R::Scalar::FALLBACKS[2])
+    reduced_or_fallback(value, x, 2)
 }
 
 /// Nine terms of the fraction, whose error is 2^-60.

@@ -7,7 +7,7 @@
 //! `L` is minimax (Remez in 300 bits, weighted for the relative error of `ln m`, coefficients rounded one after the
 //! other and the later ones fitted again).
 
-use super::{Bits, cubic, exponential::Exponential, linear};
+use super::{Bits, cubic, exponential::Exponential, linear, with_fallback};
 use crate::scalar::{elementary::Elementary, real::Mask};
 
 /// Constants and polynomials of the natural logarithm in one format.
@@ -56,8 +56,7 @@ pub(crate) fn ln<R: Bits<Scalar: Logarithm>>(x: R) -> R {
     let small = s.fma(z.fma(<R::Scalar as Logarithm>::series(z), half_square), k * R::of(second));
     let value = k.fma(R::of(first), f - (half_square - small));
 
-    let outside = normal(x).not();
-    if outside.any() { R::select(outside, x.map_scalars(<R::Scalar as Logarithm>::fallback), value) } else { value }
+    with_fallback(value, normal(x), x, <R::Scalar as Logarithm>::fallback)
 }
 
 /// At most 4 ulp: `ln m = s·(2 + s²·L(s²))`.
@@ -69,8 +68,7 @@ pub(crate) fn fast_ln<R: Bits<Scalar: Logarithm>>(x: R) -> R {
     let [first, second] = R::Scalar::LN_2;
     let slope = z.fma(<R::Scalar as Logarithm>::short_series(z), R::of(2.0));
     let value = k.fma(R::of(first), s.fma(slope, k * R::of(second)));
-    let outside = normal(x).not();
-    if outside.any() { R::select(outside, x.map_scalars(<R::Scalar as Logarithm>::fallback), value) } else { value }
+    with_fallback(value, normal(x), x, <R::Scalar as Logarithm>::fallback)
 }
 
 /// The errors of the polynomials: 2^-59.5 and 2^-52.2.

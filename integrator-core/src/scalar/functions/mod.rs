@@ -129,10 +129,9 @@ fn quotient<R: Bits>([a, error_of_a]: [R; 2], [b, error_of_b]: [R; 2]) -> R {
     quotient + left / b
 }
 
-/// The large-argument fallback: `value` in the lanes where `x` is at most `max` in absolute value, and the maths
-/// library's function of `x` in the others, NaNs among them.
+/// `value` in the lanes where `fast` holds, and the fallback of the maths library, a function of `x`, in the others.
 #[cfg_attr(not(debug_assertions), inline(always))]
-fn with_fallback<R: Bits>(value: R, x: R, max: f64, fallback: fn(&mut [R::Scalar])) -> R {
-    let outside = x.abs().less_or_equal(R::of(max)).not();
+fn with_fallback<R: Bits>(value: R, fast: R::Mask, x: R, fallback: fn(&mut [R::Scalar])) -> R {
+    let outside = fast.not();
     if outside.any() { R::select(outside, x.map_scalars(fallback), value) } else { value }
 }

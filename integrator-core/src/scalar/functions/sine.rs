@@ -29,7 +29,7 @@ pub(crate) trait TrigReduction: Sized {
     const SPLIT_QUARTER: [f64; 4];
     /// The largest argument for which that is so, on machines of the first kind and of the second.
     const MAX_FAST_ARGUMENT: [f64; 2];
-    /// Where the sign stands in the pattern.
+    /// The position of the sign in the pattern.
     const SIGN: u32;
     /// The first coefficients of `S` and of `C`.
     const LEADING: [f64; 2];
@@ -107,10 +107,11 @@ fn signed<R: Bits<Scalar: TrigReduction>>(value: R, quarters: R) -> R {
     value.bits_xor(quarters.bits_left(R::Scalar::SIGN - 1).bits_and(R::of(-0.0)))
 }
 
-/// The largest argument that is reduced here; the maths library has those beyond it.
+/// `value` where the argument can be reduced, and the fallback of sine, cosine or tangent (0, 1 or 2) beyond.
 #[cfg_attr(not(debug_assertions), inline(always))]
-pub(super) fn max_fast_argument<R: Bits<Scalar: TrigReduction>>() -> f64 {
-    R::Scalar::MAX_FAST_ARGUMENT[usize::from(!R::FUSED)]
+pub(super) fn reduced_or_fallback<R: Bits<Scalar: TrigReduction>>(value: R, x: R, function: usize) -> R {
+    let max = R::Scalar::MAX_FAST_ARGUMENT[usize::from(!R::FUSED)];
+    with_fallback(value, x.abs().less_or_equal(R::of(max)), x, R::Scalar::FALLBACKS[function])
 }
 
 /// At most 0.81 ulp with a fused multiply-add, 1 without.
@@ -118,7 +119,7 @@ pub(super) fn max_fast_argument<R: Bits<Scalar: TrigReduction>>() -> f64 {
 pub(crate) fn sin<R: Bits<Scalar: TrigReduction>>(x: R) -> R {
     let reduced = reduce(x);
     let value = sin_or_cos(reduced.quarters.is_odd(), reduced);
-    with_fallback(signed(value, reduced.quarters), x, max_fast_argument::<R>(), R::Scalar::FALLBACKS[0])
+    reduced_or_fallback(signed(value, reduced.quarters), x, 0)
 }
 
 /// At most 0.81 ulp with a fused multiply-add, 1 without.
@@ -127,7 +128,7 @@ pub(crate) fn cos<R: Bits<Scalar: TrigReduction>>(x: R) -> R {
     let reduced = reduce(x);
     let ahead = reduced.quarters + R::of(1.0);
     let value = sin_or_cos(ahead.is_odd(), reduced);
-    with_fallback(signed(value, ahead), x, max_fast_argument::<R>(), R::Scalar::FALLBACKS[1])
+    reduced_or_fallback(signed(value, ahead), x, 1)
 }
 
 /// The same bits as `sin` and `cos`.
@@ -138,11 +139,7 @@ pub(crate) fn sin_cos<R: Bits<Scalar: TrigReduction>>(x: R) -> (R, R) {
     let (odd, ahead) = (reduced.quarters.is_odd(), reduced.quarters + R::of(1.0));
     let sine_of_x = signed(R::select(odd, cosine, sine), reduced.quarters);
     let cosine_of_x = signed(R::select(odd, sine, cosine), ahead);
-    let [sine_fallback, cosine_fallback, _] = R::Scalar::FALLBACKS;
-    (
-        with_fallback(sine_of_x, x, max_fast_argument::<R>(), sine_fallback),
-        with_fallback(cosine_of_x, x, max_fast_argument::<R>(), cosine_fallback),
-    )
+    (reduced_or_fallback(sine_of_x, x, 0), reduced_or_fallback(cosine_of_x, x, 1))
 }
 
 /// Both parts of `a` in the lanes of `mask`, of `b` in the others.
@@ -161,7 +158,7 @@ pub(crate) fn tan<R: Bits<Scalar: TrigReduction>>(x: R) -> R {
     let value = quotient(select_both(odd, cosine, sine), select_both(odd, [-sine[0], -sine[1]], cosine));
     // The sum of a zero and its correction has lost the sign.
     let value = R::select(x.equal(R::of(0.0)), x, value);
-    with_fallback(value, x, max_fast_argument::<R>(), R::Scalar::FALLBACKS[2])
+    reduced_or_fallback(value, x, 2)
 }
 
 /// The error of the polynomials: 2^-57.9 for the sine, 2^-63.9 for the cosine.

@@ -13,7 +13,7 @@ pub trait Block<R: Real>: Real {
     fn read(from: &[R]) -> Self;
     /// Writes them to the beginning of a slice that is not shorter than `WIDTH`.
     fn write(self, to: &mut [R]);
-    /// The same number `WIDTH` times.
+    /// The block with `x` in every lane.
     fn splat(x: R) -> Self;
 
     /// The block that begins one element later, where `next` follows this one.

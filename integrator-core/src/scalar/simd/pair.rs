@@ -20,7 +20,7 @@ pub trait Pair<R: Real>: Copy + Send + Sync + 'static {
     }
 }
 
-/// Where no register holds both, one after the other.
+/// The pair where no register holds both: two numbers, computed one after the other.
 impl<R: Real> Pair<R> for [R; 2] {
     #[inline(always)]
     fn of(parts: [R; 2]) -> Self {

@@ -12,7 +12,7 @@ pub trait Row<R: Real>: Real {
     /// The number of parts that a row is computed in one by one; zero where it is computed in as a whole.
     const PARTS: usize = 0;
 
-    /// The same number for every body.
+    /// The row with `x` in every lane.
     fn splat(x: R) -> Self;
     /// Rotates a row of `N` bodies: each lane gets the body so many lanes further on, the first bodies coming after the
     /// last one.

@@ -24,7 +24,7 @@ trait Function {
 }
 
 /// A function at many points, in the variant of `R`.
-fn sweep<F: Function, R: Real>(points: &[[f64; 2]]) -> Vec<f64> {
+fn evaluate<F: Function, R: Real>(points: &[[f64; 2]]) -> Vec<f64> {
     struct Sweep<'a, F, R>(&'a [[f64; 2]], std::marker::PhantomData<(F, R)>);
     impl<F: Function, R: Real> Kernel for Sweep<'_, F, R> {
         type Out = Vec<f64>;
@@ -32,7 +32,7 @@ fn sweep<F: Function, R: Real>(points: &[[f64; 2]]) -> Vec<f64> {
         fn call(self) -> Vec<f64> {
             let mut values = Vec::with_capacity(self.0.len());
             for points in self.0.chunks(R::LANES) {
-                let [x, y] = [0, 1].map(|place| R::state(&|lane| points[lane.min(points.len() - 1)][place]));
+                let [x, y] = [0, 1].map(|argument| R::state(&|lane| points[lane.min(points.len() - 1)][argument]));
                 let value = F::call(x, y);
                 values.extend((0..points.len()).map(|lane| value.lane(lane)));
             }
@@ -101,9 +101,9 @@ fn every_function_is_as_near_as_it_says() {
     let mut too_far = Vec::new();
     for row in ROWS {
         for set in row.points {
-            for (scalar, precision, sweep) in row.scalars {
+            for (scalar, precision, evaluate) in row.scalars {
                 let points = set.arguments(precision, &format!("{} of {scalar}", row.name));
-                let (error, at) = largest_error(row, precision, &points, &sweep(&points));
+                let (error, at) = largest_error(row, precision, &points, &evaluate(&points));
                 if error.is_nan() || error > row.ulps {
                     too_far.push(format!("{} of {scalar}, {set:?}: {error} ulp off at {at:?}", row.name));
                 }
@@ -150,9 +150,9 @@ fn bits(x: f64) -> u64 {
 #[test]
 fn edges_are_those_of_std() {
     for row in ROWS {
-        for (scalar, precision, sweep) in row.scalars {
+        for (scalar, precision, evaluate) in row.scalars {
             let points: Vec<_> = edges().map(|point| point.map(|x| precision.round(x))).collect();
-            for (&x, value) in points.iter().zip(sweep(&points)) {
+            for (&x, value) in points.iter().zip(evaluate(&points)) {
                 let expected = precision.round((row.std)(x));
                 let special = expected == 0.0 || !expected.is_finite();
                 let near = (value - expected).abs() <= row.ulps * precision.unit(expected);

@@ -1,8 +1,8 @@
-//! Where functions are tested.
+//! The points at which functions are tested.
 
 use super::Precision;
 
-/// How many numbers each set holds for each of four scalars: a million for a function.
+/// The number of points in each set, for each of four scalars: a million for a function.
 const COUNT: usize = 250_000;
 
 /// A set of points.

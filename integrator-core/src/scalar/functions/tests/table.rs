@@ -1,6 +1,6 @@
 //! The one table of the functions that have a kernel.
 
-use super::{Big, Function, Points, Precision, SHARP, sweep};
+use super::{Big, Function, Points, Precision, SHARP, evaluate};
 use crate::scalar::{
     fma::{Avx512, Fma, Fused},
     instruction_set::InstructionSet,
@@ -18,13 +18,14 @@ pub(super) struct Row {
     pub(super) ulps: f64,
     /// Rounded correctly.
     pub(super) exact: fn([f64; 2]) -> f64,
-    /// What special values are compared with.
+    /// The function of `std`, which special values are compared with.
     pub(super) std: fn([f64; 2]) -> f64,
     /// With as many digits as the arguments have.
     pub(super) sharp: fn([Big; 2]) -> Big,
-    /// Where it is tested.
+    /// The points at which it is tested.
     pub(super) points: &'static [Points],
-    /// What it is computed in: a name, the scalar whose bits it must have, and the instruction set that it needs.
+    /// The scalars and vectors that it is computed in: a name, the scalar whose bits it must have, and the instruction
+    /// set that it needs.
     pub(super) scalars: [(&'static str, Precision, Sweep); 4],
     pub(super) vectors: &'static [(&'static str, InstructionSet, Sweep, Sweep)],
 }
@@ -65,21 +66,21 @@ macro_rules! rows {
                 },
                 points: &[$($points),*],
                 scalars: [
-                    ("f64", Precision::Double, sweep::<This, f64>),
-                    ("fused f64", Precision::Double, sweep::<This, Fused<f64, Fma>>),
-                    ("f32", Precision::Single, sweep::<This, f32>),
-                    ("fused f32", Precision::Single, sweep::<This, Fused<f32, Fma>>),
+                    ("f64", Precision::Double, evaluate::<This, f64>),
+                    ("fused f64", Precision::Double, evaluate::<This, Fused<f64, Fma>>),
+                    ("f32", Precision::Single, evaluate::<This, f32>),
+                    ("fused f32", Precision::Single, evaluate::<This, Fused<f32, Fma>>),
                 ],
                 vectors: &[
                     #[cfg(target_arch = "x86_64")]
-                    ("X4", InstructionSet::Fused, sweep::<This, crate::scalar::simd::x86::X4>, sweep::<This, Fused<f64, Fma>>),
+                    ("X4", InstructionSet::Fused, evaluate::<This, crate::scalar::simd::x86::X4>, evaluate::<This, Fused<f64, Fma>>),
                     #[cfg(target_arch = "x86_64")]
-                    ("S8", InstructionSet::Fused, sweep::<This, crate::scalar::simd::x86::S8>, sweep::<This, Fused<f32, Fma>>),
+                    ("S8", InstructionSet::Fused, evaluate::<This, crate::scalar::simd::x86::S8>, evaluate::<This, Fused<f32, Fma>>),
                     #[cfg(target_arch = "x86_64")]
-                    ("X8", InstructionSet::Avx512, sweep::<This, crate::scalar::simd::x86::X8>, sweep::<This, Fused<f64, Fma>>),
+                    ("X8", InstructionSet::Avx512, evaluate::<This, crate::scalar::simd::x86::X8>, evaluate::<This, Fused<f64, Fma>>),
                     #[cfg(target_arch = "x86_64")]
-                    ("S16", InstructionSet::Avx512, sweep::<This, crate::scalar::simd::x86::S16>, sweep::<This, Fused<f32, Fma>>),
-                    ("the other variant", InstructionSet::Avx512, sweep::<This, Fused<f64, Avx512>>, sweep::<This, Fused<f64, Fma>>),
+                    ("S16", InstructionSet::Avx512, evaluate::<This, crate::scalar::simd::x86::S16>, evaluate::<This, Fused<f32, Fma>>),
+                    ("the other variant", InstructionSet::Avx512, evaluate::<This, Fused<f64, Avx512>>, evaluate::<This, Fused<f64, Fma>>),
                 ],
             }
         }),*];

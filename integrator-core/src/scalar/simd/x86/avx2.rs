@@ -52,11 +52,11 @@ macro_rules! mask {
 }
 
 mask! {
-    /// In which of four lanes a condition holds.
+    /// A mask of four lanes.
     X4Mask of f64 in __m256d: _mm256_set1_pd _mm256_movemask_pd _mm256_and_pd _mm256_or_pd _mm256_xor_pd
 }
 mask! {
-    /// In which of eight lanes a condition holds.
+    /// A mask of eight lanes.
     S8Mask of f32 in __m256: _mm256_set1_ps _mm256_movemask_ps _mm256_and_ps _mm256_or_ps _mm256_xor_ps
 }
 

@@ -50,11 +50,11 @@ macro_rules! mask {
 }
 
 mask! {
-    /// In which of eight lanes a condition holds.
+    /// A mask of eight lanes.
     X8Mask in __mmask8
 }
 mask! {
-    /// In which of sixteen lanes a condition holds.
+    /// A mask of sixteen lanes.
     S16Mask in __mmask16
 }
 

@@ -4,8 +4,8 @@
 //! operations are the same IEEE ones, elementary functions have one kernel for both or are called lane by lane. Only
 //! code that runs where the instruction set was chosen names these types; that is what makes their instructions sound.
 
-/// Runs instructions of the set that a vector belongs to. Those that read or write through a pointer stand in blocks of their
-/// own, which tell how much memory is behind it.
+/// Runs instructions of the set that a vector belongs to. Those that read or write through a pointer stand in blocks of
+/// their own, which tell how much memory is behind it.
 macro_rules! instruction {
     ($call:expr) => {
         // SAFETY: a vector is named only where its instruction set was chosen, which means that it was detected.
@@ -48,7 +48,7 @@ mod tests {
         f64::NAN,
         1e-310,
         1e-40,
-        // The largest number below a half, a half, and a whole number with no place for a half behind it.
+        // The largest number below a half, a half, and a whole number too large for a half to be added.
         0.499_999_999_999_999_94,
         -0.5,
         4_503_599_627_370_497.0,
@@ -111,8 +111,8 @@ mod tests {
         assert!(V::state(&|lane| lane as f64).finite());
     }
 
-    /// Neighbours of an array are read and written where they are, and nothing beside them.
-    fn neighbours<V: Block<R>, R: Real>() {
+    /// Blocks are loaded and stored at any index of an array, and store nothing outside of themselves.
+    fn loads_and_stores<V: Block<R>, R: Real>() {
         let array: Vec<R> = (0..3 * V::WIDTH).map(|i| R::of(i as f64 + 0.5)).collect();
         for first in [0, 1, V::WIDTH, 2 * V::WIDTH] {
             let mut copy = array.clone();
@@ -134,7 +134,7 @@ mod tests {
         if InstructionSet::available().contains(&set) {
             compare::<V, R>();
             whole::<V>();
-            neighbours::<V, R>();
+            loads_and_stores::<V, R>();
         }
     }
 

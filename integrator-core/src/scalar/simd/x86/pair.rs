@@ -1,4 +1,4 @@
-//! Two doubles in a register of 128 bits, which AVX2 and AVX-512 have alike.
+//! Pairs of doubles in a register of 128 bits, with AVX2 as with AVX-512.
 
 use crate::scalar::{
     fma::{Fused, Instructions},
@@ -39,7 +39,7 @@ mod tests {
         simd::pair::{Pair, pair},
     };
 
-    /// What two numbers are computed to one by one, side by side.
+    /// Operations on pairs have the bits of those on two numbers.
     fn both_lanes_are_the_scalar<R: Real>() {
         let [a, b, c] = [[1.25, -3.0], [0.1, 1e-310], [f64::EPSILON, -0.7]].map(|numbers| numbers.map(R::of));
         let [x, y, z] = [a, b, c].map(|[first, second]| pair(first, second));
