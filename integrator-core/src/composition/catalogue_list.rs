@@ -1,6 +1,6 @@
 //! The one list of the compositions in the catalogue, for visitors and for tests; a test holds it against the sources.
 
-/// Does something with every composition of the catalogue: those for every `T`, those for quadratic `T`, and those whose
+/// Calls a macro with the compositions of the catalogue: those for every `T`, those for quadratic `T`, and those whose
 /// orders count where the second part is small, of both classes.
 macro_rules! for_each_composition {
     (general: $each:ident!) => {

@@ -1,4 +1,4 @@
-//! The catalogue as a list: every composition that a Hamiltonian admits, one after the other.
+//! The loop over the catalogue: every composition that a Hamiltonian admits, one after the other.
 //!
 //! A composition is a type, and types do not fit into a `Vec`; a [`Visitor`] is a loop body that is generic instead.
 
@@ -7,7 +7,7 @@ use crate::{
     hamiltonian::{Hamiltonian, QuadraticKinetic},
 };
 
-/// What is done with each composition that may integrate `H`.
+/// A visitor of the compositions that may integrate `H`.
 ///
 /// ```
 /// use integrator_core::{Visitor, prelude::*};
@@ -41,7 +41,7 @@ pub trait Visitor<H: Hamiltonian> {
     fn visit<X: Composition<H>>(&mut self, composition: X);
 }
 
-/// Shows `visitor` the compositions for every `T(p)`.
+/// Visits the compositions for every `T(p)`.
 pub fn visit_general<H: Hamiltonian>(visitor: &mut impl Visitor<H>) {
     macro_rules! visit {
         ($($composition:ident)*) => {$( visitor.visit($composition); )*};
@@ -49,7 +49,7 @@ pub fn visit_general<H: Hamiltonian>(visitor: &mut impl Visitor<H>) {
     for_each_composition!(general: visit!);
 }
 
-/// Shows `visitor` the compositions for quadratic `T`, after those for every `T`.
+/// Visits the compositions for every `T(p)`, then those for quadratic `T`.
 pub fn visit_quadratic<H: QuadraticKinetic>(visitor: &mut impl Visitor<H>) {
     macro_rules! visit {
         ($($composition:ident)*) => {$( visitor.visit($composition); )*};
