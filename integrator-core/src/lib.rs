@@ -189,11 +189,7 @@ pub mod __private {
         scalar::{
             fma::Fused,
             real::{Kernel, Mask, Real},
-            simd::{
-                block::Block,
-                pair::{Pair, pair},
-                row::Row,
-            },
+            simd::{block::Block, row::Row},
         },
         state::{
             coords::Coords,

@@ -5,7 +5,7 @@ use crate::scalar::{
     functions::{self, fast_functions, fast_kernels, kernel},
     instruction_set::enter_fused,
     real::{Kernel, Real, compared, elementary_functions},
-    simd::{block::Block, lanes::Lanes, pair::Pair, row::Row},
+    simd::{block::Block, lanes::Lanes, row::Row},
 };
 use core::{
     fmt::Debug,
@@ -23,8 +23,6 @@ pub trait Instructions: Copy + Debug + PartialEq + Send + Sync + 'static {
     type RowOfDoubles: Row<Fused<f64, Self>>;
     /// Eight bodies in single precision.
     type RowOfSingles: Row<Fused<f32, Self>>;
-    /// Two doubles.
-    type PairOfDoubles: Pair<Fused<f64, Self>>;
 
     /// `n / x^(3/2)`.
     #[inline(always)]
@@ -48,8 +46,6 @@ impl Instructions for Fma {
     type RowOfDoubles = Lanes<crate::scalar::simd::x86::X4, 2>;
     #[cfg(all(target_arch = "x86_64", feature = "std"))]
     type RowOfSingles = crate::scalar::simd::x86::S8;
-    #[cfg(all(target_arch = "x86_64", feature = "std"))]
-    type PairOfDoubles = crate::scalar::simd::x86::X2;
     #[cfg(not(all(target_arch = "x86_64", feature = "std")))]
     type Doubles = Fused<f64>;
     #[cfg(not(all(target_arch = "x86_64", feature = "std")))]
@@ -58,8 +54,6 @@ impl Instructions for Fma {
     type RowOfDoubles = Lanes<Fused<f64>, 8>;
     #[cfg(not(all(target_arch = "x86_64", feature = "std")))]
     type RowOfSingles = Lanes<Fused<f32>, 8>;
-    #[cfg(not(all(target_arch = "x86_64", feature = "std")))]
-    type PairOfDoubles = [Fused<f64>; 2];
 
     #[inline(always)]
     fn enter<K: Kernel>(kernel: K) -> K::Out {
@@ -82,7 +76,6 @@ impl Instructions for Avx512 {
     type Singles = crate::scalar::simd::x86::S16;
     type RowOfDoubles = crate::scalar::simd::x86::X8;
     type RowOfSingles = crate::scalar::simd::x86::S8;
-    type PairOfDoubles = crate::scalar::simd::x86::X2;
 
     #[inline(always)]
     fn div_pow_3_2(n: Fused<f64, Self>, x: Fused<f64, Self>) -> Fused<f64, Self> {
@@ -122,7 +115,7 @@ macro_rules! operators {
 }
 
 macro_rules! fused_real {
-    ($scalar:ty, $block:ident, $row:ident, $pair:ty, $div_pow_3_2:expr; unary: $($unary:ident)*; binary: $($binary:ident)*;) => {
+    ($scalar:ty, $block:ident, $row:ident, $div_pow_3_2:expr; unary: $($unary:ident)*; binary: $($binary:ident)*;) => {
         operators!($scalar: Add add +, Sub sub -, Mul mul *, Div div /);
 
         impl<S: Instructions> Neg for Fused<$scalar, S> {
@@ -151,7 +144,6 @@ macro_rules! fused_real {
             type Block = S::$block;
             type Row<const N: usize> = S::$row;
             type Wide = S::$row;
-            type Pair = $pair;
 
             #[inline(always)]
             fn of(x: f64) -> Self {
@@ -206,5 +198,5 @@ macro_rules! fused_real {
         }
     };
 }
-elementary_functions!(fused_real! { f64, Doubles, RowOfDoubles, S::PairOfDoubles, S::div_pow_3_2; });
-elementary_functions!(fused_real! { f32, Singles, RowOfSingles, [Self; 2], |n, x: Self| n / (x * x.sqrt()); });
+elementary_functions!(fused_real! { f64, Doubles, RowOfDoubles, S::div_pow_3_2; });
+elementary_functions!(fused_real! { f32, Singles, RowOfSingles, |n, x: Self| n / (x * x.sqrt()); });

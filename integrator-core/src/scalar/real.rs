@@ -3,7 +3,7 @@
 use crate::scalar::{
     elementary::Elementary,
     functions::{self, fast_functions, fast_kernels, kernel},
-    simd::{block::Block, lanes::Lanes, pair::Pair, row::Row},
+    simd::{block::Block, lanes::Lanes, row::Row},
 };
 use core::ops::{Add, AddAssign, Div, Mul, Neg, Sub, SubAssign};
 
@@ -111,8 +111,6 @@ macro_rules! declare_real {
             /// A vector of eight numbers, where registers hold them; `Self` where they would be computed one by one,
             /// which takes eight times the code.
             type Wide: Row<Self>;
-            /// A vector of two numbers.
-            type Pair: Pair<Self>;
 
             /// The same number in every lane, rounded to the precision of the scalar; a dual has no tangent here.
             fn of(x: f64) -> Self;
@@ -209,7 +207,6 @@ macro_rules! real_of_two_parts {
             type Block = Self;
             type Row<const N: usize> = $crate::scalar::simd::lanes::Lanes<Self, N>;
             type Wide = Self;
-            type Pair = [Self; 2];
 
             #[$inline]
             fn lane($this, lane: usize) -> f64 {
@@ -260,7 +257,6 @@ macro_rules! plain_real {
             type Block = Self;
             type Row<const N: usize> = Lanes<Self, N>;
             type Wide = Self;
-            type Pair = [Self; 2];
 
             #[inline(always)]
             fn of(x: f64) -> Self {

@@ -1,6 +1,6 @@
 //! What the recurrences of generated code are made of, beside sums of products.
 
-use crate::scalar::{real::Real, simd::pair::Pair};
+use crate::scalar::real::Real;
 use alloc::vec::Vec;
 
 /// The highest order of a polynomial.
@@ -33,10 +33,10 @@ pub fn weight_with<R: Real>(exponent: R, j: usize, k: usize) -> R {
     exponent * R::of(NUMBERS[j]) - R::of(NUMBERS[k - j])
 }
 
-/// The sum of such products, from `Σ aⱼ yₖ₋ⱼ` and `Σ j aⱼ yₖ₋ⱼ` side by side, each in two halves.
+/// The sum of such products, from `Σ aⱼ yₖ₋ⱼ` and `Σ j aⱼ yₖ₋ⱼ`, each in two halves.
 #[inline(always)]
-pub fn weighted<R: Real>(exponent: R, k: usize, halves: [R::Pair; 2]) -> R {
-    let [[early, early_by_order], [late, late_by_order]] = halves.map(Pair::parts);
+pub fn weighted<R: Real>(exponent: R, k: usize, [early, late]: [[R; 2]; 2]) -> R {
+    let [[early, early_by_order], [late, late_by_order]] = [early, late];
     (early + late).fma(R::of(-NUMBERS[k]), (exponent + R::of(1.0)) * (early_by_order + late_by_order))
 }
 

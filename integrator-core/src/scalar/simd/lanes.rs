@@ -164,7 +164,6 @@ macro_rules! lanes_real {
             type Block = Self;
             type Row<const M: usize> = Lanes<Self, M>;
             type Wide = Self;
-            type Pair = [Self; 2];
 
             #[inline(always)]
             fn of(x: f64) -> Self {

@@ -7,6 +7,5 @@ mod nest;
 pub(super) mod orders;
 mod pass;
 mod recurrence;
-mod sums;
 mod tape;
 mod unrolled;

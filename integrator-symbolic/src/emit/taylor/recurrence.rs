@@ -50,8 +50,9 @@ pub(super) enum Weight {
     None,
     /// One half where both factors are the same coefficient, since two others stand for each other.
     Half,
-    /// `e j - (k - j)` for a power, by the function that computes it with an exponent, which is a number of the flow too.
-    Power { function: TokenStream, exponent: TokenStream, number: TokenStream },
+    /// `e j - (k - j)` for a power, by the function that computes it with an exponent, which is a number of the flow too;
+    /// and where the first factor is multiplied by its order.
+    Power { function: TokenStream, exponent: TokenStream, number: TokenStream, rate: Option<Series> },
     /// The order of the first factor, or minus that.
     Order { negative: bool },
     /// One or minus one, since the first factor has been multiplied by its order.
@@ -254,13 +255,14 @@ impl Writer<'_> {
                 let exponent = Literal::f64_unsuffixed(f64::from(halves) / 2.0);
                 let (function, exponent) = (quote!(#runtime::weight::<#scalar>), exponent.into_token_stream());
                 let number = self.printer.lifted(exponent.clone());
-                let weight = Weight::Power { function, exponent, number };
+                let weight = Weight::Power { function, exponent, number, rate: self.rate(a).cloned() };
                 (weight, self.unsigned(fields, a).1, own)
             }
             Node::Binary(function, a, b) if is_power(function) => {
                 let exponent = self.printer.expression(fields, b).tokens;
                 let function = quote!(#runtime::weight_with);
-                let weight = Weight::Power { function, number: exponent.clone(), exponent };
+                let (number, rate) = (exponent.clone(), self.rate(a).cloned());
+                let weight = Weight::Power { function, exponent, number, rate };
                 (weight, self.unsigned(fields, a).1, own)
             }
             _ => {
@@ -364,6 +366,15 @@ impl Writer<'_> {
             Chained { negative: minus_x != minus_slope, x, series, slope }
         });
         chained.collect()
+    }
+
+    /// Whether a value has the recurrence of powers.
+    pub(super) fn is_power_of_series(&self, id: NodeId) -> bool {
+        match self.printer.graph.node(id) {
+            Node::Power(_, halves) => halves != 4 && self.has_no_slopes(id),
+            Node::Binary(function, ..) => is_power(function),
+            _ => false,
+        }
     }
 
     fn has_no_slopes(&self, id: NodeId) -> bool {

@@ -37,8 +37,6 @@ pub(super) enum Kept {
     Series,
     /// Those of its derivative, each its own multiplied by the order.
     Rates,
-    /// Two coefficients side by side.
-    Pairs,
     /// A number, the same for all orders.
     Number,
     /// Where it holds, for all orders.
@@ -135,11 +133,6 @@ fn structure(names: &Names, name: &Ident, record: &Record, lists: &[(Ident, Toke
             Kept::Rates => {
                 fields.extend(quote!(#slot: [#scalar; #runtime::COEFFICIENTS],));
                 values.extend(quote!(#slot: [#scalar::of(0.0); #runtime::COEFFICIENTS],));
-            }
-            Kept::Pairs => {
-                fields.extend(quote!(#slot: [#scalar::Pair; #runtime::COEFFICIENTS],));
-                let zero = quote!(#scalar::of(0.0));
-                values.extend(quote!(#slot: [#runtime::pair(#zero, #zero); #runtime::COEFFICIENTS],));
             }
             Kept::Number => {
                 fields.extend(quote!(#slot: #scalar,));

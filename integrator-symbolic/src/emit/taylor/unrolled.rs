@@ -8,7 +8,7 @@
 use super::{
     moves::Moves,
     orders::Writer,
-    recurrence::{Chained, Products, Series, Weight, minus},
+    recurrence::{Chained, Known, Products, Series, Sum, Weight, minus},
     tape::Kept,
 };
 use crate::{
@@ -16,7 +16,7 @@ use crate::{
     graph::{Element, Node, NodeId},
     taylor::signed,
 };
-use proc_macro2::{Ident, TokenStream};
+use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{ToTokens, format_ident, quote};
 
 impl Writer<'_> {
@@ -30,8 +30,10 @@ impl Writer<'_> {
         if !self.is_unrolled() || !self.is_nonlinear(id) {
             return;
         }
-        let slopes = self.source.recurrences.slopes[&id];
-        for (x, _) in self.printer.graph.node(id).children().zip(slopes).filter(|(_, slope)| slope.is_some()) {
+        let (node, slopes) = (self.printer.graph.node(id), self.source.recurrences.slopes[&id]);
+        let base = self.is_power_of_series(id).then(|| node.children().next()).flatten();
+        let chained = node.children().zip(slopes).filter(|(_, slope)| slope.is_some()).map(|(x, _)| x);
+        for x in chained.chain(base) {
             let x = signed(self.printer.graph, x).1;
             let is_clock = matches!(self.printer.graph.node(x), Node::Time | Node::Middle | Node::Step);
             if is_clock || self.rate(x).is_some() {
@@ -83,14 +85,68 @@ impl Writer<'_> {
         }
     }
 
+    /// The sums over what is known. Those that are divided by the order are without the latest product. Those of rates are
+    /// two, for the products with earlier and with later coefficients of the slope, so that each is half as long. Each sum
+    /// has a loop of its own, so short that the compiler unrolls it before anything else.
+    pub(super) fn known_unrolled(&self, sums: &[Known]) -> TokenStream {
+        let mut lines = Lines::default();
+        for (id, rest, products) in sums {
+            match products.as_slice() {
+                [Products { weight: Weight::Power { rate: Some(rate), number, .. }, a, b }] => {
+                    self.power_sums(&mut lines, (*id, rest), number, [a, rate, b]);
+                }
+                products => self.product_sums(&mut lines, (*id, rest), products),
+            }
+        }
+        lines.tokens()
+    }
+
+    fn product_sums(&self, lines: &mut Lines, (id, rest): (NodeId, &Ident), products: &[Products]) {
+        let zero = self.printer.lifted(quote!(0.0));
+        let early = self.early(id, products);
+        let sums = early.iter().chain([rest]);
+        lines.begin.extend(quote!(#(let mut #sums = #zero;)*));
+        for product in products {
+            let sum = Sum::of(rest, quote!(order));
+            match product.weight {
+                Weight::None | Weight::Half => {
+                    lines.middle.extend(self.middle(&sum, product));
+                    lines.outwards(1, &self.pair(&sum, product, [&quote!(low), &quote!(high)]));
+                }
+                _ => lines.halves([early.as_ref().unwrap_or(rest), rest], |j| self.factor(product, j), &product.b),
+            }
+        }
+    }
+
+    /// The two sums of a power `y = aᵉ`, `Σ aⱼ yₖ₋ⱼ` and `Σ j aⱼ yₖ₋ⱼ`, whose products have no weights of their own.
+    fn power_sums(
+        &self,
+        lines: &mut Lines,
+        (id, rest): (NodeId, &Ident),
+        exponent: &TokenStream,
+        [a, rate, b]: [&Series; 3],
+    ) {
+        let (runtime, zero) = (self.printer.runtime, self.printer.lifted(quote!(0.0)));
+        let halves = ["early", "late"].map(|half| format_ident!("{half}_of_{}", self.printer.names[&id]));
+        for half in &halves {
+            lines.begin.extend(quote!(let mut #half = [#zero; 2];));
+        }
+        for (n, factor) in [a, rate].into_iter().enumerate() {
+            let n = Literal::usize_unsuffixed(n);
+            let [early, late] = halves.each_ref().map(|half| quote!(#half[#n]));
+            lines.halves([&early, &late], |j| factor.of(j), b);
+        }
+        lines.end.extend(quote!(let #rest = #runtime::weighted(#exponent, order, [#(#halves),*]);));
+    }
+
     /// What the sum of products with earlier coefficients is called, where there is one.
-    pub(super) fn early(&self, id: NodeId, products: &[Products]) -> Option<Ident> {
+    fn early(&self, id: NodeId, products: &[Products]) -> Option<Ident> {
         let is_of_rates = products.iter().any(|products| matches!(products.weight, Weight::Rate { .. }));
         is_of_rates.then(|| format_ident!("early_of_{}", self.printer.names[&id]))
     }
 
     /// The first factor of order `j`.
-    pub(super) fn factor(&self, Products { weight, a, .. }: &Products, j: &TokenStream) -> TokenStream {
+    fn factor(&self, Products { weight, a, .. }: &Products, j: &TokenStream) -> TokenStream {
         self.weighted(weight, j, &quote!(order), &a.of(j))
     }
 
@@ -128,5 +184,57 @@ impl Writer<'_> {
     /// Whether a sum gets the sign that all of its products have.
     pub(super) fn is_negated(&self, chained: &[Chained]) -> bool {
         self.is_unrolled() && chained.iter().all(|chained| chained.negative)
+    }
+}
+
+/// The lines that compute sums over what is known, in the order in which they stand.
+#[derive(Default)]
+struct Lines {
+    begin: TokenStream,
+    /// What the middle of an even order adds,
+    middle: TokenStream,
+    /// and what it adds where it isn't the product that comes in when a sum has been divided by the order.
+    late_middle: TokenStream,
+    loops: TokenStream,
+    end: TokenStream,
+}
+
+impl Lines {
+    /// From the middle of the order to the product whose lower order is `first`.
+    fn outwards(&mut self, first: usize, line: &TokenStream) {
+        let first = Literal::usize_unsuffixed(first);
+        self.loops.extend(quote! {
+            for low in (#first..order.div_ceil(2)).rev() {
+                let high = order - low;
+                #line
+            }
+        });
+    }
+
+    /// `Σ aⱼ bₖ₋ⱼ` without `j = 1`, in two halves: with the earlier and with the later coefficients of `b`.
+    fn halves(&mut self, [early, late]: [&impl ToTokens; 2], a: impl Fn(&TokenStream) -> TokenStream, b: &Series) {
+        let line = |sum: &dyn ToTokens, i: &TokenStream, j: &TokenStream| {
+            let (a, b, sum) = (a(i), b.of(j), sum.to_token_stream());
+            quote!(#sum = #a.fma(#b, #sum);)
+        };
+        let (middle, low, high) = (quote!(middle), quote!(low), quote!(high));
+        self.late_middle.extend(line(late, &middle, &middle));
+        self.outwards(1, &line(early, &high, &low));
+        self.outwards(2, &line(late, &low, &high));
+    }
+
+    fn tokens(self) -> TokenStream {
+        let Self { begin, middle, late_middle, loops, end } = self;
+        let late_middle = (!late_middle.is_empty()).then(|| quote!(if middle > 1 { #late_middle }));
+        let middle = (!middle.is_empty() || late_middle.is_some()).then(|| {
+            quote! {
+                if order > 0 && order % 2 == 0 {
+                    let middle = order / 2;
+                    #middle
+                    #late_middle
+                }
+            }
+        });
+        quote!(#begin #middle #loops #end)
     }
 }

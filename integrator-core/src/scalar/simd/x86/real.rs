@@ -124,7 +124,6 @@ macro_rules! vector {
                 type Block = Self;
                 type Row<const N: usize> = Lanes<Self, N>;
                 type Wide = Self;
-                type Pair = [Self; 2];
 
                 #[inline(always)]
                 fn of(x: f64) -> Self {
