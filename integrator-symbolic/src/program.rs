@@ -78,11 +78,36 @@ impl Item {
 }
 
 /// The body of a function.
-#[derive(Debug, PartialEq)]
+#[derive(Debug, Default, PartialEq)]
 pub(crate) struct Program {
     pub(crate) items: Vec<Item>,
     /// The nodes that have a name.
     pub(crate) named: BTreeSet<NodeId>,
+    /// Whether a line reads the explicit time.
+    pub(crate) reads_time: bool,
+    /// Whether a line divides by a root cubed at once.
+    pub(crate) divides_by_root_cubed: bool,
+}
+
+impl Program {
+    /// The lines within these loops, which the caller runs.
+    pub(crate) fn within(self, loops: &[LoopId]) -> Self {
+        let lines = |items: Vec<Item>, around: &LoopId| -> Vec<Item> {
+            let lines = items.into_iter().flat_map(|item| match item {
+                Item::Loop { by, body } if by == *around => body,
+                other => vec![other],
+            });
+            lines.collect()
+        };
+        Self { items: loops.iter().fold(self.items, lines), ..self }
+    }
+}
+
+/// The base of a divisor `x sqrt(x)`, where neither the product nor the root has a name.
+pub(crate) fn root_cubed(graph: &Graph, divisor: NodeId, is_named: impl Fn(NodeId) -> bool) -> Option<NodeId> {
+    let Node::Mul(base, root) = graph.node(divisor) else { return None };
+    let is_inline = !is_named(divisor) && !is_named(root);
+    (is_inline && graph.node(root) == Node::Power(base, 1)).then_some(base)
 }
 
 /// What is asked of some nodes beside being there for others.
@@ -109,7 +134,7 @@ pub(crate) fn schedule_with(
     // With what it protects, an order may have copies of too much in too many branches.
     let ways = [true, false].into_iter().flat_map(|protects| WAITING.map(|waiting| Way { waiting, protects }));
     let mut found = ways.filter_map(|way| attempt(graph, placed, &leaf, asked, way));
-    found.next().unwrap_or(Program { items: Vec::new(), named: BTreeSet::new() })
+    found.next().unwrap_or_default()
 }
 
 /// Which inner blocks keep a later one from being joined with an earlier one.
@@ -155,6 +180,7 @@ fn attempt<L: Fn(&Graph, NodeId) -> bool>(
         scopes: vec![Scope::default()],
         uses: BTreeMap::new(),
         homes: BTreeMap::new(),
+        reads_time: false,
     };
     for Placed { context, sink, value } in placed {
         let mut path = vec![0];
@@ -173,7 +199,13 @@ fn attempt<L: Fn(&Graph, NodeId) -> bool>(
     }
     scheduler.place()?;
     let named = scheduler.named();
-    Some(Program { items: scheduler.items(0, &named)?, named })
+    let divides = |id: &NodeId| match graph.node(*id) {
+        Node::Div(_, divisor) => root_cubed(graph, divisor, |id| named.contains(&id)).is_some(),
+        _ => false,
+    };
+    let divides_by_root_cubed = scheduler.scopes.iter().flat_map(|scope| &scope.nodes).any(divides);
+    let (items, reads_time) = (scheduler.items(0, &named)?, scheduler.reads_time);
+    Some(Program { items, named, reads_time, divides_by_root_cubed })
 }
 
 /// How many operations may be nested in one expression before a part of it gets a name.
@@ -219,6 +251,7 @@ struct Scheduler<'g, L> {
     uses: BTreeMap<NodeId, Vec<Vec<usize>>>,
     /// The blocks that nodes are computed in, as paths.
     homes: BTreeMap<NodeId, Vec<Vec<usize>>>,
+    reads_time: bool,
 }
 
 impl<L: Fn(&Graph, NodeId) -> bool> Scheduler<'_, L> {
@@ -227,6 +260,7 @@ impl<L: Fn(&Graph, NodeId) -> bool> Scheduler<'_, L> {
     }
 
     fn used(&mut self, id: NodeId, path: &[usize]) {
+        self.reads_time |= self.graph.node(id) == Node::Time;
         if !(self.leaf)(self.graph, id) {
             self.left = self.left.saturating_sub(1);
             self.uses.entry(id).or_default().push(path.to_vec());

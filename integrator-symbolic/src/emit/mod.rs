@@ -11,7 +11,7 @@ mod prose;
 mod taylor;
 
 use crate::{
-    differentiate::{Contribution, gradient},
+    differentiate::gradient,
     graph::Part,
     model::{Length, Model},
     scheme::{Class, InPlace},
@@ -20,24 +20,13 @@ use crate::{
 use fingerprint::fingerprint;
 pub use flow::form::Form;
 pub(crate) use flow::form::forms;
-use flow::{
-    constants::{Prepared, constants},
-    flow, force_gradient, lattice,
-    pairs::ManyBody,
-    pieces::Pieces,
-    stated, value,
-};
-use printer::{
-    expression::Dialect,
-    fields::{Fields, lowered},
-    function::Body,
-    names::Names,
-};
+use flow::{Flows, constants::Constants, force_gradient, pieces::Pieces, stated};
+use printer::{fields::Fields, function::Body, names::Names};
 use proc_macro2::TokenStream;
 use prose::{Formulas, documented_motion};
 pub(crate) use prose::{equations, ranges};
 use quote::quote;
-use taylor::orders;
+use taylor::orders::{Orders, orders};
 
 /// What in a sequence asks for a quadratic `T` that this Hamiltonian does not have: the message for it.
 pub(crate) fn refusal(sequence: &InPlace, model: &Model) -> Option<String> {
@@ -60,207 +49,148 @@ pub(crate) fn refusal(sequence: &InPlace, model: &Model) -> Option<String> {
 }
 
 /// The implementation of `Hamiltonian` for the annotated type.
-pub(crate) fn stepper(input: &Input, mut model: Model) -> TokenStream {
-    let energies = [model.kinetic, model.potential];
-    [model.kinetic, model.potential] = model.graph.by_pieces(energies);
-    let kinetic = gradient(&mut model.graph, model.kinetic, Part::Momentum);
-    let potential = gradient(&mut model.graph, model.potential, Part::Position);
-    let (kinetic_gradient, potential_gradient) = (kinetic.clone(), potential.clone());
-    let documentation = documented_motion(&mut model, &kinetic, &potential);
+pub(crate) fn stepper(input: &Input, model: Model) -> TokenStream {
+    Stepper::of(input, model).tokens()
+}
 
-    let names = Names::new(input);
-    let mut fields = Fields::default();
-    let many_body = ManyBody::of(&mut model, &mut fields, &names);
-    let mut flow = |gradient: &[Contribution], part| match many_body {
-        Some(_) => (ManyBody::flow(part), None),
-        None => flow(&mut model, &mut fields, &names, gradient, part),
-    };
-    let (drift, drift_along) = flow(&kinetic, Part::Momentum);
-    let (kick, kick_along) = flow(&potential, Part::Position);
-    let force_gradient = model
-        .quadratic
-        .then(|| force_gradient::functions(&mut model, &mut fields, &names, &potential, many_body.is_some()));
-    // Bodies side by side are taken apart for what is seldom asked.
-    let plain = many_body.as_ref().map(|_| quote!(let motion = &motion.plain::<Self::Coords>();));
-    let [kinetic, potential] = energies.map(|energy| {
-        let lowered = lowered(&mut model, &[energy])[0];
-        let energy = value(&model, &mut fields, &names, lowered, Dialect::Generic);
-        quote!(#plain #energy)
-    });
-    let [drift, kick, kinetic, potential] = [drift, kick, kinetic, potential].map(Body::new);
+/// What is emitted for a Hamiltonian, each part by the module that knows it.
+struct Stepper<'i> {
+    input: &'i Input,
+    names: Names,
+    documentation: TokenStream,
+    coordinates: TokenStream,
+    /// Its type, and its declaration where it was written in place.
+    composition: (TokenStream, Option<TokenStream>),
+    constants: Constants,
+    flows: Flows,
+    energies: [TokenStream; 2],
+    /// The user's own energies.
+    stated: TokenStream,
+    autonomous: bool,
+    /// The items of a Hamiltonian with quadratic `T`.
+    quadratic: Option<TokenStream>,
+    taylor: Option<Orders>,
+}
 
-    let orders =
-        input.taylor.map(|_| orders::orders(&mut model, &mut fields, &names, kinetic_gradient, potential_gradient));
+impl<'i> Stepper<'i> {
+    fn of(input: &'i Input, mut model: Model) -> Self {
+        let energies = [model.kinetic, model.potential];
+        [model.kinetic, model.potential] = model.graph.by_pieces(energies);
+        let kinetic = gradient(&mut model.graph, model.kinetic, Part::Momentum);
+        let potential = gradient(&mut model.graph, model.potential, Part::Position);
+        let documentation = documented_motion(&mut model, &kinetic, &potential);
 
-    let pieces = Pieces::of(&fields, &names);
-    let root = &input.root;
-    let Pieces { piecewise, begin, set } = pieces;
-    let Names { runtime, parameters, scalar, leaf, .. } = &names;
-    let Prepared { fields, gathered, values, common, searched, digested } = constants(fields, &mut model, &names);
-    let alike = (!common.is_empty()).then(|| {
-        quote! {
-            #[inline]
-            fn alike(a: &Self::Single, b: &Self::Single) -> bool { #(#common)&&* }
+        let (names, mut fields) = (Names::new(input), Fields::default());
+        let flows = Flows::of(&mut model, &mut fields, &names, &kinetic, &potential);
+        let quadratic = model
+            .quadratic
+            .then(|| force_gradient::functions(&mut model, &mut fields, &names, &potential, flows.are_of_bodies()));
+        let [kinetic_energy, potential_energy] = energies;
+        let energies = [("kinetic", kinetic_energy), ("potential", potential_energy)]
+            .map(|(name, energy)| flows.energy(&mut model, &mut fields, &names, name, energy));
+        let taylor = input.taylor.map(|_| orders(&mut model, &mut fields, &names, kinetic, potential));
+        Self {
+            input,
+            documentation,
+            coordinates: coordinates(&model, &names),
+            composition: composition(input, &model, &names),
+            stated: stated::functions(input, &model),
+            autonomous: model.autonomous,
+            constants: Constants::of(fields, &mut model, &names),
+            flows,
+            energies,
+            quadratic,
+            taylor,
+            names,
         }
-    });
-    let not_finite = (!searched.is_empty()).then(|| {
-        quote! {
-            fn not_finite(single: &Self::Single) -> #runtime::Vec<#runtime::NotFinite> {
-                #runtime::all_found([#(#searched),*])
-            }
-        }
-    });
-    let digest = (!digested.is_empty()).then(|| {
-        quote! {
-            fn digest(single: &Self::Single, digest: &mut #runtime::Digest) {
-                #(digest.add(&single.#digested);)*
-            }
-        }
-    });
-    // Integers and methods are the same whatever a flow computes in; so may be all that is prepared.
-    let generic = Body::new(fields.clone()).mentions(&scalar.to_string());
-    let of = |scalar: TokenStream| if generic { quote!(#parameters<#scalar>) } else { quote!(#parameters) };
-    let (structure, gather, prepare) = if fields.is_empty() {
-        (
-            quote!(
-                pub struct #parameters;
-            ),
-            quote!(
-                fn gather(_members: &[&Self::Single]) -> Self {
-                    #parameters
-                }
-            ),
-            quote!(#parameters),
-        )
-    } else {
-        let declared = of(quote!(#scalar));
-        (
-            quote!(pub struct #declared { #fields }),
-            quote!(fn gather(members: &[&Self::Single]) -> Self {
-                #parameters { #gathered }
-            }),
-            quote!(#parameters { #values }),
-        )
-    };
-    let stated = stated::functions(input, &model);
-    let length = Body::new(prepare.clone()).argument("length");
-    let (of_r, of_f64) = (of(quote!(#scalar)), of(quote!(f64)));
+    }
 
-    let (generics, _, bounds) = input.item.generics.split_for_impl();
-    let system = &input.item.self_ty;
-    let coordinates = coordinates(&model, &names);
-    let (composition, declared) = composition(input, &model, &names);
-    let autonomous = model.autonomous;
-    // The runtime shows every Hamiltonian the compositions for general `T`; only here is it known that there are more.
-    let visit = model.quadratic.then(|| {
+    fn tokens(&self) -> TokenStream {
+        let Self { input, names, documentation, composition: (_, composition), constants, flows, .. } = self;
+        let (root, Names { runtime, .. }) = (&input.root, names);
+        let declaration = constants.declaration(names);
+        let implementation = |of, items: &TokenStream| self.implementation(of, items);
+        let of_bodies = flows.of_bodies(implementation, &constants.kind(&quote!(f64), names), names);
+        let quadratic = self.quadratic.as_ref().map(|items| implementation(quote!(#runtime::QuadraticKinetic), items));
+        let taylor = self.taylor.as_ref().map(|Orders { tape, items }| {
+            let recurrences = implementation(quote!(#runtime::Recurrences), items);
+            quote!(#tape #recurrences)
+        });
+        let of_lattice = flows.of_lattice(implementation, names);
+        let others = quote!(#of_bodies #quadratic #taylor #of_lattice);
+        let hamiltonian = implementation(quote!(#runtime::Hamiltonian), &self.hamiltonian(&others));
         quote! {
-            fn visit_compositions(visitor: &mut impl #runtime::Visitor<Self>) {
-                #runtime::visit_quadratic(visitor);
-            }
+            #[allow(warnings, clippy::all, clippy::pedantic, reason = "generated")]
+            const _: () = {
+                use #root::__private::{self as #runtime, Mask as _, Slot as _};
+
+                #composition
+                #declaration
+                #documentation
+                #hamiltonian
+                #others
+            };
         }
-    });
-    let visit_recurrences = input.taylor.map(|_| {
-        quote! {
-            fn visit_recurrences(visitor: &mut impl #runtime::RecurrencesVisitor<Self>) {
-                #runtime::RecurrencesVisitor::visit(visitor);
-            }
-        }
-    });
-    let implementation = |of: TokenStream, functions: TokenStream| {
+    }
+
+    /// The implementation of a trait for the annotated type.
+    fn implementation(&self, of: TokenStream, items: &TokenStream) -> TokenStream {
+        let (generics, _, bounds) = self.input.item.generics.split_for_impl();
+        let system = &self.input.item.self_ty;
         quote! {
             #[automatically_derived]
-            impl #generics #of for #system #bounds { #functions }
+            impl #generics #of for #system #bounds { #items }
         }
-    };
-    let quadratic = force_gradient.map(|functions| implementation(quote!(#runtime::QuadraticKinetic), functions));
-    let taylor = orders.map(|orders::Orders { tape, items }| {
-        let recurrences = implementation(quote!(#runtime::Recurrences), items);
-        quote!(#tape #recurrences)
-    });
-    let motion = match &many_body {
-        Some(many_body) => many_body.motion(&of_r, &names),
-        None => quote!(#runtime::Plain<#scalar, #runtime::Shaped<Self, #leaf>, #of_r>),
-    };
-    let along = [&drift_along, &kick_along].into_iter().flatten().map(|sweep| {
-        let (flow, items) = (sweep.name(), sweep.items(&names));
-        let along = implementation(quote!(#runtime::Stencil<#runtime::#flow>), items);
-        quote! {
-            /// What every site computes from its neighbourhood, for itself and for the sites further on.
-            #along
-        }
-    });
-    let roots = [&drift, &kick].into_iter().any(|flow| flow.mentions("div_pow_3_2"));
-    let wide = (kick_along.is_some() || many_body.is_some() || roots).then(|| {
-        quote!(
-            const WIDE: bool = true;
-        )
-    });
-    let sweeps = drift_along.as_ref().zip(kick_along.as_ref());
-    let line = sweeps.filter(|(drift, kick)| !drift.is_plane() && !kick.is_plane());
-    let (radii, lattice) = line.map(|_| lattice::parts(&names)).unzip();
-    let (drift, kick) = (drift.flow("drift", &names), kick.flow("kick", &names));
-    let many_body = many_body.map(|many_body| many_body.implementations(implementation, &of_f64, &names));
-    let (kinetic, potential) = (kinetic.energy("kinetic", &names), potential.energy("potential", &names));
-    let along: TokenStream = along.collect();
-    let fingerprint =
-        fingerprint(quote!(#prepare #drift #kick #kinetic #potential #many_body #quadratic #taylor #along));
-    quote! {
-        #[allow(warnings, clippy::all, clippy::pedantic, reason = "generated")]
-        const _: () = {
-            use #root::__private::{self as #runtime, Mask as _, Slot as _};
+    }
 
-            #declared
-
-            /// What depends on parameters alone, evaluated once per run.
-            #[derive(::core::clone::Clone)]
-            #structure
-
-            impl<#scalar: #runtime::Real> #runtime::Prepared<#scalar> for #of_r {
-                type Single = #of_f64;
-
-                #[inline(always)]
-                #gather
-
-                #alike
-                #not_finite
-                #digest
-                #set
-            }
-
-            #documentation
-            #[automatically_derived]
-            impl #generics #runtime::Hamiltonian for #system #bounds {
-                type Coords = #coordinates;
-                type Compose = #composition;
-                type Parameters<#scalar: #runtime::Real> = #of_r;
-                type Motion<#scalar: #runtime::Real, #leaf: #runtime::Precision> = #motion;
-
-                const AUTONOMOUS: bool = #autonomous;
-                const FINGERPRINT: u64 = #fingerprint;
-                #wide
-                #radii
-                #piecewise
-
-                fn parameters(&self, #length: usize) -> #of_f64 {
-                    #prepare
+    /// The items of `Hamiltonian`. What else is implemented, `others`, is known by the fingerprint alone.
+    fn hamiltonian(&self, others: &TokenStream) -> TokenStream {
+        let Self { names, coordinates, composition: (composition, _), constants, flows, stated, autonomous, .. } = self;
+        let Names { runtime, scalar, leaf, .. } = names;
+        let [parameters, single] = [quote!(#scalar), quote!(f64)].map(|scalar| constants.kind(&scalar, names));
+        let (motion, (layout, sites), moves) =
+            (flows.motion(&parameters, names), flows.layout(names), flows.functions(names));
+        let ([kinetic, potential], Pieces { piecewise, begin, .. }) = (&self.energies, &constants.pieces);
+        let prepare = Body::new(constants.prepare(names));
+        let (length, prepare) = (prepare.argument("length"), &prepare.0);
+        let fingerprint = fingerprint(quote!(#prepare #moves #kinetic #potential #others));
+        // The runtime shows every Hamiltonian the compositions for general `T`; only here is it known that there are more.
+        let visit = self.quadratic.as_ref().map(|_| {
+            quote! {
+                fn visit_compositions(visitor: &mut impl #runtime::Visitor<Self>) {
+                    #runtime::visit_quadratic(visitor);
                 }
-
-                #begin
-                #drift
-                #kick
-                #kinetic
-                #potential
-                #stated
-                #lattice
-                #visit
-                #visit_recurrences
             }
+        });
+        let visit_recurrences = self.taylor.as_ref().map(|_| {
+            quote! {
+                fn visit_recurrences(visitor: &mut impl #runtime::RecurrencesVisitor<Self>) {
+                    #runtime::RecurrencesVisitor::visit(visitor);
+                }
+            }
+        });
+        quote! {
+            type Coords = #coordinates;
+            type Compose = #composition;
+            type Parameters<#scalar: #runtime::Real> = #parameters;
+            type Motion<#scalar: #runtime::Real, #leaf: #runtime::Precision> = #motion;
 
-            #many_body
-            #quadratic
-            #taylor
-            #along
-        };
+            const AUTONOMOUS: bool = #autonomous;
+            const FINGERPRINT: u64 = #fingerprint;
+            #layout
+            #piecewise
+
+            fn parameters(&self, #length: usize) -> #single { #prepare }
+
+            #begin
+            #moves
+            #kinetic
+            #potential
+            #stated
+            #sites
+            #visit
+            #visit_recurrences
+        }
     }
 }
 

@@ -1,19 +1,19 @@
 //! Functions whose arguments are bodies: coordinates as arrays, and the prepared constants of a body as another array.
 
-use super::{placed, texts::Texts, unwrapped};
+use super::{placed, texts::Texts};
 use crate::{
     differentiate::{Contribution, folded},
     emit::printer::{
-        block::Block,
-        expression::Dialect,
+        block::evaluate,
         fields::{Fields, is_field, is_leaf, lowered},
         frame::{Bodies, Frame},
+        function::Lines,
         names::Names,
     },
-    graph::{Around, Element, Graph, Node, NodeId, index::LoopId},
+    graph::{Around, Element, Node, NodeId, index::LoopId},
     model::Model,
     pairs::{Renaming, renamed},
-    program::{Placed, Sink, is_direct, schedule},
+    program::{Placed, Sink, is_direct},
 };
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{format_ident, quote};
@@ -138,14 +138,14 @@ impl OfBodies {
         lets.collect()
     }
 
-    /// The body of the function.
-    pub(crate) fn body(&self, model: &Model, fields: &mut Fields, names: &Names, constants: &Constants) -> TokenStream {
+    /// The lines of the function.
+    pub(crate) fn lines(&self, model: &Model, fields: &mut Fields, names: &Names, constants: &Constants) -> Lines {
         let suffixes = self.of.iter().map(|by| (*by, Self::suffix(model, *by)));
         let reads = self.reads.iter().map(|(id, by, place)| (*id, constants.name(model, fields, *place, *by)));
         let bodies = Bodies { suffixes: suffixes.collect(), constants: reads.collect() };
         let constants = self.constants(model, fields, constants);
-        let body = of_bodies(model, fields, names, &Frame::Bodies(bodies), &self.of, &self.placed);
-        quote!(#constants #body)
+        let lines = evaluate(model, fields, names, &Frame::Bodies(bodies), &self.of, &self.placed);
+        lines.map(|lines| quote!(#constants #lines))
     }
 }
 
@@ -166,23 +166,4 @@ fn read(model: &Model, placed: &[Placed]) -> BTreeSet<NodeId> {
         }
     }
     read
-}
-
-/// The body of a function of bodies that are its arguments: the lowered updates or components, in the loops over
-/// `around`, which are not written, and their own.
-fn of_bodies(
-    model: &Model,
-    fields: &mut Fields,
-    names: &Names,
-    frame: &Frame<'_>,
-    around: &[LoopId],
-    placed: &[Placed],
-) -> TokenStream {
-    // The coordinates are numbers already.
-    let is_read = |graph: &Graph, id| matches!(graph.node(id), Node::Coordinate(_));
-    let program =
-        schedule(&model.graph, placed, |graph, id| is_read(graph, id) || is_leaf(graph, &model.parameters, id));
-    let mut block = Block::new(model, names, &program, Dialect::Generic, frame);
-    let items = around.iter().fold(program.items, |items, by| unwrapped(items, *by));
-    block.items(fields, &items)
 }

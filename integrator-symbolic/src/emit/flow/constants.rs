@@ -1,10 +1,11 @@
 //! The struct of prepared constants: its fields, how they are prepared, and how they are gathered for lanes.
 
-use super::value;
+use super::pieces::Pieces;
 use crate::{
     emit::{
         printer::{
-            expression::{Dialect, Printer},
+            block::value,
+            expression::Printer,
             fields::{Content, Fields},
             frame::Frame,
             names::Names,
@@ -14,92 +15,163 @@ use crate::{
     graph::index::{Index, IndexId, LoopId, LoopSet},
     lower::lower,
     model::Model,
+    program::Program,
 };
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{ToTokens, format_ident, quote};
-use std::collections::HashMap;
 
-/// The parts of what is written for prepared constants.
+/// What is written for prepared constants.
 #[derive(Default)]
-pub(crate) struct Prepared {
-    pub(crate) fields: TokenStream,
-    pub(crate) gathered: TokenStream,
-    pub(crate) values: TokenStream,
+pub(crate) struct Constants {
+    fields: TokenStream,
+    gathered: TokenStream,
+    values: TokenStream,
     /// What two members that share lanes have in common, as conditions on `a` and `b`.
-    pub(crate) common: Vec<TokenStream>,
+    common: Vec<TokenStream>,
     /// The search for a number that is not finite in each field of a `single`.
-    pub(crate) searched: Vec<TokenStream>,
+    not_finite: Vec<TokenStream>,
     /// The fields that are numbers, or tables of numbers.
-    pub(crate) digested: Vec<Ident>,
+    digested: Vec<Ident>,
+    /// Whether a field is of the type that a flow computes in: integers and methods are the same for all.
+    generic: bool,
+    /// What is written where a flow reads the middle of its step.
+    pub(crate) pieces: Pieces,
 }
 
-/// The struct of prepared constants, how one is gathered for lanes, and the body that prepares them.
-pub(crate) fn constants(fields: Fields, model: &mut Model, names: &Names) -> Prepared {
-    let mut single = Fields::default();
-    let mut prepared = Prepared::default();
-    let scalar = &names.scalar;
-    for (content, name) in fields.into_contents() {
-        let table = Table::of(model, names, content);
-        let (kind, value) = match content {
-            Content::Number(id) => {
-                let lowered = lower(&mut model.graph, &[id], |_, _| false)[0];
-                let body = value(model, &mut single, names, lowered, Dialect::Single);
-                (scalar.to_token_stream(), body)
+impl Constants {
+    /// Those of the fields that lines have asked for.
+    pub(crate) fn of(fields: Fields, model: &mut Model, names: &Names) -> Self {
+        let mut single = Fields::default();
+        let mut prepared = Self { pieces: Pieces::of(&fields, names), ..Self::default() };
+        let scalar = &names.scalar;
+        for (content, name) in fields.into_contents() {
+            let table = Table::of(model, names, content);
+            let (kind, value) = match content {
+                Content::Number(id) => {
+                    let lowered = lower(&mut model.graph, &[id], |_, _| false)[0];
+                    let body = value(model, &mut single, names, &Frame::System, lowered);
+                    let lines = body.tokens;
+                    let body = if body.program.items.len() > 1 { quote!({ #lines }) } else { lines };
+                    (scalar.to_token_stream(), body)
+                }
+                Content::Integer(id) => {
+                    let text = &model.parameters[id.0 as usize].text;
+                    (quote!(usize), quote!(#text))
+                }
+                Content::Flag(id) => {
+                    let text = &model.parameters[id.0 as usize].text;
+                    (scalar.to_token_stream(), quote!(if #text { 1.0 } else { 0.0 }))
+                }
+                Content::Middle => (scalar.to_token_stream(), quote!(0.0)),
+                Content::External(id) => {
+                    let (method, runtime) = (&model.externals[id.0 as usize], &names.runtime);
+                    let count = Literal::usize_unsuffixed(method.arguments);
+                    let arguments: Vec<_> = (0..method.arguments)
+                        .map(|number| format_ident!("argument_{number}").to_token_stream())
+                        .collect();
+                    let call = method.call(&quote!(system), &arguments);
+                    let value = quote!({
+                        let system = ::core::clone::Clone::clone(self);
+                        #runtime::Vec::from([#runtime::Arc::new(move |[#(#arguments),*]: [f64; #count]| #call) as _])
+                    });
+                    (quote!(#runtime::External<#count>), value)
+                }
+            };
+            let runtime = &names.runtime;
+            let gathered = match content {
+                Content::Number(_) | Content::Flag(_) | Content::Middle => {
+                    quote!(#runtime::in_lanes(members, |member| &member.#name))
+                }
+                Content::Integer(_) => quote!(::core::clone::Clone::clone(&members[0].#name)),
+                Content::External(_) => {
+                    quote!(#runtime::table(<#scalar as #runtime::Real>::LANES, &|lane| ::core::clone::Clone::clone(&members[lane].#name[0])))
+                }
+            };
+            let documentation = prose::documentation(model, content.node());
+            let kind = table.kind(kind, names);
+            let value = table.prepared(value, content, names);
+            prepared.common.extend(match (content, table.levels.first()) {
+                (Content::Integer(_), _) => Some(quote!(a.#name == b.#name)),
+                (_, Some(Level { literal: None, .. })) => Some(quote!(a.#name.len() == b.#name.len())),
+                _ => None,
+            });
+            if !matches!(content, Content::External(_)) {
+                prepared.digested.push(name.clone());
             }
-            Content::Integer(id) => {
-                let text = &model.parameters[id.0 as usize].text;
-                (quote!(usize), quote!(#text))
+            if let Content::Number(id) = content {
+                let (formula, runtime) = (Formulas::of(model).short(id), &names.runtime);
+                let formula = formula.unwrap_or_else(|| name.to_string());
+                let indices = table.levels.iter().map(|level| level.index.to_string());
+                prepared.not_finite.push(quote!(#runtime::not_finite(#formula, &[#(#indices),*], &single.#name)));
             }
-            Content::Flag(id) => {
-                let text = &model.parameters[id.0 as usize].text;
-                (scalar.to_token_stream(), quote!(if #text { 1.0 } else { 0.0 }))
-            }
-            Content::Middle => (scalar.to_token_stream(), quote!(0.0)),
-            Content::External(id) => {
-                let (method, runtime) = (&model.externals[id.0 as usize], &names.runtime);
-                let count = Literal::usize_unsuffixed(method.arguments);
-                let arguments: Vec<_> =
-                    (0..method.arguments).map(|number| format_ident!("argument_{number}").to_token_stream()).collect();
-                let call = method.call(&quote!(system), &arguments);
-                let value = quote!({
-                    let system = ::core::clone::Clone::clone(self);
-                    #runtime::Vec::from([#runtime::Arc::new(move |[#(#arguments),*]: [f64; #count]| #call) as _])
-                });
-                (quote!(#runtime::External<#count>), value)
-            }
-        };
-        let runtime = &names.runtime;
-        let gathered = match content {
-            Content::Number(_) | Content::Flag(_) | Content::Middle => {
-                quote!(#runtime::in_lanes(members, |member| &member.#name))
-            }
-            Content::Integer(_) => quote!(::core::clone::Clone::clone(&members[0].#name)),
-            Content::External(_) => {
-                quote!(#runtime::table(<#scalar as #runtime::Real>::LANES, &|lane| ::core::clone::Clone::clone(&members[lane].#name[0])))
-            }
-        };
-        let documentation = prose::documentation(model, content.node());
-        let kind = table.kind(kind, names);
-        let value = table.prepared(value, content, names);
-        prepared.common.extend(match (content, table.levels.first()) {
-            (Content::Integer(_), _) => Some(quote!(a.#name == b.#name)),
-            (_, Some(Level { literal: None, .. })) => Some(quote!(a.#name.len() == b.#name.len())),
-            _ => None,
-        });
-        if !matches!(content, Content::External(_)) {
-            prepared.digested.push(name.clone());
+            prepared.generic |= !matches!(content, Content::Integer(_) | Content::External(_));
+            prepared.fields.extend(quote!(#documentation #name: #kind,));
+            prepared.gathered.extend(quote!(#name: #gathered,));
+            prepared.values.extend(quote!(#name: #value,));
         }
-        if let Content::Number(id) = content {
-            let (formula, runtime) = (Formulas::of(model).short(id), &names.runtime);
-            let formula = formula.unwrap_or_else(|| name.to_string());
-            let indices = table.levels.iter().map(|level| level.index.to_string());
-            prepared.searched.push(quote!(#runtime::not_finite(#formula, &[#(#indices),*], &single.#name)));
-        }
-        prepared.fields.extend(quote!(#documentation #name: #kind,));
-        prepared.gathered.extend(quote!(#name: #gathered,));
-        prepared.values.extend(quote!(#name: #value,));
+        prepared
     }
-    prepared
+
+    /// Their type, where flows compute in `scalar`.
+    pub(crate) fn kind(&self, scalar: &TokenStream, names: &Names) -> TokenStream {
+        let (parameters, generics) = (&names.parameters, self.generic.then(|| quote!(<#scalar>)));
+        quote!(#parameters #generics)
+    }
+
+    /// The expression that prepares them.
+    pub(crate) fn prepare(&self, names: &Names) -> TokenStream {
+        let (parameters, values) = (&names.parameters, &self.values);
+        if values.is_empty() { quote!(#parameters) } else { quote!(#parameters { #values }) }
+    }
+
+    /// Their struct, and what the runtime asks of it.
+    pub(crate) fn declaration(&self, names: &Names) -> TokenStream {
+        let Names { runtime, parameters, scalar, .. } = names;
+        let Self { fields, gathered, common, not_finite, digested, pieces, .. } = self;
+        let [kind, single] = [quote!(#scalar), quote!(f64)].map(|scalar| self.kind(&scalar, names));
+        let (fields, members, gathered) = match fields.is_empty() {
+            true => (quote!(;), quote!(_members), None),
+            false => (quote!({ #fields }), quote!(members), Some(quote!({ #gathered }))),
+        };
+        let alike = (!common.is_empty()).then(|| {
+            quote! {
+                #[inline]
+                fn alike(a: &Self::Single, b: &Self::Single) -> bool { #(#common)&&* }
+            }
+        });
+        let not_finite = (!not_finite.is_empty()).then(|| {
+            quote! {
+                fn not_finite(single: &Self::Single) -> #runtime::Vec<#runtime::NotFinite> {
+                    #runtime::all_found([#(#not_finite),*])
+                }
+            }
+        });
+        let digest = (!digested.is_empty()).then(|| {
+            quote! {
+                fn digest(single: &Self::Single, digest: &mut #runtime::Digest) {
+                    #(digest.add(&single.#digested);)*
+                }
+            }
+        });
+        let set = &pieces.set;
+        quote! {
+            /// What depends on parameters alone, evaluated once per run.
+            #[derive(::core::clone::Clone)]
+            pub struct #kind #fields
+
+            impl<#scalar: #runtime::Real> #runtime::Prepared<#scalar> for #kind {
+                type Single = #single;
+
+                #[inline(always)]
+                fn gather(#members: &[&Self::Single]) -> Self { #parameters #gathered }
+
+                #alike
+                #not_finite
+                #digest
+                #set
+            }
+        }
+    }
 }
 
 /// The loops that a prepared constant depends on, with how far each runs.
@@ -166,7 +238,8 @@ impl Level {
         let extent = if ragged { to } else { model.graph.loops.upper(range.to).unwrap_or(range.to) };
         let literal = model.graph.loops.literal(extent);
         let (zero, whole) = (model.graph.loops.literal(from) == Some(0), to == extent);
-        let printer = single(model, names);
+        let program = Program::default();
+        let printer = Printer::new(model, names, &program, &Frame::System);
         let mut none = Fields::default();
         let (from, to, extent) =
             (printer.index(&mut none, from), printer.index(&mut none, to), printer.index(&mut none, extent));
@@ -188,20 +261,4 @@ fn bound(model: &mut Model, id: IndexId, table: LoopSet, upper: bool) -> IndexId
     }
     let furthest = if upper { loops.upper(id) } else { loops.lower(id) };
     furthest.unwrap_or_else(|| loops.intern(Index::Literal(0)))
-}
-
-/// A printer of `f64` expressions.
-fn single<'m>(model: &'m Model, names: &'m Names) -> Printer<'m> {
-    Printer {
-        graph: &model.graph,
-        parameters: &model.parameters,
-        running: &model.running,
-        dialect: Dialect::Single,
-        names: HashMap::new(),
-        scalar: &names.scalar,
-        runtime: &names.runtime,
-        externals: &model.externals,
-        functions: model.functions,
-        frame: &Frame::Motion,
-    }
 }

@@ -4,20 +4,13 @@
 //! inverse mass matrix `M`, so the kick is `p -= b grad V + 2 c V'' M^-1 grad V`. Always true: the product with the
 //! Hessian `V''` is the derivative of the gradient as it stands, so the kick is symplectic to rounding.
 
-use super::{buffer, placed};
+use super::{collected, placed};
 use crate::{
     differentiate::{Contribution, hessian_product},
-    emit::printer::{
-        block::Block,
-        expression::Dialect,
-        fields::{Fields, is_leaf},
-        frame::Frame,
-        function::Body,
-        names::Names,
-    },
+    emit::printer::{fields::Fields, names::Names},
     graph::Part,
     model::Model,
-    program::{Placed, Sink, schedule},
+    program::Sink,
 };
 use proc_macro2::TokenStream;
 use quote::quote;
@@ -35,24 +28,27 @@ pub(crate) fn functions(
 ) -> TokenStream {
     let product = hessian_product(&mut model.graph, potential, Part::Position);
     let product = placed(model, &product, Sink::Collect);
-    let product = Body::new(replacement(model, fields, names, Part::Momentum, &product));
-    let (motion, time, read) = (product.argument("motion"), product.argument("time"), product.time(&names.scalar));
-    let product = &product.0;
+    // Nothing is written before all is read.
+    let lines = collected(model, fields, names, Part::Momentum, &product, |place, value| quote!(#place = #value;));
     let Names { runtime, scalar, leaf, .. } = names;
     // Bodies side by side are taken apart for what is seldom asked.
-    let product = if many_body {
-        quote! {
-            let bodies = motion;
-            let motion = &mut bodies.plain::<Self::Coords>();
-            #product
-            bodies.set_momenta(motion);
-        }
+    let lines = if many_body {
+        lines.map(|lines| {
+            quote! {
+                let bodies = motion;
+                let motion = &mut bodies.plain::<Self::Coords>();
+                #lines
+                bodies.set_momenta(motion);
+            }
+        })
     } else {
-        product.clone()
+        lines
     };
+    let product = lines.body(scalar);
+    let (motion, time, product) = (product.argument("motion"), product.argument("time"), &product.0);
     quote! {
         #[inline(always)]
-        fn hessian<#scalar: #runtime::Real>(#motion: &mut Self::Motion<#scalar, f64>, #time: f64) { #read #product }
+        fn hessian<#scalar: #runtime::Real>(#motion: &mut Self::Motion<#scalar, f64>, #time: f64) { #product }
 
         #[inline(always)]
         fn gradient_kick<#scalar: #runtime::Real, #leaf: #runtime::Precision>(
@@ -72,13 +68,4 @@ pub(crate) fn functions(
             motion.push(#scalar::of(-2.0 * gradient), &bent);
         }
     }
-}
-
-/// The body of a function that replaces the coordinates of `part`: nothing is written before all is read.
-fn replacement(model: &Model, fields: &mut Fields, names: &Names, part: Part, placed: &[Placed]) -> TokenStream {
-    let program = schedule(&model.graph, placed, |graph, id| is_leaf(graph, &model.parameters, id));
-    let mut block = Block::new(model, names, &program, Dialect::Generic, &Frame::Motion);
-    let body = block.items(fields, &program.items);
-    let (open, close) = buffer(&model.shape, part, &block.printer, |place, value| quote!(#place = #value;));
-    quote!(#open #body #close)
 }

@@ -1,10 +1,9 @@
 //! In which form the flows of a Hamiltonian are written, for people.
 
-use super::{flow, pairs::ManyBody};
+use super::Flows;
 use crate::{
     differentiate::Contribution,
     emit::printer::{fields::Fields, names::Names},
-    graph::Part,
     model::Model,
     syntax::Input,
 };
@@ -58,14 +57,13 @@ pub(crate) fn forms(
     potential: &[Contribution],
 ) -> [Form; 2] {
     let (names, mut fields) = (Names::new(input), Fields::default());
-    if let Some(bodies) = ManyBody::of(model, &mut fields, &names) {
+    let Flows { drift, kick, many_body } = Flows::of(model, &mut fields, &names, kinetic, potential);
+    if let Some(bodies) = many_body {
         return [if bodies.is_row() { Form::Row } else { Form::Tiles }; 2];
     }
-    [(kinetic, Part::Momentum), (potential, Part::Position)].map(|(gradient, part)| {
-        match flow(model, &mut fields, &names, gradient, part).1 {
-            None => Form::Plain,
-            Some(sweep) if sweep.is_plane() => Form::Plane,
-            Some(_) => Form::Line,
-        }
+    [drift, kick].map(|flow| match flow.sweep {
+        None => Form::Plain,
+        Some(sweep) if sweep.is_plane() => Form::Plane,
+        Some(_) => Form::Line,
     })
 }

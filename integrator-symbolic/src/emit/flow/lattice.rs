@@ -1,20 +1,19 @@
 //! Flows of lattices as Rust: what each site computes from its neighbourhood, for the runtime to sweep along.
 
-use super::unwrapped;
 use crate::{
     differentiate::Contribution,
     emit::printer::{
-        block::Block,
-        expression::Dialect,
+        block::evaluate,
         fields::{Fields, is_leaf, lowered},
         frame::Frame,
-        function::Body,
+        function::{Body, Lines},
         names::Names,
+        sites::shares,
     },
     gather::{Direction, Gathered, gathered},
     graph::{Around, Part},
     model::Model,
-    program::{Placed, Sink, schedule},
+    program::{Placed, Sink},
 };
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{format_ident, quote};
@@ -47,7 +46,7 @@ pub(crate) fn sweep(
     for (share, value) in gathered.shares.iter_mut().zip(lowered(model, &values)) {
         share.value = value;
     }
-    let body = Body::new(shares(model, fields, names, &gathered));
+    let body = contributions(model, fields, names, &gathered).body(&names.wide);
     let flow = match part {
         Part::Momentum => format_ident!("Drift"),
         Part::Position => format_ident!("Kick"),
@@ -63,8 +62,22 @@ impl Sweep {
         quote!(motion.#method::<Self>(duration, time);)
     }
 
+    /// What the runtime calls at every site.
+    pub(super) fn implementation(
+        &self,
+        implementation: impl Fn(TokenStream, &TokenStream) -> TokenStream,
+        names: &Names,
+    ) -> TokenStream {
+        let (runtime, flow) = (&names.runtime, &self.flow);
+        let stencil = implementation(quote!(#runtime::Stencil<#runtime::#flow>), &self.items(names));
+        quote! {
+            /// What every site computes from its neighbourhood, for itself and for the sites further on.
+            #stencil
+        }
+    }
+
     /// The items of the runtime's `Stencil`.
-    pub(crate) fn items(&self, names: &Names) -> TokenStream {
+    fn items(&self, names: &Names) -> TokenStream {
         let (body, Names { runtime, scalar, wide, .. }) = (&self.body, names);
         let onward = self.gathered.onward();
         let count = Literal::usize_unsuffixed(self.gathered.places().len());
@@ -77,7 +90,7 @@ impl Sweep {
             }
         });
         let (window, parameters, time) = (body.argument("window"), body.argument("parameters"), body.argument("time"));
-        let (read, body) = (body.time(wide), &body.0);
+        let body = &body.0;
         quote! {
             type Contributions<#wide: ::core::marker::Copy> = [#wide; #count];
 
@@ -89,13 +102,8 @@ impl Sweep {
                 #window: &#runtime::Window<#scalar, #wide>,
                 #parameters: &Self::Parameters<#scalar>,
                 #time: f64,
-            ) -> [#wide; #count] { #read #body }
+            ) -> [#wide; #count] { #body }
         }
-    }
-
-    /// The type of the flow in the runtime.
-    pub(crate) fn name(&self) -> &Ident {
-        &self.flow
     }
 
     /// Whether it moves the sites of a plane.
@@ -149,16 +157,12 @@ pub(crate) fn parts(names: &Names) -> (TokenStream, TokenStream) {
 }
 
 /// The body of a function that returns what the sites of a lattice share out.
-fn shares(model: &Model, fields: &mut Fields, names: &Names, gathered: &Gathered) -> TokenStream {
-    let placed = placed(gathered);
-    let program = schedule(&model.graph, &placed, |graph, id| is_leaf(graph, &model.parameters, id));
-    let frame = Frame::Sites(gathered);
-    let mut block = Block::new(model, names, &program, Dialect::Generic, &frame);
+fn contributions(model: &Model, fields: &mut Fields, names: &Names, gathered: &Gathered) -> Lines {
     // The runtime goes from site to site.
-    let items = gathered.directions.iter().fold(program.items, |items, along| unwrapped(items, along.place));
-    let body = block.items(fields, &items);
-    let shares = block.printer.shares(gathered);
-    quote!(#body [#(#shares),*])
+    let sites: Vec<_> = gathered.directions.iter().map(|along| along.place).collect();
+    let lines = evaluate(model, fields, names, &Frame::Sites(gathered), &sites, &placed(gathered));
+    let shares = shares(gathered, names);
+    lines.map(|lines| quote!(#lines [#(#shares),*]))
 }
 
 /// Where the values of shares go.

@@ -15,52 +15,158 @@ pub(super) mod texts;
 use crate::{
     differentiate::{Contribution, folded},
     emit::printer::{
-        block::Block,
-        expression::{Dialect, Printer},
-        fields::{Fields, is_leaf, lowered},
+        block::{evaluate, value},
+        fields::{Fields, lowered},
         frame::Frame,
-        function::Body,
+        function::{Body, Lines},
         names::Names,
     },
-    graph::{Element, Node, NodeId, Part, index::LoopId},
+    graph::{Element, NodeId, Part},
     model::{Length, Model, Shape},
-    program::{Item, Placed, Sink, is_direct, is_protected, schedule},
+    program::{Placed, Sink, is_direct, is_protected},
 };
 use lattice::Sweep;
+use pairs::ManyBody;
 use proc_macro2::TokenStream;
 use quote::quote;
 
-/// The body of a flow: each component of the gradient moves its coordinate.
-///
-/// Where all sites of a lattice take part alike, the runtime sweeps along them. Where every coordinate gets one
-/// contribution, it is updated on the spot; else contributions are collected first.
-pub(crate) fn flow(
-    model: &mut Model,
-    fields: &mut Fields,
-    names: &Names,
-    gradient: &[Contribution],
-    part: Part,
-) -> (TokenStream, Option<Sweep>) {
-    if gradient.is_empty() {
-        return (TokenStream::new(), None);
+/// The flows of `T` and of `V`.
+pub(crate) struct Flows {
+    drift: Flow,
+    kick: Flow,
+    /// What they consist of, where bodies act on each other in pairs.
+    many_body: Option<ManyBody>,
+}
+
+impl Flows {
+    /// Those along the gradients of `T` and of `V`.
+    pub(crate) fn of(
+        model: &mut Model,
+        fields: &mut Fields,
+        names: &Names,
+        kinetic: &[Contribution],
+        potential: &[Contribution],
+    ) -> Self {
+        let many_body = ManyBody::of(model, fields, names);
+        let mut flow = |gradient: &[Contribution], part| match many_body {
+            Some(_) => Flow { body: ManyBody::flow(part), ..Flow::default() },
+            None => Flow::of(model, fields, names, gradient, part),
+        };
+        let (drift, kick) = (flow(kinetic, Part::Momentum), flow(potential, Part::Position));
+        Self { drift, kick, many_body }
     }
-    let folded = folded(&mut model.graph, gradient);
-    // What is moved behind a condition that it is there is not moved by a choice of zero elsewhere.
-    let apart = gradient.iter().any(|contribution| is_protected(&mut model.graph, contribution));
-    if !apart && let Some(sweep) = lattice::sweep(model, fields, names, &folded, part) {
-        return (sweep.flow(), Some(sweep));
+
+    /// Whether bodies act on each other in pairs.
+    pub(crate) fn are_of_bodies(&self) -> bool {
+        self.many_body.is_some()
     }
-    let direct = !apart && is_direct(&model.graph.loops, &folded);
-    let gradient = if direct { &folded[..] } else { gradient };
-    let placed = placed(model, gradient, if direct { Sink::Update } else { Sink::Collect });
-    let scalar = &names.scalar;
-    let body = Body::new(updates(model, fields, names, &placed));
-    let (read, body) = (body.time(scalar), &body.0);
-    let duration = match part {
-        Part::Momentum => quote!(duration),
-        Part::Position => quote!(-duration),
-    };
-    (quote!(#read let step = #scalar::of(#duration); #body), None)
+
+    /// The layout of the motion.
+    pub(crate) fn motion(&self, parameters: &TokenStream, names: &Names) -> TokenStream {
+        let Names { runtime, scalar, leaf, .. } = names;
+        match &self.many_body {
+            Some(many_body) => many_body.motion(parameters, names),
+            None => quote!(#runtime::Plain<#scalar, #runtime::Shaped<Self, #leaf>, #parameters>),
+        }
+    }
+
+    /// The items that tell the runtime of their form: constants, and the functions that move a lattice segment by
+    /// segment.
+    pub(crate) fn layout(&self, names: &Names) -> (TokenStream, Option<TokenStream>) {
+        let Self { drift, kick, many_body } = self;
+        let roots = drift.divides_by_root_cubed || kick.divides_by_root_cubed;
+        let wide = (kick.sweep.is_some() || many_body.is_some() || roots).then(|| {
+            quote!(
+                const WIDE: bool = true;
+            )
+        });
+        let is_line = |flow: &Flow| flow.sweep.as_ref().is_some_and(|sweep| !sweep.is_plane());
+        let (radii, sites) = (is_line(drift) && is_line(kick)).then(|| lattice::parts(names)).unzip();
+        (quote!(#wide #radii), sites)
+    }
+
+    /// The functions `drift` and `kick`.
+    pub(crate) fn functions(&self, names: &Names) -> TokenStream {
+        let [drift, kick] =
+            [("drift", &self.drift), ("kick", &self.kick)].map(|(name, flow)| flow.body.flow(name, names));
+        quote!(#drift #kick)
+    }
+
+    /// The function that returns an energy.
+    pub(crate) fn energy(
+        &self,
+        model: &mut Model,
+        fields: &mut Fields,
+        names: &Names,
+        name: &str,
+        energy: NodeId,
+    ) -> TokenStream {
+        let energy = lowered(model, &[energy])[0];
+        // Bodies side by side are taken apart for what is seldom asked.
+        let plain = self.many_body.as_ref().map(|_| quote!(let motion = &motion.plain::<Self::Coords>();));
+        let lines = value(model, fields, names, &Frame::Motion, energy);
+        lines.map(|energy| quote!(#plain #energy)).body(&names.scalar).energy(name, names)
+    }
+
+    /// What bodies in pairs implement of the runtime, on themselves and on their prepared constants.
+    pub(crate) fn of_bodies(
+        &self,
+        implementation: impl Fn(TokenStream, &TokenStream) -> TokenStream,
+        parameters: &TokenStream,
+        names: &Names,
+    ) -> Option<TokenStream> {
+        Some(self.many_body.as_ref()?.implementations(implementation, parameters, names))
+    }
+
+    /// What a lattice implements of the runtime.
+    pub(crate) fn of_lattice(
+        &self,
+        implementation: impl Fn(TokenStream, &TokenStream) -> TokenStream,
+        names: &Names,
+    ) -> TokenStream {
+        let sweeps = [&self.drift, &self.kick].into_iter().filter_map(|flow| flow.sweep.as_ref());
+        sweeps.map(|sweep| sweep.implementation(&implementation, names)).collect()
+    }
+}
+
+/// A flow: the body of its function, and how it goes about its coordinates.
+#[derive(Default)]
+pub(crate) struct Flow {
+    body: Body,
+    /// Where all sites of a lattice take part alike, what the runtime sweeps along them.
+    sweep: Option<Sweep>,
+    divides_by_root_cubed: bool,
+}
+
+impl Flow {
+    /// Each component of the gradient moves its coordinate: on the spot where every coordinate gets one contribution;
+    /// else contributions are collected first.
+    fn of(model: &mut Model, fields: &mut Fields, names: &Names, gradient: &[Contribution], part: Part) -> Self {
+        if gradient.is_empty() {
+            return Self::default();
+        }
+        let folded = folded(&mut model.graph, gradient);
+        // What is moved behind a condition that it is there is not moved by a choice of zero elsewhere.
+        let apart = gradient.iter().any(|contribution| is_protected(&mut model.graph, contribution));
+        if !apart && let Some(sweep) = lattice::sweep(model, fields, names, &folded, part) {
+            return Self { body: Body::new(sweep.flow()), sweep: Some(sweep), divides_by_root_cubed: false };
+        }
+        let lines = if !apart && is_direct(&model.graph.loops, &folded) {
+            let placed = placed(model, &folded, Sink::Update);
+            evaluate(model, fields, names, &Frame::Motion, &[], &placed)
+        } else {
+            let placed = placed(model, gradient, Sink::Collect);
+            let apply = |place, value| quote!(#place.fma(step, #value););
+            collected(model, fields, names, part.other(), &placed, apply)
+        };
+        let duration = match part {
+            Part::Momentum => quote!(duration),
+            Part::Position => quote!(-duration),
+        };
+        let (scalar, divides_by_root_cubed) = (&names.scalar, lines.program.divides_by_root_cubed);
+        let body = lines.map(|lines| quote!(let step = #scalar::of(#duration); #lines)).body(scalar);
+        Self { body, sweep: None, divides_by_root_cubed }
+    }
 }
 
 /// Where the components of a gradient go; what updates a coordinate is multiplied by the step.
@@ -86,46 +192,17 @@ pub(crate) fn placed(model: &mut Model, gradient: &[Contribution], sink: fn(Elem
     placed.collect()
 }
 
-/// The body of a function that returns `root`, which is lowered.
-pub(crate) fn value(model: &Model, fields: &mut Fields, names: &Names, root: NodeId, dialect: Dialect) -> TokenStream {
-    let placed = [Placed { context: Vec::new(), sink: Sink::Return, value: root }];
-    let program = match dialect {
-        Dialect::Generic => schedule(&model.graph, &placed, |graph, id| is_leaf(graph, &model.parameters, id)),
-        Dialect::Single => schedule(&model.graph, &placed, |graph, id| {
-            matches!(graph.node(id), Node::Constant(_) | Node::FromIndex(_) | Node::Parameter(_))
-        }),
-    };
-    let body = Block::new(model, names, &program, dialect, &Frame::Motion).items(fields, &program.items);
-    match dialect {
-        Dialect::Generic => body,
-        Dialect::Single if program.items.len() > 1 => quote!({ #body }),
-        Dialect::Single => body,
-    }
-}
-
-/// The body of a flow: the lowered updates of the coordinates, each in its loops.
-fn updates(model: &Model, fields: &mut Fields, names: &Names, placed: &[Placed]) -> TokenStream {
-    let program = schedule(&model.graph, placed, |graph, id| is_leaf(graph, &model.parameters, id));
-    let mut block = Block::new(model, names, &program, Dialect::Generic, &Frame::Motion);
-    let body = block.items(fields, &program.items);
-    let Some(element) = placed.iter().find_map(|placed| match placed.sink {
-        Sink::Collect(element) => Some(element),
-        _ => None,
-    }) else {
-        return body;
-    };
-    let (open, close) =
-        buffer(&model.shape, element.part, &block.printer, |place, value| quote!(#place.fma(step, #value);));
-    quote!(#open #body #close)
-}
-
-/// The lines of a block, with those of a loop in its place.
-fn unwrapped(items: Vec<Item>, around: LoopId) -> Vec<Item> {
-    let lines = items.into_iter().flat_map(|item| match item {
-        Item::Loop { by, body } if by == around => body,
-        other => vec![other],
-    });
-    lines.collect()
+/// The lines that collect a gradient in a buffer and apply it to the coordinates of `part`.
+fn collected(
+    model: &Model,
+    fields: &mut Fields,
+    names: &Names,
+    part: Part,
+    placed: &[Placed],
+    apply: impl Fn(TokenStream, TokenStream) -> TokenStream,
+) -> Lines {
+    let (open, close) = buffer(&model.shape, part, names, apply);
+    evaluate(model, fields, names, &Frame::Motion, &[], placed).map(|lines| quote!(#open #lines #close))
 }
 
 /// The most elements that a buffer has on the stack; a longer one, or one of a length known at run time, is on the heap.
@@ -135,10 +212,11 @@ const SMALL: u64 = 4096;
 fn buffer(
     shape: &Shape,
     part: Part,
-    printer: &Printer<'_>,
+    names: &Names,
     apply: impl Fn(TokenStream, TokenStream) -> TokenStream,
 ) -> (TokenStream, TokenStream) {
-    let (zero, runtime) = (printer.lifted(quote!(0.0)), printer.runtime);
+    let Names { runtime, scalar, .. } = names;
+    let zero = quote!(#scalar::of(0.0));
     let coordinates = match part {
         Part::Position => quote!(q),
         Part::Momentum => quote!(p),

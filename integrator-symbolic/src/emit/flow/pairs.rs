@@ -7,7 +7,11 @@ use super::{
 };
 use crate::{
     differentiate::{Contribution, folded},
-    emit::printer::{fields::Fields, function::Body, names::Names},
+    emit::printer::{
+        fields::Fields,
+        function::{Body, Lines},
+        names::Names,
+    },
     graph::{Around, NodeId, Part, index::LoopId},
     model::Model,
     pairs::{Pairs, one_by_one, pairs, pull},
@@ -97,11 +101,11 @@ impl ManyBody {
     }
 
     /// The flow that moves the other part, whose loops over bodies are the runtime's.
-    pub(crate) fn flow(part: Part) -> TokenStream {
-        match part {
+    pub(crate) fn flow(part: Part) -> Body {
+        Body::new(match part {
             Part::Momentum => quote!(motion.drift::<Self>(duration, time);),
             Part::Position => quote!(motion.kick::<Self>(duration, time);),
-        }
+        })
     }
 
     /// The layout of the motion.
@@ -116,8 +120,8 @@ impl ManyBody {
 
     /// The implementations of what the runtime asks of the system and of its prepared constants.
     pub(crate) fn implementations(
-        self,
-        implementation: impl Fn(TokenStream, TokenStream) -> TokenStream,
+        &self,
+        implementation: impl Fn(TokenStream, &TokenStream) -> TokenStream,
         parameters: &TokenStream,
         names: &Names,
     ) -> TokenStream {
@@ -154,7 +158,7 @@ impl Writer<'_> {
     /// What the flow of `T` does to a body.
     fn drift(&mut self, drift: &OfBodies) -> TokenStream {
         let [q, p, of] = ["q", "p", "constants"].map(|what| OfBodies::named(what, self.model, self.constants.bodies));
-        let body = Body::new(drift.body(self.model, self.fields, self.names, self.constants));
+        let body = self.lines(drift);
         let (Names { runtime, wide, leaf, .. }, [d, s]) = (self.names, self.sizes);
         let generics = quote!(#leaf: #runtime::Slot<#wide>);
         let arguments = quote!(#q: &mut [#leaf; #d], #p: [#wide; #d], #of: [#wide; #s], step: #wide);
@@ -165,8 +169,7 @@ impl Writer<'_> {
     /// multiplied by.
     fn pair(&mut self, pair: &OfBodies, central: bool, of: [LoopId; 2]) -> TokenStream {
         let body = if central {
-            let pull = pair.body(self.model, self.fields, self.names, self.constants);
-            Body::new(quote!(let radial = { #pull }; [radial]))
+            self.lines(pair).map(|pull| quote!(let radial = { #pull }; [radial]))
         } else {
             self.gradient(pair, quote!(gradient))
         };
@@ -176,9 +179,9 @@ impl Writer<'_> {
 
     /// Whether a condition holds for a pair.
     fn acts(&mut self, condition: &OfBodies, holds: bool, of: [LoopId; 2]) -> TokenStream {
-        let condition = condition.body(self.model, self.fields, self.names, self.constants);
         let negated = (!holds).then(|| quote!(.not()));
-        let body = Body::new(quote!(let interacting = { #condition }; interacting #negated.any()));
+        let body =
+            self.lines(condition).map(|condition| quote!(let interacting = { #condition }; interacting #negated.any()));
         self.function("interacts", TokenStream::new(), self.two_bodies(of), Some(quote!(bool)), body)
     }
 
@@ -200,6 +203,10 @@ impl Writer<'_> {
         self.function("one_body", TokenStream::new(), arguments, Some(result), body)
     }
 
+    fn lines(&mut self, of: &OfBodies) -> Lines {
+        of.lines(self.model, self.fields, self.names, self.constants)
+    }
+
     /// A function of bodies side by side.
     fn function(
         &self,
@@ -207,30 +214,31 @@ impl Writer<'_> {
         generics: TokenStream,
         arguments: TokenStream,
         result: Option<TokenStream>,
-        body: Body,
+        lines: Lines,
     ) -> TokenStream {
         let Names { runtime, scalar, wide, .. } = self.names;
         let (name, result) = (format_ident!("{name}"), result.map(|result| quote!(-> #result)));
-        let (time, parameters, read) = (body.argument("time"), body.argument("parameters"), body.time(wide));
-        let body = body.0;
+        let body = lines.body(wide);
+        let (time, parameters, body) = (body.argument("time"), body.argument("parameters"), &body.0);
         quote! {
             #[inline(always)]
             fn #name<#scalar: #runtime::Real, #wide: #runtime::Row<#scalar>, #generics>(
                 #parameters: &Self::Parameters<#scalar>,
                 #arguments,
                 #time: f64,
-            ) #result { #read #body }
+            ) #result { #body }
         }
     }
 
     /// The components of a gradient as an array, and what is returned of it.
-    fn gradient(&mut self, of: &OfBodies, result: TokenStream) -> Body {
-        let body = of.body(self.model, self.fields, self.names, self.constants);
+    fn gradient(&mut self, of: &OfBodies, result: TokenStream) -> Lines {
         let (wide, d) = (&self.names.wide, &self.sizes[0]);
-        Body::new(quote! {
-            let mut gradient = [#wide::of(0.0); #d];
-            #body
-            #result
+        self.lines(of).map(|lines| {
+            quote! {
+                let mut gradient = [#wide::of(0.0); #d];
+                #lines
+                #result
+            }
         })
     }
 

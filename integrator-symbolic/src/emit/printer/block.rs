@@ -4,20 +4,44 @@ use super::{
     expression::{Dialect, Printer},
     fields::Fields,
     frame::Frame,
+    function::Lines,
     names::Names,
 };
 use crate::{
-    graph::{Element, Graph, Node, NodeId, Part, index::Index},
+    graph::{
+        Element, Graph, Node, NodeId, Part,
+        index::{Index, LoopId},
+    },
     model::Model,
-    program::{Item, Program, Sink},
+    program::{Item, Placed, Program, Sink, schedule},
 };
 use proc_macro2::{Ident, TokenStream};
 use quote::{ToTokens, format_ident, quote};
 use std::collections::{BTreeSet, HashMap};
 
+/// The lines that evaluate values and put them where they go, but for the loops over `outer`, which the caller runs.
+pub(crate) fn evaluate(
+    model: &Model,
+    fields: &mut Fields,
+    names: &Names,
+    frame: &Frame<'_>,
+    outer: &[LoopId],
+    placed: &[Placed],
+) -> Lines {
+    let program = schedule(&model.graph, placed, |_, id| frame.is_leaf(model, id)).within(outer);
+    let printer = Printer::new(model, names, &program, frame);
+    let mut block = Block { printer, masks: Vec::new(), begun: HashMap::new() };
+    Lines { tokens: block.items(fields, &program.items), program }
+}
+
+/// The line or lines that evaluate `root`, which is lowered.
+pub(crate) fn value(model: &Model, fields: &mut Fields, names: &Names, frame: &Frame<'_>, root: NodeId) -> Lines {
+    evaluate(model, fields, names, frame, &[], &[Placed { context: Vec::new(), sink: Sink::Return, value: root }])
+}
+
 /// A block being printed.
-pub(crate) struct Block<'m> {
-    pub(crate) printer: Printer<'m>,
+struct Block<'m> {
+    printer: Printer<'m>,
     /// The conditions around the present line, as masks, outermost first.
     masks: Vec<TokenStream>,
     /// How many conditions were around the beginning of a sum or a choice.
@@ -26,18 +50,12 @@ pub(crate) struct Block<'m> {
 
 impl<'m> Printer<'m> {
     /// What prints the expressions of a program.
-    pub(crate) fn new(
-        model: &'m Model,
-        reserved: &'m Names,
-        program: &Program,
-        dialect: Dialect,
-        frame: &'m Frame,
-    ) -> Self {
+    pub(crate) fn new(model: &'m Model, reserved: &'m Names, program: &Program, frame: &'m Frame) -> Self {
         Self {
             graph: &model.graph,
             parameters: &model.parameters,
             running: &model.running,
-            dialect,
+            dialect: frame.dialect(),
             names: names(&model.graph, model, &program.named),
             scalar: frame.scalar(reserved),
             runtime: &reserved.runtime,
@@ -48,19 +66,8 @@ impl<'m> Printer<'m> {
     }
 }
 
-impl<'m> Block<'m> {
-    pub(crate) fn new(
-        model: &'m Model,
-        reserved: &'m Names,
-        program: &Program,
-        dialect: Dialect,
-        frame: &'m Frame,
-    ) -> Self {
-        let printer = Printer::new(model, reserved, program, dialect, frame);
-        Self { printer, masks: Vec::new(), begun: HashMap::new() }
-    }
-
-    pub(crate) fn items(&mut self, fields: &mut Fields, items: &[Item]) -> TokenStream {
+impl Block<'_> {
+    fn items(&mut self, fields: &mut Fields, items: &[Item]) -> TokenStream {
         items.iter().map(|item| self.item(fields, item)).collect()
     }
 

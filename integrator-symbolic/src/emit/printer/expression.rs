@@ -12,6 +12,7 @@ use crate::{
         index::{LoopId, LoopSet},
     },
     model::{Method, Parameter, integer::number_literal},
+    program::root_cubed,
     syntax::Functions,
 };
 use proc_macro2::{Ident, TokenStream, TokenTree};
@@ -133,7 +134,10 @@ impl Printer<'_> {
                 let (a, b) = (a.at_least(Binding::Product), b.at_least(Binding::Sign));
                 Printed::new(Binding::Product, quote!(#a * #b))
             }
-            Node::Div(a, b) if let Some(base) = self.root_cubed(b) => {
+            Node::Div(a, b)
+                if self.dialect == Dialect::Generic
+                    && let Some(base) = root_cubed(self.graph, b, |id| self.names.contains_key(&id)) =>
+            {
                 let a = self.expression(fields, a).at_least(Binding::Atom);
                 let base = self.expression(fields, base).tokens;
                 Printed::new(Binding::Atom, quote!(#a.div_pow_3_2(#base)))
@@ -157,13 +161,6 @@ impl Printer<'_> {
             Node::Sum(_, body) | Node::Select(_, body, _) => self.expression(fields, body),
             condition => Printed::new(Binding::Atom, self.condition(fields, condition)),
         }
-    }
-
-    /// The base of `x sqrt(x)`, where a flow divides by that and reads neither the product nor the root elsewhere.
-    fn root_cubed(&self, divisor: NodeId) -> Option<NodeId> {
-        let Node::Mul(base, root) = self.graph.node(divisor) else { return None };
-        let inline = self.dialect == Dialect::Generic && ![divisor, root].iter().any(|id| self.names.contains_key(id));
-        (inline && self.graph.node(root) == Node::Power(base, 1)).then_some(base)
     }
 
     /// An `f64` as a number that flows compute in.
@@ -300,7 +297,7 @@ impl Printer<'_> {
     fn coordinate(&self, fields: &mut Fields, element: Element) -> TokenStream {
         let place = |fields| self.place(fields, element);
         match self.frame {
-            Frame::Motion => {
+            Frame::System | Frame::Motion => {
                 let place = place(fields);
                 quote!(#place.value())
             }
@@ -313,7 +310,7 @@ impl Printer<'_> {
     pub(crate) fn place(&self, fields: &mut Fields, element: Element) -> TokenStream {
         let part = self.part(element);
         match self.frame {
-            Frame::Motion | Frame::Sites(_) => {
+            Frame::System | Frame::Motion | Frame::Sites(_) => {
                 let at = self.at(fields, element);
                 quote!(motion.#part #at)
             }

@@ -1,12 +1,18 @@
 //! Where a generated function finds coordinates and prepared constants.
 
-use super::{expression::Printer, fields::Fields, names::Names, places::Places};
+use super::{
+    expression::{Dialect, Printer},
+    fields::{Fields, is_leaf},
+    names::Names,
+    places::Places,
+};
 use crate::{
     gather::Gathered,
     graph::{
-        Graph, NodeId,
+        Graph, Node, NodeId,
         index::{Index, IndexId, LoopId, LoopSet},
     },
+    model::Model,
 };
 use proc_macro2::{Ident, TokenStream};
 use quote::{ToTokens, format_ident, quote};
@@ -14,6 +20,8 @@ use std::collections::HashMap;
 
 /// Where a function finds what it reads.
 pub(crate) enum Frame<'m> {
+    /// In the user's own fields, as `f64`: where constants are prepared.
+    System,
     /// In the motion.
     Motion,
     /// In the neighbourhood of sites of a lattice, which is an argument.
@@ -36,15 +44,29 @@ impl Frame<'_> {
     /// What is computed in.
     pub(crate) fn scalar<'n>(&self, names: &'n Names) -> &'n Ident {
         match self {
-            Frame::Motion | Frame::Series { .. } => &names.scalar,
+            Frame::System | Frame::Motion | Frame::Series { .. } => &names.scalar,
             Frame::Sites(_) | Frame::Bodies(_) => &names.wide,
+        }
+    }
+
+    /// What numbers are computed in.
+    pub(super) fn dialect(&self) -> Dialect {
+        if matches!(self, Frame::System) { Dialect::Single } else { Dialect::Generic }
+    }
+
+    /// Whether a node is read rather than computed.
+    pub(super) fn is_leaf(&self, model: &Model, id: NodeId) -> bool {
+        match (self, model.graph.node(id)) {
+            (Frame::System, node) => matches!(node, Node::Constant(_) | Node::FromIndex(_) | Node::Parameter(_)),
+            (Frame::Bodies(_), Node::Coordinate(_)) => true,
+            _ => is_leaf(&model.graph, &model.parameters, id),
         }
     }
 
     /// Whether an integer of these loops' indices is read as a prepared number.
     pub(crate) fn has_prepared_index(&self, loops: LoopSet) -> bool {
         match self {
-            Frame::Motion | Frame::Series { .. } => false,
+            Frame::System | Frame::Motion | Frame::Series { .. } => false,
             Frame::Sites(_) => !loops.is_empty(),
             Frame::Bodies(_) => true,
         }
@@ -74,7 +96,7 @@ impl Printer<'_> {
     /// A field of the prepared constants as a number of the flow, for the present iterations of the loops.
     pub(crate) fn shared(&self, name: Ident, loops: LoopSet) -> TokenStream {
         match self.frame {
-            Frame::Motion | Frame::Series { .. } => self.prepared(name, loops),
+            Frame::System | Frame::Motion | Frame::Series { .. } => self.prepared(name, loops),
             Frame::Sites(lattice) => self.spread(lattice, name, loops),
             Frame::Bodies(_) => {
                 let (scalar, field) = (self.scalar, self.prepared(name, loops));
@@ -90,7 +112,7 @@ impl Printer<'_> {
             quote!([#index])
         });
         match self.frame {
-            Frame::Motion => quote!(motion.parameters.#name #(#at)*),
+            Frame::System | Frame::Motion => quote!(motion.parameters.#name #(#at)*),
             Frame::Sites(_) | Frame::Bodies(_) | Frame::Series { .. } => quote!(parameters.#name #(#at)*),
         }
     }

@@ -1,10 +1,32 @@
 //! The heads of generated functions: arguments that a body does not read are written with an underscore.
 
 use super::names::Names;
+use crate::program::Program;
 use proc_macro2::{Ident, Span, TokenStream};
 use quote::quote;
 
+/// The lines of a function, and the program that they are printed from.
+#[derive(Default)]
+pub(crate) struct Lines {
+    pub(crate) tokens: TokenStream,
+    pub(crate) program: Program,
+}
+
+impl Lines {
+    /// The same lines with others around them.
+    pub(crate) fn map(self, around: impl FnOnce(TokenStream) -> TokenStream) -> Self {
+        Self { tokens: around(self.tokens), ..self }
+    }
+
+    /// The body that they are, behind the explicit time as a number where it is read.
+    pub(crate) fn body(self, scalar: &Ident) -> Body {
+        let (lines, read) = (self.tokens, self.program.reads_time.then(|| quote!(let time = #scalar::of(time);)));
+        Body(quote!(#read #lines))
+    }
+}
+
 /// The body of a generated function.
+#[derive(Default)]
 pub(crate) struct Body(pub(crate) TokenStream);
 
 impl Body {
@@ -29,11 +51,6 @@ impl Body {
         Ident::new(&format!("{underscore}{name}"), Span::call_site())
     }
 
-    /// The explicit time as a number of the flow, where it is read.
-    pub(crate) fn time(&self, scalar: &Ident) -> Option<TokenStream> {
-        self.mentions("time").then(|| quote!(let time = #scalar::of(time);))
-    }
-
     pub(crate) fn flow(&self, name: &str, names: &Names) -> TokenStream {
         let (name, body) = (Ident::new(name, Span::call_site()), &self.0);
         let Names { runtime, scalar, leaf, .. } = names;
@@ -45,12 +62,12 @@ impl Body {
     }
 
     pub(crate) fn energy(&self, name: &str, names: &Names) -> TokenStream {
-        let (name, body, read) = (Ident::new(name, Span::call_site()), &self.0, self.time(&names.scalar));
+        let (name, body) = (Ident::new(name, Span::call_site()), &self.0);
         let Names { runtime, scalar, leaf, .. } = names;
         let (motion, time) = (self.argument("motion"), self.argument("time"));
         quote! {
             #[inline(always)]
-            fn #name<#scalar: #runtime::Real, #leaf: #runtime::Precision>(#motion: &Self::Motion<#scalar, #leaf>, #time: f64) -> #scalar { #read #body }
+            fn #name<#scalar: #runtime::Real, #leaf: #runtime::Precision>(#motion: &Self::Motion<#scalar, #leaf>, #time: f64) -> #scalar { #body }
         }
     }
 }

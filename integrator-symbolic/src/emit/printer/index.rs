@@ -61,7 +61,7 @@ impl Printer<'_> {
             quote!([#component])
         });
         match self.frame {
-            Frame::Motion | Frame::Sites(_) | Frame::Series { .. } => {
+            Frame::System | Frame::Motion | Frame::Sites(_) | Frame::Series { .. } => {
                 let index = self.index(fields, element.index);
                 quote!([#index] #component)
             }

@@ -1,6 +1,6 @@
 //! What the sites of a lattice read of their neighbourhood, and what they share out.
 
-use super::{expression::Printer, fields::Fields, frame::Frame};
+use super::{expression::Printer, fields::Fields, frame::Frame, names::Names};
 use crate::{
     gather::{Extent, Gathered},
     graph::{
@@ -82,13 +82,14 @@ impl Printer<'_> {
         }
         if begun { quote!(let #name = #name + #value;) } else { quote!(let #name = #value;) }
     }
+}
 
-    /// All shares in order, with zero for those that no site has.
-    pub(crate) fn shares(&self, lattice: &Gathered) -> Vec<TokenStream> {
-        let named = |onward: &Vec<usize>| match lattice.shares.iter().any(|share| share.onward() == *onward) {
-            true => share(onward).to_token_stream(),
-            false => self.lifted(quote!(0.0)),
-        };
-        lattice.places().iter().map(named).collect()
-    }
+/// All shares of a lattice in order, with zero for those that no site has.
+pub(crate) fn shares(lattice: &Gathered, names: &Names) -> Vec<TokenStream> {
+    let wide = &names.wide;
+    let named = |onward: &Vec<usize>| match lattice.shares.iter().any(|share| share.onward() == *onward) {
+        true => share(onward).to_token_stream(),
+        false => quote!(#wide::of(0.0)),
+    };
+    lattice.places().iter().map(named).collect()
 }

@@ -16,7 +16,7 @@ use super::{
 use crate::{
     differentiate::Contribution,
     emit::printer::{
-        expression::{Dialect, Printer},
+        expression::Printer,
         fields::{Fields, is_leaf},
         frame::Frame,
         function::Body,
@@ -166,7 +166,7 @@ impl<'m> Writer<'m> {
         let Source { model, names, program, frame, .. } = source;
         Self {
             source,
-            printer: Printer::new(model, names, program, Dialect::Generic, frame),
+            printer: Printer::new(model, names, program, frame),
             masks: Vec::new(),
             records: vec![record],
             within: vec![0],
