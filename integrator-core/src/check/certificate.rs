@@ -1,9 +1,9 @@
-//! What was measured, and how it reads.
+//! Certificates: what was measured, as data and as text.
 
 use crate::check::property::{energy::EnergyDrift, order::Order, stability::Stability, stated::Agreement};
 use std::fmt;
 
-/// What was measured of one composition on one system, with one start and one step.
+/// The measurements of one composition on one system, with one start and one step.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct Certificate {
@@ -21,33 +21,34 @@ pub struct Certificate {
     pub symmetric: bool,
     /// Whether the Hamiltonian does not read the time; only then is there an energy to conserve.
     pub autonomous: bool,
-    /// How far one step is from symplectic: [`symplectic_defect`](crate::check::symplectic_defect).
+    /// The symplectic defect of one step: [`symplectic_defect`](crate::check::symplectic_defect).
     pub symplectic_defect: f64,
     /// The slope of [`observed_order`](crate::check::observed_order), NaN where none could be measured.
     pub observed_order: f64,
     /// The range and the scatter of that slope.
     pub order: Option<Order>,
-    /// Until when the order was found to hold along the orbit, piece by piece; NaN where that could not be measured.
+    /// The time up to which the order holds along the orbit, piece by piece; NaN where that could not be measured.
     pub order_until: f64,
-    /// How far a run forward and back ends from its start: [`reversibility`](crate::check::reversibility()) over the
-    /// span of [`Certificate::order`], in its coarsest steps or in [`Certificate::step`] if that is longer.
+    /// The distance from its start at which a run forward and back ends:
+    /// [`reversibility`](crate::check::reversibility()) over the span of [`Certificate::order`], in its coarsest steps
+    /// or in [`Certificate::step`] if that is longer.
     pub reversibility: f64,
-    /// What became of the energy: [`energy_drift`](crate::check::energy_drift) over 8192 steps, longer ones where so
+    /// The drift of the energy: [`energy_drift`](crate::check::energy_drift) over 8192 steps, longer ones where so
     /// many are too short to tell a trend from the flank of an oscillation. Nothing for a Hamiltonian that reads the
     /// time.
     pub energy_drift: Option<EnergyDrift>,
     /// The same over as long a time in steps of half the length; nothing where rounding explains the deviation.
     pub finer_energy_drift: Option<EnergyDrift>,
-    /// How far the flows are from the gradients of the energies: the largest
+    /// The error of the flows as gradients of the energies: the largest
     /// [`gradient_error`](crate::check::gradient_error) along the path.
     pub gradient_error: f64,
-    /// How often the generated code was held against the user's own functions, at the start and along the path, and agreed.
-    /// Nothing where it does not, or where no comparison could be made.
+    /// The number of comparisons with the user's own functions, at the start and along the path, in which the generated
+    /// code agreed. `None` where it does not, or where no comparison could be made.
     pub agreement: Option<Agreement>,
-    /// How near the step is to the one at which the composition becomes unstable. A warning at most: no certificate is
-    /// refused for it.
+    /// The distance of the step from the one at which the composition becomes unstable. A warning at most: no
+    /// certificate is refused for it.
     pub stability: Option<Stability>,
-    /// What rounding explains.
+    /// The errors that rounding explains.
     pub tolerances: Tolerances,
 }
 
@@ -63,7 +64,7 @@ pub struct Tolerances {
     pub gradient_error: f64,
 }
 
-/// What was measured, a line for each; what could not be measured has none.
+/// One line for each measurement that could be made.
 impl fmt::Display for Certificate {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "{} on {}, h = {}", self.composition, self.system, self.step)?;

@@ -1,4 +1,4 @@
-//! All checks in one: a stepper is certified, or it is told what it falls short of.
+//! Certification: all checks in one, with a certificate or the shortfalls as the result.
 
 use crate::{
     check::{
@@ -28,17 +28,18 @@ use crate::{
     trajectory::method::Method,
 };
 
-/// How many steps a round trip takes each way at least.
+/// The smallest number of steps of a round trip each way.
 const ROUND_TRIP: u64 = 16;
 
-/// How many steps the energy is followed for.
+/// The number of steps over which the energy is followed.
 const ENERGY_STEPS: u64 = 8192;
 
-/// In how many units the time that four steps follow to a tenth is divided at least, where the order is looked for.
+/// The smallest number of units, where the order is searched for, in the time that four steps follow to a tenth.
 /// Their halves are the coarsest steps.
 const FOLLOWING: f64 = 3.0;
 
-/// How many pieces of an orbit are looked at: all that there are, unless steps follow the motion by a fortieth only.
+/// The largest number of pieces of an orbit that are examined: all of them, unless steps follow the motion by a
+/// fortieth only.
 const MOST_PIECES: u64 = 4096;
 
 /// The time over which gradients are taken, in steps, where no order tells a better one.
@@ -50,10 +51,10 @@ const GRADIENT_SPAN: f64 = 64.0;
 /// A certificate says that one step of size `h` from `start` is symplectic, that errors fall with the claimed order,
 /// that a composition that claims symmetry runs back to where it began, that the energy stays (unless `H` reads the
 /// time), that the flows belong to the energies, and that both are what the user's own functions say. Each is judged by
-/// a bound that follows from the rounding of the scalar, the energy by the share of its deviation that is a trend, and
-/// derivatives of the user's functions by what their differences are known to. Beside these it warns of a step that is
-/// half as long as the composition bears, or longer. Small systems take milliseconds; the work grows with the number of
-/// coordinates times that of the forces.
+/// a bound that follows from the rounding of the scalar, the energy by the fraction of its deviation that is a trend,
+/// and derivatives of the user's functions by what their differences are known to. Beside these it warns of a step that
+/// is half as long as the composition bears, or longer. Small systems take milliseconds; the work grows with the number
+/// of coordinates times that of the forces.
 ///
 /// # Errors
 /// [`CertifyError::Run`] for a start or a step that no run would begin with; [`CertifyError::Refused`] with everything
@@ -95,7 +96,7 @@ pub fn certify<H: Hamiltonian, X: Method<H>, K: Precision>(
     certificate(&Subject { measured: &measured, start: flat_start(&begun), h })
 }
 
-/// The certificate of what is measured.
+/// The certificate of a subject.
 fn certificate(subject: &Subject<'_>) -> Result<Certificate, CertifyError> {
     let facts = subject.measured.stepper().facts();
     let autonomous = subject.measured.stepper().autonomous();
@@ -113,9 +114,9 @@ fn certificate(subject: &Subject<'_>) -> Result<Certificate, CertifyError> {
         (!order.reaches(claimed)).then_some(Shortfall::Order { observed, claimed })
     });
     let held = order.is_some_and(|order| order.reaches(facts.order));
-    // Where no order could be measured, the reason has been told.
-    let course = order.map(|order| subject.course(order.followed));
-    // An order that shows nowhere is not lost, and has been told too.
+    // Where no order could be measured, the reason is reported already.
+    let course = order.map(|order| subject.order_along_orbit(order.followed));
+    // An order that shows nowhere is not lost, and is reported already, too.
     let loss = course.and_then(|course| course.loss).filter(|loss| held || loss.time != subject.start.time);
     findings.0.extend(loss.map(|loss| Shortfall::OrderLost {
         time: loss.time,
@@ -191,18 +192,19 @@ fn certificate(subject: &Subject<'_>) -> Result<Certificate, CertifyError> {
     findings.conclude(certificate)
 }
 
-/// The power of the step with which the deviation of the energy has to shrink. It is the largest of a long run, in steps as
-/// coarse as the user's, whose leading error need not prevail; that of a potential that jumps does not shrink at all.
+/// The power of the step with which the deviation of the energy has to shrink. It is the largest of a long run, in
+/// steps as coarse as the user's, whose leading error need not prevail; that of a potential that jumps does not shrink
+/// at all.
 fn needed_of_energy(claimed: u32) -> f64 {
     f64::from(claimed) / 2.0
 }
 
-/// What fell short so far.
+/// The shortfalls so far.
 #[derive(Default)]
 struct Findings(Vec<Shortfall>);
 
 impl Findings {
-    /// Keeps a measurement, and notes if it falls short or could not be made.
+    /// Keeps a measurement, and records a shortfall if it fails or could not be made.
     fn judge<T>(
         &mut self,
         check: &'static str,
@@ -232,7 +234,7 @@ impl Findings {
     }
 }
 
-/// What is certified.
+/// The subject of a certificate: a stepper, a start and a step.
 struct Subject<'s> {
     measured: &'s dyn Measurable,
     start: Start<Vec<f64>>,
@@ -248,7 +250,7 @@ impl Subject<'_> {
     ///
     /// A unit is the step of the run, halved or doubled until some of them follow the motion where the order was tried.
     /// Where the Hamiltonian reads the time, which may switch something at one of the steps, it is not doubled.
-    fn course(&self, followed: f64) -> OrderAlong {
+    fn order_along_orbit(&self, followed: f64) -> OrderAlong {
         let stepper = self.measured.stepper();
         let autonomous = stepper.autonomous();
         let mut unit = self.h;
@@ -278,9 +280,9 @@ impl Subject<'_> {
         self.measured.round_trip(h, steps)
     }
 
-    /// The course of the energy in steps of `h`. If it looks like a trend, this may be the flank of an oscillation that
-    /// the run is too short to see the end of: then longer steps, up to the coarsest one that follows the motion, tell.
-    /// A true trend is one at every step.
+    /// The drift of the energy in steps of `h`. If it has a trend, this may be the flank of an oscillation that the run
+    /// is too short to see the end of: then longer steps decide, up to the coarsest one that follows the motion. A true
+    /// trend is one at every step.
     fn energy(&self, order: Option<Order>) -> Result<EnergyDrift, CheckError> {
         let course = |h| self.measured.energy_drift(h, ENERGY_STEPS);
         let drift = course(self.h)?;
@@ -295,14 +297,14 @@ impl Subject<'_> {
         Ok(drift)
     }
 
-    /// The course of the energy over the same time in steps of half the length.
+    /// The drift of the energy over the same time in steps of half the length.
     fn finer_energy(&self, drift: &EnergyDrift) -> Result<EnergyDrift, CheckError> {
         let (h, steps) = (drift.step / 2.0, 2 * drift.steps);
         self.measured.energy_drift(h, steps)
     }
 
-    /// The start and states along the path, each with its time: at the start alone, momenta are often zero, and where they
-    /// are zero a wrong factor in their gradient does not show.
+    /// The start and states along the path, each with its time: at the start alone, momenta are often zero, and where
+    /// they are zero a wrong factor in their gradient does not show.
     fn states(&self, order: Option<Order>) -> Result<Vec<Visited>, CheckError> {
         let (span, step) = order.map_or((GRADIENT_SPAN * self.h, self.h), |order| (order.span, order.coarsest));
         let steps = (span / step).abs().round() as u64 / PARTS;

@@ -17,9 +17,9 @@ pub enum CheckError {
          this start moves too little, or in so simple a way that every step is exact; start elsewhere"
     )]
     TooFewPoints {
-        /// How many step sizes can be used.
+        /// The number of usable step sizes.
         found: usize,
-        /// How many are needed.
+        /// The number that is needed.
         needed: usize,
         /// The coarsest step size that was tried.
         coarsest: f64,
@@ -50,10 +50,10 @@ pub enum CheckError {
         /// The name of the method.
         method: &'static str,
     },
-    /// What is measured is no number where the motion itself is one.
-    #[error("{what} is no number along the orbit, where the energies are: they have no finite derivatives there")]
+    /// A measured quantity is NaN where the motion is finite.
+    #[error("{what} is NaN along the orbit, where the energies are finite: they have no finite derivatives there")]
     NotFinite {
-        /// What it is.
+        /// The name of the quantity.
         what: &'static str,
     },
     /// The Hamiltonian depends on time, so its energy is not conserved.
@@ -73,7 +73,7 @@ pub enum CheckError {
         dual: f64,
         /// The derivative by central differences.
         difference: f64,
-        /// What truncation and rounding may add to the latter.
+        /// A bound on truncation and rounding of the latter.
         uncertainty: f64,
     },
     /// At no state could the generated code be held against the user's functions.
@@ -82,23 +82,23 @@ pub enum CheckError {
          was looked at, or no value"
     )]
     NothingToCompare {
-        /// How many were tried.
+        /// The number of states that were tried.
         left_out: usize,
     },
     /// There is no such coordinate.
     #[error("there is no coordinate {index}: the system has {coordinates}, counted from 0")]
     NoCoordinate {
-        /// Which one was asked for.
+        /// The index of the coordinate.
         index: usize,
-        /// How many there are.
+        /// The number of coordinates.
         coordinates: usize,
     },
     /// The run is too short for what is measured.
     #[error("{steps} steps are too few to measure anything: at least {needed} are needed")]
     TooFewSteps {
-        /// How many steps were asked for.
+        /// The number of steps of the run.
         steps: u64,
-        /// How many are needed.
+        /// The number that is needed.
         needed: u64,
     },
     /// The exact motion is not known well enough to hold a run against it.
@@ -110,7 +110,7 @@ pub enum CheckError {
     NoReference {
         /// The time.
         span: f64,
-        /// How far two references are apart, in units of how far the motion goes; NaN if one of them breaks off.
+        /// The distance of two references, in units of the excursion of the motion; NaN if one of them diverges.
         uncertainty: f64,
     },
 }

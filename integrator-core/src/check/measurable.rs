@@ -1,4 +1,5 @@
-//! What a certificate asks of a system, a method, a start and a step: whatever is compiled for them is behind one trait.
+//! The measurements of a certificate without types: all that is compiled for a system, a method, a start and a step is
+//! behind one trait.
 
 use crate::{
     check::{
@@ -24,7 +25,7 @@ use crate::{
     trajectory::method::Method,
 };
 
-/// What can be measured, by every check.
+/// The measurements of all checks.
 pub(crate) trait Measurable {
     /// The name of the system.
     fn system(&self) -> &'static str;
@@ -44,10 +45,10 @@ pub(crate) trait Measurable {
     /// The round trip in so many steps of `h` each way.
     fn round_trip(&self, h: f64, steps: u64) -> Result<RoundTrip, CheckError>;
 
-    /// The course of the energy over so many steps of `h`.
+    /// The drift of the energy over `steps` steps of `h`.
     fn energy_drift(&self, h: f64, steps: u64) -> Result<EnergyDrift, CheckError>;
 
-    /// How near the steps come to the limit of stability.
+    /// The stability of the steps beside the `limit`.
     fn stability(&self, limit: f64) -> Result<Stability, CheckError>;
 }
 

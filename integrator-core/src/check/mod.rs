@@ -21,11 +21,11 @@
 //!
 //! Each of them takes a [`Phase`](crate::Phase) as its start, or a [`Start`], which has a time as well.
 //!
-//! [`stability()`] tells how far a step is below the one at which its composition becomes unstable; that is no fault of a
-//! stepper, so a certificate mentions it and is not refused for it.
+//! [`stability()`] measures how far a step is below the one at which its composition becomes unstable; that is no fault
+//! of a stepper, so a certificate mentions it and is not refused for it.
 //!
-//! [`global_error()`] tells how far a run is from the exact motion, and how well that is known: no fault either, since
-//! every step has an error.
+//! [`global_error()`] measures how far a run is from the exact motion, and how well that is known: no fault either,
+//! since every step has an error.
 //!
 //! [`choose()`] measures too, but not whether a stepper is right: which of the right ones is the cheapest.
 //!
@@ -58,4 +58,4 @@ pub use property::stated::Agreement;
 pub use property::symplecticity::{poisson_bracket, symplectic_defect, symplectic_defect_after};
 pub use shortfall::{CertifyError, Shortfall};
 pub use start::Start;
-pub use statistics::course::Course;
+pub use statistics::trend::Course;

@@ -1,4 +1,4 @@
-//! What a stepper falls short of.
+//! Shortfalls: the claims that a stepper does not meet.
 
 use crate::{
     check::{certificate::Certificate, error::CheckError, property::energy::EnergyDrift},
@@ -8,7 +8,7 @@ use std::fmt;
 
 debug_as_display!(CertifyError, Shortfall);
 
-/// Why there is no certificate.
+/// The reason why there is no certificate.
 #[derive(Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum CertifyError {
@@ -25,7 +25,7 @@ pub enum CertifyError {
     },
 }
 
-/// One thing that fell short of another.
+/// A claim that a stepper does not meet.
 #[derive(Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum Shortfall {
@@ -34,10 +34,11 @@ pub enum Shortfall {
     Symplecticity {
         /// The defect of one step.
         defect: f64,
-        /// What rounding explains.
+        /// The defect that rounding explains.
         tolerance: f64,
     },
-    /// The method does not claim to be symplectic. A step that is accurate to the rounding leaves no defect to be measured.
+    /// The method does not claim to be symplectic. A step that is accurate to the rounding leaves no defect to be
+    /// measured.
     #[error(
         "{method} is not symplectic: a small defect shows that this step is accurate, and nothing about longer ones"
     )]
@@ -60,9 +61,9 @@ pub enum Shortfall {
         "the order {claimed} holds up to t = {} only: {}", readable(*time), Shrinking(*observed)
     )]
     OrderLost {
-        /// When it is lost.
+        /// The time at which it is lost.
         time: f64,
-        /// With which power of the step errors shrink there.
+        /// The power of the step with which errors shrink there.
         observed: f64,
         /// The order that the composition claims.
         claimed: u32,
@@ -75,7 +76,7 @@ pub enum Shortfall {
     Reversibility {
         /// The relative distance.
         distance: f64,
-        /// What rounding explains.
+        /// The distance that rounding explains.
         tolerance: f64,
     },
     /// The energy strays so far that the motion is another one.
@@ -112,7 +113,7 @@ pub enum Shortfall {
     Gradient {
         /// The relative error.
         error: f64,
-        /// What rounding explains.
+        /// The error that rounding explains.
         tolerance: f64,
     },
     /// A function of the user's is not what the generated code computes.
@@ -128,13 +129,14 @@ pub enum Shortfall {
     Derivative {
         /// `kinetic` or `potential`.
         function: &'static str,
-        /// 1 for a force or a velocity, held against the function itself; 2 for the tangent of these, held against them.
+        /// 1 for a force or a velocity, held against the function itself; 2 for the tangent of these, held against
+        /// them.
         order: u32,
         /// The derivative by differences.
         stated: f64,
         /// The same of the generated code.
         generated: f64,
-        /// What the differences are known to, and rounding.
+        /// The uncertainty of the differences, and rounding.
         tolerance: f64,
         /// The time.
         time: f64,
@@ -144,14 +146,14 @@ pub enum Shortfall {
     /// A check could not be carried out.
     #[error("{check} could not be measured: {reason}")]
     Unmeasured {
-        /// Which check.
+        /// The name of the check.
         check: &'static str,
-        /// Why not.
+        /// The reason.
         reason: CheckError,
     },
 }
 
-/// What a derivative is.
+/// The name of a derivative.
 fn derivative(function: &str, order: u32) -> String {
     match (function, order) {
         ("kinetic", 1) => "the derivative of `kinetic`, a velocity,".to_owned(),

@@ -1,10 +1,10 @@
-//! Where and when a measured motion begins.
+//! The start of a measured motion: a point and a time.
 
 use crate::state::{coords::Coords, phase::Phase};
 
-/// A point of phase space and a time: where and when the motion that a check measures begins.
+/// A point of phase space and a time: the start of the motion that a check measures.
 ///
-/// A [`Phase`] alone begins at time 0; [`Phase::at_time`] tells another one. Checks take either.
+/// A [`Phase`] alone begins at time 0; [`Phase::at_time`] sets another time. Checks take either.
 ///
 /// ```
 /// use integrator_core::prelude::*;
@@ -29,14 +29,14 @@ use crate::state::{coords::Coords, phase::Phase};
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Start<C> {
-    /// Where.
+    /// The point.
     pub phase: Phase<C>,
-    /// When.
+    /// The time.
     pub time: f64,
 }
 
 impl<C: Coords> Phase<C> {
-    /// This point at time `time`, as the start of what a check measures. A run is told its time by
+    /// This point at time `time`, as the start of what a check measures. The time of a run is set by
     /// [`Run::at_time`](crate::Run::at_time).
     pub fn at_time(self, time: f64) -> Start<C> {
         Start { phase: self, time }

@@ -1,4 +1,4 @@
-//! A composition as one of many: what the search needs to know of it, without its type.
+//! Candidates: compositions without their types, as the search sees them.
 
 use crate::{
     check::{start::Start, statistics::points::run},
@@ -9,7 +9,7 @@ use crate::{
     trajectory::run::Run,
 };
 
-/// How a run begins, whatever its composition.
+/// Begins a run, whatever its composition.
 type Begin<H, K> = fn(&H, &Start<Shaped<H, K>>, f64) -> Result<Run<Shaped<H, K>>, Error>;
 
 /// One composition.
@@ -47,7 +47,7 @@ impl<H: Hamiltonian, K: Precision> Visitor<H> for Candidates<H, K> {
     }
 }
 
-/// What going through some rows once costs.
+/// The evaluations of some stages.
 fn evaluations(rows: &Rows) -> u64 {
     let gradients = rows.rows.iter().filter(|row| row.gradient != 0.0).count();
     let forces = rows.rows.iter().filter(|row| row.kick != 0.0 || row.gradient != 0.0).count();

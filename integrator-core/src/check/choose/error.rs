@@ -1,14 +1,14 @@
-//! Why there is no ranking.
+//! Errors of the choice of a composition.
 
 use crate::{check::CheckError, error::debug_as_display};
 
 debug_as_display!(ChooseError);
 
-/// Why no composition could be chosen.
+/// The reason why no composition could be chosen.
 #[derive(Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum ChooseError {
-    /// A run could not start, or its energy says nothing.
+    /// A run could not start, or its energy is not conserved.
     #[error(transparent)]
     Check(#[from] CheckError),
     /// The span is zero or not finite.
@@ -29,7 +29,7 @@ pub enum ChooseError {
          edge costs the order: choose a span that is a multiple of the time between edges"
     )]
     Edge {
-        /// When.
+        /// The time of an edge that no step meets.
         time: f64,
         /// The span that was asked for.
         span: f64,

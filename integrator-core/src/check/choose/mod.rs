@@ -1,4 +1,4 @@
-//! Which composition is the cheapest for a problem, and with which step.
+//! The search for the cheapest composition for a problem, and for its step.
 //!
 //! In: a system, a start, a time span, what has to be how accurate. Out: a ranking of the compositions of the catalogue
 //! that this Hamiltonian admits. Always true: every step in the ranking was run, on this very problem and in the
@@ -22,14 +22,15 @@ use crate::{
 };
 use problem::Problem;
 
-/// What has to be how accurate over the span.
+/// The accuracy that is asked for over the span.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Goal {
     /// The largest deviation of the energy from its start, in units of the largest kinetic energy on the way.
     Energy(f64),
     /// The distance from the true motion, as the root of its mean square over four equally spaced times, the last one
-    /// at the end; positions and momenta each in units of how far they go from the start. The true motion is a Taylor series
-    /// where `#[hamiltonian(taylor)]` wrote its recurrences, and else a run of order 10, refined until it settles.
+    /// at the end; positions and momenta each in units of how far they go from the start. The true motion is a Taylor
+    /// series where `#[hamiltonian(taylor)]` wrote its recurrences, and else a run of order 10, refined until it
+    /// settles.
     Trajectory(f64),
 }
 
@@ -45,8 +46,8 @@ impl Goal {
 /// Ranks the compositions of the catalogue by the work with which each of them reaches `goal` from `start`
 /// over `span`, cheapest first.
 ///
-/// Work is the number of force evaluations, where a gradient of the squared force counts as one more, and a processor is
-/// charged once. Compositions that need more than sixteen times the work of the best are left out.
+/// Work is the number of force evaluations, where a gradient of the squared force counts as one more, and a processor
+/// is charged once. Compositions that need more than sixteen times the work of the best are left out.
 ///
 /// Where the clock decides on pieces of the Hamiltonian, all steps in the ranking end where these do.
 ///
@@ -79,7 +80,8 @@ impl Goal {
 ///
 /// # Errors
 /// A span, a start or a tolerance that no run can have; an energy that is not conserved because the Hamiltonian reads
-/// the time; edges between pieces in time that no equal steps over the span meet; a motion that cannot be followed to the tolerance; a tolerance that no composition reaches.
+/// the time; edges between pieces in time that no equal steps over the span meet; a motion that cannot be followed to
+/// the tolerance; a tolerance that no composition reaches.
 pub fn choose<H: Hamiltonian, K: Precision>(
     system: &H,
     start: impl Into<Start<Shaped<H, K>>>,

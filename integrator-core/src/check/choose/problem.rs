@@ -1,4 +1,4 @@
-//! What is integrated and how its error is measured.
+//! The problem of a choice: a system over a span, and the error of a candidate on it.
 
 use super::{ChooseError, Goal, candidate::Candidate};
 use crate::{
@@ -8,7 +8,7 @@ use crate::{
             compensated::CompensatedSteps,
             edges::{fewest_steps, greatest_common_divisor},
             exact::Motions,
-            reference::{Reference, by_series},
+            reference::{Reference, series_reference},
         },
         start::Start,
         statistics::{
@@ -31,22 +31,22 @@ use crate::{
 };
 use std::time::Instant;
 
-/// How many evaluations a single run has at most. An arbitrary line: a small system takes a second for them.
+/// The largest number of evaluations of a single run. An arbitrary limit: a small system takes a second for them.
 pub(super) const MOST_EVALUATIONS: u64 = 1 << 26;
 
-/// How often the time may be halved until flows in some two thousand evaluations follow the motion: over all of it, these
-/// are as many as a run has at most.
+/// The largest number of halvings of the time until flows in some two thousand evaluations follow the motion: over all
+/// of it, these are as many as a run has at most.
 const HALVINGS: i32 = 15;
 
-/// How much closer than the tolerance the true motion has to be known. The change from one refinement to the next is
-/// most of the error of the coarser one; that of the finer one is smaller by a thousand times.
+/// The safety factor between the tolerance and the uncertainty of the true motion. The change from one refinement to
+/// the next is most of the error of the coarser one; that of the finer one is smaller by a thousand times.
 const MARGIN: f64 = 16.0;
 
-/// In how many steps the motion is seen on which edges are looked for.
-const SEEN: u64 = 1 << 10;
+/// The number of steps of the motion along which edges are searched for.
+const EDGE_SAMPLES: u64 = 1 << 10;
 
-/// How often the energy of a run is looked at, at most.
-const LOOKS: u64 = 4096;
+/// The largest number of energy samples of a run.
+const ENERGY_SAMPLES: u64 = 4096;
 
 /// Whether rounding has taken over: an error below the root of ε that two halvings of the step have not halved.
 pub(super) fn stalled(error: f64, two_halvings_ago: f64, epsilon: f64) -> bool {
@@ -59,10 +59,10 @@ pub(super) struct Problem<'s, H: Hamiltonian, K: Precision> {
     pub(super) start: Start<Shaped<H, K>>,
     pub(super) span: f64,
     pub(super) goal: Goal,
-    /// The true motion; none where the energy is the goal.
+    /// The true motion; `None` where the energy is the goal.
     exact: Option<Reference>,
-    /// Of what numbers of steps are multiples: of the parts in which the motion is seen, and where the Hamiltonian is defined by
-    /// pieces in time, of the steps that end where these do.
+    /// The divisor of all numbers of steps: the number of parts of a path, and where the Hamiltonian is defined by
+    /// pieces in time, a multiple of it with which steps end where pieces do.
     unit: u64,
 }
 
@@ -70,22 +70,22 @@ impl<'s, H: Hamiltonian, K: Precision> Problem<'s, H, K> {
     pub(super) fn new(system: &'s H, start: Start<Shaped<H, K>>, span: f64, goal: Goal) -> Result<Self, ChooseError> {
         let mut problem = Self { system, start, span, goal, exact: None, unit: PARTS };
         if H::PIECEWISE_IN_TIME {
-            problem.unit = problem.over_edges()?;
+            problem.unit = problem.steps_between_edges()?;
         }
         match goal {
             Goal::Energy(_) if !H::AUTONOMOUS => return Err(CheckError::NotAutonomous.into()),
             Goal::Energy(_) => {}
-            Goal::Trajectory(tolerance) => problem.exact = Some(problem.followed(tolerance)?),
+            Goal::Trajectory(tolerance) => problem.exact = Some(problem.exact_motion(tolerance)?),
         }
         Ok(problem)
     }
 
     /// The fewest steps that end at all edges and are shared evenly by the parts.
-    fn over_edges(&self) -> Result<u64, ChooseError> {
+    fn steps_between_edges(&self) -> Result<u64, ChooseError> {
         let start = self.begins();
-        let (seen, _) = self.path(SEEN);
+        let (sampled, _) = self.path(EDGE_SAMPLES);
         let points: Vec<_> =
-            [&seen.start].into_iter().chain(&seen.ends).map(|point| shaped(&start.phase, point)).collect();
+            [&sampled.start].into_iter().chain(&sampled.ends).map(|point| shaped(&start.phase, point)).collect();
         match fewest_steps(self.system, &points, start.time, self.span) {
             Ok(steps) => Ok(steps * (PARTS / greatest_common_divisor(steps, PARTS))),
             Err(time) => Err(ChooseError::Edge { time, span: self.span }),
@@ -102,11 +102,11 @@ impl<'s, H: Hamiltonian, K: Precision> Problem<'s, H, K> {
         self.whole(steps as f64 * 1.125).max(steps + self.unit)
     }
 
-    /// The true motion: a Taylor series, or a run of order 10 with a compensated state, its step halved until that changes
-    /// nothing.
-    fn followed(&self, tolerance: f64) -> Result<Reference, ChooseError> {
+    /// The true motion: a Taylor series, or a run of order 10 with a compensated state, its step halved until that
+    /// changes nothing.
+    fn exact_motion(&self, tolerance: f64) -> Result<Reference, ChooseError> {
         let is_known = |reference: &Reference| within(reference.uncertainty() * MARGIN, tolerance);
-        if let Some(series) = self.by_series().filter(is_known) {
+        if let Some(series) = self.series().filter(is_known) {
             return Ok(series);
         }
         let (mut changes, mut least) = ([f64::INFINITY; 2], f64::INFINITY);
@@ -124,7 +124,7 @@ impl<'s, H: Hamiltonian, K: Precision> Problem<'s, H, K> {
         if is_known(&run) { Ok(run) } else { Err(ChooseError::Unfollowed { tolerance, difference: least }) }
     }
 
-    /// One refinement of the true motion, seen after every step. It has no ends if the run breaks off.
+    /// One refinement of the true motion, recorded after every step. It has no ends if the run diverges.
     fn path(&self, steps: u64) -> (Path, Scale) {
         let start = self.begins();
         let begin = flat(&start.phase);
@@ -140,9 +140,14 @@ impl<'s, H: Hamiltonian, K: Precision> Problem<'s, H, K> {
     }
 
     /// The true motion by a Taylor series, where there is one.
-    fn by_series(&self) -> Option<Reference> {
+    fn series(&self) -> Option<Reference> {
         let start = self.begins();
-        by_series(&Motions { system: self.system, shape: &start.phase }, &flat_start(&start), self.span, HALVINGS)
+        series_reference(
+            &Motions { system: self.system, shape: &start.phase },
+            &flat_start(&start),
+            self.span,
+            HALVINGS,
+        )
     }
 
     /// The error of a candidate in `steps` steps, a multiple of [`PARTS`]; infinite where the run breaks off.
@@ -178,7 +183,7 @@ impl<'s, H: Hamiltonian, K: Precision> Problem<'s, H, K> {
         };
         let (mut kinetic, first) = energies(&self.start.phase, run.time());
         let mut deviation = 0.0;
-        let interval = steps.div_ceil(LOOKS);
+        let interval = steps.div_ceil(ENERGY_SAMPLES);
         for sample in run.samples(interval).take((steps / interval + 1) as usize) {
             let sample = sample?;
             let (now, energy) = energies(&sample.state, sample.time);

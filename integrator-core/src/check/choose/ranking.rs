@@ -1,4 +1,4 @@
-//! What the search found, as data and as a table.
+//! The ranking of compositions, as data and as a table.
 
 use crate::composition::Class;
 use std::fmt;
@@ -11,11 +11,11 @@ pub struct Choice {
     pub composition: &'static str,
     /// Its order.
     pub order: u32,
-    /// What it asks of the Hamiltonian.
+    /// The class of Hamiltonians that it admits.
     pub class: Class,
     /// The step to use.
     pub step: f64,
-    /// How many of these steps the span has.
+    /// The number of these steps in the span.
     pub steps: u64,
     /// The error that was measured with this step.
     pub error: f64,

@@ -13,13 +13,13 @@ use crate::{check::CheckError, hamiltonian::Hamiltonian, scalar::tolerance::with
 /// The first round's evaluations.
 const FIRST_ROUND: u64 = 64;
 
-/// Up to how many times the work of the best others are ranked.
+/// The largest work of a ranked composition, in units of the best one's.
 const SPREAD: u64 = 16;
 
 /// Bisection ends where the step that meets the tolerance and the one that does not differ by less than this factor.
 const RESOLUTION: f64 = 1.02;
 
-/// One candidate on its way to the goal.
+/// A candidate in the search.
 struct Attempt<H: Hamiltonian, K: Precision> {
     candidate: Candidate<H, K>,
     /// The largest number of steps that missed the goal, zero before the first.

@@ -43,7 +43,7 @@ impl<H: Hamiltonian, X: Method<H>> CompensatedSteps<H, X> {
         Self { method, constants, motion, state: start.clone(), start, clock }
     }
 
-    /// Takes so many steps.
+    /// Takes `steps` steps.
     ///
     /// # Errors
     /// As those of a run: steps that the clock does not notice, and those that leave the finite numbers.
@@ -52,7 +52,7 @@ impl<H: Hamiltonian, X: Method<H>> CompensatedSteps<H, X> {
         if self.take(steps) { Ok(flat(&self.state)) } else { Err(self.divergence()) }
     }
 
-    /// Takes so many steps, the last of which is completed to be seen; whether it ends in finite numbers.
+    /// Takes `steps` steps and completes the last one on a copy; whether the state is finite.
     fn take(&mut self, steps: u64) -> bool {
         let moves = X::plain_moves::<f64, Compensated<f64>>();
         moves.advance(&mut self.motion, self.clock, steps);
@@ -62,7 +62,7 @@ impl<H: Hamiltonian, X: Method<H>> CompensatedSteps<H, X> {
         shown.finite()
     }
 
-    /// Which of the steps so far left the finite numbers.
+    /// The divergence of the first step that left the finite numbers.
     fn divergence(&self) -> Error {
         let clock = Clock { steps: 0, ..self.clock };
         let mut again = Self::begin(self.method, self.constants.clone(), self.start.clone(), clock);

@@ -1,7 +1,7 @@
-//! Where the pieces of a Hamiltonian that time decides on meet, as steps see it.
+//! Edges: the times at which pieces of a Hamiltonian meet, relative to the steps of a run.
 //!
-//! In: a system, some points, a step. Out: by how many steps the edges lie apart. Always true: two times belong to one piece
-//! where the flows with the conditions of either do the same to all of these points.
+//! In: a system, some points, a step. Out: the spacing of the edges in steps. Always true: two times belong to one
+//! piece where the flows with the conditions of either do the same to all of these points.
 
 use crate::{
     check::CheckError,
@@ -11,12 +11,12 @@ use crate::{
     system::motion::Motion,
 };
 
-/// How far an edge may be from the end of a step, in units of ε of the time: both are computed with a few roundings of numbers up
-/// to it.
+/// The tolerance of an edge at the end of a step, in units of ε of the time: both are computed with a few roundings of
+/// numbers up to it.
 const ROUNDINGS: f64 = 16.0;
 
-/// The greatest common divisor of the numbers of steps that lie between edges, from time `t0`; zero, if there are none among so many
-/// steps.
+/// The greatest common divisor of the numbers of steps that lie between edges, from time `t0`; zero, if there are none
+/// among so many steps.
 ///
 /// # Errors
 /// An edge inside of a step.
@@ -41,8 +41,8 @@ pub(crate) fn spacing<H: Hamiltonian>(
     Ok(apart)
 }
 
-/// In how many parts edges are looked for in a span, one in each at most, and into how many steps it is divided at most to meet
-/// them.
+/// The number of parts of a span in which edges are searched for, one in each at most, and the largest number of steps
+/// that is tried to meet them.
 const PARTS: u32 = 1 << 13;
 
 /// The fewest equal steps over a span from `t0` that end at all edges in it.
@@ -80,7 +80,7 @@ struct Pieces<'p, H: Hamiltonian> {
 }
 
 impl<H: Hamiltonian> Pieces<'_, H> {
-    /// When a piece ends between two times, if it does.
+    /// The edge between two times, if there is one.
     fn edge(&self, mut before: f64, mut behind: f64) -> Option<f64> {
         // Where formulas meet without a jump, they differ behind the edge.
         let time = behind;
@@ -100,7 +100,7 @@ impl<H: Hamiltonian> Pieces<'_, H> {
         }
     }
 
-    /// Whether flows at a time do something else where one time decides on the piece, and where another one does.
+    /// Whether flows at a time differ when one time decides on the piece and when the other one does.
     fn differ(&self, one: f64, other: f64, time: f64) -> bool {
         self.points.iter().any(|point| {
             let (one, other) = (self.moved(point, one, time), self.moved(point, other, time));

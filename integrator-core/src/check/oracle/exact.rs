@@ -1,15 +1,15 @@
-//! A system and a method without their types, as the logic of checks sees them: states are rows of numbers.
+//! Systems and methods without their types, as the logic of checks sees them: states are flat vectors.
 //!
-//! Always true: all that is compiled for each system and method is what takes a state from one time to another; ladders, fits
-//! and judgements are compiled once, in this crate.
+//! Always true: all that is compiled for each system and method is what takes a state from one time to another;
+//! ladders, fits and judgements are compiled once, in this crate.
 
 use crate::{
     check::{
         CheckError,
         oracle::{
             compensated::CompensatedSteps,
+            composed_reference::composed_steps,
             edges,
-            march::march,
             series::{is_written, series},
         },
         start::Start,
@@ -25,7 +25,7 @@ use crate::{
     trajectory::method::{Facts, Method},
 };
 
-/// What the exact motion of a system is found by.
+/// A system, as the search for its exact motion sees it.
 pub(crate) trait Exact {
     /// Whether the clock decides on pieces of the Hamiltonian.
     fn piecewise_in_time(&self) -> bool;
@@ -34,14 +34,13 @@ pub(crate) trait Exact {
     fn is_expanded(&self) -> bool;
 
     /// The motion by Taylor polynomials, as [`series`] makes it.
-    fn series(&self, start: &Start<Vec<f64>>, span: f64, method: Taylor, looks: u64) -> Option<(Path, Scale)>;
+    fn series(&self, start: &Start<Vec<f64>>, span: f64, method: Taylor, samples: u64) -> Option<(Path, Scale)>;
 
-    /// So many steps of `h` by the flows of the system, each of them Verlet over fractions of it; the states are shown one
-    /// after the other.
-    fn march(&self, start: &Start<Vec<f64>>, steps: (f64, u64), fractions: &[f64], see: &mut dyn FnMut(Flat));
+    /// Steps of `h` by the flows of the system, as [`composed_steps`] takes them.
+    fn composed_steps(&self, start: &Start<Vec<f64>>, steps: (f64, u64), fractions: &[f64], show: &mut dyn FnMut(Flat));
 }
 
-/// A method that carries on a system.
+/// A method on a system.
 pub(crate) trait Stepper {
     fn facts(&self) -> Facts;
 
@@ -51,10 +50,10 @@ pub(crate) trait Stepper {
     /// The system alone.
     fn exact(&self) -> &dyn Exact;
 
-    /// Where a compensated run in steps of `h` is at the end of each of some parts of its time, each of so many `steps`.
+    /// The path of a compensated run in steps of `h`, with `steps` steps in each part.
     fn path(&self, start: &Start<Vec<f64>>, h: f64, parts: u64, steps: u64) -> Result<Path, Error>;
 
-    /// By how many steps edges lie apart, as [`edges::spacing`] tells it; zero where the clock decides on no pieces.
+    /// The spacing of edges in steps, as [`edges::spacing`] finds it; zero where the clock decides on no pieces.
     fn spacing(&self, points: &[Flat], t0: f64, h: f64, steps: u64) -> Result<u64, CheckError>;
 }
 
@@ -64,7 +63,7 @@ pub(crate) struct Motions<'s, H: Hamiltonian> {
     pub(crate) shape: &'s Phase<H::Coords>,
 }
 
-/// And a method.
+/// A system with a method, and a point in the shape of its coordinates.
 pub(crate) struct Steps<'s, H: Hamiltonian, X> {
     motions: Motions<'s, H>,
     method: X,
@@ -91,12 +90,18 @@ impl<H: Hamiltonian> Exact for Motions<'_, H> {
         is_written::<H>()
     }
 
-    fn series(&self, start: &Start<Vec<f64>>, span: f64, method: Taylor, looks: u64) -> Option<(Path, Scale)> {
-        series(self.system, &self.start(start), span, method, looks)
+    fn series(&self, start: &Start<Vec<f64>>, span: f64, method: Taylor, samples: u64) -> Option<(Path, Scale)> {
+        series(self.system, &self.start(start), span, method, samples)
     }
 
-    fn march(&self, start: &Start<Vec<f64>>, steps: (f64, u64), fractions: &[f64], see: &mut dyn FnMut(Flat)) {
-        march(self.system, self.start(start), steps, fractions, see);
+    fn composed_steps(
+        &self,
+        start: &Start<Vec<f64>>,
+        steps: (f64, u64),
+        fractions: &[f64],
+        show: &mut dyn FnMut(Flat),
+    ) {
+        composed_steps(self.system, self.start(start), steps, fractions, show);
     }
 }
 

@@ -1,9 +1,9 @@
-//! What measurements are held against: exact derivatives, and motions found by other ways.
+//! Oracles that measurements are compared with: exact derivatives, and motions from other methods.
 
 pub(crate) mod compensated;
+pub(crate) mod composed_reference;
 pub(crate) mod edges;
 pub(crate) mod exact;
-pub(crate) mod march;
 pub(crate) mod reference;
 pub(crate) mod series;
 pub(crate) mod tangent;

@@ -1,17 +1,17 @@
-//! The motion that a method is measured against.
+//! The reference: the motion that a method is measured against.
 //!
-//! In: a system, a start, a time. Out: where the exact flow leads, with an estimate of the error that is left. It is a Taylor
-//! series where recurrences were written, and a march by the flows of the system where they were not. Always true:
-//! neither the catalogue nor the executor of runs is involved, so that a wrong coefficient or a wrong time in one of them
-//! cannot hide by standing on both sides; in particular a composition that converges to another motion is found out.
+//! In: a system, a start, a time. Out: the exact motion, with an estimate of the error that is left. It is a Taylor
+//! series for a system with recurrences, and a composition of its flows for others. Always true: neither the catalogue
+//! nor the executor of runs is involved, so that a wrong coefficient or a wrong time in one of them cannot hide by
+//! standing on both sides; in particular, a composition that converges to another motion is noticed.
 //!
-//! A series is trusted as far as the flows confirm it. It knows nothing of what lies beyond a branch, nor of a force whose
-//! first derivatives all vanish, and recurrences may be those of another motion. Whether flows are those of the
-//! energies is seen by the check of gradients.
+//! A series is trusted as far as the flows confirm it. It knows nothing of what lies beyond a branch, nor of a force
+//! whose first derivatives all vanish, and recurrences may be those of another motion. Whether flows are those of the
+//! energies is what the check of gradients measures.
 
 use crate::{
     check::{
-        oracle::{exact::Exact, march::March},
+        oracle::{composed_reference::ComposedReference, exact::Exact},
         start::Start,
         statistics::path::{Path, Scale},
     },
@@ -24,32 +24,32 @@ use std::ops::RangeInclusive;
 /// steps then leaves little of it, so that what is left is less than what changed.
 const FOLLOWED: f64 = 0.1;
 
-/// The share of the state that the last coefficients add, of the series and of the one that it is held against. Both are
-/// far below the rounding; polynomials of the second begin at other times, for its steps have another length.
+/// The fraction of the state that the last coefficients add, of the series and of the one that it is compared with.
+/// Both are far below the rounding; polynomials of the second begin at other times, for its steps have another length.
 const TOLERANCES: [f64; 2] = [1e-20, 1e-18];
 
-/// How often each part of a series is looked at for how far it goes. A prime, so that a periodic motion is not back at its
-/// start whenever it is looked at.
-const LOOKS: u64 = 251;
+/// The samples in each part of a series for its excursion. A prime, so that a periodic motion is not back at its start
+/// at each of them.
+const SAMPLES: u64 = 251;
 
-/// How many roundings a march may be off beside what refining it changes. Its durations add up to nine times the time,
-/// forth and back, and each is rounded as a weight, as a product with the step, and in what its flow adds.
+/// The tolerance of composed flows in roundings, beside what refining them changes. Its durations add up to nine times
+/// the time, forth and back, and each is rounded as a weight, as a product with the step, and in what its flow adds.
 const ROUNDINGS: f64 = 32.0;
 
 /// The exact motion as far as it is known.
 pub(crate) struct Reference {
     pub(crate) path: Path,
-    /// What it is held against: of a march, the next coarser one.
+    /// The motion that it is compared with: of composed flows, the next coarser one.
     ///
     /// Of a series, another one. A compensated state loses nothing, so that the errors of a series are these: each
-    /// expansion begins at a state that is rounded to half an ε, which turns its force by so much, and sums of
+    /// expansion begins at a state that is rounded to half an ε, which changes its force by as much, and sums of
     /// coefficients are off by a few ε of what they add. Both are stretched by the flow from there on, which no bound
-    /// known beforehand tells. The other series rounds at other states, so that its errors are as large and
-    /// independent: the root of the mean square of the differences, over four times and all coordinates, is √2 of those of
-    /// one. What truncation leaves is 100 times larger in the other one. Over less than an expansion both round alike,
-    /// by little more than one rounding of a state.
+    /// known beforehand covers. The other series rounds at other states, so that its errors are as large and
+    /// independent: the root of the mean square of the differences, over four times and all coordinates, is √2 of those
+    /// of one. What truncation leaves is 100 times larger in the other one. Over less than an expansion both round
+    /// alike, by little more than one rounding of a state.
     pub(crate) other: Path,
-    /// How far the motion goes, seen at more times than the ends of the path.
+    /// The excursion of the motion, sampled at more times than the ends of the path.
     pub(crate) scale: Scale,
 }
 
@@ -73,12 +73,12 @@ impl Reference {
         }
     }
 
-    /// How far the two are apart: above the error, for a march of any order.
+    /// The distance of the two: above the error, for composed flows of any order.
     pub(crate) fn uncertainty(&self) -> f64 {
         self.path.distance(&self.other, self.scale)
     }
 
-    /// What one rounding of every coordinate amounts to.
+    /// The distance that one rounding of every coordinate makes.
     pub(crate) fn rounding(&self) -> f64 {
         self.path.rounding(self.scale)
     }
@@ -92,37 +92,42 @@ pub(crate) fn reference(
     whole: u64,
     halvings: i32,
 ) -> Reference {
-    let march = || March::new(system, start).within_steps(whole).refined(span);
-    by_series(system, start, span, halvings).unwrap_or_else(march)
+    let composed = || ComposedReference::new(system, start).within_steps(whole).refined(span);
+    series_reference(system, start, span, halvings).unwrap_or_else(composed)
 }
 
-/// The same, if there is a series and flows lead where it does.
+/// The reference by a series, if there is one and the flows confirm it.
 ///
 /// It is confirmed over each of `span`, its half, its quarter, ... that flows follow in coarse steps, down to the one
-/// that they follow to the rounding: the long ones see more, and the short ones more exactly. `halvings` is how often
-/// the time is halved at most, which bounds the number of expansions. A polynomial does not know of pieces in time.
-pub(crate) fn by_series(system: &dyn Exact, start: &Start<Vec<f64>>, span: f64, halvings: i32) -> Option<Reference> {
+/// that they follow to the rounding: the long ones cover more, and the short ones are more exact. The time is halved
+/// `halvings` times at most, which bounds the number of expansions. A polynomial does not know of pieces in time.
+pub(crate) fn series_reference(
+    system: &dyn Exact,
+    start: &Start<Vec<f64>>,
+    span: f64,
+    halvings: i32,
+) -> Option<Reference> {
     if system.is_expanded() && !system.piecewise_in_time() {
-        confirmed(system, start, &March::new(system, start), span, halvings)
+        confirmed_series(system, start, &ComposedReference::new(system, start), span, halvings)
     } else {
         None
     }
 }
 
 /// A series that flows confirm.
-fn confirmed(
+fn confirmed_series(
     expanded: &dyn Exact,
     start: &Start<Vec<f64>>,
-    march: &March<'_>,
+    composed: &ComposedReference<'_>,
     span: f64,
     halvings: i32,
 ) -> Option<Reference> {
-    let series = |span, method, looks| expanded.series(start, span, method, looks);
+    let series = |span, method, samples| expanded.series(start, span, method, samples);
     let [finer, other] = TOLERANCES.map(Taylor::tolerance);
     let mut is_confirmed = false;
     for halving in 0..=halvings {
         let time = span / 2.0_f64.powi(halving);
-        let flows = march.coarse(time);
+        let flows = composed.coarse(time);
         let (uncertainty, rounding) = (flows.uncertainty(), flows.rounding());
         if !within(uncertainty, FOLLOWED) {
             continue;
@@ -139,7 +144,7 @@ fn confirmed(
     if !is_confirmed {
         return None;
     }
-    let ((path, scale), (other, _)) = (series(span, finer, LOOKS)?, series(span, other, 1)?);
+    let ((path, scale), (other, _)) = (series(span, finer, SAMPLES)?, series(span, other, 1)?);
     Some(Reference { path, other, scale })
 }
 
@@ -227,8 +232,8 @@ mod tests {
     fn agree<H: Hamiltonian>(system: &H, start: Phase<H::Coords>) {
         let (system, start) = (&Motions { system, shape: &start }, flat(&start).at_time(0.0));
         for span in [0.1, 1.0, 5.0, 20.0, -20.0] {
-            let series = by_series(system, &start, span, 8).expect("a series");
-            let flows = March::new(system, &start).refined(span);
+            let series = series_reference(system, &start, span, 8).expect("a series");
+            let flows = ComposedReference::new(system, &start).refined(span);
             let apart = series.path.distance(&flows.path, flows.scale);
             // Each unit of time is about a turn, and rounds as much as the first one.
             let rounding = ROUNDINGS * (flows.rounding() + f64::EPSILON * span.abs());
@@ -254,7 +259,7 @@ mod tests {
         let (system, heavier) = (Pendulum { gravity: 1.0 }, Pendulum { gravity: 1.0 + 1e-9 });
         let trusted = |of: &Pendulum, span| {
             let [of, flows] = [of, &system].map(|system| Motions { system, shape });
-            confirmed(&of, &start, &March::new(&flows, &start), span, 20).is_some()
+            confirmed_series(&of, &start, &ComposedReference::new(&flows, &start), span, 20).is_some()
         };
         for span in [1.0, 5.0, 1e4] {
             assert!(trusted(&system, span) && !trusted(&heavier, span), "{span}");
@@ -269,10 +274,11 @@ mod tests {
             let (system, start) = (&Motions { system: &system, shape }, flat(shape).at_time(0.0));
             for span in [4.0, 400.0] {
                 assert!(system.series(&start, span, Taylor::tolerance(1e-20), 1).is_some());
-                assert!(by_series(system, &start, span, 20).is_none());
+                assert!(series_reference(system, &start, span, 20).is_none());
             }
-            let (found, march) = (reference(system, &start, 4.0, 1, 8), March::new(system, &start).refined(4.0));
-            assert_eq!(found.path.ends, march.path.ends);
+            let (found, composed) =
+                (reference(system, &start, 4.0, 1, 8), ComposedReference::new(system, &start).refined(4.0));
+            assert_eq!(found.path.ends, composed.path.ends);
         }
     }
 

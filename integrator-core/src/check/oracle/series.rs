@@ -1,4 +1,4 @@
-//! A motion by Taylor polynomials, for systems whose recurrences were written.
+//! The motion as Taylor polynomials, for systems that have recurrences.
 //!
 //! Always true: neither the executor of runs nor the flows of the system are involved, and one scalar is all that it is
 //! compiled for.
@@ -16,7 +16,7 @@ use crate::{
 };
 use std::sync::Arc;
 
-/// Whether the recurrences of a system were written.
+/// Whether a system has recurrences.
 pub(crate) fn is_written<H: Hamiltonian>() -> bool {
     struct Written(bool);
     impl<H: Hamiltonian> RecurrencesVisitor<H> for Written {
@@ -32,18 +32,18 @@ pub(crate) fn is_written<H: Hamiltonian>() -> bool {
     written.0
 }
 
-/// The motion of `system` from `start` over `span`, with a compensated state, and how far it goes, by so many looks
-/// at each part; nothing where there are no recurrences, or a singularity lies on the way.
+/// The motion of `system` from `start` over `span`, with a compensated state, and its excursion from `samples`
+/// samples in each part; `None` where there are no recurrences, or a singularity lies on the way.
 pub(crate) fn series<H: Hamiltonian>(
     system: &H,
     start: &Start<H::Coords>,
     span: f64,
     method: Taylor,
-    looks: u64,
+    samples: u64,
 ) -> Option<(Path, Scale)> {
-    let mut expansion = Expansion::<H> { system, start, span, method, looks, found: None };
+    let mut expansion = Expansion::<H> { system, start, span, method, samples, path: None };
     H::visit_recurrences(&mut expansion);
-    expansion.found
+    expansion.path
 }
 
 struct Expansion<'s, H: Hamiltonian> {
@@ -51,8 +51,8 @@ struct Expansion<'s, H: Hamiltonian> {
     start: &'s Start<H::Coords>,
     span: f64,
     method: Taylor,
-    looks: u64,
-    found: Option<(Path, Scale)>,
+    samples: u64,
+    path: Option<(Path, Scale)>,
 }
 
 impl<H: Hamiltonian> RecurrencesVisitor<H> for Expansion<'_, H> {
@@ -60,15 +60,15 @@ impl<H: Hamiltonian> RecurrencesVisitor<H> for Expansion<'_, H> {
     where
         H: Recurrences,
     {
-        let Self { system, start: &Start { phase: ref start, time: t0 }, span, method, looks, .. } = *self;
+        let Self { system, start: &Start { phase: ref start, time: t0 }, span, method, samples, .. } = *self;
         let constants = Method::<H>::constants(method, Arc::new(system.parameters(start.q.length())));
         let mut state = Phase::compensated(start.q.clone(), start.p.clone());
         let mut motion = <Taylor as Method<H>>::Motion::<f64, Compensated<f64>>::load(&[&*constants], &[&state]);
         let moves = <Taylor as Method<H>>::moves::<f64, Compensated<f64>>();
-        let mut recorder = Recorder::new(flat(start), looks);
-        for step in 1..=PARTS * looks {
-            // Ends of parts are multiples of a part, whatever the looks between them round.
-            let (number, count) = if step % looks == 0 { (step / looks, PARTS) } else { (step, PARTS * looks) };
+        let mut recorder = Recorder::new(flat(start), samples);
+        for step in 1..=PARTS * samples {
+            // Ends of parts are multiples of a part, whatever rounding does to the samples between them.
+            let (number, count) = if step % samples == 0 { (step / samples, PARTS) } else { (step, PARTS * samples) };
             moves.advance(&mut motion, Clock { t0, h: span / count as f64, steps: number - 1 }, 1);
             if !motion.finite() {
                 return;
@@ -76,6 +76,6 @@ impl<H: Hamiltonian> RecurrencesVisitor<H> for Expansion<'_, H> {
             motion.store(0, &mut state);
             recorder.record(flat(&state));
         }
-        self.found = Some(recorder.finish());
+        self.path = Some(recorder.finish());
     }
 }

@@ -1,6 +1,6 @@
 //! The exact tangent map of a method: the derivative of its steps with respect to where they begin.
 //!
-//! In: a system, a method, a point, a step. Out: how tangents at the point arrive after some closed steps.
+//! In: a system, a method, a point, a step. Out: the images of tangents at the point after some closed steps.
 //! Always true: what is differentiated is the very code that a run executes, with no finite difference; a
 //! difference quotient of good steps is off by 1e-7 and would pass off steps that are not symplectic by less than that.
 
@@ -22,11 +22,11 @@ use std::sync::Arc;
 
 /// Steps that carry a tangent with the point that it is attached to.
 pub(crate) trait Carry {
-    /// Where `point` is after `steps` steps from time `t0`, closed, and what has become of `tangent` there.
+    /// The images of `point` and `tangent` after `steps` closed steps from time `t0`.
     fn carry(&self, point: &Flat, tangent: &Flat, t0: f64, steps: u64) -> (Flat, Flat);
 }
 
-/// Those of a method, with a point in the shape of the coordinates of its system.
+/// The steps of a method, with a point in the shape of the coordinates of its system.
 pub(crate) struct Tangents<'s, H: Hamiltonian, X: Method<H>> {
     constants: Arc<X::Constants>,
     shape: &'s Phase<H::Coords>,

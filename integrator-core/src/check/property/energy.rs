@@ -1,8 +1,9 @@
-//! Whether the energy stays where it began.
+//! Energy conservation of a run.
 //!
-//! In: a system that does not read the time, a method, a start, a step, a number of steps. Out: how far the energy
-//! went, the straight line through it, and whether it oscillates, walks or drifts. Always true: the very run of the user, in the precision of the user's state;
-//! the energy of a symplectic step oscillates about its value and goes nowhere, until rounding takes over.
+//! In: a system that does not read the time, a method, a start, a step, a number of steps. Out: the largest deviation
+//! of the energy, the straight line through it, and whether it oscillates, walks at random or drifts. Always true: the
+//! run is the user's own, in the precision of the user's state; the energy of a symplectic step oscillates about its
+//! value until rounding takes over.
 
 use crate::{
     check::{
@@ -10,8 +11,8 @@ use crate::{
         property::order::CLEARANCE,
         start::Start,
         statistics::{
-            course::{Course, GROUPS, Trend},
             points::{resolution, run},
+            trend::{Course, GROUPS, Trend},
         },
     },
     error::Error,
@@ -22,14 +23,14 @@ use crate::{
     trajectory::method::Method,
 };
 
-/// How many samples are taken at most; a run of so many steps is looked at after each of them.
+/// The number of energy samples of a longer run; a shorter one is sampled after every step.
 const SAMPLES: u64 = 4096;
 
-/// The share of the kinetic energy beyond which the energy is not conserved, whatever its course. An arbitrary line:
-/// no motion that resembles the true one crosses it.
+/// The fraction of the kinetic energy beyond which the energy is not conserved, whether it drifts or not. An arbitrary
+/// threshold: no motion that resembles the true one crosses it.
 const LOST: f64 = 0.5;
 
-/// What became of the energy `H` in a run, in units of the largest kinetic energy on the way. The value of `H` itself
+/// The deviation of the energy `H` in a run, in units of the largest kinetic energy of the run. The value of `H` itself
 /// is no unit: a constant in `V` changes it at will, and it may be zero.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
@@ -50,12 +51,12 @@ pub struct EnergyDrift {
     pub step: f64,
     /// The number of steps of the run.
     pub steps: u64,
-    /// What rounding alone may add to the deviation.
+    /// The part of the deviation that rounding alone may cause.
     pub rounding: f64,
 }
 
 impl EnergyDrift {
-    /// What the straight line alone accounts for over the whole run.
+    /// The change of the energy over the run along the straight line.
     pub fn drift(&self) -> f64 {
         self.slope * self.step * self.steps as f64
     }
@@ -68,8 +69,8 @@ impl EnergyDrift {
         strays && !within(self.deviation, self.rounding)
     }
 
-    /// Whether the deviation shrinks by this power of the step to the one in steps of half the length, `finer`, or until
-    /// that one is of the size of its rounding. Of the largest and the mean deviation one may happen to be small.
+    /// Whether the deviation shrinks by this power of the step to the one in steps of half the length, `finer`, or
+    /// until that one is of the size of its rounding. Of the largest and the mean deviation one may happen to be small.
     pub(crate) fn shrinks_to(&self, finer: &Self, order: f64) -> bool {
         let shrinks = |coarse: f64, fine: f64| within(fine * order.exp2(), coarse);
         shrinks(self.deviation, finer.deviation)
@@ -77,8 +78,8 @@ impl EnergyDrift {
             || within(finer.deviation, CLEARANCE * finer.rounding)
     }
 
-    /// Whether the energy stays, or walks without a slope that is certain: a single encounter of bodies is a step from which
-    /// it does not return. Whether the length of the steps explains the walk, finer ones tell.
+    /// Whether the energy stays, or walks without a slope that is certain: a single encounter of bodies is a step from
+    /// which it does not return. Whether the length of the steps explains the walk, finer ones tell.
     pub(crate) fn may_stay(&self) -> bool {
         self.is_bounded() || (self.course == Course::RandomWalk && !self.is_lost())
     }
@@ -92,7 +93,7 @@ impl EnergyDrift {
     }
 }
 
-/// The course of the energy over `steps` steps from `start`.
+/// Measures the energy over `steps` steps from `start`.
 ///
 /// # Errors
 /// A Hamiltonian that reads the time; fewer than 64 steps; a start or a step that no run would begin with; a run that
@@ -119,18 +120,18 @@ pub fn energy_drift<H: Hamiltonian, X: Method<H>, K: Precision>(
         (H::kinetic::<f64, K>(&motion, time), H::potential::<f64, K>(&motion, time))
     };
     let (kinetic, potential) = parts(&run.state(), run.time());
-    let followed = follow([run.time(), kinetic, potential], steps, &mut |interval| {
+    let samples = sample_energies([run.time(), kinetic, potential], steps, &mut |interval| {
         run.advance(interval)?;
         let (kinetic, potential) = parts(&run.state(), run.time());
         Ok([run.time(), kinetic, potential])
     })?;
     let resolution = resolution(&[&begin.phase, &run.state()]);
-    Ok(followed.drift(h, resolution, method.facts().roundings_in(run.steps())))
+    Ok(samples.drift(h, resolution, method.facts().roundings_in(run.steps())))
 }
 
-/// What is seen of the energies of a run.
-struct Followed {
-    /// How many steps the run took.
+/// Samples of the energies of a run.
+struct EnergySamples {
+    /// The number of steps of the run.
     steps: u64,
     /// The time of the start, and the deviations from there, each with its time.
     begin: f64,
@@ -141,12 +142,13 @@ struct Followed {
     largest_term: f64,
 }
 
-/// Looks at the energies of a run over so many steps: time, kinetic and potential energy at the start, and after a few steps more.
-fn follow(
+/// Samples the energies over `steps` steps. A sample is the time, the kinetic and the potential energy; `advance` takes
+/// some steps and returns the next one.
+fn sample_energies(
     [begin, kinetic, potential]: [f64; 3],
     steps: u64,
     advance: &mut dyn FnMut(u64) -> Result<[f64; 3], Error>,
-) -> Result<Followed, CheckError> {
+) -> Result<EnergySamples, CheckError> {
     let interval = steps.div_ceil(SAMPLES);
     let samples = steps / interval;
     let energy = kinetic + potential;
@@ -160,25 +162,26 @@ fn follow(
         largest_term = largest([largest_term, kinetic.abs() + potential.abs()]);
         changes.push((time, kinetic + potential - energy));
     }
-    Ok(Followed { steps: samples * interval, begin, changes, largest_kinetic, sum_of_kinetic, largest_term })
+    Ok(EnergySamples { steps: samples * interval, begin, changes, largest_kinetic, sum_of_kinetic, largest_term })
 }
 
-impl Followed {
-    /// The course of the energy in steps of `h`, where states have this `resolution` and were rounded so often.
+impl EnergySamples {
+    /// Statistics of the samples: of a run in steps of `h` whose states have this `resolution` and were rounded
+    /// `roundings` times.
     fn drift(self, h: f64, resolution: f64, roundings: f64) -> EnergyDrift {
         let Self { steps, begin, changes, largest_kinetic, sum_of_kinetic, largest_term } = self;
         let groups: Vec<(f64, f64)> = changes.chunks_exact(changes.len() / GROUPS).take(GROUPS).map(middle).collect();
         let trend = Trend::of(&groups);
-        let farthest = largest(changes.iter().map(|(_, change)| *change));
+        let largest_change = largest(changes.iter().map(|(_, change)| *change));
         let mean = length(changes.iter().map(|(_, change)| *change)) / (changes.len() as f64).sqrt();
         let end = changes.last().map_or(begin, |(time, _)| *time);
-        let share = ratio(trend.slope * (end - begin), farthest);
-        // Every flow rounds the state, which changes the energy by up to ε of its terms, at random: the farthest such a
-        // walk gets is about 2.5 times the root of its steps. The factor 16 leaves room for flows that round several
-        // numbers, and for the sum of the energy itself.
+        let share = ratio(trend.slope * (end - begin), largest_change);
+        // Every flow rounds the state, which changes the energy by up to ε of its terms, at random: the farthest that
+        // such a walk gets is about 2.5 times the root of its steps. The factor 16 leaves room for flows that round
+        // several numbers, and for the sum of the energy itself.
         let walk = 16.0 * resolution * roundings.sqrt();
         EnergyDrift {
-            deviation: ratio(farthest, largest_kinetic),
+            deviation: ratio(largest_change, largest_kinetic),
             mean_deviation: ratio(mean, largest_kinetic),
             mean_kinetic: ratio(sum_of_kinetic / changes.len() as f64, largest_kinetic),
             course: trend.course(share),

@@ -37,13 +37,13 @@ pub struct GlobalError {
     pub span: f64,
 }
 
-/// How far `method` is from the exact motion in `steps` steps of `h` from `start`, rounded up to a multiple of
-/// four: the root of the mean squared distance in phase space after each fourth of them, where the error at a single time may
+/// How far `method` is from the exact motion in `steps` steps of `h` from `start`, rounded up to a multiple of four:
+/// the root of the mean squared distance in phase space after each fourth of them, where the error at a single time may
 /// happen to vanish.
 ///
 /// The exact motion is a Taylor series, with a compensated state and a tolerance far below the rounding, where
-/// `#[hamiltonian(taylor)]` wrote its recurrences and the flows of the system confirm it: it is known to the rounding for
-/// many periods. Of other systems it is a march in steps of eighth order, which is good for some ten periods.
+/// `#[hamiltonian(taylor)]` wrote its recurrences and the flows of the system confirm it: it is known to the rounding
+/// for many periods. Of other systems it is a march in steps of eighth order, which is good for some ten periods.
 ///
 /// ```
 /// use integrator_core::{check::global_error, prelude::*};
@@ -69,8 +69,8 @@ pub struct GlobalError {
 /// ```
 ///
 /// # Errors
-/// No steps; a start or a step that no run would begin with; a run that leaves the finite numbers; an exact motion that is not
-/// known to a tenth of the way it goes.
+/// No steps; a start or a step that no run would begin with; a run that leaves the finite numbers; an exact motion that
+/// is not known to a tenth of the way it goes.
 pub fn global_error<H: Hamiltonian, X: Method<H>, K: Precision>(
     system: &H,
     method: X,
@@ -88,8 +88,8 @@ pub fn global_error<H: Hamiltonian, X: Method<H>, K: Precision>(
     let mut run = run::<H, X, K>(system, method, &start, h)?;
     let start = flat_start(&begin);
     let path = Path::of_run(start.phase.clone(), PARTS, || run.advance(part).map(|_| flat(&run.state())))?;
-    // Where a step follows the motion, flows in coarse steps follow it over some steps; where it does not, the exact motion must
-    // not take longer than the run.
+    // Where a step follows the motion, flows in coarse steps follow it over some steps; where it does not, the exact
+    // motion must not take longer than the run.
     let exact = reference(&Motions { system, shape: &begin.phase }, &start, span, part, steps.ilog2() as i32);
     let uncertainty = exact.uncertainty() + exact.rounding();
     if !within(uncertainty, KNOWN) {

@@ -1,9 +1,9 @@
-//! Whether the flows belong to the energies.
+//! Gradients of the energies, held against the flows.
 //!
 //! In: a system and a point. Out: the largest difference between a component of the generated gradient and the exact
 //! derivative of the generated energy. Always true: the gradient is taken from the flow itself, as what a kick or a
 //! drift of unit duration adds, and the derivative from duals through the energy, so that the two meet only here.
-//! Central differences, which know nothing of duals, stand by as a coarse witness.
+//! Central differences, which are independent of duals, confirm the derivative coarsely.
 
 use crate::{
     check::{
@@ -25,8 +25,8 @@ use crate::{
     system::motion::Motion,
 };
 
-/// How far the flows of `T` and `V` are from the gradients of `T` and `V` at `point` and `time`: the largest error of a
-/// component, in units of its condition.
+/// The largest error of a component of the gradients of `T` and `V`, as the flows have them at `point` and `time`, in
+/// units of its condition.
 ///
 /// The condition of a component `g` is `|g| + Σ |∂g/∂xⱼ|·x` with the largest coordinate `x`: what rounding the
 /// coordinates may do to `g` is ε times that. So a tiny component beside a huge one is judged by its own size, and one
@@ -43,13 +43,13 @@ pub fn gradient_error<H: Hamiltonian, K: Precision>(
     error_at(&Energies::new(system, &point), &flat(&point), time)
 }
 
-/// As [`gradient_error`], at a point that a run may begin with.
+/// [`gradient_error`] at a point that a run may begin with.
 pub(crate) fn error_at(system: &dyn Differentiable, point: &Flat, time: f64) -> Result<f64, CheckError> {
     let error = |part| Gradient::new(system, part, time).error(point);
     Ok(largest([error(Part::Kinetic)?, error(Part::Potential)?]))
 }
 
-/// The error up to which a component of a gradient over `coordinates` coordinates is right: a sum of as many terms,
+/// The tolerance of a component of a gradient over `coordinates` coordinates: a sum of as many terms,
 /// each of some operations and elementary functions of up to 4 ulp, evaluated twice, as code and through duals, whose
 /// chain rule rounds a few times more.
 pub(crate) fn gradient_tolerance(coordinates: usize) -> f64 {
@@ -63,8 +63,8 @@ pub(crate) enum Part {
     Potential,
 }
 
-/// The energies of a system and their flows, whatever the shape of its coordinates: in one lane, or along a tangent in the
-/// second one of duals.
+/// The energies of a system and their flows, whatever the shape of its coordinates: in one lane, or along a tangent in
+/// the second one of duals.
 pub(crate) trait Differentiable {
     /// An energy, or its derivative along a tangent.
     fn energy(&self, part: Part, point: &Flat, tangent: Option<&Flat>, time: f64) -> f64;
@@ -73,7 +73,7 @@ pub(crate) trait Differentiable {
     fn flow(&self, part: Part, point: &Flat, tangent: Option<&Flat>, time: f64) -> Vec<f64>;
 }
 
-/// Those of a system with its parameters, and a point in the shape of its coordinates.
+/// The energies of a system with its parameters, and a point in the shape of its coordinates.
 pub(crate) struct Energies<'s, H: Hamiltonian> {
     pub(crate) system: &'s H,
     pub(crate) parameters: H::Parameters<f64>,
@@ -124,8 +124,8 @@ fn energy<H: Hamiltonian, R: Real>(
     }
 }
 
-/// One lane of the gradient of an energy at a point, with a tangent in the second lane if there is one: what the flow of unit
-/// duration adds to the half that is moved, from zero.
+/// One lane of the gradient of an energy at a point, with a tangent in the second lane if there is one: what the flow
+/// of unit duration adds to the half that is moved, from zero.
 pub(crate) fn flow<H: Hamiltonian, R: Real>(
     parameters: &H::Parameters<f64>,
     part: Part,
@@ -154,7 +154,7 @@ fn negated(numbers: &[f64]) -> Vec<f64> {
     numbers.iter().map(|number| -number).collect()
 }
 
-/// What is differentiated.
+/// The gradient of one energy of a system at a time.
 pub(crate) struct Gradient<'s> {
     system: &'s dyn Differentiable,
     part: Part,
@@ -192,9 +192,9 @@ impl<'s> Gradient<'s> {
     }
 
     /// Whether central differences agree with a derivative by duals. With the width `d` they are off by `c·d²` and the
-    /// rounding of the energy over `d`; twice the width tells `3·c·d²`, and `d = ε^(1/3)` of the scale of the energy
-    /// balances the two. That scale may be much shorter than the coordinates are long, where two bodies are close: then
-    /// a narrower width tells. At a kink none does.
+    /// rounding of the energy over `d`; the difference over twice the width gives `3·c·d²`, and `d = ε^(1/3)` of the
+    /// scale of the energy balances the two. That scale may be much shorter than the coordinates are long, where two
+    /// bodies are close: then a narrower width shows it. At a kink none does.
     fn witness(&self, point: &Flat, index: usize, extent: f64, dual: f64) -> Result<(), CheckError> {
         const NARROWING: [f64; 4] = [1.0, 3e-2, 1e-3, 3e-5];
         let scale = f64::EPSILON.cbrt() * if extent > 0.0 { extent } else { 1.0 };
@@ -207,7 +207,7 @@ impl<'s> Gradient<'s> {
         Err(CheckError::NotDifferentiable { energy, index, dual, difference, uncertainty })
     }
 
-    /// The central difference of a width, and what truncation and rounding may add to it.
+    /// The central difference of a width, and a bound on its truncation and rounding errors.
     fn difference(&self, point: &Flat, index: usize, extent: f64, dual: f64, width: f64) -> (f64, f64) {
         let energy = |offset: f64| {
             let mut moved = point.clone();
@@ -220,7 +220,7 @@ impl<'s> Gradient<'s> {
         (narrow, (wide - narrow).abs() + rounding)
     }
 
-    /// One of the numbers that this energy reads.
+    /// A coordinate that this energy reads.
     fn read<'p>(&self, point: &'p mut Flat, index: usize) -> &'p mut f64 {
         let first = if self.part == Part::Kinetic { point.q.flat().len() } else { 0 };
         coordinate(point, first + index)

@@ -1,13 +1,13 @@
-//! Whether the order holds all along the orbit.
+//! The local order: whether the order holds all along the orbit.
 //!
-//! In: a system, a method, a start, a piece of the time, how far. Out: the first place where errors do not shrink with
-//! the order however short the steps, or nothing. Always true: every piece begins at a state that was reached before, so
-//! that errors of different pieces never add up, and a chaotic orbit is followed as far as a regular one.
+//! In: a system, a method, a start, a piece of the time, how far. Out: the first time at which errors do not shrink
+//! with the order however short the steps, or nothing. Always true: every piece begins at a state that was reached
+//! before, so that errors of different pieces never add up, and a chaotic orbit is followed as far as a regular one.
 //!
 //! A composition has its order wherever the forces have enough derivatives, and steps are short enough. In a piece in
 //! which the order does not show, either steps are too long (an encounter, a fast oscillation) or a derivative is
-//! missing (a kink, a jump, a cutoff). Halving the piece tells: parts of the former become easy, and of the latter one
-//! remains that never does.
+//! missing (a kink, a jump, a cutoff). Halving the piece decides: parts of the former become easy, and one part of the
+//! latter never does.
 
 use crate::{
     check::{oracle::exact::Stepper, property::order::CLEARANCE, start::Start, statistics::path::Path},
@@ -15,57 +15,59 @@ use crate::{
     scalar::tolerance::{largest, within},
 };
 
-/// How many units a piece has. A step is a whole fraction of a unit, so that what switches at one of the user's steps, of
-/// which a unit is a half, a quarter, ..., does so between two steps. Odd, so that a piece is unlikely to end just there.
+/// The number of units in a piece. A step is a whole fraction of a unit, so that what switches at one of the user's
+/// steps, of which a unit is a half, a quarter, ..., does so between two steps. Odd, so that a piece is unlikely to end
+/// just there.
 pub(crate) const UNITS: u64 = 7;
 
-/// Into how many steps a unit is divided: groups in which the coarsest step is half of that in the group before, and the
-/// division that stands for the exact motion. An error of a missing derivative depends on where in a step that is
-/// passed and may happen to vanish; the largest one of a group does not.
+/// Divisions of a unit into steps: groups in which the coarsest step is half of that in the group before, and the
+/// division that serves as the exact motion. The error from a missing derivative depends on its position in the step
+/// and may happen to vanish; the largest one of a group does not.
 type Divisions = (&'static [&'static [u64]], u64);
 
-/// For a first look at one of many pieces. Where there are few, the order may be missing in a single one of them.
+/// The divisions for the first view of one of many pieces. Where there are few, the order may be missing in a single
+/// one of them.
 const FIRST: Divisions = (&[&[2, 3], &[4, 5, 6]], 12);
 const MANY: u64 = 64;
 
-/// For a part of one in which the order is missing: it has to show twice,
+/// The divisions for a part of a piece in which the order is missing: it has to show twice,
 const CLOSE: Divisions = (&[&[2, 3], &[4, 5, 6], &[8, 10, 12]], 24);
 
 /// and thrice if it is low, so that what is lost is not much lower.
 const CLOSE_LOW: Divisions = (&[&[2, 3], &[4, 5, 6], &[8, 10, 12], &[16, 20, 24]], 48);
 
-/// How often a piece is halved. The steps of the shortest one are 10^5 times shorter than those of the longest: at an
-/// eccentricity of 0.999 the motion at the pericentre is 3·10^4 times faster than elsewhere.
+/// The largest number of halvings of a piece. The steps of the shortest one are 10^5 times shorter than those of the
+/// longest: at an eccentricity of 0.999 the motion at the pericentre is 3·10^4 times faster than elsewhere.
 const HALVINGS: u32 = 16;
 
-/// By how much an error has to exceed the rounding of a state to tell something. Forces that are small differences
+/// The smallest ratio of an error to the rounding of a state for the error to count. Forces that are small differences
 /// of large terms round that much more than the state.
 const FLOOR: f64 = 1e3;
 
-/// In how many pieces in a row, each a half of the one before, the order has to be missing, until errors that then drown
-/// in the rounding count as those of a missing derivative. Where steps are too long, errors fall faster from one half to
-/// the next one, and the order shows before they drown.
+/// The number of pieces in a row, each a half of the one before, in which the order has to be missing before errors
+/// that drown in the rounding count as those of a missing derivative. Where steps are too long, errors fall faster from
+/// one half to the next one, and the order shows before they drown.
 const IN_A_ROW: u32 = 4;
 
-/// Where the order is lost.
+/// The loss of the order.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Loss {
     /// The beginning of the last piece in which it did not show.
     pub(crate) time: f64,
-    /// With which power of the step errors shrink there, NaN where steps end in no numbers.
+    /// The power of the step with which errors shrink there, NaN where steps end in NaN.
     pub(crate) order: f64,
 }
 
-/// How far along an orbit the order holds.
+/// The order along an orbit.
 #[derive(Clone, Copy)]
 pub(crate) struct OrderAlong {
-    /// Until when it was found to.
+    /// The time up to which it holds.
     pub(crate) until: f64,
-    /// Where it is lost, if it is.
+    /// The loss, if there is one.
     pub(crate) loss: Option<Loss>,
 }
 
-/// How far an `order` holds in `pieces` pieces of `piece` each.
+/// Examines the `order` in `pieces` pieces of `piece` each.
 pub(crate) fn order_along(
     (stepper, order): (&dyn Stepper, f64),
     start: &Start<Vec<f64>>,
@@ -78,7 +80,7 @@ pub(crate) fn order_along(
         at.time = start.time + number as f64 * piece;
         let (verdict, end) = orbit.examine(&at, piece, 0, Missing::default());
         if let Verdict::Lost(loss) = verdict {
-            // No step follows a motion that leaves the numbers, and a run that comes there says so.
+            // No step follows a motion that leaves the finite numbers, and a run that comes there returns an error.
             let stays = orbit.path(&at, 2.0 * piece, 2 * orbit.divisions(0).1).is_ok();
             return OrderAlong { until: loss.time, loss: stays.then_some(loss) };
         }
@@ -87,7 +89,7 @@ pub(crate) fn order_along(
     OrderAlong { until: start.time + pieces as f64 * piece, loss: None }
 }
 
-/// What is looked at.
+/// The orbit of a method, and the order that is examined.
 struct Orbit<'s> {
     stepper: &'s dyn Stepper,
     /// The power of the step with which errors have to shrink.
@@ -96,19 +98,19 @@ struct Orbit<'s> {
     is_long: bool,
 }
 
-/// What a piece shows.
+/// The verdict on a piece.
 #[derive(Clone, Copy, PartialEq)]
 enum Verdict {
     /// Errors shrink with the order.
     Shown,
-    /// There are none.
+    /// There are no errors.
     Silent,
     Lost(Loss),
 }
 
 impl Orbit<'_> {
-    /// What a piece shows, and where it ends. It is the `depth`th half, and the order was missing in those that it is a part of
-    /// as `above` tells.
+    /// Examines a piece and returns its verdict and its end. The piece is the `depth`th half; `above` are the pieces
+    /// around it in which the order was missing.
     fn examine(&self, at: &Start<Vec<f64>>, piece: f64, depth: u32, above: Missing) -> (Verdict, Start<Vec<f64>>) {
         let view = self.view(at, piece, depth);
         let slopes = match view.judge(self.order, self.clock(at, piece)) {
@@ -117,8 +119,8 @@ impl Orbit<'_> {
         };
         let missing = above.and(&slopes, self.order);
         let power = missing.power();
-        // A power that is as high, or higher, in the mean over all halves is hidden by where in their steps a slope of the
-        // force jumps.
+        // A power that is as high, or higher, in the mean over all halves is hidden by where in their steps a slope of
+        // the force jumps.
         let lost =
             if power >= self.order { Verdict::Silent } else { Verdict::Lost(Loss { time: at.time, order: power }) };
         if depth == HALVINGS {
@@ -142,12 +144,12 @@ impl Orbit<'_> {
         (verdict, end)
     }
 
-    /// How many pieces the clock shows, where a force reads it.
+    /// The time in pieces, where a force reads it.
     fn clock(&self, at: &Start<Vec<f64>>, piece: f64) -> f64 {
         if self.stepper.autonomous() { 0.0 } else { at.time / piece }
     }
 
-    /// A piece in steps of ever half the length.
+    /// Views a piece in steps that are halved again and again.
     fn view(&self, at: &Start<Vec<f64>>, piece: f64, depth: u32) -> View {
         let (groups, finest) = self.divisions(depth);
         let Ok(exact) = self.path(at, piece, finest) else { return View { exact: None, errors: Vec::new() } };
@@ -166,24 +168,24 @@ impl Orbit<'_> {
         }
     }
 
-    /// A piece in so many steps for each of its units.
+    /// The path over a piece, with `steps` steps in each of its units.
     fn path(&self, at: &Start<Vec<f64>>, piece: f64, steps: u64) -> Result<Path, Error> {
         self.stepper.path(at, piece / (UNITS * steps) as f64, UNITS, steps)
     }
 }
 
-/// In how many pieces, each a half of the one before, the order is missing.
+/// The number of pieces, each a half of the one before, in which the order is missing.
 #[derive(Clone, Copy, Default)]
 struct Missing {
-    /// Without one between them in whose finest steps it shows.
+    /// The length of the last sequence in whose finest steps it never shows.
     in_a_row: u32,
-    /// The sum of the powers of the step with which errors shrink in them, and how many these are.
+    /// The sum of the powers of the step with which errors shrink in them, and their number.
     powers: f64,
     count: usize,
 }
 
 impl Missing {
-    /// And in one more. Where steps were too long, the finest ones are the first in which the order shows.
+    /// The same with one more piece. Where steps were too long, the finest ones are the first in which the order shows.
     fn and(self, slopes: &[f64], order: f64) -> Self {
         let continues = slopes.last().is_some_and(|finest| *finest < order);
         Self {
@@ -199,25 +201,25 @@ impl Missing {
     }
 }
 
-/// A piece in steps of ever half the length.
+/// A piece in steps that are halved again and again.
 struct View {
-    /// In the finest ones, if these stay finite.
+    /// The path in the finest steps, if these stay finite.
     exact: Option<Path>,
-    /// The largest error of each group, in units of how far the motion goes.
+    /// The largest error of each group, in units of the excursion.
     errors: Vec<f64>,
 }
 
-/// What is to be said of a piece alone.
+/// The judgement of a piece alone.
 enum Judgement {
     Passed(Verdict),
-    /// The order is missing; errors shrink with these powers of the step, from coarse to fine steps. None where steps do
-    /// not end in numbers.
+    /// The order is missing; errors shrink with these powers of the step, from coarse to fine steps. NaN where steps
+    /// end in NaN.
     Missing(Vec<f64>),
 }
 
 impl View {
-    /// What errors say that have to shrink with the power `needed`, where the clock shows so many pieces: a force that reads
-    /// it is off by its rounding.
+    /// Judges errors that have to shrink with the power `needed`. A force that reads the time, which is `clock` pieces,
+    /// is off by its rounding.
     fn judge(&self, needed: f64, clock: f64) -> Judgement {
         let Some(exact) = &self.exact else { return Judgement::Missing(Vec::new()) };
         let rounding = exact.rounding(exact.excursion()) + (4.0 + clock.abs()) * f64::EPSILON;
@@ -245,7 +247,7 @@ impl View {
         Judgement::Passed(if clear > 1 || drowned { Verdict::Shown } else { Verdict::Silent })
     }
 
-    /// Where and when the piece that begins at `at` ends.
+    /// The end of the piece that begins at `at`.
     fn end(&self, at: &Start<Vec<f64>>, piece: f64) -> Start<Vec<f64>> {
         let last = self.exact.as_ref().and_then(|path| path.ends.last());
         last.unwrap_or(&at.phase).clone().at_time(at.time + piece)

@@ -13,7 +13,7 @@ use crate::{
         },
         start::Start,
         statistics::{
-            line::fit_finest,
+            least_squares::fit_finest,
             path::{PARTS, Path},
             points::{begin, flat_start},
         },
@@ -25,10 +25,11 @@ use crate::{
     trajectory::method::Method,
 };
 
-/// How many of the user's steps the first time spans that is tried; a power of two keeps the doublings exact.
+/// The first time that is tried, in steps of the user; a power of two keeps the doublings exact.
 const FIRST_SPAN: f64 = 16.0;
 
-/// How often a time is doubled or halved at most: between a step 10^19 times too fine and one as much too coarse.
+/// The largest number of doublings or halvings of the time: between a step 10^19 times too fine and one as much too
+/// coarse.
 const DOUBLINGS: usize = 64;
 
 /// The error of the coarsest step, in units of the excursion, beyond which a time counts as too long. At a tenth the
@@ -39,38 +40,39 @@ const COARSEST_ERROR: f64 = 0.1;
 pub(crate) const LADDER: [u64; 22] =
     [1, 2, 3, 4, 5, 6, 8, 10, 12, 16, 20, 24, 32, 40, 48, 64, 80, 96, 128, 160, 192, 256];
 
-/// By how much an error has to exceed the rounding for its logarithm to count. What is left is 4 % of the finest error
+/// The smallest ratio of an error to the rounding for its logarithm to count. What is left is 4 % of the finest error
 /// at most, and less than 0.04 of a slope over a factor of three in the step.
 pub(crate) const CLEARANCE: f64 = 25.0;
 
-/// How many step sizes enter a slope, if so many are clear of the rounding: the finest ones, where the leading term of
-/// the error prevails. Six of them span a factor of three in the step.
+/// The largest number of step sizes that enter a slope: the finest ones that are clear of the rounding, where the
+/// leading term of the error prevails. Six of them span a factor of three in the step.
 pub(crate) const POINTS: usize = 6;
 
-/// How many step sizes a slope needs: two more than a line has parameters, so that its scatter is known.
+/// The smallest number of step sizes of a slope: two more than a line has parameters, so that its scatter is known.
 pub(crate) const NEEDED: usize = 4;
 
-/// How many steps per part edges are looked for in, and how many follow the motion from edge to edge at most.
+/// The largest numbers of steps per part in which edges are searched for, and which follow the motion from edge to
+/// edge.
 const FARTHEST_EDGE: u64 = 1 << 12;
 const MOST_OVER_EDGES: u64 = 8;
 
 /// The factor in the step over which errors are compared.
 const LEVER: f64 = 3.0;
 
-/// By how much the time is shortened where the errors do not lie on a line, and how many times are tried at least; shorter ones
-/// are tried as long as a step of the run fits in.
+/// The factor by which the time is shortened where the errors do not lie on a line, and the smallest number of times
+/// that are tried; shorter ones are tried as long as a step of the run fits in.
 const SHORTENING: f64 = 0.75;
 const ATTEMPTS: usize = 10;
 
-/// By how much an observed order may stay below the claimed one. Orders are whole numbers, so that what lies within
+/// The tolerance of an observed order below the claimed one. Orders are whole numbers, so that what lies within
 /// half of one is nearer to the claimed order than to any lower one.
 pub(crate) const ORDER_TOLERANCE: f64 = 0.5;
 
 /// The standard error of a slope up to which its points are taken to lie on a line.
 const SCATTER: f64 = 0.05;
 
-/// How often a reference may halve a time that four steps of a method follow: those of the march, which are shorter, follow it
-/// to the rounding before that.
+/// The number of halvings by a reference of a time that four steps of a method follow: composed flows, in shorter
+/// steps, follow it to the rounding before that.
 const SHORT: i32 = 8;
 
 /// A measured order.
@@ -81,7 +83,7 @@ pub struct Order {
     pub slope: f64,
     /// The standard error of the slope.
     pub uncertainty: f64,
-    /// How many step sizes the slope was fitted to.
+    /// The number of step sizes in the fit.
     pub points: usize,
     /// The finest of them.
     pub finest: f64,
@@ -98,28 +100,29 @@ impl Order {
         within(self.uncertainty, SCATTER)
     }
 
-    /// Whether this is the claimed order. Where errors lie on no line, they fall into the rounding before the leading one prevails.
+    /// Whether this is the claimed order. Where errors lie on no line, they fall into the rounding before the leading
+    /// one prevails.
     pub(crate) fn reaches(&self, claimed: u32) -> bool {
         self.slope >= if self.is_line() { f64::from(claimed) - ORDER_TOLERANCE } else { needed_along(claimed) }
     }
 }
 
-/// The order that `composition` shows on this very problem.
+/// Measures the order of `composition` on this very problem.
 ///
 /// Errors are distances in phase space to the exact motion, at four times along a common span, in units of how far the
-/// motion went; all states are compensated. The exact motion is a Taylor series where `#[hamiltonian(taylor)]` wrote its
-/// recurrences, and else a march that is refined until it settles. The span is the longest one, in a coarse
-/// search over multiples of `h`, that four steps already follow to a tenth, so that `h` itself may be far too fine or
-/// far too coarse. It is divided into ever more steps, at most 1024, until the error drowns in the rounding; the slope
-/// is a least-squares fit to the finest errors that do not, four to six of them. Where they do not lie on a line,
-/// because part of the motion is faster than the rest, or fall short of the claimed order, the span is shortened, to a step
-/// of `h` at the least: what shows in one that is short is the order of the composition, and [`certify`](crate::check::certify()) looks
-/// for where it is lost along the orbit. Where the clock decides on pieces of the
-/// Hamiltonian, the span reaches over edges, and all steps end there.
+/// motion went; all states are compensated. The exact motion is a Taylor series where `#[hamiltonian(taylor)]` wrote
+/// its recurrences, and else a composition of the flows that is refined until it settles. The span is the longest one,
+/// in a coarse search over multiples of `h`, that four steps already follow to a tenth, so that `h` itself may be far
+/// too fine or far too coarse. It is divided into ever more steps, at most 1024, until the error drowns in the
+/// rounding; the slope is a least-squares fit to the finest errors that do not, four to six of them. Where they do not
+/// lie on a line, because part of the motion is faster than the rest, or fall short of the claimed order, the span is
+/// shortened, to a step of `h` at the least: a short one shows the order of the composition, and
+/// [`certify`](crate::check::certify()) finds where it is lost along the orbit. Where the clock decides on pieces of
+/// the Hamiltonian, the span reaches over edges, and all steps end there.
 ///
 /// # Errors
-/// A start or a step that no run would begin with; a method that takes steps of its own; a start from which the errors of
-/// fewer than four step sizes stand out of the rounding, or from which no step follows the motion.
+/// A start or a step that no run would begin with; a method that takes steps of its own; a start from which the errors
+/// of fewer than four step sizes stand out of the rounding, or from which no step follows the motion.
 pub fn observed_order<H: Hamiltonian, X: Method<H>, K: Precision>(
     system: &H,
     method: X,
@@ -131,7 +134,7 @@ pub fn observed_order<H: Hamiltonian, X: Method<H>, K: Precision>(
     order_of(&Steps::new(system, method, &start.phase), flat_start(&start), h)
 }
 
-/// As [`observed_order`], from a start that a run may begin with.
+/// [`observed_order`] from a start that a run may begin with.
 pub(crate) fn order_of(stepper: &dyn Stepper, start: Start<Vec<f64>>, h: f64) -> Result<Order, CheckError> {
     let problem = Problem { stepper, start };
     let facts = stepper.facts();
@@ -156,7 +159,7 @@ pub(crate) fn order_of(stepper: &dyn Stepper, start: Start<Vec<f64>>, h: f64) ->
     best.order.map(|order| Order { followed, ..order })
 }
 
-/// Into how many steps a span is divided.
+/// Divisions of a span into steps.
 struct Grid {
     span: f64,
     /// The steps of a run in a part of the span, where these matter.
@@ -166,16 +169,16 @@ struct Grid {
 }
 
 impl Grid {
-    /// Steps of any length.
+    /// The divisions for steps of any length.
     fn over(span: f64) -> Self {
         Self { span, whole: 1, ladder: LADDER }
     }
 }
 
-/// What errors say over one span.
+/// The slope of the errors over one span.
 struct Slope {
     order: Result<Order, CheckError>,
-    /// Whether errors are known over a factor of three in the step. Where the exact motion turns so fast that no reference
+    /// Whether errors are known over a factor of three in the step. Where the exact motion is so fast that no reference
     /// resolves it, coarse steps show another order than those that do.
     known: bool,
 }
@@ -186,8 +189,9 @@ impl Slope {
         self.known && self.order.as_ref().is_ok_and(Order::is_line)
     }
 
-    /// Whether they do, and fall with the order that is claimed. Steps that are longer than what is fastest in the motion show
-    /// another order, on a line as straight; what they show over ever shorter times is the order of the composition.
+    /// Whether errors lie on a line and fall with the order that is claimed. Steps that are longer than what is fastest
+    /// in the motion show another order, on a line as straight; what they show over ever shorter times is the order of
+    /// the composition.
     fn shows(&self, claimed: u32) -> bool {
         self.is_line() && self.order.as_ref().is_ok_and(|order| order.reaches(claimed))
     }
@@ -210,7 +214,7 @@ pub(crate) fn needed_along(claimed: u32) -> f64 {
     claimed - ORDER_TOLERANCE.max((claimed - 2.0) / 4.0)
 }
 
-/// What is measured.
+/// A method, and the start of the runs that measure it.
 struct Problem<'s> {
     stepper: &'s dyn Stepper,
     start: Start<Vec<f64>>,
@@ -225,19 +229,19 @@ impl Problem<'_> {
     /// The longest time over which the coarsest step follows the motion.
     fn longest_span(&self, h: f64) -> Result<f64, CheckError> {
         let mut span = FIRST_SPAN * h;
-        if self.followed(span, 1) {
+        if self.resolves(span, 1) {
             for _ in 0..DOUBLINGS {
-                if !self.followed(2.0 * span, 1) {
+                if !self.resolves(2.0 * span, 1) {
                     break;
                 }
                 span *= 2.0;
             }
-            return Ok(self.stretched(span));
+            return Ok(self.extended(span));
         }
         for _ in 0..DOUBLINGS {
             span /= 2.0;
-            if self.followed(span, 1) {
-                return Ok(self.stretched(span));
+            if self.resolves(span, 1) {
+                return Ok(self.extended(span));
             }
         }
         Err(CheckError::NotSmooth { finest: (span / PARTS as f64).abs() })
@@ -245,15 +249,16 @@ impl Problem<'_> {
 
     /// The longest time between a span that is followed and twice that, in eighths: a body that falls from far away is
     /// followed with next to no error until it arrives, and from then on not at all.
-    fn stretched(&self, span: f64) -> f64 {
+    fn extended(&self, span: f64) -> f64 {
         [0.5, 0.25, 0.125]
             .into_iter()
-            .fold(1.0, |factor, more| if self.followed(span * (factor + more), 1) { factor + more } else { factor })
+            .fold(1.0, |factor, more| if self.resolves(span * (factor + more), 1) { factor + more } else { factor })
             * span
     }
 
-    /// Steps that end where pieces of the Hamiltonian meet, over a span in which they do; nothing, if none meet in a time that
-    /// is followed. The span is the longest one, in a coarse search, that a few steps from edge to edge follow to a tenth.
+    /// Steps that end where pieces of the Hamiltonian meet, over a span in which they do; nothing, if none meet in a
+    /// time that is followed. The span is the longest one, in a coarse search, that a few steps from edge to edge
+    /// follow to a tenth.
     ///
     /// # Errors
     /// An edge inside of a step of `h`.
@@ -269,7 +274,7 @@ impl Problem<'_> {
             whole = whole.next_multiple_of(apart);
             let (span, pieces) = ((PARTS * whole) as f64 * h, whole / self.spacing(h, whole)?);
             let ladder = LADDER.map(|steps| steps * pieces);
-            if !ladder.iter().any(|steps| *steps <= MOST_OVER_EDGES && self.followed(span, *steps)) {
+            if !ladder.iter().any(|steps| *steps <= MOST_OVER_EDGES && self.resolves(span, *steps)) {
                 break;
             }
             found = Some(Grid { span, whole, ladder });
@@ -278,7 +283,7 @@ impl Problem<'_> {
         Ok(found)
     }
 
-    /// By how many steps edges lie apart, in so many steps per part.
+    /// The spacing of edges in steps, for `whole` steps in each part.
     fn spacing(&self, h: f64, whole: u64) -> Result<u64, CheckError> {
         let span = (PARTS * whole) as f64 * h;
         let ends = self.path(span, whole).map_or(Vec::new(), |path| path.ends);
@@ -286,9 +291,9 @@ impl Problem<'_> {
         self.stepper.spacing(&points, self.start.time, h, PARTS * whole)
     }
 
-    /// Whether halving the coarsest step changes little beside the motion itself. No reference is needed to tell: the
+    /// Whether halving the coarsest step changes little beside the motion itself. No reference is needed: the
     /// difference is most of the error of the coarser one.
-    fn followed(&self, span: f64, steps: u64) -> bool {
+    fn resolves(&self, span: f64, steps: u64) -> bool {
         let (Ok(coarse), Ok(fine)) = (self.path(span, steps), self.path(span, 2 * steps)) else { return false };
         let scale = fine.excursion();
         // Over a time so short that the motion itself drowns in the rounding, nothing speaks against a longer one.
@@ -302,10 +307,10 @@ impl Problem<'_> {
         let Grid { span, whole, ladder } = grid;
         let exact = reference(self.stepper.exact(), &self.start, span, whole, SHORT);
         let scale = exact.scale;
-        // Both states are compensated, so that their sums lose nothing: each is rounded when it is seen. What is left
-        // are the roundings of the flows, a few ε of what each adds to the state. These parts of the excursion, forth
-        // and back within a step included, sum up to a few excursions, and their errors to a few ε of one, however
-        // many steps there are; the error of the reference adds to it.
+        // Both states are compensated, so that their sums lose nothing: each is rounded when it is returned. What is
+        // left are the roundings of the flows, a few ε of what each adds to the state. These parts of the excursion,
+        // forth and back within a step included, sum up to a few excursions, and their errors to a few ε of one,
+        // however many steps there are; the error of the reference adds to it.
         let plateau = exact.uncertainty() + 2.0 * exact.rounding() + 4.0 * f64::EPSILON;
         let mut points = Vec::with_capacity(LADDER.len());
         for steps in ladder {

@@ -1,8 +1,8 @@
-//! Whether steps by `-h` undo steps by `h`.
+//! Reversibility: whether steps by `-h` undo steps by `h`.
 //!
-//! In: a system, a method, a start, a step, a number of steps. Out: how far from its start a run ends that goes
-//! forward and back. Always true: the very runs of the user, in the precision of the user's state, with the clock
-//! turned round where the forward run ends.
+//! In: a system, a method, a start, a step, a number of steps. Out: the distance from the start at which a run ends
+//! that goes forward and back. Always true: the runs are the user's own, in the precision of the user's state, and the
+//! clock is reversed where the forward run ends.
 
 use crate::{
     check::{
@@ -21,7 +21,7 @@ use crate::{
     trajectory::method::Method,
 };
 
-/// How far from `start` a run ends that takes `steps` steps by `h` and as many by `-h` back: the largest
+/// The distance from `start` at which a run ends that takes `steps` steps by `h` and as many by `-h` back: the largest
 /// difference of a position in units of the largest position, or of a momentum in units of the largest momentum.
 ///
 /// A symmetric composition comes back up to rounding, however coarse the step. Another one misses the start by about
@@ -36,10 +36,10 @@ pub fn reversibility<H: Hamiltonian, X: Method<H>, K: Precision>(
     h: f64,
     steps: u64,
 ) -> Result<f64, CheckError> {
-    Ok(Trip::take::<H, X, K>(system, method, &start.into(), h, steps)?.distance())
+    Ok(Endpoints::take::<H, X, K>(system, method, &start.into(), h, steps)?.distance())
 }
 
-/// How far a round trip ends from its start, and how far rounding alone may take it.
+/// The distance of the end of a round trip from its start, and the one that rounding alone explains.
 pub(crate) struct RoundTrip {
     pub(crate) distance: f64,
     pub(crate) tolerance: f64,
@@ -48,7 +48,7 @@ pub(crate) struct RoundTrip {
 /// The round trip and its tolerance.
 ///
 /// Each of the `2 n f` flows on the way rounds every coordinate, by at most 2 ε of the largest one with the error of
-/// the update itself. What an error grows to until the end of the trip is told by tangents that begin with that size:
+/// the update itself. Tangents that begin with that size show what an error grows to until the end of the trip:
 /// the largest they become on the way there, or on the way back. The errors are independent, so that they add up to the
 /// root of their number, `2 ε √(2 n f)` times this growth. A factor 8 covers the tail of such a sum and what tangents
 /// in two directions may miss of the growth.
@@ -59,30 +59,30 @@ pub(crate) fn round_trip<H: Hamiltonian, X: Method<H>, K: Precision>(
     h: f64,
     steps: u64,
 ) -> Result<RoundTrip, CheckError> {
-    let trip = Trip::take::<H, X, K>(system, method, start, h, steps)?;
+    let trip = Endpoints::take::<H, X, K>(system, method, start, h, steps)?;
     let shape = plain::<H, K>(&start.phase);
     let [there, back] = [h, -h].map(|h| Tangents::<H, X>::new(system, method, &shape, h));
     let growth = largest([
         growth(&there, &trip.start, trip.size, (start.time, h), steps),
-        growth(&back, &trip.turn, trip.size, (trip.time, -h), steps),
+        growth(&back, &trip.turnaround, trip.size, (trip.time, -h), steps),
     ]);
     let roundings = 16.0 * (2.0 * method.facts().roundings_in(steps)).sqrt();
     Ok(RoundTrip { distance: trip.distance(), tolerance: roundings * trip.resolution * growth })
 }
 
-/// The points of a round trip.
-struct Trip {
+/// Start, turnaround and end of a round trip.
+struct Endpoints {
     start: Flat,
-    turn: Flat,
+    turnaround: Flat,
     end: Flat,
-    /// The time of the turn.
+    /// The time of the turnaround.
     time: f64,
-    /// What one rounding amounts to, in the unit of the coordinate.
+    /// The size of one rounding, in the unit of the coordinate.
     resolution: f64,
     size: Size,
 }
 
-impl Trip {
+impl Endpoints {
     fn take<H: Hamiltonian, X: Method<H>, K: Precision>(
         system: &H,
         method: X,
@@ -90,12 +90,12 @@ impl Trip {
         h: f64,
         steps: u64,
     ) -> Result<Self, CheckError> {
-        let turn = after::<H, X, K>(system, method, start, h, steps)?;
-        let end = after::<H, X, K>(system, method, &turn, -h, steps)?;
-        let (resolution, time) = (resolution(&[&start.phase, &turn.phase]), turn.time);
-        let (start, turn) = (flat(&start.phase), flat(&turn.phase));
-        let size = Size::of(&[&start, &turn]);
-        Ok(Self { start, turn, end: flat(&end.phase), time, resolution, size })
+        let turnaround = after::<H, X, K>(system, method, start, h, steps)?;
+        let end = after::<H, X, K>(system, method, &turnaround, -h, steps)?;
+        let (resolution, time) = (resolution(&[&start.phase, &turnaround.phase]), turnaround.time);
+        let (start, turnaround) = (flat(&start.phase), flat(&turnaround.phase));
+        let size = Size::of(&[&start, &turnaround]);
+        Ok(Self { start, turnaround, end: flat(&end.phase), time, resolution, size })
     }
 
     fn distance(&self) -> f64 {
@@ -103,7 +103,7 @@ impl Trip {
     }
 }
 
-/// Where and when a run is after so many steps.
+/// The point and the time of a run after some steps.
 fn after<H: Hamiltonian, X: Method<H>, K: Precision>(
     system: &H,
     method: X,

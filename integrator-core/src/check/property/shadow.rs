@@ -1,9 +1,9 @@
-//! Whether a run of Verlet conserves what Verlet conserves.
+//! Conservation of Verlet's modified Hamiltonian (its shadow).
 //!
-//! In: a system with quadratic `T`, `Verlet` or `VelocityVerlet`, a start, a step. Out: with which power of the step `H`,
-//! and its modification by the terms of order 2 and of order 2 and 4, stay. Always true: second and third derivatives of
-//! `V` are exact ones of the generated code; a stepper whose forces, stages or clock are wrong conserves another quantity
-//! and shows a lower power, whatever else it conserves.
+//! In: a system with quadratic `T`, `Verlet` or `VelocityVerlet`, a start, a step. Out: the power of the step with
+//! which the deviations of `H`, and of its modifications by the terms of order 2 and of order 2 and 4, shrink. Always
+//! true: second and third derivatives of `V` are exact ones of the generated code; a stepper whose forces, stages or
+//! clock are wrong conserves another quantity and shows a lower power, whatever else it conserves.
 
 use crate::{
     check::{
@@ -15,7 +15,7 @@ use crate::{
         },
         start::Start,
         statistics::{
-            line::fit_finest,
+            least_squares::fit_finest,
             path::PARTS,
             points::{origin, plain},
         },
@@ -59,10 +59,10 @@ impl Shadowed for VelocityVerlet {
         Terms { second: [1.0 / 12.0, -1.0 / 24.0], fourth: [-1.0 / 720.0, 1.0 / 120.0, 1.0 / 60.0, -1.0 / 240.0] };
 }
 
-/// By how much a measured power may stay below the exact one; powers are even, so that half of it tells them apart.
+/// The tolerance of a measured power. Powers are even, so that a smaller one is not mistaken for the next.
 const POWER_TOLERANCE: f64 = 0.5;
 
-/// With which powers of the step `H` and its modifications stay.
+/// The powers of the step with which the deviations of `H` and of its modifications shrink.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct Shadow {
@@ -81,8 +81,8 @@ impl Shadow {
     }
 }
 
-/// Measures the powers of the step with which `H` and the modified Hamiltonians of a composition stay: the slopes of the
-/// logarithm of the mean squared deviation from the start over the logarithm of the step.
+/// Measures the powers of the step with which the deviations of `H` and of the modified Hamiltonians shrink: the slopes
+/// of the logarithm of the mean squared deviation from the start over the logarithm of the step.
 ///
 /// Runs are compensated and go over the span of [`observed_order`], of which `h` is a first guess only; as there, a
 /// slope is fitted to the finest steps whose deviation stands out of the rounding, four to six of them. Much of what is
@@ -131,7 +131,8 @@ pub fn shadow<H: QuadraticKinetic, X: Composition<H> + Shadowed, K: Precision>(
     let mut drowned = [false; 3];
     for steps in LADDER.map(|steps| PARTS * steps) {
         let step = span / steps as f64;
-        let Ok(Course { deviations, rounding }) = course::<H, X>(system, &parameters, &start, step, steps) else {
+        let Ok(Deviations { deviations, rounding }) = deviations::<H, X>(system, &parameters, &start, step, steps)
+        else {
             continue;
         };
         for ((deviation, points), drowned) in deviations.iter().zip(&mut points).zip(&mut drowned) {
@@ -153,21 +154,21 @@ pub fn shadow<H: QuadraticKinetic, X: Composition<H> + Shadowed, K: Precision>(
     Ok(shadow)
 }
 
-/// How `H` and its modifications went along a run.
-struct Course {
+/// Deviations of `H` and its modifications in a run.
+struct Deviations {
     /// The roots of the mean squared deviations from the start.
     deviations: [f64; 3],
-    /// What rounding a state and summing its energy may do to these.
+    /// A bound on the rounding errors of these, from the state and the sum of its energy.
     rounding: f64,
 }
 
-fn course<H: QuadraticKinetic, X: Composition<H> + Shadowed>(
+fn deviations<H: QuadraticKinetic, X: Composition<H> + Shadowed>(
     system: &H,
     parameters: &H::Parameters<f64>,
     start: &Start<H::Coords>,
     h: f64,
     steps: u64,
-) -> Result<Course, CheckError> {
+) -> Result<Deviations, CheckError> {
     let mut run = CompensatedSteps::new(system, X::default(), start.clone(), h)?;
     let at = |point: &Phase<H::Coords>| Point::<H> { parameters, point }.energies(&X::TERMS, h);
     let (first, mut terms) = at(&start.phase);
@@ -182,10 +183,10 @@ fn course<H: QuadraticKinetic, X: Composition<H> + Shadowed>(
     let count = (steps as f64).sqrt();
     // Each of the coordinates is rounded, and each of the terms of the energies, to half an ε of the largest at most.
     let rounding = (4.0 * start.phase.q.flat().len() as f64).sqrt() * f64::EPSILON * terms;
-    Ok(Course { deviations: changes.map(|changes| length(changes) / count), rounding })
+    Ok(Deviations { deviations: changes.map(|changes| length(changes) / count), rounding })
 }
 
-/// A point at which `V` is differentiated.
+/// Derivatives of `V` at a point.
 struct Point<'p, H: QuadraticKinetic> {
     parameters: &'p H::Parameters<f64>,
     point: &'p Phase<H::Coords>,

@@ -1,9 +1,9 @@
-//! How far a step is below the one at which it becomes unstable.
+//! Linear stability: the fastest oscillation beside the stability limit of the composition.
 //!
 //! In: a system, a composition, a start, a step. Out: the largest `h·ω` on the way, and the composition's limit for it.
-//! Always true: frequencies are those of the flows linearised by duals, for any `T`; what flees instead of oscillating
-//! has none. It is a hint: it looks at the motion in places, and a limit for oscillators is no promise for what is not
-//! one.
+//! Always true: frequencies are those of the flows linearised by duals, for any `T`; a direction in which the motion
+//! grows exponentially has none. It is a hint: the motion is sampled, and a limit for oscillators is no promise for
+//! other systems.
 
 use crate::{
     check::{
@@ -26,36 +26,37 @@ use crate::{
 };
 use std::fmt;
 
-/// How many times the motion is looked at, and how many steps lie between two looks: as far as the energy is followed
-/// in a certificate.
-const LOOKS: u64 = 256;
+/// The number of samples of the motion and of steps between two of them: as far as the energy is followed in a
+/// certificate.
+const SAMPLES: u64 = 256;
 const INTERVAL: u64 = 32;
 
-/// The share of the limit from which a step is called near to it. At half of the limit Verlet's frequencies are off by a
-/// tenth, resonances between them begin to be felt, and a spring that hardens to the fourfold on the way leads beyond it.
+/// The fraction of the limit from which a step is called near to it. At half of the limit Verlet's frequencies are off
+/// by a tenth, resonances between them begin to be felt, and a spring that hardens to the fourfold on the way leads
+/// beyond it.
 const NEAR: f64 = 0.5;
 
 /// The fastest oscillation of a run in units of its step, and how much of it the composition bears.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct Stability {
-    /// The largest `h·ω` that was seen, in radians: by how much the fastest oscillation turns in one step. Zero where
+    /// The phase advance: the largest `h·ω` of all samples, in radians. Zero where
     /// nothing oscillates, NaN where the motion has no finite second derivatives.
     pub turn: f64,
-    /// When it was seen.
+    /// The time of that sample.
     pub time: f64,
     /// The `h·ω` from which the composition is unstable: [`Scheme::STABILITY_LIMIT`](crate::Scheme::STABILITY_LIMIT).
     pub limit: f64,
 }
 
 impl Stability {
-    /// The turn as a share of the limit.
+    /// The phase advance as a fraction of the limit.
     pub fn share(&self) -> f64 {
         self.turn / self.limit
     }
 
-    /// Whether the turn is half of the limit or more. The motion is then poorly resolved at best; a smaller step is
-    /// called for.
+    /// Whether the phase advance is half of the limit or more. The motion is then poorly resolved at best; a smaller
+    /// step is called for.
     pub fn is_near(&self) -> bool {
         !within(self.share(), NEAR.next_down())
     }
@@ -72,12 +73,13 @@ impl fmt::Display for Stability {
     }
 }
 
-/// How near a run from `start` with step `h` comes to the stability limit of `composition`: the largest
+/// The stability of a run from `start` with step `h` by `composition`: the largest
 /// `h·ω` at 256 points of its first 8192 steps, or of as many as end in finite states.
 ///
-/// The frequencies at a point are those of the linear motion about it, the roots of the eigenvalues of `T″ V″`; eigenvalues
-/// of directions in which the motion flees have no frequency. Up to 24 coordinates all of them are found, beyond that
-/// the largest within a hundredth or so. The work is that of 24 force evaluations in duals per point at most.
+/// The frequencies at a point are those of the linear motion about it, the roots of the eigenvalues of `T″ V″`;
+/// eigenvalues of directions in which the motion grows exponentially have no frequency. Up to 24 coordinates all of
+/// them are found, beyond that the largest within a hundredth or so. The work is that of 24 force evaluations in duals
+/// per point at most.
 ///
 /// # Errors
 /// A start or a step that no run would begin with.
@@ -129,15 +131,15 @@ pub(crate) fn nearness<H: Hamiltonian, X: Method<H>, K: Precision>(
     }))
 }
 
-/// The fastest oscillation of a run in units of its step, seen at its start and as often as it goes on from there.
+/// The fastest oscillation of a run in units of its step, sampled at its start and after each call of `advance`.
 fn fastest(
     (system, h, limit): (&dyn Differentiable, f64, f64),
-    mut seen: (Flat, f64),
+    mut sample: (Flat, f64),
     advance: &mut dyn FnMut() -> Option<(Flat, f64)>,
 ) -> Stability {
-    let mut fastest = Stability { turn: 0.0, time: seen.1, limit };
-    for _ in 0..LOOKS {
-        let (state, time) = &seen;
+    let mut fastest = Stability { turn: 0.0, time: sample.1, limit };
+    for _ in 0..SAMPLES {
+        let (state, time) = &sample;
         let turn = (h * frequency(system, state, *time)).abs();
         if !within(turn, fastest.turn) {
             fastest = Stability { turn, time: *time, ..fastest };
@@ -145,9 +147,9 @@ fn fastest(
         if turn.is_nan() {
             break;
         }
-        // A run that diverges has been told what it comes near to by the states before.
+        // The samples before a divergence show what led to it.
         match advance() {
-            Some(next) => seen = next,
+            Some(next) => sample = next,
             None => break,
         }
     }

@@ -1,7 +1,7 @@
-//! Whether the generated code is what the user's own functions say.
+//! Agreement of the generated code with the user's own functions.
 //!
-//! In: a system and the states of an orbit. Out: how often energies, forces and velocities, and the tangents of these,
-//! were held against the user's functions, and what did not agree. Always true: derivatives are held against differences
+//! In: a system and the states of an orbit. Out: how many energies, forces and velocities, and tangents of these, agree
+//! with the user's functions, and which do not. Always true: derivatives are held against differences
 //! that are extrapolated (Richardson) until two widths agree; where they do not, as at a kink, nothing is said and the
 //! comparison is not counted.
 
@@ -18,43 +18,44 @@ use crate::{
     system::stated::{Digits, Function, Values, values},
 };
 
-/// Up to how many coordinates each is a direction of its own, and in how many directions differences are taken otherwise.
+/// The largest number of coordinates of which each is a direction of its own, and the number of directions beyond that.
 const COORDINATES: usize = 8;
 const DIRECTIONS: usize = 4;
 
-/// The widths at which differences begin, in units of the largest coordinate, and how often each is halved: they reach from
-/// a tenth of it down to where rounding takes half of the digits.
+/// The widths at which differences begin, in units of the largest coordinate, and how often each is halved: they reach
+/// from a tenth of it down to where rounding takes half of the digits.
 const WIDTHS: [f64; 6] = [1e-1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6];
 const LEVELS: usize = 6;
 
-/// How well a derivative has to be known that anything is held against it, in units of its terms. Orders of magnitude below
+/// The largest uncertainty of a derivative that is compared, in units of its terms. Orders of magnitude below
 /// the mistakes that are made in a derivative by hand, and above what differences reach where a function is smooth.
 const KNOWN: f64 = 1e-6;
 
-/// By how much more than its estimated error a difference may be off: the estimate is the last correction of an
+/// The safety factor on the estimated error of a difference: the estimate is the last correction of an
 /// extrapolation, which the next ones fall short of where it converges.
 const SAFETY: f64 = 8.0;
 
 /// A state and its time.
 pub(crate) type Visited = (Flat, f64);
 
-/// How often the generated code was held against the user's functions.
+/// Numbers of comparisons of the generated code with the user's functions.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[non_exhaustive]
 pub struct Agreement {
-    /// How many energies agree.
+    /// The number of energies that agree.
     pub energies: usize,
-    /// How many derivatives agree: forces and velocities, and their tangents, in one direction at one state each.
+    /// The number of derivatives that agree: forces and velocities, and their tangents, in one direction at one state
+    /// each.
     pub derivatives: usize,
-    /// How many comparisons could not be made: at a kink or a jump, or where rounding leaves nothing to be compared.
+    /// The number of comparisons that could not be made: at a kink or a jump, or where rounding leaves nothing to be
+    /// compared.
     pub left_out: usize,
 }
 
-/// Holds the generated energies and flows against the user's functions at some states, each with its time: how often they
-/// agree, or why that is not known.
+/// Compares the generated energies and flows with the user's functions at some states, each with its time.
 ///
 /// # Errors
-/// What does not agree, at most once for each function.
+/// The first disagreement of each function.
 pub(crate) fn agreement(
     system: &dyn Stated,
     states: &[Visited],
@@ -98,7 +99,7 @@ pub(crate) trait Stated {
     /// The generated code alone.
     fn energies(&self) -> &dyn Differentiable;
 
-    /// The values of both.
+    /// The values of the generated code and of the user's functions.
     fn values(&self, function: Function, state: &Flat, time: f64) -> Values;
 }
 
@@ -130,7 +131,7 @@ impl Point<'_> {
         }
     }
 
-    /// A state with other coordinates for the function to read.
+    /// The state with other coordinates for the function to read.
     fn with(&self, of: &Flat, own: impl Iterator<Item = f64>) -> Flat {
         let mut state = of.clone();
         let numbers = match self.function {
@@ -229,8 +230,8 @@ struct Slope {
     scale: f64,
 }
 
-/// The derivative at zero of a function that tells its rounding too; none where no two widths lead to the same, or where
-/// the slopes from both sides differ.
+/// The derivative at zero of a function that returns its rounding too; `None` where no two widths lead to the same, or
+/// where the slopes from both sides differ.
 fn slope_of(value: &dyn Fn(f64) -> [f64; 2]) -> Option<Slope> {
     let mut best: Option<Slope> = None;
     for width in WIDTHS {
@@ -246,9 +247,9 @@ fn slope_of(value: &dyn Fn(f64) -> [f64; 2]) -> Option<Slope> {
     None
 }
 
-/// The derivative at zero from differences over a width and its halves, by Richardson's extrapolation: central ones, whose
-/// error is a series in the square of the width, and those to either side, in its powers, which have to agree with each
-/// other or there is a kink in between.
+/// The derivative at zero from differences over a width and its halves, by Richardson's extrapolation: central ones,
+/// whose error is a series in the square of the width, and those to either side, in its powers, which have to agree
+/// with each other or there is a kink in between.
 fn extrapolated(value: &dyn Fn(f64) -> [f64; 2], width: f64) -> Option<Slope> {
     let [middle, mut rounding] = value(0.0);
     let (mut central, mut right, mut left) = ([0.0; LEVELS], [0.0; LEVELS], [0.0; LEVELS]);

@@ -1,4 +1,4 @@
-//! Whether a step preserves the symplectic form.
+//! Symplecticity: whether a step preserves the symplectic form.
 //!
 //! In: a system, a method, a point, a step. Out: by how much `Mᵀ J M` differs from `J = (0 1; -1 0)`, where `M` is
 //! the exact tangent map. Always true: zero up to rounding for every composition of exact flows, whatever its order and
@@ -18,8 +18,8 @@ use crate::{
 };
 use nalgebra::DMatrix;
 
-/// By how much one closed step of size `h` from `start` fails to be symplectic: the largest entry of
-/// `Mᵀ J M - J` for the exact tangent map `M`.
+/// The symplectic defect of one closed step of size `h` from `start`: the largest entry of `Mᵀ J M - J` for the exact
+/// tangent map `M`.
 ///
 /// The entries are taken in units that balance `M`: each pair `(qᵢ, pᵢ)` is measured as `(qᵢ/s, s·pᵢ)` with a power
 /// of two `s` for which neither force nor velocity dominates. Such a change of units is symplectic itself, so that the
@@ -38,7 +38,7 @@ pub fn symplectic_defect<H: Hamiltonian, X: Method<H>, K: Precision>(
     symplectic_defect_after::<H, X, K>(system, method, start, h, 1)
 }
 
-/// As [`symplectic_defect`], for `steps` steps in a row. Rounding makes it grow with the number of steps.
+/// [`symplectic_defect`] of `steps` steps in a row. Rounding makes it grow with the number of steps.
 ///
 /// # Errors
 /// As [`symplectic_defect`].
@@ -53,8 +53,8 @@ pub fn symplectic_defect_after<H: Hamiltonian, X: Method<H>, K: Precision>(
 }
 
 /// The Poisson bracket `{qᵢ, pᵢ}` of where one closed step of size `h` from `start` leads, by where it begins:
-/// `Σₖ ∂qᵢ'/∂qₖ ∂pᵢ'/∂pₖ - ∂qᵢ'/∂pₖ ∂pᵢ'/∂qₖ` from the exact tangent map. One for a symplectic step, up to rounding; in one
-/// degree of freedom, the factor by which a step changes areas. Coordinates are counted over their flattened form.
+/// `Σₖ ∂qᵢ'/∂qₖ ∂pᵢ'/∂pₖ - ∂qᵢ'/∂pₖ ∂pᵢ'/∂qₖ` from the exact tangent map. One for a symplectic step, up to rounding; in
+/// one degree of freedom, the factor by which a step changes areas. Coordinates are counted over their flattened form.
 ///
 /// # Errors
 /// A start or a step that no run would begin with; a coordinate that there is not.
@@ -75,7 +75,7 @@ pub fn poisson_bracket<H: Hamiltonian, X: Method<H>, K: Precision>(
     Ok((0..coordinates).map(|k| q[k] * p[coordinates + k] - q[coordinates + k] * p[k]).sum())
 }
 
-/// How far a tangent map is from symplectic, and how far rounding alone may take it.
+/// The symplectic defect of a tangent map, and the one that rounding alone explains.
 pub(crate) struct Defect {
     pub(crate) size: f64,
     pub(crate) tolerance: f64,

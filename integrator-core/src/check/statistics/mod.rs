@@ -1,7 +1,7 @@
-//! What measured numbers say: slopes, trends, distances.
+//! Statistics of measured numbers: slopes, trends, distances.
 
-pub(crate) mod course;
-pub(crate) mod line;
+pub(crate) mod least_squares;
 pub(crate) mod path;
 pub(crate) mod points;
 pub(crate) mod spectrum;
+pub(crate) mod trend;

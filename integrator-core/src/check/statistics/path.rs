@@ -1,4 +1,4 @@
-//! A motion seen at a few equally spaced times, and how far apart two such views are.
+//! Paths: a motion at a few equally spaced times, and the distance of two.
 //!
 //! Always true: positions are measured against positions and momenta against momenta, so that units cancel, and a
 //! displacement against a displacement, so that the origin of the coordinates does not matter.
@@ -8,18 +8,18 @@ use crate::{
     state::flat::Flat,
 };
 
-/// Into how many equal parts a time is divided. Errors are taken over all of their ends, because at a single time the
+/// The number of equal parts of a time. Errors are taken over all of their ends, because at a single time the
 /// leading error may happen to vanish, as that of a pendulum's energy does after each period.
 pub(crate) const PARTS: u64 = 4;
 
-/// A start, and where the motion is at the end of each part of a time, mostly of [`PARTS`] of them.
+/// A start, and the points of the motion at the ends of equal parts of a time, mostly of [`PARTS`] of them.
 #[derive(Clone)]
 pub(crate) struct Path {
     pub(crate) start: Flat,
     pub(crate) ends: Vec<Flat>,
 }
 
-/// One number for positions, one for momenta.
+/// A length for positions and one for momenta.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Scale {
     pub(crate) q: f64,
@@ -29,8 +29,8 @@ pub(crate) struct Scale {
 impl Scale {
     pub(crate) const ZERO: Self = Self { q: 0.0, p: 0.0 };
 
-    /// How far a motion went that was this far before and now is at `point`. At the few ends of a path alone, a periodic
-    /// motion may be back at its start.
+    /// The excursion of a motion that was this far before and now is at `point`. At the few ends of a path alone, a
+    /// periodic motion may be back at its start.
     pub(crate) fn reaching(self, start: &Flat, point: &Flat) -> Self {
         Self {
             q: largest([self.q, separation(&point.q, &start.q)]),
@@ -49,12 +49,12 @@ impl Path {
         Ok(Self { start, ends })
     }
 
-    /// The farthest from the start that the motion was seen.
+    /// The largest distance of an end from the start.
     pub(crate) fn excursion(&self) -> Scale {
         self.ends.iter().fold(Scale::ZERO, |scale, end| scale.reaching(&self.start, end))
     }
 
-    /// The farthest from the origin that the motion was seen.
+    /// The largest distance of a point from the origin.
     pub(crate) fn magnitude(&self) -> Scale {
         let points = || self.ends.iter().chain([&self.start]);
         Scale {
@@ -63,7 +63,8 @@ impl Path {
         }
     }
 
-    /// The root of the mean squared distance to `other` over the ends, in units of `scale`; NaN if one of the two has none.
+    /// The root of the mean squared distance to `other` over the ends, in units of `scale`; NaN if one of the two has
+    /// none.
     pub(crate) fn distance(&self, other: &Self, scale: Scale) -> f64 {
         let apart = self.ends.iter().zip(&other.ends).flat_map(|(one, other)| {
             [ratio(separation(&one.q, &other.q), scale.q), ratio(separation(&one.p, &other.p), scale.p)]
@@ -71,14 +72,14 @@ impl Path {
         length(apart) / (self.ends.len().min(other.ends.len()) as f64).sqrt()
     }
 
-    /// What one rounding of every coordinate amounts to, in units of `scale`.
+    /// The distance that one rounding of every coordinate makes, in units of `scale`.
     pub(crate) fn rounding(&self, scale: Scale) -> f64 {
         let magnitude = self.magnitude();
         f64::EPSILON * (ratio(magnitude.q, scale.q) + ratio(magnitude.p, scale.p))
     }
 }
 
-/// A path that is recorded step by step, and how far the motion goes.
+/// The recorder of a path, step by step, and of the excursion.
 pub(crate) struct Recorder {
     path: Path,
     scale: Scale,

@@ -1,4 +1,4 @@
-//! Points of phase space as checks see them: in `f64`, and as one row of numbers.
+//! Points of phase space as checks see them: in `f64`, and as flat vectors.
 
 use crate::{
     check::start::Start,
@@ -53,7 +53,7 @@ pub(crate) fn run<H: Hamiltonian, X: Method<H>, K: Precision>(
     Ok(run)
 }
 
-/// What one rounding amounts to, relative to the largest position or to the largest momentum of some points.
+/// The size of one rounding, relative to the largest position or to the largest momentum of some points.
 pub(crate) fn resolution<C: Coords>(points: &[&Phase<C>]) -> f64 {
     let (mut q, mut p) = (Grain::default(), Grain::default());
     for point in points {

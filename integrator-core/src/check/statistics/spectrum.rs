@@ -5,11 +5,11 @@
 
 use nalgebra::{Complex, DMatrix, DVector, Schur};
 
-/// The largest subspace that is looked at. The outermost eigenvalues of a chain, the most crowded ones of all systems
+/// The dimension of the largest subspace. The outermost eigenvalues of a chain, the most crowded ones of all systems
 /// with springs between neighbours, come out within (π/24)²/2, a hundredth, of the widest spread.
 const SUBSPACE: usize = 24;
 
-/// How many sweeps the eigenvalues of a matrix may take; a few for each of them are the rule.
+/// The largest number of sweeps for the eigenvalues of a matrix; a few for each of them are the rule.
 const SWEEPS: usize = 100 * SUBSPACE;
 
 /// Approximate eigenvalues of `operator` on vectors of `length` numbers (Arnoldi 1951): those of its restriction to the
@@ -48,7 +48,7 @@ pub(crate) fn eigenvalues(length: usize, operator: &dyn Fn(&[f64]) -> Vec<f64>) 
             basis.push(image / rest);
         }
     }
-    // nalgebra cannot tell the eigenvalues of a matrix without rows.
+    // nalgebra cannot compute the eigenvalues of a matrix without rows.
     if found == 0 {
         return Some(Vec::new());
     }

@@ -1,8 +1,8 @@
-//! A straight line through points, by least squares.
+//! Least squares: the straight line through points.
 
 use std::ops::RangeInclusive;
 
-/// What a fit says about the slope.
+/// The slope of a fit.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Slope {
     /// The slope.
@@ -41,7 +41,7 @@ mod tests {
     use crate::scalar::tolerance::within;
 
     #[test]
-    fn a_line_is_found_and_its_scatter_told() {
+    fn a_fit_has_slope_and_scatter() {
         let straight = fit(&[(0.0, 1.0), (1.0, 3.0), (4.0, 9.0)]);
         assert!(within(straight.value - 2.0, 4.0 * f64::EPSILON), "{straight:?}");
         assert!(within(straight.uncertainty, 4.0 * f64::EPSILON), "{straight:?}");
@@ -60,7 +60,7 @@ mod tests {
     }
 
     #[test]
-    fn nothing_to_fit_is_no_number() {
+    fn nothing_to_fit_is_nan() {
         assert!(fit(&[]).value.is_nan());
         assert!(fit(&[(1.0, 1.0)]).value.is_nan());
     }

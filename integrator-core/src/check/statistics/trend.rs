@@ -1,35 +1,36 @@
-//! What becomes of a number that should stay: whether it oscillates, walks at random, or drifts.
+//! Trend of a conserved quantity: whether it oscillates, walks at random, or drifts.
 //!
-//! In: the number, averaged over equal groups of samples. Out: the line through it with an uncertainty that holds for
+//! In: the quantity, averaged over equal groups of samples. Out: the line through it with an uncertainty that holds for
 //! scatter with and without memory, and how its scatter grows with time. Always true: a verdict of a drift takes a
 //! slope that neither an oscillation nor a random walk explains; a NaN is a drift.
 
 use crate::{
-    check::statistics::line::fit,
+    check::statistics::least_squares::fit,
     scalar::tolerance::{ratio, within},
 };
 use std::fmt;
 
-/// In how many groups samples are averaged: the square of the factor between the windows, in which scatter is compared.
+/// The number of groups over which samples are averaged: the square of the factor between the windows, in which scatter
+/// is compared.
 pub(crate) const GROUPS: usize = WINDOWS * WINDOWS;
 
-/// How many windows the groups are divided into, to see whether a short time scatters as much as a long one.
+/// The number of windows of groups, which show whether a short time scatters as much as a long one.
 const WINDOWS: usize = 8;
 
 /// The ratio of the squared differences of neighbours to the squares of residuals (von Neumann 1941) below which
-/// scatter has a memory. Independent values have 2, and of 4000 rows of them one in a thousand had less than 1.29; walks
-/// about their own line have 15/64 on average, and one in a thousand had more than 1.04.
+/// scatter has a memory. Independent values have 2, and of 4000 sequences of them one in a thousand had less than 1.29;
+/// walks about their own line have 15/64 on average, and one in a thousand had more than 1.04.
 const MEMORY: f64 = 1.2;
 
-/// How many standard errors a slope has to differ from zero by. Of 4000 random walks without a drift, one in a thousand
-/// did so by 3.9.
+/// The number of standard errors by which a slope has to differ from zero. Of 4000 random walks without a drift, one in
+/// a thousand did so by 3.9.
 const SIGNIFICANCE: f64 = 4.0;
 
 /// The exponent with which scatter grows with time above which what has a memory is a walk and no slow oscillation.
 /// A walk has 1/2 on average; what repeats itself four times in the run has less than 3/8 and mostly less than 1/4.
 const GROWTH: f64 = 0.25;
 
-/// What a number that should stay does.
+/// The trend of a quantity that should be conserved.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Course {
     /// It oscillates, or scatters, about a value that stays. The energy of a symplectic step does, up to rounding.
@@ -86,8 +87,8 @@ impl Trend {
         }
     }
 
-    /// The verdict, if the line accounts for the `share` of the largest deviation. A drift accounts for more than half:
-    /// what is less is buried in an oscillation, of which even a whole number of periods leaves a slope.
+    /// The verdict, if the line accounts for the fraction `share` of the largest deviation. A drift accounts for more
+    /// than half: what is less is buried in an oscillation, of which even a whole number of periods leaves a slope.
     pub(crate) fn course(&self, share: f64) -> Course {
         if !within(self.slope, SIGNIFICANCE * self.uncertainty) && !within(share, 0.5) {
             Course::Drift
@@ -135,7 +136,7 @@ mod tests {
     }
 
     #[test]
-    fn oscillation_walk_and_drift_are_told_apart() {
+    fn oscillation_walk_and_drift_differ() {
         let walk = |seed| {
             noise(seed).scan(0.0, |at, step| {
                 *at += step;
@@ -162,7 +163,7 @@ mod tests {
     }
 
     #[test]
-    fn what_stays_is_bounded_and_what_is_no_number_drifts() {
+    fn constants_are_bounded_and_nan_drifts() {
         assert_eq!(course(std::iter::repeat(0.0)), Course::Bounded);
         assert_eq!(course((0..).map(|i| if i == 40 { f64::NAN } else { 0.0 })), Course::Drift);
     }

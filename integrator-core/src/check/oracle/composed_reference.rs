@@ -1,4 +1,5 @@
-//! A motion by the flows of a system alone, in steps of eighth order that are refined until nothing but rounding changes.
+//! The reference by composed flows: Suzuki's composition of eighth order, in steps that are halved until nothing but
+//! rounding changes.
 //!
 //! Always true: neither the catalogue nor the executor of runs is involved.
 
@@ -19,25 +20,25 @@ use crate::{
     system::motion::Motion,
 };
 
-/// The steps per part that the refinement begins with, and those that it ends with at the latest.
+/// The steps per part at the first and at the last refinement.
 const COARSEST: u64 = 2;
 const FINEST: u64 = 64;
 
-/// The flows of a system from a start.
-pub(crate) struct March<'s> {
+/// The composed flows of a system from a start.
+pub(crate) struct ComposedReference<'s> {
     system: &'s dyn Exact,
     start: &'s Start<Vec<f64>>,
     weights: Vec<f64>,
-    /// Into how many steps a part of the time is divided at least.
+    /// The smallest number of steps in a part of the time.
     whole: u64,
 }
 
-impl<'s> March<'s> {
+impl<'s> ComposedReference<'s> {
     pub(crate) fn new(system: &'s dyn Exact, start: &'s Start<Vec<f64>>) -> Self {
         Self { system, start, weights: weights(), whole: 1 }
     }
 
-    /// The same in steps that divide those of a run, of which there are so many in a part: edges between pieces of the
+    /// The same in steps that divide those of a run with `whole` steps in a part: edges between pieces of the
     /// Hamiltonian lie where these end.
     pub(crate) fn within_steps(self, whole: u64) -> Self {
         if self.system.piecewise_in_time() { Self { whole, ..self } } else { self }
@@ -58,24 +59,24 @@ impl<'s> March<'s> {
         Reference::refined(COARSEST..=finest, |steps| self.path(span, steps), settled)
     }
 
-    /// Takes `steps` steps of eighth order over each part of `span`, and sees how far they go.
+    /// The motion in `steps` steps of eighth order over each part of `span`.
     fn path(&self, span: f64, steps: u64) -> (Path, Scale) {
         let Self { system, start, weights, whole } = self;
         let steps = whole * steps;
         let h = span / (PARTS * steps) as f64;
         let mut recorder = Recorder::new(start.phase.clone(), steps);
-        system.march(start, (h, PARTS * steps), weights, &mut |end| recorder.record(end));
+        system.composed_steps(start, (h, PARTS * steps), weights, &mut |end| recorder.record(end));
         recorder.finish()
     }
 }
 
-/// Takes so many steps of `h` with a compensated state, each of them Verlet over fractions of it, and shows the states.
-pub(crate) fn march<H: Hamiltonian>(
+/// Takes `steps` steps of `h` with a compensated state, each of them Verlet over `fractions` of it, and shows each end.
+pub(crate) fn composed_steps<H: Hamiltonian>(
     system: &H,
     Start { phase: start, time: t0 }: Start<H::Coords>,
     (h, steps): (f64, u64),
     fractions: &[f64],
-    see: &mut dyn FnMut(Flat),
+    show: &mut dyn FnMut(Flat),
 ) {
     let parameters = system.parameters(start.q.length());
     let mut state: Phase<Shaped<H, Compensated<f64>>> = Phase::compensated(start.q, start.p);
@@ -88,7 +89,7 @@ pub(crate) fn march<H: Hamiltonian>(
             time += fraction * h;
         }
         motion.store(0, &mut state);
-        see(flat(&state));
+        show(flat(&state));
     }
 }
 
