@@ -1,188 +1,265 @@
-//! A part of the members of an ensemble, looked after together.
+//! A batch: neighbouring members of an ensemble in the lanes of motions.
+//!
+//! Always true: the lanes hold the members that are under way, in their order and without a gap; what is left of the
+//! last motion repeats the last of them. So the work of a member ends when it diverges or leaves.
 
 use crate::{
+    ensemble::request::AdvanceRequest,
     error::Divergence,
-    state::{
-        clock::Clock,
-        coords::Coords,
-        point::{Point, shaped, shaped_mut},
-    },
+    state::{clock::Clock, point::Point},
     trajectory::{
-        engine::{BLOCK, Engine},
+        engine::Engine,
+        motions::{Lane, Motions, copied, gathered, loaded, show, shown},
         panics::Panics,
     },
 };
+use std::ops::Range;
 
-/// The state that each member has by its number in the ensemble.
+/// The states of members, by their numbers in the ensemble.
 pub(crate) type States<'s> = dyn (Fn(usize) -> &'s dyn Point) + 's;
 
-/// How an ensemble is carried on.
-pub(crate) struct AdvanceRequest<'a> {
-    /// From where.
-    pub(crate) clock: Clock,
-    /// How many steps.
-    pub(crate) steps: u64,
-    /// After how many steps each member is asked whether it goes on.
-    pub(crate) interval: u64,
-    /// Whether the member of this number goes on from this state.
-    pub(crate) stays: &'a (dyn Fn(usize, &dyn Point) -> bool + Sync),
-    /// Those of the user's functions: whoever is concerned halts at the last step before, and all others go on.
-    pub(crate) panics: &'a Panics,
-}
-
-impl AdvanceRequest<'_> {
-    /// How many steps lie between the first `done` ones and the next look at the state.
-    pub(crate) fn block(&self, done: u64) -> u64 {
-        let to_next_question = self.interval - done % self.interval;
-        BLOCK.min(self.steps - done).min(to_next_question)
-    }
-
-    /// Whether the members are asked after `done` steps.
-    pub(crate) fn asks(&self, done: u64) -> bool {
-        done.is_multiple_of(self.interval)
-    }
-
-    /// Whether a member goes on from this state; not if the question panics.
-    pub(crate) fn stays(&self, member: usize, state: &dyn Point) -> bool {
-        self.panics.attempted(|| (self.stays)(member, state)).unwrap_or(false)
-    }
-
-    /// The clock after `done` steps.
-    pub(crate) fn at(&self, done: u64) -> Clock {
-        Clock { steps: self.clock.steps + done, ..self.clock }
-    }
-}
-
-/// Members of an ensemble that are carried on together.
-pub(crate) trait Batch: Send + Sync {
-    /// The number of the first member.
-    fn first(&self) -> usize;
-    /// Carries on the members that are under way, tells `took` how many steps the members have done meanwhile, all
-    /// together, and returns those that are lost now. A member that is no longer under way counts as if it were.
-    fn advance(&mut self, request: &AdvanceRequest, took: &mut dyn FnMut(u64)) -> Vec<(usize, Divergence)>;
-    /// How many members are under way.
-    fn active(&self) -> usize;
-    /// How many steps a member has taken, by its number in the ensemble.
-    fn steps(&self, member: usize, clock: Clock) -> u64;
-    /// Shows the states of all members, in their order.
-    fn states(&self, clock: Clock, visit: &mut dyn FnMut(usize, &dyn Point));
-    /// The state of a member.
-    fn state(&self, member: usize, clock: Clock) -> Box<dyn Point>;
-    /// Whether a member is neither lost nor gone.
-    fn is_under_way(&self, member: usize) -> bool;
-    /// Lets the members that are under way go on from these states after so many steps.
-    fn restart(&mut self, states: &States, steps: u64);
-}
-
-/// The engine of a member, whatever its shape.
-pub(crate) trait Lone: Send + Sync {
-    /// As [`Engine::advance`].
-    fn advance(&mut self, clock: Clock, steps: u64, taken: &mut u64);
-    /// Writes the state.
-    fn state(&self, clock: Clock, to: &mut dyn Point);
-    /// Writes where the last step led that was tried.
-    fn tried(&self, to: &mut dyn Point);
-    fn restart(&mut self, state: &dyn Point);
-}
-
-impl<C: Coords> Lone for Box<dyn Engine<C>> {
-    fn advance(&mut self, clock: Clock, steps: u64, taken: &mut u64) {
-        self.as_mut().advance(clock, steps, taken);
-    }
-
-    fn state(&self, clock: Clock, to: &mut dyn Point) {
-        *shaped_mut(to) = self.as_ref().state(clock);
-    }
-
-    fn tried(&self, to: &mut dyn Point) {
-        *shaped_mut(to) = self.as_ref().tried();
-    }
-
-    fn restart(&mut self, state: &dyn Point) {
-        self.as_mut().restart(shaped(state));
-    }
-}
-
-/// A member that shares no lanes.
-pub(crate) struct LoneMember {
-    number: usize,
-    engine: Box<dyn Lone>,
-    /// Where a state is written to be looked at: any one of the member's shape.
-    seen: Box<dyn Point>,
-    /// How many steps it took, once it is no longer under way.
-    halted: Option<u64>,
-    /// How many steps were done when the state was last changed from outside.
+/// A batch: members that are alike in what lanes have to share, or one alone.
+pub(crate) struct Batch {
+    first: usize,
+    /// Where each member finished that is no longer under way.
+    finished: Vec<Option<Finish>>,
+    /// The index in `finished` of the member in each lane.
+    lanes: Vec<usize>,
+    engine: Engine,
+    /// Where a state is written to be read: any one of the members' shape.
+    sample: Box<dyn Point>,
+    /// How many steps were done when the states were last changed from outside.
     opened: u64,
 }
 
-impl LoneMember {
-    pub(crate) fn new(number: usize, engine: Box<dyn Lone>, start: &dyn Point) -> Self {
-        Self { number, engine, seen: start.boxed_clone(), halted: None, opened: 0 }
-    }
-
-    /// Whether the member goes on from where it is.
-    fn stays(&mut self, request: &AdvanceRequest, clock: Clock) -> bool {
-        self.engine.state(clock.since(self.opened), &mut *self.seen);
-        request.stays(self.number, &*self.seen)
-    }
+/// The last state of a member, after so many steps.
+struct Finish {
+    steps: u64,
+    state: Box<dyn Point>,
 }
 
-impl Batch for LoneMember {
-    fn first(&self) -> usize {
-        self.number
+/// A member that was taken through a block on its own.
+struct Replay {
+    /// How many steps lead to finite states.
+    taken: u64,
+    /// Its engine after these.
+    engine: Engine,
+    /// Whether the next step is not taken because a function of the user panics in it.
+    panicked: bool,
+}
+
+/// Whether a lane may go on, whose state is written to `sample`.
+fn is_good(motions: &dyn Motions, lane: usize, sample: &mut dyn Point) -> bool {
+    motions.store(lane, sample);
+    sample.is_finite() && motions.unsolved(lane).is_none()
+}
+
+impl Batch {
+    /// Members in lanes like those of some motions, from their states.
+    pub(crate) fn new(members: Range<usize>, like: &dyn Motions, states: &States) -> Self {
+        let first = members.start;
+        let lanes: Vec<_> = (0..members.len()).collect();
+        let motions = loaded(like, with_states(first, &lanes, states));
+        Self {
+            first,
+            finished: members.map(|_| None).collect(),
+            lanes,
+            engine: Engine::new(motions),
+            sample: states(first).boxed_clone(),
+            opened: 0,
+        }
     }
 
-    fn advance(&mut self, request: &AdvanceRequest, took: &mut dyn FnMut(u64)) -> Vec<(usize, Divergence)> {
-        let (mut done, mut lost) = (0, Vec::new());
-        while done < request.steps && self.halted.is_none() {
-            let block = request.block(done);
-            let mut taken = done;
-            let before = request.at(done).since(self.opened);
-            let outcome = request.panics.attempted(|| self.engine.advance(before, block, &mut taken));
-            let clock = request.at(taken);
-            done += block;
-            if outcome.is_none() {
-                self.halted = Some(clock.steps);
-            } else if taken < done {
-                self.engine.tried(&mut *self.seen);
-                lost.push((self.number, self.state(self.number, clock).divergence(&*self.seen, clock)));
-                self.halted = Some(clock.steps);
-            } else if request.asks(done) && !self.stays(request, clock) {
-                self.halted = Some(clock.steps);
-            }
-            took(block);
+    /// The clock of the motions, which begins where the states were last changed from outside.
+    fn since_opened(&self, clock: Clock) -> Clock {
+        clock.since(self.opened)
+    }
+
+    /// Where the member in a lane of these motions is.
+    fn lane<'m>(&self, motions: &'m dyn Motions, lane: usize) -> Lane<'m> {
+        Lane { member: self.first + self.lanes[lane], motions, lane }
+    }
+
+    /// Motions of members from lanes of others.
+    fn gathered(&self, lanes: Vec<Lane>) -> Box<dyn Motions> {
+        gathered(&*self.engine.motions, lanes, &*self.sample)
+    }
+
+    /// Takes the members that finished out of the lanes.
+    fn compact_lanes(&mut self) {
+        let is_under_way = |index: usize| self.finished[index].is_none();
+        if self.lanes.iter().all(|index| is_under_way(*index)) {
+            return;
         }
-        took(request.steps - done);
+        let stay: Vec<_> = (0..self.lanes.len()).filter(|lane| is_under_way(self.lanes[*lane])).collect();
+        let motions = self.gathered(stay.iter().map(|lane| self.lane(&*self.engine.motions, *lane)).collect());
+        self.lanes = stay.into_iter().map(|lane| self.lanes[lane]).collect();
+        self.engine = Engine::new(motions);
+    }
+
+    /// Ends the way of a member with a replay that did not come to the end of a block from `clock`, and returns its divergence
+    /// unless a function of the user panicked.
+    fn finish(&mut self, index: usize, clock: Clock, replay: &Replay) -> Option<(usize, Divergence)> {
+        let clock = Clock { steps: clock.steps + replay.taken, ..clock };
+        let mut state = self.sample.boxed_clone();
+        replay.engine.state(self.since_opened(clock), &mut *state);
+        replay.engine.completed.store(0, &mut *self.sample);
+        let divergence = (!replay.panicked).then(|| state.divergence(&*self.sample, clock));
+        self.finished[index] = Some(Finish { steps: clock.steps, state });
+        Some((self.first + index, divergence?))
+    }
+
+    /// The members that are lost in a block from `clock`, which the engine took to states that are not all finite.
+    fn lost(&mut self, clock: Clock, block: u64, panics: &Panics) -> Vec<(usize, Divergence)> {
+        let mut lost = Vec::new();
+        for lane in 0..self.lanes.len() {
+            if !is_good(&*self.engine.completed, lane, &mut *self.sample) {
+                let replay = self.replay(lane, clock, block, panics);
+                lost.extend(self.finish(self.lanes[lane], clock, &replay));
+            }
+        }
         lost
     }
 
-    fn active(&self) -> usize {
-        usize::from(self.halted.is_none())
+    /// Takes a block of steps in which a function of the user panicked again, from the snapshot, with each member on its own:
+    /// those for whom it panics finish before that step. Returns those that are lost.
+    fn one_by_one(&mut self, clock: Clock, block: u64, panics: &Panics) -> Vec<(usize, Divergence)> {
+        let (mut indices, mut engines, mut lost) = (Vec::new(), Vec::new(), Vec::new());
+        for lane in 0..self.lanes.len() {
+            let (index, replay) = (self.lanes[lane], self.replay(lane, clock, block, panics));
+            if replay.taken == block {
+                indices.push(index);
+                engines.push(replay.engine);
+            } else {
+                lost.extend(self.finish(index, clock, &replay));
+            }
+        }
+        let mut lanes = Vec::with_capacity(indices.len());
+        for (index, engine) in indices.iter().zip(&engines) {
+            lanes.push(Lane { member: self.first + index, motions: &*engine.motions, lane: 0 });
+        }
+        let motions = self.gathered(lanes);
+        self.lanes = indices;
+        self.engine = Engine::new(motions);
+        self.engine.complete(self.since_opened(Clock { steps: clock.steps + block, ..clock }));
+        lost
     }
 
-    fn steps(&self, _member: usize, clock: Clock) -> u64 {
-        self.halted.unwrap_or(clock.steps)
+    /// Takes a member step by step through a block from `clock`, in all lanes of a motion of its own, from the snapshot to the
+    /// last finite state.
+    fn replay(&self, lane: usize, clock: Clock, block: u64, panics: &Panics) -> Replay {
+        let mut engine = Engine::new(self.gathered(vec![self.lane(&*self.engine.snapshot, lane)]));
+        let mut taken = 0;
+        let end = panics.attempted(|| engine.replay(self.since_opened(clock), block, &mut taken));
+        Replay { taken, engine, panicked: end.is_none() }
     }
 
-    fn states(&self, clock: Clock, visit: &mut dyn FnMut(usize, &dyn Point)) {
-        visit(self.number, &*self.state(self.number, clock));
+    /// Tests whether the members that are under way go on; `completed` holds the ends of their steps.
+    fn test(&mut self, request: &AdvanceRequest, clock: Clock) {
+        let completed = &*self.engine.completed;
+        let shown = shown(completed, self.since_opened(clock));
+        for (lane, index) in self.lanes.iter().enumerate() {
+            if self.finished[*index].is_some() {
+                continue;
+            }
+            show(completed, shown.as_deref(), lane, &mut *self.sample);
+            if !request.stays(self.first + index, &*self.sample) {
+                self.finished[*index] = Some(Finish { steps: clock.steps, state: self.sample.boxed_clone() });
+            }
+        }
     }
 
-    fn state(&self, member: usize, clock: Clock) -> Box<dyn Point> {
-        let clock = Clock { steps: self.steps(member, clock), ..clock };
-        let mut state = self.seen.boxed_clone();
-        self.engine.state(clock.since(self.opened), &mut *state);
+    /// The number of the first member.
+    pub(crate) fn first(&self) -> usize {
+        self.first
+    }
+
+    /// Carries on the members that are under way, tells `progress` how many steps the members have done meanwhile, all
+    /// together, and returns those that are lost now. A member that is no longer under way counts as if it were.
+    pub(crate) fn advance(
+        &mut self,
+        request: &AdvanceRequest,
+        progress: &mut dyn FnMut(u64),
+    ) -> Vec<(usize, Divergence)> {
+        let (mut done, mut lost) = (0, Vec::new());
+        let all = self.finished.len() as u64;
+        while done < request.steps && !self.lanes.is_empty() {
+            let block = request.block(done);
+            let (before, since) = (request.clock_after(done), self.since_opened(request.clock_after(done)));
+            done += block;
+            match request.panics.attempted(|| self.engine.take_steps(since, block)) {
+                Some(true) => {}
+                Some(false) => lost.extend(self.lost(before, block, request.panics)),
+                None => lost.extend(self.one_by_one(before, block, request.panics)),
+            }
+            if request.tests_after(done) {
+                self.test(request, request.clock_after(done));
+            }
+            self.compact_lanes();
+            progress(block * all);
+        }
+        progress((request.steps - done) * all);
+        lost
+    }
+
+    /// How many members are under way.
+    pub(crate) fn active(&self) -> usize {
+        self.lanes.len()
+    }
+
+    /// How many steps a member has taken, by its number in the ensemble.
+    pub(crate) fn steps(&self, member: usize, clock: Clock) -> u64 {
+        self.finished[member - self.first].as_ref().map_or(clock.steps, |finish| finish.steps)
+    }
+
+    /// Shows the states of all members, in their order.
+    pub(crate) fn states(&self, clock: Clock, visit: &mut dyn FnMut(usize, &dyn Point)) {
+        let (mut completed, clock) = (self.engine.motions.clone(), self.since_opened(clock));
+        completed.complete(clock);
+        let shown = shown(&*completed, clock);
+        let mut sample = self.sample.boxed_clone();
+        // Those who are under way are in the lanes, in their order.
+        let mut lane = 0;
+        for (member, finished) in (self.first..).zip(&self.finished) {
+            if let Some(finish) = finished {
+                visit(member, &*finish.state);
+                continue;
+            }
+            show(&*completed, shown.as_deref(), lane, &mut *sample);
+            visit(member, &*sample);
+            lane += 1;
+        }
+    }
+
+    /// The state of a member.
+    pub(crate) fn state(&self, member: usize, clock: Clock) -> Box<dyn Point> {
+        let index = member - self.first;
+        if let Some(finish) = &self.finished[index] {
+            return finish.state.boxed_clone();
+        }
+        // Those before it that are under way are in the lanes before.
+        let (lane, motions) = (self.lanes.partition_point(|other| *other < index), &*self.engine.motions);
+        let (motion, lane) = (lane / motions.lanes(), lane % motions.lanes());
+        let (mut completed, clock) = (copied(motions, motion..motion + 1), self.since_opened(clock));
+        completed.complete(clock);
+        let mut state = self.sample.boxed_clone();
+        show(&*completed, shown(&*completed, clock).as_deref(), lane, &mut *state);
         state
     }
 
-    fn is_under_way(&self, _member: usize) -> bool {
-        self.halted.is_none()
+    /// Whether a member is neither lost nor gone.
+    pub(crate) fn is_under_way(&self, member: usize) -> bool {
+        self.finished[member - self.first].is_none()
     }
 
-    fn restart(&mut self, states: &States, steps: u64) {
-        if self.halted.is_none() {
-            self.engine.restart(states(self.number));
-            self.opened = steps;
-        }
+    /// Lets the members that are under way go on from these states after so many steps.
+    pub(crate) fn restart(&mut self, states: &States, steps: u64) {
+        self.engine.restart(with_states(self.first, &self.lanes, states));
+        self.opened = steps;
     }
+}
+
+/// The members at some indices behind the first one, with their states.
+fn with_states<'s>(first: usize, indices: &[usize], states: &States<'s>) -> Vec<(usize, &'s dyn Point)> {
+    indices.iter().map(|index| (first + index, states(first + index))).collect()
 }

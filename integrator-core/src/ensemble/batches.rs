@@ -1,11 +1,9 @@
 //! The members of an ensemble, dealt out to batches.
 
-use crate::ensemble::{
-    batch::{Batch, Lone, LoneMember, States},
-    lane_batch::LaneBatch,
-    motions::Motions,
+use crate::{
+    ensemble::batch::{Batch, States},
+    trajectory::motions::Motions,
 };
-use std::ops::Range;
 
 /// How many batches a thread gets, so that all threads end at about the same time, and how large a batch may grow, so that
 /// those who leave early leave a gap in few of the motions.
@@ -19,30 +17,24 @@ pub(crate) struct Starts<'s> {
     pub(crate) alike: &'s dyn Fn(usize, usize) -> bool,
     /// No motions yet, whose lanes members may share.
     pub(crate) lanes: &'s dyn Motions,
-    /// The engine of a member that shares none.
-    pub(crate) lone: &'s dyn Fn(usize) -> Box<dyn Lone>,
+    /// No motions yet, of a member that shares none: alone, a member is what a run would be.
+    pub(crate) single: &'s dyn Motions,
 }
 
 impl Starts<'_> {
     /// Neighbours that are alike in what lanes have to share go side by side, in batches of such a size that threads can share
     /// them; whoever is like no neighbour goes alone.
-    pub(crate) fn batches(&self, members: usize, threads: usize) -> Vec<Box<dyn Batch>> {
+    pub(crate) fn batches(&self, members: usize, threads: usize) -> Vec<Batch> {
         let group = self.lanes.lanes() * self.lanes.together();
         let size = group * (members / (group * BATCHES_PER_THREAD * threads)).clamp(1, GROUPS_PER_BATCH);
         let (mut batches, mut first) = (Vec::new(), 0);
         while first < members {
             let most = members.min(first + size);
             let end = (first + 1..most).find(|next| !(self.alike)(first, *next)).unwrap_or(most);
-            batches.push(self.batch(first..end));
+            let motions = if end - first == 1 { self.single } else { self.lanes };
+            batches.push(Batch::new(first..end, motions, self.states));
             first = end;
         }
         batches
-    }
-
-    fn batch(&self, members: Range<usize>) -> Box<dyn Batch> {
-        match members.len() {
-            1 => Box::new(LoneMember::new(members.start, (self.lone)(members.start), (self.states)(members.start))),
-            _ => Box::new(LaneBatch::new(members, self.lanes, self.states)),
-        }
     }
 }

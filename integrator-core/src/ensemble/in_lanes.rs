@@ -2,10 +2,7 @@
 
 use crate::{
     composition::{Composition, Scheme},
-    ensemble::interleaved::{GroupMoves, group_moves},
     hamiltonian::Hamiltonian,
-    scalar::real::Real,
-    state::precision::Precision,
     trajectory::method::Method,
 };
 
@@ -18,13 +15,6 @@ use crate::{
     note = "`Taylor` needs recurrences, which are only written where they are asked for: `#[hamiltonian(taylor)]`",
     note = "methods of `reference` integrate one trajectory at a time, with `run_with`"
 )]
-pub trait InLanes<H: Hamiltonian>: Method<H> {
-    /// The steps, compiled for members in the lanes of `L`, where so many registers hold a number of all lanes each.
-    fn group_moves<L: Real, K: Precision, const REGISTERS: usize>() -> GroupMoves<Self::Motion<L, K>>;
-}
+pub trait InLanes<H: Hamiltonian>: Method<H> {}
 
-impl<H: Hamiltonian, X: Scheme + Composition<H>> InLanes<H> for X {
-    fn group_moves<L: Real, K: Precision, const REGISTERS: usize>() -> GroupMoves<H::Motion<L, K>> {
-        group_moves::<H, X, L, K, REGISTERS>()
-    }
-}
+impl<H: Hamiltonian, X: Scheme + Composition<H>> InLanes<H> for X {}

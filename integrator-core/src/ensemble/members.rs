@@ -1,7 +1,10 @@
 //! The members of an ensemble, whatever they are: dealt out to batches that threads take in turns.
 
 use crate::{
-    ensemble::batch::{AdvanceRequest, Batch, States},
+    ensemble::{
+        batch::{Batch, States},
+        request::AdvanceRequest,
+    },
     error::{Divergence, Error, Lost},
     layout::threads::all_threads,
     state::{clock::Clock, point::Point},
@@ -26,7 +29,7 @@ pub(crate) type EnergiesOf = dyn Fn(usize, &dyn Point, f64) -> Parts + Send + Sy
 
 /// All members of an ensemble.
 pub(crate) struct Members {
-    batches: Vec<Box<dyn Batch>>,
+    batches: Vec<Batch>,
     energies: Box<EnergiesOf>,
     count: usize,
     /// How many coordinates all members have together.
@@ -39,13 +42,7 @@ pub(crate) struct Members {
 }
 
 impl Members {
-    pub(crate) fn new(
-        batches: Vec<Box<dyn Batch>>,
-        energies: Box<EnergiesOf>,
-        count: usize,
-        coordinates: u64,
-        h: f64,
-    ) -> Self {
+    pub(crate) fn new(batches: Vec<Batch>, energies: Box<EnergiesOf>, count: usize, coordinates: u64, h: f64) -> Self {
         let clock = Clock { t0: 0.0, h, steps: 0 };
         Self { batches, energies, count, coordinates, clock, starts_unseen: true, threads: all_threads() }
     }
@@ -195,10 +192,10 @@ impl Members {
     }
 
     /// The member's batch: batches hold members in their order.
-    fn batch_of(&self, member: usize) -> Option<&dyn Batch> {
+    fn batch_of(&self, member: usize) -> Option<&Batch> {
         let after = self.batches.partition_point(|batch| batch.first() <= member);
         let batch = after.checked_sub(1).filter(|_| member < self.count)?;
-        Some(self.batches.get(batch)?.as_ref())
+        self.batches.get(batch)
     }
 }
 

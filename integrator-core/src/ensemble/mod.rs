@@ -8,12 +8,9 @@ pub(crate) mod batches;
 #[allow(unreachable_pub, reason = "named in bounds, never outside")]
 pub(crate) mod in_lanes;
 #[allow(unreachable_pub, reason = "named in bounds, never outside")]
-pub(crate) mod interleaved;
-pub(crate) mod lane_batch;
-#[allow(unreachable_pub, reason = "named in bounds, never outside")]
 pub(crate) mod lane_scalars;
 pub(crate) mod members;
-pub(crate) mod motions;
+pub(crate) mod request;
 
 #[cfg(debug_assertions)]
 use crate::system::stated::hold_at_start;
@@ -23,12 +20,11 @@ use crate::{
         in_lanes::InLanes,
         lane_scalars::LaneScalars,
         members::{Members, of_member},
-        motions::{Everyone, Group, Member, Motions},
     },
     error::Error,
     hamiltonian::{Hamiltonian, Shaped},
     layout::threads::all_threads,
-    scalar::{instruction_set::InstructionSet, real::Real},
+    scalar::instruction_set::InstructionSet,
     state::{
         clock::Clock,
         coords::Coords,
@@ -39,9 +35,9 @@ use crate::{
     system::{energy::energy, motion::Prepared},
     trajectory::{
         admissible::{admissible_with, change},
-        chosen::engine,
-        engine::is_spoilt,
         method::Method,
+        step_functions::Interleaved,
+        variant::{engine, motions, single},
     },
 };
 use std::{fmt, marker::PhantomData, sync::Arc};
@@ -88,37 +84,39 @@ impl<C: Coords> Ensemble<C> {
         X: InLanes<H>,
         H::Coords: Coords<With<K> = C>,
     {
-        let (mut all, mut states, mut coordinates) = (Vec::new(), Vec::new(), 0);
+        let (mut parameters, mut constants, mut states) = (Vec::new(), Vec::new(), Vec::new());
+        let mut coordinates = 0;
         for (system, state) in members {
             let member = member::<H, K, X>(&system, method, &state, h).map_err(of_member(states.len()))?;
             coordinates += state.q.flat().len() as u64;
-            all.push(member);
+            constants.push(method.constants(member.clone()));
+            parameters.push(member);
             states.push(state);
         }
         if states.is_empty() {
             return Err(Error::NoMembers);
         }
-        let members = Arc::new(all);
+        let constants = Arc::new(constants);
+        let single = single::<H, X, K>(constants.clone());
         let lanes = match InstructionSet::chosen() {
-            InstructionSet::Baseline => lanes::<H, X, <K as LaneScalars>::Plain, K, REGISTERS>(&members),
-            InstructionSet::Fused => lanes::<H, X, <K as LaneScalars>::Fused, K, REGISTERS>(&members),
-            InstructionSet::Avx512 => lanes::<H, X, <K as LaneScalars>::Avx512, K, 32>(&members),
+            InstructionSet::Baseline => {
+                motions::<H, X, <K as LaneScalars>::Plain, K, Interleaved<REGISTERS>>(constants)
+            }
+            InstructionSet::Fused => motions::<H, X, <K as LaneScalars>::Fused, K, Interleaved<REGISTERS>>(constants),
+            InstructionSet::Avx512 => motions::<H, X, <K as LaneScalars>::Avx512, K, Interleaved<32>>(constants),
         };
         let starts = Starts {
             states: &|member| &states[member],
             alike: &|a, b| {
-                let same = <H::Parameters<f64> as Prepared<f64>>::alike(&members[a].parameters, &members[b].parameters);
+                let same = <H::Parameters<f64> as Prepared<f64>>::alike(&parameters[a], &parameters[b]);
                 same && states[a].q.length() == states[b].q.length()
             },
             lanes: &*lanes,
-            // Alone, a member is what a run would be.
-            lone: &|member| {
-                Box::new(engine::<H, X, K>(method, members[member].parameters.clone(), states[member].clone()))
-            },
+            single: &*single,
         };
         let batches = starts.batches(states.len(), all_threads());
         let energies = Box::new(move |member: usize, state: &dyn Point, time: f64| {
-            energy::<H, K>(&members[member].parameters, shaped(state), time)
+            energy::<H, K>(&parameters[member], shaped(state), time)
         });
         let mut members = Members::new(batches, energies, states.len(), coordinates, h);
         if H::AUTONOMOUS {
@@ -311,7 +309,7 @@ impl<C: Coords> fmt::Debug for Ensemble<C> {
     }
 }
 
-/// A member that may begin where it is asked to.
+/// The parameters of a member, which may begin where it is asked to.
 ///
 /// # Errors
 /// Those of [`Hamiltonian::run`].
@@ -320,14 +318,14 @@ fn member<H: Hamiltonian, K: Precision, X: Method<H>>(
     method: X,
     start: &Phase<Shaped<H, K>>,
     h: f64,
-) -> Result<Member<H::Parameters<f64>, X::Constants>, Error> {
+) -> Result<Arc<H::Parameters<f64>>, Error> {
     admissible_with(method, start, h)?;
     let parameters = Arc::new(system.parameters(start.q.length()));
     let constants = H::Parameters::<f64>::not_finite(&parameters);
     let unsettled = !constants.is_empty();
     let clock = Clock { t0: 0.0, h, steps: 0 };
     // An infinite constant may be meant: what counts is what a run of its own does with it.
-    if unsettled && is_spoilt(&*engine::<H, X, K>(method, parameters.clone(), start.clone()), clock) {
+    if unsettled && engine::<H, X, K>(method, parameters.clone(), start).is_not_finite(clock) {
         return Err(Error::Parameters { constants });
     }
     #[cfg(debug_assertions)]
@@ -335,13 +333,5 @@ fn member<H: Hamiltonian, K: Precision, X: Method<H>>(
     if unsettled && H::AUTONOMOUS {
         energy::<H, K>(&parameters, start, 0.0).admissible(0.0)?;
     }
-    Ok(Member { constants: method.constants(parameters.clone()), parameters })
-}
-
-/// No motions yet, of members in lanes.
-fn lanes<H: Hamiltonian, X: InLanes<H>, L: Real, K: Precision, const REGISTERS: usize>(
-    members: &Everyone<H::Parameters<f64>, X::Constants>,
-) -> Box<dyn Motions> {
-    let moves = X::group_moves::<L, K, REGISTERS>();
-    Group::<X::Motion<L, K>, _, _, Shaped<H, K>>::empty(moves, members.clone(), 0)
+    Ok(parameters)
 }

@@ -8,6 +8,5 @@ pub(crate) mod digest;
 pub(crate) mod fixed;
 pub(crate) mod flat;
 pub(crate) mod phase;
-#[cfg(feature = "std")]
 pub(crate) mod point;
 pub(crate) mod precision;

@@ -1,11 +1,11 @@
-//! Points of phase space behind a pointer, whatever their shape: the management of ensembles is compiled for these,
-//! once.
+//! Points of phase space behind a pointer, whatever their shape: engines are compiled for these, once.
 
 use crate::{
     error::Divergence,
     state::{clock::Clock, coords::Coords, phase::Phase, precision::Precision},
 };
-use std::any::Any;
+use alloc::boxed::Box;
+use core::any::Any;
 
 /// A type-erased state.
 pub(crate) trait Point: Any + Send + Sync {
@@ -38,7 +38,7 @@ fn all_finite<K: Precision>(leaves: &[K]) -> bool {
     true
 }
 
-/// The point in its shape, which is that of its ensemble.
+/// The point in its shape, which is that of its run or ensemble.
 pub(crate) fn shaped<C: Coords>(point: &dyn Point) -> &Phase<C> {
     match (point as &dyn Any).downcast_ref() {
         Some(point) => point,
@@ -54,9 +54,9 @@ pub(crate) fn shaped_mut<C: Coords>(point: &mut dyn Point) -> &mut Phase<C> {
     }
 }
 
-/// All states of an ensemble have one type, which its members decide, and so have its motions.
+/// All states of a run or of an ensemble have one type, and so have its motions.
 #[cold]
 #[inline(never)]
 pub(crate) fn mixed_up() -> ! {
-    unreachable!("states or motions of two ensembles mixed up")
+    unreachable!("states or motions of two systems mixed up")
 }

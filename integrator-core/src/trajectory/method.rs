@@ -1,6 +1,6 @@
 //! How a run is carried on: by a composition, or by a method that knows the vector field alone.
 //!
-//! An executor asks a method for a motion to load a start into, and for the moves that carry it on. Every composition is
+//! An executor asks a method for a motion to load a start into, and for the step functions that carry it on. Every composition is
 //! a method, whose motion is that of the system.
 
 use crate::{
@@ -10,7 +10,7 @@ use crate::{
     scalar::real::Real,
     state::precision::Precision,
     system::motion::Motion,
-    trajectory::moves::{Moves, moves},
+    trajectory::step_functions::{Executor, StepFunctions, of_composition},
 };
 use alloc::sync::Arc;
 
@@ -119,12 +119,8 @@ pub trait Method<H: Hamiltonian>: Described {
 
     /// The constants of a run, from those of the system.
     fn constants(self, parameters: Arc<H::Parameters<f64>>) -> Arc<Self::Constants>;
-    /// The steps, compiled for one scalar and leaf.
-    fn moves<R: Real, K: Precision>() -> Moves<Self::Motion<R, K>>;
-    /// The same for the steps of checks, compiled without what only large systems gain from.
-    fn plain_moves<R: Real, K: Precision>() -> Moves<Self::Motion<R, K>> {
-        Self::moves::<R, K>()
-    }
+    /// The steps, compiled for one scalar, leaf and executor.
+    fn step_functions<R: Real, K: Precision, E: Executor>() -> StepFunctions<Self::Motion<R, K>>;
 }
 
 impl<H: Hamiltonian, X: Scheme + Composition<H>> Method<H> for X {
@@ -137,10 +133,7 @@ impl<H: Hamiltonian, X: Scheme + Composition<H>> Method<H> for X {
     fn constants(self, parameters: Arc<H::Parameters<f64>>) -> Arc<H::Parameters<f64>> {
         parameters
     }
-    fn moves<R: Real, K: Precision>() -> Moves<H::Motion<R, K>> {
-        moves::<H, X, R, K, true>()
-    }
-    fn plain_moves<R: Real, K: Precision>() -> Moves<H::Motion<R, K>> {
-        moves::<H, X, R, K, false>()
+    fn step_functions<R: Real, K: Precision, E: Executor>() -> StepFunctions<H::Motion<R, K>> {
+        of_composition::<H, X, R, K, E>()
     }
 }

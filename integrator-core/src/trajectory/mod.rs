@@ -3,14 +3,18 @@
 pub(crate) mod admissible;
 #[cfg(feature = "checkpoint")]
 pub(crate) mod checkpoint;
-pub(crate) mod chosen;
 pub(crate) mod crossings;
 pub(crate) mod engine;
+pub(crate) mod interleaved;
 #[allow(unreachable_pub, reason = "named in bounds, never outside")]
 pub(crate) mod method;
-#[allow(unreachable_pub, reason = "named in bounds, never outside")]
-pub(crate) mod moves;
+#[cfg_attr(not(feature = "std"), allow(dead_code, reason = "there are no ensembles, whose members change lanes"))]
+pub(crate) mod motions;
 pub(crate) mod panics;
 pub(crate) mod run;
 pub(crate) mod samples;
+pub(crate) mod stages;
+#[allow(unreachable_pub, reason = "named in bounds, never outside")]
+pub(crate) mod step_functions;
+pub(crate) mod variant;
 pub(crate) mod watch;

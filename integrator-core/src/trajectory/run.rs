@@ -7,26 +7,29 @@ use crate::trajectory::checkpoint::Origin;
 use crate::{
     error::{Divergence, Error},
     hamiltonian::Hamiltonian,
-    state::{clock::Clock, coords::Coords, phase::Phase, precision::Precision},
+    state::{clock::Clock, coords::Coords, phase::Phase, point::Point, precision::Precision},
     system::{
-        energy::{Energies, Parts},
+        energy::{Energies, Parts, energies, energy},
         motion::Prepared,
     },
     trajectory::{
         admissible::{admissible_with, change},
-        chosen::engine,
-        engine::{Engine, is_spoilt},
+        engine::Engine,
         method::Method,
         samples::Samples,
+        variant::engine,
         watch::Watch,
     },
 };
-use alloc::{boxed::Box, sync::Arc};
+use alloc::{sync::Arc, vec};
 use core::fmt;
 
 /// A trajectory under way, made by [`Hamiltonian::run`]. Its type names the coordinates alone, so it can be stored.
 pub struct Run<C: Coords> {
-    engine: Box<dyn Engine<C>>,
+    engine: Engine,
+    energies: Arc<dyn Energies<C>>,
+    /// A state of the size of the run, where the type does not tell it.
+    shape: Phase<C>,
     pub(crate) clock: Clock,
     /// How many steps were done when the state was last changed from outside.
     pub(crate) opened: u64,
@@ -67,7 +70,7 @@ impl<C: Coords> Run<C> {
     /// [`Error::Energy`]
     pub(crate) fn see_start(&mut self) -> Result<(), Error> {
         if self.start_unseen {
-            self.engine.energies().parts(&self.state(), self.time()).admissible(self.time())?;
+            self.energies.parts(&self.state(), self.time()).admissible(self.time())?;
             self.start_unseen = false;
         }
         Ok(())
@@ -98,10 +101,13 @@ impl<C: Coords> Run<C> {
         let constants = H::Parameters::<f64>::not_finite(&parameters);
         #[cfg(feature = "checkpoint")]
         let origin = Origin::of::<H>(method.facts(), &parameters);
-        let mut engine = engine::<H, X, K>(method, Arc::new(parameters), start);
+        let parameters = Arc::new(parameters);
+        let mut engine = engine::<H, X, K>(method, parameters.clone(), &start);
         engine.share_among(None);
         let run = Self {
             engine,
+            energies: energies(parameters, energy::<H, K>),
+            shape: start,
             clock,
             opened,
             watch: None,
@@ -114,7 +120,7 @@ impl<C: Coords> Run<C> {
             origin,
         };
         // An infinite constant may be meant, such as a cutoff beyond all distances: what counts is what it does.
-        if !constants.is_empty() && is_spoilt(&*run.engine, run.since_opened()) {
+        if !constants.is_empty() && run.engine.is_not_finite(run.since_opened()) {
             return Err(Error::Parameters { constants });
         }
         #[cfg(debug_assertions)]
@@ -168,7 +174,7 @@ impl<C: Coords> Run<C> {
             self.advance_to(self.clock.steps + 1)?;
             let (step, time, energy) = (self.clock.steps, self.time(), self.energy());
             if !watch.admits(energy) {
-                self.engine.take_back();
+                self.engine.undo();
                 self.clock.steps -= 1;
                 let Watch { bound, energy: before, .. } = watch;
                 return Err(Error::EnergyStrayed { step, time, energy, before, bound });
@@ -183,14 +189,14 @@ impl<C: Coords> Run<C> {
         self.engine.advance(clock, end - self.clock.steps, &mut self.clock.steps);
         if self.clock.steps < end {
             let clock = self.clock;
-            return Err(match self.engine.unsolved() {
+            return Err(match self.engine.completed.unsolved(0) {
                 Some(reason) => Error::NotSolved {
                     method: self.method,
                     step: clock.steps.saturating_add(1),
                     time: clock.at(clock.steps),
                     reason: reason.clone(),
                 },
-                None => clock.divergence(&self.state(), &self.engine.tried()).into(),
+                None => self.state().divergence(&self.tried(), clock).into(),
             });
         }
         Ok(())
@@ -217,13 +223,22 @@ impl<C: Coords> Run<C> {
     pub fn evaluations(&self) -> u64 {
         match self.forces {
             Some(forces) => self.clock.steps.saturating_mul(forces as u64),
-            None => self.evaluated.saturating_add(self.engine.evaluations().unwrap_or(0)),
+            None => self.evaluated.saturating_add(self.engine.motions.evaluations().unwrap_or(0)),
         }
     }
 
     /// The state at [`Run::time`]: the step under way is completed on a copy, the run itself does not change.
     pub fn state(&self) -> Phase<C> {
-        self.engine.state(self.since_opened())
+        let mut state = self.shape.clone();
+        self.engine.state(self.since_opened(), &mut state);
+        state
+    }
+
+    /// Where the last step led that was tried.
+    fn tried(&self) -> Phase<C> {
+        let mut state = self.shape.clone();
+        self.engine.completed.store(0, &mut state);
+        state
     }
 
     /// The energy `T + V` at [`Run::time`].
@@ -245,7 +260,7 @@ impl<C: Coords> Run<C> {
     }
 
     pub(crate) fn parts(&self) -> Parts {
-        self.engine.energies().parts(&self.state(), self.time())
+        self.energies.parts(&self.state(), self.time())
     }
 
     /// Changes the state between two steps: coordinates that are wrapped into a periodic box, momenta that are drawn
@@ -279,14 +294,14 @@ impl<C: Coords> Run<C> {
     pub fn map_state(&mut self, map: impl FnOnce(&mut Phase<C>)) -> Result<(), Error> {
         let mut state = self.state();
         change(&mut state, self.clock.h, map)?;
-        let parts = self.engine.energies().parts(&state, self.time());
+        let parts = self.energies.parts(&state, self.time());
         // Where the start is unseen, its time is not settled.
         if !self.start_unseen {
             parts.admissible(self.time())?;
         }
         self.watch = self.watch.map(|Watch { bound, .. }| Watch::new(bound, parts));
-        self.evaluated = self.evaluated.saturating_add(self.engine.evaluations().unwrap_or(0));
-        self.engine.restart(&state);
+        self.evaluated = self.evaluated.saturating_add(self.engine.motions.evaluations().unwrap_or(0));
+        self.engine.restart(vec![(0, &state)]);
         self.opened = self.clock.steps;
         Ok(())
     }
@@ -306,30 +321,37 @@ impl<C: Coords> Run<C> {
         let clock = Clock { steps: step.saturating_sub(1), ..self.clock };
         let since = self.since_opened();
         let since = Clock { steps: since.steps.saturating_sub(1), ..since };
-        self.engine.within(from, since, duration).map_err(|unsolved| match unsolved {
-            Some(reason) => Error::NotSolved { method: self.method, step, time: clock.at(clock.steps), reason },
-            None => Error::Diverged(Divergence {
+        let mut state = from.clone();
+        match self.engine.within(from, since, duration, &mut state) {
+            Ok(()) => Ok(state),
+            Err(Some(reason)) => {
+                Err(Error::NotSolved { method: self.method, step, time: clock.at(clock.steps), reason })
+            }
+            Err(None) => Err(Error::Diverged(Divergence {
                 step,
                 time: clock.at(clock.steps) + duration,
-                ..clock.divergence(from, &self.engine.tried())
-            }),
-        })
+                ..clock.divergence(from, &self.tried())
+            })),
+        }
     }
 
     /// The state in the middle of the step under way.
     #[cfg(feature = "checkpoint")]
     pub(crate) fn unfinished(&self) -> Phase<C> {
-        self.engine.unfinished()
+        let mut state = self.shape.clone();
+        self.engine.motions.store(0, &mut state);
+        state
     }
 
     pub(crate) fn energies(&self) -> Arc<dyn Energies<C>> {
-        self.engine.energies()
+        self.energies.clone()
     }
 }
 
 impl<C: Coords> Clone for Run<C> {
     fn clone(&self) -> Self {
-        Self { engine: self.engine.boxed_clone(), ..*self }
+        let (engine, energies) = (self.engine.clone(), self.energies.clone());
+        Self { engine, energies, shape: self.shape.clone(), ..*self }
     }
 }
 

@@ -14,7 +14,7 @@ use crate::{
         precision::Compensated,
     },
     system::motion::Motion,
-    trajectory::{admissible::admissible_with, method::Method},
+    trajectory::{admissible::admissible_with, method::Method, step_functions::FlowByFlow},
 };
 use std::sync::Arc;
 
@@ -54,10 +54,10 @@ impl<H: Hamiltonian, X: Method<H>> CompensatedSteps<H, X> {
 
     /// Takes `steps` steps and completes the last one on a copy; whether the state is finite.
     fn take(&mut self, steps: u64) -> bool {
-        let moves = X::plain_moves::<f64, Compensated<f64>>();
-        moves.advance(&mut self.motion, self.clock, steps);
+        let functions = X::step_functions::<f64, Compensated<f64>, FlowByFlow>();
+        functions.advance_one(&mut self.motion, self.clock, steps);
         self.clock.steps += steps;
-        let shown = moves.shown(self.motion.clone(), self.clock);
+        let shown = functions.shown(self.motion.clone(), self.clock);
         shown.store(0, &mut self.state);
         shown.finite()
     }

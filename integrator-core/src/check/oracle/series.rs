@@ -12,7 +12,7 @@ use crate::{
     methods::taylor::{Recurrences, RecurrencesVisitor, Taylor},
     state::{clock::Clock, coords::Coords, flat::flat, phase::Phase, precision::Compensated},
     system::motion::Motion,
-    trajectory::method::Method,
+    trajectory::{method::Method, step_functions::FlowByFlow},
 };
 use std::sync::Arc;
 
@@ -64,12 +64,12 @@ impl<H: Hamiltonian> RecurrencesVisitor<H> for Expansion<'_, H> {
         let constants = Method::<H>::constants(method, Arc::new(system.parameters(start.q.length())));
         let mut state = Phase::compensated(start.q.clone(), start.p.clone());
         let mut motion = <Taylor as Method<H>>::Motion::<f64, Compensated<f64>>::load(&[&*constants], &[&state]);
-        let moves = <Taylor as Method<H>>::moves::<f64, Compensated<f64>>();
+        let functions = <Taylor as Method<H>>::step_functions::<f64, Compensated<f64>, FlowByFlow>();
         let mut recorder = Recorder::new(flat(start), samples);
         for step in 1..=PARTS * samples {
             // Ends of parts are multiples of a part, whatever rounding does to the samples between them.
             let (number, count) = if step % samples == 0 { (step / samples, PARTS) } else { (step, PARTS * samples) };
-            moves.advance(&mut motion, Clock { t0, h: span / count as f64, steps: number - 1 }, 1);
+            functions.advance_one(&mut motion, Clock { t0, h: span / count as f64, steps: number - 1 }, 1);
             if !motion.finite() {
                 return;
             }

@@ -15,7 +15,7 @@ use crate::{
         phase::Phase,
     },
     system::motion::Motion,
-    trajectory::method::Method,
+    trajectory::{method::Method, step_functions::FlowByFlow},
 };
 use nalgebra::DMatrix;
 use std::sync::Arc;
@@ -42,11 +42,11 @@ impl<'s, H: Hamiltonian, X: Method<H>> Tangents<'s, H, X> {
 impl<H: Hamiltonian, X: Method<H>> Carry for Tangents<'_, H, X> {
     fn carry(&self, point: &Flat, tangent: &Flat, t0: f64, steps: u64) -> (Flat, Flat) {
         let mut arrived = [shaped(self.shape, point), shaped(self.shape, tangent)];
-        let moves = X::plain_moves::<Dual, f64>();
+        let functions = X::step_functions::<Dual, f64, FlowByFlow>();
         let mut motion = X::Motion::<Dual, f64>::load(&[&*self.constants; 2], &[&arrived[0], &arrived[1]]);
         let clock = Clock { t0, h: self.h, steps: 0 };
-        moves.advance(&mut motion, clock, steps);
-        let motion = moves.shown(motion, Clock { steps, ..clock });
+        functions.advance_one(&mut motion, clock, steps);
+        let motion = functions.shown(motion, Clock { steps, ..clock });
         motion.store(0, &mut arrived[0]);
         motion.store(1, &mut arrived[1]);
         (flat(&arrived[0]), flat(&arrived[1]))

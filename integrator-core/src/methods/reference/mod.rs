@@ -67,10 +67,13 @@ use crate::{
     hamiltonian::Hamiltonian,
     scalar::real::Real,
     state::precision::Precision,
-    trajectory::{method::Method, moves::Moves},
+    trajectory::{
+        method::Method,
+        step_functions::{Executor, StepFunctions},
+    },
 };
 use std::sync::Arc;
-use walk::{Constants, Walked, moves};
+use walk::{Constants, Walked, step_functions};
 
 macro_rules! methods {
     ($($method:ident)*) => {$(
@@ -83,8 +86,8 @@ macro_rules! methods {
             fn constants(self, parameters: Arc<H::Parameters<f64>>) -> Arc<Self::Constants> {
                 Arc::new(Constants { parameters, recipe: self })
             }
-            fn moves<R: Real, K: Precision>() -> Moves<Self::Motion<R, K>> {
-                moves::<H, R, K, Self>()
+            fn step_functions<R: Real, K: Precision, E: Executor>() -> StepFunctions<Self::Motion<R, K>> {
+                step_functions::<H, R, K, Self>()
             }
         }
     )*};

@@ -12,7 +12,7 @@ use crate::{
         precision::{Precision, Slot},
     },
     system::motion::Motion,
-    trajectory::{method::Described, moves::Moves},
+    trajectory::{method::Described, step_functions::StepFunctions},
 };
 use alloc::sync::Arc;
 
@@ -123,28 +123,35 @@ impl<R: Real, C: Coords, P: Clone + Send + Sync + 'static, M: Recipe> Motion<C, 
 /// What a method moves of a system.
 pub(crate) type Walked<H, R, K, M> = Walk<R, Shaped<H, K>, <H as Hamiltonian>::Parameters<f64>, M>;
 
-/// The steps of a method. An end that was not found is remembered, and no step is taken from there.
-pub(crate) fn moves<H: Hamiltonian, R: Real, K: Precision, M: Recipe>() -> Moves<Walked<H, R, K, M>> {
-    Moves::closed(|walk, clock: Clock, steps, _| {
-        for step in clock.steps..clock.steps + steps {
-            if walk.unsolved.is_some() {
-                return;
-            }
-            let Walk { parameters, recipe, shape, q, p, memory, unsolved, evaluations } = walk;
-            if H::PIECEWISE_IN_TIME {
-                // What a method remembers is of another formula where a piece ends.
-                *memory = M::Memory::default();
-            }
-            let y: Vec<R> = q.iter().chain(p.iter()).map(|slot| slot.value()).collect();
-            let (time, h) = (clock.at(step), clock.h);
-            let field =
-                Generated::<H> { parameters, shape, middle: time + h / 2.0, evaluations: (*evaluations).into() };
-            let from = Place { field: &field, y: &y, time, h, epsilon: K::EPSILON };
-            match recipe.increment(memory, &from) {
-                Ok(increment) => q.iter_mut().chain(p).zip(increment).for_each(|(slot, d)| slot.add(d)),
-                Err(reason) => *unsolved = Some(reason),
-            }
-            *evaluations = field.evaluations.get();
+/// The step functions of a method.
+pub(crate) fn step_functions<H: Hamiltonian, R: Real, K: Precision, M: Recipe>() -> StepFunctions<Walked<H, R, K, M>> {
+    let advance = |walks: &mut [_], clock, steps, _| {
+        for walk in walks {
+            advance::<H, R, K, M>(walk, clock, steps);
         }
-    })
+    };
+    StepFunctions::of_whole_steps(R::LANES, advance, None)
+}
+
+/// Takes steps. An end that was not found is remembered, and no step is taken from there.
+fn advance<H: Hamiltonian, R: Real, K: Precision, M: Recipe>(walk: &mut Walked<H, R, K, M>, clock: Clock, steps: u64) {
+    for step in clock.steps..clock.steps + steps {
+        if walk.unsolved.is_some() {
+            return;
+        }
+        let Walk { parameters, recipe, shape, q, p, memory, unsolved, evaluations } = walk;
+        if H::PIECEWISE_IN_TIME {
+            // What a method remembers is of another formula where a piece ends.
+            *memory = M::Memory::default();
+        }
+        let y: Vec<R> = q.iter().chain(p.iter()).map(|slot| slot.value()).collect();
+        let (time, h) = (clock.at(step), clock.h);
+        let field = Generated::<H> { parameters, shape, middle: time + h / 2.0, evaluations: (*evaluations).into() };
+        let from = Place { field: &field, y: &y, time, h, epsilon: K::EPSILON };
+        match recipe.increment(memory, &from) {
+            Ok(increment) => q.iter_mut().chain(p).zip(increment).for_each(|(slot, d)| slot.add(d)),
+            Err(reason) => *unsolved = Some(reason),
+        }
+        *evaluations = field.evaluations.get();
+    }
 }

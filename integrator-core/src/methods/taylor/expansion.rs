@@ -22,7 +22,7 @@ use crate::{
     },
     state::{clock::Clock, coords::Coords, phase::Phase, precision::Precision},
     system::motion::{Motion, Prepared},
-    trajectory::moves::Moves,
+    trajectory::step_functions::StepFunctions,
 };
 use alloc::{sync::Arc, vec::Vec};
 
@@ -89,7 +89,10 @@ where
     where
         Constants<Q>: 'a,
     {
-        let (constants, &Self { layout, .. }, _) = of_lane(0);
+        let (constants, from @ &Self { layout, .. }, _) = of_lane(0);
+        if const { R::LANES == 1 } {
+            return Some(from.clone());
+        }
         let part = |lane, part: fn(&Self) -> &Part<R, C>| {
             let (_, motion, lane) = of_lane(lane);
             (part(motion), lane)
@@ -139,25 +142,41 @@ where
 pub(super) type Of<H, R, K> =
     Expansion<R, Shaped<H, K>, <H as Hamiltonian>::Parameters<R>, <H as Recurrences>::Tape<R>>;
 
-/// The moves of the Taylor method.
-pub(super) fn moves<H: Recurrences, R: Real, K: Precision>() -> Moves<Of<H, R, K>> {
-    let advance = |expansion: &mut Of<H, R, K>, clock: Clock, steps, _| {
+/// The step functions of the Taylor method.
+pub(super) fn step_functions<H: Recurrences, R: Real, K: Precision>() -> StepFunctions<Of<H, R, K>> {
+    StepFunctions::of_whole_steps(R::LANES, advance::<H, R, K>, Some(within::<H, R, K>))
+}
+
+fn advance<H: Recurrences, R: Real, K: Precision>(
+    expansions: &mut [Of<H, R, K>],
+    clock: Clock,
+    steps: u64,
+    _threads: Option<usize>,
+) {
+    for expansion in expansions {
         advance_by::<H, R, K>(expansion, clock, steps);
-    };
-    Moves::closed(advance).with_dense(|expansion, begin, clock, duration| {
-        let end = Moment::of(clock.steps, clock.h).after(duration);
-        // What lies before the polynomial at hand belongs to one before it.
-        if end.since(expansion.legs[0].begin) * clock.h <= 0.0 {
-            expansion.copy_state(begin);
-        }
-        expansion.begin_step::<H>(clock);
-        follow::<H, R, K>(expansion, clock, end);
-    })
+    }
+}
+
+/// Dense output: follows the motion a while into the step that begins with `begin` at the clock.
+fn within<H: Recurrences, R: Real, K: Precision>(
+    expansion: &mut Of<H, R, K>,
+    begin: &Of<H, R, K>,
+    clock: Clock,
+    duration: f64,
+) {
+    let end = Moment::of(clock.steps, clock.h).after(duration);
+    // What lies before the polynomial at hand belongs to one before it.
+    if end.since(expansion.legs[0].begin) * clock.h <= 0.0 {
+        expansion.copy_state(begin);
+    }
+    expansion.begin_step::<H>(clock);
+    follow::<H, R, K>(expansion, clock, end);
 }
 
 /// Follows the motion over so many steps. No polynomial leads from one piece in time to another: each step begins with
 /// new ones where there are pieces.
-pub(super) fn advance_by<H: Recurrences, R: Real, K: Precision>(expansion: &mut Of<H, R, K>, clock: Clock, steps: u64) {
+fn advance_by<H: Recurrences, R: Real, K: Precision>(expansion: &mut Of<H, R, K>, clock: Clock, steps: u64) {
     if const { !H::PIECEWISE_IN_TIME } {
         return follow::<H, R, K>(expansion, clock, Moment::of(clock.steps + steps, clock.h));
     }

@@ -2,7 +2,7 @@
 
 use super::{
     Recurrences,
-    expansion::{Constants, Expansion, moves},
+    expansion::{Constants, Expansion, step_functions},
     logarithm::Logarithm,
     series::HIGHEST,
 };
@@ -13,7 +13,7 @@ use crate::{
     state::{coords::Coords, precision::Precision},
     trajectory::{
         method::{Described, Facts, Method},
-        moves::Moves,
+        step_functions::{Executor, StepFunctions},
     },
 };
 use alloc::sync::Arc;
@@ -87,7 +87,7 @@ impl<H: Recurrences> Method<H> for Taylor {
     fn constants(self, parameters: Arc<H::Parameters<f64>>) -> Arc<Self::Constants> {
         Arc::new(Constants { parameters, method: self, interleaved: H::INTERLEAVED })
     }
-    fn moves<R: Real, K: Precision>() -> Moves<Self::Motion<R, K>> {
-        moves::<H, R, K>()
+    fn step_functions<R: Real, K: Precision, E: Executor>() -> StepFunctions<Self::Motion<R, K>> {
+        step_functions::<H, R, K>()
     }
 }

@@ -1,10 +1,11 @@
-//! Motions whose lanes are members of an ensemble, behind one type whatever they are computed in.
+//! Motions behind one type, whatever system and scalar they are of: a single one of a run, or those whose lanes are members
+//! of an ensemble.
 //!
 //! Only what meets the motions themselves is compiled for a system and an instruction set: short loops, since a user pays
-//! for each of them. All else is compiled once, in [`lane_batch`](crate::ensemble::lane_batch).
+//! for each of them. All else is compiled once, in [`engine`](crate::trajectory::engine) and in `ensemble`.
 
 use crate::{
-    ensemble::interleaved::GroupMoves,
+    error::Unsolved,
     state::{
         clock::Clock,
         coords::Coords,
@@ -12,8 +13,10 @@ use crate::{
         point::{Point, mixed_up, shaped, shaped_mut},
     },
     system::motion::Motion,
+    trajectory::step_functions::StepFunctions,
 };
-use std::{any::Any, marker::PhantomData, ops::Range, sync::Arc};
+use alloc::{boxed::Box, sync::Arc, vec::Vec};
+use core::{any::Any, marker::PhantomData, ops::Range};
 
 /// Motions, and how they go on. Lanes are numbered through all of them.
 pub(crate) trait Motions: Any + Send + Sync {
@@ -33,7 +36,8 @@ pub(crate) trait Motions: Any + Send + Sync {
     fn push_copy(&mut self, from: &dyn Motions, motion: usize);
     /// Takes over the states of as many motions with the same constants, in place.
     fn copy_states(&mut self, from: &dyn Motions);
-    fn advance(&mut self, clock: Clock, steps: u64);
+    /// Takes so many steps, on so many threads or all that the machine has.
+    fn advance(&mut self, clock: Clock, steps: u64, threads: Option<usize>);
     /// Completes the step under way.
     fn complete(&mut self, clock: Clock);
     /// Whether the states that are shown at the ends of completed steps differ from these.
@@ -44,8 +48,15 @@ pub(crate) trait Motions: Any + Send + Sync {
     fn finite(&self) -> bool;
     /// Writes the state of a lane.
     fn store(&self, lane: usize, to: &mut dyn Point);
-    /// Whether the steps in a lane could be solved.
-    fn solved(&self, lane: usize) -> bool;
+    /// Takes the motion a while into the step that the other one begins at the clock; `false`, and unchanged, where the method
+    /// has no dense output.
+    fn dense(&mut self, begin: &dyn Motions, clock: Clock, duration: f64) -> bool;
+    /// Why the steps in a lane could not be solved, if that is why they end.
+    fn unsolved(&self, lane: usize) -> Option<&Unsolved>;
+    /// How often steps have evaluated the force, where they count it.
+    fn evaluations(&self) -> Option<u64>;
+    /// Lets so many threads share the pairs of many bodies of a single trajectory, or all that the machine has.
+    fn share_among(&mut self, threads: Option<usize>);
 }
 
 /// Where a member is.
@@ -99,48 +110,53 @@ pub(crate) fn copied(from: &dyn Motions, motions: Range<usize>) -> Box<dyn Motio
     copies
 }
 
-/// All motions once more.
-pub(crate) fn copy(motions: &dyn Motions) -> Box<dyn Motions> {
-    copied(motions, 0..motions.count())
+impl Clone for Box<dyn Motions> {
+    fn clone(&self) -> Self {
+        copied(&**self, 0..self.count())
+    }
 }
 
 /// The states that are shown at the ends of completed steps, where they differ from these.
 pub(crate) fn shown(completed: &dyn Motions, clock: Clock) -> Option<Box<dyn Motions>> {
     completed.shows().then(|| {
-        let mut shown = copy(completed);
+        let mut shown = copied(completed, 0..completed.count());
         shown.show(clock);
         shown
     })
 }
 
-/// What stays the same of a member.
-pub(crate) struct Member<P, Q> {
-    pub(crate) parameters: Arc<P>,
-    /// Those of a run by the method.
-    pub(crate) constants: Arc<Q>,
+/// Writes the state that is shown of a lane: the end of the step of the kernel, where what undoes the processor leaves the finite
+/// numbers.
+pub(crate) fn show(completed: &dyn Motions, shown: Option<&dyn Motions>, lane: usize, to: &mut dyn Point) {
+    if let Some(shown) = shown {
+        shown.store(lane, to);
+        if to.is_finite() {
+            return;
+        }
+    }
+    completed.store(lane, to);
 }
 
-/// All members of an ensemble.
-pub(crate) type Everyone<P, Q> = Arc<Vec<Member<P, Q>>>;
+/// The constants of a run by the method, of every member.
+pub(crate) type Constants<Q> = Arc<Vec<Arc<Q>>>;
 
 /// Motions of one type.
-pub(crate) struct Group<L, P, Q, C> {
+pub(crate) struct Group<L, Q, C> {
     motions: Vec<L>,
-    moves: GroupMoves<L>,
-    members: Everyone<P, Q>,
+    functions: StepFunctions<L>,
+    constants: Constants<Q>,
     shape: PhantomData<fn(C)>,
 }
 
-impl<L, P, Q, C> Group<L, P, Q, C>
+impl<L, Q, C> Group<L, Q, C>
 where
     L: Motion<C, Q>,
-    P: Send + Sync + 'static,
     Q: Send + Sync + 'static,
     C: Coords,
 {
     /// No motions yet of some of these members, with room for so many.
-    pub(crate) fn empty(moves: GroupMoves<L>, members: Everyone<P, Q>, room: usize) -> Box<dyn Motions> {
-        Box::new(Self { motions: Vec::with_capacity(room), moves, members, shape: PhantomData })
+    pub(crate) fn empty(functions: StepFunctions<L>, constants: Constants<Q>, room: usize) -> Box<dyn Motions> {
+        Box::new(Self { motions: Vec::with_capacity(room), functions, constants, shape: PhantomData })
     }
 
     fn of(motions: &dyn Motions) -> &Self {
@@ -151,37 +167,36 @@ where
     }
 
     /// The motion that a lane is in, and its number there.
-    fn place(&self, lane: usize) -> (&L, usize) {
-        (&self.motions[lane / self.moves.lanes], lane % self.moves.lanes)
+    fn motion_of(&self, lane: usize) -> (&L, usize) {
+        (&self.motions[lane / self.functions.lanes], lane % self.functions.lanes)
     }
 }
 
 /// What goes into the lanes of a motion: constants and states.
-fn filling<'m, P, Q, C: Coords>(
-    members: &'m [Member<P, Q>],
+fn filling<'m, Q, C: Coords>(
+    of_member: &'m [Arc<Q>],
     lanes: &[(usize, &'m dyn Point)],
 ) -> (Vec<&'m Q>, Vec<&'m Phase<C>>) {
     let (mut constants, mut states) = (Vec::with_capacity(lanes.len()), Vec::with_capacity(lanes.len()));
     for (member, state) in lanes {
-        constants.push(&*members[*member].constants);
+        constants.push(&*of_member[*member]);
         states.push(shaped(*state));
     }
     (constants, states)
 }
 
-impl<L, P, Q, C> Motions for Group<L, P, Q, C>
+impl<L, Q, C> Motions for Group<L, Q, C>
 where
     L: Motion<C, Q>,
-    P: Send + Sync + 'static,
     Q: Send + Sync + 'static,
     C: Coords,
 {
     fn lanes(&self) -> usize {
-        self.moves.lanes
+        self.functions.lanes
     }
 
     fn together(&self) -> usize {
-        self.moves.together
+        self.functions.together
     }
 
     fn count(&self) -> usize {
@@ -189,19 +204,19 @@ where
     }
 
     fn none(&self, room: usize) -> Box<dyn Motions> {
-        Self::empty(self.moves, self.members.clone(), room)
+        Self::empty(self.functions, self.constants.clone(), room)
     }
 
     fn push(&mut self, lanes: &[(usize, &dyn Point)]) {
-        let (constants, states) = filling(&self.members, lanes);
+        let (constants, states) = filling(&self.constants, lanes);
         self.motions.push(L::load(&constants, &states));
     }
 
     fn push_gathered(&mut self, lanes: &[Lane]) -> bool {
         let motion = L::gathered(&|lane| {
             let from = &lanes[lane];
-            let (motion, lane) = Self::of(from.motions).place(from.lane);
-            (&*self.members[from.member].constants, motion, lane)
+            let (motion, lane) = Self::of(from.motions).motion_of(from.lane);
+            (&*self.constants[from.member], motion, lane)
         });
         let Some(motion) = motion else { return false };
         self.motions.push(motion);
@@ -220,35 +235,55 @@ where
         }
     }
 
-    fn advance(&mut self, clock: Clock, steps: u64) {
-        (self.moves.advance)(&mut self.motions, clock, steps);
+    fn advance(&mut self, clock: Clock, steps: u64, threads: Option<usize>) {
+        (self.functions.advance)(&mut self.motions, clock, steps, threads);
     }
 
     fn complete(&mut self, clock: Clock) {
-        (self.moves.complete)(&mut self.motions, clock);
+        for motion in &mut self.motions {
+            (self.functions.complete)(motion, clock);
+        }
     }
 
     fn shows(&self) -> bool {
-        self.moves.show.is_some()
+        self.functions.show.is_some()
     }
 
     fn show(&mut self, clock: Clock) {
-        if let Some(show) = self.moves.show {
-            show(&mut self.motions, clock);
+        if let Some(show) = self.functions.show {
+            for motion in &mut self.motions {
+                show(motion, clock);
+            }
         }
     }
 
     fn finite(&self) -> bool {
-        (self.moves.finite)(&self.motions)
+        (self.functions.finite)(&self.motions)
     }
 
     fn store(&self, lane: usize, to: &mut dyn Point) {
-        let (motion, lane) = self.place(lane);
+        let (motion, lane) = self.motion_of(lane);
         motion.store(lane, shaped_mut(to));
     }
 
-    fn solved(&self, lane: usize) -> bool {
-        let (motion, lane) = self.place(lane);
-        motion.unsolved(lane).is_none()
+    fn dense(&mut self, begin: &dyn Motions, clock: Clock, duration: f64) -> bool {
+        let Some(dense) = self.functions.dense else { return false };
+        dense(&mut self.motions[0], &Self::of(begin).motions[0], clock, duration);
+        true
+    }
+
+    fn unsolved(&self, lane: usize) -> Option<&Unsolved> {
+        let (motion, lane) = self.motion_of(lane);
+        motion.unsolved(lane)
+    }
+
+    fn evaluations(&self) -> Option<u64> {
+        self.motions.first()?.evaluations()
+    }
+
+    fn share_among(&mut self, threads: Option<usize>) {
+        if let Some(motion) = self.motions.first_mut() {
+            motion.share_among(threads);
+        }
     }
 }

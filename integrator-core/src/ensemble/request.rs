@@ -1,0 +1,43 @@
+//! A request to an ensemble: how far its members are carried on, and which of them leave on the way.
+
+use crate::{
+    state::{clock::Clock, point::Point},
+    trajectory::{engine::BLOCK, panics::Panics},
+};
+
+/// What a call of [`Ensemble::advance_while`](crate::Ensemble::advance_while) asks of every batch.
+pub(crate) struct AdvanceRequest<'a> {
+    /// The clock that the steps begin at.
+    pub(crate) clock: Clock,
+    /// How many steps to take.
+    pub(crate) steps: u64,
+    /// After how many steps each member is tested whether it goes on.
+    pub(crate) interval: u64,
+    /// Whether the member of this number goes on from this state.
+    pub(crate) stays: &'a (dyn Fn(usize, &dyn Point) -> bool + Sync),
+    /// Panics of the user's functions: a member in whose step one panics stays at the step before, and all others go on.
+    pub(crate) panics: &'a Panics,
+}
+
+impl AdvanceRequest<'_> {
+    /// The length of the block of steps after the first `done` ones.
+    pub(crate) fn block(&self, done: u64) -> u64 {
+        let to_next_test = self.interval - done % self.interval;
+        BLOCK.min(self.steps - done).min(to_next_test)
+    }
+
+    /// Whether members are tested after `done` steps.
+    pub(crate) fn tests_after(&self, done: u64) -> bool {
+        done.is_multiple_of(self.interval)
+    }
+
+    /// Whether a member goes on from this state; not if the test panics.
+    pub(crate) fn stays(&self, member: usize, state: &dyn Point) -> bool {
+        self.panics.attempted(|| (self.stays)(member, state)).unwrap_or(false)
+    }
+
+    /// The clock after `done` steps.
+    pub(crate) fn clock_after(&self, done: u64) -> Clock {
+        Clock { steps: self.clock.steps + done, ..self.clock }
+    }
+}

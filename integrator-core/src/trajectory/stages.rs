@@ -1,0 +1,109 @@
+//! The loop over steps, and the end of the step under way: compositions applied to the flows of an executor.
+
+use crate::{
+    composition::{Composition, corrected_durations::Corrections},
+    hamiltonian::{Flows, Hamiltonian},
+    scalar::real::Kernel,
+    state::clock::Clock,
+};
+use core::marker::PhantomData;
+
+/// The n-step loop.
+pub(crate) struct Advance<F, H, X> {
+    flows: F,
+    clock: Clock,
+    steps: u64,
+    marker: PhantomData<(fn(H), X)>,
+}
+
+impl<F, H, X> Advance<F, H, X> {
+    pub(crate) fn new(flows: F, clock: Clock, steps: u64) -> Self {
+        Self { flows, clock, steps, marker: PhantomData }
+    }
+}
+
+impl<F: Flows<H>, H: Hamiltonian, X: Composition<H>> Kernel for Advance<F, H, X> {
+    type Out = ();
+
+    #[inline(always)]
+    fn call(mut self) {
+        let Clock { h, steps: mut step, .. } = self.clock;
+        let end = step + self.steps;
+        if const { H::PIECEWISE_IN_TIME } {
+            return self.whole_steps(end);
+        }
+        if step == 0 && end > 0 {
+            X::open(&mut self.flows, h, self.clock.at(0));
+            step = 1;
+        }
+        if F::COMPENSATED {
+            let corrections = Corrections::new(&X::STAGES, h);
+            if !corrections.none() {
+                while step < end {
+                    X::cycle(&mut corrections.on(&mut self.flows, step), h, self.clock.at(step));
+                    step += 1;
+                }
+            }
+        }
+        while step < end {
+            X::cycle(&mut self.flows, h, self.clock.at(step));
+            step += 1;
+        }
+    }
+}
+
+impl<F: Flows<H>, H: Hamiltonian, X: Composition<H>> Advance<F, H, X> {
+    /// The same where a stage that is merged across steps would belong to two pieces: each step ends before the next one begins,
+    /// with its own middle.
+    #[inline(always)]
+    fn whole_steps(mut self, end: u64) {
+        let Clock { h, steps, .. } = self.clock;
+        let corrections = Corrections::of_whole_steps(&X::STAGES, &X::PROCESSOR, h);
+        for step in steps..end {
+            if let Some(under_way) = step.checked_sub(1) {
+                let time = self.clock.at(under_way);
+                self.flows.begin_step(time + h / 2.0);
+                X::close(&mut self.flows, h, time);
+            }
+            let time = self.clock.at(step);
+            self.flows.begin_step(time + h / 2.0);
+            if F::COMPENSATED {
+                X::open(&mut corrections.on(&mut self.flows, step), h, time);
+            } else {
+                X::open(&mut self.flows, h, time);
+            }
+        }
+    }
+}
+
+/// The end of the step under way: its last stages, or what undoes the processor behind them.
+pub(crate) struct End<F, H, X, const SHOWN: bool> {
+    flows: F,
+    clock: Clock,
+    marker: PhantomData<(fn(H), X)>,
+}
+
+impl<F, H, X, const SHOWN: bool> End<F, H, X, SHOWN> {
+    pub(crate) fn new(flows: F, clock: Clock) -> Self {
+        Self { flows, clock, marker: PhantomData }
+    }
+}
+
+impl<F: Flows<H>, H: Hamiltonian, X: Composition<H>, const SHOWN: bool> Kernel for End<F, H, X, SHOWN> {
+    type Out = ();
+
+    #[inline(always)]
+    fn call(mut self) {
+        if let Some(under_way) = self.clock.steps.checked_sub(1) {
+            let (h, time) = (self.clock.h, self.clock.at(under_way));
+            if const { H::PIECEWISE_IN_TIME } {
+                self.flows.begin_step(time + h / 2.0);
+            }
+            if SHOWN {
+                X::show(&mut self.flows, h, time);
+            } else {
+                X::complete(&mut self.flows, h, time);
+            }
+        }
+    }
+}

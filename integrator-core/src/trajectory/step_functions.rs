@@ -1,0 +1,197 @@
+//! What a method does to motions, as functions that are compiled for a system, a composition and a scalar.
+
+use crate::{
+    composition::Composition,
+    hamiltonian::{Hamiltonian, Single},
+    layout::lattice::time_tiling::TimeTiling,
+    scalar::real::{Kernel, Real},
+    state::{clock::Clock, coords::Coords, precision::Precision},
+    system::motion::Motion,
+    trajectory::{
+        interleaved::AdvanceAll,
+        stages::{Advance, End},
+    },
+};
+
+/// The function table of a motion type: what a method does to motions, a few calls per block of steps.
+///
+/// These are functions and not a type parameter: so [`Motions`](crate::trajectory::motions::Motions) know the motion's type
+/// alone, what is seldom called is compiled once per motion, and a system that borrows its parameters can be run all the same.
+pub struct StepFunctions<M> {
+    /// How many members a motion has.
+    pub(crate) lanes: usize,
+    /// How many motions a group has, whose members go through each stage together.
+    pub(crate) together: usize,
+    /// Takes so many steps, on so many threads or all that the machine has.
+    pub(crate) advance: fn(&mut [M], Clock, u64, Option<usize>),
+    /// Completes the step under way.
+    pub(crate) complete: fn(&mut M, Clock),
+    /// Makes of a completed step the state that is shown, where that differs.
+    pub(crate) show: Option<fn(&mut M, Clock)>,
+    /// Whether all numbers are finite.
+    pub(crate) finite: fn(&[M]) -> bool,
+    /// Takes a motion a while into the step that begins at the other one and at the clock, where a method has dense output.
+    /// It may stand anywhere in this step.
+    pub(crate) dense: Option<fn(&mut M, &M, Clock, f64)>,
+}
+
+impl<M> Clone for StepFunctions<M> {
+    fn clone(&self) -> Self {
+        *self
+    }
+}
+
+impl<M> Copy for StepFunctions<M> {}
+
+impl<M> StepFunctions<M> {
+    /// Those of a method whose motions stand at the end of a step whenever they are read.
+    pub(crate) fn of_whole_steps<C: Coords, P>(
+        lanes: usize,
+        advance: fn(&mut [M], Clock, u64, Option<usize>),
+        dense: Option<fn(&mut M, &M, Clock, f64)>,
+    ) -> Self
+    where
+        M: Motion<C, P>,
+    {
+        let complete = |_: &mut M, _| {};
+        Self { lanes, together: 1, advance, complete, show: None, finite: all_finite, dense }
+    }
+
+    /// Takes so many steps with one motion.
+    #[cfg(feature = "check")]
+    pub(crate) fn advance_one(&self, motion: &mut M, clock: Clock, steps: u64) {
+        (self.advance)(core::slice::from_mut(motion), clock, steps, Some(1));
+    }
+
+    /// One motion with the step under way completed, up to the state that is shown: the end of the step of the kernel, where
+    /// what undoes the processor leaves the finite numbers.
+    #[cfg(feature = "check")]
+    pub(crate) fn shown<C: Coords, P>(&self, mut motion: M, clock: Clock) -> M
+    where
+        M: Motion<C, P>,
+    {
+        (self.complete)(&mut motion, clock);
+        let Some(show) = self.show else { return motion };
+        let mut shown = motion.clone();
+        show(&mut shown, clock);
+        if shown.finite() { shown } else { motion }
+    }
+}
+
+/// How motions go through the stages of a composition.
+pub trait Executor: 'static {
+    /// Whether lattices too long for the cache are swept in tiles, which is more code.
+    const TILES: bool = false;
+    /// How many registers hold a number of all lanes each, where small motions go through each stage together.
+    const REGISTERS: usize = 0;
+}
+
+/// One motion after the other, flow by flow: the least code.
+#[cfg(feature = "check")]
+pub struct FlowByFlow;
+
+/// One motion after the other, a long lattice in tiles.
+pub struct InTiles;
+
+/// Several small motions together, as fit into so many registers.
+#[cfg(feature = "std")]
+pub struct Interleaved<const REGISTERS: usize>;
+
+#[cfg(feature = "check")]
+impl Executor for FlowByFlow {}
+
+impl Executor for InTiles {
+    const TILES: bool = true;
+}
+
+#[cfg(feature = "std")]
+impl<const REGISTERS: usize> Executor for Interleaved<REGISTERS> {
+    const REGISTERS: usize = REGISTERS;
+}
+
+/// The step functions of a system under a composition.
+pub(crate) fn of_composition<H, X, R, K, E>() -> StepFunctions<H::Motion<R, K>>
+where
+    H: Hamiltonian,
+    X: Composition<H>,
+    R: Real,
+    K: Precision,
+    E: Executor,
+{
+    StepFunctions {
+        lanes: R::LANES,
+        together: AdvanceAll::<H, X, R, K, E>::TOGETHER,
+        advance: advance::<H, X, R, K, E>,
+        complete: end::<H, X, R, K, E, false>,
+        show: if const { X::PROCESSOR.after.rows.is_empty() } { None } else { Some(end::<H, X, R, K, E, true>) },
+        finite: if const { E::REGISTERS == 0 } { all_finite } else { all_finite_in_lanes::<H, R, K> },
+        dense: None,
+    }
+}
+
+/// The n-step loop.
+fn advance<H, X, R, K, E>(motions: &mut [H::Motion<R, K>], clock: Clock, steps: u64, threads: Option<usize>)
+where
+    H: Hamiltonian,
+    X: Composition<H>,
+    R: Real,
+    K: Precision,
+    E: Executor,
+{
+    if const { E::REGISTERS > 0 } {
+        return R::enter(AdvanceAll::<H, X, R, K, E>::new(motions, clock, steps));
+    }
+    for motion in motions {
+        if const { E::TILES && TimeTiling::<H, R, K>::ENABLED } {
+            let mut flows = TimeTiling::<H, R, K>::new(motion, threads);
+            Advance::<_, H, X>::new(&mut flows, clock, steps).call();
+            flows.finish();
+        } else {
+            R::enter(Advance::<_, H, X>::new(Single::<H, R, K>(motion), clock, steps));
+        }
+    }
+}
+
+/// The end of the step under way: its last stages, or what undoes the processor behind them.
+fn end<H, X, R, K, E, const SHOWN: bool>(motion: &mut H::Motion<R, K>, clock: Clock)
+where
+    H: Hamiltonian,
+    X: Composition<H>,
+    R: Real,
+    K: Precision,
+    E: Executor,
+{
+    if const { E::TILES && TimeTiling::<H, R, K>::ENABLED } {
+        let mut flows = TimeTiling::<H, R, K>::new(motion, Some(1));
+        End::<_, H, X, SHOWN>::new(&mut flows, clock).call();
+        flows.finish();
+    } else {
+        R::enter(End::<_, H, X, SHOWN>::new(Single::<H, R, K>(motion), clock));
+    }
+}
+
+#[inline(always)]
+fn all_finite<C: Coords, P, M: Motion<C, P>>(motions: &[M]) -> bool {
+    for motion in motions {
+        if !motion.finite() {
+            return false;
+        }
+    }
+    true
+}
+
+/// The same in the variant for the instruction set of lanes.
+fn all_finite_in_lanes<H: Hamiltonian, R: Real, K: Precision>(motions: &[H::Motion<R, K>]) -> bool {
+    R::enter(Finite::<H, R, K>(motions))
+}
+
+struct Finite<'m, H: Hamiltonian, R: Real, K: Precision>(&'m [H::Motion<R, K>]);
+
+impl<H: Hamiltonian, R: Real, K: Precision> Kernel for Finite<'_, H, R, K> {
+    type Out = bool;
+
+    #[inline(always)]
+    fn call(self) -> bool {
+        all_finite(self.0)
+    }
+}

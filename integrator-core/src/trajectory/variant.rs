@@ -1,0 +1,51 @@
+//! The multiversioned variant of single trajectories: for which of the instruction sets that they are compiled for.
+
+use crate::{
+    hamiltonian::{Hamiltonian, Shaped},
+    scalar::{instruction_set::InstructionSet, real::Real},
+    state::{phase::Phase, precision::Precision},
+    trajectory::{
+        engine::Engine,
+        method::Method,
+        motions::{Constants, Group, Motions},
+        step_functions::{Executor, InTiles},
+    },
+};
+use alloc::{boxed::Box, sync::Arc, vec};
+
+/// No motions yet of single trajectories, computed in what this machine takes.
+pub(crate) fn single<H: Hamiltonian, X: Method<H>, K: Precision>(
+    constants: Constants<X::Constants>,
+) -> Box<dyn Motions> {
+    // Known when this is compiled, so that nothing is compiled for the others.
+    if const { X::CLONED } {
+        match InstructionSet::chosen() {
+            InstructionSet::Baseline => motions::<H, X, K::Plain, K, InTiles>(constants),
+            InstructionSet::Avx512 if X::WIDE => motions::<H, X, K::Avx512, K, InTiles>(constants),
+            InstructionSet::Fused | InstructionSet::Avx512 => motions::<H, X, K::Fused, K, InTiles>(constants),
+        }
+    } else {
+        motions::<H, X, K::Plain, K, InTiles>(constants)
+    }
+}
+
+/// The engine of a trajectory, computed in what this machine takes.
+pub(crate) fn engine<H: Hamiltonian, X: Method<H>, K: Precision>(
+    method: X,
+    parameters: Arc<H::Parameters<f64>>,
+    start: &Phase<Shaped<H, K>>,
+) -> Engine {
+    Engine::of_one(&*single::<H, X, K>(of_one(method.constants(parameters))), start)
+}
+
+/// The constants of one member: compiled once for all compositions.
+fn of_one<Q>(constants: Arc<Q>) -> Constants<Q> {
+    Arc::new(vec![constants])
+}
+
+/// No motions yet, computed in `R`.
+pub(crate) fn motions<H: Hamiltonian, X: Method<H>, R: Real, K: Precision, E: Executor>(
+    constants: Constants<X::Constants>,
+) -> Box<dyn Motions> {
+    Group::<X::Motion<R, K>, _, Shaped<H, K>>::empty(X::step_functions::<R, K, E>(), constants, 0)
+}
