@@ -11,14 +11,14 @@
 //! a loop is left that may have had no iteration in its branches, what is computed from then on stays under the
 //! condition that it had one, unless no value of it could do harm.
 
-use crate::graph::{Around, Element, Graph, Node, NodeId, Part, function::Function, index::LoopId};
+use crate::graph::{Element, Graph, Node, NodeId, Part, Scope, function::Function, index::LoopId};
 use std::collections::HashMap;
 
 /// An addend of one component of a gradient (of a family of them, where the component depends on loops).
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Contribution {
     /// What is around it, outermost first.
-    pub(crate) context: Vec<Around>,
+    pub(crate) context: Vec<Scope>,
     /// The coordinate that the component belongs to.
     pub(crate) element: Element,
     pub(crate) value: NodeId,
@@ -28,21 +28,21 @@ impl Contribution {
     /// The loops around it, outermost first.
     pub(crate) fn loops(&self) -> impl Iterator<Item = LoopId> {
         self.context.iter().filter_map(|around| match around {
-            Around::Loop(by) => Some(*by),
-            Around::Branch(..) => None,
+            Scope::Loop(by) => Some(*by),
+            Scope::Branch(..) => None,
         })
     }
 
     /// The conditions around it, outermost first.
     pub(crate) fn conditions(&self) -> impl Iterator<Item = NodeId> {
-        self.context.iter().filter_map(Around::condition)
+        self.context.iter().filter_map(Scope::condition)
     }
 
     /// What is around it, with other nodes for its conditions.
-    pub(crate) fn around(&self, of: impl Fn(NodeId) -> NodeId) -> Vec<Around> {
+    pub(crate) fn around(&self, of: impl Fn(NodeId) -> NodeId) -> Vec<Scope> {
         let renamed = self.context.iter().map(|around| match around {
-            Around::Branch(condition, holds) => Around::Branch(of(*condition), *holds),
-            Around::Loop(_) => *around,
+            Scope::Branch(condition, holds) => Scope::Branch(of(*condition), *holds),
+            Scope::Loop(_) => *around,
         });
         renamed.collect()
     }
@@ -82,8 +82,8 @@ pub(crate) fn hessian_product(graph: &mut Graph, of: &[Contribution], part: Part
 
 /// The same gradient with branches as choices between values: one contribution per element and loops, as long as
 /// nothing else tells them apart.
-pub(crate) fn folded(graph: &mut Graph, gradient: &[Contribution]) -> Vec<Contribution> {
-    let mut places: HashMap<(Element, &[Around]), usize> = HashMap::new();
+pub(crate) fn fold_branches(graph: &mut Graph, gradient: &[Contribution]) -> Vec<Contribution> {
+    let mut places: HashMap<(Element, &[Scope]), usize> = HashMap::new();
     let mut families: Vec<(&Contribution, usize, Vec<Inside<'_>>)> = Vec::new();
     for contribution in gradient {
         let Contribution { context, element, value } = contribution;
@@ -103,12 +103,12 @@ pub(crate) fn folded(graph: &mut Graph, gradient: &[Contribution]) -> Vec<Contri
 }
 
 /// How much of a context its loops are, with what is between them.
-fn loops_end(context: &[Around]) -> usize {
-    context.iter().rposition(|around| matches!(around, Around::Loop(_))).map_or(0, |last| last + 1)
+fn loops_end(context: &[Scope]) -> usize {
+    context.iter().rposition(|around| matches!(around, Scope::Loop(_))).map_or(0, |last| last + 1)
 }
 
 /// A value, and the branches around it.
-type Inside<'a> = (&'a [Around], NodeId);
+type Inside<'a> = (&'a [Scope], NodeId);
 
 /// Values by the outermost of their branches, in the order of these, and those without.
 enum Slot<'a> {
@@ -121,7 +121,7 @@ fn slots<'a>(values: &[Inside<'a>]) -> Vec<Slot<'a>> {
     let mut places: HashMap<NodeId, usize> = HashMap::new();
     let mut slots = Vec::new();
     for (context, value) in values {
-        let Some((Around::Branch(condition, holds), inner)) = context.split_first() else {
+        let Some((Scope::Branch(condition, holds), inner)) = context.split_first() else {
             slots.push(Slot::Value(*value));
             continue;
         };
@@ -173,12 +173,12 @@ fn entered(graph: &mut Graph, values: &[Inside<'_>]) -> NodeId {
 }
 
 /// A value where a branch is taken, zero elsewhere.
-fn chosen(graph: &mut Graph, around: Around, value: NodeId) -> NodeId {
+fn chosen(graph: &mut Graph, around: Scope, value: NodeId) -> NodeId {
     let zero = graph.constant(0.0);
     match around {
-        Around::Branch(condition, true) => graph.select(condition, value, zero),
-        Around::Branch(condition, false) => graph.select(condition, zero, value),
-        Around::Loop(by) => graph.sum(by, value),
+        Scope::Branch(condition, true) => graph.select(condition, value, zero),
+        Scope::Branch(condition, false) => graph.select(condition, zero, value),
+        Scope::Loop(by) => graph.sum(by, value),
     }
 }
 
@@ -230,20 +230,20 @@ fn gathered(graph: &mut Graph, id: NodeId, adjoints: Vec<Adjoint>) -> Vec<Adjoin
 fn in_common(graph: &mut Graph, id: NodeId, adjoints: &[Adjoint]) -> Adjoint {
     let first = &adjoints[0].0;
     let shared =
-        |known: usize, context: &[Around]| first[..known].iter().zip(context).take_while(|(a, b)| a == b).count();
+        |known: usize, context: &[Scope]| first[..known].iter().zip(context).take_while(|(a, b)| a == b).count();
     let common = adjoints.iter().fold(first.len(), |known, (context, _)| shared(known, context));
     let values: Vec<Inside<'_>> = adjoints.iter().map(|(context, adjoint)| (&context[common..], *adjoint)).collect();
     let (sum, any) = (summed(graph, &values), entered(graph, &values));
     let mut context = first[..common].to_vec();
     let is_harmless = adjoints.iter().all(|(left, _)| graph.is_harmless(id, &left[common..]));
     if !is_harmless && graph.as_truth(any).is_none() {
-        context.push(Around::Branch(any, true));
+        context.push(Scope::Branch(any, true));
     }
     (context, sum)
 }
 
 /// What an adjoint is and where: what is around it, and its value.
-type Adjoint = (Vec<Around>, NodeId);
+type Adjoint = (Vec<Scope>, NodeId);
 
 struct Sweep {
     depends: Vec<bool>,
@@ -253,7 +253,7 @@ struct Sweep {
 
 impl Sweep {
     /// Passes the adjoint of `node` on to its children.
-    fn through(&mut self, graph: &mut Graph, id: NodeId, node: Node, context: &[Around], adjoint: NodeId) {
+    fn through(&mut self, graph: &mut Graph, id: NodeId, node: Node, context: &[Scope], adjoint: NodeId) {
         match node {
             Node::Neg(a) => {
                 let value = graph.neg(adjoint);
@@ -303,7 +303,7 @@ impl Sweep {
                 }
             }
             Node::Sum(by, body) => {
-                let inside: Vec<Around> = context.iter().copied().chain([Around::Loop(by)]).collect();
+                let inside: Vec<Scope> = context.iter().copied().chain([Scope::Loop(by)]).collect();
                 self.push(graph, body, &inside, adjoint);
             }
             Node::Select(condition, a, b) => self.push_chosen(graph, [a, b], condition, context, adjoint),
@@ -327,24 +327,24 @@ impl Sweep {
         graph: &mut Graph,
         nodes: [NodeId; 2],
         condition: NodeId,
-        context: &[Around],
+        context: &[Scope],
         adjoint: NodeId,
     ) {
         for (node, holds) in nodes.into_iter().zip([true, false]) {
-            let branch = Around::Branch(condition, holds);
-            if context.contains(&Around::Branch(condition, !holds)) {
+            let branch = Scope::Branch(condition, holds);
+            if context.contains(&Scope::Branch(condition, !holds)) {
                 continue;
             }
             if context.contains(&branch) {
                 self.push(graph, node, context, adjoint);
                 continue;
             }
-            let inside: Vec<Around> = context.iter().copied().chain([branch]).collect();
+            let inside: Vec<Scope> = context.iter().copied().chain([branch]).collect();
             self.push(graph, node, &inside, adjoint);
         }
     }
 
-    fn push_product(&mut self, graph: &mut Graph, to: NodeId, context: &[Around], adjoint: NodeId, slope: NodeId) {
+    fn push_product(&mut self, graph: &mut Graph, to: NodeId, context: &[Scope], adjoint: NodeId, slope: NodeId) {
         if self.depends[to.position()] {
             let value = graph.mul(adjoint, slope);
             self.push(graph, to, context, value);
@@ -352,14 +352,14 @@ impl Sweep {
     }
 
     /// Adds `value`, one per iteration of the loops in `context`, to the adjoint of `to`.
-    fn push(&mut self, graph: &mut Graph, to: NodeId, context: &[Around], value: NodeId) {
+    fn push(&mut self, graph: &mut Graph, to: NodeId, context: &[Scope], value: NodeId) {
         if !self.depends[to.position()] {
             return;
         }
         let (outer, left) = context.split_at(depth(graph, to, context));
         let value = left.iter().rev().fold(value, |value, around| chosen(graph, *around, value));
         let more = guard(graph, to, left).into_iter().filter(|around| !outer.contains(around));
-        let outer: Vec<Around> = outer.iter().copied().chain(more).collect();
+        let outer: Vec<Scope> = outer.iter().copied().chain(more).collect();
         let adjoints = &mut self.adjoints[to.position()];
         match adjoints.iter_mut().find(|(known, _)| *known == outer) {
             Some((_, sum)) => *sum = graph.add(*sum, value),
@@ -370,7 +370,7 @@ impl Sweep {
 
 /// What stays around the adjoint of a node in the place of the loops and branches that were `left`: where nothing
 /// entered them, the adjoint is an empty sum, and a slope that is not finite there must not be multiplied by it.
-fn guard(graph: &mut Graph, id: NodeId, left: &[Around]) -> Vec<Around> {
+fn guard(graph: &mut Graph, id: NodeId, left: &[Scope]) -> Vec<Scope> {
     if left.is_empty() || graph.is_harmless(id, left) {
         return Vec::new();
     }
@@ -379,22 +379,22 @@ fn guard(graph: &mut Graph, id: NodeId, left: &[Around]) -> Vec<Around> {
 }
 
 /// A condition as branches, one inside the other where it has a part that is only asked where another one holds.
-fn branches(graph: &Graph, condition: NodeId) -> Vec<Around> {
+fn branches(graph: &Graph, condition: NodeId) -> Vec<Scope> {
     match graph.node(condition) {
         _ if graph.as_truth(condition).is_some() => Vec::new(),
-        Node::And(first, second) if graph.protects(Around::Branch(first, true), second) => {
+        Node::And(first, second) if graph.protects(Scope::Branch(first, true), second) => {
             [first, second].into_iter().flat_map(|part| branches(graph, part)).collect()
         }
-        _ => vec![Around::Branch(condition, true)],
+        _ => vec![Scope::Branch(condition, true)],
     }
 }
 
 /// How much of `context` stays around the adjoint of a node: up to the first loop behind all those it depends on.
-fn depth(graph: &Graph, id: NodeId, context: &[Around]) -> usize {
+fn depth(graph: &Graph, id: NodeId, context: &[Scope]) -> usize {
     let own = graph.loops_of(id);
-    let is_own = |around: &Around| matches!(around, Around::Loop(by) if own.contains(*by));
+    let is_own = |around: &Scope| matches!(around, Scope::Loop(by) if own.contains(*by));
     let deepest = context.iter().rposition(is_own).map_or(0, |deepest| deepest + 1);
-    let next = context[deepest..].iter().position(|around| matches!(around, Around::Loop(_)));
+    let next = context[deepest..].iter().position(|around| matches!(around, Scope::Loop(_)));
     next.map_or(context.len(), |next| deepest + next)
 }
 
@@ -418,13 +418,13 @@ mod tests {
     }
 
     /// The iterations of the loops of `context` in which its conditions hold.
-    fn around(graph: &Graph, point: &mut Point<'_>, context: &[Around], body: &mut dyn FnMut(&mut Point<'_>)) {
+    fn around(graph: &Graph, point: &mut Point<'_>, context: &[Scope], body: &mut dyn FnMut(&mut Point<'_>)) {
         match context.split_first() {
             None => body(point),
-            Some((Around::Loop(by), inner)) => {
+            Some((Scope::Loop(by), inner)) => {
                 point.iterations(graph, &[*by], &mut |point| around(graph, point, inner, body));
             }
-            Some((Around::Branch(condition, holds), inner)) => {
+            Some((Scope::Branch(condition, holds), inner)) => {
                 if point.holds(graph, *condition) == *holds {
                     around(graph, point, inner, body);
                 }
@@ -553,7 +553,7 @@ mod tests {
         let mut graph = Graph::default();
         let root = breaking_bonds(&mut graph);
         let whole = gradient(&mut graph, root, Part::Position);
-        let folded = folded(&mut graph, &whole);
+        let folded = fold_branches(&mut graph, &whole);
         assert!(folded.len() < whole.len());
         let sum = |graph: &Graph, contributions: &[Contribution]| {
             let mut at = vec![0.0; Q.len()];

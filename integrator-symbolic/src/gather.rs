@@ -1,8 +1,8 @@
 //! Gradients in which every site of a lattice takes part alike, in a form in which each gets all its addends at once.
 //!
-//! Comes in: contributions to a gradient. Goes out: the same as shares: each is computed at a site from its
+//! Comes in: contributions to a gradient. Goes out: a stencil: each contribution is computed at a site from its
 //! neighbourhood and belongs to that site or to one further on. A lattice is a line of sites, or a plane of rows.
-//! Always true: the shares are the contributions, iteration by iteration, with the iterations of every loop renumbered
+//! Always true: the stencil adds up what comes in, iteration by iteration, with the iterations of every loop renumbered
 //! so that none belongs to a site behind; or nothing comes out, where one contribution is of another kind.
 
 mod direction;
@@ -18,53 +18,54 @@ use direction::Iterations;
 pub(crate) use direction::{Along, Direction, Extent};
 use std::collections::{BTreeSet, HashMap};
 
-/// How far the shares of a site look and go along a line or a row.
+/// How far the contributions of a site look and go along a line or a row.
 const FARTHEST: i64 = 2;
 
 /// How many rows they look and go over.
 const FARTHEST_ROW: i64 = 1;
 
-/// What is computed at each site, and where the sites are that differ from the others.
+/// A stencil: what is computed at each site, and where the sites are that differ from the others.
 #[derive(Debug)]
-pub(crate) struct Gathered {
+pub(crate) struct Stencil {
     /// From row to row, where there are rows, and from site to site.
     pub(crate) directions: Vec<Direction>,
-    pub(crate) shares: Vec<Share>,
+    pub(crate) contributions: Vec<SiteContribution>,
 }
 
-/// What a range of sites adds to themselves or to others.
+/// A contribution of a range of sites to themselves or to others.
 #[derive(Clone, Debug, PartialEq)]
-pub(crate) struct Share {
+pub(crate) struct SiteContribution {
     /// How far it goes in every direction.
     pub(crate) along: Vec<Along>,
     pub(crate) value: NodeId,
 }
 
-impl Share {
-    /// How many places further on the share goes in every direction.
+impl SiteContribution {
+    /// How many places further on the contribution goes in every direction.
     pub(crate) fn onward(&self) -> Vec<usize> {
         self.along.iter().map(|along| along.onward).collect()
     }
 }
 
-impl Gathered {
+impl Stencil {
     /// Whether the sites are those of a plane.
     pub(crate) fn is_plane(&self) -> bool {
         self.directions.len() > 1
     }
 
-    /// How many places further on the farthest share goes in each direction.
+    /// How many places further on the farthest contribution goes in each direction.
     pub(crate) fn onward(&self) -> Vec<usize> {
-        let farthest = |direction: usize| self.shares.iter().map(|share| share.along[direction].onward).max();
+        let farthest =
+            |direction: usize| self.contributions.iter().map(|contribution| contribution.along[direction].onward).max();
         (0..self.directions.len()).map(|direction| farthest(direction).unwrap_or(0)).collect()
     }
 
-    /// How far onward the shares go that there are to be, in order: along a line or a row as far as any share goes,
-    /// then those for the next row, as far as one of them goes.
+    /// The forward offsets of contributions, in order: along a line or a row as far as any goes, then those for the next
+    /// row, as far as one of them goes.
     pub(crate) fn places(&self) -> Vec<Vec<usize>> {
         match self.onward()[..] {
             [rows, sites] => {
-                let onward = self.shares.iter().map(Share::onward).filter(|onward| onward[0] > 0);
+                let onward = self.contributions.iter().map(SiteContribution::onward).filter(|onward| onward[0] > 0);
                 let below = onward.map(|onward| onward[1]).max().unwrap_or(0);
                 let far = move |row| if row == 0 { sites } else { below };
                 (0..=rows).flat_map(|row| (0..=far(row)).map(move |site| vec![row, site])).collect()
@@ -77,14 +78,14 @@ impl Gathered {
 /// How many sites a line or a row has at least, if their number is known: fewer are as fast in a plain loop.
 const FEWEST: u64 = 8;
 
-/// The shares of `gradient`, where all of it has that form, on a line or a plane of such lengths; `leaf` tells which
+/// The stencil of `gradient`, where all of it has that form, on a line or a plane of such lengths; `leaf` tells which
 /// nodes are read, not computed.
-pub(crate) fn gathered(
+pub(crate) fn stencil(
     graph: &mut Graph,
     gradient: &[Contribution],
     lengths: &[IndexId],
     leaf: impl Fn(&Graph, NodeId) -> bool,
-) -> Option<Gathered> {
+) -> Option<Stencil> {
     let number = graph.loops.literal(*lengths.last()?);
     if number.is_some_and(|number| number < FEWEST) {
         return None;
@@ -95,7 +96,7 @@ pub(crate) fn gathered(
         let parent = directions.last().map(|outer| outer.place);
         directions.push(Direction::new(graph, parent, *length, farthest)?);
     }
-    let mut gathering = Gathering { leaf: &leaf, graph, gathered: Gathered { directions, shares: Vec::new() } };
+    let mut gathering = Gathering { leaf: &leaf, graph, stencil: Stencil { directions, contributions: Vec::new() } };
     let iterations =
         gradient.iter().map(|contribution| gathering.iterations(contribution)).collect::<Option<Vec<_>>>()?;
     // Nothing is gained where no loops run over the lattice.
@@ -106,13 +107,13 @@ pub(crate) fn gathered(
             let together = all.filter(|other| own.by.is_some() && other.by == own.by);
             together.map(|other| other.to_place).min().unwrap_or_default()
         });
-        gathering.share(contribution.value, own, &begins.collect::<Vec<_>>())?;
+        gathering.contribution(contribution.value, own, &begins.collect::<Vec<_>>())?;
     }
-    let gathered = gathering.finished()?;
+    let stencil = gathering.finished()?;
     // Components of points may be counted by a constant too, and are few. Those of a row have neighbours.
-    let may_be_points = gathered.is_plane() && number.is_none();
-    let is_row = gathered.directions.last().is_some_and(Direction::has_neighbours);
-    (!may_be_points || is_row).then_some(gathered)
+    let may_be_points = stencil.is_plane() && number.is_none();
+    let is_row = stencil.directions.last().is_some_and(Direction::has_neighbours);
+    (!may_be_points || is_row).then_some(stencil)
 }
 
 /// The indices of a coordinate, one per direction.
@@ -123,14 +124,14 @@ fn indices(element: Element) -> impl Iterator<Item = IndexId> {
 struct Gathering<'g, L> {
     graph: &'g mut Graph,
     leaf: &'g L,
-    gathered: Gathered,
+    stencil: Stencil,
 }
 
 impl<L: Fn(&Graph, NodeId) -> bool> Gathering<'_, L> {
     /// The iterations in which a contribution is made, direction by direction.
     fn iterations(&mut self, contribution: &Contribution) -> Option<Vec<Iterations>> {
         let indices = indices(contribution.element);
-        let iterations = self.gathered.directions.iter_mut().zip(indices);
+        let iterations = self.stencil.directions.iter_mut().zip(indices);
         let iterations =
             iterations.map(|(direction, index)| direction.iterations(self.graph, index)).collect::<Option<Vec<_>>>()?;
         // Every loop around it runs in one direction, and nothing else is around it.
@@ -141,15 +142,15 @@ impl<L: Fn(&Graph, NodeId) -> bool> Gathering<'_, L> {
     }
 
     /// Notes what some iterations add to a site, as seen from the first site that iterations of their loops add to.
-    fn share(&mut self, value: NodeId, iterations: &[Iterations], begins: &[i64]) -> Option<()> {
+    fn contribution(&mut self, value: NodeId, iterations: &[Iterations], begins: &[i64]) -> Option<()> {
         let value = self.seen(value, iterations, begins)?;
-        let directions = self.gathered.directions.iter_mut().zip(iterations).zip(begins);
+        let directions = self.stencil.directions.iter_mut().zip(iterations).zip(begins);
         let along =
             directions.map(|((direction, iterations), begins)| direction.along(self.graph, iterations, *begins));
         let along = along.collect::<Option<Vec<_>>>()?;
-        match self.gathered.shares.iter_mut().find(|share| share.along == along) {
-            Some(share) => share.value = self.graph.add(share.value, value),
-            None => self.gathered.shares.push(Share { along, value }),
+        match self.stencil.contributions.iter_mut().find(|contribution| contribution.along == along) {
+            Some(contribution) => contribution.value = self.graph.add(contribution.value, value),
+            None => self.stencil.contributions.push(SiteContribution { along, value }),
         }
         Some(())
     }
@@ -186,7 +187,7 @@ impl<L: Fn(&Graph, NodeId) -> bool> Gathering<'_, L> {
 
     /// A coordinate as seen from a site.
     fn neighbour(&mut self, iterations: &[Iterations], begins: &[i64], element: Element) -> Option<NodeId> {
-        let directions = self.gathered.directions.iter_mut().zip(iterations.iter().zip(begins)).zip(indices(element));
+        let directions = self.stencil.directions.iter_mut().zip(iterations.iter().zip(begins)).zip(indices(element));
         let seen = directions
             .map(|((direction, (iterations, begins)), index)| direction.seen(self.graph, iterations, *begins, index));
         match seen.collect::<Option<Vec<_>>>()?[..] {
@@ -196,9 +197,9 @@ impl<L: Fn(&Graph, NodeId) -> bool> Gathering<'_, L> {
         }
     }
 
-    /// All shares, where no loop runs in one direction for one of them and in the other for another.
-    fn finished(self) -> Option<Gathered> {
-        let Gathered { directions, mut shares } = self.gathered;
+    /// All contributions, where no loop runs in one direction for one of them and in the other for another.
+    fn finished(self) -> Option<Stencil> {
+        let Stencil { directions, mut contributions } = self.stencil;
         let of = |number: usize| directions.get(number).map(|direction| &direction.begins);
         if let (Some(rows), Some(sites)) = (of(0), of(1))
             && rows.keys().any(|by| sites.contains_key(by))
@@ -207,7 +208,7 @@ impl<L: Fn(&Graph, NodeId) -> bool> Gathering<'_, L> {
         }
         // What most sites have comes first, so that a sum begins with it.
         let is_few = |along: &Along| matches!(along.places, Extent::Few(..));
-        shares.sort_by_key(|share| (share.onward(), share.along.iter().any(is_few)));
-        Some(Gathered { directions, shares })
+        contributions.sort_by_key(|contribution| (contribution.onward(), contribution.along.iter().any(is_few)));
+        Some(Stencil { directions, contributions })
     }
 }

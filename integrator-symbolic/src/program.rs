@@ -16,35 +16,35 @@ mod unwritten;
 pub(crate) use store::{is_direct, is_protected};
 
 use crate::graph::{
-    Around, Element, Graph, Node, NodeId,
+    Element, Graph, Node, NodeId, Scope,
     index::{LoopId, LoopSet},
 };
 use std::collections::{BTreeMap, BTreeSet, HashMap};
 
-/// Where a value goes.
+/// The destination of a value.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Sink {
     /// It is added to a coordinate.
     Update(Element),
     /// It is added to the gradient's component for a coordinate, in a buffer.
     Collect(Element),
-    /// It is a share of a site, by its number among them.
-    Share(usize),
+    /// It is a contribution to a site, by its number among them.
+    Contribution(usize),
     /// It is the gradient's component for a coordinate, to which nothing else is added.
     Assign(Element),
     /// It is what the function returns.
     Return,
 }
 
-/// A value, where it goes, and what is around that.
+/// A store: a value, its destination, and the scopes around it, outermost first.
 #[derive(Clone, Debug, PartialEq)]
-pub(crate) struct Placed {
-    pub(crate) context: Vec<Around>,
+pub(crate) struct Store {
+    pub(crate) context: Vec<Scope>,
     pub(crate) sink: Sink,
     pub(crate) value: NodeId,
 }
 
-/// One line of a block.
+/// A statement of a block.
 #[derive(Debug, PartialEq)]
 pub(crate) enum Item {
     /// A named value.
@@ -110,34 +110,35 @@ pub(crate) fn root_cubed(graph: &Graph, divisor: NodeId, is_named: impl Fn(NodeI
     (is_inline && graph.node(root) == Node::Power(base, 1)).then_some(base)
 }
 
-/// What is asked of some nodes beside being there for others.
+/// Constraints on the schedule beside the dependences between nodes.
 #[derive(Debug, Default)]
-pub(crate) struct Asked {
+pub(crate) struct Constraints {
     /// Those that have a name however they are used.
     pub(crate) named: BTreeSet<NodeId>,
     /// Those that are computed wherever another one is, which reads them later than in this pass.
     pub(crate) beside: BTreeMap<NodeId, BTreeSet<NodeId>>,
 }
 
-/// Orders the computation of everything that is placed. `leaf` tells which nodes are read, not computed.
-pub(crate) fn schedule(graph: &Graph, placed: &[Placed], leaf: impl Fn(&Graph, NodeId) -> bool) -> Program {
-    schedule_with(graph, placed, leaf, &Asked::default())
+/// Schedules what stores need. `leaf` tells which nodes are read, not computed.
+pub(crate) fn schedule(graph: &Graph, stores: &[Store], leaf: impl Fn(&Graph, NodeId) -> bool) -> Program {
+    schedule_with(graph, stores, leaf, &Constraints::default())
 }
 
-/// The same, where more is asked of some nodes.
+/// The same under constraints.
 pub(crate) fn schedule_with(
     graph: &Graph,
-    placed: &[Placed],
+    stores: &[Store],
     leaf: impl Fn(&Graph, NodeId) -> bool,
-    asked: &Asked,
+    constraints: &Constraints,
 ) -> Program {
     // With what it protects, an order may have copies of too much in too many branches.
-    let ways = [true, false].into_iter().flat_map(|protects| WAITING.map(|waiting| Way { waiting, protects }));
-    let mut found = ways.filter_map(|way| attempt(graph, placed, &leaf, asked, way));
+    let strategies =
+        [true, false].into_iter().flat_map(|protects| WAITING.map(|waiting| Strategy { waiting, protects }));
+    let mut found = strategies.filter_map(|strategy| attempt(graph, stores, &leaf, constraints, strategy));
     found.next().unwrap_or_default()
 }
 
-/// Which inner blocks keep a later one from being joined with an earlier one.
+/// The rule by which inner blocks are joined: which of them keep a later one from joining an earlier one.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Waiting {
     /// Those over the same loop or on the same condition. Fewest blocks, but two kinds may end up waiting for each
@@ -152,9 +153,9 @@ enum Waiting {
 
 const WAITING: [Waiting; 3] = [Waiting::ForItsLike, Waiting::ForAny, Waiting::Apart];
 
-/// A way to order blocks.
+/// A strategy to order blocks.
 #[derive(Clone, Copy)]
-struct Way {
+struct Strategy {
     waiting: Waiting,
     /// Whether what may not be there is read inside of what decides that it is.
     protects: bool,
@@ -165,28 +166,28 @@ const USES: usize = 8;
 
 fn attempt<L: Fn(&Graph, NodeId) -> bool>(
     graph: &Graph,
-    placed: &[Placed],
+    stores: &[Store],
     leaf: &L,
-    asked: &Asked,
-    way: Way,
+    constraints: &Constraints,
+    strategy: Strategy,
 ) -> Option<Program> {
     let mut scheduler = Scheduler {
         graph,
         leaf,
-        asked,
-        way,
+        constraints,
+        strategy,
         left: USES * (graph.len() + USES),
         known: (0, None, HashMap::new()),
-        scopes: vec![Scope::default()],
+        blocks: vec![Block::default()],
         uses: BTreeMap::new(),
         homes: BTreeMap::new(),
         reads_time: false,
     };
-    for Placed { context, sink, value } in placed {
+    for Store { context, sink, value } in stores {
         let mut path = vec![0];
         for (position, around) in context.iter().enumerate() {
             // Conditions further in count as well: a sum in one of them has its loop before this block.
-            let conditions = context[position..].iter().filter_map(Around::condition);
+            let conditions = context[position..].iter().filter_map(Scope::condition);
             let needed = conditions.chain([*value]);
             let waits = needed.map(|id| scheduler.waits(&path, id, *around)).max().unwrap_or(0);
             if let Some(condition) = around.condition() {
@@ -195,7 +196,7 @@ fn attempt<L: Fn(&Graph, NodeId) -> bool>(
             path.push(scheduler.inner(&path, *around, waits + 1));
         }
         scheduler.used(*value, &path);
-        scheduler.scope(&path).ends.push(End::Sink(*sink, *value));
+        scheduler.block(&path).ends.push(End::Sink(*sink, *value));
     }
     scheduler.place()?;
     let named = scheduler.named();
@@ -203,7 +204,7 @@ fn attempt<L: Fn(&Graph, NodeId) -> bool>(
         Node::Div(_, divisor) => root_cubed(graph, divisor, |id| named.contains(&id)).is_some(),
         _ => false,
     };
-    let divides_by_root_cubed = scheduler.scopes.iter().flat_map(|scope| &scope.nodes).any(divides);
+    let divides_by_root_cubed = scheduler.blocks.iter().flat_map(|block| &block.nodes).any(divides);
     let (items, reads_time) = (scheduler.items(0, &named)?, scheduler.reads_time);
     Some(Program { items, named, reads_time, divides_by_root_cubed })
 }
@@ -229,8 +230,8 @@ impl End {
 
 /// A block under construction.
 #[derive(Default)]
-struct Scope {
-    around: Option<Around>,
+struct Block {
+    scope: Option<Scope>,
     /// Inner blocks in order of their making, each with how many of its like it waits for.
     inner: Vec<(u32, usize)>,
     nodes: BTreeSet<NodeId>,
@@ -240,13 +241,13 @@ struct Scope {
 struct Scheduler<'g, L> {
     graph: &'g Graph,
     leaf: &'g L,
-    asked: &'g Asked,
-    way: Way,
+    constraints: &'g Constraints,
+    strategy: Strategy,
     /// How many uses may still be noted.
     left: usize,
     /// How many blocks of a kind nodes wait for in a block, as far as that was asked last.
-    known: (usize, Option<Around>, HashMap<NodeId, u32>),
-    scopes: Vec<Scope>,
+    known: (usize, Option<Scope>, HashMap<NodeId, u32>),
+    blocks: Vec<Block>,
     /// The blocks that nodes are used in, as paths from the outermost one; the last node is placed first.
     uses: BTreeMap<NodeId, Vec<Vec<usize>>>,
     /// The blocks that nodes are computed in, as paths.
@@ -255,8 +256,8 @@ struct Scheduler<'g, L> {
 }
 
 impl<L: Fn(&Graph, NodeId) -> bool> Scheduler<'_, L> {
-    fn scope(&mut self, path: &[usize]) -> &mut Scope {
-        &mut self.scopes[path[path.len() - 1]]
+    fn block(&mut self, path: &[usize]) -> &mut Block {
+        &mut self.blocks[path[path.len() - 1]]
     }
 
     fn used(&mut self, id: NodeId, path: &[usize]) {
@@ -271,18 +272,18 @@ impl<L: Fn(&Graph, NodeId) -> bool> Scheduler<'_, L> {
     /// place that decides whether what it reads is there.
     fn needed(&self, path: &[usize], id: NodeId) -> usize {
         let (loops, summed) = (self.graph.loops_of(id), self.graph.summed_in(id));
-        let is_over = |scope: &usize, set: LoopSet| matches!(self.scopes[*scope].around, Some(Around::Loop(by)) if set.contains(by));
+        let is_over = |block: &usize, set: LoopSet| matches!(self.blocks[*block].scope, Some(Scope::Loop(by)) if set.contains(by));
         // The index of a loop has one value in it, so that the sum over the same loop is not computed there.
-        let outside = path.iter().position(|scope| is_over(scope, summed)).unwrap_or(path.len());
-        let protected = if self.way.protects { self.protected(path, outside, id) } else { None };
-        let own = path.iter().rposition(|scope| is_over(scope, loops));
+        let outside = path.iter().position(|block| is_over(block, summed)).unwrap_or(path.len());
+        let protected = if self.strategy.protects { self.protected(path, outside, id) } else { None };
+        let own = path.iter().rposition(|block| is_over(block, loops));
         own.max(protected).map_or(1, |deepest| deepest + 1)
     }
 
     /// The last place of a path that decides whether what a node reads is there: in the place of a loop the question
     /// around it whether it has iterations. The sums in the node are computed in the first `outside` blocks.
     fn protected(&self, path: &[usize], outside: usize, id: NodeId) -> Option<usize> {
-        let around = |place: usize| self.scopes[path[place]].around;
+        let around = |place: usize| self.blocks[path[place]].scope;
         let is_protected = |place: &usize| {
             around(*place).is_some_and(|at| match *place < outside {
                 true => self.graph.protects(at, id),
@@ -291,9 +292,9 @@ impl<L: Fn(&Graph, NodeId) -> bool> Scheduler<'_, L> {
         };
         let places = (0..path.len()).filter(is_protected);
         let decided = places.map(|place| match around(place) {
-            Some(Around::Loop(by)) => {
+            Some(Scope::Loop(by)) => {
                 let asks = |place: &usize| {
-                    let Some(Around::Branch(condition, true)) = around(*place) else { return false };
+                    let Some(Scope::Branch(condition, true)) = around(*place) else { return false };
                     self.graph.asks_for_iterations(condition, by)
                 };
                 (0..place).rev().find(asks).unwrap_or(place)
@@ -311,34 +312,34 @@ impl<L: Fn(&Graph, NodeId) -> bool> Scheduler<'_, L> {
             Node::Sum(by, body) if !self.graph.is_kept_by_iterations(by, body) => Some(by),
             _ => None,
         };
-        let is_end = |scope: &usize| match self.scopes[*scope].around {
-            Some(Around::Loop(_)) => true,
-            Some(Around::Branch(condition, _)) => sum.is_some_and(|by| self.graph.asks_for_iterations(condition, by)),
+        let is_end = |block: &usize| match self.blocks[*block].scope {
+            Some(Scope::Loop(_)) => true,
+            Some(Scope::Branch(condition, _)) => sum.is_some_and(|by| self.graph.asks_for_iterations(condition, by)),
             None => false,
         };
         path[needed..].iter().position(is_end).map_or(path.len(), |next| needed + next)
     }
 
     /// How many inner blocks of a kind, one after the other, a node waits for in the last block of `path`.
-    fn waits(&mut self, path: &[usize], id: NodeId, kind: Around) -> u32 {
-        let (scope, kind) = (path[path.len() - 1], kind.either_side());
-        let (known_scope, known_kind, known) = std::mem::take(&mut self.known);
-        let mut known = if (known_scope, known_kind) == (scope, Some(kind)) { known } else { HashMap::new() };
+    fn waits(&mut self, path: &[usize], id: NodeId, kind: Scope) -> u32 {
+        let (block, kind) = (path[path.len() - 1], kind.either_side());
+        let (known_block, known_kind, known) = std::mem::take(&mut self.known);
+        let mut known = if (known_block, known_kind) == (block, Some(kind)) { known } else { HashMap::new() };
         let waits = self.waits_of(path, id, kind, &mut known);
-        self.known = (scope, Some(kind), known);
+        self.known = (block, Some(kind), known);
         waits
     }
 
-    fn waits_of(&self, path: &[usize], id: NodeId, kind: Around, known: &mut HashMap<NodeId, u32>) -> u32 {
+    fn waits_of(&self, path: &[usize], id: NodeId, kind: Scope, known: &mut HashMap<NodeId, u32>) -> u32 {
         // A choice has a larger id than its condition.
         let is_before = kind.condition().is_some_and(|condition| id <= condition);
-        if is_before && self.way.waiting != Waiting::ForAny {
+        if is_before && self.strategy.waiting != Waiting::ForAny {
             return 0;
         }
         if let Some(waits) = known.get(&id) {
             return *waits;
         }
-        let around = |by| path.iter().any(|scope| self.scopes[*scope].around == Some(Around::Loop(by)));
+        let around = |by| path.iter().any(|block| self.blocks[*block].scope == Some(Scope::Loop(by)));
         let inner = self.graph.loops_of(id).iter().any(|by| !around(by));
         let outer = !inner && self.allowed(path, id) < path.len();
         let waits = if (self.leaf)(self.graph, id) || outer {
@@ -347,9 +348,9 @@ impl<L: Fn(&Graph, NodeId) -> bool> Scheduler<'_, L> {
             let node = self.graph.node(id);
             let children = node.children().map(|child| self.waits_of(path, child, kind, known)).max().unwrap_or(0);
             let like = match (node, kind) {
-                (Node::Sum(..) | Node::Select(..), _) if self.way.waiting == Waiting::ForAny => true,
-                (Node::Sum(by, _), Around::Loop(kind)) => by == kind,
-                (Node::Select(condition, ..), Around::Branch(kind, _)) => condition == kind,
+                (Node::Sum(..) | Node::Select(..), _) if self.strategy.waiting == Waiting::ForAny => true,
+                (Node::Sum(by, _), Scope::Loop(kind)) => by == kind,
+                (Node::Select(condition, ..), Scope::Branch(kind, _)) => condition == kind,
                 _ => false,
             };
             children + u32::from(!inner && like)
@@ -359,15 +360,15 @@ impl<L: Fn(&Graph, NodeId) -> bool> Scheduler<'_, L> {
     }
 
     /// The block inside the last one of `path`, new or known.
-    fn inner(&mut self, path: &[usize], around: Around, waits: u32) -> usize {
-        let beside = &self.scopes[path[path.len() - 1]].inner;
-        let known = beside.iter().find(|(own, scope)| *own == waits && self.scopes[*scope].around == Some(around));
-        if let Some((_, known)) = known.filter(|_| self.way.waiting != Waiting::Apart) {
+    fn inner(&mut self, path: &[usize], around: Scope, waits: u32) -> usize {
+        let beside = &self.blocks[path[path.len() - 1]].inner;
+        let known = beside.iter().find(|(own, block)| *own == waits && self.blocks[*block].scope == Some(around));
+        if let Some((_, known)) = known.filter(|_| self.strategy.waiting != Waiting::Apart) {
             return *known;
         }
-        let made = self.scopes.len();
-        self.scopes.push(Scope { around: Some(around), ..Scope::default() });
-        self.scope(path).inner.push((waits, made));
+        let made = self.blocks.len();
+        self.blocks.push(Block { scope: Some(around), ..Block::default() });
+        self.block(path).inner.push((waits, made));
         made
     }
 
@@ -375,15 +376,15 @@ impl<L: Fn(&Graph, NodeId) -> bool> Scheduler<'_, L> {
     fn named(&self) -> BTreeSet<NodeId> {
         let mut uses: HashMap<NodeId, u32> = HashMap::new();
         let mut named = BTreeSet::new();
-        for scope in &self.scopes {
+        for block in &self.blocks {
             // A sum and a choice are used by the ends inside their blocks; a change of sign costs nothing, so it is
             // written where it is used, and what is under it is used there.
             let passes =
                 |id: &&NodeId| !matches!(self.graph.node(**id), Node::Sum(..) | Node::Select(..) | Node::Neg(_));
-            let from_nodes = scope.nodes.iter().filter(passes).flat_map(|id| self.graph.node(*id).children());
-            let from_ends = scope.ends.iter().map(|end| end.value());
-            let conditions = scope.inner.iter().filter_map(|(_, inner)| match self.scopes[*inner].around {
-                Some(Around::Branch(condition, _)) => Some(condition),
+            let from_nodes = block.nodes.iter().filter(passes).flat_map(|id| self.graph.node(*id).children());
+            let from_ends = block.ends.iter().map(|end| end.value());
+            let conditions = block.inner.iter().filter_map(|(_, inner)| match self.blocks[*inner].scope {
+                Some(Scope::Branch(condition, _)) => Some(condition),
                 _ => None,
             });
             for used in from_nodes.chain(from_ends) {
@@ -392,21 +393,21 @@ impl<L: Fn(&Graph, NodeId) -> bool> Scheduler<'_, L> {
                     _ => used,
                 };
                 *uses.entry(used).or_default() += 1;
-                if !scope.nodes.contains(&used) {
+                if !block.nodes.contains(&used) {
                     named.insert(used);
                 }
             }
             named.extend(conditions);
             let made_inside =
-                scope.nodes.iter().filter(|id| matches!(self.graph.node(**id), Node::Sum(..) | Node::Select(..)));
+                block.nodes.iter().filter(|id| matches!(self.graph.node(**id), Node::Sum(..) | Node::Select(..)));
             named.extend(made_inside.copied());
         }
         named.extend(uses.into_iter().filter(|(_, count)| *count > 1).map(|(id, _)| id));
-        named.extend(self.scopes.iter().flat_map(|scope| scope.nodes.intersection(&self.asked.named)));
+        named.extend(self.blocks.iter().flat_map(|block| block.nodes.intersection(&self.constraints.named)));
         self.name_deep(&mut named);
         named.retain(|id| !(self.leaf)(self.graph, *id));
-        for scope in &self.scopes {
-            named.extend(self.pairs(scope).into_iter().flat_map(|(sine, cosine, _)| [sine, cosine]));
+        for block in &self.blocks {
+            named.extend(self.pairs(block).into_iter().flat_map(|(sine, cosine, _)| [sine, cosine]));
         }
         named
     }
@@ -414,8 +415,8 @@ impl<L: Fn(&Graph, NodeId) -> bool> Scheduler<'_, L> {
     /// Names parts of expressions that would otherwise nest too deeply to be read, by people or by the compiler.
     fn name_deep(&self, named: &mut BTreeSet<NodeId>) {
         let mut depths: HashMap<NodeId, u32> = HashMap::new();
-        let placed: BTreeSet<NodeId> = self.scopes.iter().flat_map(|scope| scope.nodes.iter().copied()).collect();
-        for id in placed {
+        let computed: BTreeSet<NodeId> = self.blocks.iter().flat_map(|block| block.nodes.iter().copied()).collect();
+        for id in computed {
             let of = |child: NodeId| if named.contains(&child) { 0 } else { depths.get(&child).copied().unwrap_or(0) };
             let depth = 1 + self.graph.node(id).children().map(of).max().unwrap_or(0);
             depths.insert(id, depth);

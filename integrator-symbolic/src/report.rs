@@ -1,7 +1,7 @@
 //! What is derived from an annotated impl, for people.
 
 use crate::{
-    differentiate::{Contribution, folded, gradient},
+    differentiate::{Contribution, fold_branches, gradient},
     emit::{self, Form},
     graph::{Part, Tally, index::LoopSet},
     lower::lower,
@@ -133,7 +133,7 @@ pub(crate) fn report(input: &Input, mut model: Model) -> Report {
 /// What a flow along a gradient computes, by the loops around it.
 fn places(model: &mut Model, gradient: &[Contribution]) -> Vec<Place> {
     let Model { graph, externals, .. } = model;
-    let gradient = folded(graph, gradient);
+    let gradient = fold_branches(graph, gradient);
     let values: Vec<_> = gradient.iter().map(|contribution| contribution.value).collect();
     let lowered = lower(graph, &values, |graph, id| graph.is_prepared(id));
     let tallies = graph.tallies(&lowered, |id| externals[id.0 as usize].to_string());

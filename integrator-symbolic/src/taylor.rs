@@ -15,7 +15,7 @@ pub(crate) use mobility::mobilities;
 
 use crate::{
     differentiate::Contribution,
-    graph::{Around, Graph, Node, NodeId, function::Function},
+    graph::{Graph, Node, NodeId, Scope, function::Function},
 };
 use std::collections::{BTreeMap, BTreeSet, HashMap};
 
@@ -43,7 +43,7 @@ impl Recurrences {
             let value = rewritten(graph, contribution.value, &mut rewriting);
             contribution.value = at_order_zero(graph, value);
             for around in &mut contribution.context {
-                if let Around::Branch(condition, _) = around {
+                if let Scope::Branch(condition, _) = around {
                     *condition = rewritten(graph, *condition, &mut rewriting);
                     open.push(*condition);
                 }
@@ -117,19 +117,19 @@ pub(crate) fn signed(graph: &Graph, id: NodeId) -> (bool, NodeId) {
 
 /// A value in its surroundings as addends without sums over inner loops: what such a sum adds up is added in every
 /// iteration of its loop, what is chosen or zero where it is chosen.
-pub(crate) fn addends(graph: &mut Graph, context: Vec<Around>, value: NodeId) -> Vec<(Vec<Around>, NodeId)> {
-    let within = |around: Around| -> Vec<Around> { context.iter().copied().chain([around]).collect() };
+pub(crate) fn addends(graph: &mut Graph, context: Vec<Scope>, value: NodeId) -> Vec<(Vec<Scope>, NodeId)> {
+    let within = |around: Scope| -> Vec<Scope> { context.iter().copied().chain([around]).collect() };
     let zero = |graph: &Graph, id| graph.as_constant(id) == Some(0.0);
     if !has_sums(graph, &context, value) {
         return vec![(context, value)];
     }
     match graph.node(value) {
-        Node::Sum(by, body) => addends(graph, within(Around::Loop(by)), body),
+        Node::Sum(by, body) => addends(graph, within(Scope::Loop(by)), body),
         Node::Select(condition, body, other) if zero(graph, other) => {
-            addends(graph, within(Around::Branch(condition, true)), body)
+            addends(graph, within(Scope::Branch(condition, true)), body)
         }
         Node::Select(condition, other, body) if zero(graph, other) => {
-            addends(graph, within(Around::Branch(condition, false)), body)
+            addends(graph, within(Scope::Branch(condition, false)), body)
         }
         Node::Add(a, b) => {
             let mut both = addends(graph, context.clone(), a);
@@ -149,10 +149,10 @@ pub(crate) fn addends(graph: &mut Graph, context: Vec<Around>, value: NodeId) ->
 }
 
 /// Whether a value is made of sums over loops inside its surroundings, by additions and prepared factors.
-fn has_sums(graph: &Graph, context: &[Around], id: NodeId) -> bool {
+fn has_sums(graph: &Graph, context: &[Scope], id: NodeId) -> bool {
     match graph.node(id) {
         Node::Sum(by, _) => {
-            let of_loop = |around: &Around| if let Around::Loop(by) = around { Some(*by) } else { None };
+            let of_loop = |around: &Scope| if let Scope::Loop(by) = around { Some(*by) } else { None };
             graph.loops.get(by).parent == context.iter().rev().find_map(of_loop)
         }
         Node::Add(a, b) | Node::Select(_, a, b) => has_sums(graph, context, a) || has_sums(graph, context, b),

@@ -23,7 +23,7 @@ pub(crate) use flow::form::forms;
 use flow::{Flows, constants::Constants, force_gradient, pieces::Pieces, stated};
 use printer::{fields::Fields, function::Body, names::Names};
 use proc_macro2::TokenStream;
-use prose::{Formulas, documented_motion};
+use prose::{Formulas, motion_documentation};
 pub(crate) use prose::{equations, ranges};
 use quote::quote;
 use taylor::orders::{Orders, orders};
@@ -78,7 +78,7 @@ impl<'i> Stepper<'i> {
         [model.kinetic, model.potential] = model.graph.by_pieces(energies);
         let kinetic = gradient(&mut model.graph, model.kinetic, Part::Momentum);
         let potential = gradient(&mut model.graph, model.potential, Part::Position);
-        let documentation = documented_motion(&mut model, &kinetic, &potential);
+        let documentation = motion_documentation(&mut model, &kinetic, &potential);
 
         let (names, mut fields) = (Names::new(input), Fields::default());
         let flows = Flows::of(&mut model, &mut fields, &names, &kinetic, &potential);

@@ -13,7 +13,7 @@ pub(crate) struct Direction {
     pub(crate) place: LoopId,
     /// How far behind its place what was the index of a loop begins: a table over that loop is read so much further on.
     pub(crate) begins: HashMap<LoopId, i64>,
-    /// How many places at the beginning have shares of their own, or lack one.
+    /// How many places at the beginning have contributions of their own, or lack one.
     pub(crate) first: u64,
     /// How many at the end.
     pub(crate) last: u64,
@@ -25,11 +25,11 @@ pub(crate) struct Direction {
     pub(crate) periodic: bool,
     length: IndexId,
     number: Option<i64>,
-    /// How far ahead of a place or behind it its shares may look or go: as far as the runtime's sweep carries them.
+    /// How far ahead of a place or behind it its contributions may look or go: as far as the runtime carries them.
     farthest: i64,
 }
 
-/// How far a share goes, and which places have it.
+/// How far a contribution goes, and which places have it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Along {
     /// How many places further on.

@@ -1,7 +1,7 @@
 //! What is read by an index: whether it may be read where the user's text does not.
 
 use super::{
-    Around, Element, Graph, Node, NodeId,
+    Element, Graph, Node, NodeId, Scope,
     index::{DEEPEST, Index, IndexId, LoopId, LoopSet, Loops},
 };
 
@@ -122,20 +122,20 @@ impl Graph {
     }
 
     /// Whether something around a place may decide that what a node reads is there.
-    pub(crate) fn protects(&self, around: Around, id: NodeId) -> bool {
+    pub(crate) fn protects(&self, around: Scope, id: NodeId) -> bool {
         self.protects_reads(around, self.access(id))
     }
 
     /// The same of a node whose sums have been computed.
-    pub(crate) fn protects_beside_sums(&self, around: Around, id: NodeId) -> bool {
+    pub(crate) fn protects_beside_sums(&self, around: Scope, id: NodeId) -> bool {
         self.protects_reads(around, self.facts[id.position()].beside_sums)
     }
 
-    fn protects_reads(&self, around: Around, access: Access) -> bool {
+    fn protects_reads(&self, around: Scope, access: Access) -> bool {
         match (around, access) {
             (_, Access::Anywhere) => false,
-            (Around::Loop(by), access) => access >= Access::InIterations && !self.loops.always_has_iterations(by),
-            (Around::Branch(condition, _), access) => self.bears_on(condition, access),
+            (Scope::Loop(by), access) => access >= Access::InIterations && !self.loops.always_has_iterations(by),
+            (Scope::Branch(condition, _), access) => self.bears_on(condition, access),
         }
     }
 
@@ -143,7 +143,7 @@ impl Graph {
     /// say: what stands behind a condition that protects it stays there.
     pub(super) fn read_in(&self, node: Node, own: LoopSet) -> LoopSet {
         let is_behind = |child: NodeId| match node {
-            Node::Select(condition, ..) if child != condition => self.protects(Around::Branch(condition, true), child),
+            Node::Select(condition, ..) if child != condition => self.protects(Scope::Branch(condition, true), child),
             _ => false,
         };
         let of_itself = if self.own_access(node) >= Access::InIterations { own } else { LoopSet::ALL };
@@ -153,7 +153,7 @@ impl Graph {
 
     /// Whether a loop that may be empty keeps something from being read that is the same in all of its iterations.
     pub(crate) fn is_kept_by_iterations(&self, by: LoopId, body: NodeId) -> bool {
-        self.protects(Around::Loop(by), body) && !self.facts[body.position()].read_in.contains(by)
+        self.protects(Scope::Loop(by), body) && !self.facts[body.position()].read_in.contains(by)
     }
 
     /// Whether a condition may decide that what is read with an access is there: one on integers, and for what is not

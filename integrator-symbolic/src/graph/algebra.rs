@@ -5,7 +5,7 @@
 //! Nothing hides a NaN: `0·x` and `x - x` stay, and a square root is only undone under a sum of squares.
 
 use super::{
-    Around, Element, Graph, Node, NodeId, ParameterId,
+    Element, Graph, Node, NodeId, ParameterId, Scope,
     function::{Function, Rule},
     index::{IndexId, LoopId},
 };
@@ -151,7 +151,7 @@ impl Graph {
         let iterations = self.number_of(iterations);
         let product = self.mul(iterations, body);
         // Where there is no iteration, nothing is added, whatever the body would be.
-        if self.is_harmless(body, &[Around::Loop(by)]) { product } else { self.where_entered(by, body, product) }
+        if self.is_harmless(body, &[Scope::Loop(by)]) { product } else { self.where_entered(by, body, product) }
     }
 
     /// What the iterations of a loop with some body come to, and zero where it has none.

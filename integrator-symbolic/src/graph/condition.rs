@@ -1,7 +1,7 @@
 //! Conditions, and the choice between two values.
 
 use super::{
-    Around, Comparison, Graph, Node, NodeId, ParameterId,
+    Comparison, Graph, Node, NodeId, ParameterId, Scope,
     index::{Index, IndexId, Loop, LoopId},
 };
 
@@ -85,21 +85,21 @@ impl Graph {
 
     /// The condition that what is `around` the use of a node is entered at all: that its loops have an iteration in
     /// which its conditions hold.
-    pub(crate) fn happens(&mut self, around: &[Around], id: NodeId) -> NodeId {
+    pub(crate) fn happens(&mut self, around: &[Scope], id: NodeId) -> NodeId {
         let always = self.truth(true);
         around.iter().rev().fold(always, |inner, around| match *around {
-            Around::Branch(condition, true) => self.and(condition, inner),
-            Around::Branch(condition, false) => {
+            Scope::Branch(condition, true) => self.and(condition, inner),
+            Scope::Branch(condition, false) => {
                 let otherwise = self.not(condition);
                 self.and(otherwise, inner)
             }
-            Around::Loop(by) if self.loops_of(inner).contains(by) => {
+            Scope::Loop(by) if self.loops_of(inner).contains(by) => {
                 let [zero, one] = [0.0, 1.0].map(|number| self.constant(number));
                 let counted = self.select(inner, one, zero);
                 let count = self.sum(by, counted);
                 self.compare(Comparison::Less, zero, count)
             }
-            Around::Loop(by) => {
+            Scope::Loop(by) => {
                 let iterations = self.has_iterations(by, id);
                 self.and(iterations, inner)
             }
@@ -128,7 +128,7 @@ impl Graph {
     /// The condition that a loop around a node has an iteration. Without coordinates there is nothing to compute, so
     /// that this is asked of a loop over them only where the node could not be read without.
     pub(super) fn has_iterations(&mut self, by: LoopId, id: NodeId) -> NodeId {
-        if self.loops.has_iterations(by) && !self.protects(Around::Loop(by), id) {
+        if self.loops.has_iterations(by) && !self.protects(Scope::Loop(by), id) {
             return self.truth(true);
         }
         let Loop { from, to, .. } = self.loops.get(by);
@@ -203,11 +203,11 @@ impl Graph {
             // exact: choosing the other way round
             (None, Node::Not(inner)) => self.select(inner, b, a),
             // exact: the second of two conditions is asked where the first one says that it can be
-            (None, Node::And(first, second)) if self.protects(Around::Branch(first, true), second) => {
+            (None, Node::And(first, second)) if self.protects(Scope::Branch(first, true), second) => {
                 let inner = self.select(second, a, b);
                 self.select(first, inner, b)
             }
-            (None, Node::Or(first, second)) if self.protects(Around::Branch(first, true), second) => {
+            (None, Node::Or(first, second)) if self.protects(Scope::Branch(first, true), second) => {
                 let inner = self.select(second, a, b);
                 self.select(first, a, inner)
             }

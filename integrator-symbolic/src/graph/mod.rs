@@ -205,29 +205,29 @@ impl Node {
     }
 }
 
-/// Something around a value.
+/// A scope around a value: the body of a loop, or one side of a branch.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub(crate) enum Around {
+pub(crate) enum Scope {
     /// It is there in every iteration of a loop.
     Loop(LoopId),
     /// It is there where a condition holds (`true`) or where it does not.
     Branch(NodeId, bool),
 }
 
-impl Around {
+impl Scope {
     /// The same for both branches of a condition.
     pub(crate) fn either_side(self) -> Self {
         match self {
-            Around::Loop(_) => self,
-            Around::Branch(condition, _) => Around::Branch(condition, true),
+            Scope::Loop(_) => self,
+            Scope::Branch(condition, _) => Scope::Branch(condition, true),
         }
     }
 
     /// The condition of a branch.
     pub(crate) fn condition(&self) -> Option<NodeId> {
         match self {
-            Around::Loop(_) => None,
-            Around::Branch(condition, _) => Some(*condition),
+            Scope::Loop(_) => None,
+            Scope::Branch(condition, _) => Some(*condition),
         }
     }
 }
@@ -319,7 +319,7 @@ impl Graph {
 
     /// Whether a node can be computed outside of what is `left` around its use, and multiplied by zero where nothing
     /// entered that: it is there, it is total, and so is what it is made of that is prepared.
-    pub(crate) fn is_harmless(&self, id: NodeId, left: &[Around]) -> bool {
+    pub(crate) fn is_harmless(&self, id: NodeId, left: &[Scope]) -> bool {
         self.facts[id.position()].total_of_any && !left.iter().any(|around| self.protects(*around, id))
     }
 

@@ -1,7 +1,7 @@
 //! Forces along the line between two bodies: a gradient that is a multiple of their displacement.
 
 use crate::{
-    differentiate::{Contribution, folded},
+    differentiate::{Contribution, fold_branches},
     graph::{
         Element, Graph, Node, NodeId, Part,
         index::{Index, LoopId},
@@ -11,7 +11,7 @@ use crate::{
 /// The number that the displacement from the second body of a pair to the first is to be multiplied by, if the gradient
 /// of the pair's energy, with a component for each of `dimension` coordinates, is a multiple of it.
 pub(crate) fn pull(graph: &mut Graph, pair: [LoopId; 2], gradient: &[Contribution], dimension: u64) -> Option<NodeId> {
-    let components = folded(graph, gradient);
+    let components = fold_branches(graph, gradient);
     let (first, others) = components.split_first()?;
     let pull = along(graph, pair, first)?;
     let complete = components.len() as u64 == dimension;

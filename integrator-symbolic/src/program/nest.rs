@@ -9,25 +9,25 @@ use super::{Item, Sink};
 use crate::graph::{Element, Graph, Node, NodeId, index::LoopId};
 use std::collections::{BTreeMap, BTreeSet};
 
-/// Lines and the loops around them, outermost first.
+/// A loop nest: the innermost lines, the loops around them (outermost first), and the operands of an iteration.
 #[derive(Debug)]
 pub(crate) struct Nest<'p> {
     pub(crate) loops: Vec<LoopId>,
     pub(crate) body: Vec<&'p Item>,
-    /// The coordinates that an iteration reads.
+    /// The coordinates that an iteration loads.
     pub(crate) reads: Vec<(NodeId, Element)>,
     /// The numbers that an iteration has for a whole run.
     pub(crate) constants: Vec<NodeId>,
-    /// The conditions that hold in an iteration for a whole run, or do not.
-    pub(crate) flags: Vec<NodeId>,
-    /// The numbers that are the same for all iterations: prepared ones, and values with a name.
-    pub(crate) common: Vec<NodeId>,
+    /// The predicates of an iteration: conditions that hold for a whole run, or do not.
+    pub(crate) predicates: Vec<NodeId>,
+    /// The loop invariants: prepared numbers that are the same for all iterations, and values with a name.
+    pub(crate) invariants: Vec<NodeId>,
     /// The coordinates that an iteration moves.
     pub(crate) targets: Vec<Element>,
 }
 
-/// What is known of the program around a loop.
-pub(crate) struct Surroundings<'s> {
+/// The program around a loop nest.
+pub(crate) struct NestContext<'s> {
     pub(crate) graph: &'s Graph,
     /// The nodes that have a name.
     pub(crate) named: &'s BTreeSet<NodeId>,
@@ -35,7 +35,7 @@ pub(crate) struct Surroundings<'s> {
     pub(crate) operands: &'s BTreeMap<NodeId, Vec<NodeId>>,
 }
 
-impl Surroundings<'_> {
+impl NestContext<'_> {
     /// The nests that a loop consists of.
     pub(crate) fn nests<'p>(&self, by: LoopId, body: &'p [Item]) -> Option<Vec<Nest<'p>>> {
         let mut nests = Vec::new();
@@ -49,8 +49,8 @@ impl Surroundings<'_> {
                 let elsewhere = of_all.difference(&own).copied().collect();
                 let mut needs = Needs::new(self, own, elsewhere);
                 needs.of_lines(&body)?;
-                let Needs { reads, constants, flags, common, targets, .. } = needs;
-                Some(Nest { loops, body, reads, constants, flags, common, targets })
+                let Needs { reads, constants, predicates, invariants, targets, .. } = needs;
+                Some(Nest { loops, body, reads, constants, predicates, invariants, targets })
             })
             .collect()
     }
@@ -123,7 +123,7 @@ fn made(lines: &[&Item]) -> BTreeSet<NodeId> {
 
 /// What the lines of an iteration need.
 struct Needs<'s> {
-    around: &'s Surroundings<'s>,
+    around: &'s NestContext<'s>,
     /// What the lines make.
     own: BTreeSet<NodeId>,
     /// What other iterations or other lines of the loop make.
@@ -131,13 +131,13 @@ struct Needs<'s> {
     seen: BTreeSet<NodeId>,
     reads: Vec<(NodeId, Element)>,
     constants: Vec<NodeId>,
-    flags: Vec<NodeId>,
-    common: Vec<NodeId>,
+    predicates: Vec<NodeId>,
+    invariants: Vec<NodeId>,
     targets: Vec<Element>,
 }
 
 impl<'s> Needs<'s> {
-    fn new(around: &'s Surroundings<'s>, own: BTreeSet<NodeId>, elsewhere: BTreeSet<NodeId>) -> Self {
+    fn new(around: &'s NestContext<'s>, own: BTreeSet<NodeId>, elsewhere: BTreeSet<NodeId>) -> Self {
         Self {
             around,
             own,
@@ -145,8 +145,8 @@ impl<'s> Needs<'s> {
             seen: BTreeSet::new(),
             reads: Vec::new(),
             constants: Vec::new(),
-            flags: Vec::new(),
-            common: Vec::new(),
+            predicates: Vec::new(),
+            invariants: Vec::new(),
             targets: Vec::new(),
         }
     }
@@ -203,13 +203,13 @@ impl<'s> Needs<'s> {
             // What iterations have in common is the same at all orders, which the middle of the step is not.
             Node::Middle => return None,
             Node::Neg(_) => return self.parts(id),
-            _ if graph.is_prepared(id) && node.is_condition() => self.flags.push(id),
-            _ if graph.is_prepared(id) && graph.loops_of(id).is_empty() => self.common.push(id),
+            _ if graph.is_prepared(id) && node.is_condition() => self.predicates.push(id),
+            _ if graph.is_prepared(id) && graph.loops_of(id).is_empty() => self.invariants.push(id),
             _ if graph.is_prepared(id) => self.constants.push(id),
             _ if self.own.contains(&id) => {}
             // A condition of the lines around is one of numbers that are not side by side.
             _ if self.elsewhere.contains(&id) || node.is_condition() && self.around.named.contains(&id) => return None,
-            _ if self.around.named.contains(&id) => self.common.push(id),
+            _ if self.around.named.contains(&id) => self.invariants.push(id),
             _ => return self.parts(id),
         }
         Some(())

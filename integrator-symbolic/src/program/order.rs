@@ -1,14 +1,14 @@
 //! The lines of a block, in an order in which each finds what it needs.
 
-use super::{End, Item, Scheduler, Scope, unwritten::Unwritten};
-use crate::graph::{Around, Graph, Node, NodeId};
+use super::{Block, End, Item, Scheduler, unwritten::Unwritten};
+use crate::graph::{Graph, Node, NodeId, Scope};
 use std::collections::{BTreeSet, HashMap};
 
 impl<L: Fn(&Graph, NodeId) -> bool> Scheduler<'_, L> {
     /// Named values as soon as they can be computed, inner blocks as soon as nothing else can, destinations last; `None`
     /// if two blocks wait for each other.
-    pub(super) fn items(&self, scope: usize, named: &BTreeSet<NodeId>) -> Option<Vec<Item>> {
-        let own = &self.scopes[scope];
+    pub(super) fn items(&self, block: usize, named: &BTreeSet<NodeId>) -> Option<Vec<Item>> {
+        let own = &self.blocks[block];
         let pairs = self.pairs(own);
         let paired: HashMap<NodeId, usize> =
             pairs.iter().enumerate().flat_map(|(at, (sine, cosine, _))| [(*sine, at), (*cosine, at)]).collect();
@@ -33,7 +33,7 @@ impl<L: Fn(&Graph, NodeId) -> bool> Scheduler<'_, L> {
             let block = blocks[unwritten.next_block()?];
             let makes = self.makes(block).into_iter().filter(|id| own.nodes.contains(id));
             items.extend(makes.filter(|id| begun.insert(*id)).map(Item::Begin));
-            items.push(self.block(block, named)?);
+            items.push(self.nested(block, named)?);
         }
         if unwritten.values > 0 {
             return None;
@@ -47,7 +47,7 @@ impl<L: Fn(&Graph, NodeId) -> bool> Scheduler<'_, L> {
     }
 
     /// The named values of this block that a node is computed from.
-    pub(super) fn needs(&self, id: NodeId, own: &Scope, named: &BTreeSet<NodeId>, needs: &mut BTreeSet<NodeId>) {
+    pub(super) fn needs(&self, id: NodeId, own: &Block, named: &BTreeSet<NodeId>, needs: &mut BTreeSet<NodeId>) {
         for child in self.graph.node(id).children().filter(|child| own.nodes.contains(child)) {
             if named.contains(&child) {
                 needs.insert(child);
@@ -58,9 +58,9 @@ impl<L: Fn(&Graph, NodeId) -> bool> Scheduler<'_, L> {
     }
 
     /// The values of this block that an inner one uses; they are named, since an inner block uses them.
-    pub(super) fn block_needs(&self, block: usize, own: &Scope, needs: &mut BTreeSet<NodeId>) {
-        let block = &self.scopes[block];
-        if let Some(Around::Branch(condition, _)) = block.around {
+    pub(super) fn block_needs(&self, block: usize, own: &Block, needs: &mut BTreeSet<NodeId>) {
+        let block = &self.blocks[block];
+        if let Some(Scope::Branch(condition, _)) = block.scope {
             needs.insert(condition);
         }
         let computed = block.nodes.iter().filter(|id| !self.is_made_inside(**id));
@@ -83,7 +83,7 @@ impl<L: Fn(&Graph, NodeId) -> bool> Scheduler<'_, L> {
 
     /// The sums and choices that a block, or one inside it, adds to or makes.
     pub(super) fn makes(&self, block: usize) -> BTreeSet<NodeId> {
-        let block = &self.scopes[block];
+        let block = &self.blocks[block];
         let own = block.ends.iter().filter_map(|end| match end {
             End::Add { sum: id, .. } | End::Choose { choice: id, .. } => Some(*id),
             End::Sink(..) => None,
@@ -96,18 +96,18 @@ impl<L: Fn(&Graph, NodeId) -> bool> Scheduler<'_, L> {
         matches!(self.graph.node(id), Node::Sum(..) | Node::Select(..))
     }
 
-    fn block(&self, scope: usize, named: &BTreeSet<NodeId>) -> Option<Item> {
-        let body = self.items(scope, named)?;
-        Some(match self.scopes[scope].around? {
-            Around::Loop(by) => Item::Loop { by, body },
-            Around::Branch(condition, holds) => Item::Branch { condition, holds, body },
+    fn nested(&self, block: usize, named: &BTreeSet<NodeId>) -> Option<Item> {
+        let body = self.items(block, named)?;
+        Some(match self.blocks[block].scope? {
+            Scope::Loop(by) => Item::Loop { by, body },
+            Scope::Branch(condition, holds) => Item::Branch { condition, holds, body },
         })
     }
 
     /// Sines and cosines of one argument that are computed in one block.
-    pub(super) fn pairs(&self, scope: &Scope) -> Vec<(NodeId, NodeId, NodeId)> {
+    pub(super) fn pairs(&self, block: &Block) -> Vec<(NodeId, NodeId, NodeId)> {
         let of = |name: &str| -> HashMap<NodeId, NodeId> {
-            let calls = scope.nodes.iter().filter_map(|id| match self.graph.node(*id) {
+            let calls = block.nodes.iter().filter_map(|id| match self.graph.node(*id) {
                 Node::Unary(function, argument) if function.name() == name => Some((argument, *id)),
                 _ => None,
             });

@@ -2,7 +2,7 @@
 //! does not depend on.
 
 use super::{End, Scheduler};
-use crate::graph::{Around, Graph, Node, NodeId};
+use crate::graph::{Graph, Node, NodeId, Scope};
 
 impl<L: Fn(&Graph, NodeId) -> bool> Scheduler<'_, L> {
     /// Finds the block of every node, and then of those that are computed beside others; `None` if that comes to too
@@ -12,7 +12,7 @@ impl<L: Fn(&Graph, NodeId) -> bool> Scheduler<'_, L> {
             // Users come before what they use, since their ids are larger.
             while let Some((id, uses)) = self.uses.pop_last() {
                 self.place_uses(id, uses);
-                if self.way.protects && self.left == 0 {
+                if self.strategy.protects && self.left == 0 {
                     return None;
                 }
             }
@@ -33,7 +33,7 @@ impl<L: Fn(&Graph, NodeId) -> bool> Scheduler<'_, L> {
                 || self.homes.get(id).is_some_and(|homes| homes.iter().any(|home| path.starts_with(home)))
         };
         let mut missing = Vec::new();
-        for (id, beside) in &self.asked.beside {
+        for (id, beside) in &self.constraints.beside {
             for path in self.homes.get(id).into_iter().flatten() {
                 missing.extend(beside.iter().filter(|id| !is_there(id, path)).map(|id| (*id, path.clone())));
             }
@@ -71,24 +71,24 @@ impl<L: Fn(&Graph, NodeId) -> bool> Scheduler<'_, L> {
 
     /// Takes a node out of a block, since a use has been found outside of it.
     fn leave(&mut self, id: NodeId, home: &[usize]) {
-        self.scope(home).nodes.remove(&id);
+        self.block(home).nodes.remove(&id);
         let mut open = vec![home[home.len() - 1]];
-        while let Some(scope) = open.pop() {
+        while let Some(block) = open.pop() {
             let makes = |end: &End| match end {
                 End::Add { sum: made, .. } | End::Choose { choice: made, .. } => *made == id,
                 End::Sink(..) => false,
             };
-            self.scopes[scope].ends.retain(|end| !makes(end));
-            open.extend(self.scopes[scope].inner.iter().map(|(_, inner)| *inner));
+            self.blocks[block].ends.retain(|end| !makes(end));
+            open.extend(self.blocks[block].inner.iter().map(|(_, inner)| *inner));
         }
     }
 
     fn place_at(&mut self, id: NodeId, home: &[usize]) {
-        self.scope(home).nodes.insert(id);
+        self.block(home).nodes.insert(id);
         match self.graph.node(id) {
             Node::Sum(by, body) => {
-                let waits = self.waits(home, id, Around::Loop(by));
-                let iteration = self.inside(home, Around::Loop(by), waits);
+                let waits = self.waits(home, id, Scope::Loop(by));
+                let iteration = self.inside(home, Scope::Loop(by), waits);
                 match self.graph.node(body) {
                     // What an iteration adds under a condition alone is added there.
                     Node::Select(condition, value, zero) if self.graph.as_constant(zero) == Some(0.0) => {
@@ -105,7 +105,7 @@ impl<L: Fn(&Graph, NodeId) -> bool> Scheduler<'_, L> {
                 // A choice begins as zero, which needs no branch; the negative zero does.
                 let zero = |value: &NodeId| self.graph.as_constant(*value).is_some_and(|value| value.to_bits() == 0);
                 for (holds, value) in [(true, first), (false, second)].into_iter().filter(|(_, value)| !zero(value)) {
-                    let around = Around::Branch(condition, holds);
+                    let around = Scope::Branch(condition, holds);
                     let waits = self.waits(home, id, around);
                     let branch = self.inside(home, around, waits);
                     self.end(&branch, End::Choose { choice: id, value });
@@ -121,19 +121,19 @@ impl<L: Fn(&Graph, NodeId) -> bool> Scheduler<'_, L> {
 
     fn add_where(&mut self, sum: NodeId, iteration: &[usize], condition: NodeId, holds: bool, value: NodeId) {
         self.used(condition, iteration);
-        let around = Around::Branch(condition, holds);
+        let around = Scope::Branch(condition, holds);
         let waits = self.waits(iteration, condition, around).max(self.waits(iteration, value, around));
         let branch = self.inside(iteration, around, waits + 1);
         self.end(&branch, End::Add { sum, value });
     }
 
-    fn inside(&mut self, path: &[usize], around: Around, waits: u32) -> Vec<usize> {
+    fn inside(&mut self, path: &[usize], around: Scope, waits: u32) -> Vec<usize> {
         let inner = self.inner(path, around, waits);
         path.iter().copied().chain([inner]).collect()
     }
 
     fn end(&mut self, path: &[usize], end: End) {
         self.used(end.value(), path);
-        self.scope(path).ends.push(end);
+        self.block(path).ends.push(end);
     }
 }

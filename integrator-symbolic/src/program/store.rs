@@ -3,7 +3,7 @@
 use crate::{
     differentiate::Contribution,
     graph::{
-        Around, Element, Graph,
+        Element, Graph, Scope,
         index::{Index, Loops},
     },
 };
@@ -11,7 +11,7 @@ use crate::{
 /// Whether a condition decides if the coordinate that a contribution belongs to is there.
 pub(crate) fn is_protected(graph: &mut Graph, contribution: &Contribution) -> bool {
     let coordinate = graph.coordinate(contribution.element);
-    let is_branch = |around: &&Around| matches!(around, Around::Branch(..));
+    let is_branch = |around: &&Scope| matches!(around, Scope::Branch(..));
     contribution.context.iter().filter(is_branch).any(|around| graph.protects(*around, coordinate))
 }
 

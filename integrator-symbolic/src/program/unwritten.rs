@@ -1,6 +1,6 @@
 //! What of a block is not written yet, and what each of its lines waits for.
 
-use super::{Scheduler, Scope};
+use super::{Block, Scheduler};
 use crate::graph::{Graph, NodeId};
 use std::collections::{BTreeSet, HashMap};
 
@@ -28,7 +28,7 @@ pub(super) struct Unwritten {
 impl Unwritten {
     pub(super) fn of<L: Fn(&Graph, NodeId) -> bool>(
         scheduler: &Scheduler<'_, L>,
-        own: &Scope,
+        own: &Block,
         named: &BTreeSet<NodeId>,
         blocks: &[usize],
     ) -> Self {

@@ -6,14 +6,14 @@
 
 use crate::{
     differentiate::Contribution,
-    graph::{Around, Element, Graph, Node, NodeId},
+    graph::{Element, Graph, Node, NodeId, Scope},
 };
 
 /// The mobilities of the coordinates, in place of the components of the gradient.
 pub(crate) fn mobilities(graph: &mut Graph, gradient: &[Contribution]) -> Option<Vec<Contribution>> {
     let of = |contribution: &Contribution| {
         let Contribution { context, element, value } = contribution;
-        let is_loop = |around: &Around| matches!(around, Around::Loop(_));
+        let is_loop = |around: &Scope| matches!(around, Scope::Loop(_));
         let value = context.iter().all(is_loop).then(|| factor(graph, *value, *element))??;
         Some(Contribution { value, ..contribution.clone() })
     };

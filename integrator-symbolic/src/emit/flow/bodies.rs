@@ -1,19 +1,19 @@
 //! Functions whose arguments are bodies: coordinates as arrays, and the prepared constants of a body as another array.
 
-use super::{placed, texts::Texts};
+use super::{stores, texts::Texts};
 use crate::{
-    differentiate::{Contribution, folded},
+    differentiate::{Contribution, fold_branches},
     emit::printer::{
         block::evaluate,
-        fields::{Fields, is_field, is_leaf, lowered},
+        fields::{Fields, is_field, is_leaf, lower_roots},
         frame::{Bodies, Frame},
         function::Lines,
         names::Names,
     },
-    graph::{Around, Element, Node, NodeId, index::LoopId},
+    graph::{Element, Node, NodeId, Scope, index::LoopId},
     model::Model,
     pairs::{Renaming, renamed},
-    program::{Placed, Sink, is_direct},
+    program::{Sink, Store, is_direct},
 };
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{format_ident, quote};
@@ -62,7 +62,7 @@ impl Constants {
 /// A function of the bodies with the indices of some loops.
 pub(crate) struct OfBodies {
     of: Vec<LoopId>,
-    placed: Vec<Placed>,
+    stores: Vec<Store>,
     /// What it reads of the prepared constants: where, of which body, and where among that body's.
     reads: Vec<(NodeId, LoopId, usize)>,
 }
@@ -75,7 +75,7 @@ impl OfBodies {
         of: &[LoopId],
         gradient: &[Contribution],
     ) -> Option<Self> {
-        let folded = folded(&mut model.graph, gradient);
+        let folded = fold_branches(&mut model.graph, gradient);
         let branches = folded.iter().any(|contribution| contribution.conditions().next().is_some());
         if is_direct(&model.graph.loops, &folded) && !branches {
             return Self::new(model, constants, of, &folded, Sink::Assign);
@@ -91,20 +91,20 @@ impl OfBodies {
         gradient: &[Contribution],
         sink: fn(Element) -> Sink,
     ) -> Option<Self> {
-        let placed = placed(model, gradient, sink);
-        Self::over(model, constants, of, placed)
+        let stores = stores(model, gradient, sink);
+        Self::over(model, constants, of, stores)
     }
 
     /// The function that gives a value.
     pub(crate) fn value(model: &mut Model, constants: &mut Constants, of: &[LoopId], value: NodeId) -> Option<Self> {
-        let value = lowered(model, &[value])[0];
-        Self::over(model, constants, of, vec![Placed { context: Vec::new(), sink: Sink::Return, value }])
+        let value = lower_roots(model, &[value])[0];
+        Self::over(model, constants, of, vec![Store { context: Vec::new(), sink: Sink::Return, value }])
     }
 
-    fn over(model: &mut Model, constants: &mut Constants, of: &[LoopId], mut placed: Vec<Placed>) -> Option<Self> {
-        let leaves = read(model, &placed);
-        for placed in &mut placed {
-            placed.context.splice(0..0, of.iter().map(|by| Around::Loop(*by)));
+    fn over(model: &mut Model, constants: &mut Constants, of: &[LoopId], mut stores: Vec<Store>) -> Option<Self> {
+        let leaves = read(model, &stores);
+        for store in &mut stores {
+            store.context.splice(0..0, of.iter().map(|by| Scope::Loop(*by)));
         }
         let mut reads = Vec::new();
         for id in leaves {
@@ -113,7 +113,7 @@ impl OfBodies {
                 reads.push((id, by, constants.place(model, id, by)?));
             }
         }
-        Some(Self { of: of.to_vec(), placed, reads })
+        Some(Self { of: of.to_vec(), stores, reads })
     }
 
     /// The name of something that belongs to a body.
@@ -144,18 +144,18 @@ impl OfBodies {
         let reads = self.reads.iter().map(|(id, by, place)| (*id, constants.name(model, fields, *place, *by)));
         let bodies = Bodies { suffixes: suffixes.collect(), constants: reads.collect() };
         let constants = self.constants(model, fields, constants);
-        let lines = evaluate(model, fields, names, &Frame::Bodies(bodies), &self.of, &self.placed);
+        let lines = evaluate(model, fields, names, &Frame::Bodies(bodies), &self.of, &self.stores);
         lines.map(|lines| quote!(#constants #lines))
     }
 }
 
 /// The prepared constants that values and conditions read.
-fn read(model: &Model, placed: &[Placed]) -> BTreeSet<NodeId> {
-    let conditions = placed.iter().flat_map(|placed| &placed.context).filter_map(|around| match around {
-        Around::Branch(condition, _) => Some(*condition),
-        Around::Loop(_) => None,
+fn read(model: &Model, stores: &[Store]) -> BTreeSet<NodeId> {
+    let conditions = stores.iter().flat_map(|store| &store.context).filter_map(|around| match around {
+        Scope::Branch(condition, _) => Some(*condition),
+        Scope::Loop(_) => None,
     });
-    let mut open: Vec<NodeId> = placed.iter().map(|placed| placed.value).chain(conditions).collect();
+    let mut open: Vec<NodeId> = stores.iter().map(|store| store.value).chain(conditions).collect();
     let (mut seen, mut read) = (BTreeSet::new(), BTreeSet::new());
     while let Some(id) = open.pop() {
         let node = model.graph.node(id);

@@ -20,7 +20,7 @@ use crate::{
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{ToTokens, format_ident, quote};
 
-/// What is written for prepared constants.
+/// The prepared constants: what is written for each, field by field.
 #[derive(Default)]
 pub(crate) struct Constants {
     fields: TokenStream,

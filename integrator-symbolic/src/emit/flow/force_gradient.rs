@@ -4,7 +4,7 @@
 //! inverse mass matrix `M`, so the kick is `p -= b grad V + 2 c V'' M^-1 grad V`. Always true: the product with the
 //! Hessian `V''` is the derivative of the gradient as it stands, so the kick is symplectic to rounding.
 
-use super::{collected, placed};
+use super::{stores, through_buffer};
 use crate::{
     differentiate::{Contribution, hessian_product},
     emit::printer::{fields::Fields, names::Names},
@@ -27,9 +27,9 @@ pub(crate) fn functions(
     many_body: bool,
 ) -> TokenStream {
     let product = hessian_product(&mut model.graph, potential, Part::Position);
-    let product = placed(model, &product, Sink::Collect);
+    let product = stores(model, &product, Sink::Collect);
     // Nothing is written before all is read.
-    let lines = collected(model, fields, names, Part::Momentum, &product, |place, value| quote!(#place = #value;));
+    let lines = through_buffer(model, fields, names, Part::Momentum, &product, |place, value| quote!(#place = #value;));
     let Names { runtime, scalar, leaf, .. } = names;
     // Bodies side by side are taken apart for what is seldom asked.
     let lines = if many_body {

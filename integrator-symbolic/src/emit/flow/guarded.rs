@@ -1,13 +1,13 @@
 //! What stands behind a condition has no effect where the condition does not hold: a table of systems whose energy and
 //! force are computed as the stepper computes them, line by line, and held against the plain function.
 
-use super::placed;
+use super::stores;
 use crate::{
-    differentiate::{folded, gradient},
-    emit::printer::fields::lowered,
+    differentiate::{fold_branches, gradient},
+    emit::printer::fields::lower_roots,
     graph::{Graph, Node, NodeId, Part, evaluate::Point},
     model::Model,
-    program::{Item, Placed, Program, Sink, is_protected, schedule},
+    program::{Item, Program, Sink, Store, is_protected, schedule},
 };
 
 /// A potential as text, and as the function that it is.
@@ -233,25 +233,25 @@ fn model_of(text: &str) -> Model {
     crate::model::of_text(&item)
 }
 
-fn scheduled(model: &Model, placed: &[Placed]) -> Program {
+fn program(model: &Model, stores: &[Store]) -> Program {
     let is_leaf = |graph: &Graph, id| matches!(graph.node(id), Node::Constant(_) | Node::FromIndex(_));
-    schedule(&model.graph, placed, is_leaf)
+    schedule(&model.graph, stores, is_leaf)
 }
 
 /// The energy, as its lines compute it.
 fn energy(model: &mut Model) -> Program {
-    let value = lowered(model, &[model.potential])[0];
-    scheduled(model, &[Placed { context: Vec::new(), sink: Sink::Return, value }])
+    let value = lower_roots(model, &[model.potential])[0];
+    program(model, &[Store { context: Vec::new(), sink: Sink::Return, value }])
 }
 
 /// The gradient, collected by branches or, where that is done, by choices between values.
 fn force(model: &mut Model, by_choices: bool) -> Program {
     let mut gradient = gradient(&mut model.graph, model.potential, Part::Position);
     if by_choices && !gradient.iter().any(|contribution| is_protected(&mut model.graph, contribution)) {
-        gradient = folded(&mut model.graph, &gradient);
+        gradient = fold_branches(&mut model.graph, &gradient);
     }
-    let placed = placed(model, &gradient, Sink::Collect);
-    scheduled(model, &placed)
+    let stores = stores(model, &gradient, Sink::Collect);
+    program(model, &stores)
 }
 
 /// Lines as numbers: every line is computed where it stands, whether anything reads it or not.

@@ -4,16 +4,16 @@ use crate::{
     differentiate::Contribution,
     emit::printer::{
         block::evaluate,
-        fields::{Fields, is_leaf, lowered},
+        fields::{Fields, is_leaf, lower_roots},
         frame::Frame,
         function::{Body, Lines},
         names::Names,
-        sites::shares,
+        sites::contributions,
     },
-    gather::{Direction, Gathered, gathered},
-    graph::{Around, Part},
+    gather::{Direction, Stencil, stencil},
+    graph::{Part, Scope},
     model::Model,
-    program::{Placed, Sink},
+    program::{Sink, Store},
 };
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{format_ident, quote};
@@ -23,7 +23,7 @@ pub(crate) struct Sweep {
     /// Its type in the runtime.
     flow: Ident,
     body: Body,
-    gathered: Gathered,
+    stencil: Stencil,
 }
 
 /// The flow along `gradient`, if it has that form.
@@ -35,23 +35,23 @@ pub(crate) fn sweep(
     part: Part,
 ) -> Option<Sweep> {
     let Model { graph, parameters, lengths, .. } = model;
-    let mut gathered = gathered(graph, gradient, lengths, |graph, id| is_leaf(graph, parameters, id))?;
-    for Direction { place, begins, .. } in &gathered.directions {
+    let mut stencil = stencil(graph, gradient, lengths, |graph, id| is_leaf(graph, parameters, id))?;
+    for Direction { place, begins, .. } in &stencil.directions {
         let first = gradient.iter().flat_map(Contribution::loops).find(|by| begins.contains_key(by))?;
         let index = model.running.get(&first)?.clone();
         model.running.entry(*place).or_insert(index);
     }
 
-    let values: Vec<_> = gathered.shares.iter().map(|share| share.value).collect();
-    for (share, value) in gathered.shares.iter_mut().zip(lowered(model, &values)) {
-        share.value = value;
+    let values: Vec<_> = stencil.contributions.iter().map(|contribution| contribution.value).collect();
+    for (contribution, value) in stencil.contributions.iter_mut().zip(lower_roots(model, &values)) {
+        contribution.value = value;
     }
-    let body = contributions(model, fields, names, &gathered).body(&names.wide);
+    let body = site_lines(model, fields, names, &stencil).body(&names.wide);
     let flow = match part {
         Part::Momentum => format_ident!("Drift"),
         Part::Position => format_ident!("Kick"),
     };
-    Some(Sweep { flow, body, gathered })
+    Some(Sweep { flow, body, stencil })
 }
 
 impl Sweep {
@@ -79,9 +79,9 @@ impl Sweep {
     /// The items of the runtime's `Stencil`.
     fn items(&self, names: &Names) -> TokenStream {
         let (body, Names { runtime, scalar, wide, .. }) = (&self.body, names);
-        let onward = self.gathered.onward();
-        let count = Literal::usize_unsuffixed(self.gathered.places().len());
-        let boundaries = self.gathered.directions.iter().zip(onward).rev();
+        let onward = self.stencil.onward();
+        let count = Literal::usize_unsuffixed(self.stencil.places().len());
+        let boundaries = self.stencil.directions.iter().zip(onward).rev();
         let mut boundaries = boundaries.map(|(direction, onward)| boundary_of(direction, onward, runtime));
         let sites = boundaries.next();
         let rows = boundaries.next().map(|rows| {
@@ -108,11 +108,11 @@ impl Sweep {
 
     /// Whether it moves the sites of a plane.
     pub(crate) fn is_plane(&self) -> bool {
-        self.gathered.is_plane()
+        self.stencil.is_plane()
     }
 }
 
-/// The runtime's `Boundary` of a direction in which shares go so far.
+/// The runtime's `Boundary` of a direction in which contributions go so far.
 fn boundary_of(direction: &Direction, onward: usize, runtime: &Ident) -> TokenStream {
     let Direction { first, last, behind, ahead, periodic, .. } = direction;
     let forward = Literal::usize_unsuffixed(onward);
@@ -157,21 +157,21 @@ pub(crate) fn parts(names: &Names) -> (TokenStream, TokenStream) {
 }
 
 /// The body of a function that returns what the sites of a lattice share out.
-fn contributions(model: &Model, fields: &mut Fields, names: &Names, gathered: &Gathered) -> Lines {
+fn site_lines(model: &Model, fields: &mut Fields, names: &Names, stencil: &Stencil) -> Lines {
     // The runtime goes from site to site.
-    let sites: Vec<_> = gathered.directions.iter().map(|along| along.place).collect();
-    let lines = evaluate(model, fields, names, &Frame::Sites(gathered), &sites, &placed(gathered));
-    let shares = shares(gathered, names);
-    lines.map(|lines| quote!(#lines [#(#shares),*]))
+    let sites: Vec<_> = stencil.directions.iter().map(|along| along.place).collect();
+    let lines = evaluate(model, fields, names, &Frame::Sites(stencil), &sites, &stores(stencil));
+    let contributions = contributions(stencil, names);
+    lines.map(|lines| quote!(#lines [#(#contributions),*]))
 }
 
-/// Where the values of shares go.
-fn placed(gathered: &Gathered) -> Vec<Placed> {
-    let context: Vec<_> = gathered.directions.iter().map(|direction| Around::Loop(direction.place)).collect();
-    let placed = gathered.shares.iter().enumerate().map(|(number, share)| Placed {
+/// Where the values of contributions go.
+fn stores(stencil: &Stencil) -> Vec<Store> {
+    let context: Vec<_> = stencil.directions.iter().map(|direction| Scope::Loop(direction.place)).collect();
+    let stores = stencil.contributions.iter().enumerate().map(|(number, contribution)| Store {
         context: context.clone(),
-        sink: Sink::Share(number),
-        value: share.value,
+        sink: Sink::Contribution(number),
+        value: contribution.value,
     });
-    placed.collect()
+    stores.collect()
 }

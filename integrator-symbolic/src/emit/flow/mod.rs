@@ -13,17 +13,17 @@ pub(super) mod stated;
 pub(super) mod texts;
 
 use crate::{
-    differentiate::{Contribution, folded},
+    differentiate::{Contribution, fold_branches},
     emit::printer::{
         block::{evaluate, value},
-        fields::{Fields, lowered},
+        fields::{Fields, lower_roots},
         frame::Frame,
         function::{Body, Lines},
         names::Names,
     },
     graph::{Element, NodeId, Part},
     model::{Length, Model, Shape},
-    program::{Placed, Sink, is_direct, is_protected},
+    program::{Sink, Store, is_direct, is_protected},
 };
 use lattice::Sweep;
 use pairs::ManyBody;
@@ -101,7 +101,7 @@ impl Flows {
         name: &str,
         energy: NodeId,
     ) -> TokenStream {
-        let energy = lowered(model, &[energy])[0];
+        let energy = lower_roots(model, &[energy])[0];
         // Bodies side by side are taken apart for what is seldom asked.
         let plain = self.many_body.as_ref().map(|_| quote!(let motion = &motion.plain::<Self::Coords>();));
         let lines = value(model, fields, names, &Frame::Motion, energy);
@@ -145,19 +145,19 @@ impl Flow {
         if gradient.is_empty() {
             return Self::default();
         }
-        let folded = folded(&mut model.graph, gradient);
+        let folded = fold_branches(&mut model.graph, gradient);
         // What is moved behind a condition that it is there is not moved by a choice of zero elsewhere.
         let apart = gradient.iter().any(|contribution| is_protected(&mut model.graph, contribution));
         if !apart && let Some(sweep) = lattice::sweep(model, fields, names, &folded, part) {
             return Self { body: Body::new(sweep.flow()), sweep: Some(sweep), divides_by_root_cubed: false };
         }
         let lines = if !apart && is_direct(&model.graph.loops, &folded) {
-            let placed = placed(model, &folded, Sink::Update);
-            evaluate(model, fields, names, &Frame::Motion, &[], &placed)
+            let stores = stores(model, &folded, Sink::Update);
+            evaluate(model, fields, names, &Frame::Motion, &[], &stores)
         } else {
-            let placed = placed(model, gradient, Sink::Collect);
+            let stores = stores(model, gradient, Sink::Collect);
             let apply = |place, value| quote!(#place.fma(step, #value););
-            collected(model, fields, names, part.other(), &placed, apply)
+            through_buffer(model, fields, names, part.other(), &stores, apply)
         };
         let duration = match part {
             Part::Momentum => quote!(duration),
@@ -170,39 +170,39 @@ impl Flow {
 }
 
 /// Where the components of a gradient go; what updates a coordinate is multiplied by the step.
-pub(crate) fn placed(model: &mut Model, gradient: &[Contribution], sink: fn(Element) -> Sink) -> Vec<Placed> {
-    let placed = |contribution: &Contribution| {
+pub(crate) fn stores(model: &mut Model, gradient: &[Contribution], sink: fn(Element) -> Sink) -> Vec<Store> {
+    let target = |contribution: &Contribution| {
         let element = contribution.element;
         sink(element.partner())
     };
-    let mut value = |contribution: &Contribution| match placed(contribution) {
+    let mut value = |contribution: &Contribution| match target(contribution) {
         Sink::Update(_) => model.graph.stepped(contribution.value),
         _ => contribution.value,
     };
     let values: Vec<NodeId> = gradient.iter().map(&mut value).collect();
     let conditions = gradient.iter().flat_map(Contribution::conditions);
     let roots: Vec<NodeId> = values.iter().copied().chain(conditions).collect();
-    let lowered = lowered(model, &roots);
+    let lowered = lower_roots(model, &roots);
     let of = |id: NodeId| roots.iter().position(|root| *root == id).map_or(id, |position| lowered[position]);
-    let placed = gradient.iter().zip(values).map(|(contribution, value)| Placed {
+    let stores = gradient.iter().zip(values).map(|(contribution, value)| Store {
         context: contribution.around(of),
-        sink: placed(contribution),
+        sink: target(contribution),
         value: of(value),
     });
-    placed.collect()
+    stores.collect()
 }
 
 /// The lines that collect a gradient in a buffer and apply it to the coordinates of `part`.
-fn collected(
+fn through_buffer(
     model: &Model,
     fields: &mut Fields,
     names: &Names,
     part: Part,
-    placed: &[Placed],
+    stores: &[Store],
     apply: impl Fn(TokenStream, TokenStream) -> TokenStream,
 ) -> Lines {
     let (open, close) = buffer(&model.shape, part, names, apply);
-    evaluate(model, fields, names, &Frame::Motion, &[], placed).map(|lines| quote!(#open #lines #close))
+    evaluate(model, fields, names, &Frame::Motion, &[], stores).map(|lines| quote!(#open #lines #close))
 }
 
 /// The most elements that a buffer has on the stack; a longer one, or one of a length known at run time, is on the heap.

@@ -6,13 +6,13 @@ use super::{
     texts::Texts,
 };
 use crate::{
-    differentiate::{Contribution, folded},
+    differentiate::{Contribution, fold_branches},
     emit::printer::{
         fields::Fields,
         function::{Body, Lines},
         names::Names,
     },
-    graph::{Around, NodeId, Part, index::LoopId},
+    graph::{NodeId, Part, Scope, index::LoopId},
     model::Model,
     pairs::{Pairs, one_by_one, pairs, pull},
     program::{Sink, is_direct},
@@ -51,7 +51,7 @@ impl ManyBody {
         let length = *lengths.first()?;
         let Pairs { bodies, pair, force, reciprocal, alone } = pairs(graph, *potential, length, &mut texts)?;
         let velocity = one_by_one(graph, *kinetic, length, Part::Momentum, &mut texts)?;
-        let velocity = folded(graph, &velocity);
+        let velocity = fold_branches(graph, &velocity);
         if velocity.is_empty() || force.is_empty() || !is_direct(&model.graph.loops, &velocity) {
             return None;
         }
@@ -138,7 +138,7 @@ impl ManyBody {
 /// The condition that a whole gradient is under, if there is one, and whether it has to hold.
 fn condition(gradient: &[Contribution]) -> Option<(NodeId, bool)> {
     let outermost = |contribution: &Contribution| match contribution.context.first() {
-        Some(Around::Branch(condition, holds)) => Some((*condition, *holds)),
+        Some(Scope::Branch(condition, holds)) => Some((*condition, *holds)),
         _ => None,
     };
     let first = outermost(gradient.first()?)?;

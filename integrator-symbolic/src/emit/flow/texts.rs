@@ -1,4 +1,4 @@
-//! The user's expressions of parameters for other indices.
+//! The user's expressions of parameters, rewritten for other indices.
 
 use crate::{
     graph::{

@@ -1,4 +1,4 @@
-//! Blocks as Rust: lets, loops, and where values go.
+//! Statements as Rust: lets, loops, branches and stores.
 
 use super::{
     expression::{Dialect, Printer},
@@ -13,7 +13,7 @@ use crate::{
         index::{Index, LoopId},
     },
     model::Model,
-    program::{Item, Placed, Program, Sink, schedule},
+    program::{Item, Program, Sink, Store, schedule},
 };
 use proc_macro2::{Ident, TokenStream};
 use quote::{ToTokens, format_ident, quote};
@@ -26,9 +26,9 @@ pub(crate) fn evaluate(
     names: &Names,
     frame: &Frame<'_>,
     outer: &[LoopId],
-    placed: &[Placed],
+    stores: &[Store],
 ) -> Lines {
-    let program = schedule(&model.graph, placed, |_, id| frame.is_leaf(model, id)).within(outer);
+    let program = schedule(&model.graph, stores, |_, id| frame.is_leaf(model, id)).within(outer);
     let printer = Printer::new(model, names, &program, frame);
     let mut block = Block { printer, masks: Vec::new(), begun: HashMap::new() };
     Lines { tokens: block.items(fields, &program.items), program }
@@ -36,7 +36,7 @@ pub(crate) fn evaluate(
 
 /// The line or lines that evaluate `root`, which is lowered.
 pub(crate) fn value(model: &Model, fields: &mut Fields, names: &Names, frame: &Frame<'_>, root: NodeId) -> Lines {
-    evaluate(model, fields, names, frame, &[], &[Placed { context: Vec::new(), sink: Sink::Return, value: root }])
+    evaluate(model, fields, names, frame, &[], &[Store { context: Vec::new(), sink: Sink::Return, value: root }])
 }
 
 /// A block being printed.
@@ -90,27 +90,27 @@ impl Block<'_> {
             }
             Item::Loop { by, body } => {
                 let body = self.items(fields, body);
-                self.printer.looped(fields, *by, &body)
+                self.printer.loop_over(fields, *by, &body)
             }
             Item::Branch { condition, holds, body } => self.branch(fields, *condition, *holds, body),
             Item::Add { sum, value } => {
                 let (name, depth) = (printer.names[sum].to_token_stream(), self.begun.get(sum).copied());
-                self.accumulated(fields, name, *value, depth.unwrap_or_default())
+                self.accumulate(fields, name, *value, depth.unwrap_or_default())
             }
             Item::Choose { choice, value } => {
                 let (name, value) = (&printer.names[choice], printer.expression(fields, *value).tokens);
                 let chosen = self.masked(self.begun.get(choice).copied().unwrap_or_default(), &value, &quote!(#name));
                 quote!(#name = #chosen;)
             }
-            Item::Sink(Sink::Share(share), value) => {
+            Item::Sink(Sink::Contribution(contribution), value) => {
                 let value = printer.expression(fields, *value).tokens;
-                printer.share(fields, *share, value)
+                printer.contribution(fields, *contribution, value)
             }
             Item::Sink(Sink::Return, value) => printer.expression(fields, *value).tokens,
-            Item::Sink(Sink::Update(element), value) => self.updated(fields, *element, *value),
+            Item::Sink(Sink::Update(element), value) => self.update(fields, *element, *value),
             Item::Sink(Sink::Collect(element), value) => {
                 let at = printer.at(fields, *element);
-                self.accumulated(fields, quote!(gradient #at), *value, 0)
+                self.accumulate(fields, quote!(gradient #at), *value, 0)
             }
             Item::Sink(Sink::Assign(element), value) => {
                 let (at, value) = (printer.at(fields, *element), printer.expression(fields, *value).tokens);
@@ -121,7 +121,7 @@ impl Block<'_> {
 
     fn zero(&self) -> TokenStream {
         match self.printer.dialect {
-            Dialect::Generic => self.printer.lifted(quote!(0.0)),
+            Dialect::Generic => self.printer.lift(quote!(0.0)),
             Dialect::Single => quote!(0.0_f64),
         }
     }
@@ -158,7 +158,7 @@ impl Block<'_> {
     }
 
     /// A coordinate's update. Under a condition it is an addition, so that lanes that do not take part add zero.
-    fn updated(&self, fields: &mut Fields, element: Element, value: NodeId) -> TokenStream {
+    fn update(&self, fields: &mut Fields, element: Element, value: NodeId) -> TokenStream {
         let printer = &self.printer;
         let place = printer.place(fields, element);
         match printer.product(value) {
@@ -174,7 +174,7 @@ impl Block<'_> {
     }
 
     /// `target += value`, fused where the value is a product, in the lanes in which all conditions beyond `depth` hold.
-    fn accumulated(&self, fields: &mut Fields, target: TokenStream, value: NodeId, depth: usize) -> TokenStream {
+    fn accumulate(&self, fields: &mut Fields, target: TokenStream, value: NodeId, depth: usize) -> TokenStream {
         let printer = &self.printer;
         let is_masked = self.masks.len() > depth && printer.dialect == Dialect::Generic;
         if printer.dialect == Dialect::Generic

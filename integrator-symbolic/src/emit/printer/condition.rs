@@ -37,7 +37,7 @@ impl Printer<'_> {
             (Node::Flag(parameter), Dialect::Generic) => {
                 let name = fields.flag(self.parameters, parameter);
                 let flag = self.shared(name, self.graph.loops.of_parameter(parameter));
-                let zero = self.lifted(quote!(0.0));
+                let zero = self.lift(quote!(0.0));
                 quote!(#zero.less(#flag))
             }
             (Node::Flag(parameter), Dialect::Single) => {

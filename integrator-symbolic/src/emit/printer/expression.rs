@@ -19,7 +19,7 @@ use proc_macro2::{Ident, TokenStream, TokenTree};
 use quote::{ToTokens, format_ident, quote};
 use std::collections::HashMap;
 
-/// How tightly an expression holds together.
+/// The precedence of an expression.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub(crate) enum Binding {
     Sum,
@@ -28,10 +28,10 @@ pub(crate) enum Binding {
     Atom,
 }
 
-/// What numbers are computed in.
+/// The scalar type that code computes in.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Dialect {
-    /// The type parameter of a flow.
+    /// The type parameter of the function.
     Generic,
     /// `f64`, where parameters are prepared.
     Single,
@@ -63,7 +63,7 @@ impl Printed {
     }
 }
 
-/// What printing needs to know; `names` are the values that were given one.
+/// A printer of expressions; `names` are those of the values that have one.
 pub(crate) struct Printer<'m> {
     pub(crate) graph: &'m Graph,
     pub(crate) parameters: &'m [Parameter],
@@ -101,7 +101,7 @@ impl Printer<'_> {
             Node::Parameter(parameter) => {
                 let text = &self.parameters[parameter.0 as usize].text;
                 match self.dialect {
-                    Dialect::Generic => Printed::new(Binding::Atom, self.lifted(quote!(#text))),
+                    Dialect::Generic => Printed::new(Binding::Atom, self.lift(quote!(#text))),
                     Dialect::Single => Printed::new(binding(text), quote!(#text)),
                 }
             }
@@ -120,7 +120,7 @@ impl Printer<'_> {
             Node::FromIndex(index) => {
                 let index = self.number_index(fields, index);
                 match self.dialect {
-                    Dialect::Generic => Printed::new(Binding::Atom, self.lifted(quote!(#index as f64))),
+                    Dialect::Generic => Printed::new(Binding::Atom, self.lift(quote!(#index as f64))),
                     Dialect::Single => Printed::new(Binding::Atom, quote!((#index as f64))),
                 }
             }
@@ -164,7 +164,7 @@ impl Printer<'_> {
     }
 
     /// An `f64` as a number that flows compute in.
-    pub(crate) fn lifted(&self, value: TokenStream) -> TokenStream {
+    pub(crate) fn lift(&self, value: TokenStream) -> TokenStream {
         let scalar = self.scalar;
         quote!(#scalar::of(#value))
     }
@@ -207,7 +207,7 @@ impl Printer<'_> {
             }
         };
         match self.dialect {
-            Dialect::Generic => Printed::new(Binding::Atom, self.lifted(quote!(#value))),
+            Dialect::Generic => Printed::new(Binding::Atom, self.lift(quote!(#value))),
             Dialect::Single => Printed::new(Binding::Atom, quote!(#value)),
         }
     }

@@ -22,7 +22,7 @@ pub(crate) enum Content {
     Middle,
 }
 
-/// The fields asked for so far, in order of first use.
+/// The fields of the struct of prepared constants, in order of first use.
 #[derive(Default)]
 pub(crate) struct Fields {
     order: Vec<(Content, Ident)>,
@@ -75,11 +75,11 @@ impl Fields {
     }
 
     pub(crate) fn external(&mut self, externals: &[Method], id: ExternalId) -> Ident {
-        self.named_as(Content::External(id), Some(externals[id.0 as usize].name.clone()))
+        self.insert(Content::External(id), Some(externals[id.0 as usize].name.clone()))
     }
 
     pub(crate) fn middle(&mut self) -> Ident {
-        self.named_as(Content::Middle, Some(format_ident!("middle")))
+        self.insert(Content::Middle, Some(format_ident!("middle")))
     }
 
     /// The field that holds the middle of the step, if a flow reads it.
@@ -89,10 +89,10 @@ impl Fields {
 
     /// A field's name: the user's own where it is `self.name` or `self.name[i]`.
     fn named(&mut self, content: Content, text: Option<&TokenStream>) -> Ident {
-        self.named_as(content, text.and_then(own_name))
+        self.insert(content, text.and_then(own_name))
     }
 
-    fn named_as(&mut self, content: Content, base: Option<Ident>) -> Ident {
+    fn insert(&mut self, content: Content, base: Option<Ident>) -> Ident {
         if let Some(name) = self.names.get(&content) {
             return name.clone();
         }
@@ -140,7 +140,7 @@ fn own_name(text: &TokenStream) -> Option<Ident> {
 }
 
 /// Values for `roots` without powers, whose prepared constants are left alone.
-pub(crate) fn lowered(model: &mut Model, roots: &[NodeId]) -> Vec<NodeId> {
+pub(crate) fn lower_roots(model: &mut Model, roots: &[NodeId]) -> Vec<NodeId> {
     let Model { graph, parameters, .. } = model;
     lower(graph, roots, |graph, id| is_leaf(graph, parameters, id))
 }

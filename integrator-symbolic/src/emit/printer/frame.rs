@@ -1,4 +1,4 @@
-//! Where a generated function finds coordinates and prepared constants.
+//! The storage that a generated function reads coordinates and prepared constants from.
 
 use super::{
     expression::{Dialect, Printer},
@@ -7,7 +7,7 @@ use super::{
     places::Places,
 };
 use crate::{
-    gather::Gathered,
+    gather::Stencil,
     graph::{
         Graph, Node, NodeId,
         index::{Index, IndexId, LoopId, LoopSet},
@@ -18,15 +18,15 @@ use proc_macro2::{Ident, TokenStream};
 use quote::{ToTokens, format_ident, quote};
 use std::collections::HashMap;
 
-/// Where a function finds what it reads.
+/// The storage that a function reads.
 pub(crate) enum Frame<'m> {
     /// In the user's own fields, as `f64`: where constants are prepared.
     System,
     /// In the motion.
     Motion,
     /// In the neighbourhood of sites of a lattice, which is an argument.
-    Sites(&'m Gathered),
-    /// In its arguments: the coordinates and constants of bodies, and the constants that all bodies share.
+    Sites(&'m Stencil),
+    /// In its arguments: the coordinates and constants of bodies, and the constants that all bodies contribution.
     Bodies(Bodies),
     /// In tables of Taylor coefficients that are its arguments, whose rows may be interleaved.
     Series { interleaved: Option<Places> },
@@ -41,7 +41,7 @@ pub(crate) struct Bodies {
 }
 
 impl Frame<'_> {
-    /// What is computed in.
+    /// The type that it computes in.
     pub(crate) fn scalar<'n>(&self, names: &'n Names) -> &'n Ident {
         match self {
             Frame::System | Frame::Motion | Frame::Series { .. } => &names.scalar,
@@ -49,7 +49,7 @@ impl Frame<'_> {
         }
     }
 
-    /// What numbers are computed in.
+    /// The dialect of its code.
     pub(super) fn dialect(&self) -> Dialect {
         if matches!(self, Frame::System) { Dialect::Single } else { Dialect::Generic }
     }

@@ -1,4 +1,4 @@
-//! Where coordinates are, as Rust: integer expressions, bounds of loops, and the places that they lead to.
+//! Integer expressions as Rust: indices of coordinates and bounds of loops.
 
 use super::{
     expression::{Dialect, Printer},
@@ -146,7 +146,7 @@ impl Printer<'_> {
     }
 
     /// Lines within a loop.
-    pub(crate) fn looped(&self, fields: &mut Fields, by: LoopId, lines: &TokenStream) -> TokenStream {
+    pub(crate) fn loop_over(&self, fields: &mut Fields, by: LoopId, lines: &TokenStream) -> TokenStream {
         let (range, index) = (self.graph.loops.get(by), self.running.get(&by));
         let (from, to) = (self.index(fields, range.from), self.index(fields, range.to));
         quote!(for #index in #from..#to { #lines })

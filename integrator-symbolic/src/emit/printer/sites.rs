@@ -2,7 +2,7 @@
 
 use super::{expression::Printer, fields::Fields, frame::Frame, names::Names};
 use crate::{
-    gather::{Extent, Gathered},
+    gather::{Extent, Stencil},
     graph::{
         Element,
         index::{Index, IndexId, LoopId, LoopSet},
@@ -11,8 +11,8 @@ use crate::{
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{ToTokens, format_ident, quote};
 
-/// The name of the shares that go `onward`: `contribution_1`, or `contribution_1_0` over rows and sites.
-fn share(onward: &[usize]) -> Ident {
+/// The name of the contributions that go `onward`: `contribution_1`, or `contribution_1_0` over rows and sites.
+fn contribution(onward: &[usize]) -> Ident {
     let onward: Vec<_> = onward.iter().map(ToString::to_string).collect();
     format_ident!("contribution_{}", onward.join("_"))
 }
@@ -36,7 +36,7 @@ impl Printer<'_> {
     }
 
     /// A prepared constant, the same at all sites, or what a table holds for them.
-    pub(crate) fn spread(&self, lattice: &Gathered, name: Ident, loops: LoopSet) -> TokenStream {
+    pub(crate) fn spread(&self, lattice: &Stencil, name: Ident, loops: LoopSet) -> TokenStream {
         let wide = self.scalar;
         let place = |by: LoopId| {
             let mut directions = lattice.directions.iter().enumerate();
@@ -53,12 +53,12 @@ impl Printer<'_> {
         }
     }
 
-    /// The line that notes a share.
-    pub(crate) fn share(&self, fields: &mut Fields, number: usize, value: TokenStream) -> TokenStream {
+    /// The line that notes a contribution.
+    pub(crate) fn contribution(&self, fields: &mut Fields, number: usize, value: TokenStream) -> TokenStream {
         let Frame::Sites(lattice) = self.frame else { return TokenStream::new() };
-        let of = &lattice.shares[number];
-        let name = share(&of.onward());
-        let begun = lattice.shares[..number].iter().any(|before| before.onward() == of.onward());
+        let of = &lattice.contributions[number];
+        let name = contribution(&of.onward());
+        let begun = lattice.contributions[..number].iter().any(|before| before.onward() == of.onward());
         let mut range = |from: IndexId, to: IndexId| {
             let (from, to) = (self.index(fields, from), self.index(fields, to));
             quote!(#from..#to)
@@ -77,19 +77,20 @@ impl Printer<'_> {
             }
         }
         if let Some((plus, places)) = few {
-            let before = if begun { quote!(#name) } else { self.lifted(quote!(0.0)) };
+            let before = if begun { quote!(#name) } else { self.lift(quote!(0.0)) };
             return quote!(let #name = window.#plus(#places, #before, #value););
         }
         if begun { quote!(let #name = #name + #value;) } else { quote!(let #name = #value;) }
     }
 }
 
-/// All shares of a lattice in order, with zero for those that no site has.
-pub(crate) fn shares(lattice: &Gathered, names: &Names) -> Vec<TokenStream> {
+/// All contributions of a lattice in order, with zero for those that no site has.
+pub(crate) fn contributions(lattice: &Stencil, names: &Names) -> Vec<TokenStream> {
     let wide = &names.wide;
-    let named = |onward: &Vec<usize>| match lattice.shares.iter().any(|share| share.onward() == *onward) {
-        true => share(onward).to_token_stream(),
-        false => quote!(#wide::of(0.0)),
-    };
+    let named =
+        |onward: &Vec<usize>| match lattice.contributions.iter().any(|contribution| contribution.onward() == *onward) {
+            true => contribution(onward).to_token_stream(),
+            false => quote!(#wide::of(0.0)),
+        };
     lattice.places().iter().map(named).collect()
 }

@@ -4,7 +4,7 @@ mod formula;
 mod naming;
 
 use crate::{
-    differentiate::{Contribution, folded},
+    differentiate::{Contribution, fold_branches},
     graph::{
         Comparison, Element, Node, NodeId, Part,
         index::{Index, IndexId, LoopId, LoopSet},
@@ -21,7 +21,7 @@ use syn::{BinOp, Expr, ExprUnary, Lit, UnOp};
 
 /// The equations of motion, one line each.
 pub(crate) fn equations(model: &mut Model, kinetic: &[Contribution], potential: &[Contribution]) -> Vec<String> {
-    let [kinetic, potential] = [kinetic, potential].map(|gradient| folded(&mut model.graph, gradient));
+    let [kinetic, potential] = [kinetic, potential].map(|gradient| fold_branches(&mut model.graph, gradient));
     let (drift, kick) = (is_direct(&model.graph.loops, &kinetic), is_direct(&model.graph.loops, &potential));
     let values = kinetic.iter().chain(&potential).map(|contribution| contribution.value);
     let formulas = Formulas::with_names(model, &values.collect::<Vec<_>>());
@@ -35,7 +35,7 @@ pub(crate) fn ranges(model: &Model, loops: LoopSet) -> Vec<String> {
 }
 
 /// The equations of motion as the documentation of the implementation.
-pub(crate) fn documented_motion(
+pub(crate) fn motion_documentation(
     model: &mut Model,
     kinetic: &[Contribution],
     potential: &[Contribution],

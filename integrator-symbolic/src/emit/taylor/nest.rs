@@ -16,7 +16,7 @@ use crate::{
     model::Model,
     program::{
         Item, Program,
-        nest::{Nest, Surroundings},
+        nest::{Nest, NestContext},
     },
     taylor::Recurrences,
 };
@@ -46,9 +46,9 @@ impl Given {
         };
         let read: Vec<NodeId> = nest.reads.iter().map(|(id, _)| *id).collect();
         let (reads, mut constants, common) =
-            (all(&read, "read"), all(&nest.constants, "constant"), all(&nest.common, "common"));
-        let holds = all(&nest.flags, "holds");
-        let ids = read.iter().chain(&nest.constants).chain(&nest.common).chain(&nest.flags);
+            (all(&read, "read"), all(&nest.constants, "constant"), all(&nest.invariants, "common"));
+        let holds = all(&nest.predicates, "holds");
+        let ids = read.iter().chain(&nest.constants).chain(&nest.invariants).chain(&nest.predicates);
         let names = reads.iter().chain(&constants).chain(&common).chain(&holds);
         let names = ids.copied().zip(names.cloned()).collect();
         let mut flags = TokenStream::new();
@@ -62,12 +62,12 @@ impl Given {
 }
 
 /// What is known of a program around its loops.
-pub(super) fn surroundings<'s>(
+pub(super) fn nest_context<'s>(
     model: &'s Model,
     program: &'s Program,
     recurrences: &'s Recurrences,
-) -> Surroundings<'s> {
-    Surroundings { graph: &model.graph, named: &program.named, operands: &recurrences.operands }
+) -> NestContext<'s> {
+    NestContext { graph: &model.graph, named: &program.named, operands: &recurrences.operands }
 }
 
 /// Which numbers an iteration reads together: the first components of a point, in their order, or one alone.
@@ -99,7 +99,7 @@ impl Writer<'_> {
             return None;
         }
         let Source { model, program, recurrences, .. } = self.source;
-        surroundings(model, program, recurrences).nests(by, body)
+        nest_context(model, program, recurrences).nests(by, body)
     }
 
     /// A loop, whose iterations keep what they compute each in a place of its own.
@@ -119,7 +119,7 @@ impl Writer<'_> {
             let (runtime, list, next) = (self.printer.runtime, list(number), tape::next(number));
             quote!(let #at = #runtime::iteration(&mut tape.#list, &mut #next);)
         });
-        self.printer.looped(fields, by, &quote!(#iteration #body))
+        self.printer.loop_over(fields, by, &quote!(#iteration #body))
     }
 
     /// A nest of loops: its iterations are laid out once, and computed in rows.
@@ -176,7 +176,7 @@ impl Writer<'_> {
         };
 
         let taken = self.taken(fields, nest, &points, &iterations, &found);
-        let common = nest.common.iter().map(|id| {
+        let common = nest.invariants.iter().map(|id| {
             let value = self.printer.expression(fields, *id).tokens;
             quote!(#runtime::spread(#value))
         });
@@ -271,12 +271,12 @@ impl Writer<'_> {
         let reads: Vec<_> = points.iter().map(|point| printer.in_row(fields, nest.reads[point[0]].1)).collect();
         let targets: Vec<_> = nest.targets.iter().map(|element| printer.in_row(fields, *element)).collect();
         let mut constants: Vec<_> = nest.constants.iter().map(|id| printer.computation(fields, *id).tokens).collect();
-        constants.extend(nest.flags.iter().map(|id| {
+        constants.extend(nest.predicates.iter().map(|id| {
             let holds = printer.computation(fields, *id).tokens;
             quote!(#scalar::select(#holds, #scalar::of(1.0), #scalar::of(0.0)))
         }));
         let take = quote!(tape.#iterations.take([#(#reads),*], [#(#constants),*], [#(#targets),*]););
-        let take = nest.loops.iter().rev().fold(take, |take, by| printer.looped(fields, *by, &take));
+        let take = nest.loops.iter().rev().fold(take, |take, by| printer.loop_over(fields, *by, &take));
         self.printer.names = named;
         let targets = nest.targets.iter().zip(&found.targets).map(|(element, (value, negative))| {
             let value = Literal::usize_unsuffixed(*value);

@@ -8,7 +8,7 @@ use super::{
     ahead::Mobilities,
     implementation::{Kind, implementation},
     moves::{Found, Moves, next},
-    nest::surroundings,
+    nest::nest_context,
     pass::Pass,
     recurrence::Series,
     tape::{Iterations, Kept, Record, Tape},
@@ -25,7 +25,7 @@ use crate::{
     },
     graph::{Graph, Node, NodeId},
     model::Model,
-    program::{Asked, Item, Placed, Program, Sink, schedule_with},
+    program::{Constraints, Item, Program, Sink, Store, schedule_with},
     taylor::{Recurrences, mobilities, signed},
 };
 use proc_macro2::{Ident, Literal, Span, TokenStream};
@@ -49,13 +49,13 @@ pub(crate) fn orders(
     mut potential: Vec<Contribution>,
 ) -> Orders {
     let recurrences = Recurrences::of(&mut model.graph, [&mut kinetic, &mut potential]);
-    let asked = asked(&model.graph, &recurrences);
+    let constraints = constraints(&model.graph, &recurrences);
     let program = |model: &mut Model, kinetic: &[Contribution], potential: &[Contribution]| {
-        let placed = placed(&mut model.graph, kinetic, potential);
+        let stores = stores(&mut model.graph, kinetic, potential);
         let is_read =
             |graph: &Graph, id| matches!(graph.node(id), Node::Coordinate(_) | Node::Time | Node::Middle | Node::Step);
         let leaf = |graph: &Graph, id| is_read(graph, id) || is_leaf(graph, &model.parameters, id);
-        schedule_with(&model.graph, &placed, leaf, &asked)
+        schedule_with(&model.graph, &stores, leaf, &constraints)
     };
     let all = program(model, &kinetic, &potential);
     let rolled = matches!(Moves::of(&model.graph, &all.items), Moves::InPlace);
@@ -65,7 +65,7 @@ pub(crate) fn orders(
         Some(mobilities) => (program(model, &[], &potential), None, Some(Mobilities::of(&mobilities))),
         None => (all, None, None),
     };
-    let interleaved = rolled && surroundings(model, &program, &recurrences).reads_neighbours(&program.items);
+    let interleaved = rolled && nest_context(model, &program, &recurrences).reads_neighbours(&program.items);
     let frame = Frame::Series { interleaved: interleaved.then(|| Places::of(&model.graph)) };
     let source = Source { model, names, program: &program, frame: &frame, recurrences: &recurrences };
     let mut writer = Writer::new(&source, Record::of("tape", Iterations::Once));
@@ -104,9 +104,9 @@ pub(crate) fn orders(
 }
 
 /// Recurrences have lines of their own, and read the series of slopes where they stand.
-fn asked(graph: &Graph, recurrences: &Recurrences) -> Asked {
+fn constraints(graph: &Graph, recurrences: &Recurrences) -> Constraints {
     let beside = |slopes: &[Option<NodeId>; 2]| slopes.iter().flatten().map(|slope| signed(graph, *slope).1).collect();
-    Asked {
+    Constraints {
         named: recurrences.kept.union(&recurrences.nonlinear).copied().collect(),
         beside: recurrences.slopes.iter().map(|(id, slopes)| (*id, beside(slopes))).collect(),
     }
@@ -114,17 +114,17 @@ fn asked(graph: &Graph, recurrences: &Recurrences) -> Asked {
 
 /// The values that move coordinates: what a sum adds up is added iteration by iteration, so that no iteration waits for
 /// another.
-fn placed(graph: &mut Graph, kinetic: &[Contribution], potential: &[Contribution]) -> Vec<Placed> {
-    let mut placed = Vec::new();
+fn stores(graph: &mut Graph, kinetic: &[Contribution], potential: &[Contribution]) -> Vec<Store> {
+    let mut stores = Vec::new();
     for (gradient, is_force) in [(kinetic, false), (potential, true)] {
         for Contribution { context, element, value } in gradient {
             let value = if is_force { graph.neg(*value) } else { *value };
             let moved = element.partner();
             let addends = crate::taylor::addends(graph, context.clone(), value).into_iter();
-            placed.extend(addends.map(|(context, value)| Placed { context, sink: Sink::Collect(moved), value }));
+            stores.extend(addends.map(|(context, value)| Store { context, sink: Sink::Collect(moved), value }));
         }
     }
-    placed
+    stores
 }
 
 /// What lines are written from.
@@ -228,7 +228,7 @@ impl<'m> Writer<'m> {
         match item {
             Item::Let(_) | Item::SineCosine { .. } => item.named().map(|id| self.value(fields, id)).collect(),
             Item::Begin(id) => {
-                let (name, zero) = (&self.printer.names[id], self.printer.lifted(quote!(0.0)));
+                let (name, zero) = (&self.printer.names[id], self.printer.lift(quote!(0.0)));
                 quote!(let mut #name = #zero;)
             }
             Item::Loop { by, body } => match self.nests(*by, body) {
@@ -282,7 +282,7 @@ impl<'m> Writer<'m> {
     /// A value in the lanes in which all conditions hold, zero elsewhere.
     fn masked(&self, fields: &mut Fields, value: NodeId) -> TokenStream {
         let value = self.printer.expression(fields, value).tokens;
-        let (scalar, zero) = (self.printer.scalar, self.printer.lifted(quote!(0.0)));
+        let (scalar, zero) = (self.printer.scalar, self.printer.lift(quote!(0.0)));
         self.masks.iter().rev().fold(value, |value, mask| quote!(#scalar::select(#mask, #value, #zero)))
     }
 

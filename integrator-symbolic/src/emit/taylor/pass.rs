@@ -116,7 +116,7 @@ impl Writer<'_> {
     fn is_for_two(&self, items: &[Item]) -> bool {
         items.iter().all(|item| match item {
             Item::Loop { by, body } => self.nests(*by, body).is_some_and(|nests| {
-                nests.iter().flat_map(|nest| &nest.common).all(|id| self.printer.graph.is_prepared(*id))
+                nests.iter().flat_map(|nest| &nest.invariants).all(|id| self.printer.graph.is_prepared(*id))
             }),
             Item::Branch { body, .. } => !body.iter().any(|item| matches!(item, Item::Loop { .. })),
             _ => true,

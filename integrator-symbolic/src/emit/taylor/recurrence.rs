@@ -93,7 +93,7 @@ impl Writer<'_> {
         if self.is_unrolled() {
             return self.known_unrolled(&sums);
         }
-        let zero = self.printer.lifted(quote!(0.0));
+        let zero = self.printer.lift(quote!(0.0));
         let (mut middles, mut pairs) = (TokenStream::new(), TokenStream::new());
         for (_, rest, products) in &sums {
             let sum = Sum::of(rest, quote!(order));
@@ -127,7 +127,7 @@ impl Writer<'_> {
         if sums.is_empty() {
             return [TokenStream::new(), TokenStream::new()];
         }
-        let zero = self.printer.lifted(quote!(0.0));
+        let zero = self.printer.lift(quote!(0.0));
         let (low, next, high) = (quote!(low), quote!(next), quote!(high));
         let (mut middles, mut pairs, mut newest) = (TokenStream::new(), TokenStream::new(), TokenStream::new());
         for (id, rest, products) in &sums {
@@ -170,7 +170,7 @@ impl Writer<'_> {
         match weight {
             Weight::None => quote!(#rest = #a * #b;),
             Weight::Half => {
-                let half = self.printer.lifted(quote!(0.5));
+                let half = self.printer.lift(quote!(0.5));
                 quote!(#rest = #half * #a * #b;)
             }
             weight => {
@@ -254,7 +254,7 @@ impl Writer<'_> {
             Node::Power(a, halves) if self.has_no_slopes(id) => {
                 let exponent = Literal::f64_unsuffixed(f64::from(halves) / 2.0);
                 let (function, exponent) = (quote!(#runtime::weight::<#scalar>), exponent.into_token_stream());
-                let number = self.printer.lifted(exponent.clone());
+                let number = self.printer.lift(exponent.clone());
                 let weight = Weight::Power { function, exponent, number, rate: self.rate(a).cloned() };
                 (weight, self.unsigned(fields, a).1, own)
             }
@@ -297,7 +297,7 @@ impl Writer<'_> {
             Node::Power(a, 4) => {
                 let new = self.newest(fields, a);
                 let a = self.unsigned(fields, a).1.of(&quote!(0));
-                let two = self.printer.lifted(quote!(2.0));
+                let two = self.printer.lift(quote!(2.0));
                 quote!(if order == 0 { #new * #new } else { #two * #a.fma(#new, #rest) })
             }
             Node::Div(a, b) => {
@@ -316,8 +316,7 @@ impl Writer<'_> {
             Node::Power(a, halves) if self.has_no_slopes(id) => {
                 let new = self.newest(fields, a);
                 let (inverse, inverted) = self.inverse(id, &new);
-                let exponent =
-                    self.printer.lifted(Literal::f64_unsuffixed(f64::from(halves) / 2.0).into_token_stream());
+                let exponent = self.printer.lift(Literal::f64_unsuffixed(f64::from(halves) / 2.0).into_token_stream());
                 let halves = Literal::i32_unsuffixed(halves);
                 let first = quote!(#inverted #runtime::half_power(#new, #halves));
                 let newest = [[new, quote!(#exponent * #own * #inverse)]];
@@ -342,7 +341,7 @@ impl Writer<'_> {
                 let chained = self.chained(fields, id);
                 if chained.is_empty() {
                     // A function without a slope, such as the sign, stays what it is.
-                    let zero = self.printer.lifted(quote!(0.0));
+                    let zero = self.printer.lift(quote!(0.0));
                     return quote!(if order == 0 { #first } else { #zero });
                 }
                 let negated = self.is_negated(&chained);

@@ -102,7 +102,7 @@ impl Writer<'_> {
     }
 
     fn product_sums(&self, lines: &mut Lines, (id, rest): (NodeId, &Ident), products: &[Products]) {
-        let zero = self.printer.lifted(quote!(0.0));
+        let zero = self.printer.lift(quote!(0.0));
         let early = self.early(id, products);
         let sums = early.iter().chain([rest]);
         lines.begin.extend(quote!(#(let mut #sums = #zero;)*));
@@ -126,7 +126,7 @@ impl Writer<'_> {
         exponent: &TokenStream,
         [a, rate, b]: [&Series; 3],
     ) {
-        let (runtime, zero) = (self.printer.runtime, self.printer.lifted(quote!(0.0)));
+        let (runtime, zero) = (self.printer.runtime, self.printer.lift(quote!(0.0)));
         let halves = ["early", "late"].map(|half| format_ident!("{half}_of_{}", self.printer.names[&id]));
         for half in &halves {
             lines.begin.extend(quote!(let mut #half = [#zero; 2];));
