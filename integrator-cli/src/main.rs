@@ -42,7 +42,7 @@ enum Task {
     ///
     /// Keys of --json:
     ///   file, systems
-    ///   systems: system, line, equations, separable, quadratic_kinetic, autonomous, drift, kick,
+    ///   systems: system, line, parts, equations, separable, quadratic_kinetic, autonomous, drift, kick,
     ///            operations (written, shared, energies, together), compose, composition, admissible
     ///   drift, kick: form (plain, line, plane, row, tiles), places
     ///   places: loops, additions, multiplications, divisions, roots, functions, branches, coordinates

@@ -154,6 +154,7 @@ fn value(system: &System, catalogue: &[Proved]) -> Value {
     json!({
         "system": report.system,
         "line": line,
+        "parts": report.parts,
         "equations": report.equations,
         "separable": true,
         "quadratic_kinetic": report.quadratic_kinetic,

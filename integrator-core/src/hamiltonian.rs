@@ -14,7 +14,10 @@ use crate::{
     methods::taylor::RecurrencesVisitor,
     scalar::real::Real,
     state::{coords::Coords, phase::Phase, precision::Precision},
-    system::motion::{Motion, Prepared},
+    system::{
+        motion::{Motion, Prepared},
+        stated::StatedEnergy,
+    },
     trajectory::{method::Method, run::Run},
 };
 use core::ops::Range;
@@ -66,10 +69,8 @@ pub trait Hamiltonian: Sized {
     /// `V` at the motion's positions.
     fn potential<R: Real, K: Precision>(motion: &Self::Motion<R, K>, time: f64) -> R;
 
-    /// `T` by the user's own function, as it is written: what the generated code is held against.
-    fn stated_kinetic(&self, p: &Self::Coords, time: f64) -> f64;
-    /// `V` by the user's own function, as it is written.
-    fn stated_potential(&self, q: &Self::Coords, time: f64) -> f64;
+    /// The energy by the user's own functions, as they are written: what the generated code is held against.
+    fn stated(&self, q: &Self::Coords, p: &Self::Coords, time: f64) -> StatedEnergy;
 
     /// The sites of a lattice, if it can be moved a segment at a time.
     fn sites<R: Real, K: Precision>(_motion: &mut Self::Motion<R, K>) -> Option<Sites<'_, R, K, Self::Parameters<R>>> {

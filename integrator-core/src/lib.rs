@@ -201,6 +201,7 @@ pub mod __private {
             motion::{Motion, Plain, Prepared},
             not_finite::{all_found, not_finite},
             prepared::in_lanes,
+            stated::StatedEnergy,
         },
     };
     pub use alloc::{sync::Arc, vec::Vec};

@@ -21,6 +21,8 @@ pub struct Report {
     /// `dq[i]/dt = ...` and `dp[i]/dt = ...`, where `+=` marks one of several terms, and `where r = ...` for what has a
     /// name in them.
     pub equations: Vec<String>,
+    /// `T = ...` and `V = ...`, where `hamiltonian` gives all of `H`: which of its terms went where; else nothing.
+    pub parts: Vec<String>,
     /// Whether `T = ½ pᵀ M⁻¹ p` with a constant `M`.
     pub quadratic_kinetic: bool,
     /// Whether neither `T` nor `V` reads the time.
@@ -59,8 +61,8 @@ pub struct Place {
 
 impl fmt::Display for Report {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        for equation in &self.equations {
-            writeln!(f, "{equation}")?;
+        for line in self.parts.iter().chain(&self.equations) {
+            writeln!(f, "{line}")?;
         }
         let kinetic = if self.quadratic_kinetic { "quadratic in p, constant masses" } else { "general" };
         let time = if self.autonomous { "not read" } else { "read" };
@@ -99,6 +101,7 @@ impl fmt::Display for Flow {
 pub(crate) fn report(input: &Input, mut model: Model) -> Report {
     let kinetic = gradient(&mut model.graph, model.kinetic, Part::Momentum);
     let potential = gradient(&mut model.graph, model.potential, Part::Position);
+    let parts = emit::parts(&model);
     let equations = emit::equations(&mut model, &kinetic, &potential);
     let values: Vec<_> = kinetic.iter().chain(&potential).map(|contribution| contribution.value).collect();
     let energies = vec![model.kinetic, model.potential];
@@ -119,6 +122,7 @@ pub(crate) fn report(input: &Input, mut model: Model) -> Report {
             Some(Compose::InPlace(sequence, _)) => sequence.text(),
         },
         equations,
+        parts,
         quadratic_kinetic: model.quadratic,
         autonomous: model.autonomous,
         drift,

@@ -1,7 +1,7 @@
 //! The generated code is held against the user's own functions, whose text may have been misread and whose stated
 //! derivatives may be wrong.
 
-use crate::systems::Misread;
+use crate::systems::{Misread, MisreadWhole};
 use integrator_core::{
     Error,
     check::{Certificate, CertifyError, Shortfall, certify},
@@ -141,6 +141,55 @@ fn a_text_that_is_misread_is_told_where_it_shows() {
     assert_eq!((misread.generated, misread.stated), (sum, square * square + misread.q[1].powi(2)), "{misread}");
     assert!(certificate.agreement.is_none(), "{certificate}");
     assert!(error.to_string().contains("`potential` is misread"), "{error}");
+}
+
+/// All of H in one function, with a stated derivative that may be wrong.
+#[derive(Clone)]
+struct InOne {
+    slope: f64,
+}
+
+#[hamiltonian]
+impl InOne {
+    fn hamiltonian(&self, [x, y]: [f64; 2], p: [f64; 2]) -> f64 {
+        p.iter().map(|p| 0.5 * p * p).sum::<f64>() + self.table(x) + 0.5 * y * y
+    }
+    #[derivative(table_slope)]
+    fn table(&self, x: f64) -> f64 {
+        -x.cos()
+    }
+    #[derivative(table_curvature)]
+    fn table_slope(&self, x: f64) -> f64 {
+        self.slope * x.sin()
+    }
+    fn table_curvature(&self, x: f64) -> f64 {
+        x.cos()
+    }
+}
+
+#[test]
+fn a_hamiltonian_in_one_function_is_held_against_it() {
+    let outcome = |slope| certify(&InOne { slope }, Verlet, Phase::new([0.7, 0.2], [0.3, 0.1]), 0.05);
+    let certificate = outcome(1.0).unwrap_or_else(|error| panic!("{error}"));
+    let agreement = certificate.agreement.expect("as it is written");
+    assert_eq!((agreement.energies, agreement.derivatives, agreement.left_out), (10, 40, 0), "{certificate}");
+    for wrong in [1.0 + 1e-4, 1.0 - 1e-6] {
+        let Err(CertifyError::Refused { shortfalls, .. }) = outcome(wrong) else { panic!("{wrong} passes") };
+        let found = shortfalls
+            .iter()
+            .any(|shortfall| matches!(shortfall, Shortfall::Derivative { function: "hamiltonian", order: 1, .. }));
+        assert!(found, "{shortfalls:?}");
+    }
+    // Where debug assertions are on, the start is refused, and else the certificate.
+    let misread = match certify(&MisreadWhole {}, Verlet, Phase::new([0.7], [0.3]), 0.05) {
+        Err(CertifyError::Run(Error::Misread(misread))) => misread,
+        Err(CertifyError::Refused { shortfalls, .. }) => match &shortfalls[..] {
+            [Shortfall::Misread(misread), ..] => misread.clone(),
+            other => panic!("{other:?}"),
+        },
+        other => panic!("{other:?}"),
+    };
+    assert_eq!((misread.function, misread.stated - misread.generated), ("hamiltonian", 1.0));
 }
 
 #[test]

@@ -13,6 +13,7 @@ macro_rules! by_hand {
         kinetic($tm:ident, $tt:ident) $kinetic:block
         potential($vm:ident, $vt:ident) $potential:block
         $(stated_potential($sq:ident) $stated:block)?
+        $(stated_whole($wq:ident, $wp:ident) $whole:block)?
     ) => {
         $(#[$attribute])*
         #[derive(Clone, Default)]
@@ -39,13 +40,13 @@ macro_rules! by_hand {
             fn kick<R: Real, K: Precision>($km: &mut Self::Motion<R, K>, $kd: f64, $kt: f64) $kick
             fn kinetic<R: Real, K: Precision>($tm: &Self::Motion<R, K>, $tt: f64) -> R $kinetic
             fn potential<R: Real, K: Precision>($vm: &Self::Motion<R, K>, $vt: f64) -> R $potential
-            fn stated_kinetic(&self, p: &Self::Coords, time: f64) -> f64 {
-                Self::kinetic::<f64, f64>(&at(self, p), time)
-            }
-            fn stated_potential(&self, q: &Self::Coords, time: f64) -> f64 {
-                let energy = Self::potential::<f64, f64>(&at(self, q), time);
-                $(let $sq = q; let energy = { let _ = energy; $stated };)?
-                energy
+            fn stated(&self, q: &Self::Coords, p: &Self::Coords, time: f64) -> StatedEnergy {
+                let kinetic = Self::kinetic::<f64, f64>(&at(self, p), time);
+                let potential = Self::potential::<f64, f64>(&at(self, q), time);
+                $(let $sq = q; let potential = { let _ = potential; $stated };)?
+                $(let ($wq, $wp) = (q, p); return { let _ = (kinetic, potential); StatedEnergy::Whole($whole) };)?
+                #[allow(unreachable_code, reason = "behind the one that states all of H")]
+                StatedEnergy::Separate { kinetic, potential }
             }
         }
     };
@@ -240,6 +241,16 @@ by_hand! {
     kinetic(m, _t) { R::of(0.5) * (m.p[0].value() * m.p[0].value() + m.p[1].value() * m.p[1].value()) }
     potential(m, _t) { m.q[0].value() * m.q[0].value() + m.q[1].value() * m.q[1].value() }
     stated_potential(q) { q.iter().fold(0.0, |s, x| s * s + x * x) }
+}
+
+by_hand! {
+    /// WRONG: a Hamiltonian in one function, `p²/2 + q² + 1`, whose one is lost.
+    MisreadWhole {}: [f64; 1], autonomous = true;
+    drift(m, d, _t) { m.q[0].fma(R::of(d), m.p[0].value()); }
+    kick(m, d, _t) { m.p[0].fma(R::of(-2.0 * d), m.q[0].value()); }
+    kinetic(m, _t) { R::of(0.5) * m.p[0].value() * m.p[0].value() }
+    potential(m, _t) { m.q[0].value() * m.q[0].value() }
+    stated_whole(q, p) { 0.5 * p[0] * p[0] + q[0] * q[0] + 1.0 }
 }
 
 by_hand! {

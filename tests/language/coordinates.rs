@@ -554,6 +554,40 @@ mod attributes {
     moves!(System, [0.4], [1.0]);
 }
 
+mod whole {
+    use super::*;
+
+    struct System;
+
+    #[hamiltonian]
+    impl System {
+        fn hamiltonian(&self, [x, y]: [f64; 2], p: [f64; 2]) -> f64 {
+            p.iter().map(|p| p * p / 2.0).sum::<f64>() + x * x * y
+        }
+    }
+
+    moves!(System, [0.4, -0.3], [-0.24, 0.16]);
+}
+
+mod whole_at_run_time {
+    use super::*;
+
+    struct System;
+
+    #[hamiltonian]
+    impl System {
+        fn hamiltonian(&self, q: &[f64], p: &[f64], t: f64) -> f64 {
+            let mut h = 0.0;
+            for i in 0..q.len() {
+                h += p[i] * p[i] / 2.0 + t * q[i] * q[i];
+            }
+            h
+        }
+    }
+
+    moves!(System, vec![0.4, -0.3], vec![0.8 * TIME, -0.6 * TIME]);
+}
+
 mod test_particles {
     use super::*;
 

@@ -27,10 +27,10 @@ fn mistakes_are_shown_as_the_compiler_shows_them() {
     let expected = format!(
         "error: this mixes q and p, so H is not separable: a splitting needs H = T(p) + V(q). Change to coordinates in \
          which T depends on p alone, or split H into more parts
-  --> {path}:10:2
+  --> {path}:10:8
    |
 10 | \t0.5 * (p[0] - self.charge * q[1]).powi(2) + 0.5 * p[1] * p[1]
-   | \t^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^
+   | \t      ^^^^^^^^^^^^^^^^^^^^^^^^^^^
 
 error: index 2 is out of bounds: the coordinates are `[f64; 2]`, the last index here is 1
   --> {path}:13:18

@@ -71,8 +71,7 @@ impl Driven {
 
 #[hamiltonian(compose = elsewhere::Theirs)]
 impl Free {
-    fn kinetic(&self, p: [f64; 1]) -> f64 { p[0] * p[0] }
-    fn potential(&self, q: [f64; 1]) -> f64 { 1.0 }
+    fn hamiltonian(&self, q: [f64; 1], p: [f64; 1]) -> f64 { 1.0 + p[0] * p[0] }
 }
 ";
 
@@ -102,6 +101,7 @@ fn forms_loops_and_compositions() {
         (driven, "once: 1 addition, 2 multiplications, 2 sin, 1 coordinate moved"),
         (driven, "composition: Mine, order 2,"),
         (driven, "admissible: those for every T of the catalogue, 57 compositions"),
+        (free, "T = p[0]^2\n    V = 1\n    dq[0]/dt = 2 p[0]"),
         (free, "kick: nothing moves"),
         (free, "composition: elsewhere::Theirs, which is declared elsewhere"),
         (catalogue, "order 10: KahanLi10 33, SofroniouSpaletta10 35"),
@@ -129,6 +129,7 @@ fn json_says_the_same() {
         "kick",
         "line",
         "operations",
+        "parts",
         "quadratic_kinetic",
         "separable",
         "system",

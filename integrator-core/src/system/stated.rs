@@ -35,7 +35,21 @@ const NEARBY: f64 = 256.0;
 #[cfg(debug_assertions)]
 const SMALL: usize = 4096;
 
-/// One of the two functions that a Hamiltonian is made of.
+/// The energy of a state by the user's own functions.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum StatedEnergy {
+    /// By `kinetic` and `potential`.
+    Separate {
+        /// `T`
+        kinetic: f64,
+        /// `V`
+        potential: f64,
+    },
+    /// By `hamiltonian`.
+    Whole(f64),
+}
+
+/// One of the two functions that a Hamiltonian is made of: what depends on the momenta, and what depends on the positions.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Function {
     Kinetic,
@@ -45,34 +59,13 @@ pub(crate) enum Function {
 impl Function {
     pub(crate) const BOTH: [Self; 2] = [Self::Kinetic, Self::Potential];
 
-    pub(crate) fn name(self) -> &'static str {
+    /// The user's function that it is, or is a part of.
+    pub(crate) fn name(self, is_whole: bool) -> &'static str {
         match self {
+            _ if is_whole => "hamiltonian",
             Self::Kinetic => "kinetic",
             Self::Potential => "potential",
         }
-    }
-
-    /// The user's own value.
-    fn stated<H: Hamiltonian>(self, system: &H, state: &Phase<H::Coords>, time: f64) -> f64 {
-        match self {
-            Self::Kinetic => system.stated_kinetic(&state.p, time),
-            Self::Potential => system.stated_potential(&state.q, time),
-        }
-    }
-
-    /// The value of the generated code, and a bound on its rounding.
-    fn generated<H: Hamiltonian>(
-        self,
-        parameters: &H::Parameters<f64>,
-        state: &Phase<H::Coords>,
-        time: f64,
-    ) -> [f64; 2] {
-        let motion = H::Motion::<Bounded, f64>::load(&[parameters; 2], &[state; 2]);
-        let energy = match self {
-            Self::Kinetic => H::kinetic::<Bounded, f64>(&motion, time),
-            Self::Potential => H::potential::<Bounded, f64>(&motion, time),
-        };
-        [energy.lane(0), energy.lane(1)]
     }
 
     /// Whether the user's function and the generated code are the same at a state; `false` where rounding may have made
@@ -84,7 +77,7 @@ impl Function {
     /// # Errors
     /// [`Misread`], where rounding does not explain the difference.
     pub(crate) fn hold(self, state: &Flat, time: f64, values: &dyn Fn(&Flat) -> Values) -> Result<bool, Misread> {
-        let Values { stated, generated, rounding: error } = values(state);
+        let Values { stated, generated, rounding: error, is_whole } = values(state);
         // Subnormal energies count as zero.
         let mut rounding = ROUNDINGS * error + f64::MIN_POSITIVE;
         let agree = |rounding: f64| match [stated, generated].map(f64::is_finite) {
@@ -101,7 +94,7 @@ impl Function {
             return Ok(true);
         }
         let (q, p) = (state.q.clone(), state.p.clone());
-        Err(Misread { function: self.name(), stated, generated, rounding, time, q, p })
+        Err(Misread { function: self.name(is_whole), stated, generated, rounding, time, q, p })
     }
 }
 
@@ -110,9 +103,12 @@ pub(crate) struct Values {
     pub(crate) stated: f64,
     pub(crate) generated: f64,
     pub(crate) rounding: f64,
+    /// Whether these are values of all of `H`, whose parts the user did not tell apart.
+    pub(crate) is_whole: bool,
 }
 
-/// The values of a function.
+/// The values of a function; where the user wrote all of `H` in one, those of all of `H`, which changes with the coordinates of
+/// either part as that part does.
 pub(crate) fn values<H: Hamiltonian>(
     function: Function,
     system: &H,
@@ -120,9 +116,15 @@ pub(crate) fn values<H: Hamiltonian>(
     state: &Phase<H::Coords>,
     time: f64,
 ) -> Values {
-    let stated = function.stated(system, state, time);
-    let [generated, rounding] = function.generated::<H>(parameters, state, time);
-    Values { stated, generated, rounding }
+    let motion = H::Motion::<Bounded, f64>::load(&[parameters; 2], &[state; 2]);
+    let kinetic = || H::kinetic::<Bounded, f64>(&motion, time);
+    let potential = || H::potential::<Bounded, f64>(&motion, time);
+    let (stated, generated, is_whole) = match (system.stated(&state.q, &state.p, time), function) {
+        (StatedEnergy::Separate { kinetic: stated, .. }, Function::Kinetic) => (stated, kinetic(), false),
+        (StatedEnergy::Separate { potential: stated, .. }, Function::Potential) => (stated, potential(), false),
+        (StatedEnergy::Whole(stated), _) => (stated, kinetic() + potential(), true),
+    };
+    Values { stated, generated: generated.lane(0), rounding: generated.lane(1), is_whole }
 }
 
 /// The scatter of the difference of both next to a state. The rounding of prepared numbers that nearly cancel in the

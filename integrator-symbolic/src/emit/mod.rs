@@ -24,7 +24,7 @@ use flow::{Flows, constants::Constants, force_gradient, pieces::Pieces, stated};
 use printer::{fields::Fields, function::Body, names::Names};
 use proc_macro2::TokenStream;
 use prose::{Formulas, motion_documentation};
-pub(crate) use prose::{equations, ranges};
+pub(crate) use prose::{equations, parts, ranges};
 use quote::quote;
 use taylor::orders::{Orders, orders};
 
@@ -94,7 +94,7 @@ impl<'i> Stepper<'i> {
             documentation,
             coordinates: coordinates(&model, &names),
             composition: composition(input, &model, &names),
-            stated: stated::functions(input, &model),
+            stated: stated::function(input, &model, &names),
             autonomous: model.autonomous,
             constants: Constants::of(fields, &mut model, &names),
             flows,

@@ -20,6 +20,7 @@ mod partial;
 mod pieces;
 mod polynomial;
 mod product;
+mod separate;
 
 pub(crate) use access::Access;
 pub use cost::Tally;

@@ -70,12 +70,17 @@ impl Reader<'_> {
             self.errors.at(name, takes(&method, expected, arguments.len()));
             return None;
         }
+        if method != "mul_add" && self.graph.is_mixed(x) {
+            self.not_separable(place);
+            return None;
+        }
         if method == "powi" {
             return self.whole_power(x, &arguments[0], places[0]);
         }
         let numbers: Vec<_> = arguments.iter().zip(places).map(|(value, place)| self.number(value, place)).collect();
         let numbers = numbers.into_iter().collect::<Option<Vec<NodeId>>>()?;
-        let mixed = numbers.iter().zip(places).find(|(number, _)| self.mixes(x, **number));
+        let mut operands = numbers.iter().zip(places);
+        let mixed = operands.find(|(number, _)| self.mixes(x, **number) || self.graph.is_mixed(**number));
         if let Some((_, place)) = mixed.filter(|_| method != "mul_add") {
             self.not_separable(place);
             return None;

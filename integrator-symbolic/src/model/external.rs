@@ -89,8 +89,8 @@ impl Reader<'_> {
         let id = self.external_id(method, Vec::new())?;
         let numbers: Vec<_> = arguments.iter().zip(places).map(|(value, place)| self.number(value, place)).collect();
         let numbers = numbers.into_iter().collect::<Option<Vec<NodeId>>>()?;
-        for (place, later) in numbers.iter().enumerate().skip(1) {
-            if numbers[..place].iter().any(|earlier| self.mixes(*earlier, *later)) {
+        for (place, later) in numbers.iter().enumerate() {
+            if self.graph.is_mixed(*later) || numbers[..place].iter().any(|earlier| self.mixes(*earlier, *later)) {
                 self.not_separable(places[place]);
                 return None;
             }

@@ -47,10 +47,10 @@ use guard::Condition;
 use proc_macro2::{Ident, TokenStream};
 use quote::{ToTokens, quote};
 pub(crate) use shape::{Length, Shape};
-use shape::{Signature, signature};
+use shape::{Signature, WholeSignature, mismatch, signature, whole_signature};
 use sign::is_never_negative;
 use std::collections::HashMap;
-use syn::{ImplItemFn, ItemUse, ReturnType, spanned::Spanned};
+use syn::{ImplItemFn, ItemUse, Pat, ReturnType, spanned::Spanned};
 use text::standing_alone;
 use value::{Value, View};
 
@@ -82,43 +82,31 @@ pub(crate) struct Model {
     pub(crate) autonomous: bool,
     /// How near the elementary functions of the flows have to be.
     pub(crate) functions: Functions,
-    /// What `kinetic` and `potential` are called with; nothing where one of them is missing or a mistake.
-    pub(crate) arguments: Option<[Vec<TokenStream>; 2]>,
+    /// How the user's functions are called; nothing where one of them is missing or a mistake.
+    pub(crate) called: Option<Called>,
 }
 
-/// Reads the two functions of `input`, or notes what is wrong with them.
+/// The arguments of the user's functions, where `self`, references `q` and `p` to the coordinates, and `time` are at hand.
+pub(crate) enum Called {
+    /// Those of `kinetic` and of `potential`.
+    Separate([Vec<TokenStream>; 2]),
+    /// Those of `hamiltonian`.
+    Whole(Vec<TokenStream>),
+}
+
+/// Reads the functions of `input`, or notes what is wrong with them.
 pub(crate) fn model(input: &Input, errors: &mut Errors) -> Option<Model> {
-    let functions = [(Part::Momentum, "kinetic"), (Part::Position, "potential")].map(|(part, name)| {
-        let function = input.function(name);
-        if function.is_none() {
-            let letter = shape::usual_name(part);
-            let message =
-                format!("the impl lacks `fn {name}(&self, {letter}: [f64; N]) -> f64`, one of the two parts of H");
-            errors.at(&input.item.self_ty, message);
-        }
-        function.and_then(|function| Some((part, function, signature(function, part, errors)?)))
-    });
-    if let [Some((_, _, kinetic)), Some((_, potential_function, potential))] = &functions
-        && kinetic.shape.text() != potential.shape.text()
-    {
-        let (q, p) = (potential.shape.text(), kinetic.shape.text());
-        let constants = kinetic.shape.has_constant() || potential.shape.has_constant();
-        let hint = if constants { "; lengths are compared as they are spelled" } else { "" };
-        let message = format!("every position has its momentum: q is `{q}` here, but p is `{p}` in `kinetic`{hint}");
-        errors.at(&potential_function.sig.inputs, message);
-    }
+    let is_separate = input.function("kinetic").is_some() && input.function("potential").is_some();
+    let whole = input.function("hamiltonian").filter(|_| !is_separate);
     let mut reader = Reader::new(input, errors);
-    let energies = functions.map(|function| {
-        let (part, function, signature) = function?;
-        let energy = reader.energy(part, function, &signature);
-        Some((energy?, signature))
-    });
-    let [Some((kinetic, of_kinetic)), Some((potential, of_potential))] = energies else { return None };
-    let (shape, arguments) = (of_kinetic.shape, Some([of_kinetic.arguments, of_potential.arguments]));
+    let (energies, shape, called) = match whole {
+        Some(function) => reader.whole(function)?,
+        None => reader.separate()?,
+    };
     let lengths = [Some(&shape.length), shape.dimension.as_ref()].into_iter().flatten();
     let lengths = lengths.map(|length| reader.length(length)).collect();
     let Reader { mut graph, parameters, running, externals, .. } = reader;
-    let [kinetic, potential] = graph.halved([kinetic, potential]);
+    let [kinetic, potential] = graph.halved(energies);
     let autonomous = !graph.reads_time(kinetic) && !graph.reads_time(potential);
     let quadratic =
         graph.degree(kinetic, Part::Momentum).is_some_and(|degree| degree <= 2) && !graph.reads_time(kinetic);
@@ -134,7 +122,7 @@ pub(crate) fn model(input: &Input, errors: &mut Errors) -> Option<Model> {
         quadratic,
         autonomous,
         functions: input.functions,
-        arguments,
+        called: Some(called),
     })
 }
 
@@ -161,7 +149,7 @@ pub(crate) fn stub(input: &Input) -> Option<Model> {
         quadratic: true,
         autonomous: true,
         functions: input.functions,
-        arguments: None,
+        called: None,
     })
 }
 
@@ -176,6 +164,10 @@ pub(crate) fn of_text(item: &str) -> Model {
         (_, error) => panic!("{item}: {error:?}"),
     }
 }
+
+/// What to say of a Hamiltonian that is no sum of `T(p)` and `V(q)`.
+const NOT_SEPARABLE: &str = "this mixes q and p, so H is not separable: a splitting needs H = T(p) + V(q). Change to \
+                             coordinates in which T depends on p alone, or split H into more parts";
 
 /// A variable.
 struct Binding {
@@ -260,16 +252,68 @@ impl<'i> Reader<'i> {
         }
     }
 
+    /// `T` and `V` by `kinetic` and `potential`.
+    fn separate(&mut self) -> Option<([NodeId; 2], Shape, Called)> {
+        let (input, errors) = (self.input, &mut *self.errors);
+        let functions = [(Part::Momentum, "kinetic"), (Part::Position, "potential")].map(|(part, name)| {
+            let function = input.function(name);
+            if function.is_none() {
+                let letter = shape::usual_name(part);
+                let message =
+                    format!("the impl lacks `fn {name}(&self, {letter}: [f64; N]) -> f64`, one of the two parts of H");
+                errors.at(&input.item.self_ty, message);
+            }
+            function.and_then(|function| Some((part, function, signature(function, part, errors)?)))
+        });
+        if let [Some((_, _, kinetic)), Some((_, potential_function, potential))] = &functions
+            && let Some(message) = mismatch((&potential.shape, " here"), (&kinetic.shape, " in `kinetic`"))
+        {
+            errors.at(&potential_function.sig.inputs, message);
+        }
+        let energies = functions.map(|function| {
+            let (part, function, signature) = function?;
+            let energy = self.energy(part, function, &signature);
+            Some((energy?, signature))
+        });
+        let [Some((kinetic, of_kinetic)), Some((potential, of_potential))] = energies else { return None };
+        let called = Called::Separate([of_kinetic.arguments, of_potential.arguments]);
+        Some(([kinetic, potential], of_kinetic.shape, called))
+    }
+
+    /// `T` and `V` whose sum `hamiltonian` is; notes what of it depends on positions and momenta together.
+    fn whole(&mut self, function: &ImplItemFn) -> Option<([NodeId; 2], Shape, Called)> {
+        let WholeSignature { coordinates: [q, p], shape, time, arguments } = whole_signature(function, self.errors)?;
+        self.shape = Some(shape.clone());
+        self.length(&shape.length);
+        self.scopes.push(HashMap::new());
+        self.bind(q, Value::View(View { part: Part::Position, at: Vec::new() }));
+        self.bind(p, Value::View(View { part: Part::Momentum, at: Vec::new() }));
+        self.bind_time(time);
+        let value = self.returned(&function.block);
+        self.scopes.pop();
+        let energy = self.as_energy(value?, function)?;
+        let energies = self.graph.separated(energy);
+        if energies.is_none() {
+            self.errors.at(&function.sig.ident, NOT_SEPARABLE);
+        }
+        Some((energies?, shape, Called::Whole(arguments)))
+    }
+
+    /// Binds the explicit time, where there is one.
+    fn bind_time(&mut self, time: Option<&Pat>) {
+        if let Some(time) = time {
+            let node = self.graph.time();
+            self.bind(time, Value::Real(node));
+        }
+    }
+
     /// The energy that a function gives.
     fn energy(&mut self, part: Part, function: &ImplItemFn, signature: &Signature<'_>) -> Option<NodeId> {
         self.shape = Some(signature.shape.clone());
         self.length(&signature.shape.length);
         self.scopes.push(HashMap::new());
         self.bind(signature.own, Value::View(View { part, at: Vec::new() }));
-        if let Some(time) = signature.time {
-            let time_node = self.graph.time();
-            self.bind(time, Value::Real(time_node));
-        }
+        self.bind_time(signature.time);
         self.misplaced = false;
         self.foreign = None;
         if let Some(foreign) = signature.foreign {
@@ -283,7 +327,11 @@ impl<'i> Reader<'i> {
             self.note_foreign(foreign, part, &function.sig.ident);
             return None;
         }
-        let value = value?;
+        self.as_energy(value?, function)
+    }
+
+    /// The number that a function ends in.
+    fn as_energy(&mut self, value: Value, function: &ImplItemFn) -> Option<NodeId> {
         match self.real(&value) {
             Some(energy) => Some(energy),
             // That nothing is returned was noted when the signature was read.

@@ -1,7 +1,7 @@
 //! Operators: signs, arithmetic, comparisons and casts.
 
 use super::{
-    Reader,
+    NOT_SEPARABLE, Reader,
     statement::simple_name,
     text::{mentions_item, referent},
     value::{Opaque, Value},
@@ -112,7 +112,13 @@ impl Reader<'_> {
         }
         let (a, b) = (self.number(&left, left_place), self.number(&right, right_place));
         let (a, b) = (a?, b?);
-        if matches!(op, BinOp::Mul(_) | BinOp::Div(_) | BinOp::Rem(_)) && self.mixes(a, b) {
+        let mixes = match op {
+            BinOp::Mul(_) => self.mixes(a, b),
+            BinOp::Div(_) => self.mixes(a, b) || self.graph.is_mixed(b),
+            BinOp::Rem(_) => self.mixes(a, b) || self.graph.is_mixed(a) || self.graph.is_mixed(b),
+            _ => false,
+        };
+        if mixes {
             self.not_separable(whole);
             return None;
         }
@@ -135,20 +141,17 @@ impl Reader<'_> {
         })
     }
 
-    /// Whether two factors depend on positions and momenta together.
+    /// Whether two factors depend on positions and momenta together, and both of them on some.
     pub(super) fn mixes(&self, a: NodeId, b: NodeId) -> bool {
-        let reads = |part| self.graph.reads(a, part) || self.graph.reads(b, part);
-        reads(Part::Position) && reads(Part::Momentum)
+        let [a, b] = [a, b].map(|id| [Part::Position, Part::Momentum].map(|part| self.graph.reads(id, part)));
+        let both = (0..2).all(|part| a[part] || b[part]);
+        both && a.contains(&true) && b.contains(&true)
     }
 
     /// Notes that the Hamiltonian is not separable.
     pub(super) fn not_separable(&mut self, place: &Expr) {
         self.misplaced = true;
-        self.errors.at(
-            place,
-            "this mixes q and p, so H is not separable: a splitting needs H = T(p) + V(q). Change to coordinates in \
-             which T depends on p alone, or split H into more parts",
-        );
+        self.errors.at(place, NOT_SEPARABLE);
     }
 
     pub(super) fn cast(&mut self, cast: &ExprCast) -> Option<Value> {

@@ -6,7 +6,7 @@ use crate::{
     graph::Part,
 };
 use proc_macro2::{Ident, Span, TokenStream};
-use quote::quote;
+use quote::{ToTokens, quote};
 use syn::{
     Expr, ExprLit, FnArg, GenericArgument, GenericParam, ImplItemFn, Lit, Pat, PatType, PathArguments, ReceiverKind,
     ReturnType, Safety, Type,
@@ -201,16 +201,23 @@ fn is_named(pattern: &Pat, name: &str) -> bool {
     matches!(pattern, Pat::Ident(pattern) if pattern.ident == name)
 }
 
-/// Reads the signature of `function`, which gives the energy of `part`.
-pub(crate) fn signature<'f>(function: &'f ImplItemFn, part: Part, errors: &mut Errors) -> Option<Signature<'f>> {
-    let (name, letter) = (&function.sig.ident, usual_name(part));
+/// The arguments of a function that gives an energy.
+struct Inputs<'f> {
+    coordinates: Vec<&'f PatType>,
+    time: Option<&'f Pat>,
+    /// What the function is called with.
+    arguments: Vec<TokenStream>,
+}
+
+/// Sorts the arguments of `function`; the coordinates are at hand under these names, in their order.
+fn inputs<'f>(function: &'f ImplItemFn, usual: &[&str], errors: &mut Errors) -> Inputs<'f> {
+    let name = &function.sig.ident;
     match &function.sig.output {
         ReturnType::Type(_, kind) if is_f64(kind) => {}
         ReturnType::Type(_, kind) => errors.at(kind, format!("`{name}` gives an energy: it has to return f64")),
         ReturnType::Default => errors.at(name, format!("`{name}` gives an energy: it has to return f64, `-> f64`")),
     }
     callable(function, errors);
-    let usual = Ident::new(letter, Span::call_site());
     let (mut coordinates, mut time, mut arguments) = (Vec::new(), None, Vec::new());
     for argument in &function.sig.inputs {
         match argument {
@@ -218,16 +225,70 @@ pub(crate) fn signature<'f>(function: &'f ImplItemFn, part: Part, errors: &mut E
                 errors.at(receiver, format!("`{name}` only looks at the parameters: it has to take `&self`"));
             }
             FnArg::Receiver(_) => arguments.push(quote!(self)),
-            FnArg::Typed(argument) if is_f64(&argument.ty) && !coordinates.is_empty() && time.is_none() => {
+            FnArg::Typed(argument) if is_f64(&argument.ty) && coordinates.len() >= usual.len() && time.is_none() => {
                 time = Some(&*argument.pat);
                 arguments.push(passed(&argument.ty, &quote!(time), false));
             }
             FnArg::Typed(argument) => {
+                let usual = Ident::new(usual[coordinates.len().min(usual.len() - 1)], Span::call_site());
                 coordinates.push(argument);
                 arguments.push(passed(&argument.ty, &quote!(#usual), true));
             }
         }
     }
+    Inputs { coordinates, time, arguments }
+}
+
+/// The arguments of a function that gives all of H.
+pub(crate) struct WholeSignature<'f> {
+    /// The positions and the momenta.
+    pub(crate) coordinates: [&'f Pat; 2],
+    pub(crate) shape: Shape,
+    pub(crate) time: Option<&'f Pat>,
+    /// What the function is called with, where `self`, references `q` and `p` to the coordinates, and `time` are at hand.
+    pub(crate) arguments: Vec<TokenStream>,
+}
+
+/// Reads the signature of a function of positions and momenta.
+pub(crate) fn whole_signature<'f>(function: &'f ImplItemFn, errors: &mut Errors) -> Option<WholeSignature<'f>> {
+    let name = &function.sig.ident;
+    let Inputs { coordinates, time, arguments } = inputs(function, &["q", "p"], errors);
+    let [q, p] = coordinates[..] else {
+        let message = format!(
+            "`{name}` takes the positions, the momenta and perhaps the time: `fn {name}(&self, q: [f64; N], p: [f64; N]) -> f64`"
+        );
+        errors.at(
+            if coordinates.is_empty() { name.to_token_stream() } else { function.sig.inputs.to_token_stream() },
+            message,
+        );
+        return None;
+    };
+    if is_named(&q.pat, "p") || is_named(&p.pat, "q") {
+        errors.at(&function.sig.inputs, format!("positions come first: `fn {name}(&self, q, p)`"));
+        return None;
+    }
+    let (shape, of_momenta) = (Shape::of(&q.ty, errors), Shape::of(&p.ty, errors));
+    let (shape, of_momenta) = (shape?, of_momenta?);
+    if let Some(message) = mismatch((&shape, ""), (&of_momenta, " here")) {
+        errors.at(&p.ty, message);
+        return None;
+    }
+    Some(WholeSignature { coordinates: [&q.pat, &p.pat], shape, time, arguments })
+}
+
+/// Why positions and momenta of these shapes are not as many, where each stands somewhere.
+pub(crate) fn mismatch(positions: (&Shape, &str), momenta: (&Shape, &str)) -> Option<String> {
+    let ((of_positions, here), (of_momenta, there)) = (positions, momenta);
+    let (q, p) = (of_positions.text(), of_momenta.text());
+    let constants = of_positions.has_constant() || of_momenta.has_constant();
+    let hint = if constants { "; lengths are compared as they are spelled" } else { "" };
+    (q != p).then(|| format!("every position has its momentum: q is `{q}`{here}, but p is `{p}`{there}{hint}"))
+}
+
+/// Reads the signature of `function`, which gives the energy of `part`.
+pub(crate) fn signature<'f>(function: &'f ImplItemFn, part: Part, errors: &mut Errors) -> Option<Signature<'f>> {
+    let (name, letter) = (&function.sig.ident, usual_name(part));
+    let Inputs { coordinates, time, arguments } = inputs(function, &[letter], errors);
     let (own, foreign) = match coordinates[..] {
         [own] => (own, None),
         [first, second] if is_named(&first.pat, letter) || is_named(&second.pat, usual_name(part.other())) => {

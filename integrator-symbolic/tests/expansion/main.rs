@@ -107,18 +107,18 @@ fn functions_of_the_flows_are_fast_where_that_is_asked() {
 #[test]
 fn the_functions_are_called_as_they_are() {
     let rows = [
-        ("&self, q: [f64; 1]", "_time", "self, *q"),
-        ("&self, q: ([[f64; 3]; 4]), t: f64", "time", "self, *q, time"),
-        ("&self, q: &[f64; 1], _: &f64", "time", "self, q, &time"),
-        ("&self, &[x]: &[f64; 1]", "_time", "self, q"),
-        ("&self, q: &[f64]", "_time", "self, q"),
-        ("&self, q: &mut [[f64; 2]]", "_time", "self, &mut q.clone()"),
-        ("&self, q: &Vec<[f64; 3]>", "_time", "self, q"),
-        ("&self, q: &&[f64]", "_time", "self, &&q[..]"),
-        ("&self, q: &&[f64; 2]", "_time", "self, &q"),
-        ("q: [f64; 1]", "_time", "*q"),
+        ("&self, q: [f64; 1]", "self, *q"),
+        ("&self, q: ([[f64; 3]; 4]), t: f64", "self, *q, time"),
+        ("&self, q: &[f64; 1], _: &f64", "self, q, &time"),
+        ("&self, &[x]: &[f64; 1]", "self, q"),
+        ("&self, q: &[f64]", "self, q"),
+        ("&self, q: &mut [[f64; 2]]", "self, &mut q.clone()"),
+        ("&self, q: &Vec<[f64; 3]>", "self, q"),
+        ("&self, q: &&[f64]", "self, &&q[..]"),
+        ("&self, q: &&[f64; 2]", "self, &q"),
+        ("q: [f64; 1]", "*q"),
     ];
-    for (signature, time, arguments) in rows {
+    for (signature, arguments) in rows {
         let kind: syn::ImplItemFn = syn::parse_str(&format!("fn f({signature}) {{}}")).expect("a function");
         let of_coordinates = |argument: &syn::FnArg| match argument {
             syn::FnArg::Typed(argument) => Some(quote!(#argument).to_string()),
@@ -135,10 +135,72 @@ fn the_functions_are_called_as_they_are() {
                 }}"
             ),
         );
-        let text = text.split_once("fn stated_potential").expect("the call").1;
-        let expected =
-            format!("(&self, q: &Self::Coords, {time}: f64) -> f64 {{\n            Self::potential({arguments})");
-        assert!(text.starts_with(&expected), "{signature}: {text}");
+        assert!(text.contains(&format!("potential: Self::potential({arguments}),")), "{signature}: {text}");
+    }
+    for (signature, arguments) in [
+        ("&self, q: [f64; 1], p: [f64; 1]", "self, *q, *p"),
+        ("&self, [x]: [f64; 1], p: &[f64; 1], t: f64", "self, *q, p, time"),
+    ] {
+        let text = stepper("", &format!("impl System {{ fn hamiltonian({signature}) -> f64 {{ 0.0 }} }}"));
+        assert!(text.contains(&format!("Whole(Self::hamiltonian({arguments}))")), "{signature}: {text}");
+    }
+}
+
+/// The rows are H in one function, and the two functions that it is the sum of.
+#[test]
+fn one_function_is_sorted_into_two() {
+    let rows = [
+        (
+            "&self, [x, y]: [f64; 2], [px, py]: [f64; 2]",
+            "0.5 * (px * px + py * py) + 0.5 * (x * x + y * y) + x * x * y - y.powi(3) / 3.0",
+            "0.5 * (px * px + py * py)",
+            "0.5 * (x * x + y * y) + x * x * y - y.powi(3) / 3.0",
+        ),
+        // Terms of sums in loops, with factors around them.
+        (
+            "&self, q: &[f64], p: &[f64]",
+            "let mut h = 0.0; for i in 0..q.len() { h += p[i] * p[i] / self.m[i] - q[i].cos(); } 0.5 * h",
+            "let mut h = 0.0; for i in 0..p.len() { h += p[i] * p[i] / self.m[i]; } 0.5 * h",
+            "let mut h = 0.0; for i in 0..q.len() { h -= q[i].cos(); } 0.5 * h",
+        ),
+        // A condition belongs to what reads its coordinates.
+        (
+            "&self, q: [f64; 1], p: [f64; 1], t: f64",
+            "let v = if q[0] > 0.0 { q[0].powi(4) + p[0] * p[0] } else { p[0] * p[0] }; v + t * p[0]",
+            "p[0] * p[0] + t * p[0]",
+            "if q[0] > 0.0 { q[0].powi(4) } else { 0.0 }",
+        ),
+        // What reads neither belongs to the potential energy.
+        ("&self, q: [f64; 1], p: [f64; 1]", "p[0] * p[0] + self.rest", "p[0] * p[0]", "self.rest"),
+        // By helper methods, one of which has the name of a part.
+        (
+            "&self, q: [f64; 1], p: [f64; 1]",
+            "self.kinetic(p) + (1.0 - q[0].cos())",
+            "p[0] * p[0] / (2.0 * self.m)",
+            "1.0 - q[0].cos()",
+        ),
+    ];
+    for (arguments, whole, kinetic, potential) in rows {
+        let parts = arguments.split(", ").collect::<Vec<_>>().join(", ");
+        let inputs: syn::ImplItemFn = syn::parse_str(&format!("fn f({parts}) {{}}")).expect("a function");
+        let inputs: Vec<String> = inputs.sig.inputs.iter().map(|input| quote!(#input).to_string()).collect();
+        let time = inputs.get(3).map_or(String::new(), |time| format!(", {time}"));
+        let helper = "fn kinetic(&self, p: [f64; 1]) -> f64 { p[0] * p[0] / (2.0 * self.m) }";
+        let helper = if whole.contains("self.kinetic") { helper } else { "" };
+        let in_one = format!("impl System {{ fn hamiltonian({arguments}) -> f64 {{ {whole} }} {helper} }}");
+        let in_two = format!(
+            "impl System {{
+                fn kinetic(&self, {}{time}) -> f64 {{ {kinetic} }}
+                fn potential(&self, {}{time}) -> f64 {{ {potential} }}
+            }}",
+            inputs[2], inputs[1]
+        );
+        let written = |text: &str| {
+            let text = stepper("", text);
+            let (_, flows) = text.split_once("fn drift<").expect("a drift");
+            flows.split_once("fn stated").expect("the user's functions").0.to_owned()
+        };
+        assert_eq!(written(&in_one), written(&in_two), "{whole}");
     }
 }
 

@@ -166,6 +166,40 @@ pub(crate) const ITEMS: &[Row] = &[
         &["2:67 T(p) may not read the position `q`: a term in `q` alone belongs in `potential`"],
     ),
     (
+        "impl System {\nfn hamiltonian(&self, q: [f64; 2], p: [f64; 2]) -> f64 {\n0.5 * p[0] * p[0] + q[0] * p[1] - q[1].cos() }}",
+        &[
+            "3:20 this mixes q and p, so H is not separable: a splitting needs H = T(p) + V(q). Change to coordinates in which T depends on p alone, or split H into more parts",
+        ],
+    ),
+    (
+        "impl System {\nfn hamiltonian(&self, q: [f64; 1], p: [f64; 1]) -> f64 {\n(q[0] + p[0]).powi(2) + (q[0] - p[0]).sin() + 1.0 / (q[0] + p[0]) }}",
+        &[
+            "3:0 this mixes q and p, so H is not separable: a splitting needs H = T(p) + V(q). Change to coordinates in which T depends on p alone, or split H into more parts",
+            "3:24 this mixes q and p, so H is not separable: a splitting needs H = T(p) + V(q). Change to coordinates in which T depends on p alone, or split H into more parts",
+            "3:46 this mixes q and p, so H is not separable: a splitting needs H = T(p) + V(q). Change to coordinates in which T depends on p alone, or split H into more parts",
+        ],
+    ),
+    (
+        "impl System {\nfn hamiltonian(&self, q: [f64; 1], p: [f64; 1]) -> f64 { if q[0] > p[0] { p[0] } else { 2.0 * p[0] } } }",
+        &[
+            "2:3 this mixes q and p, so H is not separable: a splitting needs H = T(p) + V(q). Change to coordinates in which T depends on p alone, or split H into more parts",
+        ],
+    ),
+    (
+        "impl System {\nfn hamiltonian(&self, p: [f64; 1], q: [f64; 1]) -> f64 { p[0] + q[0] } }",
+        &["2:15 positions come first: `fn hamiltonian(&self, q, p)`"],
+    ),
+    (
+        "impl System {\nfn hamiltonian(&self, q: [f64; 1]) -> f64 { q[0] } }",
+        &[
+            "2:15 `hamiltonian` takes the positions, the momenta and perhaps the time: `fn hamiltonian(&self, q: [f64; N], p: [f64; N]) -> f64`",
+        ],
+    ),
+    (
+        "impl System {\nfn hamiltonian(&self, q: [f64; 1], p: [f64; 2]) -> f64 { q[0] + p[0] } }",
+        &["2:38 every position has its momentum: q is `[f64; 1]`, but p is `[f64; 2]` here"],
+    ),
+    (
         "impl System {\nfn kinetic(&self, q: [f64; 1], p: [f64; 1]) -> f64 {\np[0] / q[0] + p[0].powf(q[0]) + p[0].mul_add(q[0], 1.0) }\nfn potential(&self, q: [f64; 1]) -> f64 { q[0] } }",
         &[
             "3:0 this mixes q and p, so H is not separable: a splitting needs H = T(p) + V(q). Change to coordinates in which T depends on p alone, or split H into more parts",

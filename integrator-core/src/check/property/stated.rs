@@ -216,7 +216,8 @@ impl Point<'_> {
             return Ok(true);
         }
         let (time, state) = (self.time, numbers(self.state).collect());
-        let function = self.function.name();
+        let Values { is_whole, .. } = self.system.values(self.function, self.state, self.time);
+        let function = self.function.name(is_whole);
         Err(Shortfall::Derivative { function, order, stated, generated, tolerance, time, state })
     }
 }

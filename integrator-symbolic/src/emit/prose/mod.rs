@@ -9,7 +9,7 @@ use crate::{
         Comparison, Element, Node, NodeId, Part,
         index::{Index, IndexId, LoopId, LoopSet},
     },
-    model::Model,
+    model::{Called, Model},
     program::is_direct,
 };
 use formula::{Formula, Kind, Tie};
@@ -29,6 +29,16 @@ pub(crate) fn equations(model: &mut Model, kinetic: &[Contribution], potential: 
     motion.chain(formulas.definitions()).collect()
 }
 
+/// `T = ...` and `V = ...`, where the user wrote all of `H` in one function; of a long formula, that it is long.
+pub(crate) fn parts(model: &Model) -> Vec<String> {
+    if !matches!(model.called, Some(Called::Whole(_))) {
+        return Vec::new();
+    }
+    let formulas = Formulas::of(model);
+    let formula = |id| formulas.short(id).unwrap_or_else(|| format!("a formula of {} operations", formulas.size(id)));
+    vec![format!("T = {}", formula(model.kinetic)), format!("V = {}", formula(model.potential))]
+}
+
 /// Loops as `i in 0..n`.
 pub(crate) fn ranges(model: &Model, loops: LoopSet) -> Vec<String> {
     loops.iter().map(|by| Formulas::of(model).range(by)).collect()
@@ -46,8 +56,12 @@ pub(crate) fn motion_documentation(
     } else {
         " `T` is not quadratic in the momenta with a constant mass matrix."
     };
+    let functions = match model.called {
+        Some(Called::Whole(_)) => " The equations of motion, derived from `hamiltonian`:",
+        _ => " The equations of motion, derived from `kinetic` and `potential`:",
+    };
     quote! {
-        /// The equations of motion, derived from `kinetic` and `potential`:
+        #[doc = #functions]
         ///
         /// ```text
         #(#[doc = #lines])*

@@ -158,11 +158,16 @@ const _: () = {
                             .fma(shared_2 * q31, Scalar::of(0.5) * shared_2),
                     ) + sum_0
         }
-        fn stated_kinetic(&self, p: &Self::Coords, _time: f64) -> f64 {
-            Self::kinetic(self, p)
-        }
-        fn stated_potential(&self, q: &Self::Coords, _time: f64) -> f64 {
-            Self::potential(self, q)
+        fn stated(
+            &self,
+            q: &Self::Coords,
+            p: &Self::Coords,
+            time: f64,
+        ) -> runtime::StatedEnergy {
+            runtime::StatedEnergy::Separate {
+                kinetic: Self::kinetic(self, p),
+                potential: Self::potential(self, q),
+            }
         }
         #[inline(always)]
         fn sites<Scalar: runtime::Real, Leaf: runtime::Precision>(

@@ -145,11 +145,16 @@ const _: () = {
             let q0 = motion.q[0].value();
             motion.parameters.prepared_1 * q0 * q0
         }
-        fn stated_kinetic(&self, p: &Self::Coords, _time: f64) -> f64 {
-            Self::kinetic(self, *p)
-        }
-        fn stated_potential(&self, q: &Self::Coords, _time: f64) -> f64 {
-            Self::potential(self, *q)
+        fn stated(
+            &self,
+            q: &Self::Coords,
+            p: &Self::Coords,
+            time: f64,
+        ) -> runtime::StatedEnergy {
+            runtime::StatedEnergy::Separate {
+                kinetic: Self::kinetic(self, *p),
+                potential: Self::potential(self, *q),
+            }
         }
         fn visit_compositions(visitor: &mut impl runtime::Visitor<Self>) {
             runtime::visit_quadratic(visitor);

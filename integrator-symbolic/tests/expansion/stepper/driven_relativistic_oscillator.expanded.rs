@@ -99,11 +99,16 @@ const _: () = {
             (-(motion.parameters.amplitude * q0))
                 .fma((motion.parameters.omega * time).cos(), Scalar::of(0.5) * (q0 * q0))
         }
-        fn stated_kinetic(&self, p: &Self::Coords, _time: f64) -> f64 {
-            Self::kinetic(self, *p)
-        }
-        fn stated_potential(&self, q: &Self::Coords, time: f64) -> f64 {
-            Self::potential(self, *q, time)
+        fn stated(
+            &self,
+            q: &Self::Coords,
+            p: &Self::Coords,
+            time: f64,
+        ) -> runtime::StatedEnergy {
+            runtime::StatedEnergy::Separate {
+                kinetic: Self::kinetic(self, *p),
+                potential: Self::potential(self, *q, time),
+            }
         }
     }
 };

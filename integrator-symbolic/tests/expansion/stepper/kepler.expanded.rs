@@ -101,11 +101,16 @@ const _: () = {
             let q1 = motion.q[1].value();
             motion.parameters.prepared_0 / q1.fma(q1, q0 * q0).sqrt()
         }
-        fn stated_kinetic(&self, p: &Self::Coords, _time: f64) -> f64 {
-            Self::kinetic(self, p)
-        }
-        fn stated_potential(&self, q: &Self::Coords, _time: f64) -> f64 {
-            Self::potential(self, q)
+        fn stated(
+            &self,
+            q: &Self::Coords,
+            p: &Self::Coords,
+            time: f64,
+        ) -> runtime::StatedEnergy {
+            runtime::StatedEnergy::Separate {
+                kinetic: Self::kinetic(self, p),
+                potential: Self::potential(self, q),
+            }
         }
         fn visit_compositions(visitor: &mut impl runtime::Visitor<Self>) {
             runtime::visit_quadratic(visitor);
