@@ -179,12 +179,13 @@ pub mod __private {
         },
         methods::taylor::{
             Recurrences, RecurrencesVisitor,
-            iterations::{Abreast, Iterations, Target, spread},
-            mobility::Mobility,
+            inverse_mass::InverseMass,
+            iterations::{Iterations, Target, splat},
             series::{
-                COEFFICIENTS, half_power, iteration, order_of_time, over, over_two, weight, weight_with, weighted,
+                COEFFICIENTS, div_by_order, div_by_two_orders, half_power, next_record, power_sum, power_weight,
+                power_weight_with, time_coefficients,
             },
-            table::{Coefficients, Layout, Table},
+            table::{Coefficients, Layout, Table, Wide},
         },
         scalar::{
             fma::Fused,

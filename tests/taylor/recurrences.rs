@@ -21,7 +21,7 @@ pub(crate) fn expand<H: Recurrences>(system: &H, motion: &Motion) -> [Vec<Series
     let begin = motion.q.iter().map(|series| series[0].value).collect();
     let length = H::Coords::from_flat(begin).expect("as many as the shape has").length();
     let layout = Layout::of::<H::Coords>(length, H::INTERLEAVED);
-    let place = |coordinate: &usize| layout.place_of(*coordinate);
+    let place = |coordinate: &usize| layout.index_of(*coordinate);
     let coordinates: Vec<usize> = (0..motion.q.len()).collect();
     let (mut tables, mut tape) = ([Table::new(layout), Table::new(layout)], H::Tape::<f64>::default());
     let parameters = <H as Hamiltonian>::parameters(system, length);
@@ -29,7 +29,7 @@ pub(crate) fn expand<H: Recurrences>(system: &H, motion: &Motion) -> [Vec<Series
     for i in &coordinates {
         (q[0][place(i)], p[0][place(i)]) = (motion.q[*i][0].value, motion.p[*i][0].value);
     }
-    for k in (0..ORDER).step_by(H::AT_ONCE) {
+    for k in (0..ORDER).step_by(H::ORDERS_PER_CALL) {
         H::order::<f64>(&parameters, length, &mut q, &mut p, &mut tape, k, motion.time);
     }
     let series = |part: &Coefficients<'_, f64>, i| array::from_fn(|k| part[k][place(i)]);

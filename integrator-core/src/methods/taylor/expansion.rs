@@ -1,17 +1,17 @@
-//! A motion that is a polynomial for a while.
+//! The motion of the Taylor method: a piecewise polynomial, with an origin and a step for each lane.
 //!
-//! Always true: a lane's polynomials are found from what is in the lane alone, and begin where this asks for it. Where
-//! one lane needs a polynomial all of them are computed, those of the others to the bits that they had.
+//! Always true: a lane's polynomials follow from its own state alone, and begin where its own step ends. Where one lane
+//! needs a new polynomial all lanes are expanded, the others to the bits that they had.
 
 use super::{
     Recurrences, Taylor,
-    horizon::reach,
-    leg::{Leg, Way},
-    moment::Moment,
-    part::Part,
+    half::Half,
+    segment::{Progress, Segment},
     series::HIGHEST,
     states::To,
-    table::{Layout, Rows, are_always_few},
+    step_size::step_size,
+    table::{Layout, SmallTable, are_always_few},
+    time::Time,
 };
 use crate::{
     error::Unsolved,
@@ -33,20 +33,20 @@ pub struct Constants<P> {
     pub(super) interleaved: bool,
 }
 
-/// The polynomials of the members, and where on them these are.
+/// The polynomials of the members and the members' progress on them.
 pub struct Expansion<R: Real, C: Coords, P, T> {
     method: Taylor,
     parameters: P,
     layout: Layout,
-    q: Part<R, C>,
-    p: Part<R, C>,
+    q: Half<R, C>,
+    p: Half<R, C>,
     tape: T,
-    /// Those of the members, of which there may be fewer.
-    legs: [Leg; WIDEST],
+    /// The segments of the members, of which there may be fewer.
+    segments: [Segment; WIDEST],
 }
 
 impl<R: Real, C: Coords, P: Clone, T: Default> Clone for Expansion<R, C, P, T> {
-    /// A tape is written before it is read, and most copies are looked at once: theirs are empty.
+    /// A tape is written before it is read, and most copies are read once: their tapes are empty.
     fn clone(&self) -> Self {
         let Self { method, layout, .. } = *self;
         Self {
@@ -56,7 +56,7 @@ impl<R: Real, C: Coords, P: Clone, T: Default> Clone for Expansion<R, C, P, T> {
             q: self.q.clone(),
             p: self.p.clone(),
             tape: T::default(),
-            legs: self.legs.clone(),
+            segments: self.segments.clone(),
         }
     }
 }
@@ -79,10 +79,10 @@ where
             method: constants[0].method,
             parameters: P::gather(&parameters),
             layout,
-            q: Part::at(layout, &|lane, coordinate| states[lane].q.flat()[coordinate]),
-            p: Part::at(layout, &|lane, coordinate| states[lane].p.flat()[coordinate]),
+            q: Half::at(layout, &|lane, coordinate| states[lane].q.flat()[coordinate]),
+            p: Half::at(layout, &|lane, coordinate| states[lane].p.flat()[coordinate]),
             tape: T::default(),
-            legs: Default::default(),
+            segments: Default::default(),
         }
     }
     fn gathered<'a>(of_lane: &dyn Fn(usize) -> (&'a Constants<Q>, &'a Self, usize)) -> Option<Self>
@@ -93,34 +93,34 @@ where
         if const { R::LANES == 1 } {
             return Some(from.clone());
         }
-        let part = |lane, part: fn(&Self) -> &Part<R, C>| {
+        let half = |lane, half: fn(&Self) -> &Half<R, C>| {
             let (_, motion, lane) = of_lane(lane);
-            (part(motion), lane)
+            (half(motion), lane)
         };
         let mut parameters = Vec::with_capacity(R::LANES);
         for lane in 0..R::LANES {
             parameters.push(&*of_lane(lane).0.parameters);
         }
-        let mut legs: [Leg; WIDEST] = Default::default();
-        for (lane, leg) in legs.iter_mut().enumerate().take(R::LANES) {
+        let mut segments: [Segment; WIDEST] = Default::default();
+        for (lane, segment) in segments.iter_mut().enumerate().take(R::LANES) {
             let (_, motion, lane) = of_lane(lane);
-            // From the same beginning, the same polynomial is found again.
-            *leg = Leg { reach: None, ..motion.legs[lane].clone() };
+            // The expansion at the same origin gives the same polynomial.
+            *segment = Segment { step: None, ..motion.segments[lane].clone() };
         }
         Some(Self {
             method: constants.method,
             parameters: P::gather(&parameters),
             layout,
-            q: Part::gathered(layout, |lane| part(lane, |motion| &motion.q)),
-            p: Part::gathered(layout, |lane| part(lane, |motion| &motion.p)),
+            q: Half::gathered(layout, |lane| half(lane, |motion| &motion.q)),
+            p: Half::gathered(layout, |lane| half(lane, |motion| &motion.p)),
             tape: T::default(),
-            legs,
+            segments,
         })
     }
     fn store(&self, lane: usize, to: &mut Phase<C>) {
-        for (part, to) in [(&self.q, to.q.flat_mut()), (&self.p, to.p.flat_mut())] {
+        for (half, to) in [(&self.q, to.q.flat_mut()), (&self.p, to.p.flat_mut())] {
             for (coordinate, leaf) in to.iter_mut().enumerate() {
-                *leaf = part.leaf(lane, self.layout.place_of(coordinate));
+                *leaf = half.leaf(lane, self.layout.index_of(coordinate));
             }
         }
     }
@@ -128,13 +128,15 @@ where
         // The tape is written before it is read.
         self.q.copy(&from.q);
         self.p.copy(&from.p);
-        self.legs[..R::MEMBERS].clone_from_slice(&from.legs[..R::MEMBERS]);
+        self.segments[..R::MEMBERS].clone_from_slice(&from.segments[..R::MEMBERS]);
     }
     fn unsolved(&self, lane: usize) -> Option<&Unsolved> {
-        self.legs[lane].unsolved.as_ref()
+        self.segments[lane].unsolved.as_ref()
     }
     fn finite(&self) -> bool {
-        self.legs[..R::MEMBERS].iter().all(|leg| leg.unsolved.is_none()) && self.q.finite() && self.p.finite()
+        self.segments[..R::MEMBERS].iter().all(|segment| segment.unsolved.is_none())
+            && self.q.finite()
+            && self.p.finite()
     }
 }
 
@@ -158,39 +160,39 @@ fn advance<H: Recurrences, R: Real, K: Precision>(
     }
 }
 
-/// Dense output: follows the motion a while into the step that begins with `begin` at the clock.
+/// Dense output: advances the motion by a fraction of the step that begins with `begin` at the clock.
 fn within<H: Recurrences, R: Real, K: Precision>(
     expansion: &mut Of<H, R, K>,
     begin: &Of<H, R, K>,
     clock: Clock,
     duration: f64,
 ) {
-    let end = Moment::of(clock.steps, clock.h).after(duration);
-    // What lies before the polynomial at hand belongs to one before it.
-    if end.since(expansion.legs[0].begin) * clock.h <= 0.0 {
+    let end = Time::of(clock.steps, clock.h).after(duration);
+    // A time before the present polynomial's origin belongs to an earlier one.
+    if end.since(expansion.segments[0].origin) * clock.h <= 0.0 {
         expansion.copy_state(begin);
     }
     expansion.begin_step::<H>(clock);
-    follow::<H, R, K>(expansion, clock, end);
+    advance_to::<H, R, K>(expansion, clock, end);
 }
 
-/// Follows the motion over so many steps. No polynomial leads from one piece in time to another: each step begins with
-/// new ones where there are pieces.
+/// Advances the motion by so many steps. No polynomial crosses an edge in time: where there are edges, each step begins
+/// with new ones.
 fn advance_by<H: Recurrences, R: Real, K: Precision>(expansion: &mut Of<H, R, K>, clock: Clock, steps: u64) {
     if const { !H::PIECEWISE_IN_TIME } {
-        return follow::<H, R, K>(expansion, clock, Moment::of(clock.steps + steps, clock.h));
+        return advance_to::<H, R, K>(expansion, clock, Time::of(clock.steps + steps, clock.h));
     }
     for step in clock.steps..clock.steps + steps {
         let clock = Clock { steps: step, ..clock };
         expansion.begin_step::<H>(clock);
-        follow::<H, R, K>(expansion, clock, Moment::of(step + 1, clock.h));
+        advance_to::<H, R, K>(expansion, clock, Time::of(step + 1, clock.h));
     }
 }
 
-/// Follows the motion to `end`: compiled once for steps and for what lies within them.
+/// Advances the motion to `end`: compiled once for steps and for dense output.
 #[inline(never)]
-fn follow<H: Recurrences, R: Real, K: Precision>(expansion: &mut Of<H, R, K>, clock: Clock, end: Moment) {
-    R::enter(Follow::<H, R, K> { expansion, clock, end });
+fn advance_to<H: Recurrences, R: Real, K: Precision>(expansion: &mut Of<H, R, K>, clock: Clock, end: Time) {
+    R::enter(AdvanceTo::<H, R, K> { expansion, clock, end });
 }
 
 impl<R: Real, C: Coords, P: Prepared<R>, T> Expansion<R, C, P, T> {
@@ -201,33 +203,33 @@ impl<R: Real, C: Coords, P: Prepared<R>, T> Expansion<R, C, P, T> {
         }
     }
 
-    /// Follows the polynomials of both parts for a while, by one text.
+    /// Evaluates the polynomials of both halves, by one text.
     #[inline(always)]
-    fn follow(&mut self, layout: Layout, t: R, to: To<R>) {
+    fn evaluate(&mut self, layout: Layout, t: R, to: To<R>) {
         let order = self.method.order();
-        for part in [&mut self.q, &mut self.p] {
-            part.follow(layout, order, t, to);
+        for half in [&mut self.q, &mut self.p] {
+            half.evaluate(layout, order, t, to);
         }
     }
 
-    /// Ends the polynomials of these lanes a while after their beginnings: the next ones begin there.
+    /// Ends the segments of these lanes at `t` from their origins: the next ones begin there.
     #[inline(always)]
-    fn end(&mut self, layout: Layout, t: R, lanes: &[f64; WIDEST], end: Moment) {
-        self.follow(layout, t, To::Begin { moves: R::parameter(&|lane| lanes[lane]) });
-        for (leg, _) in self.legs.iter_mut().zip(lanes).filter(|(_, ends)| **ends > 0.0) {
-            *leg = Leg { begin: end, ..Leg::default() };
+    fn end(&mut self, layout: Layout, t: R, lanes: &[f64; WIDEST], end: Time) {
+        self.evaluate(layout, t, To::Origin { lanes: R::parameter(&|lane| lanes[lane]) });
+        for (segment, _) in self.segments.iter_mut().zip(lanes).filter(|(_, ends)| **ends > 0.0) {
+            *segment = Segment { origin: end, ..Segment::default() };
         }
     }
 }
 
-/// Follows the motion to a moment: whoever arrives waits for the others.
-struct Follow<'e, H: Recurrences, R: Real, K: Precision> {
+/// The kernel that advances all lanes to a time: a lane that arrives waits for the others.
+struct AdvanceTo<'e, H: Recurrences, R: Real, K: Precision> {
     expansion: &'e mut Of<H, R, K>,
     clock: Clock,
-    end: Moment,
+    end: Time,
 }
 
-impl<H: Recurrences, R: Real, K: Precision> Kernel for Follow<'_, H, R, K> {
+impl<H: Recurrences, R: Real, K: Precision> Kernel for AdvanceTo<'_, H, R, K> {
     type Out = ();
 
     #[inline(always)]
@@ -235,36 +237,36 @@ impl<H: Recurrences, R: Real, K: Precision> Kernel for Follow<'_, H, R, K> {
         let Self { expansion, clock: Clock { t0, h, .. }, end } = self;
         let layout = layout::<H>(expansion.layout);
         loop {
-            // Beside what legs keep: what has just been stored would be waited for.
-            let mut reaches = [0.0; WIDEST];
-            if expansion.legs[..R::MEMBERS].iter().any(Leg::is_unknown) {
+            // A copy beside the segments: a load would wait for what has just been stored there.
+            let mut steps = [0.0; WIDEST];
+            if expansion.segments[..R::MEMBERS].iter().any(Segment::is_unexpanded) {
                 expand::<H, R, K>(expansion, layout, t0);
-                horizons(expansion, layout, h, &mut reaches);
+                choose_steps(expansion, layout, h, &mut steps);
             } else {
-                for (reach, leg) in reaches.iter_mut().zip(&expansion.legs[..R::MEMBERS]) {
-                    *reach = leg.reach.unwrap_or(0.0);
+                for (step, segment) in steps.iter_mut().zip(&expansion.segments[..R::MEMBERS]) {
+                    *step = segment.step.unwrap_or(0.0);
                 }
             }
-            // How far each member goes on its polynomial, and whether to where the next one begins.
-            let (mut t, mut moves) = ([0.0; WIDEST], [0.0; WIDEST]);
-            let (mut over, mut within, mut arrives) = (false, false, [0.0; WIDEST]);
+            // Each member's duration on its polynomial, and whether this ends at the next origin.
+            let (mut t, mut restarts) = ([0.0; WIDEST], [0.0; WIDEST]);
+            let (mut restart, mut arrive, mut arrives) = (false, false, [0.0; WIDEST]);
             for lane in 0..R::MEMBERS {
-                match expansion.legs[lane].proceed(reaches[lane], end, t0) {
-                    Way::Within(ahead) => (t[lane], arrives[lane], within) = (ahead, 1.0, true),
-                    Way::Over(reach) => (t[lane], moves[lane], over) = (reach, 1.0, true),
-                    Way::Ended => {}
+                match expansion.segments[lane].proceed(steps[lane], end, t0) {
+                    Progress::Arrives(duration) => (t[lane], arrives[lane], arrive) = (duration, 1.0, true),
+                    Progress::NextSegment(step) => (t[lane], restarts[lane], restart) = (step, 1.0, true),
+                    Progress::Stopped => {}
                 }
             }
-            let to = if over {
-                To::Begin { moves: R::parameter(&|lane| moves[lane]) }
-            } else if within {
-                To::Shown
+            let to = if restart {
+                To::Origin { lanes: R::parameter(&|lane| restarts[lane]) }
+            } else if arrive {
+                To::Current
             } else {
                 return;
             };
             let t = R::parameter(&|lane| t[lane]);
-            expansion.follow(layout, t, to);
-            if let To::Shown = to {
+            expansion.evaluate(layout, t, to);
+            if let To::Current = to {
                 if const { H::PIECEWISE_IN_TIME } {
                     expansion.end(layout, t, &arrives, end);
                 }
@@ -274,29 +276,30 @@ impl<H: Recurrences, R: Real, K: Precision> Kernel for Follow<'_, H, R, K> {
     }
 }
 
-/// Finds how far the new polynomials reach, and tells it of all of them.
+/// Chooses the steps of the new polynomials, and stores those of all lanes in `steps`.
 #[inline(always)]
-fn horizons<R: Real, C: Coords, P, T>(
+fn choose_steps<R: Real, C: Coords, P, T>(
     expansion: &mut Expansion<R, C, P, T>,
     layout: Layout,
     h: f64,
-    reaches: &mut [f64; WIDEST],
+    steps: &mut [f64; WIDEST],
 ) {
-    let Expansion { method: Taylor { order, tolerance }, q, p, legs, .. } = expansion;
+    let Expansion { method: Taylor { order, tolerance }, q, p, segments, .. } = expansion;
     let (order, tolerance) = (*order, *tolerance);
-    let ends = [q.ends(layout, order), p.ends(layout, order)];
-    let parts = [&*q, &*p];
+    let norms = [q.norms(layout, order), p.norms(layout, order)];
+    let halves = [&*q, &*p];
     for lane in 0..R::MEMBERS {
-        let leg = &mut legs[lane];
-        let found = match leg.reach {
-            Some(reach) => reach,
+        let segment = &mut segments[lane];
+        let step = match segment.step {
+            Some(step) => step,
             None => {
-                let ends = [ends[0].lane(lane), ends[1].lane(lane)];
-                reach(order, tolerance, ends, move |part: usize, m| parts[part].size(layout, m).lane(lane)).copysign(h)
+                let norms = [norms[0].lane(lane), norms[1].lane(lane)];
+                step_size(order, tolerance, norms, move |half: usize, m| halves[half].norm(layout, m).lane(lane))
+                    .copysign(h)
             }
         };
-        leg.reach = Some(found);
-        reaches[lane] = found;
+        segment.step = Some(step);
+        steps[lane] = step;
     }
 }
 
@@ -307,8 +310,7 @@ fn layout<H: Recurrences>(layout: Layout) -> Layout {
 }
 
 /// Calls back with the orders, one after the other, so that each is compiled on its own: sums of known length, without
-/// loops. That is faster where a state is a few numbers, and takes the compiler minutes where iterations lie side by
-/// side.
+/// loops. That is faster where a state is a few numbers, and takes the compiler minutes where iterations share vectors.
 macro_rules! for_each_order {
     ($callback:ident) => {
         $callback! { 0 1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 16 17 18 19 20 21 22 23 24 25 26 27 }
@@ -320,31 +322,31 @@ macro_rules! count {
 }
 const _: () = assert!(for_each_order!(count) == HIGHEST, "the highest order comes from the one below");
 
-/// Finds the polynomials from their beginnings.
+/// Expands the polynomials at their origins.
 #[inline(always)]
 fn expand<H: Recurrences, R: Real, K: Precision>(expansion: &mut Of<H, R, K>, layout: Layout, t0: f64) {
-    let time = R::parameter(&|lane| t0 + expansion.legs[lane].begin.nearest());
+    let time = R::parameter(&|lane| t0 + expansion.segments[lane].origin.nearest());
     let Expansion { method, parameters, q, p, tape, .. } = expansion;
     let (last, length) = (method.order, layout.length());
     let (mut q, mut p) = (q.coefficients(layout), p.coefficients(layout));
     if H::ROLLED {
-        for k in (0..last).step_by(H::AT_ONCE) {
+        for k in (0..last).step_by(H::ORDERS_PER_CALL) {
             H::order(parameters, length, &mut q, &mut p, tape, k, time);
         }
     } else if const { R::LANES == 1 && are_always_few::<H::Coords>() } {
-        // A tape and rows that nothing else sees, so that they are registers: what an order finds is read by the next
-        // one where it is, and not where it was written to.
+        // A local tape and table, which the compiler holds in registers: the next order reads its operands there and
+        // not from memory.
         let tape = &mut H::Tape::<R>::default();
-        let [mut rows_q, mut rows_p] = [Rows::new(); 2];
-        let [mut near_q, mut near_p] = [rows_q.of(layout), rows_p.of(layout)];
-        near_q[0].copy_from_slice(&q[0]);
-        near_p[0].copy_from_slice(&p[0]);
+        let [mut table_q, mut table_p] = [SmallTable::new(); 2];
+        let [mut local_q, mut local_p] = [table_q.of(layout), table_p.of(layout)];
+        local_q[0].copy_from_slice(&q[0]);
+        local_p[0].copy_from_slice(&p[0]);
         macro_rules! orders {
             ($($k:literal)*) => {$(
                 if $k < last {
-                    H::order(parameters, length, &mut near_q, &mut near_p, tape, $k, time);
-                    q[$k + 1].copy_from_slice(&near_q[$k + 1]);
-                    p[$k + 1].copy_from_slice(&near_p[$k + 1]);
+                    H::order(parameters, length, &mut local_q, &mut local_p, tape, $k, time);
+                    q[$k + 1].copy_from_slice(&local_q[$k + 1]);
+                    p[$k + 1].copy_from_slice(&local_p[$k + 1]);
                 }
             )*};
         }

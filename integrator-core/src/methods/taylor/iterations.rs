@@ -1,72 +1,69 @@
-//! The iterations of loops, eight side by side.
+//! The iterations of loops in blocks of eight, one in each lane of vectors.
 //!
-//! Comes in: which coordinates each iteration reads and moves, and its constants, once per run. Goes out: the same as
-//! rows of registers, where eight iterations lie in one. Always true: in which order a coordinate gets its addends
-//! follows from the order of iterations and targets, so that bits depend on the text alone.
+//! Comes in: the indices that each iteration reads and moves, and its constants, once per run. Goes out: blocks with
+//! their access patterns, and the scatter-add of their results. Always true: the order in which a coordinate gets its
+//! addends follows from the order of iterations and targets, so that bits depend on the text alone.
 
 use super::{
-    addends::{Addend, Addends},
-    arrangement::{EightIterations, List, alone, dealt, in_lanes},
-    places::Places,
+    access_pattern::AccessPattern,
+    scatter_add::{Addend, ScatterAdd},
+    schedule::{BlockLanes, IterationList, by_lane, list_schedule, single},
     table::{Coefficients, EIGHT, Layout, Wide, is_narrow},
 };
 use crate::scalar::{real::Real, simd::row::Row};
 use alloc::vec::Vec;
 
-/// Numbers side by side, one of each iteration; or that of one iteration.
-pub type Abreast<R> = Wide<R>;
-
 /// The same number in all iterations.
 #[inline(always)]
-pub fn spread<R: Real>(x: R) -> Abreast<R> {
-    Abreast::<R>::splat(x)
+pub fn splat<R: Real>(x: R) -> Wide<R> {
+    Wide::<R>::splat(x)
 }
 
-/// Eight iterations side by side, or one, each of which reads so many points and has so many constants; `T` is what
-/// they keep.
-pub struct Line<R: Real, T, const READS: usize, const CONSTANTS: usize> {
-    /// What the iterations keep.
+/// A block of eight iterations, or one, each of which reads so many points and has so many constants; `T` is their
+/// record.
+pub struct IterationBlock<R: Real, T, const READS: usize, const CONSTANTS: usize> {
+    /// The record of the iterations.
     pub kept: T,
     /// Their constants.
-    pub constants: [Abreast<R>; CONSTANTS],
-    reads: [Places; READS],
+    pub constants: [Wide<R>; CONSTANTS],
+    reads: [AccessPattern; READS],
 }
 
-impl<R: Real, T, const READS: usize, const CONSTANTS: usize> Line<R, T, READS, CONSTANTS> {
-    /// What the iterations read from coefficients: so many components of a point, of the orders from this one on.
+impl<R: Real, T, const READS: usize, const CONSTANTS: usize> IterationBlock<R, T, READS, CONSTANTS> {
+    /// The coefficients of a point that the iterations read: all components, of the orders from this one on.
     #[inline(always)]
-    pub fn read<const COMPONENTS: usize, const AT_ONCE: usize>(
+    pub fn read<const COMPONENTS: usize, const ORDERS: usize>(
         &self,
         point: usize,
         from: &Coefficients<'_, R>,
         order: usize,
-    ) -> [[Abreast<R>; AT_ONCE]; COMPONENTS] {
+    ) -> [[Wide<R>; ORDERS]; COMPONENTS] {
         self.reads[point].read(from, order)
     }
 }
 
-/// So many numbers that iterations have computed, each of the orders that are found at once.
-type Found<R, const VALUES: usize, const AT_ONCE: usize> = [[Abreast<R>; AT_ONCE]; VALUES];
+/// The values that iterations compute, each of so many orders.
+type Results<R, const VALUES: usize, const ORDERS: usize> = [[Wide<R>; ORDERS]; VALUES];
 
-/// What a coordinate that iterations move gets from them.
+/// A coordinate that each iteration moves.
 #[derive(Clone, Copy)]
 pub struct Target {
     /// Of positions (0) or momenta (1).
-    part: usize,
-    /// Which of the numbers that an iteration has computed,
+    half: usize,
+    /// The number of the value that it gets,
     value: usize,
-    /// and one, or minus one where it is taken away.
+    /// and the value's sign.
     sign: i8,
 }
 
 impl Target {
-    /// A position that gets such a number.
+    /// A position that gets a value.
     pub const fn position(value: usize) -> Self {
-        Self { part: 0, value, sign: 1 }
+        Self { half: 0, value, sign: 1 }
     }
-    /// A momentum that gets such a number.
+    /// A momentum that gets a value.
     pub const fn momentum(value: usize) -> Self {
-        Self { part: 1, value, sign: 1 }
+        Self { half: 1, value, sign: 1 }
     }
     /// The same, with the sign changed.
     pub const fn negated(self) -> Self {
@@ -74,56 +71,59 @@ impl Target {
     }
 }
 
-/// Which iterations each line computes, whatever they compute in: compiled once, and not with every system.
-struct Arrangement {
-    lines: Vec<EightIterations>,
-    /// Where each line reads, one after the other.
-    reads: Vec<Places>,
+/// The schedule of iterations, independent of the scalar: compiled once, and not with every system.
+struct Schedule {
+    blocks: Vec<BlockLanes>,
+    /// The access patterns of each block, one after the other.
+    reads: Vec<AccessPattern>,
 }
 
-impl Arrangement {
-    /// That of iterations which read so many points each, for coordinates that lie so: eight of them side by side, or
-    /// one by one in the same order.
+impl Schedule {
+    /// The schedule of iterations which read so many points each: in blocks of eight, or one by one in the same order.
     #[cold]
     #[inline(never)]
-    fn of(iterations: &List, reads: usize, is_narrow: bool, layout: Layout, targets: &[Target]) -> Self {
-        let rows = match layout.is_interleaved() {
-            true => in_lanes(iterations),
-            // Where one register holds a component of all points, any iterations read from registers.
+    fn of(iterations: &IterationList, reads: usize, is_narrow: bool, layout: Layout, targets: &[Target]) -> Self {
+        let blocks = match layout.is_interleaved() {
+            true => by_lane(iterations),
+            // Where one vector holds a component of all points, no iterations need a gather.
             false if layout.stride() == EIGHT => {
-                dealt(iterations, &targets.iter().map(|target| target.value).collect::<Vec<_>>())
+                list_schedule(iterations, &targets.iter().map(|target| target.value).collect::<Vec<_>>())
             }
-            false => dealt(iterations, &(0..targets.len()).collect::<Vec<_>>()),
+            false => list_schedule(iterations, &(0..targets.len()).collect::<Vec<_>>()),
         };
         if is_narrow {
-            let lines: Vec<usize> = rows.into_iter().flatten().flatten().collect();
-            let reads = lines
+            let lanes: Vec<usize> = blocks.into_iter().flatten().flatten().collect();
+            let reads = lanes
                 .iter()
                 .flat_map(|iteration| iterations.reads(*iteration))
-                .map(|place| Places::Neighbours(*place))
+                .map(|index| AccessPattern::Contiguous(*index))
                 .collect();
-            return Self { lines: lines.into_iter().map(alone).collect(), reads };
+            return Self { blocks: lanes.into_iter().map(single).collect(), reads };
         }
-        let places = |row: &EightIterations, read| {
-            Places::of(row.map(|iteration| iteration.map(|iteration| iterations.reads(iteration)[read])), layout)
+        let pattern = |block: &BlockLanes, read| {
+            AccessPattern::of(
+                block.map(|iteration| iteration.map(|iteration| iterations.reads(iteration)[read])),
+                layout,
+            )
         };
-        let reads = rows.iter().flat_map(|row| (0..reads).map(move |read| places(row, read))).collect();
-        Self { lines: rows, reads }
+        let reads = blocks.iter().flat_map(|block| (0..reads).map(move |read| pattern(block, read))).collect();
+        Self { blocks, reads }
     }
 
-    /// What a part of the state gets from iterations that compute so many values each.
+    /// The addends of positions or momenta from iterations that compute so many values each.
     #[cold]
     #[inline(never)]
-    fn addends(&self, iterations: &List, targets: &[Target], part: usize, values: usize) -> Vec<Addend> {
+    fn addends(&self, iterations: &IterationList, targets: &[Target], half: usize, values: usize) -> Vec<Addend> {
         let mut addends = Vec::new();
-        for (number, row) in self.lines.iter().enumerate() {
-            for (lane, iteration) in row.iter().enumerate().filter_map(|(lane, iteration)| Some((lane, (*iteration)?)))
+        for (number, block) in self.blocks.iter().enumerate() {
+            for (lane, iteration) in
+                block.iter().enumerate().filter_map(|(lane, iteration)| Some((lane, (*iteration)?)))
             {
-                for (place, moved) in
-                    iterations.targets(iteration).iter().zip(targets).filter(|(_, moved)| moved.part == part)
+                for (index, moved) in
+                    iterations.targets(iteration).iter().zip(targets).filter(|(_, moved)| moved.half == half)
                 {
-                    let found = number * values + moved.value;
-                    addends.push(Addend { place: *place, found, lane, sign: moved.sign });
+                    let result = number * values + moved.value;
+                    addends.push(Addend { index: *index, result, lane, sign: moved.sign });
                 }
             }
         }
@@ -131,8 +131,8 @@ impl Arrangement {
     }
 }
 
-/// The iterations of a loop, or of loops inside each other: each reads so many points, has so many constants, and moves
-/// so many coordinates by so many values, of so many orders at once; `T` is what eight of them keep.
+/// The iterations of a loop, or of nested loops: each reads so many points, has so many constants, and moves so many
+/// coordinates by so many values, of so many orders per call; `T` is the record of a block.
 pub struct Iterations<
     R: Real,
     T,
@@ -140,14 +140,14 @@ pub struct Iterations<
     const CONSTANTS: usize,
     const TARGETS: usize,
     const VALUES: usize,
-    const AT_ONCE: usize,
+    const ORDERS: usize,
 > {
-    iterations: List,
+    iterations: IterationList,
     constants: Vec<[R; CONSTANTS]>,
-    lines: Vec<Line<R, T, READS, CONSTANTS>>,
-    found: Vec<Found<R, VALUES, AT_ONCE>>,
-    /// What positions and momenta get.
-    addends: [Addends<R>; 2],
+    blocks: Vec<IterationBlock<R, T, READS, CONSTANTS>>,
+    results: Vec<Results<R, VALUES, ORDERS>>,
+    /// The scatter-adds to positions and to momenta.
+    sums: [ScatterAdd<R>; 2],
 }
 
 impl<
@@ -157,16 +157,16 @@ impl<
     const CONSTANTS: usize,
     const TARGETS: usize,
     const VALUES: usize,
-    const AT_ONCE: usize,
-> Default for Iterations<R, T, READS, CONSTANTS, TARGETS, VALUES, AT_ONCE>
+    const ORDERS: usize,
+> Default for Iterations<R, T, READS, CONSTANTS, TARGETS, VALUES, ORDERS>
 {
     fn default() -> Self {
         Self {
-            iterations: List::default(),
+            iterations: IterationList::default(),
             constants: Vec::new(),
-            lines: Vec::new(),
-            found: Vec::new(),
-            addends: [Addends::default(), Addends::default()],
+            blocks: Vec::new(),
+            results: Vec::new(),
+            sums: [ScatterAdd::default(), ScatterAdd::default()],
         }
     }
 }
@@ -178,64 +178,64 @@ impl<
     const CONSTANTS: usize,
     const TARGETS: usize,
     const VALUES: usize,
-    const AT_ONCE: usize,
-> Iterations<R, T, READS, CONSTANTS, TARGETS, VALUES, AT_ONCE>
+    const ORDERS: usize,
+> Iterations<R, T, READS, CONSTANTS, TARGETS, VALUES, ORDERS>
 {
-    /// Whether the iterations are not there yet.
+    /// Whether the blocks have not been built yet.
     #[inline(always)]
     pub fn is_empty(&self) -> bool {
-        self.lines.is_empty()
+        self.blocks.is_empty()
     }
-    /// Another iteration.
-    pub fn take(&mut self, reads: [usize; READS], constants: [R; CONSTANTS], targets: [usize; TARGETS]) {
+    /// Appends an iteration.
+    pub fn push(&mut self, reads: [usize; READS], constants: [R; CONSTANTS], targets: [usize; TARGETS]) {
         self.iterations.push(&reads, &targets);
         self.constants.push(constants);
     }
-    /// Lays the iterations out in rows, for coordinates that lie so.
+    /// Builds the blocks, for coordinates in this layout.
     #[cold]
     #[inline(never)]
-    pub fn lay_out(&mut self, layout: Layout, targets: [Target; TARGETS]) {
+    pub fn build(&mut self, layout: Layout, targets: [Target; TARGETS]) {
         let iterations = core::mem::take(&mut self.iterations);
         let constants = core::mem::take(&mut self.constants);
-        let arrangement = Arrangement::of(&iterations, READS, is_narrow::<R>(), layout, &targets);
-        for (number, row) in arrangement.lines.iter().enumerate() {
-            // One of the iterations stands in for those that are not there.
-            let first = row.iter().flatten().next();
-            let mut of_iterations = [Abreast::<R>::of(0.0); CONSTANTS];
+        let schedule = Schedule::of(&iterations, READS, is_narrow::<R>(), layout, &targets);
+        for (number, block) in schedule.blocks.iter().enumerate() {
+            // Lanes without an iteration have the constants of the first one.
+            let first = block.iter().flatten().next();
+            let mut of_iterations = [Wide::<R>::of(0.0); CONSTANTS];
             for constant in 0..CONSTANTS {
                 let mut numbers = [R::of(0.0); EIGHT];
                 for lane in 0..EIGHT {
-                    if let Some(iteration) = row[lane].as_ref().or(first) {
+                    if let Some(iteration) = block[lane].as_ref().or(first) {
                         numbers[lane] = constants[*iteration][constant];
                     }
                 }
-                of_iterations[constant] = Abreast::<R>::read(&numbers);
+                of_iterations[constant] = Wide::<R>::read(&numbers);
             }
-            let mut reads = [Places::Neighbours(0); READS];
-            reads.copy_from_slice(&arrangement.reads[number * READS..][..READS]);
-            self.lines.push(Line { kept: T::default(), constants: of_iterations, reads });
-            self.found.push([[Abreast::<R>::of(0.0); AT_ONCE]; VALUES]);
+            let mut reads = [AccessPattern::Contiguous(0); READS];
+            reads.copy_from_slice(&schedule.reads[number * READS..][..READS]);
+            self.blocks.push(IterationBlock { kept: T::default(), constants: of_iterations, reads });
+            self.results.push([[Wide::<R>::of(0.0); ORDERS]; VALUES]);
         }
-        for (part, addends) in self.addends.iter_mut().enumerate() {
-            *addends = Addends::of(arrangement.addends(&iterations, &targets, part, VALUES), layout.width());
+        for (half, sums) in self.sums.iter_mut().enumerate() {
+            *sums = ScatterAdd::of(schedule.addends(&iterations, &targets, half, VALUES), layout.width());
         }
     }
-    /// The rows of iterations, and where each puts down what it has computed.
+    /// The blocks of iterations, and their results.
     #[inline(always)]
-    pub fn rows(
+    pub fn blocks(
         &mut self,
-    ) -> impl Iterator<Item = (&mut Line<R, T, READS, CONSTANTS>, &mut Found<R, VALUES, AT_ONCE>)> {
-        self.lines.iter_mut().zip(&mut self.found)
+    ) -> impl Iterator<Item = (&mut IterationBlock<R, T, READS, CONSTANTS>, &mut Results<R, VALUES, ORDERS>)> {
+        self.blocks.iter_mut().zip(&mut self.results)
     }
-    /// Adds what all iterations have computed to the coefficients of positions, of the orders from this one on.
+    /// Adds the results of all iterations to the coefficients of positions, of the orders from this one on.
     #[inline(always)]
     pub fn add_to_positions(&self, q: &mut Coefficients<'_, R>, order: usize) {
-        self.addends[0].add(self.found.as_flattened(), q, order);
+        self.sums[0].add(self.results.as_flattened(), q, order);
     }
-    /// Adds what all iterations have computed to the coefficients of momenta, of the orders from this one on.
+    /// Adds the results of all iterations to the coefficients of momenta, of the orders from this one on.
     #[inline(always)]
     pub fn add_to_momenta(&self, p: &mut Coefficients<'_, R>, order: usize) {
-        self.addends[1].add(self.found.as_flattened(), p, order);
+        self.sums[1].add(self.results.as_flattened(), p, order);
     }
 }
 
@@ -243,7 +243,7 @@ impl<
 mod tests {
     use super::{
         super::{
-            addends::rounds,
+            scatter_add::pass_counts,
             table::{Layout, Table},
         },
         *,
@@ -277,40 +277,40 @@ mod tests {
         for (case, interleaved) in lists().into_iter().flat_map(|list| [(list.clone(), false), (list, true)]) {
             let (name, width, points) = case;
             let layout = Layout::of::<Vec<f64>>(width, interleaved);
-            let list: Vec<[usize; 2]> = points.into_iter().map(|points| points.map(|i| layout.place(i, 0))).collect();
+            let list: Vec<[usize; 2]> = points.into_iter().map(|points| points.map(|i| layout.index(i, 0))).collect();
             let mut iterations: Iterations<R, (), 2, 1, 4, 3, 2> = Iterations::default();
             assert!(iterations.is_empty());
             for (seed, [i, j]) in list.iter().enumerate() {
-                iterations.take([*i, *j], [R::of(number(seed))], [*i, *j, *i, *j]);
+                iterations.push([*i, *j], [R::of(number(seed))], [*i, *j, *i, *j]);
             }
             let momenta = [Target::momentum(0), Target::momentum(1)];
             let positions = [Target::position(2), Target::position(2).negated()];
-            iterations.lay_out(layout, [momenta[0], momenta[1], positions[0], positions[1]]);
+            iterations.build(layout, [momenta[0], momenta[1], positions[0], positions[1]]);
             let together = if is_narrow::<R>() { 1 } else { EIGHT };
-            assert!(iterations.rows().count() >= list.len().div_ceil(together), "{name}");
+            assert!(iterations.blocks().count() >= list.len().div_ceil(together), "{name}");
             let (mut of_q, mut of_p) = (Table::new(layout), Table::new(layout));
             let (mut q, mut p) = (of_q.of(layout), of_p.of(layout));
-            let from: Vec<R> = (0..width).map(|place| R::of(number(place + 100))).collect();
+            let from: Vec<R> = (0..width).map(|index| R::of(number(index + 100))).collect();
             for order in [3, 4] {
                 q[order].copy_from_slice(&from);
                 p[order].copy_from_slice(&from);
             }
-            for (row, found) in iterations.rows() {
-                let [[[a]], [[b]]] = [row.read(0, &q, 3), row.read(1, &q, 3)];
-                let [constant] = row.constants;
-                *found = [[a * b, b], [(a - b) * constant, a - b], [spread(R::of(2.0)) * a, a * a]];
+            for (block, results) in iterations.blocks() {
+                let [[[a]], [[b]]] = [block.read(0, &q, 3), block.read(1, &q, 3)];
+                let [constant] = block.constants;
+                *results = [[a * b, b], [(a - b) * constant, a - b], [splat(R::of(2.0)) * a, a * a]];
             }
             iterations.add_to_positions(&mut q, 3);
             iterations.add_to_momenta(&mut p, 3);
 
-            // What an iteration that reads these places, with its constant, adds where.
+            // What an iteration that reads these indices, with its constant, adds where.
             type Adds<'a, R> = &'a dyn Fn([usize; 2], R) -> (usize, R);
             let after = |addends: &[Adds<'_, R>]| {
                 let mut to = from.clone();
                 for addend in addends {
-                    for (iteration, places) in list.iter().enumerate() {
-                        let (place, value) = addend(*places, R::of(number(iteration)));
-                        to[place] += value;
+                    for (iteration, indices) in list.iter().enumerate() {
+                        let (index, value) = addend(*indices, R::of(number(iteration)));
+                        to[index] += value;
                     }
                 }
                 to
@@ -330,7 +330,7 @@ mod tests {
     }
 
     #[test]
-    fn iterations_side_by_side_have_the_sums_of_a_loop() {
+    fn blocks_of_iterations_have_the_sums_of_a_loop() {
         iterations_are_those_of_a_loop::<f64>();
         iterations_are_those_of_a_loop::<f32>();
         let available = InstructionSet::available();
@@ -345,20 +345,21 @@ mod tests {
     }
 
     #[test]
-    fn a_chain_reads_and_moves_whole_registers() {
+    fn a_chain_reads_and_moves_whole_vectors() {
         let layout = Layout::of::<Vec<f64>>(32, true);
-        let mut iterations = List::default();
+        let mut iterations = IterationList::default();
         for i in 0..31 {
-            let places = [i, i + 1].map(|i| layout.place(i, 0));
-            iterations.push(&places, &places);
+            let indices = [i, i + 1].map(|i| layout.index(i, 0));
+            iterations.push(&indices, &indices);
         }
         let targets = [Target::momentum(0), Target::momentum(0).negated()];
-        let arrangement = Arrangement::of(&iterations, 2, false, layout, &targets);
-        let reads = &arrangement.reads;
-        let whole = reads.iter().filter(|places| matches!(places, Places::Neighbours(begin) if begin % EIGHT == 0));
-        // All but those of the neighbours of the last register, which are one lane further on in the first.
+        let schedule = Schedule::of(&iterations, 2, false, layout, &targets);
+        let reads = &schedule.reads;
+        let whole =
+            reads.iter().filter(|pattern| matches!(pattern, AccessPattern::Contiguous(begin) if begin % EIGHT == 0));
+        // All but those of the neighbours of the last vector, which are one lane further on in the first.
         assert_eq!((reads.len(), whole.count()), (8, 7));
-        // One number is added and one taken away, both in all lanes but where the chain ends and at the seam.
-        assert_eq!(rounds(arrangement.addends(&iterations, &targets, 1, 1), layout.width()), [6, 2]);
+        // One value is added and one subtracted, both in all lanes but where the chain ends and at the seam.
+        assert_eq!(pass_counts(schedule.addends(&iterations, &targets, 1, 1), layout.width()), [6, 2]);
     }
 }

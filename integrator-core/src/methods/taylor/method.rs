@@ -29,8 +29,8 @@ pub struct Taylor {
 pub(super) const ORDERS: [usize; 2] = [4, HIGHEST];
 
 impl Taylor {
-    /// Steps whose last coefficients add the share `tolerance` of a coordinate's size at most, with the order that takes the
-    /// least work: `1 - ln(tolerance)/2` (Jorba and Zou 2005), from 4 to 28.
+    /// Steps whose last coefficients add the share `tolerance` of a coordinate's size at most, with the order that
+    /// takes the least work: `1 - ln(tolerance)/2` (Jorba and Zou 2005), from 4 to 28.
     ///
     /// Below the rounding, 1e-16, steps become shorter and no more accurate; tolerances of 1e-18 and less leave
     /// nothing but rounding.

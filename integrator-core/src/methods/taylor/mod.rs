@@ -41,24 +41,24 @@
 //! # Ok::<(), Error>(())
 //! ```
 
-mod addends;
-mod arrangement;
+mod access_pattern;
 mod expansion;
-mod horizon;
+mod half;
 #[cfg(feature = "std")]
 mod in_lanes;
+pub(crate) mod inverse_mass;
 pub(crate) mod iterations;
-mod leg;
 mod logarithm;
 mod method;
-pub(crate) mod mobility;
-mod moment;
-mod part;
-mod places;
 mod recurrences;
+mod scatter_add;
+mod schedule;
+mod segment;
 pub(crate) mod series;
 mod states;
+mod step_size;
 pub(crate) mod table;
+mod time;
 mod visit;
 
 pub use method::Taylor;

@@ -1,4 +1,4 @@
-//! What `#[hamiltonian(taylor)]` writes.
+//! The interface of generated recurrences.
 
 use super::table::Coefficients;
 use crate::{hamiltonian::Hamiltonian, scalar::real::Real};
@@ -16,24 +16,24 @@ pub trait Recurrences: Hamiltonian {
     /// Whether there are loops over coordinates, so that orders need no code of their own.
     const ROLLED: bool;
 
-    /// Whether every iteration of the loops reads coordinates of its own first, so that whole registers are read where
-    /// points are dealt out to registers.
+    /// Whether every iteration of the loops reads coordinates of its own first, so that iterations read whole vectors
+    /// where points are distributed over vectors cyclically.
     const INTERLEAVED: bool;
 
-    /// How many orders are found at once.
-    const AT_ONCE: usize;
+    /// The number of orders that a call computes.
+    const ORDERS_PER_CALL: usize;
 
-    /// Finds the coefficients of order `k + 1` of all coordinates from those of lower orders, and those of the orders
-    /// behind it that are found at once.
+    /// Computes the coefficients of order `order + 1` of all coordinates from those of lower orders, and of the next
+    /// ones up to `ORDERS_PER_CALL`.
     ///
-    /// `length` is how many numbers or points the coordinates are. `time` is that of the expansion.
+    /// `length` is the number of numbers or points. `time` is that of the expansion.
     fn order<R: Real>(
         parameters: &Self::Parameters<R>,
         length: usize,
         q: &mut Coefficients<'_, R>,
         p: &mut Coefficients<'_, R>,
         tape: &mut Self::Tape<R>,
-        k: usize,
+        order: usize,
         time: R,
     );
 }

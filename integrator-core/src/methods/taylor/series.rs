@@ -1,4 +1,4 @@
-//! What the recurrences of generated code are made of, beside sums of products.
+//! The operations of generated recurrences, beside sums of products.
 
 use crate::scalar::real::Real;
 use alloc::vec::Vec;
@@ -6,8 +6,8 @@ use alloc::vec::Vec;
 /// The highest order of a polynomial.
 pub const HIGHEST: usize = 28;
 
-/// How many coefficients there is room for: that of order 0, and one above the highest order, which positions have
-/// before momenta do.
+/// The number of stored coefficients: from order 0 to one above the highest order, which positions have before momenta
+/// do.
 pub const COEFFICIENTS: usize = HIGHEST + 2;
 
 /// The orders as numbers, which are read sooner than they are converted.
@@ -23,34 +23,34 @@ const NUMBERS: [f64; COEFFICIENTS] = {
 
 /// The weight of `aⱼ yₖ₋ⱼ` in the recurrence of `y = aᵉ`, `k a₀ yₖ = Σ (e j - (k - j)) aⱼ yₖ₋ⱼ`.
 #[inline(always)]
-pub fn weight<R: Real>(exponent: f64, j: usize, k: usize) -> R {
+pub fn power_weight<R: Real>(exponent: f64, j: usize, k: usize) -> R {
     R::of((exponent + 1.0) * NUMBERS[j] - NUMBERS[k])
 }
 
 /// The same with an exponent that is a parameter.
 #[inline(always)]
-pub fn weight_with<R: Real>(exponent: R, j: usize, k: usize) -> R {
+pub fn power_weight_with<R: Real>(exponent: R, j: usize, k: usize) -> R {
     exponent * R::of(NUMBERS[j]) - R::of(NUMBERS[k - j])
 }
 
-/// The sum of such products, from `Σ aⱼ yₖ₋ⱼ` and `Σ j aⱼ yₖ₋ⱼ`, each in two halves.
+/// The sum of the products of a power, from `Σ aⱼ yₖ₋ⱼ` and `Σ j aⱼ yₖ₋ⱼ`, each in two halves.
 #[inline(always)]
-pub fn weighted<R: Real>(exponent: R, k: usize, [early, late]: [[R; 2]; 2]) -> R {
+pub fn power_sum<R: Real>(exponent: R, k: usize, [early, late]: [[R; 2]; 2]) -> R {
     let [[early, early_by_order], [late, late_by_order]] = [early, late];
     (early + late).fma(R::of(-NUMBERS[k]), (exponent + R::of(1.0)) * (early_by_order + late_by_order))
 }
 
 /// `x / n` for an order `n`, as if in one division.
 ///
-/// A rounded `1/n` would be off by the same share at every step, which adds up to a drift; so it comes in two parts.
+/// A rounded `1/n` would be off by the same fraction at every step, which adds up to a drift; so it comes in two parts.
 #[inline(always)]
-pub fn over<R: Real>(x: R, n: usize) -> R {
+pub fn div_by_order<R: Real>(x: R, n: usize) -> R {
     times(x, const { reciprocals(0) }[n])
 }
 
 /// `x / (n (n + 1))`, as if in one division.
 #[inline(always)]
-pub fn over_two<R: Real>(x: R, n: usize) -> R {
+pub fn div_by_two_orders<R: Real>(x: R, n: usize) -> R {
     times(x, const { reciprocals(1) }[n])
 }
 
@@ -85,7 +85,7 @@ pub fn half_power<R: Real>(x: R, halves: i32) -> R {
 
 /// The coefficients of one and of the time at an expansion.
 #[inline(always)]
-pub fn order_of_time<R: Real>(k: usize, time: R) -> (R, R) {
+pub fn time_coefficients<R: Real>(k: usize, time: R) -> (R, R) {
     match k {
         0 => (R::of(1.0), time),
         1 => (R::of(0.0), R::of(1.0)),
@@ -93,26 +93,26 @@ pub fn order_of_time<R: Real>(k: usize, time: R) -> (R, R) {
     }
 }
 
-/// What the next iteration of a loop keeps.
+/// The record of the next iteration of a loop.
 #[inline(always)]
-pub fn iteration<'t, T: Default>(iterations: &'t mut Vec<T>, next: &mut usize) -> &'t mut T {
-    let place = *next;
+pub fn next_record<'t, T: Default>(iterations: &'t mut Vec<T>, next: &mut usize) -> &'t mut T {
+    let index = *next;
     *next += 1;
-    if place == iterations.len() {
+    if index == iterations.len() {
         iterations.push(T::default());
     }
-    &mut iterations[place]
+    &mut iterations[index]
 }
 
 #[cfg(test)]
 mod tests {
-    use super::{HIGHEST, over, over_two};
+    use super::{HIGHEST, div_by_order, div_by_two_orders};
 
     #[test]
     fn reciprocals_are_those_of_one_division() {
         for n in 1..=HIGHEST + 1 {
-            assert_eq!(over(1.0, n), 1.0 / n as f64, "1/{n}");
-            assert_eq!(over_two(1.0, n), 1.0 / (n * (n + 1)) as f64, "1/({n} ({n} + 1))");
+            assert_eq!(div_by_order(1.0, n), 1.0 / n as f64, "1/{n}");
+            assert_eq!(div_by_two_orders(1.0, n), 1.0 / (n * (n + 1)) as f64, "1/({n} ({n} + 1))");
         }
     }
 }

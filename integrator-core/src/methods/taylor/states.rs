@@ -1,7 +1,7 @@
-//! Coordinates that follow polynomials for a while.
+//! The evaluation of Taylor polynomials.
 //!
-//! Always true: where a polynomial leads is found from its coefficients alone, in an order of its own, so that bits do not
-//! depend on how many coordinates take their turns together.
+//! Always true: the value of a polynomial follows from its coefficients alone, in an order of its own, so that bits do
+//! not depend on how many coordinates are evaluated together.
 
 use super::table::Layout;
 use crate::{
@@ -10,44 +10,46 @@ use crate::{
 };
 use alloc::vec::Vec;
 
-/// How many of the lowest orders are summed up one after the other. With the order that a tolerance asks for, terms fall by
-/// a factor of e² from one to the next, and the roundings of all higher ones count a fiftieth of those of the last two sums.
+/// The number of lowest orders that are summed one after the other. With the order that a tolerance asks for, terms
+/// fall by a factor of e² from one to the next, and the roundings of all higher ones count a fiftieth of those of the
+/// last two sums.
 const LOWEST: usize = 2;
 
-/// What is to be where a polynomial leads.
+/// The state that the value of a polynomial becomes.
 #[derive(Clone, Copy)]
 pub(super) enum To<R> {
-    /// The beginning of the next one, in the lanes in which this is above zero.
-    Begin { moves: R },
-    /// The state that a run shows.
-    Shown,
+    /// The origin of the next polynomial, in the lanes in which this is above zero.
+    Origin { lanes: R },
+    /// The current state of the run.
+    Current,
 }
 
-/// Coordinates, with what they carry.
+/// States of coordinates, with the roundings that they carry.
 #[derive(Clone)]
 pub(super) struct States<S> {
-    /// Where the polynomial begins.
-    pub(super) begin: Vec<S>,
-    /// Where the run is.
-    pub(super) shown: Vec<S>,
+    /// Those at the origin of the polynomial.
+    pub(super) origin: Vec<S>,
+    /// The current ones of the run.
+    pub(super) current: Vec<S>,
 }
 
 impl<S: Copy> States<S> {
-    /// At the beginning.
-    pub(super) fn at(begin: Vec<S>) -> Self {
-        Self { shown: begin.clone(), begin }
+    /// States at the origin.
+    pub(super) fn at(origin: Vec<S>) -> Self {
+        Self { current: origin.clone(), origin }
     }
-    /// Takes over others, as many.
+    /// Copies other states, of as many coordinates.
     pub(super) fn copy(&mut self, from: &Self) {
-        self.begin.clone_from(&from.begin);
-        self.shown.clone_from(&from.shown);
+        self.origin.clone_from(&from.origin);
+        self.current.clone_from(&from.current);
     }
 
-    /// Follows the polynomials of a table from the beginning, `Σ cₖ tᵏ`, and tells it the next one. The higher orders come
-    /// in by fours that do not wait for each other; the lowest one after the other (Horner), with one rounding each, since
-    /// theirs are the roundings that count. So many numbers or rows take their turns together.
+    /// Evaluates the polynomials of a table at `t` from the origin, `Σ cₖ tᵏ`, and stores the next origin in the table.
+    /// The higher orders are summed by fours that do not wait for each other (Estrin); the lowest one after the other
+    /// (Horner), with one rounding each, since theirs are the roundings that matter. `BATCH` numbers or vectors are
+    /// evaluated together.
     #[inline(always)]
-    pub(super) fn follow<R: Real, W: Row<R>, const ABREAST: usize>(
+    pub(super) fn evaluate<R: Real, W: Row<R>, const BATCH: usize>(
         &mut self,
         table: &mut [R],
         layout: Layout,
@@ -65,13 +67,13 @@ impl<S: Copy> States<S> {
         let count = width / step;
         let mut first = 0;
         while first < count {
-            let abreast = ABREAST.min(count - first);
-            let places = first * step..(first + abreast) * step;
-            let mut sums = [W::of(0.0); ABREAST];
+            let batch = BATCH.min(count - first);
+            let indices = first * step..(first + batch) * step;
+            let mut sums = [W::of(0.0); BATCH];
             macro_rules! add_order {
                 ($k:expr) => {
-                    let numbers = &table[$k * width..][places.clone()];
-                    for (i, sum) in sums[..abreast].iter_mut().enumerate() {
+                    let numbers = &table[$k * width..][indices.clone()];
+                    for (i, sum) in sums[..batch].iter_mut().enumerate() {
                         *sum = Real::fma(*sum, t, W::read(&numbers[i * step..]));
                     }
                 };
@@ -81,7 +83,7 @@ impl<S: Copy> States<S> {
             }
             for four in (0..fours).rev() {
                 let numbers = &table[(LOWEST + 1 + 4 * four) * width..][..4 * width];
-                for (i, sum) in sums[..abreast].iter_mut().enumerate() {
+                for (i, sum) in sums[..batch].iter_mut().enumerate() {
                     let numbers = &numbers[(first + i) * step..];
                     let low = Real::fma(W::read(&numbers[width..]), t, W::read(numbers));
                     let high = Real::fma(W::read(&numbers[3 * width..]), t, W::read(&numbers[2 * width..]));
@@ -91,29 +93,29 @@ impl<S: Copy> States<S> {
             for k in (1..LOWEST + 1).rev() {
                 add_order!(k);
             }
-            let begins = &mut self.begin[first..][..abreast];
+            let origins = &mut self.origin[first..][..batch];
             match to {
-                To::Begin { moves } => {
-                    let values = &mut table[places];
-                    for (i, sum) in sums[..abreast].iter_mut().enumerate() {
-                        let mut slot = begins[i];
+                To::Origin { lanes } => {
+                    let values = &mut table[indices];
+                    for (i, sum) in sums[..batch].iter_mut().enumerate() {
+                        let mut slot = origins[i];
                         Slot::fma(&mut slot, t, *sum);
                         if R::MEMBERS > 1 {
-                            slot = S::select(W::of(0.0).less(W::splat(moves)), slot, begins[i]);
+                            slot = S::select(W::of(0.0).less(W::splat(lanes)), slot, origins[i]);
                         }
-                        begins[i] = slot;
+                        origins[i] = slot;
                         slot.value().write(&mut values[i * step..]);
                     }
                 }
-                To::Shown => {
-                    let shown = &mut self.shown[first..][..abreast];
-                    for (i, sum) in sums[..abreast].iter_mut().enumerate() {
-                        shown[i] = begins[i];
-                        Slot::fma(&mut shown[i], t, *sum);
+                To::Current => {
+                    let current = &mut self.current[first..][..batch];
+                    for (i, sum) in sums[..batch].iter_mut().enumerate() {
+                        current[i] = origins[i];
+                        Slot::fma(&mut current[i], t, *sum);
                     }
                 }
             }
-            first += ABREAST;
+            first += BATCH;
         }
     }
 }

@@ -1,6 +1,6 @@
-//! The Taylor coefficients of all coordinates of a part of the state.
+//! The Taylor coefficients of all positions, or of all momenta.
 
-use super::series::{COEFFICIENTS, over};
+use super::series::{COEFFICIENTS, div_by_order};
 use crate::{
     scalar::{real::Real, simd::row::Row},
     state::{aligned::Aligned, coords::Coords},
@@ -10,26 +10,26 @@ use core::{
     ops::{Index, IndexMut},
 };
 
-/// How many coordinates lie side by side.
+/// The lanes of a vector of coordinates.
 pub(super) const EIGHT: usize = 8;
 
-/// Numbers that are computed on at once: eight side by side, or one.
-pub(super) type Wide<R> = <R as Real>::Wide;
+/// A vector of eight numbers, or one number.
+pub type Wide<R> = <R as Real>::Wide;
 
-/// Whether numbers are computed on one by one.
+/// Whether numbers are computed one by one.
 pub(super) const fn is_narrow<R: Real>() -> bool {
     Wide::<R>::LANES == R::LANES
 }
 
-/// Up to how many coordinates lie close together; rows of more begin where a register is read at once.
+/// The most coordinates that are stored without padding; larger order slices are padded to whole vectors.
 pub(super) const FEW: usize = 4;
 
-/// Whether coordinates lie close together.
+/// Whether coordinates are stored without padding.
 const fn are_few(length: usize, components: usize) -> bool {
     length * components <= FEW
 }
 
-/// Whether all coordinates of a type do.
+/// Whether all coordinates of a type are.
 pub(super) const fn are_always_few<C: Coords>() -> bool {
     match C::LENGTH {
         Some(length) => are_few(length, C::COMPONENTS),
@@ -37,80 +37,79 @@ pub(super) const fn are_always_few<C: Coords>() -> bool {
     }
 }
 
-/// How coordinates lie in the rows of a table: components one after the other, each of all points.
+/// The layout of an order slice: components one after the other, each of all points.
 #[derive(Clone, Copy)]
 pub struct Layout {
-    /// How many numbers or points there are.
+    /// The number of numbers or points.
     length: usize,
     components: usize,
     interleaved: bool,
-    /// To how many registers points are dealt out, one after the other; one, where neighbours lie side by side.
-    registers: NonZero<usize>,
-    /// How far a component of the points is from the next one.
+    /// The number of vectors div_by_order which points are distributed cyclically; one, where neighbours share vectors.
+    vectors: NonZero<usize>,
+    /// The distance from a component of the points to the next one.
     stride: usize,
-    /// How far the coefficients of one order are from those of the next.
+    /// The length of an order slice.
     width: usize,
 }
 
 impl Layout {
-    /// For so many numbers or points: a number that code knows, where the type tells it. Interleaved, points lie
-    /// in the same lanes of registers as those a little further on, so that what reads points and their neighbours reads
-    /// whole registers.
+    /// The layout of so many numbers or points: a compile-time constant, where the type has it. Interleaved, points are
+    /// in the same lanes as their neighbours, so that iterations div_by_order points and neighbours read whole vectors.
     #[inline(always)]
     pub fn of<C: Coords>(length: usize, interleaved: bool) -> Self {
         let length = C::LENGTH.unwrap_or(length);
         let components = C::COMPONENTS;
         let few = are_few(length, components);
         let stride = if few { length } else { length.next_multiple_of(EIGHT) };
-        let registers = if interleaved && !few { NonZero::new(stride / EIGHT) } else { None };
-        let registers = registers.unwrap_or(NonZero::<usize>::MIN);
-        Self { length, components, interleaved, registers, stride, width: components * stride }
+        let vectors = if interleaved && !few { NonZero::new(stride / EIGHT) } else { None };
+        let vectors = vectors.unwrap_or(NonZero::<usize>::MIN);
+        Self { length, components, interleaved, vectors, stride, width: components * stride }
     }
-    /// How many numbers or points there are.
+    /// The number of numbers or points.
     #[inline(always)]
     pub(super) fn length(self) -> usize {
         self.length
     }
-    /// Whether coordinates are so few that they are not computed on in registers.
+    /// Whether coordinates are too few to be computed in vectors.
     #[inline(always)]
     pub(super) fn is_few(self) -> bool {
         self.width <= FEW
     }
-    /// How many places there are in a row.
+    /// The length of an order slice, with padding.
     #[inline(always)]
     pub(super) fn width(self) -> usize {
         self.width
     }
-    /// How far a component of the points is from the next one.
+    /// The distance from a component of the points to the next one.
     #[inline(always)]
     pub(super) fn stride(self) -> usize {
         self.stride
     }
-    /// Whether points lie where what reads their neighbours reads whole registers.
+    /// Whether neighbours are in the same lanes of different vectors.
     pub(super) fn is_interleaved(self) -> bool {
         self.interleaved
     }
-    /// The coordinate in a place. Places that no point has repeat the last one.
-    pub(super) fn coordinate(self, place: usize) -> usize {
-        let (component, within) = (place / self.stride, place % self.stride);
-        let point = match self.registers.get() {
+    /// The coordinate at an index of an order slice. Padding repeats the last one.
+    pub(super) fn coordinate(self, index: usize) -> usize {
+        let (component, within) = (index / self.stride, index % self.stride);
+        let point = match self.vectors.get() {
             1 => within,
-            registers => within % EIGHT * registers + within / EIGHT,
+            vectors => within % EIGHT * vectors + within / EIGHT,
         };
         point.min(self.length - 1) * self.components + component
     }
-    /// Where a component of a point is in a row.
+    /// The index of a component of a point in an order slice.
     #[inline(always)]
-    pub fn place(self, point: usize, component: usize) -> usize {
-        let within = match self.registers.get() {
+    pub fn index(self, point: usize, component: usize) -> usize {
+        let within = match self.vectors.get() {
             1 => point,
-            _ => point % self.registers * EIGHT + point / self.registers,
+            _ => point % self.vectors * EIGHT + point / self.vectors,
         };
         component * self.stride + within
     }
-    /// Where a coordinate is in a row.
-    pub fn place_of(self, coordinate: usize) -> usize {
-        self.place(coordinate / self.components, coordinate % self.components)
+    /// The index of a coordinate in an order slice.
+    pub fn index_of(self, coordinate: usize) -> usize {
+        self.index(coordinate / self.components, coordinate % self.components)
     }
 }
 
@@ -120,11 +119,11 @@ pub struct Table<R> {
 }
 
 impl<R: Real> Table<R> {
-    /// Room for coefficients that lie so.
+    /// Coefficients that are zero.
     pub fn new(layout: Layout) -> Self {
         Self { numbers: Aligned::new(COEFFICIENTS * layout.width, &|_| R::of(0.0)) }
     }
-    /// The coefficients.
+    /// The coefficients by order.
     #[inline(always)]
     pub fn of(&mut self, layout: Layout) -> Coefficients<'_, R> {
         Coefficients { numbers: self.numbers_mut(layout), layout }
@@ -150,13 +149,13 @@ impl<R: Copy> Clone for Table<R> {
     }
 }
 
-/// Room for the coefficients of a few coordinates, which the compiler holds in registers where it knows the orders.
+/// The table of a few coordinates, which the compiler holds in registers where it knows the orders.
 #[derive(Clone, Copy)]
-pub(super) struct Rows<R> {
+pub(super) struct SmallTable<R> {
     numbers: [R; COEFFICIENTS * FEW],
 }
 
-impl<R: Real> Rows<R> {
+impl<R: Real> SmallTable<R> {
     #[inline(always)]
     pub(super) fn new() -> Self {
         Self { numbers: [R::of(0.0); COEFFICIENTS * FEW] }
@@ -196,28 +195,28 @@ impl<R: Real> Coefficients<'_, R> {
     pub fn divide(&mut self, order: usize) {
         if const { is_narrow::<R>() } || self.layout.is_few() {
             for number in &mut self[order] {
-                *number = over(*number, order);
+                *number = div_by_order(*number, order);
             }
         } else {
             for numbers in self[order].chunks_exact_mut(EIGHT) {
-                over(<Wide<R> as Row<R>>::read(numbers), order).write(numbers);
+                div_by_order(<Wide<R> as Row<R>>::read(numbers), order).write(numbers);
             }
         }
     }
 
-    /// Whether coordinates are so few that they are not computed on in registers.
+    /// Whether coordinates are too few to be computed in vectors.
     #[inline(always)]
     pub(super) fn is_few(&self) -> bool {
         self.layout.is_few()
     }
 
-    /// How coordinates lie in a row.
+    /// The layout of an order slice.
     #[inline(always)]
     pub fn layout(&self) -> Layout {
         self.layout
     }
 
-    /// How far a component of the points is from the next one.
+    /// The distance from a component of the points to the next one.
     #[inline(always)]
     pub fn stride(&self) -> usize {
         self.layout.stride

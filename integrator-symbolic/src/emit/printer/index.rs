@@ -51,7 +51,7 @@ impl Printer<'_> {
     pub(crate) fn dealt_place(&self, fields: &mut Fields, index: IndexId, component: Option<IndexId>) -> TokenStream {
         let index = self.index(fields, index);
         let component = component.map_or(quote!(0), |component| self.index(fields, component));
-        quote!(layout.place(#index, #component))
+        quote!(layout.index(#index, #component))
     }
 
     /// The indices of a coordinate; of a body that is an argument, those behind the body's.

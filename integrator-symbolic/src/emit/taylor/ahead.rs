@@ -46,13 +46,13 @@ impl Writer<'_> {
                 let value = self.moved(fields, *mobility, &quote!(#next));
                 match self.rate_of(&momentum.partner()).map(|rate| rate.of(&quote!(order + 2))) {
                     Some(rate) => quote! {
-                        #rate = #runtime::over(#value, order + 1);
-                        q[order + 2][#place] = #runtime::over(#rate, order + 2);
+                        #rate = #runtime::div_by_order(#value, order + 1);
+                        q[order + 2][#place] = #runtime::div_by_order(#rate, order + 2);
                     },
-                    None => quote!(q[order + 2][#place] = #runtime::over_two(#value, order + 1);),
+                    None => quote!(q[order + 2][#place] = #runtime::div_by_two_orders(#value, order + 1);),
                 }
             });
-            quote!(p[order + 1][#place] = #runtime::over(#next, order + 1); #position)
+            quote!(p[order + 1][#place] = #runtime::div_by_order(#next, order + 1); #position)
         });
         let lines: TokenStream = lines.collect();
         let lines = quote!(if order == 0 { #first } #opening #begun #body #lines);

@@ -31,7 +31,7 @@ pub(super) fn implementation(body: TokenStream, tape: &Tape<'_>, kind: &Kind, na
         type Tape<#scalar: #runtime::Real> = #tape_of;
         const ROLLED: bool = #rolled;
         const INTERLEAVED: bool = #interleaved;
-        const AT_ONCE: usize = #at_once;
+        const ORDERS_PER_CALL: usize = #at_once;
 
         #[cfg_attr(not(debug_assertions), inline(always))]
         fn order<#scalar: #runtime::Real>(

@@ -117,7 +117,7 @@ impl Writer<'_> {
         self.within.pop();
         let iteration = (!self.records[number].slots.is_empty()).then(|| {
             let (runtime, list, next) = (self.printer.runtime, list(number), tape::next(number));
-            quote!(let #at = #runtime::iteration(&mut tape.#list, &mut #next);)
+            quote!(let #at = #runtime::next_record(&mut tape.#list, &mut #next);)
         });
         self.printer.loop_over(fields, by, &quote!(#iteration #body))
     }
@@ -168,23 +168,23 @@ impl Writer<'_> {
                 #order: usize,
                 #(#clock: [#wide; #of_orders],)*
             ) -> [[#wide; #of_orders]; #of_values] {
-                let mut found = [[#wide::of(0.0); #of_orders]; #of_values];
+                let mut results = [[#wide::of(0.0); #of_orders]; #of_values];
                 #flags
                 #body
-                found
+                results
             }
         };
 
         let taken = self.taken(fields, nest, &points, &iterations, &found);
         let common = nest.invariants.iter().map(|id| {
             let value = self.printer.expression(fields, *id).tokens;
-            quote!(#runtime::spread(#value))
+            quote!(#runtime::splat(#value))
         });
         let common: Vec<TokenStream> = common.collect();
         let read = points.iter().enumerate().map(|(number, point)| {
             let (part, number) = (self.printer.part(nest.reads[point[0]].1), Literal::usize_unsuffixed(number));
             let components = point.iter().map(|read| &reads[*read]);
-            quote!(let [#(#components),*] = row.read(#number, #part, order);)
+            quote!(let [#(#components),*] = block.read(#number, #part, order);)
         });
         let moves = |part| nest.targets.iter().any(|element| element.part == part);
         let added = [
@@ -194,15 +194,15 @@ impl Writer<'_> {
         let added = added.into_iter().filter(|(part, _)| moves(*part)).map(|(_, added)| added);
         // The lines around have the coefficients of the time of one order.
         let (times, clock) = match self.pass {
-            Pass::One => (None, clock.iter().map(|name| quote!([#runtime::spread(#name)])).collect()),
+            Pass::One => (None, clock.iter().map(|name| quote!([#runtime::splat(#name)])).collect()),
             Pass::Two if clock.is_empty() => (None, Vec::new()),
             Pass::Two => (
-                Some(quote!(let times = [order, order + 1].map(|order| #runtime::order_of_time(order, time));)),
+                Some(quote!(let times = [order, order + 1].map(|order| #runtime::time_coefficients(order, time));)),
                 clock
                     .iter()
                     .map(|name| {
                         let number = Literal::usize_unsuffixed(usize::from(name == "time"));
-                        quote!([#runtime::spread(times[0].#number), #runtime::spread(times[1].#number)])
+                        quote!([#runtime::splat(times[0].#number), #runtime::splat(times[1].#number)])
                     })
                     .collect(),
             ),
@@ -211,12 +211,12 @@ impl Writer<'_> {
             #function
             #times
             if order == 0 && tape.#iterations.is_empty() { #taken }
-            for (row, found) in tape.#iterations.rows() {
+            for (block, results) in tape.#iterations.blocks() {
                 #(#read)*
-                *found = #iteration::<#scalar, #runtime::Abreast<#scalar>>(
-                    &mut row.kept,
+                *results = #iteration::<#scalar, #runtime::Wide<#scalar>>(
+                    &mut block.kept,
                     [#(#reads),*],
-                    row.constants,
+                    block.constants,
                     [#(#common),*],
                     order,
                     #(#clock,)*
@@ -275,7 +275,7 @@ impl Writer<'_> {
             let holds = printer.computation(fields, *id).tokens;
             quote!(#scalar::select(#holds, #scalar::of(1.0), #scalar::of(0.0)))
         }));
-        let take = quote!(tape.#iterations.take([#(#reads),*], [#(#constants),*], [#(#targets),*]););
+        let take = quote!(tape.#iterations.push([#(#reads),*], [#(#constants),*], [#(#targets),*]););
         let take = nest.loops.iter().rev().fold(take, |take, by| printer.loop_over(fields, *by, &take));
         self.printer.names = named;
         let targets = nest.targets.iter().zip(&found.targets).map(|(element, (value, negative))| {
@@ -287,6 +287,6 @@ impl Writer<'_> {
             let negated = negative.then(|| quote!(.negated()));
             quote!(#runtime::Target::#part(#value) #negated)
         });
-        quote!(#take tape.#iterations.lay_out(layout, [#(#targets),*]);)
+        quote!(#take tape.#iterations.build(layout, [#(#targets),*]);)
     }
 }

@@ -263,8 +263,8 @@ impl<'m> Writer<'m> {
                     let number = Literal::usize_unsuffixed(number);
                     let value = self.masked(fields, signed(self.printer.graph, *id).1);
                     return match self.pass {
-                        Pass::One => quote!(found[#number] = [#value];),
-                        Pass::Two => quote!(found[#number][at] = #value;),
+                        Pass::One => quote!(results[#number] = [#value];),
+                        Pass::Two => quote!(results[#number][at] = #value;),
                     };
                 }
                 let value = self.masked(fields, *id);

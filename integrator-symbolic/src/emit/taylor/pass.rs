@@ -38,7 +38,7 @@ pub(super) fn clock_read(lines: &Body) -> Vec<Ident> {
 /// The line that gives the coefficients of the time, where they are read.
 pub(super) fn clock(runtime: &Ident, lines: &TokenStream) -> Option<TokenStream> {
     let is_read = !clock_read(&Body::new(lines.clone())).is_empty();
-    is_read.then(|| quote!(let (step, time) = #runtime::order_of_time(order, time);))
+    is_read.then(|| quote!(let (step, time) = #runtime::time_coefficients(order, time);))
 }
 
 impl Writer<'_> {
@@ -53,7 +53,7 @@ impl Writer<'_> {
                     let (next, part) = (next(number), self.printer.part(*element));
                     let place = self.printer.in_row(fields, *element);
                     let rate = self.keep_rate_of(element, &next);
-                    quote!(#rate #part[order + 1][#place] = #runtime::over(#next, order + 1);)
+                    quote!(#rate #part[order + 1][#place] = #runtime::div_by_order(#next, order + 1);)
                 });
                 quote!(#opening #begun #body #(#moved)*)
             }
@@ -82,12 +82,12 @@ impl Writer<'_> {
         let (scalar, runtime) = (self.printer.scalar, self.printer.runtime);
         let begin = quote! {
             if order == 0 {
-                if tape.mobility.is_empty() {
+                if tape.inverse_mass.is_empty() {
                     q[1].fill(#scalar::of(-0.0));
                     #mobilities
-                    tape.mobility = #runtime::Mobility::of(&q[1]);
+                    tape.inverse_mass = #runtime::InverseMass::of(&q[1]);
                 }
-                tape.mobility.begin(q, p);
+                tape.inverse_mass.first_order(q, p);
             }
         };
         if self.pass == Pass::One {
@@ -95,7 +95,7 @@ impl Writer<'_> {
             let opening = &self.opening;
             let lines = quote!(p[order + 1].fill(#scalar::of(-0.0)); #opening #body);
             let clock = clock(runtime, &lines);
-            return quote!(#begin #clock #lines tape.mobility.follow(q, p, order + 1););
+            return quote!(#begin #clock #lines tape.inverse_mass.next_order(q, p, order + 1););
         }
         let (loops, own): (Vec<&Item>, Vec<&Item>) = items.iter().partition(|item| matches!(item, Item::Loop { .. }));
         let own = self.items(fields, own);
@@ -107,8 +107,8 @@ impl Writer<'_> {
             #begin
             for order in [order, order + 1] { #clock #own }
             #loops
-            tape.mobility.follow(q, p, order + 1);
-            tape.mobility.follow(q, p, order + 2);
+            tape.inverse_mass.next_order(q, p, order + 1);
+            tape.inverse_mass.next_order(q, p, order + 2);
         }
     }
 

@@ -253,14 +253,14 @@ impl Writer<'_> {
             }
             Node::Power(a, halves) if self.has_no_slopes(id) => {
                 let exponent = Literal::f64_unsuffixed(f64::from(halves) / 2.0);
-                let (function, exponent) = (quote!(#runtime::weight::<#scalar>), exponent.into_token_stream());
+                let (function, exponent) = (quote!(#runtime::power_weight::<#scalar>), exponent.into_token_stream());
                 let number = self.printer.lift(exponent.clone());
                 let weight = Weight::Power { function, exponent, number, rate: self.rate(a).cloned() };
                 (weight, self.unsigned(fields, a).1, own)
             }
             Node::Binary(function, a, b) if is_power(function) => {
                 let exponent = self.printer.expression(fields, b).tokens;
-                let function = quote!(#runtime::weight_with);
+                let function = quote!(#runtime::power_weight_with);
                 let (number, rate) = (exponent.clone(), self.rate(a).cloned());
                 let weight = Weight::Power { function, exponent, number, rate };
                 (weight, self.unsigned(fields, a).1, own)

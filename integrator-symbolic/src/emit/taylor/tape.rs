@@ -83,8 +83,7 @@ fn kind(number: usize, record: &Record, names: &Names) -> Option<TokenStream> {
     match record.iterations {
         Iterations::Abreast(counts) => {
             let counts = counts.map(Literal::usize_unsuffixed);
-            let kept =
-                if record.slots.is_empty() { quote!(()) } else { quote!(#iteration<#runtime::Abreast<#scalar>>) };
+            let kept = if record.slots.is_empty() { quote!(()) } else { quote!(#iteration<#runtime::Wide<#scalar>>) };
             Some(quote!(#runtime::Iterations<#scalar, #kept, #(#counts),*>))
         }
         Iterations::OneByOne if !record.slots.is_empty() => Some(quote!(#runtime::Vec<#iteration<#scalar>>)),
@@ -111,7 +110,7 @@ impl Tape<'_> {
     pub(super) fn structs(&self, names: &Names) -> TokenStream {
         let Names { runtime, scalar, .. } = names;
         let numbered = || self.records.iter().enumerate().skip(1);
-        let mobility = self.is_mobile.then(|| (format_ident!("mobility"), quote!(#runtime::Mobility<#scalar>)));
+        let mobility = self.is_mobile.then(|| (format_ident!("inverse_mass"), quote!(#runtime::InverseMass<#scalar>)));
         let of_loops = numbered().filter_map(|(number, record)| Some((list(number), kind(number, record, names)?)));
         let lists: Vec<(Ident, TokenStream)> = mobility.into_iter().chain(of_loops).collect();
         let iterations = numbered().filter(|(_, record)| !record.slots.is_empty()).map(|(number, record)| {

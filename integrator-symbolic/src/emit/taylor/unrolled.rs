@@ -79,7 +79,7 @@ impl Writer<'_> {
         let (runtime, slope) = (self.printer.runtime, slope.of(&quote!(0)));
         match (self.rate(*x), self.printer.graph.node(signed(self.printer.graph, *x).1)) {
             (Some(rate), Node::Coordinate(_)) => {
-                [minus(*negative, rate.of(&quote!(order))), quote!(#runtime::over(#slope, order))]
+                [minus(*negative, rate.of(&quote!(order))), quote!(#runtime::div_by_order(#slope, order))]
             }
             _ => [minus(*negative, self.newest(fields, *x)), slope],
         }
@@ -136,7 +136,7 @@ impl Writer<'_> {
             let [early, late] = halves.each_ref().map(|half| quote!(#half[#n]));
             lines.halves([&early, &late], |j| factor.of(j), b);
         }
-        lines.end.extend(quote!(let #rest = #runtime::weighted(#exponent, order, [#(#halves),*]);));
+        lines.end.extend(quote!(let #rest = #runtime::power_sum(#exponent, order, [#(#halves),*]);));
     }
 
     /// What the sum of products with earlier coefficients is called, where there is one.
@@ -164,7 +164,7 @@ impl Writer<'_> {
         let with_newest = |sum| newest.iter().fold(sum, |sum, [a, b]| quote!(#a.fma(#b, #sum)));
         if !self.is_unrolled() {
             let rest = scaled(rest);
-            let later = with_newest(quote!(#runtime::over(#rest, order)));
+            let later = with_newest(quote!(#runtime::div_by_order(#rest, order)));
             return quote!(if order == 0 { #first } else { #later });
         }
         let products = self.products(fields, id);
@@ -172,9 +172,9 @@ impl Writer<'_> {
             Some(early) => quote!((#early + #rest)),
             None => rest,
         });
-        let sum = products.iter().fold(quote!(#runtime::over(#rest, order)), |sum, products| {
+        let sum = products.iter().fold(quote!(#runtime::div_by_order(#rest, order)), |sum, products| {
             let (a, b) = (scaled(self.factor(products, &quote!(1))), products.b.of(&quote!(order - 1)));
-            quote!(#runtime::over(#a, order).fma(#b, #sum))
+            quote!(#runtime::div_by_order(#a, order).fma(#b, #sum))
         });
         let later = with_newest(sum);
         let second = newest.iter().map(|[a, b]| quote!(#b * #a)).reduce(|sum, product| quote!(#sum + #product));

@@ -27,10 +27,10 @@ const _: () = {
     /// The coefficients that recurrences read.
     pub struct Tape<Scalar: runtime::Real> {
         kept: [TapeOrder<Scalar>; runtime::COEFFICIENTS],
-        mobility: runtime::Mobility<Scalar>,
+        inverse_mass: runtime::InverseMass<Scalar>,
         iterations_1: runtime::Iterations<
             Scalar,
-            Iteration1<runtime::Abreast<Scalar>>,
+            Iteration1<runtime::Wide<Scalar>>,
             2,
             0,
             2,
@@ -45,7 +45,7 @@ const _: () = {
                     shared_5: Scalar::of(0.0),
                     shared_7: Scalar::of(0.0),
                 }; runtime::COEFFICIENTS],
-                mobility: ::core::default::Default::default(),
+                inverse_mass: ::core::default::Default::default(),
                 iterations_1: ::core::default::Default::default(),
             }
         }
@@ -55,7 +55,7 @@ const _: () = {
         type Tape<Scalar: runtime::Real> = Tape<Scalar>;
         const ROLLED: bool = true;
         const INTERLEAVED: bool = true;
-        const AT_ONCE: usize = 2;
+        const ORDERS_PER_CALL: usize = 2;
         #[cfg_attr(not(debug_assertions), inline(always))]
         fn order<Scalar: runtime::Real>(
             _parameters: &Self::Parameters<Scalar>,
@@ -67,17 +67,17 @@ const _: () = {
             _time: Scalar,
         ) {
             let layout = q.layout();
-            let place_0 = layout.place(0, 0);
-            let place_1 = layout.place(31, 0);
+            let place_0 = layout.index(0, 0);
+            let place_1 = layout.index(31, 0);
             if order == 0 {
-                if tape.mobility.is_empty() {
+                if tape.inverse_mass.is_empty() {
                     q[1].fill(Scalar::of(-0.0));
                     for k in 0..32 {
-                        q[order + 1][layout.place(k, 0)] += Scalar::of(1.0);
+                        q[order + 1][layout.index(k, 0)] += Scalar::of(1.0);
                     }
-                    tape.mobility = runtime::Mobility::of(&q[1]);
+                    tape.inverse_mass = runtime::InverseMass::of(&q[1]);
                 }
-                tape.mobility.begin(q, p);
+                tape.inverse_mass.first_order(q, p);
             }
             for order in [order, order + 1] {
                 p[order + 1].fill(Scalar::of(-0.0));
@@ -117,7 +117,7 @@ const _: () = {
                     q[order][place_1]
                         .fma(
                             tape.kept[0].shared_7,
-                            runtime::over(rest_of_shared_2, order),
+                            runtime::div_by_order(rest_of_shared_2, order),
                         )
                 };
                 let shared_3 = if order == 0 {
@@ -126,7 +126,7 @@ const _: () = {
                     q[order][place_0]
                         .fma(
                             tape.kept[0].shared_5,
-                            runtime::over(rest_of_shared_3, order),
+                            runtime::div_by_order(rest_of_shared_3, order),
                         )
                 };
                 let shared_4 = if order == 0 {
@@ -156,7 +156,7 @@ const _: () = {
                 []: [Wide; 0],
                 order: usize,
             ) -> [[Wide; 2]; 1] {
-                let mut found = [[Wide::of(0.0); 2]; 1];
+                let mut results = [[Wide::of(0.0); 2]; 1];
                 let mut rest_of_shared_1 = [Wide::of(0.0); 2];
                 if order > 0 {
                     let middle = order / 2;
@@ -196,21 +196,21 @@ const _: () = {
                                 .shared_0
                                 .fma(shared_0, rest_of_shared_1[at])
                     };
-                    found[0][at] = shared_1;
+                    results[0][at] = shared_1;
                 }
-                found
+                results
             }
             if order == 0 && tape.iterations_1.is_empty() {
                 for i in 1..32 {
                     tape.iterations_1
-                        .take(
-                            [layout.place(i, 0), layout.place(i - 1, 0)],
+                        .push(
+                            [layout.index(i, 0), layout.index(i - 1, 0)],
                             [],
-                            [layout.place(i, 0), layout.place(i - 1, 0)],
+                            [layout.index(i, 0), layout.index(i - 1, 0)],
                         );
                 }
                 tape.iterations_1
-                    .lay_out(
+                    .build(
                         layout,
                         [
                             runtime::Target::momentum(0).negated(),
@@ -218,17 +218,17 @@ const _: () = {
                         ],
                     );
             }
-            for (row, found) in tape.iterations_1.rows() {
-                let [read_0] = row.read(0, q, order);
-                let [read_1] = row.read(1, q, order);
-                *found = iteration_1::<
+            for (block, results) in tape.iterations_1.blocks() {
+                let [read_0] = block.read(0, q, order);
+                let [read_1] = block.read(1, q, order);
+                *results = iteration_1::<
                     Scalar,
-                    runtime::Abreast<Scalar>,
-                >(&mut row.kept, [read_0, read_1], row.constants, [], order);
+                    runtime::Wide<Scalar>,
+                >(&mut block.kept, [read_0, read_1], block.constants, [], order);
             }
             tape.iterations_1.add_to_momenta(p, order + 1);
-            tape.mobility.follow(q, p, order + 1);
-            tape.mobility.follow(q, p, order + 2);
+            tape.inverse_mass.next_order(q, p, order + 1);
+            tape.inverse_mass.next_order(q, p, order + 2);
         }
     }
 };

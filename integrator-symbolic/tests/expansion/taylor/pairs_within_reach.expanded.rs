@@ -42,10 +42,10 @@ const _: () = {
     }
     /// The coefficients that recurrences read.
     pub struct Tape<Scalar: runtime::Real> {
-        mobility: runtime::Mobility<Scalar>,
+        inverse_mass: runtime::InverseMass<Scalar>,
         iterations_1: runtime::Iterations<
             Scalar,
-            Iteration1<runtime::Abreast<Scalar>>,
+            Iteration1<runtime::Wide<Scalar>>,
             2,
             0,
             4,
@@ -56,7 +56,7 @@ const _: () = {
     impl<Scalar: runtime::Real> ::core::default::Default for Tape<Scalar> {
         fn default() -> Self {
             Self {
-                mobility: ::core::default::Default::default(),
+                inverse_mass: ::core::default::Default::default(),
                 iterations_1: ::core::default::Default::default(),
             }
         }
@@ -66,7 +66,7 @@ const _: () = {
         type Tape<Scalar: runtime::Real> = Tape<Scalar>;
         const ROLLED: bool = true;
         const INTERLEAVED: bool = false;
-        const AT_ONCE: usize = 2;
+        const ORDERS_PER_CALL: usize = 2;
         #[cfg_attr(not(debug_assertions), inline(always))]
         fn order<Scalar: runtime::Real>(
             parameters: &Self::Parameters<Scalar>,
@@ -80,15 +80,15 @@ const _: () = {
             let stride = q.stride();
             let layout = q.layout();
             if order == 0 {
-                if tape.mobility.is_empty() {
+                if tape.inverse_mass.is_empty() {
                     q[1].fill(Scalar::of(-0.0));
                     for k in 0..length {
                         q[order + 1][k] += Scalar::of(1.0);
                         q[order + 1][stride + k] += Scalar::of(1.0);
                     }
-                    tape.mobility = runtime::Mobility::of(&q[1]);
+                    tape.inverse_mass = runtime::InverseMass::of(&q[1]);
                 }
-                tape.mobility.begin(q, p);
+                tape.inverse_mass.first_order(q, p);
             }
             for order in [order, order + 1] {
                 p[order + 1].fill(Scalar::of(-0.0));
@@ -103,7 +103,7 @@ const _: () = {
                 order: usize,
                 step: [Wide; 2],
             ) -> [[Wide; 2]; 4] {
-                let mut found = [[Wide::of(0.0); 2]; 4];
+                let mut results = [[Wide::of(0.0); 2]; 4];
                 let mut rest_of_shared_1 = [Wide::of(0.0); 2];
                 let mut rest_of_shared_3 = [Wide::of(0.0); 2];
                 if order > 0 {
@@ -187,11 +187,11 @@ const _: () = {
                         let mut rest_of_shared_12 = Wide::of(0.0);
                         if order > 0 && order % 2 == 0 {
                             let middle = order / 2;
-                            rest_of_shared_5 = (runtime::weight::<
+                            rest_of_shared_5 = (runtime::power_weight::<
                                 Wide,
                             >(-4.0, middle, order) * iteration.kept[middle].shared_4)
                                 .fma(iteration.kept[middle].shared_5, rest_of_shared_5);
-                            rest_of_shared_9 = (runtime::weight::<
+                            rest_of_shared_9 = (runtime::power_weight::<
                                 Wide,
                             >(-1.0, middle, order) * iteration.kept[middle].shared_8)
                                 .fma(iteration.kept[middle].shared_9, rest_of_shared_9);
@@ -202,17 +202,19 @@ const _: () = {
                         }
                         for low in (1..order.div_ceil(2)).rev() {
                             let high = order - low;
-                            rest_of_shared_5 = (runtime::weight::<Wide>(-4.0, low, order)
-                                * iteration.kept[low].shared_4)
+                            rest_of_shared_5 = (runtime::power_weight::<
+                                Wide,
+                            >(-4.0, low, order) * iteration.kept[low].shared_4)
                                 .fma(iteration.kept[high].shared_5, rest_of_shared_5);
-                            rest_of_shared_5 = (runtime::weight::<
+                            rest_of_shared_5 = (runtime::power_weight::<
                                 Wide,
                             >(-4.0, high, order) * iteration.kept[high].shared_4)
                                 .fma(iteration.kept[low].shared_5, rest_of_shared_5);
-                            rest_of_shared_9 = (runtime::weight::<Wide>(-1.0, low, order)
-                                * iteration.kept[low].shared_8)
+                            rest_of_shared_9 = (runtime::power_weight::<
+                                Wide,
+                            >(-1.0, low, order) * iteration.kept[low].shared_8)
                                 .fma(iteration.kept[high].shared_9, rest_of_shared_9);
-                            rest_of_shared_9 = (runtime::weight::<
+                            rest_of_shared_9 = (runtime::power_weight::<
                                 Wide,
                             >(-1.0, high, order) * iteration.kept[high].shared_8)
                                 .fma(iteration.kept[low].shared_9, rest_of_shared_9);
@@ -245,7 +247,7 @@ const _: () = {
                                 .fma(
                                     Wide::of(-4.0) * iteration.kept[0].shared_5
                                         * iteration.over_shared_5,
-                                    runtime::over(
+                                    runtime::div_by_order(
                                         rest_of_shared_5 * iteration.over_shared_5,
                                         order,
                                     ),
@@ -266,7 +268,7 @@ const _: () = {
                                 .fma(
                                     Wide::of(-1.0) * iteration.kept[0].shared_9
                                         * iteration.over_shared_9,
-                                    runtime::over(
+                                    runtime::div_by_order(
                                         rest_of_shared_9 * iteration.over_shared_9,
                                         order,
                                     ),
@@ -297,12 +299,12 @@ const _: () = {
                                     shared_6.fma(iteration.kept[0].shared_10, rest_of_shared_12),
                                 )
                         };
-                        found[0][at] = Wide::select(
+                        results[0][at] = Wide::select(
                             condition_0,
                             shared_11,
                             Wide::of(0.0),
                         );
-                        found[1][at] = Wide::select(
+                        results[1][at] = Wide::select(
                             condition_0,
                             shared_12,
                             Wide::of(0.0),
@@ -310,22 +312,22 @@ const _: () = {
                         choice_1 = Wide::select(condition_0, -shared_12, choice_1);
                         choice_0 = Wide::select(condition_0, -shared_11, choice_0);
                     }
-                    found[2][at] = choice_0;
-                    found[3][at] = choice_1;
+                    results[2][at] = choice_0;
+                    results[3][at] = choice_1;
                 }
-                found
+                results
             }
             let times = [order, order + 1]
-                .map(|order| runtime::order_of_time(order, time));
+                .map(|order| runtime::time_coefficients(order, time));
             if order == 0 && tape.iterations_1.is_empty() {
                 for k in 0..length {
                     for j in 0..k {
                         tape.iterations_1
-                            .take([k, j], [], [j, stride + j, k, stride + k]);
+                            .push([k, j], [], [j, stride + j, k, stride + k]);
                     }
                 }
                 tape.iterations_1
-                    .lay_out(
+                    .build(
                         layout,
                         [
                             runtime::Target::momentum(0).negated(),
@@ -335,24 +337,24 @@ const _: () = {
                         ],
                     );
             }
-            for (row, found) in tape.iterations_1.rows() {
-                let [read_0, read_2] = row.read(0, q, order);
-                let [read_1, read_3] = row.read(1, q, order);
-                *found = iteration_1::<
+            for (block, results) in tape.iterations_1.blocks() {
+                let [read_0, read_2] = block.read(0, q, order);
+                let [read_1, read_3] = block.read(1, q, order);
+                *results = iteration_1::<
                     Scalar,
-                    runtime::Abreast<Scalar>,
+                    runtime::Wide<Scalar>,
                 >(
-                    &mut row.kept,
+                    &mut block.kept,
                     [read_0, read_1, read_2, read_3],
-                    row.constants,
-                    [runtime::spread(parameters.reach)],
+                    block.constants,
+                    [runtime::splat(parameters.reach)],
                     order,
-                    [runtime::spread(times[0].0), runtime::spread(times[1].0)],
+                    [runtime::splat(times[0].0), runtime::splat(times[1].0)],
                 );
             }
             tape.iterations_1.add_to_momenta(p, order + 1);
-            tape.mobility.follow(q, p, order + 1);
-            tape.mobility.follow(q, p, order + 2);
+            tape.inverse_mass.next_order(q, p, order + 1);
+            tape.inverse_mass.next_order(q, p, order + 2);
         }
     }
 };

@@ -27,7 +27,7 @@ const _: () = {
         type Tape<Scalar: runtime::Real> = Tape<Scalar>;
         const ROLLED: bool = false;
         const INTERLEAVED: bool = false;
-        const AT_ONCE: usize = 1;
+        const ORDERS_PER_CALL: usize = 1;
         #[cfg_attr(not(debug_assertions), inline(always))]
         fn order<Scalar: runtime::Real>(
             parameters: &Self::Parameters<Scalar>,
@@ -84,15 +84,21 @@ const _: () = {
             }
             let shared_1 = match order {
                 0 => q[order][0].sin(),
-                1 => runtime::over(tape.kept[0].shared_0, order) * tape.rates_0[order],
+                1 => {
+                    runtime::div_by_order(tape.kept[0].shared_0, order)
+                        * tape.rates_0[order]
+                }
                 _ => {
                     tape.rates_0[order]
                         .fma(
-                            runtime::over(tape.kept[0].shared_0, order),
-                            runtime::over(tape.rates_0[1], order)
+                            runtime::div_by_order(tape.kept[0].shared_0, order),
+                            runtime::div_by_order(tape.rates_0[1], order)
                                 .fma(
                                     tape.kept[order - 1].shared_0,
-                                    runtime::over((early_of_shared_1 + rest_of_shared_1), order),
+                                    runtime::div_by_order(
+                                        (early_of_shared_1 + rest_of_shared_1),
+                                        order,
+                                    ),
                                 ),
                         )
                 }
@@ -100,15 +106,18 @@ const _: () = {
             tape.kept[order].shared_1 = shared_1;
             let shared_0 = match order {
                 0 => q[order][0].cos(),
-                1 => runtime::over(tape.kept[0].shared_1, order) * (-tape.rates_0[order]),
+                1 => {
+                    runtime::div_by_order(tape.kept[0].shared_1, order)
+                        * (-tape.rates_0[order])
+                }
                 _ => {
                     (-tape.rates_0[order])
                         .fma(
-                            runtime::over(tape.kept[0].shared_1, order),
-                            runtime::over((-tape.rates_0[1]), order)
+                            runtime::div_by_order(tape.kept[0].shared_1, order),
+                            runtime::div_by_order((-tape.rates_0[1]), order)
                                 .fma(
                                     tape.kept[order - 1].shared_1,
-                                    runtime::over(
+                                    runtime::div_by_order(
                                         (-(early_of_shared_0 + rest_of_shared_0)),
                                         order,
                                     ),
@@ -118,12 +127,12 @@ const _: () = {
             };
             tape.kept[order].shared_0 = shared_0;
             next_0 += parameters.prepared_1 * shared_1;
-            p[order + 1][0] = runtime::over(next_0, order + 1);
-            tape.rates_0[order + 2] = runtime::over(
+            p[order + 1][0] = runtime::div_by_order(next_0, order + 1);
+            tape.rates_0[order + 2] = runtime::div_by_order(
                 parameters.prepared_0 * next_0,
                 order + 1,
             );
-            q[order + 2][0] = runtime::over(tape.rates_0[order + 2], order + 2);
+            q[order + 2][0] = runtime::div_by_order(tape.rates_0[order + 2], order + 2);
         }
     }
 };

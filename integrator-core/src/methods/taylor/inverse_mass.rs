@@ -1,0 +1,63 @@
+//! Diagonal inverse masses: positions with `q' = m p`, with a constant `m` for each coordinate.
+//!
+//! Always true: a coefficient of a position is the one of its momentum of the order below times `m`, divided by the
+//! order, so that it is known as soon as that one is.
+
+use super::{
+    series::div_by_order,
+    table::{Coefficients, EIGHT, Wide, is_narrow},
+};
+use crate::{
+    scalar::{real::Real, simd::row::Row},
+    state::aligned::Aligned,
+};
+
+/// The inverse mass of each coordinate; empty before the first expansion.
+pub struct InverseMass<R: Copy> {
+    numbers: Aligned<R>,
+}
+
+impl<R: Real> Default for InverseMass<R> {
+    fn default() -> Self {
+        Self { numbers: Aligned::new(0, &|_| R::of(0.0)) }
+    }
+}
+
+impl<R: Real> InverseMass<R> {
+    /// The inverse masses in an order slice.
+    pub fn of(slice: &[R]) -> Self {
+        Self { numbers: Aligned::new(slice.len(), &|index| slice[index]) }
+    }
+
+    /// Whether there are none yet.
+    #[inline(always)]
+    pub fn is_empty(&self) -> bool {
+        self.numbers.is_empty()
+    }
+
+    /// Computes the coefficients of order 1 of positions.
+    #[inline(always)]
+    pub fn first_order(&self, q: &mut Coefficients<'_, R>, p: &Coefficients<'_, R>) {
+        for ((q, p), inverse_mass) in q[1].iter_mut().zip(&p[0]).zip(&*self.numbers) {
+            *q = *inverse_mass * *p;
+        }
+    }
+
+    /// Divides the sums of momenta by their order, and computes the coefficients of positions of the next one.
+    #[inline(always)]
+    pub fn next_order(&self, q: &mut Coefficients<'_, R>, p: &mut Coefficients<'_, R>, order: usize) {
+        if const { is_narrow::<R>() } || q.is_few() {
+            for ((q, p), inverse_mass) in q[order + 1].iter_mut().zip(&mut p[order]).zip(&*self.numbers) {
+                *p = div_by_order(*p, order);
+                *q = div_by_order(*inverse_mass * *p, order + 1);
+            }
+            return;
+        }
+        let vectors = q[order + 1].chunks_exact_mut(EIGHT).zip(p[order].chunks_exact_mut(EIGHT));
+        for ((q, p), inverse_mass) in vectors.zip(self.numbers.chunks_exact(EIGHT)) {
+            let momentum = div_by_order(<Wide<R> as Row<R>>::read(p), order);
+            momentum.write(p);
+            div_by_order(<Wide<R> as Row<R>>::read(inverse_mass) * momentum, order + 1).write(q);
+        }
+    }
+}

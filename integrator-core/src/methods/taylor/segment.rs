@@ -1,0 +1,54 @@
+//! Segments of a member's trajectory, one for each polynomial.
+
+use super::time::Time;
+use crate::error::Unsolved;
+
+/// The segment of a trajectory that one polynomial covers.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Segment {
+    /// The time of the polynomial's expansion, from the start of the clock.
+    pub(super) origin: Time,
+    /// The step that the tolerance allows, with the sign of the run's; `None` before the polynomial is expanded.
+    pub(super) step: Option<f64>,
+    /// The fault that keeps the motion from going on.
+    pub(super) unsolved: Option<Unsolved>,
+}
+
+/// The progress of a member on its polynomial.
+#[derive(Clone, Copy)]
+pub(super) enum Progress {
+    /// It arrives after this duration.
+    Arrives(f64),
+    /// It goes to the end of the segment, after this duration, and takes the next one from there.
+    NextSegment(f64),
+    /// It has stopped at a fault.
+    Stopped,
+}
+
+impl Segment {
+    /// Whether the polynomial has to be expanded.
+    #[inline(always)]
+    pub(super) fn is_unexpanded(&self) -> bool {
+        self.step.is_none() && self.unsolved.is_none()
+    }
+
+    /// Proceeds towards `end` on this polynomial, or to the next segment, by a clock that started at `t0`.
+    #[inline(always)]
+    pub(super) fn proceed(&mut self, step: f64, end: Time, t0: f64) -> Progress {
+        if self.unsolved.is_some() {
+            return Progress::Stopped;
+        }
+        let ahead = end.since(self.origin);
+        if ahead.abs() <= step.abs() || ahead == 0.0 {
+            return Progress::Arrives(ahead);
+        }
+        let (origin, time) = (self.origin.after(step), t0 + self.origin.nearest());
+        if t0 + origin.nearest() == time || !step.is_finite() {
+            // The step is too short to change the time, or not finite.
+            self.unsolved = Some(Unsolved::Singular { time, reach: step });
+            return Progress::Stopped;
+        }
+        (self.origin, self.step) = (origin, None);
+        Progress::NextSegment(step)
+    }
+}
