@@ -1,6 +1,6 @@
 //! A batch: neighbouring members of an ensemble in the lanes of motions.
 //!
-//! Always true: the lanes hold the members that are under way, in their order and without a gap; what is left of the
+//! Always true: the lanes hold the members that are under way, in their order and without a gap; what remains of the
 //! last motion repeats the last of them. So the work of a member ends when it diverges or leaves.
 
 use crate::{
@@ -9,7 +9,7 @@ use crate::{
     state::{clock::Clock, point::Point},
     trajectory::{
         engine::Engine,
-        motions::{Lane, Motions, copied, gathered, loaded, show, shown},
+        motions::{Lane, Motions, copy, gather, load, show, shown},
         panics::Panics,
     },
 };
@@ -21,26 +21,26 @@ pub(crate) type States<'s> = dyn (Fn(usize) -> &'s dyn Point) + 's;
 /// A batch: members that are alike in what lanes have to share, or one alone.
 pub(crate) struct Batch {
     first: usize,
-    /// Where each member finished that is no longer under way.
+    /// The last states of the members that are no longer under way.
     finished: Vec<Option<Finish>>,
     /// The index in `finished` of the member in each lane.
     lanes: Vec<usize>,
     engine: Engine,
-    /// Where a state is written to be read: any one of the members' shape.
+    /// A buffer for the state of a member.
     sample: Box<dyn Point>,
     /// How many steps were done when the states were last changed from outside.
     opened: u64,
 }
 
-/// The last state of a member, after so many steps.
+/// The last state of a member, and the number of steps that led there.
 struct Finish {
     steps: u64,
     state: Box<dyn Point>,
 }
 
-/// A member that was taken through a block on its own.
+/// The replay of a block of steps with one member.
 struct Replay {
-    /// How many steps lead to finite states.
+    /// The number of steps that lead to finite states.
     taken: u64,
     /// Its engine after these.
     engine: Engine,
@@ -48,8 +48,8 @@ struct Replay {
     panicked: bool,
 }
 
-/// Whether a lane may go on, whose state is written to `sample`.
-fn is_good(motions: &dyn Motions, lane: usize, sample: &mut dyn Point) -> bool {
+/// Whether the state of a lane, which is written to `sample`, is finite, and its steps could be solved.
+fn is_valid(motions: &dyn Motions, lane: usize, sample: &mut dyn Point) -> bool {
     motions.store(lane, sample);
     sample.is_finite() && motions.unsolved(lane).is_none()
 }
@@ -59,7 +59,7 @@ impl Batch {
     pub(crate) fn new(members: Range<usize>, like: &dyn Motions, states: &States) -> Self {
         let first = members.start;
         let lanes: Vec<_> = (0..members.len()).collect();
-        let motions = loaded(like, with_states(first, &lanes, states));
+        let motions = load(like, with_states(first, &lanes, states));
         Self {
             first,
             finished: members.map(|_| None).collect(),
@@ -81,8 +81,8 @@ impl Batch {
     }
 
     /// Motions of members from lanes of others.
-    fn gathered(&self, lanes: Vec<Lane>) -> Box<dyn Motions> {
-        gathered(&*self.engine.motions, lanes, &*self.sample)
+    fn gather(&self, lanes: Vec<Lane>) -> Box<dyn Motions> {
+        gather(&*self.engine.motions, lanes, &*self.sample)
     }
 
     /// Takes the members that finished out of the lanes.
@@ -92,13 +92,13 @@ impl Batch {
             return;
         }
         let stay: Vec<_> = (0..self.lanes.len()).filter(|lane| is_under_way(self.lanes[*lane])).collect();
-        let motions = self.gathered(stay.iter().map(|lane| self.lane(&*self.engine.motions, *lane)).collect());
+        let motions = self.gather(stay.iter().map(|lane| self.lane(&*self.engine.motions, *lane)).collect());
         self.lanes = stay.into_iter().map(|lane| self.lanes[lane]).collect();
         self.engine = Engine::new(motions);
     }
 
-    /// Ends the way of a member with a replay that did not come to the end of a block from `clock`, and returns its divergence
-    /// unless a function of the user panicked.
+    /// Finishes a member whose replay of a block from `clock` ended early, and returns its divergence unless a function
+    /// of the user panicked.
     fn finish(&mut self, index: usize, clock: Clock, replay: &Replay) -> Option<(usize, Divergence)> {
         let clock = Clock { steps: clock.steps + replay.taken, ..clock };
         let mut state = self.sample.boxed_clone();
@@ -113,7 +113,7 @@ impl Batch {
     fn lost(&mut self, clock: Clock, block: u64, panics: &Panics) -> Vec<(usize, Divergence)> {
         let mut lost = Vec::new();
         for lane in 0..self.lanes.len() {
-            if !is_good(&*self.engine.completed, lane, &mut *self.sample) {
+            if !is_valid(&*self.engine.completed, lane, &mut *self.sample) {
                 let replay = self.replay(lane, clock, block, panics);
                 lost.extend(self.finish(self.lanes[lane], clock, &replay));
             }
@@ -121,8 +121,8 @@ impl Batch {
         lost
     }
 
-    /// Takes a block of steps in which a function of the user panicked again, from the snapshot, with each member on its own:
-    /// those for whom it panics finish before that step. Returns those that are lost.
+    /// Takes a block of steps in which a function of the user panicked again, from the snapshot, with each member on
+    /// its own: those for whom it panics finish before that step. Returns those that are lost.
     fn one_by_one(&mut self, clock: Clock, block: u64, panics: &Panics) -> Vec<(usize, Divergence)> {
         let (mut indices, mut engines, mut lost) = (Vec::new(), Vec::new(), Vec::new());
         for lane in 0..self.lanes.len() {
@@ -138,19 +138,19 @@ impl Batch {
         for (index, engine) in indices.iter().zip(&engines) {
             lanes.push(Lane { member: self.first + index, motions: &*engine.motions, lane: 0 });
         }
-        let motions = self.gathered(lanes);
+        let motions = self.gather(lanes);
         self.lanes = indices;
         self.engine = Engine::new(motions);
         self.engine.complete(self.since_opened(Clock { steps: clock.steps + block, ..clock }));
         lost
     }
 
-    /// Takes a member step by step through a block from `clock`, in all lanes of a motion of its own, from the snapshot to the
-    /// last finite state.
+    /// Takes a member step by step through a block from `clock`, in all lanes of a motion of its own, from the snapshot
+    /// to the last finite state.
     fn replay(&self, lane: usize, clock: Clock, block: u64, panics: &Panics) -> Replay {
-        let mut engine = Engine::new(self.gathered(vec![self.lane(&*self.engine.snapshot, lane)]));
+        let mut engine = Engine::new(self.gather(vec![self.lane(&*self.engine.snapshot, lane)]));
         let mut taken = 0;
-        let end = panics.attempted(|| engine.replay(self.since_opened(clock), block, &mut taken));
+        let end = panics.attempt(|| engine.replay(self.since_opened(clock), block, &mut taken));
         Replay { taken, engine, panicked: end.is_none() }
     }
 
@@ -174,8 +174,9 @@ impl Batch {
         self.first
     }
 
-    /// Carries on the members that are under way, tells `progress` how many steps the members have done meanwhile, all
-    /// together, and returns those that are lost now. A member that is no longer under way counts as if it were.
+    /// Advances the members that are under way, and returns those that diverge. Reports to `progress` the number of
+    /// steps that all members together have done since the last report; a member that is no longer under way counts as
+    /// if it were.
     pub(crate) fn advance(
         &mut self,
         request: &AdvanceRequest,
@@ -187,7 +188,7 @@ impl Batch {
             let block = request.block(done);
             let (before, since) = (request.clock_after(done), self.since_opened(request.clock_after(done)));
             done += block;
-            match request.panics.attempted(|| self.engine.take_steps(since, block)) {
+            match request.panics.attempt(|| self.engine.take_steps(since, block)) {
                 Some(true) => {}
                 Some(false) => lost.extend(self.lost(before, block, request.panics)),
                 None => lost.extend(self.one_by_one(before, block, request.panics)),
@@ -202,12 +203,12 @@ impl Batch {
         lost
     }
 
-    /// How many members are under way.
+    /// The number of members under way.
     pub(crate) fn active(&self) -> usize {
         self.lanes.len()
     }
 
-    /// How many steps a member has taken, by its number in the ensemble.
+    /// The number of steps that a member, by its number in the ensemble, has taken.
     pub(crate) fn steps(&self, member: usize, clock: Clock) -> u64 {
         self.finished[member - self.first].as_ref().map_or(clock.steps, |finish| finish.steps)
     }
@@ -218,7 +219,7 @@ impl Batch {
         completed.complete(clock);
         let shown = shown(&*completed, clock);
         let mut sample = self.sample.boxed_clone();
-        // Those who are under way are in the lanes, in their order.
+        // The members under way are in the lanes, in their order.
         let mut lane = 0;
         for (member, finished) in (self.first..).zip(&self.finished) {
             if let Some(finish) = finished {
@@ -237,10 +238,10 @@ impl Batch {
         if let Some(finish) = &self.finished[index] {
             return finish.state.boxed_clone();
         }
-        // Those before it that are under way are in the lanes before.
+        // The members before it that are under way are in the lanes before.
         let (lane, motions) = (self.lanes.partition_point(|other| *other < index), &*self.engine.motions);
         let (motion, lane) = (lane / motions.lanes(), lane % motions.lanes());
-        let (mut completed, clock) = (copied(motions, motion..motion + 1), self.since_opened(clock));
+        let (mut completed, clock) = (copy(motions, motion..motion + 1), self.since_opened(clock));
         completed.complete(clock);
         let mut state = self.sample.boxed_clone();
         show(&*completed, shown(&*completed, clock).as_deref(), lane, &mut *state);

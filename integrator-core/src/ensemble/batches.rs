@@ -5,25 +5,25 @@ use crate::{
     trajectory::motions::Motions,
 };
 
-/// How many batches a thread gets, so that all threads end at about the same time, and how large a batch may grow, so that
-/// those who leave early leave a gap in few of the motions.
+/// How many batches a thread gets, so that all threads end at about the same time, and how large a batch may grow, so
+/// that a member that leaves early leaves a gap in few of the motions.
 const BATCHES_PER_THREAD: usize = 4;
 const GROUPS_PER_BATCH: usize = 16;
 
-/// What members start from, by their numbers.
+/// The starts of members, by their numbers.
 pub(crate) struct Starts<'s> {
     pub(crate) states: &'s States<'s>,
     /// Whether two members may share lanes.
     pub(crate) alike: &'s dyn Fn(usize, usize) -> bool,
-    /// No motions yet, whose lanes members may share.
+    /// An empty list of motions whose lanes members may share.
     pub(crate) lanes: &'s dyn Motions,
-    /// No motions yet, of a member that shares none: alone, a member is what a run would be.
+    /// An empty list of motions for a member that shares none: it is computed as a run would be.
     pub(crate) single: &'s dyn Motions,
 }
 
 impl Starts<'_> {
-    /// Neighbours that are alike in what lanes have to share go side by side, in batches of such a size that threads can share
-    /// them; whoever is like no neighbour goes alone.
+    /// The batches of all members: neighbours that may share lanes, as many as leave several batches to every thread. A
+    /// member that can share lanes with no neighbour has a batch of its own.
     pub(crate) fn batches(&self, members: usize, threads: usize) -> Vec<Batch> {
         let group = self.lanes.lanes() * self.lanes.together();
         let size = group * (members / (group * BATCHES_PER_THREAD * threads)).clamp(1, GROUPS_PER_BATCH);

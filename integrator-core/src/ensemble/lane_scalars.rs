@@ -1,4 +1,4 @@
-//! Which lanes the members of an ensemble share, on each instruction set.
+//! The vectors whose lanes are members of an ensemble, for each instruction set.
 
 use crate::{
     scalar::{
@@ -12,8 +12,8 @@ use crate::{
     },
 };
 
-/// What members of an ensemble are computed in. Named nowhere outside, like the types it leads to: vectors may only be
-/// used where their instructions were detected.
+/// The scalars with lanes that members of an ensemble are computed in. Named nowhere outside, like the types it leads
+/// to: vectors may only be used where their instructions were detected.
 pub trait LaneScalars: Precision {
     /// On every machine.
     type Plain: Real;

@@ -24,7 +24,7 @@ use std::{
 /// microseconds each, in which one thread does about so many.
 const WORTH_A_THREAD: u64 = 1 << 17;
 
-/// What tells the energies of the member of some number in some state.
+/// The energies of a member, by its number, in a state and at a time.
 pub(crate) type EnergiesOf = dyn Fn(usize, &dyn Point, f64) -> Parts + Send + Sync;
 
 /// All members of an ensemble.
@@ -35,34 +35,34 @@ pub(crate) struct Members {
     /// How many coordinates all members have together.
     coordinates: u64,
     pub(crate) clock: Clock,
-    /// Whether the energies of the starts are still to be looked at, where they depend on the time that the clock starts
+    /// Whether the energies of the starts are still to be checked, where they depend on the time that the clock starts
     /// at.
-    starts_unseen: bool,
+    starts_unchecked: bool,
     pub(crate) threads: usize,
 }
 
 impl Members {
     pub(crate) fn new(batches: Vec<Batch>, energies: Box<EnergiesOf>, count: usize, coordinates: u64, h: f64) -> Self {
         let clock = Clock { t0: 0.0, h, steps: 0 };
-        Self { batches, energies, count, coordinates, clock, starts_unseen: true, threads: all_threads() }
+        Self { batches, energies, count, coordinates, clock, starts_unchecked: true, threads: all_threads() }
     }
 
-    /// Looks at the energies of the starts, once.
+    /// Checks the energies of the starts, once.
     ///
     /// # Errors
     /// [`Error::Member`] naming the first member whose energy is not finite.
-    pub(crate) fn see_starts(&mut self) -> Result<(), Error> {
-        if self.starts_unseen {
-            let (time, mut seen) = (self.time(), Ok(()));
+    pub(crate) fn check_starts(&mut self) -> Result<(), Error> {
+        if self.starts_unchecked {
+            let (time, mut outcome) = (self.time(), Ok(()));
             for batch in &self.batches {
                 batch.states(self.clock, &mut |member, state| {
-                    if seen.is_ok() {
-                        seen = self.admissible(member, state, time);
+                    if outcome.is_ok() {
+                        outcome = self.admissible(member, state, time);
                     }
                 });
             }
-            seen?;
-            self.starts_unseen = false;
+            outcome?;
+            self.starts_unchecked = false;
         }
         Ok(())
     }
@@ -80,8 +80,8 @@ impl Members {
     /// # Errors
     /// [`Error::Member`], if it has no energy.
     pub(crate) fn changed(&self, member: usize, state: &dyn Point) -> Result<(), Error> {
-        // Where the starts are unseen, their time is not settled.
-        if self.starts_unseen { Ok(()) } else { self.admissible(member, state, self.time()) }
+        // Where the starts are unchecked, their time is not settled.
+        if self.starts_unchecked { Ok(()) } else { self.admissible(member, state, self.time()) }
     }
 
     /// Lets the members that are under way go on from these states.
@@ -91,11 +91,12 @@ impl Members {
         }
     }
 
-    /// Takes steps with every member that is under way; after every `interval` of them, each is asked whether it stays.
+    /// Takes steps with every member that is under way; after every `interval` of them, each is tested whether it
+    /// stays.
     ///
     /// # Errors
     /// As [`Ensemble::advance`](crate::Ensemble::advance).
-    pub(crate) fn carry_on(
+    pub(crate) fn advance(
         &mut self,
         steps: u64,
         interval: u64,
@@ -106,10 +107,10 @@ impl Members {
             return Err(Error::SampleInterval);
         }
         let end = self.clock.end(steps)?;
-        self.see_starts()?;
+        self.check_starts()?;
         let panics = Panics::default();
         let request = AdvanceRequest { clock: self.clock, steps, interval, stays, panics: &panics };
-        let mut lost = self.all_on(&request, progress);
+        let mut lost = self.advance_batches(&request, progress);
         self.clock.steps = end;
         panics.resume();
         progress(steps);
@@ -118,7 +119,7 @@ impl Members {
     }
 
     /// Carries on all batches, on as many threads as are worth it, and returns the members that are lost.
-    fn all_on(&mut self, request: &AdvanceRequest, progress: &mut dyn FnMut(u64)) -> Vec<(usize, Divergence)> {
+    fn advance_batches(&mut self, request: &AdvanceRequest, progress: &mut dyn FnMut(u64)) -> Vec<(usize, Divergence)> {
         let (members, batches) = (self.count as u64, self.batches.len());
         let updates = self.coordinates.saturating_mul(request.steps);
         let threads = if updates < WORTH_A_THREAD { 1 } else { self.threads.min(batches) };
@@ -129,9 +130,9 @@ impl Members {
         let work = |progress: &mut dyn FnMut(u64)| {
             let mut lost = Vec::new();
             while let Some(batch) = next() {
-                lost.extend(batch.advance(request, &mut |took| {
-                    let done = done.fetch_add(took, Ordering::Relaxed) + took;
-                    request.panics.attempted(|| progress(done / members));
+                lost.extend(batch.advance(request, &mut |steps| {
+                    let done = done.fetch_add(steps, Ordering::Relaxed) + steps;
+                    request.panics.attempt(|| progress(done / members));
                 }));
             }
             lost
@@ -199,7 +200,7 @@ impl Members {
     }
 }
 
-/// What is said of an error that concerns a member.
+/// The error of an ensemble for an error of a member.
 pub(crate) fn of_member(member: usize) -> impl Fn(Error) -> Error + Copy {
     move |error| Error::Member { member, error: Box::new(error) }
 }

@@ -1,4 +1,4 @@
-//! Many trajectories of one kind of system: side by side in lanes, shared out among threads.
+//! Ensembles: many trajectories of one kind of system, in the lanes of vectors and distributed over threads.
 //!
 //! Always true: a member's bits are those of the same system run alone on the same instruction set, whatever its
 //! neighbours do and however many threads there are.
@@ -71,8 +71,8 @@ pub struct Ensemble<C: Coords> {
 }
 
 impl<C: Coords> Ensemble<C> {
-    /// An ensemble of `(system, start)` pairs that take steps `h` with any composition that may integrate the systems, or with
-    /// [`Taylor`](crate::taylor::Taylor), where each member goes by polynomials of its own between these steps.
+    /// An ensemble of `(system, start)` pairs that take steps `h` with any composition that may integrate the systems,
+    /// or with [`Taylor`](crate::taylor::Taylor), where each member goes by polynomials of its own between these steps.
     ///
     /// # Errors
     /// [`Error::NoMembers`] without members; [`Error::Member`] naming the first member whose start or step is refused,
@@ -120,7 +120,7 @@ impl<C: Coords> Ensemble<C> {
         });
         let mut members = Members::new(batches, energies, states.len(), coordinates, h);
         if H::AUTONOMOUS {
-            members.see_starts()?;
+            members.check_starts()?;
         }
         Ok(Self { members, shape: PhantomData })
     }
@@ -142,15 +142,15 @@ impl<C: Coords> Ensemble<C> {
     /// Takes `steps` steps with every member that is under way.
     ///
     /// # Errors
-    /// [`Error::Lost`] names the members that left the finite numbers in these steps, or came too near to a singularity for
-    /// [`Taylor`](crate::taylor::Taylor); all others have taken them, and
-    /// the ensemble goes on without the lost ones, which stay at their last finite state. [`Error::Time`],
-    /// [`Error::Clock`] and [`Error::Steps`] leave the ensemble as it was, and so does [`Error::Member`], which the first
-    /// call returns where `H` reads the time and has no value at a start.
+    /// [`Error::Lost`] names the members that left the finite numbers in these steps, or came too near to a singularity
+    /// for [`Taylor`](crate::taylor::Taylor); all others have taken them, and the ensemble goes on without the lost
+    /// ones, which stay at their last finite state. [`Error::Time`], [`Error::Clock`] and [`Error::Steps`] leave the
+    /// ensemble as it was, and so does [`Error::Member`], which the first call returns where `H` reads the time and has
+    /// no value at a start.
     ///
     /// # Panics
-    /// Where your own functions would, once all members have taken the steps for which they do not. A program that catches
-    /// the panic finds the members for which they do at the last step before it, as if they had left there
+    /// Where your own functions would, once all members have taken the steps for which they do not. A program that
+    /// catches the panic finds the members for which they do at the last step before it, as if they had left there
     /// ([`Ensemble::steps_of`]); the ensemble goes on without them.
     pub fn advance(&mut self, steps: u64) -> Result<(), Error> {
         self.advance_with(steps, |_| {})
@@ -162,7 +162,7 @@ impl<C: Coords> Ensemble<C> {
     /// # Errors
     /// As [`Ensemble::advance`].
     pub fn advance_with(&mut self, steps: u64, mut progress: impl FnMut(u64)) -> Result<(), Error> {
-        self.members.carry_on(steps, u64::MAX, &|_, _| true, &mut progress)
+        self.members.advance(steps, u64::MAX, &|_, _| true, &mut progress)
     }
 
     /// As [`Ensemble::advance`], but members may leave when they are done: after every `interval` steps, each member
@@ -199,12 +199,12 @@ impl<C: Coords> Ensemble<C> {
         interval: u64,
         stays: impl Fn(usize, &Phase<C>) -> bool + Sync,
     ) -> Result<(), Error> {
-        self.members.carry_on(steps, interval, &|member, state| stays(member, shaped(state)), &mut |_| {})
+        self.members.advance(steps, interval, &|member, state| stays(member, shaped(state)), &mut |_| {})
     }
 
-    /// Changes the states of the members that are under way, one after the other, between two steps: coordinates that are
-    /// wrapped into a periodic box, momenta that are drawn anew by a thermostat. Time and the number of steps go on; members
-    /// that are lost or gone stay as they are.
+    /// Changes the states of the members that are under way, one after the other, between two steps: coordinates that
+    /// are wrapped into a periodic box, momenta that are drawn anew by a thermostat. Time and the number of steps go
+    /// on; members that are lost or gone stay as they are.
     ///
     /// Each member has the bits of a run whose state is [changed](crate::Run::map_state) in the same way.
     ///
@@ -232,8 +232,8 @@ impl<C: Coords> Ensemble<C> {
     /// ```
     ///
     /// # Errors
-    /// [`Error::Member`] naming the first member whose new state is refused, for the reasons of [`Run::map_state`](crate::Run::map_state); all
-    /// members stay as they were.
+    /// [`Error::Member`] naming the first member whose new state is refused, for the reasons of
+    /// [`Run::map_state`](crate::Run::map_state); all members stay as they were.
     pub fn map_states(&mut self, mut map: impl FnMut(usize, &mut Phase<C>)) -> Result<(), Error> {
         let mut states = Vec::with_capacity(self.len());
         for batch in 0..self.members.batches() {

@@ -1,11 +1,11 @@
-//! A request to an ensemble: how far its members are carried on, and which of them leave on the way.
+//! A request to advance an ensemble: how many steps its members take, and which of them leave before.
 
 use crate::{
     state::{clock::Clock, point::Point},
     trajectory::{engine::BLOCK, panics::Panics},
 };
 
-/// What a call of [`Ensemble::advance_while`](crate::Ensemble::advance_while) asks of every batch.
+/// The request of a call of [`Ensemble::advance_while`](crate::Ensemble::advance_while) to every batch.
 pub(crate) struct AdvanceRequest<'a> {
     /// The clock that the steps begin at.
     pub(crate) clock: Clock,
@@ -15,7 +15,8 @@ pub(crate) struct AdvanceRequest<'a> {
     pub(crate) interval: u64,
     /// Whether the member of this number goes on from this state.
     pub(crate) stays: &'a (dyn Fn(usize, &dyn Point) -> bool + Sync),
-    /// Panics of the user's functions: a member in whose step one panics stays at the step before, and all others go on.
+    /// Panics of the user's functions: a member in whose step one panics stays at the step before, and all others go
+    /// on.
     pub(crate) panics: &'a Panics,
 }
 
@@ -33,7 +34,7 @@ impl AdvanceRequest<'_> {
 
     /// Whether a member goes on from this state; not if the test panics.
     pub(crate) fn stays(&self, member: usize, state: &dyn Point) -> bool {
-        self.panics.attempted(|| (self.stays)(member, state)).unwrap_or(false)
+        self.panics.attempt(|| (self.stays)(member, state)).unwrap_or(false)
     }
 
     /// The clock after `done` steps.

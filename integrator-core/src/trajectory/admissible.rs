@@ -1,4 +1,4 @@
-//! What a trajectory may begin with.
+//! The conditions on the start and the step of a trajectory.
 
 use crate::{
     error::Error,
@@ -9,8 +9,8 @@ use crate::{
 /// Whether a run may begin at `start` with step `h`.
 ///
 /// # Errors
-/// A step that is zero or not finite; a start that is not finite, whose `q` and `p` differ in length, or that has no place on
-/// its grid.
+/// A step that is zero or not finite; a start that is not finite, whose `q` and `p` differ in length, or that is not
+/// representable on its grid.
 pub(crate) fn admissible<C: Coords>(start: &Phase<C>, h: f64) -> Result<(), Error> {
     if h == 0.0 || !h.is_finite() {
         return Err(Error::Step { h });
@@ -27,7 +27,7 @@ pub(crate) fn admissible<C: Coords>(start: &Phase<C>, h: f64) -> Result<(), Erro
     Ok(())
 }
 
-/// Whether a coordinate is finite, and has a place on its grid if it has one.
+/// Whether a coordinate is finite, and representable on its grid if it has one.
 fn on_its_grid(
     (coordinate, index, value): (&'static str, usize, f64),
     spacing: Option<f64>,

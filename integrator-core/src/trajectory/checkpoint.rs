@@ -335,7 +335,8 @@ impl<C: Coords> Run<C> {
         let (Some(q), Some(p)) = (coordinates(&q), coordinates(&p)) else { return Err(shape) };
         let unfinished = Phase { q, p };
         admissible_with(composition, &unfinished, h)?;
-        let run = Self::going_on::<H, X, C::Leaf>(system, composition, unfinished, Clock { t0, h, steps }, opened)?;
+        let run =
+            Self::from_unfinished::<H, X, C::Leaf>(system, composition, unfinished, Clock { t0, h, steps }, opened)?;
         let name = || run.origin.system.to_owned();
         if !changed && formulas != run.origin.formulas {
             return Err(CheckpointError::Formulas { system: name() });

@@ -2,10 +2,10 @@
 //!
 //! Comes in: a run and a function of state and time. Goes out: the states in which the function changes its sign.
 //!
-//! Always true: the run takes its steps as `advance` would, bit for bit. Where a step is a polynomial, crossings lie on it:
-//! their states are those of the run, had it been looked at then. Where it is not, a crossing is reached from the state
-//! before it by one shorter step of the same method, on a copy: it lies on the numerical trajectory to the order of the
-//! method, and nothing is interpolated. Hénon (1982) makes the function the independent variable for that one
+//! Always true: the run takes its steps as `advance` would, bit for bit. Where a step is a polynomial, crossings lie on
+//! it: their states are those of the run, had it been sampled then. Where it is not, a crossing is reached from the
+//! state before it by one shorter step of the same method, on a copy: it lies on the numerical trajectory to the order
+//! of the method, and nothing is interpolated. Hénon (1982) makes the function the independent variable for that one
 //! step instead; a shorter step needs no other equations, hence works for every function and every leaf.
 
 use crate::{
@@ -48,7 +48,7 @@ pub struct Crossings<C: Coords, G> {
     steps: u64,
     direction: Direction,
     function: G,
-    /// The present state of the run, once it was looked at.
+    /// The present state of the run, once it was evaluated.
     present: Option<Point<C>>,
     /// The last value that was not zero; zero until there is one.
     side: f64,
@@ -69,8 +69,9 @@ impl<C: Coords> Run<C> {
     ///
     /// Signs are compared after every step. Between two that differ, the time is found to the rounding of the step, by
     /// shorter steps from the state before, so that it has the order of the method, or on the polynomial of
-    /// [`Taylor`](crate::taylor::Taylor), so that it has the precision of the run; `step` of such a sample counts the whole
-    /// steps before it. Two crossings within one step are not seen: take a step in which the function turns at most once.
+    /// [`Taylor`](crate::taylor::Taylor), so that it has the precision of the run; `step` of such a sample counts the
+    /// whole steps before it. Two crossings within one step are not seen: take a step in which the function turns at
+    /// most once.
     ///
     /// A function that is zero after a step has passed through it if it leaves to the other side, and the crossing is
     /// this very state (the last one, if there are several), seen one step later. A zero at the start is no crossing,
@@ -110,7 +111,7 @@ impl<C: Coords> Run<C> {
 }
 
 impl<C: Coords, G: FnMut(&Phase<C>, f64) -> f64> Crossings<C, G> {
-    /// The run, after the last step that was looked at.
+    /// The run, after the last step that was evaluated.
     pub fn into_run(self) -> Run<C> {
         self.run
     }
@@ -121,7 +122,7 @@ impl<C: Coords, G: FnMut(&Phase<C>, f64) -> f64> Crossings<C, G> {
     }
 
     /// The next crossing within the steps that are left.
-    fn look(&mut self) -> Result<Option<Sample<C>>, Error> {
+    fn next_crossing(&mut self) -> Result<Option<Sample<C>>, Error> {
         let mut before = match self.present.take() {
             Some(point) => point,
             None => {
@@ -149,8 +150,8 @@ impl<C: Coords, G: FnMut(&Phase<C>, f64) -> f64> Crossings<C, G> {
         Ok(None)
     }
 
-    /// Where the function is zero in a step, by the method of Chandrupatla (1997): the inverse of a parabola through three
-    /// values where these lie on one without doubt, and the middle otherwise.
+    /// Where the function is zero in a step, by the method of Chandrupatla (1997): the inverse of a parabola through
+    /// three values where these lie on one without doubt, and the middle otherwise.
     fn between(&mut self, before: &Point<C>, after: &Point<C>) -> Result<Point<C>, Error> {
         let h = self.run.step();
         // Fractions of the step: the newest, the one on the other side of the zero, and the one that was given up.
@@ -182,8 +183,8 @@ impl<C: Coords, G: FnMut(&Phase<C>, f64) -> f64> Crossings<C, G> {
     }
 }
 
-/// Where the inverse of a parabola through three points is zero, from the first of them on as a fraction of the way to the
-/// second.
+/// Where the inverse of a parabola through three points is zero, from the first of them on as a fraction of the way to
+/// the second.
 fn parabola<C>(a: &(f64, Point<C>), b: &(f64, Point<C>), c: &(f64, Point<C>)) -> f64 {
     let (fa, fb, fc) = (a.1.value, b.1.value, c.1.value);
     fa / (fb - fa) * fc / (fb - fc) + (c.0 - a.0) / (b.0 - a.0) * fa / (fc - fa) * fb / (fc - fb)
@@ -198,9 +199,9 @@ impl<C: Coords, G: FnMut(&Phase<C>, f64) -> f64> Iterator for Crossings<C, G> {
         }
         // It stays so if a function of the user panics: what was between two steps is not known any more.
         self.failed = true;
-        let found = self.look();
-        self.failed = found.is_err();
-        found.transpose()
+        let crossing = self.next_crossing();
+        self.failed = crossing.is_err();
+        crossing.transpose()
     }
 }
 

@@ -1,4 +1,5 @@
-//! The engine of runs and ensembles: it takes motions on in blocks of steps, up to where they leave the finite numbers.
+//! The engine of runs and ensembles: it advances motions in blocks of steps, until one leads to a state that is not
+//! finite.
 //!
 //! Compiled once for all systems: what it calls of one are the functions of its [`Motions`], a few times per block.
 
@@ -6,22 +7,22 @@ use crate::{
     error::Unsolved,
     state::{clock::Clock, point::Point},
     trajectory::{
-        motions::{Motions, loaded, show, shown},
-        panics::attempted,
+        motions::{Motions, load, show, shown},
+        panics::attempt,
     },
 };
 use alloc::{boxed::Box, vec, vec::Vec};
 
-/// How many steps lie between two checks of whether the state is finite. A divergence replays at most so many.
+/// The number of steps between two checks of whether the state is finite. A divergence replays at most so many.
 pub(crate) const BLOCK: u64 = 1024;
 
-/// Motions that take steps, and the copies that this needs: those of one trajectory, or of members in lanes.
+/// An engine: the motions of one trajectory or of members in lanes, and the copies that steps need.
 #[derive(Clone)]
 pub(crate) struct Engine {
     pub(crate) motions: Box<dyn Motions>,
     /// The motions where the last block of steps began; kept here, like the next, so that no block allocates.
     pub(crate) snapshot: Box<dyn Motions>,
-    /// Where the last step of a block is completed.
+    /// The motions at the end of the block, with the last step completed.
     pub(crate) completed: Box<dyn Motions>,
     /// The clock of the motions that `completed` was made of, while they are still there.
     completed_at: Option<Clock>,
@@ -35,16 +36,16 @@ impl Engine {
         Self { motions, snapshot, completed, completed_at: None, threads: Some(1) }
     }
 
-    /// The engine of one trajectory, which goes on like some motions.
-    pub(crate) fn of_one(like: &dyn Motions, start: &dyn Point) -> Self {
-        Self::new(loaded(like, vec![(0, start)]))
+    /// The engine of one trajectory, with the step functions of some motions.
+    pub(crate) fn single(like: &dyn Motions, start: &dyn Point) -> Self {
+        Self::new(load(like, vec![(0, start)]))
     }
 
     /// Takes `steps` steps from `clock`, or as many as end in a finite state, and counts them in `taken`.
     ///
     /// # Panics
-    /// Where the user's functions do. The count and the motion are then at the last step before that one, as they are where
-    /// steps lead out of the finite numbers. Without `std` they are where the block of steps began.
+    /// Where the user's functions do. The count and the motion are then at the last step before that one, as they are
+    /// where steps lead out of the finite numbers. Without `std` they are where the block of steps began.
     pub(crate) fn advance(&mut self, mut clock: Clock, steps: u64, taken: &mut u64) {
         let end = clock.steps + steps;
         while clock.steps < end {
@@ -58,7 +59,7 @@ impl Engine {
 
     /// Takes a block of steps and counts them; `false` after as many of them as end in a finite state.
     fn advance_block(&mut self, clock: Clock, steps: u64, taken: &mut u64) -> bool {
-        let whole = attempted(|| self.attempt(clock, steps));
+        let whole = attempt(|| self.try_steps(clock, steps));
         match whole {
             Ok(true) => {
                 *taken += steps;
@@ -76,11 +77,11 @@ impl Engine {
         }
     }
 
-    /// Takes a block step by step, and counts the steps up to the first that leads out of the finite numbers: what left them
-    /// never returns, since updates only add.
+    /// Takes a block step by step, and counts the steps up to the first that leads out of the finite numbers: what left
+    /// them never returns, since updates only add.
     pub(crate) fn replay(&mut self, clock: Clock, steps: u64, taken: &mut u64) -> bool {
         for step in 0..steps {
-            if !self.attempt(Clock { steps: clock.steps + step, ..clock }, 1) {
+            if !self.try_steps(Clock { steps: clock.steps + step, ..clock }, 1) {
                 return false;
             }
             *taken += 1;
@@ -89,14 +90,14 @@ impl Engine {
     }
 
     /// Takes `steps` steps; `false`, and back where they began, if their end is not finite.
-    fn attempt(&mut self, clock: Clock, steps: u64) -> bool {
+    fn try_steps(&mut self, clock: Clock, steps: u64) -> bool {
         let mut attempt = Attempt { engine: self, finite: false };
         attempt.finite = attempt.engine.take_steps(clock, steps);
         attempt.finite
     }
 
-    /// Takes `steps` steps, and tells whether they end in finite numbers: the motions, or what completing the last step makes
-    /// of them. What undoes a processor has no say: it would cost as much as steps do, and acts only where the state is read.
+    /// Takes `steps` steps, and returns whether they end in finite numbers once the last of them is completed. What
+    /// undoes a processor has no say: it would cost as much as steps do, and acts only where the state is read.
     pub(crate) fn take_steps(&mut self, clock: Clock, steps: u64) -> bool {
         self.snapshot.copy_states(&*self.motions);
         self.completed_at = None;
@@ -122,7 +123,7 @@ impl Engine {
     /// Goes on with as many motions from other states of the same size, at the beginning of a clock.
     pub(crate) fn restart(&mut self, members: Vec<(usize, &dyn Point)>) {
         // The copies take over what they need of these before they are read.
-        self.motions = loaded(&*self.motions, members);
+        self.motions = load(&*self.motions, members);
         self.motions.share_among(self.threads);
         self.completed_at = None;
     }
@@ -141,7 +142,8 @@ impl Engine {
         show(&**completed, shown(&**completed, clock).as_deref(), 0, to);
     }
 
-    /// Writes the state of a trajectory a while into the last step, which began at `from` and `clock`, if that was taken alone.
+    /// Writes the state of a trajectory a while into the last step, which began at `from` and `clock`, if that was
+    /// taken alone.
     ///
     /// # Errors
     /// Why the method gave up; nothing, if the state is not finite.
@@ -159,7 +161,7 @@ impl Engine {
             self.completed_at = None;
             &self.completed
         } else {
-            shorter = loaded(&*self.motions, vec![(0, from)]);
+            shorter = load(&*self.motions, vec![(0, from)]);
             shorter.advance(begin, 1, self.threads);
             shorter.complete(end);
             &shorter

@@ -1,7 +1,7 @@
 //! The loop over steps of several small motions, interleaved.
 //!
-//! A flow is a chain of operations that wait for each other. So a few small motions, whose lanes are members of an ensemble,
-//! go through each stage together: while one waits, the others compute, and all of them stay in registers.
+//! A flow is a chain of operations that wait for each other. So a few small motions, whose lanes are members of an
+//! ensemble, go through each stage together: while one waits, the others compute, and all of them stay in registers.
 
 use crate::{
     composition::Composition,
@@ -15,10 +15,10 @@ use core::{array, marker::PhantomData};
 /// How many motions go together at most. By measurement, more than six wait no less.
 const MOST: usize = 6;
 
-/// How many registers a group's state may take where there are 32, so that the rest is left to compute in. One too many,
-/// and the state goes through memory at every stage: by measurement on AVX-512, members with compensated coordinates of
-/// Hénon–Heiles, three motions together and six, take 0.30 and 0.68 ns per step. Sixteen registers hold no group
-/// worth the name; there, as many motions as may hide how long memory takes.
+/// How many registers a group's state may take where there are 32, so that the rest is left to compute in. One too
+/// many, and the state goes through memory at every stage: by measurement on AVX-512, members with compensated
+/// coordinates of Hénon–Heiles, three motions together and six, take 0.30 and 0.68 ns per step. Sixteen registers hold
+/// no group worth the name; there, as many motions as may hide how long memory takes.
 const FOR_STATE: usize = 24;
 
 /// Several motions, stage by stage.

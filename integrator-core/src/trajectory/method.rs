@@ -1,6 +1,6 @@
-//! How a run is carried on: by a composition, or by a method that knows the vector field alone.
+//! Methods that advance runs: compositions, and those that know the vector field alone.
 //!
-//! An executor asks a method for a motion to load a start into, and for the step functions that carry it on. Every composition is
+//! A method has a motion that a start is loaded into, and the step functions that advance it. Every composition is
 //! a method, whose motion is that of the system.
 
 use crate::{
@@ -14,7 +14,7 @@ use crate::{
 };
 use alloc::sync::Arc;
 
-/// What a method says of itself, whatever it integrates.
+/// The properties that a method claims, whatever it integrates.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct Facts {
@@ -24,8 +24,8 @@ pub struct Facts {
     pub order: u32,
     /// Whether a step by `-h` undoes a step by `h`.
     pub symmetric: bool,
-    /// Whether steps preserve the symplectic form, whatever their size. An accurate step that does not is hard to tell from
-    /// one that does, so that a method has to say it.
+    /// Whether steps preserve the symplectic form, whatever their size. An accurate step that does not is hard to tell
+    /// from one that does, so that a method has to say it.
     pub symplectic: bool,
     /// Whether it covers a step of the run by steps of its own, so that errors follow a tolerance and not the step.
     pub adaptive: bool,
@@ -53,16 +53,16 @@ impl Facts {
         table: None,
     };
 
-    /// How often so many steps round the state, in doubles, which no number of steps exceeds.
+    /// The number of roundings of the state in so many steps, as a double, which no number of steps exceeds.
     #[cfg(feature = "check")]
     pub(crate) fn roundings_in(&self, steps: u64) -> f64 {
         self.roundings as f64 * steps as f64
     }
 }
 
-/// What carries states on, and can say what it is. Every composition does.
+/// A method with its properties, whatever it integrates.
 pub trait Described: Copy + Send + Sync + 'static {
-    /// What this method is.
+    /// The properties of this method.
     fn facts(self) -> Facts;
 
     /// Whether its own parameters, such as a tolerance, make sense.
@@ -107,14 +107,14 @@ pub trait Method<H: Hamiltonian>: Described {
     /// Whether a single run takes instructions for vectors of 512 bits, where the machine has them.
     const WIDE: bool = H::WIDE;
 
-    /// How often a step evaluates the force, where that is known beforehand: [`Facts`] tell it of steps that go on where the last
-    /// one ended, which those of systems with pieces in time do not.
+    /// How often a step evaluates the force, where that is known beforehand: [`Facts`] tell it of steps that go on
+    /// where the last one ended, which those of systems with pieces in time do not.
     fn forces(self) -> Option<usize> {
         if H::PIECEWISE_IN_TIME { None } else { self.facts().forces }
     }
-    /// What stays the same in a run.
+    /// The constants of a run.
     type Constants: Send + Sync + 'static;
-    /// What moves.
+    /// The state of a run with its constants, in a layout.
     type Motion<R: Real, K: Precision>: Motion<Shaped<H, K>, Self::Constants>;
 
     /// The constants of a run, from those of the system.

@@ -1,8 +1,7 @@
-//! Motions behind one type, whatever system and scalar they are of: a single one of a run, or those whose lanes are members
-//! of an ensemble.
+//! Type-erased lists of motions: the single one of a run, or those whose lanes are members of an ensemble.
 //!
-//! Only what meets the motions themselves is compiled for a system and an instruction set: short loops, since a user pays
-//! for each of them. All else is compiled once, in [`engine`](crate::trajectory::engine) and in `ensemble`.
+//! Only what meets the motions themselves is compiled for a system and an instruction set: short loops, since a user
+//! pays for each of them. All else is compiled once, in [`engine`](crate::trajectory::engine) and in `ensemble`.
 
 use crate::{
     error::Unsolved,
@@ -18,7 +17,7 @@ use crate::{
 use alloc::{boxed::Box, sync::Arc, vec::Vec};
 use core::{any::Any, marker::PhantomData, ops::Range};
 
-/// Motions, and how they go on. Lanes are numbered through all of them.
+/// A list of motions with their step functions. Lanes are numbered through all of them.
 pub(crate) trait Motions: Any + Send + Sync {
     /// How many lanes a motion has.
     fn lanes(&self) -> usize;
@@ -26,15 +25,15 @@ pub(crate) trait Motions: Any + Send + Sync {
     fn together(&self) -> usize;
     /// How many motions there are.
     fn count(&self) -> usize;
-    /// No motions of this kind yet, with room for as many.
+    /// An empty list of such motions, with room for so many.
     fn none(&self, room: usize) -> Box<dyn Motions>;
     /// Adds a motion of members, one in each lane, from their states.
     fn push(&mut self, lanes: &[(usize, &dyn Point)]);
     /// Adds a motion with members from lanes of others, if their states do not tell all of it; else adds nothing.
     fn push_gathered(&mut self, lanes: &[Lane]) -> bool;
-    /// Adds one of others once more.
+    /// Adds a copy of one of others.
     fn push_copy(&mut self, from: &dyn Motions, motion: usize);
-    /// Takes over the states of as many motions with the same constants, in place.
+    /// Copies the states of as many motions with the same constants, in place.
     fn copy_states(&mut self, from: &dyn Motions);
     /// Takes so many steps, on so many threads or all that the machine has.
     fn advance(&mut self, clock: Clock, steps: u64, threads: Option<usize>);
@@ -48,8 +47,8 @@ pub(crate) trait Motions: Any + Send + Sync {
     fn finite(&self) -> bool;
     /// Writes the state of a lane.
     fn store(&self, lane: usize, to: &mut dyn Point);
-    /// Takes the motion a while into the step that the other one begins at the clock; `false`, and unchanged, where the method
-    /// has no dense output.
+    /// Takes the motion a while into the step that the other one begins at the clock; `false`, and unchanged, where the
+    /// method has no dense output.
     fn dense(&mut self, begin: &dyn Motions, clock: Clock, duration: f64) -> bool;
     /// Why the steps in a lane could not be solved, if that is why they end.
     fn unsolved(&self, lane: usize) -> Option<&Unsolved>;
@@ -59,7 +58,7 @@ pub(crate) trait Motions: Any + Send + Sync {
     fn share_among(&mut self, threads: Option<usize>);
 }
 
-/// Where a member is.
+/// The lane of a member.
 #[derive(Clone, Copy)]
 pub(crate) struct Lane<'m> {
     pub(crate) member: usize,
@@ -67,8 +66,8 @@ pub(crate) struct Lane<'m> {
     pub(crate) lane: usize,
 }
 
-/// Motions of members like some, from the states of the members.
-pub(crate) fn loaded(like: &dyn Motions, members: Vec<(usize, &dyn Point)>) -> Box<dyn Motions> {
+/// Motions of members, from their states, of the same type as some.
+pub(crate) fn load(like: &dyn Motions, members: Vec<(usize, &dyn Point)>) -> Box<dyn Motions> {
     let mut motions = like.none(members.len().div_ceil(like.lanes()));
     for lanes in filled(members, like.lanes()).chunks(like.lanes()) {
         motions.push(lanes);
@@ -76,8 +75,8 @@ pub(crate) fn loaded(like: &dyn Motions, members: Vec<(usize, &dyn Point)>) -> B
     motions
 }
 
-/// Motions like some with members from lanes of others, of the shape of `shape`.
-pub(crate) fn gathered(like: &dyn Motions, members: Vec<Lane>, shape: &dyn Point) -> Box<dyn Motions> {
+/// Motions of the same type as some, with members from lanes of others; a state has the shape of `shape`.
+pub(crate) fn gather(like: &dyn Motions, members: Vec<Lane>, shape: &dyn Point) -> Box<dyn Motions> {
     let mut motions = like.none(members.len().div_ceil(like.lanes()));
     for lanes in filled(members, like.lanes()).chunks(like.lanes()) {
         if motions.push_gathered(lanes) {
@@ -93,7 +92,7 @@ pub(crate) fn gathered(like: &dyn Motions, members: Vec<Lane>, shape: &dyn Point
     motions
 }
 
-/// What lanes are filled with, where the last of these takes what it leaves of its motion.
+/// The contents of lanes, where the last of them is repeated until its motion is full.
 fn filled<T: Copy>(mut lanes: Vec<T>, per_motion: usize) -> Vec<T> {
     if let Some(last) = lanes.last() {
         lanes.resize(lanes.len().next_multiple_of(per_motion), *last);
@@ -101,8 +100,8 @@ fn filled<T: Copy>(mut lanes: Vec<T>, per_motion: usize) -> Vec<T> {
     lanes
 }
 
-/// Some motions once more.
-pub(crate) fn copied(from: &dyn Motions, motions: Range<usize>) -> Box<dyn Motions> {
+/// A copy of some motions.
+pub(crate) fn copy(from: &dyn Motions, motions: Range<usize>) -> Box<dyn Motions> {
     let mut copies = from.none(motions.len());
     for motion in motions {
         copies.push_copy(from, motion);
@@ -112,21 +111,21 @@ pub(crate) fn copied(from: &dyn Motions, motions: Range<usize>) -> Box<dyn Motio
 
 impl Clone for Box<dyn Motions> {
     fn clone(&self) -> Self {
-        copied(&**self, 0..self.count())
+        copy(&**self, 0..self.count())
     }
 }
 
 /// The states that are shown at the ends of completed steps, where they differ from these.
 pub(crate) fn shown(completed: &dyn Motions, clock: Clock) -> Option<Box<dyn Motions>> {
     completed.shows().then(|| {
-        let mut shown = copied(completed, 0..completed.count());
+        let mut shown = copy(completed, 0..completed.count());
         shown.show(clock);
         shown
     })
 }
 
-/// Writes the state that is shown of a lane: the end of the step of the kernel, where what undoes the processor leaves the finite
-/// numbers.
+/// Writes the state that is shown of a lane: the end of the step of the kernel, where what undoes the processor leaves
+/// the finite numbers.
 pub(crate) fn show(completed: &dyn Motions, shown: Option<&dyn Motions>, lane: usize, to: &mut dyn Point) {
     if let Some(shown) = shown {
         shown.store(lane, to);
@@ -154,7 +153,7 @@ where
     Q: Send + Sync + 'static,
     C: Coords,
 {
-    /// No motions yet of some of these members, with room for so many.
+    /// An empty list of motions of some of these members, with room for so many.
     pub(crate) fn empty(functions: StepFunctions<L>, constants: Constants<Q>, room: usize) -> Box<dyn Motions> {
         Box::new(Self { motions: Vec::with_capacity(room), functions, constants, shape: PhantomData })
     }
@@ -172,7 +171,7 @@ where
     }
 }
 
-/// What goes into the lanes of a motion: constants and states.
+/// The constants and the states of the members in the lanes of a motion.
 fn filling<'m, Q, C: Coords>(
     of_member: &'m [Arc<Q>],
     lanes: &[(usize, &'m dyn Point)],

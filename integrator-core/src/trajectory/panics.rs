@@ -1,4 +1,4 @@
-//! Panics of the user's functions, held back until what they interrupted is whole again.
+//! Panics of the user's functions, held back until the data that they interrupted is consistent again.
 //!
 //! Without `std` nothing is held back, and guards alone restore what was interrupted.
 
@@ -21,7 +21,7 @@ impl Panic {
     }
 }
 
-/// There is none that could be caught.
+/// No panic can be caught.
 #[cfg(not(feature = "std"))]
 pub(crate) enum Panic {}
 
@@ -33,17 +33,17 @@ impl Panic {
     }
 }
 
-/// Calls a function that may end in a panic of the user's functions. Whatever it changes has to be whole after a panic, or
-/// restored by the caller.
-pub(crate) fn attempted<T>(function: impl FnOnce() -> T) -> Result<T, Panic> {
+/// Calls a function that may end in a panic of the user's functions. Whatever it changes has to be whole after a panic,
+/// or restored by the caller.
+pub(crate) fn attempt<T>(function: impl FnOnce() -> T) -> Result<T, Panic> {
     let (mut function, mut value) = (Some(function), None);
-    caught(&mut || value = function.take().map(|function| function()))?;
+    catch(&mut || value = function.take().map(|function| function()))?;
     // Called once, and not interrupted.
     Ok(value.unwrap_or_else(|| unreachable!("a function that has ended has a value")))
 }
 
 /// Not generic: what catches panics is compiled once.
-fn caught(function: &mut dyn FnMut()) -> Result<(), Panic> {
+fn catch(function: &mut dyn FnMut()) -> Result<(), Panic> {
     #[cfg(feature = "std")]
     return catch_unwind(AssertUnwindSafe(function)).map_err(Panic);
     #[cfg(not(feature = "std"))]
@@ -61,8 +61,8 @@ pub(crate) struct Panics(Mutex<Option<Panic>>);
 #[cfg(feature = "std")]
 impl Panics {
     /// Calls a function; nothing if it panicked.
-    pub(crate) fn attempted<T>(&self, function: impl FnOnce() -> T) -> Option<T> {
-        match attempted(function) {
+    pub(crate) fn attempt<T>(&self, function: impl FnOnce() -> T) -> Option<T> {
+        match attempt(function) {
             Ok(value) => Some(value),
             Err(panic) => {
                 self.0.lock().unwrap_or_else(PoisonError::into_inner).get_or_insert(panic);

@@ -40,8 +40,8 @@ pub struct Run<C: Coords> {
     forces: Option<usize>,
     /// How often steps before `opened` have evaluated the force, where steps count it.
     evaluated: u64,
-    /// Whether the energy of the start is still to be looked at, where it depends on the time that the clock starts at.
-    start_unseen: bool,
+    /// Whether the energy of the start is still to be checked, where it depends on the time that the clock starts at.
+    start_unchecked: bool,
     /// Whose checkpoints its own are.
     #[cfg(feature = "checkpoint")]
     pub(crate) origin: Origin,
@@ -56,33 +56,34 @@ impl<C: Coords> Run<C> {
         H::Coords: Coords<With<K> = C>,
     {
         admissible_with(method, &start, h)?;
-        let mut run = Self::going_on::<H, X, K>(system, method, start, Clock { t0: 0.0, h, steps: 0 }, 0)?;
-        run.start_unseen = true;
+        let mut run = Self::from_unfinished::<H, X, K>(system, method, start, Clock { t0: 0.0, h, steps: 0 }, 0)?;
+        run.start_unchecked = true;
         if H::AUTONOMOUS {
-            run.see_start()?;
+            run.check_start()?;
         }
         Ok(run)
     }
 
-    /// Looks at the energy of the start, once.
+    /// Checks the energy of the start, once.
     ///
     /// # Errors
     /// [`Error::Energy`]
-    pub(crate) fn see_start(&mut self) -> Result<(), Error> {
-        if self.start_unseen {
+    pub(crate) fn check_start(&mut self) -> Result<(), Error> {
+        if self.start_unchecked {
             self.energies.parts(&self.state(), self.time()).admissible(self.time())?;
-            self.start_unseen = false;
+            self.start_unchecked = false;
         }
         Ok(())
     }
 
-    /// A run from a state in the middle of the step that the clock tells, where the state was last changed from outside after
+    /// A run from a state in the middle of the step under way at the clock, where the state was last changed from
+    /// outside after
     /// `opened` steps.
     ///
     /// # Errors
-    /// [`Error::Parameters`], where a prepared constant is not finite and the motion is not; in builds with debug assertions
-    /// [`Error::Misread`].
-    pub(crate) fn going_on<H, X, K>(
+    /// [`Error::Parameters`], where a prepared constant is not finite and the motion is not; in builds with debug
+    /// assertions [`Error::Misread`].
+    pub(crate) fn from_unfinished<H, X, K>(
         system: &H,
         method: X,
         start: Phase<C>,
@@ -115,7 +116,7 @@ impl<C: Coords> Run<C> {
             method: method.facts().name,
             forces: method.forces(),
             evaluated: 0,
-            start_unseen: false,
+            start_unchecked: false,
             #[cfg(feature = "checkpoint")]
             origin,
         };
@@ -140,8 +141,8 @@ impl<C: Coords> Run<C> {
         self
     }
 
-    /// Uses at most so many threads instead of all that the machine has; no result depends on it. Lattices of many sites
-    /// and the pairs of thousands of bodies are shared out among threads, and nothing else.
+    /// Uses at most so many threads instead of all that the machine has; no result depends on it. Lattices of many
+    /// sites and the pairs of thousands of bodies are shared out among threads, and nothing else.
     #[must_use]
     pub fn with_threads(mut self, threads: usize) -> Self {
         self.engine.share_among(Some(threads));
@@ -157,18 +158,19 @@ impl<C: Coords> Run<C> {
     ///
     /// # Errors
     /// [`Error::Diverged`] if the state leaves the finite numbers; the run then stays at the last finite state, and
-    /// [`Run::time`] and [`Run::state`] tell it. [`Error::Time`], [`Error::Clock`] and [`Error::Steps`] leave the run as
-    /// it was, and so does [`Error::Energy`], which the first call returns where `H` reads the time and has no value at
-    /// the start. [`Error::EnergyStrayed`] if a [watch](Run::watch_energy) says so; the run stays at the last step within its
-    /// bound.
+    /// [`Run::time`] and [`Run::state`] tell it. [`Error::Time`], [`Error::Clock`] and [`Error::Steps`] leave the run
+    /// as it was, and so does [`Error::Energy`], which the first call returns where `H` reads the time and has no value
+    /// at the start. [`Error::EnergyStrayed`] if a [watch](Run::watch_energy) says so; the run stays at the last step
+    /// within its bound.
     ///
     /// # Panics
-    /// Where your own functions would. A program that catches the panic finds the run at the last step before it, as after
-    /// a divergence; the message is printed twice where this step has to be found in a block of steps. Without the feature
+    /// Where your own functions would. A program that catches the panic finds the run at the last step before it, as
+    /// after a divergence; the message is printed twice where this step has to be found in a block of steps. Without
+    /// the feature
     /// `std`, the run stays up to 1023 steps before it.
     pub fn advance(&mut self, steps: u64) -> Result<(), Error> {
         let end = self.clock.end(steps)?;
-        self.see_start()?;
+        self.check_start()?;
         let Some(watch) = self.watch else { return self.advance_to(end) };
         while self.clock.steps < end {
             self.advance_to(self.clock.steps + 1)?;
@@ -218,8 +220,8 @@ impl<C: Coords> Run<C> {
     }
 
     /// How often the steps of this run have evaluated the force: that of a step times the steps, where kicks along the
-    /// gradient of the squared force count twice; or counted, where the number differs from step to step, with a Jacobian
-    /// of an implicit method once for each of its columns.
+    /// gradient of the squared force count twice; or counted, where the number differs from step to step, with a
+    /// Jacobian of an implicit method once for each of its columns.
     pub fn evaluations(&self) -> u64 {
         match self.forces {
             Some(forces) => self.clock.steps.saturating_mul(forces as u64),
@@ -243,8 +245,9 @@ impl<C: Coords> Run<C> {
 
     /// The energy `T + V` at [`Run::time`].
     ///
-    /// It is NaN or infinite where your functions have no value, as the logarithm left of zero: steps read forces alone, which
-    /// may be finite on the other side of a pole that a step has jumped over. [`Run::watch_energy`] stops a run there.
+    /// It is NaN or infinite where your functions have no value, as the logarithm left of zero: steps read forces
+    /// alone, which may be finite on the other side of a pole that a step has jumped over. [`Run::watch_energy`] stops
+    /// a run there.
     pub fn energy(&self) -> f64 {
         self.parts().total
     }
@@ -295,8 +298,8 @@ impl<C: Coords> Run<C> {
         let mut state = self.state();
         change(&mut state, self.clock.h, map)?;
         let parts = self.energies.parts(&state, self.time());
-        // Where the start is unseen, its time is not settled.
-        if !self.start_unseen {
+        // Where the start is unchecked, its time is not settled.
+        if !self.start_unchecked {
             parts.admissible(self.time())?;
         }
         self.watch = self.watch.map(|Watch { bound, .. }| Watch::new(bound, parts));
@@ -311,8 +314,8 @@ impl<C: Coords> Run<C> {
         Samples::new(self, interval)
     }
 
-    /// The state a while into the last step, which [`Run::advance`] took alone and which began at `from`: on the polynomial
-    /// of a method that has one, and else after a shorter step. The run itself stays where it is.
+    /// The state a while into the last step, which [`Run::advance`] took alone and which began at `from`: on the
+    /// polynomial of a method that has one, and else after a shorter step. The run itself stays where it is.
     ///
     /// # Errors
     /// As [`Run::advance`] for this step.

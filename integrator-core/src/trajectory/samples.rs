@@ -1,4 +1,4 @@
-//! Looking at a run from time to time, without touching it.
+//! Samples: the states of a run at regular times, which do not change it.
 
 use crate::{
     error::Error,
@@ -9,7 +9,7 @@ use crate::{
 use alloc::sync::Arc;
 use core::fmt;
 
-/// A run, seen at its start and then every so many steps. Made by [`Run::samples`].
+/// An iterator over the states of a run at its start and then after every so many steps. Made by [`Run::samples`].
 ///
 /// Sampling completes the step under way on a copy, so the trajectory is the one that `advance` alone would take.
 /// After an error the iterator ends.

@@ -1,4 +1,4 @@
-//! What a method does to motions, as functions that are compiled for a system, a composition and a scalar.
+//! The step functions of a motion type, compiled for a system, a composition and a scalar.
 
 use crate::{
     composition::Composition,
@@ -13,10 +13,11 @@ use crate::{
     },
 };
 
-/// The function table of a motion type: what a method does to motions, a few calls per block of steps.
+/// The function table of a motion type, which an engine calls a few times per block of steps.
 ///
-/// These are functions and not a type parameter: so [`Motions`](crate::trajectory::motions::Motions) know the motion's type
-/// alone, what is seldom called is compiled once per motion, and a system that borrows its parameters can be run all the same.
+/// These are functions and not a type parameter: so [`Motions`](crate::trajectory::motions::Motions) know the motion's
+/// type alone, what is seldom called is compiled once per motion, and a system that borrows its parameters can be run
+/// all the same.
 pub struct StepFunctions<M> {
     /// How many members a motion has.
     pub(crate) lanes: usize,
@@ -30,8 +31,8 @@ pub struct StepFunctions<M> {
     pub(crate) show: Option<fn(&mut M, Clock)>,
     /// Whether all numbers are finite.
     pub(crate) finite: fn(&[M]) -> bool,
-    /// Takes a motion a while into the step that begins at the other one and at the clock, where a method has dense output.
-    /// It may stand anywhere in this step.
+    /// Takes a motion a while into the step that begins at the other one and at the clock, where a method has dense
+    /// output. It may stand anywhere in this step.
     pub(crate) dense: Option<fn(&mut M, &M, Clock, f64)>,
 }
 
@@ -63,8 +64,8 @@ impl<M> StepFunctions<M> {
         (self.advance)(core::slice::from_mut(motion), clock, steps, Some(1));
     }
 
-    /// One motion with the step under way completed, up to the state that is shown: the end of the step of the kernel, where
-    /// what undoes the processor leaves the finite numbers.
+    /// One motion with the step under way completed, up to the state that is shown: the end of the step of the kernel,
+    /// where what undoes the processor leaves the finite numbers.
     #[cfg(feature = "check")]
     pub(crate) fn shown<C: Coords, P>(&self, mut motion: M, clock: Clock) -> M
     where

@@ -1,4 +1,4 @@
-//! The multiversioned variant of single trajectories: for which of the instruction sets that they are compiled for.
+//! The choice among the multiversioned variants of single trajectories: the instruction set of this machine.
 
 use crate::{
     hamiltonian::{Hamiltonian, Shaped},
@@ -13,11 +13,11 @@ use crate::{
 };
 use alloc::{boxed::Box, sync::Arc, vec};
 
-/// No motions yet of single trajectories, computed in what this machine takes.
+/// An empty list of motions of single trajectories, for the instruction set of this machine.
 pub(crate) fn single<H: Hamiltonian, X: Method<H>, K: Precision>(
     constants: Constants<X::Constants>,
 ) -> Box<dyn Motions> {
-    // Known when this is compiled, so that nothing is compiled for the others.
+    // A constant, so that nothing is compiled for the other instruction sets.
     if const { X::CLONED } {
         match InstructionSet::chosen() {
             InstructionSet::Baseline => motions::<H, X, K::Plain, K, InTiles>(constants),
@@ -29,21 +29,21 @@ pub(crate) fn single<H: Hamiltonian, X: Method<H>, K: Precision>(
     }
 }
 
-/// The engine of a trajectory, computed in what this machine takes.
+/// The engine of a trajectory, for the instruction set of this machine.
 pub(crate) fn engine<H: Hamiltonian, X: Method<H>, K: Precision>(
     method: X,
     parameters: Arc<H::Parameters<f64>>,
     start: &Phase<Shaped<H, K>>,
 ) -> Engine {
-    Engine::of_one(&*single::<H, X, K>(of_one(method.constants(parameters))), start)
+    Engine::single(&*single::<H, X, K>(list(method.constants(parameters))), start)
 }
 
 /// The constants of one member: compiled once for all compositions.
-fn of_one<Q>(constants: Arc<Q>) -> Constants<Q> {
+fn list<Q>(constants: Arc<Q>) -> Constants<Q> {
     Arc::new(vec![constants])
 }
 
-/// No motions yet, computed in `R`.
+/// An empty list of motions whose steps are computed in `R`.
 pub(crate) fn motions<H: Hamiltonian, X: Method<H>, R: Real, K: Precision, E: Executor>(
     constants: Constants<X::Constants>,
 ) -> Box<dyn Motions> {

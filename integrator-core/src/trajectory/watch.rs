@@ -1,8 +1,8 @@
-//! A bound on the energy of a run, looked at after every step, so that portions do not matter.
+//! A bound on the energy of a run, checked after every step, so that portions do not matter.
 
 use crate::{error::Error, state::coords::Coords, system::energy::Parts, trajectory::run::Run};
 
-/// What the energy of a run is held against.
+/// The energy that a run is compared with, and the bound on the difference.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Watch {
     pub(crate) bound: f64,
@@ -26,10 +26,11 @@ impl Watch {
 
 impl<C: Coords> Run<C> {
     /// Makes [`Run::advance`] stop where the energy leaves a bound: it looks after every step, and takes no step whose
-    /// energy `H` differs by more than `relative_bound` times `|T₀| + |V₀|` from `H₀`, or is not a number. `H₀`, `T₀` and
+    /// energy `H` differs by more than `relative_bound` times `|T₀| + |V₀|` from `H₀`, or is not a number. `H₀`, `T₀`
+    /// and
     /// `V₀` are the energies at the time of this call, so that the bound makes sense where `H₀` is zero, as on a parabola
-    /// of Kepler, and does not grow in an encounter. Call it again for another bound; infinity stops at what is not a number
-    /// alone.
+    /// of Kepler, and does not grow in an encounter. Call it again for another bound; infinity stops at what is not a
+    /// number alone.
     ///
     /// No bit of the run changes, and it stops at the same step in any portions. A step costs one [`Run::energy`] more:
     /// that shows where steps are cheap. A checkpoint does not keep the watch.

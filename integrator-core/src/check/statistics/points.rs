@@ -49,7 +49,7 @@ pub(crate) fn run<H: Hamiltonian, X: Method<H>, K: Precision>(
 ) -> Result<Run<Shaped<H, K>>, Error> {
     let Start { phase, time } = start.clone();
     let mut run = Run::start::<H, X, K>(system, method, phase, h)?.at_time(time);
-    run.see_start()?;
+    run.check_start()?;
     Ok(run)
 }
 
