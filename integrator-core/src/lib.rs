@@ -153,7 +153,7 @@ pub mod prelude {
     };
 }
 
-/// The door through which generated code enters. Nothing here is stable.
+/// The private API of generated code. Nothing here is stable.
 pub mod __private {
     pub use crate::system::external::{External, external};
     pub use crate::{

@@ -1,4 +1,4 @@
-//! The procedural macros of `integrator-core`: a doorway to `integrator-symbolic`, where the work is done.
+//! The procedural macros of `integrator-core`: each calls `integrator-symbolic`, where the work is done.
 //!
 //! Use them through `integrator_core`, which re-exports both and is what the generated code calls.
 #![forbid(unsafe_code)]

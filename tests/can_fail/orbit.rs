@@ -125,7 +125,7 @@ fn smooth_motions_are_certified() {
     all(&Driven {}, Phase::new([0.5], [0.0]), &[0.1]);
 }
 
-/// What spoils the run comes first, once, and nothing that is no number is shown.
+/// What ends the run comes first, once, and no NaN is shown.
 #[test]
 fn a_refusal_leads_with_its_cause() {
     // It leans to the left before it has moved for long.

@@ -108,7 +108,7 @@ fn a_member_that_is_lost_is_named_and_disturbs_nobody() {
             (outcome, lost) => panic!("member {member}: alone {outcome:?}, in the ensemble {lost:?}"),
         }
         assert_eq!(swarm.state(member), Some(alone.state()), "member {member}");
-        // Far out it is no number.
+        // Far out it is NaN.
         let energy = swarm.energy(member).map(f64::to_bits);
         assert_eq!(energy, Some(alone.energy().to_bits()), "member {member}");
         assert_eq!(swarm.steps_of(member), Some(alone.steps()), "member {member}");

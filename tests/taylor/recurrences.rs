@@ -47,7 +47,7 @@ pub(crate) fn deviation(found: &[Series], exact: &[Vec<Exact>]) -> (f64, String)
         for (k, (found, exact)) in found.iter().zip(exact).enumerate() {
             let unit = (k as f64 + 4.0) * f64::EPSILON / 2.0 * exact.scale + f64::MIN_POSITIVE;
             let units = (found - exact.value).abs() / unit;
-            // What is no number is farther off than anything.
+            // A NaN is farther off than anything.
             if units > worst.0 || units.is_nan() {
                 worst = (
                     if units.is_nan() { f64::INFINITY } else { units },

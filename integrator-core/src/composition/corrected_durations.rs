@@ -1,9 +1,8 @@
 //! Corrected durations: the stages of a compensated run add up to the step, however often it is taken.
 //!
 //! The stages of a step last `h·a`, rounded, and their sum misses `h` by the duration residual, about ε/10 of it, in
-//! every step the same: a clock that is a little fast or slow. As a leap day corrects the year, one stage is longer in
-//! some cycles (error diffusion, as in Bresenham's lines), by an amount that it can be lengthened by without a
-//! rounding.
+//! every step the same: a clock that is a little fast or slow. One stage is longer in some cycles (error diffusion, as
+//! in Bresenham's lines), by an amount that it can be lengthened by without a rounding.
 //!
 //! Always true: which cycles these are depends on their number alone, so that portions, samples and checkpoints change
 //! nothing; and after `n` steps the sum of all durations is off by at most one correction.

@@ -1,6 +1,6 @@
 //! Rust tokens for a composition: its type, the facts about it and its table of stages.
 //!
-//! Generated code names `::core` and the runtime crate's private door, nothing else. A declaration that was refused
+//! Generated code names `::core` and the runtime crate's private API, nothing else. A declaration that was refused
 //! becomes a stub, so that its users still type-check.
 
 use proc_macro2::{Ident, Literal, TokenStream};

@@ -81,7 +81,7 @@ impl HalfTrace {
     }
 
     fn is_beyond(&self, x: f64) -> bool {
-        // Far out the sum may overflow to something that is no number.
+        // Far out the sum may overflow to infinity minus infinity, a NaN.
         let excess = self.excess(x);
         excess > SLACK || excess.is_nan()
     }

@@ -31,7 +31,7 @@ pub struct Dots {
 pub struct Row {
     /// What it is about.
     pub name: String,
-    /// One number per series; none is drawn where it is no number.
+    /// One number per series; none is drawn where it is NaN.
     pub values: Vec<f64>,
 }
 

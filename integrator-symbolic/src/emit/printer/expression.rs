@@ -72,7 +72,7 @@ pub(crate) struct Printer<'m> {
     pub(crate) names: HashMap<NodeId, Ident>,
     /// What flows compute in.
     pub(crate) scalar: &'m Ident,
-    /// The runtime's private door.
+    /// The path of the runtime's private API.
     pub(crate) runtime: &'m Ident,
     /// The names of the user's methods, by their ids.
     pub(crate) externals: &'m [Method],

@@ -7,7 +7,7 @@ use std::collections::HashSet;
 
 /// The names of generated items and type parameters: none is one that the user's text mentions.
 pub(crate) struct Names {
-    /// The runtime's private door.
+    /// The path of the runtime's private API.
     pub(crate) runtime: Ident,
     /// The struct of prepared constants.
     pub(crate) parameters: Ident,

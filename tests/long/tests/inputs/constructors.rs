@@ -98,7 +98,7 @@ impl Reason for CheckpointError {
     }
 }
 
-/// What a door lets in: the step, the start, the parameters, or the last alone.
+/// What an entry point lets in: the step, the start, the parameters, or the last alone.
 #[derive(Clone, Copy, PartialEq, PartialOrd)]
 enum Asks {
     Parameters,
@@ -107,7 +107,7 @@ enum Asks {
 }
 
 /// What comes of an input at one of the public constructors.
-struct Door {
+struct EntryPoint {
     name: &'static str,
     asks: Asks,
     outcome: Result<(), String>,
@@ -118,7 +118,7 @@ fn outcome<T, E: Reason>(result: Result<T, E>) -> Result<(), String> {
 }
 
 /// An input at every public constructor, from a start with some kind of leaves.
-macro_rules! doors {
+macro_rules! entry_points {
     ($input:expr, $start:expr, $composition:ident) => {{
         let input: &Input = $input;
         let start = $start;
@@ -140,13 +140,13 @@ macro_rules! doors {
             ("resume", Asks::Parameters, outcome(resumed)),
             ("resume_with", Asks::Parameters, outcome(resumed_with)),
         ]
-        .map(|(name, asks, outcome)| Door { name, asks, outcome })
+        .map(|(name, asks, outcome)| EntryPoint { name, asks, outcome })
         .into()
     }};
 }
 
 /// An input at every check.
-fn checks(input: &Input) -> Vec<Door> {
+fn checks(input: &Input) -> Vec<EntryPoint> {
     let (chain, h) = (&input.chain, input.h);
     [
         ("certify", Asks::Step, outcome(certify(chain, Verlet, plain(input), h))),
@@ -160,19 +160,19 @@ fn checks(input: &Input) -> Vec<Door> {
         ("stability", Asks::Step, outcome(stability(chain, Verlet, plain(input), h))),
         ("shadow", Asks::Step, outcome(shadow(chain, Verlet, plain(input), h))),
     ]
-    .map(|(name, asks, outcome)| Door { name, asks, outcome })
+    .map(|(name, asks, outcome)| EntryPoint { name, asks, outcome })
     .into()
 }
 
 /// An input at the constructors by Taylor's method.
-fn taylor(input: &Input) -> Vec<Door> {
+fn taylor(input: &Input) -> Vec<EntryPoint> {
     let (chain, h, method) = (&input.chain, input.h, Taylor::tolerance(1e-12));
     let members = [(good().chain, plain(&good())), (chain.clone(), plain(input))];
     [
         ("run_with", Asks::Step, outcome(chain.run_with(method, plain(input), h))),
         ("Ensemble::new", Asks::Step, outcome(Ensemble::new(method, members, h))),
     ]
-    .map(|(name, asks, outcome)| Door { name, asks, outcome })
+    .map(|(name, asks, outcome)| EntryPoint { name, asks, outcome })
     .into()
 }
 
@@ -204,12 +204,12 @@ fn reversible(input: &Input) -> Phase<Vec<Fixed<f64>>> {
 /// All constructors, by the leaf of the start; with a composition of its own where that is `f64`, so that little is compiled
 /// for the others. `choose`, which begins as the checks do, is compiled for every
 /// composition and has tests of its own.
-fn all(input: &Input) -> [(&'static str, Vec<Door>); 6] {
+fn all(input: &Input) -> [(&'static str, Vec<EntryPoint>); 6] {
     [
-        ("f64", doors!(input, plain, Chin4A)),
-        ("f32", doors!(input, single, Verlet)),
-        ("compensated", doors!(input, compensated, Verlet)),
-        ("reversible", doors!(input, reversible, Verlet)),
+        ("f64", entry_points!(input, plain, Chin4A)),
+        ("f32", entry_points!(input, single, Verlet)),
+        ("compensated", entry_points!(input, compensated, Verlet)),
+        ("reversible", entry_points!(input, reversible, Verlet)),
         ("checks", checks(input)),
         ("Taylor's method", taylor(input)),
     ]
@@ -251,10 +251,14 @@ fn every_constructor_names_the_same_reason() {
     for ((kind, reason), spoil) in rows {
         let mut input = good();
         spoil(&mut input);
-        for (leaf, doors) in all(&input) {
-            for door in doors.iter().filter(|door| door.asks >= kind) {
-                let refused = door.outcome.as_ref().is_err_and(|said| said.contains(&reason));
-                assert!(refused, "{} of {leaf}: {:?} where {reason} is the reason", door.name, door.outcome);
+        for (leaf, entry_points) in all(&input) {
+            for entry_point in entry_points.iter().filter(|entry_point| entry_point.asks >= kind) {
+                let refused = entry_point.outcome.as_ref().is_err_and(|said| said.contains(&reason));
+                assert!(
+                    refused,
+                    "{} of {leaf}: {:?} where {reason} is the reason",
+                    entry_point.name, entry_point.outcome
+                );
             }
         }
     }
@@ -263,7 +267,7 @@ fn every_constructor_names_the_same_reason() {
 #[test]
 fn good_input_passes_them_all() {
     let input = good();
-    for door in all(&input).iter().flat_map(|(_, doors)| doors) {
-        assert_eq!(door.outcome, Ok(()), "{}", door.name);
+    for entry_point in all(&input).iter().flat_map(|(_, entry_points)| entry_points) {
+        assert_eq!(entry_point.outcome, Ok(()), "{}", entry_point.name);
     }
 }
