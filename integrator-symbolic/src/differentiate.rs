@@ -2,8 +2,8 @@
 //!
 //! Comes in: a root and the part to differentiate by. Goes out: contributions to the components of the gradient, each
 //! with the loops and conditions around it. Always true: the sum of all contributions, over all iterations of their
-//! loops in which their conditions hold, is the gradient; sums are never unrolled; what is zero has no contribution;
-//! the branch that is not taken has no part in anything.
+//! loops in which their conditions hold, is the gradient; sums are never unrolled; zeros have no contribution;
+//! a branch that is not taken contributes nothing.
 //!
 //! Inside a sum the adjoint of a node is a value per iteration of the loops around it. Where such a value reaches a
 //! node that does not depend on the innermost of these loops, it is summed over them first, so that the sweep leaves a
@@ -17,7 +17,7 @@ use std::collections::HashMap;
 /// An addend of one component of a gradient (of a family of them, where the component depends on loops).
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Contribution {
-    /// What is around it, outermost first.
+    /// The loops and conditions around it, outermost first.
     pub(crate) context: Vec<Scope>,
     /// The coordinate that the component belongs to.
     pub(crate) element: Element,
@@ -38,7 +38,7 @@ impl Contribution {
         self.context.iter().filter_map(Scope::condition)
     }
 
-    /// What is around it, with other nodes for its conditions.
+    /// The loops and conditions around it, with other nodes for the conditions.
     pub(crate) fn around(&self, of: impl Fn(NodeId) -> NodeId) -> Vec<Scope> {
         let renamed = self.context.iter().map(|around| match around {
             Scope::Branch(condition, holds) => Scope::Branch(of(*condition), *holds),
@@ -56,10 +56,10 @@ pub(crate) fn gradient(graph: &mut Graph, root: NodeId, part: Part) -> Vec<Contr
     let mut contributions = Vec::new();
     for id in graph.reachable([root]).into_iter().rev() {
         let adjoints = std::mem::take(&mut sweep.adjoints[id.position()]);
-        for (context, adjoint) in gathered(graph, id, adjoints) {
+        for (context, adjoint) in merge_adjoints(graph, id, adjoints) {
             match graph.node(id) {
                 Node::Coordinate(element) => contributions.push(Contribution { context, element, value: adjoint }),
-                node => sweep.through(graph, id, node, &context, adjoint),
+                node => sweep.propagate(graph, id, node, &context, adjoint),
             }
         }
     }
@@ -74,20 +74,20 @@ pub(crate) fn hessian_product(graph: &mut Graph, of: &[Contribution], part: Part
     for Contribution { context, element, value } in of {
         let direction = graph.coordinate(element.partner());
         let product = graph.mul(*value, direction);
-        let product = context.iter().rev().fold(product, |product, around| chosen(graph, *around, product));
+        let product = context.iter().rev().fold(product, |product, around| select_in_branch(graph, *around, product));
         along = graph.add(along, product);
     }
     gradient(graph, along, part)
 }
 
-/// The same gradient with branches as choices between values: one contribution per element and loops, as long as
-/// nothing else tells them apart.
+/// The same gradient with branches folded into selects: one contribution per element and loops, where nothing else
+/// distinguishes them.
 pub(crate) fn fold_branches(graph: &mut Graph, gradient: &[Contribution]) -> Vec<Contribution> {
     let mut places: HashMap<(Element, &[Scope]), usize> = HashMap::new();
     let mut families: Vec<(&Contribution, usize, Vec<Inside<'_>>)> = Vec::new();
     for contribution in gradient {
         let Contribution { context, element, value } = contribution;
-        let outer = loops_end(context);
+        let outer = end_of_loops(context);
         let place = *places.entry((*element, &context[..outer])).or_insert(families.len());
         if place == families.len() {
             families.push((contribution, outer, Vec::new()));
@@ -97,69 +97,69 @@ pub(crate) fn fold_branches(graph: &mut Graph, gradient: &[Contribution]) -> Vec
     let folded = families.into_iter().map(|(Contribution { context, element, .. }, outer, values)| Contribution {
         context: context[..outer].to_vec(),
         element: *element,
-        value: summed(graph, &values),
+        value: sum_of_branches(graph, &values),
     });
     folded.collect()
 }
 
-/// How much of a context its loops are, with what is between them.
-fn loops_end(context: &[Scope]) -> usize {
+/// The length of a context up to its last loop.
+fn end_of_loops(context: &[Scope]) -> usize {
     context.iter().rposition(|around| matches!(around, Scope::Loop(_))).map_or(0, |last| last + 1)
 }
 
-/// A value, and the branches around it.
+/// A value inside of branches.
 type Inside<'a> = (&'a [Scope], NodeId);
 
-/// Values by the outermost of their branches, in the order of these, and those without.
-enum Slot<'a> {
+/// A group of values: one without branches, or all values inside of the branches of one condition.
+enum Group<'a> {
     Value(NodeId),
-    /// A condition, with what is there where it holds and where it does not.
+    /// A condition, with the values where it holds and where it does not.
     Branch(NodeId, [Vec<Inside<'a>>; 2]),
 }
 
-fn slots<'a>(values: &[Inside<'a>]) -> Vec<Slot<'a>> {
+fn group_by_branch<'a>(values: &[Inside<'a>]) -> Vec<Group<'a>> {
     let mut places: HashMap<NodeId, usize> = HashMap::new();
     let mut slots = Vec::new();
     for (context, value) in values {
         let Some((Scope::Branch(condition, holds), inner)) = context.split_first() else {
-            slots.push(Slot::Value(*value));
+            slots.push(Group::Value(*value));
             continue;
         };
         let place = *places.entry(*condition).or_insert(slots.len());
         if place == slots.len() {
-            slots.push(Slot::Branch(*condition, [Vec::new(), Vec::new()]));
+            slots.push(Group::Branch(*condition, [Vec::new(), Vec::new()]));
         }
-        if let Slot::Branch(_, sides) = &mut slots[place] {
+        if let Group::Branch(_, sides) = &mut slots[place] {
             sides[usize::from(!holds)].push((inner, *value));
         }
     }
     slots
 }
 
-/// The sum of values that are zero where their branches are not taken: one choice for each condition.
-fn summed(graph: &mut Graph, values: &[Inside<'_>]) -> NodeId {
+/// The sum of values that are zero where their branches are not taken: one select for each condition.
+fn sum_of_branches(graph: &mut Graph, values: &[Inside<'_>]) -> NodeId {
     let zero = graph.constant(0.0);
-    slots(values).into_iter().fold(zero, |sum, slot| {
+    group_by_branch(values).into_iter().fold(zero, |sum, slot| {
         let value = match slot {
-            Slot::Value(value) => value,
-            Slot::Branch(condition, sides) => {
-                let [first, second] = sides.map(|side| summed(graph, &side));
+            Group::Value(value) => value,
+            Group::Branch(condition, sides) => {
+                let [first, second] = sides.map(|side| sum_of_branches(graph, &side));
                 graph.select(condition, first, second)
             }
         };
-        joined(graph, sum, value)
+        add_or_select(graph, sum, value)
     })
 }
 
-/// The condition that one of the values is there.
-fn entered(graph: &mut Graph, values: &[Inside<'_>]) -> NodeId {
+/// The condition that the branches around one of the values are taken.
+fn is_any_taken(graph: &mut Graph, values: &[Inside<'_>]) -> NodeId {
     if values.iter().any(|(context, _)| context.is_empty()) {
         return graph.truth(true);
     }
     let never = graph.truth(false);
-    slots(values).into_iter().fold(never, |any, slot| {
-        let Slot::Branch(condition, sides) = slot else { return any };
-        let [first, second] = sides.map(|side| entered(graph, &side));
+    group_by_branch(values).into_iter().fold(never, |any, slot| {
+        let Group::Branch(condition, sides) = slot else { return any };
+        let [first, second] = sides.map(|side| is_any_taken(graph, &side));
         let one = match [first, second].map(|side| graph.as_truth(side)) {
             [Some(true), None] => graph.or(condition, second),
             [None, Some(true)] => {
@@ -173,7 +173,7 @@ fn entered(graph: &mut Graph, values: &[Inside<'_>]) -> NodeId {
 }
 
 /// A value where a branch is taken, zero elsewhere.
-fn chosen(graph: &mut Graph, around: Scope, value: NodeId) -> NodeId {
+fn select_in_branch(graph: &mut Graph, around: Scope, value: NodeId) -> NodeId {
     let zero = graph.constant(0.0);
     match around {
         Scope::Branch(condition, true) => graph.select(condition, value, zero),
@@ -182,8 +182,8 @@ fn chosen(graph: &mut Graph, around: Scope, value: NodeId) -> NodeId {
     }
 }
 
-/// The sum of two values; of the two branches of one condition, the choice between them.
-fn joined(graph: &mut Graph, first: NodeId, second: NodeId) -> NodeId {
+/// The sum of two values; of the two branches of one condition, the select between them.
+fn add_or_select(graph: &mut Graph, first: NodeId, second: NodeId) -> NodeId {
     if let (Node::Select(c, a, b), Node::Select(d, x, y)) = (graph.node(first), graph.node(second))
         && c == d
     {
@@ -193,7 +193,7 @@ fn joined(graph: &mut Graph, first: NodeId, second: NodeId) -> NodeId {
     graph.add(first, second)
 }
 
-/// Which nodes depend on the coordinates of `part`.
+/// For each node, whether it depends on the coordinates of `part`.
 fn dependence(graph: &Graph, root: NodeId, part: Part) -> Vec<bool> {
     let mut depends = vec![false; root.position() + 1];
     for id in graph.reachable([root]) {
@@ -202,13 +202,13 @@ fn dependence(graph: &Graph, root: NodeId, part: Part) -> Vec<bool> {
     depends
 }
 
-/// How many contexts the adjoint of a node may have before they are made one. Where branch follows branch on what the
-/// last one left, the number would double each time.
+/// The largest number of contexts of the adjoints of a node; more are merged into one. Where each branch reads the
+/// result of the last one, the number would double each time.
 const CONTEXTS: usize = 2;
 
-/// The adjoints of a node, those in the same loops in one context where they are many. What they have in common stays
-/// around them; the rest is chosen, and the node's own slopes are computed where one of them is.
-fn gathered(graph: &mut Graph, id: NodeId, adjoints: Vec<Adjoint>) -> Vec<Adjoint> {
+/// Merges the adjoints of a node in the same loops into one context where they are many. Their common context stays
+/// around them; the rest is selected, and the node's own slopes are computed where one of them is.
+fn merge_adjoints(graph: &mut Graph, id: NodeId, adjoints: Vec<Adjoint>) -> Vec<Adjoint> {
     if adjoints.len() <= CONTEXTS || matches!(graph.node(id), Node::Coordinate(_)) {
         return adjoints;
     }
@@ -216,24 +216,24 @@ fn gathered(graph: &mut Graph, id: NodeId, adjoints: Vec<Adjoint>) -> Vec<Adjoin
     for (context, adjoint) in adjoints {
         let own = |group: &&mut Vec<Adjoint>| {
             let known = &group[0].0;
-            known[..loops_end(known)] == context[..loops_end(&context)]
+            known[..end_of_loops(known)] == context[..end_of_loops(&context)]
         };
         match groups.iter_mut().find(own) {
             Some(group) => group.push((context, adjoint)),
             None => groups.push(vec![(context, adjoint)]),
         }
     }
-    groups.into_iter().map(|group| in_common(graph, id, &group)).collect()
+    groups.into_iter().map(|group| in_one_context(graph, id, &group)).collect()
 }
 
-/// Adjoints in one context.
-fn in_common(graph: &mut Graph, id: NodeId, adjoints: &[Adjoint]) -> Adjoint {
+/// The adjoint in the common context of some adjoints.
+fn in_one_context(graph: &mut Graph, id: NodeId, adjoints: &[Adjoint]) -> Adjoint {
     let first = &adjoints[0].0;
     let shared =
         |known: usize, context: &[Scope]| first[..known].iter().zip(context).take_while(|(a, b)| a == b).count();
     let common = adjoints.iter().fold(first.len(), |known, (context, _)| shared(known, context));
     let values: Vec<Inside<'_>> = adjoints.iter().map(|(context, adjoint)| (&context[common..], *adjoint)).collect();
-    let (sum, any) = (summed(graph, &values), entered(graph, &values));
+    let (sum, any) = (sum_of_branches(graph, &values), is_any_taken(graph, &values));
     let mut context = first[..common].to_vec();
     let is_harmless = adjoints.iter().all(|(left, _)| graph.is_harmless(id, &left[common..]));
     if !is_harmless && graph.as_truth(any).is_none() {
@@ -242,7 +242,7 @@ fn in_common(graph: &mut Graph, id: NodeId, adjoints: &[Adjoint]) -> Adjoint {
     (context, sum)
 }
 
-/// What an adjoint is and where: what is around it, and its value.
+/// An adjoint: the context around it, and its value.
 type Adjoint = (Vec<Scope>, NodeId);
 
 struct Sweep {
@@ -252,8 +252,8 @@ struct Sweep {
 }
 
 impl Sweep {
-    /// Passes the adjoint of `node` on to its children.
-    fn through(&mut self, graph: &mut Graph, id: NodeId, node: Node, context: &[Scope], adjoint: NodeId) {
+    /// Propagates the adjoint of `node` to its children.
+    fn propagate(&mut self, graph: &mut Graph, id: NodeId, node: Node, context: &[Scope], adjoint: NodeId) {
         match node {
             Node::Neg(a) => {
                 let value = graph.neg(adjoint);
@@ -356,9 +356,9 @@ impl Sweep {
         if !self.depends[to.position()] {
             return;
         }
-        let (outer, left) = context.split_at(depth(graph, to, context));
-        let value = left.iter().rev().fold(value, |value, around| chosen(graph, *around, value));
-        let more = guard(graph, to, left).into_iter().filter(|around| !outer.contains(around));
+        let (outer, left) = context.split_at(common_depth(graph, to, context));
+        let value = left.iter().rev().fold(value, |value, around| select_in_branch(graph, *around, value));
+        let more = guards(graph, to, left).into_iter().filter(|around| !outer.contains(around));
         let outer: Vec<Scope> = outer.iter().copied().chain(more).collect();
         let adjoints = &mut self.adjoints[to.position()];
         match adjoints.iter_mut().find(|(known, _)| *known == outer) {
@@ -368,9 +368,9 @@ impl Sweep {
     }
 }
 
-/// What stays around the adjoint of a node in the place of the loops and branches that were `left`: where nothing
+/// The conditions around the adjoint of a node that replace the loops and branches that were `left`: where nothing
 /// entered them, the adjoint is an empty sum, and a slope that is not finite there must not be multiplied by it.
-fn guard(graph: &mut Graph, id: NodeId, left: &[Scope]) -> Vec<Scope> {
+fn guards(graph: &mut Graph, id: NodeId, left: &[Scope]) -> Vec<Scope> {
     if left.is_empty() || graph.is_harmless(id, left) {
         return Vec::new();
     }
@@ -389,8 +389,9 @@ fn branches(graph: &Graph, condition: NodeId) -> Vec<Scope> {
     }
 }
 
-/// How much of `context` stays around the adjoint of a node: up to the first loop behind all those it depends on.
-fn depth(graph: &Graph, id: NodeId, context: &[Scope]) -> usize {
+/// The length of the `context` that stays around the adjoint of a node: up to the first loop behind all those it
+/// depends on.
+fn common_depth(graph: &Graph, id: NodeId, context: &[Scope]) -> usize {
     let own = graph.loops_of(id);
     let is_own = |around: &Scope| matches!(around, Scope::Loop(by) if own.contains(*by));
     let deepest = context.iter().rposition(is_own).map_or(0, |deepest| deepest + 1);

@@ -1,7 +1,7 @@
-//! Potentials of bodies that act on each other in pairs: which they are, and the force of one body on another.
+//! Pair potentials: their recognition, and the force of one body on another.
 //!
-//! Comes in: a potential. Goes out: the gradient of one pair's energy, and of what each body has alone, or nothing where
-//! the potential is of another kind. Always true: the energy of a pair is the same whichever of its bodies comes first,
+//! Comes in: a potential. Goes out: the gradient of one pair's energy and of the one-body terms, or nothing where the
+//! potential is of another kind. Always true: the energy of a pair is the same whichever of its bodies comes first,
 //! so that an executor may take the pairs in any order and may let either body be the first; a pair reads the
 //! coordinates of its two bodies and nothing else that moves.
 
@@ -18,7 +18,7 @@ use crate::{
 };
 pub(crate) use central::pull;
 use exchange::Forms;
-pub(crate) use rename::{Renaming, renamed};
+pub(crate) use rename::{Renaming, rename};
 
 /// A potential of pairs.
 pub(crate) struct Pairs {
@@ -30,19 +30,19 @@ pub(crate) struct Pairs {
     pub(crate) force: Vec<Contribution>,
     /// Whether the gradient by those of the second body is the same with another sign: action is reaction.
     pub(crate) reciprocal: bool,
-    /// The gradient of what a body has alone.
+    /// The gradient of the one-body terms.
     pub(crate) alone: Vec<Contribution>,
 }
 
-/// What knows the texts behind parameters.
+/// The texts behind parameters.
 pub(crate) trait Parameters {
-    /// The parameter that the user would have written with other indices; `None` where the text does not tell.
-    fn renamed(&mut self, graph: &mut Graph, id: ParameterId, renaming: Renaming) -> Option<ParameterId>;
+    /// The parameter that the user would have written with other indices; `None` where the text does not show it.
+    fn rename(&mut self, graph: &mut Graph, id: ParameterId, renaming: Renaming) -> Option<ParameterId>;
     /// The parameters that a product is made of, each with its exponent; a parameter itself where it is no product.
     fn factors(&mut self, graph: &mut Graph, id: ParameterId) -> Vec<(ParameterId, i32)>;
 }
 
-/// The potential as one of pairs among `length` bodies, if it is that.
+/// Recognises a potential of pairs among `length` bodies.
 pub(crate) fn pairs(
     graph: &mut Graph,
     potential: NodeId,
@@ -51,7 +51,7 @@ pub(crate) fn pairs(
 ) -> Option<Pairs> {
     let mut terms = Terms { length, pair: None, pairs: Vec::new(), alone: Vec::new() };
     let one = graph.constant(1.0);
-    terms.of_all(graph, potential, one)?;
+    terms.collect(graph, potential, one)?;
     let pair = terms.pair?;
     let bodies = over_all(graph, length);
     let [energy, alone] = [terms.pairs, terms.alone].map(|terms| {
@@ -83,9 +83,9 @@ pub(crate) fn pairs(
     Some(Pairs { bodies, pair, force, reciprocal, alone })
 }
 
-/// The gradient of a function of one part as what each body contributes alone: without the loop over all bodies, which
-/// is around all of it.
-pub(crate) fn one_by_one(
+/// The gradient of a function of positions or of momenta as one-body contributions: without the loop over all bodies,
+/// which is around all of them.
+pub(crate) fn per_body(
     graph: &mut Graph,
     energy: NodeId,
     length: IndexId,
@@ -94,7 +94,7 @@ pub(crate) fn one_by_one(
 ) -> Option<Vec<Contribution>> {
     let mut terms = Terms { length, pair: None, pairs: Vec::new(), alone: Vec::new() };
     let one = graph.constant(1.0);
-    terms.of_all(graph, energy, one)?;
+    terms.collect(graph, energy, one)?;
     let bodies = over_all(graph, length);
     let zero = graph.constant(0.0);
     let alone = terms.alone.into_iter().fold(zero, |sum, term| graph.add(sum, term));
@@ -108,20 +108,20 @@ fn over_all(graph: &mut Graph, length: IndexId) -> LoopId {
     graph.loops.range(Loop { parent: None, from, to: length })
 }
 
-/// The addends of an energy, by what is around them.
+/// The addends of an energy, by the loops around them.
 struct Terms {
     length: IndexId,
     /// The loops over the two bodies of a pair.
     pair: Option<[LoopId; 2]>,
-    /// What each pair adds.
+    /// The addends of a pair.
     pairs: Vec<NodeId>,
-    /// What each body adds.
+    /// The addends of a body.
     alone: Vec<NodeId>,
 }
 
 impl Terms {
     /// Collects `factor` times a sum over bodies or pairs, or over several; `None` if something else is in it.
-    fn of_all(&mut self, graph: &mut Graph, id: NodeId, factor: NodeId) -> Option<()> {
+    fn collect(&mut self, graph: &mut Graph, id: NodeId, factor: NodeId) -> Option<()> {
         match graph.node(id) {
             Node::Constant(_) => Some(()),
             Node::Sum(by, body) => {
@@ -131,25 +131,25 @@ impl Terms {
                 }
                 match graph.loops.literal(range.from)? {
                     // The first body has none before it, so a loop over pairs may leave it out.
-                    first @ (0 | 1) => self.of_body(graph, by, first, body, factor),
+                    first @ (0 | 1) => self.collect_of_body(graph, by, first, body, factor),
                     _ => None,
                 }
             }
             _ => {
-                for (term, factor) in parts(graph, id, factor)? {
-                    self.of_all(graph, term, factor)?;
+                for (term, factor) in addends(graph, id, factor)? {
+                    self.collect(graph, term, factor)?;
                 }
                 Some(())
             }
         }
     }
 
-    /// Collects what the body with the index of `by` adds.
-    fn of_body(&mut self, graph: &mut Graph, by: LoopId, first: u64, id: NodeId, factor: NodeId) -> Option<()> {
+    /// Collects the addends of the body with the index of `by`.
+    fn collect_of_body(&mut self, graph: &mut Graph, by: LoopId, first: u64, id: NodeId, factor: NodeId) -> Option<()> {
         if let Node::Sum(other, body) = graph.node(id)
             && let Some(twice) = self.is_partner(graph, by, other)
         {
-            let body = if twice { unequal(graph, by, other, body)? } else { body };
+            let body = if twice { addend_of_distinct_pair(graph, by, other, body)? } else { body };
             if first != 0 && (twice || !self.is_before(graph, by, other)) {
                 return None;
             }
@@ -161,9 +161,9 @@ impl Terms {
             self.pairs.push(if twice { graph.mul(two, term) } else { term });
             return Some(());
         }
-        if let Some(parts) = parts(graph, id, factor).filter(|_| self.has_partners(graph, by, id)) {
+        if let Some(parts) = addends(graph, id, factor).filter(|_| self.has_partners(graph, by, id)) {
             for (term, factor) in parts {
-                self.of_body(graph, by, first, term, factor)?;
+                self.collect_of_body(graph, by, first, term, factor)?;
             }
             return Some(());
         }
@@ -209,7 +209,7 @@ impl Terms {
 }
 
 /// The addends of `factor` times a node, each with its own factor; `None` of what is no sum and no multiple.
-fn parts(graph: &mut Graph, id: NodeId, factor: NodeId) -> Option<Vec<(NodeId, NodeId)>> {
+fn addends(graph: &mut Graph, id: NodeId, factor: NodeId) -> Option<Vec<(NodeId, NodeId)>> {
     Some(match graph.node(id) {
         Node::Add(a, b) => vec![(a, factor), (b, factor)],
         Node::Neg(a) => vec![(a, graph.neg(factor))],
@@ -219,8 +219,8 @@ fn parts(graph: &mut Graph, id: NodeId, factor: NodeId) -> Option<Vec<(NodeId, N
     })
 }
 
-/// What is added where the two indices differ, if nothing is where they are equal.
-fn unequal(graph: &Graph, first: LoopId, second: LoopId, body: NodeId) -> Option<NodeId> {
+/// The addend where the two indices differ, if nothing is added where they are equal.
+fn addend_of_distinct_pair(graph: &Graph, first: LoopId, second: LoopId, body: NodeId) -> Option<NodeId> {
     let Node::Select(condition, same, other) = graph.node(body) else { return None };
     let (condition, same, other) = match graph.node(condition) {
         Node::Not(inner) => (inner, other, same),
@@ -267,7 +267,7 @@ fn reads_only(graph: &mut Graph, root: NodeId, own: &[LoopId], parameters: &mut 
                 let to = own[0];
                 let known = |by: LoopId| loops.contains(by);
                 let from = own.iter().copied().find(|by| known(*by)).unwrap_or(to);
-                alone && parameters.renamed(graph, parameter, Renaming::one(from, to)).is_some()
+                alone && parameters.rename(graph, parameter, Renaming::one(from, to)).is_some()
             }
             Node::FromIndex(_) => alone,
             Node::Flag(_) | Node::CompareIndex(..) => named == 0,

@@ -75,7 +75,7 @@ struct Stepper<'i> {
 impl<'i> Stepper<'i> {
     fn of(input: &'i Input, mut model: Model) -> Self {
         let energies = [model.kinetic, model.potential];
-        [model.kinetic, model.potential] = model.graph.by_pieces(energies);
+        [model.kinetic, model.potential] = model.graph.with_choices_in_the_middle(energies);
         let kinetic = gradient(&mut model.graph, model.kinetic, Part::Momentum);
         let potential = gradient(&mut model.graph, model.potential, Part::Position);
         let documentation = motion_documentation(&mut model, &kinetic, &potential);

@@ -1,14 +1,14 @@
-//! What is read by an index: whether it may be read where the user's text does not.
+//! Access by indices: whether a value may be read where the user's text does not read it.
 
 use super::{
     Element, Graph, Node, NodeId, Scope,
     index::{DEEPEST, Index, IndexId, LoopId, LoopSet, Loops},
 };
 
-/// How far the reads of a value depend on where it stands.
+/// Where the reads of a value are in bounds.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
 pub(crate) enum Access {
-    /// It can be computed anywhere: what it reads is always there.
+    /// Everywhere: its reads are always in bounds.
     #[default]
     Anywhere,
     /// What it reads is there in all iterations of the loops whose indices it reads by, unless these are compared with
@@ -26,7 +26,7 @@ impl Loops {
     fn access(&self, id: IndexId) -> Access {
         match self.index(id) {
             _ if self.is_guarded(id) => Access::WhereWritten,
-            // How far such an index gets was held against the length when it was read.
+            // The bound of such an index was compared with the length when it was read.
             _ if self.has_known_extents() && self.is_of_numbers(id) => Access::Anywhere,
             Index::Running(by) if self.passes_the_end(by) => Access::WhereWritten,
             Index::Running(_) => Access::ByRunning,
@@ -108,14 +108,14 @@ impl Graph {
     pub(super) fn own_access(&self, node: Node) -> Access {
         match node {
             Node::Coordinate(Element { index, component, .. }) => {
-                // How many components a point has is known.
+                // The number of components of a point is known.
                 let computed = component.filter(|component| self.loops.literal(*component).is_none());
                 let component = computed.map_or(Access::Anywhere, |component| self.loops.access(component));
                 self.loops.access(index).max(component)
             }
             Node::FromIndex(index) => self.loops.computes(index),
             Node::CompareIndex(_, a, b) => self.loops.computes(a).max(self.loops.computes(b)),
-            // A method of the user may look anything up.
+            // A method of the user may read anything.
             Node::External(..) => Access::InIterations,
             _ => Access::Anywhere,
         }

@@ -1,10 +1,10 @@
-//! Whether a step of an accumulation is a sum, or one of Horner's rule.
+//! Accumulations: whether a step is an addition, or one of Horner's rule.
 
 use super::{Graph, Node, NodeId};
 
 impl Graph {
-    /// What `value` adds to `accumulator`: `value == accumulator + addend` with an addend in which the accumulator does
-    /// not occur; `None` where it has no such form.
+    /// The addend of `value` beside `accumulator`: `value == accumulator + addend` with an addend in which the
+    /// accumulator does not occur; `None` where it has no such form.
     pub(crate) fn added_to(&mut self, accumulator: NodeId, value: NodeId) -> Option<NodeId> {
         let depends = self.dependent_on(accumulator, value);
         self.added(accumulator, value, &depends)
@@ -22,7 +22,7 @@ impl Graph {
         self.reachable([value]).iter().any(|id| accumulators.contains(id))
     }
 
-    /// Of each node, by its position, whether `value` reads the accumulator through it.
+    /// For each node, by its position, whether `value` reads the accumulator through it.
     fn dependent_on(&self, accumulator: NodeId, value: NodeId) -> Vec<bool> {
         let mut depends = vec![false; self.len()];
         for id in self.reachable([value]) {

@@ -154,7 +154,7 @@ impl Graph {
         if self.is_harmless(body, &[Scope::Loop(by)]) { product } else { self.where_entered(by, body, product) }
     }
 
-    /// What the iterations of a loop with some body come to, and zero where it has none.
+    /// The value of a loop with some body, and zero where the loop has no iteration.
     fn where_entered(&mut self, by: LoopId, body: NodeId, value: NodeId) -> NodeId {
         let (entered, zero) = (self.has_iterations(by, body), self.constant(0.0));
         self.select(entered, value, zero)
@@ -176,17 +176,17 @@ impl Graph {
         }
     }
 
-    /// Division as such, without a look at what it divides: for what powers are lowered to.
+    /// Division without simplification, to which powers are lowered.
     pub(crate) fn quotient(&mut self, a: NodeId, b: NodeId) -> NodeId {
         self.intern(Node::Div(a, b))
     }
 
-    /// Multiplication as such, without a look at what it multiplies: for what powers are lowered to.
+    /// Multiplication without simplification, to which powers are lowered.
     pub(crate) fn times(&mut self, a: NodeId, b: NodeId) -> NodeId {
         self.intern(Node::Mul(a, b))
     }
 
-    /// The square root, for what powers are lowered to.
+    /// The square root, to which powers are lowered.
     pub(crate) fn root(&mut self, base: NodeId) -> NodeId {
         self.intern(Node::Power(base, 1))
     }

@@ -83,8 +83,8 @@ impl Graph {
         }
     }
 
-    /// The condition that what is `around` the use of a node is entered at all: that its loops have an iteration in
-    /// which its conditions hold.
+    /// The condition that the loops and conditions `around` a use of a node are entered: that its loops have an
+    /// iteration in which its conditions hold.
     pub(crate) fn happens(&mut self, around: &[Scope], id: NodeId) -> NodeId {
         let always = self.truth(true);
         around.iter().rev().fold(always, |inner, around| match *around {
@@ -132,7 +132,7 @@ impl Graph {
             return self.truth(true);
         }
         let Loop { from, to, .. } = self.loops.get(by);
-        // Integers do not go below zero: a < b - c is asked as a + c < b.
+        // Integers do not go below zero: a < b - c is written as a + c < b.
         let (from, to) = match self.loops.index(to) {
             Index::Sub(to, less) => (self.loops.intern(Index::Add(from, less)), to),
             _ => (from, to),
@@ -156,7 +156,7 @@ impl Graph {
         })
     }
 
-    /// What was added to a value, one after the other, to make it another one.
+    /// The addends between a value and a sum that begins with it, in order.
     fn addends(&mut self, sum: NodeId, value: NodeId) -> Option<Vec<NodeId>> {
         let mut addends = Vec::new();
         let mut rest = sum;
@@ -202,7 +202,7 @@ impl Graph {
             }
             // exact: choosing the other way round
             (None, Node::Not(inner)) => self.select(inner, b, a),
-            // exact: the second of two conditions is asked where the first one says that it can be
+            // exact: the second of two conditions is evaluated where the first one holds
             (None, Node::And(first, second)) if self.protects(Scope::Branch(first, true), second) => {
                 let inner = self.select(second, a, b);
                 self.select(first, inner, b)

@@ -1,4 +1,4 @@
-//! What expressions cost, in arithmetic operations.
+//! Costs of expressions, in arithmetic operations.
 
 use super::{ExternalId, Graph, Node, NodeId, index::LoopSet};
 use std::{
@@ -22,7 +22,7 @@ pub struct Tally {
     pub additions: u64,
     /// Multiplications, those that powers are made of too.
     pub multiplications: u64,
-    /// Divisions by what is not known before the run; all others are multiplications.
+    /// Divisions by values that are not known before the run; all others are multiplications.
     pub divisions: u64,
     /// Square roots.
     pub roots: u64,
@@ -35,7 +35,7 @@ pub struct Tally {
 }
 
 impl Tally {
-    /// Adds the operations of another place.
+    /// Adds other operations.
     pub(crate) fn add(&mut self, other: Self) {
         self.additions += other.additions;
         self.multiplications += other.multiplications;
@@ -71,7 +71,7 @@ impl fmt::Display for Tally {
 }
 
 impl Graph {
-    /// What roots without powers cost together per evaluation of a flow, shared expressions once, by the loops whose
+    /// The operations of roots without powers per evaluation of a flow, shared expressions once, by the loops whose
     /// indices operations depend on. `external` names the methods of the user.
     pub(crate) fn tallies(
         &self,
@@ -105,7 +105,7 @@ impl Graph {
         tallies
     }
 
-    /// What `roots` cost together per evaluation of a flow: what depends on parameters alone is there already.
+    /// The cost of `roots` per evaluation of a flow, without what depends on parameters alone.
     pub(crate) fn cost(&self, roots: &[NodeId]) -> Cost {
         let mut written: HashMap<NodeId, u64> = HashMap::new();
         let mut shared = 0;

@@ -7,7 +7,7 @@ use super::{
 };
 use std::collections::HashMap;
 
-/// Where expressions are evaluated.
+/// The values with which expressions are evaluated.
 pub(crate) struct Point<'p> {
     pub(crate) q: &'p [f64],
     pub(crate) p: &'p [f64],

@@ -5,16 +5,16 @@ use super::{ExternalId, Graph, Node, NodeId};
 /// The arguments of a method of the user, in order.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(crate) struct Arguments {
-    /// Places behind the last argument repeat the first one.
+    /// Elements behind the last argument repeat the first one.
     ids: [NodeId; Self::MOST],
     count: u8,
 }
 
 impl Arguments {
-    /// How many arguments a method may have.
+    /// The largest number of arguments of a method.
     pub(crate) const MOST: usize = 8;
 
-    /// Whether so many can be held.
+    /// Whether this many arguments fit.
     pub(crate) fn fits(count: usize) -> bool {
         (1..=Self::MOST).contains(&count)
     }

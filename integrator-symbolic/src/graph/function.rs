@@ -6,15 +6,15 @@ use super::{Comparison, Graph, NodeId};
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub(crate) struct Function(u8);
 
-/// How the derivative of a function of one argument is built from the argument `x` and the value `y`.
+/// The builder of the derivative of a function of one argument, from the argument `x` and the value `y`.
 type Slope = fn(graph: &mut Graph, x: NodeId, y: NodeId) -> NodeId;
-/// How the two partial derivatives of a function of two arguments are built from the arguments and the value.
+/// The builder of the two partial derivatives of a function of two arguments, from the arguments and the value.
 type Slopes = fn(graph: &mut Graph, a: NodeId, b: NodeId, y: NodeId) -> [NodeId; 2];
 
-/// How the condition that a value is the first of two arguments is built from them.
+/// The builder of the condition that a value is the first of two arguments, from these.
 type Choice = fn(graph: &mut Graph, a: NodeId, b: NodeId) -> NodeId;
 
-/// What a function does to one or two arguments: the value, and the derivative.
+/// The value and the derivative of a function of one or two arguments.
 #[derive(Clone, Copy)]
 pub(crate) enum Rule {
     /// One argument; no derivative where it is zero wherever it exists.
@@ -41,7 +41,7 @@ pub(crate) struct Row {
     pub(crate) rule: Rule,
 }
 
-/// Parity of a function: what becomes of the value where an argument changes its sign.
+/// Parity of a function: its value where an argument changes its sign.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Parity {
     Neither,
@@ -136,7 +136,7 @@ fn from_zero(graph: &mut Graph, exponent: NodeId, less: NodeId) -> NodeId {
     graph.select(flat, zero, less)
 }
 
-/// Slopes of what is one of its arguments: one for that, zero for the other.
+/// Slopes of a function whose value is one of its arguments: one for that, zero for the other.
 fn of_chosen(graph: &mut Graph, first: NodeId) -> [NodeId; 2] {
     let (zero, one) = (graph.constant(0.0), graph.constant(1.0));
     [graph.select(first, one, zero), graph.select(first, zero, one)]
@@ -401,7 +401,8 @@ mod tests {
                 };
                 for (slope, expected) in slopes.into_iter().zip(expected) {
                     let slope = slope.map_or(0.0, |slope| Point::new(&[x, y], &[]).value(&graph, slope));
-                    // The differences are good to 1e-9 of the largest derivatives met here, of which some are about 100.
+                    // The differences are good to 1e-9 of the largest derivatives met here, of which some are about
+                    // 100.
                     let bound = 1e-7 * (1.0 + expected.abs());
                     assert!((slope - expected).abs() < bound, "{}' at {x}, {y}: {slope} for {expected}", row.name);
                 }

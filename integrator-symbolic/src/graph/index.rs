@@ -26,13 +26,13 @@ impl LoopId {
     }
 }
 
-/// What an integer expression is.
+/// An integer expression, as a node of its table.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(crate) enum Index {
     Literal(u64),
     /// The running index of a loop.
     Running(LoopId),
-    /// How many numbers or points the coordinates have, where their type does not tell.
+    /// The number of numbers or points of the coordinates, where their type does not have it.
     Length,
     /// An expression of the user that depends on parameters (and indices of loops) alone.
     Parameter(ParameterId),
@@ -41,15 +41,15 @@ pub(crate) enum Index {
     Mul(IndexId, IndexId),
     Div(IndexId, IndexId),
     Rem(IndexId, IndexId),
-    /// The difference, or zero where it is below zero: how many items of a sequence are left.
+    /// The difference, or zero where it is below zero: the number of items that are left of a sequence.
     Monus(IndexId, IndexId),
-    /// The smaller one: how many items two sequences share.
+    /// The smaller one: the number of items that two sequences have in common.
     Min(IndexId, IndexId),
     /// The difference of integers that have a sign, or may have one.
     Minus(IndexId, IndexId),
     /// The same integer in another type, which holds it.
     Typed(IntegerType, IndexId),
-    /// What is left of an integer in a type that may be too small for it, or has no sign.
+    /// The wrapped value of an integer in a type that may be too small for it, or has no sign.
     Wrapped(IntegerType, IndexId),
 }
 
@@ -103,7 +103,7 @@ pub(crate) struct LoopSet(u128);
 impl LoopSet {
     pub(crate) const EMPTY: Self = Self(0);
     pub(crate) const ALL: Self = Self(u128::MAX);
-    /// How many loops a Hamiltonian may have.
+    /// The largest number of loops of a Hamiltonian.
     pub(crate) const CAPACITY: usize = 128;
 
     pub(crate) fn of(by: LoopId) -> Self {
@@ -143,9 +143,9 @@ pub(crate) struct Loops {
     parameter_sets: HashMap<ParameterId, LoopSet>,
     /// The least and the greatest value of a parameter over the loops that it depends on.
     parameter_ranges: HashMap<ParameterId, (IndexId, IndexId)>,
-    /// How many numbers or points the coordinates have, and how many components a point has.
+    /// The number of numbers or points of the coordinates, and of components of a point.
     extents: Vec<IndexId>,
-    /// How long lists of the system are.
+    /// The lengths of lists of the system.
     list_lengths: HashSet<IndexId>,
     /// Indices of coordinates that are below their length where a condition holds alone.
     guarded: HashSet<IndexId>,
@@ -191,12 +191,12 @@ impl Loops {
         Index::Minus(zero, below)
     }
 
-    /// How many integers are in `from..to`.
+    /// The number of integers in `from..to`.
     pub(crate) fn span(&mut self, from: IndexId, to: IndexId) -> IndexId {
         self.intern(Index::Monus(to, from))
     }
 
-    /// What is as far from `to` as `index` is from `from`, which is not beyond it.
+    /// The index with the distance from `to` that `index` has from `from`, which is not beyond it.
     pub(crate) fn shifted(&mut self, index: IndexId, from: IndexId, to: IndexId) -> IndexId {
         match (self.literal(from), self.literal(to)) {
             _ if from == to => index,
@@ -258,7 +258,7 @@ impl Loops {
         id
     }
 
-    /// States that an integer is how long a list of the system is.
+    /// States that an integer is the length of a list of the system.
     pub(crate) fn declare_list_length(&mut self, id: IndexId) {
         self.list_lengths.insert(id);
     }
@@ -272,7 +272,7 @@ impl Loops {
         self.guarded.contains(&id)
     }
 
-    /// Whether an integer is made of how long lists are.
+    /// Whether an integer is computed from lengths of lists.
     pub(crate) fn mentions_lists(&self, id: IndexId) -> bool {
         let operands = self.index(id).operands();
         self.list_lengths.contains(&id)

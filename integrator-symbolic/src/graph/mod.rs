@@ -10,14 +10,14 @@ mod addend;
 mod algebra;
 mod condition;
 mod cost;
+mod decision_tree;
 #[cfg(test)]
 pub(crate) mod evaluate;
 pub(crate) mod external;
 pub(crate) mod function;
-mod halves;
 pub(crate) mod index;
-mod partial;
-mod pieces;
+mod masked_sum;
+mod piecewise;
 mod polynomial;
 mod product;
 mod separate;

@@ -1,10 +1,10 @@
-//! The degree of an expression as a polynomial in the momenta: how the class of `T` is decided.
+//! The degree of an expression as a polynomial in the momenta, which decides the class of `T`.
 
 use super::{Graph, Node, NodeId, Part};
 
 impl Graph {
     /// The degree of a node as a polynomial in the coordinates of `part` with coefficients of parameters (and time);
-    /// `None` where it is not one, as far as its form tells.
+    /// `None` where it is not one by its form.
     pub(crate) fn degree(&self, root: NodeId, part: Part) -> Option<u32> {
         let mut degrees: Vec<Option<u32>> = Vec::with_capacity(root.position() + 1);
         for position in 0..=root.position() {

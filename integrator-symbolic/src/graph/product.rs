@@ -3,7 +3,7 @@
 
 use super::{Graph, Node, NodeId};
 
-/// How many factors a long product has.
+/// The number of factors of a long product.
 const LONG: usize = 8;
 
 impl Graph {

@@ -106,7 +106,7 @@ pub(crate) fn model(input: &Input, errors: &mut Errors) -> Option<Model> {
     let lengths = [Some(&shape.length), shape.dimension.as_ref()].into_iter().flatten();
     let lengths = lengths.map(|length| reader.length(length)).collect();
     let Reader { mut graph, parameters, running, externals, .. } = reader;
-    let [kinetic, potential] = graph.halved(energies);
+    let [kinetic, potential] = graph.balance_choices(energies);
     let autonomous = !graph.reads_time(kinetic) && !graph.reads_time(potential);
     let quadratic =
         graph.degree(kinetic, Part::Momentum).is_some_and(|degree| degree <= 2) && !graph.reads_time(kinetic);

@@ -83,9 +83,10 @@ impl Reader<'_> {
             let (by, sums) = self.summed(repeat, sequence.from, whole, iteration)?;
             let index = self.graph.loops.intern(Index::Running(by));
             let inside = self.graph.compare_index(Comparison::Less, index, end);
-            let weighted =
-                sums.into_iter().map(|(target, addend)| Some((target, self.graph.weighted(by, inside, addend)?)));
-            if let Some(sums) = weighted.collect::<Option<Vec<_>>>() {
+            let masked = sums
+                .into_iter()
+                .map(|(target, addend)| Some((target, self.graph.mask_coefficients(by, inside, addend)?)));
+            if let Some(sums) = masked.collect::<Option<Vec<_>>>() {
                 return self.add_sums(by, sums, &repeat.pat);
             }
         }

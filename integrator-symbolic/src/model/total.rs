@@ -197,7 +197,7 @@ impl Reader<'_> {
             self.leave();
             let Some(addends) = addends? else { return Some(None) };
             let inside = self.graph.compare_index(Comparison::Less, index, end);
-            let addends = addends.into_iter().map(|addend| self.graph.weighted(by, inside, addend));
+            let addends = addends.into_iter().map(|addend| self.graph.mask_coefficients(by, inside, addend));
             if let Some(addends) = addends.collect::<Option<Vec<NodeId>>>() {
                 return Some(Some(addends.into_iter().map(|addend| self.graph.sum(by, addend)).collect()));
             }

@@ -38,7 +38,7 @@ fn along(graph: &mut Graph, pair: [LoopId; 2], component: &Contribution) -> Opti
     Some(graph.neg(pull))
 }
 
-/// What `factor` is multiplied by in `value`.
+/// The cofactor of `factor` in `value`.
 fn cofactor(graph: &mut Graph, value: NodeId, factor: NodeId) -> Option<NodeId> {
     if value == factor {
         return Some(graph.constant(1.0));

@@ -1,7 +1,8 @@
-//! Whether expressions are the same up to the order of sums and products, with two indices exchanged or not.
+//! Exchange symmetry: whether expressions are the same up to the order of sums and products, with two indices exchanged
+//! or not.
 //!
 //! Expressions are written in a normal form: sums and products as sorted lists, signs outside. Equal forms are equal
-//! expressions; of equal expressions some have different forms, and are then taken for different.
+//! expressions; some equal expressions have different forms, and count as different.
 
 use super::{Parameters, rename::Renaming};
 use crate::graph::{
@@ -35,7 +36,7 @@ impl Signed {
 /// A normal form.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
 enum Form {
-    /// What does not depend on the two indices.
+    /// A node that does not depend on the two indices.
     Fixed(NodeId),
     /// A parameter that is no product.
     Parameter(ParameterId),
@@ -207,7 +208,7 @@ impl<'p> Forms<'p> {
             Node::Constant(bits) => *number *= f64::from_bits(bits).powf(f64::from(halves) / 2.0),
             Node::Parameter(parameter) if whole => {
                 let parameter = match exchanged {
-                    true => self.parameters.renamed(graph, parameter, Renaming::exchange(self.pair))?,
+                    true => self.parameters.rename(graph, parameter, Renaming::exchange(self.pair))?,
                     false => parameter,
                 };
                 for (factor, exponent) in self.parameters.factors(graph, parameter) {

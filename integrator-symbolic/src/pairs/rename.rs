@@ -1,4 +1,4 @@
-//! The same expression for other indices.
+//! Renaming of indices in expressions.
 
 use super::Parameters;
 use crate::graph::{
@@ -6,7 +6,7 @@ use crate::graph::{
     index::{Index, IndexId, LoopId},
 };
 
-/// Which loops' indices are replaced, each by that of another loop, all at once.
+/// A simultaneous replacement of loops' indices, each by that of another loop.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Renaming([(LoopId, LoopId); 2]);
 
@@ -29,17 +29,17 @@ impl Renaming {
     /// An integer expression for the other indices.
     pub(super) fn index(self, graph: &mut Graph, id: IndexId) -> IndexId {
         let known = graph.loops.index(id);
-        let renamed = match (known, known.operands()) {
+        let index = match (known, known.operands()) {
             (Index::Running(by), _) => Index::Running(self.of(by)),
             (_, Some(both)) => known.with_operands(both.map(|id| self.index(graph, id))),
             (_, None) => known,
         };
-        graph.loops.intern(renamed)
+        graph.loops.intern(index)
     }
 }
 
-/// A prepared node for other indices; `None` where a parameter has no such text.
-pub(crate) fn renamed(
+/// Renames the indices of a prepared node; `None` where a parameter has no such text.
+pub(crate) fn rename(
     graph: &mut Graph,
     id: NodeId,
     renaming: Renaming,
@@ -48,9 +48,9 @@ pub(crate) fn renamed(
     if graph.loops_of(id).iter().all(|by| renaming.of(by) == by) {
         return Some(id);
     }
-    let mut of = |graph: &mut Graph, id| renamed(graph, id, renaming, parameters);
+    let mut of = |graph: &mut Graph, id| rename(graph, id, renaming, parameters);
     let node = match graph.node(id) {
-        Node::Parameter(parameter) => Node::Parameter(parameters.renamed(graph, parameter, renaming)?),
+        Node::Parameter(parameter) => Node::Parameter(parameters.rename(graph, parameter, renaming)?),
         Node::FromIndex(index) => Node::FromIndex(renaming.index(graph, index)),
         Node::Coordinate(element) => {
             let component = element.component.map(|component| renaming.index(graph, component));

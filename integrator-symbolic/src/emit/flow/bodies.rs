@@ -12,7 +12,7 @@ use crate::{
     },
     graph::{Element, Node, NodeId, Scope, index::LoopId},
     model::Model,
-    pairs::{Renaming, renamed},
+    pairs::{Renaming, rename},
     program::{Sink, Store, is_direct},
 };
 use proc_macro2::{Ident, Literal, TokenStream};
@@ -39,7 +39,7 @@ impl Constants {
     fn place(&mut self, model: &mut Model, id: NodeId, by: LoopId) -> Option<usize> {
         let mut texts = Texts::new(&mut model.parameters, &model.running);
         let renaming = Renaming::one(by, self.bodies);
-        let node = renamed(&mut model.graph, id, renaming, &mut texts)?;
+        let node = rename(&mut model.graph, id, renaming, &mut texts)?;
         let known = self.nodes.iter().position(|known| *known == node);
         Some(known.unwrap_or_else(|| {
             self.nodes.push(node);

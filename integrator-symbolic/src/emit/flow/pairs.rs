@@ -14,7 +14,7 @@ use crate::{
     },
     graph::{NodeId, Part, Scope, index::LoopId},
     model::Model,
-    pairs::{Pairs, one_by_one, pairs, pull},
+    pairs::{Pairs, pairs, per_body, pull},
     program::{Sink, is_direct},
 };
 use proc_macro2::{Literal, TokenStream};
@@ -50,7 +50,7 @@ impl ManyBody {
         let mut texts = Texts::new(parameters, running);
         let length = *lengths.first()?;
         let Pairs { bodies, pair, force, reciprocal, alone } = pairs(graph, *potential, length, &mut texts)?;
-        let velocity = one_by_one(graph, *kinetic, length, Part::Momentum, &mut texts)?;
+        let velocity = per_body(graph, *kinetic, length, Part::Momentum, &mut texts)?;
         let velocity = fold_branches(graph, &velocity);
         if velocity.is_empty() || force.is_empty() || !is_direct(&model.graph.loops, &velocity) {
             return None;

@@ -20,7 +20,7 @@ pub(crate) struct Texts<'m> {
 }
 
 impl Parameters for Texts<'_> {
-    fn renamed(&mut self, graph: &mut Graph, id: ParameterId, renaming: Renaming) -> Option<ParameterId> {
+    fn rename(&mut self, graph: &mut Graph, id: ParameterId, renaming: Renaming) -> Option<ParameterId> {
         let loops = graph.loops.of_parameter(id);
         let names = loops.iter().map(|by| Some((self.running.get(&by)?, self.running.get(&renaming.of(by))?)));
         let text = with_names(self.text(id), &names.collect::<Option<Vec<_>>>()?)?;

@@ -1,6 +1,6 @@
 //! The items of an implementation of `Recurrences`.
 
-use super::tape::{self, Tape, one_by_one};
+use super::tape::{self, Tape, per_body};
 use crate::emit::printer::{function::Body, names::Names};
 use proc_macro2::{Literal, TokenStream};
 use quote::quote;
@@ -23,7 +23,7 @@ pub(super) fn implementation(body: TokenStream, tape: &Tape<'_>, kind: &Kind, na
     let layout = body.mentions("layout").then(|| quote!(let layout = q.layout();));
     let at_once = Literal::usize_unsuffixed(*at_once);
     let body = &body.0;
-    let counters = one_by_one(tape.records).map(|number| {
+    let counters = per_body(tape.records).map(|number| {
         let next = tape::next(number);
         quote!(let mut #next = 0;)
     });

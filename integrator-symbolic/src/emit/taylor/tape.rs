@@ -71,7 +71,7 @@ pub(super) fn iteration(number: usize, names: &Names) -> Ident {
 }
 
 /// The numbers of the loops whose iterations keep something, one by one.
-pub(super) fn one_by_one(records: &[Record]) -> impl Iterator<Item = usize> {
+pub(super) fn per_body(records: &[Record]) -> impl Iterator<Item = usize> {
     (1..records.len())
         .filter(|number| records[*number].iterations == Iterations::OneByOne && !records[*number].slots.is_empty())
 }

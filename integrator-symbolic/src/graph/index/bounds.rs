@@ -1,12 +1,12 @@
-//! How large integers may be, whatever the indices of loops are.
+//! Bounds of integers over all indices of loops.
 
 use super::{Index, IndexId, Loops};
 
-/// How many steps are taken to see which of two expressions is smaller.
+/// The largest number of steps to decide which of two expressions is smaller.
 pub(in crate::graph) const DEEPEST: u32 = 8;
 
 impl Loops {
-    /// An expression without running indices that is never below `id` (taking parts as unsigned), if one can be told.
+    /// An expression without running indices that is never below `id` (taking parts as unsigned), if one is known.
     pub(crate) fn upper(&mut self, id: IndexId) -> Option<IndexId> {
         if self.of_index(id).is_empty() {
             return Some(id);
@@ -41,7 +41,7 @@ impl Loops {
         Some(self.intern(bound))
     }
 
-    /// An expression without running indices that is never above `id`, if one can be told.
+    /// An expression without running indices that is never above `id`, if one is known.
     pub(crate) fn lower(&mut self, id: IndexId) -> Option<IndexId> {
         if self.of_index(id).is_empty() {
             return Some(id);
@@ -68,7 +68,8 @@ impl Loops {
         Some(self.intern(bound))
     }
 
-    /// Whether `a <= b` whatever the values of what is not known; `false` where it takes more than `depth` steps to see.
+    /// Whether `a <= b` whatever the values of what is not known; `false` where it takes more than `depth` steps to
+    /// see.
     pub(in crate::graph) fn is_at_most(&self, a: IndexId, b: IndexId, depth: u32) -> bool {
         if a == b || self.literal(a).zip(self.literal(b)).is_some_and(|(a, b)| a <= b) {
             return true;

@@ -1,4 +1,4 @@
-//! Integer expressions as short as they can be told.
+//! Simplification of integer expressions.
 
 use super::{DEEPEST, Index, IndexId, Loops};
 
@@ -43,7 +43,7 @@ impl Loops {
         folded.map_or(index, |value| self.of_signed(value))
     }
 
-    /// `max(a - b, 0)`, as short as it can be told.
+    /// `max(a - b, 0)`, simplified.
     fn monus(&mut self, a: IndexId, b: IndexId) -> Index {
         match (self.index(a), self.index(b), self.literal(b)) {
             (Index::Literal(a), Index::Literal(b), _) => Index::Literal(a.saturating_sub(b)),
@@ -83,7 +83,7 @@ impl Loops {
         }
     }
 
-    /// The smaller one, as short as it can be told; a literal stands on the right.
+    /// The smaller one, simplified; a literal stands on the right.
     fn min(&mut self, a: IndexId, b: IndexId) -> Index {
         if self.is_at_most(a, b, DEEPEST) {
             return self.index(a);

@@ -1,4 +1,4 @@
-//! Types of integers: what a cast keeps, and which integers may be below zero.
+//! Types of integers: their casts, and whether they may be below zero.
 
 use super::{Index, IndexId, Loop, Loops};
 
@@ -6,7 +6,7 @@ use super::{Index, IndexId, Loop, Loops};
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(crate) struct IntegerType {
     pub(crate) name: &'static str,
-    /// How many bits it has; `usize` and `isize` have 64 here.
+    /// The number of bits; `usize` and `isize` have 64 here.
     pub(super) bits: u32,
     pub(crate) signed: bool,
 }
@@ -34,7 +34,7 @@ impl IntegerType {
         self.name == "usize"
     }
 
-    /// What a cast makes of an integer; 64 bits without a sign keep those of a negative one, which no index reaches.
+    /// The result of a cast of an integer; 64 bits without a sign keep those of a negative one, which no index reaches.
     pub(crate) fn wrapped(self, value: i64) -> i64 {
         let unused = 64 - self.bits;
         let shifted = value << unused;

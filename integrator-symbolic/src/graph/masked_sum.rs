@@ -1,6 +1,6 @@
-//! Sums of which only the first items count: whether that can be said of their coefficients.
+//! Masked sums: sums of which only the first items count, with the mask in their coefficients.
 //!
-//! A list of the system may be shorter than the coordinates that it is zipped with. What an item adds is then a product
+//! A list of the system may be shorter than the coordinates that it is zipped with. An item is then a product
 //! with a coefficient that is zero from some index on, and is prepared once per run; the loop itself stays one over all
 //! coordinates, as lattices and pairs of bodies need it.
 
@@ -9,7 +9,7 @@ use super::{Graph, Node, NodeId, index::LoopId};
 impl Graph {
     /// `value` where the condition holds, else zero, with the condition in prepared coefficients alone; `None` where
     /// something else reads lists by the index of the loop, or might be infinite where the condition does not hold.
-    pub(crate) fn weighted(&mut self, by: LoopId, condition: NodeId, value: NodeId) -> Option<NodeId> {
+    pub(crate) fn mask_coefficients(&mut self, by: LoopId, condition: NodeId, value: NodeId) -> Option<NodeId> {
         if self.is_prepared(value) && self.loops_of(value).iter().all(|other| other == by) {
             let zero = self.constant(0.0);
             return Some(self.select(condition, value, zero));
@@ -17,29 +17,29 @@ impl Graph {
         match self.node(value) {
             // finite: c ? -x : 0 == -(c ? x : 0)
             Node::Neg(x) => {
-                let x = self.weighted(by, condition, x)?;
+                let x = self.mask_coefficients(by, condition, x)?;
                 Some(self.neg(x))
             }
             // finite: c ? x + y : 0 == (c ? x : 0) + (c ? y : 0)
             Node::Add(x, y) => {
-                let (x, y) = (self.weighted(by, condition, x)?, self.weighted(by, condition, y)?);
+                let (x, y) = (self.mask_coefficients(by, condition, x)?, self.mask_coefficients(by, condition, y)?);
                 Some(self.add(x, y))
             }
             // finite: c ? x y : 0 == (c ? x : 0) y, for an x that is a coefficient
             Node::Mul(x, y) if self.is_finite_without_lists(by, y) => {
-                let x = self.weighted(by, condition, x)?;
+                let x = self.mask_coefficients(by, condition, x)?;
                 Some(self.mul(x, y))
             }
             Node::Mul(x, y) if self.is_finite_without_lists(by, x) => {
-                let y = self.weighted(by, condition, y)?;
+                let y = self.mask_coefficients(by, condition, y)?;
                 Some(self.mul(x, y))
             }
             Node::Div(x, y) if self.as_constant(y).is_some() => {
-                let x = self.weighted(by, condition, x)?;
+                let x = self.mask_coefficients(by, condition, x)?;
                 Some(self.div(x, y))
             }
             Node::Sum(inner, body) => {
-                let body = self.weighted(by, condition, body)?;
+                let body = self.mask_coefficients(by, condition, body)?;
                 Some(self.sum(inner, body))
             }
             _ => None,

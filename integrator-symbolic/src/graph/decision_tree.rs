@@ -1,23 +1,23 @@
-//! Long choices, halved: the piece of a function that is taken is found by as many questions as the number of pieces can
-//! be halved, and no piece lies deeper in branches than that.
+//! Balanced decision trees: of a function of `n` pieces, `log₂ n` conditions find the piece, and no piece lies deeper
+//! in branches than that.
 
 use super::{Comparison, Graph, Node, NodeId, access::Access};
 use std::collections::HashSet;
 
-/// How many conditions follow each other before they are halved.
+/// The number of conditions in a row from which a choice is balanced.
 const LONG: usize = 8;
 
 /// A choice between several values: the first one whose condition holds, else the last.
 #[derive(Clone)]
 struct Cases {
     conditions: Vec<NodeId>,
-    /// One more than conditions.
+    /// The values, one more than conditions.
     values: Vec<NodeId>,
 }
 
 impl Graph {
-    /// The same roots, with long choices halved: it is asked first whether a condition of the first half holds.
-    pub(crate) fn halved(&mut self, roots: [NodeId; 2]) -> [NodeId; 2] {
+    /// Makes long choices of the roots balanced: the first condition is whether one of the first half holds.
+    pub(crate) fn balance_choices(&mut self, roots: [NodeId; 2]) -> [NodeId; 2] {
         let reachable = self.reachable(roots);
         let mut uses = vec![0_u32; self.len()];
         for id in reachable.iter().flat_map(|id| self.node(*id).children()).chain(roots) {
@@ -68,8 +68,8 @@ impl Graph {
         (cases, inner)
     }
 
-    /// Whether a choice is long, and no condition decides whether another one can be asked: the first one has read all that
-    /// the others read and that need not be there.
+    /// Whether a choice is long, and no condition decides whether another one can be evaluated: the first one has read
+    /// all that the others read and that need not be there.
     fn may_be_halved(&self, Cases { conditions, .. }: &Cases) -> bool {
         let (first, others) = match &conditions[..] {
             [first, others @ ..] if others.len() >= LONG => (first, others),
@@ -104,7 +104,7 @@ impl Graph {
         self.rebuilt(Node::Select(condition, first, second))
     }
 
-    /// Whether one of the conditions from `first` to `last` holds, asked as [`Graph::first_that_holds`] asks.
+    /// Whether one of the conditions from `first` to `last` holds, in the order of [`Graph::first_that_holds`].
     fn any_of(&mut self, conditions: &[NodeId], first: usize, last: usize) -> NodeId {
         if first == last {
             return conditions[first];

@@ -1,8 +1,8 @@
-//! Definitions by pieces in time: what decides between pieces is read once for a whole step, in its middle.
+//! Hamiltonians defined by pieces in time: the conditions between pieces are evaluated once for a step, in its middle.
 //!
 //! A step that ends where a piece ends belongs to this piece, its last kick included, and a stage of a composition that
-//! reads the clock outside of its step goes on with the same formula. So the order of a method holds from piece to piece,
-//! which it would not if every stage decided for itself. Values read the time of their stage, as everywhere.
+//! reads the clock outside of its step goes on with the same formula. So the order of a method holds from piece to
+//! piece, which it would not if every stage decided for itself. Values read the time of their stage, as everywhere.
 
 use super::{
     Comparison, Graph, Node, NodeId, Part,
@@ -15,16 +15,16 @@ impl Graph {
         self.intern(Node::Middle)
     }
 
-    /// The same roots, with every choice that time and parameters make alone made in the middle of the step. A condition
-    /// that coordinates have a part in stays where it is: which of them meets it is known in the stage alone.
-    pub(crate) fn by_pieces(&mut self, roots: [NodeId; 2]) -> [NodeId; 2] {
+    /// The same roots, with every choice by time and parameters alone made in the middle of the step. A condition that
+    /// reads coordinates stays where it is: only the stage has their values.
+    pub(crate) fn with_choices_in_the_middle(&mut self, roots: [NodeId; 2]) -> [NodeId; 2] {
         let read = self.reading_time(roots);
         if !read.iter().any(|id| self.is_of_time(*id) && chooses(self.node(*id))) {
             return roots;
         }
         let mut pieces = Pieces { middle: vec![None; self.len()], chosen: vec![None; self.len()] };
         for id in read {
-            self.in_pieces(&mut pieces, id);
+            self.choose_in_the_middle(&mut pieces, id);
         }
         roots.map(|root| pieces.chosen(root))
     }
@@ -34,7 +34,7 @@ impl Graph {
         !self.reads(id, Part::Position) && !self.reads(id, Part::Momentum)
     }
 
-    fn in_pieces(&mut self, pieces: &mut Pieces, id: NodeId) {
+    fn choose_in_the_middle(&mut self, pieces: &mut Pieces, id: NodeId) {
         let (node, is_of_time) = (self.node(id), self.is_of_time(id));
         pieces.middle[id.position()] = Some(match node {
             Node::Time => self.middle(),
@@ -86,7 +86,7 @@ impl Pieces {
     }
 }
 
-/// Whether what a node is changes from one formula to another somewhere.
+/// Whether a node changes from one formula to another somewhere.
 fn chooses(node: Node) -> bool {
     match node {
         Node::Compare(..) => true,
@@ -189,7 +189,7 @@ mod tests {
             let (t, a) = (graph.time(), graph.constant(0.5));
             let root = build(&mut graph, [t, q, a]);
             let before = graph.len();
-            let [found, same] = graph.by_pieces([root, q]);
+            let [found, same] = graph.with_choices_in_the_middle([root, q]);
             assert_eq!(same, q, "{name}");
             let grew = graph.len() > before;
             let middle = graph.middle();
