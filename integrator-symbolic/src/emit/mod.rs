@@ -21,7 +21,7 @@ use fingerprint::fingerprint;
 pub use flow::form::Form;
 pub(crate) use flow::form::forms;
 use flow::{Flows, constants::Constants, force_gradient, pieces::Pieces, stated};
-use printer::{fields::Fields, function::Body, names::Names};
+use printer::{block::Emitter, fields::Fields, function::Body, names::Names};
 use proc_macro2::TokenStream;
 use prose::{Formulas, motion_documentation};
 pub(crate) use prose::{equations, parts, ranges};
@@ -63,7 +63,7 @@ struct Stepper<'i> {
     composition: (TokenStream, Option<TokenStream>),
     constants: Constants,
     flows: Flows,
-    energies: [TokenStream; 2],
+    energies: TokenStream,
     /// The user's own energies.
     stated: TokenStream,
     autonomous: bool,
@@ -80,25 +80,31 @@ impl<'i> Stepper<'i> {
         let potential = gradient(&mut model.graph, model.potential, Part::Position);
         let documentation = motion_documentation(&mut model, &kinetic, &potential);
 
-        let (names, mut fields) = (Names::new(input), Fields::default());
-        let flows = Flows::of(&mut model, &mut fields, &names, &kinetic, &potential);
-        let quadratic = model
-            .quadratic
-            .then(|| force_gradient::functions(&mut model, &mut fields, &names, &potential, flows.are_of_bodies()));
-        let [kinetic_energy, potential_energy] = energies;
-        let energies = [("kinetic", kinetic_energy), ("potential", potential_energy)]
-            .map(|(name, energy)| flows.energy(&mut model, &mut fields, &names, name, energy));
-        let taylor = input.taylor.map(|_| orders(&mut model, &mut fields, &names, kinetic, potential));
+        let names = Names::new(input);
+        let (coordinates, composition) = (coordinates(&model, &names), composition(input, &model, &names));
+        let (autonomous, is_quadratic) = (model.autonomous, model.quadratic);
+        let stated = stated::function(input, &model, &names);
+        let mut emitter = Emitter { model: &mut model, names: &names, fields: Fields::default() };
+        let flows = Flows::of(&mut emitter, &kinetic, &potential);
+        let quadratic =
+            is_quadratic.then(|| force_gradient::functions(&mut emitter, &potential, flows.are_of_bodies()));
+        let energies = ["kinetic", "potential"].into_iter().zip(energies);
+        let energies = energies.map(|(name, energy)| flows.energy(&mut emitter, name, energy)).collect();
+        let taylor = input.taylor.map(|_| {
+            let Emitter { model, names, fields } = &mut emitter;
+            orders(model, fields, names, kinetic, potential)
+        });
+        let constants = Constants::of(emitter);
         Self {
             input,
             documentation,
-            coordinates: coordinates(&model, &names),
-            composition: composition(input, &model, &names),
-            stated: stated::function(input, &model, &names),
-            autonomous: model.autonomous,
-            constants: Constants::of(fields, &mut model, &names),
+            coordinates,
+            composition,
+            constants,
             flows,
             energies,
+            stated,
+            autonomous,
             quadratic,
             taylor,
             names,
@@ -150,10 +156,10 @@ impl<'i> Stepper<'i> {
         let [parameters, single] = [quote!(#scalar), quote!(f64)].map(|scalar| constants.kind(&scalar, names));
         let (motion, (layout, sites), moves) =
             (flows.motion(&parameters, names), flows.layout(names), flows.functions(names));
-        let ([kinetic, potential], Pieces { piecewise, begin, .. }) = (&self.energies, &constants.pieces);
+        let (energies, Pieces { piecewise, begin, .. }) = (&self.energies, &constants.pieces);
         let prepare = Body::new(constants.prepare(names));
         let (length, prepare) = (prepare.argument("length"), &prepare.0);
-        let fingerprint = fingerprint(quote!(#prepare #moves #kinetic #potential #others));
+        let fingerprint = fingerprint(quote!(#prepare #moves #energies #others));
         // The runtime shows every Hamiltonian the compositions for general `T`; only here is it known that there are more.
         let visit = self.quadratic.as_ref().map(|_| {
             quote! {
@@ -184,8 +190,7 @@ impl<'i> Stepper<'i> {
 
             #begin
             #moves
-            #kinetic
-            #potential
+            #energies
             #stated
             #sites
             #visit

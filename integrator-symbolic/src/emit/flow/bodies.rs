@@ -4,11 +4,10 @@ use super::{stores, texts::Texts};
 use crate::{
     differentiate::{Contribution, fold_branches},
     emit::printer::{
-        block::evaluate,
+        block::Emitter,
         fields::{Fields, is_field, is_leaf, lower_roots},
         frame::{Bodies, Frame},
         function::Lines,
-        names::Names,
     },
     graph::{Element, Node, NodeId, Scope, index::LoopId},
     model::Model,
@@ -139,12 +138,13 @@ impl OfBodies {
     }
 
     /// The lines of the function.
-    pub(crate) fn lines(&self, model: &Model, fields: &mut Fields, names: &Names, constants: &Constants) -> Lines {
+    pub(crate) fn lines(&self, emitter: &mut Emitter<'_>, constants: &Constants) -> Lines {
+        let Emitter { model, fields, .. } = emitter;
         let suffixes = self.of.iter().map(|by| (*by, Self::suffix(model, *by)));
         let reads = self.reads.iter().map(|(id, by, place)| (*id, constants.name(model, fields, *place, *by)));
         let bodies = Bodies { suffixes: suffixes.collect(), constants: reads.collect() };
         let constants = self.constants(model, fields, constants);
-        let lines = evaluate(model, fields, names, &Frame::Bodies(bodies), &self.of, &self.stores);
+        let lines = emitter.evaluate(&Frame::Bodies(bodies), &self.of, &self.stores);
         lines.map(|lines| quote!(#constants #lines))
     }
 }

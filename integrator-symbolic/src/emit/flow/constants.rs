@@ -4,7 +4,7 @@ use super::pieces::Pieces;
 use crate::{
     emit::{
         printer::{
-            block::value,
+            block::Emitter,
             expression::Printer,
             fields::{Content, Fields},
             frame::Frame,
@@ -40,31 +40,31 @@ pub(crate) struct Constants {
 
 impl Constants {
     /// Those of the fields that lines have asked for.
-    pub(crate) fn of(fields: Fields, model: &mut Model, names: &Names) -> Self {
-        let mut single = Fields::default();
+    pub(crate) fn of(mut emitter: Emitter<'_>) -> Self {
+        let (fields, names) = (std::mem::take(&mut emitter.fields), emitter.names);
         let mut prepared = Self { pieces: Pieces::of(&fields, names), ..Self::default() };
         let scalar = &names.scalar;
         for (content, name) in fields.into_contents() {
-            let table = Table::of(model, names, content);
+            let table = Table::of(emitter.model, names, content);
             let (kind, value) = match content {
                 Content::Number(id) => {
-                    let lowered = lower(&mut model.graph, &[id], |_, _| false)[0];
-                    let body = value(model, &mut single, names, &Frame::System, lowered);
+                    let lowered = lower(&mut emitter.model.graph, &[id], |_, _| false)[0];
+                    let body = emitter.value(&Frame::System, lowered);
                     let lines = body.tokens;
                     let body = if body.program.items.len() > 1 { quote!({ #lines }) } else { lines };
                     (scalar.to_token_stream(), body)
                 }
                 Content::Integer(id) => {
-                    let text = &model.parameters[id.0 as usize].text;
+                    let text = &emitter.model.parameters[id.0 as usize].text;
                     (quote!(usize), quote!(#text))
                 }
                 Content::Flag(id) => {
-                    let text = &model.parameters[id.0 as usize].text;
+                    let text = &emitter.model.parameters[id.0 as usize].text;
                     (scalar.to_token_stream(), quote!(if #text { 1.0 } else { 0.0 }))
                 }
                 Content::Middle => (scalar.to_token_stream(), quote!(0.0)),
                 Content::External(id) => {
-                    let (method, runtime) = (&model.externals[id.0 as usize], &names.runtime);
+                    let (method, runtime) = (&emitter.model.externals[id.0 as usize], &names.runtime);
                     let count = Literal::usize_unsuffixed(method.arguments);
                     let arguments: Vec<_> = (0..method.arguments)
                         .map(|number| format_ident!("argument_{number}").to_token_stream())
@@ -87,7 +87,7 @@ impl Constants {
                     quote!(#runtime::table(<#scalar as #runtime::Real>::LANES, &|lane| ::core::clone::Clone::clone(&members[lane].#name[0])))
                 }
             };
-            let documentation = prose::documentation(model, content.node());
+            let documentation = prose::documentation(emitter.model, content.node());
             let kind = table.kind(kind, names);
             let value = table.prepared(value, content, names);
             prepared.common.extend(match (content, table.levels.first()) {
@@ -99,7 +99,7 @@ impl Constants {
                 prepared.digested.push(name.clone());
             }
             if let Content::Number(id) = content {
-                let (formula, runtime) = (Formulas::of(model).short(id), &names.runtime);
+                let (formula, runtime) = (Formulas::of(emitter.model).short(id), &names.runtime);
                 let formula = formula.unwrap_or_else(|| name.to_string());
                 let indices = table.levels.iter().map(|level| level.index.to_string());
                 prepared.not_finite.push(quote!(#runtime::not_finite(#formula, &[#(#indices),*], &single.#name)));

@@ -7,9 +7,8 @@
 use super::{stores, through_buffer};
 use crate::{
     differentiate::{Contribution, hessian_product},
-    emit::printer::{fields::Fields, names::Names},
+    emit::printer::{block::Emitter, names::Names},
     graph::Part,
-    model::Model,
     program::Sink,
 };
 use proc_macro2::TokenStream;
@@ -19,18 +18,12 @@ use quote::quote;
 ///
 /// The kick is put together from the flows of a motion that starts at rest: a kick by -1 leaves it with the momenta
 /// `grad V`, a drift by 1 from the origin with the positions `M^-1 grad V`.
-pub(crate) fn functions(
-    model: &mut Model,
-    fields: &mut Fields,
-    names: &Names,
-    potential: &[Contribution],
-    many_body: bool,
-) -> TokenStream {
-    let product = hessian_product(&mut model.graph, potential, Part::Position);
-    let product = stores(model, &product, Sink::Collect);
+pub(crate) fn functions(emitter: &mut Emitter<'_>, potential: &[Contribution], many_body: bool) -> TokenStream {
+    let product = hessian_product(&mut emitter.model.graph, potential, Part::Position);
+    let product = stores(emitter.model, &product, Sink::Collect);
     // Nothing is written before all is read.
-    let lines = through_buffer(model, fields, names, Part::Momentum, &product, |place, value| quote!(#place = #value;));
-    let Names { runtime, scalar, leaf, .. } = names;
+    let lines = through_buffer(emitter, Part::Momentum, &product, |place, value| quote!(#place = #value;));
+    let Names { runtime, scalar, leaf, .. } = emitter.names;
     // Bodies side by side are taken apart for what is seldom asked.
     let lines = if many_body {
         lines.map(|lines| {

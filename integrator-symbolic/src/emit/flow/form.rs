@@ -3,7 +3,7 @@
 use super::Flows;
 use crate::{
     differentiate::Contribution,
-    emit::printer::{fields::Fields, names::Names},
+    emit::printer::{block::Emitter, fields::Fields, names::Names},
     model::Model,
     syntax::Input,
 };
@@ -56,8 +56,8 @@ pub(crate) fn forms(
     kinetic: &[Contribution],
     potential: &[Contribution],
 ) -> [Form; 2] {
-    let (names, mut fields) = (Names::new(input), Fields::default());
-    let Flows { drift, kick, many_body } = Flows::of(model, &mut fields, &names, kinetic, potential);
+    let mut emitter = Emitter { model, names: &Names::new(input), fields: Fields::default() };
+    let Flows { drift, kick, many_body } = Flows::of(&mut emitter, kinetic, potential);
     if let Some(bodies) = many_body {
         return [if bodies.is_row() { Form::Row } else { Form::Tiles }; 2];
     }

@@ -3,10 +3,10 @@
 use crate::{
     differentiate::Contribution,
     emit::printer::{
-        block::evaluate,
-        fields::{Fields, is_leaf, lower_roots},
+        block::Emitter,
+        fields::{is_leaf, lower_roots},
         frame::Frame,
-        function::{Body, Lines},
+        function::Body,
         names::Names,
         sites::contributions,
     },
@@ -27,14 +27,9 @@ pub(crate) struct Sweep {
 }
 
 /// The flow along `gradient`, if it has that form.
-pub(crate) fn sweep(
-    model: &mut Model,
-    fields: &mut Fields,
-    names: &Names,
-    gradient: &[Contribution],
-    part: Part,
-) -> Option<Sweep> {
-    let Model { graph, parameters, lengths, .. } = model;
+pub(crate) fn sweep(emitter: &mut Emitter<'_>, gradient: &[Contribution], part: Part) -> Option<Sweep> {
+    let model = &mut *emitter.model;
+    let Model { graph, parameters, lengths, .. } = &mut *model;
     let mut stencil = stencil(graph, gradient, lengths, |graph, id| is_leaf(graph, parameters, id))?;
     for Direction { place, begins, .. } in &stencil.directions {
         let first = gradient.iter().flat_map(Contribution::loops).find(|by| begins.contains_key(by))?;
@@ -46,7 +41,11 @@ pub(crate) fn sweep(
     for (contribution, value) in stencil.contributions.iter_mut().zip(lower_roots(model, &values)) {
         contribution.value = value;
     }
-    let body = site_lines(model, fields, names, &stencil).body(&names.wide);
+    // The runtime goes from site to site.
+    let sites: Vec<_> = stencil.directions.iter().map(|along| along.place).collect();
+    let lines = emitter.evaluate(&Frame::Sites(&stencil), &sites, &stores(&stencil));
+    let contributions = contributions(&stencil, emitter.names);
+    let body = lines.map(|lines| quote!(#lines [#(#contributions),*])).body(&emitter.names.wide);
     let flow = match part {
         Part::Momentum => format_ident!("Drift"),
         Part::Position => format_ident!("Kick"),
@@ -154,15 +153,6 @@ pub(crate) fn parts(names: &Names) -> (TokenStream, TokenStream) {
         }
     };
     (radii, lattice)
-}
-
-/// The body of a function that returns what the sites of a lattice share out.
-fn site_lines(model: &Model, fields: &mut Fields, names: &Names, stencil: &Stencil) -> Lines {
-    // The runtime goes from site to site.
-    let sites: Vec<_> = stencil.directions.iter().map(|along| along.place).collect();
-    let lines = evaluate(model, fields, names, &Frame::Sites(stencil), &sites, &stores(stencil));
-    let contributions = contributions(stencil, names);
-    lines.map(|lines| quote!(#lines [#(#contributions),*]))
 }
 
 /// Where the values of contributions go.

@@ -15,8 +15,8 @@ pub(super) mod texts;
 use crate::{
     differentiate::{Contribution, fold_branches},
     emit::printer::{
-        block::{evaluate, value},
-        fields::{Fields, lower_roots},
+        block::Emitter,
+        fields::lower_roots,
         frame::Frame,
         function::{Body, Lines},
         names::Names,
@@ -40,17 +40,11 @@ pub(crate) struct Flows {
 
 impl Flows {
     /// Those along the gradients of `T` and of `V`.
-    pub(crate) fn of(
-        model: &mut Model,
-        fields: &mut Fields,
-        names: &Names,
-        kinetic: &[Contribution],
-        potential: &[Contribution],
-    ) -> Self {
-        let many_body = ManyBody::of(model, fields, names);
+    pub(crate) fn of(emitter: &mut Emitter<'_>, kinetic: &[Contribution], potential: &[Contribution]) -> Self {
+        let many_body = ManyBody::of(emitter);
         let mut flow = |gradient: &[Contribution], part| match many_body {
             Some(_) => Flow { body: ManyBody::flow(part), ..Flow::default() },
-            None => Flow::of(model, fields, names, gradient, part),
+            None => Flow::of(emitter, gradient, part),
         };
         let (drift, kick) = (flow(kinetic, Part::Momentum), flow(potential, Part::Position));
         Self { drift, kick, many_body }
@@ -93,18 +87,11 @@ impl Flows {
     }
 
     /// The function that returns an energy.
-    pub(crate) fn energy(
-        &self,
-        model: &mut Model,
-        fields: &mut Fields,
-        names: &Names,
-        name: &str,
-        energy: NodeId,
-    ) -> TokenStream {
-        let energy = lower_roots(model, &[energy])[0];
+    pub(crate) fn energy(&self, emitter: &mut Emitter<'_>, name: &str, energy: NodeId) -> TokenStream {
+        let energy = lower_roots(emitter.model, &[energy])[0];
         // Bodies side by side are taken apart for what is seldom asked.
         let plain = self.many_body.as_ref().map(|_| quote!(let motion = &motion.plain::<Self::Coords>();));
-        let lines = value(model, fields, names, &Frame::Motion, energy);
+        let (lines, names) = (emitter.value(&Frame::Motion, energy), emitter.names);
         lines.map(|energy| quote!(#plain #energy)).body(&names.scalar).energy(name, names)
     }
 
@@ -141,29 +128,29 @@ pub(crate) struct Flow {
 impl Flow {
     /// Each component of the gradient moves its coordinate: on the spot where every coordinate gets one contribution;
     /// else contributions are collected first.
-    fn of(model: &mut Model, fields: &mut Fields, names: &Names, gradient: &[Contribution], part: Part) -> Self {
+    fn of(emitter: &mut Emitter<'_>, gradient: &[Contribution], part: Part) -> Self {
         if gradient.is_empty() {
             return Self::default();
         }
-        let folded = fold_branches(&mut model.graph, gradient);
+        let folded = fold_branches(&mut emitter.model.graph, gradient);
         // What is moved behind a condition that it is there is not moved by a choice of zero elsewhere.
-        let apart = gradient.iter().any(|contribution| is_protected(&mut model.graph, contribution));
-        if !apart && let Some(sweep) = lattice::sweep(model, fields, names, &folded, part) {
+        let apart = gradient.iter().any(|contribution| is_protected(&mut emitter.model.graph, contribution));
+        if !apart && let Some(sweep) = lattice::sweep(emitter, &folded, part) {
             return Self { body: Body::new(sweep.flow()), sweep: Some(sweep), divides_by_root_cubed: false };
         }
-        let lines = if !apart && is_direct(&model.graph.loops, &folded) {
-            let stores = stores(model, &folded, Sink::Update);
-            evaluate(model, fields, names, &Frame::Motion, &[], &stores)
+        let lines = if !apart && is_direct(&emitter.model.graph.loops, &folded) {
+            let stores = stores(emitter.model, &folded, Sink::Update);
+            emitter.evaluate(&Frame::Motion, &[], &stores)
         } else {
-            let stores = stores(model, gradient, Sink::Collect);
+            let stores = stores(emitter.model, gradient, Sink::Collect);
             let apply = |place, value| quote!(#place.fma(step, #value););
-            through_buffer(model, fields, names, part.other(), &stores, apply)
+            through_buffer(emitter, part.other(), &stores, apply)
         };
         let duration = match part {
             Part::Momentum => quote!(duration),
             Part::Position => quote!(-duration),
         };
-        let (scalar, divides_by_root_cubed) = (&names.scalar, lines.program.divides_by_root_cubed);
+        let (scalar, divides_by_root_cubed) = (&emitter.names.scalar, lines.program.divides_by_root_cubed);
         let body = lines.map(|lines| quote!(let step = #scalar::of(#duration); #lines)).body(scalar);
         Self { body, sweep: None, divides_by_root_cubed }
     }
@@ -194,15 +181,13 @@ pub(crate) fn stores(model: &mut Model, gradient: &[Contribution], sink: fn(Elem
 
 /// The lines that collect a gradient in a buffer and apply it to the coordinates of `part`.
 fn through_buffer(
-    model: &Model,
-    fields: &mut Fields,
-    names: &Names,
+    emitter: &mut Emitter<'_>,
     part: Part,
     stores: &[Store],
     apply: impl Fn(TokenStream, TokenStream) -> TokenStream,
 ) -> Lines {
-    let (open, close) = buffer(&model.shape, part, names, apply);
-    evaluate(model, fields, names, &Frame::Motion, &[], stores).map(|lines| quote!(#open #lines #close))
+    let (open, close) = buffer(&emitter.model.shape, part, emitter.names, apply);
+    emitter.evaluate(&Frame::Motion, &[], stores).map(|lines| quote!(#open #lines #close))
 }
 
 /// The most elements that a buffer has on the stack; a longer one, or one of a length known at run time, is on the heap.

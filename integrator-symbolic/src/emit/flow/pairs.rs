@@ -8,7 +8,7 @@ use super::{
 use crate::{
     differentiate::{Contribution, fold_branches},
     emit::printer::{
-        fields::Fields,
+        block::Emitter,
         function::{Body, Lines},
         names::Names,
     },
@@ -37,7 +37,8 @@ pub(crate) struct ManyBody {
 
 impl ManyBody {
     /// The parts, if the potential is one of pairs and the kinetic energy one of bodies.
-    pub(crate) fn of(model: &mut Model, fields: &mut Fields, names: &Names) -> Option<Self> {
+    pub(crate) fn of(emitter: &mut Emitter<'_>) -> Option<Self> {
+        let (model, wide) = (&mut *emitter.model, &emitter.names.wide);
         let dimension = match &model.shape.dimension {
             None => 1,
             Some(dimension) => dimension.literal()?,
@@ -75,14 +76,13 @@ impl ManyBody {
             alone => Some(OfBodies::gradient(model, &mut constants, &[bodies], alone)?),
         };
         let sizes = [Literal::u64_unsuffixed(dimension), Literal::usize_unsuffixed(constants.count())];
-        let mut writer = Writer { model, fields, names, constants: &constants, sizes: &sizes };
+        let row = model.shape.length.literal().filter(|length| *length <= ROW).map(Literal::u64_unsuffixed);
+        let mut writer = Writer { emitter, constants: &constants, sizes: &sizes };
         let functions = [writer.drift(&drift), writer.pair(&force, central, pair)];
         let acts = acts.map(|(condition, holds)| writer.acts(&condition, holds, pair));
         let alone = alone.map(|alone| writer.alone(&alone));
         let per_body = writer.per_body();
-        let row = model.shape.length.literal().filter(|length| *length <= ROW).map(Literal::u64_unsuffixed);
         let parts = if central { Literal::u64_unsuffixed(1) } else { sizes[0].clone() };
-        let wide = &names.wide;
         let functions = quote! {
             const RECIPROCAL: bool = #reciprocal;
             const CENTRAL: bool = #central;
@@ -146,20 +146,19 @@ fn condition(gradient: &[Contribution]) -> Option<(NodeId, bool)> {
 }
 
 /// What writes the functions.
-struct Writer<'w> {
-    model: &'w Model,
-    fields: &'w mut Fields,
-    names: &'w Names,
+struct Writer<'w, 'm> {
+    emitter: &'w mut Emitter<'m>,
     constants: &'w Constants,
     sizes: &'w [Literal; 2],
 }
 
-impl Writer<'_> {
+impl Writer<'_, '_> {
     /// What the flow of `T` does to a body.
     fn drift(&mut self, drift: &OfBodies) -> TokenStream {
-        let [q, p, of] = ["q", "p", "constants"].map(|what| OfBodies::named(what, self.model, self.constants.bodies));
+        let [q, p, of] =
+            ["q", "p", "constants"].map(|what| OfBodies::named(what, self.emitter.model, self.constants.bodies));
         let body = self.lines(drift);
-        let (Names { runtime, wide, leaf, .. }, [d, s]) = (self.names, self.sizes);
+        let (Names { runtime, wide, leaf, .. }, [d, s]) = (self.emitter.names, self.sizes);
         let generics = quote!(#leaf: #runtime::Slot<#wide>);
         let arguments = quote!(#q: &mut [#leaf; #d], #p: [#wide; #d], #of: [#wide; #s], step: #wide);
         self.function("drift_body", generics, arguments, None, body)
@@ -173,7 +172,7 @@ impl Writer<'_> {
         } else {
             self.gradient(pair, quote!(gradient))
         };
-        let wide = &self.names.wide;
+        let wide = &self.emitter.names.wide;
         self.function("pair", TokenStream::new(), self.two_bodies(of), Some(quote!(Self::Force<#wide>)), body)
     }
 
@@ -187,24 +186,24 @@ impl Writer<'_> {
 
     /// The coordinates and prepared constants of a pair, as arguments.
     fn two_bodies(&self, of: [LoopId; 2]) -> TokenStream {
-        let [q_i, q_j] = of.map(|by| OfBodies::named("q", self.model, by));
-        let [of_i, of_j] = of.map(|by| OfBodies::named("constants", self.model, by));
-        let (wide, [d, s]) = (&self.names.wide, self.sizes);
+        let [q_i, q_j] = of.map(|by| OfBodies::named("q", self.emitter.model, by));
+        let [of_i, of_j] = of.map(|by| OfBodies::named("constants", self.emitter.model, by));
+        let (wide, [d, s]) = (&self.emitter.names.wide, self.sizes);
         quote!(#q_i: [#wide; #d], #q_j: [#wide; #d], #of_i: [#wide; #s], #of_j: [#wide; #s])
     }
 
     /// The gradient of what a body has alone.
     fn alone(&mut self, alone: &OfBodies) -> TokenStream {
-        let [q, of] = ["q", "constants"].map(|what| OfBodies::named(what, self.model, self.constants.bodies));
+        let [q, of] = ["q", "constants"].map(|what| OfBodies::named(what, self.emitter.model, self.constants.bodies));
         let body = self.gradient(alone, quote!(::core::option::Option::Some(gradient)));
-        let ([d, s], wide) = (self.sizes, &self.names.wide);
+        let ([d, s], wide) = (self.sizes, &self.emitter.names.wide);
         let arguments = quote!(#q: [#wide; #d], #of: [#wide; #s]);
         let result = quote!(::core::option::Option<[#wide; #d]>);
         self.function("one_body", TokenStream::new(), arguments, Some(result), body)
     }
 
     fn lines(&mut self, of: &OfBodies) -> Lines {
-        of.lines(self.model, self.fields, self.names, self.constants)
+        of.lines(self.emitter, self.constants)
     }
 
     /// A function of bodies side by side.
@@ -216,7 +215,7 @@ impl Writer<'_> {
         result: Option<TokenStream>,
         lines: Lines,
     ) -> TokenStream {
-        let Names { runtime, scalar, wide, .. } = self.names;
+        let Names { runtime, scalar, wide, .. } = self.emitter.names;
         let (name, result) = (format_ident!("{name}"), result.map(|result| quote!(-> #result)));
         let body = lines.body(wide);
         let (time, parameters, body) = (body.argument("time"), body.argument("parameters"), &body.0);
@@ -232,7 +231,7 @@ impl Writer<'_> {
 
     /// The components of a gradient as an array, and what is returned of it.
     fn gradient(&mut self, of: &OfBodies, result: TokenStream) -> Lines {
-        let (wide, d) = (&self.names.wide, &self.sizes[0]);
+        let (wide, d) = (&self.emitter.names.wide, &self.sizes[0]);
         self.lines(of).map(|lines| {
             quote! {
                 let mut gradient = [#wide::of(0.0); #d];
@@ -244,8 +243,8 @@ impl Writer<'_> {
 
     /// The prepared constants of a body as an array.
     fn per_body(&mut self) -> TokenStream {
-        let fields = self.constants.fields(self.model, self.fields);
-        let index = self.model.running.get(&self.constants.bodies);
+        let fields = self.constants.fields(self.emitter.model, &mut self.emitter.fields);
+        let index = self.emitter.model.running.get(&self.constants.bodies);
         let argument = index.filter(|_| !fields.is_empty()).map_or_else(|| format_ident!("_body"), Clone::clone);
         let s = &self.sizes[1];
         quote! {

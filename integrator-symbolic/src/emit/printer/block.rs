@@ -19,24 +19,27 @@ use proc_macro2::{Ident, TokenStream};
 use quote::{ToTokens, format_ident, quote};
 use std::collections::{BTreeSet, HashMap};
 
-/// The lines that evaluate values and put them where they go, but for the loops over `outer`, which the caller runs.
-pub(crate) fn evaluate(
-    model: &Model,
-    fields: &mut Fields,
-    names: &Names,
-    frame: &Frame<'_>,
-    outer: &[LoopId],
-    stores: &[Store],
-) -> Lines {
-    let program = schedule(&model.graph, stores, |_, id| frame.is_leaf(model, id)).within(outer);
-    let printer = Printer::new(model, names, &program, frame);
-    let mut block = Block { printer, masks: Vec::new(), begun: HashMap::new() };
-    Lines { tokens: block.items(fields, &program.items), program }
+/// What functions are emitted from: the model, the names of generated items, and the fields that lines read so far.
+pub(crate) struct Emitter<'m> {
+    pub(crate) model: &'m mut Model,
+    pub(crate) names: &'m Names,
+    pub(crate) fields: Fields,
 }
 
-/// The line or lines that evaluate `root`, which is lowered.
-pub(crate) fn value(model: &Model, fields: &mut Fields, names: &Names, frame: &Frame<'_>, root: NodeId) -> Lines {
-    evaluate(model, fields, names, frame, &[], &[Store { context: Vec::new(), sink: Sink::Return, value: root }])
+impl Emitter<'_> {
+    /// The lines that evaluate values and store them, but for the loops over `outer`, which the caller runs.
+    pub(crate) fn evaluate(&mut self, frame: &Frame<'_>, outer: &[LoopId], stores: &[Store]) -> Lines {
+        let Self { model, names, fields } = self;
+        let program = schedule(&model.graph, stores, |_, id| frame.is_leaf(model, id)).within(outer);
+        let printer = Printer::new(model, names, &program, frame);
+        let mut block = Block { printer, masks: Vec::new(), begun: HashMap::new() };
+        Lines { tokens: block.items(fields, &program.items), program }
+    }
+
+    /// The line or lines that evaluate `root`, which is lowered.
+    pub(crate) fn value(&mut self, frame: &Frame<'_>, root: NodeId) -> Lines {
+        self.evaluate(frame, &[], &[Store { context: Vec::new(), sink: Sink::Return, value: root }])
+    }
 }
 
 /// A block being printed.
