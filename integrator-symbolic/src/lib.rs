@@ -42,7 +42,7 @@ use syntax::{Compose, Input};
 pub fn hamiltonian(arguments: TokenStream, item: TokenStream) -> TokenStream {
     let mut errors = Errors::default();
     let stepper = stepper(arguments, item.clone(), &mut errors);
-    let item = model::stripped(item);
+    let item = model::strip(item);
     let errors = errors.into_tokens();
     // Formulas number their bodies, and so may the loops in H: no lint should ask for iterators instead.
     let lints = stepper.is_some().then(|| quote!(#[allow(clippy::needless_range_loop, reason = "the language of H")]));
@@ -63,10 +63,10 @@ pub fn composition(declarations: TokenStream) -> TokenStream {
 pub fn report(arguments: TokenStream, item: TokenStream) -> syn::Result<Report> {
     let mut errors = Errors::default();
     let report = read(arguments, item, &mut errors).and_then(|input| {
-        let model = judged(&input, &mut errors)?;
+        let model = valid_model(&input, &mut errors)?;
         Some(report::report(&input, model))
     });
-    told(report, errors)
+    outcome(report, errors)
 }
 
 /// The names of the functions of coordinates that the language of H knows, as methods of `f64`.
@@ -78,7 +78,7 @@ pub fn known_functions() -> impl Iterator<Item = &'static str> {
 pub fn declared(declarations: TokenStream) -> syn::Result<Vec<Proved>> {
     let mut errors = Errors::default();
     let found = limits::check_depth(&declarations, &mut errors).then(|| scheme::declared(declarations, &mut errors));
-    told(found, errors)
+    outcome(found, errors)
 }
 
 /// What is proved of a sequence such as `V(1/2) T(1) V(1/2)`, held against an order where one is claimed; the error holds
@@ -87,11 +87,11 @@ pub fn sequence(tokens: TokenStream, order: Option<u32>) -> syn::Result<Proved> 
     let mut errors = Errors::default();
     let shallow = limits::check_depth(&tokens, &mut errors);
     let found = shallow.then(|| scheme::sequence(tokens, order, &mut errors)).flatten();
-    told(found, errors)
+    outcome(found, errors)
 }
 
 /// What was found, or what was noted.
-fn told<T>(found: Option<T>, errors: Errors) -> syn::Result<T> {
+fn outcome<T>(found: Option<T>, errors: Errors) -> syn::Result<T> {
     match (found, errors.combined()) {
         (Some(found), None) => Ok(found),
         (_, Some(error)) => Err(error),
@@ -101,7 +101,7 @@ fn told<T>(found: Option<T>, errors: Errors) -> syn::Result<T> {
 
 fn stepper(arguments: TokenStream, item: TokenStream, errors: &mut Errors) -> Option<TokenStream> {
     let mut input = read(arguments, item, errors)?;
-    if let Some(model) = judged(&input, errors) {
+    if let Some(model) = valid_model(&input, errors) {
         return Some(emit::stepper(&input, model));
     }
     // A sequence in place may be what is wrong; a name is held against the stub, so that the type checker speaks too.
@@ -118,7 +118,7 @@ fn read(arguments: TokenStream, item: TokenStream, errors: &mut Errors) -> Optio
 }
 
 /// The model of an input without mistakes.
-fn judged(input: &Input, errors: &mut Errors) -> Option<Model> {
+fn valid_model(input: &Input, errors: &mut Errors) -> Option<Model> {
     let model = model::model(input, errors);
     match &model {
         Some(model) => {

@@ -191,15 +191,15 @@ fn attempt<L: Fn(&Graph, NodeId) -> bool>(
             let needed = conditions.chain([*value]);
             let waits = needed.map(|id| scheduler.waits(&path, id, *around)).max().unwrap_or(0);
             if let Some(condition) = around.condition() {
-                scheduler.used(condition, &path);
+                scheduler.note_use(condition, &path);
             }
             path.push(scheduler.inner(&path, *around, waits + 1));
         }
-        scheduler.used(*value, &path);
+        scheduler.note_use(*value, &path);
         scheduler.block(&path).ends.push(End::Sink(*sink, *value));
     }
     scheduler.place()?;
-    let named = scheduler.named();
+    let named = scheduler.names();
     let divides = |id: &NodeId| match graph.node(*id) {
         Node::Div(_, divisor) => root_cubed(graph, divisor, |id| named.contains(&id)).is_some(),
         _ => false,
@@ -260,7 +260,7 @@ impl<L: Fn(&Graph, NodeId) -> bool> Scheduler<'_, L> {
         &mut self.blocks[path[path.len() - 1]]
     }
 
-    fn used(&mut self, id: NodeId, path: &[usize]) {
+    fn note_use(&mut self, id: NodeId, path: &[usize]) {
         self.reads_time |= self.graph.node(id) == Node::Time;
         if !(self.leaf)(self.graph, id) {
             self.left = self.left.saturating_sub(1);
@@ -270,19 +270,19 @@ impl<L: Fn(&Graph, NodeId) -> bool> Scheduler<'_, L> {
 
     /// How much of a path a node has to be inside of: up to the deepest loop that it depends on, and up to the last
     /// place that decides whether what it reads is there.
-    fn needed(&self, path: &[usize], id: NodeId) -> usize {
+    fn min_depth(&self, path: &[usize], id: NodeId) -> usize {
         let (loops, summed) = (self.graph.loops_of(id), self.graph.summed_in(id));
         let is_over = |block: &usize, set: LoopSet| matches!(self.blocks[*block].scope, Some(Scope::Loop(by)) if set.contains(by));
         // The index of a loop has one value in it, so that the sum over the same loop is not computed there.
         let outside = path.iter().position(|block| is_over(block, summed)).unwrap_or(path.len());
-        let protected = if self.strategy.protects { self.protected(path, outside, id) } else { None };
+        let protected = if self.strategy.protects { self.last_guard(path, outside, id) } else { None };
         let own = path.iter().rposition(|block| is_over(block, loops));
         own.max(protected).map_or(1, |deepest| deepest + 1)
     }
 
     /// The last place of a path that decides whether what a node reads is there: in the place of a loop the question
     /// around it whether it has iterations. The sums in the node are computed in the first `outside` blocks.
-    fn protected(&self, path: &[usize], outside: usize, id: NodeId) -> Option<usize> {
+    fn last_guard(&self, path: &[usize], outside: usize, id: NodeId) -> Option<usize> {
         let around = |place: usize| self.blocks[path[place]].scope;
         let is_protected = |place: &usize| {
             around(*place).is_some_and(|at| match *place < outside {
@@ -306,8 +306,8 @@ impl<L: Fn(&Graph, NodeId) -> bool> Scheduler<'_, L> {
 
     /// How much of a path a node may be inside of: up to the first loop that it does not need, and for a sum up to the
     /// question whether its loop has iterations, which the same loop answers.
-    fn allowed(&self, path: &[usize], id: NodeId) -> usize {
-        let needed = self.needed(path, id);
+    fn max_depth(&self, path: &[usize], id: NodeId) -> usize {
+        let needed = self.min_depth(path, id);
         let sum = match self.graph.node(id) {
             Node::Sum(by, body) if !self.graph.is_kept_by_iterations(by, body) => Some(by),
             _ => None,
@@ -341,7 +341,7 @@ impl<L: Fn(&Graph, NodeId) -> bool> Scheduler<'_, L> {
         }
         let around = |by| path.iter().any(|block| self.blocks[*block].scope == Some(Scope::Loop(by)));
         let inner = self.graph.loops_of(id).iter().any(|by| !around(by));
-        let outer = !inner && self.allowed(path, id) < path.len();
+        let outer = !inner && self.max_depth(path, id) < path.len();
         let waits = if (self.leaf)(self.graph, id) || outer {
             0
         } else {
@@ -373,7 +373,7 @@ impl<L: Fn(&Graph, NodeId) -> bool> Scheduler<'_, L> {
     }
 
     /// Sums and choices, what is used twice, and what is used in a block inside the one that it is computed in.
-    fn named(&self) -> BTreeSet<NodeId> {
+    fn names(&self) -> BTreeSet<NodeId> {
         let mut uses: HashMap<NodeId, u32> = HashMap::new();
         let mut named = BTreeSet::new();
         for block in &self.blocks {

@@ -22,7 +22,7 @@ pub(super) fn attribute(method: &ImplItemFn) -> Option<&Attribute> {
 }
 
 /// An item without the attribute, which means nothing outside of the annotated impl.
-pub(crate) fn stripped(item: TokenStream) -> TokenStream {
+pub(crate) fn strip(item: TokenStream) -> TokenStream {
     let mut kept: Vec<TokenTree> = Vec::new();
     for tree in item {
         match &tree {
@@ -30,7 +30,7 @@ pub(crate) fn stripped(item: TokenStream) -> TokenStream {
                 kept.pop();
             }
             TokenTree::Group(group) if group.delimiter() == proc_macro2::Delimiter::Brace => {
-                let mut inner = proc_macro2::Group::new(group.delimiter(), stripped(group.stream()));
+                let mut inner = proc_macro2::Group::new(group.delimiter(), strip(group.stream()));
                 inner.set_span(group.span());
                 kept.push(inner.into());
             }

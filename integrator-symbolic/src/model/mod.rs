@@ -42,7 +42,7 @@ use crate::{
 };
 use arm::Arm;
 pub(crate) use elementary::known_functions;
-pub(crate) use external::{Method, stripped};
+pub(crate) use external::{Method, strip};
 use guard::Condition;
 use proc_macro2::{Ident, TokenStream};
 use quote::{ToTokens, quote};

@@ -33,7 +33,7 @@ impl<L: Fn(&Graph, NodeId) -> bool> Scheduler<'_, L> {
             let block = blocks[unwritten.next_block()?];
             let makes = self.makes(block).into_iter().filter(|id| own.nodes.contains(id));
             items.extend(makes.filter(|id| begun.insert(*id)).map(Item::Begin));
-            items.push(self.nested(block, named)?);
+            items.push(self.inner_item(block, named)?);
         }
         if unwritten.values > 0 {
             return None;
@@ -96,7 +96,7 @@ impl<L: Fn(&Graph, NodeId) -> bool> Scheduler<'_, L> {
         matches!(self.graph.node(id), Node::Sum(..) | Node::Select(..))
     }
 
-    fn nested(&self, block: usize, named: &BTreeSet<NodeId>) -> Option<Item> {
+    fn inner_item(&self, block: usize, named: &BTreeSet<NodeId>) -> Option<Item> {
         let body = self.items(block, named)?;
         Some(match self.blocks[block].scope? {
             Scope::Loop(by) => Item::Loop { by, body },

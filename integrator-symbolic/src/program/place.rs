@@ -21,7 +21,7 @@ impl<L: Fn(&Graph, NodeId) -> bool> Scheduler<'_, L> {
                 return Some(());
             }
             for (id, path) in missing {
-                self.used(id, &path);
+                self.note_use(id, &path);
             }
         }
     }
@@ -45,7 +45,7 @@ impl<L: Fn(&Graph, NodeId) -> bool> Scheduler<'_, L> {
         let known = self.homes.remove(&id).unwrap_or_default();
         let mut homes = known.clone();
         for path in uses {
-            let (needed, path) = (self.needed(&path, id), &path[..self.allowed(&path, id)]);
+            let (needed, path) = (self.min_depth(&path, id), &path[..self.max_depth(&path, id)]);
             // Uses inside one iteration of the deepest loop share what they have in common, and what is computed
             // further out.
             let is_shared =
@@ -101,7 +101,7 @@ impl<L: Fn(&Graph, NodeId) -> bool> Scheduler<'_, L> {
                 }
             }
             Node::Select(condition, first, second) => {
-                self.used(condition, home);
+                self.note_use(condition, home);
                 // A choice begins as zero, which needs no branch; the negative zero does.
                 let zero = |value: &NodeId| self.graph.as_constant(*value).is_some_and(|value| value.to_bits() == 0);
                 for (holds, value) in [(true, first), (false, second)].into_iter().filter(|(_, value)| !zero(value)) {
@@ -113,14 +113,14 @@ impl<L: Fn(&Graph, NodeId) -> bool> Scheduler<'_, L> {
             }
             node => {
                 for child in node.children() {
-                    self.used(child, home);
+                    self.note_use(child, home);
                 }
             }
         }
     }
 
     fn add_where(&mut self, sum: NodeId, iteration: &[usize], condition: NodeId, holds: bool, value: NodeId) {
-        self.used(condition, iteration);
+        self.note_use(condition, iteration);
         let around = Scope::Branch(condition, holds);
         let waits = self.waits(iteration, condition, around).max(self.waits(iteration, value, around));
         let branch = self.inside(iteration, around, waits + 1);
@@ -133,7 +133,7 @@ impl<L: Fn(&Graph, NodeId) -> bool> Scheduler<'_, L> {
     }
 
     fn end(&mut self, path: &[usize], end: End) {
-        self.used(end.value(), path);
+        self.note_use(end.value(), path);
         self.block(path).ends.push(end);
     }
 }

@@ -49,7 +49,7 @@ impl Constants {
     /// What a prepared constant of a body is called.
     fn name(&self, model: &Model, fields: &mut Fields, place: usize, by: LoopId) -> Ident {
         let field = fields.number(&model.graph, &model.parameters, self.nodes[place]);
-        OfBodies::named(&format!("{field}_of"), model, by)
+        OfBodies::name_of(&format!("{field}_of"), model, by)
     }
 
     /// The tables that hold them.
@@ -116,7 +116,7 @@ impl OfBodies {
     }
 
     /// The name of something that belongs to a body.
-    pub(crate) fn named(what: &str, model: &Model, by: LoopId) -> Ident {
+    pub(crate) fn name_of(what: &str, model: &Model, by: LoopId) -> Ident {
         format_ident!("{what}{}", Self::suffix(model, by))
     }
 
@@ -130,7 +130,7 @@ impl OfBodies {
         reads.sort();
         reads.dedup();
         let lets = reads.into_iter().map(|(place, by)| {
-            let (name, of) = (constants.name(model, fields, place, by), Self::named("constants", model, by));
+            let (name, of) = (constants.name(model, fields, place, by), Self::name_of("constants", model, by));
             let place = Literal::usize_unsuffixed(place);
             quote!(let #name = #of[#place];)
         });

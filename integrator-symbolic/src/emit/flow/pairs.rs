@@ -156,7 +156,7 @@ impl Writer<'_, '_> {
     /// What the flow of `T` does to a body.
     fn drift(&mut self, drift: &OfBodies) -> TokenStream {
         let [q, p, of] =
-            ["q", "p", "constants"].map(|what| OfBodies::named(what, self.emitter.model, self.constants.bodies));
+            ["q", "p", "constants"].map(|what| OfBodies::name_of(what, self.emitter.model, self.constants.bodies));
         let body = self.lines(drift);
         let (Names { runtime, wide, leaf, .. }, [d, s]) = (self.emitter.names, self.sizes);
         let generics = quote!(#leaf: #runtime::Slot<#wide>);
@@ -186,15 +186,15 @@ impl Writer<'_, '_> {
 
     /// The coordinates and prepared constants of a pair, as arguments.
     fn two_bodies(&self, of: [LoopId; 2]) -> TokenStream {
-        let [q_i, q_j] = of.map(|by| OfBodies::named("q", self.emitter.model, by));
-        let [of_i, of_j] = of.map(|by| OfBodies::named("constants", self.emitter.model, by));
+        let [q_i, q_j] = of.map(|by| OfBodies::name_of("q", self.emitter.model, by));
+        let [of_i, of_j] = of.map(|by| OfBodies::name_of("constants", self.emitter.model, by));
         let (wide, [d, s]) = (&self.emitter.names.wide, self.sizes);
         quote!(#q_i: [#wide; #d], #q_j: [#wide; #d], #of_i: [#wide; #s], #of_j: [#wide; #s])
     }
 
     /// The gradient of what a body has alone.
     fn alone(&mut self, alone: &OfBodies) -> TokenStream {
-        let [q, of] = ["q", "constants"].map(|what| OfBodies::named(what, self.emitter.model, self.constants.bodies));
+        let [q, of] = ["q", "constants"].map(|what| OfBodies::name_of(what, self.emitter.model, self.constants.bodies));
         let body = self.gradient(alone, quote!(::core::option::Option::Some(gradient)));
         let ([d, s], wide) = (self.sizes, &self.emitter.names.wide);
         let arguments = quote!(#q: [#wide; #d], #of: [#wide; #s]);

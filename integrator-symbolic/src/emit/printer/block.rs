@@ -102,7 +102,7 @@ impl Block<'_> {
             }
             Item::Choose { choice, value } => {
                 let (name, value) = (&printer.names[choice], printer.expression(fields, *value).tokens);
-                let chosen = self.masked(self.begun.get(choice).copied().unwrap_or_default(), &value, &quote!(#name));
+                let chosen = self.mask(self.begun.get(choice).copied().unwrap_or_default(), &value, &quote!(#name));
                 quote!(#name = #chosen;)
             }
             Item::Sink(Sink::Contribution(contribution), value) => {
@@ -149,7 +149,7 @@ impl Block<'_> {
     }
 
     /// `value` in the lanes in which all conditions beyond the first `depth` hold, `other` elsewhere.
-    fn masked(&self, depth: usize, value: &TokenStream, other: &TokenStream) -> TokenStream {
+    fn mask(&self, depth: usize, value: &TokenStream, other: &TokenStream) -> TokenStream {
         let mut masks = self.masks[depth..].iter();
         match (masks.next(), self.printer.dialect) {
             (Some(first), Dialect::Generic) => {
@@ -170,7 +170,7 @@ impl Block<'_> {
                 quote!(#place.fma(#a, #b);)
             }
             _ => {
-                let value = self.masked(0, &printer.expression(fields, value).tokens, &self.zero());
+                let value = self.mask(0, &printer.expression(fields, value).tokens, &self.zero());
                 quote!(#place.add(#value);)
             }
         }
@@ -184,7 +184,7 @@ impl Block<'_> {
             && let Some((negative, a, b)) = printer.product(value)
         {
             let (a, b) = (printer.factor(fields, negative, a), printer.expression(fields, b).tokens);
-            let sum = self.masked(depth, &quote!(#a.fma(#b, #target)), &target);
+            let sum = self.mask(depth, &quote!(#a.fma(#b, #target)), &target);
             return quote!(#target = #sum;);
         }
         let (sign, value) = match printer.graph.node(value) {
@@ -194,7 +194,7 @@ impl Block<'_> {
         let value = printer.expression(fields, value);
         if is_masked {
             let value = value.term();
-            let sum = self.masked(depth, &quote!(#target #sign #value), &target);
+            let sum = self.mask(depth, &quote!(#target #sign #value), &target);
             return quote!(#target = #sum;);
         }
         let value = value.tokens;

@@ -267,7 +267,7 @@ impl Printer<'_> {
     }
 
     /// A factor, perhaps under a change of sign.
-    fn signed(&self, fields: &mut Fields, negative: bool, x: NodeId) -> Printed {
+    fn with_sign(&self, fields: &mut Fields, negative: bool, x: NodeId) -> Printed {
         match self.graph.as_constant(x) {
             Some(constant) if negative => self.constant(-constant),
             None if negative => {
@@ -280,12 +280,12 @@ impl Printer<'_> {
 
     /// The first factor of a fused multiply-add.
     pub(crate) fn factor(&self, fields: &mut Fields, negative: bool, x: NodeId) -> TokenStream {
-        self.signed(fields, negative, x).at_least(Binding::Atom)
+        self.with_sign(fields, negative, x).at_least(Binding::Atom)
     }
 
     /// The first of two arguments that are multiplied.
     pub(crate) fn outer_factor(&self, fields: &mut Fields, negative: bool, x: NodeId) -> TokenStream {
-        self.signed(fields, negative, x).tokens
+        self.with_sign(fields, negative, x).tokens
     }
 
     /// An expression that a method is called on.
