@@ -378,7 +378,7 @@ fn guards(graph: &mut Graph, id: NodeId, left: &[Scope]) -> Vec<Scope> {
     branches(graph, entered)
 }
 
-/// A condition as branches, one inside the other where it has a part that is only asked where another one holds.
+/// A condition as branches, one inside the other where one of its terms is only evaluated where another one holds.
 fn branches(graph: &Graph, condition: NodeId) -> Vec<Scope> {
     match graph.node(condition) {
         _ if graph.as_truth(condition).is_some() => Vec::new(),

@@ -48,7 +48,8 @@ pub enum Shortfall {
     },
     /// The observed order is lower than the claimed one.
     #[error(
-        "observed order {observed:.2} falls short of the claimed order {claimed}: the sequence has another order, or the motion          turns faster than these steps, which shorter ones tell"
+        "observed order {observed:.2} falls short of the claimed order {claimed}: the sequence has another order, or the motion \
+         is faster than these steps resolve, which shorter ones show"
     )]
     Order {
         /// The slope.
@@ -168,19 +169,19 @@ struct Lines<'s>(&'s [Shortfall]);
 
 impl fmt::Display for Lines<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let mut told: Vec<String> = Vec::new();
+        let mut reported: Vec<String> = Vec::new();
         for shortfall in self.0 {
             let Shortfall::Unmeasured { reason, .. } = shortfall else {
                 write!(f, "\n  {shortfall}")?;
                 continue;
             };
-            // Reasons that hold a NaN differ from themselves, and their words do not.
+            // Reasons that hold a NaN differ from themselves, but their texts do not.
             let reason = reason.to_string();
-            if !told.contains(&reason) {
+            if !reported.contains(&reason) {
                 let same = |other: &&Shortfall| matches!(other, Shortfall::Unmeasured { reason: of, .. } if of.to_string() == reason);
                 let checks: Vec<&str> = self.0.iter().filter(same).filter_map(Shortfall::check).collect();
                 write!(f, "\n  {} could not be measured: {reason}", list(&checks))?;
-                told.push(reason);
+                reported.push(reason);
             }
         }
         Ok(())
@@ -194,12 +195,12 @@ impl fmt::Display for Shrinking {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Self(observed) = self;
         if observed.is_nan() {
-            return f.write_str("from there, no step is short enough to end in numbers");
+            return f.write_str("from there, no step is short enough to end in finite numbers");
         }
         write!(
             f,
             "there, errors shrink with the power {observed:.1} of the step, as they do at a kink, a jump or a \
-             cutoff of the potential, however short it is, and where the motion turns much faster than it: then shorten it"
+             cutoff of the potential, however short it is, and where the motion is much faster than it: then shorten it"
         )
     }
 }

@@ -126,7 +126,7 @@ impl Graph {
     }
 
     /// The condition that a loop around a node has an iteration. Without coordinates there is nothing to compute, so
-    /// that this is asked of a loop over them only where the node could not be read without.
+    /// that a loop over them has this condition only where the node could not be read without.
     pub(super) fn has_iterations(&mut self, by: LoopId, id: NodeId) -> NodeId {
         if self.loops.has_iterations(by) && !self.protects(Scope::Loop(by), id) {
             return self.truth(true);

@@ -43,7 +43,7 @@ impl NodeId {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub(crate) struct ParameterId(pub(crate) u32);
 
-/// A method of the user whose inside is not looked at: it has a value, and methods that give its derivatives.
+/// An opaque method of the user: it has a value, and methods that give its derivatives.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub(crate) struct ExternalId(pub(crate) u32);
 

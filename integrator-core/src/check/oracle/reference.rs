@@ -235,7 +235,7 @@ mod tests {
             let series = series_reference(system, &start, span, 8).expect("a series");
             let flows = ComposedReference::new(system, &start).refined(span);
             let apart = series.path.distance(&flows.path, flows.scale);
-            // Each unit of time is about a turn, and rounds as much as the first one.
+            // Each unit of time is about a period, and rounds as much as the first one.
             let rounding = ROUNDINGS * (flows.rounding() + f64::EPSILON * span.abs());
             let bound = series.uncertainty() + flows.uncertainty() + rounding;
             assert!(within(apart, bound), "{} over {span}: {apart:e}, {bound:e}", std::any::type_name::<H>());
@@ -287,7 +287,7 @@ mod tests {
         let shape = &Phase::new([0.4, 0.0], [0.0, 2.0]);
         let (system, start) = (&Motions { system: &Kepler, shape }, flat(shape).at_time(0.0));
         let uncertainty = |halvings| reference(system, &start, 1e3, 1, halvings).uncertainty();
-        // A rounding of the energy turns the phase ever more: by 1e-16 in each of some thousand steps, times the time.
+        // A rounding of the energy shifts the phase ever more: by 1e-16 in each of some thousand steps, times the time.
         assert!(within(uncertainty(20), 1e-16 * 1e3 * 1e3), "{:e}", uncertainty(20));
         assert!(!within(uncertainty(0), FOLLOWED), "{:e}", uncertainty(0));
     }

@@ -20,8 +20,8 @@ use crate::{
     trajectory::method::Method,
 };
 
-/// The uncertainty of the exact motion from which on nothing is held against it. An arbitrary line: an error cannot
-/// be told to one digit beyond it.
+/// The uncertainty of the exact motion from which on nothing is compared with it. An arbitrary limit: beyond it, an
+/// error has not one known digit.
 const KNOWN: f64 = 0.1;
 
 /// How far a run is from the exact motion.
@@ -43,7 +43,7 @@ pub struct GlobalError {
 ///
 /// The exact motion is a Taylor series, with a compensated state and a tolerance far below the rounding, where
 /// `#[hamiltonian(taylor)]` wrote its recurrences and the flows of the system confirm it: it is known to the rounding
-/// for many periods. Of other systems it is a march in steps of eighth order, which is good for some ten periods.
+/// for many periods. Of other systems it is a composition of flows of eighth order, which is good for some ten periods.
 ///
 /// ```
 /// use integrator_core::{check::global_error, prelude::*};
