@@ -9,9 +9,9 @@
 //! `k yₖ = Σ j xⱼ gₖ₋ⱼ`. So the column of derivatives is the column of recurrences. A number that is added to a series
 //! is its coefficient of order 0; it is multiplied by [`Node::Step`], which is one at order 0 and zero at all others.
 
-mod mobility;
+mod inverse_mass;
 
-pub(crate) use mobility::mobilities;
+pub(crate) use inverse_mass::inverse_masses;
 
 use crate::{
     differentiate::Contribution,

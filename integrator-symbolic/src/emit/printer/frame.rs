@@ -3,8 +3,8 @@
 use super::{
     expression::{Dialect, Printer},
     fields::{Fields, is_leaf},
+    interleaved::InterleavedIndices,
     names::Names,
-    places::Places,
 };
 use crate::{
     gather::Stencil,
@@ -29,7 +29,7 @@ pub(crate) enum Frame<'m> {
     /// In its arguments: the coordinates and constants of bodies, and the constants that all bodies contribution.
     Bodies(Bodies),
     /// In tables of Taylor coefficients that are its arguments, whose rows may be interleaved.
-    Series { interleaved: Option<Places> },
+    Series { interleaved: Option<InterleavedIndices> },
 }
 
 /// Bodies that are arguments of a function.

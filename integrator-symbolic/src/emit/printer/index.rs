@@ -29,10 +29,10 @@ impl Printer<'_> {
 
     /// Where a coordinate is in the row of an order: components one after the other, each of all points.
     pub(crate) fn in_row(&self, fields: &mut Fields, element: Element) -> TokenStream {
-        if let Frame::Series { interleaved: Some(places) } = self.frame {
-            return match places.name(element) {
+        if let Frame::Series { interleaved: Some(indices) } = self.frame {
+            return match indices.name(element) {
                 Some(name) => name.to_token_stream(),
-                None => self.dealt_place(fields, element.index, element.component),
+                None => self.interleaved_index(fields, element.index, element.component),
             };
         }
         let index = self.index(fields, element.index);
@@ -47,8 +47,13 @@ impl Printer<'_> {
         }
     }
 
-    /// The same where points are dealt out to registers.
-    pub(crate) fn dealt_place(&self, fields: &mut Fields, index: IndexId, component: Option<IndexId>) -> TokenStream {
+    /// The same where points are distributed over vectors cyclically.
+    pub(crate) fn interleaved_index(
+        &self,
+        fields: &mut Fields,
+        index: IndexId,
+        component: Option<IndexId>,
+    ) -> TokenStream {
         let index = self.index(fields, index);
         let component = component.map_or(quote!(0), |component| self.index(fields, component));
         quote!(layout.index(#index, #component))

@@ -7,6 +7,6 @@ pub(super) mod fields;
 pub(super) mod frame;
 pub(super) mod function;
 pub(super) mod index;
+pub(super) mod interleaved;
 pub(super) mod names;
-pub(super) mod places;
 pub(super) mod sites;

@@ -9,19 +9,19 @@ use quote::quote;
 pub(super) struct Kind {
     pub(super) rolled: bool,
     pub(super) interleaved: bool,
-    pub(super) at_once: usize,
+    pub(super) orders_per_call: usize,
 }
 
 pub(super) fn implementation(body: TokenStream, tape: &Tape<'_>, kind: &Kind, names: &Names) -> TokenStream {
     let Names { runtime, scalar, .. } = names;
     let name = &names.tape;
     let tape_of = if tape.is_empty() { quote!(()) } else { quote!(#name<#scalar>) };
-    let Kind { rolled, interleaved, at_once } = kind;
+    let Kind { rolled, interleaved, orders_per_call } = kind;
     let body = Body::new(body);
     let [parameters, length, time] = ["parameters", "length", "time"].map(|name| body.argument(name));
     let stride = body.mentions("stride").then(|| quote!(let stride = q.stride();));
     let layout = body.mentions("layout").then(|| quote!(let layout = q.layout();));
-    let at_once = Literal::usize_unsuffixed(*at_once);
+    let orders_per_call = Literal::usize_unsuffixed(*orders_per_call);
     let body = &body.0;
     let counters = per_body(tape.records).map(|number| {
         let next = tape::next(number);
@@ -31,7 +31,7 @@ pub(super) fn implementation(body: TokenStream, tape: &Tape<'_>, kind: &Kind, na
         type Tape<#scalar: #runtime::Real> = #tape_of;
         const ROLLED: bool = #rolled;
         const INTERLEAVED: bool = #interleaved;
-        const ORDERS_PER_CALL: usize = #at_once;
+        const ORDERS_PER_CALL: usize = #orders_per_call;
 
         #[cfg_attr(not(debug_assertions), inline(always))]
         fn order<#scalar: #runtime::Real>(

@@ -1,11 +1,11 @@
 //! The recurrences of Taylor coefficients as Rust.
 
-mod ahead;
+mod accumulation;
 mod implementation;
-mod moves;
-mod nest;
+mod kernel;
 pub(super) mod orders;
-mod pass;
+mod orders_per_call;
 mod recurrence;
+mod second_order;
 mod tape;
 mod unrolled;

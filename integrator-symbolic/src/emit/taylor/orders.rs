@@ -5,12 +5,12 @@
 //! iteration.
 
 use super::{
-    ahead::Mobilities,
+    accumulation::{Accumulation, Results, derivative},
     implementation::{Kind, implementation},
-    moves::{Found, Moves, next},
-    nest::nest_context,
-    pass::Pass,
+    kernel::nest_context,
+    orders_per_call::OrdersPerCall,
     recurrence::Series,
+    second_order::InverseMasses,
     tape::{Iterations, Kept, Record, Tape},
 };
 use crate::{
@@ -20,13 +20,13 @@ use crate::{
         fields::{Fields, is_leaf},
         frame::Frame,
         function::Body,
+        interleaved::InterleavedIndices,
         names::Names,
-        places::Places,
     },
     graph::{Graph, Node, NodeId},
     model::Model,
     program::{Constraints, Item, Program, Sink, Store, schedule_with},
-    taylor::{Recurrences, mobilities, signed},
+    taylor::{Recurrences, inverse_masses, signed},
 };
 use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::{format_ident, quote};
@@ -58,36 +58,38 @@ pub(crate) fn orders(
         schedule_with(&model.graph, &stores, leaf, &constraints)
     };
     let all = program(model, &kinetic, &potential);
-    let rolled = matches!(Moves::of(&model.graph, &all.items), Moves::InPlace);
-    // Positions that merely follow momenta are found from these: they are taken out of loops, and come an order ahead.
-    let (program, mobile, ahead) = match mobilities(&mut model.graph, &kinetic) {
-        Some(mobilities) if rolled => (program(model, &[], &potential), Some(program(model, &mobilities, &[])), None),
-        Some(mobilities) => (program(model, &[], &potential), None, Some(Mobilities::of(&mobilities))),
+    let rolled = matches!(Accumulation::of(&model.graph, &all.items), Accumulation::InPlace);
+    // With an inverse mass, positions follow from momenta: they are taken out of loops, or come an order ahead.
+    let (program, of_positions, second_order) = match inverse_masses(&mut model.graph, &kinetic) {
+        Some(inverse_masses) if rolled => {
+            (program(model, &[], &potential), Some(program(model, &inverse_masses, &[])), None)
+        }
+        Some(inverse_masses) => (program(model, &[], &potential), None, Some(InverseMasses::of(&inverse_masses))),
         None => (all, None, None),
     };
     let interleaved = rolled && nest_context(model, &program, &recurrences).reads_neighbours(&program.items);
-    let frame = Frame::Series { interleaved: interleaved.then(|| Places::of(&model.graph)) };
+    let frame = Frame::Series { interleaved: interleaved.then(|| InterleavedIndices::of(&model.graph)) };
     let source = Source { model, names, program: &program, frame: &frame, recurrences: &recurrences };
     let mut writer = Writer::new(&source, Record::of("tape", Iterations::Once));
-    writer.moves = if rolled { Moves::InPlace } else { Moves::of(&model.graph, &program.items) };
+    writer.accumulation = if rolled { Accumulation::InPlace } else { Accumulation::of(&model.graph, &program.items) };
     writer.allocate(&program.items);
-    let body = match (&mobile, &ahead) {
-        (_, Some(ahead)) => writer.order_ahead(fields, &program.items, ahead),
-        (Some(mobile), None) => {
-            let source = Source { program: mobile, ..source };
-            let mut of_mobilities = Writer::new(&source, Record::of("tape", Iterations::Once));
-            of_mobilities.moves = Moves::Once;
-            let mobilities = of_mobilities.items(fields, &mobile.items);
-            writer.orders_of_momenta(fields, &program.items, &mobilities)
+    let body = match (&of_positions, &second_order) {
+        (_, Some(inverse_masses)) => writer.second_order(fields, &program.items, inverse_masses),
+        (Some(of_positions), None) => {
+            let source = Source { program: of_positions, ..source };
+            let mut of_inverse_masses = Writer::new(&source, Record::of("tape", Iterations::Once));
+            of_inverse_masses.accumulation = Accumulation::InPlaceOnce;
+            let inverse_masses = of_inverse_masses.items(fields, &of_positions.items);
+            writer.orders_of_momenta(fields, &program.items, &inverse_masses)
         }
         (None, None) => writer.order_of_all(fields, &program.items),
     };
     let body = match &frame {
-        Frame::Series { interleaved: Some(places) } => {
+        Frame::Series { interleaved: Some(indices) } => {
             let body = Body::new(body);
-            let found = places.found(&writer.printer, fields, &body);
+            let lines = indices.lines(&writer.printer, fields, &body);
             let Body(body) = body;
-            quote!(#found #body)
+            quote!(#lines #body)
         }
         _ => body,
     };
@@ -98,8 +100,8 @@ pub(crate) fn orders(
     });
     let Body(body) = body;
     let body = quote!(#halfway #body);
-    let tape = Tape { records: &writer.records, is_mobile: mobile.is_some() };
-    let kind = Kind { rolled, interleaved, at_once: writer.pass.orders() };
+    let tape = Tape { records: &writer.records, has_inverse_mass: of_positions.is_some() };
+    let kind = Kind { rolled, interleaved, orders_per_call: writer.orders_per_call.count() };
     Orders { tape: tape.structs(names), items: implementation(body, &tape, &kind, names) }
 }
 
@@ -146,18 +148,18 @@ pub(super) struct Writer<'m> {
     pub(super) records: Vec<Record>,
     /// The records of the blocks around the present line, innermost last.
     pub(super) within: Vec<usize>,
-    /// Where the series of a value is.
-    pub(super) places: HashMap<NodeId, Series>,
-    /// Where it is of what the function begins with, in all of its blocks.
+    /// The series of values.
+    pub(super) series_of: HashMap<NodeId, Series>,
+    /// The series of coordinates and the time, which all blocks read.
     begun: HashMap<NodeId, Series>,
     /// The lines that keep what the function begins with, where recurrences read its series.
     pub(super) opening: TokenStream,
-    pub(super) moves: Moves,
-    /// How many orders the lines find.
-    pub(super) pass: Pass,
+    pub(super) accumulation: Accumulation,
+    /// The number of orders that the lines compute.
+    pub(super) orders_per_call: OrdersPerCall,
     /// The values whose sums over what is known are those of two orders.
     pub(super) of_two: BTreeSet<NodeId>,
-    /// Where the coefficients of the derivatives of values are.
+    /// The coefficients of the derivatives of values.
     pub(super) rates: Vec<(NodeId, Series)>,
 }
 
@@ -170,25 +172,25 @@ impl<'m> Writer<'m> {
             masks: Vec::new(),
             records: vec![record],
             within: vec![0],
-            places: HashMap::new(),
+            series_of: HashMap::new(),
             begun: HashMap::new(),
             opening: TokenStream::new(),
-            moves: Moves::InPlace,
-            pass: Pass::One,
+            accumulation: Accumulation::InPlace,
+            orders_per_call: OrdersPerCall::One,
             of_two: BTreeSet::new(),
             rates: Vec::new(),
         }
     }
 
-    /// One whose lines are those of iterations side by side.
-    pub(super) fn abreast(source: &'m Source<'m>, record: Record) -> Self {
+    /// A writer of iterations that share vectors.
+    pub(super) fn in_lanes(source: &'m Source<'m>, record: Record) -> Self {
         let mut writer = Self::new(source, record);
         writer.printer.scalar = &source.names.wide;
-        writer.moves = Moves::Abreast(Found::default());
+        writer.accumulation = Accumulation::Lanes(Results::default());
         writer
     }
 
-    /// Finds places for what is kept in a block, before its lines are written: recurrences read each other.
+    /// Allocates slots for the values of a block, before its lines are written: recurrences read each other.
     pub(super) fn allocate<'i>(&mut self, items: impl IntoIterator<Item = &'i Item>) {
         for item in items {
             if let Item::Branch { body, .. } = item {
@@ -256,21 +258,21 @@ impl<'m> Writer<'m> {
                 }
             }
             Item::Sink(Sink::Collect(element), id) => {
-                if let Moves::Abreast(found) = &mut self.moves {
-                    let Some(number) = found.another(self.printer.graph, *id, self.masks.is_empty()) else {
+                if let Accumulation::Lanes(results) = &mut self.accumulation {
+                    let Some(number) = results.push(self.printer.graph, *id, self.masks.is_empty()) else {
                         return TokenStream::new();
                     };
                     let number = Literal::usize_unsuffixed(number);
                     let value = self.masked(fields, signed(self.printer.graph, *id).1);
-                    return match self.pass {
-                        Pass::One => quote!(results[#number] = [#value];),
-                        Pass::Two => quote!(results[#number][at] = #value;),
+                    return match self.orders_per_call {
+                        OrdersPerCall::One => quote!(results[#number] = [#value];),
+                        OrdersPerCall::Two => quote!(results[#number][at] = #value;),
                     };
                 }
                 let value = self.masked(fields, *id);
-                if let Moves::Alone(elements) = &self.moves {
-                    let next = next(elements.iter().position(|known| known == element).unwrap_or_default());
-                    return quote!(#next += #value;);
+                if let Accumulation::Scalars(elements) = &self.accumulation {
+                    let derivative = derivative(elements.iter().position(|known| known == element).unwrap_or_default());
+                    return quote!(#derivative += #value;);
                 }
                 let (part, place) = (self.printer.part(*element), self.printer.in_row(fields, *element));
                 quote!(#part[order + 1][#place] += #value;)
@@ -286,9 +288,9 @@ impl<'m> Writer<'m> {
         self.masks.iter().rev().fold(value, |value, mask| quote!(#scalar::select(#mask, #value, #zero)))
     }
 
-    /// Whether iterations side by side are given a value, since it stays the same in a run.
+    /// Whether a value is an argument of iterations that share vectors, since it stays the same in a run.
     fn is_given(&self, id: NodeId) -> bool {
-        matches!(self.moves, Moves::Abreast(_)) && self.printer.graph.is_prepared(id)
+        matches!(self.accumulation, Accumulation::Lanes(_)) && self.printer.graph.is_prepared(id)
     }
 
     /// A named value of an order, kept if a recurrence reads it.
@@ -311,20 +313,20 @@ impl<'m> Writer<'m> {
         quote!(let #name = #value; #keep)
     }
 
-    /// Finds a place for a value in the record of the block.
+    /// Allocates a slot for a value in the record of the block.
     fn slot(&mut self, id: NodeId, is_condition: bool) {
         let name = self.printer.names[&id].clone();
         let record = self.record();
         record.keep(name.clone(), if is_condition { Kept::Condition } else { Kept::Series });
-        let place = Series::Kept { at: record.at.clone(), name };
-        self.places.insert(id, place);
+        let series = Series::Kept { at: record.at.clone(), name };
+        self.series_of.insert(id, series);
     }
 
     /// The line that keeps a coefficient, where recurrences read it.
     fn keep(&self, id: NodeId) -> Option<TokenStream> {
         let name = &self.printer.names[&id];
-        let place = self.places.get(&id).filter(|_| self.source.recurrences.kept.contains(&id))?;
-        let (coefficient, rate) = (place.of(&quote!(order)), self.keep_rate(id));
+        let series = self.series_of.get(&id).filter(|_| self.source.recurrences.kept.contains(&id))?;
+        let (coefficient, rate) = (series.of(&quote!(order)), self.keep_rate(id));
         Some(quote!(#coefficient = #name; #rate))
     }
 
@@ -338,35 +340,36 @@ impl<'m> Writer<'m> {
         &mut self.records[self.within[self.within.len() - 1]]
     }
 
-    /// Where the coefficients of a value are.
+    /// The coefficients of a value.
     pub(super) fn series(&mut self, fields: &mut Fields, id: NodeId) -> Series {
-        match (self.printer.graph.node(id), &self.moves) {
-            (Node::Coordinate(element), Moves::Alone(_) | Moves::InPlace | Moves::Once) => {
-                Series::Row { part: self.printer.part(element), place: self.printer.in_row(fields, element) }
-            }
+        match (self.printer.graph.node(id), &self.accumulation) {
+            (
+                Node::Coordinate(element),
+                Accumulation::Scalars(_) | Accumulation::InPlace | Accumulation::InPlaceOnce,
+            ) => Series::Row { part: self.printer.part(element), place: self.printer.in_row(fields, element) },
             (Node::Coordinate(_) | Node::Time | Node::Middle | Node::Step, _) => self.begun_with(fields, id),
-            _ => match self.places.get(&id) {
-                Some(place) => place.clone(),
-                // Of a value that no recurrence reads, nobody asks.
+            _ => match self.series_of.get(&id) {
+                Some(series) => series.clone(),
+                // No recurrence reads this one.
                 None => Series::Kept { at: format_ident!("tape"), name: self.printer.names[&id].clone() },
             },
         }
     }
 
-    /// Where the series of something is kept that the function begins with.
+    /// The series of a coordinate or of the time.
     fn begun_with(&mut self, fields: &mut Fields, id: NodeId) -> Series {
-        if let Some(place) = self.begun.get(&id) {
-            return place.clone();
+        if let Some(series) = self.begun.get(&id) {
+            return series.clone();
         }
         let value = self.printer.expression(fields, id).tokens;
         let name = Ident::new(&value.to_string(), Span::call_site());
         let record = &mut self.records[0];
         record.keep(name.clone(), Kept::Series);
-        let place = Series::Kept { at: record.at.clone(), name };
-        let coefficient = place.of(&quote!(order));
+        let series = Series::Kept { at: record.at.clone(), name };
+        let coefficient = series.of(&quote!(order));
         self.opening.extend(quote!(#coefficient = #value;));
-        self.begun.insert(id, place.clone());
-        place
+        self.begun.insert(id, series.clone());
+        series
     }
 }
 

@@ -1,9 +1,9 @@
 //! Recurrences as Rust: what is known since the last order is summed up at the beginning of a block, for all of its
 //! values; the newest coefficients come in where a value is computed.
 //!
-//! For a product `Σ aⱼ bₖ₋ⱼ`; for a square, half of that; for a power `y = aᵉ`, `Σ (e j - (k - j)) aⱼ yₖ₋ⱼ` over `k a₀`;
-//! for `y' = g x'`, `Σ j xⱼ gₖ₋ⱼ` over `k`. Sums run from the middle outwards, so that they begin with coefficients that
-//! have been known for long.
+//! For a product `Σ aⱼ bₖ₋ⱼ`; for a square, half of that; for a power `y = aᵉ`, `Σ (e j - (k - j)) aⱼ yₖ₋ⱼ` over `k
+//! a₀`; for `y' = g x'`, `Σ j xⱼ gₖ₋ⱼ` over `k`. Sums run from the middle outwards, so that they begin with
+//! coefficients that have been known for long.
 
 use super::{orders::Writer, tape::Kept};
 use crate::{
@@ -50,8 +50,8 @@ pub(super) enum Weight {
     None,
     /// One half where both factors are the same coefficient, since two others stand for each other.
     Half,
-    /// `e j - (k - j)` for a power, by the function that computes it with an exponent, which is a number of the flow too;
-    /// and where the first factor is multiplied by its order.
+    /// `e j - (k - j)` for a power, by the function that computes it with an exponent, which is a number of the flow
+    /// too; and where the first factor is multiplied by its order.
     Power { function: TokenStream, exponent: TokenStream, number: TokenStream, rate: Option<Series> },
     /// The order of the first factor, or minus that.
     Order { negative: bool },
@@ -59,7 +59,8 @@ pub(super) enum Weight {
     Rate { negative: bool },
 }
 
-/// What a function of one argument or two is computed from: an argument, the coefficients of this, and those of the slope.
+/// What a function of one argument or two is computed from: an argument, the coefficients of this, and those of the
+/// slope.
 pub(super) struct Chained {
     /// Whether the sign is changed.
     pub(super) negative: bool,

@@ -6,13 +6,13 @@ use crate::emit::printer::names::Names;
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{format_ident, quote};
 
-/// What is kept in one block: the lines outside of all loops, or those of an iteration.
+/// The record of a block of lines: those outside of all loops, or those of an iteration.
 pub(super) struct Record {
-    /// What it is called inside the block.
+    /// Its name inside the block.
     pub(super) at: Ident,
-    /// The name of each value, and what is kept of it.
+    /// The name of each value, and the kind of its slot.
     pub(super) slots: Vec<(Ident, Kept)>,
-    /// How often there is one of it.
+    /// The number of its copies.
     pub(super) iterations: Iterations,
 }
 
@@ -30,12 +30,12 @@ impl Record {
     }
 }
 
-/// What is kept of a value.
+/// The kind of a slot.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(super) enum Kept {
-    /// Its coefficients.
+    /// The coefficients of a value.
     Series,
-    /// Those of its derivative, each its own multiplied by the order.
+    /// The coefficients of its derivative, each its own multiplied by the order.
     Rates,
     /// A number, the same for all orders.
     Number,
@@ -43,16 +43,16 @@ pub(super) enum Kept {
     Condition,
 }
 
-/// How often there is a record.
+/// The copies of a record.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(super) enum Iterations {
-    /// It is that of the lines outside of all loops.
+    /// One, of the lines outside of all loops.
     Once,
-    /// For every iteration, one after the other.
+    /// One for each iteration.
     OneByOne,
-    /// For every eight iterations, which read so many points, have so many constants, and move so many coordinates by
-    /// so many values, of so many orders at once.
-    Abreast([usize; 5]),
+    /// One for each block of eight iterations, which read so many points, have so many constants, and move so many
+    /// coordinates by so many values, of so many orders per call.
+    Blocks([usize; 5]),
 }
 
 /// The list that has a place for every iteration of a loop.
@@ -76,12 +76,12 @@ pub(super) fn per_body(records: &[Record]) -> impl Iterator<Item = usize> {
         .filter(|number| records[*number].iterations == Iterations::OneByOne && !records[*number].slots.is_empty())
 }
 
-/// How the iterations of a loop are kept, if they keep anything.
+/// The type of the list of a loop's records, if it has any.
 fn kind(number: usize, record: &Record, names: &Names) -> Option<TokenStream> {
     let Names { runtime, scalar, .. } = names;
     let iteration = iteration(number, names);
     match record.iterations {
-        Iterations::Abreast(counts) => {
+        Iterations::Blocks(counts) => {
             let counts = counts.map(Literal::usize_unsuffixed);
             let kept = if record.slots.is_empty() { quote!(()) } else { quote!(#iteration<#runtime::Wide<#scalar>>) };
             Some(quote!(#runtime::Iterations<#scalar, #kept, #(#counts),*>))
@@ -95,24 +95,25 @@ fn kind(number: usize, record: &Record, names: &Names) -> Option<TokenStream> {
 pub(super) struct Tape<'r> {
     /// The first one is that of the function.
     pub(super) records: &'r [Record],
-    /// Whether positions merely follow momenta.
-    pub(super) is_mobile: bool,
+    /// Whether positions follow momenta by an inverse mass.
+    pub(super) has_inverse_mass: bool,
 }
 
 impl Tape<'_> {
     /// Whether nothing is kept: a motion whose forces are linear, without loops, reads coordinates alone.
     pub(super) fn is_empty(&self) -> bool {
-        let keeps = |record: &Record| !record.slots.is_empty() || matches!(record.iterations, Iterations::Abreast(_));
-        !self.is_mobile && !self.records.iter().any(keeps)
+        let keeps = |record: &Record| !record.slots.is_empty() || matches!(record.iterations, Iterations::Blocks(_));
+        !self.has_inverse_mass && !self.records.iter().any(keeps)
     }
 
     /// The structs of the tape.
     pub(super) fn structs(&self, names: &Names) -> TokenStream {
         let Names { runtime, scalar, .. } = names;
         let numbered = || self.records.iter().enumerate().skip(1);
-        let mobility = self.is_mobile.then(|| (format_ident!("inverse_mass"), quote!(#runtime::InverseMass<#scalar>)));
+        let inverse_mass =
+            self.has_inverse_mass.then(|| (format_ident!("inverse_mass"), quote!(#runtime::InverseMass<#scalar>)));
         let of_loops = numbered().filter_map(|(number, record)| Some((list(number), kind(number, record, names)?)));
-        let lists: Vec<(Ident, TokenStream)> = mobility.into_iter().chain(of_loops).collect();
+        let lists: Vec<(Ident, TokenStream)> = inverse_mass.into_iter().chain(of_loops).collect();
         let iterations = numbered().filter(|(_, record)| !record.slots.is_empty()).map(|(number, record)| {
             structure(names, &iteration(number, names), record, &[], " What an iteration of a loop keeps.")
         });

@@ -1,12 +1,12 @@
-//! Recurrences whose orders are compiled one by one, where a state is a few numbers: what counts is how soon an order
-//! follows from the one before it.
+//! Recurrences whose orders are compiled one by one, where a state is a few numbers: what matters is the latency from
+//! an order to the next.
 //!
 //! Of a sum `Σ aⱼ bₖ₋ⱼ` that is divided by `k`, the product with the newest `b` comes in when the others have been
 //! divided, with an `a₁/k` that has been known for long. For `y' = g x'`, the coefficients `j xⱼ` of `x'` are kept:
 //! those of a coordinate are there before its own, which are divided by their order.
 
 use super::{
-    moves::Moves,
+    accumulation::Accumulation,
     orders::Writer,
     recurrence::{Chained, Known, Products, Series, Sum, Weight, minus},
     tape::Kept,
@@ -22,10 +22,10 @@ use quote::{ToTokens, format_ident, quote};
 impl Writer<'_> {
     /// Whether orders are compiled one by one.
     pub(super) fn is_unrolled(&self) -> bool {
-        matches!(self.moves, Moves::Alone(_))
+        matches!(self.accumulation, Accumulation::Scalars(_))
     }
 
-    /// Finds places for the coefficients of `x'`, where a value is computed by `y' = g x'`.
+    /// Allocates the coefficients of `x'`, where a value is computed by `y' = g x'`.
     pub(super) fn allocate_rates(&mut self, id: NodeId) {
         if !self.is_unrolled() || !self.is_nonlinear(id) {
             return;
@@ -47,7 +47,7 @@ impl Writer<'_> {
         }
     }
 
-    /// Where the coefficients of the derivative of a value are.
+    /// The coefficients of the derivative of a value.
     pub(super) fn rate(&self, id: NodeId) -> Option<&Series> {
         let id = signed(self.printer.graph, id).1;
         self.rates.iter().find(|(known, _)| *known == id).map(|(_, rate)| rate)
@@ -66,7 +66,7 @@ impl Writer<'_> {
         Some(quote!(#rate = #next;))
     }
 
-    /// Where the coefficients of the derivative of a coordinate are.
+    /// The coefficients of the derivative of a coordinate.
     pub(super) fn rate_of(&self, element: &Element) -> Option<&Series> {
         let is_of = |(id, _): &&(NodeId, Series)| self.printer.graph.node(*id) == Node::Coordinate(*element);
         self.rates.iter().find(is_of).map(|(_, rate)| rate)
@@ -85,9 +85,9 @@ impl Writer<'_> {
         }
     }
 
-    /// The sums over what is known. Those that are divided by the order are without the latest product. Those of rates are
-    /// two, for the products with earlier and with later coefficients of the slope, so that each is half as long. Each sum
-    /// has a loop of its own, so short that the compiler unrolls it before anything else.
+    /// The sums over what is known. Those that are divided by the order are without the latest product. Those of rates
+    /// are two, for the products with earlier and with later coefficients of the slope, so that each is half as long.
+    /// Each sum has a loop of its own, so short that the compiler unrolls it before anything else.
     pub(super) fn known_unrolled(&self, sums: &[Known]) -> TokenStream {
         let mut lines = Lines::default();
         for (id, rest, products) in sums {
@@ -139,7 +139,7 @@ impl Writer<'_> {
         lines.end.extend(quote!(let #rest = #runtime::power_sum(#exponent, order, [#(#halves),*]);));
     }
 
-    /// What the sum of products with earlier coefficients is called, where there is one.
+    /// The name of the sum of products with earlier coefficients, where there is one.
     fn early(&self, id: NodeId, products: &[Products]) -> Option<Ident> {
         let is_of_rates = products.iter().any(|products| matches!(products.weight, Weight::Rate { .. }));
         is_of_rates.then(|| format_ident!("early_of_{}", self.printer.names[&id]))
@@ -191,9 +191,9 @@ impl Writer<'_> {
 #[derive(Default)]
 struct Lines {
     begin: TokenStream,
-    /// What the middle of an even order adds,
+    /// The contributions of the middle of an even order,
     middle: TokenStream,
-    /// and what it adds where it isn't the product that comes in when a sum has been divided by the order.
+    /// and those that are left out where they come in when a sum has been divided by the order.
     late_middle: TokenStream,
     loops: TokenStream,
     end: TokenStream,

@@ -67,8 +67,8 @@ const _: () = {
             _time: Scalar,
         ) {
             let layout = q.layout();
-            let place_0 = layout.index(0, 0);
-            let place_1 = layout.index(31, 0);
+            let index_0 = layout.index(0, 0);
+            let index_1 = layout.index(31, 0);
             if order == 0 {
                 if tape.inverse_mass.is_empty() {
                     q[1].fill(Scalar::of(-0.0));
@@ -87,66 +87,66 @@ const _: () = {
                 let mut rest_of_shared_6 = Scalar::of(0.0);
                 if order > 0 && order % 2 == 0 {
                     let middle = order / 2;
-                    rest_of_shared_2 = (Scalar::of(middle as f64) * q[middle][place_1])
+                    rest_of_shared_2 = (Scalar::of(middle as f64) * q[middle][index_1])
                         .fma(tape.kept[middle].shared_7, rest_of_shared_2);
-                    rest_of_shared_3 = (Scalar::of(middle as f64) * q[middle][place_0])
+                    rest_of_shared_3 = (Scalar::of(middle as f64) * q[middle][index_0])
                         .fma(tape.kept[middle].shared_5, rest_of_shared_3);
-                    rest_of_shared_4 = Scalar::of(0.5) * q[middle][place_0]
-                        * q[middle][place_0];
-                    rest_of_shared_6 = Scalar::of(0.5) * q[middle][place_1]
-                        * q[middle][place_1];
+                    rest_of_shared_4 = Scalar::of(0.5) * q[middle][index_0]
+                        * q[middle][index_0];
+                    rest_of_shared_6 = Scalar::of(0.5) * q[middle][index_1]
+                        * q[middle][index_1];
                 }
                 for low in (1..order.div_ceil(2)).rev() {
                     let high = order - low;
-                    rest_of_shared_2 = (Scalar::of(low as f64) * q[low][place_1])
+                    rest_of_shared_2 = (Scalar::of(low as f64) * q[low][index_1])
                         .fma(tape.kept[high].shared_7, rest_of_shared_2);
-                    rest_of_shared_2 = (Scalar::of(high as f64) * q[high][place_1])
+                    rest_of_shared_2 = (Scalar::of(high as f64) * q[high][index_1])
                         .fma(tape.kept[low].shared_7, rest_of_shared_2);
-                    rest_of_shared_3 = (Scalar::of(low as f64) * q[low][place_0])
+                    rest_of_shared_3 = (Scalar::of(low as f64) * q[low][index_0])
                         .fma(tape.kept[high].shared_5, rest_of_shared_3);
-                    rest_of_shared_3 = (Scalar::of(high as f64) * q[high][place_0])
+                    rest_of_shared_3 = (Scalar::of(high as f64) * q[high][index_0])
                         .fma(tape.kept[low].shared_5, rest_of_shared_3);
-                    rest_of_shared_4 = q[low][place_0]
-                        .fma(q[high][place_0], rest_of_shared_4);
-                    rest_of_shared_6 = q[low][place_1]
-                        .fma(q[high][place_1], rest_of_shared_6);
+                    rest_of_shared_4 = q[low][index_0]
+                        .fma(q[high][index_0], rest_of_shared_4);
+                    rest_of_shared_6 = q[low][index_1]
+                        .fma(q[high][index_1], rest_of_shared_6);
                 }
                 let shared_2 = if order == 0 {
-                    runtime::half_power(q[order][place_1], 6)
+                    runtime::half_power(q[order][index_1], 6)
                 } else {
-                    q[order][place_1]
+                    q[order][index_1]
                         .fma(
                             tape.kept[0].shared_7,
                             runtime::div_by_order(rest_of_shared_2, order),
                         )
                 };
                 let shared_3 = if order == 0 {
-                    runtime::half_power(q[order][place_0], 6)
+                    runtime::half_power(q[order][index_0], 6)
                 } else {
-                    q[order][place_0]
+                    q[order][index_0]
                         .fma(
                             tape.kept[0].shared_5,
                             runtime::div_by_order(rest_of_shared_3, order),
                         )
                 };
                 let shared_4 = if order == 0 {
-                    q[order][place_0] * q[order][place_0]
+                    q[order][index_0] * q[order][index_0]
                 } else {
                     Scalar::of(2.0)
-                        * q[0][place_0].fma(q[order][place_0], rest_of_shared_4)
+                        * q[0][index_0].fma(q[order][index_0], rest_of_shared_4)
                 };
                 let shared_5 = Scalar::of(3.0) * shared_4;
                 tape.kept[order].shared_5 = shared_5;
                 let shared_6 = if order == 0 {
-                    q[order][place_1] * q[order][place_1]
+                    q[order][index_1] * q[order][index_1]
                 } else {
                     Scalar::of(2.0)
-                        * q[0][place_1].fma(q[order][place_1], rest_of_shared_6)
+                        * q[0][index_1].fma(q[order][index_1], rest_of_shared_6)
                 };
                 let shared_7 = Scalar::of(3.0) * shared_6;
                 tape.kept[order].shared_7 = shared_7;
-                p[order + 1][place_0] += -shared_3;
-                p[order + 1][place_1] += -shared_2;
+                p[order + 1][index_0] += -shared_3;
+                p[order + 1][index_1] += -shared_2;
             }
             #[cfg_attr(not(debug_assertions), inline(always))]
             fn iteration_1<Scalar: runtime::Real, Wide: runtime::Row<Scalar>>(

@@ -42,7 +42,7 @@ const _: () = {
                 q[1][0] = parameters.prepared_0 * p[0][0];
                 tape.rates_0[1] = q[1][0];
             }
-            let mut next_0 = Scalar::of(-0.0);
+            let mut derivative_0 = Scalar::of(-0.0);
             let mut early_of_shared_1 = Scalar::of(0.0);
             let mut rest_of_shared_1 = Scalar::of(0.0);
             let mut early_of_shared_0 = Scalar::of(0.0);
@@ -126,10 +126,10 @@ const _: () = {
                 }
             };
             tape.kept[order].shared_0 = shared_0;
-            next_0 += parameters.prepared_1 * shared_1;
-            p[order + 1][0] = runtime::div_by_order(next_0, order + 1);
+            derivative_0 += parameters.prepared_1 * shared_1;
+            p[order + 1][0] = runtime::div_by_order(derivative_0, order + 1);
             tape.rates_0[order + 2] = runtime::div_by_order(
-                parameters.prepared_0 * next_0,
+                parameters.prepared_0 * derivative_0,
                 order + 1,
             );
             q[order + 2][0] = runtime::div_by_order(tape.rates_0[order + 2], order + 2);

@@ -1,10 +1,10 @@
-//! Loops as Rust: iterations side by side as a function of what an iteration reads, and the lines that call it; or
-//! iteration by iteration, where they wait for each other.
+//! Loops as Rust: a kernel, which computes iterations that share vectors, and the lines that call it; or iteration by
+//! iteration, where these depend on each other.
 
 use super::{
-    moves::{Found, Moves},
+    accumulation::{Accumulation, Results},
     orders::{Source, Writer},
-    pass::{Pass, clock_read},
+    orders_per_call::{OrdersPerCall, clock_read},
     tape::{self, Iterations, Record, list},
 };
 use crate::{
@@ -24,8 +24,8 @@ use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{format_ident, quote};
 use std::collections::HashMap;
 
-/// The names of what an iteration is given.
-struct Given {
+/// The names of a kernel's arguments.
+struct KernelArguments {
     reads: Vec<Ident>,
     constants: Vec<Ident>,
     common: Vec<Ident>,
@@ -35,7 +35,7 @@ struct Given {
     names: HashMap<NodeId, Ident>,
 }
 
-impl Given {
+impl KernelArguments {
     /// Values that have a name keep it.
     fn of(nest: &Nest<'_>, known: &HashMap<NodeId, Ident>, wide: &Ident) -> Self {
         let name = |id: &NodeId, kind: &str, number: usize| {
@@ -93,16 +93,16 @@ fn points(loops: &Loops, nest: &Nest<'_>) -> Vec<Vec<usize>> {
 }
 
 impl Writer<'_> {
-    /// The nests of a loop whose iterations can be computed side by side.
+    /// The nests of a loop whose iterations can share vectors.
     pub(super) fn nests<'p>(&self, by: LoopId, body: &'p [Item]) -> Option<Vec<Nest<'p>>> {
-        if self.within.len() > 1 || !self.masks.is_empty() || matches!(self.moves, Moves::Once) {
+        if self.within.len() > 1 || !self.masks.is_empty() || matches!(self.accumulation, Accumulation::InPlaceOnce) {
             return None;
         }
         let Source { model, program, recurrences, .. } = self.source;
         nest_context(model, program, recurrences).nests(by, body)
     }
 
-    /// A loop, whose iterations keep what they compute each in a place of its own.
+    /// A loop whose iterations have a record each.
     pub(super) fn iterations(&mut self, fields: &mut Fields, by: LoopId, body: &[Item]) -> TokenStream {
         let number = self.records.len();
         let record = Record::of(&format!("iteration_{number}"), Iterations::OneByOne);
@@ -110,10 +110,10 @@ impl Writer<'_> {
         self.records.push(record);
         self.within.push(number);
         // What two loops over the same range both compute is kept by each.
-        let outside = self.places.clone();
+        let outside = self.series_of.clone();
         self.allocate(body);
         let body = self.items(fields, body);
-        self.places = outside;
+        self.series_of = outside;
         self.within.pop();
         let iteration = (!self.records[number].slots.is_empty()).then(|| {
             let (runtime, list, next) = (self.printer.runtime, list(number), tape::next(number));
@@ -122,25 +122,25 @@ impl Writer<'_> {
         self.printer.loop_over(fields, by, &quote!(#iteration #body))
     }
 
-    /// A nest of loops: its iterations are laid out once, and computed in rows.
+    /// A nest of loops: its kernel, and the lines that build blocks of its iterations once and call it for each block.
     pub(super) fn nest(&mut self, fields: &mut Fields, nest: &Nest<'_>) -> TokenStream {
         let names = self.source.names;
         let (runtime, scalar, wide) = (&names.runtime, &names.scalar, &names.wide);
         let number = self.records.len();
         let (iterations, iteration) = (list(number), format_ident!("iteration_{number}"));
-        let given = Given::of(nest, &self.printer.names, wide);
-        let at_once = self.pass.orders();
-        let (body, mut record, found) = {
-            let mut writer = Writer::abreast(self.source, Record::of("iteration", Iterations::Once));
-            writer.pass = self.pass;
+        let given = KernelArguments::of(nest, &self.printer.names, wide);
+        let orders_per_call = self.orders_per_call.count();
+        let (body, mut record, results) = {
+            let mut writer = Writer::in_lanes(self.source, Record::of("iteration", Iterations::Once));
+            writer.orders_per_call = self.orders_per_call;
             writer.printer.names.extend(given.names);
             writer.allocate(nest.body.iter().copied());
             let body = writer.iteration(fields, nest, &given.reads);
-            (body, writer.records.swap_remove(0), writer.moves.found())
+            (body, writer.records.swap_remove(0), writer.accumulation.results())
         };
         let points = points(&self.printer.graph.loops, nest);
-        let counts = [points.len(), given.constants.len(), nest.targets.len(), found.values(), at_once];
-        record.iterations = Iterations::Abreast(counts);
+        let counts = [points.len(), given.constants.len(), nest.targets.len(), results.values(), orders_per_call];
+        record.iterations = Iterations::Blocks(counts);
         let body = Body::new(body);
         let kept = match record.slots.is_empty() {
             true => quote!(()),
@@ -156,7 +156,7 @@ impl Writer<'_> {
         let of_reads = Literal::usize_unsuffixed(given.reads.len());
         let (own, order) = (body.argument("iteration"), body.argument("order"));
         let clock = clock_read(&body);
-        let Given { reads, constants, common, flags, .. } = given;
+        let KernelArguments { reads, constants, common, flags, .. } = given;
         let body = &body.0;
         let function = quote! {
             #[cfg_attr(not(debug_assertions), inline(always))]
@@ -175,7 +175,7 @@ impl Writer<'_> {
             }
         };
 
-        let taken = self.taken(fields, nest, &points, &iterations, &found);
+        let iteration_list = self.iteration_list(fields, nest, &points, &iterations, &results);
         let common = nest.invariants.iter().map(|id| {
             let value = self.printer.expression(fields, *id).tokens;
             quote!(#runtime::splat(#value))
@@ -193,10 +193,10 @@ impl Writer<'_> {
         ];
         let added = added.into_iter().filter(|(part, _)| moves(*part)).map(|(_, added)| added);
         // The lines around have the coefficients of the time of one order.
-        let (times, clock) = match self.pass {
-            Pass::One => (None, clock.iter().map(|name| quote!([#runtime::splat(#name)])).collect()),
-            Pass::Two if clock.is_empty() => (None, Vec::new()),
-            Pass::Two => (
+        let (times, clock) = match self.orders_per_call {
+            OrdersPerCall::One => (None, clock.iter().map(|name| quote!([#runtime::splat(#name)])).collect()),
+            OrdersPerCall::Two if clock.is_empty() => (None, Vec::new()),
+            OrdersPerCall::Two => (
                 Some(quote!(let times = [order, order + 1].map(|order| #runtime::time_coefficients(order, time));)),
                 clock
                     .iter()
@@ -210,7 +210,7 @@ impl Writer<'_> {
         quote! {
             #function
             #times
-            if order == 0 && tape.#iterations.is_empty() { #taken }
+            if order == 0 && tape.#iterations.is_empty() { #iteration_list }
             for (block, results) in tape.#iterations.blocks() {
                 #(#read)*
                 *results = #iteration::<#scalar, #runtime::Wide<#scalar>>(
@@ -226,20 +226,20 @@ impl Writer<'_> {
         }
     }
 
-    /// The lines of an iteration, for each of the orders that are found at once.
+    /// The lines of an iteration, for each of the orders per call.
     fn iteration(&mut self, fields: &mut Fields, nest: &Nest<'_>, reads: &[Ident]) -> TokenStream {
         let lines = || nest.body.iter().copied();
-        let [known, newest] = match self.pass {
-            Pass::One => [TokenStream::new(), TokenStream::new()],
-            Pass::Two => self.known_of_two(fields, lines()),
+        let [known, newest] = match self.orders_per_call {
+            OrdersPerCall::One => [TokenStream::new(), TokenStream::new()],
+            OrdersPerCall::Two => self.known_of_two(fields, lines()),
         };
         let body = self.items(fields, lines());
         let opening = &self.opening;
         let lines = quote!(#opening #body);
         let clock = clock_read(&Body::new(lines.clone()));
-        match self.pass {
-            Pass::One => quote!(#(let [#clock] = #clock;)* let [#([#reads]),*] = reads; #lines),
-            Pass::Two => {
+        match self.orders_per_call {
+            OrdersPerCall::One => quote!(#(let [#clock] = #clock;)* let [#([#reads]),*] = reads; #lines),
+            OrdersPerCall::Two => {
                 let numbers = (0..reads.len()).map(Literal::usize_unsuffixed);
                 quote! {
                     #known
@@ -255,14 +255,14 @@ impl Writer<'_> {
         }
     }
 
-    /// The lines that take down the iterations.
-    fn taken(
+    /// The lines that append the iterations to their list and build the blocks.
+    fn iteration_list(
         &mut self,
         fields: &mut Fields,
         nest: &Nest<'_>,
         points: &[Vec<usize>],
         iterations: &Ident,
-        found: &Found,
+        results: &Results,
     ) -> TokenStream {
         let (scalar, runtime) = (self.printer.scalar, self.printer.runtime);
         // Names are those of values that are computed at every order.
@@ -278,7 +278,7 @@ impl Writer<'_> {
         let take = quote!(tape.#iterations.push([#(#reads),*], [#(#constants),*], [#(#targets),*]););
         let take = nest.loops.iter().rev().fold(take, |take, by| printer.loop_over(fields, *by, &take));
         self.printer.names = named;
-        let targets = nest.targets.iter().zip(&found.targets).map(|(element, (value, negative))| {
+        let targets = nest.targets.iter().zip(&results.targets).map(|(element, (value, negative))| {
             let value = Literal::usize_unsuffixed(*value);
             let part = match element.part {
                 Part::Position => quote!(position),

@@ -1,4 +1,4 @@
-//! How the coefficients of coordinates get their addends.
+//! The accumulation of addends in the coefficients of coordinates.
 
 use crate::{
     graph::{Element, Graph, NodeId},
@@ -8,30 +8,30 @@ use crate::{
 use proc_macro2::{Ident, TokenStream};
 use quote::{format_ident, quote};
 
-/// How lines move coordinates.
-pub(super) enum Moves {
-    /// Each of a few coordinates has a sum of its own.
-    Alone(Vec<Element>),
-    /// They are added to coordinates where these are.
+/// The way in which lines accumulate what moves coordinates.
+pub(super) enum Accumulation {
+    /// In a local sum for each of a few coordinates.
+    Scalars(Vec<Element>),
+    /// In the table of coefficients.
     InPlace,
-    /// The same, once in a run, by loops as they stand.
-    Once,
-    /// They are those of iterations side by side, which put numbers down.
-    Abreast(Found),
+    /// In the table, once in a run, by loops as they stand.
+    InPlaceOnce,
+    /// In results of iterations that share vectors, which the runtime scatters.
+    Lanes(Results),
 }
 
-/// The numbers that iterations have found so far.
+/// The results of an iteration so far.
 #[derive(Default)]
-pub(super) struct Found {
-    /// Those that are found in all lanes, and may be had by several coordinates.
+pub(super) struct Results {
+    /// The values; those that are computed in all lanes may move several coordinates.
     values: Vec<Option<NodeId>>,
-    /// For each coordinate, which one it gets, and whether that is taken away.
+    /// The value that each coordinate gets, and whether it is subtracted.
     pub(super) targets: Vec<(usize, bool)>,
 }
 
-impl Found {
-    /// Another coordinate gets a value. Gives the number's place, where it has to be put down.
-    pub(super) fn another(&mut self, graph: &Graph, value: NodeId, in_all_lanes: bool) -> Option<usize> {
+impl Results {
+    /// Appends a target. Returns the index of its value in the results, unless the value is there already.
+    pub(super) fn push(&mut self, graph: &Graph, value: NodeId, in_all_lanes: bool) -> Option<usize> {
         let (negative, value) = signed(graph, value);
         let of_all = in_all_lanes.then_some(value);
         let known = of_all.and_then(|_| self.values.iter().position(|known| *known == of_all));
@@ -42,14 +42,14 @@ impl Found {
         self.values.push(of_all);
         Some(self.values.len() - 1)
     }
-    /// How many numbers there are.
+    /// The number of values.
     pub(super) fn values(&self) -> usize {
         self.values.len()
     }
 }
 
-impl Moves {
-    /// Coordinates are moved alone where it is known which they are.
+impl Accumulation {
+    /// Local sums where it is known which coordinates lines move.
     pub(super) fn of(graph: &Graph, items: &[Item]) -> Self {
         fn elements(graph: &Graph, items: &[Item]) -> Option<Vec<Element>> {
             let mut found = Vec::new();
@@ -70,27 +70,26 @@ impl Moves {
         elements(graph, items).map_or(Self::InPlace, |mut elements| {
             elements.sort_unstable();
             elements.dedup();
-            Self::Alone(elements)
+            Self::Scalars(elements)
         })
     }
 
-    /// What iterations side by side have found; nothing, of other lines.
-    pub(super) fn found(self) -> Found {
+    /// The results of iterations that share vectors; empty for other lines.
+    pub(super) fn results(self) -> Results {
         match self {
-            Self::Abreast(found) => found,
-            Self::Alone(_) | Self::InPlace | Self::Once => Found::default(),
+            Self::Lanes(results) => results,
+            Self::Scalars(_) | Self::InPlace | Self::InPlaceOnce => Results::default(),
         }
     }
 }
 
-/// The lines with which the sums of so many coordinates begin that are moved alone: minus zero is what nothing has been
-/// added to.
-pub(super) fn begun(count: usize, scalar: &Ident) -> TokenStream {
-    let names = (0..count).map(next);
+/// The lines that declare the sums of so many derivatives: minus zero is the empty sum.
+pub(super) fn declare_derivatives(count: usize, scalar: &Ident) -> TokenStream {
+    let names = (0..count).map(derivative);
     quote!(#(let mut #names = #scalar::of(-0.0);)*)
 }
 
-/// What the sum of a coordinate that is moved alone is called.
-pub(super) fn next(number: usize) -> Ident {
-    format_ident!("next_{number}")
+/// The name of the local sum of a coordinate's derivative.
+pub(super) fn derivative(number: usize) -> Ident {
+    format_ident!("derivative_{number}")
 }

@@ -1,16 +1,16 @@
-//! Kinetic energies that are sums of squares.
+//! Diagonal inverse masses, of kinetic energies that are sums of squares.
 //!
-//! Comes in: the gradient of `T`. Goes out: what its components multiply momenta by, if each is its own momentum times a
-//! number. Then the coefficients of positions follow from those of momenta without recurrences, and are known an order
-//! ahead of them.
+//! Comes in: the gradient of `T`. Goes out: the factors of its components, if each is its own momentum times a number.
+//! Then the coefficients of positions follow from those of momenta without recurrences, and are known an order ahead of
+//! them.
 
 use crate::{
     differentiate::Contribution,
     graph::{Element, Graph, Node, NodeId, Scope},
 };
 
-/// The mobilities of the coordinates, in place of the components of the gradient.
-pub(crate) fn mobilities(graph: &mut Graph, gradient: &[Contribution]) -> Option<Vec<Contribution>> {
+/// The inverse masses of the coordinates, in place of the components of the gradient.
+pub(crate) fn inverse_masses(graph: &mut Graph, gradient: &[Contribution]) -> Option<Vec<Contribution>> {
     let of = |contribution: &Contribution| {
         let Contribution { context, element, value } = contribution;
         let is_loop = |around: &Scope| matches!(around, Scope::Loop(_));
@@ -20,7 +20,7 @@ pub(crate) fn mobilities(graph: &mut Graph, gradient: &[Contribution]) -> Option
     gradient.iter().map(of).collect()
 }
 
-/// What a momentum is multiplied by, if a value is a multiple of it. Products have their prepared factors at the left.
+/// The factor of a momentum in a value, if this is a multiple of it. Products have their prepared factors at the left.
 fn factor(graph: &mut Graph, value: NodeId, of: Element) -> Option<NodeId> {
     match graph.node(value) {
         Node::Coordinate(element) => (element == of).then(|| graph.constant(1.0)),
@@ -40,7 +40,7 @@ mod tests {
     };
 
     #[test]
-    fn a_multiple_of_its_own_momentum_has_a_mobility() {
+    fn a_multiple_of_its_own_momentum_has_an_inverse_mass() {
         let mut graph = Graph::default();
         let index = graph.loops.intern(Index::Literal(0));
         let element = Element { part: Part::Momentum, index, component: None };
@@ -51,9 +51,9 @@ mod tests {
         let quadratic = graph.mul(third, quadratic);
         let of = |graph: &mut Graph, energy| {
             let gradient = gradient(graph, energy, Part::Momentum);
-            mobilities(graph, &gradient)
+            inverse_masses(graph, &gradient)
         };
-        let found = of(&mut graph, quadratic).expect("a mobility");
+        let found = of(&mut graph, quadratic).expect("an inverse mass");
         assert_eq!(found.len(), 1);
         assert_eq!(graph.as_constant(found[0].value), Some(1.0 / 3.0));
         let quartic = graph.power(p, 8);

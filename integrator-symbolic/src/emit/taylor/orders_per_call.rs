@@ -1,8 +1,8 @@
-//! What one call of the recurrences finds: an order of all coefficients, or, where positions merely follow momenta, two
-//! orders of forces at once, since those of an order do not wait for those of the one before.
+//! The orders that one call of the recurrences computes: one of all coefficients, or, where positions follow momenta by
+//! an inverse mass, two of forces, since those of an order do not depend on those of the one before.
 
 use super::{
-    moves::{Moves, begun, next},
+    accumulation::{Accumulation, declare_derivatives, derivative},
     orders::Writer,
 };
 use crate::{
@@ -12,24 +12,24 @@ use crate::{
 use proc_macro2::{Ident, Span, TokenStream};
 use quote::quote;
 
-/// How many orders are found in one call.
+/// The number of orders that one call computes.
 #[derive(Clone, Copy, PartialEq, Eq)]
-pub(super) enum Pass {
+pub(super) enum OrdersPerCall {
     One,
     Two,
 }
 
-impl Pass {
-    /// How many.
-    pub(super) fn orders(self) -> usize {
+impl OrdersPerCall {
+    /// The number.
+    pub(super) fn count(self) -> usize {
         match self {
-            Pass::One => 1,
-            Pass::Two => 2,
+            OrdersPerCall::One => 1,
+            OrdersPerCall::Two => 2,
         }
     }
 }
 
-/// Which coefficients lines read that say how the clock moves: those of one, and those of the time.
+/// The coefficients that lines read of the step and of the time.
 pub(super) fn clock_read(lines: &Body) -> Vec<Ident> {
     let read = ["step", "time"].into_iter().filter(|name| lines.mentions(name));
     read.map(|name| Ident::new(name, Span::call_site())).collect()
@@ -42,20 +42,20 @@ pub(super) fn clock(runtime: &Ident, lines: &TokenStream) -> Option<TokenStream>
 }
 
 impl Writer<'_> {
-    /// The lines that find an order of all coefficients: what is added up is divided by the order at the end.
+    /// The lines that compute an order of all coefficients: sums are divided by the order at the end.
     pub(super) fn order_of_all(&mut self, fields: &mut Fields, items: &[Item]) -> TokenStream {
         let body = self.items(fields, items);
         let (opening, scalar, runtime) = (&self.opening, self.printer.scalar, self.printer.runtime);
-        let lines = match &self.moves {
-            Moves::Alone(elements) => {
-                let begun = begun(elements.len(), scalar);
+        let lines = match &self.accumulation {
+            Accumulation::Scalars(elements) => {
+                let derivatives = declare_derivatives(elements.len(), scalar);
                 let moved = elements.iter().enumerate().map(|(number, element)| {
-                    let (next, part) = (next(number), self.printer.part(*element));
+                    let (derivative, part) = (derivative(number), self.printer.part(*element));
                     let place = self.printer.in_row(fields, *element);
-                    let rate = self.keep_rate_of(element, &next);
-                    quote!(#rate #part[order + 1][#place] = #runtime::div_by_order(#next, order + 1);)
+                    let rate = self.keep_rate_of(element, &derivative);
+                    quote!(#rate #part[order + 1][#place] = #runtime::div_by_order(#derivative, order + 1);)
                 });
-                quote!(#opening #begun #body #(#moved)*)
+                quote!(#opening #derivatives #body #(#moved)*)
             }
             _ => quote! {
                 q[order + 1].fill(#scalar::of(-0.0));
@@ -70,27 +70,27 @@ impl Writer<'_> {
         quote!(#clock #lines)
     }
 
-    /// The lines that find the orders of momenta, which positions follow. `mobilities` adds what positions multiply
-    /// momenta by to their coefficients of order 1.
+    /// The lines that compute the orders of momenta, which positions follow. `inverse_masses` adds the inverse masses
+    /// to the positions' coefficients of order 1.
     pub(super) fn orders_of_momenta(
         &mut self,
         fields: &mut Fields,
         items: &[Item],
-        mobilities: &TokenStream,
+        inverse_masses: &TokenStream,
     ) -> TokenStream {
-        self.pass = if self.is_for_two(items) { Pass::Two } else { Pass::One };
+        self.orders_per_call = if self.is_for_two(items) { OrdersPerCall::Two } else { OrdersPerCall::One };
         let (scalar, runtime) = (self.printer.scalar, self.printer.runtime);
         let begin = quote! {
             if order == 0 {
                 if tape.inverse_mass.is_empty() {
                     q[1].fill(#scalar::of(-0.0));
-                    #mobilities
+                    #inverse_masses
                     tape.inverse_mass = #runtime::InverseMass::of(&q[1]);
                 }
                 tape.inverse_mass.first_order(q, p);
             }
         };
-        if self.pass == Pass::One {
+        if self.orders_per_call == OrdersPerCall::One {
             let body = self.items(fields, items);
             let opening = &self.opening;
             let lines = quote!(p[order + 1].fill(#scalar::of(-0.0)); #opening #body);
@@ -112,7 +112,7 @@ impl Writer<'_> {
         }
     }
 
-    /// Whether all loops are nests of iterations side by side that need nothing from the lines around them.
+    /// Whether all loops are nests of iterations that share vectors and need nothing from the lines around them.
     fn is_for_two(&self, items: &[Item]) -> bool {
         items.iter().all(|item| match item {
             Item::Loop { by, body } => self.nests(*by, body).is_some_and(|nests| {
