@@ -19,7 +19,7 @@ use crate::{
 };
 use std::collections::{BTreeMap, BTreeSet, HashMap};
 
-/// What an order is computed from beside the values themselves.
+/// The series that recurrences read beside the values themselves.
 #[derive(Debug, Default)]
 pub(crate) struct Recurrences {
     /// The slopes of each node that is a function of another one or of two, by its arguments; those of numbers are

@@ -26,7 +26,7 @@ use crate::{
 };
 use alloc::{sync::Arc, vec::Vec};
 
-/// What stays the same in a run.
+/// The constants of a run.
 pub struct Constants<P> {
     pub(super) parameters: Arc<P>,
     pub(super) method: Taylor,

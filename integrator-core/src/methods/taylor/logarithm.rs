@@ -10,12 +10,12 @@ use core::ops::{Add, Sub};
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) struct Logarithm(i64);
 
-/// How many of a number's last bits are not looked at, so that sums of logarithms fit into 64. The others are: from
+/// The number of a mantissa's last bits that are ignored, so that sums of logarithms fit into 64. The others are: from
 /// coarse logarithms follow steps of few lengths, a periodic motion takes the same ones again and again, and its errors
 /// add up.
 const CUT: u32 = 8;
 
-/// How many parts of a factor of two are told apart.
+/// The number of intervals into which a factor of two is divided.
 const PARTS: i64 = 1 << (52 - CUT);
 
 /// The exponent of zero, lower than any number's by more than products and roots of numbers make up for.

@@ -29,8 +29,8 @@ pub struct Taylor {
 pub(super) const ORDERS: [usize; 2] = [4, HIGHEST];
 
 impl Taylor {
-    /// Steps whose last coefficients add the share `tolerance` of a coordinate's size at most, with the order that
-    /// takes the least work: `1 - ln(tolerance)/2` (Jorba and Zou 2005), from 4 to 28.
+    /// Steps whose last coefficients add at most the fraction `tolerance` of the size of a coordinate, with the order
+    /// that takes the least work: `1 - ln(tolerance)/2` (Jorba and Zou 2005), from 4 to 28.
     ///
     /// Below the rounding, 1e-16, steps become shorter and no more accurate; tolerances of 1e-18 and less leave
     /// nothing but rounding.
@@ -38,7 +38,7 @@ impl Taylor {
     pub fn tolerance(tolerance: f64) -> Self {
         // `1 - ln(tolerance)/2` with the logarithm to the base of two: ln(2)/2 is 0.347.
         let order = 1.0 - 0.347 * Logarithm::of(tolerance).value();
-        // Conversions saturate, and what is no number becomes zero.
+        // Conversions saturate, and NaN becomes zero.
         Self { tolerance, order: (order + 1.0) as usize }.with_order_within()
     }
 

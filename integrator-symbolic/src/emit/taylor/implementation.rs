@@ -5,7 +5,7 @@ use crate::emit::printer::{function::Body, names::Names};
 use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 
-/// What the runtime is told of recurrences.
+/// The constants of the implementation.
 pub(super) struct Kind {
     pub(super) rolled: bool,
     pub(super) interleaved: bool,

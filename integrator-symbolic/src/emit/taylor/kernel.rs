@@ -61,7 +61,7 @@ impl KernelArguments {
     }
 }
 
-/// What is known of a program around its loops.
+/// The context of a program's loops.
 pub(super) fn nest_context<'s>(
     model: &'s Model,
     program: &'s Program,
@@ -109,7 +109,7 @@ impl Writer<'_> {
         let at = record.at.clone();
         self.records.push(record);
         self.within.push(number);
-        // What two loops over the same range both compute is kept by each.
+        // A value that two loops over the same range compute has a slot in each.
         let outside = self.series_of.clone();
         self.allocate(body);
         let body = self.items(fields, body);

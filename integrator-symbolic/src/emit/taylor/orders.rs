@@ -129,7 +129,7 @@ fn stores(graph: &mut Graph, kinetic: &[Contribution], potential: &[Contribution
     stores
 }
 
-/// What lines are written from.
+/// The source of the lines.
 pub(super) struct Source<'m> {
     pub(super) model: &'m Model,
     pub(super) names: &'m Names,
@@ -144,7 +144,7 @@ pub(super) struct Writer<'m> {
     pub(super) printer: Printer<'m>,
     /// The conditions around the present line.
     pub(super) masks: Vec<TokenStream>,
-    /// What is kept; the first record is that of the function.
+    /// The records of all blocks; the first one is that of the function.
     pub(super) records: Vec<Record>,
     /// The records of the blocks around the present line, innermost last.
     pub(super) within: Vec<usize>,
@@ -220,7 +220,7 @@ impl<'m> Writer<'m> {
         let mut tokens = self.known(fields, items.clone());
         for item in items {
             tokens.extend(self.item(fields, item));
-            // What a block adds to is complete behind the last one; until then, what is kept is written again.
+            // A sum is complete after the last block that adds to it; each of them stores it again.
             tokens.extend(begun.iter().filter(|id| makes(item, **id)).filter_map(|id| self.keep(*id)));
         }
         tokens
@@ -335,7 +335,7 @@ impl<'m> Writer<'m> {
         self.source.recurrences.nonlinear.contains(&id) && !self.is_given(id)
     }
 
-    /// What is kept in the block of the present line.
+    /// The record of the current block.
     pub(super) fn record(&mut self) -> &mut Record {
         &mut self.records[self.within[self.within.len() - 1]]
     }

@@ -15,7 +15,7 @@ use crate::{
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{ToTokens, format_ident, quote};
 
-/// Where the coefficients of a value are.
+/// The location of a value's coefficients.
 #[derive(Clone)]
 pub(super) enum Series {
     /// In the rows of a part of the state.
@@ -44,7 +44,7 @@ pub(super) struct Products {
     pub(super) b: Series,
 }
 
-/// What products are multiplied by.
+/// The factor of each product.
 pub(super) enum Weight {
     /// One.
     None,
@@ -62,14 +62,14 @@ pub(super) enum Weight {
 /// What a function of one argument or two is computed from: an argument, the coefficients of this, and those of the
 /// slope.
 pub(super) struct Chained {
-    /// Whether the sign is changed.
+    /// Whether the product is subtracted.
     pub(super) negative: bool,
     pub(super) x: NodeId,
     series: Series,
     pub(super) slope: Series,
 }
 
-/// A value, what the sum over what is known of it is called, and its products.
+/// A value, the name of the sum of its known products, and these products.
 pub(super) type Known = (NodeId, Ident, Vec<Products>);
 
 /// A sum of products whose orders add up to `order`.
@@ -230,7 +230,7 @@ impl Writer<'_> {
         sums.filter(|(.., products)| !products.is_empty()).collect()
     }
 
-    /// What the sum over what is known of a value is called.
+    /// The name of the sum of a value's known products.
     fn rest(&self, id: NodeId) -> Ident {
         format_ident!("rest_of_{}", self.printer.names[&id])
     }
@@ -357,7 +357,7 @@ impl Writer<'_> {
         self.printer.receiver(fields, signed(self.printer.graph, id).1)
     }
 
-    /// What a function of one argument or two is computed from.
+    /// The arguments of a function with the slopes.
     fn chained(&mut self, fields: &mut Fields, id: NodeId) -> Vec<Chained> {
         let (node, slopes) = (self.printer.graph.node(id), self.source.recurrences.slopes[&id]);
         let of_slopes = node.children().zip(slopes).filter_map(|(x, slope)| Some((x, slope?)));
@@ -387,7 +387,7 @@ impl Writer<'_> {
         (negative, self.series(fields, id))
     }
 
-    /// Where one over the value that a recurrence divides by is kept, and the line that keeps it.
+    /// The slot of the reciprocal of a recurrence's divisor, and the line that stores it.
     fn inverse(&mut self, id: NodeId, divisor: &TokenStream) -> (TokenStream, TokenStream) {
         let (name, scalar) = (format_ident!("over_{}", self.printer.names[&id]), self.printer.scalar);
         let record = self.record();

@@ -39,7 +39,7 @@ pub(super) enum Kept {
     Rates,
     /// A number, the same for all orders.
     Number,
-    /// Where it holds, for all orders.
+    /// A mask, the same for all orders.
     Condition,
 }
 
