@@ -17,7 +17,7 @@ const SYMBOLIC: MayKnow = (
         ("spelling", &[]),
         ("graph", &[]),
         ("differentiate", &["graph"]),
-        ("gather", &["differentiate", "graph"]),
+        ("stencil", &["differentiate", "graph"]),
         ("lower", &["graph"]),
         ("pairs", &["differentiate", "graph"]),
         ("program", &["differentiate", "graph"]),
@@ -27,7 +27,7 @@ const SYMBOLIC: MayKnow = (
         ("model", &["errors", "graph", "limits", "spelling", "syntax"]),
         (
             "emit",
-            &["differentiate", "gather", "graph", "lower", "model", "pairs", "program", "scheme", "syntax", "taylor"],
+            &["differentiate", "stencil", "graph", "lower", "model", "pairs", "program", "scheme", "syntax", "taylor"],
         ),
         ("report", &["differentiate", "emit", "errors", "graph", "lower", "model", "syntax"]),
     ],
@@ -67,7 +67,7 @@ const CORE: MayKnow = (
 );
 
 /// The modules that compute and never see a token.
-const WITHOUT_TOKENS: [&str; 7] = ["graph", "differentiate", "gather", "lower", "pairs", "program", "taylor"];
+const WITHOUT_TOKENS: [&str; 7] = ["graph", "differentiate", "stencil", "lower", "pairs", "program", "taylor"];
 
 fn root() -> &'static Path {
     Path::new(env!("CARGO_MANIFEST_DIR"))

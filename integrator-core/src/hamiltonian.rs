@@ -4,7 +4,7 @@
 use crate::{
     composition::{
         Composition,
-        visit::{Visitor, visit_general},
+        visitor::{Visitor, visit_general},
     },
     error::Error,
     layout::lattice::{
@@ -16,7 +16,7 @@ use crate::{
     state::{coords::Coords, phase::Phase, precision::Precision},
     system::{
         motion::{Motion, Prepared},
-        stated::StatedEnergy,
+        user_energies::StatedEnergy,
     },
     trajectory::{method::Method, run::Run},
 };

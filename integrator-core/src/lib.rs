@@ -94,7 +94,7 @@ mod system;
 mod trajectory;
 
 pub use composition::catalogue::*;
-pub use composition::visit::{Visitor, visit_general, visit_quadratic};
+pub use composition::visitor::{Visitor, visit_general, visit_quadratic};
 pub use composition::{Class, Composition, Lead, Processor, Rows, Scheme, Stage, Stages};
 #[cfg(feature = "std")]
 pub use ensemble::Ensemble;
@@ -110,10 +110,10 @@ pub use methods::taylor::RecurrencesVisitor;
 #[cfg(not(feature = "std"))]
 pub use scalar::elementary::Elementary;
 pub use scalar::instruction_set::InstructionSet;
+pub use state::compensated::Compensated;
 pub use state::coords::Coords;
 pub use state::fixed::Fixed;
 pub use state::phase::Phase;
-pub use state::precision::Compensated;
 #[cfg(feature = "checkpoint")]
 pub use trajectory::checkpoint::CheckpointError;
 pub use trajectory::crossings::{Crossings, Direction};
@@ -160,15 +160,15 @@ pub mod __private {
         composition::{
             Class, Composition, Lead, Processor, Rows, Scheme, Stage, Stages,
             catalogue::Verlet,
-            visit::{Visitor, visit_quadratic},
+            visitor::{Visitor, visit_quadratic},
         },
         error::NotFinite,
         hamiltonian::{Flows, Hamiltonian, QuadraticKinetic, Shaped},
         layout::{
             bodies::{
-                many_body::{BodyConstants, ManyBody},
                 many_rows::ManyRows,
                 one_row::OneRow,
+                pair_sums::{BodyConstants, ManyBody},
             },
             lattice::{
                 sites::Sites,
@@ -202,7 +202,7 @@ pub mod __private {
             motion::{Motion, Plain, Prepared},
             not_finite::{all_found, not_finite},
             prepared::in_lanes,
-            stated::StatedEnergy,
+            user_energies::StatedEnergy,
         },
     };
     pub use alloc::{sync::Arc, vec::Vec};

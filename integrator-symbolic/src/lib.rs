@@ -13,7 +13,6 @@
 mod differentiate;
 mod emit;
 mod errors;
-mod gather;
 mod graph;
 mod limits;
 mod lower;
@@ -23,6 +22,7 @@ mod program;
 mod report;
 mod scheme;
 mod spelling;
+mod stencil;
 mod syntax;
 mod taylor;
 

@@ -1,6 +1,6 @@
 //! Certificates: what was measured, as data and as text.
 
-use crate::check::property::{energy::EnergyDrift, order::Order, stability::Stability, stated::Agreement};
+use crate::check::property::{agreement::Agreement, energy::EnergyDrift, order::Order, stability::Stability};
 use std::fmt;
 
 /// The measurements of one composition on one system, with one start and one step.

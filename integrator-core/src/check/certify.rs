@@ -7,12 +7,12 @@ use crate::{
         measurable::{Measurable, Measured},
         oracle::exact::Steps,
         property::{
+            agreement::{Visited, agreement},
             energy::EnergyDrift,
             gradient::{Energies, error_at, gradient_tolerance},
             local_order::{OrderAlong, UNITS, order_along},
             order::{Order, needed_along, order_of, path},
             reversibility::RoundTrip,
-            stated::{Visited, agreement},
             symplecticity::Defect,
         },
         shortfall::{CertifyError, Shortfall},

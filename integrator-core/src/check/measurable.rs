@@ -6,11 +6,11 @@ use crate::{
         CheckError,
         oracle::exact::{Stepper, Steps},
         property::{
+            agreement::Stated,
             energy::{EnergyDrift, energy_drift},
             gradient::Energies,
             reversibility::{RoundTrip, round_trip},
             stability::{Stability, nearness},
-            stated::Stated,
             symplecticity::{Defect, defect},
         },
         start::Start,

@@ -5,7 +5,7 @@
 pub(crate) mod catalogue;
 pub(crate) mod catalogue_list;
 pub(crate) mod corrected_durations;
-pub(crate) mod visit;
+pub(crate) mod visitor;
 
 use crate::hamiltonian::{Flows, Hamiltonian};
 

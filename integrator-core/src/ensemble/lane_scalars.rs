@@ -6,10 +6,7 @@ use crate::{
         real::Real,
         simd::lanes::Lanes,
     },
-    state::{
-        fixed::Fixed,
-        precision::{Compensated, Precision},
-    },
+    state::{compensated::Compensated, fixed::Fixed, precision::Precision},
 };
 
 /// The scalars with lanes that members of an ensemble are computed in. Named nowhere outside, like the types it leads

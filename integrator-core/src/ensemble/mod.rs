@@ -13,7 +13,7 @@ pub(crate) mod members;
 pub(crate) mod request;
 
 #[cfg(debug_assertions)]
-use crate::system::stated::hold_at_start;
+use crate::system::user_energies::hold_at_start;
 use crate::{
     ensemble::{
         batches::Starts,
@@ -35,9 +35,9 @@ use crate::{
     system::{energy::energy, motion::Prepared},
     trajectory::{
         admissible::{admissible_with, change},
+        dispatch::{engine, motions, single},
         method::Method,
         step_functions::Interleaved,
-        variant::{engine, motions, single},
     },
 };
 use std::{fmt, marker::PhantomData, sync::Arc};

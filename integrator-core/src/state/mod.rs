@@ -2,6 +2,7 @@
 
 pub(crate) mod aligned;
 pub(crate) mod clock;
+pub(crate) mod compensated;
 pub(crate) mod coords;
 #[allow(unreachable_pub, reason = "named in bounds, never outside")]
 pub(crate) mod digest;

@@ -1,6 +1,6 @@
 //! Points of phase space.
 
-use crate::state::{coords::Coords, fixed::Fixed, precision::Compensated};
+use crate::state::{compensated::Compensated, coords::Coords, fixed::Fixed};
 
 /// Positions and momenta, in the shape that the Hamiltonian's functions take them.
 #[derive(Clone, Copy, Debug, PartialEq)]

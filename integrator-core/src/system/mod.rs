@@ -8,4 +8,4 @@ pub(crate) mod not_finite;
 #[allow(unreachable_pub, reason = "named in bounds, never outside")]
 pub(crate) mod prepared;
 #[cfg(any(debug_assertions, feature = "check"))]
-pub(crate) mod stated;
+pub(crate) mod user_energies;

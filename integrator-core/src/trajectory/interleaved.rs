@@ -8,7 +8,7 @@ use crate::{
     hamiltonian::{Flows, Hamiltonian, QuadraticKinetic, Shaped},
     scalar::real::{Kernel, Real},
     state::{clock::Clock, coords::Coords, precision::Precision},
-    trajectory::{stages::Advance, step_functions::Executor},
+    trajectory::{step_functions::Executor, step_loop::Advance},
 };
 use core::{array, marker::PhantomData};
 

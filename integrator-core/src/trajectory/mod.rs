@@ -4,6 +4,7 @@ pub(crate) mod admissible;
 #[cfg(feature = "checkpoint")]
 pub(crate) mod checkpoint;
 pub(crate) mod crossings;
+pub(crate) mod dispatch;
 pub(crate) mod engine;
 pub(crate) mod interleaved;
 #[allow(unreachable_pub, reason = "named in bounds, never outside")]
@@ -13,8 +14,7 @@ pub(crate) mod motions;
 pub(crate) mod panics;
 pub(crate) mod run;
 pub(crate) mod samples;
-pub(crate) mod stages;
 #[allow(unreachable_pub, reason = "named in bounds, never outside")]
 pub(crate) mod step_functions;
-pub(crate) mod variant;
+pub(crate) mod step_loop;
 pub(crate) mod watch;

@@ -1,7 +1,7 @@
 //! One trajectory: integer time, stages merged across steps, stopped where it leaves the finite numbers.
 
 #[cfg(debug_assertions)]
-use crate::system::stated::hold_at_start;
+use crate::system::user_energies::hold_at_start;
 #[cfg(feature = "checkpoint")]
 use crate::trajectory::checkpoint::Origin;
 use crate::{
@@ -14,10 +14,10 @@ use crate::{
     },
     trajectory::{
         admissible::{admissible_with, change},
+        dispatch::engine,
         engine::Engine,
         method::Method,
         samples::Samples,
-        variant::engine,
         watch::Watch,
     },
 };

@@ -9,7 +9,7 @@ use crate::{
     system::motion::Motion,
     trajectory::{
         interleaved::AdvanceAll,
-        stages::{Advance, End},
+        step_loop::{Advance, End},
     },
 };
 

@@ -20,7 +20,7 @@ use crate::{
 use fingerprint::fingerprint;
 pub use flow::form::Form;
 pub(crate) use flow::form::forms;
-use flow::{Flows, constants::Constants, force_gradient, pieces::Pieces, stated};
+use flow::{Flows, constants::Constants, force_gradient, pieces::Pieces, user_energies};
 use printer::{block::Emitter, fields::Fields, function::Body, names::Names};
 use proc_macro2::TokenStream;
 use prose::{Formulas, motion_documentation};
@@ -83,7 +83,7 @@ impl<'i> Stepper<'i> {
         let names = Names::new(input);
         let (coordinates, composition) = (coordinates(&model, &names), composition(input, &model, &names));
         let (autonomous, is_quadratic) = (model.autonomous, model.quadratic);
-        let stated = stated::function(input, &model, &names);
+        let stated = user_energies::function(input, &model, &names);
         let mut emitter = Emitter { model: &mut model, names: &names, fields: Fields::default() };
         let flows = Flows::of(&mut emitter, &kinetic, &potential);
         let quadratic =

@@ -4,7 +4,7 @@
 use super::{
     Reader,
     branch::Sides,
-    flow::{Body, Flow, Outcome},
+    early_return::{Body, Flow, Outcome},
     pattern::Names,
     statement::Assigned,
     text::identifiers,

@@ -2,7 +2,7 @@
 
 use super::{
     BindingId, Reader, Target,
-    flow::Outcome,
+    early_return::Outcome,
     sequence::Sequence,
     statement::Assigned,
     text::place,

@@ -2,8 +2,8 @@
 
 use super::{
     Reader,
+    early_return::Flow,
     escape::escape,
-    flow::Flow,
     integer::operand,
     statement::Assigned,
     text::{element, identifiers, in_parentheses, place, with_variables},

@@ -2,7 +2,7 @@
 
 use crate::{
     check::{start::Start, statistics::points::run},
-    composition::{Class, Composition, Rows, visit::Visitor},
+    composition::{Class, Composition, Rows, visitor::Visitor},
     error::Error,
     hamiltonian::{Hamiltonian, Shaped},
     state::precision::Precision,

@@ -5,7 +5,7 @@ use crate::{
     check::{
         CheckError,
         oracle::{
-            compensated::CompensatedSteps,
+            compensated_steps::CompensatedSteps,
             edges::{fewest_steps, greatest_common_divisor},
             exact::Motions,
             reference::{Reference, series_reference},

@@ -12,10 +12,10 @@ use crate::{
     hamiltonian::{Flows, Hamiltonian, Shaped, Single},
     scalar::tolerance::within,
     state::{
+        compensated::Compensated,
         coords::Coords,
         flat::{Flat, flat},
         phase::Phase,
-        precision::Compensated,
     },
     system::motion::Motion,
 };

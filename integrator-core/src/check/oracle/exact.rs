@@ -7,7 +7,7 @@ use crate::{
     check::{
         CheckError,
         oracle::{
-            compensated::CompensatedSteps,
+            compensated_steps::CompensatedSteps,
             composed_reference::composed_steps,
             edges,
             series::{is_written, series},

@@ -1,6 +1,6 @@
 //! Oracles that measurements are compared with: exact derivatives, and motions from other methods.
 
-pub(crate) mod compensated;
+pub(crate) mod compensated_steps;
 pub(crate) mod composed_reference;
 pub(crate) mod edges;
 pub(crate) mod exact;

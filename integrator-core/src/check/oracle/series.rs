@@ -10,7 +10,7 @@ use crate::{
     },
     hamiltonian::Hamiltonian,
     methods::taylor::{Recurrences, RecurrencesVisitor, Taylor},
-    state::{clock::Clock, coords::Coords, flat::flat, phase::Phase, precision::Compensated},
+    state::{clock::Clock, compensated::Compensated, coords::Coords, flat::flat, phase::Phase},
     system::motion::Motion,
     trajectory::{method::Method, step_functions::FlowByFlow},
 };

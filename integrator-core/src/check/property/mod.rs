@@ -1,5 +1,6 @@
 //! What is measured of a method and a system: one property in each file.
 
+pub(crate) mod agreement;
 pub(crate) mod energy;
 pub(crate) mod global_error;
 pub(crate) mod gradient;
@@ -8,5 +9,4 @@ pub(crate) mod order;
 pub(crate) mod reversibility;
 pub(crate) mod shadow;
 pub(crate) mod stability;
-pub(crate) mod stated;
 pub(crate) mod symplecticity;

@@ -8,7 +8,7 @@
 use crate::{
     check::{
         CheckError,
-        oracle::compensated::CompensatedSteps,
+        oracle::compensated_steps::CompensatedSteps,
         property::{
             gradient::{Part, flow},
             order::{CLEARANCE, LADDER, NEEDED, POINTS, observed_order},

@@ -1,7 +1,7 @@
 //! Loads of rows of bodies from states, and stores back to them.
 
 use crate::{
-    layout::bodies::many_body::BodyConstants,
+    layout::bodies::pair_sums::BodyConstants,
     scalar::{real::Real, simd::row::Row},
     state::{
         coords::Coords,

@@ -4,7 +4,7 @@ use crate::{
     layout::{
         bodies::{
             load_store::{element, load_constants, pack, row_of, unpack, values},
-            many_body::{Bodies, BodyConstants, ManyBody, add, inter_row, intra_row},
+            pair_sums::{Bodies, BodyConstants, ManyBody, add, inter_row, intra_row},
         },
         threads::{Job, all_threads, at_once},
     },

@@ -1,7 +1,7 @@
 //! Flows of bodies that act on each other in pairs.
 
 pub(crate) mod load_store;
-#[allow(unreachable_pub, reason = "named in bounds, never outside")]
-pub(crate) mod many_body;
 pub(crate) mod many_rows;
 pub(crate) mod one_row;
+#[allow(unreachable_pub, reason = "named in bounds, never outside")]
+pub(crate) mod pair_sums;

@@ -3,7 +3,7 @@
 use crate::{
     layout::bodies::{
         load_store::{element, load_constants, pack, row_of, unpack, values},
-        many_body::{Bodies, BodyConstants, ManyBody, intra_row},
+        pair_sums::{Bodies, BodyConstants, ManyBody, intra_row},
     },
     scalar::{real::Real, simd::row::Row},
     state::{

@@ -7,7 +7,7 @@ use crate::{
     trajectory::method::{Described, Facts},
 };
 
-/// Positions leap over momenta: `q += h ∂T/∂p` with the momenta in the middle of the step, then `p -= h ∂V/∂q` with the
+/// Leapfrog: `q += h ∂T/∂p` with the momenta in the middle of the step, then `p -= h ∂V/∂q` with the
 /// positions at its end. A half kick starts the momenta, and another one brings them to the time of the positions
 /// wherever the state is shown.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]

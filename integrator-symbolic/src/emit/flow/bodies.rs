@@ -1,6 +1,6 @@
 //! Functions whose arguments are bodies: coordinates as arrays, and the prepared constants of a body as another array.
 
-use super::{stores, texts::Texts};
+use super::{parameter_text::Texts, stores};
 use crate::{
     differentiate::{Contribution, fold_branches},
     emit::printer::{

@@ -10,10 +10,10 @@ use crate::{
         names::Names,
         sites::contributions,
     },
-    gather::{Direction, Stencil, stencil},
     graph::{Part, Scope},
     model::Model,
     program::{Sink, Store},
+    stencil::{Direction, Stencil, stencil},
 };
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{format_ident, quote};

@@ -8,9 +8,9 @@ pub(super) mod form;
 mod guarded;
 pub(super) mod lattice;
 pub(super) mod pairs;
+pub(super) mod parameter_text;
 pub(super) mod pieces;
-pub(super) mod stated;
-pub(super) mod texts;
+pub(super) mod user_energies;
 
 use crate::{
     differentiate::{Contribution, fold_branches},

@@ -3,7 +3,7 @@
 
 use super::{
     bodies::{Constants, OfBodies},
-    texts::Texts,
+    parameter_text::Texts,
 };
 use crate::{
     differentiate::{Contribution, fold_branches},

@@ -7,12 +7,12 @@ use super::{
     names::Names,
 };
 use crate::{
-    gather::Stencil,
     graph::{
         Graph, Node, NodeId,
         index::{Index, IndexId, LoopId, LoopSet},
     },
     model::Model,
+    stencil::Stencil,
 };
 use proc_macro2::{Ident, TokenStream};
 use quote::{ToTokens, format_ident, quote};

@@ -2,11 +2,11 @@
 
 use super::{expression::Printer, fields::Fields, frame::Frame, names::Names};
 use crate::{
-    gather::{Extent, Stencil},
     graph::{
         Element,
         index::{Index, IndexId, LoopId, LoopSet},
     },
+    stencil::{Extent, Stencil},
 };
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{ToTokens, format_ident, quote};

@@ -15,7 +15,7 @@ use crate::{
     hamiltonian::Hamiltonian,
     scalar::tolerance::{largest, within},
     state::flat::{Flat, shaped},
-    system::stated::{Digits, Function, Values, values},
+    system::user_energies::{Digits, Function, Values, values},
 };
 
 /// The largest number of coordinates of which each is a direction of its own, and the number of directions beyond that.

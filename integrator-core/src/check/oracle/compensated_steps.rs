@@ -8,10 +8,10 @@ use crate::{
     hamiltonian::{Hamiltonian, Shaped},
     state::{
         clock::Clock,
+        compensated::Compensated,
         coords::Coords,
         flat::{Flat, flat},
         phase::Phase,
-        precision::Compensated,
     },
     system::motion::Motion,
     trajectory::{admissible::admissible_with, method::Method, step_functions::FlowByFlow},
