@@ -14,10 +14,7 @@ use crate::{
     methods::taylor::RecurrencesVisitor,
     scalar::real::Real,
     state::{coords::Coords, phase::Phase, precision::Precision},
-    system::{
-        motion::{Motion, Prepared},
-        user_energies::StatedEnergy,
-    },
+    system::motion::{Motion, Prepared},
     trajectory::{method::Method, run::Run},
 };
 use core::ops::Range;
@@ -180,4 +177,18 @@ impl<H: Hamiltonian, R: Real, K: Precision> Flows<H> for Single<'_, H, R, K> {
     {
         H::gradient_kick::<R, K>(self.0, duration, gradient, time);
     }
+}
+
+/// The energy of a state by the user's own functions.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum StatedEnergy {
+    /// By `kinetic` and `potential`.
+    Separate {
+        /// `T`
+        kinetic: f64,
+        /// `V`
+        potential: f64,
+    },
+    /// By `hamiltonian`.
+    Whole(f64),
 }

@@ -163,7 +163,7 @@ pub mod __private {
             visitor::{Visitor, visit_quadratic},
         },
         error::NotFinite,
-        hamiltonian::{Flows, Hamiltonian, QuadraticKinetic, Shaped},
+        hamiltonian::{Flows, Hamiltonian, QuadraticKinetic, Shaped, StatedEnergy},
         layout::{
             bodies::{
                 many_rows::ManyRows,
@@ -202,7 +202,6 @@ pub mod __private {
             motion::{Motion, Plain, Prepared},
             not_finite::{all_found, not_finite},
             prepared::in_lanes,
-            user_energies::StatedEnergy,
         },
     };
     pub use alloc::{sync::Arc, vec::Vec};

@@ -15,7 +15,7 @@ use crate::{
 };
 use crate::{
     error::Misread,
-    hamiltonian::Hamiltonian,
+    hamiltonian::{Hamiltonian, StatedEnergy},
     scalar::{bounded::Bounded, real::Real},
     state::{flat::Flat, phase::Phase},
     system::motion::Motion,
@@ -34,20 +34,6 @@ const NEARBY: f64 = 256.0;
 /// second where code is not optimised.
 #[cfg(debug_assertions)]
 const SMALL: usize = 4096;
-
-/// The energy of a state by the user's own functions.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum StatedEnergy {
-    /// By `kinetic` and `potential`.
-    Separate {
-        /// `T`
-        kinetic: f64,
-        /// `V`
-        potential: f64,
-    },
-    /// By `hamiltonian`.
-    Whole(f64),
-}
 
 /// One of the two functions that a Hamiltonian is made of: what depends on the momenta, and what depends on the positions.
 #[derive(Clone, Copy, Debug, PartialEq)]
