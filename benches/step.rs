@@ -1,8 +1,8 @@
 //! The time of a step, generated against written by hand: `cargo bench -p integrator --bench step`.
 //!
-//! Small systems in Verlet and in two long compositions, large ones in Verlet. The steppers written by hand are plain
-//! safe Rust, and where that is not the limit, vectors of `std::arch`; both get the instructions that the generated
-//! code gets. The last lines, `ratio_<problem>_<what>=`, are the generated time over that of the best stepper by hand
+//! Small systems in Verlet and in two long compositions, large ones in Verlet. The hand-written steppers are plain safe
+//! Rust, and where that is not the limit, vectors of `std::arch`; both get the instructions that the generated code
+//! gets. The last lines, `ratio_<problem>_<what>=`, are the generated time over that of the best hand-written stepper
 //! in the same round, medians of interleaved rounds: 1.05 is asked. `docs/performance.md` tells what was measured.
 
 use integrator_bench::{
@@ -32,7 +32,7 @@ const ROUNDS: usize = 61;
 /// Rounds of races between large systems, which take longer.
 const FEW_ROUNDS: usize = 15;
 
-/// A stepper by hand: its name, and the trajectory to its end.
+/// A hand-written stepper: its name, and the trajectory to its end.
 type HandWritten<'a> = (&'static str, Box<dyn Fn(&Plan, u64) -> f64 + 'a>);
 
 struct Report {
@@ -87,7 +87,7 @@ impl Report {
         let steps = (2_000_000 / sites).max(1024);
         let h = 0.05;
         let plan = Plan::of::<Verlet>(h);
-        // One thread, as the steppers by hand have: the clock of a racer is that of its own thread.
+        // One thread, as the hand-written steppers have: the clock of a racer is that of its own thread.
         let mut run = system.run_with::<f64, Verlet>(Verlet, start.clone(), h).expect("a start").with_threads(1);
         let skewed = Chain { law, q: start.q, p: start.p };
         let [mut skewed, mut plain] = [skewed.clone(), skewed];

@@ -2,11 +2,12 @@
 //!
 //! Both sides take the same orders and tolerances, carry the rounding of their states and choose their steps by the
 //! same rule, so that they take as many and err as much. A row tells the milliseconds of both for the problem's whole
-//! span, medians of interleaved rounds, nanoseconds of the stepper by hand per polynomial, and the largest relative
-//! deviations of the energies at 256 looks. The last lines, `ratio_taylor_over_hand_<problem>_<error>=`, are the least
-//! time to an energy error over that of the stepper by hand, each the best of the same orders and tolerances: 1.1 is
-//! asked. They are written for AVX2 and AVX-512; elsewhere there are none. `ratio_taylor_lanes_over_alone_<problem>=`
-//! is the time of an ensemble in one thread over that of its members one after the other.
+//! span, medians of interleaved rounds, nanoseconds of the hand-written stepper per polynomial, and the largest
+//! relative deviations of the energies at 256 looks. The last lines, `ratio_taylor_over_hand_<problem>_<error>=`, are
+//! the least time to an energy error over that of the hand-written stepper, each the best of the same orders and
+//! tolerances: 1.1 is asked. They are written for AVX2 and AVX-512; elsewhere there are none.
+//! `ratio_taylor_lanes_over_alone_<problem>=` is the time of an ensemble in one thread over that of its members one
+//! after the other.
 
 use integrator_bench::{
     Instructions,
@@ -168,7 +169,7 @@ where
 
 fn main() -> Result<(), Box<dyn Error>> {
     if Instructions::chosen() == Instructions::Baseline {
-        println!("no steppers by hand: these are written for AVX2 and AVX-512");
+        println!("no hand-written steppers: these are written for AVX2 and AVX-512");
         return Ok(());
     }
     let head = ["polynomials", "ns each", "by hand", "generated", "ratio", "its error", "error"];

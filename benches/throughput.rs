@@ -2,7 +2,7 @@
 //!
 //! Ensembles against groups of vectors written by hand, with a sine of the same accuracy; chains against two plain
 //! loops and against time-skewed tiles; bodies against tiles that use the third law. The last lines are rates over
-//! those of the best stepper by hand in the same round (`ratio_<scene>_to_hand=`, 0.9 is asked), and what a second
+//! those of the best hand-written stepper in the same round (`ratio_<scene>_to_hand=`, 0.9 is asked), and what a second
 //! thread brings (`speedup_<scene>_two_threads=`). `docs/performance.md` tells what was measured.
 
 use integrator_bench::{
@@ -37,12 +37,12 @@ struct Report {
 }
 
 impl Report {
-    /// Units per second of the generated code, in one thread and in two, and of the steppers by hand.
+    /// Units per second of the generated code, in one thread and in two, and of the hand-written steppers.
     fn add(&mut self, scene: &str, unit: &str, rounds: usize, units: f64, racers: Vec<Racer>) {
         let times = race(rounds, units, racers);
         let place = |name| times.names().iter().position(|racer| *racer == name);
         let rate = |name| place(name).map_or(f64::NAN, |i| 1e9 / times.median(i));
-        let by_hand = place("by hand").expect("a stepper by hand");
+        let by_hand = place("by hand").expect("a hand-written stepper");
         let to_hand = 1.0 / times.ratio(0, by_hand);
         let plain = place("plain").map_or(f64::NAN, |plain| times.ratio(by_hand, plain));
         self.rows.push(Row { name: scene.to_owned(), values: vec![to_hand, plain] });
@@ -100,7 +100,7 @@ impl Report {
     }
 }
 
-/// Races an ensemble, in one thread and in two, with its stepper by hand.
+/// Races an ensemble, in one thread and in two, with its hand-written stepper.
 macro_rules! ensemble {
     ($report:ident, $scene:literal, $number:ident, $h:expr, $point:expr, $columns:expr, $member:expr) => {{
         let columns: Vec<[f64; 4]> = (0..MEMBERS).map(|i| $columns(i as f64 / MEMBERS as f64)).collect();

@@ -1,7 +1,7 @@
 //! Generated steppers do, bit for bit, what a person would write out.
 //!
 //! Each is a plain loop over `f64` with the stages of neighbouring steps merged. On machines with fused multiply-add
-//! the stepper by hand uses it where an expert would; `instruction_sets` runs these tests on the baseline too.
+//! the hand-written stepper uses it where an expert would; `instruction_sets` runs these tests on the baseline too.
 
 use crate::systems::{Chain, HenonHeiles, Kepler, Pendulum, State};
 use integrator_core::{

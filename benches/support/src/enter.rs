@@ -22,7 +22,8 @@ pub(crate) trait PairKernel {
     fn run<T: Two>(self) -> Self::Out;
 }
 
-/// What the machine has, as far as `INTEGRATOR_ISA` lets steppers by hand use it: these get what generated code gets.
+/// What the machine has, as far as `INTEGRATOR_ISA` lets hand-written steppers use it: these get what generated code
+/// gets.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd)]
 pub enum Instructions {
     /// Those of the target, fused multiply-add on aarch64 included.

@@ -1,4 +1,4 @@
-//! Sine and exponential of the steppers by hand, written out so that they vanish in the loop around them.
+//! Sine and exponential of the hand-written steppers, written out so that they vanish in the loop around them.
 //!
 //! [`sine`] errs by less than one unit in the last place, [`sine_fast`] by less than four, both for arguments of some
 //! thousands, which the problems stay far below. Coefficients of the careful ones are those of fdlibm (s_sin.c,

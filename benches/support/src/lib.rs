@@ -1,11 +1,11 @@
-//! What the benches share: the systems that are measured, steppers written by hand, races between the
+//! What the benches share: the systems that are measured, hand-written steppers, races between the
 //! two, tables and pictures.
 //!
 //! | module | holds |
 //! |---|---|
 //! | [`problems`], [`starts`] | the systems and where they begin |
-//! | [`by_hand`] | steppers by hand, over the vectors of `vector`, `x86`, `functions`, reached through `enter` |
-//! | [`plan`] | a composition as numbers, for steppers by hand |
+//! | [`by_hand`] | hand-written steppers, over the vectors of `vector`, `x86`, `functions`, reached through `enter` |
+//! | [`plan`] | a composition as numbers, for hand-written steppers |
 //! | [`race`] | interleaved computations, medians and ratios |
 //! | [`precision`] | work against error |
 //! | [`plot`] | pictures |

@@ -1,8 +1,8 @@
-//! A composition as steppers by hand go through it: numbers with the step folded in.
+//! A composition as hand-written steppers go through it: numbers with the step folded in.
 
 use integrator_core::{Lead, Scheme, Stage};
 
-/// What a stepper by hand does: the two flows, for a time each.
+/// What a hand-written stepper does: the two flows, for a time each.
 pub(crate) trait HandWritten {
     fn drift(&mut self, t: f64);
     fn kick(&mut self, t: f64);

@@ -1,4 +1,4 @@
-//! Numbers side by side, as a person writes them with `std::arch`: the arithmetic of the steppers by hand.
+//! Numbers side by side, as a person writes them with `std::arch`: the arithmetic of the hand-written steppers.
 //!
 //! Always true: the types of [`x86`](super::x86) are named inside [`enter`](crate::enter::enter) alone, after their
 //! instructions were detected.

@@ -1,6 +1,6 @@
-//! The steppers by hand do what they are measured against: the same steps, up to rounding.
+//! The hand-written steppers do what they are measured against: the same steps, up to rounding.
 //!
-//! Steppers by hand and generated code round differently by a unit in the last place per operation, and over a few
+//! Hand-written steppers and generated code round differently by a unit in the last place per operation, and over a few
 //! dozen steps an orbit takes such a difference up at most some hundredfold: 1e-12 of the largest coordinate is far
 //! above that, and far below a wrong term.
 

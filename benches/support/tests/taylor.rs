@@ -14,7 +14,7 @@ use integrator_core::{Coords, Hamiltonian, Phase};
 
 const TOLERANCE: f64 = 1e-15;
 
-/// The steppers by hand that follow `problem`, of each order, through so many radians.
+/// The hand-written steppers that follow `problem`, of each order, through so many radians.
 #[track_caller]
 fn arrives<H: Hamiltonian>(
     problem: &Problem<H>,

@@ -87,8 +87,8 @@ macro_rules! with_order {
 }
 pub(crate) use with_order;
 
-/// Calls `$do!(k)` for every order from 1 on that a stepper by hand may compute, as a literal, so that all sums are
-/// written out.
+/// Calls `$do!(k)` for every order from 1 on that a hand-written stepper may compute, as a literal, so that all sums
+/// are written out.
 macro_rules! orders_from_one {
     ($do:ident) => {
         $do! { 1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 16 17 18 19 20 21 22 23 }
