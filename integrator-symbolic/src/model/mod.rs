@@ -133,7 +133,8 @@ pub(crate) fn stub(input: &Input) -> Option<Model> {
     let mut noted = Errors::default();
     let shape = [(Part::Position, "potential"), (Part::Momentum, "kinetic")]
         .into_iter()
-        .find_map(|(part, name)| Some(signature(input.function(name)?, part, &mut noted)?.shape))?;
+        .find_map(|(part, name)| Some(signature(input.function(name)?, part, &mut noted)?.shape))
+        .or_else(|| Some(whole_signature(input.function("hamiltonian")?, &mut noted)?.shape))?;
     let mut graph = Graph::default();
     let zero = graph.constant(0.0);
     let lengths = vec![graph.loops.intern(Index::Length)];
