@@ -102,15 +102,28 @@ pub(crate) fn values<H: Hamiltonian>(
     state: &Phase<H::Coords>,
     time: f64,
 ) -> Values {
-    let motion = H::Motion::<Bounded, f64>::load(&[parameters; 2], &[state; 2]);
-    let kinetic = || H::kinetic::<Bounded, f64>(&motion, time);
-    let potential = || H::potential::<Bounded, f64>(&motion, time);
-    let (stated, generated, is_whole) = match (system.stated(&state.q, &state.p, time), function) {
-        (StatedEnergy::Separate { kinetic: stated, .. }, Function::Kinetic) => (stated, kinetic(), false),
-        (StatedEnergy::Separate { potential: stated, .. }, Function::Potential) => (stated, potential(), false),
-        (StatedEnergy::Whole(stated), _) => (stated, kinetic() + potential(), true),
+    values_of(function, system.stated(&state.q, &state.p, time), &|function| {
+        let motion = H::Motion::<Bounded, f64>::load(&[parameters; 2], &[state; 2]);
+        let energy = match function {
+            Function::Kinetic => H::kinetic::<Bounded, f64>(&motion, time),
+            Function::Potential => H::potential::<Bounded, f64>(&motion, time),
+        };
+        [energy.lane(0), energy.lane(1)]
+    })
+}
+
+/// The same from what the user states and what the generated code computes, each value with a bound on its rounding.
+fn values_of(function: Function, stated: StatedEnergy, generated: &dyn Fn(Function) -> [f64; 2]) -> Values {
+    let (stated, [generated, rounding], is_whole) = match (stated, function) {
+        (StatedEnergy::Separate { kinetic, .. }, Function::Kinetic) => (kinetic, generated(function), false),
+        (StatedEnergy::Separate { potential, .. }, Function::Potential) => (potential, generated(function), false),
+        (StatedEnergy::Whole(stated), _) => {
+            let [[kinetic, of_kinetic], [potential, of_potential]] = Function::BOTH.map(generated);
+            let sum = kinetic + potential;
+            (stated, [sum, of_kinetic + of_potential + f64::EPSILON * sum.abs()], true)
+        }
     };
-    Values { stated, generated: generated.lane(0), rounding: generated.lane(1), is_whole }
+    Values { stated, generated, rounding, is_whole }
 }
 
 /// The scatter of the difference of both next to a state. The rounding of prepared numbers that nearly cancel in the

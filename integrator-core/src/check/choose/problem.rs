@@ -170,7 +170,7 @@ impl<'s, H: Hamiltonian, K: Precision> Problem<'s, H, K> {
 
     fn ends(&self, candidate: &Candidate<H, K>, steps: u64) -> Result<Path, Error> {
         let mut run = self.begin(candidate, steps)?;
-        Path::of_run(flat(&self.start.phase), PARTS, || run.advance(steps / PARTS).map(|_| flat(&run.state())))
+        Path::of_run(flat(&self.start.phase), PARTS, &mut || run.advance(steps / PARTS).map(|_| flat(&run.state())))
     }
 
     fn deviation(&self, candidate: &Candidate<H, K>, steps: u64) -> Result<f64, Error> {

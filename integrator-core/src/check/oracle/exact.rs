@@ -120,7 +120,7 @@ impl<H: Hamiltonian, X: Method<H>> Stepper for Steps<'_, H, X> {
 
     fn path(&self, start: &Start<Vec<f64>>, h: f64, parts: u64, steps: u64) -> Result<Path, Error> {
         let mut run = CompensatedSteps::new(self.motions.system, self.method, self.motions.start(start), h)?;
-        Path::of_run(start.phase.clone(), parts, || run.advance(steps))
+        Path::of_run(start.phase.clone(), parts, &mut || run.advance(steps))
     }
 
     fn spacing(&self, points: &[Flat], t0: f64, h: f64, steps: u64) -> Result<u64, CheckError> {

@@ -87,7 +87,7 @@ pub fn global_error<H: Hamiltonian, X: Method<H>, K: Precision>(
     let span = PARTS as f64 * part as f64 * h;
     let mut run = run::<H, X, K>(system, method, &start, h)?;
     let start = flat_start(&begin);
-    let path = Path::of_run(start.phase.clone(), PARTS, || run.advance(part).map(|_| flat(&run.state())))?;
+    let path = Path::of_run(start.phase.clone(), PARTS, &mut || run.advance(part).map(|_| flat(&run.state())))?;
     // Where a step follows the motion, flows in coarse steps follow it over some steps; where it does not, the exact
     // motion must not take longer than the run.
     let exact = reference(&Motions { system, shape: &begin.phase }, &start, span, part, steps.ilog2() as i32);

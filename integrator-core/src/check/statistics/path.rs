@@ -44,8 +44,11 @@ impl Path {
     ///
     /// # Errors
     /// The first one of the run.
-    pub(crate) fn of_run<E>(start: Flat, parts: u64, mut advance: impl FnMut() -> Result<Flat, E>) -> Result<Self, E> {
-        let ends = (0..parts).map(|_| advance()).collect::<Result<_, _>>()?;
+    pub(crate) fn of_run<E>(start: Flat, parts: u64, advance: &mut dyn FnMut() -> Result<Flat, E>) -> Result<Self, E> {
+        let mut ends = Vec::new();
+        for _ in 0..parts {
+            ends.push(advance()?);
+        }
         Ok(Self { start, ends })
     }
 
