@@ -50,15 +50,15 @@ fn with_one(stages: &Stages) -> Found {
         doubt += element.coefficient.doubt;
         match element.letter {
             Letter::T => drifted = drifted + element.coefficient.value,
-            Letter::V => nodes.push((drifted, element.coefficient.value)),
+            Letter::V => nodes.push((drifted, element.coefficient.value, Double::ONE)),
         }
     }
     for length in 1..=LONGEST {
         let n = length as f64;
         let (mut sum, mut size) = (Double::ZERO, 1.0);
-        for (node, weight) in &nodes {
-            let power = (1..length).fold(Double::ONE, |power, _| power * *node);
-            let term = *weight * power * Double::from(n);
+        for (node, weight, power) in &mut nodes {
+            let term = *weight * *power * Double::from(n);
+            *power = *power * *node;
             sum = sum + term;
             size += term.value().abs();
         }
