@@ -28,17 +28,25 @@ struct Facts(Vec<((u32, usize, &'static str), String)>);
 impl<H: Hamiltonian> Visitor<H> for Facts {
     fn visit<X: Composition<H>>(&mut self, _: X) {
         let kinetic = if X::CLASS == Class::General { "any" } else { "quadratic" };
-        let symmetric = if X::SYMMETRIC { "yes" } else { "no" };
-        let evaluations = match X::GRADIENT_EVALUATIONS {
-            0 => X::FORCE_EVALUATIONS.to_string(),
-            gradients => format!("{} + {gradients}", X::FORCE_EVALUATIONS),
-        };
+        let (symmetric, evaluations) = (symmetric::<X>(), evaluations::<X>());
         let leading = X::LEADING_ERROR.map_or("-".to_owned(), |error| format!("{error:.1e}"));
         let (name, order, limit, citation) = (X::NAME, X::ORDER, X::STABILITY_LIMIT, X::CITATION);
         let row = format!(
             "| `{name}` | {kinetic} | {order} | {symmetric} | {evaluations} | {limit:.2} | {leading} | {citation} |\n"
         );
         self.0.push(((order, X::FORCE_EVALUATIONS + X::GRADIENT_EVALUATIONS, name), row));
+    }
+}
+
+fn symmetric<X: Scheme>() -> &'static str {
+    if X::SYMMETRIC { "yes" } else { "no" }
+}
+
+/// Force evaluations of a step, and how many of them also take the gradient of the squared force.
+fn evaluations<X: Scheme>() -> String {
+    match X::GRADIENT_EVALUATIONS {
+        0 => X::FORCE_EVALUATIONS.to_string(),
+        gradients => format!("{} + {gradients}", X::FORCE_EVALUATIONS),
     }
 }
 
@@ -65,14 +73,10 @@ fn table_of_near_integrable() -> String {
         ($($name:ident)*) => {$(
             let orders: Vec<String> = $name::GENERALISED_ORDERS.iter().map(u32::to_string).collect();
             let class = if $name::CLASS == Class::General { "any" } else { "quadratic in p" };
-            let symmetric = if $name::SYMMETRIC { "yes" } else { "no" };
-            let evaluations = match $name::GRADIENT_EVALUATIONS {
-                0 => $name::FORCE_EVALUATIONS.to_string(),
-                gradients => format!("{} + {gradients}", $name::FORCE_EVALUATIONS),
-            };
             table += &format!(
-                "| `{}` | {class} | {} | {symmetric} | {evaluations} | {:.2} | {} |\n",
-                $name::NAME, orders.join(", "), $name::STABILITY_LIMIT, $name::CITATION
+                "| `{}` | {class} | {} | {} | {} | {:.2} | {} |\n",
+                $name::NAME, orders.join(", "), symmetric::<$name>(), evaluations::<$name>(), $name::STABILITY_LIMIT,
+                $name::CITATION
             );
         )*};
     }
