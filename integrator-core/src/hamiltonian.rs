@@ -22,7 +22,7 @@ use core::ops::Range;
 /// The coordinates of `H` with leaf `K`.
 pub type Shaped<H, K> = <<H as Hamiltonian>::Coords as Coords>::With<K>;
 
-/// A separable Hamiltonian `H = T(p) + V(q)` with its exact flows. Written by `#[hamiltonian]`; not by hand.
+/// A Hamiltonian that is split into parts, `H = T(p) + V(q)` or others, with their exact flows. Written by `#[hamiltonian]`; not by hand.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` is not a Hamiltonian",
     label = "has no generated stepper",
@@ -38,7 +38,11 @@ pub trait Hamiltonian: Sized {
     /// Prepared constants and state, in the layout that the generator chose.
     type Motion<R: Real, K: Precision>: Motion<Shaped<Self, K>, Self::Parameters<f64>>;
 
-    /// Whether neither `T` nor `V` reads the time, so that the energy is conserved.
+    /// The names of the parts, in the order of the letters A, B, C.
+    const PARTS: &'static [&'static str] = &["kinetic", "potential"];
+    /// Whether H = T(p) + V(q): a drift moves positions alone, by what momenta say, a kick momenta alone.
+    const SEPARABLE: bool = true;
+    /// Whether no part reads the time, so that the energy is conserved.
     const AUTONOMOUS: bool;
     /// Whether a flow changes its formula at times that the clock and parameters alone decide: a switch, a pulse. Steps
     /// are then taken one by one, each with the formulas of its middle, and their stages are not merged.
@@ -57,13 +61,15 @@ pub trait Hamiltonian: Sized {
     fn parameters(&self, length: usize) -> Self::Parameters<f64>;
     /// Sets the middle of the step under way, at which conditions on the time are read.
     fn begin_step<R: Real, K: Precision>(_motion: &mut Self::Motion<R, K>, _middle: f64) {}
-    /// The exact flow of `T` for a time `duration`; `time` is where an explicit time dependence is read.
+    /// The exact flow of `T`, or of the first part, for a time `duration`; `time` is where an explicit time dependence is read.
     fn drift<R: Real, K: Precision>(motion: &mut Self::Motion<R, K>, duration: f64, time: f64);
-    /// The exact flow of `V` for a time `duration`; `time` is where an explicit time dependence is read.
+    /// The flows of the parts between the first and the last, in their order, or backwards.
+    fn middle<R: Real, K: Precision>(_motion: &mut Self::Motion<R, K>, _duration: f64, _backwards: bool) {}
+    /// The exact flow of `V`, or of the last part, for a time `duration`; `time` is where an explicit time dependence is read.
     fn kick<R: Real, K: Precision>(motion: &mut Self::Motion<R, K>, duration: f64, time: f64);
-    /// `T` at the motion's momenta.
+    /// `T`, or the energy of the first part.
     fn kinetic<R: Real, K: Precision>(motion: &Self::Motion<R, K>, time: f64) -> R;
-    /// `V` at the motion's positions.
+    /// `V`, or the energy of all parts but the first.
     fn potential<R: Real, K: Precision>(motion: &Self::Motion<R, K>, time: f64) -> R;
 
     /// The energy by the user's own functions, as they are written: what the generated code is held against.

@@ -199,7 +199,7 @@ pub mod __private {
         },
         system::{
             elements::Elements,
-            motion::{Motion, Plain, Prepared},
+            motion::{Motion, Plain, Prepared, Solver, Solving},
             not_finite::{all_found, not_finite},
             prepared::in_lanes,
         },

@@ -1,9 +1,9 @@
 //! What is derived from an annotated impl, for people.
 
 use crate::{
-    differentiate::{Contribution, fold_branches, gradient},
+    differentiate::{Contribution, fold_branches},
     emit::{self, Form},
-    graph::{Part, Tally, index::LoopSet},
+    graph::{Tally, index::LoopSet},
     lower::lower,
     model::Model,
     syntax::{Compose, Input},
@@ -21,11 +21,14 @@ pub struct Report {
     /// `dq[i]/dt = ...` and `dp[i]/dt = ...`, where `+=` marks one of several terms, and `where r = ...` for what has a
     /// name in them.
     pub equations: Vec<String>,
-    /// `T = ...` and `V = ...`, where `hamiltonian` gives all of `H`: which of its terms went where; else nothing.
+    /// `T = ...` and `V = ...`, where `hamiltonian` gives all of `H`: which of its terms went where; `name = ...` of each
+    /// part that `split` names; else nothing.
     pub parts: Vec<String>,
     /// Whether `T = ½ pᵀ M⁻¹ p` with a constant `M`.
     pub quadratic_kinetic: bool,
-    /// Whether neither `T` nor `V` reads the time.
+    /// Whether H is `T(p) + V(q)`, in this order.
+    pub separable: bool,
+    /// Whether no part reads the time.
     pub autonomous: bool,
     /// What moves the positions.
     pub drift: Flow,
@@ -64,6 +67,11 @@ impl fmt::Display for Report {
         for line in self.parts.iter().chain(&self.equations) {
             writeln!(f, "{line}")?;
         }
+        if !self.separable {
+            let time = if self.autonomous { "not read" } else { "read" };
+            writeln!(f, "H: in parts with exact flows; time: {time}")?;
+            return write!(f, "operations of the energies: {}", self.operations_of_energies);
+        }
         let kinetic = if self.quadratic_kinetic { "quadratic in p, constant masses" } else { "general" };
         let time = if self.autonomous { "not read" } else { "read" };
         writeln!(f, "H: separable; T: {kinetic}; time: {time}")?;
@@ -99,8 +107,7 @@ impl fmt::Display for Flow {
 
 /// What is derived from `input`, whose model is known to make sense.
 pub(crate) fn report(input: &Input, mut model: Model) -> Report {
-    let kinetic = gradient(&mut model.graph, model.kinetic, Part::Momentum);
-    let potential = gradient(&mut model.graph, model.potential, Part::Position);
+    let [kinetic, potential] = emit::gradients(&mut model);
     let parts = emit::parts(&model);
     let equations = emit::equations(&mut model, &kinetic, &potential);
     let values: Vec<_> = kinetic.iter().chain(&potential).map(|contribution| contribution.value).collect();
@@ -124,6 +131,7 @@ pub(crate) fn report(input: &Input, mut model: Model) -> Report {
         equations,
         parts,
         quadratic_kinetic: model.quadratic,
+        separable: model.is_separable(),
         autonomous: model.autonomous,
         drift,
         kick,

@@ -5,8 +5,9 @@
 use crate::{errors::Errors, scheme::InPlace};
 use proc_macro2::{Span, TokenStream};
 use syn::{
-    ImplItem, ImplItemFn, ItemImpl, Path, Token,
+    Ident, ImplItem, ImplItemFn, ItemImpl, Path, Token,
     parse::{ParseStream, Parser},
+    punctuated::Punctuated,
     spanned::Spanned,
 };
 
@@ -32,6 +33,8 @@ pub(crate) enum Functions {
 pub(crate) struct Input {
     /// `None` where the annotation has no `compose`.
     pub(crate) compose: Option<Compose>,
+    /// The parts of H by their names, in the order of the letters A, B, C; none where the annotation has no `split`.
+    pub(crate) split: Vec<Ident>,
     pub(crate) functions: Functions,
     /// Whether recurrences for Taylor series are asked for, and where.
     pub(crate) taylor: Option<Span>,
@@ -76,58 +79,82 @@ pub(crate) fn input(arguments: TokenStream, item: TokenStream, errors: &mut Erro
         return None;
     }
     // Wrong arguments are noted; what the functions hold is read all the same, so that all mistakes come at once.
-    let (compose, functions, taylor, root) = arguments.unwrap_or_default();
-    let functions = functions.unwrap_or_default();
+    let is_read = |name: &str| item.items.iter().any(|item| matches!(item, ImplItem::Fn(own) if own.sig.ident == name));
+    if arguments.is_none() && !["kinetic", "potential", "hamiltonian"].into_iter().any(is_read) {
+        // Which functions are the parts of H was to be read from what is wrong.
+        return None;
+    }
+    let Arguments { compose, split, functions, taylor, root } = arguments.unwrap_or_default();
+    let (split, functions) = (split.unwrap_or_default(), functions.unwrap_or_default());
     let root = root.unwrap_or_else(|| syn::parse_quote!(::integrator_core));
-    Some(Input { compose, functions, taylor, root, item })
+    Some(Input { compose, split, functions, taylor, root, item })
 }
 
 fn looks_like_impl(item: &TokenStream) -> bool {
     item.clone().into_iter().any(|token| matches!(token, proc_macro2::TokenTree::Ident(name) if name == "impl"))
 }
 
-type Arguments = (Option<Compose>, Option<Functions>, Option<Span>, Option<Path>);
+/// The arguments of the attribute, each at most once.
+#[derive(Default)]
+struct Arguments {
+    compose: Option<Compose>,
+    split: Option<Vec<Ident>>,
+    functions: Option<Functions>,
+    taylor: Option<Span>,
+    root: Option<Path>,
+}
 
-/// The arguments, separated by commas, each at most once.
+/// The arguments, separated by commas.
 fn arguments_of(tokens: TokenStream, errors: &mut Errors) -> Option<Arguments> {
     let parser = |input: ParseStream<'_>| {
-        let (mut compose, mut functions, mut taylor, mut root) = (None, None, None, None);
+        let mut arguments = Arguments::default();
         while !input.is_empty() {
-            if input.peek(Token![crate]) {
-                let key: Token![crate] = input.parse()?;
-                equals(input, key.span)?;
-                let path = input.call(Path::parse_mod_style);
-                let path = path.map_err(|_| misfit(input, key.span, "the runtime is named by a path"))?;
-                if root.replace(path).is_some() {
-                    return Err(syn::Error::new(key.span(), "`crate` is given twice"));
-                }
-            } else {
-                let key: syn::Ident = input.parse().map_err(|error| syn::Error::new(error.span(), EXPECTED))?;
-                let twice = if key == "compose" {
-                    equals(input, key.span())?;
-                    compose.replace(compose_of(input, key.span())?).is_some()
-                } else if key == "functions" {
-                    equals(input, key.span())?;
-                    functions.replace(functions_of(input, key.span())?).is_some()
-                } else if key == "taylor" {
-                    taylor.replace(key.span()).is_some()
-                } else {
-                    return Err(syn::Error::new(key.span(), format!("`{key}` is not an argument here; {EXPECTED}")));
-                };
-                if twice {
-                    return Err(syn::Error::new(key.span(), format!("`{key}` is given twice")));
-                }
-            }
+            arguments.read(input)?;
             if !input.is_empty() {
                 input.parse::<Token![,]>()?;
             }
         }
-        Ok((compose, functions, taylor, root))
+        Ok(arguments)
     };
     parser.parse2(tokens).map_err(|error| errors.push(error)).ok()
 }
 
-const EXPECTED: &str = "expected `compose = Yoshida4`, `compose = V(1/2) T(1) V(1/2)`, `functions = fast`, \
+impl Arguments {
+    /// Reads one of them.
+    fn read(&mut self, input: ParseStream<'_>) -> syn::Result<()> {
+        if input.peek(Token![crate]) {
+            let key: Token![crate] = input.parse()?;
+            equals(input, key.span)?;
+            let path = input.call(Path::parse_mod_style);
+            let path = path.map_err(|_| misfit(input, key.span, "the runtime is named by a path"))?;
+            return match self.root.replace(path) {
+                Some(_) => Err(syn::Error::new(key.span(), "`crate` is given twice")),
+                None => Ok(()),
+            };
+        }
+        let key: Ident = input.parse().map_err(|error| syn::Error::new(error.span(), EXPECTED))?;
+        let twice = if key == "compose" {
+            equals(input, key.span())?;
+            self.compose.replace(compose_of(input, key.span())?).is_some()
+        } else if key == "split" {
+            equals(input, key.span())?;
+            self.split.replace(split_of(input, key.span())?).is_some()
+        } else if key == "functions" {
+            equals(input, key.span())?;
+            self.functions.replace(functions_of(input, key.span())?).is_some()
+        } else if key == "taylor" {
+            self.taylor.replace(key.span()).is_some()
+        } else {
+            return Err(syn::Error::new(key.span(), format!("`{key}` is not an argument here; {EXPECTED}")));
+        };
+        if twice {
+            return Err(syn::Error::new(key.span(), format!("`{key}` is given twice")));
+        }
+        Ok(())
+    }
+}
+
+const EXPECTED: &str = "expected `compose = Yoshida4`, `compose = V(1/2) T(1) V(1/2)`, `split = a + b`, `functions = fast`, \
                         `taylor` or `crate = path::to::integrator_core`";
 
 /// The sign between an argument and its value.
@@ -144,13 +171,27 @@ fn misfit(input: ParseStream<'_>, key: Span, is: &str) -> syn::Error {
     input.error(format!("{is}; {EXPECTED}"))
 }
 
+/// The names of the parts.
+fn split_of(input: ParseStream<'_>, key: Span) -> syn::Result<Vec<Ident>> {
+    let is = "the parts of H are named by their functions, as in `split = kepler + interaction`";
+    if !input.peek(Ident) {
+        return Err(misfit(input, key, is));
+    }
+    let names = Punctuated::<Ident, Token![+]>::parse_separated_nonempty(input);
+    let names: Vec<Ident> = names.map_err(|error| syn::Error::new(error.span(), is))?.into_iter().collect();
+    if let [alone] = &names[..] {
+        return Err(syn::Error::new(alone.span(), format!("one part alone is not composed; {is}")));
+    }
+    Ok(names)
+}
+
 fn functions_of(input: ParseStream<'_>, key: Span) -> syn::Result<Functions> {
     let is = "elementary functions are `fast`, within 4 ulp, or `precise`, within 1 or 2, as they are unasked";
     let misfit = |input: ParseStream<'_>| {
         if input.is_empty() { misfit(input, key, is) } else { input.error(is) }
     };
     let here = input.fork();
-    match input.parse::<syn::Ident>() {
+    match input.parse::<Ident>() {
         Ok(name) if name == "fast" => Ok(Functions::Fast),
         Ok(name) if name == "precise" => Ok(Functions::Precise),
         _ => Err(misfit(&here)),
@@ -164,7 +205,7 @@ fn compose_of(input: ParseStream<'_>, key: Span) -> syn::Result<Compose> {
         let span = sequence.tokens().span();
         return Ok(Compose::InPlace(Box::new(sequence), span.join(first).unwrap_or(span)));
     }
-    let is_name = input.peek(syn::Ident) || input.peek(Token![::]) || input.peek(Token![crate]);
+    let is_name = input.peek(Ident) || input.peek(Token![::]) || input.peek(Token![crate]);
     if !is_name && !input.peek(Token![self]) && !input.peek(Token![super]) && !input.peek(Token![Self]) {
         return Err(misfit(input, key, "a composition is a name or a sequence of stages"));
     }

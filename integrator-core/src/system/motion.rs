@@ -112,3 +112,71 @@ impl<R: Real, C: Coords, P: Clone> Plain<R, C, P> {
         }
     }
 }
+
+/// The plain layout of a system with solved flows: the user's own shape, and what the solvers of these flows keep.
+#[derive(Clone)]
+pub struct Solving<R: Real, C: Coords, P, S> {
+    /// Positions.
+    pub q: C::Slots<R>,
+    /// Momenta.
+    pub p: C::Slots<R>,
+    /// Prepared constants.
+    pub parameters: P,
+    /// Matrices known so far, equations that could not be solved: what is no part of the state.
+    pub solvers: S,
+}
+
+/// What a solved flow keeps beside the state, for all lanes of a motion.
+pub trait Solver<P>: Clone + Send + Sync + 'static {
+    /// That of members with these constants, one per lane, whose positions are so many numbers or points.
+    fn of(constants: &[&P], length: usize) -> Self;
+    /// Takes over what belongs to the state of another motion with the same constants.
+    fn copy_state(&mut self, _from: &Self) {}
+    /// Why the flow could not be solved in a lane.
+    fn unsolved(&self, _lane: usize) -> Option<&Unsolved> {
+        None
+    }
+}
+
+/// Those of two flows.
+impl<P, A: Solver<P>, B: Solver<P>> Solver<P> for (A, B) {
+    fn of(constants: &[&P], length: usize) -> Self {
+        (A::of(constants, length), B::of(constants, length))
+    }
+    fn copy_state(&mut self, from: &Self) {
+        self.0.copy_state(&from.0);
+        self.1.copy_state(&from.1);
+    }
+    fn unsolved(&self, lane: usize) -> Option<&Unsolved> {
+        self.0.unsolved(lane).or_else(|| self.1.unsolved(lane))
+    }
+}
+
+impl<R: Real, C: Coords, P: Prepared<R>, S: Solver<P::Single>> Motion<C, P::Single> for Solving<R, C, P, S> {
+    fn load(constants: &[&P::Single], states: &[&Phase<C>]) -> Self {
+        Self {
+            q: C::pack(states, |state| &state.q),
+            p: C::pack(states, |state| &state.p),
+            parameters: P::gather(constants),
+            solvers: S::of(constants, states.first().map_or(0, |state| state.q.length())),
+        }
+    }
+    #[inline(always)]
+    fn store(&self, lane: usize, to: &mut Phase<C>) {
+        to.q.unpack(&self.q, lane);
+        to.p.unpack(&self.p, lane);
+    }
+    #[inline(always)]
+    fn copy_state(&mut self, from: &Self) {
+        self.q.clone_from(&from.q);
+        self.p.clone_from(&from.p);
+        self.solvers.copy_state(&from.solvers);
+    }
+    fn unsolved(&self, lane: usize) -> Option<&Unsolved> {
+        self.solvers.unsolved(lane)
+    }
+    #[inline(always)]
+    fn finite(&self) -> bool {
+        C::finite(&self.q) && C::finite(&self.p)
+    }
+}

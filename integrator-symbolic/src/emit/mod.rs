@@ -11,7 +11,7 @@ mod prose;
 mod taylor;
 
 use crate::{
-    differentiate::gradient,
+    differentiate::{Contribution, gradient},
     graph::Part,
     model::{Length, Model},
     scheme::{Class, InPlace},
@@ -48,6 +48,14 @@ pub(crate) fn refusal(sequence: &InPlace, model: &Model) -> Option<String> {
     }
 }
 
+/// The gradient of H by the momenta and by the positions.
+pub(crate) fn gradients(model: &mut Model) -> [Vec<Contribution>; 2] {
+    let by = [(Part::Momentum, model.kinetic), (Part::Position, model.potential)];
+    let is_separable = model.is_separable();
+    let whole = model.graph.add(model.kinetic, model.potential);
+    by.map(|(part, own)| gradient(&mut model.graph, if is_separable { own } else { whole }, part))
+}
+
 /// The implementation of `Hamiltonian` for the annotated type.
 pub(crate) fn stepper(input: &Input, model: Model) -> TokenStream {
     Stepper::of(input, model).tokens()
@@ -66,6 +74,8 @@ struct Stepper<'i> {
     energies: TokenStream,
     /// The user's own energies.
     stated: TokenStream,
+    /// What the runtime is told of parts with names.
+    parts: Option<TokenStream>,
     autonomous: bool,
     /// The items of a Hamiltonian with quadratic `T`.
     quadratic: Option<TokenStream>,
@@ -75,17 +85,21 @@ struct Stepper<'i> {
 impl<'i> Stepper<'i> {
     fn of(input: &'i Input, mut model: Model) -> Self {
         let energies = [model.kinetic, model.potential];
-        [model.kinetic, model.potential] = model.graph.with_choices_in_the_middle(energies);
-        let kinetic = gradient(&mut model.graph, model.kinetic, Part::Momentum);
-        let potential = gradient(&mut model.graph, model.potential, Part::Position);
+        let chosen = model.graph.with_choices_in_the_middle(energies);
+        model.set_energies(chosen);
+        let [kinetic, potential] = gradients(&mut model);
         let documentation = motion_documentation(&mut model, &kinetic, &potential);
 
         let names = Names::new(input);
         let (coordinates, composition) = (coordinates(&model, &names), composition(input, &model, &names));
+        let parts = named_parts(&model);
         let (autonomous, is_quadratic) = (model.autonomous, model.quadratic);
         let stated = user_energies::function(input, &model, &names);
         let mut emitter = Emitter { model: &mut model, names: &names, fields: Fields::default() };
-        let flows = Flows::of(&mut emitter, &kinetic, &potential);
+        let flows = match emitter.model.is_separable() {
+            true => Flows::of(&mut emitter, &kinetic, &potential),
+            false => Flows::of_parts(&mut emitter),
+        };
         let quadratic =
             is_quadratic.then(|| force_gradient::functions(&mut emitter, &potential, flows.are_of_bodies()));
         let energies = ["kinetic", "potential"].into_iter().zip(energies);
@@ -104,6 +118,7 @@ impl<'i> Stepper<'i> {
             flows,
             energies,
             stated,
+            parts,
             autonomous,
             quadratic,
             taylor,
@@ -151,7 +166,9 @@ impl<'i> Stepper<'i> {
 
     /// The items of `Hamiltonian`. What else is implemented, `others`, is known by the fingerprint alone.
     fn hamiltonian(&self, others: &TokenStream) -> TokenStream {
-        let Self { names, coordinates, composition: (composition, _), constants, flows, stated, autonomous, .. } = self;
+        let Self {
+            names, coordinates, composition: (composition, _), constants, flows, stated, parts, autonomous, ..
+        } = self;
         let Names { runtime, scalar, leaf, .. } = names;
         let [parameters, single] = [quote!(#scalar), quote!(f64)].map(|scalar| constants.kind(&scalar, names));
         let (motion, (layout, sites), moves) =
@@ -181,6 +198,7 @@ impl<'i> Stepper<'i> {
             type Parameters<#scalar: #runtime::Real> = #parameters;
             type Motion<#scalar: #runtime::Real, #leaf: #runtime::Precision> = #motion;
 
+            #parts
             const AUTONOMOUS: bool = #autonomous;
             const FINGERPRINT: u64 = #fingerprint;
             #layout
@@ -197,6 +215,17 @@ impl<'i> Stepper<'i> {
             #visit_recurrences
         }
     }
+}
+
+/// The names of parts, and that these are no `T` and `V`.
+fn named_parts(model: &Model) -> Option<TokenStream> {
+    let names: Vec<_> = model.parts.iter().map(|part| part.name.to_string()).collect();
+    let separable = (!model.is_separable()).then(|| {
+        quote!(
+            const SEPARABLE: bool = false;
+        )
+    });
+    (!names.is_empty()).then(|| quote!(const PARTS: &'static [&'static str] = &[#(#names),*]; #separable))
 }
 
 /// The type of the coordinates.

@@ -13,6 +13,7 @@ mod cost;
 mod decision_tree;
 #[cfg(test)]
 pub(crate) mod evaluate;
+pub(crate) mod exact;
 pub(crate) mod external;
 pub(crate) mod function;
 pub(crate) mod index;

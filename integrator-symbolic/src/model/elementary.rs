@@ -70,7 +70,7 @@ impl Reader<'_> {
             self.errors.at(name, takes(&method, expected, arguments.len()));
             return None;
         }
-        if method != "mul_add" && self.graph.is_mixed(x) {
+        if method != "mul_add" && self.is_mixed(x) {
             self.not_separable(place);
             return None;
         }
@@ -80,7 +80,7 @@ impl Reader<'_> {
         let numbers: Vec<_> = arguments.iter().zip(places).map(|(value, place)| self.number(value, place)).collect();
         let numbers = numbers.into_iter().collect::<Option<Vec<NodeId>>>()?;
         let mut operands = numbers.iter().zip(places);
-        let mixed = operands.find(|(number, _)| self.mixes(x, **number) || self.graph.is_mixed(**number));
+        let mixed = operands.find(|(number, _)| self.mixes(x, **number) || self.is_mixed(**number));
         if let Some((_, place)) = mixed.filter(|_| method != "mul_add") {
             self.not_separable(place);
             return None;

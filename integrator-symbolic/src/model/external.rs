@@ -90,7 +90,7 @@ impl Reader<'_> {
         let numbers: Vec<_> = arguments.iter().zip(places).map(|(value, place)| self.number(value, place)).collect();
         let numbers = numbers.into_iter().collect::<Option<Vec<NodeId>>>()?;
         for (place, later) in numbers.iter().enumerate() {
-            if self.graph.is_mixed(*later) || numbers[..place].iter().any(|earlier| self.mixes(*earlier, *later)) {
+            if self.is_mixed(*later) || numbers[..place].iter().any(|earlier| self.mixes(*earlier, *later)) {
                 self.not_separable(places[place]);
                 return None;
             }

@@ -20,6 +20,7 @@ mod flatten;
 mod guard;
 pub(crate) mod integer;
 mod operator;
+mod parts;
 mod pattern;
 mod presence;
 mod ragged;
@@ -36,6 +37,7 @@ use crate::{
     errors::Errors,
     graph::{
         Graph, NodeId, ParameterId, Part,
+        exact::Exact,
         index::{Index, IndexId, LoopId, LoopSet},
     },
     syntax::{Functions, Input},
@@ -44,6 +46,8 @@ use arm::Arm;
 pub(crate) use elementary::known_functions;
 pub(crate) use external::{Method, strip};
 use guard::Condition;
+pub(crate) use parts::ExactPart;
+use parts::part_shape;
 use proc_macro2::{Ident, TokenStream};
 use quote::{ToTokens, quote};
 pub(crate) use shape::{Length, Shape};
@@ -65,8 +69,12 @@ pub(crate) struct Parameter {
 /// A Hamiltonian that is known to make sense.
 pub(crate) struct Model {
     pub(crate) graph: Graph,
+    /// `T`, or the first part of H.
     pub(crate) kinetic: NodeId,
+    /// `V`, or all other parts together.
     pub(crate) potential: NodeId,
+    /// The parts that `split` names, in the order of their letters; none where H is `T + V`.
+    pub(crate) parts: Vec<ExactPart>,
     pub(crate) shape: Shape,
     /// How many numbers or points the coordinates are, and how many components a point has.
     pub(crate) lengths: Vec<IndexId>,
@@ -78,7 +86,7 @@ pub(crate) struct Model {
     pub(crate) externals: Vec<Method>,
     /// Whether `T = ½ pᵀ M⁻¹ p` with a constant `M`.
     pub(crate) quadratic: bool,
-    /// Whether neither function reads the time.
+    /// Whether no function reads the time.
     pub(crate) autonomous: bool,
     /// How near the elementary functions of the flows have to be.
     pub(crate) functions: Functions,
@@ -92,6 +100,26 @@ pub(crate) enum Called {
     Separate([Vec<TokenStream>; 2]),
     /// Those of `hamiltonian`.
     Whole(Vec<TokenStream>),
+    /// Those of the functions that `split` names, which stand with the parts.
+    Parts,
+}
+
+impl Model {
+    /// Replaces the energies of the first part and of all others together by equal ones.
+    pub(crate) fn set_energies(&mut self, energies: [NodeId; 2]) {
+        [self.kinetic, self.potential] = energies;
+        if let [first, second] = &mut self.parts[..] {
+            [first.energy, second.energy] = energies;
+        }
+    }
+
+    /// Whether H is `T(p) + V(q)`, in this order and whatever the two are called.
+    pub(crate) fn is_separable(&self) -> bool {
+        matches!(
+            &self.parts[..],
+            [] | [ExactPart { form: Exact::OfMomenta, .. }, ExactPart { form: Exact::OfPositions, .. }]
+        )
+    }
 }
 
 /// Reads the functions of `input`, or notes what is wrong with them.
@@ -99,21 +127,29 @@ pub(crate) fn model(input: &Input, errors: &mut Errors) -> Option<Model> {
     let is_separate = input.function("kinetic").is_some() && input.function("potential").is_some();
     let whole = input.function("hamiltonian").filter(|_| !is_separate);
     let mut reader = Reader::new(input, errors);
-    let (energies, shape, called) = match whole {
-        Some(function) => reader.whole(function)?,
-        None => reader.separate()?,
+    let (energies, parts, shape, called) = if !input.split.is_empty() {
+        let (parts, shape) = reader.named_parts()?;
+        (reader.first_and_others(&parts), parts, shape, Called::Parts)
+    } else {
+        let (energies, shape, called) = match whole {
+            Some(function) => reader.whole(function)?,
+            None => reader.separate()?,
+        };
+        (energies, Vec::new(), shape, called)
     };
     let lengths = [Some(&shape.length), shape.dimension.as_ref()].into_iter().flatten();
     let lengths = lengths.map(|length| reader.length(length)).collect();
     let Reader { mut graph, parameters, running, externals, .. } = reader;
-    let [kinetic, potential] = graph.balance_choices(energies);
+    let energies = graph.balance_choices(energies);
+    let [kinetic, potential] = energies;
     let autonomous = !graph.reads_time(kinetic) && !graph.reads_time(potential);
     let quadratic =
         graph.degree(kinetic, Part::Momentum).is_some_and(|degree| degree <= 2) && !graph.reads_time(kinetic);
-    Some(Model {
+    let mut model = Model {
         graph,
         kinetic,
         potential,
+        parts,
         shape,
         lengths,
         parameters,
@@ -123,7 +159,10 @@ pub(crate) fn model(input: &Input, errors: &mut Errors) -> Option<Model> {
         autonomous,
         functions: input.functions,
         called: Some(called),
-    })
+    };
+    model.set_energies(energies);
+    model.quadratic &= model.is_separable();
+    Some(model)
 }
 
 /// The model of a Hamiltonian that is zero, of the same shape as that of `input`: its stepper stands where mistakes keep
@@ -134,7 +173,8 @@ pub(crate) fn stub(input: &Input) -> Option<Model> {
     let shape = [(Part::Position, "potential"), (Part::Momentum, "kinetic")]
         .into_iter()
         .find_map(|(part, name)| Some(signature(input.function(name)?, part, &mut noted)?.shape))
-        .or_else(|| Some(whole_signature(input.function("hamiltonian")?, &mut noted)?.shape))?;
+        .or_else(|| Some(whole_signature(input.function("hamiltonian")?, &mut noted)?.shape))
+        .or_else(|| input.split.iter().find_map(|name| part_shape(input.function(&name.to_string())?)))?;
     let mut graph = Graph::default();
     let zero = graph.constant(0.0);
     let lengths = vec![graph.loops.intern(Index::Length)];
@@ -142,6 +182,7 @@ pub(crate) fn stub(input: &Input) -> Option<Model> {
         graph,
         kinetic: zero,
         potential: zero,
+        parts: Vec::new(),
         shape,
         lengths,
         parameters: Vec::new(),
@@ -224,6 +265,8 @@ struct Reader<'i> {
     readings: u32,
     /// Whether a product that mixes positions and momenta was noted.
     misplaced: bool,
+    /// Whether products may mix positions and momenta.
+    may_mix: bool,
     /// Reads of the wrong part, with what to say of them if no product mixes both.
     foreign_reads: Vec<(TokenStream, String)>,
 }
@@ -249,6 +292,7 @@ impl<'i> Reader<'i> {
             uses: Vec::new(),
             readings: 0,
             misplaced: false,
+            may_mix: false,
             foreign_reads: Vec::new(),
         }
     }
@@ -283,21 +327,28 @@ impl<'i> Reader<'i> {
 
     /// `T` and `V` whose sum `hamiltonian` is; notes what of it depends on positions and momenta together.
     fn whole(&mut self, function: &ImplItemFn) -> Option<([NodeId; 2], Shape, Called)> {
-        let WholeSignature { coordinates: [q, p], shape, time, arguments } = whole_signature(function, self.errors)?;
+        let signature = whole_signature(function, self.errors)?;
+        let energy = self.whole_energy(function, &signature)?;
+        let energies = self.graph.separated(energy);
+        if energies.is_none() {
+            self.errors.at(&function.sig.ident, NOT_SEPARABLE);
+        }
+        Some((energies?, signature.shape, Called::Whole(signature.arguments)))
+    }
+
+    /// The energy that a function of positions and momenta gives.
+    fn whole_energy(&mut self, function: &ImplItemFn, signature: &WholeSignature<'_>) -> Option<NodeId> {
+        let WholeSignature { coordinates: [q, p], shape, time, .. } = signature;
+        self.foreign = None;
         self.shape = Some(shape.clone());
         self.length(&shape.length);
         self.scopes.push(HashMap::new());
         self.bind(q, Value::View(View { part: Part::Position, at: Vec::new() }));
         self.bind(p, Value::View(View { part: Part::Momentum, at: Vec::new() }));
-        self.bind_time(time);
+        self.bind_time(*time);
         let value = self.returned(&function.block);
         self.scopes.pop();
-        let energy = self.as_energy(value?, function)?;
-        let energies = self.graph.separated(energy);
-        if energies.is_none() {
-            self.errors.at(&function.sig.ident, NOT_SEPARABLE);
-        }
-        Some((energies?, shape, Called::Whole(arguments)))
+        self.as_energy(value?, function)
     }
 
     /// Binds the explicit time, where there is one.

@@ -114,8 +114,8 @@ impl Reader<'_> {
         let (a, b) = (a?, b?);
         let mixes = match op {
             BinOp::Mul(_) => self.mixes(a, b),
-            BinOp::Div(_) => self.mixes(a, b) || self.graph.is_mixed(b),
-            BinOp::Rem(_) => self.mixes(a, b) || self.graph.is_mixed(a) || self.graph.is_mixed(b),
+            BinOp::Div(_) => self.mixes(a, b) || self.is_mixed(b),
+            BinOp::Rem(_) => self.mixes(a, b) || self.is_mixed(a) || self.is_mixed(b),
             _ => false,
         };
         if mixes {
@@ -141,11 +141,16 @@ impl Reader<'_> {
         })
     }
 
-    /// Whether two factors depend on positions and momenta together, and both of them on some.
+    /// Whether a number depends on positions and on momenta, where nothing may.
+    pub(super) fn is_mixed(&self, id: NodeId) -> bool {
+        !self.may_mix && self.graph.is_mixed(id)
+    }
+
+    /// Whether two factors depend on positions and momenta together, and both of them on some, where nothing may.
     pub(super) fn mixes(&self, a: NodeId, b: NodeId) -> bool {
         let [a, b] = [a, b].map(|id| [Part::Position, Part::Momentum].map(|part| self.graph.reads(id, part)));
         let both = (0..2).all(|part| a[part] || b[part]);
-        both && a.contains(&true) && b.contains(&true)
+        !self.may_mix && both && a.contains(&true) && b.contains(&true)
     }
 
     /// Notes that the Hamiltonian is not separable.

@@ -276,6 +276,26 @@ pub(crate) fn whole_signature<'f>(function: &'f ImplItemFn, errors: &mut Errors)
     Some(WholeSignature { coordinates: [&q.pat, &p.pat], shape, time, arguments })
 }
 
+/// The coordinates that the function of a part takes, where it takes positions or momenta alone; nothing where it takes
+/// both. They are told apart by the name of the argument.
+pub(crate) fn lone_part(function: &ImplItemFn, errors: &mut Errors) -> Option<Option<Part>> {
+    let coordinates = function.sig.inputs.iter().filter_map(|argument| match argument {
+        FnArg::Typed(argument) if !is_f64(&argument.ty) => Some(argument),
+        _ => None,
+    });
+    let [alone] = coordinates.collect::<Vec<_>>()[..] else { return Some(None) };
+    let part = [Part::Position, Part::Momentum].into_iter().find(|part| is_named(&alone.pat, usual_name(*part)));
+    if part.is_none() {
+        let name = &function.sig.ident;
+        let message = format!(
+            "is this the positions or the momenta of `{name}`? Call it `q` or `p`, or take both: \
+             `fn {name}(&self, q: [f64; N], p: [f64; N]) -> f64`"
+        );
+        errors.at(&alone.pat, message);
+    }
+    part.map(Some)
+}
+
 /// Why positions and momenta of these shapes are not as many, where each stands somewhere.
 pub(crate) fn mismatch(positions: (&Shape, &str), momenta: (&Shape, &str)) -> Option<String> {
     let ((of_positions, here), (of_momenta, there)) = (positions, momenta);

@@ -68,6 +68,14 @@ fn arguments() {
 }
 
 #[test]
+fn splits() {
+    check(table::SPLITS, |text| {
+        let (arguments, functions) = text.split_once(" on ").expect("an annotation and functions");
+        (arguments.to_owned(), format!("impl System {{\n{functions} }}"))
+    });
+}
+
+#[test]
 fn items() {
     check(table::ITEMS, |text| (String::new(), text.to_owned()));
 }

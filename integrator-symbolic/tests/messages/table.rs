@@ -10,37 +10,37 @@ pub(crate) const ARGUMENTS: &[Row] = &[
     (
         "composition = Verlet",
         &[
-            "1:0 `composition` is not an argument here; expected `compose = Yoshida4`, `compose = V(1/2) T(1) V(1/2)`, `functions = fast`, `taylor` or `crate = path::to::integrator_core`",
+            "1:0 `composition` is not an argument here; expected `compose = Yoshida4`, `compose = V(1/2) T(1) V(1/2)`, `split = a + b`, `functions = fast`, `taylor` or `crate = path::to::integrator_core`",
         ],
     ),
     (
         "Verlet",
         &[
-            "1:0 `Verlet` is not an argument here; expected `compose = Yoshida4`, `compose = V(1/2) T(1) V(1/2)`, `functions = fast`, `taylor` or `crate = path::to::integrator_core`",
+            "1:0 `Verlet` is not an argument here; expected `compose = Yoshida4`, `compose = V(1/2) T(1) V(1/2)`, `split = a + b`, `functions = fast`, `taylor` or `crate = path::to::integrator_core`",
         ],
     ),
     (
         "4",
         &[
-            "1:0 expected `compose = Yoshida4`, `compose = V(1/2) T(1) V(1/2)`, `functions = fast`, `taylor` or `crate = path::to::integrator_core`",
+            "1:0 expected `compose = Yoshida4`, `compose = V(1/2) T(1) V(1/2)`, `split = a + b`, `functions = fast`, `taylor` or `crate = path::to::integrator_core`",
         ],
     ),
     (
         "compose",
         &[
-            "1:0 this lacks its value; expected `compose = Yoshida4`, `compose = V(1/2) T(1) V(1/2)`, `functions = fast`, `taylor` or `crate = path::to::integrator_core`",
+            "1:0 this lacks its value; expected `compose = Yoshida4`, `compose = V(1/2) T(1) V(1/2)`, `split = a + b`, `functions = fast`, `taylor` or `crate = path::to::integrator_core`",
         ],
     ),
     (
         "compose =",
         &[
-            "1:0 this lacks its value; expected `compose = Yoshida4`, `compose = V(1/2) T(1) V(1/2)`, `functions = fast`, `taylor` or `crate = path::to::integrator_core`",
+            "1:0 this lacks its value; expected `compose = Yoshida4`, `compose = V(1/2) T(1) V(1/2)`, `split = a + b`, `functions = fast`, `taylor` or `crate = path::to::integrator_core`",
         ],
     ),
     (
         "compose = 4",
         &[
-            "1:10 a composition is a name or a sequence of stages; expected `compose = Yoshida4`, `compose = V(1/2) T(1) V(1/2)`, `functions = fast`, `taylor` or `crate = path::to::integrator_core`",
+            "1:10 a composition is a name or a sequence of stages; expected `compose = Yoshida4`, `compose = V(1/2) T(1) V(1/2)`, `split = a + b`, `functions = fast`, `taylor` or `crate = path::to::integrator_core`",
         ],
     ),
     ("compose = Verlet compose = Verlet", &["1:17 expected `,`"]),
@@ -56,13 +56,13 @@ pub(crate) const ARGUMENTS: &[Row] = &[
     (
         "crate = 4",
         &[
-            "1:8 the runtime is named by a path; expected `compose = Yoshida4`, `compose = V(1/2) T(1) V(1/2)`, `functions = fast`, `taylor` or `crate = path::to::integrator_core`",
+            "1:8 the runtime is named by a path; expected `compose = Yoshida4`, `compose = V(1/2) T(1) V(1/2)`, `split = a + b`, `functions = fast`, `taylor` or `crate = path::to::integrator_core`",
         ],
     ),
     (
         "compose = Verlet, crate",
         &[
-            "1:18 this lacks its value; expected `compose = Yoshida4`, `compose = V(1/2) T(1) V(1/2)`, `functions = fast`, `taylor` or `crate = path::to::integrator_core`",
+            "1:18 this lacks its value; expected `compose = Yoshida4`, `compose = V(1/2) T(1) V(1/2)`, `split = a + b`, `functions = fast`, `taylor` or `crate = path::to::integrator_core`",
         ],
     ),
     ("compose = V(1/2) T(1) V(1/3)", &["1:10 the coefficients of `V` sum to 0.833333333333, not to 1"]),
@@ -400,5 +400,77 @@ pub(crate) const BODIES: &[Row] = &[
             "3:2 index 2 is out of bounds: the coordinates are `[f64; 2]`, the last index here is 1",
             "4:0 `x` is not known here",
         ],
+    ),
+];
+
+/// The annotation, ` on `, and the functions of the impl, which begin on line 2.
+pub(crate) const SPLITS: &[Row] = &[
+    (
+        "split = a + b on fn a(&self, p: [f64; 1]) -> f64 { p[0] * p[0] } fn b(&self, q: [f64; 1]) -> f64 { q[0].cos() }",
+        &[],
+    ),
+    (
+        "split = b + a on fn a(&self, p: [f64; 1]) -> f64 { p[0] * p[0] } fn b(&self, q: [f64; 1]) -> f64 { q[0].cos() }",
+        &[],
+    ),
+    (
+        "split = a + a on fn a(&self, p: [f64; 1]) -> f64 { p[0] * p[0] }",
+        &["1:12 `a` is a part of H already: each part is named once"],
+    ),
+    (
+        "split = field + flihgt on fn flight(&self, p: [f64; 1]) -> f64 { p[0] * p[0] } fn field(&self, q: [f64; 1]) -> f64 { q[0].cos() }",
+        &[
+            "1:16 the impl lacks `fn flihgt(&self, q: [f64; N], p: [f64; N]) -> f64`, the part of H that `split` names; is it `flight`?",
+        ],
+    ),
+    (
+        "split = a on fn a(&self, p: [f64; 1]) -> f64 { p[0] * p[0] }",
+        &[
+            "1:8 one part alone is not composed; the parts of H are named by their functions, as in `split = kepler + interaction`",
+        ],
+    ),
+    (
+        "split on fn a(&self, p: [f64; 1]) -> f64 { p[0] * p[0] }",
+        &[
+            "1:0 this lacks its value; expected `compose = Yoshida4`, `compose = V(1/2) T(1) V(1/2)`, `split = a + b`, `functions = fast`, `taylor` or `crate = path::to::integrator_core`",
+        ],
+    ),
+    (
+        "split = 3 on fn a(&self, p: [f64; 1]) -> f64 { p[0] * p[0] }",
+        &[
+            "1:8 the parts of H are named by their functions, as in `split = kepler + interaction`; expected `compose = Yoshida4`, `compose = V(1/2) T(1) V(1/2)`, `split = a + b`, `functions = fast`, `taylor` or `crate = path::to::integrator_core`",
+        ],
+    ),
+    (
+        "split = a + 3 on fn a(&self, p: [f64; 1]) -> f64 { p[0] * p[0] }",
+        &["1:12 the parts of H are named by their functions, as in `split = kepler + interaction`"],
+    ),
+    (
+        "split = a + b on fn a(&self, x: [f64; 1]) -> f64 { x[0] } fn b(&self, q: [f64; 1]) -> f64 { q[0].cos() }",
+        &[
+            "2:12 is this the positions or the momenta of `a`? Call it `q` or `p`, or take both: `fn a(&self, q: [f64; N], p: [f64; N]) -> f64`",
+        ],
+    ),
+    (
+        "split = a + b on fn a(&self, p: [f64; 1]) -> f64 { 2.0 } fn b(&self, q: [f64; 1]) -> f64 { q[0].cos() }",
+        &["2:3 `a` depends on neither q nor p, so nothing moves by it: leave this part out"],
+    ),
+    (
+        "split = a + b on fn a(&self, p: [f64; 2]) -> f64 { p[0] } fn b(&self, q: [f64; 1]) -> f64 { q[0].cos() }",
+        &["2:46 all parts have the same coordinates: q and p are `[f64; 2]` in the first part, but `[f64; 1]` here"],
+    ),
+    (
+        "split = a + b + c on fn a(&self, p: [f64; 1], t: f64) -> f64 { t * p[0] } fn b(&self, q: [f64; 1]) -> f64 { q[0].cos() } fn c(&self, q: [f64; 1]) -> f64 { q[0] }",
+        &[
+            "2:3 `a` reads the time: compositions know at what time the flows of two parts begin, not those of more. Make two parts of these, or the time a coordinate with a momentum of its own",
+        ],
+    ),
+    (
+        "split = a + b on fn a(&self, q: [f64; 1], p: [f64; 1]) -> f64 { (q[0] * p[0]).sin() } fn b(&self, q: [f64; 1]) -> f64 { q[0].cos() }",
+        &["2:3 no exact flow is known for `a`: it depends on q and p. Split it into more parts"],
+    ),
+    (
+        "split = a + b, taylor on fn a(&self, q: [f64; 1]) -> f64 { q[0].sin() } fn b(&self, p: [f64; 1]) -> f64 { p[0] * p[0] }",
+        &["1:15 series are written for H = T(p) + V(q), and these parts are others: leave out `taylor`"],
     ),
 ];

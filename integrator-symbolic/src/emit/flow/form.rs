@@ -57,7 +57,7 @@ pub(crate) fn forms(
     potential: &[Contribution],
 ) -> [Form; 2] {
     let mut emitter = Emitter { model, names: &Names::new(input), fields: Fields::default() };
-    let Flows { drift, kick, many_body } = Flows::of(&mut emitter, kinetic, potential);
+    let Flows { drift, kick, many_body, .. } = Flows::of(&mut emitter, kinetic, potential);
     if let Some(bodies) = many_body {
         return [if bodies.is_row() { Form::Row } else { Form::Tiles }; 2];
     }

@@ -13,7 +13,7 @@ pub(super) mod pieces;
 pub(super) mod user_energies;
 
 use crate::{
-    differentiate::{Contribution, fold_branches},
+    differentiate::{Contribution, fold_branches, gradient},
     emit::printer::{
         block::Emitter,
         fields::lower_roots,
@@ -21,7 +21,7 @@ use crate::{
         function::{Body, Lines},
         names::Names,
     },
-    graph::{Element, NodeId, Part},
+    graph::{Element, NodeId, Part, exact::Exact},
     model::{Length, Model, Shape},
     program::{Sink, Store, is_direct, is_protected},
 };
@@ -30,9 +30,13 @@ use pairs::ManyBody;
 use proc_macro2::TokenStream;
 use quote::quote;
 
-/// The flows of `T` and of `V`.
+/// The flows of the parts of H.
 pub(crate) struct Flows {
+    /// That of `T`, or of the first part.
     drift: Flow,
+    /// Those of the parts between the first and the last.
+    middle: Vec<Flow>,
+    /// That of `V`, or of the last part.
     kick: Flow,
     /// What they consist of, where bodies act on each other in pairs.
     many_body: Option<ManyBody>,
@@ -47,7 +51,17 @@ impl Flows {
             None => Flow::of(emitter, gradient, part),
         };
         let (drift, kick) = (flow(kinetic, Part::Momentum), flow(potential, Part::Position));
-        Self { drift, kick, many_body }
+        Self { drift, middle: Vec::new(), kick, many_body }
+    }
+
+    /// Those of the parts that are named, in their order.
+    pub(crate) fn of_parts(emitter: &mut Emitter<'_>) -> Self {
+        let parts: Vec<_> = emitter.model.parts.iter().map(|part| (part.energy, part.form)).collect();
+        let mut flows =
+            parts.into_iter().map(|(energy, form)| Flow::of_part(emitter, energy, form)).collect::<Vec<_>>();
+        let kick = flows.pop().unwrap_or_default();
+        let middle = flows.split_off(flows.len().min(1));
+        Self { drift: flows.pop().unwrap_or_default(), middle, kick, many_body: None }
     }
 
     /// Whether bodies act on each other in pairs.
@@ -67,7 +81,7 @@ impl Flows {
     /// The items that tell the runtime of their form: constants, and the functions that move a lattice segment by
     /// segment.
     pub(crate) fn layout(&self, names: &Names) -> (TokenStream, Option<TokenStream>) {
-        let Self { drift, kick, many_body } = self;
+        let Self { drift, kick, many_body, .. } = self;
         let roots = drift.divides_by_root_cubed || kick.divides_by_root_cubed;
         let wide = (kick.sweep.is_some() || many_body.is_some() || roots).then(|| {
             quote!(
@@ -79,11 +93,39 @@ impl Flows {
         (quote!(#wide #radii), sites)
     }
 
-    /// The functions `drift` and `kick`.
+    /// The functions `drift` and `kick`, and `middle` where there are more parts.
     pub(crate) fn functions(&self, names: &Names) -> TokenStream {
         let [drift, kick] =
             [("drift", &self.drift), ("kick", &self.kick)].map(|(name, flow)| flow.body.flow(name, names));
-        quote!(#drift #kick)
+        let middle = self.middle_function(names);
+        quote!(#drift #middle #kick)
+    }
+
+    /// The function `middle`: the flows between the first and the last, in their order or backwards.
+    fn middle_function(&self, names: &Names) -> Option<TokenStream> {
+        let Names { runtime, scalar, leaf, .. } = names;
+        let flows: Vec<_> = self.middle.iter().map(|flow| &flow.body.0).collect();
+        let body = match &flows[..] {
+            [] => return None,
+            [alone] => quote!(#alone),
+            flows => {
+                let backwards = flows.iter().rev();
+                quote! {
+                    if backwards {
+                        #({ #backwards })*
+                    } else {
+                        #({ #flows })*
+                    }
+                }
+            }
+        };
+        let body = Body::new(body);
+        let [motion, duration, backwards] = ["motion", "duration", "backwards"].map(|name| body.argument(name));
+        let body = &body.0;
+        Some(quote! {
+            #[inline(always)]
+            fn middle<#scalar: #runtime::Real, #leaf: #runtime::Precision>(#motion: &mut Self::Motion<#scalar, #leaf>, #duration: f64, #backwards: bool) { #body }
+        })
     }
 
     /// The function that returns an energy.
@@ -126,6 +168,16 @@ pub(crate) struct Flow {
 }
 
 impl Flow {
+    /// The exact flow of a part of H.
+    fn of_part(emitter: &mut Emitter<'_>, energy: NodeId, form: Exact) -> Self {
+        let by = match form {
+            Exact::OfMomenta => Part::Momentum,
+            Exact::OfPositions => Part::Position,
+        };
+        let gradient = gradient(&mut emitter.model.graph, energy, by);
+        Self::along(emitter, &gradient, by)
+    }
+
     /// Each component of the gradient moves its coordinate: on the spot where every coordinate gets one contribution;
     /// else contributions are collected first.
     fn of(emitter: &mut Emitter<'_>, gradient: &[Contribution], part: Part) -> Self {
@@ -138,6 +190,13 @@ impl Flow {
         if !apart && let Some(sweep) = lattice::sweep(emitter, &folded, part) {
             return Self { body: Body::new(sweep.flow()), sweep: Some(sweep), divides_by_root_cubed: false };
         }
+        Self::along(emitter, gradient, part)
+    }
+
+    /// The same without regard to lattices.
+    fn along(emitter: &mut Emitter<'_>, gradient: &[Contribution], part: Part) -> Self {
+        let folded = fold_branches(&mut emitter.model.graph, gradient);
+        let apart = gradient.iter().any(|contribution| is_protected(&mut emitter.model.graph, contribution));
         let lines = if !apart && is_direct(&emitter.model.graph.loops, &folded) {
             let stores = stores(emitter.model, &folded, Sink::Update);
             emitter.evaluate(&Frame::Motion, &[], &stores)

@@ -2,7 +2,7 @@
 
 use crate::{
     emit::printer::names::Names,
-    model::{Called, Model},
+    model::{Called, ExactPart, Model},
     syntax::Input,
 };
 use proc_macro2::TokenStream;
@@ -18,11 +18,18 @@ pub(crate) fn function(input: &Input, model: &Model, names: &Names) -> TokenStre
                 potential: Self::potential(#(#potential),*),
             }
         },
+        Some(Called::Parts) => {
+            let mut calls =
+                model.parts.iter().map(|ExactPart { name, arguments, .. }| quote!(Self::#name(#(#arguments),*)));
+            let (first, others) = (calls.next(), calls);
+            quote!(#runtime::StatedEnergy::Separate { kinetic: #first, potential: #(#others)+* })
+        }
         Some(Called::Whole(arguments)) => quote!(#runtime::StatedEnergy::Whole(Self::hamiltonian(#(#arguments),*))),
         // A mistake was noted. The functions count as used all the same; one that is missing has been noted.
         None => {
-            let functions = ["kinetic", "potential", "hamiltonian"].into_iter();
-            let functions = functions.filter_map(|name| Some(&input.function(name)?.sig.ident));
+            let parts = input.split.iter().map(ToString::to_string);
+            let functions = ["kinetic", "potential", "hamiltonian"].map(str::to_owned).into_iter().chain(parts);
+            let functions = functions.filter_map(|name| Some(&input.function(&name)?.sig.ident));
             quote! {
                 let _ = (#(Self::#functions),*);
                 #runtime::StatedEnergy::Whole(0.0)

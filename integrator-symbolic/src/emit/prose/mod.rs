@@ -29,14 +29,17 @@ pub(crate) fn equations(model: &mut Model, kinetic: &[Contribution], potential: 
     motion.chain(formulas.definitions()).collect()
 }
 
-/// `T = ...` and `V = ...`, where the user wrote all of `H` in one function; of a long formula, that it is long.
+/// `T = ...` and `V = ...`, where the user wrote all of `H` in one function, or `name = ...` for parts with names; of a
+/// long formula, that it is long.
 pub(crate) fn parts(model: &Model) -> Vec<String> {
-    if !matches!(model.called, Some(Called::Whole(_))) {
-        return Vec::new();
-    }
+    let parts = match model.called {
+        Some(Called::Whole(_)) => vec![("T".to_owned(), model.kinetic), ("V".to_owned(), model.potential)],
+        Some(Called::Parts) => model.parts.iter().map(|part| (part.name.to_string(), part.energy)).collect(),
+        _ => Vec::new(),
+    };
     let formulas = Formulas::of(model);
     let formula = |id| formulas.short(id).unwrap_or_else(|| format!("a formula of {} operations", formulas.size(id)));
-    vec![format!("T = {}", formula(model.kinetic)), format!("V = {}", formula(model.potential))]
+    parts.into_iter().map(|(name, energy)| format!("{name} = {}", formula(energy))).collect()
 }
 
 /// Loops as `i in 0..n`.
@@ -51,15 +54,19 @@ pub(crate) fn motion_documentation(
     potential: &[Contribution],
 ) -> TokenStream {
     let lines: Vec<String> = equations(model, kinetic, potential).iter().map(|line| format!(" {line}")).collect();
-    let class = if model.quadratic {
+    let class = if !model.is_separable() {
+        " Each part has an exact flow."
+    } else if model.quadratic {
         " `T` is quadratic in the momenta, with a constant mass matrix."
     } else {
         " `T` is not quadratic in the momenta with a constant mass matrix."
     };
     let functions = match model.called {
-        Some(Called::Whole(_)) => " The equations of motion, derived from `hamiltonian`:",
-        _ => " The equations of motion, derived from `kinetic` and `potential`:",
+        Some(Called::Whole(_)) => "`hamiltonian`".to_owned(),
+        Some(Called::Parts) => listed(&model.parts.iter().map(|part| format!("`{}`", part.name)).collect::<Vec<_>>()),
+        _ => "`kinetic` and `potential`".to_owned(),
     };
+    let functions = format!(" The equations of motion, derived from {functions}:");
     quote! {
         #[doc = #functions]
         ///
@@ -68,6 +75,14 @@ pub(crate) fn motion_documentation(
         /// ```
         ///
         #[doc = #class]
+    }
+}
+
+/// Words as a list: `a, b and c`.
+fn listed(words: &[String]) -> String {
+    match words {
+        [others @ .., last] if !others.is_empty() => format!("{} and {last}", others.join(", ")),
+        _ => words.concat(),
     }
 }
 

@@ -1,0 +1,145 @@
+//! The parts of H that `split` names: each a function of its own, judged by whether its exact flow is known.
+
+use super::{
+    Reader,
+    shape::{Shape, WholeSignature, lone_part, signature, whole_signature},
+};
+use crate::{
+    errors::Errors,
+    graph::{NodeId, Part, exact::Exact},
+    spelling::nearest,
+};
+use proc_macro2::{Ident, TokenStream};
+use std::collections::HashSet;
+use syn::ImplItemFn;
+
+/// A part of H with an exact flow.
+pub(crate) struct ExactPart {
+    /// The name of its function.
+    pub(crate) name: Ident,
+    pub(crate) energy: NodeId,
+    pub(crate) form: Exact,
+    /// What its function is called with, where `self`, references `q` and `p` to the coordinates, and `time` are at hand.
+    pub(crate) arguments: Vec<TokenStream>,
+}
+
+/// The function of a part as it was read.
+struct Read {
+    energy: NodeId,
+    shape: Shape,
+    arguments: Vec<TokenStream>,
+}
+
+impl<'i> Reader<'i> {
+    /// The parts in the order of their letters, or notes of what is wrong with them.
+    pub(super) fn named_parts(&mut self) -> Option<(Vec<ExactPart>, Shape)> {
+        let input = self.input;
+        let mut names = HashSet::new();
+        let mut parts = Vec::new();
+        let mut shape: Option<Shape> = None;
+        for name in &input.split {
+            if !names.insert(name.to_string()) {
+                self.errors.at(name, format!("`{name}` is a part of H already: each part is named once"));
+                continue;
+            }
+            let Some(function) = input.function(&name.to_string()) else {
+                self.lacks(name);
+                continue;
+            };
+            let Some(read) = self.part(function) else { continue };
+            match &shape {
+                None => shape = Some(read.shape),
+                Some(first) if first.text() != read.shape.text() => {
+                    let (first, here) = (first.text(), read.shape.text());
+                    let message = format!(
+                        "all parts have the same coordinates: q and p are `{first}` in the first part, but `{here}` here"
+                    );
+                    self.errors.at(&function.sig.inputs, message);
+                    continue;
+                }
+                Some(_) => {}
+            }
+            let part = self.judged(&function.sig.ident, read.energy, read.arguments);
+            parts.extend(part);
+        }
+        (parts.len() == input.split.len()).then_some((parts, shape?))
+    }
+
+    /// The energy of the first part, and that of all others together.
+    pub(super) fn first_and_others(&mut self, parts: &[ExactPart]) -> [NodeId; 2] {
+        let zero = self.graph.constant(0.0);
+        let (first, others) = match parts {
+            [first, others @ ..] => (first.energy, others),
+            [] => (zero, parts),
+        };
+        [first, others.iter().fold(zero, |sum, part| self.graph.add(sum, part.energy))]
+    }
+
+    /// Says that the impl has no function for a part.
+    fn lacks(&mut self, name: &Ident) {
+        let known: Vec<String> = self.input.functions().map(|function| function.sig.ident.to_string()).collect();
+        let near = match &nearest(&name.to_string(), &known)[..] {
+            [] => String::new(),
+            near => format!("; is it `{}`?", near.join("`, `")),
+        };
+        let message = format!(
+            "the impl lacks `fn {name}(&self, q: [f64; N], p: [f64; N]) -> f64`, the part of H that `split` names{near}"
+        );
+        self.errors.at(name, message);
+    }
+
+    /// The energy of a part, a function of positions, of momenta, or of both.
+    fn part(&mut self, function: &'i ImplItemFn) -> Option<Read> {
+        match lone_part(function, self.errors)? {
+            Some(part) => {
+                let signature = signature(function, part, self.errors)?;
+                let energy = self.energy(part, function, &signature)?;
+                Some(Read { energy, shape: signature.shape, arguments: signature.arguments })
+            }
+            None => {
+                let signature = whole_signature(function, self.errors)?;
+                self.may_mix = true;
+                let energy = self.whole_energy(function, &signature);
+                self.may_mix = false;
+                let WholeSignature { shape, arguments, .. } = signature;
+                Some(Read { energy: energy?, shape, arguments })
+            }
+        }
+    }
+
+    /// A part whose exact flow is known, or a note of what stands in the way.
+    fn judged(&mut self, name: &Ident, energy: NodeId, arguments: Vec<TokenStream>) -> Option<ExactPart> {
+        if ![Part::Position, Part::Momentum].iter().any(|part| self.graph.reads(energy, *part)) {
+            let message = format!("`{name}` depends on neither q nor p, so nothing moves by it: leave this part out");
+            self.errors.at(name, message);
+            return None;
+        }
+        if self.graph.reads_time(energy) && self.input.split.len() > 2 {
+            let message = format!(
+                "`{name}` reads the time: compositions know at what time the flows of two parts begin, not those of \
+                 more. Make two parts of these, or the time a coordinate with a momentum of its own"
+            );
+            self.errors.at(name, message);
+            return None;
+        }
+        match self.graph.exact(energy) {
+            Ok(form) => Some(ExactPart { name: name.clone(), energy, form, arguments }),
+            Err(reasons) => {
+                let message =
+                    format!("no exact flow is known for `{name}`: {}. Split it into more parts", reasons.join("; "));
+                self.errors.at(name, message);
+                None
+            }
+        }
+    }
+}
+
+/// The shape of the coordinates of a part's function, if its signature shows it.
+pub(super) fn part_shape(function: &ImplItemFn) -> Option<Shape> {
+    // What is wrong with it was noted when it was read for the first time.
+    let mut noted = Errors::default();
+    match lone_part(function, &mut noted)? {
+        Some(part) => Some(signature(function, part, &mut noted)?.shape),
+        None => Some(whole_signature(function, &mut noted)?.shape),
+    }
+}
