@@ -1,23 +1,73 @@
 //! Parts of H whose exact flow is known: the judgement of a part by its formula.
 
-use super::{Graph, NodeId, Part};
+use super::{Element, Graph, Node, NodeId, Part};
 
 /// The form of a part, which its exact flow follows from.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) enum Exact {
     /// A function of the momenta alone: they stay, and the positions move along straight lines.
     OfMomenta,
     /// A function of the positions alone.
     OfPositions,
+    /// A shear: whatever it reads has a conjugate that it does not read, and so stays, while these conjugates move along
+    /// straight lines.
+    Shear,
 }
+
+/// What keeps a part from being of a form.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) enum Obstacle {
+    /// A coordinate and its conjugate are both in it.
+    Conjugates(Element, Element),
+}
+
+/// The judgement whether a part that reads q and p is of one form.
+type Judgement = fn(&Graph, NodeId) -> Result<Exact, Obstacle>;
+
+/// The judgements in their order.
+const JUDGEMENTS: [Judgement; 1] = [shear];
 
 impl Graph {
     /// The form of a part, or for each form what keeps the part from being of it, in the order in which they are tried.
-    pub(crate) fn exact(&self, energy: NodeId) -> Result<Exact, Vec<String>> {
+    pub(crate) fn exact(&self, energy: NodeId) -> Result<Exact, Vec<Obstacle>> {
         match [Part::Position, Part::Momentum].map(|part| self.reads(energy, part)) {
-            [false, true] => Ok(Exact::OfMomenta),
-            [true, false] => Ok(Exact::OfPositions),
-            _ => Err(vec!["it depends on q and p".to_owned()]),
+            [false, _] => return Ok(Exact::OfMomenta),
+            [_, false] => return Ok(Exact::OfPositions),
+            [true, true] => {}
+        }
+        let mut obstacles = Vec::new();
+        for judgement in JUDGEMENTS {
+            match judgement(self, energy) {
+                Ok(form) => return Ok(form),
+                Err(obstacle) => obstacles.push(obstacle),
+            }
+        }
+        Err(obstacles)
+    }
+
+    /// Whether two coordinates of different parts may be conjugates of each other, whatever the indices of loops are.
+    fn may_be_conjugates(&self, a: Element, b: Element) -> bool {
+        let may_be_equal = |a, b| match (self.loops.literal(a), self.loops.literal(b)) {
+            (Some(a), Some(b)) => a == b,
+            _ => true,
+        };
+        let components = a.component.zip(b.component).is_none_or(|(a, b)| may_be_equal(a, b));
+        a.part != b.part && may_be_equal(a.index, b.index) && components
+    }
+}
+
+/// A shear, where no coordinate that is read has a conjugate that is read.
+fn shear(graph: &Graph, energy: NodeId) -> Result<Exact, Obstacle> {
+    let read = graph.reachable([energy]).into_iter().filter_map(|id| match graph.node(id) {
+        Node::Coordinate(element) => Some(element),
+        _ => None,
+    });
+    let read: Vec<_> = read.collect();
+    for (number, a) in read.iter().enumerate() {
+        if let Some(b) = read[..number].iter().find(|b| graph.may_be_conjugates(*a, **b)) {
+            let [q, p] = if a.part == Part::Position { [*a, *b] } else { [*b, *a] };
+            return Err(Obstacle::Conjugates(q, p));
         }
     }
+    Ok(Exact::Shear)
 }

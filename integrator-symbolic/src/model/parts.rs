@@ -2,11 +2,14 @@
 
 use super::{
     Reader,
-    shape::{Shape, WholeSignature, lone_part, signature, whole_signature},
+    shape::{Shape, WholeSignature, lone_part, signature, usual_name, whole_signature},
 };
 use crate::{
     errors::Errors,
-    graph::{NodeId, Part, exact::Exact},
+    graph::{
+        Element, NodeId, Part,
+        exact::{Exact, Obstacle},
+    },
     spelling::nearest,
 };
 use proc_macro2::{Ident, TokenStream};
@@ -124,13 +127,33 @@ impl<'i> Reader<'i> {
         }
         match self.graph.exact(energy) {
             Ok(form) => Some(ExactPart { name: name.clone(), energy, form, arguments }),
-            Err(reasons) => {
+            Err(obstacles) => {
+                let reasons: Vec<String> = obstacles.iter().map(|obstacle| self.reason(obstacle)).collect();
                 let message =
                     format!("no exact flow is known for `{name}`: {}. Split it into more parts", reasons.join("; "));
                 self.errors.at(name, message);
                 None
             }
         }
+    }
+}
+
+impl Reader<'_> {
+    /// What keeps a part from having an exact flow, in words.
+    fn reason(&self, obstacle: &Obstacle) -> String {
+        match obstacle {
+            Obstacle::Conjugates(q, p) => {
+                let [q, p] = [q, p].map(|element| self.named(*element));
+                format!("it is no shear, since {q} and {p} are both in it")
+            }
+        }
+    }
+
+    /// A coordinate as the user would write it, with `i` for an index that is no number.
+    fn named(&self, element: Element) -> String {
+        let index = |id| self.graph.loops.literal(id).map_or_else(|| "i".to_owned(), |index| index.to_string());
+        let component = element.component.map(|component| format!("[{}]", index(component))).unwrap_or_default();
+        format!("{}[{}]{component}", usual_name(element.part), index(element.index))
     }
 }
 

@@ -56,9 +56,9 @@ impl Flows {
 
     /// Those of the parts that are named, in their order.
     pub(crate) fn of_parts(emitter: &mut Emitter<'_>) -> Self {
-        let parts: Vec<_> = emitter.model.parts.iter().map(|part| (part.energy, part.form)).collect();
-        let mut flows =
-            parts.into_iter().map(|(energy, form)| Flow::of_part(emitter, energy, form)).collect::<Vec<_>>();
+        let parts: Vec<_> = emitter.model.parts.iter().map(|part| (part.energy, part.form.clone())).collect();
+        let flows = parts.into_iter().map(|(energy, form)| Flow::of_part(emitter, energy, &form));
+        let mut flows: Vec<_> = flows.collect();
         let kick = flows.pop().unwrap_or_default();
         let middle = flows.split_off(flows.len().min(1));
         Self { drift: flows.pop().unwrap_or_default(), middle, kick, many_body: None }
@@ -74,8 +74,20 @@ impl Flows {
         let Names { runtime, scalar, leaf, .. } = names;
         match &self.many_body {
             Some(many_body) => many_body.motion(parameters, names),
-            None => quote!(#runtime::Plain<#scalar, #runtime::Shaped<Self, #leaf>, #parameters>),
+            None => match self.solvers() {
+                None => quote!(#runtime::Plain<#scalar, #runtime::Shaped<Self, #leaf>, #parameters>),
+                Some(solvers) => {
+                    quote!(#runtime::Solving<#scalar, #runtime::Shaped<Self, #leaf>, #parameters, #solvers>)
+                }
+            },
         }
+    }
+
+    /// The type of what flows keep beside the state: that of one, or pairs `(first, (second, third))`.
+    fn solvers(&self) -> Option<TokenStream> {
+        let flows = [&self.drift].into_iter().chain(&self.middle).chain([&self.kick]);
+        let solvers = flows.filter_map(|flow| flow.solver.clone());
+        solvers.rev().reduce(|others, first| quote!((#first, #others)))
     }
 
     /// The items that tell the runtime of their form: constants, and the functions that move a lattice segment by
@@ -165,17 +177,32 @@ pub(crate) struct Flow {
     /// Where all sites of a lattice take part alike, what the runtime sweeps along them.
     sweep: Option<Sweep>,
     divides_by_root_cubed: bool,
+    /// The type of what it keeps beside the state, if its equations have to be solved.
+    solver: Option<TokenStream>,
 }
 
 impl Flow {
     /// The exact flow of a part of H.
-    fn of_part(emitter: &mut Emitter<'_>, energy: NodeId, form: Exact) -> Self {
-        let by = match form {
-            Exact::OfMomenta => Part::Momentum,
-            Exact::OfPositions => Part::Position,
-        };
-        let gradient = gradient(&mut emitter.model.graph, energy, by);
-        Self::along(emitter, &gradient, by)
+    fn of_part(emitter: &mut Emitter<'_>, energy: NodeId, form: &Exact) -> Self {
+        match form {
+            Exact::OfMomenta => Self::by(emitter, energy, Part::Momentum),
+            Exact::OfPositions => Self::by(emitter, energy, Part::Position),
+            Exact::Shear => {
+                // What is read does not move, so that both halves are computed together.
+                let graph = &mut emitter.model.graph;
+                let velocity = gradient(graph, energy, Part::Momentum);
+                let mut motion = gradient(graph, energy, Part::Position);
+                motion.iter_mut().for_each(|contribution| contribution.value = graph.neg(contribution.value));
+                motion.extend(velocity);
+                Self::along(emitter, &motion, Part::Momentum)
+            }
+        }
+    }
+
+    /// The motion of the conjugates of what an energy reads of a part, where it stays.
+    fn by(emitter: &mut Emitter<'_>, energy: NodeId, part: Part) -> Self {
+        let gradient = gradient(&mut emitter.model.graph, energy, part);
+        Self::along(emitter, &gradient, part)
     }
 
     /// Each component of the gradient moves its coordinate: on the spot where every coordinate gets one contribution;
@@ -188,7 +215,7 @@ impl Flow {
         // What is moved behind a condition that it is there is not moved by a choice of zero elsewhere.
         let apart = gradient.iter().any(|contribution| is_protected(&mut emitter.model.graph, contribution));
         if !apart && let Some(sweep) = lattice::sweep(emitter, &folded, part) {
-            return Self { body: Body::new(sweep.flow()), sweep: Some(sweep), divides_by_root_cubed: false };
+            return Self { body: Body::new(sweep.flow()), sweep: Some(sweep), ..Self::default() };
         }
         Self::along(emitter, gradient, part)
     }
@@ -200,6 +227,18 @@ impl Flow {
         let lines = if !apart && is_direct(&emitter.model.graph.loops, &folded) {
             let stores = stores(emitter.model, &folded, Sink::Update);
             emitter.evaluate(&Frame::Motion, &[], &stores)
+        } else if gradient.iter().any(|contribution| contribution.element.part != part) {
+            // Each half in a buffer of its own.
+            let (own, other): (Vec<_>, Vec<_>) =
+                gradient.iter().cloned().partition(|contribution| contribution.element.part == part);
+            let lines = [(part, own), (part.other(), other)].map(|(part, half)| {
+                let stores = stores(emitter.model, &half, Sink::Collect);
+                let apply = |place, value| quote!(#place.fma(step, #value););
+                through_buffer(emitter, part.other(), &stores, apply)
+            });
+            let [Lines { tokens: first, mut program }, Lines { tokens: second, program: other }] = lines;
+            program.reads_time |= other.reads_time;
+            Lines { tokens: quote!({ #first } { #second }), program }
         } else {
             let stores = stores(emitter.model, gradient, Sink::Collect);
             let apply = |place, value| quote!(#place.fma(step, #value););
@@ -211,7 +250,7 @@ impl Flow {
         };
         let (scalar, divides_by_root_cubed) = (&emitter.names.scalar, lines.program.divides_by_root_cubed);
         let body = lines.map(|lines| quote!(let step = #scalar::of(#duration); #lines)).body(scalar);
-        Self { body, sweep: None, divides_by_root_cubed }
+        Self { body, divides_by_root_cubed, ..Self::default() }
     }
 }
 

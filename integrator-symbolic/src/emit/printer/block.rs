@@ -12,7 +12,7 @@ use crate::{
         Element, Graph, Node, NodeId, Part,
         index::{Index, LoopId},
     },
-    model::Model,
+    model::{Length, Model},
     program::{Item, Program, Sink, Store, schedule},
 };
 use proc_macro2::{Ident, TokenStream};
@@ -64,6 +64,7 @@ impl<'m> Printer<'m> {
             runtime: &reserved.runtime,
             externals: &model.externals,
             functions: model.functions,
+            is_list: matches!(model.shape.length, Length::OfStart),
             frame,
         }
     }
@@ -164,14 +165,22 @@ impl Block<'_> {
     fn update(&self, fields: &mut Fields, element: Element, value: NodeId) -> TokenStream {
         let printer = &self.printer;
         let place = printer.place(fields, element);
+        // A list cannot be read while an element of it is being changed.
+        let reads_own = printer.is_list && printer.graph.reads(value, element.part);
         match printer.product(value) {
             Some((negative, a, b)) if self.masks.is_empty() => {
                 let (a, b) = (printer.outer_factor(fields, negative, a), printer.expression(fields, b).tokens);
-                quote!(#place.fma(#a, #b);)
+                match reads_own {
+                    true => quote!(let (factor, value) = (#a, #b); #place.fma(factor, value);),
+                    false => quote!(#place.fma(#a, #b);),
+                }
             }
             _ => {
                 let value = self.mask(0, &printer.expression(fields, value).tokens, &self.zero());
-                quote!(#place.add(#value);)
+                match reads_own {
+                    true => quote!(let value = #value; #place.add(value);),
+                    false => quote!(#place.add(#value);),
+                }
             }
         }
     }

@@ -78,6 +78,8 @@ pub(crate) struct Printer<'m> {
     pub(crate) externals: &'m [Method],
     /// How near the elementary functions have to be.
     pub(crate) functions: Functions,
+    /// Whether coordinates are lists, whose length is known at run time.
+    pub(crate) is_list: bool,
     /// Where coordinates and prepared constants are.
     pub(crate) frame: &'m Frame<'m>,
 }
