@@ -155,7 +155,7 @@ pub mod prelude {
 
 /// The private API of generated code. Nothing here is stable.
 pub mod __private {
-    pub use crate::system::external::{External, external};
+    pub use crate::system::external::{External, OwnFlow, external, own_flow};
     pub use crate::{
         composition::{
             Class, Composition, Lead, Processor, Rows, Scheme, Stage, Stages,

@@ -12,6 +12,8 @@ pub(crate) enum Exact {
     /// A shear: whatever it reads has a conjugate that it does not read, and so stays, while these conjugates move along
     /// straight lines.
     Shear,
+    /// Any: the user has written the flow.
+    Own,
 }
 
 /// What keeps a part from being of a form.

@@ -1,5 +1,5 @@
 //! Methods of the user that are called as they are: `#[derivative(slope)]` names the method that gives their
-//! derivative, or the methods, or the one that gives an array of them.
+//! derivative, or the methods, or the one that gives an array of them; `#[flow(part)]` says whose flow a method is.
 
 use super::{
     Reader,
@@ -13,15 +13,21 @@ use quote::quote;
 use std::fmt;
 use syn::{Attribute, Expr, ExprLit, ImplItemFn, Lit, ReturnType, Token, Type, punctuated::Punctuated};
 
-/// The name of the attribute.
-const ATTRIBUTE: &str = "derivative";
+/// The attribute that names the derivatives of a method, and the one that names the part whose flow a method is.
+const DERIVATIVE: &str = "derivative";
+const FLOW: &str = "flow";
 
 /// The attribute that makes a method an external one.
 pub(super) fn attribute(method: &ImplItemFn) -> Option<&Attribute> {
-    method.attrs.iter().find(|attribute| attribute.path().is_ident(ATTRIBUTE))
+    method.attrs.iter().find(|attribute| attribute.path().is_ident(DERIVATIVE))
 }
 
-/// An item without the attribute, which means nothing outside of the annotated impl.
+/// The attribute that makes a method the flow of a part.
+pub(super) fn flow_attribute(method: &ImplItemFn) -> Option<&Attribute> {
+    method.attrs.iter().find(|attribute| attribute.path().is_ident(FLOW))
+}
+
+/// An item without these attributes, which mean nothing outside of the annotated impl.
 pub(crate) fn strip(item: TokenStream) -> TokenStream {
     let mut kept: Vec<TokenTree> = Vec::new();
     for tree in item {
@@ -41,7 +47,7 @@ pub(crate) fn strip(item: TokenStream) -> TokenStream {
 }
 
 fn is_attribute(tokens: &TokenStream) -> bool {
-    matches!(tokens.clone().into_iter().next(), Some(TokenTree::Ident(name)) if name == ATTRIBUTE)
+    matches!(tokens.clone().into_iter().next(), Some(TokenTree::Ident(name)) if name == DERIVATIVE || name == FLOW)
 }
 
 fn ends_with_hash(trees: &[TokenTree]) -> bool {

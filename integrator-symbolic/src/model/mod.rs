@@ -20,6 +20,7 @@ mod flatten;
 mod guard;
 pub(crate) mod integer;
 mod operator;
+mod own_flow;
 mod parts;
 mod pattern;
 mod presence;
@@ -127,6 +128,7 @@ pub(crate) fn model(input: &Input, errors: &mut Errors) -> Option<Model> {
     let is_separate = input.function("kinetic").is_some() && input.function("potential").is_some();
     let whole = input.function("hamiltonian").filter(|_| !is_separate);
     let mut reader = Reader::new(input, errors);
+    reader.check_flows();
     let (energies, parts, shape, called) = if !input.split.is_empty() {
         let (parts, shape) = reader.named_parts()?;
         (reader.first_and_others(&parts), parts, shape, Called::Parts)

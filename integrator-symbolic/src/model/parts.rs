@@ -2,6 +2,7 @@
 
 use super::{
     Reader,
+    own_flow::own_flow,
     shape::{Shape, WholeSignature, lone_part, signature, usual_name, whole_signature},
 };
 use crate::{
@@ -22,6 +23,8 @@ pub(crate) struct ExactPart {
     pub(crate) name: Ident,
     pub(crate) energy: NodeId,
     pub(crate) form: Exact,
+    /// The method of the user that is its flow, where there is one.
+    pub(crate) own: Option<Ident>,
     /// What its function is called with, where `self`, references `q` and `p` to the coordinates, and `time` are at hand.
     pub(crate) arguments: Vec<TokenStream>,
 }
@@ -51,7 +54,7 @@ impl<'i> Reader<'i> {
             };
             let Some(read) = self.part(function) else { continue };
             match &shape {
-                None => shape = Some(read.shape),
+                None => shape = Some(read.shape.clone()),
                 Some(first) if first.text() != read.shape.text() => {
                     let (first, here) = (first.text(), read.shape.text());
                     let message = format!(
@@ -62,7 +65,7 @@ impl<'i> Reader<'i> {
                 }
                 Some(_) => {}
             }
-            let part = self.judged(&function.sig.ident, read.energy, read.arguments);
+            let part = self.judged(&function.sig.ident, read);
             parts.extend(part);
         }
         (parts.len() == input.split.len()).then_some((parts, shape?))
@@ -111,7 +114,8 @@ impl<'i> Reader<'i> {
     }
 
     /// A part whose exact flow is known, or a note of what stands in the way.
-    fn judged(&mut self, name: &Ident, energy: NodeId, arguments: Vec<TokenStream>) -> Option<ExactPart> {
+    fn judged(&mut self, name: &Ident, read: Read) -> Option<ExactPart> {
+        let Read { energy, shape, arguments } = read;
         if ![Part::Position, Part::Momentum].iter().any(|part| self.graph.reads(energy, *part)) {
             let message = format!("`{name}` depends on neither q nor p, so nothing moves by it: leave this part out");
             self.errors.at(name, message);
@@ -125,12 +129,22 @@ impl<'i> Reader<'i> {
             self.errors.at(name, message);
             return None;
         }
-        match self.graph.exact(energy) {
-            Ok(form) => Some(ExactPart { name: name.clone(), energy, form, arguments }),
+        let own = match own_flow(self.input, name) {
+            Some(method) => Some(self.admitted_flow(method, &shape, energy)?),
+            None => None,
+        };
+        let judged = match own {
+            Some(_) => Ok(Exact::Own),
+            None => self.graph.exact(energy),
+        };
+        match judged {
+            Ok(form) => Some(ExactPart { name: name.clone(), energy, form, own, arguments }),
             Err(obstacles) => {
                 let reasons: Vec<String> = obstacles.iter().map(|obstacle| self.reason(obstacle)).collect();
-                let message =
-                    format!("no exact flow is known for `{name}`: {}. Split it into more parts", reasons.join("; "));
+                let message = format!(
+                    "no exact flow is known for `{name}`: {}. Split it into more parts, or write its flow: `#[flow({name})]`",
+                    reasons.join("; ")
+                );
                 self.errors.at(name, message);
                 None
             }

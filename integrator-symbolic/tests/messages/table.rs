@@ -468,11 +468,45 @@ pub(crate) const SPLITS: &[Row] = &[
     (
         "split = a + b on fn a(&self, q: [f64; 1], p: [f64; 1]) -> f64 { (q[0] * p[0]).sin() } fn b(&self, q: [f64; 1]) -> f64 { q[0].cos() }",
         &[
-            "2:3 no exact flow is known for `a`: it is no shear, since q[0] and p[0] are both in it. Split it into more parts",
+            "2:3 no exact flow is known for `a`: it is no shear, since q[0] and p[0] are both in it. Split it into more parts, or write its flow: `#[flow(a)]`",
         ],
     ),
     (
         "split = a + b, taylor on fn a(&self, q: [f64; 1]) -> f64 { q[0].sin() } fn b(&self, p: [f64; 1]) -> f64 { p[0] * p[0] }",
         &["1:15 series are written for H = T(p) + V(q), and these parts are others: leave out `taylor`"],
+    ),
+    (
+        "split = a + b on fn a(&self, q: [f64; 1], p: [f64; 1]) -> f64 { (q[0] * p[0]).sin() } fn b(&self, q: [f64; 1]) -> f64 { q[0].cos() }\n#[flow(a)] fn turn(&self, q: &mut [f64; 1], p: &mut [f64; 1], duration: f64) {}",
+        &[],
+    ),
+    (
+        "split = a + b on fn a(&self, q: [f64; 1], p: [f64; 1]) -> f64 { (q[0] * p[0]).sin() } fn b(&self, q: [f64; 1]) -> f64 { q[0].cos() }\n#[flow(c)] fn turn(&self, q: &mut [f64; 1], p: &mut [f64; 1], duration: f64) {}",
+        &[
+            "3:7 `c` is no part of H: `split` names `a`, `b`",
+            "2:3 no exact flow is known for `a`: it is no shear, since q[0] and p[0] are both in it. Split it into more parts, or write its flow: `#[flow(a)]`",
+        ],
+    ),
+    (
+        "split = a + b on fn a(&self, q: [f64; 1], p: [f64; 1]) -> f64 { (q[0] * p[0]).sin() } fn b(&self, q: [f64; 1]) -> f64 { q[0].cos() }\n#[flow] fn turn(&self, q: &mut [f64; 1], p: &mut [f64; 1], duration: f64) {}",
+        &[
+            "3:0 this names the part of H whose flow the method is: `#[flow(kepler)]`",
+            "2:3 no exact flow is known for `a`: it is no shear, since q[0] and p[0] are both in it. Split it into more parts, or write its flow: `#[flow(a)]`",
+        ],
+    ),
+    (
+        "split = a + b on fn a(&self, q: [f64; 1], p: [f64; 1]) -> f64 { (q[0] * p[0]).sin() } fn b(&self, q: [f64; 1]) -> f64 { q[0].cos() }\n#[flow(a)] fn turn(&self, q: [f64; 1], p: &mut [f64; 1], duration: f64) {}",
+        &[
+            "3:11 a flow moves positions and momenta in place for a duration: `fn turn(&self, q: &mut [f64; 1], p: &mut [f64; 1], duration: f64)`",
+        ],
+    ),
+    (
+        "split = a + b on fn a(&self, q: [f64; 1], p: [f64; 1]) -> f64 { (q[0] * p[0]).sin() } fn b(&self, q: [f64; 1]) -> f64 { q[0].cos() }\n#[flow(b)] fn turn(&self, q: &mut [f64; 1], p: &mut [f64; 1], duration: f64) {}",
+        &[
+            "2:3 no exact flow is known for `a`: it is no shear, since q[0] and p[0] are both in it. Split it into more parts, or write its flow: `#[flow(a)]`",
+        ],
+    ),
+    (
+        "compose = Verlet on fn kinetic(&self, p: [f64; 1]) -> f64 { p[0] * p[0] } fn potential(&self, q: [f64; 1]) -> f64 { q[0].cos() }\n#[flow(a)] fn turn(&self, q: &mut [f64; 1], p: &mut [f64; 1], duration: f64) {}",
+        &["3:7 `a` is no part of H: name the parts, `split = a + b`"],
     ),
 ];

@@ -14,7 +14,7 @@ use crate::{
     },
     graph::index::{Index, IndexId, LoopId, LoopSet},
     lower::lower,
-    model::Model,
+    model::{Length, Model},
     program::Program,
 };
 use proc_macro2::{Ident, Literal, TokenStream};
@@ -76,6 +76,10 @@ impl Constants {
                     });
                     (quote!(#runtime::External<#count>), value)
                 }
+                Content::OwnFlow(part) => {
+                    let runtime = &names.runtime;
+                    (quote!(#runtime::OwnFlow), own_flow(emitter.model, names, part))
+                }
             };
             let runtime = &names.runtime;
             let gathered = match content {
@@ -83,7 +87,7 @@ impl Constants {
                     quote!(#runtime::in_lanes(members, |member| &member.#name))
                 }
                 Content::Integer(_) => quote!(::core::clone::Clone::clone(&members[0].#name)),
-                Content::External(_) => {
+                Content::External(_) | Content::OwnFlow(_) => {
                     quote!(#runtime::table(<#scalar as #runtime::Real>::LANES, &|lane| ::core::clone::Clone::clone(&members[lane].#name[0])))
                 }
             };
@@ -95,7 +99,7 @@ impl Constants {
                 (_, Some(Level { literal: None, .. })) => Some(quote!(a.#name.len() == b.#name.len())),
                 _ => None,
             });
-            if !matches!(content, Content::External(_)) {
+            if !matches!(content, Content::External(_) | Content::OwnFlow(_)) {
                 prepared.digested.push(name.clone());
             }
             if let Content::Number(id) = content {
@@ -104,7 +108,7 @@ impl Constants {
                 let indices = table.levels.iter().map(|level| level.index.to_string());
                 prepared.not_finite.push(quote!(#runtime::not_finite(#formula, &[#(#indices),*], &single.#name)));
             }
-            prepared.generic |= !matches!(content, Content::Integer(_) | Content::External(_));
+            prepared.generic |= !matches!(content, Content::Integer(_) | Content::External(_) | Content::OwnFlow(_));
             prepared.fields.extend(quote!(#documentation #name: #kind,));
             prepared.gathered.extend(quote!(#name: #gathered,));
             prepared.values.extend(quote!(#name: #value,));
@@ -174,6 +178,31 @@ impl Constants {
     }
 }
 
+/// The flow that the user wrote of a part, as the runtime calls it: coordinates come as one list of numbers.
+fn own_flow(model: &Model, names: &Names, part: usize) -> TokenStream {
+    let (runtime, method) = (&names.runtime, &model.parts[part].own);
+    let [q, p] = ["q", "p"].map(|coordinates| format_ident!("{coordinates}"));
+    let points = |coordinates: &Ident| match model.shape.dimension {
+        None => quote!(#coordinates),
+        Some(_) => quote!(#coordinates.as_chunks_mut().0),
+    };
+    let [of_q, of_p] = [points(&q), points(&p)];
+    let call = match model.shape.length {
+        Length::OfStart => quote!(system.#method(#of_q, #of_p, duration)),
+        _ => quote! {
+            if let (::core::result::Result::Ok(q), ::core::result::Result::Ok(p)) =
+                (::core::convert::TryInto::try_into(#of_q), ::core::convert::TryInto::try_into(#of_p))
+            {
+                system.#method(q, p, duration);
+            }
+        },
+    };
+    quote!({
+        let system = ::core::clone::Clone::clone(self);
+        #runtime::Vec::from([#runtime::Arc::new(move |#q: &mut [f64], #p: &mut [f64], duration: f64| { #call }) as _])
+    })
+}
+
 /// The loops that a prepared constant depends on, with how far each runs.
 struct Table {
     levels: Vec<Level>,
@@ -194,7 +223,7 @@ impl Table {
         let loops = match content {
             Content::Number(id) => model.graph.loops_of(id),
             Content::Integer(id) | Content::Flag(id) => model.graph.loops.of_parameter(id),
-            Content::External(_) | Content::Middle => LoopSet::EMPTY,
+            Content::External(_) | Content::OwnFlow(_) | Content::Middle => LoopSet::EMPTY,
         };
         Self { levels: loops.iter().map(|by| Level::of(model, names, by, loops)).collect() }
     }
@@ -219,7 +248,7 @@ impl Table {
             _ if conditions.is_empty() => element,
             Content::Number(_) | Content::Flag(_) => quote!(if #(#conditions)&&* { #element } else { 0.0 }),
             Content::Integer(_) => quote!(if #(#conditions)&&* { #element } else { 0 }),
-            Content::External(_) | Content::Middle => element,
+            Content::External(_) | Content::OwnFlow(_) | Content::Middle => element,
         };
         self.levels.iter().rev().fold(element, |inner, Level { index, literal, extent, .. }| match literal {
             Some(_) => quote!(::core::array::from_fn(|#index: usize| #inner)),

@@ -22,12 +22,12 @@ use crate::{
         names::Names,
     },
     graph::{Element, NodeId, Part, exact::Exact},
-    model::{Length, Model, Shape},
+    model::{ExactPart, Length, Model, Shape},
     program::{Sink, Store, is_direct, is_protected},
 };
 use lattice::Sweep;
 use pairs::ManyBody;
-use proc_macro2::TokenStream;
+use proc_macro2::{Ident, TokenStream};
 use quote::quote;
 
 /// The flows of the parts of H.
@@ -56,9 +56,7 @@ impl Flows {
 
     /// Those of the parts that are named, in their order.
     pub(crate) fn of_parts(emitter: &mut Emitter<'_>) -> Self {
-        let parts: Vec<_> = emitter.model.parts.iter().map(|part| (part.energy, part.form.clone())).collect();
-        let flows = parts.into_iter().map(|(energy, form)| Flow::of_part(emitter, energy, &form));
-        let mut flows: Vec<_> = flows.collect();
+        let mut flows: Vec<_> = (0..emitter.model.parts.len()).map(|part| Flow::of_part(emitter, part)).collect();
         let kick = flows.pop().unwrap_or_default();
         let middle = flows.split_off(flows.len().min(1));
         Self { drift: flows.pop().unwrap_or_default(), middle, kick, many_body: None }
@@ -183,8 +181,10 @@ pub(crate) struct Flow {
 
 impl Flow {
     /// The exact flow of a part of H.
-    fn of_part(emitter: &mut Emitter<'_>, energy: NodeId, form: &Exact) -> Self {
+    fn of_part(emitter: &mut Emitter<'_>, number: usize) -> Self {
+        let ExactPart { energy, ref form, ref own, .. } = emitter.model.parts[number];
         match form {
+            Exact::Own => Self::own(emitter, number, own.clone()),
             Exact::OfMomenta => Self::by(emitter, energy, Part::Momentum),
             Exact::OfPositions => Self::by(emitter, energy, Part::Position),
             Exact::Shear => {
@@ -197,6 +197,23 @@ impl Flow {
                 Self::along(emitter, &motion, Part::Momentum)
             }
         }
+    }
+
+    /// The flow that the user wrote.
+    fn own(emitter: &mut Emitter<'_>, part: usize, method: Option<Ident>) -> Self {
+        let Names { runtime, leaf, .. } = emitter.names;
+        let body = method.map(|method| {
+            let field = emitter.fields.own_flow(part, &method);
+            quote! {
+                #runtime::own_flow::<_, #runtime::Shaped<Self, #leaf>>(
+                    &mut motion.q,
+                    &mut motion.p,
+                    &motion.parameters.#field,
+                    duration,
+                );
+            }
+        });
+        Self { body: Body::new(body.unwrap_or_default()), ..Self::default() }
     }
 
     /// The motion of the conjugates of what an energy reads of a part, where it stays.

@@ -18,6 +18,8 @@ pub(crate) enum Content {
     Flag(ParameterId),
     /// A method of the user with so many arguments.
     External(ExternalId),
+    /// The flow of a part that the user wrote, by the number of the part.
+    OwnFlow(usize),
     /// The middle of the step under way, which is the same for all lanes.
     Middle,
 }
@@ -78,6 +80,10 @@ impl Fields {
         self.insert(Content::External(id), Some(externals[id.0 as usize].name.clone()))
     }
 
+    pub(crate) fn own_flow(&mut self, part: usize, method: &Ident) -> Ident {
+        self.insert(Content::OwnFlow(part), Some(method.clone()))
+    }
+
     pub(crate) fn middle(&mut self) -> Ident {
         self.insert(Content::Middle, Some(format_ident!("middle")))
     }
@@ -119,7 +125,9 @@ impl Content {
     pub(crate) fn node(self) -> Option<NodeId> {
         match self {
             Content::Number(id) => Some(id),
-            Content::Integer(_) | Content::Flag(_) | Content::External(_) | Content::Middle => None,
+            Content::Integer(_) | Content::Flag(_) | Content::External(_) | Content::OwnFlow(_) | Content::Middle => {
+                None
+            }
         }
     }
 }
