@@ -50,14 +50,14 @@ pub enum Error {
         /// The numbers, of a table the first one.
         constants: Vec<NotFinite>,
     },
-    /// The kinetic or the potential energy of the start is not finite, as at a pole or where a logarithm or a root has
-    /// no value.
+    /// The kinetic or the potential energy of the start, or that of a part of H with a name, is not finite, as at a
+    /// pole or where a logarithm or a root has no value.
     #[error(
         "`{function}` is {value} at the start (t = {time}): this state has no energy. Start elsewhere, or look at the \
          parameters"
     )]
     Energy {
-        /// `kinetic` or `potential`.
+        /// `kinetic` or `potential`; where parts of H have names, that of the first one, or of the other one.
         function: &'static str,
         /// What it is.
         value: f64,
@@ -167,7 +167,7 @@ pub enum Error {
         bound: f64,
     },
     /// A watch on an energy that is not conserved.
-    #[error("`kinetic` or `potential` reads the time, so that the energy is not conserved and no bound holds it")]
+    #[error("H reads the time, so that the energy is not conserved and no bound holds it")]
     NotConserved,
     /// A state that was changed between two steps has another number of coordinates than before.
     #[error("the state had {before} positions, and has {after} now: a run keeps its coordinates")]
@@ -283,7 +283,7 @@ fn listed(constants: &[NotFinite]) -> String {
      write it in other words until it is mended", self.place()
 )]
 pub struct Misread {
-    /// `kinetic` or `potential`.
+    /// `kinetic`, `potential` or `hamiltonian`, or the name of a part of H.
     pub function: &'static str,
     /// What the function gives.
     pub stated: f64,
@@ -302,10 +302,14 @@ pub struct Misread {
 impl Misread {
     /// The coordinates that the function reads, the first ones of many.
     fn place(&self) -> String {
-        let (name, numbers) = if self.function == "kinetic" { ("p", &self.p) } else { ("q", &self.q) };
-        match numbers.get(..8).filter(|first| first.len() < numbers.len()) {
+        let place = |name: &str, numbers: &[f64]| match numbers.get(..8).filter(|first| first.len() < numbers.len()) {
             Some(first) => format!("{name} begins with {first:?}"),
             None => format!("{name} = {numbers:?}"),
+        };
+        match self.function {
+            "kinetic" => place("p", &self.p),
+            "potential" => place("q", &self.q),
+            _ => format!("{}, {}", place("q", &self.q), place("p", &self.p)),
         }
     }
 }

@@ -188,11 +188,11 @@ impl<H: Hamiltonian, R: Real, K: Precision> Flows<H> for Single<'_, H, R, K> {
 /// The energy of a state by the user's own functions.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum StatedEnergy {
-    /// By `kinetic` and `potential`.
+    /// By `kinetic` and `potential`, or by the functions of parts with names.
     Separate {
-        /// `T`
+        /// `T`, or the energy of the first part.
         kinetic: f64,
-        /// `V`
+        /// `V`, or the energy of all other parts together.
         potential: f64,
     },
     /// By `hamiltonian`.

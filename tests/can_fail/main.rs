@@ -1,8 +1,10 @@
 //! Every check is fed what is right and what is wrong: the right ones pass, and each wrong one is told by its name.
 
+mod parts;
 mod schemes;
 mod systems;
 
+mod flows;
 mod modified;
 mod orbit;
 mod right;

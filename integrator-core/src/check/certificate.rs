@@ -1,6 +1,8 @@
 //! Certificates: what was measured, as data and as text.
 
-use crate::check::property::{agreement::Agreement, energy::EnergyDrift, order::Order, stability::Stability};
+use crate::check::property::{
+    agreement::Agreement, energy::EnergyDrift, flow_laws::FlowErrors, order::Order, stability::Stability,
+};
 use std::fmt;
 
 /// The measurements of one composition on one system, with one start and one step.
@@ -40,8 +42,12 @@ pub struct Certificate {
     /// The same over as long a time in steps of half the length; nothing where rounding explains the deviation.
     pub finer_energy_drift: Option<EnergyDrift>,
     /// The error of the flows as gradients of the energies: the largest
-    /// [`gradient_error`](crate::check::gradient_error) along the path.
+    /// [`gradient_error`](crate::check::gradient_error) along the path. NaN where [`Certificate::flows`] has the
+    /// errors of parts that are no `T(p)` and `V(q)`.
     pub gradient_error: f64,
+    /// The errors of the flows of parts, of flows as long as the step, at the start and along the path; nothing where the parts
+    /// are `T(p)` and `V(q)`.
+    pub flows: Option<FlowErrors>,
     /// The number of comparisons with the user's own functions, at the start and along the path, in which the generated
     /// code agreed. `None` where it does not, or where no comparison could be made.
     pub agreement: Option<Agreement>,
@@ -90,6 +96,11 @@ impl fmt::Display for Certificate {
             None => write!(f, "\n  energy drift       left out: H reads the time")?,
         }
         line(f, "gradient error", self.gradient_error, explained(gradient_error))?;
+        if let Some(flows) = &self.flows {
+            let FlowErrors { symplecticity, inverse, addition, energy, generator } = flows;
+            write!(f, "\n  flows of the parts symplectic {symplecticity:.0e}, inverse {inverse:.0e}, ")?;
+            write!(f, "sum {addition:.0e}, energy {energy:.0e}, derivative {generator:.0e} of what is explained")?;
+        }
         if let Some(Agreement { energies, derivatives, left_out }) = self.agreement {
             write!(f, "\n  own functions      {energies} energies and {derivatives} derivatives agree, ")?;
             write!(f, "{left_out} could not be compared")?;

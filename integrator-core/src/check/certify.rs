@@ -9,6 +9,7 @@ use crate::{
         property::{
             agreement::{Visited, agreement},
             energy::EnergyDrift,
+            flow_laws::{Broken, FlowErrors, flow_errors},
             gradient::{Energies, error_at, gradient_tolerance},
             local_order::{OrderAlong, UNITS, order_along},
             order::{Order, needed_along, order_of, path},
@@ -19,7 +20,7 @@ use crate::{
         start::Start,
         statistics::{
             path::{PARTS, Path},
-            points::{begin, flat_start},
+            points::{begin, flat_start, numbers},
         },
     },
     hamiltonian::{Hamiltonian, Shaped},
@@ -50,7 +51,7 @@ const GRADIENT_SPAN: f64 = 64.0;
 ///
 /// A certificate says that one step of size `h` from `start` is symplectic, that errors fall with the claimed order,
 /// that a composition that claims symmetry runs back to where it began, that the energy stays (unless `H` reads the
-/// time), that the flows belong to the energies, and that both are what the user's own functions say. Each is judged by
+/// time), that the flows belong to the energies (those of parts with names each for itself: [`FlowErrors`]), and that both are what the user's own functions say. Each is judged by
 /// a bound that follows from the rounding of the scalar, the energy by the fraction of its deviation that is a trend,
 /// and derivatives of the user's functions by what their differences are known to. Beside these it warns of a step that
 /// is half as long as the composition bears, or longer. Small systems take milliseconds; the work grows with the number
@@ -144,14 +145,17 @@ fn certificate(subject: &Subject<'_>) -> Result<Certificate, CertifyError> {
     });
     let states = subject.states(order);
     let gradient_tolerance = gradient_tolerance(subject.start.phase.q.len());
-    let gradient = findings.judge(
-        "the gradient",
-        states.as_ref().map_err(Clone::clone).and_then(|states| subject.gradient(states)),
-        |error| {
+    let is_separable = subject.measured.stated().energies().is_separable();
+    let visited = states.as_ref().map_err(Clone::clone);
+    let (gradient, flows) = if is_separable {
+        let gradient = findings.judge("the gradient", visited.and_then(|states| subject.gradient(states)), |error| {
             let (error, tolerance) = (*error, gradient_tolerance);
             (!within(error, tolerance)).then_some(Shortfall::Gradient { error, tolerance })
-        },
-    );
+        });
+        (gradient, None)
+    } else {
+        (None, findings.judge_flows(visited.and_then(|states| subject.flows(states))))
+    };
     let agreement = match states.map(|states| agreement(subject.measured.stated(), &states)) {
         Ok(Ok(outcome)) => findings.judge("the agreement with your own functions", outcome, |_| None),
         Ok(Err(misread)) => {
@@ -161,8 +165,10 @@ fn certificate(subject: &Subject<'_>) -> Result<Certificate, CertifyError> {
         Err(reason) => findings.judge("the agreement with your own functions", Err(reason), |_| None),
     };
 
+    // The limit is that of an oscillator that is split into T and V.
     let stability = facts
         .stability_limit
+        .filter(|_| is_separable)
         .and_then(|limit| findings.judge("the stability", subject.measured.stability(limit), |_| None));
 
     let certificate = Certificate {
@@ -181,6 +187,7 @@ fn certificate(subject: &Subject<'_>) -> Result<Certificate, CertifyError> {
         energy_drift: energy,
         finer_energy_drift: finer,
         gradient_error: gradient.unwrap_or(f64::NAN),
+        flows,
         agreement,
         stability,
         tolerances: Tolerances {
@@ -221,6 +228,13 @@ impl Findings {
                 None
             }
         }
+    }
+
+    /// Keeps the errors of the flows of parts, and records the first offence against each law.
+    fn judge_flows(&mut self, outcome: Result<(FlowErrors, Vec<Shortfall>), CheckError>) -> Option<FlowErrors> {
+        let (errors, broken) = self.judge("the flows of the parts", outcome, |_| None)?;
+        self.0.extend(broken);
+        Some(errors)
     }
 
     fn conclude(mut self, certificate: Certificate) -> Result<Certificate, CertifyError> {
@@ -311,6 +325,25 @@ impl Subject<'_> {
         let Path { start, ends } = path(self.measured.stepper(), &self.start, span, steps)?;
         let times = (0..).map(|part| self.start.time + span * f64::from(part) / PARTS as f64);
         Ok([start].into_iter().chain(ends).zip(times).collect())
+    }
+
+    /// The errors of the flows of parts at some states, and for each part the first offence against each law.
+    fn flows(&self, states: &[Visited]) -> Result<(FlowErrors, Vec<Shortfall>), CheckError> {
+        let mut most = FlowErrors::default();
+        let mut broken: Vec<Shortfall> = Vec::new();
+        for (state, time) in states {
+            self.measured.begin(state, *time)?;
+            let (errors, offences) = flow_errors(self.measured.stated().energies(), state, *time, self.h)?;
+            most = most.and(errors);
+            for Broken { part, law, error, tolerance, duration } in offences {
+                let is_same = |other: &Shortfall| matches!(other, Shortfall::Flow { part: of, law: by, .. } if *of == part && *by == law);
+                if !broken.iter().any(is_same) {
+                    let (time, state) = (*time, numbers(state).collect());
+                    broken.push(Shortfall::Flow { part, law, error, tolerance, duration, time, state });
+                }
+            }
+        }
+        Ok((most, broken))
     }
 
     /// The largest error of a gradient at some states.

@@ -59,6 +59,12 @@ pub enum CheckError {
     /// The Hamiltonian depends on time, so its energy is not conserved.
     #[error("the Hamiltonian reads the time, so that its energy is not conserved and says nothing about the stepper")]
     NotAutonomous,
+    /// What is measured belongs to `T(p) + V(q)`, and the Hamiltonian is split into other parts.
+    #[error("{what} is known for T(p) + V(q) alone, and this Hamiltonian is split into other parts")]
+    NotSeparable {
+        /// What is measured.
+        what: &'static str,
+    },
     /// The derivative of an energy by duals is not the one by central differences: it has a kink or a jump here.
     #[error(
         "{energy} changes by {dual} per unit of coordinate {index} according to duals, but by {difference} +- \

@@ -12,6 +12,7 @@
 //! | [`reversibility()`] | rounding, if the composition is symmetric | of the size of the error |
 //! | [`energy_drift`] | [`Course::Bounded`], up to rounding | [`Course::Drift`] |
 //! | [`gradient_error`] | rounding | of the size of the gradient |
+//! | [`FlowErrors`] | rounding, for parts that are no `T(p)` and `V(q)` | of the size of the flow |
 //! | [`Agreement`] | the user's own functions and their differences | off by more than rounding |
 //! | [`shadow()`] | orders 2, 4 and 6 | a lower one |
 //!
@@ -49,6 +50,7 @@ pub use choose::{Choice, ChooseError, Goal, Ranking, choose};
 pub use error::CheckError;
 pub use property::agreement::Agreement;
 pub use property::energy::{EnergyDrift, energy_drift};
+pub use property::flow_laws::{FlowErrors, FlowLaw};
 pub use property::global_error::{GlobalError, global_error};
 pub use property::gradient::gradient_error;
 pub use property::order::{Order, observed_order};

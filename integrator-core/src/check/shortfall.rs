@@ -1,7 +1,11 @@
 //! Shortfalls: the claims that a stepper does not meet.
 
 use crate::{
-    check::{certificate::Certificate, error::CheckError, property::energy::EnergyDrift},
+    check::{
+        certificate::Certificate,
+        error::CheckError,
+        property::{energy::EnergyDrift, flow_laws::FlowLaw},
+    },
     error::{Error, Misread, debug_as_display},
 };
 use std::fmt;
@@ -117,6 +121,27 @@ pub enum Shortfall {
         /// The error that rounding explains.
         tolerance: f64,
     },
+    /// The flow of a part of H is none, or is not that of its energy.
+    #[error(
+        "the flow of `{part}` {law}: {error:.1e} off, where {tolerance:.1e} are explained (t = {time}, a duration of \
+         {duration:.1e}): a flow of your own is wrong, or the part was misread"
+    )]
+    Flow {
+        /// The name of the part, or of several parts whose energies are not known apart.
+        part: String,
+        /// What the flow does not do.
+        law: FlowLaw,
+        /// How far it is off.
+        error: f64,
+        /// How far rounding explains, and the uncertainty of differences.
+        tolerance: f64,
+        /// For how long it was applied; for a derivative at zero, the time in which the state would change by its size.
+        duration: f64,
+        /// The time.
+        time: f64,
+        /// The state, positions first.
+        state: Vec<f64>,
+    },
     /// A function of the user's is not what the generated code computes.
     #[error(transparent)]
     Misread(Misread),
@@ -128,7 +153,7 @@ pub enum Shortfall {
         derivative(function, *order)
     )]
     Derivative {
-        /// `kinetic` or `potential`.
+        /// `kinetic`, `potential` or `hamiltonian`, or the name of a part of H.
         function: &'static str,
         /// 1 for a force or a velocity, held against the function itself; 2 for the tangent of these, held against
         /// them.
@@ -159,8 +184,10 @@ fn derivative(function: &str, order: u32) -> String {
     match (function, order) {
         ("kinetic", 1) => "the derivative of `kinetic`, a velocity,".to_owned(),
         ("kinetic", _) => "the derivative of the velocity, a second one of `kinetic`,".to_owned(),
-        (_, 1) => "the derivative of `potential`, a force,".to_owned(),
-        _ => "the derivative of the force, a second one of `potential`,".to_owned(),
+        ("potential", 1) => "the derivative of `potential`, a force,".to_owned(),
+        ("potential", _) => "the derivative of the force, a second one of `potential`,".to_owned(),
+        (_, 1) => format!("a derivative of `{function}`, a force or a velocity,"),
+        _ => format!("a derivative of a force or a velocity, a second one of `{function}`,"),
     }
 }
 

@@ -9,12 +9,25 @@ use crate::{
 };
 use alloc::sync::Arc;
 
-/// Kinetic, potential and total energy; the total is rounded once where energies are computed in double-double.
+/// Kinetic, potential and total energy; the total is rounded once where energies are computed in double-double. Where
+/// parts of H have names, the energy of the first one takes the place of the kinetic energy, and that of all others
+/// together the place of the potential one.
 #[derive(Clone, Copy)]
 pub(crate) struct Parts {
     pub(crate) kinetic: f64,
     pub(crate) potential: f64,
     pub(crate) total: f64,
+    names: [&'static str; 2],
+}
+
+/// The names of the first part of H and of what all others make together, as the user knows them.
+pub(crate) fn part_names<H: Hamiltonian>() -> [&'static str; 2] {
+    match H::PARTS {
+        [] => ["hamiltonian"; 2],
+        [first] => [first; 2],
+        [first, second] => [first, second],
+        [first, ..] => [first, "the sum of all other parts"],
+    }
 }
 
 impl Parts {
@@ -24,7 +37,8 @@ impl Parts {
     /// [`Error::Energy`] naming the function that is not finite: forces may be finite there all the same, as those of
     /// `q - ln q` are at `q = -1`.
     pub(crate) fn admissible(self, time: f64) -> Result<(), Error> {
-        let parts = [("kinetic", self.kinetic), ("potential", self.potential)];
+        let [first, second] = self.names;
+        let parts = [(first, self.kinetic), (second, self.potential)];
         match parts.into_iter().find(|(_, value)| !value.is_finite()) {
             Some((function, value)) => Err(Error::Energy { function, value, time }),
             None => Ok(()),
@@ -91,6 +105,7 @@ impl<H: Hamiltonian, R: Real> Kernel for Energy<'_, H, R> {
     fn call(self) -> Parts {
         let kinetic = H::kinetic::<R, f64>(self.motion, self.time);
         let potential = H::potential::<R, f64>(self.motion, self.time);
-        Parts { kinetic: kinetic.lane(0), potential: potential.lane(0), total: (kinetic + potential).lane(0) }
+        let total = (kinetic + potential).lane(0);
+        Parts { kinetic: kinetic.lane(0), potential: potential.lane(0), total, names: part_names::<H>() }
     }
 }

@@ -18,7 +18,7 @@ use crate::{
     hamiltonian::{Hamiltonian, StatedEnergy},
     scalar::{bounded::Bounded, real::Real},
     state::{flat::Flat, phase::Phase},
-    system::motion::Motion,
+    system::{energy::part_names, motion::Motion},
 };
 
 /// The number of roundings of the user's function for each one of the generated code: where one adds in a loop, the
@@ -35,7 +35,8 @@ const NEARBY: f64 = 256.0;
 #[cfg(debug_assertions)]
 const SMALL: usize = 4096;
 
-/// One of the two functions that a Hamiltonian is made of: what depends on the momenta, and what depends on the positions.
+/// One of the two functions that a Hamiltonian is made of: what depends on the momenta, and what depends on the positions;
+/// where its parts have names, the first one, and the sum of all others.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Function {
     Kinetic,
@@ -46,11 +47,12 @@ impl Function {
     pub(crate) const BOTH: [Self; 2] = [Self::Kinetic, Self::Potential];
 
     /// The user's function that it is, or is a part of.
-    pub(crate) fn name(self, is_whole: bool) -> &'static str {
+    fn name<H: Hamiltonian>(self, is_whole: bool) -> &'static str {
+        let [first, second] = part_names::<H>();
         match self {
             _ if is_whole => "hamiltonian",
-            Self::Kinetic => "kinetic",
-            Self::Potential => "potential",
+            Self::Kinetic => first,
+            Self::Potential => second,
         }
     }
 
@@ -63,7 +65,7 @@ impl Function {
     /// # Errors
     /// [`Misread`], where rounding does not explain the difference.
     pub(crate) fn hold(self, state: &Flat, time: f64, values: &dyn Fn(&Flat) -> Values) -> Result<bool, Misread> {
-        let Values { stated, generated, rounding: error, is_whole } = values(state);
+        let Values { stated, generated, rounding: error, name, .. } = values(state);
         // Subnormal energies count as zero.
         let mut rounding = ROUNDINGS * error + f64::MIN_POSITIVE;
         let agree = |rounding: f64| match [stated, generated].map(f64::is_finite) {
@@ -80,7 +82,7 @@ impl Function {
             return Ok(true);
         }
         let (q, p) = (state.q.clone(), state.p.clone());
-        Err(Misread { function: self.name(is_whole), stated, generated, rounding, time, q, p })
+        Err(Misread { function: name, stated, generated, rounding, time, q, p })
     }
 }
 
@@ -89,8 +91,8 @@ pub(crate) struct Values {
     pub(crate) stated: f64,
     pub(crate) generated: f64,
     pub(crate) rounding: f64,
-    /// Whether these are values of all of `H`, whose parts the user did not tell apart.
-    pub(crate) is_whole: bool,
+    /// The user's function.
+    pub(crate) name: &'static str,
 }
 
 /// The values of a function; where the user wrote all of `H` in one, those of all of `H`, which changes with the coordinates of
@@ -102,28 +104,42 @@ pub(crate) fn values<H: Hamiltonian>(
     state: &Phase<H::Coords>,
     time: f64,
 ) -> Values {
-    values_of(function, system.stated(&state.q, &state.p, time), &|function| {
-        let motion = H::Motion::<Bounded, f64>::load(&[parameters; 2], &[state; 2]);
-        let energy = match function {
-            Function::Kinetic => H::kinetic::<Bounded, f64>(&motion, time),
-            Function::Potential => H::potential::<Bounded, f64>(&motion, time),
-        };
-        [energy.lane(0), energy.lane(1)]
-    })
+    let stated = system.stated(&state.q, &state.p, time);
+    let name = function.name::<H>(matches!(stated, StatedEnergy::Whole(_)));
+    values_of((function, name), stated, &|function| bounded_energy::<H>(function, parameters, state, time))
+}
+
+/// The value of the generated code, and a bound on its rounding.
+pub(crate) fn bounded_energy<H: Hamiltonian>(
+    function: Function,
+    parameters: &H::Parameters<f64>,
+    state: &Phase<H::Coords>,
+    time: f64,
+) -> [f64; 2] {
+    let motion = H::Motion::<Bounded, f64>::load(&[parameters; 2], &[state; 2]);
+    let energy = match function {
+        Function::Kinetic => H::kinetic::<Bounded, f64>(&motion, time),
+        Function::Potential => H::potential::<Bounded, f64>(&motion, time),
+    };
+    [energy.lane(0), energy.lane(1)]
 }
 
 /// The same from what the user states and what the generated code computes, each value with a bound on its rounding.
-fn values_of(function: Function, stated: StatedEnergy, generated: &dyn Fn(Function) -> [f64; 2]) -> Values {
-    let (stated, [generated, rounding], is_whole) = match (stated, function) {
-        (StatedEnergy::Separate { kinetic, .. }, Function::Kinetic) => (kinetic, generated(function), false),
-        (StatedEnergy::Separate { potential, .. }, Function::Potential) => (potential, generated(function), false),
+fn values_of(
+    (function, name): (Function, &'static str),
+    stated: StatedEnergy,
+    generated: &dyn Fn(Function) -> [f64; 2],
+) -> Values {
+    let (stated, [generated, rounding]) = match (stated, function) {
+        (StatedEnergy::Separate { kinetic, .. }, Function::Kinetic) => (kinetic, generated(function)),
+        (StatedEnergy::Separate { potential, .. }, Function::Potential) => (potential, generated(function)),
         (StatedEnergy::Whole(stated), _) => {
             let [[kinetic, of_kinetic], [potential, of_potential]] = Function::BOTH.map(generated);
             let sum = kinetic + potential;
-            (stated, [sum, of_kinetic + of_potential + f64::EPSILON * sum.abs()], true)
+            (stated, [sum, of_kinetic + of_potential + f64::EPSILON * sum.abs()])
         }
     };
-    Values { stated, generated, rounding, is_whole }
+    Values { stated, generated, rounding, name }
 }
 
 /// The scatter of the difference of both next to a state. The rounding of prepared numbers that nearly cancel in the

@@ -252,12 +252,12 @@ impl<C: Coords> Run<C> {
         self.parts().total
     }
 
-    /// The kinetic energy `T` at [`Run::time`].
+    /// The kinetic energy `T` at [`Run::time`]; where the parts of H have names, the energy of the first one.
     pub fn kinetic(&self) -> f64 {
         self.parts().kinetic
     }
 
-    /// The potential energy `V` at [`Run::time`].
+    /// The potential energy `V` at [`Run::time`]; where the parts of H have names, the energy of all but the first one.
     pub fn potential(&self) -> f64 {
         self.parts().potential
     }

@@ -12,7 +12,7 @@ pub(crate) struct Watch {
 }
 
 impl Watch {
-    pub(crate) fn new(bound: f64, Parts { kinetic, potential, total }: Parts) -> Self {
+    pub(crate) fn new(bound: f64, Parts { kinetic, potential, total, .. }: Parts) -> Self {
         Self { bound, energy: total, scale: kinetic.abs() + potential.abs() }
     }
 

@@ -25,7 +25,8 @@ use problem::Problem;
 /// The accuracy that is asked for over the span.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Goal {
-    /// The largest deviation of the energy from its start, in units of the largest kinetic energy on the way.
+    /// The largest deviation of the energy from its start, in units of the largest kinetic energy on the way, or of what
+    /// [`EnergyDrift`](crate::check::EnergyDrift) takes for it.
     Energy(f64),
     /// The distance from the true motion, as the root of its mean square over four equally spaced times, the last one
     /// at the end; positions and momenta each in units of how far they go from the start. The true motion is a Taylor

@@ -10,6 +10,7 @@ use crate::{
             exact::Motions,
             reference::{Reference, series_reference},
         },
+        property::energy::{Sample, sample},
         start::Start,
         statistics::{
             path::{PARTS, Path, Recorder, Scale},
@@ -26,7 +27,6 @@ use crate::{
         phase::Phase,
         precision::Precision,
     },
-    system::motion::Motion,
     trajectory::run::Run,
 };
 use std::time::Instant;
@@ -176,18 +176,14 @@ impl<'s, H: Hamiltonian, K: Precision> Problem<'s, H, K> {
     fn deviation(&self, candidate: &Candidate<H, K>, steps: u64) -> Result<f64, Error> {
         let run = self.begin(candidate, steps)?;
         let parameters = self.system.parameters(self.start.phase.q.length());
-        let energies = |state: &Phase<Shaped<H, K>>, time| {
-            let motion = H::Motion::<f64, K>::load(&[&parameters], &[state]);
-            let kinetic = H::kinetic::<f64, K>(&motion, time);
-            (kinetic, kinetic + H::potential::<f64, K>(&motion, time))
-        };
-        let (mut kinetic, first) = energies(&self.start.phase, run.time());
+        let energies = |state: &Phase<Shaped<H, K>>, time| sample::<H, K>(&parameters, state, time);
+        let Sample { mut kinetic, energy: first, .. } = energies(&self.start.phase, run.time());
         let mut deviation = 0.0;
         let interval = steps.div_ceil(ENERGY_SAMPLES);
         for sample in run.samples(interval).take((steps / interval + 1) as usize) {
             let sample = sample?;
-            let (now, energy) = energies(&sample.state, sample.time);
-            (kinetic, deviation) = (largest([kinetic, now]), largest([deviation, energy - first]));
+            let now = energies(&sample.state, sample.time);
+            (kinetic, deviation) = (largest([kinetic, now.kinetic]), largest([deviation, now.energy - first]));
         }
         Ok(ratio(deviation, kinetic))
     }

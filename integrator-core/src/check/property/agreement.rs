@@ -8,11 +8,15 @@
 use crate::{
     check::{
         CheckError,
-        property::gradient::{Differentiable, Energies, Gradient, Part},
+        property::{
+            flow_laws::slopes,
+            gradient::{Energies, Gradient},
+            part_flows::Flows,
+        },
         shortfall::Shortfall,
         statistics::points::{numbers, origin},
     },
-    hamiltonian::Hamiltonian,
+    hamiltonian::{Hamiltonian, StatedEnergy},
     scalar::tolerance::{largest, within},
     state::flat::{Flat, shaped},
     system::user_energies::{Digits, Function, Values, values},
@@ -29,11 +33,11 @@ const LEVELS: usize = 6;
 
 /// The largest uncertainty of a derivative that is compared, in units of its terms. Orders of magnitude below
 /// the mistakes that are made in a derivative by hand, and above what differences reach where a function is smooth.
-const KNOWN: f64 = 1e-6;
+pub(crate) const KNOWN: f64 = 1e-6;
 
 /// The safety factor on the estimated error of a difference: the estimate is the last correction of an
 /// extrapolation, which the next ones fall short of where it converges.
-const SAFETY: f64 = 8.0;
+pub(crate) const SAFETY: f64 = 8.0;
 
 /// A state and its time.
 pub(crate) type Visited = (Flat, f64);
@@ -70,14 +74,12 @@ pub(crate) fn agreement(
                 true => agreement.energies += 1,
                 false => agreement.left_out += 1,
             }
-            let part = match function {
-                Function::Kinetic => Part::Kinetic,
-                Function::Potential => Part::Potential,
-            };
-            let gradient = Gradient::new(system.energies(), part, *time);
-            let point = Point { system, function, gradient, state, time: *time };
+            let point = Point { system, function, state, time: *time };
             point.directions().iter().try_for_each(|direction| {
-                for held in [point.slope(direction)?, point.tangent(direction)?] {
+                let slope = point.slope(direction)?;
+                // The tangents of flows that are no shears are held against these flows by their laws.
+                let tangent = if system.energies().is_separable() { Some(point.tangent(direction)?) } else { None };
+                for held in [Some(slope), tangent].into_iter().flatten() {
                     if held { agreement.derivatives += 1 } else { agreement.left_out += 1 }
                 }
                 Ok(())
@@ -97,15 +99,23 @@ pub(crate) fn agreement(
 /// A system beside the user's own functions.
 pub(crate) trait Stated {
     /// The generated code alone.
-    fn energies(&self) -> &dyn Differentiable;
+    fn energies(&self) -> &dyn Flows;
+
+    /// Whether the user wrote all of `H` in one function.
+    fn is_whole(&self, state: &Flat, time: f64) -> bool;
 
     /// The values of the generated code and of the user's functions.
     fn values(&self, function: Function, state: &Flat, time: f64) -> Values;
 }
 
 impl<H: Hamiltonian> Stated for Energies<'_, H> {
-    fn energies(&self) -> &dyn Differentiable {
+    fn energies(&self) -> &dyn Flows {
         self
+    }
+
+    fn is_whole(&self, state: &Flat, time: f64) -> bool {
+        let state = shaped(self.shape, state);
+        matches!(self.system.stated(&state.q, &state.p, time), StatedEnergy::Whole(_))
     }
 
     fn values(&self, function: Function, state: &Flat, time: f64) -> Values {
@@ -117,15 +127,15 @@ impl<H: Hamiltonian> Stated for Energies<'_, H> {
 struct Point<'s> {
     system: &'s dyn Stated,
     function: Function,
-    gradient: Gradient<'s>,
     state: &'s Flat,
     time: f64,
 }
 
 impl Point<'_> {
-    /// The coordinates that the function reads, of a state.
+    /// The coordinates that the function reads, of a state: one half of them, or all of them.
     fn own(&self, state: &Flat) -> Vec<f64> {
         match self.function {
+            _ if !self.system.energies().is_separable() => numbers(state).collect(),
             Function::Kinetic => state.p.clone(),
             Function::Potential => state.q.clone(),
         }
@@ -134,11 +144,13 @@ impl Point<'_> {
     /// The state with other coordinates for the function to read.
     fn with(&self, of: &Flat, own: impl Iterator<Item = f64>) -> Flat {
         let mut state = of.clone();
-        let numbers = match self.function {
-            Function::Kinetic => &mut state.p,
-            Function::Potential => &mut state.q,
+        let Flat { q, p } = &mut state;
+        let (q, p) = match self.function {
+            _ if !self.system.energies().is_separable() => (&mut q[..], &mut p[..]),
+            Function::Kinetic => (&mut [][..], &mut p[..]),
+            Function::Potential => (&mut q[..], &mut [][..]),
         };
-        numbers.iter_mut().zip(own).for_each(|(number, own)| *number = own);
+        q.iter_mut().chain(p).zip(own).for_each(|(number, own)| *number = own);
         state
     }
 
@@ -164,9 +176,23 @@ impl Point<'_> {
 
     /// The gradient of the generated code at a state.
     fn generated(&self, state: &Flat) -> Vec<f64> {
+        let system = self.system.energies();
+        if !system.is_separable() {
+            return self.slopes(state);
+        }
         let still = origin(state);
         let own = self.with(&still, self.own(state).into_iter());
-        self.gradient.flow(&own, None)
+        Gradient::new(system, self.function, self.time).flow(&own, None)
+    }
+
+    /// The derivatives of the generated energy by all coordinates, where these are read by any part.
+    fn slopes(&self, state: &Flat) -> Vec<f64> {
+        let slopes = |part| slopes(self.system.energies(), part, state, self.time);
+        if !self.system.is_whole(state, self.time) {
+            return slopes(self.function);
+        }
+        let [kinetic, potential] = Function::BOTH.map(slopes);
+        kinetic.iter().zip(potential).map(|(kinetic, potential)| kinetic + potential).collect()
     }
 
     /// Whether the force or the velocity is the slope of the user's function in a direction; `false` where no slope is
@@ -194,7 +220,8 @@ impl Point<'_> {
         let still = origin(self.state);
         let own = self.with(&still, self.own(self.state).into_iter());
         let along = self.with(&still, direction.iter().copied());
-        let tangents = self.gradient.flow(&own, Some(&along));
+        let gradient = Gradient::new(self.system.energies(), self.function, self.time);
+        let tangents = gradient.flow(&own, Some(&along));
         self.hold(
             2,
             tangents.into_iter().zip(&weights).map(|(tangent, weight)| tangent * weight).collect(),
@@ -216,24 +243,23 @@ impl Point<'_> {
             return Ok(true);
         }
         let (time, state) = (self.time, numbers(self.state).collect());
-        let Values { is_whole, .. } = self.system.values(self.function, self.state, self.time);
-        let function = self.function.name(is_whole);
+        let Values { name: function, .. } = self.system.values(self.function, self.state, self.time);
         Err(Shortfall::Derivative { function, order, stated, generated, tolerance, time, state })
     }
 }
 
 /// A derivative by differences.
 #[derive(Clone, Copy, Debug)]
-struct Slope {
-    value: f64,
-    uncertainty: f64,
+pub(crate) struct Slope {
+    pub(crate) value: f64,
+    pub(crate) uncertainty: f64,
     /// The size of the differences that it was made of.
-    scale: f64,
+    pub(crate) scale: f64,
 }
 
 /// The derivative at zero of a function that returns its rounding too; `None` where no two widths lead to the same, or
 /// where the slopes from both sides differ.
-fn slope_of(value: &dyn Fn(f64) -> [f64; 2]) -> Option<Slope> {
+pub(crate) fn slope_of(value: &dyn Fn(f64) -> [f64; 2]) -> Option<Slope> {
     let mut best: Option<Slope> = None;
     for width in WIDTHS {
         let Some(slope) = extrapolated(value, width) else { continue };

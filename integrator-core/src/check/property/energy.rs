@@ -11,13 +11,17 @@ use crate::{
         property::order::CLEARANCE,
         start::Start,
         statistics::{
-            points::{resolution, run},
+            points::{origin, plain, resolution, run},
             trend::{Course, GROUPS, Trend},
         },
     },
     error::Error,
     hamiltonian::{Hamiltonian, Shaped},
-    scalar::tolerance::{largest, length, ratio, within},
+    scalar::{
+        dual::Dual,
+        real::Real,
+        tolerance::{largest, length, ratio, within},
+    },
     state::{coords::Coords, phase::Phase, precision::Precision},
     system::motion::Motion,
     trajectory::method::Method,
@@ -31,7 +35,8 @@ const SAMPLES: u64 = 4096;
 const LOST: f64 = 0.5;
 
 /// The deviation of the energy `H` in a run, in units of the largest kinetic energy of the run. The value of `H` itself
-/// is no unit: a constant in `V` changes it at will, and it may be zero.
+/// is no unit: a constant in `V` changes it at will, and it may be zero. Where the parts of H are no `T(p)` and `V(q)`,
+/// the kinetic energy is `½ p·∂H/∂p`, which is the same where H is quadratic in `p`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct EnergyDrift {
@@ -115,18 +120,41 @@ pub fn energy_drift<H: Hamiltonian, X: Method<H>, K: Precision>(
     let begin = start.into();
     let mut run = run::<H, X, K>(system, method, &begin, h)?;
     let parameters = system.parameters(run.state().q.length());
-    let parts = |state: &Phase<Shaped<H, K>>, time: f64| {
-        let motion = H::Motion::<f64, K>::load(&[&parameters], &[state]);
-        (H::kinetic::<f64, K>(&motion, time), H::potential::<f64, K>(&motion, time))
-    };
-    let (kinetic, potential) = parts(&run.state(), run.time());
-    let samples = sample_energies([run.time(), kinetic, potential], steps, &mut |interval| {
+    let first = sample::<H, K>(&parameters, &run.state(), run.time());
+    let samples = sample_energies(first, steps, &mut |interval| {
         run.advance(interval)?;
-        let (kinetic, potential) = parts(&run.state(), run.time());
-        Ok([run.time(), kinetic, potential])
+        Ok(sample::<H, K>(&parameters, &run.state(), run.time()))
     })?;
     let resolution = resolution(&[&begin.phase, &run.state()]);
     Ok(samples.drift(h, resolution, method.facts().roundings_in(run.steps())))
+}
+
+/// The energies at a time.
+pub(crate) struct Sample {
+    time: f64,
+    pub(crate) kinetic: f64,
+    pub(crate) energy: f64,
+    /// The sum of the sizes of the parts of the energy.
+    terms: f64,
+}
+
+/// The energies of a state, in the precision of its leaves.
+pub(crate) fn sample<H: Hamiltonian, K: Precision>(
+    parameters: &H::Parameters<f64>,
+    state: &Phase<Shaped<H, K>>,
+    time: f64,
+) -> Sample {
+    let motion = H::Motion::<f64, K>::load(&[parameters], &[state]);
+    let (first, other) = (H::kinetic::<f64, K>(&motion, time), H::potential::<f64, K>(&motion, time));
+    let kinetic = if H::SEPARABLE { first } else { virial::<H>(parameters, &plain::<H, K>(state), time) };
+    Sample { time, kinetic, energy: first + other, terms: first.abs() + other.abs() }
+}
+
+/// `½ p·∂H/∂p`, by duals.
+fn virial<H: Hamiltonian>(parameters: &H::Parameters<f64>, state: &Phase<H::Coords>, time: f64) -> f64 {
+    let along = Phase { q: origin(state).q, p: state.p.clone() };
+    let motion = H::Motion::<Dual, f64>::load(&[parameters; 2], &[state, &along]);
+    (H::kinetic::<Dual, f64>(&motion, time) + H::potential::<Dual, f64>(&motion, time)).lane(1) / 2.0
 }
 
 /// Samples of the energies of a run.
@@ -142,25 +170,23 @@ struct EnergySamples {
     largest_term: f64,
 }
 
-/// Samples the energies over `steps` steps. A sample is the time, the kinetic and the potential energy; `advance` takes
-/// some steps and returns the next one.
+/// Samples the energies over `steps` steps; `advance` takes some steps and returns the next sample.
 fn sample_energies(
-    [begin, kinetic, potential]: [f64; 3],
+    Sample { time: begin, kinetic, energy: first, terms }: Sample,
     steps: u64,
-    advance: &mut dyn FnMut(u64) -> Result<[f64; 3], Error>,
+    advance: &mut dyn FnMut(u64) -> Result<Sample, Error>,
 ) -> Result<EnergySamples, CheckError> {
     let interval = steps.div_ceil(SAMPLES);
     let samples = steps / interval;
-    let energy = kinetic + potential;
-    let (mut largest_kinetic, mut largest_term) = (kinetic.abs(), kinetic.abs() + potential.abs());
+    let (mut largest_kinetic, mut largest_term) = (kinetic.abs(), terms);
     let mut changes = Vec::with_capacity(usize::try_from(samples).unwrap_or_default());
     let mut sum_of_kinetic = 0.0;
     for _ in 0..samples {
-        let [time, kinetic, potential] = advance(interval)?;
+        let Sample { time, kinetic, energy, terms } = advance(interval)?;
         sum_of_kinetic += kinetic.abs();
         largest_kinetic = largest([largest_kinetic, kinetic]);
-        largest_term = largest([largest_term, kinetic.abs() + potential.abs()]);
-        changes.push((time, kinetic + potential - energy));
+        largest_term = largest([largest_term, terms]);
+        changes.push((time, energy - first));
     }
     Ok(EnergySamples { steps: samples * interval, begin, changes, largest_kinetic, sum_of_kinetic, largest_term })
 }

@@ -8,6 +8,7 @@
 use crate::{
     check::{
         CheckError,
+        property::{flow_laws::generator_error, part_flows::Flows},
         statistics::points::{begin, coordinate, numbers, origin},
     },
     hamiltonian::{Hamiltonian, Shaped},
@@ -22,7 +23,7 @@ use crate::{
         phase::Phase,
         precision::Precision,
     },
-    system::motion::Motion,
+    system::{motion::Motion, user_energies::bounded_energy},
 };
 
 /// The largest error of a component of the gradients of `T` and `V`, as the flows have them at `point` and `time`, in
@@ -31,6 +32,9 @@ use crate::{
 /// The condition of a component `g` is `|g| + Σ |∂g/∂xⱼ|·x` with the largest coordinate `x`: what rounding the
 /// coordinates may do to `g` is ε times that. So a tiny component beside a huge one is judged by its own size, and one
 /// that is the small difference of large terms is not blamed for it.
+///
+/// Where the parts of H are no `T(p)` and `V(q)`, it is the largest error of the derivative of a flow by its duration, as
+/// the gradient of the energy makes it, in units of that derivative: what differences cannot explain of it.
 ///
 /// # Errors
 /// A point that no run would begin with, a `time` that is not finite, or a point where an energy has no derivative.
@@ -44,7 +48,10 @@ pub fn gradient_error<H: Hamiltonian, K: Precision>(
 }
 
 /// [`gradient_error`] at a point that a run may begin with.
-pub(crate) fn error_at(system: &dyn Differentiable, point: &Flat, time: f64) -> Result<f64, CheckError> {
+pub(crate) fn error_at(system: &dyn Flows, point: &Flat, time: f64) -> Result<f64, CheckError> {
+    if !system.is_separable() {
+        return generator_error(system, point, time);
+    }
     let error = |part| Gradient::new(system, part, time).error(point);
     Ok(largest([error(Part::Kinetic)?, error(Part::Potential)?]))
 }
@@ -56,20 +63,23 @@ pub(crate) fn gradient_tolerance(coordinates: usize) -> f64 {
     32.0 * (coordinates + 1) as f64 * f64::EPSILON
 }
 
-/// One of the two energies. Its gradient is by the half of the coordinates that it reads, and moves the other half.
-#[derive(Clone, Copy, PartialEq)]
-pub(crate) enum Part {
-    Kinetic,
-    Potential,
-}
+/// One of the two energies. The gradient of `T` or of `V` is by the half of the coordinates that it reads, and moves the
+/// other half.
+pub(crate) use crate::system::user_energies::Function as Part;
 
 /// The energies of a system and their flows, whatever the shape of its coordinates: in one lane, or along a tangent in
 /// the second one of duals.
 pub(crate) trait Differentiable {
+    /// Whether these are `T(p)` and `V(q)`.
+    fn is_separable(&self) -> bool;
+
+    /// An energy, and a bound on its rounding.
+    fn bounded_energy(&self, part: Part, point: &Flat, time: f64) -> [f64; 2];
+
     /// An energy, or its derivative along a tangent.
     fn energy(&self, part: Part, point: &Flat, tangent: Option<&Flat>, time: f64) -> f64;
 
-    /// The gradient of an energy, or the derivative of that along a tangent.
+    /// The gradient of `T` or of `V`, or the derivative of that along a tangent.
     fn flow(&self, part: Part, point: &Flat, tangent: Option<&Flat>, time: f64) -> Vec<f64>;
 }
 
@@ -87,6 +97,14 @@ impl<'s, H: Hamiltonian> Energies<'s, H> {
 }
 
 impl<H: Hamiltonian> Differentiable for Energies<'_, H> {
+    fn is_separable(&self) -> bool {
+        H::SEPARABLE
+    }
+
+    fn bounded_energy(&self, part: Part, point: &Flat, time: f64) -> [f64; 2] {
+        bounded_energy::<H>(part, &self.parameters, &shaped(self.shape, point), time)
+    }
+
     fn energy(&self, part: Part, point: &Flat, tangent: Option<&Flat>, time: f64) -> f64 {
         let point = shaped(self.shape, point);
         match tangent {
@@ -154,15 +172,15 @@ fn negated(numbers: &[f64]) -> Vec<f64> {
     numbers.iter().map(|number| -number).collect()
 }
 
-/// The gradient of one energy of a system at a time.
+/// The gradient of `T` or of `V` at a time.
 pub(crate) struct Gradient<'s> {
-    system: &'s dyn Differentiable,
+    system: &'s (dyn Differentiable + 's),
     part: Part,
     time: f64,
 }
 
 impl<'s> Gradient<'s> {
-    pub(crate) fn new(system: &'s dyn Differentiable, part: Part, time: f64) -> Self {
+    pub(crate) fn new(system: &'s (dyn Differentiable + 's), part: Part, time: f64) -> Self {
         Self { system, part, time }
     }
 

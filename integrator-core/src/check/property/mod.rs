@@ -2,10 +2,12 @@
 
 pub(crate) mod agreement;
 pub(crate) mod energy;
+pub(crate) mod flow_laws;
 pub(crate) mod global_error;
 pub(crate) mod gradient;
 pub(crate) mod local_order;
 pub(crate) mod order;
+pub(crate) mod part_flows;
 pub(crate) mod reversibility;
 pub(crate) mod shadow;
 pub(crate) mod stability;

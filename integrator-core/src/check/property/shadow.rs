@@ -90,7 +90,7 @@ impl Shadow {
 /// leave this.
 ///
 /// # Errors
-/// A Hamiltonian that reads the time; a start or a step that no run would begin with; a start from which too few
+/// A Hamiltonian that reads the time, or whose parts are no `T(p)` and `V(q)`; a start or a step that no run would begin with; a start from which too few
 /// deviations stand out of the rounding.
 ///
 /// ```
@@ -120,6 +120,9 @@ pub fn shadow<H: QuadraticKinetic, X: Composition<H> + Shadowed, K: Precision>(
 ) -> Result<Shadow, CheckError> {
     if !H::AUTONOMOUS {
         return Err(CheckError::NotAutonomous);
+    }
+    if !H::SEPARABLE {
+        return Err(CheckError::NotSeparable { what: "the shadow of Verlet" });
     }
     let _ = composition;
     let start = start.into();

@@ -82,7 +82,8 @@ impl fmt::Display for Stability {
 /// per point at most.
 ///
 /// # Errors
-/// A start or a step that no run would begin with.
+/// A start or a step that no run would begin with; a Hamiltonian whose parts are no `T(p)` and `V(q)`, since the limit is
+/// that of an oscillator that is split so.
 ///
 /// ```
 /// use integrator_core::{check::stability, prelude::*};
@@ -122,6 +123,9 @@ pub(crate) fn nearness<H: Hamiltonian, X: Method<H>, K: Precision>(
     h: f64,
 ) -> Result<Stability, CheckError> {
     let start = begin::<H, X, K>(system, method, start, h)?;
+    if !H::SEPARABLE {
+        return Err(CheckError::NotSeparable { what: "the limit of stability of a composition" });
+    }
     let mut run = run::<H, X, f64>(system, method, &start, h)?;
     let energies = Energies::new(system, &start.phase);
     let begin = (flat(&run.state()), run.time());

@@ -102,7 +102,7 @@ pub(crate) fn defect<H: Hamiltonian, X: Method<H>, K: Precision>(
 }
 
 /// The defect of a tangent map whose steps round the state so often.
-fn defect_of(mut map: DMatrix<f64>, roundings: f64) -> Defect {
+pub(crate) fn defect_of(mut map: DMatrix<f64>, roundings: f64) -> Defect {
     balance(&mut map);
     let n = map.nrows() / 2;
     let size = largest((form(&map) - form(&DMatrix::identity(2 * n, 2 * n))).iter().copied());

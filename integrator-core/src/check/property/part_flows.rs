@@ -1,0 +1,71 @@
+//! The flows of parts without types, as the laws of flows see them.
+//!
+//! Always true: what is carried is a motion of the system in its own layout, moved by the very flows that a run calls.
+
+use crate::{
+    check::property::gradient::{Differentiable, Energies},
+    hamiltonian::Hamiltonian,
+    scalar::{dual::Dual, real::Real},
+    state::{
+        flat::{Flat, flat, shaped},
+        phase::Phase,
+    },
+    system::motion::Motion,
+};
+
+/// A flow of the generated code.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum Flow {
+    /// That of the first part.
+    First,
+    /// Those of the parts between the first and the last, in their order or backwards.
+    Middle { backwards: bool },
+    /// That of the last part.
+    Last,
+}
+
+/// The flows of a system, one after the other, whatever the shape of its coordinates.
+pub(crate) trait Flows: Differentiable {
+    /// The names of the parts.
+    fn parts(&self) -> &'static [&'static str];
+
+    /// Where some flows lead from a point, each for a duration, and where a tangent at the point leads.
+    fn carried(&self, flows: &[(Flow, f64)], point: &Flat, tangent: Option<&Flat>, time: f64) -> (Flat, Flat);
+}
+
+impl<H: Hamiltonian> Flows for Energies<'_, H> {
+    fn parts(&self) -> &'static [&'static str] {
+        H::PARTS
+    }
+
+    fn carried(&self, flows: &[(Flow, f64)], point: &Flat, tangent: Option<&Flat>, time: f64) -> (Flat, Flat) {
+        let mut lanes = [point, tangent.unwrap_or(point)].map(|numbers| shaped(self.shape, numbers));
+        match tangent {
+            None => carry::<H, f64>(&self.parameters, flows, &mut lanes, time),
+            Some(_) => carry::<H, Dual>(&self.parameters, flows, &mut lanes, time),
+        }
+        let [point, tangent] = lanes.map(|point| flat(&point));
+        (point, tangent)
+    }
+}
+
+/// Moves a point by some flows, with a tangent in the second lane if the scalar has one.
+fn carry<H: Hamiltonian, R: Real>(
+    parameters: &H::Parameters<f64>,
+    flows: &[(Flow, f64)],
+    lanes: &mut [Phase<H::Coords>; 2],
+    time: f64,
+) {
+    let mut motion = H::Motion::<R, f64>::load(&[parameters; 2], &[&lanes[0], &lanes[1]]);
+    H::begin_step::<R, f64>(&mut motion, time);
+    for &(flow, duration) in flows {
+        match flow {
+            Flow::First => H::drift::<R, f64>(&mut motion, duration, time),
+            Flow::Middle { backwards } => H::middle::<R, f64>(&mut motion, duration, backwards),
+            Flow::Last => H::kick::<R, f64>(&mut motion, duration, time),
+        }
+    }
+    for (lane, point) in lanes.iter_mut().enumerate().take(R::LANES) {
+        motion.store(lane, point);
+    }
+}
