@@ -126,8 +126,9 @@ pub struct Solving<R: Real, C: Coords, P, S> {
     pub solvers: S,
 }
 
-/// What a solved flow keeps beside the state, for all lanes of a motion.
-pub trait Solver<P>: Clone + Send + Sync + 'static {
+/// What a solved flow keeps beside the state, for all lanes of a motion; by default nothing, for a motion that the flow is
+/// not applied to.
+pub trait Solver<P>: Clone + Default + Send + Sync + 'static {
     /// That of members with these constants, one per lane, whose positions are so many numbers or points.
     fn of(constants: &[&P], length: usize) -> Self;
     /// Takes over what belongs to the state of another motion with the same constants.
@@ -178,5 +179,26 @@ impl<R: Real, C: Coords, P: Prepared<R>, S: Solver<P::Single>> Motion<C, P::Sing
     #[inline(always)]
     fn finite(&self) -> bool {
         C::finite(&self.q) && C::finite(&self.p)
+    }
+}
+
+impl<R: Real, C: Coords, P: Clone, S: Default> Solving<R, C, P, S> {
+    /// The same positions and no momenta, with slots that hold numbers and nothing else.
+    #[inline(always)]
+    pub fn at_rest(&self) -> Solving<R, C::With<f64>, P, S> {
+        let zero = R::of(0.0);
+        Solving {
+            q: C::numbers(&self.q, |slot| slot.value()),
+            p: C::numbers(&self.p, |_| zero),
+            parameters: self.parameters.clone(),
+            solvers: S::default(),
+        }
+    }
+    /// Adds a multiple of another motion's momenta.
+    #[inline(always)]
+    pub fn push(&mut self, factor: R, other: &Solving<R, C::With<f64>, P, S>) {
+        for (slot, number) in C::slots_mut(&mut self.p).iter_mut().zip(C::With::<f64>::slots(&other.p)) {
+            slot.fma(factor, *number);
+        }
     }
 }

@@ -100,8 +100,7 @@ impl<'i> Stepper<'i> {
             true => Flows::of(&mut emitter, &kinetic, &potential),
             false => Flows::of_parts(&mut emitter),
         };
-        let quadratic =
-            is_quadratic.then(|| force_gradient::functions(&mut emitter, &potential, flows.are_of_bodies()));
+        let quadratic = is_quadratic.then(|| force_gradient::functions(&mut emitter, flows.are_of_bodies()));
         let energies = ["kinetic", "potential"].into_iter().zip(energies);
         let energies = energies.map(|(name, energy)| flows.energy(&mut emitter, name, energy)).collect();
         let taylor = input.taylor.map(|_| {

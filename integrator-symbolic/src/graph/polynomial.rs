@@ -3,9 +3,9 @@
 use super::{Graph, Node, NodeId, Part};
 
 impl Graph {
-    /// The degree of a node as a polynomial in the coordinates of `part` with coefficients of parameters (and time);
-    /// `None` where it is not one by its form.
-    pub(crate) fn degree(&self, root: NodeId, part: Part) -> Option<u32> {
+    /// The degree of a node as a polynomial in the coordinates of some parts, with coefficients of whatever else there
+    /// is; `None` where it is none.
+    pub(crate) fn degree(&self, root: NodeId, parts: &[Part]) -> Option<u32> {
         let mut degrees: Vec<Option<u32>> = Vec::with_capacity(root.position() + 1);
         for position in 0..=root.position() {
             let of = |id: NodeId| degrees[id.position()];
@@ -16,7 +16,7 @@ impl Graph {
                 | Node::Middle
                 | Node::Step
                 | Node::FromIndex(_) => Some(0),
-                Node::Coordinate(element) => Some(u32::from(element.part == part)),
+                Node::Coordinate(element) => Some(u32::from(parts.contains(&element.part))),
                 Node::Neg(a) | Node::Sum(_, a) => of(a),
                 Node::Add(a, b) => of(a).zip(of(b)).map(|(a, b)| a.max(b)),
                 Node::Mul(a, b) => of(a).zip(of(b)).and_then(|(a, b)| a.checked_add(b)),
@@ -41,6 +41,23 @@ impl Graph {
             degrees.push(degree);
         }
         degrees[root.position()]
+    }
+
+    /// Whether an energy is at most quadratic in the momenta, with masses that depend on parameters alone: each of its terms
+    /// is quadratic in all coordinates together, or in the momenta alone, or linear in the momenta.
+    pub(crate) fn has_constant_mass(&self, energy: NodeId) -> bool {
+        let is_at_most = |parts: &[Part], most| self.degree(energy, parts).is_some_and(|degree| degree <= most);
+        let is_quadratic = || is_at_most(&[Part::Position, Part::Momentum], 2) && !self.reads_time(energy);
+        if is_at_most(&[Part::Momentum], 1) || is_quadratic() {
+            return true;
+        }
+        match self.node(energy) {
+            Node::Add(a, b) => self.has_constant_mass(a) && self.has_constant_mass(b),
+            Node::Neg(a) | Node::Sum(_, a) => self.has_constant_mass(a),
+            Node::Mul(factor, a) | Node::Mul(a, factor) if self.is_prepared(factor) => self.has_constant_mass(a),
+            Node::Div(a, divisor) if self.is_prepared(divisor) => self.has_constant_mass(a),
+            _ => false,
+        }
     }
 
     /// Whether a node reads the explicit time.

@@ -85,7 +85,7 @@ pub(crate) struct Model {
     pub(crate) running: HashMap<LoopId, Ident>,
     /// The user's methods that are called as they are, by their ids.
     pub(crate) externals: Vec<Method>,
-    /// Whether `T = ½ pᵀ M⁻¹ p` with a constant `M`.
+    /// Whether `T = ½ pᵀ M⁻¹ p` with a constant `M`, or what the first part has of `p` beside linear terms.
     pub(crate) quadratic: bool,
     /// Whether no function reads the time.
     pub(crate) autonomous: bool,
@@ -112,6 +112,17 @@ impl Model {
         if let [first, second] = &mut self.parts[..] {
             [first.energy, second.energy] = energies;
         }
+    }
+
+    /// Whether the brackets vanish that Nyström compositions leave out: the last of two parts is a function of q alone, and
+    /// the first at most quadratic in p with a constant mass matrix.
+    fn has_constant_mass(&self) -> bool {
+        match &self.parts[..] {
+            [] => {}
+            [_, ExactPart { form: Exact::OfPositions, .. }] => {}
+            _ => return false,
+        }
+        self.graph.has_constant_mass(self.kinetic) && !self.graph.reads_time(self.kinetic)
     }
 
     /// Whether H is `T(p) + V(q)`, in this order and whatever the two are called.
@@ -145,8 +156,6 @@ pub(crate) fn model(input: &Input, errors: &mut Errors) -> Option<Model> {
     let energies = graph.balance_choices(energies);
     let [kinetic, potential] = energies;
     let autonomous = !graph.reads_time(kinetic) && !graph.reads_time(potential);
-    let quadratic =
-        graph.degree(kinetic, Part::Momentum).is_some_and(|degree| degree <= 2) && !graph.reads_time(kinetic);
     let mut model = Model {
         graph,
         kinetic,
@@ -157,13 +166,13 @@ pub(crate) fn model(input: &Input, errors: &mut Errors) -> Option<Model> {
         parameters,
         running,
         externals,
-        quadratic,
+        quadratic: false,
         autonomous,
         functions: input.functions,
         called: Some(called),
     };
     model.set_energies(energies);
-    model.quadratic &= model.is_separable();
+    model.quadratic = model.has_constant_mass();
     Some(model)
 }
 

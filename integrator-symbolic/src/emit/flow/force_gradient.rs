@@ -6,8 +6,8 @@
 
 use super::{stores, through_buffer};
 use crate::{
-    differentiate::{Contribution, hessian_product},
-    emit::printer::{block::Emitter, names::Names},
+    differentiate::{gradient, hessian_product},
+    emit::printer::{block::Emitter, function::Lines, names::Names},
     graph::Part,
     program::Sink,
 };
@@ -17,12 +17,15 @@ use quote::quote;
 /// `hessian` and `gradient_kick`.
 ///
 /// The kick is put together from the flows of a motion that starts at rest: a kick by -1 leaves it with the momenta
-/// `grad V`, a drift by 1 from the origin with the positions `M^-1 grad V`.
-pub(crate) fn functions(emitter: &mut Emitter<'_>, potential: &[Contribution], many_body: bool) -> TokenStream {
-    let product = hessian_product(&mut emitter.model.graph, potential, Part::Position);
+/// `grad V`, and the inverse mass matrix makes positions of these. Where the first part is `T` alone, a drift by 1 from
+/// the origin does that.
+pub(crate) fn functions(emitter: &mut Emitter<'_>, many_body: bool) -> TokenStream {
+    let potential = gradient(&mut emitter.model.graph, emitter.model.potential, Part::Position);
+    let product = hessian_product(&mut emitter.model.graph, &potential, Part::Position);
     let product = stores(emitter.model, &product, Sink::Collect);
     // Nothing is written before all is read.
     let lines = through_buffer(emitter, Part::Momentum, &product, |place, value| quote!(#place = #value;));
+    let velocity = velocity(emitter);
     let Names { runtime, scalar, leaf, .. } = emitter.names;
     // Bodies side by side are taken apart for what is seldom asked.
     let lines = if many_body {
@@ -54,11 +57,35 @@ pub(crate) fn functions(emitter: &mut Emitter<'_>, potential: &[Contribution], m
             <Self as #runtime::Hamiltonian>::kick::<#scalar, f64>(&mut force, -1.0, time);
             motion.push(#scalar::of(-duration), &force);
             let mut bent = motion.at_rest();
-            ::core::mem::swap(&mut force.q, &mut bent.p);
-            <Self as #runtime::Hamiltonian>::drift::<#scalar, f64>(&mut force, 1.0, time);
-            bent.p = force.q;
+            #velocity
             <Self as #runtime::QuadraticKinetic>::hessian::<#scalar>(&mut bent, time);
             motion.push(#scalar::of(-2.0 * gradient), &bent);
         }
+    }
+}
+
+/// The lines that give `bent` the inverse mass matrix times the momenta of `force`.
+fn velocity(emitter: &mut Emitter<'_>) -> TokenStream {
+    if emitter.model.is_separable() {
+        let Names { runtime, scalar, .. } = emitter.names;
+        return quote! {
+            ::core::mem::swap(&mut force.q, &mut bent.p);
+            <Self as #runtime::Hamiltonian>::drift::<#scalar, f64>(&mut force, 1.0, time);
+            bent.p = force.q;
+        };
+    }
+    let graph = &mut emitter.model.graph;
+    let velocity = gradient(graph, emitter.model.kinetic, Part::Momentum);
+    let product = hessian_product(graph, &velocity, Part::Momentum);
+    let product = stores(emitter.model, &product, Sink::Collect);
+    let Lines { tokens, .. } =
+        through_buffer(emitter, Part::Momentum, &product, |place, value| quote!(#place = #value;));
+    quote! {
+        ::core::mem::swap(&mut force.q, &mut force.p);
+        bent.p = {
+            let motion = &mut force;
+            #tokens
+            force.p
+        };
     }
 }

@@ -304,7 +304,7 @@ impl Formulas<'_> {
     pub(crate) fn not_quadratic(&self, id: NodeId) -> String {
         match self.model.graph.node(id) {
             Node::Add(a, b) => {
-                let offends = |id| self.model.graph.degree(id, Part::Momentum).is_none_or(|degree| degree > 2);
+                let offends = |id| self.model.graph.degree(id, &[Part::Momentum]).is_none_or(|degree| degree > 2);
                 self.not_quadratic(if offends(a) { a } else { b })
             }
             _ => self.short(id).unwrap_or_else(|| "a long one".to_owned()),
