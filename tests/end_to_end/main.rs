@@ -16,6 +16,7 @@ mod kepler;
 mod orders;
 mod pairs;
 mod panics;
+mod parts;
 mod pieces;
 mod precision;
 mod refusals;

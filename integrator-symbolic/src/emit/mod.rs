@@ -224,7 +224,13 @@ fn named_parts(model: &Model) -> Option<TokenStream> {
             const SEPARABLE: bool = false;
         )
     });
-    (!names.is_empty()).then(|| quote!(const PARTS: &'static [&'static str] = &[#(#names),*]; #separable))
+    let own = model.parts.iter().any(|part| part.own.is_some());
+    let differences = own.then(|| {
+        quote!(
+            const TANGENT_ERROR: f64 = 128.0;
+        )
+    });
+    (!names.is_empty()).then(|| quote!(const PARTS: &'static [&'static str] = &[#(#names),*]; #separable #differences))
 }
 
 /// The type of the coordinates.

@@ -246,7 +246,8 @@ impl Measured<'_> {
     fn laws(&self, flow: Flow, judged: &mut Judged<'_>) -> Result<(), CheckError> {
         let Self { system, point, time, duration } = *self;
         let there = self.image(flow, duration, point)?;
-        let Defect { size, tolerance } = defect_of(there.map.clone(), 1.0 + point.q.len() as f64);
+        let roundings = (1.0 + point.q.len() as f64) * system.tangent_error();
+        let Defect { size, tolerance } = defect_of(there.map.clone(), roundings);
         judged.judge(&[flow], FlowLaw::Symplecticity, duration, size, tolerance);
 
         let back = self.image(backwards(flow), -duration, &there.end)?;

@@ -29,6 +29,9 @@ pub(crate) trait Flows: Differentiable {
     /// The names of the parts.
     fn parts(&self) -> &'static [&'static str];
 
+    /// How exact tangents are, in units of those of the chain rule.
+    fn tangent_error(&self) -> f64;
+
     /// Where some flows lead from a point, each for a duration, and where a tangent at the point leads.
     fn carried(&self, flows: &[(Flow, f64)], point: &Flat, tangent: Option<&Flat>, time: f64) -> (Flat, Flat);
 }
@@ -36,6 +39,10 @@ pub(crate) trait Flows: Differentiable {
 impl<H: Hamiltonian> Flows for Energies<'_, H> {
     fn parts(&self) -> &'static [&'static str] {
         H::PARTS
+    }
+
+    fn tangent_error(&self) -> f64 {
+        H::TANGENT_ERROR
     }
 
     fn carried(&self, flows: &[(Flow, f64)], point: &Flat, tangent: Option<&Flat>, time: f64) -> (Flat, Flat) {

@@ -98,7 +98,7 @@ pub(crate) fn defect<H: Hamiltonian, X: Method<H>, K: Precision>(
 ) -> Result<Defect, CheckError> {
     let Start { phase: start, time } = begin::<H, X, K>(system, method, start, h)?;
     let map = matrix(&Tangents::<H, X>::new(system, method, &start, h), &flat(&start), time, steps);
-    Ok(defect_of(map, method.facts().roundings_in(steps.max(1))))
+    Ok(defect_of(map, method.facts().roundings_in(steps.max(1)) * H::TANGENT_ERROR))
 }
 
 /// The defect of a tangent map whose steps round the state so often.
