@@ -55,6 +55,7 @@ const CORE: MayKnow = (
         ("state", &["error", "scalar"]),
         ("hamiltonian", &["composition", "error", "layout", "methods", "scalar", "state", "system", "trajectory"]),
         ("system", &["error", "hamiltonian", "scalar", "state"]),
+        ("flow", &["error", "hamiltonian", "scalar", "state", "system"]),
         ("composition", &["hamiltonian", "scalar"]),
         ("layout", &["hamiltonian", "scalar", "state", "system"]),
         ("trajectory", &["composition", "error", "hamiltonian", "layout", "scalar", "state", "system"]),

@@ -83,6 +83,7 @@ mod composition;
 #[cfg(feature = "std")]
 mod ensemble;
 mod error;
+mod flow;
 mod hamiltonian;
 mod layout;
 mod methods;
@@ -163,6 +164,7 @@ pub mod __private {
             visitor::{Visitor, visit_quadratic},
         },
         error::NotFinite,
+        flow::quadratic::{Form, Quadratic, QuadraticPart},
         hamiltonian::{Flows, Hamiltonian, QuadraticKinetic, Shaped, StatedEnergy},
         layout::{
             bodies::{
