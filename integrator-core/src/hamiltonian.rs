@@ -91,7 +91,8 @@ pub trait Hamiltonian: Sized {
     }
 
     /// Shows `visitor` each composition of the catalogue that may integrate this Hamiltonian: those for every `T`, and
-    /// where `T` is quadratic the others too.
+    /// where `T` is quadratic the others too; of more than two parts, [those without a
+    /// processor](crate::visit_many_parts).
     fn visit_compositions(visitor: &mut impl Visitor<Self>) {
         visit_general(visitor);
     }
@@ -155,6 +156,8 @@ pub trait Flows<H: Hamiltonian> {
     fn drift(&mut self, duration: f64, time: f64);
     /// The flow of `V`.
     fn kick(&mut self, duration: f64, time: f64);
+    /// The flows of the parts between the first and the last: [`Hamiltonian::middle`].
+    fn middle(&mut self, duration: f64, backwards: bool);
     /// The flow of `duration·V + gradient·|∇V|²`.
     fn gradient_kick(&mut self, duration: f64, gradient: f64, time: f64)
     where
@@ -178,6 +181,10 @@ impl<H: Hamiltonian, R: Real, K: Precision> Flows<H> for Single<'_, H, R, K> {
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn kick(&mut self, duration: f64, time: f64) {
         H::kick::<R, K>(self.0, duration, time);
+    }
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn middle(&mut self, duration: f64, backwards: bool) {
+        H::middle::<R, K>(self.0, duration, backwards);
     }
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn gradient_kick(&mut self, duration: f64, gradient: f64, time: f64)

@@ -95,7 +95,7 @@ mod system;
 mod trajectory;
 
 pub use composition::catalogue::*;
-pub use composition::visitor::{Visitor, visit_general, visit_quadratic};
+pub use composition::visitor::{Visitor, visit_general, visit_many_parts, visit_quadratic};
 pub use composition::{Class, Composition, Lead, Processor, Rows, Scheme, Stage, Stages};
 #[cfg(feature = "std")]
 pub use ensemble::Ensemble;
@@ -159,9 +159,9 @@ pub mod __private {
     pub use crate::system::external::{External, OwnFlow, external, own_flow};
     pub use crate::{
         composition::{
-            Class, Composition, Lead, Processor, Rows, Scheme, Stage, Stages,
+            Class, Composition, Lead, Processor, Rows, Scheme, Stage, Stages, admits,
             catalogue::Verlet,
-            visitor::{Visitor, visit_quadratic},
+            visitor::{Visitor, visit_many_parts, visit_quadratic},
         },
         error::NotFinite,
         flow::quadratic::{Form, Quadratic, QuadraticPart},

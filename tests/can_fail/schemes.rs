@@ -31,7 +31,7 @@ macro_rules! by_hand {
 
 /// A drift, then a kick.
 const fn stage(drift: f64, kick: f64, drift_time: f64, kick_time: f64) -> Stage {
-    Stage { drift, kick, gradient: 0.0, drift_time, kick_time }
+    Stage { drift, kick, drift_time, kick_time, ..Stage::NONE }
 }
 
 /// `T(1) V(1)`.

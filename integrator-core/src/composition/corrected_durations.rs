@@ -69,50 +69,54 @@ fn residual(h: f64, fractions: impl Iterator<Item = f64>) -> f64 {
     left + errors
 }
 
-/// The corrections of a composition's drifts and kicks with a step.
+/// The corrections of a composition's drifts and kicks with a step, and of what is between them.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Corrections {
     drift: Correction,
     kick: Correction,
+    middle: Correction,
 }
 
 impl Corrections {
-    /// The corrections of stages that are merged across steps.
-    pub(crate) fn new(stages: &Stages, h: f64) -> Self {
-        Self::of(h, stages.cycle.iter())
+    /// The corrections of stages that are merged across steps, for this many parts.
+    pub(crate) fn new(stages: &Stages, h: f64, parts: usize) -> Self {
+        Self::of(h, stages.cycle.iter(), parts)
     }
 
     /// The corrections of steps that are taken one by one, each with its processor.
-    pub(crate) fn of_whole_steps(stages: &Stages, processor: &Processor, h: f64) -> Self {
+    pub(crate) fn of_whole_steps(stages: &Stages, processor: &Processor, h: f64, parts: usize) -> Self {
         let (before, after) = (processor.before.rows.iter(), processor.after.rows.iter());
         let step = [&stages.opening].into_iter().chain(&stages.cycle[1..]).chain([&stages.closing]);
-        Self::of(h, before.chain(step).chain(after))
+        Self::of(h, before.chain(step).chain(after), parts)
     }
 
-    fn of<'s>(h: f64, stages: impl Iterator<Item = &'s Stage> + Clone) -> Self {
+    fn of<'s>(h: f64, stages: impl Iterator<Item = &'s Stage> + Clone, parts: usize) -> Self {
+        let middle = stages.clone().flat_map(|stage| stage.middle);
         Self {
             drift: Correction::new(h, stages.clone().map(|stage| stage.drift)),
             kick: Correction::new(h, stages.map(|stage| stage.kick)),
+            middle: if parts > 2 { Correction::new(h, middle) } else { Correction::NONE },
         }
     }
 
     /// Whether there are none, because the durations add up as they are.
     pub(crate) fn none(&self) -> bool {
-        *self == Self { drift: Correction::NONE, kick: Correction::NONE }
+        *self == Self { drift: Correction::NONE, kick: Correction::NONE, middle: Correction::NONE }
     }
 
     /// The flows for the cycle of this number.
     #[inline(always)]
     pub(crate) fn on<'f, F>(&self, flows: &'f mut F, cycle: u64) -> Corrected<'f, F> {
-        Corrected { flows, drift: self.drift.of(cycle), kick: self.kick.of(cycle) }
+        Corrected { flows, drift: self.drift.of(cycle), kick: self.kick.of(cycle), middle: self.middle.of(cycle) }
     }
 }
 
-/// Flows in one cycle, whose first drift and first kick are longer by the corrections.
+/// Flows in one cycle, the first of each kind of which is longer by its correction.
 pub(crate) struct Corrected<'f, F> {
     flows: &'f mut F,
     drift: u64,
     kick: u64,
+    middle: u64,
 }
 
 impl<F: Flows<H>, H: Hamiltonian> Flows<H> for Corrected<'_, F> {
@@ -129,6 +133,10 @@ impl<F: Flows<H>, H: Hamiltonian> Flows<H> for Corrected<'_, F> {
     #[inline(always)]
     fn kick(&mut self, duration: f64, time: f64) {
         self.flows.kick(duration + f64::from_bits(take(&mut self.kick)), time);
+    }
+    #[inline(always)]
+    fn middle(&mut self, duration: f64, backwards: bool) {
+        self.flows.middle(duration + f64::from_bits(take(&mut self.middle)), backwards);
     }
     #[inline(always)]
     fn gradient_kick(&mut self, duration: f64, gradient: f64, time: f64)
@@ -172,8 +180,9 @@ mod tests {
         let mut check = |name: &str, stages: Stages| {
             let drifts: Vec<f64> = stages.cycle.iter().map(|stage| stage.drift).collect();
             let kicks: Vec<f64> = stages.cycle.iter().map(|stage| stage.kick).collect();
+            let middle: Vec<f64> = stages.cycle.iter().flat_map(|stage| stage.middle).collect();
             for h in [0.1, -0.1, 1.0 / 3.0, 1e-3, 7e10, 1e-300] {
-                for fractions in [&drifts, &kicks] {
+                for fractions in [&drifts, &kicks, &middle] {
                     let longer = Correction::new(h, fractions.iter().copied()).longer.abs();
                     let [off, without] = off(h, CYCLES, fractions);
                     assert!(off.abs() <= longer, "{name} with h = {h:e} is off by {off:e}, {longer:e} at a time");
@@ -245,6 +254,7 @@ mod tests {
         fn kick(&mut self, duration: f64, _time: f64) {
             self.shear(1, big(-duration));
         }
+        fn middle(&mut self, _duration: f64, _backwards: bool) {}
         fn gradient_kick(&mut self, duration: f64, gradient: f64, _time: f64) {
             // |∇V|² = q².
             self.shear(1, big(-duration) - big(2.0 * gradient));

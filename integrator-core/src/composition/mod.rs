@@ -1,6 +1,12 @@
 //! Compositions: proved, static tables of stages, which are the drifts and kicks of a step in their order.
 //!
 //! A table has coefficients and knows nothing of systems; [`Flows`] is all that it needs of an executor.
+//!
+//! A table of drifts and kicks integrates any number of parts. With the coefficients `x₁, x₂, …` of its letters in their
+//! order, it is a composition of `χ`, the flows of all parts in their order, and of its adjoint, with `γ₁ = x₁` and
+//! `γₖ = xₖ − γₖ₋₁` (McLachlan 1995, SIAM J. Sci. Comput. 16, 151): the first part has the drifts, the last one the
+//! kicks, and those between them flow for `γₖ` between the letters `k` and `k + 1`, in their order before a kick and
+//! backwards before a drift.
 
 pub(crate) mod catalogue;
 pub(crate) mod catalogue_list;
@@ -22,11 +28,15 @@ pub struct Stage {
     pub drift_time: f64,
     /// When `V(q, t)` is read, as a fraction of the step: the sum of the drifts before this kick.
     pub kick_time: f64,
+    /// `γ` of the parts between the first and the last, where there are more than two: between the two flows of this
+    /// stage, and between it and the next stage.
+    pub middle: [f64; 2],
 }
 
 impl Stage {
     /// The stage without a drift or a kick.
-    pub const NONE: Self = Self { drift: 0.0, kick: 0.0, gradient: 0.0, drift_time: 0.0, kick_time: 0.0 };
+    pub const NONE: Self =
+        Self { drift: 0.0, kick: 0.0, gradient: 0.0, drift_time: 0.0, kick_time: 0.0, middle: [0.0; 2] };
 }
 
 /// The flow that comes first in a stage.
@@ -105,7 +115,7 @@ impl Processor {
 /// The class of Hamiltonians that a composition may integrate.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Class {
-    /// Any `T(p)`.
+    /// Any `T(p)`, and any parts, of any number.
     General,
     /// `T = ½ pᵀ M⁻¹ p` with a constant `M`.
     QuadraticKinetic,
@@ -145,6 +155,25 @@ pub trait Scheme: Copy + Default + Send + Sync + 'static {
     const PROCESSOR: Processor = Processor::NONE;
 }
 
+/// Refuses a composition that integrates no more than two parts, where there are more. For constants.
+///
+/// A processor need not be a composition of whole steps, and orders that count powers of a small second part say
+/// nothing of a third one.
+pub const fn admits<X: Scheme>(parts: usize) {
+    if parts > 2 {
+        assert!(
+            X::PROCESSOR.before.rows.is_empty(),
+            "this composition has a processor, which integrates Hamiltonians of two parts alone; compositions of general \
+             class without one, such as `Yoshida4` and `KahanLi8`, integrate any number of parts"
+        );
+        assert!(
+            X::GENERALISED_ORDERS.len() < 2,
+            "the orders of this composition count powers of a small second part, so it integrates Hamiltonians of two \
+             parts alone; compositions of general class, such as `Yoshida4` and `KahanLi8`, integrate any number of parts"
+        );
+    }
+}
+
 /// A composition that may integrate `H`. Written by `composition!`.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` is not a composition that may integrate `{H}`",
@@ -162,12 +191,24 @@ pub trait Composition<H: Hamiltonian>: Scheme {
     /// One stage of a step that begins at `time`.
     #[inline(always)]
     fn stage(flows: &mut impl Flows<H>, stage: &Stage, h: f64, time: f64) {
+        let [within, behind] = stage.middle;
         if Self::STAGES.lead == Lead::Kick {
             Self::kick(flows, stage, h, time);
+            Self::middle(flows, h * within, true);
         }
         flows.drift(h * stage.drift, time + h * stage.drift_time);
         if Self::STAGES.lead == Lead::Drift {
+            Self::middle(flows, h * within, false);
             Self::kick(flows, stage, h, time);
+        }
+        Self::middle(flows, h * behind, Self::STAGES.lead == Lead::Drift);
+    }
+
+    /// The flows of the parts between the first and the last, where there are more than two.
+    #[inline(always)]
+    fn middle(flows: &mut impl Flows<H>, duration: f64, backwards: bool) {
+        if const { H::PARTS.len() > 2 } && duration != 0.0 {
+            flows.middle(duration, backwards);
         }
     }
 
@@ -191,6 +232,7 @@ pub trait Composition<H: Hamiltonian>: Scheme {
     /// From a closed state at `time` to just before the last stage of the step.
     #[inline(always)]
     fn open(flows: &mut impl Flows<H>, h: f64, time: f64) {
+        const { admits::<Self>(H::PARTS.len()) };
         Self::once(flows, &Self::PROCESSOR.before, h, time);
         Self::stage(flows, &Self::STAGES.opening, h, time);
         for stage in &Self::STAGES.cycle[1..] {
@@ -230,3 +272,6 @@ pub trait Composition<H: Hamiltonian>: Scheme {
         Self::once(flows, &Self::PROCESSOR.after, h, time);
     }
 }
+
+#[cfg(test)]
+mod tests;

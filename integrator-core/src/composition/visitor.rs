@@ -46,7 +46,16 @@ pub fn visit_general<H: Hamiltonian>(visitor: &mut impl Visitor<H>) {
     macro_rules! visit {
         ($($composition:ident)*) => {$( visitor.visit($composition); )*};
     }
-    for_each_composition!(general: visit!);
+    visit_many_parts(visitor);
+    for_each_composition!(processed: visit!);
+}
+
+/// Visits the compositions for any number of parts: those for every `T(p)` that have no processor.
+pub fn visit_many_parts<H: Hamiltonian>(visitor: &mut impl Visitor<H>) {
+    macro_rules! visit {
+        ($($composition:ident)*) => {$( visitor.visit($composition); )*};
+    }
+    for_each_composition!(unprocessed: visit!);
 }
 
 /// Visits the compositions for every `T(p)`, then those for quadratic `T`.

@@ -165,7 +165,8 @@ fn fingerprint(table: Option<&(Stages, Processor)>) -> u64 {
         let ends = [stages.opening, stages.closing].into_iter();
         ends.chain(stages.cycle.iter().chain(processor.before.rows).chain(processor.after.rows).copied())
     });
-    for Stage { drift, kick, gradient, drift_time, kick_time } in rows {
+    // What is between the first and the last part follows from these.
+    for Stage { drift, kick, gradient, drift_time, kick_time, middle: _ } in rows {
         for number in [drift, kick, gradient, drift_time, kick_time] {
             digest.update(&number.to_bits().to_le_bytes());
         }

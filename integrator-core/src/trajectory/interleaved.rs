@@ -48,6 +48,12 @@ impl<H: Hamiltonian, R: Real, K: Precision, const N: usize> Flows<H> for Interle
         }
     }
     #[cfg_attr(not(debug_assertions), inline(always))]
+    fn middle(&mut self, duration: f64, backwards: bool) {
+        for motion in self.0.iter_mut() {
+            H::middle::<R, K>(motion, duration, backwards);
+        }
+    }
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn gradient_kick(&mut self, duration: f64, gradient: f64, time: f64)
     where
         H: QuadraticKinetic,

@@ -25,11 +25,15 @@ use printer::{block::Emitter, fields::Fields, function::Body, names::Names};
 use proc_macro2::TokenStream;
 use prose::{Formulas, motion_documentation};
 pub(crate) use prose::{equations, parts, ranges};
-use quote::quote;
+use quote::{quote, quote_spanned};
+use syn::spanned::Spanned;
 use taylor::orders::{Orders, orders};
 
 /// What in a sequence asks for a quadratic `T` that this Hamiltonian does not have: the message for it.
 pub(crate) fn refusal(sequence: &InPlace, model: &Model) -> Option<String> {
+    if model.parts.len() > 2 {
+        return refusal_of_many_parts(sequence);
+    }
     if model.quadratic {
         return None;
     }
@@ -42,6 +46,21 @@ pub(crate) fn refusal(sequence: &InPlace, model: &Model) -> Option<String> {
         Some(general) if general.order < proof.quadratic.order => Some(format!(
             "this sequence is of order {} only where T is quadratic in p with constant masses; T has the term `{term}`, \
              for which the order is {}: use a sequence for general T, such as `Yoshida4`",
+            proof.quadratic.order, general.order
+        )),
+        Some(_) => None,
+    }
+}
+
+/// The same where there are more than two parts.
+fn refusal_of_many_parts(sequence: &InPlace) -> Option<String> {
+    let proof = sequence.proof();
+    let without = "more than two parts take compositions of general class without a processor, such as `Yoshida4`";
+    match proof.general {
+        _ if sequence.is_processed() => Some(format!("a processor integrates two parts alone: {without}")),
+        None => Some(format!("a force-gradient kick needs H = ½ pᵀ M⁻¹ p + V(q), hence two parts: {without}")),
+        Some(general) if general.order < proof.quadratic.order => Some(format!(
+            "this sequence is of order {} only for H = ½ pᵀ M⁻¹ p + V(q), and of order {} for any parts: {without}",
             proof.quadratic.order, general.order
         )),
         Some(_) => None,
@@ -76,6 +95,8 @@ struct Stepper<'i> {
     stated: TokenStream,
     /// What the runtime is told of parts with names.
     parts: Option<TokenStream>,
+    /// Shows the compositions that it admits, where the runtime cannot know which.
+    visit: Option<TokenStream>,
     autonomous: bool,
     /// The items of a Hamiltonian with quadratic `T`.
     quadratic: Option<TokenStream>,
@@ -92,7 +113,7 @@ impl<'i> Stepper<'i> {
 
         let names = Names::new(input);
         let (coordinates, composition) = (coordinates(&model, &names), composition(input, &model, &names));
-        let parts = named_parts(&model);
+        let (parts, visit) = (named_parts(&model), visit_compositions(&model, &names));
         let (autonomous, is_quadratic) = (model.autonomous, model.quadratic);
         let stated = user_energies::function(input, &model, &names);
         let mut emitter = Emitter { model: &mut model, names: &names, fields: Fields::default() };
@@ -118,6 +139,7 @@ impl<'i> Stepper<'i> {
             energies,
             stated,
             parts,
+            visit,
             autonomous,
             quadratic,
             taylor,
@@ -166,7 +188,16 @@ impl<'i> Stepper<'i> {
     /// The items of `Hamiltonian`. What else is implemented, `others`, is known by the fingerprint alone.
     fn hamiltonian(&self, others: &TokenStream) -> TokenStream {
         let Self {
-            names, coordinates, composition: (composition, _), constants, flows, stated, parts, autonomous, ..
+            names,
+            coordinates,
+            composition: (composition, _),
+            constants,
+            flows,
+            stated,
+            parts,
+            visit,
+            autonomous,
+            ..
         } = self;
         let Names { runtime, scalar, leaf, .. } = names;
         let [parameters, single] = [quote!(#scalar), quote!(f64)].map(|scalar| constants.kind(&scalar, names));
@@ -176,14 +207,6 @@ impl<'i> Stepper<'i> {
         let prepare = Body::new(constants.prepare(names));
         let (length, prepare) = (prepare.argument("length"), &prepare.0);
         let fingerprint = fingerprint(quote!(#prepare #moves #energies #others));
-        // The runtime shows every Hamiltonian the compositions for general `T`; only here is it known that there are more.
-        let visit = self.quadratic.as_ref().map(|_| {
-            quote! {
-                fn visit_compositions(visitor: &mut impl #runtime::Visitor<Self>) {
-                    #runtime::visit_quadratic(visitor);
-                }
-            }
-        });
         let visit_recurrences = self.taylor.as_ref().map(|_| {
             quote! {
                 fn visit_recurrences(visitor: &mut impl #runtime::RecurrencesVisitor<Self>) {
@@ -233,6 +256,22 @@ fn named_parts(model: &Model) -> Option<TokenStream> {
     (!names.is_empty()).then(|| quote!(const PARTS: &'static [&'static str] = &[#(#names),*]; #separable #differences))
 }
 
+/// The loop over the compositions. The runtime shows every Hamiltonian those for general `T`; only here is it known that
+/// there are more, or fewer.
+fn visit_compositions(model: &Model, names: &Names) -> Option<TokenStream> {
+    let visit = match model {
+        Model { quadratic: true, .. } => quote!(visit_quadratic),
+        Model { parts, .. } if parts.len() > 2 => quote!(visit_many_parts),
+        _ => return None,
+    };
+    let runtime = &names.runtime;
+    Some(quote! {
+        fn visit_compositions(visitor: &mut impl #runtime::Visitor<Self>) {
+            #runtime::#visit(visitor);
+        }
+    })
+}
+
 /// The type of the coordinates.
 fn coordinates(model: &Model, names: &Names) -> TokenStream {
     let runtime = &names.runtime;
@@ -263,7 +302,13 @@ fn composition(input: &Input, model: &Model, names: &Names) -> (TokenStream, Opt
     let (root, runtime) = (&input.root, &names.runtime);
     match &input.compose {
         None => (quote!(#runtime::Verlet), None),
-        Some(Compose::Named(path)) => (quote!(#path), None),
+        Some(Compose::Named(path)) => {
+            let parts = model.parts.len();
+            // The compiler knows what the path names.
+            let held = parts > 2 && input.item.generics.params.is_empty();
+            let check = quote_spanned!(path.span()=> const _: () = #runtime::admits::<#path>(#parts););
+            (quote!(#path), held.then_some(check))
+        }
         Some(Compose::InPlace(sequence, _)) => {
             let name = &names.composition;
             let class = if model.quadratic { Class::QuadraticKinetic } else { Class::General };

@@ -50,6 +50,11 @@ impl InPlace {
         self.sequence.gradient()
     }
 
+    /// Whether it does something once and undoes it where the state is shown.
+    pub(crate) fn is_processed(&self) -> bool {
+        !self.scheme.processor.elements().is_empty()
+    }
+
     /// The sequence as typed, for messages about the whole of it.
     pub(crate) fn tokens(&self) -> &TokenStream {
         &self.sequence.tokens

@@ -2,7 +2,10 @@
 //!
 //! A [`Scheme`] comes in, the literals of its tables go out. Coefficients leave their 106 bits here, after all sums.
 //! Always true: a row reads the time that the other letter has reached, counted from the beginning of the step, so that
-//! a processor which moves on by a tenth of a step moves the times of its kernel by that much.
+//! a processor which moves on by a tenth of a step moves the times of its kernel by that much. What lies between the
+//! letters `k` and `k + 1` is, of a step, `x_k` less what lies before `k`, so that nothing is left behind the last letter:
+//! the alternating sum of all coefficients is that of the drifts less that of the kicks, which [`lower`](super::lower)
+//! proved to be equal.
 
 use proc_macro2::{Literal, TokenStream};
 use quote::quote;
@@ -29,7 +32,7 @@ impl Table {
         let mut clock = Clock { drifts: Double::ZERO, kicks: Double::ZERO };
         Self {
             before: Rows::of(scheme.processor.elements(), &mut clock),
-            step: Rows::of(scheme.stages.elements(), &mut clock),
+            step: Rows::of_whole_step(scheme, &mut clock),
             after: Rows::of(scheme.processor.inverse().elements(), &mut clock),
         }
     }
@@ -119,6 +122,15 @@ impl Rows {
         Self { lead, rows: elements.chunks(2).map(row).collect() }
     }
 
+    /// The same, with what lies between the letters where a system has more than two parts.
+    fn of_whole_step(scheme: &Scheme, clock: &mut Clock) -> Self {
+        let mut rows = Self::of(scheme.stages.elements(), clock);
+        for (number, gamma) in between(scheme).into_iter().enumerate() {
+            rows.rows[number / 2].middle[number % 2] = gamma;
+        }
+        rows
+    }
+
     fn lead(&self, root: &Path) -> TokenStream {
         match self.lead {
             Letter::T => quote!(#root::__private::Lead::Drift),
@@ -133,7 +145,27 @@ impl Rows {
     }
 }
 
-/// One drift and one kick, and the fractions of the step at which they read the time.
+/// What lies between the letters of a step and behind the last one: `γ` of the flows of all parts in their order or, after
+/// every other letter, backwards.
+fn between(scheme: &Scheme) -> Vec<Double> {
+    let mut gamma = Double::ZERO;
+    let gammas = scheme.stages.elements().iter().map(|element| {
+        gamma = element.coefficient.value - gamma;
+        gamma
+    });
+    let mut gammas: Vec<_> = gammas.collect();
+    // Roundings of the sums are all that is left behind the last letter.
+    let Some((behind, between)) = gammas.split_last_mut() else { return gammas };
+    *behind = Double::ZERO;
+    if scheme.proof.symmetric {
+        // To the last bit, for coordinates on a grid.
+        let (first, second) = between.split_at_mut(between.len() / 2);
+        first.iter().zip(second.iter_mut().rev()).for_each(|(one, mirrored)| *mirrored = *one);
+    }
+    gammas
+}
+
+/// One drift and one kick, the fractions of the step at which they read the time, and what lies behind each.
 #[derive(Clone, Copy, PartialEq)]
 struct Row {
     drift: Double,
@@ -141,6 +173,7 @@ struct Row {
     gradient: Double,
     drift_time: Double,
     kick_time: Double,
+    middle: [Double; 2],
 }
 
 impl Row {
@@ -150,6 +183,7 @@ impl Row {
         gradient: Double::ZERO,
         drift_time: Double::ZERO,
         kick_time: Double::ZERO,
+        middle: [Double::ZERO; 2],
     };
 
     fn set(&mut self, element: &Element, clock: &mut Clock) {
@@ -178,6 +212,7 @@ impl Row {
         }
         let [drift, kick, gradient, drift_time, kick_time] =
             [self.drift, self.kick, self.gradient, self.drift_time, self.kick_time].map(|value| number(value.value()));
+        let [within, behind] = self.middle.map(|gamma| number(gamma.value()));
         quote! {
             #root::__private::Stage {
                 drift: #drift,
@@ -185,6 +220,7 @@ impl Row {
                 gradient: #gradient,
                 drift_time: #drift_time,
                 kick_time: #kick_time,
+                middle: [#within, #behind],
             }
         }
     }

@@ -509,4 +509,20 @@ pub(crate) const SPLITS: &[Row] = &[
         "compose = Verlet on fn kinetic(&self, p: [f64; 1]) -> f64 { p[0] * p[0] } fn potential(&self, q: [f64; 1]) -> f64 { q[0].cos() }\n#[flow(a)] fn turn(&self, q: &mut [f64; 1], p: &mut [f64; 1], duration: f64) {}",
         &["3:7 `a` is no part of H: name the parts, `split = a + b`"],
     ),
+    (
+        "split = a + b + c, compose = A(1/2) B(1) A(1/2) on fn a(&self, p: [f64; 1]) -> f64 { p[0] * p[0] } fn b(&self, q: [f64; 1]) -> f64 { q[0].cos() } fn c(&self, q: [f64; 1]) -> f64 { q[0] }",
+        &[],
+    ),
+    (
+        "split = a + b + c, compose = processed(A(1/12) B(1/12) A(-1/12) B(-1/12); Verlet) on fn a(&self, p: [f64; 1]) -> f64 { p[0] * p[0] } fn b(&self, q: [f64; 1]) -> f64 { q[0].cos() } fn c(&self, q: [f64; 1]) -> f64 { q[0] }",
+        &[
+            "1:29 a processor integrates two parts alone: more than two parts take compositions of general class without a processor, such as `Yoshida4`",
+        ],
+    ),
+    (
+        "split = a + b + c, compose = B(1/6) A(1/2) B(2/3, -1/72) A(1/2) B(1/6) on fn a(&self, p: [f64; 1]) -> f64 { p[0] * p[0] } fn b(&self, q: [f64; 1]) -> f64 { q[0].cos() } fn c(&self, q: [f64; 1]) -> f64 { q[0] }",
+        &[
+            "1:50 a force-gradient kick needs H = ½ pᵀ M⁻¹ p + V(q), hence two parts: more than two parts take compositions of general class without a processor, such as `Yoshida4`",
+        ],
+    ),
 ];

@@ -33,6 +33,7 @@ impl ::integrator_core::__private::Scheme for Chin4A {
             gradient: 0.0,
             drift_time: 0.16666666666666666,
             kick_time: 0.0,
+            middle: [0.16666666666666666, 0.3333333333333333],
         },
         cycle: &[
             ::integrator_core::__private::Stage {
@@ -41,6 +42,7 @@ impl ::integrator_core::__private::Scheme for Chin4A {
                 gradient: 0.0,
                 drift_time: 0.16666666666666666,
                 kick_time: 0.0,
+                middle: [0.16666666666666666, 0.3333333333333333],
             },
             ::integrator_core::__private::Stage {
                 drift: 0.5,
@@ -48,6 +50,7 @@ impl ::integrator_core::__private::Scheme for Chin4A {
                 gradient: -0.013888888888888888,
                 drift_time: 0.8333333333333334,
                 kick_time: 0.5,
+                middle: [0.3333333333333333, 0.16666666666666666],
             },
         ],
         closing: ::integrator_core::__private::Stage {
@@ -56,6 +59,7 @@ impl ::integrator_core::__private::Scheme for Chin4A {
             gradient: 0.0,
             drift_time: 0.0,
             kick_time: 1.0,
+            middle: [0.0, 0.0],
         },
     };
 }

@@ -33,6 +33,7 @@ impl ::integrator_core::__private::Scheme for Shifted {
             gradient: 0.0,
             drift_time: 0.25,
             kick_time: 1.0,
+            middle: [0.5, 0.5],
         },
         cycle: &[
             ::integrator_core::__private::Stage {
@@ -41,6 +42,7 @@ impl ::integrator_core::__private::Scheme for Shifted {
                 gradient: 0.0,
                 drift_time: 0.25,
                 kick_time: 1.0,
+                middle: [0.5, 0.5],
             },
         ],
         closing: ::integrator_core::__private::Stage {
@@ -49,6 +51,7 @@ impl ::integrator_core::__private::Scheme for Shifted {
             gradient: 0.0,
             drift_time: 1.25,
             kick_time: 0.0,
+            middle: [0.0, 0.0],
         },
     };
     const PROCESSOR: ::integrator_core::__private::Processor = ::integrator_core::__private::Processor {
@@ -61,6 +64,7 @@ impl ::integrator_core::__private::Scheme for Shifted {
                     gradient: 0.0,
                     drift_time: 0.25,
                     kick_time: 0.0,
+                    middle: [0.0, 0.0],
                 },
             ],
         },
@@ -73,6 +77,7 @@ impl ::integrator_core::__private::Scheme for Shifted {
                     gradient: 0.0,
                     drift_time: 1.25,
                     kick_time: 1.0,
+                    middle: [0.0, 0.0],
                 },
             ],
         },

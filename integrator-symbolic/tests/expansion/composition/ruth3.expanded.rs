@@ -33,6 +33,7 @@ impl my::runtime::__private::Scheme for Ruth3 {
             gradient: 0.0,
             drift_time: 0.2916666666666667,
             kick_time: 0.0,
+            middle: [0.2916666666666667, 0.375],
         },
         cycle: &[
             my::runtime::__private::Stage {
@@ -41,6 +42,7 @@ impl my::runtime::__private::Scheme for Ruth3 {
                 gradient: 0.0,
                 drift_time: 0.2916666666666667,
                 kick_time: 0.0,
+                middle: [0.2916666666666667, 0.375],
             },
             my::runtime::__private::Stage {
                 drift: -0.6666666666666666,
@@ -48,6 +50,7 @@ impl my::runtime::__private::Scheme for Ruth3 {
                 gradient: 0.0,
                 drift_time: 1.0416666666666667,
                 kick_time: 0.6666666666666666,
+                middle: [0.375, -1.0416666666666667],
             },
             my::runtime::__private::Stage {
                 drift: 1.0,
@@ -55,6 +58,7 @@ impl my::runtime::__private::Scheme for Ruth3 {
                 gradient: 0.0,
                 drift_time: 1.0,
                 kick_time: 0.0,
+                middle: [1.0, 0.0],
             },
         ],
         closing: my::runtime::__private::Stage::NONE,

@@ -35,6 +35,7 @@ impl ::integrator_core::__private::Scheme for Verlet {
             gradient: 0.0,
             drift_time: 0.0,
             kick_time: 0.5,
+            middle: [0.5, 0.5],
         },
         cycle: &[
             ::integrator_core::__private::Stage {
@@ -43,6 +44,7 @@ impl ::integrator_core::__private::Scheme for Verlet {
                 gradient: 0.0,
                 drift_time: 0.0,
                 kick_time: 0.5,
+                middle: [0.5, 0.5],
             },
         ],
         closing: ::integrator_core::__private::Stage {
@@ -51,6 +53,7 @@ impl ::integrator_core::__private::Scheme for Verlet {
             gradient: 0.0,
             drift_time: 1.0,
             kick_time: 0.0,
+            middle: [0.0, 0.0],
         },
     };
 }

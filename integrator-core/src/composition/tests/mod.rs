@@ -1,0 +1,4 @@
+//! Tests of compositions as loops over the flows of an executor.
+
+#[cfg(feature = "check")]
+mod many_parts;

@@ -1,0 +1,166 @@
+#[allow(warnings, clippy::all, clippy::pedantic, reason = "generated")]
+const _: () = {
+    use ::integrator_core::__private::{self as runtime, Mask as _, Slot as _};
+    const _: () = runtime::admits::<Yoshida4>(3usize);
+    /// What depends on parameters alone, evaluated once per run.
+    #[derive(::core::clone::Clone)]
+    pub struct Parameters<Scalar> {
+        /// `1 / mass`
+        prepared_0: Scalar,
+        /// `rate`
+        rate: Scalar,
+        /// `depth`
+        depth: Scalar,
+        /// `stiffness`
+        prepared_3: Scalar,
+        /// `1 / (2 mass)`
+        prepared_4: Scalar,
+        /// `stiffness / 2`
+        prepared_5: Scalar,
+    }
+    impl<Scalar: runtime::Real> runtime::Prepared<Scalar> for Parameters<Scalar> {
+        type Single = Parameters<f64>;
+        #[inline(always)]
+        fn gather(members: &[&Self::Single]) -> Self {
+            Parameters {
+                prepared_0: runtime::in_lanes(members, |member| &member.prepared_0),
+                rate: runtime::in_lanes(members, |member| &member.rate),
+                depth: runtime::in_lanes(members, |member| &member.depth),
+                prepared_3: runtime::in_lanes(members, |member| &member.prepared_3),
+                prepared_4: runtime::in_lanes(members, |member| &member.prepared_4),
+                prepared_5: runtime::in_lanes(members, |member| &member.prepared_5),
+            }
+        }
+        fn not_finite(single: &Self::Single) -> runtime::Vec<runtime::NotFinite> {
+            runtime::all_found([
+                runtime::not_finite("1 / mass", &[], &single.prepared_0),
+                runtime::not_finite("rate", &[], &single.rate),
+                runtime::not_finite("depth", &[], &single.depth),
+                runtime::not_finite("stiffness", &[], &single.prepared_3),
+                runtime::not_finite("1 / (2 mass)", &[], &single.prepared_4),
+                runtime::not_finite("stiffness / 2", &[], &single.prepared_5),
+            ])
+        }
+        fn digest(single: &Self::Single, digest: &mut runtime::Digest) {
+            digest.add(&single.prepared_0);
+            digest.add(&single.rate);
+            digest.add(&single.depth);
+            digest.add(&single.prepared_3);
+            digest.add(&single.prepared_4);
+            digest.add(&single.prepared_5);
+        }
+    }
+    /// The equations of motion, derived from `kinetic`, `twist` and `potential`:
+    ///
+    /// ```text
+    /// dq[0]/dt = p[0] / mass
+    /// dq[1]/dt = p[1] / mass + rate q[0]^2
+    /// dp[0]/dt = -2 rate q[0] p[1] + depth sin(q[0])
+    /// dp[1]/dt = -stiffness q[1]
+    /// ```
+    ///
+    /// Each part has an exact flow.
+    #[automatically_derived]
+    impl runtime::Hamiltonian for Twisted {
+        type Coords = [f64; 2];
+        type Compose = Yoshida4;
+        type Parameters<Scalar: runtime::Real> = Parameters<Scalar>;
+        type Motion<Scalar: runtime::Real, Leaf: runtime::Precision> = runtime::Plain<
+            Scalar,
+            runtime::Shaped<Self, Leaf>,
+            Parameters<Scalar>,
+        >;
+        const PARTS: &'static [&'static str] = &["kinetic", "twist", "potential"];
+        const SEPARABLE: bool = false;
+        const AUTONOMOUS: bool = true;
+        const FINGERPRINT: u64 = 17686701538592977954;
+        fn parameters(&self, _length: usize) -> Parameters<f64> {
+            Parameters {
+                prepared_0: 2.0 / (2.0 * self.mass),
+                rate: self.rate,
+                depth: self.depth,
+                prepared_3: 2.0 * (0.5 * self.stiffness),
+                prepared_4: 1.0 / (2.0 * self.mass),
+                prepared_5: 0.5 * self.stiffness,
+            }
+        }
+        #[inline(always)]
+        fn drift<Scalar: runtime::Real, Leaf: runtime::Precision>(
+            motion: &mut Self::Motion<Scalar, Leaf>,
+            duration: f64,
+            _time: f64,
+        ) {
+            let step = Scalar::of(duration);
+            let shared_0 = step * motion.parameters.prepared_0;
+            motion.q[0].fma(shared_0, motion.p[0].value());
+            motion.q[1].fma(shared_0, motion.p[1].value());
+        }
+        #[inline(always)]
+        fn middle<Scalar: runtime::Real, Leaf: runtime::Precision>(
+            motion: &mut Self::Motion<Scalar, Leaf>,
+            duration: f64,
+            _backwards: bool,
+        ) {
+            let step = Scalar::of(duration);
+            let p1 = motion.p[1].value();
+            let q0 = motion.q[0].value();
+            motion
+                .p[0]
+                .fma(
+                    -step,
+                    (motion.parameters.rate * p1)
+                        .fma(q0, motion.parameters.rate * q0 * p1),
+                );
+            motion.q[1].fma(step * motion.parameters.rate * q0, q0);
+        }
+        #[inline(always)]
+        fn kick<Scalar: runtime::Real, Leaf: runtime::Precision>(
+            motion: &mut Self::Motion<Scalar, Leaf>,
+            duration: f64,
+            _time: f64,
+        ) {
+            let step = Scalar::of(-duration);
+            motion
+                .p[0]
+                .fma(-(step * motion.parameters.depth), motion.q[0].value().sin());
+            motion.p[1].fma(step * motion.parameters.prepared_3, motion.q[1].value());
+        }
+        #[inline(always)]
+        fn kinetic<Scalar: runtime::Real, Leaf: runtime::Precision>(
+            motion: &Self::Motion<Scalar, Leaf>,
+            _time: f64,
+        ) -> Scalar {
+            let p0 = motion.p[0].value();
+            let p1 = motion.p[1].value();
+            motion.parameters.prepared_4 * p1.fma(p1, p0 * p0)
+        }
+        #[inline(always)]
+        fn potential<Scalar: runtime::Real, Leaf: runtime::Precision>(
+            motion: &Self::Motion<Scalar, Leaf>,
+            _time: f64,
+        ) -> Scalar {
+            let q0 = motion.q[0].value();
+            let q1 = motion.q[1].value();
+            (motion.parameters.rate * q0 * q0)
+                .fma(
+                    motion.p[1].value(),
+                    (motion.parameters.prepared_5 * q1)
+                        .fma(q1, motion.parameters.depth * q0.cos()),
+                )
+        }
+        fn stated(
+            &self,
+            q: &Self::Coords,
+            p: &Self::Coords,
+            time: f64,
+        ) -> runtime::StatedEnergy {
+            runtime::StatedEnergy::Separate {
+                kinetic: Self::kinetic(self, *p),
+                potential: Self::twist(self, *q, *p) + Self::potential(self, *q),
+            }
+        }
+        fn visit_compositions(visitor: &mut impl runtime::Visitor<Self>) {
+            runtime::visit_many_parts(visitor);
+        }
+    }
+};
