@@ -32,6 +32,10 @@ pub(crate) enum Sink {
     Contribution(usize),
     /// It is the gradient's component for a coordinate, to which nothing else is added.
     Assign(Element),
+    /// It is added to the derivative of a quadratic form by a coordinate at zero.
+    FirstDerivative(Element),
+    /// It is added to the derivative of a quadratic form by two coordinates.
+    SecondDerivative(Element, Element),
     /// It is what the function returns.
     Return,
 }

@@ -26,6 +26,10 @@ use form::{Group, groups};
 
 /// Prepared constants that a part of H which is a quadratic form has its coefficients from.
 pub trait QuadraticPart<const PART: usize> {
+    /// How many components a point has.
+    fn components(_parameters: &Self) -> usize {
+        1
+    }
     /// Adds the derivatives of the part; positions are so many numbers or points.
     fn derivatives(parameters: &Self, length: usize, form: &mut Form);
 }
@@ -48,7 +52,7 @@ pub struct Quadratic<R, const PART: usize> {
 impl<R: Real, P: QuadraticPart<PART>, const PART: usize> Solver<P> for Quadratic<R, PART> {
     fn of(constants: &[&P], length: usize) -> Self {
         let form = |parameters: &&P| {
-            let mut form = Form::default();
+            let mut form = Form::new(P::components(parameters));
             P::derivatives(parameters, length, &mut form);
             form
         };

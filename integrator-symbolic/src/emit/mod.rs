@@ -159,7 +159,8 @@ impl<'i> Stepper<'i> {
             quote!(#tape #recurrences)
         });
         let of_lattice = flows.of_lattice(implementation, names);
-        let others = quote!(#of_bodies #quadratic #taylor #of_lattice);
+        let of_forms = flows.of_quadratic_forms(&constants.kind(&quote!(f64), names), names);
+        let others = quote!(#of_bodies #quadratic #taylor #of_lattice #of_forms);
         let hamiltonian = implementation(quote!(#runtime::Hamiltonian), &self.hamiltonian(&others));
         quote! {
             #[allow(warnings, clippy::all, clippy::pedantic, reason = "generated")]

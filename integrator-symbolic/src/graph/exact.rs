@@ -1,6 +1,6 @@
 //! Parts of H whose exact flow is known: the judgement of a part by its formula.
 
-use super::{Element, Graph, Node, NodeId, Part};
+use super::{Element, Graph, Node, NodeId, Part, quadratic::quadratic};
 
 /// The form of a part, which its exact flow follows from.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -12,6 +12,8 @@ pub(crate) enum Exact {
     /// A shear: whatever it reads has a conjugate that it does not read, and so stays, while these conjugates move along
     /// straight lines.
     Shear,
+    /// A quadratic form in all coordinates, whose coefficients depend on parameters alone.
+    Quadratic,
     /// Any: the user has written the flow.
     Own,
 }
@@ -21,13 +23,21 @@ pub(crate) enum Exact {
 pub(crate) enum Obstacle {
     /// A coordinate and its conjugate are both in it.
     Conjugates(Element, Element),
+    /// It is a polynomial of this degree in all coordinates.
+    Degree(u32),
+    /// It is a quadratic form, but reads the time.
+    Time,
+    /// A sum of coordinates is multiplied by itself.
+    ProductOfSums,
+    /// It is no polynomial in the coordinates.
+    NoPolynomial,
 }
 
 /// The judgement whether a part that reads q and p is of one form.
 type Judgement = fn(&Graph, NodeId) -> Result<Exact, Obstacle>;
 
 /// The judgements in their order.
-const JUDGEMENTS: [Judgement; 1] = [shear];
+const JUDGEMENTS: [Judgement; 2] = [shear, quadratic];
 
 impl Graph {
     /// The form of a part, or for each form what keeps the part from being of it, in the order in which they are tried.

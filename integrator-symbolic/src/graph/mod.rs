@@ -21,6 +21,7 @@ mod masked_sum;
 mod piecewise;
 mod polynomial;
 mod product;
+mod quadratic;
 mod separate;
 
 pub(crate) use access::Access;

@@ -6,6 +6,11 @@ impl Graph {
     /// The degree of a node as a polynomial in the coordinates of some parts, with coefficients of whatever else there
     /// is; `None` where it is none.
     pub(crate) fn degree(&self, root: NodeId, parts: &[Part]) -> Option<u32> {
+        self.degrees(root, parts)[root.position()]
+    }
+
+    /// The degrees of all nodes up to one, by their positions.
+    pub(super) fn degrees(&self, root: NodeId, parts: &[Part]) -> Vec<Option<u32>> {
         let mut degrees: Vec<Option<u32>> = Vec::with_capacity(root.position() + 1);
         for position in 0..=root.position() {
             let of = |id: NodeId| degrees[id.position()];
@@ -40,7 +45,7 @@ impl Graph {
             };
             degrees.push(degree);
         }
-        degrees[root.position()]
+        degrees
     }
 
     /// Whether an energy is at most quadratic in the momenta, with masses that depend on parameters alone: each of its terms

@@ -160,6 +160,16 @@ impl Reader<'_> {
                 let [q, p] = [q, p].map(|element| self.named(*element));
                 format!("it is no shear, since {q} and {p} are both in it")
             }
+            Obstacle::Degree(degree) => {
+                format!("it is no quadratic form in q and p together, but a polynomial of degree {degree}")
+            }
+            Obstacle::Time => "it is a quadratic form in q and p, but with coefficients that read the time".to_owned(),
+            Obstacle::ProductOfSums => {
+                "it is a quadratic form in q and p, but multiplies a sum over a loop by itself: \
+                                        write it as one sum in two loops, over i and j"
+                    .to_owned()
+            }
+            Obstacle::NoPolynomial => "it is no quadratic form in q and p".to_owned(),
         }
     }
 

@@ -414,6 +414,24 @@ pub(crate) const SPLITS: &[Row] = &[
         &[],
     ),
     (
+        "split = a + b on fn a(&self, q: [f64; 2], p: [f64; 2]) -> f64 { q[0] * q[0] * p[0] } fn b(&self, q: [f64; 2]) -> f64 { q[0].cos() }",
+        &[
+            "2:3 no exact flow is known for `a`: it is no shear, since q[0] and p[0] are both in it; it is no quadratic form in q and p together, but a polynomial of degree 3. Split it into more parts, or write its flow: `#[flow(a)]`",
+        ],
+    ),
+    (
+        "split = a + b on fn a(&self, q: [f64; 1], p: [f64; 1], t: f64) -> f64 { q[0] * p[0] * t.cos() } fn b(&self, q: [f64; 1]) -> f64 { q[0].cos() }",
+        &[
+            "2:3 no exact flow is known for `a`: it is no shear, since q[0] and p[0] are both in it; it is a quadratic form in q and p, but with coefficients that read the time. Split it into more parts, or write its flow: `#[flow(a)]`",
+        ],
+    ),
+    (
+        "split = a + b on fn a(&self, q: [f64; 9], p: [f64; 9]) -> f64 { let s: f64 = (0..9).map(|i| q[i] + p[i]).sum(); s * s } fn b(&self, q: [f64; 9]) -> f64 { q[0].cos() }",
+        &[
+            "2:3 no exact flow is known for `a`: it is no shear, since q[i] and p[i] are both in it; it is a quadratic form in q and p, but multiplies a sum over a loop by itself: write it as one sum in two loops, over i and j. Split it into more parts, or write its flow: `#[flow(a)]`",
+        ],
+    ),
+    (
         "split = a + a on fn a(&self, p: [f64; 1]) -> f64 { p[0] * p[0] }",
         &["1:12 `a` is a part of H already: each part is named once"],
     ),
@@ -468,7 +486,7 @@ pub(crate) const SPLITS: &[Row] = &[
     (
         "split = a + b on fn a(&self, q: [f64; 1], p: [f64; 1]) -> f64 { (q[0] * p[0]).sin() } fn b(&self, q: [f64; 1]) -> f64 { q[0].cos() }",
         &[
-            "2:3 no exact flow is known for `a`: it is no shear, since q[0] and p[0] are both in it. Split it into more parts, or write its flow: `#[flow(a)]`",
+            "2:3 no exact flow is known for `a`: it is no shear, since q[0] and p[0] are both in it; it is no quadratic form in q and p. Split it into more parts, or write its flow: `#[flow(a)]`",
         ],
     ),
     (
@@ -483,14 +501,14 @@ pub(crate) const SPLITS: &[Row] = &[
         "split = a + b on fn a(&self, q: [f64; 1], p: [f64; 1]) -> f64 { (q[0] * p[0]).sin() } fn b(&self, q: [f64; 1]) -> f64 { q[0].cos() }\n#[flow(c)] fn turn(&self, q: &mut [f64; 1], p: &mut [f64; 1], duration: f64) {}",
         &[
             "3:7 `c` is no part of H: `split` names `a`, `b`",
-            "2:3 no exact flow is known for `a`: it is no shear, since q[0] and p[0] are both in it. Split it into more parts, or write its flow: `#[flow(a)]`",
+            "2:3 no exact flow is known for `a`: it is no shear, since q[0] and p[0] are both in it; it is no quadratic form in q and p. Split it into more parts, or write its flow: `#[flow(a)]`",
         ],
     ),
     (
         "split = a + b on fn a(&self, q: [f64; 1], p: [f64; 1]) -> f64 { (q[0] * p[0]).sin() } fn b(&self, q: [f64; 1]) -> f64 { q[0].cos() }\n#[flow] fn turn(&self, q: &mut [f64; 1], p: &mut [f64; 1], duration: f64) {}",
         &[
             "3:0 this names the part of H whose flow the method is: `#[flow(kepler)]`",
-            "2:3 no exact flow is known for `a`: it is no shear, since q[0] and p[0] are both in it. Split it into more parts, or write its flow: `#[flow(a)]`",
+            "2:3 no exact flow is known for `a`: it is no shear, since q[0] and p[0] are both in it; it is no quadratic form in q and p. Split it into more parts, or write its flow: `#[flow(a)]`",
         ],
     ),
     (
@@ -502,7 +520,7 @@ pub(crate) const SPLITS: &[Row] = &[
     (
         "split = a + b on fn a(&self, q: [f64; 1], p: [f64; 1]) -> f64 { (q[0] * p[0]).sin() } fn b(&self, q: [f64; 1]) -> f64 { q[0].cos() }\n#[flow(b)] fn turn(&self, q: &mut [f64; 1], p: &mut [f64; 1], duration: f64) {}",
         &[
-            "2:3 no exact flow is known for `a`: it is no shear, since q[0] and p[0] are both in it. Split it into more parts, or write its flow: `#[flow(a)]`",
+            "2:3 no exact flow is known for `a`: it is no shear, since q[0] and p[0] are both in it; it is no quadratic form in q and p. Split it into more parts, or write its flow: `#[flow(a)]`",
         ],
     ),
     (

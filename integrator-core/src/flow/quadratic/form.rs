@@ -9,36 +9,48 @@ use alloc::{collections::BTreeMap, vec, vec::Vec};
 /// `½ zᵀ S z + bᵀ z`, where `z` is positions and momenta: the entries of `S` and of `b` that are there.
 ///
 /// Coordinates have an even number where they are positions, the next one for their momentum.
-#[derive(Clone, Debug, Default, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Form {
+    /// How many components a point has.
+    components: usize,
     second: BTreeMap<[usize; 2], f64>,
     first: BTreeMap<usize, f64>,
 }
 
+/// Derivatives are added at the indices of coordinates: those of a number, or those of a point and of its component.
 impl Form {
-    /// Adds to the second derivative by two positions; their mirror image comes by itself.
-    pub fn qq(&mut self, i: usize, j: usize, value: f64) {
-        self.symmetric(2 * i, 2 * j, value);
+    /// One without any term.
+    pub(super) fn new(components: usize) -> Self {
+        Self { components, second: BTreeMap::new(), first: BTreeMap::new() }
     }
-    /// Adds to the second derivative by two momenta; their mirror image comes by itself.
-    pub fn pp(&mut self, i: usize, j: usize, value: f64) {
-        self.symmetric(2 * i + 1, 2 * j + 1, value);
+
+    /// The second derivative by two positions; its mirror image comes by itself.
+    pub fn qq<const D: usize>(&mut self, i: [usize; D], j: [usize; D], value: f64) {
+        self.symmetric(2 * self.degree(i), 2 * self.degree(j), value);
     }
-    /// Adds to the second derivative by a position and a momentum, in both orders.
-    pub fn qp(&mut self, i: usize, j: usize, value: f64) {
-        let [a, b] = [2 * i, 2 * j + 1];
+    /// The second derivative by two momenta; its mirror image comes by itself.
+    pub fn pp<const D: usize>(&mut self, i: [usize; D], j: [usize; D], value: f64) {
+        self.symmetric(2 * self.degree(i) + 1, 2 * self.degree(j) + 1, value);
+    }
+    /// The second derivative by a position and a momentum, in both orders.
+    pub fn qp<const D: usize>(&mut self, i: [usize; D], j: [usize; D], value: f64) {
+        let [a, b] = [2 * self.degree(i), 2 * self.degree(j) + 1];
         self.add(a, b, value);
         self.add(b, a, value);
     }
-    /// Adds to the derivative by a position where all coordinates are zero.
-    pub fn q(&mut self, i: usize, value: f64) {
-        *self.first.entry(2 * i).or_default() += value;
+    /// The derivative by a position where all coordinates are zero.
+    pub fn q<const D: usize>(&mut self, i: [usize; D], value: f64) {
+        *self.first.entry(2 * self.degree(i)).or_default() += value;
     }
-    /// Adds to the derivative by a momentum where all coordinates are zero.
-    pub fn p(&mut self, i: usize, value: f64) {
-        *self.first.entry(2 * i + 1).or_default() += value;
+    /// The derivative by a momentum where all coordinates are zero.
+    pub fn p<const D: usize>(&mut self, i: [usize; D], value: f64) {
+        *self.first.entry(2 * self.degree(i) + 1).or_default() += value;
     }
 
+    /// Which degree of freedom it is.
+    fn degree<const D: usize>(&self, indices: [usize; D]) -> usize {
+        indices.iter().fold(0, |degree, index| degree * self.components + index)
+    }
     /// Half of it at each of both places, so that both have the same bits in the end.
     fn symmetric(&mut self, a: usize, b: usize, value: f64) {
         self.add(a, b, 0.5 * value);

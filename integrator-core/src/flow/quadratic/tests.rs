@@ -57,16 +57,16 @@ fn second(kind: &str, n: usize) -> Vec<f64> {
 /// The form of these entries with slopes that rise along positions and momenta.
 fn form(kind: &str, n: usize, is_affine: bool) -> Form {
     let s = second(kind, n);
-    let mut form = Form::default();
+    let mut form = Form::new(1);
     for i in 0..n {
         for j in 0..n {
-            form.qq(i, j, s[i * 2 * n + j]);
-            form.qp(i, j, s[i * 2 * n + n + j]);
-            form.pp(i, j, s[(n + i) * 2 * n + n + j]);
+            form.qq([i], [j], s[i * 2 * n + j]);
+            form.qp([i], [j], s[i * 2 * n + n + j]);
+            form.pp([i], [j], s[(n + i) * 2 * n + n + j]);
         }
         if is_affine {
-            form.q(i, i as f64 / 8.0);
-            form.p(i, (n + i) as f64 / 8.0);
+            form.q([i], i as f64 / 8.0);
+            form.p([i], (n + i) as f64 / 8.0);
         }
     }
     form
@@ -158,21 +158,21 @@ fn flows_compose_and_keep_areas() {
 
 #[test]
 fn blocks_are_what_couples_and_equal_ones_share_a_matrix() {
-    let mut form = Form::default();
+    let mut form = Form::new(1);
     // Two equal oscillators, one that is not, a pair that rotates, one that is pushed, and nothing at 4 and 6.
     for (i, stiffness) in [(0, 2.0), (1, 3.0), (7, 2.0)] {
-        form.qq(i, i, stiffness);
-        form.pp(i, i, 1.0);
+        form.qq([i], [i], stiffness);
+        form.pp([i], [i], 1.0);
     }
-    form.qp(2, 5, 0.5);
-    form.qp(5, 2, -0.5);
-    form.qq(4, 6, 0.0);
-    form.q(3, 9.81);
+    form.qp([2], [5], 0.5);
+    form.qp([5], [2], -0.5);
+    form.qq([4], [6], 0.0);
+    form.q([3], 9.81);
     let found: Vec<_> = groups(&[form.clone()]).iter().map(|group| (group.size, group.places.clone())).collect();
     assert_eq!(found, [(1, vec![0, 7]), (1, vec![1]), (2, vec![2, 5]), (1, vec![3])]);
     // What one member couples is a block for all.
     let mut other = form.clone();
-    other.qq(1, 4, 0.25);
+    other.qq([1], [4], 0.25);
     let found: Vec<_> = groups(&[form, other]).iter().map(|group| (group.size, group.places.clone())).collect();
     assert_eq!(found, [(1, vec![0, 7]), (2, vec![1, 4]), (2, vec![2, 5]), (1, vec![3])]);
 }
@@ -240,9 +240,9 @@ fn energies_walk_and_do_not_drift() {
     where
         Vec<K>: Coords<Leaf = K>,
     {
-        let mut oscillator = Form::default();
-        oscillator.qq(0, 0, 1.0);
-        oscillator.pp(0, 0, 1.0);
+        let mut oscillator = Form::new(1);
+        oscillator.qq([0], [0], 1.0);
+        oscillator.pp([0], [0], 1.0);
         let [duration, radius] = at;
         let mut solver = Quadratic::<f64, 0>::of_forms(&[oscillator]);
         let [mut q, mut p] = [radius, 0.0].map(|start| Vec::<K>::slots_from::<f64>(1, |_| of(start)));

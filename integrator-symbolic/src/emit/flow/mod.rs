@@ -10,6 +10,7 @@ pub(super) mod lattice;
 pub(super) mod pairs;
 pub(super) mod parameter_text;
 pub(super) mod pieces;
+pub(super) mod quadratic;
 pub(super) mod user_energies;
 
 use crate::{
@@ -28,6 +29,7 @@ use crate::{
 use lattice::Sweep;
 use pairs::ManyBody;
 use proc_macro2::{Ident, TokenStream};
+use quadratic::Derivatives;
 use quote::quote;
 
 /// The flows of the parts of H.
@@ -57,6 +59,14 @@ impl Flows {
     /// Those of the parts that are named, in their order.
     pub(crate) fn of_parts(emitter: &mut Emitter<'_>) -> Self {
         let mut flows: Vec<_> = (0..emitter.model.parts.len()).map(|part| Flow::of_part(emitter, part)).collect();
+        let solving: Vec<_> = flows.iter_mut().filter(|flow| flow.solver.is_some()).collect();
+        let last = solving.len().saturating_sub(1);
+        for (number, flow) in solving.into_iter().enumerate() {
+            // Of pairs `(first, (second, third))`.
+            let path = (0..number).map(|_| quote!(.1)).chain((number < last).then(|| quote!(.0)));
+            let body = &flow.body.0;
+            flow.body = Body::new(quote!(let solver = &mut motion.solvers #(#path)*; #body));
+        }
         let kick = flows.pop().unwrap_or_default();
         let middle = flows.split_off(flows.len().min(1));
         Self { drift: flows.pop().unwrap_or_default(), middle, kick, many_body: None }
@@ -157,6 +167,13 @@ impl Flows {
         Some(self.many_body.as_ref()?.implementations(implementation, parameters, names))
     }
 
+    /// What prepared constants implement of the runtime for parts that are quadratic forms.
+    pub(crate) fn of_quadratic_forms(&self, constants: &TokenStream, names: &Names) -> TokenStream {
+        let flows = [&self.drift].into_iter().chain(&self.middle).chain([&self.kick]);
+        let derivatives = flows.filter_map(|flow| flow.derivatives.as_ref());
+        derivatives.map(|derivatives| derivatives.implementation(constants, names)).collect()
+    }
+
     /// What a lattice implements of the runtime.
     pub(crate) fn of_lattice(
         &self,
@@ -177,6 +194,8 @@ pub(crate) struct Flow {
     divides_by_root_cubed: bool,
     /// The type of what it keeps beside the state, if its equations have to be solved.
     solver: Option<TokenStream>,
+    /// What its matrices are made from, if it has some.
+    derivatives: Option<Derivatives>,
 }
 
 impl Flow {
@@ -187,6 +206,7 @@ impl Flow {
             Exact::Own => Self::own(emitter, number, own.clone()),
             Exact::OfMomenta => Self::by(emitter, energy, Part::Momentum),
             Exact::OfPositions => Self::by(emitter, energy, Part::Position),
+            Exact::Quadratic => quadratic::flow(emitter, number, energy),
             Exact::Shear => {
                 // What is read does not move, so that both halves are computed together.
                 let graph = &mut emitter.model.graph;

@@ -116,6 +116,17 @@ impl Block<'_> {
                 let at = printer.at(fields, *element);
                 self.accumulate(fields, quote!(gradient #at), *value, 0)
             }
+            Item::Sink(Sink::FirstDerivative(element), value) => {
+                let (part, at) = (printer.part(*element), printer.listed(fields, *element));
+                let value = printer.expression(fields, *value).tokens;
+                quote!(form.#part(#at, #value);)
+            }
+            Item::Sink(Sink::SecondDerivative(first, second), value) => {
+                let parts = format_ident!("{}{}", printer.part(*first), printer.part(*second));
+                let [first, second] = [first, second].map(|element| printer.listed(fields, *element));
+                let value = printer.expression(fields, *value).tokens;
+                quote!(form.#parts(#first, #second, #value);)
+            }
             Item::Sink(Sink::Assign(element), value) => {
                 let (at, value) = (printer.at(fields, *element), printer.expression(fields, *value).tokens);
                 quote!(gradient #at = #value;)

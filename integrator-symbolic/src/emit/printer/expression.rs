@@ -100,6 +100,10 @@ impl Printer<'_> {
         }
         match self.graph.node(id) {
             Node::Constant(bits) => self.constant(f64::from_bits(bits)),
+            // Prepared constants know no path of the user's impl.
+            Node::Parameter(_) if matches!(self.frame, Frame::Constants) => {
+                Printed::new(Binding::Atom, self.field(fields, id))
+            }
             Node::Parameter(parameter) => {
                 let text = &self.parameters[parameter.0 as usize].text;
                 match self.dialect {
@@ -299,7 +303,7 @@ impl Printer<'_> {
     fn coordinate(&self, fields: &mut Fields, element: Element) -> TokenStream {
         let place = |fields| self.place(fields, element);
         match self.frame {
-            Frame::System | Frame::Motion => {
+            Frame::System | Frame::Constants | Frame::Motion => {
                 let place = place(fields);
                 quote!(#place.value())
             }
@@ -312,7 +316,7 @@ impl Printer<'_> {
     pub(crate) fn place(&self, fields: &mut Fields, element: Element) -> TokenStream {
         let part = self.part(element);
         match self.frame {
-            Frame::System | Frame::Motion | Frame::Sites(_) => {
+            Frame::System | Frame::Constants | Frame::Motion | Frame::Sites(_) => {
                 let at = self.at(fields, element);
                 quote!(motion.#part #at)
             }

@@ -22,6 +22,8 @@ use std::collections::HashMap;
 pub(crate) enum Frame<'m> {
     /// In the user's own fields, as `f64`: where constants are prepared.
     System,
+    /// In prepared constants that are an argument, as `f64`, and nowhere else.
+    Constants,
     /// In the motion.
     Motion,
     /// In the neighbourhood of sites of a lattice, which is an argument.
@@ -44,6 +46,7 @@ impl Frame<'_> {
     /// The type that it computes in.
     pub(crate) fn scalar<'n>(&self, names: &'n Names) -> &'n Ident {
         match self {
+            Frame::Constants => &names.double,
             Frame::System | Frame::Motion | Frame::Series { .. } => &names.scalar,
             Frame::Sites(_) | Frame::Bodies(_) => &names.wide,
         }
@@ -66,7 +69,7 @@ impl Frame<'_> {
     /// Whether an integer of these loops' indices is read as a prepared number.
     pub(crate) fn has_prepared_index(&self, loops: LoopSet) -> bool {
         match self {
-            Frame::System | Frame::Motion | Frame::Series { .. } => false,
+            Frame::System | Frame::Constants | Frame::Motion | Frame::Series { .. } => false,
             Frame::Sites(_) => !loops.is_empty(),
             Frame::Bodies(_) => true,
         }
@@ -96,7 +99,7 @@ impl Printer<'_> {
     /// A field of the prepared constants as a number of the flow, for the present iterations of the loops.
     pub(crate) fn shared(&self, name: Ident, loops: LoopSet) -> TokenStream {
         match self.frame {
-            Frame::System | Frame::Motion | Frame::Series { .. } => self.prepared(name, loops),
+            Frame::System | Frame::Constants | Frame::Motion | Frame::Series { .. } => self.prepared(name, loops),
             Frame::Sites(lattice) => self.spread(lattice, name, loops),
             Frame::Bodies(_) => {
                 let (scalar, field) = (self.scalar, self.prepared(name, loops));
@@ -113,7 +116,9 @@ impl Printer<'_> {
         });
         match self.frame {
             Frame::System | Frame::Motion => quote!(motion.parameters.#name #(#at)*),
-            Frame::Sites(_) | Frame::Bodies(_) | Frame::Series { .. } => quote!(parameters.#name #(#at)*),
+            Frame::Constants | Frame::Sites(_) | Frame::Bodies(_) | Frame::Series { .. } => {
+                quote!(parameters.#name #(#at)*)
+            }
         }
     }
 }

@@ -66,12 +66,19 @@ impl Printer<'_> {
             quote!([#component])
         });
         match self.frame {
-            Frame::System | Frame::Motion | Frame::Sites(_) | Frame::Series { .. } => {
+            Frame::System | Frame::Constants | Frame::Motion | Frame::Sites(_) | Frame::Series { .. } => {
                 let index = self.index(fields, element.index);
                 quote!([#index] #component)
             }
             Frame::Bodies(_) => component.unwrap_or_else(|| quote!([0])),
         }
+    }
+
+    /// The indices of a coordinate as a list.
+    pub(crate) fn listed(&self, fields: &mut Fields, element: Element) -> TokenStream {
+        let index = self.index(fields, element.index);
+        let component = element.component.map(|component| self.index(fields, component)).into_iter();
+        quote!([#index #(, #component)*])
     }
 
     /// An integer expression.
@@ -104,13 +111,18 @@ impl Printer<'_> {
                     quote!(window.length())
                 }
             }
-            Index::Length if self.dialect == Dialect::Generic && !matches!(self.frame, Frame::Series { .. }) => {
+            Index::Length
+                if self.dialect == Dialect::Generic
+                    && !matches!(self.frame, Frame::Constants | Frame::Series { .. }) =>
+            {
                 quote!(motion.q.len())
             }
             Index::Length => quote!(length),
             Index::Parameter(parameter) => {
                 let known = &self.parameters[parameter.0 as usize];
-                if self.dialect == Dialect::Single || is_constant(&known.text) {
+                // Prepared constants know no path of the user's impl.
+                let is_near = is_constant(&known.text) && !matches!(self.frame, Frame::Constants);
+                if self.dialect == Dialect::Single || is_near {
                     return operand(known.text.clone());
                 }
                 let name = fields.integer(self.parameters, parameter);

@@ -15,6 +15,8 @@ pub(crate) struct Names {
     pub(crate) composition: Ident,
     /// What flows compute in.
     pub(crate) scalar: Ident,
+    /// What derivatives of parameters alone are computed in.
+    pub(crate) double: Ident,
     /// Neighbours or bodies that a flow computes side by side.
     pub(crate) wide: Ident,
     /// How coordinates are kept.
@@ -44,6 +46,7 @@ impl Names {
             parameters: free("Parameters"),
             composition: free("InPlace"),
             scalar: free("Scalar"),
+            double: Ident::new("f64", Span::call_site()),
             wide: free("Wide"),
             leaf: free("Leaf"),
             tape: free("Tape"),

@@ -1,0 +1,131 @@
+//! Quadratic forms in positions and momenta together, with coefficients of parameters alone: their judgement, and the
+//! terms of a sum that are of them.
+
+use super::{
+    Graph, Node, NodeId, Part,
+    exact::{Exact, Obstacle},
+    index::LoopSet,
+};
+use std::collections::HashMap;
+
+/// The highest degree of a quadratic form.
+const QUADRATIC: u32 = 2;
+
+/// The parts whose coordinates count.
+const ALL: [Part; 2] = [Part::Position, Part::Momentum];
+
+/// A quadratic form in all coordinates.
+pub(super) fn quadratic(graph: &Graph, energy: NodeId) -> Result<Exact, Obstacle> {
+    match graph.degree(energy, &ALL) {
+        Some(degree) if degree > QUADRATIC => Err(Obstacle::Degree(degree)),
+        Some(_) if graph.reads_time(energy) => Err(Obstacle::Time),
+        Some(_) if graph.multiplies_sums(energy) => Err(Obstacle::ProductOfSums),
+        Some(_) => Ok(Exact::Quadratic),
+        None => Err(Obstacle::NoPolynomial),
+    }
+}
+
+impl Graph {
+    /// Whether a sum of coordinates over a loop is multiplied by what has an index of the same loop: a second derivative
+    /// has two indices, which are those of one loop then.
+    fn multiplies_sums(&self, root: NodeId) -> bool {
+        let mut summed = vec![LoopSet::EMPTY; root.position() + 1];
+        self.reachable([root]).into_iter().any(|id| {
+            let node = self.node(id);
+            let mut inside = node.children().fold(LoopSet::EMPTY, |all, child| all.union(summed[child.position()]));
+            if let Node::Sum(by, body) = node
+                && self.reads_coordinates(body)
+            {
+                inside = inside.union(LoopSet::of(by));
+            }
+            summed[id.position()] = inside;
+            let meet = |a: NodeId, b: NodeId| {
+                let of_b = summed[b.position()].union(self.loops_of(b));
+                !summed[a.position()].intersection(of_b).is_empty()
+            };
+            match node {
+                Node::Power(a, _) => !summed[a.position()].is_empty(),
+                Node::Mul(a, b) if [a, b].iter().all(|side| self.reads_coordinates(*side)) => meet(a, b) || meet(b, a),
+                _ => false,
+            }
+        })
+    }
+
+    /// What a value of degree one is where all coordinates are zero; nothing where it is zero there.
+    pub(crate) fn at_origin(&mut self, value: NodeId) -> Option<NodeId> {
+        let degrees = self.degrees(value, &ALL);
+        let [constant, _] = self.sorted(value, &|id| degrees[id.position()] == Some(0), &mut HashMap::new());
+        (self.as_constant(constant) != Some(0.0)).then_some(constant)
+    }
+
+    /// The terms of a value that are of one kind, and the others.
+    fn sorted(
+        &mut self,
+        id: NodeId,
+        is_first: &dyn Fn(NodeId) -> bool,
+        known: &mut HashMap<NodeId, [NodeId; 2]>,
+    ) -> [NodeId; 2] {
+        if let Some(known) = known.get(&id) {
+            return *known;
+        }
+        let zero = self.constant(0.0);
+        let sorted = match self.node(id) {
+            _ if is_first(id) => [id, zero],
+            Node::Add(a, b) => {
+                let [a, b] = [a, b].map(|side| self.sorted(side, is_first, known));
+                [0, 1].map(|kind| self.add(a[kind], b[kind]))
+            }
+            Node::Neg(a) => self.sorted(a, is_first, known).map(|terms| self.neg(terms)),
+            Node::Mul(factor, a) | Node::Mul(a, factor) if !self.reads_coordinates(factor) => {
+                self.sorted(a, is_first, known).map(|terms| self.unless_zero(terms, |graph| graph.mul(factor, terms)))
+            }
+            Node::Div(a, divisor) if !self.reads_coordinates(divisor) => {
+                self.sorted(a, is_first, known).map(|terms| self.unless_zero(terms, |graph| graph.div(terms, divisor)))
+            }
+            Node::Sum(by, body) => self.sorted(body, is_first, known).map(|terms| self.sum(by, terms)),
+            Node::Select(condition, a, b) if !self.reads_coordinates(condition) => {
+                let [a, b] = [a, b].map(|side| self.sorted(side, is_first, known));
+                [0, 1].map(|kind| self.select(condition, a[kind], b[kind]))
+            }
+            _ => [zero, id],
+        };
+        known.insert(id, sorted);
+        sorted
+    }
+
+    /// Zero, where there are no terms; else what is made of them.
+    fn unless_zero(&mut self, terms: NodeId, of: impl FnOnce(&mut Self) -> NodeId) -> NodeId {
+        if self.as_constant(terms) == Some(0.0) { terms } else { of(self) }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::graph::{Element, Part, index::Index};
+
+    /// `q0`, `q1`, `p0`, `p1`.
+    fn coordinates(graph: &mut Graph) -> [NodeId; 4] {
+        let mut coordinate = |part, index| {
+            let index = graph.loops.intern(Index::Literal(index));
+            graph.coordinate(Element { part, index, component: None })
+        };
+        [(Part::Position, 0), (Part::Position, 1), (Part::Momentum, 0), (Part::Momentum, 1)]
+            .map(|(part, index)| coordinate(part, index))
+    }
+
+    #[test]
+    fn forms_are_known_by_the_degree_in_all_coordinates() {
+        let mut graph = Graph::default();
+        let [x, y, px, _] = coordinates(&mut graph);
+        let turning = graph.mul(x, px);
+        assert_eq!(quadratic(&graph, turning), Ok(Exact::Quadratic));
+        let cubic = graph.mul(turning, y);
+        assert_eq!(quadratic(&graph, cubic), Err(Obstacle::Degree(3)));
+        let root = graph.root(turning);
+        assert_eq!(quadratic(&graph, root), Err(Obstacle::NoPolynomial));
+        let time = graph.time();
+        let driven = graph.mul(time, turning);
+        assert_eq!(quadratic(&graph, driven), Err(Obstacle::Time));
+    }
+}

@@ -1,0 +1,199 @@
+#[allow(warnings, clippy::all, clippy::pedantic, reason = "generated")]
+const _: () = {
+    use ::integrator_core::__private::{self as runtime, Mask as _, Slot as _};
+    /// What depends on parameters alone, evaluated once per run.
+    #[derive(::core::clone::Clone)]
+    pub struct Parameters<Scalar> {
+        /// `stiffness`
+        prepared_0: Scalar,
+        /// `2 lambda`
+        prepared_1: Scalar,
+        /// `lambda`
+        lambda: Scalar,
+        /// `stiffness / 2`
+        prepared_3: Scalar,
+    }
+    impl<Scalar: runtime::Real> runtime::Prepared<Scalar> for Parameters<Scalar> {
+        type Single = Parameters<f64>;
+        #[inline(always)]
+        fn gather(members: &[&Self::Single]) -> Self {
+            Parameters {
+                prepared_0: runtime::in_lanes(members, |member| &member.prepared_0),
+                prepared_1: runtime::in_lanes(members, |member| &member.prepared_1),
+                lambda: runtime::in_lanes(members, |member| &member.lambda),
+                prepared_3: runtime::in_lanes(members, |member| &member.prepared_3),
+            }
+        }
+        fn not_finite(single: &Self::Single) -> runtime::Vec<runtime::NotFinite> {
+            runtime::all_found([
+                runtime::not_finite("stiffness", &[], &single.prepared_0),
+                runtime::not_finite("2 lambda", &[], &single.prepared_1),
+                runtime::not_finite("lambda", &[], &single.lambda),
+                runtime::not_finite("stiffness / 2", &[], &single.prepared_3),
+            ])
+        }
+        fn digest(single: &Self::Single, digest: &mut runtime::Digest) {
+            digest.add(&single.prepared_0);
+            digest.add(&single.prepared_1);
+            digest.add(&single.lambda);
+            digest.add(&single.prepared_3);
+        }
+    }
+    /// The equations of motion, derived from `harmonic` and `anharmonic`:
+    ///
+    /// ```text
+    /// dq[0]/dt = p[0]
+    /// dq[1]/dt = p[1]
+    /// dp[0]/dt = -q[0] (2 lambda q[1] + stiffness)
+    /// dp[1]/dt = -stiffness q[1] + lambda q[1]^2 - lambda q[0]^2
+    /// ```
+    ///
+    /// Each part has an exact flow.
+    #[automatically_derived]
+    impl runtime::Hamiltonian for HenonHeiles {
+        type Coords = [f64; 2];
+        type Compose = Aba864;
+        type Parameters<Scalar: runtime::Real> = Parameters<Scalar>;
+        type Motion<Scalar: runtime::Real, Leaf: runtime::Precision> = runtime::Solving<
+            Scalar,
+            runtime::Shaped<Self, Leaf>,
+            Parameters<Scalar>,
+            runtime::Quadratic<Scalar, 0>,
+        >;
+        const PARTS: &'static [&'static str] = &["harmonic", "anharmonic"];
+        const SEPARABLE: bool = false;
+        const AUTONOMOUS: bool = true;
+        const FINGERPRINT: u64 = 8978260141869843067;
+        fn parameters(&self, _length: usize) -> Parameters<f64> {
+            Parameters {
+                prepared_0: 2.0 * (0.5 * self.stiffness),
+                prepared_1: 2.0 * self.lambda,
+                lambda: self.lambda,
+                prepared_3: 0.5 * self.stiffness,
+            }
+        }
+        #[inline(always)]
+        fn drift<Scalar: runtime::Real, Leaf: runtime::Precision>(
+            motion: &mut Self::Motion<Scalar, Leaf>,
+            duration: f64,
+            _time: f64,
+        ) {
+            let solver = &mut motion.solvers;
+            solver
+                .flow::<
+                    runtime::Shaped<Self, Leaf>,
+                >(duration, &mut motion.q, &mut motion.p);
+        }
+        #[inline(always)]
+        fn kick<Scalar: runtime::Real, Leaf: runtime::Precision>(
+            motion: &mut Self::Motion<Scalar, Leaf>,
+            duration: f64,
+            _time: f64,
+        ) {
+            let step = Scalar::of(-duration);
+            let q0 = motion.q[0].value();
+            let q1 = motion.q[1].value();
+            motion.p[0].fma(step * motion.parameters.prepared_1 * q1, q0);
+            motion
+                .p[1]
+                .fma(
+                    step,
+                    motion
+                        .parameters
+                        .lambda
+                        .fma(q0 * q0, -motion.parameters.lambda * (q1 * q1)),
+                );
+        }
+        #[inline(always)]
+        fn kinetic<Scalar: runtime::Real, Leaf: runtime::Precision>(
+            motion: &Self::Motion<Scalar, Leaf>,
+            _time: f64,
+        ) -> Scalar {
+            let q0 = motion.q[0].value();
+            let q1 = motion.q[1].value();
+            let p0 = motion.p[0].value();
+            let p1 = motion.p[1].value();
+            motion
+                .parameters
+                .prepared_3
+                .fma(q1.fma(q1, q0 * q0), Scalar::of(0.5) * p1.fma(p1, p0 * p0))
+        }
+        #[inline(always)]
+        fn potential<Scalar: runtime::Real, Leaf: runtime::Precision>(
+            motion: &Self::Motion<Scalar, Leaf>,
+            _time: f64,
+        ) -> Scalar {
+            let q0 = motion.q[0].value();
+            let q1 = motion.q[1].value();
+            motion.parameters.lambda
+                * Scalar::of(-0.3333333333333333).fma(q1 * q1 * q1, q1 * (q0 * q0))
+        }
+        fn stated(
+            &self,
+            q: &Self::Coords,
+            p: &Self::Coords,
+            time: f64,
+        ) -> runtime::StatedEnergy {
+            runtime::StatedEnergy::Separate {
+                kinetic: Self::harmonic(self, *q, *p),
+                potential: Self::anharmonic(self, *q),
+            }
+        }
+        fn visit_compositions(visitor: &mut impl runtime::Visitor<Self>) {
+            runtime::visit_quadratic(visitor);
+        }
+    }
+    #[automatically_derived]
+    impl runtime::QuadraticKinetic for HenonHeiles {
+        #[inline(always)]
+        fn hessian<Scalar: runtime::Real>(
+            motion: &mut Self::Motion<Scalar, f64>,
+            _time: f64,
+        ) {
+            let mut gradient = [Scalar::of(0.0); 2];
+            let q0 = motion.q[0].value();
+            let q1 = motion.q[1].value();
+            let p0 = motion.p[0].value();
+            let shared_0 = motion.parameters.prepared_1 * motion.p[1].value();
+            gradient[0] += shared_0.fma(q0, motion.parameters.prepared_1 * q1 * p0);
+            gradient[1] += (-shared_0).fma(q1, motion.parameters.prepared_1 * q0 * p0);
+            for i in 0..2 {
+                motion.p[i] = gradient[i];
+            }
+        }
+        #[inline(always)]
+        fn gradient_kick<Scalar: runtime::Real, Leaf: runtime::Precision>(
+            motion: &mut Self::Motion<Scalar, Leaf>,
+            duration: f64,
+            gradient: f64,
+            time: f64,
+        ) {
+            let mut force = motion.at_rest();
+            <Self as runtime::Hamiltonian>::kick::<Scalar, f64>(&mut force, -1.0, time);
+            motion.push(Scalar::of(-duration), &force);
+            let mut bent = motion.at_rest();
+            ::core::mem::swap(&mut force.q, &mut force.p);
+            bent.p = {
+                let motion = &mut force;
+                let mut gradient = [Scalar::of(0.0); 2];
+                gradient[0] += motion.q[0].value();
+                gradient[1] += motion.q[1].value();
+                for i in 0..2 {
+                    motion.p[i] = gradient[i];
+                }
+                force.p
+            };
+            <Self as runtime::QuadraticKinetic>::hessian::<Scalar>(&mut bent, time);
+            motion.push(Scalar::of(-2.0 * gradient), &bent);
+        }
+    }
+    impl runtime::QuadraticPart<0> for Parameters<f64> {
+        fn derivatives(parameters: &Self, _length: usize, form: &mut runtime::Form) {
+            use runtime::Real as _;
+            form.qq([0], [0], parameters.prepared_0);
+            form.qq([1], [1], parameters.prepared_0);
+            form.pp([0], [0], f64::of(1.0));
+            form.pp([1], [1], f64::of(1.0));
+        }
+    }
+};
