@@ -246,6 +246,19 @@ pub enum Unsolved {
         /// The length of the last step.
         reach: f64,
     },
+    /// The orbit of a Kepler part could not be followed.
+    #[error(
+        "the Kepler orbit of body {body} could not be followed for a time of {duration} from the distance {distance:.3e}: \
+         it meets the centre, or leaves the range of its numbers"
+    )]
+    Kepler {
+        /// Which body, counted from 0.
+        body: usize,
+        /// The distance of the body from the centre before the flow.
+        distance: f64,
+        /// The duration of the flow.
+        duration: f64,
+    },
     /// An adaptive method found no steps within its tolerance.
     #[error("no steps within the tolerance were found: {0}")]
     Adaptive(String),

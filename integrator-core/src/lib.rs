@@ -164,7 +164,10 @@ pub mod __private {
             visitor::{Visitor, visit_many_parts, visit_quadratic},
         },
         error::NotFinite,
-        flow::quadratic::{Form, Quadratic, QuadraticPart},
+        flow::{
+            kepler::{Kepler, OfBody},
+            quadratic::{Form, Quadratic, QuadraticPart},
+        },
         hamiltonian::{Flows, Hamiltonian, QuadraticKinetic, Shaped, StatedEnergy},
         layout::{
             bodies::{

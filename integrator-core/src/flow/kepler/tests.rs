@@ -1,0 +1,294 @@
+use super::Kepler;
+use crate::{
+    error::Unsolved,
+    scalar::{
+        dual::Dual,
+        fma::Fused,
+        instruction_set::InstructionSet,
+        real::{Kernel, Real},
+        simd::lanes::Lanes,
+        tolerance::within,
+    },
+    system::motion::Solver,
+};
+
+/// Kepler motion by `orbits.py`: q, p, inverse mass, k, duration; q and p after it; their conditions.
+fn orbits() -> Vec<[f64; 15]> {
+    let line = |line: &str| {
+        let numbers: Vec<f64> = line.split(',').map(|number| number.parse().expect("a number")).collect();
+        numbers.try_into().expect("fifteen numbers")
+    };
+    include_str!("orbits.csv").lines().map(line).collect()
+}
+
+/// The state after a flow of a body with this inverse mass and strength.
+fn flown<R: Real>([x, y, px, py]: [R; 4], [inverse_mass, strength]: [R; 2], duration: f64) -> [R; 4] {
+    let [mut q, mut p] = [[[x, y]], [[px, py]]];
+    Kepler::default().flow([&mut q, &mut p], &inverse_mass, &strength, duration);
+    let ([[x, y]], [[px, py]]) = (q, p);
+    [x, y, px, py]
+}
+
+/// Twice the size of the energy per mass, with the opposite sign, and the radial velocity times the distance.
+fn elements([x, y, px, py]: [f64; 4], [inverse_mass, strength]: [f64; 2]) -> [f64; 2] {
+    let velocity = inverse_mass * inverse_mass * (px * px + py * py);
+    [2.0 * strength * inverse_mass / x.hypot(y) - velocity, inverse_mass * (x * px + y * py)]
+}
+
+/// How many times an error grows by the doublings of the argument of hyperbolic functions: as the argument does.
+fn growth(states: [[f64; 4]; 2], constants: [f64; 2]) -> f64 {
+    let anomaly = |state| {
+        let [beta, eta] = elements(state, constants);
+        (eta.abs() * (-beta).max(0.0).sqrt() / (constants[0] * constants[1]).abs()).asinh()
+    };
+    1.0 + states.into_iter().map(anomaly).sum::<f64>()
+}
+
+#[test]
+fn orbits_of_all_kinds_are_those_of_the_table() {
+    for [x, y, px, py, inverse_mass, strength, duration, after @ .., cx, cy, cpx, cpy] in orbits() {
+        let (start, constants) = ([x, y, px, py], [inverse_mass, strength]);
+        let found = flown(start, constants, duration);
+        for (i, condition) in [cx, cy, cpx, cpy].into_iter().enumerate() {
+            // Each of some dozen roundings acts as one of the numbers that the orbit follows from; those of the
+            // increments and of the sums are of the size of the state.
+            let rounding = f64::EPSILON * (condition + after[i].abs() + start[i].abs());
+            let error = found[i] - after[i];
+            let bound = 8.0 * rounding * growth([start, after], constants);
+            assert!(within(error, bound), "coordinate {i} is off by {error:e} of {bound:e}: {start:?} for {duration}");
+        }
+    }
+}
+
+#[test]
+fn orbits_in_single_precision_are_those_of_the_table() {
+    for [x, y, px, py, inverse_mass, strength, duration, after @ .., cx, cy, cpx, cpy] in orbits() {
+        let (start, constants) = ([x, y, px, py], [inverse_mass, strength]);
+        let found = flown(start.map(|x| x as f32), constants.map(|x| x as f32), duration);
+        for (i, condition) in [cx, cy, cpx, cpy].into_iter().enumerate() {
+            let rounding = f64::from(f32::EPSILON) * (condition + after[i].abs() + start[i].abs());
+            // Where all digits are lost, the first order of errors says nothing.
+            let lost = rounding > 1e-2 * (after[i].abs() + start[i].abs());
+            let bound = 8.0 * rounding * growth([start, after], constants);
+            let error = f64::from(found[i]) - after[i];
+            assert!(lost || within(error, bound), "{i}: {error:e} of {bound:e}: {start:?} for {duration}");
+        }
+    }
+}
+
+/// Bound orbits without and with a pericentre passage, one that nearly falls into the centre, and a hyperbola.
+const STARTS: [([f64; 4], [f64; 2], f64); 4] = [
+    ([1.0, 0.2, -0.1, 0.9], [1.0, 1.0], 0.3),
+    ([3.0, -1.0, 0.2, 0.5], [0.5, 2.0], -4.0),
+    ([0.1, 0.0, 0.0, 4.4], [1.0, 1.0], 2.5),
+    ([-4.0, 1.0, 3.0, 0.3], [0.5, 1.5], 7.0),
+];
+
+#[test]
+fn two_flows_are_one_for_the_sum_of_their_durations() {
+    for (start, constants, duration) in STARTS {
+        let halves = flown(flown(start, constants, 0.25 * duration), constants, 0.75 * duration);
+        let (whole, tangent) = (flown(start, constants, duration), tangent(start, constants, duration));
+        for i in 0..4 {
+            // The rounding of the state in between is carried along the rest of the way, at most as far as that of the
+            // start along all of it, times the change of scale on the way.
+            let carried: f64 = (0..4).map(|j| tangent[j][i].abs() * start[j].abs().max(1.0)).sum();
+            let error = halves[i] - whole[i];
+            assert!(within(error, 100.0 * f64::EPSILON * (carried + 1.0)), "{start:?}: {error:e} {carried}");
+        }
+    }
+}
+
+#[test]
+fn the_flow_for_the_opposite_duration_leads_back() {
+    for (start, constants, duration) in STARTS {
+        let (there, tangent) = (flown(start, constants, duration), tangent(start, constants, duration));
+        let back = flown(there, constants, -duration);
+        // The inverse of a symplectic matrix has the same entries, up to sign, in other places.
+        let carried: f64 = tangent.as_flattened().iter().map(|x| x.abs()).sum();
+        let size: f64 = start.iter().chain(&there).map(|x| x.abs()).sum();
+        for i in 0..4 {
+            let error = back[i] - start[i];
+            assert!(within(error, 8.0 * f64::EPSILON * carried * size), "{start:?}: {error:e} {carried}");
+        }
+    }
+}
+
+/// The columns of the tangent map, by duals.
+fn tangent(start: [f64; 4], constants: [f64; 2], duration: f64) -> [[f64; 4]; 4] {
+    [0, 1, 2, 3].map(|column| {
+        let coordinate = |i: usize| Dual::state(&|lane| if lane == 0 { start[i] } else { f64::from(i == column) });
+        flown([0, 1, 2, 3].map(coordinate), constants.map(Dual::of), duration).map(|number| number.lane(1))
+    })
+}
+
+#[test]
+fn tangent_maps_are_symplectic_and_those_of_the_flow() {
+    let form = |a: &[f64; 4], b: &[f64; 4]| a[0] * b[2] + a[1] * b[3] - a[2] * b[0] - a[3] * b[1];
+    for (start, constants, duration) in STARTS {
+        for duration in [duration, 10.0 * duration, -1e-3 * duration] {
+            let columns = tangent(start, constants, duration);
+            for a in 0..4 {
+                for b in 0..4 {
+                    let expected = f64::from(i8::from(b == a + 2) - i8::from(a == b + 2));
+                    // The terms of the form, each of which carries the roundings of some dozen operations.
+                    let size: f64 = (0..4).map(|i| columns[a][i].abs() * columns[b][(i + 2) % 4].abs()).sum();
+                    let defect = form(&columns[a], &columns[b]) - expected;
+                    let bound = 200.0 * f64::EPSILON * (size + 1.0);
+                    assert!(
+                        within(defect, bound),
+                        "columns {a}, {b} of {start:?} for {duration}: {defect:e} of {bound:e}"
+                    );
+                }
+            }
+        }
+        let columns = tangent(start, constants, duration);
+        let size: f64 = columns.as_flattened().iter().map(|x| x * x).sum();
+        for column in 0..4 {
+            let moved = |by: f64| {
+                let mut from = start;
+                from[column] += by;
+                flown(from, constants, duration)
+            };
+            let (ahead, behind) = (moved(1e-5), moved(-1e-5));
+            for i in 0..4 {
+                // Central differences are off by the third derivative times 1e-10 and by rounding over 1e-5.
+                let error = columns[column][i] - (ahead[i] - behind[i]) / 2e-5;
+                assert!(within(error, 1e-8 * (1.0 + size)), "{start:?} for {duration}: {error:e}");
+            }
+        }
+    }
+}
+
+/// The relative error of the energy after so many stages of an orbit, the largest one along them and the mean over
+/// the second half.
+struct Walk {
+    eccentricity: f64,
+    stages: u32,
+}
+
+impl Kernel for Walk {
+    type Out = [f64; 2];
+    #[inline(always)]
+    fn call(self) -> [f64; 2] {
+        self.in_scalar::<Fused<f64>>()
+    }
+}
+
+impl Walk {
+    #[inline(always)]
+    fn in_scalar<R: Real>(&self) -> [f64; 2] {
+        let Self { eccentricity, stages } = *self;
+        let speed = ((1.0 + eccentricity) / (1.0 - eccentricity)).sqrt();
+        let mut q = [[1.0 - eccentricity, 0.0, 0.0].map(R::of)];
+        let mut p = [[0.0, 0.8 * speed, 0.6 * speed].map(R::of)];
+        let (one, mut solver) = (R::of(1.0), Kepler::default());
+        let [mut start, mut worst, mut mean] = [0.0_f64; 3];
+        for stage in 0..=stages {
+            let square = |x: [R; 3]| x.into_iter().map(|x| x.lane(0) * x.lane(0)).sum::<f64>();
+            let energy = 0.5 * square(p[0]) - 1.0 / square(q[0]).sqrt();
+            start = if stage == 0 { energy } else { start };
+            let error = energy / start - 1.0;
+            worst = worst.max(error.abs());
+            mean += if 2 * stage < stages { 0.0 } else { error / f64::from(stages / 2) };
+            solver.flow([&mut q, &mut p], &one, &one, 0.345_678_9);
+        }
+        [worst, mean]
+    }
+}
+
+#[test]
+fn the_energy_of_a_lone_body_walks_and_does_not_drift() {
+    for eccentricity in [0.01, 0.05, 0.2, 0.6] {
+        let stages = 300_000;
+        let walk = Walk { eccentricity, stages };
+        let fused = InstructionSet::available().contains(&InstructionSet::Fused);
+        let [worst, mean] = if fused { <Fused<f64> as Real>::enter(walk) } else { walk.in_scalar::<f64>() };
+        // A walk of as many roundings of half a unit, in terms that the energy is a difference of. Without the amendment
+        // of the determinant that of the circular orbit drifts three times as far.
+        let unit = 0.5 * f64::EPSILON * (1.0 + eccentricity) / (1.0 - eccentricity);
+        let bound = 4.0 * unit * f64::from(stages).sqrt();
+        assert!(
+            !fused || within(worst, bound) && within(mean, bound),
+            "e = {eccentricity}: {worst:e}, {mean:e} of {bound:e}"
+        );
+    }
+}
+
+/// Some bodies in space, their masses and strengths: bound, free, on a hyperbola, repelled, and one that revolves often.
+fn bodies<R: Real>() -> ([[[R; 3]; 5]; 2], [[R; 5]; 2]) {
+    let q = [[1.0, 0.2, 0.1], [0.0, 0.0, 0.0], [-5.0, 0.3, 0.1], [0.5, 0.5, 0.2], [0.01, 0.0, 0.02]];
+    let p = [[0.1, 0.9, -0.2], [1.0, 2.0, 3.0], [4.0, 0.1, 0.0], [-1.0, -0.5, 0.1], [0.0, 9.0, 0.1]];
+    let [inverse_mass, strength] = [[1.0, 2.0, 0.5, 1.0, 1.0], [1.0, 0.0, 3.0, -1.0, 2.0]];
+    ([q, p].map(|half| half.map(|x| x.map(R::of))), [inverse_mass, strength].map(|each| each.map(R::of)))
+}
+
+/// The coordinates of these bodies after a flow: all in one call, or one by one.
+struct Flown(bool);
+
+impl Flown {
+    #[inline(always)]
+    fn in_scalar<R: Real>(&self) -> Vec<u64> {
+        let ([mut q, mut p], [masses, strengths]) = bodies::<R>();
+        if self.0 {
+            Kepler::default().flow([&mut q, &mut p], &masses[..], &strengths[..], 1.7);
+        } else {
+            for body in 0..5 {
+                let one = [&mut q[body..=body], &mut p[body..=body]];
+                Kepler::default().flow(one, &masses[body], &strengths[body], 1.7);
+            }
+        }
+        q.as_flattened().iter().chain(p.as_flattened()).map(|x| x.lane(R::LANES - 1).to_bits()).collect()
+    }
+}
+
+impl Kernel for Flown {
+    type Out = [Vec<u64>; 2];
+    #[inline(always)]
+    fn call(self) -> [Vec<u64>; 2] {
+        [self.in_scalar::<Fused<f64>>(), self.in_scalar::<Lanes<Fused<f64>, 4>>()]
+    }
+}
+
+#[test]
+fn a_body_has_the_same_bits_alone_and_among_others() {
+    assert_eq!(Flown(true).in_scalar::<f64>(), Flown(false).in_scalar::<f64>());
+    assert_eq!(Flown(true).in_scalar::<f64>(), Flown(true).in_scalar::<Lanes<f64, 8>>());
+    if InstructionSet::available().contains(&InstructionSet::Fused) {
+        let together = <Fused<f64> as Real>::enter(Flown(true));
+        assert_eq!(together[0], together[1]);
+        assert_eq!(together, <Fused<f64> as Real>::enter(Flown(false)));
+    }
+    #[cfg(target_arch = "x86_64")]
+    if InstructionSet::available().contains(&InstructionSet::Avx512) {
+        use crate::scalar::fma::Avx512;
+        struct Wide(bool);
+        impl Kernel for Wide {
+            type Out = Vec<u64>;
+            #[inline(always)]
+            fn call(self) -> Vec<u64> {
+                Flown(self.0).in_scalar::<Fused<f64, Avx512>>()
+            }
+        }
+        let alone = <Fused<f64, Avx512> as Real>::enter(Wide(false));
+        assert_eq!(<Fused<f64, Avx512> as Real>::enter(Wide(true)), alone);
+    }
+}
+
+#[test]
+fn a_body_without_a_force_goes_straight_on() {
+    let [x, y, px, py] = flown([0.0, 0.5, 3.0, -1.0], [0.5, 0.0], 4.0);
+    assert_eq!([x, y, px, py], [6.0, -1.5, 3.0, -1.0]);
+}
+
+#[test]
+fn a_body_in_the_centre_is_reported_in_its_lane_and_the_others_go_on() {
+    let lanes = |numbers: [f64; 2]| Lanes::<f64, 2>::state(&|lane| numbers[lane]);
+    let (mut q, mut p) = ([[lanes([1.0, 0.0]), lanes([0.0, 0.0])]], [[lanes([0.0, 1.0]), lanes([1.0, 0.0])]]);
+    let mut solver = Kepler::default();
+    solver.flow([&mut q, &mut p], &lanes([1.0, 1.0]), &lanes([1.0, 1.0]), 0.5);
+    let unsolved = |lane| <Kepler as Solver<()>>::unsolved(&solver, lane).cloned();
+    let expected = Unsolved::Kepler { body: 0, distance: 0.0, duration: 0.5 };
+    assert_eq!([unsolved(0), unsolved(1)], [None, Some(expected)]);
+    assert!(q.as_flattened().iter().chain(p.as_flattened()).all(|x| x.lane(0).is_finite() && x.lane(1).is_nan()));
+}

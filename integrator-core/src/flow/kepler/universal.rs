@@ -1,0 +1,281 @@
+//! Kepler's equation in universal variables, and the increments that follow from its root (Stumpff 1962; Battin 1999).
+//!
+//! With `ds = dt/r`, the velocity `v = p/m`, `μ = k/m`, `η = q·v`, `β = 2μ/r₀ - v²` and `ζ = μ - β r₀`,
+//!
+//! ```text
+//! t = r₀ s + η G₂(s) + ζ G₃(s)        r = r₀ + η G₁(s) + ζ G₂(s)
+//! ```
+//!
+//! where `t` grows with `s` on every conic: there is one root. The first guess is the series for a short arc, cut after
+//! its fourth order. One correction, of fourth order as well and with one division, takes it to the root wherever that
+//! is near; elsewhere the root is searched for in a bracket first, by Laguerre's method (Conway 1986). The correction is
+//! always last and in the scalar itself, so that the tangent of a dual is exact, wherever the search came from.
+
+use super::stumpff::{functions, shifted, small};
+use crate::scalar::real::{Mask, Real};
+use core::f64::consts::{PI, TAU};
+
+/// The largest correction in units of the conic's own scale, of which the terms that it neglects are the fourth power.
+const SHORT: f64 = 1.0 / 4096.0;
+
+/// The largest correction in units of the universal variable.
+const SMALL: f64 = 1.0 / 64.0;
+
+/// The number of steps of a search. Each eighth halves the bracket, should Laguerre's method not come nearer.
+const SEARCH: usize = 128;
+
+/// A body, or a row of them.
+#[derive(Clone, Copy)]
+pub(super) struct Body<W, const D: usize> {
+    pub(super) q: [W; D],
+    pub(super) p: [W; D],
+    pub(super) inverse_mass: W,
+    pub(super) strength: W,
+}
+
+/// What is added to the coordinates of a body.
+pub(super) struct Increments<W: Real, const D: usize> {
+    pub(super) q: [W; D],
+    pub(super) p: [W; D],
+    /// Where Kepler's equation could not be solved: these are NaN.
+    pub(super) failed: W::Mask,
+}
+
+/// An orbit from where the body is, and the time that it takes.
+#[derive(Clone, Copy)]
+struct Orbit<W> {
+    /// `μ`
+    mu: W,
+    /// `r₀`
+    distance: W,
+    /// `η`
+    eta: W,
+    /// `β`
+    beta: W,
+    /// `ζ`
+    zeta: W,
+    /// The time, within half a period.
+    time: W,
+}
+
+/// A point of an orbit.
+#[derive(Clone, Copy)]
+struct Place<W> {
+    /// `G₀` to `G₃`
+    functions: [W; 4],
+    /// By how much the point is later than it should be.
+    late: W,
+    /// The distance, and its first two derivatives by `s`.
+    distance: [W; 3],
+}
+
+/// The way of a body in a time `duration`.
+#[inline(always)]
+pub(super) fn increments<W: Real, const D: usize>(body: &Body<W, D>, duration: W) -> Increments<W, D> {
+    let Body { q, p, inverse_mass, strength } = *body;
+    let zero = W::of(0.0);
+    let (mut square, mut radial, mut momentum) = (zero, zero, zero);
+    for d in 0..D {
+        square = q[d].fma(q[d], square);
+        radial = q[d].fma(p[d], radial);
+        momentum = p[d].fma(p[d], momentum);
+    }
+    // What no force acts on goes straight on: its root is zero, and where it is does not matter.
+    let free = strength.equal(zero);
+    let distance = W::select(free, W::of(1.0), square.sqrt());
+    let inverse = W::of(1.0) / distance;
+    let mu = strength * inverse_mass;
+    let velocity = inverse_mass * inverse_mass * momentum;
+    let beta = (mu + mu).fma(inverse, -velocity);
+    let (eta, zeta) = (inverse_mass * radial, velocity.fma(distance, -mu));
+    let time = within_a_period(mu, beta, duration);
+    let orbit = Orbit { mu, distance, eta, beta, zeta, time: W::select(free, zero, time) };
+    let (place, d, failed) = root(&orbit, inverse);
+    let [first, second, third] = shifted(place.functions, beta, d);
+    let [by_first, by_second, _] = small(beta, d);
+    let [r, slope, curvature] = place.distance;
+    let r = r + slope.fma(by_first, curvature * by_second);
+    let arrival = W::of(1.0) / r;
+    // f - 1, g / m, -m r df/dt and r (1 - dg/dt): none is a difference of numbers that are nearly equal.
+    let f = W::select(failed, W::of(f64::NAN), -(mu * inverse * second));
+    let g = inverse_mass * (-mu).fma(third, time);
+    let by_position = strength * inverse * first;
+    let by_momentum = mu * second;
+    // Angular momentum is kept as long as f dg/dt - g df/dt = 1. What the roundings of these four and of 1/r take from
+    // that is the same at each stage of a circular orbit: it is given back, lest the energy drifts.
+    let [by_g, by_r, by_f] = [g * by_position, f * r, f * by_momentum];
+    let roundings = g.fma(by_position, -by_g) + (f.fma(r, -by_r) - f.fma(by_momentum, -by_f));
+    let excess = (((by_g - by_momentum) + by_r) - by_f) + roundings;
+    let near = f.abs().less(W::of(0.5));
+    let share = W::select(near, (W::of(1.0) - f) * f.fma(f, W::of(1.0)), zero);
+    let lost = (-arrival).fma(r, W::of(1.0));
+    let (mut by_q, mut by_p) = (q, p);
+    for d in 0..D {
+        by_q[d] = f.fma(q[d], g * p[d]);
+        let pull = excess.fma(share * p[d], by_position.fma(q[d], by_momentum * p[d])) * arrival;
+        by_p[d] = W::select(failed, W::of(f64::NAN), -pull.fma(lost, pull));
+    }
+    Increments { q: by_q, p: by_p, failed }
+}
+
+/// The time without whole revolutions: within half a period, where the motion has one.
+#[inline(always)]
+fn within_a_period<W: Real>(mu: W, beta: W, time: W) -> W {
+    // The period is 2π μ / β^(3/2): its half, squared, without a root or a division.
+    let way = (beta * time) * (beta * time) * beta;
+    let long = (mu * mu * W::of(PI * PI)).less(way);
+    if !long.any() {
+        return time;
+    }
+    let period = W::of(TAU) * mu / (beta * beta.sqrt());
+    let whole = (time / period).round();
+    W::select(long, (-whole).fma(period, time), time)
+}
+
+/// Where the body is when the time has come: a place nearby, the correction of `s` from there, and the lanes in which
+/// there is none.
+#[inline(always)]
+fn root<W: Real>(orbit: &Orbit<W>, inverse: W) -> (Place<W>, W, W::Mask) {
+    let s = orbit.short_arc(inverse);
+    let place = orbit.at(s);
+    let (d, near) = place.correction(orbit.beta, s);
+    if near.not().any() { search(orbit, s, near.not()) } else { (place, d, near.not()) }
+}
+
+/// The same where the arc is not short in the lanes of `open`; nothing changes in the others.
+#[inline(always)]
+fn search<W: Real>(orbit: &Orbit<W>, s: W, mut open: W::Mask) -> (Place<W>, W, W::Mask) {
+    let mut bracket = orbit.bracket();
+    let mut s = W::select(open, orbit.guess(bracket), s);
+    let mut reached = W::Mask::of(false);
+    let mut steps = 0;
+    loop {
+        // The tangent of a guess is none of the root's.
+        s = W::select(open, number(s), s);
+        let mut place = orbit.at(s);
+        // Where no number is nearer, what is left is what the tangent of a dual needs.
+        place.late = W::select(reached, place.late - number(place.late), place.late);
+        let (d, near) = place.correction(orbit.beta, s);
+        open = open.and(near.or(reached).not());
+        steps += 1;
+        if !open.any() || steps == SEARCH {
+            return (place, d, open);
+        }
+        reached = reached.or(open.and(orbit.is_rounding(&place, s)));
+        s = W::select(open.and(reached.not()), orbit.laguerre(&place, s, &mut bracket, steps), s);
+    }
+}
+
+/// The number without a tangent, and without the digits that a double has not.
+#[inline(always)]
+fn number<W: Real>(x: W) -> W {
+    W::parameter(&|lane| x.lane(lane))
+}
+
+/// The root of `d + a d² + b d³ + c d⁴ = y`, up to terms of the fifth order.
+#[inline(always)]
+fn reverted<W: Real>(y: W, [a, b, c]: [W; 3]) -> W {
+    let square = a * a;
+    let cubic = (square + square) - b;
+    let quartic = (W::of(5.0) * a).fma(square - b, c);
+    let (low, high) = ((-y).fma(a, W::of(1.0)), y.fma(-quartic, cubic));
+    y * (y * y).fma(high, low)
+}
+
+impl<W: Real> Orbit<W> {
+    /// The universal variable of a short arc.
+    #[inline(always)]
+    fn short_arc(&self, inverse: W) -> W {
+        let Self { eta, beta, zeta, time, .. } = *self;
+        let (by_eta, by_zeta) = (eta * inverse, zeta * inverse);
+        let terms = [W::of(0.5) * by_eta, W::of(1.0 / 6.0) * by_zeta, W::of(-1.0 / 24.0) * beta * by_eta];
+        reverted(time * inverse, terms)
+    }
+
+    #[inline(always)]
+    fn at(&self, s: W) -> Place<W> {
+        let Self { mu, distance, eta, beta, zeta, time } = *self;
+        let functions = functions(beta, s);
+        let [zeroth, first, second, third] = functions;
+        let late = zeta.fma(third, eta.fma(second, distance.fma(s, -time)));
+        let r = zeta.fma(second, eta.fma(first, distance));
+        let slope = zeta.fma(first, eta * zeroth);
+        Place { functions, late, distance: [r, slope, (-beta).fma(r, mu)] }
+    }
+
+    /// Two values of the universal variable with the root in between: on every conic, `t >= |μ| s³ / 120`.
+    #[inline(always)]
+    fn bracket(&self) -> [W; 2] {
+        let zero = W::of(0.0);
+        let far = (W::of(121.0) * self.time / self.mu.abs()).cbrt();
+        let backwards = self.time.less(zero);
+        [W::select(backwards, far, zero), W::select(backwards, zero, far)]
+    }
+
+    /// Where the search begins: the arc of a fall, which is as good on an ellipse, or that of a fast hyperbola.
+    #[inline(always)]
+    fn guess(&self, [low, high]: [W; 2]) -> W {
+        let Self { mu, eta, beta, zeta, time, .. } = *self;
+        let zero = W::of(0.0);
+        let backwards = time.less(zero);
+        let fall = (W::of(6.0) * time / mu.abs()).cbrt();
+        let rate = (-beta).sqrt();
+        let growth = rate.fma(W::select(backwards, -eta, eta), zeta);
+        let far = ((rate + rate) * rate * rate * time.abs() / growth + W::of(1.0)).ln() / rate;
+        let far = W::select(backwards, -far, far);
+        let fast = W::of(3.0).less(rate * fall.abs());
+        let guess = W::select(fast, far, fall);
+        let inside = low.less(guess).and(guess.less(high));
+        W::select(inside, guess, W::of(0.5) * (low + high))
+    }
+
+    /// Whether a point is as early or late as rounding can make it.
+    #[inline(always)]
+    fn is_rounding(&self, place: &Place<W>, s: W) -> W::Mask {
+        let Self { distance, eta, zeta, time, .. } = *self;
+        let [_, _, second, third] = place.functions;
+        let terms = (distance * s).abs() + (eta * second).abs() + (zeta * third).abs() + time.abs();
+        // Single precision rounds 1 + 2⁻³⁰ to 1.
+        let single = (W::of(1.0) + W::of(4_194_304.0 * f64::EPSILON)).equal(W::of(1.0));
+        let unit = W::select(single, W::of(f64::from(f32::EPSILON)), W::of(f64::EPSILON));
+        place.late.abs().less_or_equal(W::of(4.0) * unit * terms)
+    }
+
+    /// The next point of a search, in a bracket that shrinks.
+    #[inline(always)]
+    fn laguerre(&self, place: &Place<W>, s: W, [low, high]: &mut [W; 2], steps: usize) -> W {
+        let zero = W::of(0.0);
+        let [r, slope, _] = place.distance;
+        let late = place.late;
+        // What has overflowed is too far from the beginning.
+        let overflown = late.equal(late).not();
+        let backwards = self.time.less(zero);
+        let below = late.less(zero).or(overflown.and(backwards));
+        *low = W::select(below, s, *low);
+        *high = W::select(below, *high, s);
+        let inner = (W::of(16.0) * r * r - W::of(20.0) * late * slope).abs().sqrt();
+        let next = s - W::of(5.0) * late / (r + inner);
+        let inside = low.less(next).and(next.less(*high)).and(W::Mask::of(!steps.is_multiple_of(8)));
+        W::select(inside, next, W::of(0.5) * (*low + *high))
+    }
+}
+
+impl<W: Real> Place<W> {
+    /// The correction of `s` at this point, and whether it leads to the root.
+    #[inline(always)]
+    fn correction(&self, beta: W, s: W) -> (W, W::Mask) {
+        let [r, slope, curvature] = self.distance;
+        let inverse = W::of(1.0) / r;
+        let a = W::of(0.5) * slope * inverse;
+        let b = W::of(1.0 / 6.0) * curvature * inverse;
+        let c = W::of(-1.0 / 12.0) * beta * a;
+        // The first order tells whether the series is one at all: far from the root its sum may be small by chance.
+        let linear = -self.late * inverse;
+        let square = linear * linear;
+        let near = (a * linear).abs().less_or_equal(W::of(SHORT / 2.0));
+        let near = near.and((b * square).abs().less_or_equal(W::of(SHORT * SHORT / 6.0)));
+        let near = near.and((beta * square).abs().less_or_equal(W::of(SHORT * SHORT)));
+        let near = near.and(linear.abs().less_or_equal(W::of(SMALL) * s.abs()));
+        (reverted(linear, [a, b, c]), near.and(W::of(0.0).less(r)))
+    }
+}
