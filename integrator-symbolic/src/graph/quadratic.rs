@@ -51,6 +51,14 @@ impl Graph {
         })
     }
 
+    /// The terms of a value that are quadratic forms, and the others, those of sums too.
+    pub(crate) fn quadratic_and_rest(&mut self, energy: NodeId) -> [NodeId; 2] {
+        let (degrees, time) = (self.degrees(energy, &ALL), self.reading_time([energy]));
+        let is_quadratic =
+            move |id: NodeId| degrees[id.position()].is_some_and(|degree| degree <= QUADRATIC) && !time.contains(&id);
+        self.sorted(energy, &is_quadratic, &mut HashMap::new())
+    }
+
     /// What a value of degree one is where all coordinates are zero; nothing where it is zero there.
     pub(crate) fn at_origin(&mut self, value: NodeId) -> Option<NodeId> {
         let degrees = self.degrees(value, &ALL);
@@ -127,5 +135,21 @@ mod tests {
         let time = graph.time();
         let driven = graph.mul(time, turning);
         assert_eq!(quadratic(&graph, driven), Err(Obstacle::Time));
+    }
+
+    #[test]
+    fn terms_are_sorted_through_factors_that_read_no_coordinate() {
+        let mut graph = Graph::default();
+        let [x, y, px, _] = coordinates(&mut graph);
+        let (turning, square) = (graph.mul(x, px), graph.mul(y, y));
+        let cubic = graph.mul(square, y);
+        let terms = graph.add(cubic, turning);
+        let two = graph.constant(2.0);
+        let doubled = graph.mul(two, terms);
+        let all = graph.sub(square, doubled);
+        let [quadratic, rest] = graph.quadratic_and_rest(all);
+        let (turning, cubic) = (graph.mul(two, turning), graph.mul(two, cubic));
+        assert_eq!(quadratic, graph.sub(square, turning));
+        assert_eq!(rest, graph.neg(cubic));
     }
 }

@@ -47,7 +47,7 @@ impl Graph {
         separated
     }
 
-    pub(super) fn reads_coordinates(&self, id: NodeId) -> bool {
+    pub(crate) fn reads_coordinates(&self, id: NodeId) -> bool {
         self.reads(id, Part::Position) || self.reads(id, Part::Momentum)
     }
 }

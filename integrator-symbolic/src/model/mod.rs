@@ -29,6 +29,7 @@ mod repeat;
 mod sequence;
 mod shape;
 mod sign;
+mod sorted_parts;
 mod statement;
 mod text;
 mod total;
@@ -54,6 +55,7 @@ use quote::{ToTokens, quote};
 pub(crate) use shape::{Length, Shape};
 use shape::{Signature, WholeSignature, mismatch, signature, whole_signature};
 use sign::is_never_negative;
+use sorted_parts::sorted;
 use std::collections::HashMap;
 use syn::{ImplItemFn, ItemUse, Pat, ReturnType, spanned::Spanned};
 use text::standing_alone;
@@ -141,8 +143,11 @@ pub(crate) fn model(input: &Input, errors: &mut Errors) -> Option<Model> {
     let mut reader = Reader::new(input, errors);
     reader.check_flows();
     let (energies, parts, shape, called) = if !input.split.is_empty() {
-        let (parts, shape) = reader.named_parts()?;
-        (reader.first_and_others(&parts), parts, shape, Called::Parts)
+        let (parts, shape, called) = match sorted(input) {
+            Some(function) => reader.sorted_parts(function)?,
+            None => reader.named_parts()?,
+        };
+        (reader.first_and_others(&parts), parts, shape, called)
     } else {
         let (energies, shape, called) = match whole {
             Some(function) => reader.whole(function)?,

@@ -1,7 +1,7 @@
 //! The parts of H that `split` names: each a function of its own, judged by whether its exact flow is known.
 
 use super::{
-    Reader,
+    Called, Reader,
     own_flow::own_flow,
     shape::{Shape, WholeSignature, lone_part, signature, usual_name, whole_signature},
 };
@@ -30,15 +30,15 @@ pub(crate) struct ExactPart {
 }
 
 /// The function of a part as it was read.
-struct Read {
-    energy: NodeId,
-    shape: Shape,
-    arguments: Vec<TokenStream>,
+pub(super) struct Read {
+    pub(super) energy: NodeId,
+    pub(super) shape: Shape,
+    pub(super) arguments: Vec<TokenStream>,
 }
 
 impl<'i> Reader<'i> {
     /// The parts in the order of their letters, or notes of what is wrong with them.
-    pub(super) fn named_parts(&mut self) -> Option<(Vec<ExactPart>, Shape)> {
+    pub(super) fn named_parts(&mut self) -> Option<(Vec<ExactPart>, Shape, Called)> {
         let input = self.input;
         let mut names = HashSet::new();
         let mut parts = Vec::new();
@@ -68,7 +68,7 @@ impl<'i> Reader<'i> {
             let part = self.judged(&function.sig.ident, read);
             parts.extend(part);
         }
-        (parts.len() == input.split.len()).then_some((parts, shape?))
+        (parts.len() == input.split.len()).then_some((parts, shape?, Called::Parts))
     }
 
     /// The energy of the first part, and that of all others together.
@@ -114,7 +114,7 @@ impl<'i> Reader<'i> {
     }
 
     /// A part whose exact flow is known, or a note of what stands in the way.
-    fn judged(&mut self, name: &Ident, read: Read) -> Option<ExactPart> {
+    pub(super) fn judged(&mut self, name: &Ident, read: Read) -> Option<ExactPart> {
         let Read { energy, shape, arguments } = read;
         if ![Part::Position, Part::Momentum].iter().any(|part| self.graph.reads(energy, *part)) {
             let message = format!("`{name}` depends on neither q nor p, so nothing moves by it: leave this part out");

@@ -432,6 +432,32 @@ pub(crate) const SPLITS: &[Row] = &[
         ],
     ),
     (
+        "split = quadratic + rest on fn hamiltonian(&self, [x, y]: [f64; 2], [px, py]: [f64; 2]) -> f64 { px * px + py * py + x * py - y * px + x * x * y }",
+        &[],
+    ),
+    (
+        "split = rest + quadratic on fn hamiltonian(&self, [x, y]: [f64; 2], [px, py]: [f64; 2]) -> f64 { px * px + py * py + x * py - y * px + x * x * y }",
+        &[],
+    ),
+    (
+        "split = quadratic + rest on fn hamiltonian(&self, [x, y]: [f64; 2], [px, py]: [f64; 2]) -> f64 { px * px + py * py + x * py - y * px }",
+        &[
+            "1:20 every term of `hamiltonian` is a quadratic form in q and p, so that nothing is left for `rest`: the motion is known exactly, and a composition has nothing to compose",
+        ],
+    ),
+    (
+        "split = quadratic + rest on fn hamiltonian(&self, [x, y]: [f64; 2], [px, py]: [f64; 2]) -> f64 { px.cosh() + py.cosh() - x.cos() * y.cos() }",
+        &[
+            "1:8 no term of `hamiltonian` is a quadratic form in q and p, so that nothing is left for `quadratic`: name parts by functions of their own",
+        ],
+    ),
+    (
+        "split = quadratic + rest on fn hamiltonian(&self, [x, y]: [f64; 2], [px, py]: [f64; 2]) -> f64 { px * px + py * py + x * x + x * x * px }",
+        &[
+            "1:20 no exact flow is known for `rest`: it is no shear, since q[0] and p[0] are both in it; it is no quadratic form in q and p together, but a polynomial of degree 3. Split it into more parts, or write its flow: `#[flow(rest)]`",
+        ],
+    ),
+    (
         "split = a + a on fn a(&self, p: [f64; 1]) -> f64 { p[0] * p[0] }",
         &["1:12 `a` is a part of H already: each part is named once"],
     ),

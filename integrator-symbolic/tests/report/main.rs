@@ -268,6 +268,27 @@ const TEXTBOOK: &[(&str, [&str; 2])] = &[
 ];
 
 #[test]
+fn it_is_shown_which_terms_are_quadratic() {
+    let item = "impl System {
+        fn hamiltonian(&self, q: [f64; 3], p: [f64; 3]) -> f64 {
+            let mut energy = self.rate * (q[0] * p[1] - q[1] * p[0]);
+            for i in 0..3 {
+                energy += 0.5 * p[i] * p[i] + self.stiffness * (q[i] * q[i] + q[i].powi(4));
+            }
+            energy
+        }
+    }";
+    let report = report(tokens("split = quadratic + rest"), tokens(item)).expect("a report");
+    assert_eq!(
+        report.parts,
+        [
+            "quadratic = rate (q[0] p[1] - q[1] p[0]) + Σ_{i in 0..3} (p[i]^2 / 2 + stiffness q[i]^2)",
+            "rest = Σ_{i in 0..3} stiffness q[i]^4"
+        ]
+    );
+}
+
+#[test]
 fn equations_are_what_a_person_writes() {
     let mut text = String::new();
     for (name, [kinetic, potential]) in TEXTBOOK {

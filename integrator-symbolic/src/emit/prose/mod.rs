@@ -33,8 +33,12 @@ pub(crate) fn equations(model: &mut Model, kinetic: &[Contribution], potential: 
 /// long formula, that it is long.
 pub(crate) fn parts(model: &Model) -> Vec<String> {
     let parts = match model.called {
-        Some(Called::Whole(_)) => vec![("T".to_owned(), model.kinetic), ("V".to_owned(), model.potential)],
-        Some(Called::Parts) => model.parts.iter().map(|part| (part.name.to_string(), part.energy)).collect(),
+        Some(Called::Whole(_)) if model.parts.is_empty() => {
+            vec![("T".to_owned(), model.kinetic), ("V".to_owned(), model.potential)]
+        }
+        Some(Called::Parts | Called::Whole(_)) => {
+            model.parts.iter().map(|part| (part.name.to_string(), part.energy)).collect()
+        }
         _ => Vec::new(),
     };
     let formulas = Formulas::of(model);

@@ -1,0 +1,50 @@
+//! `split = quadratic + rest`: the terms of one function sorted into what is solved as a quadratic form, and the others.
+
+use super::{
+    Called, Reader,
+    parts::{ExactPart, Read},
+    shape::{Shape, WholeSignature, whole_signature},
+};
+use crate::syntax::Input;
+use syn::ImplItemFn;
+
+/// The names of the parts that terms are sorted into, unless the impl has functions of these names.
+const SORTED: [&str; 2] = ["quadratic", "rest"];
+
+/// The function whose terms are sorted, if that is what `split` asks for.
+pub(super) fn sorted(input: &Input) -> Option<&ImplItemFn> {
+    let [first, second] = &input.split[..] else { return None };
+    let is_sorted = |name| (first == name || second == name) && input.function(name).is_none();
+    input.function("hamiltonian").filter(|_| SORTED.into_iter().all(is_sorted))
+}
+
+impl Reader<'_> {
+    /// The terms of joint degree two or less in positions and momenta, and the others, each with a flow that is known.
+    pub(super) fn sorted_parts(&mut self, function: &ImplItemFn) -> Option<(Vec<ExactPart>, Shape, Called)> {
+        let signature = whole_signature(function, self.errors)?;
+        self.may_mix = true;
+        let energy = self.whole_energy(function, &signature);
+        self.may_mix = false;
+        let WholeSignature { shape, arguments, .. } = signature;
+        let energies = self.graph.quadratic_and_rest(energy?);
+        let input = self.input;
+        let named = || input.split.iter().map(|name| (name, energies[usize::from(name == SORTED[1])]));
+        if let Some((name, _)) = named().find(|(_, energy)| !self.graph.reads_coordinates(*energy)) {
+            let message = match name == SORTED[1] {
+                true => {
+                    "every term of `hamiltonian` is a quadratic form in q and p, so that nothing is left for `rest`: the \
+                         motion is known exactly, and a composition has nothing to compose"
+                }
+                false => {
+                    "no term of `hamiltonian` is a quadratic form in q and p, so that nothing is left for `quadratic`: \
+                          name parts by functions of their own"
+                }
+            };
+            self.errors.at(name, message);
+            return None;
+        }
+        let read = |energy| Read { energy, shape: shape.clone(), arguments: arguments.clone() };
+        let parts: Vec<_> = named().filter_map(|(name, energy)| self.judged(name, read(energy))).collect();
+        (parts.len() == SORTED.len()).then_some((parts, shape, Called::Whole(arguments)))
+    }
+}
