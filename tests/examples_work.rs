@@ -10,6 +10,8 @@ mod drawn;
 mod liquid;
 #[path = "../examples/lennard_jones/picture.rs"]
 mod liquid_picture;
+#[path = "../examples/penning_trap/trap.rs"]
+mod penning_trap;
 #[path = "../examples/toda_soliton/ring.rs"]
 mod ring;
 #[path = "../examples/toda_soliton/picture.rs"]
@@ -18,6 +20,8 @@ mod ring_picture;
 mod section;
 #[path = "../examples/henon_heiles_section/picture.rs"]
 mod section_picture;
+#[path = "../examples/storage_ring/ring.rs"]
+mod storage_ring;
 #[path = "../examples/ensemble_separatrix/swarm.rs"]
 mod swarm;
 #[path = "../examples/ensemble_separatrix/picture.rs"]
@@ -204,4 +208,39 @@ fn argon_has_no_walls_and_no_jumps() {
     // The second derivative is all that is left: about 0.5 · 0.05 · (1e-3)².
     assert!(pair(2.499).abs() < 1e-6, "{:e}", pair(2.499));
     assert!((pair(1.12) + 1.0).abs() < 0.1, "the depth of the well is about 1, not {}", pair(1.12));
+}
+
+/// The ideal trap is solved exactly, whatever the step; the octupole shifts the axial frequency by `3/4 C₄ A²` to first
+/// order, and by less than twice the square of that in the next one.
+#[test]
+fn a_particle_in_a_penning_trap_has_the_frequencies_of_the_literature() {
+    let ideal = penning_trap::Trap { cyclotron: 1.0, axial: 0.0137, octupole: 0.0 };
+    let radii = [0.02, 0.05];
+    let mut run = ideal.run(ideal.start(radii, 0.1), 4.0).expect("a run");
+    run.advance(20_000).expect("finite states");
+    let exact = ideal.orbit(radii, run.time());
+    for (q, exact) in run.state().q.into_iter().zip(exact) {
+        // An angle of 8e4 is rounded by 1e-11, here and in the closed form.
+        assert!((q - exact).abs() < 1e-12, "{q} and {exact}");
+    }
+    let real = penning_trap::Trap { octupole: 1e-3, ..ideal };
+    for amplitude in [0.2, 0.8] {
+        let start = real.start([0.0, 0.0], amplitude);
+        let frequency = penning_trap::axial_frequency(&real, start, 4.0, 20_000).expect("finite states");
+        let (shift, first_order) = (frequency / real.axial - 1.0, 0.75 * real.octupole * amplitude * amplitude);
+        assert!((shift - first_order).abs() < 2.0 * first_order * first_order + 1e-10, "{shift} and {first_order}");
+    }
+}
+
+/// Elements are solved exactly, so that small oscillations have the tune of the textbook's matrices.
+#[test]
+fn a_storage_ring_has_the_tune_of_its_matrices_and_loses_large_amplitudes() {
+    let cell = storage_ring::Cell { quadrupole: 0.5, gradient: 0.6, drift: 2.0, sextupole: 0.4 };
+    for (axis, expected) in cell.phase_advances().into_iter().enumerate() {
+        let advance = storage_ring::tracked_advance(&cell, axis).expect("finite states");
+        assert!((advance - expected).abs() < 1e-9, "{advance} and {expected}");
+    }
+    let survives = |x: f64| cell.survives(Phase::new([x, 1e-3], [0.0; 2]), 2_000, 10.0).expect("a start");
+    assert_eq!((survives(0.01), survives(0.05)), (2_000, 2_000));
+    assert!(survives(5.0) < 100);
 }

@@ -100,7 +100,7 @@ fn text(source: &Source, system: &System, catalogue: &[Proved]) -> String {
     }
     let _ = match composition {
         None => writeln!(text, "    composition: {}, which is declared elsewhere", report.compose),
-        Some(proved) => writeln!(text, "    composition: {}, {}", report.compose, in_short(proved)),
+        Some(proved) => writeln!(text, "    composition: {}, {}", report.compose, in_short(proved, report.separable)),
     };
     let count = admissible(report, catalogue).len();
     let of = if report.quadratic_kinetic { "all" } else { "those for every T" };
@@ -130,14 +130,15 @@ fn listed(catalogue: &[Proved]) -> String {
 }
 
 /// The facts of a composition that matter for a choice.
-fn in_short(proved: &Proved) -> String {
+fn in_short(proved: &Proved, separable: bool) -> String {
     let symmetric = if proved.symmetric { "symmetric" } else { "not symmetric" };
     let forces = match proved.force_evaluations {
         1 => "1 force".to_owned(),
         many => format!("{many} forces"),
     };
-    let limit = proved.stability_limit;
-    format!("order {}, {symmetric}, {forces} per step, stable for h ω < {limit:.3}", proved.order)
+    let facts = format!("order {}, {symmetric}, {forces} per step", proved.order);
+    // The limit is that of an oscillator split into T and V.
+    if separable { format!("{facts}, stable for h ω < {:.3}", proved.stability_limit) } else { facts }
 }
 
 fn value(system: &System, catalogue: &[Proved]) -> Value {
@@ -156,7 +157,7 @@ fn value(system: &System, catalogue: &[Proved]) -> Value {
         "line": line,
         "parts": report.parts,
         "equations": report.equations,
-        "separable": true,
+        "separable": report.separable,
         "quadratic_kinetic": report.quadratic_kinetic,
         "autonomous": report.autonomous,
         "drift": flow(&report.drift),

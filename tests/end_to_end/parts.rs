@@ -23,6 +23,25 @@ impl Twist {
     }
 }
 
+/// Three parts, none of which commutes with another.
+#[derive(Clone)]
+struct Three {
+    rate: f64,
+}
+
+#[hamiltonian(split = motion + twist + potential, compose = Yoshida4)]
+impl Three {
+    fn motion(&self, p: [f64; 2]) -> f64 {
+        0.5 * (p[0] * p[0] + p[1] * p[1])
+    }
+    fn twist(&self, q: [f64; 2], p: [f64; 2]) -> f64 {
+        self.rate * q[0].sin() * p[1]
+    }
+    fn potential(&self, q: [f64; 2]) -> f64 {
+        (q[0] * q[1]).cos() + 0.5 * (q[0] * q[0] + q[1] * q[1])
+    }
+}
+
 /// Points in a list, each with a shear that reaches its neighbour.
 #[derive(Clone)]
 struct Chained {
@@ -93,6 +112,15 @@ fn shears_are_certified() {
     certify::<_, _, f64>(&Chained { rate: 0.7 }, Verlet, points(1.0), 0.02).unwrap_or_else(|error| panic!("{error}"));
     assert_members_are_alone!(|rate| Twist { rate }, |k: f64| Phase { q: [0.1 * k, -0.2], p: [0.3, 0.5] });
     assert_members_are_alone!(|rate| Chained { rate }, points);
+}
+
+#[test]
+fn three_parts_are_certified() {
+    let start = Phase { q: [0.4, -0.2], p: [0.3, 0.5] };
+    let three = Three { rate: 0.7 };
+    certify::<_, _, f64>(&three, Yoshida4, start.clone(), 0.02).unwrap_or_else(|error| panic!("{error}"));
+    certify::<_, _, f64>(&three, KahanLi8, start, 0.1).unwrap_or_else(|error| panic!("{error}"));
+    assert_members_are_alone!(|rate| Three { rate }, |k: f64| Phase { q: [0.1 * k, -0.2], p: [0.3, 0.5] });
 }
 
 #[test]
