@@ -57,7 +57,7 @@ const CORE: MayKnow = (
         ("system", &["error", "hamiltonian", "scalar", "state"]),
         ("flow", &["error", "hamiltonian", "scalar", "state", "system"]),
         ("composition", &["hamiltonian", "scalar"]),
-        ("layout", &["hamiltonian", "scalar", "state", "system"]),
+        ("layout", &["error", "flow", "hamiltonian", "scalar", "state", "system"]),
         ("trajectory", &["composition", "error", "hamiltonian", "layout", "scalar", "state", "system"]),
         ("ensemble", &["composition", "error", "hamiltonian", "layout", "scalar", "state", "system", "trajectory"]),
         ("methods", &["ensemble", "error", "hamiltonian", "scalar", "state", "system", "trajectory"]),

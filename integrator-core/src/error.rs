@@ -50,6 +50,24 @@ pub enum Error {
         /// The numbers, of a table the first one.
         constants: Vec<NotFinite>,
     },
+    /// Fewer masses than bodies, whose coordinates are made with them.
+    #[error("there are {bodies} bodies, but {masses} masses to make their Jacobi coordinates with")]
+    FewMasses {
+        /// How many masses.
+        masses: usize,
+        /// How many bodies.
+        bodies: usize,
+    },
+    /// A mass with which no Jacobi coordinates are made.
+    #[error("the mass of body {body} is {mass}: {reason}")]
+    Mass {
+        /// Which body, counted from 0.
+        body: usize,
+        /// Its mass.
+        mass: f64,
+        /// What is wrong with it.
+        reason: &'static str,
+    },
     /// The kinetic or the potential energy of the start, or that of a part of H with a name, is not finite, as at a
     /// pole or where a logarithm or a root has no value.
     #[error(

@@ -58,6 +58,13 @@ pub trait Hamiltonian: Sized {
     /// The stencil radii of the flows of a lattice whose sites can be moved a segment at a time.
     const STENCIL_RADII: Option<StencilRadii> = None;
 
+    /// Whether the coordinates of the motion can be made of the system and a start of so many numbers or points.
+    ///
+    /// # Errors
+    /// [`Error::FewMasses`], [`Error::Mass`]
+    fn admissible(&self, _length: usize) -> Result<(), Error> {
+        Ok(())
+    }
     /// Evaluates what depends on parameters alone, by the user's own expressions.
     ///
     /// `length` is how many numbers or points the positions of the start are.

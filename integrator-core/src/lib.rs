@@ -163,7 +163,7 @@ pub mod __private {
             catalogue::Verlet,
             visitor::{Visitor, visit_many_parts, visit_quadratic},
         },
-        error::NotFinite,
+        error::{Error, NotFinite},
         flow::{
             kepler::{Kepler, OfBody},
             quadratic::{Form, Quadratic, QuadraticPart},
@@ -171,6 +171,8 @@ pub mod __private {
         hamiltonian::{Flows, Hamiltonian, QuadraticKinetic, Shaped, StatedEnergy},
         layout::{
             bodies::{
+                jacobi::Jacobi,
+                jacobi_map::{JacobiConstants, are_masses, are_masses_of_kinetic},
                 many_rows::ManyRows,
                 one_row::OneRow,
                 pair_sums::{BodyConstants, ManyBody},

@@ -119,9 +119,10 @@ fn read(arguments: TokenStream, item: TokenStream, errors: &mut Errors) -> Optio
 
 /// The model of an input without mistakes.
 fn valid_model(input: &Input, errors: &mut Errors) -> Option<Model> {
-    let model = model::model(input, errors);
-    match &model {
+    let mut model = model::model(input, errors);
+    match &mut model {
         Some(model) => {
+            check_coordinates(input, model, errors);
             check_composition(input, model, errors);
             check_taylor(input, model, errors);
         }
@@ -145,6 +146,38 @@ fn check_taylor(input: &Input, model: &Model, errors: &mut Errors) {
              language of H, or leave out `taylor`"
         );
         errors.at_span(span, message);
+    }
+}
+
+/// The coordinates of the motion have to fit the Hamiltonian.
+fn check_coordinates(input: &Input, model: &mut Model, errors: &mut Errors) {
+    let Some(coordinates) = &input.coordinates else { return };
+    let named = input.split.iter().zip(emit::KEPLER_PARTS).find(|(name, part)| name != part).map(|(name, _)| name);
+    if named.is_some() || input.split.len() != emit::KEPLER_PARTS.len() {
+        let wrong = named.or(input.split.get(2)).unwrap_or(&coordinates.name);
+        let message = "in Jacobi coordinates H has two parts, the Kepler motion of each body and what is left of V: write \
+                       `split = kepler + interaction`";
+        errors.at(wrong, message);
+        return;
+    }
+    let function = |name: &str| input.function(name).or_else(|| input.function("hamiltonian"));
+    match emit::judged(input, coordinates, model) {
+        Ok(jacobi) => model.jacobi = Some(jacobi),
+        Err(emit::Obstacle::Shape(message)) => {
+            if let Some(function) = function("potential") {
+                errors.at(&function.sig.inputs, message);
+            }
+        }
+        Err(emit::Obstacle::Kinetic(message)) => {
+            if let Some(function) = function("kinetic") {
+                errors.at(&function.sig.ident, message);
+            }
+        }
+        Err(emit::Obstacle::Potential(message)) => {
+            if let Some(function) = function("potential") {
+                errors.at(&function.sig.ident, message);
+            }
+        }
     }
 }
 

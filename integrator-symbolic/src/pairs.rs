@@ -5,6 +5,7 @@
 //! so that an executor may take the pairs in any order and may let either body be the first; a pair reads the
 //! coordinates of its two bodies and nothing else that moves.
 
+mod attraction;
 mod central;
 mod exchange;
 mod rename;
@@ -16,6 +17,7 @@ use crate::{
         index::{Index, IndexId, Loop, LoopId},
     },
 };
+pub(crate) use attraction::{attraction, inverse_mass};
 pub(crate) use central::pull;
 use exchange::Forms;
 pub(crate) use rename::{Renaming, rename};
@@ -26,6 +28,8 @@ pub(crate) struct Pairs {
     pub(crate) bodies: LoopId,
     /// The loops over the two bodies of a pair.
     pub(crate) pair: [LoopId; 2],
+    /// The energy of a pair.
+    pub(crate) energy: NodeId,
     /// The gradient of a pair's energy by the coordinates of its first body.
     pub(crate) force: Vec<Contribution>,
     /// Whether the gradient by those of the second body is the same with another sign: action is reaction.
@@ -80,7 +84,7 @@ pub(crate) fn pairs(
             })
         });
     let alone = gradient(graph, alone, Part::Position);
-    Some(Pairs { bodies, pair, force, reciprocal, alone })
+    Some(Pairs { bodies, pair, energy, force, reciprocal, alone })
 }
 
 /// The gradient of a function of positions or of momenta as one-body contributions: without the loop over all bodies,

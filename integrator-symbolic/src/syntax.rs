@@ -3,12 +3,13 @@
 //! Comes in: tokens. Goes out: an [`Input`], faithful to the text. Always true: nothing is judged here but the form.
 
 use crate::{errors::Errors, scheme::InPlace};
-use proc_macro2::{Span, TokenStream};
+use proc_macro2::{Group, Span, TokenStream};
 use syn::{
-    Ident, ImplItem, ImplItemFn, ItemImpl, Path, Token,
+    Expr, Ident, ImplItem, ImplItemFn, ItemImpl, Path, Token,
     parse::{ParseStream, Parser},
     punctuated::Punctuated,
     spanned::Spanned,
+    token::Paren,
 };
 
 /// The composition that the annotation asks for.
@@ -29,12 +30,22 @@ pub(crate) enum Functions {
     Fast,
 }
 
+/// The coordinates of a motion that are not those of the user's states: `jacobi(self.mass)`.
+pub(crate) struct Coordinates {
+    /// The name.
+    pub(crate) name: Ident,
+    /// The list of masses.
+    pub(crate) masses: Expr,
+}
+
 /// The annotated impl and its annotation.
 pub(crate) struct Input {
     /// `None` where the annotation has no `compose`.
     pub(crate) compose: Option<Compose>,
     /// The parts of H by their names, in the order of the letters A, B, C; none where the annotation has no `split`.
     pub(crate) split: Vec<Ident>,
+    /// The coordinates of the motion, where they are not those of states.
+    pub(crate) coordinates: Option<Coordinates>,
     pub(crate) functions: Functions,
     /// Whether recurrences for Taylor series are asked for, and where.
     pub(crate) taylor: Option<Span>,
@@ -84,10 +95,10 @@ pub(crate) fn input(arguments: TokenStream, item: TokenStream, errors: &mut Erro
         // Which functions are the parts of H was to be read from what is wrong.
         return None;
     }
-    let Arguments { compose, split, functions, taylor, root } = arguments.unwrap_or_default();
+    let Arguments { compose, split, coordinates, functions, taylor, root } = arguments.unwrap_or_default();
     let (split, functions) = (split.unwrap_or_default(), functions.unwrap_or_default());
     let root = root.unwrap_or_else(|| syn::parse_quote!(::integrator_core));
-    Some(Input { compose, split, functions, taylor, root, item })
+    Some(Input { compose, split, coordinates, functions, taylor, root, item })
 }
 
 fn looks_like_impl(item: &TokenStream) -> bool {
@@ -99,6 +110,7 @@ fn looks_like_impl(item: &TokenStream) -> bool {
 struct Arguments {
     compose: Option<Compose>,
     split: Option<Vec<Ident>>,
+    coordinates: Option<Coordinates>,
     functions: Option<Functions>,
     taylor: Option<Span>,
     root: Option<Path>,
@@ -139,6 +151,9 @@ impl Arguments {
         } else if key == "split" {
             equals(input, key.span())?;
             self.split.replace(split_of(input, key.span())?).is_some()
+        } else if key == "coordinates" {
+            equals(input, key.span())?;
+            self.coordinates.replace(coordinates_of(input, key.span())?).is_some()
         } else if key == "functions" {
             equals(input, key.span())?;
             self.functions.replace(functions_of(input, key.span())?).is_some()
@@ -154,8 +169,8 @@ impl Arguments {
     }
 }
 
-const EXPECTED: &str = "expected `compose = Yoshida4`, `compose = V(1/2) T(1) V(1/2)`, `split = a + b`, `functions = fast`, \
-                        `taylor` or `crate = path::to::integrator_core`";
+const EXPECTED: &str = "expected `compose = Yoshida4`, `compose = V(1/2) T(1) V(1/2)`, `split = a + b`, \
+                        `coordinates = jacobi(self.mass)`, `functions = fast`, `taylor` or `crate = path::to::integrator_core`";
 
 /// The sign between an argument and its value.
 fn equals(input: ParseStream<'_>, key: Span) -> syn::Result<()> {
@@ -183,6 +198,22 @@ fn split_of(input: ParseStream<'_>, key: Span) -> syn::Result<Vec<Ident>> {
         return Err(syn::Error::new(alone.span(), format!("one part alone is not composed; {is}")));
     }
     Ok(names)
+}
+
+/// The coordinates of the motion.
+fn coordinates_of(input: ParseStream<'_>, key: Span) -> syn::Result<Coordinates> {
+    let is = "the coordinates of bodies may be those of Jacobi, made with the list of their masses, as in \
+              `coordinates = jacobi(self.mass)`";
+    let here = input.fork();
+    let name = match input.parse::<Ident>() {
+        Ok(name) if name == "jacobi" => name,
+        _ if here.is_empty() => return Err(misfit(&here, key, is)),
+        _ => return Err(here.error(is)),
+    };
+    let masses = if input.peek(Paren) { input.parse::<Group>().ok() } else { None };
+    let lacks = || syn::Error::new(name.span(), "`jacobi` lacks the list of masses, as in `jacobi(self.mass)`");
+    let masses = masses.filter(|masses| !masses.stream().is_empty()).ok_or_else(lacks)?;
+    Ok(Coordinates { masses: syn::parse2(masses.stream())?, name })
 }
 
 fn functions_of(input: ParseStream<'_>, key: Span) -> syn::Result<Functions> {

@@ -320,6 +320,7 @@ fn member<H: Hamiltonian, K: Precision, X: Method<H>>(
     h: f64,
 ) -> Result<Arc<H::Parameters<f64>>, Error> {
     admissible_with(method, start, h)?;
+    system.admissible(start.q.length())?;
     let parameters = Arc::new(system.parameters(start.q.length()));
     let constants = H::Parameters::<f64>::not_finite(&parameters);
     let unsettled = !constants.is_empty();

@@ -32,6 +32,10 @@ pub trait Prepared<R: Real>: Clone + Send + Sync + 'static {
 pub trait Motion<C: Coords, P>: Clone + Send + Sync + 'static {
     /// One member per lane, each with its constants and its state.
     fn load(constants: &[&P], states: &[&Phase<C>]) -> Self;
+    /// The same from states in the coordinates of the motion itself, where these are not the user's own.
+    fn load_own(constants: &[&P], states: &[&Phase<C>]) -> Self {
+        Self::load(constants, states)
+    }
     /// One member per lane, each from a lane of another motion, and from there on as it would have gone on there;
     /// `None` where one that is loaded from the states does.
     fn gathered<'a>(_of_lane: &dyn Fn(usize) -> (&'a P, &'a Self, usize)) -> Option<Self>
@@ -42,6 +46,10 @@ pub trait Motion<C: Coords, P>: Clone + Send + Sync + 'static {
     }
     /// Writes the state of one lane.
     fn store(&self, lane: usize, to: &mut Phase<C>);
+    /// Writes the state of one lane in the coordinates of the motion itself: what it goes on from, to the last bit.
+    fn store_own(&self, lane: usize, to: &mut Phase<C>) {
+        self.store(lane, to);
+    }
     /// Copies the coordinates of another motion with the same constants, in place.
     fn copy_state(&mut self, from: &Self);
     /// Sets the number of threads, or all that the machine has, where a layout distributes its work.

@@ -336,8 +336,9 @@ impl<C: Coords> Run<C> {
         let (Some(q), Some(p)) = (coordinates(&q), coordinates(&p)) else { return Err(shape) };
         let unfinished = Phase { q, p };
         admissible_with(composition, &unfinished, h)?;
-        let run =
-            Self::from_unfinished::<H, X, C::Leaf>(system, composition, unfinished, Clock { t0, h, steps }, opened)?;
+        let clock = Clock { t0, h, steps };
+        let mut run = Self::from_unfinished::<H, X, C::Leaf>(system, composition, unfinished.clone(), clock, opened)?;
+        run.resume_own(&unfinished);
         let name = || run.origin.system.to_owned();
         if !changed && formulas != run.origin.formulas {
             return Err(CheckpointError::Formulas { system: name() });

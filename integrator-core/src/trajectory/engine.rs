@@ -128,6 +128,16 @@ impl Engine {
         self.completed_at = None;
     }
 
+    /// Goes on with a state in the coordinates of the motion.
+    #[cfg(feature = "checkpoint")]
+    pub(crate) fn resume_own(&mut self, state: &dyn Point) {
+        let mut motions = self.motions.none(1);
+        motions.push_own(&[(0, state)]);
+        motions.share_among(self.threads);
+        self.motions = motions;
+        self.completed_at = None;
+    }
+
     /// Writes the state of a trajectory: with the step under way completed, while the motions stay where they are.
     pub(crate) fn state(&self, clock: Clock, to: &mut dyn Point) {
         let again;

@@ -96,6 +96,7 @@ impl<C: Coords> Run<C> {
         K: Precision,
         H::Coords: Coords<With<K> = C>,
     {
+        system.admissible(start.q.length())?;
         let parameters = system.parameters(start.q.length());
         #[cfg(debug_assertions)]
         let held = hold_at_start::<H, K>(system, &parameters, &start, clock.at(clock.steps));
@@ -338,12 +339,18 @@ impl<C: Coords> Run<C> {
         }
     }
 
-    /// The state in the middle of the step under way.
+    /// The state in the middle of the step under way, in the coordinates of the motion.
     #[cfg(feature = "checkpoint")]
     pub(crate) fn unfinished(&self) -> Phase<C> {
         let mut state = self.shape.clone();
-        self.engine.motions.store(0, &mut state);
+        self.engine.motions.store_own(0, &mut state);
         state
+    }
+
+    /// Goes on from a state in the middle of the step under way, in the coordinates of the motion.
+    #[cfg(feature = "checkpoint")]
+    pub(crate) fn resume_own(&mut self, unfinished: &Phase<C>) {
+        self.engine.resume_own(unfinished);
     }
 
     pub(crate) fn energies(&self) -> Arc<dyn Energies<C>> {

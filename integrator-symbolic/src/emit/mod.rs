@@ -19,8 +19,11 @@ use crate::{
 };
 use fingerprint::fingerprint;
 pub use flow::form::Form;
-pub(crate) use flow::form::forms;
-use flow::{Flows, constants::Constants, force_gradient, pieces::Pieces, user_energies};
+use flow::{Flows, constants::Constants, force_gradient, jacobi, pieces::Pieces, user_energies};
+pub(crate) use flow::{
+    form::forms,
+    jacobi::{KEPLER_PARTS, Obstacle, judged},
+};
 use printer::{block::Emitter, fields::Fields, function::Body, names::Names};
 use proc_macro2::TokenStream;
 use prose::{Formulas, motion_documentation};
@@ -101,6 +104,8 @@ struct Stepper<'i> {
     /// The items of a Hamiltonian with quadratic `T`.
     quadratic: Option<TokenStream>,
     taylor: Option<Orders>,
+    /// What Jacobi coordinates ask of the prepared constants.
+    of_jacobi: Option<TokenStream>,
 }
 
 impl<'i> Stepper<'i> {
@@ -128,6 +133,7 @@ impl<'i> Stepper<'i> {
             let Emitter { model, names, fields } = &mut emitter;
             orders(model, fields, names, kinetic, potential)
         });
+        let of_jacobi = emitter.model.jacobi.map(|jacobi| jacobi::constants(jacobi, &mut emitter));
         let constants = Constants::of(emitter);
         Self {
             input,
@@ -143,6 +149,7 @@ impl<'i> Stepper<'i> {
             autonomous,
             quadratic,
             taylor,
+            of_jacobi,
             names,
         }
     }
@@ -160,7 +167,11 @@ impl<'i> Stepper<'i> {
         });
         let of_lattice = flows.of_lattice(implementation, names);
         let of_forms = flows.of_quadratic_forms(&constants.kind(&quote!(f64), names), names);
-        let others = quote!(#of_bodies #quadratic #taylor #of_lattice #of_forms);
+        let of_jacobi = self.of_jacobi.as_ref().map(|items| {
+            let constants = constants.kind(&quote!(f64), names);
+            quote!(impl #runtime::JacobiConstants for #constants { #items })
+        });
+        let others = quote!(#of_bodies #of_jacobi #quadratic #taylor #of_lattice #of_forms);
         let hamiltonian = implementation(quote!(#runtime::Hamiltonian), &self.hamiltonian(&others));
         quote! {
             #[allow(warnings, clippy::all, clippy::pedantic, reason = "generated")]
@@ -189,6 +200,7 @@ impl<'i> Stepper<'i> {
     /// The items of `Hamiltonian`. What else is implemented, `others`, is known by the fingerprint alone.
     fn hamiltonian(&self, others: &TokenStream) -> TokenStream {
         let Self {
+            input,
             names,
             coordinates,
             composition: (composition, _),
@@ -205,6 +217,8 @@ impl<'i> Stepper<'i> {
         let (motion, (layout, sites), moves) =
             (flows.motion(&parameters, names), flows.layout(names), flows.functions(names));
         let (energies, Pieces { piecewise, begin, .. }) = (&self.energies, &constants.pieces);
+        let admissible = input.coordinates.as_ref().filter(|_| self.of_jacobi.is_some());
+        let admissible = admissible.map(|coordinates| jacobi::admissible(coordinates, names));
         let prepare = Body::new(constants.prepare(names));
         let (length, prepare) = (prepare.argument("length"), &prepare.0);
         let fingerprint = fingerprint(quote!(#prepare #moves #energies #others));
@@ -227,6 +241,7 @@ impl<'i> Stepper<'i> {
             #layout
             #piecewise
 
+            #admissible
             fn parameters(&self, #length: usize) -> #single { #prepare }
 
             #begin
@@ -242,8 +257,11 @@ impl<'i> Stepper<'i> {
 
 /// The names of parts, and that these are no `T` and `V`.
 fn named_parts(model: &Model) -> Option<TokenStream> {
-    let names: Vec<_> = model.parts.iter().map(|part| part.name.to_string()).collect();
-    let separable = (!model.is_separable()).then(|| {
+    let mut names: Vec<_> = model.parts.iter().map(|part| part.name.to_string()).collect();
+    if model.jacobi.is_some() {
+        names = KEPLER_PARTS.map(str::to_owned).into();
+    }
+    let separable = (!model.is_separable() || model.jacobi.is_some()).then(|| {
         quote!(
             const SEPARABLE: bool = false;
         )

@@ -87,6 +87,8 @@ pub(crate) struct Model {
     pub(crate) running: HashMap<LoopId, Ident>,
     /// The user's methods that are called as they are, by their ids.
     pub(crate) externals: Vec<Method>,
+    /// What Jacobi coordinates are made with, where the motion is in these.
+    pub(crate) jacobi: Option<Jacobi>,
     /// Whether `T = ½ pᵀ M⁻¹ p` with a constant `M`, or what the first part has of `p` beside linear terms.
     pub(crate) quadratic: bool,
     /// Whether no function reads the time.
@@ -95,6 +97,19 @@ pub(crate) struct Model {
     pub(crate) functions: Functions,
     /// How the user's functions are called; nothing where one of them is missing or a mistake.
     pub(crate) called: Option<Called>,
+}
+
+/// What Jacobi coordinates of bodies are made with: numbers of each body, as nodes inside the loop over all bodies.
+#[derive(Clone, Copy)]
+pub(crate) struct Jacobi {
+    /// The loop over all bodies.
+    pub(crate) bodies: LoopId,
+    /// The mass by the list of masses.
+    pub(crate) mass: NodeId,
+    /// What `kinetic` multiplies the momentum by, for the velocity.
+    pub(crate) inverse_mass: NodeId,
+    /// The strength of the attraction to all bodies before it.
+    pub(crate) attraction: NodeId,
 }
 
 /// The arguments of the user's functions, where `self`, references `q` and `p` to the coordinates, and `time` are at hand.
@@ -142,7 +157,7 @@ pub(crate) fn model(input: &Input, errors: &mut Errors) -> Option<Model> {
     let whole = input.function("hamiltonian").filter(|_| !is_separate);
     let mut reader = Reader::new(input, errors);
     reader.check_flows();
-    let (energies, parts, shape, called) = if !input.split.is_empty() {
+    let (energies, parts, shape, called) = if !input.split.is_empty() && input.coordinates.is_none() {
         let (parts, shape, called) = match sorted(input) {
             Some(function) => reader.sorted_parts(function)?,
             None => reader.named_parts()?,
@@ -171,6 +186,7 @@ pub(crate) fn model(input: &Input, errors: &mut Errors) -> Option<Model> {
         parameters,
         running,
         externals,
+        jacobi: None,
         quadratic: false,
         autonomous,
         functions: input.functions,
@@ -204,6 +220,7 @@ pub(crate) fn stub(input: &Input) -> Option<Model> {
         parameters: Vec::new(),
         running: HashMap::new(),
         externals: Vec::new(),
+        jacobi: None,
         quadratic: true,
         autonomous: true,
         functions: input.functions,

@@ -39,7 +39,7 @@ fn along(graph: &mut Graph, pair: [LoopId; 2], component: &Contribution) -> Opti
 }
 
 /// The cofactor of `factor` in `value`.
-fn cofactor(graph: &mut Graph, value: NodeId, factor: NodeId) -> Option<NodeId> {
+pub(super) fn cofactor(graph: &mut Graph, value: NodeId, factor: NodeId) -> Option<NodeId> {
     if value == factor {
         return Some(graph.constant(1.0));
     }

@@ -16,6 +16,11 @@ impl Renaming {
         Self([(from, to); 2])
     }
 
+    /// Two indices, each by another.
+    pub(crate) fn both(from: [LoopId; 2], to: [LoopId; 2]) -> Self {
+        Self([(from[0], to[0]), (from[1], to[1])])
+    }
+
     /// Two indices by each other.
     pub(crate) fn exchange([first, second]: [LoopId; 2]) -> Self {
         Self([(first, second), (second, first)])

@@ -8,7 +8,7 @@
 mod stumpff;
 #[cfg(test)]
 mod tests;
-mod universal;
+pub(crate) mod universal;
 
 use crate::{
     error::Unsolved,

@@ -26,19 +26,19 @@ const SEARCH: usize = 128;
 
 /// A body, or a row of them.
 #[derive(Clone, Copy)]
-pub(super) struct Body<W, const D: usize> {
-    pub(super) q: [W; D],
-    pub(super) p: [W; D],
-    pub(super) inverse_mass: W,
-    pub(super) strength: W,
+pub(crate) struct Body<W, const D: usize> {
+    pub(crate) q: [W; D],
+    pub(crate) p: [W; D],
+    pub(crate) inverse_mass: W,
+    pub(crate) strength: W,
 }
 
 /// What is added to the coordinates of a body.
-pub(super) struct Increments<W: Real, const D: usize> {
-    pub(super) q: [W; D],
-    pub(super) p: [W; D],
+pub(crate) struct Increments<W: Real, const D: usize> {
+    pub(crate) q: [W; D],
+    pub(crate) p: [W; D],
     /// Where Kepler's equation could not be solved: these are NaN.
-    pub(super) failed: W::Mask,
+    pub(crate) failed: W::Mask,
 }
 
 /// An orbit from where the body is, and the time that it takes.
@@ -71,7 +71,7 @@ struct Place<W> {
 
 /// The way of a body in a time `duration`.
 #[inline(always)]
-pub(super) fn increments<W: Real, const D: usize>(body: &Body<W, D>, duration: W) -> Increments<W, D> {
+pub(crate) fn increments<W: Real, const D: usize>(body: &Body<W, D>, duration: W) -> Increments<W, D> {
     let Body { q, p, inverse_mass, strength } = *body;
     let zero = W::of(0.0);
     let (mut square, mut radial, mut momentum) = (zero, zero, zero);

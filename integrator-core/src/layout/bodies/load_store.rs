@@ -13,7 +13,7 @@ use core::ops::Range;
 
 /// The body that a lane of a row belongs to, and the lane of its state, for a row of the bodies of a range.
 #[inline(always)]
-fn body_and_lane<R: Real>(bodies: &Range<usize>, lane: usize) -> (usize, usize) {
+pub(crate) fn body_and_lane<R: Real>(bodies: &Range<usize>, lane: usize) -> (usize, usize) {
     (bodies.start + lane / R::LANES % bodies.len(), lane % R::LANES)
 }
 

@@ -23,7 +23,7 @@ use alloc::{boxed::Box, vec::Vec};
 use core::{marker::PhantomData, ops::Range};
 
 /// The number of bodies in a row, whatever the hardware: the order of sums depends on it.
-const WIDTH: usize = 8;
+pub(crate) const WIDTH: usize = 8;
 
 /// The number of rows from which on pairs are summed in chunks, and the number of chunks: a thousand bodies are done
 /// before another thread has started. The order of sums depends on these, and not on the number of threads.
@@ -44,7 +44,7 @@ pub struct ManyRows<R: Real, K: Precision, P, const D: usize, const S: usize> {
     /// The number of threads that may take chunks.
     threads: usize,
     /// The number of bodies.
-    bodies: usize,
+    pub(crate) bodies: usize,
     /// Prepared constants.
     pub parameters: P,
 }
@@ -274,7 +274,7 @@ impl<R: Real, P, const D: usize, const S: usize> ManyRows<R, f64, P, D, S> {
 struct PairChunk<'s, H: ManyBody<D, S>, R: Real, K: Precision, const D: usize, const S: usize> {
     q: &'s [[K::Slot<R::Row<WIDTH>>; D]],
     constants: &'s [[R::Row<WIDTH>; S]],
-    bodies: usize,
+    pub(crate) bodies: usize,
     parameters: &'s H::Parameters<R>,
     time: f64,
     number: usize,

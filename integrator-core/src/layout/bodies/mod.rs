@@ -1,7 +1,13 @@
 //! Flows of bodies that act on each other in pairs.
 
+#[allow(unreachable_pub, reason = "named in bounds, never outside")]
+pub(crate) mod jacobi;
+#[allow(unreachable_pub, reason = "named in bounds, never outside")]
+pub(crate) mod jacobi_map;
 pub(crate) mod load_store;
 pub(crate) mod many_rows;
 pub(crate) mod one_row;
 #[allow(unreachable_pub, reason = "named in bounds, never outside")]
 pub(crate) mod pair_sums;
+#[allow(unreachable_pub, reason = "named in bounds, never outside")]
+pub(crate) mod rows;

@@ -4,7 +4,7 @@
 //! inverse mass matrix `M`, so the kick is `p -= b grad V + 2 c V'' M^-1 grad V`. Always true: the product with the
 //! Hessian `V''` is the derivative of the gradient as it stands, so the kick is symplectic to rounding.
 
-use super::{stores, through_buffer};
+use super::{jacobi, stores, through_buffer};
 use crate::{
     differentiate::{gradient, hessian_product},
     emit::printer::{block::Emitter, function::Lines, names::Names},
@@ -20,6 +20,7 @@ use quote::quote;
 /// `grad V`, and the inverse mass matrix makes positions of these. Where the first part is `T` alone, a drift by 1 from
 /// the origin does that.
 pub(crate) fn functions(emitter: &mut Emitter<'_>, many_body: bool) -> TokenStream {
+    let in_jacobi = emitter.model.jacobi.is_some();
     let potential = gradient(&mut emitter.model.graph, emitter.model.potential, Part::Position);
     let product = hessian_product(&mut emitter.model.graph, &potential, Part::Position);
     let product = stores(emitter.model, &product, Sink::Collect);
@@ -40,6 +41,7 @@ pub(crate) fn functions(emitter: &mut Emitter<'_>, many_body: bool) -> TokenStre
     } else {
         lines
     };
+    let lines = if in_jacobi { lines.map(|lines| jacobi::hessian(&lines)) } else { lines };
     let product = lines.body(scalar);
     let (motion, time, product) = (product.argument("motion"), product.argument("time"), &product.0);
     quote! {
@@ -66,6 +68,9 @@ pub(crate) fn functions(emitter: &mut Emitter<'_>, many_body: bool) -> TokenStre
 
 /// The lines that give `bent` the inverse mass matrix times the momenta of `force`.
 fn velocity(emitter: &mut Emitter<'_>) -> TokenStream {
+    if emitter.model.jacobi.is_some() {
+        return jacobi::velocity();
+    }
     if emitter.model.is_separable() {
         let Names { runtime, scalar, .. } = emitter.names;
         return quote! {

@@ -6,6 +6,7 @@ pub(super) mod force_gradient;
 pub(super) mod form;
 #[cfg(test)]
 mod guarded;
+pub(crate) mod jacobi;
 pub(super) mod lattice;
 pub(super) mod pairs;
 pub(super) mod parameter_text;
@@ -42,6 +43,8 @@ pub(crate) struct Flows {
     kick: Flow,
     /// What they consist of, where bodies act on each other in pairs.
     many_body: Option<ManyBody>,
+    /// Whether these move in Jacobi coordinates.
+    in_jacobi: bool,
 }
 
 impl Flows {
@@ -52,8 +55,12 @@ impl Flows {
             Some(_) => Flow { body: ManyBody::flow(part), ..Flow::default() },
             None => Flow::of(emitter, gradient, part),
         };
-        let (drift, kick) = (flow(kinetic, Part::Momentum), flow(potential, Part::Position));
-        Self { drift, middle: Vec::new(), kick, many_body }
+        let (mut drift, mut kick) = (flow(kinetic, Part::Momentum), flow(potential, Part::Position));
+        let in_jacobi = emitter.model.jacobi.is_some();
+        if in_jacobi {
+            (drift.body, kick.body) = (jacobi::drift(), jacobi::kick(&kick.body.0));
+        }
+        Self { drift, middle: Vec::new(), kick, many_body, in_jacobi }
     }
 
     /// Those of the parts that are named, in their order.
@@ -69,7 +76,7 @@ impl Flows {
         }
         let kick = flows.pop().unwrap_or_default();
         let middle = flows.split_off(flows.len().min(1));
-        Self { drift: flows.pop().unwrap_or_default(), middle, kick, many_body: None }
+        Self { drift: flows.pop().unwrap_or_default(), middle, kick, many_body: None, in_jacobi: false }
     }
 
     /// Whether bodies act on each other in pairs.
@@ -81,6 +88,9 @@ impl Flows {
     pub(crate) fn motion(&self, parameters: &TokenStream, names: &Names) -> TokenStream {
         let Names { runtime, scalar, leaf, .. } = names;
         match &self.many_body {
+            Some(many_body) if self.in_jacobi => {
+                jacobi::motion(&many_body.motion(parameters, names), many_body.dimension(), names)
+            }
             Some(many_body) => many_body.motion(parameters, names),
             None => match self.solvers() {
                 None => quote!(#runtime::Plain<#scalar, #runtime::Shaped<Self, #leaf>, #parameters>),
@@ -154,7 +164,11 @@ impl Flows {
         // Bodies side by side are taken apart for what is seldom asked.
         let plain = self.many_body.as_ref().map(|_| quote!(let motion = &motion.plain::<Self::Coords>();));
         let (lines, names) = (emitter.value(&Frame::Motion, energy), emitter.names);
-        lines.map(|energy| quote!(#plain #energy)).body(&names.scalar).energy(name, names)
+        let around = |energy| match self.in_jacobi {
+            true => jacobi::energy(name, &energy),
+            false => quote!(#plain #energy),
+        };
+        lines.map(around).body(&names.scalar).energy(name, names)
     }
 
     /// What bodies in pairs implement of the runtime, on themselves and on their prepared constants.

@@ -50,7 +50,7 @@ impl ManyBody {
         let Model { graph, parameters, running, kinetic, potential, lengths, .. } = &mut *model;
         let mut texts = Texts::new(parameters, running);
         let length = *lengths.first()?;
-        let Pairs { bodies, pair, force, reciprocal, alone } = pairs(graph, *potential, length, &mut texts)?;
+        let Pairs { bodies, pair, force, reciprocal, alone, .. } = pairs(graph, *potential, length, &mut texts)?;
         let velocity = per_body(graph, *kinetic, length, Part::Momentum, &mut texts)?;
         let velocity = fold_branches(graph, &velocity);
         if velocity.is_empty() || force.is_empty() || !is_direct(&model.graph.loops, &velocity) {
@@ -116,6 +116,11 @@ impl ManyBody {
             Some(row) => quote!(#runtime::OneRow<#scalar, #leaf, #parameters, #row, #d, #s>),
             None => quote!(#runtime::ManyRows<#scalar, #leaf, #parameters, #d, #s>),
         }
+    }
+
+    /// The number of coordinates of a body.
+    pub(crate) fn dimension(&self) -> &Literal {
+        &self.sizes[0]
     }
 
     /// The implementations of what the runtime asks of the system and of its prepared constants.

@@ -53,7 +53,7 @@ impl<'m> Texts<'m> {
     }
 
     /// The parameter with this text, new or known.
-    fn id(&mut self, graph: &mut Graph, text: TokenStream, loops: LoopSet) -> ParameterId {
+    pub(crate) fn id(&mut self, graph: &mut Graph, text: TokenStream, loops: LoopSet) -> ParameterId {
         if self.known.is_empty() {
             let parameters = (0..).map(ParameterId).zip(self.parameters.iter());
             let key = |id, parameter: &Parameter| (graph.loops.of_parameter(id), parameter.text.to_string());

@@ -12,6 +12,10 @@ use quote::quote;
 pub(crate) fn function(input: &Input, model: &Model, names: &Names) -> TokenStream {
     let runtime = &names.runtime;
     let stated = match &model.called {
+        // The parts that move are not those that the user wrote.
+        Some(Called::Separate([kinetic, potential])) if model.jacobi.is_some() => quote! {
+            #runtime::StatedEnergy::Whole(Self::kinetic(#(#kinetic),*) + Self::potential(#(#potential),*))
+        },
         Some(Called::Separate([kinetic, potential])) => quote! {
             #runtime::StatedEnergy::Separate {
                 kinetic: Self::kinetic(#(#kinetic),*),

@@ -1,0 +1,454 @@
+//! The motion of bodies in Jacobi coordinates, for H = Kepler parts + interaction (Wisdom and Holman 1991).
+//!
+//! The first part moves the centre of mass on a line and every other body on its Kepler orbit about the centre of mass of
+//! those before it; the second is `V` without these attractions. Always true: states are the user's own, inertial
+//! coordinates; the map is applied where they are loaded and stored, with twice the digits where `R` is a plain number, so
+//! that what is shown is rounded once.
+
+use crate::{
+    error::Unsolved,
+    flow::kepler::universal::{Body, increments},
+    layout::bodies::{
+        jacobi_map::{JacobiConstants, Part, parts, to_inertial, to_jacobi},
+        load_store::{body_and_lane, values},
+        rows::{Coordinates, Rows, bodies_of_row, body, points, set_points},
+    },
+    scalar::{
+        double_double::DoubleDouble,
+        real::{Mask, Real},
+        simd::row::Row,
+    },
+    state::{
+        coords::Coords,
+        phase::Phase,
+        precision::{Precision, Slot},
+    },
+    system::motion::Motion,
+};
+use alloc::{sync::Arc, vec::Vec};
+use core::ops::Range;
+
+/// Bodies in rows, in Jacobi coordinates.
+#[derive(Clone)]
+pub struct Jacobi<L: Rows<D>, const D: usize> {
+    /// The Jacobi coordinates and their momenta.
+    pub(crate) bodies: L,
+    /// The same bodies in inertial coordinates, from when they were last needed.
+    pub inertial: L::AtRest,
+    weights: Arc<[Weights<L::Row>]>,
+    /// Why the Kepler flow could not be solved, by lanes; empty as long as it was.
+    unsolved: Vec<Option<Unsolved>>,
+}
+
+/// What the map and the Kepler parts read, of the bodies of a row.
+#[derive(Clone, Copy)]
+struct Weights<W> {
+    /// The share of each body in the masses up to it.
+    share: W,
+    /// The inverse of its reduced mass.
+    inverse_mass: W,
+    /// The strength of its attraction to those before it.
+    attraction: W,
+    /// One for the first body of all, zero for others.
+    first: W,
+    /// One where there is a body of the row so many lanes further on: one, two, four.
+    later: [W; 3],
+    /// The same, for so many lanes back.
+    earlier: [W; 3],
+}
+
+/// How far sums over a row reach after each of their steps.
+const REACH: [usize; 3] = [1, 2, 4];
+
+impl<W: Real> Weights<W> {
+    /// Those of a row of `width` bodies out of `bodies`, of one member per lane. Lanes without a body stay where they are.
+    fn of<L: Rows<D, Row = W>, const D: usize>(row: usize, members: &[Vec<Part>]) -> Self {
+        let width = L::WIDTH;
+        let bodies = bodies_of_row(row, width, members[0].len());
+        let of_lane = |number: &dyn Fn(usize, usize) -> f64| {
+            W::parameter(&|lane| {
+                let (body, member) = body_and_lane::<L::Scalar>(&(row * width..(row + 1) * width), lane);
+                if bodies.contains(&body) { number(body, member) } else { 0.0 }
+            })
+        };
+        let is = |holds: bool| if holds { 1.0 } else { 0.0 };
+        let place = |body: usize| body % width;
+        Self {
+            share: of_lane(&|body, member| members[member][body].share),
+            inverse_mass: of_lane(&|body, member| members[member][body].inverse_mass),
+            attraction: of_lane(&|body, member| members[member][body].attraction),
+            first: of_lane(&|body, _| is(body == 0)),
+            later: REACH.map(|by| of_lane(&|body, _| is(place(body) + by < width))),
+            earlier: REACH.map(|by| of_lane(&|body, _| is(place(body) >= by))),
+        }
+    }
+}
+
+/// The map of the coordinates and momenta of bodies with these shares.
+type Map<R, const D: usize> = fn(&[R], &mut [[R; D]], &mut [[R; D]]);
+
+/// A state in other coordinates.
+fn mapped<C: Coords, const D: usize>(shares: &[f64], state: &Phase<C>, map: Map<DoubleDouble, D>) -> Phase<C> {
+    let point = |leaves: &[C::Leaf; D]| {
+        let mut point = [DoubleDouble::of(0.0); D];
+        for (number, leaf) in point.iter_mut().zip(leaves) {
+            *number = DoubleDouble::state(&|part| leaf.parts()[part]);
+        }
+        point
+    };
+    let numbers =
+        |leaves: &C| -> Vec<[DoubleDouble; D]> { leaves.flat().as_chunks::<D>().0.iter().map(point).collect() };
+    let shares: Vec<_> = shares.iter().map(|share| DoubleDouble::of(*share)).collect();
+    let (mut q, mut p) = (numbers(&state.q), numbers(&state.p));
+    map(&shares, &mut q, &mut p);
+    let mut mapped = state.clone();
+    for (leaves, points) in [(&mut mapped.q, &q), (&mut mapped.p, &p)] {
+        for (leaf, number) in leaves.flat_mut().iter_mut().zip(points.as_flattened()) {
+            *leaf = C::Leaf::from_parts([number.lane(0), number.lane(1)]);
+        }
+    }
+    mapped
+}
+
+impl<L: Rows<D>, const D: usize> Jacobi<L, D> {
+    /// Whether lanes hold plain numbers, which the map is applied to one by one and with more digits.
+    const PLAIN: bool = L::Scalar::LANES == L::Scalar::MEMBERS;
+
+    /// The motion of bodies whose coordinates are those of Jacobi already.
+    fn new<Q: JacobiConstants>(constants: &[&Q], bodies: L) -> Self {
+        let count = bodies.bodies();
+        let members: Vec<_> = constants.iter().map(|constants| parts(*constants, count)).collect();
+        let weights = (0..bodies.rows()[0].len()).map(|row| Weights::of::<L, D>(row, &members)).collect();
+        Self { inertial: bodies.at_rest(), bodies, weights, unsolved: Vec::new() }
+    }
+
+    /// The shares of all bodies in a lane.
+    fn shares(&self, lane: usize) -> Vec<f64> {
+        let share = |body: usize| self.weights[body / L::WIDTH].share.lane(body % L::WIDTH * L::Scalar::LANES + lane);
+        (0..self.bodies.bodies()).map(share).collect()
+    }
+
+    /// The points of all bodies, mapped in the scalar of flows.
+    fn mapped(&self, map: Map<L::Scalar, D>) -> [Vec<[L::Scalar; D]>; 2] {
+        let shares: Vec<_> = self.shares(0).into_iter().map(L::Scalar::of).collect();
+        let [mut q, mut p] = self.bodies.rows().map(|rows| points(&self.bodies, rows));
+        map(&shares, &mut q, &mut p);
+        [q, p]
+    }
+}
+
+impl<C, Q, L, const D: usize> Motion<C, Q> for Jacobi<L, D>
+where
+    C: Coords<Leaf = L::Leaf>,
+    Q: JacobiConstants,
+    L: Motion<C, Q> + Rows<D>,
+{
+    fn load(constants: &[&Q], states: &[&Phase<C>]) -> Self {
+        if Self::PLAIN {
+            let (mut own, bodies) = (Vec::with_capacity(states.len()), states[0].q.length());
+            for (constants, state) in constants.iter().zip(states) {
+                let shares: Vec<_> = parts(*constants, bodies).iter().map(|part| part.share).collect();
+                own.push(mapped(&shares, state, to_jacobi::<DoubleDouble, D>));
+            }
+            return Self::load_own(constants, &own.iter().collect::<Vec<_>>());
+        }
+        let mut motion = Self::load_own(constants, states);
+        let points = motion.mapped(to_jacobi);
+        for (rows, points) in motion.bodies.rows_mut().into_iter().zip(&points) {
+            set_points::<L, D>(rows, points);
+        }
+        motion
+    }
+    fn load_own(constants: &[&Q], states: &[&Phase<C>]) -> Self {
+        Self::new(constants, L::load(constants, states))
+    }
+    fn gathered<'a>(of_lane: &dyn Fn(usize) -> (&'a Q, &'a Self, usize)) -> Option<Self>
+    where
+        Q: 'a,
+    {
+        let (mut constants, mut states) = (Vec::new(), Vec::new());
+        for lane in 0..L::Scalar::LANES {
+            let (own, motion, lane) = of_lane(lane);
+            let zeros = alloc::vec![L::Leaf::default(); motion.bodies.bodies() * D];
+            let mut state = Phase { q: C::from_flat(zeros.clone())?, p: C::from_flat(zeros)? };
+            motion.store_own(lane, &mut state);
+            constants.push(own);
+            states.push(state);
+        }
+        Some(Self::load_own(&constants, &states.iter().collect::<Vec<_>>()))
+    }
+    fn store(&self, lane: usize, to: &mut Phase<C>) {
+        if Self::PLAIN {
+            self.store_own(lane, to);
+            *to = mapped(&self.shares(lane), to, to_inertial::<DoubleDouble, D>);
+            return;
+        }
+        let [q, p] = self.mapped(to_inertial);
+        for (leaves, points) in [(&mut to.q, &q), (&mut to.p, &p)] {
+            for (leaf, number) in leaves.flat_mut().iter_mut().zip(points.as_flattened()) {
+                let mut slot = <L::Leaf as Precision>::Slot::<L::Scalar>::zero();
+                slot.add(*number);
+                *leaf = L::Leaf::unpack(slot, lane);
+            }
+        }
+    }
+    fn store_own(&self, lane: usize, to: &mut Phase<C>) {
+        self.bodies.store(lane, to);
+    }
+    #[inline(always)]
+    fn copy_state(&mut self, from: &Self) {
+        self.bodies.copy_state(&from.bodies);
+        self.unsolved.clone_from(&from.unsolved);
+    }
+    fn share_among(&mut self, threads: Option<usize>) {
+        self.bodies.share_among(threads);
+        self.inertial = self.bodies.at_rest();
+    }
+    fn unsolved(&self, lane: usize) -> Option<&Unsolved> {
+        self.unsolved.get(lane)?.as_ref()
+    }
+    #[inline(always)]
+    fn finite(&self) -> bool {
+        self.bodies.finite()
+    }
+}
+
+/// The sums over the bodies of a row from each one on.
+#[inline(always)]
+fn sums_from<L: Rows<D>, const D: usize>(mut sum: L::Row, weights: &Weights<L::Row>) -> L::Row {
+    // Unrolled, so that the rotations are known when this is compiled.
+    macro_rules! add {
+        ($($step:literal)*) => {$(
+            if REACH[$step] < L::WIDTH {
+                sum = weights.later[$step].fma(L::rotate(sum, REACH[$step]), sum);
+            }
+        )*};
+    }
+    add!(0 1 2);
+    sum
+}
+
+/// The sums over the bodies of a row up to each one.
+#[inline(always)]
+fn sums_up_to<L: Rows<D>, const D: usize>(mut sum: L::Row, weights: &Weights<L::Row>) -> L::Row {
+    macro_rules! add {
+        ($($step:literal)*) => {$(
+            if REACH[$step] < L::WIDTH {
+                sum = weights.earlier[$step].fma(L::rotate(sum, L::WIDTH - REACH[$step]), sum);
+            }
+        )*};
+    }
+    add!(0 1 2);
+    sum
+}
+
+/// The squares of distances, and a number that is not zero for the first body, which no Kepler part has.
+#[inline(always)]
+fn squares<W: Real, const D: usize>(q: [W; D], weights: &Weights<W>) -> W {
+    let mut sum = weights.first;
+    for q in q {
+        sum = q.fma(q, sum);
+    }
+    sum
+}
+
+/// Maps Jacobi positions, or directions, to inertial ones.
+#[inline(always)]
+fn map_positions<L: Rows<D>, const D: usize>(
+    weights: &[Weights<L::Row>],
+    from: &[Coordinates<L, D>],
+    to: &mut [Coordinates<L::AtRest, D>],
+) {
+    let (mut later, mut centre) = ([L::Row::of(0.0); D], values(&from[0]));
+    for centre in &mut centre {
+        *centre = L::Row::permute(*centre, &[0; 8]);
+    }
+    for row in (0..from.len()).rev() {
+        let (q, weights): ([L::Row; D], _) = (values(&from[row]), &weights[row]);
+        for d in 0..D {
+            let sum = sums_from::<L, D>(weights.share * q[d], weights) + later[d];
+            // The coordinates of the first body are those of the centre.
+            let own = (-weights.first).fma(q[d], q[d]);
+            to[row][d] = centre[d] + (own - sum);
+            later[d] = sum.permute(&[0; 8]);
+        }
+    }
+}
+
+/// Maps inertial momenta to those of Jacobi coordinates, where `put` has them.
+#[inline(always)]
+fn map_momenta<L: Rows<D>, const D: usize>(
+    weights: &[Weights<L::Row>],
+    bodies: usize,
+    from: &[Coordinates<L::AtRest, D>],
+    to: &mut [Coordinates<L, D>],
+) {
+    let mut total = [L::Row::of(0.0); D];
+    for row in 0..from.len() {
+        let (p, weights, count) = (&from[row], &weights[row], bodies_of_row(row, L::WIDTH, bodies).len());
+        for d in 0..D {
+            let sum = sums_up_to::<L, D>(p[d], weights) + total[d];
+            let own = (-weights.first).fma(p[d], p[d]);
+            to[row][d].add((-weights.share).fma(sum, own));
+            total[d] = sum.permute(&[count as u64 - 1; 8]);
+        }
+    }
+    for d in 0..D {
+        to[0][d].fma(weights[0].first, total[d]);
+    }
+}
+
+/// Notes which bodies of a row could not be moved, and from where, before they are NaN.
+#[cold]
+#[inline(never)]
+fn note<L: Rows<D>, const D: usize>(
+    unsolved: &mut Vec<Option<Unsolved>>,
+    bodies: Range<usize>,
+    failed: L::Row,
+    q: [L::Row; D],
+    duration: f64,
+) {
+    let lanes = L::Scalar::LANES;
+    unsolved.resize(lanes, None);
+    for (place, number) in bodies.enumerate() {
+        for (lane, reason) in unsolved.iter_mut().enumerate() {
+            let at = place * lanes + lane;
+            if failed.lane(at) == 1.0 && reason.is_none() {
+                let square = q.iter().fold(0.0, |sum, q| sum + q.lane(at) * q.lane(at));
+                *reason = Some(Unsolved::Kepler { body: number, distance: Real::sqrt(square), duration });
+            }
+        }
+    }
+}
+
+impl<L: Rows<D>, const D: usize> Jacobi<L, D> {
+    /// The flow of the Kepler parts.
+    #[cfg_attr(debug_assertions, inline)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    pub fn drift(&mut self, duration: f64) {
+        let (count, step) = (self.bodies.bodies(), L::Row::of(duration));
+        let [q, p] = self.bodies.rows_mut();
+        for row in 0..q.len() {
+            let Weights { inverse_mass, attraction: strength, .. } = self.weights[row];
+            let body = Body { q: values(&q[row]), p: values(&p[row]), inverse_mass, strength };
+            let moved = increments(&body, step);
+            if moved.failed.any() {
+                let failed = <L::Row as Real>::select(moved.failed, L::Row::of(1.0), L::Row::of(0.0));
+                let bodies = bodies_of_row(row, L::WIDTH, count);
+                note::<L, D>(&mut self.unsolved, bodies, failed, body.q, duration);
+            }
+            for d in 0..D {
+                q[row][d].add(moved.q[d]);
+                p[row][d].add(moved.p[d]);
+            }
+        }
+    }
+
+    /// Maps positions to those of [`Jacobi::inertial`], whose momenta become zero: what the kick of `V` begins with.
+    #[cfg_attr(debug_assertions, inline)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    pub fn open_kick(&mut self) {
+        let ([q, _], [to, rest]) = (self.bodies.rows(), self.inertial.rows_mut());
+        map_positions::<L, D>(&self.weights, q, to);
+        for row in rest {
+            *row = [L::Row::of(0.0); D];
+        }
+    }
+
+    /// The flow of the interaction for a time, after the kick of `V` gave [`Jacobi::inertial`] its momenta.
+    #[cfg_attr(debug_assertions, inline)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    pub fn close_kick(&mut self, duration: f64) {
+        let (count, step) = (self.bodies.bodies(), L::Row::of(duration));
+        let ([q, p], [_, kick]) = (self.bodies.rows_mut(), self.inertial.rows());
+        map_momenta::<L, D>(&self.weights, count, kick, p);
+        for row in 0..q.len() {
+            let (q, weights): ([L::Row; D], _) = (values(&q[row]), &self.weights[row]);
+            let back = (weights.attraction * step).div_pow_3_2(squares(q, weights));
+            for d in 0..D {
+                p[row][d].fma(back, q[d]);
+            }
+        }
+    }
+
+    /// The bodies in inertial coordinates.
+    pub fn to_inertial(&self) -> L::AtRest {
+        let mut bodies = self.bodies.at_rest();
+        for (rows, points) in bodies.rows_mut().into_iter().zip(&self.mapped(to_inertial)) {
+            set_points::<L::AtRest, D>(rows, points);
+        }
+        bodies
+    }
+
+    /// The sum of all attractions `k / |Q|`, which the Kepler parts have and the interaction has not.
+    pub fn attraction(&self) -> L::Scalar {
+        let mut sum = L::Scalar::of(0.0);
+        for (row, (slots, weights)) in self.bodies.rows()[0].iter().zip(&*self.weights).enumerate() {
+            let attractions = weights.attraction / squares(values(slots), weights).sqrt();
+            for lane in 0..bodies_of_row(row, L::WIDTH, self.bodies.bodies()).len() {
+                sum += body(&attractions, lane);
+            }
+        }
+        sum
+    }
+
+    /// The same positions and no momenta, with slots that hold numbers and nothing else.
+    #[inline(always)]
+    pub fn at_rest(&self) -> Jacobi<L::AtRest, D> {
+        let (bodies, weights) = (self.bodies.at_rest(), self.weights.clone());
+        Jacobi { inertial: bodies.at_rest(), bodies, weights, unsolved: Vec::new() }
+    }
+
+    /// Adds a multiple of another motion's momenta.
+    #[inline(always)]
+    pub fn push(&mut self, factor: L::Scalar, other: &Jacobi<L::AtRest, D>) {
+        let ([_, p], [_, momenta]) = (self.bodies.rows_mut(), other.bodies.rows());
+        let factor = L::Row::splat(factor);
+        for row in 0..p.len() {
+            for d in 0..D {
+                p[row][d].fma(factor, momenta[row][d]);
+            }
+        }
+    }
+}
+
+impl<L: Rows<D, Leaf = f64, AtRest = L>, const D: usize> Jacobi<L, D> {
+    /// Makes velocities of the momenta.
+    #[inline(always)]
+    pub fn divide_by_masses(&mut self) {
+        for (row, weights) in self.bodies.rows_mut()[1].iter_mut().zip(&*self.weights) {
+            for p in row {
+                *p = weights.inverse_mass * *p;
+            }
+        }
+    }
+
+    /// Maps positions and, as directions, momenta to those of [`Jacobi::inertial`]: what the product with the Hessian of
+    /// `V` begins with.
+    #[inline(always)]
+    pub fn open_hessian(&mut self) {
+        let ([q, p], [positions, directions]) = (self.bodies.rows(), self.inertial.rows_mut());
+        map_positions::<L, D>(&self.weights, q, positions);
+        map_positions::<L, D>(&self.weights, p, directions);
+    }
+
+    /// Replaces the momenta by the product of the interaction's Hessian with them, after that of `V` was put where
+    /// [`Jacobi::inertial`] has its momenta.
+    #[inline(always)]
+    pub fn close_hessian(&mut self) {
+        let (count, [q, p]) = (self.bodies.bodies(), self.bodies.rows_mut());
+        for row in 0..q.len() {
+            let (q, weights) = (q[row], &self.weights[row]);
+            let (square, mut along) = (squares(q, weights), L::Row::of(0.0));
+            for d in 0..D {
+                along = q[d].fma(p[row][d], along);
+            }
+            let attraction = weights.attraction.div_pow_3_2(square);
+            let along = L::Row::of(3.0) * along / square;
+            for d in 0..D {
+                p[row][d] = attraction * along.fma(q[d], -p[row][d]);
+            }
+        }
+        map_momenta::<L, D>(&self.weights, count, self.inertial.rows()[1], p);
+    }
+}

@@ -1,0 +1,203 @@
+//! Jacobi coordinates: each body relative to the centre of mass of those before it, and first of all the centre of mass
+//! of all.
+//!
+//! With the masses `m`, their sums `eta` and the shares `mu[i] = m[i] / eta[i]`: `Q[i] = q[i] - X[i - 1]`, where `X[i]` is
+//! the centre of mass up to body `i`, and `P[i] = p[i] - mu[i] (p[0] + ... + p[i])`. Always true: the map is linear and
+//! canonical whatever the shares are, hence for rounded ones too.
+
+use crate::{error::Error, scalar::real::Real};
+use alloc::vec::Vec;
+
+/// What Jacobi coordinates need to know of bodies. Written by `#[hamiltonian]` for its prepared constants.
+pub trait JacobiConstants {
+    /// The mass of a body, and the strength `k` of the attraction `-k / |Q|` to those before it.
+    fn mass_and_attraction(&self, body: usize) -> [f64; 2];
+    /// What `kinetic` multiplies the momentum of a body by, for its velocity.
+    fn inverse_mass(&self, body: usize) -> f64;
+}
+
+/// Whether bodies with these masses have Jacobi coordinates.
+///
+/// # Errors
+/// [`Error::FewMasses`], [`Error::Mass`]
+pub fn are_masses(masses: &[f64], bodies: usize) -> Result<(), Error> {
+    if masses.len() < bodies {
+        return Err(Error::FewMasses { masses: masses.len(), bodies });
+    }
+    let mut sum = 0.0;
+    for (body, &mass) in masses[..bodies].iter().enumerate() {
+        sum += mass;
+        let reason = match body {
+            _ if !mass.is_finite() => "it has to be finite",
+            0 if mass == 0.0 => "the first body is the star that the others move around, which has to have a mass",
+            _ if mass == 0.0 => "momenta say nothing of the velocity of a body without mass: give it a small one",
+            _ if sum == 0.0 => "the masses up to this one add up to zero, so that they have no centre",
+            _ => continue,
+        };
+        return Err(Error::Mass { body, mass, reason });
+    }
+    Ok(())
+}
+
+/// The roundings between a mass and its inverse in `kinetic`, in half units of the last place: those of a few factors,
+/// and as many where the user divided beforehand.
+const ROUNDINGS: f64 = 16.0;
+
+/// Whether the masses of the coordinates are those of `kinetic`: else these coordinates couple the momenta of bodies.
+///
+/// # Errors
+/// [`Error::Mass`]
+pub fn are_masses_of_kinetic(constants: &impl JacobiConstants, bodies: usize) -> Result<(), Error> {
+    for body in 0..bodies {
+        let [mass, _] = constants.mass_and_attraction(body);
+        let one = mass * constants.inverse_mass(body);
+        let agrees = Real::abs(one - 1.0) <= ROUNDINGS * 0.5 * f64::EPSILON;
+        if !agrees {
+            return Err(Error::Mass { body, mass, reason: "`kinetic` has another mass for this body" });
+        }
+    }
+    Ok(())
+}
+
+/// The part of a body in Jacobi coordinates.
+#[derive(Clone, Copy)]
+pub(crate) struct Part {
+    /// Its share of the masses up to it; none for the first body, whose coordinates are those of the centre of mass.
+    pub(crate) share: f64,
+    /// The inverse of its reduced mass; for the first body, of the mass of all.
+    pub(crate) inverse_mass: f64,
+    /// The strength of its attraction to the bodies before it.
+    pub(crate) attraction: f64,
+}
+
+/// The parts of so many bodies.
+pub(crate) fn parts(constants: &impl JacobiConstants, bodies: usize) -> Vec<Part> {
+    let (mut parts, mut sum) = (Vec::with_capacity(bodies), 0.0);
+    for body in 0..bodies {
+        let ([mass, attraction], before) = (constants.mass_and_attraction(body), sum);
+        sum += mass;
+        parts.push(Part { share: mass / sum, inverse_mass: sum / (mass * before), attraction });
+    }
+    if let Some(first) = parts.first_mut() {
+        *first = Part { share: 0.0, inverse_mass: 1.0 / sum, attraction: 0.0 };
+    }
+    parts
+}
+
+/// Makes Jacobi coordinates of inertial ones.
+pub(crate) fn to_jacobi<R: Real, const D: usize>(shares: &[R], q: &mut [[R; D]], p: &mut [[R; D]]) {
+    let zero = R::of(0.0);
+    let mut centre = q.first().copied().unwrap_or([zero; D]);
+    let mut total = p.first().copied().unwrap_or([zero; D]);
+    for body in 1..shares.len() {
+        for d in 0..D {
+            q[body][d] -= centre[d];
+            centre[d] = shares[body].fma(q[body][d], centre[d]);
+            total[d] += p[body][d];
+            p[body][d] = (-shares[body]).fma(total[d], p[body][d]);
+        }
+    }
+    if let ([q, ..], [p, ..]) = (q, p) {
+        (*q, *p) = (centre, total);
+    }
+}
+
+/// Makes inertial coordinates of Jacobi ones: the inverse of [`to_jacobi`].
+pub(crate) fn to_inertial<R: Real, const D: usize>(shares: &[R], q: &mut [[R; D]], p: &mut [[R; D]]) {
+    let (&[mut centre, ..], &[mut total, ..]) = (&*q, &*p) else { return };
+    for body in (1..shares.len()).rev() {
+        for d in 0..D {
+            centre[d] = (-shares[body]).fma(q[body][d], centre[d]);
+            q[body][d] += centre[d];
+            p[body][d] = shares[body].fma(total[d], p[body][d]);
+            total[d] -= p[body][d];
+        }
+    }
+    (q[0], p[0]) = (centre, total);
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Powers of two have exact shares, so that maps of small integers do not round.
+    const MASSES: [f64; 4] = [1.0, 1.0, 2.0, 4.0];
+
+    struct Masses;
+
+    impl JacobiConstants for Masses {
+        fn mass_and_attraction(&self, body: usize) -> [f64; 2] {
+            [MASSES[body], 3.0]
+        }
+        fn inverse_mass(&self, body: usize) -> f64 {
+            1.0 / MASSES[body]
+        }
+    }
+
+    fn shares() -> Vec<f64> {
+        parts(&Masses, 4).iter().map(|part| part.share).collect()
+    }
+
+    fn point(seed: f64) -> [[f64; 2]; 4] {
+        core::array::from_fn(|i| core::array::from_fn(|d| (seed * (i * 2 + d + 1) as f64 * 37.0) % 19.0 - 9.0))
+    }
+
+    fn dot(a: &[[f64; 2]; 4], b: &[[f64; 2]; 4]) -> f64 {
+        a.as_flattened().iter().zip(b.as_flattened()).map(|(a, b)| a * b).sum()
+    }
+
+    #[test]
+    fn the_map_is_that_of_the_definition_and_its_inverse_undoes_it() {
+        let (q, p) = (point(1.0), point(3.0));
+        let (mut new_q, mut new_p) = (q, p);
+        to_jacobi(&shares(), &mut new_q, &mut new_p);
+        let centre = |last: usize, d: usize| {
+            let sum: f64 = (0..=last).map(|i| MASSES[i] * q[i][d]).sum();
+            sum / MASSES[..=last].iter().sum::<f64>()
+        };
+        for d in 0..2 {
+            assert_eq!(new_q[0][d], centre(3, d));
+            assert_eq!(new_p[0][d], p.iter().map(|p| p[d]).sum::<f64>());
+            for i in 1..4 {
+                assert_eq!(new_q[i][d], q[i][d] - centre(i - 1, d));
+            }
+        }
+        to_inertial(&shares(), &mut new_q, &mut new_p);
+        assert_eq!((new_q, new_p), (q, p));
+    }
+
+    /// A linear map keeps the symplectic form if it keeps the product of any positions with any momenta.
+    #[test]
+    fn the_map_is_canonical_and_makes_the_kinetic_energy_diagonal() {
+        let (q, p) = (point(5.0), point(7.0));
+        let (mut new_q, mut new_p) = (q, p);
+        to_jacobi(&shares(), &mut new_q, &mut new_p);
+        assert_eq!(dot(&new_q, &new_p), dot(&q, &p));
+        let kinetic = |p: &[[f64; 2]; 4], inverse: &dyn Fn(usize) -> f64| -> f64 {
+            (0..4).map(|i| p[i].iter().map(|p| p * p).sum::<f64>() * inverse(i)).sum()
+        };
+        let parts = parts(&Masses, 4);
+        assert_eq!(kinetic(&new_p, &|i| parts[i].inverse_mass), kinetic(&p, &|i| 1.0 / MASSES[i]));
+        // Wrong shares are canonical all the same, and diagonal no more.
+        let (mut new_q, mut new_p) = (q, p);
+        to_jacobi(&[0.0, 0.25, 0.5, 0.5], &mut new_q, &mut new_p);
+        assert_eq!(dot(&new_q, &new_p), dot(&q, &p));
+        assert_ne!(kinetic(&new_p, &|i| parts[i].inverse_mass), kinetic(&p, &|i| 1.0 / MASSES[i]));
+    }
+
+    #[test]
+    fn masses_are_held_against_bodies_and_kinetic_energy() {
+        assert_eq!(are_masses(&MASSES, 4), Ok(()));
+        assert_eq!(are_masses(&MASSES, 3), Ok(()));
+        assert_eq!(are_masses(&MASSES, 5), Err(Error::FewMasses { masses: 4, bodies: 5 }));
+        let body = |masses: &[f64]| match are_masses(masses, masses.len()) {
+            Err(Error::Mass { body, .. }) => Some(body),
+            _ => None,
+        };
+        assert_eq!(
+            [[0.0, 1.0], [1.0, 0.0], [1.0, -1.0], [1.0, f64::NAN]].map(|masses| body(&masses)),
+            [0, 1, 1, 1].map(Some)
+        );
+        assert_eq!(are_masses_of_kinetic(&Masses, 4), Ok(()));
+    }
+}

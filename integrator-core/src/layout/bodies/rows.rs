@@ -1,0 +1,162 @@
+//! Layouts of bodies as what they have in common: rows of positions and of momenta.
+
+use crate::{
+    layout::bodies::{
+        load_store::{body_and_lane, element},
+        many_rows::{ManyRows, WIDTH},
+        one_row::OneRow,
+    },
+    scalar::{real::Real, simd::row::Row},
+    state::precision::{Precision, Slot},
+    system::motion::Prepared,
+};
+use alloc::vec::Vec;
+use core::{
+    ops::Range,
+    slice::{from_mut, from_ref},
+};
+
+/// A layout of bodies with `D` coordinates each in rows.
+pub trait Rows<const D: usize>: Clone + Send + Sync + 'static {
+    /// What flows are computed in.
+    type Scalar: Real;
+    /// How coordinates are kept.
+    type Leaf: Precision;
+    /// A row of bodies.
+    type Row: Row<Self::Scalar>;
+    /// The same layout with slots that hold numbers and nothing else.
+    type AtRest: Rows<D, Scalar = Self::Scalar, Leaf = f64, Row = Self::Row>;
+
+    /// The number of bodies in a full row.
+    const WIDTH: usize;
+
+    /// The number of bodies.
+    fn bodies(&self) -> usize;
+    /// The rows of positions, and those of momenta.
+    fn rows(&self) -> [&[Coordinates<Self, D>]; 2];
+    /// The same, to be written.
+    fn rows_mut(&mut self) -> [&mut [Coordinates<Self, D>]; 2];
+    /// Rotates a row: each lane gets the body so many lanes further on.
+    fn rotate(row: Self::Row, by: usize) -> Self::Row;
+    /// The same positions and no momenta.
+    fn at_rest(&self) -> Self::AtRest;
+}
+
+/// The slots of a row.
+pub(crate) type Coordinates<L, const D: usize> = [<<L as Rows<D>>::Leaf as Precision>::Slot<<L as Rows<D>>::Row>; D];
+
+impl<R, K, P, const N: usize, const D: usize, const S: usize> Rows<D> for OneRow<R, K, P, N, D, S>
+where
+    R: Real,
+    K: Precision,
+    P: Prepared<R>,
+{
+    type Scalar = R;
+    type Leaf = K;
+    type Row = R::Row<N>;
+    type AtRest = OneRow<R, f64, P, N, D, S>;
+
+    const WIDTH: usize = N;
+
+    #[inline(always)]
+    fn bodies(&self) -> usize {
+        N
+    }
+    #[inline(always)]
+    fn rows(&self) -> [&[Coordinates<Self, D>]; 2] {
+        [from_ref(&self.q), from_ref(&self.p)]
+    }
+    #[inline(always)]
+    fn rows_mut(&mut self) -> [&mut [Coordinates<Self, D>]; 2] {
+        [from_mut(&mut self.q), from_mut(&mut self.p)]
+    }
+    #[inline(always)]
+    fn rotate(row: Self::Row, by: usize) -> Self::Row {
+        row.rotate::<N>(by)
+    }
+    fn at_rest(&self) -> Self::AtRest {
+        OneRow::at_rest(self)
+    }
+}
+
+impl<R, K, P, const D: usize, const S: usize> Rows<D> for ManyRows<R, K, P, D, S>
+where
+    R: Real,
+    K: Precision,
+    P: Prepared<R>,
+{
+    type Scalar = R;
+    type Leaf = K;
+    type Row = R::Row<WIDTH>;
+    type AtRest = ManyRows<R, f64, P, D, S>;
+
+    const WIDTH: usize = WIDTH;
+
+    #[inline(always)]
+    fn bodies(&self) -> usize {
+        self.bodies
+    }
+    #[inline(always)]
+    fn rows(&self) -> [&[Coordinates<Self, D>]; 2] {
+        [&self.q, &self.p]
+    }
+    #[inline(always)]
+    fn rows_mut(&mut self) -> [&mut [Coordinates<Self, D>]; 2] {
+        [&mut self.q, &mut self.p]
+    }
+    #[inline(always)]
+    fn rotate(row: Self::Row, by: usize) -> Self::Row {
+        row.rotate::<WIDTH>(by)
+    }
+    fn at_rest(&self) -> Self::AtRest {
+        ManyRows::at_rest(self)
+    }
+}
+
+/// The bodies of a row.
+#[inline(always)]
+pub(crate) fn bodies_of_row(row: usize, width: usize, bodies: usize) -> Range<usize> {
+    row * width..bodies.min((row + 1) * width)
+}
+
+/// The number of a body in a row, as the row has it.
+pub(crate) fn body<R: Real>(row: &impl Row<R>, body: usize) -> R {
+    match row.parts() {
+        [] => element(*row, body),
+        parts => parts[body],
+    }
+}
+
+/// The points of all bodies.
+pub(crate) fn points<L: Rows<D>, const D: usize>(layout: &L, rows: &[Coordinates<L, D>]) -> Vec<[L::Scalar; D]> {
+    let (mut points, bodies) = (Vec::with_capacity(layout.bodies()), layout.bodies());
+    for (number, row) in rows.iter().enumerate() {
+        for lane in 0..bodies_of_row(number, L::WIDTH, bodies).len() {
+            points.push(row.map(|slot| body::<L::Scalar>(&slot.value(), lane)));
+        }
+    }
+    points
+}
+
+/// A row of the bodies of a range; lanes behind the last of them repeat the first ones.
+fn row_of<R: Real, W: Row<R>>(bodies: &Range<usize>, number: impl Fn(usize) -> R) -> W {
+    let mut row = W::state(&|lane| {
+        let (body, lane) = body_and_lane::<R>(bodies, lane);
+        number(body).lane(lane)
+    });
+    for (lane, part) in row.parts_mut().iter_mut().enumerate() {
+        *part = number(bodies.start + lane % bodies.len());
+    }
+    row
+}
+
+/// Sets the rows of all bodies to these points.
+pub(crate) fn set_points<L: Rows<D>, const D: usize>(rows: &mut [Coordinates<L, D>], points: &[[L::Scalar; D]]) {
+    for (number, row) in rows.iter_mut().enumerate() {
+        let bodies = bodies_of_row(number, L::WIDTH, points.len());
+        for (d, slot) in row.iter_mut().enumerate() {
+            *slot = Slot::zero();
+            slot.add(row_of::<L::Scalar, L::Row>(&bodies, |body| points[body][d]));
+        }
+    }
+}

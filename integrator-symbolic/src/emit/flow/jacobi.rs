@@ -1,0 +1,188 @@
+//! Bodies that move in Jacobi coordinates: the judgement, and what is written of the map and the Kepler parts.
+
+use super::{pairs::ManyBody, parameter_text::Texts};
+use crate::{
+    emit::printer::{block::Emitter, fields::Fields, function::Body, names::Names},
+    graph::{
+        Part,
+        index::{Index, Loop, LoopSet},
+    },
+    model::{Jacobi, Model, Shape},
+    pairs::{Pairs, Renaming, attraction, inverse_mass, pairs, per_body, rename},
+    syntax::{Coordinates, Input},
+};
+use proc_macro2::{Ident, Literal, TokenStream};
+use quote::{ToTokens, quote};
+
+/// The names of the parts of a motion in Jacobi coordinates.
+pub(crate) const KEPLER_PARTS: [&str; 2] = ["kepler", "interaction"];
+
+/// What keeps a Hamiltonian from Jacobi coordinates.
+pub(crate) enum Obstacle {
+    /// The shape of the coordinates.
+    Shape(String),
+    /// `T`.
+    Kinetic(String),
+    /// `V`.
+    Potential(String),
+}
+
+/// What Jacobi coordinates are made with, or what stands in their way.
+pub(crate) fn judged(input: &Input, coordinates: &Coordinates, model: &mut Model) -> Result<Jacobi, Obstacle> {
+    let dimension = dimension(&model.shape)?;
+    let Model { graph, parameters, running, kinetic, potential, lengths, .. } = &mut *model;
+    let length = lengths[0];
+    let mut texts = Texts::new(parameters, running);
+    let found = pairs(graph, *potential, length, &mut texts);
+    let Pairs { bodies, pair, energy, .. } = found.ok_or_else(|| {
+        Obstacle::Potential(
+            "Jacobi coordinates are for bodies that attract each other, and V is no sum over their pairs: write it as \
+             -Σ G m[i] m[j] / |q[i] - q[j]| with loops over `i` and `j`, plus terms of pairs and of single bodies"
+                .to_owned(),
+        )
+    })?;
+    let velocity = per_body(graph, *kinetic, length, Part::Momentum, &mut texts);
+    let inverse = velocity.and_then(|velocity| inverse_mass(graph, &velocity, dimension));
+    let inverse = inverse.ok_or_else(|| {
+        Obstacle::Kinetic(
+            "Jacobi coordinates need T = Σ |p[i]|² / 2m[i], with a loop over `i`, and this T is another".to_owned(),
+        )
+    })?;
+    let strength = attraction(graph, energy, pair, dimension).ok_or_else(|| {
+        Obstacle::Potential(
+            "V has no term -G m[i] m[j] / |q[i] - q[j]| for each pair of bodies, so there is no Kepler part: Jacobi \
+             coordinates are for bodies that move around the first one"
+                .to_owned(),
+        )
+    })?;
+    let partners = Loop {
+        parent: Some(bodies),
+        from: graph.loops.get(bodies).from,
+        to: graph.loops.intern(Index::Running(bodies)),
+    };
+    let partners = graph.loops.range(partners);
+    let names = pair.map(|by| model.running.get(&by).cloned());
+    for (by, name) in [bodies, partners].into_iter().zip(names) {
+        if let Some(name) = name {
+            model.running.entry(by).or_insert(name);
+        }
+    }
+    let Model { graph, parameters, running, .. } = &mut *model;
+    let mass = mass(&coordinates.masses.to_token_stream(), running.get(&bodies));
+    let mut texts = Texts::new(parameters, running);
+    let mass = texts.id(graph, mass, LoopSet::of(bodies));
+    let strength = rename(graph, strength, Renaming::both(pair, [bodies, partners]), &mut texts);
+    let jacobi = strength.map(|strength| Jacobi {
+        bodies,
+        mass: graph.parameter(mass),
+        inverse_mass: inverse,
+        attraction: graph.sum(partners, strength),
+    });
+    let mut emitter = Emitter { model, names: &Names::new(input), fields: Fields::default() };
+    let in_rows = ManyBody::of(&mut emitter).is_some();
+    jacobi.filter(|_| in_rows).ok_or_else(|| {
+        Obstacle::Potential(
+            "the terms of V are not read as those of any pair of bodies: use parameters of one body at a time, such as \
+             `self.mass[i]`, and no methods of your own"
+                .to_owned(),
+        )
+    })
+}
+
+/// The number of components of the points that coordinates are.
+fn dimension(shape: &Shape) -> Result<u64, Obstacle> {
+    let dimension = shape.dimension.as_ref().and_then(|dimension| dimension.literal());
+    let many = shape.length.literal().is_none_or(|length| length > 1);
+    dimension.filter(|_| many).ok_or_else(|| {
+        let text = shape.text();
+        Obstacle::Shape(format!(
+            "Jacobi coordinates are made of the positions of bodies, `[[f64; 3]; N]` with a number for 3 and two bodies at \
+             least; these are `{text}`"
+        ))
+    })
+}
+
+/// The mass of a body.
+fn mass(masses: &TokenStream, body: Option<&Ident>) -> TokenStream {
+    quote!(#masses[#body])
+}
+
+/// The layout of the motion, around that of bodies in inertial coordinates.
+pub(crate) fn motion(bodies: &TokenStream, dimension: &Literal, names: &Names) -> TokenStream {
+    let runtime = &names.runtime;
+    quote!(#runtime::Jacobi<#bodies, #dimension>)
+}
+
+/// The flow of the Kepler parts.
+pub(crate) fn drift() -> Body {
+    Body::new(quote!(motion.drift(duration);))
+}
+
+/// The flow of the interaction by that of `V`.
+pub(crate) fn kick(kick: &TokenStream) -> Body {
+    Body::new(quote! {
+        let jacobi = motion;
+        jacobi.open_kick();
+        let motion = &mut jacobi.inertial;
+        #kick
+        jacobi.close_kick(duration);
+    })
+}
+
+/// The velocities where the momenta are a force.
+pub(crate) fn velocity() -> TokenStream {
+    quote! {
+        bent = force;
+        bent.divide_by_masses();
+    }
+}
+
+/// The product with the interaction's Hessian by that with the Hessian of `V`.
+pub(crate) fn hessian(product: &TokenStream) -> TokenStream {
+    quote! {
+        let jacobi = motion;
+        jacobi.open_hessian();
+        let motion = &mut jacobi.inertial;
+        #product
+        jacobi.close_hessian();
+    }
+}
+
+/// The energy of a part by that of `T` or of `V`, whose name this is.
+pub(crate) fn energy(name: &str, energy: &TokenStream) -> TokenStream {
+    let sign = if name == "kinetic" { quote!(-) } else { quote!(+) };
+    quote! {
+        let jacobi = motion;
+        let motion = &jacobi.to_inertial().plain::<Self::Coords>();
+        let energy = { #energy };
+        energy #sign jacobi.attraction()
+    }
+}
+
+/// What the runtime asks of the prepared constants.
+pub(crate) fn constants(jacobi: Jacobi, emitter: &mut Emitter<'_>) -> TokenStream {
+    let Emitter { model, fields, .. } = emitter;
+    let index = model.running.get(&jacobi.bodies);
+    let [mass, inverse_mass, attraction] = [jacobi.mass, jacobi.inverse_mass, jacobi.attraction].map(|id| {
+        let field = fields.number(&model.graph, &model.parameters, id);
+        // What is the same for all bodies is no table.
+        if model.graph.loops_of(id).is_empty() { quote!(self.#field) } else { quote!(self.#field[#index]) }
+    });
+    quote! {
+        #[inline]
+        fn mass_and_attraction(&self, #index: usize) -> [f64; 2] { [#mass, #attraction] }
+        #[inline]
+        fn inverse_mass(&self, #index: usize) -> f64 { #inverse_mass }
+    }
+}
+
+/// The function that tells whether a run may begin.
+pub(crate) fn admissible(coordinates: &Coordinates, names: &Names) -> TokenStream {
+    let (Names { runtime, .. }, masses) = (names, &coordinates.masses);
+    quote! {
+        fn admissible(&self, length: usize) -> ::core::result::Result<(), #runtime::Error> {
+            #runtime::are_masses(&(#masses)[..], length)?;
+            #runtime::are_masses_of_kinetic(&self.parameters(length), length)
+        }
+    }
+}

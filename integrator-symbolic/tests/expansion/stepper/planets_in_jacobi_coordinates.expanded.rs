@@ -1,0 +1,340 @@
+#[allow(warnings, clippy::all, clippy::pedantic, reason = "generated")]
+const _: () = {
+    use ::integrator_core::__private::{self as runtime, Mask as _, Slot as _};
+    /// What depends on parameters alone, evaluated once per run.
+    #[derive(::core::clone::Clone)]
+    pub struct Parameters<Scalar> {
+        /// `1 / mass[i]`
+        prepared_0: [Scalar; 6],
+        /// `gravity mass[i]`
+        prepared_1: [Scalar; 6],
+        /// `mass[i]`
+        mass: [Scalar; 6],
+        /// `mass[j]`
+        mass_2: [Scalar; 5],
+        /// `3 gravity mass[i]`
+        prepared_4: [Scalar; 6],
+        /// `1 / (2 mass[i])`
+        prepared_5: [Scalar; 6],
+        /// `Σ_{j in 0..i} gravity mass[i] mass[j]`
+        prepared_6: [Scalar; 6],
+    }
+    impl<Scalar: runtime::Real> runtime::Prepared<Scalar> for Parameters<Scalar> {
+        type Single = Parameters<f64>;
+        #[inline(always)]
+        fn gather(members: &[&Self::Single]) -> Self {
+            Parameters {
+                prepared_0: runtime::in_lanes(members, |member| &member.prepared_0),
+                prepared_1: runtime::in_lanes(members, |member| &member.prepared_1),
+                mass: runtime::in_lanes(members, |member| &member.mass),
+                mass_2: runtime::in_lanes(members, |member| &member.mass_2),
+                prepared_4: runtime::in_lanes(members, |member| &member.prepared_4),
+                prepared_5: runtime::in_lanes(members, |member| &member.prepared_5),
+                prepared_6: runtime::in_lanes(members, |member| &member.prepared_6),
+            }
+        }
+        fn not_finite(single: &Self::Single) -> runtime::Vec<runtime::NotFinite> {
+            runtime::all_found([
+                runtime::not_finite("1 / mass[i]", &["i"], &single.prepared_0),
+                runtime::not_finite("gravity mass[i]", &["i"], &single.prepared_1),
+                runtime::not_finite("mass[i]", &["i"], &single.mass),
+                runtime::not_finite("mass[j]", &["j"], &single.mass_2),
+                runtime::not_finite("3 gravity mass[i]", &["i"], &single.prepared_4),
+                runtime::not_finite("1 / (2 mass[i])", &["i"], &single.prepared_5),
+                runtime::not_finite(
+                    "Σ_{j in 0..i} gravity mass[i] mass[j]",
+                    &["i"],
+                    &single.prepared_6,
+                ),
+            ])
+        }
+        fn digest(single: &Self::Single, digest: &mut runtime::Digest) {
+            digest.add(&single.prepared_0);
+            digest.add(&single.prepared_1);
+            digest.add(&single.mass);
+            digest.add(&single.mass_2);
+            digest.add(&single.prepared_4);
+            digest.add(&single.prepared_5);
+            digest.add(&single.prepared_6);
+        }
+    }
+    /// The equations of motion, derived from `kinetic` and `potential`:
+    ///
+    /// ```text
+    /// dq[i][d]/dt = p[i][d] / mass[i]   for i in 0..6, d in 0..3
+    /// dp[i][d]/dt += gravity mass[i] mass[j] (q[j][d] - q[i][d]) / r_ij^3   for i in 0..6, j in 0..i, d in 0..3
+    /// dp[j][d]/dt += gravity mass[i] mass[j] (q[i][d] - q[j][d]) / r_ij^3   for i in 0..6, j in 0..i, d in 0..3
+    /// where r_ij = sqrt(Σ_{d in 0..3} (q[i][d] - q[j][d])^2)
+    /// ```
+    ///
+    /// `T` is quadratic in the momenta, with a constant mass matrix.
+    #[automatically_derived]
+    impl runtime::Hamiltonian for Solar {
+        type Coords = [[f64; 3]; 6];
+        type Compose = Aba1064;
+        type Parameters<Scalar: runtime::Real> = Parameters<Scalar>;
+        type Motion<Scalar: runtime::Real, Leaf: runtime::Precision> = runtime::Jacobi<
+            runtime::OneRow<Scalar, Leaf, Parameters<Scalar>, 6, 3, 3>,
+            3,
+        >;
+        const PARTS: &'static [&'static str] = &["kepler", "interaction"];
+        const SEPARABLE: bool = false;
+        const AUTONOMOUS: bool = true;
+        const FINGERPRINT: u64 = 5615441098144594181;
+        const WIDE: bool = true;
+        fn admissible(
+            &self,
+            length: usize,
+        ) -> ::core::result::Result<(), runtime::Error> {
+            runtime::are_masses(&(self.mass)[..], length)?;
+            runtime::are_masses_of_kinetic(&self.parameters(length), length)
+        }
+        fn parameters(&self, _length: usize) -> Parameters<f64> {
+            Parameters {
+                prepared_0: ::core::array::from_fn(|i: usize| {
+                    2.0 / (2.0 * self.mass[i])
+                }),
+                prepared_1: ::core::array::from_fn(|i: usize| {
+                    self.gravity * self.mass[i]
+                }),
+                mass: ::core::array::from_fn(|i: usize| self.mass[i]),
+                mass_2: ::core::array::from_fn(|j: usize| self.mass[j]),
+                prepared_4: ::core::array::from_fn(|i: usize| {
+                    3.0 * (self.gravity * self.mass[i])
+                }),
+                prepared_5: ::core::array::from_fn(|i: usize| {
+                    1.0 / (2.0 * self.mass[i])
+                }),
+                prepared_6: ::core::array::from_fn(|i: usize| {
+                    let mut sum_0 = 0.0_f64;
+                    for j in 0..i {
+                        sum_0 += (self.gravity * self.mass[i]) * self.mass[j];
+                    }
+                    sum_0
+                }),
+            }
+        }
+        #[inline(always)]
+        fn drift<Scalar: runtime::Real, Leaf: runtime::Precision>(
+            motion: &mut Self::Motion<Scalar, Leaf>,
+            duration: f64,
+            _time: f64,
+        ) {
+            motion.drift(duration);
+        }
+        #[inline(always)]
+        fn kick<Scalar: runtime::Real, Leaf: runtime::Precision>(
+            motion: &mut Self::Motion<Scalar, Leaf>,
+            duration: f64,
+            time: f64,
+        ) {
+            let jacobi = motion;
+            jacobi.open_kick();
+            let motion = &mut jacobi.inertial;
+            motion.kick::<Self>(duration, time);
+            jacobi.close_kick(duration);
+        }
+        #[inline(always)]
+        fn kinetic<Scalar: runtime::Real, Leaf: runtime::Precision>(
+            motion: &Self::Motion<Scalar, Leaf>,
+            _time: f64,
+        ) -> Scalar {
+            let jacobi = motion;
+            let motion = &jacobi.to_inertial().plain::<Self::Coords>();
+            let energy = {
+                let mut sum_1 = Scalar::of(0.0);
+                for i in 0..6 {
+                    let mut sum_0 = Scalar::of(0.0);
+                    for d in 0..3 {
+                        let p_i_d = motion.p[i][d].value();
+                        sum_0 = motion
+                            .parameters
+                            .prepared_5[i]
+                            .fma(p_i_d * p_i_d, sum_0);
+                    }
+                    sum_1 += sum_0;
+                }
+                sum_1
+            };
+            energy - jacobi.attraction()
+        }
+        #[inline(always)]
+        fn potential<Scalar: runtime::Real, Leaf: runtime::Precision>(
+            motion: &Self::Motion<Scalar, Leaf>,
+            _time: f64,
+        ) -> Scalar {
+            let jacobi = motion;
+            let motion = &jacobi.to_inertial().plain::<Self::Coords>();
+            let energy = {
+                let mut sum_2 = Scalar::of(0.0);
+                for i in 0..6 {
+                    let mut sum_1 = Scalar::of(0.0);
+                    for j in 0..i {
+                        let mut sum_0 = Scalar::of(0.0);
+                        for d in 0..3 {
+                            let shared_0 = motion.q[i][d].value()
+                                - motion.q[j][d].value();
+                            sum_0 = shared_0.fma(shared_0, sum_0);
+                        }
+                        sum_1
+                            += motion.parameters.prepared_1[i]
+                                * motion.parameters.mass_2[j] / sum_0.sqrt();
+                    }
+                    sum_2 += sum_1;
+                }
+                -sum_2
+            };
+            energy + jacobi.attraction()
+        }
+        fn stated(
+            &self,
+            q: &Self::Coords,
+            p: &Self::Coords,
+            time: f64,
+        ) -> runtime::StatedEnergy {
+            runtime::StatedEnergy::Whole(
+                Self::kinetic(self, p) + Self::potential(self, q),
+            )
+        }
+        fn visit_compositions(visitor: &mut impl runtime::Visitor<Self>) {
+            runtime::visit_quadratic(visitor);
+        }
+    }
+    #[automatically_derived]
+    impl runtime::ManyBody<3, 3> for Solar {
+        const RECIPROCAL: bool = true;
+        const CENTRAL: bool = false;
+        type Force<Wide: ::core::marker::Copy> = [Wide; 3];
+        #[inline(always)]
+        fn drift_body<
+            Scalar: runtime::Real,
+            Wide: runtime::Row<Scalar>,
+            Leaf: runtime::Slot<Wide>,
+        >(
+            _parameters: &Self::Parameters<Scalar>,
+            q_i: &mut [Leaf; 3],
+            p_i: [Wide; 3],
+            constants_i: [Wide; 3],
+            step: Wide,
+            _time: f64,
+        ) {
+            let prepared_0_of_i = constants_i[0];
+            let shared_0 = step * prepared_0_of_i;
+            for d in 0..3 {
+                q_i[d].fma(shared_0, p_i[d]);
+            }
+        }
+        #[inline(always)]
+        fn pair<Scalar: runtime::Real, Wide: runtime::Row<Scalar>>(
+            _parameters: &Self::Parameters<Scalar>,
+            q_i: [Wide; 3],
+            q_j: [Wide; 3],
+            constants_i: [Wide; 3],
+            constants_j: [Wide; 3],
+            _time: f64,
+        ) -> Self::Force<Wide> {
+            let mut gradient = [Wide::of(0.0); 3];
+            let prepared_1_of_i = constants_i[1];
+            let mass_of_j = constants_j[2];
+            let mut sum_0 = Wide::of(0.0);
+            for d in 0..3 {
+                let shared_0 = q_i[d] - q_j[d];
+                sum_0 = shared_0.fma(shared_0, sum_0);
+            }
+            let shared_1 = (prepared_1_of_i * mass_of_j).div_pow_3_2(sum_0);
+            for d in 0..3 {
+                let shared_0 = q_i[d] - q_j[d];
+                gradient[d] = shared_1 * shared_0;
+            }
+            gradient
+        }
+    }
+    impl runtime::BodyConstants<3> for Parameters<f64> {
+        #[inline]
+        fn body_constants(&self, i: usize) -> [f64; 3] {
+            [self.prepared_0[i], self.prepared_1[i], self.mass[i]]
+        }
+    }
+    impl runtime::JacobiConstants for Parameters<f64> {
+        #[inline]
+        fn mass_and_attraction(&self, i: usize) -> [f64; 2] {
+            [self.mass[i], self.prepared_6[i]]
+        }
+        #[inline]
+        fn inverse_mass(&self, i: usize) -> f64 {
+            self.prepared_0[i]
+        }
+    }
+    #[automatically_derived]
+    impl runtime::QuadraticKinetic for Solar {
+        #[inline(always)]
+        fn hessian<Scalar: runtime::Real>(
+            motion: &mut Self::Motion<Scalar, f64>,
+            _time: f64,
+        ) {
+            let jacobi = motion;
+            jacobi.open_hessian();
+            let motion = &mut jacobi.inertial;
+            let bodies = motion;
+            let motion = &mut bodies.plain::<Self::Coords>();
+            let mut gradient = [[Scalar::of(0.0); 3]; 6];
+            for i in 0..6 {
+                for j in 0..i {
+                    let mut sum_0 = Scalar::of(0.0);
+                    let mut sum_1 = Scalar::of(0.0);
+                    for d in 0..3 {
+                        let q_i_d = motion.q[i][d].value();
+                        let q_j_d = motion.q[j][d].value();
+                        let shared_0 = q_i_d - q_j_d;
+                        let p_i_d = motion.p[i][d].value();
+                        let p_j_d = motion.p[j][d].value();
+                        let shared_1 = p_i_d - p_j_d;
+                        sum_1 = shared_0.fma(shared_1, sum_1);
+                        sum_0 = shared_0.fma(shared_0, sum_0);
+                    }
+                    let shared_2 = Scalar::of(1.0) / sum_0;
+                    let shared_3 = shared_2.sqrt();
+                    let shared_4 = motion.parameters.prepared_1[i]
+                        * motion.parameters.mass_2[j] * (shared_2 * shared_3);
+                    let shared_5 = motion.parameters.prepared_4[i]
+                        * motion.parameters.mass_2[j] * sum_1
+                        * (shared_2 * shared_2 * shared_3);
+                    for d in 0..3 {
+                        let q_i_d = motion.q[i][d].value();
+                        let q_j_d = motion.q[j][d].value();
+                        let shared_0 = q_i_d - q_j_d;
+                        let p_i_d = motion.p[i][d].value();
+                        let p_j_d = motion.p[j][d].value();
+                        let shared_1 = p_i_d - p_j_d;
+                        let shared_6 = (-shared_5).fma(shared_0, shared_4 * shared_1);
+                        gradient[i][d] += shared_6;
+                        gradient[j][d] -= shared_6;
+                    }
+                }
+            }
+            for i in 0..6 {
+                for d in 0..3 {
+                    motion.p[i][d] = gradient[i][d];
+                }
+            }
+            bodies.set_momenta(motion);
+            jacobi.close_hessian();
+        }
+        #[inline(always)]
+        fn gradient_kick<Scalar: runtime::Real, Leaf: runtime::Precision>(
+            motion: &mut Self::Motion<Scalar, Leaf>,
+            duration: f64,
+            gradient: f64,
+            time: f64,
+        ) {
+            let mut force = motion.at_rest();
+            <Self as runtime::Hamiltonian>::kick::<Scalar, f64>(&mut force, -1.0, time);
+            motion.push(Scalar::of(-duration), &force);
+            let mut bent = motion.at_rest();
+            bent = force;
+            bent.divide_by_masses();
+            <Self as runtime::QuadraticKinetic>::hessian::<Scalar>(&mut bent, time);
+            motion.push(Scalar::of(-2.0 * gradient), &bent);
+        }
+    }
+};
