@@ -8,7 +8,7 @@ use std::num::ParseFloatError;
 use table::{numbers, rows};
 
 /// The gravitational constant, in astronomical units, solar masses and days.
-const GRAVITY: f64 = 2.95912208286e-4;
+pub(crate) const GRAVITY: f64 = 2.95912208286e-4;
 
 /// A position or a momentum of each body, `[body][axis]`.
 pub(crate) type Bodies = [[f64; 3]; 6];
