@@ -267,7 +267,7 @@ pub enum Unsolved {
     /// The orbit of a Kepler part could not be followed.
     #[error(
         "the Kepler orbit of body {body} could not be followed for a time of {duration} from the distance {distance:.3e}: \
-         it meets the centre, or leaves the range of its numbers"
+         it meets the centre, or time or place have no digits left; a smaller step helps"
     )]
     Kepler {
         /// Which body, counted from 0.

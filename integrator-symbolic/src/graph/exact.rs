@@ -1,6 +1,11 @@
 //! Parts of H whose exact flow is known: the judgement of a part by its formula.
 
-use super::{Element, Graph, Node, NodeId, Part, quadratic::quadratic};
+use super::{
+    Element, Graph, Node, NodeId, Part,
+    index::IndexId,
+    kepler::{Orbits, Stray},
+    quadratic::quadratic,
+};
 
 /// The form of a part, which its exact flow follows from.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -14,6 +19,8 @@ pub(crate) enum Exact {
     Shear,
     /// A quadratic form in all coordinates, whose coefficients depend on parameters alone.
     Quadratic,
+    /// Kepler orbits about the origin, a sum over bodies.
+    Kepler(Vec<Orbits>),
     /// Any: the user has written the flow.
     Own,
 }
@@ -31,6 +38,8 @@ pub(crate) enum Obstacle {
     ProductOfSums,
     /// It is no polynomial in the coordinates.
     NoPolynomial,
+    /// It has terms `k/|q|`, but is no sum over Kepler parts.
+    Orbits(Stray),
 }
 
 /// The judgement whether a part that reads q and p is of one form.
@@ -41,7 +50,9 @@ const JUDGEMENTS: [Judgement; 2] = [shear, quadratic];
 
 impl Graph {
     /// The form of a part, or for each form what keeps the part from being of it, in the order in which they are tried.
-    pub(crate) fn exact(&self, energy: NodeId) -> Result<Exact, Vec<Obstacle>> {
+    ///
+    /// `extents` is the number of numbers or points of the coordinates, and that of the components of a point.
+    pub(crate) fn exact(&mut self, energy: NodeId, extents: &[IndexId]) -> Result<Exact, Vec<Obstacle>> {
         match [Part::Position, Part::Momentum].map(|part| self.reads(energy, part)) {
             [false, _] => return Ok(Exact::OfMomenta),
             [_, false] => return Ok(Exact::OfPositions),
@@ -53,6 +64,10 @@ impl Graph {
                 Ok(form) => return Ok(form),
                 Err(obstacle) => obstacles.push(obstacle),
             }
+        }
+        match self.orbits(energy, extents) {
+            Ok(orbits) => return Ok(Exact::Kepler(orbits)),
+            Err(stray) => obstacles.extend(stray.map(Obstacle::Orbits)),
         }
         Err(obstacles)
     }

@@ -17,6 +17,7 @@ pub(crate) mod exact;
 pub(crate) mod external;
 pub(crate) mod function;
 pub(crate) mod index;
+pub(crate) mod kepler;
 mod masked_sum;
 mod piecewise;
 mod polynomial;

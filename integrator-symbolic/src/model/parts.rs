@@ -10,6 +10,7 @@ use crate::{
     graph::{
         Element, NodeId, Part,
         exact::{Exact, Obstacle},
+        kepler::Stray,
     },
     spelling::nearest,
 };
@@ -135,7 +136,11 @@ impl<'i> Reader<'i> {
         };
         let judged = match own {
             Some(_) => Ok(Exact::Own),
-            None => self.graph.exact(energy),
+            None => {
+                let extents = [Some(&shape.length), shape.dimension.as_ref()];
+                let extents: Vec<_> = extents.into_iter().flatten().map(|length| self.length(length)).collect();
+                self.graph.exact(energy, &extents)
+            }
         };
         match judged {
             Ok(form) => Some(ExactPart { name: name.clone(), energy, form, own, arguments }),
@@ -168,6 +173,16 @@ impl Reader<'_> {
                 "it is a quadratic form in q and p, but multiplies a sum over a loop by itself: \
                                         write it as one sum in two loops, over i and j"
                     .to_owned()
+            }
+            Obstacle::Orbits(stray) => {
+                let why = match stray {
+                    Stray::Term => "a term is neither p² of a body times a number nor k/|q|",
+                    Stray::Component => "p² or |q| of a body lacks some of its components",
+                    Stray::Mass => "the components of a body have different masses",
+                    Stray::Kinetic => "a body with k/|q| has no p²/2m",
+                    Stray::Twice => "a body may stand in two of its sums",
+                };
+                format!("it is no sum of p²/2m - k/|q| over bodies, since {why}")
             }
             Obstacle::NoPolynomial => "it is no quadratic form in q and p".to_owned(),
         }

@@ -458,6 +458,56 @@ pub(crate) const SPLITS: &[Row] = &[
         ],
     ),
     (
+        "split = a + b on fn a(&self, [x, y]: [f64; 2], [px, py]: [f64; 2]) -> f64 { 0.5 * (px * px + py * py) - 1.0 / (x * x + y * y).sqrt() } fn b(&self, q: [f64; 2]) -> f64 { q[0].cos() }",
+        &[],
+    ),
+    (
+        "split = a + b on fn a(&self, [x, y]: [f64; 2], [px, py]: [f64; 2]) -> f64 { px.powi(2) / (2.0 * self.m) + py.powi(2) / (2.0 * self.m) - self.k * (x * x + y.powi(2)).powf(-0.5) } fn b(&self, q: [f64; 2]) -> f64 { q[0].cos() }",
+        &[],
+    ),
+    (
+        "split = a + b on fn a(&self, [x, y]: [f64; 2], [px, py]: [f64; 2]) -> f64 { let r = x.hypot(y); (px * px + py * py) * self.inverse_mass / 2.0 + 3.0 - self.k * r.recip() } fn b(&self, q: [f64; 2]) -> f64 { q[0].cos() }",
+        &[],
+    ),
+    (
+        "split = a + b on fn a(&self, q: &[[f64; 2]], p: &[[f64; 2]]) -> f64 { let mut sum = 0.0; for i in 0..q.len() { sum += self.kinetic_of(p[i], self.m[i]); } for i in 0..q.len() { sum -= self.g * self.m[i] / self.length(q[i]); } sum } fn kinetic_of(&self, p: [f64; 2], m: f64) -> f64 { p.iter().map(|x| x * x).sum::<f64>() / (2.0 * m) } fn length(&self, q: [f64; 2]) -> f64 { q.iter().map(|x| x * x).sum::<f64>().sqrt() } fn b(&self, q: &[[f64; 2]]) -> f64 { q[0][0].cos() }",
+        &[],
+    ),
+    (
+        "split = a + b on fn a(&self, q: [[f64; 3]; 2], p: [[f64; 3]; 2]) -> f64 { let mut sum = 0.0; for d in 0..3 { sum += p[0][d] * p[0][d] + 2.0 * p[1][d] * p[1][d]; } sum - 1.0 / q[0][0].hypot(q[0][1]).hypot(q[0][2]) } fn b(&self, q: [[f64; 3]; 2]) -> f64 { q[0][0].cos() }",
+        &[],
+    ),
+    (
+        "split = a + b on fn a(&self, [x, y]: [f64; 2], [px, py]: [f64; 2]) -> f64 { 0.5 * (px * px + py * py) - 1.0 / (x * x + y * y).sqrt() - x.powi(4) } fn b(&self, q: [f64; 2]) -> f64 { q[0].cos() }",
+        &[
+            "2:3 no exact flow is known for `a`: it is no shear, since q[0] and p[0] are both in it; it is no quadratic form in q and p; it is no sum of p²/2m - k/|q| over bodies, since a term is neither p² of a body times a number nor k/|q|. Split it into more parts, or write its flow: `#[flow(a)]`",
+        ],
+    ),
+    (
+        "split = a + b on fn a(&self, [x, y]: [f64; 2], [px, py]: [f64; 2]) -> f64 { 0.5 * (px * px + py * py) - 1.0 / (x * x + 2.0 * y * y).sqrt() } fn b(&self, q: [f64; 2]) -> f64 { q[0].cos() }",
+        &[
+            "2:3 no exact flow is known for `a`: it is no shear, since q[0] and p[0] are both in it; it is no quadratic form in q and p; it is no sum of p²/2m - k/|q| over bodies, since a term is neither p² of a body times a number nor k/|q|. Split it into more parts, or write its flow: `#[flow(a)]`",
+        ],
+    ),
+    (
+        "split = a + b on fn a(&self, [x, y]: [f64; 2], [px, py]: [f64; 2]) -> f64 { 0.5 * (px * px + py * py) - 1.0 / (x * x).sqrt() } fn b(&self, q: [f64; 2]) -> f64 { q[0].cos() }",
+        &[
+            "2:3 no exact flow is known for `a`: it is no shear, since q[0] and p[0] are both in it; it is no quadratic form in q and p; it is no sum of p²/2m - k/|q| over bodies, since p² or |q| of a body lacks some of its components. Split it into more parts, or write its flow: `#[flow(a)]`",
+        ],
+    ),
+    (
+        "split = a + b on fn a(&self, [x, y]: [f64; 2], [px, py]: [f64; 2]) -> f64 { px * px + 0.5 * py * py - 1.0 / (x * x + y * y).sqrt() } fn b(&self, q: [f64; 2]) -> f64 { q[0].cos() }",
+        &[
+            "2:3 no exact flow is known for `a`: it is no shear, since q[0] and p[0] are both in it; it is no quadratic form in q and p; it is no sum of p²/2m - k/|q| over bodies, since the components of a body have different masses. Split it into more parts, or write its flow: `#[flow(a)]`",
+        ],
+    ),
+    (
+        "split = a + b on fn a(&self, q: [[f64; 2]; 2], p: [[f64; 2]; 2]) -> f64 { p[0][0].powi(2) + p[0][1].powi(2) - 1.0 / q[1][0].hypot(q[1][1]) - 1.0 / q[0][0].hypot(q[0][1]) } fn b(&self, q: [[f64; 2]; 2]) -> f64 { q[0][0].cos() }",
+        &[
+            "2:3 no exact flow is known for `a`: it is no shear, since q[0][0] and p[0][0] are both in it; it is no quadratic form in q and p; it is no sum of p²/2m - k/|q| over bodies, since a body with k/|q| has no p²/2m. Split it into more parts, or write its flow: `#[flow(a)]`",
+        ],
+    ),
+    (
         "split = a + a on fn a(&self, p: [f64; 1]) -> f64 { p[0] * p[0] }",
         &["1:12 `a` is a part of H already: each part is named once"],
     ),

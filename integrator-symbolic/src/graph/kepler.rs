@@ -1,0 +1,302 @@
+//! Kepler parts, sums of `p²/2m - k/|q|` over bodies: their judgement, and the masses and strengths of the bodies.
+
+use super::{
+    Element, Graph, Node, NodeId, Part,
+    index::{Index, IndexId, Loop, LoopId, LoopSet},
+};
+
+/// Bodies that move about the origin, alike but for their masses and strengths.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct Orbits {
+    pub(crate) bodies: Bodies,
+    /// `1/m`
+    pub(crate) inverse_mass: NodeId,
+    /// `k`
+    pub(crate) strength: NodeId,
+}
+
+/// The bodies that a term is about.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Bodies {
+    /// All coordinates are those of one body.
+    Whole,
+    /// The point with this index.
+    One(IndexId),
+    /// The points with the indices of a loop.
+    Each(LoopId),
+}
+
+/// What keeps a sum with a term `k/|q|` from being one over Kepler parts.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Stray {
+    /// A term is neither a square of a momentum nor the inverse of a distance.
+    Term,
+    /// The squares of a body's momenta or positions lack a component.
+    Component,
+    /// The squares of a body's momenta have different factors.
+    Mass,
+    /// A body with `k/|q|` lacks `p²/2m`.
+    Kinetic,
+    /// A body may be in two sums.
+    Twice,
+}
+
+/// The most terms that are looked at.
+const MANY: usize = 4096;
+
+/// A coefficient that depends on parameters alone times something else, summed over loops.
+struct Term {
+    loops: Vec<LoopId>,
+    coefficient: NodeId,
+    core: NodeId,
+}
+
+/// The components of a body that a square is about.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Component {
+    All,
+    Literal(u64),
+}
+
+/// What was found of the same bodies.
+struct Found {
+    bodies: Bodies,
+    /// The factors of the squares of momenta.
+    kinetic: Vec<(Component, NodeId)>,
+    /// The factor of the inverse distance.
+    potential: Option<NodeId>,
+}
+
+impl Graph {
+    /// The orbits that an energy is the sum of. `extents` is the number of numbers or points of the coordinates, and that
+    /// of the components of a point. Nothing but `None` stands in the way of an energy without a term `k/|q|`.
+    pub(crate) fn orbits(&mut self, energy: NodeId, extents: &[IndexId]) -> Result<Vec<Orbits>, Option<Stray>> {
+        let one = self.constant(1.0);
+        let mut terms = Vec::new();
+        self.terms(energy, one, &mut Vec::new(), &mut terms);
+        let mut found: Vec<Found> = Vec::new();
+        let (mut stray, mut attracts) = (None, false);
+        for term in terms {
+            let placed = self.place(&term, extents, &mut attracts, &mut found);
+            stray = stray.or(placed.err());
+        }
+        if !attracts {
+            return Err(None);
+        }
+        if let Some(stray) = stray {
+            return Err(Some(stray));
+        }
+        let all: Vec<Bodies> = found.iter().map(|found| found.bodies).collect();
+        let twice = (0..all.len()).any(|a| (0..a).any(|b| !self.are_apart(all[a], all[b])));
+        if twice {
+            return Err(Some(Stray::Twice));
+        }
+        found.into_iter().map(|found| self.orbit(found, extents).map_err(Some)).collect()
+    }
+
+    /// The terms of a sum, with what they are multiplied by.
+    fn terms(&mut self, id: NodeId, coefficient: NodeId, loops: &mut Vec<LoopId>, terms: &mut Vec<Term>) {
+        if self.is_prepared(id) || terms.len() > MANY {
+            // A number moves nothing.
+            return;
+        }
+        match self.node(id) {
+            Node::Add(a, b) => {
+                self.terms(a, coefficient, loops, terms);
+                self.terms(b, coefficient, loops, terms);
+            }
+            Node::Neg(a) => {
+                let coefficient = self.neg(coefficient);
+                self.terms(a, coefficient, loops, terms);
+            }
+            Node::Mul(factor, a) | Node::Mul(a, factor) if self.is_prepared(factor) => {
+                let coefficient = self.mul(coefficient, factor);
+                self.terms(a, coefficient, loops, terms);
+            }
+            Node::Div(a, divisor) if self.is_prepared(divisor) => {
+                let coefficient = self.div(coefficient, divisor);
+                self.terms(a, coefficient, loops, terms);
+            }
+            Node::Sum(by, body) => {
+                loops.push(by);
+                self.terms(body, coefficient, loops, terms);
+                loops.pop();
+            }
+            // A sum that is zero where its loop has no iteration.
+            Node::Select(condition, sum, zero)
+                if self.as_constant(zero) == Some(0.0)
+                    && matches!(self.node(sum), Node::Sum(by, _) if self.asks_for_iterations(condition, by)) =>
+            {
+                self.terms(sum, coefficient, loops, terms);
+            }
+            _ => terms.push(Term { loops: loops.clone(), coefficient, core: id }),
+        }
+    }
+
+    /// Adds a term to what was found of its bodies.
+    fn place(
+        &mut self,
+        term: &Term,
+        extents: &[IndexId],
+        attracts: &mut bool,
+        found: &mut Vec<Found>,
+    ) -> Result<(), Stray> {
+        let (bodies, component) = match self.distance_squared(term.core) {
+            Some(square) => {
+                *attracts = true;
+                (self.squared_distance_of(square, &term.loops, extents)?, None)
+            }
+            None => {
+                let (bodies, component) = self.square_of(term, Part::Momentum, extents).ok_or(Stray::Term)?;
+                (bodies, Some(component))
+            }
+        };
+        let own = match bodies {
+            Bodies::Each(by) => LoopSet::of(by),
+            Bodies::Whole | Bodies::One(_) => LoopSet::EMPTY,
+        };
+        if !self.loops_of(term.coefficient).is_subset(own) {
+            return Err(if component.is_some() { Stray::Mass } else { Stray::Term });
+        }
+        let place = found.iter().position(|found| found.bodies == bodies).unwrap_or_else(|| {
+            found.push(Found { bodies, kinetic: Vec::new(), potential: None });
+            found.len() - 1
+        });
+        let found = &mut found[place];
+        match component {
+            None => {
+                found.potential = Some(match found.potential {
+                    Some(sum) => self.add(sum, term.coefficient),
+                    None => term.coefficient,
+                });
+            }
+            Some(component) => match found.kinetic.iter_mut().find(|(known, _)| *known == component) {
+                Some((_, factor)) => *factor = self.add(*factor, term.coefficient),
+                None => found.kinetic.push((component, term.coefficient)),
+            },
+        }
+        Ok(())
+    }
+
+    /// The mass and the strength of bodies.
+    fn orbit(&mut self, found: Found, extents: &[IndexId]) -> Result<Orbits, Stray> {
+        let Found { bodies, kinetic, potential } = found;
+        let Some((_, factor)) = kinetic.first().copied() else { return Err(Stray::Kinetic) };
+        if kinetic.iter().any(|(_, other)| *other != factor) {
+            return Err(Stray::Mass);
+        }
+        let components: Vec<_> = kinetic.into_iter().map(|(component, _)| component).collect();
+        if !self.are_all(&components, extents) {
+            return Err(Stray::Component);
+        }
+        let two = self.constant(2.0);
+        let inverse_mass = self.mul(two, factor);
+        let strength = match potential {
+            Some(potential) => self.neg(potential),
+            None => self.constant(0.0),
+        };
+        Ok(Orbits { bodies, inverse_mass, strength })
+    }
+
+    /// Whether these are the components of a body, each once.
+    fn are_all(&self, components: &[Component], extents: &[IndexId]) -> bool {
+        if components == [Component::All] {
+            return true;
+        }
+        let Some(count) = extents.last().and_then(|extent| self.loops.literal(*extent)) else { return false };
+        components.len() as u64 == count && components.iter().all(|component| *component != Component::All)
+    }
+
+    /// The square of the length that a term is the inverse of.
+    fn distance_squared(&mut self, core: NodeId) -> Option<NodeId> {
+        match self.node(core) {
+            Node::Power(square, -1) => Some(square),
+            Node::Power(length, -2) => self.squared(length),
+            Node::Power(inverse, 1) => match self.node(inverse) {
+                Node::Power(square, -2) => Some(square),
+                _ => None,
+            },
+            _ => None,
+        }
+    }
+
+    /// The square of a length, which is a root or a hypotenuse.
+    fn squared(&mut self, length: NodeId) -> Option<NodeId> {
+        match self.node(length) {
+            Node::Power(square, 1) => Some(square),
+            Node::Coordinate(_) => Some(self.power(length, 4)),
+            Node::Binary(function, a, b) if function.name() == "hypot" => {
+                let (a, b) = (self.squared(a)?, self.squared(b)?);
+                Some(self.add(a, b))
+            }
+            _ => None,
+        }
+    }
+
+    /// The bodies whose distance from the origin has this square.
+    fn squared_distance_of(&mut self, square: NodeId, loops: &[LoopId], extents: &[IndexId]) -> Result<Bodies, Stray> {
+        let one = self.constant(1.0);
+        let mut terms = Vec::new();
+        self.terms(square, one, &mut loops.to_vec(), &mut terms);
+        let mut components = Vec::new();
+        let mut bodies = None;
+        for term in &terms {
+            let (of, component) = self.square_of(term, Part::Position, extents).ok_or(Stray::Term)?;
+            if term.coefficient != one || *bodies.get_or_insert(of) != of || components.contains(&component) {
+                return Err(Stray::Term);
+            }
+            components.push(component);
+        }
+        match bodies {
+            Some(bodies) if self.are_all(&components, extents) => Ok(bodies),
+            Some(_) => Err(Stray::Component),
+            None => Err(Stray::Term),
+        }
+    }
+
+    /// The bodies and the component of a square of a coordinate, whose loops are those over bodies and components alone.
+    fn square_of(&self, term: &Term, part: Part, extents: &[IndexId]) -> Option<(Bodies, Component)> {
+        let Node::Power(base, 4) = self.node(term.core) else { return None };
+        let Node::Coordinate(element) = self.node(base) else { return None };
+        let Element { part: own, index, component } = element;
+        let (bodies, component) = match component {
+            None => (Bodies::Whole, index),
+            Some(component) => match self.loops.index(index) {
+                Index::Literal(_) => (Bodies::One(index), component),
+                Index::Running(by) => (Bodies::Each(by), component),
+                _ => return None,
+            },
+        };
+        let (component, over) = match self.loops.index(component) {
+            Index::Literal(number) => (Component::Literal(number), None),
+            Index::Running(by) => {
+                let Loop { from, to, .. } = self.loops.get(by);
+                let all = self.loops.literal(from) == Some(0) && extents.last() == Some(&to);
+                (all.then_some(Component::All)?, Some(by))
+            }
+            _ => return None,
+        };
+        let of_bodies = match bodies {
+            Bodies::Each(by) => Some(by),
+            Bodies::Whole | Bodies::One(_) => None,
+        };
+        let mut expected: Vec<LoopId> = of_bodies.into_iter().chain(over).collect();
+        let mut loops = term.loops.clone();
+        expected.sort();
+        loops.sort();
+        (own == part && loops == expected).then_some((bodies, component))
+    }
+
+    /// Whether bodies of two terms are surely others.
+    fn are_apart(&self, a: Bodies, b: Bodies) -> bool {
+        let range = |bodies| match bodies {
+            Bodies::Whole => None,
+            Bodies::One(index) => self.loops.literal(index).map(|index| (index, index + 1)),
+            Bodies::Each(by) => {
+                let Loop { from, to, .. } = self.loops.get(by);
+                self.loops.literal(from).zip(self.loops.literal(to))
+            }
+        };
+        range(a).zip(range(b)).is_some_and(|((from, to), (other_from, other_to))| to <= other_from || other_to <= from)
+    }
+}

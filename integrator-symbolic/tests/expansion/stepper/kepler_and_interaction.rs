@@ -1,0 +1,22 @@
+#[hamiltonian(split = kepler + interaction, compose = Aba1064)]
+impl Planets {
+    fn kepler(&self, q: [[f64; 3]; 5], p: [[f64; 3]; 5]) -> f64 {
+        let mut energy = 0.0;
+        for i in 0..5 {
+            let square = p[i].iter().map(|p| p * p).sum::<f64>();
+            let [x, y, z] = q[i];
+            energy += 0.5 * square / self.mass[i] - self.pull * self.mass[i] / (x * x + y * y + z * z).sqrt();
+        }
+        energy
+    }
+    fn interaction(&self, q: [[f64; 3]; 5]) -> f64 {
+        let mut energy = 0.0;
+        for i in 0..5 {
+            for j in 0..i {
+                let d = [q[i][0] - q[j][0], q[i][1] - q[j][1], q[i][2] - q[j][2]];
+                energy -= self.gravity * self.mass[i] * self.mass[j] / (d[0] * d[0] + d[1] * d[1] + d[2] * d[2]).sqrt();
+            }
+        }
+        energy
+    }
+}
