@@ -19,7 +19,7 @@ use crate::{
     },
     system::motion::Solver,
 };
-use alloc::{vec, vec::Vec};
+use alloc::{boxed::Box, vec, vec::Vec};
 use durations::{Durations, Known};
 pub use form::Form;
 use form::{Group, groups};
@@ -34,90 +34,150 @@ pub trait QuadraticPart<const PART: usize> {
     fn derivatives(parameters: &Self, length: usize, form: &mut Form);
 }
 
-/// The matrices of a part that is a quadratic form, for every duration that it was asked for so far.
+/// The matrices of a part that is a quadratic form, for every duration that it was asked for so far. Where no degree of
+/// freedom couples to another one, whatever the parameters are, and nothing is linear, it is `LONE`.
+///
+/// Behind a pointer, so that what is asked of it in the loop over stages leaves the coordinates in registers.
 #[derive(Clone)]
-pub struct Quadratic<R, const PART: usize> {
+pub struct Quadratic<R, const PART: usize, const LONE: bool>(Box<Matrices<R>>);
+
+#[derive(Clone)]
+struct Matrices<R> {
     groups: Vec<Group>,
     /// How many degrees of freedom move by one matrix, where that is the only one.
     alike: usize,
     durations: Durations,
-    /// The matrices of one duration after the other, each in the order of the groups.
-    matrices: Vec<R>,
+    /// The matrices of one duration after the other: each in the order of the groups, or of single degrees of freedom.
+    numbers: Vec<R>,
     /// How many numbers the matrices of one duration are.
     width: usize,
     /// The coordinates of a large block, and what is added to them.
     scratch: Vec<R>,
 }
 
-impl<R: Real, P: QuadraticPart<PART>, const PART: usize> Solver<P> for Quadratic<R, PART> {
+impl<R: Real, P: QuadraticPart<PART>, const PART: usize, const LONE: bool> Solver<P> for Quadratic<R, PART, LONE> {
     fn of(constants: &[&P], length: usize) -> Self {
         let form = |parameters: &&P| {
             let mut form = Form::new(P::components(parameters));
             P::derivatives(parameters, length, &mut form);
             form
         };
-        Self::of_forms(&constants.iter().map(form).collect::<Vec<_>>())
+        let (forms, components) =
+            (constants.iter().map(form), constants.first().map_or(1, |first| P::components(first)));
+        Self::of_forms(&forms.collect::<Vec<_>>(), length * components)
     }
 }
 
-impl<R: Real, const PART: usize> Default for Quadratic<R, PART> {
+impl<R: Real, const PART: usize, const LONE: bool> Default for Quadratic<R, PART, LONE> {
     fn default() -> Self {
-        Self::of_forms(&[])
+        Self::of_forms(&[], 0)
     }
 }
 
-impl<R: Real, const PART: usize> Quadratic<R, PART> {
-    /// The flow of one form per lane.
-    fn of_forms(forms: &[Form]) -> Self {
+impl<R: Real, const PART: usize, const LONE: bool> Quadratic<R, PART, LONE> {
+    /// The flow of one form per lane of so many degrees of freedom.
+    fn of_forms(forms: &[Form], degrees: usize) -> Self {
         let groups = groups(forms);
-        let width = groups.iter().map(Group::width).sum();
-        let largest = groups.iter().map(|group| group.size).max().unwrap_or(0);
         let alike = match &groups[..] {
             [only] if only.size == 1 && !only.is_affine => only.places.len(),
             _ => 0,
         };
+        let width = match LONE {
+            true if alike == degrees => LONE_WIDTH,
+            true => LONE_WIDTH * degrees,
+            false => groups.iter().map(Group::width).sum(),
+        };
+        let largest = groups.iter().map(|group| group.size).max().unwrap_or(0);
         let (durations, scratch) = (Durations::default(), vec![R::of(0.0); 6 * largest]);
-        Self { groups, alike, durations, matrices: Vec::new(), width, scratch }
+        Self(Box::new(Matrices { groups, alike, durations, numbers: Vec::new(), width, scratch }))
     }
 
     /// Moves positions and momenta for a time `duration`.
     #[inline(always)]
     pub fn flow<C: Coords>(&mut self, duration: f64, q: &mut C::Slots<R>, p: &mut C::Slots<R>) {
-        let number = match self.durations.next(duration) {
+        let known = &mut *self.0;
+        let number = match known.durations.next(duration) {
             Some(number) => number,
-            None => self.turn(duration),
+            None => turn::<R, LONE>(known, duration),
         };
-        let mut matrices = &self.matrices[number * self.width..][..self.width];
         let (q, p) = (C::slots_mut(q), C::slots_mut(p));
-        if self.alike == q.len() {
-            let matrix = Matrix::<R, 2>::of(matrices);
-            for (q, p) in q.iter_mut().zip(p) {
-                matrix.apply::<C::Leaf>([q, p]);
+        let all_alike = known.alike == q.len();
+        if LONE && all_alike {
+            // Nothing here can panic: what could would have to find the coordinates in memory.
+            if let Some(matrix) = known.numbers.as_chunks::<LONE_WIDTH>().0.get(number) {
+                every::<R, C::Leaf>(matrix, q, p);
             }
-            return;
+        } else if LONE {
+            let matrices = known.numbers.as_chunks::<LONE_WIDTH>().0.iter().skip(number * q.len());
+            for ((q, p), matrix) in q.iter_mut().zip(p).zip(matrices) {
+                Matrix::<R, 2>::of(matrix).apply::<C::Leaf>([q, p]);
+            }
+        } else {
+            known.flow::<C::Leaf>(number, q, p);
+        }
+    }
+}
+
+/// How many numbers the matrix of one degree of freedom is.
+const LONE_WIDTH: usize = 8;
+
+/// All degrees of freedom by one matrix.
+#[inline(always)]
+fn every<R: Real, K: Precision>(matrix: &[R], q: &mut [K::Slot<R>], p: &mut [K::Slot<R>]) {
+    let matrix = Matrix::<R, 2>::of(matrix);
+    for (q, p) in q.iter_mut().zip(p) {
+        matrix.apply::<K>([q, p]);
+    }
+}
+
+/// The number of a duration that was not expected, whose matrices are computed if it is a new one.
+///
+/// By the calling convention of C because it does not unwind: coordinates could not stay in registers around it.
+#[cold]
+#[inline(never)]
+#[allow(improper_ctypes_definitions, reason = "called from here alone")]
+extern "C" fn turn<R: Real, const LONE: bool>(known: &mut Matrices<R>, duration: f64) -> usize {
+    known.turn::<LONE>(duration)
+}
+
+impl<R: Real> Matrices<R> {
+    /// Moves every block.
+    #[inline(always)]
+    fn flow<K: Precision>(&mut self, number: usize, q: &mut [K::Slot<R>], p: &mut [K::Slot<R>]) {
+        let mut matrices = &self.numbers[number * self.width..][..self.width];
+        if self.alike == q.len() {
+            return every::<R, K>(matrices, q, p);
         }
         for group in &self.groups {
             let (own, others) = matrices.split_at(group.width());
             matrices = others;
             match group.size {
-                1 => group.lone::<R, C::Leaf>(own, q, p),
-                2 => group.pairs::<R, C::Leaf>(own, q, p),
-                _ => group.large::<R, C::Leaf>(own, q, p, &mut self.scratch),
+                1 => group.lone::<R, K>(own, q, p),
+                2 => group.pairs::<R, K>(own, q, p),
+                _ => group.large::<R, K>(own, q, p, &mut self.scratch),
             }
         }
     }
 
-    /// The number of a duration that was not expected, whose matrices are computed if it is a new one.
-    #[cold]
-    #[inline(never)]
-    fn turn(&mut self, duration: f64) -> usize {
+    fn turn<const LONE: bool>(&mut self, duration: f64) -> usize {
         let (number, known) = self.durations.turn(duration);
         if known == Known::Anew {
-            self.matrices.clear();
+            self.numbers.clear();
         }
-        if known != Known::Before {
-            for group in &self.groups {
-                group.compute(duration, &mut self.matrices);
+        if known == Known::Before {
+            return number;
+        }
+        let start = self.numbers.len();
+        for group in &self.groups {
+            if LONE && self.width > LONE_WIDTH {
+                let mut matrix = Vec::new();
+                group.compute(duration, &mut matrix);
+                self.numbers.resize(start + self.width, R::of(0.0));
+                for place in &group.places {
+                    self.numbers[start + LONE_WIDTH * place..][..LONE_WIDTH].copy_from_slice(&matrix);
+                }
+            } else {
+                group.compute(duration, &mut self.numbers);
             }
         }
         number

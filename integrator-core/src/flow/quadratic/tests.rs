@@ -4,6 +4,9 @@ use crate::{
     state::compensated::Compensated,
 };
 
+/// The flow of any form.
+type General<R> = Quadratic<R, 0, false>;
+
 /// The entries of S by the formulas of reference.py, row by row: positions first, then momenta.
 fn second(kind: &str, n: usize) -> Vec<f64> {
     let w = 2 * n;
@@ -73,7 +76,7 @@ fn form(kind: &str, n: usize, is_affine: bool) -> Form {
 }
 
 /// A state that a flow moves.
-fn moved<K: Precision>(solver: &mut Quadratic<f64, 0>, duration: f64, z: &mut [Vec<K::Slot<f64>>; 2])
+fn moved<K: Precision>(solver: &mut General<f64>, duration: f64, z: &mut [Vec<K::Slot<f64>>; 2])
 where
     Vec<K>: Coords<Leaf = K>,
 {
@@ -182,7 +185,7 @@ fn a_member_has_the_bits_of_its_run_alone_whatever_the_others_couple() {
     let forms = [("definite", 3), ("defective", 2), ("indefinite", 1), ("nilpotent", 3)]
         .map(|(kind, n)| form(kind, n, kind == "definite"));
     let start = |half: usize, k: usize| (half as f64 + 0.5) * (k as f64 - 0.75);
-    let mut together = Quadratic::<Lanes<f64, 4>, 0>::of_forms(&forms);
+    let mut together = General::<Lanes<f64, 4>>::of_forms(&forms, 4);
     let lanes = |half: usize| <[f64; 4]>::slots_from::<Lanes<f64, 4>>(4, |k| Lanes::of(start(half, k)));
     let (mut q, mut p) = (lanes(0), lanes(1));
     let durations = [0.125, 0.5, -0.25, 0.125];
@@ -190,7 +193,7 @@ fn a_member_has_the_bits_of_its_run_alone_whatever_the_others_couple() {
         together.flow::<[f64; 4]>(duration, &mut q, &mut p);
     }
     for (lane, form) in forms.iter().enumerate() {
-        let mut alone = Quadratic::<f64, 0>::of_forms(std::slice::from_ref(form));
+        let mut alone = General::<f64>::of_forms(std::slice::from_ref(form), 4);
         let (mut own_q, mut own_p) = ([0, 1, 2, 3].map(|k| start(0, k)), [0, 1, 2, 3].map(|k| start(1, k)));
         for duration in durations {
             alone.flow::<[f64; 4]>(duration, &mut own_q, &mut own_p);
@@ -198,6 +201,28 @@ fn a_member_has_the_bits_of_its_run_alone_whatever_the_others_couple() {
         for k in 0..4 {
             assert_eq!([q[k].lane(lane), p[k].lane(lane)], [own_q[k], own_p[k]], "member {lane}, coordinate {k}");
         }
+    }
+}
+
+#[test]
+fn degrees_of_freedom_alone_are_moved_with_the_same_bits() {
+    // All alike; one that differs; one that does not move.
+    for frequencies in [[2.0, 2.0, 2.0], [2.0, 3.0, 2.0], [2.0, 0.0, 2.0]] {
+        let mut form = Form::new(1);
+        for (i, frequency) in frequencies.into_iter().enumerate() {
+            form.qq([i], [i], frequency);
+            form.pp([i], [i], frequency / 2.0);
+        }
+        let mut general = General::<f64>::of_forms(&[form.clone()], 3);
+        let mut lone = Quadratic::<f64, 0, true>::of_forms(&[form], 3);
+        let (mut q, mut p) = ([0.3, -0.2, 0.5], [0.1, 0.4, -0.6]);
+        let (mut own_q, mut own_p) = (q, p);
+        for duration in [0.125, 0.5, -0.25, 0.125] {
+            general.flow::<[f64; 3]>(duration, &mut q, &mut p);
+            lone.flow::<[f64; 3]>(duration, &mut own_q, &mut own_p);
+        }
+        assert_eq!((q, p), (own_q, own_p), "{frequencies:?}");
+        assert!(q != [0.3, -0.2, 0.5] && (q[1] == -0.2) == (frequencies[1] == 0.0), "{q:?}");
     }
 }
 
@@ -225,11 +250,11 @@ fn durations_of_a_composition_are_found_by_one_look() {
 
 #[test]
 fn durations_without_end_are_forgotten() {
-    let mut solver = Quadratic::<f64, 0>::of_forms(&[form("definite", 1, false)]);
+    let mut solver = General::<f64>::of_forms(&[form("definite", 1, false)], 1);
     let mut z = [vec![1.0], vec![0.0]];
     for step in 1..5000 {
         moved::<f64>(&mut solver, f64::from(step) * 1e-4, &mut z);
-        assert!(solver.matrices.len() <= 8 * 1024, "{}", solver.matrices.len());
+        assert!(solver.0.numbers.len() <= 8 * 1024, "{}", solver.0.numbers.len());
     }
     assert!(z[0][0].is_finite());
 }
@@ -244,7 +269,7 @@ fn energies_walk_and_do_not_drift() {
         oscillator.qq([0], [0], 1.0);
         oscillator.pp([0], [0], 1.0);
         let [duration, radius] = at;
-        let mut solver = Quadratic::<f64, 0>::of_forms(&[oscillator]);
+        let mut solver = General::<f64>::of_forms(&[oscillator], 1);
         let [mut q, mut p] = [radius, 0.0].map(|start| Vec::<K>::slots_from::<f64>(1, |_| of(start)));
         for _ in 0..steps {
             solver.flow::<Vec<K>>(duration, &mut q, &mut p);
@@ -267,8 +292,8 @@ fn energies_walk_and_do_not_drift() {
 
 #[test]
 fn states_of_single_precision_walk_too() {
-    let mut solver = Quadratic::<f32, 0>::of_forms(&[form("definite", 1, false)]);
-    let mut plain = Quadratic::<f64, 0>::of_forms(&[form("definite", 1, false)]);
+    let mut solver = General::<f32>::of_forms(&[form("definite", 1, false)], 1);
+    let mut plain = General::<f64>::of_forms(&[form("definite", 1, false)], 1);
     let (mut q, mut p, mut other_q, mut other_p) = ([1.0_f32], [0.0_f32], [1.0], [0.0]);
     for _ in 0..100_000 {
         solver.flow::<[f32; 1]>(0.7, &mut q, &mut p);

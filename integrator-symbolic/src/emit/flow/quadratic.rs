@@ -51,6 +51,11 @@ impl Derivatives {
 /// The flow of the part with this number.
 pub(super) fn flow(emitter: &mut Emitter<'_>, number: usize, energy: NodeId) -> Flow {
     let stores = derivatives(emitter.model, energy);
+    // Whether no degree of freedom couples to another one, whatever the parameters are, and nothing is linear.
+    let is_lone = stores.iter().all(|store| match store.sink {
+        Sink::SecondDerivative(a, b) => (a.index, a.component) == (b.index, b.component),
+        _ => false,
+    });
     let lines = Body::new(emitter.evaluate(&Frame::Constants, &[], &stores).tokens);
     let (names, part) = (emitter.names, Literal::usize_unsuffixed(number));
     let (Emitter { model, fields, .. }, Names { runtime, scalar, leaf, .. }) = (emitter, names);
@@ -61,7 +66,7 @@ pub(super) fn flow(emitter: &mut Emitter<'_>, number: usize, energy: NodeId) -> 
         body: Body::new(quote! {
             solver.flow::<#runtime::Shaped<Self, #leaf>>(duration, &mut motion.q, &mut motion.p);
         }),
-        solver: Some(quote!(#runtime::Quadratic<#scalar, #part>)),
+        solver: Some(quote!(#runtime::Quadratic<#scalar, #part, #is_lone>)),
         derivatives: Some(Derivatives { part, components, lines }),
         ..Flow::default()
     }

@@ -58,7 +58,7 @@ const _: () = {
             Scalar,
             runtime::Shaped<Self, Leaf>,
             Parameters<Scalar>,
-            runtime::Quadratic<Scalar, 0>,
+            runtime::Quadratic<Scalar, 0, true>,
         >;
         const PARTS: &'static [&'static str] = &["harmonic", "anharmonic"];
         const SEPARABLE: bool = false;

@@ -66,7 +66,7 @@ const _: () = {
             Scalar,
             runtime::Shaped<Self, Leaf>,
             Parameters<Scalar>,
-            runtime::Quadratic<Scalar, 0>,
+            runtime::Quadratic<Scalar, 0, false>,
         >;
         const PARTS: &'static [&'static str] = &["turning", "potential"];
         const SEPARABLE: bool = false;

@@ -60,7 +60,7 @@ const _: () = {
             Scalar,
             runtime::Shaped<Self, Leaf>,
             Parameters<Scalar>,
-            runtime::Quadratic<Scalar, 0>,
+            runtime::Quadratic<Scalar, 0, false>,
         >;
         const PARTS: &'static [&'static str] = &["quadratic", "rest"];
         const SEPARABLE: bool = false;
