@@ -9,7 +9,7 @@ use integrator_bench::{
     by_hand::{
         chain::Chain,
         law::Law,
-        plain,
+        oscillators, plain,
         plane::Plane,
         points::{Point, scalar, wide},
         row,
@@ -155,6 +155,13 @@ fn small_problems(report: &mut Report) {
         &problems.henon_heiles(),
         0.01,
         &[("plain", Box::new(move |plan, steps| scalar(Point::HenonHeiles, columns, plan, steps)[0]))],
+    );
+
+    report.small(
+        &problems.coupled_oscillators(),
+        Aba864,
+        0.01,
+        &[("plain", Box::new(move |plan, steps| oscillators::henon_heiles(columns, plan, steps)[0]))],
     );
 
     let columns = [0.4, 0.0, 0.0, 2.0];

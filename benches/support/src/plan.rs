@@ -48,6 +48,15 @@ impl Plan {
         [self.opening[0], kick, drift, self.closing]
     }
 
+    /// The first row, those of a cycle, and the drift that closes the last step.
+    ///
+    /// # Panics
+    /// On a composition that begins with a kick.
+    pub(crate) fn drifts_first(&self) -> ([f64; 2], &[[f64; 2]], f64) {
+        assert!(!self.kick_first, "a drift, then a kick");
+        (self.opening, &self.cycle, self.closing)
+    }
+
     /// Takes `steps` steps, at least one.
     #[inline(always)]
     pub(crate) fn march(&self, by_hand: &mut impl HandWritten, steps: u64) {

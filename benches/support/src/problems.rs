@@ -54,6 +54,17 @@ impl HenonHeiles {
     }
 }
 
+/// The same star, by oscillators and what couples them.
+#[derive(Clone, Copy)]
+pub struct CoupledOscillators;
+
+#[hamiltonian(split = quadratic + rest)]
+impl CoupledOscillators {
+    fn hamiltonian(&self, [x, y]: [f64; 2], [px, py]: [f64; 2]) -> f64 {
+        0.5 * (px * px + py * py) + 0.5 * (x * x + y * y) + x * x * y - y.powi(3) / 3.0
+    }
+}
+
 /// A planet.
 #[derive(Clone, Copy)]
 pub struct Kepler;

@@ -1,6 +1,6 @@
 //! Where the systems start, how long they are followed, and where they arrive.
 
-use crate::problems::{Argon, Chain32, Cluster, HenonHeiles, Kepler, Pendulum, Solar};
+use crate::problems::{Argon, Chain32, Cluster, CoupledOscillators, HenonHeiles, Kepler, Pendulum, Solar};
 use integrator_core::prelude::*;
 use serde_json::Value;
 use std::f64::consts::PI;
@@ -52,6 +52,12 @@ impl Problems {
     pub fn henon_heiles(&self) -> Problem<HenonHeiles> {
         let start = Phase::new(array(&self.numbers("henon", "q")), array(&self.numbers("henon", "p")));
         self.problem("henon", "henon", HenonHeiles, start)
+    }
+
+    /// The same orbit, of oscillators that are coupled.
+    pub fn coupled_oscillators(&self) -> Problem<CoupledOscillators> {
+        let Problem { start, .. } = self.henon_heiles();
+        self.problem("henon_parts", "henon", CoupledOscillators, start)
     }
 
     /// A thousand revolutions on an orbit of eccentricity 0.6.

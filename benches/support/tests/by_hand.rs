@@ -8,7 +8,7 @@ use integrator_bench::{
     by_hand::{
         chain::Chain,
         law::Law,
-        plain,
+        oscillators, plain,
         plane::Plane,
         points::{self, Point},
         row,
@@ -48,6 +48,19 @@ where
 
 fn flat<C: Coords<Leaf = f64>>(state: &Phase<C>) -> Vec<f64> {
     [state.q.flat(), state.p.flat()].concat()
+}
+
+#[test]
+fn coupled_oscillators_agree_in_compositions_that_begin_with_them() {
+    let problem = Problems::default().coupled_oscillators();
+    macro_rules! compare {
+        ($($composition:ident)*) => {$(
+            let ours = flat(&end(&problem.system, &problem.start, $composition, 0.1));
+            let by_hand = oscillators::henon_heiles([0.1, 0.0, 0.0, 0.5], &Plan::of::<$composition>(0.1), STEPS);
+            agree(stringify!($composition), &ours, &by_hand, 1e-12);
+        )*};
+    }
+    compare!(Verlet Aba864);
 }
 
 #[test]

@@ -4,6 +4,7 @@
 //! |---|---|
 //! | [`plain`] | the five problems in safe Rust without vectors, in code compiled for fused multiply-add |
 //! | [`points`] | pendulum, Hénon-Heiles and Kepler over any vector: a single trajectory or lanes of an ensemble |
+//! | [`oscillators`] | Hénon-Heiles as oscillators that turn by prepared angles, and kicks of the rest |
 //! | [`swarm`] | ensembles of these, several vectors in flight |
 //! | [`row`] | six bodies, and 32 sites of a chain, side by side in registers |
 //! | [`chain`] | long chains in one pass per step, several steps per tile, and in two plain passes |
@@ -13,6 +14,7 @@
 
 pub mod chain;
 pub mod law;
+pub mod oscillators;
 pub mod plain;
 pub mod plane;
 pub mod points;
