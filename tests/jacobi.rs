@@ -112,9 +112,9 @@ fn errors_shrink_with_the_masses_of_planets() {
     let error = |scale: f64, coarse: &dyn Fn(&Solar, State, f64, u64) -> State| {
         let mut mass = system.mass.clone();
         let mut start = start;
-        for body in 1..6 {
-            mass[body] *= scale;
-            start.p[body] = start.p[body].map(|p| scale * p);
+        for (mass, p) in mass.iter_mut().zip(&mut start.p).skip(1) {
+            *mass *= scale;
+            *p = p.map(|p| scale * p);
         }
         let system = Solar { mass };
         let fine = end(&system, Aba1064, start, 50.0, 400);
@@ -162,9 +162,8 @@ fn the_energies_of_the_parts_add_up() {
     let run = system.run(start, 100.0).expect("a run");
     let (mut kepler, mut scale) = (0.0, 0.0);
     let (mut mass, mut moment, mut total) = (0.0, [0.0; 3], [0.0; 3]);
-    for i in 0..6 {
-        let (m, q, p) = (system.mass[i], start.q[i], start.p[i]);
-        if i > 0 {
+    for ((&m, q), p) in system.mass.iter().zip(start.q).zip(start.p) {
+        if mass > 0.0 {
             let square = |x: [f64; 3]| x.iter().map(|x| x * x).sum::<f64>();
             let place: [f64; 3] = std::array::from_fn(|d| q[d] - moment[d] / mass);
             let velocity: [f64; 3] = std::array::from_fn(|d| p[d] / m - total[d] / mass);
@@ -174,10 +173,8 @@ fn the_energies_of_the_parts_add_up() {
             scale += moving + bound;
         }
         mass += m;
-        for d in 0..3 {
-            moment[d] += m * q[d];
-            total[d] += p[d];
-        }
+        moment = std::array::from_fn(|d| moment[d] + m * q[d]);
+        total = std::array::from_fn(|d| total[d] + p[d]);
     }
     kepler += total.iter().map(|p| p * p).sum::<f64>() / (2.0 * mass);
     // Some roundings of each of the two ways.
@@ -284,7 +281,7 @@ fn any_number_of_bodies_may_move() {
     }
     fn compared<const N: usize>() {
         let (system, start) = cluster::<N>();
-        let jacobi = end(&system, Aba1064, start.clone(), 0.05, 100);
+        let jacobi = end(&system, Aba1064, start, 0.05, 100);
         let inertial = end(&Inertial(system), BlanesMoanSrkn14, start, 0.02, 250);
         let error = relative_distance(&jacobi, &inertial);
         assert!(error < 1e-11, "{N} bodies: {error:e}");
@@ -347,4 +344,46 @@ fn the_stepper_is_certified() {
     admits(&system);
     let certificate = certify(&system, Chin4A, start, 60.0).expect("a certificate");
     assert!(certificate.symplectic_defect < 1e-12, "{certificate}");
+}
+
+/// A push that begins with the hundredth step moves all bodies alike, beside what they do to each other.
+#[test]
+fn conditions_on_the_time_are_read_in_the_middle_of_steps() {
+    struct Pushed {
+        mass: [f64; 3],
+        push: f64,
+    }
+    #[hamiltonian(coordinates = jacobi(self.mass), split = kepler + interaction)]
+    impl Pushed {
+        fn kinetic(&self, p: &[[f64; 2]; 3]) -> f64 {
+            (0..3).map(|i| (p[i][0].powi(2) + p[i][1].powi(2)) / (2.0 * self.mass[i])).sum()
+        }
+        fn potential(&self, q: &[[f64; 2]; 3], t: f64) -> f64 {
+            let push = if t > 1.0 { self.push } else { 0.0 };
+            let mut energy = 0.0;
+            for i in 0..3 {
+                energy += push * self.mass[i] * q[i][0];
+                for j in 0..i {
+                    let distance = ((q[i][0] - q[j][0]).powi(2) + (q[i][1] - q[j][1]).powi(2)).sqrt();
+                    energy -= self.mass[i] * self.mass[j] / distance;
+                }
+            }
+            energy
+        }
+    }
+    let mass = [1.0, 1e-3, 2e-3];
+    let momenta = [[0.0, 0.0], [0.0, 1e-3], [-1.2e-3, 0.0]];
+    let start = Phase::new([[0.0, 0.0], [1.0, 0.0], [0.0, 2.5]], momenta);
+    let moved = |push: f64| {
+        let mut run = Pushed { mass, push }.run(start, 0.01).expect("a run");
+        run.advance(300).expect("steps");
+        run.state()
+    };
+    let (free, pushed) = (moved(0.0), moved(0.25));
+    for (i, mass) in mass.into_iter().enumerate() {
+        // 2 units of time; the displacement is of the size of the coordinates, each step rounds it.
+        let [shift, change] = [pushed.q[i][0] - free.q[i][0] + 0.5, pushed.p[i][0] - free.p[i][0] + 0.5 * mass];
+        assert!(shift.abs() < 300.0 * f64::EPSILON && change.abs() < 300.0 * f64::EPSILON, "{shift:e} {change:e}");
+        assert!((pushed.q[i][1] - free.q[i][1]).abs() < 1e-13);
+    }
 }

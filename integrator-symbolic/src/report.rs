@@ -131,7 +131,7 @@ pub(crate) fn report(input: &Input, mut model: Model) -> Report {
         equations,
         parts,
         quadratic_kinetic: model.quadratic,
-        separable: model.is_separable(),
+        separable: model.is_separable() && model.jacobi.is_none(),
         autonomous: model.autonomous,
         drift,
         kick,

@@ -322,6 +322,13 @@ fn note<L: Rows<D>, const D: usize>(
 }
 
 impl<L: Rows<D>, const D: usize> Jacobi<L, D> {
+    /// Sets the time at which conditions are read: the middle of the step under way.
+    #[inline(always)]
+    pub fn begin_step(&mut self, middle: f64) {
+        self.bodies.begin_step(middle);
+        self.inertial.begin_step(middle);
+    }
+
     /// The flow of the Kepler parts.
     #[cfg_attr(debug_assertions, inline)]
     #[cfg_attr(not(debug_assertions), inline(always))]

@@ -40,6 +40,8 @@ pub trait Rows<const D: usize>: Clone + Send + Sync + 'static {
     fn rotate(row: Self::Row, by: usize) -> Self::Row;
     /// The same positions and no momenta.
     fn at_rest(&self) -> Self::AtRest;
+    /// Sets the time at which conditions are read: the middle of the step under way.
+    fn begin_step(&mut self, middle: f64);
 }
 
 /// The slots of a row.
@@ -77,6 +79,10 @@ where
     fn at_rest(&self) -> Self::AtRest {
         OneRow::at_rest(self)
     }
+    #[inline(always)]
+    fn begin_step(&mut self, middle: f64) {
+        self.parameters.begin_step(middle);
+    }
 }
 
 impl<R, K, P, const D: usize, const S: usize> Rows<D> for ManyRows<R, K, P, D, S>
@@ -110,6 +116,10 @@ where
     }
     fn at_rest(&self) -> Self::AtRest {
         ManyRows::at_rest(self)
+    }
+    #[inline(always)]
+    fn begin_step(&mut self, middle: f64) {
+        self.parameters.begin_step(middle);
     }
 }
 

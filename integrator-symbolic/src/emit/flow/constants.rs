@@ -42,7 +42,8 @@ impl Constants {
     /// Those of the fields that lines have asked for.
     pub(crate) fn of(mut emitter: Emitter<'_>) -> Self {
         let (fields, names) = (std::mem::take(&mut emitter.fields), emitter.names);
-        let mut prepared = Self { pieces: Pieces::of(&fields, names), ..Self::default() };
+        let mut prepared =
+            Self { pieces: Pieces::of(&fields, emitter.model.jacobi.is_some(), names), ..Self::default() };
         let scalar = &names.scalar;
         for (content, name) in fields.into_contents() {
             let table = Table::of(emitter.model, names, content);

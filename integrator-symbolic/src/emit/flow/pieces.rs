@@ -17,9 +17,13 @@ pub(crate) struct Pieces {
 
 impl Pieces {
     /// Those of the flows that have asked for these fields.
-    pub(crate) fn of(fields: &Fields, names: &Names) -> Self {
+    pub(crate) fn of(fields: &Fields, in_jacobi: bool, names: &Names) -> Self {
         let Some(middle) = fields.known_middle() else { return Self::default() };
         let Names { runtime, scalar, leaf, .. } = names;
+        let begin = match in_jacobi {
+            true => quote!(motion.begin_step(middle);),
+            false => quote!(#runtime::Prepared::begin_step(&mut motion.parameters, middle);),
+        };
         Self {
             piecewise: Some(quote! {
                 const PIECEWISE_IN_TIME: bool = true;
@@ -27,7 +31,7 @@ impl Pieces {
             begin: Some(quote! {
                 #[inline(always)]
                 fn begin_step<#scalar: #runtime::Real, #leaf: #runtime::Precision>(motion: &mut Self::Motion<#scalar, #leaf>, middle: f64) {
-                    #runtime::Prepared::begin_step(&mut motion.parameters, middle);
+                    #begin
                 }
             }),
             set: Some(quote! {
