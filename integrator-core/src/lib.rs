@@ -95,7 +95,9 @@ mod system;
 mod trajectory;
 
 pub use composition::catalogue::*;
-pub use composition::visitor::{Visitor, visit_general, visit_many_parts, visit_quadratic};
+pub use composition::visitor::{
+    Visitor, visit_general, visit_many_parts, visit_quadratic, visit_two_parts, visit_two_parts_quadratic,
+};
 pub use composition::{Class, Composition, Lead, Processor, Rows, Scheme, Stage, Stages};
 #[cfg(feature = "std")]
 pub use ensemble::Ensemble;
@@ -161,7 +163,7 @@ pub mod __private {
         composition::{
             Class, Composition, Lead, Processor, Rows, Scheme, Stage, Stages, admits,
             catalogue::Verlet,
-            visitor::{Visitor, visit_many_parts, visit_quadratic},
+            visitor::{Visitor, visit_many_parts, visit_quadratic, visit_two_parts, visit_two_parts_quadratic},
         },
         error::{Error, NotFinite},
         flow::{

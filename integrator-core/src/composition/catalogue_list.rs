@@ -26,9 +26,15 @@ macro_rules! for_each_composition {
         $each!(Chin4A Chin4B Chin4C Chin4D Schaefers4 Schaefers6 TakahashiImada4 BlanesCasasRos6);
     };
     (near_integrable: $each:ident!) => {
+        for_each_composition!(near_integrable_general: $each!);
+        for_each_composition!(near_integrable_quadratic: $each!);
+    };
+    (near_integrable_general: $each:ident!) => {
         $each!(Saba2 Saba3 Saba4 Sbab2 Sbab3 Sbab4 Aba84 Aba104 Aba864 Aba1064 Abah844 Abah864 Abah1064);
         $each!(BlanesCasasRos764);
         $each!(WisdomHolmanTouma3 WisdomHolmanTouma5 WisdomHolmanTouma7 WisdomHolmanTouma11 WisdomHolmanTouma17);
+    };
+    (near_integrable_quadratic: $each:ident!) => {
         // With force gradients.
         $each!(Sabac2 Sabac3 Sabac4 Sbabc2 Sbabc3 Sbabc4);
     };

@@ -58,6 +58,25 @@ pub fn visit_many_parts<H: Hamiltonian>(visitor: &mut impl Visitor<H>) {
     for_each_composition!(unprocessed: visit!);
 }
 
+/// Visits the compositions for every `T(p)`, then those for a small second part: for two parts that have names.
+pub fn visit_two_parts<H: Hamiltonian>(visitor: &mut impl Visitor<H>) {
+    macro_rules! visit {
+        ($($composition:ident)*) => {$( visitor.visit($composition); )*};
+    }
+    visit_general(visitor);
+    for_each_composition!(near_integrable_general: visit!);
+}
+
+/// The same, then those for a first part that is quadratic in `p`.
+pub fn visit_two_parts_quadratic<H: QuadraticKinetic>(visitor: &mut impl Visitor<H>) {
+    macro_rules! visit {
+        ($($composition:ident)*) => {$( visitor.visit($composition); )*};
+    }
+    visit_two_parts(visitor);
+    for_each_composition!(quadratic: visit!);
+    for_each_composition!(near_integrable_quadratic: visit!);
+}
+
 /// Visits the compositions for every `T(p)`, then those for quadratic `T`.
 pub fn visit_quadratic<H: QuadraticKinetic>(visitor: &mut impl Visitor<H>) {
     macro_rules! visit {

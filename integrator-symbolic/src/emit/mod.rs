@@ -278,8 +278,12 @@ fn named_parts(model: &Model) -> Option<TokenStream> {
 /// The loop over the compositions. The runtime shows every Hamiltonian those for general `T`; only here is it known that
 /// there are more, or fewer.
 fn visit_compositions(model: &Model, names: &Names) -> Option<TokenStream> {
+    // Who names two parts may well have made the second one small.
+    let are_two = model.jacobi.is_some() || model.parts.len() == 2;
     let visit = match model {
+        Model { quadratic: true, .. } if are_two => quote!(visit_two_parts_quadratic),
         Model { quadratic: true, .. } => quote!(visit_quadratic),
+        _ if are_two => quote!(visit_two_parts),
         Model { parts, .. } if parts.len() > 2 => quote!(visit_many_parts),
         _ => return None,
     };

@@ -126,5 +126,8 @@ const _: () = {
                 potential: Self::potential(self, *q),
             }
         }
+        fn visit_compositions(visitor: &mut impl runtime::Visitor<Self>) {
+            runtime::visit_two_parts(visitor);
+        }
     }
 };

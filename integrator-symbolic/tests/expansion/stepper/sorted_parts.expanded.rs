@@ -155,7 +155,7 @@ const _: () = {
             runtime::StatedEnergy::Whole(Self::hamiltonian(self, *q, *p))
         }
         fn visit_compositions(visitor: &mut impl runtime::Visitor<Self>) {
-            runtime::visit_quadratic(visitor);
+            runtime::visit_two_parts_quadratic(visitor);
         }
     }
     #[automatically_derived]
