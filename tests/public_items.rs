@@ -22,7 +22,7 @@ fn items(folder: &Path) -> Vec<Item> {
     for path in entries {
         if path.is_dir() {
             found.extend(items(&path));
-        } else {
+        } else if path.extension().is_some_and(|extension| extension == "rs") {
             found.extend(file(&path));
         }
     }

@@ -45,6 +45,9 @@ pub trait Hamiltonian: Sized {
     /// How exact the derivatives of flows by duals are, in units of those of the chain rule: a flow that the user wrote has
     /// differences instead, which err by about `2 ε^(6/7)`.
     const TANGENT_ERROR: f64 = 1.0;
+    /// Whether a motion is that of two coupled copies of the state, of which one is shown (Tao 2016): it is symplectic and
+    /// runs back in the space of both, and not where one is seen alone.
+    const COPIES: bool = false;
     /// Whether no part reads the time, so that the energy is conserved.
     const AUTONOMOUS: bool;
     /// Whether a flow changes its formula at times that the clock and parameters alone decide: a switch, a pulse. Steps

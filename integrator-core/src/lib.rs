@@ -167,6 +167,7 @@ pub mod __private {
         },
         error::{Error, NotFinite},
         flow::{
+            doubled::Doubled,
             kepler::{Kepler, OfBody},
             quadratic::{Form, Quadratic, QuadraticPart},
         },

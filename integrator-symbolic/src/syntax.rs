@@ -5,7 +5,7 @@
 use crate::{errors::Errors, scheme::InPlace};
 use proc_macro2::{Group, Span, TokenStream};
 use syn::{
-    Expr, Ident, ImplItem, ImplItemFn, ItemImpl, Path, Token,
+    Expr, Ident, ImplItem, ImplItemFn, ItemImpl, Path, Token, parenthesized,
     parse::{ParseStream, Parser},
     punctuated::Punctuated,
     spanned::Spanned,
@@ -38,6 +38,14 @@ pub(crate) struct Coordinates {
     pub(crate) masses: Expr,
 }
 
+/// How H is split.
+enum Split {
+    /// Into the parts of these names.
+    Parts(Vec<Ident>),
+    /// Into H of each of two copies of the state, and a coupling.
+    Symmetric(Box<syn::Result<Expr>>),
+}
+
 /// The annotated impl and its annotation.
 pub(crate) struct Input {
     /// `None` where the annotation has no `compose`.
@@ -46,6 +54,8 @@ pub(crate) struct Input {
     pub(crate) split: Vec<Ident>,
     /// The coordinates of the motion, where they are not those of states.
     pub(crate) coordinates: Option<Coordinates>,
+    /// How tightly two copies of the state are coupled, where `split = symmetric(omega = ..)` asks for them.
+    pub(crate) coupling: Option<Expr>,
     pub(crate) functions: Functions,
     /// Whether recurrences for Taylor series are asked for, and where.
     pub(crate) taylor: Option<Span>,
@@ -96,9 +106,18 @@ pub(crate) fn input(arguments: TokenStream, item: TokenStream, errors: &mut Erro
         return None;
     }
     let Arguments { compose, split, coordinates, functions, taylor, root } = arguments.unwrap_or_default();
-    let (split, functions) = (split.unwrap_or_default(), functions.unwrap_or_default());
+    let (split, coupling) = match split {
+        None => (Vec::new(), None),
+        Some(Split::Parts(names)) => (names, None),
+        Some(Split::Symmetric(coupling)) => {
+            // H is read as it is meant all the same.
+            let one = || syn::parse_quote!(1.0);
+            (Vec::new(), Some(errors.keep(*coupling).unwrap_or_else(one)))
+        }
+    };
+    let functions = functions.unwrap_or_default();
     let root = root.unwrap_or_else(|| syn::parse_quote!(::integrator_core));
-    Some(Input { compose, split, coordinates, functions, taylor, root, item })
+    Some(Input { compose, split, coordinates, coupling, functions, taylor, root, item })
 }
 
 fn looks_like_impl(item: &TokenStream) -> bool {
@@ -109,7 +128,7 @@ fn looks_like_impl(item: &TokenStream) -> bool {
 #[derive(Default)]
 struct Arguments {
     compose: Option<Compose>,
-    split: Option<Vec<Ident>>,
+    split: Option<Split>,
     coordinates: Option<Coordinates>,
     functions: Option<Functions>,
     taylor: Option<Span>,
@@ -186,8 +205,11 @@ fn misfit(input: ParseStream<'_>, key: Span, is: &str) -> syn::Error {
     input.error(format!("{is}; {EXPECTED}"))
 }
 
-/// The names of the parts.
-fn split_of(input: ParseStream<'_>, key: Span) -> syn::Result<Vec<Ident>> {
+/// The names of the parts, or `symmetric` with its coupling.
+fn split_of(input: ParseStream<'_>, key: Span) -> syn::Result<Split> {
+    if input.fork().parse::<Ident>().is_ok_and(|name| name == "symmetric") && !input.peek2(Token![+]) {
+        return coupling_of(input).map(|coupling| Split::Symmetric(Box::new(coupling)));
+    }
     let is = "the parts of H are named by their functions, as in `split = kepler + interaction`";
     if !input.peek(Ident) {
         return Err(misfit(input, key, is));
@@ -197,7 +219,39 @@ fn split_of(input: ParseStream<'_>, key: Span) -> syn::Result<Vec<Ident>> {
     if let [alone] = &names[..] {
         return Err(syn::Error::new(alone.span(), format!("one part alone is not composed; {is}")));
     }
-    Ok(names)
+    Ok(Split::Parts(names))
+}
+
+/// The coupling of `symmetric(omega = 20.0)`, or what is wrong with it.
+fn coupling_of(input: ParseStream<'_>) -> syn::Result<syn::Result<Expr>> {
+    let name: Ident = input.parse()?;
+    if !input.peek(Paren) {
+        return Ok(Err(syn::Error::new(name.span(), UNCOUPLED)));
+    }
+    let content;
+    parenthesized!(content in input);
+    let coupling = stated_coupling(&content);
+    content.parse::<TokenStream>()?;
+    Ok(coupling)
+}
+
+const UNCOUPLED: &str = "`symmetric` couples two copies of the state, and how tightly depends on the system: say it, as in \
+                         `split = symmetric(omega = 20.0)`, where omega is about as large as the fastest angular frequency, \
+                         or several times that";
+
+/// The number behind `omega =`.
+fn stated_coupling(content: ParseStream<'_>) -> syn::Result<Expr> {
+    let uncoupled = |error: syn::Error| syn::Error::new(error.span(), UNCOUPLED);
+    let key: Ident = content.parse().map_err(uncoupled)?;
+    if key != "omega" {
+        return Err(syn::Error::new(key.span(), UNCOUPLED));
+    }
+    content.parse::<Token![=]>().map_err(uncoupled)?;
+    let coupling = content.parse()?;
+    match content.is_empty() {
+        true => Ok(coupling),
+        false => Err(content.error("the coupling is one number: `symmetric(omega = 20.0)`")),
+    }
 }
 
 /// The coordinates of the motion.

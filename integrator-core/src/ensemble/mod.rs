@@ -319,7 +319,7 @@ fn member<H: Hamiltonian, K: Precision, X: Method<H>>(
     start: &Phase<Shaped<H, K>>,
     h: f64,
 ) -> Result<Arc<H::Parameters<f64>>, Error> {
-    admissible_with(method, start, h)?;
+    admissible_with::<H, _>(method, start, h)?;
     system.admissible(start.q.length())?;
     let parameters = Arc::new(system.parameters(start.q.length()));
     let constants = H::Parameters::<f64>::not_finite(&parameters);

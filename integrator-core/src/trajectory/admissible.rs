@@ -2,8 +2,9 @@
 
 use crate::{
     error::Error,
+    hamiltonian::Hamiltonian,
     state::{coords::Coords, fixed::is_power_of_two, phase::Phase, precision::Precision},
-    trajectory::method::Described,
+    trajectory::method::Method,
 };
 
 /// Whether a run may begin at `start` with step `h`.
@@ -47,9 +48,13 @@ fn on_its_grid(
 ///
 /// # Errors
 /// As [`admissible`]; a reversible start and a method that is not symmetric; what the method itself refuses.
-pub(crate) fn admissible_with<C: Coords>(method: impl Described, start: &Phase<C>, h: f64) -> Result<(), Error> {
+pub(crate) fn admissible_with<H: Hamiltonian, C: Coords>(
+    method: impl Method<H>,
+    start: &Phase<C>,
+    h: f64,
+) -> Result<(), Error> {
     method.admissible()?;
-    let facts = method.facts();
+    let facts = method.claims();
     if C::Leaf::REVERSIBLE && !facts.symmetric {
         return Err(Error::NotSymmetric { composition: facts.name });
     }

@@ -92,6 +92,15 @@ pub enum CheckpointError {
         /// The name of its type.
         system: String,
     },
+    /// The run is of two copies of the state, and a checkpoint holds the one that is shown.
+    #[error(
+        "`{system}` is split by `symmetric`: its runs carry a copy of the state, which is in no checkpoint, so that another \
+         motion would go on from here. A run that begins at `state()` couples a new copy to it"
+    )]
+    Copies {
+        /// The name of its type.
+        system: String,
+    },
     /// The parameters of the system have other values than then.
     #[error(
         "`{system}` has other parameters than when this checkpoint was made: if that is meant, \
@@ -330,12 +339,15 @@ impl<C: Coords> Run<C> {
         H::Coords: Coords<With<C::Leaf> = C>,
     {
         let stored = record(checkpoint)?;
+        if H::COPIES {
+            return Err(CheckpointError::Copies { system: stored.system });
+        }
         stored.belongs_to::<H, C::Leaf>(composition.facts())?;
         let Record { formulas, parameters, steps, opened, h, t0, q, p, .. } = stored;
         let shape = CheckpointError::Shape { positions: q.len(), momenta: p.len() };
         let (Some(q), Some(p)) = (coordinates(&q), coordinates(&p)) else { return Err(shape) };
         let unfinished = Phase { q, p };
-        admissible_with(composition, &unfinished, h)?;
+        admissible_with::<H, _>(composition, &unfinished, h)?;
         let clock = Clock { t0, h, steps };
         let mut run = Self::from_unfinished::<H, X, C::Leaf>(system, composition, unfinished.clone(), clock, opened)?;
         run.resume_own(&unfinished);

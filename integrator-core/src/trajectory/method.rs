@@ -112,6 +112,10 @@ pub trait Method<H: Hamiltonian>: Described {
     fn forces(self) -> Option<usize> {
         if H::PIECEWISE_IN_TIME { None } else { self.facts().forces }
     }
+    /// What it claims of this Hamiltonian.
+    fn claims(self) -> Facts {
+        self.facts()
+    }
     /// The constants of a run.
     type Constants: Send + Sync + 'static;
     /// The state of a run with its constants, in a layout.
@@ -126,6 +130,10 @@ pub trait Method<H: Hamiltonian>: Described {
 impl<H: Hamiltonian, X: Scheme + Composition<H>> Method<H> for X {
     fn forces(self) -> Option<usize> {
         if H::PIECEWISE_IN_TIME { Some(X::STAGES.forces(&X::PROCESSOR)) } else { self.facts().forces }
+    }
+    fn claims(self) -> Facts {
+        let facts = self.facts();
+        if H::COPIES { Facts { symmetric: false, symplectic: false, stability_limit: None, ..facts } } else { facts }
     }
     type Constants = H::Parameters<f64>;
     type Motion<R: Real, K: Precision> = H::Motion<R, K>;

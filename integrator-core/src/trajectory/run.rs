@@ -55,7 +55,7 @@ impl<C: Coords> Run<C> {
         K: Precision,
         H::Coords: Coords<With<K> = C>,
     {
-        admissible_with(method, &start, h)?;
+        admissible_with::<H, _>(method, &start, h)?;
         let mut run = Self::from_unfinished::<H, X, K>(system, method, start, Clock { t0: 0.0, h, steps: 0 }, 0)?;
         run.start_unchecked = true;
         if H::AUTONOMOUS {

@@ -34,7 +34,7 @@ use taylor::orders::{Orders, orders};
 
 /// What in a sequence asks for a quadratic `T` that this Hamiltonian does not have: the message for it.
 pub(crate) fn refusal(sequence: &InPlace, model: &Model) -> Option<String> {
-    if model.parts.len() > 2 {
+    if model.flows() > 2 {
         return refusal_of_many_parts(sequence);
     }
     if model.quadratic {
@@ -122,9 +122,10 @@ impl<'i> Stepper<'i> {
         let (autonomous, is_quadratic) = (model.autonomous, model.quadratic);
         let stated = user_energies::function(input, &model, &names);
         let mut emitter = Emitter { model: &mut model, names: &names, fields: Fields::default() };
-        let flows = match emitter.model.is_separable() {
-            true => Flows::of(&mut emitter, &kinetic, &potential),
-            false => Flows::of_parts(&mut emitter),
+        let flows = match (emitter.model.coupling, emitter.model.is_separable()) {
+            (Some(coupling), _) => Flows::of_copies(&mut emitter, coupling),
+            (None, true) => Flows::of(&mut emitter, &kinetic, &potential),
+            (None, false) => Flows::of_parts(&mut emitter),
         };
         let quadratic = is_quadratic.then(|| force_gradient::functions(&mut emitter, flows.are_of_bodies()));
         let energies = ["kinetic", "potential"].into_iter().zip(energies);
@@ -257,6 +258,13 @@ impl<'i> Stepper<'i> {
 
 /// The names of parts, and that these are no `T` and `V`.
 fn named_parts(model: &Model) -> Option<TokenStream> {
+    if model.coupling.is_some() {
+        return Some(quote! {
+            const PARTS: &'static [&'static str] = &["hamiltonian", "hamiltonian of the copy", "coupling"];
+            const SEPARABLE: bool = false;
+            const COPIES: bool = true;
+        });
+    }
     let mut names: Vec<_> = model.parts.iter().map(|part| part.name.to_string()).collect();
     if model.jacobi.is_some() {
         names = KEPLER_PARTS.map(str::to_owned).into();
@@ -284,7 +292,7 @@ fn visit_compositions(model: &Model, names: &Names) -> Option<TokenStream> {
         Model { quadratic: true, .. } if are_two => quote!(visit_two_parts_quadratic),
         Model { quadratic: true, .. } => quote!(visit_quadratic),
         _ if are_two => quote!(visit_two_parts),
-        Model { parts, .. } if parts.len() > 2 => quote!(visit_many_parts),
+        model if model.flows() > 2 => quote!(visit_many_parts),
         _ => return None,
     };
     let runtime = &names.runtime;
@@ -326,7 +334,7 @@ fn composition(input: &Input, model: &Model, names: &Names) -> (TokenStream, Opt
     match &input.compose {
         None => (quote!(#runtime::Verlet), None),
         Some(Compose::Named(path)) => {
-            let parts = model.parts.len();
+            let parts = model.flows();
             // The compiler knows what the path names.
             let held = parts > 2 && input.item.generics.params.is_empty();
             let check = quote_spanned!(path.span()=> const _: () = #runtime::admits::<#path>(#parts););

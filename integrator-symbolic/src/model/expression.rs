@@ -167,12 +167,16 @@ impl Reader<'_> {
 
     fn unknown_name(&mut self, name: &Ident) {
         let message = match name.to_string().as_str() {
-            "p" => "`p` is not known here: V(q) is a function of the positions alone; a term with momenta belongs in \
+            "p" if !self.may_mix => {
+                "`p` is not known here: V(q) is a function of the positions alone; a term with momenta belongs in \
                     `kinetic`"
-                .to_owned(),
-            "q" => "`q` is not known here: T(p) is a function of the momenta alone; a term with positions belongs in \
+                    .to_owned()
+            }
+            "q" if !self.may_mix => {
+                "`q` is not known here: T(p) is a function of the momenta alone; a term with positions belongs in \
                     `potential`"
-                .to_owned(),
+                    .to_owned()
+            }
             other => format!("`{other}` is not known here"),
         };
         self.errors.at(name, message);

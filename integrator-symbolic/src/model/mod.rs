@@ -10,6 +10,7 @@ mod arm;
 mod branch;
 mod call;
 mod closure;
+mod doubled;
 mod early_return;
 mod elementary;
 mod escape;
@@ -78,6 +79,9 @@ pub(crate) struct Model {
     pub(crate) potential: NodeId,
     /// The parts that `split` names, in the order of their letters; none where H is `T + V`.
     pub(crate) parts: Vec<ExactPart>,
+    /// How tightly two copies of the state are coupled, each of which moves by what H says of the other; `None` where the
+    /// state has no copy.
+    pub(crate) coupling: Option<NodeId>,
     pub(crate) shape: Shape,
     /// How many numbers or points the coordinates are, and how many components a point has.
     pub(crate) lengths: Vec<IndexId>,
@@ -135,19 +139,25 @@ impl Model {
     /// the first at most quadratic in p with a constant mass matrix.
     fn has_constant_mass(&self) -> bool {
         match &self.parts[..] {
-            [] => {}
+            [] if self.coupling.is_none() => {}
             [_, ExactPart { form: Exact::OfPositions, .. }] => {}
             _ => return false,
         }
         self.graph.has_constant_mass(self.kinetic) && !self.graph.reads_time(self.kinetic)
     }
 
+    /// How many parts a composition composes.
+    pub(crate) fn flows(&self) -> usize {
+        if self.coupling.is_some() { 3 } else { self.parts.len().max(2) }
+    }
+
     /// Whether H is `T(p) + V(q)`, in this order and whatever the two are called.
     pub(crate) fn is_separable(&self) -> bool {
-        matches!(
-            &self.parts[..],
-            [] | [ExactPart { form: Exact::OfMomenta, .. }, ExactPart { form: Exact::OfPositions, .. }]
-        )
+        self.coupling.is_none()
+            && matches!(
+                &self.parts[..],
+                [] | [ExactPart { form: Exact::OfMomenta, .. }, ExactPart { form: Exact::OfPositions, .. }]
+            )
     }
 }
 
@@ -157,7 +167,12 @@ pub(crate) fn model(input: &Input, errors: &mut Errors) -> Option<Model> {
     let whole = input.function("hamiltonian").filter(|_| !is_separate);
     let mut reader = Reader::new(input, errors);
     reader.check_flows();
-    let (energies, parts, shape, called) = if !input.split.is_empty() && input.coordinates.is_none() {
+    let mut coupling = None;
+    let (energies, parts, shape, called) = if let Some(stated) = &input.coupling {
+        let (energies, node, shape, called) = reader.doubled(stated, whole)?;
+        coupling = Some(node);
+        (energies, Vec::new(), shape, called)
+    } else if !input.split.is_empty() && input.coordinates.is_none() {
         let (parts, shape, called) = match sorted(input) {
             Some(function) => reader.sorted_parts(function)?,
             None => reader.named_parts()?,
@@ -181,6 +196,7 @@ pub(crate) fn model(input: &Input, errors: &mut Errors) -> Option<Model> {
         kinetic,
         potential,
         parts,
+        coupling,
         shape,
         lengths,
         parameters,
@@ -215,6 +231,7 @@ pub(crate) fn stub(input: &Input) -> Option<Model> {
         kinetic: zero,
         potential: zero,
         parts: Vec::new(),
+        coupling: None,
         shape,
         lengths,
         parameters: Vec::new(),
@@ -242,7 +259,8 @@ pub(crate) fn of_text(item: &str) -> Model {
 
 /// What to say of a Hamiltonian that is no sum of `T(p)` and `V(q)`.
 const NOT_SEPARABLE: &str = "this mixes q and p, so H is not separable: a splitting needs H = T(p) + V(q). Change to \
-                             coordinates in which T depends on p alone, or split H into more parts";
+                             coordinates in which T depends on p alone, split H into parts with exact flows, \
+                             `split = a + b`, or couple two copies of the state, `split = symmetric(omega = 20.0)`";
 
 /// A variable.
 struct Binding {

@@ -4,7 +4,7 @@ use crate::{
     differentiate::Contribution,
     graph::{
         Element, Graph, Scope,
-        index::{Index, Loops},
+        index::{Index, IndexId, Loops},
     },
 };
 
@@ -25,10 +25,11 @@ pub(crate) fn is_direct(loops: &Loops, gradient: &[Contribution]) -> bool {
         })
     });
     let apart = |a: Element, b: Element| {
-        indices(a).into_iter().zip(indices(b)).any(|(a, b)| {
+        let differ = |(a, b): (Option<IndexId>, Option<IndexId>)| {
             let numbers = a.zip(b).and_then(|(a, b)| loops.literal(a).zip(loops.literal(b)));
             numbers.is_some_and(|(a, b)| a != b)
-        })
+        };
+        a.part != b.part || indices(a).into_iter().zip(indices(b)).any(differ)
     };
     once && gradient
         .iter()

@@ -168,21 +168,21 @@ pub(crate) const ITEMS: &[Row] = &[
     (
         "impl System {\nfn hamiltonian(&self, q: [f64; 2], p: [f64; 2]) -> f64 {\n0.5 * p[0] * p[0] + q[0] * p[1] - q[1].cos() }}",
         &[
-            "3:20 this mixes q and p, so H is not separable: a splitting needs H = T(p) + V(q). Change to coordinates in which T depends on p alone, or split H into more parts",
+            "3:20 this mixes q and p, so H is not separable: a splitting needs H = T(p) + V(q). Change to coordinates in which T depends on p alone, split H into parts with exact flows, `split = a + b`, or couple two copies of the state, `split = symmetric(omega = 20.0)`",
         ],
     ),
     (
         "impl System {\nfn hamiltonian(&self, q: [f64; 1], p: [f64; 1]) -> f64 {\n(q[0] + p[0]).powi(2) + (q[0] - p[0]).sin() + 1.0 / (q[0] + p[0]) }}",
         &[
-            "3:0 this mixes q and p, so H is not separable: a splitting needs H = T(p) + V(q). Change to coordinates in which T depends on p alone, or split H into more parts",
-            "3:24 this mixes q and p, so H is not separable: a splitting needs H = T(p) + V(q). Change to coordinates in which T depends on p alone, or split H into more parts",
-            "3:46 this mixes q and p, so H is not separable: a splitting needs H = T(p) + V(q). Change to coordinates in which T depends on p alone, or split H into more parts",
+            "3:0 this mixes q and p, so H is not separable: a splitting needs H = T(p) + V(q). Change to coordinates in which T depends on p alone, split H into parts with exact flows, `split = a + b`, or couple two copies of the state, `split = symmetric(omega = 20.0)`",
+            "3:24 this mixes q and p, so H is not separable: a splitting needs H = T(p) + V(q). Change to coordinates in which T depends on p alone, split H into parts with exact flows, `split = a + b`, or couple two copies of the state, `split = symmetric(omega = 20.0)`",
+            "3:46 this mixes q and p, so H is not separable: a splitting needs H = T(p) + V(q). Change to coordinates in which T depends on p alone, split H into parts with exact flows, `split = a + b`, or couple two copies of the state, `split = symmetric(omega = 20.0)`",
         ],
     ),
     (
         "impl System {\nfn hamiltonian(&self, q: [f64; 1], p: [f64; 1]) -> f64 { if q[0] > p[0] { p[0] } else { 2.0 * p[0] } } }",
         &[
-            "2:3 this mixes q and p, so H is not separable: a splitting needs H = T(p) + V(q). Change to coordinates in which T depends on p alone, or split H into more parts",
+            "2:3 this mixes q and p, so H is not separable: a splitting needs H = T(p) + V(q). Change to coordinates in which T depends on p alone, split H into parts with exact flows, `split = a + b`, or couple two copies of the state, `split = symmetric(omega = 20.0)`",
         ],
     ),
     (
@@ -202,9 +202,9 @@ pub(crate) const ITEMS: &[Row] = &[
     (
         "impl System {\nfn kinetic(&self, q: [f64; 1], p: [f64; 1]) -> f64 {\np[0] / q[0] + p[0].powf(q[0]) + p[0].mul_add(q[0], 1.0) }\nfn potential(&self, q: [f64; 1]) -> f64 { q[0] } }",
         &[
-            "3:0 this mixes q and p, so H is not separable: a splitting needs H = T(p) + V(q). Change to coordinates in which T depends on p alone, or split H into more parts",
-            "3:24 this mixes q and p, so H is not separable: a splitting needs H = T(p) + V(q). Change to coordinates in which T depends on p alone, or split H into more parts",
-            "3:32 this mixes q and p, so H is not separable: a splitting needs H = T(p) + V(q). Change to coordinates in which T depends on p alone, or split H into more parts",
+            "3:0 this mixes q and p, so H is not separable: a splitting needs H = T(p) + V(q). Change to coordinates in which T depends on p alone, split H into parts with exact flows, `split = a + b`, or couple two copies of the state, `split = symmetric(omega = 20.0)`",
+            "3:24 this mixes q and p, so H is not separable: a splitting needs H = T(p) + V(q). Change to coordinates in which T depends on p alone, split H into parts with exact flows, `split = a + b`, or couple two copies of the state, `split = symmetric(omega = 20.0)`",
+            "3:32 this mixes q and p, so H is not separable: a splitting needs H = T(p) + V(q). Change to coordinates in which T depends on p alone, split H into parts with exact flows, `split = a + b`, or couple two copies of the state, `split = symmetric(omega = 20.0)`",
         ],
     ),
     (
@@ -602,6 +602,50 @@ pub(crate) const SPLITS: &[Row] = &[
     (
         "compose = Verlet on fn kinetic(&self, p: [f64; 1]) -> f64 { p[0] * p[0] } fn potential(&self, q: [f64; 1]) -> f64 { q[0].cos() }\n#[flow(a)] fn turn(&self, q: &mut [f64; 1], p: &mut [f64; 1], duration: f64) {}",
         &["3:7 `a` is no part of H: name the parts, `split = a + b`"],
+    ),
+    (
+        "split = symmetric(omega = 2.0 * self.rate) on fn hamiltonian(&self, q: [f64; 1], p: [f64; 1]) -> f64 { q[0] * p[0] }",
+        &[],
+    ),
+    (
+        "split = symmetric on fn hamiltonian(&self, q: [f64; 1], p: [f64; 1]) -> f64 { q[0] * p[0] }",
+        &[
+            "1:8 `symmetric` couples two copies of the state, and how tightly depends on the system: say it, as in `split = symmetric(omega = 20.0)`, where omega is about as large as the fastest angular frequency, or several times that",
+        ],
+    ),
+    (
+        "split = symmetric(rate = 3.0) on fn hamiltonian(&self, q: [f64; 1], p: [f64; 1]) -> f64 { q[0] * p[0] }",
+        &[
+            "1:18 `symmetric` couples two copies of the state, and how tightly depends on the system: say it, as in `split = symmetric(omega = 20.0)`, where omega is about as large as the fastest angular frequency, or several times that",
+        ],
+    ),
+    (
+        "split = symmetric(omega = 3.0, 4.0) on fn hamiltonian(&self, q: [f64; 1], p: [f64; 1]) -> f64 { q[0] * p[0] }",
+        &["1:29 the coupling is one number: `symmetric(omega = 20.0)`"],
+    ),
+    (
+        "split = symmetric(omega = 0.0) on fn hamiltonian(&self, q: [f64; 1], p: [f64; 1]) -> f64 { q[0] * p[0] }",
+        &["1:26 without a coupling above zero, both copies go their own ways"],
+    ),
+    (
+        "split = symmetric(omega = q[0]) on fn hamiltonian(&self, q: [f64; 1], p: [f64; 1]) -> f64 { q[0] * p[0] }",
+        &["1:26 `q` is not known here"],
+    ),
+    (
+        "split = symmetric(omega = 3.0) on fn kinetic(&self, p: [f64; 1]) -> f64 { p[0] } fn potential(&self, q: [f64; 1]) -> f64 { q[0] }",
+        &[
+            "1:26 `symmetric` takes H as it is, in one function: write `fn hamiltonian(&self, q: [f64; N], p: [f64; N]) -> f64`; `kinetic` and `potential` need no copies",
+        ],
+    ),
+    (
+        "split = symmetric(omega = 3.0) on fn hamiltonian(&self, q: [f64; 1], p: [f64; 1], t: f64) -> f64 { q[0] * p[0] * t }",
+        &[
+            "2:3 this reads the time, and compositions know at what time the flows of two parts begin, not those of two copies and their coupling: make the time a coordinate with a momentum of its own",
+        ],
+    ),
+    (
+        "split = symmetric(omega = 3.0), taylor on fn hamiltonian(&self, q: [f64; 1], p: [f64; 1]) -> f64 { q[0] * p[0] }",
+        &["1:32 series are written for H = T(p) + V(q), and these parts are others: leave out `taylor`"],
     ),
     (
         "split = a + b + c, compose = A(1/2) B(1) A(1/2) on fn a(&self, p: [f64; 1]) -> f64 { p[0] * p[0] } fn b(&self, q: [f64; 1]) -> f64 { q[0].cos() } fn c(&self, q: [f64; 1]) -> f64 { q[0] }",

@@ -32,7 +32,7 @@ impl<H: Hamiltonian, X: Method<H>> CompensatedSteps<H, X> {
     /// # Errors
     /// A start or a step that no run would begin with.
     pub(crate) fn new(system: &H, method: X, Start { phase, time }: Start<H::Coords>, h: f64) -> Result<Self, Error> {
-        admissible_with(method, &phase, h)?;
+        admissible_with::<H, _>(method, &phase, h)?;
         let constants = method.constants(Arc::new(system.parameters(phase.q.length())));
         let start = Phase::compensated(phase.q, phase.p);
         Ok(Self::begin(method, constants, start, Clock { t0: time, h, steps: 0 }))

@@ -107,7 +107,7 @@ impl<H: Hamiltonian> Exact for Motions<'_, H> {
 
 impl<H: Hamiltonian, X: Method<H>> Stepper for Steps<'_, H, X> {
     fn facts(&self) -> Facts {
-        self.method.facts()
+        self.method.claims()
     }
 
     fn autonomous(&self) -> bool {

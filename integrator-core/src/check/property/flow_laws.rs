@@ -114,8 +114,14 @@ pub(crate) fn flow_errors(
 ) -> Result<(FlowErrors, Vec<Broken>), CheckError> {
     let mut judged = Judged { system, errors: FlowErrors::default(), broken: Vec::new() };
     let measured = Measured { system, point, time, duration: with_exact_quarters(duration) };
-    for flow in flows(system) {
-        measured.laws(flow, &mut judged)?;
+    if system.copies() {
+        // What they do to one copy alone is no flow.
+        let FlowErrors { symplecticity, inverse, addition, energy, .. } = &mut judged.errors;
+        [symplecticity, inverse, addition, energy].into_iter().for_each(|error| *error = f64::NAN);
+    } else {
+        for flow in flows(system) {
+            measured.laws(flow, &mut judged)?;
+        }
     }
     for (part, flows) in parts(system) {
         measured.generator(part, &flows, &mut judged)?;
@@ -143,7 +149,9 @@ fn flows(system: &dyn Flows) -> Vec<Flow> {
 /// The energies of a system, each with the flows that share it.
 fn parts(system: &dyn Flows) -> [(Part, Vec<Flow>); 2] {
     let all = flows(system);
-    [(Part::Kinetic, all[..1].to_vec()), (Part::Potential, all[1..].to_vec())]
+    // Both copies have the whole of H together, where they begin as one.
+    let first = if system.copies() { 2 } else { 1 };
+    [(Part::Kinetic, all[..first].to_vec()), (Part::Potential, all[first..].to_vec())]
 }
 
 /// The names of the parts that a flow belongs to.

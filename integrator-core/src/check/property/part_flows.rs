@@ -29,6 +29,9 @@ pub(crate) trait Flows: Differentiable {
     /// The names of the parts.
     fn parts(&self) -> &'static [&'static str];
 
+    /// Whether flows move two copies of the state.
+    fn copies(&self) -> bool;
+
     /// How exact tangents are, in units of those of the chain rule.
     fn tangent_error(&self) -> f64;
 
@@ -39,6 +42,10 @@ pub(crate) trait Flows: Differentiable {
 impl<H: Hamiltonian> Flows for Energies<'_, H> {
     fn parts(&self) -> &'static [&'static str] {
         H::PARTS
+    }
+
+    fn copies(&self) -> bool {
+        H::COPIES
     }
 
     fn tangent_error(&self) -> f64 {

@@ -7,7 +7,7 @@
 use super::{jacobi, stores, through_buffer};
 use crate::{
     differentiate::{gradient, hessian_product},
-    emit::printer::{block::Emitter, function::Lines, names::Names},
+    emit::printer::{block::Emitter, frame::Frame, function::Lines, names::Names},
     graph::Part,
     program::Sink,
 };
@@ -25,7 +25,8 @@ pub(crate) fn functions(emitter: &mut Emitter<'_>, many_body: bool) -> TokenStre
     let product = hessian_product(&mut emitter.model.graph, &potential, Part::Position);
     let product = stores(emitter.model, &product, Sink::Collect);
     // Nothing is written before all is read.
-    let lines = through_buffer(emitter, Part::Momentum, &product, |place, value| quote!(#place = #value;));
+    let lines =
+        through_buffer(emitter, &Frame::Motion, Part::Momentum, &product, |place, value| quote!(#place = #value;));
     let velocity = velocity(emitter);
     let Names { runtime, scalar, leaf, .. } = emitter.names;
     // Bodies side by side are taken apart for what is seldom asked.
@@ -84,7 +85,7 @@ fn velocity(emitter: &mut Emitter<'_>) -> TokenStream {
     let product = hessian_product(graph, &velocity, Part::Momentum);
     let product = stores(emitter.model, &product, Sink::Collect);
     let Lines { tokens, .. } =
-        through_buffer(emitter, Part::Momentum, &product, |place, value| quote!(#place = #value;));
+        through_buffer(emitter, &Frame::Motion, Part::Momentum, &product, |place, value| quote!(#place = #value;));
     quote! {
         ::core::mem::swap(&mut force.q, &mut force.p);
         bent.p = {

@@ -2,6 +2,7 @@
 
 pub(super) mod bodies;
 pub(super) mod constants;
+pub(super) mod doubled;
 pub(super) mod force_gradient;
 pub(super) mod form;
 #[cfg(test)]
@@ -46,6 +47,8 @@ pub(crate) struct Flows {
     many_body: Option<ManyBody>,
     /// Whether these move in Jacobi coordinates.
     in_jacobi: bool,
+    /// Whether they move two copies of the state.
+    copies: bool,
 }
 
 impl Flows {
@@ -61,7 +64,7 @@ impl Flows {
         if in_jacobi {
             (drift.body, kick.body) = (jacobi::drift(), jacobi::kick(&kick.body.0));
         }
-        Self { drift, middle: Vec::new(), kick, many_body, in_jacobi }
+        Self { drift, middle: Vec::new(), kick, many_body, in_jacobi, copies: false }
     }
 
     /// Those of the parts that are named, in their order.
@@ -77,7 +80,7 @@ impl Flows {
         }
         let kick = flows.pop().unwrap_or_default();
         let middle = flows.split_off(flows.len().min(1));
-        Self { drift: flows.pop().unwrap_or_default(), middle, kick, many_body: None, in_jacobi: false }
+        Self { drift: flows.pop().unwrap_or_default(), middle, kick, many_body: None, in_jacobi: false, copies: false }
     }
 
     /// Whether bodies act on each other in pairs.
@@ -93,6 +96,7 @@ impl Flows {
                 jacobi::motion(&many_body.motion(parameters, names), many_body.dimension(), names)
             }
             Some(many_body) => many_body.motion(parameters, names),
+            None if self.copies => quote!(#runtime::Doubled<#scalar, #runtime::Shaped<Self, #leaf>, #parameters>),
             None => match self.solvers() {
                 None => quote!(#runtime::Plain<#scalar, #runtime::Shaped<Self, #leaf>, #parameters>),
                 Some(solvers) => {
@@ -234,7 +238,7 @@ impl Flow {
                 let mut motion = gradient(graph, energy, Part::Position);
                 motion.iter_mut().for_each(|contribution| contribution.value = graph.neg(contribution.value));
                 motion.extend(velocity);
-                Self::along(emitter, &motion, Part::Momentum)
+                Self::along(emitter, &motion, Part::Momentum, &Frame::Motion)
             }
         }
     }
@@ -259,7 +263,7 @@ impl Flow {
     /// The motion of the conjugates of what an energy reads of a part, where it stays.
     fn by(emitter: &mut Emitter<'_>, energy: NodeId, part: Part) -> Self {
         let gradient = gradient(&mut emitter.model.graph, energy, part);
-        Self::along(emitter, &gradient, part)
+        Self::along(emitter, &gradient, part, &Frame::Motion)
     }
 
     /// Each component of the gradient moves its coordinate: on the spot where every coordinate gets one contribution;
@@ -274,16 +278,16 @@ impl Flow {
         if !apart && let Some(sweep) = lattice::sweep(emitter, &folded, part) {
             return Self { body: Body::new(sweep.flow()), sweep: Some(sweep), ..Self::default() };
         }
-        Self::along(emitter, gradient, part)
+        Self::along(emitter, gradient, part, &Frame::Motion)
     }
 
     /// The same without regard to lattices.
-    fn along(emitter: &mut Emitter<'_>, gradient: &[Contribution], part: Part) -> Self {
+    fn along(emitter: &mut Emitter<'_>, gradient: &[Contribution], part: Part, frame: &Frame<'_>) -> Self {
         let folded = fold_branches(&mut emitter.model.graph, gradient);
         let apart = gradient.iter().any(|contribution| is_protected(&mut emitter.model.graph, contribution));
         let lines = if !apart && is_direct(&emitter.model.graph.loops, &folded) {
             let stores = stores(emitter.model, &folded, Sink::Update);
-            emitter.evaluate(&Frame::Motion, &[], &stores)
+            emitter.evaluate(frame, &[], &stores)
         } else if gradient.iter().any(|contribution| contribution.element.part != part) {
             // Each half in a buffer of its own.
             let (own, other): (Vec<_>, Vec<_>) =
@@ -291,7 +295,7 @@ impl Flow {
             let lines = [(part, own), (part.other(), other)].map(|(part, half)| {
                 let stores = stores(emitter.model, &half, Sink::Collect);
                 let apply = |place, value| quote!(#place.fma(step, #value););
-                through_buffer(emitter, part.other(), &stores, apply)
+                through_buffer(emitter, frame, part.other(), &stores, apply)
             });
             let [Lines { tokens: first, mut program }, Lines { tokens: second, program: other }] = lines;
             program.reads_time |= other.reads_time;
@@ -299,7 +303,7 @@ impl Flow {
         } else {
             let stores = stores(emitter.model, gradient, Sink::Collect);
             let apply = |place, value| quote!(#place.fma(step, #value););
-            through_buffer(emitter, part.other(), &stores, apply)
+            through_buffer(emitter, frame, part.other(), &stores, apply)
         };
         let duration = match part {
             Part::Momentum => quote!(duration),
@@ -337,12 +341,13 @@ pub(crate) fn stores(model: &mut Model, gradient: &[Contribution], sink: fn(Elem
 /// The lines that collect a gradient in a buffer and apply it to the coordinates of `part`.
 fn through_buffer(
     emitter: &mut Emitter<'_>,
+    frame: &Frame<'_>,
     part: Part,
     stores: &[Store],
     apply: impl Fn(TokenStream, TokenStream) -> TokenStream,
 ) -> Lines {
-    let (open, close) = buffer(&emitter.model.shape, part, emitter.names, apply);
-    emitter.evaluate(&Frame::Motion, &[], stores).map(|lines| quote!(#open #lines #close))
+    let (open, close) = buffer(&emitter.model.shape, frame, part, emitter.names, apply);
+    emitter.evaluate(frame, &[], stores).map(|lines| quote!(#open #lines #close))
 }
 
 /// The most elements that a buffer has on the stack; a longer one, or one of a length known at run time, is on the heap.
@@ -351,6 +356,7 @@ const SMALL: u64 = 4096;
 /// A buffer for the gradient, and its application to each of the coordinates of `part`.
 fn buffer(
     shape: &Shape,
+    frame: &Frame<'_>,
     part: Part,
     names: &Names,
     apply: impl Fn(TokenStream, TokenStream) -> TokenStream,
@@ -374,7 +380,8 @@ fn buffer(
     } else {
         quote!(let mut gradient = #runtime::table(#length, &|_| #element);)
     };
-    let at = |indices: TokenStream| apply(quote!(motion.#coordinates #indices), quote!(gradient #indices));
+    let moved = frame.moved();
+    let at = |indices: TokenStream| apply(quote!(#moved.#coordinates #indices), quote!(gradient #indices));
     let close = match dimension {
         None => {
             let application = at(quote!([i]));

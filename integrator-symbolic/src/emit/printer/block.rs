@@ -175,7 +175,13 @@ impl Block<'_> {
     /// A coordinate's update. Under a condition it is an addition, so that lanes that do not take part add zero.
     fn update(&self, fields: &mut Fields, element: Element, value: NodeId) -> TokenStream {
         let printer = &self.printer;
-        let place = printer.place(fields, element);
+        let place = match printer.frame {
+            Frame::Apart => {
+                let (part, at) = (printer.part(element), printer.at(fields, element));
+                quote!(moved.#part #at)
+            }
+            _ => printer.place(fields, element),
+        };
         // A list cannot be read while an element of it is being changed.
         let reads_own = printer.is_list && printer.graph.reads(value, element.part);
         match printer.product(value) {

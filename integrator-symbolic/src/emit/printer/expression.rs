@@ -303,7 +303,7 @@ impl Printer<'_> {
     fn coordinate(&self, fields: &mut Fields, element: Element) -> TokenStream {
         let place = |fields| self.place(fields, element);
         match self.frame {
-            Frame::System | Frame::Constants | Frame::Motion => {
+            Frame::System | Frame::Constants | Frame::Motion | Frame::Apart => {
                 let place = place(fields);
                 quote!(#place.value())
             }
@@ -316,7 +316,7 @@ impl Printer<'_> {
     pub(crate) fn place(&self, fields: &mut Fields, element: Element) -> TokenStream {
         let part = self.part(element);
         match self.frame {
-            Frame::System | Frame::Constants | Frame::Motion | Frame::Sites(_) => {
+            Frame::System | Frame::Constants | Frame::Motion | Frame::Apart | Frame::Sites(_) => {
                 let at = self.at(fields, element);
                 quote!(motion.#part #at)
             }

@@ -26,6 +26,8 @@ pub(crate) enum Frame<'m> {
     Constants,
     /// In the motion.
     Motion,
+    /// In what a flow reads of a motion, apart from what it moves.
+    Apart,
     /// In the neighbourhood of sites of a lattice, which is an argument.
     Sites(&'m Stencil),
     /// In its arguments: the coordinates and constants of bodies, and the constants that all bodies contribution.
@@ -47,9 +49,14 @@ impl Frame<'_> {
     pub(crate) fn scalar<'n>(&self, names: &'n Names) -> &'n Ident {
         match self {
             Frame::Constants => &names.double,
-            Frame::System | Frame::Motion | Frame::Series { .. } => &names.scalar,
+            Frame::System | Frame::Motion | Frame::Apart | Frame::Series { .. } => &names.scalar,
             Frame::Sites(_) | Frame::Bodies(_) => &names.wide,
         }
+    }
+
+    /// The storage of what a flow moves.
+    pub(crate) fn moved(&self) -> TokenStream {
+        if matches!(self, Frame::Apart) { quote!(moved) } else { quote!(motion) }
     }
 
     /// The dialect of its code.
@@ -69,7 +76,7 @@ impl Frame<'_> {
     /// Whether an integer of these loops' indices is read as a prepared number.
     pub(crate) fn has_prepared_index(&self, loops: LoopSet) -> bool {
         match self {
-            Frame::System | Frame::Constants | Frame::Motion | Frame::Series { .. } => false,
+            Frame::System | Frame::Constants | Frame::Motion | Frame::Apart | Frame::Series { .. } => false,
             Frame::Sites(_) => !loops.is_empty(),
             Frame::Bodies(_) => true,
         }
@@ -99,7 +106,9 @@ impl Printer<'_> {
     /// A field of the prepared constants as a number of the flow, for the present iterations of the loops.
     pub(crate) fn shared(&self, name: Ident, loops: LoopSet) -> TokenStream {
         match self.frame {
-            Frame::System | Frame::Constants | Frame::Motion | Frame::Series { .. } => self.prepared(name, loops),
+            Frame::System | Frame::Constants | Frame::Motion | Frame::Apart | Frame::Series { .. } => {
+                self.prepared(name, loops)
+            }
             Frame::Sites(lattice) => self.spread(lattice, name, loops),
             Frame::Bodies(_) => {
                 let (scalar, field) = (self.scalar, self.prepared(name, loops));
@@ -115,7 +124,7 @@ impl Printer<'_> {
             quote!([#index])
         });
         match self.frame {
-            Frame::System | Frame::Motion => quote!(motion.parameters.#name #(#at)*),
+            Frame::System | Frame::Motion | Frame::Apart => quote!(motion.parameters.#name #(#at)*),
             Frame::Constants | Frame::Sites(_) | Frame::Bodies(_) | Frame::Series { .. } => {
                 quote!(parameters.#name #(#at)*)
             }

@@ -66,7 +66,12 @@ impl Printer<'_> {
             quote!([#component])
         });
         match self.frame {
-            Frame::System | Frame::Constants | Frame::Motion | Frame::Sites(_) | Frame::Series { .. } => {
+            Frame::System
+            | Frame::Constants
+            | Frame::Motion
+            | Frame::Apart
+            | Frame::Sites(_)
+            | Frame::Series { .. } => {
                 let index = self.index(fields, element.index);
                 quote!([#index] #component)
             }

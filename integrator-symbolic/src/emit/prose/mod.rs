@@ -33,6 +33,7 @@ pub(crate) fn equations(model: &mut Model, kinetic: &[Contribution], potential: 
 /// long formula, that it is long.
 pub(crate) fn parts(model: &Model) -> Vec<String> {
     let parts = match model.called {
+        Some(Called::Whole(_)) if model.coupling.is_some() => vec![("H".to_owned(), model.kinetic)],
         Some(Called::Whole(_)) if model.parts.is_empty() => {
             vec![("T".to_owned(), model.kinetic), ("V".to_owned(), model.potential)]
         }
@@ -58,7 +59,9 @@ pub(crate) fn motion_documentation(
     potential: &[Contribution],
 ) -> TokenStream {
     let lines: Vec<String> = equations(model, kinetic, potential).iter().map(|line| format!(" {line}")).collect();
-    let class = if !model.is_separable() {
+    let class = if model.coupling.is_some() {
+        " Two copies of the state are coupled, each of which moves by what H says of the other."
+    } else if !model.is_separable() {
         " Each part has an exact flow."
     } else if model.quadratic {
         " `T` is quadratic in the momenta, with a constant mass matrix."

@@ -1,0 +1,141 @@
+#[allow(warnings, clippy::all, clippy::pedantic, reason = "generated")]
+const _: () = {
+    use ::integrator_core::__private::{self as runtime, Mask as _, Slot as _};
+    const _: () = runtime::admits::<Yoshida4>(3usize);
+    /// What depends on parameters alone, evaluated once per run.
+    #[derive(::core::clone::Clone)]
+    pub struct Parameters<Scalar> {
+        /// `depth`
+        depth: Scalar,
+        /// `coupling`
+        coupling: Scalar,
+    }
+    impl<Scalar: runtime::Real> runtime::Prepared<Scalar> for Parameters<Scalar> {
+        type Single = Parameters<f64>;
+        #[inline(always)]
+        fn gather(members: &[&Self::Single]) -> Self {
+            Parameters {
+                depth: runtime::in_lanes(members, |member| &member.depth),
+                coupling: runtime::in_lanes(members, |member| &member.coupling),
+            }
+        }
+        fn not_finite(single: &Self::Single) -> runtime::Vec<runtime::NotFinite> {
+            runtime::all_found([
+                runtime::not_finite("depth", &[], &single.depth),
+                runtime::not_finite("coupling", &[], &single.coupling),
+            ])
+        }
+        fn digest(single: &Self::Single, digest: &mut runtime::Digest) {
+            digest.add(&single.depth);
+            digest.add(&single.coupling);
+        }
+    }
+    /// The equations of motion, derived from `hamiltonian`:
+    ///
+    /// ```text
+    /// dq[0]/dt = p[0] (q[0]^2 + depth)
+    /// dq[1]/dt = p[1]
+    /// dp[0]/dt = -q[0] (1 + p[0]^2)
+    /// dp[1]/dt = -sin(q[1])
+    /// ```
+    ///
+    /// Two copies of the state are coupled, each of which moves by what H says of the other.
+    #[automatically_derived]
+    impl runtime::Hamiltonian for Mixed {
+        type Coords = [f64; 2];
+        type Compose = Yoshida4;
+        type Parameters<Scalar: runtime::Real> = Parameters<Scalar>;
+        type Motion<Scalar: runtime::Real, Leaf: runtime::Precision> = runtime::Doubled<
+            Scalar,
+            runtime::Shaped<Self, Leaf>,
+            Parameters<Scalar>,
+        >;
+        const PARTS: &'static [&'static str] = &[
+            "hamiltonian",
+            "hamiltonian of the copy",
+            "coupling",
+        ];
+        const SEPARABLE: bool = false;
+        const COPIES: bool = true;
+        const AUTONOMOUS: bool = true;
+        const FINGERPRINT: u64 = 17837745871089356034;
+        fn parameters(&self, _length: usize) -> Parameters<f64> {
+            Parameters {
+                depth: self.depth,
+                coupling: self.coupling,
+            }
+        }
+        #[inline(always)]
+        fn drift<Scalar: runtime::Real, Leaf: runtime::Precision>(
+            motion: &mut Self::Motion<Scalar, Leaf>,
+            duration: f64,
+            _time: f64,
+        ) {
+            let (motion, moved) = motion.first();
+            let step = Scalar::of(duration);
+            let q0 = motion.q[0].value();
+            let p0 = motion.p[0].value();
+            moved.p[0].fma(-(step * q0), p0.fma(p0, Scalar::of(1.0)));
+            moved.p[1].fma(-step, motion.q[1].value().sin());
+            moved.q[0].fma(step * q0.fma(q0, motion.parameters.depth), p0);
+            moved.q[1].fma(step, motion.p[1].value());
+        }
+        #[inline(always)]
+        fn middle<Scalar: runtime::Real, Leaf: runtime::Precision>(
+            motion: &mut Self::Motion<Scalar, Leaf>,
+            duration: f64,
+            _backwards: bool,
+        ) {
+            let (motion, moved) = motion.second();
+            let step = Scalar::of(duration);
+            let q0 = motion.q[0].value();
+            let p0 = motion.p[0].value();
+            moved.p[0].fma(-(step * q0), p0.fma(p0, Scalar::of(1.0)));
+            moved.p[1].fma(-step, motion.q[1].value().sin());
+            moved.q[0].fma(step * q0.fma(q0, motion.parameters.depth), p0);
+            moved.q[1].fma(step, motion.p[1].value());
+        }
+        #[inline(always)]
+        fn kick<Scalar: runtime::Real, Leaf: runtime::Precision>(
+            motion: &mut Self::Motion<Scalar, Leaf>,
+            duration: f64,
+            _time: f64,
+        ) {
+            let coupling = motion.parameters.coupling;
+            motion.rotate(coupling, duration);
+        }
+        #[inline(always)]
+        fn kinetic<Scalar: runtime::Real, Leaf: runtime::Precision>(
+            motion: &Self::Motion<Scalar, Leaf>,
+            _time: f64,
+        ) -> Scalar {
+            let q0 = motion.q[0].value();
+            let p0 = motion.p[0].value();
+            let p1 = motion.p[1].value();
+            Scalar::of(0.5)
+                .fma(
+                    p1 * p1,
+                    Scalar::of(0.5) * q0.fma(q0, motion.parameters.depth)
+                        * p0.fma(p0, Scalar::of(1.0)),
+                ) - motion.q[1].value().cos()
+        }
+        #[inline(always)]
+        fn potential<Scalar: runtime::Real, Leaf: runtime::Precision>(
+            _motion: &Self::Motion<Scalar, Leaf>,
+            _time: f64,
+        ) -> Scalar {
+            Scalar::of(0.0)
+        }
+        fn stated(
+            &self,
+            q: &Self::Coords,
+            p: &Self::Coords,
+            time: f64,
+        ) -> runtime::StatedEnergy {
+            runtime::StatedEnergy::Whole(Self::hamiltonian(self, *q, *p))
+        }
+        fn visit_compositions(visitor: &mut impl runtime::Visitor<Self>) {
+            runtime::visit_many_parts(visitor);
+        }
+    }
+};
