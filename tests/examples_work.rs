@@ -1,5 +1,7 @@
 //! The examples that do real work, in short runs: each has a number that is known from elsewhere.
 
+#[path = "../examples/trojan/asteroid.rs"]
+mod asteroid;
 #[path = "../examples/fput_recurrence/chain.rs"]
 mod chain;
 #[path = "../examples/fput_recurrence/picture.rs"]
@@ -22,6 +24,8 @@ mod ring_picture;
 mod section;
 #[path = "../examples/henon_heiles_section/picture.rs"]
 mod section_picture;
+#[path = "../examples/coupled_oscillators/star.rs"]
+mod star;
 #[path = "../examples/storage_ring/ring.rs"]
 mod storage_ring;
 #[path = "../examples/ensemble_separatrix/swarm.rs"]
@@ -255,4 +259,35 @@ fn planets_need_few_steps_beside_their_orbits() {
     let [by_kepler, _] = planets::end(&planets::Planets(system), Aba1064, start, 4096).expect("a run");
     assert!(by_kepler < 1e-10, "{by_kepler:e}");
     assert!(separable > 1e-6, "{separable:e}");
+}
+
+/// The linear theory of the triangle's corner has 147.4 years for Jupiter (Danby 1962).
+#[test]
+fn a_trojan_goes_to_and_fro_in_147_years() {
+    let years = asteroid::YEAR / asteroid::slow_frequency();
+    assert!((years - 147.4).abs() < 0.1, "{years}");
+    let run = asteroid::Asteroid.run(asteroid::start(0.1), 0.1).expect("a start");
+    let looks = run.samples(10).take(1600).map(|sample| asteroid::ahead(sample.expect("finite states").state.q));
+    let looks: Vec<f64> = looks.collect();
+    let mean = looks.iter().sum::<f64>() / looks.len() as f64;
+    assert!(looks.iter().all(|look| look.abs() < 0.11), "it stays near the corner");
+    let looks: Vec<f64> = looks.into_iter().map(|look| look - mean).collect();
+    let found = asteroid::strongest(&looks, 1.0, asteroid::slow_frequency());
+    // A window over twenty periods tells frequencies apart to a small part of one in twenty.
+    assert!((found / asteroid::slow_frequency() - 1.0).abs() < 1e-3, "{found}");
+}
+
+/// What is composed is of third degree, so that the error falls with the size of the orbit; that of `T + V` stays.
+#[test]
+fn solved_oscillators_leave_an_error_of_the_coupling_alone() {
+    use star::{Oscillators, Star, energy_change};
+    let changes = |size: f64| {
+        let by_parts = energy_change(&Oscillators, Verlet, size, 0.2).expect("finite states");
+        [energy_change(&Star, Verlet, size, 0.2).expect("finite states"), by_parts]
+    };
+    let ([plain, parts], [small_plain, small_parts]) = (changes(0.3), changes(0.003));
+    assert!(parts < 0.3 * plain && small_plain > 0.3 * plain, "{parts} {plain} {small_plain}");
+    assert!((parts / small_parts / 100.0 - 1.0).abs() < 0.1, "{parts} {small_parts}");
+    let long = energy_change(&Oscillators, Aba864, 0.03, 0.2).expect("finite states");
+    assert!(long < 1e-11, "{long}");
 }
