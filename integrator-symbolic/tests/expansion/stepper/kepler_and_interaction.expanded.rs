@@ -217,7 +217,7 @@ const _: () = {
             }
         }
         fn visit_compositions(visitor: &mut impl runtime::Visitor<Self>) {
-            runtime::visit_quadratic(visitor);
+            runtime::visit_two_parts_quadratic(visitor);
         }
     }
     #[automatically_derived]
