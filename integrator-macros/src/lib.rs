@@ -5,7 +5,7 @@
 
 use proc_macro::TokenStream;
 
-/// Writes the stepper of a Hamiltonian `H = T(p) + V(q)` given as two plain functions.
+/// Writes the stepper of a Hamiltonian given as plain functions: `H = T(p) + V(q)`, or other parts with exact flows.
 ///
 /// ```
 /// use integrator_core::prelude::*;
@@ -45,6 +45,7 @@ use proc_macro::TokenStream;
 /// | `compose = Yoshida4` | the composition that `run` uses; a path to any that may integrate this Hamiltonian |
 /// | `compose = V(1/2) T(1) V(1/2)` | a sequence in place, as in `composition!`, proved for this Hamiltonian |
 /// | `coordinates = jacobi(self.masses)` | with `split = kepler + interaction`: bodies `[[f64; D]; N]` that attract each other move in Jacobi coordinates, made with their masses, the star first; `potential` has to be a sum over pairs with terms `-G m[i] m[j] / |q[i] - q[j]|`. States stay in the coordinates of the functions |
+/// | `split = kepler + interaction` | the parts of `H`, each a function of this name with a flow that is known exactly, in the order of the letters A, B, C; see [Parts](#parts) |
 /// | `functions = fast` | `sin`, `cos`, `tan`, `exp`, `ln`, `tanh`, `asin`, `acos`, `atan`, `atan2` and `cbrt` within 4 ulp instead of 1 or 2, which takes a fifth to a half of their time off; other functions stay as they are; `functions = precise` names the default |
 /// | `taylor` | recurrences for the Taylor coefficients of the motion are written as well, for runs with `taylor::Taylor` at errors near the rounding |
 /// | `crate = path` | where `integrator_core` is, if it is not `::integrator_core` |
@@ -67,6 +68,47 @@ use proc_macro::TokenStream;
 ///
 /// Any `T(p)` is integrated. Where it is `½ pᵀ M⁻¹ p` with a constant `M`, which is decided symbolically, the type also
 /// implements `QuadraticKinetic`, and the compositions that need it are allowed.
+///
+/// # Parts
+///
+/// All of `H` may stand in one function, `hamiltonian(&self, q, p)`, whose terms are sorted into `T(p)` and `V(q)`. With
+/// `split = a + b` the functions `a` and `b` are the parts instead; each takes `q`, `p`, or both. The exact flow of a
+/// part is found by its formula: a function of `p` alone or of `q` alone, a quadratic form in both, Kepler orbits, or a
+/// shear, which reads no coordinate together with its conjugate. `split = quadratic + rest` sorts the terms of
+/// `hamiltonian` into a quadratic form and what is left. Any other part needs a flow of your own, by
+/// `#[flow(a)]` on a method:
+///
+/// ```
+/// use integrator_core::prelude::*;
+///
+/// #[derive(Clone)]
+/// struct Turning {
+///     frequency: f64,
+/// }
+///
+/// #[hamiltonian(split = oscillator + rest, compose = Aba864)]
+/// impl Turning {
+///     fn oscillator(&self, q: [f64; 1], p: [f64; 1]) -> f64 {
+///         0.5 * self.frequency * (q[0] * q[0] + p[0] * p[0])
+///     }
+///     #[flow(oscillator)]
+///     fn turn(&self, q: &mut [f64; 1], p: &mut [f64; 1], duration: f64) {
+///         let (sine, cosine) = (self.frequency * duration).sin_cos();
+///         (q[0], p[0]) = (cosine * q[0] + sine * p[0], cosine * p[0] - sine * q[0]);
+///     }
+///     fn rest(&self, q: [f64; 1]) -> f64 {
+///         0.01 * q[0].powi(4)
+///     }
+/// }
+///
+/// # fn main() -> Result<(), Error> {
+/// let mut run = Turning { frequency: 2.0 }.run(Phase::new([1.0], [0.0]), 0.5)?;
+/// let energy = run.energy();
+/// run.advance(1_000)?;
+/// assert!((run.energy() - energy).abs() < 1e-7);
+/// # Ok(())
+/// # }
+/// ```
 ///
 /// # What the functions may contain
 ///
