@@ -260,7 +260,8 @@ pub(crate) fn of_text(item: &str) -> Model {
 /// What to say of a Hamiltonian that is no sum of `T(p)` and `V(q)`.
 const NOT_SEPARABLE: &str = "this mixes q and p, so H is not separable: a splitting needs H = T(p) + V(q). Change to \
                              coordinates in which T depends on p alone, split H into parts with exact flows, \
-                             `split = a + b`, or couple two copies of the state, `split = symmetric(omega = 20.0)`";
+                             `split = a + b`, or couple two copies of the state, `split = symmetric(omega = 20.0)`, where \
+                             implicit methods such as `GaussLegendre4` run too";
 
 /// A variable.
 struct Binding {

@@ -168,21 +168,21 @@ pub(crate) const ITEMS: &[Row] = &[
     (
         "impl System {\nfn hamiltonian(&self, q: [f64; 2], p: [f64; 2]) -> f64 {\n0.5 * p[0] * p[0] + q[0] * p[1] - q[1].cos() }}",
         &[
-            "3:20 this mixes q and p, so H is not separable: a splitting needs H = T(p) + V(q). Change to coordinates in which T depends on p alone, split H into parts with exact flows, `split = a + b`, or couple two copies of the state, `split = symmetric(omega = 20.0)`",
+            "3:20 this mixes q and p, so H is not separable: a splitting needs H = T(p) + V(q). Change to coordinates in which T depends on p alone, split H into parts with exact flows, `split = a + b`, or couple two copies of the state, `split = symmetric(omega = 20.0)`, where implicit methods such as `GaussLegendre4` run too",
         ],
     ),
     (
         "impl System {\nfn hamiltonian(&self, q: [f64; 1], p: [f64; 1]) -> f64 {\n(q[0] + p[0]).powi(2) + (q[0] - p[0]).sin() + 1.0 / (q[0] + p[0]) }}",
         &[
-            "3:0 this mixes q and p, so H is not separable: a splitting needs H = T(p) + V(q). Change to coordinates in which T depends on p alone, split H into parts with exact flows, `split = a + b`, or couple two copies of the state, `split = symmetric(omega = 20.0)`",
-            "3:24 this mixes q and p, so H is not separable: a splitting needs H = T(p) + V(q). Change to coordinates in which T depends on p alone, split H into parts with exact flows, `split = a + b`, or couple two copies of the state, `split = symmetric(omega = 20.0)`",
-            "3:46 this mixes q and p, so H is not separable: a splitting needs H = T(p) + V(q). Change to coordinates in which T depends on p alone, split H into parts with exact flows, `split = a + b`, or couple two copies of the state, `split = symmetric(omega = 20.0)`",
+            "3:0 this mixes q and p, so H is not separable: a splitting needs H = T(p) + V(q). Change to coordinates in which T depends on p alone, split H into parts with exact flows, `split = a + b`, or couple two copies of the state, `split = symmetric(omega = 20.0)`, where implicit methods such as `GaussLegendre4` run too",
+            "3:24 this mixes q and p, so H is not separable: a splitting needs H = T(p) + V(q). Change to coordinates in which T depends on p alone, split H into parts with exact flows, `split = a + b`, or couple two copies of the state, `split = symmetric(omega = 20.0)`, where implicit methods such as `GaussLegendre4` run too",
+            "3:46 this mixes q and p, so H is not separable: a splitting needs H = T(p) + V(q). Change to coordinates in which T depends on p alone, split H into parts with exact flows, `split = a + b`, or couple two copies of the state, `split = symmetric(omega = 20.0)`, where implicit methods such as `GaussLegendre4` run too",
         ],
     ),
     (
         "impl System {\nfn hamiltonian(&self, q: [f64; 1], p: [f64; 1]) -> f64 { if q[0] > p[0] { p[0] } else { 2.0 * p[0] } } }",
         &[
-            "2:3 this mixes q and p, so H is not separable: a splitting needs H = T(p) + V(q). Change to coordinates in which T depends on p alone, split H into parts with exact flows, `split = a + b`, or couple two copies of the state, `split = symmetric(omega = 20.0)`",
+            "2:3 this mixes q and p, so H is not separable: a splitting needs H = T(p) + V(q). Change to coordinates in which T depends on p alone, split H into parts with exact flows, `split = a + b`, or couple two copies of the state, `split = symmetric(omega = 20.0)`, where implicit methods such as `GaussLegendre4` run too",
         ],
     ),
     (
@@ -202,9 +202,9 @@ pub(crate) const ITEMS: &[Row] = &[
     (
         "impl System {\nfn kinetic(&self, q: [f64; 1], p: [f64; 1]) -> f64 {\np[0] / q[0] + p[0].powf(q[0]) + p[0].mul_add(q[0], 1.0) }\nfn potential(&self, q: [f64; 1]) -> f64 { q[0] } }",
         &[
-            "3:0 this mixes q and p, so H is not separable: a splitting needs H = T(p) + V(q). Change to coordinates in which T depends on p alone, split H into parts with exact flows, `split = a + b`, or couple two copies of the state, `split = symmetric(omega = 20.0)`",
-            "3:24 this mixes q and p, so H is not separable: a splitting needs H = T(p) + V(q). Change to coordinates in which T depends on p alone, split H into parts with exact flows, `split = a + b`, or couple two copies of the state, `split = symmetric(omega = 20.0)`",
-            "3:32 this mixes q and p, so H is not separable: a splitting needs H = T(p) + V(q). Change to coordinates in which T depends on p alone, split H into parts with exact flows, `split = a + b`, or couple two copies of the state, `split = symmetric(omega = 20.0)`",
+            "3:0 this mixes q and p, so H is not separable: a splitting needs H = T(p) + V(q). Change to coordinates in which T depends on p alone, split H into parts with exact flows, `split = a + b`, or couple two copies of the state, `split = symmetric(omega = 20.0)`, where implicit methods such as `GaussLegendre4` run too",
+            "3:24 this mixes q and p, so H is not separable: a splitting needs H = T(p) + V(q). Change to coordinates in which T depends on p alone, split H into parts with exact flows, `split = a + b`, or couple two copies of the state, `split = symmetric(omega = 20.0)`, where implicit methods such as `GaussLegendre4` run too",
+            "3:32 this mixes q and p, so H is not separable: a splitting needs H = T(p) + V(q). Change to coordinates in which T depends on p alone, split H into parts with exact flows, `split = a + b`, or couple two copies of the state, `split = symmetric(omega = 20.0)`, where implicit methods such as `GaussLegendre4` run too",
         ],
     ),
     (

@@ -1,7 +1,7 @@
 //! Tests of coupled copies of the state, on the example of Tao, whose solution is an elliptic function.
 
 use crate::{
-    CheckpointError, Composition, Ensemble, Error, Hamiltonian, Phase, Run,
+    CheckpointError, Composition, Ensemble, Error, Hamiltonian, Method, Phase, Run,
     check::{CertifyError, Shortfall, certify, statistics::least_squares::fit},
     composition::catalogue::*,
     flow::doubled::Doubled,
@@ -51,7 +51,7 @@ fn exact(t: f64) -> [f64; 2] {
 
 const TIME: f64 = 3.0;
 
-fn error<X: Composition<Mixed>>(composition: X, steps: u32) -> f64 {
+fn error<X: Method<Mixed>>(composition: X, steps: u32) -> f64 {
     let mut run = MIXED.run_with(composition, Phase::new([A], [0.0]), TIME / f64::from(steps)).expect("a start");
     run.advance(u64::from(steps)).expect("finite");
     let (Phase { q, p }, [x, y]) = (run.state(), exact(TIME));
@@ -69,6 +69,24 @@ fn errors_fall_with_the_order() {
     slope(Verlet, [400, 800, 1600, 3200]);
     slope(Yoshida4, [800, 1600, 2400, 3200]);
     slope(KahanLi6, [250, 300, 350, 400]);
+}
+
+#[cfg(feature = "reference")]
+#[test]
+fn implicit_methods_follow_the_whole_field() {
+    use crate::reference::{GaussLegendre4, GaussLegendre6, ImplicitMidpoint};
+
+    fn slope(order: f64, error: impl Fn(u32) -> f64, steps: [u32; 3]) {
+        let points = steps.map(|steps| ((TIME / f64::from(steps)).ln(), error(steps).ln()));
+        let slope = fit(&points).value;
+        assert!((slope - order).abs() < 0.2, "order {slope}, not {order}: {points:?}");
+    }
+    slope(2.0, |steps| error(ImplicitMidpoint, steps), [60, 120, 240]);
+    slope(4.0, |steps| error(GaussLegendre4, steps), [30, 60, 120]);
+    slope(6.0, |steps| error(GaussLegendre6, steps), [20, 30, 40]);
+    certify(&MIXED, GaussLegendre4, Phase::new([A], [0.0]), 0.05).expect("symplectic and symmetric");
+    let mut run = MIXED.run_with(GaussLegendre6, Phase::new([A], [0.0]), 1e6).expect("a start");
+    assert!(matches!(run.advance(10), Err(Error::NotSolved { method: "GaussLegendre6", .. })));
 }
 
 #[test]

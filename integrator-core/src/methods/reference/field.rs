@@ -61,9 +61,32 @@ impl<H: Hamiltonian> Generated<'_, H> {
     }
 }
 
+impl<H: Hamiltonian> Generated<'_, H> {
+    /// The field of a system whose flows move two copies: each adds one half to what is shown of them, which rounds no more
+    /// than the state itself does.
+    fn of_copies<R: Real>(&self, y: &[R], time: f64) -> Vec<R> {
+        let half = y.len() / 2;
+        let point = |lane: usize| {
+            let mut point = self.shape.clone();
+            point.q.flat_mut().iter_mut().zip(&y[..half]).for_each(|(to, from)| *to = from.lane(lane));
+            point.p.flat_mut().iter_mut().zip(&y[half..]).for_each(|(to, from)| *to = from.lane(lane));
+            point
+        };
+        let points = || (0..R::LANES).map(point).collect::<Vec<_>>();
+        let moved = self.flown::<R>(points(), |motion| H::middle::<R, f64>(motion, 1.0, false));
+        let kicked = self.flown::<R>(points(), |motion| H::drift::<R, f64>(motion, 1.0, time));
+        let velocity = (0..half).map(|i| R::state(&|lane| moved[lane].q.flat()[i]));
+        let force = (0..half).map(|i| R::state(&|lane| kicked[lane].p.flat()[i]));
+        velocity.chain(force).zip(y).map(|(end, start)| end - *start).collect()
+    }
+}
+
 impl<H: Hamiltonian, R: Real> Field<R> for Generated<'_, H> {
     fn derivative(&self, y: &[R], time: f64) -> Vec<R> {
         self.evaluations.set(self.evaluations.get() + 1);
+        if H::COPIES {
+            return self.of_copies(y, time);
+        }
         let (q, p) = y.split_at(y.len() / 2);
         // A drift moves the positions by the velocities, and from zero without rounding; a kick the momenta by the forces.
         let drifted =

@@ -11,6 +11,7 @@
 //! | [`StaggeredLeapfrog`] | 2 | yes | momenta at half steps: Verlet in another dress |
 //! | [`ExplicitMidpoint`] | 2 | no | of the order of the leapfrog, and yet energies drift |
 //! | [`ImplicitMidpoint`] | 2 | yes | symplectic without a splitting, for the price of an equation per step |
+//! | [`GaussLegendre4`], [`GaussLegendre6`] | 4, 6 | yes | the same of higher order, for two and three times the unknowns |
 //! | [`RungeKutta4`] | 4 | no | the classical one |
 //! | [`AdamsBashforthMoulton4`] | 4 | no | a predictor and a corrector over past forces |
 //! | [`GraggBulirschStoer`] | 8 | no | extrapolation of modified midpoint steps |
@@ -58,7 +59,7 @@ mod walk;
 
 pub use adaptive::{Bdf, DormandPrince5, DormandPrince8};
 pub use extrapolation::GraggBulirschStoer;
-pub use implicit::{BackwardEuler, ImplicitMidpoint};
+pub use implicit::{BackwardEuler, GaussLegendre4, GaussLegendre6, ImplicitMidpoint};
 pub use leapfrog::StaggeredLeapfrog;
 pub use multistep::AdamsBashforthMoulton4;
 pub use runge_kutta::{ExplicitMidpoint, ForwardEuler, RungeKutta4};
@@ -94,5 +95,5 @@ macro_rules! methods {
 }
 methods! {
     ForwardEuler BackwardEuler StaggeredLeapfrog ExplicitMidpoint ImplicitMidpoint RungeKutta4 AdamsBashforthMoulton4
-    GraggBulirschStoer DormandPrince5 DormandPrince8 Bdf
+    GraggBulirschStoer DormandPrince5 DormandPrince8 Bdf GaussLegendre4 GaussLegendre6
 }
