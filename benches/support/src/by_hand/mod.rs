@@ -7,6 +7,7 @@
 //! | [`oscillators`] | Hénon-Heiles as oscillators that turn by prepared angles, and kicks of the rest |
 //! | [`swarm`] | ensembles of these, several vectors in flight |
 //! | [`row`] | six bodies, and 32 sites of a chain, side by side in registers |
+//! | [`orbits`] | five planets on Kepler orbits side by side in registers |
 //! | [`chain`] | long chains in one pass per step, several steps per tile, and in two plain passes |
 //! | [`plane`] | the φ⁴ field on a plane, in one pass per step, and in two plain passes |
 //! | [`taylor`] | Taylor integrators of the five problems |
@@ -14,6 +15,7 @@
 
 pub mod chain;
 pub mod law;
+pub mod orbits;
 pub mod oscillators;
 pub mod plain;
 pub mod plane;
