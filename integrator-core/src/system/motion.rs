@@ -30,6 +30,9 @@ pub trait Prepared<R: Real>: Clone + Send + Sync + 'static {
 
 /// State and prepared constants in the layout that the generator chose.
 pub trait Motion<C: Coords, P>: Clone + Send + Sync + 'static {
+    /// Whether loading and storing mixes coordinates, so that each has roundings of the size of the largest one.
+    const MIXES: bool = false;
+
     /// One member per lane, each with its constants and its state.
     fn load(constants: &[&P], states: &[&Phase<C>]) -> Self;
     /// The same from states in the coordinates of the motion itself, where these are not the user's own.

@@ -246,7 +246,13 @@ impl Measured<'_> {
         let sizes: Vec<f64> = numbers(point).map(f64::abs).collect();
         let carried = through(&map, &sizes);
         let unit = gradient_tolerance(point.q.len());
-        let rounding = numbers(&end).zip(carried).map(|(end, carried)| unit * (end.abs() + carried)).collect();
+        let mut rounding: Vec<f64> =
+            numbers(&end).zip(carried).map(|(end, carried)| unit * (end.abs() + carried)).collect();
+        if self.system.mixes() {
+            for half in rounding.chunks_mut(point.q.len()) {
+                half.fill(largest(half.iter().copied()));
+            }
+        }
         Ok(Image { end, map, rounding })
     }
 

@@ -35,6 +35,9 @@ pub(crate) trait Flows: Differentiable {
     /// How exact tangents are, in units of those of the chain rule.
     fn tangent_error(&self) -> f64;
 
+    /// Whether loading and storing a state mixes its coordinates.
+    fn mixes(&self) -> bool;
+
     /// Where some flows lead from a point, each for a duration, and where a tangent at the point leads.
     fn carried(&self, flows: &[(Flow, f64)], point: &Flat, tangent: Option<&Flat>, time: f64) -> (Flat, Flat);
 }
@@ -50,6 +53,10 @@ impl<H: Hamiltonian> Flows for Energies<'_, H> {
 
     fn tangent_error(&self) -> f64 {
         H::TANGENT_ERROR
+    }
+
+    fn mixes(&self) -> bool {
+        H::Motion::<f64, f64>::MIXES
     }
 
     fn carried(&self, flows: &[(Flow, f64)], point: &Flat, tangent: Option<&Flat>, time: f64) -> (Flat, Flat) {

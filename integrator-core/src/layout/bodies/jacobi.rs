@@ -143,6 +143,8 @@ where
     Q: JacobiConstants,
     L: Motion<C, Q> + Rows<D>,
 {
+    const MIXES: bool = true;
+
     fn load(constants: &[&Q], states: &[&Phase<C>]) -> Self {
         if Self::PLAIN {
             let (mut own, bodies) = (Vec::with_capacity(states.len()), states[0].q.length());
