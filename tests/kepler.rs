@@ -170,7 +170,7 @@ fn a_member_has_the_bits_of_its_run_alone() {
 fn an_orbit_that_cannot_be_followed_is_reported_and_the_last_state_is_kept() {
     // 1e150 revolutions in a step: no digit is left of the time.
     let start = Phase::new([1e-100, 0.0], [0.0, 1e50]);
-    let mut run = satellite(0.0).run_with(Verlet, start.clone(), 1.0).expect("a run");
+    let mut run = satellite(0.0).run_with(Verlet, start, 1.0).expect("a run");
     let fault = run.advance(3).expect_err("no orbit");
     assert!(matches!(fault, Error::NotSolved { reason: Unsolved::Kepler { body: 0, .. }, step: 1, .. }), "{fault}");
     assert_eq!(run.state(), start);

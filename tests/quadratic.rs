@@ -183,7 +183,7 @@ fn a_penning_trap_turns_with_its_three_frequencies() {
     let trap = PenningTrap { octupole: 0.0, ..trap(0.0) };
     let (steps, h) = (10_000_u32, 0.37);
     let start = charge(1.0);
-    let mut run = trap.run(start.clone(), h).expect("a run");
+    let mut run = trap.run(start, h).expect("a run");
     run.advance(u64::from(steps)).expect("finite");
     let t = f64::from(steps) * h;
     let (cyclotron, axial) = (trap.magnetic / trap.mass, (trap.electric / trap.mass).sqrt());

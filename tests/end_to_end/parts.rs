@@ -108,7 +108,7 @@ fn points(k: f64) -> Phase<Vec<[f64; 2]>> {
 fn shears_are_certified() {
     let twist = Twist { rate: 0.7 };
     let start = Phase { q: [0.4, -0.2], p: [0.3, 0.5] };
-    certify::<_, _, f64>(&twist, Yoshida4, start.clone(), 0.02).unwrap_or_else(|error| panic!("{error}"));
+    certify::<_, _, f64>(&twist, Yoshida4, start, 0.02).unwrap_or_else(|error| panic!("{error}"));
     certify::<_, _, f64>(&Chained { rate: 0.7 }, Verlet, points(1.0), 0.02).unwrap_or_else(|error| panic!("{error}"));
     assert_members_are_alone!(|rate| Twist { rate }, |k: f64| Phase { q: [0.1 * k, -0.2], p: [0.3, 0.5] });
     assert_members_are_alone!(|rate| Chained { rate }, points);
@@ -118,7 +118,7 @@ fn shears_are_certified() {
 fn three_parts_are_certified() {
     let start = Phase { q: [0.4, -0.2], p: [0.3, 0.5] };
     let three = Three { rate: 0.7 };
-    certify::<_, _, f64>(&three, Yoshida4, start.clone(), 0.02).unwrap_or_else(|error| panic!("{error}"));
+    certify::<_, _, f64>(&three, Yoshida4, start, 0.02).unwrap_or_else(|error| panic!("{error}"));
     certify::<_, _, f64>(&three, KahanLi8, start, 0.1).unwrap_or_else(|error| panic!("{error}"));
     assert_members_are_alone!(|rate| Three { rate }, |k: f64| Phase { q: [0.1 * k, -0.2], p: [0.3, 0.5] });
 }
@@ -127,10 +127,9 @@ fn three_parts_are_certified() {
 fn flows_of_the_user_are_certified_or_refused() {
     let start = Phase { q: [0.4], p: [0.3] };
     let right = Turning { frequency: 1.3, loss: 0.0 };
-    for certificate in [
-        certify::<_, _, f64>(&right, KahanLi8, start.clone(), 0.05),
-        certify::<_, _, f64>(&right, Chin4A, start.clone(), 0.05),
-    ] {
+    for certificate in
+        [certify::<_, _, f64>(&right, KahanLi8, start, 0.05), certify::<_, _, f64>(&right, Chin4A, start, 0.05)]
+    {
         certificate.unwrap_or_else(|error| panic!("{error}"));
     }
     let wrong = Turning { frequency: 1.3, loss: 1e-9 };
