@@ -102,7 +102,7 @@ use proc_macro::TokenStream;
 /// }
 ///
 /// # fn main() -> Result<(), Error> {
-/// let mut run = Turning { frequency: 2.0 }.run(Phase::new([1.0], [0.0]), 0.5)?;
+/// let mut run = Turning { frequency: 2.0 }.run(Phase::new([1.0], [0.0]), 0.25)?;
 /// let energy = run.energy();
 /// run.advance(1_000)?;
 /// assert!((run.energy() - energy).abs() < 1e-7);
