@@ -146,7 +146,7 @@ pub(crate) fn sample<H: Hamiltonian, K: Precision>(
 ) -> Sample {
     let motion = H::Motion::<f64, K>::load(&[parameters], &[state]);
     let (first, other) = (H::kinetic::<f64, K>(&motion, time), H::potential::<f64, K>(&motion, time));
-    let kinetic = if H::SEPARABLE { first } else { virial::<H>(parameters, &plain::<H, K>(state), time) };
+    let kinetic = if const { H::SEPARABLE } { first } else { virial::<H>(parameters, &plain::<H, K>(state), time) };
     Sample { time, kinetic, energy: first + other, terms: first.abs() + other.abs() }
 }
 

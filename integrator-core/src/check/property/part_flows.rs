@@ -60,6 +60,10 @@ impl<H: Hamiltonian> Flows for Energies<'_, H> {
     }
 
     fn carried(&self, flows: &[(Flow, f64)], point: &Flat, tangent: Option<&Flat>, time: f64) -> (Flat, Flat) {
+        // Nobody asks for those of T and V, and nothing is compiled for them.
+        if const { H::SEPARABLE } {
+            return (point.clone(), point.clone());
+        }
         let mut lanes = [point, tangent.unwrap_or(point)].map(|numbers| shaped(self.shape, numbers));
         match tangent {
             None => carry::<H, f64>(&self.parameters, flows, &mut lanes, time),
