@@ -43,7 +43,7 @@ pub trait Hamiltonian: Sized {
     /// Whether H = T(p) + V(q): a drift moves positions alone, by what momenta say, a kick momenta alone.
     const SEPARABLE: bool = true;
     /// How exact the derivatives of flows by duals are, in units of those of the chain rule: a flow that the user wrote has
-    /// differences instead, which err by about `2 ε^(6/7)`.
+    /// extrapolated differences instead, which lose one or two digits more.
     const TANGENT_ERROR: f64 = 1.0;
     /// Whether a motion is that of two coupled copies of the state, of which one is shown (Tao 2016): it is symplectic and
     /// runs back in the space of both, and not where one is seen alone.

@@ -118,3 +118,81 @@ fn an_energy_that_is_not_finite_has_the_name_of_its_part() {
     let refused = system.run(START, 0.05);
     assert!(matches!(refused, Err(Error::Energy { function: "oscillator", .. })), "{:?}", refused.err());
 }
+
+/// The angle by which a flow turns, by the right one.
+type Angle = fn(f64) -> f64;
+
+/// An oscillator and the rest, whose first flow the user wrote: right ones and wrong ones, by the angle and the scale of
+/// the ellipse.
+#[derive(Clone)]
+struct Own {
+    angle: Angle,
+    scale: f64,
+}
+
+#[integrator_core::hamiltonian(split = oscillator + rest, compose = Yoshida4)]
+impl Own {
+    fn oscillator(&self, q: [f64; 2], p: [f64; 2]) -> f64 {
+        q.iter().zip(p).map(|(q, p)| (0.5 * p * p + 2.0 * q * q).cosh()).sum()
+    }
+    fn rest(&self, q: [f64; 2]) -> f64 {
+        0.25 * (q[0] * q[0] * q[1] * q[1]).sin()
+    }
+    /// The oscillator of a pair has the frequency of its energy's slope, which stays.
+    #[flow(oscillator)]
+    fn turn(&self, q: &mut [f64; 2], p: &mut [f64; 2], duration: f64) {
+        for (q, p) in q.iter_mut().zip(p) {
+            let frequency = 2.0 * (0.5 * *p * *p + 2.0 * *q * *q).sinh();
+            let (sine, cosine) = (self.angle)(frequency * duration).sin_cos();
+            (*q, *p) = (cosine * *q + sine * *p / self.scale, cosine * *p - sine * self.scale * *q);
+        }
+    }
+}
+
+#[test]
+fn flows_of_the_user_are_measured() {
+    let start = Phase { q: [0.4, -0.2], p: [0.3, 0.5] };
+    let outcome = |angle, scale| certify::<_, _, f64>(&Own { angle, scale }, Yoshida4, start, 0.05);
+    outcome(|angle| angle, 2.0).unwrap_or_else(|error| panic!("{error}"));
+    let wrong: [(Angle, f64, FlowLaw); 4] = [
+        (|angle| 1.000_001 * angle, 2.0, FlowLaw::Generator),
+        (|angle| 2.0 * (angle / 2.0).atan(), 2.0, FlowLaw::Addition),
+        (|angle| angle + 1e-6 * angle * angle, 2.0, FlowLaw::Inverse),
+        (|angle| angle, 2.000_001, FlowLaw::Energy),
+    ];
+    for (angle, scale, expected) in wrong {
+        let Err(CertifyError::Refused { shortfalls, .. }) = outcome(angle, scale) else {
+            panic!("{expected:?} passes")
+        };
+        let found = shortfalls.iter().any(|shortfall| {
+            matches!(shortfall, Shortfall::Flow { part, law, .. } if part == "oscillator" && *law == expected)
+        });
+        assert!(found, "{expected:?} is not among {shortfalls:?}");
+    }
+}
+
+/// A flow of the user on a body so light that its momenta are a millionth of its positions.
+#[derive(Clone)]
+struct Light;
+
+#[integrator_core::hamiltonian(split = oscillator + rest, compose = Yoshida4)]
+impl Light {
+    fn oscillator(&self, q: [f64; 1], p: [f64; 1]) -> f64 {
+        1e-6 * (0.5 * (1e6 * p[0]).powi(2) + 2.0 * q[0].powi(2)).cosh()
+    }
+    fn rest(&self, q: [f64; 1]) -> f64 {
+        1e-7 * q[0].sin()
+    }
+    #[flow(oscillator)]
+    fn turn(&self, q: &mut [f64; 1], p: &mut [f64; 1], duration: f64) {
+        let speed = 1e6 * p[0];
+        let (sine, cosine) = (2.0 * (0.5 * speed * speed + 2.0 * q[0] * q[0]).sinh() * duration).sin_cos();
+        (q[0], p[0]) = (cosine * q[0] + sine * speed / 2.0, 1e-6 * (cosine * speed - 2.0 * sine * q[0]));
+    }
+}
+
+#[test]
+fn units_do_not_decide_on_flows_of_the_user() {
+    let outcome = certify::<_, _, f64>(&Light, Yoshida4, Phase { q: [0.4], p: [3e-7] }, 0.05);
+    outcome.unwrap_or_else(|error| panic!("{error}"));
+}
