@@ -191,6 +191,21 @@ pub trait Composition<H: Hamiltonian>: Scheme {
     /// One stage of a step that begins at `time`.
     #[inline(always)]
     fn stage(flows: &mut impl Flows<H>, stage: &Stage, h: f64, time: f64) {
+        if const { H::PARTS.len() > 2 } {
+            return Self::stage_of_many(flows, stage, h, time);
+        }
+        if Self::STAGES.lead == Lead::Kick {
+            Self::kick(flows, stage, h, time);
+        }
+        flows.drift(h * stage.drift, time + h * stage.drift_time);
+        if Self::STAGES.lead == Lead::Drift {
+            Self::kick(flows, stage, h, time);
+        }
+    }
+
+    /// The same with the flows of the parts between the first and the last.
+    #[inline(always)]
+    fn stage_of_many(flows: &mut impl Flows<H>, stage: &Stage, h: f64, time: f64) {
         let [within, behind] = stage.middle;
         if Self::STAGES.lead == Lead::Kick {
             Self::kick(flows, stage, h, time);
@@ -204,10 +219,10 @@ pub trait Composition<H: Hamiltonian>: Scheme {
         Self::middle(flows, h * behind, Self::STAGES.lead == Lead::Drift);
     }
 
-    /// The flows of the parts between the first and the last, where there are more than two.
+    /// The flows of the parts between the first and the last, unless they stand still.
     #[inline(always)]
     fn middle(flows: &mut impl Flows<H>, duration: f64, backwards: bool) {
-        if const { H::PARTS.len() > 2 } && duration != 0.0 {
+        if duration != 0.0 {
             flows.middle(duration, backwards);
         }
     }

@@ -17,12 +17,13 @@ pub(crate) struct Parts {
     pub(crate) kinetic: f64,
     pub(crate) potential: f64,
     pub(crate) total: f64,
-    names: [&'static str; 2],
+    /// The names of the parts of H.
+    names: &'static [&'static str],
 }
 
 /// The names of the first part of H and of what all others make together, as the user knows them.
-pub(crate) fn part_names<H: Hamiltonian>() -> [&'static str; 2] {
-    match H::PARTS {
+pub(crate) fn part_names(parts: &'static [&'static str]) -> [&'static str; 2] {
+    match *parts {
         [] => ["hamiltonian"; 2],
         [first] => [first; 2],
         [first, second] => [first, second],
@@ -37,7 +38,7 @@ impl Parts {
     /// [`Error::Energy`] naming the function that is not finite: forces may be finite there all the same, as those of
     /// `q - ln q` are at `q = -1`.
     pub(crate) fn admissible(self, time: f64) -> Result<(), Error> {
-        let [first, second] = self.names;
+        let [first, second] = part_names(self.names);
         let parts = [(first, self.kinetic), (second, self.potential)];
         match parts.into_iter().find(|(_, value)| !value.is_finite()) {
             Some((function, value)) => Err(Error::Energy { function, value, time }),
@@ -106,6 +107,6 @@ impl<H: Hamiltonian, R: Real> Kernel for Energy<'_, H, R> {
         let kinetic = H::kinetic::<R, f64>(self.motion, self.time);
         let potential = H::potential::<R, f64>(self.motion, self.time);
         let total = (kinetic + potential).lane(0);
-        Parts { kinetic: kinetic.lane(0), potential: potential.lane(0), total, names: part_names::<H>() }
+        Parts { kinetic: kinetic.lane(0), potential: potential.lane(0), total, names: H::PARTS }
     }
 }

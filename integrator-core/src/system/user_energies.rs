@@ -48,7 +48,7 @@ impl Function {
 
     /// The user's function that it is, or is a part of.
     fn name<H: Hamiltonian>(self, is_whole: bool) -> &'static str {
-        let [first, second] = part_names::<H>();
+        let [first, second] = part_names(H::PARTS);
         match self {
             _ if is_whole => "hamiltonian",
             Self::Kinetic => first,

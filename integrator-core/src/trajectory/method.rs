@@ -132,8 +132,11 @@ impl<H: Hamiltonian, X: Scheme + Composition<H>> Method<H> for X {
         if H::PIECEWISE_IN_TIME { Some(X::STAGES.forces(&X::PROCESSOR)) } else { self.facts().forces }
     }
     fn claims(self) -> Facts {
-        let facts = self.facts();
-        if H::COPIES { Facts { symmetric: false, symplectic: false, stability_limit: None, ..facts } } else { facts }
+        let mut facts = self.facts();
+        if const { H::COPIES } {
+            (facts.symmetric, facts.symplectic, facts.stability_limit) = (false, false, None);
+        }
+        facts
     }
     type Constants = H::Parameters<f64>;
     type Motion<R: Real, K: Precision> = H::Motion<R, K>;
