@@ -74,6 +74,11 @@ impl Graph {
         let one = self.constant(1.0);
         let mut terms = Vec::new();
         self.terms(energy, one, &mut Vec::new(), &mut terms);
+        if terms.len() > MANY {
+            return Err(Some(Stray::Term));
+        }
+        // A number in an energy moves nothing.
+        terms.retain(|term| !self.is_prepared(term.core));
         let mut found: Vec<Found> = Vec::new();
         let (mut stray, mut attracts) = (None, false);
         for term in terms {
@@ -94,10 +99,13 @@ impl Graph {
         found.into_iter().map(|found| self.orbit(found, extents).map_err(Some)).collect()
     }
 
-    /// The terms of a sum, with what they are multiplied by.
+    /// The terms of a sum, with what they are multiplied by, numbers included; of too many, one more than are looked at.
     fn terms(&mut self, id: NodeId, coefficient: NodeId, loops: &mut Vec<LoopId>, terms: &mut Vec<Term>) {
-        if self.is_prepared(id) || terms.len() > MANY {
-            // A number moves nothing.
+        if terms.len() > MANY {
+            return;
+        }
+        if self.is_prepared(id) {
+            terms.push(Term { loops: loops.clone(), coefficient, core: id });
             return;
         }
         match self.node(id) {
@@ -238,6 +246,9 @@ impl Graph {
         let one = self.constant(1.0);
         let mut terms = Vec::new();
         self.terms(square, one, &mut loops.to_vec(), &mut terms);
+        if terms.len() > MANY {
+            return Err(Stray::Term);
+        }
         let mut components = Vec::new();
         let mut bodies = None;
         for term in &terms {

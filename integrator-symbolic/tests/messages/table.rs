@@ -484,6 +484,22 @@ pub(crate) const SPLITS: &[Row] = &[
         ],
     ),
     (
+        "split = a + b on fn a(&self, [x, y]: [f64; 2], [px, py]: [f64; 2]) -> f64 { 0.5 * (px * px + py * py) - 1.0 / (x * x + y * y + 0.01).sqrt() } fn b(&self, q: [f64; 2]) -> f64 { q[0].cos() }",
+        &[
+            "2:3 no exact flow is known for `a`: it is no shear, since q[0] and p[0] are both in it; it is no quadratic form in q and p; it is no sum of p²/2m - k/|q| over bodies, since a term is neither p² of a body times a number nor k/|q|. Split it into more parts, or write its flow: `#[flow(a)]`",
+        ],
+    ),
+    (
+        "split = a + b on fn a(&self, [x, y]: [f64; 2], [px, py]: [f64; 2]) -> f64 { 0.5 * (px * px + py * py) - 1.0 / (x * x + (y * y + self.soft)).sqrt() } fn b(&self, q: [f64; 2]) -> f64 { q[0].cos() }",
+        &[
+            "2:3 no exact flow is known for `a`: it is no shear, since q[0] and p[0] are both in it; it is no quadratic form in q and p; it is no sum of p²/2m - k/|q| over bodies, since a term is neither p² of a body times a number nor k/|q|. Split it into more parts, or write its flow: `#[flow(a)]`",
+        ],
+    ),
+    (
+        "split = a + b on fn a(&self, [x, y]: [f64; 2], [px, py]: [f64; 2]) -> f64 { 0.5 * (px * px + py * py) - 1.0 / (x * x + y * y).sqrt() + self.offset } fn b(&self, q: [f64; 2]) -> f64 { q[0].cos() }",
+        &[],
+    ),
+    (
         "split = a + b on fn a(&self, [x, y]: [f64; 2], [px, py]: [f64; 2]) -> f64 { 0.5 * (px * px + py * py) - 1.0 / (x * x + 2.0 * y * y).sqrt() } fn b(&self, q: [f64; 2]) -> f64 { q[0].cos() }",
         &[
             "2:3 no exact flow is known for `a`: it is no shear, since q[0] and p[0] are both in it; it is no quadratic form in q and p; it is no sum of p²/2m - k/|q| over bodies, since a term is neither p² of a body times a number nor k/|q|. Split it into more parts, or write its flow: `#[flow(a)]`",
