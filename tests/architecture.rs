@@ -60,7 +60,7 @@ const CORE: MayKnow = (
         ("layout", &["error", "flow", "hamiltonian", "scalar", "state", "system"]),
         ("trajectory", &["composition", "error", "hamiltonian", "layout", "scalar", "state", "system"]),
         ("ensemble", &["composition", "error", "hamiltonian", "layout", "scalar", "state", "system", "trajectory"]),
-        ("methods", &["ensemble", "error", "hamiltonian", "scalar", "state", "system", "trajectory"]),
+        ("methods", &["composition", "ensemble", "error", "hamiltonian", "scalar", "state", "system", "trajectory"]),
         ("check", &["composition", "error", "hamiltonian", "methods", "scalar", "state", "system", "trajectory"]),
         ("output", &["error", "state", "trajectory"]),
         ("guide", &[]),

@@ -218,6 +218,20 @@ pub enum Error {
         /// Why.
         reason: Unsolved,
     },
+    /// The exponent of a time transformation is zero or not finite.
+    #[error("the exponent of `Power` is {exponent}: it has to be finite and not zero, for example 0.5")]
+    Exponent {
+        /// The exponent that was asked for.
+        exponent: f64,
+    },
+    /// A run cannot go back to a time before its last step.
+    #[error("the run is at t = {present} and steps away from t = {time}: take steps of `-h` from there")]
+    Passed {
+        /// The time that was asked for.
+        time: f64,
+        /// The time at the end of the last step.
+        present: f64,
+    },
     /// The tolerance of an adaptive method is not a positive number.
     #[error("the tolerance of {method} is {tolerance}: it has to be finite and above zero, for example 1e-9")]
     Tolerance {
@@ -276,6 +290,15 @@ pub enum Unsolved {
         distance: f64,
         /// The duration of the flow.
         duration: f64,
+    },
+    /// A time transformation left its domain.
+    #[error(
+        "a time transformation needs V < 0 all along the motion, but -V, or T - H(start), which is -V but for the errors \
+         of the steps, is {value}: subtract a constant in `potential`, or take shorter steps where it is far from zero"
+    )]
+    Domain {
+        /// The energy that is not positive.
+        value: f64,
     },
     /// An adaptive method found no steps within its tolerance.
     #[error("no steps within the tolerance were found: {0}")]

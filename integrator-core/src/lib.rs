@@ -106,6 +106,7 @@ pub use ensemble::in_lanes::InLanes;
 pub use error::{Divergence, Error, Lost, Misread, NotFinite, Unsolved};
 pub use hamiltonian::{Hamiltonian, QuadraticKinetic};
 pub use integrator_macros::{composition, hamiltonian};
+pub use methods::pace::{Logarithmic, Power};
 #[cfg(feature = "reference")]
 pub use methods::reference;
 pub use methods::taylor;
@@ -122,7 +123,7 @@ pub use trajectory::checkpoint::CheckpointError;
 pub use trajectory::crossings::{Crossings, Direction};
 pub use trajectory::method::{Described, Facts, Method};
 pub use trajectory::run::Run;
-pub use trajectory::samples::{Sample, Samples};
+pub use trajectory::samples::{Sample, Samples, SamplesAt};
 
 /// The programs of the README and of the pages in `docs`, so that they compile and hold. These are files of the
 /// repository alone: nothing but its documentation tests reads them.
@@ -151,8 +152,8 @@ pub mod prelude {
     pub use crate::check::{Certificate, certify};
     pub use crate::composition::catalogue::*;
     pub use crate::{
-        Compensated, Composition, Crossings, Direction, Error, Fixed, Hamiltonian, Phase, Run, Sample, Samples, Scheme,
-        composition, hamiltonian,
+        Compensated, Composition, Crossings, Direction, Error, Fixed, Hamiltonian, Logarithmic, Phase, Power, Run,
+        Sample, Samples, SamplesAt, Scheme, composition, hamiltonian,
     };
 }
 
@@ -187,6 +188,7 @@ pub mod __private {
                 window::Window,
             },
         },
+        methods::pace::{PlainMotion, TimeTransformed},
         methods::taylor::{
             Recurrences, RecurrencesVisitor,
             inverse_mass::InverseMass,

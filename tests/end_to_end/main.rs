@@ -14,6 +14,7 @@ mod external;
 mod instruction_sets;
 mod kepler;
 mod orders;
+mod pace;
 mod pairs;
 mod panics;
 mod parts;

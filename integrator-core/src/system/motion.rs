@@ -30,6 +30,8 @@ pub trait Prepared<R: Real>: Clone + Send + Sync + 'static {
 
 /// State and prepared constants in the layout that the generator chose.
 pub trait Motion<C: Coords, P>: Clone + Send + Sync + 'static {
+    /// Whether the time is part of the state.
+    const TIMED: bool = false;
     /// Whether loading and storing mixes coordinates, so that each has roundings of the size of the largest one.
     const MIXES: bool = false;
 
@@ -47,6 +49,12 @@ pub trait Motion<C: Coords, P>: Clone + Send + Sync + 'static {
     {
         None
     }
+    /// Takes over what states do not tell, for each lane from a lane of another motion.
+    fn take_over<'a>(&mut self, _of_lane: &dyn Fn(usize) -> (usize, &'a Self))
+    where
+        Self: Sized + 'a,
+    {
+    }
     /// Writes the state of one lane.
     fn store(&self, lane: usize, to: &mut Phase<C>);
     /// Writes the state of one lane in the coordinates of the motion itself: what it goes on from, to the last bit.
@@ -59,6 +67,10 @@ pub trait Motion<C: Coords, P>: Clone + Send + Sync + 'static {
     fn share_among(&mut self, _threads: Option<usize>) {}
     /// Why the steps of a method could not be solved in a lane, after which this stands still and is not finite.
     fn unsolved(&self, _lane: usize) -> Option<&Unsolved> {
+        None
+    }
+    /// The time since the motion was loaded, and its rounding error, where it is part of the state.
+    fn elapsed(&self, _lane: usize) -> Option<[f64; 2]> {
         None
     }
     /// The number of force evaluations, where steps count them.

@@ -106,7 +106,7 @@ impl<C: Coords> Run<C> {
     where
         G: FnMut(&Phase<C>, f64) -> f64,
     {
-        Crossings { run: self, steps, direction, function, present: None, side: 0.0, failed: false }
+        Crossings { run: self.at_step(), steps, direction, function, present: None, side: 0.0, failed: false }
     }
 }
 
@@ -166,8 +166,7 @@ impl<C: Coords, G: FnMut(&Phase<C>, f64) -> f64> Crossings<C, G> {
                 break;
             }
             let at = near.0 + fraction.clamp(least, 1.0 - least) * width;
-            let time = before.time + at * h;
-            let state = self.run.within(&before.state, at * h)?;
+            let (time, state) = self.run.within(&before.state, at * h)?;
             let newest = (at, self.point(time, state)?);
             let same_side = (newest.1.value > 0.0) == (near.1.value > 0.0);
             let given_up = if same_side { near } else { mem::replace(&mut far, near) };

@@ -7,7 +7,7 @@ use crate::{
     error::Unsolved,
     state::{clock::Clock, point::Point},
     trajectory::{
-        motions::{Motions, load, show, shown},
+        motions::{Motions, elapsed, load, show, shown},
         panics::attempt,
     },
 };
@@ -140,6 +140,18 @@ impl Engine {
 
     /// Writes the state of a trajectory: with the step under way completed, while the motions stay where they are.
     pub(crate) fn state(&self, clock: Clock, to: &mut dyn Point) {
+        self.read(clock, |completed, shown| show(completed, shown, 0, to));
+    }
+
+    /// The time of a trajectory since its motion was loaded, and its rounding error, where it is part of the state.
+    pub(crate) fn elapsed(&self, clock: Clock) -> Option<[f64; 2]> {
+        // Most have no such time, and a look at it would complete a step.
+        self.motions.elapsed(0)?;
+        self.read(clock, elapsed)
+    }
+
+    /// Reads a trajectory with the step under way completed.
+    fn read<T>(&self, clock: Clock, read: impl FnOnce(&dyn Motions, Option<&dyn Motions>) -> T) -> T {
         let again;
         let completed = if self.completed_at == Some(clock) {
             &self.completed
@@ -149,11 +161,11 @@ impl Engine {
             again = copy;
             &again
         };
-        show(&**completed, shown(&**completed, clock).as_deref(), 0, to);
+        read(&**completed, shown(&**completed, clock).as_deref())
     }
 
     /// Writes the state of a trajectory a while into the last step, which began at `from` and `clock`, if that was
-    /// taken alone.
+    /// taken alone. Returns its time since the motion was loaded, where that is part of the state.
     ///
     /// # Errors
     /// Why the method gave up; nothing, if the state is not finite.
@@ -163,7 +175,7 @@ impl Engine {
         clock: Clock,
         duration: f64,
         to: &mut dyn Point,
-    ) -> Result<(), Option<Unsolved>> {
+    ) -> Result<Option<[f64; 2]>, Option<Unsolved>> {
         let begin = Clock { t0: clock.at(clock.steps), h: duration, steps: 0 };
         let end = Clock { steps: 1, ..begin };
         let mut shorter;
@@ -179,8 +191,9 @@ impl Engine {
         if !motions.finite() {
             return Err(motions.unsolved(0).cloned());
         }
-        show(&**motions, shown(&**motions, end).as_deref(), 0, to);
-        Ok(())
+        let shown = shown(&**motions, end);
+        show(&**motions, shown.as_deref(), 0, to);
+        Ok(elapsed(&**motions, shown.as_deref()))
     }
 
     /// Whether a force or a velocity is not finite: then nor is a step of no length at all.

@@ -12,6 +12,7 @@ pub(crate) mod method;
 #[cfg_attr(not(feature = "std"), allow(dead_code, reason = "there are no ensembles, whose members change lanes"))]
 pub(crate) mod motions;
 pub(crate) mod panics;
+pub(crate) mod physical_time;
 pub(crate) mod run;
 pub(crate) mod samples;
 #[allow(unreachable_pub, reason = "named in bounds, never outside")]

@@ -34,6 +34,8 @@ pub(crate) trait Motions: Any + Send + Sync {
     fn push_own(&mut self, lanes: &[(usize, &dyn Point)]);
     /// Adds a motion with members from lanes of others, if their states do not tell all of it; else adds nothing.
     fn push_gathered(&mut self, lanes: &[Lane]) -> bool;
+    /// Gives the last motion what states do not tell, from lanes of others.
+    fn take_over(&mut self, lanes: &[Lane]);
     /// Adds a copy of one of others.
     fn push_copy(&mut self, from: &dyn Motions, motion: usize);
     /// Copies the states of as many motions with the same constants, in place.
@@ -58,6 +60,8 @@ pub(crate) trait Motions: Any + Send + Sync {
     fn dense(&mut self, begin: &dyn Motions, clock: Clock, duration: f64) -> bool;
     /// Why the steps in a lane could not be solved, if that is why they end.
     fn unsolved(&self, lane: usize) -> Option<&Unsolved>;
+    /// The time of a lane since its motion was loaded, and its rounding error, where it is part of the state.
+    fn elapsed(&self, lane: usize) -> Option<[f64; 2]>;
     /// How often steps have evaluated the force, where they count it.
     fn evaluations(&self) -> Option<u64>;
     /// Lets so many threads share the pairs of many bodies of a single trajectory, or all that the machine has.
@@ -94,6 +98,7 @@ pub(crate) fn gather(like: &dyn Motions, members: Vec<Lane>, shape: &dyn Point) 
         }
         let states = lanes.iter().zip(&states);
         motions.push(&states.map(|(from, state)| (from.member, &**state)).collect::<Vec<_>>());
+        motions.take_over(lanes);
     }
     motions
 }
@@ -140,6 +145,12 @@ pub(crate) fn show(completed: &dyn Motions, shown: Option<&dyn Motions>, lane: u
         }
     }
     completed.store(lane, to);
+}
+
+/// The time of the state that is shown of a trajectory, where it is part of the state.
+pub(crate) fn elapsed(completed: &dyn Motions, shown: Option<&dyn Motions>) -> Option<[f64; 2]> {
+    let shown = shown.filter(|shown| shown.finite());
+    shown.unwrap_or(completed).elapsed(0)
 }
 
 /// The constants of a run by the method, of every member.
@@ -234,6 +245,17 @@ where
         true
     }
 
+    fn take_over(&mut self, lanes: &[Lane]) {
+        if const { L::TIMED }
+            && let Some(last) = self.motions.last_mut()
+        {
+            last.take_over(&|lane| {
+                let (from, lane) = Self::of(lanes[lane].motions).motion_of(lanes[lane].lane);
+                (lane, from)
+            });
+        }
+    }
+
     fn push_copy(&mut self, from: &dyn Motions, motion: usize) {
         self.motions.push(Self::of(from).motions[motion].clone());
     }
@@ -292,6 +314,14 @@ where
     fn unsolved(&self, lane: usize) -> Option<&Unsolved> {
         let (motion, lane) = self.motion_of(lane);
         motion.unsolved(lane)
+    }
+
+    fn elapsed(&self, lane: usize) -> Option<[f64; 2]> {
+        if !const { L::TIMED } {
+            return None;
+        }
+        let (motion, lane) = self.motion_of(lane);
+        motion.elapsed(lane)
     }
 
     fn evaluations(&self) -> Option<u64> {

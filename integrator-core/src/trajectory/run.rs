@@ -7,6 +7,7 @@ use crate::trajectory::checkpoint::Origin;
 use crate::{
     error::{Divergence, Error},
     hamiltonian::Hamiltonian,
+    scalar::exact::two_sum,
     state::{clock::Clock, coords::Coords, phase::Phase, point::Point, precision::Precision},
     system::{
         energy::{Energies, Parts, energies, energy},
@@ -17,7 +18,7 @@ use crate::{
         dispatch::engine,
         engine::Engine,
         method::Method,
-        samples::Samples,
+        samples::{Samples, SamplesAt},
         watch::Watch,
     },
 };
@@ -33,6 +34,10 @@ pub struct Run<C: Coords> {
     pub(crate) clock: Clock,
     /// How many steps were done when the state was last changed from outside.
     pub(crate) opened: u64,
+    /// The time, where it is part of the state, when this was last changed from outside: a sum of two numbers.
+    opened_at: [f64; 2],
+    /// Where the run is shown while it stands at the step before.
+    between: Option<(f64, Phase<C>)>,
     pub(crate) watch: Option<Watch>,
     pub(crate) autonomous: bool,
     method: &'static str,
@@ -112,6 +117,8 @@ impl<C: Coords> Run<C> {
             shape: start,
             clock,
             opened,
+            opened_at: [0.0; 2],
+            between: None,
             watch: None,
             autonomous: H::AUTONOMOUS,
             method: method.facts().name,
@@ -172,9 +179,10 @@ impl<C: Coords> Run<C> {
     pub fn advance(&mut self, steps: u64) -> Result<(), Error> {
         let end = self.clock.end(steps)?;
         self.check_start()?;
-        let Some(watch) = self.watch else { return self.advance_to(end) };
+        self.between = None;
+        let Some(watch) = self.watch else { return self.take_steps_to(end) };
         while self.clock.steps < end {
-            self.advance_to(self.clock.steps + 1)?;
+            self.take_steps_to(self.clock.steps + 1)?;
             let (step, time, energy) = (self.clock.steps, self.time(), self.energy());
             if !watch.admits(energy) {
                 self.engine.undo();
@@ -187,7 +195,7 @@ impl<C: Coords> Run<C> {
     }
 
     /// Takes steps until so many are done.
-    fn advance_to(&mut self, end: u64) -> Result<(), Error> {
+    fn take_steps_to(&mut self, end: u64) -> Result<(), Error> {
         let clock = self.since_opened();
         self.engine.advance(clock, end - self.clock.steps, &mut self.clock.steps);
         if self.clock.steps < end {
@@ -196,18 +204,65 @@ impl<C: Coords> Run<C> {
                 Some(reason) => Error::NotSolved {
                     method: self.method,
                     step: clock.steps.saturating_add(1),
-                    time: clock.at(clock.steps),
+                    time: self.time(),
                     reason: reason.clone(),
                 },
-                None => self.state().divergence(&self.tried(), clock).into(),
+                None => {
+                    let report = self.state().divergence(&self.tried(), clock);
+                    // A time that is part of the state is known up to the last finite one.
+                    let time = self.time_in_state().unwrap_or(report.time);
+                    Divergence { time, ..report }.into()
+                }
             });
         }
         Ok(())
     }
 
-    /// The time, `t0 + n·h`.
+    /// Shows a state of the step that would be next.
+    pub(crate) fn show_at(&mut self, time: f64, state: Phase<C>) {
+        self.between = Some((time, state));
+    }
+
+    /// The run at the end of its last step.
+    pub(crate) fn at_step(self) -> Self {
+        Self { between: None, ..self }
+    }
+
+    /// Takes one step, whatever a watch says.
+    pub(crate) fn take_step(&mut self) -> Result<(), Error> {
+        self.take_steps_to(self.clock.end(1)?)
+    }
+
+    /// Goes back to where the last steps began, if these were at most a block and taken together.
+    pub(crate) fn take_back(&mut self, steps: u64) {
+        self.engine.undo();
+        self.clock.steps -= steps;
+    }
+
+    /// The time, `t0 + n·h`; what was integrated, where the method has a time of its own, such as
+    /// [`Logarithmic`](crate::Logarithmic); and what [`Run::advance_to`] was called with.
     pub fn time(&self) -> f64 {
-        self.clock.at(self.clock.steps)
+        match &self.between {
+            Some((time, _)) => *time,
+            None => self.time_at_step(),
+        }
+    }
+
+    /// The time at the end of the last step.
+    pub(crate) fn time_at_step(&self) -> f64 {
+        self.time_in_state().unwrap_or_else(|| self.clock.at(self.clock.steps))
+    }
+
+    /// The time at the end of the last step, where it is part of the state.
+    pub(crate) fn time_in_state(&self) -> Option<f64> {
+        Some(self.time_of(self.engine.elapsed(self.since_opened())?))
+    }
+
+    /// The time so long after the state was last changed from outside.
+    pub(crate) fn time_of(&self, [elapsed, rest]: [f64; 2]) -> f64 {
+        let [sum, lost] = two_sum(self.opened_at[0], elapsed);
+        let [time, more] = two_sum(self.clock.t0, sum);
+        time + (more + (lost + (self.opened_at[1] + rest)))
     }
 
     /// The step `h`.
@@ -232,6 +287,14 @@ impl<C: Coords> Run<C> {
 
     /// The state at [`Run::time`]: the step under way is completed on a copy, the run itself does not change.
     pub fn state(&self) -> Phase<C> {
+        match &self.between {
+            Some((_, state)) => state.clone(),
+            None => self.state_at_step(),
+        }
+    }
+
+    /// The state at the end of the last step.
+    pub(crate) fn state_at_step(&self) -> Phase<C> {
         let mut state = self.shape.clone();
         self.engine.state(self.since_opened(), &mut state);
         state
@@ -268,7 +331,8 @@ impl<C: Coords> Run<C> {
     }
 
     /// Changes the state between two steps: coordinates that are wrapped into a periodic box, momenta that are drawn
-    /// anew by a thermostat or for a Markov chain. Time and the number of steps go on.
+    /// anew by a thermostat or for a Markov chain. Time and the number of steps go on. After [`Run::advance_to`], this is the
+    /// state at the end of the last whole step.
     ///
     /// From there, the run has the bits of a new one that starts from this state [at this time](Run::at_time). A
     /// [watch](Run::watch_energy) goes on with the energy of this state.
@@ -296,38 +360,51 @@ impl<C: Coords> Run<C> {
     /// What a run from the new state would be refused for, such as [`Error::Start`] where it is not finite, and
     /// [`Error::Resized`] if it has another number of coordinates; the run stays as it was.
     pub fn map_state(&mut self, map: impl FnOnce(&mut Phase<C>)) -> Result<(), Error> {
-        let mut state = self.state();
+        let mut state = self.state_at_step();
         change(&mut state, self.clock.h, map)?;
-        let parts = self.energies.parts(&state, self.time());
+        let (time, parts) = (self.time_at_step(), self.energies.parts(&state, self.time_at_step()));
         // Where the start is unchecked, its time is not settled.
         if !self.start_unchecked {
-            parts.admissible(self.time())?;
+            parts.admissible(time)?;
         }
+        self.between = None;
         self.watch = self.watch.map(|Watch { bound, .. }| Watch::new(bound, parts));
         self.evaluated = self.evaluated.saturating_add(self.engine.motions.evaluations().unwrap_or(0));
+        if let Some([elapsed, rest]) = self.engine.elapsed(self.since_opened()) {
+            let [sum, lost] = two_sum(self.opened_at[0], elapsed);
+            self.opened_at = [sum, lost + (self.opened_at[1] + rest)];
+        }
         self.engine.restart(vec![(0, &state)]);
         self.opened = self.clock.steps;
         Ok(())
     }
 
+    /// An iterator over the states at the present time and then after every `interval` of time, each as
+    /// [`Run::advance_to`] gives it.
+    pub fn samples_at(self, interval: f64) -> SamplesAt<C> {
+        SamplesAt::new(self, interval)
+    }
+
     /// An iterator over the present state and then the state after every `interval` steps.
     pub fn samples(self, interval: u64) -> Samples<C> {
-        Samples::new(self, interval)
+        Samples::new(self.at_step(), interval)
     }
 
     /// The state a while into the last step, which [`Run::advance`] took alone and which began at `from`: on the
-    /// polynomial of a method that has one, and else after a shorter step. The run itself stays where it is.
+    /// polynomial of a method that has one, and else after a shorter step; and its time. The run itself stays where it is.
     ///
     /// # Errors
     /// As [`Run::advance`] for this step.
-    pub(crate) fn within(&mut self, from: &Phase<C>, duration: f64) -> Result<Phase<C>, Error> {
+    pub(crate) fn within(&mut self, from: &Phase<C>, duration: f64) -> Result<(f64, Phase<C>), Error> {
         let step = self.clock.steps;
         let clock = Clock { steps: step.saturating_sub(1), ..self.clock };
         let since = self.since_opened();
         let since = Clock { steps: since.steps.saturating_sub(1), ..since };
         let mut state = from.clone();
         match self.engine.within(from, since, duration, &mut state) {
-            Ok(()) => Ok(state),
+            Ok(elapsed) => {
+                Ok((elapsed.map_or(clock.at(clock.steps) + duration, |elapsed| self.time_of(elapsed)), state))
+            }
             Err(Some(reason)) => {
                 Err(Error::NotSolved { method: self.method, step, time: clock.at(clock.steps), reason })
             }
@@ -361,7 +438,7 @@ impl<C: Coords> Run<C> {
 impl<C: Coords> Clone for Run<C> {
     fn clone(&self) -> Self {
         let (engine, energies) = (self.engine.clone(), self.energies.clone());
-        Self { engine, energies, shape: self.shape.clone(), ..*self }
+        Self { engine, energies, shape: self.shape.clone(), between: self.between.clone(), ..*self }
     }
 }
 

@@ -53,6 +53,48 @@ impl<C: Coords> Iterator for Samples<C> {
     }
 }
 
+/// An iterator over the states of a run at equal intervals of time. Made by [`Run::samples_at`].
+///
+/// Times are `t + n·interval` from the present one on, and states those of [`Run::advance_to`], so that the trajectory is the
+/// one that `advance` alone would take. After an error the iterator ends.
+#[derive(Clone, Debug)]
+pub struct SamplesAt<C: Coords> {
+    run: Run<C>,
+    begin: f64,
+    interval: f64,
+    /// How many samples were taken; nothing after an error.
+    taken: Option<u64>,
+}
+
+impl<C: Coords> SamplesAt<C> {
+    pub(crate) fn new(run: Run<C>, interval: f64) -> Self {
+        Self { begin: run.time(), run, interval, taken: Some(0) }
+    }
+
+    /// The run, where the last sample left it.
+    pub fn into_run(self) -> Run<C> {
+        self.run
+    }
+}
+
+impl<C: Coords> Iterator for SamplesAt<C> {
+    type Item = Result<Sample<C>, Error>;
+
+    fn next(&mut self) -> Option<Self::Item> {
+        let taken = self.taken.take()?;
+        let time = self.begin + taken as f64 * self.interval;
+        let outcome = match taken {
+            _ if self.interval == 0.0 => Err(Error::SampleInterval),
+            0 => self.run.check_clock(),
+            _ => self.run.advance_to(time),
+        };
+        if outcome.is_ok() {
+            self.taken = taken.checked_add(1);
+        }
+        Some(outcome.map(|()| Sample::new(&self.run, time, self.run.steps(), self.run.state())))
+    }
+}
+
 /// The state of a run at one time.
 #[derive(Clone)]
 pub struct Sample<C: Coords> {

@@ -172,7 +172,7 @@ where
 }
 
 #[inline(always)]
-fn all_finite<C: Coords, P, M: Motion<C, P>>(motions: &[M]) -> bool {
+pub(crate) fn all_finite<C: Coords, P, M: Motion<C, P>>(motions: &[M]) -> bool {
     for motion in motions {
         if !motion.finite() {
             return false;

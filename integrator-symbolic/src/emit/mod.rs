@@ -19,7 +19,7 @@ use crate::{
 };
 use fingerprint::fingerprint;
 pub use flow::form::Form;
-use flow::{Flows, constants::Constants, force_gradient, jacobi, pieces::Pieces, user_energies};
+use flow::{Flows, constants::Constants, force_gradient, jacobi, pieces::Pieces, transformed, user_energies};
 pub(crate) use flow::{
     form::forms,
     jacobi::{KEPLER_PARTS, Obstacle, judged},
@@ -104,6 +104,8 @@ struct Stepper<'i> {
     /// The items of a Hamiltonian with quadratic `T`.
     quadratic: Option<TokenStream>,
     taylor: Option<Orders>,
+    /// Flows whose durations are numbers of each lane.
+    transformed: Option<TokenStream>,
     /// What Jacobi coordinates ask of the prepared constants.
     of_jacobi: Option<TokenStream>,
 }
@@ -132,8 +134,10 @@ impl<'i> Stepper<'i> {
         let energies = energies.map(|(name, energy)| flows.energy(&mut emitter, name, energy)).collect();
         let taylor = input.taylor.map(|_| {
             let Emitter { model, names, fields } = &mut emitter;
-            orders(model, fields, names, kinetic, potential)
+            orders(model, fields, names, kinetic.clone(), potential.clone())
         });
+        let is_plain = autonomous && emitter.model.is_separable() && emitter.model.jacobi.is_none();
+        let transformed = is_plain.then(|| transformed::functions(&mut emitter, &kinetic, &potential));
         let of_jacobi = emitter.model.jacobi.map(|jacobi| jacobi::constants(jacobi, &mut emitter));
         let constants = Constants::of(emitter);
         Self {
@@ -150,6 +154,7 @@ impl<'i> Stepper<'i> {
             autonomous,
             quadratic,
             taylor,
+            transformed,
             of_jacobi,
             names,
         }
@@ -172,7 +177,9 @@ impl<'i> Stepper<'i> {
             let constants = constants.kind(&quote!(f64), names);
             quote!(impl #runtime::JacobiConstants for #constants { #items })
         });
-        let others = quote!(#of_bodies #of_jacobi #quadratic #taylor #of_lattice #of_forms);
+        let transformed =
+            self.transformed.as_ref().map(|items| implementation(quote!(#runtime::TimeTransformed), items));
+        let others = quote!(#of_bodies #of_jacobi #quadratic #transformed #taylor #of_lattice #of_forms);
         let hamiltonian = implementation(quote!(#runtime::Hamiltonian), &self.hamiltonian(&others));
         quote! {
             #[allow(warnings, clippy::all, clippy::pedantic, reason = "generated")]

@@ -16,14 +16,22 @@ use crate::{
         statistics::path::{Path, Scale},
     },
     error::Error,
-    hamiltonian::Hamiltonian,
+    hamiltonian::{Hamiltonian, Shaped},
     methods::taylor::Taylor,
     state::{
-        flat::{Flat, shaped},
+        compensated::Compensated,
+        flat::{Flat, flat, shaped},
         phase::Phase,
     },
-    trajectory::method::{Facts, Method},
+    system::motion::Motion,
+    trajectory::{
+        method::{Facts, Method},
+        run::Run,
+    },
 };
+
+/// The part of a step that tells how fast time passes at the start: what is left of its change within is a thousandth.
+const SHORT: f64 = 1.0 / 1024.0;
 
 /// A system, as the search for its exact motion sees it.
 pub(crate) trait Exact {
@@ -75,6 +83,28 @@ impl<'s, H: Hamiltonian, X> Steps<'s, H, X> {
     }
 }
 
+impl<H: Hamiltonian, X: Method<H>> Steps<'_, H, X> {
+    /// The path in steps that are equal in a time of the method's own, about `h` at the start, at the same times as that in
+    /// steps of `h`.
+    fn path_in_own_time(&self, start: &Start<Vec<f64>>, h: f64, parts: u64, steps: u64) -> Result<Path, Error> {
+        let Start { phase, time } = self.motions.start(start);
+        let state = Phase::compensated(phase.q, phase.p);
+        let begin = |h| {
+            let run = Run::start::<H, X, Compensated<f64>>(self.motions.system, self.method, state.clone(), h);
+            Ok::<_, Error>(run?.at_time(time))
+        };
+        let short = h * SHORT;
+        let mut probe = begin(short)?;
+        probe.advance(1)?;
+        let mut run = begin(h * short / (probe.time() - time))?;
+        let mut ends = (1..=parts).map(|part| time + (part * steps) as f64 * h);
+        Path::of_run(start.phase.clone(), parts, &mut || {
+            run.advance_to(ends.next().unwrap_or(time))?;
+            Ok(flat(&run.state()))
+        })
+    }
+}
+
 impl<H: Hamiltonian> Motions<'_, H> {
     fn start(&self, start: &Start<Vec<f64>>) -> Start<H::Coords> {
         Start { phase: shaped(self.shape, &start.phase), time: start.time }
@@ -119,6 +149,9 @@ impl<H: Hamiltonian, X: Method<H>> Stepper for Steps<'_, H, X> {
     }
 
     fn path(&self, start: &Start<Vec<f64>>, h: f64, parts: u64, steps: u64) -> Result<Path, Error> {
+        if const { <X::Motion<f64, f64> as Motion<Shaped<H, f64>, X::Constants>>::TIMED } {
+            return self.path_in_own_time(start, h, parts, steps);
+        }
         let mut run = CompensatedSteps::new(self.motions.system, self.method, self.motions.start(start), h)?;
         Path::of_run(start.phase.clone(), parts, &mut || run.advance(steps))
     }

@@ -14,6 +14,7 @@ pub(super) mod pairs;
 pub(super) mod parameter_text;
 pub(super) mod pieces;
 pub(super) mod quadratic;
+pub(super) mod transformed;
 pub(super) mod user_energies;
 
 use crate::{
@@ -283,9 +284,24 @@ impl Flow {
 
     /// The same without regard to lattices.
     fn along(emitter: &mut Emitter<'_>, gradient: &[Contribution], part: Part, frame: &Frame<'_>) -> Self {
+        let lines = Self::lines_along(emitter, gradient, part, frame);
+        let duration = match part {
+            Part::Momentum => quote!(duration),
+            Part::Position => quote!(-duration),
+        };
+        let (scalar, is_wide) = (&emitter.names.scalar, lines.program.divides_by_root_cubed);
+        let body = lines.map(|lines| quote!(let step = #scalar::of(#duration); #lines)).body(scalar);
+        Self { body, is_wide, ..Self::default() }
+    }
+
+    /// The lines that move each coordinate by `step` times its component.
+    fn lines_along(emitter: &mut Emitter<'_>, gradient: &[Contribution], part: Part, frame: &Frame<'_>) -> Lines {
+        if gradient.is_empty() {
+            return Lines::default();
+        }
         let folded = fold_branches(&mut emitter.model.graph, gradient);
         let apart = gradient.iter().any(|contribution| is_protected(&mut emitter.model.graph, contribution));
-        let lines = if !apart && is_direct(&emitter.model.graph.loops, &folded) {
+        if !apart && is_direct(&emitter.model.graph.loops, &folded) {
             let stores = stores(emitter.model, &folded, Sink::Update);
             emitter.evaluate(frame, &[], &stores)
         } else if gradient.iter().any(|contribution| contribution.element.part != part) {
@@ -304,14 +320,7 @@ impl Flow {
             let stores = stores(emitter.model, gradient, Sink::Collect);
             let apply = |place, value| quote!(#place.fma(step, #value););
             through_buffer(emitter, frame, part.other(), &stores, apply)
-        };
-        let duration = match part {
-            Part::Momentum => quote!(duration),
-            Part::Position => quote!(-duration),
-        };
-        let (scalar, is_wide) = (&emitter.names.scalar, lines.program.divides_by_root_cubed);
-        let body = lines.map(|lines| quote!(let step = #scalar::of(#duration); #lines)).body(scalar);
-        Self { body, is_wide, ..Self::default() }
+        }
     }
 }
 

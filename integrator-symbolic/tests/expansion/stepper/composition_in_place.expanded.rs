@@ -107,7 +107,7 @@ const _: () = {
             Parameters<Scalar>,
         >;
         const AUTONOMOUS: bool = true;
-        const FINGERPRINT: u64 = 8021453836948840101;
+        const FINGERPRINT: u64 = 16784142886676916334;
         fn parameters(&self, _length: usize) -> Parameters<f64> {
             Parameters {
                 stiffness: self.stiffness,
@@ -195,6 +195,47 @@ const _: () = {
             bent.p = force.q;
             <Self as runtime::QuadraticKinetic>::hessian::<Scalar>(&mut bent, time);
             motion.push(Scalar::of(-2.0 * gradient), &bent);
+        }
+    }
+    #[automatically_derived]
+    impl runtime::TimeTransformed for Oscillator {
+        #[inline(always)]
+        fn kinetic_of<Scalar: runtime::Real, Leaf: runtime::Precision>(
+            motion: &runtime::PlainMotion<Self, Scalar, Leaf>,
+        ) -> Scalar {
+            let p0 = motion.p[0].value();
+            Scalar::of(0.5) * (p0 * p0)
+        }
+        #[inline(always)]
+        fn potential_of<Scalar: runtime::Real, Leaf: runtime::Precision>(
+            motion: &runtime::PlainMotion<Self, Scalar, Leaf>,
+        ) -> Scalar {
+            let q0 = motion.q[0].value();
+            motion.parameters.prepared_1 * q0 * q0
+        }
+        #[inline(always)]
+        fn drift_for<Scalar: runtime::Real, Leaf: runtime::Precision>(
+            motion: &mut runtime::PlainMotion<Self, Scalar, Leaf>,
+            duration: Scalar,
+        ) {
+            let step = duration;
+            motion.q[0].fma(step, motion.p[0].value());
+        }
+        #[inline(always)]
+        fn kick_for<Scalar: runtime::Real, Leaf: runtime::Precision>(
+            motion: &mut runtime::PlainMotion<Self, Scalar, Leaf>,
+            duration: Scalar,
+        ) {
+            let step = -duration;
+            motion.p[0].fma(step * motion.parameters.stiffness, motion.q[0].value());
+        }
+        #[inline(always)]
+        fn logarithmic_kick<Scalar: runtime::Real, Leaf: runtime::Precision>(
+            motion: &mut runtime::PlainMotion<Self, Scalar, Leaf>,
+            duration: Scalar,
+        ) {
+            let step = -duration;
+            motion.p[0].add(-(step * Scalar::of(2.0) / motion.q[0].value()));
         }
     }
 };

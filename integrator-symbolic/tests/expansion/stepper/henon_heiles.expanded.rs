@@ -32,7 +32,7 @@ const _: () = {
             Parameters,
         >;
         const AUTONOMOUS: bool = true;
-        const FINGERPRINT: u64 = 4534234239192609612;
+        const FINGERPRINT: u64 = 3688780702564363163;
         fn parameters(&self, _length: usize) -> Parameters {
             Parameters
         }
@@ -132,6 +132,86 @@ const _: () = {
             bent.p = force.q;
             <Self as runtime::QuadraticKinetic>::hessian::<Scalar>(&mut bent, time);
             motion.push(Scalar::of(-2.0 * gradient), &bent);
+        }
+    }
+    #[automatically_derived]
+    impl runtime::TimeTransformed for HenonHeiles {
+        #[inline(always)]
+        fn kinetic_of<Scalar: runtime::Real, Leaf: runtime::Precision>(
+            motion: &runtime::PlainMotion<Self, Scalar, Leaf>,
+        ) -> Scalar {
+            let p0 = motion.p[0].value();
+            let p1 = motion.p[1].value();
+            Scalar::of(0.5) * p1.fma(p1, p0 * p0)
+        }
+        #[inline(always)]
+        fn potential_of<Scalar: runtime::Real, Leaf: runtime::Precision>(
+            motion: &runtime::PlainMotion<Self, Scalar, Leaf>,
+        ) -> Scalar {
+            let q0 = motion.q[0].value();
+            let q1 = motion.q[1].value();
+            let shared_0 = q0 * q0;
+            let shared_1 = q1 * q1;
+            Scalar::of(-0.3333333333333333)
+                .fma(
+                    shared_1 * q1,
+                    q1.fma(shared_0, Scalar::of(0.5) * (shared_0 + shared_1)),
+                )
+        }
+        #[inline(always)]
+        fn drift_for<Scalar: runtime::Real, Leaf: runtime::Precision>(
+            motion: &mut runtime::PlainMotion<Self, Scalar, Leaf>,
+            duration: Scalar,
+        ) {
+            let step = duration;
+            motion.q[0].fma(step, motion.p[0].value());
+            motion.q[1].fma(step, motion.p[1].value());
+        }
+        #[inline(always)]
+        fn kick_for<Scalar: runtime::Real, Leaf: runtime::Precision>(
+            motion: &mut runtime::PlainMotion<Self, Scalar, Leaf>,
+            duration: Scalar,
+        ) {
+            let step = -duration;
+            let q0 = motion.q[0].value();
+            let q1 = motion.q[1].value();
+            motion.p[0].fma(step * Scalar::of(2.0) * q0, q1 + Scalar::of(0.5));
+            motion.p[1].fma(step, q1 + (-q1).fma(q1, q0 * q0));
+        }
+        #[inline(always)]
+        fn logarithmic_kick<Scalar: runtime::Real, Leaf: runtime::Precision>(
+            motion: &mut runtime::PlainMotion<Self, Scalar, Leaf>,
+            duration: Scalar,
+        ) {
+            let step = -duration;
+            let q0 = motion.q[0].value();
+            let q1 = motion.q[1].value();
+            let shared_0 = q0 * q0;
+            let shared_1 = q1 * q1;
+            let shared_2 = Scalar::of(1.0)
+                / Scalar::of(-0.3333333333333333)
+                    .fma(
+                        shared_1 * q1,
+                        q1.fma(shared_0, Scalar::of(0.5) * (shared_0 + shared_1)),
+                    );
+            let shared_3 = q1 * shared_2;
+            motion
+                .p[0]
+                .fma(
+                    -(step * Scalar::of(2.0) * q0),
+                    Scalar::of(0.5).fma(shared_2, shared_3),
+                );
+            motion
+                .p[1]
+                .fma(
+                    step,
+                    (-shared_0)
+                        .fma(
+                            shared_2,
+                            Scalar::of(3.0) * shared_1
+                                * (Scalar::of(0.3333333333333333) * shared_2),
+                        ) - shared_3,
+                );
         }
     }
 };

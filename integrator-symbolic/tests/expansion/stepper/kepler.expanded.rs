@@ -51,7 +51,7 @@ const _: () = {
             Parameters<Scalar>,
         >;
         const AUTONOMOUS: bool = true;
-        const FINGERPRINT: u64 = 3538952196728599074;
+        const FINGERPRINT: u64 = 18375946215798109811;
         const WIDE: bool = true;
         fn parameters(&self, _length: usize) -> Parameters<f64> {
             Parameters {
@@ -155,6 +155,59 @@ const _: () = {
             bent.p = force.q;
             <Self as runtime::QuadraticKinetic>::hessian::<Scalar>(&mut bent, time);
             motion.push(Scalar::of(-2.0 * gradient), &bent);
+        }
+    }
+    #[automatically_derived]
+    impl runtime::TimeTransformed for Kepler {
+        #[inline(always)]
+        fn kinetic_of<Scalar: runtime::Real, Leaf: runtime::Precision>(
+            motion: &runtime::PlainMotion<Self, Scalar, Leaf>,
+        ) -> Scalar {
+            let p0 = motion.p[0].value();
+            let p1 = motion.p[1].value();
+            Scalar::of(0.5) * p1.fma(p1, p0 * p0)
+        }
+        #[inline(always)]
+        fn potential_of<Scalar: runtime::Real, Leaf: runtime::Precision>(
+            motion: &runtime::PlainMotion<Self, Scalar, Leaf>,
+        ) -> Scalar {
+            let q0 = motion.q[0].value();
+            let q1 = motion.q[1].value();
+            motion.parameters.prepared_0 / q1.fma(q1, q0 * q0).sqrt()
+        }
+        #[inline(always)]
+        fn drift_for<Scalar: runtime::Real, Leaf: runtime::Precision>(
+            motion: &mut runtime::PlainMotion<Self, Scalar, Leaf>,
+            duration: Scalar,
+        ) {
+            let step = duration;
+            motion.q[0].fma(step, motion.p[0].value());
+            motion.q[1].fma(step, motion.p[1].value());
+        }
+        #[inline(always)]
+        fn kick_for<Scalar: runtime::Real, Leaf: runtime::Precision>(
+            motion: &mut runtime::PlainMotion<Self, Scalar, Leaf>,
+            duration: Scalar,
+        ) {
+            let step = -duration;
+            let q0 = motion.q[0].value();
+            let q1 = motion.q[1].value();
+            let shared_0 = q1.fma(q1, q0 * q0);
+            let shared_1 = (step * motion.parameters.prepared_0).div_pow_3_2(shared_0);
+            motion.p[0].fma(-shared_1, q0);
+            motion.p[1].fma(-shared_1, q1);
+        }
+        #[inline(always)]
+        fn logarithmic_kick<Scalar: runtime::Real, Leaf: runtime::Precision>(
+            motion: &mut runtime::PlainMotion<Self, Scalar, Leaf>,
+            duration: Scalar,
+        ) {
+            let step = -duration;
+            let q0 = motion.q[0].value();
+            let q1 = motion.q[1].value();
+            let shared_0 = Scalar::of(1.0) / q1.fma(q1, q0 * q0);
+            motion.p[0].fma(step * q0, shared_0);
+            motion.p[1].fma(step * q1, shared_0);
         }
     }
 };

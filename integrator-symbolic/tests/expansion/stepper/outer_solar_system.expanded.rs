@@ -73,7 +73,7 @@ const _: () = {
             3,
         >;
         const AUTONOMOUS: bool = true;
-        const FINGERPRINT: u64 = 1084317908188527354;
+        const FINGERPRINT: u64 = 9458248294691248813;
         const WIDE: bool = true;
         fn parameters(&self, _length: usize) -> Parameters<f64> {
             Parameters {
@@ -284,6 +284,137 @@ const _: () = {
             bent.p = force.q;
             <Self as runtime::QuadraticKinetic>::hessian::<Scalar>(&mut bent, time);
             motion.push(Scalar::of(-2.0 * gradient), &bent);
+        }
+    }
+    #[automatically_derived]
+    impl runtime::TimeTransformed for Solar {
+        #[inline(always)]
+        fn kinetic_of<Scalar: runtime::Real, Leaf: runtime::Precision>(
+            motion: &runtime::PlainMotion<Self, Scalar, Leaf>,
+        ) -> Scalar {
+            let mut sum_1 = Scalar::of(0.0);
+            for i in 0..6 {
+                let mut sum_0 = Scalar::of(0.0);
+                for d in 0..3 {
+                    let p_i_d = motion.p[i][d].value();
+                    sum_0 = motion.parameters.prepared_5[i].fma(p_i_d * p_i_d, sum_0);
+                }
+                sum_1 += sum_0;
+            }
+            sum_1
+        }
+        #[inline(always)]
+        fn potential_of<Scalar: runtime::Real, Leaf: runtime::Precision>(
+            motion: &runtime::PlainMotion<Self, Scalar, Leaf>,
+        ) -> Scalar {
+            let mut sum_2 = Scalar::of(0.0);
+            for i in 0..6 {
+                let mut sum_1 = Scalar::of(0.0);
+                for j in 0..i {
+                    let mut sum_0 = Scalar::of(0.0);
+                    for d in 0..3 {
+                        let shared_0 = motion.q[i][d].value() - motion.q[j][d].value();
+                        sum_0 = shared_0.fma(shared_0, sum_0);
+                    }
+                    sum_1
+                        += motion.parameters.prepared_1[i] * motion.parameters.mass_2[j]
+                            / sum_0.sqrt();
+                }
+                sum_2 += sum_1;
+            }
+            -sum_2
+        }
+        #[inline(always)]
+        fn drift_for<Scalar: runtime::Real, Leaf: runtime::Precision>(
+            motion: &mut runtime::PlainMotion<Self, Scalar, Leaf>,
+            duration: Scalar,
+        ) {
+            let step = duration;
+            for i in 0..6 {
+                let shared_0 = step * motion.parameters.prepared_0[i];
+                for d in 0..3 {
+                    motion.q[i][d].fma(shared_0, motion.p[i][d].value());
+                }
+            }
+        }
+        #[inline(always)]
+        fn kick_for<Scalar: runtime::Real, Leaf: runtime::Precision>(
+            motion: &mut runtime::PlainMotion<Self, Scalar, Leaf>,
+            duration: Scalar,
+        ) {
+            let step = -duration;
+            let mut gradient = [[Scalar::of(0.0); 3]; 6];
+            for i in 0..6 {
+                for j in 0..i {
+                    let mut sum_0 = Scalar::of(0.0);
+                    for d in 0..3 {
+                        let q_i_d = motion.q[i][d].value();
+                        let q_j_d = motion.q[j][d].value();
+                        let shared_0 = q_i_d - q_j_d;
+                        sum_0 = shared_0.fma(shared_0, sum_0);
+                    }
+                    let shared_1 = (motion.parameters.prepared_1[i]
+                        * motion.parameters.mass_2[j])
+                        .div_pow_3_2(sum_0);
+                    for d in 0..3 {
+                        let q_i_d = motion.q[i][d].value();
+                        let q_j_d = motion.q[j][d].value();
+                        let shared_0 = q_i_d - q_j_d;
+                        let shared_2 = shared_1 * shared_0;
+                        gradient[i][d] += shared_2;
+                        gradient[j][d] -= shared_2;
+                    }
+                }
+            }
+            for i in 0..6 {
+                for d in 0..3 {
+                    motion.p[i][d].fma(step, gradient[i][d]);
+                }
+            }
+        }
+        #[inline(always)]
+        fn logarithmic_kick<Scalar: runtime::Real, Leaf: runtime::Precision>(
+            motion: &mut runtime::PlainMotion<Self, Scalar, Leaf>,
+            duration: Scalar,
+        ) {
+            let step = -duration;
+            let mut gradient = [[Scalar::of(0.0); 3]; 6];
+            let energy = {
+                let mut sum_2 = Scalar::of(0.0);
+                for i in 0..6 {
+                    let mut sum_1 = Scalar::of(0.0);
+                    for j in 0..i {
+                        let shared_1 = motion.parameters.prepared_1[i]
+                            * motion.parameters.mass_2[j];
+                        let mut sum_0 = Scalar::of(0.0);
+                        for d in 0..3 {
+                            let q_i_d = motion.q[i][d].value();
+                            let q_j_d = motion.q[j][d].value();
+                            let shared_0 = q_i_d - q_j_d;
+                            sum_0 = shared_0.fma(shared_0, sum_0);
+                        }
+                        let shared_2 = sum_0.sqrt();
+                        let shared_3 = shared_1 / (sum_0 * shared_2);
+                        for d in 0..3 {
+                            let q_i_d = motion.q[i][d].value();
+                            let q_j_d = motion.q[j][d].value();
+                            let shared_0 = q_i_d - q_j_d;
+                            let shared_4 = shared_3 * shared_0;
+                            gradient[i][d] += shared_4;
+                            gradient[j][d] -= shared_4;
+                        }
+                        sum_1 += shared_1 / shared_2;
+                    }
+                    sum_2 += sum_1;
+                }
+                -sum_2
+            };
+            let step = step / -energy;
+            for i in 0..6 {
+                for d in 0..3 {
+                    motion.p[i][d].fma(step, gradient[i][d]);
+                }
+            }
         }
     }
 };

@@ -53,7 +53,7 @@ const _: () = {
             Parameters<Scalar>,
         >;
         const AUTONOMOUS: bool = true;
-        const FINGERPRINT: u64 = 166845942760950487;
+        const FINGERPRINT: u64 = 4493721001583526745;
         fn parameters(&self, length: usize) -> Parameters<f64> {
             Parameters {
                 prepared_0: 2.0 / (2.0 * self.mass * self.length.powi(2)),
@@ -141,6 +141,50 @@ const _: () = {
             bent.p = force.q;
             <Self as runtime::QuadraticKinetic>::hessian::<Scalar>(&mut bent, time);
             motion.push(Scalar::of(-2.0 * gradient), &bent);
+        }
+    }
+    #[automatically_derived]
+    impl runtime::TimeTransformed for Pendulum {
+        #[inline(always)]
+        fn kinetic_of<Scalar: runtime::Real, Leaf: runtime::Precision>(
+            motion: &runtime::PlainMotion<Self, Scalar, Leaf>,
+        ) -> Scalar {
+            let p0 = motion.p[0].value();
+            motion.parameters.prepared_2 * (p0 * p0)
+        }
+        #[inline(always)]
+        fn potential_of<Scalar: runtime::Real, Leaf: runtime::Precision>(
+            motion: &runtime::PlainMotion<Self, Scalar, Leaf>,
+        ) -> Scalar {
+            motion.parameters.prepared_1 * motion.q[0].value().cos()
+        }
+        #[inline(always)]
+        fn drift_for<Scalar: runtime::Real, Leaf: runtime::Precision>(
+            motion: &mut runtime::PlainMotion<Self, Scalar, Leaf>,
+            duration: Scalar,
+        ) {
+            let step = duration;
+            motion.q[0].fma(step * motion.parameters.prepared_0, motion.p[0].value());
+        }
+        #[inline(always)]
+        fn kick_for<Scalar: runtime::Real, Leaf: runtime::Precision>(
+            motion: &mut runtime::PlainMotion<Self, Scalar, Leaf>,
+            duration: Scalar,
+        ) {
+            let step = -duration;
+            motion
+                .p[0]
+                .fma(-(step * motion.parameters.prepared_1), motion.q[0].value().sin());
+        }
+        #[inline(always)]
+        fn logarithmic_kick<Scalar: runtime::Real, Leaf: runtime::Precision>(
+            motion: &mut runtime::PlainMotion<Self, Scalar, Leaf>,
+            duration: Scalar,
+        ) {
+            let step = -duration;
+            let q0 = motion.q[0].value();
+            let (shared_1, shared_0) = q0.sin_cos();
+            motion.p[0].add(step * shared_1 / shared_0);
         }
     }
 };

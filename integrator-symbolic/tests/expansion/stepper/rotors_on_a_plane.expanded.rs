@@ -60,7 +60,7 @@ const _: () = {
             Parameters<Scalar>,
         >;
         const AUTONOMOUS: bool = true;
-        const FINGERPRINT: u64 = 8266251696996313367;
+        const FINGERPRINT: u64 = 6877953778430296866;
         const WIDE: bool = true;
         fn parameters(&self, length: usize) -> Parameters<f64> {
             Parameters {
@@ -212,6 +212,158 @@ const _: () = {
             bent.p = force.q;
             <Self as runtime::QuadraticKinetic>::hessian::<Scalar>(&mut bent, time);
             motion.push(Scalar::of(-2.0 * gradient), &bent);
+        }
+    }
+    #[automatically_derived]
+    impl runtime::TimeTransformed for Rotors {
+        #[inline(always)]
+        fn kinetic_of<Scalar: runtime::Real, Leaf: runtime::Precision>(
+            motion: &runtime::PlainMotion<Self, Scalar, Leaf>,
+        ) -> Scalar {
+            let mut sum_1 = Scalar::of(0.0);
+            for i in 0..motion.q.len() {
+                let mut sum_0 = Scalar::of(0.0);
+                for j in 0..64 {
+                    let p_i_j = motion.p[i][j].value();
+                    sum_0 += p_i_j * p_i_j / motion.parameters.prepared_0[i][j];
+                }
+                sum_1 += sum_0;
+            }
+            sum_1
+        }
+        #[inline(always)]
+        fn potential_of<Scalar: runtime::Real, Leaf: runtime::Precision>(
+            motion: &runtime::PlainMotion<Self, Scalar, Leaf>,
+        ) -> Scalar {
+            let mut sum_3 = Scalar::of(0.0);
+            for i in 0..motion.q.len().saturating_sub(1) {
+                let mut sum_2 = Scalar::of(0.0);
+                for j in 0..64 {
+                    sum_2 = motion
+                        .parameters
+                        .across[i]
+                        .fma(
+                            (motion.q[i + 1][j].value() - motion.q[i][j].value()).cos(),
+                            sum_2,
+                        );
+                }
+                sum_3 += sum_2;
+            }
+            let mut sum_1 = Scalar::of(0.0);
+            for i in 0..motion.q.len() {
+                let mut sum_0 = Scalar::of(0.0);
+                for j in 0..64 {
+                    sum_0 = motion
+                        .parameters
+                        .along[j]
+                        .fma(
+                            (motion.q[i][(j + 1) % 64].value() - motion.q[i][j].value())
+                                .cos(),
+                            sum_0,
+                        );
+                }
+                sum_1 += sum_0;
+            }
+            -(sum_1 + sum_3)
+        }
+        #[inline(always)]
+        fn drift_for<Scalar: runtime::Real, Leaf: runtime::Precision>(
+            motion: &mut runtime::PlainMotion<Self, Scalar, Leaf>,
+            duration: Scalar,
+        ) {
+            let step = duration;
+            for i in 0..motion.q.len() {
+                for j in 0..64 {
+                    motion
+                        .q[i][j]
+                        .fma(
+                            step
+                                * (Scalar::of(2.0) / motion.parameters.prepared_0[i][j]),
+                            motion.p[i][j].value(),
+                        );
+                }
+            }
+        }
+        #[inline(always)]
+        fn kick_for<Scalar: runtime::Real, Leaf: runtime::Precision>(
+            motion: &mut runtime::PlainMotion<Self, Scalar, Leaf>,
+            duration: Scalar,
+        ) {
+            let step = -duration;
+            let mut gradient = runtime::table(
+                motion.q.len(),
+                &|_| [Scalar::of(0.0); 64],
+            );
+            for i in 0..motion.q.len() {
+                for j in 0..64 {
+                    let shared_1 = motion.parameters.along[j]
+                        * (motion.q[i][(j + 1) % 64].value() - motion.q[i][j].value())
+                            .sin();
+                    gradient[i][(j + 1) % 64] += shared_1;
+                    gradient[i][j] -= shared_1;
+                }
+            }
+            for i in 0..motion.q.len().saturating_sub(1) {
+                for j in 0..64 {
+                    let shared_0 = motion.parameters.across[i]
+                        * (motion.q[i + 1][j].value() - motion.q[i][j].value()).sin();
+                    gradient[i + 1][j] += shared_0;
+                    gradient[i][j] -= shared_0;
+                }
+            }
+            for i in 0..motion.q.len() {
+                for d in 0..64 {
+                    motion.p[i][d].fma(step, gradient[i][d]);
+                }
+            }
+        }
+        #[inline(always)]
+        fn logarithmic_kick<Scalar: runtime::Real, Leaf: runtime::Precision>(
+            motion: &mut runtime::PlainMotion<Self, Scalar, Leaf>,
+            duration: Scalar,
+        ) {
+            let step = -duration;
+            let mut gradient = runtime::table(
+                motion.q.len(),
+                &|_| [Scalar::of(0.0); 64],
+            );
+            let energy = {
+                let mut sum_1 = Scalar::of(0.0);
+                for i in 0..motion.q.len() {
+                    let mut sum_0 = Scalar::of(0.0);
+                    for j in 0..64 {
+                        let shared_0 = motion.q[i][(j + 1) % 64].value()
+                            - motion.q[i][j].value();
+                        let (shared_6, shared_1) = shared_0.sin_cos();
+                        let shared_7 = motion.parameters.along[j] * shared_6;
+                        gradient[i][(j + 1) % 64] += shared_7;
+                        gradient[i][j] -= shared_7;
+                        sum_0 = motion.parameters.along[j].fma(shared_1, sum_0);
+                    }
+                    sum_1 += sum_0;
+                }
+                let mut sum_3 = Scalar::of(0.0);
+                for i in 0..motion.q.len().saturating_sub(1) {
+                    let mut sum_2 = Scalar::of(0.0);
+                    for j in 0..64 {
+                        let shared_2 = motion.q[i + 1][j].value()
+                            - motion.q[i][j].value();
+                        let (shared_4, shared_3) = shared_2.sin_cos();
+                        let shared_5 = motion.parameters.across[i] * shared_4;
+                        gradient[i + 1][j] += shared_5;
+                        gradient[i][j] -= shared_5;
+                        sum_2 = motion.parameters.across[i].fma(shared_3, sum_2);
+                    }
+                    sum_3 += sum_2;
+                }
+                -(sum_1 + sum_3)
+            };
+            let step = step / -energy;
+            for i in 0..motion.q.len() {
+                for d in 0..64 {
+                    motion.p[i][d].fma(step, gradient[i][d]);
+                }
+            }
         }
     }
     /// What every site computes from its neighbourhood, for itself and for the sites further on.

@@ -1,0 +1,7 @@
+//! Time transformations of the members of an ensemble, each lane with its own time.
+
+use super::{Logarithmic, Power, TimeTransformed};
+use crate::{composition::Composition, ensemble::in_lanes::InLanes};
+
+impl<H: TimeTransformed, X: Composition<H>> InLanes<H> for Logarithmic<X> {}
+impl<H: TimeTransformed, X: Composition<H>> InLanes<H> for Power<X> {}

@@ -1,0 +1,210 @@
+//! The methods: a time transformation with a composition.
+
+use super::{
+    TimeTransformed,
+    flows::{Ln, TimedOf, ToPower, Transformation, Transformed},
+    motion::Constants,
+};
+use crate::{
+    composition::{Class, Composition, Scheme},
+    error::Error,
+    scalar::real::{Kernel, Real},
+    state::{clock::Clock, precision::Precision},
+    system::motion::Motion,
+    trajectory::{
+        method::{Described, Facts, Method},
+        step_functions::{Executor, StepFunctions, all_finite},
+        step_loop::{Advance, End},
+    },
+};
+use alloc::sync::Arc;
+
+/// The logarithmic Hamiltonian `ln(T + B) - ln(-V)` with `B = -H` at the start, by a composition (Mikkola and Tanikawa
+/// 1999, Celest. Mech. Dyn. Astron. 74, 287; Preto and Tremaine 1999, Astron. J. 118, 2532).
+///
+/// Steps are equal in a fictitious time `s` with `dt = ds/(-V)`: short where the attraction is strong. They are symplectic
+/// in the space of `(q, t)` and `(p, B)`, and those of two bodies that attract each other by `1/r` stay on their orbit to the
+/// rounding, whatever the step; errors are in the time alone. It needs `V < 0` all along; a constant that is subtracted in
+/// `potential` changes no motion.
+///
+/// The composition must be of general class. Those that are made of symmetric steps, such as
+/// [`SofroniouSpaletta8`](crate::SofroniouSpaletta8), keep the orbit of two bodies; others keep their order alone.
+///
+/// ```
+/// use integrator_core::prelude::*;
+///
+/// struct Comet;
+///
+/// #[hamiltonian]
+/// impl Comet {
+///     fn kinetic(&self, p: [f64; 2]) -> f64 { (p[0] * p[0] + p[1] * p[1]) / 2.0 }
+///     fn potential(&self, q: [f64; 2]) -> f64 { -1.0 / q[0].hypot(q[1]) }
+/// }
+///
+/// // At its closest to the star on an orbit with an eccentricity of 0.99, whose period is 2π.
+/// let start = Phase::new([0.01, 0.0], [0.0, 199_f64.sqrt()]);
+/// let mut run = Comet.run_with(Logarithmic(SofroniouSpaletta8), start, 0.2)?;
+/// let energy = run.energy();
+/// run.advance_to(100.0 * std::f64::consts::TAU)?;
+/// assert!((run.energy() / energy - 1.0).abs() < 1e-9);
+/// assert!(run.state().q[0] > 0.0);
+/// # Ok::<(), Error>(())
+/// ```
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Logarithmic<X>(pub X);
+
+/// The Hamiltonian `f(T + B) - f(-V)` with `f(x) = x^g` and `B = -H` at the start, by a composition: `dt = ds g (-V)^(g-1)`.
+///
+/// As [`Logarithmic`], with another pace: the smaller `g`, the more do steps shorten where the attraction is strong. With
+/// `g = 1` they do not.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Power<X>(pub f64, pub X);
+
+/// What both claim. Steps by `-h` undo those by `h` at the same `B`, which a state alone does not tell: a run back from it
+/// has a `B` of its own, so that symmetry is not claimed.
+fn facts(name: &'static str, of_composition: Facts) -> Facts {
+    let Facts { order, forces, roundings, table, .. } = of_composition;
+    Facts { name, order, symplectic: true, forces, roundings, table, ..Facts::UNCLAIMED }
+}
+
+impl<X: Scheme> Described for Logarithmic<X> {
+    fn facts(self) -> Facts {
+        facts("Logarithmic", self.0.facts())
+    }
+}
+
+impl<X: Scheme> Described for Power<X> {
+    fn facts(self) -> Facts {
+        facts("Power", self.1.facts())
+    }
+    fn admissible(self) -> Result<(), Error> {
+        match self.0.is_finite() && self.0 != 0.0 {
+            true => Ok(()),
+            false => Err(Error::Exponent { exponent: self.0 }),
+        }
+    }
+}
+
+macro_rules! time_transformation {
+    ($method:ident, $function:ty, $exponent:expr) => {
+        impl<H: TimeTransformed, X: Composition<H>> Method<H> for $method<X> {
+            /// Numbers are computed one by one.
+            const WIDE: bool = false;
+            type Constants = Constants<H::Parameters<f64>>;
+            type Motion<R: Real, K: Precision> = TimedOf<H, R, K>;
+
+            fn constants(self, parameters: Arc<H::Parameters<f64>>) -> Arc<Self::Constants> {
+                Arc::new(Constants { parameters, exponent: $exponent(self) })
+            }
+            fn step_functions<R: Real, K: Precision, E: Executor>() -> StepFunctions<Self::Motion<R, K>> {
+                step_functions::<$function, X, H, R, K>()
+            }
+        }
+    };
+}
+time_transformation!(Logarithmic, Ln, |_: Logarithmic<X>| 0.0);
+time_transformation!(Power, ToPower, |power: Power<X>| power.0);
+
+fn step_functions<F, X, H, R, K>() -> StepFunctions<TimedOf<H, R, K>>
+where
+    F: Transformation,
+    X: Composition<H>,
+    H: TimeTransformed,
+    R: Real,
+    K: Precision,
+{
+    const {
+        assert!(
+            matches!(X::CLASS, Class::General),
+            "a time transformation makes T something that is not quadratic in p, for which this composition would lose its \
+             order; those of general class, such as `SofroniouSpaletta8`, keep theirs"
+        );
+    }
+    StepFunctions {
+        lanes: R::LANES,
+        together: 1,
+        advance: advance::<F, X, H, R, K>,
+        complete: complete::<F, X, H, R, K>,
+        show: if const { X::PROCESSOR.after.rows.is_empty() } {
+            None
+        } else {
+            Some(|motion, clock| R::enter(End::<_, H, X, true>::new(Transformed::<F, X, H, R, K>::new(motion), clock)))
+        },
+        finite: all_finite,
+        dense: Some(dense::<F, X, H, R, K>),
+    }
+}
+
+/// The n-step loop.
+fn advance<F, X, H, R, K>(motions: &mut [TimedOf<H, R, K>], clock: Clock, steps: u64, _threads: Option<usize>)
+where
+    F: Transformation,
+    X: Composition<H>,
+    H: TimeTransformed,
+    R: Real,
+    K: Precision,
+{
+    for motion in motions {
+        R::enter(Steps::<F, X, H, R, K> { flows: Transformed::new(motion), clock, steps });
+    }
+}
+
+struct Steps<'m, F, X, H: TimeTransformed, R: Real, K: Precision> {
+    flows: Transformed<'m, F, X, H, R, K>,
+    clock: Clock,
+    steps: u64,
+}
+
+impl<F, X, H, R, K> Kernel for Steps<'_, F, X, H, R, K>
+where
+    F: Transformation,
+    X: Composition<H>,
+    H: TimeTransformed,
+    R: Real,
+    K: Precision,
+{
+    type Out = ();
+
+    #[inline(always)]
+    fn call(mut self) {
+        self.flows.begin();
+        Advance::<_, H, X>::new(self.flows, self.clock, self.steps).call();
+    }
+}
+
+/// Completes the step under way, and notes which lanes have left the domain.
+fn complete<F, X, H, R, K>(motion: &mut TimedOf<H, R, K>, clock: Clock)
+where
+    F: Transformation,
+    X: Composition<H>,
+    H: TimeTransformed,
+    R: Real,
+    K: Precision,
+{
+    R::enter(End::<_, H, X, false>::new(Transformed::<F, X, H, R, K>::new(motion), clock));
+    if clock.steps > 0 {
+        let energy = -H::potential_of::<R, K>(&motion.state);
+        motion.pass(R::of(0.0), energy);
+        motion.note_unsolved();
+    }
+}
+
+/// Takes a motion a while into the step that begins at the other one: by one shorter step.
+fn dense<F, X, H, R, K>(to: &mut TimedOf<H, R, K>, begin: &TimedOf<H, R, K>, clock: Clock, duration: f64)
+where
+    F: Transformation,
+    X: Composition<H>,
+    H: TimeTransformed,
+    R: Real,
+    K: Precision,
+{
+    to.copy_state(begin);
+    let finish = |motion: &mut TimedOf<H, R, K>, clock: Clock| {
+        complete::<F, X, H, R, K>(motion, clock);
+        R::enter(End::<_, H, X, true>::new(Transformed::<F, X, H, R, K>::new(motion), clock));
+    };
+    finish(to, clock);
+    let shorter = Clock { t0: 0.0, h: duration, steps: 0 };
+    advance::<F, X, H, R, K>(core::slice::from_mut(to), shorter, 1, None);
+    finish(to, Clock { steps: 1, ..shorter });
+}

@@ -1,0 +1,43 @@
+//! Time transformations: steps that shorten where the motion is fast, and stay symplectic.
+//!
+//! In: a system with flows for durations of each lane, and a composition. Out: runs whose steps are equal in a fictitious
+//! time `s`, and whose time `t` is part of the state, compensated. Always true: a transformation knows the energies and
+//! the flows of the system, and nothing of its coordinates.
+
+mod flows;
+#[cfg(feature = "std")]
+mod in_lanes;
+mod method;
+mod motion;
+
+pub use method::{Logarithmic, Power};
+
+use crate::{
+    hamiltonian::{Hamiltonian, Shaped},
+    scalar::real::Real,
+    state::precision::Precision,
+    system::motion::Plain,
+};
+
+/// The plain motion of a system, whatever layout its steps in `t` have.
+pub type PlainMotion<H, R, K> = Plain<R, Shaped<H, K>, <H as Hamiltonian>::Parameters<R>>;
+
+/// A Hamiltonian `T(p) + V(q)` with flows whose durations are numbers of each lane. Written by `#[hamiltonian]`.
+#[diagnostic::on_unimplemented(
+    message = "no time transformation is known for `{Self}`",
+    label = "its steps cannot follow a time of their own",
+    note = "`Logarithmic`, `Power` and `Paced` are for `kinetic` and `potential` without explicit time, in the coordinates \
+            of the functions themselves"
+)]
+pub trait TimeTransformed: Hamiltonian {
+    /// `T`.
+    fn kinetic_of<R: Real, K: Precision>(motion: &PlainMotion<Self, R, K>) -> R;
+    /// `V`.
+    fn potential_of<R: Real, K: Precision>(motion: &PlainMotion<Self, R, K>) -> R;
+    /// The exact flow of `T`.
+    fn drift_for<R: Real, K: Precision>(motion: &mut PlainMotion<Self, R, K>, duration: R);
+    /// The exact flow of `V`.
+    fn kick_for<R: Real, K: Precision>(motion: &mut PlainMotion<Self, R, K>, duration: R);
+    /// The exact flow of `-ln(-V)`.
+    fn logarithmic_kick<R: Real, K: Precision>(motion: &mut PlainMotion<Self, R, K>, duration: R);
+}

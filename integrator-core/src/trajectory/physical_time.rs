@@ -1,0 +1,146 @@
+//! Runs to a given time: whole steps to the last one before it, and a shorter one on a copy.
+//!
+//! Always true: the run itself stands at the end of a whole step, so that where it is looked at changes nothing of it.
+
+use crate::{
+    error::Error,
+    state::{coords::Coords, phase::Phase},
+    trajectory::{engine::BLOCK, run::Run},
+};
+
+/// After so many shorter steps the time is as near as it gets.
+const TRIALS: u32 = 200;
+
+impl<C: Coords> Run<C> {
+    /// Goes to a time, to the rounding: by whole steps to the last one that does not lie beyond it, and from there on a copy
+    /// by a shorter step of the same method, or on the polynomial of [`Taylor`](crate::taylor::Taylor).
+    ///
+    /// [`Run::time`], [`Run::state`] and [`Run::energy`] are then those of this time. The run itself stands at the step
+    /// before: [`Run::steps`] counts whole steps, and [`Run::advance`] goes on from there, so that the trajectory does not
+    /// depend on the times that it was looked at. Where `h` is negative, times fall.
+    ///
+    /// ```
+    /// use integrator_core::prelude::*;
+    ///
+    /// struct Oscillator;
+    ///
+    /// #[hamiltonian(compose = BlanesMoan6)]
+    /// impl Oscillator {
+    ///     fn kinetic(&self, p: [f64; 1]) -> f64 { p[0] * p[0] / 2.0 }
+    ///     fn potential(&self, q: [f64; 1]) -> f64 { q[0] * q[0] / 2.0 }
+    /// }
+    ///
+    /// let mut run = Oscillator.run(Phase::new([1.0], [0.0]), 0.1)?;
+    /// run.advance_to(std::f64::consts::PI)?;
+    /// assert_eq!((run.time(), run.steps()), (std::f64::consts::PI, 31));
+    /// assert!((run.state().q[0] + 1.0).abs() < 1e-9);
+    /// # Ok::<(), Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`Error::Time`] for a time that is not finite, [`Error::Passed`] for one that lies before the last whole step; and as
+    /// [`Run::advance`].
+    pub fn advance_to(&mut self, time: f64) -> Result<(), Error> {
+        let present = self.time_at_step();
+        if !time.is_finite() {
+            return Err(Error::Time { time });
+        }
+        if self.is_beyond(present, time) {
+            return Err(Error::Passed { time, present });
+        }
+        self.advance(0)?;
+        match self.time_in_state() {
+            None => self.whole_steps_to(time)?,
+            Some(_) => self.steps_in_own_time_to(time)?,
+        }
+        if self.time_at_step() != time {
+            self.show_within_step(time)?;
+        }
+        Ok(())
+    }
+
+    /// Whether one time comes after another on the way of the steps.
+    fn is_beyond(&self, time: f64, other: f64) -> bool {
+        if self.clock.h < 0.0 { time < other } else { time > other }
+    }
+
+    /// Takes the steps whose end does not lie beyond a time, by the clock.
+    fn whole_steps_to(&mut self, time: f64) -> Result<(), Error> {
+        let clock = self.clock;
+        // Conversions saturate; the clock decides about the last steps.
+        let mut end = ((time - clock.t0) / clock.h) as u64;
+        while self.is_beyond(clock.at(end), time) {
+            end -= 1;
+        }
+        while !self.is_beyond(clock.at(end + 1), time) {
+            end += 1;
+        }
+        self.advance(end.saturating_sub(clock.steps))
+    }
+
+    /// The same where the time is part of the state: ever more steps at once, until some lead beyond the time and are taken
+    /// back.
+    fn steps_in_own_time_to(&mut self, time: f64) -> Result<(), Error> {
+        let mut block = 1;
+        loop {
+            let before = self.time_at_step();
+            self.advance(block)?;
+            let after = self.time_at_step();
+            if self.is_beyond(after, time) {
+                self.take_back(block);
+                if block == 1 {
+                    return Ok(());
+                }
+                block /= 2;
+            } else if after == time {
+                return Ok(());
+            } else if after == before {
+                return Err(Error::Clock { h: self.clock.h, time: after });
+            } else if self.watch.is_none() {
+                // Within a block of the engine, which keeps where it began.
+                block = BLOCK.min(2 * block);
+            }
+        }
+    }
+
+    /// Shows the run at a time within the next step.
+    fn show_within_step(&mut self, time: f64) -> Result<(), Error> {
+        let from = self.state_at_step();
+        let began = self.time_at_step();
+        // The next step as a whole, for methods that know what is within.
+        self.take_step()?;
+        let state = match self.time_in_state() {
+            None => self.within(&from, time - began).map(|(_, state)| state),
+            Some(end) => self.at_time_within(&from, [(0.0, began), (self.clock.h, end)], time),
+        };
+        self.take_back(1);
+        self.show_at(time, state?);
+        Ok(())
+    }
+
+    /// The state at a time between two durations of the last step and the times that they lead to, where durations are
+    /// of another time: by secants, of which the side that stays twice counts half, so that both close in (the Illinois
+    /// algorithm).
+    fn at_time_within(&mut self, from: &Phase<C>, ends: [(f64, f64); 2], time: f64) -> Result<Phase<C>, Error> {
+        let [mut near, mut far] = ends;
+        let mut weights = [1.0, 1.0];
+        let mut state = from.clone();
+        for _ in 0..TRIALS {
+            let [below, above] = [(near.1 - time) * weights[0], (far.1 - time) * weights[1]];
+            let secant = (near.0 * above - far.0 * below) / (above - below);
+            let is_inside = (secant - near.0) * (secant - far.0) < 0.0;
+            let duration = if is_inside { secant } else { near.0 + (far.0 - near.0) / 2.0 };
+            let reached;
+            (reached, state) = self.within(from, duration)?;
+            if reached == time || duration == near.0 || duration == far.0 {
+                break;
+            }
+            if self.is_beyond(reached, time) {
+                (far, weights) = ((duration, reached), [weights[0] / 2.0, 1.0]);
+            } else {
+                (near, weights) = ((duration, reached), [1.0, weights[1] / 2.0]);
+            }
+        }
+        Ok(state)
+    }
+}

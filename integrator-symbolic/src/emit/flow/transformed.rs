@@ -1,0 +1,110 @@
+//! Flows under time transformations: their durations are numbers of each lane.
+//!
+//! Comes in: the gradients of `T(p)` and `V(q)`. Goes out: the functions of the runtime's `TimeTransformed`, on the plain
+//! layout. The logarithmic Hamiltonian `ln(T + B) - ln(-V)` (Mikkola and Tanikawa 1999; Preto and Tremaine 1999) has a
+//! kick of its own: the gradient of `ln(-V)` is simplified as a whole, so that an attraction by `1/r` needs no root.
+
+use super::{Flow, buffer, stores};
+use crate::{
+    differentiate::{Contribution, gradient},
+    emit::printer::{block::Emitter, fields::lower_roots, frame::Frame, function::Lines, names::Names},
+    graph::{Graph, Node, NodeId, Part},
+    program::{Sink, Store, is_direct},
+};
+use proc_macro2::{Ident, Span, TokenStream};
+use quote::quote;
+
+/// The items of the runtime's `TimeTransformed`.
+pub(crate) fn functions(
+    emitter: &mut Emitter<'_>,
+    kinetic: &[Contribution],
+    potential: &[Contribution],
+) -> TokenStream {
+    let [t, v] = [emitter.model.kinetic, emitter.model.potential];
+    let graph = &mut emitter.model.graph;
+    let logarithm = logarithm(graph, v);
+    let logarithm = graph.neg(logarithm);
+    let logarithmic = gradient(graph, logarithm, Part::Position);
+    let energies = [("kinetic_of", t), ("potential_of", v)].map(|(name, node)| energy(emitter, name, node));
+    let lines = [(kinetic, Part::Momentum), (potential, Part::Position), (&logarithmic, Part::Position)]
+        .map(|(gradient, part)| Flow::lines_along(emitter, gradient, part, &Frame::Motion));
+    let [drift, kick, direct] = lines;
+    let logarithmic = match is_direct(&emitter.model.graph.loops, &logarithmic) {
+        true => direct,
+        false => collected(emitter, potential, v),
+    };
+    let flows = [
+        ("drift_for", quote!(duration), drift),
+        ("kick_for", quote!(-duration), kick),
+        ("logarithmic_kick", quote!(-duration), logarithmic),
+    ];
+    let flows = flows.map(|(name, step, lines)| flow(emitter, name, step, lines));
+    quote!(#(#energies)* #(#flows)*)
+}
+
+/// The logarithm of the absolute value of a number, but for what parameters alone add to it: one for each factor, so that
+/// what factors share cancels in its gradient.
+fn logarithm(graph: &mut Graph, x: NodeId) -> NodeId {
+    if graph.is_prepared(x) {
+        return graph.constant(0.0);
+    }
+    match graph.node(x) {
+        Node::Neg(x) => logarithm(graph, x),
+        Node::Mul(a, b) => {
+            let [a, b] = [a, b].map(|factor| logarithm(graph, factor));
+            graph.add(a, b)
+        }
+        Node::Div(a, b) => {
+            let [a, b] = [a, b].map(|factor| logarithm(graph, factor));
+            graph.sub(a, b)
+        }
+        Node::Power(base, halves) => {
+            let (exponent, of_base) = (graph.constant(f64::from(halves) / 2.0), logarithm(graph, base));
+            graph.mul(exponent, of_base)
+        }
+        Node::Binary(function, a, b) if function.name() == "hypot" => {
+            let [a, b] = [a, b].map(|side| graph.power(side, 4));
+            let (half, square) = (graph.constant(0.5), graph.add(a, b));
+            let of_square = logarithm(graph, square);
+            graph.mul(half, of_square)
+        }
+        _ => graph.call("ln", x),
+    }
+}
+
+/// The logarithmic kick by a potential energy that is summed together with its gradient.
+fn collected(emitter: &mut Emitter<'_>, potential: &[Contribution], energy: NodeId) -> Lines {
+    let mut stores = stores(emitter.model, potential, Sink::Collect);
+    let energy = lower_roots(emitter.model, &[energy])[0];
+    stores.push(Store { context: Vec::new(), sink: Sink::Return, value: energy });
+    let apply = |place, value| quote!(#place.fma(step, #value););
+    let (open, close) = buffer(&emitter.model.shape, &Frame::Motion, Part::Momentum, emitter.names, apply);
+    let lines = emitter.evaluate(&Frame::Motion, &[], &stores);
+    lines.map(|lines| quote!(#open let energy = { #lines }; let step = step / -energy; #close))
+}
+
+/// The function that returns an energy.
+fn energy(emitter: &mut Emitter<'_>, name: &str, node: NodeId) -> TokenStream {
+    let node = lower_roots(emitter.model, &[node])[0];
+    let body = emitter.value(&Frame::Motion, node).body(&emitter.names.scalar);
+    let (motion, body) = (body.argument("motion"), &body.0);
+    let name = Ident::new(name, Span::call_site());
+    let Names { runtime, scalar, leaf, .. } = emitter.names;
+    quote! {
+        #[inline(always)]
+        fn #name<#scalar: #runtime::Real, #leaf: #runtime::Precision>(#motion: &#runtime::PlainMotion<Self, #scalar, #leaf>) -> #scalar { #body }
+    }
+}
+
+/// The function that moves coordinates for a while.
+fn flow(emitter: &Emitter<'_>, name: &str, step: TokenStream, lines: Lines) -> TokenStream {
+    let body = if lines.tokens.is_empty() { lines } else { lines.map(|lines| quote!(let step = #step; #lines)) };
+    let body = body.body(&emitter.names.scalar);
+    let ([motion, duration], body) = (["motion", "duration"].map(|name| body.argument(name)), &body.0);
+    let name = Ident::new(name, Span::call_site());
+    let Names { runtime, scalar, leaf, .. } = emitter.names;
+    quote! {
+        #[inline(always)]
+        fn #name<#scalar: #runtime::Real, #leaf: #runtime::Precision>(#motion: &mut #runtime::PlainMotion<Self, #scalar, #leaf>, #duration: #scalar) { #body }
+    }
+}
