@@ -300,6 +300,12 @@ pub enum Unsolved {
         /// The energy that is not positive.
         value: f64,
     },
+    /// A pace that is not positive.
+    #[error("the pace by `rate`, or what follows it along the motion, is {value}: it has to be above zero everywhere")]
+    Rate {
+        /// The pace.
+        value: f64,
+    },
     /// An adaptive method found no steps within its tolerance.
     #[error("no steps within the tolerance were found: {0}")]
     Adaptive(String),

@@ -106,7 +106,7 @@ pub use ensemble::in_lanes::InLanes;
 pub use error::{Divergence, Error, Lost, Misread, NotFinite, Unsolved};
 pub use hamiltonian::{Hamiltonian, QuadraticKinetic};
 pub use integrator_macros::{composition, hamiltonian};
-pub use methods::pace::{Logarithmic, Power};
+pub use methods::pace::{Logarithmic, Paced, Power};
 #[cfg(feature = "reference")]
 pub use methods::reference;
 pub use methods::taylor;
@@ -152,8 +152,8 @@ pub mod prelude {
     pub use crate::check::{Certificate, certify};
     pub use crate::composition::catalogue::*;
     pub use crate::{
-        Compensated, Composition, Crossings, Direction, Error, Fixed, Hamiltonian, Logarithmic, Phase, Power, Run,
-        Sample, Samples, SamplesAt, Scheme, composition, hamiltonian,
+        Compensated, Composition, Crossings, Direction, Error, Fixed, Hamiltonian, Logarithmic, Paced, Phase, Power,
+        Run, Sample, Samples, SamplesAt, Scheme, composition, hamiltonian,
     };
 }
 
@@ -188,7 +188,7 @@ pub mod __private {
                 window::Window,
             },
         },
-        methods::pace::{PlainMotion, TimeTransformed},
+        methods::pace::{PlainMotion, Rated, TimeTransformed},
         methods::taylor::{
             Recurrences, RecurrencesVisitor,
             inverse_mass::InverseMass,

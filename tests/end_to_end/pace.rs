@@ -9,6 +9,8 @@ use std::f64::consts::{PI, TAU};
 struct Comet {
     pull: f64,
     twist: f64,
+    /// What the pace is less than the inverse square of the distance.
+    slow: f64,
 }
 
 #[hamiltonian]
@@ -19,6 +21,9 @@ impl Comet {
     fn potential(&self, q: [f64; 2]) -> f64 {
         let square = q[0] * q[0] + q[1] * q[1];
         -self.pull / square.sqrt() - self.twist / (square * square.sqrt())
+    }
+    fn rate(&self, q: [f64; 2]) -> f64 {
+        1.0 / (q[0] * q[0] + q[1] * q[1]) - self.slow
     }
 }
 
@@ -39,7 +44,7 @@ fn at_pericentre(e: f64) -> Phase<[f64; 2]> {
     Phase::new([1.0 - e, 0.0], [0.0, ((1.0 + e) / (1.0 - e)).sqrt()])
 }
 
-const TWISTED: Comet = Comet { pull: 1.0, twist: 0.005 };
+const TWISTED: Comet = Comet { pull: 1.0, twist: 0.005, slow: 0.0 };
 
 #[test]
 fn two_bodies_stay_on_their_orbit_whatever_the_step() {
@@ -59,13 +64,14 @@ fn two_bodies_stay_on_their_orbit_whatever_the_step() {
 
 #[test]
 fn errors_in_time_fall_with_the_order() {
-    fn order<X: Method<TwoBodies>>(method: X) -> f64 {
+    fn order<X: Method<Comet>>(method: X) -> f64 {
         let e = 0.6;
         let ([x, y], [u, v]) = ellipse(e, 7.0);
+        let comet = Comet { twist: 0.0, ..TWISTED };
         observed_order(method.facts().order, |steps| {
             let h = 7.0 / steps as f64;
             let start = at_pericentre(e);
-            let mut run = TwoBodies.run_with(method, Phase::compensated(start.q, start.p), h).expect("a start");
+            let mut run = comet.run_with(method, Phase::compensated(start.q, start.p), h).expect("a start");
             run.advance_to(7.0).expect("finite states");
             assert_eq!(run.time(), 7.0);
             let Phase { q, p } = run.state();
@@ -77,6 +83,8 @@ fn errors_in_time_fall_with_the_order() {
         (4.0, order(Logarithmic(Yoshida4))),
         (8.0, order(Logarithmic(KahanLi8))),
         (4.0, order(Power(0.5, Yoshida4))),
+        (2.0, order(Paced(Verlet))),
+        (4.0, order(Paced(BlanesMoan6))),
     ];
     for (claimed, slope) in slopes {
         assert!(f64::abs(slope - claimed) < 0.3, "claimed {claimed}, observed {slope}");
@@ -102,6 +110,10 @@ fn the_drift_comes_first_whatever_comes_first_in_the_composition() {
 fn a_time_transformation_is_symplectic_and_of_its_order() {
     let certificate = certify(&TWISTED, Logarithmic(KahanLi8), at_pericentre(0.6), 0.2).expect("a certificate");
     assert!(certificate.symplectic_defect < 1e-13);
+    let refused = certify(&TWISTED, Paced(Yoshida4), at_pericentre(0.6), 0.05).expect_err("a pace is not symplectic");
+    let refused = refused.to_string();
+    assert!(refused.contains("Paced is not symplectic") && refused.contains("(claimed 4; "), "{refused}");
+    assert!(!refused.contains("falls short of"), "{refused}");
     let certificate = certify(&TWISTED, Power(0.5, Yoshida4), at_pericentre(0.6), 0.05).expect("a certificate");
     assert!(certificate.symplectic_defect < 1e-13);
 }
@@ -127,6 +139,7 @@ fn where_a_run_is_looked_at_changes_nothing_of_it() {
     for h in [0.03, -0.03] {
         look(TWISTED.run_with::<f64, _>(Logarithmic(Yoshida4), at_pericentre(0.6), h).expect("a start"));
         look(TWISTED.run_with::<f64, _>(Power(0.3, Yoshida4), at_pericentre(0.6), h).expect("a start"));
+        look(TWISTED.run_with::<f64, _>(Paced(Yoshida4), at_pericentre(0.6), h).expect("a start"));
         look(TWISTED.run_with::<f64, _>(Yoshida4, at_pericentre(0.6), h).expect("a start"));
     }
 }
@@ -172,13 +185,20 @@ fn members_have_the_bits_of_their_runs_also_where_others_are_lost() {
     let members: Vec<_> = (0..13)
         .map(|member| {
             let pull = if member % 4 == 1 { -1.0 } else { 1.0 + 0.01 * f64::from(member) };
-            (Comet { pull, twist: 0.0 }, at_pericentre(0.5))
+            (Comet { pull, twist: 0.0, slow: 0.0 }, at_pericentre(0.5))
         })
         .collect();
     let mut swarm = Ensemble::new(Logarithmic(KahanLi8), members.clone(), 0.1).expect("members");
-    let _lost = swarm.advance(100);
+    let lost = swarm.advance(100).expect_err("some are repelled");
+    assert!(matches!(lost, Error::Lost(lost) if lost.members.len() == 3));
     swarm.advance(2_000).expect("the others are well");
+    let mut paced = Ensemble::new(Paced(KahanLi8), members.clone(), 0.02).expect("members");
+    let lost = paced.advance(2_100).expect_err("some go to where no pace is left");
+    assert!(matches!(lost, Error::Lost(lost) if lost.members.len() == 3));
     for (member, (comet, start)) in members.iter().enumerate().filter(|(member, _)| member % 4 != 1) {
+        let mut run = comet.run_with(Paced(KahanLi8), *start, 0.02).expect("a start");
+        run.advance(2_100).expect("finite states");
+        assert_eq!(paced.state(member), Some(run.state()), "member {member}");
         let mut run = comet.run_with(Logarithmic(KahanLi8), *start, 0.1).expect("a start");
         run.advance(2_100).expect("finite states");
         assert_eq!(swarm.state(member), Some(run.state()), "member {member}");
@@ -187,11 +207,17 @@ fn members_have_the_bits_of_their_runs_also_where_others_are_lost() {
 
 #[test]
 fn what_is_out_of_reach_is_an_error() {
-    let repelled = Comet { pull: -1.0, twist: 0.0 };
+    let repelled = Comet { pull: -1.0, ..TWISTED };
     let mut run = repelled.run_with::<f64, _>(Logarithmic(Verlet), at_pericentre(0.1), 0.1).expect("a start");
     let error = run.advance(1).expect_err("no attraction").to_string();
     assert!(error.contains("needs V < 0") && error.contains("subtract a constant"), "{error}");
     assert_eq!((run.steps(), run.state()), (0, at_pericentre(0.1)));
+
+    let stalled = Comet { slow: 10.0, ..TWISTED };
+    let mut run = stalled.run_with::<f64, _>(Paced(Verlet), at_pericentre(0.6), 0.01).expect("a start");
+    let error = run.advance(10_000).expect_err("no pace at a distance of 0.4").to_string();
+    assert!(error.contains("above zero everywhere"), "{error}");
+    assert_eq!((run.steps(), run.state()), (0, at_pericentre(0.6)));
 
     let error = TwoBodies.run_with::<f64, _>(Power(0.0, Verlet), at_pericentre(0.1), 0.1).map(drop);
     assert_eq!(error, Err(Error::Exponent { exponent: 0.0 }));

@@ -127,6 +127,25 @@ impl<R: Real, C: Coords, P: Clone> Plain<R, C, P> {
             parameters: self.parameters.clone(),
         }
     }
+    /// The same momenta at the origin, with slots that hold numbers and nothing else.
+    #[inline(always)]
+    pub fn at_origin(&self) -> Plain<R, C::With<f64>, P> {
+        let zero = R::of(0.0);
+        Plain {
+            q: C::numbers(&self.q, |_| zero),
+            p: C::numbers(&self.p, |slot| slot.value()),
+            parameters: self.parameters.clone(),
+        }
+    }
+    /// The scalar product of the positions and another motion's momenta.
+    #[inline(always)]
+    pub fn positions_times(&self, other: &Self) -> R {
+        let mut sum = R::of(0.0);
+        for (q, p) in C::slots(&self.q).iter().zip(C::slots(&other.p)) {
+            sum = q.value().fma(p.value(), sum);
+        }
+        sum
+    }
     /// Adds a multiple of another motion's momenta.
     #[inline(always)]
     pub fn push(&mut self, factor: R, other: &Plain<R, C::With<f64>, P>) {

@@ -106,6 +106,8 @@ struct Stepper<'i> {
     taylor: Option<Orders>,
     /// Flows whose durations are numbers of each lane.
     transformed: Option<TokenStream>,
+    /// The pace that the user gives.
+    rated: Option<TokenStream>,
     /// What Jacobi coordinates ask of the prepared constants.
     of_jacobi: Option<TokenStream>,
 }
@@ -138,6 +140,8 @@ impl<'i> Stepper<'i> {
         });
         let is_plain = autonomous && emitter.model.is_separable() && emitter.model.jacobi.is_none();
         let transformed = is_plain.then(|| transformed::functions(&mut emitter, &kinetic, &potential));
+        let rate = emitter.model.rate.take().filter(|_| is_plain && is_quadratic);
+        let rated = rate.map(|(rate, arguments)| transformed::rated(&mut emitter, rate, &arguments));
         let of_jacobi = emitter.model.jacobi.map(|jacobi| jacobi::constants(jacobi, &mut emitter));
         let constants = Constants::of(emitter);
         Self {
@@ -155,6 +159,7 @@ impl<'i> Stepper<'i> {
             quadratic,
             taylor,
             transformed,
+            rated,
             of_jacobi,
             names,
         }
@@ -179,7 +184,8 @@ impl<'i> Stepper<'i> {
         });
         let transformed =
             self.transformed.as_ref().map(|items| implementation(quote!(#runtime::TimeTransformed), items));
-        let others = quote!(#of_bodies #of_jacobi #quadratic #transformed #taylor #of_lattice #of_forms);
+        let rated = self.rated.as_ref().map(|items| implementation(quote!(#runtime::Rated), items));
+        let others = quote!(#of_bodies #of_jacobi #quadratic #transformed #rated #taylor #of_lattice #of_forms);
         let hamiltonian = implementation(quote!(#runtime::Hamiltonian), &self.hamiltonian(&others));
         quote! {
             #[allow(warnings, clippy::all, clippy::pedantic, reason = "generated")]

@@ -77,6 +77,8 @@ pub(crate) struct Model {
     pub(crate) kinetic: NodeId,
     /// `V`, or all other parts together.
     pub(crate) potential: NodeId,
+    /// The pace that the user gives, a function of the positions, and the arguments of its function.
+    pub(crate) rate: Option<(NodeId, Vec<TokenStream>)>,
     /// The parts that `split` names, in the order of their letters; none where H is `T + V`.
     pub(crate) parts: Vec<ExactPart>,
     /// How tightly two copies of the state are coupled, each of which moves by what H says of the other; `None` where the
@@ -187,6 +189,7 @@ pub(crate) fn model(input: &Input, errors: &mut Errors) -> Option<Model> {
     };
     let lengths = [Some(&shape.length), shape.dimension.as_ref()].into_iter().flatten();
     let lengths = lengths.map(|length| reader.length(length)).collect();
+    let rate = reader.rate(&shape);
     let Reader { mut graph, parameters, running, externals, .. } = reader;
     let energies = graph.balance_choices(energies);
     let [kinetic, potential] = energies;
@@ -195,6 +198,7 @@ pub(crate) fn model(input: &Input, errors: &mut Errors) -> Option<Model> {
         graph,
         kinetic,
         potential,
+        rate,
         parts,
         coupling,
         shape,
@@ -230,6 +234,7 @@ pub(crate) fn stub(input: &Input) -> Option<Model> {
         graph,
         kinetic: zero,
         potential: zero,
+        rate: None,
         parts: Vec::new(),
         coupling: None,
         shape,
@@ -386,6 +391,23 @@ impl<'i> Reader<'i> {
             self.errors.at(&function.sig.ident, NOT_SEPARABLE);
         }
         Some((energies?, signature.shape, Called::Whole(signature.arguments)))
+    }
+
+    /// The pace by `rate`, if that is a function of all positions; a helper of this name with other arguments is none.
+    fn rate(&mut self, shape: &Shape) -> Option<(NodeId, Vec<TokenStream>)> {
+        let function = self.input.function("rate")?;
+        let signature = signature(function, Part::Position, &mut Errors::default())?;
+        if mismatch((&signature.shape, ""), (shape, "")).is_some() || signature.foreign.is_some() {
+            return None;
+        }
+        if let Some(time) = signature.time {
+            self.errors.at(
+                time,
+                "the pace depends on the positions alone, since the time is part of the motion: leave it out",
+            );
+            return None;
+        }
+        Some((self.energy(Part::Position, function, &signature)?, signature.arguments))
     }
 
     /// The energy that a function of positions and momenta gives.

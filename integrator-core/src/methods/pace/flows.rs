@@ -1,10 +1,9 @@
-//! The flows of a Hamiltonian `f(T + B) - f(-V)`, whose time is the fictitious one (Mikkola and Tanikawa 1999; Preto and
-//! Tremaine 1999).
+//! The flows of time transformations.
 //!
-//! A drift moves the positions and the time, a kick the momenta. Exact solutions of both are the flows of `T` and of `V`
-//! for a duration that stays the same: `h f'(T + B)` and `h f'(-V)`.
+//! Those of a Hamiltonian `f(T + B) - f(-V)` in the fictitious time (Mikkola and Tanikawa 1999; Preto and Tremaine 1999) are
+//! the flows of `T` and of `V` for durations that stay the same on the way: `h f'(T + B)` and `h f'(-V)`.
 
-use super::{TimeTransformed, motion::Timed};
+use super::{Rated, TimeTransformed, motion::Timed};
 use crate::{
     composition::{Composition, Lead},
     hamiltonian::{Flows, Hamiltonian, QuadraticKinetic, Shaped},
@@ -16,44 +15,108 @@ use core::marker::PhantomData;
 /// The motion of a system.
 pub(super) type TimedOf<H, R, K> = Timed<R, Shaped<H, K>, <H as Hamiltonian>::Parameters<R>>;
 
-/// The function `f` of a time transformation.
-pub trait Transformation: Copy + Send + Sync + 'static {
-    /// `duration f'(energy)`.
-    fn rate<R: Real>(duration: R, energy: R, exponent: f64) -> R;
-    /// The exact flow of `-f(-V)`.
-    fn kick<H: TimeTransformed, R: Real, K: Precision>(motion: &mut TimedOf<H, R, K>, duration: R);
+/// A time transformation: two exact flows, of which one moves positions and time, the other one momenta.
+pub trait Transformation<H: Hamiltonian>: 'static {
+    /// What the motion has beside its state and time, at the start.
+    fn begin<R: Real, K: Precision>(motion: &TimedOf<H, R, K>) -> R;
+    /// Moves positions and time.
+    fn drift<R: Real, K: Precision>(motion: &mut TimedOf<H, R, K>, duration: R);
+    /// Moves momenta.
+    fn kick<R: Real, K: Precision>(motion: &mut TimedOf<H, R, K>, duration: R);
+    /// What has to be above zero all along.
+    fn domain<R: Real, K: Precision>(motion: &TimedOf<H, R, K>) -> R;
 }
 
-/// `ln`.
-#[derive(Clone, Copy)]
+/// `f = ln`.
 pub struct Ln;
 
-impl Transformation for Ln {
+impl<H: TimeTransformed> Transformation<H> for Ln {
     #[inline(always)]
-    fn rate<R: Real>(duration: R, energy: R, _exponent: f64) -> R {
-        duration / energy
+    fn begin<R: Real, K: Precision>(motion: &TimedOf<H, R, K>) -> R {
+        momentum_of_time::<H, R, K>(motion)
     }
     #[inline(always)]
-    fn kick<H: TimeTransformed, R: Real, K: Precision>(motion: &mut TimedOf<H, R, K>, duration: R) {
+    fn drift<R: Real, K: Precision>(motion: &mut TimedOf<H, R, K>, duration: R) {
+        let energy = H::kinetic_of::<R, K>(&motion.state) + motion.beside;
+        let duration = duration / energy;
+        H::drift_for::<R, K>(&mut motion.state, duration);
+        motion.pass(duration, energy);
+    }
+    #[inline(always)]
+    fn kick<R: Real, K: Precision>(motion: &mut TimedOf<H, R, K>, duration: R) {
         H::logarithmic_kick::<R, K>(&mut motion.state, duration);
+    }
+    #[inline(always)]
+    fn domain<R: Real, K: Precision>(motion: &TimedOf<H, R, K>) -> R {
+        -H::potential_of::<R, K>(&motion.state)
     }
 }
 
-/// `x^g`.
-#[derive(Clone, Copy)]
+/// `f = x^g`.
 pub struct ToPower;
 
-impl Transformation for ToPower {
+impl<H: TimeTransformed> Transformation<H> for ToPower {
     #[inline(always)]
-    fn rate<R: Real>(duration: R, energy: R, exponent: f64) -> R {
-        duration * R::of(exponent) * energy.powf(R::of(exponent - 1.0))
+    fn begin<R: Real, K: Precision>(motion: &TimedOf<H, R, K>) -> R {
+        momentum_of_time::<H, R, K>(motion)
     }
     #[inline(always)]
-    fn kick<H: TimeTransformed, R: Real, K: Precision>(motion: &mut TimedOf<H, R, K>, duration: R) {
+    fn drift<R: Real, K: Precision>(motion: &mut TimedOf<H, R, K>, duration: R) {
+        let energy = H::kinetic_of::<R, K>(&motion.state) + motion.beside;
+        let duration = duration * slope_of_power(energy, motion.exponent);
+        H::drift_for::<R, K>(&mut motion.state, duration);
+        motion.pass(duration, energy);
+    }
+    #[inline(always)]
+    fn kick<R: Real, K: Precision>(motion: &mut TimedOf<H, R, K>, duration: R) {
         let energy = -H::potential_of::<R, K>(&motion.state);
         motion.pass(R::of(0.0), energy);
-        let rate = Self::rate(duration, energy, motion.exponent);
-        H::kick_for::<R, K>(&mut motion.state, rate);
+        H::kick_for::<R, K>(&mut motion.state, duration * slope_of_power(energy, motion.exponent));
+    }
+    #[inline(always)]
+    fn domain<R: Real, K: Precision>(motion: &TimedOf<H, R, K>) -> R {
+        -H::potential_of::<R, K>(&motion.state)
+    }
+}
+
+/// `B = -H`, a number without a tangent: the map of `(q, p)` is symplectic at a fixed `B`.
+#[inline(always)]
+fn momentum_of_time<H: TimeTransformed, R: Real, K: Precision>(motion: &TimedOf<H, R, K>) -> R {
+    let energy = H::kinetic_of::<R, K>(&motion.state) + H::potential_of::<R, K>(&motion.state);
+    R::parameter(&|lane| -energy.lane(lane))
+}
+
+/// The derivative of `x^g`.
+#[inline(always)]
+fn slope_of_power<R: Real>(x: R, exponent: f64) -> R {
+    R::of(exponent) * x.powf(R::of(exponent - 1.0))
+}
+
+/// A pace of the user's own, `Ω(q)`, and an auxiliary variable `W` that follows it: `dW/dt` is the derivative of `Ω` along the
+/// velocity (Mikkola and Aarseth 2002, Celest. Mech. Dyn. Astron. 84, 343). A drift takes the time `h/W`, a kick `h/Ω`.
+pub struct OfRate;
+
+impl<H: Rated> Transformation<H> for OfRate {
+    #[inline(always)]
+    fn begin<R: Real, K: Precision>(motion: &TimedOf<H, R, K>) -> R {
+        H::rate_of::<R, K>(&motion.state)
+    }
+    #[inline(always)]
+    fn drift<R: Real, K: Precision>(motion: &mut TimedOf<H, R, K>, duration: R) {
+        let rate = motion.beside;
+        let duration = duration / rate;
+        H::drift_for::<R, K>(&mut motion.state, duration);
+        motion.pass(duration, rate);
+    }
+    #[inline(always)]
+    fn kick<R: Real, K: Precision>(motion: &mut TimedOf<H, R, K>, duration: R) {
+        let [rate, more] = H::rated_kick::<R, K>(&mut motion.state, duration);
+        motion.pass(R::of(0.0), rate);
+        motion.beside += more;
+    }
+    #[inline(always)]
+    fn domain<R: Real, K: Precision>(motion: &TimedOf<H, R, K>) -> R {
+        motion.beside
     }
 }
 
@@ -62,46 +125,31 @@ impl Transformation for ToPower {
 /// The drift comes first: of the two orders of the flows of `ln`, this one stays on the orbit of two bodies exactly, and
 /// the other does not. A composition that begins with a kick has its letters exchanged, which leaves the order of one of
 /// general class as it is, since its proof knows nothing that tells the letters apart.
-pub(super) struct Transformed<'m, F, X, H: TimeTransformed, R: Real, K: Precision> {
+pub(super) struct Transformed<'m, F, X, H: Hamiltonian, R: Real, K: Precision> {
     motion: &'m mut TimedOf<H, R, K>,
     marker: PhantomData<(F, X)>,
 }
 
-impl<'m, F: Transformation, X, H: TimeTransformed, R: Real, K: Precision> Transformed<'m, F, X, H, R, K> {
+impl<'m, F: Transformation<H>, X, H: Hamiltonian, R: Real, K: Precision> Transformed<'m, F, X, H, R, K> {
     pub(super) fn new(motion: &'m mut TimedOf<H, R, K>) -> Self {
         Self { motion, marker: PhantomData }
     }
 
-    /// Gives the time its momentum, once.
+    /// Gives the motion what it has beside its state and time, once.
     #[inline(always)]
     pub(super) fn begin(&mut self) {
         if !self.motion.begun {
-            let state = &self.motion.state;
-            let energy = H::kinetic_of::<R, K>(state) + H::potential_of::<R, K>(state);
-            self.motion.momentum = R::parameter(&|lane| -energy.lane(lane));
+            self.motion.beside = F::begin::<R, K>(self.motion);
             self.motion.begun = true;
         }
-    }
-
-    #[inline(always)]
-    fn first(&mut self, duration: f64) {
-        let energy = H::kinetic_of::<R, K>(&self.motion.state) + self.motion.momentum;
-        let rate = F::rate(R::of(duration), energy, self.motion.exponent);
-        H::drift_for::<R, K>(&mut self.motion.state, rate);
-        self.motion.pass(rate, energy);
-    }
-
-    #[inline(always)]
-    fn second(&mut self, duration: f64) {
-        F::kick::<H, R, K>(self.motion, R::of(duration));
     }
 }
 
 impl<F, X, H, R, K> Flows<H> for Transformed<'_, F, X, H, R, K>
 where
-    F: Transformation,
+    F: Transformation<H>,
     X: Composition<H>,
-    H: TimeTransformed,
+    H: Hamiltonian,
     R: Real,
     K: Precision,
 {
@@ -110,17 +158,17 @@ where
     #[inline(always)]
     fn drift(&mut self, duration: f64, _time: f64) {
         if const { matches!(X::STAGES.lead, Lead::Drift) } {
-            self.first(duration);
+            F::drift::<R, K>(self.motion, R::of(duration));
         } else {
-            self.second(duration);
+            F::kick::<R, K>(self.motion, R::of(duration));
         }
     }
     #[inline(always)]
     fn kick(&mut self, duration: f64, _time: f64) {
         if const { matches!(X::STAGES.lead, Lead::Drift) } {
-            self.second(duration);
+            F::kick::<R, K>(self.motion, R::of(duration));
         } else {
-            self.first(duration);
+            F::drift::<R, K>(self.motion, R::of(duration));
         }
     }
     /// There is no third part.

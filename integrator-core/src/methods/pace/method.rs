@@ -1,13 +1,14 @@
 //! The methods: a time transformation with a composition.
 
 use super::{
-    TimeTransformed,
-    flows::{Ln, TimedOf, ToPower, Transformation, Transformed},
+    Rated, TimeTransformed,
+    flows::{Ln, OfRate, TimedOf, ToPower, Transformation, Transformed},
     motion::Constants,
 };
 use crate::{
     composition::{Class, Composition, Scheme},
     error::Error,
+    hamiltonian::Hamiltonian,
     scalar::real::{Kernel, Real},
     state::{clock::Clock, precision::Precision},
     system::motion::Motion,
@@ -60,7 +61,7 @@ pub struct Logarithmic<X>(pub X);
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Power<X>(pub f64, pub X);
 
-/// What both claim. Steps by `-h` undo those by `h` at the same `B`, which a state alone does not tell: a run back from it
+/// What all claim that transform energies. Steps by `-h` undo those by `h` at the same `B`, which a state alone does not tell: a run back from it
 /// has a `B` of its own, so that symmetry is not claimed.
 fn facts(name: &'static str, of_composition: Facts) -> Facts {
     let Facts { order, forces, roundings, table, .. } = of_composition;
@@ -85,31 +86,69 @@ impl<X: Scheme> Described for Power<X> {
     }
 }
 
+/// Steps in a time of which a pace of your own decides, `dt = ds/Ω(q)` with `Ω` by `fn rate(&self, q: ...) -> f64` beside
+/// `kinetic` and `potential`, by a composition: the larger the pace, the shorter the steps (Mikkola and Aarseth 2002, Celest.
+/// Mech. Dyn. Astron. 84, 343).
+///
+/// A variable `W` follows the pace along the motion, so that both flows stay exact, and every composition of general class keeps
+/// its order. Steps are reversible in the space with `W`, and **not symplectic**: [`Logarithmic`] is, where `V < 0`. `T` has to
+/// be quadratic in the momenta with a constant mass matrix.
+///
+/// ```
+/// use integrator_core::prelude::*;
+///
+/// struct Comet;
+///
+/// #[hamiltonian]
+/// impl Comet {
+///     fn kinetic(&self, p: [f64; 2]) -> f64 { (p[0] * p[0] + p[1] * p[1]) / 2.0 }
+///     fn potential(&self, q: [f64; 2]) -> f64 { -1.0 / q[0].hypot(q[1]) }
+///     fn rate(&self, q: [f64; 2]) -> f64 { q[0].hypot(q[1]).powf(-1.5) }
+/// }
+///
+/// let start = Phase::new([0.1, 0.0], [0.0, 19_f64.sqrt()]);
+/// let mut run = Comet.run_with(Paced(KahanLi8), start, 0.05)?;
+/// let energy = run.energy();
+/// run.advance_to(100.0)?;
+/// assert!((run.energy() - energy).abs() < 1e-8);
+/// # Ok::<(), Error>(())
+/// ```
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Paced<X>(pub X);
+
+impl<X: Scheme> Described for Paced<X> {
+    fn facts(self) -> Facts {
+        Facts { symplectic: false, ..facts("Paced", self.0.facts()) }
+    }
+}
+
 macro_rules! time_transformation {
-    ($method:ident, $function:ty, $exponent:expr) => {
-        impl<H: TimeTransformed, X: Composition<H>> Method<H> for $method<X> {
+    ($method:ident of $system:ident, $transformation:ty, $exponent:expr, $transforms_energy:expr) => {
+        impl<H: $system, X: Composition<H>> Method<H> for $method<X> {
             /// Numbers are computed one by one.
             const WIDE: bool = false;
             type Constants = Constants<H::Parameters<f64>>;
             type Motion<R: Real, K: Precision> = TimedOf<H, R, K>;
 
             fn constants(self, parameters: Arc<H::Parameters<f64>>) -> Arc<Self::Constants> {
-                Arc::new(Constants { parameters, exponent: $exponent(self) })
+                let transforms_energy = $transforms_energy;
+                Arc::new(Constants { parameters, exponent: $exponent(self), transforms_energy })
             }
             fn step_functions<R: Real, K: Precision, E: Executor>() -> StepFunctions<Self::Motion<R, K>> {
-                step_functions::<$function, X, H, R, K>()
+                step_functions::<$transformation, X, H, R, K>()
             }
         }
     };
 }
-time_transformation!(Logarithmic, Ln, |_: Logarithmic<X>| 0.0);
-time_transformation!(Power, ToPower, |power: Power<X>| power.0);
+time_transformation!(Logarithmic of TimeTransformed, Ln, |_: Self| 0.0, true);
+time_transformation!(Power of TimeTransformed, ToPower, |power: Self| power.0, true);
+time_transformation!(Paced of Rated, OfRate, |_: Self| 0.0, false);
 
 fn step_functions<F, X, H, R, K>() -> StepFunctions<TimedOf<H, R, K>>
 where
-    F: Transformation,
+    F: Transformation<H>,
     X: Composition<H>,
-    H: TimeTransformed,
+    H: Hamiltonian,
     R: Real,
     K: Precision,
 {
@@ -138,9 +177,9 @@ where
 /// The n-step loop.
 fn advance<F, X, H, R, K>(motions: &mut [TimedOf<H, R, K>], clock: Clock, steps: u64, _threads: Option<usize>)
 where
-    F: Transformation,
+    F: Transformation<H>,
     X: Composition<H>,
-    H: TimeTransformed,
+    H: Hamiltonian,
     R: Real,
     K: Precision,
 {
@@ -149,7 +188,7 @@ where
     }
 }
 
-struct Steps<'m, F, X, H: TimeTransformed, R: Real, K: Precision> {
+struct Steps<'m, F, X, H: Hamiltonian, R: Real, K: Precision> {
     flows: Transformed<'m, F, X, H, R, K>,
     clock: Clock,
     steps: u64,
@@ -157,9 +196,9 @@ struct Steps<'m, F, X, H: TimeTransformed, R: Real, K: Precision> {
 
 impl<F, X, H, R, K> Kernel for Steps<'_, F, X, H, R, K>
 where
-    F: Transformation,
+    F: Transformation<H>,
     X: Composition<H>,
-    H: TimeTransformed,
+    H: Hamiltonian,
     R: Real,
     K: Precision,
 {
@@ -175,16 +214,16 @@ where
 /// Completes the step under way, and notes which lanes have left the domain.
 fn complete<F, X, H, R, K>(motion: &mut TimedOf<H, R, K>, clock: Clock)
 where
-    F: Transformation,
+    F: Transformation<H>,
     X: Composition<H>,
-    H: TimeTransformed,
+    H: Hamiltonian,
     R: Real,
     K: Precision,
 {
     R::enter(End::<_, H, X, false>::new(Transformed::<F, X, H, R, K>::new(motion), clock));
     if clock.steps > 0 {
-        let energy = -H::potential_of::<R, K>(&motion.state);
-        motion.pass(R::of(0.0), energy);
+        let domain = F::domain::<R, K>(motion);
+        motion.pass(R::of(0.0), domain);
         motion.note_unsolved();
     }
 }
@@ -192,9 +231,9 @@ where
 /// Takes a motion a while into the step that begins at the other one: by one shorter step.
 fn dense<F, X, H, R, K>(to: &mut TimedOf<H, R, K>, begin: &TimedOf<H, R, K>, clock: Clock, duration: f64)
 where
-    F: Transformation,
+    F: Transformation<H>,
     X: Composition<H>,
-    H: TimeTransformed,
+    H: Hamiltonian,
     R: Real,
     K: Precision,
 {

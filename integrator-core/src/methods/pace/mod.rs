@@ -10,10 +10,10 @@ mod in_lanes;
 mod method;
 mod motion;
 
-pub use method::{Logarithmic, Power};
+pub use method::{Logarithmic, Paced, Power};
 
 use crate::{
-    hamiltonian::{Hamiltonian, Shaped},
+    hamiltonian::{Hamiltonian, QuadraticKinetic, Shaped},
     scalar::real::Real,
     state::precision::Precision,
     system::motion::Plain,
@@ -40,4 +40,23 @@ pub trait TimeTransformed: Hamiltonian {
     fn kick_for<R: Real, K: Precision>(motion: &mut PlainMotion<Self, R, K>, duration: R);
     /// The exact flow of `-ln(-V)`.
     fn logarithmic_kick<R: Real, K: Precision>(motion: &mut PlainMotion<Self, R, K>, duration: R);
+}
+
+/// A Hamiltonian with a pace of the user's own, and with `T = ½ pᵀ M⁻¹ p`. Written by `#[hamiltonian]`.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` has no pace",
+    label = "`Paced` does not know how fast time may pass",
+    note = "add `fn rate(&self, q: ...) -> f64` beside `kinetic` and `potential`: larger where steps have to be shorter",
+    note = "`T` has to be quadratic in p with a constant mass matrix; `Logarithmic` and `Power` need no `rate` and no such `T`"
+)]
+pub trait Rated: TimeTransformed + QuadraticKinetic {
+    /// The pace.
+    fn rate_of<R: Real, K: Precision>(motion: &PlainMotion<Self, R, K>) -> R;
+    /// The pace by the user's own function, as it is written.
+    fn stated_rate(&self, q: &Self::Coords) -> f64;
+    /// The flow of the pace as a potential.
+    fn kick_by_rate<R: Real, K: Precision>(motion: &mut PlainMotion<Self, R, K>, duration: R);
+    /// The exact flow of `V` for `duration` over the pace; returns the pace, and by how much it grows along the velocity
+    /// meanwhile.
+    fn rated_kick<R: Real, K: Precision>(motion: &mut PlainMotion<Self, R, K>, duration: R) -> [R; 2];
 }

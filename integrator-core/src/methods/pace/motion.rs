@@ -14,6 +14,8 @@ pub struct Constants<P> {
     pub(super) parameters: Arc<P>,
     /// The exponent `g` of a power.
     pub(super) exponent: f64,
+    /// Whether energies are transformed, and not a pace of the user's.
+    pub(super) transforms_energy: bool,
 }
 
 /// State and time of a run.
@@ -22,12 +24,13 @@ pub struct Timed<R: Real, C: Coords, P> {
     pub(super) state: Plain<R, C, P>,
     /// The time since the state was last changed from outside.
     pub(super) time: Compensated<R>,
-    /// `B = -H` at the start, the momentum that is conjugate to the time. A number without a tangent: the map of `(q, p)`
-    /// is symplectic at a fixed `B`.
-    pub(super) momentum: R,
-    /// Whether `momentum` was set.
+    /// What the transformation has beside them: the momentum `B` that is conjugate to the time, or a pace `W`.
+    pub(super) beside: R,
+    /// Whether `beside` was set.
     pub(super) begun: bool,
     pub(super) exponent: f64,
+    /// Whether energies are transformed, and not a pace of the user's.
+    transforms_energy: bool,
     /// In the lanes that left the domain, the energy that is not positive there; else one.
     pub(super) left: R,
     /// Why lanes stand still, where some do.
@@ -52,7 +55,10 @@ impl<R: Real, C: Coords, P> Timed<R, C, P> {
         }
         let reason = |lane| {
             let value: f64 = left.lane(lane);
-            (value <= 0.0).then_some(Unsolved::Domain { value })
+            (value <= 0.0).then(|| match self.transforms_energy {
+                true => Unsolved::Domain { value },
+                false => Unsolved::Rate { value },
+            })
         };
         self.unsolved = (0..R::LANES).map(reason).collect();
     }
@@ -66,9 +72,10 @@ impl<R: Real, C: Coords, P: Prepared<R>> Motion<C, Constants<P::Single>> for Tim
         Self {
             state: Plain::load(&parameters, states),
             time: Slot::<R>::zero(),
-            momentum: R::of(0.0),
+            beside: R::of(0.0),
             begun: false,
             exponent: constants.first().map_or(1.0, |constants| constants.exponent),
+            transforms_energy: constants.first().is_some_and(|constants| constants.transforms_energy),
             left: R::of(1.0),
             unsolved: Vec::new(),
         }
@@ -83,10 +90,10 @@ impl<R: Real, C: Coords, P: Prepared<R>> Motion<C, Constants<P::Single>> for Tim
                 read(from).lane(lane)
             })
         };
-        let (value, carried, momentum) =
-            (at(&|from| from.time.value), at(&|from| from.time.carried), at(&|from| from.momentum));
+        let (value, carried, beside) =
+            (at(&|from| from.time.value), at(&|from| from.time.carried), at(&|from| from.beside));
         self.time = Compensated { value, carried };
-        self.momentum = momentum;
+        self.beside = beside;
         self.begun = of_lane(0).1.begun;
     }
     #[inline(always)]
@@ -96,7 +103,7 @@ impl<R: Real, C: Coords, P: Prepared<R>> Motion<C, Constants<P::Single>> for Tim
     #[inline(always)]
     fn copy_state(&mut self, from: &Self) {
         self.state.copy_state(&from.state);
-        (self.time, self.momentum, self.begun) = (from.time, from.momentum, from.begun);
+        (self.time, self.beside, self.begun) = (from.time, from.beside, from.begun);
         self.left = from.left;
         self.unsolved.clone_from(&from.unsolved);
     }

@@ -1,7 +1,7 @@
 //! Flows under time transformations: their durations are numbers of each lane.
 //!
-//! Comes in: the gradients of `T(p)` and `V(q)`. Goes out: the functions of the runtime's `TimeTransformed`, on the plain
-//! layout. The logarithmic Hamiltonian `ln(T + B) - ln(-V)` (Mikkola and Tanikawa 1999; Preto and Tremaine 1999) has a
+//! Comes in: the gradients of `T(p)` and `V(q)`, and the pace that the user gives. Goes out: the functions of the runtime's
+//! `TimeTransformed` and `Rated`, on the plain layout. The logarithmic Hamiltonian `ln(T + B) - ln(-V)` (Mikkola and Tanikawa 1999; Preto and Tremaine 1999) has a
 //! kick of its own: the gradient of `ln(-V)` is simplified as a whole, so that an attraction by `1/r` needs no root.
 
 use super::{Flow, buffer, stores};
@@ -25,7 +25,7 @@ pub(crate) fn functions(
     let logarithm = logarithm(graph, v);
     let logarithm = graph.neg(logarithm);
     let logarithmic = gradient(graph, logarithm, Part::Position);
-    let energies = [("kinetic_of", t), ("potential_of", v)].map(|(name, node)| energy(emitter, name, node));
+    let [t, v_alone] = [("kinetic_of", t), ("potential_of", v)].map(|(name, node)| value(emitter, name, node));
     let lines = [(kinetic, Part::Momentum), (potential, Part::Position), (&logarithmic, Part::Position)]
         .map(|(gradient, part)| Flow::lines_along(emitter, gradient, part, &Frame::Motion));
     let [drift, kick, direct] = lines;
@@ -39,7 +39,39 @@ pub(crate) fn functions(
         ("logarithmic_kick", quote!(-duration), logarithmic),
     ];
     let flows = flows.map(|(name, step, lines)| flow(emitter, name, step, lines));
-    quote!(#(#energies)* #(#flows)*)
+    quote!(#t #v_alone #(#flows)*)
+}
+
+/// The items of the runtime's `Rated`: the pace, and a kick with what it adds to the auxiliary variable, `duration` times the
+/// mean over the kick of the velocity times the gradient of the pace.
+pub(crate) fn rated(emitter: &mut Emitter<'_>, rate: NodeId, arguments: &[TokenStream]) -> TokenStream {
+    let slope = gradient(&mut emitter.model.graph, rate, Part::Position);
+    let value = value(emitter, "rate_of", rate);
+    let slope = Flow::lines_along(emitter, &slope, Part::Position, &Frame::Motion);
+    let kick = flow(emitter, "kick_by_rate", quote!(-duration), slope);
+    let Names { runtime, scalar, leaf, .. } = emitter.names;
+    quote! {
+        #value
+
+        fn stated_rate(&self, q: &Self::Coords) -> f64 { Self::rate(#(#arguments),*) }
+
+        #kick
+
+        #[inline(always)]
+        fn rated_kick<#scalar: #runtime::Real, #leaf: #runtime::Precision>(motion: &mut #runtime::PlainMotion<Self, #scalar, #leaf>, duration: #scalar) -> [#scalar; 2] {
+            let rate = <Self as #runtime::Rated>::rate_of(motion);
+            let duration = duration / rate;
+            let mut slope = motion.at_rest();
+            <Self as #runtime::Rated>::kick_by_rate::<#scalar, f64>(&mut slope, #scalar::of(-1.0));
+            let half = #scalar::of(0.5);
+            let mut before = motion.at_origin();
+            <Self as #runtime::TimeTransformed>::drift_for::<#scalar, f64>(&mut before, half);
+            <Self as #runtime::TimeTransformed>::kick_for::<#scalar, #leaf>(motion, duration);
+            let mut after = motion.at_origin();
+            <Self as #runtime::TimeTransformed>::drift_for::<#scalar, f64>(&mut after, half);
+            [rate, duration * (before.positions_times(&slope) + after.positions_times(&slope))]
+        }
+    }
 }
 
 /// The logarithm of the absolute value of a number, but for what parameters alone add to it: one for each factor, so that
@@ -83,8 +115,8 @@ fn collected(emitter: &mut Emitter<'_>, potential: &[Contribution], energy: Node
     lines.map(|lines| quote!(#open let energy = { #lines }; let step = step / -energy; #close))
 }
 
-/// The function that returns an energy.
-fn energy(emitter: &mut Emitter<'_>, name: &str, node: NodeId) -> TokenStream {
+/// The function that returns a value.
+fn value(emitter: &mut Emitter<'_>, name: &str, node: NodeId) -> TokenStream {
     let node = lower_roots(emitter.model, &[node])[0];
     let body = emitter.value(&Frame::Motion, node).body(&emitter.names.scalar);
     let (motion, body) = (body.argument("motion"), &body.0);

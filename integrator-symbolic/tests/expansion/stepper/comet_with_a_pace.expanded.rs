@@ -1,0 +1,333 @@
+#[allow(warnings, clippy::all, clippy::pedantic, reason = "generated")]
+const _: () = {
+    use ::integrator_core::__private::{self as runtime, Mask as _, Slot as _};
+    /// What depends on parameters alone, evaluated once per run.
+    #[derive(::core::clone::Clone)]
+    pub struct Parameters<Scalar> {
+        /// `-pull / 2`
+        prepared_0: Scalar,
+        /// `3 twist / 2`
+        prepared_1: Scalar,
+        /// `3.75 twist`
+        prepared_2: Scalar,
+        /// `-3 pull / 4`
+        prepared_3: Scalar,
+        /// `twist`
+        twist: Scalar,
+        /// `-pull`
+        prepared_5: Scalar,
+    }
+    impl<Scalar: runtime::Real> runtime::Prepared<Scalar> for Parameters<Scalar> {
+        type Single = Parameters<f64>;
+        #[inline(always)]
+        fn gather(members: &[&Self::Single]) -> Self {
+            Parameters {
+                prepared_0: runtime::in_lanes(members, |member| &member.prepared_0),
+                prepared_1: runtime::in_lanes(members, |member| &member.prepared_1),
+                prepared_2: runtime::in_lanes(members, |member| &member.prepared_2),
+                prepared_3: runtime::in_lanes(members, |member| &member.prepared_3),
+                twist: runtime::in_lanes(members, |member| &member.twist),
+                prepared_5: runtime::in_lanes(members, |member| &member.prepared_5),
+            }
+        }
+        fn not_finite(single: &Self::Single) -> runtime::Vec<runtime::NotFinite> {
+            runtime::all_found([
+                runtime::not_finite("-pull / 2", &[], &single.prepared_0),
+                runtime::not_finite("3 twist / 2", &[], &single.prepared_1),
+                runtime::not_finite("3.75 twist", &[], &single.prepared_2),
+                runtime::not_finite("-3 pull / 4", &[], &single.prepared_3),
+                runtime::not_finite("twist", &[], &single.twist),
+                runtime::not_finite("-pull", &[], &single.prepared_5),
+            ])
+        }
+        fn digest(single: &Self::Single, digest: &mut runtime::Digest) {
+            digest.add(&single.prepared_0);
+            digest.add(&single.prepared_1);
+            digest.add(&single.prepared_2);
+            digest.add(&single.prepared_3);
+            digest.add(&single.twist);
+            digest.add(&single.prepared_5);
+        }
+    }
+    /// The equations of motion, derived from `kinetic` and `potential`:
+    ///
+    /// ```text
+    /// dq[0]/dt = p[0]
+    /// dq[1]/dt = p[1]
+    /// dp[0]/dt = -q[0] (3 twist / r^2 + pull) / r^3
+    /// dp[1]/dt = -q[1] (3 twist / r^2 + pull) / r^3
+    /// where r = sqrt(q[0]^2 + q[1]^2)
+    /// ```
+    ///
+    /// `T` is quadratic in the momenta, with a constant mass matrix.
+    #[automatically_derived]
+    impl runtime::Hamiltonian for Comet {
+        type Coords = [f64; 2];
+        type Compose = runtime::Verlet;
+        type Parameters<Scalar: runtime::Real> = Parameters<Scalar>;
+        type Motion<Scalar: runtime::Real, Leaf: runtime::Precision> = runtime::Plain<
+            Scalar,
+            runtime::Shaped<Self, Leaf>,
+            Parameters<Scalar>,
+        >;
+        const AUTONOMOUS: bool = true;
+        const FINGERPRINT: u64 = 2290288180462074712;
+        fn parameters(&self, _length: usize) -> Parameters<f64> {
+            Parameters {
+                prepared_0: 0.5 * (-self.pull),
+                prepared_1: 1.5 * self.twist,
+                prepared_2: 3.75 * self.twist,
+                prepared_3: 0.75 * (-self.pull),
+                twist: self.twist,
+                prepared_5: -self.pull,
+            }
+        }
+        #[inline(always)]
+        fn drift<Scalar: runtime::Real, Leaf: runtime::Precision>(
+            motion: &mut Self::Motion<Scalar, Leaf>,
+            duration: f64,
+            _time: f64,
+        ) {
+            let step = Scalar::of(duration);
+            motion.q[0].fma(step, motion.p[0].value());
+            motion.q[1].fma(step, motion.p[1].value());
+        }
+        #[inline(always)]
+        fn kick<Scalar: runtime::Real, Leaf: runtime::Precision>(
+            motion: &mut Self::Motion<Scalar, Leaf>,
+            duration: f64,
+            _time: f64,
+        ) {
+            let step = Scalar::of(-duration);
+            let q0 = motion.q[0].value();
+            let q1 = motion.q[1].value();
+            let shared_0 = step * Scalar::of(2.0);
+            let shared_1 = Scalar::of(1.0) / q1.fma(q1, q0 * q0);
+            let shared_2 = shared_1.sqrt();
+            let shared_3 = (-motion.parameters.prepared_0)
+                .fma(
+                    shared_1 * shared_2,
+                    motion.parameters.prepared_1 * (shared_1 * shared_1 * shared_2),
+                );
+            motion.p[0].fma(shared_0 * q0, shared_3);
+            motion.p[1].fma(shared_0 * q1, shared_3);
+        }
+        #[inline(always)]
+        fn kinetic<Scalar: runtime::Real, Leaf: runtime::Precision>(
+            motion: &Self::Motion<Scalar, Leaf>,
+            _time: f64,
+        ) -> Scalar {
+            let p0 = motion.p[0].value();
+            let p1 = motion.p[1].value();
+            Scalar::of(0.5) * p1.fma(p1, p0 * p0)
+        }
+        #[inline(always)]
+        fn potential<Scalar: runtime::Real, Leaf: runtime::Precision>(
+            motion: &Self::Motion<Scalar, Leaf>,
+            _time: f64,
+        ) -> Scalar {
+            let q0 = motion.q[0].value();
+            let q1 = motion.q[1].value();
+            let shared_0 = Scalar::of(1.0) / q1.fma(q1, q0 * q0);
+            let shared_1 = shared_0.sqrt();
+            (-motion.parameters.twist)
+                .fma(shared_0 * shared_1, motion.parameters.prepared_5 * shared_1)
+        }
+        fn stated(
+            &self,
+            q: &Self::Coords,
+            p: &Self::Coords,
+            time: f64,
+        ) -> runtime::StatedEnergy {
+            runtime::StatedEnergy::Separate {
+                kinetic: Self::kinetic(self, *p),
+                potential: Self::potential(self, *q),
+            }
+        }
+        fn visit_compositions(visitor: &mut impl runtime::Visitor<Self>) {
+            runtime::visit_quadratic(visitor);
+        }
+    }
+    #[automatically_derived]
+    impl runtime::QuadraticKinetic for Comet {
+        #[inline(always)]
+        fn hessian<Scalar: runtime::Real>(
+            motion: &mut Self::Motion<Scalar, f64>,
+            _time: f64,
+        ) {
+            let mut gradient = [Scalar::of(0.0); 2];
+            let q0 = motion.q[0].value();
+            let q1 = motion.q[1].value();
+            let shared_0 = Scalar::of(2.0) * motion.p[1].value();
+            let shared_1 = Scalar::of(2.0) * motion.p[0].value();
+            let shared_2 = Scalar::of(1.0) / q1.fma(q1, q0 * q0);
+            let shared_3 = shared_2.sqrt();
+            let shared_4 = shared_2 * shared_2;
+            let shared_5 = shared_4 * shared_3;
+            let shared_6 = (-motion.parameters.prepared_0)
+                .fma(shared_2 * shared_3, motion.parameters.prepared_1 * shared_5);
+            let shared_7 = shared_0.fma(q1, shared_1 * q0);
+            let shared_8 = (-(motion.parameters.prepared_2 * shared_7))
+                .fma(
+                    shared_4 * shared_2 * shared_3,
+                    motion.parameters.prepared_3 * shared_7 * shared_5,
+                );
+            gradient[0] += (Scalar::of(2.0) * q0).fma(shared_8, shared_1 * shared_6);
+            gradient[1] += (Scalar::of(2.0) * q1).fma(shared_8, shared_0 * shared_6);
+            for i in 0..2 {
+                motion.p[i] = gradient[i];
+            }
+        }
+        #[inline(always)]
+        fn gradient_kick<Scalar: runtime::Real, Leaf: runtime::Precision>(
+            motion: &mut Self::Motion<Scalar, Leaf>,
+            duration: f64,
+            gradient: f64,
+            time: f64,
+        ) {
+            let mut force = motion.at_rest();
+            <Self as runtime::Hamiltonian>::kick::<Scalar, f64>(&mut force, -1.0, time);
+            motion.push(Scalar::of(-duration), &force);
+            let mut bent = motion.at_rest();
+            ::core::mem::swap(&mut force.q, &mut bent.p);
+            <Self as runtime::Hamiltonian>::drift::<Scalar, f64>(&mut force, 1.0, time);
+            bent.p = force.q;
+            <Self as runtime::QuadraticKinetic>::hessian::<Scalar>(&mut bent, time);
+            motion.push(Scalar::of(-2.0 * gradient), &bent);
+        }
+    }
+    #[automatically_derived]
+    impl runtime::TimeTransformed for Comet {
+        #[inline(always)]
+        fn kinetic_of<Scalar: runtime::Real, Leaf: runtime::Precision>(
+            motion: &runtime::PlainMotion<Self, Scalar, Leaf>,
+        ) -> Scalar {
+            let p0 = motion.p[0].value();
+            let p1 = motion.p[1].value();
+            Scalar::of(0.5) * p1.fma(p1, p0 * p0)
+        }
+        #[inline(always)]
+        fn potential_of<Scalar: runtime::Real, Leaf: runtime::Precision>(
+            motion: &runtime::PlainMotion<Self, Scalar, Leaf>,
+        ) -> Scalar {
+            let q0 = motion.q[0].value();
+            let q1 = motion.q[1].value();
+            let shared_0 = Scalar::of(1.0) / q1.fma(q1, q0 * q0);
+            let shared_1 = shared_0.sqrt();
+            (-motion.parameters.twist)
+                .fma(shared_0 * shared_1, motion.parameters.prepared_5 * shared_1)
+        }
+        #[inline(always)]
+        fn drift_for<Scalar: runtime::Real, Leaf: runtime::Precision>(
+            motion: &mut runtime::PlainMotion<Self, Scalar, Leaf>,
+            duration: Scalar,
+        ) {
+            let step = duration;
+            motion.q[0].fma(step, motion.p[0].value());
+            motion.q[1].fma(step, motion.p[1].value());
+        }
+        #[inline(always)]
+        fn kick_for<Scalar: runtime::Real, Leaf: runtime::Precision>(
+            motion: &mut runtime::PlainMotion<Self, Scalar, Leaf>,
+            duration: Scalar,
+        ) {
+            let step = -duration;
+            let q0 = motion.q[0].value();
+            let q1 = motion.q[1].value();
+            let shared_0 = step * Scalar::of(2.0);
+            let shared_1 = Scalar::of(1.0) / q1.fma(q1, q0 * q0);
+            let shared_2 = shared_1.sqrt();
+            let shared_3 = (-motion.parameters.prepared_0)
+                .fma(
+                    shared_1 * shared_2,
+                    motion.parameters.prepared_1 * (shared_1 * shared_1 * shared_2),
+                );
+            motion.p[0].fma(shared_0 * q0, shared_3);
+            motion.p[1].fma(shared_0 * q1, shared_3);
+        }
+        #[inline(always)]
+        fn logarithmic_kick<Scalar: runtime::Real, Leaf: runtime::Precision>(
+            motion: &mut runtime::PlainMotion<Self, Scalar, Leaf>,
+            duration: Scalar,
+        ) {
+            let step = -duration;
+            let q0 = motion.q[0].value();
+            let q1 = motion.q[1].value();
+            let shared_0 = step * Scalar::of(2.0);
+            let shared_1 = Scalar::of(1.0) / q1.fma(q1, q0 * q0);
+            let shared_2 = shared_1.sqrt();
+            let shared_3 = shared_1 * shared_2;
+            let shared_4 = Scalar::of(1.0)
+                / (-motion.parameters.twist)
+                    .fma(shared_3, motion.parameters.prepared_5 * shared_2);
+            let shared_5 = (-(motion.parameters.prepared_1 * shared_4))
+                .fma(
+                    shared_1 * shared_1 * shared_2,
+                    motion.parameters.prepared_0 * shared_4 * shared_3,
+                );
+            motion.p[0].fma(shared_0 * q0, shared_5);
+            motion.p[1].fma(shared_0 * q1, shared_5);
+        }
+    }
+    #[automatically_derived]
+    impl runtime::Rated for Comet {
+        #[inline(always)]
+        fn rate_of<Scalar: runtime::Real, Leaf: runtime::Precision>(
+            motion: &runtime::PlainMotion<Self, Scalar, Leaf>,
+        ) -> Scalar {
+            let q0 = motion.q[0].value();
+            let q1 = motion.q[1].value();
+            Scalar::of(1.0) / q1.fma(q1, q0 * q0)
+        }
+        fn stated_rate(&self, q: &Self::Coords) -> f64 {
+            Self::rate(self, *q)
+        }
+        #[inline(always)]
+        fn kick_by_rate<Scalar: runtime::Real, Leaf: runtime::Precision>(
+            motion: &mut runtime::PlainMotion<Self, Scalar, Leaf>,
+            duration: Scalar,
+        ) {
+            let step = -duration;
+            let q0 = motion.q[0].value();
+            let q1 = motion.q[1].value();
+            let shared_0 = step * Scalar::of(2.0);
+            let shared_1 = q1.fma(q1, q0 * q0);
+            let shared_2 = Scalar::of(1.0) / (shared_1 * shared_1);
+            motion.p[0].fma(-(shared_0 * q0), shared_2);
+            motion.p[1].fma(-(shared_0 * q1), shared_2);
+        }
+        #[inline(always)]
+        fn rated_kick<Scalar: runtime::Real, Leaf: runtime::Precision>(
+            motion: &mut runtime::PlainMotion<Self, Scalar, Leaf>,
+            duration: Scalar,
+        ) -> [Scalar; 2] {
+            let rate = <Self as runtime::Rated>::rate_of(motion);
+            let duration = duration / rate;
+            let mut slope = motion.at_rest();
+            <Self as runtime::Rated>::kick_by_rate::<
+                Scalar,
+                f64,
+            >(&mut slope, Scalar::of(-1.0));
+            let half = Scalar::of(0.5);
+            let mut before = motion.at_origin();
+            <Self as runtime::TimeTransformed>::drift_for::<
+                Scalar,
+                f64,
+            >(&mut before, half);
+            <Self as runtime::TimeTransformed>::kick_for::<
+                Scalar,
+                Leaf,
+            >(motion, duration);
+            let mut after = motion.at_origin();
+            <Self as runtime::TimeTransformed>::drift_for::<
+                Scalar,
+                f64,
+            >(&mut after, half);
+            [
+                rate,
+                duration
+                    * (before.positions_times(&slope) + after.positions_times(&slope)),
+            ]
+        }
+    }
+};
