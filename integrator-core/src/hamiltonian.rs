@@ -7,6 +7,7 @@ use crate::{
         visitor::{Visitor, visit_general},
     },
     error::Error,
+    flow::doubled::{Moved, Read},
     layout::lattice::{
         sites::Sites,
         time_tiling::{Flow, StencilRadii},
@@ -21,6 +22,15 @@ use core::ops::Range;
 
 /// The coordinates of `H` with leaf `K`.
 pub type Shaped<H, K> = <<H as Hamiltonian>::Coords as Coords>::With<K>;
+
+/// The slots of the positions or the momenta of `H`.
+type SlotsOf<H, R, K> = <Shaped<H, K> as Coords>::Slots<R>;
+
+/// What the field of `H` is read from.
+pub type ReadBy<'m, H, R, K> = Read<'m, SlotsOf<H, R, K>, <H as Hamiltonian>::Parameters<R>>;
+
+/// What the field of `H` moves.
+pub type MovedBy<'m, H, R, K> = Moved<'m, SlotsOf<H, R, K>>;
 
 /// A Hamiltonian that is split into parts, `H = T(p) + V(q)` or others, with their exact flows. Written by `#[hamiltonian]`; not by hand.
 #[diagnostic::on_unimplemented(
@@ -80,6 +90,15 @@ pub trait Hamiltonian: Sized {
     fn middle<R: Real, K: Precision>(_motion: &mut Self::Motion<R, K>, _duration: f64, _backwards: bool) {}
     /// The exact flow of `V`, or of the last part, for a time `duration`; `time` is where an explicit time dependence is read.
     fn kick<R: Real, K: Precision>(motion: &mut Self::Motion<R, K>, duration: f64, time: f64);
+    /// Moves coordinates by `duration` times the field of H, `∂H/∂p` and `-∂H/∂q`, at those that are read. Written where H
+    /// is no `T + V` in the user's own coordinates; there the flows of `T` and of `V` tell the field.
+    fn along_field<R: Real, K: Precision>(
+        _motion: ReadBy<'_, Self, R, K>,
+        _moved: MovedBy<'_, Self, R, K>,
+        _duration: f64,
+        _time: f64,
+    ) {
+    }
     /// `T`, or the energy of the first part.
     fn kinetic<R: Real, K: Precision>(motion: &Self::Motion<R, K>, time: f64) -> R;
     /// `V`, or the energy of all parts but the first.

@@ -172,7 +172,7 @@ pub mod __private {
             kepler::{Kepler, OfBody},
             quadratic::{Form, Quadratic, QuadraticPart},
         },
-        hamiltonian::{Flows, Hamiltonian, QuadraticKinetic, Shaped, StatedEnergy},
+        hamiltonian::{Flows, Hamiltonian, MovedBy, QuadraticKinetic, ReadBy, Shaped, StatedEnergy},
         layout::{
             bodies::{
                 jacobi::Jacobi,

@@ -19,7 +19,7 @@ use crate::{
 };
 use fingerprint::fingerprint;
 pub use flow::form::Form;
-use flow::{Flows, constants::Constants, force_gradient, jacobi, pieces::Pieces, transformed, user_energies};
+use flow::{Flows, constants::Constants, field, force_gradient, jacobi, pieces::Pieces, transformed, user_energies};
 pub(crate) use flow::{
     form::forms,
     jacobi::{KEPLER_PARTS, Obstacle, judged},
@@ -93,6 +93,8 @@ struct Stepper<'i> {
     composition: (TokenStream, Option<TokenStream>),
     constants: Constants,
     flows: Flows,
+    /// The vector field of H, where flows of `T` and of `V` do not tell it.
+    field: Option<TokenStream>,
     energies: TokenStream,
     /// The user's own energies.
     stated: TokenStream,
@@ -132,6 +134,8 @@ impl<'i> Stepper<'i> {
             (None, false) => Flows::of_parts(&mut emitter),
         };
         let quadratic = is_quadratic.then(|| force_gradient::functions(&mut emitter, flows.are_of_bodies()));
+        let has_field = !emitter.model.is_separable() || emitter.model.jacobi.is_some();
+        let field = has_field.then(|| field::function(&mut emitter));
         let energies = ["kinetic", "potential"].into_iter().zip(energies);
         let energies = energies.map(|(name, energy)| flows.energy(&mut emitter, name, energy)).collect();
         let taylor = input.taylor.map(|_| {
@@ -151,6 +155,7 @@ impl<'i> Stepper<'i> {
             composition,
             constants,
             flows,
+            field,
             energies,
             stated,
             parts,
@@ -220,6 +225,7 @@ impl<'i> Stepper<'i> {
             composition: (composition, _),
             constants,
             flows,
+            field,
             stated,
             parts,
             visit,
@@ -235,7 +241,7 @@ impl<'i> Stepper<'i> {
         let admissible = admissible.map(|coordinates| jacobi::admissible(coordinates, names));
         let prepare = Body::new(constants.prepare(names));
         let (length, prepare) = (prepare.argument("length"), &prepare.0);
-        let fingerprint = fingerprint(quote!(#prepare #moves #energies #others));
+        let fingerprint = fingerprint(quote!(#prepare #moves #field #energies #others));
         let visit_recurrences = self.taylor.as_ref().map(|_| {
             quote! {
                 fn visit_recurrences(visitor: &mut impl #runtime::RecurrencesVisitor<Self>) {
@@ -260,6 +266,7 @@ impl<'i> Stepper<'i> {
 
             #begin
             #moves
+            #field
             #energies
             #stated
             #sites

@@ -1,12 +1,13 @@
-//! The vector field of a Hamiltonian, from its generated flows.
+//! The vector field of a Hamiltonian, from its generated flows, or as it is written.
 //!
 //! States are one list of numbers here, positions first.
 
 use crate::{
+    flow::doubled::{Moved, Read},
     hamiltonian::Hamiltonian,
     scalar::{dual::Dual, real::Real},
     state::{coords::Coords, phase::Phase},
-    system::motion::Motion,
+    system::motion::{Motion, Prepared},
 };
 use core::cell::Cell;
 use nalgebra::DMatrix;
@@ -62,30 +63,26 @@ impl<H: Hamiltonian> Generated<'_, H> {
 }
 
 impl<H: Hamiltonian> Generated<'_, H> {
-    /// The field of a system whose flows move two copies: each adds one half to what is shown of them, which rounds no more
-    /// than the state itself does.
-    fn of_copies<R: Real>(&self, y: &[R], time: f64) -> Vec<R> {
+    /// The field that was written as such: it moves nothing by a unit of time, without rounding.
+    fn of_whole<R: Real>(&self, y: &[R], time: f64) -> Vec<R> {
         let half = y.len() / 2;
-        let point = |lane: usize| {
-            let mut point = self.shape.clone();
-            point.q.flat_mut().iter_mut().zip(&y[..half]).for_each(|(to, from)| *to = from.lane(lane));
-            point.p.flat_mut().iter_mut().zip(&y[half..]).for_each(|(to, from)| *to = from.lane(lane));
-            point
-        };
-        let points = || (0..R::LANES).map(point).collect::<Vec<_>>();
-        let moved = self.flown::<R>(points(), |motion| H::middle::<R, f64>(motion, 1.0, false));
-        let kicked = self.flown::<R>(points(), |motion| H::drift::<R, f64>(motion, 1.0, time));
-        let velocity = (0..half).map(|i| R::state(&|lane| moved[lane].q.flat()[i]));
-        let force = (0..half).map(|i| R::state(&|lane| kicked[lane].p.flat()[i]));
-        velocity.chain(force).zip(y).map(|(end, start)| end - *start).collect()
+        let mut parameters = H::Parameters::<R>::gather(&vec![self.parameters; R::LANES]);
+        parameters.begin_step(self.middle);
+        let slots = |numbers: &[R]| H::Coords::slots_from(half, |k| numbers[k]);
+        let (q, p) = (slots(&y[..half]), slots(&y[half..]));
+        let zeros = vec![R::of(0.0); half];
+        let (mut velocity, mut force) = (slots(&zeros), slots(&zeros));
+        let read = Read { q: &q, p: &p, parameters: &parameters };
+        H::along_field::<R, f64>(read, Moved { q: &mut velocity, p: &mut force }, 1.0, time);
+        [H::Coords::slots(&velocity), H::Coords::slots(&force)].concat()
     }
 }
 
 impl<H: Hamiltonian, R: Real> Field<R> for Generated<'_, H> {
     fn derivative(&self, y: &[R], time: f64) -> Vec<R> {
         self.evaluations.set(self.evaluations.get() + 1);
-        if H::COPIES {
-            return self.of_copies(y, time);
+        if const { !H::SEPARABLE } {
+            return self.of_whole(y, time);
         }
         let (q, p) = y.split_at(y.len() / 2);
         // A drift moves the positions by the velocities, and from zero without rounding; a kick the momenta by the forces.

@@ -125,13 +125,6 @@ pub(crate) type Walked<H, R, K, M> = Walk<R, Shaped<H, K>, <H as Hamiltonian>::P
 
 /// The step functions of a method.
 pub(crate) fn step_functions<H: Hamiltonian, R: Real, K: Precision, M: Recipe>() -> StepFunctions<Walked<H, R, K, M>> {
-    const {
-        assert!(
-            H::SEPARABLE || H::COPIES,
-            "this method takes the field of H from its flows, which those of T(p) and V(q) give, and those of \
-             `split = symmetric(...)`; parts with other flows are integrated by compositions alone"
-        );
-    }
     let advance = |walks: &mut [_], clock, steps, _| {
         for walk in walks {
             advance::<H, R, K, M>(walk, clock, steps);

@@ -3,6 +3,7 @@
 pub(super) mod bodies;
 pub(super) mod constants;
 pub(super) mod doubled;
+pub(super) mod field;
 pub(super) mod force_gradient;
 pub(super) mod form;
 #[cfg(test)]

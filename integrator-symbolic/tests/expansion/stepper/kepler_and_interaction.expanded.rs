@@ -78,7 +78,7 @@ const _: () = {
         const PARTS: &'static [&'static str] = &["kepler", "interaction"];
         const SEPARABLE: bool = false;
         const AUTONOMOUS: bool = true;
-        const FINGERPRINT: u64 = 7383774722893029220;
+        const FINGERPRINT: u64 = 10307629682949650473;
         const WIDE: bool = true;
         fn parameters(&self, _length: usize) -> Parameters<f64> {
             Parameters {
@@ -150,6 +150,71 @@ const _: () = {
             for i in 0..5 {
                 for d in 0..3 {
                     motion.p[i][d].fma(step, gradient[i][d]);
+                }
+            }
+        }
+        #[inline(always)]
+        fn along_field<Scalar: runtime::Real, Leaf: runtime::Precision>(
+            motion: runtime::ReadBy<'_, Self, Scalar, Leaf>,
+            moved: runtime::MovedBy<'_, Self, Scalar, Leaf>,
+            duration: f64,
+            _time: f64,
+        ) {
+            let step = Scalar::of(duration);
+            {
+                let mut gradient = [[Scalar::of(0.0); 3]; 5];
+                for i in 0..5 {
+                    for k in 0..3 {
+                        gradient[i][k] = motion
+                            .parameters
+                            .prepared_0[i]
+                            .fma(motion.p[i][k].value(), gradient[i][k]);
+                    }
+                }
+                for i in 0..5 {
+                    for d in 0..3 {
+                        moved.q[i][d].fma(step, gradient[i][d]);
+                    }
+                }
+            }
+            {
+                let mut gradient = [[Scalar::of(0.0); 3]; 5];
+                for i in 0..5 {
+                    let q_i_0 = motion.q[i][0].value();
+                    let q_i_1 = motion.q[i][1].value();
+                    let q_i_2 = motion.q[i][2].value();
+                    let shared_8 = q_i_2.fma(q_i_2, q_i_1.fma(q_i_1, q_i_0 * q_i_0));
+                    let shared_9 = motion.parameters.prepared_1[i].div_pow_3_2(shared_8);
+                    let mut sum_0 = Scalar::of(0.0);
+                    let mut sum_1 = Scalar::of(0.0);
+                    let mut sum_2 = Scalar::of(0.0);
+                    for j in 0..i {
+                        let shared_0 = q_i_0 - motion.q[j][0].value();
+                        let shared_1 = q_i_1 - motion.q[j][1].value();
+                        let shared_2 = q_i_2 - motion.q[j][2].value();
+                        let shared_3 = shared_2
+                            .fma(shared_2, shared_1.fma(shared_1, shared_0 * shared_0));
+                        let shared_4 = (motion.parameters.prepared_2[i]
+                            * motion.parameters.mass[j])
+                            .div_pow_3_2(shared_3);
+                        let shared_5 = shared_4 * shared_2;
+                        let shared_6 = shared_4 * shared_1;
+                        let shared_7 = shared_4 * shared_0;
+                        gradient[j][0] += shared_7;
+                        gradient[j][1] += shared_6;
+                        gradient[j][2] += shared_5;
+                        sum_2 += shared_7;
+                        sum_1 += shared_6;
+                        sum_0 += shared_5;
+                    }
+                    gradient[i][0] -= shared_9.fma(q_i_0, sum_2);
+                    gradient[i][1] -= shared_9.fma(q_i_1, sum_1);
+                    gradient[i][2] -= shared_9.fma(q_i_2, sum_0);
+                }
+                for i in 0..5 {
+                    for d in 0..3 {
+                        moved.p[i][d].fma(step, gradient[i][d]);
+                    }
                 }
             }
         }

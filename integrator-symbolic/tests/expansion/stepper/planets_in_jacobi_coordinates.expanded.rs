@@ -80,7 +80,7 @@ const _: () = {
         const PARTS: &'static [&'static str] = &["kepler", "interaction"];
         const SEPARABLE: bool = false;
         const AUTONOMOUS: bool = true;
-        const FINGERPRINT: u64 = 5615441098144594181;
+        const FINGERPRINT: u64 = 1056909070347945689;
         const WIDE: bool = true;
         fn admissible(
             &self,
@@ -133,6 +133,61 @@ const _: () = {
             let motion = &mut jacobi.inertial;
             motion.kick::<Self>(duration, time);
             jacobi.close_kick(duration);
+        }
+        #[inline(always)]
+        fn along_field<Scalar: runtime::Real, Leaf: runtime::Precision>(
+            motion: runtime::ReadBy<'_, Self, Scalar, Leaf>,
+            moved: runtime::MovedBy<'_, Self, Scalar, Leaf>,
+            duration: f64,
+            _time: f64,
+        ) {
+            let step = Scalar::of(duration);
+            {
+                let mut gradient = [[Scalar::of(0.0); 3]; 6];
+                for i in 0..6 {
+                    for d in 0..3 {
+                        gradient[i][d] = motion
+                            .parameters
+                            .prepared_0[i]
+                            .fma(motion.p[i][d].value(), gradient[i][d]);
+                    }
+                }
+                for i in 0..6 {
+                    for d in 0..3 {
+                        moved.q[i][d].fma(step, gradient[i][d]);
+                    }
+                }
+            }
+            {
+                let mut gradient = [[Scalar::of(0.0); 3]; 6];
+                for i in 0..6 {
+                    for j in 0..i {
+                        let mut sum_0 = Scalar::of(0.0);
+                        for d in 0..3 {
+                            let q_i_d = motion.q[i][d].value();
+                            let q_j_d = motion.q[j][d].value();
+                            let shared_0 = q_i_d - q_j_d;
+                            sum_0 = shared_0.fma(shared_0, sum_0);
+                        }
+                        let shared_1 = (motion.parameters.prepared_1[i]
+                            * motion.parameters.mass_2[j])
+                            .div_pow_3_2(sum_0);
+                        for d in 0..3 {
+                            let q_i_d = motion.q[i][d].value();
+                            let q_j_d = motion.q[j][d].value();
+                            let shared_0 = q_i_d - q_j_d;
+                            let shared_2 = shared_1 * shared_0;
+                            gradient[i][d] -= shared_2;
+                            gradient[j][d] += shared_2;
+                        }
+                    }
+                }
+                for i in 0..6 {
+                    for d in 0..3 {
+                        moved.p[i][d].fma(step, gradient[i][d]);
+                    }
+                }
+            }
         }
         #[inline(always)]
         fn kinetic<Scalar: runtime::Real, Leaf: runtime::Precision>(

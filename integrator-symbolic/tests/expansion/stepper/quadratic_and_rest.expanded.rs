@@ -63,7 +63,7 @@ const _: () = {
         const PARTS: &'static [&'static str] = &["harmonic", "anharmonic"];
         const SEPARABLE: bool = false;
         const AUTONOMOUS: bool = true;
-        const FINGERPRINT: u64 = 8978260141869843067;
+        const FINGERPRINT: u64 = 16271551986163144883;
         fn parameters(&self, _length: usize) -> Parameters<f64> {
             Parameters {
                 prepared_0: 2.0 * (0.5 * self.stiffness),
@@ -103,6 +103,40 @@ const _: () = {
                         .lambda
                         .fma(q0 * q0, -motion.parameters.lambda * (q1 * q1)),
                 );
+        }
+        #[inline(always)]
+        fn along_field<Scalar: runtime::Real, Leaf: runtime::Precision>(
+            motion: runtime::ReadBy<'_, Self, Scalar, Leaf>,
+            moved: runtime::MovedBy<'_, Self, Scalar, Leaf>,
+            duration: f64,
+            _time: f64,
+        ) {
+            let step = Scalar::of(duration);
+            let q0 = motion.q[0].value();
+            let q1 = motion.q[1].value();
+            moved
+                .p[0]
+                .fma(
+                    -(step * Scalar::of(2.0) * q0),
+                    motion.parameters.lambda.fma(q1, motion.parameters.prepared_3),
+                );
+            moved
+                .p[1]
+                .fma(
+                    -step,
+                    motion
+                        .parameters
+                        .prepared_0
+                        .fma(
+                            q1,
+                            motion
+                                .parameters
+                                .lambda
+                                .fma(q0 * q0, -motion.parameters.lambda * (q1 * q1)),
+                        ),
+                );
+            moved.q[0].fma(step, motion.p[0].value());
+            moved.q[1].fma(step, motion.p[1].value());
         }
         #[inline(always)]
         fn kinetic<Scalar: runtime::Real, Leaf: runtime::Precision>(

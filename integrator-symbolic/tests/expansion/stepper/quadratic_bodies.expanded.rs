@@ -71,7 +71,7 @@ const _: () = {
         const PARTS: &'static [&'static str] = &["turning", "potential"];
         const SEPARABLE: bool = false;
         const AUTONOMOUS: bool = true;
-        const FINGERPRINT: u64 = 14418402413252186516;
+        const FINGERPRINT: u64 = 14290837570161991826;
         fn parameters(&self, _length: usize) -> Parameters<f64> {
             Parameters {
                 rate: self.rate,
@@ -107,6 +107,58 @@ const _: () = {
                 let shared_1 = q_i_1.fma(q_i_1, q_i_0 * q_i_0);
                 motion.p[i][0].fma(shared_0 * q_i_0, shared_1);
                 motion.p[i][1].fma(shared_0 * q_i_1, shared_1);
+            }
+        }
+        #[inline(always)]
+        fn along_field<Scalar: runtime::Real, Leaf: runtime::Precision>(
+            motion: runtime::ReadBy<'_, Self, Scalar, Leaf>,
+            moved: runtime::MovedBy<'_, Self, Scalar, Leaf>,
+            duration: f64,
+            _time: f64,
+        ) {
+            let step = Scalar::of(duration);
+            for i in 0..N {
+                let q_i_0 = motion.q[i][0].value();
+                let q_i_1 = motion.q[i][1].value();
+                let p_i_0 = motion.p[i][0].value();
+                let p_i_1 = motion.p[i][1].value();
+                let shared_0 = q_i_1.fma(q_i_1, q_i_0 * q_i_0);
+                moved
+                    .p[i][0]
+                    .fma(
+                        -step,
+                        (-motion.parameters.rate)
+                            .fma(
+                                p_i_1,
+                                (Scalar::of(4.0) * q_i_0)
+                                    .fma(shared_0, Scalar::of(Self::PUSH)),
+                            ),
+                    );
+                moved
+                    .p[i][1]
+                    .fma(
+                        -step,
+                        motion
+                            .parameters
+                            .rate
+                            .fma(p_i_0, Scalar::of(4.0) * q_i_1 * shared_0),
+                    );
+                moved
+                    .q[i][0]
+                    .fma(
+                        step,
+                        motion
+                            .parameters
+                            .prepared_2[i]
+                            .fma(p_i_0, motion.parameters.rate * q_i_1),
+                    );
+                moved
+                    .q[i][1]
+                    .fma(
+                        step,
+                        (-motion.parameters.rate)
+                            .fma(q_i_0, motion.parameters.prepared_2[i] * p_i_1),
+                    );
             }
         }
         #[inline(always)]

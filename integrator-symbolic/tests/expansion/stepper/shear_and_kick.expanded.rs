@@ -56,7 +56,7 @@ const _: () = {
         const PARTS: &'static [&'static str] = &["twist", "potential"];
         const SEPARABLE: bool = false;
         const AUTONOMOUS: bool = true;
-        const FINGERPRINT: u64 = 16884377238540726821;
+        const FINGERPRINT: u64 = 16007354786927546423;
         fn parameters(&self, _length: usize) -> Parameters<f64> {
             Parameters {
                 rate: self.rate,
@@ -92,6 +92,32 @@ const _: () = {
             let shared_0 = step * motion.parameters.prepared_1;
             motion.p[0].fma(shared_0, motion.q[0].value());
             motion.p[1].fma(shared_0, motion.q[1].value());
+        }
+        #[inline(always)]
+        fn along_field<Scalar: runtime::Real, Leaf: runtime::Precision>(
+            motion: runtime::ReadBy<'_, Self, Scalar, Leaf>,
+            moved: runtime::MovedBy<'_, Self, Scalar, Leaf>,
+            duration: f64,
+            _time: f64,
+        ) {
+            let step = Scalar::of(duration);
+            let q0 = motion.q[0].value();
+            let (shared_0, shared_1) = q0.sin_cos();
+            let p1 = motion.p[1].value();
+            moved
+                .p[0]
+                .fma(
+                    -step,
+                    (motion.parameters.rate * (p1 * p1))
+                        .fma(shared_1, motion.parameters.prepared_1 * q0),
+                );
+            moved.p[1].fma(-(step * motion.parameters.prepared_1), motion.q[1].value());
+            moved
+                .q[1]
+                .fma(
+                    step * Scalar::of(2.0) * p1,
+                    motion.parameters.rate.fma(shared_0, Scalar::of(0.5)),
+                );
         }
         #[inline(always)]
         fn kinetic<Scalar: runtime::Real, Leaf: runtime::Precision>(

@@ -65,7 +65,7 @@ const _: () = {
         const PARTS: &'static [&'static str] = &["quadratic", "rest"];
         const SEPARABLE: bool = false;
         const AUTONOMOUS: bool = true;
-        const FINGERPRINT: u64 = 7900519145279740324;
+        const FINGERPRINT: u64 = 12904744482323066560;
         const WIDE: bool = true;
         fn parameters(&self, _length: usize) -> Parameters<f64> {
             Parameters {
@@ -119,6 +119,48 @@ const _: () = {
                         .prepared_2
                         .fma(shared_6, motion.parameters.prepared_3 * shared_5),
                 );
+        }
+        #[inline(always)]
+        fn along_field<Scalar: runtime::Real, Leaf: runtime::Precision>(
+            motion: runtime::ReadBy<'_, Self, Scalar, Leaf>,
+            moved: runtime::MovedBy<'_, Self, Scalar, Leaf>,
+            duration: f64,
+            _time: f64,
+        ) {
+            let step = Scalar::of(duration);
+            let q0 = motion.q[0].value();
+            let q1 = motion.q[1].value();
+            let p0 = motion.p[0].value();
+            let p1 = motion.p[1].value();
+            let shared_0 = q0 + motion.parameters.mass;
+            let shared_1 = motion.parameters.mass + (q0 + Scalar::of(-1.0));
+            let shared_2 = q1 * q1;
+            let shared_3 = shared_0.fma(shared_0, shared_2);
+            let shared_4 = shared_1.fma(shared_1, shared_2);
+            let shared_5 = Scalar::of(1.0).div_pow_3_2(shared_4);
+            let shared_6 = Scalar::of(1.0).div_pow_3_2(shared_3);
+            moved
+                .p[0]
+                .fma(
+                    -step,
+                    (motion.parameters.prepared_1 * shared_6)
+                        .fma(shared_0, motion.parameters.mass * shared_5 * shared_1) - p1,
+                );
+            moved
+                .p[1]
+                .fma(
+                    -step,
+                    (Scalar::of(2.0) * q1)
+                        .fma(
+                            motion
+                                .parameters
+                                .prepared_2
+                                .fma(shared_6, motion.parameters.prepared_3 * shared_5),
+                            p0,
+                        ),
+                );
+            moved.q[0].fma(step, q1 + p0);
+            moved.q[1].fma(step, p1 - q0);
         }
         #[inline(always)]
         fn kinetic<Scalar: runtime::Real, Leaf: runtime::Precision>(

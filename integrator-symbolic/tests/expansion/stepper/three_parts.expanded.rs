@@ -73,7 +73,7 @@ const _: () = {
         const PARTS: &'static [&'static str] = &["kinetic", "twist", "potential"];
         const SEPARABLE: bool = false;
         const AUTONOMOUS: bool = true;
-        const FINGERPRINT: u64 = 17686701538592977954;
+        const FINGERPRINT: u64 = 187296217526327907;
         fn parameters(&self, _length: usize) -> Parameters<f64> {
             Parameters {
                 prepared_0: 2.0 / (2.0 * self.mass),
@@ -124,6 +124,28 @@ const _: () = {
                 .p[0]
                 .fma(-(step * motion.parameters.depth), motion.q[0].value().sin());
             motion.p[1].fma(step * motion.parameters.prepared_3, motion.q[1].value());
+        }
+        #[inline(always)]
+        fn along_field<Scalar: runtime::Real, Leaf: runtime::Precision>(
+            motion: runtime::ReadBy<'_, Self, Scalar, Leaf>,
+            moved: runtime::MovedBy<'_, Self, Scalar, Leaf>,
+            duration: f64,
+            _time: f64,
+        ) {
+            let step = Scalar::of(duration);
+            let p1 = motion.p[1].value();
+            let q0 = motion.q[0].value();
+            let shared_0 = motion.parameters.rate * q0;
+            moved
+                .p[0]
+                .fma(
+                    -step,
+                    (motion.parameters.rate * p1)
+                        .fma(q0, (-motion.parameters.depth).fma(q0.sin(), shared_0 * p1)),
+                );
+            moved.p[1].fma(-(step * motion.parameters.prepared_3), motion.q[1].value());
+            moved.q[0].fma(step * motion.parameters.prepared_0, motion.p[0].value());
+            moved.q[1].fma(step, motion.parameters.prepared_0.fma(p1, shared_0 * q0));
         }
         #[inline(always)]
         fn kinetic<Scalar: runtime::Real, Leaf: runtime::Precision>(

@@ -5,29 +5,29 @@ const _: () = {
     /// What depends on parameters alone, evaluated once per run.
     #[derive(::core::clone::Clone)]
     pub struct Parameters<Scalar> {
-        /// `depth`
-        depth: Scalar,
         /// `coupling`
         coupling: Scalar,
+        /// `depth`
+        depth: Scalar,
     }
     impl<Scalar: runtime::Real> runtime::Prepared<Scalar> for Parameters<Scalar> {
         type Single = Parameters<f64>;
         #[inline(always)]
         fn gather(members: &[&Self::Single]) -> Self {
             Parameters {
-                depth: runtime::in_lanes(members, |member| &member.depth),
                 coupling: runtime::in_lanes(members, |member| &member.coupling),
+                depth: runtime::in_lanes(members, |member| &member.depth),
             }
         }
         fn not_finite(single: &Self::Single) -> runtime::Vec<runtime::NotFinite> {
             runtime::all_found([
-                runtime::not_finite("depth", &[], &single.depth),
                 runtime::not_finite("coupling", &[], &single.coupling),
+                runtime::not_finite("depth", &[], &single.depth),
             ])
         }
         fn digest(single: &Self::Single, digest: &mut runtime::Digest) {
-            digest.add(&single.depth);
             digest.add(&single.coupling);
+            digest.add(&single.depth);
         }
     }
     /// The equations of motion, derived from `hamiltonian`:
@@ -58,11 +58,11 @@ const _: () = {
         const SEPARABLE: bool = false;
         const COPIES: bool = true;
         const AUTONOMOUS: bool = true;
-        const FINGERPRINT: u64 = 17837745871089356034;
+        const FINGERPRINT: u64 = 6389760408988418710;
         fn parameters(&self, _length: usize) -> Parameters<f64> {
             Parameters {
-                depth: self.depth,
                 coupling: self.coupling,
+                depth: self.depth,
             }
         }
         #[inline(always)]
@@ -71,14 +71,8 @@ const _: () = {
             duration: f64,
             _time: f64,
         ) {
-            let (motion, moved) = motion.first();
-            let step = Scalar::of(duration);
-            let q0 = motion.q[0].value();
-            let p0 = motion.p[0].value();
-            moved.p[0].fma(-(step * q0), p0.fma(p0, Scalar::of(1.0)));
-            moved.p[1].fma(-step, motion.q[1].value().sin());
-            moved.q[0].fma(step * q0.fma(q0, motion.parameters.depth), p0);
-            moved.q[1].fma(step, motion.p[1].value());
+            let (read, moved) = motion.first();
+            Self::along_field::<_, Leaf>(read, moved, duration, 0.0);
         }
         #[inline(always)]
         fn middle<Scalar: runtime::Real, Leaf: runtime::Precision>(
@@ -86,14 +80,8 @@ const _: () = {
             duration: f64,
             _backwards: bool,
         ) {
-            let (motion, moved) = motion.second();
-            let step = Scalar::of(duration);
-            let q0 = motion.q[0].value();
-            let p0 = motion.p[0].value();
-            moved.p[0].fma(-(step * q0), p0.fma(p0, Scalar::of(1.0)));
-            moved.p[1].fma(-step, motion.q[1].value().sin());
-            moved.q[0].fma(step * q0.fma(q0, motion.parameters.depth), p0);
-            moved.q[1].fma(step, motion.p[1].value());
+            let (read, moved) = motion.second();
+            Self::along_field::<_, Leaf>(read, moved, duration, 0.0);
         }
         #[inline(always)]
         fn kick<Scalar: runtime::Real, Leaf: runtime::Precision>(
@@ -103,6 +91,21 @@ const _: () = {
         ) {
             let coupling = motion.parameters.coupling;
             motion.rotate(coupling, duration);
+        }
+        #[inline(always)]
+        fn along_field<Scalar: runtime::Real, Leaf: runtime::Precision>(
+            motion: runtime::ReadBy<'_, Self, Scalar, Leaf>,
+            moved: runtime::MovedBy<'_, Self, Scalar, Leaf>,
+            duration: f64,
+            _time: f64,
+        ) {
+            let step = Scalar::of(duration);
+            let q0 = motion.q[0].value();
+            let p0 = motion.p[0].value();
+            moved.p[0].fma(-(step * q0), p0.fma(p0, Scalar::of(1.0)));
+            moved.p[1].fma(-step, motion.q[1].value().sin());
+            moved.q[0].fma(step * q0.fma(q0, motion.parameters.depth), p0);
+            moved.q[1].fma(step, motion.p[1].value());
         }
         #[inline(always)]
         fn kinetic<Scalar: runtime::Real, Leaf: runtime::Precision>(
