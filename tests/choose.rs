@@ -1,7 +1,7 @@
 //! Choosing a composition: what is ranked keeps what it promises, and what cannot be ranked says why.
 
 use integrator_core::{
-    check::{CheckError, ChooseError, Goal, choose},
+    check::{CheckError, ChooseError, Goal, Splitting, choose, choose_among},
     prelude::*,
 };
 
@@ -151,4 +151,97 @@ fn what_cannot_be_chosen_says_why() {
     // A swing that backward steps follow as well as forward ones.
     let back = choose(&Pendulum, Phase::new([2.0], [0.0]), -20.0, Goal::Trajectory(1e-3)).expect("a ranking");
     assert!(back.best().step < 0.0);
+}
+
+/// Two oscillators whose coupling is a thousandth of them, in T + V.
+struct Coupled {
+    stiffness: f64,
+}
+
+#[hamiltonian]
+impl Coupled {
+    fn kinetic(&self, p: [f64; 2]) -> f64 {
+        (p[0] * p[0] + p[1] * p[1]) / 2.0
+    }
+    fn potential(&self, q: [f64; 2]) -> f64 {
+        self.stiffness * (q[0] * q[0] + 2.0 * q[1] * q[1]) / 2.0 + 1e-3 * q[0] * q[0] * q[1] * q[1]
+    }
+}
+
+/// The same, with both oscillators as one part.
+struct Solved {
+    stiffness: f64,
+}
+
+#[hamiltonian(split = quadratic + rest, compose = Aba864)]
+impl Solved {
+    fn hamiltonian(&self, q: [f64; 2], p: [f64; 2]) -> f64 {
+        let oscillators = p[0] * p[0] + p[1] * p[1] + self.stiffness * (q[0] * q[0] + 2.0 * q[1] * q[1]);
+        oscillators / 2.0 + 1e-3 * q[0] * q[0] * q[1] * q[1]
+    }
+}
+
+const OSCILLATORS: Phase<[f64; 2]> = Phase { q: [1.0, 0.5], p: [0.0, 0.8] };
+
+#[test]
+fn splittings_are_ranked_by_time_in_any_order() {
+    let (plain, solved) = (Coupled { stiffness: 1.0 }, Solved { stiffness: 1.0 });
+    let orders: [[&dyn Splitting<[f64; 2]>; 2]; 2] = [[&plain, &solved], [&solved, &plain]];
+    for (splittings, goal) in orders.into_iter().zip([Goal::Trajectory(1e-7), Goal::Energy(1e-7)]) {
+        let ranking = choose_among(&splittings, OSCILLATORS, 100.0, goal).expect("a ranking");
+        let (choices, best) = (ranking.choices(), ranking.best());
+        assert!(choices.is_sorted_by(|a, b| a.seconds <= b.seconds), "{ranking}");
+        assert!(
+            choices.iter().all(|choice| choice.seconds <= 16.0 * best.seconds && choice.error <= 1e-7),
+            "{ranking}"
+        );
+        // What a stage costs is another matter in tests, which are compiled without optimisation; stages are fewer.
+        let fewest = |system: &str| {
+            let of_system = choices.iter().filter(|choice| choice.splitting.system == system);
+            of_system.map(|choice| choice.evaluations).min().expect("some of each")
+        };
+        assert!(4 * fewest("Solved") < fewest("Coupled"), "{ranking}");
+        let table = ranking.to_string();
+        assert_eq!(table.lines().count(), 1 + choices.len(), "{table}");
+        let names = ["Coupled (kinetic + potential) ", "Solved (quadratic + rest) "];
+        assert!(names.iter().all(|name| table.lines().any(|line| line.starts_with(name))), "{table}");
+    }
+    // One of them alone keeps the order by evaluations, and no column for what there is but one of.
+    let alone = choose(&solved, OSCILLATORS, 100.0, Goal::Trajectory(1e-7)).expect("a ranking");
+    assert!(alone.choices().is_sorted_by_key(|choice| choice.evaluations) && !alone.to_string().contains("quadratic"));
+}
+
+/// The steps that are promised do it, held against the other splitting with steps that are short.
+#[test]
+fn splittings_are_measured_against_one_motion() {
+    let (plain, solved) = (Coupled { stiffness: 1.0 }, Solved { stiffness: 1.0 });
+    let (span, tolerance) = (100.0, 1e-6);
+    let ranking = choose_among(&[&plain, &solved], OSCILLATORS, span, Goal::Trajectory(tolerance)).expect("a ranking");
+    let promised =
+        ranking.choices().iter().find(|choice| (choice.splitting.system, choice.composition) == ("Solved", "Aba864"));
+    let promised = promised.expect("it reaches this");
+    let end = |mut run: Run<[f64; 2]>, steps| {
+        run.advance(steps).expect("finite states");
+        run.state()
+    };
+    let found = end(solved.run(OSCILLATORS, promised.step).expect("a start"), promised.steps);
+    let exact = end(plain.run_with(SofroniouSpaletta10, OSCILLATORS, span / 4096.0).expect("a start"), 4096);
+    let distance = (0..2).map(|i| (found.q[i] - exact.q[i]).hypot(found.p[i] - exact.p[i])).fold(0.0, f64::hypot);
+    // Errors are in units of how far the motion goes, which is about 2.5 for positions and for momenta; the mean over four
+    // quarters is at least half of what the last of them has.
+    assert!(distance <= 5.0 * tolerance && distance > promised.error / 100.0, "{distance:e}, {promised:?}");
+}
+
+#[test]
+fn a_splitting_of_another_hamiltonian_is_told_with_its_error() {
+    let (plain, stiffer) = (Coupled { stiffness: 1.0 }, Solved { stiffness: 1.01 });
+    let goal = Goal::Trajectory(1e-5);
+    let ranking = choose_among(&[&plain, &stiffer], OSCILLATORS, 50.0, goal).expect("a ranking");
+    assert!(ranking.choices().iter().all(|choice| choice.splitting.system == "Coupled"), "{ranking}");
+    let [other] = ranking.unranked() else { panic!("{ranking}") };
+    // Half a per cent of the phase of 50 to 70 radians, in units of two amplitudes.
+    assert!(other.splitting.system == "Solved" && other.error > 1e-2 && other.error < 1.0, "{other:?}");
+    assert!(ranking.to_string().ends_with(&format!("comes closest with {:.1e}", other.error)), "{ranking}");
+    let none: [&dyn Splitting<[f64; 2]>; 0] = [];
+    assert_eq!(choose_among(&none, OSCILLATORS, 50.0, goal), Err(ChooseError::NoSplitting));
 }

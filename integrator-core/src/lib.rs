@@ -50,6 +50,7 @@
 //! | a run that outlives its program | `Run::checkpoint`, `Run::resume` (feature `checkpoint`) |
 //! | whether a stepper is what it claims to be | `check`, above all `certify` (feature `check`) |
 //! | which composition is the cheapest, and with which step | `check::choose` (feature `check`) |
+//! | which splitting is the fastest, with which composition | `check::choose_among` (feature `check`) |
 //! | which machine code is run | [`InstructionSet`] |
 //!
 //! # Features

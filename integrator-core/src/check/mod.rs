@@ -28,7 +28,8 @@
 //! [`global_error()`] measures how far a run is from the exact motion, and how well that is known: no fault either,
 //! since every step has an error.
 //!
-//! [`choose()`] measures too, but not whether a stepper is right: which of the right ones is the cheapest.
+//! [`choose()`] measures too, but not whether a stepper is right: which of the right ones is the cheapest. [`choose_among()`]
+//! does so for several splittings of one Hamiltonian.
 //!
 //! What is a property of the flows (symplecticity, order, gradient) is measured in `f64` whatever the leaf of the
 //! start; what rounding takes part in (reversibility, energy) is measured in the precision of the start.
@@ -46,7 +47,9 @@ pub(crate) mod statistics;
 
 pub use certificate::{Certificate, Tolerances};
 pub use certify::certify;
-pub use choose::{Choice, ChooseError, Goal, Ranking, choose};
+pub use choose::{
+    Candidate, Choice, ChooseError, Goal, Ranking, Split, Splitting, Unranked, candidates, choose, choose_among,
+};
 pub use error::CheckError;
 pub use property::agreement::Agreement;
 pub use property::energy::{EnergyDrift, energy_drift};

@@ -78,6 +78,8 @@ pub(crate) struct Corrections {
 }
 
 impl Corrections {
+    pub(crate) const NONE: Self = Self { drift: Correction::NONE, kick: Correction::NONE, middle: Correction::NONE };
+
     /// The corrections of stages that are merged across steps, for this many parts.
     pub(crate) fn new(stages: &Stages, h: f64, parts: usize) -> Self {
         Self::of(h, stages.cycle.iter(), parts)
@@ -101,7 +103,7 @@ impl Corrections {
 
     /// Whether there are none, because the durations add up as they are.
     pub(crate) fn none(&self) -> bool {
-        *self == Self { drift: Correction::NONE, kick: Correction::NONE, middle: Correction::NONE }
+        *self == Self::NONE
     }
 
     /// The flows for the cycle of this number.

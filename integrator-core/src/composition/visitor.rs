@@ -39,6 +39,13 @@ use crate::{
 pub trait Visitor<H: Hamiltonian> {
     /// Called once with each composition.
     fn visit<X: Composition<H>>(&mut self, composition: X);
+
+    /// Called once before compositions with force gradients, where `H` admits these.
+    fn admit_gradients(&mut self)
+    where
+        H: QuadraticKinetic,
+    {
+    }
 }
 
 /// Visits the compositions for every `T(p)`.
@@ -73,6 +80,7 @@ pub fn visit_two_parts_quadratic<H: QuadraticKinetic>(visitor: &mut impl Visitor
         ($($composition:ident)*) => {$( visitor.visit($composition); )*};
     }
     visit_two_parts(visitor);
+    visitor.admit_gradients();
     for_each_composition!(quadratic: visit!);
     for_each_composition!(near_integrable_quadratic: visit!);
 }
@@ -83,5 +91,6 @@ pub fn visit_quadratic<H: QuadraticKinetic>(visitor: &mut impl Visitor<H>) {
         ($($composition:ident)*) => {$( visitor.visit($composition); )*};
     }
     visit_general(visitor);
+    visitor.admit_gradients();
     for_each_composition!(quadratic: visit!);
 }

@@ -1,6 +1,8 @@
 //! One run.
 
 pub(crate) mod admissible;
+#[cfg(feature = "check")]
+pub(crate) mod by_table;
 #[cfg(feature = "checkpoint")]
 pub(crate) mod checkpoint;
 pub(crate) mod crossings;

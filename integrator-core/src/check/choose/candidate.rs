@@ -4,47 +4,120 @@ use crate::{
     check::{start::Start, statistics::points::run},
     composition::{Class, Composition, Rows, visitor::Visitor},
     error::Error,
-    hamiltonian::{Hamiltonian, Shaped},
-    state::precision::Precision,
-    trajectory::run::Run,
+    hamiltonian::{Hamiltonian, QuadraticKinetic, Shaped},
+    state::{coords::Coords, precision::Precision},
+    trajectory::{
+        by_table::{ByTable, Kicks, Plain, WithGradients},
+        method::{Described, Facts},
+        run::Run,
+    },
 };
 
-/// Begins a run, whatever its composition.
-type Begin<H, K> = fn(&H, &Start<Shaped<H, K>>, f64) -> Result<Run<Shaped<H, K>>, Error>;
+/// Begins a run of a system, whatever its composition.
+type Begin<'s, C> = Box<dyn Fn(&Start<C>, f64) -> Result<Run<C>, Error> + 's>;
 
-/// One composition.
-pub(super) struct Candidate<H: Hamiltonian, K: Precision> {
-    pub(super) name: &'static str,
-    pub(super) order: u32,
+/// A system under a composition of the catalogue, with neither's type. All candidates of a system share one loop over
+/// stages, so that as much is compiled for them as for one composition.
+///
+/// ```
+/// use integrator_core::{check::candidates, prelude::*};
+///
+/// struct Oscillator;
+///
+/// #[hamiltonian]
+/// impl Oscillator {
+///     fn kinetic(&self, p: [f64; 1]) -> f64 {
+///         0.5 * p[0] * p[0]
+///     }
+///     fn potential(&self, q: [f64; 1]) -> f64 {
+///         0.5 * q[0] * q[0]
+///     }
+/// }
+///
+/// let start = Phase::new([1.0], [0.0]);
+/// for candidate in candidates::<_, f64>(&Oscillator) {
+///     let mut run = candidate.run(start, 0.01)?;
+///     run.advance(100)?;
+///     println!("{:<24} {:+.1e}", candidate.facts().name, run.state().q[0] - 1.0_f64.cos());
+/// }
+/// # Ok::<(), Error>(())
+/// ```
+pub struct Candidate<'s, C: Coords> {
+    pub(super) facts: Facts,
     pub(super) class: Class,
     /// Evaluations of each step, gradients counted as one more.
     pub(super) each: u64,
     /// Evaluations of the processor and its inverse.
     pub(super) once: u64,
-    pub(super) begin: Begin<H, K>,
+    begin: Begin<'s, C>,
 }
 
-impl<H: Hamiltonian, K: Precision> Candidate<H, K> {
+impl<C: Coords> Candidate<'_, C> {
+    /// What is known of the composition.
+    pub fn facts(&self) -> Facts {
+        self.facts
+    }
+
+    /// A run of the system, to the last bit that of [`Hamiltonian::run_with`] with this composition.
+    ///
+    /// # Errors
+    /// As [`Hamiltonian::run`]; a time that is not finite.
+    pub fn run(&self, start: impl Into<Start<C>>, h: f64) -> Result<Run<C>, Error> {
+        (self.begin)(&start.into(), h)
+    }
+
+    /// The same from a start that is used again.
+    pub(super) fn begin(&self, start: &Start<C>, h: f64) -> Result<Run<C>, Error> {
+        (self.begin)(start, h)
+    }
+
     /// The work of a run.
     pub(super) fn evaluations(&self, steps: u64) -> u64 {
         steps * self.each + self.once
     }
 }
 
-/// Collects what it visits.
-pub(super) struct Candidates<H: Hamiltonian, K: Precision>(pub(super) Vec<Candidate<H, K>>);
+/// A system under each composition of the catalogue that it admits.
+pub fn candidates<H: Hamiltonian, K: Precision>(system: &H) -> Vec<Candidate<'_, Shaped<H, K>>> {
+    let mut candidates = Candidates::<H, K> { system, with_gradients: None, found: Vec::new() };
+    H::visit_compositions(&mut candidates);
+    candidates.found
+}
 
-impl<H: Hamiltonian, K: Precision> Visitor<H> for Candidates<H, K> {
-    fn visit<X: Composition<H>>(&mut self, _: X) {
-        self.0.push(Candidate {
-            name: X::NAME,
-            order: X::ORDER,
+/// Collects what it visits.
+struct Candidates<'s, H: Hamiltonian, K: Precision> {
+    system: &'s H,
+    /// Makes the runs of compositions with force gradients, where the system admits them.
+    #[expect(clippy::type_complexity, reason = "named once")]
+    with_gradients: Option<fn(&'s H, ByTable<WithGradients>) -> Begin<'s, Shaped<H, K>>>,
+    found: Vec<Candidate<'s, Shaped<H, K>>>,
+}
+
+impl<H: Hamiltonian, K: Precision> Visitor<H> for Candidates<'_, H, K> {
+    fn visit<X: Composition<H>>(&mut self, composition: X) {
+        let begin = match self.with_gradients {
+            Some(begin) if X::GRADIENT_EVALUATIONS > 0 => begin(self.system, ByTable::of(composition)),
+            _ => begin::<H, K, Plain>(self.system, ByTable::of(composition)),
+        };
+        self.found.push(Candidate {
+            facts: composition.facts(),
             class: X::CLASS,
             each: (X::FORCE_EVALUATIONS + X::GRADIENT_EVALUATIONS) as u64,
             once: evaluations(&X::PROCESSOR.before) + evaluations(&X::PROCESSOR.after),
-            begin: |system, start, h| run::<H, X, K>(system, X::default(), start, h),
+            begin,
         });
     }
+
+    fn admit_gradients(&mut self)
+    where
+        H: QuadraticKinetic,
+    {
+        self.with_gradients = Some(begin::<H, K, WithGradients>);
+    }
+}
+
+fn begin<H: Hamiltonian, K: Precision, G: Kicks<H>>(system: &H, method: ByTable<G>) -> Begin<'_, Shaped<H, K>> {
+    Box::new(move |start, h| run::<H, ByTable<G>, K>(system, method, start, h))
 }
 
 /// The evaluations of some stages.

@@ -11,6 +11,9 @@ pub enum ChooseError {
     /// A run could not start, or its energy is not conserved.
     #[error(transparent)]
     Check(#[from] CheckError),
+    /// There is no splitting to choose.
+    #[error("no splitting is given: name at least one system")]
+    NoSplitting,
     /// The span is zero or not finite.
     #[error("the span is {span}: it has to be finite and not zero (negative spans run backwards)")]
     Span {

@@ -1,7 +1,7 @@
 //! The search for the cheapest composition for a problem, and for its step.
 //!
 //! In: a system, a start, a time span, what has to be how accurate. Out: a ranking of the compositions of the catalogue
-//! that this Hamiltonian admits. Always true: every step in the ranking was run, on this very problem and in the
+//! that this Hamiltonian admits, or of those of several ways to split it. Always true: every step in the ranking was run, on this very problem and in the
 //! precision of its start, and met the tolerance; so did a slightly finer one, lest an error that happens to vanish at
 //! one step size passes for accuracy. Work is counted in evaluations, which no other program on the machine disturbs.
 
@@ -10,17 +10,22 @@ mod error;
 mod problem;
 mod ranking;
 mod search;
+mod splitting;
 
+pub use candidate::{Candidate, candidates};
 pub use error::ChooseError;
-pub use ranking::{Choice, Ranking};
+pub use ranking::{Choice, Ranking, Split, Unranked};
+pub use splitting::Splitting;
 
 use crate::{
-    check::{CheckError, start::Start, statistics::points::begin},
+    check::{CheckError, start::Start},
     hamiltonian::{Hamiltonian, Shaped},
     scalar::tolerance::within,
-    state::precision::Precision,
+    state::{coords::Coords, precision::Precision},
 };
 use problem::Problem;
+use search::{Found, SPREAD, search};
+use splitting::Measured;
 
 /// The accuracy that is asked for over the span.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -89,17 +94,116 @@ pub fn choose<H: Hamiltonian, K: Precision>(
     span: f64,
     goal: Goal,
 ) -> Result<Ranking, ChooseError> {
+    rank(&[system], start.into(), span, goal)
+}
+
+/// Ranks the compositions of several splittings of one Hamiltonian by the time in which each of them reaches `goal` from
+/// `start` over `span`, fastest first.
+///
+/// Splittings are systems of the same coordinates: a plain `kinetic` and `potential` beside the same bodies by
+/// `coordinates = jacobi(..)`, or beside `split = quadratic + rest`. Force evaluations of different splittings are
+/// different work, so that what counts is the processor's time on this machine: leave out what takes more than sixteen times
+/// that of the best. The true motion, or the energy, is that of the first splitting for all of them.
+///
+/// A splitting with nothing to show is among [`Ranking::unranked`]; that of another Hamiltonian is, with its error.
+///
+/// ```
+/// use integrator_core::{check::{Goal, choose_among}, prelude::*};
+///
+/// /// Two oscillators with a weak coupling.
+/// struct Oscillators;
+///
+/// #[hamiltonian]
+/// impl Oscillators {
+///     fn kinetic(&self, p: [f64; 2]) -> f64 {
+///         (p[0] * p[0] + p[1] * p[1]) / 2.0
+///     }
+///     fn potential(&self, q: [f64; 2]) -> f64 {
+///         (q[0] * q[0] + q[1] * q[1]) / 2.0 + 1e-3 * q[0] * q[0] * q[1] * q[1]
+///     }
+/// }
+///
+/// /// The same, with what is quadratic solved exactly.
+/// struct Solved;
+///
+/// #[hamiltonian(split = quadratic + rest, compose = Aba864)]
+/// impl Solved {
+///     fn hamiltonian(&self, q: [f64; 2], p: [f64; 2]) -> f64 {
+///         (p[0] * p[0] + p[1] * p[1] + q[0] * q[0] + q[1] * q[1]) / 2.0 + 1e-3 * q[0] * q[0] * q[1] * q[1]
+///     }
+/// }
+///
+/// # fn main() -> Result<(), Box<dyn std::error::Error>> {
+/// let start = Phase::new([1.0, 0.5], [0.0, 0.8]);
+/// let ranking = choose_among(&[&Oscillators, &Solved], start, 60.0, Goal::Trajectory(1e-6))?;
+/// assert!(ranking.best().error <= 1e-6);
+/// // A table whose first column is `Oscillators (kinetic + potential)` or `Solved (quadratic + rest)`.
+/// println!("{ranking}");
+/// # Ok(())
+/// # }
+/// ```
+///
+/// # Errors
+/// As [`choose`], of any of the splittings; no splitting at all.
+pub fn choose_among<C: Coords>(
+    splittings: &[&dyn Splitting<C>],
+    start: impl Into<Start<C>>,
+    span: f64,
+    goal: Goal,
+) -> Result<Ranking, ChooseError> {
+    let splittings: Vec<&dyn Measured<C>> = splittings.iter().map(|splitting| splitting.measured().0).collect();
+    let mut ranking = rank(&splittings, start.into(), span, goal)?;
+    ranking.among = true;
+    ranking.choices.sort_by(|a, b| a.seconds.total_cmp(&b.seconds));
+    Ok(ranking)
+}
+
+/// The ranking by evaluations, one splitting after the other.
+fn rank<C: Coords>(
+    splittings: &[&dyn Measured<C>],
+    start: Start<C>,
+    span: f64,
+    goal: Goal,
+) -> Result<Ranking, ChooseError> {
     if span == 0.0 || !span.is_finite() {
         return Err(ChooseError::Span { span });
     }
-    let start = start.into();
-    begin::<H, _, K>(system, H::Compose::default(), &start, span).map_err(CheckError::from)?;
+    for splitting in splittings {
+        splitting.begin(&start, span).map_err(CheckError::from)?;
+    }
     let tolerance = goal.tolerance();
     if !within(tolerance, f64::MAX) || tolerance <= 0.0 {
         return Err(ChooseError::Tolerance { tolerance });
     }
-    let problem = Problem::<H, K>::new(system, start, span, goal)?;
-    let mut candidates = candidate::Candidates(Vec::new());
-    H::visit_compositions(&mut candidates);
-    search::rank(&problem, candidates.0)
+    let first = splittings.first().ok_or(ChooseError::NoSplitting)?;
+    let problem = Problem::new(*first, start, span, goal)?;
+    let (mut found, mut best) = (Vec::new(), f64::INFINITY);
+    for splitting in splittings {
+        let of_one = search(&problem, splitting.name(), splitting.candidates(), best)?;
+        best = of_one.choices.iter().fold(best, |best, choice| best.min(choice.seconds));
+        found.push(of_one);
+    }
+    ranked(found, tolerance, best)
+}
+
+/// What is within the spread of the best time, or of the fewest evaluations of a single splitting.
+fn ranked(mut found: Vec<Found>, tolerance: f64, best: f64) -> Result<Ranking, ChooseError> {
+    if found.len() > 1 {
+        for Found { choices, .. } in &mut found {
+            choices.retain(|choice| choice.seconds <= SPREAD as f64 * best);
+        }
+    }
+    let (mut choices, mut unranked) = (Vec::new(), Vec::new());
+    for Found { choices: of_one, closest } in found {
+        if of_one.is_empty() {
+            unranked.push(closest);
+        }
+        choices.extend(of_one);
+    }
+    if choices.is_empty() {
+        unranked.sort_by(|a, b| a.error.total_cmp(&b.error));
+        let Unranked { composition, error, .. } = unranked[0];
+        return Err(ChooseError::Unreached { tolerance, composition, error });
+    }
+    Ok(Ranking { choices, unranked, among: false })
 }

@@ -7,6 +7,8 @@ use std::fmt;
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct Choice {
+    /// The splitting that it composes.
+    pub splitting: Split,
     /// Its name.
     pub composition: &'static str,
     /// Its order.
@@ -25,30 +27,83 @@ pub struct Choice {
     pub seconds: f64,
 }
 
+/// The name of a splitting. Displays as `Planets (kepler + interaction)`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub struct Split {
+    /// The name of the system's type, without its path.
+    pub system: &'static str,
+    /// The names of its parts.
+    pub parts: &'static [&'static str],
+}
+
+impl fmt::Display for Split {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.pad(&format!("{} ({})", self.system, self.parts.join(" + ")))
+    }
+}
+
+/// A splitting of which nothing is in the ranking.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub struct Unranked {
+    /// The splitting.
+    pub splitting: Split,
+    /// The composition with its smallest error.
+    pub composition: &'static str,
+    /// That error.
+    pub error: f64,
+}
+
 /// Compositions that reach a tolerance, cheapest first; there is at least one. Displays as a table.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Ranking(pub(super) Vec<Choice>);
+pub struct Ranking {
+    pub(super) choices: Vec<Choice>,
+    pub(super) unranked: Vec<Unranked>,
+    /// Whether splittings were to be compared.
+    pub(super) among: bool,
+}
 
 impl Ranking {
     /// The cheapest.
     pub fn best(&self) -> &Choice {
-        &self.0[0]
+        &self.choices[0]
     }
 
     /// All of them.
     pub fn choices(&self) -> &[Choice] {
-        &self.0
+        &self.choices
+    }
+
+    /// The splittings of which no composition reaches the tolerance in sixteen times the time of the best. An error that
+    /// stays large tells of a splitting of another Hamiltonian.
+    pub fn unranked(&self) -> &[Unranked] {
+        &self.unranked
     }
 }
 
 impl fmt::Display for Ranking {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let width = self.choices.iter().map(|choice| choice.splitting.to_string().len()).max().unwrap_or(0);
+        if self.among {
+            write!(f, "{:<width$} ", "splitting")?;
+        }
         write!(f, "{:<23} {:>5} {:>12} {:>9}", "composition", "order", "step", "steps")?;
         write!(f, " {:>8} {:>12} {:>13}", "error", "evaluations", "milliseconds")?;
-        for Choice { composition, order, step, steps, error, evaluations, seconds, .. } in &self.0 {
+        for Choice { splitting, composition, order, step, steps, error, evaluations, seconds, .. } in &self.choices {
             let milliseconds = seconds * 1e3;
-            write!(f, "\n{composition:<23} {order:>5} {step:>12.6} {steps:>9}")?;
+            writeln!(f)?;
+            if self.among {
+                write!(f, "{splitting:<width$} ")?;
+            }
+            write!(f, "{composition:<23} {order:>5} {step:>12.6} {steps:>9}")?;
             write!(f, " {error:>8.1e} {evaluations:>12} {milliseconds:>13.3}")?;
+        }
+        for Unranked { splitting, composition, error } in &self.unranked {
+            write!(
+                f,
+                "\n{splitting}: not in sixteen times the time of the best; {composition} comes closest with {error:.1e}"
+            )?;
         }
         Ok(())
     }

@@ -1,44 +1,62 @@
 //! The search for each composition's longest step within the tolerance.
 //!
-//! All candidates are given the same work, then twice as much, and so on, until the first one reaches the goal and the
-//! others had sixteen times its work. So none of them costs much more than the best, however far from the goal it is.
+//! All candidates of a splitting are given the same work, then twice as much, and so on, until the first one reaches the
+//! goal and the others had sixteen times its work. So none of them costs much more than the best, however far from the
+//! goal it is. Evaluations of different splittings are different work, so that these are held to each other by time.
 
 use super::{
-    Choice, ChooseError, Ranking,
+    Choice, ChooseError, Split, Unranked,
     candidate::Candidate,
     problem::{MOST_EVALUATIONS, Problem, stalled},
 };
-use crate::{check::CheckError, hamiltonian::Hamiltonian, scalar::tolerance::within, state::precision::Precision};
+use crate::{
+    check::CheckError,
+    scalar::tolerance::within,
+    state::{coords::Coords, precision::Precision},
+};
 
 /// The first round's evaluations.
 const FIRST_ROUND: u64 = 64;
 
 /// The largest work of a ranked composition, in units of the best one's.
-const SPREAD: u64 = 16;
+pub(super) const SPREAD: u64 = 16;
+
+/// The evaluations whose time is taken for that of all evaluations of a splitting, where this only decides how many are
+/// worth trying.
+const PACE: u64 = 1 << 12;
 
 /// Bisection ends where the step that meets the tolerance and the one that does not differ by less than this factor.
 const RESOLUTION: f64 = 1.02;
 
 /// A candidate in the search.
-struct Attempt<H: Hamiltonian, K: Precision> {
-    candidate: Candidate<H, K>,
+struct Attempt<'s, C: Coords> {
+    candidate: Candidate<'s, C>,
     /// The largest number of steps that missed the goal, zero before the first.
     missed: u64,
     /// The errors of the last two rounds.
     errors: [f64; 2],
 }
 
-/// Ranks the candidates.
-pub(super) fn rank<H: Hamiltonian, K: Precision>(
-    problem: &Problem<'_, H, K>,
-    candidates: Vec<Candidate<H, K>>,
-) -> Result<Ranking, ChooseError> {
+/// What was found of a splitting: compositions that reach the goal, those with the fewest evaluations first, and the one
+/// that comes closest.
+pub(super) struct Found {
+    pub(super) choices: Vec<Choice>,
+    pub(super) closest: Unranked,
+}
+
+/// The search among the candidates of a splitting; those that take sixteen times so many seconds are not looked for.
+pub(super) fn search<C: Coords>(
+    problem: &Problem<'_, C>,
+    splitting: Split,
+    candidates: Vec<Candidate<'_, C>>,
+    best: f64,
+) -> Result<Found, ChooseError> {
+    let mut limit = affordable(problem, &candidates, best);
     let attempt = |candidate| Attempt { candidate, missed: 0, errors: [f64::INFINITY; 2] };
     let mut attempts: Vec<_> = candidates.into_iter().map(attempt).collect();
     let mut choices: Vec<Choice> = Vec::new();
-    let (mut closest, mut smallest) = ("none", f64::INFINITY);
+    let mut closest = Unranked { splitting, composition: "none", error: f64::INFINITY };
     let mut evaluations = FIRST_ROUND;
-    let mut limit = MOST_EVALUATIONS;
     while evaluations <= limit && !attempts.is_empty() {
         let mut open = Vec::with_capacity(attempts.len());
         for mut attempt in attempts {
@@ -48,14 +66,14 @@ pub(super) fn rank<H: Hamiltonian, K: Precision>(
                 continue;
             }
             let error = problem.error(&attempt.candidate, steps);
-            if error < smallest {
-                (closest, smallest) = (attempt.candidate.name, error);
+            if error < closest.error {
+                closest = Unranked { splitting, composition: attempt.candidate.facts.name, error };
             }
             if meets(problem, &attempt.candidate, steps, error) {
-                let choice = attempt.refined(problem, steps, error)?;
+                let choice = attempt.refined(problem, splitting, steps, error)?;
                 limit = limit.min(SPREAD * choice.evaluations);
                 choices.push(choice);
-            } else if !stalled(error, attempt.errors[0], K::EPSILON) {
+            } else if !stalled(error, attempt.errors[0], C::Leaf::EPSILON) {
                 attempt.missed = steps;
                 attempt.errors = [attempt.errors[1], error];
                 open.push(attempt);
@@ -66,16 +84,31 @@ pub(super) fn rank<H: Hamiltonian, K: Precision>(
     }
     choices.retain(|choice| choice.evaluations <= limit);
     choices.sort_by_key(|choice| (choice.evaluations, choice.composition));
-    if choices.is_empty() {
-        let tolerance = problem.goal.tolerance();
-        return Err(ChooseError::Unreached { tolerance, composition: closest, error: smallest });
-    }
-    Ok(Ranking(choices))
+    Ok(Found { choices, closest })
 }
 
-impl<H: Hamiltonian, K: Precision> Attempt<H, K> {
+/// The evaluations that sixteen times so many seconds are enough for.
+fn affordable<C: Coords>(problem: &Problem<'_, C>, candidates: &[Candidate<'_, C>], best: f64) -> u64 {
+    if best == f64::INFINITY {
+        return MOST_EVALUATIONS;
+    }
+    let pace = |candidate: &Candidate<'_, C>| {
+        let steps = problem.whole((PACE / candidate.each) as f64);
+        Some(problem.seconds(candidate, steps).ok()? / candidate.evaluations(steps) as f64)
+    };
+    let affordable = candidates.iter().find_map(pace).map(|pace| SPREAD as f64 * best / pace);
+    affordable.map_or(MOST_EVALUATIONS, |evaluations| MOST_EVALUATIONS.min(evaluations as u64))
+}
+
+impl<C: Coords> Attempt<'_, C> {
     /// The fewest steps that meet the goal, between those that miss it and those that are known to meet it.
-    fn refined(&self, problem: &Problem<'_, H, K>, mut steps: u64, mut error: f64) -> Result<Choice, ChooseError> {
+    fn refined(
+        &self,
+        problem: &Problem<'_, C>,
+        splitting: Split,
+        mut steps: u64,
+        mut error: f64,
+    ) -> Result<Choice, ChooseError> {
         let candidate = &self.candidate;
         let mut missed = self.missed;
         loop {
@@ -91,8 +124,9 @@ impl<H: Hamiltonian, K: Precision> Attempt<H, K> {
             }
         }
         Ok(Choice {
-            composition: candidate.name,
-            order: candidate.order,
+            splitting,
+            composition: candidate.facts.name,
+            order: candidate.facts.order,
             class: candidate.class,
             step: problem.span / steps as f64,
             steps,
@@ -104,12 +138,7 @@ impl<H: Hamiltonian, K: Precision> Attempt<H, K> {
 }
 
 /// Whether `error` is within the tolerance, and not because it happens to vanish for this number of steps alone.
-fn meets<H: Hamiltonian, K: Precision>(
-    problem: &Problem<'_, H, K>,
-    candidate: &Candidate<H, K>,
-    steps: u64,
-    error: f64,
-) -> bool {
+fn meets<C: Coords>(problem: &Problem<'_, C>, candidate: &Candidate<'_, C>, steps: u64, error: f64) -> bool {
     let tolerance = problem.goal.tolerance();
     within(error, tolerance) && within(problem.error(candidate, problem.finer(steps)), tolerance)
 }

@@ -1,0 +1,148 @@
+//! Splittings: systems without their types, as the problem of a choice sees them.
+
+use super::{
+    Split,
+    candidate::{Candidate, candidates},
+};
+use crate::{
+    check::{
+        oracle::{
+            compensated_steps::CompensatedSteps,
+            edges::fewest_steps,
+            exact::Motions,
+            reference::{Reference, series_reference},
+        },
+        property::energy::sample,
+        start::Start,
+        statistics::{
+            path::{PARTS, Path, Recorder, Scale},
+            points::{begin, flat_start, plain},
+        },
+    },
+    composition::catalogue::SofroniouSpaletta10,
+    error::Error,
+    hamiltonian::Hamiltonian,
+    state::{
+        coords::Coords,
+        flat::{Flat, flat, shaped},
+        phase::Phase,
+    },
+};
+
+/// The number of halvings of the time until flows in some two thousand evaluations follow the motion: over all
+/// of it, these are as many as a run has at most.
+const HALVINGS: i32 = 15;
+
+/// One way to split a Hamiltonian: any system, for states of these coordinates.
+pub trait Splitting<C: Coords> {
+    /// What a choice measures of it.
+    #[doc(hidden)]
+    fn measured(&self) -> Erased<'_, C>;
+}
+
+impl<H: Hamiltonian, C: Coords> Splitting<C> for H
+where
+    H::Coords: Coords<With<C::Leaf> = C>,
+{
+    fn measured(&self) -> Erased<'_, C> {
+        Erased(self)
+    }
+}
+
+/// A system without its type.
+pub struct Erased<'s, C>(pub(super) &'s dyn Measured<C>);
+
+/// The kinetic energy of a state at a time, or what is taken for it, and the energy.
+type Energies<'s, C> = Box<dyn Fn(&Phase<C>, f64) -> [f64; 2] + 's>;
+
+/// What a choice measures of a system.
+pub(super) trait Measured<C: Coords> {
+    /// Its name.
+    fn name(&self) -> Split;
+
+    /// The system under each composition that it admits.
+    fn candidates(&self) -> Vec<Candidate<'_, C>>;
+
+    /// Whether a run may begin at a start.
+    fn begin(&self, start: &Start<C>, h: f64) -> Result<(), Error>;
+
+    /// Whether the Hamiltonian does not read the time.
+    fn autonomous(&self) -> bool;
+
+    /// Whether the clock decides on pieces of the Hamiltonian.
+    fn piecewise_in_time(&self) -> bool;
+
+    /// The fewest steps that end where pieces do, of points along the motion; else the time of an edge.
+    fn fewest_steps(&self, start: &Start<C>, points: &[Flat], span: f64) -> Result<u64, f64>;
+
+    /// The motion in so many steps of order 10 with a compensated state, recorded after every step. It has no ends if
+    /// the run diverges.
+    fn path(&self, start: &Start<C>, span: f64, steps: u64) -> (Path, Scale);
+
+    /// The motion by a Taylor series, where there is one.
+    fn series(&self, start: &Start<C>, span: f64) -> Option<Reference>;
+
+    /// The energies of states of this length.
+    fn energies(&self, length: usize) -> Energies<'_, C>;
+}
+
+impl<H: Hamiltonian, C: Coords> Measured<C> for H
+where
+    H::Coords: Coords<With<C::Leaf> = C>,
+{
+    fn name(&self) -> Split {
+        let name = std::any::type_name::<H>();
+        let path = &name[..name.find('<').unwrap_or(name.len())];
+        let begin = path.rfind("::").map_or(0, |colons| colons + 2);
+        Split { system: &path[begin..], parts: H::PARTS }
+    }
+
+    fn candidates(&self) -> Vec<Candidate<'_, C>> {
+        candidates::<H, C::Leaf>(self)
+    }
+
+    fn begin(&self, start: &Start<C>, h: f64) -> Result<(), Error> {
+        begin::<H, _, C::Leaf>(self, H::Compose::default(), start, h).map(|_| ())
+    }
+
+    fn autonomous(&self) -> bool {
+        H::AUTONOMOUS
+    }
+
+    fn piecewise_in_time(&self) -> bool {
+        H::PIECEWISE_IN_TIME
+    }
+
+    fn fewest_steps(&self, start: &Start<C>, points: &[Flat], span: f64) -> Result<u64, f64> {
+        let shape = plain::<H, C::Leaf>(&start.phase);
+        let points: Vec<_> = points.iter().map(|point| shaped(&shape, point)).collect();
+        fewest_steps(self, &points, start.time, span)
+    }
+
+    fn path(&self, start: &Start<C>, span: f64, steps: u64) -> (Path, Scale) {
+        let start = plain::<H, C::Leaf>(&start.phase).at_time(start.time);
+        let begin = flat(&start.phase);
+        let recorded = || -> Result<_, Error> {
+            let mut recorder = Recorder::new(begin.clone(), steps / PARTS);
+            let mut run = CompensatedSteps::new(self, SofroniouSpaletta10, start, span / steps as f64)?;
+            for _ in 0..steps {
+                recorder.record(run.advance(1)?);
+            }
+            Ok(recorder.finish())
+        };
+        recorded().unwrap_or_else(|_| Recorder::new(begin.clone(), 1).finish())
+    }
+
+    fn series(&self, start: &Start<C>, span: f64) -> Option<Reference> {
+        let start = plain::<H, C::Leaf>(&start.phase).at_time(start.time);
+        series_reference(&Motions { system: self, shape: &start.phase }, &flat_start(&start), span, HALVINGS)
+    }
+
+    fn energies(&self, length: usize) -> Energies<'_, C> {
+        let parameters = self.parameters(length);
+        Box::new(move |state, time| {
+            let found = sample::<H, C::Leaf>(&parameters, state, time);
+            [found.kinetic, found.energy]
+        })
+    }
+}
