@@ -107,7 +107,7 @@ pub use ensemble::in_lanes::InLanes;
 pub use error::{Divergence, Error, Lost, Misread, NotFinite, Unsolved};
 pub use hamiltonian::{Hamiltonian, QuadraticKinetic};
 pub use integrator_macros::{composition, hamiltonian};
-pub use methods::pace::{Logarithmic, Paced, Power};
+pub use methods::pace::{Logarithmic, Paced, Power, Rated, TimeTransformed};
 #[cfg(feature = "reference")]
 pub use methods::reference;
 pub use methods::taylor;

@@ -8,6 +8,9 @@ use crate::{
     trajectory::{engine::BLOCK, run::Run},
 };
 
+/// The part of the way to a time that is gone at once, at the mean pace.
+const CAUTION: f64 = 0.875;
+
 /// After so many shorter steps the time is as near as it gets.
 const TRIALS: u32 = 200;
 
@@ -78,29 +81,33 @@ impl<C: Coords> Run<C> {
         self.advance(end.saturating_sub(clock.steps))
     }
 
-    /// The same where the time is part of the state: ever more steps at once, until some lead beyond the time and are taken
-    /// back.
+    /// The same where the time is part of the state: ever more steps at once, but fewer than would lead there at the mean
+    /// pace of the last ones. Those that lead beyond the time are taken back.
     fn steps_in_own_time_to(&mut self, time: f64) -> Result<(), Error> {
         let mut block = 1;
-        loop {
-            let before = self.time_at_step();
+        let mut before = self.time_at_step();
+        while before != time {
             self.advance(block)?;
             let after = self.time_at_step();
-            if self.is_beyond(after, time) {
+            if after == before {
+                return Err(Error::Clock { h: self.clock.h, time: after });
+            }
+            let step = (after - before) / block as f64;
+            let longest = if self.is_beyond(after, time) {
                 self.take_back(block);
                 if block == 1 {
-                    return Ok(());
+                    break;
                 }
-                block /= 2;
-            } else if after == time {
-                return Ok(());
-            } else if after == before {
-                return Err(Error::Clock { h: self.clock.h, time: after });
-            } else if self.watch.is_none() {
-                // Within a block of the engine, which keeps where it began.
-                block = BLOCK.min(2 * block);
-            }
+                block / 2
+            } else {
+                before = after;
+                // A watch looks at each step; a block of the engine is what it takes back.
+                if self.watch.is_some() { 1 } else { BLOCK.min(2 * block) }
+            };
+            block = (CAUTION * (time - before) / step) as u64;
+            block = block.clamp(1, longest);
         }
+        Ok(())
     }
 
     /// Shows the run at a time within the next step.

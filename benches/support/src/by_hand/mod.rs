@@ -6,6 +6,7 @@
 //! | [`points`] | pendulum, Hénon-Heiles and Kepler over any vector: a single trajectory or lanes of an ensemble |
 //! | [`oscillators`] | Hénon-Heiles as oscillators that turn by prepared angles, and kicks of the rest |
 //! | [`swarm`] | ensembles of these, several vectors in flight |
+//! | [`pace`] | two bodies in steps of the logarithmic Hamiltonian |
 //! | [`row`] | six bodies, and 32 sites of a chain, side by side in registers |
 //! | [`orbits`] | five planets on Kepler orbits side by side in registers |
 //! | [`chain`] | long chains in one pass per step, several steps per tile, and in two plain passes |
@@ -17,6 +18,7 @@ pub mod chain;
 pub mod law;
 pub mod orbits;
 pub mod oscillators;
+pub mod pace;
 pub mod plain;
 pub mod plane;
 pub mod points;

@@ -41,12 +41,17 @@ impl HandWritten for PlainPendulum {
     }
 }
 
+/// A stepper after some steps.
+pub(super) fn march<T: HandWritten>(by_hand: T, plan: &Plan, steps: u64) -> T {
+    enter_scalar(March { by_hand, plan, steps })
+}
+
 /// The pendulum with the sine of the standard library.
 pub fn pendulum(system: &Pendulum, start: Phase<[f64; 1]>, plan: &Plan, steps: u64) -> Phase<[f64; 1]> {
     let mobility = 1.0 / (system.mass * system.length * system.length);
     let torque = system.mass * system.gravity * system.length;
     let by_hand = PlainPendulum { q: start.q[0], p: start.p[0], mobility, torque };
-    let end = enter_scalar(March { by_hand, plan, steps });
+    let end = march(by_hand, plan, steps);
     Phase::new([end.q], [end.p])
 }
 
@@ -84,7 +89,7 @@ impl HandWritten for PlainSolar {
 /// The outer solar system, pair by pair.
 pub fn solar(system: &Solar, start: Phase<[[f64; 3]; 6]>, plan: &Plan, steps: u64) -> Phase<[[f64; 3]; 6]> {
     let by_hand = PlainSolar { masses: system.masses, q: start.q, p: start.p };
-    let end = enter_scalar(March { by_hand, plan, steps });
+    let end = march(by_hand, plan, steps);
     Phase::new(end.q, end.p)
 }
 

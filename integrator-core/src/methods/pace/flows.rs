@@ -37,7 +37,7 @@ impl<H: TimeTransformed> Transformation<H> for Ln {
     }
     #[inline(always)]
     fn drift<R: Real, K: Precision>(motion: &mut TimedOf<H, R, K>, duration: R) {
-        let energy = H::kinetic_of::<R, K>(&motion.state) + motion.beside;
+        let energy = H::kinetic_plus::<R, K>(&motion.state, motion.beside);
         let duration = duration / energy;
         H::drift_for::<R, K>(&mut motion.state, duration);
         motion.pass(duration, energy);
@@ -62,7 +62,7 @@ impl<H: TimeTransformed> Transformation<H> for ToPower {
     }
     #[inline(always)]
     fn drift<R: Real, K: Precision>(motion: &mut TimedOf<H, R, K>, duration: R) {
-        let energy = H::kinetic_of::<R, K>(&motion.state) + motion.beside;
+        let energy = H::kinetic_plus::<R, K>(&motion.state, motion.beside);
         let duration = duration * slope_of_power(energy, motion.exponent);
         H::drift_for::<R, K>(&mut motion.state, duration);
         motion.pass(duration, energy);
@@ -82,7 +82,7 @@ impl<H: TimeTransformed> Transformation<H> for ToPower {
 /// `B = -H`, a number without a tangent: the map of `(q, p)` is symplectic at a fixed `B`.
 #[inline(always)]
 fn momentum_of_time<H: TimeTransformed, R: Real, K: Precision>(motion: &TimedOf<H, R, K>) -> R {
-    let energy = H::kinetic_of::<R, K>(&motion.state) + H::potential_of::<R, K>(&motion.state);
+    let energy = H::kinetic_plus::<R, K>(&motion.state, H::potential_of::<R, K>(&motion.state));
     R::parameter(&|lane| -energy.lane(lane))
 }
 

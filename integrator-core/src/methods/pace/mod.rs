@@ -30,8 +30,8 @@ pub type PlainMotion<H, R, K> = Plain<R, Shaped<H, K>, <H as Hamiltonian>::Param
             of the functions themselves"
 )]
 pub trait TimeTransformed: Hamiltonian {
-    /// `T`.
-    fn kinetic_of<R: Real, K: Precision>(motion: &PlainMotion<Self, R, K>) -> R;
+    /// `T` and a number.
+    fn kinetic_plus<R: Real, K: Precision>(motion: &PlainMotion<Self, R, K>, more: R) -> R;
     /// `V`.
     fn potential_of<R: Real, K: Precision>(motion: &PlainMotion<Self, R, K>) -> R;
     /// The exact flow of `T`.

@@ -55,7 +55,7 @@ impl<R: Real, C: Coords, P> Timed<R, C, P> {
         }
         let reason = |lane| {
             let value: f64 = left.lane(lane);
-            (value <= 0.0).then(|| match self.transforms_energy {
+            (value <= 0.0).then_some(match self.transforms_energy {
                 true => Unsolved::Domain { value },
                 false => Unsolved::Rate { value },
             })

@@ -7,7 +7,13 @@
 use super::{Flow, buffer, stores};
 use crate::{
     differentiate::{Contribution, gradient},
-    emit::printer::{block::Emitter, fields::lower_roots, frame::Frame, function::Lines, names::Names},
+    emit::printer::{
+        block::Emitter,
+        fields::lower_roots,
+        frame::Frame,
+        function::{Body, Lines},
+        names::Names,
+    },
     graph::{Graph, Node, NodeId, Part},
     program::{Sink, Store, is_direct},
 };
@@ -25,7 +31,12 @@ pub(crate) fn functions(
     let logarithm = logarithm(graph, v);
     let logarithm = graph.neg(logarithm);
     let logarithmic = gradient(graph, logarithm, Part::Position);
-    let [t, v_alone] = [("kinetic_of", t), ("potential_of", v)].map(|(name, node)| value(emitter, name, node));
+    // No energy here reads the explicit time, whose leaf stands for what is added: one rounding less, and one addition.
+    let graph = &mut emitter.model.graph;
+    let time = graph.time();
+    let sum = graph.add(t, time);
+    let kinetic_plus = value_with(emitter, "kinetic_plus", sum, true);
+    let v_alone = value(emitter, "potential_of", v);
     let lines = [(kinetic, Part::Momentum), (potential, Part::Position), (&logarithmic, Part::Position)]
         .map(|(gradient, part)| Flow::lines_along(emitter, gradient, part, &Frame::Motion));
     let [drift, kick, direct] = lines;
@@ -39,7 +50,7 @@ pub(crate) fn functions(
         ("logarithmic_kick", quote!(-duration), logarithmic),
     ];
     let flows = flows.map(|(name, step, lines)| flow(emitter, name, step, lines));
-    quote!(#t #v_alone #(#flows)*)
+    quote!(#kinetic_plus #v_alone #(#flows)*)
 }
 
 /// The items of the runtime's `Rated`: the pace, and a kick with what it adds to the auxiliary variable, `duration` times the
@@ -117,14 +128,26 @@ fn collected(emitter: &mut Emitter<'_>, potential: &[Contribution], energy: Node
 
 /// The function that returns a value.
 fn value(emitter: &mut Emitter<'_>, name: &str, node: NodeId) -> TokenStream {
+    value_with(emitter, name, node, false)
+}
+
+/// The same, perhaps with a number that it adds.
+fn value_with(emitter: &mut Emitter<'_>, name: &str, node: NodeId, adds: bool) -> TokenStream {
     let node = lower_roots(emitter.model, &[node])[0];
-    let body = emitter.value(&Frame::Motion, node).body(&emitter.names.scalar);
-    let (motion, body) = (body.argument("motion"), &body.0);
+    let Lines { tokens: body, .. } = emitter.value(&Frame::Motion, node);
+    let motion = Body::new(body.clone()).argument("motion");
     let name = Ident::new(name, Span::call_site());
     let Names { runtime, scalar, leaf, .. } = emitter.names;
+    let (argument, binding) = match adds {
+        true => (Some(quote!(, more: #scalar)), Some(quote!(let time = more;))),
+        false => (None, None),
+    };
     quote! {
         #[inline(always)]
-        fn #name<#scalar: #runtime::Real, #leaf: #runtime::Precision>(#motion: &#runtime::PlainMotion<Self, #scalar, #leaf>) -> #scalar { #body }
+        fn #name<#scalar: #runtime::Real, #leaf: #runtime::Precision>(#motion: &#runtime::PlainMotion<Self, #scalar, #leaf> #argument) -> #scalar {
+            #binding
+            #body
+        }
     }
 }
 

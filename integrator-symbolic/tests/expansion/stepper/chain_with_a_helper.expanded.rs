@@ -71,7 +71,7 @@ const _: () = {
             Parameters<Scalar>,
         >;
         const AUTONOMOUS: bool = true;
-        const FINGERPRINT: u64 = 14549085854003944973;
+        const FINGERPRINT: u64 = 615648716343465791;
         const WIDE: bool = true;
         const STENCIL_RADII: ::core::option::Option<runtime::StencilRadii> = ::core::option::Option::Some(
             runtime::StencilRadii::of::<Self>(),
@@ -244,15 +244,17 @@ const _: () = {
     #[automatically_derived]
     impl runtime::TimeTransformed for Chain {
         #[inline(always)]
-        fn kinetic_of<Scalar: runtime::Real, Leaf: runtime::Precision>(
+        fn kinetic_plus<Scalar: runtime::Real, Leaf: runtime::Precision>(
             motion: &runtime::PlainMotion<Self, Scalar, Leaf>,
+            more: Scalar,
         ) -> Scalar {
+            let time = more;
             let mut sum_0 = Scalar::of(0.0);
             for i in 0..32 {
                 let p_i = motion.p[i].value();
                 sum_0 = Scalar::of(0.5).fma(p_i * p_i, sum_0);
             }
-            sum_0
+            sum_0 + time
         }
         #[inline(always)]
         fn potential_of<Scalar: runtime::Real, Leaf: runtime::Precision>(

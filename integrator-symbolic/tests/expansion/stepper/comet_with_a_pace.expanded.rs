@@ -71,7 +71,7 @@ const _: () = {
             Parameters<Scalar>,
         >;
         const AUTONOMOUS: bool = true;
-        const FINGERPRINT: u64 = 2290288180462074712;
+        const FINGERPRINT: u64 = 15536687880094885655;
         fn parameters(&self, _length: usize) -> Parameters<f64> {
             Parameters {
                 prepared_0: 0.5 * (-self.pull),
@@ -199,12 +199,14 @@ const _: () = {
     #[automatically_derived]
     impl runtime::TimeTransformed for Comet {
         #[inline(always)]
-        fn kinetic_of<Scalar: runtime::Real, Leaf: runtime::Precision>(
+        fn kinetic_plus<Scalar: runtime::Real, Leaf: runtime::Precision>(
             motion: &runtime::PlainMotion<Self, Scalar, Leaf>,
+            more: Scalar,
         ) -> Scalar {
+            let time = more;
             let p0 = motion.p[0].value();
             let p1 = motion.p[1].value();
-            Scalar::of(0.5) * p1.fma(p1, p0 * p0)
+            Scalar::of(0.5).fma(p1.fma(p1, p0 * p0), time)
         }
         #[inline(always)]
         fn potential_of<Scalar: runtime::Real, Leaf: runtime::Precision>(

@@ -107,7 +107,7 @@ const _: () = {
             Parameters<Scalar>,
         >;
         const AUTONOMOUS: bool = true;
-        const FINGERPRINT: u64 = 16784142886676916334;
+        const FINGERPRINT: u64 = 1213810291420779326;
         fn parameters(&self, _length: usize) -> Parameters<f64> {
             Parameters {
                 stiffness: self.stiffness,
@@ -200,11 +200,13 @@ const _: () = {
     #[automatically_derived]
     impl runtime::TimeTransformed for Oscillator {
         #[inline(always)]
-        fn kinetic_of<Scalar: runtime::Real, Leaf: runtime::Precision>(
+        fn kinetic_plus<Scalar: runtime::Real, Leaf: runtime::Precision>(
             motion: &runtime::PlainMotion<Self, Scalar, Leaf>,
+            more: Scalar,
         ) -> Scalar {
+            let time = more;
             let p0 = motion.p[0].value();
-            Scalar::of(0.5) * (p0 * p0)
+            Scalar::of(0.5).fma(p0 * p0, time)
         }
         #[inline(always)]
         fn potential_of<Scalar: runtime::Real, Leaf: runtime::Precision>(

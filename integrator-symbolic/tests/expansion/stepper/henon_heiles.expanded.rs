@@ -32,7 +32,7 @@ const _: () = {
             Parameters,
         >;
         const AUTONOMOUS: bool = true;
-        const FINGERPRINT: u64 = 3688780702564363163;
+        const FINGERPRINT: u64 = 2248178741352724398;
         fn parameters(&self, _length: usize) -> Parameters {
             Parameters
         }
@@ -137,12 +137,14 @@ const _: () = {
     #[automatically_derived]
     impl runtime::TimeTransformed for HenonHeiles {
         #[inline(always)]
-        fn kinetic_of<Scalar: runtime::Real, Leaf: runtime::Precision>(
+        fn kinetic_plus<Scalar: runtime::Real, Leaf: runtime::Precision>(
             motion: &runtime::PlainMotion<Self, Scalar, Leaf>,
+            more: Scalar,
         ) -> Scalar {
+            let time = more;
             let p0 = motion.p[0].value();
             let p1 = motion.p[1].value();
-            Scalar::of(0.5) * p1.fma(p1, p0 * p0)
+            Scalar::of(0.5).fma(p1.fma(p1, p0 * p0), time)
         }
         #[inline(always)]
         fn potential_of<Scalar: runtime::Real, Leaf: runtime::Precision>(

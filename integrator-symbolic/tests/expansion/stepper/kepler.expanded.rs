@@ -51,7 +51,7 @@ const _: () = {
             Parameters<Scalar>,
         >;
         const AUTONOMOUS: bool = true;
-        const FINGERPRINT: u64 = 18375946215798109811;
+        const FINGERPRINT: u64 = 8449238305070511480;
         const WIDE: bool = true;
         fn parameters(&self, _length: usize) -> Parameters<f64> {
             Parameters {
@@ -160,12 +160,14 @@ const _: () = {
     #[automatically_derived]
     impl runtime::TimeTransformed for Kepler {
         #[inline(always)]
-        fn kinetic_of<Scalar: runtime::Real, Leaf: runtime::Precision>(
+        fn kinetic_plus<Scalar: runtime::Real, Leaf: runtime::Precision>(
             motion: &runtime::PlainMotion<Self, Scalar, Leaf>,
+            more: Scalar,
         ) -> Scalar {
+            let time = more;
             let p0 = motion.p[0].value();
             let p1 = motion.p[1].value();
-            Scalar::of(0.5) * p1.fma(p1, p0 * p0)
+            Scalar::of(0.5).fma(p1.fma(p1, p0 * p0), time)
         }
         #[inline(always)]
         fn potential_of<Scalar: runtime::Real, Leaf: runtime::Precision>(

@@ -73,7 +73,7 @@ const _: () = {
             3,
         >;
         const AUTONOMOUS: bool = true;
-        const FINGERPRINT: u64 = 9458248294691248813;
+        const FINGERPRINT: u64 = 10549568086600569737;
         const WIDE: bool = true;
         fn parameters(&self, _length: usize) -> Parameters<f64> {
             Parameters {
@@ -289,9 +289,11 @@ const _: () = {
     #[automatically_derived]
     impl runtime::TimeTransformed for Solar {
         #[inline(always)]
-        fn kinetic_of<Scalar: runtime::Real, Leaf: runtime::Precision>(
+        fn kinetic_plus<Scalar: runtime::Real, Leaf: runtime::Precision>(
             motion: &runtime::PlainMotion<Self, Scalar, Leaf>,
+            more: Scalar,
         ) -> Scalar {
+            let time = more;
             let mut sum_1 = Scalar::of(0.0);
             for i in 0..6 {
                 let mut sum_0 = Scalar::of(0.0);
@@ -301,7 +303,7 @@ const _: () = {
                 }
                 sum_1 += sum_0;
             }
-            sum_1
+            sum_1 + time
         }
         #[inline(always)]
         fn potential_of<Scalar: runtime::Real, Leaf: runtime::Precision>(

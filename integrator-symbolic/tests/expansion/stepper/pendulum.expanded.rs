@@ -53,7 +53,7 @@ const _: () = {
             Parameters<Scalar>,
         >;
         const AUTONOMOUS: bool = true;
-        const FINGERPRINT: u64 = 4493721001583526745;
+        const FINGERPRINT: u64 = 18258742712022694463;
         fn parameters(&self, length: usize) -> Parameters<f64> {
             Parameters {
                 prepared_0: 2.0 / (2.0 * self.mass * self.length.powi(2)),
@@ -146,11 +146,13 @@ const _: () = {
     #[automatically_derived]
     impl runtime::TimeTransformed for Pendulum {
         #[inline(always)]
-        fn kinetic_of<Scalar: runtime::Real, Leaf: runtime::Precision>(
+        fn kinetic_plus<Scalar: runtime::Real, Leaf: runtime::Precision>(
             motion: &runtime::PlainMotion<Self, Scalar, Leaf>,
+            more: Scalar,
         ) -> Scalar {
+            let time = more;
             let p0 = motion.p[0].value();
-            motion.parameters.prepared_2 * (p0 * p0)
+            motion.parameters.prepared_2.fma(p0 * p0, time)
         }
         #[inline(always)]
         fn potential_of<Scalar: runtime::Real, Leaf: runtime::Precision>(

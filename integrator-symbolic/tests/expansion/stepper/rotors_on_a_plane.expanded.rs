@@ -60,7 +60,7 @@ const _: () = {
             Parameters<Scalar>,
         >;
         const AUTONOMOUS: bool = true;
-        const FINGERPRINT: u64 = 6877953778430296866;
+        const FINGERPRINT: u64 = 9108320018521233892;
         const WIDE: bool = true;
         fn parameters(&self, length: usize) -> Parameters<f64> {
             Parameters {
@@ -217,9 +217,11 @@ const _: () = {
     #[automatically_derived]
     impl runtime::TimeTransformed for Rotors {
         #[inline(always)]
-        fn kinetic_of<Scalar: runtime::Real, Leaf: runtime::Precision>(
+        fn kinetic_plus<Scalar: runtime::Real, Leaf: runtime::Precision>(
             motion: &runtime::PlainMotion<Self, Scalar, Leaf>,
+            more: Scalar,
         ) -> Scalar {
+            let time = more;
             let mut sum_1 = Scalar::of(0.0);
             for i in 0..motion.q.len() {
                 let mut sum_0 = Scalar::of(0.0);
@@ -229,7 +231,7 @@ const _: () = {
                 }
                 sum_1 += sum_0;
             }
-            sum_1
+            sum_1 + time
         }
         #[inline(always)]
         fn potential_of<Scalar: runtime::Real, Leaf: runtime::Precision>(
