@@ -2,12 +2,17 @@
 
 #[path = "../examples/trojan/asteroid.rs"]
 mod asteroid;
+#[path = "../examples/pythagorean/bodies.rs"]
+mod bodies;
 #[path = "../examples/fput_recurrence/chain.rs"]
 mod chain;
 #[path = "../examples/fput_recurrence/picture.rs"]
 mod chain_picture;
 #[path = "support/drawn.rs"]
 mod drawn;
+#[path = "../examples/halley/comet.rs"]
+#[allow(dead_code, reason = "the pictures of the example read more of it")]
+mod halley;
 #[path = "../examples/lennard_jones/liquid.rs"]
 mod liquid;
 #[path = "../examples/lennard_jones/picture.rs"]
@@ -259,6 +264,34 @@ fn planets_need_few_steps_beside_their_orbits() {
     let [by_kepler, _] = planets::end(&planets::Planets(system), Aba1064, start, 4096).expect("a run");
     assert!(by_kepler < 1e-10, "{by_kepler:e}");
     assert!(separable > 1e-6, "{separable:e}");
+}
+
+/// Observed were 20.18 April 1910 and 9.46 February 1986; the jets of the comet, which are worth four days a revolution, and
+/// the inner planets are missing.
+#[test]
+fn halleys_comet_comes_when_it_was_seen() {
+    let (system, start) = halley::start().expect("the table of the examples");
+    let days = halley::perihelia(&system, start, [2_410_000.0, halley::BEGIN + 100.0]).expect("finite states");
+    let [last, before] = days[..] else { panic!("two perihelia: {days:?}") };
+    let known = |year| halley::KNOWN.iter().find(|(of, _)| *of == year).expect("a year").1;
+    assert!((last - known(1986)).abs() < 1.0, "{last}");
+    assert!((before - known(1910)).abs() < 4.0, "{before}");
+}
+
+/// Szebehely and Peters (1967): the closest approach is 4e-4 near t = 15.8299; at the end mass 3 leaves and the others are a
+/// binary.
+#[test]
+fn the_pythagorean_problem_ends_as_published() {
+    let (distance, time) = bodies::closest_approach(0.1).expect("finite states");
+    assert!((4e-4..4.3e-4).contains(&distance) && (time - 15.8299).abs() < 1e-3, "{distance:e} at {time}");
+    let [(coarse, _), (fine, change)] = [0.1, 0.07].map(|h| bodies::end(h).expect("finite states"));
+    assert!(change.abs() < 1e-11, "{change:e}");
+    let q = fine.state().q;
+    let [near, far] = [bodies::distance(&q, 1, 2), bodies::distance(&q, 0, 1)];
+    assert!(near < 1.0 && far > 25.0, "{near} and {far}");
+    // Roundings grow by ten million on the way.
+    let apart = (coarse.state().q[0][0].value - q[0][0].value).abs();
+    assert!(apart < 1e-4, "{apart:e}");
 }
 
 /// The linear theory of the triangle's corner has 147.4 years for Jupiter (Danby 1962).
