@@ -270,6 +270,18 @@ pub enum Unsolved {
         /// The last update, relative to the largest coordinate.
         update: f64,
     },
+    /// The fixed-point iteration for an implicit step did not converge, and the library was built without the feature
+    /// `check`, which brings Newton's.
+    #[error(
+        "the iteration still moves by {update:.1e} of the state after {iterations} rounds; a smaller step helps, or \
+         Newton's method, which the feature `check` brings"
+    )]
+    Contraction {
+        /// How many iterations were made.
+        iterations: u32,
+        /// The last update, relative to the largest coordinate.
+        update: f64,
+    },
     /// The motion comes near a singularity, and the steps of the Taylor method are too short for the clock.
     #[error("the motion is singular near t = {time}, where steps of {reach:.1e} no longer move the clock")]
     Singular {

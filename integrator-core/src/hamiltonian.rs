@@ -2,10 +2,7 @@
 //! them.
 
 use crate::{
-    composition::{
-        Composition,
-        visitor::{Visitor, visit_general},
-    },
+    composition::visitor::{Visitor, visit_general},
     error::Error,
     flow::doubled::{Moved, Read},
     layout::lattice::{
@@ -16,7 +13,10 @@ use crate::{
     scalar::real::Real,
     state::{coords::Coords, phase::Phase, precision::Precision},
     system::motion::{Motion, Prepared},
-    trajectory::{method::Method, run::Run},
+    trajectory::{
+        method::{Memoryless, Method},
+        run::Run,
+    },
 };
 use core::ops::Range;
 
@@ -41,14 +41,15 @@ pub type MovedBy<'m, H, R, K> = Moved<'m, SlotsOf<H, R, K>>;
 pub trait Hamiltonian: Sized {
     /// The shape of `q` and of `p`, with `f64` leaves.
     type Coords: Coords<Leaf = f64, With<f64> = Self::Coords>;
-    /// The annotated composition.
-    type Compose: Composition<Self>;
+    /// The annotated composition, or another method.
+    type Compose: Memoryless<Self>;
     /// The prepared constants, which depend on parameters alone.
     type Parameters<R: Real>: Prepared<R, Single = Self::Parameters<f64>>;
     /// Prepared constants and state, in the layout that the generator chose.
     type Motion<R: Real, K: Precision>: Motion<Shaped<Self, K>, Self::Parameters<f64>>;
 
-    /// The names of the parts, in the order of the letters A, B, C.
+    /// The names of the parts, in the order of the letters A, B, C; none where H stays in one piece, which methods that
+    /// take the whole of its field integrate and no composition.
     const PARTS: &'static [&'static str] = &["kinetic", "potential"];
     /// Whether H = T(p) + V(q): a drift moves positions alone, by what momenta say, a kick momenta alone.
     const SEPARABLE: bool = true;

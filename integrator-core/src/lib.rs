@@ -107,6 +107,7 @@ pub use ensemble::in_lanes::InLanes;
 pub use error::{Divergence, Error, Lost, Misread, NotFinite, Unsolved};
 pub use hamiltonian::{Hamiltonian, QuadraticKinetic};
 pub use integrator_macros::{composition, hamiltonian};
+pub use methods::implicit::{GaussLegendre4, GaussLegendre6, ImplicitMidpoint};
 pub use methods::pace::{Logarithmic, Paced, Power, Rated, TimeTransformed};
 #[cfg(feature = "reference")]
 pub use methods::reference;
@@ -122,7 +123,7 @@ pub use state::phase::Phase;
 #[cfg(feature = "checkpoint")]
 pub use trajectory::checkpoint::CheckpointError;
 pub use trajectory::crossings::{Crossings, Direction};
-pub use trajectory::method::{Described, Facts, Method};
+pub use trajectory::method::{Described, Facts, Memoryless, Method};
 pub use trajectory::run::Run;
 pub use trajectory::samples::{Sample, Samples, SamplesAt};
 
@@ -153,8 +154,9 @@ pub mod prelude {
     pub use crate::check::{Certificate, certify};
     pub use crate::composition::catalogue::*;
     pub use crate::{
-        Compensated, Composition, Crossings, Direction, Error, Fixed, Hamiltonian, Logarithmic, Paced, Phase, Power,
-        Run, Sample, Samples, SamplesAt, Scheme, composition, hamiltonian,
+        Compensated, Composition, Crossings, Direction, Error, Fixed, GaussLegendre4, GaussLegendre6, Hamiltonian,
+        ImplicitMidpoint, Logarithmic, Paced, Phase, Power, Run, Sample, Samples, SamplesAt, Scheme, composition,
+        hamiltonian,
     };
 }
 
@@ -189,6 +191,7 @@ pub mod __private {
                 window::Window,
             },
         },
+        methods::implicit::{ImplicitMidpoint, TakesWhole},
         methods::pace::{PlainMotion, Rated, TimeTransformed},
         methods::taylor::{
             Recurrences, RecurrencesVisitor,

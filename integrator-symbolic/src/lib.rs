@@ -138,7 +138,8 @@ fn valid_model(input: &Input, errors: &mut Errors) -> Option<Model> {
 /// of `T` and `V`.
 fn check_taylor(input: &Input, model: &Model, errors: &mut Errors) {
     if let (Some(span), false) = (input.taylor, model.is_separable()) {
-        errors.at_span(span, "series are written for H = T(p) + V(q), and these parts are others: leave out `taylor`");
+        errors
+            .at_span(span, "series are written for H = T(p) + V(q), and this H is split otherwise: leave out `taylor`");
     }
     if let (Some(span), Some(name)) = (input.taylor, model.externals.first()) {
         let message = format!(

@@ -28,6 +28,8 @@ pub struct Report {
     pub quadratic_kinetic: bool,
     /// Whether H is `T(p) + V(q)`, in this order.
     pub separable: bool,
+    /// Whether H stays in one piece, which no composition integrates.
+    pub whole: bool,
     /// Whether no part reads the time.
     pub autonomous: bool,
     /// What moves the positions.
@@ -69,7 +71,8 @@ impl fmt::Display for Report {
         }
         if !self.separable {
             let time = if self.autonomous { "not read" } else { "read" };
-            writeln!(f, "H: in parts with exact flows; time: {time}")?;
+            let form = if self.whole { "in one piece" } else { "in parts with exact flows" };
+            writeln!(f, "H: {form}; time: {time}")?;
             return write!(f, "operations of the energies: {}", self.operations_of_energies);
         }
         let kinetic = if self.quadratic_kinetic { "quadratic in p, constant masses" } else { "general" };
@@ -131,6 +134,7 @@ pub(crate) fn report(input: &Input, mut model: Model) -> Report {
         equations,
         parts,
         quadratic_kinetic: model.quadratic,
+        whole: model.unsplit,
         separable: model.is_separable() && model.jacobi.is_none(),
         autonomous: model.autonomous,
         drift,

@@ -44,6 +44,8 @@ enum Split {
     Parts(Vec<Ident>),
     /// Into H of each of two copies of the state, and a coupling.
     Symmetric(Box<syn::Result<Expr>>),
+    /// Not at all.
+    Nowhere(Span),
 }
 
 /// The annotated impl and its annotation.
@@ -56,6 +58,8 @@ pub(crate) struct Input {
     pub(crate) coordinates: Option<Coordinates>,
     /// How tightly two copies of the state are coupled, where `split = symmetric(omega = ..)` asks for them.
     pub(crate) coupling: Option<Expr>,
+    /// Where H stays in one piece, `split = none`.
+    pub(crate) unsplit: Option<Span>,
     pub(crate) functions: Functions,
     /// Whether recurrences for Taylor series are asked for, and where.
     pub(crate) taylor: Option<Span>,
@@ -106,18 +110,20 @@ pub(crate) fn input(arguments: TokenStream, item: TokenStream, errors: &mut Erro
         return None;
     }
     let Arguments { compose, split, coordinates, functions, taylor, root } = arguments.unwrap_or_default();
-    let (split, coupling) = match split {
-        None => (Vec::new(), None),
-        Some(Split::Parts(names)) => (names, None),
-        Some(Split::Symmetric(coupling)) => {
+    let (mut names, mut coupling, mut unsplit) = (Vec::new(), None, None);
+    match split {
+        None => {}
+        Some(Split::Parts(parts)) => names = parts,
+        Some(Split::Nowhere(at)) => unsplit = Some(at),
+        Some(Split::Symmetric(stated)) => {
             // H is read as it is meant all the same.
             let one = || syn::parse_quote!(1.0);
-            (Vec::new(), Some(errors.keep(*coupling).unwrap_or_else(one)))
+            coupling = Some(errors.keep(*stated).unwrap_or_else(one));
         }
-    };
+    }
     let functions = functions.unwrap_or_default();
     let root = root.unwrap_or_else(|| syn::parse_quote!(::integrator_core));
-    Some(Input { compose, split, coordinates, coupling, functions, taylor, root, item })
+    Some(Input { compose, split: names, coordinates, coupling, unsplit, functions, taylor, root, item })
 }
 
 fn looks_like_impl(item: &TokenStream) -> bool {
@@ -205,10 +211,14 @@ fn misfit(input: ParseStream<'_>, key: Span, is: &str) -> syn::Error {
     input.error(format!("{is}; {EXPECTED}"))
 }
 
-/// The names of the parts, or `symmetric` with its coupling.
+/// The names of the parts, `symmetric` with its coupling, or `none`.
 fn split_of(input: ParseStream<'_>, key: Span) -> syn::Result<Split> {
     if input.fork().parse::<Ident>().is_ok_and(|name| name == "symmetric") && !input.peek2(Token![+]) {
         return coupling_of(input).map(|coupling| Split::Symmetric(Box::new(coupling)));
+    }
+    let here = input.fork();
+    if here.parse::<Ident>().is_ok_and(|name| name == "none") && !here.peek(Token![+]) {
+        return Ok(Split::Nowhere(input.parse::<Ident>()?.span()));
     }
     let is = "the parts of H are named by their functions, as in `split = kepler + interaction`";
     if !input.peek(Ident) {

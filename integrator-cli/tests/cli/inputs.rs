@@ -26,8 +26,8 @@ fn mistakes_are_shown_as_the_compiler_shows_them() {
     let message = refusal(&["show", &path]);
     let expected = format!(
         "error: this mixes q and p, so H is not separable: a splitting needs H = T(p) + V(q). Change to coordinates in \
-         which T depends on p alone, split H into parts with exact flows, `split = a + b`, or couple two copies of the \
-         state, `split = symmetric(omega = 20.0)`, where implicit methods such as `GaussLegendre4` run too
+         which T depends on p alone, split H into parts with exact flows, `split = a + b`, leave it in one piece for \
+         implicit methods, `split = none`, or couple two copies of the state, `split = symmetric(omega = 20.0)`
   --> {path}:10:8
    |
 10 | \t0.5 * (p[0] - self.charge * q[1]).powi(2) + 0.5 * p[1] * p[1]

@@ -147,7 +147,7 @@ fn certificate(subject: &Subject<'_>) -> Result<Certificate, CertifyError> {
     let gradient_tolerance = gradient_tolerance(subject.start.phase.q.len());
     let is_separable = subject.measured.stated().energies().is_separable();
     let visited = states.as_ref().map_err(Clone::clone);
-    let (gradient, flows) = if is_separable {
+    let (gradient, flows) = if is_separable || subject.measured.stated().energies().in_one_piece() {
         let gradient = findings.judge("the gradient", visited.and_then(|states| subject.gradient(states)), |error| {
             let (error, tolerance) = (*error, gradient_tolerance);
             (!within(error, tolerance)).then_some(Shortfall::Gradient { error, tolerance })

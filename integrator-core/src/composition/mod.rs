@@ -160,6 +160,11 @@ pub trait Scheme: Copy + Default + Send + Sync + 'static {
 /// A processor need not be a composition of whole steps, and orders that count powers of a small second part say
 /// nothing of a third one.
 pub const fn admits<X: Scheme>(parts: usize) {
+    assert!(
+        parts > 0,
+        "a composition composes exact flows, and `split = none` leaves H in one piece; `ImplicitMidpoint`, \
+         `GaussLegendre4` and `GaussLegendre6` integrate it"
+    );
     if parts > 2 {
         assert!(
             X::PROCESSOR.before.rows.is_empty(),

@@ -1,6 +1,8 @@
 //! Methods that are no compositions.
 
 #[allow(unreachable_pub, reason = "named in bounds, never outside")]
+pub mod implicit;
+#[allow(unreachable_pub, reason = "named in bounds, never outside")]
 pub mod pace;
 #[cfg(feature = "reference")]
 #[allow(unreachable_pub, reason = "named in bounds, never outside")]

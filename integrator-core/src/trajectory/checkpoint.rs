@@ -8,14 +8,14 @@
 //! steps of one that was never interrupted.
 
 use crate::{
-    composition::{Composition, Processor, Stage, Stages},
+    composition::{Processor, Stage, Stages},
     error::{Error, debug_as_display},
     hamiltonian::Hamiltonian,
     state::{clock::Clock, coords::Coords, digest::Digest, phase::Phase, precision::Precision},
     system::motion::Prepared,
     trajectory::{
         admissible::admissible_with,
-        method::{Described, Facts},
+        method::{Facts, Memoryless},
         run::Run,
     },
 };
@@ -295,7 +295,7 @@ impl<C: Coords> Run<C> {
     pub fn resume_with<H, X>(system: &H, composition: X, checkpoint: &[u8]) -> Result<Self, CheckpointError>
     where
         H: Hamiltonian,
-        X: Composition<H>,
+        X: Memoryless<H>,
         H::Coords: Coords<With<C::Leaf> = C>,
     {
         Self::resumed(system, composition, checkpoint, false)
@@ -326,7 +326,7 @@ impl<C: Coords> Run<C> {
     ) -> Result<Self, CheckpointError>
     where
         H: Hamiltonian,
-        X: Composition<H>,
+        X: Memoryless<H>,
         H::Coords: Coords<With<C::Leaf> = C>,
     {
         Self::resumed(system, composition, checkpoint, true)
@@ -335,7 +335,7 @@ impl<C: Coords> Run<C> {
     fn resumed<H, X>(system: &H, composition: X, checkpoint: &[u8], changed: bool) -> Result<Self, CheckpointError>
     where
         H: Hamiltonian,
-        X: Composition<H>,
+        X: Memoryless<H>,
         H::Coords: Coords<With<C::Leaf> = C>,
     {
         let stored = record(checkpoint)?;

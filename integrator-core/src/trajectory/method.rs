@@ -148,3 +148,15 @@ impl<H: Hamiltonian, X: Scheme + Composition<H>> Method<H> for X {
         of_composition::<H, X, R, K, E>()
     }
 }
+
+/// A method that goes on from positions and momenta alone: any composition, and implicit methods. An annotation may name it,
+/// and a checkpoint be resumed with it.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` is not a composition that may integrate `{H}`",
+    label = "not a composition for this Hamiltonian",
+    note = "`Verlet`, `Yoshida4` and all other compositions of general class integrate every separable Hamiltonian",
+    note = "a new one is declared with `composition! {{ pub struct Mine: order 2 = T(1/2) V(1) T(1/2); }}`"
+)]
+pub trait Memoryless<H: Hamiltonian>: Method<H> + Default {}
+
+impl<H: Hamiltonian, X: Scheme + Composition<H>> Memoryless<H> for X {}

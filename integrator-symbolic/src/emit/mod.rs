@@ -130,6 +130,7 @@ impl<'i> Stepper<'i> {
         let mut emitter = Emitter { model: &mut model, names: &names, fields: Fields::default() };
         let flows = match (emitter.model.coupling, emitter.model.is_separable()) {
             (Some(coupling), _) => Flows::of_copies(&mut emitter, coupling),
+            (None, _) if emitter.model.unsplit => Flows::none(),
             (None, true) => Flows::of(&mut emitter, &kinetic, &potential),
             (None, false) => Flows::of_parts(&mut emitter),
         };
@@ -285,6 +286,12 @@ fn named_parts(model: &Model) -> Option<TokenStream> {
             const COPIES: bool = true;
         });
     }
+    if model.unsplit {
+        return Some(quote! {
+            const PARTS: &'static [&'static str] = &[];
+            const SEPARABLE: bool = false;
+        });
+    }
     let mut names: Vec<_> = model.parts.iter().map(|part| part.name.to_string()).collect();
     if model.jacobi.is_some() {
         names = KEPLER_PARTS.map(str::to_owned).into();
@@ -306,6 +313,12 @@ fn named_parts(model: &Model) -> Option<TokenStream> {
 /// The loop over the compositions. The runtime shows every Hamiltonian those for general `T`; only here is it known that
 /// there are more, or fewer.
 fn visit_compositions(model: &Model, names: &Names) -> Option<TokenStream> {
+    if model.unsplit {
+        let runtime = &names.runtime;
+        return Some(quote!(
+            fn visit_compositions(_visitor: &mut impl #runtime::Visitor<Self>) {}
+        ));
+    }
     // Who names two parts may well have made the second one small.
     let are_two = model.jacobi.is_some() || model.parts.len() == 2;
     let visit = match model {
@@ -352,7 +365,18 @@ fn coordinates(model: &Model, names: &Names) -> TokenStream {
 fn composition(input: &Input, model: &Model, names: &Names) -> (TokenStream, Option<TokenStream>) {
     let (root, runtime) = (&input.root, &names.runtime);
     match &input.compose {
+        None if model.unsplit => (quote!(#runtime::ImplicitMidpoint), None),
         None => (quote!(#runtime::Verlet), None),
+        Some(Compose::Named(path)) if model.unsplit => {
+            let held = quote_spanned! {path.span()=>
+                const _: fn() = || {
+                    fn takes_whole<Method: #runtime::TakesWhole>() {}
+                    takes_whole::<#path>();
+                };
+            };
+            // A type parameter is not known out here.
+            (quote!(#path), input.item.generics.params.is_empty().then_some(held))
+        }
         Some(Compose::Named(path)) => {
             let parts = model.flows();
             // The compiler knows what the path names.

@@ -34,6 +34,7 @@ mod sorted_parts;
 mod statement;
 mod text;
 mod total;
+mod unsplit;
 mod value;
 
 use crate::{
@@ -84,6 +85,8 @@ pub(crate) struct Model {
     /// How tightly two copies of the state are coupled, each of which moves by what H says of the other; `None` where the
     /// state has no copy.
     pub(crate) coupling: Option<NodeId>,
+    /// Whether H stays in one piece, which no composition integrates.
+    pub(crate) unsplit: bool,
     pub(crate) shape: Shape,
     /// How many numbers or points the coordinates are, and how many components a point has.
     pub(crate) lengths: Vec<IndexId>,
@@ -141,7 +144,7 @@ impl Model {
     /// the first at most quadratic in p with a constant mass matrix.
     fn has_constant_mass(&self) -> bool {
         match &self.parts[..] {
-            [] if self.coupling.is_none() => {}
+            [] if self.coupling.is_none() && !self.unsplit => {}
             [_, ExactPart { form: Exact::OfPositions, .. }] => {}
             _ => return false,
         }
@@ -150,12 +153,17 @@ impl Model {
 
     /// How many parts a composition composes.
     pub(crate) fn flows(&self) -> usize {
-        if self.coupling.is_some() { 3 } else { self.parts.len().max(2) }
+        match self {
+            Self { unsplit: true, .. } => 0,
+            Self { coupling: Some(_), .. } => 3,
+            _ => self.parts.len().max(2),
+        }
     }
 
     /// Whether H is `T(p) + V(q)`, in this order and whatever the two are called.
     pub(crate) fn is_separable(&self) -> bool {
         self.coupling.is_none()
+            && !self.unsplit
             && matches!(
                 &self.parts[..],
                 [] | [ExactPart { form: Exact::OfMomenta, .. }, ExactPart { form: Exact::OfPositions, .. }]
@@ -173,6 +181,9 @@ pub(crate) fn model(input: &Input, errors: &mut Errors) -> Option<Model> {
     let (energies, parts, shape, called) = if let Some(stated) = &input.coupling {
         let (energies, node, shape, called) = reader.doubled(stated, whole)?;
         coupling = Some(node);
+        (energies, Vec::new(), shape, called)
+    } else if let Some(at) = input.unsplit {
+        let (energies, shape, called) = reader.unsplit(at, whole)?;
         (energies, Vec::new(), shape, called)
     } else if !input.split.is_empty() && input.coordinates.is_none() {
         let (parts, shape, called) = match sorted(input) {
@@ -201,6 +212,7 @@ pub(crate) fn model(input: &Input, errors: &mut Errors) -> Option<Model> {
         rate,
         parts,
         coupling,
+        unsplit: input.unsplit.is_some(),
         shape,
         lengths,
         parameters,
@@ -237,6 +249,7 @@ pub(crate) fn stub(input: &Input) -> Option<Model> {
         rate: None,
         parts: Vec::new(),
         coupling: None,
+        unsplit: false,
         shape,
         lengths,
         parameters: Vec::new(),
@@ -265,8 +278,8 @@ pub(crate) fn of_text(item: &str) -> Model {
 /// What to say of a Hamiltonian that is no sum of `T(p)` and `V(q)`.
 const NOT_SEPARABLE: &str = "this mixes q and p, so H is not separable: a splitting needs H = T(p) + V(q). Change to \
                              coordinates in which T depends on p alone, split H into parts with exact flows, \
-                             `split = a + b`, or couple two copies of the state, `split = symmetric(omega = 20.0)`, where \
-                             implicit methods such as `GaussLegendre4` run too";
+                             `split = a + b`, leave it in one piece for implicit methods, `split = none`, or couple two \
+                             copies of the state, `split = symmetric(omega = 20.0)`";
 
 /// A variable.
 struct Binding {

@@ -168,21 +168,21 @@ pub(crate) const ITEMS: &[Row] = &[
     (
         "impl System {\nfn hamiltonian(&self, q: [f64; 2], p: [f64; 2]) -> f64 {\n0.5 * p[0] * p[0] + q[0] * p[1] - q[1].cos() }}",
         &[
-            "3:20 this mixes q and p, so H is not separable: a splitting needs H = T(p) + V(q). Change to coordinates in which T depends on p alone, split H into parts with exact flows, `split = a + b`, or couple two copies of the state, `split = symmetric(omega = 20.0)`, where implicit methods such as `GaussLegendre4` run too",
+            "3:20 this mixes q and p, so H is not separable: a splitting needs H = T(p) + V(q). Change to coordinates in which T depends on p alone, split H into parts with exact flows, `split = a + b`, leave it in one piece for implicit methods, `split = none`, or couple two copies of the state, `split = symmetric(omega = 20.0)`",
         ],
     ),
     (
         "impl System {\nfn hamiltonian(&self, q: [f64; 1], p: [f64; 1]) -> f64 {\n(q[0] + p[0]).powi(2) + (q[0] - p[0]).sin() + 1.0 / (q[0] + p[0]) }}",
         &[
-            "3:0 this mixes q and p, so H is not separable: a splitting needs H = T(p) + V(q). Change to coordinates in which T depends on p alone, split H into parts with exact flows, `split = a + b`, or couple two copies of the state, `split = symmetric(omega = 20.0)`, where implicit methods such as `GaussLegendre4` run too",
-            "3:24 this mixes q and p, so H is not separable: a splitting needs H = T(p) + V(q). Change to coordinates in which T depends on p alone, split H into parts with exact flows, `split = a + b`, or couple two copies of the state, `split = symmetric(omega = 20.0)`, where implicit methods such as `GaussLegendre4` run too",
-            "3:46 this mixes q and p, so H is not separable: a splitting needs H = T(p) + V(q). Change to coordinates in which T depends on p alone, split H into parts with exact flows, `split = a + b`, or couple two copies of the state, `split = symmetric(omega = 20.0)`, where implicit methods such as `GaussLegendre4` run too",
+            "3:0 this mixes q and p, so H is not separable: a splitting needs H = T(p) + V(q). Change to coordinates in which T depends on p alone, split H into parts with exact flows, `split = a + b`, leave it in one piece for implicit methods, `split = none`, or couple two copies of the state, `split = symmetric(omega = 20.0)`",
+            "3:24 this mixes q and p, so H is not separable: a splitting needs H = T(p) + V(q). Change to coordinates in which T depends on p alone, split H into parts with exact flows, `split = a + b`, leave it in one piece for implicit methods, `split = none`, or couple two copies of the state, `split = symmetric(omega = 20.0)`",
+            "3:46 this mixes q and p, so H is not separable: a splitting needs H = T(p) + V(q). Change to coordinates in which T depends on p alone, split H into parts with exact flows, `split = a + b`, leave it in one piece for implicit methods, `split = none`, or couple two copies of the state, `split = symmetric(omega = 20.0)`",
         ],
     ),
     (
         "impl System {\nfn hamiltonian(&self, q: [f64; 1], p: [f64; 1]) -> f64 { if q[0] > p[0] { p[0] } else { 2.0 * p[0] } } }",
         &[
-            "2:3 this mixes q and p, so H is not separable: a splitting needs H = T(p) + V(q). Change to coordinates in which T depends on p alone, split H into parts with exact flows, `split = a + b`, or couple two copies of the state, `split = symmetric(omega = 20.0)`, where implicit methods such as `GaussLegendre4` run too",
+            "2:3 this mixes q and p, so H is not separable: a splitting needs H = T(p) + V(q). Change to coordinates in which T depends on p alone, split H into parts with exact flows, `split = a + b`, leave it in one piece for implicit methods, `split = none`, or couple two copies of the state, `split = symmetric(omega = 20.0)`",
         ],
     ),
     (
@@ -202,9 +202,9 @@ pub(crate) const ITEMS: &[Row] = &[
     (
         "impl System {\nfn kinetic(&self, q: [f64; 1], p: [f64; 1]) -> f64 {\np[0] / q[0] + p[0].powf(q[0]) + p[0].mul_add(q[0], 1.0) }\nfn potential(&self, q: [f64; 1]) -> f64 { q[0] } }",
         &[
-            "3:0 this mixes q and p, so H is not separable: a splitting needs H = T(p) + V(q). Change to coordinates in which T depends on p alone, split H into parts with exact flows, `split = a + b`, or couple two copies of the state, `split = symmetric(omega = 20.0)`, where implicit methods such as `GaussLegendre4` run too",
-            "3:24 this mixes q and p, so H is not separable: a splitting needs H = T(p) + V(q). Change to coordinates in which T depends on p alone, split H into parts with exact flows, `split = a + b`, or couple two copies of the state, `split = symmetric(omega = 20.0)`, where implicit methods such as `GaussLegendre4` run too",
-            "3:32 this mixes q and p, so H is not separable: a splitting needs H = T(p) + V(q). Change to coordinates in which T depends on p alone, split H into parts with exact flows, `split = a + b`, or couple two copies of the state, `split = symmetric(omega = 20.0)`, where implicit methods such as `GaussLegendre4` run too",
+            "3:0 this mixes q and p, so H is not separable: a splitting needs H = T(p) + V(q). Change to coordinates in which T depends on p alone, split H into parts with exact flows, `split = a + b`, leave it in one piece for implicit methods, `split = none`, or couple two copies of the state, `split = symmetric(omega = 20.0)`",
+            "3:24 this mixes q and p, so H is not separable: a splitting needs H = T(p) + V(q). Change to coordinates in which T depends on p alone, split H into parts with exact flows, `split = a + b`, leave it in one piece for implicit methods, `split = none`, or couple two copies of the state, `split = symmetric(omega = 20.0)`",
+            "3:32 this mixes q and p, so H is not separable: a splitting needs H = T(p) + V(q). Change to coordinates in which T depends on p alone, split H into parts with exact flows, `split = a + b`, leave it in one piece for implicit methods, `split = none`, or couple two copies of the state, `split = symmetric(omega = 20.0)`",
         ],
     ),
     (
@@ -583,7 +583,7 @@ pub(crate) const SPLITS: &[Row] = &[
     ),
     (
         "split = a + b, taylor on fn a(&self, q: [f64; 1]) -> f64 { q[0].sin() } fn b(&self, p: [f64; 1]) -> f64 { p[0] * p[0] }",
-        &["1:15 series are written for H = T(p) + V(q), and these parts are others: leave out `taylor`"],
+        &["1:15 series are written for H = T(p) + V(q), and this H is split otherwise: leave out `taylor`"],
     ),
     (
         "split = a + b on fn a(&self, q: [f64; 1], p: [f64; 1]) -> f64 { (q[0] * p[0]).sin() } fn b(&self, q: [f64; 1]) -> f64 { q[0].cos() }\n#[flow(a)] fn turn(&self, q: &mut [f64; 1], p: &mut [f64; 1], duration: f64) {}",
@@ -618,6 +618,30 @@ pub(crate) const SPLITS: &[Row] = &[
     (
         "compose = Verlet on fn kinetic(&self, p: [f64; 1]) -> f64 { p[0] * p[0] } fn potential(&self, q: [f64; 1]) -> f64 { q[0].cos() }\n#[flow(a)] fn turn(&self, q: &mut [f64; 1], p: &mut [f64; 1], duration: f64) {}",
         &["3:7 `a` is no part of H: name the parts, `split = a + b`"],
+    ),
+    (
+        "split = none, compose = GaussLegendre4 on fn hamiltonian(&self, q: [f64; 1], p: [f64; 1]) -> f64 { (q[0] * p[0]).sin() }",
+        &[],
+    ),
+    (
+        "split = none, compose = V(1/2) T(1) V(1/2) on fn hamiltonian(&self, q: [f64; 1], p: [f64; 1]) -> f64 { (q[0] * p[0]).sin() }",
+        &[
+            "1:24 a sequence composes flows, and `split = none` leaves H in one piece, which has none: name an implicit method, `compose = GaussLegendre4`",
+        ],
+    ),
+    (
+        "split = none on fn kinetic(&self, p: [f64; 1]) -> f64 { p[0] * p[0] } fn potential(&self, q: [f64; 1]) -> f64 { q[0].cos() }",
+        &[
+            "1:8 `none` takes H as it is, in one function: write `fn hamiltonian(&self, q: [f64; N], p: [f64; N]) -> f64`; implicit methods integrate `kinetic` and `potential` without it",
+        ],
+    ),
+    (
+        "coordinates = jacobi(self.mass), split = none on fn hamiltonian(&self, q: [f64; 1], p: [f64; 1]) -> f64 { (q[0] * p[0]).sin() }",
+        &["1:14 Jacobi coordinates are for bodies whose T and V are known apart, not for `none`"],
+    ),
+    (
+        "split = none, taylor on fn hamiltonian(&self, q: [f64; 1], p: [f64; 1]) -> f64 { (q[0] * p[0]).sin() }",
+        &["1:14 series are written for H = T(p) + V(q), and this H is split otherwise: leave out `taylor`"],
     ),
     (
         "split = symmetric(omega = 2.0 * self.rate) on fn hamiltonian(&self, q: [f64; 1], p: [f64; 1]) -> f64 { q[0] * p[0] }",
@@ -661,7 +685,7 @@ pub(crate) const SPLITS: &[Row] = &[
     ),
     (
         "split = symmetric(omega = 3.0), taylor on fn hamiltonian(&self, q: [f64; 1], p: [f64; 1]) -> f64 { q[0] * p[0] }",
-        &["1:32 series are written for H = T(p) + V(q), and these parts are others: leave out `taylor`"],
+        &["1:32 series are written for H = T(p) + V(q), and this H is split otherwise: leave out `taylor`"],
     ),
     (
         "split = a + b + c, compose = A(1/2) B(1) A(1/2) on fn a(&self, p: [f64; 1]) -> f64 { p[0] * p[0] } fn b(&self, q: [f64; 1]) -> f64 { q[0].cos() } fn c(&self, q: [f64; 1]) -> f64 { q[0] }",

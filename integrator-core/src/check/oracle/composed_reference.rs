@@ -10,14 +10,16 @@ use crate::{
         statistics::path::{PARTS, Path, Recorder, Scale},
     },
     hamiltonian::{Flows, Hamiltonian, Shaped, Single},
+    methods::implicit::field::{Constants, Pair, field},
     scalar::tolerance::within,
     state::{
         compensated::Compensated,
         coords::Coords,
         flat::{Flat, flat},
         phase::Phase,
+        precision::Slot,
     },
-    system::motion::Motion,
+    system::motion::{Motion, Plain, Prepared},
 };
 
 /// The steps per part at the first and at the last refinement.
@@ -78,6 +80,9 @@ pub(crate) fn composed_steps<H: Hamiltonian>(
     fractions: &[f64],
     show: &mut dyn FnMut(Flat),
 ) {
+    if const { H::PARTS.is_empty() } {
+        return midpoint_steps(system, Start { phase: start, time: t0 }, (h, steps), fractions, show);
+    }
     let parameters = system.parameters(start.q.length());
     let mut state: Phase<Shaped<H, Compensated<f64>>> = Phase::compensated(start.q, start.p);
     let mut motion = H::Motion::<f64, Compensated<f64>>::load(&[&parameters], &[&state]);
@@ -90,6 +95,76 @@ pub(crate) fn composed_steps<H: Hamiltonian>(
         }
         motion.store(0, &mut state);
         show(flat(&state));
+    }
+}
+
+/// The same by implicit midpoint steps of a system in one piece, which are symmetric and of second order as well.
+fn midpoint_steps<H: Hamiltonian>(
+    system: &H,
+    Start { phase: start, time: t0 }: Start<H::Coords>,
+    (h, steps): (f64, u64),
+    fractions: &[f64],
+    show: &mut dyn FnMut(Flat),
+) {
+    let single = [system.parameters(start.q.length())];
+    let mut gathered = H::Parameters::<f64>::gather(&[&single[0]]);
+    let mut state: Phase<Shaped<H, Compensated<f64>>> = Phase::compensated(start.q.clone(), start.p.clone());
+    let mut motion = Plain::<f64, Shaped<H, Compensated<f64>>, ()> {
+        q: Coords::pack(&[&state], |state| &state.q),
+        p: Coords::pack(&[&state], |state| &state.p),
+        parameters: (),
+    };
+    for step in 0..steps {
+        let mut time = t0 + step as f64 * h;
+        gathered.begin_step(time + h / 2.0);
+        let constants = Constants { gathered: &gathered, of_lanes: &single, shape: &start, middle: time + h / 2.0 };
+        for fraction in fractions {
+            midpoint::<H>(&constants, &mut motion, fraction * h, time);
+            time += fraction * h;
+        }
+        state.q.unpack(&motion.q, 0);
+        state.p.unpack(&motion.p, 0);
+        show(flat(&state));
+    }
+}
+
+/// The rounds after which a middle that still moves is no number: steps this long follow no motion.
+const ROUNDS: usize = 64;
+
+/// One such step from `time`. Its middle is found where an iteration no longer comes nearer.
+fn midpoint<H: Hamiltonian>(
+    constants: &Constants<'_, H, f64>,
+    motion: &mut Plain<f64, Shaped<H, Compensated<f64>>, ()>,
+    h: f64,
+    time: f64,
+) {
+    let slots = [&mut motion.q, &mut motion.p].map(Shaped::<H, Compensated<f64>>::slots_mut);
+    let values = slots.each_ref().map(|slots| slots.iter().map(|slot| slot.value()).collect::<Vec<f64>>());
+    let mut middle = Pair::<H, f64>::zero(values[0].len());
+    for (to, from) in middle.halves_mut().into_iter().zip(&values) {
+        to.copy_from_slice(from);
+    }
+    let mut found = field::<H, f64>(constants, &middle, time + h / 2.0);
+    let mut moved = f64::INFINITY;
+    for round in 0..=ROUNDS {
+        let mut now = 0.0_f64;
+        for (half, to) in middle.halves_mut().into_iter().enumerate() {
+            for (k, to) in to.iter_mut().enumerate() {
+                let next = (h / 2.0).mul_add(found.halves()[half][k], values[half][k]);
+                now = now.max((next - *to).abs());
+                *to = if round == ROUNDS { f64::NAN } else { next };
+            }
+        }
+        found = field::<H, f64>(constants, &middle, time + h / 2.0);
+        if now >= moved {
+            break;
+        }
+        moved = now;
+    }
+    for (slots, slopes) in slots.into_iter().zip(found.halves()) {
+        for (slot, slope) in slots.iter_mut().zip(slopes) {
+            slot.add(h * slope);
+        }
     }
 }
 

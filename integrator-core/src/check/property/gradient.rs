@@ -11,6 +11,7 @@ use crate::{
         property::{flow_laws::generator_error, part_flows::Flows},
         statistics::points::{begin, coordinate, numbers, origin},
     },
+    flow::doubled::{Moved, Read},
     hamiltonian::{Hamiltonian, Shaped},
     scalar::{
         dual::Dual,
@@ -23,7 +24,10 @@ use crate::{
         phase::Phase,
         precision::Precision,
     },
-    system::{motion::Motion, user_energies::bounded_energy},
+    system::{
+        motion::{Motion, Prepared},
+        user_energies::bounded_energy,
+    },
 };
 
 /// The largest error of a component of the gradients of `T` and `V`, as the flows have them at `point` and `time`, in
@@ -49,7 +53,7 @@ pub fn gradient_error<H: Hamiltonian, K: Precision>(
 
 /// [`gradient_error`] at a point that a run may begin with.
 pub(crate) fn error_at(system: &dyn Flows, point: &Flat, time: f64) -> Result<f64, CheckError> {
-    if !system.is_separable() {
+    if !system.is_separable() && !system.in_one_piece() {
         return generator_error(system, point, time);
     }
     let error = |part| Gradient::new(system, part, time).error(point);
@@ -72,6 +76,9 @@ pub(crate) use crate::system::user_energies::Function as Part;
 pub(crate) trait Differentiable {
     /// Whether these are `T(p)` and `V(q)`.
     fn is_separable(&self) -> bool;
+
+    /// Whether H has no parts: all of its energy is then the first of the two, and its field moves both halves.
+    fn in_one_piece(&self) -> bool;
 
     /// An energy, and a bound on its rounding.
     fn bounded_energy(&self, part: Part, point: &Flat, time: f64) -> [f64; 2];
@@ -99,6 +106,10 @@ impl<'s, H: Hamiltonian> Energies<'s, H> {
 impl<H: Hamiltonian> Differentiable for Energies<'_, H> {
     fn is_separable(&self) -> bool {
         H::SEPARABLE
+    }
+
+    fn in_one_piece(&self) -> bool {
+        H::PARTS.is_empty()
     }
 
     fn bounded_energy(&self, part: Part, point: &Flat, time: f64) -> [f64; 2] {
@@ -151,6 +162,9 @@ pub(crate) fn flow<H: Hamiltonian, R: Real>(
     time: f64,
     lane: usize,
 ) -> Vec<f64> {
+    if const { H::PARTS.is_empty() } {
+        return half_of_field::<H, R>(parameters, part, &lanes[..R::LANES], time, lane);
+    }
     let mut motion = H::Motion::<R, f64>::load(&[parameters; 2], &lanes);
     H::begin_step::<R, f64>(&mut motion, time);
     let mut moved = lanes[0].clone();
@@ -165,6 +179,30 @@ pub(crate) fn flow<H: Hamiltonian, R: Real>(
             motion.store(lane, &mut moved);
             negated(moved.p.flat())
         }
+    }
+}
+
+/// The same of a field that moves both halves at once.
+fn half_of_field<H: Hamiltonian, R: Real>(
+    parameters: &H::Parameters<f64>,
+    part: Part,
+    lanes: &[&Phase<H::Coords>],
+    time: f64,
+    lane: usize,
+) -> Vec<f64> {
+    let mut gathered = H::Parameters::<R>::gather(&vec![parameters; lanes.len()]);
+    gathered.begin_step(time);
+    let (q, p) = (H::Coords::pack::<R>(lanes, |point| &point.q), H::Coords::pack::<R>(lanes, |point| &point.p));
+    let rest = || H::Coords::slots_from(lanes[0].q.flat().len(), |_| R::of(0.0));
+    let (mut velocity, mut force) = (rest(), rest());
+    let moved = Moved { q: &mut velocity, p: &mut force };
+    H::along_field::<R, f64>(Read { q: &q, p: &p, parameters: &gathered }, moved, 1.0, time);
+    let lane = |slots: &<H::Coords as Coords>::Slots<R>| -> Vec<f64> {
+        H::Coords::slots(slots).iter().map(|slot| slot.lane(lane)).collect()
+    };
+    match part {
+        Part::Kinetic => lane(&velocity),
+        Part::Potential => negated(&lane(&force)),
     }
 }
 
@@ -187,7 +225,9 @@ impl<'s> Gradient<'s> {
     /// The largest error of a component, in units of its condition.
     fn error(&self, point: &Flat) -> Result<f64, CheckError> {
         let still = origin(point);
+        let in_one_piece = self.system.in_one_piece();
         let point = match self.part {
+            _ if in_one_piece => point.clone(),
             Part::Kinetic => Phase { q: still.q.clone(), p: point.p.clone() },
             Part::Potential => Phase { q: point.q.clone(), p: still.p.clone() },
         };
@@ -201,12 +241,22 @@ impl<'s> Gradient<'s> {
             let derivative = self.energy(&point, Some(&along));
             self.witness(&point, index, extent, derivative)?;
             exact.push(derivative);
-            for (condition, curvature) in conditions.iter_mut().zip(self.flow(&point, Some(&along))) {
-                *condition += curvature.abs() * extent;
+            if in_one_piece {
+                let mut across = still.clone();
+                *self.read_by(self.part == Part::Potential, &mut across, index) = 1.0;
+                self.add_curvature(&mut conditions, (&point, &across), extent);
             }
+            self.add_curvature(&mut conditions, (&point, &along), extent);
         }
         let errors = exact.iter().zip(&generated).zip(&conditions);
         Ok(largest(errors.map(|((exact, generated), condition)| ratio(exact - generated, *condition))))
+    }
+
+    /// Adds what a change of coordinates in a direction, as large as these are, does to each component.
+    fn add_curvature(&self, conditions: &mut [f64], (point, direction): (&Flat, &Flat), extent: f64) {
+        for (condition, curvature) in conditions.iter_mut().zip(self.flow(point, Some(direction))) {
+            *condition += curvature.abs() * extent;
+        }
     }
 
     /// Whether central differences agree with a derivative by duals. With the width `d` they are off by `c·d²` and the
@@ -240,13 +290,19 @@ impl<'s> Gradient<'s> {
 
     /// A coordinate that this energy reads.
     fn read<'p>(&self, point: &'p mut Flat, index: usize) -> &'p mut f64 {
-        let first = if self.part == Part::Kinetic { point.q.flat().len() } else { 0 };
+        self.read_by(self.part == Part::Kinetic, point, index)
+    }
+
+    /// A momentum, or a position.
+    fn read_by<'p>(&self, is_momentum: bool, point: &'p mut Flat, index: usize) -> &'p mut f64 {
+        let first = if is_momentum { point.q.flat().len() } else { 0 };
         coordinate(point, first + index)
     }
 
     /// The energy, or its derivative along a tangent.
     fn energy(&self, point: &Flat, tangent: Option<&Flat>) -> f64 {
-        self.system.energy(self.part, point, tangent, self.time)
+        let part = if self.system.in_one_piece() { Part::Kinetic } else { self.part };
+        self.system.energy(part, point, tangent, self.time)
     }
 
     /// The gradient, or its derivative along a tangent.

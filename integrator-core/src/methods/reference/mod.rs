@@ -51,15 +51,14 @@
 mod adaptive;
 mod extrapolation;
 mod field;
-mod implicit;
 mod leapfrog;
 mod multistep;
 mod runge_kutta;
 mod walk;
 
+pub use super::implicit::{BackwardEuler, GaussLegendre4, GaussLegendre6, ImplicitMidpoint};
 pub use adaptive::{Bdf, DormandPrince5, DormandPrince8};
 pub use extrapolation::GraggBulirschStoer;
-pub use implicit::{BackwardEuler, GaussLegendre4, GaussLegendre6, ImplicitMidpoint};
 pub use leapfrog::StaggeredLeapfrog;
 pub use multistep::AdamsBashforthMoulton4;
 pub use runge_kutta::{ExplicitMidpoint, ForwardEuler, RungeKutta4};
@@ -94,6 +93,6 @@ macro_rules! methods {
     )*};
 }
 methods! {
-    ForwardEuler BackwardEuler StaggeredLeapfrog ExplicitMidpoint ImplicitMidpoint RungeKutta4 AdamsBashforthMoulton4
-    GraggBulirschStoer DormandPrince5 DormandPrince8 Bdf GaussLegendre4 GaussLegendre6
+    ForwardEuler StaggeredLeapfrog ExplicitMidpoint RungeKutta4 AdamsBashforthMoulton4 GraggBulirschStoer DormandPrince5
+    DormandPrince8 Bdf
 }

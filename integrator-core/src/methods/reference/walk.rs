@@ -38,8 +38,6 @@ pub struct Place<'f, R> {
     pub(crate) time: f64,
     /// How far the step leads.
     pub(crate) h: f64,
-    /// The spacing of numbers just above one in this precision.
-    pub(crate) epsilon: f64,
 }
 
 impl<R: Real> Place<'_, R> {
@@ -147,7 +145,7 @@ fn advance<H: Hamiltonian, R: Real, K: Precision, M: Recipe>(walk: &mut Walked<H
         let y: Vec<R> = q.iter().chain(p.iter()).map(|slot| slot.value()).collect();
         let (time, h) = (clock.at(step), clock.h);
         let field = Generated::<H> { parameters, shape, middle: time + h / 2.0, evaluations: (*evaluations).into() };
-        let from = Place { field: &field, y: &y, time, h, epsilon: K::EPSILON };
+        let from = Place { field: &field, y: &y, time, h };
         match recipe.increment(memory, &from) {
             Ok(increment) => q.iter_mut().chain(p).zip(increment).for_each(|(slot, d)| slot.add(d)),
             Err(reason) => *unsolved = Some(reason),

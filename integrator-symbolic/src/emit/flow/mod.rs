@@ -69,6 +69,12 @@ impl Flows {
         Self { drift, middle: Vec::new(), kick, many_body, in_jacobi, copies: false }
     }
 
+    /// None, where H stays in one piece.
+    pub(crate) fn none() -> Self {
+        let none = Flow::default;
+        Self { drift: none(), middle: Vec::new(), kick: none(), many_body: None, in_jacobi: false, copies: false }
+    }
+
     /// Those of the parts that are named, in their order.
     pub(crate) fn of_parts(emitter: &mut Emitter<'_>) -> Self {
         let mut flows: Vec<_> = (0..emitter.model.parts.len()).map(|part| Flow::of_part(emitter, part)).collect();

@@ -33,7 +33,7 @@ pub(crate) fn equations(model: &mut Model, kinetic: &[Contribution], potential: 
 /// long formula, that it is long.
 pub(crate) fn parts(model: &Model) -> Vec<String> {
     let parts = match model.called {
-        Some(Called::Whole(_)) if model.coupling.is_some() => vec![("H".to_owned(), model.kinetic)],
+        Some(Called::Whole(_)) if model.coupling.is_some() || model.unsplit => vec![("H".to_owned(), model.kinetic)],
         Some(Called::Whole(_)) if model.parts.is_empty() => {
             vec![("T".to_owned(), model.kinetic), ("V".to_owned(), model.potential)]
         }
@@ -61,6 +61,8 @@ pub(crate) fn motion_documentation(
     let lines: Vec<String> = equations(model, kinetic, potential).iter().map(|line| format!(" {line}")).collect();
     let class = if model.coupling.is_some() {
         " Two copies of the state are coupled, each of which moves by what H says of the other."
+    } else if model.unsplit {
+        " H is in one piece, for methods that take the whole of its field."
     } else if !model.is_separable() {
         " Each part has an exact flow."
     } else if model.quadratic {

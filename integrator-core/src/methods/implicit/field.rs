@@ -1,0 +1,127 @@
+//! The vector field of a Hamiltonian at a point: as it is written, or as its flows of `T` and of `V` tell it.
+
+use crate::{
+    flow::doubled::{Moved, Read},
+    hamiltonian::Hamiltonian,
+    scalar::real::Real,
+    state::{coords::Coords, phase::Phase},
+    system::motion::Motion,
+};
+use alloc::vec::Vec;
+
+/// Numbers in the shape of the positions or the momenta of `H`.
+pub(crate) type Half<H, R> = <<H as Hamiltonian>::Coords as Coords>::Slots<R>;
+
+/// Positions and momenta, or what the field is there: velocities and forces.
+pub(crate) struct Pair<H: Hamiltonian, R: Real> {
+    pub(crate) q: Half<H, R>,
+    pub(crate) p: Half<H, R>,
+}
+
+impl<H: Hamiltonian, R: Real> Clone for Pair<H, R> {
+    #[inline(always)]
+    fn clone(&self) -> Self {
+        Self { q: self.q.clone(), p: self.p.clone() }
+    }
+}
+
+impl<H: Hamiltonian, R: Real> Pair<H, R> {
+    /// Both halves as lists.
+    #[inline(always)]
+    pub(crate) fn halves(&self) -> [&[R]; 2] {
+        [H::Coords::slots(&self.q), H::Coords::slots(&self.p)]
+    }
+
+    /// The same, to be written.
+    #[inline(always)]
+    pub(crate) fn halves_mut(&mut self) -> [&mut [R]; 2] {
+        [H::Coords::slots_mut(&mut self.q), H::Coords::slots_mut(&mut self.p)]
+    }
+
+    /// Zeros, so many in each half.
+    #[inline(always)]
+    pub(crate) fn zero(count: usize) -> Self {
+        let zeros = || H::Coords::slots_from(count, |_| R::of(0.0));
+        Self { q: zeros(), p: zeros() }
+    }
+}
+
+/// The constants that the field has, for all lanes and for each.
+pub(crate) struct Constants<'m, H: Hamiltonian, R: Real> {
+    pub(crate) gathered: &'m H::Parameters<R>,
+    pub(crate) of_lanes: &'m [H::Parameters<f64>],
+    /// A point in the shape of the coordinates.
+    pub(crate) shape: &'m Phase<H::Coords>,
+    /// The middle of the step under way.
+    pub(crate) middle: f64,
+}
+
+/// The field at a point.
+#[inline(always)]
+pub(crate) fn field<H: Hamiltonian, R: Real>(
+    constants: &Constants<'_, H, R>,
+    Pair { q, p }: &Pair<H, R>,
+    time: f64,
+) -> Pair<H, R> {
+    if const { H::SEPARABLE } {
+        return of_flows(constants, [q, p], time);
+    }
+    let mut field = Pair::zero(H::Coords::slots(q).len());
+    let moved = Moved { q: &mut field.q, p: &mut field.p };
+    // What moves nothing by a unit of time is not rounded.
+    H::along_field::<R, f64>(Read { q, p, parameters: constants.gathered }, moved, 1.0, time);
+    field
+}
+
+/// The field of `T + V`: a drift moves positions from zero by the velocities, a kick momenta from zero by the forces.
+#[inline(always)]
+fn of_flows<H: Hamiltonian, R: Real>(
+    constants: &Constants<'_, H, R>,
+    [q, p]: [&Half<H, R>; 2],
+    time: f64,
+) -> Pair<H, R> {
+    let mut drifted = loaded::<H, R>(constants, [None, Some(p)]);
+    H::drift::<R, f64>(&mut drifted, 1.0, time);
+    let mut kicked = loaded::<H, R>(constants, [Some(q), None]);
+    H::kick::<R, f64>(&mut kicked, 1.0, time);
+    Pair {
+        q: stored::<H, R>(constants, &drifted, |point| &point.q),
+        p: stored::<H, R>(constants, &kicked, |point| &point.p),
+    }
+}
+
+/// A motion in the layout of the flows, with one half at these numbers and the other at zero.
+fn loaded<H: Hamiltonian, R: Real>(
+    Constants { of_lanes, shape, middle, .. }: &Constants<'_, H, R>,
+    [q, p]: [Option<&Half<H, R>>; 2],
+) -> H::Motion<R, f64> {
+    let fill = |leaves: &mut H::Coords, half: Option<&Half<H, R>>, lane: usize| {
+        for (k, leaf) in leaves.flat_mut().iter_mut().enumerate() {
+            *leaf = half.map_or(0.0, |half| H::Coords::slots(half)[k].lane(lane));
+        }
+    };
+    let mut points: Vec<Phase<H::Coords>> = (0..R::LANES).map(|_| (*shape).clone()).collect();
+    for (lane, point) in points.iter_mut().enumerate() {
+        fill(&mut point.q, q, lane);
+        fill(&mut point.p, p, lane);
+    }
+    let states: Vec<_> = points.iter().collect();
+    let constants: Vec<_> = of_lanes.iter().collect();
+    let mut motion = H::Motion::<R, f64>::load(&constants, &states);
+    H::begin_step::<R, f64>(&mut motion, *middle);
+    motion
+}
+
+/// One half of the state of a motion.
+fn stored<H: Hamiltonian, R: Real>(
+    constants: &Constants<'_, H, R>,
+    motion: &H::Motion<R, f64>,
+    half: fn(&Phase<H::Coords>) -> &H::Coords,
+) -> Half<H, R> {
+    let mut points: Vec<Phase<H::Coords>> = (0..R::LANES).map(|_| constants.shape.clone()).collect();
+    for (lane, point) in points.iter_mut().enumerate() {
+        motion.store(lane, point);
+    }
+    let count = half(constants.shape).flat().len();
+    H::Coords::slots_from(count, |k| R::state(&|lane| half(&points[lane]).flat()[k]))
+}

@@ -1,0 +1,235 @@
+//! The equation of an implicit step, by fixed-point iteration down to the rounding.
+//!
+//! Steps of a motion that oscillates are accurate where they turn by much less than a radian, and there each iteration
+//! gains digits for the price of the field alone. Where it does not, Newton's iteration takes over.
+
+use super::{
+    field::{Constants, Pair, field},
+    motion::Implicit,
+    tableau::{Stages, Tableau},
+};
+use crate::{
+    error::Unsolved,
+    hamiltonian::{Hamiltonian, Shaped},
+    scalar::real::{Kernel, Real},
+    state::{
+        clock::Clock,
+        coords::Coords,
+        precision::{Precision, Slot},
+    },
+    system::motion::Prepared,
+};
+use alloc::vec::Vec;
+
+/// After so many iterations without an end this one leads nowhere: each leaves half of the distance at least where it
+/// may be waited for.
+const ITERATIONS: u32 = 64;
+
+/// An update that no longer shrinks is rounding if it is as small as this, in ε of the largest coordinate of its kind.
+const STALLED: f64 = 64.0;
+
+/// What an implicit step moves of a system.
+type Moved<H, R, K> = Implicit<R, Shaped<H, K>, <H as Hamiltonian>::Parameters<R>>;
+
+/// Takes steps with each motion.
+pub(super) fn advance<H: Hamiltonian, R: Real, K: Precision, M: Stages<S>, const S: usize>(
+    motions: &mut [Moved<H, R, K>],
+    clock: Clock,
+    steps: u64,
+    _threads: Option<usize>,
+) {
+    for motion in motions {
+        R::enter(Steps::<H, R, K, S> { motion, clock, steps, tableau: &M::TABLEAU });
+    }
+}
+
+/// Steps of one motion.
+struct Steps<'m, H: Hamiltonian, R: Real, K: Precision, const S: usize> {
+    motion: &'m mut Moved<H, R, K>,
+    clock: Clock,
+    steps: u64,
+    tableau: &'m Tableau<S>,
+}
+
+impl<H: Hamiltonian, R: Real, K: Precision, const S: usize> Kernel for Steps<'_, H, R, K, S> {
+    type Out = ();
+
+    /// An end that was not found is remembered, and no step is taken from there.
+    #[inline(always)]
+    fn call(self) {
+        let Self { motion, clock, steps, tableau } = self;
+        for step in clock.steps..clock.steps + steps {
+            if !motion.unsolved.is_empty() {
+                return;
+            }
+            let (time, h) = (clock.at(step), clock.h);
+            motion.state.parameters.begin_step(time + h / 2.0);
+            let count = Shaped::<H, K>::slots(&motion.state.q).len();
+            let mut y = Pair::<H, R>::zero(count);
+            let [q, p] = [&motion.state.q, &motion.state.p].map(Shaped::<H, K>::slots);
+            for (numbers, slots) in y.halves_mut().into_iter().zip([q, p]) {
+                for (number, slot) in numbers.iter_mut().zip(slots) {
+                    *number = slot.value();
+                }
+            }
+            let constants = Constants {
+                gathered: &motion.state.parameters,
+                of_lanes: &motion.constants,
+                shape: &motion.shape,
+                middle: time + h / 2.0,
+            };
+            let equation = Equation { constants, y: &y, time, h, epsilon: K::EPSILON, tableau };
+            let Solution { slopes, evaluations, unsolved } = equation.solution();
+            motion.evaluations += evaluations;
+            motion.unsolved = unsolved;
+            let [q, p] = [&mut motion.state.q, &mut motion.state.p].map(Shaped::<H, K>::slots_mut);
+            for (half, slots) in [q, p].into_iter().enumerate() {
+                for (k, slot) in slots.iter_mut().enumerate() {
+                    let mut sum = R::of(tableau.b[0] * h) * slopes[0].halves()[half][k];
+                    for (slopes, b) in slopes.iter().zip(&tableau.b).skip(1) {
+                        sum = R::of(b * h).fma(slopes.halves()[half][k], sum);
+                    }
+                    slot.add(sum);
+                }
+            }
+        }
+    }
+}
+
+/// The equation of a step from a point.
+pub(super) struct Equation<'m, H: Hamiltonian, R: Real, const S: usize> {
+    pub(super) constants: Constants<'m, H, R>,
+    pub(super) y: &'m Pair<H, R>,
+    pub(super) time: f64,
+    pub(super) h: f64,
+    /// The spacing of numbers just above one in this precision.
+    pub(super) epsilon: f64,
+    pub(super) tableau: &'m Tableau<S>,
+}
+
+/// The field at the stages.
+struct Solution<H: Hamiltonian, R: Real, const S: usize> {
+    slopes: [Pair<H, R>; S],
+    evaluations: u64,
+    /// Why lanes have none, where some do not.
+    unsolved: Vec<Option<Unsolved>>,
+}
+
+impl<H: Hamiltonian, R: Real, const S: usize> Equation<'_, H, R, S> {
+    /// The lanes that are settled keep what they have found, so that no lane goes on for the sake of another one.
+    #[inline(always)]
+    fn solution(&self) -> Solution<H, R, S> {
+        let first = field::<H, R>(&self.constants, self.y, self.time);
+        let mut slopes: [Pair<H, R>; S] = core::array::from_fn(|_| first.clone());
+        let mut evaluations = 1;
+        let (mut update, mut settled) = (R::of(f64::INFINITY), R::of(0.0));
+        for _ in 0..ITERATIONS {
+            let mut found = slopes.clone();
+            for (i, found) in found.iter_mut().enumerate() {
+                let stage = self.stage(&slopes, i);
+                *found = field::<H, R>(&self.constants, &stage, self.time + self.tableau.c[i] * self.h);
+            }
+            evaluations += S as u64;
+            let now = R::state(&|lane| self.moved(&slopes, &found, lane));
+            keep_settled(&settled, &slopes, &mut found);
+            slopes = found;
+            settled = R::state(&|lane| {
+                let (now, before) = (now.lane(lane), update.lane(lane));
+                let ends = now == 0.0 || now >= before && now <= STALLED * self.epsilon;
+                f64::from(u8::from(ends)).max(settled.lane(lane))
+            });
+            update = now;
+            if (0..R::LANES).all(|lane| settled.lane(lane) > 0.0) {
+                return Solution { slopes, evaluations, unsolved: Vec::new() };
+            }
+        }
+        let unsolved = self.without_contraction(&mut slopes, settled, update, &mut evaluations);
+        Solution { slopes, evaluations, unsolved }
+    }
+
+    /// The place of a stage.
+    #[inline(always)]
+    fn stage(&self, slopes: &[Pair<H, R>; S], i: usize) -> Pair<H, R> {
+        let mut stage = self.y.clone();
+        for (half, numbers) in stage.halves_mut().into_iter().enumerate() {
+            for (k, number) in numbers.iter_mut().enumerate() {
+                for (slopes, a) in slopes.iter().zip(&self.tableau.a[i]) {
+                    *number = R::of(a * self.h).fma(slopes.halves()[half][k], *number);
+                }
+            }
+        }
+        stage
+    }
+
+    /// How far an iteration moved a lane, relative to the largest coordinate of the kind that it moved.
+    #[inline(always)]
+    fn moved(&self, slopes: &[Pair<H, R>; S], found: &[Pair<H, R>; S], lane: usize) -> f64 {
+        let mut most = 0.0_f64;
+        for half in 0..2 {
+            let y = self.y.halves()[half];
+            for (before, after) in slopes.iter().zip(found) {
+                let (before, after) = (before.halves()[half], after.halves()[half]);
+                let (mut moved, mut size) = (0.0_f64, 0.0_f64);
+                for k in 0..y.len() {
+                    let after = self.h * after[k].lane(lane);
+                    let step = (after - self.h * before[k].lane(lane)).abs();
+                    // What is no number has not settled.
+                    moved = if step <= moved { moved } else { step };
+                    size = size.max(y[k].lane(lane).abs()).max(after.abs());
+                }
+                // Nothing in units of nothing is nothing.
+                let relative = if moved == 0.0 { 0.0 } else { moved / size };
+                most = if relative <= most { most } else { relative };
+            }
+        }
+        most
+    }
+
+    /// What is done for the lanes that are not settled.
+    #[cfg(feature = "check")]
+    fn without_contraction(
+        &self,
+        slopes: &mut [Pair<H, R>; S],
+        settled: R,
+        _: R,
+        evaluations: &mut u64,
+    ) -> Vec<Option<Unsolved>> {
+        super::newton::solve(self, slopes, settled, evaluations)
+    }
+
+    /// The same where nothing is known of matrices.
+    #[cfg(not(feature = "check"))]
+    fn without_contraction(
+        &self,
+        _: &mut [Pair<H, R>; S],
+        settled: R,
+        update: R,
+        _: &mut u64,
+    ) -> Vec<Option<Unsolved>> {
+        let reason = |lane| {
+            let unsolved = Unsolved::Contraction { iterations: ITERATIONS, update: update.lane(lane) };
+            (settled.lane(lane) == 0.0).then_some(unsolved)
+        };
+        (0..R::LANES).map(reason).collect()
+    }
+}
+
+/// Takes back what was found in the lanes that are settled.
+#[inline(always)]
+pub(super) fn keep_settled<H: Hamiltonian, R: Real, const S: usize>(
+    settled: &R,
+    slopes: &[Pair<H, R>; S],
+    found: &mut [Pair<H, R>; S],
+) {
+    if (0..R::LANES).all(|lane| settled.lane(lane) == 0.0) {
+        return;
+    }
+    for (slopes, found) in slopes.iter().zip(found) {
+        for (before, after) in slopes.halves().into_iter().zip(found.halves_mut()) {
+            for (before, after) in before.iter().zip(after) {
+                let now = *after;
+                *after = R::state(&|lane| if settled.lane(lane) > 0.0 { before.lane(lane) } else { now.lane(lane) });
+            }
+        }
+    }
+}

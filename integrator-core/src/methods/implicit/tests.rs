@@ -1,0 +1,218 @@
+//! Implicit methods on systems of every kind of split, and on those that have none.
+
+use crate::{
+    Ensemble, Error, Hamiltonian, Method, Phase,
+    check::{certify, observed_order, reversibility, statistics::least_squares::fit, symplectic_defect},
+    error::Unsolved,
+    methods::implicit::{GaussLegendre4, GaussLegendre6, ImplicitMidpoint},
+    state::{compensated::Compensated, coords::Coords},
+};
+
+/// Two rods that hang one from the other: the mass matrix depends on the angle between them.
+struct DoublePendulum;
+
+#[crate::hamiltonian(split = none, compose = GaussLegendre4)]
+impl DoublePendulum {
+    fn hamiltonian(&self, [a, b]: [f64; 2], [pa, pb]: [f64; 2]) -> f64 {
+        let (sine, cosine) = (a - b).sin_cos();
+        (pa * pa + 2.0 * pb * pb - 2.0 * pa * pb * cosine) / (2.0 * (1.0 + sine * sine)) - 2.0 * a.cos() - b.cos()
+    }
+}
+
+const HUNG: Phase<[f64; 2]> = Phase { q: [1.0, -0.5], p: [0.2, 0.3] };
+
+/// A system of two parts, and the same H as T + V.
+struct InParts;
+
+#[crate::hamiltonian(split = quadratic + rest)]
+impl InParts {
+    fn hamiltonian(&self, [x, y]: [f64; 2], [px, py]: [f64; 2]) -> f64 {
+        0.5 * (px * px + py * py + x * x + y * y) + x * x * y - y.powi(3) / 3.0
+    }
+}
+
+struct Separate;
+
+#[crate::hamiltonian]
+impl Separate {
+    fn hamiltonian(&self, [x, y]: [f64; 2], [px, py]: [f64; 2]) -> f64 {
+        0.5 * (px * px + py * py + x * x + y * y) + x * x * y - y.powi(3) / 3.0
+    }
+}
+
+/// Bodies that attract each other, in Jacobi coordinates or not.
+struct Planets {
+    mass: [f64; 3],
+}
+
+#[crate::hamiltonian(coordinates = jacobi(self.mass), split = kepler + interaction)]
+impl Planets {
+    fn kinetic(&self, p: [[f64; 2]; 3]) -> f64 {
+        (0..3).map(|i| (p[i][0].powi(2) + p[i][1].powi(2)) / (2.0 * self.mass[i])).sum()
+    }
+    fn potential(&self, q: [[f64; 2]; 3]) -> f64 {
+        let mut energy = 0.0;
+        for i in 0..3 {
+            for j in 0..i {
+                energy -=
+                    self.mass[i] * self.mass[j] / ((q[i][0] - q[j][0]).powi(2) + (q[i][1] - q[j][1]).powi(2)).sqrt();
+            }
+        }
+        energy
+    }
+}
+
+struct Inertial {
+    mass: [f64; 3],
+}
+
+#[crate::hamiltonian]
+impl Inertial {
+    fn kinetic(&self, p: [[f64; 2]; 3]) -> f64 {
+        (0..3).map(|i| (p[i][0].powi(2) + p[i][1].powi(2)) / (2.0 * self.mass[i])).sum()
+    }
+    fn potential(&self, q: [[f64; 2]; 3]) -> f64 {
+        let mut energy = 0.0;
+        for i in 0..3 {
+            for j in 0..i {
+                energy -=
+                    self.mass[i] * self.mass[j] / ((q[i][0] - q[j][0]).powi(2) + (q[i][1] - q[j][1]).powi(2)).sqrt();
+            }
+        }
+        energy
+    }
+}
+
+fn end<H: Hamiltonian, X: Method<H>>(system: &H, method: X, start: &Phase<H::Coords>, h: f64, steps: u64) -> Vec<f64> {
+    let mut run = system.run_with::<f64, X>(method, start.clone(), h).expect("a start");
+    run.advance(steps).expect("an end");
+    let Phase { q, p }: Phase<H::Coords> = run.state();
+    [q.flat(), p.flat()].concat()
+}
+
+fn apart(a: &[f64], b: &[f64]) -> f64 {
+    a.iter().zip(b).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max)
+}
+
+#[test]
+fn what_h_splits_into_does_not_matter() {
+    let start = Phase::new([0.1, 0.2], [0.3, -0.1]);
+    for steps in [1, 100] {
+        let [one, other] =
+            [end(&InParts, GaussLegendre6, &start, 0.2, steps), end(&Separate, GaussLegendre6, &start, 0.2, steps)];
+        // The same equations, rounded in another order: some ε in each step, which a regular motion adds up.
+        assert!(apart(&one, &other) <= 16.0 * steps as f64 * f64::EPSILON, "{one:?}, {other:?}");
+    }
+    let mass = [1.0, 1e-3, 2e-3];
+    let start = Phase::new([[0.0, 0.0], [1.0, 0.0], [0.0, 2.0]], [[0.0, 0.0], [0.0, 1e-3], [-1.4e-3, 0.0]]);
+    let [one, other] = [
+        end(&Planets { mass }, GaussLegendre6, &start, 0.05, 100),
+        end(&Inertial { mass }, GaussLegendre6, &start, 0.05, 100),
+    ];
+    assert!(apart(&one, &other) <= 16.0 * 100.0 * 2.0 * f64::EPSILON, "{one:?}, {other:?}");
+    // None of it is a motion that stands still.
+    assert!(apart(&one, &[start.q.flat(), start.p.flat()].concat()) > 0.1);
+}
+
+#[test]
+fn h_in_one_piece_is_integrated_and_certified() {
+    certify(&DoublePendulum, ImplicitMidpoint, HUNG, 0.02).expect("order, symmetry, symplecticity, energy, field");
+    certify(&DoublePendulum, GaussLegendre4, HUNG, 0.05).expect("the same");
+    for (order, found) in [
+        (4.0, observed_order(&DoublePendulum, GaussLegendre4, HUNG, 0.1)),
+        (6.0, observed_order(&DoublePendulum, GaussLegendre6, HUNG, 0.2)),
+    ] {
+        let slope = found.expect("an order").slope;
+        assert!((slope - order).abs() < 0.3, "{slope}, not {order}");
+    }
+    // Quadratic in nothing, so that the energy is conserved to the order and no further: until the step is short enough.
+    let mut run = DoublePendulum.run_with(GaussLegendre6, HUNG, 0.01).expect("a start");
+    let energy = run.energy();
+    run.advance(20_000).expect("an end");
+    // 20,000 roundings of ε of numbers up to 4 are a walk, not a sum: 4 √20000 ε = 1.3e-13.
+    assert!((run.energy() - energy).abs() < 1.3e-13, "{:e}", run.energy() - energy);
+    let back = reversibility(&DoublePendulum, GaussLegendre4, HUNG, 0.05, 500).expect("a distance");
+    assert!(back < 1e-10, "{back:e}");
+    let defect = symplectic_defect(&DoublePendulum, GaussLegendre4, HUNG, 0.2).expect("a defect");
+    assert!(defect < 1e-13, "{defect:e}");
+}
+
+#[test]
+fn members_have_the_bits_of_their_runs() {
+    let starts: Vec<_> = (0..9).map(|k| Phase::new([0.3 * f64::from(k), -0.5], [0.2, 0.3])).collect();
+    let members = starts.iter().map(|start| (DoublePendulum, *start));
+    let mut ensemble = Ensemble::new(GaussLegendre4, members, 0.05).expect("starts");
+    ensemble.advance(50).expect("an end");
+    for (member, start) in starts.iter().enumerate() {
+        let mut run = DoublePendulum.run(*start, 0.05).expect("a start");
+        run.advance(50).expect("an end");
+        assert_eq!(ensemble.state(member), Some(run.state()), "{member}");
+    }
+}
+
+#[test]
+fn portions_checkpoints_and_compensation_work_as_always() {
+    let mut whole = DoublePendulum.run(HUNG, 0.05).expect("a start");
+    let mut parts = whole.clone();
+    whole.advance(2_000).expect("an end");
+    parts.advance(7).expect("an end");
+    #[cfg(feature = "checkpoint")]
+    {
+        parts = crate::Run::resume(&DoublePendulum, &parts.checkpoint()).expect("it was just made");
+    }
+    parts.advance(1_993).expect("an end");
+    assert_eq!(whole.state(), parts.state());
+
+    // The state of a run that rounds less is nearer to that of half the steps, in which the order does not show.
+    let compensated = |h, steps| {
+        let start: Phase<[Compensated<f64>; 2]> = Phase::compensated(HUNG.q, HUNG.p);
+        let mut run = DoublePendulum.run_with(GaussLegendre6, start, h).expect("a start");
+        run.advance(steps).expect("an end");
+        run.state().q[0].value
+    };
+    let error = (compensated(0.005, 2_000) - compensated(0.0025, 4_000)).abs();
+    assert!(error < 1e-13, "{error:e}");
+}
+
+#[test]
+fn long_steps_take_newtons_iteration_or_are_a_typed_error() {
+    /// A well whose wall is a million times as steep as its floor, with a term that mixes.
+    struct Stiff;
+
+    #[crate::hamiltonian(split = none)]
+    impl Stiff {
+        fn hamiltonian(&self, [x, y]: [f64; 2], [px, py]: [f64; 2]) -> f64 {
+            0.5 * (px * px + py * py + x * x + 1e6 * y * y) + 0.1 * x * py
+        }
+    }
+    let start = Phase::new([1.0, 1e-6], [0.0, 0.0]);
+    // The default is the midpoint, which conserves quadratic energies, whatever the step.
+    let mut run = Stiff.run(start, 0.1).expect("a start");
+    let energy = run.energy();
+    run.advance(10_000).expect("an end");
+    assert!((run.energy() - energy).abs() < 1e-9, "{:e}", run.energy() - energy);
+
+    let mut run = DoublePendulum.run_with(GaussLegendre6, HUNG, 1e6).expect("a start");
+    let error = run.advance(10).expect_err("no end");
+    assert!(matches!(error, Error::NotSolved { reason: Unsolved::Newton { .. }, .. }), "{error:?}");
+    assert_eq!(run.state(), HUNG);
+}
+
+#[test]
+fn the_time_is_read_where_stages_are() {
+    struct Driven;
+
+    #[crate::hamiltonian(split = none)]
+    impl Driven {
+        fn hamiltonian(&self, [q]: [f64; 1], [p]: [f64; 1], t: f64) -> f64 {
+            0.5 * p * p * (1.0 + 0.2 * t.cos()) + 0.5 * q * q + 0.3 * q * p * t.sin()
+        }
+    }
+    let error = |steps: u32| {
+        let of =
+            |steps: u32| end(&Driven, GaussLegendre4, &Phase::new([1.0], [0.0]), 2.0 / f64::from(steps), steps.into());
+        (f64::from(steps).ln(), apart(&of(steps), &of(2 * steps)).ln())
+    };
+    let slope = fit(&[10, 20, 40].map(error)).value;
+    assert!((slope + 4.0).abs() < 0.2, "{slope}");
+}

@@ -1,0 +1,36 @@
+//! H in one piece, for methods that take the whole of its field: `split = none`.
+
+use super::{Called, Reader, shape::whole_signature};
+use crate::{graph::NodeId, model::Shape, syntax::Compose};
+use proc_macro2::Span;
+use syn::ImplItemFn;
+
+impl Reader<'_> {
+    /// H and nothing else, or notes of what is wrong with it.
+    pub(super) fn unsplit(&mut self, at: Span, whole: Option<&ImplItemFn>) -> Option<([NodeId; 2], Shape, Called)> {
+        let Some(function) = whole else {
+            let message = "`none` takes H as it is, in one function: write \
+                           `fn hamiltonian(&self, q: [f64; N], p: [f64; N]) -> f64`; implicit methods integrate `kinetic` and \
+                           `potential` without it";
+            self.errors.at_span(at, message);
+            return None;
+        };
+        if let Some(coordinates) = &self.input.coordinates {
+            let message = "Jacobi coordinates are for bodies whose T and V are known apart, not for `none`";
+            self.errors.at(&coordinates.name, message);
+            return None;
+        }
+        if let Some(Compose::InPlace(_, span)) = &self.input.compose {
+            let message = "a sequence composes flows, and `split = none` leaves H in one piece, which has none: name an \
+                           implicit method, `compose = GaussLegendre4`";
+            self.errors.at_span(*span, message);
+            return None;
+        }
+        let signature = whole_signature(function, self.errors)?;
+        self.may_mix = true;
+        let energy = self.whole_energy(function, &signature);
+        self.may_mix = false;
+        let zero = self.graph.constant(0.0);
+        Some(([energy?, zero], signature.shape, Called::Whole(signature.arguments)))
+    }
+}
