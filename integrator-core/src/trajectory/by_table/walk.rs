@@ -1,0 +1,228 @@
+//! The loop over the flows of a table.
+
+use crate::{
+    composition::{Lead, Stage, Stages, corrected_durations::Corrections},
+    hamiltonian::{Flows, Hamiltonian, Single},
+    layout::lattice::time_tiling::TimeTiling,
+    scalar::real::{Kernel, Real},
+    state::{clock::Clock, precision::Precision},
+    trajectory::{
+        by_table::{
+            Kicks, Tabled,
+            letters::{Flow, Letter, Letters},
+        },
+        step_functions::Executor,
+    },
+};
+use core::{marker::PhantomData, ops::Range};
+
+/// What is done with a motion.
+#[derive(Clone, Copy)]
+pub(super) enum Portion {
+    /// So many steps.
+    Steps(u64),
+    /// The end of the step under way.
+    Closing,
+    /// What undoes the processor behind it.
+    Undoing,
+}
+
+/// Takes a motion a portion further.
+pub(super) fn walk<H, G, R, K, E>(
+    tabled: &mut Tabled<H::Motion<R, K>>,
+    clock: Clock,
+    portion: Portion,
+    threads: Option<usize>,
+) where
+    H: Hamiltonian,
+    G: Kicks<H>,
+    R: Real,
+    K: Precision,
+    E: Executor,
+{
+    let letters = &*tabled.letters;
+    if const { E::TILES && TimeTiling::<H, R, K>::ENABLED } {
+        let mut flows = TimeTiling::<H, R, K>::new(&mut tabled.motion, threads);
+        Walk::<_, H, G>::new(&mut flows, letters, clock, portion).call();
+        flows.finish();
+    } else {
+        R::enter(Walk::<_, H, G>::new(Single::<H, R, K>(&mut tabled.motion), letters, clock, portion));
+    }
+}
+
+/// The loop over flows.
+struct Walk<'l, F, H, G> {
+    flows: F,
+    letters: &'l Letters,
+    clock: Clock,
+    portion: Portion,
+    marker: PhantomData<(fn(H), G)>,
+}
+
+impl<'l, F, H, G> Walk<'l, F, H, G> {
+    fn new(flows: F, letters: &'l Letters, clock: Clock, portion: Portion) -> Self {
+        Self { flows, letters, clock, portion, marker: PhantomData }
+    }
+}
+
+/// Flows in their order.
+struct Pass<'l> {
+    letters: &'l [Letter],
+    /// The number of the step that they belong to.
+    step: u64,
+    /// Whether their durations are corrected.
+    corrected: bool,
+}
+
+/// What a step consists of where pieces of H meet in time: the end of the last one, what undoes the processor, and all up
+/// to its own end.
+const WHOLE_STEP: u64 = 3;
+
+impl<F: Flows<H>, H: Hamiltonian, G: Kicks<H>> Kernel for Walk<'_, F, H, G> {
+    type Out = ();
+
+    #[inline(always)]
+    fn call(mut self) {
+        let corrections = if F::COMPENSATED { self.corrections() } else { Corrections::NONE };
+        let passes = self.passes();
+        // One loop, so that each flow is compiled once for all of these.
+        for number in 0..passes {
+            let Some(Pass { letters, step, corrected }) = self.pass(number) else { continue };
+            let (h, time) = (self.clock.h, self.clock.at(step));
+            if const { H::PIECEWISE_IN_TIME } {
+                self.flows.begin_step(time + h / 2.0);
+            }
+            if F::COMPENSATED {
+                let corrections = if corrected { corrections } else { Corrections::NONE };
+                Self::apply(&mut corrections.on(&mut self.flows, step), letters, h, time);
+            } else {
+                Self::apply(&mut self.flows, letters, h, time);
+            }
+        }
+        if const { Self::IN_PAIRS }
+            && let Portion::Steps(steps) = self.portion
+        {
+            self.cycles(self.clock.steps + passes..self.clock.steps + steps, corrections);
+        }
+    }
+}
+
+impl<'l, F: Flows<H>, H: Hamiltonian, G: Kicks<H>> Walk<'l, F, H, G> {
+    /// Whether cycles go in drifts and kicks by turns, which keeps small states in registers.
+    const IN_PAIRS: bool = !H::PIECEWISE_IN_TIME && H::PARTS.len() == 2;
+
+    /// Cycles in a loop without a branch.
+    #[inline(always)]
+    fn cycles(&mut self, steps: Range<u64>, corrections: Corrections) {
+        let (h, Stages { lead, cycle, .. }) = (self.clock.h, &self.letters.stages);
+        match lead {
+            Lead::Drift => {
+                for step in steps {
+                    let time = self.clock.at(step);
+                    if F::COMPENSATED {
+                        Self::drifts_and_kicks(&mut corrections.on(&mut self.flows, step), cycle, h, time);
+                    } else {
+                        Self::drifts_and_kicks(&mut self.flows, cycle, h, time);
+                    }
+                }
+            }
+            Lead::Kick => {
+                for step in steps {
+                    let time = self.clock.at(step);
+                    if F::COMPENSATED {
+                        Self::kicks_and_drifts(&mut corrections.on(&mut self.flows, step), cycle, h, time);
+                    } else {
+                        Self::kicks_and_drifts(&mut self.flows, cycle, h, time);
+                    }
+                }
+            }
+        }
+    }
+
+    #[inline(always)]
+    fn drifts_and_kicks(flows: &mut impl Flows<H>, cycle: &[Stage], h: f64, time: f64) {
+        for stage in cycle {
+            flows.drift(h * stage.drift, time + h * stage.drift_time);
+            Self::kick(flows, stage, h, time);
+        }
+    }
+
+    #[inline(always)]
+    fn kicks_and_drifts(flows: &mut impl Flows<H>, cycle: &[Stage], h: f64, time: f64) {
+        for stage in cycle {
+            Self::kick(flows, stage, h, time);
+            flows.drift(h * stage.drift, time + h * stage.drift_time);
+        }
+    }
+
+    #[inline(always)]
+    fn kick(flows: &mut impl Flows<H>, stage: &Stage, h: f64, time: f64) {
+        if G::GRADIENTS && stage.gradient != 0.0 {
+            G::gradient_kick(flows, h * stage.kick, h * h * h * stage.gradient, time + h * stage.kick_time);
+        } else {
+            flows.kick(h * stage.kick, time + h * stage.kick_time);
+        }
+    }
+
+    /// How many passes make the portion, beside cycles that go in pairs.
+    fn passes(&self) -> u64 {
+        match self.portion {
+            Portion::Steps(steps) if H::PIECEWISE_IN_TIME => WHOLE_STEP * steps,
+            // All but the first step of a run are cycles.
+            Portion::Steps(steps) if Self::IN_PAIRS => {
+                if self.clock.steps == 0 {
+                    steps.min(1)
+                } else {
+                    0
+                }
+            }
+            Portion::Steps(steps) => steps,
+            Portion::Closing | Portion::Undoing => 1,
+        }
+    }
+
+    /// The pass of this number; `None` for the end of a step before the first one.
+    #[inline]
+    fn pass(&self, number: u64) -> Option<Pass<'l>> {
+        let (letters, begin) = (self.letters, self.clock.steps);
+        let ending = |letters, step: u64| Some(Pass { letters, step: step.checked_sub(1)?, corrected: false });
+        match self.portion {
+            Portion::Closing => ending(&letters.closing, begin),
+            Portion::Undoing => ending(&letters.undoing, begin),
+            Portion::Steps(_) if H::PIECEWISE_IN_TIME => {
+                let step = begin + number / WHOLE_STEP;
+                match number % WHOLE_STEP {
+                    0 => ending(&letters.closing, step),
+                    1 => ending(&letters.undoing, step),
+                    _ => Some(Pass { letters: &letters.opening, step, corrected: true }),
+                }
+            }
+            Portion::Steps(_) => match begin + number {
+                0 => Some(Pass { letters: &letters.opening, step: 0, corrected: false }),
+                step => Some(Pass { letters: &letters.cycle, step, corrected: true }),
+            },
+        }
+    }
+
+    fn corrections(&self) -> Corrections {
+        let Letters { stages, processor, .. } = self.letters;
+        if H::PIECEWISE_IN_TIME {
+            Corrections::of_whole_steps(stages, processor, self.clock.h, H::PARTS.len())
+        } else {
+            Corrections::new(stages, self.clock.h, H::PARTS.len())
+        }
+    }
+
+    #[inline(always)]
+    fn apply(flows: &mut impl Flows<H>, letters: &[Letter], h: f64, begin: f64) {
+        for letter in letters {
+            let (duration, time) = (h * letter.duration, begin + h * letter.time);
+            match letter.flow {
+                Flow::Drift => flows.drift(duration, time),
+                Flow::Kick => flows.kick(duration, time),
+                Flow::GradientKick => G::gradient_kick(flows, duration, h * h * h * letter.gradient, time),
+                Flow::Middle { backwards } => flows.middle(duration, backwards),
+            }
+        }
+    }
+}
