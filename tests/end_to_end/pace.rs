@@ -199,10 +199,23 @@ fn members_have_the_bits_of_their_runs_also_where_others_are_lost() {
         let mut run = comet.run_with(Paced(KahanLi8), *start, 0.02).expect("a start");
         run.advance(2_100).expect("finite states");
         assert_eq!(paced.state(member), Some(run.state()), "member {member}");
+        assert_eq!(paced.time_of(member), Some(run.time()), "member {member}");
         let mut run = comet.run_with(Logarithmic(KahanLi8), *start, 0.1).expect("a start");
         run.advance(2_100).expect("finite states");
-        assert_eq!(swarm.state(member), Some(run.state()), "member {member}");
+        assert_eq!(
+            (swarm.time_of(member), swarm.state(member)),
+            (Some(run.time()), Some(run.state())),
+            "member {member}"
+        );
     }
+    swarm.map_states(|_, state| state.p[1] *= 1.01).expect("states");
+    swarm.advance(300).expect("finite states");
+    let (comet, start) = members[2];
+    let mut run = comet.run_with(Logarithmic(KahanLi8), start, 0.1).expect("a start");
+    run.advance(2_100).expect("finite states");
+    run.map_state(|state| state.p[1] *= 1.01).expect("a state");
+    run.advance(300).expect("finite states");
+    assert_eq!((swarm.time_of(2), swarm.state(2)), (Some(run.time()), Some(run.state())));
 }
 
 #[test]

@@ -6,10 +6,13 @@
 use crate::{
     ensemble::request::AdvanceRequest,
     error::Divergence,
-    state::{clock::Clock, point::Point},
+    state::{
+        clock::{Clock, durations, time_after},
+        point::Point,
+    },
     trajectory::{
         engine::Engine,
-        motions::{Lane, Motions, copy, gather, load, show, shown},
+        motions::{Lane, Motions, copy, elapsed, gather, load, show, shown},
         panics::Panics,
     },
 };
@@ -30,11 +33,14 @@ pub(crate) struct Batch {
     sample: Box<dyn Point>,
     /// How many steps were done when the states were last changed from outside.
     opened: u64,
+    /// The times of the members then, where these are part of their states: sums of two numbers.
+    opened_at: Vec<[f64; 2]>,
 }
 
-/// The last state of a member, and the number of steps that led there.
+/// The last state of a member, the number of steps that led there, and when that was.
 struct Finish {
     steps: u64,
+    time: f64,
     state: Box<dyn Point>,
 }
 
@@ -62,17 +68,26 @@ impl Batch {
         let motions = load(like, with_states(first, &lanes, states));
         Self {
             first,
-            finished: members.map(|_| None).collect(),
+            finished: members.clone().map(|_| None).collect(),
             lanes,
             engine: Engine::new(motions),
             sample: states(first).boxed_clone(),
             opened: 0,
+            opened_at: vec![[0.0; 2]; members.len()],
         }
     }
 
     /// The clock of the motions, which begins where the states were last changed from outside.
     fn since_opened(&self, clock: Clock) -> Clock {
         clock.since(self.opened)
+    }
+
+    /// The time of a member after so many steps, or by its own time.
+    fn time(&self, index: usize, clock: Clock, elapsed: Option<[f64; 2]>) -> f64 {
+        match elapsed {
+            Some(elapsed) => time_after(clock.t0, durations(self.opened_at[index], elapsed)),
+            None => clock.at(clock.steps),
+        }
     }
 
     /// Where the member in a lane of these motions is.
@@ -104,8 +119,14 @@ impl Batch {
         let mut state = self.sample.boxed_clone();
         replay.engine.state(self.since_opened(clock), &mut *state);
         replay.engine.completed.store(0, &mut *self.sample);
-        let divergence = (!replay.panicked).then(|| state.divergence(&*self.sample, clock));
-        self.finished[index] = Some(Finish { steps: clock.steps, state });
+        let elapsed = replay.engine.elapsed(self.since_opened(clock));
+        let time = self.time(index, clock, elapsed);
+        let divergence = (!replay.panicked).then(|| {
+            let report = state.divergence(&*self.sample, clock);
+            // A time that is part of the state is known up to the last finite one.
+            if elapsed.is_some() { Divergence { time, ..report } } else { report }
+        });
+        self.finished[index] = Some(Finish { steps: clock.steps, time, state });
         Some((self.first + index, divergence?))
     }
 
@@ -164,7 +185,8 @@ impl Batch {
             }
             show(completed, shown.as_deref(), lane, &mut *self.sample);
             if !request.stays(self.first + index, &*self.sample) {
-                self.finished[*index] = Some(Finish { steps: clock.steps, state: self.sample.boxed_clone() });
+                let time = self.time(*index, clock, elapsed(completed, shown.as_deref(), lane));
+                self.finished[*index] = Some(Finish { steps: clock.steps, time, state: self.sample.boxed_clone() });
             }
         }
     }
@@ -234,18 +256,34 @@ impl Batch {
 
     /// The state of a member.
     pub(crate) fn state(&self, member: usize, clock: Clock) -> Box<dyn Point> {
-        let index = member - self.first;
-        if let Some(finish) = &self.finished[index] {
-            return finish.state.boxed_clone();
+        match &self.finished[member - self.first] {
+            Some(finish) => finish.state.boxed_clone(),
+            None => self.under_way(member, clock).0,
         }
+    }
+
+    /// The time of a member.
+    pub(crate) fn time_of(&self, member: usize, clock: Clock) -> f64 {
+        let index = member - self.first;
+        match &self.finished[index] {
+            Some(finish) => finish.time,
+            None if self.engine.motions.elapsed(0).is_none() => self.time(index, clock, None),
+            None => self.time(index, clock, self.under_way(member, clock).1),
+        }
+    }
+
+    /// The state of a member that is under way, and its time since the states were changed where that is part of it.
+    fn under_way(&self, member: usize, clock: Clock) -> (Box<dyn Point>, Option<[f64; 2]>) {
+        let index = member - self.first;
         // The members before it that are under way are in the lanes before.
         let (lane, motions) = (self.lanes.partition_point(|other| *other < index), &*self.engine.motions);
         let (motion, lane) = (lane / motions.lanes(), lane % motions.lanes());
         let (mut completed, clock) = (copy(motions, motion..motion + 1), self.since_opened(clock));
         completed.complete(clock);
         let mut state = self.sample.boxed_clone();
-        show(&*completed, shown(&*completed, clock).as_deref(), lane, &mut *state);
-        state
+        let shown = shown(&*completed, clock);
+        show(&*completed, shown.as_deref(), lane, &mut *state);
+        (state, elapsed(&*completed, shown.as_deref(), lane))
     }
 
     /// Whether a member is neither lost nor gone.
@@ -254,9 +292,17 @@ impl Batch {
     }
 
     /// Lets the members that are under way go on from these states after so many steps.
-    pub(crate) fn restart(&mut self, states: &States, steps: u64) {
+    pub(crate) fn restart(&mut self, states: &States, clock: Clock) {
+        if self.engine.motions.elapsed(0).is_some() {
+            for lane in 0..self.lanes.len() {
+                let index = self.lanes[lane];
+                if let (_, Some(elapsed)) = self.under_way(self.first + index, clock) {
+                    self.opened_at[index] = durations(self.opened_at[index], elapsed);
+                }
+            }
+        }
         self.engine.restart(with_states(self.first, &self.lanes, states));
-        self.opened = steps;
+        self.opened = clock.steps;
     }
 }
 

@@ -87,7 +87,7 @@ impl Members {
     /// Lets the members that are under way go on from these states.
     pub(crate) fn restart(&mut self, states: &States) {
         for batch in &mut self.batches {
-            batch.restart(states, self.clock.steps);
+            batch.restart(states, self.clock);
         }
     }
 
@@ -177,9 +177,13 @@ impl Members {
         Some(self.batch_of(member)?.state(member, self.clock))
     }
 
+    pub(crate) fn time_of(&self, member: usize) -> Option<f64> {
+        Some(self.batch_of(member)?.time_of(member, self.clock))
+    }
+
     pub(crate) fn energy(&self, member: usize) -> Option<f64> {
         let batch = self.batch_of(member)?;
-        let time = self.clock.at(batch.steps(member, self.clock));
+        let time = batch.time_of(member, self.clock);
         Some((self.energies)(member, &*batch.state(member, self.clock), time).total)
     }
 

@@ -263,7 +263,8 @@ impl<C: Coords> Ensemble<C> {
         self.members.active()
     }
 
-    /// The time of the members that are under way, `t0 + n·h`.
+    /// The time of the members that are under way, `t0 + n·h`; that of one that has a time of its own is
+    /// [`Ensemble::time_of`] it.
     pub fn time(&self) -> f64 {
         self.members.time()
     }
@@ -276,6 +277,12 @@ impl<C: Coords> Ensemble<C> {
     /// How many steps a member has taken: fewer than the others if it is lost or gone. `None` beyond the last member.
     pub fn steps_of(&self, member: usize) -> Option<u64> {
         self.members.steps_of(member)
+    }
+
+    /// The time of a member: that of its last step if it is lost or gone, and its own where the method has one, such as
+    /// [`Logarithmic`](crate::Logarithmic). `None` beyond the last member.
+    pub fn time_of(&self, member: usize) -> Option<f64> {
+        self.members.time_of(member)
     }
 
     /// The state of a member: its last finite one if it is lost, the one in which it left if it is gone.

@@ -2,6 +2,7 @@
 
 use crate::{
     error::{Divergence, Error},
+    scalar::exact::two_sum,
     state::{
         coords::Coords,
         flat::{Flat, flat},
@@ -66,6 +67,18 @@ impl Clock {
         let coordinate = first("q", &next.q).or_else(|| first("p", &next.p));
         Divergence { step, time: self.at(step), limit, coordinate, q: state.q, p: state.p }
     }
+}
+
+/// The sum of two durations, each of which is a sum of two numbers.
+pub(crate) fn durations([one, its_rest]: [f64; 2], [other, rest]: [f64; 2]) -> [f64; 2] {
+    let [sum, lost] = two_sum(one, other);
+    [sum, lost + (its_rest + rest)]
+}
+
+/// The time so long after `t0`.
+pub(crate) fn time_after(t0: f64, duration: [f64; 2]) -> f64 {
+    let [sum, rest] = durations([t0, 0.0], duration);
+    sum + rest
 }
 
 /// The lowest bound that values stay below, in absolute value.

@@ -147,7 +147,7 @@ impl Engine {
     pub(crate) fn elapsed(&self, clock: Clock) -> Option<[f64; 2]> {
         // Most have no such time, and a look at it would complete a step.
         self.motions.elapsed(0)?;
-        self.read(clock, elapsed)
+        self.read(clock, |completed, shown| elapsed(completed, shown, 0))
     }
 
     /// Reads a trajectory with the step under way completed.
@@ -193,7 +193,7 @@ impl Engine {
         }
         let shown = shown(&**motions, end);
         show(&**motions, shown.as_deref(), 0, to);
-        Ok(elapsed(&**motions, shown.as_deref()))
+        Ok(elapsed(&**motions, shown.as_deref(), 0))
     }
 
     /// Whether a force or a velocity is not finite: then nor is a step of no length at all.

@@ -147,10 +147,10 @@ pub(crate) fn show(completed: &dyn Motions, shown: Option<&dyn Motions>, lane: u
     completed.store(lane, to);
 }
 
-/// The time of the state that is shown of a trajectory, where it is part of the state.
-pub(crate) fn elapsed(completed: &dyn Motions, shown: Option<&dyn Motions>) -> Option<[f64; 2]> {
-    let shown = shown.filter(|shown| shown.finite());
-    shown.unwrap_or(completed).elapsed(0)
+/// The time of the state that is shown of a lane, where it is part of the state.
+pub(crate) fn elapsed(completed: &dyn Motions, shown: Option<&dyn Motions>, lane: usize) -> Option<[f64; 2]> {
+    let of_shown = shown.and_then(|shown| shown.elapsed(lane)).filter(|[time, _]| time.is_finite());
+    of_shown.or_else(|| completed.elapsed(lane))
 }
 
 /// The constants of a run by the method, of every member.

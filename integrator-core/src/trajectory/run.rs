@@ -7,8 +7,13 @@ use crate::trajectory::checkpoint::Origin;
 use crate::{
     error::{Divergence, Error},
     hamiltonian::Hamiltonian,
-    scalar::exact::two_sum,
-    state::{clock::Clock, coords::Coords, phase::Phase, point::Point, precision::Precision},
+    state::{
+        clock::{Clock, durations, time_after},
+        coords::Coords,
+        phase::Phase,
+        point::Point,
+        precision::Precision,
+    },
     system::{
         energy::{Energies, Parts, energies, energy},
         motion::Prepared,
@@ -259,10 +264,8 @@ impl<C: Coords> Run<C> {
     }
 
     /// The time so long after the state was last changed from outside.
-    pub(crate) fn time_of(&self, [elapsed, rest]: [f64; 2]) -> f64 {
-        let [sum, lost] = two_sum(self.opened_at[0], elapsed);
-        let [time, more] = two_sum(self.clock.t0, sum);
-        time + (more + (lost + (self.opened_at[1] + rest)))
+    pub(crate) fn time_of(&self, elapsed: [f64; 2]) -> f64 {
+        time_after(self.clock.t0, durations(self.opened_at, elapsed))
     }
 
     /// The step `h`.
@@ -370,9 +373,8 @@ impl<C: Coords> Run<C> {
         self.between = None;
         self.watch = self.watch.map(|Watch { bound, .. }| Watch::new(bound, parts));
         self.evaluated = self.evaluated.saturating_add(self.engine.motions.evaluations().unwrap_or(0));
-        if let Some([elapsed, rest]) = self.engine.elapsed(self.since_opened()) {
-            let [sum, lost] = two_sum(self.opened_at[0], elapsed);
-            self.opened_at = [sum, lost + (self.opened_at[1] + rest)];
+        if let Some(elapsed) = self.engine.elapsed(self.since_opened()) {
+            self.opened_at = durations(self.opened_at, elapsed);
         }
         self.engine.restart(vec![(0, &state)]);
         self.opened = self.clock.steps;
