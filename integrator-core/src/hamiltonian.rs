@@ -51,6 +51,9 @@ pub trait Hamiltonian: Sized {
     /// The names of the parts, in the order of the letters A, B, C; none where H stays in one piece, which methods that
     /// take the whole of its field integrate and no composition.
     const PARTS: &'static [&'static str] = &["kinetic", "potential"];
+    /// Whether all parts behind the first are one part of a composition, which their flows approximate in a symmetric
+    /// step: those of `middle` for half the duration, that of `kick`, and those of `middle` backwards.
+    const PAIRED: bool = false;
     /// Whether H = T(p) + V(q): a drift moves positions alone, by what momenta say, a kick momenta alone.
     const SEPARABLE: bool = true;
     /// How exact the derivatives of flows by duals are, in units of those of the chain rule: a flow that the user wrote has
@@ -87,8 +90,9 @@ pub trait Hamiltonian: Sized {
     fn begin_step<R: Real, K: Precision>(_motion: &mut Self::Motion<R, K>, _middle: f64) {}
     /// The exact flow of `T`, or of the first part, for a time `duration`; `time` is where an explicit time dependence is read.
     fn drift<R: Real, K: Precision>(motion: &mut Self::Motion<R, K>, duration: f64, time: f64);
-    /// The flows of the parts between the first and the last, in their order, or backwards.
-    fn middle<R: Real, K: Precision>(_motion: &mut Self::Motion<R, K>, _duration: f64, _backwards: bool) {}
+    /// The flows of the parts between the first and the last, in their order, or backwards; `time` is where an explicit
+    /// time dependence is read.
+    fn middle<R: Real, K: Precision>(_motion: &mut Self::Motion<R, K>, _duration: f64, _time: f64, _backwards: bool) {}
     /// The exact flow of `V`, or of the last part, for a time `duration`; `time` is where an explicit time dependence is read.
     fn kick<R: Real, K: Precision>(motion: &mut Self::Motion<R, K>, duration: f64, time: f64);
     /// Moves coordinates by `duration` times the field of H, `∂H/∂p` and `-∂H/∂q`, at those that are read. Written where H
@@ -187,7 +191,7 @@ pub trait Flows<H: Hamiltonian> {
     /// The flow of `V`.
     fn kick(&mut self, duration: f64, time: f64);
     /// The flows of the parts between the first and the last: [`Hamiltonian::middle`].
-    fn middle(&mut self, duration: f64, backwards: bool);
+    fn middle(&mut self, duration: f64, time: f64, backwards: bool);
     /// The flow of `duration·V + gradient·|∇V|²`.
     fn gradient_kick(&mut self, duration: f64, gradient: f64, time: f64)
     where
@@ -213,8 +217,8 @@ impl<H: Hamiltonian, R: Real, K: Precision> Flows<H> for Single<'_, H, R, K> {
         H::kick::<R, K>(self.0, duration, time);
     }
     #[cfg_attr(not(debug_assertions), inline(always))]
-    fn middle(&mut self, duration: f64, backwards: bool) {
-        H::middle::<R, K>(self.0, duration, backwards);
+    fn middle(&mut self, duration: f64, time: f64, backwards: bool) {
+        H::middle::<R, K>(self.0, duration, time, backwards);
     }
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn gradient_kick(&mut self, duration: f64, gradient: f64, time: f64)

@@ -97,7 +97,7 @@ mod trajectory;
 
 pub use composition::catalogue::*;
 pub use composition::visitor::{
-    Visitor, visit_general, visit_many_parts, visit_quadratic, visit_two_parts, visit_two_parts_quadratic,
+    Visitor, visit_general, visit_many_parts, visit_pairs, visit_quadratic, visit_two_parts, visit_two_parts_quadratic,
 };
 pub use composition::{Class, Composition, Lead, Processor, Rows, Scheme, Stage, Stages};
 #[cfg(feature = "std")]
@@ -165,9 +165,11 @@ pub mod __private {
     pub use crate::system::external::{External, OwnFlow, external, own_flow};
     pub use crate::{
         composition::{
-            Class, Composition, Lead, Processor, Rows, Scheme, Stage, Stages, admits,
+            Class, Composition, Lead, Processor, Rows, Scheme, Stage, Stages, admits, admits_pairs,
             catalogue::Verlet,
-            visitor::{Visitor, visit_many_parts, visit_quadratic, visit_two_parts, visit_two_parts_quadratic},
+            visitor::{
+                Visitor, visit_many_parts, visit_pairs, visit_quadratic, visit_two_parts, visit_two_parts_quadratic,
+            },
         },
         error::{Error, NotFinite},
         flow::{

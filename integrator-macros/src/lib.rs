@@ -46,6 +46,7 @@ use proc_macro::TokenStream;
 /// | `compose = V(1/2) T(1) V(1/2)` | a sequence in place, as in `composition!`, proved for this Hamiltonian |
 /// | `coordinates = jacobi(self.masses)` | with `split = kepler + interaction`: bodies `[[f64; D]; N]` that attract each other move in Jacobi coordinates, made with their masses, the star first; `potential` has to be a sum over pairs with terms `-G m[i] m[j] / r` of the distance `r` of two bodies. States stay in the coordinates of the functions |
 /// | `split = kepler + interaction` | the parts of `H`, each a function of this name with a flow that is known exactly, in the order of the letters A, B, C; see [Parts](#parts) |
+/// | `split = kepler + (jump + interaction)` | the same, where the parts in parentheses are one part, which a composition takes as a symmetric pair |
 /// | `split = none` | `H` stays in one piece, `hamiltonian(&self, q, p)`, whatever it mixes: for methods that take the whole of its field, `compose = GaussLegendre4`; without `compose` it is `ImplicitMidpoint` |
 /// | `split = symmetric(omega = 20.0)` | the same `H` of each of two copies of the state, coupled as tightly as you say, for compositions |
 /// | `functions = fast` | `sin`, `cos`, `tan`, `exp`, `ln`, `tanh`, `asin`, `acos`, `atan`, `atan2` and `cbrt` within 4 ulp instead of 1 or 2, which takes a fifth to a half of their time off; other functions stay as they are; `functions = precise` names the default |

@@ -40,8 +40,8 @@ pub(crate) struct Coordinates {
 
 /// How H is split.
 enum Split {
-    /// Into the parts of these names.
-    Parts(Vec<Ident>),
+    /// Into the parts of these names; where all but the first stand in parentheses, these parentheses.
+    Parts(Vec<Ident>, Option<Span>),
     /// Into H of each of two copies of the state, and a coupling.
     Symmetric(Box<syn::Result<Expr>>),
     /// Not at all.
@@ -54,6 +54,8 @@ pub(crate) struct Input {
     pub(crate) compose: Option<Compose>,
     /// The parts of H by their names, in the order of the letters A, B, C; none where the annotation has no `split`.
     pub(crate) split: Vec<Ident>,
+    /// The parentheses around all parts but the first, which are one part then: a symmetric pair.
+    pub(crate) paired: Option<Span>,
     /// The coordinates of the motion, where they are not those of states.
     pub(crate) coordinates: Option<Coordinates>,
     /// How tightly two copies of the state are coupled, where `split = symmetric(omega = ..)` asks for them.
@@ -110,10 +112,10 @@ pub(crate) fn input(arguments: TokenStream, item: TokenStream, errors: &mut Erro
         return None;
     }
     let Arguments { compose, split, coordinates, functions, taylor, root } = arguments.unwrap_or_default();
-    let (mut names, mut coupling, mut unsplit) = (Vec::new(), None, None);
+    let (mut names, mut paired, mut coupling, mut unsplit) = (Vec::new(), None, None, None);
     match split {
         None => {}
-        Some(Split::Parts(parts)) => names = parts,
+        Some(Split::Parts(parts, pair)) => (names, paired) = (parts, pair),
         Some(Split::Nowhere(at)) => unsplit = Some(at),
         Some(Split::Symmetric(stated)) => {
             // H is read as it is meant all the same.
@@ -123,7 +125,7 @@ pub(crate) fn input(arguments: TokenStream, item: TokenStream, errors: &mut Erro
     }
     let functions = functions.unwrap_or_default();
     let root = root.unwrap_or_else(|| syn::parse_quote!(::integrator_core));
-    Some(Input { compose, split: names, coordinates, coupling, unsplit, functions, taylor, root, item })
+    Some(Input { compose, split: names, paired, coordinates, coupling, unsplit, functions, taylor, root, item })
 }
 
 fn looks_like_impl(item: &TokenStream) -> bool {
@@ -221,15 +223,53 @@ fn split_of(input: ParseStream<'_>, key: Span) -> syn::Result<Split> {
         return Ok(Split::Nowhere(input.parse::<Ident>()?.span()));
     }
     let is = "the parts of H are named by their functions, as in `split = kepler + interaction`";
+    if input.peek(Paren) {
+        return Err(input.error(FIRST_IN_PARENTHESES));
+    }
     if !input.peek(Ident) {
         return Err(misfit(input, key, is));
     }
-    let names = Punctuated::<Ident, Token![+]>::parse_separated_nonempty(input);
-    let names: Vec<Ident> = names.map_err(|error| syn::Error::new(error.span(), is))?.into_iter().collect();
+    let mut names = vec![input.parse::<Ident>()?];
+    while input.peek(Token![+]) {
+        input.parse::<Token![+]>()?;
+        if input.peek(Paren) {
+            return paired(input, names);
+        }
+        names.push(input.parse().map_err(|error: syn::Error| syn::Error::new(error.span(), is))?);
+    }
     if let [alone] = &names[..] {
         return Err(syn::Error::new(alone.span(), format!("one part alone is not composed; {is}")));
     }
-    Ok(Split::Parts(names))
+    Ok(Split::Parts(names, None))
+}
+
+const FIRST_IN_PARENTHESES: &str = "parts in parentheses are the second part of H, which a composition treats as the small \
+                                    one: `split = kepler + (jump + interaction)`";
+
+/// The first part with those in parentheses behind it.
+fn paired(input: ParseStream<'_>, mut names: Vec<Ident>) -> syn::Result<Split> {
+    let content;
+    let span = parenthesized!(content in input).span.join();
+    let wrong = |place: Span, message: &str| Err(syn::Error::new(place, message));
+    if let [_, second, ..] = &names[..] {
+        let message = "parts in parentheses are the second of two parts, and this is another one: put it into the \
+                       parentheses, or leave these out";
+        return wrong(second.span(), message);
+    }
+    let inner = Punctuated::<Ident, Token![+]>::parse_separated_nonempty(&content);
+    let is = "parentheses hold parts of H by their names, as in `split = kepler + (jump + interaction)`";
+    let inner = inner.map_err(|error| syn::Error::new(error.span(), is))?;
+    if inner.len() < 2 {
+        return wrong(span, "one part alone is no pair: leave out the parentheses");
+    }
+    if input.peek(Token![+]) {
+        return wrong(
+            input.span(),
+            "parts in parentheses are the last part of H: put what follows before them, or into them",
+        );
+    }
+    names.extend(inner);
+    Ok(Split::Parts(names, Some(span)))
 }
 
 /// The coupling of `symmetric(omega = 20.0)`, or what is wrong with it.

@@ -123,7 +123,7 @@ parts_by_hand! {
         m.q[0].fma(R::of(d), m.p[0].value());
         m.q[1].fma(R::of(d), m.p[1].value());
     }
-    fn middle<R: Real, K: Precision>(m: &mut Self::Motion<R, K>, d: f64, _backwards: bool) {
+    fn middle<R: Real, K: Precision>(m: &mut Self::Motion<R, K>, d: f64, _t: f64, _backwards: bool) {
         let (sine, cosine) = (m.parameters.rate * d).sin_cos();
         for [x, y] in [&mut m.q, &mut m.p] {
             let (before, beside) = (x.value(), y.value());

@@ -2,7 +2,7 @@
 //! an ensemble has the bits of its run alone.
 
 use integrator_core::{
-    Chin4A, Ensemble, KahanLi8, Verlet,
+    Abah844, Chin4A, Composition, Ensemble, KahanLi8, Verlet,
     check::{CertifyError, FlowLaw, Shortfall, certify},
     prelude::*,
 };
@@ -40,6 +40,43 @@ impl Three {
     fn potential(&self, q: [f64; 2]) -> f64 {
         (q[0] * q[1]).cos() + 0.5 * (q[0] * q[0] + q[1] * q[1])
     }
+}
+
+/// Planets in democratic heliocentric coordinates: positions from the star, momenta from the centre of mass.
+#[derive(Clone)]
+struct Heliocentric {
+    mass: [f64; 2],
+}
+
+#[hamiltonian(split = kepler + (jump + interaction), compose = Abah844)]
+impl Heliocentric {
+    fn kepler(&self, q: [[f64; 2]; 2], p: [[f64; 2]; 2]) -> f64 {
+        let mut energy = 0.0;
+        for i in 0..2 {
+            let square = p[i].iter().map(|p| p * p).sum::<f64>();
+            let distance = q[i].iter().map(|q| q * q).sum::<f64>().sqrt();
+            energy += 0.5 * square / self.mass[i] - self.mass[i] / distance;
+        }
+        energy
+    }
+    fn jump(&self, p: [[f64; 2]; 2]) -> f64 {
+        let mut square = 0.0;
+        for d in 0..2 {
+            square += (p[0][d] + p[1][d]).powi(2);
+        }
+        0.5 * square
+    }
+    fn interaction(&self, q: [[f64; 2]; 2]) -> f64 {
+        let d = [q[0][0] - q[1][0], q[0][1] - q[1][1]];
+        -self.mass[0] * self.mass[1] / (d[0] * d[0] + d[1] * d[1]).sqrt()
+    }
+}
+
+/// Planets of these masses on orbits about a star of mass 1.
+fn planets(mass: [f64; 2]) -> Phase<[[f64; 2]; 2]> {
+    let q = [[1.0, 0.0], [0.0, 2.2]];
+    let v = [[0.0, 1.05], [-0.7, 0.0]];
+    Phase { q, p: std::array::from_fn(|i| v[i].map(|v| v * mass[i])) }
 }
 
 /// Points in a list, each with a shear that reaches its neighbour.
@@ -121,6 +158,31 @@ fn three_parts_are_certified() {
     certify::<_, _, f64>(&three, Yoshida4, start, 0.02).unwrap_or_else(|error| panic!("{error}"));
     certify::<_, _, f64>(&three, KahanLi8, start, 0.1).unwrap_or_else(|error| panic!("{error}"));
     assert_members_are_alone!(|rate| Three { rate }, |k: f64| Phase { q: [0.1 * k, -0.2], p: [0.3, 0.5] });
+}
+
+#[test]
+fn a_part_that_is_a_pair_is_certified() {
+    let system = Heliocentric { mass: [1e-3, 5e-4] };
+    certify::<_, _, f64>(&system, Abah844, planets(system.mass), 0.1).unwrap_or_else(|error| panic!("{error}"));
+    assert_members_are_alone!(|mass| Heliocentric { mass: [1e-3 * mass, 5e-4] }, |k: f64| planets([1e-3, 1e-4 * k]));
+}
+
+/// The error of order `ε² h⁴` of two steps of which one is half of the other, against steps of eighth order.
+#[test]
+fn a_part_that_is_a_pair_costs_no_order() {
+    fn end<X: Composition<Heliocentric>>(composition: X, steps: u32) -> [[f64; 2]; 2] {
+        let system = Heliocentric { mass: [1e-2, 5e-3] };
+        let mut run = system.run_with(composition, planets(system.mass), 12.0 / f64::from(steps)).expect("a run");
+        run.advance(u64::from(steps)).expect("finite");
+        run.state().q
+    }
+    let exact = end(KahanLi8, 600);
+    let error = |q: [[f64; 2]; 2]| {
+        q.iter().flatten().zip(exact.iter().flatten()).map(|(q, exact)| (q - exact).abs()).fold(0.0, f64::max)
+    };
+    let order = |coarse: [[f64; 2]; 2], fine| (error(coarse) / error(fine)).log2();
+    let (kept, second) = (order(end(Abah844, 60), end(Abah844, 120)), order(end(Verlet, 60), end(Verlet, 120)));
+    assert!((kept - 4.0).abs() < 0.5 && (second - 2.0).abs() < 0.5, "orders {kept} and {second}");
 }
 
 #[test]

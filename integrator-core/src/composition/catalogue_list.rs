@@ -1,7 +1,7 @@
 //! The one list of the compositions in the catalogue, for visitors and for tests; a test holds it against the sources.
 
 /// Calls a macro with the compositions of the catalogue: those for every `T`, without a processor or with one, those for
-/// quadratic `T`, and those whose orders count where the second part is small, of both classes.
+/// quadratic `T`, those that keep their orders where the second part is a symmetric pair, and those whose orders count where the second part is small, of both classes.
 macro_rules! for_each_composition {
     (general: $each:ident!) => {
         for_each_composition!(unprocessed: $each!);
@@ -18,6 +18,14 @@ macro_rules! for_each_composition {
     };
     (processed: $each:ident!) => {
         $each!(BlanesCasasMurua6S11 BlanesCasasMurua6S13 BlanesCasasMurua8);
+    };
+    (pairs: $each:ident!) => {
+        $each!(Euler EulerAdjoint Verlet McLachlanAtela2 McLachlan2 Yoshida4 Suzuki4 McLachlan4Ss5);
+        $each!(Yoshida6 KahanLi6 McLachlan6 SofroniouSpaletta6S11 SofroniouSpaletta6S13);
+        $each!(SuzukiUmeno8 KahanLi8 McLachlan8 SofroniouSpaletta8 KahanLi10 SofroniouSpaletta10);
+        $each!(BlanesCasasMurua6S11 BlanesCasasMurua6S13 BlanesCasasMurua8);
+        $each!(Saba2 Saba3 Saba4 Abah844 Abah864 Abah1064);
+        $each!(WisdomHolmanTouma3 WisdomHolmanTouma5 WisdomHolmanTouma7 WisdomHolmanTouma11 WisdomHolmanTouma17);
     };
     (quadratic: $each:ident!) => {
         $each!(McLachlanAtela4 CalvoSanzSerna4 McLachlanAtela5 Omelyan6 Teloy6B BlanesMoanSrkn11 BlanesMoanSrkn14);

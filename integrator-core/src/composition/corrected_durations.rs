@@ -69,6 +69,26 @@ fn residual(h: f64, fractions: impl Iterator<Item = f64>) -> f64 {
     left + errors
 }
 
+/// What the flows of a system have between the first part and the last.
+#[derive(Clone, Copy, PartialEq)]
+pub(crate) enum Between {
+    Nothing,
+    /// Flows between drifts and kicks.
+    Flows,
+    /// Flows around each kick, half of its duration before it and half behind.
+    Pair,
+}
+
+impl Between {
+    pub(crate) const fn of<H: Hamiltonian>() -> Self {
+        match (H::PARTS.len(), H::PAIRED) {
+            (..=2, _) => Self::Nothing,
+            (_, false) => Self::Flows,
+            (_, true) => Self::Pair,
+        }
+    }
+}
+
 /// The corrections of a composition's drifts and kicks with a step, and of what is between them.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Corrections {
@@ -80,24 +100,28 @@ pub(crate) struct Corrections {
 impl Corrections {
     pub(crate) const NONE: Self = Self { drift: Correction::NONE, kick: Correction::NONE, middle: Correction::NONE };
 
-    /// The corrections of stages that are merged across steps, for this many parts.
-    pub(crate) fn new(stages: &Stages, h: f64, parts: usize) -> Self {
-        Self::of(h, stages.cycle.iter(), parts)
+    /// The corrections of stages that are merged across steps.
+    pub(crate) fn new<H: Hamiltonian>(stages: &Stages, h: f64) -> Self {
+        Self::of(h, stages.cycle.iter(), Between::of::<H>())
     }
 
     /// The corrections of steps that are taken one by one, each with its processor.
-    pub(crate) fn of_whole_steps(stages: &Stages, processor: &Processor, h: f64, parts: usize) -> Self {
+    pub(crate) fn of_whole_steps<H: Hamiltonian>(stages: &Stages, processor: &Processor, h: f64) -> Self {
         let (before, after) = (processor.before.rows.iter(), processor.after.rows.iter());
         let step = [&stages.opening].into_iter().chain(&stages.cycle[1..]).chain([&stages.closing]);
-        Self::of(h, before.chain(step).chain(after), parts)
+        Self::of(h, before.chain(step).chain(after), Between::of::<H>())
     }
 
-    fn of<'s>(h: f64, stages: impl Iterator<Item = &'s Stage> + Clone, parts: usize) -> Self {
-        let middle = stages.clone().flat_map(|stage| stage.middle);
+    fn of<'s>(h: f64, stages: impl Iterator<Item = &'s Stage> + Clone, between: Between) -> Self {
+        let middle = stages.clone();
         Self {
             drift: Correction::new(h, stages.clone().map(|stage| stage.drift)),
             kick: Correction::new(h, stages.map(|stage| stage.kick)),
-            middle: if parts > 2 { Correction::new(h, middle) } else { Correction::NONE },
+            middle: match between {
+                Between::Nothing => Correction::NONE,
+                Between::Flows => Correction::new(h, middle.flat_map(|stage| stage.middle)),
+                Between::Pair => Correction::new(h, middle.flat_map(|stage| [stage.kick / 2.0; 2])),
+            },
         }
     }
 
@@ -137,8 +161,8 @@ impl<F: Flows<H>, H: Hamiltonian> Flows<H> for Corrected<'_, F> {
         self.flows.kick(duration + f64::from_bits(take(&mut self.kick)), time);
     }
     #[inline(always)]
-    fn middle(&mut self, duration: f64, backwards: bool) {
-        self.flows.middle(duration + f64::from_bits(take(&mut self.middle)), backwards);
+    fn middle(&mut self, duration: f64, time: f64, backwards: bool) {
+        self.flows.middle(duration + f64::from_bits(take(&mut self.middle)), time, backwards);
     }
     #[inline(always)]
     fn gradient_kick(&mut self, duration: f64, gradient: f64, time: f64)
@@ -256,7 +280,7 @@ mod tests {
         fn kick(&mut self, duration: f64, _time: f64) {
             self.shear(1, big(-duration));
         }
-        fn middle(&mut self, _duration: f64, _backwards: bool) {}
+        fn middle(&mut self, _duration: f64, _time: f64, _backwards: bool) {}
         fn gradient_kick(&mut self, duration: f64, gradient: f64, _time: f64) {
             // |∇V|² = q².
             self.shear(1, big(-duration) - big(2.0 * gradient));

@@ -65,6 +65,14 @@ pub fn visit_many_parts<H: Hamiltonian>(visitor: &mut impl Visitor<H>) {
     for_each_composition!(unprocessed: visit!);
 }
 
+/// Visits the compositions that keep their orders where the second of two parts is itself a symmetric pair.
+pub fn visit_pairs<H: Hamiltonian>(visitor: &mut impl Visitor<H>) {
+    macro_rules! visit {
+        ($($composition:ident)*) => {$( visitor.visit($composition); )*};
+    }
+    for_each_composition!(pairs: visit!);
+}
+
 /// Visits the compositions for every `T(p)`, then those for a small second part: for two parts that have names.
 pub fn visit_two_parts<H: Hamiltonian>(visitor: &mut impl Visitor<H>) {
     macro_rules! visit {

@@ -48,9 +48,9 @@ impl<H: Hamiltonian, R: Real, K: Precision, const N: usize> Flows<H> for Interle
         }
     }
     #[cfg_attr(not(debug_assertions), inline(always))]
-    fn middle(&mut self, duration: f64, backwards: bool) {
+    fn middle(&mut self, duration: f64, time: f64, backwards: bool) {
         for motion in self.0.iter_mut() {
-            H::middle::<R, K>(motion, duration, backwards);
+            H::middle::<R, K>(motion, duration, time, backwards);
         }
     }
     #[cfg_attr(not(debug_assertions), inline(always))]

@@ -37,7 +37,7 @@ impl<F: Flows<H>, H: Hamiltonian, X: Composition<H>> Kernel for Advance<F, H, X>
             step = 1;
         }
         if F::COMPENSATED {
-            let corrections = Corrections::new(&X::STAGES, h, H::PARTS.len());
+            let corrections = Corrections::new::<H>(&X::STAGES, h);
             if !corrections.none() {
                 while step < end {
                     X::cycle(&mut corrections.on(&mut self.flows, step), h, self.clock.at(step));
@@ -58,7 +58,7 @@ impl<F: Flows<H>, H: Hamiltonian, X: Composition<H>> Advance<F, H, X> {
     #[inline(always)]
     fn whole_steps(mut self, end: u64) {
         let Clock { h, steps, .. } = self.clock;
-        let corrections = Corrections::of_whole_steps(&X::STAGES, &X::PROCESSOR, h, H::PARTS.len());
+        let corrections = Corrections::of_whole_steps::<H>(&X::STAGES, &X::PROCESSOR, h);
         for step in steps..end {
             if let Some(under_way) = step.checked_sub(1) {
                 let time = self.clock.at(under_way);

@@ -34,6 +34,9 @@ use taylor::orders::{Orders, orders};
 
 /// What in a sequence asks for a quadratic `T` that this Hamiltonian does not have: the message for it.
 pub(crate) fn refusal(sequence: &InPlace, model: &Model) -> Option<String> {
+    if model.paired {
+        return refusal_of_pairs(sequence);
+    }
     if model.flows() > 2 {
         return refusal_of_many_parts(sequence);
     }
@@ -65,6 +68,25 @@ fn refusal_of_many_parts(sequence: &InPlace) -> Option<String> {
         Some(general) if general.order < proof.quadratic.order => Some(format!(
             "this sequence is of order {} only for H = ½ pᵀ M⁻¹ p + V(q), and of order {} for any parts: {without}",
             proof.quadratic.order, general.order
+        )),
+        Some(_) => None,
+    }
+}
+
+/// The same where the last part is a pair of parts.
+fn refusal_of_pairs(sequence: &InPlace) -> Option<String> {
+    let such = "such as `Abah1064`, `Verlet` or `Yoshida4`";
+    match sequence.proof().general {
+        None => Some(format!("a force-gradient kick needs H = ½ pᵀ M⁻¹ p + V(q), and no pair of parts: use a sequence {such}")),
+        Some(_) if sequence.merges_kicks() => Some(
+            "this sequence begins and ends with a kick, and two of them in a row are not one where a part is itself a pair \
+             of parts in parentheses: begin with a drift"
+                .to_owned(),
+        ),
+        Some(general) if !sequence.keeps_pairs() => Some(format!(
+            "a part that is itself a pair of parts in parentheses errs in the third power of each kick, and these do not \
+             cancel in this sequence, so that its order is not {}: use one {such}",
+            general.order
         )),
         Some(_) => None,
     }
@@ -117,8 +139,7 @@ struct Stepper<'i> {
 impl<'i> Stepper<'i> {
     fn of(input: &'i Input, mut model: Model) -> Self {
         let energies = [model.kinetic, model.potential];
-        let chosen = model.graph.with_choices_in_the_middle(energies);
-        model.set_energies(chosen);
+        model.choose_in_the_middle();
         let [kinetic, potential] = gradients(&mut model);
         let documentation = motion_documentation(&mut model, &kinetic, &potential);
 
@@ -307,7 +328,13 @@ fn named_parts(model: &Model) -> Option<TokenStream> {
             const TANGENT_ERROR: f64 = 128.0;
         )
     });
-    (!names.is_empty()).then(|| quote!(const PARTS: &'static [&'static str] = &[#(#names),*]; #separable #differences))
+    let paired = model.paired.then(|| {
+        quote!(
+            const PAIRED: bool = true;
+        )
+    });
+    (!names.is_empty())
+        .then(|| quote!(const PARTS: &'static [&'static str] = &[#(#names),*]; #separable #paired #differences))
 }
 
 /// The loop over the compositions. The runtime shows every Hamiltonian those for general `T`; only here is it known that
@@ -325,6 +352,7 @@ fn visit_compositions(model: &Model, names: &Names) -> Option<TokenStream> {
         Model { quadratic: true, .. } if are_two => quote!(visit_two_parts_quadratic),
         Model { quadratic: true, .. } => quote!(visit_quadratic),
         _ if are_two => quote!(visit_two_parts),
+        Model { paired: true, .. } => quote!(visit_pairs),
         model if model.flows() > 2 => quote!(visit_many_parts),
         _ => return None,
     };
@@ -381,7 +409,8 @@ fn composition(input: &Input, model: &Model, names: &Names) -> (TokenStream, Opt
             let parts = model.flows();
             // The compiler knows what the path names.
             let held = parts > 2 && input.item.generics.params.is_empty();
-            let check = quote_spanned!(path.span()=> const _: () = #runtime::admits::<#path>(#parts););
+            let admits = if model.paired { quote!(admits_pairs::<#path>()) } else { quote!(admits::<#path>(#parts)) };
+            let check = quote_spanned!(path.span()=> const _: () = #runtime::#admits;);
             (quote!(#path), held.then_some(check))
         }
         Some(Compose::InPlace(sequence, _)) => {

@@ -17,16 +17,16 @@ impl Graph {
 
     /// The same roots, with every choice by time and parameters alone made in the middle of the step. A condition that
     /// reads coordinates stays where it is: only the stage has their values.
-    pub(crate) fn with_choices_in_the_middle(&mut self, roots: [NodeId; 2]) -> [NodeId; 2] {
-        let read = self.reading_time(roots);
+    pub(crate) fn with_choices_in_the_middle(&mut self, roots: &[NodeId]) -> Vec<NodeId> {
+        let read = self.reading_time(roots.iter().copied());
         if !read.iter().any(|id| self.is_of_time(*id) && chooses(self.node(*id))) {
-            return roots;
+            return roots.to_vec();
         }
         let mut pieces = Pieces { middle: vec![None; self.len()], chosen: vec![None; self.len()] };
         for id in read {
             self.choose_in_the_middle(&mut pieces, id);
         }
-        roots.map(|root| pieces.chosen(root))
+        roots.iter().map(|root| pieces.chosen(*root)).collect()
     }
 
     /// Whether coordinates have no part in a node.
@@ -189,7 +189,8 @@ mod tests {
             let (t, a) = (graph.time(), graph.constant(0.5));
             let root = build(&mut graph, [t, q, a]);
             let before = graph.len();
-            let [found, same] = graph.with_choices_in_the_middle([root, q]);
+            let chosen = graph.with_choices_in_the_middle(&[root, q]);
+            let (found, same) = (chosen[0], chosen[1]);
             assert_eq!(same, q, "{name}");
             let grew = graph.len() > before;
             let middle = graph.middle();

@@ -82,6 +82,8 @@ pub(crate) struct Model {
     pub(crate) rate: Option<(NodeId, Vec<TokenStream>)>,
     /// The parts that `split` names, in the order of their letters; none where H is `T + V`.
     pub(crate) parts: Vec<ExactPart>,
+    /// Whether all of these behind the first one are one part of a composition: a symmetric pair.
+    pub(crate) paired: bool,
     /// How tightly two copies of the state are coupled, each of which moves by what H says of the other; `None` where the
     /// state has no copy.
     pub(crate) coupling: Option<NodeId>,
@@ -138,6 +140,15 @@ impl Model {
         if let [first, second] = &mut self.parts[..] {
             [first.energy, second.energy] = energies;
         }
+    }
+
+    /// Replaces what the flows follow from by the same with choices by time made in the middle of the step.
+    pub(crate) fn choose_in_the_middle(&mut self) {
+        let parts = self.parts.iter().map(|part| part.energy);
+        let energies: Vec<_> = [self.kinetic, self.potential].into_iter().chain(parts).collect();
+        let chosen = self.graph.with_choices_in_the_middle(&energies);
+        (self.kinetic, self.potential) = (chosen[0], chosen[1]);
+        self.parts.iter_mut().zip(&chosen[2..]).for_each(|(part, chosen)| part.energy = *chosen);
     }
 
     /// Whether the brackets vanish that Nyström compositions leave out: the last of two parts is a function of q alone, and
@@ -211,6 +222,7 @@ pub(crate) fn model(input: &Input, errors: &mut Errors) -> Option<Model> {
         potential,
         rate,
         parts,
+        paired: input.paired.is_some(),
         coupling,
         unsplit: input.unsplit.is_some(),
         shape,
@@ -248,6 +260,7 @@ pub(crate) fn stub(input: &Input) -> Option<Model> {
         potential: zero,
         rate: None,
         parts: Vec::new(),
+        paired: false,
         coupling: None,
         unsplit: false,
         shape,

@@ -122,14 +122,6 @@ impl<'i> Reader<'i> {
             self.errors.at(name, message);
             return None;
         }
-        if self.graph.reads_time(energy) && self.input.split.len() > 2 {
-            let message = format!(
-                "`{name}` reads the time: compositions know at what time the flows of two parts begin, not those of \
-                 more. Make two parts of these, or the time a coordinate with a momentum of its own"
-            );
-            self.errors.at(name, message);
-            return None;
-        }
         let own = match own_flow(self.input, name) {
             Some(method) => Some(self.admitted_flow(method, &shape, energy)?),
             None => None,
@@ -146,10 +138,12 @@ impl<'i> Reader<'i> {
             Ok(form) => Some(ExactPart { name: name.clone(), energy, form, own, arguments }),
             Err(obstacles) => {
                 let reasons: Vec<String> = obstacles.iter().map(|obstacle| self.reason(obstacle)).collect();
-                let message = format!(
-                    "no exact flow is known for `{name}`: {}. Split it into more parts, or write its flow: `#[flow({name})]`",
-                    reasons.join("; ")
-                );
+                let advice = match self.graph.reads_time(energy) {
+                    true => "Terms that read the time have a flow in a part of q alone or of p alone: move them there"
+                        .to_owned(),
+                    false => format!("Split it into more parts, or write its flow: `#[flow({name})]`"),
+                };
+                let message = format!("no exact flow is known for `{name}`: {}. {advice}", reasons.join("; "));
                 self.errors.at(name, message);
                 None
             }

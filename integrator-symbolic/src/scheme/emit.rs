@@ -71,6 +71,12 @@ pub(super) fn implementation(ident: &Ident, name: &str, citation: &str, facts: &
         let orders = facts.generalised.iter().map(|order| Literal::u32_unsuffixed(*order));
         quote!(const GENERALISED_ORDERS: &'static [u32] = &[#(#orders),*];)
     });
+    // Those of second order keep it anyway.
+    let keeps_pairs = (facts.keeps_pairs && facts.order > 2).then(|| {
+        quote!(
+            const KEEPS_PAIRS: bool = true;
+        )
+    });
     let stages = table.stages(root);
     let processor =
         table.processor(root).map(|processor| quote!(const PROCESSOR: #root::__private::Processor = #processor;));
@@ -86,6 +92,7 @@ pub(super) fn implementation(ident: &Ident, name: &str, citation: &str, facts: &
             const CITATION: &'static str = #citation;
             const ORDER: u32 = #order;
             #generalised
+            #keeps_pairs
             const SYMMETRIC: bool = #symmetric;
             const CLASS: #root::__private::Class = #root::__private::Class::#class;
             const FORCE_EVALUATIONS: usize = #force_evaluations;

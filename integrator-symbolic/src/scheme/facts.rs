@@ -2,7 +2,7 @@
 
 use super::{
     prove::{Class, Scheme},
-    stability,
+    stability, symmetric_pairs,
     table::Table,
 };
 
@@ -17,6 +17,8 @@ pub(super) struct Facts {
     pub(super) leading_error: Option<f64>,
     /// The generalised orders that are claimed; mostly none.
     pub(super) generalised: Vec<u32>,
+    /// Whether its orders hold where the second part is a symmetric pair.
+    pub(super) keeps_pairs: bool,
     /// The proved orders for every `T`, if the composition is defined there, and for quadratic `T`.
     orders: (Option<u32>, u32),
 }
@@ -31,6 +33,7 @@ impl Facts {
             stability_limit: stability::limit(&scheme.stages),
             leading_error: scheme.leading_error(),
             generalised: scheme.generalised.clone(),
+            keeps_pairs: symmetric_pairs::are_kept(scheme),
             orders: (scheme.proof.general.map(|general| general.order), scheme.proof.quadratic.order),
         }
     }
@@ -45,6 +48,7 @@ impl Facts {
             stability_limit: 0.0,
             leading_error: None,
             generalised: Vec::new(),
+            keeps_pairs: true,
             orders: (Some(0), 0),
         }
     }

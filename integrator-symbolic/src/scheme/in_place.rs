@@ -12,6 +12,8 @@ use super::{
     facts::Facts,
     lower::{Known, lower},
     prove::{Class, Proof, Scheme},
+    stages::Letter,
+    symmetric_pairs,
     syntax::{self, Sequence},
 };
 use crate::errors::Errors;
@@ -53,6 +55,17 @@ impl InPlace {
     /// Whether it does something once and undoes it where the state is shown.
     pub(crate) fn is_processed(&self) -> bool {
         !self.scheme.processor.elements().is_empty()
+    }
+
+    /// Whether its order holds where the second part is a symmetric pair.
+    pub(crate) fn keeps_pairs(&self) -> bool {
+        symmetric_pairs::are_kept(&self.scheme)
+    }
+
+    /// Whether the kick that ends a step is one with the kick that begins the next.
+    pub(crate) fn merges_kicks(&self) -> bool {
+        let elements = self.scheme.stages.elements();
+        [elements.first(), elements.last()].iter().all(|end| end.is_some_and(|end| end.letter == Letter::V))
     }
 
     /// The sequence as typed, for messages about the whole of it.

@@ -25,6 +25,7 @@ mod prove;
 mod proved;
 mod stability;
 mod stages;
+mod symmetric_pairs;
 mod syntax;
 mod table;
 

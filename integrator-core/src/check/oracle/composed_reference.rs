@@ -171,9 +171,9 @@ fn midpoint<H: Hamiltonian>(
 /// Drift, kick, drift from `time`, with the parts between them.
 fn verlet<H: Hamiltonian>(flows: &mut impl Flows<H>, h: f64, time: f64) {
     flows.drift(h / 2.0, time);
-    flows.middle(h / 2.0, false);
+    flows.middle(h / 2.0, time + h / 2.0, false);
     flows.kick(h, time + h / 2.0);
-    flows.middle(h / 2.0, true);
+    flows.middle(h / 2.0, time + h / 2.0, true);
     flows.drift(h / 2.0, time + h);
 }
 

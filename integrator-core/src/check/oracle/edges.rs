@@ -112,7 +112,7 @@ impl<H: Hamiltonian> Pieces<'_, H> {
         let mut motion = H::Motion::<f64, f64>::load(&[&self.parameters], &[point]);
         H::begin_step::<f64, f64>(&mut motion, middle);
         H::drift::<f64, f64>(&mut motion, self.h, time);
-        H::middle::<f64, f64>(&mut motion, self.h, false);
+        H::middle::<f64, f64>(&mut motion, self.h, time, false);
         H::kick::<f64, f64>(&mut motion, self.h, time);
         let mut moved = point.clone();
         motion.store(0, &mut moved);

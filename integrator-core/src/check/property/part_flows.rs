@@ -86,7 +86,7 @@ fn carry<H: Hamiltonian, R: Real>(
     for &(flow, duration) in flows {
         match flow {
             Flow::First => H::drift::<R, f64>(&mut motion, duration, time),
-            Flow::Middle { backwards } => H::middle::<R, f64>(&mut motion, duration, backwards),
+            Flow::Middle { backwards } => H::middle::<R, f64>(&mut motion, duration, time, backwards),
             Flow::Last => H::kick::<R, f64>(&mut motion, duration, time),
         }
     }

@@ -28,7 +28,7 @@ impl Twisted {
 
 /// What is done with the parts between the first and the last.
 #[derive(Clone, Copy, PartialEq)]
-enum Middle {
+pub(super) enum Middle {
     AsTold,
     /// WRONG: one after the other in the same order always.
     Forwards,
@@ -37,14 +37,14 @@ enum Middle {
 }
 
 /// The flows by hand.
-struct ByHand {
+pub(super) struct ByHand {
     q: [f64; 2],
     p: [f64; 2],
     middle: Middle,
 }
 
 impl ByHand {
-    fn start(middle: Middle) -> Self {
+    pub(super) fn start(middle: Middle) -> Self {
         Self { q: [0.4, -0.3], p: [0.2, 0.5], middle }
     }
     fn twist(&mut self, t: f64) {
@@ -55,7 +55,7 @@ impl ByHand {
         self.q[0] += t * self.q[1] * self.q[1] / 2.0;
         self.p[1] -= t * self.q[1] * self.p[0];
     }
-    fn state(&self) -> [f64; 4] {
+    pub(super) fn state(&self) -> [f64; 4] {
         [self.q[0], self.q[1], self.p[0], self.p[1]]
     }
 }
@@ -72,7 +72,7 @@ impl<H: Hamiltonian> Flows<H> for ByHand {
         self.p[0] += t * (x.sin() - 2.0 * x * y);
         self.p[1] -= t * (x * x + y);
     }
-    fn middle(&mut self, mut t: f64, backwards: bool) {
+    fn middle(&mut self, mut t: f64, _time: f64, backwards: bool) {
         if self.middle == Middle::Longer {
             t *= 1.01;
         }
@@ -92,35 +92,46 @@ impl<H: Hamiltonian> Flows<H> for ByHand {
 }
 
 /// The motion that all parts make together, by the classical method of Runge and Kutta.
-fn reference(time: f64) -> [f64; 4] {
+pub(super) fn reference() -> [f64; 4] {
+    classical(ByHand::start(Middle::AsTold).state(), |[x, y, u, v], _| {
+        [u + y * y / 2.0, v + x * x / 2.0, x.sin() - 2.0 * x * y - x * v, -x * x - y - y * u]
+    })
+}
+
+/// Where a field leads by that method.
+pub(super) fn classical(start: [f64; 4], field: impl Fn([f64; 4], f64) -> [f64; 4]) -> [f64; 4] {
     const STEPS: u32 = 20_000;
-    let field =
-        |[x, y, u, v]: [f64; 4]| [u + y * y / 2.0, v + x * x / 2.0, x.sin() - 2.0 * x * y - x * v, -x * x - y - y * u];
+    let h = TIME / f64::from(STEPS);
     let after = |state: [f64; 4], slope: [f64; 4], h: f64| core::array::from_fn(|i| state[i] + h * slope[i]);
-    let h = time / f64::from(STEPS);
-    let mut state = ByHand::start(Middle::AsTold).state();
-    for _ in 0..STEPS {
-        let one = field(state);
-        let two = field(after(state, one, h / 2.0));
-        let three = field(after(state, two, h / 2.0));
-        let four = field(after(state, three, h));
+    let mut state = start;
+    for step in 0..STEPS {
+        let time = h * f64::from(step);
+        let one = field(state, time);
+        let two = field(after(state, one, h / 2.0), time + h / 2.0);
+        let three = field(after(state, two, h / 2.0), time + h / 2.0);
+        let four = field(after(state, three, h), time + h);
         state = core::array::from_fn(|i| state[i] + h / 6.0 * (one[i] + 2.0 * (two[i] + three[i]) + four[i]));
     }
     state
 }
 
-const TIME: f64 = 1.5;
+pub(super) const TIME: f64 = 1.5;
 
 /// The end after so many steps.
 fn composed<X: Composition<Twisted>>(steps: u32, middle: Middle) -> [f64; 4] {
-    let h = TIME / f64::from(steps);
     let mut flows = ByHand::start(middle);
-    X::open(&mut flows, h, 0.0);
-    for step in 1..steps {
-        X::cycle(&mut flows, h, h * f64::from(step));
-    }
-    X::close(&mut flows, h, TIME - h);
+    walk::<Twisted, X>(&mut flows, steps);
     flows.state()
+}
+
+/// So many steps over the time.
+pub(super) fn walk<H: Hamiltonian, X: Composition<H>>(flows: &mut impl Flows<H>, steps: u32) {
+    let h = TIME / f64::from(steps);
+    X::open(flows, h, 0.0);
+    for step in 1..steps {
+        X::cycle(flows, h, h * f64::from(step));
+    }
+    X::close(flows, h, TIME - h);
 }
 
 fn distance(one: [f64; 4], other: [f64; 4]) -> f64 {
@@ -129,13 +140,18 @@ fn distance(one: [f64; 4], other: [f64; 4]) -> f64 {
 
 /// The order by the slope of errors at the finest steps whose errors are no rounding.
 fn slope<X: Composition<Twisted>>(exact: [f64; 4], middle: Middle) -> f64 {
+    slope_of(X::NAME, exact, |steps| composed::<X>(steps, middle))
+}
+
+/// The same of ends after so many steps.
+pub(super) fn slope_of(name: &str, exact: [f64; 4], end: impl Fn(u32) -> [f64; 4]) -> f64 {
     let points = [2, 3, 4, 6, 8, 12, 16, 24, 32, 48, 64, 96, 128].map(|steps| {
-        let error = distance(composed::<X>(steps, middle), exact);
+        let error = distance(end(steps), exact);
         ((TIME / f64::from(steps)).ln(), error.ln())
     });
     // The reference takes 20,000 steps with a few roundings each.
     let points: Vec<_> = points.into_iter().filter(|(_, error)| *error > 1e-12_f64.ln()).collect();
-    assert!(points.len() >= 2, "{}: {points:?}", X::NAME);
+    assert!(points.len() >= 2, "{name}: {points:?}");
     fit(&points[points.len() - points.len().min(4)..]).value
 }
 
@@ -149,12 +165,12 @@ fn every_composition_keeps_its_order() {
             assert!(slope > order - 0.4, "{} has order {slope}, not {order}", X::NAME);
         }
     }
-    Twisted::visit_compositions(&mut Slopes(reference(TIME)));
+    Twisted::visit_compositions(&mut Slopes(reference()));
 }
 
 #[test]
 fn wrong_flows_in_the_middle_lose_the_order() {
-    let exact = reference(TIME);
+    let exact = reference();
     for middle in [Middle::Forwards, Middle::Longer] {
         let slope = slope::<Yoshida4>(exact, middle);
         assert!(slope < 2.5, "order {slope}");

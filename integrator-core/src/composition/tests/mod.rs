@@ -2,3 +2,5 @@
 
 #[cfg(feature = "check")]
 mod many_parts;
+mod pairs;
+mod time;

@@ -155,9 +155,9 @@ impl<H: Hamiltonian, R: Real, K: Precision> Flows<H> for &mut TimeTiling<'_, H, 
     fn kick(&mut self, duration: f64, time: f64) {
         self.collect(Flow { drifts: false, duration, time });
     }
-    fn middle(&mut self, duration: f64, backwards: bool) {
+    fn middle(&mut self, duration: f64, time: f64, backwards: bool) {
         self.finish();
-        H::middle::<R, K>(self.motion, duration, backwards);
+        H::middle::<R, K>(self.motion, duration, time, backwards);
     }
     fn gradient_kick(&mut self, duration: f64, gradient: f64, time: f64)
     where

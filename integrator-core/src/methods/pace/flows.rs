@@ -173,7 +173,7 @@ where
     }
     /// There is no third part.
     #[inline(always)]
-    fn middle(&mut self, _duration: f64, _backwards: bool) {}
+    fn middle(&mut self, _duration: f64, _time: f64, _backwards: bool) {}
     /// Compositions with these kicks are refused, since `f(T + B)` is not quadratic in the momenta.
     #[inline(always)]
     fn gradient_kick(&mut self, _duration: f64, _gradient: f64, _time: f64)

@@ -1,6 +1,6 @@
 //! A composition as flows one after the other.
 
-use crate::composition::{Lead, Processor, Stage, Stages};
+use crate::composition::{Lead, Processor, Stage, Stages, corrected_durations::Between};
 use alloc::vec::Vec;
 
 /// One flow of a step.
@@ -37,14 +37,16 @@ pub(super) struct Letters {
 }
 
 impl Letters {
-    /// The flows that [`Composition`](crate::Composition) takes, for this many parts.
-    pub(super) fn new(stages: Stages, processor: Processor, parts: usize) -> Self {
+    /// The flows that [`Composition`](crate::Composition) takes, with what a system has between its first part and its last.
+    pub(super) fn new(stages: Stages, processor: Processor, between: Between) -> Self {
+        let paired = |letter: Letter| letter.paired(between == Between::Pair);
         let moving = |lead, rows: &[Stage]| -> Vec<Letter> {
-            rows.iter().flat_map(|row| both(lead, row)).filter(|letter| !letter.stands_still()).collect()
+            let letters = rows.iter().flat_map(|row| both(lead, row)).filter(|letter| !letter.stands_still());
+            letters.flat_map(paired).collect()
         };
         let steps = |first: &Stage| -> Vec<Letter> {
             let steps = [first].into_iter().chain(&stages.cycle[1..]);
-            steps.flat_map(|stage| all(stages.lead, stage, parts)).collect()
+            steps.flat_map(|stage| all(stages.lead, stage, between)).flat_map(paired).collect()
         };
         let mut opening = moving(processor.before.lead, processor.before.rows);
         opening.extend(steps(&stages.opening));
@@ -63,6 +65,15 @@ impl Letter {
     fn stands_still(&self) -> bool {
         self.duration == 0.0 && self.gradient == 0.0
     }
+
+    /// A kick of a pair with what is around it; any other letter alone.
+    fn paired(self, is_pair: bool) -> impl Iterator<Item = Self> {
+        let around = |backwards| {
+            let around = Self { flow: Flow::Middle { backwards }, duration: self.duration / 2.0, ..self };
+            (is_pair && self.flow == Flow::Kick).then_some(around)
+        };
+        [around(false), Some(self), around(true)].into_iter().flatten()
+    }
 }
 
 /// The drift and the kick of a stage.
@@ -77,14 +88,18 @@ fn both(lead: Lead, stage: &Stage) -> [Letter; 2] {
     }
 }
 
-/// All flows of a stage, for this many parts.
-fn all(lead: Lead, stage: &Stage, parts: usize) -> impl Iterator<Item = Letter> {
+/// All flows of a stage, with those between the first part and the last.
+fn all(lead: Lead, stage: &Stage, between: Between) -> impl Iterator<Item = Letter> {
     let [within, behind] = stage.middle;
-    let middle = move |duration, backwards| {
-        let moves = parts > 2 && duration != 0.0;
-        moves.then_some(Letter { flow: Flow::Middle { backwards }, duration, gradient: 0.0, time: 0.0 })
+    let middle = move |duration, time, backwards| {
+        let moves = between == Between::Flows && duration != 0.0;
+        moves.then_some(Letter { flow: Flow::Middle { backwards }, duration, gradient: 0.0, time })
     };
     let [first, last] = both(lead, stage);
     let kick_first = lead == Lead::Kick;
-    [Some(first), middle(within, kick_first), Some(last), middle(behind, !kick_first)].into_iter().flatten()
+    let before = stage.kick_time;
+    let after = if kick_first { before + stage.drift } else { before };
+    [Some(first), middle(within, before, kick_first), Some(last), middle(behind, after, !kick_first)]
+        .into_iter()
+        .flatten()
 }

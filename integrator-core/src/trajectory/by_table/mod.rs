@@ -8,7 +8,7 @@ mod letters;
 mod walk;
 
 use crate::{
-    composition::{Processor, Scheme, Stages},
+    composition::{Processor, Scheme, Stages, corrected_durations::Between},
     error::Unsolved,
     hamiltonian::{Flows, Hamiltonian, QuadraticKinetic},
     scalar::real::Real,
@@ -88,7 +88,7 @@ impl<H: Hamiltonian, G: Kicks<H>> Method<H> for ByTable<G> {
     type Motion<R: Real, K: Precision> = Tabled<H::Motion<R, K>>;
 
     fn constants(self, parameters: Arc<H::Parameters<f64>>) -> Arc<Self::Constants> {
-        let letters = Arc::new(Letters::new(self.stages, self.processor, H::PARTS.len()));
+        let letters = Arc::new(Letters::new(self.stages, self.processor, Between::of::<H>()));
         Arc::new(Constants { parameters, letters })
     }
     fn step_functions<R: Real, K: Precision, E: Executor>() -> StepFunctions<Self::Motion<R, K>> {

@@ -53,6 +53,29 @@ impl ThreeParts {
     }
 }
 
+/// Parts that read the time, the last two of which are one or not.
+macro_rules! driven {
+    ($name:ident: $($split:tt)*) => {
+        struct $name;
+
+        #[hamiltonian(split = $($split)*)]
+        impl $name {
+            fn first(&self, p: [f64; 2]) -> f64 {
+                (p[0] * p[0] + p[1] * p[1]) / 2.0
+            }
+            fn shear(&self, q: [f64; 2], p: [f64; 2], t: f64) -> f64 {
+                t.cos() * q[0].sin() * p[1]
+            }
+            fn last(&self, q: [f64; 2], t: f64) -> f64 {
+                -(q[0] - t).cos() + q[1].powi(4) / 4.0
+            }
+        }
+    };
+}
+
+driven!(Driven: first + shear + last);
+driven!(Paired: first + (shear + last));
+
 /// States after some steps, with a look in between.
 fn looked_at<K: Precision>(run: Result<Run<[K; 2]>, Error>) -> [Phase<[K; 2]>; 3] {
     let mut run = run.expect("a start");
@@ -111,6 +134,16 @@ fn pieces_in_time_and_parts_in_between_take_the_same_steps() {
     agrees::<Plain, _, _, _>(&ThreeParts, Euler, plain);
     agrees::<Plain, _, _, _>(&ThreeParts, VelocityVerlet, plain);
     agrees::<Plain, _, _, _>(&ThreeParts, KahanLi6, plain);
+    agrees::<Plain, _, _, _>(&Driven, VelocityYoshida4, plain);
+    agrees::<Plain, _, _, _>(&Driven, Yoshida4, compensated);
+}
+
+#[test]
+fn kicks_of_pairs_take_the_same_steps() {
+    agrees::<Plain, _, _, _>(&Paired, Euler, plain);
+    agrees::<Plain, _, _, _>(&Paired, Abah844, plain);
+    agrees::<Plain, _, _, _>(&Paired, Abah844, compensated);
+    agrees::<Plain, _, _, _>(&Paired, BlanesCasasMurua6S11, plain);
 }
 
 #[test]

@@ -207,9 +207,9 @@ impl<'l, F: Flows<H>, H: Hamiltonian, G: Kicks<H>> Walk<'l, F, H, G> {
     fn corrections(&self) -> Corrections {
         let Letters { stages, processor, .. } = self.letters;
         if H::PIECEWISE_IN_TIME {
-            Corrections::of_whole_steps(stages, processor, self.clock.h, H::PARTS.len())
+            Corrections::of_whole_steps::<H>(stages, processor, self.clock.h)
         } else {
-            Corrections::new(stages, self.clock.h, H::PARTS.len())
+            Corrections::new::<H>(stages, self.clock.h)
         }
     }
 
@@ -221,7 +221,7 @@ impl<'l, F: Flows<H>, H: Hamiltonian, G: Kicks<H>> Walk<'l, F, H, G> {
                 Flow::Drift => flows.drift(duration, time),
                 Flow::Kick => flows.kick(duration, time),
                 Flow::GradientKick => G::gradient_kick(flows, duration, h * h * h * letter.gradient, time),
-                Flow::Middle { backwards } => flows.middle(duration, backwards),
+                Flow::Middle { backwards } => flows.middle(duration, time, backwards),
             }
         }
     }

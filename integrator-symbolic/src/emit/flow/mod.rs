@@ -164,10 +164,11 @@ impl Flows {
         };
         let body = Body::new(body);
         let [motion, duration, backwards] = ["motion", "duration", "backwards"].map(|name| body.argument(name));
+        let time = body.argument("time");
         let body = &body.0;
         Some(quote! {
             #[inline(always)]
-            fn middle<#scalar: #runtime::Real, #leaf: #runtime::Precision>(#motion: &mut Self::Motion<#scalar, #leaf>, #duration: f64, #backwards: bool) { #body }
+            fn middle<#scalar: #runtime::Real, #leaf: #runtime::Precision>(#motion: &mut Self::Motion<#scalar, #leaf>, #duration: f64, #time: f64, #backwards: bool) { #body }
         })
     }
 

@@ -44,7 +44,14 @@ pub(crate) fn parts(model: &Model) -> Vec<String> {
     };
     let formulas = Formulas::of(model);
     let formula = |id| formulas.short(id).unwrap_or_else(|| format!("a formula of {} operations", formulas.size(id)));
-    parts.into_iter().map(|(name, energy)| format!("{name} = {}", formula(energy))).collect()
+    let pair = model.paired.then(|| match &model.parts[..] {
+        [first, others @ ..] => {
+            let others: Vec<_> = others.iter().map(|part| part.name.to_string()).collect();
+            format!("H = {} + ({})", first.name, others.join(" + "))
+        }
+        [] => String::new(),
+    });
+    pair.into_iter().chain(parts.into_iter().map(|(name, energy)| format!("{name} = {}", formula(energy)))).collect()
 }
 
 /// Loops as `i in 0..n`.
@@ -63,6 +70,8 @@ pub(crate) fn motion_documentation(
         " Two copies of the state are coupled, each of which moves by what H says of the other."
     } else if model.unsplit {
         " H is in one piece, for methods that take the whole of its field."
+    } else if model.paired {
+        " Each part has an exact flow. Those behind the first are one part of a composition, a symmetric pair."
     } else if !model.is_separable() {
         " Each part has an exact flow."
     } else if model.quadratic {

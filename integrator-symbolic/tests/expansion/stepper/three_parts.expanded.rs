@@ -73,7 +73,7 @@ const _: () = {
         const PARTS: &'static [&'static str] = &["kinetic", "twist", "potential"];
         const SEPARABLE: bool = false;
         const AUTONOMOUS: bool = true;
-        const FINGERPRINT: u64 = 187296217526327907;
+        const FINGERPRINT: u64 = 14895488593168801041;
         fn parameters(&self, _length: usize) -> Parameters<f64> {
             Parameters {
                 prepared_0: 2.0 / (2.0 * self.mass),
@@ -99,6 +99,7 @@ const _: () = {
         fn middle<Scalar: runtime::Real, Leaf: runtime::Precision>(
             motion: &mut Self::Motion<Scalar, Leaf>,
             duration: f64,
+            _time: f64,
             _backwards: bool,
         ) {
             let step = Scalar::of(duration);

@@ -58,7 +58,7 @@ const _: () = {
         const SEPARABLE: bool = false;
         const COPIES: bool = true;
         const AUTONOMOUS: bool = true;
-        const FINGERPRINT: u64 = 6389760408988418710;
+        const FINGERPRINT: u64 = 13734591011303148588;
         fn parameters(&self, _length: usize) -> Parameters<f64> {
             Parameters {
                 coupling: self.coupling,
@@ -78,6 +78,7 @@ const _: () = {
         fn middle<Scalar: runtime::Real, Leaf: runtime::Precision>(
             motion: &mut Self::Motion<Scalar, Leaf>,
             duration: f64,
+            _time: f64,
             _backwards: bool,
         ) {
             let (read, moved) = motion.second();

@@ -1,0 +1,333 @@
+#[allow(warnings, clippy::all, clippy::pedantic, reason = "generated")]
+const _: () = {
+    use ::integrator_core::__private::{self as runtime, Mask as _, Slot as _};
+    const _: () = runtime::admits_pairs::<Abah1064>();
+    /// What depends on parameters alone, evaluated once per run.
+    #[derive(::core::clone::Clone)]
+    pub struct Parameters<Scalar> {
+        /// `1 / mass[i]`
+        prepared_0: [Scalar; 4],
+        /// `pull mass[i]`
+        prepared_1: [Scalar; 4],
+        /// `1 / star`
+        prepared_2: Scalar,
+        /// `gravity mass[i]`
+        prepared_3: [Scalar; 4],
+        /// `mass[j]`
+        mass: [Scalar; 3],
+        /// `1 / (2 mass[i])`
+        prepared_5: [Scalar; 4],
+        /// `1 / (2 star)`
+        prepared_6: Scalar,
+    }
+    impl<Scalar: runtime::Real> runtime::Prepared<Scalar> for Parameters<Scalar> {
+        type Single = Parameters<f64>;
+        #[inline(always)]
+        fn gather(members: &[&Self::Single]) -> Self {
+            Parameters {
+                prepared_0: runtime::in_lanes(members, |member| &member.prepared_0),
+                prepared_1: runtime::in_lanes(members, |member| &member.prepared_1),
+                prepared_2: runtime::in_lanes(members, |member| &member.prepared_2),
+                prepared_3: runtime::in_lanes(members, |member| &member.prepared_3),
+                mass: runtime::in_lanes(members, |member| &member.mass),
+                prepared_5: runtime::in_lanes(members, |member| &member.prepared_5),
+                prepared_6: runtime::in_lanes(members, |member| &member.prepared_6),
+            }
+        }
+        fn not_finite(single: &Self::Single) -> runtime::Vec<runtime::NotFinite> {
+            runtime::all_found([
+                runtime::not_finite("1 / mass[i]", &["i"], &single.prepared_0),
+                runtime::not_finite("pull mass[i]", &["i"], &single.prepared_1),
+                runtime::not_finite("1 / star", &[], &single.prepared_2),
+                runtime::not_finite("gravity mass[i]", &["i"], &single.prepared_3),
+                runtime::not_finite("mass[j]", &["j"], &single.mass),
+                runtime::not_finite("1 / (2 mass[i])", &["i"], &single.prepared_5),
+                runtime::not_finite("1 / (2 star)", &[], &single.prepared_6),
+            ])
+        }
+        fn digest(single: &Self::Single, digest: &mut runtime::Digest) {
+            digest.add(&single.prepared_0);
+            digest.add(&single.prepared_1);
+            digest.add(&single.prepared_2);
+            digest.add(&single.prepared_3);
+            digest.add(&single.mass);
+            digest.add(&single.prepared_5);
+            digest.add(&single.prepared_6);
+        }
+    }
+    /// The equations of motion, derived from `kepler`, `jump` and `interaction`:
+    ///
+    /// ```text
+    /// dq[i][k]/dt += p[i][k] / mass[i]   for i in 0..4, k in 0..3
+    /// dq[k][d]/dt += (Σ_{k in 0..4} p[k][d]) / star   for d in 0..3, k in 0..4
+    /// dp[i][0]/dt += -pull mass[i] q[i][0] / r_i^3 + Σ_{j in 0..i} gravity mass[i] mass[j] (q[j][0] - q[i][0]) / r_ij^3   for i in 0..4
+    /// dp[i][1]/dt += -pull mass[i] q[i][1] / r_i^3 + Σ_{j in 0..i} gravity mass[i] mass[j] (q[j][1] - q[i][1]) / r_ij^3   for i in 0..4
+    /// dp[i][2]/dt += -pull mass[i] q[i][2] / r_i^3 + Σ_{j in 0..i} gravity mass[i] mass[j] (q[j][2] - q[i][2]) / r_ij^3   for i in 0..4
+    /// dp[j][0]/dt += gravity mass[i] mass[j] (q[i][0] - q[j][0]) / r_ij^3   for i in 0..4, j in 0..i
+    /// dp[j][1]/dt += gravity mass[i] mass[j] (q[i][1] - q[j][1]) / r_ij^3   for i in 0..4, j in 0..i
+    /// dp[j][2]/dt += gravity mass[i] mass[j] (q[i][2] - q[j][2]) / r_ij^3   for i in 0..4, j in 0..i
+    /// where r_i = sqrt(q[i][0]^2 + q[i][1]^2 + q[i][2]^2)
+    /// where r_ij = sqrt((q[i][0] - q[j][0])^2 + (q[i][1] - q[j][1])^2 + (q[i][2] - q[j][2])^2)
+    /// ```
+    ///
+    /// Each part has an exact flow. Those behind the first are one part of a composition, a symmetric pair.
+    #[automatically_derived]
+    impl runtime::Hamiltonian for Planets {
+        type Coords = [[f64; 3]; 4];
+        type Compose = Abah1064;
+        type Parameters<Scalar: runtime::Real> = Parameters<Scalar>;
+        type Motion<Scalar: runtime::Real, Leaf: runtime::Precision> = runtime::Solving<
+            Scalar,
+            runtime::Shaped<Self, Leaf>,
+            Parameters<Scalar>,
+            runtime::Kepler,
+        >;
+        const PARTS: &'static [&'static str] = &["kepler", "jump", "interaction"];
+        const SEPARABLE: bool = false;
+        const PAIRED: bool = true;
+        const AUTONOMOUS: bool = true;
+        const FINGERPRINT: u64 = 8023343054490973111;
+        const WIDE: bool = true;
+        fn parameters(&self, _length: usize) -> Parameters<f64> {
+            Parameters {
+                prepared_0: ::core::array::from_fn(|i: usize| 1.0 / self.mass[i]),
+                prepared_1: ::core::array::from_fn(|i: usize| self.pull * self.mass[i]),
+                prepared_2: 2.0 / (2.0 * self.star),
+                prepared_3: ::core::array::from_fn(|i: usize| {
+                    self.gravity * self.mass[i]
+                }),
+                mass: ::core::array::from_fn(|j: usize| self.mass[j]),
+                prepared_5: ::core::array::from_fn(|i: usize| 0.5 / self.mass[i]),
+                prepared_6: 1.0 / (2.0 * self.star),
+            }
+        }
+        #[inline(always)]
+        fn drift<Scalar: runtime::Real, Leaf: runtime::Precision>(
+            motion: &mut Self::Motion<Scalar, Leaf>,
+            duration: f64,
+            _time: f64,
+        ) {
+            let solver = &mut motion.solvers;
+            solver
+                .flow(
+                    [&mut motion.q[..], &mut motion.p[..]],
+                    &motion.parameters.prepared_0[..],
+                    &motion.parameters.prepared_1[..],
+                    duration,
+                );
+        }
+        #[inline(always)]
+        fn middle<Scalar: runtime::Real, Leaf: runtime::Precision>(
+            motion: &mut Self::Motion<Scalar, Leaf>,
+            duration: f64,
+            _time: f64,
+            _backwards: bool,
+        ) {
+            let step = Scalar::of(duration);
+            let shared_0 = step * motion.parameters.prepared_2;
+            for d in 0..3 {
+                let mut sum_0 = Scalar::of(0.0);
+                for k in 0..4 {
+                    sum_0 += motion.p[k][d].value();
+                }
+                let shared_1 = shared_0 * sum_0;
+                for k in 0..4 {
+                    motion.q[k][d].add(shared_1);
+                }
+            }
+        }
+        #[inline(always)]
+        fn kick<Scalar: runtime::Real, Leaf: runtime::Precision>(
+            motion: &mut Self::Motion<Scalar, Leaf>,
+            duration: f64,
+            _time: f64,
+        ) {
+            let step = Scalar::of(-duration);
+            let mut gradient = [[Scalar::of(0.0); 3]; 4];
+            for i in 0..4 {
+                let q_i_0 = motion.q[i][0].value();
+                let q_i_1 = motion.q[i][1].value();
+                let q_i_2 = motion.q[i][2].value();
+                let mut sum_0 = Scalar::of(0.0);
+                let mut sum_1 = Scalar::of(0.0);
+                let mut sum_2 = Scalar::of(0.0);
+                for j in 0..i {
+                    let shared_0 = q_i_0 - motion.q[j][0].value();
+                    let shared_1 = q_i_1 - motion.q[j][1].value();
+                    let shared_2 = q_i_2 - motion.q[j][2].value();
+                    let shared_3 = shared_2
+                        .fma(shared_2, shared_1.fma(shared_1, shared_0 * shared_0));
+                    let shared_4 = (motion.parameters.prepared_3[i]
+                        * motion.parameters.mass[j])
+                        .div_pow_3_2(shared_3);
+                    let shared_5 = shared_4 * shared_2;
+                    let shared_6 = shared_4 * shared_1;
+                    let shared_7 = shared_4 * shared_0;
+                    gradient[j][0] -= shared_7;
+                    gradient[j][1] -= shared_6;
+                    gradient[j][2] -= shared_5;
+                    sum_2 += shared_7;
+                    sum_1 += shared_6;
+                    sum_0 += shared_5;
+                }
+                gradient[i][0] += sum_2;
+                gradient[i][1] += sum_1;
+                gradient[i][2] += sum_0;
+            }
+            for i in 0..4 {
+                for d in 0..3 {
+                    motion.p[i][d].fma(step, gradient[i][d]);
+                }
+            }
+        }
+        #[inline(always)]
+        fn along_field<Scalar: runtime::Real, Leaf: runtime::Precision>(
+            motion: runtime::ReadBy<'_, Self, Scalar, Leaf>,
+            moved: runtime::MovedBy<'_, Self, Scalar, Leaf>,
+            duration: f64,
+            _time: f64,
+        ) {
+            let step = Scalar::of(duration);
+            {
+                let mut gradient = [[Scalar::of(0.0); 3]; 4];
+                for i in 0..4 {
+                    for k in 0..3 {
+                        gradient[i][k] = motion
+                            .parameters
+                            .prepared_0[i]
+                            .fma(motion.p[i][k].value(), gradient[i][k]);
+                    }
+                }
+                for d in 0..3 {
+                    let mut sum_0 = Scalar::of(0.0);
+                    for k in 0..4 {
+                        sum_0 += motion.p[k][d].value();
+                    }
+                    let shared_0 = motion.parameters.prepared_2 * sum_0;
+                    for k in 0..4 {
+                        gradient[k][d] += shared_0;
+                    }
+                }
+                for i in 0..4 {
+                    for d in 0..3 {
+                        moved.q[i][d].fma(step, gradient[i][d]);
+                    }
+                }
+            }
+            {
+                let mut gradient = [[Scalar::of(0.0); 3]; 4];
+                for i in 0..4 {
+                    let q_i_0 = motion.q[i][0].value();
+                    let q_i_1 = motion.q[i][1].value();
+                    let q_i_2 = motion.q[i][2].value();
+                    let shared_8 = q_i_2.fma(q_i_2, q_i_1.fma(q_i_1, q_i_0 * q_i_0));
+                    let shared_9 = motion.parameters.prepared_1[i].div_pow_3_2(shared_8);
+                    let mut sum_0 = Scalar::of(0.0);
+                    let mut sum_1 = Scalar::of(0.0);
+                    let mut sum_2 = Scalar::of(0.0);
+                    for j in 0..i {
+                        let shared_0 = q_i_0 - motion.q[j][0].value();
+                        let shared_1 = q_i_1 - motion.q[j][1].value();
+                        let shared_2 = q_i_2 - motion.q[j][2].value();
+                        let shared_3 = shared_2
+                            .fma(shared_2, shared_1.fma(shared_1, shared_0 * shared_0));
+                        let shared_4 = (motion.parameters.prepared_3[i]
+                            * motion.parameters.mass[j])
+                            .div_pow_3_2(shared_3);
+                        let shared_5 = shared_4 * shared_2;
+                        let shared_6 = shared_4 * shared_1;
+                        let shared_7 = shared_4 * shared_0;
+                        gradient[j][0] += shared_7;
+                        gradient[j][1] += shared_6;
+                        gradient[j][2] += shared_5;
+                        sum_2 += shared_7;
+                        sum_1 += shared_6;
+                        sum_0 += shared_5;
+                    }
+                    gradient[i][0] -= shared_9.fma(q_i_0, sum_2);
+                    gradient[i][1] -= shared_9.fma(q_i_1, sum_1);
+                    gradient[i][2] -= shared_9.fma(q_i_2, sum_0);
+                }
+                for i in 0..4 {
+                    for d in 0..3 {
+                        moved.p[i][d].fma(step, gradient[i][d]);
+                    }
+                }
+            }
+        }
+        #[inline(always)]
+        fn kinetic<Scalar: runtime::Real, Leaf: runtime::Precision>(
+            motion: &Self::Motion<Scalar, Leaf>,
+            _time: f64,
+        ) -> Scalar {
+            let mut sum_1 = Scalar::of(0.0);
+            for i in 0..4 {
+                let q_i_0 = motion.q[i][0].value();
+                let q_i_1 = motion.q[i][1].value();
+                let q_i_2 = motion.q[i][2].value();
+                let mut sum_0 = Scalar::of(0.0);
+                for k in 0..3 {
+                    let p_i_k = motion.p[i][k].value();
+                    sum_0 = p_i_k.fma(p_i_k, sum_0);
+                }
+                sum_1
+                    += motion
+                        .parameters
+                        .prepared_5[i]
+                        .fma(
+                            sum_0,
+                            -(motion.parameters.prepared_1[i]
+                                / q_i_2.fma(q_i_2, q_i_1.fma(q_i_1, q_i_0 * q_i_0)).sqrt()),
+                        );
+            }
+            sum_1
+        }
+        #[inline(always)]
+        fn potential<Scalar: runtime::Real, Leaf: runtime::Precision>(
+            motion: &Self::Motion<Scalar, Leaf>,
+            _time: f64,
+        ) -> Scalar {
+            let mut sum_3 = Scalar::of(0.0);
+            for i in 0..4 {
+                let q_i_0 = motion.q[i][0].value();
+                let q_i_1 = motion.q[i][1].value();
+                let q_i_2 = motion.q[i][2].value();
+                let mut sum_2 = Scalar::of(0.0);
+                for j in 0..i {
+                    let shared_0 = q_i_0 - motion.q[j][0].value();
+                    let shared_1 = q_i_1 - motion.q[j][1].value();
+                    let shared_2 = q_i_2 - motion.q[j][2].value();
+                    sum_2
+                        += motion.parameters.prepared_3[i] * motion.parameters.mass[j]
+                            / shared_2
+                                .fma(shared_2, shared_1.fma(shared_1, shared_0 * shared_0))
+                                .sqrt();
+                }
+                sum_3 += sum_2;
+            }
+            let mut sum_1 = Scalar::of(0.0);
+            for d in 0..3 {
+                let mut sum_0 = Scalar::of(0.0);
+                for k in 0..4 {
+                    sum_0 += motion.p[k][d].value();
+                }
+                sum_1 = sum_0.fma(sum_0, sum_1);
+            }
+            motion.parameters.prepared_6.fma(sum_1, -sum_3)
+        }
+        fn stated(
+            &self,
+            q: &Self::Coords,
+            p: &Self::Coords,
+            time: f64,
+        ) -> runtime::StatedEnergy {
+            runtime::StatedEnergy::Separate {
+                kinetic: Self::kepler(self, *q, *p),
+                potential: Self::jump(self, *p) + Self::interaction(self, *q),
+            }
+        }
+        fn visit_compositions(visitor: &mut impl runtime::Visitor<Self>) {
+            runtime::visit_pairs(visitor);
+        }
+    }
+};
