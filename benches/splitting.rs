@@ -151,11 +151,14 @@ struct Row<'p> {
     times: BTreeMap<u64, Vec<f64>>,
 }
 
+/// A start, and the value of its leaves.
+type Begin<C, K> = (Phase<C>, fn(K) -> f64);
+
 /// The rows of a splitting with these compositions, from a start whose leaves have these values.
 fn rows<'p, H, C>(
     splitting: &'static str,
     problem: &'p Problem<H>,
-    (start, value): (Phase<C>, fn(C::Leaf) -> f64),
+    (start, value): Begin<C, C::Leaf>,
     compositions: &[&[&str]],
 ) -> Vec<Row<'p>>
 where
@@ -263,11 +266,11 @@ fn measure(table: &mut Table, problem: &str, mut all: Vec<Row<'_>>) {
     }
 }
 
-fn plain<C>(start: Phase<C>) -> (Phase<C>, fn(f64) -> f64) {
+fn plain<C>(start: Phase<C>) -> Begin<C, f64> {
     (start, |leaf| leaf)
 }
 
-fn compensated<const N: usize>(start: Phase<[f64; N]>) -> (Phase<[Compensated<f64>; N]>, fn(Compensated<f64>) -> f64) {
+fn compensated<const N: usize>(start: Phase<[f64; N]>) -> Begin<[Compensated<f64>; N], Compensated<f64>> {
     (Phase::compensated(start.q, start.p), |leaf| leaf.value)
 }
 
@@ -277,7 +280,7 @@ fn solar(table: &mut Table) {
     let Problem { start, span, ref reference, ref system, .. } = separable;
     let (system, reference) = (Jacobi { masses: system.masses }, reference.clone());
     let jacobi = Problem { name: "solar", system, start, span, reference };
-    let carried = || (Phase::compensated(start.q, start.p), (|leaf| leaf.value) as fn(Compensated<f64>) -> f64);
+    let carried = || -> Begin<_, Compensated<f64>> { (Phase::compensated(start.q, start.p), |leaf| leaf.value) };
     let mut all = rows("jacobi", &jacobi, plain(start), &[&NEAR_INTEGRABLE, &OTHERS]);
     all.extend(rows("jacobi", &jacobi, carried(), &[&["Aba1064", "Aba104", "BlanesCasasRos764"]]));
     all.extend(rows(SEPARABLE, &separable, plain(start), &[&OTHERS]));
