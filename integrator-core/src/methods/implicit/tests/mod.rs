@@ -1,5 +1,7 @@
 //! Implicit methods on systems of every kind of split, and on those that have none.
 
+mod geodesic;
+
 use crate::{
     Ensemble, Error, Hamiltonian, Method, Phase,
     check::{certify, observed_order, reversibility, statistics::least_squares::fit, symplectic_defect},
