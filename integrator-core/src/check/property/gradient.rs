@@ -11,8 +11,8 @@ use crate::{
         property::{flow_laws::generator_error, part_flows::Flows},
         statistics::points::{begin, coordinate, numbers, origin},
     },
-    flow::doubled::{Moved, Read},
     hamiltonian::{Hamiltonian, Shaped},
+    methods::implicit::field::{Constants, Pair, field},
     scalar::{
         dual::Dual,
         real::Real,
@@ -192,11 +192,9 @@ fn half_of_field<H: Hamiltonian, R: Real>(
 ) -> Vec<f64> {
     let mut gathered = H::Parameters::<R>::gather(&vec![parameters; lanes.len()]);
     gathered.begin_step(time);
-    let (q, p) = (H::Coords::pack::<R>(lanes, |point| &point.q), H::Coords::pack::<R>(lanes, |point| &point.p));
-    let rest = || H::Coords::slots_from(lanes[0].q.flat().len(), |_| R::of(0.0));
-    let (mut velocity, mut force) = (rest(), rest());
-    let moved = Moved { q: &mut velocity, p: &mut force };
-    H::along_field::<R, f64>(Read { q: &q, p: &p, parameters: &gathered }, moved, 1.0, time);
+    let constants = Constants { gathered: &gathered, of_lanes: &[], shape: lanes[0], middle: time };
+    let point = Pair { q: H::Coords::pack(lanes, |point| &point.q), p: H::Coords::pack(lanes, |point| &point.p) };
+    let Pair { q: velocity, p: force } = field::<H, R>(&constants, &point, time);
     let lane = |slots: &<H::Coords as Coords>::Slots<R>| -> Vec<f64> {
         H::Coords::slots(slots).iter().map(|slot| slot.lane(lane)).collect()
     };
