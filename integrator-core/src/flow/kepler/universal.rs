@@ -21,6 +21,12 @@ const SHORT: f64 = 1.0 / 4096.0;
 /// The largest correction in units of the universal variable.
 const SMALL: f64 = 1.0 / 64.0;
 
+/// The largest `|β s²|` of a guess that is no search's: more than π², that of half an ellipse.
+const LONGEST: f64 = 16.0;
+
+/// The largest `|f - 1|` of an arc on which roundings are kept from drifting.
+const FAR: f64 = 32.0;
+
 /// The number of steps of a search. Each eighth halves the bracket, should Laguerre's method not come nearer.
 const SEARCH: usize = 128;
 
@@ -98,24 +104,49 @@ pub(crate) fn increments<W: Real, const D: usize>(body: &Body<W, D>, duration: W
     let arrival = W::of(1.0) / r;
     // f - 1, g / m, -m r df/dt and r (1 - dg/dt): none is a difference of numbers that are nearly equal.
     let f = W::select(failed, W::of(f64::NAN), -(mu * inverse * second));
-    let g = inverse_mass * (-mu).fma(third, time);
+    // Two forms of g: the first is on the orbit wherever s is, so that the error of the root is one of time alone, and
+    // the second is exact where the body goes far away.
+    let bound = zero.less(beta).and(f.abs().less(W::of(FAR)));
+    let g = inverse_mass * W::select(bound, distance.fma(first, eta * second), (-mu).fma(third, time));
     let by_position = strength * inverse * first;
     let by_momentum = mu * second;
-    // Angular momentum is kept as long as f dg/dt - g df/dt = 1. What the roundings of these four and of 1/r take from
-    // that is the same at each stage of a circular orbit: it is given back, lest the energy drifts.
+    // Angular momentum is kept as long as f dg/dt - g df/dt = 1. What the roundings of these four take from that is the
+    // same at each stage of a circular orbit: the momenta give it back, lest the energy drifts.
     let [by_g, by_r, by_f] = [g * by_position, f * r, f * by_momentum];
     let roundings = g.fma(by_position, -by_g) + (f.fma(r, -by_r) - f.fma(by_momentum, -by_f));
-    let excess = (((by_g - by_momentum) + by_r) - by_f) + roundings;
-    let near = f.abs().less(W::of(0.5));
-    let share = W::select(near, (W::of(1.0) - f) * f.fma(f, W::of(1.0)), zero);
-    let lost = (-arrival).fma(r, W::of(1.0));
+    let ([gained, over], [lost, under]) = (two_sum(by_g, -by_f), two_sum(by_momentum, -by_r));
+    let excess = ((gained - lost) + ((over - under) + roundings)) * arrival;
+    // More than some dozen units is what the angular momentum of a fall has lost by cancellation, and not the momenta.
+    let few = W::of(32.0) * unit() * (W::of(1.0) + f.abs());
+    let excess = W::select(bound.and(excess.abs().less(few)), excess, zero);
+    let inexact = (-arrival).fma(r, W::of(1.0));
+    let rest = (inexact - excess) * arrival;
     let (mut by_q, mut by_p) = (q, p);
     for d in 0..D {
         by_q[d] = f.fma(q[d], g * p[d]);
-        let pull = excess.fma(share * p[d], by_position.fma(q[d], by_momentum * p[d])) * arrival;
-        by_p[d] = W::select(failed, W::of(f64::NAN), -pull.fma(lost, pull));
+        // Less than half a unit in the last place of a rounded number would be lost each time: it goes into the sum
+        // with a product that is not rounded yet.
+        let pull = by_position.fma(q[d], by_momentum * p[d]);
+        let correction = rest.fma(pull, excess * p[d]);
+        by_p[d] = W::select(failed, W::of(f64::NAN), -arrival.fma(pull, correction));
     }
     Increments { q: by_q, p: by_p, failed }
+}
+
+/// A sum, and what its rounding took from it.
+#[inline(always)]
+fn two_sum<W: Real>(a: W, b: W) -> [W; 2] {
+    let sum = a + b;
+    let of_b = sum - a;
+    [sum, (a - (sum - of_b)) + (b - of_b)]
+}
+
+/// The spacing of numbers next to one.
+#[inline(always)]
+fn unit<W: Real>() -> W {
+    // Single precision rounds 1 + 2⁻³⁰ to 1.
+    let single = (W::of(1.0) + W::of(4_194_304.0 * f64::EPSILON)).equal(W::of(1.0));
+    W::select(single, W::of(f64::from(f32::EPSILON)), W::of(f64::EPSILON))
 }
 
 /// The time without whole revolutions: within half a period, where the motion has one.
@@ -139,6 +170,8 @@ fn root<W: Real>(orbit: &Orbit<W>, inverse: W) -> (Place<W>, W, W::Mask) {
     let s = orbit.short_arc(inverse);
     let place = orbit.at(s);
     let (d, near) = place.correction(orbit.beta, s);
+    // Within half a period no arc is longer. Where the series has gone astray, what follows is no number to judge by.
+    let near = near.and((orbit.beta * s * s).abs().less(W::of(LONGEST)));
     if near.not().any() { search(orbit, s, near.not()) } else { (place, d, near.not()) }
 }
 
@@ -235,10 +268,7 @@ impl<W: Real> Orbit<W> {
         let Self { distance, eta, zeta, time, .. } = *self;
         let [_, _, second, third] = place.functions;
         let terms = (distance * s).abs() + (eta * second).abs() + (zeta * third).abs() + time.abs();
-        // Single precision rounds 1 + 2⁻³⁰ to 1.
-        let single = (W::of(1.0) + W::of(4_194_304.0 * f64::EPSILON)).equal(W::of(1.0));
-        let unit = W::select(single, W::of(f64::from(f32::EPSILON)), W::of(f64::EPSILON));
-        place.late.abs().less_or_equal(W::of(4.0) * unit * terms)
+        place.late.abs().less_or_equal(W::of(4.0) * unit() * terms)
     }
 
     /// The next point of a search, in a bracket that shrinks.
