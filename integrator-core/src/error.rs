@@ -164,7 +164,7 @@ pub enum Error {
     /// The energy of a run left the bound of its watch.
     #[error(
         "the energy after step {step} (t = {time}) is {energy}, and was {before} when the watch began: it strays by more \
-         than {bound} of |T| + |V|. The run stays one step before; a smaller step helps"
+         than {bound} of the sizes of its parts, |T| + |V|. The run stays one step before; a smaller step helps"
     )]
     EnergyStrayed {
         /// The step that was not taken.
@@ -175,11 +175,15 @@ pub enum Error {
         energy: f64,
         /// The energy when the watch began.
         before: f64,
-        /// The bound, relative to the sizes of `T` and `V` when the watch began.
+        /// The bound, relative to the sizes of `T` and `V` when the watch began, or to those of the first part and of all others
+        /// together.
         bound: f64,
     },
     /// The bound of a watch is not above zero.
-    #[error("the energy is to stay within {bound} of |T| + |V|: the bound has to be above zero, for example 1e-3")]
+    #[error(
+        "the energy is to stay within {bound} of the sizes of its parts, |T| + |V|: the bound has to be above zero, for \
+         example 1e-3"
+    )]
     WatchBound {
         /// The bound that was asked for.
         bound: f64,

@@ -86,21 +86,22 @@ pub enum Shortfall {
     },
     /// The energy strays so far that the motion is another one.
     #[error(
-        "the energy strays by {:.2} of the largest kinetic energy, and in the mean by {:.2} of the mean one, in {} steps \
-         of {}: the step is too coarse, or wrong",
+        "the energy strays by {:.2} of the largest kinetic energy (or that of the first part), and in the mean by {:.2} of \
+         the mean one, in {} steps of {}: the step is too coarse, or wrong",
         .0.deviation, .0.mean_deviation / .0.mean_kinetic, .0.steps, .0.step
     )]
     EnergyLost(EnergyDrift),
     /// The energy has a trend.
     #[error(
-        "the energy drifts: it strays by {:.1e} of the kinetic energy in {} steps of {}, and {:.1e} of it are a trend",
+        "the energy drifts: it strays by {:.1e} of the kinetic energy (or that of the first part) in {} steps of {}, \
+         and {:.1e} of it are a trend",
         .0.deviation, .0.steps, .0.step, .0.drift()
     )]
     EnergyDrift(EnergyDrift),
     /// The energy strays by more than steps of half the length and the order explain.
     #[error(
-        "the energy strays by {:.1e} of the kinetic energy in steps of {}, and by {:.1e} in steps of {}, where an order of \
-         {order} explains a factor of about {}: the step is too coarse, or the energy jumps",
+        "the energy strays by {:.1e} of the kinetic energy (or that of the first part) in steps of {}, and by \
+         {:.1e} in steps of {}, where an order of {order} explains a factor of about {}: the step is too coarse, or the energy jumps",
         .drift.deviation, .drift.step, .finer.deviation, .finer.step, 1_u64 << (*order).min(63)
     )]
     EnergyNotExplained {
