@@ -413,6 +413,11 @@ pub struct Divergence {
 const SHOWN: usize = 4;
 
 impl Divergence {
+    /// The same at a time that is part of the state, and known up to the last finite one.
+    pub(crate) fn at_own_time(self, time: Option<f64>) -> Self {
+        Self { time: time.unwrap_or(self.time), ..self }
+    }
+
     fn text(&self) -> String {
         let Self { step, time, limit, q, p, .. } = self;
         let (fault, last, helps) = if limit.is_finite() {

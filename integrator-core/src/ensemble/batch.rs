@@ -121,11 +121,8 @@ impl Batch {
         replay.engine.completed.store(0, &mut *self.sample);
         let elapsed = replay.engine.elapsed(self.since_opened(clock));
         let time = self.time(index, clock, elapsed);
-        let divergence = (!replay.panicked).then(|| {
-            let report = state.divergence(&*self.sample, clock);
-            // A time that is part of the state is known up to the last finite one.
-            if elapsed.is_some() { Divergence { time, ..report } } else { report }
-        });
+        let divergence =
+            (!replay.panicked).then(|| state.divergence(&*self.sample, clock).at_own_time(elapsed.map(|_| time)));
         self.finished[index] = Some(Finish { steps: clock.steps, time, state });
         Some((self.first + index, divergence?))
     }

@@ -5,7 +5,10 @@
 
 use crate::{
     error::Unsolved,
-    state::{clock::Clock, point::Point},
+    state::{
+        clock::{Clock, durations, time_after},
+        point::Point,
+    },
     trajectory::{
         motions::{Motions, elapsed, load, show, shown},
         panics::attempt,
@@ -141,6 +144,11 @@ impl Engine {
     /// Writes the state of a trajectory: with the step under way completed, while the motions stay where they are.
     pub(crate) fn state(&self, clock: Clock, to: &mut dyn Point) {
         self.read(clock, |completed, shown| show(completed, shown, 0, to));
+    }
+
+    /// The time of a trajectory, where it is part of the state: with `t0` and what had passed when its motion was loaded.
+    pub(crate) fn own_time(&self, clock: Clock, t0: f64, before: [f64; 2]) -> Option<f64> {
+        Some(time_after(t0, durations(before, self.elapsed(clock)?)))
     }
 
     /// The time of a trajectory since its motion was loaded, and its rounding error, where it is part of the state.

@@ -212,12 +212,7 @@ impl<C: Coords> Run<C> {
                     time: self.time(),
                     reason: reason.clone(),
                 },
-                None => {
-                    let report = self.state().divergence(&self.tried(), clock);
-                    // A time that is part of the state is known up to the last finite one.
-                    let time = self.time_in_state().unwrap_or(report.time);
-                    Divergence { time, ..report }.into()
-                }
+                None => self.state().divergence(&self.tried(), clock).at_own_time(self.time_in_state()).into(),
             });
         }
         Ok(())
@@ -260,7 +255,7 @@ impl<C: Coords> Run<C> {
 
     /// The time at the end of the last step, where it is part of the state.
     pub(crate) fn time_in_state(&self) -> Option<f64> {
-        Some(self.time_of(self.engine.elapsed(self.since_opened())?))
+        self.engine.own_time(self.since_opened(), self.clock.t0, self.opened_at)
     }
 
     /// The time so long after the state was last changed from outside.
