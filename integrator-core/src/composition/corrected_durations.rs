@@ -101,15 +101,15 @@ impl Corrections {
     pub(crate) const NONE: Self = Self { drift: Correction::NONE, kick: Correction::NONE, middle: Correction::NONE };
 
     /// The corrections of stages that are merged across steps.
-    pub(crate) fn new<H: Hamiltonian>(stages: &Stages, h: f64) -> Self {
-        Self::of(h, stages.cycle.iter(), Between::of::<H>())
+    pub(crate) fn new(stages: &Stages, h: f64, between: Between) -> Self {
+        Self::of(h, stages.cycle.iter(), between)
     }
 
     /// The corrections of steps that are taken one by one, each with its processor.
-    pub(crate) fn of_whole_steps<H: Hamiltonian>(stages: &Stages, processor: &Processor, h: f64) -> Self {
+    pub(crate) fn of_whole_steps(stages: &Stages, processor: &Processor, h: f64, between: Between) -> Self {
         let (before, after) = (processor.before.rows.iter(), processor.after.rows.iter());
         let step = [&stages.opening].into_iter().chain(&stages.cycle[1..]).chain([&stages.closing]);
-        Self::of(h, before.chain(step).chain(after), Between::of::<H>())
+        Self::of(h, before.chain(step).chain(after), between)
     }
 
     fn of<'s>(h: f64, stages: impl Iterator<Item = &'s Stage> + Clone, between: Between) -> Self {

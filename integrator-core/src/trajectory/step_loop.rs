@@ -1,7 +1,10 @@
 //! The loop over steps, and the end of the step under way: compositions applied to the flows of an executor.
 
 use crate::{
-    composition::{Composition, corrected_durations::Corrections},
+    composition::{
+        Composition,
+        corrected_durations::{Between, Corrections},
+    },
     hamiltonian::{Flows, Hamiltonian},
     scalar::real::Kernel,
     state::clock::Clock,
@@ -37,7 +40,7 @@ impl<F: Flows<H>, H: Hamiltonian, X: Composition<H>> Kernel for Advance<F, H, X>
             step = 1;
         }
         if F::COMPENSATED {
-            let corrections = Corrections::new::<H>(&X::STAGES, h);
+            let corrections = Corrections::new(&X::STAGES, h, const { Between::of::<H>() });
             if !corrections.none() {
                 while step < end {
                     X::cycle(&mut corrections.on(&mut self.flows, step), h, self.clock.at(step));
@@ -58,7 +61,7 @@ impl<F: Flows<H>, H: Hamiltonian, X: Composition<H>> Advance<F, H, X> {
     #[inline(always)]
     fn whole_steps(mut self, end: u64) {
         let Clock { h, steps, .. } = self.clock;
-        let corrections = Corrections::of_whole_steps::<H>(&X::STAGES, &X::PROCESSOR, h);
+        let corrections = Corrections::of_whole_steps(&X::STAGES, &X::PROCESSOR, h, const { Between::of::<H>() });
         for step in steps..end {
             if let Some(under_way) = step.checked_sub(1) {
                 let time = self.clock.at(under_way);

@@ -1,7 +1,10 @@
 //! The loop over the flows of a table.
 
 use crate::{
-    composition::{Lead, Stage, Stages, corrected_durations::Corrections},
+    composition::{
+        Lead, Stage, Stages,
+        corrected_durations::{Between, Corrections},
+    },
     hamiltonian::{Flows, Hamiltonian, Single},
     layout::lattice::time_tiling::TimeTiling,
     scalar::real::{Kernel, Real},
@@ -207,9 +210,9 @@ impl<'l, F: Flows<H>, H: Hamiltonian, G: Kicks<H>> Walk<'l, F, H, G> {
     fn corrections(&self) -> Corrections {
         let Letters { stages, processor, .. } = self.letters;
         if H::PIECEWISE_IN_TIME {
-            Corrections::of_whole_steps::<H>(stages, processor, self.clock.h)
+            Corrections::of_whole_steps(stages, processor, self.clock.h, Between::of::<H>())
         } else {
-            Corrections::new::<H>(stages, self.clock.h)
+            Corrections::new(stages, self.clock.h, Between::of::<H>())
         }
     }
 
