@@ -75,7 +75,7 @@ use alloc::sync::Arc;
 use motion::Implicit;
 use tableau::{GAUSS_4, GAUSS_6, Tableau, one_stage};
 
-/// A method whose composition of flows is none: it takes H in one piece.
+/// A method that takes the whole field of H, and no flows of parts.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` composes exact flows, and `split = none` leaves H in one piece",
     label = "no method for the whole of H",
