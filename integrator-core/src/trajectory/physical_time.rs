@@ -33,7 +33,7 @@ impl<C: Coords> Run<C> {
     ///     fn potential(&self, q: [f64; 1]) -> f64 { q[0] * q[0] / 2.0 }
     /// }
     ///
-    /// let mut run = Oscillator.run(Phase::new([1.0], [0.0]), 0.1)?;
+    /// let mut run = Oscillator.run(Phase::new([1.0_f64], [0.0]), 0.1)?;
     /// run.advance_to(std::f64::consts::PI)?;
     /// assert_eq!((run.time(), run.steps()), (std::f64::consts::PI, 31));
     /// assert!((run.state().q[0] + 1.0).abs() < 1e-9);
