@@ -25,6 +25,7 @@ pub(crate) fn functions(
     emitter: &mut Emitter<'_>,
     kinetic: &[Contribution],
     potential: &[Contribution],
+    many_body: bool,
 ) -> TokenStream {
     let [t, v] = [emitter.model.kinetic, emitter.model.potential];
     let graph = &mut emitter.model.graph;
@@ -36,21 +37,44 @@ pub(crate) fn functions(
     let time = graph.time();
     let sum = graph.add(t, time);
     let kinetic_plus = value_with(emitter, "kinetic_plus", sum, true);
-    let v_alone = value(emitter, "potential_of", v);
-    let lines = [(kinetic, Part::Momentum), (potential, Part::Position), (&logarithmic, Part::Position)]
-        .map(|(gradient, part)| Flow::lines_along(emitter, gradient, part, &Frame::Motion));
-    let [drift, kick, direct] = lines;
+    let by_potential = match many_body {
+        true => of_bodies(emitter, potential, v),
+        false => of_plain(emitter.names),
+    };
+    let drift = Flow::lines_along(emitter, kinetic, Part::Momentum, &Frame::Motion);
     let logarithmic = match is_direct(&emitter.model.graph.loops, &logarithmic) {
-        true => direct,
+        true => Flow::lines_along(emitter, &logarithmic, Part::Position, &Frame::Motion),
         false => collected(emitter, potential, v),
     };
-    let flows = [
-        ("drift_for", quote!(duration), drift),
-        ("kick_for", quote!(-duration), kick),
-        ("logarithmic_kick", quote!(-duration), logarithmic),
-    ];
-    let flows = flows.map(|(name, step, lines)| flow(emitter, name, step, lines));
-    quote!(#kinetic_plus #v_alone #(#flows)*)
+    let drift = flow(emitter, "drift_for", quote!(duration), drift);
+    let logarithmic = flow(emitter, "logarithmic_kick", quote!(-duration), logarithmic);
+    quote!(#kinetic_plus #by_potential #drift #logarithmic)
+}
+
+/// The energy and the kick of `V` where bodies have a layout of their own.
+fn of_bodies(emitter: &mut Emitter<'_>, potential: &[Contribution], energy: NodeId) -> TokenStream {
+    let energy = value(emitter, "potential_of", energy);
+    let kick = Flow::lines_along(emitter, potential, Part::Position, &Frame::Motion);
+    let kick = flow(emitter, "kick_for", quote!(-duration), kick);
+    quote!(#energy #kick)
+}
+
+/// The same where the layout is the plain one: by what is written for it, the kick on a motion at rest.
+fn of_plain(names: &Names) -> TokenStream {
+    let Names { runtime, scalar, leaf, .. } = names;
+    quote! {
+        #[inline(always)]
+        fn potential_of<#scalar: #runtime::Real, #leaf: #runtime::Precision>(motion: &#runtime::PlainMotion<Self, #scalar, #leaf>) -> #scalar {
+            <Self as #runtime::Hamiltonian>::potential::<#scalar, #leaf>(motion, 0.0)
+        }
+
+        #[inline(always)]
+        fn kick_for<#scalar: #runtime::Real, #leaf: #runtime::Precision>(motion: &mut #runtime::PlainMotion<Self, #scalar, #leaf>, duration: #scalar) {
+            let mut force = motion.at_rest();
+            <Self as #runtime::Hamiltonian>::kick::<#scalar, f64>(&mut force, 1.0, 0.0);
+            motion.push(duration, &force);
+        }
+    }
 }
 
 /// The items of the runtime's `Rated`: the pace, and a kick with what it adds to the auxiliary variable, `duration` times the

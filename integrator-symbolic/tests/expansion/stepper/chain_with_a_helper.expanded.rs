@@ -71,7 +71,7 @@ const _: () = {
             Parameters<Scalar>,
         >;
         const AUTONOMOUS: bool = true;
-        const FINGERPRINT: u64 = 615648716343465791;
+        const FINGERPRINT: u64 = 6673268780716575936;
         const WIDE: bool = true;
         const STENCIL_RADII: ::core::option::Option<runtime::StencilRadii> = ::core::option::Option::Some(
             runtime::StencilRadii::of::<Self>(),
@@ -260,44 +260,16 @@ const _: () = {
         fn potential_of<Scalar: runtime::Real, Leaf: runtime::Precision>(
             motion: &runtime::PlainMotion<Self, Scalar, Leaf>,
         ) -> Scalar {
-            let q0 = motion.q[0].value();
-            let q31 = motion.q[31].value();
-            let shared_1 = q0 * q0;
-            let shared_2 = q31 * q31;
-            let mut sum_0 = Scalar::of(0.0);
-            for i in 0..31 {
-                let shared_0 = motion.q[i + 1].value() - motion.q[i].value();
-                let shared_3 = shared_0 * shared_0;
-                sum_0
-                    += motion
-                        .parameters
-                        .prepared_4
-                        .fma(
-                            shared_3 * shared_3,
-                            motion
-                                .parameters
-                                .prepared_5
-                                .fma(shared_3 * shared_0, Scalar::of(0.5) * shared_3),
-                        );
-            }
-            motion
-                .parameters
-                .prepared_4
-                .fma(
-                    shared_1 * shared_1,
-                    motion
-                        .parameters
-                        .prepared_5
-                        .fma(shared_1 * q0, Scalar::of(0.5) * shared_1),
-                )
-                + motion
-                    .parameters
-                    .prepared_4
-                    .fma(
-                        shared_2 * shared_2,
-                        (-motion.parameters.prepared_5)
-                            .fma(shared_2 * q31, Scalar::of(0.5) * shared_2),
-                    ) + sum_0
+            <Self as runtime::Hamiltonian>::potential::<Scalar, Leaf>(motion, 0.0)
+        }
+        #[inline(always)]
+        fn kick_for<Scalar: runtime::Real, Leaf: runtime::Precision>(
+            motion: &mut runtime::PlainMotion<Self, Scalar, Leaf>,
+            duration: Scalar,
+        ) {
+            let mut force = motion.at_rest();
+            <Self as runtime::Hamiltonian>::kick::<Scalar, f64>(&mut force, 1.0, 0.0);
+            motion.push(duration, &force);
         }
         #[inline(always)]
         fn drift_for<Scalar: runtime::Real, Leaf: runtime::Precision>(
@@ -307,45 +279,6 @@ const _: () = {
             let step = duration;
             for i in 0..32 {
                 motion.q[i].fma(step, motion.p[i].value());
-            }
-        }
-        #[inline(always)]
-        fn kick_for<Scalar: runtime::Real, Leaf: runtime::Precision>(
-            motion: &mut runtime::PlainMotion<Self, Scalar, Leaf>,
-            duration: Scalar,
-        ) {
-            let step = -duration;
-            let mut gradient = [Scalar::of(0.0); 32];
-            let q0 = motion.q[0].value();
-            let q31 = motion.q[31].value();
-            let shared_1 = q0 * q0;
-            let shared_2 = q31 * q31;
-            for i in 0..31 {
-                let shared_0 = motion.q[i + 1].value() - motion.q[i].value();
-                let shared_3 = shared_0 * shared_0;
-                let shared_4 = shared_0
-                    + motion
-                        .parameters
-                        .prepared_1
-                        .fma(
-                            shared_3,
-                            motion.parameters.prepared_0 * (shared_3 * shared_0),
-                        );
-                gradient[i + 1] += shared_4;
-                gradient[i] -= shared_4;
-            }
-            gradient[0]
-                += q0
-                    + motion
-                        .parameters
-                        .prepared_1
-                        .fma(shared_1, motion.parameters.prepared_0 * (shared_1 * q0));
-            gradient[31]
-                += q31
-                    + (-motion.parameters.prepared_1)
-                        .fma(shared_2, motion.parameters.prepared_0 * (shared_2 * q31));
-            for i in 0..32 {
-                motion.p[i].fma(step, gradient[i]);
             }
         }
         #[inline(always)]

@@ -71,7 +71,7 @@ const _: () = {
             Parameters<Scalar>,
         >;
         const AUTONOMOUS: bool = true;
-        const FINGERPRINT: u64 = 15536687880094885655;
+        const FINGERPRINT: u64 = 7746869732395265583;
         fn parameters(&self, _length: usize) -> Parameters<f64> {
             Parameters {
                 prepared_0: 0.5 * (-self.pull),
@@ -212,12 +212,16 @@ const _: () = {
         fn potential_of<Scalar: runtime::Real, Leaf: runtime::Precision>(
             motion: &runtime::PlainMotion<Self, Scalar, Leaf>,
         ) -> Scalar {
-            let q0 = motion.q[0].value();
-            let q1 = motion.q[1].value();
-            let shared_0 = Scalar::of(1.0) / q1.fma(q1, q0 * q0);
-            let shared_1 = shared_0.sqrt();
-            (-motion.parameters.twist)
-                .fma(shared_0 * shared_1, motion.parameters.prepared_5 * shared_1)
+            <Self as runtime::Hamiltonian>::potential::<Scalar, Leaf>(motion, 0.0)
+        }
+        #[inline(always)]
+        fn kick_for<Scalar: runtime::Real, Leaf: runtime::Precision>(
+            motion: &mut runtime::PlainMotion<Self, Scalar, Leaf>,
+            duration: Scalar,
+        ) {
+            let mut force = motion.at_rest();
+            <Self as runtime::Hamiltonian>::kick::<Scalar, f64>(&mut force, 1.0, 0.0);
+            motion.push(duration, &force);
         }
         #[inline(always)]
         fn drift_for<Scalar: runtime::Real, Leaf: runtime::Precision>(
@@ -227,25 +231,6 @@ const _: () = {
             let step = duration;
             motion.q[0].fma(step, motion.p[0].value());
             motion.q[1].fma(step, motion.p[1].value());
-        }
-        #[inline(always)]
-        fn kick_for<Scalar: runtime::Real, Leaf: runtime::Precision>(
-            motion: &mut runtime::PlainMotion<Self, Scalar, Leaf>,
-            duration: Scalar,
-        ) {
-            let step = -duration;
-            let q0 = motion.q[0].value();
-            let q1 = motion.q[1].value();
-            let shared_0 = step * Scalar::of(2.0);
-            let shared_1 = Scalar::of(1.0) / q1.fma(q1, q0 * q0);
-            let shared_2 = shared_1.sqrt();
-            let shared_3 = (-motion.parameters.prepared_0)
-                .fma(
-                    shared_1 * shared_2,
-                    motion.parameters.prepared_1 * (shared_1 * shared_1 * shared_2),
-                );
-            motion.p[0].fma(shared_0 * q0, shared_3);
-            motion.p[1].fma(shared_0 * q1, shared_3);
         }
         #[inline(always)]
         fn logarithmic_kick<Scalar: runtime::Real, Leaf: runtime::Precision>(

@@ -107,7 +107,7 @@ const _: () = {
             Parameters<Scalar>,
         >;
         const AUTONOMOUS: bool = true;
-        const FINGERPRINT: u64 = 1213810291420779326;
+        const FINGERPRINT: u64 = 4907821078896503619;
         fn parameters(&self, _length: usize) -> Parameters<f64> {
             Parameters {
                 stiffness: self.stiffness,
@@ -212,8 +212,16 @@ const _: () = {
         fn potential_of<Scalar: runtime::Real, Leaf: runtime::Precision>(
             motion: &runtime::PlainMotion<Self, Scalar, Leaf>,
         ) -> Scalar {
-            let q0 = motion.q[0].value();
-            motion.parameters.prepared_1 * q0 * q0
+            <Self as runtime::Hamiltonian>::potential::<Scalar, Leaf>(motion, 0.0)
+        }
+        #[inline(always)]
+        fn kick_for<Scalar: runtime::Real, Leaf: runtime::Precision>(
+            motion: &mut runtime::PlainMotion<Self, Scalar, Leaf>,
+            duration: Scalar,
+        ) {
+            let mut force = motion.at_rest();
+            <Self as runtime::Hamiltonian>::kick::<Scalar, f64>(&mut force, 1.0, 0.0);
+            motion.push(duration, &force);
         }
         #[inline(always)]
         fn drift_for<Scalar: runtime::Real, Leaf: runtime::Precision>(
@@ -222,14 +230,6 @@ const _: () = {
         ) {
             let step = duration;
             motion.q[0].fma(step, motion.p[0].value());
-        }
-        #[inline(always)]
-        fn kick_for<Scalar: runtime::Real, Leaf: runtime::Precision>(
-            motion: &mut runtime::PlainMotion<Self, Scalar, Leaf>,
-            duration: Scalar,
-        ) {
-            let step = -duration;
-            motion.p[0].fma(step * motion.parameters.stiffness, motion.q[0].value());
         }
         #[inline(always)]
         fn logarithmic_kick<Scalar: runtime::Real, Leaf: runtime::Precision>(

@@ -32,7 +32,7 @@ const _: () = {
             Parameters,
         >;
         const AUTONOMOUS: bool = true;
-        const FINGERPRINT: u64 = 2248178741352724398;
+        const FINGERPRINT: u64 = 16422938641067117427;
         fn parameters(&self, _length: usize) -> Parameters {
             Parameters
         }
@@ -150,15 +150,16 @@ const _: () = {
         fn potential_of<Scalar: runtime::Real, Leaf: runtime::Precision>(
             motion: &runtime::PlainMotion<Self, Scalar, Leaf>,
         ) -> Scalar {
-            let q0 = motion.q[0].value();
-            let q1 = motion.q[1].value();
-            let shared_0 = q0 * q0;
-            let shared_1 = q1 * q1;
-            Scalar::of(-0.3333333333333333)
-                .fma(
-                    shared_1 * q1,
-                    q1.fma(shared_0, Scalar::of(0.5) * (shared_0 + shared_1)),
-                )
+            <Self as runtime::Hamiltonian>::potential::<Scalar, Leaf>(motion, 0.0)
+        }
+        #[inline(always)]
+        fn kick_for<Scalar: runtime::Real, Leaf: runtime::Precision>(
+            motion: &mut runtime::PlainMotion<Self, Scalar, Leaf>,
+            duration: Scalar,
+        ) {
+            let mut force = motion.at_rest();
+            <Self as runtime::Hamiltonian>::kick::<Scalar, f64>(&mut force, 1.0, 0.0);
+            motion.push(duration, &force);
         }
         #[inline(always)]
         fn drift_for<Scalar: runtime::Real, Leaf: runtime::Precision>(
@@ -168,17 +169,6 @@ const _: () = {
             let step = duration;
             motion.q[0].fma(step, motion.p[0].value());
             motion.q[1].fma(step, motion.p[1].value());
-        }
-        #[inline(always)]
-        fn kick_for<Scalar: runtime::Real, Leaf: runtime::Precision>(
-            motion: &mut runtime::PlainMotion<Self, Scalar, Leaf>,
-            duration: Scalar,
-        ) {
-            let step = -duration;
-            let q0 = motion.q[0].value();
-            let q1 = motion.q[1].value();
-            motion.p[0].fma(step * Scalar::of(2.0) * q0, q1 + Scalar::of(0.5));
-            motion.p[1].fma(step, q1 + (-q1).fma(q1, q0 * q0));
         }
         #[inline(always)]
         fn logarithmic_kick<Scalar: runtime::Real, Leaf: runtime::Precision>(

@@ -51,7 +51,7 @@ const _: () = {
             Parameters<Scalar>,
         >;
         const AUTONOMOUS: bool = true;
-        const FINGERPRINT: u64 = 8449238305070511480;
+        const FINGERPRINT: u64 = 5499367958491432122;
         const WIDE: bool = true;
         fn parameters(&self, _length: usize) -> Parameters<f64> {
             Parameters {
@@ -173,9 +173,16 @@ const _: () = {
         fn potential_of<Scalar: runtime::Real, Leaf: runtime::Precision>(
             motion: &runtime::PlainMotion<Self, Scalar, Leaf>,
         ) -> Scalar {
-            let q0 = motion.q[0].value();
-            let q1 = motion.q[1].value();
-            motion.parameters.prepared_0 / q1.fma(q1, q0 * q0).sqrt()
+            <Self as runtime::Hamiltonian>::potential::<Scalar, Leaf>(motion, 0.0)
+        }
+        #[inline(always)]
+        fn kick_for<Scalar: runtime::Real, Leaf: runtime::Precision>(
+            motion: &mut runtime::PlainMotion<Self, Scalar, Leaf>,
+            duration: Scalar,
+        ) {
+            let mut force = motion.at_rest();
+            <Self as runtime::Hamiltonian>::kick::<Scalar, f64>(&mut force, 1.0, 0.0);
+            motion.push(duration, &force);
         }
         #[inline(always)]
         fn drift_for<Scalar: runtime::Real, Leaf: runtime::Precision>(
@@ -185,19 +192,6 @@ const _: () = {
             let step = duration;
             motion.q[0].fma(step, motion.p[0].value());
             motion.q[1].fma(step, motion.p[1].value());
-        }
-        #[inline(always)]
-        fn kick_for<Scalar: runtime::Real, Leaf: runtime::Precision>(
-            motion: &mut runtime::PlainMotion<Self, Scalar, Leaf>,
-            duration: Scalar,
-        ) {
-            let step = -duration;
-            let q0 = motion.q[0].value();
-            let q1 = motion.q[1].value();
-            let shared_0 = q1.fma(q1, q0 * q0);
-            let shared_1 = (step * motion.parameters.prepared_0).div_pow_3_2(shared_0);
-            motion.p[0].fma(-shared_1, q0);
-            motion.p[1].fma(-shared_1, q1);
         }
         #[inline(always)]
         fn logarithmic_kick<Scalar: runtime::Real, Leaf: runtime::Precision>(

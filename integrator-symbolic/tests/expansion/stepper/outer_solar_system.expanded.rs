@@ -73,7 +73,7 @@ const _: () = {
             3,
         >;
         const AUTONOMOUS: bool = true;
-        const FINGERPRINT: u64 = 10549568086600569737;
+        const FINGERPRINT: u64 = 14909918394646753295;
         const WIDE: bool = true;
         fn parameters(&self, _length: usize) -> Parameters<f64> {
             Parameters {
@@ -327,19 +327,6 @@ const _: () = {
             -sum_2
         }
         #[inline(always)]
-        fn drift_for<Scalar: runtime::Real, Leaf: runtime::Precision>(
-            motion: &mut runtime::PlainMotion<Self, Scalar, Leaf>,
-            duration: Scalar,
-        ) {
-            let step = duration;
-            for i in 0..6 {
-                let shared_0 = step * motion.parameters.prepared_0[i];
-                for d in 0..3 {
-                    motion.q[i][d].fma(shared_0, motion.p[i][d].value());
-                }
-            }
-        }
-        #[inline(always)]
         fn kick_for<Scalar: runtime::Real, Leaf: runtime::Precision>(
             motion: &mut runtime::PlainMotion<Self, Scalar, Leaf>,
             duration: Scalar,
@@ -371,6 +358,19 @@ const _: () = {
             for i in 0..6 {
                 for d in 0..3 {
                     motion.p[i][d].fma(step, gradient[i][d]);
+                }
+            }
+        }
+        #[inline(always)]
+        fn drift_for<Scalar: runtime::Real, Leaf: runtime::Precision>(
+            motion: &mut runtime::PlainMotion<Self, Scalar, Leaf>,
+            duration: Scalar,
+        ) {
+            let step = duration;
+            for i in 0..6 {
+                let shared_0 = step * motion.parameters.prepared_0[i];
+                for d in 0..3 {
+                    motion.q[i][d].fma(shared_0, motion.p[i][d].value());
                 }
             }
         }

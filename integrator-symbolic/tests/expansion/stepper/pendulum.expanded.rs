@@ -53,7 +53,7 @@ const _: () = {
             Parameters<Scalar>,
         >;
         const AUTONOMOUS: bool = true;
-        const FINGERPRINT: u64 = 18258742712022694463;
+        const FINGERPRINT: u64 = 17056667145272420473;
         fn parameters(&self, length: usize) -> Parameters<f64> {
             Parameters {
                 prepared_0: 2.0 / (2.0 * self.mass * self.length.powi(2)),
@@ -158,7 +158,16 @@ const _: () = {
         fn potential_of<Scalar: runtime::Real, Leaf: runtime::Precision>(
             motion: &runtime::PlainMotion<Self, Scalar, Leaf>,
         ) -> Scalar {
-            motion.parameters.prepared_1 * motion.q[0].value().cos()
+            <Self as runtime::Hamiltonian>::potential::<Scalar, Leaf>(motion, 0.0)
+        }
+        #[inline(always)]
+        fn kick_for<Scalar: runtime::Real, Leaf: runtime::Precision>(
+            motion: &mut runtime::PlainMotion<Self, Scalar, Leaf>,
+            duration: Scalar,
+        ) {
+            let mut force = motion.at_rest();
+            <Self as runtime::Hamiltonian>::kick::<Scalar, f64>(&mut force, 1.0, 0.0);
+            motion.push(duration, &force);
         }
         #[inline(always)]
         fn drift_for<Scalar: runtime::Real, Leaf: runtime::Precision>(
@@ -167,16 +176,6 @@ const _: () = {
         ) {
             let step = duration;
             motion.q[0].fma(step * motion.parameters.prepared_0, motion.p[0].value());
-        }
-        #[inline(always)]
-        fn kick_for<Scalar: runtime::Real, Leaf: runtime::Precision>(
-            motion: &mut runtime::PlainMotion<Self, Scalar, Leaf>,
-            duration: Scalar,
-        ) {
-            let step = -duration;
-            motion
-                .p[0]
-                .fma(-(step * motion.parameters.prepared_1), motion.q[0].value().sin());
         }
         #[inline(always)]
         fn logarithmic_kick<Scalar: runtime::Real, Leaf: runtime::Precision>(

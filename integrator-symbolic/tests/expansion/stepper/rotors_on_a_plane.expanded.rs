@@ -60,7 +60,7 @@ const _: () = {
             Parameters<Scalar>,
         >;
         const AUTONOMOUS: bool = true;
-        const FINGERPRINT: u64 = 9108320018521233892;
+        const FINGERPRINT: u64 = 3881521949069880083;
         const WIDE: bool = true;
         fn parameters(&self, length: usize) -> Parameters<f64> {
             Parameters {
@@ -237,36 +237,16 @@ const _: () = {
         fn potential_of<Scalar: runtime::Real, Leaf: runtime::Precision>(
             motion: &runtime::PlainMotion<Self, Scalar, Leaf>,
         ) -> Scalar {
-            let mut sum_3 = Scalar::of(0.0);
-            for i in 0..motion.q.len().saturating_sub(1) {
-                let mut sum_2 = Scalar::of(0.0);
-                for j in 0..64 {
-                    sum_2 = motion
-                        .parameters
-                        .across[i]
-                        .fma(
-                            (motion.q[i + 1][j].value() - motion.q[i][j].value()).cos(),
-                            sum_2,
-                        );
-                }
-                sum_3 += sum_2;
-            }
-            let mut sum_1 = Scalar::of(0.0);
-            for i in 0..motion.q.len() {
-                let mut sum_0 = Scalar::of(0.0);
-                for j in 0..64 {
-                    sum_0 = motion
-                        .parameters
-                        .along[j]
-                        .fma(
-                            (motion.q[i][(j + 1) % 64].value() - motion.q[i][j].value())
-                                .cos(),
-                            sum_0,
-                        );
-                }
-                sum_1 += sum_0;
-            }
-            -(sum_1 + sum_3)
+            <Self as runtime::Hamiltonian>::potential::<Scalar, Leaf>(motion, 0.0)
+        }
+        #[inline(always)]
+        fn kick_for<Scalar: runtime::Real, Leaf: runtime::Precision>(
+            motion: &mut runtime::PlainMotion<Self, Scalar, Leaf>,
+            duration: Scalar,
+        ) {
+            let mut force = motion.at_rest();
+            <Self as runtime::Hamiltonian>::kick::<Scalar, f64>(&mut force, 1.0, 0.0);
+            motion.push(duration, &force);
         }
         #[inline(always)]
         fn drift_for<Scalar: runtime::Real, Leaf: runtime::Precision>(
@@ -283,39 +263,6 @@ const _: () = {
                                 * (Scalar::of(2.0) / motion.parameters.prepared_0[i][j]),
                             motion.p[i][j].value(),
                         );
-                }
-            }
-        }
-        #[inline(always)]
-        fn kick_for<Scalar: runtime::Real, Leaf: runtime::Precision>(
-            motion: &mut runtime::PlainMotion<Self, Scalar, Leaf>,
-            duration: Scalar,
-        ) {
-            let step = -duration;
-            let mut gradient = runtime::table(
-                motion.q.len(),
-                &|_| [Scalar::of(0.0); 64],
-            );
-            for i in 0..motion.q.len() {
-                for j in 0..64 {
-                    let shared_1 = motion.parameters.along[j]
-                        * (motion.q[i][(j + 1) % 64].value() - motion.q[i][j].value())
-                            .sin();
-                    gradient[i][(j + 1) % 64] += shared_1;
-                    gradient[i][j] -= shared_1;
-                }
-            }
-            for i in 0..motion.q.len().saturating_sub(1) {
-                for j in 0..64 {
-                    let shared_0 = motion.parameters.across[i]
-                        * (motion.q[i + 1][j].value() - motion.q[i][j].value()).sin();
-                    gradient[i + 1][j] += shared_0;
-                    gradient[i][j] -= shared_0;
-                }
-            }
-            for i in 0..motion.q.len() {
-                for d in 0..64 {
-                    motion.p[i][d].fma(step, gradient[i][d]);
                 }
             }
         }
