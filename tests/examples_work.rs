@@ -44,6 +44,7 @@ mod trap_picture;
 
 use drawn::drawn;
 use integrator_core::prelude::*;
+use planets::system;
 use section_picture::Section;
 
 /// Below an energy of about 0.11 there is hardly an orbit that is not regular, and at the energy of escape hardly one
@@ -259,7 +260,7 @@ fn a_storage_ring_has_the_tune_of_its_matrices_and_loses_large_amplitudes() {
 /// Steps of 244 days arrive within 1e-10 of the reference; `T + V` misses it by ten thousand times that with as many forces.
 #[test]
 fn planets_need_few_steps_beside_their_orbits() {
-    let (system, start) = planets::system::measured().expect("the table of the examples");
+    let (system, start) = system::measured().expect("the table of the examples");
     let [separable, _] = planets::end(&system, BlanesMoanSrkn14, start, 4096 * 8 / 14).expect("a run");
     let [by_kepler, _] = planets::end(&planets::Planets(system), Aba1064, start, 4096).expect("a run");
     assert!(by_kepler < 1e-10, "{by_kepler:e}");

@@ -1,12 +1,8 @@
 //! The comet, the giant planets, and the days on which it is nearest to the Sun.
 
-#[path = "../outer_solar_system/system.rs"]
-#[allow(dead_code, reason = "the example of that name reads more of it")]
-mod system;
-
+use super::system::{GRAVITY, measured};
 use integrator_core::prelude::*;
 use std::{error::Error, num::ParseFloatError};
-use system::{GRAVITY, measured};
 
 /// Positions or momenta: the Sun with the inner planets, Jupiter, Saturn, Uranus, Neptune, Pluto, and the comet.
 pub(crate) type Bodies = [[f64; 3]; 7];

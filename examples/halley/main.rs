@@ -12,6 +12,9 @@ mod pictures;
 #[path = "../support/mod.rs"]
 #[allow(dead_code, reason = "other examples show how far they are")]
 mod support;
+#[path = "../outer_solar_system/system.rs"]
+#[allow(dead_code, reason = "the example of that name reads more of it")]
+mod system;
 
 use comet::{KNOWN, Solar, perihelia, start};
 use std::error::Error;
