@@ -29,7 +29,7 @@ const ERRORS: [f64; 5] = [1e-2, 1e-4, 1e-6, 1e-8, 1e-10];
 /// Repetitions of a run, of which the median counts.
 const REPETITIONS: usize = 3;
 /// Runs of more milliseconds end a row.
-const PATIENCE: f64 = 400.0;
+const PATIENCE: f64 = 120.0;
 /// Steps of a round of the race, and rounds.
 const STEPS: u64 = 4_096;
 const ROUNDS: usize = 41;
