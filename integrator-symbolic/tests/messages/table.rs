@@ -214,6 +214,14 @@ pub(crate) const ITEMS: &[Row] = &[
             "3:20 this pattern is not understood: names, `_`, `&x`, arrays `[x, y]` and tuples `(x, y)` are",
         ],
     ),
+    (
+        "impl System {\nfn kinetic(&self, p: [f64; 1]) -> f64 { p[0] * p[0] }\nfn potential(&self, q: [f64; 1]) -> f64 { -q[0].cos() }\nfn rate(&self, q: [f64; 1], t: f64) -> f64 { 1.0 + t } }",
+        &["4:28 the pace depends on the positions alone, since the time is part of the motion: leave it out"],
+    ),
+    (
+        "impl System {\nfn kinetic(&self, p: [f64; 1]) -> f64 { p[0] * p[0] }\nfn potential(&self, q: [f64; 1]) -> f64 { self.rate(q[0]) }\nfn rate(&self, x: f64) -> f64 { x.cos() } }",
+        &[],
+    ),
 ];
 
 /// Bodies of `potential`, beginning on line 2, with `q: [f64; 2]`, `t: f64` and two helper methods in reach.
