@@ -123,7 +123,7 @@ pub use state::phase::Phase;
 #[cfg(feature = "checkpoint")]
 pub use trajectory::checkpoint::CheckpointError;
 pub use trajectory::crossings::{Crossings, Direction};
-pub use trajectory::method::{Described, Facts, Memoryless, Method};
+pub use trajectory::method::{Described, Facts, Memoryless, Method, Resumable};
 pub use trajectory::run::Run;
 pub use trajectory::samples::{Sample, Samples, SamplesAt};
 

@@ -15,6 +15,7 @@ mod instruction_sets;
 mod kepler;
 mod orders;
 mod pace;
+mod pace_checkpoints;
 mod pairs;
 mod panics;
 mod parts;

@@ -73,12 +73,32 @@ pub trait Motion<C: Coords, P>: Clone + Send + Sync + 'static {
     fn elapsed(&self, _lane: usize) -> Option<[f64; 2]> {
         None
     }
+    /// What a single trajectory has beside its state, where the time is part of it.
+    #[cfg(feature = "checkpoint")]
+    fn beside(&self) -> Option<Beside> {
+        None
+    }
+    /// Goes on with what a single trajectory had beside its state.
+    #[cfg(feature = "checkpoint")]
+    fn put_beside(&mut self, _beside: &Beside) {}
     /// The number of force evaluations, where steps count them.
     fn evaluations(&self) -> Option<u64> {
         None
     }
     /// Whether every coordinate of every lane is finite.
     fn finite(&self) -> bool;
+}
+
+/// What a trajectory has beside positions and momenta, where the time is part of its state.
+#[cfg(feature = "checkpoint")]
+#[derive(Clone, Copy, Debug, serde::Serialize, serde::Deserialize)]
+pub struct Beside {
+    /// The time since the motion was loaded, in the middle of a step, and its rounding error.
+    pub(crate) time: [f64; 2],
+    /// What is conjugate to the time, once steps were taken.
+    pub(crate) conjugate: Option<f64>,
+    /// The exponent of the transformation, where it has one.
+    pub(crate) exponent: f64,
 }
 
 /// The plain layout: the user's own shape.

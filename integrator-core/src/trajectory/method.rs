@@ -150,14 +150,25 @@ impl<H: Hamiltonian, X: Scheme + Composition<H>> Method<H> for X {
     }
 }
 
-/// A method that goes on from positions and momenta alone: any composition, and implicit methods. An annotation may name it,
-/// and a checkpoint be resumed with it.
+/// A method whose checkpoints hold all that its runs go on from: any composition, implicit methods, and those with a time of
+/// their own.
+#[diagnostic::on_unimplemented(
+    message = "no run by `{Self}` goes on from a checkpoint",
+    label = "neither a composition for this Hamiltonian, nor another method whose checkpoints hold all of a run",
+    note = "compositions, `ImplicitMidpoint` and the methods of Gauss, `Logarithmic`, `Power` and `Paced` do",
+    note = "steps with a memory, such as those of `Taylor`, begin anew from `state()`"
+)]
+pub trait Resumable<H: Hamiltonian>: Method<H> {}
+
+impl<H: Hamiltonian, X: Scheme + Composition<H>> Resumable<H> for X {}
+
+/// A method that goes on from positions and momenta alone: any composition, and implicit methods. An annotation may name it.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` is not a composition that may integrate `{H}`",
     label = "not a composition for this Hamiltonian",
     note = "`Verlet`, `Yoshida4` and all other compositions of general class integrate every separable Hamiltonian",
     note = "a new one is declared with `composition! {{ pub struct Mine: order 2 = T(1/2) V(1) T(1/2); }}`"
 )]
-pub trait Memoryless<H: Hamiltonian>: Method<H> + Default {}
+pub trait Memoryless<H: Hamiltonian>: Resumable<H> + Default {}
 
 impl<H: Hamiltonian, X: Scheme + Composition<H>> Memoryless<H> for X {}

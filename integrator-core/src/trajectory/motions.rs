@@ -3,6 +3,8 @@
 //! Only what meets the motions themselves is compiled for a system and an instruction set: short loops, since a user
 //! pays for each of them. All else is compiled once, in [`engine`](crate::trajectory::engine) and in `ensemble`.
 
+#[cfg(feature = "checkpoint")]
+use crate::system::motion::Beside;
 use crate::{
     error::Unsolved,
     state::{
@@ -62,6 +64,12 @@ pub(crate) trait Motions: Any + Send + Sync {
     fn unsolved(&self, lane: usize) -> Option<&Unsolved>;
     /// The time of a lane since its motion was loaded, and its rounding error, where it is part of the state.
     fn elapsed(&self, lane: usize) -> Option<[f64; 2]>;
+    /// What a single trajectory has beside its state, where the time is part of it.
+    #[cfg(feature = "checkpoint")]
+    fn beside(&self) -> Option<Beside>;
+    /// Goes on with what a single trajectory had beside its state.
+    #[cfg(feature = "checkpoint")]
+    fn put_beside(&mut self, beside: &Beside);
     /// How often steps have evaluated the force, where they count it.
     fn evaluations(&self) -> Option<u64>;
     /// Lets so many threads share the pairs of many bodies of a single trajectory, or all that the machine has.
@@ -322,6 +330,20 @@ where
         }
         let (motion, lane) = self.motion_of(lane);
         motion.elapsed(lane)
+    }
+
+    #[cfg(feature = "checkpoint")]
+    fn beside(&self) -> Option<Beside> {
+        if const { L::TIMED } { self.motions.first()?.beside() } else { None }
+    }
+
+    #[cfg(feature = "checkpoint")]
+    fn put_beside(&mut self, beside: &Beside) {
+        if const { L::TIMED }
+            && let Some(motion) = self.motions.first_mut()
+        {
+            motion.put_beside(beside);
+        }
     }
 
     fn evaluations(&self) -> Option<u64> {

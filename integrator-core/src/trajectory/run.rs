@@ -32,7 +32,7 @@ use core::fmt;
 
 /// A trajectory under way, made by [`Hamiltonian::run`]. Its type names the coordinates alone, so it can be stored.
 pub struct Run<C: Coords> {
-    engine: Engine,
+    pub(crate) engine: Engine,
     energies: Arc<dyn Energies<C>>,
     /// A state of the size of the run, where the type does not tell it.
     shape: Phase<C>,
@@ -40,7 +40,7 @@ pub struct Run<C: Coords> {
     /// How many steps were done when the state was last changed from outside.
     pub(crate) opened: u64,
     /// The time, where it is part of the state, when this was last changed from outside: a sum of two numbers.
-    opened_at: [f64; 2],
+    pub(crate) opened_at: [f64; 2],
     /// Where the run is shown while it stands at the step before.
     between: Option<(f64, Phase<C>)>,
     pub(crate) watch: Option<Watch>,
@@ -419,12 +419,6 @@ impl<C: Coords> Run<C> {
         let mut state = self.shape.clone();
         self.engine.motions.store_own(0, &mut state);
         state
-    }
-
-    /// Goes on from a state in the middle of the step under way, in the coordinates of the motion.
-    #[cfg(feature = "checkpoint")]
-    pub(crate) fn resume_own(&mut self, unfinished: &Phase<C>) {
-        self.engine.resume_own(unfinished);
     }
 
     pub(crate) fn energies(&self) -> Arc<dyn Energies<C>> {

@@ -26,6 +26,8 @@ macro_rules! implicit {
 
         impl TakesWhole for $name {}
 
+        impl<H: Hamiltonian> Resumable<H> for $name {}
+
         impl<H: Hamiltonian> Memoryless<H> for $name {}
 
         impl<H: Hamiltonian> Method<H> for $name {
@@ -67,7 +69,7 @@ use crate::{
     scalar::real::Real,
     state::precision::Precision,
     trajectory::{
-        method::{Described, Facts, Memoryless, Method},
+        method::{Described, Facts, Memoryless, Method, Resumable},
         step_functions::{Executor, StepFunctions},
     },
 };

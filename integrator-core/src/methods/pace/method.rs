@@ -13,7 +13,7 @@ use crate::{
     state::{clock::Clock, precision::Precision},
     system::motion::Motion,
     trajectory::{
-        method::{Described, Facts, Method},
+        method::{Described, Facts, Method, Resumable},
         step_functions::{Executor, StepFunctions, all_finite},
         step_loop::{Advance, End},
     },
@@ -140,6 +140,11 @@ macro_rules! time_transformation {
         }
     };
 }
+
+impl<H: TimeTransformed, X: Composition<H>> Resumable<H> for Logarithmic<X> {}
+impl<H: TimeTransformed, X: Composition<H>> Resumable<H> for Power<X> {}
+impl<H: Rated, X: Composition<H>> Resumable<H> for Paced<X> {}
+
 time_transformation!(Logarithmic of TimeTransformed, Ln, |_: Self| 0.0, true);
 time_transformation!(Power of TimeTransformed, ToPower, |power: Self| power.0, true);
 time_transformation!(Paced of Rated, OfRate, |_: Self| 0.0, false);

@@ -1,5 +1,7 @@
 //! The motion under a time transformation: the state with its time, and what conjugates to it.
 
+#[cfg(feature = "checkpoint")]
+use crate::system::motion::Beside;
 use crate::{
     error::Unsolved,
     scalar::real::{Mask, Real},
@@ -112,6 +114,17 @@ impl<R: Real, C: Coords, P: Prepared<R>> Motion<C, Constants<P::Single>> for Tim
     }
     fn elapsed(&self, lane: usize) -> Option<[f64; 2]> {
         Some([self.time.value.lane(lane), self.time.carried.lane(lane)])
+    }
+    #[cfg(feature = "checkpoint")]
+    fn beside(&self) -> Option<Beside> {
+        let conjugate = self.begun.then(|| self.beside.lane(0));
+        Some(Beside { time: self.elapsed(0)?, conjugate, exponent: self.exponent })
+    }
+    #[cfg(feature = "checkpoint")]
+    fn put_beside(&mut self, Beside { time, conjugate, .. }: &Beside) {
+        self.time = Compensated { value: R::of(time[0]), carried: R::of(time[1]) };
+        self.begun = conjugate.is_some();
+        self.beside = R::of(conjugate.unwrap_or(0.0));
     }
     #[inline(always)]
     fn finite(&self) -> bool {

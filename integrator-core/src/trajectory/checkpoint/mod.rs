@@ -4,32 +4,40 @@
 //! magic (8 bytes) | version (2 bytes) | record (postcard) | CRC-64 of all before (8 bytes)
 //! ```
 //!
+//! Where the time is part of the state, another record follows the first one: what a run has beside positions and momenta.
+//!
 //! Always true: what is stored is the unfinished state, in the middle of a step, so that a resumed run takes the very
 //! steps of one that was never interrupted.
 
+mod error;
+
+pub use error::CheckpointError;
+
 use crate::{
     composition::{Processor, Stage, Stages},
-    error::{Error, debug_as_display},
+    error::Error,
     hamiltonian::Hamiltonian,
     state::{clock::Clock, coords::Coords, digest::Digest, phase::Phase, precision::Precision},
-    system::motion::Prepared,
+    system::motion::{Beside, Prepared},
     trajectory::{
         admissible::admissible_with,
-        method::{Facts, Memoryless},
+        method::{Facts, Resumable},
         run::Run,
     },
 };
-use alloc::{borrow::ToOwned, string::String, vec::Vec};
+use alloc::{
+    borrow::ToOwned,
+    string::{String, ToString},
+    vec::Vec,
+};
 use crc::{CRC_64_XZ, Crc};
 use serde::{Deserialize, Serialize};
 #[cfg(feature = "std")]
 use std::{
     fs::{self, File},
-    io::{self, Write},
+    io::Write,
     path::Path,
 };
-
-debug_as_display!(CheckpointError);
 
 /// What every checkpoint begins with.
 const MAGIC: [u8; 8] = *b"symplrun";
@@ -38,90 +46,6 @@ const MAGIC: [u8; 8] = *b"symplrun";
 const VERSION: u16 = 2;
 
 const CHECKSUM: Crc<u64> = Crc::<u64>::new(&CRC_64_XZ);
-
-/// Why a checkpoint could not be written or resumed.
-#[derive(thiserror::Error)]
-#[non_exhaustive]
-pub enum CheckpointError {
-    /// The file could not be read or written.
-    #[cfg(feature = "std")]
-    #[error("the file of the checkpoint: {0}")]
-    File(#[from] io::Error),
-    /// These are not the bytes of a checkpoint.
-    #[error("this is no checkpoint of a run: it does not begin like one")]
-    Foreign,
-    /// A later version of the library wrote it.
-    #[error(
-        "this checkpoint has version {version} of the format, which is newer than {VERSION}: update integrator-core"
-    )]
-    Newer {
-        /// The version of its format.
-        version: u16,
-    },
-    /// An earlier version of the library wrote it.
-    #[error("this checkpoint has version {version} of the format, and this library reads {VERSION} alone: begin anew")]
-    Older {
-        /// The version of its format.
-        version: u16,
-    },
-    /// Bytes are missing or have changed.
-    #[error("this checkpoint is damaged: its checksum does not match its bytes")]
-    Damaged,
-    /// It belongs to another system, composition or precision.
-    #[error("this checkpoint was made with the {what} `{stored}`, not `{asked}`")]
-    Other {
-        /// `system`, `composition` or `precision`.
-        what: &'static str,
-        /// What the checkpoint names.
-        stored: String,
-        /// What it was to be resumed with.
-        asked: String,
-    },
-    /// The composition has the stored name, but other stages.
-    #[error("`{composition}` has other stages than when this checkpoint was made")]
-    Stages {
-        /// Its name.
-        composition: String,
-    },
-    /// The system computes other flows or energies than then: its functions were changed, or the library was.
-    #[error(
-        "`{system}` has other formulas than when this checkpoint was made, or another version of the library wrote its flows: \
-         if that is meant, `Run::resume_with_changed_parameters` goes on"
-    )]
-    Formulas {
-        /// The name of its type.
-        system: String,
-    },
-    /// The run is of two copies of the state, and a checkpoint holds the one that is shown.
-    #[error(
-        "`{system}` is split by `symmetric`: its runs carry a copy of the state, which is in no checkpoint, so that another \
-         motion would go on from here. A run that begins at `state()` couples a new copy to it"
-    )]
-    Copies {
-        /// The name of its type.
-        system: String,
-    },
-    /// The parameters of the system have other values than then.
-    #[error(
-        "`{system}` has other parameters than when this checkpoint was made: if that is meant, \
-         `Run::resume_with_changed_parameters` goes on"
-    )]
-    Parameters {
-        /// The name of its type.
-        system: String,
-    },
-    /// The state has another number of coordinates than the system.
-    #[error("this checkpoint has {positions} positions and {momenta} momenta, which this system does not have")]
-    Shape {
-        /// How many positions.
-        positions: usize,
-        /// How many momenta.
-        momenta: usize,
-    },
-    /// No run can go on from there.
-    #[error(transparent)]
-    Run(#[from] Error),
-}
 
 /// All there is to a run.
 #[derive(Serialize, Deserialize)]
@@ -140,6 +64,14 @@ struct Record {
     t0: f64,
     q: Vec<f64>,
     p: Vec<f64>,
+}
+
+/// What there is to a run beside its state, where the time is part of it.
+#[derive(Serialize, Deserialize)]
+struct OwnTime {
+    beside: Beside,
+    /// The time when the state was last changed from outside.
+    opened_at: [f64; 2],
 }
 
 /// What a run is called and made of, for its checkpoints.
@@ -201,7 +133,8 @@ impl<C: Coords> Run<C> {
     /// the same on one instruction set.
     ///
     /// The parameters of the system are not in it: a run is resumed with the system that it began with. A run by a method
-    /// that is no composition is written all the same, but there is nothing to resume it with.
+    /// with a memory, such as [`Taylor`](crate::taylor::Taylor), is written all the same, but there is nothing to resume it
+    /// with. After [`Run::advance_to`], the run is that at the end of the last whole step.
     pub fn checkpoint(&self) -> Vec<u8> {
         let Phase { q, p } = self.unfinished();
         let Clock { t0, h, steps } = self.clock;
@@ -221,8 +154,12 @@ impl<C: Coords> Run<C> {
         };
         let mut bytes = MAGIC.to_vec();
         bytes.extend(VERSION.to_le_bytes());
-        // A record of numbers and names can always be written to memory.
+        // Records of numbers and names can always be written to memory.
         bytes.extend(postcard::to_allocvec(&record).unwrap_or_default());
+        if let Some(beside) = self.engine.motions.beside() {
+            let own = OwnTime { beside, opened_at: self.opened_at };
+            bytes.extend(postcard::to_allocvec(&own).unwrap_or_default());
+        }
         bytes.extend(CHECKSUM.checksum(&bytes).to_le_bytes());
         bytes
     }
@@ -288,14 +225,14 @@ impl<C: Coords> Run<C> {
         Self::resume_with(system, H::Compose::default(), checkpoint)
     }
 
-    /// The run that a checkpoint was made of, with the composition that it was begun with.
+    /// The run that a checkpoint was made of, with the composition or the other method that it was begun with.
     ///
     /// # Errors
-    /// As [`Run::resume`].
+    /// As [`Run::resume`]; a checkpoint by a [`Power`](crate::Power) of another exponent.
     pub fn resume_with<H, X>(system: &H, composition: X, checkpoint: &[u8]) -> Result<Self, CheckpointError>
     where
         H: Hamiltonian,
-        X: Memoryless<H>,
+        X: Resumable<H>,
         H::Coords: Coords<With<C::Leaf> = C>,
     {
         Self::resumed(system, composition, checkpoint, false)
@@ -315,7 +252,9 @@ impl<C: Coords> Run<C> {
         Self::resume_with_changed_parameters_with(system, H::Compose::default(), checkpoint)
     }
 
-    /// The same with the composition that the run was begun with.
+    /// The same with the composition that the run was begun with. Where a time of its own follows the energy, as by
+    /// [`Logarithmic`](crate::Logarithmic), the step under way is completed and a new run goes on from its end, since another
+    /// system has another energy.
     ///
     /// # Errors
     /// As [`Run::resume_with_changed_parameters`].
@@ -326,7 +265,7 @@ impl<C: Coords> Run<C> {
     ) -> Result<Self, CheckpointError>
     where
         H: Hamiltonian,
-        X: Memoryless<H>,
+        X: Resumable<H>,
         H::Coords: Coords<With<C::Leaf> = C>,
     {
         Self::resumed(system, composition, checkpoint, true)
@@ -335,10 +274,10 @@ impl<C: Coords> Run<C> {
     fn resumed<H, X>(system: &H, composition: X, checkpoint: &[u8], changed: bool) -> Result<Self, CheckpointError>
     where
         H: Hamiltonian,
-        X: Memoryless<H>,
+        X: Resumable<H>,
         H::Coords: Coords<With<C::Leaf> = C>,
     {
-        let stored = record(checkpoint)?;
+        let (stored, own) = records(checkpoint)?;
         if H::COPIES {
             return Err(CheckpointError::Copies { system: stored.system });
         }
@@ -350,7 +289,7 @@ impl<C: Coords> Run<C> {
         admissible_with::<H, _>(composition, &unfinished, h)?;
         let clock = Clock { t0, h, steps };
         let mut run = Self::from_unfinished::<H, X, C::Leaf>(system, composition, unfinished.clone(), clock, opened)?;
-        run.resume_own(&unfinished);
+        run.resume_own(&unfinished, own)?;
         let name = || run.origin.system.to_owned();
         if !changed && formulas != run.origin.formulas {
             return Err(CheckpointError::Formulas { system: name() });
@@ -358,11 +297,48 @@ impl<C: Coords> Run<C> {
         if !changed && parameters != run.origin.parameters {
             return Err(CheckpointError::Parameters { system: name() });
         }
+        if (formulas, parameters) != (run.origin.formulas, run.origin.parameters) && run.time_in_state().is_some() {
+            run.map_state(|_| {})?;
+            run.check_time()?;
+        }
         Ok(run)
+    }
+
+    /// Goes on from a state in the middle of the step under way, in the coordinates of the motion, and from what the run
+    /// had beside it.
+    fn resume_own(&mut self, unfinished: &Phase<C>, own: Option<OwnTime>) -> Result<(), CheckpointError> {
+        self.engine.resume_own(unfinished);
+        match (own, self.engine.motions.beside()) {
+            (None, None) => Ok(()),
+            (Some(OwnTime { beside, opened_at }), Some(Beside { exponent, .. })) => {
+                if beside.exponent != exponent {
+                    let [stored, asked] = [beside.exponent, exponent].map(|exponent| exponent.to_string());
+                    return Err(CheckpointError::Other { what: "exponent", stored, asked });
+                }
+                self.engine.motions.put_beside(&beside);
+                self.opened_at = opened_at;
+                Ok(self.check_time()?)
+            }
+            _ => Err(CheckpointError::Damaged),
+        }
+    }
+
+    /// Whether the run is at a time.
+    fn check_time(&self) -> Result<(), Error> {
+        match self.time_at_step() {
+            time if time.is_finite() => Ok(()),
+            time => Err(Error::Time { time }),
+        }
     }
 }
 
 impl Record {
+    /// Whether a run could have been so.
+    fn is_whole(&self, own: Option<&OwnTime>) -> bool {
+        let begun = self.opened < self.steps;
+        self.opened <= self.steps && own.is_none_or(|own| own.beside.conjugate.is_some() == begun)
+    }
+
     /// Whether the names of a system, a method and a precision are those of this record, and the stages too.
     fn belongs_to<H: Hamiltonian, K: Precision>(&self, facts: Facts) -> Result<(), CheckpointError> {
         let asked = [
@@ -383,7 +359,7 @@ impl Record {
 }
 
 /// What the bytes of a checkpoint say.
-fn record(checkpoint: &[u8]) -> Result<Record, CheckpointError> {
+fn records(checkpoint: &[u8]) -> Result<(Record, Option<OwnTime>), CheckpointError> {
     let rest = checkpoint.strip_prefix(&MAGIC).ok_or(CheckpointError::Foreign)?;
     let (version, rest) = rest.split_first_chunk().ok_or(CheckpointError::Damaged)?;
     let version = u16::from_le_bytes(*version);
@@ -393,11 +369,20 @@ fn record(checkpoint: &[u8]) -> Result<Record, CheckpointError> {
     if version < VERSION {
         return Err(CheckpointError::Older { version });
     }
-    let (record, checksum) = rest.split_last_chunk().ok_or(CheckpointError::Damaged)?;
+    let (records, checksum) = rest.split_last_chunk().ok_or(CheckpointError::Damaged)?;
     let covered = &checkpoint[..checkpoint.len() - checksum.len()];
     if CHECKSUM.checksum(covered) != u64::from_le_bytes(*checksum) {
         return Err(CheckpointError::Damaged);
     }
-    let record: Record = postcard::from_bytes(record).map_err(|_| CheckpointError::Damaged)?;
-    if record.opened > record.steps { Err(CheckpointError::Damaged) } else { Ok(record) }
+    numbers_in(records).filter(|(record, own)| record.is_whole(own.as_ref())).ok_or(CheckpointError::Damaged)
+}
+
+/// The records that some bytes are, without any left.
+fn numbers_in(bytes: &[u8]) -> Option<(Record, Option<OwnTime>)> {
+    let (record, rest) = postcard::take_from_bytes(bytes).ok()?;
+    if rest.is_empty() {
+        return Some((record, None));
+    }
+    let (own, rest) = postcard::take_from_bytes(rest).ok()?;
+    rest.is_empty().then_some((record, Some(own)))
 }
