@@ -1,6 +1,8 @@
-//! A method that integrates one trajectory at a time, asked for in an ensemble.
+//! What is no method with lanes, asked for in an ensemble.
 
-use integrator_core::{prelude::*, reference::ForwardEuler};
+use integrator_core::prelude::*;
+
+struct ForwardEuler;
 
 struct Oscillator;
 
