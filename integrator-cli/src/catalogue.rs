@@ -2,6 +2,7 @@
 
 use crate::source::Source;
 use integrator_symbolic::{Proved, declared};
+use std::cell::LazyCell;
 
 /// The files of the catalogue; a test compares them with the folder.
 pub(crate) const FILES: [(&str, &str); 7] = [
@@ -14,17 +15,21 @@ pub(crate) const FILES: [(&str, &str); 7] = [
     ("symmetric", include_str!("../../integrator-core/src/composition/catalogue/symmetric.rs")),
 ];
 
-/// All of them, lowest order first, and in each order the cheapest step.
-pub(crate) fn catalogue() -> Vec<Proved> {
-    let mut found: Vec<Proved> = FILES
-        .iter()
-        .filter_map(|(name, text)| Source { name: (*name).to_owned(), text: (*text).to_owned() }.seen().ok())
-        .flat_map(|seen| seen.declarations)
-        .filter_map(|declarations| declared(declarations).ok())
-        .flatten()
-        .collect();
-    found.sort_by(|a, b| (a.order, a.force_evaluations, &a.name).cmp(&(b.order, b.force_evaluations, &b.name)));
-    found
+/// All of them, lowest order first, and in each order the cheapest step; proved when the first one is asked for.
+pub(crate) type Catalogue = LazyCell<Vec<Proved>>;
+
+pub(crate) fn catalogue() -> Catalogue {
+    LazyCell::new(|| {
+        let mut found: Vec<Proved> = FILES
+            .iter()
+            .filter_map(|(name, text)| Source { name: (*name).to_owned(), text: (*text).to_owned() }.seen().ok())
+            .flat_map(|seen| seen.declarations)
+            .filter_map(|declarations| declared(declarations).ok())
+            .flatten()
+            .collect();
+        found.sort_by(|a, b| (a.order, a.force_evaluations, &a.name).cmp(&(b.order, b.force_evaluations, &b.name)));
+        found
+    })
 }
 
 #[cfg(test)]
@@ -48,7 +53,7 @@ mod tests {
         let list = include_str!("../../integrator-core/src/composition/catalogue_list.rs");
         let found = catalogue();
         assert!(found.len() > 50, "{}", found.len());
-        for composition in &found {
+        for composition in found.iter() {
             assert!(list.contains(&composition.name), "{}", composition.name);
             assert!(!composition.citation.is_empty(), "{}", composition.name);
         }

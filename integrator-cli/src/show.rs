@@ -2,7 +2,7 @@
 
 use crate::{
     answer::Answer,
-    catalogue::catalogue,
+    catalogue::{Catalogue, catalogue},
     mistake::Mistake,
     source::{Annotated, Seen, Source},
 };
@@ -34,7 +34,7 @@ pub(crate) fn show(source: &Source) -> Result<Answer, Mistake> {
 }
 
 /// What is derived of each annotated impl, or everything that is wrong with all of them.
-pub(crate) fn systems(source: &Source, seen: &Seen, catalogue: &[Proved]) -> Result<Vec<System>, Mistake> {
+pub(crate) fn systems(source: &Source, seen: &Seen, catalogue: &Catalogue) -> Result<Vec<System>, Mistake> {
     if seen.systems.is_empty() {
         return Err(Mistake::plain(format!("no impl in {} is annotated with `#[hamiltonian]`", source.name)));
     }
@@ -45,10 +45,8 @@ pub(crate) fn systems(source: &Source, seen: &Seen, catalogue: &[Proved]) -> Res
             Err(error) => mistakes.push(Mistake::of(source, error, Span::call_site())),
         }
     }
-    // A composition of the file hides one of the catalogue.
-    let known: Vec<&Proved> = own.iter().chain(catalogue).collect();
     for annotated in &seen.systems {
-        match system(source, annotated, &known) {
+        match system(source, annotated, &own, catalogue) {
             Ok(system) => found.push(system),
             Err(mistake) => mistakes.push(mistake),
         }
@@ -56,12 +54,14 @@ pub(crate) fn systems(source: &Source, seen: &Seen, catalogue: &[Proved]) -> Res
     if mistakes.is_empty() { Ok(found) } else { Err(Mistake::joined(mistakes)) }
 }
 
-fn system(source: &Source, annotated: &Annotated, known: &[&Proved]) -> Result<System, Mistake> {
+fn system(source: &Source, annotated: &Annotated, own: &[Proved], catalogue: &Catalogue) -> Result<System, Mistake> {
     let Annotated { arguments, item, span } = annotated;
     let report = report(arguments.clone(), item.clone()).map_err(|error| Mistake::of(source, error, *span))?;
     let name = report.compose.rsplit("::").next().unwrap_or_default().trim();
-    let composition = match known.iter().find(|proved| proved.name == name) {
-        Some(proved) => Some((*proved).clone()),
+    let named = |proved: &&Proved| proved.name == name;
+    // A composition of the file hides one of the catalogue.
+    let composition = match own.iter().find(named).or_else(|| catalogue.iter().find(named)) {
+        Some(proved) => Some(proved.clone()),
         // A sequence in place; the path of a composition from elsewhere is none.
         None => report.compose.parse().ok().and_then(|tokens| sequence(tokens, None).ok()),
     };

@@ -1,7 +1,7 @@
 //! Inputs that are wrong in every way: a message and exit code 1, never a panic.
 
 use super::{Outcome, file, refusal, repository, run};
-use std::{fs, path::Path};
+use std::{fs, path::Path, thread};
 
 const SYSTEM: &str = "use integrator_core::prelude::*;
 
@@ -122,19 +122,24 @@ fn what_cannot_be_read_is_said_so() {
     }
 }
 
-/// Annotated files of the repository, those with mistakes on purpose too.
+/// Annotated files of the repository, those with mistakes on purpose too; its folders side by side.
 #[test]
 fn the_files_of_the_repository_are_answered() {
-    let mut found = Vec::new();
-    for folder in ["examples", "tests/long/tests/corpus", "tests/hygiene", "tests/language", "tests/ui/cases"] {
-        annotated(&repository().join(folder), &mut found);
-    }
-    assert!(found.len() > 20, "{}", found.len());
-    for path in found {
-        let Outcome { code, stderr, .. } = run(&["show", &path]);
-        assert!(matches!(code, Some(0 | 1)), "{path}: {code:?} {stderr}");
-        assert_eq!(code == Some(1), stderr.starts_with("error: "), "{path}: {stderr}");
-    }
+    let folders = ["examples", "tests/long/tests/corpus", "tests/hygiene", "tests/language", "tests/ui/cases"];
+    thread::scope(|scope| {
+        for folder in folders {
+            scope.spawn(move || {
+                let mut found = Vec::new();
+                annotated(&repository().join(folder), &mut found);
+                assert!(found.len() > 1, "{folder}: {}", found.len());
+                for path in found {
+                    let Outcome { code, stderr, .. } = run(&["show", &path]);
+                    assert!(matches!(code, Some(0 | 1)), "{path}: {code:?} {stderr}");
+                    assert_eq!(code == Some(1), stderr.starts_with("error: "), "{path}: {stderr}");
+                }
+            });
+        }
+    });
 }
 
 fn annotated(folder: &Path, found: &mut Vec<String>) {

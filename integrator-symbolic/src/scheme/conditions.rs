@@ -182,7 +182,8 @@ impl Series {
     }
 }
 
-fn factorial_inverse(degree: usize) -> Double {
+/// `1/n!`.
+pub(super) fn factorial_inverse(degree: usize) -> Double {
     Double::ONE / Double::integer((1..=degree as u128).product())
 }
 

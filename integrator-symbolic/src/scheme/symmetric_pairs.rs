@@ -7,10 +7,12 @@
 //! and Murua 2013, Applied Numerical Mathematics 68, 58).
 
 use super::{
+    conditions::factorial_inverse,
     double::Double,
     prove::{Class, Scheme, tolerance, whole},
     stages::{Element, Letter},
 };
+use std::iter;
 
 /// A letter of a word: `A` for 0, else `B` or an error of it, by its degree.
 type Weight = u32;
@@ -37,7 +39,8 @@ fn vanish(scheme: &Scheme, degree: u32) -> bool {
     let stages = whole(&scheme.stages, &scheme.processor);
     let tolerance = tolerance(&stages, degree as usize);
     let asked = words(degree).into_iter().filter(|word| order(scheme, word.iter().sum()) >= degree);
-    asked.map(|word| coefficient(stages.elements(), &word)).all(|coefficient| coefficient.abs().value() <= tolerance)
+    let factors = factors(stages.elements(), degree);
+    asked.map(|word| coefficient(&factors, &word)).all(|coefficient| coefficient.abs().value() <= tolerance)
 }
 
 /// The words of a degree with at least one error of a pair, the shortest first.
@@ -64,19 +67,36 @@ fn of_degree(degree: u32) -> Vec<Vec<Weight>> {
     longer.collect()
 }
 
+/// A stage as words read it: `b^k/k!` is that of `k` letters of degree 1.
+struct Factors {
+    letter: Letter,
+    /// The powers of the coefficient, from the zeroth on.
+    powers: Vec<Double>,
+}
+
+fn factors(stages: &[Element], degree: u32) -> Vec<Factors> {
+    let powers = |b: Double| iter::successors(Some(Double::ONE), move |power| Some(*power * b));
+    let highest = degree as usize + 1;
+    let of = |stage: &Element| Factors {
+        letter: stage.letter,
+        powers: powers(stage.coefficient.value).take(highest).collect(),
+    };
+    stages.iter().map(of).collect()
+}
+
 /// The coefficient of a word in the product of all stages.
-fn coefficient(stages: &[Element], word: &[Weight]) -> Double {
+fn coefficient(stages: &[Factors], word: &[Weight]) -> Double {
     let mut beginnings = vec![Double::ZERO; word.len() + 1];
     beginnings[0] = Double::ONE;
-    for Element { letter, coefficient, .. } in stages {
+    let orders: Vec<Double> = (0..=word.len()).map(factorial_inverse).collect();
+    for Factors { letter, powers } in stages {
         // Longer beginnings first, so that those read are still without this stage.
         for end in (1..=word.len()).rev() {
-            let (mut factor, mut sum) = (Double::ONE, beginnings[end]);
+            let (mut degree, mut sum) = (0, beginnings[end]);
             let of_stage = |weight: &Weight| (*letter == Letter::T) == (*weight == A);
             for (count, weight) in word[..end].iter().rev().take_while(|weight| of_stage(weight)).enumerate() {
-                let power = coefficient.value.power((*weight).max(1));
-                factor = factor * power / Double::from(count as f64 + 1.0);
-                sum = sum + factor * beginnings[end - count - 1];
+                degree += (*weight).max(1) as usize;
+                sum = sum + powers[degree] * orders[count + 1] * beginnings[end - count - 1];
             }
             beginnings[end] = sum;
         }
@@ -86,7 +106,7 @@ fn coefficient(stages: &[Element], word: &[Weight]) -> Double {
 
 #[cfg(test)]
 mod tests {
-    use super::{are_kept, coefficient, words};
+    use super::{are_kept, coefficient, factors, words};
     use crate::{
         errors::Errors,
         scheme::{
@@ -136,7 +156,7 @@ mod tests {
     fn coefficients_are_those_of_a_product_of_exponentials() {
         let element = |letter| Element { letter, coefficient: Coefficient::ONE, gradient: Coefficient::ZERO };
         let stages = [element(Letter::T), element(Letter::V), element(Letter::V)];
-        let of = |word: &[u32]| coefficient(&stages, word).value();
+        let of = |word: &[u32]| coefficient(&factors(&stages, 4), word).value();
         // exp(A) exp(B + E) exp(B + E)
         assert_eq!([of(&[0, 3]), of(&[3, 0]), of(&[1, 3]), of(&[0, 0, 1])], [2.0, 0.0, 2.0, 1.0]);
     }
