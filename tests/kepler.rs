@@ -109,14 +109,20 @@ fn particles(k: f64) -> Phase<Vec<[f64; 2]>> {
     Phase::new(q, p)
 }
 
+// A test for each, so that they run side by side.
 #[test]
-fn kepler_parts_are_certified() {
-    if instruction_sets::are_repeated() {
-        return;
-    }
+fn planets_are_certified() {
     let (planets, [q, p]) = outer_solar_system();
     certify::<_, _, f64>(&planets, Aba864, Phase::new(q, p), 200.0).unwrap_or_else(|error| panic!("{error}"));
+}
+
+#[test]
+fn a_satellite_is_certified() {
     certify::<_, _, f64>(&satellite(1.0), Yoshida4, orbit(1.0), 0.1).unwrap_or_else(|error| panic!("{error}"));
+}
+
+#[test]
+fn a_swarm_is_certified() {
     certify::<_, _, f64>(&swarm(1.0), Verlet, particles(1.0), 0.02).unwrap_or_else(|error| panic!("{error}"));
 }
 

@@ -44,18 +44,15 @@ impl Cluster {
         Self { masses: (0..bodies).map(|i| 1.0 + (i % 7) as f64 / 3.0).collect(), stiffness: 0.3, softening: 0.01 }
     }
 
-    /// The gradient at `q` and, of each component, the sum of the absolute values of what is added up.
-    fn gradient(&self, q: &[[f64; 3]]) -> Vec<[[f64; 2]; 3]> {
-        let trap = |x: &[f64; 3]| [x[0], x[1], 0.0].map(|x| [self.stiffness * x, (self.stiffness * x).abs()]);
-        let mut sums: Vec<_> = q.iter().map(trap).collect();
-        for i in 0..q.len() {
-            for j in (0..q.len()).filter(|j| *j != i) {
-                let apart = [0, 1, 2].map(|d| q[i][d] - q[j][d]);
-                let square = self.softening + apart.iter().map(|x| x * x).sum::<f64>();
-                for (sum, apart) in sums[i].iter_mut().zip(apart) {
-                    let force = self.masses[i] * self.masses[j] * apart / (square * square.sqrt());
-                    *sum = [sum[0] + force, sum[1] + force.abs()];
-                }
+    /// The gradient at body `i` and, of each component, the sum of the absolute values of what is added up.
+    fn gradient(&self, q: &[[f64; 3]], i: usize) -> [[f64; 2]; 3] {
+        let mut sums = [q[i][0], q[i][1], 0.0].map(|x| [self.stiffness * x, (self.stiffness * x).abs()]);
+        for j in (0..q.len()).filter(|j| *j != i) {
+            let apart = [0, 1, 2].map(|d| q[i][d] - q[j][d]);
+            let square = self.softening + apart.iter().map(|x| x * x).sum::<f64>();
+            for (sum, apart) in sums.iter_mut().zip(apart) {
+                let force = self.masses[i] * self.masses[j] * apart / (square * square.sqrt());
+                *sum = [sum[0] + force, sum[1] + force.abs()];
             }
         }
         sums
@@ -82,8 +79,9 @@ fn any_number_of_bodies_is_kicked_by_the_plain_sum() {
         let mut run = system.run_with(Euler, start.clone(), 1.0).expect("a run");
         run.advance(1).expect("finite");
         let end = run.state();
-        for (i, sums) in system.gradient(&start.q).into_iter().enumerate() {
-            for (d, [gradient, size]) in sums.into_iter().enumerate() {
+        // Of many, every so many are looked at: whole rows and what is left over, in all of their lanes.
+        for i in (0..bodies).step_by(1 + bodies / 100) {
+            for (d, [gradient, size]) in system.gradient(&start.q, i).into_iter().enumerate() {
                 let (kicked, expected) = (end.p[i][d], start.p[i][d] - gradient);
                 // A sum of n terms in another order moves by n/2 ulp of the sum of their sizes, a term by ten ulp or so.
                 let limit = (bodies as f64 + 10.0) * f64::EPSILON * (size + 1.0);
