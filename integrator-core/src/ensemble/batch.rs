@@ -22,6 +22,7 @@ use std::ops::Range;
 pub(crate) type States<'s> = dyn (Fn(usize) -> &'s dyn Point) + 's;
 
 /// A batch: members that are alike in what lanes have to share, or one alone.
+#[derive(Clone)]
 pub(crate) struct Batch {
     first: usize,
     /// The last states of the members that are no longer under way.
@@ -38,10 +39,20 @@ pub(crate) struct Batch {
 }
 
 /// The last state of a member, the number of steps that led there, and when that was.
-struct Finish {
-    steps: u64,
-    time: f64,
-    state: Box<dyn Point>,
+#[derive(Clone)]
+pub(crate) struct Finish {
+    pub(crate) steps: u64,
+    pub(crate) time: f64,
+    pub(crate) state: Box<dyn Point>,
+}
+
+/// A member alone, from where it is on.
+pub(crate) struct Alone {
+    pub(crate) engine: Engine,
+    /// How many steps were done when its state was last changed from outside.
+    pub(crate) opened: u64,
+    /// Its time then, where that is part of its state.
+    pub(crate) opened_at: [f64; 2],
 }
 
 /// The replay of a block of steps with one member.
@@ -264,9 +275,50 @@ impl Batch {
         let index = member - self.first;
         match &self.finished[index] {
             Some(finish) => finish.time,
-            None if self.engine.motions.elapsed(0).is_none() => self.time(index, clock, None),
+            None if !self.is_timed() => self.time(index, clock, None),
             None => self.time(index, clock, self.under_way(member, clock).1),
         }
+    }
+
+    /// Shows the times of all members, in their order.
+    pub(crate) fn times(&self, clock: Clock, visit: &mut dyn FnMut(f64)) {
+        let mut completed = None;
+        if self.is_timed() {
+            let mut motions = self.engine.motions.clone();
+            motions.complete(self.since_opened(clock));
+            let shown = shown(&*motions, self.since_opened(clock));
+            completed = Some((motions, shown));
+        }
+        let mut lane = 0;
+        for (index, finished) in self.finished.iter().enumerate() {
+            if let Some(finish) = finished {
+                visit(finish.time);
+                continue;
+            }
+            let elapsed = completed.as_ref().and_then(|(motions, shown)| elapsed(&**motions, shown.as_deref(), lane));
+            visit(self.time(index, clock, elapsed));
+            lane += 1;
+        }
+    }
+
+    /// Whether the time is part of the states of members under way.
+    pub(crate) fn is_timed(&self) -> bool {
+        !self.lanes.is_empty() && self.engine.motions.elapsed(0).is_some()
+    }
+
+    /// A member that is under way, alone.
+    pub(crate) fn alone(&self, member: usize) -> Alone {
+        let index = member - self.first;
+        let lane = self.lanes.partition_point(|other| *other < index);
+        let motions = self.gather(vec![self.lane(&*self.engine.motions, lane)]);
+        let engine = Engine::of_member(motions, member);
+        Alone { engine, opened: self.opened, opened_at: self.opened_at[index] }
+    }
+
+    /// Takes a member out of the lanes that was lost beyond the steps of all.
+    pub(crate) fn lose(&mut self, member: usize, finish: Finish) {
+        self.finished[member - self.first] = Some(finish);
+        self.compact_lanes();
     }
 
     /// The state of a member that is under way, and its time since the states were changed where that is part of it.
@@ -290,7 +342,7 @@ impl Batch {
 
     /// Lets the members that are under way go on from these states after so many steps.
     pub(crate) fn restart(&mut self, states: &States, clock: Clock) {
-        if self.engine.motions.elapsed(0).is_some() {
+        if self.is_timed() {
             for lane in 0..self.lanes.len() {
                 let index = self.lanes[lane];
                 if let (_, Some(elapsed)) = self.under_way(self.first + index, clock) {

@@ -14,7 +14,7 @@ use crate::{
 use std::{
     panic::resume_unwind,
     sync::{
-        Mutex, PoisonError,
+        Arc, Mutex, PoisonError,
         atomic::{AtomicU64, Ordering},
     },
     thread,
@@ -29,8 +29,8 @@ pub(crate) type EnergiesOf = dyn Fn(usize, &dyn Point, f64) -> Parts + Send + Sy
 
 /// All members of an ensemble.
 pub(crate) struct Members {
-    batches: Vec<Batch>,
-    energies: Box<EnergiesOf>,
+    pub(super) batches: Vec<Batch>,
+    pub(crate) energies: Arc<EnergiesOf>,
     count: usize,
     /// How many coordinates all members have together.
     coordinates: u64,
@@ -42,7 +42,7 @@ pub(crate) struct Members {
 }
 
 impl Members {
-    pub(crate) fn new(batches: Vec<Batch>, energies: Box<EnergiesOf>, count: usize, coordinates: u64, h: f64) -> Self {
+    pub(crate) fn new(batches: Vec<Batch>, energies: Arc<EnergiesOf>, count: usize, coordinates: u64, h: f64) -> Self {
         let clock = Clock { t0: 0.0, h, steps: 0 };
         Self { batches, energies, count, coordinates, clock, starts_unchecked: true, threads: all_threads() }
     }
@@ -120,9 +120,8 @@ impl Members {
 
     /// Carries on all batches, on as many threads as are worth it, and returns the members that are lost.
     fn advance_batches(&mut self, request: &AdvanceRequest, progress: &mut dyn FnMut(u64)) -> Vec<(usize, Divergence)> {
-        let (members, batches) = (self.count as u64, self.batches.len());
-        let updates = self.coordinates.saturating_mul(request.steps);
-        let threads = if updates < WORTH_A_THREAD { 1 } else { self.threads.min(batches) };
+        let members = self.count as u64;
+        let threads = self.threads_for(request.steps).min(self.batches.len());
         let done = AtomicU64::new(0);
         // Whoever is free takes the next batch; no result depends on who that is.
         let batches = Mutex::new(self.batches.iter_mut());
@@ -145,6 +144,11 @@ impl Members {
             }
             lost
         })
+    }
+
+    /// How many threads so many steps of all members are worth.
+    pub(super) fn threads_for(&self, steps: u64) -> usize {
+        if self.coordinates.saturating_mul(steps) < WORTH_A_THREAD { 1 } else { self.threads }
     }
 
     pub(crate) fn count(&self) -> usize {
@@ -196,11 +200,15 @@ impl Members {
         self.batches[batch].states(self.clock, visit);
     }
 
-    /// The member's batch: batches hold members in their order.
-    fn batch_of(&self, member: usize) -> Option<&Batch> {
+    /// The member's batch.
+    pub(super) fn batch_of(&self, member: usize) -> Option<&Batch> {
+        self.batches.get(self.number_of_batch(member)?)
+    }
+
+    /// The number of the member's batch: batches hold members in their order.
+    pub(super) fn number_of_batch(&self, member: usize) -> Option<usize> {
         let after = self.batches.partition_point(|batch| batch.first() <= member);
-        let batch = after.checked_sub(1).filter(|_| member < self.count)?;
-        self.batches.get(batch)
+        after.checked_sub(1).filter(|_| member < self.count)
     }
 }
 

@@ -10,6 +10,7 @@ pub(crate) mod in_lanes;
 #[allow(unreachable_pub, reason = "named in bounds, never outside")]
 pub(crate) mod lane_scalars;
 pub(crate) mod members;
+pub(crate) mod physical_time;
 pub(crate) mod request;
 
 #[cfg(debug_assertions)]
@@ -20,6 +21,7 @@ use crate::{
         in_lanes::InLanes,
         lane_scalars::LaneScalars,
         members::{Members, of_member},
+        physical_time::Between,
     },
     error::Error,
     hamiltonian::{Hamiltonian, Shaped},
@@ -40,7 +42,7 @@ use crate::{
         step_functions::Interleaved,
     },
 };
-use std::{fmt, marker::PhantomData, sync::Arc};
+use std::{fmt, sync::Arc};
 
 /// How many vector registers there are without AVX-512, which has 32.
 const REGISTERS: usize = if cfg!(target_arch = "x86_64") { 16 } else { 32 };
@@ -67,7 +69,8 @@ const REGISTERS: usize = if cfg!(target_arch = "x86_64") { 16 } else { 32 };
 /// ```
 pub struct Ensemble<C: Coords> {
     members: Members,
-    shape: PhantomData<C>,
+    /// Where members are shown while the ensemble stands at the steps of all.
+    between: Option<Between<C>>,
 }
 
 impl<C: Coords> Ensemble<C> {
@@ -115,14 +118,14 @@ impl<C: Coords> Ensemble<C> {
             single: &*single,
         };
         let batches = starts.batches(states.len(), all_threads());
-        let energies = Box::new(move |member: usize, state: &dyn Point, time: f64| {
+        let energies = Arc::new(move |member: usize, state: &dyn Point, time: f64| {
             energy::<H, K>(&parameters[member], shaped(state), time)
         });
         let mut members = Members::new(batches, energies, states.len(), coordinates, h);
         if H::AUTONOMOUS {
             members.check_starts()?;
         }
-        Ok(Self { members, shape: PhantomData })
+        Ok(Self { members, between: None })
     }
 
     /// Starts the clock at `t0` instead of 0. A `t0` that is not finite is reported by the first `advance`.
@@ -162,7 +165,7 @@ impl<C: Coords> Ensemble<C> {
     /// # Errors
     /// As [`Ensemble::advance`].
     pub fn advance_with(&mut self, steps: u64, mut progress: impl FnMut(u64)) -> Result<(), Error> {
-        self.members.advance(steps, u64::MAX, &|_, _| true, &mut progress)
+        self.take_steps(steps, u64::MAX, &|_, _| true, &mut progress)
     }
 
     /// As [`Ensemble::advance`], but members may leave when they are done: after every `interval` steps, each member
@@ -199,12 +202,29 @@ impl<C: Coords> Ensemble<C> {
         interval: u64,
         stays: impl Fn(usize, &Phase<C>) -> bool + Sync,
     ) -> Result<(), Error> {
-        self.members.advance(steps, interval, &|member, state| stays(member, shaped(state)), &mut |_| {})
+        self.take_steps(steps, interval, &|member, state| stays(member, shaped(state)), &mut |_| {})
+    }
+
+    /// Takes steps from where the ensemble stands, which is then shown there.
+    fn take_steps(
+        &mut self,
+        steps: u64,
+        interval: u64,
+        stays: &(dyn Fn(usize, &dyn Point) -> bool + Sync),
+        progress: &mut dyn FnMut(u64),
+    ) -> Result<(), Error> {
+        let between = self.between.take();
+        let outcome = self.members.advance(steps, interval, stays, progress);
+        if matches!(&outcome, Err(error) if !matches!(error, Error::Lost(_))) {
+            self.between = between;
+        }
+        outcome
     }
 
     /// Changes the states of the members that are under way, one after the other, between two steps: coordinates that
     /// are wrapped into a periodic box, momenta that are drawn anew by a thermostat. Time and the number of steps go
-    /// on; members that are lost or gone stay as they are.
+    /// on; members that are lost or gone stay as they are. After [`Ensemble::advance_to`], these are the states at the end of
+    /// the last step of all.
     ///
     /// Each member has the bits of a run whose state is [changed](crate::Run::map_state) in the same way.
     ///
@@ -245,6 +265,7 @@ impl<C: Coords> Ensemble<C> {
             self.members.changed(member, state)?;
         }
         self.members.restart(&|member| &states[member]);
+        self.between = None;
         Ok(())
     }
 
@@ -264,9 +285,9 @@ impl<C: Coords> Ensemble<C> {
     }
 
     /// The time of the members that are under way, `t0 + n·h`; that of one that has a time of its own is
-    /// [`Ensemble::time_of`] it.
+    /// [`Ensemble::time_of`] it; and what [`Ensemble::advance_to`] was called with.
     pub fn time(&self) -> f64 {
-        self.members.time()
+        self.between.as_ref().map_or(self.members.time(), |between| between.time)
     }
 
     /// How many steps the members that are under way have taken.
@@ -282,24 +303,41 @@ impl<C: Coords> Ensemble<C> {
     /// The time of a member: that of its last step if it is lost or gone, and its own where the method has one, such as
     /// [`Logarithmic`](crate::Logarithmic). `None` beyond the last member.
     pub fn time_of(&self, member: usize) -> Option<f64> {
-        self.members.time_of(member)
+        match self.shown(member) {
+            Some((time, _)) => Some(time),
+            None => self.members.time_of(member),
+        }
+    }
+
+    /// Where a member is shown between its steps.
+    fn shown(&self, member: usize) -> Option<(f64, &Phase<C>)> {
+        let between = self.between.as_ref()?;
+        Some((between.time, between.state(member)?))
     }
 
     /// The state of a member: its last finite one if it is lost, the one in which it left if it is gone.
     pub fn state(&self, member: usize) -> Option<Phase<C>> {
-        Some(shaped::<C>(&*self.members.state(member)?).clone())
+        match self.shown(member) {
+            Some((_, state)) => Some(state.clone()),
+            None => Some(shaped::<C>(&*self.members.state(member)?).clone()),
+        }
     }
 
     /// The energy of a member in that state.
     pub fn energy(&self, member: usize) -> Option<f64> {
-        self.members.energy(member)
+        match self.shown(member) {
+            Some((time, state)) => Some((self.members.energies)(member, state, time).total),
+            None => self.members.energy(member),
+        }
     }
 
     /// The states of all members, in their order.
     pub fn states(&self) -> impl Iterator<Item = Phase<C>> {
         (0..self.members.batches()).flat_map(|batch| {
             let mut states: Vec<Phase<C>> = Vec::new();
-            self.members.states(batch, &mut |_, state| states.push(shaped::<C>(state).clone()));
+            self.members.states(batch, &mut |member, state| {
+                states.push(self.shown(member).map_or(shaped::<C>(state), |(_, shown)| shown).clone());
+            });
             states
         })
     }

@@ -29,6 +29,24 @@ impl Clock {
         Self { t0: self.at(opened), h: self.h, steps: self.steps - opened }
     }
 
+    /// Whether one time comes after another on the way of the steps.
+    pub(crate) fn is_beyond(&self, time: f64, other: f64) -> bool {
+        if self.h < 0.0 { time < other } else { time > other }
+    }
+
+    /// The number of steps whose end does not lie beyond a time.
+    pub(crate) fn whole_steps_to(&self, time: f64) -> u64 {
+        // Conversions saturate; the clock decides about the last steps.
+        let mut end = ((time - self.t0) / self.h) as u64;
+        while self.is_beyond(self.at(end), time) {
+            end -= 1;
+        }
+        while !self.is_beyond(self.at(end + 1), time) {
+            end += 1;
+        }
+        end
+    }
+
     /// The number of steps done after `asked` more.
     ///
     /// # Errors

@@ -29,6 +29,12 @@ impl<C: Coords> Point for Phase<C> {
     }
 }
 
+impl Clone for Box<dyn Point> {
+    fn clone(&self) -> Self {
+        (**self).boxed_clone()
+    }
+}
+
 fn all_finite<K: Precision>(leaves: &[K]) -> bool {
     for leaf in leaves {
         if !leaf.to_f64().is_finite() {

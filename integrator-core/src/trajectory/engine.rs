@@ -29,6 +29,8 @@ pub(crate) struct Engine {
     pub(crate) completed: Box<dyn Motions>,
     /// The clock of the motions that `completed` was made of, while they are still there.
     completed_at: Option<Clock>,
+    /// The number of the member that a single trajectory is; nought for a run.
+    member: usize,
     /// How many threads may share a long lattice or the pairs of many bodies, if not all.
     threads: Option<usize>,
 }
@@ -36,7 +38,13 @@ pub(crate) struct Engine {
 impl Engine {
     pub(crate) fn new(motions: Box<dyn Motions>) -> Self {
         let (snapshot, completed) = (motions.clone(), motions.clone());
-        Self { motions, snapshot, completed, completed_at: None, threads: Some(1) }
+        Self { motions, snapshot, completed, completed_at: None, member: 0, threads: Some(1) }
+    }
+
+    /// The engine of a member of an ensemble alone, with its motion.
+    #[cfg(feature = "std")]
+    pub(crate) fn of_member(motions: Box<dyn Motions>, member: usize) -> Self {
+        Self { member, ..Self::new(motions) }
     }
 
     /// The engine of one trajectory, with the step functions of some motions.
@@ -191,7 +199,7 @@ impl Engine {
             self.completed_at = None;
             &self.completed
         } else {
-            shorter = load(&*self.motions, vec![(0, from)]);
+            shorter = load(&*self.motions, vec![(self.member, from)]);
             shorter.advance(begin, 1, self.threads);
             shorter.complete(end);
             &shorter

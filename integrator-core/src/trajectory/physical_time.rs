@@ -14,6 +14,11 @@ const CAUTION: f64 = 0.875;
 /// After so many shorter steps the time is as near as it gets.
 const TRIALS: u32 = 200;
 
+/// How many steps lead over a part of the way, at a pace.
+pub(crate) fn steps_at_once(way: f64, step: f64) -> u64 {
+    (CAUTION * way / step) as u64
+}
+
 impl<C: Coords> Run<C> {
     /// Goes to a time, to the rounding: by whole steps to the last one that does not lie beyond it, and from there on a copy
     /// by a shorter step of the same method, or on the polynomial of [`Taylor`](crate::taylor::Taylor).
@@ -48,12 +53,12 @@ impl<C: Coords> Run<C> {
         if !time.is_finite() {
             return Err(Error::Time { time });
         }
-        if self.is_beyond(present, time) {
+        if self.clock.is_beyond(present, time) {
             return Err(Error::Passed { time, present });
         }
         self.advance(0)?;
         match self.time_in_state() {
-            None => self.whole_steps_to(time)?,
+            None => self.advance(self.clock.whole_steps_to(time).saturating_sub(self.clock.steps))?,
             Some(_) => self.steps_in_own_time_to(time)?,
         }
         if self.time_at_step() != time {
@@ -62,38 +67,27 @@ impl<C: Coords> Run<C> {
         Ok(())
     }
 
-    /// Whether one time comes after another on the way of the steps.
-    fn is_beyond(&self, time: f64, other: f64) -> bool {
-        if self.clock.h < 0.0 { time < other } else { time > other }
-    }
-
-    /// Takes the steps whose end does not lie beyond a time, by the clock.
-    fn whole_steps_to(&mut self, time: f64) -> Result<(), Error> {
-        let clock = self.clock;
-        // Conversions saturate; the clock decides about the last steps.
-        let mut end = ((time - clock.t0) / clock.h) as u64;
-        while self.is_beyond(clock.at(end), time) {
-            end -= 1;
-        }
-        while !self.is_beyond(clock.at(end + 1), time) {
-            end += 1;
-        }
-        self.advance(end.saturating_sub(clock.steps))
-    }
-
     /// The same where the time is part of the state: ever more steps at once, but fewer than would lead there at the mean
     /// pace of the last ones. Those that lead beyond the time are taken back.
     fn steps_in_own_time_to(&mut self, time: f64) -> Result<(), Error> {
         let mut block = 1;
         let mut before = self.time_at_step();
         while before != time {
-            self.advance(block)?;
+            let earlier = (block > 1).then(|| self.clone());
+            let outcome = self.advance(block);
             let after = self.time_at_step();
+            if let (Err(_), Some(earlier), true) = (&outcome, earlier, self.clock.is_beyond(after, time)) {
+                // What ends the run beyond the time is not on the way there.
+                *self = earlier;
+                block /= 2;
+                continue;
+            }
+            outcome?;
             if after == before {
                 return Err(Error::Clock { h: self.clock.h, time: after });
             }
             let step = (after - before) / block as f64;
-            let longest = if self.is_beyond(after, time) {
+            let longest = if self.clock.is_beyond(after, time) {
                 self.take_back(block);
                 if block == 1 {
                     break;
@@ -104,8 +98,7 @@ impl<C: Coords> Run<C> {
                 // A watch looks at each step; a block of the engine is what it takes back.
                 if self.watch.is_some() { 1 } else { BLOCK.min(2 * block) }
             };
-            block = (CAUTION * (time - before) / step) as u64;
-            block = block.clamp(1, longest);
+            block = steps_at_once(time - before, step).clamp(1, longest);
         }
         Ok(())
     }
@@ -142,7 +135,7 @@ impl<C: Coords> Run<C> {
             if reached == time || duration == near.0 || duration == far.0 {
                 break;
             }
-            if self.is_beyond(reached, time) {
+            if self.clock.is_beyond(reached, time) {
                 (far, weights) = ((duration, reached), [weights[0] / 2.0, 1.0]);
             } else {
                 (near, weights) = ((duration, reached), [1.0, weights[1] / 2.0]);

@@ -117,21 +117,12 @@ impl<C: Coords> Run<C> {
         let mut engine = engine::<H, X, K>(method, parameters.clone(), &start);
         engine.share_among(None);
         let run = Self {
-            engine,
-            energies: energies(parameters, energy::<H, K>),
-            shape: start,
-            clock,
-            opened,
-            opened_at: [0.0; 2],
-            between: None,
-            watch: None,
             autonomous: H::AUTONOMOUS,
             method: method.facts().name,
             forces: method.forces(),
-            evaluated: 0,
-            start_unchecked: false,
             #[cfg(feature = "checkpoint")]
             origin,
+            ..Self::of_engine(engine, energies(parameters, energy::<H, K>), start, clock, opened)
         };
         // An infinite constant may be meant, such as a cutoff beyond all distances: what counts is what it does.
         if !constants.is_empty() && run.engine.is_not_finite(run.since_opened()) {
@@ -140,6 +131,33 @@ impl<C: Coords> Run<C> {
         #[cfg(debug_assertions)]
         held?;
         Ok(run)
+    }
+
+    /// A run of which no more is known than how it goes on: a member of an ensemble has no name of its own.
+    pub(crate) fn of_engine(
+        engine: Engine,
+        energies: Arc<dyn Energies<C>>,
+        shape: Phase<C>,
+        clock: Clock,
+        opened: u64,
+    ) -> Self {
+        Self {
+            engine,
+            energies,
+            shape,
+            clock,
+            opened,
+            opened_at: [0.0; 2],
+            between: None,
+            watch: None,
+            autonomous: false,
+            method: "",
+            forces: None,
+            evaluated: 0,
+            start_unchecked: false,
+            #[cfg(feature = "checkpoint")]
+            origin: Origin::UNKNOWN,
+        }
     }
 
     /// The clock of the engine, which begins where the state was last changed from outside.
@@ -212,10 +230,15 @@ impl<C: Coords> Run<C> {
                     time: self.time(),
                     reason: reason.clone(),
                 },
-                None => self.state().divergence(&self.tried(), clock).at_own_time(self.time_in_state()).into(),
+                None => self.divergence().into(),
             });
         }
         Ok(())
+    }
+
+    /// The report on the step that could not be taken.
+    pub(crate) fn divergence(&self) -> Divergence {
+        self.state_at_step().divergence(&self.tried(), self.clock).at_own_time(self.time_in_state())
     }
 
     /// Shows a state of the step that would be next.

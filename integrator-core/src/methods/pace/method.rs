@@ -125,8 +125,8 @@ impl<X: Scheme> Described for Paced<X> {
 macro_rules! time_transformation {
     ($method:ident of $system:ident, $transformation:ty, $exponent:expr, $transforms_energy:expr) => {
         impl<H: $system, X: Composition<H>> Method<H> for $method<X> {
-            /// Numbers are computed one by one.
-            const WIDE: bool = false;
+            /// As members of ensembles are computed, whose powers have other roundings with these instructions.
+            const WIDE: bool = true;
             type Constants = Constants<H::Parameters<f64>>;
             type Motion<R: Real, K: Precision> = TimedOf<H, R, K>;
 

@@ -86,6 +86,9 @@ pub(crate) struct Origin {
 }
 
 impl Origin {
+    /// That of runs that are never written.
+    pub(crate) const UNKNOWN: Self = Self { system: "", formulas: 0, parameters: 0, composition: "", table: None };
+
     pub(crate) fn of<H: Hamiltonian>(Facts { name, table, .. }: Facts, parameters: &H::Parameters<f64>) -> Self {
         let mut digest = Digest::EMPTY;
         H::Parameters::<f64>::digest(parameters, &mut digest);

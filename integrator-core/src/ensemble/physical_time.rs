@@ -1,0 +1,302 @@
+//! Ensembles to a given time: whole steps with all members together, and from there each of them alone, on a copy.
+//!
+//! Always true: the ensemble itself stands at the end of a step of all members, none of which lies beyond the time, so that
+//! where it is looked at changes nothing of it. Where members have times of their own, some of them need more steps than
+//! others: these they take on their copies, from which a later look goes on.
+
+use crate::{
+    ensemble::{
+        Ensemble,
+        batch::Finish,
+        members::{EnergiesOf, Members, of_member},
+    },
+    error::{Divergence, Error, Lost},
+    state::{coords::Coords, phase::Phase, point::shaped},
+    system::energy::{Energies, Parts},
+    trajectory::{
+        engine::BLOCK,
+        panics::{Panics, attempt},
+        physical_time::steps_at_once,
+        run::Run,
+    },
+};
+use std::{
+    sync::{
+        Arc, Mutex, PoisonError,
+        atomic::{AtomicUsize, Ordering},
+    },
+    thread,
+};
+
+/// A look at a member takes about as long as so many steps.
+const STEPS_OF_A_LOOK: u64 = 8;
+
+/// What an ensemble shows between its steps.
+pub(crate) struct Between<C: Coords> {
+    pub(crate) time: f64,
+    /// What of each member is shown, if it is under way.
+    members: Vec<Option<Shown<C>>>,
+}
+
+/// A member between two steps of its own.
+struct Shown<C: Coords> {
+    state: Phase<C>,
+    /// The member alone, where it has taken more steps than all have together.
+    ahead: Option<Box<Run<C>>>,
+}
+
+impl<C: Coords> Between<C> {
+    pub(crate) fn state(&self, member: usize) -> Option<&Phase<C>> {
+        Some(&self.members.get(member)?.as_ref()?.state)
+    }
+
+    fn ahead(&self, member: usize) -> Option<&Run<C>> {
+        self.members.get(member)?.as_ref()?.ahead.as_deref()
+    }
+}
+
+/// How a member that went alone to a time has fared.
+enum Outcome<C: Coords> {
+    There(Shown<C>),
+    /// Its last state, and its divergence, unless a function of the user panicked.
+    Lost(Finish, Option<Divergence>),
+    Failed(Error),
+}
+
+impl<C: Coords> Ensemble<C> {
+    /// Goes with every member under way to a time, to the rounding: by whole steps that lead none of them beyond it, and from
+    /// there each on a copy, as [`Run::advance_to`] does.
+    ///
+    /// [`Ensemble::time`], [`Ensemble::state`] and [`Ensemble::energy`] are then those of this time, with the bits of each
+    /// member's run alone. The ensemble itself stands at the steps that all have taken, which [`Ensemble::steps`] counts, and
+    /// goes on from there; members that are lost or gone stay as they are.
+    ///
+    /// ```
+    /// use integrator_core::prelude::*;
+    ///
+    /// struct Comet;
+    ///
+    /// #[hamiltonian]
+    /// impl Comet {
+    ///     fn kinetic(&self, p: [f64; 2]) -> f64 { (p[0] * p[0] + p[1] * p[1]) / 2.0 }
+    ///     fn potential(&self, q: [f64; 2]) -> f64 { -1.0 / q[0].hypot(q[1]) }
+    /// }
+    ///
+    /// // Each in steps of its own, and all at the same time.
+    /// let comets = (0..20).map(|i| (Comet, Phase::new([0.1 + 0.04 * f64::from(i), 0.0], [0.0, 1.0])));
+    /// let mut comets = Ensemble::new(Logarithmic(SofroniouSpaletta8), comets, 0.1)?;
+    /// comets.advance_to(10.0)?;
+    /// assert!((0..20).all(|comet| comets.time_of(comet) == Some(10.0)));
+    /// # Ok::<(), Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`Error::Time`] for a time that is not finite, [`Error::Passed`] for one that lies before the last step of all members,
+    /// in [`Error::Member`] where they have times of their own; and as [`Ensemble::advance`]. Members that are lost on the way
+    /// are named, and the others are at the time.
+    ///
+    /// # Panics
+    /// As [`Ensemble::advance`].
+    pub fn advance_to(&mut self, time: f64) -> Result<(), Error> {
+        let before = self.between.take();
+        let mut lost = match self.members.whole_steps_to(time) {
+            Ok(lost) => lost,
+            Err(error) => {
+                self.between = before;
+                return Err(error);
+            }
+        };
+        let panics = Panics::default();
+        let found = self.alone_to(time, before.as_ref(), &panics);
+        let mut between = Between { time, members: (0..self.len()).map(|_| None).collect() };
+        let mut failed = None;
+        for (member, outcome) in found {
+            match outcome {
+                Outcome::There(shown) => between.members[member] = Some(shown),
+                Outcome::Lost(finish, divergence) => {
+                    self.members.lose(member, finish);
+                    lost.extend(divergence.map(|divergence| (member, divergence)));
+                }
+                Outcome::Failed(error) => failed = failed.or(Some(of_member(member)(error))),
+            }
+        }
+        self.between = Some(between);
+        panics.resume();
+        lost.sort_unstable_by_key(|(member, _)| *member);
+        match failed {
+            Some(error) => Err(error),
+            None if lost.is_empty() => Ok(()),
+            None => Err(Lost { members: lost }.into()),
+        }
+    }
+
+    /// Every member under way at a time, in their order.
+    fn alone_to(&self, time: f64, before: Option<&Between<C>>, panics: &Panics) -> Vec<(usize, Outcome<C>)> {
+        let found = Mutex::new(Vec::new());
+        self.members.each(&|member| {
+            let earlier = before.and_then(|before| before.ahead(member)).filter(|run| self.leads_to(run, time));
+            let Some(run) = earlier.cloned().or_else(|| self.alone(member)) else { return };
+            let outcome = self.outcome(run, time, panics);
+            found.lock().unwrap_or_else(PoisonError::into_inner).push((member, outcome));
+        });
+        let mut found = found.into_inner().unwrap_or_else(PoisonError::into_inner);
+        found.sort_unstable_by_key(|(member, _)| *member);
+        found
+    }
+
+    /// Whether a member that was ahead of all is so still, and not beyond a time.
+    fn leads_to(&self, run: &Run<C>, time: f64) -> bool {
+        let clock = self.members.clock;
+        run.steps() > clock.steps && !clock.is_beyond(run.time_at_step(), time)
+    }
+
+    fn outcome(&self, mut run: Run<C>, time: f64, panics: &Panics) -> Outcome<C> {
+        let outcome = panics.attempt(|| run.advance_to(time));
+        let divergence = match outcome {
+            Some(Ok(())) => {
+                let (state, is_ahead) = (run.state(), run.steps() > self.members.clock.steps);
+                return Outcome::There(Shown { state, ahead: is_ahead.then(|| Box::new(run)) });
+            }
+            None => None,
+            Some(Err(Error::Diverged(divergence))) => Some(divergence),
+            Some(Err(Error::NotSolved { .. })) => Some(run.divergence()),
+            Some(Err(error)) => return Outcome::Failed(error),
+        };
+        let (steps, time, state) = (run.steps(), run.time_at_step(), Box::new(run.state_at_step()));
+        Outcome::Lost(Finish { steps, time, state }, divergence)
+    }
+
+    /// A member that is under way as a run, which stands where the ensemble does.
+    fn alone(&self, member: usize) -> Option<Run<C>> {
+        let members = &self.members;
+        let alone = members.batch_of(member)?.alone(member);
+        let energies = Arc::new(EnergiesOfMember { member, energies: members.energies.clone() });
+        let shape = shaped::<C>(&*members.state(member)?).clone();
+        let mut run = Run::of_engine(alone.engine, energies, shape, members.clock, alone.opened);
+        run.opened_at = alone.opened_at;
+        Some(run)
+    }
+}
+
+/// The energies of a member of an ensemble.
+struct EnergiesOfMember {
+    member: usize,
+    energies: Arc<EnergiesOf>,
+}
+
+impl<C: Coords> Energies<C> for EnergiesOfMember {
+    fn parts(&self, state: &Phase<C>, time: f64) -> Parts {
+        (self.energies)(self.member, state, time)
+    }
+}
+
+impl Members {
+    /// Takes the whole steps that lead no member beyond a time, and returns the members that are lost on the way.
+    ///
+    /// # Errors
+    /// As [`Ensemble::advance_to`], but for lost members.
+    fn whole_steps_to(&mut self, time: f64) -> Result<Vec<(usize, Divergence)>, Error> {
+        if !time.is_finite() {
+            return Err(Error::Time { time });
+        }
+        if self.active() == 0 {
+            return Ok(Vec::new());
+        }
+        if self.batches.iter().any(|batch| batch.is_timed()) {
+            return self.steps_in_own_times_to(time);
+        }
+        let (clock, present) = (self.clock, self.time());
+        if clock.is_beyond(present, time) {
+            return Err(Error::Passed { time, present });
+        }
+        // Where the clock did not start at a time, this says so.
+        clock.check()?;
+        lost(self.advance(clock.whole_steps_to(time).saturating_sub(clock.steps), u64::MAX, &|_, _| true, &mut |_| {}))
+    }
+
+    /// The same where members have times of their own: ever more steps at once, but fewer than would lead one of them there
+    /// at its mean pace of the last ones. Those that lead one beyond the time are taken back.
+    fn steps_in_own_times_to(&mut self, time: f64) -> Result<Vec<(usize, Divergence)>, Error> {
+        self.clock.check()?;
+        let (mut lost_members, mut block) = (Vec::new(), 1);
+        let mut before = self.times();
+        for member in self.under_way() {
+            if self.clock.is_beyond(before[member], time) {
+                return Err(of_member(member)(Error::Passed { time, present: before[member] }));
+            }
+        }
+        loop {
+            let members = self.under_way();
+            if members.is_empty() || members.iter().any(|member| before[*member] == time) {
+                break;
+            }
+            let earlier = (self.batches.clone(), self.clock);
+            let outcome = attempt(|| self.advance(block, u64::MAX, &|_, _| true, &mut |_| {}));
+            let after = self.times();
+            let is_beyond = members.iter().any(|member| self.clock.is_beyond(after[*member], time));
+            if is_beyond || (outcome.is_err() && block > 1) {
+                (self.batches, self.clock) = earlier;
+                if block == 1 {
+                    break;
+                }
+                block /= 2;
+                continue;
+            }
+            lost_members.extend(lost(outcome.unwrap_or_else(|panic| panic.resume()))?);
+            if members.iter().all(|member| after[*member] == before[*member]) {
+                // Each of them says so alone.
+                break;
+            }
+            let steps = |member: &usize| {
+                let step = (after[*member] - before[*member]) / block as f64;
+                steps_at_once(time - after[*member], step)
+            };
+            block = members.iter().map(steps).min().unwrap_or(1).clamp(1, BLOCK.min(2 * block));
+            before = after;
+        }
+        Ok(lost_members)
+    }
+
+    /// The times of all members.
+    fn times(&self) -> Vec<f64> {
+        let mut times = Vec::with_capacity(self.count());
+        for batch in &self.batches {
+            batch.times(self.clock, &mut |time| times.push(time));
+        }
+        times
+    }
+
+    /// Calls a function with each member under way, on as many threads as are worth it.
+    fn each(&self, function: &(dyn Fn(usize) + Sync)) {
+        let (members, next) = (self.under_way(), AtomicUsize::new(0));
+        let work = || {
+            while let Some(member) = members.get(next.fetch_add(1, Ordering::Relaxed)) {
+                function(*member);
+            }
+        };
+        thread::scope(|scope| {
+            for _ in 1..self.threads_for(STEPS_OF_A_LOOK).min(members.len()) {
+                scope.spawn(work);
+            }
+            work();
+        });
+    }
+
+    fn lose(&mut self, member: usize, finish: Finish) {
+        if let Some(batch) = self.number_of_batch(member) {
+            self.batches[batch].lose(member, finish);
+        }
+    }
+}
+
+/// The members that an outcome says are lost.
+///
+/// # Errors
+/// Any other.
+fn lost(outcome: Result<(), Error>) -> Result<Vec<(usize, Divergence)>, Error> {
+    match outcome {
+        Ok(()) => Ok(Vec::new()),
+        Err(Error::Lost(lost)) => Ok(lost.members),
+        Err(error) => Err(error),
+    }
+}
