@@ -50,7 +50,7 @@ use proc_macro::TokenStream;
 /// | `split = none` | `H` stays in one piece, `hamiltonian(&self, q, p)`, whatever it mixes: for methods that take the whole of its field, `compose = GaussLegendre4`; without `compose` it is `ImplicitMidpoint` |
 /// | `split = symmetric(omega = 20.0)` | the same `H` of each of two copies of the state, coupled as tightly as you say, for compositions |
 /// | `functions = fast` | `sin`, `cos`, `tan`, `exp`, `ln`, `tanh`, `asin`, `acos`, `atan`, `atan2` and `cbrt` within 4 ulp instead of 1 or 2, which takes a fifth to a half of their time off; other functions stay as they are; `functions = precise` names the default |
-/// | `taylor` | recurrences for the Taylor coefficients of the motion are written as well, for runs with `taylor::Taylor` at errors near the rounding |
+/// | `taylor` | recurrences for the Taylor coefficients of the motion are written as well, for runs with `taylor::Taylor` at errors near the rounding; of the whole of `H`, whatever it splits into |
 /// | `crate = path` | where `integrator_core` is, if it is not `::integrator_core` |
 ///
 /// Without `compose` it is `Verlet`. Any other composition can be passed to `run_with`, and so can the implicit methods

@@ -134,13 +134,8 @@ fn valid_model(input: &Input, errors: &mut Errors) -> Option<Model> {
     model.filter(|_| errors.is_empty())
 }
 
-/// What is differentiated by a stated method alone has one derivative, and a series asks for all; recurrences are those
-/// of `T` and `V`.
+/// What is differentiated by a stated method alone has one derivative, and a series asks for all.
 fn check_taylor(input: &Input, model: &Model, errors: &mut Errors) {
-    if let (Some(span), false) = (input.taylor, model.is_separable()) {
-        errors
-            .at_span(span, "series are written for H = T(p) + V(q), and this H is split otherwise: leave out `taylor`");
-    }
     if let (Some(span), Some(name)) = (input.taylor, model.externals.first()) {
         let message = format!(
             "`{name}` is called as it is, with a derivative that was stated, and has no Taylor series: write it in the \

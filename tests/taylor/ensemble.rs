@@ -1,6 +1,9 @@
 //! Members of an ensemble, each on polynomials of its own: bit for bit what they are alone.
 
-use crate::runs::{Chain, Driven, FINE, Fall, Hill, Kepler, Pendulum, pericentre};
+use crate::{
+    runs::{Chain, Driven, FINE, Fall, Hill, Kepler, Pendulum, pericentre},
+    splits::{double_pendulum, kepler_and_interaction},
+};
 use integrator_core::{Coords, Error, prelude::*, taylor::Taylor};
 
 /// More than four motions of sixteen lanes, and members that fill none.
@@ -65,6 +68,10 @@ rows! {
         |i| (Chain, Phase::new((0..19).map(|site| spread(i + site)).collect(), vec![0.0; 19]));
     long_chains_in_single_precision, Taylor::tolerance(1e-8), 0.03125, 0.0,
         |i| (Chain, Phase::new((0..19).map(|site| spread(i + site) as f32).collect(), vec![0.0; 19]));
+    what_is_not_t_plus_v, Taylor::tolerance(FINE), 0.25, 0.0,
+        |i| (double_pendulum::System { masses: [1.0; 4] }, Phase::new([0.1 + spread(i), -0.5], [0.2, spread(i + 1)]));
+    named_parts_that_carry_their_roundings, Taylor::tolerance(FINE), 0.25, 0.0,
+        |i| (kepler_and_interaction::System { masses: [1.0; 4] }, Phase::compensated([1.0, 0.25], [-0.25, 0.75 + spread(i) / 4.0]));
     long_chains_that_carry_their_roundings, Taylor::tolerance(1e-16), 0.03125, 0.0,
         |i| (Chain, Phase::compensated((0..19).map(|site| spread(i + site)).collect(), vec![0.0; 19]));
 }

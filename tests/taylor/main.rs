@@ -9,9 +9,11 @@ mod ensemble;
 mod global_error;
 #[path = "../support/instruction_sets.rs"]
 mod instruction_sets;
+mod mixed;
 #[path = "../support/motions.rs"]
 mod motions;
 mod recurrences;
 mod reference;
 mod rows;
 mod runs;
+mod splits;

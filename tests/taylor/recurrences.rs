@@ -2,7 +2,7 @@
 
 use crate::{
     reference::{self, Exact, Motion},
-    rows::ROWS,
+    rows, splits,
 };
 use integrator_core::{
     __private::{Coefficients, Layout, Recurrences, Table},
@@ -74,7 +74,7 @@ pub(crate) fn judge<H: Recurrences>(name: &str, system: &H) {
 
 #[test]
 fn the_reference_knows_the_same_systems() {
-    let mut names = ROWS.to_vec();
+    let mut names = [rows::ROWS, splits::ROWS].concat();
     names.sort_unstable();
     assert_eq!(reference::names(), names);
 }

@@ -156,8 +156,8 @@ def coefficients(energies, q_at, p_at, t_at):
     p = sympy.symbols(f"p:{len(p_at)}", real=True)
     t = sympy.Symbol("t", real=True)
     at = {symbol: sympy.Rational(value) for symbol, value in zip((*q, *p, t), (*q_at, *p_at, t_at))}
-    kinetic, potential = (chosen(sympy.sympify(energy), at) for energy in energies(q, p, t))
-    rates = [kinetic.diff(x) for x in p] + [-potential.diff(x) for x in q]
+    parts = [chosen(sympy.sympify(energy), at) for energy in energies(q, p, t)]
+    rates = [sum(part.diff(x) for part in parts) for x in p] + [-sum(part.diff(x) for part in parts) for x in q]
 
     def integral(start, rate):
         """Reads the series of its rate, which is there when the first coefficient is asked for."""

@@ -11,7 +11,7 @@ ROWS = {}
 
 
 def system(q, p, t=0.0):
-    """Enters a function of q, p and t that returns T and V, with its start."""
+    """Enters a function of q, p and t that returns the parts of H, with its start."""
 
     def entered(energies):
         name = energies.__name__.rstrip("_")
@@ -251,3 +251,78 @@ def lattice(q, p, t):
     along = sum(cos(b - a) for row in rows for a, b in zip(row, row[1:]))
     across = sum(cos(b - a) for above, below in zip(rows, rows[1:]) for a, b in zip(above, below))
     return half_squares(p), q[7] * sin(q[19]) + sites - along - across / 2
+
+
+# H that is not T + V: one function, named parts, bodies
+
+@system([1.0, -0.5], [0.25, 0.375])
+def double_pendulum(q, p, t):
+    (a, b), (pa, pb) = q, p
+    moving = (pa**2 + 2 * pb**2 - 2 * pa * pb * cos(a - b)) / (2 * (1 + sin(a - b) ** 2))
+    return (moving - 2 * cos(a) - cos(b),)
+
+
+@system([0.5, 8.0, -0.75], [-0.9375, 0.125, 3.75])
+def geodesic(q, p, t):
+    metric = 1 - 2 / q[1]
+    return ((metric * p[1] ** 2 + p[2] ** 2 / q[1] ** 2 - p[0] ** 2 / metric) / 2,)
+
+
+@system([0.5, 0.75], [-0.75, 0.5])
+def rotating_frame(q, p, t):
+    (x, y), mass = q, Rational(1, 64)
+    star, planet = sqrt((x + mass) ** 2 + y**2), sqrt((x - 1 + mass) ** 2 + y**2)
+    return half_squares(p) + y * p[0] - x * p[1], -(1 - mass) / star, -mass / planet
+
+
+@system([1.0, 0.25], [-0.25, 0.75])
+def kepler_and_interaction(q, p, t):
+    return half_squares(p), -1 / sqrt(q[0] ** 2 + q[1] ** 2), q[0] ** 2 * q[1] ** 2 / 8
+
+
+@system([0.75, -0.5], [0.25, 0.5], 0.25)
+def field_of_time(q, p, t):
+    return (p[0] - q[1] * t) ** 2 / 2 + (p[1] + t**2 * q[0]) ** 2 / 2, q[0] ** 2 / 2
+
+
+@system([0.75, -0.5], [0.25, 0.5])
+def twisted(q, p, t):
+    return half_squares(p), sin(q[0]) * p[1] ** 2 / 4, q[0] ** 2 + q[1] ** 2
+
+
+@system([0.75, -0.5], [0.25, 0.5])
+def copied(q, p, t):
+    return (q[0] ** 2 + 1) * (p[0] ** 2 + 1) / 2 + p[1] ** 2 / 2 - cos(q[1]) * exp(p[0] / 2), sqrt(4 + q[0] * p[1])
+
+
+@system([1.0, 0.0, 0.25, 1.75, -2.5, 0.5], [0.0, 0.5, -0.375, 0.125, -0.125, -0.25])
+def heliocentric(q, p, t):
+    at, momenta = list(zip(q[::2], q[1::2])), list(zip(p[::2], p[1::2]))
+    masses = [Rational(i + 1, 2) for i in range(3)]
+    kepler = [
+        (x**2 + y**2) / (2 * mass) - 4 * mass / sqrt(a**2 + b**2) for mass, (a, b), (x, y) in zip(masses, at, momenta)
+    ]
+    jump = [sum(momentum[d] for momentum in momenta) ** 2 / 8 for d in range(2)]
+    pairs = [(i, j) for i in range(3) for j in range(i)]
+    pulls = [
+        -masses[i] * masses[j] / sqrt((at[i][0] - at[j][0]) ** 2 + (at[i][1] - at[j][1]) ** 2) for i, j in pairs
+    ]
+    return sum(kepler), sum(jump), sum(pulls)
+
+
+@system([0.0, 0.25, 1.0, 0.0, -1.5, 0.75, 0.5, -2.0], [0.0, -0.5, 0.0, 0.5, 0.25, 0.0, -0.25, 0.125])
+def jacobi(q, p, t):
+    at, masses = list(zip(q[::2], q[1::2])), [Rational(4), Rational(1), Rational(1, 2), Rational(1, 4)]
+    moving = sum((p[2 * i] ** 2 + p[2 * i + 1] ** 2) / (2 * mass) for i, mass in enumerate(masses))
+    pulls = [
+        -masses[i] * masses[j] / sqrt((at[i][0] - at[j][0]) ** 2 + (at[i][1] - at[j][1]) ** 2)
+        for i in range(4)
+        for j in range(i)
+    ]
+    return moving, sum(pulls)
+
+
+@system([0.5, -0.75, 1.0, 0.25, 0.0, -0.5, 0.75, 0.25, -0.25, 0.5], [0.25, 0.0, -0.125, 0.5, 0.0] * 2)
+def mixed_chain(q, p, t):
+    alone = sum((1 + x**2) * y**2 / 2 for x, y in zip(q, p))
+    return alone, sum((b - a) ** 4 / 4 + (b - a) * c / 8 for a, b, c in zip(q, q[1:], p[1:]))

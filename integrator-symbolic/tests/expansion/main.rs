@@ -43,8 +43,9 @@ fn expanded(item: &Item) -> String {
             let attribute = item.attrs.pop().expect("the attribute").meta;
             let arguments = attribute.require_list().map_or_else(|_| TokenStream::new(), |list| list.tokens.clone());
             let mut items = generated(arguments.clone(), item.to_token_stream());
-            if arguments.to_string() == "taylor" {
-                let mut unasked = generated(TokenStream::new(), item.to_token_stream());
+            if let Some(others) = arguments.to_string().strip_suffix("taylor") {
+                let others = others.trim_end_matches([',', ' ']).parse().expect("tokens");
+                let mut unasked = generated(others, item.to_token_stream());
                 let heads: Vec<_> = statements(&mut unasked).iter().map(head).collect();
                 statements(&mut items).retain(|statement| !heads.contains(&head(statement)));
             }

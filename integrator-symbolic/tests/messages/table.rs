@@ -679,7 +679,7 @@ pub(crate) const SPLITS: &[Row] = &[
     ),
     (
         "split = a + b, taylor on fn a(&self, q: [f64; 1]) -> f64 { q[0].sin() } fn b(&self, p: [f64; 1]) -> f64 { p[0] * p[0] }",
-        &["1:15 series are written for H = T(p) + V(q), and this H is split otherwise: leave out `taylor`"],
+        &[],
     ),
     (
         "split = a + b on fn a(&self, q: [f64; 1], p: [f64; 1]) -> f64 { (q[0] * p[0]).sin() } fn b(&self, q: [f64; 1]) -> f64 { q[0].cos() }\n#[flow(a)] fn turn(&self, q: &mut [f64; 1], p: &mut [f64; 1], duration: f64) {}",
@@ -735,10 +735,7 @@ pub(crate) const SPLITS: &[Row] = &[
         "coordinates = jacobi(self.mass), split = none on fn hamiltonian(&self, q: [f64; 1], p: [f64; 1]) -> f64 { (q[0] * p[0]).sin() }",
         &["1:14 Jacobi coordinates are for bodies whose T and V are known apart, not for `none`"],
     ),
-    (
-        "split = none, taylor on fn hamiltonian(&self, q: [f64; 1], p: [f64; 1]) -> f64 { (q[0] * p[0]).sin() }",
-        &["1:14 series are written for H = T(p) + V(q), and this H is split otherwise: leave out `taylor`"],
-    ),
+    ("split = none, taylor on fn hamiltonian(&self, q: [f64; 1], p: [f64; 1]) -> f64 { (q[0] * p[0]).sin() }", &[]),
     (
         "split = symmetric(omega = 2.0 * self.rate) on fn hamiltonian(&self, q: [f64; 1], p: [f64; 1]) -> f64 { q[0] * p[0] }",
         &[],
@@ -781,7 +778,7 @@ pub(crate) const SPLITS: &[Row] = &[
     ),
     (
         "split = symmetric(omega = 3.0), taylor on fn hamiltonian(&self, q: [f64; 1], p: [f64; 1]) -> f64 { q[0] * p[0] }",
-        &["1:32 series are written for H = T(p) + V(q), and this H is split otherwise: leave out `taylor`"],
+        &[],
     ),
     (
         "split = a + b + c, compose = A(1/2) B(1) A(1/2) on fn a(&self, p: [f64; 1]) -> f64 { p[0] * p[0] } fn b(&self, q: [f64; 1]) -> f64 { q[0].cos() } fn c(&self, q: [f64; 1]) -> f64 { q[0] }",
