@@ -3,6 +3,7 @@
 use crate::{
     ensemble::{
         batch::{Batch, States},
+        physical_time::Between,
         request::AdvanceRequest,
     },
     error::{Divergence, Error, Lost},
@@ -38,13 +39,24 @@ pub(crate) struct Members {
     /// Whether the energies of the starts are still to be checked, where they depend on the time that the clock starts
     /// at.
     starts_unchecked: bool,
+    /// Where members are shown while the ensemble stands at the steps of all.
+    pub(super) between: Option<Between>,
     pub(crate) threads: usize,
 }
 
 impl Members {
     pub(crate) fn new(batches: Vec<Batch>, energies: Arc<EnergiesOf>, count: usize, coordinates: u64, h: f64) -> Self {
         let clock = Clock { t0: 0.0, h, steps: 0 };
-        Self { batches, energies, count, coordinates, clock, starts_unchecked: true, threads: all_threads() }
+        Self {
+            batches,
+            energies,
+            count,
+            coordinates,
+            clock,
+            starts_unchecked: true,
+            between: None,
+            threads: all_threads(),
+        }
     }
 
     /// Checks the energies of the starts, once.
@@ -53,7 +65,7 @@ impl Members {
     /// [`Error::Member`] naming the first member whose energy is not finite.
     pub(crate) fn check_starts(&mut self) -> Result<(), Error> {
         if self.starts_unchecked {
-            let (time, mut outcome) = (self.time(), Ok(()));
+            let (time, mut outcome) = (self.time_at_step(), Ok(()));
             for batch in &self.batches {
                 batch.states(self.clock, &mut |member, state| {
                     if outcome.is_ok() {
@@ -81,11 +93,12 @@ impl Members {
     /// [`Error::Member`], if it has no energy.
     pub(crate) fn changed(&self, member: usize, state: &dyn Point) -> Result<(), Error> {
         // Where the starts are unchecked, their time is not settled.
-        if self.starts_unchecked { Ok(()) } else { self.admissible(member, state, self.time()) }
+        if self.starts_unchecked { Ok(()) } else { self.admissible(member, state, self.time_at_step()) }
     }
 
     /// Lets the members that are under way go on from these states.
     pub(crate) fn restart(&mut self, states: &States) {
+        self.between = None;
         for batch in &mut self.batches {
             batch.restart(states, self.clock);
         }
@@ -108,6 +121,7 @@ impl Members {
         }
         let end = self.clock.end(steps)?;
         self.check_starts()?;
+        self.between = None;
         let panics = Panics::default();
         let request = AdvanceRequest { clock: self.clock, steps, interval, stays, panics: &panics };
         let mut lost = self.advance_batches(&request, progress);
@@ -159,8 +173,20 @@ impl Members {
         self.batches.iter().map(|batch| batch.active()).sum()
     }
 
-    pub(crate) fn time(&self) -> f64 {
+    /// The time of the steps of all.
+    pub(super) fn time_at_step(&self) -> f64 {
         self.clock.at(self.clock.steps)
+    }
+
+    /// The time that is shown.
+    pub(crate) fn time(&self) -> f64 {
+        self.between.as_ref().map_or(self.time_at_step(), |between| between.time)
+    }
+
+    /// Where a member is shown between its steps.
+    fn shown(&self, member: usize) -> Option<(f64, &dyn Point)> {
+        let between = self.between.as_ref()?;
+        Some((between.time, between.state(member)?))
     }
 
     /// The members that are neither lost nor gone.
@@ -178,17 +204,21 @@ impl Members {
     }
 
     pub(crate) fn state(&self, member: usize) -> Option<Box<dyn Point>> {
-        Some(self.batch_of(member)?.state(member, self.clock))
+        match self.shown(member) {
+            Some((_, state)) => Some(state.boxed_clone()),
+            None => Some(self.batch_of(member)?.state(member, self.clock)),
+        }
     }
 
     pub(crate) fn time_of(&self, member: usize) -> Option<f64> {
-        Some(self.batch_of(member)?.time_of(member, self.clock))
+        match self.shown(member) {
+            Some((time, _)) => Some(time),
+            None => Some(self.batch_of(member)?.time_of(member, self.clock)),
+        }
     }
 
     pub(crate) fn energy(&self, member: usize) -> Option<f64> {
-        let batch = self.batch_of(member)?;
-        let time = batch.time_of(member, self.clock);
-        Some((self.energies)(member, &*batch.state(member, self.clock), time).total)
+        Some((self.energies)(member, &*self.state(member)?, self.time_of(member)?).total)
     }
 
     pub(crate) fn batches(&self) -> usize {
@@ -197,6 +227,13 @@ impl Members {
 
     /// Shows the states of the members of a batch, in their order.
     pub(crate) fn states(&self, batch: usize, visit: &mut dyn FnMut(usize, &dyn Point)) {
+        self.states_at_step(batch, &mut |member, state| {
+            visit(member, self.shown(member).map_or(state, |(_, shown)| shown));
+        });
+    }
+
+    /// The same at the end of the last step of all.
+    pub(crate) fn states_at_step(&self, batch: usize, visit: &mut dyn FnMut(usize, &dyn Point)) {
         self.batches[batch].states(self.clock, visit);
     }
 

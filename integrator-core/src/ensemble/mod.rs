@@ -21,7 +21,6 @@ use crate::{
         in_lanes::InLanes,
         lane_scalars::LaneScalars,
         members::{Members, of_member},
-        physical_time::Between,
     },
     error::Error,
     hamiltonian::{Hamiltonian, Shaped},
@@ -42,7 +41,7 @@ use crate::{
         step_functions::Interleaved,
     },
 };
-use std::{fmt, sync::Arc};
+use std::{fmt, marker::PhantomData, sync::Arc};
 
 /// How many vector registers there are without AVX-512, which has 32.
 const REGISTERS: usize = if cfg!(target_arch = "x86_64") { 16 } else { 32 };
@@ -69,8 +68,7 @@ const REGISTERS: usize = if cfg!(target_arch = "x86_64") { 16 } else { 32 };
 /// ```
 pub struct Ensemble<C: Coords> {
     members: Members,
-    /// Where members are shown while the ensemble stands at the steps of all.
-    between: Option<Between<C>>,
+    shape: PhantomData<C>,
 }
 
 impl<C: Coords> Ensemble<C> {
@@ -125,7 +123,7 @@ impl<C: Coords> Ensemble<C> {
         if H::AUTONOMOUS {
             members.check_starts()?;
         }
-        Ok(Self { members, between: None })
+        Ok(Self { members, shape: PhantomData })
     }
 
     /// Starts the clock at `t0` instead of 0. A `t0` that is not finite is reported by the first `advance`.
@@ -165,7 +163,7 @@ impl<C: Coords> Ensemble<C> {
     /// # Errors
     /// As [`Ensemble::advance`].
     pub fn advance_with(&mut self, steps: u64, mut progress: impl FnMut(u64)) -> Result<(), Error> {
-        self.take_steps(steps, u64::MAX, &|_, _| true, &mut progress)
+        self.members.advance(steps, u64::MAX, &|_, _| true, &mut progress)
     }
 
     /// As [`Ensemble::advance`], but members may leave when they are done: after every `interval` steps, each member
@@ -202,23 +200,7 @@ impl<C: Coords> Ensemble<C> {
         interval: u64,
         stays: impl Fn(usize, &Phase<C>) -> bool + Sync,
     ) -> Result<(), Error> {
-        self.take_steps(steps, interval, &|member, state| stays(member, shaped(state)), &mut |_| {})
-    }
-
-    /// Takes steps from where the ensemble stands, which is then shown there.
-    fn take_steps(
-        &mut self,
-        steps: u64,
-        interval: u64,
-        stays: &(dyn Fn(usize, &dyn Point) -> bool + Sync),
-        progress: &mut dyn FnMut(u64),
-    ) -> Result<(), Error> {
-        let between = self.between.take();
-        let outcome = self.members.advance(steps, interval, stays, progress);
-        if matches!(&outcome, Err(error) if !matches!(error, Error::Lost(_))) {
-            self.between = between;
-        }
-        outcome
+        self.members.advance(steps, interval, &|member, state| stays(member, shaped(state)), &mut |_| {})
     }
 
     /// Changes the states of the members that are under way, one after the other, between two steps: coordinates that
@@ -257,7 +239,7 @@ impl<C: Coords> Ensemble<C> {
     pub fn map_states(&mut self, mut map: impl FnMut(usize, &mut Phase<C>)) -> Result<(), Error> {
         let mut states = Vec::with_capacity(self.len());
         for batch in 0..self.members.batches() {
-            self.members.states(batch, &mut |_, state| states.push(shaped::<C>(state).clone()));
+            self.members.states_at_step(batch, &mut |_, state| states.push(shaped::<C>(state).clone()));
         }
         for member in self.members.under_way() {
             let state = &mut states[member];
@@ -265,7 +247,6 @@ impl<C: Coords> Ensemble<C> {
             self.members.changed(member, state)?;
         }
         self.members.restart(&|member| &states[member]);
-        self.between = None;
         Ok(())
     }
 
@@ -287,7 +268,7 @@ impl<C: Coords> Ensemble<C> {
     /// The time of the members that are under way, `t0 + n·h`; that of one that has a time of its own is
     /// [`Ensemble::time_of`] it; and what [`Ensemble::advance_to`] was called with.
     pub fn time(&self) -> f64 {
-        self.between.as_ref().map_or(self.members.time(), |between| between.time)
+        self.members.time()
     }
 
     /// How many steps the members that are under way have taken.
@@ -303,41 +284,24 @@ impl<C: Coords> Ensemble<C> {
     /// The time of a member: that of its last step if it is lost or gone, and its own where the method has one, such as
     /// [`Logarithmic`](crate::Logarithmic). `None` beyond the last member.
     pub fn time_of(&self, member: usize) -> Option<f64> {
-        match self.shown(member) {
-            Some((time, _)) => Some(time),
-            None => self.members.time_of(member),
-        }
-    }
-
-    /// Where a member is shown between its steps.
-    fn shown(&self, member: usize) -> Option<(f64, &Phase<C>)> {
-        let between = self.between.as_ref()?;
-        Some((between.time, between.state(member)?))
+        self.members.time_of(member)
     }
 
     /// The state of a member: its last finite one if it is lost, the one in which it left if it is gone.
     pub fn state(&self, member: usize) -> Option<Phase<C>> {
-        match self.shown(member) {
-            Some((_, state)) => Some(state.clone()),
-            None => Some(shaped::<C>(&*self.members.state(member)?).clone()),
-        }
+        Some(shaped::<C>(&*self.members.state(member)?).clone())
     }
 
     /// The energy of a member in that state.
     pub fn energy(&self, member: usize) -> Option<f64> {
-        match self.shown(member) {
-            Some((time, state)) => Some((self.members.energies)(member, state, time).total),
-            None => self.members.energy(member),
-        }
+        self.members.energy(member)
     }
 
     /// The states of all members, in their order.
     pub fn states(&self) -> impl Iterator<Item = Phase<C>> {
         (0..self.members.batches()).flat_map(|batch| {
             let mut states: Vec<Phase<C>> = Vec::new();
-            self.members.states(batch, &mut |member, state| {
-                states.push(self.shown(member).map_or(shaped::<C>(state), |(_, shown)| shown).clone());
-            });
+            self.members.states(batch, &mut |_, state| states.push(shaped::<C>(state).clone()));
             states
         })
     }

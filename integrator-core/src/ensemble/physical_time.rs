@@ -11,7 +11,11 @@ use crate::{
         members::{EnergiesOf, Members, of_member},
     },
     error::{Divergence, Error, Lost},
-    state::{coords::Coords, phase::Phase, point::shaped},
+    state::{
+        coords::Coords,
+        phase::Phase,
+        point::{Point, shaped},
+    },
     system::energy::{Energies, Parts},
     trajectory::{
         engine::BLOCK,
@@ -21,6 +25,7 @@ use crate::{
     },
 };
 use std::{
+    any::Any,
     sync::{
         Arc, Mutex, PoisonError,
         atomic::{AtomicUsize, Ordering},
@@ -31,33 +36,37 @@ use std::{
 /// A look at a member takes about as long as so many steps.
 const STEPS_OF_A_LOOK: u64 = 8;
 
-/// What an ensemble shows between its steps.
-pub(crate) struct Between<C: Coords> {
+/// What an ensemble shows between its steps: without the type of its coordinates, so that it is compiled once.
+pub(crate) struct Between {
     pub(crate) time: f64,
     /// What of each member is shown, if it is under way.
-    members: Vec<Option<Shown<C>>>,
+    members: Vec<Option<Shown>>,
 }
 
 /// A member between two steps of its own.
-struct Shown<C: Coords> {
-    state: Phase<C>,
-    /// The member alone, where it has taken more steps than all have together.
-    ahead: Option<Box<Run<C>>>,
+struct Shown {
+    state: Box<dyn Point>,
+    /// The run of the member alone, where it has taken more steps than all have together.
+    ahead: Option<Box<dyn Any + Send + Sync>>,
 }
 
-impl<C: Coords> Between<C> {
-    pub(crate) fn state(&self, member: usize) -> Option<&Phase<C>> {
-        Some(&self.members.get(member)?.as_ref()?.state)
+impl Between {
+    fn shown(&self, member: usize) -> Option<&Shown> {
+        self.members.get(member)?.as_ref()
     }
 
-    fn ahead(&self, member: usize) -> Option<&Run<C>> {
-        self.members.get(member)?.as_ref()?.ahead.as_deref()
+    pub(crate) fn state(&self, member: usize) -> Option<&dyn Point> {
+        Some(&*self.shown(member)?.state)
+    }
+
+    fn ahead<C: Coords>(&self, member: usize) -> Option<&Run<C>> {
+        self.shown(member)?.ahead.as_deref()?.downcast_ref()
     }
 }
 
 /// How a member that went alone to a time has fared.
-enum Outcome<C: Coords> {
-    There(Shown<C>),
+enum Outcome {
+    There(Shown),
     /// Its last state, and its divergence, unless a function of the user panicked.
     Lost(Finish, Option<Divergence>),
     Failed(Error),
@@ -98,11 +107,11 @@ impl<C: Coords> Ensemble<C> {
     /// # Panics
     /// As [`Ensemble::advance`].
     pub fn advance_to(&mut self, time: f64) -> Result<(), Error> {
-        let before = self.between.take();
+        let before = self.members.between.take();
         let mut lost = match self.members.whole_steps_to(time) {
             Ok(lost) => lost,
             Err(error) => {
-                self.between = before;
+                self.members.between = before;
                 return Err(error);
             }
         };
@@ -120,7 +129,7 @@ impl<C: Coords> Ensemble<C> {
                 Outcome::Failed(error) => failed = failed.or(Some(of_member(member)(error))),
             }
         }
-        self.between = Some(between);
+        self.members.between = Some(between);
         panics.resume();
         lost.sort_unstable_by_key(|(member, _)| *member);
         match failed {
@@ -131,10 +140,10 @@ impl<C: Coords> Ensemble<C> {
     }
 
     /// Every member under way at a time, in their order.
-    fn alone_to(&self, time: f64, before: Option<&Between<C>>, panics: &Panics) -> Vec<(usize, Outcome<C>)> {
+    fn alone_to(&self, time: f64, before: Option<&Between>, panics: &Panics) -> Vec<(usize, Outcome)> {
         let found = Mutex::new(Vec::new());
         self.members.each(&|member| {
-            let earlier = before.and_then(|before| before.ahead(member)).filter(|run| self.leads_to(run, time));
+            let earlier = before.and_then(|before| before.ahead::<C>(member)).filter(|run| self.leads_to(run, time));
             let Some(run) = earlier.cloned().or_else(|| self.alone(member)) else { return };
             let outcome = self.outcome(run, time, panics);
             found.lock().unwrap_or_else(PoisonError::into_inner).push((member, outcome));
@@ -150,12 +159,15 @@ impl<C: Coords> Ensemble<C> {
         run.steps() > clock.steps && !clock.is_beyond(run.time_at_step(), time)
     }
 
-    fn outcome(&self, mut run: Run<C>, time: f64, panics: &Panics) -> Outcome<C> {
+    fn outcome(&self, mut run: Run<C>, time: f64, panics: &Panics) -> Outcome {
         let outcome = panics.attempt(|| run.advance_to(time));
         let divergence = match outcome {
             Some(Ok(())) => {
-                let (state, is_ahead) = (run.state(), run.steps() > self.members.clock.steps);
-                return Outcome::There(Shown { state, ahead: is_ahead.then(|| Box::new(run)) });
+                let (state, is_ahead) = (Box::new(run.state()), run.steps() > self.members.clock.steps);
+                return Outcome::There(Shown {
+                    state,
+                    ahead: is_ahead.then(|| Box::new(run) as Box<dyn Any + Send + Sync>),
+                });
             }
             None => None,
             Some(Err(Error::Diverged(divergence))) => Some(divergence),
@@ -205,7 +217,7 @@ impl Members {
         if self.batches.iter().any(|batch| batch.is_timed()) {
             return self.steps_in_own_times_to(time);
         }
-        let (clock, present) = (self.clock, self.time());
+        let (clock, present) = (self.clock, self.time_at_step());
         if clock.is_beyond(present, time) {
             return Err(Error::Passed { time, present });
         }
