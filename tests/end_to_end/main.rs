@@ -22,6 +22,7 @@ mod panics;
 mod parts;
 mod pieces;
 mod precision;
+mod pythagorean;
 mod refusals;
 mod reversible;
 mod semantics;
