@@ -1,8 +1,9 @@
 //! Choosing a composition: what is ranked keeps what it promises, and what cannot be ranked says why.
 
 use integrator_core::{
-    check::{CheckError, ChooseError, Goal, Splitting, choose, choose_among},
+    check::{CheckError, ChooseError, Goal, LogarithmicSteps, PacedSteps, Splitting, choose, choose_among},
     prelude::*,
+    taylor::Taylor,
 };
 
 #[path = "../examples/choose/systems.rs"]
@@ -244,4 +245,60 @@ fn a_splitting_of_another_hamiltonian_is_told_with_its_error() {
     assert!(ranking.to_string().ends_with(&format!("comes closest with {:.1e}", other.error)), "{ranking}");
     let none: [&dyn Splitting<[f64; 2]>; 0] = [];
     assert_eq!(choose_among(&none, OSCILLATORS, 50.0, goal), Err(ChooseError::NoSplitting));
+}
+
+/// A body that is attracted by `pull/r`, with a pace of its own.
+#[derive(Clone, Copy)]
+struct Comet {
+    pull: f64,
+}
+
+#[hamiltonian(taylor)]
+impl Comet {
+    fn kinetic(&self, p: [f64; 2]) -> f64 {
+        (p[0] * p[0] + p[1] * p[1]) / 2.0
+    }
+    fn potential(&self, q: [f64; 2]) -> f64 {
+        -self.pull / (q[0] * q[0] + q[1] * q[1]).sqrt()
+    }
+    fn rate(&self, q: [f64; 2]) -> f64 {
+        1.0 / (q[0] * q[0] + q[1] * q[1]).sqrt()
+    }
+}
+
+#[test]
+fn steps_in_a_time_of_their_own_are_ranked_beside_fixed_ones() {
+    let comet = Comet { pull: 1.0 };
+    let (start, span, tolerance) = (Phase::new([0.1, 0.0], [0.0, 19_f64.sqrt()]), 25.0, 1e-6);
+    let splittings: [&dyn Splitting<_>; 3] = [&comet, &LogarithmicSteps(&comet), &PacedSteps(&comet)];
+    let ranking = choose_among(&splittings, start, span, Goal::Trajectory(tolerance)).expect("a ranking");
+    let text = ranking.to_string();
+    assert!(text.contains("Comet (Paced)"), "{text}");
+    assert_eq!(ranking.best().splitting.to_string(), "Comet (Logarithmic)", "{text}");
+    // The step is one of the method itself, and so many lead through the span, but for a few.
+    let best =
+        ranking.choices().iter().find(|choice| choice.composition == "SofroniouSpaletta8").expect("among the best");
+    let mut run = comet.run_with(Logarithmic(SofroniouSpaletta8), start, best.step).expect("a start");
+    run.advance_to(span).expect("finite states");
+    assert!((run.steps() as f64 / best.steps as f64 - 1.0).abs() < 0.1, "{} and {}", run.steps(), best.steps);
+    let mut exact = comet.run_with(Taylor::tolerance(1e-14), start, span).expect("a start");
+    exact.advance(1).expect("finite states");
+    let ([x, y], [u, v]) = (run.state().q, exact.state().q);
+    // The root of the mean square over four times is at least half of the last one, in units of the orbit's length of two.
+    assert!(f64::hypot(x - u, y - v) < 2.0 * 2.0 * tolerance, "{text}");
+}
+
+#[test]
+fn a_pace_that_does_not_pass_says_why_it_was_not_tried() {
+    let comet = Comet { pull: -1.0 };
+    let start = Phase::new([1.0, 0.0], [0.0, 1.0]);
+    let splittings: [&dyn Splitting<_>; 2] = [&comet, &LogarithmicSteps(&comet)];
+    let ranking = choose_among(&splittings, start, 5.0, Goal::Energy(1e-6)).expect("a ranking");
+    let reason = ranking.unranked()[0].not_tried.expect("a reason");
+    assert!(reason.contains("V is not below zero"), "{reason}");
+    assert!(ranking.to_string().ends_with(&format!("Comet (Logarithmic): not tried, {reason}")));
+    assert!(matches!(
+        choose_among(&[&LogarithmicSteps(&comet)], start, 5.0, Goal::Energy(1e-6)),
+        Err(ChooseError::Unreached { .. })
+    ));
 }

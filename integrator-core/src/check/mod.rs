@@ -48,7 +48,8 @@ pub(crate) mod statistics;
 pub use certificate::{Certificate, Tolerances};
 pub use certify::certify;
 pub use choose::{
-    Candidate, Choice, ChooseError, Goal, Ranking, Split, Splitting, Unranked, candidates, choose, choose_among,
+    Candidate, Choice, ChooseError, Goal, LogarithmicSteps, PacedSteps, Ranking, Split, Splitting, Unranked,
+    candidates, choose, choose_among,
 };
 pub use error::CheckError;
 pub use property::agreement::Agreement;

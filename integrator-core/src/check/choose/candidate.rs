@@ -8,7 +8,7 @@ use crate::{
     state::{coords::Coords, precision::Precision},
     trajectory::{
         by_table::{ByTable, Kicks, Plain, WithGradients},
-        method::{Described, Facts},
+        method::{Described, Facts, Method},
         run::Run,
     },
 };
@@ -49,6 +49,8 @@ pub struct Candidate<'s, C: Coords> {
     pub(super) each: u64,
     /// Evaluations of the processor and its inverse.
     pub(super) once: u64,
+    /// Fictitious time for a unit of time, where steps have a time of their own; else nothing.
+    pub(super) pace: Option<f64>,
     begin: Begin<'s, C>,
 }
 
@@ -71,9 +73,34 @@ impl<C: Coords> Candidate<'_, C> {
         (self.begin)(start, h)
     }
 
+    /// The length of a step in the time of the steps themselves, from that in physical time.
+    pub(super) fn step(&self, h: f64) -> f64 {
+        self.pace.map_or(h, |pace| h * pace)
+    }
+
     /// The work of a run.
     pub(super) fn evaluations(&self, steps: u64) -> u64 {
         steps * self.each + self.once
+    }
+}
+
+impl<'s, C: Coords> Candidate<'s, C> {
+    /// A system under a method with a time of its own over a composition, whose step is that of physical time at this pace.
+    pub(super) fn paced<H, X, M>(system: &'s H, composition: X, method: M, pace: f64) -> Self
+    where
+        H: Hamiltonian,
+        X: Composition<H>,
+        M: Method<H>,
+        H::Coords: Coords<With<C::Leaf> = C>,
+    {
+        Self {
+            facts: composition.facts(),
+            class: X::CLASS,
+            each: X::FORCE_EVALUATIONS as u64,
+            once: 0,
+            pace: Some(pace),
+            begin: Box::new(move |start, h| run::<H, M, C::Leaf>(system, method, start, h * pace)),
+        }
     }
 }
 
@@ -103,6 +130,7 @@ impl<H: Hamiltonian, K: Precision> Visitor<H> for Candidates<'_, H, K> {
             facts: composition.facts(),
             class: X::CLASS,
             each: (X::FORCE_EVALUATIONS + X::GRADIENT_EVALUATIONS) as u64,
+            pace: None,
             once: evaluations(&X::PROCESSOR.before) + evaluations(&X::PROCESSOR.after),
             begin,
         });

@@ -7,6 +7,7 @@
 
 mod candidate;
 mod error;
+mod pace;
 mod problem;
 mod ranking;
 mod search;
@@ -14,6 +15,7 @@ mod splitting;
 
 pub use candidate::{Candidate, candidates};
 pub use error::ChooseError;
+pub use pace::{LogarithmicSteps, PacedSteps};
 pub use ranking::{Choice, Ranking, Split, Unranked};
 pub use splitting::Splitting;
 
@@ -105,6 +107,9 @@ pub fn choose<H: Hamiltonian, K: Precision>(
 /// different work, so that what counts is the processor's time on this machine: leave out what takes more than sixteen times
 /// that of the best. The true motion, or the energy, is that of the first splitting for all of them.
 ///
+/// [`LogarithmicSteps`] and [`PacedSteps`] are splittings as well: the steps of a system in a time of their own, at the same
+/// physical times as the others. Why one of them is not tried stands in [`Ranking::unranked`].
+///
 /// A splitting with nothing to show is among [`Ranking::unranked`]; that of another Hamiltonian is, with its error.
 ///
 /// ```
@@ -179,7 +184,11 @@ fn rank<C: Coords>(
     let problem = Problem::new(*first, start, span, goal)?;
     let (mut found, mut best) = (Vec::new(), f64::INFINITY);
     for splitting in splittings {
-        let of_one = search(&problem, splitting.name(), splitting.candidates(), best)?;
+        let name = splitting.name();
+        let of_one = match splitting.candidates(&problem.start, span) {
+            Ok(candidates) => search(&problem, name, candidates, best)?,
+            Err(reason) => Found::none(name, reason),
+        };
         best = of_one.choices.iter().fold(best, |best, choice| best.min(choice.seconds));
         found.push(of_one);
     }

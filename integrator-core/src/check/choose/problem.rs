@@ -123,6 +123,13 @@ impl<'s, C: Coords> Problem<'s, C> {
 
     fn ends(&self, candidate: &Candidate<'_, C>, steps: u64) -> Result<Path, Error> {
         let mut run = self.begin(candidate, steps)?;
+        if candidate.pace.is_some() {
+            let mut part = 0.0;
+            return Path::of_run(flat(&self.start.phase), PARTS, &mut || {
+                part += 1.0;
+                run.advance_to(self.start.time + self.span * part / PARTS as f64).map(|()| flat(&run.state()))
+            });
+        }
         Path::of_run(flat(&self.start.phase), PARTS, &mut || run.advance(steps / PARTS).map(|_| flat(&run.state())))
     }
 
@@ -150,6 +157,11 @@ impl<'s, C: Coords> Problem<'s, C> {
             let first = (steps - 1).min(2);
             run.advance(first)?;
             let start = Instant::now();
+            if candidate.pace.is_some() {
+                run.advance_to(self.start.time + self.span)?;
+                shortest = shortest.min(start.elapsed().as_secs_f64());
+                continue;
+            }
             run.advance(steps - first)?;
             let share = steps as f64 / (steps - first) as f64;
             shortest = shortest.min(start.elapsed().as_secs_f64() * share);

@@ -15,7 +15,7 @@ pub struct Choice {
     pub order: u32,
     /// The class of Hamiltonians that it admits.
     pub class: Class,
-    /// The step to use.
+    /// The step to use, in the time of the steps themselves.
     pub step: f64,
     /// The number of these steps in the span.
     pub steps: u64,
@@ -53,6 +53,9 @@ pub struct Unranked {
     pub composition: &'static str,
     /// That error.
     pub error: f64,
+    /// Why none of its compositions was tried, if so: a [time of its own](super::LogarithmicSteps) that does not pass from this
+    /// start.
+    pub not_tried: Option<&'static str>,
 }
 
 /// Compositions that reach a tolerance, cheapest first; there is at least one. Displays as a table.
@@ -99,7 +102,11 @@ impl fmt::Display for Ranking {
             write!(f, "{composition:<23} {order:>5} {step:>12.6} {steps:>9}")?;
             write!(f, " {error:>8.1e} {evaluations:>12} {milliseconds:>13.3}")?;
         }
-        for Unranked { splitting, composition, error } in &self.unranked {
+        for Unranked { splitting, composition, error, not_tried } in &self.unranked {
+            if let Some(reason) = not_tried {
+                write!(f, "\n{splitting}: not tried, {reason}")?;
+                continue;
+            }
             write!(
                 f,
                 "\n{splitting}: not in sixteen times the time of the best; {composition} comes closest with {error:.1e}"

@@ -44,6 +44,14 @@ pub(super) struct Found {
     pub(super) closest: Unranked,
 }
 
+impl Found {
+    /// Nothing, for a reason.
+    pub(super) fn none(splitting: Split, reason: &'static str) -> Self {
+        let closest = Unranked { splitting, composition: "none", error: f64::INFINITY, not_tried: Some(reason) };
+        Self { choices: Vec::new(), closest }
+    }
+}
+
 /// The search among the candidates of a splitting; those that take sixteen times so many seconds are not looked for.
 pub(super) fn search<C: Coords>(
     problem: &Problem<'_, C>,
@@ -55,7 +63,7 @@ pub(super) fn search<C: Coords>(
     let attempt = |candidate| Attempt { candidate, missed: 0, errors: [f64::INFINITY; 2] };
     let mut attempts: Vec<_> = candidates.into_iter().map(attempt).collect();
     let mut choices: Vec<Choice> = Vec::new();
-    let mut closest = Unranked { splitting, composition: "none", error: f64::INFINITY };
+    let mut closest = Unranked { splitting, composition: "none", error: f64::INFINITY, not_tried: None };
     let mut evaluations = FIRST_ROUND;
     while evaluations <= limit && !attempts.is_empty() {
         let mut open = Vec::with_capacity(attempts.len());
@@ -67,7 +75,7 @@ pub(super) fn search<C: Coords>(
             }
             let error = problem.error(&attempt.candidate, steps);
             if error < closest.error {
-                closest = Unranked { splitting, composition: attempt.candidate.facts.name, error };
+                closest = Unranked { composition: attempt.candidate.facts.name, error, ..closest };
             }
             if meets(problem, &attempt.candidate, steps, error) {
                 let choice = attempt.refined(problem, splitting, steps, error)?;
@@ -128,7 +136,7 @@ impl<C: Coords> Attempt<'_, C> {
             composition: candidate.facts.name,
             order: candidate.facts.order,
             class: candidate.class,
-            step: problem.span / steps as f64,
+            step: candidate.step(problem.span / steps as f64),
             steps,
             error,
             evaluations: candidate.evaluations(steps),

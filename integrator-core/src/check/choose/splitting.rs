@@ -53,7 +53,7 @@ where
 pub struct Erased<'s, C>(pub(super) &'s dyn Measured<C>);
 
 /// The kinetic energy of a state at a time, or what is taken for it, and the energy.
-type Energies<'s, C> = Box<dyn Fn(&Phase<C>, f64) -> [f64; 2] + 's>;
+pub(super) type Energies<'s, C> = Box<dyn Fn(&Phase<C>, f64) -> [f64; 2] + 's>;
 
 /// What a choice measures of a system.
 pub(super) trait Measured<C: Coords> {
@@ -61,7 +61,10 @@ pub(super) trait Measured<C: Coords> {
     fn name(&self) -> Split;
 
     /// The system under each composition that it admits.
-    fn candidates(&self) -> Vec<Candidate<'_, C>>;
+    ///
+    /// # Errors
+    /// Why none is worth trying from this start.
+    fn candidates(&self, start: &Start<C>, span: f64) -> Result<Vec<Candidate<'_, C>>, &'static str>;
 
     /// Whether a run may begin at a start.
     fn begin(&self, start: &Start<C>, h: f64) -> Result<(), Error>;
@@ -97,8 +100,8 @@ where
         Split { system: &path[begin..], parts: H::PARTS }
     }
 
-    fn candidates(&self) -> Vec<Candidate<'_, C>> {
-        candidates::<H, C::Leaf>(self)
+    fn candidates(&self, _: &Start<C>, _: f64) -> Result<Vec<Candidate<'_, C>>, &'static str> {
+        Ok(candidates::<H, C::Leaf>(self))
     }
 
     fn begin(&self, start: &Start<C>, h: f64) -> Result<(), Error> {
