@@ -5,7 +5,8 @@
 //! further attraction by `0.005/r³` until t = 6000, against a Taylor series in compensated states. Errors are distances in
 //! position at the end, in units of the semi-major axis. Steps and tolerances get smaller by half an octave and half a
 //! decade; times in between are interpolated on logarithmic scales. A row is a method with milliseconds of CPU time to
-//! errors of 1e-2, 1e-4, 1e-6, 1e-8 and 1e-10, nothing where it does not get there.
+//! errors of 1e-2, 1e-4, 1e-6, 1e-8 and 1e-10, nothing where it does not get there. The picture, `pace.svg`, has one method of
+//! each kind: fixed steps, a pace by the energy, a pace of the user's own, Taylor's method.
 //!
 //! `ratio_pace_logarithmic_over_taylor_0.6=` and its like are least times to 1e-4; asked for are 0.55 at an eccentricity of
 //! 0.6 and 0.25 at 0.99 over Taylor's method, and 0.2 over fixed steps. `ratio_pace_over_hand=` is the time of a step of
@@ -16,14 +17,15 @@ use integrator_bench::{
     by_hand::pace,
     plan::Plan,
     race::{Racer, race},
-    table::Table,
+    table::{Table, folder},
 };
 use integrator_core::{
     Method, QuadraticKinetic, TimeTransformed,
     prelude::*,
     taylor::{Recurrences, Taylor},
 };
-use std::f64::consts::TAU;
+use integrator_plot::{Axis, Chart, Panels, write};
+use std::{cell::RefCell, f64::consts::TAU};
 
 /// The errors that times are given for.
 const ERRORS: [f64; 5] = [1e-2, 1e-4, 1e-6, 1e-8, 1e-10];
@@ -80,7 +82,20 @@ struct Orbit<'s, H> {
     start: Phase<[f64; 2]>,
     span: f64,
     end: [f64; 2],
+    /// Errors and milliseconds of the methods that were measured.
+    paths: RefCell<Vec<(String, Path)>>,
 }
+
+/// Errors and milliseconds, of ever shorter steps.
+type Path = Vec<(f64, f64)>;
+
+/// What the picture shows: names in the table and in the picture.
+const SHOWN: [(&str, &str); 4] = [
+    ("BlanesMoanSrkn14", "fixed steps"),
+    ("Logarithmic(SofroniouSpaletta10)", "Logarithmic"),
+    ("Paced(SofroniouSpaletta8)", "Paced"),
+    ("Taylor 20", "Taylor"),
+];
 
 fn at_pericentre(e: f64) -> Phase<[f64; 2]> {
     Phase::new([1.0 - e, 0.0], [0.0, ((1.0 + e) / (1.0 - e)).sqrt()])
@@ -103,7 +118,7 @@ impl Best {
 impl<H: Hamiltonian<Coords = [f64; 2]>> Orbit<'_, H> {
     /// A row of runs by steps of `h` or tolerances, each with the error of its end, nothing where it fails.
     fn row(&self, table: &mut Table, method: &str, run: impl Fn(i32) -> Option<[f64; 2]>) -> [f64; ERRORS.len()] {
-        let mut path: Vec<(f64, f64)> = Vec::new();
+        let mut path = Path::new();
         for level in 0..48 {
             // In units of a million, nanoseconds are milliseconds.
             let time = race(REPETITIONS, 1e6, vec![Racer::new("", || run(level))]).median(0);
@@ -115,6 +130,7 @@ impl<H: Hamiltonian<Coords = [f64; 2]>> Orbit<'_, H> {
             }
         }
         let times = ERRORS.map(|error| time_to(&path, error));
+        self.paths.borrow_mut().push((method.to_owned(), path));
         table.row([self.name, method], &times);
         times
     }
@@ -137,6 +153,26 @@ impl<H: Hamiltonian<Coords = [f64; 2]>> Orbit<'_, H> {
             let mut run = self.system.run_with::<Compensated<f64>, X>(method, start, h).ok()?;
             run.advance_to(self.span).ok()?;
             Some(run.state().q.map(|q| q.value))
+        })
+    }
+}
+
+impl<H> Orbit<'_, H> {
+    /// Time against error of one method of each kind, as far as errors fall.
+    fn chart(&self, title: &str) -> Chart {
+        let paths = self.paths.borrow();
+        let chart = Chart::new(title)
+            .along(Axis::logarithmic("distance at the end").between(1e-11, 1.0))
+            .up(Axis::logarithmic("milliseconds").between(0.5, PATIENCE));
+        SHOWN.iter().fold(chart, |chart, (method, name)| {
+            let path = paths.iter().find(|(known, _)| known == method).map_or(&[][..], |(_, path)| path);
+            let mut least = 1.0;
+            let falls = |point: &&(f64, f64)| {
+                let is_less = point.0 < least;
+                least = f64::min(least, point.0);
+                is_less
+            };
+            chart.line(*name, path.iter().filter(falls).copied().collect::<Vec<_>>())
         })
     }
 }
@@ -208,21 +244,34 @@ fn energy_change(e: f64) -> f64 {
 
 fn main() {
     let mut table = Table::new("pace", &["orbit", "method", "1e-2", "1e-4", "1e-6", "1e-8", "1e-10"]);
+    let mut picture = Panels::new(
+        "Time to an error on eccentric orbits",
+        "Steps in a time of their own gain where orbits are eccentric, Taylor's method where they are not those of two bodies",
+    )
+    .measured("black: fixed steps; blue: Logarithmic; yellow: Paced; red: Taylor's method")
+    .columns(3)
+    .panel(420, 460);
     for (name, e) in [("0.6", 0.6), ("0.9", 0.9), ("0.99", 0.99)] {
         let start = at_pericentre(e);
-        let orbit = Orbit { name, system: &TwoBodies, start, span: 1_000.0 * TAU, end: start.q };
+        let orbit =
+            Orbit { name, system: &TwoBodies, start, span: 1_000.0 * TAU, end: start.q, paths: RefCell::default() };
         orbit.all(&mut table);
         orbit.steps(&mut table, "Paced(SofroniouSpaletta8)", 1.6, Paced(SofroniouSpaletta8));
+        if e != 0.9 {
+            picture = picture.chart(orbit.chart(&format!("Eccentricity {name}, 1000 periods")));
+        }
     }
     let (comet, start, span) = (Comet { twist: 0.005 }, at_pericentre(0.6), 6_000.0);
     let exact = Phase::compensated(start.q, start.p);
     let mut exact = comet.run_with(Taylor::tolerance(1e-20), exact, span / 100.0).expect("a start");
     exact.advance(100).expect("finite states");
     let end = exact.state().q.map(|q| q.value);
-    let orbit = Orbit { name: "0.6, twisted", system: &comet, start, span, end };
+    let orbit = Orbit { name: "0.6, twisted", system: &comet, start, span, end, paths: RefCell::default() };
     orbit.all(&mut table);
     orbit.steps(&mut table, "Paced(SofroniouSpaletta8)", 1.6, Paced(SofroniouSpaletta8));
     table.write().expect("a table");
+    picture = picture.chart(orbit.chart("Eccentricity 0.6 and a pull by 0.005/r³"));
+    write(&folder().join("pace"), &picture).expect("two files");
 
     for e in [0.0, 0.6, 0.9, 0.99, 0.9999] {
         println!("energy_pace_1e5_revolutions_{e}={:.1e}", energy_change(e));
