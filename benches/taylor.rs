@@ -6,6 +6,8 @@
 //! relative deviations of the energies at 256 looks. The last lines, `ratio_taylor_over_hand_<problem>_<error>=`, are
 //! the least time to an energy error over that of the hand-written stepper, each the best of the same orders and
 //! tolerances: 1.1 is asked. They are written for AVX2 and AVX-512; elsewhere there are none.
+//! `ratio_taylor_by_tolerance_over_best_<problem>_<error>=` is the least time to an energy error by a tolerance alone over that of
+//! the best of the even orders from 10 to 28.
 //! `ratio_taylor_lanes_over_alone_<problem>=` is the time of an ensemble in one thread over that of its members one
 //! after the other.
 
@@ -22,7 +24,7 @@ use integrator_core::{
     prelude::*,
     taylor::{Recurrences, Taylor},
 };
-use std::error::Error;
+use std::{error::Error, ops::RangeInclusive};
 
 /// Rounds of a race; odd, so that the median is one of them.
 const ROUNDS: usize = 15;
@@ -30,6 +32,10 @@ const ROUNDS: usize = 15;
 const LOOKS: u32 = 256;
 /// The energy errors to which times are compared.
 const ERRORS: [(f64, &str); 3] = [(1e-8, "1e-8"), (1e-10, "1e-10"), (1e-12, "1e-12")];
+
+/// The decades of tolerances, and the orders that those chosen by tolerances are held against.
+const DECADES: RangeInclusive<u32> = 4..=18;
+const FIXED: RangeInclusive<usize> = 10..=28;
 
 /// The members of an ensemble, and the step of a run.
 const MEMBERS: usize = 256;
@@ -82,7 +88,7 @@ impl Report {
     /// A run of both sides, generated and by hand.
     fn race<H: Recurrences>(
         &mut self,
-        Problem { name, system, start, span, reference }: &Problem<H>,
+        problem: &Problem<H>,
         order: usize,
         tolerance: f64,
         by_hand: HandWritten<H::Coords>,
@@ -90,39 +96,24 @@ impl Report {
     where
         H::Coords: Coords<Leaf = f64>,
     {
+        let Problem { name, system, start, span, reference } = problem;
         let method = Taylor::tolerance(tolerance).with_order(order);
-        let run = |looks: u32| {
-            let start = Phase::compensated(start.q.clone(), start.p.clone());
-            system.run_with::<Compensated<f64>, _>(method, start, span / f64::from(looks))
-        };
         let course = |looks| Course { order, tolerance, span: *span, looks };
         let energy = |state| Ok::<_, integrator_core::Error>(system.run_with::<f64, _>(Verlet, state, *span)?.energy());
         let exact = energy(start.clone())?;
-        let distance = |q: &[f64]| {
-            let square = |numbers: &mut dyn Iterator<Item = f64>| numbers.map(|x| x * x).sum::<f64>();
-            let apart = square(&mut q.iter().zip(reference).map(|(q, reference)| q - reference));
-            (apart / square(&mut reference[..q.len()].iter().copied())).sqrt()
-        };
-
-        let (mut worst, mut end) = (0.0_f64, Vec::new());
-        for sample in run(LOOKS)?.samples(1).take(LOOKS as usize + 1) {
-            let sample = sample?;
-            worst = worst.max((sample.energy() / exact - 1.0).abs());
-            end = sample.state.q.flat().iter().map(|leaf| leaf.value).collect();
-        }
-        let errors = [worst, distance(&end)];
+        let errors = errors(problem, method)?;
         let mut states = Vec::new();
         let polynomials = by_hand(course(LOOKS), &mut |state| states.push(state));
-        let mut worst = 0.0_f64;
+        let (mut worst, mut end) = (0.0_f64, Vec::new());
         for state in states {
             end = state.q.flat().to_vec();
             worst = worst.max((energy(state)? / exact - 1.0).abs());
         }
-        let errors_by_hand = [worst, distance(&end)];
+        let errors_by_hand = [worst, distance(&end, reference)];
 
         let racers = vec![
             Racer::new("generated", || {
-                let mut run = run(1).expect("a start");
+                let mut run = begin(problem, method, 1).expect("a start");
                 run.advance(1).expect("finite states");
                 run.state()
             }),
@@ -142,6 +133,63 @@ impl Report {
         );
         let point = |milliseconds, [energy, global]: [f64; 2]| Point { milliseconds, energy, global };
         Ok([point(ours, errors), point(theirs, errors_by_hand)])
+    }
+}
+
+/// A run whose states are so many parts of the span apart.
+fn begin<H: Recurrences>(
+    Problem { system, start, span, .. }: &Problem<H>,
+    method: Taylor,
+    looks: u32,
+) -> Result<Run<<H::Coords as Coords>::With<Compensated<f64>>>, integrator_core::Error>
+where
+    H::Coords: Coords<Leaf = f64>,
+{
+    let start = Phase::compensated(start.q.clone(), start.p.clone());
+    system.run_with::<Compensated<f64>, _>(method, start, span / f64::from(looks))
+}
+
+/// The largest relative deviation of the energy, and the distance from the reference at the end.
+fn errors<H: Recurrences>(problem: &Problem<H>, method: Taylor) -> Result<[f64; 2], integrator_core::Error>
+where
+    H::Coords: Coords<Leaf = f64>,
+{
+    let exact = begin(problem, method, 1)?.energy();
+    let (mut worst, mut end) = (0.0_f64, Vec::new());
+    for sample in begin(problem, method, LOOKS)?.samples(1).take(LOOKS as usize + 1) {
+        let sample = sample?;
+        worst = worst.max((sample.energy() / exact - 1.0).abs());
+        end = sample.state.q.flat().iter().map(|leaf| leaf.value).collect();
+    }
+    Ok([worst, distance(&end, &problem.reference)])
+}
+
+/// The relative distance of positions from the reference.
+fn distance(q: &[f64], reference: &[f64]) -> f64 {
+    let square = |numbers: &mut dyn Iterator<Item = f64>| numbers.map(|x| x * x).sum::<f64>();
+    let apart = square(&mut q.iter().zip(reference).map(|(q, reference)| q - reference));
+    (apart / square(&mut reference[..q.len()].iter().copied())).sqrt()
+}
+
+/// The time by a tolerance alone, which decides on the order, over that of the best fixed order to each energy error.
+fn by_tolerance<H: Recurrences>(problem: &Problem<H>)
+where
+    H::Coords: Coords<Leaf = f64>,
+{
+    let curve = |name: String, method: &dyn Fn(f64) -> Taylor| {
+        let method = |decade: u32| method(10.0_f64.powi(-(decade as i32)));
+        let run = |decade| begin(problem, method(decade), 1).and_then(|mut run| run.advance(1)).expect("finite states");
+        Curve::measure(name, true, DECADES, |decade| errors(problem, method(decade)).ok(), run)
+    };
+    let fixed =
+        FIXED.step_by(2).map(|order| curve(format!("order {order}"), &|t| Taylor::tolerance(t).with_order(order)));
+    let fixed: Vec<_> = fixed.collect();
+    let free = curve("tolerance".to_owned(), &Taylor::tolerance);
+    for (error, text) in [(1e-6, "1e-6")].into_iter().chain(ERRORS) {
+        if let Some(((least, order), time)) = best(&fixed, Kind::Energy, error).zip(free.time_to(Kind::Energy, error)) {
+            let ratio = time / least;
+            println!("ratio_taylor_by_tolerance_over_best_{}_{text}={ratio:.3} (best: {order})", problem.name);
+        }
     }
 }
 
@@ -189,6 +237,11 @@ fn main() -> Result<(), Box<dyn Error>> {
     report.table.write()?;
     println!("\nTo each energy error, the best of the orders on both sides:");
     report.choices.iter().chain(&report.ratios).for_each(|line| println!("{line}"));
+    by_tolerance(&pendulum);
+    by_tolerance(&henon);
+    by_tolerance(&kepler);
+    by_tolerance(&solar);
+    by_tolerance(&chain);
     lanes(&pendulum)?;
     lanes(&henon)?;
     lanes(&kepler)

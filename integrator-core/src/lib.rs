@@ -120,6 +120,7 @@ pub use state::compensated::Compensated;
 pub use state::coords::Coords;
 pub use state::fixed::Fixed;
 pub use state::phase::Phase;
+pub use system::counts::OwnSteps;
 #[cfg(feature = "checkpoint")]
 pub use trajectory::checkpoint::CheckpointError;
 pub use trajectory::crossings::{Crossings, Direction};

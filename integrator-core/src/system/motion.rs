@@ -4,6 +4,7 @@ use crate::{
     error::{NotFinite, Unsolved},
     scalar::real::Real,
     state::{coords::Coords, digest::Digest, phase::Phase, precision::Slot},
+    system::counts::Counts,
 };
 use alloc::vec::Vec;
 
@@ -81,8 +82,8 @@ pub trait Motion<C: Coords, P>: Clone + Send + Sync + 'static {
     /// Goes on with what a single trajectory had beside its state.
     #[cfg(feature = "checkpoint")]
     fn put_beside(&mut self, _beside: &Beside) {}
-    /// The number of force evaluations, where steps count them.
-    fn evaluations(&self) -> Option<u64> {
+    /// What a single trajectory has counted of its steps, where they count anything.
+    fn counts(&self) -> Option<Counts> {
         None
     }
     /// Whether every coordinate of every lane is finite.

@@ -13,7 +13,7 @@ use crate::{
         phase::Phase,
         point::{Point, mixed_up, shaped, shaped_mut},
     },
-    system::motion::Motion,
+    system::{counts::Counts, motion::Motion},
     trajectory::step_functions::StepFunctions,
 };
 use alloc::{boxed::Box, sync::Arc, vec::Vec};
@@ -70,8 +70,8 @@ pub(crate) trait Motions: Any + Send + Sync {
     /// Goes on with what a single trajectory had beside its state.
     #[cfg(feature = "checkpoint")]
     fn put_beside(&mut self, beside: &Beside);
-    /// How often steps have evaluated the force, where they count it.
-    fn evaluations(&self) -> Option<u64>;
+    /// What a single trajectory has counted of its steps, where they count anything.
+    fn counts(&self) -> Option<Counts>;
     /// Lets so many threads share the pairs of many bodies of a single trajectory, or all that the machine has.
     fn share_among(&mut self, threads: Option<usize>);
 }
@@ -346,8 +346,8 @@ where
         }
     }
 
-    fn evaluations(&self) -> Option<u64> {
-        self.motions.first()?.evaluations()
+    fn counts(&self) -> Option<Counts> {
+        self.motions.first()?.counts()
     }
 
     fn share_among(&mut self, threads: Option<usize>) {

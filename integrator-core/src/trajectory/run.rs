@@ -15,6 +15,7 @@ use crate::{
         precision::Precision,
     },
     system::{
+        counts::{Counts, OwnSteps},
         energy::{Energies, Parts, energies, energy},
         motion::Prepared,
     },
@@ -48,8 +49,8 @@ pub struct Run<C: Coords> {
     method: &'static str,
     /// How often a step evaluates the force, where that is known beforehand.
     forces: Option<usize>,
-    /// How often steps before `opened` have evaluated the force, where steps count it.
-    evaluated: u64,
+    /// What steps before `opened` have counted.
+    counted: Counts,
     /// Whether the energy of the start is still to be checked, where it depends on the time that the clock starts at.
     start_unchecked: bool,
     /// Whose checkpoints its own are.
@@ -153,7 +154,7 @@ impl<C: Coords> Run<C> {
             autonomous: false,
             method: "",
             forces: None,
-            evaluated: 0,
+            counted: Counts::default(),
             start_unchecked: false,
             #[cfg(feature = "checkpoint")]
             origin: Origin::UNKNOWN,
@@ -298,12 +299,24 @@ impl<C: Coords> Run<C> {
 
     /// How often the steps of this run have evaluated the force: that of a step times the steps, where kicks along the
     /// gradient of the squared force count twice; or counted, where the number differs from step to step, with a
-    /// Jacobian of an implicit method once for each of its columns.
+    /// Jacobian of an implicit method once for each of its columns, and a polynomial of [`Taylor`](crate::taylor::Taylor) once for
+    /// each of its orders: an order of the force takes as many products as there are lower ones.
     pub fn evaluations(&self) -> u64 {
         match self.forces {
             Some(forces) => self.clock.steps.saturating_mul(forces as u64),
-            None => self.evaluated.saturating_add(self.engine.motions.evaluations().unwrap_or(0)),
+            None => self.counts().evaluations,
         }
+    }
+
+    /// The steps that the method took by itself, where it does: those of [`Taylor`](crate::taylor::Taylor), which are the
+    /// polynomials that the run has left behind, so that the present one is not among them.
+    pub fn own_steps(&self) -> Option<OwnSteps> {
+        self.counts().own_steps
+    }
+
+    /// What all steps have counted.
+    fn counts(&self) -> Counts {
+        self.counted.and(self.engine.motions.counts().unwrap_or_default())
     }
 
     /// The state at [`Run::time`]: the step under way is completed on a copy, the run itself does not change.
@@ -390,7 +403,7 @@ impl<C: Coords> Run<C> {
         }
         self.between = None;
         self.watch = self.watch.map(|Watch { bound, .. }| Watch::new(bound, parts));
-        self.evaluated = self.evaluated.saturating_add(self.engine.motions.evaluations().unwrap_or(0));
+        self.counted = self.counts();
         if let Some(elapsed) = self.engine.elapsed(self.since_opened()) {
             self.opened_at = durations(self.opened_at, elapsed);
         }

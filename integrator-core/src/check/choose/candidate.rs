@@ -148,6 +148,16 @@ fn begin<H: Hamiltonian, K: Precision, G: Kicks<H>>(system: &H, method: ByTable<
     Box::new(move |start, h| run::<H, ByTable<G>, K>(system, method, start, h))
 }
 
+/// A system under a method whose runs count their evaluations.
+pub(super) fn by_method<H: Hamiltonian, K: Precision, X: Method<H>>(
+    system: &H,
+    method: X,
+    class: Class,
+) -> Candidate<'_, Shaped<H, K>> {
+    let begin = Box::new(move |start: &Start<_>, h| run::<H, X, K>(system, method, start, h));
+    Candidate { facts: method.claims(), class, each: 0, once: 0, pace: None, begin }
+}
+
 /// The evaluations of some stages.
 fn evaluations(rows: &Rows) -> u64 {
     let gradients = rows.rows.iter().filter(|row| row.gradient != 0.0).count();

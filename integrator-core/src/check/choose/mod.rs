@@ -5,6 +5,7 @@
 //! precision of its start, and met the tolerance; so did a slightly finer one, lest an error that happens to vanish at
 //! one step size passes for accuracy. Work is counted in evaluations, which no other program on the machine disturbs.
 
+mod adaptive;
 mod candidate;
 mod error;
 mod pace;
@@ -51,11 +52,14 @@ impl Goal {
     }
 }
 
-/// Ranks the compositions of the catalogue by the work with which each of them reaches `goal` from `start`
+/// Ranks the compositions of the catalogue, and Taylor's method where the system has it, by the work with which each of them reaches `goal` from `start`
 /// over `span`, cheapest first.
 ///
 /// Work is the number of force evaluations, where a gradient of the squared force counts as one more, and a processor
 /// is charged once. Compositions that need more than sixteen times the work of the best are left out.
+///
+/// Where `#[hamiltonian(taylor)]` wrote recurrences, Taylor's method is among them with the loosest tolerance that reaches the
+/// goal. Its evaluations are other work, so that it stands before the first composition that takes longer.
 ///
 /// Where the clock decides on pieces of the Hamiltonian, all steps in the ranking end where these do.
 ///
@@ -185,10 +189,13 @@ fn rank<C: Coords>(
     let (mut found, mut best) = (Vec::new(), f64::INFINITY);
     for splitting in splittings {
         let name = splitting.name();
-        let of_one = match splitting.candidates(&problem.start, span) {
+        let mut of_one = match splitting.candidates(&problem.start, span) {
             Ok(candidates) => search(&problem, name, candidates, best)?,
             Err(reason) => Found::none(name, reason),
         };
+        if let Some(by_taylor) = splitting.by_taylor() {
+            of_one.insert_by_time(adaptive::search(&problem, name, &by_taylor)?);
+        }
         best = of_one.choices.iter().fold(best, |best, choice| best.min(choice.seconds));
         found.push(of_one);
     }

@@ -3,28 +3,42 @@
 use crate::composition::Class;
 use std::fmt;
 
-/// A composition with the longest step that met the tolerance.
+/// A composition with the longest step that met the tolerance, or Taylor's method with the loosest tolerance that did.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct Choice {
     /// The splitting that it composes.
     pub splitting: Split,
-    /// Its name.
+    /// Its name; `Taylor` of that method.
     pub composition: &'static str,
     /// Its order.
     pub order: u32,
     /// The class of Hamiltonians that it admits.
     pub class: Class,
-    /// The step to use, in the time of the steps themselves.
+    /// The step to use, in the time of the steps themselves; of [`Taylor`](crate::taylor::Taylor), the mean of those that it took
+    /// by itself.
     pub step: f64,
     /// The number of these steps in the span.
     pub steps: u64,
+    /// The tolerance to use, where the method takes steps of its own.
+    pub tolerance: Option<f64>,
     /// The error that was measured with this step.
     pub error: f64,
-    /// The work over the span: force evaluations, where a gradient counts as one more and a processor once.
+    /// The work over the span: force evaluations, where a gradient counts as one more and a processor once; orders of series,
+    /// of [`Taylor`](crate::taylor::Taylor).
     pub evaluations: u64,
     /// The time that these steps took on this machine, the shortest of three runs.
     pub seconds: f64,
+}
+
+impl Choice {
+    /// The method as it is written, without its path.
+    fn name(&self) -> String {
+        match self.tolerance {
+            Some(tolerance) => format!("{}({tolerance:.1e})", self.composition),
+            None => self.composition.to_owned(),
+        }
+    }
 }
 
 /// The name of a splitting. Displays as `Planets (kepler + interaction)`.
@@ -93,8 +107,9 @@ impl fmt::Display for Ranking {
         }
         write!(f, "{:<23} {:>5} {:>12} {:>9}", "composition", "order", "step", "steps")?;
         write!(f, " {:>8} {:>12} {:>13}", "error", "evaluations", "milliseconds")?;
-        for Choice { splitting, composition, order, step, steps, error, evaluations, seconds, .. } in &self.choices {
-            let milliseconds = seconds * 1e3;
+        for choice in &self.choices {
+            let Choice { splitting, order, step, steps, error, evaluations, seconds, .. } = choice;
+            let (composition, milliseconds) = (choice.name(), seconds * 1e3);
             writeln!(f)?;
             if self.among {
                 write!(f, "{splitting:<width$} ")?;

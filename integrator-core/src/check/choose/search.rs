@@ -50,6 +50,17 @@ impl Found {
         let closest = Unranked { splitting, composition: "none", error: f64::INFINITY, not_tried: Some(reason) };
         Self { choices: Vec::new(), closest }
     }
+
+    /// Adds what is other work than evaluations before the first one that takes longer, unless it takes sixteen times the
+    /// time of the best.
+    pub(super) fn insert_by_time(&mut self, choice: Option<Choice>) {
+        let Some(choice) = choice else { return };
+        let best = self.choices.iter().map(|other| other.seconds).fold(f64::INFINITY, f64::min);
+        if choice.seconds <= SPREAD as f64 * best {
+            let place = self.choices.iter().position(|other| other.seconds > choice.seconds);
+            self.choices.insert(place.unwrap_or(self.choices.len()), choice);
+        }
+    }
 }
 
 /// The search among the candidates of a splitting; those that take sixteen times so many seconds are not looked for.
@@ -138,6 +149,7 @@ impl<C: Coords> Attempt<'_, C> {
             class: candidate.class,
             step: candidate.step(problem.span / steps as f64),
             steps,
+            tolerance: None,
             error,
             evaluations: candidate.evaluations(steps),
             seconds: problem.seconds(candidate, steps).map_err(CheckError::from)?,

@@ -2,6 +2,7 @@
 
 use super::{
     Split,
+    adaptive::{ByTaylor, by_taylor},
     candidate::{Candidate, candidates},
 };
 use crate::{
@@ -66,6 +67,12 @@ pub(super) trait Measured<C: Coords> {
     /// Why none is worth trying from this start.
     fn candidates(&self, start: &Start<C>, span: f64) -> Result<Vec<Candidate<'_, C>>, &'static str>;
 
+    /// The system by Taylor's method, where its recurrences were written; those of a system in steps of another time are
+    /// ranked with the system.
+    fn by_taylor(&self) -> Option<ByTaylor<'_, C>> {
+        None
+    }
+
     /// Whether a run may begin at a start.
     fn begin(&self, start: &Start<C>, h: f64) -> Result<(), Error>;
 
@@ -102,6 +109,10 @@ where
 
     fn candidates(&self, _: &Start<C>, _: f64) -> Result<Vec<Candidate<'_, C>>, &'static str> {
         Ok(candidates::<H, C::Leaf>(self))
+    }
+
+    fn by_taylor(&self) -> Option<ByTaylor<'_, C>> {
+        by_taylor::<H, C::Leaf>(self)
     }
 
     fn begin(&self, start: &Start<C>, h: f64) -> Result<(), Error> {

@@ -25,8 +25,9 @@ use std::ops::RangeInclusive;
 const FOLLOWED: f64 = 0.1;
 
 /// The fraction of the state that the last coefficients add, of the series and of the one that it is compared with.
-/// Both are far below the rounding; polynomials of the second begin at other times, for its steps have another length.
-const TOLERANCES: [f64; 2] = [1e-20, 1e-18];
+/// Both are far below the rounding; polynomials of the second begin at other times, for its steps have another length. Their
+/// orders are below those of least work, since what rounds is fewer and shorter terms.
+const SERIES: [(f64, usize); 2] = [(1e-20, 25), (1e-18, 22)];
 
 /// The samples in each part of a series for its excursion. A prime, so that a periodic motion is not back at its start
 /// at each of them.
@@ -123,7 +124,7 @@ fn confirmed_series(
     halvings: i32,
 ) -> Option<Reference> {
     let series = |span, method, samples| expanded.series(start, span, method, samples);
-    let [finer, other] = TOLERANCES.map(Taylor::tolerance);
+    let [finer, other] = SERIES.map(|(tolerance, order)| Taylor::tolerance(tolerance).with_order(order));
     let mut is_confirmed = false;
     for halving in 0..=halvings {
         let time = span / 2.0_f64.powi(halving);

@@ -4,7 +4,10 @@ use crate::{
     error::Unsolved,
     scalar::real::Real,
     state::{coords::Coords, phase::Phase, precision::Precision},
-    system::motion::{Motion, Plain, Prepared},
+    system::{
+        counts::Counts,
+        motion::{Motion, Plain, Prepared},
+    },
 };
 use alloc::vec::Vec;
 
@@ -45,8 +48,8 @@ impl<R: Real, C: Coords, P: Prepared<R>> Motion<C, P::Single> for Implicit<R, C,
     fn unsolved(&self, lane: usize) -> Option<&Unsolved> {
         self.unsolved.get(lane)?.as_ref()
     }
-    fn evaluations(&self) -> Option<u64> {
-        Some(self.evaluations)
+    fn counts(&self) -> Option<Counts> {
+        Some(Counts::of_evaluations(self.evaluations))
     }
     #[inline(always)]
     fn finite(&self) -> bool {

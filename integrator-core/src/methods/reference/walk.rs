@@ -11,7 +11,7 @@ use crate::{
         phase::Phase,
         precision::{Precision, Slot},
     },
-    system::motion::Motion,
+    system::{counts::Counts, motion::Motion},
     trajectory::{method::Described, step_functions::StepFunctions},
 };
 use alloc::sync::Arc;
@@ -110,8 +110,8 @@ impl<R: Real, C: Coords, P: Clone + Send + Sync + 'static, M: Recipe> Motion<C, 
     fn unsolved(&self, _lane: usize) -> Option<&Unsolved> {
         self.unsolved.as_ref()
     }
-    fn evaluations(&self) -> Option<u64> {
-        Some(self.evaluations)
+    fn counts(&self) -> Option<Counts> {
+        Some(Counts::of_evaluations(self.evaluations))
     }
     fn finite(&self) -> bool {
         self.unsolved.is_none() && self.q.iter().chain(&self.p).all(|slot| slot.value().finite())

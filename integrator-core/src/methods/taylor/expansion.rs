@@ -21,7 +21,10 @@ use crate::{
         simd::block::WIDEST,
     },
     state::{clock::Clock, coords::Coords, phase::Phase, precision::Precision},
-    system::motion::{Motion, Prepared},
+    system::{
+        counts::Counts,
+        motion::{Motion, Prepared},
+    },
     trajectory::step_functions::StepFunctions,
 };
 use alloc::{sync::Arc, vec::Vec};
@@ -133,6 +136,11 @@ where
     fn unsolved(&self, lane: usize) -> Option<&Unsolved> {
         self.segments[lane].unsolved.as_ref()
     }
+    fn counts(&self) -> Option<Counts> {
+        let Segment { step, steps, .. } = &self.segments[0];
+        let polynomials = steps.taken + u64::from(step.is_some());
+        Some(Counts { evaluations: polynomials.saturating_mul(self.method.order as u64), own_steps: Some(*steps) })
+    }
     fn finite(&self) -> bool {
         self.segments[..R::MEMBERS].iter().all(|segment| segment.unsolved.is_none())
             && self.q.finite()
@@ -216,8 +224,12 @@ impl<R: Real, C: Coords, P: Prepared<R>, T> Expansion<R, C, P, T> {
     #[inline(always)]
     fn end(&mut self, layout: Layout, t: R, lanes: &[f64; WIDEST], end: Time) {
         self.evaluate(layout, t, To::Origin { lanes: R::parameter(&|lane| lanes[lane]) });
-        for (segment, _) in self.segments.iter_mut().zip(lanes).filter(|(_, ends)| **ends > 0.0) {
-            *segment = Segment { origin: end, ..Segment::default() };
+        for (lane, (segment, _)) in
+            self.segments.iter_mut().zip(lanes).enumerate().filter(|(_, (_, ends))| **ends > 0.0)
+        {
+            let mut steps = segment.steps;
+            steps.take(t.lane(lane));
+            *segment = Segment { origin: end, steps, ..Segment::default() };
         }
     }
 }

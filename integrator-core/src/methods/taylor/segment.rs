@@ -1,7 +1,7 @@
 //! Segments of a member's trajectory, one for each polynomial.
 
 use super::time::Time;
-use crate::error::Unsolved;
+use crate::{error::Unsolved, system::counts::OwnSteps};
 
 /// The segment of a trajectory that one polynomial covers.
 #[derive(Clone, Debug, Default)]
@@ -12,6 +12,8 @@ pub(super) struct Segment {
     pub(super) step: Option<f64>,
     /// The fault that keeps the motion from going on.
     pub(super) unsolved: Option<Unsolved>,
+    /// The steps of the member so far.
+    pub(super) steps: OwnSteps,
 }
 
 /// The progress of a member on its polynomial.
@@ -49,6 +51,7 @@ impl Segment {
             return Progress::Stopped;
         }
         (self.origin, self.step) = (origin, None);
+        self.steps.take(step);
         Progress::NextSegment(step)
     }
 }

@@ -10,9 +10,9 @@ use crate::{
 };
 use alloc::vec::Vec;
 
-/// The number of lowest orders that are summed one after the other. With the order that a tolerance asks for, terms
-/// fall by a factor of e² from one to the next, and the roundings of all higher ones count a fiftieth of those of the
-/// last two sums.
+/// The number of lowest orders that are summed one after the other. With the order that a tolerance near the rounding asks
+/// for, terms fall by a factor of four from one to the next, and the roundings of all higher ones count a fifteenth of those
+/// of the last two sums.
 const LOWEST: usize = 2;
 
 /// The state that the value of a polynomial becomes.

@@ -13,7 +13,7 @@ use crate::{
     hamiltonian::{Flows, Hamiltonian, QuadraticKinetic},
     scalar::real::Real,
     state::{coords::Coords, phase::Phase, precision::Precision},
-    system::motion::Motion,
+    system::{counts::Counts, motion::Motion},
     trajectory::{
         by_table::{
             letters::Letters,
@@ -166,8 +166,8 @@ impl<C: Coords, P: Send + Sync + 'static, M: Motion<C, P>> Motion<C, Constants<P
     fn unsolved(&self, lane: usize) -> Option<&Unsolved> {
         self.motion.unsolved(lane)
     }
-    fn evaluations(&self) -> Option<u64> {
-        self.motion.evaluations()
+    fn counts(&self) -> Option<Counts> {
+        self.motion.counts()
     }
     fn finite(&self) -> bool {
         self.motion.finite()

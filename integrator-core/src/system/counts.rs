@@ -1,0 +1,60 @@
+//! What a motion counts of its steps.
+
+/// The steps that a method takes by itself, whatever the step of the run is.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub struct OwnSteps {
+    /// How many are completed.
+    pub taken: u64,
+    /// The shortest of these, infinite before the first one.
+    pub shortest: f64,
+    /// The longest, zero before the first one.
+    pub longest: f64,
+}
+
+impl Default for OwnSteps {
+    fn default() -> Self {
+        Self { taken: 0, shortest: f64::INFINITY, longest: 0.0 }
+    }
+}
+
+impl OwnSteps {
+    /// Counts a step of this length, of any sign.
+    #[inline(always)]
+    pub(crate) fn take(&mut self, step: f64) {
+        let length = step.abs();
+        self.taken += 1;
+        self.shortest = if length < self.shortest { length } else { self.shortest };
+        self.longest = if length > self.longest { length } else { self.longest };
+    }
+}
+
+/// What a motion has counted since it was loaded.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Counts {
+    /// The evaluations of the force.
+    pub(crate) evaluations: u64,
+    /// The steps of its own, where it takes such.
+    pub(crate) own_steps: Option<OwnSteps>,
+}
+
+impl Counts {
+    /// Those of a motion whose steps are the run's.
+    pub(crate) fn of_evaluations(evaluations: u64) -> Self {
+        Self { evaluations, own_steps: None }
+    }
+
+    /// These and later ones.
+    pub(crate) fn and(self, later: Self) -> Self {
+        let both = |a: OwnSteps, b: OwnSteps| OwnSteps {
+            taken: a.taken.saturating_add(b.taken),
+            shortest: a.shortest.min(b.shortest),
+            longest: a.longest.max(b.longest),
+        };
+        let own_steps = match (self.own_steps, later.own_steps) {
+            (Some(a), Some(b)) => Some(both(a, b)),
+            (a, b) => a.or(b),
+        };
+        Self { evaluations: self.evaluations.saturating_add(later.evaluations), own_steps }
+    }
+}
