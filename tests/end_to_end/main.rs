@@ -17,6 +17,7 @@ mod kepler;
 mod orders;
 mod pace;
 mod pace_checkpoints;
+mod pace_driven;
 mod pairs;
 mod panics;
 mod parts;
