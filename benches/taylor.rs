@@ -44,6 +44,9 @@ const STEP: f64 = 10.0;
 /// Follows a trajectory by hand, shows its states, and counts the polynomials.
 type HandWritten<'t, C> = &'t dyn Fn(Course, &mut dyn FnMut(Phase<C>)) -> u64;
 
+/// A run that carries the rounding of its state.
+type CompensatedRun<C> = Run<<C as Coords>::With<Compensated<f64>>>;
+
 struct Report {
     table: Table,
     choices: Vec<String>,
@@ -141,7 +144,7 @@ fn begin<H: Recurrences>(
     Problem { system, start, span, .. }: &Problem<H>,
     method: Taylor,
     looks: u32,
-) -> Result<Run<<H::Coords as Coords>::With<Compensated<f64>>>, integrator_core::Error>
+) -> Result<CompensatedRun<H::Coords>, integrator_core::Error>
 where
     H::Coords: Coords<Leaf = f64>,
 {

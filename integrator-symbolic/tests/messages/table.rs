@@ -686,6 +686,10 @@ pub(crate) const SPLITS: &[Row] = &[
         &[],
     ),
     (
+        "split = a + b, taylor on fn a(&self, q: [f64; 1], p: [f64; 1]) -> f64 { (q[0] * p[0]).sin() } fn b(&self, q: [f64; 1]) -> f64 { q[0].cos() }\n#[flow(a)] fn turn(&self, q: &mut [f64; 1], p: &mut [f64; 1], duration: f64) {}",
+        &[],
+    ),
+    (
         "split = a + b on fn a(&self, q: [f64; 1], p: [f64; 1]) -> f64 { (q[0] * p[0]).sin() } fn b(&self, q: [f64; 1]) -> f64 { q[0].cos() }\n#[flow(c)] fn turn(&self, q: &mut [f64; 1], p: &mut [f64; 1], duration: f64) {}",
         &[
             "3:7 `c` is no part of H: `split` names `a`, `b`",
