@@ -64,8 +64,8 @@ fn the_error_names_the_first_bad_step_and_the_run_stays_before_it() {
             })*
         };
     }
-    for_each_composition!(general: each!);
-    for_each_composition!(quadratic: each!);
+    for_each_composition!(general_kinds: each!);
+    for_each_composition!(quadratic_kinds: each!);
 }
 
 #[test]
@@ -91,8 +91,8 @@ fn every_state_before_a_divergence_is_finite() {
             $(check($composition);)*
         };
     }
-    for_each_composition!(general: each!);
-    for_each_composition!(quadratic: each!);
+    for_each_composition!(general_kinds: each!);
+    for_each_composition!(quadratic_kinds: each!);
 }
 
 /// A force that is not a number left of zero, which a kernel survives where what undoes the processor does not.

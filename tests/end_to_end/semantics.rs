@@ -108,8 +108,8 @@ fn portions_do_not_change_a_bit() {
             $(check($composition);)*
         };
     }
-    for_each_composition!(general: each!);
-    for_each_composition!(quadratic: each!);
+    for_each_composition!(general_kinds: each!);
+    for_each_composition!(quadratic_kinds: each!);
 }
 
 #[test]
@@ -153,8 +153,8 @@ fn looking_does_not_change_a_bit() {
             $(check($composition);)*
         };
     }
-    for_each_composition!(general: each!);
-    for_each_composition!(quadratic: each!);
+    for_each_composition!(general_kinds: each!);
+    for_each_composition!(quadratic_kinds: each!);
 }
 
 #[test]

@@ -111,13 +111,13 @@ fn measure<H: Hamiltonian<Coords = [f64; 2]>, X: Composition<H>>(
 }
 
 #[test]
-fn every_composition_keeps_its_order_where_v_reads_the_time() {
+fn compositions_keep_their_orders_where_v_reads_the_time() {
     macro_rules! each {
         ($($composition:ident)*) => {
             $(measure("a shaken sun", &SHAKEN, $composition, of_the_shaken_sun);)*
         };
     }
-    for_each_composition!(general: each!);
+    for_each_composition!(general_kinds: each!);
 }
 
 #[test]
@@ -131,13 +131,13 @@ fn every_composition_keeps_its_order_where_both_read_the_time() {
 }
 
 #[test]
-fn every_composition_keeps_its_order_where_t_reads_the_time() {
+fn compositions_keep_their_orders_where_t_reads_the_time() {
     macro_rules! each {
         ($($composition:ident)*) => {
             $(measure("an exchanged sun", &EXCHANGED, $composition, of_the_exchanged_sun);)*
         };
     }
-    for_each_composition!(general: each!);
+    for_each_composition!(general_kinds: each!);
 }
 
 #[test]
@@ -176,5 +176,5 @@ fn portions_and_samples_do_not_change_a_bit() {
             assert_eq!((portions.state(), sampled.state), (state, state), "{}", stringify!($composition));
         })*};
     }
-    for_each_composition!(general: each!);
+    for_each_composition!(general_kinds: each!);
 }

@@ -1,7 +1,8 @@
 //! The one list of the compositions in the catalogue, for visitors and for tests; a test holds it against the sources.
 
 /// Calls a macro with the compositions of the catalogue: those for every `T`, without a processor or with one, those for
-/// quadratic `T`, those that keep their orders where the second part is a symmetric pair, and those whose orders count where the second part is small, of both classes.
+/// quadratic `T`, those that keep their orders where the second part is a symmetric pair, and those whose orders count
+/// where the second part is small, of both classes. For tests of what follows from the kind of stages, some of each kind.
 macro_rules! for_each_composition {
     (general: $each:ident!) => {
         for_each_composition!(unprocessed: $each!);
@@ -32,6 +33,14 @@ macro_rules! for_each_composition {
         $each!(BlanesCasasEscorihuela8 Teloy8A Teloy8B Teloy8C);
         // With force gradients.
         $each!(Chin4A Chin4B Chin4C Chin4D Schaefers4 Schaefers6 TakahashiImada4 BlanesCasasRos6);
+    };
+    // One stage of each part, ends that merge, ends that do not, kicks or drifts first, long steps, processors.
+    (general_kinds: $each:ident!) => {
+        $each!(Euler EulerAdjoint Verlet VelocityVerlet Ruth3 VelocityYoshida4 KahanLi8 BlanesCasasMurua6S11);
+    };
+    // Force gradients at the ends, in the middle and everywhere, and processors.
+    (quadratic_kinds: $each:ident!) => {
+        $each!(BlanesMoanSrkn11 Teloy8A Chin4A Chin4C TakahashiImada4 BlanesCasasEscorihuela8);
     };
     (near_integrable: $each:ident!) => {
         for_each_composition!(near_integrable_general: $each!);
