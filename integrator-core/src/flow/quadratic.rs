@@ -37,9 +37,10 @@ pub trait QuadraticPart<const PART: usize> {
 /// The matrices of a part that is a quadratic form, for every duration that it was asked for so far. Where no degree of
 /// freedom couples to another one, whatever the parameters are, and nothing is linear, it is `LONE`.
 ///
-/// Behind a pointer, so that what is asked of it in the loop over stages leaves the coordinates in registers.
+/// Behind a pointer, so that what is asked of it in the loop over stages leaves the coordinates in registers; by default
+/// there are none, and the flow stands still.
 #[derive(Clone)]
-pub struct Quadratic<R, const PART: usize, const LONE: bool>(Box<Matrices<R>>);
+pub struct Quadratic<R, const PART: usize, const LONE: bool>(Option<Box<Matrices<R>>>);
 
 #[derive(Clone)]
 struct Matrices<R> {
@@ -70,7 +71,7 @@ impl<R: Real, P: QuadraticPart<PART>, const PART: usize, const LONE: bool> Solve
 
 impl<R: Real, const PART: usize, const LONE: bool> Default for Quadratic<R, PART, LONE> {
     fn default() -> Self {
-        Self::of_forms(&[], 0)
+        Self(None)
     }
 }
 
@@ -89,13 +90,13 @@ impl<R: Real, const PART: usize, const LONE: bool> Quadratic<R, PART, LONE> {
         };
         let largest = groups.iter().map(|group| group.size).max().unwrap_or(0);
         let (durations, scratch) = (Durations::default(), vec![R::of(0.0); 6 * largest]);
-        Self(Box::new(Matrices { groups, alike, durations, numbers: Vec::new(), width, scratch }))
+        Self(Some(Box::new(Matrices { groups, alike, durations, numbers: Vec::new(), width, scratch })))
     }
 
     /// Moves positions and momenta for a time `duration`.
     #[inline(always)]
     pub fn flow<C: Coords>(&mut self, duration: f64, q: &mut C::Slots<R>, p: &mut C::Slots<R>) {
-        let known = &mut *self.0;
+        let Some(known) = self.0.as_deref_mut() else { return };
         let number = match known.durations.next(duration) {
             Some(number) => number,
             None => turn::<R, LONE>(known, duration),

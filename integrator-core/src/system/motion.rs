@@ -35,7 +35,14 @@ pub trait Motion<C: Coords, P>: Clone + Send + Sync + 'static {
     const TIMED: bool = false;
     /// Whether loading and storing mixes coordinates, so that each has roundings of the size of the largest one.
     const MIXES: bool = false;
+    /// Whether steps are taken with the motion moved out of memory, so that its coordinates stay in registers: a flow that
+    /// calls a function now and then would else find and leave them in memory every time.
+    const IN_REGISTERS: bool = false;
 
+    /// Moves it out for a while, after which it is put back.
+    fn take(&mut self) -> Self {
+        self.clone()
+    }
     /// One member per lane, each with its constants and its state.
     fn load(constants: &[&P], states: &[&Phase<C>]) -> Self;
     /// The same from states in the coordinates of the motion itself, where these are not the user's own.
@@ -189,6 +196,10 @@ pub struct Solving<R: Real, C: Coords, P, S> {
     pub solvers: S,
 }
 
+/// The largest motion in bytes that is moved out of memory for its steps: all registers of a processor with vectors of 512
+/// bits, which hold no more of it.
+const REGISTERS: usize = 2048;
+
 /// What a solved flow keeps beside the state, for all lanes of a motion; by default nothing, for a motion that the flow is
 /// not applied to.
 pub trait Solver<P>: Clone + Default + Send + Sync + 'static {
@@ -217,6 +228,18 @@ impl<P, A: Solver<P>, B: Solver<P>> Solver<P> for (A, B) {
 }
 
 impl<R: Real, C: Coords, P: Prepared<R>, S: Solver<P::Single>> Motion<C, P::Single> for Solving<R, C, P, S> {
+    const IN_REGISTERS: bool =
+        size_of::<Self>() <= REGISTERS && !core::mem::needs_drop::<C::Slots<R>>() && !core::mem::needs_drop::<P>();
+
+    #[inline(always)]
+    fn take(&mut self) -> Self {
+        Self {
+            q: self.q.clone(),
+            p: self.p.clone(),
+            parameters: self.parameters.clone(),
+            solvers: core::mem::take(&mut self.solvers),
+        }
+    }
     fn load(constants: &[&P::Single], states: &[&Phase<C>]) -> Self {
         Self {
             q: C::pack(states, |state| &state.q),

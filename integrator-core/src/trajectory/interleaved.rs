@@ -8,9 +8,12 @@ use crate::{
     hamiltonian::{Flows, Hamiltonian, QuadraticKinetic, Shaped},
     scalar::real::{Kernel, Real},
     state::{clock::Clock, coords::Coords, precision::Precision},
-    trajectory::{step_functions::Executor, step_loop::Advance},
+    trajectory::{
+        step_functions::Executor,
+        step_loop::{Advance, AdvanceOne},
+    },
 };
-use core::{array, marker::PhantomData};
+use core::marker::PhantomData;
 
 /// How many motions go together at most. By measurement, more than six wait no less.
 const MOST: usize = 6;
@@ -134,7 +137,7 @@ where
             _ => motions,
         };
         for motion in rest {
-            Advance::<_, H, X>::new(Interleaved::<H, R, K, 1>(array::from_mut(motion)), clock, steps).call();
+            AdvanceOne::<H, X, R, K>::new(motion, clock, steps).call();
         }
     }
 }

@@ -9,7 +9,7 @@ use crate::{
     system::motion::Motion,
     trajectory::{
         interleaved::AdvanceAll,
-        step_loop::{Advance, End},
+        step_loop::{Advance, AdvanceOne, End},
     },
 };
 
@@ -148,7 +148,7 @@ where
             Advance::<_, H, X>::new(&mut flows, clock, steps).call();
             flows.finish();
         } else {
-            R::enter(Advance::<_, H, X>::new(Single::<H, R, K>(motion), clock, steps));
+            R::enter(AdvanceOne::<H, X, R, K>::new(motion, clock, steps));
         }
     }
 }

@@ -5,9 +5,10 @@ use crate::{
         Composition,
         corrected_durations::{Between, Corrections},
     },
-    hamiltonian::{Flows, Hamiltonian},
-    scalar::real::Kernel,
-    state::clock::Clock,
+    hamiltonian::{Flows, Hamiltonian, Single},
+    scalar::real::{Kernel, Real},
+    state::{clock::Clock, precision::Precision},
+    system::motion::Motion,
 };
 use core::marker::PhantomData;
 
@@ -75,6 +76,36 @@ impl<F: Flows<H>, H: Hamiltonian, X: Composition<H>> Advance<F, H, X> {
             } else {
                 X::open(&mut self.flows, h, time);
             }
+        }
+    }
+}
+
+/// The n-step loop of one motion.
+pub(crate) struct AdvanceOne<'m, H: Hamiltonian, X, R: Real, K: Precision> {
+    motion: &'m mut H::Motion<R, K>,
+    clock: Clock,
+    steps: u64,
+    marker: PhantomData<X>,
+}
+
+impl<'m, H: Hamiltonian, X, R: Real, K: Precision> AdvanceOne<'m, H, X, R, K> {
+    pub(crate) fn new(motion: &'m mut H::Motion<R, K>, clock: Clock, steps: u64) -> Self {
+        Self { motion, clock, steps, marker: PhantomData }
+    }
+}
+
+impl<H: Hamiltonian, X: Composition<H>, R: Real, K: Precision> Kernel for AdvanceOne<'_, H, X, R, K> {
+    type Out = ();
+
+    #[inline(always)]
+    fn call(self) {
+        let Self { motion, clock, steps, .. } = self;
+        if const { <H::Motion<R, K> as Motion<_, _>>::IN_REGISTERS } {
+            let mut own = motion.take();
+            Advance::<_, H, X>::new(Single::<H, R, K>(&mut own), clock, steps).call();
+            *motion = own;
+        } else {
+            Advance::<_, H, X>::new(Single::<H, R, K>(motion), clock, steps).call();
         }
     }
 }

@@ -254,7 +254,8 @@ fn durations_without_end_are_forgotten() {
     let mut z = [vec![1.0], vec![0.0]];
     for step in 1..5000 {
         moved::<f64>(&mut solver, f64::from(step) * 1e-4, &mut z);
-        assert!(solver.0.numbers.len() <= 8 * 1024, "{}", solver.0.numbers.len());
+        let known = solver.0.as_ref().map_or(0, |known| known.numbers.len());
+        assert!((1..=8 * 1024).contains(&known), "{known}");
     }
     assert!(z[0][0].is_finite());
 }
