@@ -72,6 +72,11 @@ impl Graph {
         Err(obstacles)
     }
 
+    /// Whether it has the flow of a shear, as functions of one part alone have.
+    pub(super) fn is_shear(&self, energy: NodeId) -> bool {
+        shear(self, energy).is_ok()
+    }
+
     /// Whether two coordinates of different parts may be conjugates of each other, whatever the indices of loops are.
     fn may_be_conjugates(&self, a: Element, b: Element) -> bool {
         let may_be_equal = |a, b| match (self.loops.literal(a), self.loops.literal(b)) {

@@ -6,7 +6,7 @@ use super::{
     exact::{Exact, Obstacle},
     index::LoopSet,
 };
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 
 /// The highest degree of a quadratic form.
 const QUADRATIC: u32 = 2;
@@ -29,8 +29,14 @@ impl Graph {
     /// Whether a sum of coordinates over a loop is multiplied by what has an index of the same loop: a second derivative
     /// has two indices, which are those of one loop then.
     fn multiplies_sums(&self, root: NodeId) -> bool {
+        self.multiplying_sums(root).contains(&root)
+    }
+
+    /// The nodes that have such a product, or are one.
+    fn multiplying_sums(&self, root: NodeId) -> HashSet<NodeId> {
         let mut summed = vec![LoopSet::EMPTY; root.position() + 1];
-        self.reachable([root]).into_iter().any(|id| {
+        let mut found = HashSet::new();
+        for id in self.reachable([root]) {
             let node = self.node(id);
             let mut inside = node.children().fold(LoopSet::EMPTY, |all, child| all.union(summed[child.position()]));
             if let Node::Sum(by, body) = node
@@ -43,12 +49,16 @@ impl Graph {
                 let of_b = summed[b.position()].union(self.loops_of(b));
                 !summed[a.position()].intersection(of_b).is_empty()
             };
-            match node {
+            let multiplies = match node {
                 Node::Power(a, _) => !summed[a.position()].is_empty(),
                 Node::Mul(a, b) if [a, b].iter().all(|side| self.reads_coordinates(*side)) => meet(a, b) || meet(b, a),
                 _ => false,
+            };
+            if multiplies || node.children().any(|child| found.contains(&child)) {
+                found.insert(id);
             }
-        })
+        }
+        found
     }
 
     /// The terms of a value that are quadratic forms, and the others, those of sums too.
@@ -56,7 +66,28 @@ impl Graph {
         let (degrees, time) = (self.degrees(energy, &ALL), self.reading_time([energy]));
         let is_quadratic =
             move |id: NodeId| degrees[id.position()].is_some_and(|degree| degree <= QUADRATIC) && !time.contains(&id);
-        self.sorted(energy, &is_quadratic, &mut HashMap::new())
+        let sorted = self.sorted(energy, &is_quadratic, &mut HashMap::new());
+        self.with_products_of_sums(sorted)
+    }
+
+    /// The same with products of sums moved to the others, where the first ones have no flow with them and the others have:
+    /// products of positions alone, or of momenta alone.
+    fn with_products_of_sums(&mut self, [quadratic, mut rest]: [NodeId; 2]) -> [NodeId; 2] {
+        let products = self.multiplying_sums(quadratic);
+        if products.is_empty() || self.is_shear(quadratic) {
+            return [quadratic, rest];
+        }
+        let [kept, mut left] = self.sorted(quadratic, &|id| !products.contains(&id), &mut HashMap::new());
+        for part in ALL {
+            let nodes = self.reachable([left]).into_iter();
+            let alone: HashSet<_> = nodes.filter(|id| !self.reads(*id, part.other())).collect();
+            let [own, others] = self.sorted(left, &|id| alone.contains(&id), &mut HashMap::new());
+            let more = self.add(rest, own);
+            if self.is_shear(more) {
+                (rest, left) = (more, others);
+            }
+        }
+        [self.add(kept, left), rest]
     }
 
     /// What a value of degree one is where all coordinates are zero; nothing where it is zero there.
@@ -110,7 +141,10 @@ impl Graph {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::graph::{Element, Part, index::Index};
+    use crate::graph::{
+        Element, Part,
+        index::{Index, Loop},
+    };
 
     /// `q0`, `q1`, `p0`, `p1`.
     fn coordinates(graph: &mut Graph) -> [NodeId; 4] {
@@ -151,5 +185,34 @@ mod tests {
         let (turning, cubic) = (graph.mul(two, turning), graph.mul(two, cubic));
         assert_eq!(quadratic, graph.sub(square, turning));
         assert_eq!(rest, graph.neg(cubic));
+    }
+
+    #[test]
+    fn squares_of_sums_over_loops_are_with_the_rest_where_that_has_a_flow() {
+        let mut graph = Graph::default();
+        let bound = |graph: &mut Graph, bound| graph.loops.intern(Index::Literal(bound));
+        let (from, to) = (bound(&mut graph, 0), bound(&mut graph, 5));
+        let by = graph.loops.range(Loop { parent: None, from, to });
+        let index = graph.loops.intern(Index::Running(by));
+        let [q, p] = ALL.map(|part| graph.coordinate(Element { part, index, component: None }));
+        let [square_q, square_p, quartic] = [(q, 4), (p, 4), (q, 8)].map(|(of, halves)| graph.power(of, halves));
+        let energies = graph.add(square_q, square_p);
+        let [oscillators, all_q, all_p, quartics] = [energies, q, p, quartic].map(|body| graph.sum(by, body));
+        let [square_of_q, square_of_p] = [all_q, all_p].map(|sum| graph.power(sum, 4));
+        let mixed = graph.mul(all_q, all_p);
+        let mut sorted = |terms: &[NodeId]| {
+            let energy = terms.iter().copied().reduce(|sum, term| graph.add(sum, term)).expect("a term");
+            let [quadratic, rest] = graph.quadratic_and_rest(energy);
+            (quadratic == oscillators, rest == quartics, super::quadratic(&graph, quadratic).is_ok())
+        };
+        assert_eq!(sorted(&[oscillators, quartics]), (true, true, true));
+        assert_eq!(sorted(&[oscillators, square_of_q, quartics]), (true, false, true));
+        // The rest reads q, so that it has no flow with these.
+        for refused in [square_of_p, mixed] {
+            assert_eq!(sorted(&[oscillators, refused, quartics]), (false, true, false));
+        }
+        // One of q and one of p: the first fits, the second does not.
+        assert_eq!(sorted(&[oscillators, square_of_q, square_of_p, quartics]), (false, false, false));
+        assert_eq!(sorted(&[oscillators, square_of_p]), (true, false, true));
     }
 }

@@ -454,6 +454,20 @@ pub(crate) const SPLITS: &[Row] = &[
         ],
     ),
     (
+        "split = quadratic + rest on fn hamiltonian(&self, q: [f64; 9], p: [f64; 9]) -> f64 { let (mut sum, mut all) = (0.0, 0.0); for i in 0..9 { sum += p[i] * p[i] + q[i] * q[i]; all += q[i]; } sum + all * all }",
+        &[],
+    ),
+    (
+        "split = quadratic + rest on fn hamiltonian(&self, q: [f64; 9], p: [f64; 9]) -> f64 { let (mut sum, mut all) = (0.0, 0.0); for i in 0..9 { sum += p[i] * p[i] + q[i].cosh(); all += q[i]; } for i in 0..9 { sum += 0.5 * (q[i] - all / 9.0).powi(2); } sum }",
+        &[],
+    ),
+    (
+        "split = quadratic + rest on fn hamiltonian(&self, q: [f64; 9], p: [f64; 9]) -> f64 { let (mut sum, mut all) = (0.0, 0.0); for i in 0..9 { sum += p[i] * p[i] + q[i] * q[i] + q[i].cosh(); all += p[i]; } sum + all * all }",
+        &[
+            "1:8 no exact flow is known for `quadratic`: it is no shear, since q[i] and p[i] are both in it; it is a quadratic form in q and p, but multiplies a sum over a loop by itself: write it as one sum in two loops, over i and j. Split it into more parts, or write its flow: `#[flow(quadratic)]`",
+        ],
+    ),
+    (
         "split = quadratic + rest on fn hamiltonian(&self, [x, y]: [f64; 2], [px, py]: [f64; 2]) -> f64 { px.cosh() + py.cosh() - x.cos() * y.cos() }",
         &[
             "1:8 no term of `hamiltonian` is a quadratic form in q and p, so that nothing is left for `quadratic`: name parts by functions of their own",
