@@ -172,7 +172,7 @@ impl Reader<'_> {
                 let why = match stray {
                     Stray::Term => "a term is neither p² of a body times a number nor k/|q|",
                     Stray::Component => "p² or |q| of a body lacks some of its components",
-                    Stray::Mass => "the components of a body have different masses",
+                    Stray::Mass => "the masses of the components of a body are not written alike",
                     Stray::Kinetic => "a body with k/|q| has no p²/2m",
                     Stray::Twice => "a body may stand in two of its sums",
                 };

@@ -98,24 +98,29 @@ fn pair<R: Real>(x: R, a: f64, b: f64) -> R {
 /// `G₁`, `G₂` and `G₃` at a point `s + d` near one where they are known.
 #[inline(always)]
 pub(super) fn shifted<R: Real>([zeroth, first, second, third]: [R; 4], beta: R, d: R) -> [R; 3] {
-    let [by_first, by_second, by_third] = small(beta, d);
+    let [by_second, by_third] = near_zero(beta, d);
     [
-        first + zeroth.fma(by_first, -(beta * first * by_second)),
-        second + first.fma(by_first, zeroth * by_second),
+        first + small(beta, d, [zeroth, -(beta * first)]),
+        second + small(beta, d, [first, zeroth]),
         third + second.fma(d, first.fma(by_second, zeroth * by_third)),
     ]
 }
 
-/// `G₁`, `G₂` and `G₃` at a point next to zero, `|β d²| < 2⁻²⁴`: the first terms left out are below 2⁻⁸⁴ of the first two,
-/// which conserve the energy. What is left out is no rounding, and has the same sign in each stage.
+/// `a G₁ + b G₂` at a point next to zero, `|β d²| < 2⁻²⁴`: the first terms left out are below 2⁻⁸⁴ of the first two, which
+/// conserve the energy. What is left out is no rounding, and has the same sign in each stage.
 #[inline(always)]
-pub(super) fn small<R: Real>(beta: R, d: R) -> [R; 3] {
+pub(super) fn small<R: Real>(beta: R, d: R, [a, b]: [R; 2]) -> R {
+    let (square, x) = (d * d, (beta * d) * d);
+    let linear = |a: f64, b: f64| x.fma(R::of(b), R::of(a));
+    let (a, b) = (a * d, b * square);
+    let tail = a.fma(linear(-1.0 / 6.0, 1.0 / 120.0), b * linear(-1.0 / 24.0, 1.0 / 720.0));
+    x.fma(tail, R::of(0.5).fma(b, a))
+}
+
+/// `G₂` and `G₃` there.
+#[inline(always)]
+fn near_zero<R: Real>(beta: R, d: R) -> [R; 2] {
     let (square, x) = (d * d, beta * d * d);
     let linear = |a: f64, b: f64| x.fma(R::of(b), R::of(a));
-    let terms = |a: f64, b: f64, c: f64| x.fma(linear(b, c), R::of(a));
-    [
-        d * terms(1.0, -1.0 / 6.0, 1.0 / 120.0),
-        square * terms(0.5, -1.0 / 24.0, 1.0 / 720.0),
-        square * d * linear(1.0 / 6.0, -1.0 / 120.0),
-    ]
+    [square * x.fma(linear(-1.0 / 24.0, 1.0 / 720.0), R::of(0.5)), square * d * linear(1.0 / 6.0, -1.0 / 120.0)]
 }

@@ -73,6 +73,15 @@ struct Place<W> {
     late: W,
     /// The distance, and its first two derivatives by `s`.
     distance: [W; 3],
+    /// One over the distance.
+    inverse: W,
+}
+
+/// The root of Kepler's equation: a place nearby, the correction of `s` from there, and the lanes in which there is none.
+struct Root<W: Real> {
+    place: Place<W>,
+    d: W,
+    failed: W::Mask,
 }
 
 /// The way of a body in a time `duration`.
@@ -88,26 +97,30 @@ pub(crate) fn increments<W: Real, const D: usize>(body: &Body<W, D>, duration: W
     }
     // What no force acts on goes straight on: its root is zero, and where it is does not matter.
     let free = strength.equal(zero);
-    let distance = W::select(free, W::of(1.0), square.sqrt());
-    let inverse = W::of(1.0) / distance;
+    let square = W::select(free, W::of(1.0), square);
+    let distance = square.sqrt();
+    // A root and a division that wait for each other take longer than the two side by side and what rounds them again.
+    let quotient = distance * (W::of(1.0) / square);
+    let inverse = quotient.fma((-distance).fma(quotient, W::of(1.0)), quotient);
     let mu = strength * inverse_mass;
     let velocity = inverse_mass * inverse_mass * momentum;
     let beta = (mu + mu).fma(inverse, -velocity);
     let (eta, zeta) = (inverse_mass * radial, velocity.fma(distance, -mu));
     let time = within_a_period(mu, beta, duration);
     let orbit = Orbit { mu, distance, eta, beta, zeta, time: W::select(free, zero, time) };
-    let (place, d, failed) = root(&orbit, inverse);
+    let Root { place, d, failed } = root(&orbit, inverse);
     let [first, second, third] = shifted(place.functions, beta, d);
-    let [by_first, by_second, _] = small(beta, d);
     let [r, slope, curvature] = place.distance;
-    let r = r + slope.fma(by_first, curvature * by_second);
-    let arrival = W::of(1.0) / r;
+    let farther = small(beta, d, [slope, curvature]);
+    let r = r + farther;
+    let arrival = place.arrival(r, farther);
     // f - 1, g / m, -m r df/dt and r (1 - dg/dt): none is a difference of numbers that are nearly equal.
     let f = W::select(failed, W::of(f64::NAN), -(mu * inverse * second));
     // Two forms of g: the first is on the orbit wherever s is, so that the error of the root is one of time alone, and
     // the second is exact where the body goes far away.
     let bound = zero.less(beta).and(f.abs().less(W::of(FAR)));
-    let g = inverse_mass * W::select(bound, distance.fma(first, eta * second), (-mu).fma(third, time));
+    let (near, far) = ((inverse_mass * distance).fma(first, inverse_mass * eta * second), (-mu).fma(third, time));
+    let g = W::select(bound, near, inverse_mass * far);
     let by_position = strength * inverse * first;
     let by_momentum = mu * second;
     // Angular momentum is kept as long as f dg/dt - g df/dt = 1. What the roundings of these four take from that is the
@@ -115,19 +128,18 @@ pub(crate) fn increments<W: Real, const D: usize>(body: &Body<W, D>, duration: W
     let [by_g, by_r, by_f] = [g * by_position, f * r, f * by_momentum];
     let roundings = g.fma(by_position, -by_g) + (f.fma(r, -by_r) - f.fma(by_momentum, -by_f));
     let ([gained, over], [lost, under]) = (two_sum(by_g, -by_f), two_sum(by_momentum, -by_r));
-    let excess = ((gained - lost) + ((over - under) + roundings)) * arrival;
+    let excess = (gained - lost) + ((over - under) + roundings);
     // More than some dozen units is what the angular momentum of a fall has lost by cancellation, and not the momenta.
-    let few = W::of(32.0) * unit() * (W::of(1.0) + f.abs());
-    let excess = W::select(bound.and(excess.abs().less(few)), excess, zero);
-    let inexact = (-arrival).fma(r, W::of(1.0));
-    let rest = (inexact - excess) * arrival;
+    let few = W::of(32.0) * unit() * (W::of(1.0) + f.abs()) * r;
+    let excess = W::select(bound.and(excess.abs().less(few)), excess * arrival, zero);
+    let rest = (-arrival).fma(r, W::of(1.0)) * arrival;
     let (mut by_q, mut by_p) = (q, p);
     for d in 0..D {
-        by_q[d] = f.fma(q[d], g * p[d]);
+        by_q[d] = g.fma(p[d], f * q[d]);
         // Less than half a unit in the last place of a rounded number would be lost each time: it goes into the sum
         // with a product that is not rounded yet.
         let pull = by_position.fma(q[d], by_momentum * p[d]);
-        let correction = rest.fma(pull, excess * p[d]);
+        let correction = (-excess).fma(arrival.fma(pull, -p[d]), rest * pull);
         by_p[d] = W::select(failed, W::of(f64::NAN), -arrival.fma(pull, correction));
     }
     Increments { q: by_q, p: by_p, failed }
@@ -163,21 +175,20 @@ fn within_a_period<W: Real>(mu: W, beta: W, time: W) -> W {
     W::select(long, (-whole).fma(period, time), time)
 }
 
-/// Where the body is when the time has come: a place nearby, the correction of `s` from there, and the lanes in which
-/// there is none.
+/// Where the body is when the time has come.
 #[inline(always)]
-fn root<W: Real>(orbit: &Orbit<W>, inverse: W) -> (Place<W>, W, W::Mask) {
+fn root<W: Real>(orbit: &Orbit<W>, inverse: W) -> Root<W> {
     let s = orbit.short_arc(inverse);
     let place = orbit.at(s);
     let (d, near) = place.correction(orbit.beta, s);
     // Within half a period no arc is longer. Where the series has gone astray, what follows is no number to judge by.
-    let near = near.and((orbit.beta * s * s).abs().less(W::of(LONGEST)));
-    if near.not().any() { search(orbit, s, near.not()) } else { (place, d, near.not()) }
+    let failed = near.and((orbit.beta * s * s).abs().less(W::of(LONGEST))).not();
+    if failed.any() { search(orbit, s, failed) } else { Root { place, d, failed } }
 }
 
 /// The same where the arc is not short in the lanes of `open`; nothing changes in the others.
 #[inline(always)]
-fn search<W: Real>(orbit: &Orbit<W>, s: W, mut open: W::Mask) -> (Place<W>, W, W::Mask) {
+fn search<W: Real>(orbit: &Orbit<W>, s: W, mut open: W::Mask) -> Root<W> {
     let mut bracket = orbit.bracket();
     let mut s = W::select(open, orbit.guess(bracket), s);
     let mut reached = W::Mask::of(false);
@@ -192,7 +203,7 @@ fn search<W: Real>(orbit: &Orbit<W>, s: W, mut open: W::Mask) -> (Place<W>, W, W
         open = open.and(near.or(reached).not());
         steps += 1;
         if !open.any() || steps == SEARCH {
-            return (place, d, open);
+            return Root { place, d, failed: open };
         }
         reached = reached.or(open.and(orbit.is_rounding(&place, s)));
         s = W::select(open.and(reached.not()), orbit.laguerre(&place, s, &mut bracket, steps), s);
@@ -205,14 +216,14 @@ fn number<W: Real>(x: W) -> W {
     W::parameter(&|lane| x.lane(lane))
 }
 
-/// The root of `d + a d² + b d³ + c d⁴ = y`, up to terms of the fifth order.
+/// The root of `d + a d² + b d³ + c d⁴ = y`, up to terms of the fifth order. Sums of powers, because all of these are
+/// computed side by side.
 #[inline(always)]
 fn reverted<W: Real>(y: W, [a, b, c]: [W; 3]) -> W {
-    let square = a * a;
-    let cubic = (square + square) - b;
-    let quartic = (W::of(5.0) * a).fma(square - b, c);
-    let (low, high) = ((-y).fma(a, W::of(1.0)), y.fma(-quartic, cubic));
-    y * (y * y).fma(high, low)
+    let square = y * y;
+    let cubic = (a + a).fma(a, -b);
+    let quartic = (W::of(5.0) * a).fma((-a).fma(a, b), -c);
+    (square * square).fma(quartic, (square * y).fma(cubic, square.fma(-a, y)))
 }
 
 impl<W: Real> Orbit<W> {
@@ -220,9 +231,9 @@ impl<W: Real> Orbit<W> {
     #[inline(always)]
     fn short_arc(&self, inverse: W) -> W {
         let Self { eta, beta, zeta, time, .. } = *self;
-        let (by_eta, by_zeta) = (eta * inverse, zeta * inverse);
-        let terms = [W::of(0.5) * by_eta, W::of(1.0 / 6.0) * by_zeta, W::of(-1.0 / 24.0) * beta * by_eta];
-        reverted(time * inverse, terms)
+        let a = eta * (W::of(0.5) * inverse);
+        let b = zeta * (W::of(1.0 / 6.0) * inverse);
+        reverted(time * inverse, [a, b, W::of(-1.0 / 12.0) * beta * a])
     }
 
     #[inline(always)]
@@ -231,9 +242,9 @@ impl<W: Real> Orbit<W> {
         let functions = functions(beta, s);
         let [zeroth, first, second, third] = functions;
         let late = zeta.fma(third, eta.fma(second, distance.fma(s, -time)));
-        let r = zeta.fma(second, eta.fma(first, distance));
+        let r = eta.fma(first, zeta.fma(second, distance));
         let slope = zeta.fma(first, eta * zeroth);
-        Place { functions, late, distance: [r, slope, (-beta).fma(r, mu)] }
+        Place { functions, late, distance: [r, slope, (-beta).fma(r, mu)], inverse: W::of(1.0) / r }
     }
 
     /// Two values of the universal variable with the root in between: on every conic, `t >= |μ| s³ / 120`.
@@ -294,11 +305,10 @@ impl<W: Real> Place<W> {
     /// The correction of `s` at this point, and whether it leads to the root.
     #[inline(always)]
     fn correction(&self, beta: W, s: W) -> (W, W::Mask) {
-        let [r, slope, curvature] = self.distance;
-        let inverse = W::of(1.0) / r;
-        let a = W::of(0.5) * slope * inverse;
-        let b = W::of(1.0 / 6.0) * curvature * inverse;
-        let c = W::of(-1.0 / 12.0) * beta * a;
+        let Self { distance: [r, slope, curvature], inverse, .. } = *self;
+        let a = (W::of(0.5) * slope) * inverse;
+        let b = (W::of(1.0 / 6.0) * curvature) * inverse;
+        let c = (W::of(-1.0 / 12.0) * beta) * a;
         // The first order tells whether the series is one at all: far from the root its sum may be small by chance.
         let linear = -self.late * inverse;
         let square = linear * linear;
@@ -307,5 +317,15 @@ impl<W: Real> Place<W> {
         let near = near.and((beta * square).abs().less_or_equal(W::of(SHORT * SHORT)));
         let near = near.and(linear.abs().less_or_equal(W::of(SMALL) * s.abs()));
         (reverted(linear, [a, b, c]), near.and(W::of(0.0).less(r)))
+    }
+
+    /// One over the distance `r` next to this place, so much farther: by the series of 1/(1 + x), whose error here is that of
+    /// a division at most once it is corrected by its first order.
+    #[inline(always)]
+    fn arrival(&self, r: W, farther: W) -> W {
+        let x = farther * self.inverse;
+        let arrival = self.inverse.fma(x.fma(x, -x), self.inverse);
+        let far = W::of(2.0 * SHORT).less(x.abs());
+        if far.any() { W::select(far, W::of(1.0) / r, arrival) } else { arrival }
     }
 }
