@@ -30,9 +30,24 @@ use std::{
     process::Command,
 };
 
-/// The steps of a pendulum, of a star in a galaxy, and of the outer solar system.
+/// The steps of a pendulum and of a star in a galaxy, and those of a Kepler part and of the outer solar system.
 const LONG: u64 = 1_000_000_000;
 const PLANETARY: u64 = 100_000_000;
+
+/// A Kepler part and another one that does nothing.
+struct Revolving {
+    rest: f64,
+}
+
+#[hamiltonian(split = kepler + rest, compose = Euler)]
+impl Revolving {
+    fn kepler(&self, [x, y]: [f64; 2], [px, py]: [f64; 2]) -> f64 {
+        0.5 * (px * px + py * py) - 1.0 / (x * x + y * y).sqrt()
+    }
+    fn rest(&self, q: [f64; 2]) -> f64 {
+        self.rest * q[0]
+    }
+}
 
 /// How many trajectories grow errors side by side: two vectors of singles, or two times two of doubles, on two threads.
 const MEMBERS: usize = 32;
@@ -150,7 +165,13 @@ fn brouwer_table(long: u64, planetary: u64, lines: &mut Vec<String>) -> Result<(
         }
         (planets.system, Phase::compensated(planets.start.q, p))
     });
+    let bodies = (0..MEMBERS).map(|member| {
+        // Eccentricities up to 0.3 from the pericentre on.
+        let start = Phase { q: [1.0, 0.0], p: [0.0, (1.0 + 0.01 * member as f64).sqrt()] };
+        (Revolving { rest: 0.0 }, start)
+    });
     let growths = [
+        ("kepler_part", brouwer::growth(Ensemble::new(Euler, bodies, 1.0)?, planetary)?),
         ("pendulum", brouwer::growth(Ensemble::new(SofroniouSpaletta10, pendula, 0.1)?, long)?),
         ("henon", brouwer::growth(Ensemble::new(SofroniouSpaletta10, stars, 0.1)?, long)?),
         ("solar", brouwer::growth(Ensemble::new(SofroniouSpaletta10, systems, 50.0)?, planetary)?),
