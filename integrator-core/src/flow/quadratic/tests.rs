@@ -7,59 +7,57 @@ use crate::{
 /// The flow of any form.
 type General<R> = Quadratic<R, 0, false>;
 
-/// The entries of S by the formulas of reference.py, row by row: positions first, then momenta.
-fn second(kind: &str, n: usize) -> Vec<f64> {
-    let w = 2 * n;
-    let e = |i: usize, j: usize| ((7 * i + 13 * j + 5 * n + 3 * i * j) % 11) as f64 / 8.0 - 0.625;
-    let mut s = vec![0.0; w * w];
-    match kind {
-        "definite" => {
-            for (place, s) in s.iter_mut().enumerate() {
-                let (i, j) = (place / w, place % w);
-                *s = (0..w).map(|k| e(i, k) * e(j, k)).sum::<f64>() + f64::from(u8::from(i == j));
-            }
-            return s;
-        }
-        "indefinite" => {
-            for (place, s) in s.iter_mut().enumerate() {
-                *s = e(place / w, place % w) + e(place % w, place / w);
-            }
-            return s;
-        }
-        "nilpotent" => {
-            for k in 0..n - 1 {
-                s[(n + k) * w + k + 1] = 1.0;
-                s[(k + 1) * w + n + k] = 1.0;
-            }
-            s[w * w - 1] = 1.0;
-        }
-        _ => {
-            for k in (0..n - 1).step_by(2) {
-                for (a, b, value) in [(k, n + k + 1, 0.75), (k + 1, n + k, -0.75)] {
-                    s[a * w + b] = value;
-                    s[b * w + a] = value;
-                }
-                s[k * w + k] = 1.0;
-                s[(k + 1) * w + k + 1] = 1.0;
-            }
-            s[w * w - 1] += f64::from(u8::from(n % 2 == 1));
-        }
-    }
-    let shear = |i: usize, j: usize| match (i == j, i >= n && j < n) {
-        (true, _) => 1.0,
-        (_, true) => ((i - n + j) % 3) as f64 / 4.0 - 0.25,
-        _ => 0.0,
-    };
-    let product = |left: &dyn Fn(usize, usize) -> f64, right: &dyn Fn(usize, usize) -> f64| -> Vec<f64> {
-        (0..w * w).map(|place| (0..w).map(|k| left(place / w, k) * right(k, place % w)).sum()).collect()
-    };
-    let half = product(&|i, k| shear(k, i), &|k, j| s[k * w + j]);
-    product(&|i, k| half[i * w + k], &shear)
+/// A form of reference.txt.
+struct Drawn {
+    kind: &'static str,
+    degrees: usize,
+    /// The entries of S, row by row: positions first, then momenta.
+    second: Vec<f64>,
+    first: Vec<f64>,
+    /// How far an error of one in each product may grow while exponentials are squared.
+    growth: f64,
+    /// Durations, with what is added to positions and momenta k of (k + 1)/4.
+    flows: Vec<(f64, Vec<[f64; 2]>)>,
 }
 
-/// The form of these entries with slopes that rise along positions and momenta.
+/// All of them: four kinds of up to twelve degrees of freedom.
+fn drawn() -> Vec<Drawn> {
+    let mut all: Vec<Drawn> = Vec::new();
+    for line in include_str!("reference.txt").lines() {
+        let words: Vec<&str> = line.split(' ').collect();
+        let numbers =
+            |from: usize| -> Vec<f64> { words[from..].iter().map(|word| word.parse().expect("a number")).collect() };
+        if words[0] == "flow" {
+            let (numbers, last) = (numbers(1), all.last_mut().expect("a form before"));
+            last.flows.push((numbers[0], numbers[1..].as_chunks().0.to_vec()));
+            continue;
+        }
+        let (degrees, mut entries) = (words[2].parse().expect("a number"), numbers(3).into_iter());
+        let rows = 2 * degrees;
+        let mut second = vec![0.0; rows * rows];
+        for (i, j) in (0..rows).flat_map(|i| (i..rows).map(move |j| (i, j))) {
+            let value = entries.next().expect("an entry");
+            (second[i * rows + j], second[j * rows + i]) = (value, value);
+        }
+        let first = entries.by_ref().take(rows).collect();
+        let growth = entries.next().expect("a growth");
+        all.push(Drawn { kind: words[1], degrees, second, first, growth, flows: Vec::new() });
+    }
+    all
+}
+
+impl Drawn {
+    /// What flows add, in double-double, with the column of what is added everywhere.
+    fn increments(&self, duration: f64, is_affine: bool) -> Vec<DoubleDouble> {
+        let first = if is_affine { self.first.clone() } else { vec![0.0; self.first.len()] };
+        form::Dense { size: self.degrees, second: self.second.clone(), first }.increments(duration)
+    }
+}
+
+/// The form of this kind, with its slopes or without.
 fn form(kind: &str, n: usize, is_affine: bool) -> Form {
-    let s = second(kind, n);
+    let drawn = drawn().into_iter().find(|drawn| drawn.kind == kind && drawn.degrees == n).expect("a form");
+    let s = drawn.second;
     let mut form = Form::new(1);
     for i in 0..n {
         for j in 0..n {
@@ -68,8 +66,8 @@ fn form(kind: &str, n: usize, is_affine: bool) -> Form {
             form.pp([i], [j], s[(n + i) * 2 * n + n + j]);
         }
         if is_affine {
-            form.q([i], i as f64 / 8.0);
-            form.p([i], (n + i) as f64 / 8.0);
+            form.q([i], drawn.first[i]);
+            form.p([i], drawn.first[n + i]);
         }
     }
     form
@@ -86,74 +84,75 @@ where
     *z = [Vec::<K>::slots(&q).to_vec(), Vec::<K>::slots(&p).to_vec()];
 }
 
-const KINDS: [&str; 4] = ["definite", "indefinite", "nilpotent", "defective"];
+/// The error of a sum of at most 25 products in double-double, relative to the norms of its factors.
+const OF_A_PRODUCT: f64 = 25.0 / f64::from_bits((1023 + 104) << 52);
 
-/// The matrix of all degrees of freedom in double-double, with the column of what is added everywhere.
-fn increments(kind: &str, n: usize, is_affine: bool, duration: f64) -> Vec<DoubleDouble> {
-    let slope = |k: usize| if is_affine { k as f64 / 8.0 } else { 0.0 };
-    form::Dense { size: n, second: second(kind, n), first: (0..2 * n).map(slope).collect() }.increments(duration)
+/// The largest sum of a row's absolute values.
+fn norm(matrix: &[DoubleDouble], columns: usize) -> f64 {
+    let of_row = |row: &[DoubleDouble]| row.iter().map(|entry| entry.lane(0).abs()).sum::<f64>();
+    matrix.chunks_exact(columns).map(of_row).fold(0.0, f64::max)
 }
 
 #[test]
 fn increments_are_those_of_matrix_exponentials_at_sixty_digits() {
-    let mut lines = 0;
-    for line in include_str!("reference.txt").lines() {
-        let words: Vec<&str> = line.split(' ').collect();
-        let (kind, n): (_, usize) = (words[0], words[1].parse().expect("a number"));
-        let numbers: Vec<f64> = words[2..].iter().map(|word| word.parse().expect("a number")).collect();
-        let matrix = increments(kind, n, true, numbers[0]);
-        let (mut off, mut scale) = (0.0_f64, 0.0_f64);
-        for (row, exact) in matrix.chunks_exact(2 * n + 1).zip(numbers[1..].as_chunks::<2>().0) {
-            let z = |column: usize| if column == 2 * n { 1.0 } else { (column + 1) as f64 / 4.0 };
-            let mut sum = DoubleDouble::of(0.0);
-            for (column, entry) in row.iter().enumerate() {
-                sum += *entry * DoubleDouble::of(z(column));
-                scale = scale.max(entry.lane(0).abs() * z(column));
-            }
-            off = off.max((sum - DoubleDouble::of(exact[0]) - DoubleDouble::of(exact[1])).lane(0).abs());
+    let mut kinds = Vec::new();
+    for drawn in drawn() {
+        let columns = 2 * drawn.degrees + 1;
+        for (duration, exact) in &drawn.flows {
+            let z = |column: usize| if column == columns - 1 { 1.0 } else { (column + 1) as f64 / 4.0 };
+            let matrix = drawn.increments(*duration, true);
+            let off = matrix.chunks_exact(columns).zip(exact).map(|(row, exact)| {
+                let products = row.iter().enumerate().map(|(column, entry)| *entry * DoubleDouble::of(z(column)));
+                let sum = products.fold(DoubleDouble::of(0.0), |sum, product| sum + product);
+                (sum - DoubleDouble::of(exact[0]) - DoubleDouble::of(exact[1])).lane(0).abs()
+            });
+            let off = off.fold(0.0, f64::max);
+            // The norm of the point is its largest component, and two doubles hold the reference to 2^-106.
+            let most = z(columns - 2) * drawn.growth * OF_A_PRODUCT;
+            assert!(off <= most, "{} {} {duration}: {off:.1e}, at most {most:.1e}", drawn.kind, drawn.degrees);
         }
-        // Each of at most 24 + 9 products of at most 25 terms is off by 25·2^-104 of its norm, and each squaring doubles
-        // what is relative to it: 2^-85 with nine of them; two doubles hold the reference to 2^-106.
-        assert!(off <= scale * 2.0_f64.powi(-85), "{kind} {n} {}: {:.1e}", numbers[0], off / scale);
-        lines += 1;
+        kinds.push((drawn.kind, drawn.degrees, drawn.flows.len()));
     }
-    assert_eq!(lines, 4 * 12 * 2);
+    let expected = ["definite", "indefinite", "nilpotent", "defective"].into_iter();
+    assert_eq!(kinds, expected.flat_map(|kind| (1..=12).map(move |n| (kind, n, 2))).collect::<Vec<_>>());
 }
 
 #[test]
 fn flows_compose_and_keep_areas() {
-    for (kind, n) in KINDS.into_iter().flat_map(|kind| (1..=6).map(move |n| (kind, n))) {
-        let w = 2 * n;
+    for drawn in drawn() {
+        let (n, w) = (drawn.degrees, 2 * drawn.degrees);
         let flow = |duration: f64| {
-            let mut matrix = increments(kind, n, false, duration);
+            let mut matrix = drawn.increments(duration, false);
             for k in 0..w {
                 matrix[k * (w + 1) + k] += DoubleDouble::of(1.0);
             }
             matrix
         };
-        let [a, b, both, back] = [0.75, 0.5, 1.25, -0.75].map(flow);
-        let norm = |m: &[DoubleDouble]| m.iter().fold(0.0_f64, |norm, entry| norm.max(entry.lane(0).abs()));
+        let [a, b, both, back] = [1.25, -0.5, 0.75, -1.25].map(flow);
         let entry = |m: &[DoubleDouble], i: usize, j: usize| m[i * (w + 1) + j];
-        // As above, with the products of the test itself.
-        let near = |found: DoubleDouble, exact: DoubleDouble, scale: f64, what: &str| {
+        // The error of either factor times the other one, that of the result, and those of the products of the test
+        // itself; the transposed matrix has a norm of at most as many times that as it has rows.
+        let near = |found: DoubleDouble, exact: DoubleDouble, [x, y]: [&[DoubleDouble]; 2], what: &str| {
+            let (x, y) = (norm(x, w + 1), norm(y, w + 1));
+            let most = (drawn.growth * (1.0 + x + y) + x * y) * w as f64 * OF_A_PRODUCT;
             let off = (found - exact).lane(0).abs();
-            assert!(off <= scale * w as f64 * 2.0_f64.powi(-85), "{kind} {n}, {what}: {off:.1e}");
+            assert!(off <= most, "{} {n}, {what}: {off:.1e}, at most {most:.1e}", drawn.kind);
         };
         for i in 0..w {
             for j in 0..w {
                 let zero = DoubleDouble::of(0.0);
                 let sum = |of: &dyn Fn(usize) -> DoubleDouble| (0..w).fold(zero, |sum, k| sum + of(k));
                 let product = |x: &[DoubleDouble], y: &[DoubleDouble]| sum(&|k| entry(x, i, k) * entry(y, k, j));
-                near(product(&a, &b), entry(&both, i, j), norm(&a) * norm(&b), "group law");
+                near(product(&a, &b), entry(&both, i, j), [&a, &b], "group law");
                 let unit = DoubleDouble::of(f64::from(u8::from(i == j)));
-                near(product(&a, &back), unit, norm(&a) * norm(&back), "reversibility");
+                near(product(&a, &back), unit, [&a, &back], "reversibility");
                 // M^T J M = J.
                 let area = sum(&|k| {
                     let (partner, sign) = if k < n { (n + k, 1.0) } else { (k - n, -1.0) };
                     entry(&a, k, i) * entry(&a, partner, j) * DoubleDouble::of(sign)
                 });
                 let exact = DoubleDouble::of(f64::from(u8::from(j == i + n)) - f64::from(u8::from(i == j + n)));
-                near(area, exact, norm(&a) * norm(&a), "area");
+                near(area, exact, [&a, &a], "area");
             }
         }
     }
