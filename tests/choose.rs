@@ -342,3 +342,47 @@ fn a_pace_that_does_not_pass_says_why_it_was_not_tried() {
         Err(ChooseError::Unreached { .. })
     ));
 }
+
+/// A particle whose mass depends on where it is, in one piece.
+struct OnePiece;
+
+#[hamiltonian(split = none)]
+impl OnePiece {
+    fn hamiltonian(&self, q: [f64; 1], p: [f64; 1]) -> f64 {
+        (p[0] * p[0] / (1.0 + q[0] * q[0]) + q[0] * q[0]) / 2.0
+    }
+}
+
+/// The same, as two copies that are coupled.
+struct Copies;
+
+#[hamiltonian(split = symmetric(omega = 20.0))]
+impl Copies {
+    fn hamiltonian(&self, q: [f64; 1], p: [f64; 1]) -> f64 {
+        (p[0] * p[0] / (1.0 + q[0] * q[0]) + q[0] * q[0]) / 2.0
+    }
+}
+
+#[test]
+fn implicit_methods_are_ranked_where_h_stays_in_one_piece() {
+    let (start, span, goal) = (Phase::new([1.0], [0.0]), 20.0, Goal::Energy(1e-6));
+    let ranking = choose(&OnePiece, start, span, goal).expect("a ranking");
+    let names: Vec<_> = ranking.choices().iter().map(|choice| choice.composition).collect();
+    assert_eq!(names, ["GaussLegendre6", "GaussLegendre4", "ImplicitMidpoint"], "{ranking}");
+    // The work is what a run counts.
+    let best = ranking.best();
+    let mut run = OnePiece.run_with(GaussLegendre6, start, span / best.steps as f64).expect("a start");
+    run.advance(best.steps).expect("solved steps");
+    assert_eq!(run.evaluations(), best.evaluations);
+    // Two copies follow the same motion by compositions.
+    let goal = Goal::Trajectory(1e-6);
+    let ranking = choose_among(&[&OnePiece, &Copies], start, span, goal).expect("a ranking");
+    for (name, order) in
+        [("OnePiece (in one piece)", 6), ("Copies (hamiltonian + hamiltonian of the copy + coupling)", 4)]
+    {
+        let found = ranking.choices().iter().find(|choice| choice.splitting.to_string() == name);
+        assert!(found.is_some_and(|choice| choice.order >= order && choice.error <= 1e-6), "{ranking}");
+    }
+    let refused = choose(&OnePiece, start, span, Goal::Trajectory(1e-20)).expect_err("less than a rounding");
+    assert!(matches!(refused, ChooseError::Unfollowed { .. }), "{refused}");
+}

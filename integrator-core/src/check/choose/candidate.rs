@@ -5,6 +5,7 @@ use crate::{
     composition::{Class, Composition, Rows, visitor::Visitor},
     error::Error,
     hamiltonian::{Hamiltonian, QuadraticKinetic, Shaped},
+    methods::implicit::{GaussLegendre4, GaussLegendre6, ImplicitMidpoint},
     state::{coords::Coords, precision::Precision},
     trajectory::{
         by_table::{ByTable, Kicks, Plain, WithGradients},
@@ -45,8 +46,10 @@ type Begin<'s, C> = Box<dyn Fn(&Start<C>, f64) -> Result<Run<C>, Error> + 's>;
 pub struct Candidate<'s, C: Coords> {
     pub(super) facts: Facts,
     pub(super) class: Class,
-    /// Evaluations of each step, gradients counted as one more.
+    /// Evaluations of each step, gradients counted as one more; an assumption where runs count them.
     pub(super) each: u64,
+    /// Whether runs count their evaluations, since steps differ in these.
+    pub(super) counts: bool,
     /// Evaluations of the processor and its inverse.
     pub(super) once: u64,
     /// Fictitious time for a unit of time, where steps have a time of their own; else nothing.
@@ -78,7 +81,7 @@ impl<C: Coords> Candidate<'_, C> {
         self.pace.map_or(h, |pace| h * pace)
     }
 
-    /// The work of a run.
+    /// The work of a run, or about that.
     pub(super) fn evaluations(&self, steps: u64) -> u64 {
         steps * self.each + self.once
     }
@@ -97,6 +100,7 @@ impl<'s, C: Coords> Candidate<'s, C> {
             facts: composition.facts(),
             class: X::CLASS,
             each: X::FORCE_EVALUATIONS as u64,
+            counts: false,
             once: 0,
             pace: Some(pace),
             begin: Box::new(move |start, h| run::<H, M, C::Leaf>(system, method, start, h * pace)),
@@ -109,6 +113,19 @@ pub fn candidates<H: Hamiltonian, K: Precision>(system: &H) -> Vec<Candidate<'_,
     let mut candidates = Candidates::<H, K> { system, with_gradients: None, found: Vec::new() };
     H::visit_compositions(&mut candidates);
     candidates.found
+}
+
+/// The iterations of an implicit step that are assumed before any is taken.
+const ITERATIONS: u64 = 8;
+
+/// A system whose H stays in one piece under each implicit method.
+pub(super) fn in_one_piece<H: Hamiltonian, K: Precision>(system: &H) -> Vec<Candidate<'_, Shaped<H, K>>> {
+    let stages = |candidate, stages: u64| Candidate { each: stages * ITERATIONS, ..candidate };
+    vec![
+        stages(by_method::<H, K, _>(system, ImplicitMidpoint, Class::General), 1),
+        stages(by_method::<H, K, _>(system, GaussLegendre4, Class::General), 2),
+        stages(by_method::<H, K, _>(system, GaussLegendre6, Class::General), 3),
+    ]
 }
 
 /// Collects what it visits.
@@ -130,6 +147,7 @@ impl<H: Hamiltonian, K: Precision> Visitor<H> for Candidates<'_, H, K> {
             facts: composition.facts(),
             class: X::CLASS,
             each: (X::FORCE_EVALUATIONS + X::GRADIENT_EVALUATIONS) as u64,
+            counts: false,
             pace: None,
             once: evaluations(&X::PROCESSOR.before) + evaluations(&X::PROCESSOR.after),
             begin,
@@ -155,7 +173,7 @@ pub(super) fn by_method<H: Hamiltonian, K: Precision, X: Method<H>>(
     class: Class,
 ) -> Candidate<'_, Shaped<H, K>> {
     let begin = Box::new(move |start: &Start<_>, h| run::<H, X, K>(system, method, start, h));
-    Candidate { facts: method.claims(), class, each: 0, once: 0, pace: None, begin }
+    Candidate { facts: method.claims(), class, each: 0, counts: true, once: 0, pace: None, begin }
 }
 
 /// The evaluations of some stages.

@@ -39,7 +39,7 @@ pub enum ChooseError {
     },
     /// The true motion is not known to the tolerance.
     #[error(
-        "the motion cannot be followed to {tolerance:e} over this span: halving the step of a run of order 10 changes it \
+        "the motion cannot be followed to {tolerance:e} over this span: halving the step of a run of high order changes it \
          by {difference:e} at the least. A shorter span, a looser tolerance, or the energy as the goal helps"
     )]
     Unfollowed {

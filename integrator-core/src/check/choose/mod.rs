@@ -38,8 +38,8 @@ pub enum Goal {
     Energy(f64),
     /// The distance from the true motion, as the root of its mean square over four equally spaced times, the last one
     /// at the end; positions and momenta each in units of how far they go from the start. The true motion is a Taylor
-    /// series where `#[hamiltonian(taylor)]` wrote its recurrences, and else a run of order 10, refined until it
-    /// settles.
+    /// series where `#[hamiltonian(taylor)]` wrote its recurrences, and else a run of order 10, or of order 6 by
+    /// `GaussLegendre6` where H stays in one piece, refined until it settles.
     Trajectory(f64),
 }
 
@@ -57,6 +57,9 @@ impl Goal {
 ///
 /// Work is the number of force evaluations, where a gradient of the squared force counts as one more, and a processor
 /// is charged once. Compositions that need more than sixteen times the work of the best are left out.
+///
+/// Where `split = none` leaves H in one piece there is nothing to compose, and the implicit methods are ranked in place of
+/// compositions, by the evaluations of the field that their runs count.
 ///
 /// Where `#[hamiltonian(taylor)]` wrote recurrences, Taylor's method is among them with the loosest tolerance that reaches the
 /// goal. Its evaluations are other work, so that it stands before the first composition that takes longer.

@@ -86,7 +86,7 @@ impl<'s, C: Coords> Problem<'s, C> {
         self.whole(steps as f64 * 1.125).max(steps + self.unit)
     }
 
-    /// The true motion: a Taylor series, or a run of order 10 with a compensated state, its step halved until that
+    /// The true motion: a Taylor series, or a run of high order with a compensated state, its step halved until that
     /// changes nothing.
     fn exact_motion(&self, tolerance: f64) -> Result<Reference, ChooseError> {
         let is_known = |reference: &Reference| within(reference.uncertainty() * MARGIN, tolerance);
@@ -157,6 +157,16 @@ impl<'s, C: Coords> Problem<'s, C> {
         };
         let (run, first) = timed()?;
         Ok((run, first.min(timed()?.1).min(timed()?.1)))
+    }
+
+    /// The work of `steps` steps, of a run that counts it where they differ.
+    pub(super) fn evaluations(&self, candidate: &Candidate<'_, C>, steps: u64) -> Result<u64, Error> {
+        if !candidate.counts {
+            return Ok(candidate.evaluations(steps));
+        }
+        let mut run = self.begin(candidate, steps)?;
+        run.advance(steps)?;
+        Ok(run.evaluations())
     }
 
     /// The shortest time that `steps` steps took in three runs, without what is computed once for the durations of the

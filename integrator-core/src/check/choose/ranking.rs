@@ -41,19 +41,20 @@ impl Choice {
     }
 }
 
-/// The name of a splitting. Displays as `Planets (kepler + interaction)`.
+/// The name of a splitting. Displays as `Planets (kepler + interaction)`, or as `Pendulum (in one piece)` without parts.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub struct Split {
     /// The name of the system's type, without its path.
     pub system: &'static str,
-    /// The names of its parts.
+    /// The names of its parts; none where H stays in one piece.
     pub parts: &'static [&'static str],
 }
 
 impl fmt::Display for Split {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.pad(&format!("{} ({})", self.system, self.parts.join(" + ")))
+        let parts = if self.parts.is_empty() { "in one piece" } else { &self.parts.join(" + ") };
+        f.pad(&format!("{} ({parts})", self.system))
     }
 }
 

@@ -151,7 +151,7 @@ impl<C: Coords> Attempt<'_, C> {
             steps,
             tolerance: None,
             error,
-            evaluations: candidate.evaluations(steps),
+            evaluations: problem.evaluations(candidate, steps).map_err(CheckError::from)?,
             seconds: problem.seconds(candidate, steps).map_err(CheckError::from)?,
         })
     }

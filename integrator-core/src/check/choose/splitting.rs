@@ -3,7 +3,7 @@
 use super::{
     Split,
     adaptive::{ByTaylor, by_taylor},
-    candidate::{Candidate, candidates},
+    candidate::{Candidate, candidates, in_one_piece},
 };
 use crate::{
     check::{
@@ -23,10 +23,15 @@ use crate::{
     composition::catalogue::SofroniouSpaletta10,
     error::Error,
     hamiltonian::Hamiltonian,
+    methods::implicit::GaussLegendre6,
     state::{
         coords::Coords,
         flat::{Flat, flat, shaped},
         phase::Phase,
+    },
+    trajectory::{
+        by_table::{ByTable, Plain},
+        method::Method,
     },
 };
 
@@ -85,8 +90,8 @@ pub(super) trait Measured<C: Coords> {
     /// The fewest steps that end where pieces do, of points along the motion; else the time of an edge.
     fn fewest_steps(&self, start: &Start<C>, points: &[Flat], span: f64) -> Result<u64, f64>;
 
-    /// The motion in so many steps of order 10 with a compensated state, recorded after every step. It has no ends if
-    /// the run diverges.
+    /// The motion in so many steps of order 10, or of order 6 where H stays in one piece, with a compensated state,
+    /// recorded after every step. It has no ends if the run diverges.
     fn path(&self, start: &Start<C>, span: f64, steps: u64) -> (Path, Scale);
 
     /// The motion by a Taylor series, where there is one.
@@ -108,7 +113,11 @@ where
     }
 
     fn candidates(&self, _: &Start<C>, _: f64) -> Result<Vec<Candidate<'_, C>>, &'static str> {
-        Ok(candidates::<H, C::Leaf>(self))
+        Ok(if const { H::PARTS.is_empty() } {
+            in_one_piece::<H, C::Leaf>(self)
+        } else {
+            candidates::<H, C::Leaf>(self)
+        })
     }
 
     fn by_taylor(&self) -> Option<ByTaylor<'_, C>> {
@@ -134,17 +143,11 @@ where
     }
 
     fn path(&self, start: &Start<C>, span: f64, steps: u64) -> (Path, Scale) {
-        let start = plain::<H, C::Leaf>(&start.phase).at_time(start.time);
-        let begin = flat(&start.phase);
-        let recorded = || -> Result<_, Error> {
-            let mut recorder = Recorder::new(begin.clone(), steps / PARTS);
-            let mut run = CompensatedSteps::new(self, SofroniouSpaletta10, start, span / steps as f64)?;
-            for _ in 0..steps {
-                recorder.record(run.advance(1)?);
-            }
-            Ok(recorder.finish())
-        };
-        recorded().unwrap_or_else(|_| Recorder::new(begin.clone(), 1).finish())
+        if const { H::PARTS.is_empty() } {
+            path(self, GaussLegendre6, start, span, steps)
+        } else {
+            path(self, ByTable::<Plain>::of(SofroniouSpaletta10), start, span, steps)
+        }
     }
 
     fn series(&self, start: &Start<C>, span: f64) -> Option<Reference> {
@@ -159,4 +162,28 @@ where
             [found.kinetic, found.energy]
         })
     }
+}
+
+/// The motion by compensated steps of a method.
+fn path<H: Hamiltonian, C: Coords, X: Method<H>>(
+    system: &H,
+    method: X,
+    start: &Start<C>,
+    span: f64,
+    steps: u64,
+) -> (Path, Scale)
+where
+    H::Coords: Coords<With<C::Leaf> = C>,
+{
+    let start = plain::<H, C::Leaf>(&start.phase).at_time(start.time);
+    let begin = flat(&start.phase);
+    let recorded = || -> Result<_, Error> {
+        let mut recorder = Recorder::new(begin.clone(), steps / PARTS);
+        let mut run = CompensatedSteps::new(system, method, start, span / steps as f64)?;
+        for _ in 0..steps {
+            recorder.record(run.advance(1)?);
+        }
+        Ok(recorder.finish())
+    };
+    recorded().unwrap_or_else(|_| Recorder::new(begin.clone(), 1).finish())
 }
