@@ -2,7 +2,7 @@
 
 use crate::parts::{Anharmonic, Fault, Turning};
 use integrator_core::{
-    KahanLi8, Phase, Verlet, Yoshida4,
+    GaussLegendre4, KahanLi8, Phase, Verlet, Yoshida4,
     check::{self, CertifyError, CheckError, FlowErrors, FlowLaw, Goal, Shortfall, certify},
 };
 
@@ -63,6 +63,29 @@ fn each_law_can_be_broken() {
         expected.sort_by_key(|(_, law)| *law as u8);
         assert_eq!(found, expected, "{fault:?}");
     }
+}
+
+/// Methods that take the whole field of H are held against its energy, too.
+#[test]
+fn a_field_of_another_hamiltonian_or_of_none_is_refused() {
+    let certified = |fault| {
+        let system = Anharmonic { mass: 2.0, frequency: 3.0, fault };
+        certify::<_, _, f64>(&system, GaussLegendre4, START, 0.05)
+    };
+    let right = certified(Fault::None);
+    assert!(right.is_ok(), "{}", right.expect_err("a refusal"));
+    let shortfalls = |fault| match certified(fault) {
+        Ok(certificate) => panic!("{fault:?} is certified: {certificate}"),
+        Err(CertifyError::Refused { shortfalls, .. }) => shortfalls,
+        Err(error) => panic!("{error}"),
+    };
+    let found = shortfalls(Fault::FieldOfAnother);
+    assert!(matches!(found[..], [Shortfall::Order { .. }]), "{found:?}");
+    let found = shortfalls(Fault::FieldOfNone);
+    assert!(
+        matches!(found[..], [Shortfall::Symplecticity { .. }, Shortfall::Order { .. }, Shortfall::EnergyDrift(_)]),
+        "{found:?}"
+    );
 }
 
 #[test]

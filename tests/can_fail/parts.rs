@@ -20,6 +20,10 @@ pub(crate) enum Fault {
     Stronger,
     /// The oscillator leads nowhere.
     Undefined,
+    /// The force in the field of H is a thousandth too strong, so that it is that of another H.
+    FieldOfAnother,
+    /// The field of H has a friction, so that it is that of none.
+    FieldOfNone,
 }
 
 /// `H = (p²/m + m ω² q²)/2 + q⁴/4`, an oscillator and the rest.
@@ -99,6 +103,15 @@ parts_by_hand! {
         let strength = if m.parameters.fault == Fault::Stronger { 1.000_001 } else { 1.0 };
         let q = m.q[0].value();
         m.p[0].fma(R::of(-strength * d), q * q * q);
+    }
+    fn along_field<R: Real, K: Precision>(at: ReadBy<'_, Self, R, K>, to: MovedBy<'_, Self, R, K>, d: f64, _t: f64) {
+        let Self { mass, frequency, fault } = *at.parameters;
+        let strength = if fault == Fault::FieldOfAnother { 1.001 } else { 1.0 };
+        let friction = if fault == Fault::FieldOfNone { 1e-3 } else { 0.0 };
+        let (q, p) = (at.q[0].value(), at.p[0].value());
+        to.q[0].fma(R::of(d / mass), p);
+        to.p[0].fma(R::of(-strength * d), R::of(mass * frequency * frequency) * q + q * q * q);
+        to.p[0].fma(R::of(-friction * d), p);
     }
     fn kinetic<R: Real, K: Precision>(m: &Self::Motion<R, K>, _t: f64) -> R {
         m.parameters.oscillator(m.q[0].value(), m.p[0].value())

@@ -173,6 +173,7 @@ rows! {
     signed_remainders { let mut v = 0.0; for i in 0..4 { v += q[i as usize] * q[((i - 1 + 4) % 4) as usize]; } v } => [b + d, a + c, b + d, a + c];
     ranges_from_below_zero { let mut v = 0.0; for k in -1..2 { v += k as f64 * q[(k + 1) as usize]; } v } => [-1.0, 0.0, 1.0, 0.0];
     wrapping_casts { let mut v = 0.0; for i in 254..258 { v += (i as u8) as f64 * q[0]; } v } => [510.0, 0.0, 0.0, 0.0];
+    counted_strides { let mut v = 0.0; for i in (0..4).step_by(2) { for _ in 1..i { v += q[0] * q[0]; } } v } => [2.0 * a, 0.0, 0.0, 0.0];
     stopped_differences { let mut v = 0.0; for i in 0..q.len() { for j in 0..i.saturating_sub(1) { v += q[i] * q[j]; } } v } => [c + d, d, a, a + b];
     powers_by_an_index { let mut v = 0.0; for n in 0..4 { v += (1.0 + q[0]).powi(n as i32); } v } => [1.0 + 2.0 * (1.0 + a) + 3.0 * (1.0 + a).powi(2), 0.0, 0.0, 0.0];
     bounds { let mut v = 0.0; for i in 0..self.count { v += q[i] * q[i]; } v } => [2.0 * a, 2.0 * b, 2.0 * c, 0.0];

@@ -172,6 +172,18 @@ impl Loops {
         }
     }
 
+    /// Whether an integer expression is made of numbers and of indices of loops between numbers.
+    pub(crate) fn is_untyped(&self, id: IndexId) -> bool {
+        let of = |id| self.is_untyped(id);
+        match (self.index(id), self.index(id).operands()) {
+            (Index::Literal(_), _) => true,
+            (Index::Running(by), _) => of(self.get(by).from) && of(self.get(by).to),
+            (Index::Typed(..) | Index::Wrapped(..), _) => false,
+            (_, Some([a, b])) => of(a) && of(b),
+            (_, None) => false,
+        }
+    }
+
     /// The value of an integer expression that is a number, or one below zero.
     pub(crate) fn signed_literal(&self, id: IndexId) -> Option<i64> {
         match self.index(id) {

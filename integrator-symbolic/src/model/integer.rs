@@ -10,7 +10,7 @@ use super::{
 };
 use crate::graph::{
     Element, NodeId,
-    index::{Index, IndexId, IntegerType, LoopSet},
+    index::{Index, IndexId, IntegerType, LoopSet, Loops},
 };
 use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::{ToTokens, quote};
@@ -125,6 +125,7 @@ impl Reader<'_> {
             }
             (_, Some(both)) => {
                 let [a, b] = both.map(|id| self.typed_text(id, kind));
+                let a = if kind.is_none() { receiver(&self.graph.loops, known, both[0], a) } else { a };
                 let signed = kind.is_some_and(|kind| kind.signed);
                 let text = if signed { signed_operation(known, a, b) } else { operation(known, a, b) };
                 quote!((#text))
@@ -149,10 +150,7 @@ pub(crate) fn operation(index: Index, a: TokenStream, b: TokenStream) -> TokenSt
         Index::Mul(..) => quote!(#a * #b),
         Index::Div(..) => quote!(#a / #b),
         Index::Rem(..) => quote!(#a % #b),
-        Index::Monus(..) => {
-            let a = typed(a);
-            quote!(#a.saturating_sub(#b))
-        }
+        Index::Monus(..) => quote!(#a.saturating_sub(#b)),
         Index::Min(..) => quote!(#a.min(#b)),
         Index::Typed(kind, _) | Index::Wrapped(kind, _) => {
             let kind = Ident::new(kind.name, Span::call_site());
@@ -176,11 +174,13 @@ pub(crate) fn signed_operation(index: Index, a: TokenStream, b: TokenStream) -> 
     }
 }
 
-/// A literal with its type, so that it has methods; anything else as it is.
-fn typed(text: TokenStream) -> TokenStream {
-    match text.to_string().parse() {
-        Ok(value) => Literal::usize_suffixed(value).to_token_stream(),
-        Err(_) => text,
+/// The left operand of an operation on `usize`. Where that is a method, it has a type, which literals and indices of loops
+/// between literals do not tell.
+pub(crate) fn receiver(loops: &Loops, operation: Index, a: IndexId, text: TokenStream) -> TokenStream {
+    match (operation, loops.literal(a)) {
+        (Index::Monus(..) | Index::Min(..), Some(value)) => Literal::usize_suffixed(value as usize).to_token_stream(),
+        (Index::Monus(..) | Index::Min(..), None) if loops.is_untyped(a) => quote!((#text as usize)),
+        _ => text,
     }
 }
 

@@ -12,7 +12,7 @@ use crate::{
     },
     model::{
         Length,
-        integer::{operand, operation, signed_operation},
+        integer::{operand, operation, receiver, signed_operation},
     },
 };
 use proc_macro2::{Ident, Literal, TokenStream};
@@ -104,7 +104,7 @@ impl Printer<'_> {
         }
         if let Some(both) = known.operands() {
             let [a, b] = both.map(|id| self.inner_index(fields, id));
-            return operation(known, a, b);
+            return operation(known, receiver(&self.graph.loops, known, both[0], a), b);
         }
         match known {
             Index::Literal(value) => Literal::u64_unsuffixed(value).to_token_stream(),
