@@ -70,10 +70,8 @@ fn system(source: &Source, annotated: &Annotated, own: &[Proved], catalogue: &Ca
         && composition.quadratic_kinetic
         && !report.quadratic_kinetic
     {
-        let message = format!(
-            "the kinetic energy of `{}` is not quadratic in p with a constant mass matrix: `{name}` needs T = ½ pᵀ M⁻¹ p",
-            report.system
-        );
+        let message =
+            format!("H of `{}` is not ½ pᵀ M⁻¹ p + V(q) with a constant M, as `{name}` needs it", report.system);
         return Err(Mistake::at(source, [(place_of(arguments, name).unwrap_or(*span), message)]));
     }
     Ok(System { report, line: span.start().line, composition })

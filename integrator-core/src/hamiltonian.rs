@@ -167,10 +167,10 @@ pub trait Hamiltonian: Sized {
 
 /// A Hamiltonian with `T = ½ pᵀ M⁻¹ p` and a constant `M`. Written by `#[hamiltonian]`, which decides it symbolically.
 #[diagnostic::on_unimplemented(
-    message = "the kinetic energy of `{Self}` is not quadratic in p with a constant mass matrix",
-    label = "this composition needs T = ½ pᵀ M⁻¹ p",
-    note = "its order conditions were shortened for a quadratic T; on another T it would lose its order",
-    note = "compositions of general class, such as `Yoshida4` and `KahanLi8`, integrate every separable Hamiltonian"
+    message = "H of `{Self}` is not ½ pᵀ M⁻¹ p + V(q) with a constant M",
+    label = "this composition needs H = ½ pᵀ M⁻¹ p + V(q)",
+    note = "its order conditions were shortened for such an H; on another one it would lose its order",
+    note = "compositions of general class, such as `Yoshida4` and `KahanLi8`, integrate every splitting"
 )]
 pub trait QuadraticKinetic: Hamiltonian {
     /// Replaces the momenta by the Hessian of `V` times the momenta.

@@ -60,8 +60,7 @@ impl Relativistic {{
     let path = file("relativistic.rs", relativistic("BlanesMoanSrkn11"));
     let message = refusal(&["show", &path]);
     let expected = format!(
-        "error: the kinetic energy of `Relativistic` is not quadratic in p with a constant mass matrix: \
-         `BlanesMoanSrkn11` needs T = ½ pᵀ M⁻¹ p
+        "error: H of `Relativistic` is not ½ pᵀ M⁻¹ p + V(q) with a constant M, as `BlanesMoanSrkn11` needs it
  --> {path}:1:25
   |
 1 | #[hamiltonian(compose = BlanesMoanSrkn11)]

@@ -24,10 +24,12 @@ macro_rules! implicit {
             }
         }
 
+        #[diagnostic::do_not_recommend]
         impl TakesWhole for $name {}
 
         impl<H: Hamiltonian> Resumable<H> for $name {}
 
+        #[diagnostic::do_not_recommend]
         impl<H: Hamiltonian> Memoryless<H> for $name {}
 
         impl<H: Hamiltonian> Method<H> for $name {
