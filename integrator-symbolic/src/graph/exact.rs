@@ -5,6 +5,7 @@ use super::{
     index::IndexId,
     kepler::{Orbits, Stray},
     quadratic::quadratic,
+    same_product::FactorsOf,
 };
 
 /// The form of a part, which its exact flow follows from.
@@ -51,8 +52,14 @@ const JUDGEMENTS: [Judgement; 2] = [shear, quadratic];
 impl Graph {
     /// The form of a part, or for each form what keeps the part from being of it, in the order in which they are tried.
     ///
-    /// `extents` is the number of numbers or points of the coordinates, and that of the components of a point.
-    pub(crate) fn exact(&mut self, energy: NodeId, extents: &[IndexId]) -> Result<Exact, Vec<Obstacle>> {
+    /// `extents` is the number of numbers or points of the coordinates, and that of the components of a point;
+    /// `factors_of` tells the factors of parameters.
+    pub(crate) fn exact(
+        &mut self,
+        energy: NodeId,
+        extents: &[IndexId],
+        factors_of: FactorsOf<'_>,
+    ) -> Result<Exact, Vec<Obstacle>> {
         match [Part::Position, Part::Momentum].map(|part| self.reads(energy, part)) {
             [false, _] => return Ok(Exact::OfMomenta),
             [_, false] => return Ok(Exact::OfPositions),
@@ -65,7 +72,7 @@ impl Graph {
                 Err(obstacle) => obstacles.push(obstacle),
             }
         }
-        match self.orbits(energy, extents) {
+        match self.orbits(energy, extents, factors_of) {
             Ok(orbits) => return Ok(Exact::Kepler(orbits)),
             Err(stray) => obstacles.extend(stray.map(Obstacle::Orbits)),
         }

@@ -3,6 +3,7 @@
 use super::{
     Element, Graph, Node, NodeId, Part,
     index::{Index, IndexId, Loop, LoopId, LoopSet},
+    same_product::FactorsOf,
 };
 
 /// Bodies that move about the origin, alike but for their masses and strengths.
@@ -69,8 +70,13 @@ struct Found {
 
 impl Graph {
     /// The orbits that an energy is the sum of. `extents` is the number of numbers or points of the coordinates, and that
-    /// of the components of a point. Nothing but `None` stands in the way of an energy without a term `k/|q|`.
-    pub(crate) fn orbits(&mut self, energy: NodeId, extents: &[IndexId]) -> Result<Vec<Orbits>, Option<Stray>> {
+    /// of the components of a point; `factors_of` tells the factors of parameters. Nothing but `None` stands in the way of an energy without a term `k/|q|`.
+    pub(crate) fn orbits(
+        &mut self,
+        energy: NodeId,
+        extents: &[IndexId],
+        factors_of: FactorsOf<'_>,
+    ) -> Result<Vec<Orbits>, Option<Stray>> {
         let one = self.constant(1.0);
         let mut terms = Vec::new();
         self.terms(energy, one, &mut Vec::new(), &mut terms);
@@ -96,7 +102,7 @@ impl Graph {
         if twice {
             return Err(Some(Stray::Twice));
         }
-        found.into_iter().map(|found| self.orbit(found, extents).map_err(Some)).collect()
+        found.into_iter().map(|found| self.orbit(found, extents, factors_of).map_err(Some)).collect()
     }
 
     /// The terms of a sum, with what they are multiplied by, numbers included; of too many, one more than are looked at.
@@ -137,7 +143,26 @@ impl Graph {
             {
                 self.terms(sum, coefficient, loops, terms);
             }
-            _ => terms.push(Term { loops: loops.clone(), coefficient, core: id }),
+            _ => {
+                let (coefficient, core) = self.gathered(id, coefficient);
+                terms.push(Term { loops: loops.clone(), coefficient, core });
+            }
+        }
+    }
+
+    /// A coefficient with those in front of each factor of a product, as in `(k p) p`, and the product of the others.
+    fn gathered(&mut self, id: NodeId, coefficient: NodeId) -> (NodeId, NodeId) {
+        match self.node(id) {
+            Node::Mul(factor, a) | Node::Mul(a, factor) if self.is_prepared(factor) => {
+                let coefficient = self.mul(coefficient, factor);
+                self.gathered(a, coefficient)
+            }
+            Node::Mul(a, b) => {
+                let (coefficient, a) = self.gathered(a, coefficient);
+                let (coefficient, b) = self.gathered(b, coefficient);
+                (coefficient, self.mul(a, b))
+            }
+            _ => (coefficient, id),
         }
     }
 
@@ -187,10 +212,10 @@ impl Graph {
     }
 
     /// The mass and the strength of bodies.
-    fn orbit(&mut self, found: Found, extents: &[IndexId]) -> Result<Orbits, Stray> {
+    fn orbit(&mut self, found: Found, extents: &[IndexId], factors_of: FactorsOf<'_>) -> Result<Orbits, Stray> {
         let Found { bodies, kinetic, potential } = found;
         let Some((_, factor)) = kinetic.first().copied() else { return Err(Stray::Kinetic) };
-        if kinetic.iter().any(|(_, other)| *other != factor) {
+        if kinetic.iter().any(|(_, other)| !self.is_same_product(*other, factor, factors_of)) {
             return Err(Stray::Mass);
         }
         let components: Vec<_> = kinetic.into_iter().map(|(component, _)| component).collect();

@@ -23,6 +23,7 @@ mod piecewise;
 mod polynomial;
 mod product;
 mod quadratic;
+pub(crate) mod same_product;
 mod separate;
 
 pub(crate) use access::Access;

@@ -16,6 +16,7 @@ mod elementary;
 mod escape;
 mod expression;
 mod external;
+pub(crate) mod factors;
 mod fill;
 mod flatten;
 mod guard;

@@ -2,13 +2,14 @@
 
 use super::{
     Called, Reader,
+    factors::factors,
     own_flow::own_flow,
     shape::{Shape, WholeSignature, lone_part, signature, usual_name, whole_signature},
 };
 use crate::{
     errors::Errors,
     graph::{
-        Element, NodeId, Part,
+        Element, NodeId, ParameterId, Part,
         exact::{Exact, Obstacle},
         kepler::Stray,
     },
@@ -131,7 +132,12 @@ impl<'i> Reader<'i> {
             None => {
                 let extents = [Some(&shape.length), shape.dimension.as_ref()];
                 let extents: Vec<_> = extents.into_iter().flatten().map(|length| self.length(length)).collect();
-                self.graph.exact(energy, &extents)
+                let parameters = &self.parameters;
+                let factors_of = |id: ParameterId| {
+                    let factors = factors(parameters[id.0 as usize].text.clone());
+                    factors.into_iter().map(|(text, exponent)| (text.to_string(), exponent)).collect()
+                };
+                self.graph.exact(energy, &extents, &factors_of)
             }
         };
         match judged {
@@ -172,7 +178,7 @@ impl Reader<'_> {
                 let why = match stray {
                     Stray::Term => "a term is neither p² of a body times a number nor k/|q|",
                     Stray::Component => "p² or |q| of a body lacks some of its components",
-                    Stray::Mass => "the masses of the components of a body are not written alike",
+                    Stray::Mass => "the components of a body may have different masses",
                     Stray::Kinetic => "a body with k/|q| has no p²/2m",
                     Stray::Twice => "a body may stand in two of its sums",
                 };

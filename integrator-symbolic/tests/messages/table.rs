@@ -535,14 +535,36 @@ pub(crate) const SPLITS: &[Row] = &[
     ),
     (
         "split = a + b on fn a(&self, [x, y]: [f64; 2], [px, py]: [f64; 2]) -> f64 { px * px / (2.0 * self.m) + 0.5 * py * py / self.m - 1.0 / x.hypot(y) } fn b(&self, q: [f64; 2]) -> f64 { q[0].cos() }",
+        &[],
+    ),
+    (
+        "split = a + b on fn a(&self, [x, y]: [f64; 2], [px, py]: [f64; 2]) -> f64 { px * px / self.m / 2.0 + 0.5 / self.m * py * py - 1.0 / x.hypot(y) } fn b(&self, q: [f64; 2]) -> f64 { q[0].cos() }",
+        &[],
+    ),
+    (
+        "split = a + b on fn a(&self, [x, y]: [f64; 2], [px, py]: [f64; 2]) -> f64 { self.a * px.powi(2) / 3.0 * self.b + self.b * py.powi(2) * (self.a / 3.0) - 1.0 / x.hypot(y) } fn b(&self, q: [f64; 2]) -> f64 { q[0].cos() }",
+        &[],
+    ),
+    (
+        "split = a + b on fn a(&self, [x, y]: [f64; 2], [px, py]: [f64; 2]) -> f64 { 0.5 * px * px / (self.m * self.n) + py * py / (self.n * 2.0 * self.m) - 1.0 / x.hypot(y) } fn b(&self, q: [f64; 2]) -> f64 { q[0].cos() }",
+        &[],
+    ),
+    (
+        "split = a + b on fn a(&self, [x, y]: [f64; 2], [px, py]: [f64; 2]) -> f64 { 0.5 * px * px / self.m.sqrt() + 0.5 * py * py / self.m - 1.0 / x.hypot(y) } fn b(&self, q: [f64; 2]) -> f64 { q[0].cos() }",
         &[
-            "2:3 no exact flow is known for `a`: it is no shear, since q[0] and p[0] are both in it; it is no quadratic form in q and p; it is no sum of p²/2m - k/|q| over bodies, since the masses of the components of a body are not written alike. Split it into more parts, or write its flow: `#[flow(a)]`",
+            "2:3 no exact flow is known for `a`: it is no shear, since q[0] and p[0] are both in it; it is no quadratic form in q and p; it is no sum of p²/2m - k/|q| over bodies, since the components of a body may have different masses. Split it into more parts, or write its flow: `#[flow(a)]`",
+        ],
+    ),
+    (
+        "split = a + b on fn a(&self, [x, y]: [f64; 2], [px, py]: [f64; 2]) -> f64 { 0.5 * px * px * self.a + 0.5 * py * py * (self.a + self.b) - 1.0 / x.hypot(y) } fn b(&self, q: [f64; 2]) -> f64 { q[0].cos() }",
+        &[
+            "2:3 no exact flow is known for `a`: it is no shear, since q[0] and p[0] are both in it; it is no quadratic form in q and p; it is no sum of p²/2m - k/|q| over bodies, since the components of a body may have different masses. Split it into more parts, or write its flow: `#[flow(a)]`",
         ],
     ),
     (
         "split = a + b on fn a(&self, [x, y]: [f64; 2], [px, py]: [f64; 2]) -> f64 { px * px + 0.5 * py * py - 1.0 / (x * x + y * y).sqrt() } fn b(&self, q: [f64; 2]) -> f64 { q[0].cos() }",
         &[
-            "2:3 no exact flow is known for `a`: it is no shear, since q[0] and p[0] are both in it; it is no quadratic form in q and p; it is no sum of p²/2m - k/|q| over bodies, since the masses of the components of a body are not written alike. Split it into more parts, or write its flow: `#[flow(a)]`",
+            "2:3 no exact flow is known for `a`: it is no shear, since q[0] and p[0] are both in it; it is no quadratic form in q and p; it is no sum of p²/2m - k/|q| over bodies, since the components of a body may have different masses. Split it into more parts, or write its flow: `#[flow(a)]`",
         ],
     ),
     (

@@ -5,7 +5,7 @@ use crate::{
         Graph, ParameterId,
         index::{LoopId, LoopSet},
     },
-    model::Parameter,
+    model::{Parameter, factors::factors},
     pairs::{Parameters, Renaming},
 };
 use proc_macro2::{Delimiter, Group, Ident, TokenStream, TokenTree};
@@ -29,8 +29,8 @@ impl Parameters for Texts<'_> {
     }
 
     fn factors(&mut self, graph: &mut Graph, id: ParameterId) -> Vec<(ParameterId, i32)> {
-        let mut factors = Vec::new();
-        if !split(self.text(id), 1, &mut factors) || factors.len() < 2 {
+        let factors = factors(self.text(id));
+        if factors.len() < 2 {
             return vec![(id, 1)];
         }
         let loops = graph.loops.of_parameter(id);
@@ -66,40 +66,6 @@ impl<'m> Texts<'m> {
             made
         })
     }
-}
-
-/// Collects the factors of a product; `false` if the text is something else.
-fn split(text: TokenStream, exponent: i32, factors: &mut Vec<(TokenStream, i32)>) -> bool {
-    let mut factor: Vec<TokenTree> = Vec::new();
-    let mut sign = exponent;
-    for token in text {
-        match &token {
-            TokenTree::Punct(mark) if matches!(mark.as_char(), '*' | '/') => {
-                if !close(std::mem::take(&mut factor), sign, factors) {
-                    return false;
-                }
-                sign = if mark.as_char() == '/' { -exponent } else { exponent };
-            }
-            TokenTree::Punct(mark) if !matches!(mark.as_char(), '.' | ':') => return false,
-            TokenTree::Ident(name) if name == "as" => return false,
-            _ => factor.push(token),
-        }
-    }
-    close(factor, sign, factors)
-}
-
-/// Collects one factor, or those of a product in parentheses.
-fn close(factor: Vec<TokenTree>, exponent: i32, factors: &mut Vec<(TokenStream, i32)>) -> bool {
-    if let [TokenTree::Group(group)] = &factor[..] {
-        let known = factors.len();
-        if split(group.stream(), exponent, factors) {
-            return true;
-        }
-        factors.truncate(known);
-    }
-    let is_some = !factor.is_empty();
-    factors.push((factor.into_iter().collect(), exponent));
-    is_some
 }
 
 /// Whether a text mentions a variable.
