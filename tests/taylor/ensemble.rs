@@ -68,7 +68,7 @@ rows! {
         |i| (Chain, Phase::new((0..19).map(|site| spread(i + site)).collect(), vec![0.0; 19]));
     long_chains_in_single_precision, Taylor::tolerance(1e-8), 0.03125, 0.0,
         |i| (Chain, Phase::new((0..19).map(|site| spread(i + site) as f32).collect(), vec![0.0; 19]));
-    what_is_not_t_plus_v, Taylor::tolerance(FINE), 0.25, 0.0,
+    what_is_not_t_plus_v, Taylor::tolerance(FINE), 0.03125, 0.0,
         |i| (double_pendulum::System { masses: [1.0; 4] }, Phase::new([0.1 + spread(i), -0.5], [0.2, spread(i + 1)]));
     named_parts_that_carry_their_roundings, Taylor::tolerance(FINE), 0.25, 0.0,
         |i| (kepler_and_interaction::System { masses: [1.0; 4] }, Phase::compensated([1.0, 0.25], [-0.25, 0.75 + spread(i) / 4.0]));
