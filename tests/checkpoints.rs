@@ -204,7 +204,7 @@ fn what_belongs_to_another_run_is_refused_with_a_reason() {
     let early = PENDULUM.run_with(early::Mine, Phase::new([1.0], [0.0]), 0.1).expect("an admissible start");
     assert_eq!(
         text(Run::<[f64; 1]>::resume_with(&PENDULUM, late::Mine, &early.checkpoint()).expect_err("other stages")),
-        "`Mine` has other stages than when this checkpoint was made"
+        "`Mine` has other stages than when this checkpoint was made: they were changed, or it is a time of its own over another composition"
     );
 }
 

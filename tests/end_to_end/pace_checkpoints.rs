@@ -67,7 +67,7 @@ fn a_checkpoint_in_a_time_of_its_own_is_refused_elsewhere() {
     );
     assert_eq!(
         refused(Run::resume_with(&COMET, Power(0.5, Verlet), &bytes)),
-        "`Power` has other stages than when this checkpoint was made"
+        "`Power` has other stages than when this checkpoint was made: they were changed, or it is a time of its own over another composition"
     );
     assert_eq!(
         refused(Run::resume_with(&COMET, Yoshida4, &bytes)),

@@ -52,3 +52,37 @@ fn the_time_may_be_a_coordinate() {
     });
     assert!((order - 4.0).abs() < 0.3, "observed {order}");
 }
+
+/// Members in lanes, whose coordinates of time differ, have the bits of their runs.
+#[test]
+fn members_have_the_bits_of_their_runs() {
+    let start = |member: usize| Phase::new([0.4, 0.0, 0.3 * member as f64], [0.0, 2.0 - 0.01 * member as f64, 0.0]);
+    let members = (0..19).map(|member| (Pulsing, start(member)));
+    let mut swarm = Ensemble::new(Logarithmic(Yoshida4), members, 0.05).expect("members");
+    for steps in [1, 62] {
+        swarm.advance(steps).expect("finite states");
+    }
+    for member in 0..19 {
+        let mut run = Pulsing.run_with(Logarithmic(Yoshida4), start(member), 0.05).expect("a start");
+        run.advance(63).expect("finite states");
+        assert_eq!((swarm.state(member), swarm.time_of(member)), (Some(run.state()), Some(run.time())), "{member}");
+    }
+}
+
+/// The way back takes the coordinate of time back, too.
+#[test]
+fn the_time_runs_back() {
+    let start = Phase::new([0.4, 0.0, 0.0], [0.0, 2.0, 0.0]);
+    let mut there = Pulsing.run_with(Logarithmic(KahanLi8), start, 0.05).expect("a start");
+    there.advance(200).expect("finite states");
+    let turned = there.state();
+    assert!(turned.q[2] > 5.0, "the time went on: {}", turned.q[2]);
+    // The run back takes its energy from the state where it turns, a rounding of which lengthens all steps alike: it is
+    // compared at the same time, not after the same steps.
+    let mut back = Pulsing.run_with(Logarithmic(KahanLi8), turned, -0.05).expect("a start");
+    back.advance_to(-there.time()).expect("finite states");
+    let off =
+        back.state().q.into_iter().zip(start.q).map(|(one, other): (f64, f64)| (one - other).abs()).fold(0.0, f64::max);
+    // 400 steps of 17 stages, each with some roundings, along an orbit on which errors grow like the time.
+    assert!(off < 400.0 * 17.0 * 4.0 * f64::EPSILON, "off by {off:e}");
+}

@@ -47,7 +47,10 @@ pub enum CheckpointError {
         asked: String,
     },
     /// The composition has the stored name, but other stages.
-    #[error("`{composition}` has other stages than when this checkpoint was made")]
+    #[error(
+        "`{composition}` has other stages than when this checkpoint was made: they were changed, or it is a time of its own over \
+         another composition"
+    )]
     Stages {
         /// Its name.
         composition: String,
