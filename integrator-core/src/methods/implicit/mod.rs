@@ -32,6 +32,7 @@ macro_rules! implicit {
         #[diagnostic::do_not_recommend]
         impl<H: Hamiltonian> Memoryless<H> for $name {}
 
+        #[diagnostic::do_not_recommend]
         impl<H: Hamiltonian> Method<H> for $name {
             type Constants = H::Parameters<f64>;
             type Motion<R: Real, K: Precision> = Implicit<R, Shaped<H, K>, H::Parameters<R>>;

@@ -124,6 +124,7 @@ impl<X: Scheme> Described for Paced<X> {
 
 macro_rules! time_transformation {
     ($method:ident of $system:ident, $transformation:ty, $exponent:expr, $transforms_energy:expr) => {
+        #[diagnostic::do_not_recommend]
         impl<H: $system, X: Composition<H>> Method<H> for $method<X> {
             /// As members of ensembles are computed, whose powers have other roundings with these instructions.
             const WIDE: bool = true;

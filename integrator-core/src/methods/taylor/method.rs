@@ -93,6 +93,7 @@ impl Described for Taylor {
     }
 }
 
+#[diagnostic::do_not_recommend]
 impl<H: Recurrences> Method<H> for Taylor {
     /// Polynomials of one coordinate fit into the registers of any set, and those of AVX-512 make its steps no faster.
     const WIDE: bool = !matches!((H::Coords::LENGTH, H::Coords::COMPONENTS), (Some(1), 1));
