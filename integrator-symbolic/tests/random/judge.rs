@@ -101,7 +101,7 @@ impl System {
     }
 }
 
-fn method(item: &ImplItem) -> Option<&ImplItemFn> {
+pub(crate) fn method(item: &ImplItem) -> Option<&ImplItemFn> {
     match item {
         ImplItem::Fn(function) => Some(function),
         _ => None,
@@ -201,14 +201,14 @@ impl Evaluation {
 }
 
 /// A machine that knows the user's methods and the system.
-fn machine<'t>(methods: &[&'t ImplItemFn], case: &Case) -> Machine<'t> {
+pub(crate) fn machine<'t>(methods: &[&'t ImplItemFn], case: &Case) -> Machine<'t> {
     let mut machine = Machine::new(methods.iter().copied());
     machine.names.push((format_ident!("self"), case.fields.clone()));
     machine
 }
 
 impl Case {
-    fn shaped(&self, points: &[Vec<f64>], mut of: impl FnMut(f64) -> Value) -> Value {
+    pub(crate) fn shaped(&self, points: &[Vec<f64>], mut of: impl FnMut(f64) -> Value) -> Value {
         let point = |point: &Vec<f64>| match self.is_flat {
             true => of(point[0]),
             false => Value::list(point.iter().map(|value| of(*value)).collect::<Vec<_>>()),
@@ -227,7 +227,14 @@ impl Verdict {
         self.compare(Fault::Force, name, gradient, generated.gradient, on_edge);
     }
 
-    fn compare(&mut self, fault: Fault, name: &str, expected: &[Bounded], found: Outcome<Vec<Bounded>>, on_edge: bool) {
+    pub(crate) fn compare(
+        &mut self,
+        fault: Fault,
+        name: &str,
+        expected: &[Bounded],
+        found: Outcome<Vec<Bounded>>,
+        on_edge: bool,
+    ) {
         let found = match found {
             Ok(found) if found.len() == expected.len() => found,
             Ok(found) => {
@@ -256,7 +263,7 @@ impl Verdict {
         }
     }
 
-    fn note(&mut self, fault: Fault, what: String) {
+    pub(crate) fn note(&mut self, fault: Fault, what: String) {
         self.faults.push((fault, what));
     }
 }

@@ -19,6 +19,7 @@ mod operate;
 mod place;
 mod sequence;
 mod shrink;
+mod splits;
 mod value;
 
 use choice::Choices;
