@@ -7,6 +7,7 @@ use crate::{
     system::counts::Counts,
 };
 use alloc::vec::Vec;
+use core::mem::{needs_drop, take};
 
 /// Prepared constants, one per lane.
 pub trait Prepared<R: Real>: Clone + Send + Sync + 'static {
@@ -29,15 +30,24 @@ pub trait Prepared<R: Real>: Clone + Send + Sync + 'static {
     fn gather(members: &[&Self::Single]) -> Self;
 }
 
+/// For which steps a motion is moved out of memory, so that its coordinates stay in registers: a flow that calls a function
+/// now and then would else find and leave them in memory every time.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum InRegisters {
+    Never,
+    /// For stages that begin with a kick.
+    Kicked,
+    Always,
+}
+
 /// State and prepared constants in the layout that the generator chose.
 pub trait Motion<C: Coords, P>: Clone + Send + Sync + 'static {
     /// Whether the time is part of the state.
     const TIMED: bool = false;
     /// Whether loading and storing mixes coordinates, so that each has roundings of the size of the largest one.
     const MIXES: bool = false;
-    /// Whether steps are taken with the motion moved out of memory, so that its coordinates stay in registers: a flow that
-    /// calls a function now and then would else find and leave them in memory every time.
-    const IN_REGISTERS: bool = false;
+    /// For which steps it is moved out of memory.
+    const IN_REGISTERS: InRegisters = InRegisters::Never;
 
     /// Moves it out for a while, after which it is put back.
     fn take(&mut self) -> Self {
@@ -203,6 +213,9 @@ const REGISTERS: usize = 2048;
 /// What a solved flow keeps beside the state, for all lanes of a motion; by default nothing, for a motion that the flow is
 /// not applied to.
 pub trait Solver<P>: Clone + Default + Send + Sync + 'static {
+    /// For which steps a small motion gains from registers.
+    const IN_REGISTERS: InRegisters = InRegisters::Always;
+
     /// That of members with these constants, one per lane, whose positions are so many numbers or points.
     fn of(constants: &[&P], length: usize) -> Self;
     /// Takes over what belongs to the state of another motion with the same constants.
@@ -215,6 +228,11 @@ pub trait Solver<P>: Clone + Default + Send + Sync + 'static {
 
 /// Those of two flows.
 impl<P, A: Solver<P>, B: Solver<P>> Solver<P> for (A, B) {
+    const IN_REGISTERS: InRegisters = match (A::IN_REGISTERS, B::IN_REGISTERS) {
+        (InRegisters::Always, InRegisters::Always) => InRegisters::Always,
+        _ => InRegisters::Kicked,
+    };
+
     fn of(constants: &[&P], length: usize) -> Self {
         (A::of(constants, length), B::of(constants, length))
     }
@@ -228,8 +246,11 @@ impl<P, A: Solver<P>, B: Solver<P>> Solver<P> for (A, B) {
 }
 
 impl<R: Real, C: Coords, P: Prepared<R>, S: Solver<P::Single>> Motion<C, P::Single> for Solving<R, C, P, S> {
-    const IN_REGISTERS: bool =
-        size_of::<Self>() <= REGISTERS && !core::mem::needs_drop::<C::Slots<R>>() && !core::mem::needs_drop::<P>();
+    const IN_REGISTERS: InRegisters =
+        match size_of::<Self>() > REGISTERS || needs_drop::<C::Slots<R>>() || needs_drop::<P>() {
+            true => InRegisters::Never,
+            false => S::IN_REGISTERS,
+        };
 
     #[inline(always)]
     fn take(&mut self) -> Self {
@@ -237,7 +258,7 @@ impl<R: Real, C: Coords, P: Prepared<R>, S: Solver<P::Single>> Motion<C, P::Sing
             q: self.q.clone(),
             p: self.p.clone(),
             parameters: self.parameters.clone(),
-            solvers: core::mem::take(&mut self.solvers),
+            solvers: take(&mut self.solvers),
         }
     }
     fn load(constants: &[&P::Single], states: &[&Phase<C>]) -> Self {

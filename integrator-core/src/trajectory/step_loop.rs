@@ -8,7 +8,7 @@ use crate::{
     hamiltonian::{Flows, Hamiltonian, Single},
     scalar::real::{Kernel, Real},
     state::{clock::Clock, precision::Precision},
-    system::motion::Motion,
+    system::motion::{InRegisters, Motion},
 };
 use core::marker::PhantomData;
 
@@ -100,10 +100,13 @@ impl<H: Hamiltonian, X: Composition<H>, R: Real, K: Precision> Kernel for Advanc
     #[inline(always)]
     fn call(self) {
         let Self { motion, clock, steps, .. } = self;
-        // By measurement: two oscillators and a rest, ns per stage in memory and in registers, where a stage begins with a
-        // kick 16 and 6 (the kick stores two numbers of four that are then loaded at once), and where it begins with a
-        // drift 7.6 and 10 (the call is prepared for at each stage).
-        if const { <H::Motion<R, K> as Motion<_, _>>::IN_REGISTERS && matches!(X::STAGES.lead, Lead::Kick) } {
+        if const {
+            match <H::Motion<R, K> as Motion<_, _>>::IN_REGISTERS {
+                InRegisters::Never => false,
+                InRegisters::Kicked => matches!(X::STAGES.lead, Lead::Kick),
+                InRegisters::Always => true,
+            }
+        } {
             let mut own = motion.take();
             Advance::<_, H, X>::new(Single::<H, R, K>(&mut own), clock, steps).call();
             *motion = own;
