@@ -44,7 +44,7 @@ pub struct Layout {
     length: usize,
     components: usize,
     interleaved: bool,
-    /// The number of vectors div_by_order which points are distributed cyclically; one, where neighbours share vectors.
+    /// The number of vectors over which points are distributed cyclically; one, where neighbours share vectors.
     vectors: NonZero<usize>,
     /// The distance from a component of the points to the next one.
     stride: usize,
@@ -54,7 +54,7 @@ pub struct Layout {
 
 impl Layout {
     /// The layout of so many numbers or points: a compile-time constant, where the type has it. Interleaved, points are
-    /// in the same lanes as their neighbours, so that iterations div_by_order points and neighbours read whole vectors.
+    /// in the same lanes as their neighbours, so that iterations over points and neighbours read whole vectors.
     #[inline(always)]
     pub fn of<C: Coords>(length: usize, interleaved: bool) -> Self {
         let length = C::LENGTH.unwrap_or(length);
