@@ -54,6 +54,14 @@ impl Graph {
         }
     }
 
+    /// A value, or what it is the negative of.
+    pub(crate) fn without_sign(&self, x: NodeId) -> NodeId {
+        match self.node(x) {
+            Node::Neg(inner) => inner,
+            _ => x,
+        }
+    }
+
     pub(crate) fn add(&mut self, a: NodeId, b: NodeId) -> NodeId {
         match (self.as_constant(a), self.as_constant(b)) {
             (Some(a), Some(b)) => return self.constant(a + b),

@@ -39,8 +39,8 @@ pub(crate) enum Obstacle {
     ProductOfSums,
     /// It is no polynomial in the coordinates.
     NoPolynomial,
-    /// It has terms `k/|q|`, but is no sum over Kepler parts.
-    Orbits(Stray),
+    /// It has terms `k/|q|`, but is no sum over Kepler parts; with the terms that are to blame, where these are known.
+    Orbits(Stray, Vec<NodeId>),
 }
 
 /// The judgement whether a part that reads q and p is of one form.
@@ -74,7 +74,7 @@ impl Graph {
         }
         match self.orbits(energy, extents, factors_of) {
             Ok(orbits) => return Ok(Exact::Kepler(orbits)),
-            Err(stray) => obstacles.extend(stray.map(Obstacle::Orbits)),
+            Err(stray) => obstacles.extend(stray.map(|(stray, terms)| Obstacle::Orbits(stray, terms))),
         }
         Err(obstacles)
     }

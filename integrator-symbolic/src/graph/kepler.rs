@@ -47,6 +47,8 @@ const MANY: usize = 4096;
 
 /// A coefficient that depends on parameters alone times something else, summed over loops.
 struct Term {
+    /// The value that it was found as, without factors around it.
+    whole: NodeId,
     loops: Vec<LoopId>,
     coefficient: NodeId,
     core: NodeId,
@@ -70,39 +72,42 @@ struct Found {
 
 impl Graph {
     /// The orbits that an energy is the sum of. `extents` is the number of numbers or points of the coordinates, and that
-    /// of the components of a point; `factors_of` tells the factors of parameters. Nothing but `None` stands in the way of an energy without a term `k/|q|`.
+    /// of the components of a point; `factors_of` tells the factors of parameters. Nothing but `None` stands in the way
+    /// of an energy without a term `k/|q|`; of others, the terms are told that are to blame, where these are known.
     pub(crate) fn orbits(
         &mut self,
         energy: NodeId,
         extents: &[IndexId],
         factors_of: FactorsOf<'_>,
-    ) -> Result<Vec<Orbits>, Option<Stray>> {
+    ) -> Result<Vec<Orbits>, Option<(Stray, Vec<NodeId>)>> {
         let one = self.constant(1.0);
         let mut terms = Vec::new();
         self.terms(energy, one, &mut Vec::new(), &mut terms);
         if terms.len() > MANY {
-            return Err(Some(Stray::Term));
+            return Err(Some((Stray::Term, Vec::new())));
         }
         // A number in an energy moves nothing.
         terms.retain(|term| !self.is_prepared(term.core));
         let mut found: Vec<Found> = Vec::new();
-        let (mut stray, mut attracts) = (None, false);
+        let (mut strays, mut attracts) = (Vec::new(), false);
         for term in terms {
-            let placed = self.place(&term, extents, &mut attracts, &mut found);
-            stray = stray.or(placed.err());
+            if let Err(stray) = self.place(&term, extents, &mut attracts, &mut found) {
+                strays.push((stray, term.whole));
+            }
         }
         if !attracts {
             return Err(None);
         }
-        if let Some(stray) = stray {
-            return Err(Some(stray));
+        if let Some((stray, _)) = strays.first() {
+            return Err(Some((*stray, strays.iter().map(|(_, term)| *term).collect())));
         }
         let all: Vec<Bodies> = found.iter().map(|found| found.bodies).collect();
         let twice = (0..all.len()).any(|a| (0..a).any(|b| !self.are_apart(all[a], all[b])));
         if twice {
-            return Err(Some(Stray::Twice));
+            return Err(Some((Stray::Twice, Vec::new())));
         }
-        found.into_iter().map(|found| self.orbit(found, extents, factors_of).map_err(Some)).collect()
+        let orbits: Result<_, _> = found.into_iter().map(|found| self.orbit(found, extents, factors_of)).collect();
+        orbits.map_err(|stray| Some((stray, Vec::new())))
     }
 
     /// The terms of a sum, with what they are multiplied by, numbers included; of too many, one more than are looked at.
@@ -111,7 +116,7 @@ impl Graph {
             return;
         }
         if self.is_prepared(id) {
-            terms.push(Term { loops: loops.clone(), coefficient, core: id });
+            terms.push(Term { whole: id, loops: loops.clone(), coefficient, core: id });
             return;
         }
         match self.node(id) {
@@ -145,7 +150,7 @@ impl Graph {
             }
             _ => {
                 let (coefficient, core) = self.gathered(id, coefficient);
-                terms.push(Term { loops: loops.clone(), coefficient, core });
+                terms.push(Term { whole: id, loops: loops.clone(), coefficient, core });
             }
         }
     }

@@ -16,6 +16,7 @@ pub(crate) mod evaluate;
 pub(crate) mod exact;
 pub(crate) mod external;
 pub(crate) mod function;
+mod in_the_way;
 pub(crate) mod index;
 pub(crate) mod kepler;
 mod masked_sum;

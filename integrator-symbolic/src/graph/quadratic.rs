@@ -9,10 +9,10 @@ use super::{
 use std::collections::{HashMap, HashSet};
 
 /// The highest degree of a quadratic form.
-const QUADRATIC: u32 = 2;
+pub(super) const QUADRATIC: u32 = 2;
 
 /// The parts whose coordinates count.
-const ALL: [Part; 2] = [Part::Position, Part::Momentum];
+pub(super) const ALL: [Part; 2] = [Part::Position, Part::Momentum];
 
 /// A quadratic form in all coordinates.
 pub(super) fn quadratic(graph: &Graph, energy: NodeId) -> Result<Exact, Obstacle> {
@@ -33,7 +33,7 @@ impl Graph {
     }
 
     /// The nodes that have such a product, or are one.
-    fn multiplying_sums(&self, root: NodeId) -> HashSet<NodeId> {
+    pub(super) fn multiplying_sums(&self, root: NodeId) -> HashSet<NodeId> {
         let mut summed = vec![LoopSet::EMPTY; root.position() + 1];
         let mut found = HashSet::new();
         for id in self.reachable([root]) {

@@ -351,6 +351,8 @@ struct Reader<'i> {
     misplaced: bool,
     /// Whether products may mix positions and momenta.
     may_mix: bool,
+    /// What is added up or subtracted in functions whose products may: values without their sign, and where they stand.
+    addends: HashMap<NodeId, TokenStream>,
     /// Reads of the wrong part, with what to say of them if no product mixes both.
     foreign_reads: Vec<(TokenStream, String)>,
 }
@@ -377,6 +379,7 @@ impl<'i> Reader<'i> {
             readings: 0,
             misplaced: false,
             may_mix: false,
+            addends: HashMap::new(),
             foreign_reads: Vec::new(),
         }
     }

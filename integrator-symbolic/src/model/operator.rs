@@ -10,7 +10,7 @@ use crate::graph::{
     NodeId, Part,
     index::{Index, IndexId, IntegerType},
 };
-use quote::quote;
+use quote::{ToTokens, quote};
 use syn::{BinOp, Expr, ExprCast, ExprUnary, Type, UnOp};
 
 impl Reader<'_> {
@@ -52,18 +52,39 @@ impl Reader<'_> {
             innermost = &link.left;
         }
         let mut value = self.expression(innermost);
+        if let Some((link, _)) = links.last() {
+            self.note_operand(&link.op, value.as_ref(), innermost);
+        }
         for (link, whole) in links.into_iter().rev() {
             // The second of two conditions is asked behind the first.
             let first = value.as_ref().filter(|_| matches!(link.op, BinOp::And(_) | BinOp::Or(_))).cloned();
             let first = first.and_then(|first| self.condition(&first));
             let holds = matches!(link.op, BinOp::And(_));
             let right = self.under(first, holds, |reader| reader.expression(&link.right));
+            self.note_operand(&link.op, right.as_ref(), &link.right);
             value = match (value, right) {
                 (Some(left), Some(right)) => self.combine(&link.op, left, right, &link.left, &link.right, whole),
                 _ => None,
             };
         }
         value
+    }
+
+    /// Notes where a value stands that is added or subtracted, for what is said of a part without an exact flow.
+    pub(super) fn note_addend(&mut self, value: &Value, place: &Expr) {
+        if let Value::Real(addend) = value
+            && self.may_mix
+        {
+            let addend = self.graph.without_sign(*addend);
+            self.addends.entry(addend).or_insert_with(|| place.to_token_stream());
+        }
+    }
+
+    /// The same of a side of an operator.
+    pub(super) fn note_operand(&mut self, op: &BinOp, value: Option<&Value>, place: &Expr) {
+        if matches!(op, BinOp::Add(_) | BinOp::Sub(_) | BinOp::AddAssign(_) | BinOp::SubAssign(_)) {
+            value.into_iter().for_each(|value| self.note_addend(value, place));
+        }
     }
 
     /// `left op right`

@@ -107,6 +107,7 @@ impl<'i> Reader<'i> {
             None => {
                 let signature = whole_signature(function, self.errors)?;
                 self.may_mix = true;
+                self.addends.clear();
                 let energy = self.whole_energy(function, &signature);
                 self.may_mix = false;
                 let WholeSignature { shape, arguments, .. } = signature;
@@ -143,14 +144,7 @@ impl<'i> Reader<'i> {
         match judged {
             Ok(form) => Some(ExactPart { name: name.clone(), energy, form, own, arguments }),
             Err(obstacles) => {
-                let reasons: Vec<String> = obstacles.iter().map(|obstacle| self.reason(obstacle)).collect();
-                let advice = match self.graph.reads_time(energy) {
-                    true => "Terms that read the time have a flow in a part of q alone or of p alone: move them there"
-                        .to_owned(),
-                    false => format!("Split it into more parts, or write its flow: `#[flow({name})]`"),
-                };
-                let message = format!("no exact flow is known for `{name}`: {}. {advice}", reasons.join("; "));
-                self.errors.at(name, message);
+                self.has_no_flow(name, energy, &obstacles);
                 None
             }
         }
@@ -158,8 +152,31 @@ impl<'i> Reader<'i> {
 }
 
 impl Reader<'_> {
-    /// What keeps a part from having an exact flow, in words.
-    fn reason(&self, obstacle: &Obstacle) -> String {
+    /// Says that no exact flow is known for a part, at the term that is in the way, if one is.
+    fn has_no_flow(&mut self, name: &Ident, energy: NodeId, obstacles: &[Obstacle]) {
+        let path = self.graph.in_the_way(energy, obstacles);
+        let term = path.iter().rev().find_map(|id| self.addends.get(&self.graph.without_sign(*id)));
+        let reasons: Vec<String> = obstacles.iter().map(|obstacle| self.reason(obstacle, term.is_some())).collect();
+        // Which terms are a part of no function of its own follows from their degree.
+        let may_move = self.input.function(&name.to_string()).is_some();
+        let advice = match term {
+            _ if self.graph.reads_time(energy) => {
+                "Terms that read the time have a flow in a part of q alone or of p alone: move them there".to_owned()
+            }
+            Some(_) if may_move => {
+                format!("Move this term to another part, or write the flow of `{name}`: `#[flow({name})]`")
+            }
+            _ => format!("Split it into more parts, or write its flow: `#[flow({name})]`"),
+        };
+        let message = format!("no exact flow is known for `{name}`: {}. {advice}", reasons.join("; "));
+        match term {
+            Some(term) => self.errors.at(term, message),
+            None => self.errors.at(name, message),
+        }
+    }
+
+    /// What keeps a part from having an exact flow, in words; of an orbit perhaps the term that the message stands at.
+    fn reason(&self, obstacle: &Obstacle, is_at_term: bool) -> String {
         match obstacle {
             Obstacle::Conjugates(q, p) => {
                 let [q, p] = [q, p].map(|element| self.named(*element));
@@ -174,8 +191,9 @@ impl Reader<'_> {
                                         write it as one sum in two loops, over i and j"
                     .to_owned()
             }
-            Obstacle::Orbits(stray) => {
+            Obstacle::Orbits(stray, _) => {
                 let why = match stray {
+                    Stray::Term if is_at_term => "this term is neither p² of a body times a number nor k/|q|",
                     Stray::Term => "a term is neither p² of a body times a number nor k/|q|",
                     Stray::Component => "p² or |q| of a body lacks some of its components",
                     Stray::Mass => "the components of a body may have different masses",

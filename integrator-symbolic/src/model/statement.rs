@@ -123,6 +123,7 @@ impl Reader<'_> {
             Some(op) => {
                 // The text of `x *= a + b` has no parentheses of its own, nor has that of what `x` was.
                 let (now, change) = (self.element_of(&target)?.clone(), self.expression(right)?);
+                self.note_operand(op, Some(&change), right);
                 self.combine(&plain(op), now.into_operand(), change.into_operand(), left, right, whole)?
             }
         };
@@ -224,6 +225,7 @@ impl Reader<'_> {
             return None;
         };
         let value = self.expression(addend)?;
+        self.note_addend(&value, addend);
         let value = self.number(&value, addend)?;
         let value = if negative { self.graph.neg(value) } else { value };
         self.add_to_frame(target, value);

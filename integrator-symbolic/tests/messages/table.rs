@@ -464,7 +464,7 @@ pub(crate) const SPLITS: &[Row] = &[
     (
         "split = quadratic + rest on fn hamiltonian(&self, q: [f64; 9], p: [f64; 9]) -> f64 { let (mut sum, mut all) = (0.0, 0.0); for i in 0..9 { sum += p[i] * p[i] + q[i] * q[i] + q[i].cosh(); all += p[i]; } sum + all * all }",
         &[
-            "1:8 no exact flow is known for `quadratic`: it is no shear, since q[i] and p[i] are both in it; it is a quadratic form in q and p, but multiplies a sum over a loop by itself: write it as one sum in two loops, over i and j. Split it into more parts, or write its flow: `#[flow(quadratic)]`",
+            "2:179 no exact flow is known for `quadratic`: it is no shear, since q[i] and p[i] are both in it; it is a quadratic form in q and p, but multiplies a sum over a loop by itself: write it as one sum in two loops, over i and j. Split it into more parts, or write its flow: `#[flow(quadratic)]`",
         ],
     ),
     (
@@ -502,19 +502,19 @@ pub(crate) const SPLITS: &[Row] = &[
     (
         "split = a + b on fn a(&self, [x, y]: [f64; 2], [px, py]: [f64; 2]) -> f64 { 0.5 * (px * px + py * py) - 1.0 / (x * x + y * y).sqrt() - x.powi(4) } fn b(&self, q: [f64; 2]) -> f64 { q[0].cos() }",
         &[
-            "2:3 no exact flow is known for `a`: it is no shear, since q[0] and p[0] are both in it; it is no quadratic form in q and p; it is no sum of p²/2m - k/|q| over bodies, since a term is neither p² of a body times a number nor k/|q|. Split it into more parts, or write its flow: `#[flow(a)]`",
+            "2:118 no exact flow is known for `a`: it is no shear, since q[0] and p[0] are both in it; it is no quadratic form in q and p; it is no sum of p²/2m - k/|q| over bodies, since this term is neither p² of a body times a number nor k/|q|. Move this term to another part, or write the flow of `a`: `#[flow(a)]`",
         ],
     ),
     (
         "split = a + b on fn a(&self, [x, y]: [f64; 2], [px, py]: [f64; 2]) -> f64 { 0.5 * (px * px + py * py) - 1.0 / (x * x + y * y + 0.01).sqrt() } fn b(&self, q: [f64; 2]) -> f64 { q[0].cos() }",
         &[
-            "2:3 no exact flow is known for `a`: it is no shear, since q[0] and p[0] are both in it; it is no quadratic form in q and p; it is no sum of p²/2m - k/|q| over bodies, since a term is neither p² of a body times a number nor k/|q|. Split it into more parts, or write its flow: `#[flow(a)]`",
+            "2:87 no exact flow is known for `a`: it is no shear, since q[0] and p[0] are both in it; it is no quadratic form in q and p; it is no sum of p²/2m - k/|q| over bodies, since this term is neither p² of a body times a number nor k/|q|. Move this term to another part, or write the flow of `a`: `#[flow(a)]`",
         ],
     ),
     (
         "split = a + b on fn a(&self, [x, y]: [f64; 2], [px, py]: [f64; 2]) -> f64 { 0.5 * (px * px + py * py) - 1.0 / (x * x + (y * y + self.soft)).sqrt() } fn b(&self, q: [f64; 2]) -> f64 { q[0].cos() }",
         &[
-            "2:3 no exact flow is known for `a`: it is no shear, since q[0] and p[0] are both in it; it is no quadratic form in q and p; it is no sum of p²/2m - k/|q| over bodies, since a term is neither p² of a body times a number nor k/|q|. Split it into more parts, or write its flow: `#[flow(a)]`",
+            "2:87 no exact flow is known for `a`: it is no shear, since q[0] and p[0] are both in it; it is no quadratic form in q and p; it is no sum of p²/2m - k/|q| over bodies, since this term is neither p² of a body times a number nor k/|q|. Move this term to another part, or write the flow of `a`: `#[flow(a)]`",
         ],
     ),
     (
@@ -524,13 +524,13 @@ pub(crate) const SPLITS: &[Row] = &[
     (
         "split = a + b on fn a(&self, [x, y]: [f64; 2], [px, py]: [f64; 2]) -> f64 { 0.5 * (px * px + py * py) - 1.0 / (x * x + 2.0 * y * y).sqrt() } fn b(&self, q: [f64; 2]) -> f64 { q[0].cos() }",
         &[
-            "2:3 no exact flow is known for `a`: it is no shear, since q[0] and p[0] are both in it; it is no quadratic form in q and p; it is no sum of p²/2m - k/|q| over bodies, since a term is neither p² of a body times a number nor k/|q|. Split it into more parts, or write its flow: `#[flow(a)]`",
+            "2:87 no exact flow is known for `a`: it is no shear, since q[0] and p[0] are both in it; it is no quadratic form in q and p; it is no sum of p²/2m - k/|q| over bodies, since this term is neither p² of a body times a number nor k/|q|. Move this term to another part, or write the flow of `a`: `#[flow(a)]`",
         ],
     ),
     (
         "split = a + b on fn a(&self, [x, y]: [f64; 2], [px, py]: [f64; 2]) -> f64 { 0.5 * (px * px + py * py) - 1.0 / (x * x).sqrt() } fn b(&self, q: [f64; 2]) -> f64 { q[0].cos() }",
         &[
-            "2:3 no exact flow is known for `a`: it is no shear, since q[0] and p[0] are both in it; it is no quadratic form in q and p; it is no sum of p²/2m - k/|q| over bodies, since p² or |q| of a body lacks some of its components. Split it into more parts, or write its flow: `#[flow(a)]`",
+            "2:87 no exact flow is known for `a`: it is no shear, since q[0] and p[0] are both in it; it is no quadratic form in q and p; it is no sum of p²/2m - k/|q| over bodies, since p² or |q| of a body lacks some of its components. Move this term to another part, or write the flow of `a`: `#[flow(a)]`",
         ],
     ),
     (
@@ -571,6 +571,30 @@ pub(crate) const SPLITS: &[Row] = &[
         "split = a + b on fn a(&self, q: [[f64; 2]; 2], p: [[f64; 2]; 2]) -> f64 { p[0][0].powi(2) + p[0][1].powi(2) - 1.0 / q[1][0].hypot(q[1][1]) - 1.0 / q[0][0].hypot(q[0][1]) } fn b(&self, q: [[f64; 2]; 2]) -> f64 { q[0][0].cos() }",
         &[
             "2:3 no exact flow is known for `a`: it is no shear, since q[0][0] and p[0][0] are both in it; it is no quadratic form in q and p; it is no sum of p²/2m - k/|q| over bodies, since a body with k/|q| has no p²/2m. Split it into more parts, or write its flow: `#[flow(a)]`",
+        ],
+    ),
+    (
+        "split = a + b on fn a(&self, q: &[f64], p: &[f64]) -> f64 { let mut sum = 0.0; for i in 0..q.len() { sum += 0.5 * (p[i] * p[i] + q[i] * q[i]); sum -= self.quartic(q[i]); } sum } fn quartic(&self, x: f64) -> f64 { 0.1 * x.powi(4) } fn b(&self, q: &[f64]) -> f64 { q[0].cos() }",
+        &[
+            "2:133 no exact flow is known for `a`: it is no shear, since q[i] and p[i] are both in it; it is no quadratic form in q and p together, but a polynomial of degree 4. Move this term to another part, or write the flow of `a`: `#[flow(a)]`",
+        ],
+    ),
+    (
+        "split = a + b on fn a(&self, [x, y]: [f64; 2], [px, py]: [f64; 2]) -> f64 { let tail = self.tail(x); px * px + py * py - tail } fn tail(&self, x: f64) -> f64 { 0.5 * x * x + x.cosh() } fn b(&self, q: [f64; 2]) -> f64 { q[0].cos() }",
+        &[
+            "2:157 no exact flow is known for `a`: it is no shear, since q[0] and p[0] are both in it; it is no quadratic form in q and p. Move this term to another part, or write the flow of `a`: `#[flow(a)]`",
+        ],
+    ),
+    (
+        "split = a + b on fn a(&self, q: [f64; 1], p: [f64; 1]) -> f64 { let mut sum = q[0].powi(4); sum += p[0].powi(4) + q[0] * p[0].cos(); sum } fn b(&self, q: [f64; 1]) -> f64 { q[0].cos() }",
+        &[
+            "2:97 no exact flow is known for `a`: it is no shear, since q[0] and p[0] are both in it; it is no quadratic form in q and p. Move this term to another part, or write the flow of `a`: `#[flow(a)]`",
+        ],
+    ),
+    (
+        "split = a + b on fn a(&self, q: [f64; 1], p: [f64; 1]) -> f64 { p[0].powi(4) + q[0].powi(4) } fn b(&self, q: [f64; 1]) -> f64 { q[0].cos() }",
+        &[
+            "2:3 no exact flow is known for `a`: it is no shear, since q[0] and p[0] are both in it; it is no quadratic form in q and p together, but a polynomial of degree 4. Split it into more parts, or write its flow: `#[flow(a)]`",
         ],
     ),
     (
@@ -680,7 +704,7 @@ pub(crate) const SPLITS: &[Row] = &[
     (
         "split = a + b on fn a(&self, [x, y]: [f64; 2], [px, py]: [f64; 2], t: f64) -> f64 { 0.5 * (px * px + py * py) - t.cos() / (x * x + y * y).sqrt() } fn b(&self, q: [f64; 2]) -> f64 { q[0].cos() }",
         &[
-            "2:3 no exact flow is known for `a`: it is no shear, since q[0] and p[0] are both in it; it is no quadratic form in q and p. Terms that read the time have a flow in a part of q alone or of p alone: move them there",
+            "2:95 no exact flow is known for `a`: it is no shear, since q[0] and p[0] are both in it; it is no quadratic form in q and p. Terms that read the time have a flow in a part of q alone or of p alone: move them there",
         ],
     ),
     (
