@@ -170,10 +170,16 @@ fn what_belongs_to_another_run_is_refused_with_a_reason() {
         "this is no checkpoint of a run: it does not begin like one"
     );
     let mut newer = bytes.clone();
-    newer[8] = 3;
+    newer[8] = 4;
     assert_eq!(
         text(resumed(&newer).expect_err("from the future")),
-        "this checkpoint has version 3 of the format, which is newer than 2: update integrator-core"
+        "this checkpoint has version 4 of the format, which is newer than 3: update integrator-core"
+    );
+    let mut older = bytes.clone();
+    older[8] = 1;
+    assert_eq!(
+        text(resumed(&older).expect_err("from the past")),
+        "this checkpoint has version 1 of the format, and this library reads 2 to 3: begin anew"
     );
     let damaged = text(resumed(&bytes[..20]).expect_err("short"));
     assert_eq!(damaged, "this checkpoint is damaged: its checksum does not match its bytes");
@@ -204,7 +210,7 @@ fn what_belongs_to_another_run_is_refused_with_a_reason() {
     let early = PENDULUM.run_with(early::Mine, Phase::new([1.0], [0.0]), 0.1).expect("an admissible start");
     assert_eq!(
         text(Run::<[f64; 1]>::resume_with(&PENDULUM, late::Mine, &early.checkpoint()).expect_err("other stages")),
-        "`Mine` has other stages than when this checkpoint was made: they were changed, or it is a time of its own over another composition"
+        "`Mine` has other stages than when this checkpoint was made: they were changed, or it is another one of this name"
     );
 }
 

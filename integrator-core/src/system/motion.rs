@@ -109,7 +109,7 @@ pub trait Motion<C: Coords, P>: Clone + Send + Sync + 'static {
 
 /// What a trajectory has beside positions and momenta, where the time is part of its state.
 #[cfg(feature = "checkpoint")]
-#[derive(Clone, Copy, Debug, serde::Serialize, serde::Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, serde::Serialize, serde::Deserialize)]
 pub struct Beside {
     /// The time since the motion was loaded, in the middle of a step, and its rounding error.
     pub(crate) time: [f64; 2],

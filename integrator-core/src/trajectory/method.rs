@@ -35,6 +35,8 @@ pub struct Facts {
     pub stability_limit: Option<f64>,
     /// How often a step rounds the state, about.
     pub(crate) roundings: usize,
+    /// The name of the composition that it is over, where it is none itself.
+    pub(crate) over: Option<&'static str>,
     /// The stages of a composition.
     pub(crate) table: Option<(Stages, Processor)>,
 }
@@ -50,6 +52,7 @@ impl Facts {
         forces: None,
         stability_limit: None,
         roundings: 0,
+        over: None,
         table: None,
     };
 

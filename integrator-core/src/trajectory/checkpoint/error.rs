@@ -1,6 +1,6 @@
 //! What may be wrong with a checkpoint.
 
-use super::VERSION;
+use super::record::{OLDEST, VERSION};
 use crate::error::{Error, debug_as_display};
 use alloc::string::String;
 #[cfg(feature = "std")]
@@ -28,7 +28,9 @@ pub enum CheckpointError {
         version: u16,
     },
     /// An earlier version of the library wrote it.
-    #[error("this checkpoint has version {version} of the format, and this library reads {VERSION} alone: begin anew")]
+    #[error(
+        "this checkpoint has version {version} of the format, and this library reads {OLDEST} to {VERSION}: begin anew"
+    )]
     Older {
         /// The version of its format.
         version: u16,
@@ -48,11 +50,10 @@ pub enum CheckpointError {
     },
     /// The composition has the stored name, but other stages.
     #[error(
-        "`{composition}` has other stages than when this checkpoint was made: they were changed, or it is a time of its own over \
-         another composition"
+        "`{composition}` has other stages than when this checkpoint was made: they were changed, or it is another one of this name"
     )]
     Stages {
-        /// Its name.
+        /// Its name, with what it is over.
         composition: String,
     },
     /// The system computes other flows or energies than then: its functions were changed, or the library was.

@@ -1,20 +1,22 @@
 //! Runs on disk: everything that a run is, bit by bit, in a form that refuses whatever it is not.
 //!
 //! ```text
-//! magic (8 bytes) | version (2 bytes) | record (postcard) | CRC-64 of all before (8 bytes)
+//! magic (8 bytes) | version (2 bytes) | record | the composition that the method is over | CRC-64 of all before (8 bytes)
 //! ```
 //!
-//! Where the time is part of the state, another record follows the first one: what a run has beside positions and momenta.
+//! Records and names are in the form of postcard. Where the time is part of the state, another record follows: what a run has
+//! beside positions and momenta.
 //!
 //! Always true: what is stored is the unfinished state, in the middle of a step, so that a resumed run takes the very
 //! steps of one that was never interrupted.
 
 mod error;
+mod record;
 
 pub use error::CheckpointError;
 
 use crate::{
-    composition::{Processor, Stage, Stages},
+    composition::{Processor, Stages},
     error::Error,
     hamiltonian::Hamiltonian,
     state::{clock::Clock, coords::Coords, digest::Digest, phase::Phase, precision::Precision},
@@ -25,54 +27,14 @@ use crate::{
         run::Run,
     },
 };
-use alloc::{
-    borrow::ToOwned,
-    string::{String, ToString},
-    vec::Vec,
-};
-use crc::{CRC_64_XZ, Crc};
-use serde::{Deserialize, Serialize};
+use alloc::{borrow::ToOwned, string::ToString, vec::Vec};
+use record::{OwnTime, Record, Stored, fingerprint};
 #[cfg(feature = "std")]
 use std::{
     fs::{self, File},
     io::Write,
     path::Path,
 };
-
-/// What every checkpoint begins with.
-const MAGIC: [u8; 8] = *b"symplrun";
-
-/// The form of the record; others are refused.
-const VERSION: u16 = 2;
-
-const CHECKSUM: Crc<u64> = Crc::<u64>::new(&CRC_64_XZ);
-
-/// All there is to a run.
-#[derive(Serialize, Deserialize)]
-struct Record {
-    system: String,
-    /// Fingerprints of what was generated for the system, and of its prepared constants.
-    formulas: u64,
-    parameters: u64,
-    composition: String,
-    stages: u64,
-    leaf: String,
-    steps: u64,
-    /// After how many of them the state was last changed from outside.
-    opened: u64,
-    h: f64,
-    t0: f64,
-    q: Vec<f64>,
-    p: Vec<f64>,
-}
-
-/// What there is to a run beside its state, where the time is part of it.
-#[derive(Serialize, Deserialize)]
-struct OwnTime {
-    beside: Beside,
-    /// The time when the state was last changed from outside.
-    opened_at: [f64; 2],
-}
 
 /// What a run is called and made of, for its checkpoints.
 #[derive(Clone, Copy, Debug)]
@@ -81,15 +43,18 @@ pub(crate) struct Origin {
     formulas: u64,
     parameters: u64,
     composition: &'static str,
+    /// The composition that the method is over; empty where it is over none.
+    over: &'static str,
     /// Nothing for a method that is no composition; its runs cannot be resumed.
     table: Option<(Stages, Processor)>,
 }
 
 impl Origin {
     /// That of runs that are never written.
-    pub(crate) const UNKNOWN: Self = Self { system: "", formulas: 0, parameters: 0, composition: "", table: None };
+    pub(crate) const UNKNOWN: Self =
+        Self { system: "", formulas: 0, parameters: 0, composition: "", over: "", table: None };
 
-    pub(crate) fn of<H: Hamiltonian>(Facts { name, table, .. }: Facts, parameters: &H::Parameters<f64>) -> Self {
+    pub(crate) fn of<H: Hamiltonian>(Facts { name, over, table, .. }: Facts, parameters: &H::Parameters<f64>) -> Self {
         let mut digest = Digest::EMPTY;
         H::Parameters::<f64>::digest(parameters, &mut digest);
         Self {
@@ -97,25 +62,10 @@ impl Origin {
             formulas: H::FINGERPRINT,
             parameters: digest.value(),
             composition: name,
+            over: over.unwrap_or_default(),
             table,
         }
     }
-}
-
-/// A number that tells the stages of compositions apart.
-fn fingerprint(table: Option<&(Stages, Processor)>) -> u64 {
-    let mut digest = CHECKSUM.digest();
-    let rows = table.into_iter().flat_map(|(stages, processor)| {
-        let ends = [stages.opening, stages.closing].into_iter();
-        ends.chain(stages.cycle.iter().chain(processor.before.rows).chain(processor.after.rows).copied())
-    });
-    // What is between the first and the last part follows from these.
-    for Stage { drift, kick, gradient, drift_time, kick_time, middle: _ } in rows {
-        for number in [drift, kick, gradient, drift_time, kick_time] {
-            digest.update(&number.to_bits().to_le_bytes());
-        }
-    }
-    digest.finalize()
 }
 
 /// The numbers of some coordinates, one after the other.
@@ -155,16 +105,9 @@ impl<C: Coords> Run<C> {
             q: numbers(&q),
             p: numbers(&p),
         };
-        let mut bytes = MAGIC.to_vec();
-        bytes.extend(VERSION.to_le_bytes());
-        // Records of numbers and names can always be written to memory.
-        bytes.extend(postcard::to_allocvec(&record).unwrap_or_default());
-        if let Some(beside) = self.engine.motions.beside() {
-            let own = OwnTime { beside, opened_at: self.opened_at };
-            bytes.extend(postcard::to_allocvec(&own).unwrap_or_default());
-        }
-        bytes.extend(CHECKSUM.checksum(&bytes).to_le_bytes());
-        bytes
+        let over = Some(self.origin.over.to_owned());
+        let own = self.engine.motions.beside().map(|beside| OwnTime { beside, opened_at: self.opened_at });
+        Stored { record, over, own }.to_bytes()
     }
 
     /// Writes [`Run::checkpoint`] to a file. Whenever the program is killed, the file is whole: it holds the previous
@@ -280,12 +223,12 @@ impl<C: Coords> Run<C> {
         X: Resumable<H>,
         H::Coords: Coords<With<C::Leaf> = C>,
     {
-        let (stored, own) = records(checkpoint)?;
+        let stored = Stored::of_bytes(checkpoint)?;
         if H::COPIES {
-            return Err(CheckpointError::Copies { system: stored.system });
+            return Err(CheckpointError::Copies { system: stored.record.system });
         }
         stored.belongs_to::<H, C::Leaf>(composition.facts())?;
-        let Record { formulas, parameters, steps, opened, h, t0, q, p, .. } = stored;
+        let Stored { record: Record { formulas, parameters, steps, opened, h, t0, q, p, .. }, own, .. } = stored;
         let shape = CheckpointError::Shape { positions: q.len(), momenta: p.len() };
         let (Some(q), Some(p)) = (coordinates(&q), coordinates(&p)) else { return Err(shape) };
         let unfinished = Phase { q, p };
@@ -333,59 +276,4 @@ impl<C: Coords> Run<C> {
             time => Err(Error::Time { time }),
         }
     }
-}
-
-impl Record {
-    /// Whether a run could have been so.
-    fn is_whole(&self, own: Option<&OwnTime>) -> bool {
-        let begun = self.opened < self.steps;
-        self.opened <= self.steps && own.is_none_or(|own| own.beside.conjugate.is_some() == begun)
-    }
-
-    /// Whether the names of a system, a method and a precision are those of this record, and the stages too.
-    fn belongs_to<H: Hamiltonian, K: Precision>(&self, facts: Facts) -> Result<(), CheckpointError> {
-        let asked = [
-            ("system", &self.system, core::any::type_name::<H>()),
-            ("composition", &self.composition, facts.name),
-            ("precision", &self.leaf, K::NAME),
-        ];
-        for (what, stored, asked) in asked {
-            if stored != asked {
-                return Err(CheckpointError::Other { what, stored: stored.clone(), asked: asked.to_owned() });
-            }
-        }
-        match self.stages == fingerprint(facts.table.as_ref()) {
-            true => Ok(()),
-            false => Err(CheckpointError::Stages { composition: facts.name.to_owned() }),
-        }
-    }
-}
-
-/// What the bytes of a checkpoint say.
-fn records(checkpoint: &[u8]) -> Result<(Record, Option<OwnTime>), CheckpointError> {
-    let rest = checkpoint.strip_prefix(&MAGIC).ok_or(CheckpointError::Foreign)?;
-    let (version, rest) = rest.split_first_chunk().ok_or(CheckpointError::Damaged)?;
-    let version = u16::from_le_bytes(*version);
-    if version > VERSION {
-        return Err(CheckpointError::Newer { version });
-    }
-    if version < VERSION {
-        return Err(CheckpointError::Older { version });
-    }
-    let (records, checksum) = rest.split_last_chunk().ok_or(CheckpointError::Damaged)?;
-    let covered = &checkpoint[..checkpoint.len() - checksum.len()];
-    if CHECKSUM.checksum(covered) != u64::from_le_bytes(*checksum) {
-        return Err(CheckpointError::Damaged);
-    }
-    numbers_in(records).filter(|(record, own)| record.is_whole(own.as_ref())).ok_or(CheckpointError::Damaged)
-}
-
-/// The records that some bytes are, without any left.
-fn numbers_in(bytes: &[u8]) -> Option<(Record, Option<OwnTime>)> {
-    let (record, rest) = postcard::take_from_bytes(bytes).ok()?;
-    if rest.is_empty() {
-        return Some((record, None));
-    }
-    let (own, rest) = postcard::take_from_bytes(rest).ok()?;
-    rest.is_empty().then_some((record, Some(own)))
 }

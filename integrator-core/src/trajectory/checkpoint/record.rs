@@ -1,0 +1,221 @@
+//! The bytes of a checkpoint, and what they say.
+
+use super::CheckpointError;
+use crate::{
+    composition::{Processor, Stage, Stages},
+    hamiltonian::Hamiltonian,
+    state::precision::Precision,
+    system::motion::Beside,
+    trajectory::method::Facts,
+};
+use alloc::{borrow::ToOwned, format, string::String, vec::Vec};
+use crc::{CRC_64_XZ, Crc};
+use serde::{Deserialize, Serialize};
+
+/// What every checkpoint begins with.
+const MAGIC: [u8; 8] = *b"symplrun";
+
+/// The form of what is written.
+pub(super) const VERSION: u16 = 3;
+
+/// The oldest form that is read. It does not name the composition that a method is over.
+pub(super) const OLDEST: u16 = 2;
+
+const CHECKSUM: Crc<u64> = Crc::<u64>::new(&CRC_64_XZ);
+
+/// All that a checkpoint says.
+#[cfg_attr(test, derive(Debug, PartialEq))]
+pub(super) struct Stored {
+    pub(super) record: Record,
+    /// The composition that the method is over; empty where it is over none, and nothing where that is not known.
+    pub(super) over: Option<String>,
+    pub(super) own: Option<OwnTime>,
+}
+
+/// All there is to a run, but for what is beside its state.
+#[derive(Serialize, Deserialize)]
+#[cfg_attr(test, derive(Debug, PartialEq))]
+pub(super) struct Record {
+    pub(super) system: String,
+    /// Fingerprints of what was generated for the system, and of its prepared constants.
+    pub(super) formulas: u64,
+    pub(super) parameters: u64,
+    pub(super) composition: String,
+    pub(super) stages: u64,
+    pub(super) leaf: String,
+    pub(super) steps: u64,
+    /// After how many of them the state was last changed from outside.
+    pub(super) opened: u64,
+    pub(super) h: f64,
+    pub(super) t0: f64,
+    pub(super) q: Vec<f64>,
+    pub(super) p: Vec<f64>,
+}
+
+/// What there is to a run beside its state, where the time is part of it.
+#[derive(Serialize, Deserialize)]
+#[cfg_attr(test, derive(Debug, PartialEq))]
+pub(super) struct OwnTime {
+    pub(super) beside: Beside,
+    /// The time when the state was last changed from outside.
+    pub(super) opened_at: [f64; 2],
+}
+
+impl Stored {
+    pub(super) fn to_bytes(&self) -> Vec<u8> {
+        let mut bytes = MAGIC.to_vec();
+        bytes.extend(VERSION.to_le_bytes());
+        // Records of numbers and names can always be written to memory.
+        bytes.extend(postcard::to_allocvec(&self.record).unwrap_or_default());
+        bytes.extend(postcard::to_allocvec(self.over.as_deref().unwrap_or_default()).unwrap_or_default());
+        if let Some(own) = &self.own {
+            bytes.extend(postcard::to_allocvec(own).unwrap_or_default());
+        }
+        sealed(bytes)
+    }
+
+    /// What the bytes of a checkpoint say.
+    pub(super) fn of_bytes(checkpoint: &[u8]) -> Result<Self, CheckpointError> {
+        let rest = checkpoint.strip_prefix(&MAGIC).ok_or(CheckpointError::Foreign)?;
+        let (version, rest) = rest.split_first_chunk().ok_or(CheckpointError::Damaged)?;
+        let version = u16::from_le_bytes(*version);
+        if version > VERSION {
+            return Err(CheckpointError::Newer { version });
+        }
+        if version < OLDEST {
+            return Err(CheckpointError::Older { version });
+        }
+        let (records, checksum) = rest.split_last_chunk().ok_or(CheckpointError::Damaged)?;
+        let covered = &checkpoint[..checkpoint.len() - checksum.len()];
+        if CHECKSUM.checksum(covered) != u64::from_le_bytes(*checksum) {
+            return Err(CheckpointError::Damaged);
+        }
+        Self::of_records(version, records).filter(Self::is_whole).ok_or(CheckpointError::Damaged)
+    }
+
+    /// What the records of a version say, without any byte left.
+    fn of_records(version: u16, bytes: &[u8]) -> Option<Self> {
+        let (record, rest) = postcard::take_from_bytes(bytes).ok()?;
+        let (over, rest) = match version {
+            OLDEST => (None, rest),
+            _ => postcard::take_from_bytes(rest).map(|(over, rest)| (Some(over), rest)).ok()?,
+        };
+        if rest.is_empty() {
+            return Some(Self { record, over, own: None });
+        }
+        let (own, rest) = postcard::take_from_bytes(rest).ok()?;
+        rest.is_empty().then_some(Self { record, over, own: Some(own) })
+    }
+
+    /// Whether a run could have been so.
+    fn is_whole(&self) -> bool {
+        let Record { opened, steps, .. } = self.record;
+        opened <= steps && self.own.as_ref().is_none_or(|own| own.beside.conjugate.is_some() == (opened < steps))
+    }
+
+    /// Whether the names of a system, a method and a precision are those that are stored, and the stages too.
+    pub(super) fn belongs_to<H: Hamiltonian, K: Precision>(&self, facts: Facts) -> Result<(), CheckpointError> {
+        let Record { system, composition, stages, leaf, .. } = &self.record;
+        let over = facts.over.unwrap_or_default();
+        let asked = match self.over {
+            Some(_) => named(facts.name, over),
+            None => facts.name.to_owned(),
+        };
+        let pairs = [
+            ("system", system.clone(), core::any::type_name::<H>().to_owned()),
+            ("composition", named(composition, self.over.as_deref().unwrap_or_default()), asked.clone()),
+            ("precision", leaf.clone(), K::NAME.to_owned()),
+        ];
+        for (what, stored, asked) in pairs {
+            if stored != asked {
+                return Err(CheckpointError::Other { what, stored, asked });
+            }
+        }
+        match *stages == fingerprint(facts.table.as_ref()) {
+            true => Ok(()),
+            false => Err(CheckpointError::Stages { composition: asked }),
+        }
+    }
+}
+
+/// A method as it is written, with the composition that it is over.
+fn named(method: &str, over: &str) -> String {
+    if over.is_empty() { method.to_owned() } else { format!("{method}({over})") }
+}
+
+/// Bytes with their checksum.
+fn sealed(mut bytes: Vec<u8>) -> Vec<u8> {
+    bytes.extend(CHECKSUM.checksum(&bytes).to_le_bytes());
+    bytes
+}
+
+/// A number that tells the stages of compositions apart.
+pub(super) fn fingerprint(table: Option<&(Stages, Processor)>) -> u64 {
+    let mut digest = CHECKSUM.digest();
+    let rows = table.into_iter().flat_map(|(stages, processor)| {
+        let ends = [stages.opening, stages.closing].into_iter();
+        ends.chain(stages.cycle.iter().chain(processor.before.rows).chain(processor.after.rows).copied())
+    });
+    // What is between the first and the last part follows from these.
+    for Stage { drift, kick, gradient, drift_time, kick_time, middle: _ } in rows {
+        for number in [drift, kick, gradient, drift_time, kick_time] {
+            digest.update(&number.to_bits().to_le_bytes());
+        }
+    }
+    digest.finalize()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use alloc::vec;
+
+    fn stored(over: Option<&str>, is_timed: bool) -> Stored {
+        let record = Record {
+            system: "Comet".to_owned(),
+            formulas: 1 << 60,
+            parameters: 3,
+            composition: "Power".to_owned(),
+            stages: 4,
+            leaf: "f64".to_owned(),
+            steps: 300,
+            opened: 300,
+            h: 0.1,
+            t0: -0.5,
+            q: vec![1.0, 2.0],
+            p: vec![3.0, 4.0],
+        };
+        let beside = || Beside { time: [1.0, 1e-20], conjugate: None, exponent: 0.5 };
+        let own = is_timed.then(|| OwnTime { beside: beside(), opened_at: [1.0, 0.0] });
+        Stored { record, over: over.map(ToOwned::to_owned), own }
+    }
+
+    /// What the version before this one wrote.
+    fn without_the_name_of_what_it_is_over(stored: &Stored) -> Vec<u8> {
+        let mut bytes = MAGIC.to_vec();
+        bytes.extend(OLDEST.to_le_bytes());
+        bytes.extend(postcard::to_allocvec(&stored.record).expect("memory"));
+        if let Some(own) = &stored.own {
+            bytes.extend(postcard::to_allocvec(own).expect("memory"));
+        }
+        sealed(bytes)
+    }
+
+    #[test]
+    fn what_is_written_is_read_and_so_is_what_an_earlier_version_wrote() {
+        for is_timed in [false, true] {
+            let written = stored(Some(if is_timed { "Yoshida4" } else { "" }), is_timed);
+            assert_eq!(Stored::of_bytes(&written.to_bytes()).expect("it was just written"), written);
+            let earlier = without_the_name_of_what_it_is_over(&written);
+            assert_eq!(Stored::of_bytes(&earlier).expect("it was just written"), stored(None, is_timed));
+        }
+        let mut first = without_the_name_of_what_it_is_over(&stored(None, false));
+        first[8] = 1;
+        assert!(matches!(Stored::of_bytes(&first), Err(CheckpointError::Older { version: 1 })));
+    }
+
+    #[test]
+    fn a_method_is_written_with_what_it_is_over() {
+        assert_eq!([named("Verlet", ""), named("Power", "Verlet")], ["Verlet", "Power(Verlet)"]);
+    }
+}
