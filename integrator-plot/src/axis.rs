@@ -1,13 +1,24 @@
-//! Linear and logarithmic axes.
+//! Linear, logarithmic and signed logarithmic axes.
 
 use crate::ticks;
+
+/// How coordinates become heights, in which equal lengths are equal differences.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(crate) enum Form {
+    #[default]
+    Linear,
+    /// Decimal logarithms.
+    Logarithmic,
+    /// Decimal logarithms of both signs, with numbers up to this one drawn linearly between them.
+    Signed(f64),
+}
 
 /// What an axis is called and how it goes. Without [`Axis::between`], it reaches from the least to the greatest
 /// coordinate with some room on both sides.
 #[derive(Clone, Debug, Default)]
 pub struct Axis {
     pub(crate) name: String,
-    pub(crate) logarithmic: bool,
+    pub(crate) form: Form,
     pub(crate) ends: Option<[f64; 2]>,
 }
 
@@ -19,7 +30,15 @@ impl Axis {
 
     /// An axis along which equal lengths are equal factors. What is not positive is not drawn.
     pub fn logarithmic(name: impl Into<String>) -> Self {
-        Self { name: name.into(), logarithmic: true, ..Self::default() }
+        Self { name: name.into(), form: Form::Logarithmic, ..Self::default() }
+    }
+
+    /// A logarithmic axis for numbers of both signs: equal lengths are equal factors on either side of a band around zero,
+    /// which is one decade high each way and in which numbers up to `smallest` are drawn linearly. So what grows, what
+    /// decays and what stays small are seen beside each other. If `smallest` is not positive, the axis is linear.
+    pub fn signed_logarithmic(name: impl Into<String>, smallest: f64) -> Self {
+        let form = if smallest > 0.0 && smallest.is_finite() { Form::Signed(smallest) } else { Form::Linear };
+        Self { name: name.into(), form, ..Self::default() }
     }
 
     /// Ends the axis here and there. What lies beyond is cut off.
@@ -32,7 +51,7 @@ impl Axis {
     /// The scale that these coordinates need.
     #[must_use]
     pub fn fit(&self, coordinates: impl IntoIterator<Item = f64>) -> Scale {
-        let scale = Scale { logarithmic: self.logarithmic, least: 0.0, most: 1.0 };
+        let scale = Scale { form: self.form, least: 0.0, most: 1.0 };
         if let Some(ends) = self.ends {
             let [least, most] = ends.map(|end| scale.height(end));
             return Scale { least, most, ..scale };
@@ -46,7 +65,7 @@ impl Axis {
         // A single number lies in the middle of a decade, or of as much as it is.
         let room = match most - least {
             length if length > 0.0 => 0.04 * length,
-            _ if self.logarithmic || least == 0.0 => 0.5,
+            _ if self.form != Form::Linear || least == 0.0 => 0.5,
             _ => 0.5 * least.abs(),
         };
         Scale { least: least - room, most: most + room, ..scale }
@@ -56,8 +75,8 @@ impl Axis {
 /// An axis whose ends are known.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Scale {
-    pub(crate) logarithmic: bool,
-    /// The ends; decimal logarithms of them on a logarithmic axis.
+    form: Form,
+    /// The heights of the ends.
     pub(crate) least: f64,
     pub(crate) most: f64,
 }
@@ -65,7 +84,12 @@ pub struct Scale {
 impl Scale {
     /// The coordinate, or its logarithm; not finite where that has none.
     fn height(&self, coordinate: f64) -> f64 {
-        if self.logarithmic { coordinate.log10() } else { coordinate }
+        match self.form {
+            Form::Linear => coordinate,
+            Form::Logarithmic => coordinate.log10(),
+            Form::Signed(smallest) if coordinate.abs() <= smallest => coordinate / smallest,
+            Form::Signed(smallest) => (1.0 + (coordinate.abs() / smallest).log10()).copysign(coordinate),
+        }
     }
 
     /// Where a coordinate lies: zero is the beginning, one is the end.
@@ -78,10 +102,14 @@ impl Scale {
     /// What is written along the axis, with its place, at most so many labels.
     #[must_use]
     pub fn labels(&self, at_most: usize) -> Vec<(f64, String)> {
-        let ticks = if self.logarithmic { ticks::logarithmic } else { ticks::linear };
+        let range = self.least..=self.most;
+        let labels = match self.form {
+            Form::Linear => ticks::linear(range, at_most),
+            Form::Logarithmic => ticks::logarithmic(range, at_most),
+            Form::Signed(smallest) => ticks::signed(range, smallest, at_most),
+        };
         let length = self.most - self.least;
-        let labels = ticks(self.least..=self.most, at_most).into_iter();
-        labels.map(|(height, text)| ((height - self.least) / length, text)).collect()
+        labels.into_iter().map(|(height, text)| ((height - self.least) / length, text)).collect()
     }
 
     /// The same middle, and so many times the length.
@@ -109,7 +137,7 @@ mod tests {
     #[test]
     fn a_scale_for_one_number_or_none_has_a_length() {
         for numbers in [&[][..], &[0.0], &[7.0]] {
-            for axis in [Axis::linear("x"), Axis::logarithmic("x")] {
+            for axis in [Axis::linear("x"), Axis::logarithmic("x"), Axis::signed_logarithmic("x", 1e-3)] {
                 let scale = axis.fit(numbers.iter().copied());
                 assert!(scale.most > scale.least, "{numbers:?}");
                 assert!(!scale.labels(6).is_empty(), "{numbers:?}");
@@ -121,5 +149,17 @@ mod tests {
     fn given_ends_are_the_ends() {
         let scale = Axis::logarithmic("x").between(0.1, 10.0).fit([1e9]);
         assert_eq!([0.1, 1.0, 10.0].map(|x| scale.part(x)), [Some(0.0), Some(0.5), Some(1.0)]);
+    }
+
+    #[test]
+    fn a_signed_axis_has_decades_on_both_sides_of_zero() {
+        let scale = Axis::signed_logarithmic("x", 1e-3).between(-1.0, 1.0).fit([]);
+        // Four decades each way, the innermost of which is linear.
+        let places = [-1.0, -1e-3, 0.0, 5e-4, 1e-3, 1e-2, 1.0].map(|x| scale.part(x).expect("a place"));
+        let expected = [0.0, 0.375, 0.5, 0.5625, 0.625, 0.75, 1.0];
+        for (place, expected) in places.iter().zip(expected) {
+            assert!((place - expected).abs() < 1e-12, "{places:?}");
+        }
+        assert_eq!(Axis::signed_logarithmic("x", 0.0).between(0.0, 2.0).fit([]).part(1.0), Some(0.5));
     }
 }

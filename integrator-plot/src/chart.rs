@@ -2,13 +2,15 @@
 
 use crate::{
     axis::Axis,
-    frame::{Frame, Margins},
-    picture::{Area, Outcome, Picture, head},
+    canvas::{Canvas, Marker, Place},
+    colour::Colour,
+    field::Field,
+    frame::{Frame, Margins, Room},
+    picture::{Picture, SaveError, head, save},
     series::{Mark, Series},
-    text::{bold, font, paragraph, width},
+    text::{bold, font},
 };
-use plotters::{element::DashedPathElement, prelude::*};
-use std::error::Error;
+use std::{ops::RangeInclusive, path::Path};
 
 /// A chart, put together call by call: what it is called, what it shows, its axes, then its series.
 #[derive(Clone, Debug)]
@@ -17,8 +19,10 @@ pub struct Chart {
     claim: String,
     measured: String,
     axes: [Axis; 2],
+    field: Option<Field>,
     series: Vec<Series>,
     equal_units: bool,
+    names_at_ends: bool,
     size: (u32, u32),
 }
 
@@ -30,10 +34,19 @@ impl Chart {
             claim: String::new(),
             measured: String::new(),
             axes: [Axis::linear(""), Axis::linear("")],
+            field: None,
             series: Vec::new(),
             equal_units: false,
+            names_at_ends: false,
             size: (1000, 640),
         }
+    }
+
+    /// Another title; none for an empty text.
+    #[must_use]
+    pub fn title(mut self, title: impl Into<String>) -> Self {
+        self.title = title.into();
+        self
     }
 
     /// What there is to see, under the title.
@@ -68,6 +81,13 @@ impl Chart {
     #[must_use]
     pub fn with_equal_units(mut self) -> Self {
         self.equal_units = true;
+        self
+    }
+
+    /// Names stand where their series end, clear of each other, instead of in a legend.
+    #[must_use]
+    pub fn with_names_at_ends(mut self) -> Self {
+        self.names_at_ends = true;
         self
     }
 
@@ -106,22 +126,66 @@ impl Chart {
         self.series(Mark::Cloud, name, points)
     }
 
+    /// Numbers over a plane as colours, with a bar that says which colour is which number: rows from the lowest one up, each
+    /// from left to right, all as long as the first. Cells that hold no finite number stay white, and on a logarithmic axis
+    /// those that are not positive. Series are drawn above it.
+    #[must_use]
+    pub fn field<R: AsRef<[f64]>>(
+        mut self,
+        [along, up]: [RangeInclusive<f64>; 2],
+        values: Axis,
+        rows: impl IntoIterator<Item = R>,
+    ) -> Self {
+        let corners = [(*along.start(), *up.start()), (*along.end(), *up.end())];
+        let mut field = Field { corners, columns: 0, values: Vec::new(), axis: values };
+        for row in rows {
+            let row = row.as_ref();
+            if field.values.is_empty() {
+                field.columns = row.len();
+            }
+            field.values.extend((0..field.columns).map(|column| row.get(column).copied().unwrap_or(f64::NAN)));
+        }
+        self.field = (field.columns > 0).then_some(field);
+        self
+    }
+
     /// Another colour for the last series than that of its place, and a whole line, whichever place that is.
     #[must_use]
-    pub fn coloured(mut self, colour: RGBColor) -> Self {
-        if let Some(last) = self.series.last_mut() {
-            (last.colour, last.dashed) = (colour, false);
-        }
-        self
+    pub fn coloured(self, colour: Colour) -> Self {
+        self.last(|series| (series.colour, series.dashed) = (colour, false))
     }
 
     /// Dashes for the last series, if it is a line.
     #[must_use]
-    pub fn dashed(mut self) -> Self {
+    pub fn dashed(self) -> Self {
+        self.last(|series| series.dashed = true)
+    }
+
+    /// Another sign for the points of the last series.
+    #[must_use]
+    pub fn marked(self, marker: Marker) -> Self {
+        self.last(|series| series.marker = marker)
+    }
+
+    /// The width of the last series in pixels, 2 without this.
+    #[must_use]
+    pub fn wide(self, width: f64) -> Self {
+        self.last(|series| series.width = width)
+    }
+
+    fn last(mut self, change: impl FnOnce(&mut Series)) -> Self {
         if let Some(last) = self.series.last_mut() {
-            last.dashed = true;
+            change(last);
         }
         self
+    }
+
+    /// Writes the chart as the ending of the name says, `.png` or `.svg`, and the folder if there is none.
+    ///
+    /// # Errors
+    /// Another ending, or a file that cannot be written.
+    pub fn save(&self, file: impl AsRef<Path>) -> Result<(), SaveError> {
+        save(file.as_ref(), self)
     }
 
     fn named(&self) -> impl Iterator<Item = &Series> {
@@ -129,94 +193,85 @@ impl Chart {
     }
 
     /// Whether names are needed: one series is what the title says.
-    fn has_legend(&self) -> bool {
+    fn has_names(&self) -> bool {
         self.named().nth(1).is_some()
     }
 
+    /// What stands on the right of the axes: names or a bar.
+    fn beside(&self, canvas: &Canvas, text: f64) -> f64 {
+        let names = self.named().filter(|_| self.has_names()).map(|series| {
+            let (width, room) = if self.names_at_ends {
+                (canvas.width(&series.name, bold(text)), 6.0)
+            } else {
+                (canvas.width(&series.name, font(text)), 54.0)
+            };
+            width + room
+        });
+        names.fold(self.field.as_ref().map_or(0.0, |field| field.width(canvas, text)), f64::max)
+    }
+
     /// Draws between the axes, and these.
-    fn plot<B: DrawingBackend>(&self, area: &Area<B>, margins: Margins, stroke: u32) -> Outcome
-    where
-        B::ErrorType: 'static,
-    {
+    fn plot(&self, canvas: &mut Canvas, room: Room, margins: Margins) {
         let points = || self.series.iter().flat_map(|series| &series.points);
-        let scales = [self.axes[0].fit(points().map(|point| point.0)), self.axes[1].fit(points().map(|point| point.1))];
-        let mut frame = Frame::new(area, margins, scales)?;
+        let corners = || self.field.iter().flat_map(|field| field.corners);
+        let field = self.field.as_ref();
+        let fit = |i: usize, of: fn(&(f64, f64)) -> f64| {
+            let axis = &self.axes[i];
+            // A field fills its axes, without room around.
+            let ends = field.filter(|_| axis.ends.is_none()).map(|field| field.corners.map(|corner| of(&corner)));
+            match ends {
+                Some([least, most]) => axis.clone().between(least, most).fit([]),
+                None => axis.fit(points().map(of).chain(corners().map(|corner| of(&corner)))),
+            }
+        };
+        let scales = [fit(0, |point| point.0), fit(1, |point| point.1)];
+        let mut frame = Frame::new(canvas, room, margins, scales);
         if self.equal_units {
-            frame = frame.with_equal_units(margins)?;
+            frame = frame.with_equal_units();
         }
         let clouds = self.series.iter().filter(|series| series.mark == Mark::Cloud);
         let clouds: Vec<_> = clouds.map(|series| (&series.points[..], series.colour)).collect();
-        if clouds.is_empty() {
-            frame.grid()?;
-        } else {
-            frame.clouds(&clouds)?;
+        match field {
+            Some(field) => field.draw(&mut frame),
+            None if clouds.is_empty() => frame.grid(),
+            None => frame.clouds(&clouds),
         }
         for series in &self.series {
-            series.draw(&frame, stroke)?;
+            series.draw(&mut frame);
         }
-        frame.axes([&self.axes[0].name, &self.axes[1].name])
+        frame.axes([&self.axes[0].name, &self.axes[1].name]);
+        if self.names_at_ends && self.has_names() {
+            let ends =
+                self.named().filter_map(|series| Some((*series.points.last()?, &series.name[..], series.colour)));
+            frame.names(&ends.collect::<Vec<_>>());
+        }
+        let border = frame.border();
+        if let Some(field) = field {
+            field.bar(canvas, border, margins.text);
+        }
     }
 
-    /// How wide the legend is.
-    fn legend_width<B: DrawingBackend>(&self, area: &Area<B>) -> Result<i32, Box<dyn Error>>
-    where
-        B::ErrorType: 'static,
-    {
-        let mut widest = 0;
-        for series in self.named().filter(|_| self.has_legend()) {
-            widest = widest.max(width(area, &series.name, &font(15))? + 64);
+    fn legend(&self, canvas: &mut Canvas, (x, mut y): Place, text: f64) {
+        if self.names_at_ends || !self.has_names() {
+            return;
         }
-        Ok(widest)
-    }
-
-    fn legend<B: DrawingBackend>(&self, area: &Area<B>, [x, mut y]: [i32; 2]) -> Outcome
-    where
-        B::ErrorType: 'static,
-    {
-        for series in self.named().filter(|_| self.has_legend()) {
-            let (middle, ends) = (y + 6, [(x, y + 6), (x + 30, y + 6)]);
-            let (line, filled) = (series.colour.stroke_width(3), series.colour.filled());
-            match series.mark {
-                Mark::Line => self::line(area, ends, line, series.dashed)?,
-                Mark::Dotted => {
-                    self::line(area, ends, line, series.dashed)?;
-                    area.draw(&Circle::new((x + 15, middle), 5, filled))?;
-                }
-                Mark::Dots => area.draw(&Circle::new((x + 15, middle), 5, filled))?,
-                Mark::Cloud | Mark::Filled => {
-                    area.draw(&Rectangle::new([(x + 8, middle - 7), (x + 22, middle + 7)], filled))?;
-                }
-            }
-            area.draw_text(&series.name, &font(15), (x + 40, y))?;
-            y += 25;
+        for series in self.named() {
+            series.sign(canvas, (x, y));
+            canvas.text(&series.name, (x + 38.0, y + 0.36 * text), font(text));
+            y += 1.6 * text;
         }
-        Ok(())
     }
 
     /// Draws the chart as one of several: a smaller head, and no legend.
-    pub(crate) fn draw_panel<B: DrawingBackend>(&self, area: &Area<B>) -> Outcome
-    where
-        B::ErrorType: 'static,
-    {
-        let room = area.dim_in_pixel().0 as i32 - 20;
-        let mut below = paragraph(area, &self.title, &bold(16), [12, 8], [room, 20])?;
-        below = paragraph(area, &self.claim, &font(13), [12, below], [room, 17])?;
-        below = paragraph(area, &self.measured, &bold(13), [12, below], [room, 17])?;
-        self.plot(area, Margins { top: below + 6, right: 2, text: 13 }, 2)
+    pub(crate) fn draw_panel(&self, canvas: &mut Canvas, room: Room) {
+        let [left, top, right, _] = room;
+        let (x, width) = (left + 12.0, right - left - 20.0);
+        let mut below = canvas.paragraph(&self.title, (x, top + 6.0), width, bold(16.0));
+        below = canvas.paragraph(&self.claim, (x, below), width, font(13.0));
+        below = canvas.paragraph(&self.measured, (x, below), width, bold(13.0));
+        let right = self.field.as_ref().map_or(0.0, |field| field.width(canvas, 13.0));
+        self.plot(canvas, room, Margins { top: below - top + 8.0, right: right + 2.0, text: 13.0 });
     }
-}
-
-/// A line of the legend.
-fn line<B: DrawingBackend>(area: &Area<B>, ends: [(i32, i32); 2], style: ShapeStyle, dashed: bool) -> Outcome
-where
-    B::ErrorType: 'static,
-{
-    if dashed {
-        area.draw(&DashedPathElement::new(ends, 7, 5, style))?;
-    } else {
-        area.draw(&PathElement::new(ends, style))?;
-    }
-    Ok(())
 }
 
 impl Picture for Chart {
@@ -224,36 +279,21 @@ impl Picture for Chart {
         self.size
     }
 
-    fn draw<B: DrawingBackend>(&self, area: &Area<B>) -> Outcome
-    where
-        B::ErrorType: 'static,
-    {
-        let (across, _) = self.size;
-        let mut below = head(area, &self.title, &self.claim)?;
-        below = paragraph(area, &self.measured, &bold(16), [24, below], [across as i32 - 48, 21])?;
-        let legend = self.legend_width(area)?;
-        self.plot(area, Margins { top: below + 12, right: legend + 8, text: 16 }, 2)?;
-        self.legend(area, [across as i32 - legend, below + 16])
+    fn draw(&self, canvas: &mut Canvas) {
+        let [across, down] = [self.size.0, self.size.1].map(f64::from);
+        let mut below = head(canvas, &self.title, &self.claim);
+        below = canvas.paragraph(&self.measured, (24.0, below), across - 48.0, bold(16.0));
+        let beside = self.beside(canvas, 15.0);
+        let margins = Margins { top: below + 12.0, right: beside + 12.0, text: 15.0 };
+        self.plot(canvas, [0.0, 0.0, across, down], margins);
+        self.legend(canvas, (across - beside - 6.0, below + 24.0), 15.0);
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::Chart;
-    use crate::{Axis, write};
-    use std::{env, fs, path::PathBuf};
-
-    /// The SVG and the size of the PNG of a chart.
-    fn drawn(name: &str, chart: &Chart) -> (String, u64) {
-        let file: PathBuf = env::temp_dir().join(format!("integrator-plot-{name}-{}", std::process::id()));
-        write(&file, chart).expect("two files");
-        let [svg, png] = ["svg", "png"].map(|extension| file.with_extension(extension));
-        let drawn = (fs::read_to_string(&svg).expect("text"), fs::metadata(&png).expect("a picture").len());
-        for file in [svg, png] {
-            fs::remove_file(file).expect("a file");
-        }
-        drawn
-    }
+    use crate::{Axis, drawn};
 
     #[test]
     fn a_chart_has_its_words_curves_and_dots() {
@@ -267,22 +307,28 @@ mod tests {
             .line("second", points().map(|(x, y)| (x, y / 2.0)))
             .dashed()
             .dots("third", points());
-        let (text, png) = drawn("words", &chart);
-        for word in
-            ["Errors", "They fall", "order 2.00", "step", "error", "first", "second", "third", "\n10⁻⁸\n", "\n4\n"]
+        let (text, png) = drawn(&chart);
+        for word in ["Errors", "They fall", "order 2.00", "step", "error", "first", "second", "third", ">10⁻⁸<", ">4<"]
         {
             assert!(text.contains(word), "{word} is missing in {text}");
         }
         assert_eq!(text.matches("<circle").count(), 9 + 1, "the dots, and one in the legend");
-        assert!(png > 1_000);
+        assert!(png.len() > 1_000);
     }
 
     #[test]
     fn a_million_points_are_a_small_picture() {
         let spiral = (0..1_000_000).map(|i| f64::from(i) * 1e-3).map(|t| (t.sin() * t, t.cos() * t));
-        let (text, png) = drawn("million", &Chart::new("Spiral").cloud("", spiral).with_equal_units());
+        let (text, png) = drawn(&Chart::new("Spiral").cloud("", spiral).with_equal_units());
         assert!(text.contains("<image"), "points are a bitmap");
-        assert!(text.len() < 2_000_000 && png < 2_000_000, "{} and {png} bytes", text.len());
+        assert!(text.len() < 2_000_000 && png.len() < 2_000_000, "{} and {} bytes", text.len(), png.len());
+    }
+
+    #[test]
+    fn a_line_of_a_million_points_is_a_small_picture() {
+        let noise = (0..1_000_000).map(|i| (f64::from(i), (f64::from(i) * 1e3).sin()));
+        let (text, _) = drawn(&Chart::new("Noise").line("", noise));
+        assert!(text.len() < 200_000, "{} bytes", text.len());
     }
 
     #[test]
@@ -290,7 +336,40 @@ mod tests {
         let chart = |names: &[&str]| {
             names.iter().fold(Chart::new("Legend"), |chart, name| chart.line(*name, [(0.0, 0.0), (1.0, 1.0)]))
         };
-        assert!(!drawn("alone", &chart(&["alone"])).0.contains("alone"));
-        assert!(drawn("two", &chart(&["alone", "other"])).0.contains("alone"));
+        assert!(!drawn(&chart(&["alone"])).0.contains("alone"));
+        for chart in [chart(&["alone", "other"]), chart(&["alone", "other"]).with_names_at_ends()] {
+            assert!(drawn(&chart).0.contains(">alone<"));
+        }
+    }
+
+    /// The heights at which a text of the SVG stands.
+    fn height(svg: &str, text: &str) -> f64 {
+        let before = svg.split(&format!(">{text}<")).next().expect("a beginning");
+        let number = before.rsplit("y=\"").next().and_then(|rest| rest.split('"').next());
+        number.and_then(|number| number.parse().ok()).expect("a height")
+    }
+
+    #[test]
+    fn names_at_ends_are_clear_of_each_other() {
+        let names = ["one", "two", "three"];
+        let chart = names
+            .iter()
+            .fold(Chart::new("Ends").with_names_at_ends(), |chart, name| chart.line(*name, [(0.0, 0.0), (1.0, 1.0)]));
+        let (svg, _) = drawn(&chart);
+        let mut heights = names.map(|name| height(&svg, name));
+        heights.sort_by(f64::total_cmp);
+        assert!(heights.windows(2).all(|pair| pair[1] - pair[0] > 15.0), "{heights:?}");
+    }
+
+    #[test]
+    fn a_field_has_a_bar_and_leaves_cells_without_a_number_white() {
+        let rows = [vec![1.0, 2.0], vec![f64::NAN, 4.0], vec![3.0]];
+        let chart = Chart::new("Field").field([0.0..=1.0, 0.0..=3.0], Axis::linear("height"), rows);
+        let (svg, _) = drawn(&chart);
+        assert_eq!(svg.matches("<image").count(), 2, "the field and its bar");
+        assert!(svg.contains(">height<") && svg.contains(">1.5<"), "{svg}");
+        let nothing: [Vec<f64>; 0] = [];
+        let (svg, _) = drawn(&Chart::new("Nothing").field([0.0..=1.0, 0.0..=1.0], Axis::linear(""), nothing));
+        assert!(!svg.contains("<image"));
     }
 }

@@ -1,6 +1,6 @@
 //! Points by the million as one bitmap: a pixel takes the colours of all points on it, the more of them the deeper.
 
-use plotters::style::RGBColor;
+use crate::colour::Colour;
 
 /// How much of its colour the first point on a pixel leaves there. Each further point covers as much of what is left
 /// white, so that densities up to some ten points per pixel can be told apart.
@@ -25,7 +25,7 @@ impl Cloud {
     }
 
     /// A point at a pixel; nothing where it lies beyond the sheet.
-    pub(crate) fn point(&mut self, x: f64, y: f64, RGBColor(red, green, blue): RGBColor) {
+    pub(crate) fn point(&mut self, x: f64, y: f64, Colour(red, green, blue): Colour) {
         let (width, height) = self.size;
         if !(x >= 0.0 && y >= 0.0 && x < f64::from(width) && y < f64::from(height)) {
             return;
@@ -40,28 +40,28 @@ impl Cloud {
         }
     }
 
-    /// The size, and three bytes per pixel.
-    pub(crate) fn into_bytes(self) -> ((u32, u32), Vec<u8>) {
-        (self.size, self.pixels.into_iter().flatten().map(|part| part.round() as u8).collect())
+    /// Three bytes per pixel.
+    pub(crate) fn into_bytes(self) -> Vec<u8> {
+        self.pixels.into_iter().flatten().map(|part| part.round() as u8).collect()
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::Cloud;
-    use plotters::style::RGBColor;
+    use crate::colour::Colour;
 
     #[test]
     fn points_deepen_the_colour_of_their_pixel_alone() {
         let mut cloud = Cloud::new((3, 2), 3);
-        let ink = RGBColor(0, 0, 0);
+        let ink = Colour(0, 0, 0);
         cloud.point(1.5, 0.5, ink);
         cloud.point(2.0, 1.0, ink);
         cloud.point(2.9, 1.9, ink);
         for (x, y) in [(-0.1, 0.0), (3.0, 0.0), (0.0, 2.0), (f64::NAN, 0.0)] {
             cloud.point(x, y, ink);
         }
-        let (size, bytes) = cloud.into_bytes();
+        let (size, bytes) = (cloud.size, cloud.into_bytes());
         let grey: Vec<u8> = bytes.chunks(3).map(|pixel| pixel[0]).collect();
         assert_eq!(size, (3, 2));
         assert_eq!((grey[0], grey[2], grey[3], grey[4]), (255, 255, 255, 255));
@@ -71,9 +71,9 @@ mod tests {
     #[test]
     fn a_lonely_point_is_larger_and_stays_on_the_sheet() {
         let mut cloud = Cloud::new((10, 10), 2);
-        cloud.point(3.0, 3.0, RGBColor(0, 0, 0));
-        cloud.point(9.5, 9.5, RGBColor(0, 0, 0));
-        let (_, bytes) = cloud.into_bytes();
+        cloud.point(3.0, 3.0, Colour(0, 0, 0));
+        cloud.point(9.5, 9.5, Colour(0, 0, 0));
+        let bytes = cloud.into_bytes();
         assert_eq!(bytes.iter().filter(|byte| **byte < 255).count(), 3 * (4 + 1));
     }
 }

@@ -1,243 +1,209 @@
-//! Two axes on an area, and what is drawn between them.
+//! Two axes on a part of a sheet, and what is drawn between them.
 
 use crate::{
     axis::Scale,
+    canvas::{Canvas, Marker, Place, Stroke},
     cloud::Cloud,
-    colour::{INK, PALE},
+    colour::{Colour, INK, PALE},
+    labels::apart,
     path::{Border, pieces},
-    picture::{Area, Outcome},
-    text::{centred, font, width},
+    text::{Font, bold, font},
 };
-use plotters::{element::DashedPathElement, prelude::*, style::FontTransform};
-use std::error::Error;
 
 /// What is left free around the axes and their labels.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Margins {
     /// Above the axes.
-    pub top: i32,
+    pub top: f64,
     /// On the right.
-    pub right: i32,
+    pub right: f64,
     /// The size of labels, by which the room on the left and below is measured.
-    pub text: u32,
+    pub text: f64,
 }
+
+/// A rectangle of the sheet: left, top, right, bottom.
+pub type Room = [f64; 4];
 
 /// A rectangle with a scale along each side. Its coordinates are those of the scales, logarithmic or not.
-pub struct Frame<'a, B: DrawingBackend> {
-    area: &'a Area<B>,
+pub struct Frame<'c> {
+    canvas: &'c mut Canvas,
+    room: Room,
+    margins: Margins,
     scales: [Scale; 2],
-    /// Left, top, right, bottom.
-    border: [i32; 4],
+    border: Border,
     labels: [Vec<(f64, String)>; 2],
-    text: u32,
 }
 
-impl<'a, B: DrawingBackend> Frame<'a, B>
-where
-    B::ErrorType: 'static,
-{
-    /// Finds the place for axes and labels; draws nothing.
-    ///
-    /// # Errors
-    /// A font that cannot be measured.
-    pub fn new(area: &'a Area<B>, margins: Margins, scales: [Scale; 2]) -> Result<Self, Box<dyn Error>> {
-        let (across, down) = area.dim_in_pixel();
-        let (size, style) = (margins.text as i32, font(margins.text));
-        let bottom = down as i32 - 4 * size;
-        let up = scales[1].labels(((bottom - margins.top) / (3 * size)).max(2) as usize);
-        let mut widest = 0;
-        for (_, label) in &up {
-            widest = widest.max(width(area, label, &style)?);
-        }
-        // The name of the axis stands upright on the left of the labels.
-        let border = [widest + 2 * size + 18, margins.top, across as i32 - margins.right - size, bottom];
+impl<'c> Frame<'c> {
+    /// Finds the place for axes and labels within a part of the sheet; draws nothing.
+    pub fn new(canvas: &'c mut Canvas, room: Room, margins: Margins, scales: [Scale; 2]) -> Self {
+        let (size, style) = (margins.text, font(margins.text));
+        let (top, bottom) = (room[1] + margins.top, room[3] - 4.0 * size);
+        let up = scales[1].labels(((bottom - top) / (2.5 * size)).max(2.0) as usize);
+        let widest = up.iter().map(|(_, label)| canvas.width(label, style)).fold(0.0, f64::max);
+        // The name of the axis stands upright on the left of the labels. Whole pixels keep the axes sharp.
+        let border = [room[0] + widest + 2.0 * size + 18.0, top, room[2] - margins.right - size, bottom];
+        let border = border.map(|side| side.round() + 0.5);
         // As many labels as have room beside each other.
         let length = border[2] - border[0];
-        let mut at_most = (length / (3 * size)).max(2) as usize;
+        let mut at_most = (length / (3.0 * size)).max(2.0) as usize;
         let along = loop {
             let labels = scales[0].labels(at_most);
-            let mut taken = 0;
-            for (_, label) in &labels {
-                taken += width(area, label, &style)? + size;
-            }
+            let taken: f64 = labels.iter().map(|(_, label)| canvas.width(label, style) + size).sum();
             if taken < length || at_most <= 2 {
                 break labels;
             }
             at_most -= 1;
         };
-        Ok(Self { area, scales, border, labels: [along, up], text: margins.text })
-    }
-
-    /// The size in pixels of what lies between the axes.
-    pub fn size(&self) -> (u32, u32) {
-        let [left, top, right, bottom] = self.border;
-        ((right - left).max(1) as u32, (bottom - top).max(1) as u32)
+        Self { canvas, room, margins, scales, border, labels: [along, up] }
     }
 
     /// The same place with a scale stretched, so that equal differences are equally long along both axes.
-    ///
-    /// # Errors
-    /// A font that cannot be measured.
-    pub fn with_equal_units(self, margins: Margins) -> Result<Self, Box<dyn Error>> {
-        let (across, down) = self.size();
-        let units = [(0, across), (1, down)].map(|(i, pixels)| {
-            let scale = &self.scales[i];
-            (scale.most - scale.least) / f64::from(pixels)
-        });
+    #[must_use]
+    pub fn with_equal_units(self) -> Self {
+        let [left, top, right, bottom] = self.border;
         let [x, y] = self.scales;
+        let units = [(x.most - x.least) / (right - left), (y.most - y.least) / (bottom - top)];
         let scales = if units[0] < units[1] {
             [x.stretched(units[1] / units[0]), y]
         } else {
             [x, y.stretched(units[0] / units[1])]
         };
-        Self::new(self.area, margins, scales)
+        Self::new(self.canvas, self.room, self.margins, scales)
     }
 
     /// Lines of the grid through the labels.
-    ///
-    /// # Errors
-    /// What the file says.
-    pub fn grid(&self) -> Outcome {
+    pub fn grid(&mut self) {
         let [left, top, right, bottom] = self.border;
-        for (part, _) in &self.labels[0] {
-            let x = self.across(*part);
-            self.area.draw(&PathElement::new([(x, top), (x, bottom)], PALE))?;
+        for i in 0..self.labels[0].len() {
+            let x = self.across(self.labels[0][i].0);
+            self.canvas.line([(x, top), (x, bottom)], Stroke::new(PALE, 1.0));
         }
-        for (part, _) in &self.labels[1] {
-            let y = self.down(*part);
-            self.area.draw(&PathElement::new([(left, y), (right, y)], PALE))?;
+        for i in 0..self.labels[1].len() {
+            let y = self.down(self.labels[1][i].0);
+            self.canvas.line([(left, y), (right, y)], Stroke::new(PALE, 1.0));
         }
-        Ok(())
     }
 
     /// The axes with labels and names.
-    ///
-    /// # Errors
-    /// What the file says.
-    pub fn axes(&self, [along, up]: [&str; 2]) -> Outcome {
+    pub fn axes(&mut self, [along, up]: [&str; 2]) {
         let [left, top, right, bottom] = self.border;
-        let (size, style) = (self.text as i32, font(self.text));
-        let corners = [(left, top), (left, bottom), (right, bottom)];
-        self.area.draw(&PathElement::new(corners, INK))?;
-        for (part, label) in &self.labels[0] {
-            let x = self.across(*part);
-            self.area.draw(&PathElement::new([(x, bottom), (x, bottom + 4)], INK))?;
-            centred(self.area, label, &style, (x, bottom + 7))?;
+        let (size, style, ink) = (self.margins.text, font(self.margins.text), Stroke::new(INK, 1.0));
+        self.canvas.line([(left, top), (left, bottom), (right, bottom)], ink);
+        for (part, label) in self.labels[0].clone() {
+            let x = self.across(part);
+            self.canvas.line([(x, bottom), (x, bottom + 4.0)], ink);
+            self.canvas.text(&label, (x, bottom + 7.0 + size), style.centred());
         }
-        for (part, label) in &self.labels[1] {
-            let y = self.down(*part);
-            self.area.draw(&PathElement::new([(left - 4, y), (left, y)], INK))?;
-            self.area.draw_text(label, &style, (left - 7 - width(self.area, label, &style)?, y + 2 - size / 2))?;
+        for (part, label) in self.labels[1].clone() {
+            let y = self.down(part);
+            self.canvas.line([(left - 4.0, y), (left, y)], ink);
+            self.canvas.text(&label, (left - 8.0, y + 0.36 * size), style.ending());
         }
-        centred(self.area, along, &style, ((left + right) / 2, bottom + 12 + size + size / 2))?;
-        let upright = style.transform(FontTransform::Rotate270);
-        let middle = (top + bottom) / 2 + width(self.area, up, &font(self.text))? / 2;
-        Ok(self.area.draw_text(up, &upright, (8, middle))?)
+        self.canvas.text(along, (0.5 * (left + right), bottom + 14.0 + 2.3 * size), style.centred());
+        let middle = (self.room[0] + 8.0 + size, 0.5 * (top + bottom));
+        self.canvas.text(up, middle, style.centred().upwards());
     }
 
-    /// A curve, cut at the border; dashed if it is asked for.
-    ///
-    /// # Errors
-    /// What the file says.
-    pub fn line(
-        &self,
+    /// A curve, cut at the border.
+    pub fn line(&mut self, points: impl IntoIterator<Item = (f64, f64)>, stroke: Stroke) {
+        for piece in pieces(points.into_iter().map(|point| self.place(point)), self.border) {
+            self.canvas.line(piece, stroke);
+        }
+    }
+
+    /// Signs, those beyond the border left out.
+    pub fn markers(
+        &mut self,
         points: impl IntoIterator<Item = (f64, f64)>,
-        style: impl Into<ShapeStyle>,
-        dashed: bool,
-    ) -> Outcome {
-        let style = style.into();
-        for piece in pieces(points.into_iter().map(|point| self.place(point)), self.edges()) {
-            if dashed {
-                self.area.draw(&DashedPathElement::new(piece, 7, 5, style))?;
-            } else {
-                self.area.draw(&PathElement::new(piece, style))?;
+        marker: Marker,
+        radius: f64,
+        colour: Colour,
+    ) {
+        for point in points {
+            if let Some(place) = self.visible(point) {
+                self.canvas.marker(marker, place, radius, colour);
             }
         }
-        Ok(())
-    }
-
-    /// Dots, those beyond the border left out.
-    ///
-    /// # Errors
-    /// What the file says.
-    pub fn dots(
-        &self,
-        points: impl IntoIterator<Item = (f64, f64)>,
-        radius: i32,
-        style: impl Into<ShapeStyle>,
-    ) -> Outcome {
-        let style = style.into();
-        for pixel in points.into_iter().filter_map(|point| self.pixel(point)) {
-            self.area.draw(&Circle::new(pixel, radius, style))?;
-        }
-        Ok(())
     }
 
     /// The inside of a closed curve. What leaves the border is pressed against it.
-    ///
-    /// # Errors
-    /// What the file says.
-    pub fn fill(&self, points: impl IntoIterator<Item = (f64, f64)>, style: impl Into<ShapeStyle>) -> Outcome {
-        let [left, top, right, bottom] = self.edges();
-        let pressed = |(x, y): (f64, f64)| (x.clamp(left, right) as i32, y.clamp(top, bottom) as i32);
+    pub fn fill(&mut self, points: impl IntoIterator<Item = (f64, f64)>, colour: Colour, opacity: f64) {
+        let [left, top, right, bottom] = self.border;
+        let pressed = |(x, y): Place| (x.clamp(left, right), y.clamp(top, bottom));
         let outline: Vec<_> = points.into_iter().filter_map(|point| self.place(point)).map(pressed).collect();
-        Ok(self.area.draw(&Polygon::new(outline, style))?)
+        self.canvas.filled(outline, colour, opacity);
     }
 
     /// Text beside a point, so many pixels away from it.
-    ///
-    /// # Errors
-    /// What the file says.
-    pub fn text(&self, point: (f64, f64), (right, down): (i32, i32), text: &str, style: &TextStyle<'_>) -> Outcome {
-        if let Some((x, y)) = self.pixel(point) {
-            self.area.draw_text(text, style, (x + right, y + down))?;
+    pub fn text(&mut self, point: (f64, f64), (right, down): Place, text: &str, font: Font) {
+        if let Some((x, y)) = self.visible(point) {
+            self.canvas.text(text, (x + right, y + down), font);
         }
-        Ok(())
+    }
+
+    /// Names on the right of the frame, each as near as can be to the height of a point and clear of the others; a thin line
+    /// leads there.
+    pub fn names(&mut self, names: &[((f64, f64), &str, Colour)]) {
+        let (size, right) = (self.margins.text, self.border[2]);
+        let mut visible: Vec<_> =
+            names.iter().filter_map(|(point, name, colour)| Some((self.visible(*point)?, *name, *colour))).collect();
+        visible.sort_by(|a, b| a.0.1.total_cmp(&b.0.1));
+        let wanted: Vec<f64> = visible.iter().map(|(place, ..)| place.1).collect();
+        let heights = apart(&wanted, 1.3 * size, [self.border[1], self.border[3]]);
+        for ((place, name, colour), height) in visible.into_iter().zip(heights) {
+            let thin = Stroke::new(colour, 0.75);
+            self.canvas.line([(place.0 + 6.0, place.1), (right + 2.0, height), (right + 8.0, height)], thin);
+            self.canvas.text(name, (right + 12.0, height + 0.36 * size), bold(size).coloured(colour));
+        }
     }
 
     /// Clouds of points as one bitmap. It covers what was drawn before, hence it comes first.
-    ///
-    /// # Errors
-    /// What the file says.
-    pub fn clouds(&self, clouds: &[(&[(f64, f64)], RGBColor)]) -> Outcome {
-        let [left, top, ..] = self.edges();
-        let mut sheet = Cloud::new(self.size(), clouds.iter().map(|(points, _)| points.len()).sum());
+    pub fn clouds(&mut self, clouds: &[(&[(f64, f64)], Colour)]) {
+        let [left, top, right, bottom] = self.border;
+        let size = ((right - left).max(1.0) as u32, (bottom - top).max(1.0) as u32);
+        let mut sheet = Cloud::new(size, clouds.iter().map(|(points, _)| points.len()).sum());
         for &(points, colour) in clouds {
             for (x, y) in points.iter().filter_map(|point| self.place(*point)) {
                 sheet.point(x - left, y - top, colour);
             }
         }
-        let (size, bytes) = sheet.into_bytes();
-        let bitmap: BitMapElement<'_, _> =
-            BitMapElement::with_owned_buffer((self.border[0], self.border[1]), size, bytes)
-                .ok_or("a bitmap without its pixels")?;
-        Ok(self.area.draw(&bitmap)?)
+        self.canvas.bitmap((left, top), (f64::from(size.0), f64::from(size.1)), size.0 as usize, sheet.into_bytes());
+    }
+
+    /// A bitmap of so many columns that fills the rectangle between two points. It covers what was drawn before.
+    pub(crate) fn bitmap(&mut self, [from, to]: [(f64, f64); 2], columns: usize, bytes: Vec<u8>) {
+        if let Some((from, to)) = self.place(from).zip(self.place(to)) {
+            let corner = (from.0.min(to.0), from.1.min(to.1));
+            self.canvas.bitmap(corner, ((to.0 - from.0).abs(), (to.1 - from.1).abs()), columns, bytes);
+        }
+    }
+
+    /// Left, top, right and bottom of what lies between the axes.
+    pub(crate) fn border(&self) -> Border {
+        self.border
     }
 
     /// Where a point lies, inside or not; `None` where its coordinates have no place on a scale.
-    fn place(&self, (x, y): (f64, f64)) -> Option<(f64, f64)> {
-        let [left, top, right, bottom] = self.edges();
+    fn place(&self, (x, y): (f64, f64)) -> Option<Place> {
+        let [left, top, right, bottom] = self.border;
         let (along, up) = self.scales[0].part(x).zip(self.scales[1].part(y))?;
         Some((left + along * (right - left), bottom + up * (top - bottom)))
     }
 
-    /// The pixel of a point inside the border.
-    fn pixel(&self, point: (f64, f64)) -> Option<(i32, i32)> {
-        let [left, top, right, bottom] = self.edges();
+    /// Where a point inside the border lies.
+    fn visible(&self, point: (f64, f64)) -> Option<Place> {
+        let [left, top, right, bottom] = self.border;
         let (x, y) = self.place(point)?;
-        let inside = (left..=right).contains(&x) && (top..=bottom).contains(&y);
-        inside.then_some((x.round() as i32, y.round() as i32))
+        ((left..=right).contains(&x) && (top..=bottom).contains(&y)).then_some((x, y))
     }
 
-    fn edges(&self) -> Border {
-        self.border.map(f64::from)
+    /// Ticks lie in the middle of pixels, so that they are sharp.
+    fn across(&self, part: f64) -> f64 {
+        (self.border[0] + part * (self.border[2] - self.border[0])).floor() + 0.5
     }
 
-    fn across(&self, part: f64) -> i32 {
-        self.border[0] + (part * f64::from(self.border[2] - self.border[0])).round() as i32
-    }
-
-    fn down(&self, part: f64) -> i32 {
-        self.border[3] - (part * f64::from(self.border[3] - self.border[1])).round() as i32
+    fn down(&self, part: f64) -> f64 {
+        (self.border[3] - part * (self.border[3] - self.border[1])).floor() + 0.5
     }
 }

@@ -1,4 +1,6 @@
-//! Pictures for examples and benches, each as SVG and as PNG. For the eye alone: nothing in `integrator-core` knows of it.
+//! Pictures of runs, each as SVG and as PNG. For the eye alone: nothing in `integrator-core` knows of it.
+//!
+//! A chart is put together call by call:
 //!
 //! ```no_run
 //! use integrator_plot::{Axis, Chart, Panels, write};
@@ -13,42 +15,57 @@
 //!         .up(Axis::logarithmic("relative error"))
 //!         .line("measured", points)
 //! };
-//! write(Path::new("target/growth"), &chart("Growth", 1.1))?; // growth.svg and growth.png
+//! chart("Growth", 1.1).save("target/growth.png")?;
 //! let several = Panels::new("Two of a kind", "One is faster").chart(chart("slow", 1.01)).chart(chart("fast", 1.5));
-//! write(Path::new("target/both"), &several)?;
+//! write(Path::new("target/both"), &several)?; // both.svg and both.png
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
 //! | module | holds |
 //! |---|---|
-//! | `picture` | what is written as two files: anything that is a [`Picture`] |
+//! | `picture` | what is written as files: anything that is a [`Picture`] |
 //! | `chart`, `panels` | curves and points over two axes, and several of these charts in rows |
-//! | `series` | what is drawn in a chart: lines, dots, clouds, filled outlines |
-//! | `frame` | two axes on an area, and what is drawn between them; for pictures that are no charts |
-//! | `axis`, `ticks` | linear and logarithmic axes, the numbers along them |
-//! | `path` | curves cut at the border and without points that no pixel shows |
+//! | `series`, `field` | what is drawn in a chart: lines, dots, clouds, filled outlines; colours over a plane |
+//! | `frame` | two axes on a part of the sheet, and what is drawn between them; for pictures that are no charts |
+//! | `axis`, `ticks` | linear, logarithmic and signed logarithmic axes, the numbers along them |
+//! | `labels` | names that do not cover each other |
+//! | `path` | curves cut at the border and without points that nobody would see |
 //! | `cloud` | points by the million as one bitmap, so that an SVG stays small |
-//! | `smooth` | lines, dots and letters of the PNG with smooth edges |
-//! | `text`, `colour` | lines of text that are broken where they are too long; colours |
+//! | `canvas` | shapes in parts of pixels, from which `svg` makes text, `raster` pixels, and `png` a file of these |
+//! | `text`, `colour` | fonts and colours |
 
 mod axis;
+mod canvas;
 mod chart;
 mod cloud;
 pub mod colour;
+mod field;
 mod frame;
+mod labels;
 mod panels;
 mod path;
 mod picture;
+mod png;
+mod raster;
 mod series;
-mod smooth;
+mod svg;
 mod text;
 mod ticks;
 
 pub use axis::{Axis, Scale};
+pub use canvas::{Canvas, MARKERS, Marker, Place, Stroke};
 pub use chart::Chart;
-pub use frame::{Frame, Margins};
+pub use colour::Colour;
+pub use frame::{Frame, Margins, Room};
 pub use panels::Panels;
-pub use picture::{Area, Outcome, Picture, head, write};
-pub use plotters;
-pub use series::Mark;
-pub use text::{bold, font};
+pub use picture::{Outcome, Picture, SaveError, head, write};
+pub use series::{DASHES, Mark};
+pub use text::{Font, bold, font};
+
+/// The SVG and the PNG of a picture.
+#[cfg(test)]
+fn drawn(picture: &impl Picture) -> (String, Vec<u8>) {
+    let mut canvas = Canvas::new(picture.size()).expect("fonts");
+    picture.draw(&mut canvas);
+    (canvas.svg(), canvas.png())
+}

@@ -1,11 +1,12 @@
 //! Several charts in rows.
 
 use crate::{
+    canvas::Canvas,
     chart::Chart,
-    picture::{Area, Outcome, Picture, head},
-    text::{bold, paragraph},
+    picture::{Picture, SaveError, head, save},
+    text::bold,
 };
-use plotters::prelude::*;
+use std::path::Path;
 
 /// Charts of one size, side by side under one head, each with its own title and claim.
 #[derive(Clone, Debug)]
@@ -58,9 +59,15 @@ impl Panels {
         self.charts.push(chart);
         self
     }
-}
 
-impl Panels {
+    /// Writes the panels as the ending of the name says, `.png` or `.svg`, and the folder if there is none.
+    ///
+    /// # Errors
+    /// Another ending, or a file that cannot be written.
+    pub fn save(&self, file: impl AsRef<Path>) -> Result<(), SaveError> {
+        save(file.as_ref(), self)
+    }
+
     fn width(&self) -> u32 {
         self.panel.0 * self.columns as u32 + 24
     }
@@ -78,28 +85,22 @@ impl Picture for Panels {
         (self.width(), self.panel.1 * rows + self.head() + 8)
     }
 
-    fn draw<B: DrawingBackend>(&self, area: &Area<B>) -> Outcome
-    where
-        B::ErrorType: 'static,
-    {
-        let below = head(area, &self.title, &self.claim)?;
-        paragraph(area, &self.measured, &bold(16), [24, below], [self.size().0 as i32 - 48, 21])?;
+    fn draw(&self, canvas: &mut Canvas) {
+        let below = head(canvas, &self.title, &self.claim);
+        canvas.paragraph(&self.measured, (24.0, below), f64::from(self.width()) - 48.0, bold(16.0));
         let (width, height) = self.panel;
         for (place, chart) in self.charts.iter().enumerate() {
-            let (row, column) = (place / self.columns, place % self.columns);
-            let (left, top) = (12 + column as u32 * width, self.head() + row as u32 * height);
-            let sheet = area.clone().shrink((left, top), (width, height));
-            chart.draw_panel(&sheet)?;
+            let (row, column) = ((place / self.columns) as u32, (place % self.columns) as u32);
+            let (left, top) = (12 + column * width, self.head() + row * height);
+            chart.draw_panel(canvas, [left, top, left + width, top + height].map(f64::from));
         }
-        Ok(())
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::Panels;
-    use crate::{Axis, Chart, Picture, write};
-    use std::{env, fs};
+    use crate::{Axis, Chart, Picture, drawn};
 
     #[test]
     fn every_panel_has_its_title_and_its_curve() {
@@ -108,15 +109,10 @@ mod tests {
             panels.chart(Chart::new(format!("number {i}")).along(Axis::linear("x")).line("", points))
         });
         assert_eq!(panels.size(), (784, 2 * 360 + 64 + 21 + 8));
-        let file = env::temp_dir().join(format!("integrator-panels-{}", std::process::id()));
-        write(&file, &panels).expect("two files");
-        let text = fs::read_to_string(file.with_extension("svg")).expect("text");
+        let (text, _) = drawn(&panels);
         for word in ["All", "Four of them", "number 0", "number 3"] {
             assert!(text.contains(word), "{word} is missing in {text}");
         }
-        assert_eq!(text.matches(r##"stroke="#1E1E1E""##).count(), 4, "a curve in each");
-        for extension in ["svg", "png"] {
-            fs::remove_file(file.with_extension(extension)).expect("a file");
-        }
+        assert_eq!(text.matches(r##"stroke="#1e1e1e""##).count(), 4, "a curve in each");
     }
 }

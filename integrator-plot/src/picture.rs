@@ -1,33 +1,72 @@
-//! What is written as two files.
+//! What is written as files.
 
 use crate::{
-    smooth::Smooth,
-    text::{bold, font, paragraph},
+    canvas::Canvas,
+    text::{bold, font},
 };
-use plotters::{
-    coord::Shift,
-    prelude::*,
-    style::{FontStyle, register_font},
+use std::{
+    error::Error,
+    fmt, fs, io,
+    path::{Path, PathBuf},
 };
-use std::{error::Error, fs, path::Path};
 
 /// Nothing, or why there is no picture.
 pub type Outcome = Result<(), Box<dyn Error>>;
 
-/// A part of a picture, in pixels.
-pub type Area<B> = DrawingArea<B, Shift>;
-
-/// What is drawn onto either kind of file.
+/// What is drawn onto a sheet.
 pub trait Picture {
     /// Width and height in pixels.
     fn size(&self) -> (u32, u32);
-    /// Draws onto an area of this size.
-    ///
-    /// # Errors
-    /// What the file says.
-    fn draw<B: DrawingBackend>(&self, area: &Area<B>) -> Outcome
-    where
-        B::ErrorType: 'static;
+    /// Draws onto a sheet of this size.
+    fn draw(&self, canvas: &mut Canvas);
+}
+
+/// Why a picture was not saved.
+#[derive(Debug)]
+#[non_exhaustive]
+pub enum SaveError {
+    /// The name of the file ends in neither `.png` nor `.svg`.
+    Ending(PathBuf),
+    /// The fonts cannot be read.
+    Fonts(Box<dyn Error>),
+    /// The file, or its folder, cannot be written.
+    Write(PathBuf, io::Error),
+}
+
+impl fmt::Display for SaveError {
+    fn fmt(&self, to: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Ending(file) => write!(to, "{}: a picture ends in .png or .svg", file.display()),
+            Self::Fonts(error) => write!(to, "the fonts of pictures cannot be read: {error}"),
+            Self::Write(file, error) => write!(to, "{} cannot be written: {error}", file.display()),
+        }
+    }
+}
+
+impl Error for SaveError {
+    fn source(&self) -> Option<&(dyn Error + 'static)> {
+        match self {
+            Self::Ending(_) => None,
+            Self::Fonts(error) => Some(error.as_ref()),
+            Self::Write(_, error) => Some(error),
+        }
+    }
+}
+
+/// Writes one file, of the kind that its name says.
+pub(crate) fn save(file: &Path, picture: &impl Picture) -> Result<(), SaveError> {
+    let ending = file.extension().and_then(|ending| ending.to_str()).unwrap_or_default().to_ascii_lowercase();
+    let encode: fn(&Canvas) -> Vec<u8> = match ending.as_str() {
+        "png" => Canvas::png,
+        "svg" => |canvas| canvas.svg().into_bytes(),
+        _ => return Err(SaveError::Ending(file.to_owned())),
+    };
+    if let Some(folder) = file.parent() {
+        fs::create_dir_all(folder).map_err(|error| SaveError::Write(folder.to_owned(), error))?;
+    }
+    let mut canvas = Canvas::new(picture.size()).map_err(SaveError::Fonts)?;
+    picture.draw(&mut canvas);
+    fs::write(file, encode(&canvas)).map_err(|error| SaveError::Write(file.to_owned(), error))
 }
 
 /// Writes `<file>.svg` and `<file>.png`, and the folder if there is none.
@@ -35,32 +74,37 @@ pub trait Picture {
 /// # Errors
 /// If a file cannot be written.
 pub fn write(file: &Path, picture: &impl Picture) -> Outcome {
-    if let Some(folder) = file.parent() {
-        fs::create_dir_all(folder)?;
-    }
-    for (style, font) in [(FontStyle::Normal, dejavu::sans::regular()), (FontStyle::Bold, dejavu::sans::bold())] {
-        register_font("sans-serif", style, font).map_err(|_| "a font that cannot be read")?;
-    }
-    let (svg, png) = (file.with_extension("svg"), file.with_extension("png"));
-    let area = SVGBackend::new(&svg, picture.size()).into_drawing_area();
-    picture.draw(&area)?;
-    area.present()?;
-    drop(area);
-    let area = Smooth::new(BitMapBackend::new(&png, picture.size()))?.into_drawing_area();
-    picture.draw(&area)?;
-    Ok(area.present()?)
+    save(&file.with_extension("svg"), picture)?;
+    Ok(save(&file.with_extension("png"), picture)?)
 }
 
-/// A white sheet with the title, and under it a claim: what is better, or what there is to see. Returns the height.
-///
-/// # Errors
-/// What the file says.
-pub fn head<B: DrawingBackend>(area: &Area<B>, title: &str, claim: &str) -> Result<i32, Box<dyn Error>>
-where
-    B::ErrorType: 'static,
-{
-    area.fill(&WHITE)?;
-    let room = area.dim_in_pixel().0 as i32 - 48;
-    let below = paragraph(area, title, &bold(24), [24, 16], [room, 32])?;
-    paragraph(area, claim, &font(16), [24, below], [room, 21])
+/// The title, and under it a claim: what is better, or what there is to see. Returns where what is below begins.
+pub fn head(canvas: &mut Canvas, title: &str, claim: &str) -> f64 {
+    let room = f64::from(canvas.size.0) - 48.0;
+    let below = canvas.paragraph(title, (24.0, 14.0), room, bold(24.0));
+    canvas.paragraph(claim, (24.0, below), room, font(16.0))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::write;
+    use crate::Chart;
+    use std::{env, fs};
+
+    #[test]
+    fn files_are_what_their_names_say() {
+        let folder = env::temp_dir().join(format!("integrator-plot-{}", std::process::id()));
+        let chart = Chart::new("Line").line("", [(0.0, 0.0), (1.0, 1.0)]);
+        write(&folder.join("inside").join("line"), &chart).expect("two files");
+        chart.save(folder.join("again.PNG")).expect("a file");
+        let read = |name: &str| fs::read(folder.join(name)).expect("a file");
+        assert!(read("inside/line.svg").starts_with(b"<svg "));
+        assert!(read("inside/line.png").starts_with(b"\x89PNG") && read("inside/line.png") == read("again.PNG"));
+        let refused = chart.save(folder.join("line.pdf")).expect_err("a refusal").to_string();
+        assert!(refused.ends_with("line.pdf: a picture ends in .png or .svg"), "{refused}");
+        let blocked =
+            chart.save(folder.join("again.PNG").join("line.png")).expect_err("a file is no folder").to_string();
+        assert!(blocked.contains("again.PNG cannot be written: "), "{blocked}");
+        fs::remove_dir_all(folder).expect("a folder");
+    }
 }

@@ -1,16 +1,19 @@
 //! What is drawn in a chart.
 
-use crate::{colour::COLOURS, frame::Frame, picture::Outcome};
-use plotters::prelude::*;
+use crate::{
+    canvas::{Canvas, Marker, Place, Stroke},
+    colour::{COLOURS, Colour},
+    frame::Frame,
+};
 
 /// How the points of a series are drawn.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Mark {
     /// A line from point to point.
     Line,
-    /// A line with a dot at every point.
+    /// A line with a sign at every point.
     Dotted,
-    /// A dot for each.
+    /// A sign for each.
     Dots,
     /// A pixel for each, of any number of points, as a bitmap.
     Cloud,
@@ -23,38 +26,59 @@ pub enum Mark {
 pub(crate) struct Series {
     pub(crate) name: String,
     pub(crate) mark: Mark,
+    pub(crate) marker: Marker,
     pub(crate) dashed: bool,
-    pub(crate) colour: RGBColor,
+    pub(crate) width: f64,
+    pub(crate) colour: Colour,
     pub(crate) points: Vec<(f64, f64)>,
 }
+
+/// Lengths of dashes and of the gaps between them.
+pub const DASHES: &[f32] = &[7.0, 4.0];
 
 impl Series {
     /// The series that has so many before it, with the colour of its place. Colours come again after the last one; lines
     /// are dashed then.
     pub(crate) fn new(place: usize, name: String, mark: Mark, points: Vec<(f64, f64)>) -> Self {
         let dashed = (place / COLOURS.len()) % 2 == 1;
-        Self { name, mark, dashed, colour: COLOURS[place % COLOURS.len()], points }
+        Self { name, mark, marker: Marker::Disc, dashed, width: 2.0, colour: COLOURS[place % COLOURS.len()], points }
+    }
+
+    fn stroke(&self, width: f64) -> Stroke {
+        let stroke = Stroke::new(self.colour, width);
+        if self.dashed { stroke.dashed(DASHES) } else { stroke }
     }
 
     /// Draws everything but clouds, which come before the grid.
-    pub(crate) fn draw<B: DrawingBackend>(&self, frame: &Frame<'_, B>, width: u32) -> Outcome
-    where
-        B::ErrorType: 'static,
-    {
+    pub(crate) fn draw(&self, frame: &mut Frame<'_>) {
         let points = || self.points.iter().copied();
-        let (line, radius) = (self.colour.stroke_width(width), width as i32 + 1);
+        let radius = self.width + 1.0;
         match self.mark {
-            Mark::Line => frame.line(points(), line, self.dashed),
+            Mark::Line => frame.line(points(), self.stroke(self.width)),
             Mark::Dotted => {
-                frame.line(points(), line, self.dashed)?;
-                frame.dots(points(), radius, self.colour.filled())
+                frame.line(points(), self.stroke(self.width));
+                frame.markers(points(), self.marker, radius, self.colour);
             }
-            Mark::Dots => frame.dots(points(), radius, self.colour.filled()),
-            Mark::Cloud => Ok(()),
+            Mark::Dots => frame.markers(points(), self.marker, radius, self.colour),
+            Mark::Cloud => {}
             Mark::Filled => {
-                frame.fill(points(), self.colour.mix(0.25).filled())?;
-                frame.line(points().chain(points().take(1)), self.colour.stroke_width(1), false)
+                frame.fill(points(), self.colour, 0.25);
+                frame.line(points().chain(points().take(1)), Stroke::new(self.colour, 1.0));
             }
+        }
+    }
+
+    /// Draws what stands for the series in a legend, thirty pixels wide.
+    pub(crate) fn sign(&self, canvas: &mut Canvas, (x, y): Place) {
+        let line = [(x, y), (x + 30.0, y)];
+        match self.mark {
+            Mark::Line => canvas.line(line, self.stroke(self.width + 0.5)),
+            Mark::Dotted => {
+                canvas.line(line, self.stroke(self.width));
+                canvas.marker(self.marker, (x + 15.0, y), self.width + 2.0, self.colour);
+            }
+            Mark::Dots => canvas.marker(self.marker, (x + 15.0, y), self.width + 2.0, self.colour),
+            Mark::Cloud | Mark::Filled => canvas.rectangle([(x + 8.0, y - 7.0), (x + 22.0, y + 7.0)], self.colour, 1.0),
         }
     }
 }

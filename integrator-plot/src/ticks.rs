@@ -1,4 +1,4 @@
-//! The numbers along an axis.
+//! The numbers along an axis, all of an axis in one notation.
 
 use std::ops::RangeInclusive;
 
@@ -44,27 +44,51 @@ pub(crate) fn linear(range: RangeInclusive<f64>, at_most: usize) -> Vec<(f64, St
 pub(crate) fn logarithmic(range: RangeInclusive<f64>, at_most: usize) -> Vec<(f64, String)> {
     let (first, last) = (range.start().ceil() as i32, range.end().floor() as i32);
     let powers = (last - first + 1).max(0) as usize;
-    let stride = powers.div_ceil(at_most.max(2)).max(1);
     if powers > 2 {
-        let kept = (first..=last).filter(|exponent| exponent.rem_euclid(stride as i32) == 0);
-        return kept.map(|exponent| (f64::from(exponent), power(exponent))).collect();
+        let stride = powers.div_ceil(at_most.max(2)).max(1) as i32;
+        let kept = (first..=last).filter(|exponent| exponent.rem_euclid(stride) == 0);
+        return kept.map(|exponent| (f64::from(exponent), power(exponent, short(first, last)))).collect();
     }
     let mut ticks = Vec::new();
-    for exponent in first - 1..=last.max(first) {
-        for digit in [1_i32, 2, 5] {
+    let (first, last) = (first - 1, last.max(first));
+    let short = short(first, last);
+    for exponent in first..=last {
+        for digit in [1_u32, 2, 5] {
             let height = f64::from(exponent) + f64::from(digit).log10();
-            let text = match exponent {
-                _ if digit == 1 => power(exponent),
-                0..=4 => format!("{}", digit * 10_i32.pow(exponent.unsigned_abs())),
-                -3..=-1 => format!("0.{digit:0>width$}", width = exponent.unsigned_abs() as usize),
-                _ => format!("{digit}·{}", power(exponent)),
-            };
             if range.contains(&height) {
-                ticks.push((height, text));
+                ticks.push((height, times_power(digit, exponent, short)));
             }
         }
     }
     if ticks.len() < 2 { linear_heights(range, at_most) } else { ticks }
+}
+
+/// Powers of ten of both signs, and zero. The range is one of heights: one for the smallest number that has a logarithm, one
+/// more for each decade.
+pub(crate) fn signed(range: RangeInclusive<f64>, smallest: f64, at_most: usize) -> Vec<(f64, String)> {
+    let height = |exponent: i32| 1.0 + f64::from(exponent) - smallest.log10();
+    // The power at the edge of the linear band, and the largest one.
+    let first = (smallest.log10() - 1e-9).ceil() as i32;
+    let most = range.start().abs().max(range.end().abs());
+    let last = (most - 1.0 + smallest.log10() + 1e-9).floor() as i32;
+    let short = short(first, last);
+    let powers = (last - first + 1).max(1) as usize;
+    let sides = if *range.start() < -1.0 && *range.end() > 1.0 { 2 } else { 1 };
+    let stride = (sides * powers).div_ceil(at_most.saturating_sub(1).max(2)).max(1);
+    let mut ticks = Vec::new();
+    // The largest powers are kept, so that a curve which leaves is read best.
+    for exponent in (first..=last).rev().step_by(stride) {
+        ticks.push((-height(exponent), format!("−{}", power(exponent, short))));
+        ticks.push((height(exponent), power(exponent, short)));
+    }
+    ticks.push((0.0, "0".to_owned()));
+    ticks.retain(|(height, _)| range.contains(height));
+    ticks.sort_by(|a, b| a.0.total_cmp(&b.0));
+    if ticks.len() < 2 {
+        let inner = linear((range.start() * smallest)..=(range.end() * smallest), at_most);
+        return inner.into_iter().map(|(number, text)| (number / smallest, text)).collect();
+    }
+    ticks
 }
 
 /// Less than a factor of two or so: numbers at equal distances.
@@ -73,16 +97,30 @@ fn linear_heights(range: RangeInclusive<f64>, at_most: usize) -> Vec<(f64, Strin
     linear(least..=most, at_most.min(4)).into_iter().map(|(number, text)| (number.log10(), text)).collect()
 }
 
-/// A power of ten: as a number while that is short, else with an exponent.
-fn power(exponent: i32) -> String {
-    match exponent {
-        0..=4 => format!("{}", 10_u32.pow(exponent.unsigned_abs())),
-        -3..=-1 => format!("{:.*}", exponent.unsigned_abs() as usize, 10.0_f64.powi(exponent)),
-        _ => format!("10{}", superscript(exponent)),
+/// Whether all powers between these exponents are short as plain numbers.
+fn short(first: i32, last: i32) -> bool {
+    first >= -3 && last <= 4
+}
+
+/// A power of ten: as a plain number or with an exponent.
+fn power(exponent: i32, short: bool) -> String {
+    if short { times_power(1, exponent, true) } else { format!("10{}", superscript(exponent)) }
+}
+
+fn times_power(digit: u32, exponent: i32, short: bool) -> String {
+    match short {
+        true if exponent < 0 => {
+            let decimals = exponent.unsigned_abs() as usize;
+            format!("{:.decimals$}", f64::from(digit) * 10.0_f64.powi(exponent))
+        }
+        true => (digit * 10_u32.pow(exponent.unsigned_abs())).to_string(),
+        false if digit == 1 => power(exponent, false),
+        false => format!("{digit}·{}", power(exponent, false)),
     }
 }
 
-fn superscript(exponent: i32) -> String {
+/// An exponent in raised digits.
+pub(crate) fn superscript(exponent: i32) -> String {
     let raised = |digit: char| match digit {
         '-' => '⁻',
         '1' => '¹',
@@ -95,17 +133,10 @@ fn superscript(exponent: i32) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::{linear, logarithmic, power};
+    use super::{linear, logarithmic, signed};
 
     fn texts(ticks: Vec<(f64, String)>) -> String {
         ticks.into_iter().map(|(_, text)| text).collect::<Vec<_>>().join(" ")
-    }
-
-    #[test]
-    fn powers_are_short() {
-        for (exponent, text) in [(-12, "10⁻¹²"), (-2, "0.01"), (0, "1"), (3, "1000"), (7, "10⁷")] {
-            assert_eq!(power(exponent), text);
-        }
     }
 
     #[test]
@@ -124,16 +155,40 @@ mod tests {
     }
 
     #[test]
-    fn logarithmic_ticks_fill_an_axis_of_any_length() {
+    fn logarithmic_ticks_fill_an_axis_of_any_length_in_one_notation() {
         let cases = [
             (-8.2..=-4.9, 8, "10⁻⁸ 10⁻⁷ 10⁻⁶ 10⁻⁵"),
-            (-16.0..=0.0, 5, "10⁻¹⁶ 10⁻¹² 10⁻⁸ 10⁻⁴ 1"),
+            (-16.0..=0.0, 5, "10⁻¹⁶ 10⁻¹² 10⁻⁸ 10⁻⁴ 10⁰"),
+            (-5.1..=-2.9, 8, "10⁻⁵ 10⁻⁴ 10⁻³"),
+            (-2.2..=1.2, 8, "0.01 0.1 1 10"),
             (-2.1..=-0.9, 8, "0.01 0.02 0.05 0.1"),
+            (-6.1..=-4.9, 8, "10⁻⁶ 2·10⁻⁶ 5·10⁻⁶ 10⁻⁵"),
             (3.5..=4.2, 8, "5000 10000"),
             (0.1..=0.2, 4, "1.3 1.4 1.5"),
         ];
         for (range, at_most, expected) in cases {
             assert_eq!(texts(logarithmic(range, at_most)), expected);
+        }
+    }
+
+    #[test]
+    fn signed_ticks_have_both_signs_and_zero() {
+        let cases = [
+            (-4.0..=4.0, 1e-3, 12, "−1 −0.1 −0.01 −0.001 0 0.001 0.01 0.1 1"),
+            (-3.0..=9.0, 1e-8, 8, "−10⁻⁶ 0 10⁻⁸ 10⁻⁶ 10⁻⁴ 10⁻² 10⁰"),
+            (-0.5..=0.5, 1e-8, 4, "−5·10⁻⁹ 0 5·10⁻⁹"),
+        ];
+        for (range, smallest, at_most, expected) in cases {
+            let ticks = signed(range, smallest, at_most);
+            assert!(ticks.windows(2).all(|pair| pair[0].0 < pair[1].0), "{ticks:?}");
+            if at_most == 8 {
+                assert!(
+                    ticks.iter().any(|(height, text)| *height == 0.0 && text == "0") && ticks.len() <= 8,
+                    "{ticks:?}"
+                );
+            } else {
+                assert_eq!(texts(ticks), expected);
+            }
         }
     }
 }

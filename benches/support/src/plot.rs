@@ -10,7 +10,8 @@ pub use work_precision::work_precision;
 
 #[cfg(test)]
 mod tests {
-    use super::{Dots, Growing, Row, dots, growth};
+    use super::{Dots, Growing, Row, dots, growth, work_precision};
+    use crate::precision::{Curve, Kind, Point};
     use std::{env, fs};
 
     #[test]
@@ -25,10 +26,32 @@ mod tests {
         };
         dots(&file, &picture).expect("two files");
         let text = fs::read_to_string(file.with_extension("svg")).expect("text");
-        for word in ["Ratios", "generated", "pendulum", "3.20", "\n1\n", "\n2\n"] {
+        for word in ["Ratios", "generated", "pendulum", "3.20", ">1<", ">2<"] {
             assert!(text.contains(word), "{word} is missing in {text}");
         }
         assert!(fs::metadata(file.with_extension("png")).expect("a picture").len() > 1_000);
+        for extension in ["svg", "png"] {
+            fs::remove_file(file.with_extension(extension)).expect("a file");
+        }
+    }
+
+    /// Every curve is named, also where there are more of them than colours, and no two of other crates look alike.
+    #[test]
+    fn curves_of_other_crates_have_names_and_looks_of_their_own() {
+        let file = env::temp_dir().join(format!("integrator-work-{}", std::process::id()));
+        let curve = |i: i32| {
+            let points = [1.0, 2.0].map(|t| Point { milliseconds: t, energy: 1e-3 / t, global: 1e-3 / t });
+            Curve { method: format!("method {i}"), ours: i == 0, points: points.to_vec() }
+        };
+        work_precision(&file, "Work", &(0..10).map(curve).collect::<Vec<_>>(), Kind::Energy).expect("two files");
+        let text = fs::read_to_string(file.with_extension("svg")).expect("text");
+        for i in 0..10 {
+            assert!(text.contains(&format!(">method {i}<")), "method {i} is missing in {text}");
+        }
+        let strokes = text.split("stroke=\"").skip(1).filter_map(|rest| Some(rest.split_once('"')?.0));
+        let colours: std::collections::BTreeSet<_> = strokes.collect();
+        // Eight of other crates, the last of which comes again, one of ours, the grid and the axes.
+        assert_eq!(colours.len(), 8 + 1 + 2, "{colours:?}");
         for extension in ["svg", "png"] {
             fs::remove_file(file.with_extension(extension)).expect("a file");
         }
@@ -43,7 +66,7 @@ mod tests {
         };
         growth(&file, "Errors", &[problem("pendulum", 1e-16), problem("solar", 1e-15)]).expect("two files");
         let text = fs::read_to_string(file.with_extension("svg")).expect("text");
-        for word in ["Errors", "pendulum", "solar", "steps", "\n10⁵\n"] {
+        for word in ["Errors", "pendulum", "solar", "steps", ">10⁵<"] {
             assert!(text.contains(word), "{word} is missing in {text}");
         }
         let (curves, points) = (text.matches("<polyline").count(), text.matches("<circle").count());

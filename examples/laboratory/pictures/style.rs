@@ -2,15 +2,14 @@
 
 use crate::{measured::Measured, study::Study};
 use integrator_plot::{
-    Chart,
+    Chart, Colour,
     colour::{COLOURS, GREY},
-    plotters::style::RGBColor,
 };
 
 /// The colour and the line of a method.
 #[derive(Clone, Copy)]
 pub(super) struct Style {
-    colour: RGBColor,
+    colour: Colour,
     dashed: bool,
 }
 

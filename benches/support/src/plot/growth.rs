@@ -1,11 +1,9 @@
 //! Errors that grow with the number of steps, beside a random walk.
 
 use integrator_plot::{
-    Area, Axis, Frame, Margins, Outcome, Picture, bold,
+    Axis, Canvas, Frame, Margins, Marker, Outcome, Picture, Stroke, bold,
     colour::{COLOURS, GREY},
-    head,
-    plotters::prelude::*,
-    write,
+    head, write,
 };
 use std::path::Path;
 
@@ -31,9 +29,6 @@ struct Growth<'p> {
     problems: &'p [Growing],
 }
 
-/// Pixels for a letter of the names, which stand on the right.
-const LETTER: i32 = 10;
-
 impl Growing {
     /// A line of slope one half through the mean of the points.
     fn walk(&self) -> Vec<(f64, f64)> {
@@ -49,27 +44,26 @@ impl Picture for Growth<'_> {
         (1000, 700)
     }
 
-    fn draw<B: DrawingBackend>(&self, area: &Area<B>) -> Outcome
-    where
-        B::ErrorType: 'static,
-    {
+    fn draw(&self, canvas: &mut Canvas) {
         let claim = "Grey: a random walk, which grows like the root of the number of steps";
-        let below = head(area, self.title, claim)?;
+        let below = head(canvas, self.title, claim);
         let points = || self.problems.iter().flat_map(|problem| &problem.points);
-        let longest = self.problems.iter().map(|problem| problem.name.chars().count()).max().unwrap_or(0);
+        let widest = self.problems.iter().map(|problem| canvas.width(&problem.name, bold(16.0))).fold(0.0, f64::max);
         let [along, up] = ["steps", "root mean square of the energy error"].map(Axis::logarithmic);
         let scales = [along.fit(points().map(|point| point.0)), up.fit(points().map(|point| point.1))];
-        let frame = Frame::new(area, Margins { top: below + 12, right: LETTER * longest as i32, text: 16 }, scales)?;
-        frame.grid()?;
+        let room = [0.0, 0.0, f64::from(self.size().0), f64::from(self.size().1)];
+        let margins = Margins { top: below + 12.0, right: widest + 8.0, text: 16.0 };
+        let mut frame = Frame::new(canvas, room, margins, scales);
+        frame.grid();
+        let mut names = Vec::new();
         for (problem, colour) in self.problems.iter().zip(COLOURS.iter().skip(1)) {
-            frame.line(problem.walk(), GREY, false)?;
+            frame.line(problem.walk(), Stroke::new(GREY, 1.0));
             let points = || problem.points.iter().copied();
-            frame.line(points(), colour.stroke_width(3), false)?;
-            frame.dots(points(), 4, colour.filled())?;
-            if let Some(last) = problem.points.last() {
-                frame.text(*last, (12, -8), &problem.name, &bold(16).color(colour))?;
-            }
+            frame.line(points(), Stroke::new(*colour, 3.0));
+            frame.markers(points(), Marker::Disc, 4.0, *colour);
+            names.extend(problem.points.last().map(|last| (*last, &problem.name[..], *colour)));
         }
-        frame.axes(["steps", "root mean square of the energy error"])
+        frame.names(&names);
+        frame.axes(["steps", "root mean square of the energy error"]);
     }
 }

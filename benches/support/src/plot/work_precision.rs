@@ -2,11 +2,9 @@
 
 use crate::precision::{Curve, Kind};
 use integrator_plot::{
-    Area, Axis, Frame, Margins, Outcome, Picture, bold,
-    colour::{COLOURS, GREY},
-    font, head,
-    plotters::{element::DashedPathElement, prelude::*},
-    write,
+    Axis, Canvas, Colour, DASHES, Frame, MARKERS, Margins, Marker, Outcome, Picture, Place, Stroke, bold,
+    colour::{COLOURS, WHITE},
+    font, head, write,
 };
 use std::path::Path;
 
@@ -24,16 +22,15 @@ struct WorkPrecision<'c> {
     kind: Kind,
 }
 
-/// How a curve is drawn: those of other crates are grey and carry a letter.
+/// How a curve is drawn: those of other crates are thin and pale, each with a sign and a colour of its own.
 struct Look {
-    colour: RGBColor,
-    dashed: bool,
-    letter: Option<char>,
+    stroke: Stroke,
+    marker: Marker,
 }
 
 /// The room for the legend on the right, and a line of it.
-const LEGEND: u32 = 350;
-const LINE: i32 = 25;
+const LEGEND: f64 = 350.0;
+const LINE: f64 = 25.0;
 
 impl WorkPrecision<'_> {
     /// Curves in the order of the legend: ours first. One that carries rounding errors along has the colour of the same
@@ -41,17 +38,22 @@ impl WorkPrecision<'_> {
     fn looks(&self) -> Vec<Look> {
         let plain = |method: &str| method.split(',').next().unwrap_or_default().to_owned();
         let mut methods: Vec<String> = Vec::new();
-        let mut letters = 'a'..;
+        let mut others = 0;
         let look = |curve: &Curve| {
             if !curve.ours {
-                return Look { colour: GREY, dashed: false, letter: letters.next() };
+                let place = others;
+                others += 1;
+                let colour: Colour = COLOURS[place % COLOURS.len()].towards(WHITE, 0.35);
+                return Look { stroke: Stroke::new(colour, 1.25), marker: MARKERS[1 + place % (MARKERS.len() - 1)] };
             }
             let method = plain(&curve.method);
             let place = methods.iter().position(|known| *known == method).unwrap_or_else(|| {
                 methods.push(method);
                 methods.len() - 1
             });
-            Look { colour: COLOURS[place % COLOURS.len()], dashed: curve.method.contains(','), letter: None }
+            let stroke = Stroke::new(COLOURS[place % COLOURS.len()], 2.5);
+            let dashed = curve.method.contains(',') || (place / COLOURS.len()) % 2 == 1;
+            Look { stroke: if dashed { stroke.dashed(DASHES) } else { stroke }, marker: Marker::Disc }
         };
         self.curves.iter().map(look).collect()
     }
@@ -62,41 +64,19 @@ impl WorkPrecision<'_> {
         points.map(|point| (point.milliseconds, point.error(self.kind).max(1e-16))).collect()
     }
 
-    fn legend<B: DrawingBackend>(&self, area: &Area<B>, looks: &[Look]) -> Outcome
-    where
-        B::ErrorType: 'static,
-    {
-        let (bold, font) = (bold(15), font(15));
-        let mut y = 90;
+    fn legend(&self, canvas: &mut Canvas, (x, mut y): Place, looks: &[Look]) {
         for (ours, name) in [(true, "this library"), (false, "other crates")] {
-            area.draw_text(name, &bold, (8, y))?;
+            canvas.text(name, (x, y), bold(15.0));
             y += LINE;
             for (curve, look) in self.curves.iter().zip(looks).filter(|(curve, _)| curve.ours == ours) {
-                match look.letter {
-                    Some(letter) => area.draw_text(&letter.to_string(), &font, (20, y))?,
-                    None => draw_line(area, [(8, y + 9), (38, y + 9)], look)?,
-                }
-                area.draw_text(&curve.method, &font, (48, y))?;
+                canvas.line([(x, y - 5.0), (x + 30.0, y - 5.0)], look.stroke);
+                canvas.marker(look.marker, (x + 15.0, y - 5.0), 4.0, look.stroke.colour);
+                canvas.text(&curve.method, (x + 40.0, y), font(15.0));
                 y += LINE;
             }
-            y += LINE / 2;
+            y += 0.5 * LINE;
         }
-        Ok(())
     }
-}
-
-/// A line in the legend.
-fn draw_line<B: DrawingBackend>(area: &Area<B>, ends: [(i32, i32); 2], look: &Look) -> Outcome
-where
-    B::ErrorType: 'static,
-{
-    let style = look.colour.stroke_width(3);
-    if look.dashed {
-        area.draw(&DashedPathElement::new(ends, 6, 4, style))?;
-    } else {
-        area.draw(&PathElement::new(ends, style))?;
-    }
-    Ok(())
 }
 
 impl Picture for WorkPrecision<'_> {
@@ -104,38 +84,30 @@ impl Picture for WorkPrecision<'_> {
         (1250, 780)
     }
 
-    fn draw<B: DrawingBackend>(&self, area: &Area<B>) -> Outcome
-    where
-        B::ErrorType: 'static,
-    {
+    fn draw(&self, canvas: &mut Canvas) {
         let looks = self.looks();
         let error = match self.kind {
             Kind::Energy => "largest relative error of the energy",
             Kind::Global => "relative error of the positions at the end",
         };
         let claim = "CPU time of a run against its error: further down and to the left is better";
-        let below = head(area, self.title, claim)?;
-        let (left, right) = area.split_horizontally(self.size().0 - LEGEND);
-        self.legend(&right, &looks)?;
+        let below = head(canvas, self.title, claim);
+        let [across, down] = [self.size().0, self.size().1].map(f64::from);
+        self.legend(canvas, (across - LEGEND + 8.0, below + 24.0), &looks);
 
         let all: Vec<(f64, f64)> = self.curves.iter().flat_map(|curve| self.points(curve)).collect();
         let names = ["CPU time, ms", error];
         let [along, up] = names.map(Axis::logarithmic);
         let scales = [along.fit(all.iter().map(|point| point.0)), up.fit(all.iter().map(|point| point.1))];
-        let frame = Frame::new(&left, Margins { top: below + 12, right: 0, text: 16 }, scales)?;
-        frame.grid()?;
+        let margins = Margins { top: below + 12.0, right: LEGEND, text: 16.0 };
+        let mut frame = Frame::new(canvas, [0.0, 0.0, across, down], margins, scales);
+        frame.grid();
         // Ours on top of the others.
         for (curve, look) in self.curves.iter().zip(&looks).rev() {
             let points = self.points(curve);
-            let width = if look.letter.is_some() { 2 } else { 3 };
-            frame.line(points.iter().copied(), look.colour.stroke_width(width), look.dashed)?;
-            if look.letter.is_none() {
-                frame.dots(points.iter().copied(), 3, look.colour.filled())?;
-            }
-            if let Some((letter, end)) = look.letter.zip(points.last()) {
-                frame.text(*end, (5, -8), &letter.to_string(), &bold(16))?;
-            }
+            frame.line(points.iter().copied(), look.stroke);
+            frame.markers(points.iter().copied(), look.marker, 3.5, look.stroke.colour);
         }
-        frame.axes(names)
+        frame.axes(names);
     }
 }
