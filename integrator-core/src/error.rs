@@ -22,7 +22,7 @@ macro_rules! debug_as_display {
 #[cfg(any(feature = "check", feature = "checkpoint", feature = "output"))]
 pub(crate) use debug_as_display;
 
-debug_as_display!(Error, Unsolved, NotFinite, Misread, Divergence, Lost);
+debug_as_display!(Error, VectorFault, Unsolved, NotFinite, Misread, Divergence, Lost);
 
 /// Why a run could not start or go on. Displays what is wrong, where, and what to do.
 #[derive(Clone, PartialEq, thiserror::Error)]
@@ -244,6 +244,28 @@ pub enum Error {
         /// The tolerance that was asked for.
         tolerance: f64,
     },
+    /// A state or a method without a tangent map.
+    #[error("there is no tangent map: {reason}")]
+    NoTangent {
+        /// Why, and what to take instead.
+        reason: &'static str,
+    },
+    /// No deviation vectors, or more than there are directions.
+    #[error("there are {count} deviation vectors, but there have to be 1 to {most}, twice the number of positions")]
+    VectorCount {
+        /// How many there are.
+        count: usize,
+        /// How many there may be.
+        most: usize,
+    },
+    /// A deviation vector is refused or lost.
+    #[error("deviation vector {vector} {fault}")]
+    Vector {
+        /// Which vector, counted from 0.
+        vector: usize,
+        /// What is wrong with it.
+        fault: VectorFault,
+    },
     /// An ensemble without members.
     #[error("an ensemble needs one member at least")]
     NoMembers,
@@ -258,6 +280,36 @@ pub enum Error {
     /// Members of an ensemble left the finite numbers.
     #[error(transparent)]
     Lost(#[from] Lost),
+}
+
+/// What is wrong with a deviation vector.
+#[derive(Clone, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum VectorFault {
+    /// It has another number of components than the state.
+    #[error("has {} positions and {} momenta, but the state has {positions} of each", lengths[0], lengths[1])]
+    Length {
+        /// How many positions and momenta it has.
+        lengths: [usize; 2],
+        /// How many positions the state has.
+        positions: usize,
+    },
+    /// A component is infinite or not a number.
+    #[error("is not finite")]
+    NotFinite,
+    /// It is zero.
+    #[error("is zero: it has no direction")]
+    Zero,
+    /// It left the finite numbers, though the state did not.
+    #[error(
+        "leaves the finite numbers in step {step} (to t = {time}): H has no second derivative there. The last step is kept"
+    )]
+    Lost {
+        /// The step that was not taken.
+        step: u64,
+        /// The time at the end of that step.
+        time: f64,
+    },
 }
 
 /// Why a method found no end of a step.

@@ -16,6 +16,7 @@ use crate::{
     trajectory::{
         method::{Memoryless, Method},
         run::Run,
+        tangent::Tangent,
     },
 };
 use core::ops::Range;
@@ -162,6 +163,22 @@ pub trait Hamiltonian: Sized {
         h: f64,
     ) -> Result<Run<Shaped<Self, K>>, Error> {
         Run::start::<Self, X, K>(self, method, start, h)
+    }
+
+    /// A run from `start` with step `h` and any composition, or an implicit method, beside it the derivative of its
+    /// steps along `vectors`: at most as many as there are positions and momenta, each in the shape of the start.
+    ///
+    /// # Errors
+    /// As [`Hamiltonian::run`]. [`Error::VectorCount`], [`Error::Vector`]: no or too many vectors, or one that is zero,
+    /// not finite, or of another length. [`Error::NoTangent`]: a start on a grid, or steps of two copies of the state.
+    fn tangent<K: Precision, X: Memoryless<Self>>(
+        &self,
+        method: X,
+        start: Phase<Shaped<Self, K>>,
+        vectors: impl IntoIterator<Item = Phase<Shaped<Self, K>>>,
+        h: f64,
+    ) -> Result<Tangent<Shaped<Self, K>>, Error> {
+        Tangent::start::<Self, X, K>(self, method, start, vectors.into_iter().collect(), h)
     }
 }
 

@@ -104,7 +104,7 @@ pub use composition::{Class, Composition, Lead, Processor, Rows, Scheme, Stage, 
 pub use ensemble::Ensemble;
 #[cfg(feature = "std")]
 pub use ensemble::in_lanes::InLanes;
-pub use error::{Divergence, Error, Lost, Misread, NotFinite, Unsolved};
+pub use error::{Divergence, Error, Lost, Misread, NotFinite, Unsolved, VectorFault};
 pub use hamiltonian::{Hamiltonian, QuadraticKinetic};
 pub use integrator_macros::{composition, hamiltonian};
 pub use methods::implicit::{GaussLegendre4, GaussLegendre6, ImplicitMidpoint};
@@ -127,6 +127,7 @@ pub use trajectory::crossings::{Crossings, Direction};
 pub use trajectory::method::{Described, Facts, Memoryless, Method, Resumable};
 pub use trajectory::run::Run;
 pub use trajectory::samples::{Sample, Samples, SamplesAt};
+pub use trajectory::tangent::Tangent;
 
 /// The programs of the README and of the pages in `docs`, so that they compile and hold. These are files of the
 /// repository alone: nothing but its documentation tests reads them.

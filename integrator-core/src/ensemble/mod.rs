@@ -36,7 +36,7 @@ use crate::{
     system::{energy::energy, motion::Prepared},
     trajectory::{
         admissible::{admissible_with, change},
-        dispatch::{engine, motions, single},
+        dispatch::{Nothing, engine, motions, single},
         method::Method,
         step_functions::Interleaved,
     },
@@ -98,7 +98,7 @@ impl<C: Coords> Ensemble<C> {
             return Err(Error::NoMembers);
         }
         let constants = Arc::new(constants);
-        let single = single::<H, X, K>(constants.clone());
+        let single = single::<H, X, K, Nothing>(constants.clone());
         let lanes = match InstructionSet::chosen() {
             InstructionSet::Baseline => {
                 motions::<H, X, <K as LaneScalars>::Plain, K, Interleaved<REGISTERS>>(constants)
@@ -335,7 +335,7 @@ fn member<H: Hamiltonian, K: Precision, X: Method<H>>(
     let unsettled = !constants.is_empty();
     let clock = Clock { t0: 0.0, h, steps: 0 };
     // An infinite constant may be meant: what counts is what a run of its own does with it.
-    if unsettled && engine::<H, X, K>(method, parameters.clone(), start).is_not_finite(clock) {
+    if unsettled && engine::<H, X, K, Nothing>(method, parameters.clone(), vec![start]).is_not_finite(clock) {
         return Err(Error::Parameters { constants });
     }
     #[cfg(debug_assertions)]

@@ -1,237 +1,454 @@
-//! The scalar of exact derivatives: a number and its tangent, carried through the very code that a run executes.
+//! The scalar of exact derivatives: a number and its derivatives along some directions, carried through the very code
+//! that a run executes.
 //!
-//! In: lane 0 is the point, lane 1 a tangent at the point. Out: lane 0 is the value, lane 1 its derivative along the
-//! tangent. Always true: a tangent that is not a number, or a derivative that does not exist, comes out as not a
-//! number or infinite, never as a plausible number.
+//! In: lane 0 is the point, the lanes behind it are directions. Out: lane 0 is the value, with the bits that the code
+//! has without derivatives; the lanes behind it are its derivatives along the directions. Always true: a direction that
+//! is not a number, or a derivative that does not exist, comes out as not a number or infinite, never as a plausible
+//! number.
 
-use crate::scalar::real::{Real, compared, elementary_functions, real_of_two_parts};
-use std::{
+use crate::scalar::{
+    functions::fast_functions,
+    real::{Kernel, Mask, Real, elementary_functions},
+    simd::{block::WIDEST, lanes::Lanes, row::Row},
+};
+use core::{
     f64::consts::{LN_2, LN_10},
-    ops::{Add, Div, Mul, Neg, Sub},
+    ops::{Add, AddAssign, Div, Mul, Neg, Sub, SubAssign},
 };
 
-/// A number in `f64` and its first derivative along one direction.
+/// A number in `F` and its first derivatives along `N` directions; `ROW`, where it is a row of bodies, each of them such
+/// a number.
+///
+/// If `F` has lanes itself, the value and the derivatives of one lane of `F` are neighbours.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Dual {
-    re: f64,
-    eps: f64,
+pub(crate) struct Dual<F = f64, const N: usize = 1, const ROW: bool = false> {
+    value: F,
+    along: [F; N],
 }
 
-impl Dual {
-    /// The number `re` that changes by `eps`.
-    fn new(re: f64, eps: f64) -> Self {
-        Self { re, eps }
+/// A number with its derivative along each direction. A plain loop: what it calls belongs to a multiversioned variant, and
+/// a closure might be compiled outside of it.
+macro_rules! dual {
+    ($value:expr, $direction:ident => $along:expr) => {{
+        let value = $value;
+        let mut along = [value; N];
+        for $direction in 0..N {
+            along[$direction] = $along;
+        }
+        Self { value, along }
+    }};
+}
+
+impl<F: Real, const N: usize, const ROW: bool> Dual<F, N, ROW> {
+    /// A function of this number that has a value and a slope here.
+    #[inline(always)]
+    fn chain(self, value: F, slope: F) -> Self {
+        dual!(value, direction => slope * self.along[direction])
     }
 
-    /// A function of this number that has the value `value` and the derivative `slope` here.
-    fn chain(self, value: f64, slope: f64) -> Self {
-        Self::new(value, slope * self.eps)
+    /// A function of two numbers that has a value and two slopes here.
+    #[inline(always)]
+    fn chain_of_two(x: Self, y: Self, value: F, by_x: F, by_y: F) -> Self {
+        dual!(value, direction => by_x.fma(x.along[direction], by_y * y.along[direction]))
+    }
+
+    /// The same value, and the derivatives of `a` in the lanes of `mask`, of `b` in the others.
+    #[inline(always)]
+    fn select_along(value: F, mask: F::Mask, a: Self, b: Self) -> Self {
+        dual!(value, direction => F::select(mask, a.along[direction], b.along[direction]))
+    }
+
+    /// Whether this is constant along all directions, in all lanes.
+    #[inline(always)]
+    fn is_constant(&self) -> bool {
+        let mut constant = true;
+        for along in self.along {
+            constant = constant && !along.equal(F::of(0.0)).not().any();
+        }
+        constant
     }
 }
 
-impl Add for Dual {
+/// What a slope adds along a direction. An unknown slope is NaN; it must not reach a result that it does not change.
+#[inline(always)]
+fn product<F: Real>(slope: F, along: F) -> F {
+    let zero = F::of(0.0);
+    F::select(along.equal(zero), zero, slope * along)
+}
+
+impl<F: Real, const N: usize, const ROW: bool> Add for Dual<F, N, ROW> {
     type Output = Self;
-    #[inline]
+    #[inline(always)]
     fn add(self, other: Self) -> Self {
-        Self::new(self.re + other.re, self.eps + other.eps)
+        dual!(self.value + other.value, direction => self.along[direction] + other.along[direction])
     }
 }
 
-impl Sub for Dual {
+impl<F: Real, const N: usize, const ROW: bool> Sub for Dual<F, N, ROW> {
     type Output = Self;
-    #[inline]
+    #[inline(always)]
     fn sub(self, other: Self) -> Self {
-        Self::new(self.re - other.re, self.eps - other.eps)
+        dual!(self.value - other.value, direction => self.along[direction] - other.along[direction])
     }
 }
 
-impl Mul for Dual {
+impl<F: Real, const N: usize, const ROW: bool> Mul for Dual<F, N, ROW> {
     type Output = Self;
-    #[inline]
+    #[inline(always)]
     fn mul(self, other: Self) -> Self {
-        Self::new(self.re * other.re, self.eps * other.re + self.re * other.eps)
+        Self::chain_of_two(self, other, self.value * other.value, other.value, self.value)
     }
 }
 
-impl Div for Dual {
+impl<F: Real, const N: usize, const ROW: bool> Div for Dual<F, N, ROW> {
     type Output = Self;
-    #[inline]
+    #[inline(always)]
     fn div(self, other: Self) -> Self {
-        let value = self.re / other.re;
-        Self::new(value, (self.eps - value * other.eps) / other.re)
+        let value = self.value / other.value;
+        let inverse = F::of(1.0) / other.value;
+        Self::chain_of_two(self, other, value, inverse, -(value * inverse))
     }
 }
 
-impl Neg for Dual {
+impl<F: Real, const N: usize, const ROW: bool> Neg for Dual<F, N, ROW> {
     type Output = Self;
-    #[inline]
+    #[inline(always)]
     fn neg(self) -> Self {
-        Self::new(-self.re, -self.eps)
+        dual!(-self.value, direction => -self.along[direction])
     }
 }
 
-/// The slope of a function of one argument at `x`, where it has this value.
-macro_rules! slope {
-    (sqrt $x:ident $value:ident) => {
-        0.5 / $value
+impl<F: Real, const N: usize, const ROW: bool> AddAssign for Dual<F, N, ROW> {
+    #[inline(always)]
+    fn add_assign(&mut self, other: Self) {
+        *self = *self + other;
+    }
+}
+
+impl<F: Real, const N: usize, const ROW: bool> SubAssign for Dual<F, N, ROW> {
+    #[inline(always)]
+    fn sub_assign(&mut self, other: Self) {
+        *self = *self - other;
+    }
+}
+
+/// The value of a function of one argument at `x`, and its slope there.
+macro_rules! value_and_slope {
+    (sqrt $x:ident) => {{
+        let value = $x.sqrt();
+        (value, F::of(0.5) / value)
+    }};
+    (cbrt $x:ident) => {{
+        let value = $x.cbrt();
+        (value, F::of(1.0) / (F::of(3.0) * value * value))
+    }};
+    (exp $x:ident) => {{
+        let value = $x.exp();
+        (value, value)
+    }};
+    (exp2 $x:ident) => {{
+        let value = $x.exp2();
+        (value, F::of(LN_2) * value)
+    }};
+    (exp_m1 $x:ident) => {
+        ($x.exp_m1(), $x.exp())
     };
-    (cbrt $x:ident $value:ident) => {
-        1.0 / (3.0 * $value * $value)
+    (ln $x:ident) => {
+        ($x.ln(), F::of(1.0) / $x)
     };
-    (exp $x:ident $value:ident) => {
-        $value
+    (ln_1p $x:ident) => {
+        ($x.ln_1p(), F::of(1.0) / (F::of(1.0) + $x))
     };
-    (exp2 $x:ident $value:ident) => {
-        LN_2 * $value
+    (log2 $x:ident) => {
+        ($x.log2(), F::of(1.0) / (F::of(LN_2) * $x))
     };
-    (exp_m1 $x:ident $value:ident) => {
-        $x.exp()
+    (log10 $x:ident) => {
+        ($x.log10(), F::of(1.0) / (F::of(LN_10) * $x))
     };
-    (ln $x:ident $value:ident) => {
-        1.0 / $x
+    (sin $x:ident) => {
+        $x.sin_cos()
     };
-    (ln_1p $x:ident $value:ident) => {
-        1.0 / (1.0 + $x)
+    (cos $x:ident) => {{
+        let (sine, cosine) = $x.sin_cos();
+        (cosine, -sine)
+    }};
+    (tan $x:ident) => {{
+        let value = $x.tan();
+        (value, value.fma(value, F::of(1.0)))
+    }};
+    (asin $x:ident) => {
+        ($x.asin(), F::of(1.0) / ((F::of(1.0) - $x) * (F::of(1.0) + $x)).sqrt())
     };
-    (log2 $x:ident $value:ident) => {
-        1.0 / (LN_2 * $x)
+    (acos $x:ident) => {
+        ($x.acos(), F::of(-1.0) / ((F::of(1.0) - $x) * (F::of(1.0) + $x)).sqrt())
     };
-    (log10 $x:ident $value:ident) => {
-        1.0 / (LN_10 * $x)
+    (atan $x:ident) => {
+        ($x.atan(), F::of(1.0) / $x.fma($x, F::of(1.0)))
     };
-    (sin $x:ident $value:ident) => {
-        $x.cos()
+    (sinh $x:ident) => {
+        ($x.sinh(), $x.cosh())
     };
-    (cos $x:ident $value:ident) => {
-        -$x.sin()
-    };
-    (tan $x:ident $value:ident) => {
-        1.0 + $value * $value
-    };
-    (asin $x:ident $value:ident) => {
-        1.0 / ((1.0 - $x) * (1.0 + $x)).sqrt()
-    };
-    (acos $x:ident $value:ident) => {
-        -1.0 / ((1.0 - $x) * (1.0 + $x)).sqrt()
-    };
-    (atan $x:ident $value:ident) => {
-        1.0 / (1.0 + $x * $x)
-    };
-    (sinh $x:ident $value:ident) => {
-        $x.cosh()
-    };
-    (cosh $x:ident $value:ident) => {
-        $x.sinh()
+    (cosh $x:ident) => {
+        ($x.cosh(), $x.sinh())
     };
     // sinh / cosh is inf / inf from 711 on; 1 - tanh² has no such end.
-    (tanh $x:ident $value:ident) => {
-        1.0 - $value * $value
+    (tanh $x:ident) => {{
+        let value = $x.tanh();
+        (value, F::of(1.0) - value * value)
+    }};
+    (asinh $x:ident) => {
+        ($x.asinh(), F::of(1.0) / $x.hypot(F::of(1.0)))
     };
-    (asinh $x:ident $value:ident) => {
-        1.0 / $x.hypot(1.0)
+    (acosh $x:ident) => {
+        ($x.acosh(), F::of(1.0) / (($x - F::of(1.0)) * ($x + F::of(1.0))).sqrt())
     };
-    (acosh $x:ident $value:ident) => {
-        1.0 / (($x - 1.0) * ($x + 1.0)).sqrt()
+    (atanh $x:ident) => {
+        ($x.atanh(), F::of(1.0) / ((F::of(1.0) - $x) * (F::of(1.0) + $x)))
     };
-    (atanh $x:ident $value:ident) => {
-        1.0 / ((1.0 - $x) * (1.0 + $x))
-    };
-    (abs $x:ident $value:ident) => {
-        $x.signum()
+    (abs $x:ident) => {
+        ($x.abs(), $x.signum())
     };
     // Steps have the slope zero wherever they have one: signum, floor, ceil, trunc, round.
-    ($step:ident $x:ident $value:ident) => {
-        0.0
+    ($step:ident $x:ident) => {
+        ($x.$step(), F::of(0.0))
     };
-}
-
-/// A function of one argument.
-macro_rules! unary {
-    ($function:ident $x:expr) => {{
-        let x = $x.re;
-        let value = x.$function();
-        $x.chain(value, slope!($function x value))
-    }};
 }
 
 /// A function of two arguments.
 macro_rules! binary {
     // d(xʸ) = y·x^(y-1) dx + xʸ·ln x dy; a constant exponent must not meet the logarithm of a negative base.
-    (powf $x:expr, $y:expr) => {{
-        let (Dual { re: base, eps: of_base }, Dual { re: exponent, eps: of_exponent }) = ($x, $y);
+    (powf $x:ident $y:ident) => {{
+        let (base, exponent, zero) = ($x.value, $y.value, F::of(0.0));
         let value = base.powf(exponent);
-        let by_base = if exponent == 0.0 { 0.0 } else { exponent * base.powf(exponent - 1.0) * of_base };
-        let by_exponent = if of_exponent == 0.0 { 0.0 } else { value * base.ln() * of_exponent };
-        Dual::new(value, by_base + by_exponent)
+        let by_base = exponent * base.powf(exponent - F::of(1.0));
+        let by_base = F::select(exponent.equal(zero), zero, by_base);
+        if $y.is_constant() {
+            return $x.chain(value, by_base);
+        }
+        let by_exponent = value * base.ln();
+        dual!(value, direction => by_base.fma($x.along[direction], product(by_exponent, $y.along[direction])))
     }};
     // d atan2(y, x) = (x dy - y dx) / (x² + y²), divided by the hypotenuse twice so that no square overflows.
-    (atan2 $y:expr, $x:expr) => {{
-        let (y, x) = ($y, $x);
-        let radius = y.re.hypot(x.re);
-        Dual::new(y.re.atan2(x.re), (x.re / radius * y.eps - y.re / radius * x.eps) / radius)
+    (atan2 $y:ident $x:ident) => {{
+        let radius = $y.value.hypot($x.value);
+        let slopes = ($x.value / radius / radius, -($y.value / radius / radius));
+        Self::chain_of_two($y, $x, $y.value.atan2($x.value), slopes.0, slopes.1)
     }};
-    (hypot $x:expr, $y:expr) => {{
-        let (x, y) = ($x, $y);
-        let radius = x.re.hypot(y.re);
-        Dual::new(radius, x.re / radius * x.eps + y.re / radius * y.eps)
+    (hypot $x:ident $y:ident) => {{
+        let radius = $x.value.hypot($y.value);
+        Self::chain_of_two($x, $y, radius, $x.value / radius, $y.value / radius)
     }};
     // x - n y, with the whole number n that stays the same nearby.
-    (remainder $x:expr, $y:expr) => {{
-        let (x, y) = ($x, $y);
-        let by_y = if y.eps == 0.0 { 0.0 } else { (x.re / y.re).trunc() * y.eps };
-        Dual::new(x.re % y.re, x.eps - by_y)
+    (remainder $x:ident $y:ident) => {{
+        let whole = ($x.value / $y.value).trunc();
+        dual!($x.value.remainder($y.value), direction => {
+            $x.along[direction] - product(whole, $y.along[direction])
+        })
     }};
-    // As in std, a NaN gives way to the other argument; the tangent goes with the value.
-    (min $x:expr, $y:expr) => {
-        if $x.re <= $y.re || $y.re.is_nan() { $x } else { $y }
-    };
-    (max $x:expr, $y:expr) => {
-        if $x.re >= $y.re || $y.re.is_nan() { $x } else { $y }
+    // As in std, a NaN gives way to the other argument; the derivatives go with the value.
+    (min $x:ident $y:ident) => {{
+        let is_x = $x.value.less_or_equal($y.value).or($y.value.equal($y.value).not());
+        Self::select_along($x.value.min($y.value), is_x, $x, $y)
+    }};
+    (max $x:ident $y:ident) => {{
+        let is_x = $y.value.less_or_equal($x.value).or($y.value.equal($y.value).not());
+        Self::select_along($x.value.max($y.value), is_x, $x, $y)
+    }};
+}
+
+/// The faster functions of `Real`: their values, with slopes that need not be fast.
+macro_rules! fast_dual {
+    (unary: $($unary:ident $precise:ident),*; binary: $($binary:ident $other:ident),*;) => {
+        $(
+            #[inline]
+            fn $unary(self) -> Self {
+                Self { value: self.value.$unary(), ..Real::$precise(self) }
+            }
+        )*
+        $(
+            #[inline]
+            fn $binary(self, other: Self) -> Self {
+                Self { value: self.value.$binary(other.value), ..Real::$other(self, other) }
+            }
+        )*
     };
 }
 
-elementary_functions!(real_of_two_parts! {
-    Dual: inline; lanes of self: self.re, self.eps;
-    {
-        type Mask = bool;
+macro_rules! dual_real {
+    (
+        $is_row:literal, Row<$bodies:ident> = $row:ty;
+        unary: $($unary:ident)*; binary: $($binary:ident)*;
+    ) => {
+        impl<F: Real, const N: usize> Real for Dual<F, N, $is_row> {
+            const LANES: usize = F::LANES * (1 + N);
+            const MEMBERS: usize = F::MEMBERS;
+            const LANEWISE: bool = F::LANEWISE;
+            type Mask = F::Mask;
+            type Block = Self;
+            type Row<const $bodies: usize> = $row;
+            type Wide = Self;
 
-        fn of(x: f64) -> Self {
-            Self::new(x, 0.0)
+            #[inline(always)]
+            fn of(x: f64) -> Self {
+                Self { value: F::of(x), along: [F::of(0.0); N] }
+            }
+            #[inline(always)]
+            fn lane(self, lane: usize) -> f64 {
+                match lane % (1 + N) {
+                    0 => self.value.lane(lane / (1 + N)),
+                    behind => self.along[behind - 1].lane(lane / (1 + N)),
+                }
+            }
+            #[inline(always)]
+            fn parameter(of_lane: &dyn Fn(usize) -> f64) -> Self {
+                Self { value: F::parameter(&|lane| of_lane(lane * (1 + N))), along: [F::of(0.0); N] }
+            }
+            #[inline(always)]
+            fn state(of_lane: &dyn Fn(usize) -> f64) -> Self {
+                let part = |part: usize| F::state(&|lane| of_lane(lane * (1 + N) + part));
+                dual!(part(0), direction => part(direction + 1))
+            }
+            #[inline(always)]
+            fn fma(self, b: Self, c: Self) -> Self {
+                dual!(self.value.fma(b.value, c.value), direction => {
+                    let by_b = self.value.fma(b.along[direction], c.along[direction]);
+                    b.value.fma(self.along[direction], by_b)
+                })
+            }
+            #[inline]
+            fn lane_by_lane<const A: usize>(
+                arguments: [Self; A],
+                value: impl Fn(usize, [f64; A]) -> f64,
+                slopes: impl Fn(usize, [f64; A]) -> [f64; A],
+            ) -> Self {
+                let at = arguments.map(|argument| argument.value);
+                let slope = |number: usize| {
+                    F::state(&|lane| slopes(lane, at.map(|argument| argument.lane(lane)))[number])
+                };
+                let mut result = Self::of(0.0);
+                result.value = F::lane_by_lane(at, &value, &slopes);
+                for (number, argument) in arguments.iter().enumerate() {
+                    let slope = slope(number);
+                    for (sum, along) in result.along.iter_mut().zip(argument.along) {
+                        *sum += product(slope, along);
+                    }
+                }
+                result
+            }
+            #[inline(always)]
+            fn div_pow_3_2(self, x: Self) -> Self {
+                let value = self.value.div_pow_3_2(x.value);
+                let by_x = F::of(-1.5) * value / x.value;
+                if self.is_constant() {
+                    return x.chain(value, by_x);
+                }
+                Self::chain_of_two(self, x, value, F::of(1.0).div_pow_3_2(x.value), by_x)
+            }
+            #[inline]
+            fn sin_cos(self) -> (Self, Self) {
+                let (sine, cosine) = self.value.sin_cos();
+                (self.chain(sine, cosine), self.chain(cosine, -sine))
+            }
+            fast_functions!(fast_dual);
+            #[inline(always)]
+            fn finite(self) -> bool {
+                let mut finite = self.value.finite();
+                for along in self.along {
+                    finite = finite && along.finite();
+                }
+                finite
+            }
+            #[inline(always)]
+            fn less(self, other: Self) -> Self::Mask {
+                self.value.less(other.value)
+            }
+            #[inline(always)]
+            fn less_or_equal(self, other: Self) -> Self::Mask {
+                self.value.less_or_equal(other.value)
+            }
+            #[inline(always)]
+            fn equal(self, other: Self) -> Self::Mask {
+                self.value.equal(other.value)
+            }
+            #[inline(always)]
+            fn select(mask: Self::Mask, a: Self, b: Self) -> Self {
+                Self::select_along(F::select(mask, a.value, b.value), mask, a, b)
+            }
+            $(
+                #[inline]
+                fn $unary(self) -> Self {
+                    let x = self.value;
+                    let (value, slope) = value_and_slope!($unary x);
+                    self.chain(value, slope)
+                }
+            )*
+            $(
+                #[inline]
+                fn $binary(self, other: Self) -> Self {
+                    binary!($binary self other)
+                }
+            )*
+            #[inline(always)]
+            fn enter<K: Kernel>(kernel: K) -> K::Out {
+                F::enter(kernel)
+            }
         }
-        fn parameter(of_lane: &dyn Fn(usize) -> f64) -> Self {
-            Self::of(of_lane(0))
-        }
-        fn state(of_lane: &dyn Fn(usize) -> f64) -> Self {
-            Self::new(of_lane(0), of_lane(1))
-        }
-        fn lane_by_lane<const N: usize>(
-            arguments: [Self; N],
-            value: impl Fn(usize, [f64; N]) -> f64,
-            slopes: impl Fn(usize, [f64; N]) -> [f64; N],
-        ) -> Self {
-            let at = arguments.map(|argument| argument.re);
-            // An unknown slope is NaN; it must not reach a result that it does not change.
-            let along = |(slope, argument): (f64, Self)| match argument.eps {
-                0.0 => 0.0,
-                tangent => slope * tangent,
-            };
-            Self::new(value(0, at), slopes(0, at).into_iter().zip(arguments).map(along).sum())
-        }
-        fn sin_cos(self) -> (Self, Self) {
-            let (sine, cosine) = self.re.sin_cos();
-            (self.chain(sine, cosine), self.chain(cosine, -sine))
-        }
-        fn finite(self) -> bool {
-            self.re.is_finite() && self.eps.is_finite()
-        }
-        compared!(re);
+    };
+}
+elementary_functions!(dual_real! { false, Row<BODIES> = Dual<F::Row<BODIES>, N, true>; });
+elementary_functions!(dual_real! { true, Row<BODIES> = Lanes<Self, BODIES>; });
+
+impl<F: Real, V: Row<F>, const N: usize> Row<Dual<F, N>> for Dual<V, N, true> {
+    const UNROLLED: bool = V::UNROLLED;
+
+    #[inline(always)]
+    fn splat(x: Dual<F, N>) -> Self {
+        dual!(V::splat(x.value), direction => V::splat(x.along[direction]))
     }
-});
+    #[inline(always)]
+    fn rotate<const BODIES: usize>(self, by: usize) -> Self {
+        dual!(self.value.rotate::<BODIES>(by), direction => self.along[direction].rotate::<BODIES>(by))
+    }
+    #[inline(always)]
+    fn read(from: &[Dual<F, N>]) -> Self {
+        let of = |part: &dyn Fn(&Dual<F, N>) -> F| {
+            let mut numbers = [part(&from[0]); WIDEST];
+            for (number, dual) in numbers.iter_mut().zip(&from[..V::LANES / F::LANES]) {
+                *number = part(dual);
+            }
+            V::read(&numbers)
+        };
+        dual!(of(&|dual| dual.value), direction => of(&|dual| dual.along[direction]))
+    }
+    #[inline(always)]
+    fn write(self, to: &mut [Dual<F, N>]) {
+        let to = &mut to[..V::LANES / F::LANES];
+        let mut numbers = [F::of(0.0); WIDEST];
+        self.value.write(&mut numbers);
+        for (dual, number) in to.iter_mut().zip(numbers) {
+            dual.value = number;
+        }
+        for (direction, along) in self.along.into_iter().enumerate() {
+            along.write(&mut numbers);
+            for (dual, number) in to.iter_mut().zip(numbers) {
+                dual.along[direction] = number;
+            }
+        }
+    }
+    #[inline(always)]
+    fn permute(self, indices: &[u64; 8]) -> Self {
+        dual!(self.value.permute(indices), direction => self.along[direction].permute(indices))
+    }
+}
 
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::scalar::{elementary::Elementary, tolerance::within};
+
+    fn new(value: f64, along: f64) -> Dual {
+        Dual { value, along: [along] }
+    }
 
     /// The difference quotient of fourth order, good to about 1e-11 at unit scale.
     fn quotient(f: impl Fn(f64) -> f64, x: f64) -> f64 {
@@ -246,13 +463,13 @@ mod tests {
                 vec![$({
                     let name = stringify!($unary);
                     let x = if name == "acosh" { 1.7 } else { 0.6 };
-                    (name, Real::$unary(Dual::new(x, 2.0)), f64::$unary(x), quotient(f64::$unary, x))
+                    (name, Real::$unary(new(x, 2.0)), f64::$unary(x), quotient(f64::$unary, x))
                 }),*]
             }
             /// Every binary function, both arguments moving.
             fn binary_table() -> Vec<(&'static str, Dual, f64, f64)> {
                 vec![$({
-                    let (x, y) = (Dual::new(0.8, 2.0), Dual::new(1.3, -1.0));
+                    let (x, y) = (new(0.8, 2.0), new(1.3, -1.0));
                     let along = |s: f64| Elementary::$binary(0.8 + 2.0 * s, 1.3 - s);
                     (stringify!($binary), Real::$binary(x, y), along(0.0), quotient(along, 0.0) / 2.0)
                 }),*]
@@ -271,13 +488,13 @@ mod tests {
 
     #[test]
     fn derivatives_survive_the_edges_of_a_domain() {
-        let at = |x| Dual::new(x, 1.0);
+        let at = |x| new(x, 1.0);
         let table = [
             ("tanh far out", at(800.0).tanh(), 1.0, 0.0),
-            ("a negative base", at(-2.0).powf(Dual::of(3.0)), -8.0, 12.0),
-            ("a power at zero", at(0.0).powf(Dual::of(2.0)), 0.0, 0.0),
-            ("the angle on the axis", at(1.0).atan2(Dual::new(0.0, 1.0)), std::f64::consts::FRAC_PI_2, -1.0),
-            ("a huge hypotenuse", at(3e200).hypot(Dual::of(4e200)), 5e200, 0.6),
+            ("a negative base", at(-2.0).powf(<Dual>::of(3.0)), -8.0, 12.0),
+            ("a power at zero", at(0.0).powf(<Dual>::of(2.0)), 0.0, 0.0),
+            ("the angle on the axis", at(1.0).atan2(new(0.0, 1.0)), std::f64::consts::FRAC_PI_2, -1.0),
+            ("a huge hypotenuse", at(3e200).hypot(<Dual>::of(4e200)), 5e200, 0.6),
         ];
         for (name, dual, value, derivative) in table {
             assert!(within(dual.lane(0) - value, 4.0 * f64::EPSILON * value.abs()), "{name}: {dual:?}");
@@ -288,7 +505,7 @@ mod tests {
 
     #[test]
     fn a_prepared_constant_has_no_tangent() {
-        let constant = Dual::parameter(&|lane| [3.0, 5.0][lane]);
+        let constant = <Dual>::parameter(&|lane| [3.0, 5.0][lane]);
         assert_eq!((constant.lane(0), constant.lane(1)), (3.0, 0.0));
     }
 }

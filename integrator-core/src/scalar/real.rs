@@ -101,6 +101,8 @@ macro_rules! declare_real {
             const LANES: usize;
             /// The number of lanes that are members of an ensemble: all, but for a number that is made of two parts.
             const MEMBERS: usize = Self::LANES;
+            /// Whether a linear map with constant coefficients maps each lane by itself: lanes are not parts of one number.
+            const LANEWISE: bool = true;
             /// The mask of its lanes.
             type Mask: Mask;
             /// A vector of consecutive numbers of an array, as wide as the variant's registers; `Self` where a value
@@ -204,6 +206,7 @@ macro_rules! real_of_two_parts {
         impl Real for $number {
             const LANES: usize = 2;
             const MEMBERS: usize = 1;
+            const LANEWISE: bool = false;
             type Block = Self;
             type Row<const N: usize> = $crate::scalar::simd::lanes::Lanes<Self, N>;
             type Wide = Self;

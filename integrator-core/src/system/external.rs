@@ -33,18 +33,19 @@ type Moves = dyn Fn(&mut [f64], &mut [f64], f64) + Send + Sync;
 
 /// Moves the slots of positions and of momenta by a flow of the user, member by member.
 ///
-/// Slots get the difference, so that those that carry rounding errors go on to do so. What a scalar of two parts has in
-/// the second one, a tangent or a rounding error, is moved by extrapolated differences along it.
+/// Slots get the difference, so that those that carry rounding errors go on to do so. What a scalar has behind
+/// the value of a member, derivatives or a rounding error, is moved by extrapolated differences along it.
 pub fn own_flow<R: Real, C: Coords>(q: &mut C::Slots<R>, p: &mut C::Slots<R>, flow: &OwnFlow, duration: f64) {
     let lanes = || C::slots(q).iter().chain(C::slots(p)).map(|slot| slot.value());
     let number = |lane: usize| lanes().map(|value| value.lane(lane)).collect::<Vec<f64>>();
     let mut differences = Vec::with_capacity(R::LANES);
-    for (lane, flow) in flow.iter().enumerate().take(R::MEMBERS) {
+    let together = R::LANES / R::MEMBERS.max(1);
+    for (lane, flow) in flow.iter().enumerate().take(R::LANES).step_by(together) {
         let (start, mut end) = (number(lane), number(lane));
         apply(&**flow, &mut end, duration);
         differences.push(end.iter().zip(&start).map(|(end, start)| end - start).collect::<Vec<f64>>());
-        if R::MEMBERS < R::LANES {
-            let along = number(1);
+        for behind in lane + 1..lane + together {
+            let along = number(behind);
             let mut moved = derivative_along(&**flow, &start, &along, &end, duration);
             moved.iter_mut().zip(&along).for_each(|(moved, along)| *moved -= along);
             differences.push(moved);

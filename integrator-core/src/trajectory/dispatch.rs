@@ -2,40 +2,66 @@
 
 use crate::{
     hamiltonian::{Hamiltonian, Shaped},
-    scalar::{instruction_set::InstructionSet, real::Real},
-    state::{phase::Phase, precision::Precision},
+    scalar::{dual::Dual, instruction_set::InstructionSet, real::Real},
+    state::{point::Point, precision::Precision},
     trajectory::{
         engine::Engine,
         method::Method,
         motions::{Constants, Group, Motions},
-        step_functions::{Executor, InTiles},
+        step_functions::{Executor, FlowByFlow, InTiles},
     },
 };
-use alloc::{boxed::Box, sync::Arc, vec};
+use alloc::{boxed::Box, sync::Arc, vec, vec::Vec};
+
+/// What a trajectory carries beside its state, in lanes behind those of the state.
+pub(crate) trait Carried {
+    /// The scalar for a state in `R` and what it carries.
+    type In<R: Real>: Real;
+    /// How motions go through the stages of a composition.
+    type Executor: Executor;
+}
+
+/// Nothing.
+pub(crate) struct Nothing;
+
+/// So many deviation vectors.
+pub(crate) struct Deviations<const N: usize>;
+
+impl Carried for Nothing {
+    type In<R: Real> = R;
+    type Executor = InTiles;
+}
+
+impl<const N: usize> Carried for Deviations<N> {
+    type In<R: Real> = Dual<R, N>;
+    type Executor = FlowByFlow;
+}
 
 /// An empty list of motions of single trajectories, for the instruction set of this machine.
-pub(crate) fn single<H: Hamiltonian, X: Method<H>, K: Precision>(
+pub(crate) fn single<H: Hamiltonian, X: Method<H>, K: Precision, V: Carried>(
     constants: Constants<X::Constants>,
 ) -> Box<dyn Motions> {
     // A constant, so that nothing is compiled for the other instruction sets.
     if const { X::CLONED } {
         match InstructionSet::chosen() {
-            InstructionSet::Baseline => motions::<H, X, K::Plain, K, InTiles>(constants),
-            InstructionSet::Avx512 if X::WIDE => motions::<H, X, K::Avx512, K, InTiles>(constants),
-            InstructionSet::Fused | InstructionSet::Avx512 => motions::<H, X, K::Fused, K, InTiles>(constants),
+            InstructionSet::Baseline => motions::<H, X, V::In<K::Plain>, K, V::Executor>(constants),
+            InstructionSet::Avx512 if X::WIDE => motions::<H, X, V::In<K::Avx512>, K, V::Executor>(constants),
+            InstructionSet::Fused | InstructionSet::Avx512 => {
+                motions::<H, X, V::In<K::Fused>, K, V::Executor>(constants)
+            }
         }
     } else {
-        motions::<H, X, K::Plain, K, InTiles>(constants)
+        motions::<H, X, V::In<K::Plain>, K, V::Executor>(constants)
     }
 }
 
-/// The engine of a trajectory, for the instruction set of this machine.
-pub(crate) fn engine<H: Hamiltonian, X: Method<H>, K: Precision>(
+/// The engine of a trajectory, for the instruction set of this machine; behind the start what it carries.
+pub(crate) fn engine<H: Hamiltonian, X: Method<H>, K: Precision, V: Carried>(
     method: X,
     parameters: Arc<H::Parameters<f64>>,
-    start: &Phase<Shaped<H, K>>,
+    lanes: Vec<&dyn Point>,
 ) -> Engine {
-    Engine::single(&*single::<H, X, K>(list(method.constants(parameters))), start)
+    Engine::single(&*single::<H, X, K, V>(list(method.constants(parameters))), lanes)
 }
 
 /// The constants of one member: compiled once for all compositions.

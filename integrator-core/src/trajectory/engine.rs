@@ -47,9 +47,9 @@ impl Engine {
         Self { member, ..Self::new(motions) }
     }
 
-    /// The engine of one trajectory, with the step functions of some motions.
-    pub(crate) fn single(like: &dyn Motions, start: &dyn Point) -> Self {
-        Self::new(load(like, vec![(0, start)]))
+    /// The engine of one trajectory, with the step functions of some motions: its start, and what it carries beside.
+    pub(crate) fn single(like: &dyn Motions, lanes: Vec<&dyn Point>) -> Self {
+        Self::new(load(like, lanes.into_iter().map(|point| (0, point)).collect()))
     }
 
     /// Takes `steps` steps from `clock`, or as many as end in a finite state, and counts them in `taken`.
@@ -131,6 +131,12 @@ impl Engine {
         self.motions.copy_states(&*self.snapshot);
     }
 
+    /// Goes back to other motions.
+    pub(crate) fn go_back(&mut self, motions: &dyn Motions) {
+        self.completed_at = None;
+        self.motions.copy_states(motions);
+    }
+
     /// Goes on with as many motions from other states of the same size, at the beginning of a clock.
     pub(crate) fn restart(&mut self, members: Vec<(usize, &dyn Point)>) {
         // The copies take over what they need of these before they are read.
@@ -139,11 +145,10 @@ impl Engine {
         self.completed_at = None;
     }
 
-    /// Goes on with a state in the coordinates of the motion.
-    #[cfg(feature = "checkpoint")]
-    pub(crate) fn resume_own(&mut self, state: &dyn Point) {
+    /// Goes on with a state in the coordinates of the motion, and what it carries beside.
+    pub(crate) fn resume_own(&mut self, lanes: &[&dyn Point]) {
         let mut motions = self.motions.none(1);
-        motions.push_own(&[(0, state)]);
+        motions.push_own(&lanes.iter().map(|point| (0, *point)).collect::<Vec<_>>());
         motions.share_among(self.threads);
         self.motions = motions;
         self.completed_at = None;
@@ -152,6 +157,11 @@ impl Engine {
     /// Writes the state of a trajectory: with the step under way completed, while the motions stay where they are.
     pub(crate) fn state(&self, clock: Clock, to: &mut dyn Point) {
         self.read(clock, |completed, shown| show(completed, shown, 0, to));
+    }
+
+    /// Writes what a trajectory carries in a lane, with the step under way completed.
+    pub(crate) fn lane(&self, clock: Clock, lane: usize, to: &mut dyn Point) {
+        self.read(clock, |completed, shown| show(completed, shown, lane, to));
     }
 
     /// The time of a trajectory, where it is part of the state: with `t0` and what had passed when its motion was loaded.

@@ -20,4 +20,5 @@ pub(crate) mod samples;
 #[allow(unreachable_pub, reason = "named in bounds, never outside")]
 pub(crate) mod step_functions;
 pub(crate) mod step_loop;
+pub(crate) mod tangent;
 pub(crate) mod watch;

@@ -32,7 +32,6 @@ pub(crate) trait Motions: Any + Send + Sync {
     /// Adds a motion of members, one in each lane, from their states.
     fn push(&mut self, lanes: &[(usize, &dyn Point)]);
     /// The same, from states in the coordinates of the motion.
-    #[cfg(feature = "checkpoint")]
     fn push_own(&mut self, lanes: &[(usize, &dyn Point)]);
     /// Adds a motion with members from lanes of others, if their states do not tell all of it; else adds nothing.
     fn push_gathered(&mut self, lanes: &[Lane]) -> bool;
@@ -55,7 +54,6 @@ pub(crate) trait Motions: Any + Send + Sync {
     /// Writes the state of a lane.
     fn store(&self, lane: usize, to: &mut dyn Point);
     /// Writes the state of a lane in the coordinates of the motion.
-    #[cfg(feature = "checkpoint")]
     fn store_own(&self, lane: usize, to: &mut dyn Point);
     /// Takes the motion a while into the step that the other one begins at the clock; `false`, and unchanged, where the
     /// method has no dense output.
@@ -236,7 +234,6 @@ where
         self.motions.push(L::load(&constants, &states));
     }
 
-    #[cfg(feature = "checkpoint")]
     fn push_own(&mut self, lanes: &[(usize, &dyn Point)]) {
         let (constants, states) = filling(&self.constants, lanes);
         self.motions.push(L::load_own(&constants, &states));
@@ -307,7 +304,6 @@ where
         motion.store(lane, shaped_mut(to));
     }
 
-    #[cfg(feature = "checkpoint")]
     fn store_own(&self, lane: usize, to: &mut dyn Point) {
         let (motion, lane) = self.motion_of(lane);
         motion.store_own(lane, shaped_mut(to));

@@ -21,14 +21,15 @@ use crate::{
     },
     trajectory::{
         admissible::{admissible_with, change},
-        dispatch::engine,
+        dispatch::{Carried, Nothing, engine},
         engine::Engine,
         method::Method,
+        motions::Motions,
         samples::{Samples, SamplesAt},
         watch::Watch,
     },
 };
-use alloc::{sync::Arc, vec};
+use alloc::{sync::Arc, vec, vec::Vec};
 use core::fmt;
 
 /// A trajectory under way, made by [`Hamiltonian::run`]. Its type names the coordinates alone, so it can be stored.
@@ -67,7 +68,26 @@ impl<C: Coords> Run<C> {
         H::Coords: Coords<With<K> = C>,
     {
         admissible_with::<H, _>(method, &start, h)?;
-        let mut run = Self::from_unfinished::<H, X, K>(system, method, start, Clock { t0: 0.0, h, steps: 0 }, 0)?;
+        Self::carrying::<H, X, K, Nothing>(system, method, start, &[], h)
+    }
+
+    /// A run whose motion carries points in lanes behind those of the state.
+    pub(crate) fn carrying<H, X, K, V>(
+        system: &H,
+        method: X,
+        start: Phase<C>,
+        carried: &[Phase<C>],
+        h: f64,
+    ) -> Result<Self, Error>
+    where
+        H: Hamiltonian,
+        X: Method<H>,
+        K: Precision,
+        V: Carried,
+        H::Coords: Coords<With<K> = C>,
+    {
+        let clock = Clock { t0: 0.0, h, steps: 0 };
+        let mut run = Self::from_unfinished::<H, X, K, V>(system, method, start, carried, clock, 0)?;
         run.start_unchecked = true;
         if H::AUTONOMOUS {
             run.check_start()?;
@@ -94,10 +114,11 @@ impl<C: Coords> Run<C> {
     /// # Errors
     /// [`Error::Parameters`], where a prepared constant is not finite and the motion is not; in builds with debug
     /// assertions [`Error::Misread`].
-    pub(crate) fn from_unfinished<H, X, K>(
+    pub(crate) fn from_unfinished<H, X, K, V>(
         system: &H,
         method: X,
         start: Phase<C>,
+        carried: &[Phase<C>],
         clock: Clock,
         opened: u64,
     ) -> Result<Self, Error>
@@ -105,6 +126,7 @@ impl<C: Coords> Run<C> {
         H: Hamiltonian,
         X: Method<H>,
         K: Precision,
+        V: Carried,
         H::Coords: Coords<With<K> = C>,
     {
         system.admissible(start.q.length())?;
@@ -115,7 +137,7 @@ impl<C: Coords> Run<C> {
         #[cfg(feature = "checkpoint")]
         let origin = Origin::of::<H>(method.facts(), &parameters);
         let parameters = Arc::new(parameters);
-        let mut engine = engine::<H, X, K>(method, parameters.clone(), &start);
+        let mut engine = engine::<H, X, K, V>(method, parameters.clone(), lanes(&start, carried));
         engine.share_among(None);
         let run = Self {
             autonomous: H::AUTONOMOUS,
@@ -336,9 +358,7 @@ impl<C: Coords> Run<C> {
 
     /// Where the last step led that was tried.
     fn tried(&self) -> Phase<C> {
-        let mut state = self.shape.clone();
-        self.engine.completed.store(0, &mut state);
-        state
+        self.tried_lane(0)
     }
 
     /// The energy `T + V` at [`Run::time`].
@@ -452,14 +472,49 @@ impl<C: Coords> Run<C> {
     /// The state in the middle of the step under way, in the coordinates of the motion.
     #[cfg(feature = "checkpoint")]
     pub(crate) fn unfinished(&self) -> Phase<C> {
-        let mut state = self.shape.clone();
-        self.engine.motions.store_own(0, &mut state);
-        state
+        self.unfinished_lane(0)
+    }
+
+    /// A lane in the middle of the step under way, in the coordinates of the motion.
+    pub(crate) fn unfinished_lane(&self, lane: usize) -> Phase<C> {
+        let mut point = self.shape.clone();
+        self.engine.motions.store_own(lane, &mut point);
+        point
+    }
+
+    /// Goes on with lanes in the middle of the step under way, in the coordinates of the motion.
+    pub(crate) fn resume_lanes(&mut self, lanes: &[Phase<C>]) {
+        self.engine.resume_own(&lanes.iter().map(|point| point as &dyn Point).collect::<Vec<_>>());
+    }
+
+    /// Goes back to motions of the same lanes, after so many steps.
+    pub(crate) fn go_back(&mut self, steps: u64, motions: &dyn Motions) {
+        self.engine.go_back(motions);
+        self.clock.steps = steps;
+    }
+
+    /// A lane at the end of the last step.
+    pub(crate) fn lane(&self, lane: usize) -> Phase<C> {
+        let mut point = self.shape.clone();
+        self.engine.lane(self.since_opened(), lane, &mut point);
+        point
+    }
+
+    /// A lane at the end of the step that was tried last.
+    pub(crate) fn tried_lane(&self, lane: usize) -> Phase<C> {
+        let mut point = self.shape.clone();
+        self.engine.completed.store(lane, &mut point);
+        point
     }
 
     pub(crate) fn energies(&self) -> Arc<dyn Energies<C>> {
         self.energies.clone()
     }
+}
+
+/// What a motion carries in its lanes, behind the state.
+fn lanes<'p, C: Coords>(state: &'p Phase<C>, carried: &'p [Phase<C>]) -> Vec<&'p dyn Point> {
+    core::iter::once(state).chain(carried).map(|point| point as &dyn Point).collect()
 }
 
 impl<C: Coords> Clone for Run<C> {

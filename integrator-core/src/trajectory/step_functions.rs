@@ -88,7 +88,6 @@ pub trait Executor: 'static {
 }
 
 /// One motion after the other, flow by flow: the least code.
-#[cfg(feature = "check")]
 pub struct FlowByFlow;
 
 /// One motion after the other, a long lattice in tiles.
@@ -98,7 +97,6 @@ pub struct InTiles;
 #[cfg(feature = "std")]
 pub struct Interleaved<const REGISTERS: usize>;
 
-#[cfg(feature = "check")]
 impl Executor for FlowByFlow {}
 
 impl Executor for InTiles {

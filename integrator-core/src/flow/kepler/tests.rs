@@ -117,8 +117,8 @@ fn the_flow_for_the_opposite_duration_leads_back() {
 /// The columns of the tangent map, by duals.
 fn tangent(start: [f64; 4], constants: [f64; 2], duration: f64) -> [[f64; 4]; 4] {
     [0, 1, 2, 3].map(|column| {
-        let coordinate = |i: usize| Dual::state(&|lane| if lane == 0 { start[i] } else { f64::from(i == column) });
-        flown([0, 1, 2, 3].map(coordinate), constants.map(Dual::of), duration).map(|number| number.lane(1))
+        let coordinate = |i: usize| <Dual>::state(&|lane| if lane == 0 { start[i] } else { f64::from(i == column) });
+        flown([0, 1, 2, 3].map(coordinate), constants.map(<Dual>::of), duration).map(|number| number.lane(1))
     })
 }
 

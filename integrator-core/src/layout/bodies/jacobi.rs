@@ -111,8 +111,8 @@ fn mapped<C: Coords, const D: usize>(shares: &[f64], state: &Phase<C>, map: Map<
 }
 
 impl<L: Rows<D>, const D: usize> Jacobi<L, D> {
-    /// Whether lanes hold plain numbers, which the map is applied to one by one and with more digits.
-    const PLAIN: bool = L::Scalar::LANES == L::Scalar::MEMBERS;
+    /// Whether the map is applied to lanes one by one, and with more digits.
+    const PLAIN: bool = L::Scalar::LANEWISE;
 
     /// The motion of bodies whose coordinates are those of Jacobi already.
     fn new<Q: JacobiConstants>(constants: &[&Q], bodies: L) -> Self {
@@ -122,8 +122,10 @@ impl<L: Rows<D>, const D: usize> Jacobi<L, D> {
         Self { inertial: bodies.at_rest(), bodies, weights, unsolved: Vec::new() }
     }
 
-    /// The shares of all bodies in a lane.
+    /// The shares of all bodies in the member that a lane belongs to. Its other lanes hold derivatives, and those of
+    /// constants are zero.
     fn shares(&self, lane: usize) -> Vec<f64> {
+        let lane = lane - lane % (L::Scalar::LANES / L::Scalar::MEMBERS.max(1));
         let share = |body: usize| self.weights[body / L::WIDTH].share.lane(body % L::WIDTH * L::Scalar::LANES + lane);
         (0..self.bodies.bodies()).map(share).collect()
     }

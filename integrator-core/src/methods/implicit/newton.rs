@@ -123,14 +123,14 @@ fn jacobian<H: Hamiltonian, R: Real>(
     y: &[f64],
     time: f64,
 ) -> DMatrix<f64> {
-    let of_lanes = vec![of_lanes[own].clone(); Dual::LANES];
+    let of_lanes = vec![of_lanes[own].clone(); <Dual>::LANES];
     let members: Vec<_> = of_lanes.iter().collect();
     let mut gathered = H::Parameters::<Dual>::gather(&members);
     gathered.begin_step(*middle);
     let constants = Constants { gathered: &gathered, of_lanes: &of_lanes, shape, middle: *middle };
     let mut jacobian = DMatrix::zeros(y.len(), y.len());
     for column in 0..y.len() {
-        let along = |i: usize| Dual::state(&|lane| if lane == 0 { y[i] } else { f64::from(u8::from(i == column)) });
+        let along = |i: usize| <Dual>::state(&|lane| if lane == 0 { y[i] } else { f64::from(u8::from(i == column)) });
         let y: Vec<Dual> = (0..y.len()).map(along).collect();
         let field = field::<H, Dual>(&constants, &paired(&y), time);
         for (row, derivative) in listed(&field).into_iter().enumerate() {

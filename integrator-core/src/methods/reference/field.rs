@@ -98,7 +98,8 @@ impl<H: Hamiltonian, R: Real> Field<R> for Generated<'_, H> {
     fn jacobian(&self, y: &[f64], time: f64) -> DMatrix<f64> {
         let mut jacobian = DMatrix::zeros(y.len(), y.len());
         for column in 0..y.len() {
-            let along = |i: usize| Dual::state(&|lane| if lane == 0 { y[i] } else { f64::from(u8::from(i == column)) });
+            let along =
+                |i: usize| <Dual>::state(&|lane| if lane == 0 { y[i] } else { f64::from(u8::from(i == column)) });
             let y: Vec<Dual> = (0..y.len()).map(along).collect();
             for (row, derivative) in self.derivative(&y, time).into_iter().enumerate() {
                 jacobian[(row, column)] = derivative.lane(1);

@@ -160,6 +160,7 @@ macro_rules! lanes_real {
         impl<F: Real, const N: usize> Real for Lanes<F, N> {
             const LANES: usize = N * F::LANES;
             const MEMBERS: usize = N * F::MEMBERS;
+            const LANEWISE: bool = F::LANEWISE;
             type Mask = LaneMask<F::Mask, N>;
             type Block = Self;
             type Row<const M: usize> = Lanes<Self, M>;
@@ -194,6 +195,21 @@ macro_rules! lanes_real {
                 let Self(mut parts) = self;
                 for part in 0..N {
                     parts[part] = parts[part].fma(b.0[part], c.0[part]);
+                }
+                Self(parts)
+            }
+            #[inline]
+            fn lane_by_lane<const A: usize>(
+                arguments: [Self; A],
+                value: impl Fn(usize, [f64; A]) -> f64,
+                slopes: impl Fn(usize, [f64; A]) -> [f64; A],
+            ) -> Self {
+                let mut parts = arguments.first().map_or([F::of(f64::NAN); N], |argument| argument.0);
+                for (number, part) in parts.iter_mut().enumerate() {
+                    let first = number * F::LANES;
+                    let value = |lane: usize, at: [f64; A]| value(first + lane, at);
+                    let slopes = |lane: usize, at: [f64; A]| slopes(first + lane, at);
+                    *part = F::lane_by_lane(arguments.map(|argument| argument.0[number]), value, slopes);
                 }
                 Self(parts)
             }

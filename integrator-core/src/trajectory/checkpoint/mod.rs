@@ -23,6 +23,7 @@ use crate::{
     system::motion::{Beside, Prepared},
     trajectory::{
         admissible::admissible_with,
+        dispatch::Nothing,
         method::{Facts, Resumable},
         run::Run,
     },
@@ -234,7 +235,14 @@ impl<C: Coords> Run<C> {
         let unfinished = Phase { q, p };
         admissible_with::<H, _>(composition, &unfinished, h)?;
         let clock = Clock { t0, h, steps };
-        let mut run = Self::from_unfinished::<H, X, C::Leaf>(system, composition, unfinished.clone(), clock, opened)?;
+        let mut run = Self::from_unfinished::<H, X, C::Leaf, Nothing>(
+            system,
+            composition,
+            unfinished.clone(),
+            &[],
+            clock,
+            opened,
+        )?;
         run.resume_own(&unfinished, own)?;
         let name = || run.origin.system.to_owned();
         if !changed && formulas != run.origin.formulas {
@@ -253,7 +261,7 @@ impl<C: Coords> Run<C> {
     /// Goes on from a state in the middle of the step under way, in the coordinates of the motion, and from what the run
     /// had beside it.
     fn resume_own(&mut self, unfinished: &Phase<C>, own: Option<OwnTime>) -> Result<(), CheckpointError> {
-        self.engine.resume_own(unfinished);
+        self.engine.resume_own(&[unfinished]);
         match (own, self.engine.motions.beside()) {
             (None, None) => Ok(()),
             (Some(OwnTime { beside, opened_at }), Some(Beside { exponent, .. })) => {

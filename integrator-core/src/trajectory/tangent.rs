@@ -1,0 +1,339 @@
+//! A trajectory with deviation vectors: the exact derivative of the very steps that a run takes, along some directions.
+//!
+//! In: a system, a method, a start, vectors, a step. Out: the state after some steps, with the bits of the run without
+//! vectors, and the images of the vectors under the tangent map of these steps. Always true: vectors are only ever
+//! multiplied by powers of two, at steps whose number is a multiple of [`BETWEEN_SCALES`]; what was divided out is
+//! told.
+
+use crate::{
+    error::{Error, VectorFault},
+    hamiltonian::{Hamiltonian, Shaped},
+    state::{coords::Coords, phase::Phase, precision::Precision},
+    trajectory::{
+        admissible::admissible_with,
+        dispatch::{Carried, Deviations},
+        method::Memoryless,
+        motions::{Motions, copy},
+        run::Run,
+    },
+};
+use alloc::{boxed::Box, vec, vec::Vec};
+use core::{fmt, mem::take};
+
+/// After so many steps vectors are looked at, whether they are far from one.
+const BETWEEN_SCALES: u64 = 64;
+
+/// How many vectors go with one copy of the state, where there are several: as many numbers as fill a register of 256
+/// bits.
+const TOGETHER: usize = 4;
+
+/// A trajectory under way and deviation vectors `(δq, δp)` along it, made by [`Hamiltonian::tangent`].
+///
+/// Each vector is multiplied by the derivative of each step: they are the differences to a trajectory that starts
+/// infinitely near, over what is infinitely small. The map of vectors is symplectic where the method is.
+pub struct Tangent<C: Coords> {
+    /// Trajectories of the same state, each with some of the vectors.
+    runs: Vec<Run<C>>,
+    /// How many vectors a run has room for.
+    room: usize,
+    /// The powers of two by which vectors were divided.
+    exponents: Vec<i64>,
+    /// The motions before the steps under way, where there are several that have to stop at one step.
+    before: Vec<Box<dyn Motions>>,
+}
+
+impl<C: Coords> Tangent<C> {
+    pub(crate) fn start<H, X, K>(
+        system: &H,
+        method: X,
+        start: Phase<C>,
+        vectors: Vec<Phase<C>>,
+        h: f64,
+    ) -> Result<Self, Error>
+    where
+        H: Hamiltonian,
+        X: Memoryless<H>,
+        K: Precision,
+        H::Coords: Coords<With<K> = C>,
+    {
+        if K::REVERSIBLE {
+            return Err(Error::NoTangent { reason: "a state on a grid moves by whole spacings: take `Phase::new`" });
+        }
+        if H::COPIES {
+            let reason =
+                "steps by `split = symmetric` move two copies of the state: take `ImplicitMidpoint` and `split = none`";
+            return Err(Error::NoTangent { reason });
+        }
+        admissible_with::<H, _>(method, &start, h)?;
+        check(&start, &vectors)?;
+        let one = vectors.len() == 1;
+        let room = if one { 1 } else { TOGETHER };
+        let runs: Result<Vec<_>, _> = vectors
+            .chunks(room)
+            .map(|vectors| {
+                let mut vectors = vectors.to_vec();
+                vectors.resize(room, scaled(&start, 0.0));
+                if one {
+                    begin::<H, X, K, Deviations<1>>(system, method, &start, &vectors, h)
+                } else {
+                    begin::<H, X, K, Deviations<TOGETHER>>(system, method, &start, &vectors, h)
+                }
+            })
+            .collect();
+        let exponents = vec![0; vectors.len()];
+        Ok(Self { runs: runs?, room, exponents, before: Vec::new() })
+    }
+
+    /// Starts the clock at `t0` instead of 0. A `t0` that is not finite is reported by the first `advance`.
+    #[must_use]
+    pub fn at_time(mut self, t0: f64) -> Self {
+        self.runs = take(&mut self.runs).into_iter().map(|run| run.at_time(t0)).collect();
+        self
+    }
+
+    /// Takes `steps` steps. In any portions, the result is the same bit for bit.
+    ///
+    /// # Errors
+    /// As [`Run::advance`]. [`Error::Vector`], where a vector leaves the finite numbers though the state does not: H has
+    /// no second derivative there. State and vectors stay at the last step that is finite.
+    ///
+    /// # Panics
+    /// Where your own functions would.
+    pub fn advance(&mut self, steps: u64) -> Result<(), Error> {
+        let end = self.runs[0].clock.end(steps)?;
+        while self.steps() < end {
+            let next = (self.steps() / BETWEEN_SCALES + 1) * BETWEEN_SCALES;
+            self.take_steps_to(next.min(end))?;
+            if self.steps() == next {
+                self.scale();
+            }
+        }
+        Ok(())
+    }
+
+    /// Takes steps until so many are done, or as many as all runs can take.
+    fn take_steps_to(&mut self, end: u64) -> Result<(), Error> {
+        let begin = self.steps();
+        if let [run] = &mut self.runs[..] {
+            return run.advance(end - begin).map_err(|error| of_vector(run, 0, error));
+        }
+        self.remember();
+        let (mut reached, mut outcome) = (end, Ok(()));
+        while let Some((steps, error)) = self.try_steps(reached - begin) {
+            (reached, outcome) = (begin + steps, Err(error));
+            for (run, before) in self.runs.iter_mut().zip(&self.before) {
+                run.go_back(begin, &**before);
+            }
+        }
+        outcome
+    }
+
+    /// Keeps the motions as they are.
+    fn remember(&mut self) {
+        if self.before.is_empty() {
+            self.before = self.runs.iter().map(|run| copy(&*run.engine.motions, 0..1)).collect();
+        }
+        for (run, before) in self.runs.iter().zip(&mut self.before) {
+            before.copy_states(&*run.engine.motions);
+        }
+    }
+
+    /// Takes steps with all runs; how many the first of them that cannot take them all could take, and why.
+    fn try_steps(&mut self, steps: u64) -> Option<(u64, Error)> {
+        for (number, run) in self.runs.iter_mut().enumerate() {
+            let begin = run.steps();
+            if let Err(error) = run.advance(steps) {
+                return Some((run.steps() - begin, of_vector(run, number * self.room, error)));
+            }
+        }
+        None
+    }
+
+    /// Divides vectors by powers of two that are far from one.
+    fn scale(&mut self) {
+        let far = far_from_one::<C::Leaf>();
+        let exponents: Vec<i32> = (0..self.exponents.len())
+            .map(|vector| {
+                let (run, lane) = self.place(vector);
+                exponent(&run.tried_lane(lane))
+            })
+            .collect();
+        if exponents.iter().all(|exponent| exponent.abs() < far) {
+            return;
+        }
+        for (sum, exponent) in self.exponents.iter_mut().zip(&exponents) {
+            *sum += i64::from(*exponent);
+        }
+        self.change_vectors(|vectors| {
+            for (vector, exponent) in vectors.iter_mut().zip(exponents) {
+                *vector = scaled(vector, power_of_two(-exponent));
+            }
+        });
+    }
+
+    /// Replaces the vectors by a linear map of them. They are seen in the middle of a step, in the coordinates of the
+    /// motion, of which vectors at the end of a step are a linear map, too.
+    pub(crate) fn change_vectors(&mut self, change: impl FnOnce(&mut [Phase<C>])) {
+        let lanes = |run: &Run<C>| (0..=self.room).map(|lane| run.unfinished_lane(lane)).collect::<Vec<_>>();
+        let mut of_runs: Vec<Vec<Phase<C>>> = self.runs.iter().map(lanes).collect();
+        let mut vectors: Vec<_> = of_runs.iter().flat_map(|lanes| lanes[1..].iter().cloned()).collect();
+        let count = self.exponents.len();
+        change(&mut vectors[..count]);
+        for ((run, lanes), vectors) in self.runs.iter_mut().zip(&mut of_runs).zip(vectors.chunks(self.room)) {
+            lanes[1..].clone_from_slice(vectors);
+            run.resume_lanes(lanes);
+        }
+    }
+
+    /// The run that a vector goes with, and its lane there.
+    fn place(&self, vector: usize) -> (&Run<C>, usize) {
+        (&self.runs[vector / self.room], 1 + vector % self.room)
+    }
+
+    /// The time, `t0 + n·h`.
+    pub fn time(&self) -> f64 {
+        self.runs[0].time()
+    }
+
+    /// The step `h`.
+    pub fn step(&self) -> f64 {
+        self.runs[0].step()
+    }
+
+    /// How many steps were taken.
+    pub fn steps(&self) -> u64 {
+        self.runs[0].steps()
+    }
+
+    /// The state at [`Tangent::time`], with the bits of the run without vectors.
+    pub fn state(&self) -> Phase<C> {
+        self.runs[0].state()
+    }
+
+    /// The energy at [`Tangent::time`].
+    pub fn energy(&self) -> f64 {
+        self.runs[0].energy()
+    }
+
+    /// The deviation vectors at [`Tangent::time`], in the order in which they were given, each over two to the power of
+    /// its [exponent](Tangent::exponents). Most exponents are zero: a vector is divided where its largest component
+    /// leaves the range from 2⁻²⁵⁶ to 2²⁵⁶ (in `f32` from 2⁻³² to 2³²).
+    pub fn vectors(&self) -> Vec<Phase<C>> {
+        (0..self.exponents.len())
+            .map(|vector| {
+                let (run, lane) = self.place(vector);
+                run.lane(lane)
+            })
+            .collect()
+    }
+
+    /// The powers of two that the vectors are to be multiplied by.
+    pub fn exponents(&self) -> &[i64] {
+        &self.exponents
+    }
+}
+
+impl<C: Coords> Clone for Tangent<C> {
+    fn clone(&self) -> Self {
+        let exponents = self.exponents.clone();
+        Self { runs: self.runs.clone(), room: self.room, exponents, before: Vec::new() }
+    }
+}
+
+impl<C: Coords> fmt::Debug for Tangent<C> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let mut tangent = f.debug_struct("Tangent");
+        tangent.field("run", &self.runs[0]).field("vectors", &self.vectors()).field("exponents", &self.exponents);
+        tangent.finish()
+    }
+}
+
+fn begin<H, X, K, V>(
+    system: &H,
+    method: X,
+    start: &Phase<Shaped<H, K>>,
+    vectors: &[Phase<Shaped<H, K>>],
+    h: f64,
+) -> Result<Run<Shaped<H, K>>, Error>
+where
+    H: Hamiltonian,
+    X: Memoryless<H>,
+    K: Precision,
+    V: Carried,
+{
+    Run::carrying::<H, X, K, V>(system, method, start.clone(), vectors, h)
+}
+
+/// Whether these are deviation vectors at a state.
+fn check<C: Coords>(start: &Phase<C>, vectors: &[Phase<C>]) -> Result<(), Error> {
+    let positions = start.q.flat().len();
+    let (count, most) = (vectors.len(), 2 * positions);
+    if count == 0 || count > most {
+        return Err(Error::VectorCount { count, most });
+    }
+    for (number, vector) in vectors.iter().enumerate() {
+        let lengths = [vector.q.flat().len(), vector.p.flat().len()];
+        let fault = if lengths != [positions; 2] {
+            VectorFault::Length { lengths, positions }
+        } else if !numbers(vector).all(f64::is_finite) {
+            VectorFault::NotFinite
+        } else if numbers(vector).all(|number| number == 0.0) {
+            VectorFault::Zero
+        } else {
+            continue;
+        };
+        return Err(Error::Vector { vector: number, fault });
+    }
+    Ok(())
+}
+
+/// The error of a run that could not go on: that of a vector, where the state could.
+fn of_vector<C: Coords>(run: &Run<C>, first: usize, error: Error) -> Error {
+    let finite = |lane: usize| numbers(&run.tried_lane(lane)).all(f64::is_finite);
+    match error {
+        Error::Diverged(divergence) if finite(0) => {
+            let lane = (1..=TOGETHER).find(|lane| !finite(*lane)).unwrap_or(1);
+            let fault = VectorFault::Lost { step: divergence.step, time: divergence.time };
+            Error::Vector { vector: first + lane - 1, fault }
+        }
+        error => error,
+    }
+}
+
+fn numbers<C: Coords>(point: &Phase<C>) -> impl Iterator<Item = f64> {
+    point.q.flat().iter().chain(point.p.flat()).map(|leaf| leaf.to_f64())
+}
+
+/// The power of two just below the largest component; nought, where all are zero.
+fn exponent<C: Coords>(vector: &Phase<C>) -> i32 {
+    match numbers(vector).fold(0.0, |largest: f64, number| largest.max(number.abs())) {
+        0.0 => 0,
+        // The exponent as it is stored; where it has no room for one, the largest or the least.
+        largest => ((largest.to_bits() >> MANTISSA) as i32 - BIAS).clamp(1 - BIAS, BIAS - 1),
+    }
+}
+
+/// How many bits of a number follow those of its exponent.
+const MANTISSA: u32 = f64::MANTISSA_DIGITS - 1;
+
+/// What is stored of the exponent of one.
+const BIAS: i32 = f64::MAX_EXP - 1;
+
+/// A power of two, whose exponent is that of some vector.
+fn power_of_two(exponent: i32) -> f64 {
+    f64::from_bits(((exponent + BIAS) as u64) << MANTISSA)
+}
+
+/// The exponent of vectors that are far from one: so far from the ends of the numbers that the squares of components
+/// stay finite, and that no growth within 64 steps leads there.
+fn far_from_one<K: Precision>() -> i32 {
+    if K::EPSILON < f64::from(f32::EPSILON) { 256 } else { 32 }
+}
+
+fn scaled<C: Coords>(vector: &Phase<C>, factor: f64) -> Phase<C> {
+    let mut scaled = vector.clone();
+    for leaf in scaled.q.flat_mut().iter_mut().chain(scaled.p.flat_mut()) {
+        *leaf = C::Leaf::from_parts(leaf.parts().map(|part| part * factor));
+    }
+    scaled
+}
