@@ -8,19 +8,18 @@
 mod attraction;
 mod central;
 mod exchange;
-mod rename;
 
 use crate::{
     differentiate::{Contribution, gradient},
     graph::{
-        Comparison, Graph, Node, NodeId, ParameterId, Part,
+        Comparison, Graph, Node, NodeId, Part,
         index::{Index, IndexId, Loop, LoopId},
+        rename::{Parameters, Renaming},
     },
 };
 pub(crate) use attraction::{attraction, inverse_mass};
 pub(crate) use central::pull;
 use exchange::Forms;
-pub(crate) use rename::{Renaming, rename};
 
 /// A potential of pairs.
 pub(crate) struct Pairs {
@@ -36,14 +35,6 @@ pub(crate) struct Pairs {
     pub(crate) reciprocal: bool,
     /// The gradient of the one-body terms.
     pub(crate) alone: Vec<Contribution>,
-}
-
-/// The texts behind parameters.
-pub(crate) trait Parameters {
-    /// The parameter that the user would have written with other indices; `None` where the text does not show it.
-    fn rename(&mut self, graph: &mut Graph, id: ParameterId, renaming: Renaming) -> Option<ParameterId>;
-    /// The parameters that a product is made of, each with its exponent; a parameter itself where it is no product.
-    fn factors(&mut self, graph: &mut Graph, id: ParameterId) -> Vec<(ParameterId, i32)>;
 }
 
 /// Recognises a potential of pairs among `length` bodies.

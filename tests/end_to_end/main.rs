@@ -28,5 +28,6 @@ mod refusals;
 mod reversible;
 mod semantics;
 mod slope;
+mod squares;
 mod systems;
 mod time_dependent;

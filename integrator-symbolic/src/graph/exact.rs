@@ -18,8 +18,9 @@ pub(crate) enum Exact {
     /// A shear: whatever it reads has a conjugate that it does not read, and so stays, while these conjugates move along
     /// straight lines.
     Shear,
-    /// A quadratic form in all coordinates, whose coefficients depend on parameters alone.
-    Quadratic,
+    /// A quadratic form in all coordinates, whose coefficients depend on parameters alone: the value that its second
+    /// derivatives are taken of.
+    Quadratic(NodeId),
     /// Kepler orbits about the origin, a sum over bodies.
     Kepler(Vec<Orbits>),
     /// Any: the user has written the flow.

@@ -270,6 +270,15 @@ impl Loops {
         id
     }
 
+    /// A new loop over the same range as another one; `None` where there are as many loops as there may be.
+    pub(crate) fn beside(&mut self, by: LoopId) -> Option<LoopId> {
+        let mut range = Loop { parent: Some(by), ..self.get(by) };
+        while let Some(known) = self.loop_ids.get(&range) {
+            range.parent = Some(*known);
+        }
+        (self.count() < LoopSet::CAPACITY).then(|| self.range(range))
+    }
+
     /// States that an integer is the length of a list of the system.
     pub(crate) fn declare_list_length(&mut self, id: IndexId) {
         self.list_lengths.insert(id);

@@ -20,10 +20,12 @@ mod in_the_way;
 pub(crate) mod index;
 pub(crate) mod kepler;
 mod masked_sum;
+mod own_loops;
 mod piecewise;
 mod polynomial;
 mod product;
 mod quadratic;
+pub(crate) mod rename;
 pub(crate) mod same_product;
 mod separate;
 

@@ -20,7 +20,7 @@ pub(super) fn quadratic(graph: &Graph, energy: NodeId) -> Result<Exact, Obstacle
         Some(degree) if degree > QUADRATIC => Err(Obstacle::Degree(degree)),
         Some(_) if graph.reads_time(energy) => Err(Obstacle::Time),
         Some(_) if graph.multiplies_sums(energy) => Err(Obstacle::ProductOfSums),
-        Some(_) => Ok(Exact::Quadratic),
+        Some(_) => Ok(Exact::Quadratic(energy)),
         None => Err(Obstacle::NoPolynomial),
     }
 }
@@ -161,7 +161,7 @@ mod tests {
         let mut graph = Graph::default();
         let [x, y, px, _] = coordinates(&mut graph);
         let turning = graph.mul(x, px);
-        assert_eq!(quadratic(&graph, turning), Ok(Exact::Quadratic));
+        assert_eq!(quadratic(&graph, turning), Ok(Exact::Quadratic(turning)));
         let cubic = graph.mul(turning, y);
         assert_eq!(quadratic(&graph, cubic), Err(Obstacle::Degree(3)));
         let root = graph.root(turning);

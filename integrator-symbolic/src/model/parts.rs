@@ -4,6 +4,7 @@ use super::{
     Called, Reader,
     factors::factors,
     own_flow::own_flow,
+    parameter_text::Texts,
     shape::{Shape, WholeSignature, lone_part, signature, usual_name, whole_signature},
 };
 use crate::{
@@ -138,7 +139,13 @@ impl<'i> Reader<'i> {
                     let factors = factors(parameters[id.0 as usize].text.clone());
                     factors.into_iter().map(|(text, exponent)| (text.to_string(), exponent)).collect()
                 };
-                self.graph.exact(energy, &extents, &factors_of)
+                match self.graph.exact(energy, &extents, &factors_of) {
+                    Err(obstacles) if obstacles.last() == Some(&Obstacle::ProductOfSums) => {
+                        let mut texts = Texts::new(&mut self.parameters, &mut self.running);
+                        self.graph.with_own_loops(energy, &mut texts).map(Exact::Quadratic).ok_or(obstacles)
+                    }
+                    judged => judged,
+                }
             }
         };
         match judged {

@@ -4,11 +4,11 @@
 //! Expressions are written in a normal form: sums and products as sorted lists, signs outside. Equal forms are equal
 //! expressions; some equal expressions have different forms, and count as different.
 
-use super::{Parameters, rename::Renaming};
 use crate::graph::{
     Comparison, Element, Graph, Node, NodeId, ParameterId,
     function::{Function, Parity},
     index::{IndexId, LoopId},
+    rename::{Parameters, Renaming},
 };
 use std::collections::HashMap;
 

@@ -1,6 +1,6 @@
 //! Functions whose arguments are bodies: coordinates as arrays, and the prepared constants of a body as another array.
 
-use super::{parameter_text::Texts, stores};
+use super::stores;
 use crate::{
     differentiate::{Contribution, fold_branches},
     emit::printer::{
@@ -9,9 +9,12 @@ use crate::{
         frame::{Bodies, Frame},
         function::Lines,
     },
-    graph::{Element, Node, NodeId, Scope, index::LoopId},
-    model::Model,
-    pairs::{Renaming, rename},
+    graph::{
+        Element, Node, NodeId, Scope,
+        index::LoopId,
+        rename::{Renaming, rename},
+    },
+    model::{Model, Texts},
     program::{Sink, Store, is_direct},
 };
 use proc_macro2::{Ident, Literal, TokenStream};
@@ -36,7 +39,7 @@ impl Constants {
 
     /// The place of what is prepared for the index of a loop.
     fn place(&mut self, model: &mut Model, id: NodeId, by: LoopId) -> Option<usize> {
-        let mut texts = Texts::new(&mut model.parameters, &model.running);
+        let mut texts = Texts::new(&mut model.parameters, &mut model.running);
         let renaming = Renaming::one(by, self.bodies);
         let node = rename(&mut model.graph, id, renaming, &mut texts)?;
         let known = self.nodes.iter().position(|known| *known == node);

@@ -1,14 +1,15 @@
 //! Bodies that move in Jacobi coordinates: the judgement, and what is written of the map and the Kepler parts.
 
-use super::{pairs::ManyBody, parameter_text::Texts};
+use super::pairs::ManyBody;
 use crate::{
     emit::printer::{block::Emitter, fields::Fields, function::Body, names::Names},
     graph::{
         Part,
         index::{Index, Loop, LoopSet},
+        rename::{Renaming, rename},
     },
-    model::{Jacobi, Model, Shape},
-    pairs::{Pairs, Renaming, attraction, inverse_mass, pairs, per_body, rename},
+    model::{Jacobi, Model, Shape, Texts},
+    pairs::{Pairs, attraction, inverse_mass, pairs, per_body},
     syntax::{Coordinates, Input},
 };
 use proc_macro2::{Ident, Literal, TokenStream};

@@ -12,7 +12,6 @@ pub(crate) mod jacobi;
 pub(super) mod kepler;
 pub(super) mod lattice;
 pub(super) mod pairs;
-pub(super) mod parameter_text;
 pub(super) mod pieces;
 pub(super) mod quadratic;
 pub(super) mod transformed;
@@ -235,7 +234,7 @@ impl Flow {
             Exact::Own => Self::own(emitter, number, own.clone()),
             Exact::OfMomenta => Self::by(emitter, energy, Part::Momentum),
             Exact::OfPositions => Self::by(emitter, energy, Part::Position),
-            Exact::Quadratic => quadratic::flow(emitter, number, energy),
+            Exact::Quadratic(form) => quadratic::flow(emitter, number, *form),
             Exact::Kepler(orbits) => {
                 let orbits = orbits.clone();
                 kepler::flow(emitter, &orbits)

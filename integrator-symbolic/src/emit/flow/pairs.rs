@@ -1,10 +1,7 @@
 //! Systems of bodies that act on each other in pairs: what moves a body, and what one body does to another. The loops
 //! over bodies and pairs are the runtime's.
 
-use super::{
-    bodies::{Constants, OfBodies},
-    parameter_text::Texts,
-};
+use super::bodies::{Constants, OfBodies};
 use crate::{
     differentiate::{Contribution, fold_branches},
     emit::printer::{
@@ -13,7 +10,7 @@ use crate::{
         names::Names,
     },
     graph::{NodeId, Part, Scope, index::LoopId},
-    model::Model,
+    model::{Model, Texts},
     pairs::{Pairs, pairs, per_body, pull},
     program::{Sink, is_direct},
 };

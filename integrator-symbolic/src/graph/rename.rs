@@ -1,10 +1,19 @@
 //! Renaming of indices in expressions.
 
-use super::Parameters;
-use crate::graph::{
-    Element, Graph, Node, NodeId,
+use super::{
+    Element, Graph, Node, NodeId, ParameterId,
     index::{Index, IndexId, LoopId},
 };
+
+/// The texts behind parameters.
+pub(crate) trait Parameters {
+    /// The parameter that the user would have written with other indices; `None` where the text does not show it.
+    fn rename(&mut self, graph: &mut Graph, id: ParameterId, renaming: Renaming) -> Option<ParameterId>;
+    /// The parameters that a product is made of, each with its exponent; a parameter itself where it is no product.
+    fn factors(&mut self, graph: &mut Graph, id: ParameterId) -> Vec<(ParameterId, i32)>;
+    /// Calls the index of a new loop nearly as that of another one.
+    fn name(&mut self, new: LoopId, like: LoopId);
+}
 
 /// A simultaneous replacement of loops' indices, each by that of another loop.
 #[derive(Clone, Copy, Debug)]
@@ -32,7 +41,7 @@ impl Renaming {
     }
 
     /// An integer expression for the other indices.
-    pub(super) fn index(self, graph: &mut Graph, id: IndexId) -> IndexId {
+    pub(crate) fn index(self, graph: &mut Graph, id: IndexId) -> IndexId {
         let known = graph.loops.index(id);
         let index = match (known, known.operands()) {
             (Index::Running(by), _) => Index::Running(self.of(by)),

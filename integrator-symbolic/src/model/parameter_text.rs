@@ -1,20 +1,19 @@
 //! The user's expressions of parameters, rewritten for other indices.
 
-use crate::{
-    graph::{
-        Graph, ParameterId,
-        index::{LoopId, LoopSet},
-    },
-    model::{Parameter, factors::factors},
-    pairs::{Parameters, Renaming},
+use super::{Parameter, factors::factors};
+use crate::graph::{
+    Graph, ParameterId,
+    index::{LoopId, LoopSet},
+    rename::{Parameters, Renaming},
 };
 use proc_macro2::{Delimiter, Group, Ident, TokenStream, TokenTree};
+use quote::format_ident;
 use std::collections::HashMap;
 
 /// The texts of a model, and what the indices in them are called.
 pub(crate) struct Texts<'m> {
     parameters: &'m mut Vec<Parameter>,
-    running: &'m HashMap<LoopId, Ident>,
+    running: &'m mut HashMap<LoopId, Ident>,
     /// The parameters by the loops whose indices they mention, and by their text; filled when first asked for.
     known: HashMap<(LoopSet, String), ParameterId>,
 }
@@ -41,10 +40,20 @@ impl Parameters for Texts<'_> {
         };
         factors.into_iter().map(&mut of).collect()
     }
+
+    fn name(&mut self, new: LoopId, like: LoopId) {
+        let base = self.running.get(&like).cloned().unwrap_or_else(|| format_ident!("k"));
+        let is_taken = |name: &Ident| {
+            let mut texts = self.parameters.iter().map(|parameter| &parameter.text);
+            self.running.values().any(|known| known == name) || texts.any(|text| mentions(text, name))
+        };
+        let free = (2_u32..).map(|count| format_ident!("{base}_{count}")).find(|name| !is_taken(name));
+        self.running.insert(new, free.unwrap_or(base));
+    }
 }
 
 impl<'m> Texts<'m> {
-    pub(crate) fn new(parameters: &'m mut Vec<Parameter>, running: &'m HashMap<LoopId, Ident>) -> Self {
+    pub(crate) fn new(parameters: &'m mut Vec<Parameter>, running: &'m mut HashMap<LoopId, Ident>) -> Self {
         Self { parameters, running, known: HashMap::new() }
     }
 
