@@ -202,11 +202,11 @@ impl Canvas {
         crate::svg::text(self)
     }
 
-    /// The picture as PNG.
+    /// The picture as PNG, of so many times the size.
     #[must_use]
-    pub fn png(&self) -> Vec<u8> {
-        let [width, height] = [self.size.0, self.size.1];
-        crate::png::encoded((width, height), &crate::raster::pixels(self))
+    pub fn png(&self, times: u32) -> Vec<u8> {
+        let times = times.max(1);
+        crate::png::encoded((times * self.size.0, times * self.size.1), &crate::raster::pixels(self, times))
     }
 }
 

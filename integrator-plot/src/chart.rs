@@ -180,7 +180,8 @@ impl Chart {
         self
     }
 
-    /// Writes the chart as the ending of the name says, `.png` or `.svg`, and the folder if there is none.
+    /// Writes the chart as the ending of the name says, `.png` or `.svg`, and the folder if there is none. A PNG has
+    /// twice as many pixels each way as the picture, so that it is sharp in print.
     ///
     /// # Errors
     /// Another ending, or a file that cannot be written.

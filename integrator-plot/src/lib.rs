@@ -1,6 +1,39 @@
-//! Pictures of runs, each as SVG and as PNG. For the eye alone: nothing in `integrator-core` knows of it.
+//! Pictures of runs, as SVG and as PNG. For the eye alone: nothing in `integrator-core` knows of it.
 //!
-//! A chart is put together call by call:
+//! Of samples of a run, in one line each: [`energy`] and [`energies`], [`phase`], [`orbit`], [`section`], and [`map`] of anything
+//! that was computed for the points of a plane. Each is a [`Chart`], to which titles, axes and further series can be
+//! added, and which is saved as SVG or PNG.
+//!
+//! ```
+//! use integrator_core::prelude::*;
+//! use integrator_plot as plot;
+//!
+//! struct Pendulum;
+//!
+//! #[hamiltonian(compose = Yoshida4)]
+//! impl Pendulum {
+//!     fn kinetic(&self, p: [f64; 1]) -> f64 {
+//!         0.5 * p[0] * p[0]
+//!     }
+//!     fn potential(&self, q: [f64; 1]) -> f64 {
+//!         -q[0].cos()
+//!     }
+//! }
+//!
+//! # fn main() -> Result<(), Box<dyn std::error::Error>> {
+//! let run = Pendulum.run(Phase::new([2.0], [0.0]), 0.1)?;
+//! let samples = run.samples(1).take(500).collect::<Result<Vec<_>, _>>()?;
+//! # let folder = std::env::temp_dir().join(format!("integrator-plot-doc-{}", std::process::id()));
+//! # std::fs::create_dir_all(&folder)?;
+//! # std::env::set_current_dir(&folder)?;
+//! plot::energy(&samples).save("energy.png")?;
+//! plot::phase(&samples).title("A swing of two radians").save("phase.svg")?;
+//! # std::fs::remove_dir_all(folder)?;
+//! # Ok(())
+//! # }
+//! ```
+//!
+//! Anything else is put together call by call:
 //!
 //! ```no_run
 //! use integrator_plot::{Axis, Chart, Panels, write};
@@ -23,6 +56,7 @@
 //!
 //! | module | holds |
 //! |---|---|
+//! | `runs` | pictures of runs, one line each |
 //! | `picture` | what is written as files: anything that is a [`Picture`] |
 //! | `chart`, `panels` | curves and points over two axes, and several of these charts in rows |
 //! | `series`, `field` | what is drawn in a chart: lines, dots, clouds, filled outlines; colours over a plane |
@@ -47,6 +81,7 @@ mod path;
 mod picture;
 mod png;
 mod raster;
+mod runs;
 mod series;
 mod svg;
 mod text;
@@ -59,6 +94,7 @@ pub use colour::Colour;
 pub use frame::{Frame, Margins, Room};
 pub use panels::Panels;
 pub use picture::{Outcome, Picture, SaveError, head, write};
+pub use runs::{energies, energy, map, orbit, phase, phase_of, section, section_of};
 pub use series::{DASHES, Mark};
 pub use text::{Font, bold, font};
 
@@ -67,5 +103,14 @@ pub use text::{Font, bold, font};
 fn drawn(picture: &impl Picture) -> (String, Vec<u8>) {
     let mut canvas = Canvas::new(picture.size()).expect("fonts");
     picture.draw(&mut canvas);
-    (canvas.svg(), canvas.png())
+    (canvas.svg(), canvas.png(1))
+}
+
+/// The programs of the README and of the page on pictures.
+#[cfg(doctest)]
+mod pages {
+    #[doc = include_str!("../README.md")]
+    struct Readme;
+    #[doc = include_str!("../../docs/pictures.md")]
+    struct Pictures;
 }

@@ -60,7 +60,8 @@ impl Panels {
         self
     }
 
-    /// Writes the panels as the ending of the name says, `.png` or `.svg`, and the folder if there is none.
+    /// Writes the panels as the ending of the name says, `.png` or `.svg`, and the folder if there is none. A PNG has
+    /// twice as many pixels each way as the picture, so that it is sharp in print.
     ///
     /// # Errors
     /// Another ending, or a file that cannot be written.

@@ -53,12 +53,19 @@ impl Error for SaveError {
     }
 }
 
+/// Pixels of a PNG each way for one of the picture, so that it is sharp in print.
+const SHARP: u32 = 2;
+
 /// Writes one file, of the kind that its name says.
 pub(crate) fn save(file: &Path, picture: &impl Picture) -> Result<(), SaveError> {
+    save_magnified(file, picture, SHARP)
+}
+
+fn save_magnified(file: &Path, picture: &impl Picture, times: u32) -> Result<(), SaveError> {
     let ending = file.extension().and_then(|ending| ending.to_str()).unwrap_or_default().to_ascii_lowercase();
-    let encode: fn(&Canvas) -> Vec<u8> = match ending.as_str() {
+    let encode: fn(&Canvas, u32) -> Vec<u8> = match ending.as_str() {
         "png" => Canvas::png,
-        "svg" => |canvas| canvas.svg().into_bytes(),
+        "svg" => |canvas, _| canvas.svg().into_bytes(),
         _ => return Err(SaveError::Ending(file.to_owned())),
     };
     if let Some(folder) = file.parent() {
@@ -66,16 +73,16 @@ pub(crate) fn save(file: &Path, picture: &impl Picture) -> Result<(), SaveError>
     }
     let mut canvas = Canvas::new(picture.size()).map_err(SaveError::Fonts)?;
     picture.draw(&mut canvas);
-    fs::write(file, encode(&canvas)).map_err(|error| SaveError::Write(file.to_owned(), error))
+    fs::write(file, encode(&canvas, times)).map_err(|error| SaveError::Write(file.to_owned(), error))
 }
 
-/// Writes `<file>.svg` and `<file>.png`, and the folder if there is none.
+/// Writes `<file>.svg` and `<file>.png`, and the folder if there is none. The PNG has as many pixels as the picture.
 ///
 /// # Errors
 /// If a file cannot be written.
 pub fn write(file: &Path, picture: &impl Picture) -> Outcome {
-    save(&file.with_extension("svg"), picture)?;
-    Ok(save(&file.with_extension("png"), picture)?)
+    save_magnified(&file.with_extension("svg"), picture, 1)?;
+    Ok(save_magnified(&file.with_extension("png"), picture, 1)?)
 }
 
 /// The title, and under it a claim: what is better, or what there is to see. Returns where what is below begins.
@@ -99,7 +106,12 @@ mod tests {
         chart.save(folder.join("again.PNG")).expect("a file");
         let read = |name: &str| fs::read(folder.join(name)).expect("a file");
         assert!(read("inside/line.svg").starts_with(b"<svg "));
-        assert!(read("inside/line.png").starts_with(b"\x89PNG") && read("inside/line.png") == read("again.PNG"));
+        // After the signature of a PNG and the name of its first part come width and height.
+        let size = |name: &str| {
+            [16, 20].map(|at| read(name)[at..at + 4].iter().fold(0, |side, byte| side << 8 | u32::from(*byte)))
+        };
+        assert!(read("inside/line.png").starts_with(b"\x89PNG"));
+        assert_eq!((size("inside/line.png"), size("again.PNG")), ([1000, 640], [2000, 1280]));
         let refused = chart.save(folder.join("line.pdf")).expect_err("a refusal").to_string();
         assert!(refused.ends_with("line.pdf: a picture ends in .png or .svg"), "{refused}");
         let blocked =

@@ -3,29 +3,34 @@
 use crate::{
     canvas::{self, Canvas, Place, Shape},
     colour::Colour,
+    text::Font,
 };
 use zeno::{Cap, Command, Fill, Join, Mask, PathBuilder, Point, Stroke, Style};
 
-/// Three bytes for each pixel, row after row.
-pub(crate) fn pixels(canvas: &Canvas) -> Vec<u8> {
-    let size = [canvas.size.0 as usize, canvas.size.1 as usize];
+/// Three bytes for each pixel, row after row, of so many times the size.
+pub(crate) fn pixels(canvas: &Canvas, times: u32) -> Vec<u8> {
+    let size = [canvas.size.0, canvas.size.1].map(|length| (length * times) as usize);
+    let times = f64::from(times);
+    let place = |(x, y): Place| (times * x, times * y);
+    let places = |places: &[Place]| places.iter().map(|at| place(*at)).collect::<Vec<_>>();
     let mut sheet = Sheet { size, pixels: vec![255; 3 * size[0] * size[1]] };
     for shape in &canvas.shapes {
         match shape {
-            Shape::Line { points, stroke } => sheet.line(points, stroke),
+            Shape::Line { points, stroke } => sheet.line(&places(points), stroke, times),
             Shape::Filled { corners, colour, opacity } => {
-                sheet.cover(&path(corners, true), Fill::NonZero.into(), *colour, *opacity);
+                sheet.cover(&path(&places(corners), true), Fill::NonZero.into(), *colour, *opacity);
             }
             Shape::Disc { centre, radius, colour } => {
                 let mut circle = Vec::new();
-                circle.add_circle(point(*centre), *radius as f32);
+                circle.add_circle(point(place(*centre)), (times * radius) as f32);
                 sheet.cover(&circle, Fill::NonZero.into(), *colour, 1.0);
             }
             Shape::Text { text, at, font } => {
-                let outlines = canvas.typefaces.outlines(text, font, *at);
+                let larger = Font { size: times * font.size, ..*font };
+                let outlines = canvas.typefaces.outlines(text, &larger, place(*at));
                 sheet.cover(&outlines, Fill::NonZero.into(), font.colour, 1.0);
             }
-            Shape::Bitmap { at, size, columns, bytes } => sheet.enlarge(*at, *size, *columns, bytes),
+            Shape::Bitmap { at, size, columns, bytes } => sheet.enlarge(place(*at), place(*size), *columns, bytes),
         }
     }
     sheet.pixels
@@ -89,12 +94,13 @@ impl Sheet {
 
     /// Draws a line. Its chunks overlap in round ends, and a pixel takes the most that any of them covers of it, so that
     /// nothing is seen of them.
-    fn line(&mut self, points: &[Place], stroke: &canvas::Stroke) {
+    fn line(&mut self, points: &[Place], stroke: &canvas::Stroke, times: f64) {
+        let dashes: Vec<f32> = stroke.dashes.iter().map(|dash| times as f32 * dash).collect();
         let style = |first: bool, last: bool, length: f64| {
             let cap = |outer: bool| if outer { Cap::Butt } else { Cap::Round };
-            let caps = if stroke.dashes.is_empty() { [cap(first), cap(last)] } else { [Cap::Butt; 2] };
-            let mut style = Stroke::new(stroke.width as f32);
-            style.join(Join::Round).caps(caps[0], caps[1]).dash(stroke.dashes, length as f32);
+            let caps = if dashes.is_empty() { [cap(first), cap(last)] } else { [Cap::Butt; 2] };
+            let mut style = Stroke::new((times * stroke.width) as f32);
+            style.join(Join::Round).caps(caps[0], caps[1]).dash(&dashes, length as f32);
             style
         };
         if points.len() <= CHUNK {
@@ -112,7 +118,7 @@ impl Sheet {
             }
             // Where dashes stand goes on from chunk to chunk, and need not be known beyond their own length.
             length += chunk.windows(2).map(|ends| (ends[1].0 - ends[0].0).hypot(ends[1].1 - ends[0].1)).sum::<f64>();
-            let period = f64::from(stroke.dashes.iter().sum::<f32>());
+            let period = f64::from(dashes.iter().sum::<f32>());
             if period > 0.0 {
                 length %= period;
             }
@@ -183,7 +189,7 @@ mod tests {
     fn drawn(draw: impl FnOnce(&mut Canvas)) -> Vec<u8> {
         let mut canvas = Canvas::new((20, 20)).expect("fonts");
         draw(&mut canvas);
-        pixels(&canvas).chunks(3).map(|pixel| pixel[0]).collect()
+        pixels(&canvas, 1).chunks(3).map(|pixel| pixel[0]).collect()
     }
 
     #[test]
@@ -238,6 +244,22 @@ mod tests {
             pixels.iter().filter(|red| **red < 255).count(),
             pixels.iter().enumerate().filter(|(i, red)| **red < 255 && i % 20 < 5 && i / 20 > 13).count()
         );
+    }
+
+    /// Twice the size is the same picture: the mean of four pixels is one of those before, up to the edges of shapes.
+    #[test]
+    fn a_magnified_picture_is_the_same_picture() {
+        let mut canvas = Canvas::new((20, 20)).expect("fonts");
+        canvas.line([(2.0, 3.0), (18.0, 12.0)], Stroke::new(BLACK, 2.0).dashed(&[4.0, 3.0]));
+        canvas.text("a", (3.0, 17.0), font(12.0));
+        canvas.bitmap((12.0, 13.0), (4.0, 4.0), 1, vec![0, 0, 0]);
+        let (once, twice) = (pixels(&canvas, 1), pixels(&canvas, 2));
+        assert_eq!(twice.len(), 4 * once.len());
+        for (place, red) in once.chunks(3).map(|pixel| pixel[0]).enumerate() {
+            let (x, y) = (2 * (place % 20), 2 * (place / 20));
+            let four = [(0, 0), (1, 0), (0, 1), (1, 1)].map(|(dx, dy)| u16::from(twice[3 * ((y + dy) * 40 + x + dx)]));
+            assert!((four.iter().sum::<u16>() / 4).abs_diff(red.into()) < 20, "{place}: {four:?} and {red}");
+        }
     }
 
     #[test]
