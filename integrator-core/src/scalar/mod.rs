@@ -4,7 +4,6 @@
 pub(crate) mod bounded;
 #[allow(unreachable_pub, reason = "named in bounds, never outside")]
 pub(crate) mod double_double;
-#[cfg(feature = "check")]
 pub(crate) mod dual;
 #[cfg_attr(feature = "std", allow(dead_code, unreachable_pub, reason = "users need it where there is no std"))]
 pub(crate) mod elementary;
