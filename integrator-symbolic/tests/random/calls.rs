@@ -86,6 +86,9 @@ impl Machine<'_> {
             return Self::of_flow(kind, last, &arguments);
         }
         match (before, last, &arguments[..]) {
+            // Where constants are prepared, what flows compute in is `f64`.
+            ("f64", "of", [value @ Value::Number(_)]) => Ok(value.clone()),
+            ("slice", "from_mut", [value]) => Ok(Value::list([value.clone()])),
             ("Mask", "of", [Value::Bool(holds)]) => Ok(Value::Mask(*holds)),
             (_, "Some", [value]) => Ok(Value::Option(Some(Rc::new(value.clone())))),
             ("f64", "from", [Value::Bool(truth)]) => Ok(Value::plain(f64::from(u8::from(*truth)))),
@@ -203,6 +206,10 @@ impl Machine<'_> {
             };
         }
         let arguments = self.all(call.args.iter())?;
+        if let Value::Told = &receiver {
+            self.told.push((name, arguments));
+            return Ok(Value::Unit);
+        }
         let is_self = matches!(&*call.receiver, Expr::Path(path) if path.path.is_ident("self"));
         if is_self {
             return match self.functions.get(&name).copied() {

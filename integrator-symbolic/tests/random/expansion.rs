@@ -59,6 +59,11 @@ impl Expansion {
         function(self.implementation("Hamiltonian", "")?, name)
     }
 
+    /// What tells the runtime the derivatives of the part with this number, where that is a quadratic form.
+    pub(crate) fn derivatives(&self, part: usize) -> Option<&ImplItemFn> {
+        function(self.implementation("QuadraticPart", &part.to_string())?, "derivatives")
+    }
+
     /// What tells prepared constants the middle of a step, where conditions on the time alone are read.
     pub(crate) fn begin_step(&self) -> Option<&ImplItemFn> {
         function(self.implementation("Prepared", "")?, "begin_step")

@@ -39,6 +39,8 @@ pub(crate) enum Fault {
     Panics,
     Energy,
     Force,
+    /// A coefficient that the runtime is told of a part that it solves.
+    Solved,
     /// The generated text is no Rust, or was not taught to the interpreter.
     Text,
 }

@@ -27,6 +27,8 @@ pub(crate) struct Machine<'t> {
     pub(crate) is_generated: bool,
     /// How many expressions may still be evaluated.
     pub(crate) budget: usize,
+    /// What the runtime was told: names of methods, with the arguments.
+    pub(crate) told: Vec<(String, Vec<Value>)>,
 }
 
 /// How many expressions an evaluation may take: no generated system needs as many.
@@ -36,8 +38,17 @@ impl<'t> Machine<'t> {
     pub(crate) fn new(functions: impl IntoIterator<Item = &'t ImplItemFn>) -> Self {
         let functions = functions.into_iter().map(|function| (function.sig.ident.to_string(), function)).collect();
         let (structs, names) = (HashMap::new(), Vec::new());
-        let driven = Driven::default();
-        Self { functions, structs, names, driven, expected: None, on_edge: false, is_generated: false, budget: BUDGET }
+        Self {
+            functions,
+            structs,
+            names,
+            driven: Driven::default(),
+            expected: None,
+            on_edge: false,
+            is_generated: false,
+            budget: BUDGET,
+            told: Vec::new(),
+        }
     }
 
     /// Calls a function in names of its own; `self` is seen everywhere.

@@ -136,6 +136,8 @@ pub(crate) enum Value {
     Closure(Rc<Closure>),
     /// A function that is passed by its path.
     Path(String),
+    /// Something of the runtime that is told numbers: what is called on it is noted by the machine.
+    Told,
     /// What is around a site of a lattice.
     Site(Rc<crate::drivers::Site>),
 }
@@ -182,6 +184,7 @@ impl Value {
             Self::Option(_) => "an option",
             Self::Struct(_) => "a struct",
             Self::Closure(_) | Self::Path(_) => "a function",
+            Self::Told => "something of the runtime",
             Self::Site(_) => "a site",
         }
     }

@@ -168,12 +168,16 @@ impl Writer {
         // Both of a pair for certain, so that no term that is added makes a shear of it.
         let (i, j, c) = (self.degree(), self.degree(), self.coefficient());
         terms.push(format!("0.5 * (p[{i}] * p[{i}] + 7.3 * q[{i}] * q[{i}])"));
-        let sum = self.choices.below(5);
+        let sum = self.choices.below(7);
         terms.extend(match sum {
             0 => Some(format!("(1..{n}).map(|j| {c} * (q[j] - q[j - 1]).powi(2)).sum::<f64>()")),
             1 => Some(format!("q.iter().zip(p.iter()).map(|(x, y)| {c} * x * y).sum::<f64>()")),
             2 => Some(format!(
                 "{{ let mut e = 0.0; for i in 0..{n} {{ for j in 0..{n} {{ e += {c} * q[i] * p[j]; }} }} e }}"
+            )),
+            3 => Some(format!("{{ let s: f64 = (0..{n}).map(|j| {c} * (q[j] - p[j])).sum(); s * s }}")),
+            4 => Some(format!(
+                "{{ let s: f64 = q.iter().sum(); (0..{n}).map(|j| (q[j] - {c} * s + self.m[j] * p[j]).powi(2)).sum::<f64>() }}"
             )),
             _ => None,
         });

@@ -1,9 +1,10 @@
 //! Random systems in named parts: a part has the flow that it was written to have, and none where one term is in the way.
 //!
 //! What is derived of them is held against the user's own functions by the interpreter: the energies of the first part and
-//! of the others, and the field of the whole.
+//! of the others, the field of the whole, and what the runtime is told of the parts that it solves.
 
 mod grammar;
+mod solved;
 
 use crate::{
     bounded::Bounded,
@@ -13,7 +14,7 @@ use crate::{
     seeds,
     value::{Outcome, Stop, Value},
 };
-use grammar::{FLOWS, Split};
+use grammar::{FLOWS, Flow, Split};
 use proc_macro2::TokenStream;
 use std::rc::Rc;
 use syn::{FnArg, ImplItemFn, ItemImpl, Pat};
@@ -30,10 +31,14 @@ impl Split {
         syn::parse_str(&self.item).unwrap_or_else(|error| panic!("{error} in {}", self.item))
     }
 
+    fn output(&self) -> TokenStream {
+        let arguments: TokenStream = format!("split = {}", self.parts.join(" + ")).parse().expect("names");
+        integrator_symbolic::hamiltonian(arguments, self.item.parse().expect("an impl"))
+    }
+
     /// What the macro writes, or its message.
     fn expansion(&self) -> Result<Expansion, String> {
-        let arguments: TokenStream = format!("split = {}", self.parts.join(" + ")).parse().expect("names");
-        Expansion::read(integrator_symbolic::hamiltonian(arguments, self.item.parse().expect("an impl")))
+        Expansion::read(self.output())
     }
 
     fn judge(&self, expansion: &Expansion) -> Verdict {
@@ -54,34 +59,18 @@ impl Split {
         if let (Some(said), Some(field)) = (said.field, field) {
             verdict.compare(Fault::Force, "field", &said, field, false);
         }
+        self.judge_solved(&methods, expansion, &mut verdict);
         verdict
     }
 
     /// What the parts are as they stand, with derivatives carried forward.
     fn said_by_functions(&self, methods: &[&ImplItemFn]) -> Outcome<Said> {
-        let mut machine = machine(methods, &self.case);
-        let half: usize = self.case.state[0].iter().map(Vec::len).sum();
-        let coordinates = |part: usize| {
-            let mut place = part * half;
-            self.case.shaped(&self.case.state[part], |value| {
-                place += 1;
-                Number::coordinate(value, place - 1, 2 * half).into()
-            })
-        };
         let mut energies = [Number::plain(0.0), Number::plain(0.0)];
         for (number, part) in self.parts.iter().enumerate() {
-            let function = machine.functions[*part];
-            let halves = function.sig.inputs.iter().filter_map(|argument| match argument {
-                FnArg::Typed(typed) => match &*typed.pat {
-                    Pat::Ident(name) => Some(coordinates(usize::from(name.ident == "p"))),
-                    _ => None,
-                },
-                FnArg::Receiver(_) => None,
-            });
-            let energy = machine.call(function, halves.collect())?.number()?.clone();
             let sum = &mut energies[usize::from(number > 0)];
-            *sum = sum.add(&energy);
+            *sum = sum.add(&self.part_at(methods, part, &self.case.state)?);
         }
+        let half = self.degrees();
         let whole = energies[0].add(&energies[1]);
         let field = (0..2 * half).map(|place| match place.checked_sub(half) {
             Some(position) => -whole.tangent(position),
@@ -89,6 +78,33 @@ impl Split {
         });
         let field = Some(field.collect());
         Ok(Said { energies: energies.map(|energy| energy.main), field })
+    }
+
+    /// How many positions there are.
+    fn degrees(&self) -> usize {
+        self.case.state[0].iter().map(Vec::len).sum()
+    }
+
+    /// A part as it stands, with derivatives carried forward, at some positions and momenta.
+    fn part_at(&self, methods: &[&ImplItemFn], part: &str, state: &[Vec<Vec<f64>>; 2]) -> Outcome<Number> {
+        let mut machine = machine(methods, &self.case);
+        let half = self.degrees();
+        let coordinates = |part: usize| {
+            let mut place = part * half;
+            self.case.shaped(&state[part], |value| {
+                place += 1;
+                Number::coordinate(value, place - 1, 2 * half).into()
+            })
+        };
+        let function = machine.functions[part];
+        let halves = function.sig.inputs.iter().filter_map(|argument| match argument {
+            FnArg::Typed(typed) => match &*typed.pat {
+                Pat::Ident(name) => Some(coordinates(usize::from(name.ident == "p"))),
+                _ => None,
+            },
+            FnArg::Receiver(_) => None,
+        });
+        Ok(machine.call(function, halves.collect())?.number()?.clone())
     }
 
     /// What the generated text is.
@@ -157,14 +173,40 @@ fn parts_that_miss_a_flow_by_a_term_are_refused() {
 #[test]
 fn another_coefficient_is_found() {
     for seed in 0..20 {
-        let split = grammar::split(seed, grammar::Flow::Quadratic, false);
+        let split = grammar::split(seed, Flow::Quadratic, false);
         let item = split.item.replace("7.3 *", "7.300001 *");
         assert_ne!(item, split.item);
         let other = Split { item, parts: split.parts.clone(), case: split.case.clone() };
         let expansion = other.expansion().unwrap_or_else(|message| panic!("{message}\n{}", other.item));
         let faults = split.judge(&expansion).faults;
-        for fault in [Fault::Energy, Fault::Force] {
+        for fault in [Fault::Energy, Fault::Force, Fault::Solved] {
             assert!(faults.iter().any(|(found, _)| *found == fault), "{fault:?} of {seed} is not found: {faults:?}");
         }
+    }
+}
+
+#[test]
+fn what_the_runtime_is_told_wrongly_is_found_though_energies_and_field_are_right() {
+    let wrong = [
+        (Flow::Quadratic, "form . qq", "form . pp", Fault::Solved),
+        (Flow::Quadratic, "form . pp", "form . qp", Fault::Solved),
+        (Flow::Kepler, "[& mut motion . q", "[& mut motion . p", Fault::Text),
+        (Flow::Kepler, "Scalar :: of (1.0) , duration", "Scalar :: of (1.5) , duration", Fault::Solved),
+    ];
+    for (flow, from, to, fault) in wrong {
+        let mut changed = 0;
+        for seed in 0..10 {
+            let split = grammar::split(seed, flow, false);
+            let output = split.output().to_string();
+            let other = output.replace(from, to);
+            let expansion = Expansion::read(other.parse().expect("tokens")).expect("the same but for a word");
+            let faults = split.judge(&expansion).faults;
+            changed += usize::from(output != other);
+            let mut found: Vec<_> = faults.iter().map(|(fault, _)| *fault).collect();
+            found.dedup();
+            let expected = if output == other { vec![] } else { vec![fault] };
+            assert_eq!(found, expected, "{flow:?} {seed}, `{to}` for `{from}`: {faults:?}");
+        }
+        assert!(changed > 0, "`{from}` is nowhere");
     }
 }
