@@ -386,7 +386,7 @@ fn a_vector_that_is_lost_is_named_and_all_stay_at_the_last_step() {
     assert_eq!((tangent.steps(), tangent.vectors()), (0, vectors));
     // A pole that is met later, with several groups of vectors.
     let bodies = Phase::new([[0.0; 3], [1.0, 0.0, 0.0]], [[0.0; 3], [-1.0, 0.0, 0.0]]);
-    let mut tangent = Bodies::<2>.tangent(Verlet, bodies.clone(), directions(&bodies, 9), 0.25).expect("a start");
+    let mut tangent = Bodies::<2>.tangent(Verlet, bodies, directions(&bodies, 9), 0.25).expect("a start");
     let mut run = Bodies::<2>.run_with(Verlet, bodies, 0.25).expect("a start");
     let (error, of_run) = (tangent.advance(100), run.advance(100));
     assert_eq!((error, tangent.steps(), tangent.state()), (of_run, run.steps(), run.state()));

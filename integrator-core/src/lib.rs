@@ -49,6 +49,7 @@
 //! | what can go wrong | [`Error`] |
 //! | a run that outlives its program | `Run::checkpoint`, `Run::resume` (feature `checkpoint`) |
 //! | whether a stepper is what it claims to be | `check`, above all `certify` (feature `check`) |
+//! | whether an orbit is chaotic, and how fast neighbours leave it | `chaos` (feature `check`), [`Hamiltonian::tangent`] |
 //! | which composition is the cheapest, and with which step | `check::choose` (feature `check`) |
 //! | which splitting is the fastest, with which composition | `check::choose_among` (feature `check`) |
 //! | which machine code is run | [`InstructionSet`] |
@@ -78,6 +79,8 @@ compile_error!("elementary functions come from `std` or from `libm`: turn on one
 extern crate alloc;
 extern crate self as integrator_core;
 
+#[cfg(feature = "check")]
+pub mod chaos;
 #[cfg(feature = "check")]
 pub mod check;
 mod composition;

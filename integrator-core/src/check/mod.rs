@@ -28,6 +28,8 @@
 //! [`global_error()`] measures how far a run is from the exact motion, and how well that is known: no fault either,
 //! since every step has an error.
 //!
+//! [`monodromy()`] tells whether a periodic orbit is stable; the module [`chaos`](crate::chaos) is about all others.
+//!
 //! [`choose()`] measures too, but not whether a stepper is right: which of the right ones is the cheapest. [`choose_among()`]
 //! does so for several splittings of one Hamiltonian.
 //!
@@ -57,6 +59,7 @@ pub use property::energy::{EnergyDrift, energy_drift};
 pub use property::flow_laws::{FlowErrors, FlowLaw};
 pub use property::global_error::{GlobalError, global_error};
 pub use property::gradient::gradient_error;
+pub use property::monodromy::{Monodromy, Multiplier, monodromy};
 pub use property::order::{Order, observed_order};
 pub use property::reversibility::reversibility;
 pub use property::shadow::{Shadow, Shadowed, Terms, shadow};

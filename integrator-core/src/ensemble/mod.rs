@@ -36,8 +36,9 @@ use crate::{
     system::{energy::energy, motion::Prepared},
     trajectory::{
         admissible::{admissible_with, change},
-        dispatch::{Nothing, engine, motions, single},
+        dispatch::{Carried, Nothing, engine, motions, single},
         method::Method,
+        motions::{Constants, Motions},
         step_functions::Interleaved,
     },
 };
@@ -45,6 +46,25 @@ use std::{fmt, marker::PhantomData, sync::Arc};
 
 /// How many vector registers there are without AVX-512, which has 32.
 const REGISTERS: usize = if cfg!(target_arch = "x86_64") { 16 } else { 32 };
+
+/// An empty list of motions with members in their lanes, for the instruction set of this machine.
+pub(crate) fn in_lanes<H, X, K, V>(constants: Constants<X::Constants>) -> Box<dyn Motions>
+where
+    H: Hamiltonian,
+    X: Method<H>,
+    K: LaneScalars,
+    V: Carried,
+{
+    match InstructionSet::chosen() {
+        InstructionSet::Baseline => {
+            motions::<H, X, V::In<<K as LaneScalars>::Plain>, K, Interleaved<REGISTERS>>(constants)
+        }
+        InstructionSet::Fused => {
+            motions::<H, X, V::In<<K as LaneScalars>::Fused>, K, Interleaved<REGISTERS>>(constants)
+        }
+        InstructionSet::Avx512 => motions::<H, X, V::In<<K as LaneScalars>::Avx512>, K, Interleaved<32>>(constants),
+    }
+}
 
 /// Trajectories of one kind of system under way together; parameters may differ from member to member.
 ///
@@ -99,13 +119,7 @@ impl<C: Coords> Ensemble<C> {
         }
         let constants = Arc::new(constants);
         let single = single::<H, X, K, Nothing>(constants.clone());
-        let lanes = match InstructionSet::chosen() {
-            InstructionSet::Baseline => {
-                motions::<H, X, <K as LaneScalars>::Plain, K, Interleaved<REGISTERS>>(constants)
-            }
-            InstructionSet::Fused => motions::<H, X, <K as LaneScalars>::Fused, K, Interleaved<REGISTERS>>(constants),
-            InstructionSet::Avx512 => motions::<H, X, <K as LaneScalars>::Avx512, K, Interleaved<32>>(constants),
-        };
+        let lanes = in_lanes::<H, X, K, Nothing>(constants);
         let starts = Starts {
             states: &|member| &states[member],
             alike: &|a, b| {

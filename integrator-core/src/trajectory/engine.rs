@@ -147,8 +147,10 @@ impl Engine {
 
     /// Goes on with a state in the coordinates of the motion, and what it carries beside.
     pub(crate) fn resume_own(&mut self, lanes: &[&dyn Point]) {
-        let mut motions = self.motions.none(1);
-        motions.push_own(&lanes.iter().map(|point| (0, *point)).collect::<Vec<_>>());
+        let mut motions = self.motions.none(self.motions.count());
+        for lanes in lanes.chunks(motions.lanes()) {
+            motions.push_own(&lanes.iter().map(|point| (0, *point)).collect::<Vec<_>>());
+        }
         motions.share_among(self.threads);
         self.motions = motions;
         self.completed_at = None;

@@ -85,7 +85,9 @@ where
 {
     /// How many motions a group has.
     pub(crate) const TOGETHER: usize = {
-        let numbers = 2 * size_of::<<Shaped<H, K> as Coords>::Slots<R>>() / size_of::<R>();
+        // A number with its derivatives fills as many registers.
+        let registers = R::LANES / R::MEMBERS;
+        let numbers = 2 * size_of::<<Shaped<H, K> as Coords>::Slots<R>>() / size_of::<R>() * registers;
         let fitting = match FOR_STATE.checked_div(numbers) {
             Some(fitting) => fitting,
             None => MOST,

@@ -56,14 +56,7 @@ impl<C: Coords> Tangent<C> {
         K: Precision,
         H::Coords: Coords<With<K> = C>,
     {
-        if K::REVERSIBLE {
-            return Err(Error::NoTangent { reason: "a state on a grid moves by whole spacings: take `Phase::new`" });
-        }
-        if H::COPIES {
-            let reason =
-                "steps by `split = symmetric` move two copies of the state: take `ImplicitMidpoint` and `split = none`";
-            return Err(Error::NoTangent { reason });
-        }
+        refused::<H, K>()?;
         admissible_with::<H, _>(method, &start, h)?;
         check(&start, &vectors)?;
         let one = vectors.len() == 1;
@@ -227,6 +220,19 @@ impl<C: Coords> Tangent<C> {
             .collect()
     }
 
+    /// One of the vectors.
+    #[cfg(feature = "check")]
+    pub(crate) fn vector(&self, vector: usize) -> Phase<C> {
+        let (run, lane) = self.place(vector);
+        run.lane(lane)
+    }
+
+    /// Counts the powers of two from here on.
+    #[cfg(feature = "check")]
+    pub(crate) fn reset_exponents(&mut self) {
+        self.exponents.fill(0);
+    }
+
     /// The powers of two that the vectors are to be multiplied by.
     pub fn exponents(&self) -> &[i64] {
         &self.exponents
@@ -246,6 +252,22 @@ impl<C: Coords> fmt::Debug for Tangent<C> {
         tangent.field("run", &self.runs[0]).field("vectors", &self.vectors()).field("exponents", &self.exponents);
         tangent.finish()
     }
+}
+
+/// Whether steps of a system in a precision have no derivatives, or more of them than a state tells.
+///
+/// # Errors
+/// [`Error::NoTangent`]
+pub(crate) fn refused<H: Hamiltonian, K: Precision>() -> Result<(), Error> {
+    if K::REVERSIBLE {
+        return Err(Error::NoTangent { reason: "a state on a grid moves by whole spacings: take `Phase::new`" });
+    }
+    if H::COPIES {
+        let reason =
+            "steps by `split = symmetric` move two copies of the state: take `split = none` and `GaussLegendre4`";
+        return Err(Error::NoTangent { reason });
+    }
+    Ok(())
 }
 
 fn begin<H, X, K, V>(
@@ -300,12 +322,13 @@ fn of_vector<C: Coords>(run: &Run<C>, first: usize, error: Error) -> Error {
     }
 }
 
-fn numbers<C: Coords>(point: &Phase<C>) -> impl Iterator<Item = f64> {
+/// The numbers of a point, positions first.
+pub(crate) fn numbers<C: Coords>(point: &Phase<C>) -> impl Iterator<Item = f64> + Clone {
     point.q.flat().iter().chain(point.p.flat()).map(|leaf| leaf.to_f64())
 }
 
 /// The power of two just below the largest component; nought, where all are zero.
-fn exponent<C: Coords>(vector: &Phase<C>) -> i32 {
+pub(crate) fn exponent<C: Coords>(vector: &Phase<C>) -> i32 {
     match numbers(vector).fold(0.0, |largest: f64, number| largest.max(number.abs())) {
         0.0 => 0,
         // The exponent as it is stored; where it has no room for one, the largest or the least.
@@ -320,20 +343,34 @@ const MANTISSA: u32 = f64::MANTISSA_DIGITS - 1;
 const BIAS: i32 = f64::MAX_EXP - 1;
 
 /// A power of two, whose exponent is that of some vector.
-fn power_of_two(exponent: i32) -> f64 {
+pub(crate) fn power_of_two(exponent: i32) -> f64 {
     f64::from_bits(((exponent + BIAS) as u64) << MANTISSA)
 }
 
 /// The exponent of vectors that are far from one: so far from the ends of the numbers that the squares of components
 /// stay finite, and that no growth within 64 steps leads there.
-fn far_from_one<K: Precision>() -> i32 {
+pub(crate) fn far_from_one<K: Precision>() -> i32 {
     if K::EPSILON < f64::from(f32::EPSILON) { 256 } else { 32 }
 }
 
-fn scaled<C: Coords>(vector: &Phase<C>, factor: f64) -> Phase<C> {
+/// A vector times a number.
+pub(crate) fn scaled<C: Coords>(vector: &Phase<C>, factor: f64) -> Phase<C> {
     let mut scaled = vector.clone();
     for leaf in scaled.q.flat_mut().iter_mut().chain(scaled.p.flat_mut()) {
         *leaf = C::Leaf::from_parts(leaf.parts().map(|part| part * factor));
     }
     scaled
+}
+
+/// The unit vectors in the shape of a point, positions first.
+#[cfg(feature = "check")]
+pub(crate) fn unit_vectors<C: Coords>(like: &Phase<C>) -> Vec<Phase<C>> {
+    let unit = |number: usize| {
+        let mut unit = like.clone();
+        for (place, leaf) in unit.q.flat_mut().iter_mut().chain(unit.p.flat_mut()).enumerate() {
+            *leaf = C::Leaf::from_parts([f64::from(u8::from(place == number)), 0.0]);
+        }
+        unit
+    };
+    (0..2 * like.q.flat().len()).map(unit).collect()
 }

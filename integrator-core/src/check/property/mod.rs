@@ -6,6 +6,7 @@ pub(crate) mod flow_laws;
 pub(crate) mod global_error;
 pub(crate) mod gradient;
 pub(crate) mod local_order;
+pub(crate) mod monodromy;
 pub(crate) mod order;
 pub(crate) mod part_flows;
 pub(crate) mod reversibility;

@@ -1,0 +1,192 @@
+//! The growth of a deviation vector, and the angles between several, as they are sampled along an orbit.
+
+use crate::{
+    chaos::{Indicator, Verdict},
+    state::{coords::Coords, phase::Phase},
+    trajectory::tangent::numbers,
+};
+use nalgebra::DMatrix;
+use std::f64::consts::LN_2;
+
+/// The most steps between two samples: no vector grows out of the numbers meanwhile.
+const SPARSEST: u64 = 64;
+
+/// How many samples an orbit has, where these are not sparser than [`SPARSEST`]. The integral of a logarithm that swings
+/// is off by its amplitude over the root of their number.
+const SAMPLES: u64 = 128;
+
+/// The number of steps between two samples of an orbit.
+pub(super) fn steps_between_samples(steps: u64) -> u64 {
+    steps.div_ceil(SAMPLES).clamp(1, SPARSEST)
+}
+
+/// What the lengths of one vector tell: sums over samples, whatever their distance in time.
+#[derive(Clone, Debug)]
+pub(super) struct Growth {
+    first: f64,
+    last: f64,
+    highest: f64,
+    /// The time since the start.
+    time: f64,
+    /// The integral of `t d ln|v|`.
+    weighted: f64,
+    /// MEGNO, and its integral over time.
+    megno: f64,
+    over_time: f64,
+}
+
+impl Growth {
+    /// A vector at the start with this logarithm of its length.
+    pub(super) fn new(logarithm: f64) -> Self {
+        let (first, last, highest) = (logarithm, logarithm, logarithm);
+        Self { first, last, highest, time: 0.0, weighted: 0.0, megno: 0.0, over_time: 0.0 }
+    }
+
+    /// The vector after a time since the start.
+    ///
+    /// MEGNO is `Y(t) = 2/t ∫ s d ln|v(s)|` (Cincotta and Simó 2000, Astron. Astrophys. Suppl. 147, 205), by trapezoids.
+    pub(super) fn sample(&mut self, time: f64, logarithm: f64) {
+        // Backwards in time the integral and the time have the same sign.
+        self.weighted += (time + self.time) / 2.0 * (logarithm - self.last);
+        let megno = 2.0 * self.weighted / time;
+        self.over_time += (megno + self.megno) / 2.0 * (time - self.time);
+        self.highest = self.highest.max(logarithm);
+        (self.megno, self.time, self.last) = (megno, time, logarithm);
+    }
+
+    /// The largest exponent as far as the orbit tells: the mean rate of growth.
+    pub(super) fn exponent(&self) -> f64 {
+        (self.last - self.first) / self.time.abs()
+    }
+
+    pub(super) fn megno(&self) -> f64 {
+        self.megno
+    }
+
+    /// The mean of MEGNO over time.
+    pub(super) fn mean_megno(&self) -> f64 {
+        self.over_time / self.time
+    }
+
+    /// The fast Lyapunov indicator: the largest logarithm of the length so far, over that of the start (Froeschlé, Lega
+    /// and Gonczi 1997, Celest. Mech. Dyn. Astron. 67, 41).
+    pub(super) fn fli(&self) -> f64 {
+        self.highest - self.first
+    }
+
+    /// The time since the start.
+    pub(super) fn time(&self) -> f64 {
+        self.time
+    }
+
+    pub(super) fn verdict(&self) -> Verdict {
+        match self.mean_megno() {
+            mean if mean < REGULAR_BELOW => Verdict::Regular,
+            mean if mean > CHAOTIC_ABOVE => Verdict::Chaotic,
+            _ => Verdict::Undecided,
+        }
+    }
+
+    /// An indicator that one vector tells.
+    pub(super) fn indicator(&self, indicator: Indicator) -> f64 {
+        match indicator {
+            Indicator::Megno => self.mean_megno(),
+            Indicator::Exponent => self.exponent(),
+            Indicator::Fli => self.fli(),
+        }
+    }
+}
+
+/// The mean MEGNO tends to 2 on quasiperiodic orbits, from below or in waves of about a tenth, and to less on stable
+/// periodic ones; on chaotic ones it grows like half of the exponent times the time.
+pub(super) const REGULAR_BELOW: f64 = 2.5;
+pub(super) const CHAOTIC_ABOVE: f64 = 4.0;
+
+/// The logarithm of the length of a vector times a power of two. Where squares leave the numbers, the length is that of
+/// the vector over its largest number.
+pub(super) fn logarithm<C: Coords>(vector: &Phase<C>, exponent: i64) -> f64 {
+    let square: f64 = numbers(vector).map(|number| number * number).sum();
+    let logarithm = if square.is_normal() {
+        0.5 * square.ln()
+    } else {
+        let largest = numbers(vector).fold(0.0, |largest: f64, number| largest.max(number.abs()));
+        let square: f64 = numbers(vector).map(|number| (number / largest).powi(2)).sum();
+        largest.ln() + 0.5 * square.ln()
+    };
+    logarithm + exponent as f64 * LN_2
+}
+
+/// The vectors as columns of length one.
+fn directions<C: Coords>(vectors: &[Phase<C>]) -> DMatrix<f64> {
+    let rows = vectors.first().map_or(0, |vector| numbers(vector).count());
+    let columns = vectors.iter().flat_map(|vector| {
+        let largest = numbers(vector).fold(0.0, |largest: f64, number| largest.max(number.abs()));
+        numbers(vector).map(move |number| number / largest)
+    });
+    let mut directions = DMatrix::from_iterator(rows, vectors.len(), columns);
+    for mut column in directions.column_iter_mut() {
+        let length = column.norm();
+        column /= length;
+    }
+    directions
+}
+
+/// The generalised alignment indices of the first two, three, ... vectors: the volumes that their directions span
+/// (Skokos, Bountis and Antonopoulos 2007, Physica D 231, 30), by singular values, since determinants would cancel.
+pub(super) fn alignment_indices<C: Coords>(vectors: &[Phase<C>]) -> Vec<f64> {
+    let directions = directions(vectors);
+    let volume = |count: usize| directions.columns(0, count).singular_values().iter().product();
+    (2..=vectors.len()).map(volume).collect()
+}
+
+/// The smaller alignment index of two vectors: the shorter diagonal of their directions (Skokos 2001, J. Phys. A 34,
+/// 10029).
+pub(super) fn smaller_alignment_index<C: Coords>(vectors: &[Phase<C>]) -> f64 {
+    let directions = directions(vectors);
+    let (first, second) = (directions.column(0), directions.column(1));
+    (first + second).norm().min((first - second).norm())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scalar::tolerance::within;
+
+    #[test]
+    fn growth_at_a_constant_rate_and_in_proportion_to_time_is_told() {
+        let (mut exponential, mut linear) = (Growth::new(0.0), Growth::new(0.0));
+        for sample in 1..=4096 {
+            let time = f64::from(sample) / 8.0;
+            exponential.sample(time, 0.7 * time);
+            linear.sample(time, time.ln_1p());
+        }
+        // ∫ s·λ ds = λt²/2, so that Y = λt and its mean λt/2; trapezoids are exact here.
+        assert!(within(exponential.exponent() - 0.7, 1e-13));
+        assert!(within(exponential.megno() / (0.7 * 512.0) - 1.0, 1e-12));
+        assert!(within(exponential.mean_megno() / (0.35 * 512.0) - 1.0, 1e-12));
+        assert!(within(exponential.fli() - 0.7 * 512.0, 1e-10));
+        assert_eq!(exponential.verdict(), Verdict::Chaotic);
+        // ∫ s/(1+s) ds = t - ln(1+t); the trapezoids of an eighth are off by less than a hundredth of the last term.
+        let exact = 2.0 * (512.0 - 513.0_f64.ln()) / 512.0;
+        assert!(within(linear.megno() - exact, 1e-3), "{} is not {exact}", linear.megno());
+        assert_eq!(linear.verdict(), Verdict::Regular);
+    }
+
+    #[test]
+    fn aligned_vectors_span_nothing() {
+        let vector = |q: [f64; 2], p: [f64; 2]| Phase::new(q, p);
+        let right = [vector([3.0, 0.0], [0.0, 0.0]), vector([0.0, 0.0], [0.0, 1e200]), vector([0.0, 2.0], [0.0, 0.0])];
+        assert_eq!(alignment_indices(&right), [1.0, 1.0]);
+        assert!(within(smaller_alignment_index(&right) - 2.0_f64.sqrt(), 1e-15));
+        let near = [vector([1.0, 0.0], [0.0, 0.0]), vector([-1.0, 1e-12], [0.0, 0.0])];
+        // Directions are rounded by an ulp of one, their difference by as much.
+        assert!(within(alignment_indices(&near)[0] - 1e-12, 1e-15));
+        assert!(within(smaller_alignment_index(&near) - 1e-12, 1e-15));
+    }
+
+    #[test]
+    fn lengths_beyond_the_squares_of_numbers_have_logarithms() {
+        let long = Phase::new([3e300, 0.0], [0.0, 4e300]);
+        assert!(within(logarithm(&long, 10) - (5e300_f64.ln() + 10.0 * LN_2), 1e-12));
+    }
+}

@@ -1,0 +1,161 @@
+//! Indicators of chaos along one orbit.
+
+use crate::{
+    chaos::growth::{
+        CHAOTIC_ABOVE, Growth, REGULAR_BELOW, alignment_indices, logarithm, smaller_alignment_index,
+        steps_between_samples,
+    },
+    check::{CheckError, Start},
+    hamiltonian::{Hamiltonian, Shaped},
+    state::{coords::Coords, phase::Phase, precision::Precision},
+    trajectory::{method::Memoryless, tangent::Tangent},
+};
+use core::fmt;
+
+/// Whether an orbit is regular.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Verdict {
+    /// Its neighbours leave it in proportion to time.
+    Regular,
+    /// They leave it exponentially.
+    Chaotic,
+    /// The orbit was not followed long enough to tell.
+    Undecided,
+}
+
+/// What deviation vectors tell of an orbit. Displays the verdict and its reason.
+#[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
+pub struct Indicators {
+    /// The mean rate at which a deviation vector grew: the largest exponent, as far as the orbit tells. On regular orbits
+    /// it falls like `ln t / t`.
+    pub exponent: f64,
+    /// MEGNO at the end: it swings about 2 on quasiperiodic orbits and is about the exponent times the time on chaotic
+    /// ones.
+    pub megno: f64,
+    /// Its mean over time, which tends to 2 on quasiperiodic orbits and is about half of that on chaotic ones.
+    pub mean_megno: f64,
+    /// The fast Lyapunov indicator: the largest logarithm of the length of the vector, over that at the start.
+    pub fli: f64,
+    /// The smaller alignment index: of the order of one on regular orbits of two and more degrees of freedom, and
+    /// exponentially small on chaotic ones.
+    pub sali: f64,
+    /// The generalised alignment indices of two, three, ... vectors, at most of four and of as many as there are directions.
+    pub gali: Vec<f64>,
+    /// For how long the orbit was followed.
+    pub time: f64,
+    /// What the mean of MEGNO says.
+    pub verdict: Verdict,
+}
+
+impl fmt::Display for Indicators {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { mean_megno, exponent, time, .. } = self;
+        match self.verdict {
+            Verdict::Regular => {
+                write!(f, "regular: the mean MEGNO is {mean_megno:.3} after a time of {time}, below {REGULAR_BELOW}")
+            }
+            Verdict::Chaotic => write!(
+                f,
+                "chaotic: the mean MEGNO is {mean_megno:.1} after a time of {time}, above {CHAOTIC_ABOVE}; neighbours leave at a rate of {exponent:.3e}"
+            ),
+            Verdict::Undecided => write!(
+                f,
+                "undecided: the mean MEGNO is {mean_megno:.3} after a time of {time}, and 2 is regular, more than {CHAOTIC_ABOVE} chaotic: follow the orbit for longer"
+            ),
+        }
+    }
+}
+
+/// Indicators of the orbit from `start`, of `steps` steps of `h`.
+///
+/// Two to four deviation vectors go with the orbit. They are sampled about a hundred times, and every 64 steps at
+/// least.
+///
+/// ```
+/// use integrator_core::{chaos::{self, Verdict}, check::CheckError, prelude::*};
+///
+/// struct HenonHeiles;
+///
+/// #[hamiltonian]
+/// impl HenonHeiles {
+///     fn kinetic(&self, [px, py]: [f64; 2]) -> f64 {
+///         (px * px + py * py) / 2.0
+///     }
+///     fn potential(&self, [x, y]: [f64; 2]) -> f64 {
+///         (x * x + y * y) / 2.0 + x * x * y - y.powi(3) / 3.0
+///     }
+/// }
+///
+/// // A start on the section x = 0 with an energy of 1/8.
+/// let at = |y: f64, py: f64| {
+///     let potential = y * y / 2.0 - y.powi(3) / 3.0;
+///     Phase::new([0.0, y], [(2.0 * (0.125 - potential) - py * py).sqrt(), py])
+/// };
+/// let regular = chaos::indicators(&HenonHeiles, BlanesMoanSrkn11, at(0.55, 0.0), 0.2, 20_000)?;
+/// let chaotic = chaos::indicators(&HenonHeiles, BlanesMoanSrkn11, at(-0.25, 0.0), 0.2, 20_000)?;
+/// assert_eq!((regular.verdict, chaotic.verdict), (Verdict::Regular, Verdict::Chaotic));
+/// println!("{chaotic}");
+/// # Ok::<(), CheckError>(())
+/// ```
+///
+/// # Errors
+/// A start or a step that no run would begin with; a run that leaves the finite numbers, or a vector of it;
+/// [`CheckError::TooFewSteps`].
+pub fn indicators<H: Hamiltonian, X: Memoryless<H>, K: Precision>(
+    system: &H,
+    method: X,
+    start: impl Into<Start<Shaped<H, K>>>,
+    h: f64,
+    steps: u64,
+) -> Result<Indicators, CheckError> {
+    let Start { phase, time } = start.into();
+    let count = (2 * phase.q.flat().len()).min(MOST);
+    let vectors = generic_directions(&phase, count);
+    let tangent = Tangent::start::<H, X, K>(system, method, phase, vectors, h)?.at_time(time);
+    of_tangent(tangent, steps)
+}
+
+/// The number of vectors that cost about as much as one.
+const MOST: usize = 4;
+
+/// The least number of steps that tells anything.
+pub(super) const LEAST: u64 = 16;
+
+fn of_tangent<C: Coords>(mut tangent: Tangent<C>, steps: u64) -> Result<Indicators, CheckError> {
+    if steps < LEAST {
+        return Err(CheckError::TooFewSteps { steps, needed: LEAST });
+    }
+    let begin = tangent.time();
+    let length = |tangent: &Tangent<C>| logarithm(&tangent.vector(0), tangent.exponents()[0]);
+    let mut growth = Growth::new(length(&tangent));
+    let every = steps_between_samples(steps);
+    while tangent.steps() < steps {
+        tangent.advance(every.min(steps - tangent.steps()))?;
+        growth.sample(tangent.time() - begin, length(&tangent));
+    }
+    let vectors = tangent.vectors();
+    Ok(Indicators {
+        exponent: growth.exponent(),
+        megno: growth.megno(),
+        mean_megno: growth.mean_megno(),
+        fli: growth.fli(),
+        sali: smaller_alignment_index(&vectors),
+        gali: alignment_indices(&vectors),
+        time: growth.time(),
+        verdict: growth.verdict(),
+    })
+}
+
+/// Directions that no symmetry of a system knows: sines at distances that no two coordinates share.
+pub(super) fn generic_directions<C: Coords>(like: &Phase<C>, count: usize) -> Vec<Phase<C>> {
+    let direction = |vector: usize| {
+        let mut direction = like.clone();
+        for (place, leaf) in direction.q.flat_mut().iter_mut().chain(direction.p.flat_mut()).enumerate() {
+            let angle = 1.0 + (vector as f64 + 1.0) * (0.7 + std::f64::consts::SQRT_2 * place as f64);
+            *leaf = C::Leaf::from_parts([angle.sin(), 0.0]);
+        }
+        direction
+    };
+    (0..count).map(direction).collect()
+}

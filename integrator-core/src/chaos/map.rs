@@ -1,0 +1,222 @@
+//! One indicator of many orbits of a system, side by side in lanes and on threads.
+
+use crate::{
+    chaos::{
+        growth::{Growth, logarithm, steps_between_samples},
+        indicators::{LEAST, generic_directions},
+    },
+    check::CheckError,
+    ensemble::{in_lanes, lane_scalars::LaneScalars},
+    error::Error,
+    hamiltonian::{Hamiltonian, Shaped},
+    layout::threads::{Job, all_threads, at_once},
+    state::{clock::Clock, coords::Coords, phase::Phase, point::Point},
+    trajectory::{
+        admissible::admissible_with,
+        dispatch::Deviations,
+        engine::Engine,
+        method::Memoryless,
+        motions::Motions,
+        tangent::{exponent, far_from_one, power_of_two, refused, scaled},
+    },
+};
+use std::sync::{Arc, Mutex, PoisonError};
+
+/// What a map shows of each orbit.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Indicator {
+    /// The mean of MEGNO: 2 on regular orbits, larger on chaotic ones.
+    Megno,
+    /// The largest exponent, as far as the orbit tells.
+    Exponent,
+    /// The fast Lyapunov indicator.
+    Fli,
+}
+
+/// An indicator of the orbit from each of the starts, in their order: of `steps` steps of `h`, from time 0.
+///
+/// An orbit that leaves the finite numbers, or whose deviation vector does, has the indicator that it had before. The
+/// others have the bits that they have alone, whoever shares their lanes, on any number of threads.
+///
+/// # Errors
+/// [`Error::Member`], naming the first start that no run would begin with; [`CheckError::TooFewSteps`].
+pub fn map<H, X, K>(
+    system: &H,
+    method: X,
+    starts: impl IntoIterator<Item = Phase<Shaped<H, K>>>,
+    h: f64,
+    steps: u64,
+    indicator: Indicator,
+) -> Result<Vec<f64>, CheckError>
+where
+    H: Hamiltonian,
+    X: Memoryless<H>,
+    K: LaneScalars,
+{
+    if steps < LEAST {
+        return Err(CheckError::TooFewSteps { steps, needed: LEAST });
+    }
+    let starts: Vec<_> = starts.into_iter().collect();
+    for (member, start) in starts.iter().enumerate() {
+        let checked = refused::<H, K>().and_then(|()| admissible_with::<H, _>(method, start, h));
+        let checked = checked.and_then(|()| system.admissible(start.q.length()));
+        checked.map_err(|error| Error::Member { member, error: Box::new(error) })?;
+    }
+    let clock = Clock { t0: 0.0, h, steps: 0 };
+    clock.end(steps)?;
+    let mut indicators = vec![f64::NAN; starts.len()];
+    // Constants may depend on the number of bodies: starts of different sizes do not share them.
+    let mut lengths: Vec<_> = starts.iter().map(|start| start.q.length()).collect();
+    lengths.sort_unstable();
+    lengths.dedup();
+    for length in lengths {
+        let members: Vec<_> = (0..starts.len()).filter(|member| starts[*member].q.length() == length).collect();
+        let constants = Arc::new(vec![method.constants(Arc::new(system.parameters(length)))]);
+        let like = in_lanes::<H, X, K, Deviations<1>>(constants);
+        let together = like.lanes() * like.together() / LANES_OF_ORBIT;
+        let follow = |members: &[usize]| {
+            let starts = members.iter().map(|member| starts[*member].clone()).collect();
+            Batch::new(&*like, starts).follow(clock, steps, indicator)
+        };
+        for (member, value) in side_by_side(&members, together, &follow) {
+            indicators[member] = value;
+        }
+    }
+    Ok(indicators)
+}
+
+/// The lanes of an orbit: its state, and one vector.
+const LANES_OF_ORBIT: usize = 2;
+
+/// The values of all members, so many at once, on all threads. Whoever is free takes the next ones; no value depends on
+/// who that is.
+fn side_by_side(
+    members: &[usize],
+    together: usize,
+    follow: &(dyn Fn(&[usize]) -> Vec<f64> + Sync),
+) -> Vec<(usize, f64)> {
+    let batches = Mutex::new(members.chunks(together));
+    let next = || batches.lock().unwrap_or_else(PoisonError::into_inner).next();
+    let found = Mutex::new(Vec::with_capacity(members.len()));
+    let work = || {
+        while let Some(batch) = next() {
+            let values = follow(batch);
+            let mut found = found.lock().unwrap_or_else(PoisonError::into_inner);
+            found.extend(batch.iter().copied().zip(values));
+        }
+    };
+    let threads = all_threads().min(members.len().div_ceil(together));
+    at_once((0..threads).map(|_| Box::new(work) as Job<'_>).collect());
+    found.into_inner().unwrap_or_else(PoisonError::into_inner)
+}
+
+/// Orbits in the lanes of one motion.
+struct Batch<C: Coords> {
+    engine: Engine,
+    orbits: Vec<Orbit>,
+    shape: Phase<C>,
+}
+
+/// One of them.
+struct Orbit {
+    growth: Growth,
+    /// The power of two by which its vector was divided.
+    exponent: i64,
+    /// Whether it left the finite numbers, and another orbit goes on in its lanes.
+    lost: bool,
+}
+
+impl<C: Coords> Batch<C> {
+    /// The orbits from some starts; there is one at least.
+    fn new(like: &dyn Motions, starts: Vec<Phase<C>>) -> Self {
+        let vectors: Vec<_> = starts.iter().flat_map(|start| generic_directions(start, 1)).collect();
+        let orbit = |vector| Orbit { growth: Growth::new(logarithm(vector, 0)), exponent: 0, lost: false };
+        let orbits = vectors.iter().map(orbit).collect();
+        let lanes: Vec<_> = starts.into_iter().zip(vectors).flat_map(|(start, vector)| [start, vector]).collect();
+        Self {
+            engine: Engine::single(like, all_lanes(&lanes, like.lanes() * like.together())),
+            orbits,
+            shape: lanes[0].clone(),
+        }
+    }
+
+    /// What an indicator is after so many steps.
+    fn follow(mut self, mut clock: Clock, steps: u64, indicator: Indicator) -> Vec<f64> {
+        let every = steps_between_samples(steps);
+        while clock.steps < steps && self.orbits.iter().any(|orbit| !orbit.lost) {
+            let end = (clock.steps + every).min(steps);
+            while clock.steps < end {
+                let mut taken = 0;
+                self.engine.advance(clock, end - clock.steps, &mut taken);
+                clock.steps += taken;
+                if clock.steps < end && !self.replace_lost() {
+                    break;
+                }
+            }
+            self.sample(clock);
+        }
+        self.orbits.iter().map(|orbit| orbit.growth.indicator(indicator)).collect()
+    }
+
+    /// Reads all vectors, and divides those by powers of two that are far from one.
+    fn sample(&mut self, clock: Clock) {
+        let mut vector = self.shape.clone();
+        let mut exponents = vec![0; self.orbits.len()];
+        for (number, orbit) in self.orbits.iter_mut().enumerate().filter(|(_, orbit)| !orbit.lost) {
+            self.engine.lane(clock, LANES_OF_ORBIT * number + 1, &mut vector);
+            orbit.growth.sample(clock.at(clock.steps), logarithm(&vector, orbit.exponent));
+            exponents[number] = exponent(&vector);
+        }
+        if exponents.iter().any(|exponent| exponent.abs() >= far_from_one::<C::Leaf>()) {
+            let mut lanes = self.lanes();
+            for (number, exponent) in exponents.into_iter().enumerate() {
+                let vector = &mut lanes[LANES_OF_ORBIT * number + 1];
+                *vector = scaled(vector, power_of_two(-exponent));
+                self.orbits[number].exponent += i64::from(exponent);
+            }
+            self.go_on(&lanes);
+        }
+    }
+
+    /// Lets an orbit that goes on take the lanes of those that cannot take the next step; `false`, if there is none.
+    fn replace_lost(&mut self) -> bool {
+        let mut point = self.shape.clone();
+        for (number, orbit) in self.orbits.iter_mut().enumerate() {
+            for lane in LANES_OF_ORBIT * number..LANES_OF_ORBIT * (number + 1) {
+                self.engine.completed.store(lane, &mut point);
+                orbit.lost |= !point.is_finite();
+            }
+        }
+        let Some(goes_on) = self.orbits.iter().position(|orbit| !orbit.lost) else { return false };
+        let mut lanes = self.lanes();
+        for (number, _) in self.orbits.iter().enumerate().filter(|(_, orbit)| orbit.lost) {
+            for lane in 0..LANES_OF_ORBIT {
+                lanes[LANES_OF_ORBIT * number + lane] = lanes[LANES_OF_ORBIT * goes_on + lane].clone();
+            }
+        }
+        self.go_on(&lanes);
+        true
+    }
+
+    /// The lanes of all orbits in the middle of the step under way.
+    fn lanes(&self) -> Vec<Phase<C>> {
+        let lane = |lane| {
+            let mut point = self.shape.clone();
+            self.engine.motions.store_own(lane, &mut point);
+            point
+        };
+        (0..LANES_OF_ORBIT * self.orbits.len()).map(lane).collect()
+    }
+
+    fn go_on(&mut self, lanes: &[Phase<C>]) {
+        let motions = &self.engine.motions;
+        self.engine.resume_own(&all_lanes(lanes, motions.lanes() * motions.count()));
+    }
+}
+
+/// So many lanes, of which those behind the last orbit repeat it.
+fn all_lanes<C: Coords>(orbits: &[Phase<C>], count: usize) -> Vec<&dyn Point> {
+    let last = &orbits[orbits.len() - LANES_OF_ORBIT..];
+    let lanes = orbits.iter().chain(last.iter().cycle()).take(count);
+    lanes.map(|point| point as &dyn Point).collect()
+}

@@ -1,0 +1,169 @@
+//! All Lyapunov exponents of an orbit.
+
+use crate::{
+    chaos::indicators::LEAST,
+    check::{CheckError, Start},
+    hamiltonian::{Hamiltonian, Shaped},
+    state::{coords::Coords, phase::Phase, precision::Precision},
+    trajectory::{
+        method::Memoryless,
+        tangent::{Tangent, numbers, scaled, unit_vectors},
+    },
+};
+use nalgebra::DMatrix;
+use std::f64::consts::LN_2;
+
+/// Into so many spans an orbit is divided, whose exponents tell how well those of the whole are known.
+const SPANS: u64 = 16;
+
+/// By how much the logarithms of two vectors may differ when they are made orthogonal: so many digits the shorter one
+/// has lost.
+const MOST_APART: f64 = 8.0;
+
+/// The most steps between two times at which vectors are made orthogonal.
+const LONGEST: u64 = 64;
+
+/// The Lyapunov exponents of an orbit, by the method of Benettin and others (1980, Meccanica 15, 9 and 21).
+#[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
+pub struct Spectrum {
+    /// The exponents, the largest first: as many as there are positions and momenta.
+    pub exponents: Vec<f64>,
+    /// How well each is known: the standard error of its means over sixteen spans of the orbit, or what the second half
+    /// of the orbit changes, if that is more. On regular orbits exponents are zero and fall like `ln t / t`.
+    pub uncertainties: Vec<f64>,
+    /// For how long the orbit was followed.
+    pub time: f64,
+}
+
+impl Spectrum {
+    /// The sum of all exponents: zero for a symplectic method, up to rounding.
+    pub fn sum(&self) -> f64 {
+        self.exponents.iter().sum()
+    }
+
+    /// By how much exponents are not in pairs of opposite ones: the largest sum of such a pair. Zero for an orbit that
+    /// is followed for ever by a symplectic method.
+    pub fn pairing(&self) -> f64 {
+        let pairs = self.exponents.iter().zip(self.exponents.iter().rev());
+        pairs.map(|(large, small)| (large + small).abs()).fold(0.0, f64::max)
+    }
+}
+
+/// All Lyapunov exponents of the orbit from `start`, of `steps` steps of `h`.
+///
+/// As many deviation vectors as there are directions go with the orbit. They are made orthogonal, by QR decompositions,
+/// before the first has outgrown the last by a factor of some thousands, and every 64 steps at least.
+///
+/// # Errors
+/// A start or a step that no run would begin with; a run that leaves the finite numbers, or a vector of it;
+/// [`CheckError::TooFewSteps`].
+pub fn lyapunov_spectrum<H: Hamiltonian, X: Memoryless<H>, K: Precision>(
+    system: &H,
+    method: X,
+    start: impl Into<Start<Shaped<H, K>>>,
+    h: f64,
+    steps: u64,
+) -> Result<Spectrum, CheckError> {
+    let Start { phase, time } = start.into();
+    let vectors = unit_vectors(&phase);
+    let tangent = Tangent::start::<H, X, K>(system, method, phase, vectors, h)?.at_time(time);
+    of_tangent(tangent, steps)
+}
+
+fn of_tangent<C: Coords>(mut tangent: Tangent<C>, steps: u64) -> Result<Spectrum, CheckError> {
+    if steps < LEAST {
+        return Err(CheckError::TooFewSteps { steps, needed: LEAST });
+    }
+    let begin = tangent.time();
+    let count = tangent.exponents().len();
+    // The growth of each vector in each span.
+    let mut of_spans = Vec::new();
+    let mut every = 1;
+    for span in 1..=SPANS {
+        let (from, end) = (tangent.time(), (u128::from(steps) * u128::from(span) / u128::from(SPANS)) as u64);
+        let mut sums = vec![0.0; count];
+        while tangent.steps() < end {
+            let (before, portion) = (tangent.clone(), every.min(end - tangent.steps()));
+            tangent.advance(portion)?;
+            let triangle = triangle(&tangent);
+            let growths = growths(&triangle, tangent.exponents());
+            let apart = largest(&growths) - smallest(&growths);
+            if apart > MOST_APART && portion > 1 {
+                // The vectors are nearly one: again, with half of the steps.
+                (tangent, every) = (before, portion / 2);
+                continue;
+            }
+            if 4.0 * apart < MOST_APART {
+                every = (2 * every).min(LONGEST);
+            }
+            orthogonalize(&mut tangent, &triangle);
+            sums.iter_mut().zip(growths).for_each(|(sum, growth)| *sum += growth);
+        }
+        of_spans.push((tangent.time() - from, sums));
+    }
+    let time = tangent.time() - begin;
+    let mut known: Vec<_> = (0..count).map(|vector| exponent(&of_spans, vector)).collect();
+    known.sort_by(|a, b| b.0.total_cmp(&a.0));
+    let (exponents, uncertainties) = known.into_iter().unzip();
+    Ok(Spectrum { exponents, uncertainties, time })
+}
+
+fn largest(numbers: &[f64]) -> f64 {
+    numbers.iter().fold(f64::NEG_INFINITY, |largest, number| largest.max(*number))
+}
+
+fn smallest(numbers: &[f64]) -> f64 {
+    numbers.iter().fold(f64::INFINITY, |smallest, number| smallest.min(*number))
+}
+
+/// An exponent and how well it is known, from the growth of its vector in spans of these lengths.
+fn exponent(of_spans: &[(f64, Vec<f64>)], vector: usize) -> (f64, f64) {
+    let rate = |spans: &[(f64, Vec<f64>)]| {
+        let time: f64 = spans.iter().map(|(time, _)| time.abs()).sum();
+        spans.iter().map(|(_, sums)| sums[vector]).sum::<f64>() / time
+    };
+    let (mean, half) = (rate(of_spans), rate(&of_spans[..of_spans.len() / 2]));
+    let squares = of_spans.iter().map(|(time, sums)| (sums[vector] / time.abs() - mean).powi(2)).sum::<f64>();
+    let spans = of_spans.len() as f64;
+    let error = (squares / (spans * (spans - 1.0))).sqrt();
+    (mean, error.max((mean - half).abs()))
+}
+
+/// The triangular factor of the matrix whose columns are the vectors.
+fn triangle<C: Coords>(tangent: &Tangent<C>) -> DMatrix<f64> {
+    let vectors = tangent.vectors();
+    let rows = numbers(&vectors[0]).count();
+    DMatrix::from_iterator(rows, vectors.len(), vectors.iter().flat_map(numbers)).qr().r()
+}
+
+/// The logarithms of the lengths of what is new in each vector: orthogonal to those before it.
+fn growths(triangle: &DMatrix<f64>, exponents: &[i64]) -> Vec<f64> {
+    let growth = |(j, exponent): (usize, &i64)| triangle[(j, j)].abs().ln() + *exponent as f64 * LN_2;
+    exponents.iter().enumerate().map(growth).collect()
+}
+
+/// Makes the vectors orthogonal and of length one, in their order.
+fn orthogonalize<C: Coords>(tangent: &mut Tangent<C>, triangle: &DMatrix<f64>) {
+    // In the middle of a step vectors are a linear map of those at its end, so that the same combinations are taken.
+    tangent.change_vectors(|vectors| {
+        for j in 0..vectors.len() {
+            let (before, vector) = vectors.split_at_mut(j);
+            let vector = &mut vector[0];
+            for (i, other) in before.iter().enumerate() {
+                add(vector, -triangle[(i, j)], other);
+            }
+            *vector = scaled(vector, 1.0 / triangle[(j, j)]);
+        }
+    });
+    tangent.reset_exponents();
+}
+
+/// Adds a multiple of another vector.
+fn add<C: Coords>(vector: &mut Phase<C>, factor: f64, other: &Phase<C>) {
+    let leaves = vector.q.flat_mut().iter_mut().chain(vector.p.flat_mut());
+    for (leaf, other) in leaves.zip(other.q.flat().iter().chain(other.p.flat())) {
+        let ([value, carried], [of_other, carried_of_other]) = (leaf.parts(), other.parts());
+        *leaf = C::Leaf::from_parts([value + factor * of_other, carried + factor * carried_of_other]);
+    }
+}

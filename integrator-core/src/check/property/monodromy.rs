@@ -1,0 +1,132 @@
+//! The monodromy matrix of a periodic orbit: what one period makes of deviations.
+//!
+//! In: a system, a method, a start, a step, the number of steps of a period. Out: the derivative of these steps, its
+//! eigenvalues, and whether deviations stay small. Always true: the matrix is the derivative of the very steps that a run
+//! takes.
+
+use crate::{
+    check::{CheckError, start::Start},
+    hamiltonian::{Hamiltonian, Shaped},
+    state::{coords::Coords, phase::Phase, precision::Precision},
+    trajectory::{
+        method::Memoryless,
+        tangent::{Tangent, numbers, unit_vectors},
+    },
+};
+use core::fmt;
+use nalgebra::DMatrix;
+
+/// An eigenvalue of a monodromy matrix, a complex number.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Multiplier {
+    /// The real part.
+    pub re: f64,
+    /// The imaginary part.
+    pub im: f64,
+}
+
+impl Multiplier {
+    /// The absolute value.
+    pub fn norm(&self) -> f64 {
+        self.re.hypot(self.im)
+    }
+}
+
+/// What one period of an orbit makes of deviations. Displays the multipliers, the largest first, and the verdict.
+#[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
+pub struct Monodromy {
+    /// The rows of the derivative of the end of the period by its start: rows and columns are all of `q`, then all of `p`.
+    pub matrix: Vec<Vec<f64>>,
+    /// Its eigenvalues, the Floquet multipliers, the largest in absolute value first. With a multiplier its inverse is
+    /// one as well; on an orbit that is no equilibrium, one pair is 1 if H does not read the time.
+    pub multipliers: Vec<Multiplier>,
+    /// How well multipliers are known where two of them are one: the root of the rounding of the matrix.
+    pub uncertainty: f64,
+    /// The largest difference of a coordinate between the start and the end of the period. Where it is not small the orbit is
+    /// not periodic, and multipliers say nothing.
+    pub gap: f64,
+}
+
+impl Monodromy {
+    /// Whether deviations of first order stay bounded: no multiplier is outside of the unit circle, to the
+    /// [uncertainty](Self::uncertainty).
+    pub fn is_stable(&self) -> bool {
+        self.multipliers.iter().all(|multiplier| multiplier.norm() <= 1.0 + self.uncertainty)
+    }
+}
+
+impl fmt::Display for Monodromy {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(if self.is_stable() { "stable, multipliers" } else { "unstable, multipliers" })?;
+        for Multiplier { re, im } in &self.multipliers {
+            write!(f, " {re:.6}{im:+.6}i")?;
+        }
+        write!(f, " (known to {:.1e}), the orbit closes to {:.1e}", self.uncertainty, self.gap)
+    }
+}
+
+/// The monodromy matrix of the orbit from `start` whose period is `steps` steps of `h`, and its stability.
+///
+/// ```
+/// use integrator_core::{check::monodromy, prelude::*};
+/// use std::f64::consts::PI;
+///
+/// struct Pendulum;
+///
+/// #[hamiltonian]
+/// impl Pendulum {
+///     fn kinetic(&self, p: [f64; 1]) -> f64 { p[0] * p[0] / 2.0 }
+///     fn potential(&self, q: [f64; 1]) -> f64 { -q[0].cos() }
+/// }
+///
+/// // Its equilibria have any period.
+/// let below = monodromy(&Pendulum, Yoshida4, Phase::new([0.0], [0.0]), 0.01, 100)?;
+/// let above = monodromy(&Pendulum, Yoshida4, Phase::new([PI], [0.0]), 0.01, 100)?;
+/// assert!(below.is_stable() && !above.is_stable());
+/// assert!((above.multipliers[0].re - 1.0_f64.exp()).abs() < 1e-8);
+/// # Ok::<(), integrator_core::check::CheckError>(())
+/// ```
+///
+/// # Errors
+/// A start or a step that no run would begin with; a run that leaves the finite numbers, or a vector of it;
+/// [`CheckError::TooFewSteps`].
+pub fn monodromy<H: Hamiltonian, X: Memoryless<H>, K: Precision>(
+    system: &H,
+    method: X,
+    start: impl Into<Start<Shaped<H, K>>>,
+    h: f64,
+    steps: u64,
+) -> Result<Monodromy, CheckError> {
+    if steps == 0 {
+        return Err(CheckError::TooFewSteps { steps, needed: 1 });
+    }
+    let Start { phase, time } = start.into();
+    let vectors = unit_vectors(&phase);
+    let mut tangent = Tangent::start::<H, X, K>(system, method, phase.clone(), vectors, h)?.at_time(time);
+    tangent.advance(steps)?;
+    let power = |exponent: &i64| (*exponent as f64).exp2();
+    let columns = tangent.vectors();
+    let scaled = columns.iter().zip(tangent.exponents()).flat_map(|(column, exponent)| {
+        let power = power(exponent);
+        numbers(column).map(move |number| number * power)
+    });
+    let matrix = DMatrix::from_iterator(columns.len(), columns.len(), scaled);
+    let roundings = method.facts().roundings_in(steps);
+    Ok(of_matrix(matrix, roundings, gap(&phase, &tangent.state())))
+}
+
+fn gap<C: Coords>(start: &Phase<C>, end: &Phase<C>) -> f64 {
+    numbers(start).zip(numbers(end)).map(|(start, end)| (end - start).abs()).fold(0.0, f64::max)
+}
+
+fn of_matrix(matrix: DMatrix<f64>, roundings: f64, gap: f64) -> Monodromy {
+    let mut multipliers: Vec<_> =
+        matrix.complex_eigenvalues().iter().map(|number| Multiplier { re: number.re, im: number.im }).collect();
+    multipliers.sort_by(|a, b| b.norm().total_cmp(&a.norm()));
+    // The double multiplier of a matrix that is off by δ is off by the root of δ; every flow of the steps rounds the
+    // matrix once.
+    let uncertainty = (f64::EPSILON * roundings * matrix.norm()).sqrt();
+    let matrix = matrix.row_iter().map(|row| row.iter().copied().collect()).collect();
+    Monodromy { matrix, multipliers, uncertainty, gap }
+}

@@ -1,0 +1,225 @@
+//! Exponents and indicators of chaos against published numbers and closed forms.
+
+#[path = "support/instruction_sets.rs"]
+mod instruction_sets;
+
+use integrator_core::{
+    chaos::{self, Indicator, Spectrum, Verdict},
+    check::{CheckError, monodromy},
+    prelude::*,
+};
+use std::f64::consts::{PI, TAU};
+
+struct HenonHeiles;
+
+#[hamiltonian]
+impl HenonHeiles {
+    fn kinetic(&self, [px, py]: [f64; 2]) -> f64 {
+        (px * px + py * py) / 2.0
+    }
+    fn potential(&self, [x, y]: [f64; 2]) -> f64 {
+        (x * x + y * y) / 2.0 + x * x * y - y.powi(3) / 3.0
+    }
+}
+
+/// A start on the section x = 0 with an energy of 1/8.
+fn on_section(y: f64, py: f64) -> Phase<[f64; 2]> {
+    let square = 2.0 * (0.125 - y * y / 2.0 + y.powi(3) / 3.0) - py * py;
+    Phase::new([0.0, y], [square.sqrt(), py])
+}
+
+/// Chirikov's standard map, as a step of one unit of time: `p' = p + K sin q`, `q' = q + p'`.
+struct StandardMap {
+    strength: f64,
+}
+
+#[hamiltonian]
+impl StandardMap {
+    fn kinetic(&self, p: [f64; 1]) -> f64 {
+        p[0] * p[0] / 2.0
+    }
+    fn potential(&self, q: [f64; 1]) -> f64 {
+        self.strength * q[0].cos()
+    }
+}
+
+struct Oscillators;
+
+#[hamiltonian]
+impl Oscillators {
+    fn kinetic(&self, p: [f64; 2]) -> f64 {
+        (p[0] * p[0] + p[1] * p[1]) / 2.0
+    }
+    fn potential(&self, q: [f64; 2]) -> f64 {
+        (q[0] * q[0] + 2.0 * q[1] * q[1]) / 2.0
+    }
+}
+
+/// A saddle in one direction, a well in the other.
+struct Saddle;
+
+#[hamiltonian]
+impl Saddle {
+    fn kinetic(&self, p: [f64; 2]) -> f64 {
+        (p[0] * p[0] + p[1] * p[1]) / 2.0
+    }
+    fn potential(&self, q: [f64; 2]) -> f64 {
+        (q[1] * q[1] - 0.09 * q[0] * q[0]) / 2.0
+    }
+}
+
+#[test]
+fn the_galaxy_of_henon_and_heiles_has_the_orbits_that_are_published() {
+    // Skokos 2001, J. Phys. A 34, 10029, figures 5 and 6: a regular orbit and a chaotic one on the section x = 0 of the
+    // energy 1/8.
+    let regular =
+        chaos::indicators(&HenonHeiles, BlanesMoanSrkn11, on_section(0.55, 0.0), 0.2, 25_000).expect("an orbit");
+    let chaotic =
+        chaos::indicators(&HenonHeiles, BlanesMoanSrkn11, on_section(-0.016, 0.0), 0.2, 25_000).expect("an orbit");
+    assert_eq!((regular.verdict, chaotic.verdict), (Verdict::Regular, Verdict::Chaotic), "{regular}, {chaotic}");
+    // On a torus MEGNO swings about 2, exponents fall like ln t / t, and the smaller alignment index stays of order one;
+    // the volumes of three and four vectors fall like 1/t² and 1/t⁴ (Skokos, Bountis and Antonopoulos 2007).
+    assert!((regular.mean_megno - 2.0).abs() < 0.2, "{regular:?}");
+    assert!(regular.exponent < 2.0 * 5000.0_f64.ln() / 5000.0 && regular.sali > 1e-2, "{regular:?}");
+    let time = regular.time;
+    let scaled = [regular.gali[1] * time.powi(2), regular.gali[2] * time.powi(4)];
+    assert!((1.0..1e3).contains(&scaled[0]) && (1.0..1e6).contains(&scaled[1]), "{scaled:?}");
+    // The exponent at this energy is about 0.045; the alignment indices fall exponentially.
+    assert!((0.03..0.07).contains(&chaotic.exponent), "{chaotic:?}");
+    assert!(chaotic.sali < 1e-10 && chaotic.gali[0] < 1e-10, "{chaotic:?}");
+    assert!(chaotic.mean_megno > 20.0 && chaotic.fli > 100.0, "{chaotic:?}");
+    let text = [regular, chaotic].map(|indicators| indicators.to_string());
+    assert!(text[0].starts_with("regular: ") && text[1].starts_with("chaotic: "), "{text:?}");
+}
+
+#[test]
+fn the_standard_map_stretches_as_chirikov_says() {
+    // Chirikov 1979, Phys. Rep. 52, 263: the exponent of the chaotic sea is ln(K/2) for large K.
+    for strength in [5.0, 10.0] {
+        let map = StandardMap { strength };
+        let start = Phase::new([0.3], [0.4]);
+        let Spectrum { exponents, uncertainties, .. } =
+            chaos::lyapunov_spectrum(&map, Euler, start, 1.0, 30_000).expect("an orbit");
+        let asymptotic = (strength / 2.0).ln();
+        assert!((exponents[0] / asymptotic - 1.0).abs() < 0.1, "K = {strength}: {exponents:?}");
+        assert!(uncertainties[0] < 0.02, "K = {strength}: known to {uncertainties:?}");
+    }
+    // About the stable fixed point a circle, for a K below and above that of the last torus.
+    for strength in [0.6, 0.971635] {
+        let map = StandardMap { strength };
+        let regular = chaos::indicators(&map, Euler, Phase::new([PI + 0.3], [0.0]), 1.0, 5_000).expect("an orbit");
+        assert_eq!(regular.verdict, Verdict::Regular, "K = {strength}: {regular:?}");
+    }
+    // Near the unstable one the thin chaotic layer of K = 0.971635.
+    let map = StandardMap { strength: 0.971635 };
+    let chaotic = chaos::indicators(&map, Euler, Phase::new([1e-3], [0.0]), 1.0, 5_000).expect("an orbit");
+    assert_eq!(chaotic.verdict, Verdict::Chaotic, "{chaotic:?}");
+}
+
+#[test]
+fn exponents_of_a_saddle_are_its_rates() {
+    let (h, steps) = (0.1_f64, 10_000);
+    let start = Phase::new([0.0, 0.1], [0.0, 0.0]);
+    let spectrum = chaos::lyapunov_spectrum(&Saddle, Verlet, start, h, steps).expect("an orbit");
+    // A step of Verlet on the saddle has the trace 2 + (0.3 h)², whose larger eigenvalue is the growth of a step.
+    let half_trace = 1.0 + (0.3 * h).powi(2) / 2.0;
+    let rate = (half_trace + (half_trace * half_trace - 1.0).sqrt()).ln() / h;
+    // The first vectors are not the eigenvectors, which costs a factor of order one once.
+    let bound = 3.0 / (h * steps as f64);
+    for (measured, exact) in spectrum.exponents.iter().zip([rate, 0.0, 0.0, -rate]) {
+        assert!((measured - exact).abs() < bound, "{:?} are not ±{rate} and 0", spectrum.exponents);
+    }
+    // Every orthogonalisation rounds lengths by some ulps, and so does every step.
+    assert!(spectrum.sum().abs() < 1e3 * f64::EPSILON / h, "{}", spectrum.sum());
+    assert!(spectrum.pairing() < bound, "{}", spectrum.pairing());
+}
+
+#[test]
+fn exponents_of_a_chaotic_orbit_come_in_pairs() {
+    let spectrum = chaos::lyapunov_spectrum(&HenonHeiles, BlanesMoanSrkn11, on_section(-0.016, 0.0), 0.2, 20_000)
+        .expect("an orbit");
+    let [first, second, third, last] = spectrum.exponents[..] else { panic!("four exponents: {spectrum:?}") };
+    assert!((0.03..0.07).contains(&first) && first > 10.0 * second.abs(), "{spectrum:?}");
+    assert!(spectrum.sum().abs() < 1e-10 && spectrum.pairing() < 2e-3 && third.abs() < 2e-3, "{spectrum:?}");
+    assert!((first + last).abs() < 2.0 * spectrum.uncertainties[0], "{spectrum:?}");
+    // The largest exponent is the rate that one vector grows at.
+    let one =
+        chaos::indicators(&HenonHeiles, BlanesMoanSrkn11, on_section(-0.016, 0.0), 0.2, 20_000).expect("an orbit");
+    assert!((one.exponent - first).abs() < 1e-3, "{} and {first}", one.exponent);
+}
+
+#[test]
+fn a_map_has_the_numbers_of_its_orbits_alone() {
+    let starts: Vec<_> = (0..21).map(|i| on_section(-0.3 + 0.04 * f64::from(i), 0.05)).collect();
+    let steps = 2_000;
+    let megno = chaos::map(&HenonHeiles, Yoshida4, starts.clone(), 0.2, steps, Indicator::Megno).expect("starts");
+    let exponents =
+        chaos::map(&HenonHeiles, Yoshida4, starts.clone(), 0.2, steps, Indicator::Exponent).expect("starts");
+    let fli = chaos::map(&HenonHeiles, Yoshida4, starts.clone(), 0.2, steps, Indicator::Fli).expect("starts");
+    for (i, start) in starts.into_iter().enumerate() {
+        let alone = chaos::indicators(&HenonHeiles, Yoshida4, start, 0.2, steps).expect("an orbit");
+        // Runs on machines with fused multiply-add have the bits of members; elsewhere, too.
+        assert_eq!([megno[i], exponents[i], fli[i]], [alone.mean_megno, alone.exponent, alone.fli], "orbit {i}");
+    }
+}
+
+#[test]
+fn orbits_that_are_lost_change_no_other() {
+    // Beyond the three saddles orbits fall to minus infinity, in some tens of units of time.
+    let inside = on_section(0.1, 0.05);
+    let outside = Phase::new([0.0, 1.5], [0.0, 0.5]);
+    let alone = chaos::map(&HenonHeiles, Yoshida4, [inside], 0.2, 1_000, Indicator::Megno).expect("a start");
+    let mixed = chaos::map(
+        &HenonHeiles,
+        Yoshida4,
+        [outside, inside, outside, outside, inside, outside, inside, outside, outside, outside],
+        0.2,
+        1_000,
+        Indicator::Megno,
+    );
+    let mixed = mixed.expect("starts");
+    for (orbit, value) in mixed.iter().enumerate() {
+        let lost = ![1, 4, 6].contains(&orbit);
+        assert!(lost != (*value == alone[0]), "orbit {orbit} has {value}, alone {}", alone[0]);
+        assert_eq!(lost.then_some(*value), lost.then_some(mixed[0]), "all that are lost are alike");
+    }
+}
+
+#[test]
+fn a_periodic_orbit_has_the_multipliers_of_its_closed_form() {
+    // Two oscillators, of which one is at rest: after the period of the other its phase has advanced by 2π√2.
+    let period = 1_000;
+    let found =
+        monodromy(&Oscillators, BlanesMoanSrkn11, Phase::new([1.0, 0.0], [0.0, 0.0]), TAU / period as f64, period)
+            .expect("an orbit");
+    assert!(found.is_stable() && found.gap < 1e-10, "{found}");
+    let phase = TAU * 2.0_f64.sqrt();
+    let of_other = found
+        .multipliers
+        .iter()
+        .filter(|m| (m.re - phase.cos()).abs() < 1e-8 && (m.im.abs() - phase.sin().abs()).abs() < 1e-8);
+    assert_eq!(of_other.count(), 2, "{found}");
+    let ones =
+        found.multipliers.iter().filter(|m| (m.re - 1.0).abs() < found.uncertainty && m.im.abs() < found.uncertainty);
+    assert_eq!(ones.count(), 2, "{found}");
+
+    let saddle = monodromy(&Saddle, BlanesMoanSrkn11, Phase::new([0.0, 1.0], [0.0, 0.0]), TAU / 1000.0, 1_000)
+        .expect("an orbit");
+    assert!(!saddle.is_stable() && saddle.to_string().starts_with("unstable"), "{saddle}");
+    assert!((saddle.multipliers[0].re / (0.3 * TAU).exp() - 1.0).abs() < 1e-9, "{saddle}");
+}
+
+#[test]
+fn orbits_that_tell_nothing_are_refused() {
+    let start = on_section(0.1, 0.0);
+    let few = CheckError::TooFewSteps { steps: 3, needed: 16 };
+    assert_eq!(chaos::indicators(&HenonHeiles, Verlet, start, 0.1, 3), Err(few.clone()));
+    assert_eq!(chaos::lyapunov_spectrum(&HenonHeiles, Verlet, start, 0.1, 3), Err(few.clone()));
+    assert_eq!(chaos::map(&HenonHeiles, Verlet, [start], 0.1, 3, Indicator::Fli), Err(few));
+    assert_eq!(monodromy(&HenonHeiles, Verlet, start, 0.1, 0), Err(CheckError::TooFewSteps { steps: 0, needed: 1 }));
+    let bad = Phase::new([f64::NAN, 0.0], [0.0, 0.0]);
+    let error =
+        chaos::map(&HenonHeiles, Verlet, [start, bad], 0.1, 100, Indicator::Fli).expect_err("a start that is NaN");
+    assert!(error.to_string().starts_with("member 1: the start is not finite"), "{error}");
+    assert_eq!(chaos::map::<_, _, f64>(&HenonHeiles, Verlet, [], 0.1, 100, Indicator::Fli), Ok(vec![]));
+}
