@@ -6,7 +6,8 @@
 //! position at the end, in units of the semi-major axis. Steps and tolerances get smaller by half an octave and half a
 //! decade; times in between are interpolated on logarithmic scales. A row is a method with milliseconds of CPU time to
 //! errors of 1e-2, 1e-4, 1e-6, 1e-8 and 1e-10, nothing where it does not get there. The picture, `pace.svg`, has one method of
-//! each kind: fixed steps, a pace by the energy, a pace of the user's own, Taylor's method.
+//! each kind: fixed steps, a pace by the energy, a pace of the user's own, Taylor's method. Other crates on the same orbits are in
+//! the bench of this name in `benches/peers`, behind a feature that is off.
 //!
 //! `ratio_pace_logarithmic_over_taylor_0.6=` and its like are least times to 1e-4; asked for are 0.55 at an eccentricity of
 //! 0.6 and 0.25 at 0.99 over Taylor's method, and 0.2 over fixed steps. `ratio_pace_over_hand=` is the time of a step of

@@ -7,11 +7,8 @@
 //! at energy errors of 1e-6 and 1e-8. `ratio_taylor_to_best_composition_...=` is the time of the Taylor method over that of the
 //! best composition. Pictures go to `target/bench`.
 
-mod fields;
 mod ours;
-mod peers;
 
-use fields::{Case, Field};
 use integrator_bench::{
     plot,
     precision::{Curve, Kind, best},
@@ -19,6 +16,10 @@ use integrator_bench::{
     table::{Table, folder},
 };
 use integrator_core::{Coords, QuadraticKinetic, taylor::Recurrences};
+use integrator_peers::{
+    curves,
+    fields::{self, Case, Field},
+};
 use ours::TAYLOR;
 use std::error::Error;
 
@@ -43,7 +44,7 @@ impl Report {
         H::Coords: Coords<Leaf = f64>,
     {
         let mut curves = ours::curves(problem, evaluations);
-        curves.extend(peers::curves::<F, D, N>(case, evaluations));
+        curves.extend(curves::curves::<F, D, N>(case, evaluations));
         for curve in &curves {
             for point in &curve.points {
                 self.runs.row([problem.name, &curve.method], &[point.milliseconds, point.energy, point.global]);

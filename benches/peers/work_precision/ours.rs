@@ -1,12 +1,12 @@
 //! This library's curves.
 
-use crate::fields::distance;
 use integrator_bench::{precision::Curve, starts::Problem};
 use integrator_core::{
     Compensated, Coords, Method, Run,
     prelude::*,
     taylor::{Recurrences, Taylor},
 };
+use integrator_peers::fields::distance;
 use std::{hint::black_box, ops::Range};
 
 /// How often the energy is looked at along a run.

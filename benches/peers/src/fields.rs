@@ -7,18 +7,25 @@ use integrator_bench::{
 use integrator_core::{Coords, Hamiltonian, Phase};
 
 /// A system of `D` positions and velocities.
-pub(crate) trait Field<const D: usize> {
+pub trait Field<const D: usize> {
+    /// What the velocities change by.
     fn acceleration(&self, q: &[f64; D]) -> [f64; D];
+    /// The sum of kinetic and potential energy.
     fn energy(&self, q: &[f64; D], v: &[f64; D]) -> f64;
 }
 
 /// A field with a start and a known end.
-pub(crate) struct Case<F, const D: usize> {
-    pub(crate) field: F,
-    pub(crate) q: [f64; D],
-    pub(crate) v: [f64; D],
-    pub(crate) span: f64,
-    pub(crate) reference: Vec<f64>,
+pub struct Case<F, const D: usize> {
+    /// The field.
+    pub field: F,
+    /// The positions of the start.
+    pub q: [f64; D],
+    /// Its velocities.
+    pub v: [f64; D],
+    /// How long it runs.
+    pub span: f64,
+    /// The positions of the end, and perhaps the momenta.
+    pub reference: Vec<f64>,
 }
 
 impl<F: Field<D>, const D: usize> Case<F, D> {
@@ -38,27 +45,33 @@ impl<F: Field<D>, const D: usize> Case<F, D> {
     }
 
     /// The relative deviation of the energy from that of the start.
-    pub(crate) fn energy_error(&self, q: &[f64; D], v: &[f64; D]) -> f64 {
+    pub fn energy_error(&self, q: &[f64; D], v: &[f64; D]) -> f64 {
         let start = self.field.energy(&self.q, &self.v);
         (self.field.energy(q, v) / start - 1.0).abs()
     }
 
-    pub(crate) fn global_error(&self, q: &[f64; D]) -> f64 {
+    /// The distance of positions from those of the end, in units of the length of these.
+    pub fn global_error(&self, q: &[f64; D]) -> f64 {
         distance(q, &self.reference)
     }
 }
 
 /// In units of the length of the reference.
-pub(crate) fn distance(q: &[f64], reference: &[f64]) -> f64 {
+pub fn distance(q: &[f64], reference: &[f64]) -> f64 {
     let norm = |numbers: &mut dyn Iterator<Item = f64>| numbers.map(|x| x * x).sum::<f64>().sqrt();
     norm(&mut q.iter().zip(reference).map(|(q, reference)| q - reference)) / norm(&mut reference.iter().copied())
 }
 
-pub(crate) struct Pendulum;
-pub(crate) struct HenonHeiles;
-pub(crate) struct Kepler;
-pub(crate) struct Solar([f64; 6]);
-pub(crate) struct Chain(f64);
+/// A pendulum.
+pub struct Pendulum;
+/// A star in a galaxy.
+pub struct HenonHeiles;
+/// A body about a star.
+pub struct Kepler;
+/// The sun and five planets, by their masses.
+pub struct Solar([f64; 6]);
+/// A chain of springs, by what is not linear of them.
+pub struct Chain(f64);
 
 impl Field<1> for Pendulum {
     #[inline]
@@ -144,21 +157,26 @@ impl Field<32> for Chain {
     }
 }
 
-pub(crate) fn pendulum(problems: &Problems) -> Case<Pendulum, 1> {
+/// A pendulum that swings far.
+pub fn pendulum(problems: &Problems) -> Case<Pendulum, 1> {
     Case::new(Pendulum, &problems.pendulum(), |_| 1.0)
 }
-pub(crate) fn henon_heiles(problems: &Problems) -> Case<HenonHeiles, 2> {
+/// A star on a regular orbit.
+pub fn henon_heiles(problems: &Problems) -> Case<HenonHeiles, 2> {
     Case::new(HenonHeiles, &problems.henon_heiles(), |_| 1.0)
 }
-pub(crate) fn kepler(problems: &Problems) -> Case<Kepler, 2> {
+/// A body on an orbit of eccentricity 0.6.
+pub fn kepler(problems: &Problems) -> Case<Kepler, 2> {
     Case::new(Kepler, &problems.kepler(), |_| 1.0)
 }
-pub(crate) fn solar(problems: &Problems) -> Case<Solar, 18> {
+/// The outer solar system.
+pub fn solar(problems: &Problems) -> Case<Solar, 18> {
     let problem = problems.solar();
     let masses = problem.system.masses;
     Case::new(Solar(masses), &problem, |i| masses[i / 3])
 }
-pub(crate) fn chain(problems: &Problems) -> Case<Chain, 32> {
+/// A chain of 32.
+pub fn chain(problems: &Problems) -> Case<Chain, 32> {
     let problem = problems.chain();
     Case::new(Chain(problem.system.alpha), &problem, |_| 1.0)
 }

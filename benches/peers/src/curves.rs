@@ -41,7 +41,7 @@ impl<'c, F: Field<D>, const D: usize> Look<'c, F, D> {
 }
 
 /// All methods of all peers on a problem of `N` = 2 `D` numbers. `evaluations` is how many forces the longest steps take.
-pub(crate) fn curves<F: Field<D>, const D: usize, const N: usize>(case: &Case<F, D>, evaluations: u64) -> Vec<Curve> {
+pub fn curves<F: Field<D>, const D: usize, const N: usize>(case: &Case<F, D>, evaluations: u64) -> Vec<Curve> {
     type Run<'r, F, const D: usize> = dyn Fn(u64, Option<&mut Look<F, D>>) + 'r;
     type Solve<'r, F, const D: usize> = dyn Fn(f64, Option<&mut Look<F, D>>) + 'r;
     let fixed = |name: &str, forces: u64, run: &Run<F, D>| {
