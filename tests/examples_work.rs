@@ -2,6 +2,8 @@
 
 #[path = "../examples/trojan/asteroid.rs"]
 mod asteroid;
+#[path = "../examples/chaos_map/belt.rs"]
+mod belt;
 #[path = "../examples/pythagorean/bodies.rs"]
 mod bodies;
 #[path = "../examples/fput_recurrence/chain.rs"]
@@ -10,6 +12,10 @@ mod chain;
 mod chain_picture;
 #[path = "support/drawn.rs"]
 mod drawn;
+#[path = "../examples/chaos_map/galaxy.rs"]
+mod galaxy;
+#[path = "../examples/chaos_map/grid.rs"]
+mod grid;
 #[path = "../examples/halley/comet.rs"]
 #[allow(dead_code, reason = "the pictures of the example read more of it")]
 mod halley;
@@ -66,6 +72,26 @@ fn order_gives_way_to_chaos_in_the_galaxy() {
     let words = ["Energy 1/12", "100 % of the section", "Energy 1/6", "p_y"];
     let text = drawn("sections", &section_picture::picture(&sections), &words);
     assert_eq!(text.matches("<image").count(), 2, "the points of a section are one bitmap");
+}
+
+/// About half of the section is regular at the energy 1/8 (Hénon and Heiles 1964, figure 7), and asteroids are chaotic near
+/// Jupiter (Wisdom 1980), but for those that resonances protect.
+#[test]
+fn maps_tell_where_orbits_are_chaotic() {
+    let grid = grid::Grid { along: (-0.45, 0.75), up: (-0.5, 0.5), columns: 14, rows: 14 };
+    let mut rows = 0;
+    let mut goes_on = || {
+        rows += 1;
+        true
+    };
+    let section = grid.rows(|places| galaxy::megno(places.iter().copied()), &mut goes_on).expect("starts");
+    let share = grid::regular(&section);
+    assert!((0.35..0.6).contains(&share), "{share} of the section are regular");
+    assert!(section[0][0].is_nan() && rows == 14, "the corner has too much energy");
+    // In the main belt; between resonances near Jupiter; in that of the Hilda group.
+    let [.., hilda, _] = belt::resonances();
+    let belt = belt::megno([(2.3, 0.1), (3.7, 0.4), (hilda, 0.3)].into_iter()).expect("starts");
+    assert!(belt[0] < 2.5 && belt[1] > 4.0 && belt[2] < 2.5, "{belt:?}");
 }
 
 /// No orbit leaves what its energy allows.

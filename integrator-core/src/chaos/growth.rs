@@ -80,11 +80,7 @@ impl Growth {
     }
 
     pub(super) fn verdict(&self) -> Verdict {
-        match self.mean_megno() {
-            mean if mean < REGULAR_BELOW => Verdict::Regular,
-            mean if mean > CHAOTIC_ABOVE => Verdict::Chaotic,
-            _ => Verdict::Undecided,
-        }
+        Verdict::of_megno(self.mean_megno())
     }
 
     /// An indicator that one vector tells.

@@ -23,6 +23,17 @@ pub enum Verdict {
     Undecided,
 }
 
+impl Verdict {
+    /// What the mean of MEGNO says, such as that of a [map](crate::chaos::map()): regular below 2.5, chaotic above 4.
+    pub fn of_megno(mean: f64) -> Self {
+        match mean {
+            mean if mean < REGULAR_BELOW => Self::Regular,
+            mean if mean > CHAOTIC_ABOVE => Self::Chaotic,
+            _ => Self::Undecided,
+        }
+    }
+}
+
 /// What deviation vectors tell of an orbit. Displays the verdict and its reason.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]

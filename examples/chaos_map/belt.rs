@@ -1,0 +1,34 @@
+//! Asteroids inside of Jupiter's orbit, which attracts them from a circle.
+
+use crate::asteroid::{Asteroid, JUPITER};
+use integrator_core::{
+    chaos::{self, Indicator},
+    check::CheckError,
+    prelude::*,
+};
+
+/// Jupiter's distance in astronomical units.
+pub(crate) const DISTANCE: f64 = 5.2044;
+
+/// A step, of which Jupiter's year has 157.
+const STEP: f64 = 0.04;
+const STEPS: u64 = 12_000;
+
+/// An asteroid in its perihelion, in the direction of Jupiter: half of the longer axis in astronomical units, and the
+/// eccentricity.
+fn start((axis, eccentricity): (f64, f64)) -> Phase<[f64; 2]> {
+    let distance = axis / DISTANCE * (1.0 - eccentricity);
+    let speed = ((1.0 - JUPITER) * (1.0 + eccentricity) / distance).sqrt();
+    Phase::new([distance - JUPITER, 0.0], [0.0, speed - JUPITER])
+}
+
+/// The mean MEGNO of these asteroids.
+pub(crate) fn megno(places: impl Iterator<Item = (f64, f64)>) -> Result<Vec<f64>, CheckError> {
+    chaos::map(&Asteroid, Aba864, places.map(start), STEP, STEPS, Indicator::Megno)
+}
+
+/// The axes of resonances by Kepler's third law: of so many revolutions of the asteroid in as many of Jupiter.
+pub(crate) fn resonances() -> [f64; 6] {
+    let axis = |(own, of_jupiter): (f64, f64)| DISTANCE * (of_jupiter / own).powf(2.0 / 3.0);
+    [(3.0, 1.0), (5.0, 2.0), (7.0, 3.0), (2.0, 1.0), (3.0, 2.0), (4.0, 3.0)].map(axis)
+}
