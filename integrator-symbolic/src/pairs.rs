@@ -7,6 +7,7 @@
 
 mod attraction;
 mod central;
+mod cutoff;
 mod exchange;
 
 use crate::{
@@ -19,6 +20,7 @@ use crate::{
 };
 pub(crate) use attraction::{attraction, inverse_mass};
 pub(crate) use central::pull;
+pub(crate) use cutoff::{Cutoff, cutoff};
 use exchange::Forms;
 
 /// A potential of pairs.
@@ -33,6 +35,8 @@ pub(crate) struct Pairs {
     pub(crate) force: Vec<Contribution>,
     /// Whether the gradient by those of the second body is the same with another sign: action is reaction.
     pub(crate) reciprocal: bool,
+    /// The energy of a body alone.
+    pub(crate) energy_alone: NodeId,
     /// The gradient of the one-body terms.
     pub(crate) alone: Vec<Contribution>,
 }
@@ -74,8 +78,9 @@ pub(crate) fn pairs(
                 same_place && action.zip(reaction).is_some_and(|(action, reaction)| action.opposite() == reaction)
             })
         });
+    let energy_alone = alone;
     let alone = gradient(graph, alone, Part::Position);
-    Some(Pairs { bodies, pair, energy, force, reciprocal, alone })
+    Some(Pairs { bodies, pair, energy, force, reciprocal, energy_alone, alone })
 }
 
 /// The gradient of a function of positions or of momenta as one-body contributions: without the loop over all bodies,

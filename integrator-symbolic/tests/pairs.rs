@@ -103,3 +103,70 @@ fn a_kinetic_energy_that_couples_bodies_keeps_the_plain_loops() {
     assert!(coupled("for i in 0..5 { t += p[i].powi(2); }").contains("runtime :: Plain"));
     assert!(coupled("for i in 0..6 { for j in 0..i { t += (p[i] - p[j]).powi(2); } }").contains("runtime :: Plain"));
 }
+
+/// Energies of a pair with a distance: a name, what finds the square of the distance, the branch, and what is found of a
+/// cutoff: whether there is one, and whether distances are those in a box.
+const CUTOFFS: [(&str, &str, &str, Option<bool>); 18] = [
+    ("a number", OPEN, "if r2 < 6.25 { v += 1.0 / r2; }", Some(false)),
+    ("a parameter", OPEN, "if r2 < self.cutoff * self.cutoff { v += 1.0 / r2; }", Some(false)),
+    ("a distance", OPEN, "let r = r2.sqrt(); if r <= self.cutoff { v += (r - self.cutoff).powi(2); }", Some(false)),
+    ("the other side", OPEN, "if r2 >= self.cutoff { continue; } v += 1.0 / r2;", Some(false)),
+    (
+        "the bound first",
+        OPEN,
+        "if self.cutoff > r2 { v -= self.m[i] * self.m[j] / r2; } else { v += 0.0; }",
+        Some(false),
+    ),
+    ("two conditions", OPEN, "if r2 < self.cutoff && self.k > 0.0 { v += 1.0 / r2; }", Some(false)),
+    ("two terms", OPEN, "if r2 < self.cutoff { v += 1.0 / r2; } if r2 < self.cutoff { v += r2.exp(); }", Some(false)),
+    ("softened", "let mut r2 = 0.01; for d in 0..3 { r2 += (q[i][d] - q[j][d]).powi(2); }", IF, Some(false)),
+    ("the nearest image", BOX, IF, Some(true)),
+    (
+        "a side along each axis",
+        "let mut r2 = 0.0; for d in 0..3 { let mut x = q[i][d] - q[j][d]; x -= self.sides[d] * (x / self.sides[d]).round(); r2 += x * x; }",
+        IF,
+        Some(true),
+    ),
+    (
+        "one axis without an end",
+        "let x = q[i][0] - q[j][0]; let x = x - 9.0 * (x / 9.0).round(); let (y, z) = (q[i][1] - q[j][1], q[i][2] - q[j][2]); let r2 = x * x + y * y + z * z;",
+        IF,
+        Some(true),
+    ),
+    ("no branch", OPEN, "v += 1.0 / r2;", None),
+    ("something beyond it", OPEN, "if r2 < self.cutoff { v += 1.0 / r2; } else { v += 0.1; }", None),
+    ("two cutoffs", OPEN, "if r2 < self.cutoff { v += 1.0 / r2; } if r2 < self.k { v += r2.exp(); }", None),
+    ("far away alone", OPEN, "if r2 > self.cutoff { v += 1.0 / r2; }", None),
+    ("a cutoff of each pair", OPEN, "if r2 < self.m[i] * self.m[j] { v += 1.0 / r2; }", None),
+    ("no distance", "let r2 = (q[i][0] - q[j][0]).powi(2) + (q[i][1] - q[j][1]).powi(2);", IF, None),
+    (
+        "an image that is not the nearest",
+        "let mut r2 = 0.0; for d in 0..3 { let x = q[i][d] - q[j][d]; let x = x - self.side * (x / self.k).round(); r2 += x * x; }",
+        IF,
+        None,
+    ),
+];
+
+const OPEN: &str = "let mut r2: f64 = 0.0; for d in 0..3 { r2 += (q[i][d] - q[j][d]).powi(2); }";
+const BOX: &str = "let mut r2 = 0.0; for d in 0..3 { let x = q[i][d] - q[j][d]; r2 += (x - self.side * (x / self.side).round()).powi(2); }";
+const IF: &str = "if r2 < self.cutoff.powi(2) { v += 1.0 / r2; }";
+
+#[test]
+fn a_cutoff_is_proved_or_all_pairs_are_summed() {
+    for (name, distance, branch, found) in CUTOFFS {
+        // The distance that is written around every energy is hidden by this one.
+        let text = of_pairs("len", "[[f64; 3]]", distance, branch);
+        assert!(!text.contains("compile_error"), "{name}: {text}");
+        assert!(text.contains("runtime :: ManyRows"), "{name}: {text}");
+        for asked in ["const LISTED_FROM", "fn cutoff <", "fn energy <", "listed_energy"] {
+            assert_eq!(text.contains(asked), found.is_some(), "{name}, {asked}: {text}");
+        }
+        assert_eq!(text.contains("fn sides <"), found == Some(true), "{name}: {text}");
+    }
+    let [few, many] = [9, 1500].map(|bodies| of_pairs(&bodies.to_string(), &format!("[[f64; 3]; {bodies}]"), BOX, IF));
+    assert!(!few.contains("LISTED_FROM") && many.contains("LISTED_FROM"));
+}
+
+fn of_pairs(length: &str, kind: &str, distance: &str, branch: &str) -> String {
+    stepper(length, kind, ["for i in 0..N { for j in 0..i {", &format!("{distance} {branch}"), "} }"])
+}

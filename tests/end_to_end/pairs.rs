@@ -263,3 +263,77 @@ fn a_kick_by_the_gradient_of_a_force_keeps_its_order() {
     assert!(certificate.symplectic_defect < 1e-12, "{certificate}");
     assert!((3.8..4.3).contains(&certificate.observed_order), "{certificate}");
 }
+
+/// A liquid in a box, whose bodies act on each other up to a distance.
+#[derive(Clone)]
+struct Liquid {
+    side: f64,
+    cutoff: f64,
+}
+
+#[hamiltonian]
+impl Liquid {
+    fn kinetic(&self, p: &[[f64; 3]]) -> f64 {
+        p.iter().map(|p| 0.5 * (p[0] * p[0] + p[1] * p[1] + p[2] * p[2])).sum()
+    }
+    fn potential(&self, q: &[[f64; 3]]) -> f64 {
+        let mut energy = 0.0;
+        for i in 0..q.len() {
+            for j in 0..i {
+                let mut square: f64 = 0.0;
+                for d in 0..3 {
+                    let apart = q[i][d] - q[j][d];
+                    square += (apart - self.side * (apart / self.side).round()).powi(2);
+                }
+                if square < self.cutoff.powi(2) {
+                    energy += (self.cutoff.powi(2) - square).powi(3);
+                }
+            }
+        }
+        energy
+    }
+}
+
+/// Enough for lists of neighbours, and a rest in the last row.
+const LISTED: usize = 1027;
+
+impl Liquid {
+    fn new(cutoff: f64) -> Self {
+        Self { side: 10.0, cutoff }
+    }
+
+    /// Half of the bodies are in the box, the others beside it.
+    fn start(number: usize) -> Phase<Vec<[f64; 3]>> {
+        let at = |i: usize| [0.618, 0.414, 0.732].map(|x: f64| 20.0 * (x * (i + 1 + LISTED * number) as f64).fract());
+        let going = |i: usize| at(i + 1000).map(|x| 0.1 * x - 1.0);
+        Phase::new((0..LISTED).map(at).collect(), (0..LISTED).map(going).collect())
+    }
+}
+
+/// Fast enough to leave the skin of a list within a few steps.
+#[test]
+fn no_bit_of_a_liquid_tells_how_it_was_run() -> Result<(), Error> {
+    let (liquid, start) = (Liquid::new(1.2), Liquid::start(0));
+    let mut whole = liquid.run_with(VelocityVerlet, start.clone(), 0.04)?.with_threads(1);
+    let energy = whole.energy();
+    // Terms of one sign and of a few roundings each; both sums have the order of the loops.
+    let stated = liquid.kinetic(&start.p) + liquid.potential(&start.q);
+    assert!((energy - stated).abs() <= 1e-12 * stated, "{energy} for {stated}");
+    whole.advance(6)?;
+    let mut parts = liquid.run_with(VelocityVerlet, start.clone(), 0.04)?.with_threads(3);
+    for steps in [1, 3, 2] {
+        parts.advance(steps)?;
+        assert_ne!(parts.state(), start);
+    }
+    assert_eq!(whole.state(), parts.state());
+
+    let members = [(Liquid::new(1.2), start), (Liquid::new(0.9), Liquid::start(1))];
+    let mut both = Ensemble::new(VelocityVerlet, members.clone(), 0.04)?;
+    both.advance(2)?;
+    for (number, (liquid, start)) in members.into_iter().enumerate() {
+        let mut alone = liquid.run_with(VelocityVerlet, start, 0.04)?;
+        alone.advance(2)?;
+        assert_eq!(both.state(number), Some(alone.state()), "member {number}");
+    }
+    Ok(())
+}

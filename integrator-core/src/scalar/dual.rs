@@ -439,6 +439,17 @@ impl<F: Real, V: Row<F>, const N: usize> Row<Dual<F, N>> for Dual<V, N, true> {
     fn permute(self, indices: &[u64; 8]) -> Self {
         dual!(self.value.permute(indices), direction => self.along[direction].permute(indices))
     }
+    #[inline(always)]
+    fn transposed(points: &[[Dual<F, N>; 4]], indices: &[u32; 8], stride: usize, offset: usize) -> [Self; 4] {
+        let mut numbers = [[Dual::of(0.0); 8]; 4];
+        for (lane, index) in indices.iter().enumerate() {
+            let point = points[*index as usize * stride + offset];
+            for (row, number) in numbers.iter_mut().zip(point) {
+                row[lane] = number;
+            }
+        }
+        numbers.map(|numbers| Self::read(&numbers))
+    }
 }
 
 #[cfg(test)]

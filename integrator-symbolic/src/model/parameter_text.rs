@@ -21,6 +21,9 @@ pub(crate) struct Texts<'m> {
 impl Parameters for Texts<'_> {
     fn rename(&mut self, graph: &mut Graph, id: ParameterId, renaming: Renaming) -> Option<ParameterId> {
         let loops = graph.loops.of_parameter(id);
+        if loops.iter().all(|by| renaming.of(by) == by) {
+            return Some(id);
+        }
         let names = loops.iter().map(|by| Some((self.running.get(&by)?, self.running.get(&renaming.of(by))?)));
         let text = with_names(self.text(id), &names.collect::<Option<Vec<_>>>()?)?;
         let loops = loops.iter().fold(LoopSet::EMPTY, |set, by| set.union(LoopSet::of(renaming.of(by))));

@@ -51,6 +51,22 @@ fn flows_have_the_form_that_is_written() {
     let rows = [
         (KINETIC, "for i in 0..q.len() - 1 { v += (q[i + 1] - q[i]).powi(4); }", Form::Line),
         (KINETIC, "for i in 0..q.len() { for j in 0..i { v += (q[i] - q[j]).powi(2).exp(); } }", Form::Tiles),
+        (
+            KINETIC,
+            "for i in 0..q.len() { for j in 0..i { let d = q[i] - q[j]; if d.abs() < 1.0 { v += d.powi(2).exp(); } } }",
+            Form::Neighbours,
+        ),
+        (
+            KINETIC,
+            "for i in 0..q.len() { for j in 0..i { let d = q[i] - q[j]; if d * d < 1.0 { v += d.powi(2).exp(); } } }",
+            Form::Neighbours,
+        ),
+        (
+            KINETIC,
+            "for i in 0..q.len() { for j in 0..i { let mut d = q[i] - q[j]; d -= 9.0 * (d / 9.0).round(); \
+             if d * d < 1.0 { v += d.powi(4); } } }",
+            Form::NeighboursInBox,
+        ),
         (KINETIC, "v = q[0] * q[1];", Form::Plain),
     ];
     for (kinetic, body, form) in rows {

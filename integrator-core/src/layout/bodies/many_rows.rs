@@ -4,6 +4,7 @@ use crate::{
     layout::{
         bodies::{
             load_store::{element, load_constants, pack, row_of, unpack, values},
+            neighbours::{Cutoffs, Neighbours, Sum},
             pair_sums::{Bodies, BodyConstants, ManyBody, add, inter_row, intra_row},
         },
         threads::{Job, all_threads, at_once},
@@ -41,7 +42,9 @@ pub struct ManyRows<R: Real, K: Precision, P, const D: usize, const S: usize> {
     constants: Vec<[R::Row<WIDTH>; S]>,
     /// The sums of forces, chunk after chunk; in the end the first chunk has the total.
     gradients: Vec<[R::Row<WIDTH>; D]>,
-    /// The number of threads that may take chunks.
+    /// The lists of neighbours, where a cutoff makes these short.
+    neighbours: Neighbours<R, D>,
+    /// The number of threads that may share the work.
     threads: usize,
     /// The number of bodies.
     pub(crate) bodies: usize,
@@ -109,6 +112,7 @@ impl<R: Real, K: Precision, P: Clone, const D: usize, const S: usize> Clone for 
             p: copied(&self.p),
             constants: copied(&self.constants),
             gradients: copied(&self.gradients),
+            neighbours: self.neighbours.clone(),
             threads: self.threads,
             bodies: self.bodies,
             parameters: self.parameters.clone(),
@@ -137,7 +141,7 @@ where
         }
         let (gradients, parameters) = (zeros(chunks(bodies) * rows), P::gather(constants));
         let constants = rows_of_constants;
-        Self { q, p, constants, gradients, threads: 1, bodies, parameters }
+        Self { q, p, constants, gradients, neighbours: Neighbours::none(), threads: 1, bodies, parameters }
     }
     fn store(&self, lane: usize, to: &mut Phase<C>) {
         for row in 0..self.q.len() {
@@ -149,9 +153,10 @@ where
     fn copy_state(&mut self, from: &Self) {
         self.q.copy_from_slice(&from.q);
         self.p.copy_from_slice(&from.p);
+        self.neighbours.share(&from.neighbours);
     }
     fn share_among(&mut self, threads: Option<usize>) {
-        self.threads = threads.unwrap_or_else(all_threads).clamp(1, CHUNKS);
+        self.threads = threads.unwrap_or_else(all_threads).max(1);
     }
     fn finite(&self) -> bool {
         let lanes = self.bodies * R::LANES;
@@ -185,9 +190,67 @@ impl<R: Real, K: Precision, P: Prepared<R>, const D: usize, const S: usize> Many
             }
         }
     }
-    /// Sums the forces on each body, chunk by chunk, and all chunks in their order.
+    /// Sums the forces on each body: over its neighbours, where a cutoff makes lists of them short; else over all pairs.
     #[inline(always)]
     fn sum_forces<H: ManyBody<D, S, Parameters<R> = P>>(&mut self, time: f64) {
+        if H::LISTED_FROM <= self.bodies {
+            let cutoffs = Cutoffs::of::<H, R, S>(&self.parameters, time);
+            if cutoffs.any() {
+                return self.sum_over_neighbours::<H>(&cutoffs, time);
+            }
+        }
+        self.sum_over_pairs::<H>(time);
+    }
+    /// The same over neighbours; over all pairs in the lanes of members whose cutoff covers the box.
+    #[cfg_attr(debug_assertions, inline)]
+    fn sum_over_neighbours<H: ManyBody<D, S, Parameters<R> = P>>(&mut self, cutoffs: &Cutoffs<D>, time: f64) {
+        let others = (!cutoffs.all()).then(|| {
+            self.sum_over_pairs::<H>(time);
+            copied(&self.gradients[..self.q.len()])
+        });
+        let Self { gradients, neighbours, .. } = self;
+        let q = values_of_rows(&self.q);
+        let sum = Sum::<H, R, D, S> {
+            q: &q,
+            constants: &self.constants,
+            bodies: self.bodies,
+            parameters: &self.parameters,
+            time,
+            threads: self.threads,
+        };
+        neighbours.sum_forces(sum, cutoffs, &mut gradients[..q.len()]);
+        if let Some(others) = others {
+            let short = cutoffs.lanes::<R, R::Row<WIDTH>>();
+            for (gradient, other) in gradients.iter_mut().zip(others) {
+                for d in 0..D {
+                    gradient[d] = Real::select(Real::less(Real::of(0.0), short), gradient[d], other[d]);
+                }
+            }
+        }
+    }
+    /// The energy of all pairs within a cutoff, and of all bodies alone, where lists of neighbours are short.
+    pub fn listed_energy<H: ManyBody<D, S, Parameters<R> = P>>(&self, time: f64) -> Option<R> {
+        if H::LISTED_FROM > self.bodies {
+            return None;
+        }
+        let cutoffs = Cutoffs::of::<H, R, S>(&self.parameters, time);
+        if !cutoffs.all() {
+            return None;
+        }
+        let q = values_of_rows(&self.q);
+        let sum = Sum::<H, R, D, S> {
+            q: &q,
+            constants: &self.constants,
+            bodies: self.bodies,
+            parameters: &self.parameters,
+            time,
+            threads: self.threads,
+        };
+        Some(self.neighbours.clone().energy(sum, &cutoffs))
+    }
+    /// Sums the forces of all pairs, chunk by chunk, and all chunks in their order.
+    #[inline(always)]
+    fn sum_over_pairs<H: ManyBody<D, S, Parameters<R> = P>>(&mut self, time: f64) {
         let Self { q, constants, gradients, threads, bodies, parameters, .. } = self;
         let (rows, bodies, count, system) = (q.len(), *bodies, chunks(*bodies), PhantomData);
         let sum = |number: usize, gradient: &mut [[R::Row<WIDTH>; D]]| {
@@ -206,7 +269,7 @@ impl<R: Real, K: Precision, P: Prepared<R>, const D: usize, const S: usize> Many
         if count == 1 {
             return sum(0, gradients);
         }
-        let (each, sum) = (count.div_ceil(*threads), &sum);
+        let (each, sum) = (count.div_ceil((*threads).min(count)), &sum);
         let (mut jobs, mut next) = (Vec::<Job<'_>>::with_capacity(count), 0);
         for gradients in gradients.chunks_mut(each * rows) {
             let first = next;
@@ -225,6 +288,11 @@ impl<R: Real, K: Precision, P: Prepared<R>, const D: usize, const S: usize> Many
             }
         }
     }
+    /// The prepared constants of all bodies.
+    #[cfg(test)]
+    pub(crate) fn constants(&self) -> &[[R::Row<WIDTH>; S]] {
+        &self.constants
+    }
     /// The motion in the user's own shape, with slots that hold numbers and nothing else.
     pub fn plain<C: Coords<Leaf = f64>>(&self) -> Plain<R, C, P> {
         let flat = |slots: &[[K::Slot<R::Row<WIDTH>>; D]]| {
@@ -242,6 +310,7 @@ impl<R: Real, K: Precision, P: Prepared<R>, const D: usize, const S: usize> Many
             p: zeros(self.q.len()),
             constants: copied(&self.constants),
             gradients: copied(&self.gradients),
+            neighbours: self.neighbours.clone(),
             threads: self.threads,
             bodies: self.bodies,
             parameters: self.parameters.clone(),

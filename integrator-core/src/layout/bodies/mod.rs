@@ -6,6 +6,7 @@ pub(crate) mod jacobi;
 pub(crate) mod jacobi_map;
 pub(crate) mod load_store;
 pub(crate) mod many_rows;
+pub(crate) mod neighbours;
 pub(crate) mod one_row;
 #[allow(unreachable_pub, reason = "named in bounds, never outside")]
 pub(crate) mod pair_sums;

@@ -72,6 +72,47 @@ pub trait ManyBody<const D: usize, const S: usize>: Hamiltonian {
         let _ = (parameters, q, constants, time);
         None
     }
+
+    /// The number of bodies from which on the neighbours within a cutoff are listed. A system without a cutoff has none, and
+    /// what follows is asked of no other.
+    const LISTED_FROM: usize = usize::MAX;
+
+    /// The square of the distance beyond which a pair has neither a force nor an energy, the same for all pairs.
+    #[inline(always)]
+    fn cutoff<R: Real, W: Row<R>>(parameters: &Self::Parameters<R>, time: f64) -> W {
+        let _ = (parameters, time);
+        W::of(f64::INFINITY)
+    }
+    /// The sides of the periodic box in which distances are those of the nearest images; zero along an axis without an end.
+    #[inline(always)]
+    fn sides<R: Real, W: Row<R>>(parameters: &Self::Parameters<R>, time: f64) -> [W; D] {
+        let _ = (parameters, time);
+        [W::of(0.0); D]
+    }
+    /// The energy of a pair.
+    #[inline(always)]
+    fn energy<R: Real, W: Row<R>>(
+        parameters: &Self::Parameters<R>,
+        q_i: [W; D],
+        q_j: [W; D],
+        constants_i: [W; S],
+        constants_j: [W; S],
+        time: f64,
+    ) -> W {
+        let _ = (parameters, q_i, q_j, constants_i, constants_j, time);
+        W::of(0.0)
+    }
+    /// The energy of a body alone, if it has any.
+    #[inline(always)]
+    fn energy_alone<R: Real, W: Row<R>>(
+        parameters: &Self::Parameters<R>,
+        q: [W; D],
+        constants: [W; S],
+        time: f64,
+    ) -> Option<W> {
+        let _ = (parameters, q, constants, time);
+        None
+    }
 }
 
 /// A row of bodies: their positions and prepared constants.
@@ -134,7 +175,7 @@ fn sub<W: Real, const D: usize>(mut a: [W; D], b: [W; D]) -> [W; D] {
 
 /// The forces between each body and the one in the same lane of another row.
 #[inline(always)]
-fn pair_forces<H, R, W, const D: usize, const S: usize>(
+pub(crate) fn pair_forces<H, R, W, const D: usize, const S: usize>(
     parameters: &H::Parameters<R>,
     [i, j]: [Bodies<W, D, S>; 2],
     time: f64,
@@ -158,15 +199,38 @@ where
     forces
 }
 
+/// The energy of each body with the one in the same lane of another row.
+#[inline(always)]
+pub(crate) fn pair_energies<H, R, W, const D: usize, const S: usize>(
+    parameters: &H::Parameters<R>,
+    [i, j]: [Bodies<W, D, S>; 2],
+    time: f64,
+) -> W
+where
+    H: ManyBody<D, S>,
+    R: Real,
+    W: Row<R>,
+{
+    if const { W::PARTS == 0 } {
+        return H::energy::<R, W>(parameters, i.q, j.q, i.constants, j.constants, time);
+    }
+    let mut energies = W::of(0.0);
+    for part in 0..W::PARTS {
+        let (i, j) = (i.part::<R>(part), j.part::<R>(part));
+        energies.parts_mut()[part] = H::energy::<R, R>(parameters, i.q, j.q, i.constants, j.constants, time);
+    }
+    energies
+}
+
 /// The displacement from the second of two rows to the first.
 #[inline(always)]
-fn displacement<W: Real, const D: usize, const S: usize>([i, j]: [Bodies<W, D, S>; 2]) -> [W; D] {
+pub(crate) fn displacement<W: Real, const D: usize, const S: usize>([i, j]: [Bodies<W, D, S>; 2]) -> [W; D] {
     sub(i.q, j.q)
 }
 
 /// The components of the force between two rows.
 #[inline(always)]
-fn components<H: ManyBody<D, S>, W: Real, const D: usize, const S: usize>(
+pub(crate) fn components<H: ManyBody<D, S>, W: Real, const D: usize, const S: usize>(
     force: H::Force<W>,
     bodies: [Bodies<W, D, S>; 2],
 ) -> [W; D] {

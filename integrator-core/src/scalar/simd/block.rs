@@ -1,7 +1,7 @@
 //! Blocks: vectors of consecutive numbers of an array. A loop over sites is one text, for whole vectors and for the
 //! rest that fills none.
 
-use crate::scalar::real::Real;
+use crate::scalar::real::{Mask, Real};
 
 /// A block: a vector of `WIDTH` consecutive numbers of an array of `R`. Every operation has the bits of `R`'s own, so
 /// that no result depends on where blocks begin.
@@ -16,6 +16,8 @@ pub trait Block<R: Real>: Real {
     /// The block with `x` in every lane.
     fn splat(x: R) -> Self;
 
+    /// One bit for each lane, the first lane lowest: whether it is less than that of `other`.
+    fn less_bits(self, other: Self) -> u64;
     /// The block that begins one element later, where `next` follows this one.
     fn after(self, next: Self) -> Self;
     /// The block that begins one element earlier, where this one follows `previous`.
@@ -40,6 +42,10 @@ impl<R: Real> Block<R> for R {
     #[inline(always)]
     fn splat(x: R) -> Self {
         x
+    }
+    #[inline(always)]
+    fn less_bits(self, other: Self) -> u64 {
+        u64::from(self.less(other).any())
     }
     #[inline(always)]
     fn after(self, next: Self) -> Self {

@@ -23,6 +23,8 @@ pub trait Row<R: Real>: Real {
     fn write(self, to: &mut [R]);
     /// Permutes the eight lanes: each gets the lane with its index.
     fn permute(self, indices: &[u64; 8]) -> Self;
+    /// Four rows of the numbers of eight points: those at `stride` times each of the indices, and `offset` behind it.
+    fn transposed(points: &[[R; 4]], indices: &[u32; 8], stride: usize, offset: usize) -> [Self; 4];
     /// The parts, if a row is made of such: each may fill registers of its own.
     #[inline(always)]
     fn parts(&self) -> &[R] {
@@ -56,6 +58,10 @@ impl<R: Real> Row<R> for R {
     #[inline(always)]
     fn permute(self, _indices: &[u64; 8]) -> Self {
         self
+    }
+    #[inline(always)]
+    fn transposed(points: &[[R; 4]], indices: &[u32; 8], stride: usize, offset: usize) -> [Self; 4] {
+        points[indices[0] as usize * stride + offset]
     }
 }
 
@@ -94,6 +100,17 @@ impl<R: Real, const BODIES: usize> Row<R> for Lanes<R, BODIES> {
             *part = self.part(*index as usize % BODIES);
         }
         Self::of_parts(parts)
+    }
+    #[inline(always)]
+    fn transposed(points: &[[R; 4]], indices: &[u32; 8], stride: usize, offset: usize) -> [Self; 4] {
+        let mut rows = [Self::of(0.0); 4];
+        for body in 0..BODIES {
+            let point = points[indices[body] as usize * stride + offset];
+            for (row, number) in rows.iter_mut().zip(point) {
+                row.parts_mut()[body] = number;
+            }
+        }
+        rows
     }
     #[inline(always)]
     fn parts(&self) -> &[R] {

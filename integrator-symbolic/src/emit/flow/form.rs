@@ -22,6 +22,10 @@ pub enum Form {
     Row,
     /// Bodies side by side in rows of eight: a sum over pairs, tile by tile.
     Tiles,
+    /// The same for few bodies; of many, over lists of neighbours within a cutoff.
+    Neighbours,
+    /// The same where neighbours are the nearest images in a periodic box.
+    NeighboursInBox,
 }
 
 impl Form {
@@ -33,6 +37,8 @@ impl Form {
             Self::Plane => "plane",
             Self::Row => "row",
             Self::Tiles => "tiles",
+            Self::Neighbours => "neighbours",
+            Self::NeighboursInBox => "neighbours_in_box",
         }
     }
 }
@@ -45,6 +51,13 @@ impl fmt::Display for Form {
             Self::Plane => "neighbour sums along the rows of a plane, in vectors",
             Self::Row => "pair sums by rotations of one row of bodies",
             Self::Tiles => "pair sums in tiles of eight bodies by eight",
+            Self::Neighbours => {
+                "pair sums in tiles of eight bodies by eight; from 1024 bodies on over lists of neighbours within the cutoff"
+            }
+            Self::NeighboursInBox => {
+                "pair sums in tiles of eight bodies by eight; from 1024 bodies on over lists of neighbours within the \
+                 cutoff, in a periodic box"
+            }
         })
     }
 }
@@ -59,7 +72,12 @@ pub(crate) fn forms(
     let mut emitter = Emitter { model, names: &Names::new(input), fields: Fields::default() };
     let Flows { drift, kick, many_body, .. } = Flows::of(&mut emitter, kinetic, potential);
     if let Some(bodies) = many_body {
-        return [if bodies.is_row() { Form::Row } else { Form::Tiles }; 2];
+        return match bodies.listed() {
+            Some(true) => [Form::Tiles, Form::NeighboursInBox],
+            Some(false) => [Form::Tiles, Form::Neighbours],
+            None if bodies.is_row() => [Form::Row; 2],
+            None => [Form::Tiles; 2],
+        };
     }
     [drift, kick].map(|flow| match flow.sweep {
         None => Form::Plain,

@@ -175,13 +175,21 @@ impl Flows {
     pub(crate) fn energy(&self, emitter: &mut Emitter<'_>, name: &str, energy: NodeId) -> TokenStream {
         let energy = lower_roots(emitter.model, &[energy])[0];
         // Bodies side by side are taken apart for what is seldom asked.
+        let listed = self.many_body.as_ref().and_then(ManyBody::listed).filter(|_| name == "potential");
+        let listed = listed.map(|_| {
+            quote!(if let ::core::option::Option::Some(energy) = motion.listed_energy::<Self>(time) {
+                return energy;
+            })
+        });
         let plain = self.many_body.as_ref().map(|_| quote!(let motion = &motion.plain::<Self::Coords>();));
         let (lines, names) = (emitter.value(&Frame::Motion, energy), emitter.names);
         let around = |energy| match self.in_jacobi {
             true => jacobi::energy(name, &energy),
             false => quote!(#plain #energy),
         };
-        lines.map(around).body(&names.scalar).energy(name, names)
+        let Body(body) = lines.map(around).body(&names.scalar);
+        // The time is still a number here.
+        Body::new(quote!(#listed #body)).energy(name, names)
     }
 
     /// What bodies in pairs implement of the runtime, on themselves and on their prepared constants.

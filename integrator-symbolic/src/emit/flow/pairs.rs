@@ -11,7 +11,7 @@ use crate::{
     },
     graph::{NodeId, Part, Scope, index::LoopId},
     model::{Model, Texts},
-    pairs::{Pairs, pairs, per_body, pull},
+    pairs::{Cutoff, Pairs, cutoff, pairs, per_body, pull},
     program::{Sink, is_direct},
 };
 use proc_macro2::{Literal, TokenStream};
@@ -19,6 +19,9 @@ use quote::{format_ident, quote};
 
 /// The most bodies whose state is one row.
 const ROW: u64 = 8;
+
+/// The fewest bodies whose neighbours within a cutoff are listed: with fewer, all pairs are as fast.
+const LISTED_FROM: u64 = 1024;
 
 /// The parts of a stepper for bodies that act in pairs.
 pub(crate) struct ManyBody {
@@ -30,6 +33,8 @@ pub(crate) struct ManyBody {
     functions: TokenStream,
     /// The prepared constants of one body, by its index.
     per_body: TokenStream,
+    /// Whether neighbours within a cutoff are listed, and whether they are those in a box.
+    listed: Option<bool>,
 }
 
 impl ManyBody {
@@ -47,7 +52,8 @@ impl ManyBody {
         let Model { graph, parameters, running, kinetic, potential, lengths, .. } = &mut *model;
         let mut texts = Texts::new(parameters, running);
         let length = *lengths.first()?;
-        let Pairs { bodies, pair, force, reciprocal, alone, .. } = pairs(graph, *potential, length, &mut texts)?;
+        let Pairs { bodies, pair, energy, force, reciprocal, energy_alone, alone } =
+            pairs(graph, *potential, length, &mut texts)?;
         let velocity = per_body(graph, *kinetic, length, Part::Momentum, &mut texts)?;
         let velocity = fold_branches(graph, &velocity);
         if velocity.is_empty() || force.is_empty() || !is_direct(&model.graph.loops, &velocity) {
@@ -56,6 +62,11 @@ impl ManyBody {
         let index = model.running.get(&pair[0])?.clone();
         model.running.entry(bodies).or_insert(index);
 
+        let few = model.shape.length.literal().is_some_and(|length| length < LISTED_FROM);
+        let cutoff = match few || model.jacobi.is_some() {
+            true => None,
+            false => cutoff(&mut model.graph, energy, pair, bodies, dimension),
+        };
         let mut constants = Constants::new(bodies);
         let drift = OfBodies::new(model, &mut constants, &[bodies], &velocity, Sink::Update)?;
         let acts = match condition(&force) {
@@ -72,12 +83,20 @@ impl ManyBody {
             [] => None,
             alone => Some(OfBodies::gradient(model, &mut constants, &[bodies], alone)?),
         };
+        let listed = match cutoff {
+            None => None,
+            Some(cutoff) => {
+                let energies = [energy, energy_alone];
+                Some(Listed::of(model, &mut constants, bodies, pair, &cutoff, energies)?)
+            }
+        };
         let sizes = [Literal::u64_unsuffixed(dimension), Literal::usize_unsuffixed(constants.count())];
         let row = model.shape.length.literal().filter(|length| *length <= ROW).map(Literal::u64_unsuffixed);
         let mut writer = Writer { emitter, constants: &constants, sizes: &sizes };
         let functions = [writer.drift(&drift), writer.pair(&force, central, pair)];
         let acts = acts.map(|(condition, holds)| writer.acts(&condition, holds, pair));
         let alone = alone.map(|alone| writer.alone(&alone));
+        let neighbours = listed.as_ref().map(|listed| writer.listed(listed, pair));
         let per_body = writer.per_body();
         let parts = if central { Literal::u64_unsuffixed(1) } else { sizes[0].clone() };
         let functions = quote! {
@@ -88,8 +107,15 @@ impl ManyBody {
             #(#functions)*
             #acts
             #alone
+            #neighbours
         };
-        Some(Self { row, sizes, functions, per_body })
+        let listed = listed.map(|listed| listed.sides.is_some());
+        Some(Self { row, sizes, functions, per_body, listed })
+    }
+
+    /// Whether neighbours within a cutoff are listed, and whether they are those in a box.
+    pub(crate) fn listed(&self) -> Option<bool> {
+        self.listed
     }
 
     /// Whether the bodies are one row.
@@ -134,6 +160,39 @@ impl ManyBody {
 
             impl #runtime::BodyConstants<#s> for #parameters { #per_body }
         }
+    }
+}
+
+/// What is asked where neighbours within a cutoff are listed.
+struct Listed {
+    square: OfBodies,
+    sides: Option<OfBodies>,
+    energy: OfBodies,
+    energy_alone: Option<OfBodies>,
+}
+
+impl Listed {
+    fn of(
+        model: &mut Model,
+        constants: &mut Constants,
+        bodies: LoopId,
+        pair: [LoopId; 2],
+        Cutoff { square, sides }: &Cutoff,
+        [energy, energy_alone]: [NodeId; 2],
+    ) -> Option<Self> {
+        let is_alone = model.graph.as_constant(energy_alone) != Some(0.0);
+        Some(Self {
+            square: OfBodies::value(model, constants, &[], *square)?,
+            sides: match &sides[..] {
+                [] => None,
+                sides => Some(OfBodies::new(model, constants, &[bodies], sides, Sink::Assign)?),
+            },
+            energy: OfBodies::value(model, constants, &pair, energy)?,
+            energy_alone: match is_alone {
+                true => Some(OfBodies::value(model, constants, &[bodies], energy_alone)?),
+                false => None,
+            },
+        })
     }
 }
 
@@ -196,12 +255,44 @@ impl Writer<'_, '_> {
 
     /// The gradient of what a body has alone.
     fn alone(&mut self, alone: &OfBodies) -> TokenStream {
-        let [q, of] = ["q", "constants"].map(|what| OfBodies::name_of(what, self.emitter.model, self.constants.bodies));
         let body = self.gradient(alone, quote!(::core::option::Option::Some(gradient)));
-        let ([d, s], wide) = (self.sizes, &self.emitter.names.wide);
-        let arguments = quote!(#q: [#wide; #d], #of: [#wide; #s]);
+        let (d, wide) = (&self.sizes[0], &self.emitter.names.wide);
         let result = quote!(::core::option::Option<[#wide; #d]>);
-        self.function("one_body", TokenStream::new(), arguments, Some(result), body)
+        self.function("one_body", TokenStream::new(), self.one_body(), Some(result), body)
+    }
+
+    /// The coordinates and prepared constants of a body, as arguments.
+    fn one_body(&self) -> TokenStream {
+        let [q, of] = ["q", "constants"].map(|what| OfBodies::name_of(what, self.emitter.model, self.constants.bodies));
+        let ([d, s], wide) = (self.sizes, &self.emitter.names.wide);
+        quote!(#q: [#wide; #d], #of: [#wide; #s])
+    }
+
+    /// What is asked where neighbours within a cutoff are listed.
+    fn listed(&mut self, listed: &Listed, of: [LoopId; 2]) -> TokenStream {
+        let Listed { square, sides, energy, energy_alone } = listed;
+        let (wide, d, none) = (self.emitter.names.wide.clone(), self.sizes[0].clone(), TokenStream::new);
+        let square = self.lines(square);
+        let square = self.function("cutoff", none(), none(), Some(quote!(#wide)), square);
+        let sides = sides.as_ref().map(|sides| {
+            let sides = self.gradient(sides, quote!(gradient));
+            self.function("sides", none(), none(), Some(quote!([#wide; #d])), sides)
+        });
+        let energy = self.lines(energy);
+        let energy = self.function("energy", none(), self.two_bodies(of), Some(quote!(#wide)), energy);
+        let alone = energy_alone.as_ref().map(|alone| {
+            let lines = self.lines(alone).map(|energy| quote!(::core::option::Option::Some({ #energy })));
+            self.function("energy_alone", none(), self.one_body(), Some(quote!(::core::option::Option<#wide>)), lines)
+        });
+        let from = Literal::u64_unsuffixed(LISTED_FROM);
+        quote! {
+            const LISTED_FROM: usize = #from;
+
+            #square
+            #sides
+            #energy
+            #alone
+        }
     }
 
     fn lines(&mut self, of: &OfBodies) -> Lines {
@@ -221,11 +312,12 @@ impl Writer<'_, '_> {
         let (name, result) = (format_ident!("{name}"), result.map(|result| quote!(-> #result)));
         let body = lines.body(wide);
         let (time, parameters, body) = (body.argument("time"), body.argument("parameters"), &body.0);
+        let comma = (!arguments.is_empty()).then(|| quote!(,));
         quote! {
             #[inline(always)]
             fn #name<#scalar: #runtime::Real, #wide: #runtime::Row<#scalar>, #generics>(
                 #parameters: &Self::Parameters<#scalar>,
-                #arguments,
+                #arguments #comma
                 #time: f64,
             ) #result { #body }
         }

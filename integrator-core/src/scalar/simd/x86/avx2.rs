@@ -25,6 +25,13 @@ macro_rules! mask {
         #[derive(Clone, Copy, Debug)]
         pub struct $mask($register);
 
+        impl $mask {
+            #[inline(always)]
+            pub(super) fn bits(self) -> u64 {
+                u64::from(instruction!($movemask(self.0)).cast_unsigned())
+            }
+        }
+
         impl Mask for $mask {
             #[inline(always)]
             fn of(holds: bool) -> Self {

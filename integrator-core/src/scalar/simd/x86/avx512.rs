@@ -24,6 +24,13 @@ macro_rules! mask {
         #[derive(Clone, Copy, Debug)]
         pub struct $mask($bits);
 
+        impl $mask {
+            #[inline(always)]
+            pub(super) fn bits(self) -> u64 {
+                u64::from(self.0)
+            }
+        }
+
         impl Mask for $mask {
             #[inline(always)]
             fn of(holds: bool) -> Self {

@@ -17,12 +17,12 @@ macro_rules! unary {
     (trunc $x:expr, $vector:ident of $scalar:ident, $sqrt:ident $andnot:ident $splat:ident $xor:ident $to_whole:ident) => {
         $vector(instruction!($to_whole::<{ _MM_FROUND_TO_ZERO | _MM_FROUND_NO_EXC }>($x.0)))
     };
-    // Halves away from zero: the largest number below a half is added to the size before that is cut off. A half itself
-    // would round 0.49999999999999994 up to one.
+    // Halves away from zero: the largest number below a half, with the sign of the other one, is added before that is cut
+    // off. A half itself would round 0.49999999999999994 up to one.
     (round $x:expr, $vector:ident of $scalar:ident, $sqrt:ident $andnot:ident $splat:ident $xor:ident $to_whole:ident) => {{
-        let size = $x.abs();
-        let whole = (size + $vector(instruction!($splat(0.5 - $scalar::EPSILON / 4.0)))).trunc();
-        $vector(instruction!($xor(whole.0, $xor($x.0, size.0))))
+        let sign = instruction!($andnot($splat($scalar::from_bits(!(-0.0 as $scalar).to_bits())), $x.0));
+        let half = instruction!($xor(sign, $splat(0.5 - $scalar::EPSILON / 4.0)));
+        ($x + $vector(half)).trunc()
     }};
     ($function:ident $x:expr, $vector:ident of $scalar:ident, $sqrt:ident $andnot:ident $splat:ident $xor:ident $to_whole:ident) => {
         crate::scalar::functions::kernel!($function $x; $vector::of_lanes($x.lanes().map($scalar::$function)))
@@ -214,6 +214,10 @@ macro_rules! vector {
                 #[inline(always)]
                 fn splat(x: Fused<$scalar, $set>) -> Self {
                     Self(instruction!($splat(x.0)))
+                }
+                #[inline(always)]
+                fn less_bits(self, other: Self) -> u64 {
+                    self.less(other).bits()
                 }
                 #[inline(always)]
                 fn after(self, next: Self) -> Self {

@@ -7,7 +7,9 @@ use crate::scalar::{
     simd::{block::Block, lanes::Lanes, row::Row},
 };
 use core::arch::x86_64::{
-    __m256i, __m512i, _mm256_loadu_si256, _mm256_permutevar8x32_ps, _mm512_loadu_si512, _mm512_permutexvar_pd,
+    __m256d, __m256i, __m512d, __m512i, _mm256_loadu_pd, _mm256_loadu_si256, _mm256_permutevar8x32_ps,
+    _mm512_castpd256_pd512, _mm512_insertf64x4, _mm512_loadu_si512, _mm512_permutexvar_pd, _mm512_shuffle_f64x2,
+    _mm512_unpackhi_pd, _mm512_unpacklo_pd,
 };
 
 /// The lane that each lane is taken from when `N` bodies are rotated. A constant, since both numbers are.
@@ -76,6 +78,28 @@ impl Row<Fused<f64, Avx512>> for X8 {
     fn permute(self, indices: &[u64; 8]) -> Self {
         Self(instruction!(_mm512_permutexvar_pd(words(indices), self.0)))
     }
+    #[inline(always)]
+    fn transposed(points: &[[Fused<f64, Avx512>; 4]], indices: &[u32; 8], stride: usize, offset: usize) -> [Self; 4] {
+        let point = |lane: usize| quadruple(&points[indices[lane] as usize * stride + offset]);
+        // Two points in a register each, so that lanes are in order once halves of four registers are put together.
+        let two = |low: usize, high: usize| {
+            instruction!(_mm512_insertf64x4::<1>(_mm512_castpd256_pd512(point(low)), point(high)))
+        };
+        let [a, b, c, d] = [two(0, 2), two(1, 3), two(4, 6), two(5, 7)];
+        let low = [instruction!(_mm512_unpacklo_pd(a, b)), instruction!(_mm512_unpacklo_pd(c, d))];
+        let high = [instruction!(_mm512_unpackhi_pd(a, b)), instruction!(_mm512_unpackhi_pd(c, d))];
+        let even = |[a, b]: [__m512d; 2]| Self(instruction!(_mm512_shuffle_f64x2::<0b10_00_10_00>(a, b)));
+        let odd = |[a, b]: [__m512d; 2]| Self(instruction!(_mm512_shuffle_f64x2::<0b11_01_11_01>(a, b)));
+        [even(low), even(high), odd(low), odd(high)]
+    }
+}
+
+/// Four numbers in half a register.
+#[inline(always)]
+fn quadruple(point: &[Fused<f64, Avx512>; 4]) -> __m256d {
+    // SAFETY: four numbers are the 256 bits that are read, and `Fused` is transparent; for the instruction set as in
+    // `instruction!`.
+    unsafe { _mm256_loadu_pd(point.as_ptr().cast()) }
 }
 
 /// Eight singles, on either set.
@@ -103,6 +127,17 @@ macro_rules! singles {
             fn permute(self, indices: &[u64; 8]) -> Self {
                 let indices = indices.map(|index| index as u32);
                 Self(instruction!(_mm256_permutevar8x32_ps(self.0, half_words(&indices))))
+            }
+            #[inline(always)]
+            fn transposed(points: &[[Fused<f32, $set>; 4]], indices: &[u32; 8], stride: usize, offset: usize) -> [Self; 4] {
+                let mut numbers = [[Fused::of(0.0); 8]; 4];
+                for (lane, index) in indices.iter().enumerate() {
+                    let point = points[*index as usize * stride + offset];
+                    for (row, number) in numbers.iter_mut().zip(point) {
+                        row[lane] = number;
+                    }
+                }
+                numbers.map(|numbers| Self::load(&numbers))
             }
         }
     )*};
@@ -138,6 +173,17 @@ impl Row<Fused<f64, Fma>> for Lanes<X4, 2> {
         let x = [a, b, c, d, e, f, g, h];
         let at = |lane: usize| x[indices[lane] as usize % 8];
         Self::of_parts([X4::of_lanes([at(0), at(1), at(2), at(3)]), X4::of_lanes([at(4), at(5), at(6), at(7)])])
+    }
+    #[inline(always)]
+    fn transposed(points: &[[Fused<f64, Fma>; 4]], indices: &[u32; 8], stride: usize, offset: usize) -> [Self; 4] {
+        let mut numbers = [[Fused::of(0.0); 8]; 4];
+        for (lane, index) in indices.iter().enumerate() {
+            let point = points[*index as usize * stride + offset];
+            for (row, number) in numbers.iter_mut().zip(point) {
+                row[lane] = number;
+            }
+        }
+        numbers.map(|numbers| <Self as Row<_>>::read(&numbers))
     }
 }
 

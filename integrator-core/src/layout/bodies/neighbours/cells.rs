@@ -1,0 +1,193 @@
+//! Cells: bodies sorted by where they are, so that those near one are found without a look at all others.
+//!
+//! Always true: a cell is at least as wide as the radius along every axis that has more than one, so that whoever is within
+//! the radius of a body is in its cell or in one beside it. Computed in `f64`, whatever the bodies are computed in: this
+//! decides who is looked at and never what is added.
+
+use crate::scalar::real::Real;
+use alloc::{vec, vec::Vec};
+use core::ops::Range;
+
+/// Where bodies may be: along each axis the side of a periodic box, or zero where there is no end.
+pub(crate) type Sides<const D: usize> = [f64; D];
+
+/// The most axes that are divided: more would have more cells beside each one than bodies near it.
+const DIVIDED: usize = 3;
+
+/// The fewest cells along a periodic axis that is divided: with fewer, the cells on both sides are the same one.
+const FEWEST: usize = 3;
+
+/// Bodies in cells.
+pub(crate) struct Cells<const D: usize> {
+    pub(super) sides: Sides<D>,
+    pub(super) radius: f64,
+    /// The number of cells along each axis.
+    counts: [usize; D],
+    /// The slots of each cell.
+    begins: Vec<u32>,
+    /// The body in each slot; ascending within a cell.
+    pub(crate) body_of: Vec<u32>,
+    /// The cell of each body.
+    cell_of: Vec<u32>,
+    /// The places of bodies in the box, by axis and slot.
+    pub(super) places: [Vec<f64>; D],
+}
+
+impl<const D: usize> Cells<D> {
+    /// Sorts bodies; `at` gives the coordinates of one.
+    pub(crate) fn new(bodies: usize, at: &dyn Fn(usize) -> [f64; D], sides: Sides<D>, radius: f64) -> Self {
+        let mut points = Vec::with_capacity(bodies);
+        for body in 0..bodies {
+            points.push(wrapped(at(body), sides));
+        }
+        let (counts, origin, width) = division(&points, sides, radius);
+        let cell = |point: &[f64; D]| {
+            let mut cell = 0;
+            for axis in (0..D).rev() {
+                // What is not a number is nowhere near anything, and may stay in any cell.
+                let along = ((point[axis] - origin[axis]) / width[axis]) as usize;
+                cell = cell * counts[axis] + along.min(counts[axis] - 1);
+            }
+            cell as u32
+        };
+        let cell_of: Vec<u32> = points.iter().map(cell).collect();
+        let mut begins = vec![0_u32; counts.iter().product::<usize>() + 1];
+        for cell in &cell_of {
+            begins[*cell as usize + 1] += 1;
+        }
+        for cell in 1..begins.len() {
+            begins[cell] += begins[cell - 1];
+        }
+        let (mut next, mut body_of) = (begins.clone(), vec![0; bodies]);
+        for (body, cell) in cell_of.iter().enumerate() {
+            let slot = &mut next[*cell as usize];
+            body_of[*slot as usize] = body as u32;
+            *slot += 1;
+        }
+        let places = core::array::from_fn(|axis| body_of.iter().map(|body| points[*body as usize][axis]).collect());
+        Self { sides, radius, counts, begins, body_of, cell_of, places }
+    }
+
+    /// The cell of the body in a slot.
+    pub(crate) fn of_slot(&self, slot: usize) -> usize {
+        self.cell_of[self.body_of[slot] as usize] as usize
+    }
+
+    pub(super) fn slots(&self, cell: usize) -> Range<usize> {
+        self.begins[cell] as usize..self.begins[cell + 1] as usize
+    }
+
+    /// Adds the bodies that are near one, in no particular order, without itself.
+    pub(crate) fn near(&self, body: u32, near: &mut Vec<u32>) {
+        let cell = self.cell_of[body as usize] as usize;
+        let Some(own) = self.slots(cell).find(|slot| self.body_of[*slot] == body) else { return };
+        for (cell, shift) in self.around(cell) {
+            for slot in self.slots(cell) {
+                let mut square = 0.0;
+                for (axis, shift) in shift.iter().enumerate() {
+                    let distance = self.places[axis][slot] + shift - self.places[axis][own];
+                    let size = Real::abs(distance);
+                    let size = size.min(Real::abs(size - self.image(axis)));
+                    square += size * size;
+                }
+                if square < self.radius * self.radius && slot != own {
+                    near.push(self.body_of[slot]);
+                }
+            }
+        }
+    }
+
+    /// The side of a periodic axis that is not divided, along which no shift makes a distance that of the nearest image; else
+    /// zero.
+    pub(super) fn image(&self, axis: usize) -> f64 {
+        if self.counts[axis] == 1 { self.sides[axis] } else { 0.0 }
+    }
+
+    /// A cell and those beside it, each with what is added to the places in it.
+    pub(super) fn around(&self, cell: usize) -> Vec<(usize, [f64; D])> {
+        let (mut around, mut rest, mut stride) = (vec![(0, [0.0; D])], cell, 1);
+        for axis in 0..D {
+            let (count, side) = (self.counts[axis], self.sides[axis]);
+            let along = rest % count;
+            let mut wider = Vec::with_capacity(around.len() * 3);
+            for (number, shift) in around {
+                let mut add = |along: usize, by: f64| {
+                    let mut shift: [f64; D] = shift;
+                    shift[axis] = by;
+                    wider.push((number + along * stride, shift));
+                };
+                if count > 1 && along > 0 {
+                    add(along - 1, 0.0);
+                } else if count > 1 && side > 0.0 {
+                    add(count - 1, -side);
+                }
+                add(along, 0.0);
+                if along + 1 < count {
+                    add(along + 1, 0.0);
+                } else if count > 1 && side > 0.0 {
+                    add(0, side);
+                }
+            }
+            around = wider;
+            rest /= count;
+            stride *= count;
+        }
+        around
+    }
+}
+
+/// A point in the box.
+fn wrapped<const D: usize>(mut point: [f64; D], sides: Sides<D>) -> [f64; D] {
+    for (x, side) in point.iter_mut().zip(sides) {
+        if side > 0.0 {
+            *x -= side * Real::floor(*x / side);
+        }
+    }
+    point
+}
+
+/// The number of cells along each axis, where the first one begins, and how wide they are.
+fn division<const D: usize>(points: &[[f64; D]], sides: Sides<D>, radius: f64) -> ([usize; D], [f64; D], [f64; D]) {
+    let (mut counts, mut origin, mut extent) = ([1; D], [0.0; D], sides);
+    for axis in 0..D {
+        if sides[axis] <= 0.0 {
+            (origin[axis], extent[axis]) = crowded(points.iter().map(|point| point[axis]).collect());
+        }
+        if axis < DIVIDED {
+            counts[axis] = fitting((extent[axis] / radius).min(1e6) as usize, sides[axis]);
+        }
+    }
+    // No more cells than bodies: empty ones take time too.
+    while counts.iter().fold(1_usize, |all, count| all.saturating_mul(*count)) > points.len().max(1) {
+        let Some(axis) = (0..D).max_by_key(|axis| counts[*axis]) else { break };
+        counts[axis] = fitting(counts[axis] / 2, sides[axis]);
+    }
+    let mut width = [1.0; D];
+    for axis in 0..D {
+        if counts[axis] > 1 {
+            width[axis] = extent[axis] / counts[axis] as f64;
+        }
+    }
+    (counts, origin, width)
+}
+
+/// Where most bodies are along an axis without an end: where the range begins, and how long it is. Who is outside belongs to
+/// the first cell or the last one, so that a few that flew away do not make all others share a cell.
+fn crowded(mut all: Vec<f64>) -> (f64, f64) {
+    all.retain(|x| x.is_finite());
+    if all.is_empty() {
+        return (0.0, 0.0);
+    }
+    let few = all.len() / 64;
+    let last = all.len() - 1 - few;
+    let (_, low, _) = all.select_nth_unstable_by(few, f64::total_cmp);
+    let low = *low;
+    let (_, high, _) = all.select_nth_unstable_by(last, f64::total_cmp);
+    let span = *high - low;
+    (low - span / 32.0, span * (1.0 + 1.0 / 16.0))
+}
+
+/// The number of cells along an axis with room for so many.
+fn fitting(count: usize, side: f64) -> usize {
+    if count < FEWEST && side > 0.0 { 1 } else { count.max(1) }
+}
