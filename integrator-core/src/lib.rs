@@ -161,7 +161,7 @@ pub mod prelude {
     pub use crate::{
         Compensated, Composition, Crossings, Direction, Error, Fixed, GaussLegendre4, GaussLegendre6, Hamiltonian,
         ImplicitMidpoint, Logarithmic, Paced, Phase, Power, Run, Sample, Samples, SamplesAt, Scheme, composition,
-        hamiltonian,
+        hamiltonian, taylor::Taylor,
     };
 }
 

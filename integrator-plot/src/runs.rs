@@ -1,8 +1,6 @@
 //! Pictures of runs, one line each.
 
 use crate::{axis::Axis, chart::Chart, colour::COLOURS, series::Mark};
-// The one way to a number from a coordinate of any precision.
-use integrator_core::__private::Precision;
 use integrator_core::{Coords, Phase, Sample};
 use std::ops::RangeInclusive;
 
@@ -55,7 +53,8 @@ pub fn orbit<'s, C: Coords>(samples: impl IntoIterator<Item = &'s Sample<C>>) ->
     let mut paths: Vec<Vec<(f64, f64)>> = Vec::new();
     let mut alone = false;
     for sample in samples {
-        let numbers = numbers(&sample.state.q);
+        let Phase { q, .. } = sample.state.to_f64();
+        let numbers = q.flat();
         let step = if C::COMPONENTS > 1 { C::COMPONENTS } else { numbers.len() };
         for (body, place) in numbers.chunks(step.max(1)).enumerate() {
             if paths.len() <= body {
@@ -130,12 +129,8 @@ fn over_time() -> Chart {
 
 /// A position and its momentum.
 fn plane<C: Coords>(state: &Phase<C>, degree: usize) -> Option<(f64, f64)> {
-    let (q, p) = (state.q.flat().get(degree)?, state.p.flat().get(degree)?);
-    Some((q.to_f64(), p.to_f64()))
-}
-
-fn numbers<C: Coords>(coordinates: &C) -> Vec<f64> {
-    coordinates.flat().iter().map(|leaf| leaf.to_f64()).collect()
+    let Phase { q, p } = state.to_f64();
+    Some((*q.flat().get(degree)?, *p.flat().get(degree)?))
 }
 
 /// The name of a coordinate, with its number where there are several.

@@ -23,6 +23,13 @@ pub struct Compensated<F> {
     pub carried: F,
 }
 
+/// The number with what it carries, rounded.
+impl From<Compensated<f64>> for f64 {
+    fn from(number: Compensated<f64>) -> Self {
+        number.value + number.carried
+    }
+}
+
 impl<R: Real> Slot<R> for Compensated<R> {
     /// A number and its carried error alternate in memory, so that coordinates are not contiguous.
     type Wide = R;

@@ -1,6 +1,6 @@
 //! Points of phase space.
 
-use crate::state::{compensated::Compensated, coords::Coords, fixed::Fixed};
+use crate::state::{compensated::Compensated, coords::Coords, fixed::Fixed, precision::Precision};
 
 /// Positions and momenta, in the shape that the Hamiltonian's functions take them.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -15,6 +15,29 @@ impl<C: Coords> Phase<C> {
     /// The point with positions `q` and momenta `p`. Its leaf type decides the precision of a run from it.
     pub fn new(q: C, p: C) -> Self {
         Self { q, p }
+    }
+
+    /// The point in plain `f64`, whatever its leaf type is: what a compensated coordinate carries is added to it, and
+    /// rounded. So generic code reads numbers, by [`Coords::flat`].
+    ///
+    /// ```
+    /// use integrator_core::{Coords, prelude::*};
+    ///
+    /// fn largest<C: Coords>(run: &Run<C>) -> f64 {
+    ///     run.state().to_f64().q.flat().iter().fold(0.0, |largest: f64, q| largest.max(q.abs()))
+    /// }
+    /// # struct Rotor;
+    /// # #[hamiltonian]
+    /// # impl Rotor {
+    /// #     fn kinetic(&self, p: [f64; 1]) -> f64 { p[0] * p[0] / 2.0 }
+    /// #     fn potential(&self, q: [f64; 1]) -> f64 { -q[0].cos() }
+    /// # }
+    /// assert_eq!(largest(&Rotor.run(Phase::compensated([-0.5], [0.0]), 0.1)?), 0.5);
+    /// # Ok::<(), Error>(())
+    /// ```
+    pub fn to_f64(&self) -> Phase<C::With<f64>> {
+        let number = |leaf: C::Leaf| leaf.parts().iter().sum::<f64>();
+        Phase { q: self.q.map(number), p: self.p.map(number) }
     }
 }
 
