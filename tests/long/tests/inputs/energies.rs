@@ -70,7 +70,7 @@ fn a_start_without_an_energy_is_refused_and_its_part_named() {
     refused(Logarithmic.run_with(Yoshida4, Phase::new([0.0_f32], [0.0]), 0.1), "potential", "inf", 0.0);
     let centre = Phase::new([0.0, 0.0], [0.0, 1.0]);
     refused(Softened { softening: 0.0 }.run(centre, 0.1), "potential", "-inf", 0.0);
-    let taylor = integrator_core::taylor::Taylor::tolerance(1e-12);
+    let taylor = Taylor::tolerance(1e-12);
     refused(Softened { softening: 0.0 }.run_with(taylor, centre, 0.1), "potential", "-inf", 0.0);
     Softened { softening: 1.0 }.run(centre, 0.1).expect("finite").advance(10).expect("finite");
 
