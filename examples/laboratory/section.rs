@@ -2,6 +2,8 @@
 
 use crate::systems::HenonHeiles;
 use integrator_core::prelude::*;
+use integrator_laboratory::{Verdict, plain};
+use integrator_plot::{Axis, Chart, Panels};
 use std::error::Error;
 
 /// An energy, with the points at which orbits pass x = 0 to the right.
@@ -54,4 +56,38 @@ pub(crate) fn section(energy: f64, crossings: usize) -> Result<Section, Box<dyn 
         section.orbits.push(orbit);
     }
     Ok(section)
+}
+
+/// At both energies.
+pub(crate) fn all(crossings: usize) -> Result<Vec<Section>, Box<dyn Error>> {
+    ENERGIES.iter().map(|energy| section(*energy, crossings)).collect()
+}
+
+/// What is claimed of the sections.
+pub(crate) fn claim(sections: &[Section]) -> Verdict {
+    let says = "Crossings lie on the section: the largest |x| of one";
+    // Time and position of a crossing are rounded a few times.
+    Verdict::new(
+        "crossings_lie_on_the_section",
+        says,
+        [0.0, 1e-13],
+        sections.iter().map(|section| section.off).reduce(f64::max),
+    )
+}
+
+/// One panel per energy.
+pub(crate) fn picture(sections: &[Section]) -> Panels {
+    let claim = "Where orbits pass x = 0 to the right. At the lower energy they stay on curves; at the higher one a \
+                 single orbit fills a region.";
+    let panels = Panels::new("Poincaré section of Hénon and Heiles", claim).columns(2).panel(620, 620);
+    sections.iter().fold(panels, |panels, section| panels.chart(panel(section)))
+}
+
+fn panel(section: &Section) -> Chart {
+    let count: usize = section.orbits.iter().map(Vec::len).sum();
+    let chart = Chart::new(format!("E = {:.4}", section.energy))
+        .claim(format!("{count} crossings, energy error {}", plain(section.energy_change)))
+        .along(Axis::linear("y"))
+        .up(Axis::linear("py"));
+    section.orbits.iter().fold(chart, |chart, orbit| chart.cloud("", orbit.iter().copied()))
 }

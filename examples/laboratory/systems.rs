@@ -1,96 +1,91 @@
-//! The systems that the laboratory knows, one row each. To add your own: an annotated impl, and a row in [`SYSTEMS`].
+//! The systems of the course, one row each.
 
-use crate::{
-    plan::Plan,
-    problem::Problem,
-    study::{Study, measure},
-};
+use crate::{oscillator, period, section, stiff};
 use integrator_core::prelude::*;
-use std::{error::Error, f64::consts::TAU};
+use integrator_laboratory::{Laboratory, Plan, Report};
+use std::{error::Error, f64::consts::TAU, path::Path};
 
-/// A name, and how the system of this name is measured.
+/// A page, or why there is none.
+pub(crate) type Outcome = Result<Report, Box<dyn Error>>;
+
+/// A name, and what writes the page of the system of this name.
 pub(crate) struct System {
     pub(crate) name: &'static str,
-    pub(crate) measure: fn(&Plan) -> Result<Study, Box<dyn Error>>,
+    pub(crate) report: fn(&Plan, &Path) -> Outcome,
 }
 
 /// One row for each system. The first one is taken if none is named.
-pub(crate) const SYSTEMS: &[System] = &[
+pub(crate) const SYSTEMS: [System; 6] = [
     System {
         name: "pendulum",
-        measure: |plan| {
-            let problem = Problem {
-                system: Pendulum,
-                formula: "H = p²/2 − cos q, from the angle 2 at rest",
-                start: Phase::new([2.0], [0.0]),
-                period: 8.35,
-                step: 0.1,
-                blob: 0.3,
-                view: [0, 1],
-            };
-            measure(&problem, plan)
+        report: |plan, folder| {
+            let periods = period::all(plan.rungs.min(7));
+            Laboratory::new(&Pendulum, Phase::new([2.0], [0.0]), 8.35)
+                .called("pendulum")
+                .formula("H = p²/2 − cos q, from the angle 2 at rest")
+                .step(0.1)
+                .blob(0.3)
+                .plan(*plan)
+                .claim(period::claim(&periods))
+                .picture("period", period::picture(&periods))
+                .report(folder)
         },
     },
     System {
         name: "oscillator",
-        measure: |plan| {
-            let problem = Problem {
-                system: Oscillator,
-                formula: "H = p²/2 + q²/2, from q = 1 at rest",
-                start: Phase::new([1.0], [0.0]),
-                period: TAU,
-                step: 0.1,
-                blob: 0.3,
-                view: [0, 1],
-            };
-            measure(&problem, plan)
+        report: |plan, folder| {
+            let laboratory = Laboratory::new(&Oscillator, Phase::new([1.0], [0.0]), TAU)
+                .called("oscillator")
+                .formula("H = p²/2 + q²/2, from q = 1 at rest")
+                .step(0.1)
+                .blob(0.3)
+                .plan(*plan);
+            let laboratory = oscillator::claims()?.into_iter().fold(laboratory, Laboratory::claim);
+            laboratory.picture("closed_forms", oscillator::picture()?).report(folder)
         },
     },
     System {
         name: "henon_heiles",
-        measure: |plan| {
-            let problem = Problem {
-                system: HenonHeiles,
-                formula: "H = (px² + py² + x² + y²)/2 + x²y − y³/3, of energy 0.088",
-                start: Phase::new([0.1, 0.1], [0.3, 0.25]),
-                period: 6.5,
-                step: 0.05,
-                blob: 0.05,
-                view: [0, 2],
-            };
-            measure(&problem, plan)
+        report: |plan, folder| {
+            // Crossings in proportion to the periods of portraits.
+            let sections = section::all((60.0 * plan.periods) as usize)?;
+            Laboratory::new(&HenonHeiles, Phase::new([0.1, 0.1], [0.3, 0.25]), 6.5)
+                .called("henon_heiles")
+                .formula("H = (px² + py² + x² + y²)/2 + x²y − y³/3, of energy 0.088")
+                .step(0.05)
+                .blob(0.05)
+                .view([0, 2])
+                .plan(*plan)
+                .claim(section::claim(&sections))
+                .picture("section", section::picture(&sections))
+                .report(folder)
         },
     },
     System {
         name: "kepler",
-        measure: |plan| {
-            let problem = Problem {
-                system: Kepler,
-                formula: "H = (px² + py²)/2 − 1/r, from the aphelion of an ellipse of eccentricity 0.3",
-                start: Phase::new([1.3, 0.0], [0.0, (0.7_f64 / 1.3).sqrt()]),
-                period: TAU,
-                step: 0.02,
-                blob: 0.02,
-                view: [0, 1],
-            };
-            measure(&problem, plan)
+        report: |plan, folder| {
+            Laboratory::new(&Kepler, Phase::new([1.3, 0.0], [0.0, (0.7_f64 / 1.3).sqrt()]), TAU)
+                .called("kepler")
+                .formula("H = (px² + py²)/2 − 1/r, from the aphelion of an ellipse of eccentricity 0.3")
+                .step(0.02)
+                .blob(0.02)
+                .plan(*plan)
+                .report(folder)
         },
     },
     System {
         name: "double_well",
-        measure: |plan| {
-            let problem = Problem {
-                system: DoubleWell,
-                formula: "H = p²/2 + (q² − 1)²/4, from q = 1.5 at rest, above the hill between the wells",
-                start: Phase::new([1.5], [0.0]),
-                period: 8.3,
-                step: 0.1,
-                blob: 0.03,
-                view: [0, 1],
-            };
-            measure(&problem, plan)
+        report: |plan, folder| {
+            Laboratory::new(&DoubleWell, Phase::new([1.5], [0.0]), 8.3)
+                .called("double_well")
+                .formula("H = p²/2 + (q² − 1)²/4, from q = 1.5 at rest, above the hill between the wells")
+                .step(0.1)
+                .blob(0.03)
+                .plan(*plan)
+                .report(folder)
         },
     },
+    System { name: "stiff", report: |plan, folder| stiff::report(plan, folder) },
 ];
 
 pub(crate) struct Pendulum;

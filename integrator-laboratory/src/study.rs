@@ -5,68 +5,64 @@ use crate::{
     measured::Measured,
     methods::{self, Adaptive},
     plan::Plan,
-    problem::{Problem, name},
+    problem::{Problem, name, numbers},
     shifted::verlet_against_leapfrog,
-    systems::System,
 };
-use integrator_core::{Coords, prelude::*};
+use integrator_core::prelude::*;
 use std::error::Error;
 
 /// The measurements of a system.
+#[derive(Clone, Debug)]
 pub(crate) struct Study {
-    /// The name of its row.
-    pub(crate) system: &'static str,
-    pub(crate) formula: &'static str,
+    pub(crate) system: String,
     /// Whether its energy is conserved.
     pub(crate) autonomous: bool,
     pub(crate) freedom: usize,
     pub(crate) step: f64,
+    pub(crate) period: f64,
     /// What portraits show along and up.
     pub(crate) view: [String; 2],
-    /// The least and the greatest of each of these on the exact orbit.
-    pub(crate) extents: [[f64; 2]; 2],
+    /// The orbit in this view, to more digits than are seen.
+    pub(crate) orbit: Vec<(f64, f64)>,
     pub(crate) methods: Vec<Measured>,
     pub(crate) adaptive: Vec<Adaptive>,
     /// By how much Verlet's inner half steps differ from the leapfrog.
     pub(crate) shifted: f64,
 }
 
-impl System {
-    /// Measures the system.
-    pub(crate) fn study(&self, plan: &Plan) -> Result<Study, Box<dyn Error>> {
-        Ok(Study { system: self.name, ..(self.measure)(plan)? })
-    }
-}
+/// Steps to a period of this orbit.
+const ORBIT: f64 = 64.0;
 
 impl Study {
     /// The measurements of a method.
     pub(crate) fn method(&self, name: &str) -> Option<&Measured> {
-        self.methods.iter().find(|measured| measured.name == name)
+        self.methods.iter().find(|measured| measured.name() == name)
     }
 }
 
 /// Measures a system.
-pub(crate) fn measure<H: Hamiltonian>(problem: &Problem<H>, plan: &Plan) -> Result<Study, Box<dyn Error>> {
-    let freedom = problem.start.q.flat().len();
-    if let Some(index) = problem.view.iter().find(|index| **index >= 2 * freedom) {
+pub(crate) fn measure<H: Hamiltonian>(
+    system: String,
+    problem: &Problem<'_, H>,
+    plan: &Plan,
+) -> Result<Study, Box<dyn Error>> {
+    let freedom = problem.freedom();
+    let count = numbers(&problem.start).len();
+    if let Some(index) = problem.view.iter().find(|index| **index >= count) {
         return Err(format!("a view of coordinate {index}: there are {freedom} positions, then as many momenta").into());
     }
     let exact = exact(problem)?;
-    let extent = |index: usize| {
-        let numbers = exact.orbit.iter().map(|state| state[index]);
-        let (least, most) =
-            numbers.fold((f64::INFINITY, f64::NEG_INFINITY), |(least, most), x| (least.min(x), most.max(x)));
-        [least, most]
-    };
+    // For as long as portraits last, in steps whose error is not seen.
+    let step = problem.period / ORBIT;
+    let orbit = problem.run(KahanLi8, &problem.start, step)?.samples(1).take((plan.periods * ORBIT) as usize + 1);
     Ok(Study {
-        // The row knows it.
-        system: "",
-        formula: problem.formula,
+        system,
         autonomous: H::AUTONOMOUS,
         freedom,
         step: problem.step,
+        period: problem.period,
         view: problem.view.map(|index| name(index, freedom)),
-        extents: problem.view.map(extent),
+        orbit: orbit.map_while(Result::ok).map(|sample| problem.seen(&sample.state)).collect(),
         methods: methods::all(problem, plan, &exact)?,
         adaptive: methods::adaptive(problem, plan, &exact)?,
         shifted: verlet_against_leapfrog(problem)?,

@@ -8,7 +8,7 @@ use integrator_core::{Coords, Method, prelude::*};
 use std::{error::Error, f64::consts::TAU};
 
 /// The outline of the blob at some times, in the plane of the first position and its momentum, and its area.
-#[derive(Default)]
+#[derive(Clone, Debug, Default)]
 pub(crate) struct Blob {
     pub(crate) outlines: Vec<Vec<(f64, f64)>>,
     /// Periods, and the area in units of that at the start.
@@ -30,7 +30,7 @@ const SHOWN: usize = 5;
 
 /// Follows the outline of the blob.
 pub(crate) fn follow<H: Hamiltonian, M: Method<H>>(
-    problem: &Problem<H>,
+    problem: &Problem<'_, H>,
     method: M,
     plan: &Plan,
 ) -> Result<Blob, Box<dyn Error>> {
@@ -77,4 +77,28 @@ pub(crate) fn invariant(outline: &[Vec<f64>], freedom: usize) -> f64 {
         }
     }
     sum * TAU / count as f64
+}
+
+#[cfg(test)]
+mod tests {
+    use super::invariant;
+
+    /// The invariant of an ellipse is its area, whatever plane it lies in.
+    #[test]
+    fn the_invariant_is_the_area() {
+        let circle = |freedom: usize, plane: usize| -> Vec<Vec<f64>> {
+            let point = |k: usize| {
+                let (sine, cosine) = (std::f64::consts::TAU * k as f64 / 64.0).sin_cos();
+                let mut state = vec![0.3; 2 * freedom];
+                state[plane] += 2.0 * cosine;
+                state[freedom + plane] -= 0.5 * sine;
+                state
+            };
+            (0..64).map(point).collect()
+        };
+        for (freedom, plane) in [(1, 0), (2, 0), (3, 2)] {
+            let area = invariant(&circle(freedom, plane), freedom);
+            assert!((area - std::f64::consts::PI).abs() < 1e-12, "{area}");
+        }
+    }
 }

@@ -10,7 +10,10 @@ use integrator_core::{Coords, Error, prelude::*, reference::StaggeredLeapfrog};
 const STEPS: usize = 1_000;
 
 /// The positions half a step later, the momenta as they are.
-fn half_a_step_later<H: Hamiltonian>(problem: &Problem<H>, state: Phase<H::Coords>) -> Result<Phase<H::Coords>, Error> {
+fn half_a_step_later<H: Hamiltonian>(
+    problem: &Problem<'_, H>,
+    state: Phase<H::Coords>,
+) -> Result<Phase<H::Coords>, Error> {
     // Drift, then kick: of such a step the drift is kept.
     let mut run = problem.run(EulerAdjoint, &state, 0.5 * problem.step)?;
     run.advance(1)?;
@@ -20,7 +23,7 @@ fn half_a_step_later<H: Hamiltonian>(problem: &Problem<H>, state: Phase<H::Coord
 /// The largest difference between the half steps of Verlet and the leapfrog, in units of the state: positions at half
 /// steps, where Verlet drifts first, and momenta at half steps, where it kicks first. The latter leapfrog is the textbook's
 /// own code and shows its momenta half a kick later.
-pub(crate) fn verlet_against_leapfrog<H: Hamiltonian>(problem: &Problem<H>) -> Result<f64, Error> {
+pub(crate) fn verlet_against_leapfrog<H: Hamiltonian>(problem: &Problem<'_, H>) -> Result<f64, Error> {
     let Problem { start, step, .. } = problem;
     let begin = half_a_step_later(problem, start.clone())?;
     let leapfrog = problem.run(Euler, &begin, *step)?.at_time(0.5 * step);

@@ -2,7 +2,7 @@
 
 use crate::{
     plan::Plan,
-    problem::{Problem, numbers},
+    problem::{Problem, distance, numbers},
 };
 use integrator_core::{Coords, Method, prelude::*};
 use std::error::Error;
@@ -21,8 +21,6 @@ pub(crate) struct Rung {
 /// Where a motion arrives.
 pub(crate) struct Exact {
     end: Vec<f64>,
-    /// The orbit on the way, step by step.
-    pub(crate) orbit: Vec<Vec<f64>>,
     /// By how much two references differ.
     uncertainty: f64,
 }
@@ -37,17 +35,16 @@ const LOOSEST: f64 = 0.01;
 const REFERENCE: u32 = 1152;
 
 /// The reference: the better one of two, with their difference.
-pub(crate) fn exact<H: Hamiltonian>(problem: &Problem<H>) -> Result<Exact, Box<dyn Error>> {
-    let orbit = |steps: u32| -> Result<Vec<Vec<f64>>, integrator_core::Error> {
+pub(crate) fn exact<H: Hamiltonian>(problem: &Problem<'_, H>) -> Result<Exact, Box<dyn Error>> {
+    let end = |steps: u32| -> Result<Vec<f64>, integrator_core::Error> {
         let start = Phase::compensated(problem.start.q.clone(), problem.start.p.clone());
         let h = PERIODS * problem.period / f64::from(steps);
-        let samples = problem.system.run_with::<Compensated<f64>, _>(SofroniouSpaletta10, start, h)?.samples(1);
-        let state = |sample: Result<Sample<_>, _>| sample.map(|sample| of_compensated::<H>(&sample.state));
-        samples.take(steps as usize + 1).map(state).collect()
+        let mut run = problem.system.run_with::<Compensated<f64>, _>(SofroniouSpaletta10, start, h)?;
+        run.advance(steps.into())?;
+        Ok(of_compensated::<H>(&run.state()))
     };
-    let (coarse, fine) = (orbit(REFERENCE / 2)?, orbit(REFERENCE)?);
-    let ends = coarse.last().zip(fine.last()).ok_or("a reference without an end")?;
-    Ok(Exact { uncertainty: distance(ends.0, ends.1), end: ends.1.clone(), orbit: fine })
+    let (coarse, fine) = (end(REFERENCE / 2)?, end(REFERENCE)?);
+    Ok(Exact { uncertainty: distance(&coarse, &fine), end: fine })
 }
 
 /// All positions, then all momenta, without what they carry along.
@@ -55,16 +52,9 @@ fn of_compensated<H: Hamiltonian>(state: &Phase<<H::Coords as Coords>::With<Comp
     state.q.flat().iter().chain(state.p.flat()).map(|leaf| leaf.value).collect()
 }
 
-/// The distance from a reference in units of the reference.
-fn distance(state: &[f64], reference: &[f64]) -> f64 {
-    let apart: f64 = state.iter().zip(reference).map(|(a, b)| (a - b).powi(2)).sum();
-    let size: f64 = reference.iter().map(|x| x * x).sum();
-    (apart / size).sqrt()
-}
-
 /// The errors of a method.
 pub(crate) fn ladder<H: Hamiltonian, M: Method<H>>(
-    problem: &Problem<H>,
+    problem: &Problem<'_, H>,
     method: M,
     plan: &Plan,
     exact: &Exact,
@@ -86,7 +76,7 @@ pub(crate) fn ladder<H: Hamiltonian, M: Method<H>>(
 /// The errors of a method that chooses its own steps, for one tolerance after the other, each a tenth of the one
 /// before.
 pub(crate) fn tolerances<H: Hamiltonian, M: Method<H>>(
-    problem: &Problem<H>,
+    problem: &Problem<'_, H>,
     method: fn(f64) -> M,
     plan: &Plan,
     exact: &Exact,
@@ -99,7 +89,7 @@ pub(crate) fn tolerances<H: Hamiltonian, M: Method<H>>(
 
 /// The error of so many steps; none where these do not lead to an end. A step may be too coarse to stay finite.
 fn climb<H: Hamiltonian, M: Method<H>>(
-    problem: &Problem<H>,
+    problem: &Problem<'_, H>,
     method: M,
     [h, step]: [f64; 2],
     steps: u64,

@@ -1,57 +1,52 @@
 //! Errors against the step, and against the work.
 
-use super::{
-    Drawing,
-    style::{others, styled},
-};
+use super::style::{of_adaptive, series};
 use crate::{
     errors::{PERIODS, Rung},
     measured::Measured,
+    numbers::plain,
     study::Study,
 };
 use integrator_plot::{Axis, Chart, Mark};
 
 /// Errors against the step, with the order that is measured.
-pub(super) fn against_step(study: &Study) -> Drawing {
+pub(super) fn against_step(study: &Study) -> Chart {
     let chart = Chart::new(format!("Error against step: {}", study.system))
         .claim("On logarithmic axes the slope is the order of the method. It is measured where the error stands out of the rounding.")
         .measured("the number beside each name is the measured order")
-        .along(Axis::logarithmic("step"))
-        .up(Axis::logarithmic(format!("distance from the reference after {PERIODS} periods")).between(1e-16, 3.0))
-        .sized(1100, 720);
+        .along(Axis::logarithmic("step"));
     let name = |measured: &Measured| match measured.slope {
-        Some(slope) => format!("{}: {slope:.2}", measured.name),
-        None => measured.name.to_owned(),
+        Some(slope) => format!("{}: {}", measured.name(), plain(slope)),
+        None => measured.name().to_owned(),
     };
-    Drawing::Chart(curves(chart, study, name, |rung| rung.step))
+    curves(chart, study, name, |rung| rung.step)
 }
 
 /// Errors against evaluations of the vector field.
-pub(super) fn against_work(study: &Study) -> Drawing {
+pub(super) fn against_work(study: &Study) -> Chart {
     let chart = Chart::new(format!("Work and precision: {}", study.system))
         .claim("Further down and to the left is better: less error for fewer evaluations of the force.")
         .measured(format!("evaluations up to an error of 10⁻⁸: {}", cheapest(study)))
-        .along(Axis::logarithmic("evaluations of the force"))
-        .up(Axis::logarithmic(format!("distance from the reference after {PERIODS} periods")).between(1e-16, 3.0))
-        .sized(1100, 720);
-    let chart = curves(chart, study, |measured| measured.name.to_owned(), |rung| rung.evaluations as f64);
-    Drawing::Chart(study.adaptive.iter().zip(others(study)).fold(chart, |chart, (adaptive, style)| {
+        .along(Axis::logarithmic("evaluations of the force"));
+    let chart = curves(chart, study, |measured| measured.name().to_owned(), |rung| rung.evaluations as f64);
+    study.adaptive.iter().fold(chart, |chart, adaptive| {
         let points = adaptive.errors.iter().map(|rung| (rung.evaluations as f64, rung.error));
-        style.apply(chart.series(Mark::Dotted, adaptive.name, points))
-    }))
+        of_adaptive(chart, Mark::Dotted, adaptive, points)
+    })
 }
 
 fn curves(chart: Chart, study: &Study, name: impl Fn(&Measured) -> String, along: fn(&Rung) -> f64) -> Chart {
-    styled(study).fold(chart, |chart, (measured, style)| {
+    let up = Axis::logarithmic(format!("distance from the reference after {PERIODS} periods")).between(1e-16, 3.0);
+    study.methods.iter().fold(chart.up(up).sized(1150, 760), |chart, measured| {
         let points = measured.errors.iter().map(|rung| (along(rung), rung.error));
-        style.apply(chart.series(Mark::Dotted, name(measured), points))
+        series(chart, Mark::Dotted, (&measured.row, measured.symplectic), name(measured), points)
     })
 }
 
 /// The three methods that need the fewest evaluations for an error of 1e-8.
 fn cheapest(study: &Study) -> String {
-    let fixed = study.methods.iter().map(|measured| (measured.name, &measured.errors));
-    let all = fixed.chain(study.adaptive.iter().map(|adaptive| (adaptive.name, &adaptive.errors)));
+    let fixed = study.methods.iter().map(|measured| (measured.name(), &measured.errors));
+    let all = fixed.chain(study.adaptive.iter().map(|adaptive| (adaptive.row.name, &adaptive.errors)));
     let needs = all.filter_map(|(name, errors)| {
         let rung = errors.iter().find(|rung| rung.error < 1e-8)?;
         Some((rung.evaluations, name))

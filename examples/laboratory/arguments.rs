@@ -1,0 +1,13 @@
+//! What the laboratory is asked for on the command line.
+
+use crate::systems::SYSTEMS;
+use clap::{Arg, Command, builder::PossibleValuesParser};
+
+/// A system and a folder. A name that is nearly that of a system is answered with this one.
+pub(crate) fn command() -> Command {
+    let names = PossibleValuesParser::new(SYSTEMS.map(|system| system.name));
+    Command::new("laboratory")
+        .about("What a course in numerical integration claims, measured and drawn on one page")
+        .arg(Arg::new("SYSTEM").help("What is integrated").default_value(SYSTEMS[0].name).value_parser(names))
+        .arg(Arg::new("DIR").long("out").help("Where the page goes").default_value("target/laboratory"))
+}

@@ -1,0 +1,195 @@
+//! A stiff system: a pendulum with a stiff spring beside it, which hardly moves.
+//!
+//! Explicit methods must follow the fast motion however little there is of it; implicit ones take steps for the slow one.
+
+use integrator_core::{
+    Method,
+    prelude::*,
+    reference::{BackwardEuler, Bdf, DormandPrince5, GaussLegendre4, ImplicitMidpoint, RungeKutta4},
+};
+use integrator_laboratory::{Plan, Report, Verdict, plain, write};
+use integrator_plot::{Axis, Chart, Mark, colour::GREY};
+use std::path::Path;
+
+/// `H = |p|²/2 − cos x + ω²y²/2 + x²y`.
+pub(crate) struct Coupled {
+    pub(crate) omega: f64,
+}
+
+#[hamiltonian]
+impl Coupled {
+    fn kinetic(&self, [px, py]: [f64; 2]) -> f64 {
+        0.5 * (px * px + py * py)
+    }
+    fn potential(&self, [x, y]: [f64; 2]) -> f64 {
+        -x.cos() + 0.5 * self.omega.powi(2) * y * y + x * x * y
+    }
+}
+
+const OMEGA: f64 = 100.0;
+/// How long it is followed, and the longest step.
+const SPAN: f64 = 12.0;
+const LONGEST: f64 = 0.5;
+/// A position that is off by more has left.
+const LEFT: f64 = 3.0;
+
+/// The errors of a method, each with its step and the evaluations of the force.
+struct Ladder {
+    name: &'static str,
+    implicit: bool,
+    rungs: Vec<(f64, f64, f64)>,
+}
+
+fn start() -> Phase<[f64; 2]> {
+    // The spring begins where the pendulum pushes it.
+    Phase::new([1.0, -1.0 / OMEGA.powi(2)], [0.0, 0.0])
+}
+
+/// The error of `x` at the end of the span; as much as what has left, where there is none.
+fn error<M: Method<Coupled>>(method: M, h: f64, steps: u64, exact: f64) -> Result<(f64, f64), Error> {
+    let mut run = Coupled { omega: OMEGA }.run_with(method, start(), h)?;
+    if run.advance(steps).is_err() {
+        return Ok((LEFT, f64::NAN));
+    }
+    let off = (run.state().q[0] - exact).abs();
+    Ok((if off < LEFT { off } else { LEFT }, run.evaluations() as f64))
+}
+
+fn ladder<M: Method<Coupled>>(
+    name: &'static str,
+    implicit: bool,
+    method: M,
+    rungs: u32,
+    exact: f64,
+) -> Result<Ladder, Error> {
+    let steps = (0..rungs).map(|rung| (SPAN / LONGEST) as u64 * (1 << rung));
+    let rungs = steps.map(|steps| {
+        let h = SPAN / steps as f64;
+        let (error, evaluations) = error(method, h, steps, exact)?;
+        Ok((h, error, evaluations))
+    });
+    Ok(Ladder { name, implicit, rungs: rungs.collect::<Result<_, Error>>()? })
+}
+
+/// Of methods that choose their steps, for one tolerance after the other.
+fn tolerances<M: Method<Coupled>>(
+    name: &'static str,
+    implicit: bool,
+    method: fn(f64) -> M,
+    rungs: u32,
+    exact: f64,
+) -> Result<Ladder, Error> {
+    let rungs = (0..rungs.min(8)).map(|rung| {
+        let tolerance = 0.1 / 10.0_f64.powi(rung as i32);
+        let (error, evaluations) = error(method(tolerance), SPAN, 1, exact)?;
+        Ok((tolerance, error, evaluations))
+    });
+    Ok(Ladder { name, implicit, rungs: rungs.collect::<Result<_, Error>>()? })
+}
+
+/// Measures, and writes the page.
+pub(crate) fn report(plan: &Plan, folder: &Path) -> Result<Report, Box<dyn std::error::Error>> {
+    let rungs = plan.rungs.clamp(6, 11);
+    let mut reference = Coupled { omega: OMEGA }.run_with(KahanLi8, start(), SPAN / 12_000.0)?;
+    reference.advance(12_000)?;
+    let exact = reference.state().q[0];
+    let fixed = [
+        ladder("Verlet", false, Verlet, rungs, exact)?,
+        ladder("Yoshida 4", false, Yoshida4, rungs, exact)?,
+        ladder("Runge–Kutta 4", false, RungeKutta4, rungs, exact)?,
+        ladder("backward Euler", true, BackwardEuler, rungs, exact)?,
+        ladder("implicit midpoint", true, ImplicitMidpoint, rungs, exact)?,
+        ladder("Gauss–Legendre 4", true, GaussLegendre4, rungs, exact)?,
+    ];
+    let adaptive = [
+        tolerances("Dormand–Prince 5", false, |tolerance| DormandPrince5 { tolerance }, rungs, exact)?,
+        tolerances("backward differences", true, |tolerance| Bdf { tolerance }, rungs, exact)?,
+    ];
+    let formula =
+        format!("H = |p|²/2 − cos x + ω²y²/2 + x²y with ω = {OMEGA}, from x = 1 at rest; followed to t = {SPAN}");
+    let pictures = vec![
+        ("step".to_owned(), against_step(&fixed).into()),
+        ("work".to_owned(), against_work(&fixed, &adaptive).into()),
+    ];
+    write(folder, "stiff", &formula, claims(&fixed), pictures)
+}
+
+/// What is claimed: of steps that are longer than 2/ω, all that explicit methods can take.
+fn claims(fixed: &[Ladder]) -> Vec<Verdict> {
+    let long = |name: &str| -> Option<Vec<f64>> {
+        let ladder = fixed.iter().find(|ladder| ladder.name == name)?;
+        Some(
+            ladder
+                .rungs
+                .iter()
+                .filter(|(h, ..)| (2.5..10.0).contains(&(h * OMEGA)))
+                .map(|(_, error, _)| *error)
+                .collect(),
+        )
+    };
+    let best = |name: &str| long(name)?.into_iter().reduce(f64::min);
+    let worst = |name: &str| long(name)?.into_iter().reduce(f64::max);
+    let steps = "in steps between 2.5/ω and 10/ω";
+    vec![
+        Verdict::new(
+            "verlet_leaves",
+            format!("Verlet leaves, {steps}: its least error"),
+            [1.0, f64::INFINITY],
+            best("Verlet"),
+        ),
+        Verdict::new(
+            "runge_kutta_4_leaves",
+            format!("Runge–Kutta 4 leaves, {steps}: its least error"),
+            [1.0, f64::INFINITY],
+            best("Runge–Kutta 4"),
+        ),
+        Verdict::new(
+            "implicit_midpoint_stays",
+            format!("The implicit midpoint rule stays, {steps}: its largest error"),
+            [0.0, 0.1],
+            worst("implicit midpoint"),
+        ),
+        Verdict::new(
+            "gauss_legendre_4_stays",
+            format!("So does Gauss–Legendre 4, {steps}: its largest error"),
+            [0.0, 0.1],
+            worst("Gauss–Legendre 4"),
+        ),
+    ]
+}
+
+/// A curve for each ladder, implicit methods with whole lines.
+fn curves<'l>(
+    chart: Chart,
+    ladders: impl IntoIterator<Item = &'l Ladder>,
+    along: fn(&(f64, f64, f64)) -> f64,
+) -> Chart {
+    ladders.into_iter().fold(chart, |chart, ladder| {
+        let chart = chart.series(Mark::Dotted, ladder.name, ladder.rungs.iter().map(|rung| (along(rung), rung.1)));
+        if ladder.implicit { chart } else { chart.dashed() }
+    })
+}
+
+fn against_step(fixed: &[Ladder]) -> Chart {
+    let claim = "Dashed: explicit methods, which leave at steps longer than 2/ω or so, the grey line, whatever their order and however \
+                 slow the motion is. Whole lines: implicit methods, whose steps are as long as the slow motion admits.";
+    let chart = Chart::new("A stiff system: error against step")
+        .claim(claim)
+        .measured(format!("2/ω = {}", plain(2.0 / OMEGA)))
+        .along(Axis::logarithmic("step"))
+        .up(Axis::logarithmic("error of x at the end").between(1e-12, 2.0 * LEFT))
+        .sized(1100, 680);
+    let chart = curves(chart, fixed, |rung| rung.0);
+    chart.line("", [(2.0 / OMEGA, 1e-12), (2.0 / OMEGA, 2.0 * LEFT)]).coloured(GREY)
+}
+
+fn against_work(fixed: &[Ladder], adaptive: &[Ladder]) -> Chart {
+    let claim = "Forces until an error is reached. Backward differences, which were made for this, need the fewest for a few digits. Steps \
+                 of the other implicit methods may be as long, and each pays for its equation with dozens of evaluations.";
+    let chart = Chart::new("A stiff system: work and precision")
+        .claim(claim)
+        .along(Axis::logarithmic("evaluations of the force"))
+        .up(Axis::logarithmic("error of x at the end").between(1e-12, 2.0 * LEFT))
+        .sized(1100, 680);
+    curves(chart, fixed.iter().chain(adaptive), |rung| rung.2)
+}

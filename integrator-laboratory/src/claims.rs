@@ -1,0 +1,292 @@
+//! The claims of the course, each with the number that decides it.
+
+use crate::{
+    measured::{BRACKET, Measured},
+    numbers::plain,
+    portrait::SEEN,
+    study::Study,
+};
+
+/// What became of a claim.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Verdict {
+    /// A word for programs: letters, digits and underscores.
+    pub name: String,
+    /// What is claimed, and of which number.
+    pub says: String,
+    /// Between these the claim holds.
+    pub within: [f64; 2],
+    /// The number; NaN where it could not be measured.
+    pub measured: f64,
+}
+
+impl Verdict {
+    /// A claim that holds if the number lies between two others, which may be infinite.
+    pub fn new(name: impl Into<String>, says: impl Into<String>, within: [f64; 2], measured: Option<f64>) -> Self {
+        Self { name: name.into(), says: says.into(), within, measured: measured.unwrap_or(f64::NAN) }
+    }
+
+    /// Whether the claim holds.
+    #[must_use]
+    pub fn holds(&self) -> bool {
+        self.within[0] <= self.measured && self.measured <= self.within[1]
+    }
+
+    /// `ok`, or what it is instead.
+    #[must_use]
+    pub fn word(&self) -> &'static str {
+        if self.holds() { "ok" } else { "FAILED" }
+    }
+
+    /// What the number should be, for people.
+    #[must_use]
+    pub fn expected(&self) -> String {
+        match self.within {
+            [least, most] if least == most => format!("exactly {}", plain(least)),
+            [least, most] if least == -most => format!("0, to {}", plain(most)),
+            [least, f64::INFINITY] => format!("at least {}", plain(least)),
+            [f64::NEG_INFINITY, most] => format!("at most {}", plain(most)),
+            [0.0, most] => format!("at most {}", plain(most)),
+            [least, most] => format!("between {} and {}", plain(least), plain(most)),
+        }
+    }
+}
+
+/// A claim of which the methods of every system are asked.
+struct Claim {
+    name: &'static str,
+    says: &'static str,
+    /// Whether it is about an energy that is conserved, so that it says nothing of a Hamiltonian that reads the time.
+    of_energy: bool,
+    /// The number; none where it could not be measured.
+    value: fn(&Study) -> Option<f64>,
+    within: [f64; 2],
+}
+
+/// A slope is off by a few hundredths where the next term of the error still shows, and a mistyped method by one.
+const fn order(order: f64) -> [f64; 2] {
+    [order - 0.15, order + 0.15]
+}
+
+/// An energy that has changed by less than a hundredth has not grown or decayed to speak of.
+const CHANGED: f64 = 0.01;
+
+/// By how much larger the energy error of the second half may be where it does not drift.
+const STAYS: f64 = 1.5;
+
+/// A thousand steps whose roundings differ in two orbits: as far apart as they were after a step, times a shear that
+/// grows with the steps.
+const SHIFTED: f64 = 1e6 * 8.0 * f64::EPSILON;
+
+/// Areas are measured to the resolution of their outline.
+const AREA: f64 = 1e-6;
+
+/// What comes back is off by the roundings of a hundred or so steps, which an implicit method ends with as well, times a
+/// shear that grows with the steps.
+const BACK: f64 = 1e-9;
+
+/// The relative change of the energy after a period. Later, a system may have escaped.
+fn energy_change(study: &Study, method: &str) -> Option<f64> {
+    let (_, change) = study.method(method)?.energies.iter().take_while(|(periods, _)| *periods <= 1.0).last()?;
+    Some(*change)
+}
+
+/// The farthest of several numbers; none if one is missing.
+fn farthest(mut numbers: impl Iterator<Item = Option<f64>>) -> Option<f64> {
+    numbers.try_fold(0.0, |most: f64, number| Some(most.max(number?)))
+}
+
+/// The exponent of a row.
+macro_rules! orders {
+    ($($name:literal $says:literal $method:literal $order:literal,)*) => {
+        [$(Claim {
+            name: $name,
+            says: $says,
+            of_energy: false,
+            value: |study| study.method($method)?.slope,
+            within: order($order),
+        }),*]
+    };
+}
+
+const ORDERS: [Claim; 9] = orders! {
+    "leapfrog_order_2" "The leapfrog with staggered momenta has order 2: the exponent of its errors" "leapfrog" 2.0,
+    "verlet_order_2" "The error of Verlet falls with the square of the step: its exponent" "Verlet" 2.0,
+    "midpoint_order_2" "The explicit midpoint rule has order 2: the exponent" "explicit midpoint" 2.0,
+    "implicit_midpoint_order_2" "The implicit midpoint rule has order 2: the exponent" "implicit midpoint" 2.0,
+    "gauss_legendre4_order_4" "Two stages of Gauss and Legendre have order 4: the exponent" "Gauss–Legendre 4" 4.0,
+    "rk4_order_4" "The classical Runge–Kutta method has order 4: the exponent" "Runge–Kutta 4" 4.0,
+    "abm4_order_4" "The predictor–corrector of Adams, Bashforth and Moulton has order 4: the exponent" "Adams–Bashforth–Moulton 4" 4.0,
+    "yoshida4_order_4" "Yoshida's triple jump has order 4: the exponent" "Yoshida 4" 4.0,
+    "blanes_moan6_order_6" "The composition of Blanes and Moan has order 6: the exponent" "Blanes–Moan 6" 6.0,
+};
+
+const CLAIMS: [Claim; 13] = [
+    Claim {
+        name: "forward_euler_energy_grows",
+        says: "Forward Euler gains energy: the relative change after a period",
+        of_energy: true,
+        value: |study| energy_change(study, "forward Euler"),
+        within: [CHANGED, f64::INFINITY],
+    },
+    Claim {
+        name: "backward_euler_energy_decays",
+        says: "Backward Euler loses energy: the relative change after a period",
+        of_energy: true,
+        value: |study| energy_change(study, "backward Euler"),
+        within: [f64::NEG_INFINITY, -CHANGED],
+    },
+    Claim {
+        name: "symplectic_euler_bracket_is_one",
+        says: "Symplectic Euler preserves the Poisson bracket: {q₁, p₁} − 1 after a step",
+        of_energy: false,
+        value: |study| Some(study.method("symplectic Euler")?.bracket - 1.0),
+        within: [-BRACKET, BRACKET],
+    },
+    Claim {
+        name: "implicit_midpoint_bracket_is_one",
+        says: "The implicit midpoint rule preserves the Poisson bracket without a splitting: {q₁, p₁} − 1 after a step",
+        of_energy: false,
+        value: |study| Some(study.method("implicit midpoint")?.bracket - 1.0),
+        within: [-BRACKET, BRACKET],
+    },
+    Claim {
+        name: "forward_euler_bracket_is_not_one",
+        says: "Forward Euler does not preserve the Poisson bracket: |{q₁, p₁} − 1| after a step",
+        of_energy: false,
+        value: |study| Some((study.method("forward Euler")?.bracket - 1.0).abs()),
+        // Off by h² T'' V'', where rounding would be a millionth of this.
+        within: [1e6 * BRACKET, f64::INFINITY],
+    },
+    Claim {
+        name: "maps_tell_symplectic_methods",
+        says: "Methods that claim to be symplectic are, for every step, and no other method is: how many are on the wrong side after eight steps, when methods with a memory have left their starter",
+        of_energy: false,
+        value: |study| {
+            let wrong = study.methods.iter().filter(|measured| measured.symplectic != measured.keeps_areas());
+            Some(wrong.count() as f64)
+        },
+        within: [0.0, 0.0],
+    },
+    Claim {
+        name: "symplectic_methods_preserve_areas",
+        says: "Symplectic methods preserve the area of a set of starts: the largest relative change",
+        of_energy: false,
+        value: |study| {
+            let methods = study.methods.iter().filter(|measured| measured.symplectic);
+            farthest(methods.map(|measured| Some((measured.blob.area() - 1.0).abs())))
+        },
+        within: [0.0, AREA],
+    },
+    Claim {
+        name: "forward_euler_area_is_not_preserved",
+        says: "Forward Euler does not preserve the area of a set of starts: the relative change",
+        of_energy: false,
+        value: |study| Some((study.method("forward Euler")?.blob.area() - 1.0).abs()),
+        within: [CHANGED, f64::INFINITY],
+    },
+    Claim {
+        name: "symmetric_methods_come_back",
+        says: "Symmetric methods come back when the momenta are turned around: the farthest distance from the start",
+        of_energy: true,
+        value: |study| {
+            let methods = study.methods.iter().filter(|measured| measured.symmetric);
+            farthest(methods.map(|measured| measured.reversal.apart))
+        },
+        within: [0.0, BACK],
+    },
+    Claim {
+        name: "forward_euler_does_not_come_back",
+        says: "Forward Euler does not come back: the distance from the start",
+        of_energy: true,
+        value: |study| Some(study.method("forward Euler")?.reversal.apart.unwrap_or(f64::INFINITY)),
+        within: [CHANGED, f64::INFINITY],
+    },
+    Claim {
+        name: "symplectic_euler_does_not_come_back",
+        says: "Symplectic Euler does not come back either, since it kicks first both ways: the distance from the start",
+        of_energy: true,
+        value: |study| study.method("symplectic Euler")?.reversal.apart,
+        within: [CHANGED, f64::INFINITY],
+    },
+    Claim {
+        name: "runge_kutta_4_does_not_come_back",
+        says: "Runge–Kutta 4 does not come back: the distance from the start, which rounding would make a billionth",
+        of_energy: true,
+        value: |study| study.method("Runge–Kutta 4")?.reversal.apart,
+        within: [1e3 * BACK, f64::INFINITY],
+    },
+    Claim {
+        name: "verlet_equals_shifted_leapfrog",
+        says: "Verlet's inner half steps are the leapfrog, shifted by half a step: the largest relative distance",
+        of_energy: false,
+        value: |study| Some(study.shifted),
+        within: [0.0, SHIFTED],
+    },
+];
+
+impl Claim {
+    /// Holds the claim against what was measured.
+    fn verdict(&self, study: &Study) -> Verdict {
+        Verdict::new(self.name, self.says, self.within, (self.value)(study))
+    }
+}
+
+/// What is claimed of the energy of one method, in the steps of its portrait.
+fn of_portrait(measured: &Measured) -> Verdict {
+    let portrait = &measured.portrait;
+    let (name, steps) = (measured.name(), portrait.count);
+    let word = measured.word();
+    if measured.symplectic {
+        let says = format!(
+            "The energy of {name} swings and does not drift, in {steps} steps to a period: its largest error in the second half over that in the first"
+        );
+        return Verdict::new(format!("{word}_energy_stays"), says, [0.0, STAYS], Some(portrait.growth()));
+    }
+    let periods = plain(portrait.periods);
+    let says = format!(
+        "{name} gains or loses energy, in {steps} steps to a period: the size of the relative change after {periods} periods"
+    );
+    Verdict::new(format!("{word}_energy_changes"), says, [SEEN, f64::INFINITY], Some(portrait.change.abs()))
+}
+
+impl Measured {
+    /// The name as a word of letters, digits and underscores.
+    pub(crate) fn word(&self) -> String {
+        let letters = self
+            .name()
+            .chars()
+            .map(|letter| if letter.is_ascii_alphanumeric() { letter.to_ascii_lowercase() } else { '_' });
+        letters.collect()
+    }
+}
+
+/// What became of all claims that say something of the system.
+pub(crate) fn verdicts(study: &Study) -> Vec<Verdict> {
+    let claims = CLAIMS.iter().chain(&ORDERS).filter(|claim| study.autonomous || !claim.of_energy);
+    let portraits = study.methods.iter().filter(|_| study.autonomous).map(of_portrait);
+    claims.map(|claim| claim.verdict(study)).chain(portraits).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Verdict;
+
+    #[test]
+    fn what_is_expected_is_said_in_words() {
+        let cases = [
+            ([0.0, 0.0], "exactly 0"),
+            ([-1e-12, 1e-12], "0, to 10⁻¹²"),
+            ([0.01, f64::INFINITY], "at least 0.01"),
+            ([f64::NEG_INFINITY, -0.01], "at most −0.01"),
+            ([0.0, 1.5], "at most 1.5"),
+            ([1.85, 2.15], "between 1.85 and 2.15"),
+        ];
+        for (within, text) in cases {
+            assert_eq!(Verdict::new("", "", within, Some(0.0)).expected(), text);
+        }
+        let missing = Verdict::new("", "", [0.0, 1.0], None);
+        assert!(!missing.holds() && missing.word() == "FAILED");
+        assert!(Verdict::new("", "", [0.0, 1.0], Some(1.0)).holds());
+    }
+}

@@ -1,0 +1,237 @@
+//! What is asked of the laboratory, and the files that it becomes.
+
+use crate::{
+    claims::{Verdict, verdicts},
+    numbers::plain,
+    page::{Figure, page},
+    pictures,
+    plan::Plan,
+    problem::{Problem, numbers},
+    study::{Study, measure},
+};
+use integrator_core::prelude::*;
+use integrator_plot::{Chart, Outcome, Panels};
+use std::{
+    error::Error,
+    fmt, fs,
+    path::{Path, PathBuf},
+};
+
+/// Measures a system from a start and writes its page, `<folder>/<name of its type>.html`, with all pictures beside it.
+/// `period` is about how long the slowest motion takes to come around. [`Laboratory`] has more to choose.
+///
+/// # Errors
+/// A start that no run would begin with; files that cannot be written.
+pub fn report<H: Hamiltonian>(
+    system: &H,
+    start: Phase<H::Coords>,
+    period: f64,
+    folder: impl AsRef<Path>,
+) -> Result<Report, Box<dyn Error>> {
+    Laboratory::new(system, start, period).report(folder)
+}
+
+/// A system, how it is looked at, and what else is on its page.
+pub struct Laboratory<'s, H: Hamiltonian> {
+    pub(crate) problem: Problem<'s, H>,
+    pub(crate) name: String,
+    formula: String,
+    plan: Plan,
+    claims: Vec<Verdict>,
+    pictures: Vec<(String, Drawing)>,
+}
+
+/// Steps to a period, unless something else is said.
+const STEPS: f64 = 80.0;
+/// The radius of the blob in units of the start.
+const BLOB: f64 = 0.02;
+
+impl<'s, H: Hamiltonian> Laboratory<'s, H> {
+    /// A system, where it starts, and about how long the slowest motion takes to come around. It has the name of its type.
+    pub fn new(system: &'s H, start: Phase<H::Coords>, period: f64) -> Self {
+        let size = numbers(&start).iter().map(|x| x * x).sum::<f64>().sqrt();
+        let problem = Problem { system, period, step: period / STEPS, blob: BLOB * size, view: [0, 0], start };
+        let freedom = problem.freedom();
+        // In a plane or in space, the path; of one coordinate, its momentum against it.
+        let view = if freedom > 1 { [0, 1] } else { [0, freedom] };
+        let name = std::any::type_name::<H>().rsplit("::").next().unwrap_or("system").to_owned();
+        Self {
+            problem: Problem { view, ..problem },
+            name,
+            formula: String::new(),
+            plan: Plan::WHOLE,
+            claims: Vec::new(),
+            pictures: Vec::new(),
+        }
+    }
+
+    /// Another name, which is that of the files as well.
+    #[must_use]
+    pub fn called(self, name: impl Into<String>) -> Self {
+        Self { name: name.into(), ..self }
+    }
+
+    /// What the page says under its name: `H` and the start, for people.
+    #[must_use]
+    pub fn formula(self, formula: impl Into<String>) -> Self {
+        Self { formula: formula.into(), ..self }
+    }
+
+    /// The step of energies and of the set of starts, an eightieth of a period without this.
+    #[must_use]
+    pub fn step(mut self, step: f64) -> Self {
+        self.problem.step = step;
+        self
+    }
+
+    /// The radius of the set of starts in the plane of the first position and its momentum, a fiftieth of the size of the
+    /// start without this.
+    #[must_use]
+    pub fn blob(mut self, radius: f64) -> Self {
+        self.problem.blob = radius;
+        self
+    }
+
+    /// What portraits show along and up, counted from 0 through all positions and then all momenta.
+    #[must_use]
+    pub fn view(mut self, view: [usize; 2]) -> Self {
+        self.problem.view = view;
+        self
+    }
+
+    /// How much is measured.
+    #[must_use]
+    pub fn plan(self, plan: Plan) -> Self {
+        Self { plan, ..self }
+    }
+
+    /// One more claim on the page, about this system alone.
+    #[must_use]
+    pub fn claim(mut self, claim: Verdict) -> Self {
+        self.claims.push(claim);
+        self
+    }
+
+    /// One more picture on the page, after the others. The name is that of its files.
+    #[must_use]
+    pub fn picture(mut self, name: impl Into<String>, picture: impl Into<Drawing>) -> Self {
+        self.pictures.push((name.into(), picture.into()));
+        self
+    }
+
+    pub(crate) fn study(&self) -> Result<Study, Box<dyn Error>> {
+        measure(self.name.clone(), &self.problem, &self.plan)
+    }
+
+    /// Measures, and writes the page and its pictures into a folder.
+    ///
+    /// # Errors
+    /// A start or a step that no run would begin with; a view of a coordinate that there is not; files that cannot be written.
+    pub fn report(mut self, folder: impl AsRef<Path>) -> Result<Report, Box<dyn Error>> {
+        let study = self.study()?;
+        let mut pictures = pictures::all(&study);
+        pictures.append(&mut self.pictures);
+        let mut claims = verdicts(&study);
+        claims.append(&mut self.claims);
+        let formula = match self.formula.as_str() {
+            "" => format!("Step {}", plain(study.step)),
+            formula => format!("{formula}; step {}", plain(study.step)),
+        };
+        files(folder.as_ref(), &self.name, &formula, Some(&study), claims, pictures)
+    }
+}
+
+/// Writes a page of claims and pictures that were made elsewhere.
+///
+/// # Errors
+/// Files that cannot be written.
+pub fn write(
+    folder: impl AsRef<Path>,
+    name: &str,
+    formula: &str,
+    claims: Vec<Verdict>,
+    pictures: Vec<(String, Drawing)>,
+) -> Result<Report, Box<dyn Error>> {
+    files(folder.as_ref(), name, formula, None, claims, pictures)
+}
+
+fn files(
+    folder: &Path,
+    name: &str,
+    formula: &str,
+    study: Option<&Study>,
+    claims: Vec<Verdict>,
+    pictures: Vec<(String, Drawing)>,
+) -> Result<Report, Box<dyn Error>> {
+    let mut figures = Vec::new();
+    for (picture, drawing) in pictures {
+        let file = folder.join(name).join(&picture);
+        drawing.write(&file)?;
+        let svg = file.with_extension("svg");
+        figures.push(Figure { name: picture, svg: fs::read_to_string(svg)? });
+    }
+    fs::create_dir_all(folder)?;
+    let html = folder.join(format!("{name}.html"));
+    fs::write(&html, page(name, formula, study, &claims, &figures))?;
+    Ok(Report { page: html, claims })
+}
+
+/// A picture of either kind.
+#[derive(Clone, Debug)]
+pub enum Drawing {
+    /// One chart.
+    Chart(Box<Chart>),
+    /// Several charts.
+    Panels(Panels),
+}
+
+impl From<Chart> for Drawing {
+    fn from(chart: Chart) -> Self {
+        Self::Chart(Box::new(chart))
+    }
+}
+
+impl From<Panels> for Drawing {
+    fn from(panels: Panels) -> Self {
+        Self::Panels(panels)
+    }
+}
+
+impl Drawing {
+    /// Writes both files.
+    fn write(&self, file: &Path) -> Outcome {
+        match self {
+            Self::Chart(chart) => integrator_plot::write(file, chart.as_ref()),
+            Self::Panels(panels) => integrator_plot::write(file, panels),
+        }
+    }
+}
+
+/// The page that was written, and what became of the claims.
+#[derive(Clone, Debug)]
+#[non_exhaustive]
+pub struct Report {
+    /// Where the page is.
+    pub page: PathBuf,
+    /// All claims of the page.
+    pub claims: Vec<Verdict>,
+}
+
+impl Report {
+    /// Whether all claims hold.
+    #[must_use]
+    pub fn holds(&self) -> bool {
+        self.claims.iter().all(Verdict::holds)
+    }
+}
+
+/// The page, then a line for each claim.
+impl fmt::Display for Report {
+    fn fmt(&self, to: &mut fmt::Formatter<'_>) -> fmt::Result {
+        writeln!(to, "{}", self.page.display())?;
+        for claim in &self.claims {
+            writeln!(to, "claim_{}={} value={:.3e}", claim.name, claim.word(), claim.measured)?;
+        }
+        Ok(())
+    }
+}

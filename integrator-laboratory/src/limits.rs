@@ -1,0 +1,39 @@
+//! The largest change of the energy for steps from short to long ones: where it leaves all bounds is the limit of stability,
+//! where it has a peak the step resonates with the motion.
+
+use crate::{plan::Plan, problem::Problem};
+use integrator_core::{Method, prelude::*};
+
+/// Steps to a period of the shortest and of the longest step.
+const COUNTS: [f64; 2] = [64.0, 2.2];
+/// How far an orbit is followed, in periods.
+pub(crate) const PERIODS: f64 = 30.0;
+/// An energy beyond this has left.
+pub(crate) const LEFT: f64 = 1e3;
+
+/// Steps, and the largest relative change of the energy in so many periods. Of one that has left, as much as an energy that has.
+pub(crate) fn limits<H: Hamiltonian, M: Method<H>>(
+    problem: &Problem<'_, H>,
+    method: M,
+    plan: &Plan,
+) -> Result<Vec<(f64, f64)>, Error> {
+    let count = |i: u32| COUNTS[0] * (COUNTS[1] / COUNTS[0]).powf(f64::from(i) / f64::from(plan.limits - 1));
+    (0..plan.limits)
+        .map(|i| Ok((problem.period / count(i), largest(problem, method, problem.period / count(i))?)))
+        .collect()
+}
+
+fn largest<H: Hamiltonian, M: Method<H>>(problem: &Problem<'_, H>, method: M, step: f64) -> Result<f64, Error> {
+    let run = problem.run(method, &problem.start, step)?;
+    let energy = run.energy();
+    let unit = if energy == 0.0 { 1.0 } else { energy.abs() };
+    let mut largest = 0.0_f64;
+    for sample in run.samples(1).take((PERIODS * problem.period / step) as usize) {
+        let change = sample.map_or(f64::INFINITY, |sample| ((sample.energy() - energy) / unit).abs());
+        if change.is_nan() || change > LEFT {
+            return Ok(LEFT);
+        }
+        largest = largest.max(change);
+    }
+    Ok(largest.max(f64::EPSILON))
+}

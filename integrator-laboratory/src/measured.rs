@@ -1,0 +1,139 @@
+//! What is measured of one method. With `blob`, `errors`, `portrait`, `reversal`, `limits` and `shifted` this is the code that
+//! is generic over systems and methods; what comes out are plain numbers.
+
+use crate::{
+    blob::{Blob, follow},
+    errors::{Exact, Rung, ladder},
+    limits::limits,
+    methods::Row,
+    plan::Plan,
+    portrait::{Portrait, portrait},
+    problem::Problem,
+    reversal::{Reversal, reversal},
+};
+use integrator_core::{
+    Method,
+    check::{observed_order, poisson_bracket, symplectic_defect_after},
+    prelude::*,
+};
+use std::error::Error;
+
+/// Everything that the page shows of a method.
+#[derive(Clone, Debug)]
+pub(crate) struct Measured {
+    pub(crate) row: Row,
+    /// Whether it claims to be symplectic, and to be its own inverse in steps back.
+    pub(crate) symplectic: bool,
+    pub(crate) symmetric: bool,
+    /// The order that it claims.
+    pub(crate) order: u32,
+    /// The order that it shows on this problem, where that can be measured.
+    pub(crate) slope: Option<f64>,
+    /// `{q₁, p₁}` after one step of the problem.
+    pub(crate) bracket: f64,
+    /// Steps of other sizes, and by how much the map of [`STEPS`] of them is not symplectic.
+    pub(crate) defects: Vec<(f64, f64)>,
+    /// Periods, and the change of the energy in units of that of the start.
+    pub(crate) energies: Vec<(f64, f64)>,
+    /// How many steps these are.
+    pub(crate) steps: usize,
+    pub(crate) portrait: Portrait,
+    pub(crate) reversal: Reversal,
+    /// The largest change of the energy for one step after the other, of those methods for which it tells something.
+    pub(crate) limits: Vec<(f64, f64)>,
+    /// The blob of starts.
+    pub(crate) blob: Blob,
+    /// Errors for one step size after the other.
+    pub(crate) errors: Vec<Rung>,
+}
+
+/// The steps after which a map is held against a symplectic one: a method with a memory has left its starter by then.
+pub(crate) const STEPS: u64 = 8;
+
+/// By how much a Poisson bracket that is one may be off by rounding: a step has less than two hundred flows, each
+/// rounds some products of the tangent map, a few ε each.
+pub(crate) const BRACKET: f64 = 1e-12;
+
+/// The same of the map of several steps, whose entries are some tens at most where orbits stretch.
+pub(crate) const DEFECT: f64 = STEPS as f64 * 10.0 * BRACKET;
+
+/// How many steps to a period maps are computed for. The coarsest tell symplectic methods from those of high order.
+const DEFECT_STEPS: [f64; 7] = [1280.0, 640.0, 320.0, 160.0, 80.0, 40.0, 20.0];
+
+/// Changes of the energy beyond this tell no more than that it has changed.
+const BEYOND: f64 = 10.0;
+
+impl Measured {
+    pub(crate) fn name(&self) -> &'static str {
+        self.row.name
+    }
+
+    /// Whether its map is symplectic for every step that was tried.
+    pub(crate) fn keeps_areas(&self) -> bool {
+        !self.defects.is_empty() && self.defects.iter().all(|(_, defect)| *defect <= DEFECT)
+    }
+
+    /// The last change of the energy, or the one with which a motion that escapes has left for good.
+    pub(crate) fn energy_change(&self) -> f64 {
+        let changes = self.energies.iter().map(|(_, change)| *change);
+        changes.take_while(|change| change.abs() < BEYOND).last().unwrap_or(f64::NAN)
+    }
+
+    /// The largest change of the energy.
+    pub(crate) fn largest_energy_change(&self) -> f64 {
+        self.energies.iter().map(|(_, change)| change.abs()).fold(0.0, f64::max)
+    }
+
+    /// What rounding alone may have changed of the energy: some roundings in each step, at worst all in the same sense.
+    pub(crate) fn rounding(&self) -> f64 {
+        16.0 * f64::EPSILON * self.steps as f64
+    }
+}
+
+/// Measures a method on a problem.
+pub(crate) fn measure<H: Hamiltonian, M: Method<H>>(
+    row: Row,
+    method: M,
+    problem: &Problem<'_, H>,
+    plan: &Plan,
+    exact: &Exact,
+) -> Result<Measured, Box<dyn Error>> {
+    let Problem { system, start, step, period, .. } = problem;
+    let facts = method.facts();
+    let energies = energies(problem, method, plan)?;
+    let defect = |h: f64| symplectic_defect_after::<H, M, f64>(system, method, start, h, STEPS);
+    let steps = DEFECT_STEPS.iter().map(|count| period / count);
+    Ok(Measured {
+        symplectic: facts.symplectic,
+        symmetric: facts.symmetric,
+        order: facts.order,
+        slope: observed_order::<H, M, f64>(system, method, start.clone(), *step).ok().map(|order| order.slope),
+        bracket: poisson_bracket::<H, M, f64>(system, method, start, *step, 0)?,
+        // Where a step is too long for an implicit method, there is no map.
+        defects: steps.filter_map(|h| Some((h, defect(h).ok()?))).collect(),
+        steps: energies.len(),
+        energies,
+        portrait: portrait(problem, method, plan)?,
+        reversal: reversal(problem, method)?,
+        limits: if row.limit { limits(problem, method, plan)? } else { Vec::new() },
+        blob: follow(problem, method, plan)?,
+        errors: ladder(problem, method, plan, exact)?,
+        row,
+    })
+}
+
+/// Periods, and the relative change of the energy, step by step.
+pub(crate) fn energies<H: Hamiltonian, M: Method<H>>(
+    problem: &Problem<'_, H>,
+    method: M,
+    plan: &Plan,
+) -> Result<Vec<(f64, f64)>, Box<dyn Error>> {
+    let run = problem.run(method, &problem.start, problem.step)?;
+    let energy = run.energy();
+    let unit = if energy == 0.0 { 1.0 } else { energy.abs() };
+    let steps = (plan.periods * problem.period / problem.step) as usize;
+    // A method may leave the finite numbers, or find no end of its step; up to there it is shown.
+    let samples = run.samples(1).take(steps + 1).map_while(Result::ok);
+    let changes = samples.map(|sample| (sample.time / problem.period, (sample.energy() - energy) / unit));
+    Ok(changes.take_while(|(_, change)| change.is_finite()).collect())
+}

@@ -1,0 +1,36 @@
+//! How far the map of some steps is from a symplectic one.
+
+use super::style::of_method;
+use crate::{
+    measured::{DEFECT, Measured, STEPS},
+    numbers::signed,
+    study::Study,
+};
+use integrator_plot::{Axis, Chart, Mark, colour::GREY};
+
+/// By how much the exact tangent map is off, step by step.
+pub(super) fn maps(study: &Study) -> Chart {
+    let number = |name: &str| Some(format!("{name} {}", signed(study.method(name)?.bracket - 1.0)));
+    let numbers: Vec<_> = ["forward Euler", "symplectic Euler", "Verlet"].into_iter().filter_map(number).collect();
+    let claim = format!(
+        "A map M is symplectic if MᵀJM = J, for which {{q, p}} = 1. Of symplectic methods nothing but rounding is left, whatever \
+         the step; of the others, a power of the step. Here of {STEPS} steps, so that methods with a memory have left their \
+         starter, from the exact tangent map of the code. Below the grey line is rounding."
+    );
+    let off = |measured: &Measured| -> Vec<(f64, f64)> {
+        // A map that is exactly symplectic is shown as half a rounding.
+        measured.defects.iter().map(|(step, defect)| (*step, defect.max(f64::EPSILON / 2.0))).collect()
+    };
+    let ends = || study.methods.iter().flat_map(|measured| &measured.defects).map(|(step, _)| *step);
+    let (least, most) = (ends().fold(f64::INFINITY, f64::min), ends().fold(0.0, f64::max));
+    let chart = Chart::new(format!("Symplectic or not: {}", study.system))
+        .claim(claim)
+        .measured(format!("{{q₁, p₁}} − 1 after one step of {}: {}", study.step, numbers.join(", ")))
+        .along(Axis::logarithmic("step"))
+        .up(Axis::logarithmic("largest element of MᵀJM − J").between(3e-17, 30.0))
+        .sized(1150, 760)
+        .line("", [(least, DEFECT), (most, DEFECT)])
+        .coloured(GREY)
+        .wide(1.0);
+    study.methods.iter().fold(chart, |chart, measured| of_method(chart, Mark::Dotted, measured, off(measured)))
+}

@@ -1,0 +1,46 @@
+//! Orbits there and back.
+
+use crate::{
+    numbers::plain,
+    reversal::{COUNT, PERIODS, Reversal},
+    study::Study,
+};
+use integrator_plot::{Axis, Chart, Marker, Panels, colour::GREY};
+
+/// Two that do not come back, one of which is symplectic, and two that do.
+const SHOWN: [&str; 4] = ["Runge–Kutta 4", "symplectic Euler", "Verlet", "implicit midpoint"];
+
+/// One panel for each of these methods.
+pub(super) fn reversal(study: &Study) -> Panels {
+    let claim = format!(
+        "{PERIODS} periods of {COUNT} steps, in colour; then the momenta are turned around, and as many steps lead back, in grey \
+         and drawn with the momenta as before. A method that is its own inverse in steps back arrives at the start, the \
+         square. Being symplectic is not enough, and not needed."
+    );
+    let panels = Panels::new(format!("There and back: {}", study.system), claim).columns(4).panel(320, 360);
+    SHOWN.iter().filter_map(|name| study.method(name)).fold(panels, |panels, measured| {
+        let Reversal { there, back, apart } = &measured.reversal;
+        let claim =
+            apart.map_or("does not come to an end".to_owned(), |apart| format!("from the start: {}", plain(apart)));
+        let begin = there.first().copied();
+        let chart = Chart::new(measured.name())
+            .measured(claim)
+            .along(Axis::linear(&study.view[0]))
+            .up(Axis::linear(&study.view[1]))
+            .with_equal_units()
+            .line("", there.iter().copied())
+            .coloured(measured.row.colour)
+            .wide(2.5)
+            .line("", back.iter().copied())
+            .coloured(GREY)
+            .wide(1.25)
+            .dots("", begin)
+            .coloured(measured.row.colour)
+            .marked(Marker::Square)
+            .wide(4.0)
+            .dots("", back.last().copied())
+            .coloured(GREY)
+            .wide(2.5);
+        panels.chart(chart)
+    })
+}

@@ -1,0 +1,39 @@
+//! How each method is drawn in all charts: in its colour, symplectic ones by whole lines, the others dashed.
+
+use crate::{
+    measured::Measured,
+    methods::{Adaptive, Row},
+};
+use integrator_plot::{Chart, Mark};
+
+/// One more series of a chart, of a method.
+pub(super) fn series(
+    chart: Chart,
+    mark: Mark,
+    (row, symplectic): (&Row, bool),
+    name: String,
+    points: impl IntoIterator<Item = (f64, f64)>,
+) -> Chart {
+    let chart = chart.series(mark, name, points).coloured(row.colour).wide(1.75);
+    if symplectic { chart } else { chart.dashed() }
+}
+
+/// Of a method with steps of the run.
+pub(super) fn of_method(
+    chart: Chart,
+    mark: Mark,
+    measured: &Measured,
+    points: impl IntoIterator<Item = (f64, f64)>,
+) -> Chart {
+    series(chart, mark, (&measured.row, measured.symplectic), measured.name().to_owned(), points)
+}
+
+/// Of a method that chooses its steps.
+pub(super) fn of_adaptive(
+    chart: Chart,
+    mark: Mark,
+    adaptive: &Adaptive,
+    points: impl IntoIterator<Item = (f64, f64)>,
+) -> Chart {
+    series(chart, mark, (&adaptive.row, false), adaptive.row.name.to_owned(), points)
+}

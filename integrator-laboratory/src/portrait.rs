@@ -1,0 +1,113 @@
+//! The orbit of a method in steps that show what it does: so long that a gain or a loss is seen, or as long as they may be
+//! where there is none.
+
+use crate::{plan::Plan, problem::Problem};
+use integrator_core::{Method, prelude::*};
+
+/// An orbit in the view of the problem.
+#[derive(Clone, Debug)]
+pub(crate) struct Portrait {
+    /// Steps to a period.
+    pub(crate) count: u32,
+    /// How many periods are shown: fewer than planned where the orbit has left.
+    pub(crate) periods: f64,
+    pub(crate) points: Vec<(f64, f64)>,
+    /// The relative change of the energy at the end, or with which the orbit left.
+    pub(crate) change: f64,
+    /// Whether it has left before the time was over.
+    pub(crate) left: bool,
+    /// The largest one in the first and in the second half.
+    pub(crate) largest: [f64; 2],
+}
+
+/// From short steps to long ones.
+const COUNTS: [u32; 13] = [80, 57, 40, 28, 20, 14, 10, 8, 7, 6, 5, 4, 3];
+/// From here on, an orbit is followed for longer where nothing is seen: so many times as long.
+const LONG: u32 = 10;
+const LONGER: f64 = 8.0;
+/// The steps to a period that show a method which keeps its energy, and those that are tried if it does not in steps as long.
+const COARSE: [u32; 5] = [20, 28, 40, 57, 80];
+/// A change of the energy that is seen.
+pub(crate) const SEEN: f64 = 0.3;
+/// Within this, a symplectic method is not near its limit of stability.
+const KEPT: f64 = 0.3;
+/// With a change like the first one an orbit has gained or lost; with the second one it has left.
+const CHANGED: f64 = 1.0;
+const LEFT: f64 = 3.0;
+
+impl Portrait {
+    /// By which factor the largest change of the second half is larger than that of the first, where both are more than rounding.
+    pub(crate) fn growth(&self) -> f64 {
+        if self.left {
+            return f64::INFINITY;
+        }
+        let rounding = 16.0 * f64::EPSILON * self.points.len() as f64;
+        self.largest[1].max(rounding) / self.largest[0].max(rounding)
+    }
+}
+
+/// The portrait of a method: of one that is symplectic in long steps, of another one in the shortest in which it is seen
+/// that it is not.
+pub(crate) fn portrait<H: Hamiltonian, M: Method<H>>(
+    problem: &Problem<'_, H>,
+    method: M,
+    plan: &Plan,
+) -> Result<Portrait, Error> {
+    if method.facts().symplectic {
+        let mut portrait = follow(problem, method, plan.periods, COARSE[0])?;
+        for count in &COARSE[1..] {
+            if portrait.largest[0].max(portrait.largest[1]) < KEPT {
+                break;
+            }
+            portrait = follow(problem, method, plan.periods, *count)?;
+        }
+        return Ok(portrait);
+    }
+    let long = COUNTS.into_iter().filter(|count| *count <= LONG).map(|count| (count, LONGER * plan.periods));
+    let mut best: Option<Portrait> = None;
+    for (count, periods) in COUNTS.into_iter().map(|count| (count, plan.periods)).chain(long) {
+        let portrait = follow(problem, method, periods, count)?;
+        if portrait.change.abs() > SEEN {
+            return Ok(portrait);
+        }
+        // Where nothing is seen, the largest change is shown.
+        if best.as_ref().is_none_or(|best| portrait.change.abs() > best.change.abs()) {
+            best = Some(portrait);
+        }
+    }
+    best.ok_or(Error::SampleInterval)
+}
+
+fn follow<H: Hamiltonian, M: Method<H>>(
+    problem: &Problem<'_, H>,
+    method: M,
+    periods: f64,
+    count: u32,
+) -> Result<Portrait, Error> {
+    let step = problem.period / f64::from(count);
+    let run = problem.run(method, &problem.start, step)?;
+    let energy = run.energy();
+    let unit = if energy == 0.0 { 1.0 } else { energy.abs() };
+    let steps = (periods * f64::from(count)) as usize;
+    let mut portrait = Portrait { count, periods: 0.0, points: Vec::new(), change: 0.0, left: true, largest: [0.0; 2] };
+    // A method may leave the finite numbers, or find no end of its step; up to there it is shown.
+    for (number, sample) in run.samples(1).take(steps + 1).map_while(Result::ok).enumerate() {
+        let change = (sample.energy() - energy) / unit;
+        if !change.is_finite() {
+            break;
+        }
+        portrait.points.push(problem.seen(&sample.state));
+        portrait.periods = sample.time / problem.period;
+        // What happens to an orbit that has left is no gain or loss any more.
+        if portrait.change.abs() < CHANGED {
+            portrait.change = change;
+        }
+        let half = usize::from(2 * number > steps);
+        portrait.largest[half] = portrait.largest[half].max(change.abs());
+        if change.abs() > LEFT {
+            return Ok(portrait);
+        }
+    }
+    portrait.left = portrait.points.len() <= steps;
+    Ok(portrait)
+}

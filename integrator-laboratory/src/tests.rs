@@ -1,0 +1,263 @@
+//! The laboratory on small runs: claims can fail, pictures have their axes, words and curves, and a page stands alone.
+
+use crate::{Drawing, Laboratory, Plan, Verdict, claims::verdicts, pictures::PICTURES, study::Study};
+use integrator_core::prelude::*;
+use integrator_plot::{Canvas, Picture};
+use std::{env, fs, path::PathBuf, sync::OnceLock};
+
+struct Pendulum;
+
+#[hamiltonian]
+impl Pendulum {
+    fn kinetic(&self, p: [f64; 1]) -> f64 {
+        0.5 * p[0] * p[0]
+    }
+    fn potential(&self, q: [f64; 1]) -> f64 {
+        -q[0].cos()
+    }
+}
+
+/// A Hamiltonian that reads the time, of two coordinates in a list.
+struct Driven;
+
+#[hamiltonian]
+impl Driven {
+    fn kinetic(&self, p: &[f64]) -> f64 {
+        p.iter().map(|p| 0.5 * p * p).sum()
+    }
+    fn potential(&self, q: &[f64], t: f64) -> f64 {
+        q.iter().map(|q| 0.5 * q * q - 0.1 * q.cos() * t.sin()).sum()
+    }
+}
+
+fn pendulum() -> Laboratory<'static, Pendulum> {
+    let start = Phase::new([2.0], [0.0]);
+    Laboratory::new(&Pendulum, start, 8.35).formula("H = p²/2 − cos q").step(0.1).blob(0.3).plan(Plan::SMALL)
+}
+
+fn driven(view: [usize; 2]) -> Laboratory<'static, Driven> {
+    let start = Phase::new(vec![1.0, 0.5], vec![0.0, 0.2]);
+    Laboratory::new(&Driven, start, 6.5).step(0.1).blob(0.1).view(view).plan(Plan::SMALL)
+}
+
+/// The measurements of the pendulum, made once.
+fn study() -> Study {
+    static STUDY: OnceLock<Study> = OnceLock::new();
+    STUDY.get_or_init(|| pendulum().study().expect("measurements")).clone()
+}
+
+fn verdict(name: &str, study: &Study) -> Verdict {
+    verdicts(study).into_iter().find(|verdict| verdict.name == name).expect("a claim")
+}
+
+/// Each claim, and the method whose measurements it must not be content with.
+const WRONG: [(&str, &str, &str); 12] = [
+    ("forward_euler_energy_grows", "forward Euler", "Verlet"),
+    ("backward_euler_energy_decays", "backward Euler", "forward Euler"),
+    ("symplectic_euler_bracket_is_one", "symplectic Euler", "Runge–Kutta 4"),
+    ("forward_euler_bracket_is_not_one", "forward Euler", "symplectic Euler"),
+    ("forward_euler_area_is_not_preserved", "forward Euler", "Verlet"),
+    ("forward_euler_does_not_come_back", "forward Euler", "Verlet"),
+    ("symplectic_euler_does_not_come_back", "symplectic Euler", "Verlet"),
+    ("runge_kutta_4_does_not_come_back", "Runge–Kutta 4", "implicit midpoint"),
+    ("verlet_order_2", "Verlet", "symplectic Euler"),
+    ("rk4_order_4", "Runge–Kutta 4", "Verlet"),
+    ("yoshida4_order_4", "Yoshida 4", "Blanes–Moan 6"),
+    ("gauss_legendre4_order_4", "Gauss–Legendre 4", "implicit midpoint"),
+];
+
+#[test]
+fn a_claim_fails_for_another_method() {
+    let study = study();
+    for (claim, method, other) in WRONG {
+        assert!(verdict(claim, &study).holds(), "{claim}");
+        let without = Study {
+            methods: study.methods.iter().filter(|measured| measured.name() != method).cloned().collect(),
+            ..study.clone()
+        };
+        let mut wrong = without.clone();
+        for measured in &mut wrong.methods {
+            if measured.name() == other {
+                measured.row.name = method;
+            }
+        }
+        let missing = verdict(claim, &without);
+        assert!(
+            !missing.holds() && missing.measured.is_nan() && missing.word() == "FAILED",
+            "{claim} without {method}"
+        );
+        let wrong = verdict(claim, &wrong);
+        assert!(!wrong.holds(), "{claim} holds of {other}: {:e}", wrong.measured);
+    }
+}
+
+#[test]
+fn a_claim_fails_for_a_number_that_is_off() {
+    let holds = |name: &str, study: &Study| verdict(name, study).holds();
+    let sound = study();
+    assert!(
+        verdicts(&sound).iter().all(Verdict::holds),
+        "{:#?}",
+        verdicts(&sound).iter().filter(|verdict| !verdict.holds()).collect::<Vec<_>>()
+    );
+    let mut study = sound.clone();
+    study.shifted = 1e-3;
+    // Forward Euler, taken for symplectic; it is neither, and it is not symmetric.
+    study.methods[0].symplectic = true;
+    study.methods[0].symmetric = true;
+    for claim in [
+        "verlet_equals_shifted_leapfrog",
+        "maps_tell_symplectic_methods",
+        "symplectic_methods_preserve_areas",
+        "symmetric_methods_come_back",
+        "forward_euler_energy_stays",
+    ] {
+        assert!(!holds(claim, &study), "{claim}");
+    }
+    // Verlet, taken for a method that loses energy.
+    let mut study = sound;
+    study.methods.iter_mut().find(|measured| measured.name() == "Verlet").expect("a method").symplectic = false;
+    assert!(!holds("verlet_energy_changes", &study));
+}
+
+/// A method with a memory is judged by its own steps and not by those of its starter: the defect of the map of Adams,
+/// Bashforth and Moulton is not that of Runge and Kutta.
+#[test]
+fn multistep_methods_are_judged_after_their_starter() {
+    let study = study();
+    let [abm, rk] = ["Adams–Bashforth–Moulton 4", "Runge–Kutta 4"].map(|name| study.method(name).expect("a method"));
+    assert_eq!(abm.bracket, rk.bracket, "the first step is that of the starter");
+    let apart = abm.defects.iter().zip(&rk.defects).filter(|(a, b)| a.1 > 2.0 * b.1 || b.1 > 2.0 * a.1).count();
+    assert!(apart >= 4, "{:?} and {:?}", abm.defects, rk.defects);
+}
+
+/// What rounding has changed is called neither a gain nor a loss.
+#[test]
+fn rounding_is_no_gain() {
+    let mut study = study();
+    for measured in &mut study.methods {
+        measured.energies.iter_mut().for_each(|(_, change)| *change = 7.9e-15);
+    }
+    let page = crate::page::page("", "", Some(&study), &[], &[]);
+    assert_eq!(page.matches("kept to rounding").count(), study.methods.len());
+    assert!(!page.contains("gains ") && !page.contains("loses "));
+}
+
+fn svg(drawing: &Drawing) -> String {
+    let of = |picture: &dyn Fn(&mut Canvas), size| {
+        let mut canvas = Canvas::new(size).expect("fonts");
+        picture(&mut canvas);
+        canvas.svg()
+    };
+    match drawing {
+        Drawing::Chart(chart) => of(&|canvas| chart.draw(canvas), chart.size()),
+        Drawing::Panels(panels) => of(&|canvas| panels.draw(canvas), panels.size()),
+    }
+}
+
+/// Words of each picture that stand on its axes or in its head, and whether all methods have their colour in it.
+const SHOWN: [(&str, [&str; 3], bool); 9] = [
+    ("portraits", ["Portraits", "symplectic", "gains energy"], true),
+    ("energy_error", ["Energy against time", "10⁻⁵", "Dormand–Prince 5"], true),
+    ("energy", ["Energy in the first periods", "periods", "forward Euler"], false),
+    ("areas", ["Areas", " at the end: 1 ", "preserve"], true),
+    ("maps", ["Symplectic or not", "step", "implicit midpoint"], true),
+    ("reversal", ["There and back", "from the start: ", "Verlet"], false),
+    ("limits", ["How long a step may be", "2/ω", "Yoshida 4"], false),
+    ("errors", ["Error against step", "Runge–Kutta 4: ", "distance from the reference"], true),
+    ("work_precision", ["Work and precision", "evaluations of the force", "Dormand–Prince 8"], true),
+];
+
+#[test]
+fn every_picture_has_its_words_and_the_colours_of_methods() {
+    let study = study();
+    assert_eq!(SHOWN.map(|(name, ..)| name), PICTURES.map(|(name, _)| name));
+    for ((name, words, all), (_, draw)) in SHOWN.into_iter().zip(PICTURES) {
+        let svg = svg(&draw(&study).expect("a picture"));
+        for word in words {
+            assert!(svg.contains(word), "{name} lacks {word:?}");
+        }
+        for measured in study.methods.iter().filter(|_| all) {
+            let integrator_plot::Colour(red, green, blue) = measured.row.colour;
+            assert!(
+                svg.contains(&format!("#{red:02x}{green:02x}{blue:02x}")),
+                "{name} has nothing in the colour of {}",
+                measured.name()
+            );
+        }
+        // A hundredth of what a line for every step of every method would take.
+        assert!(svg.len() < 1_000_000, "{name}: {} bytes", svg.len());
+    }
+    let adaptive = study.adaptive.iter().map(|adaptive| adaptive.row.colour);
+    let colours: Vec<_> = study.methods.iter().map(|measured| measured.row.colour).chain(adaptive).collect();
+    assert!((0..colours.len()).all(|i| !colours[..i].contains(&colours[i])), "one colour for each method");
+}
+
+fn folder(name: &str) -> PathBuf {
+    env::temp_dir().join(format!("integrator-laboratory-{}-{name}", std::process::id()))
+}
+
+#[test]
+fn a_page_has_its_claims_its_formulas_and_what_was_added() {
+    let folder = folder("page");
+    let own = integrator_plot::Chart::new("My own").line("", [(0.0, 0.0), (1.0, 1.0)]);
+    let claim = Verdict::new("mine", "Mine is < theirs", [0.0, 1.0], Some(2.0));
+    let report = pendulum().called("swing").claim(claim).picture("own", own).report(&folder).expect("files");
+    assert_eq!(report.page, folder.join("swing.html"));
+    assert!(!report.holds() && report.to_string().contains("\nclaim_mine=FAILED value=2.000e0\n"), "{report}");
+    let page = fs::read_to_string(&report.page).expect("a page");
+    for part in
+        ["H = p²/2 − cos q; step 0.1", "Mine is &lt; theirs", ">at most 1<", ">2<", "<mfrac>", "My own", "1 of "]
+    {
+        assert!(page.contains(part), "{part} is missing");
+    }
+    assert_eq!(page.matches("<figure").count(), PICTURES.len() + 1);
+    assert!(page.matches("<math").count() > study().methods.len(), "a formula for each method");
+    for measured in study().methods {
+        assert!(
+            page.contains(&format!(
+                "<td class=\"method\"><span class=\"chip\" style=\"background:{}",
+                if measured.symplectic { "rgb" } else { "repeating" }
+            )),
+            "{}",
+            measured.name()
+        );
+    }
+    for name in ["portraits", "own"] {
+        for ending in ["svg", "png"] {
+            let file = folder.join("swing").join(name).with_extension(ending);
+            assert!(fs::metadata(&file).is_ok_and(|file| file.len() > 1_000), "{}", file.display());
+        }
+    }
+    fs::remove_dir_all(&folder).expect("a folder");
+}
+
+#[test]
+fn a_view_of_a_coordinate_that_there_is_not_is_refused() {
+    let refusal = driven([0, 4]).study().expect_err("a refusal").to_string();
+    assert_eq!(refusal, "a view of coordinate 4: there are 2 positions, then as many momenta");
+}
+
+/// Nothing is claimed of an energy that is not conserved, and the rest holds.
+#[test]
+fn a_hamiltonian_that_reads_the_time_has_its_page() {
+    let study = driven([0, 3]).study().expect("measurements");
+    assert_eq!((study.autonomous, study.view.clone()), (false, ["q₁".to_owned(), "p₂".to_owned()]));
+    let verdicts = verdicts(&study);
+    assert!(verdicts.iter().all(|verdict| !verdict.name.contains("energy")) && verdicts.len() > 10);
+    for verdict in &verdicts {
+        assert!(verdict.holds(), "{}: {:e}", verdict.name, verdict.measured);
+    }
+    let drawn = |name: &str| PICTURES.iter().any(|(picture, draw)| *picture == name && draw(&study).is_some());
+    assert!(drawn("portraits") && drawn("areas") && !drawn("energy") && !drawn("energy_error"));
+}
+
+/// Without anything chosen: the name of the type, and what follows from the start and the period.
+#[test]
+fn a_laboratory_has_defaults() {
+    let laboratory = Laboratory::new(&Pendulum, Phase::new([3.0], [4.0]), 8.0);
+    let problem = &laboratory.problem;
+    assert_eq!((laboratory.name.as_str(), problem.step, problem.blob, problem.view), ("Pendulum", 0.1, 0.1, [0, 1]));
+    let laboratory = Laboratory::new(&Driven, Phase::new(vec![1.0; 3], vec![0.0; 3]), 1.0);
+    assert_eq!((laboratory.name.as_str(), laboratory.problem.view), ("Driven", [0, 1]));
+}
