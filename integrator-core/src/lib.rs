@@ -199,7 +199,7 @@ pub mod __private {
             },
         },
         methods::implicit::{ImplicitMidpoint, TakesWhole},
-        methods::pace::{PlainMotion, Rated, TimeTransformed},
+        methods::pace::{NODES, PlainMotion, Rated, TimeTransformed},
         methods::taylor::{
             Recurrences, RecurrencesVisitor,
             inverse_mass::InverseMass,

@@ -167,8 +167,8 @@ impl<'i> Stepper<'i> {
         let is_plain = autonomous && emitter.model.is_separable() && emitter.model.jacobi.is_none();
         let transformed =
             is_plain.then(|| transformed::functions(&mut emitter, &kinetic, &potential, flows.are_of_bodies()));
-        let rate = emitter.model.rate.take().filter(|_| is_plain && is_quadratic);
-        let rated = rate.map(|(rate, arguments)| transformed::rated(&mut emitter, rate, &arguments));
+        let rate = emitter.model.rate.take().filter(|_| is_plain);
+        let rated = rate.map(|(rate, arguments)| transformed::rated(&mut emitter, rate, &arguments, is_quadratic));
         let of_jacobi = emitter.model.jacobi.map(|jacobi| jacobi::constants(jacobi, &mut emitter));
         let constants = Constants::of(emitter);
         Self {

@@ -91,8 +91,8 @@ impl<X: Scheme> Described for Power<X> {
 /// Mech. Dyn. Astron. 84, 343).
 ///
 /// A variable `W` follows the pace along the motion, so that both flows stay exact, and every composition of general class keeps
-/// its order. Steps are reversible in the space with `W`, and **not symplectic**: [`Logarithmic`] is, where `V < 0`. `T` has to
-/// be quadratic in the momenta with a constant mass matrix.
+/// its order. Steps are reversible in the space with `W`, and **not symplectic**: [`Logarithmic`] is, where `V < 0`. Where `T` is
+/// not quadratic in the momenta, what a kick adds to `W` is an integral by Gauss's rule, whose error is of order 10.
 ///
 /// ```
 /// use integrator_core::prelude::*;

@@ -13,7 +13,7 @@ mod motion;
 pub use method::{Logarithmic, Paced, Power};
 
 use crate::{
-    hamiltonian::{Hamiltonian, QuadraticKinetic, Shaped},
+    hamiltonian::{Hamiltonian, Shaped},
     scalar::real::Real,
     state::precision::Precision,
     system::motion::Plain,
@@ -21,6 +21,16 @@ use crate::{
 
 /// The plain motion of a system, whatever layout its steps in `t` have.
 pub type PlainMotion<H, R, K> = Plain<R, Shaped<H, K>, <H as Hamiltonian>::Parameters<R>>;
+
+/// Where Gauss's rule of five points looks between 0 and 1, and with which weights. It errs in the eleventh power of what is
+/// integrated over, so that steps keep every order that is proved for a composition, which is ten at most.
+pub const NODES: [[f64; 2]; 5] = [
+    [0.046_910_077_030_668_004, 0.118_463_442_528_094_54],
+    [0.230_765_344_947_158_45, 0.239_314_335_249_683_23],
+    [0.5, 0.284_444_444_444_444_44],
+    [0.769_234_655_052_841_5, 0.239_314_335_249_683_23],
+    [0.953_089_922_969_332, 0.118_463_442_528_094_54],
+];
 
 /// A Hamiltonian `T(p) + V(q)` with flows whose durations are numbers of each lane. Written by `#[hamiltonian]`.
 #[diagnostic::on_unimplemented(
@@ -42,14 +52,14 @@ pub trait TimeTransformed: Hamiltonian {
     fn logarithmic_kick<R: Real, K: Precision>(motion: &mut PlainMotion<Self, R, K>, duration: R);
 }
 
-/// A Hamiltonian with a pace of the user's own, and with `T = ½ pᵀ M⁻¹ p`. Written by `#[hamiltonian]`.
+/// A Hamiltonian `T(p) + V(q)` with a pace of the user's own. Written by `#[hamiltonian]`.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` has no pace",
     label = "`Paced` does not know how fast time may pass",
     note = "add `fn rate(&self, q: ...) -> f64` beside `kinetic` and `potential`: larger where steps have to be shorter",
-    note = "`T` has to be quadratic in p with a constant mass matrix; `Logarithmic` and `Power` need no `rate` and no such `T`"
+    note = "`Logarithmic` and `Power` need no `rate`"
 )]
-pub trait Rated: TimeTransformed + QuadraticKinetic {
+pub trait Rated: TimeTransformed {
     /// The pace.
     fn rate_of<R: Real, K: Precision>(motion: &PlainMotion<Self, R, K>) -> R;
     /// The pace by the user's own function, as it is written.

@@ -1,4 +1,4 @@
-//! A pace of one's own where T is not quadratic in p, by which the rate would be followed with errors.
+//! A pace of one's own without a `rate` that tells it.
 
 use integrator_core::prelude::*;
 
@@ -11,9 +11,6 @@ impl Fast {
     }
     fn potential(&self, q: [f64; 1]) -> f64 {
         -q[0].cos()
-    }
-    fn rate(&self, q: [f64; 1]) -> f64 {
-        2.0 + q[0].cos()
     }
 }
 
