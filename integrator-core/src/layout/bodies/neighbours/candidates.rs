@@ -76,7 +76,7 @@ impl<T: Real, const D: usize> Candidates<T, D> {
             }
         }
         let first = cells.slots(cell).start;
-        let mut farthest: f64 = 0.0;
+        let mut farthest = T::Block::of(0.0);
         for axis in 0..D {
             let (places, from) = (&mut self.places[axis], &cells.places[axis]);
             let mut shifts = [0.0; 1 << (32 - SLOT)];
@@ -84,17 +84,21 @@ impl<T: Real, const D: usize> Candidates<T, D> {
                 *shift = by[axis] - from[first];
             }
             places.clear();
-            places.resize(count.next_multiple_of(GROUP), T::of(f64::INFINITY));
-            for (place, key) in places.iter_mut().zip(&self.keys) {
+            places.extend(self.keys.iter().map(|key| {
                 let part = (*key as u32 >> SLOT) as usize;
-                let seen = from[(*key as u32 & ((1 << SLOT) - 1)) as usize] + shifts[part];
-                farthest = farthest.max(Real::abs(seen));
-                *place = T::of(seen);
+                T::of(from[(*key as u32 & ((1 << SLOT) - 1)) as usize] + shifts[part])
+            }));
+            places.resize(count.next_multiple_of(GROUP), T::of(0.0));
+            for block in places.chunks_exact(T::Block::WIDTH) {
+                let size = T::Block::read(block).abs();
+                farthest = T::Block::select(farthest.less(size), size, farthest);
             }
+            places[count..].fill(T::of(f64::INFINITY));
             let image = cells.image(axis);
             self.images[axis] = (image > 0.0).then(|| T::of(image));
-            farthest = farthest.max(image);
+            farthest += T::Block::of(image);
         }
+        let farthest = (0..T::Block::WIDTH).map(|lane| farthest.lane(lane)).fold(0.0, f64::max);
         // Two places and their difference are rounded, the side too, and the sum of squares: a spacing each at most.
         let spacing = f64::from(f32::EPSILON);
         let radius = cells.radius * (1.0 + 8.0 * spacing) + 8.0 * D as f64 * spacing * farthest.min(f64::MAX / 1e9);
@@ -129,10 +133,20 @@ impl<T: Real, const D: usize> Candidates<T, D> {
         }
     }
 
-    /// The slots of those that are near one of the cell's own bodies, in the order of their numbers and without itself; and how
-    /// many of them have lower numbers.
+    /// Writes the slots of those that are near one of the cell's own bodies, in the order of their numbers and without itself,
+    /// and returns how many they are, and how many of them have lower numbers.
     #[inline(always)]
-    pub(crate) fn near(&self, own: usize, near: &mut Vec<u32>) -> u32 {
+    pub(crate) fn near(&self, own: usize, near: &mut Vec<u32>) -> [u32; 2] {
+        if self.images.iter().any(Option::is_some) {
+            self.near_where::<true>(own, near)
+        } else {
+            self.near_where::<false>(own, near)
+        }
+    }
+
+    /// The same where periodic axes may be undivided, or are none.
+    #[inline(always)]
+    fn near_where<const IMAGES: bool>(&self, own: usize, near: &mut Vec<u32>) -> [u32; 2] {
         let own = self.own[own] as usize;
         let limit = T::Block::splat(self.square);
         let mut center = [limit; D];
@@ -140,15 +154,16 @@ impl<T: Real, const D: usize> Candidates<T, D> {
             *center = T::Block::splat(places[own]);
         }
         let (mut count, mut before) = (0, 0);
-        near.clear();
-        near.resize(self.slots.len(), 0);
+        if near.len() < self.slots.len() {
+            near.resize(self.slots.len(), 0);
+        }
         for group in (0..self.slots.len()).step_by(GROUP) {
-            let mut bits = 0;
+            let (mut bits, places) = (0, self.places.each_ref().map(|places| &places[group..group + GROUP]));
             for block in (0..GROUP).step_by(T::Block::WIDTH) {
                 let mut square = T::Block::of(0.0);
                 for (axis, center) in center.iter().enumerate() {
-                    let mut distance = T::Block::read(&self.places[axis][group + block..]) - *center;
-                    if let Some(side) = self.images[axis] {
+                    let mut distance = T::Block::read(&places[axis][block..]) - *center;
+                    if IMAGES && let Some(side) = self.images[axis] {
                         distance = distance.abs();
                         distance = distance.min((distance - T::Block::splat(side)).abs());
                     }
@@ -166,7 +181,6 @@ impl<T: Real, const D: usize> Candidates<T, D> {
                 bits &= bits - 1;
             }
         }
-        near.truncate(count);
-        before as u32
+        [count, before].map(|number| number as u32)
     }
 }

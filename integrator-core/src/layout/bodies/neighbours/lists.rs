@@ -145,11 +145,10 @@ impl<T: Real, const D: usize> Kernel for Fill<'_, T, D> {
             let (mut counts, mut before) = ([0; WIDTH], [0; WIDTH]);
             for lane in 0..WIDTH {
                 let (slot, near) = (row * WIDTH + lane, &mut near[lane]);
-                near.clear();
                 if slot >= bodies {
                     continue;
                 }
-                before[lane] = match cells {
+                [counts[lane], before[lane]] = match cells {
                     [cells] => {
                         let cell = cells.of_slot(slot);
                         if gathered != Some(cell) {
@@ -160,31 +159,46 @@ impl<T: Real, const D: usize> Kernel for Fill<'_, T, D> {
                     }
                     cells => near_in_any(cells, slots, cells[0].body_of[slot], near),
                 };
-                counts[lane] = near.len() as u32;
             }
-            let first = steps.len();
+            let (first, mut common, mut longest) = (steps.len(), u32::MAX, 0);
+            for count in counts {
+                (common, longest) = (common.min(count), longest.max(count));
+            }
             heads.push(Head { first, counts, before });
-            let longest = near.iter().map(Vec::len).max().unwrap_or(0);
-            if first + longest > most {
+            if first + longest as usize > most {
                 heads.clear();
                 return;
             }
-            // A lane that has no more neighbours repeats its last one, or itself; nothing of it is added.
-            steps.resize(first + longest, [0; WIDTH]);
-            for lane in 0..WIDTH {
-                let own = (row * WIDTH + lane).min(bodies - 1) as u32;
-                let mut last = own;
-                for (step, to) in steps[first..].iter_mut().enumerate() {
-                    last = near[lane].get(step).copied().unwrap_or(last);
-                    to[lane] = last;
+            let whole = near.each_ref().map(|near| &near[..common as usize]);
+            for step in 0..common as usize {
+                let mut slots = [0; WIDTH];
+                for (slot, near) in slots.iter_mut().zip(whole) {
+                    *slot = near[step];
                 }
+                steps.push(slots);
+            }
+            // A lane that has no more neighbours repeats its last one, or itself; nothing of it is added.
+            let mut last = [0; WIDTH];
+            for (lane, last) in last.iter_mut().enumerate() {
+                let own = (row * WIDTH + lane).min(bodies - 1) as u32;
+                *last = common.checked_sub(1).map_or(own, |last| near[lane][last as usize]);
+            }
+            for step in common..longest {
+                for lane in 0..WIDTH {
+                    if step < counts[lane] {
+                        last[lane] = near[lane][step as usize];
+                    }
+                }
+                steps.push(last);
             }
         }
     }
 }
 
-/// The slots of the bodies that are near one in any member, in the order of their numbers; and how many have lower ones.
-fn near_in_any<const D: usize>(cells: &[Cells<D>], slots: &[u32], body: u32, near: &mut Vec<u32>) -> u32 {
+/// Writes the slots of the bodies that are near one in any member, in the order of their numbers, and returns how many they
+/// are, and how many have lower ones.
+fn near_in_any<const D: usize>(cells: &[Cells<D>], slots: &[u32], body: u32, near: &mut Vec<u32>) -> [u32; 2] {
+    near.clear();
     for cells in cells {
         cells.near(body, near);
     }
@@ -194,5 +208,5 @@ fn near_in_any<const D: usize>(cells: &[Cells<D>], slots: &[u32], body: u32, nea
     for number in near.iter_mut() {
         *number = slots[*number as usize];
     }
-    before as u32
+    [near.len(), before].map(|number| number as u32)
 }

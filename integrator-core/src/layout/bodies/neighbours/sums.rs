@@ -50,7 +50,7 @@ impl<H: ManyBody<D, S>, R: Real, const D: usize, const S: usize> Kernel for Forc
             match portion {
                 Some(portion) => {
                     let head = &portion.heads[number];
-                    let range = Steps::of(&head.counts);
+                    let range = Steps::<R::Row<WIDTH>>::of::<R>(&head.counts);
                     let steps = &portion.steps[head.first..head.first + range.most];
                     let (common, rest) = steps.split_at(range.common);
                     for at in common {
@@ -58,7 +58,7 @@ impl<H: ManyBody<D, S>, R: Real, const D: usize, const S: usize> Kernel for Forc
                         add_forces::<H, R, D, S>(&mut sum, parameters, [body, others], None, time);
                     }
                     for (step, at) in rest.iter().enumerate() {
-                        let acting = range.acting::<R>(range.common + step);
+                        let acting = range.acting(range.common + step);
                         let others = bodies_at::<R, R::Row<WIDTH>, D, S>(points, at);
                         add_forces::<H, R, D, S>(&mut sum, parameters, [body, others], Some(acting), time);
                     }
@@ -88,18 +88,18 @@ impl<H: ManyBody<D, S>, R: Real, const D: usize, const S: usize> Kernel for Ener
             let own = own_slots(row, bodies);
             let body = bodies_at::<R, R::Row<WIDTH>, D, S>(points, &own);
             let mut sum = <R::Row<WIDTH> as Real>::of(0.0);
-            let mut add = |at: &[u32; WIDTH], acting: R::Row<WIDTH>| {
+            let mut add = |at: &[u32; WIDTH], acting: Lanes<R>| {
                 let others = bodies_at::<R, R::Row<WIDTH>, D, S>(points, at);
                 let energy = pair_energies::<H, R, R::Row<WIDTH>, D, S>(parameters, [body, others], time);
                 let none = Real::of(0.0);
-                sum += Real::select(Real::less(none, acting), energy, none);
+                sum += Real::select(acting, energy, none);
             };
             match portion {
                 Some(portion) => {
                     let head = &portion.heads[number];
-                    let range = Steps::of(&head.before);
+                    let range = Steps::<R::Row<WIDTH>>::of::<R>(&head.before);
                     for (step, at) in portion.steps[head.first..head.first + range.most].iter().enumerate() {
-                        add(at, range.acting::<R>(step));
+                        add(at, range.acting(step));
                     }
                 }
                 None => {
@@ -112,6 +112,9 @@ impl<H: ManyBody<D, S>, R: Real, const D: usize, const S: usize> Kernel for Ener
         }
     }
 }
+
+/// The mask of some lanes of a row.
+type Lanes<R> = <<R as Real>::Row<WIDTH> as Real>::Mask;
 
 /// The slots of a row; lanes behind the last body repeat it.
 #[inline(always)]
@@ -146,20 +149,20 @@ fn bodies_at<R: Real, W: Row<R>, const D: usize, const S: usize>(
     bodies
 }
 
-/// Adds the forces of other bodies on those of a row, in the lanes that are one in `acting`.
+/// Adds the forces of other bodies on those of a row, in the lanes of `acting`.
 #[inline(always)]
 fn add_forces<H: ManyBody<D, S>, R: Real, const D: usize, const S: usize>(
     sum: &mut [R::Row<WIDTH>; D],
     parameters: &H::Parameters<R>,
     rows: [Bodies<R::Row<WIDTH>, D, S>; 2],
-    acting: Option<R::Row<WIDTH>>,
+    acting: Option<Lanes<R>>,
     time: f64,
 ) {
     let mut force = pair_forces::<H, R, R::Row<WIDTH>, D, S>(parameters, rows, time);
     if let Some(acting) = acting {
         let none = Real::of(0.0);
         for force in force.as_mut() {
-            *force = Real::select(Real::less(none, acting), *force, none);
+            *force = Real::select(acting, *force, none);
         }
     }
     if H::CENTRAL {
@@ -176,51 +179,49 @@ fn add_forces<H: ManyBody<D, S>, R: Real, const D: usize, const S: usize>(
 }
 
 /// How many steps of a row all lanes take part in, how many any, and how many each.
-struct Steps<'h> {
+struct Steps<W> {
     common: usize,
     most: usize,
-    of_lane: &'h [u32; WIDTH],
+    of_lane: W,
 }
 
-impl<'h> Steps<'h> {
+impl<W: Real> Steps<W> {
     #[inline(always)]
-    fn of(of_lane: &'h [u32; WIDTH]) -> Self {
-        let (mut common, mut most) = (u32::MAX, 0);
-        for count in of_lane {
+    fn of<R: Real>(of_lane: &[u32; WIDTH]) -> Self
+    where
+        W: Row<R>,
+    {
+        let (mut common, mut most, mut numbers) = (u32::MAX, 0, [R::of(0.0); WIDTH]);
+        for (number, count) in numbers.iter_mut().zip(of_lane) {
             (common, most) = (common.min(*count), most.max(*count));
+            *number = R::of(f64::from(*count));
         }
-        Self { common: common as usize, most: most as usize, of_lane }
+        Self { common: common as usize, most: most as usize, of_lane: W::read(&numbers) }
     }
 
-    /// One in the lanes that take part in a step, zero in others.
+    /// The lanes that take part in a step.
     #[inline(always)]
-    fn acting<R: Real>(&self, step: usize) -> R::Row<WIDTH> {
-        let mut acting = [R::of(0.0); WIDTH];
-        for (lane, count) in self.of_lane.iter().enumerate() {
-            if step < *count as usize {
-                acting[lane] = R::of(1.0);
-            }
-        }
-        Row::read(&acting)
+    fn acting(&self, step: usize) -> W::Mask {
+        W::of(step as f64).less(self.of_lane)
     }
 }
 
-/// One in all lanes but one, where it is zero.
+/// All lanes but one.
 #[inline(always)]
-fn others_than<R: Real>(own: usize) -> R::Row<WIDTH> {
+fn others_than<R: Real>(own: usize) -> Lanes<R> {
     let mut acting = [R::of(1.0); WIDTH];
     acting[own] = R::of(0.0);
-    Row::read(&acting)
+    Real::less(Real::of(0.0), <R::Row<WIDTH> as Row<R>>::read(&acting))
 }
 
-/// One in the lanes of a row behind a body, zero in others.
+/// The lanes of a row behind a body.
 #[inline(always)]
-fn behind<R: Real>(body: usize, row: usize) -> R::Row<WIDTH> {
+fn behind<R: Real>(body: usize, row: usize) -> Lanes<R> {
     let mut acting = [R::of(0.0); WIDTH];
     for (lane, number) in acting.iter_mut().enumerate() {
         if body < row * WIDTH + lane {
             *number = R::of(1.0);
         }
     }
-    Row::read(&acting)
+    Real::less(Real::of(0.0), <R::Row<WIDTH> as Row<R>>::read(&acting))
 }
