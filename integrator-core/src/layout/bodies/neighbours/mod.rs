@@ -279,7 +279,7 @@ impl<W: Real, const D: usize> Listed<W, D> {
         }
         let lists = Lists::new(bodies, &members, &at, threads, old);
         // Half of the skin less what the comparison itself rounds.
-        let slack = (0.5 * skin).powi(2) * (1.0 - 16.0 * epsilon::<R>());
+        let slack = 0.25 * skin * skin * (1.0 - 16.0 * epsilon::<R>());
         Self { lists, reference: q.to_vec(), slack, skin }
     }
 
