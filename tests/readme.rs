@@ -144,15 +144,15 @@ fn every_link_leads_somewhere() {
     assert!(local > 50, "the links are found: {local}");
 }
 
-/// Every page with programs is among the documentation tests of `integrator-core`; those of the guide are held to their list
-/// in `integrator-cli/tests/guide.rs`.
+/// Every page with programs is among the documentation tests of a library: of `integrator-core`, or of `integrator-plot` where
+/// they draw. Those of the guide are held to their list in `integrator-cli/tests/guide.rs`.
 #[test]
 fn every_program_of_a_page_is_run() {
-    let library = text("integrator-core/src/lib.rs");
+    let libraries = ["integrator-core", "integrator-plot"].map(|folder| text(format!("{folder}/src/lib.rs")));
     for page in ["", "docs"].map(pages_in).concat() {
         if text(&page).contains("\nuse integrator_core::") {
             let included = format!("include_str!(\"../../{}\")", page.display());
-            assert!(library.contains(&included), "integrator-core/src/lib.rs lacks {included}");
+            assert!(libraries.iter().any(|library| library.contains(&included)), "no library has {included}");
         }
     }
 }
