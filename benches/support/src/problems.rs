@@ -334,3 +334,43 @@ impl Argon {
         energy
     }
 }
+
+/// Argon in a box without walls, at any temperature.
+#[derive(Clone, Copy)]
+pub struct ArgonInBox {
+    /// In units of the atoms' diameter.
+    pub side: f64,
+}
+
+impl ArgonInBox {
+    /// Nothing acts from this distance on.
+    pub const CUTOFF: f64 = 2.5;
+}
+
+#[hamiltonian]
+impl ArgonInBox {
+    fn kinetic(&self, p: &[[f64; 3]]) -> f64 {
+        let mut energy = 0.0;
+        for i in 0..p.len() {
+            energy += (p[i][0].powi(2) + p[i][1].powi(2) + p[i][2].powi(2)) / 2.0;
+        }
+        energy
+    }
+    fn potential(&self, q: &[[f64; 3]]) -> f64 {
+        let mut energy = 0.0;
+        for i in 0..q.len() {
+            for j in 0..i {
+                let [x, y, z] = [q[i][0] - q[j][0], q[i][1] - q[j][1], q[i][2] - q[j][2]];
+                let x = x - self.side * (x / self.side).round();
+                let y = y - self.side * (y / self.side).round();
+                let z = z - self.side * (z / self.side).round();
+                let square = x * x + y * y + z * z;
+                if square < 6.25 {
+                    let sixth = square.powi(-3);
+                    energy += 4.0 * (sixth * sixth - sixth);
+                }
+            }
+        }
+        energy
+    }
+}

@@ -1,6 +1,6 @@
 //! Where the systems start, how long they are followed, and where they arrive.
 
-use crate::problems::{Argon, Chain32, Cluster, CoupledOscillators, HenonHeiles, Kepler, Pendulum, Solar};
+use crate::problems::{Argon, ArgonInBox, Chain32, Cluster, CoupledOscillators, HenonHeiles, Kepler, Pendulum, Solar};
 use integrator_core::prelude::*;
 use serde_json::Value;
 use std::f64::consts::PI;
@@ -134,4 +134,28 @@ pub fn cluster(count: usize) -> (Cluster, Phase<Vec<[f64; 3]>>) {
 /// A drop of argon.
 pub fn argon(count: usize) -> (Argon, Phase<Vec<[f64; 3]>>) {
     (Argon { cutoff: 2.5 }, shaken_grid(count, 1.12))
+}
+
+/// That of liquid argon near its triple point, in atoms for each cubed diameter.
+pub const DENSITY: f64 = 0.8442;
+
+/// Liquid argon from a crystal of so many cells along each axis, of four atoms each, at twice the temperature that the liquid
+/// will have: half of it goes into the potential.
+pub fn liquid(cells: usize) -> (ArgonInBox, Phase<Vec<[f64; 3]>>) {
+    let cell = (4.0 / DENSITY).cbrt();
+    let corners = [[0.25, 0.25, 0.25], [0.75, 0.75, 0.25], [0.75, 0.25, 0.75], [0.25, 0.75, 0.75]];
+    let mut state = 1_u64;
+    let mut next = move || {
+        state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        (state >> 11) as f64 / (1_u64 << 53) as f64 - 0.5
+    };
+    let mut q = Vec::with_capacity(4 * cells.pow(3));
+    for n in 0..cells.pow(3) {
+        let at = [n % cells, n / cells % cells, n / cells.pow(2)];
+        q.extend(corners.map(|corner| [0, 1, 2].map(|d| cell * (at[d] as f64 + corner[d]))));
+    }
+    // The variance of a number between -1/2 and 1/2 is a twelfth.
+    let scale = (12.0 * 2.0 * 0.72_f64).sqrt();
+    let p = q.iter().map(|_| [0, 1, 2].map(|_| scale * next())).collect();
+    (ArgonInBox { side: cell * cells as f64 }, Phase::new(q, p))
 }

@@ -12,10 +12,13 @@
 //! | [`chain`] | long chains in one pass per step, several steps per tile, and in two plain passes |
 //! | [`plane`] | the φ⁴ field on a plane, in one pass per step, and in two plain passes |
 //! | [`taylor`] | Taylor integrators of the five problems |
+//! | `liquid` | atoms with a cutoff in a box, over lists of neighbours; for AVX-512 alone |
 //! | [`tiles`] | many bodies, pairs in tiles that use the third law |
 
 pub mod chain;
 pub mod law;
+#[cfg(target_arch = "x86_64")]
+pub mod liquid;
 pub mod orbits;
 pub mod oscillators;
 pub mod pace;

@@ -1,0 +1,64 @@
+//! Liquid argon in a box, from thousands of atoms on: `cargo bench -p integrator --bench liquid`.
+//!
+//! The generated stepper, which recognises the cutoff, against lists of neighbours written by hand for AVX-512. Times are
+//! for each atom and step, lists included; rates count the pairs that
+//! are within the cutoff at this density. The last lines are times over those of
+//! the lists by hand in the same rounds (`ratio_<scene>_to_hand=`), and what a second thread brings. `docs/performance.md`
+//! tells what was measured; `--large` adds a million atoms.
+
+#[cfg(target_arch = "x86_64")]
+use integrator_bench::by_hand::liquid::Liquid;
+use integrator_bench::{
+    problems::ArgonInBox,
+    race::{Racer, race},
+    starts::{DENSITY, liquid},
+    table::Table,
+};
+use integrator_core::prelude::*;
+use std::{error::Error, f64::consts::PI};
+
+/// Rounds of a race; odd, so that the median is one of them.
+const ROUNDS: usize = 7;
+const STEP: f64 = 0.004;
+/// Pairs within the cutoff, for each atom.
+const PAIRS: f64 = 0.5 * DENSITY * 4.0 / 3.0 * PI * ArgonInBox::CUTOFF * ArgonInBox::CUTOFF * ArgonInBox::CUTOFF;
+
+fn main() -> Result<(), Box<dyn Error>> {
+    let head = ["scene", "unit", "generated", "by hand", "to hand", "2 threads", "pairs/s"];
+    let (mut table, mut lines) = (Table::new("liquid", &head), Vec::new());
+    let large = std::env::args().any(|argument| argument == "--large");
+    let scenes = [("argon_4000", 10), ("argon_32000", 20), ("argon_256000", 40), ("argon_1000188", 63)];
+    for (name, cells) in scenes.into_iter().take(if large { 4 } else { 3 }) {
+        let (system, start) = liquid(cells);
+        let atoms = start.q.len();
+        let steps = (1_000_000 / atoms as u64).max(15);
+        let mut run = system.run_with(Verlet, start, STEP)?.with_threads(1);
+        // Until the crystal has melted a little.
+        run.advance(100)?;
+        let [mut one, mut two] = [run.clone(), run.clone().with_threads(2)];
+        #[cfg(target_arch = "x86_64")]
+        let state = run.state();
+        let mut ours = run;
+        #[cfg(target_arch = "x86_64")]
+        let mut by_hand = Liquid::new(&state.q, &state.p, system.side, ArgonInBox::CUTOFF);
+        let mut racers = vec![
+            Racer::new("one thread", || one.advance(steps).expect("finite states")).in_threads(),
+            Racer::new("two threads", || two.advance(steps).expect("finite states")).in_threads(),
+            Racer::new("generated", || ours.advance(steps).expect("finite states")),
+        ];
+        #[cfg(target_arch = "x86_64")]
+        if let Some(by_hand) = &mut by_hand {
+            racers.push(Racer::new("by hand", || by_hand.advance(steps, STEP)));
+        }
+        let times = race(ROUNDS, (atoms as u64 * steps) as f64, racers);
+        let has_hand = times.names().len() > 3;
+        let [hand, ratio] = if has_hand { [times.median(3), times.ratio(2, 3)] } else { [f64::NAN; 2] };
+        let [ns, threads] = [times.median(2), times.ratio(0, 1)];
+        table.row([name, "ns/atom/step"], &[ns, hand, ratio, threads, PAIRS / ns * 1e9]);
+        lines.push(format!("ratio_{name}_to_hand={ratio:.3}"));
+        lines.push(format!("speedup_{name}_two_threads={threads:.3}"));
+    }
+    table.write()?;
+    lines.iter().for_each(|line| println!("{line}"));
+    Ok(())
+}
