@@ -172,7 +172,8 @@ mod tests {
     fn aligned_vectors_span_nothing() {
         let vector = |q: [f64; 2], p: [f64; 2]| Phase::new(q, p);
         let right = [vector([3.0, 0.0], [0.0, 0.0]), vector([0.0, 0.0], [0.0, 1e200]), vector([0.0, 2.0], [0.0, 0.0])];
-        assert_eq!(alignment_indices(&right), [1.0, 1.0]);
+        // Singular values of the unit matrix, to a few roundings.
+        assert!(alignment_indices(&right).iter().all(|index| within(index - 1.0, 8.0 * f64::EPSILON)));
         assert!(within(smaller_alignment_index(&right) - 2.0_f64.sqrt(), 1e-15));
         let near = [vector([1.0, 0.0], [0.0, 0.0]), vector([-1.0, 1e-12], [0.0, 0.0])];
         // Directions are rounded by an ulp of one, their difference by as much.
