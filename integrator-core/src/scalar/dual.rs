@@ -6,21 +6,25 @@
 //! is not a number, or a derivative that does not exist, comes out as not a number or infinite, never as a plausible
 //! number.
 
+mod side_by_side;
+
 use crate::scalar::{
     functions::fast_functions,
     real::{Kernel, Mask, Real, elementary_functions},
-    simd::{block::WIDEST, lanes::Lanes, row::Row},
+    simd::lanes::Lanes,
 };
 use core::{
     f64::consts::{LN_2, LN_10},
     ops::{Add, AddAssign, Div, Mul, Neg, Sub, SubAssign},
 };
 
-/// A number in `F` and its first derivatives along `N` directions; `ROW`, where it is a row of bodies, each of them such
-/// a number.
+/// A number in `F` and its first derivatives along `N` directions; `ROW`, where it is a row of bodies or a block of
+/// sites, each of them such a number.
 ///
-/// If `F` has lanes itself, the value and the derivatives of one lane of `F` are neighbours.
+/// If `F` has lanes itself, the value and the derivatives of one lane of `F` are neighbours. So they are in memory, that
+/// an array of such numbers with one direction is one of pairs, which vectors read whole.
 #[derive(Clone, Copy, Debug)]
+#[repr(C)]
 pub(crate) struct Dual<F = f64, const N: usize = 1, const ROW: bool = false> {
     value: F,
     along: [F; N],
@@ -38,6 +42,7 @@ macro_rules! dual {
         Self { value, along }
     }};
 }
+use dual;
 
 impl<F: Real, const N: usize, const ROW: bool> Dual<F, N, ROW> {
     /// A function of this number that has a value and a slope here.
@@ -276,7 +281,7 @@ macro_rules! fast_dual {
 
 macro_rules! dual_real {
     (
-        $is_row:literal, Row<$bodies:ident> = $row:ty;
+        $is_row:literal, Block = $block:ty, Row<$bodies:ident> = $row:ty;
         unary: $($unary:ident)*; binary: $($binary:ident)*;
     ) => {
         impl<F: Real, const N: usize> Real for Dual<F, N, $is_row> {
@@ -284,7 +289,7 @@ macro_rules! dual_real {
             const MEMBERS: usize = F::MEMBERS;
             const LANEWISE: bool = F::LANEWISE;
             type Mask = F::Mask;
-            type Block = Self;
+            type Block = $block;
             type Row<const $bodies: usize> = $row;
             type Wide = Self;
 
@@ -395,62 +400,10 @@ macro_rules! dual_real {
         }
     };
 }
-elementary_functions!(dual_real! { false, Row<BODIES> = Dual<F::Row<BODIES>, N, true>; });
-elementary_functions!(dual_real! { true, Row<BODIES> = Lanes<Self, BODIES>; });
-
-impl<F: Real, V: Row<F>, const N: usize> Row<Dual<F, N>> for Dual<V, N, true> {
-    const UNROLLED: bool = V::UNROLLED;
-
-    #[inline(always)]
-    fn splat(x: Dual<F, N>) -> Self {
-        dual!(V::splat(x.value), direction => V::splat(x.along[direction]))
-    }
-    #[inline(always)]
-    fn rotate<const BODIES: usize>(self, by: usize) -> Self {
-        dual!(self.value.rotate::<BODIES>(by), direction => self.along[direction].rotate::<BODIES>(by))
-    }
-    #[inline(always)]
-    fn read(from: &[Dual<F, N>]) -> Self {
-        let of = |part: &dyn Fn(&Dual<F, N>) -> F| {
-            let mut numbers = [part(&from[0]); WIDEST];
-            for (number, dual) in numbers.iter_mut().zip(&from[..V::LANES / F::LANES]) {
-                *number = part(dual);
-            }
-            V::read(&numbers)
-        };
-        dual!(of(&|dual| dual.value), direction => of(&|dual| dual.along[direction]))
-    }
-    #[inline(always)]
-    fn write(self, to: &mut [Dual<F, N>]) {
-        let to = &mut to[..V::LANES / F::LANES];
-        let mut numbers = [F::of(0.0); WIDEST];
-        self.value.write(&mut numbers);
-        for (dual, number) in to.iter_mut().zip(numbers) {
-            dual.value = number;
-        }
-        for (direction, along) in self.along.into_iter().enumerate() {
-            along.write(&mut numbers);
-            for (dual, number) in to.iter_mut().zip(numbers) {
-                dual.along[direction] = number;
-            }
-        }
-    }
-    #[inline(always)]
-    fn permute(self, indices: &[u64; 8]) -> Self {
-        dual!(self.value.permute(indices), direction => self.along[direction].permute(indices))
-    }
-    #[inline(always)]
-    fn transposed(points: &[[Dual<F, N>; 4]], indices: &[u32; 8], stride: usize, offset: usize) -> [Self; 4] {
-        let mut numbers = [[Dual::of(0.0); 8]; 4];
-        for (lane, index) in indices.iter().enumerate() {
-            let point = points[*index as usize * stride + offset];
-            for (row, number) in numbers.iter_mut().zip(point) {
-                row[lane] = number;
-            }
-        }
-        numbers.map(|numbers| Self::read(&numbers))
-    }
-}
+elementary_functions!(dual_real! {
+    false, Block = Dual<F::Block, N, true>, Row<BODIES> = Dual<F::Row<BODIES>, N, true>;
+});
+elementary_functions!(dual_real! { true, Block = Self, Row<BODIES> = Lanes<Self, BODIES>; });
 
 #[cfg(test)]
 mod tests {

@@ -34,7 +34,7 @@ pub trait Slot<R: Real>: Copy + Send + Sync + 'static {
         }
         B::read(&numbers)
     }
-    /// Adds `a * b` to a block of slots.
+    /// Adds `a * b` to a block of slots; `a` is constant along all directions.
     #[inline(always)]
     fn update<B: Block<R>>(to: &mut [Self], a: R, b: B) {
         let mut numbers = [a; WIDEST];
@@ -74,7 +74,7 @@ impl<R: Real> Slot<R> for R {
     }
     #[inline(always)]
     fn update<B: Block<R>>(to: &mut [Self], a: R, b: B) {
-        B::splat(a).fma(b, B::read(to)).write(to);
+        b.add_multiple(a, to);
     }
 }
 

@@ -22,6 +22,15 @@ pub trait Block<R: Real>: Real {
     fn after(self, next: Self) -> Self;
     /// The block that begins one element earlier, where this one follows `previous`.
     fn before(self, previous: Self) -> Self;
+    /// The elements with even numbers, and those with odd ones, of this block and the one behind it.
+    fn deinterleave(self, next: Self) -> [Self; 2];
+    /// Two blocks of elements from this one and `odd` in turn.
+    fn interleave(self, odd: Self) -> [Self; 2];
+    /// Adds a multiple of the block to the first numbers of a slice; the factor is constant along all directions.
+    #[inline(always)]
+    fn add_multiple(self, factor: R, to: &mut [R]) {
+        Self::splat(factor).fma(self, Self::read(to)).write(to);
+    }
 }
 
 /// The width of the widest block.
@@ -54,5 +63,13 @@ impl<R: Real> Block<R> for R {
     #[inline(always)]
     fn before(self, previous: Self) -> Self {
         previous
+    }
+    #[inline(always)]
+    fn deinterleave(self, next: Self) -> [Self; 2] {
+        [self, next]
+    }
+    #[inline(always)]
+    fn interleave(self, odd: Self) -> [Self; 2] {
+        [self, odd]
     }
 }

@@ -11,10 +11,11 @@ use core::arch::x86_64::{
     _mm256_castpd_si256, _mm256_castps_si256, _mm256_castsi256_pd, _mm256_castsi256_ps, _mm256_cmp_pd, _mm256_cmp_ps,
     _mm256_div_pd, _mm256_div_ps, _mm256_fmadd_pd, _mm256_fmadd_ps, _mm256_loadu_pd, _mm256_loadu_ps,
     _mm256_movemask_pd, _mm256_movemask_ps, _mm256_mul_pd, _mm256_mul_ps, _mm256_or_pd, _mm256_or_ps,
-    _mm256_permute2f128_pd, _mm256_permute2x128_si256, _mm256_round_pd, _mm256_round_ps, _mm256_set1_pd,
-    _mm256_set1_ps, _mm256_shuffle_pd, _mm256_sll_epi32, _mm256_sll_epi64, _mm256_slli_epi32, _mm256_slli_epi64,
-    _mm256_sqrt_pd, _mm256_sqrt_ps, _mm256_srl_epi32, _mm256_srl_epi64, _mm256_storeu_pd, _mm256_storeu_ps,
-    _mm256_sub_pd, _mm256_sub_ps, _mm256_xor_pd, _mm256_xor_ps,
+    _mm256_permute2f128_pd, _mm256_permute2f128_ps, _mm256_permute2x128_si256, _mm256_round_pd, _mm256_round_ps,
+    _mm256_set1_pd, _mm256_set1_ps, _mm256_shuffle_pd, _mm256_shuffle_ps, _mm256_sll_epi32, _mm256_sll_epi64,
+    _mm256_slli_epi32, _mm256_slli_epi64, _mm256_sqrt_pd, _mm256_sqrt_ps, _mm256_srl_epi32, _mm256_srl_epi64,
+    _mm256_storeu_pd, _mm256_storeu_ps, _mm256_sub_pd, _mm256_sub_ps, _mm256_unpackhi_pd, _mm256_unpackhi_ps,
+    _mm256_unpacklo_pd, _mm256_unpacklo_ps, _mm256_xor_pd, _mm256_xor_ps,
 };
 
 /// A mask in a register as wide as the numbers: the sign of a lane says whether the condition holds there.
@@ -76,6 +77,14 @@ elementary_functions!(vector! {
     compare _mm256_cmp_pd, select |mask, a, b| _mm256_blendv_pd(b, a, mask),
     after |low, high| _mm256_shuffle_pd::<0b0101>(low, _mm256_permute2f128_pd::<0x21>(low, high)),
     before |low, high| _mm256_shuffle_pd::<0b0101>(_mm256_permute2f128_pd::<0x21>(low, high), high),
+    deinterleave |one, two| {
+        let (low, high) = (_mm256_permute2f128_pd::<0x20>(one, two), _mm256_permute2f128_pd::<0x31>(one, two));
+        [_mm256_unpacklo_pd(low, high), _mm256_unpackhi_pd(low, high)]
+    },
+    interleave |evens, odds| {
+        let (low, high) = (_mm256_unpacklo_pd(evens, odds), _mm256_unpackhi_pd(evens, odds));
+        [_mm256_permute2f128_pd::<0x20>(low, high), _mm256_permute2f128_pd::<0x31>(low, high)]
+    },
     div_pow_3_2 |n, x: Self| n / (x * x.sqrt());
 });
 elementary_functions!(vector! {
@@ -92,6 +101,14 @@ elementary_functions!(vector! {
     before |low, high| {
         let (low, high) = (_mm256_castps_si256(low), _mm256_castps_si256(high));
         _mm256_castsi256_ps(_mm256_alignr_epi8::<12>(high, _mm256_permute2x128_si256::<0x21>(low, high)))
+    },
+    deinterleave |one, two| {
+        let (low, high) = (_mm256_permute2f128_ps::<0x20>(one, two), _mm256_permute2f128_ps::<0x31>(one, two));
+        [_mm256_shuffle_ps::<0x88>(low, high), _mm256_shuffle_ps::<0xdd>(low, high)]
+    },
+    interleave |evens, odds| {
+        let (low, high) = (_mm256_unpacklo_ps(evens, odds), _mm256_unpackhi_ps(evens, odds));
+        [_mm256_permute2f128_ps::<0x20>(low, high), _mm256_permute2f128_ps::<0x31>(low, high)]
     },
     div_pow_3_2 |n, x: Self| n / (x * x.sqrt());
 });

@@ -10,11 +10,11 @@ use core::arch::x86_64::{
     _mm512_alignr_epi32, _mm512_alignr_epi64, _mm512_and_pd, _mm512_and_ps, _mm512_andnot_pd, _mm512_andnot_ps,
     _mm512_castpd_si512, _mm512_castps_si512, _mm512_castsi512_pd, _mm512_castsi512_ps, _mm512_cmp_pd_mask,
     _mm512_cmp_ps_mask, _mm512_div_pd, _mm512_div_ps, _mm512_fmadd_pd, _mm512_fmadd_ps, _mm512_loadu_pd,
-    _mm512_loadu_ps, _mm512_mask_blend_pd, _mm512_mask_blend_ps, _mm512_mul_pd, _mm512_mul_ps, _mm512_roundscale_pd,
-    _mm512_roundscale_ps, _mm512_set1_epi32, _mm512_set1_epi64, _mm512_set1_pd, _mm512_set1_ps, _mm512_sll_epi32,
-    _mm512_sll_epi64, _mm512_sqrt_pd, _mm512_sqrt_ps, _mm512_srl_epi32, _mm512_srl_epi64, _mm512_storeu_pd,
-    _mm512_storeu_ps, _mm512_sub_pd, _mm512_sub_ps, _mm512_test_epi32_mask, _mm512_test_epi64_mask, _mm512_xor_pd,
-    _mm512_xor_ps,
+    _mm512_loadu_ps, _mm512_mask_blend_pd, _mm512_mask_blend_ps, _mm512_mul_pd, _mm512_mul_ps, _mm512_permutex2var_pd,
+    _mm512_permutex2var_ps, _mm512_roundscale_pd, _mm512_roundscale_ps, _mm512_set1_epi32, _mm512_set1_epi64,
+    _mm512_set1_pd, _mm512_set1_ps, _mm512_setr_epi32, _mm512_setr_epi64, _mm512_sll_epi32, _mm512_sll_epi64,
+    _mm512_sqrt_pd, _mm512_sqrt_ps, _mm512_srl_epi32, _mm512_srl_epi64, _mm512_storeu_pd, _mm512_storeu_ps,
+    _mm512_sub_pd, _mm512_sub_ps, _mm512_test_epi32_mask, _mm512_test_epi64_mask, _mm512_xor_pd, _mm512_xor_ps,
 };
 
 /// A mask with one bit per lane.
@@ -80,6 +80,14 @@ elementary_functions!(vector! {
         let (low, high) = (_mm512_castpd_si512(low), _mm512_castpd_si512(high));
         _mm512_castsi512_pd(_mm512_alignr_epi64::<7>(high, low))
     },
+    deinterleave |one, two| {
+        let evens = _mm512_permutex2var_pd(one, _mm512_setr_epi64(0, 2, 4, 6, 8, 10, 12, 14), two);
+        [evens, _mm512_permutex2var_pd(one, _mm512_setr_epi64(1, 3, 5, 7, 9, 11, 13, 15), two)]
+    },
+    interleave |evens, odds| {
+        let first = _mm512_permutex2var_pd(evens, _mm512_setr_epi64(0, 8, 1, 9, 2, 10, 3, 11), odds);
+        [first, _mm512_permutex2var_pd(evens, _mm512_setr_epi64(4, 12, 5, 13, 6, 14, 7, 15), odds)]
+    },
     div_pow_3_2 super::div_pow_3_2;
 });
 elementary_functions!(vector! {
@@ -96,6 +104,16 @@ elementary_functions!(vector! {
     before |low, high| {
         let (low, high) = (_mm512_castps_si512(low), _mm512_castps_si512(high));
         _mm512_castsi512_ps(_mm512_alignr_epi32::<15>(high, low))
+    },
+    deinterleave |one, two| {
+        let evens = _mm512_setr_epi32(0, 2, 4, 6, 8, 10, 12, 14, 16, 18, 20, 22, 24, 26, 28, 30);
+        let odds = _mm512_setr_epi32(1, 3, 5, 7, 9, 11, 13, 15, 17, 19, 21, 23, 25, 27, 29, 31);
+        [_mm512_permutex2var_ps(one, evens, two), _mm512_permutex2var_ps(one, odds, two)]
+    },
+    interleave |evens, odds| {
+        let first = _mm512_setr_epi32(0, 16, 1, 17, 2, 18, 3, 19, 4, 20, 5, 21, 6, 22, 7, 23);
+        let second = _mm512_setr_epi32(8, 24, 9, 25, 10, 26, 11, 27, 12, 28, 13, 29, 14, 30, 15, 31);
+        [_mm512_permutex2var_ps(evens, first, odds), _mm512_permutex2var_ps(evens, second, odds)]
     },
     div_pow_3_2 |n, x: Self| n / (x * x.sqrt());
 });

@@ -126,6 +126,13 @@ mod tests {
             assert_eq!(later.lane(lane), (lane + 1) as f64 + 0.5, "one element later");
             assert_eq!(earlier.lane(lane), (V::WIDTH + lane - 1) as f64 + 0.5, "one element earlier");
         }
+        let of_both = |pair: [V; 2], at: usize| pair[at / V::WIDTH].lane(at % V::WIDTH);
+        let ([evens, odds], back) = (first.deinterleave(second), |[evens, odds]: [V; 2]| evens.interleave(odds));
+        for at in 0..2 * V::WIDTH {
+            let from = if at < V::WIDTH { 2 * at } else { 2 * (at - V::WIDTH) + 1 };
+            assert_eq!(of_both([evens, odds], at), from as f64 + 0.5, "even elements, then odd ones: {at}");
+            assert_eq!(of_both(back([evens, odds]), at), at as f64 + 0.5, "element {at} of both in turn");
+        }
     }
 
     fn every_lane_is_the_scalar<V: Block<R>, R: Real>(set: InstructionSet) {

@@ -41,6 +41,8 @@ macro_rules! vector {
         fma $fma:ident, sqrt $sqrt:ident, xor $xor:ident, andnot $andnot:ident, to whole numbers $to_whole:ident,
         compare $compare:ident, select |$of:ident, $a:ident, $b:ident| $select:expr,
         after |$low:ident, $high:ident| $after:expr, before |$lower:ident, $higher:ident| $before:expr,
+        deinterleave |$one:ident, $two:ident| $deinterleave:expr,
+        interleave |$evens:ident, $odds:ident| $interleave:expr,
         div_pow_3_2 $div_pow_3_2:expr;
         unary: $($unary:ident)*; binary: $($binary:ident)*;
     ) => {
@@ -228,6 +230,18 @@ macro_rules! vector {
                 fn before(self, previous: Self) -> Self {
                     let ($lower, $higher) = (previous.0, self.0);
                     Self(instruction!($before))
+                }
+                #[inline(always)]
+                fn deinterleave(self, next: Self) -> [Self; 2] {
+                    let ($one, $two) = (self.0, next.0);
+                    let [first, second] = instruction!($deinterleave);
+                    [Self(first), Self(second)]
+                }
+                #[inline(always)]
+                fn interleave(self, odd: Self) -> [Self; 2] {
+                    let ($evens, $odds) = (self.0, odd.0);
+                    let [first, second] = instruction!($interleave);
+                    [Self(first), Self(second)]
                 }
             }
         };

@@ -1,0 +1,186 @@
+//! Numbers with derivatives side by side, as bodies in a row and as sites in a block: a vector of the values, and one of
+//! the derivatives along each direction.
+
+use super::{Dual, dual};
+use crate::scalar::{
+    real::Real,
+    simd::{
+        block::{Block, WIDEST},
+        row::Row,
+    },
+};
+
+impl<F: Real, V: Block<F>, const N: usize> Block<Dual<F, N>> for Dual<V, N, true> {
+    const WIDTH: usize = V::WIDTH;
+
+    #[inline(always)]
+    fn read(from: &[Dual<F, N>]) -> Self {
+        let from = &from[..V::WIDTH];
+        if const { N == 1 } {
+            let [value, along] = pairs::<F, V, N>(from);
+            let [value, along] = value.deinterleave(along);
+            return Self { value, along: [along; N] };
+        }
+        let mut numbers = [from[0].value; WIDEST];
+        for (number, dual) in numbers.iter_mut().zip(from) {
+            *number = dual.value;
+        }
+        dual!(V::read(&numbers), direction => {
+            for (number, dual) in numbers.iter_mut().zip(from) {
+                *number = dual.along[direction];
+            }
+            V::read(&numbers)
+        })
+    }
+    #[inline(always)]
+    fn write(self, to: &mut [Dual<F, N>]) {
+        let to = &mut to[..V::WIDTH];
+        if const { N == 1 } {
+            return write_pairs(self.value.interleave(self.along[0]), to);
+        }
+        let mut numbers = [F::of(0.0); WIDEST];
+        self.value.write(&mut numbers);
+        for (dual, number) in to.iter_mut().zip(numbers) {
+            dual.value = number;
+        }
+        for (direction, along) in self.along.into_iter().enumerate() {
+            along.write(&mut numbers);
+            for (dual, number) in to.iter_mut().zip(numbers) {
+                dual.along[direction] = number;
+            }
+        }
+    }
+    #[inline(always)]
+    fn splat(x: Dual<F, N>) -> Self {
+        dual!(V::splat(x.value), direction => V::splat(x.along[direction]))
+    }
+    #[inline(always)]
+    fn add_multiple(self, factor: Dual<F, N>, to: &mut [Dual<F, N>]) {
+        if const { N == 1 } {
+            let factor = V::splat(factor.value);
+            // Pairs as they are in memory, so that only what is added takes an interleaving.
+            let ([first, second], to) = (self.value.interleave(self.along[0]), &mut to[..V::WIDTH]);
+            let pairs = pairs::<F, V, N>(to);
+            return write_pairs([factor.fma(first, pairs[0]), factor.fma(second, pairs[1])], to);
+        }
+        // Number by number, so that what was read and is only added again is not moved between registers.
+        let (mut numbers, to) = ([factor.value; WIDEST], &mut to[..V::WIDTH]);
+        self.value.write(&mut numbers);
+        for (dual, number) in to.iter_mut().zip(numbers) {
+            dual.value = factor.value.fma(number, dual.value);
+        }
+        for (direction, along) in self.along.into_iter().enumerate() {
+            along.write(&mut numbers);
+            for (dual, number) in to.iter_mut().zip(numbers) {
+                dual.along[direction] = factor.value.fma(number, dual.along[direction]);
+            }
+        }
+    }
+    #[inline(always)]
+    fn less_bits(self, other: Self) -> u64 {
+        self.value.less_bits(other.value)
+    }
+    #[inline(always)]
+    fn after(self, next: Self) -> Self {
+        dual!(self.value.after(next.value), direction => self.along[direction].after(next.along[direction]))
+    }
+    #[inline(always)]
+    fn before(self, previous: Self) -> Self {
+        dual!(self.value.before(previous.value), direction => self.along[direction].before(previous.along[direction]))
+    }
+    #[inline(always)]
+    fn deinterleave(self, next: Self) -> [Self; 2] {
+        let (mut even, mut odd) = (self, next);
+        [even.value, odd.value] = self.value.deinterleave(next.value);
+        for direction in 0..N {
+            [even.along[direction], odd.along[direction]] = self.along[direction].deinterleave(next.along[direction]);
+        }
+        [even, odd]
+    }
+    #[inline(always)]
+    fn interleave(self, odd: Self) -> [Self; 2] {
+        let (mut first, mut second) = (self, odd);
+        [first.value, second.value] = self.value.interleave(odd.value);
+        for direction in 0..N {
+            [first.along[direction], second.along[direction]] = self.along[direction].interleave(odd.along[direction]);
+        }
+        [first, second]
+    }
+}
+
+/// As many numbers with one derivative each as a vector has lanes, as they are in memory.
+#[inline(always)]
+fn pairs<F: Real, V: Block<F>, const N: usize>(from: &[Dual<F, N>]) -> [V; 2] {
+    let mut numbers = [from[0].value; 2 * WIDEST];
+    for lane in 0..V::WIDTH {
+        numbers[2 * lane] = from[lane].value;
+        numbers[2 * lane + 1] = from[lane].along[0];
+    }
+    [V::read(&numbers), V::read(&numbers[V::WIDTH..])]
+}
+
+/// Writes such pairs where they were.
+#[inline(always)]
+fn write_pairs<F: Real, V: Block<F>, const N: usize>([first, second]: [V; 2], to: &mut [Dual<F, N>]) {
+    let mut numbers = [to[0].value; 2 * WIDEST];
+    first.write(&mut numbers);
+    second.write(&mut numbers[V::WIDTH..]);
+    for lane in 0..V::WIDTH {
+        to[lane].value = numbers[2 * lane];
+        to[lane].along[0] = numbers[2 * lane + 1];
+    }
+}
+
+impl<F: Real, V: Row<F>, const N: usize> Row<Dual<F, N>> for Dual<V, N, true> {
+    const UNROLLED: bool = V::UNROLLED;
+
+    #[inline(always)]
+    fn splat(x: Dual<F, N>) -> Self {
+        dual!(V::splat(x.value), direction => V::splat(x.along[direction]))
+    }
+    #[inline(always)]
+    fn rotate<const BODIES: usize>(self, by: usize) -> Self {
+        dual!(self.value.rotate::<BODIES>(by), direction => self.along[direction].rotate::<BODIES>(by))
+    }
+    #[inline(always)]
+    fn read(from: &[Dual<F, N>]) -> Self {
+        let of = |part: &dyn Fn(&Dual<F, N>) -> F| {
+            let mut numbers = [part(&from[0]); WIDEST];
+            for (number, dual) in numbers.iter_mut().zip(&from[..V::LANES / F::LANES]) {
+                *number = part(dual);
+            }
+            V::read(&numbers)
+        };
+        dual!(of(&|dual| dual.value), direction => of(&|dual| dual.along[direction]))
+    }
+    #[inline(always)]
+    fn write(self, to: &mut [Dual<F, N>]) {
+        let to = &mut to[..V::LANES / F::LANES];
+        let mut numbers = [F::of(0.0); WIDEST];
+        self.value.write(&mut numbers);
+        for (dual, number) in to.iter_mut().zip(numbers) {
+            dual.value = number;
+        }
+        for (direction, along) in self.along.into_iter().enumerate() {
+            along.write(&mut numbers);
+            for (dual, number) in to.iter_mut().zip(numbers) {
+                dual.along[direction] = number;
+            }
+        }
+    }
+    #[inline(always)]
+    fn permute(self, indices: &[u64; 8]) -> Self {
+        dual!(self.value.permute(indices), direction => self.along[direction].permute(indices))
+    }
+    #[inline(always)]
+    fn transposed(points: &[[Dual<F, N>; 4]], indices: &[u32; 8], stride: usize, offset: usize) -> [Self; 4] {
+        let mut numbers = [[Dual::of(0.0); 8]; 4];
+        for (lane, index) in indices.iter().enumerate() {
+            let point = points[*index as usize * stride + offset];
+            for (row, number) in numbers.iter_mut().zip(point) {
+                row[lane] = number;
+            }
+        }
+        numbers.map(|numbers| Row::read(&numbers))
+    }
+}
