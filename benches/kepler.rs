@@ -7,7 +7,6 @@
 use integrator_bench::{
     by_hand::orbits,
     plan::Plan,
-    problems::GRAVITY,
     race::{Racer, race},
     starts::Problems,
 };
@@ -17,42 +16,8 @@ use integrator_core::prelude::*;
 const STEPS: u64 = 20_000;
 const ROUNDS: usize = 61;
 
-/// Planets whose star attracts them by Newton's law and by a spring.
-struct Planets {
-    masses: [f64; 5],
-    pull: f64,
-    spring: f64,
-}
-
-#[hamiltonian(split = kepler + spring)]
-impl Planets {
-    fn kepler(&self, q: [[f64; 3]; 5], p: [[f64; 3]; 5]) -> f64 {
-        let mut energy = 0.0;
-        for i in 0..5 {
-            let ([x, y, z], [u, v, w]) = (q[i], p[i]);
-            energy += (u * u + v * v + w * w) / (2.0 * self.masses[i]);
-            energy -= self.pull * self.masses[i] / (x * x + y * y + z * z).sqrt();
-        }
-        energy
-    }
-    fn spring(&self, q: [[f64; 3]; 5]) -> f64 {
-        0.5 * self.spring * q.iter().map(|[x, y, z]| x * x + y * y + z * z).sum::<f64>()
-    }
-}
-
 fn main() {
-    let solar = Problems::default().solar();
-    let masses: [f64; 5] = std::array::from_fn(|planet| solar.system.masses[planet + 1]);
-    let planets = Planets { masses, pull: GRAVITY * solar.system.masses[0], spring: 1e-18 };
-    let relative =
-        |half: &[[f64; 3]; 6]| std::array::from_fn(|planet| std::array::from_fn(|d| half[planet + 1][d] - half[0][d]));
-    let velocities: [[f64; 3]; 6] =
-        std::array::from_fn(|body| solar.start.p[body].map(|p| p / solar.system.masses[body]));
-    let mut momenta: [[f64; 3]; 5] = relative(&velocities);
-    for (p, mass) in momenta.iter_mut().zip(masses) {
-        *p = p.map(|velocity| velocity * mass);
-    }
-    let start: Phase<[[f64; 3]; 5]> = Phase::new(relative(&solar.start.q), momenta);
+    let (planets, start) = Problems::default().planets();
     let h = 150.0;
     let plan = Plan::of::<Verlet>(h);
     let generated = || {
@@ -60,7 +25,7 @@ fn main() {
         run.advance(STEPS).expect("finite states");
         run.state()
     };
-    let by_hand = || orbits::planets(masses, [planets.pull, planets.spring], start, &plan, STEPS);
+    let by_hand = || orbits::planets(&planets, start, &plan, STEPS);
     let (found, expected) = (generated(), by_hand());
     for (found, expected) in found.q.as_flattened().iter().zip(expected.q.as_flattened()) {
         assert!((found - expected).abs() < 1e-8, "both follow the same orbits: {found} {expected}");

@@ -161,7 +161,7 @@ fn small_problems(report: &mut Report) {
         &problems.coupled_oscillators(),
         Aba864,
         0.01,
-        &[("plain", Box::new(move |plan, steps| oscillators::henon_heiles(columns, plan, steps)[0]))],
+        &[("plain", Box::new(move |plan, steps| oscillators::henon_heiles([columns], plan, steps)[0][0]))],
     );
 
     let columns = [0.4, 0.0, 0.0, 2.0];

@@ -107,6 +107,33 @@ impl Solar {
     }
 }
 
+/// Planets that a star at rest attracts by Newton's law and by a spring.
+#[derive(Clone, Copy)]
+pub struct Planets {
+    /// In solar masses.
+    pub masses: [f64; 5],
+    /// Gravity times the mass of the star.
+    pub pull: f64,
+    /// Of the spring.
+    pub spring: f64,
+}
+
+#[hamiltonian(split = kepler + spring)]
+impl Planets {
+    fn kepler(&self, q: [[f64; 3]; 5], p: [[f64; 3]; 5]) -> f64 {
+        let mut energy = 0.0;
+        for i in 0..5 {
+            let ([x, y, z], [u, v, w]) = (q[i], p[i]);
+            energy += (u * u + v * v + w * w) / (2.0 * self.masses[i]);
+            energy -= self.pull * self.masses[i] / (x * x + y * y + z * z).sqrt();
+        }
+        energy
+    }
+    fn spring(&self, q: [[f64; 3]; 5]) -> f64 {
+        0.5 * self.spring * q.iter().map(|[x, y, z]| x * x + y * y + z * z).sum::<f64>()
+    }
+}
+
 /// The chain of Fermi, Pasta, Ulam and Tsingou: 32 sites between walls.
 #[derive(Clone, Copy)]
 pub struct Chain32 {

@@ -1,6 +1,8 @@
 //! Where the systems start, how long they are followed, and where they arrive.
 
-use crate::problems::{Argon, ArgonInBox, Chain32, Cluster, CoupledOscillators, HenonHeiles, Kepler, Pendulum, Solar};
+use crate::problems::{
+    Argon, ArgonInBox, Chain32, Cluster, CoupledOscillators, GRAVITY, HenonHeiles, Kepler, Pendulum, Planets, Solar,
+};
 use integrator_core::prelude::*;
 use serde_json::Value;
 use std::f64::consts::PI;
@@ -75,6 +77,19 @@ impl Problems {
             *p = p.map(|velocity| mass * velocity);
         }
         self.problem("solar", "solar", Solar { masses }, Phase::new(q, p))
+    }
+
+    /// The outer planets about the Sun at rest, held by a weak spring besides.
+    pub fn planets(&self) -> (Planets, Phase<[[f64; 3]; 5]>) {
+        let Problem { system, start, .. } = self.solar();
+        let masses: [f64; 5] = std::array::from_fn(|planet| system.masses[planet + 1]);
+        let planets = Planets { masses, pull: GRAVITY * system.masses[0], spring: 1e-18 };
+        let velocity = |body: usize, d: usize| start.p[body][d] / system.masses[body];
+        let relative =
+            |planet: usize, of: &dyn Fn(usize, usize) -> f64| std::array::from_fn(|d| of(planet + 1, d) - of(0, d));
+        let q = std::array::from_fn(|planet| relative(planet, &|body, d| start.q[body][d]));
+        let p = std::array::from_fn(|planet| relative(planet, &velocity).map(|v: f64| v * masses[planet]));
+        (planets, Phase::new(q, p))
     }
 
     /// The lowest wave of a chain of 32 sites.

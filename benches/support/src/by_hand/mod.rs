@@ -11,6 +11,7 @@
 //! | [`orbits`] | five planets on Kepler orbits side by side in registers |
 //! | [`chain`] | long chains in one pass per step, several steps per tile, and in two plain passes |
 //! | [`plane`] | the φ⁴ field on a plane, in one pass per step, and in two plain passes |
+//! | [`tangent`] | a state and one deviation vector beside it |
 //! | [`taylor`] | Taylor integrators of the five problems |
 //! | `liquid` | atoms with a cutoff in a box, over lists of neighbours; for AVX-512 alone |
 //! | [`tiles`] | many bodies, pairs in tiles that use the third law |
@@ -27,5 +28,6 @@ pub mod plane;
 pub mod points;
 pub mod row;
 pub mod swarm;
+pub mod tangent;
 pub mod taylor;
 pub mod tiles;

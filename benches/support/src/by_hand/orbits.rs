@@ -3,6 +3,7 @@
 use crate::{
     enter::{Kernel, enter},
     plan::{HandWritten, Plan},
+    problems::Planets,
     vector::{Row, Vector},
 };
 use integrator_core::Phase;
@@ -27,7 +28,7 @@ fn reverted<R: Row>(y: R, [a, b, c]: [R; 3]) -> R {
 
 /// A series of eight terms with the reciprocals of every other factorial.
 #[inline(always)]
-fn series<R: Row>(x: R, first: i32) -> R {
+pub(super) fn series<R: Row>(x: R, first: i32) -> R {
     let mut terms = [R::splat(0.0); 8];
     let mut factorial = (1..=first).map(f64::from).product::<f64>();
     for (n, term) in terms.iter_mut().enumerate() {
@@ -41,45 +42,71 @@ fn series<R: Row>(x: R, first: i32) -> R {
     (square * square).fma(square.fma(x.fma(h, g), x.fma(f, e)), low)
 }
 
+/// An arc of an orbit that was solved for.
+pub(super) struct Arc<R> {
+    /// The distance at its beginning and the reciprocal of that, and the distance at its end.
+    pub(super) distances: [R; 3],
+    /// Gravity times masses, `q·v`, `2μ/r - v²` and what is left of the second one's change.
+    pub(super) mu: R,
+    pub(super) eta: R,
+    pub(super) beta: R,
+    pub(super) zeta: R,
+    /// The universal variable, and its functions from the first one on.
+    pub(super) s: R,
+    pub(super) functions: [R; 3],
+}
+
+#[inline(always)]
+pub(super) fn dot<R: Row>(a: &[R; 3], b: &[R; 3]) -> R {
+    a[2].fma(b[2], a[1].fma(b[1], a[0] * b[0]))
+}
+
+/// Kepler's equation for the arcs of all planets, with one more correction where one planet asks for it. Without
+/// optimisation a function that all of it is inlined into would need megabytes of stack.
+#[cfg_attr(not(debug_assertions), inline(always))]
+pub(super) fn arc<R: Row>([q, p]: [&[R; 3]; 2], w: R, k: R, t: R) -> Arc<R> {
+    let one = R::splat(1.0);
+    let r0 = dot(q, q).sqrt();
+    let inverse = one / r0;
+    let (mu, eta, speed) = (k * w, w * dot(q, p), w * w * dot(p, p));
+    let beta = (mu + mu).fma(inverse, R::splat(0.0) - speed);
+    let zeta = speed.fma(r0, R::splat(0.0) - mu);
+    let terms = [R::splat(0.5) * eta, R::splat(1.0 / 6.0) * zeta, R::splat(-1.0 / 24.0) * beta * eta];
+    let mut s = reverted(t * inverse, terms.map(|term| term * inverse));
+    loop {
+        let (x, square) = (beta * s * s, s * s);
+        let (g2, g3) = (square * series(x, 2), square * s * series(x, 3));
+        let (g0, g1) = (beta.fnma(g2, one), beta.fnma(g3, s));
+        let late = zeta.fma(g3, eta.fma(g2, r0.fma(s, R::splat(0.0) - t)));
+        let r = zeta.fma(g2, eta.fma(g1, r0));
+        let slope = zeta.fma(g1, eta * g0);
+        let curvature = beta.fnma(r, mu);
+        let over = one / r;
+        let a = R::splat(0.5) * slope * over;
+        let linear = R::splat(0.0) - late * over;
+        let terms = [a, R::splat(1.0 / 6.0) * curvature * over, R::splat(-1.0 / 12.0) * beta * a];
+        let d = reverted(linear, terms);
+        if (a * linear).largest() > 1.0 / 8192.0 {
+            s = s + d;
+            continue;
+        }
+        let (square, x) = (d * d, beta * d * d);
+        let d1 = d * x.fma(R::splat(-1.0 / 6.0), one);
+        let d2 = square * x.fma(R::splat(-1.0 / 24.0), R::splat(0.5));
+        let d3 = square * d * R::splat(1.0 / 6.0);
+        let (h2, h3) = (g2 + g1.fma(d1, g0 * d2), g3 + g2.fma(d, g1.fma(d2, g0 * d3)));
+        let h1 = g1 + g0.fma(d1, R::splat(0.0) - beta * g1 * d2);
+        let end = r + slope.fma(d1, curvature * d2);
+        return Arc { distances: [r0, inverse, end], mu, eta, beta, zeta, s: s + d, functions: [h1, h2, h3] };
+    }
+}
+
 impl<R: Row> HandWritten for Orbits<R> {
-    /// Kepler's equation for the arcs of all planets, with one more correction where one planet asks for it.
     #[inline(always)]
     fn drift(&mut self, t: f64) {
-        let (t, one) = (R::splat(t), R::splat(1.0));
-        let dot = |a: &[R; 3], b: &[R; 3]| a[2].fma(b[2], a[1].fma(b[1], a[0] * b[0]));
-        let (w, k) = (self.inverse_masses, self.strengths);
-        let r0 = dot(&self.q, &self.q).sqrt();
-        let inverse = one / r0;
-        let (mu, eta, speed) = (k * w, w * dot(&self.q, &self.p), w * w * dot(&self.p, &self.p));
-        let beta = (mu + mu).fma(inverse, R::splat(0.0) - speed);
-        let zeta = speed.fma(r0, R::splat(0.0) - mu);
-        let terms = [R::splat(0.5) * eta, R::splat(1.0 / 6.0) * zeta, R::splat(-1.0 / 24.0) * beta * eta];
-        let mut s = reverted(t * inverse, terms.map(|term| term * inverse));
-        let (g1, g2, g3, r) = loop {
-            let (x, square) = (beta * s * s, s * s);
-            let (g2, g3) = (square * series(x, 2), square * s * series(x, 3));
-            let (g0, g1) = (beta.fnma(g2, one), beta.fnma(g3, s));
-            let late = zeta.fma(g3, eta.fma(g2, r0.fma(s, R::splat(0.0) - t)));
-            let r = zeta.fma(g2, eta.fma(g1, r0));
-            let slope = zeta.fma(g1, eta * g0);
-            let curvature = beta.fnma(r, mu);
-            let over = one / r;
-            let a = R::splat(0.5) * slope * over;
-            let linear = R::splat(0.0) - late * over;
-            let terms = [a, R::splat(1.0 / 6.0) * curvature * over, R::splat(-1.0 / 12.0) * beta * a];
-            let d = reverted(linear, terms);
-            if (a * linear).largest() > 1.0 / 8192.0 {
-                s = s + d;
-                continue;
-            }
-            let (square, x) = (d * d, beta * d * d);
-            let d1 = d * x.fma(R::splat(-1.0 / 6.0), one);
-            let d2 = square * x.fma(R::splat(-1.0 / 24.0), R::splat(0.5));
-            let d3 = square * d * R::splat(1.0 / 6.0);
-            let (h2, h3) = (g2 + g1.fma(d1, g0 * d2), g3 + g2.fma(d, g1.fma(d2, g0 * d3)));
-            break (g1 + g0.fma(d1, R::splat(0.0) - beta * g1 * d2), h2, h3, r + slope.fma(d1, curvature * d2));
-        };
-        let arrival = one / r;
+        let (t, w, k) = (R::splat(t), self.inverse_masses, self.strengths);
+        let Arc { distances: [_, inverse, r], mu, functions: [g1, g2, g3], .. } = arc([&self.q, &self.p], w, k, t);
+        let arrival = R::splat(1.0) / r;
         let (f, g) = (R::splat(0.0) - mu * inverse * g2, w * mu.fnma(g3, t));
         let (f_dot, g_dot) = (k * inverse * (g1 * arrival), mu * (g2 * arrival));
         for axis in 0..3 {
@@ -97,9 +124,7 @@ impl<R: Row> HandWritten for Orbits<R> {
 }
 
 struct March<'p> {
-    masses: [f64; 5],
-    pull: f64,
-    spring: f64,
+    system: &'p Planets,
     state: Phase<[[f64; 3]; 5]>,
     plan: &'p Plan,
     steps: u64,
@@ -112,13 +137,13 @@ impl Kernel for March<'_> {
         // Lanes behind the last planet repeat the first ones.
         let row = |of: &dyn Fn(usize) -> f64| R::load(&std::array::from_fn::<f64, 8, _>(|lane| of(lane % 5)));
         let column = |of: &[[f64; 3]; 5]| [0, 1, 2].map(|axis| row(&|body| of[body][axis]));
-        let masses = self.masses;
+        let Planets { masses, pull, spring } = *self.system;
         let mut orbits = Orbits {
             q: column(&self.state.q),
             p: column(&self.state.p),
             inverse_masses: row(&|body| 1.0 / masses[body]),
-            strengths: row(&|body| self.pull * masses[body]),
-            spring: self.spring,
+            strengths: row(&|body| pull * masses[body]),
+            spring,
         };
         self.plan.march(&mut orbits, self.steps);
         for axis in 0..3 {
@@ -134,13 +159,7 @@ impl Kernel for March<'_> {
     }
 }
 
-/// Planets about a star that attracts them by `pull`, and by a spring of this strength.
-pub fn planets(
-    masses: [f64; 5],
-    [pull, spring]: [f64; 2],
-    start: Phase<[[f64; 3]; 5]>,
-    plan: &Plan,
-    steps: u64,
-) -> Phase<[[f64; 3]; 5]> {
-    enter(March { masses, pull, spring, state: start, plan, steps })
+/// Planets about a star.
+pub fn planets(system: &Planets, start: Phase<[[f64; 3]; 5]>, plan: &Plan, steps: u64) -> Phase<[[f64; 3]; 5]> {
+    enter(March { system, state: start, plan, steps })
 }

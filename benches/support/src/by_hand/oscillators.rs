@@ -24,37 +24,45 @@ impl Turn {
     }
 }
 
-struct HenonHeiles<'p> {
-    q: [f64; 2],
-    p: [f64; 2],
+/// A star, and deviation vectors behind it.
+struct HenonHeiles<'p, const POINTS: usize> {
+    points: [[f64; 4]; POINTS],
     opening: (Turn, f64),
     cycle: &'p [(Turn, f64)],
     closing: Turn,
     steps: u64,
 }
 
-impl HenonHeiles<'_> {
+impl<const POINTS: usize> HenonHeiles<'_, POINTS> {
     #[inline(always)]
     fn turn(&mut self, Turn { cosine, sine }: Turn) {
-        for (q, p) in self.q.iter_mut().zip(&mut self.p) {
-            let moved = [0, 1].map(|half| sine[half].mul_add(*p, cosine[half] * *q));
-            let pushed = [0, 1].map(|half| cosine[half].mul_add(*p, -sine[half] * *q));
-            *q += moved[0] + moved[1];
-            *p += pushed[0] + pushed[1];
+        for [x, y, px, py] in &mut self.points {
+            for (q, p) in [(x, px), (y, py)] {
+                let moved = [0, 1].map(|half| sine[half].mul_add(*p, cosine[half] * *q));
+                let pushed = [0, 1].map(|half| cosine[half].mul_add(*p, -sine[half] * *q));
+                *q += moved[0] + moved[1];
+                *p += pushed[0] + pushed[1];
+            }
         }
     }
     #[inline(always)]
     fn kick(&mut self, t: f64) {
-        let [x, y] = self.q;
-        self.p[0] = (-2.0 * t * y).mul_add(x, self.p[0]);
-        self.p[1] = (-t).mul_add(x.mul_add(x, -(y * y)), self.p[1]);
+        let [star, vectors @ ..] = &mut self.points[..] else { return };
+        let [x, y, ..] = *star;
+        star[2] = (-2.0 * t * y).mul_add(x, star[2]);
+        star[3] = (-t).mul_add(x.mul_add(x, -(y * y)), star[3]);
+        let (by_x, by_y) = (-2.0 * t * x, -2.0 * t * y);
+        for [dx, dy, dpx, dpy] in vectors {
+            *dpx = by_y.mul_add(*dx, by_x.mul_add(*dy, *dpx));
+            *dpy = by_x.mul_add(*dx, (-by_y).mul_add(*dy, *dpy));
+        }
     }
 }
 
-impl Kernel for HenonHeiles<'_> {
-    type Out = [f64; 4];
+impl<const POINTS: usize> Kernel for HenonHeiles<'_, POINTS> {
+    type Out = [[f64; 4]; POINTS];
     #[inline(always)]
-    fn run<V: Row, R: Row, S: Vector<Number = f32>>(mut self) -> [f64; 4] {
+    fn run<V: Row, R: Row, S: Vector<Number = f32>>(mut self) -> Self::Out {
         self.turn(self.opening.0);
         self.kick(self.opening.1);
         for (turn, kick) in &self.cycle[1..] {
@@ -68,15 +76,14 @@ impl Kernel for HenonHeiles<'_> {
             }
         }
         self.turn(self.closing);
-        let ([x, y], [px, py]) = (self.q, self.p);
-        [x, y, px, py]
+        self.points
     }
 }
 
-/// A star in a galaxy, from `[x, y, p_x, p_y]`; compositions begin with the oscillators.
-pub fn henon_heiles([x, y, px, py]: [f64; 4], plan: &Plan, steps: u64) -> [f64; 4] {
+/// A star in a galaxy, `[x, y, p_x, p_y]`, and deviation vectors behind it; compositions begin with the oscillators.
+pub fn henon_heiles<const POINTS: usize>(points: [[f64; 4]; POINTS], plan: &Plan, steps: u64) -> [[f64; 4]; POINTS] {
     let ([opening, kick], cycle, closing) = plan.drifts_first();
     let cycle: Vec<_> = cycle.iter().map(|[drift, kick]| (Turn::by(*drift), *kick)).collect();
     let opening = (Turn::by(opening), kick);
-    enter_scalar(HenonHeiles { q: [x, y], p: [px, py], opening, cycle: &cycle, closing: Turn::by(closing), steps })
+    enter_scalar(HenonHeiles { points, opening, cycle: &cycle, closing: Turn::by(closing), steps })
 }

@@ -1,0 +1,125 @@
+//! The time of a step with deviation vectors: `cargo bench -p integrator --bench tangent`.
+//!
+//! A run with one vector and one with four against the run alone, and that with one against a hand-written stepper that
+//! moves a state and a vector, with the instructions that the generated code gets. The last lines are medians over
+//! interleaved rounds: `ratio_tangent_<problem>_one=` and `_four=` are times over that of the run alone, where with one
+//! vector 1.9 is asked of Hénon-Heiles and the outer solar system and 2.2 of the others;
+//! `ratio_tangent_<problem>_by_hand=` is the time with one vector over that of the hand-written stepper, where 1.1 is
+//! asked.
+
+use integrator_bench::{
+    by_hand::{oscillators, tangent},
+    plan::Plan,
+    race::{Racer, race},
+    starts::Problems,
+    table::Table,
+};
+use integrator_core::{Coords, Memoryless, prelude::*};
+use std::error::Error;
+
+/// Force evaluations of a round, about.
+const EVALUATIONS: u64 = 20_000;
+/// Rounds of a race; odd, so that the median is one of them.
+const ROUNDS: usize = 41;
+
+/// A hand-written stepper: from a state and a vector to both after some steps.
+type HandWritten<'a, C> = &'a dyn Fn([Phase<C>; 2], &Plan, u64) -> [Phase<C>; 2];
+
+struct Report {
+    table: Table,
+    ratios: Vec<String>,
+}
+
+impl Report {
+    /// A composition on a problem, nanoseconds per force evaluation.
+    fn compare<H, X, C>(&mut self, name: &str, (system, start): (&H, &Phase<C>), _: X, h: f64, by_hand: HandWritten<C>)
+    where
+        H: Hamiltonian<Coords = C>,
+        X: Composition<H> + Memoryless<H>,
+        C: Coords<Leaf = f64, With<f64> = C>,
+    {
+        let steps = (EVALUATIONS / X::FORCE_EVALUATIONS as u64).max(2);
+        let alone = || {
+            let mut run = system.run_with::<f64, X>(X::default(), start.clone(), h).expect("a start").with_threads(1);
+            run.advance(steps).expect("finite states");
+            run.state()
+        };
+        let vectors = vectors(start);
+        let carrying = |count: usize| {
+            let vectors = vectors[..count.min(vectors.len())].to_vec();
+            let mut tangent = system.tangent::<f64, X>(X::default(), start.clone(), vectors, h).expect("a start");
+            tangent.advance(steps).expect("finite vectors");
+            tangent.state()
+        };
+        let plan = Plan::of::<X>(h);
+        let racers = vec![
+            Racer::new("alone", alone),
+            Racer::new("one vector", || carrying(1)),
+            Racer::new("four vectors", || carrying(4)),
+            Racer::new("by hand", || by_hand([start.clone(), vectors[0].clone()], &plan, steps)),
+        ];
+        let times = race(ROUNDS, (steps * X::FORCE_EVALUATIONS as u64) as f64, racers);
+        let [one, four] = [1, 2].map(|racer| times.ratio(racer, 0));
+        let over_hand = times.ratio(1, 3);
+        let [alone, with_one, with_four, hand] = [0, 1, 2, 3].map(|racer| times.median(racer));
+        self.table.row([name, X::NAME], &[alone, with_one, with_four, hand, one, four, over_hand]);
+        let problem = format!("ratio_tangent_{name}_{}", X::NAME.to_lowercase());
+        self.ratios.push(format!("{problem}_one={one:.3}"));
+        self.ratios.push(format!("{problem}_four={four:.3}"));
+        self.ratios.push(format!("{problem}_by_hand={over_hand:.3}"));
+    }
+}
+
+/// Four vectors, or as many as there can be, with parts along every coordinate.
+fn vectors<C: Coords<Leaf = f64>>(start: &Phase<C>) -> Vec<Phase<C>> {
+    let vector = |number: usize| {
+        let mut vector = start.clone();
+        for half in [vector.q.flat_mut(), vector.p.flat_mut()] {
+            let size = half.iter().fold(1e-9, |size: f64, x| size.max(x.abs()));
+            for (place, x) in half.iter_mut().enumerate() {
+                *x = size * (number as f64 + 1.7 * place as f64).sin();
+            }
+        }
+        vector
+    };
+    (1..=4.min(2 * start.q.flat().len())).map(vector).collect()
+}
+
+fn main() -> Result<(), Box<dyn Error>> {
+    println!("ns per force evaluation of a whole system");
+    let head = ["problem", "composition", "alone", "one", "four", "by hand", "one/alone", "four/alone", "one/hand"];
+    let mut report = Report { table: Table::new("tangent", &head), ratios: Vec::new() };
+    let problems = Problems::default();
+
+    let pendulum = problems.pendulum();
+    let by_hand = |points, plan: &Plan, steps| tangent::pendulum(&pendulum.system, points, plan, steps);
+    let problem = (&pendulum.system, &pendulum.start);
+    report.compare("pendulum", problem, KahanLi8, 0.01, &by_hand);
+
+    let henon = problems.henon_heiles();
+    let problem = (&henon.system, &henon.start);
+    report.compare("henon", problem, Verlet, 0.01, &tangent::henon_heiles);
+    report.compare("henon", problem, KahanLi8, 0.01, &tangent::henon_heiles);
+    let by_hand = |points: [Phase<[f64; 2]>; 2], plan: &Plan, steps| {
+        let points = points.map(|Phase { q: [x, y], p: [px, py] }| [x, y, px, py]);
+        oscillators::henon_heiles(points, plan, steps).map(|[x, y, px, py]| Phase::new([x, y], [px, py]))
+    };
+    let parts = problems.coupled_oscillators();
+    report.compare("henon_parts", (&parts.system, &parts.start), Aba864, 0.01, &by_hand);
+
+    let solar = problems.solar();
+    let by_hand = |points, plan: &Plan, steps| tangent::solar(&solar.system, points, plan, steps);
+    let problem = (&solar.system, &solar.start);
+    report.compare("solar", problem, Verlet, 10.0, &by_hand);
+    report.compare("solar", problem, KahanLi8, 10.0, &by_hand);
+
+    let chain = problems.chain();
+    let by_hand = |points, plan: &Plan, steps| tangent::chain(&chain.system, points, plan, steps);
+    let problem = (&chain.system, &chain.start);
+    report.compare("fput", problem, Verlet, 0.05, &by_hand);
+    report.compare("fput", problem, KahanLi8, 0.05, &by_hand);
+
+    report.table.write()?;
+    report.ratios.iter().for_each(|line| println!("{line}"));
+    Ok(())
+}
