@@ -68,7 +68,7 @@ const CORE: MayKnow = (
             &["composition", "ensemble", "error", "flow", "hamiltonian", "scalar", "state", "system", "trajectory"],
         ),
         ("check", &["composition", "error", "hamiltonian", "methods", "scalar", "state", "system", "trajectory"]),
-        ("chaos", &["check", "ensemble", "error", "hamiltonian", "layout", "scalar", "state", "trajectory"]),
+        ("chaos", &["check", "ensemble", "error", "hamiltonian", "layout", "scalar", "state", "system", "trajectory"]),
         ("output", &["error", "state", "trajectory"]),
         ("guide", &[]),
     ],

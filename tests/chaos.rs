@@ -164,6 +164,38 @@ fn a_map_has_the_numbers_of_its_orbits_alone() {
 }
 
 #[test]
+fn a_chaotic_orbit_changes_no_bit_of_a_regular_one_beside_it() {
+    // The vector of the sea grows beyond 2^256 and is divided, that of the island is not.
+    let map = StandardMap { strength: 2.0 };
+    let starts = [PI + 0.1, 0.3, PI + 0.2, 0.4, PI - 0.3].map(|q| Phase::new([q], [0.0]));
+    let megno = chaos::map(&map, Euler, starts, 1.0, 2_000, Indicator::Megno).expect("starts");
+    let fli = chaos::map(&map, Euler, starts, 1.0, 2_000, Indicator::Fli).expect("starts");
+    assert!(fli[1] > 256.0 && fli[0] < 20.0, "{fli:?}");
+    for (i, start) in starts.into_iter().enumerate() {
+        let alone = chaos::indicators(&map, Euler, start, 1.0, 2_000).expect("an orbit");
+        assert_eq!([megno[i], fli[i]], [alone.mean_megno, alone.fli], "orbit {i}");
+    }
+}
+
+/// A pendulum in one piece.
+#[derive(Clone)]
+struct Whole;
+
+#[hamiltonian(split = none, compose = GaussLegendre4)]
+impl Whole {
+    fn hamiltonian(&self, q: [f64; 1], p: [f64; 1]) -> f64 {
+        p[0] * p[0] / 2.0 - q[0].cos()
+    }
+}
+
+#[test]
+fn steps_that_cannot_be_solved_end_an_orbit() {
+    let start = |q: f64| Phase::new([q], [1.9]);
+    let found = chaos::map(&Whole, GaussLegendre4, [0.1, 1.0, 2.0].map(start), 1e6, 100, Indicator::Fli);
+    assert_eq!(found.expect("starts").len(), 3);
+}
+
+#[test]
 fn orbits_that_are_lost_change_no_other() {
     // Beyond the three saddles orbits fall to minus infinity, in some tens of units of time.
     let inside = on_section(0.1, 0.05);
@@ -217,6 +249,8 @@ fn orbits_that_tell_nothing_are_refused() {
     assert_eq!(chaos::lyapunov_spectrum(&HenonHeiles, Verlet, start, 0.1, 3), Err(few.clone()));
     assert_eq!(chaos::map(&HenonHeiles, Verlet, [start], 0.1, 3, Indicator::Fli), Err(few));
     assert_eq!(monodromy(&HenonHeiles, Verlet, start, 0.1, 0), Err(CheckError::TooFewSteps { steps: 0, needed: 1 }));
+    let growing = monodromy(&Saddle, Verlet, Phase::new([0.0, 0.1], [0.0, 0.0]), 0.1, 25_000);
+    assert_eq!(growing, Err(CheckError::Growth { steps: 25_000 }));
     let bad = Phase::new([f64::NAN, 0.0], [0.0, 0.0]);
     let error =
         chaos::map(&HenonHeiles, Verlet, [start, bad], 0.1, 100, Indicator::Fli).expect_err("a start that is NaN");

@@ -384,10 +384,44 @@ fn a_vector_that_is_lost_is_named_and_all_stay_at_the_last_step() {
     let error = tangent.advance(100).expect_err("no second derivative on the axis");
     assert!(matches!(error, Error::Vector { vector: 0, fault: VectorFault::Lost { step: 1, .. } }), "{error}");
     assert_eq!((tangent.steps(), tangent.vectors()), (0, vectors));
-    // A pole that is met later, with several groups of vectors.
-    let bodies = Phase::new([[0.0; 3], [1.0, 0.0, 0.0]], [[0.0; 3], [-1.0, 0.0, 0.0]]);
-    let mut tangent = Bodies::<2>.tangent(Verlet, bodies, directions(&bodies, 9), 0.25).expect("a start");
-    let mut run = Bodies::<2>.run_with(Verlet, bodies, 0.25).expect("a start");
-    let (error, of_run) = (tangent.advance(100), run.advance(100));
+    // An edge of H that is met after some scales were looked at, with two groups of vectors.
+    let start = Phase::new([0.0, 0.1, 0.2], [1.0, 0.0, 0.0]);
+    let mut tangent = Edge.tangent(Verlet, start, directions(&start, 6), 0.01).expect("a start");
+    let mut run = Edge.run_with(Verlet, start, 0.01).expect("a start");
+    let (error, of_run) = (tangent.advance(1_000), run.advance(1_000));
+    assert!(of_run.is_err() && run.steps() > 70, "{} steps", run.steps());
     assert_eq!((error, tangent.steps(), tangent.state()), (of_run, run.steps(), run.state()));
+    let mut shorter = Edge.tangent(Verlet, start, directions(&start, 6), 0.01).expect("a start");
+    shorter.advance(run.steps()).expect("finite states");
+    assert_eq!(tangent.vectors(), shorter.vectors());
+    // Forces are finite where the energy is not.
+    let outside = Phase::new([-1.0, 0.1, 0.2], [0.0; 3]);
+    let refused = Timed.tangent(Verlet, outside, directions(&outside, 6), 0.01).expect("a start").advance(10);
+    assert!(matches!(refused, Err(Error::Energy { .. })), "{refused:?}");
+}
+
+/// A force with an edge at one.
+struct Edge;
+
+#[hamiltonian(compose = Verlet)]
+impl Edge {
+    fn kinetic(&self, p: [f64; 3]) -> f64 {
+        (p[0] * p[0] + p[1] * p[1] + p[2] * p[2]) / 2.0
+    }
+    fn potential(&self, q: [f64; 3]) -> f64 {
+        -0.1 * (1.0 - q[0]).sqrt() + q[1] * q[2]
+    }
+}
+
+/// A logarithm and the time.
+struct Timed;
+
+#[hamiltonian(compose = Verlet)]
+impl Timed {
+    fn kinetic(&self, p: [f64; 3]) -> f64 {
+        (p[0] * p[0] + p[1] * p[1] + p[2] * p[2]) / 2.0
+    }
+    fn potential(&self, q: [f64; 3], t: f64) -> f64 {
+        q[0].ln() + t.cos() * q[1] * q[2]
+    }
 }

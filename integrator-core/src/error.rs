@@ -302,7 +302,8 @@ pub enum VectorFault {
     Zero,
     /// It left the finite numbers, though the state did not.
     #[error(
-        "leaves the finite numbers in step {step} (to t = {time}): H has no second derivative there. The last step is kept"
+        "leaves the finite numbers in step {step} (to t = {time}): H has no second derivative there, or the vector grew too \
+         fast for its precision. The last step is kept"
     )]
     Lost {
         /// The step that was not taken.

@@ -17,7 +17,8 @@ const SAMPLES: u64 = 128;
 
 /// The number of steps between two samples of an orbit.
 pub(super) fn steps_between_samples(steps: u64) -> u64 {
-    steps.div_ceil(SAMPLES).clamp(1, SPARSEST)
+    // A power of two, so that samples are taken where vectors are divided.
+    steps.div_ceil(SAMPLES).clamp(1, SPARSEST).next_power_of_two()
 }
 
 /// What the lengths of one vector tell: sums over samples, whatever their distance in time.
@@ -85,6 +86,9 @@ impl Growth {
 
     /// An indicator that one vector tells.
     pub(super) fn indicator(&self, indicator: Indicator) -> f64 {
+        if self.time == 0.0 {
+            return f64::NAN;
+        }
         match indicator {
             Indicator::Megno => self.mean_megno(),
             Indicator::Exponent => self.exponent(),

@@ -6,18 +6,18 @@ use crate::{
         indicators::{LEAST, generic_directions},
     },
     check::CheckError,
-    ensemble::{in_lanes, lane_scalars::LaneScalars},
+    ensemble::{in_lanes, lane_scalars::LaneScalars, member},
     error::Error,
     hamiltonian::{Hamiltonian, Shaped},
     layout::threads::{Job, all_threads, at_once},
-    state::{clock::Clock, coords::Coords, phase::Phase, point::Point},
+    state::{clock::Clock, coords::Coords, phase::Phase, point::Point, precision::Precision},
+    system::energy::energy,
     trajectory::{
-        admissible::admissible_with,
         dispatch::Deviations,
         engine::Engine,
         method::Memoryless,
         motions::Motions,
-        tangent::{exponent, far_from_one, power_of_two, refused, scaled},
+        tangent::{BETWEEN_SCALES, far_exponent, power_of_two, refused, scaled},
     },
 };
 use std::sync::{Arc, Mutex, PoisonError};
@@ -35,7 +35,8 @@ pub enum Indicator {
 
 /// An indicator of the orbit from each of the starts, in their order: of `steps` steps of `h`, from time 0.
 ///
-/// An orbit that leaves the finite numbers, or whose deviation vector does, has the indicator that it had before. The
+/// An orbit that leaves the finite numbers, or whose deviation vector does, has the indicator that it had at the sample
+/// before: NaN where there is none. The
 /// others have the bits that they have alone, whoever shares their lanes, on any number of threads.
 ///
 /// # Errors
@@ -58,9 +59,8 @@ where
     }
     let starts: Vec<_> = starts.into_iter().collect();
     for (member, start) in starts.iter().enumerate() {
-        let checked = refused::<H, K>().and_then(|()| admissible_with::<H, _>(method, start, h));
-        let checked = checked.and_then(|()| system.admissible(start.q.length()));
-        checked.map_err(|error| Error::Member { member, error: Box::new(error) })?;
+        admissible_start::<H, X, K>(system, method, start, h)
+            .map_err(|error| Error::Member { member, error: Box::new(error) })?;
     }
     let clock = Clock { t0: 0.0, h, steps: 0 };
     clock.end(steps)?;
@@ -83,6 +83,18 @@ where
         }
     }
     Ok(indicators)
+}
+
+/// Whether a run with a vector would begin at a start.
+fn admissible_start<H, X, K>(system: &H, method: X, start: &Phase<Shaped<H, K>>, h: f64) -> Result<(), Error>
+where
+    H: Hamiltonian,
+    X: Memoryless<H>,
+    K: Precision,
+{
+    refused::<H, K>(start)?;
+    let parameters = member::<H, K, X>(system, method, start, h)?;
+    energy::<H, K>(&parameters, start, 0.0).admissible(0.0)
 }
 
 /// The lanes of an orbit: its state, and one vector.
@@ -165,9 +177,10 @@ impl<C: Coords> Batch<C> {
         for (number, orbit) in self.orbits.iter_mut().enumerate().filter(|(_, orbit)| !orbit.lost) {
             self.engine.lane(clock, LANES_OF_ORBIT * number + 1, &mut vector);
             orbit.growth.sample(clock.at(clock.steps), logarithm(&vector, orbit.exponent));
-            exponents[number] = exponent(&vector);
+            exponents[number] = far_exponent(&vector);
         }
-        if exponents.iter().any(|exponent| exponent.abs() >= far_from_one::<C::Leaf>()) {
+        // At steps where a run with vectors divides them, too.
+        if clock.steps % BETWEEN_SCALES == 0 && exponents.iter().any(|exponent| *exponent != 0) {
             let mut lanes = self.lanes();
             for (number, exponent) in exponents.into_iter().enumerate() {
                 let vector = &mut lanes[LANES_OF_ORBIT * number + 1];
@@ -180,12 +193,17 @@ impl<C: Coords> Batch<C> {
 
     /// Lets an orbit that goes on take the lanes of those that cannot take the next step; `false`, if there is none.
     fn replace_lost(&mut self) -> bool {
-        let mut point = self.shape.clone();
-        for (number, orbit) in self.orbits.iter_mut().enumerate() {
+        let (mut point, mut found) = (self.shape.clone(), false);
+        for (number, orbit) in self.orbits.iter_mut().enumerate().filter(|(_, orbit)| !orbit.lost) {
             for lane in LANES_OF_ORBIT * number..LANES_OF_ORBIT * (number + 1) {
                 self.engine.completed.store(lane, &mut point);
-                orbit.lost |= !point.is_finite();
+                orbit.lost |= !point.is_finite() || self.engine.completed.unsolved(lane).is_some();
             }
+            found |= orbit.lost;
+        }
+        if !found {
+            // Whatever keeps them, none of them goes on.
+            self.orbits.iter_mut().for_each(|orbit| orbit.lost = true);
         }
         let Some(goes_on) = self.orbits.iter().position(|orbit| !orbit.lost) else { return false };
         let mut lanes = self.lanes();

@@ -50,6 +50,12 @@ pub enum CheckError {
         /// The name of the method.
         method: &'static str,
     },
+    /// Deviations grow beyond the root of the largest number, where no eigenvalues are computed.
+    #[error("deviations grow by more than 1e150 within {steps} steps: take a shorter period")]
+    Growth {
+        /// The steps of the period.
+        steps: u64,
+    },
     /// A measured quantity is NaN where the motion is finite.
     #[error("{what} is NaN along the orbit, where the energies are finite: they have no finite derivatives there")]
     NotFinite {

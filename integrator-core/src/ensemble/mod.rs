@@ -336,7 +336,7 @@ impl<C: Coords> fmt::Debug for Ensemble<C> {
 ///
 /// # Errors
 /// Those of [`Hamiltonian::run`].
-fn member<H: Hamiltonian, K: Precision, X: Method<H>>(
+pub(crate) fn member<H: Hamiltonian, K: Precision, X: Method<H>>(
     system: &H,
     method: X,
     start: &Phase<Shaped<H, K>>,

@@ -3,8 +3,8 @@
 //!
 //! In: lane 0 is the point, the lanes behind it are directions. Out: lane 0 is the value, with the bits that the code
 //! has without derivatives; the lanes behind it are its derivatives along the directions. Always true: a direction that
-//! is not a number, or a derivative that does not exist, comes out as not a number or infinite, never as a plausible
-//! number.
+//! is not a number, or a derivative that is infinite, comes out as not a number or infinite, never as a plausible
+//! number; at kinks and jumps, of `abs`, `min`, `max` and steps, the derivative is that of one side.
 
 mod side_by_side;
 
@@ -228,7 +228,7 @@ macro_rules! binary {
         let by_base = exponent * base.powf(exponent - F::of(1.0));
         let by_base = F::select(exponent.equal(zero), zero, by_base);
         if $y.is_constant() {
-            return $x.chain(value, by_base);
+            return dual!(value, direction => product(by_base, $x.along[direction]));
         }
         let by_exponent = value * base.ln();
         dual!(value, direction => by_base.fma($x.along[direction], product(by_exponent, $y.along[direction])))
@@ -384,7 +384,7 @@ macro_rules! dual_real {
                 fn $unary(self) -> Self {
                     let x = self.value;
                     let (value, slope) = value_and_slope!($unary x);
-                    self.chain(value, slope)
+                    dual!(value, direction => product(slope, self.along[direction]))
                 }
             )*
             $(

@@ -21,7 +21,7 @@ use alloc::{boxed::Box, vec, vec::Vec};
 use core::{fmt, mem::take};
 
 /// After so many steps vectors are looked at, whether they are far from one.
-const BETWEEN_SCALES: u64 = 64;
+pub(crate) const BETWEEN_SCALES: u64 = 64;
 
 /// How many vectors go with one copy of the state, where there are several: as many numbers as fill a register of 256
 /// bits.
@@ -56,7 +56,7 @@ impl<C: Coords> Tangent<C> {
         K: Precision,
         H::Coords: Coords<With<K> = C>,
     {
-        refused::<H, K>()?;
+        refused::<H, K>(&start)?;
         admissible_with::<H, _>(method, &start, h)?;
         check(&start, &vectors)?;
         let one = vectors.len() == 1;
@@ -91,9 +91,13 @@ impl<C: Coords> Tangent<C> {
     /// no second derivative there. State and vectors stay at the last step that is finite.
     ///
     /// # Panics
-    /// Where your own functions would.
+    /// Where your own functions would. After that, vectors of a tangent with more than four of them may be at different
+    /// steps.
     pub fn advance(&mut self, steps: u64) -> Result<(), Error> {
         let end = self.runs[0].clock.end(steps)?;
+        for run in &mut self.runs {
+            run.check_start()?;
+        }
         while self.steps() < end {
             let next = (self.steps() / BETWEEN_SCALES + 1) * BETWEEN_SCALES;
             self.take_steps_to(next.min(end))?;
@@ -116,6 +120,9 @@ impl<C: Coords> Tangent<C> {
             (reached, outcome) = (begin + steps, Err(error));
             for (run, before) in self.runs.iter_mut().zip(&self.before) {
                 run.go_back(begin, &**before);
+            }
+            if steps == 0 {
+                break;
             }
         }
         outcome
@@ -144,14 +151,13 @@ impl<C: Coords> Tangent<C> {
 
     /// Divides vectors by powers of two that are far from one.
     fn scale(&mut self) {
-        let far = far_from_one::<C::Leaf>();
         let exponents: Vec<i32> = (0..self.exponents.len())
             .map(|vector| {
                 let (run, lane) = self.place(vector);
-                exponent(&run.tried_lane(lane))
+                far_exponent(&run.tried_lane(lane))
             })
             .collect();
-        if exponents.iter().all(|exponent| exponent.abs() < far) {
+        if exponents.iter().all(|exponent| *exponent == 0) {
             return;
         }
         for (sum, exponent) in self.exponents.iter_mut().zip(&exponents) {
@@ -258,7 +264,10 @@ impl<C: Coords> fmt::Debug for Tangent<C> {
 ///
 /// # Errors
 /// [`Error::NoTangent`]
-pub(crate) fn refused<H: Hamiltonian, K: Precision>() -> Result<(), Error> {
+pub(crate) fn refused<H: Hamiltonian, K: Precision>(start: &Phase<Shaped<H, K>>) -> Result<(), Error> {
+    if start.q.flat().is_empty() {
+        return Err(Error::NoTangent { reason: "the state has no coordinates" });
+    }
     if K::REVERSIBLE {
         return Err(Error::NoTangent { reason: "a state on a grid moves by whole spacings: take `Phase::new`" });
     }
@@ -327,13 +336,12 @@ pub(crate) fn numbers<C: Coords>(point: &Phase<C>) -> impl Iterator<Item = f64> 
     point.q.flat().iter().chain(point.p.flat()).map(|leaf| leaf.to_f64())
 }
 
-/// The power of two just below the largest component; nought, where all are zero.
-pub(crate) fn exponent<C: Coords>(vector: &Phase<C>) -> i32 {
-    match numbers(vector).fold(0.0, |largest: f64, number| largest.max(number.abs())) {
-        0.0 => 0,
-        // The exponent as it is stored; where it has no room for one, the largest or the least.
-        largest => ((largest.to_bits() >> MANTISSA) as i32 - BIAS).clamp(1 - BIAS, BIAS - 1),
-    }
+/// The power of two just below the largest component, where that is far from one; nought elsewhere.
+pub(crate) fn far_exponent<C: Coords>(vector: &Phase<C>) -> i32 {
+    let largest = numbers(vector).fold(0.0, |largest: f64, number| largest.max(number.abs()));
+    // The exponent as it is stored; where it has no room for one, the largest or the least.
+    let exponent = ((largest.to_bits() >> MANTISSA) as i32 - BIAS).clamp(1 - BIAS, BIAS - 1);
+    if largest == 0.0 || exponent.abs() < far_from_one::<C::Leaf>() { 0 } else { exponent }
 }
 
 /// How many bits of a number follow those of its exponent.
@@ -348,8 +356,8 @@ pub(crate) fn power_of_two(exponent: i32) -> f64 {
 }
 
 /// The exponent of vectors that are far from one: so far from the ends of the numbers that the squares of components
-/// stay finite, and that no growth within 64 steps leads there.
-pub(crate) fn far_from_one<K: Precision>() -> i32 {
+/// stay finite, and that growing by e^11 in each of 64 steps leads nowhere near them; in `f32` by e.
+fn far_from_one<K: Precision>() -> i32 {
     if K::EPSILON < f64::from(f32::EPSILON) { 256 } else { 32 }
 }
 

@@ -7,6 +7,7 @@
 use crate::{
     check::{CheckError, start::Start},
     hamiltonian::{Hamiltonian, Shaped},
+    scalar::tolerance::largest,
     state::{coords::Coords, phase::Phase, precision::Precision},
     trajectory::{
         method::Memoryless,
@@ -90,7 +91,7 @@ impl fmt::Display for Monodromy {
 ///
 /// # Errors
 /// A start or a step that no run would begin with; a run that leaves the finite numbers, or a vector of it;
-/// [`CheckError::TooFewSteps`].
+/// [`CheckError::TooFewSteps`]; [`CheckError::Growth`].
 pub fn monodromy<H: Hamiltonian, X: Memoryless<H>, K: Precision>(
     system: &H,
     method: X,
@@ -105,14 +106,20 @@ pub fn monodromy<H: Hamiltonian, X: Memoryless<H>, K: Precision>(
     let vectors = unit_vectors(&phase);
     let mut tangent = Tangent::start::<H, X, K>(system, method, phase.clone(), vectors, h)?.at_time(time);
     tangent.advance(steps)?;
-    let power = |exponent: &i64| (*exponent as f64).exp2();
+    // Beyond all numbers infinity, and not NaN for a component of zero.
+    let power = |exponent: &i64| (*exponent as f64).exp2().min(f64::MAX);
     let columns = tangent.vectors();
     let scaled = columns.iter().zip(tangent.exponents()).flat_map(|(column, exponent)| {
         let power = power(exponent);
         numbers(column).map(move |number| number * power)
     });
     let matrix = DMatrix::from_iterator(columns.len(), columns.len(), scaled);
-    let roundings = method.facts().roundings_in(steps);
+    let largest = largest(matrix.iter().copied());
+    // Products of entries have to be finite.
+    if !(largest < f64::MAX.sqrt() / matrix.len() as f64) {
+        return Err(CheckError::Growth { steps });
+    }
+    let roundings = method.facts().roundings_in(steps) * K::EPSILON.max(f64::EPSILON);
     Ok(of_matrix(matrix, roundings, gap(&phase, &tangent.state())))
 }
 
@@ -126,7 +133,7 @@ fn of_matrix(matrix: DMatrix<f64>, roundings: f64, gap: f64) -> Monodromy {
     multipliers.sort_by(|a, b| b.norm().total_cmp(&a.norm()));
     // The double multiplier of a matrix that is off by δ is off by the root of δ; every flow of the steps rounds the
     // matrix once.
-    let uncertainty = (f64::EPSILON * roundings * matrix.norm()).sqrt();
+    let uncertainty = (roundings * matrix.norm()).sqrt();
     let matrix = matrix.row_iter().map(|row| row.iter().copied().collect()).collect();
     Monodromy { matrix, multipliers, uncertainty, gap }
 }
