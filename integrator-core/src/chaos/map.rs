@@ -180,7 +180,7 @@ impl<C: Coords> Batch<C> {
             exponents[number] = far_exponent(&vector);
         }
         // At steps where a run with vectors divides them, too.
-        if clock.steps % BETWEEN_SCALES == 0 && exponents.iter().any(|exponent| *exponent != 0) {
+        if clock.steps.is_multiple_of(BETWEEN_SCALES) && exponents.iter().any(|exponent| *exponent != 0) {
             let mut lanes = self.lanes();
             for (number, exponent) in exponents.into_iter().enumerate() {
                 let vector = &mut lanes[LANES_OF_ORBIT * number + 1];

@@ -116,7 +116,7 @@ pub fn monodromy<H: Hamiltonian, X: Memoryless<H>, K: Precision>(
     let matrix = DMatrix::from_iterator(columns.len(), columns.len(), scaled);
     let largest = largest(matrix.iter().copied());
     // Products of entries have to be finite.
-    if !(largest < f64::MAX.sqrt() / matrix.len() as f64) {
+    if largest.is_nan() || largest > f64::MAX.sqrt() / matrix.len() as f64 {
         return Err(CheckError::Growth { steps });
     }
     let roundings = method.facts().roundings_in(steps) * K::EPSILON.max(f64::EPSILON);
