@@ -149,7 +149,7 @@ impl Engine {
     pub(crate) fn resume_own(&mut self, lanes: &[&dyn Point]) {
         let mut motions = self.motions.none(self.motions.count());
         for lanes in lanes.chunks(motions.lanes()) {
-            motions.push_own(&lanes.iter().map(|point| (0, *point)).collect::<Vec<_>>());
+            motions.push(&lanes.iter().map(|point| (0, *point)).collect::<Vec<_>>(), true);
         }
         motions.share_among(self.threads);
         self.motions = motions;

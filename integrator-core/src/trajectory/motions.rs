@@ -29,10 +29,9 @@ pub(crate) trait Motions: Any + Send + Sync {
     fn count(&self) -> usize;
     /// An empty list of such motions, with room for so many.
     fn none(&self, room: usize) -> Box<dyn Motions>;
-    /// Adds a motion of members, one in each lane, from their states.
-    fn push(&mut self, lanes: &[(usize, &dyn Point)]);
-    /// The same, from states in the coordinates of the motion.
-    fn push_own(&mut self, lanes: &[(usize, &dyn Point)]);
+    /// Adds a motion of members, one in each lane, from their states; in the coordinates of the motion, if these are its
+    /// own.
+    fn push(&mut self, lanes: &[(usize, &dyn Point)], own: bool);
     /// Adds a motion with members from lanes of others, if their states do not tell all of it; else adds nothing.
     fn push_gathered(&mut self, lanes: &[Lane]) -> bool;
     /// Gives the last motion what states do not tell, from lanes of others.
@@ -86,7 +85,7 @@ pub(crate) struct Lane<'m> {
 pub(crate) fn load(like: &dyn Motions, members: Vec<(usize, &dyn Point)>) -> Box<dyn Motions> {
     let mut motions = like.none(members.len().div_ceil(like.lanes()));
     for lanes in filled(members, like.lanes()).chunks(like.lanes()) {
-        motions.push(lanes);
+        motions.push(lanes, false);
     }
     motions
 }
@@ -103,7 +102,7 @@ pub(crate) fn gather(like: &dyn Motions, members: Vec<Lane>, shape: &dyn Point) 
             from.motions.store(from.lane, &mut **state);
         }
         let states = lanes.iter().zip(&states);
-        motions.push(&states.map(|(from, state)| (from.member, &**state)).collect::<Vec<_>>());
+        motions.push(&states.map(|(from, state)| (from.member, &**state)).collect::<Vec<_>>(), false);
         motions.take_over(lanes);
     }
     motions
@@ -229,14 +228,9 @@ where
         Self::empty(self.functions, self.constants.clone(), room)
     }
 
-    fn push(&mut self, lanes: &[(usize, &dyn Point)]) {
+    fn push(&mut self, lanes: &[(usize, &dyn Point)], own: bool) {
         let (constants, states) = filling(&self.constants, lanes);
-        self.motions.push(L::load(&constants, &states));
-    }
-
-    fn push_own(&mut self, lanes: &[(usize, &dyn Point)]) {
-        let (constants, states) = filling(&self.constants, lanes);
-        self.motions.push(L::load_own(&constants, &states));
+        self.motions.push(if own { L::load_own(&constants, &states) } else { L::load(&constants, &states) });
     }
 
     fn push_gathered(&mut self, lanes: &[Lane]) -> bool {

@@ -514,7 +514,13 @@ impl<C: Coords> Run<C> {
 
 /// What a motion carries in its lanes, behind the state.
 fn lanes<'p, C: Coords>(state: &'p Phase<C>, carried: &'p [Phase<C>]) -> Vec<&'p dyn Point> {
-    core::iter::once(state).chain(carried).map(|point| point as &dyn Point).collect()
+    // A plain loop: it is compiled for every system.
+    let mut lanes: Vec<&dyn Point> = Vec::with_capacity(1 + carried.len());
+    lanes.push(state);
+    for point in carried {
+        lanes.push(point);
+    }
+    lanes
 }
 
 impl<C: Coords> Clone for Run<C> {

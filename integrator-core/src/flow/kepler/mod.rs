@@ -13,14 +13,14 @@ pub(crate) mod universal;
 use crate::{
     error::Unsolved,
     scalar::{
-        real::{Mask, Real},
+        real::{Kernel, Mask, Real},
         simd::row::Row,
     },
     state::precision::Slot,
     system::motion::Solver,
 };
 use alloc::{vec, vec::Vec};
-use universal::{Body, increments};
+use universal::{Body, Increments, increments};
 
 /// The largest number of bodies that are computed side by side.
 const ROW: usize = 8;
@@ -108,7 +108,12 @@ impl Kepler {
                 inverse_mass: W::read(&masses),
                 strength: W::read(&strengths),
             };
-            let moved = increments(&body, W::splat(duration));
+            let moved = if const { R::LANES == R::MEMBERS } {
+                increments(&body, W::splat(duration))
+            } else {
+                // With derivatives it is so much code that one copy has to do for all stages.
+                R::enter(OneCopy { body, duration: W::splat(duration) })
+            };
             if moved.failed.any() {
                 let mut failed = [duration; ROW];
                 W::select(moved.failed, W::of(1.0), W::of(0.0)).write(&mut failed);
@@ -136,6 +141,21 @@ impl Kepler {
                 }
             }
         }
+    }
+}
+
+/// The way of a row of bodies, as a function of its own.
+struct OneCopy<W, const D: usize> {
+    body: Body<W, D>,
+    duration: W,
+}
+
+impl<W: Real, const D: usize> Kernel for OneCopy<W, D> {
+    type Out = Increments<W, D>;
+
+    #[inline(always)]
+    fn call(self) -> Increments<W, D> {
+        increments(&self.body, self.duration)
     }
 }
 

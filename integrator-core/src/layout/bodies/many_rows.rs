@@ -193,6 +193,10 @@ impl<R: Real, K: Precision, P: Prepared<R>, const D: usize, const S: usize> Many
     /// Sums the forces on each body: over its neighbours, where a cutoff makes lists of them short; else over all pairs.
     #[inline(always)]
     fn sum_forces<H: ManyBody<D, S, Parameters<R> = P>>(&mut self, time: f64) {
+        // A constant, so that nothing is compiled for lists where there is no cutoff.
+        if const { H::LISTED_FROM == usize::MAX } {
+            return self.sum_over_pairs::<H>(time);
+        }
         if H::LISTED_FROM <= self.bodies {
             let cutoffs = Cutoffs::of::<H, R, S>(&self.parameters, time);
             if cutoffs.any() {
@@ -230,6 +234,9 @@ impl<R: Real, K: Precision, P: Prepared<R>, const D: usize, const S: usize> Many
     }
     /// The energy of all pairs within a cutoff, and of all bodies alone, where lists of neighbours are short.
     pub fn listed_energy<H: ManyBody<D, S, Parameters<R> = P>>(&self, time: f64) -> Option<R> {
+        if const { H::LISTED_FROM == usize::MAX } {
+            return None;
+        }
         if H::LISTED_FROM > self.bodies {
             return None;
         }
