@@ -108,12 +108,7 @@ impl Kepler {
                 inverse_mass: W::read(&masses),
                 strength: W::read(&strengths),
             };
-            let moved = if const { R::LANES == R::MEMBERS } {
-                increments(&body, W::splat(duration))
-            } else {
-                // With derivatives it is so much code that one copy has to do for all stages.
-                R::enter(OneCopy { body, duration: W::splat(duration) })
-            };
+            let moved = moved::<R, W, D>(body, W::splat(duration));
             if moved.failed.any() {
                 let mut failed = [duration; ROW];
                 W::select(moved.failed, W::of(1.0), W::of(0.0)).write(&mut failed);
@@ -144,7 +139,17 @@ impl Kepler {
     }
 }
 
-/// The way of a row of bodies, as a function of its own.
+/// The way of a row of bodies that are computed in `R`.
+#[inline(always)]
+pub(crate) fn moved<R: Real, W: Real, const D: usize>(body: Body<W, D>, duration: W) -> Increments<W, D> {
+    if const { R::LANES == R::MEMBERS } {
+        return increments(&body, duration);
+    }
+    // With derivatives it is so much code that one copy has to do for all stages.
+    R::enter(OneCopy { body, duration })
+}
+
+/// The same as a function of its own.
 struct OneCopy<W, const D: usize> {
     body: Body<W, D>,
     duration: W,

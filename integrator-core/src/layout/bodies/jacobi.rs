@@ -7,7 +7,7 @@
 
 use crate::{
     error::Unsolved,
-    flow::kepler::universal::{Body, increments},
+    flow::kepler::{moved, universal::Body},
     layout::bodies::{
         jacobi_map::{JacobiConstants, Part, parts, to_inertial, to_jacobi},
         load_store::{body_and_lane, values},
@@ -342,7 +342,7 @@ impl<L: Rows<D>, const D: usize> Jacobi<L, D> {
         for row in 0..q.len() {
             let Weights { inverse_mass, attraction: strength, .. } = self.weights[row];
             let body = Body { q: values(&q[row]), p: values(&p[row]), inverse_mass, strength };
-            let moved = increments(&body, step);
+            let moved = moved::<L::Scalar, L::Row, D>(body, step);
             if moved.failed.any() {
                 let failed = <L::Row as Real>::select(moved.failed, L::Row::of(1.0), L::Row::of(0.0));
                 let bodies = bodies_of_row(row, L::WIDTH, count);
