@@ -2,23 +2,21 @@
 
 use crate::{
     chaos::{Indicator, Verdict},
+    scalar::tolerance::largest,
     state::{coords::Coords, phase::Phase},
-    trajectory::tangent::numbers,
+    trajectory::tangent::{BETWEEN_SCALES, numbers},
 };
 use nalgebra::DMatrix;
 use std::f64::consts::LN_2;
 
-/// The most steps between two samples: no vector grows out of the numbers meanwhile.
-const SPARSEST: u64 = 64;
-
-/// How many samples an orbit has, where these are not sparser than [`SPARSEST`]. The integral of a logarithm that swings
+/// How many samples an orbit has, where these are not sparser than vectors are divided. The integral of a logarithm that swings
 /// is off by its amplitude over the root of their number.
 const SAMPLES: u64 = 128;
 
 /// The number of steps between two samples of an orbit.
 pub(super) fn steps_between_samples(steps: u64) -> u64 {
     // A power of two, so that samples are taken where vectors are divided.
-    steps.div_ceil(SAMPLES).clamp(1, SPARSEST).next_power_of_two()
+    steps.div_ceil(SAMPLES).clamp(1, BETWEEN_SCALES).next_power_of_two()
 }
 
 /// What the lengths of one vector tell: sums over samples, whatever their distance in time.
@@ -109,7 +107,7 @@ pub(super) fn logarithm<C: Coords>(vector: &Phase<C>, exponent: i64) -> f64 {
     let logarithm = if square.is_normal() {
         0.5 * square.ln()
     } else {
-        let largest = numbers(vector).fold(0.0, |largest: f64, number| largest.max(number.abs()));
+        let largest = largest(numbers(vector));
         let square: f64 = numbers(vector).map(|number| (number / largest).powi(2)).sum();
         largest.ln() + 0.5 * square.ln()
     };
@@ -120,7 +118,7 @@ pub(super) fn logarithm<C: Coords>(vector: &Phase<C>, exponent: i64) -> f64 {
 fn directions<C: Coords>(vectors: &[Phase<C>]) -> DMatrix<f64> {
     let rows = vectors.first().map_or(0, |vector| numbers(vector).count());
     let columns = vectors.iter().flat_map(|vector| {
-        let largest = numbers(vector).fold(0.0, |largest: f64, number| largest.max(number.abs()));
+        let largest = largest(numbers(vector));
         numbers(vector).map(move |number| number / largest)
     });
     let mut directions = DMatrix::from_iterator(rows, vectors.len(), columns);

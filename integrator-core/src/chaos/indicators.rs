@@ -8,7 +8,10 @@ use crate::{
     check::{CheckError, Start},
     hamiltonian::{Hamiltonian, Shaped},
     state::{coords::Coords, phase::Phase, precision::Precision},
-    trajectory::{method::Memoryless, tangent::Tangent},
+    trajectory::{
+        method::Memoryless,
+        tangent::{TOGETHER, Tangent},
+    },
 };
 use core::fmt;
 
@@ -121,14 +124,11 @@ pub fn indicators<H: Hamiltonian, X: Memoryless<H>, K: Precision>(
     steps: u64,
 ) -> Result<Indicators, CheckError> {
     let Start { phase, time } = start.into();
-    let count = (2 * phase.q.flat().len()).min(MOST);
+    let count = (2 * phase.q.flat().len()).min(TOGETHER);
     let vectors = generic_directions(&phase, count);
     let tangent = Tangent::start::<H, X, K>(system, method, phase, vectors, h)?.at_time(time);
     of_tangent(tangent, steps)
 }
-
-/// The number of vectors that cost about as much as one.
-const MOST: usize = 4;
 
 /// The least number of steps that tells anything.
 pub(super) const LEAST: u64 = 16;

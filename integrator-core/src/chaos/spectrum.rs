@@ -7,7 +7,7 @@ use crate::{
     state::{coords::Coords, phase::Phase, precision::Precision},
     trajectory::{
         method::Memoryless,
-        tangent::{Tangent, numbers, scaled, unit_vectors},
+        tangent::{BETWEEN_SCALES, Tangent, numbers, scaled, unit_vectors},
     },
 };
 use nalgebra::DMatrix;
@@ -19,9 +19,6 @@ const SPANS: u64 = 16;
 /// By how much the logarithms of two vectors may differ when they are made orthogonal: so many digits the shorter one
 /// has lost.
 const MOST_APART: f64 = 8.0;
-
-/// The most steps between two times at which vectors are made orthogonal.
-const LONGEST: u64 = 64;
 
 /// The Lyapunov exponents of an orbit, by the method of Benettin and others (1980, Meccanica 15, 9 and 21).
 #[derive(Clone, Debug, PartialEq)]
@@ -95,7 +92,7 @@ fn of_tangent<C: Coords>(mut tangent: Tangent<C>, steps: u64) -> Result<Spectrum
                 continue;
             }
             if 4.0 * apart < MOST_APART {
-                every = (2 * every).min(LONGEST);
+                every = (2 * every).min(BETWEEN_SCALES);
             }
             orthogonalize(&mut tangent, &triangle);
             sums.iter_mut().zip(growths).for_each(|(sum, growth)| *sum += growth);

@@ -25,7 +25,7 @@ pub(crate) const BETWEEN_SCALES: u64 = 64;
 
 /// How many vectors go with one copy of the state, where there are several: as many numbers as fill a register of 256
 /// bits.
-const TOGETHER: usize = 4;
+pub(crate) const TOGETHER: usize = 4;
 
 /// A trajectory under way and deviation vectors `(δq, δp)` along it, made by [`Hamiltonian::tangent`].
 ///

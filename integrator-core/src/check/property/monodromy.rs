@@ -124,7 +124,7 @@ pub fn monodromy<H: Hamiltonian, X: Memoryless<H>, K: Precision>(
 }
 
 fn gap<C: Coords>(start: &Phase<C>, end: &Phase<C>) -> f64 {
-    numbers(start).zip(numbers(end)).map(|(start, end)| (end - start).abs()).fold(0.0, f64::max)
+    largest(numbers(start).zip(numbers(end)).map(|(start, end)| end - start))
 }
 
 fn of_matrix(matrix: DMatrix<f64>, roundings: f64, gap: f64) -> Monodromy {
