@@ -228,6 +228,9 @@ pub mod __private {
         },
     };
     pub use alloc::{sync::Arc, vec::Vec};
+    // Other crates of this repository have ensembles of their own.
+    #[cfg(feature = "std")]
+    pub use crate::ensemble::lane_scalars::LaneScalars;
 
     /// A table of prepared constants whose length is known at run time.
     ///

@@ -1,0 +1,208 @@
+//! An ensemble whose members are dealt out to ranks.
+
+use crate::error::{Error, Failure, agree};
+use integrator_core::{
+    __private::LaneScalars, Coords, Ensemble as Local, Error as CoreError, Hamiltonian, InLanes, Phase,
+};
+use mpi::{
+    collective::SystemOperation,
+    traits::{Communicator, CommunicatorCollectives},
+};
+use std::ops::Range;
+
+/// The members of this rank, where `members` are dealt out by their index: ranks have neighbouring members, and as many as
+/// each other, or one more.
+///
+/// ```
+/// let universe = integrator_mpi::start()?;
+/// assert_eq!(integrator_mpi::share(&universe.world(), 1_000), 0..1_000);
+/// # Ok::<(), integrator_mpi::NotStarted>(())
+/// ```
+pub fn share(world: &impl Communicator, members: usize) -> Range<usize> {
+    let (rank, ranks) = (world.rank() as usize, world.size() as usize);
+    // The first ranks have one more.
+    let (each, more) = (members / ranks, members % ranks);
+    let first = |rank: usize| rank * each + rank.min(more);
+    first(rank)..first(rank + 1)
+}
+
+/// Trajectories of one kind of system under way together on all ranks of a communicator.
+///
+/// Members are counted over all ranks, in the order of these. A member has the bits of its run alone, however many ranks
+/// there are.
+///
+/// Where a method is said to be collective, every rank has to call it, with the same arguments but for what it says of its
+/// own members; each gets the same answer. All others look at this rank alone.
+pub struct Ensemble<'w, W: Communicator, C: Coords> {
+    world: &'w W,
+    /// Nothing where this rank has no members.
+    local: Option<Local<C>>,
+    /// The index of this rank's first member.
+    first: usize,
+    /// How many members all ranks have.
+    count: usize,
+    /// How many steps those under way have taken.
+    steps: u64,
+}
+
+/// A member of this rank, as it is shown.
+#[derive(Clone, Debug)]
+pub struct Member<C> {
+    /// Its index among the members of all ranks.
+    pub index: usize,
+    /// Its state: the last finite one if it is lost.
+    pub state: Phase<C>,
+    /// How many steps it has taken: fewer than the ensemble if it is lost or gone.
+    pub steps: u64,
+    /// Its time.
+    pub time: f64,
+    /// Its energy in that state.
+    pub energy: f64,
+}
+
+impl<'w, W: Communicator, C: Coords> Ensemble<'w, W, C> {
+    /// An ensemble of the `(system, start)` pairs of all ranks that take steps `h`: each rank gives its own, which follow
+    /// those of the rank before. [`share`] says which they are where they are dealt out evenly. Collective.
+    ///
+    /// # Errors
+    /// [`Error::NoMembers`] without any member; [`Error::Refused`] naming the first member whose start or step is refused.
+    pub fn new<H, K, X>(
+        world: &'w W,
+        method: X,
+        members_of_rank: impl IntoIterator<Item = (H, Phase<C>)>,
+        h: f64,
+    ) -> Result<Self, Error>
+    where
+        H: Hamiltonian,
+        K: LaneScalars,
+        X: InLanes<H>,
+        H::Coords: Coords<With<K> = C>,
+    {
+        let members: Vec<_> = members_of_rank.into_iter().collect();
+        let mut counts = vec![0_u64; world.size() as usize];
+        world.all_gather_into(&(members.len() as u64), &mut counts[..]);
+        let before = |rank: usize| counts[..rank].iter().sum::<u64>() as usize;
+        let (first, count) = (before(world.rank() as usize), before(counts.len()));
+        if count == 0 {
+            return Err(Error::NoMembers);
+        }
+        let local = match Local::new::<H, K, X>(method, members, h) {
+            Ok(local) => Ok(Some(local)),
+            Err(CoreError::NoMembers) => Ok(None),
+            Err(error) => Err(Failure::Core { error, first }),
+        };
+        Ok(Self { world, local: agree(world, local)?, first, count, steps: 0 })
+    }
+
+    /// Starts the clock at `t0` instead of 0.
+    #[must_use]
+    pub fn at_time(mut self, t0: f64) -> Self {
+        self.local = self.local.map(|local| local.at_time(t0));
+        self
+    }
+
+    /// Uses at most so many threads on this rank, instead of all that it may run on; no result depends on it.
+    #[must_use]
+    pub fn with_threads(mut self, threads: usize) -> Self {
+        self.local = self.local.map(|local| local.with_threads(threads));
+        self
+    }
+
+    /// Takes `steps` steps with every member that is under way. Collective.
+    ///
+    /// # Errors
+    /// [`Error::Lost`] names the members of all ranks that left the finite numbers in these steps; all others have taken
+    /// them, and the ensemble goes on without the lost ones. [`Error::Rank`] for steps that cannot be counted, and a time that is
+    /// not finite.
+    pub fn advance(&mut self, steps: u64) -> Result<(), Error> {
+        self.carried(steps, |local| local.advance(steps))
+    }
+
+    /// As [`Ensemble::advance`], but after every `interval` steps each member under way is shown to `stays` with its index,
+    /// and those for which it returns `false` stay where they are. Collective.
+    ///
+    /// # Errors
+    /// As [`Ensemble::advance`]; [`Error::Rank`] for an interval of 0.
+    pub fn advance_while(
+        &mut self,
+        steps: u64,
+        interval: u64,
+        stays: impl Fn(usize, &Phase<C>) -> bool + Sync,
+    ) -> Result<(), Error> {
+        let first = self.first;
+        self.carried(steps, |local| local.advance_while(steps, interval, |member, state| stays(first + member, state)))
+    }
+
+    /// What came of carrying on the members of each rank, as all of them are told it.
+    fn carried(
+        &mut self,
+        steps: u64,
+        mut advance: impl FnMut(&mut Local<C>) -> Result<(), CoreError>,
+    ) -> Result<(), Error> {
+        let first = self.first;
+        let outcome = self.local.as_mut().map_or(Ok(()), &mut advance);
+        let outcome = agree(self.world, outcome.map_err(|error| Failure::Core { error, first }));
+        // Those that are not lost have taken their steps.
+        if matches!(outcome, Ok(()) | Err(Error::Lost { .. })) {
+            self.steps += steps;
+        }
+        outcome
+    }
+
+    /// How many steps the members that are under way have taken.
+    pub fn steps(&self) -> u64 {
+        self.steps
+    }
+
+    /// How many members all ranks have.
+    pub fn len(&self) -> usize {
+        self.count
+    }
+
+    /// Whether there are no members; never so.
+    pub fn is_empty(&self) -> bool {
+        self.count == 0
+    }
+
+    /// The indices of this rank's members.
+    pub fn of_rank(&self) -> Range<usize> {
+        self.first..self.first + self.local.as_ref().map_or(0, Local::len)
+    }
+
+    /// How many members of all ranks are under way: neither lost nor gone. Collective.
+    pub fn active(&self) -> usize {
+        let (own, mut all) = (self.local.as_ref().map_or(0, Local::active) as u64, 0_u64);
+        self.world.all_reduce_into(&own, &mut all, SystemOperation::sum());
+        all as usize
+    }
+
+    /// This rank's members as an ensemble of their own, whose members are counted from 0; `None` where it has none.
+    pub fn local(&self) -> Option<&Local<C>> {
+        self.local.as_ref()
+    }
+
+    /// The communicator.
+    pub(crate) fn world(&self) -> &'w W {
+        self.world
+    }
+
+    /// The members of this rank, in their order.
+    pub fn members_of_rank(&self) -> impl Iterator<Item = Member<C>> {
+        let local = self.local.as_ref();
+        local.into_iter().flat_map(|local| local.states().enumerate().map(move |(own, state)| (local, own, state))).map(
+            |(local, own, state)| Member {
+                index: self.first + own,
+                state,
+                // Members are counted as states are.
+                steps: local.steps_of(own).unwrap_or_default(),
+                time: local.time_of(own).unwrap_or_default(),
+                energy: local.energy(own).unwrap_or(f64::NAN),
+            },
+        )
+    }
+
+    /// Shows every member of this rank, in their order.
+    pub fn for_each_local(&self, visit: impl FnMut(Member<C>)) {
+        self.members_of_rank().for_each(visit);
+    }
+}

@@ -1,0 +1,73 @@
+//! Ensembles of Hamiltonian systems over the ranks of MPI.
+//!
+//! Every rank holds its members; `mpirun` or `srun` starts the ranks, and the messages between them are MPI's. A member has
+//! the bits of its run alone, and sums over members are exact before they are rounded, so that nothing that is returned
+//! depends on how many ranks there are.
+//!
+//! ```no_run
+//! use integrator_core::prelude::*;
+//! use integrator_mpi as cluster;
+//!
+//! struct Pendulum { length: f64 }
+//!
+//! #[hamiltonian(compose = Yoshida4)]
+//! impl Pendulum {
+//!     fn kinetic(&self, p: [f64; 1]) -> f64 { p[0].powi(2) / (2.0 * self.length.powi(2)) }
+//!     fn potential(&self, q: [f64; 1]) -> f64 { -9.81 * self.length * q[0].cos() }
+//! }
+//!
+//! let universe = cluster::start()?;
+//! let world = universe.world();
+//! let members = cluster::share(&world, 1_000_000)
+//!     .map(|i| (Pendulum { length: 1.0 }, Phase::new([i as f64 * 3e-6], [0.0])));
+//! let mut swarm = cluster::Ensemble::new(&world, Yoshida4, members, 0.01)?;
+//! swarm.advance(10_000)?;
+//! let angles = swarm.moments(|member| Some(member.state.q[0]));
+//! if cluster::is_root(&world) {
+//!     println!("{} +- {}", angles.mean, angles.standard_deviation());
+//! }
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+//!
+//! A rank that ends without the others, by a panic or because it was killed, ends the job: `mpirun` says so.
+
+mod ensemble;
+mod error;
+mod exact_sum;
+mod output;
+mod reductions;
+mod states;
+
+pub use ensemble::{Ensemble, Member, share};
+pub use error::{Error, LostMember};
+/// The bindings to MPI whose communicators are taken here.
+pub use mpi;
+pub use output::{Joined, OutputError, join};
+pub use reductions::{Histogram, Moments};
+
+use mpi::{environment::Universe, traits::Communicator};
+
+/// MPI was started before by this process, or could not be.
+#[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
+#[error(
+    "MPI was started before in this process; it can be started once, and what `start` returned has to live as long as it is used"
+)]
+pub struct NotStarted;
+
+/// Starts MPI for this process, which ends it when what is returned is dropped.
+///
+/// # Errors
+/// [`NotStarted`] if it was started before.
+pub fn start() -> Result<Universe, NotStarted> {
+    // Ensembles have threads, of which only this one calls MPI.
+    let (universe, _) = mpi::initialize_with_threading(mpi::Threading::Funneled).ok_or(NotStarted)?;
+    Ok(universe)
+}
+
+/// The rank that has what is gathered.
+pub(crate) const ROOT: i32 = 0;
+
+/// Whether this rank has what is gathered: rank 0.
+pub fn is_root(world: &impl Communicator) -> bool {
+    world.rank() == ROOT
+}

@@ -1,0 +1,195 @@
+//! Members as lines of text: one file for each rank, a manifest that names them, and one file of all.
+
+use crate::{
+    Ensemble, Member,
+    error::{Error, Failure, agree},
+    is_root,
+    states::numbers_of,
+};
+use integrator_core::{__private::Precision, Coords};
+use mpi::traits::{Communicator, CommunicatorCollectives};
+use serde::{Deserialize, Serialize};
+use std::{
+    fs::{self, File},
+    io::{self, BufRead, BufReader, BufWriter, Write},
+    path::{Path, PathBuf},
+};
+
+/// The name of the file that says which others there are.
+const MANIFEST: &str = "manifest.json";
+
+/// What files there are, written once all of them are.
+#[derive(Debug, Serialize, Deserialize)]
+struct Manifest {
+    /// The members of all files.
+    members: usize,
+    /// The steps that the ensemble had taken.
+    steps: u64,
+    /// Its files, in the order of their members.
+    files: Vec<Part>,
+}
+
+/// The file of a rank.
+#[derive(Debug, Serialize, Deserialize)]
+struct Part {
+    name: String,
+    first: usize,
+    members: usize,
+}
+
+/// Why files were not joined.
+#[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
+pub enum OutputError {
+    /// A file cannot be read or written.
+    #[error("{}: {error}", path.display())]
+    File {
+        /// Which file.
+        path: PathBuf,
+        /// What the operating system says.
+        error: io::Error,
+    },
+    /// A manifest that was not written by [`Ensemble::write_csv`].
+    #[error("{}: this is no manifest of an ensemble: {error}", path.display())]
+    Manifest {
+        /// Which file.
+        path: PathBuf,
+        /// What is wrong with it.
+        error: serde_json::Error,
+    },
+    /// A file has more or fewer members than the manifest says.
+    #[error("{}: {found} members, but the manifest says {expected}: it is of another run, or cut off", path.display())]
+    Members {
+        /// Which file.
+        path: PathBuf,
+        /// How many it has.
+        found: usize,
+        /// How many it should have.
+        expected: usize,
+    },
+}
+
+/// What was joined.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Joined {
+    /// Of how many files.
+    pub files: usize,
+    /// How many members.
+    pub members: usize,
+}
+
+impl<W: Communicator, C: Coords> Ensemble<'_, W, C> {
+    /// Writes one CSV file for each rank into `folder`, which all ranks have to see, and then a manifest that names them.
+    /// Collective.
+    ///
+    /// The columns are the index of the `member`, the `steps` it has taken, its time `t`, positions `q0`, `q1` and so on
+    /// (`q0_2` is the third component of the first point), momenta likewise, and its `energy`. Each number is the shortest
+    /// text that reads back equal; of a compensated coordinate both numbers are written, one after the other.
+    ///
+    /// # Errors
+    /// [`Error::Rank`] if a file cannot be written; there is no manifest then.
+    pub fn write_csv(&self, folder: impl AsRef<Path>) -> Result<(), Error> {
+        let folder = folder.as_ref();
+        let name = |rank: i32| format!("rank-{rank:05}.csv");
+        let failed = |path: &Path| {
+            let path = path.display().to_string();
+            move |error: io::Error| Failure::Other(format!("{path}: {error}"))
+        };
+        // A manifest of files that are about to be written over would be wrong.
+        let manifest = folder.join(MANIFEST);
+        let cleared = || match fs::create_dir_all(folder).and_then(|()| fs::remove_file(&manifest)) {
+            Err(error) if error.kind() != io::ErrorKind::NotFound => Err(failed(&manifest)(error)),
+            _ => Ok(()),
+        };
+        agree(self.world(), if is_root(self.world()) { cleared() } else { Ok(()) })?;
+        let own = folder.join(name(self.world().rank()));
+        agree(self.world(), self.write_members(&own).map_err(failed(&own)))?;
+        let mut counts = vec![0_u64; self.world().size() as usize];
+        self.world().all_gather_into(&(self.of_rank().len() as u64), &mut counts[..]);
+        let mut first = 0;
+        let files = (0..).zip(counts).map(|(rank, members)| {
+            let part = Part { name: name(rank), first, members: members as usize };
+            first += part.members;
+            part
+        });
+        let text = Manifest { members: self.len(), steps: self.steps(), files: files.collect() };
+        let written = || fs::write(&manifest, serde_json::to_vec_pretty(&text)?);
+        agree(self.world(), if is_root(self.world()) { written().map_err(failed(&manifest)) } else { Ok(()) })
+    }
+
+    /// The members of this rank as a file.
+    fn write_members(&self, path: &Path) -> io::Result<()> {
+        let mut writer = csv::Writer::from_writer(BufWriter::new(File::create(path)?));
+        for member in self.members_of_rank() {
+            if member.index == self.of_rank().start {
+                writer.write_record(header(&member.state.q))?;
+            }
+            writer.write_record(row(&member))?;
+        }
+        writer.flush()
+    }
+}
+
+/// The names of all columns.
+fn header<C: Coords>(like: &C) -> Vec<String> {
+    let each = |letter: char| {
+        let leaves = like.flat().len();
+        let parts = C::Leaf::PARTS;
+        (0..leaves * parts).map(move |place| {
+            let index = place / parts;
+            let name = match C::COMPONENTS {
+                0 | 1 => format!("{letter}{index}"),
+                components => format!("{letter}{}_{}", index / components, index % components),
+            };
+            if place % parts == 0 { name } else { format!("{name}_carried") }
+        })
+    };
+    let first = ["member", "steps", "t"].map(String::from);
+    first.into_iter().chain(each('q')).chain(each('p')).chain(["energy".into()]).collect()
+}
+
+/// A member in these columns.
+fn row<C: Coords>(member: &Member<C>) -> Vec<String> {
+    let counts = [member.index.to_string(), member.steps.to_string()];
+    let numbers = [member.time].into_iter().chain(numbers_of(&member.state.q)).chain(numbers_of(&member.state.p));
+    // As `Debug` shows them, numbers are as short as possible, and with an exponent where that is shorter.
+    counts.into_iter().chain(numbers.chain([member.energy]).map(|number| format!("{number:?}"))).collect()
+}
+
+/// Joins the files of a folder that [`Ensemble::write_csv`] has written into one, with one line of names. Needs no ranks; the
+/// command `join FOLDER FILE` of this package does the same.
+///
+/// # Errors
+/// [`OutputError`]: a folder without a manifest, a file that is not there, or has not as many members as the manifest says. What
+/// was written until then is left.
+pub fn join(folder: impl AsRef<Path>, to: impl AsRef<Path>) -> Result<Joined, OutputError> {
+    let (folder, to) = (folder.as_ref(), to.as_ref());
+    let at = |path: &Path| {
+        let path = path.to_owned();
+        move |error| OutputError::File { path, error }
+    };
+    let path = folder.join(MANIFEST);
+    let text = fs::read(&path).map_err(at(&path))?;
+    let manifest: Manifest = serde_json::from_slice(&text).map_err(|error| OutputError::Manifest { path, error })?;
+    let mut joined = BufWriter::new(File::create(to).map_err(at(to))?);
+    let mut named = false;
+    for Part { name, members, .. } in &manifest.files {
+        let path = folder.join(name);
+        let lines = BufReader::new(File::open(&path).map_err(at(&path))?).lines();
+        let mut found = 0;
+        for (number, line) in lines.enumerate() {
+            let line = line.map_err(at(&path))?;
+            // The first line of each file names the columns.
+            if number > 0 || !named {
+                writeln!(joined, "{line}").map_err(at(to))?;
+                named = true;
+            }
+            found += usize::from(number > 0);
+        }
+        if found != *members {
+            return Err(OutputError::Members { path, found, expected: *members });
+        }
+    }
+    joined.flush().map_err(at(to))?;
+    Ok(Joined { files: manifest.files.len(), members: manifest.members })
+}

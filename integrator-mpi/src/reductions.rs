@@ -1,0 +1,146 @@
+//! Numbers of all members as one: sums, moments, extremes, histograms. None of them depends on how many ranks there are.
+
+use crate::{Ensemble, Member, exact_sum::ExactSum};
+use integrator_core::Coords;
+use mpi::{
+    collective::SystemOperation,
+    traits::{Communicator, CommunicatorCollectives},
+};
+use std::ops::Range;
+
+/// The first moments of a number of each member.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Moments {
+    /// How many members have the number.
+    pub count: u64,
+    /// Its mean; NaN where no member has it, as all that follows.
+    pub mean: f64,
+    /// The mean square of its distance from the mean.
+    pub variance: f64,
+    /// The mean cube of that distance, in units of the standard deviation.
+    pub skewness: f64,
+    /// The mean fourth power of that distance in the same units: 3 for a normal distribution.
+    pub kurtosis: f64,
+}
+
+impl Moments {
+    /// The root of the variance.
+    pub fn standard_deviation(&self) -> f64 {
+        self.variance.sqrt()
+    }
+
+    /// The standard error of the mean, of members that know nothing of each other.
+    pub fn standard_error(&self) -> f64 {
+        (self.variance / (self.count as f64 - 1.0)).sqrt()
+    }
+}
+
+/// How many members have a number in each of some intervals of the same width.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Histogram {
+    /// The intervals together.
+    pub range: Range<f64>,
+    /// How many are in each of them, its lower end included.
+    pub counts: Vec<u64>,
+    /// How many are below the first interval.
+    pub below: u64,
+    /// How many are above the last one, or at its end.
+    pub above: u64,
+    /// How many are not a number.
+    pub nan: u64,
+}
+
+impl<W: Communicator, C: Coords> Ensemble<'_, W, C> {
+    /// The sum of a number of each member that has it. Collective.
+    ///
+    /// It is exact before it is rounded to the nearest `f64`: no bit depends on the order of the members, nor on how they
+    /// are dealt out.
+    pub fn sum(&self, number: impl Fn(&Member<C>) -> Option<f64>) -> f64 {
+        self.exact_sum(number).value()
+    }
+
+    fn exact_sum(&self, number: impl Fn(&Member<C>) -> Option<f64>) -> ExactSum {
+        let mut sum = ExactSum::EMPTY;
+        self.for_each_local(|member| number(&member).into_iter().for_each(|x| sum.add(x)));
+        sum.over_ranks(self.world())
+    }
+
+    /// The first moments of a number of each member that has it, around their mean, each from an exact sum. Collective.
+    pub fn moments(&self, number: impl Fn(&Member<C>) -> Option<f64>) -> Moments {
+        let sum = self.exact_sum(&number);
+        let count = sum.count();
+        let mean = sum.value() / count as f64;
+        let mut powers = [ExactSum::EMPTY, ExactSum::EMPTY, ExactSum::EMPTY];
+        self.for_each_local(|member| {
+            if let Some(x) = number(&member) {
+                let (distance, mut power) = (x - mean, x - mean);
+                for sum in &mut powers {
+                    power *= distance;
+                    sum.add(power);
+                }
+            }
+        });
+        let [square, cube, fourth] = powers.map(|sum| sum.over_ranks(self.world()).value() / count as f64);
+        let deviation = square.sqrt();
+        Moments {
+            count,
+            mean,
+            variance: square,
+            skewness: cube / (square * deviation),
+            kurtosis: fourth / (square * square),
+        }
+    }
+
+    /// The smallest number of all members that have one, with the index of the first that has it. NaN is no number here.
+    /// Collective.
+    pub fn minimum(&self, number: impl Fn(&Member<C>) -> Option<f64>) -> Option<(usize, f64)> {
+        self.maximum(|member| number(member).map(|x| -x)).map(|(index, x)| (index, -x))
+    }
+
+    /// The largest number of all members that have one, with the index of the first that has it. NaN is no number here.
+    /// Collective.
+    pub fn maximum(&self, number: impl Fn(&Member<C>) -> Option<f64>) -> Option<(usize, f64)> {
+        let mut own: Option<(usize, f64)> = None;
+        self.for_each_local(|member| {
+            if let Some(x) = number(&member).filter(|x| !x.is_nan())
+                && own.is_none_or(|(_, largest)| x > largest)
+            {
+                own = Some((member.index, x));
+            }
+        });
+        let ranks = self.world().size() as usize;
+        let (mut indices, mut values) = (vec![0_u64; ranks], vec![0.0_f64; ranks]);
+        // NaN says that a rank has none.
+        let (index, value) = own.unwrap_or((0, f64::NAN));
+        self.world().all_gather_into(&(index as u64), &mut indices[..]);
+        self.world().all_gather_into(&value, &mut values[..]);
+        let found = indices.into_iter().zip(values).filter(|(_, x)| !x.is_nan());
+        // Ranks are in the order of their members.
+        found.reduce(|first, next| if next.1 > first.1 { next } else { first }).map(|(index, x)| (index as usize, x))
+    }
+
+    /// How many members have a number in each of `bins` intervals of `range`. Collective, with the same range and number of
+    /// intervals on every rank.
+    pub fn histogram(&self, range: Range<f64>, bins: usize, number: impl Fn(&Member<C>) -> Option<f64>) -> Histogram {
+        // Behind the intervals: below, above, NaN.
+        let mut own = vec![0_u64; bins + 3];
+        let width = range.end - range.start;
+        self.for_each_local(|member| {
+            if let Some(x) = number(&member) {
+                let place = match () {
+                    () if x.is_nan() => bins + 2,
+                    () if x < range.start => bins,
+                    () if x >= range.end || bins == 0 => bins + 1,
+                    // The quotient of numbers below the end may round to one.
+                    () => (((x - range.start) / width * bins as f64) as usize).min(bins - 1),
+                };
+                own[place] += 1;
+            }
+        });
+        let mut counts = vec![0_u64; own.len()];
+        self.world().all_reduce_into(&own[..], &mut counts[..], SystemOperation::sum());
+        let (below, above, nan) = (counts[bins], counts[bins + 1], counts[bins + 2]);
+        counts.truncate(bins);
+        Histogram { range, counts, below, above, nan }
+    }
+}

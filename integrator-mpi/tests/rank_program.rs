@@ -1,0 +1,109 @@
+//! What the tests start on one rank and on several: one case each, by its name.
+
+#[path = "systems.rs"]
+mod systems;
+
+use integrator_core::{Coords, prelude::*};
+use integrator_mpi as cluster;
+use mpi::traits::{Communicator, CommunicatorCollectives};
+use std::process::{abort, exit};
+use systems::{Fall, MEMBERS, Pendulum, STEPS, pendulum};
+
+fn main() {
+    let arguments: Vec<String> = std::env::args().collect();
+    let universe = cluster::start().expect("the first start");
+    assert!(cluster::start().is_err(), "MPI starts once");
+    let world = universe.world();
+    match &arguments[1][..] {
+        "plain" => numbers(&world, MEMBERS, |i| (pendulum(i), Phase::new([i as f64 / 40.0], [0.1]))),
+        "compensated" => numbers(&world, MEMBERS, |i| (pendulum(i), Phase::compensated([i as f64 / 40.0], [0.1]))),
+        "few" => numbers(&world, 2, |i| (pendulum(i), Phase::new([0.5 + i as f64], [0.1]))),
+        "lists" => numbers(&world, 7, |i| (systems::Chain, Phase::new(vec![0.1; i + 1], vec![0.2; i + 1]))),
+        "none" => {
+            let none = cluster::Ensemble::new(&world, Verlet, Vec::<(Pendulum, Phase<[f64; 1]>)>::new(), 0.1);
+            on_every_rank(&world, &none.err().map_or("accepted".to_owned(), |error| error.to_string()));
+        }
+        "refused" => {
+            let member = |i: usize| (pendulum(i), Phase::new([if i % 30 == 29 { f64::NAN } else { 0.1 }], [0.0]));
+            let refused = cluster::Ensemble::new(&world, Verlet, cluster::share(&world, MEMBERS).map(member), 0.1);
+            on_every_rank(&world, &refused.err().map_or("accepted".to_owned(), |error| error.to_string()));
+        }
+        "lost" => {
+            let member = |i: usize| (Fall, Phase::new([if i % 30 == 29 { 1.0_f64 } else { 0.0 }], [0.0]));
+            let members = cluster::share(&world, MEMBERS).map(member);
+            let mut swarm = cluster::Ensemble::new(&world, Verlet, members, 0.5).expect("finite starts");
+            let lost = swarm.advance(STEPS);
+            on_every_rank(&world, &format!("{} under way: {}", swarm.active(), text(lost)));
+            on_every_rank(&world, &format!("then {}, {} steps", text(swarm.advance(10)), swarm.steps()));
+            on_every_rank(&world, &text(swarm.advance(u64::MAX)));
+            on_every_rank(&world, &text(swarm.advance_while(10, 0, |_, _| true)));
+            let tenth = swarm.advance_while(10, 1, |index, _| index % 10 == 0);
+            on_every_rank(&world, &format!("{}: {} stay", text(tenth), swarm.active()));
+        }
+        "csv" => {
+            let member = |i: usize| (pendulum(i), Phase::new([i as f64 / 40.0], [0.1]));
+            let mut swarm = cluster::Ensemble::new(&world, Yoshida4, cluster::share(&world, MEMBERS).map(member), 0.01)
+                .expect("finite starts");
+            swarm.advance(STEPS).expect("pendulums stay");
+            on_every_rank(&world, &text(swarm.write_csv(&arguments[2])));
+        }
+        "killed" => {
+            let member = |i: usize| (pendulum(i), Phase::new([0.1_f64], [0.0]));
+            let mut swarm = cluster::Ensemble::new(&world, Verlet, cluster::share(&world, MEMBERS).map(member), 0.1)
+                .expect("finite starts");
+            if world.rank() == world.size() - 1 {
+                abort();
+            }
+            // The others wait for it here, until MPI ends them.
+            println!("{}", text(swarm.advance(STEPS)));
+        }
+        other => {
+            eprintln!("there is no case {other}");
+            exit(2);
+        }
+    }
+}
+
+/// All numbers that an ensemble of so many members gives, bit by bit, printed by rank 0.
+fn numbers<H, C>(world: &impl Communicator, members: usize, member: impl Fn(usize) -> (H, Phase<C>))
+where
+    H: Hamiltonian<Coords = C::With<f64>>,
+    C: Coords,
+    C::Leaf: integrator_core::__private::LaneScalars,
+    H::Coords: Coords<With<C::Leaf> = C>,
+    Yoshida4: integrator_core::InLanes<H>,
+{
+    let mut swarm =
+        cluster::Ensemble::new::<H, C::Leaf, _>(world, Yoshida4, cluster::share(world, members).map(member), 0.01)
+            .expect("finite starts");
+    swarm.advance(STEPS).expect("no member is lost");
+    assert_eq!(swarm.steps(), STEPS);
+    let first = |member: &cluster::Member<C>| Some(member.state.to_f64().q.flat()[0]);
+    let odd = |member: &cluster::Member<C>| (member.index % 2 == 1).then_some(member.energy);
+    let moments = swarm.moments(first);
+    let extremes = (swarm.minimum(first), swarm.maximum(odd), swarm.maximum(|_| None));
+    let (sum, none) = (swarm.sum(odd), swarm.sum(|_| None));
+    let histogram = swarm.histogram(-1.0..1.0, 8, first);
+    let active = swarm.active();
+    if let Some(states) = swarm.states_on_root() {
+        assert_eq!(states.len(), members);
+        println!("{states:?}");
+        println!("{moments:?} {extremes:?} {sum:?} {none:?} {histogram:?} {active}");
+    }
+}
+
+/// Prints what every rank says, which has to be the same.
+fn on_every_rank(world: &impl Communicator, text: &str) {
+    let own: Vec<u64> = text.bytes().map(u64::from).collect();
+    let digest = own.iter().fold(7_u64, |digest, byte| digest.wrapping_mul(31).wrapping_add(*byte));
+    let mut digests = vec![0; world.size() as usize];
+    world.all_gather_into(&digest, &mut digests[..]);
+    assert!(digests.iter().all(|other| *other == digest), "rank {} says something else: {text}", world.rank());
+    if cluster::is_root(world) {
+        println!("{text}");
+    }
+}
+
+fn text(outcome: Result<(), cluster::Error>) -> String {
+    outcome.map_or_else(|error| error.to_string(), |()| "done".to_owned())
+}

@@ -1,0 +1,130 @@
+//! The same program on one rank and on several: states, sums and errors are the same, and those of an ensemble without MPI.
+
+#[allow(dead_code, reason = "the program of the ranks needs more of them")]
+#[path = "systems.rs"]
+mod systems;
+
+use integrator_core::prelude::*;
+use std::{
+    fs,
+    path::{Path, PathBuf},
+    process::{Command, Output},
+};
+use systems::{MEMBERS, STEPS, pendulum};
+
+/// The command of a package, beside which are the examples.
+const JOIN: &str = env!("CARGO_BIN_EXE_join");
+
+/// Starts a case on so many ranks; nothing where there is no `mpirun`.
+fn start(ranks: usize, arguments: &[&str]) -> Option<Output> {
+    let program = Path::new(JOIN).with_file_name("examples").join("rank_program");
+    let output = Command::new("mpirun")
+        .args(["--oversubscribe", "-n", &ranks.to_string()])
+        .arg(program)
+        .args(arguments)
+        // In containers, tests are root's.
+        .env("OMPI_ALLOW_RUN_AS_ROOT", "1")
+        .env("OMPI_ALLOW_RUN_AS_ROOT_CONFIRM", "1")
+        .output();
+    match output {
+        Ok(output) => Some(output),
+        Err(fault) => {
+            println!("SKIPPED: mpirun cannot be started ({fault})");
+            None
+        }
+    }
+}
+
+/// What rank 0 prints of a case, which has to end well.
+fn printed(ranks: usize, arguments: &[&str]) -> Option<String> {
+    let output = start(ranks, arguments)?;
+    let errors = String::from_utf8_lossy(&output.stderr);
+    assert!(output.status.success(), "{arguments:?} on {ranks} ranks: {errors}");
+    Some(String::from_utf8_lossy(&output.stdout).into_owned())
+}
+
+/// What is printed on one rank, if the same is on 2, 3 and 4.
+fn on_any_number(arguments: &[&str]) -> Option<String> {
+    let alone = printed(1, arguments)?;
+    for ranks in 2..=4 {
+        assert_eq!(printed(ranks, arguments)?, alone, "{arguments:?} on {ranks} ranks");
+    }
+    Some(alone)
+}
+
+#[test]
+fn states_and_sums_do_not_depend_on_the_number_of_ranks() {
+    let Some(plain) = on_any_number(&["plain"]) else { return };
+    let member = |i: usize| (pendulum(i), Phase::new([i as f64 / 40.0], [0.1]));
+    let mut swarm = Ensemble::new(Yoshida4, (0..MEMBERS).map(member), 0.01).unwrap();
+    swarm.advance(STEPS).unwrap();
+    let states: Vec<_> = swarm.states().collect();
+    assert!(plain.starts_with(&format!("{states:?}\n")), "{plain}");
+    // Means of a hundred numbers below ten, added one after the other.
+    let mean = states.iter().map(|state| state.q[0]).sum::<f64>() / MEMBERS as f64;
+    let printed = plain.split("mean: ").nth(1).and_then(|rest| rest.split(',').next()?.parse::<f64>().ok()).unwrap();
+    assert!((printed - mean).abs() <= 100.0 * 10.0 * f64::EPSILON, "{printed} {mean}");
+    for case in ["compensated", "few", "lists"] {
+        on_any_number(&[case]);
+    }
+}
+
+#[test]
+fn every_rank_is_told_the_same_mistakes() {
+    let Some(refused) = printed(3, &["refused"]) else { return };
+    assert!(refused.starts_with("member 29 (on rank 0): the start is not finite"), "{refused}");
+    let lost = on_any_number(&["lost"]).unwrap_or_default();
+    let lines: Vec<&str> = lost.lines().collect();
+    assert!(lines[0].starts_with("98 under way: 3 member(s) left the finite numbers: 29 in step "), "{lost}");
+    assert!(lines[0].contains(", 59 in step ") && lines[0].contains(", 89 in step "), "{lost}");
+    assert_eq!(lines[1], "then done, 310 steps");
+    assert!(lines[2].starts_with("on rank 0: "), "{lost}");
+    assert!(lines[3].starts_with("on rank 0: "), "{lost}");
+    assert_eq!(lines[4], "done: 11 stay");
+    assert_eq!(on_any_number(&["none"]).as_deref(), Some("an ensemble needs at least one member, on any rank\n"));
+}
+
+#[test]
+fn a_rank_that_is_killed_ends_the_job() {
+    let Some(output) = start(3, &["killed"]) else { return };
+    assert!(!output.status.success());
+    let errors = String::from_utf8_lossy(&output.stderr);
+    assert!(errors.contains("rank 2"), "{errors}");
+}
+
+/// A folder of its own for a test, empty.
+fn folder(name: &str) -> PathBuf {
+    let folder = std::env::temp_dir().join(format!("integrator-mpi-{name}-{}", std::process::id()));
+    let _ = fs::remove_dir_all(&folder);
+    folder
+}
+
+#[test]
+fn files_of_ranks_are_joined_to_those_of_one() {
+    let (of_one, of_three) = (folder("one"), folder("three"));
+    for (ranks, folder) in [(1, &of_one), (3, &of_three)] {
+        let Some(printed) = printed(ranks, &["csv", &folder.display().to_string()]) else { return };
+        assert_eq!(printed, "done\n");
+    }
+    let join = |folder: &Path| {
+        let to = folder.join("all.csv");
+        let output = Command::new(JOIN).args([folder, &to]).output().unwrap();
+        (output.status.success(), String::from_utf8_lossy(&output.stderr).into_owned(), fs::read_to_string(to))
+    };
+    let (joined, errors, one) = join(&of_one);
+    assert!(joined, "{errors}");
+    let (_, _, three) = join(&of_three);
+    assert_eq!(one.unwrap(), three.unwrap());
+    // A file that was cut off is told by its name.
+    let part = of_three.join("rank-00001.csv");
+    let text = fs::read_to_string(&part).unwrap();
+    fs::write(&part, text.lines().take(10).map(|line| format!("{line}\n")).collect::<String>()).unwrap();
+    let (joined, errors, _) = join(&of_three);
+    assert!(!joined && errors.contains("rank-00001.csv: 9 members, but the manifest says 34"), "{errors}");
+    fs::remove_file(of_three.join("manifest.json")).unwrap();
+    let (joined, errors, _) = join(&of_three);
+    assert!(!joined && errors.contains("manifest.json"), "{errors}");
+    for folder in [of_one, of_three] {
+        fs::remove_dir_all(folder).unwrap();
+    }
+}

@@ -1,0 +1,50 @@
+//! The systems of the tests, in the program that ranks run and in the process that compares.
+
+use integrator_core::hamiltonian;
+
+pub(crate) const MEMBERS: usize = 101;
+pub(crate) const STEPS: u64 = 300;
+
+pub(crate) struct Pendulum {
+    length: f64,
+}
+
+pub(crate) fn pendulum(i: usize) -> Pendulum {
+    Pendulum { length: 0.5 + i as f64 / 100.0 }
+}
+
+#[hamiltonian]
+impl Pendulum {
+    fn kinetic(&self, p: [f64; 1]) -> f64 {
+        p[0].powi(2) / (2.0 * self.length.powi(2))
+    }
+    fn potential(&self, q: [f64; 1]) -> f64 {
+        -9.81 * self.length * q[0].cos()
+    }
+}
+
+/// A chain of as many links as its state has.
+pub(crate) struct Chain;
+
+#[hamiltonian]
+impl Chain {
+    fn kinetic(&self, p: &[f64]) -> f64 {
+        p.iter().map(|p| p * p / 2.0).sum()
+    }
+    fn potential(&self, q: &[f64]) -> f64 {
+        q.iter().map(|q| q.powi(2) / 2.0 + q.powi(4) / 4.0).sum()
+    }
+}
+
+/// Whatever is not at rest falls to infinity.
+pub(crate) struct Fall;
+
+#[hamiltonian]
+impl Fall {
+    fn kinetic(&self, p: [f64; 1]) -> f64 {
+        p[0].powi(2) / 2.0
+    }
+    fn potential(&self, q: [f64; 1]) -> f64 {
+        -q[0].powi(6)
+    }
+}
