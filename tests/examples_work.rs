@@ -12,6 +12,8 @@ mod chain;
 mod chain_picture;
 #[path = "support/drawn.rs"]
 mod drawn;
+#[path = "../examples/fit_pendulum/fit.rs"]
+mod fit;
 #[path = "../examples/chaos_map/galaxy.rs"]
 mod galaxy;
 #[path = "../examples/chaos_map/grid.rs"]
@@ -23,6 +25,8 @@ mod halley;
 mod liquid;
 #[path = "../examples/lennard_jones/picture.rs"]
 mod liquid_picture;
+#[path = "../examples/support/normal.rs"]
+mod normal;
 #[path = "../examples/penning_trap/trap.rs"]
 mod penning_trap;
 #[path = "../examples/wisdom_holman/planets.rs"]
@@ -92,6 +96,29 @@ fn maps_tell_where_orbits_are_chaotic() {
     let [.., hilda, _] = belt::resonances();
     let belt = belt::megno([(2.3, 0.1), (3.7, 0.4), (hilda, 0.3)].into_iter()).expect("starts");
     assert!(belt[0] < 2.5 && belt[1] > 4.0 && belt[2] < 2.5, "{belt:?}");
+}
+
+/// What is found is off by as much as its standard error says, and the noise is found as well.
+#[test]
+fn the_length_of_a_pendulum_follows_from_a_noisy_series() {
+    let (hidden, looks, series) = (fit::Unknown::new(1.0, 1.2, 0.5), 100, 40_u64);
+    let mut squares = 0.0;
+    for seed in 0..series {
+        let seen = fit::series(hidden, looks, &mut fastrand::Rng::with_seed(seed)).expect("finite states");
+        let found = fit::fit(&seen, fit::Unknown::new(1.02, 1.1, 0.3)).expect("finite states");
+        let (length, error) = found.length();
+        squares += ((length - 1.0) / error).powi(2);
+        assert!(error < 3e-3 && found.iterations < 10, "± {error:e} after {} iterations", found.iterations);
+        // The mean of a hundred squares of normal numbers varies by the root of 2/100; four times that.
+        assert!((found.residual / fit::NOISE - 1.0).abs() < 0.3, "{}", found.residual);
+        let (period, _) = found.small_period();
+        // 2π √(1/9.81), to four standard errors of half that of the length.
+        assert!((period - 2.006_066_680_710_647).abs() < 4.0 * error, "{period}");
+    }
+    // The mean of 40 squares of normal numbers varies by the root of 2/40; four times that. A length by which a derivative was
+    // wrong would not be found, and an error that is twice as large would have a mean of a quarter.
+    let mean = squares / series as f64;
+    assert!((mean - 1.0).abs() < 0.9 && mean > 0.3, "lengths are off by {mean} of their variances");
 }
 
 /// No orbit leaves what its energy allows.

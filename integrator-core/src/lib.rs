@@ -130,6 +130,7 @@ pub use trajectory::crossings::{Crossings, Direction};
 pub use trajectory::method::{Described, Facts, Memoryless, Method, Resumable};
 pub use trajectory::run::Run;
 pub use trajectory::samples::{Sample, Samples, SamplesAt};
+pub use trajectory::sensitive::Sensitive;
 pub use trajectory::tangent::Tangent;
 
 /// The programs of the README and of the pages in `docs`, so that they compile and hold. These are files of the
@@ -160,8 +161,8 @@ pub mod prelude {
     pub use crate::composition::catalogue::*;
     pub use crate::{
         Compensated, Composition, Crossings, Direction, Error, Fixed, GaussLegendre4, GaussLegendre6, Hamiltonian,
-        ImplicitMidpoint, Logarithmic, Paced, Phase, Power, Run, Sample, Samples, SamplesAt, Scheme, composition,
-        hamiltonian, taylor::Taylor,
+        ImplicitMidpoint, Logarithmic, Paced, Phase, Power, Run, Sample, Samples, SamplesAt, Scheme, Sensitive,
+        composition, hamiltonian, taylor::Taylor,
     };
 }
 
@@ -226,6 +227,7 @@ pub mod __private {
             not_finite::{all_found, not_finite},
             prepared::in_lanes,
         },
+        trajectory::sensitive::Sensitive,
     };
     pub use alloc::{sync::Arc, vec::Vec};
     // Other crates of this repository have ensembles of their own.

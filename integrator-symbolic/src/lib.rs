@@ -29,6 +29,7 @@ mod taylor;
 pub use emit::Form;
 use errors::Errors;
 pub use graph::Tally;
+use graph::exact::Exact;
 use model::Model;
 use proc_macro2::TokenStream;
 use quote::quote;
@@ -125,6 +126,7 @@ fn valid_model(input: &Input, errors: &mut Errors) -> Option<Model> {
             check_coordinates(input, model, errors);
             check_composition(input, model, errors);
             check_taylor(input, model, errors);
+            check_sensitive(input, model, errors);
         }
         None if errors.is_empty() => {
             errors.at(&input.item.self_ty, "this impl could not be read, and no reason was found: please report it");
@@ -142,6 +144,35 @@ fn check_taylor(input: &Input, model: &Model, errors: &mut Errors) {
              language of H, or leave out `taylor`"
         );
         errors.at_span(span, message);
+    }
+}
+
+/// Derivatives by parameters go through flows that read these as they are, and not through what is solved with them.
+fn check_sensitive(input: &Input, model: &Model, errors: &mut Errors) {
+    let Some(first) = input.sensitive.first() else { return };
+    if let Some(coordinates) = &input.coordinates {
+        let message = "Jacobi coordinates are made with the masses, and have no derivatives by parameters: leave out \
+                       `coordinates` and `split`, or `sensitive`";
+        errors.at(&coordinates.name, message);
+    }
+    if input.coupling.is_some() {
+        let message = "two coupled copies of the state have no tangent map: leave H in one piece, `split = none`, and \
+                       compose it by `GaussLegendre4`, or leave out `sensitive`";
+        errors.at(first, message);
+    }
+    for (name, parameter) in input.sensitive.iter().zip(&model.sensitive) {
+        let part = model.parts.iter().find(|part| {
+            matches!(part.form, Exact::Quadratic(_) | Exact::Kepler(_))
+                && model.graph.reads_parameter(part.energy, *parameter)
+        });
+        if let Some(part) = part {
+            let message = format!(
+                "the flow of `{}` is solved with `self.{name}`, by which it has no derivative here: split H into T(p) and \
+                 V(q), or leave it in one piece, `split = none`",
+                part.name
+            );
+            errors.at(name, message);
+        }
     }
 }
 

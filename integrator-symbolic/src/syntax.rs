@@ -65,6 +65,8 @@ pub(crate) struct Input {
     pub(crate) functions: Functions,
     /// Whether recurrences for Taylor series are asked for, and where.
     pub(crate) taylor: Option<Span>,
+    /// The parameters that derivatives are taken by, fields of the system.
+    pub(crate) sensitive: Vec<Ident>,
     /// The runtime crate.
     pub(crate) root: Path,
     pub(crate) item: ItemImpl,
@@ -111,7 +113,7 @@ pub(crate) fn input(arguments: TokenStream, item: TokenStream, errors: &mut Erro
         // Which functions are the parts of H was to be read from what is wrong.
         return None;
     }
-    let Arguments { compose, split, coordinates, functions, taylor, root } = arguments.unwrap_or_default();
+    let Arguments { compose, split, coordinates, functions, taylor, sensitive, root } = arguments.unwrap_or_default();
     let (mut names, mut paired, mut coupling, mut unsplit) = (Vec::new(), None, None, None);
     match split {
         None => {}
@@ -125,7 +127,20 @@ pub(crate) fn input(arguments: TokenStream, item: TokenStream, errors: &mut Erro
     }
     let functions = functions.unwrap_or_default();
     let root = root.unwrap_or_else(|| syn::parse_quote!(::integrator_core));
-    Some(Input { compose, split: names, paired, coordinates, coupling, unsplit, functions, taylor, root, item })
+    let sensitive = sensitive.unwrap_or_default();
+    Some(Input {
+        compose,
+        split: names,
+        paired,
+        coordinates,
+        coupling,
+        unsplit,
+        functions,
+        taylor,
+        sensitive,
+        root,
+        item,
+    })
 }
 
 fn looks_like_impl(item: &TokenStream) -> bool {
@@ -140,6 +155,7 @@ struct Arguments {
     coordinates: Option<Coordinates>,
     functions: Option<Functions>,
     taylor: Option<Span>,
+    sensitive: Option<Vec<Ident>>,
     root: Option<Path>,
 }
 
@@ -186,6 +202,8 @@ impl Arguments {
             self.functions.replace(functions_of(input, key.span())?).is_some()
         } else if key == "taylor" {
             self.taylor.replace(key.span()).is_some()
+        } else if key == "sensitive" {
+            self.sensitive.replace(sensitive_of(input, key.span())?).is_some()
         } else {
             return Err(syn::Error::new(key.span(), format!("`{key}` is not an argument here; {EXPECTED}")));
         };
@@ -197,7 +215,8 @@ impl Arguments {
 }
 
 const EXPECTED: &str = "expected `compose = Yoshida4`, `compose = V(1/2) T(1) V(1/2)`, `split = a + b`, \
-                        `coordinates = jacobi(self.mass)`, `functions = fast`, `taylor` or `crate = path::to::integrator_core`";
+                        `coordinates = jacobi(self.mass)`, `functions = fast`, `taylor`, `sensitive(mass, length)` or \
+                        `crate = path::to::integrator_core`";
 
 /// The sign between an argument and its value.
 fn equals(input: ParseStream<'_>, key: Span) -> syn::Result<()> {
@@ -302,6 +321,27 @@ fn stated_coupling(content: ParseStream<'_>) -> syn::Result<Expr> {
         true => Ok(coupling),
         false => Err(content.error("the coupling is one number: `symmetric(omega = 20.0)`")),
     }
+}
+
+/// The names of the parameters that derivatives are taken by, each once.
+fn sensitive_of(input: ParseStream<'_>, key: Span) -> syn::Result<Vec<Ident>> {
+    let is = "fields of the system that are numbers stand in parentheses, as in `sensitive(mass, length)`";
+    if !input.peek(Paren) {
+        return Err(syn::Error::new(key, is));
+    }
+    let content;
+    parenthesized!(content in input);
+    let names = Punctuated::<Ident, Token![,]>::parse_terminated(&content);
+    let names: Vec<Ident> = names.map_err(|error| syn::Error::new(error.span(), is))?.into_iter().collect();
+    if names.is_empty() {
+        return Err(syn::Error::new(key, is));
+    }
+    for (number, name) in names.iter().enumerate() {
+        if names[..number].contains(name) {
+            return Err(syn::Error::new(name.span(), format!("`{name}` is named twice")));
+        }
+    }
+    Ok(names)
 }
 
 /// The coordinates of the motion.

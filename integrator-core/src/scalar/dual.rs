@@ -19,13 +19,14 @@ use core::{
 };
 
 /// A number in `F` and its first derivatives along `N` directions; `ROW`, where it is a row of bodies or a block of
-/// sites, each of them such a number.
+/// sites, each of them such a number; `SENSITIVE`, where prepared constants have derivatives of their own, since
+/// directions lead along parameters as well.
 ///
 /// If `F` has lanes itself, the value and the derivatives of one lane of `F` are neighbours. So they are in memory, that
 /// an array of such numbers with one direction is one of pairs, which vectors read whole.
 #[derive(Clone, Copy, Debug)]
 #[repr(C)]
-pub(crate) struct Dual<F = f64, const N: usize = 1, const ROW: bool = false> {
+pub(crate) struct Dual<F = f64, const N: usize = 1, const ROW: bool = false, const SENSITIVE: bool = false> {
     value: F,
     along: [F; N],
 }
@@ -44,7 +45,7 @@ macro_rules! dual {
 }
 use dual;
 
-impl<F: Real, const N: usize, const ROW: bool> Dual<F, N, ROW> {
+impl<F: Real, const N: usize, const ROW: bool, const SENSITIVE: bool> Dual<F, N, ROW, SENSITIVE> {
     /// A function of this number that has a value and a slope here.
     #[inline(always)]
     fn chain(self, value: F, slope: F) -> Self {
@@ -81,7 +82,7 @@ fn product<F: Real>(slope: F, along: F) -> F {
     F::select(along.equal(zero), zero, slope * along)
 }
 
-impl<F: Real, const N: usize, const ROW: bool> Add for Dual<F, N, ROW> {
+impl<F: Real, const N: usize, const ROW: bool, const SENSITIVE: bool> Add for Dual<F, N, ROW, SENSITIVE> {
     type Output = Self;
     #[inline(always)]
     fn add(self, other: Self) -> Self {
@@ -89,7 +90,7 @@ impl<F: Real, const N: usize, const ROW: bool> Add for Dual<F, N, ROW> {
     }
 }
 
-impl<F: Real, const N: usize, const ROW: bool> Sub for Dual<F, N, ROW> {
+impl<F: Real, const N: usize, const ROW: bool, const SENSITIVE: bool> Sub for Dual<F, N, ROW, SENSITIVE> {
     type Output = Self;
     #[inline(always)]
     fn sub(self, other: Self) -> Self {
@@ -97,7 +98,7 @@ impl<F: Real, const N: usize, const ROW: bool> Sub for Dual<F, N, ROW> {
     }
 }
 
-impl<F: Real, const N: usize, const ROW: bool> Mul for Dual<F, N, ROW> {
+impl<F: Real, const N: usize, const ROW: bool, const SENSITIVE: bool> Mul for Dual<F, N, ROW, SENSITIVE> {
     type Output = Self;
     #[inline(always)]
     fn mul(self, other: Self) -> Self {
@@ -105,7 +106,7 @@ impl<F: Real, const N: usize, const ROW: bool> Mul for Dual<F, N, ROW> {
     }
 }
 
-impl<F: Real, const N: usize, const ROW: bool> Div for Dual<F, N, ROW> {
+impl<F: Real, const N: usize, const ROW: bool, const SENSITIVE: bool> Div for Dual<F, N, ROW, SENSITIVE> {
     type Output = Self;
     #[inline(always)]
     fn div(self, other: Self) -> Self {
@@ -115,7 +116,7 @@ impl<F: Real, const N: usize, const ROW: bool> Div for Dual<F, N, ROW> {
     }
 }
 
-impl<F: Real, const N: usize, const ROW: bool> Neg for Dual<F, N, ROW> {
+impl<F: Real, const N: usize, const ROW: bool, const SENSITIVE: bool> Neg for Dual<F, N, ROW, SENSITIVE> {
     type Output = Self;
     #[inline(always)]
     fn neg(self) -> Self {
@@ -123,14 +124,14 @@ impl<F: Real, const N: usize, const ROW: bool> Neg for Dual<F, N, ROW> {
     }
 }
 
-impl<F: Real, const N: usize, const ROW: bool> AddAssign for Dual<F, N, ROW> {
+impl<F: Real, const N: usize, const ROW: bool, const SENSITIVE: bool> AddAssign for Dual<F, N, ROW, SENSITIVE> {
     #[inline(always)]
     fn add_assign(&mut self, other: Self) {
         *self = *self + other;
     }
 }
 
-impl<F: Real, const N: usize, const ROW: bool> SubAssign for Dual<F, N, ROW> {
+impl<F: Real, const N: usize, const ROW: bool, const SENSITIVE: bool> SubAssign for Dual<F, N, ROW, SENSITIVE> {
     #[inline(always)]
     fn sub_assign(&mut self, other: Self) {
         *self = *self - other;
@@ -284,7 +285,7 @@ macro_rules! dual_real {
         $is_row:literal, Block = $block:ty, Row<$bodies:ident> = $row:ty;
         unary: $($unary:ident)*; binary: $($binary:ident)*;
     ) => {
-        impl<F: Real, const N: usize> Real for Dual<F, N, $is_row> {
+        impl<F: Real, const N: usize, const SENSITIVE: bool> Real for Dual<F, N, $is_row, SENSITIVE> {
             const LANES: usize = F::LANES * (1 + N);
             const MEMBERS: usize = F::MEMBERS;
             const LANEWISE: bool = F::LANEWISE;
@@ -307,6 +308,10 @@ macro_rules! dual_real {
             #[inline(always)]
             fn parameter(of_lane: &dyn Fn(usize) -> f64) -> Self {
                 Self { value: F::parameter(&|lane| of_lane(lane * (1 + N))), along: [F::of(0.0); N] }
+            }
+            #[inline(always)]
+            fn prepared(of_lane: &dyn Fn(usize) -> f64) -> Self {
+                if const { SENSITIVE } { Self::state(of_lane) } else { Self::parameter(of_lane) }
             }
             #[inline(always)]
             fn state(of_lane: &dyn Fn(usize) -> f64) -> Self {
@@ -401,7 +406,9 @@ macro_rules! dual_real {
     };
 }
 elementary_functions!(dual_real! {
-    false, Block = Dual<F::Block, N, true>, Row<BODIES> = Dual<F::Row<BODIES>, N, true>;
+    false,
+    Block = Dual<F::Block, N, true, SENSITIVE>,
+    Row<BODIES> = Dual<F::Row<BODIES>, N, true, SENSITIVE>;
 });
 elementary_functions!(dual_real! { true, Block = Self, Row<BODIES> = Lanes<Self, BODIES>; });
 
@@ -468,8 +475,13 @@ mod tests {
     }
 
     #[test]
-    fn a_prepared_constant_has_no_tangent() {
-        let constant = <Dual>::parameter(&|lane| [3.0, 5.0][lane]);
-        assert_eq!((constant.lane(0), constant.lane(1)), (3.0, 0.0));
+    fn a_prepared_constant_has_a_tangent_where_it_is_asked_for() {
+        let of_lane = |lane| [3.0, 5.0][lane];
+        for constant in [<Dual>::parameter(&of_lane), <Dual>::prepared(&of_lane)] {
+            assert_eq!((constant.lane(0), constant.lane(1)), (3.0, 0.0));
+        }
+        let [constant, other] =
+            [Dual::<f64, 1, false, true>::prepared(&of_lane), Dual::<f64, 1, false, true>::parameter(&of_lane)];
+        assert_eq!((constant.lane(1), other.lane(1)), (5.0, 0.0));
     }
 }

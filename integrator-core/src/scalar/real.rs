@@ -118,8 +118,13 @@ macro_rules! declare_real {
             fn of(x: f64) -> Self;
             /// One lane, widened to `f64`.
             fn lane(self, lane: usize) -> f64;
-            /// A prepared constant, one number per lane; a dual ignores all but the first.
+            /// A number that does not depend on the state, one per lane; a dual ignores all but the first.
             fn parameter(of_lane: &dyn Fn(usize) -> f64) -> Self;
+            /// A prepared constant, one number per lane; for a dual along parameters, lane 1 is the tangent.
+            #[inline(always)]
+            fn prepared(of_lane: &dyn Fn(usize) -> f64) -> Self {
+                Self::parameter(of_lane)
+            }
             /// A coordinate, one number per lane; for a dual, lane 1 is the tangent.
             fn state(of_lane: &dyn Fn(usize) -> f64) -> Self;
             /// `self * b + c`, in one rounding where the scalar has it.

@@ -16,7 +16,7 @@ impl<R: Real> OfMembers<f64> for R {
     where
         f64: 'c,
     {
-        R::parameter(&|lane| *of_lane(lane))
+        R::prepared(&|lane| *of_lane(lane))
     }
 }
 

@@ -19,22 +19,25 @@ pub(crate) trait Carried {
     type In<R: Real>: Real;
     /// How motions go through the stages of a composition.
     type Executor: Executor;
+    /// Whether it has prepared constants of its own.
+    const CARRIES_CONSTANTS: bool = false;
 }
 
 /// Nothing.
 pub(crate) struct Nothing;
 
-/// So many deviation vectors.
-pub(crate) struct Deviations<const N: usize>;
+/// So many deviation vectors; `SENSITIVE`, where they lead along parameters as well.
+pub(crate) struct Deviations<const N: usize, const SENSITIVE: bool = false>;
 
 impl Carried for Nothing {
     type In<R: Real> = R;
     type Executor = InTiles;
 }
 
-impl<const N: usize> Carried for Deviations<N> {
-    type In<R: Real> = Dual<R, N>;
+impl<const N: usize, const SENSITIVE: bool> Carried for Deviations<N, SENSITIVE> {
+    type In<R: Real> = Dual<R, N, false, SENSITIVE>;
     type Executor = FlowByFlow;
+    const CARRIES_CONSTANTS: bool = SENSITIVE;
 }
 
 /// An empty list of motions of single trajectories, for the instruction set of this machine.
@@ -55,18 +58,22 @@ pub(crate) fn single<H: Hamiltonian, X: Method<H>, K: Precision, V: Carried>(
     }
 }
 
-/// The engine of a trajectory, for the instruction set of this machine; behind the start what it carries.
+/// The engine of a trajectory, for the instruction set of this machine; behind the start what it carries, and behind its
+/// constants, where these lead along parameters, the derivatives of the constants.
 pub(crate) fn engine<H: Hamiltonian, X: Method<H>, K: Precision, V: Carried>(
     method: X,
     parameters: Arc<H::Parameters<f64>>,
+    slopes: Vec<H::Parameters<f64>>,
     lanes: Vec<&dyn Point>,
 ) -> Engine {
-    Engine::single(&*single::<H, X, K, V>(list(method.constants(parameters))), lanes)
-}
-
-/// The constants of one member: compiled once for all compositions.
-fn list<Q>(constants: Arc<Q>) -> Constants<Q> {
-    Arc::new(vec![constants])
+    let mut constants = vec![method.constants(parameters)];
+    if !const { V::CARRIES_CONSTANTS } {
+        return Engine::single(&*single::<H, X, K, V>(Arc::new(constants)), lanes);
+    }
+    for slopes in slopes {
+        constants.push(method.constants(Arc::new(slopes)));
+    }
+    Engine::single_with_constants(&*single::<H, X, K, V>(Arc::new(constants)), lanes)
 }
 
 /// An empty list of motions whose steps are computed in `R`.

@@ -31,6 +31,8 @@ pub(crate) struct Engine {
     completed_at: Option<Clock>,
     /// The number of the member that a single trajectory is; nought for a run.
     member: usize,
+    /// Whether the constants of what a trajectory carries are those behind its own, as many as it has lanes.
+    carries_constants: bool,
     /// How many threads may share a long lattice or the pairs of many bodies, if not all.
     threads: Option<usize>,
 }
@@ -38,7 +40,7 @@ pub(crate) struct Engine {
 impl Engine {
     pub(crate) fn new(motions: Box<dyn Motions>) -> Self {
         let (snapshot, completed) = (motions.clone(), motions.clone());
-        Self { motions, snapshot, completed, completed_at: None, member: 0, threads: Some(1) }
+        Self { motions, snapshot, completed, completed_at: None, member: 0, carries_constants: false, threads: Some(1) }
     }
 
     /// The engine of a member of an ensemble alone, with its motion.
@@ -50,6 +52,11 @@ impl Engine {
     /// The engine of one trajectory, with the step functions of some motions: its start, and what it carries beside.
     pub(crate) fn single(like: &dyn Motions, lanes: Vec<&dyn Point>) -> Self {
         Self::new(load(like, lanes.into_iter().map(|point| (0, point)).collect()))
+    }
+
+    /// The same, where what it carries has constants of its own.
+    pub(crate) fn single_with_constants(like: &dyn Motions, lanes: Vec<&dyn Point>) -> Self {
+        Self { carries_constants: true, ..Self::new(load(like, lanes.into_iter().enumerate().collect())) }
     }
 
     /// Takes `steps` steps from `clock`, or as many as end in a finite state, and counts them in `taken`.
@@ -148,8 +155,10 @@ impl Engine {
     /// Goes on with a state in the coordinates of the motion, and what it carries beside.
     pub(crate) fn resume_own(&mut self, lanes: &[&dyn Point]) {
         let mut motions = self.motions.none(self.motions.count());
+        let constants = |lane| if self.carries_constants { lane } else { 0 };
+        let lanes: Vec<_> = lanes.iter().enumerate().map(|(lane, point)| (constants(lane), *point)).collect();
         for lanes in lanes.chunks(motions.lanes()) {
-            motions.push(&lanes.iter().map(|point| (0, *point)).collect::<Vec<_>>(), true);
+            motions.push(lanes, true);
         }
         motions.share_among(self.threads);
         self.motions = motions;

@@ -17,6 +17,7 @@ pub(crate) mod panics;
 pub(crate) mod physical_time;
 pub(crate) mod run;
 pub(crate) mod samples;
+pub(crate) mod sensitive;
 #[allow(unreachable_pub, reason = "named in bounds, never outside")]
 pub(crate) mod step_functions;
 pub(crate) mod step_loop;

@@ -68,15 +68,15 @@ impl<C: Coords> Run<C> {
         H::Coords: Coords<With<K> = C>,
     {
         admissible_with::<H, _>(method, &start, h)?;
-        Self::carrying::<H, X, K, Nothing>(system, method, start, &[], h)
+        Self::carrying::<H, X, K, Nothing>(system, method, start, (&[], Vec::new()), h)
     }
 
-    /// A run whose motion carries points in lanes behind those of the state.
+    /// A run whose motion carries points in lanes behind those of the state, and perhaps constants of theirs.
     pub(crate) fn carrying<H, X, K, V>(
         system: &H,
         method: X,
         start: Phase<C>,
-        carried: &[Phase<C>],
+        carried: (&[Phase<C>], Vec<H::Parameters<f64>>),
         h: f64,
     ) -> Result<Self, Error>
     where
@@ -118,7 +118,7 @@ impl<C: Coords> Run<C> {
         system: &H,
         method: X,
         start: Phase<C>,
-        carried: &[Phase<C>],
+        (carried, slopes): (&[Phase<C>], Vec<H::Parameters<f64>>),
         clock: Clock,
         opened: u64,
     ) -> Result<Self, Error>
@@ -137,7 +137,7 @@ impl<C: Coords> Run<C> {
         #[cfg(feature = "checkpoint")]
         let origin = Origin::of::<H>(method.facts(), &parameters);
         let parameters = Arc::new(parameters);
-        let mut engine = engine::<H, X, K, V>(method, parameters.clone(), lanes(&start, carried));
+        let mut engine = engine::<H, X, K, V>(method, parameters.clone(), slopes, lanes(&start, carried));
         engine.share_among(None);
         let run = Self {
             autonomous: H::AUTONOMOUS,

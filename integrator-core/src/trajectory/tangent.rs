@@ -11,14 +11,14 @@ use crate::{
     state::{coords::Coords, phase::Phase, precision::Precision},
     trajectory::{
         admissible::admissible_with,
-        dispatch::{Carried, Deviations},
+        dispatch::Deviations,
         method::Memoryless,
         motions::{Motions, copy},
         run::Run,
     },
 };
 use alloc::{boxed::Box, vec, vec::Vec};
-use core::{fmt, mem::take};
+use core::{fmt, mem::take, ops::Range};
 
 /// After so many steps vectors are looked at, whether they are far from one.
 pub(crate) const BETWEEN_SCALES: u64 = 64;
@@ -38,6 +38,8 @@ pub struct Tangent<C: Coords> {
     room: usize,
     /// The powers of two by which vectors were divided.
     exponents: Vec<i64>,
+    /// How many of the vectors may be divided: those along parameters behind them grow by a force of their own.
+    linear: usize,
     /// The motions before the steps under way, where there are several that have to stop at one step.
     before: Vec<Box<dyn Motions>>,
 }
@@ -56,25 +58,46 @@ impl<C: Coords> Tangent<C> {
         K: Precision,
         H::Coords: Coords<With<K> = C>,
     {
+        if vectors.is_empty() {
+            return Err(Error::VectorCount { count: 0, most: 2 * start.q.flat().len() });
+        }
+        Self::along::<H, X, K, false>(system, method, start, vectors, 0, |_| Vec::new(), h)
+    }
+
+    /// Along vectors at the start, and along so many parameters behind them; `slopes` gives the derivatives of prepared
+    /// constants that go with some of the vectors.
+    pub(crate) fn along<H, X, K, const SENSITIVE: bool>(
+        system: &H,
+        method: X,
+        start: Phase<C>,
+        mut vectors: Vec<Phase<C>>,
+        parameters: usize,
+        slopes: impl Fn(Range<usize>) -> Vec<H::Parameters<f64>>,
+        h: f64,
+    ) -> Result<Self, Error>
+    where
+        H: Hamiltonian,
+        X: Memoryless<H>,
+        K: Precision,
+        H::Coords: Coords<With<K> = C>,
+    {
         refused::<H, K>(&start)?;
         admissible_with::<H, _>(method, &start, h)?;
         check(&start, &vectors)?;
-        let one = vectors.len() == 1;
-        let room = if one { 1 } else { TOGETHER };
-        let runs: Result<Vec<_>, _> = vectors
-            .chunks(room)
-            .map(|vectors| {
-                let mut vectors = vectors.to_vec();
-                vectors.resize(room, scaled(&start, 0.0));
-                if one {
-                    begin::<H, X, K, Deviations<1>>(system, method, &start, &vectors, h)
-                } else {
-                    begin::<H, X, K, Deviations<TOGETHER>>(system, method, &start, &vectors, h)
-                }
-            })
-            .collect();
-        let exponents = vec![0; vectors.len()];
-        Ok(Self { runs: runs?, room, exponents, before: Vec::new() })
+        let (linear, still) = (vectors.len(), scaled(&start, 0.0));
+        let count = linear + parameters;
+        let room = if count == 1 { 1 } else { TOGETHER };
+        vectors.resize(count.next_multiple_of(room), still);
+        let mut runs = Vec::with_capacity(count.div_ceil(room));
+        for (number, vectors) in vectors.chunks(room).enumerate() {
+            let carried = (vectors, slopes(number * room..(number + 1) * room));
+            runs.push(if room == 1 {
+                Run::carrying::<H, X, K, Deviations<1, SENSITIVE>>(system, method, start.clone(), carried, h)?
+            } else {
+                Run::carrying::<H, X, K, Deviations<TOGETHER, SENSITIVE>>(system, method, start.clone(), carried, h)?
+            });
+        }
+        Ok(Self { runs, room, exponents: vec![0; count], linear, before: Vec::new() })
     }
 
     /// Starts the clock at `t0` instead of 0. A `t0` that is not finite is reported by the first `advance`.
@@ -151,7 +174,7 @@ impl<C: Coords> Tangent<C> {
 
     /// Divides vectors by powers of two that are far from one.
     fn scale(&mut self) {
-        let exponents: Vec<i32> = (0..self.exponents.len())
+        let exponents: Vec<i32> = (0..self.linear)
             .map(|vector| {
                 let (run, lane) = self.place(vector);
                 far_exponent(&run.tried_lane(lane))
@@ -216,7 +239,7 @@ impl<C: Coords> Tangent<C> {
 
     /// The deviation vectors at [`Tangent::time`], in the order in which they were given, each over two to the power of
     /// its [exponent](Tangent::exponents). Most exponents are zero: a vector is divided where its largest component
-    /// leaves the range from 2⁻²⁵⁶ to 2²⁵⁶ (in `f32` from 2⁻³² to 2³²).
+    /// leaves the range from 2⁻²⁵⁶ to 2²⁵⁶ (in `f32` from 2⁻³² to 2³²), and one along a parameter never.
     pub fn vectors(&self) -> Vec<Phase<C>> {
         (0..self.exponents.len())
             .map(|vector| {
@@ -248,7 +271,7 @@ impl<C: Coords> Tangent<C> {
 impl<C: Coords> Clone for Tangent<C> {
     fn clone(&self) -> Self {
         let exponents = self.exponents.clone();
-        Self { runs: self.runs.clone(), room: self.room, exponents, before: Vec::new() }
+        Self { runs: self.runs.clone(), room: self.room, exponents, linear: self.linear, before: Vec::new() }
     }
 }
 
@@ -279,27 +302,11 @@ pub(crate) fn refused<H: Hamiltonian, K: Precision>(start: &Phase<Shaped<H, K>>)
     Ok(())
 }
 
-fn begin<H, X, K, V>(
-    system: &H,
-    method: X,
-    start: &Phase<Shaped<H, K>>,
-    vectors: &[Phase<Shaped<H, K>>],
-    h: f64,
-) -> Result<Run<Shaped<H, K>>, Error>
-where
-    H: Hamiltonian,
-    X: Memoryless<H>,
-    K: Precision,
-    V: Carried,
-{
-    Run::carrying::<H, X, K, V>(system, method, start.clone(), vectors, h)
-}
-
 /// Whether these are deviation vectors at a state.
 fn check<C: Coords>(start: &Phase<C>, vectors: &[Phase<C>]) -> Result<(), Error> {
     let positions = start.q.flat().len();
     let (count, most) = (vectors.len(), 2 * positions);
-    if count == 0 || count > most {
+    if count > most {
         return Err(Error::VectorCount { count, most });
     }
     for (number, vector) in vectors.iter().enumerate() {

@@ -213,6 +213,8 @@ impl<'i> Stepper<'i> {
         let transformed =
             self.transformed.as_ref().map(|items| implementation(quote!(#runtime::TimeTransformed), items));
         let rated = self.rated.as_ref().map(|items| implementation(quote!(#runtime::Rated), items));
+        let sensitive = constants.sensitive(&input.sensitive, names);
+        let sensitive = sensitive.map(|items| implementation(quote!(#runtime::Sensitive), &items));
         let others = quote!(#of_bodies #of_jacobi #quadratic #transformed #rated #taylor #of_lattice #of_forms);
         let hamiltonian = implementation(quote!(#runtime::Hamiltonian), &self.hamiltonian(&others));
         quote! {
@@ -225,6 +227,7 @@ impl<'i> Stepper<'i> {
                 #documentation
                 #hamiltonian
                 #others
+                #sensitive
             };
         }
     }

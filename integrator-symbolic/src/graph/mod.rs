@@ -8,6 +8,7 @@
 mod access;
 mod addend;
 mod algebra;
+mod by_parameter;
 mod condition;
 mod cost;
 mod decision_tree;

@@ -81,6 +81,7 @@ impl Reader<'_> {
         let name = &call.method;
         if let Some(object) = self.opaque(&receiver)
             && !matches!(receiver, Value::Real(_))
+            && !(is_self && self.helper_reads_sensitive(name))
             && let Some((text, loops)) = self.opaque_list(&arguments)
         {
             let object_text = place(object.text);

@@ -252,7 +252,9 @@ impl Reader<'_> {
                 None
             }
             other => {
-                self.errors.at(&index.expr, format!("{} cannot be indexed", other.describe()));
+                let message = format!("{} cannot be indexed", other.describe());
+                let message = self.sensitive_list(&index.expr).unwrap_or(message);
+                self.errors.at(&index.expr, message);
                 None
             }
         }
@@ -314,6 +316,9 @@ impl Reader<'_> {
         match (value, &field.member) {
             (Value::Opaque(Opaque { text, loops }), member) => {
                 let text = place(text);
+                if let Some(number) = self.sensitive_field(&text, member) {
+                    return Some(number);
+                }
                 Some(Value::Opaque(Opaque { text: quote!(#text.#member), loops }))
             }
             (Value::Tuple(parts), Member::Unnamed(position)) if (position.index as usize) < parts.len() => {

@@ -29,6 +29,7 @@ mod pattern;
 mod presence;
 mod ragged;
 mod repeat;
+mod sensitive;
 mod sequence;
 mod shape;
 mod sign;
@@ -101,6 +102,8 @@ pub(crate) struct Model {
     pub(crate) running: HashMap<LoopId, Ident>,
     /// The user's methods that are called as they are, by their ids.
     pub(crate) externals: Vec<Method>,
+    /// The parameters that derivatives are taken by, in the order of the annotation.
+    pub(crate) sensitive: Vec<ParameterId>,
     /// What Jacobi coordinates are made with, where the motion is in these.
     pub(crate) jacobi: Option<Jacobi>,
     /// Whether `T = ½ pᵀ M⁻¹ p` with a constant `M`, or what the first part has of `p` beside linear terms.
@@ -215,6 +218,7 @@ pub(crate) fn model(input: &Input, errors: &mut Errors) -> Option<Model> {
     let lengths = [Some(&shape.length), shape.dimension.as_ref()].into_iter().flatten();
     let lengths = lengths.map(|length| reader.length(length)).collect();
     let rate = reader.rate(&shape);
+    let sensitive = reader.sensitive_parameters();
     let Reader { mut graph, parameters, running, externals, .. } = reader;
     let energies = graph.balance_choices(energies);
     let [kinetic, potential] = energies;
@@ -233,6 +237,7 @@ pub(crate) fn model(input: &Input, errors: &mut Errors) -> Option<Model> {
         parameters,
         running,
         externals,
+        sensitive,
         jacobi: None,
         quadratic: false,
         autonomous,
@@ -271,6 +276,7 @@ pub(crate) fn stub(input: &Input) -> Option<Model> {
         parameters: Vec::new(),
         running: HashMap::new(),
         externals: Vec::new(),
+        sensitive: Vec::new(),
         jacobi: None,
         quadratic: true,
         autonomous: true,
@@ -282,8 +288,14 @@ pub(crate) fn stub(input: &Input) -> Option<Model> {
 /// The model of an impl without mistakes.
 #[cfg(test)]
 pub(crate) fn of_text(item: &str) -> Model {
+    of_annotated_text("", item)
+}
+
+/// The same with arguments of the annotation.
+#[cfg(test)]
+pub(crate) fn of_annotated_text(arguments: &str, item: &str) -> Model {
     let mut errors = Errors::default();
-    let input = crate::syntax::input(TokenStream::new(), item.parse().expect("tokens"), &mut errors);
+    let input = crate::syntax::input(arguments.parse().expect("tokens"), item.parse().expect("tokens"), &mut errors);
     let model = input.and_then(|input| model(&input, &mut errors));
     match (model, errors.combined()) {
         (Some(model), None) => model,
@@ -332,6 +344,8 @@ struct Reader<'i> {
     parameter_ids: HashMap<String, ParameterId>,
     running: HashMap<LoopId, Ident>,
     externals: Vec<Method>,
+    /// The parameters that derivatives are taken by, by their names, as far as they were read.
+    sensitive: HashMap<String, ParameterId>,
     bindings: Vec<Binding>,
     /// Names in scope, innermost last. A helper method sees its own scopes alone.
     scopes: Vec<HashMap<String, BindingId>>,
@@ -369,6 +383,7 @@ impl<'i> Reader<'i> {
             parameter_ids: HashMap::new(),
             running: HashMap::new(),
             externals: Vec::new(),
+            sensitive: HashMap::new(),
             bindings: Vec::new(),
             scopes: Vec::new(),
             frames: Vec::new(),
@@ -552,6 +567,7 @@ impl<'i> Reader<'i> {
             _ => quote!(0.0),
         };
         let own = text;
+        self.check_sensitive(&own);
         let (text, loops) = self.in_arms(own.clone(), loops, &otherwise);
         let shown = text.clone();
         let text = self.guarded_text(text, kind, loops, &otherwise);

@@ -50,7 +50,8 @@ impl Reader<'_> {
         let Value::Opaque(opaque) = value else { return };
         for field in &parts.fields {
             let member = &field.member;
-            self.bind(&field.pat, part(opaque, &quote!(.#member)));
+            let number = self.sensitive_field(&place(opaque.text.clone()), member);
+            self.bind(&field.pat, number.unwrap_or_else(|| part(opaque, &quote!(.#member))));
         }
     }
 

@@ -5,6 +5,7 @@ mod jacobi;
 #[path = "../mutate/mod.rs"]
 mod mutate;
 mod robustness;
+mod sensitive;
 mod table;
 
 use integrator_symbolic::{hamiltonian, known_functions};

@@ -10,37 +10,37 @@ pub(crate) const ARGUMENTS: &[Row] = &[
     (
         "composition = Verlet",
         &[
-            "1:0 `composition` is not an argument here; expected `compose = Yoshida4`, `compose = V(1/2) T(1) V(1/2)`, `split = a + b`, `coordinates = jacobi(self.mass)`, `functions = fast`, `taylor` or `crate = path::to::integrator_core`",
+            "1:0 `composition` is not an argument here; expected `compose = Yoshida4`, `compose = V(1/2) T(1) V(1/2)`, `split = a + b`, `coordinates = jacobi(self.mass)`, `functions = fast`, `taylor`, `sensitive(mass, length)` or `crate = path::to::integrator_core`",
         ],
     ),
     (
         "Verlet",
         &[
-            "1:0 `Verlet` is not an argument here; expected `compose = Yoshida4`, `compose = V(1/2) T(1) V(1/2)`, `split = a + b`, `coordinates = jacobi(self.mass)`, `functions = fast`, `taylor` or `crate = path::to::integrator_core`",
+            "1:0 `Verlet` is not an argument here; expected `compose = Yoshida4`, `compose = V(1/2) T(1) V(1/2)`, `split = a + b`, `coordinates = jacobi(self.mass)`, `functions = fast`, `taylor`, `sensitive(mass, length)` or `crate = path::to::integrator_core`",
         ],
     ),
     (
         "4",
         &[
-            "1:0 expected `compose = Yoshida4`, `compose = V(1/2) T(1) V(1/2)`, `split = a + b`, `coordinates = jacobi(self.mass)`, `functions = fast`, `taylor` or `crate = path::to::integrator_core`",
+            "1:0 expected `compose = Yoshida4`, `compose = V(1/2) T(1) V(1/2)`, `split = a + b`, `coordinates = jacobi(self.mass)`, `functions = fast`, `taylor`, `sensitive(mass, length)` or `crate = path::to::integrator_core`",
         ],
     ),
     (
         "compose",
         &[
-            "1:0 this lacks its value; expected `compose = Yoshida4`, `compose = V(1/2) T(1) V(1/2)`, `split = a + b`, `coordinates = jacobi(self.mass)`, `functions = fast`, `taylor` or `crate = path::to::integrator_core`",
+            "1:0 this lacks its value; expected `compose = Yoshida4`, `compose = V(1/2) T(1) V(1/2)`, `split = a + b`, `coordinates = jacobi(self.mass)`, `functions = fast`, `taylor`, `sensitive(mass, length)` or `crate = path::to::integrator_core`",
         ],
     ),
     (
         "compose =",
         &[
-            "1:0 this lacks its value; expected `compose = Yoshida4`, `compose = V(1/2) T(1) V(1/2)`, `split = a + b`, `coordinates = jacobi(self.mass)`, `functions = fast`, `taylor` or `crate = path::to::integrator_core`",
+            "1:0 this lacks its value; expected `compose = Yoshida4`, `compose = V(1/2) T(1) V(1/2)`, `split = a + b`, `coordinates = jacobi(self.mass)`, `functions = fast`, `taylor`, `sensitive(mass, length)` or `crate = path::to::integrator_core`",
         ],
     ),
     (
         "compose = 4",
         &[
-            "1:10 a composition is a name or a sequence of stages; expected `compose = Yoshida4`, `compose = V(1/2) T(1) V(1/2)`, `split = a + b`, `coordinates = jacobi(self.mass)`, `functions = fast`, `taylor` or `crate = path::to::integrator_core`",
+            "1:10 a composition is a name or a sequence of stages; expected `compose = Yoshida4`, `compose = V(1/2) T(1) V(1/2)`, `split = a + b`, `coordinates = jacobi(self.mass)`, `functions = fast`, `taylor`, `sensitive(mass, length)` or `crate = path::to::integrator_core`",
         ],
     ),
     ("compose = Verlet compose = Verlet", &["1:17 expected `,`"]),
@@ -56,13 +56,13 @@ pub(crate) const ARGUMENTS: &[Row] = &[
     (
         "crate = 4",
         &[
-            "1:8 the runtime is named by a path; expected `compose = Yoshida4`, `compose = V(1/2) T(1) V(1/2)`, `split = a + b`, `coordinates = jacobi(self.mass)`, `functions = fast`, `taylor` or `crate = path::to::integrator_core`",
+            "1:8 the runtime is named by a path; expected `compose = Yoshida4`, `compose = V(1/2) T(1) V(1/2)`, `split = a + b`, `coordinates = jacobi(self.mass)`, `functions = fast`, `taylor`, `sensitive(mass, length)` or `crate = path::to::integrator_core`",
         ],
     ),
     (
         "compose = Verlet, crate",
         &[
-            "1:18 this lacks its value; expected `compose = Yoshida4`, `compose = V(1/2) T(1) V(1/2)`, `split = a + b`, `coordinates = jacobi(self.mass)`, `functions = fast`, `taylor` or `crate = path::to::integrator_core`",
+            "1:18 this lacks its value; expected `compose = Yoshida4`, `compose = V(1/2) T(1) V(1/2)`, `split = a + b`, `coordinates = jacobi(self.mass)`, `functions = fast`, `taylor`, `sensitive(mass, length)` or `crate = path::to::integrator_core`",
         ],
     ),
     ("compose = V(1/2) T(1) V(1/3)", &["1:10 the coefficients of `V` sum to 0.833333333333, not to 1"]),
@@ -624,13 +624,13 @@ pub(crate) const SPLITS: &[Row] = &[
     (
         "split on fn a(&self, p: [f64; 1]) -> f64 { p[0] * p[0] }",
         &[
-            "1:0 this lacks its value; expected `compose = Yoshida4`, `compose = V(1/2) T(1) V(1/2)`, `split = a + b`, `coordinates = jacobi(self.mass)`, `functions = fast`, `taylor` or `crate = path::to::integrator_core`",
+            "1:0 this lacks its value; expected `compose = Yoshida4`, `compose = V(1/2) T(1) V(1/2)`, `split = a + b`, `coordinates = jacobi(self.mass)`, `functions = fast`, `taylor`, `sensitive(mass, length)` or `crate = path::to::integrator_core`",
         ],
     ),
     (
         "split = 3 on fn a(&self, p: [f64; 1]) -> f64 { p[0] * p[0] }",
         &[
-            "1:8 the parts of H are named by their functions, as in `split = kepler + interaction`; expected `compose = Yoshida4`, `compose = V(1/2) T(1) V(1/2)`, `split = a + b`, `coordinates = jacobi(self.mass)`, `functions = fast`, `taylor` or `crate = path::to::integrator_core`",
+            "1:8 the parts of H are named by their functions, as in `split = kepler + interaction`; expected `compose = Yoshida4`, `compose = V(1/2) T(1) V(1/2)`, `split = a + b`, `coordinates = jacobi(self.mass)`, `functions = fast`, `taylor`, `sensitive(mass, length)` or `crate = path::to::integrator_core`",
         ],
     ),
     (

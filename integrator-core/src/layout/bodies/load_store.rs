@@ -60,7 +60,7 @@ pub(crate) fn load_constants<R: Real, P: BodyConstants<S>, const N: usize, const
 ) -> [R::Row<N>; S] {
     let mut rows = [Real::of(0.0); S];
     for (s, row) in rows.iter_mut().enumerate() {
-        *row = Real::parameter(&|lane| {
+        *row = Real::prepared(&|lane| {
             let (body, lane) = body_and_lane::<R>(bodies, lane);
             constants[lane].body_constants(body)[s]
         });

@@ -10,14 +10,16 @@ use crate::scalar::{
     },
 };
 
-impl<F: Real, V: Block<F>, const N: usize> Block<Dual<F, N>> for Dual<V, N, true> {
+impl<F: Real, V: Block<F>, const N: usize, const SENSITIVE: bool> Block<Dual<F, N, false, SENSITIVE>>
+    for Dual<V, N, true, SENSITIVE>
+{
     const WIDTH: usize = V::WIDTH;
 
     #[inline(always)]
-    fn read(from: &[Dual<F, N>]) -> Self {
+    fn read(from: &[Dual<F, N, false, SENSITIVE>]) -> Self {
         let from = &from[..V::WIDTH];
         if const { N == 1 } {
-            let [value, along] = pairs::<F, V, N>(from);
+            let [value, along] = pairs::<F, V, N, SENSITIVE>(from);
             let [value, along] = value.deinterleave(along);
             return Self { value, along: [along; N] };
         }
@@ -33,7 +35,7 @@ impl<F: Real, V: Block<F>, const N: usize> Block<Dual<F, N>> for Dual<V, N, true
         })
     }
     #[inline(always)]
-    fn write(self, to: &mut [Dual<F, N>]) {
+    fn write(self, to: &mut [Dual<F, N, false, SENSITIVE>]) {
         let to = &mut to[..V::WIDTH];
         if const { N == 1 } {
             return write_pairs(self.value.interleave(self.along[0]), to);
@@ -51,16 +53,16 @@ impl<F: Real, V: Block<F>, const N: usize> Block<Dual<F, N>> for Dual<V, N, true
         }
     }
     #[inline(always)]
-    fn splat(x: Dual<F, N>) -> Self {
+    fn splat(x: Dual<F, N, false, SENSITIVE>) -> Self {
         dual!(V::splat(x.value), direction => V::splat(x.along[direction]))
     }
     #[inline(always)]
-    fn add_multiple(self, factor: Dual<F, N>, to: &mut [Dual<F, N>]) {
+    fn add_multiple(self, factor: Dual<F, N, false, SENSITIVE>, to: &mut [Dual<F, N, false, SENSITIVE>]) {
         if const { N == 1 } {
             let factor = V::splat(factor.value);
             // Pairs as they are in memory, so that only what is added takes an interleaving.
             let ([first, second], to) = (self.value.interleave(self.along[0]), &mut to[..V::WIDTH]);
-            let pairs = pairs::<F, V, N>(to);
+            let pairs = pairs::<F, V, N, SENSITIVE>(to);
             return write_pairs([factor.fma(first, pairs[0]), factor.fma(second, pairs[1])], to);
         }
         // Number by number, so that what was read and is only added again is not moved between registers.
@@ -110,7 +112,7 @@ impl<F: Real, V: Block<F>, const N: usize> Block<Dual<F, N>> for Dual<V, N, true
 
 /// As many numbers with one derivative each as a vector has lanes, as they are in memory.
 #[inline(always)]
-fn pairs<F: Real, V: Block<F>, const N: usize>(from: &[Dual<F, N>]) -> [V; 2] {
+fn pairs<F: Real, V: Block<F>, const N: usize, const SENSITIVE: bool>(from: &[Dual<F, N, false, SENSITIVE>]) -> [V; 2] {
     let mut numbers = [from[0].value; 2 * WIDEST];
     for lane in 0..V::WIDTH {
         numbers[2 * lane] = from[lane].value;
@@ -121,7 +123,10 @@ fn pairs<F: Real, V: Block<F>, const N: usize>(from: &[Dual<F, N>]) -> [V; 2] {
 
 /// Writes such pairs where they were.
 #[inline(always)]
-fn write_pairs<F: Real, V: Block<F>, const N: usize>([first, second]: [V; 2], to: &mut [Dual<F, N>]) {
+fn write_pairs<F: Real, V: Block<F>, const N: usize, const SENSITIVE: bool>(
+    [first, second]: [V; 2],
+    to: &mut [Dual<F, N, false, SENSITIVE>],
+) {
     let mut numbers = [to[0].value; 2 * WIDEST];
     first.write(&mut numbers);
     second.write(&mut numbers[V::WIDTH..]);
@@ -131,11 +136,13 @@ fn write_pairs<F: Real, V: Block<F>, const N: usize>([first, second]: [V; 2], to
     }
 }
 
-impl<F: Real, V: Row<F>, const N: usize> Row<Dual<F, N>> for Dual<V, N, true> {
+impl<F: Real, V: Row<F>, const N: usize, const SENSITIVE: bool> Row<Dual<F, N, false, SENSITIVE>>
+    for Dual<V, N, true, SENSITIVE>
+{
     const UNROLLED: bool = V::UNROLLED;
 
     #[inline(always)]
-    fn splat(x: Dual<F, N>) -> Self {
+    fn splat(x: Dual<F, N, false, SENSITIVE>) -> Self {
         dual!(V::splat(x.value), direction => V::splat(x.along[direction]))
     }
     #[inline(always)]
@@ -143,8 +150,8 @@ impl<F: Real, V: Row<F>, const N: usize> Row<Dual<F, N>> for Dual<V, N, true> {
         dual!(self.value.rotate::<BODIES>(by), direction => self.along[direction].rotate::<BODIES>(by))
     }
     #[inline(always)]
-    fn read(from: &[Dual<F, N>]) -> Self {
-        let of = |part: &dyn Fn(&Dual<F, N>) -> F| {
+    fn read(from: &[Dual<F, N, false, SENSITIVE>]) -> Self {
+        let of = |part: &dyn Fn(&Dual<F, N, false, SENSITIVE>) -> F| {
             let mut numbers = [part(&from[0]); WIDEST];
             for (number, dual) in numbers.iter_mut().zip(&from[..V::LANES / F::LANES]) {
                 *number = part(dual);
@@ -154,7 +161,7 @@ impl<F: Real, V: Row<F>, const N: usize> Row<Dual<F, N>> for Dual<V, N, true> {
         dual!(of(&|dual| dual.value), direction => of(&|dual| dual.along[direction]))
     }
     #[inline(always)]
-    fn write(self, to: &mut [Dual<F, N>]) {
+    fn write(self, to: &mut [Dual<F, N, false, SENSITIVE>]) {
         let to = &mut to[..V::LANES / F::LANES];
         let mut numbers = [F::of(0.0); WIDEST];
         self.value.write(&mut numbers);
@@ -173,7 +180,12 @@ impl<F: Real, V: Row<F>, const N: usize> Row<Dual<F, N>> for Dual<V, N, true> {
         dual!(self.value.permute(indices), direction => self.along[direction].permute(indices))
     }
     #[inline(always)]
-    fn transposed(points: &[[Dual<F, N>; 4]], indices: &[u32; 8], stride: usize, offset: usize) -> [Self; 4] {
+    fn transposed(
+        points: &[[Dual<F, N, false, SENSITIVE>; 4]],
+        indices: &[u32; 8],
+        stride: usize,
+        offset: usize,
+    ) -> [Self; 4] {
         let mut numbers = [[Dual::of(0.0); 8]; 4];
         for (lane, index) in indices.iter().enumerate() {
             let point = points[*index as usize * stride + offset];

@@ -239,7 +239,7 @@ impl<C: Coords> Run<C> {
             system,
             composition,
             unfinished.clone(),
-            &[],
+            (&[], Vec::new()),
             clock,
             opened,
         )?;

@@ -8,11 +8,15 @@ use crate::{
             expression::Printer,
             fields::{Content, Fields},
             frame::Frame,
+            function::Body,
             names::Names,
         },
         prose::{self, Formulas},
     },
-    graph::index::{Index, IndexId, LoopId, LoopSet},
+    graph::{
+        NodeId,
+        index::{Index, IndexId, LoopId, LoopSet},
+    },
     lower::lower,
     model::{Length, Model},
     program::Program,
@@ -26,6 +30,8 @@ pub(crate) struct Constants {
     fields: TokenStream,
     gathered: TokenStream,
     values: TokenStream,
+    /// Their derivatives by each of the parameters that are asked for, and those by no parameter behind these.
+    slopes: Vec<TokenStream>,
     /// What two members that share lanes have in common, as conditions on `a` and `b`.
     common: Vec<TokenStream>,
     /// The search for a number that is not finite in each field of a `single`.
@@ -44,17 +50,14 @@ impl Constants {
         let (fields, names) = (std::mem::take(&mut emitter.fields), emitter.names);
         let mut prepared =
             Self { pieces: Pieces::of(&fields, emitter.model.jacobi.is_some(), names), ..Self::default() };
+        if let asked @ 1.. = emitter.model.sensitive.len() {
+            prepared.slopes = vec![TokenStream::new(); asked + 1];
+        }
         let scalar = &names.scalar;
         for (content, name) in fields.into_contents() {
             let table = Table::of(emitter.model, names, content);
             let (kind, value) = match content {
-                Content::Number(id) => {
-                    let lowered = lower(&mut emitter.model.graph, &[id], |_, _| false)[0];
-                    let body = emitter.value(&Frame::System, lowered);
-                    let lines = body.tokens;
-                    let body = if body.program.items.len() > 1 { quote!({ #lines }) } else { lines };
-                    (scalar.to_token_stream(), body)
-                }
+                Content::Number(id) => (scalar.to_token_stream(), prepared_number(&mut emitter, id)),
                 Content::Integer(id) => {
                     let text = &emitter.model.parameters[id.0 as usize].text;
                     (quote!(usize), quote!(#text))
@@ -94,6 +97,10 @@ impl Constants {
             };
             let documentation = prose::documentation(emitter.model, content.node());
             let kind = table.kind(kind, names);
+            for (number, slopes) in prepared.slopes.iter_mut().enumerate() {
+                let slope = table.prepared(slope(&mut emitter, content, number, &value), content, names);
+                slopes.extend(quote!(#name: #slope,));
+            }
             let value = table.prepared(value, content, names);
             prepared.common.extend(match (content, table.levels.first()) {
                 (Content::Integer(_), _) => Some(quote!(a.#name == b.#name)),
@@ -127,6 +134,27 @@ impl Constants {
     pub(crate) fn prepare(&self, names: &Names) -> TokenStream {
         let (parameters, values) = (&names.parameters, &self.values);
         if values.is_empty() { quote!(#parameters) } else { quote!(#parameters { #values }) }
+    }
+
+    /// What the runtime is told of their derivatives, where these are asked for.
+    pub(crate) fn sensitive(&self, parameters: &[Ident], names: &Names) -> Option<TokenStream> {
+        let (by_none, by_each) = self.slopes.split_last()?;
+        let made = |values: &TokenStream| {
+            let parameters = &names.parameters;
+            if values.is_empty() { quote!(#parameters) } else { quote!(#parameters { #values }) }
+        };
+        let arms = by_each.iter().enumerate().map(|(number, slopes)| {
+            let (number, slopes) = (Literal::usize_unsuffixed(number), made(slopes));
+            quote!(#number => #slopes,)
+        });
+        let by_none = made(by_none);
+        let body = Body::new(quote!(match parameter { #(#arms)* _ => #by_none }));
+        let (length, body, single) = (body.argument("length"), &body.0, self.kind(&quote!(f64), names));
+        let parameters = parameters.iter().map(ToString::to_string);
+        Some(quote! {
+            const SENSITIVE: &'static [&'static str] = &[#(#parameters),*];
+            fn slopes(&self, #length: usize, parameter: usize) -> #single { #body }
+        })
     }
 
     /// Their struct, and what the runtime asks of it.
@@ -176,6 +204,30 @@ impl Constants {
                 #set
             }
         }
+    }
+}
+
+/// The expression of a number that is made of parameters alone.
+fn prepared_number(emitter: &mut Emitter<'_>, id: NodeId) -> TokenStream {
+    let lowered = lower(&mut emitter.model.graph, &[id], |_, _| false)[0];
+    let body = emitter.value(&Frame::System, lowered);
+    let lines = body.tokens;
+    if body.program.items.len() > 1 { quote!({ #lines }) } else { lines }
+}
+
+/// The derivative of a prepared constant by one of the parameters that are asked for, by its number, or by none; what is no
+/// number of its own stays what it is.
+fn slope(emitter: &mut Emitter<'_>, content: Content, parameter: usize, value: &TokenStream) -> TokenStream {
+    match content {
+        Content::Number(id) => match emitter.model.sensitive.get(parameter).copied() {
+            Some(parameter) => {
+                let slope = emitter.model.graph.by_parameter(id, parameter);
+                prepared_number(emitter, slope)
+            }
+            None => quote!(0.0),
+        },
+        Content::Flag(_) | Content::Middle => quote!(0.0),
+        Content::Integer(_) | Content::External(_) | Content::OwnFlow(_) => value.clone(),
     }
 }
 

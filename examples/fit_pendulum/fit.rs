@@ -1,0 +1,111 @@
+//! A pendulum, a series of its angle, and the fit of one to the other.
+
+use crate::normal::normal;
+use integrator_core::prelude::*;
+use nalgebra::{Matrix3, Vector3};
+use std::f64::consts::TAU;
+
+const GRAVITY: f64 = 9.81;
+/// Steps between looks; the angle is seen every tenth of a second.
+const LOOK: u64 = 2;
+const STEP: f64 = 0.05;
+/// As many iterations are enough for any guess that leads anywhere.
+const MOST: usize = 50;
+/// What a look is off by, in radians.
+pub(crate) const NOISE: f64 = 0.02;
+
+/// A pendulum with a mass of one.
+pub(crate) struct Pendulum {
+    length: f64,
+}
+
+#[hamiltonian(sensitive(length))]
+impl Pendulum {
+    fn kinetic(&self, p: [f64; 1]) -> f64 {
+        p[0] * p[0] / (2.0 * self.length.powi(2))
+    }
+    fn potential(&self, q: [f64; 1]) -> f64 {
+        -GRAVITY * self.length * q[0].cos()
+    }
+}
+
+/// What is not known of the pendulum: its length, and the angle and angular momentum with which it begins.
+pub(crate) type Unknown = Vector3<f64>;
+
+/// The angles of a pendulum, each off by a normal random number.
+pub(crate) fn series(truth: Unknown, looks: usize, random: &mut fastrand::Rng) -> Result<Vec<f64>, Error> {
+    let run = Pendulum { length: truth[0] }.run_with(BlanesMoanSrkn11, start(truth), STEP)?;
+    run.samples(LOOK).take(looks).map(|sample| Ok(sample?.state.q[0] + NOISE * normal(random))).collect()
+}
+
+fn start(unknown: Unknown) -> Phase<[f64; 1]> {
+    Phase::new([unknown[1]], [unknown[2]])
+}
+
+/// The pendulum that a series says.
+pub(crate) struct Fit {
+    pub(crate) unknown: Unknown,
+    /// The covariance of these numbers.
+    pub(crate) covariance: Matrix3<f64>,
+    /// The root of the mean square of what the series is off by.
+    pub(crate) residual: f64,
+    pub(crate) iterations: usize,
+}
+
+impl Fit {
+    /// The length and its standard error.
+    pub(crate) fn length(&self) -> (f64, f64) {
+        (self.unknown[0], self.covariance[(0, 0)].sqrt())
+    }
+
+    /// The period of small swings, 2π √(l/g), and its standard error.
+    pub(crate) fn small_period(&self) -> (f64, f64) {
+        let (length, error) = self.length();
+        let period = TAU * (length / GRAVITY).sqrt();
+        (period, period * error / (2.0 * length))
+    }
+}
+
+/// Least squares by Gauss and Newton: the angle at each look is a function of what is not known, whose derivatives run along
+/// with it.
+pub(crate) fn fit(series: &[f64], guess: Unknown) -> Result<Fit, Error> {
+    let (mut unknown, mut iterations) = (guess, 0);
+    loop {
+        iterations += 1;
+        let Equations { normal, right, residual } = equations(series, unknown)?;
+        // Angles at three times tell all three numbers, so that only a pendulum at rest has no inverse.
+        let covariance = normal.try_inverse().unwrap_or_default();
+        let change = covariance * right;
+        unknown += change;
+        // A change that is this small against the error of a number does not count.
+        let counts = (0..3).any(|i| change[i].abs() > 1e-6 * NOISE * covariance[(i, i)].sqrt());
+        if !counts || iterations == MOST {
+            return Ok(Fit { unknown, covariance: covariance * NOISE * NOISE, residual, iterations });
+        }
+    }
+}
+
+/// The normal equations of a linear fit about some numbers.
+struct Equations {
+    normal: Matrix3<f64>,
+    right: Vector3<f64>,
+    residual: f64,
+}
+
+fn equations(series: &[f64], unknown: Unknown) -> Result<Equations, Error> {
+    let (system, unit) = (Pendulum { length: unknown[0] }, [Phase::new([1.0], [0.0]), Phase::new([0.0], [1.0])]);
+    let mut tangent = system.sensitivities(BlanesMoanSrkn11, start(unknown), unit, STEP)?;
+    let (mut normal, mut right, mut squares) = (Matrix3::zeros(), Vector3::zeros(), 0.0);
+    for seen in series {
+        let [by_angle, by_momentum, by_length] = tangent.vectors()[..] else {
+            unreachable!("two vectors and a parameter")
+        };
+        let slopes = Vector3::new(by_length.q[0], by_angle.q[0], by_momentum.q[0]);
+        let off = seen - tangent.state().q[0];
+        normal += slopes * slopes.transpose();
+        right += slopes * off;
+        squares += off * off;
+        tangent.advance(LOOK)?;
+    }
+    Ok(Equations { normal, right, residual: (squares / series.len() as f64).sqrt() })
+}

@@ -1,0 +1,69 @@
+//! What the end of a trajectory depends on: its derivatives by parameters of the system, beside those by the start.
+
+use crate::{
+    error::Error,
+    hamiltonian::{Hamiltonian, Shaped},
+    state::{coords::Coords, phase::Phase, precision::Precision},
+    trajectory::{method::Memoryless, tangent::Tangent},
+};
+use alloc::vec::Vec;
+use core::ops::Range;
+
+/// A Hamiltonian whose steps have derivatives by parameters that its annotation names. Written by `#[hamiltonian]`.
+#[diagnostic::on_unimplemented(
+    message = "no parameter of `{Self}` is named that derivatives are taken by",
+    label = "the annotation names no parameters",
+    note = "name fields of `{Self}` that are numbers: `#[hamiltonian(sensitive(mass, length))]`"
+)]
+pub trait Sensitive: Hamiltonian {
+    /// The names of these parameters, as the annotation has them.
+    const SENSITIVE: &'static [&'static str];
+
+    /// The derivatives of the prepared constants by one of these parameters; zeros, where there is no such parameter.
+    fn slopes(&self, length: usize, parameter: usize) -> Self::Parameters<f64>;
+
+    /// A run from `start` with step `h`, beside it the derivatives of its state: along `vectors` at the start, of which
+    /// there may be none, and behind these by each of the parameters, in the order of [`Sensitive::SENSITIVE`].
+    ///
+    /// All are [vectors](Tangent::vectors) of one tangent. They are exact derivatives of the steps that are taken, whose
+    /// start does not depend on the parameters.
+    ///
+    /// ```
+    /// use integrator_core::prelude::*;
+    ///
+    /// struct Oscillator {
+    ///     stiffness: f64,
+    /// }
+    ///
+    /// #[hamiltonian(sensitive(stiffness), compose = Yoshida4)]
+    /// impl Oscillator {
+    ///     fn kinetic(&self, p: [f64; 1]) -> f64 { p[0] * p[0] / 2.0 }
+    ///     fn potential(&self, q: [f64; 1]) -> f64 { self.stiffness * q[0] * q[0] / 2.0 }
+    /// }
+    ///
+    /// let oscillator = Oscillator { stiffness: 1.0 };
+    /// let mut tangent = oscillator.sensitivities(Yoshida4, Phase::new([1.0], [0.0]), [], 0.01)?;
+    /// tangent.advance(100)?;
+    /// // q = cos(t √k), whose derivative by k is -sin(t) t / 2 at k = 1.
+    /// assert!((tangent.vectors()[0].q[0] + 1.0_f64.sin() / 2.0).abs() < 1e-8);
+    /// # Ok::<(), Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// As [`Hamiltonian::tangent`].
+    fn sensitivities<K: Precision, X: Memoryless<Self>>(
+        &self,
+        method: X,
+        start: Phase<Shaped<Self, K>>,
+        vectors: impl IntoIterator<Item = Phase<Shaped<Self, K>>>,
+        h: f64,
+    ) -> Result<Tangent<Shaped<Self, K>>, Error> {
+        let vectors: Vec<_> = vectors.into_iter().collect();
+        let (length, first) = (start.q.length(), vectors.len());
+        let parameters = Self::SENSITIVE.len();
+        // Vectors at the start, and those that fill up a register, leave parameters as they are.
+        let slopes = |vector: usize| self.slopes(length, vector.checked_sub(first).unwrap_or(parameters));
+        let slopes = |vectors: Range<usize>| vectors.map(slopes).collect();
+        Tangent::along::<Self, X, K, true>(self, method, start, vectors, parameters, slopes, h)
+    }
+}

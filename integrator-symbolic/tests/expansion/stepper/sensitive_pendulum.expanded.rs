@@ -1,0 +1,374 @@
+#[allow(warnings, clippy::all, clippy::pedantic, reason = "generated")]
+const _: () = {
+    use ::integrator_core::__private::{self as runtime, Mask as _, Slot as _};
+    /// What depends on parameters alone, evaluated once per run.
+    #[derive(::core::clone::Clone)]
+    pub struct Parameters<Scalar> {
+        /// `1 / (mass length^2)`
+        prepared_0: Scalar,
+        /// `k overtones[k] sqrt(length + k)`
+        prepared_1: runtime::Vec<Scalar>,
+        prepared_2: usize,
+        /// `mass gravity length`
+        prepared_3: Scalar,
+        /// `k^2 overtones[k] sqrt(length + k)`
+        prepared_4: runtime::Vec<Scalar>,
+        /// `1 / (2 mass length^2)`
+        prepared_5: Scalar,
+        /// `overtones[k] sqrt(length + k)`
+        prepared_6: runtime::Vec<Scalar>,
+    }
+    impl<Scalar: runtime::Real> runtime::Prepared<Scalar> for Parameters<Scalar> {
+        type Single = Parameters<f64>;
+        #[inline(always)]
+        fn gather(members: &[&Self::Single]) -> Self {
+            Parameters {
+                prepared_0: runtime::in_lanes(members, |member| &member.prepared_0),
+                prepared_1: runtime::in_lanes(members, |member| &member.prepared_1),
+                prepared_2: ::core::clone::Clone::clone(&members[0].prepared_2),
+                prepared_3: runtime::in_lanes(members, |member| &member.prepared_3),
+                prepared_4: runtime::in_lanes(members, |member| &member.prepared_4),
+                prepared_5: runtime::in_lanes(members, |member| &member.prepared_5),
+                prepared_6: runtime::in_lanes(members, |member| &member.prepared_6),
+            }
+        }
+        #[inline]
+        fn alike(a: &Self::Single, b: &Self::Single) -> bool {
+            a.prepared_1.len() == b.prepared_1.len() && a.prepared_2 == b.prepared_2
+                && a.prepared_4.len() == b.prepared_4.len()
+                && a.prepared_6.len() == b.prepared_6.len()
+        }
+        fn not_finite(single: &Self::Single) -> runtime::Vec<runtime::NotFinite> {
+            runtime::all_found([
+                runtime::not_finite("1 / (mass length^2)", &[], &single.prepared_0),
+                runtime::not_finite(
+                    "k overtones[k] sqrt(length + k)",
+                    &["k"],
+                    &single.prepared_1,
+                ),
+                runtime::not_finite("mass gravity length", &[], &single.prepared_3),
+                runtime::not_finite(
+                    "k^2 overtones[k] sqrt(length + k)",
+                    &["k"],
+                    &single.prepared_4,
+                ),
+                runtime::not_finite("1 / (2 mass length^2)", &[], &single.prepared_5),
+                runtime::not_finite(
+                    "overtones[k] sqrt(length + k)",
+                    &["k"],
+                    &single.prepared_6,
+                ),
+            ])
+        }
+        fn digest(single: &Self::Single, digest: &mut runtime::Digest) {
+            digest.add(&single.prepared_0);
+            digest.add(&single.prepared_1);
+            digest.add(&single.prepared_2);
+            digest.add(&single.prepared_3);
+            digest.add(&single.prepared_4);
+            digest.add(&single.prepared_5);
+            digest.add(&single.prepared_6);
+        }
+    }
+    /// The equations of motion, derived from `kinetic` and `potential`:
+    ///
+    /// ```text
+    /// dq[0]/dt = p[0] / (mass length^2)
+    /// dp[0]/dt = Σ_{k in 0..overtones.len()} k overtones[k] sin(k q[0]) sqrt(length + k) - mass gravity length sin(q[0])
+    /// ```
+    ///
+    /// `T` is quadratic in the momenta, with a constant mass matrix.
+    #[automatically_derived]
+    impl runtime::Hamiltonian for Pendulum {
+        type Coords = [f64; 1];
+        type Compose = runtime::Verlet;
+        type Parameters<Scalar: runtime::Real> = Parameters<Scalar>;
+        type Motion<Scalar: runtime::Real, Leaf: runtime::Precision> = runtime::Plain<
+            Scalar,
+            runtime::Shaped<Self, Leaf>,
+            Parameters<Scalar>,
+        >;
+        const AUTONOMOUS: bool = true;
+        const FINGERPRINT: u64 = 1512846809782923973;
+        fn parameters(&self, length: usize) -> Parameters<f64> {
+            Parameters {
+                prepared_0: 2.0 / (2.0 * self.mass * (self.length * self.length)),
+                prepared_1: runtime::table(
+                    (self.overtones.len()),
+                    &|k: usize| {
+                        (k as f64) * self.overtones[k]
+                            * (self.length + (k as f64)).sqrt()
+                    },
+                ),
+                prepared_2: self.overtones.len(),
+                prepared_3: self.mass * self.gravity * self.length,
+                prepared_4: runtime::table(
+                    (self.overtones.len()),
+                    &|k: usize| {
+                        (k as f64) * (k as f64) * self.overtones[k]
+                            * (self.length + (k as f64)).sqrt()
+                    },
+                ),
+                prepared_5: 1.0 / (2.0 * self.mass * (self.length * self.length)),
+                prepared_6: runtime::table(
+                    (self.overtones.len()),
+                    &|k: usize| self.overtones[k] * (self.length + (k as f64)).sqrt(),
+                ),
+            }
+        }
+        #[inline(always)]
+        fn drift<Scalar: runtime::Real, Leaf: runtime::Precision>(
+            motion: &mut Self::Motion<Scalar, Leaf>,
+            duration: f64,
+            _time: f64,
+        ) {
+            let step = Scalar::of(duration);
+            motion.q[0].fma(step * motion.parameters.prepared_0, motion.p[0].value());
+        }
+        #[inline(always)]
+        fn kick<Scalar: runtime::Real, Leaf: runtime::Precision>(
+            motion: &mut Self::Motion<Scalar, Leaf>,
+            duration: f64,
+            _time: f64,
+        ) {
+            let step = Scalar::of(-duration);
+            let q0 = motion.q[0].value();
+            let mut sum_0 = Scalar::of(0.0);
+            for k in 0..motion.parameters.prepared_2 {
+                sum_0 = motion
+                    .parameters
+                    .prepared_1[k]
+                    .fma((Scalar::of(k as f64) * q0).sin(), sum_0);
+            }
+            motion.p[0].fma(step, motion.parameters.prepared_3.fma(q0.sin(), -sum_0));
+        }
+        #[inline(always)]
+        fn kinetic<Scalar: runtime::Real, Leaf: runtime::Precision>(
+            motion: &Self::Motion<Scalar, Leaf>,
+            _time: f64,
+        ) -> Scalar {
+            let p0 = motion.p[0].value();
+            motion.parameters.prepared_5 * (p0 * p0)
+        }
+        #[inline(always)]
+        fn potential<Scalar: runtime::Real, Leaf: runtime::Precision>(
+            motion: &Self::Motion<Scalar, Leaf>,
+            _time: f64,
+        ) -> Scalar {
+            let q0 = motion.q[0].value();
+            let mut sum_0 = Scalar::of(0.0);
+            for k in 0..motion.parameters.prepared_2 {
+                sum_0 = motion
+                    .parameters
+                    .prepared_6[k]
+                    .fma((Scalar::of(k as f64) * q0).cos(), sum_0);
+            }
+            (-motion.parameters.prepared_3).fma(q0.cos(), sum_0)
+        }
+        fn stated(
+            &self,
+            q: &Self::Coords,
+            p: &Self::Coords,
+            time: f64,
+        ) -> runtime::StatedEnergy {
+            runtime::StatedEnergy::Separate {
+                kinetic: Self::kinetic(self, *p),
+                potential: Self::potential(self, *q),
+            }
+        }
+        fn visit_compositions(visitor: &mut impl runtime::Visitor<Self>) {
+            runtime::visit_quadratic(visitor);
+        }
+    }
+    #[automatically_derived]
+    impl runtime::QuadraticKinetic for Pendulum {
+        #[inline(always)]
+        fn hessian<Scalar: runtime::Real>(
+            motion: &mut Self::Motion<Scalar, f64>,
+            _time: f64,
+        ) {
+            let mut gradient = [Scalar::of(0.0); 1];
+            let p0 = motion.p[0].value();
+            let q0 = motion.q[0].value();
+            let mut sum_0 = Scalar::of(0.0);
+            for k in 0..motion.parameters.prepared_2 {
+                sum_0 = (motion.parameters.prepared_4[k] * p0)
+                    .fma((Scalar::of(k as f64) * q0).cos(), sum_0);
+            }
+            gradient[0] += (motion.parameters.prepared_3 * p0).fma(q0.cos(), -sum_0);
+            for i in 0..1 {
+                motion.p[i] = gradient[i];
+            }
+        }
+        #[inline(always)]
+        fn gradient_kick<Scalar: runtime::Real, Leaf: runtime::Precision>(
+            motion: &mut Self::Motion<Scalar, Leaf>,
+            duration: f64,
+            gradient: f64,
+            time: f64,
+        ) {
+            let mut force = motion.at_rest();
+            <Self as runtime::Hamiltonian>::kick::<Scalar, f64>(&mut force, -1.0, time);
+            motion.push(Scalar::of(-duration), &force);
+            let mut bent = motion.at_rest();
+            ::core::mem::swap(&mut force.q, &mut bent.p);
+            <Self as runtime::Hamiltonian>::drift::<Scalar, f64>(&mut force, 1.0, time);
+            bent.p = force.q;
+            <Self as runtime::QuadraticKinetic>::hessian::<Scalar>(&mut bent, time);
+            motion.push(Scalar::of(-2.0 * gradient), &bent);
+        }
+    }
+    #[automatically_derived]
+    impl runtime::TimeTransformed for Pendulum {
+        #[inline(always)]
+        fn kinetic_plus<Scalar: runtime::Real, Leaf: runtime::Precision>(
+            motion: &runtime::PlainMotion<Self, Scalar, Leaf>,
+            more: Scalar,
+        ) -> Scalar {
+            let time = more;
+            let p0 = motion.p[0].value();
+            motion.parameters.prepared_5.fma(p0 * p0, time)
+        }
+        #[inline(always)]
+        fn potential_of<Scalar: runtime::Real, Leaf: runtime::Precision>(
+            motion: &runtime::PlainMotion<Self, Scalar, Leaf>,
+        ) -> Scalar {
+            <Self as runtime::Hamiltonian>::potential::<Scalar, Leaf>(motion, 0.0)
+        }
+        #[inline(always)]
+        fn kick_for<Scalar: runtime::Real, Leaf: runtime::Precision>(
+            motion: &mut runtime::PlainMotion<Self, Scalar, Leaf>,
+            duration: Scalar,
+        ) {
+            let mut force = motion.at_rest();
+            <Self as runtime::Hamiltonian>::kick::<Scalar, f64>(&mut force, 1.0, 0.0);
+            motion.push(duration, &force);
+        }
+        #[inline(always)]
+        fn drift_for<Scalar: runtime::Real, Leaf: runtime::Precision>(
+            motion: &mut runtime::PlainMotion<Self, Scalar, Leaf>,
+            duration: Scalar,
+        ) {
+            let step = duration;
+            motion.q[0].fma(step * motion.parameters.prepared_0, motion.p[0].value());
+        }
+        #[inline(always)]
+        fn logarithmic_kick<Scalar: runtime::Real, Leaf: runtime::Precision>(
+            motion: &mut runtime::PlainMotion<Self, Scalar, Leaf>,
+            duration: Scalar,
+        ) {
+            let step = -duration;
+            let q0 = motion.q[0].value();
+            let (shared_2, shared_0) = q0.sin_cos();
+            let mut sum_0 = Scalar::of(0.0);
+            for k in 0..motion.parameters.prepared_2 {
+                let shared_1 = Scalar::of(k as f64) * q0;
+                sum_0 = motion.parameters.prepared_6[k].fma(shared_1.cos(), sum_0);
+            }
+            let shared_3 = Scalar::of(1.0)
+                / (-motion.parameters.prepared_3).fma(shared_0, sum_0);
+            let mut sum_1 = Scalar::of(0.0);
+            for k in 0..motion.parameters.prepared_2 {
+                let shared_1 = Scalar::of(k as f64) * q0;
+                sum_1 = (motion.parameters.prepared_1[k] * shared_3)
+                    .fma(shared_1.sin(), sum_1);
+            }
+            motion
+                .p[0]
+                .fma(
+                    step,
+                    (-(motion.parameters.prepared_3 * shared_3)).fma(shared_2, sum_1),
+                );
+        }
+    }
+    #[automatically_derived]
+    impl runtime::Sensitive for Pendulum {
+        const SENSITIVE: &'static [&'static str] = &["mass", "length"];
+        fn slopes(&self, length: usize, parameter: usize) -> Parameters<f64> {
+            match parameter {
+                0 => {
+                    Parameters {
+                        prepared_0: {
+                            let shared_0 = self.length * self.length;
+                            let shared_1 = 2.0 * self.mass * shared_0;
+                            -(4.0 / (shared_1 * shared_1) * shared_0)
+                        },
+                        prepared_1: runtime::table(
+                            (self.overtones.len()),
+                            &|k: usize| 0.0,
+                        ),
+                        prepared_2: self.overtones.len(),
+                        prepared_3: self.gravity * self.length,
+                        prepared_4: runtime::table(
+                            (self.overtones.len()),
+                            &|k: usize| 0.0,
+                        ),
+                        prepared_5: {
+                            let shared_0 = self.length * self.length;
+                            let shared_1 = 2.0 * self.mass * shared_0;
+                            -(2.0 / (shared_1 * shared_1) * shared_0)
+                        },
+                        prepared_6: runtime::table(
+                            (self.overtones.len()),
+                            &|k: usize| 0.0,
+                        ),
+                    }
+                }
+                1 => {
+                    Parameters {
+                        prepared_0: {
+                            let shared_0 = 2.0 * self.mass * (self.length * self.length);
+                            -(8.0 / (shared_0 * shared_0) * (self.length * self.mass))
+                        },
+                        prepared_1: runtime::table(
+                            (self.overtones.len()),
+                            &|k: usize| {
+                                0.5 / (self.length + (k as f64)).sqrt()
+                                    * ((k as f64) * self.overtones[k])
+                            },
+                        ),
+                        prepared_2: self.overtones.len(),
+                        prepared_3: self.mass * self.gravity,
+                        prepared_4: runtime::table(
+                            (self.overtones.len()),
+                            &|k: usize| {
+                                0.5 / (self.length + (k as f64)).sqrt()
+                                    * ((k as f64) * (k as f64) * self.overtones[k])
+                            },
+                        ),
+                        prepared_5: {
+                            let shared_0 = 2.0 * self.mass * (self.length * self.length);
+                            -(4.0 / (shared_0 * shared_0) * (self.length * self.mass))
+                        },
+                        prepared_6: runtime::table(
+                            (self.overtones.len()),
+                            &|k: usize| {
+                                0.5 / (self.length + (k as f64)).sqrt() * self.overtones[k]
+                            },
+                        ),
+                    }
+                }
+                _ => {
+                    Parameters {
+                        prepared_0: 0.0,
+                        prepared_1: runtime::table(
+                            (self.overtones.len()),
+                            &|k: usize| 0.0,
+                        ),
+                        prepared_2: self.overtones.len(),
+                        prepared_3: 0.0,
+                        prepared_4: runtime::table(
+                            (self.overtones.len()),
+                            &|k: usize| 0.0,
+                        ),
+                        prepared_5: 0.0,
+                        prepared_6: runtime::table(
+                            (self.overtones.len()),
+                            &|k: usize| 0.0,
+                        ),
+                    }
+                }
+            }
+        }
+    }
+};

@@ -1,0 +1,137 @@
+//! Messages about parameters that derivatives are taken by.
+
+use crate::{Row, check};
+
+const KINETIC: &str = "fn kinetic(&self, p: [f64; 1]) -> f64 { p[0] * p[0] / (2.0 * self.mass) }";
+
+/// Annotations, where the potential reads `self.mass`, `self.length` and `self.list`.
+const ANNOTATIONS: &[Row] = &[
+    ("sensitive(mass, length)", &[]),
+    ("sensitive(mass,)", &[]),
+    ("sensitive", &["1:0 fields of the system that are numbers stand in parentheses, as in `sensitive(mass, length)`"]),
+    (
+        "sensitive()",
+        &["1:0 fields of the system that are numbers stand in parentheses, as in `sensitive(mass, length)`"],
+    ),
+    (
+        "sensitive(self.mass)",
+        &["1:10 fields of the system that are numbers stand in parentheses, as in `sensitive(mass, length)`"],
+    ),
+    ("sensitive(mass, mass)", &["1:16 `mass` is named twice"]),
+    ("sensitive(mass), sensitive(length)", &["1:17 `sensitive` is given twice"]),
+    ("sensitive(weight)", &["1:10 H does not read `self.weight`, so that nothing depends on it: leave it out"]),
+    (
+        "sensitive(list)",
+        &["2:130 derivatives are taken by single numbers, and `list` is a list: name fields that are one number each"],
+    ),
+    (
+        "sensitive(mass), split = symmetric(omega = 20.0)",
+        &[
+            "1:10 two coupled copies of the state have no tangent map: leave H in one piece, `split = none`, and compose it by `GaussLegendre4`, or leave out `sensitive`",
+        ],
+    ),
+];
+
+/// What the potential is made of, with `sensitive(length)`.
+const BODIES: &[Row] = &[
+    ("self.length.powi(2) * self.helped() * q[0].cos()", &[]),
+    ("let Self { length, .. } = self; (if *length > 1.0 { *length } else { 1.0 }) * q[0].cos()", &[]),
+    ("Self::other(self.length) * q[0].cos()", &[]),
+    (
+        "(match self.length as u32 { 0 => 1.0, _ => 2.0 }) * q[0].cos()",
+        &[
+            "2:12 `length` is read here by what has no derivative: derivatives by parameters follow arithmetic, methods of `f64`, `let`, `if` and helper methods of this impl, and one number each",
+        ],
+    ),
+    (
+        "f64::from(self.count(self.length as usize)) * q[0].cos()",
+        &["2:21 a number cannot be cast here: energies are computed in f64"],
+    ),
+    (
+        "self.elsewhere() * q[0].cos()",
+        &[
+            "2:5 whether this reads `self.length` is not known, and derivatives are taken by that: give it the fields that it needs, or move it into this impl as a helper method",
+        ],
+    ),
+    (
+        "outside(self) * q[0].cos()",
+        &[
+            "2:8 whether this reads `self.length` is not known, and derivatives are taken by that: give it the fields that it needs, or move it into this impl as a helper method",
+        ],
+    ),
+    ("self.counted() * q[0].cos() * self.length", &[]),
+    (
+        "self.length[0] * q[0].cos()",
+        &["2:0 derivatives are taken by single numbers, and `length` is a list: name fields that are one number each"],
+    ),
+    (
+        "self.well(q[0]) * self.length",
+        &[
+            "4:24 `well` is called as it is, so that its derivatives by parameters that it reads are not known: give it what it reads as an argument",
+            "4:80 `slope` is called as it is, so that its derivatives by parameters that it reads are not known: give it what it reads as an argument",
+        ],
+    ),
+];
+
+/// Parts of which some are solved.
+const PARTS: &[Row] = &[
+    (
+        "fn hamiltonian(&self, [q]: [f64; 1], [p]: [f64; 1]) -> f64 { (p * p + self.length * q * q) / 2.0 + q * q * q }",
+        &[
+            "1:36 the flow of `quadratic` is solved with `self.length`, by which it has no derivative here: split H into T(p) and V(q), or leave it in one piece, `split = none`",
+        ],
+    ),
+    (
+        "fn hamiltonian(&self, [q]: [f64; 1], [p]: [f64; 1]) -> f64 { (p * p + q * q) / 2.0 + self.length * q * q * q }",
+        &[],
+    ),
+];
+
+#[test]
+fn annotations_with_parameters() {
+    check(ANNOTATIONS, |text| {
+        let functions = match text.contains("split") {
+            true => "fn hamiltonian(&self, q: [f64; 1], p: [f64; 1]) -> f64 { p[0] * p[0] * q[0] * q[0] / self.mass }"
+                .to_owned(),
+            false => format!(
+                "{KINETIC} fn potential(&self, q: [f64; 1]) -> f64 {{ self.length * self.list[1] * q[0].cos() }}"
+            ),
+        };
+        (text.to_owned(), format!("impl System {{\n{functions}\n}}"))
+    });
+}
+
+/// The potential begins on line 2.
+#[test]
+fn what_is_made_of_parameters() {
+    check(BODIES, |text| {
+        let item = format!(
+            "impl System {{ {KINETIC} fn potential(&self, q: [f64; 1]) -> f64 {{\n{text}\n}} \
+             fn helped(&self) -> f64 {{ 1.0 / self.length }} fn other(x: f64) -> f64 {{ x * x }} \
+             fn counted(&self) -> f64 {{ self.list.iter().sum::<f64>() }}\n\
+             #[derivative(slope)] fn well(&self, x: f64) -> f64 {{ self.length * x.cos() }} \
+             fn slope(&self, x: f64) -> f64 {{ -self.length * x.sin() }} }}"
+        );
+        ("sensitive(length)".to_owned(), item)
+    });
+}
+
+#[test]
+fn parts_with_parameters() {
+    check(PARTS, |text| {
+        ("split = quadratic + rest, sensitive(length)".to_owned(), format!("impl System {{\n{text}\n}}"))
+    });
+    let functions = "fn kinetic(&self, p: [[f64; 2]; 4]) -> f64 { (0..4).map(|i| (p[i][0].powi(2) + p[i][1].powi(2)) \
+                     / (2.0 * self.mass[i])).sum() } fn potential(&self, q: [[f64; 2]; 4]) -> f64 { let mut v = 0.0; \
+                     for i in 0..4 { for j in 0..i { let [x, y] = [q[i][0] - q[j][0], q[i][1] - q[j][1]]; v -= self.g * \
+                     self.mass[i] * self.mass[j] / (x * x + y * y).sqrt(); } } v }";
+    check(
+        &[(
+            "coordinates = jacobi(self.mass), split = kepler + interaction, sensitive(g)",
+            &[
+                "1:14 Jacobi coordinates are made with the masses, and have no derivatives by parameters: leave out `coordinates` and `split`, or `sensitive`",
+            ],
+        )],
+        |text| (text.to_owned(), format!("impl System {{\n{functions}\n}}")),
+    );
+}
