@@ -150,6 +150,14 @@ pub enum Error {
         /// The time at which it adds nothing.
         time: f64,
     },
+    /// The system has no `#[invariant]` of this name.
+    #[error("the system has no invariant `{name}`: {}", those_known(known))]
+    NoInvariant {
+        /// The name that was asked for.
+        name: String,
+        /// Those that there are.
+        known: &'static [&'static str],
+    },
     /// Samples every 0 steps.
     #[error("samples(0) would stay at one point for ever: ask for a sample every 1 or more steps")]
     SampleInterval,
@@ -396,6 +404,13 @@ impl NotFinite {
     fn place(&self) -> String {
         let each: Vec<String> = self.indices.iter().map(|(name, value)| format!("{name} = {value}")).collect();
         if each.is_empty() { String::new() } else { format!(" for {}", each.join(", ")) }
+    }
+}
+
+fn those_known(known: &[&str]) -> String {
+    match known {
+        [] => "it has none; put `#[invariant]` on a function of its impl that takes q and p".to_owned(),
+        known => format!("it has {}", known.join(", ")),
     }
 }
 

@@ -73,6 +73,8 @@ pub trait Hamiltonian: Sized {
     const WIDE: bool = false;
     /// A fingerprint of the generated flows and energies: another one, and a checkpoint belongs to another motion.
     const FINGERPRINT: u64 = 0;
+    /// The names of the functions that the user says are conserved.
+    const INVARIANTS: &'static [&'static str] = &[];
     /// The stencil radii of the flows of a lattice whose sites can be moved a segment at a time.
     const STENCIL_RADII: Option<StencilRadii> = None;
 
@@ -112,6 +114,16 @@ pub trait Hamiltonian: Sized {
 
     /// The energy by the user's own functions, as they are written: what the generated code is held against.
     fn stated(&self, q: &Self::Coords, p: &Self::Coords, time: f64) -> StatedEnergy;
+
+    /// The value of an invariant, by its place in [`Hamiltonian::INVARIANTS`].
+    fn invariant<R: Real, K: Precision>(_motion: &Self::Motion<R, K>, _number: usize) -> R {
+        R::of(f64::NAN)
+    }
+
+    /// The same by the user's own function, as it is written.
+    fn stated_invariant(&self, _number: usize, _q: &Self::Coords, _p: &Self::Coords) -> f64 {
+        f64::NAN
+    }
 
     /// The sites of a lattice, if it can be moved a segment at a time.
     fn sites<R: Real, K: Precision>(_motion: &mut Self::Motion<R, K>) -> Option<Sites<'_, R, K, Self::Parameters<R>>> {

@@ -115,6 +115,43 @@ use proc_macro::TokenStream;
 /// # }
 /// ```
 ///
+/// # Invariants
+///
+/// `#[invariant]` on a function of `q` and `p` says that the motion conserves it: `run.invariant("angular_momentum")` and
+/// `sample.invariant(..)` tell its value, files of samples have a column of it, and `certify` refuses a system whose `H`
+/// does not conserve it: its Poisson bracket with `H` has to vanish along the orbit. The language is that of `H`.
+///
+/// ```
+/// use integrator_core::prelude::*;
+///
+/// /// A star in a flattened galaxy, of the cylindrical radius R = hypot(x, y).
+/// struct Galaxy {
+///     flattening: f64,
+/// }
+///
+/// #[hamiltonian]
+/// impl Galaxy {
+///     fn kinetic(&self, p: [f64; 3]) -> f64 {
+///         (p[0] * p[0] + p[1] * p[1] + p[2] * p[2]) / 2.0
+///     }
+///     fn potential(&self, [x, y, z]: [f64; 3]) -> f64 {
+///         0.5 * (0.01 + x * x + y * y + (z / self.flattening).powi(2)).ln()
+///     }
+///     #[invariant]
+///     fn about_the_axis(&self, q: [f64; 3], p: [f64; 3]) -> f64 {
+///         q[0] * p[1] - q[1] * p[0]
+///     }
+/// }
+///
+/// # fn main() -> Result<(), Error> {
+/// let galaxy = Galaxy { flattening: 0.8 };
+/// let mut run = galaxy.run(Phase::new([1.0, 0.0, 0.1], [0.0, 0.9, 0.2]), 0.01)?;
+/// run.advance(10_000)?;
+/// assert!((run.invariant("about_the_axis")? - 0.9).abs() < 1e-12);
+/// # Ok(())
+/// # }
+/// ```
+///
 /// # What the functions may contain
 ///
 /// - `+ - * /`, numbers, constants, `let` with shadowing, blocks, tuples and arrays of values;

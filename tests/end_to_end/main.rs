@@ -13,6 +13,7 @@ mod ensemble_times;
 mod external;
 #[path = "../support/instruction_sets.rs"]
 mod instruction_sets;
+mod invariants;
 mod kepler;
 mod orders;
 mod pace;

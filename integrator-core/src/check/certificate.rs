@@ -1,7 +1,8 @@
 //! Certificates: what was measured, as data and as text.
 
 use crate::check::property::{
-    agreement::Agreement, energy::EnergyDrift, flow_laws::FlowErrors, order::Order, stability::Stability,
+    agreement::Agreement, energy::EnergyDrift, flow_laws::FlowErrors, invariants::InvariantDrift, order::Order,
+    stability::Stability,
 };
 use std::fmt;
 
@@ -51,6 +52,8 @@ pub struct Certificate {
     /// The number of comparisons with the user's own functions, at the start and along the path, in which the generated
     /// code agreed. `None` where it does not, or where no comparison could be made.
     pub agreement: Option<Agreement>,
+    /// What was measured of each `#[invariant]`.
+    pub invariants: Vec<InvariantDrift>,
     /// The distance of the step from the one at which the composition becomes unstable. A warning at most: no
     /// certificate is refused for it.
     pub stability: Option<Stability>,
@@ -104,6 +107,9 @@ impl fmt::Display for Certificate {
         if let Some(Agreement { energies, derivatives, left_out }) = self.agreement {
             write!(f, "\n  own functions      {energies} energies and {derivatives} derivatives agree, ")?;
             write!(f, "{left_out} could not be compared")?;
+        }
+        for invariant in &self.invariants {
+            write!(f, "\n  invariant          {invariant}")?;
         }
         self.stability.iter().try_for_each(|stability| write!(f, "\n  stability          {stability}"))
     }

@@ -11,6 +11,7 @@ use crate::{
             energy::EnergyDrift,
             flow_laws::{Broken, FlowErrors, flow_errors},
             gradient::{Energies, error_at, gradient_tolerance},
+            invariants::{InvariantDrift, Strayed, bracket, scale},
             local_order::{OrderAlong, UNITS, order_along},
             order::{Order, needed_along, order_of, path},
             reversibility::RoundTrip,
@@ -24,7 +25,7 @@ use crate::{
         },
     },
     hamiltonian::{Hamiltonian, Shaped},
-    scalar::tolerance::{largest, within},
+    scalar::tolerance::{largest, ratio, within},
     state::precision::Precision,
     trajectory::method::Method,
 };
@@ -51,7 +52,8 @@ const GRADIENT_SPAN: f64 = 64.0;
 ///
 /// A certificate says that one step of size `h` from `start` is symplectic, that errors fall with the claimed order,
 /// that a composition that claims symmetry runs back to where it began, that the energy stays (unless `H` reads the
-/// time), that the flows belong to the energies (those of parts with names each for itself: [`FlowErrors`]), and that both are what the user's own functions say. Each is judged by
+/// time), that the flows belong to the energies (those of parts with names each for itself: [`FlowErrors`]), that the Poisson bracket
+/// of what `#[invariant]` says is conserved vanishes, and that both are what the user's own functions say. Each is judged by
 /// a bound that follows from the rounding of the scalar, the energy by the fraction of its deviation that is a trend,
 /// and derivatives of the user's functions by what their differences are known to. Beside these it warns of a step that
 /// is half as long as the composition bears, or longer. Small systems take milliseconds; the work grows with the number
@@ -156,14 +158,21 @@ fn certificate(subject: &Subject<'_>) -> Result<Certificate, CertifyError> {
     } else {
         (None, findings.judge_flows(visited.and_then(|states| subject.flows(states))))
     };
-    let agreement = match states.map(|states| agreement(subject.measured.stated(), &states)) {
+    let agreement = match states.as_ref().map(|states| agreement(subject.measured.stated(), states)) {
         Ok(Ok(outcome)) => findings.judge("the agreement with your own functions", outcome, |_| None),
         Ok(Err(misread)) => {
             findings.0.extend(misread);
             None
         }
-        Err(reason) => findings.judge("the agreement with your own functions", Err(reason), |_| None),
+        Err(reason) => findings.judge("the agreement with your own functions", Err(reason.clone()), |_| None),
     };
+
+    let invariants = match &states {
+        Ok(states) => findings.judge("the invariants", subject.invariants(states), |_| None).unwrap_or_default(),
+        // Why there are none is reported already.
+        Err(_) => Vec::new(),
+    };
+    findings.0.extend(invariants.iter().filter(|drift| !drift.is_conserved()).cloned().map(Shortfall::NotInvariant));
 
     // The limit is that of an oscillator that is split into T and V.
     let stability = facts
@@ -189,6 +198,7 @@ fn certificate(subject: &Subject<'_>) -> Result<Certificate, CertifyError> {
         gradient_error: gradient.unwrap_or(f64::NAN),
         flows,
         agreement,
+        invariants,
         stability,
         tolerances: Tolerances {
             symplectic_defect: defect.map_or(f64::NAN, |defect| defect.tolerance),
@@ -344,6 +354,19 @@ impl Subject<'_> {
             }
         }
         Ok((most, broken))
+    }
+
+    /// What is measured of each invariant: its bracket at some states, and how far it strays in a run.
+    fn invariants(&self, states: &[Visited]) -> Result<Vec<InvariantDrift>, CheckError> {
+        let system = self.measured.stated().energies();
+        let Strayed { deviations, steps, rounding } = self.measured.strayed(self.h, ENERGY_STEPS)?;
+        let drift = |(number, (name, deviation)): (usize, (&&'static str, f64))| {
+            let brackets = states.iter().map(|(state, time)| bracket(system, number, state, *time));
+            let bracket = largest(brackets.collect::<Result<Vec<_>, _>>()?);
+            let scale = largest(states.iter().map(|(state, _)| scale(system, number, state)));
+            Ok(InvariantDrift { name, bracket, deviation: ratio(deviation, scale), rounding, steps })
+        };
+        system.invariants().iter().zip(deviations).enumerate().map(drift).collect()
     }
 
     /// The largest error of a gradient at some states.

@@ -88,6 +88,14 @@ pub enum CheckError {
         /// A bound on truncation and rounding of the latter.
         uncertainty: f64,
     },
+    /// An invariant does not change with any coordinate.
+    #[error(
+        "the invariant `{name}` changes with no coordinate at a state of the orbit, so that nothing can be said of it"
+    )]
+    ConstantInvariant {
+        /// The name of the function.
+        name: &'static str,
+    },
     /// At no state could the generated code be held against the user's functions.
     #[error(
         "none of {left_out} comparisons with your own functions could be made: they have kinks or jumps wherever the orbit \

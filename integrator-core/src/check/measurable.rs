@@ -9,6 +9,7 @@ use crate::{
             agreement::Stated,
             energy::{EnergyDrift, energy_drift},
             gradient::Energies,
+            invariants::{Strayed, strayed},
             reversibility::{RoundTrip, round_trip},
             stability::{Stability, nearness},
             symplecticity::{Defect, defect},
@@ -47,6 +48,9 @@ pub(crate) trait Measurable {
 
     /// The drift of the energy over `steps` steps of `h`.
     fn energy_drift(&self, h: f64, steps: u64) -> Result<EnergyDrift, CheckError>;
+
+    /// How far invariants stray in so many steps of `h`.
+    fn strayed(&self, h: f64, steps: u64) -> Result<Strayed, CheckError>;
 
     /// The stability of the steps beside the `limit`.
     fn stability(&self, limit: f64) -> Result<Stability, CheckError>;
@@ -97,6 +101,13 @@ impl<H: Hamiltonian, X: Method<H>, K: Precision> Measurable for Measured<'_, H, 
 
     fn energy_drift(&self, h: f64, steps: u64) -> Result<EnergyDrift, CheckError> {
         energy_drift::<H, X, K>(self.system, self.method, self.start, h, steps)
+    }
+
+    fn strayed(&self, h: f64, steps: u64) -> Result<Strayed, CheckError> {
+        if const { H::INVARIANTS.is_empty() } {
+            return Ok(Strayed { deviations: Vec::new(), steps: 0, rounding: 0.0 });
+        }
+        strayed::<H, X, K>(self.system, self.method, self.start, h, steps)
     }
 
     fn stability(&self, limit: f64) -> Result<Stability, CheckError> {

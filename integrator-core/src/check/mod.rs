@@ -14,6 +14,7 @@
 //! | [`gradient_error`] | rounding | of the size of the gradient |
 //! | [`FlowErrors`] | rounding, for parts that are no `T(p)` and `V(q)` | of the size of the flow |
 //! | [`Agreement`] | the user's own functions and their differences | off by more than rounding |
+//! | [`InvariantDrift`] | a bracket with H of rounding, of what `#[invariant]` says is conserved | of the size of its terms |
 //! | [`shadow()`] | orders 2, 4 and 6 | a lower one |
 //!
 //! [`certify()`] also looks for the order piece by piece along the orbit, wherever the slope of [`observed_order`] was
@@ -59,6 +60,7 @@ pub use property::energy::{EnergyDrift, energy_drift};
 pub use property::flow_laws::{FlowErrors, FlowLaw};
 pub use property::global_error::{GlobalError, global_error};
 pub use property::gradient::gradient_error;
+pub use property::invariants::InvariantDrift;
 pub use property::monodromy::{Monodromy, Multiplier, monodromy};
 pub use property::order::{Order, observed_order};
 pub use property::reversibility::reversibility;

@@ -4,7 +4,7 @@ use crate::{
     check::{
         certificate::Certificate,
         error::CheckError,
-        property::{energy::EnergyDrift, flow_laws::FlowLaw},
+        property::{energy::EnergyDrift, flow_laws::FlowLaw, invariants::InvariantDrift},
     },
     error::{Error, Misread, debug_as_display},
 };
@@ -143,6 +143,12 @@ pub enum Shortfall {
         /// The state, positions first.
         state: Vec<f64>,
     },
+    /// What is said to be conserved is not.
+    #[error(
+        "`{}` is no invariant: its Poisson bracket with H is {:.1e} of the terms that should cancel, where it is conserved if and \
+         only if the bracket is zero. Look at its formula, and at what in H breaks the symmetry behind it", .0.name, .0.bracket
+    )]
+    NotInvariant(InvariantDrift),
     /// A function of the user's is not what the generated code computes.
     #[error(transparent)]
     Misread(Misread),

@@ -3,13 +3,13 @@
 use crate::{
     ensemble::{
         batch::{Batch, States},
+        energies::EnergiesOfMembers,
         physical_time::Between,
         request::AdvanceRequest,
     },
     error::{Divergence, Error, Lost},
     layout::threads::all_threads,
     state::{clock::Clock, point::Point},
-    system::energy::Parts,
     trajectory::panics::Panics,
 };
 use std::{
@@ -25,13 +25,10 @@ use std::{
 /// microseconds each, in which one thread does about so many.
 const WORTH_A_THREAD: u64 = 1 << 17;
 
-/// The energies of a member, by its number, in a state and at a time.
-pub(crate) type EnergiesOf = dyn Fn(usize, &dyn Point, f64) -> Parts + Send + Sync;
-
 /// All members of an ensemble.
 pub(crate) struct Members {
     pub(super) batches: Vec<Batch>,
-    pub(crate) energies: Arc<EnergiesOf>,
+    pub(crate) energies: Arc<dyn EnergiesOfMembers>,
     count: usize,
     /// How many coordinates all members have together.
     coordinates: u64,
@@ -45,7 +42,13 @@ pub(crate) struct Members {
 }
 
 impl Members {
-    pub(crate) fn new(batches: Vec<Batch>, energies: Arc<EnergiesOf>, count: usize, coordinates: u64, h: f64) -> Self {
+    pub(crate) fn new(
+        batches: Vec<Batch>,
+        energies: Arc<dyn EnergiesOfMembers>,
+        count: usize,
+        coordinates: u64,
+        h: f64,
+    ) -> Self {
         let clock = Clock { t0: 0.0, h, steps: 0 };
         Self {
             batches,
@@ -84,7 +87,7 @@ impl Members {
     /// # Errors
     /// [`Error::Member`]
     fn admissible(&self, member: usize, state: &dyn Point, time: f64) -> Result<(), Error> {
-        (self.energies)(member, state, time).admissible(time).map_err(of_member(member))
+        self.energies.parts(member, state, time).admissible(time).map_err(of_member(member))
     }
 
     /// Whether a member may go on from a state that was changed from outside.
@@ -218,7 +221,15 @@ impl Members {
     }
 
     pub(crate) fn energy(&self, member: usize) -> Option<f64> {
-        Some((self.energies)(member, &*self.state(member)?, self.time_of(member)?).total)
+        Some(self.energies.parts(member, &*self.state(member)?, self.time_of(member)?).total)
+    }
+
+    pub(crate) fn invariant(&self, member: usize, name: &str) -> Result<Option<f64>, Error> {
+        let known = self.energies.invariants();
+        let Some(number) = known.iter().position(|known| *known == name) else {
+            return Err(Error::NoInvariant { name: name.into(), known });
+        };
+        Ok(self.state(member).map(|state| self.energies.invariant(member, number, &*state)))
     }
 
     pub(crate) fn batches(&self) -> usize {

@@ -5,6 +5,7 @@
 
 pub(crate) mod batch;
 pub(crate) mod batches;
+pub(crate) mod energies;
 #[allow(unreachable_pub, reason = "named in bounds, never outside")]
 pub(crate) mod in_lanes;
 #[allow(unreachable_pub, reason = "named in bounds, never outside")]
@@ -18,6 +19,7 @@ use crate::system::user_energies::hold_at_start;
 use crate::{
     ensemble::{
         batches::Starts,
+        energies::energies_of_members,
         in_lanes::InLanes,
         lane_scalars::LaneScalars,
         members::{Members, of_member},
@@ -26,13 +28,7 @@ use crate::{
     hamiltonian::{Hamiltonian, Shaped},
     layout::threads::all_threads,
     scalar::instruction_set::InstructionSet,
-    state::{
-        clock::Clock,
-        coords::Coords,
-        phase::Phase,
-        point::{Point, shaped},
-        precision::Precision,
-    },
+    state::{clock::Clock, coords::Coords, phase::Phase, point::shaped, precision::Precision},
     system::{energy::energy, motion::Prepared},
     trajectory::{
         admissible::{admissible_with, change},
@@ -130,9 +126,7 @@ impl<C: Coords> Ensemble<C> {
             single: &*single,
         };
         let batches = starts.batches(states.len(), all_threads());
-        let energies = Arc::new(move |member: usize, state: &dyn Point, time: f64| {
-            energy::<H, K>(&parameters[member], shaped(state), time)
-        });
+        let energies = energies_of_members::<H, K>(parameters);
         let mut members = Members::new(batches, energies, states.len(), coordinates, h);
         if H::AUTONOMOUS {
             members.check_starts()?;
@@ -309,6 +303,14 @@ impl<C: Coords> Ensemble<C> {
     /// The energy of a member in that state.
     pub fn energy(&self, member: usize) -> Option<f64> {
         self.members.energy(member)
+    }
+
+    /// An [invariant](crate::Run::invariant) of a member in that state, by its name; `None` beyond the last member.
+    ///
+    /// # Errors
+    /// [`Error::NoInvariant`]
+    pub fn invariant(&self, member: usize, name: &str) -> Result<Option<f64>, Error> {
+        self.members.invariant(member, name)
     }
 
     /// The states of all members, in their order.

@@ -8,7 +8,8 @@ use crate::{
     ensemble::{
         Ensemble,
         batch::Finish,
-        members::{EnergiesOf, Members, of_member},
+        energies::EnergiesOfMembers,
+        members::{Members, of_member},
     },
     error::{Divergence, Error, Lost},
     state::{
@@ -193,12 +194,20 @@ impl<C: Coords> Ensemble<C> {
 /// The energies of a member of an ensemble.
 struct EnergiesOfMember {
     member: usize,
-    energies: Arc<EnergiesOf>,
+    energies: Arc<dyn EnergiesOfMembers>,
 }
 
 impl<C: Coords> Energies<C> for EnergiesOfMember {
     fn parts(&self, state: &Phase<C>, time: f64) -> Parts {
-        (self.energies)(self.member, state, time)
+        self.energies.parts(self.member, state, time)
+    }
+
+    fn invariants(&self) -> &'static [&'static str] {
+        self.energies.invariants()
+    }
+
+    fn invariant(&self, number: usize, state: &Phase<C>) -> f64 {
+        self.energies.invariant(self.member, number, state)
     }
 }
 

@@ -9,7 +9,8 @@ use zip::{ZipWriter, write::SimpleFileOptions};
 
 /// Writes samples as an NPZ file, `np.load(path)` in Python, and returns how many there were.
 ///
-/// It holds the arrays `t` and `energy` of `n` samples, and `q` and `p` of the shape `(n, number of coordinates)` or
+/// It holds the arrays `t` and `energy` of `n` samples, one of the name of each function that the system says is
+/// [conserved](crate::Run::invariant), and `q` and `p` of the shape `(n, number of coordinates)` or
 /// `(n, number of points, components)`, all in double precision. A file of arrays has to know how many samples there
 /// are before the second array begins, so that all are in memory until the last one is seen.
 ///
@@ -19,7 +20,14 @@ pub fn npz<C: Coords>(
     samples: impl IntoIterator<Item = Result<Sample<C>, Error>>,
     to: impl Write + Seek,
 ) -> Result<u64, OutputError> {
-    let mut arrays = Arrays { shape: Vec::new(), t: Vec::new(), q: Vec::new(), p: Vec::new(), energy: Vec::new() };
+    let mut arrays = Arrays {
+        shape: Vec::new(),
+        t: Vec::new(),
+        q: Vec::new(),
+        p: Vec::new(),
+        energy: Vec::new(),
+        invariants: Vec::new(),
+    };
     let outcome = each(samples, |sample| arrays.push(sample));
     let saved = arrays.write(to);
     let written = outcome?;
@@ -35,6 +43,7 @@ struct Arrays {
     q: Vec<f64>,
     p: Vec<f64>,
     energy: Vec<f64>,
+    invariants: Vec<(&'static str, Vec<f64>)>,
 }
 
 impl Arrays {
@@ -48,6 +57,12 @@ impl Arrays {
         self.q.extend(numbers(&sample.state.q));
         self.p.extend(numbers(&sample.state.p));
         self.energy.push(sample.energy());
+        if self.invariants.is_empty() {
+            self.invariants = sample.invariants().map(|(name, _)| (name, Vec::new())).collect();
+        }
+        for ((_, values), (_, value)) in self.invariants.iter_mut().zip(sample.invariants()) {
+            values.push(value);
+        }
         Ok(())
     }
 
@@ -61,7 +76,8 @@ impl Arrays {
             ("p", &self.p, of_coordinates),
             ("energy", &self.energy, &count),
         ];
-        for (name, numbers, shape) in arrays {
+        let invariants = self.invariants.iter().map(|(name, values)| (*name, values, &count[..]));
+        for (name, numbers, shape) in arrays.into_iter().chain(invariants) {
             // An archive counts bytes with 32 bits if nothing else is announced; half of that leaves room for the head.
             let large = size_of_val(numbers.as_slice()) as u64 > u64::from(u32::MAX) / 2;
             let options = SimpleFileOptions::default().large_file(large);

@@ -14,7 +14,7 @@ use std::io::{self, Write};
 /// Writes samples as CSV and returns how many there were.
 ///
 /// The columns are the time `t`, the positions `q0`, `q1` and so on (`q0_2` is the third component of the first point),
-/// the momenta likewise, and the `energy`. The first line names them. Each number is the shortest text that reads back
+/// the momenta likewise, the `energy`, and what the system says is [conserved](crate::Run::invariant). The first line names them. Each number is the shortest text that reads back
 /// equal.
 ///
 /// # Errors
@@ -31,7 +31,9 @@ pub fn csv<C: Coords>(
         }
         let row = [sample.time].into_iter().chain(numbers(&sample.state.q)).chain(numbers(&sample.state.p));
         // As `Debug` shows them, numbers are as short as possible, and with an exponent where that is shorter.
-        let row: Vec<String> = row.chain([sample.energy()]).map(|number| format!("{number:?}")).collect();
+        let conserved = sample.invariants().map(|(_, value)| value);
+        let row: Vec<String> =
+            row.chain([sample.energy()]).chain(conserved).map(|number| format!("{number:?}")).collect();
         writer.write_record(row).map_err(cause)
     });
     let flushed = writer.flush();
@@ -58,5 +60,6 @@ fn header<C: Coords>(sample: &Sample<C>) -> Vec<String> {
         })
     };
     let (first, last) = ("t".to_string(), "energy".to_string());
-    [first].into_iter().chain(each('q')).chain(each('p')).chain([last]).collect()
+    let conserved = sample.invariants().map(|(name, _)| name.to_string());
+    [first].into_iter().chain(each('q')).chain(each('p')).chain([last]).chain(conserved).collect()
 }

@@ -1,4 +1,4 @@
-//! The energy of any state of a system, computed without its run.
+//! The energy of any state of a system and what else is conserved, computed without its run.
 
 use crate::{
     error::Error,
@@ -47,12 +47,30 @@ impl Parts {
     }
 }
 
-/// The energy function of a system, which does not borrow a run.
+/// The energy function of a system and its invariants, which do not borrow a run.
 pub(crate) trait Energies<C: Coords>: Send + Sync {
     fn parts(&self, state: &Phase<C>, time: f64) -> Parts;
 
+    /// The names of the invariants.
+    fn invariants(&self) -> &'static [&'static str];
+
+    /// The invariant of this number.
+    fn invariant(&self, number: usize, state: &Phase<C>) -> f64;
+
     fn energy(&self, state: &Phase<C>, time: f64) -> f64 {
         self.parts(state, time).total
+    }
+
+    /// The invariant of this name.
+    ///
+    /// # Errors
+    /// [`Error::NoInvariant`]
+    fn invariant_named(&self, name: &str, state: &Phase<C>) -> Result<f64, Error> {
+        let known = self.invariants();
+        match known.iter().position(|known| *known == name) {
+            Some(number) => Ok(self.invariant(number, state)),
+            None => Err(Error::NoInvariant { name: name.into(), known }),
+        }
     }
 }
 
@@ -60,19 +78,45 @@ pub(crate) trait Energies<C: Coords>: Send + Sync {
 struct EnergyFunction<P, C> {
     parameters: Arc<P>,
     energy: EnergyOf<P, C>,
+    invariants: InvariantsOf<P, C>,
 }
 
 /// The energy function of a system.
-pub(crate) fn energies<P: Send + Sync + 'static, C: Coords>(
-    parameters: Arc<P>,
-    energy: EnergyOf<P, C>,
-) -> Arc<dyn Energies<C>> {
-    Arc::new(EnergyFunction { parameters, energy })
+pub(crate) fn energies<H: Hamiltonian, K: Precision>(
+    parameters: Arc<H::Parameters<f64>>,
+) -> Arc<dyn Energies<Shaped<H, K>>> {
+    let invariants = InvariantsOf::of::<H, K>();
+    Arc::new(EnergyFunction { parameters, energy: energy::<H, K>, invariants })
+}
+
+/// The invariants of a system, compiled for one system and leaf.
+pub(crate) struct InvariantsOf<P, C> {
+    pub(crate) names: &'static [&'static str],
+    pub(crate) value: fn(&P, &Phase<C>, usize) -> f64,
+}
+
+impl<P, C> InvariantsOf<P, C> {
+    pub(crate) fn of<H, K>() -> Self
+    where
+        H: Hamiltonian<Parameters<f64> = P>,
+        K: Precision,
+        H::Coords: Coords<With<K> = C>,
+    {
+        Self { names: H::INVARIANTS, value: invariant::<H, K> }
+    }
 }
 
 impl<P: Send + Sync, C: Coords> Energies<C> for EnergyFunction<P, C> {
     fn parts(&self, state: &Phase<C>, time: f64) -> Parts {
         (self.energy)(&self.parameters, state, time)
+    }
+
+    fn invariants(&self) -> &'static [&'static str] {
+        self.invariants.names
+    }
+
+    fn invariant(&self, number: usize, state: &Phase<C>) -> f64 {
+        (self.invariants.value)(&self.parameters, state, number)
     }
 }
 
@@ -85,13 +129,33 @@ pub(crate) fn energy<H: Hamiltonian, K: Precision>(
     state: &Phase<Shaped<H, K>>,
     time: f64,
 ) -> Parts {
+    let motion = in_energy_scalar::<H, K>(parameters, state);
+    K::Energy::enter(Energy::<H, K::Energy> { motion: &motion, time })
+}
+
+/// An invariant of a state, computed in the scalar of its leaf.
+fn invariant<H: Hamiltonian, K: Precision>(
+    parameters: &H::Parameters<f64>,
+    state: &Phase<Shaped<H, K>>,
+    number: usize,
+) -> f64 {
+    if const { H::INVARIANTS.is_empty() } {
+        return f64::NAN;
+    }
+    H::invariant::<K::Energy, f64>(&in_energy_scalar::<H, K>(parameters, state), number).lane(0)
+}
+
+/// A motion at a state, in the scalar that energies of its leaf are computed in.
+fn in_energy_scalar<H: Hamiltonian, K: Precision>(
+    parameters: &H::Parameters<f64>,
+    state: &Phase<Shaped<H, K>>,
+) -> H::Motion<K::Energy, f64> {
     let part =
         |part: usize| Phase { q: state.q.map(|leaf| leaf.parts()[part]), p: state.p.map(|leaf| leaf.parts()[part]) };
     let value = part(0);
     let carried = if K::Energy::LANES > 1 { Some(part(1)) } else { None };
     let states = [&value, carried.as_ref().unwrap_or(&value)];
-    let motion = H::Motion::<K::Energy, f64>::load(&[parameters; 2], &states);
-    K::Energy::enter(Energy::<H, K::Energy> { motion: &motion, time })
+    H::Motion::<K::Energy, f64>::load(&[parameters; 2], &states)
 }
 
 struct Energy<'m, H: Hamiltonian, R: Real> {

@@ -55,35 +55,35 @@ impl Function {
             Self::Potential => second,
         }
     }
+}
 
-    /// Whether the user's function and the generated code are the same at a state; `false` where rounding may have made
-    /// anything of the latter.
-    ///
-    /// What is not finite in one has to be so in the other: rewrites are exact for finite numbers, and may make a NaN
-    /// of what is infinite.
-    ///
-    /// # Errors
-    /// [`Misread`], where rounding does not explain the difference.
-    pub(crate) fn hold(self, state: &Flat, time: f64, values: &dyn Fn(&Flat) -> Values) -> Result<bool, Misread> {
-        let Values { stated, generated, rounding: error, name, .. } = values(state);
-        // Subnormal energies count as zero.
-        let mut rounding = ROUNDINGS * error + f64::MIN_POSITIVE;
-        let agree = |rounding: f64| match [stated, generated].map(f64::is_finite) {
-            [true, true] => Real::abs(stated - generated) <= rounding,
-            [stated, generated] => stated == generated,
-        };
-        if error == f64::INFINITY {
-            return Ok(false);
-        }
-        if !agree(rounding) {
-            rounding += scatter(state, values);
-        }
-        if agree(rounding) {
-            return Ok(true);
-        }
-        let (q, p) = (state.q.clone(), state.p.clone());
-        Err(Misread { function: name, stated, generated, rounding, time, q, p })
+/// Whether the user's function and the generated code are the same at a state; `false` where rounding may have made
+/// anything of the latter.
+///
+/// What is not finite in one has to be so in the other: rewrites are exact for finite numbers, and may make a NaN
+/// of what is infinite.
+///
+/// # Errors
+/// [`Misread`], where rounding does not explain the difference.
+pub(crate) fn hold(state: &Flat, time: f64, values: &dyn Fn(&Flat) -> Values) -> Result<bool, Misread> {
+    let Values { stated, generated, rounding: error, name, .. } = values(state);
+    // Subnormal energies count as zero.
+    let mut rounding = ROUNDINGS * error + f64::MIN_POSITIVE;
+    let agree = |rounding: f64| match [stated, generated].map(f64::is_finite) {
+        [true, true] => Real::abs(stated - generated) <= rounding,
+        [stated, generated] => stated == generated,
+    };
+    if error == f64::INFINITY {
+        return Ok(false);
     }
+    if !agree(rounding) {
+        rounding += scatter(state, values);
+    }
+    if agree(rounding) {
+        return Ok(true);
+    }
+    let (q, p) = (state.q.clone(), state.p.clone());
+    Err(Misread { function: name, stated, generated, rounding, time, q, p })
 }
 
 /// The values of both at a state, and a bound on the rounding of the generated code.
@@ -190,7 +190,7 @@ pub(crate) fn hold_at_start<H: Hamiltonian, K: Precision>(
         let shape = Phase { q: start.q.map(|leaf| leaf.to_f64()), p: start.p.map(|leaf| leaf.to_f64()) };
         for function in Function::BOTH {
             let values = |state: &Flat| values(function, system, parameters, &shaped(&shape, state), time);
-            function.hold(&flat(&shape), time, &values)?;
+            hold(&flat(&shape), time, &values)?;
         }
     }
     Ok(())

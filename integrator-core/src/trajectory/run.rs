@@ -16,7 +16,7 @@ use crate::{
     },
     system::{
         counts::{Counts, OwnSteps},
-        energy::{Energies, Parts, energies, energy},
+        energy::{Energies, Parts, energies},
         motion::Prepared,
     },
     trajectory::{
@@ -145,7 +145,7 @@ impl<C: Coords> Run<C> {
             forces: method.forces(),
             #[cfg(feature = "checkpoint")]
             origin,
-            ..Self::of_engine(engine, energies(parameters, energy::<H, K>), start, clock, opened)
+            ..Self::of_engine(engine, energies::<H, K>(parameters), start, clock, opened)
         };
         // An infinite constant may be meant, such as a cutoff beyond all distances: what counts is what it does.
         if !constants.is_empty() && run.engine.is_not_finite(run.since_opened()) {
@@ -378,6 +378,34 @@ impl<C: Coords> Run<C> {
     /// The potential energy `V` at [`Run::time`]; where the parts of H have names, the energy of all but the first one.
     pub fn potential(&self) -> f64 {
         self.parts().potential
+    }
+
+    /// A function of the state that the system says is conserved, by its name: [`#[invariant]`](macro@crate::hamiltonian#invariants)
+    /// on a function of the impl.
+    ///
+    /// ```
+    /// use integrator_core::prelude::*;
+    ///
+    /// struct Kepler;
+    ///
+    /// #[hamiltonian]
+    /// impl Kepler {
+    ///     fn kinetic(&self, p: [f64; 2]) -> f64 { (p[0] * p[0] + p[1] * p[1]) / 2.0 }
+    ///     fn potential(&self, q: [f64; 2]) -> f64 { -1.0 / q[0].hypot(q[1]) }
+    ///     #[invariant]
+    ///     fn angular_momentum(&self, q: [f64; 2], p: [f64; 2]) -> f64 { q[0] * p[1] - q[1] * p[0] }
+    /// }
+    ///
+    /// let mut run = Kepler.run(Phase::new([1.0, 0.0], [0.0, 0.8]), 0.01)?;
+    /// run.advance(10_000)?;
+    /// assert!((run.invariant("angular_momentum")? - 0.8).abs() < 1e-12);
+    /// # Ok::<(), Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`Error::NoInvariant`], which lists those that there are.
+    pub fn invariant(&self, name: &str) -> Result<f64, Error> {
+        self.energies.invariant_named(name, &self.state())
     }
 
     pub(crate) fn parts(&self) -> Parts {

@@ -116,6 +116,22 @@ impl<C: Coords> Sample<C> {
     pub fn energy(&self) -> f64 {
         self.energies.energy(&self.state, self.time)
     }
+
+    /// A function of this state that the system says is conserved, by its name, computed when asked for:
+    /// [`Run::invariant`].
+    ///
+    /// # Errors
+    /// [`Error::NoInvariant`]
+    pub fn invariant(&self, name: &str) -> Result<f64, Error> {
+        self.energies.invariant_named(name, &self.state)
+    }
+
+    /// The names of all of these, with their values in this state.
+    pub fn invariants(&self) -> impl Iterator<Item = (&'static str, f64)> {
+        (0..)
+            .zip(self.energies.invariants())
+            .map(|(number, name)| (*name, self.energies.invariant(number, &self.state)))
+    }
 }
 
 impl<C: Coords> fmt::Debug for Sample<C> {

@@ -19,7 +19,9 @@ use crate::{
 };
 use fingerprint::fingerprint;
 pub use flow::form::Form;
-use flow::{Flows, constants::Constants, field, force_gradient, jacobi, pieces::Pieces, transformed, user_energies};
+use flow::{
+    Flows, constants::Constants, field, force_gradient, invariants, jacobi, pieces::Pieces, transformed, user_energies,
+};
 pub(crate) use flow::{
     form::forms,
     jacobi::{KEPLER_PARTS, Obstacle, judged},
@@ -120,6 +122,8 @@ struct Stepper<'i> {
     energies: TokenStream,
     /// The user's own energies.
     stated: TokenStream,
+    /// What is said to be conserved.
+    invariants: Option<TokenStream>,
     /// What the runtime is told of parts with names.
     parts: Option<TokenStream>,
     /// Shows the compositions that it admits, where the runtime cannot know which.
@@ -160,6 +164,7 @@ impl<'i> Stepper<'i> {
         let field = has_field.then(|| field::function(&mut emitter));
         let energies = ["kinetic", "potential"].into_iter().zip(energies);
         let energies = energies.map(|(name, energy)| flows.energy(&mut emitter, name, energy)).collect();
+        let invariants = invariants::items(&flows, &mut emitter);
         let taylor = input.taylor.map(|_| {
             let Emitter { model, names, fields } = &mut emitter;
             orders(model, fields, names, kinetic.clone(), potential.clone())
@@ -181,6 +186,7 @@ impl<'i> Stepper<'i> {
             field,
             energies,
             stated,
+            invariants,
             parts,
             visit,
             autonomous,
@@ -253,6 +259,7 @@ impl<'i> Stepper<'i> {
             flows,
             field,
             stated,
+            invariants,
             parts,
             visit,
             autonomous,
@@ -295,6 +302,7 @@ impl<'i> Stepper<'i> {
             #field
             #energies
             #stated
+            #invariants
             #sites
             #visit
             #visit_recurrences

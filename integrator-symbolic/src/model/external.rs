@@ -1,5 +1,6 @@
 //! Methods of the user that are called as they are: `#[derivative(slope)]` names the method that gives their
-//! derivative, or the methods, or the one that gives an array of them; `#[flow(part)]` says whose flow a method is.
+//! derivative, or the methods, or the one that gives an array of them; `#[flow(part)]` says whose flow a method is. And
+//! `#[invariant]`, which says that a function is conserved.
 
 use super::{
     Reader,
@@ -13,9 +14,11 @@ use quote::quote;
 use std::fmt;
 use syn::{Attribute, Expr, ExprLit, ImplItemFn, Lit, ReturnType, Token, Type, punctuated::Punctuated};
 
-/// The attribute that names the derivatives of a method, and the one that names the part whose flow a method is.
+/// The attribute that names the derivatives of a method, the one that names the part whose flow a method is, and the one of
+/// what is conserved.
 const DERIVATIVE: &str = "derivative";
 const FLOW: &str = "flow";
+const INVARIANT: &str = "invariant";
 
 /// The attribute that makes a method an external one.
 pub(super) fn attribute(method: &ImplItemFn) -> Option<&Attribute> {
@@ -25,6 +28,11 @@ pub(super) fn attribute(method: &ImplItemFn) -> Option<&Attribute> {
 /// The attribute that makes a method the flow of a part.
 pub(super) fn flow_attribute(method: &ImplItemFn) -> Option<&Attribute> {
     method.attrs.iter().find(|attribute| attribute.path().is_ident(FLOW))
+}
+
+/// The attributes that say that a function is conserved; one is right.
+pub(super) fn invariant_attributes(method: &ImplItemFn) -> impl Iterator<Item = &Attribute> {
+    method.attrs.iter().filter(|attribute| attribute.path().is_ident(INVARIANT))
 }
 
 /// An item without these attributes, which mean nothing outside of the annotated impl.
@@ -47,7 +55,8 @@ pub(crate) fn strip(item: TokenStream) -> TokenStream {
 }
 
 fn is_attribute(tokens: &TokenStream) -> bool {
-    matches!(tokens.clone().into_iter().next(), Some(TokenTree::Ident(name)) if name == DERIVATIVE || name == FLOW)
+    let own = [DERIVATIVE, FLOW, INVARIANT];
+    matches!(tokens.clone().into_iter().next(), Some(TokenTree::Ident(name)) if own.iter().any(|own| name == own))
 }
 
 fn ends_with_hash(trees: &[TokenTree]) -> bool {

@@ -21,6 +21,7 @@ mod fill;
 mod flatten;
 mod guard;
 pub(crate) mod integer;
+mod invariant;
 mod operator;
 mod own_flow;
 mod parameter_text;
@@ -53,6 +54,7 @@ use arm::Arm;
 pub(crate) use elementary::known_functions;
 pub(crate) use external::{Method, strip};
 use guard::Condition;
+pub(crate) use invariant::Invariant;
 pub(crate) use parameter_text::Texts;
 pub(crate) use parts::ExactPart;
 use parts::part_shape;
@@ -84,6 +86,8 @@ pub(crate) struct Model {
     pub(crate) potential: NodeId,
     /// The pace that the user gives, a function of the positions, and the arguments of its function.
     pub(crate) rate: Option<(NodeId, Vec<TokenStream>)>,
+    /// What the user says is conserved.
+    pub(crate) invariants: Vec<Invariant>,
     /// The parts that `split` names, in the order of their letters; none where H is `T + V`.
     pub(crate) parts: Vec<ExactPart>,
     /// Whether all of these behind the first one are one part of a composition: a symmetric pair.
@@ -219,6 +223,7 @@ pub(crate) fn model(input: &Input, errors: &mut Errors) -> Option<Model> {
     let lengths = lengths.map(|length| reader.length(length)).collect();
     let rate = reader.rate(&shape);
     let sensitive = reader.sensitive_parameters();
+    let invariants = reader.invariants(&shape);
     let Reader { mut graph, parameters, running, externals, .. } = reader;
     let energies = graph.balance_choices(energies);
     let [kinetic, potential] = energies;
@@ -228,6 +233,7 @@ pub(crate) fn model(input: &Input, errors: &mut Errors) -> Option<Model> {
         kinetic,
         potential,
         rate,
+        invariants,
         parts,
         paired: input.paired.is_some(),
         coupling,
@@ -267,6 +273,7 @@ pub(crate) fn stub(input: &Input) -> Option<Model> {
         kinetic: zero,
         potential: zero,
         rate: None,
+        invariants: Vec::new(),
         parts: Vec::new(),
         paired: false,
         coupling: None,
@@ -459,6 +466,12 @@ impl<'i> Reader<'i> {
 
     /// The energy that a function of positions and momenta gives.
     fn whole_energy(&mut self, function: &ImplItemFn, signature: &WholeSignature<'_>) -> Option<NodeId> {
+        let value = self.whole_value(function, signature)?;
+        self.as_energy(value, function)
+    }
+
+    /// What a function of positions and momenta ends in.
+    fn whole_value(&mut self, function: &ImplItemFn, signature: &WholeSignature<'_>) -> Option<Value> {
         let WholeSignature { coordinates: [q, p], shape, time, .. } = signature;
         self.foreign = None;
         self.shape = Some(shape.clone());
@@ -469,7 +482,7 @@ impl<'i> Reader<'i> {
         self.bind_time(*time);
         let value = self.returned(&function.block);
         self.scopes.pop();
-        self.as_energy(value?, function)
+        value
     }
 
     /// Binds the explicit time, where there is one.

@@ -76,6 +76,48 @@ pub(crate) const ARGUMENTS: &[Row] = &[
 
 /// Annotated items.
 pub(crate) const ITEMS: &[Row] = &[
+    (
+        "impl S { fn kinetic(&self, p: [f64; 1]) -> f64 { p[0] * p[0] } fn potential(&self, q: [f64; 1]) -> f64 { q[0] * q[0] }\n#[invariant] fn a(&self, q: [f64; 1], p: [f64; 1]) -> f64 { q[0] * q[0] + p[0] * p[0] } }",
+        &[],
+    ),
+    (
+        "impl S { fn kinetic(&self, p: [f64; 1]) -> f64 { p[0] * p[0] } fn potential(&self, q: [f64; 1]) -> f64 { q[0] * q[0] }\n#[invariant] fn a(&self, q: [f64; 1]) -> f64 { q[0] } }",
+        &["2:13 an invariant is a number of positions and momenta: `fn a(&self, q: [f64; 1], p: [f64; 1]) -> f64`"],
+    ),
+    (
+        "impl S { fn kinetic(&self, p: [f64; 1]) -> f64 { p[0] * p[0] } fn potential(&self, q: [f64; 1]) -> f64 { q[0] * q[0] }\n#[invariant] fn a(&self, q: [f64; 1], p: [f64; 1]) {} }",
+        &["2:13 an invariant is a number of positions and momenta: `fn a(&self, q: [f64; 1], p: [f64; 1]) -> f64`"],
+    ),
+    (
+        "impl S { fn kinetic(&self, p: [f64; 1]) -> f64 { p[0] * p[0] } fn potential(&self, q: [f64; 1]) -> f64 { q[0] * q[0] }\n#[invariant] fn a(&self, q: [f64; 1], p: [f64; 1]) -> f64 { self.c } }",
+        &["2:16 `a` reads neither positions nor momenta: it is a constant of any motion"],
+    ),
+    (
+        "impl S { fn kinetic(&self, p: [f64; 1]) -> f64 { p[0] * p[0] } fn potential(&self, q: [f64; 1]) -> f64 { q[0] * q[0] }\n#[invariant] fn a(&self, q: [f64; 1], p: [f64; 1], t: f64) -> f64 { q[0] * t } }",
+        &["2:51 an invariant stays as it is, whatever the time: leave out this argument"],
+    ),
+    (
+        "impl S { fn kinetic(&self, p: [f64; 1]) -> f64 { p[0] * p[0] } fn potential(&self, q: [f64; 1]) -> f64 { q[0] * q[0] }\n#[invariant] fn a(&self, q: [f64; 2], p: [f64; 2]) -> f64 { q[0] * p[1] - q[1] * p[0] } }",
+        &["2:18 H has coordinates `[f64; 1]`, and these are `[f64; 2]`"],
+    ),
+    (
+        "impl S { fn kinetic(&self, p: [f64; 1]) -> f64 { p[0] * p[0] } fn potential(&self, q: [f64; 1]) -> f64 { q[0] * q[0] }\n#[invariant(of = rotation)] fn a(&self, q: [f64; 1], p: [f64; 1]) -> f64 { q[0] * p[0] } }",
+        &["2:0 `#[invariant]` takes no arguments: the function says it all"],
+    ),
+    (
+        "impl S { fn kinetic(&self, p: [f64; 1]) -> f64 { p[0] * p[0] } fn potential(&self, q: [f64; 1]) -> f64 { q[0] * q[0] }\n#[invariant] #[invariant] fn a(&self, q: [f64; 1], p: [f64; 1]) -> f64 { q[0] * p[0] } }",
+        &["2:13 `#[invariant]` is given twice"],
+    ),
+    (
+        "impl S { fn kinetic(&self, p: [f64; 1]) -> f64 { p[0] * p[0] } fn potential(&self, q: [f64; 1]) -> f64 { q[0] * q[0] }\n#[invariant] fn a(&self, p: [f64; 1], q: [f64; 1]) -> f64 { q[0] * p[0] } }",
+        &["2:18 positions come first: `fn a(&self, q, p)`"],
+    ),
+    (
+        "impl S { fn kinetic(&self, p: [f64; 1]) -> f64 { p[0] * p[0] } fn potential(&self, q: [f64; 1]) -> f64 { q[0] * q[0] }\n#[invariant] fn a(&self, q: [f64; 1], p: [f64; 1]) -> f64 { bessel(q[0]) * p[0] } }",
+        &[
+            "2:60 `bessel` of a coordinate is not known: the macro sees this impl alone; move the function into it and call `Self::bessel`, or call it from a method with a stated derivative, `#[derivative(slope)]`",
+        ],
+    ),
     ("struct System;", &["1:0 `#[hamiltonian]` belongs on an `impl` with the functions `kinetic` and `potential`"]),
     ("", &["1:0 `#[hamiltonian]` belongs on an `impl` with the functions `kinetic` and `potential`"]),
     ("impl System { fn }", &["1:17 unexpected end of input, expected identifier"]),

@@ -17,9 +17,14 @@ use crate::{
         statistics::points::{numbers, origin},
     },
     hamiltonian::{Hamiltonian, StatedEnergy},
-    scalar::tolerance::{largest, within},
+    scalar::{
+        bounded::Bounded,
+        real::Real,
+        tolerance::{largest, within},
+    },
     state::flat::{Flat, shaped},
-    system::user_energies::{Digits, Function, Values, values},
+    system::motion::Motion,
+    system::user_energies::{Digits, Function, Values, hold, values},
 };
 
 /// The largest number of coordinates of which each is a direction of its own, and the number of directions beyond that.
@@ -67,10 +72,7 @@ pub(crate) fn agreement(
     let (mut agreement, mut shortfalls) = (Agreement::default(), Vec::new());
     for function in Function::BOTH {
         let outcome = states.iter().try_for_each(|(state, time)| {
-            match function
-                .hold(state, *time, &|state| system.values(function, state, *time))
-                .map_err(Shortfall::Misread)?
-            {
+            match hold(state, *time, &|state| system.values(function, state, *time)).map_err(Shortfall::Misread)? {
                 true => agreement.energies += 1,
                 false => agreement.left_out += 1,
             }
@@ -86,6 +88,11 @@ pub(crate) fn agreement(
             })
         });
         shortfalls.extend(outcome.err());
+    }
+    for number in 0..system.energies().invariants().len() {
+        let mut held =
+            states.iter().map(|(state, time)| hold(state, *time, &|state| system.invariant_values(number, state)));
+        shortfalls.extend(held.find_map(Result::err).map(Shortfall::Misread));
     }
     match agreement {
         _ if !shortfalls.is_empty() => Err(shortfalls),
@@ -104,6 +111,9 @@ pub(crate) trait Stated {
     /// Whether the user wrote all of `H` in one function.
     fn is_whole(&self, state: &Flat, time: f64) -> bool;
 
+    /// The values of an invariant by the generated code and by the user's function.
+    fn invariant_values(&self, number: usize, state: &Flat) -> Values;
+
     /// The values of the generated code and of the user's functions.
     fn values(&self, function: Function, state: &Flat, time: f64) -> Values;
 }
@@ -116,6 +126,21 @@ impl<H: Hamiltonian> Stated for Energies<'_, H> {
     fn is_whole(&self, state: &Flat, time: f64) -> bool {
         let state = shaped(self.shape, state);
         matches!(self.system.stated(&state.q, &state.p, time), StatedEnergy::Whole(_))
+    }
+
+    fn invariant_values(&self, number: usize, state: &Flat) -> Values {
+        if const { H::INVARIANTS.is_empty() } {
+            return Values { stated: f64::NAN, generated: f64::NAN, rounding: f64::NAN, name: "" };
+        }
+        let state = shaped(self.shape, state);
+        let motion = H::Motion::<Bounded, f64>::load(&[&self.parameters; 2], &[&state; 2]);
+        let generated = H::invariant::<Bounded, f64>(&motion, number);
+        Values {
+            stated: self.system.stated_invariant(number, &state.q, &state.p),
+            generated: generated.lane(0),
+            rounding: generated.lane(1),
+            name: H::INVARIANTS[number],
+        }
     }
 
     fn values(&self, function: Function, state: &Flat, time: f64) -> Values {

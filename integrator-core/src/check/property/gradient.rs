@@ -86,6 +86,12 @@ pub(crate) trait Differentiable {
     /// An energy, or its derivative along a tangent.
     fn energy(&self, part: Part, point: &Flat, tangent: Option<&Flat>, time: f64) -> f64;
 
+    /// The names of what the user says is conserved.
+    fn invariants(&self) -> &'static [&'static str];
+
+    /// An invariant, or its derivative along a tangent.
+    fn invariant(&self, number: usize, point: &Flat, tangent: Option<&Flat>) -> f64;
+
     /// The gradient of `T` or of `V`, or the derivative of that along a tangent.
     fn flow(&self, part: Part, point: &Flat, tangent: Option<&Flat>, time: f64) -> Vec<f64>;
 }
@@ -123,6 +129,24 @@ impl<H: Hamiltonian> Differentiable for Energies<'_, H> {
             Some(tangent) => {
                 let tangent = shaped(self.shape, tangent);
                 energy::<H, Dual>(&self.parameters, part, [&point, &tangent], time).lane(1)
+            }
+        }
+    }
+
+    fn invariants(&self) -> &'static [&'static str] {
+        H::INVARIANTS
+    }
+
+    fn invariant(&self, number: usize, point: &Flat, tangent: Option<&Flat>) -> f64 {
+        if const { H::INVARIANTS.is_empty() } {
+            return f64::NAN;
+        }
+        let point = shaped(self.shape, point);
+        match tangent {
+            None => H::invariant::<f64, f64>(&H::Motion::load(&[&self.parameters], &[&point]), number),
+            Some(tangent) => {
+                let lanes = [&point, &shaped(self.shape, tangent)];
+                H::invariant::<Dual, f64>(&H::Motion::load(&[&self.parameters; 2], &lanes), number).lane(1)
             }
         }
     }

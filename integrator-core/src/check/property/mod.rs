@@ -5,6 +5,7 @@ pub(crate) mod energy;
 pub(crate) mod flow_laws;
 pub(crate) mod global_error;
 pub(crate) mod gradient;
+pub(crate) mod invariants;
 pub(crate) mod local_order;
 pub(crate) mod monodromy;
 pub(crate) mod order;

@@ -160,6 +160,14 @@ pub(crate) fn energy(name: &str, energy: &TokenStream) -> TokenStream {
     }
 }
 
+/// A function of positions and momenta, which are those of the user there.
+pub(crate) fn in_own_coordinates(value: &TokenStream) -> TokenStream {
+    quote! {
+        let motion = &motion.to_inertial().plain::<Self::Coords>();
+        #value
+    }
+}
+
 /// What the runtime asks of the prepared constants.
 pub(crate) fn constants(jacobi: Jacobi, emitter: &mut Emitter<'_>) -> TokenStream {
     let Emitter { model, fields, .. } = emitter;

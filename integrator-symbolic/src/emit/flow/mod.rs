@@ -8,6 +8,7 @@ pub(super) mod force_gradient;
 pub(super) mod form;
 #[cfg(test)]
 mod guarded;
+pub(super) mod invariants;
 pub(crate) mod jacobi;
 pub(super) mod kepler;
 pub(super) mod lattice;
@@ -190,6 +191,17 @@ impl Flows {
         let Body(body) = lines.map(around).body(&names.scalar);
         // The time is still a number here.
         Body::new(quote!(#listed #body)).energy(name, names)
+    }
+
+    /// The lines that end in the value of a function of positions and momenta.
+    fn value(&self, emitter: &mut Emitter<'_>, value: NodeId) -> TokenStream {
+        let value = lower_roots(emitter.model, &[value])[0];
+        let Lines { tokens, .. } = emitter.value(&Frame::Motion, value);
+        match &self.many_body {
+            _ if self.in_jacobi => jacobi::in_own_coordinates(&tokens),
+            Some(_) => quote!(let motion = &motion.plain::<Self::Coords>(); #tokens),
+            None => tokens,
+        }
     }
 
     /// What bodies in pairs implement of the runtime, on themselves and on their prepared constants.

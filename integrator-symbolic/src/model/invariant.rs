@@ -1,0 +1,91 @@
+//! What the user says is conserved: `#[invariant]` on methods of the impl that take positions and momenta.
+
+use super::{
+    Reader,
+    external::invariant_attributes,
+    shape::{Shape, WholeSignature, is_f64, mismatch, whole_signature},
+};
+use crate::graph::{NodeId, Part};
+use proc_macro2::{Ident, TokenStream};
+use syn::{FnArg, ImplItemFn, Meta, ReturnType};
+
+/// A function of positions and momenta that is said to stay as it is.
+pub(crate) struct Invariant {
+    pub(crate) name: Ident,
+    pub(crate) value: NodeId,
+    /// What the user's function is called with, where `self`, and references `q` and `p` to the coordinates are at hand.
+    pub(crate) arguments: Vec<TokenStream>,
+}
+
+impl Reader<'_> {
+    /// The invariants of a system with coordinates of this shape; what is wrong with them is noted.
+    pub(super) fn invariants(&mut self, shape: &Shape) -> Vec<Invariant> {
+        let input = self.input;
+        let mut found: Vec<Invariant> = Vec::new();
+        for method in input.functions() {
+            let mut attributes = invariant_attributes(method);
+            let Some(attribute) = attributes.next() else { continue };
+            if let Some(again) = attributes.next() {
+                self.errors.at(again, "`#[invariant]` is given twice");
+            }
+            if !matches!(attribute.meta, Meta::Path(_)) {
+                self.errors.at(attribute, "`#[invariant]` takes no arguments: the function says it all");
+            }
+            let name = &method.sig.ident;
+            if found.iter().any(|other| other.name == *name) {
+                // The compiler tells that there are two functions of this name.
+                continue;
+            }
+            found.extend(self.invariant(method, shape));
+        }
+        found
+    }
+
+    fn invariant(&mut self, method: &ImplItemFn, shape: &Shape) -> Option<Invariant> {
+        let name = &method.sig.ident;
+        if !fits(method) {
+            let kind = shape.text();
+            let message = format!(
+                "an invariant is a number of positions and momenta: `fn {name}(&self, q: {kind}, p: {kind}) -> f64`"
+            );
+            self.errors.at(&method.sig, message);
+            return None;
+        }
+        let signature = whole_signature(method, self.errors)?;
+        let WholeSignature { shape: own, time, .. } = &signature;
+        if let Some(time) = time {
+            let message = "an invariant stays as it is, whatever the time: leave out this argument";
+            self.errors.at(time, message);
+            return None;
+        }
+        if mismatch((own, ""), (shape, "")).is_some() {
+            let message = format!("H has coordinates `{}`, and these are `{}`", shape.text(), own.text());
+            self.errors.at(&method.sig.inputs, message);
+            return None;
+        }
+        self.may_mix = true;
+        let value = self.whole_value(method, &signature);
+        self.may_mix = false;
+        let value = value?;
+        let Some(value) = self.real(&value) else {
+            let message = format!("`{name}` has to end in a number; this is {}", value.describe());
+            self.errors.at(method.block.stmts.last(), message);
+            return None;
+        };
+        if ![Part::Position, Part::Momentum].into_iter().any(|part| self.graph.reads(value, part)) {
+            let message = format!("`{name}` reads neither positions nor momenta: it is a constant of any motion");
+            self.errors.at(name, message);
+            return None;
+        }
+        Some(Invariant { name: name.clone(), value, arguments: signature.arguments })
+    }
+}
+
+/// Whether a method takes two arguments that are no numbers, beside what it may not take, and returns a number.
+fn fits(method: &ImplItemFn) -> bool {
+    let is_coordinates = |argument: &FnArg| matches!(argument, FnArg::Typed(argument) if !is_f64(&argument.ty));
+    let number = matches!(&method.sig.output, ReturnType::Type(_, kind) if is_f64(kind));
+    number
+        && method.sig.receiver().is_some()
+        && method.sig.inputs.iter().filter(|input| is_coordinates(input)).count() == 2
+}
