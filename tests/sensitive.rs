@@ -1,5 +1,8 @@
 //! Derivatives of the end of a run by parameters of the system, beside those by its start.
 
+#[path = "support/instruction_sets.rs"]
+mod instruction_sets;
+
 use integrator_core::{Chin4A, Coords, Error, Memoryless, VectorFault, prelude::*};
 
 /// A shaken pendulum, whose constants are made by helpers, a branch and a function of the parameters.

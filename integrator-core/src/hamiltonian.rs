@@ -14,7 +14,7 @@ use crate::{
     state::{coords::Coords, phase::Phase, precision::Precision},
     system::motion::{Motion, Prepared},
     trajectory::{
-        method::{Memoryless, Method},
+        method::{Differentiable, Memoryless, Method},
         run::Run,
         tangent::Tangent,
     },
@@ -177,13 +177,13 @@ pub trait Hamiltonian: Sized {
         Run::start::<Self, X, K>(self, method, start, h)
     }
 
-    /// A run from `start` with step `h` and any composition, or an implicit method, beside it the derivative of its
-    /// steps along `vectors`: at most as many as there are positions and momenta, each in the shape of the start.
+    /// A run from `start` with step `h` and any composition, or another [`Differentiable`] method, beside it the derivative of
+    /// its steps along `vectors`: at most as many as there are positions and momenta, each in the shape of the start.
     ///
     /// # Errors
     /// As [`Hamiltonian::run`]. [`Error::VectorCount`], [`Error::Vector`]: no or too many vectors, or one that is zero,
     /// not finite, or of another length. [`Error::NoTangent`]: a start on a grid, or steps of two copies of the state.
-    fn tangent<K: Precision, X: Memoryless<Self>>(
+    fn tangent<K: Precision, X: Differentiable<Self>>(
         &self,
         method: X,
         start: Phase<Shaped<Self, K>>,

@@ -127,7 +127,7 @@ pub use system::counts::OwnSteps;
 #[cfg(feature = "checkpoint")]
 pub use trajectory::checkpoint::CheckpointError;
 pub use trajectory::crossings::{Crossings, Direction};
-pub use trajectory::method::{Described, Facts, Memoryless, Method, Resumable};
+pub use trajectory::method::{Described, Differentiable, Facts, Memoryless, Method, Resumable};
 pub use trajectory::run::Run;
 pub use trajectory::samples::{Sample, Samples, SamplesAt};
 pub use trajectory::sensitive::Sensitive;

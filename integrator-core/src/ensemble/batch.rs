@@ -130,7 +130,7 @@ impl Batch {
         let mut state = self.sample.boxed_clone();
         replay.engine.state(self.since_opened(clock), &mut *state);
         replay.engine.completed.store(0, &mut *self.sample);
-        let elapsed = replay.engine.elapsed(self.since_opened(clock));
+        let elapsed = replay.engine.elapsed(self.since_opened(clock), 0);
         let time = self.time(index, clock, elapsed);
         let divergence =
             (!replay.panicked).then(|| state.divergence(&*self.sample, clock).at_own_time(elapsed.map(|_| time)));

@@ -8,7 +8,7 @@ use crate::{
         engine::Engine,
         method::Method,
         motions::{Constants, Group, Motions},
-        step_functions::{Executor, FlowByFlow, InTiles},
+        step_functions::{BesideVectors, Executor, InTiles},
     },
 };
 use alloc::{boxed::Box, sync::Arc, vec, vec::Vec};
@@ -36,7 +36,7 @@ impl Carried for Nothing {
 
 impl<const N: usize, const SENSITIVE: bool> Carried for Deviations<N, SENSITIVE> {
     type In<R: Real> = Dual<R, N, false, SENSITIVE>;
-    type Executor = FlowByFlow;
+    type Executor = BesideVectors;
     const CARRIES_CONSTANTS: bool = SENSITIVE;
 }
 

@@ -177,14 +177,15 @@ impl Engine {
 
     /// The time of a trajectory, where it is part of the state: with `t0` and what had passed when its motion was loaded.
     pub(crate) fn own_time(&self, clock: Clock, t0: f64, before: [f64; 2]) -> Option<f64> {
-        Some(time_after(t0, durations(before, self.elapsed(clock)?)))
+        Some(time_after(t0, durations(before, self.elapsed(clock, 0)?)))
     }
 
-    /// The time of a trajectory since its motion was loaded, and its rounding error, where it is part of the state.
-    pub(crate) fn elapsed(&self, clock: Clock) -> Option<[f64; 2]> {
+    /// The time of a trajectory since its motion was loaded, or what it carries in a lane beside it, and its rounding error,
+    /// where it is part of the state.
+    pub(crate) fn elapsed(&self, clock: Clock, lane: usize) -> Option<[f64; 2]> {
         // Most have no such time, and a look at it would complete a step.
-        self.motions.elapsed(0)?;
-        self.read(clock, |completed, shown| elapsed(completed, shown, 0))
+        self.motions.elapsed(lane)?;
+        self.read(clock, |completed, shown| elapsed(completed, shown, lane))
     }
 
     /// Reads a trajectory with the step under way completed.

@@ -165,6 +165,22 @@ pub trait Resumable<H: Hamiltonian>: Method<H> {}
 
 impl<H: Hamiltonian, X: Scheme + Composition<H>> Resumable<H> for X {}
 
+/// A method whose steps have derivatives along deviation vectors: any composition, implicit methods, those with a time of
+/// their own, and [`Taylor`](crate::taylor::Taylor) at the steps that it takes.
+#[diagnostic::on_unimplemented(
+    message = "steps of `{H}` by `{Self}` have no derivatives here",
+    label = "neither a composition for this Hamiltonian, nor another method that carries deviation vectors",
+    note = "compositions, `ImplicitMidpoint` and the methods of Gauss, `Logarithmic`, `Power`, `Paced` and `Taylor` do"
+)]
+pub trait Differentiable<H: Hamiltonian>: Method<H> {
+    /// Whether a run goes on from its state and its vectors alone, so that these may be divided by powers of two.
+    const FROM_STATES: bool = false;
+}
+
+impl<H: Hamiltonian, X: Scheme + Composition<H>> Differentiable<H> for X {
+    const FROM_STATES: bool = true;
+}
+
 /// A method that goes on from positions and momenta alone: any composition, and implicit methods. An annotation may name it.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` is not a composition that may integrate `{H}`",
@@ -172,6 +188,6 @@ impl<H: Hamiltonian, X: Scheme + Composition<H>> Resumable<H> for X {}
     note = "`Verlet`, `Yoshida4` and all other compositions of general class integrate every separable Hamiltonian",
     note = "a new one is declared with `composition! {{ pub struct Mine: order 2 = T(1/2) V(1) T(1/2); }}`"
 )]
-pub trait Memoryless<H: Hamiltonian>: Resumable<H> + Default {}
+pub trait Memoryless<H: Hamiltonian>: Resumable<H> + Differentiable<H> + Default {}
 
 impl<H: Hamiltonian, X: Scheme + Composition<H>> Memoryless<H> for X {}

@@ -452,7 +452,7 @@ impl<C: Coords> Run<C> {
         self.between = None;
         self.watch = self.watch.map(|Watch { bound, .. }| Watch::new(bound, parts));
         self.counted = self.counts();
-        if let Some(elapsed) = self.engine.elapsed(self.since_opened()) {
+        if let Some(elapsed) = self.engine.elapsed(self.since_opened(), 0) {
             self.opened_at = durations(self.opened_at, elapsed);
         }
         self.engine.restart(vec![(0, &state)]);
@@ -526,6 +526,11 @@ impl<C: Coords> Run<C> {
         let mut point = self.shape.clone();
         self.engine.lane(self.since_opened(), lane, &mut point);
         point
+    }
+
+    /// What a lane has of the time at the end of the last step, where this is part of the state.
+    pub(crate) fn elapsed_in_lane(&self, lane: usize) -> Option<[f64; 2]> {
+        self.engine.elapsed(self.since_opened(), lane)
     }
 
     /// A lane at the end of the step that was tried last.

@@ -4,7 +4,7 @@ use crate::{
     error::Error,
     hamiltonian::{Hamiltonian, Shaped},
     state::{coords::Coords, phase::Phase, precision::Precision},
-    trajectory::{method::Memoryless, tangent::Tangent},
+    trajectory::{method::Differentiable, tangent::Tangent},
 };
 use alloc::vec::Vec;
 use core::ops::Range;
@@ -51,7 +51,7 @@ pub trait Sensitive: Hamiltonian {
     ///
     /// # Errors
     /// As [`Hamiltonian::tangent`].
-    fn sensitivities<K: Precision, X: Memoryless<Self>>(
+    fn sensitivities<K: Precision, X: Differentiable<Self>>(
         &self,
         method: X,
         start: Phase<Shaped<Self, K>>,

@@ -85,6 +85,9 @@ pub trait Executor: 'static {
     const TILES: bool = false;
     /// How many registers hold a number of all lanes each, where small motions go through each stage together.
     const REGISTERS: usize = 0;
+    /// Whether derivatives are those along starts, each with constants of the motion of its own, such as an energy; else
+    /// those of the map of states, at the same constants.
+    const ALONG_STARTS: bool = false;
 }
 
 /// One motion after the other, flow by flow: the least code.
@@ -93,11 +96,18 @@ pub struct FlowByFlow;
 /// One motion after the other, a long lattice in tiles.
 pub struct InTiles;
 
+/// As flow by flow, beside deviation vectors.
+pub struct BesideVectors;
+
 /// Several small motions together, as fit into so many registers.
 #[cfg(feature = "std")]
 pub struct Interleaved<const REGISTERS: usize>;
 
 impl Executor for FlowByFlow {}
+
+impl Executor for BesideVectors {
+    const ALONG_STARTS: bool = true;
+}
 
 impl Executor for InTiles {
     const TILES: bool = true;

@@ -12,7 +12,7 @@ use crate::{
     trajectory::{
         admissible::admissible_with,
         dispatch::Deviations,
-        method::Memoryless,
+        method::Differentiable,
         motions::{Motions, copy},
         run::Run,
     },
@@ -38,7 +38,8 @@ pub struct Tangent<C: Coords> {
     room: usize,
     /// The powers of two by which vectors were divided.
     exponents: Vec<i64>,
-    /// How many of the vectors may be divided: those along parameters behind them grow by a force of their own.
+    /// How many of the vectors may be divided: those along parameters behind them grow by a force of their own, and what
+    /// a method has beside states belongs to the vectors as they are.
     linear: usize,
     /// The motions before the steps under way, where there are several that have to stop at one step.
     before: Vec<Box<dyn Motions>>,
@@ -54,7 +55,7 @@ impl<C: Coords> Tangent<C> {
     ) -> Result<Self, Error>
     where
         H: Hamiltonian,
-        X: Memoryless<H>,
+        X: Differentiable<H>,
         K: Precision,
         H::Coords: Coords<With<K> = C>,
     {
@@ -77,15 +78,15 @@ impl<C: Coords> Tangent<C> {
     ) -> Result<Self, Error>
     where
         H: Hamiltonian,
-        X: Memoryless<H>,
+        X: Differentiable<H>,
         K: Precision,
         H::Coords: Coords<With<K> = C>,
     {
         refused::<H, K>(&start)?;
         admissible_with::<H, _>(method, &start, h)?;
         check(&start, &vectors)?;
-        let (linear, still) = (vectors.len(), scaled(&start, 0.0));
-        let count = linear + parameters;
+        let (count, still) = (vectors.len() + parameters, scaled(&start, 0.0));
+        let linear = if X::FROM_STATES { vectors.len() } else { 0 };
         let room = if count == 1 { 1 } else { TOGETHER };
         vectors.resize(count.next_multiple_of(room), still);
         let mut runs = Vec::with_capacity(count.div_ceil(room));
@@ -245,6 +246,18 @@ impl<C: Coords> Tangent<C> {
             .map(|vector| {
                 let (run, lane) = self.place(vector);
                 run.lane(lane)
+            })
+            .collect()
+    }
+
+    /// How [`Tangent::time`] changes along each of the vectors: zero, where steps are equal in time. By a method with a time
+    /// of its own, such as [`Logarithmic`](crate::Logarithmic), a neighbour takes as many steps to another time, and vectors
+    /// are those of equal numbers of steps: at equal times they differ by this multiple of `(∂H/∂p, -∂H/∂q)`.
+    pub fn time_slopes(&self) -> Vec<f64> {
+        (0..self.exponents.len())
+            .map(|vector| {
+                let (run, lane) = self.place(vector);
+                run.elapsed_in_lane(lane).map_or(0.0, |[time, rounding]| time + rounding)
             })
             .collect()
     }

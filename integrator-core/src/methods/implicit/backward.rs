@@ -9,7 +9,7 @@ use crate::{
     scalar::real::Real,
     state::precision::Precision,
     trajectory::{
-        method::{Described, Facts, Memoryless, Method, Resumable},
+        method::{Described, Differentiable, Facts, Memoryless, Method, Resumable},
         step_functions::{Executor, StepFunctions},
     },
 };

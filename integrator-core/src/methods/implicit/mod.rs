@@ -29,6 +29,10 @@ macro_rules! implicit {
 
         impl<H: Hamiltonian> Resumable<H> for $name {}
 
+        impl<H: Hamiltonian> Differentiable<H> for $name {
+            const FROM_STATES: bool = true;
+        }
+
         #[diagnostic::do_not_recommend]
         impl<H: Hamiltonian> Memoryless<H> for $name {}
 
@@ -72,7 +76,7 @@ use crate::{
     scalar::real::Real,
     state::precision::Precision,
     trajectory::{
-        method::{Described, Facts, Memoryless, Method, Resumable},
+        method::{Described, Differentiable, Facts, Memoryless, Method, Resumable},
         step_functions::{Executor, StepFunctions},
     },
 };

@@ -17,8 +17,8 @@ pub(super) type TimedOf<H, R, K> = Timed<R, Shaped<H, K>, <H as Hamiltonian>::Pa
 
 /// A time transformation: two exact flows, of which one moves positions and time, the other one momenta.
 pub trait Transformation<H: Hamiltonian>: 'static {
-    /// What the motion has beside its state and time, at the start.
-    fn begin<R: Real, K: Precision>(motion: &TimedOf<H, R, K>) -> R;
+    /// What the motion has beside its state and time, at the start; with derivatives along starts where they are asked for.
+    fn begin<R: Real, K: Precision>(motion: &TimedOf<H, R, K>, along_starts: bool) -> R;
     /// Moves positions and time.
     fn drift<R: Real, K: Precision>(motion: &mut TimedOf<H, R, K>, duration: R);
     /// Moves momenta.
@@ -32,8 +32,8 @@ pub struct Ln;
 
 impl<H: TimeTransformed> Transformation<H> for Ln {
     #[inline(always)]
-    fn begin<R: Real, K: Precision>(motion: &TimedOf<H, R, K>) -> R {
-        momentum_of_time::<H, R, K>(motion)
+    fn begin<R: Real, K: Precision>(motion: &TimedOf<H, R, K>, along_starts: bool) -> R {
+        momentum_of_time::<H, R, K>(motion, along_starts)
     }
     #[inline(always)]
     fn drift<R: Real, K: Precision>(motion: &mut TimedOf<H, R, K>, duration: R) {
@@ -57,8 +57,8 @@ pub struct ToPower;
 
 impl<H: TimeTransformed> Transformation<H> for ToPower {
     #[inline(always)]
-    fn begin<R: Real, K: Precision>(motion: &TimedOf<H, R, K>) -> R {
-        momentum_of_time::<H, R, K>(motion)
+    fn begin<R: Real, K: Precision>(motion: &TimedOf<H, R, K>, along_starts: bool) -> R {
+        momentum_of_time::<H, R, K>(motion, along_starts)
     }
     #[inline(always)]
     fn drift<R: Real, K: Precision>(motion: &mut TimedOf<H, R, K>, duration: R) {
@@ -79,11 +79,11 @@ impl<H: TimeTransformed> Transformation<H> for ToPower {
     }
 }
 
-/// `B = -H`, a number without a tangent: the map of `(q, p)` is symplectic at a fixed `B`.
+/// `B = -H`. The map of `(q, p)` is symplectic at a fixed `B`, a number without a tangent; starts have one of their own each.
 #[inline(always)]
-fn momentum_of_time<H: TimeTransformed, R: Real, K: Precision>(motion: &TimedOf<H, R, K>) -> R {
+fn momentum_of_time<H: TimeTransformed, R: Real, K: Precision>(motion: &TimedOf<H, R, K>, along_starts: bool) -> R {
     let energy = H::kinetic_plus::<R, K>(&motion.state, H::potential_of::<R, K>(&motion.state));
-    R::parameter(&|lane| -energy.lane(lane))
+    if along_starts { -energy } else { R::parameter(&|lane| -energy.lane(lane)) }
 }
 
 /// The derivative of `x^g`.
@@ -98,7 +98,7 @@ pub struct OfRate;
 
 impl<H: Rated> Transformation<H> for OfRate {
     #[inline(always)]
-    fn begin<R: Real, K: Precision>(motion: &TimedOf<H, R, K>) -> R {
+    fn begin<R: Real, K: Precision>(motion: &TimedOf<H, R, K>, _along_starts: bool) -> R {
         H::rate_of::<R, K>(&motion.state)
     }
     #[inline(always)]
@@ -137,9 +137,9 @@ impl<'m, F: Transformation<H>, X, H: Hamiltonian, R: Real, K: Precision> Transfo
 
     /// Gives the motion what it has beside its state and time, once.
     #[inline(always)]
-    pub(super) fn begin(&mut self) {
+    pub(super) fn begin(&mut self, along_starts: bool) {
         if !self.motion.begun {
-            self.motion.beside = F::begin::<R, K>(self.motion);
+            self.motion.beside = F::begin::<R, K>(self.motion, along_starts);
             self.motion.begun = true;
         }
     }

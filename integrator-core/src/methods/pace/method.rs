@@ -13,7 +13,7 @@ use crate::{
     state::{clock::Clock, precision::Precision},
     system::motion::Motion,
     trajectory::{
-        method::{Described, Facts, Method, Resumable},
+        method::{Described, Differentiable, Facts, Method, Resumable},
         step_functions::{Executor, StepFunctions, all_finite},
         step_loop::{Advance, End},
     },
@@ -136,11 +136,15 @@ macro_rules! time_transformation {
                 Arc::new(Constants { parameters, exponent: $exponent(self), transforms_energy })
             }
             fn step_functions<R: Real, K: Precision, E: Executor>() -> StepFunctions<Self::Motion<R, K>> {
-                step_functions::<$transformation, X, H, R, K>()
+                step_functions::<$transformation, X, H, R, K, E>()
             }
         }
     };
 }
+
+impl<H: TimeTransformed, X: Composition<H>> Differentiable<H> for Logarithmic<X> {}
+impl<H: TimeTransformed, X: Composition<H>> Differentiable<H> for Power<X> {}
+impl<H: Rated, X: Composition<H>> Differentiable<H> for Paced<X> {}
 
 impl<H: TimeTransformed, X: Composition<H>> Resumable<H> for Logarithmic<X> {}
 impl<H: TimeTransformed, X: Composition<H>> Resumable<H> for Power<X> {}
@@ -150,13 +154,14 @@ time_transformation!(Logarithmic of TimeTransformed, Ln, |_: Self| 0.0, true);
 time_transformation!(Power of TimeTransformed, ToPower, |power: Self| power.0, true);
 time_transformation!(Paced of Rated, OfRate, |_: Self| 0.0, false);
 
-fn step_functions<F, X, H, R, K>() -> StepFunctions<TimedOf<H, R, K>>
+fn step_functions<F, X, H, R, K, E>() -> StepFunctions<TimedOf<H, R, K>>
 where
     F: Transformation<H>,
     X: Composition<H>,
     H: Hamiltonian,
     R: Real,
     K: Precision,
+    E: Executor,
 {
     const {
         assert!(
@@ -168,7 +173,7 @@ where
     StepFunctions {
         lanes: R::LANES,
         together: 1,
-        advance: advance::<F, X, H, R, K>,
+        advance: advance::<F, X, H, R, K, E>,
         complete: complete::<F, X, H, R, K>,
         show: if const { X::PROCESSOR.after.rows.is_empty() } {
             None
@@ -176,26 +181,29 @@ where
             Some(|motion, clock| R::enter(End::<_, H, X, true>::new(Transformed::<F, X, H, R, K>::new(motion), clock)))
         },
         finite: all_finite,
-        dense: Some(dense::<F, X, H, R, K>),
+        dense: Some(dense::<F, X, H, R, K, E>),
     }
 }
 
 /// The n-step loop.
-fn advance<F, X, H, R, K>(motions: &mut [TimedOf<H, R, K>], clock: Clock, steps: u64, _threads: Option<usize>)
+fn advance<F, X, H, R, K, E>(motions: &mut [TimedOf<H, R, K>], clock: Clock, steps: u64, _threads: Option<usize>)
 where
     F: Transformation<H>,
     X: Composition<H>,
     H: Hamiltonian,
     R: Real,
     K: Precision,
+    E: Executor,
 {
     for motion in motions {
-        R::enter(Steps::<F, X, H, R, K> { flows: Transformed::new(motion), clock, steps });
+        let (flows, along_starts) = (Transformed::new(motion), E::ALONG_STARTS);
+        R::enter(Steps::<F, X, H, R, K> { flows, along_starts, clock, steps });
     }
 }
 
 struct Steps<'m, F, X, H: Hamiltonian, R: Real, K: Precision> {
     flows: Transformed<'m, F, X, H, R, K>,
+    along_starts: bool,
     clock: Clock,
     steps: u64,
 }
@@ -212,7 +220,7 @@ where
 
     #[inline(always)]
     fn call(mut self) {
-        self.flows.begin();
+        self.flows.begin(self.along_starts);
         Advance::<_, H, X>::new(self.flows, self.clock, self.steps).call();
     }
 }
@@ -235,13 +243,14 @@ where
 }
 
 /// Takes a motion a while into the step that begins at the other one: by one shorter step.
-fn dense<F, X, H, R, K>(to: &mut TimedOf<H, R, K>, begin: &TimedOf<H, R, K>, clock: Clock, duration: f64)
+fn dense<F, X, H, R, K, E>(to: &mut TimedOf<H, R, K>, begin: &TimedOf<H, R, K>, clock: Clock, duration: f64)
 where
     F: Transformation<H>,
     X: Composition<H>,
     H: Hamiltonian,
     R: Real,
     K: Precision,
+    E: Executor,
 {
     to.copy_state(begin);
     let finish = |motion: &mut TimedOf<H, R, K>, clock: Clock| {
@@ -250,6 +259,6 @@ where
     };
     finish(to, clock);
     let shorter = Clock { t0: 0.0, h: duration, steps: 0 };
-    advance::<F, X, H, R, K>(core::slice::from_mut(to), shorter, 1, None);
+    advance::<F, X, H, R, K, E>(core::slice::from_mut(to), shorter, 1, None);
     finish(to, Clock { steps: 1, ..shorter });
 }

@@ -12,7 +12,7 @@ use crate::{
     scalar::real::Real,
     state::{coords::Coords, precision::Precision},
     trajectory::{
-        method::{Described, Facts, Method},
+        method::{Described, Differentiable, Facts, Method},
         step_functions::{Executor, StepFunctions},
     },
 };
@@ -107,6 +107,8 @@ impl<H: Recurrences> Method<H> for Taylor {
         step_functions::<H, R, K>()
     }
 }
+
+impl<H: Recurrences> Differentiable<H> for Taylor {}
 
 #[cfg(test)]
 mod tests {

@@ -1,0 +1,69 @@
+//! What has to hold of deviation vectors, whatever the system, the method and the layout are.
+
+use integrator_core::{Coords, Differentiable, prelude::*};
+
+/// The numbers of a point, positions first.
+pub(crate) fn numbers<C: Coords<Leaf = f64>>(point: &Phase<C>) -> Vec<f64> {
+    point.q.flat().iter().chain(point.p.flat()).copied().collect()
+}
+
+/// A point whose numbers are functions of their place.
+pub(crate) fn point<C: Coords<Leaf = f64>>(like: &Phase<C>, number: impl Fn(usize, f64) -> f64) -> Phase<C> {
+    let mut point = like.clone();
+    let leaves = point.q.flat_mut().iter_mut().chain(point.p.flat_mut());
+    leaves.enumerate().for_each(|(place, leaf)| *leaf = number(place, *leaf));
+    point
+}
+
+/// As many directions as asked for, none of them along a coordinate.
+pub(crate) fn directions<C: Coords<Leaf = f64>>(like: &Phase<C>, count: usize) -> Vec<Phase<C>> {
+    let angle = |vector: usize, place: usize| (1.0 + 1.7 * vector as f64 + 0.9 * place as f64).sin();
+    (0..count).map(|vector| point(like, |place, _| angle(vector, place))).collect()
+}
+
+/// What has to hold of every system and method: the state has the bits of the run alone, a vector those that it has
+/// alone, in any portions, and is the limit of differences.
+pub(crate) fn holds<H, X, C>(name: &str, system: &H, method: X, start: Phase<C>, h: f64)
+where
+    H: Hamiltonian<Coords = C>,
+    X: Differentiable<H>,
+    C: Coords<Leaf = f64, With<f64> = C>,
+{
+    let most = (2 * start.q.flat().len()).min(6);
+    let vectors = directions(&start, most);
+    let end = |start: &Phase<C>| {
+        let mut run = system.run_with::<f64, X>(method, start.clone(), h).expect("a start");
+        run.advance(12).expect("finite states");
+        run.state()
+    };
+    let mut tangent = system.tangent::<f64, X>(method, start.clone(), vectors.clone(), h).expect("a start");
+    tangent.advance(5).and_then(|()| tangent.advance(7)).expect("finite states");
+    assert_eq!(tangent.state(), end(&start), "{name}: the state");
+    let arrived = tangent.vectors();
+    for (number, vector) in vectors.iter().enumerate() {
+        let mut alone = system.tangent::<f64, X>(method, start.clone(), [vector.clone()], h).expect("a start");
+        alone.advance(12).expect("finite states");
+        assert_eq!(alone.vectors()[0], arrived[number], "{name}: vector {number} alone");
+
+        // Differences of fourth order; the width of the coarser ones is twice that of the others, so that their errors
+        // are sixteen times as large, and what both differ by bounds the smaller one. A rounding of the ends, of which
+        // there are a few hundred, is divided by the width.
+        let along = |width: f64| {
+            let at = |s: f64| {
+                let vector = numbers(vector);
+                numbers(&end(&point(&start, |place, x| x + s * width * vector[place])))
+            };
+            let (far, near) = ([at(-2.0), at(2.0)], [at(-1.0), at(1.0)]);
+            let of = |i: usize| (8.0 * (near[1][i] - near[0][i]) - (far[1][i] - far[0][i])) / (12.0 * width);
+            (0..near[0].len()).map(of).collect::<Vec<_>>()
+        };
+        let width = 1.0 / 1024.0;
+        let (fine, coarse, image) = (along(width), along(2.0 * width), numbers(&arrived[number]));
+        let size = image.iter().fold(1.0, |size: f64, x| size.max(x.abs()));
+        for place in 0..image.len() {
+            let tolerance = (fine[place] - coarse[place]).abs() + 1e3 * f64::EPSILON / width * size;
+            let apart = (image[place] - fine[place]).abs();
+            assert!(apart <= tolerance, "{name}: component {place} of vector {number} is off by {apart:e}");
+        }
+    }
+}

@@ -1,0 +1,118 @@
+//! Deviation vectors of methods that are no compositions: Taylor's, and those with a time of their own.
+
+#[path = "support/derivatives.rs"]
+#[allow(dead_code, reason = "not all that is shared is needed here")]
+mod derivatives;
+#[path = "support/instruction_sets.rs"]
+mod instruction_sets;
+
+use derivatives::{directions, holds, numbers, point};
+use integrator_core::{Differentiable, prelude::*};
+
+struct Comet;
+
+#[hamiltonian(taylor)]
+impl Comet {
+    fn kinetic(&self, p: [f64; 2]) -> f64 {
+        (p[0] * p[0] + p[1] * p[1]) / 2.0
+    }
+    fn potential(&self, q: [f64; 2]) -> f64 {
+        -1.0 / q[0].hypot(q[1])
+    }
+    fn rate(&self, q: [f64; 2]) -> f64 {
+        q[0].hypot(q[1]).powf(-1.5)
+    }
+}
+
+/// A chain, whose coefficients are computed in vectors where there are no derivatives.
+struct Chain;
+
+#[hamiltonian(taylor)]
+impl Chain {
+    fn kinetic(&self, p: &[f64]) -> f64 {
+        p.iter().map(|p| p * p / 2.0).sum()
+    }
+    fn potential(&self, q: &[f64]) -> f64 {
+        let mut energy = 0.0;
+        for i in 0..q.len() - 1 {
+            let stretch = q[i + 1] - q[i];
+            energy += stretch * stretch / 2.0 + stretch.sin() * stretch.powi(3) / 4.0;
+        }
+        energy
+    }
+}
+
+/// Bodies that attract each other.
+struct Bodies;
+
+#[hamiltonian(taylor)]
+impl Bodies {
+    fn kinetic(&self, p: &[[f64; 3]; 5]) -> f64 {
+        (0..5).map(|i| (0..3).map(|d| p[i][d].powi(2)).sum::<f64>() / 2.0).sum()
+    }
+    fn potential(&self, q: &[[f64; 3]; 5]) -> f64 {
+        let mut energy = 0.0;
+        for i in 0..5 {
+            for j in 0..i {
+                let square = (0..3).map(|d| (q[i][d] - q[j][d]).powi(2)).sum::<f64>();
+                energy -= 0.01 / square.sqrt();
+            }
+        }
+        energy
+    }
+}
+
+const COMET: Phase<[f64; 2]> = Phase { q: [0.4, 0.1], p: [-0.2, 1.6] };
+
+#[test]
+fn vectors_of_paced_runs_are_derivatives_of_their_steps() {
+    holds("logarithmic", &Comet, Logarithmic(SofroniouSpaletta8), COMET, 0.1);
+    holds("logarithmic, a kick first", &Comet, Logarithmic(Verlet), COMET, 0.1);
+    holds("a power", &Comet, Power(0.5, Yoshida4), COMET, 0.1);
+    holds("a pace", &Comet, Paced(KahanLi8), COMET, 0.1);
+}
+
+/// Polynomials of high order: the error of a difference of steps is that of the steps.
+#[test]
+fn vectors_of_taylor_runs_are_derivatives_of_their_steps() {
+    let method = Taylor::tolerance(1e-16);
+    holds("a comet", &Comet, method, COMET, 0.1);
+    let site = |i: usize| (0.4 * i as f64).sin();
+    let chain = Phase::new((0..21).map(site).collect::<Vec<_>>(), (0..21).map(|i| site(i + 3)).collect());
+    holds("a chain", &Chain, method, chain, 0.1);
+    let body = |i: usize| [site(2 * i) + i as f64, site(i + 1), 0.3 * site(3 * i)];
+    let bodies = |i: usize| body(i + 5).map(|p| 0.1 * p);
+    holds("bodies", &Bodies, method, Phase::new([0, 1, 2, 3, 4].map(body), [0, 1, 2, 3, 4].map(bodies)), 0.1);
+}
+
+/// A neighbour takes as many steps to another time.
+fn time_of<X: Differentiable<Comet>>(method: X, start: Phase<[f64; 2]>) -> f64 {
+    let mut run = Comet.run_with(method, start, 0.1).expect("a start");
+    run.advance(12).expect("finite states");
+    run.time()
+}
+
+#[test]
+fn times_have_derivatives_along_vectors() {
+    fn holds<X: Differentiable<Comet>>(name: &str, method: X) {
+        let vectors = directions(&COMET, 4);
+        let mut tangent = Comet.tangent(method, COMET, vectors.clone(), 0.1).expect("a start");
+        tangent.advance(12).expect("finite states");
+        for (vector, slope) in vectors.iter().zip(tangent.time_slopes()) {
+            let width = 1.0 / 1024.0;
+            let at = |s: f64| time_of(method, point(&COMET, |place, x| x + s * width * numbers(vector)[place]));
+            let fine = (8.0 * (at(1.0) - at(-1.0)) - (at(2.0) - at(-2.0))) / (12.0 * width);
+            let coarse = (8.0 * (at(2.0) - at(-2.0)) - (at(4.0) - at(-4.0))) / (24.0 * width);
+            // As for vectors: what both differ by, and roundings over the width.
+            let tolerance = (fine - coarse).abs() + 1e3 * f64::EPSILON / width;
+            assert!((slope - fine).abs() <= tolerance, "{name}: {slope} and not {fine}");
+            assert!(slope.abs() > 1e-3, "{name}: the time depends on the start");
+        }
+    }
+    holds("logarithmic", Logarithmic(SofroniouSpaletta8));
+    holds("a power", Power(0.5, Yoshida4));
+    holds("a pace", Paced(KahanLi8));
+    let mut tangent = Comet.tangent(Yoshida4, COMET, [COMET], 0.1).expect("a start");
+    tangent.advance(12).expect("finite states");
+    assert_eq!(tangent.time_slopes(), [0.0], "steps that are equal in time");
+}
