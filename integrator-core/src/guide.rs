@@ -13,7 +13,7 @@ macro_rules! chapters {
 chapters!(introduction first_hamiltonian splitting pace composing ensembles big_systems expansion command_line limits);
 // What these measure takes the feature `check`.
 #[cfg(feature = "check")]
-chapters!(choosing chaos precision certificates messages);
+chapters!(choosing chaos conserved precision certificates messages);
 #[cfg(feature = "output")]
 chapters!(seeing_and_saving);
 #[cfg(feature = "reference")]

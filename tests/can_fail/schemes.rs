@@ -1,10 +1,6 @@
 //! Compositions written by hand that claim what they are not.
 
-use integrator_core::{
-    __private::*,
-    VelocityVerlet,
-    check::{Shadowed, Terms},
-};
+use integrator_core::{__private::*, Verlet};
 
 /// Writes a composition from its table.
 macro_rules! by_hand {
@@ -92,28 +88,39 @@ by_hand! {
     }
 }
 
-by_hand! {
-    /// `T(1/2) V(1) T(1/2)`, which claims to conserve what `V(1/2) T(1) V(1/2)` conserves. WRONG
-    Swapped, order 2, symmetric = true, Stages {
-        lead: Lead::Drift,
-        opening: stage(0.5, 1.0, 0.0, 0.5),
-        cycle: &[stage(1.0, 1.0, 0.0, 0.5)],
-        closing: stage(0.5, 0.0, 1.0, 0.0),
-    }
-}
+/// Writes a composition with the table of Verlet, whose kicks are longer by a power of their length than the table says.
+macro_rules! beside_the_table {
+    ($(#[$attribute:meta])* $name:ident, $power:literal) => {
+        $(#[$attribute])*
+        #[derive(Clone, Copy, Default)]
+        pub(crate) struct $name;
 
-/// These claim the modified Hamiltonian of Verlet.
-macro_rules! shadowed {
-    ($($name:ident: $terms:expr;)*) => {
-        $(impl Shadowed for $name {
-            const TERMS: Terms = $terms;
-        })*
+        impl Scheme for $name {
+            const NAME: &'static str = stringify!($name);
+            const ORDER: u32 = Verlet::ORDER;
+            const SYMMETRIC: bool = true;
+            const CLASS: Class = Class::General;
+            const CITATION: &'static str = "";
+            const FORCE_EVALUATIONS: usize = Verlet::FORCE_EVALUATIONS;
+            const GRADIENT_EVALUATIONS: usize = 0;
+            const STABILITY_LIMIT: f64 = 2.0;
+            const LEADING_ERROR: Option<f64> = None;
+            const STAGES: Stages = Verlet::STAGES;
+        }
+        impl<H: Hamiltonian> Composition<H> for $name {
+            fn kick(flows: &mut impl Flows<H>, stage: &Stage, h: f64, time: f64) {
+                flows.kick(h * stage.kick * (1.0 + h.powi($power)), time + h * stage.kick_time);
+            }
+        }
     };
 }
-shadowed! {
-    Strong: Verlet::TERMS;
-    Lopsided: Verlet::TERMS;
-    Unmerged: Verlet::TERMS;
-    EulerThatClaims2: Verlet::TERMS;
-    Swapped: VelocityVerlet::TERMS;
+
+beside_the_table! {
+    /// WRONG: Verlet whose kicks are longer by the square of the step: still symplectic, symmetric and of order 2.
+    LongBySquares, 2
+}
+
+beside_the_table! {
+    /// WRONG: the same by the fourth power.
+    LongByFourthPowers, 4
 }

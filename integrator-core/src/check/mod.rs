@@ -15,7 +15,7 @@
 //! | [`FlowErrors`] | rounding, for parts that are no `T(p)` and `V(q)` | of the size of the flow |
 //! | [`Agreement`] | the user's own functions and their differences | off by more than rounding |
 //! | [`InvariantDrift`] | a bracket with H of rounding, of what `#[invariant]` says is conserved | of the size of its terms |
-//! | [`shadow()`] | orders 2, 4 and 6 | a lower one |
+//! | [`shadow()`] | the powers of [`ModifiedHamiltonian`], two by two for a symmetric composition | a lower one |
 //!
 //! [`certify()`] also looks for the order piece by piece along the orbit, wherever the slope of [`observed_order`] was
 //! measured, and at the energy in steps of half the length: a kink that is met later, or a potential that jumps, would
@@ -42,6 +42,7 @@ mod certify;
 mod choose;
 mod error;
 mod measurable;
+mod modified;
 pub(crate) mod oracle;
 pub(crate) mod property;
 mod shortfall;
@@ -55,6 +56,10 @@ pub use choose::{
     candidates, choose, choose_among,
 };
 pub use error::CheckError;
+pub use modified::{
+    ModifiedHamiltonian,
+    series::{Bracket, BracketSeries},
+};
 pub use property::agreement::Agreement;
 pub use property::energy::{EnergyDrift, energy_drift};
 pub use property::flow_laws::{FlowErrors, FlowLaw};
@@ -64,7 +69,7 @@ pub use property::invariants::InvariantDrift;
 pub use property::monodromy::{Monodromy, Multiplier, monodromy};
 pub use property::order::{Order, observed_order};
 pub use property::reversibility::reversibility;
-pub use property::shadow::{Shadow, Shadowed, Terms, shadow};
+pub use property::shadow::{Shadow, ShadowPower, shadow};
 pub use property::stability::{Stability, stability};
 pub use property::symplecticity::{poisson_bracket, symplectic_defect, symplectic_defect_after};
 pub use shortfall::{CertifyError, Shortfall};

@@ -69,17 +69,31 @@ impl<F: Real, const N: usize, const ROW: bool, const SENSITIVE: bool> Dual<F, N,
     fn is_constant(&self) -> bool {
         let mut constant = true;
         for along in self.along {
-            constant = constant && !along.equal(F::of(0.0)).not().any();
+            constant = constant
+                && if const { is_plain::<F>() } { !along.equal(F::of(0.0)).not().any() } else { vanishes(along) };
         }
         constant
     }
+}
+
+/// Whether every lane of a number is a number of its own, and none a derivative of another one.
+const fn is_plain<F: Real>() -> bool {
+    F::LANES == F::MEMBERS
+}
+
+/// Whether a number is zero, with the derivatives that it has itself.
+fn vanishes<F: Real>(number: F) -> bool {
+    (0..F::LANES).all(|lane| number.lane(lane) == 0.0)
 }
 
 /// What a slope adds along a direction. An unknown slope is NaN; it must not reach a result that it does not change.
 #[inline(always)]
 fn product<F: Real>(slope: F, along: F) -> F {
     let zero = F::of(0.0);
-    F::select(along.equal(zero), zero, slope * along)
+    if const { is_plain::<F>() } {
+        return F::select(along.equal(zero), zero, slope * along);
+    }
+    if vanishes(along) { zero } else { slope * along }
 }
 
 impl<F: Real, const N: usize, const ROW: bool, const SENSITIVE: bool> Add for Dual<F, N, ROW, SENSITIVE> {
@@ -332,8 +346,13 @@ macro_rules! dual_real {
                 slopes: impl Fn(usize, [f64; A]) -> [f64; A],
             ) -> Self {
                 let at = arguments.map(|argument| argument.value);
+                // Of a slope, no derivatives are known.
+                let parts = F::LANES / F::MEMBERS.max(1);
                 let slope = |number: usize| {
-                    F::state(&|lane| slopes(lane, at.map(|argument| argument.lane(lane)))[number])
+                    F::state(&|lane| match lane % parts {
+                        0 => slopes(lane, at.map(|argument| argument.lane(lane)))[number],
+                        _ => f64::NAN,
+                    })
                 };
                 let mut result = Self::of(0.0);
                 result.value = F::lane_by_lane(at, &value, &slopes);
@@ -472,6 +491,26 @@ mod tests {
             assert!(within(dual.lane(1) - derivative, 4.0 * f64::EPSILON), "{name}: {dual:?}");
         }
         assert!(!at(0.0).sqrt().finite(), "a derivative that does not exist is not finite");
+    }
+
+    /// The second derivatives of a function of one number along one direction, by duals over duals, against those of
+    /// its slope.
+    #[test]
+    fn duals_over_duals_have_second_derivatives() {
+        let at = |x: f64, mixed: f64| Dual { value: new(x, 1.0), along: [new(1.0, mixed)] };
+        let second = |number: Dual<Dual>| number.lane(3);
+        for (name, dual, exact) in [
+            ("sine", at(0.6, 0.0).sin(), -0.6_f64.sin()),
+            ("quotient", Dual::of(1.0) / at(2.0, 0.0), 0.25),
+            ("a power", at(2.0, 0.0).powf(Dual::of(3.0)), 12.0),
+            ("radial", at(2.0, 0.0).div_pow_3_2(at(2.0, 0.0)), 0.75 * 2.0_f64.powf(-2.5)),
+        ] {
+            assert!(within(second(dual) - exact, 8.0 * f64::EPSILON), "{name}: {dual:?} for {exact}");
+        }
+        // What moves in the second order alone is not constant.
+        let bent = Dual { value: new(0.6, 0.0), along: [new(0.0, 1.0)] };
+        assert!(within(second(bent.sin()) - 0.6_f64.cos(), 4.0 * f64::EPSILON));
+        assert!(within(second(bent.div_pow_3_2(Dual::of(4.0))) - 0.125, 4.0 * f64::EPSILON));
     }
 
     #[test]
