@@ -116,3 +116,53 @@ fn times_have_derivatives_along_vectors() {
     tangent.advance(12).expect("finite states");
     assert_eq!(tangent.time_slopes(), [0.0], "steps that are equal in time");
 }
+
+#[test]
+fn tangents_are_seen_at_any_time() {
+    fn holds<X: Differentiable<Comet>>(name: &str, method: X, count: usize) {
+        let vectors = directions(&COMET, count);
+        let mut tangent = Comet.tangent(method, COMET, vectors.clone(), 0.1).expect("a start");
+        let mut whole = tangent.clone();
+        let mut run = Comet.run_with(method, COMET, 0.1).expect("a start");
+        let time = 1.234_567;
+        tangent.advance_to(time).and_then(|()| run.advance_to(time)).expect("finite states");
+        assert_eq!(
+            (tangent.time(), tangent.state(), tangent.energy()),
+            (run.time(), run.state(), run.energy()),
+            "{name}"
+        );
+        // What neighbours have at the same time; where that is part of the state, at the time that they have with as long
+        // a shorter step.
+        let (at, slopes) = (tangent.vectors(), tangent.time_slopes());
+        for (vector, (image, slope)) in vectors.iter().zip(at.iter().zip(&slopes)) {
+            let width = 1.0 / 1024.0;
+            let along = |s: f64| {
+                let start = point(&COMET, |place, x| x + s * width * numbers(vector)[place]);
+                let mut run = Comet.run_with(method, start, 0.1).expect("a start");
+                run.advance_to(time + s * width * slope).expect("finite states");
+                numbers(&run.state())
+            };
+            let quotient = |w: f64| {
+                let ends = [along(w), along(-w), along(2.0 * w), along(-2.0 * w)];
+                let of = |i: usize| (8.0 * (ends[0][i] - ends[1][i]) - (ends[2][i] - ends[3][i])) / (12.0 * w * width);
+                (0..4).map(of).collect::<Vec<_>>()
+            };
+            let (fine, coarse) = (quotient(1.0), quotient(2.0));
+            for (place, exact) in numbers(image).into_iter().enumerate() {
+                let tolerance = 2.0 * (fine[place] - coarse[place]).abs() + 1e4 * f64::EPSILON / width;
+                let apart = (exact - fine[place]).abs();
+                assert!(apart <= tolerance, "{name}: component {place} is off by {apart:e}, and not {tolerance:e}");
+            }
+        }
+        // Seen or not, it goes on from the last whole step.
+        assert!(matches!(tangent.advance_to(0.5), Err(Error::Passed { .. })), "{name}");
+        tangent.advance(3).and_then(|()| whole.advance(tangent.steps())).expect("finite states");
+        assert_eq!((tangent.state(), tangent.vectors()), (whole.state(), whole.vectors()), "{name}");
+    }
+    holds("a composition", BlanesMoan6, 1);
+    holds("a processor", BlanesCasasMurua6S11, 4);
+    holds("an implicit method", GaussLegendre6, 2);
+    holds("logarithmic", Logarithmic(SofroniouSpaletta8), 1);
+    holds("a pace", Paced(KahanLi8), 4);
+    holds("Taylor", Taylor::tolerance(1e-16), 1);
+}

@@ -1,6 +1,5 @@
 //! A pendulum, a series of its angle, and the fit of one to the other.
 
-use crate::normal::normal;
 use integrator_core::prelude::*;
 use nalgebra::{Matrix3, Vector3};
 use std::f64::consts::TAU;
@@ -32,10 +31,10 @@ impl Pendulum {
 /// What is not known of the pendulum: its length, and the angle and angular momentum with which it begins.
 pub(crate) type Unknown = Vector3<f64>;
 
-/// The angles of a pendulum, each off by a normal random number.
-pub(crate) fn series(truth: Unknown, looks: usize, random: &mut fastrand::Rng) -> Result<Vec<f64>, Error> {
+/// The angles of a pendulum, each off by a number of a standard normal distribution, times [`NOISE`].
+pub(crate) fn series(truth: Unknown, looks: usize, mut normal: impl FnMut() -> f64) -> Result<Vec<f64>, Error> {
     let run = Pendulum { length: truth[0] }.run_with(BlanesMoanSrkn11, start(truth), STEP)?;
-    run.samples(LOOK).take(looks).map(|sample| Ok(sample?.state.q[0] + NOISE * normal(random))).collect()
+    run.samples(LOOK).take(looks).map(|sample| Ok(sample?.state.q[0] + NOISE * normal())).collect()
 }
 
 fn start(unknown: Unknown) -> Phase<[f64; 1]> {

@@ -12,10 +12,12 @@ mod normal;
 
 use fit::{Fit, NOISE, Unknown, fit, series};
 use integrator_core::Error;
+use normal::normal;
 
 fn main() -> Result<(), Error> {
     let hidden = Unknown::new(1.0, 1.2, 0.5);
-    let seen = series(hidden, 200, &mut fastrand::Rng::with_seed(1))?;
+    let mut random = fastrand::Rng::with_seed(1);
+    let seen = series(hidden, 200, || normal(&mut random))?;
     let found: Fit = fit(&seen, Unknown::new(1.03, 1.0, 0.0))?;
     println!("{:>18} {:>10} {:>10} {:>10}", "", "hidden", "found", "error");
     for (i, name) in ["length", "angle", "angular momentum"].into_iter().enumerate() {

@@ -14,7 +14,7 @@ use crate::{
         panics::attempt,
     },
 };
-use alloc::{boxed::Box, vec, vec::Vec};
+use alloc::{boxed::Box, vec::Vec};
 
 /// The number of steps between two checks of whether the state is finite. A divergence replays at most so many.
 pub(crate) const BLOCK: u64 = 1024;
@@ -152,11 +152,16 @@ impl Engine {
         self.completed_at = None;
     }
 
+    /// The number of the constants of a lane.
+    fn constants_of(&self, lane: usize) -> usize {
+        if self.carries_constants { lane } else { self.member }
+    }
+
     /// Goes on with a state in the coordinates of the motion, and what it carries beside.
     pub(crate) fn resume_own(&mut self, lanes: &[&dyn Point]) {
         let mut motions = self.motions.none(self.motions.count());
-        let constants = |lane| if self.carries_constants { lane } else { 0 };
-        let lanes: Vec<_> = lanes.iter().enumerate().map(|(lane, point)| (constants(lane), *point)).collect();
+        let lanes = lanes.iter().enumerate();
+        let lanes: Vec<_> = lanes.map(|(lane, point)| (self.constants_of(lane), *point)).collect();
         for lanes in lanes.chunks(motions.lanes()) {
             motions.push(lanes, true);
         }
@@ -202,17 +207,17 @@ impl Engine {
         read(&**completed, shown(&**completed, clock).as_deref())
     }
 
-    /// Writes the state of a trajectory a while into the last step, which began at `from` and `clock`, if that was
-    /// taken alone. Returns its time since the motion was loaded, where that is part of the state.
+    /// Reads a trajectory a while into the last step, which began at `from`, its lanes, and at `clock`, if that was taken
+    /// alone. Returns its time since the motion was loaded, where that is part of the state.
     ///
     /// # Errors
     /// Why the method gave up; nothing, if the state is not finite.
     pub(crate) fn within(
         &mut self,
-        from: &dyn Point,
+        from: Vec<&dyn Point>,
         clock: Clock,
         duration: f64,
-        to: &mut dyn Point,
+        read: impl FnOnce(&dyn Motions, Option<&dyn Motions>),
     ) -> Result<Option<[f64; 2]>, Option<Unsolved>> {
         let begin = Clock { t0: clock.at(clock.steps), h: duration, steps: 0 };
         let end = Clock { steps: 1, ..begin };
@@ -221,7 +226,8 @@ impl Engine {
             self.completed_at = None;
             &self.completed
         } else {
-            shorter = load(&*self.motions, vec![(self.member, from)]);
+            let lanes = from.into_iter().enumerate();
+            shorter = load(&*self.motions, lanes.map(|(lane, point)| (self.constants_of(lane), point)).collect());
             shorter.advance(begin, 1, self.threads);
             shorter.complete(end);
             &shorter
@@ -230,7 +236,7 @@ impl Engine {
             return Err(motions.unsolved(0).cloned());
         }
         let shown = shown(&**motions, end);
-        show(&**motions, shown.as_deref(), 0, to);
+        read(&**motions, shown.as_deref());
         Ok(elapsed(&**motions, shown.as_deref(), 0))
     }
 

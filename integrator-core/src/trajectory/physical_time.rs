@@ -49,13 +49,7 @@ impl<C: Coords> Run<C> {
     /// [`Error::Time`] for a time that is not finite, [`Error::Passed`] for one that lies before the last whole step; and as
     /// [`Run::advance`].
     pub fn advance_to(&mut self, time: f64) -> Result<(), Error> {
-        let present = self.time_at_step();
-        if !time.is_finite() {
-            return Err(Error::Time { time });
-        }
-        if self.clock.is_beyond(present, time) {
-            return Err(Error::Passed { time, present });
-        }
+        self.check_time_ahead(time)?;
         self.advance(0)?;
         match self.time_in_state() {
             None => self.advance(self.clock.whole_steps_to(time).saturating_sub(self.clock.steps))?,
@@ -67,9 +61,21 @@ impl<C: Coords> Run<C> {
         Ok(())
     }
 
+    /// Whether the run can go to a time.
+    pub(crate) fn check_time_ahead(&self, time: f64) -> Result<(), Error> {
+        let present = self.time_at_step();
+        if !time.is_finite() {
+            return Err(Error::Time { time });
+        }
+        if self.clock.is_beyond(present, time) {
+            return Err(Error::Passed { time, present });
+        }
+        Ok(())
+    }
+
     /// The same where the time is part of the state: ever more steps at once, but fewer than would lead there at the mean
     /// pace of the last ones. Those that lead beyond the time are taken back.
-    fn steps_in_own_time_to(&mut self, time: f64) -> Result<(), Error> {
+    pub(crate) fn steps_in_own_time_to(&mut self, time: f64) -> Result<(), Error> {
         let mut block = 1;
         let mut before = self.time_at_step();
         while before != time {
@@ -111,25 +117,30 @@ impl<C: Coords> Run<C> {
         self.take_step()?;
         let state = match self.time_in_state() {
             None => self.within(&from, time - began).map(|(_, state)| state),
-            Some(end) => self.at_time_within(&from, [(0.0, began), (self.clock.h, end)], time),
+            Some(end) => self.at_time_within(&from, [(0.0, began), (self.clock.h, end)], time).map(|(_, state)| state),
         };
         self.take_back(1);
         self.show_at(time, state?);
         Ok(())
     }
 
-    /// The state at a time between two durations of the last step and the times that they lead to, where durations are
-    /// of another time: by secants, of which the side that stays twice counts half, so that both close in (the Illinois
+    /// The duration and the state at a time between two durations of the last step and the times that they lead to, where
+    /// durations are of another time: by secants, of which the side that stays twice counts half, so that both close in (the Illinois
     /// algorithm).
-    fn at_time_within(&mut self, from: &Phase<C>, ends: [(f64, f64); 2], time: f64) -> Result<Phase<C>, Error> {
+    pub(crate) fn at_time_within(
+        &mut self,
+        from: &Phase<C>,
+        ends: [(f64, f64); 2],
+        time: f64,
+    ) -> Result<(f64, Phase<C>), Error> {
         let [mut near, mut far] = ends;
         let mut weights = [1.0, 1.0];
-        let mut state = from.clone();
+        let (mut state, mut duration) = (from.clone(), 0.0);
         for _ in 0..TRIALS {
             let [below, above] = [(near.1 - time) * weights[0], (far.1 - time) * weights[1]];
             let secant = (near.0 * above - far.0 * below) / (above - below);
             let is_inside = (secant - near.0) * (secant - far.0) < 0.0;
-            let duration = if is_inside { secant } else { near.0 + (far.0 - near.0) / 2.0 };
+            duration = if is_inside { secant } else { near.0 + (far.0 - near.0) / 2.0 };
             let reached;
             (reached, state) = self.within(from, duration)?;
             if reached == time || duration == near.0 || duration == far.0 {
@@ -141,6 +152,6 @@ impl<C: Coords> Run<C> {
                 (near, weights) = ((duration, reached), [1.0, weights[1] / 2.0]);
             }
         }
-        Ok(state)
+        Ok((duration, state))
     }
 }

@@ -24,7 +24,7 @@ use crate::{
         dispatch::{Carried, Nothing, engine},
         engine::Engine,
         method::Method,
-        motions::Motions,
+        motions::{Motions, elapsed, show},
         samples::{Samples, SamplesAt},
         watch::Watch,
     },
@@ -477,22 +477,47 @@ impl<C: Coords> Run<C> {
     /// # Errors
     /// As [`Run::advance`] for this step.
     pub(crate) fn within(&mut self, from: &Phase<C>, duration: f64) -> Result<(f64, Phase<C>), Error> {
+        let mut state = from.clone();
+        let time = self.read_within(core::slice::from_ref(from), duration, |completed, shown| {
+            show(completed, shown, 0, &mut state);
+        })?;
+        Ok((time, state))
+    }
+
+    /// The same of all lanes, from those where the step began, each with what it has of a time that is part of the state.
+    pub(crate) fn lanes_within(&mut self, from: &[Phase<C>], duration: f64) -> Result<Vec<Lane<C>>, Error> {
+        let mut lanes = Vec::with_capacity(from.len());
+        self.read_within(from, duration, |completed, shown| {
+            for (number, point) in from.iter().enumerate() {
+                let mut point = point.clone();
+                show(completed, shown, number, &mut point);
+                lanes.push((point, elapsed(completed, shown, number)));
+            }
+        })?;
+        Ok(lanes)
+    }
+
+    /// Reads the motion a while into the last step; the time there.
+    fn read_within(
+        &mut self,
+        from: &[Phase<C>],
+        duration: f64,
+        read: impl FnOnce(&dyn Motions, Option<&dyn Motions>),
+    ) -> Result<f64, Error> {
         let step = self.clock.steps;
         let clock = Clock { steps: step.saturating_sub(1), ..self.clock };
         let since = self.since_opened();
         let since = Clock { steps: since.steps.saturating_sub(1), ..since };
-        let mut state = from.clone();
-        match self.engine.within(from, since, duration, &mut state) {
-            Ok(elapsed) => {
-                Ok((elapsed.map_or(clock.at(clock.steps) + duration, |elapsed| self.time_of(elapsed)), state))
-            }
+        let lanes = from.iter().map(|point| point as &dyn Point).collect();
+        match self.engine.within(lanes, since, duration, read) {
+            Ok(elapsed) => Ok(elapsed.map_or(clock.at(clock.steps) + duration, |elapsed| self.time_of(elapsed))),
             Err(Some(reason)) => {
                 Err(Error::NotSolved { method: self.method, step, time: clock.at(clock.steps), reason })
             }
             Err(None) => Err(Error::Diverged(Divergence {
                 step,
                 time: clock.at(clock.steps) + duration,
-                ..clock.divergence(from, &self.tried())
+                ..clock.divergence(&from[0], &self.tried())
             })),
         }
     }
@@ -544,6 +569,9 @@ impl<C: Coords> Run<C> {
         self.energies.clone()
     }
 }
+
+/// A point in a lane, and what this has of a time that is part of the state.
+pub(crate) type Lane<C> = (Phase<C>, Option<[f64; 2]>);
 
 /// What a motion carries in its lanes, behind the state.
 fn lanes<'p, C: Coords>(state: &'p Phase<C>, carried: &'p [Phase<C>]) -> Vec<&'p dyn Point> {

@@ -91,6 +91,7 @@ pub trait Executor: 'static {
 }
 
 /// One motion after the other, flow by flow: the least code.
+#[cfg(feature = "check")]
 pub struct FlowByFlow;
 
 /// One motion after the other, a long lattice in tiles.
@@ -103,6 +104,7 @@ pub struct BesideVectors;
 #[cfg(feature = "std")]
 pub struct Interleaved<const REGISTERS: usize>;
 
+#[cfg(feature = "check")]
 impl Executor for FlowByFlow {}
 
 impl Executor for BesideVectors {

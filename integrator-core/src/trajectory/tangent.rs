@@ -5,6 +5,8 @@
 //! multiplied by powers of two, at steps whose number is a multiple of [`BETWEEN_SCALES`]; what was divided out is
 //! told.
 
+mod within_step;
+
 use crate::{
     error::{Error, VectorFault},
     hamiltonian::{Hamiltonian, Shaped},
@@ -14,7 +16,7 @@ use crate::{
         dispatch::Deviations,
         method::Differentiable,
         motions::{Motions, copy},
-        run::Run,
+        run::{Lane, Run},
     },
 };
 use alloc::{boxed::Box, vec, vec::Vec};
@@ -43,6 +45,8 @@ pub struct Tangent<C: Coords> {
     linear: usize,
     /// The motions before the steps under way, where there are several that have to stop at one step.
     before: Vec<Box<dyn Motions>>,
+    /// The lanes of all runs where they are shown while they stand at the step before.
+    between: Option<Vec<Vec<Lane<C>>>>,
 }
 
 impl<C: Coords> Tangent<C> {
@@ -98,7 +102,7 @@ impl<C: Coords> Tangent<C> {
                 Run::carrying::<H, X, K, Deviations<TOGETHER, SENSITIVE>>(system, method, start.clone(), carried, h)?
             });
         }
-        Ok(Self { runs, room, exponents: vec![0; count], linear, before: Vec::new() })
+        Ok(Self { runs, room, exponents: vec![0; count], linear, before: Vec::new(), between: None })
     }
 
     /// Starts the clock at `t0` instead of 0. A `t0` that is not finite is reported by the first `advance`.
@@ -120,8 +124,9 @@ impl<C: Coords> Tangent<C> {
     pub fn advance(&mut self, steps: u64) -> Result<(), Error> {
         let end = self.runs[0].clock.end(steps)?;
         for run in &mut self.runs {
-            run.check_start()?;
+            run.advance(0)?;
         }
+        self.between = None;
         while self.steps() < end {
             let next = (self.steps() / BETWEEN_SCALES + 1) * BETWEEN_SCALES;
             self.take_steps_to(next.min(end))?;
@@ -242,12 +247,7 @@ impl<C: Coords> Tangent<C> {
     /// its [exponent](Tangent::exponents). Most exponents are zero: a vector is divided where its largest component
     /// leaves the range from 2⁻²⁵⁶ to 2²⁵⁶ (in `f32` from 2⁻³² to 2³²), and one along a parameter never.
     pub fn vectors(&self) -> Vec<Phase<C>> {
-        (0..self.exponents.len())
-            .map(|vector| {
-                let (run, lane) = self.place(vector);
-                run.lane(lane)
-            })
-            .collect()
+        (0..self.exponents.len()).map(|vector| self.vector(vector)).collect()
     }
 
     /// How [`Tangent::time`] changes along each of the vectors: zero, where steps are equal in time. By a method with a time
@@ -256,15 +256,23 @@ impl<C: Coords> Tangent<C> {
     pub fn time_slopes(&self) -> Vec<f64> {
         (0..self.exponents.len())
             .map(|vector| {
-                let (run, lane) = self.place(vector);
-                run.elapsed_in_lane(lane).map_or(0.0, |[time, rounding]| time + rounding)
+                let elapsed = match &self.between {
+                    Some(lanes) => lanes[vector / self.room][1 + vector % self.room].1,
+                    None => {
+                        let (run, lane) = self.place(vector);
+                        run.elapsed_in_lane(lane)
+                    }
+                };
+                elapsed.map_or(0.0, |[time, rounding]| time + rounding)
             })
             .collect()
     }
 
     /// One of the vectors.
-    #[cfg(feature = "check")]
     pub(crate) fn vector(&self, vector: usize) -> Phase<C> {
+        if let Some(lanes) = &self.between {
+            return lanes[vector / self.room][1 + vector % self.room].0.clone();
+        }
         let (run, lane) = self.place(vector);
         run.lane(lane)
     }
@@ -284,7 +292,8 @@ impl<C: Coords> Tangent<C> {
 impl<C: Coords> Clone for Tangent<C> {
     fn clone(&self) -> Self {
         let exponents = self.exponents.clone();
-        Self { runs: self.runs.clone(), room: self.room, exponents, linear: self.linear, before: Vec::new() }
+        let (room, linear, between) = (self.room, self.linear, self.between.clone());
+        Self { runs: self.runs.clone(), room, exponents, linear, before: Vec::new(), between }
     }
 }
 
