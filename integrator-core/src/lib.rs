@@ -128,6 +128,8 @@ pub use system::counts::OwnSteps;
 pub use trajectory::checkpoint::CheckpointError;
 pub use trajectory::crossings::{Crossings, Direction};
 pub use trajectory::method::{Described, Differentiable, Facts, Memoryless, Method, Resumable};
+#[cfg(feature = "std")]
+pub use trajectory::progress::Progress;
 pub use trajectory::run::Run;
 pub use trajectory::samples::{Sample, Samples, SamplesAt};
 pub use trajectory::sensitive::Sensitive;

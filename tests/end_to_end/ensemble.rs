@@ -1,7 +1,8 @@
 //! Ensembles: every member is the run that it would be alone, bit for bit, whoever its neighbours are.
 
 use crate::systems::HenonHeiles;
-use integrator_core::prelude::*;
+use integrator_core::{Progress, prelude::*};
+use std::ops::ControlFlow;
 
 #[derive(Clone)]
 struct Pendulum {
@@ -71,7 +72,11 @@ fn progress_is_told_in_order_and_to_the_end() {
         let mut swarm =
             Ensemble::new(Verlet, (0..MANY).map(pendulum), 0.01).expect("an ensemble").with_threads(threads);
         let mut told = Vec::new();
-        swarm.advance_with(5000, |done| told.push(done)).expect("finite");
+        let taken = swarm.advance_with(5000, |progress| {
+            told.push(progress.done);
+            ControlFlow::Continue(())
+        });
+        assert_eq!(taken, Ok(5000));
         assert!(told.is_sorted(), "{told:?}");
         assert!(told.iter().any(|done| (1..5000).contains(done)), "nothing on the way: {told:?}");
         assert_eq!(told.last(), Some(&5000));
@@ -267,4 +272,60 @@ fn bad_members_are_refused() {
     assert!(matches!(refused, Err(Error::Member { member: 0, .. })));
     let mut late = Ensemble::new(Verlet, (0..3).map(orbit), 0.1).expect("an ensemble").at_time(f64::NAN);
     assert!(matches!(late.advance(1), Err(Error::Time { .. })));
+}
+
+#[test]
+fn who_is_told_can_stop() {
+    let stop = |after: u64| {
+        move |progress: &Progress| match progress.done < after {
+            true => ControlFlow::Continue(()),
+            false => ControlFlow::Break(()),
+        }
+    };
+    let mut swarm = Ensemble::new(Yoshida4, (0..MANY).map(pendulum), 0.01).expect("an ensemble");
+    let (system, start) = pendulum(7);
+    let mut run = system.run_with(Yoshida4, start, 0.01).expect("an admissible start");
+    let [of_swarm, of_run] = [swarm.advance_with(1_000_000, stop(100)), run.advance_with(1_000_000, stop(100))]
+        .map(|taken| taken.expect("finite"));
+    assert!((100..1_000_000).contains(&of_swarm) && (100..1_000_000).contains(&of_run));
+    assert_eq!((swarm.steps(), run.steps()), (of_swarm, of_run));
+    // Both go on as if nothing had happened.
+    let end = of_swarm.max(of_run);
+    swarm.advance(end - of_swarm).expect("finite");
+    run.advance(end - of_run).expect("finite");
+    assert_eq!(swarm.state(7), Some(run.state()));
+}
+
+#[test]
+fn the_lost_are_named_at_the_end() {
+    let mut swarm = Ensemble::new(Verlet, (0..MANY).map(orbit), 0.1).expect("an ensemble");
+    let mut calls = 0;
+    let outcome = swarm.advance_with(5000, |_| {
+        calls += 1;
+        ControlFlow::Continue(())
+    });
+    let Err(Error::Lost(lost)) = outcome else { panic!("{outcome:?}") };
+    assert!(calls > 1 && lost.members.iter().map(|(member, _)| *member).eq(FAR));
+    assert_eq!(swarm.steps(), 5000);
+}
+
+#[test]
+fn a_member_is_a_run_and_a_sample() {
+    let mut swarm = Ensemble::new(Yoshida4, (0..MANY).map(pendulum), 0.01).expect("an ensemble").at_time(3.0);
+    swarm.advance(123).expect("finite");
+    let mut run = swarm.run_of(5).expect("under way");
+    assert_eq!((run.time(), Some(run.state()), Some(run.energy())), (swarm.time(), swarm.state(5), swarm.energy(5)));
+    run.advance(77).expect("finite");
+    let last = swarm.run_of(5).expect("under way").samples(77).nth(1).expect("endless").expect("finite");
+    swarm.advance(77).expect("finite");
+    assert_eq!(Some(run.state()), swarm.state(5));
+    assert_eq!((last.time, last.step, last.state), (run.time(), 200, run.state()));
+    let present: Vec<_> = swarm.present().collect();
+    assert_eq!(present.len(), MANY);
+    assert_eq!((present[5].time, present[5].step, present[5].state), (run.time(), 200, run.state()));
+    assert_eq!(Some(present[5].energy()), swarm.energy(5));
+    assert!(swarm.run_of(MANY).is_none());
+    swarm.advance_while(1, 1, |member, _| member != 5).expect("finite");
+    assert!(swarm.run_of(5).is_none() && swarm.run_of(6).is_some());
+    assert_eq!(swarm.present().nth(5).map(|sample| sample.step), Some(201));
 }

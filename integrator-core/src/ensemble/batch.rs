@@ -204,16 +204,9 @@ impl Batch {
         self.first
     }
 
-    /// Advances the members that are under way, and returns those that diverge. Reports to `progress` the number of
-    /// steps that all members together have done since the last report; a member that is no longer under way counts as
-    /// if it were.
-    pub(crate) fn advance(
-        &mut self,
-        request: &AdvanceRequest,
-        progress: &mut dyn FnMut(u64),
-    ) -> Vec<(usize, Divergence)> {
+    /// Advances the members that are under way, and returns those that diverge.
+    pub(crate) fn advance(&mut self, request: &AdvanceRequest) -> Vec<(usize, Divergence)> {
         let (mut done, mut lost) = (0, Vec::new());
-        let all = self.finished.len() as u64;
         while done < request.steps && !self.lanes.is_empty() {
             let block = request.block(done);
             let (before, since) = (request.clock_after(done), self.since_opened(request.clock_after(done)));
@@ -227,9 +220,7 @@ impl Batch {
                 self.test(request, request.clock_after(done));
             }
             self.compact_lanes();
-            progress(block * all);
         }
-        progress((request.steps - done) * all);
         lost
     }
 

@@ -14,10 +14,7 @@ use crate::{
 };
 use std::{
     panic::resume_unwind,
-    sync::{
-        Arc, Mutex, PoisonError,
-        atomic::{AtomicU64, Ordering},
-    },
+    sync::{Arc, Mutex, PoisonError},
     thread,
 };
 
@@ -117,7 +114,6 @@ impl Members {
         steps: u64,
         interval: u64,
         stays: &(dyn Fn(usize, &dyn Point) -> bool + Sync),
-        progress: &mut dyn FnMut(u64),
     ) -> Result<(), Error> {
         if interval == 0 {
             return Err(Error::SampleInterval);
@@ -127,35 +123,29 @@ impl Members {
         self.between = None;
         let panics = Panics::default();
         let request = AdvanceRequest { clock: self.clock, steps, interval, stays, panics: &panics };
-        let mut lost = self.advance_batches(&request, progress);
+        let mut lost = self.advance_batches(&request);
         self.clock.steps = end;
         panics.resume();
-        progress(steps);
         lost.sort_unstable_by_key(|(member, _)| *member);
         if lost.is_empty() { Ok(()) } else { Err(Error::Lost(Lost { members: lost })) }
     }
 
     /// Carries on all batches, on as many threads as are worth it, and returns the members that are lost.
-    fn advance_batches(&mut self, request: &AdvanceRequest, progress: &mut dyn FnMut(u64)) -> Vec<(usize, Divergence)> {
-        let members = self.count as u64;
+    fn advance_batches(&mut self, request: &AdvanceRequest) -> Vec<(usize, Divergence)> {
         let threads = self.threads_for(request.steps).min(self.batches.len());
-        let done = AtomicU64::new(0);
         // Whoever is free takes the next batch; no result depends on who that is.
         let batches = Mutex::new(self.batches.iter_mut());
         let next = || batches.lock().unwrap_or_else(PoisonError::into_inner).next();
-        let work = |progress: &mut dyn FnMut(u64)| {
+        let work = || {
             let mut lost = Vec::new();
             while let Some(batch) = next() {
-                lost.extend(batch.advance(request, &mut |steps| {
-                    let done = done.fetch_add(steps, Ordering::Relaxed) + steps;
-                    request.panics.attempt(|| progress(done / members));
-                }));
+                lost.extend(batch.advance(request));
             }
             lost
         };
         thread::scope(|scope| {
-            let others: Vec<_> = (1..threads).map(|_| scope.spawn(|| work(&mut |_| {}))).collect();
-            let mut lost = work(progress);
+            let others: Vec<_> = (1..threads).map(|_| scope.spawn(work)).collect();
+            let mut lost = work();
             for other in others {
                 lost.extend(other.join().unwrap_or_else(|panic| resume_unwind(panic)));
             }

@@ -24,7 +24,7 @@ use crate::{
         lane_scalars::LaneScalars,
         members::{Members, of_member},
     },
-    error::Error,
+    error::{Error, Lost},
     hamiltonian::{Hamiltonian, Shaped},
     layout::threads::all_threads,
     scalar::instruction_set::InstructionSet,
@@ -35,10 +35,17 @@ use crate::{
         dispatch::{Carried, Nothing, engine, motions, single},
         method::Method,
         motions::{Constants, Motions},
+        progress::{Progress, in_portions},
+        run::Run,
+        samples::Sample,
         step_functions::Interleaved,
     },
 };
-use std::{fmt, marker::PhantomData, sync::Arc};
+use std::{fmt, marker::PhantomData, ops::ControlFlow, sync::Arc};
+
+/// The least number of steps in a portion of a call that tells of its progress: reading a member from memory takes about as
+/// long as a few of them.
+const FIRST_PORTION: u64 = 32;
 
 /// How many vector registers there are without AVX-512, which has 32.
 const REGISTERS: usize = if cfg!(target_arch = "x86_64") { 16 } else { 32 };
@@ -162,16 +169,32 @@ impl<C: Coords> Ensemble<C> {
     /// catches the panic finds the members for which they do at the last step before it, as if they had left there
     /// ([`Ensemble::steps_of`]); the ensemble goes on without them.
     pub fn advance(&mut self, steps: u64) -> Result<(), Error> {
-        self.advance_with(steps, |_| {})
+        self.members.advance(steps, u64::MAX, &|_, _| true)
     }
 
-    /// As [`Ensemble::advance`], and tells `progress` from time to time how many of the `steps` are done, as the mean
-    /// over all members; at the end, `steps`. It is called by this thread, which works like the others in between.
+    /// As [`Ensemble::advance`], and tells `progress` about ten times a second how far it is, as
+    /// [`Run::advance_with`](crate::Run::advance_with) does. When it is told to break, all members stop after the same
+    /// number of steps, which it returns.
     ///
     /// # Errors
-    /// As [`Ensemble::advance`].
-    pub fn advance_with(&mut self, steps: u64, mut progress: impl FnMut(u64)) -> Result<(), Error> {
-        self.members.advance(steps, u64::MAX, &|_, _| true, &mut progress)
+    /// As [`Ensemble::advance`]; lost members are named at the end.
+    pub fn advance_with(
+        &mut self,
+        steps: u64,
+        mut progress: impl FnMut(&Progress) -> ControlFlow<()>,
+    ) -> Result<u64, Error> {
+        self.members.clock.end(steps)?;
+        let mut lost = Vec::new();
+        let mut advance = |steps| match self.members.advance(steps, u64::MAX, &|_, _| true) {
+            Err(Error::Lost(Lost { members })) => {
+                lost.extend(members);
+                Ok(())
+            }
+            outcome => outcome,
+        };
+        let taken = in_portions(steps, FIRST_PORTION, &mut advance, &mut progress)?;
+        lost.sort_unstable_by_key(|(member, _)| *member);
+        if lost.is_empty() { Ok(taken) } else { Err(Lost { members: lost }.into()) }
     }
 
     /// As [`Ensemble::advance`], but members may leave when they are done: after every `interval` steps, each member
@@ -208,7 +231,7 @@ impl<C: Coords> Ensemble<C> {
         interval: u64,
         stays: impl Fn(usize, &Phase<C>) -> bool + Sync,
     ) -> Result<(), Error> {
-        self.members.advance(steps, interval, &|member, state| stays(member, shaped(state)), &mut |_| {})
+        self.members.advance(steps, interval, &|member, state| stays(member, shaped(state)))
     }
 
     /// Changes the states of the members that are under way, one after the other, between two steps: coordinates that
@@ -311,6 +334,43 @@ impl<C: Coords> Ensemble<C> {
     /// [`Error::NoInvariant`]
     pub fn invariant(&self, member: usize, name: &str) -> Result<Option<f64>, Error> {
         self.members.invariant(member, name)
+    }
+
+    /// A member that is under way as a run of its own, from where it is: for its [samples](crate::Run::samples), its
+    /// [crossings](crate::Run::crossings), and all else that a run can do. It takes the steps of the member, bit for bit, and
+    /// the ensemble stays where it is. `None` for members that are lost or gone, and beyond the last one.
+    ///
+    /// ```
+    /// use integrator_core::prelude::*;
+    ///
+    /// struct Pendulum { length: f64 }
+    ///
+    /// #[hamiltonian]
+    /// impl Pendulum {
+    ///     fn kinetic(&self, p: [f64; 1]) -> f64 { p[0].powi(2) / (2.0 * self.length.powi(2)) }
+    ///     fn potential(&self, q: [f64; 1]) -> f64 { -9.81 * self.length * q[0].cos() }
+    /// }
+    ///
+    /// let members = (1..=10).map(|i| (Pendulum { length: f64::from(i) }, Phase::new([1.0], [0.0])));
+    /// let mut swarm = Ensemble::new(Verlet, members, 0.01)?;
+    /// swarm.advance(1_000)?;
+    /// let fifth = swarm.run_of(4).expect("under way");
+    /// let passages = fifth.crossings(1_000, Direction::Rising, |state, _| state.q[0]);
+    /// assert_eq!(passages.count(), 2);
+    /// # Ok::<(), Error>(())
+    /// ```
+    pub fn run_of(&self, member: usize) -> Option<Run<C>> {
+        self.members.batch_of(member)?.is_under_way(member).then(|| self.alone(member))?
+    }
+
+    /// A sample of each member, in their order, at its present time or where it ended: for
+    /// [`output::csv`](crate::output::csv) or [`output::npz`](crate::output::npz), each of which takes
+    /// `swarm.present().map(Ok)`.
+    pub fn present(&self) -> impl Iterator<Item = Sample<C>> {
+        self.states().zip(0..).filter_map(|(state, member)| {
+            let (time, step) = (self.time_of(member)?, self.steps_of(member)?);
+            Some(Sample::of_member(state, time, step, self.energies_of(member)))
+        })
     }
 
     /// The states of all members, in their order.

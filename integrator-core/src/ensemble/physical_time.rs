@@ -179,13 +179,17 @@ impl<C: Coords> Ensemble<C> {
         Outcome::Lost(Finish { steps, time, state }, divergence)
     }
 
+    /// The energies of a member.
+    pub(super) fn energies_of(&self, member: usize) -> Arc<dyn Energies<C>> {
+        Arc::new(EnergiesOfMember { member, energies: self.members.energies.clone() })
+    }
+
     /// A member that is under way as a run, which stands where the ensemble does.
-    fn alone(&self, member: usize) -> Option<Run<C>> {
+    pub(super) fn alone(&self, member: usize) -> Option<Run<C>> {
         let members = &self.members;
         let alone = members.batch_of(member)?.alone(member);
-        let energies = Arc::new(EnergiesOfMember { member, energies: members.energies.clone() });
         let shape = shaped::<C>(&*members.state(member)?).clone();
-        let mut run = Run::of_engine(alone.engine, energies, shape, members.clock, alone.opened);
+        let mut run = Run::of_engine(alone.engine, self.energies_of(member), shape, members.clock, alone.opened);
         run.opened_at = alone.opened_at;
         Some(run)
     }
@@ -232,7 +236,7 @@ impl Members {
         }
         // Where the clock did not start at a time, this says so.
         clock.check()?;
-        lost(self.advance(clock.whole_steps_to(time).saturating_sub(clock.steps), u64::MAX, &|_, _| true, &mut |_| {}))
+        lost(self.advance(clock.whole_steps_to(time).saturating_sub(clock.steps), u64::MAX, &|_, _| true))
     }
 
     /// The same where members have times of their own: ever more steps at once, but fewer than would lead one of them there
@@ -252,7 +256,7 @@ impl Members {
                 break;
             }
             let earlier = (self.batches.clone(), self.clock);
-            let outcome = attempt(|| self.advance(block, u64::MAX, &|_, _| true, &mut |_| {}));
+            let outcome = attempt(|| self.advance(block, u64::MAX, &|_, _| true));
             let after = self.times();
             let is_beyond = members.iter().any(|member| self.clock.is_beyond(after[*member], time));
             if is_beyond || (outcome.is_err() && block > 1) {

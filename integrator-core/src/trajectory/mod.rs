@@ -15,6 +15,8 @@ pub(crate) mod method;
 pub(crate) mod motions;
 pub(crate) mod panics;
 pub(crate) mod physical_time;
+#[cfg(feature = "std")]
+pub(crate) mod progress;
 pub(crate) mod run;
 pub(crate) mod samples;
 pub(crate) mod sensitive;

@@ -4,6 +4,8 @@
 use crate::system::user_energies::hold_at_start;
 #[cfg(feature = "checkpoint")]
 use crate::trajectory::checkpoint::Origin;
+#[cfg(feature = "std")]
+use crate::trajectory::progress::{Progress, in_portions};
 use crate::{
     error::{Divergence, Error},
     hamiltonian::Hamiltonian,
@@ -31,6 +33,8 @@ use crate::{
 };
 use alloc::{sync::Arc, vec, vec::Vec};
 use core::fmt;
+#[cfg(feature = "std")]
+use core::ops::ControlFlow;
 
 /// A trajectory under way, made by [`Hamiltonian::run`]. Its type names the coordinates alone, so it can be stored.
 pub struct Run<C: Coords> {
@@ -238,6 +242,49 @@ impl<C: Coords> Run<C> {
             }
         }
         Ok(())
+    }
+
+    /// As [`Run::advance`], and tells `progress` about ten times a second how far it is, how long that took, and how long the
+    /// rest will take. It stops when it is told to break, as by a key that is pressed, and returns how many steps were taken:
+    /// the run is where they led, and goes on from there as if nothing had happened.
+    ///
+    /// ```
+    /// use integrator_core::prelude::*;
+    /// use std::{
+    ///     ops::ControlFlow,
+    ///     sync::atomic::{AtomicBool, Ordering},
+    /// };
+    ///
+    /// struct Oscillator;
+    ///
+    /// #[hamiltonian]
+    /// impl Oscillator {
+    ///     fn kinetic(&self, p: [f64; 1]) -> f64 { p[0] * p[0] / 2.0 }
+    ///     fn potential(&self, q: [f64; 1]) -> f64 { q[0] * q[0] / 2.0 }
+    /// }
+    ///
+    /// // `ctrlc::set_handler(|| STOP.store(true, Ordering::Relaxed))` of the crate ctrlc sets it by Ctrl-C.
+    /// static STOP: AtomicBool = AtomicBool::new(false);
+    ///
+    /// let mut run = Oscillator.run(Phase::new([1.0], [0.0]), 0.01)?;
+    /// let taken = run.advance_with(100_000, |progress| {
+    ///     eprintln!("{progress}"); // 37 %, 12 s left
+    ///     if STOP.load(Ordering::Relaxed) { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+    /// })?;
+    /// assert_eq!((taken, run.steps()), (100_000, 100_000));
+    /// # Ok::<(), Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// As [`Run::advance`].
+    #[cfg(feature = "std")]
+    pub fn advance_with(
+        &mut self,
+        steps: u64,
+        mut progress: impl FnMut(&Progress) -> ControlFlow<()>,
+    ) -> Result<u64, Error> {
+        self.clock.end(steps)?;
+        in_portions(steps, 1, &mut |steps| self.advance(steps), &mut progress)
     }
 
     /// Takes steps until so many are done.

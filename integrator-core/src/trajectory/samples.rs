@@ -112,6 +112,12 @@ impl<C: Coords> Sample<C> {
         Self { time, step, state, energies: run.energies() }
     }
 
+    /// A sample of a member of an ensemble.
+    #[cfg(feature = "std")]
+    pub(crate) fn of_member(state: Phase<C>, time: f64, step: u64, energies: Arc<dyn Energies<C>>) -> Self {
+        Self { time, step, state, energies }
+    }
+
     /// The energy `T + V` of this state, computed when asked for.
     pub fn energy(&self) -> f64 {
         self.energies.energy(&self.state, self.time)
