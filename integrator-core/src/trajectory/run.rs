@@ -80,7 +80,7 @@ impl<C: Coords> Run<C> {
         system: &H,
         method: X,
         start: Phase<C>,
-        carried: (&[Phase<C>], Vec<H::Parameters<f64>>),
+        carried: Behind<'_, C, H::Parameters<f64>>,
         h: f64,
     ) -> Result<Self, Error>
     where
@@ -122,7 +122,7 @@ impl<C: Coords> Run<C> {
         system: &H,
         method: X,
         start: Phase<C>,
-        (carried, slopes): (&[Phase<C>], Vec<H::Parameters<f64>>),
+        (carried, slopes): Behind<'_, C, H::Parameters<f64>>,
         clock: Clock,
         opened: u64,
     ) -> Result<Self, Error>
@@ -616,6 +616,9 @@ impl<C: Coords> Run<C> {
         self.energies.clone()
     }
 }
+
+/// The points in lanes behind a state, and the constants that go with these, where they have some of their own.
+pub(crate) type Behind<'p, C, P> = (&'p [Phase<C>], Vec<P>);
 
 /// A point in a lane, and what this has of a time that is part of the state.
 pub(crate) type Lane<C> = (Phase<C>, Option<[f64; 2]>);

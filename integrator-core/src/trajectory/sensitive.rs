@@ -4,7 +4,10 @@ use crate::{
     error::Error,
     hamiltonian::{Hamiltonian, Shaped},
     state::{coords::Coords, phase::Phase, precision::Precision},
-    trajectory::{method::Differentiable, tangent::Tangent},
+    trajectory::{
+        method::Differentiable,
+        tangent::{Beginning, Tangent},
+    },
 };
 use alloc::vec::Vec;
 use core::ops::Range;
@@ -60,10 +63,20 @@ pub trait Sensitive: Hamiltonian {
     ) -> Result<Tangent<Shaped<Self, K>>, Error> {
         let vectors: Vec<_> = vectors.into_iter().collect();
         let (length, first) = (start.q.length(), vectors.len());
-        let parameters = Self::SENSITIVE.len();
-        // Vectors at the start, and those that fill up a register, leave parameters as they are.
-        let slopes = |vector: usize| self.slopes(length, vector.checked_sub(first).unwrap_or(parameters));
-        let slopes = |vectors: Range<usize>| vectors.map(slopes).collect();
-        Tangent::along::<Self, X, K, true>(self, method, start, vectors, parameters, slopes, h)
+        let beginning = Beginning { start, vectors, parameters: Self::SENSITIVE.len(), h, at: None };
+        let slopes = |vectors| slopes_of(self, length, first, vectors);
+        Tangent::along::<Self, X, K, true>(self, method, beginning, slopes)
     }
+}
+
+/// The derivatives of prepared constants that go with some vectors, of which the `first` ones lead along starts. These, and
+/// those that fill up a register behind the last, leave parameters as they are.
+pub(crate) fn slopes_of<H: Sensitive>(
+    system: &H,
+    length: usize,
+    first: usize,
+    vectors: Range<usize>,
+) -> Vec<H::Parameters<f64>> {
+    let none = H::SENSITIVE.len();
+    vectors.map(|vector| system.slopes(length, vector.checked_sub(first).unwrap_or(none))).collect()
 }

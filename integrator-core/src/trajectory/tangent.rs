@@ -5,22 +5,28 @@
 //! multiplied by powers of two, at steps whose number is a multiple of [`BETWEEN_SCALES`]; what was divided out is
 //! told.
 
+#[cfg(feature = "checkpoint")]
+mod stored;
+mod vectors;
 mod within_step;
 
 use crate::{
     error::{Error, VectorFault},
     hamiltonian::{Hamiltonian, Shaped},
-    state::{coords::Coords, phase::Phase, precision::Precision},
+    state::{clock::Clock, coords::Coords, phase::Phase, precision::Precision},
     trajectory::{
         admissible::admissible_with,
-        dispatch::Deviations,
+        dispatch::{Carried, Deviations},
         method::Differentiable,
         motions::{Motions, copy},
-        run::{Lane, Run},
+        run::{Behind, Lane, Run},
     },
 };
 use alloc::{boxed::Box, vec, vec::Vec};
-use core::{fmt, mem::take, ops::Range};
+use core::{fmt, iter, mem::take, ops::Range};
+#[cfg(feature = "check")]
+pub(crate) use vectors::unit_vectors;
+pub(crate) use vectors::{far_exponent, numbers, power_of_two, scaled};
 
 /// After so many steps vectors are looked at, whether they are far from one.
 pub(crate) const BETWEEN_SCALES: u64 = 64;
@@ -43,10 +49,25 @@ pub struct Tangent<C: Coords> {
     /// How many of the vectors may be divided: those along parameters behind them grow by a force of their own, and what
     /// a method has beside states belongs to the vectors as they are.
     linear: usize,
+    /// How many lead along parameters.
+    #[cfg_attr(not(feature = "checkpoint"), allow(dead_code, reason = "checkpoints alone tell it"))]
+    parameters: usize,
     /// The motions before the steps under way, where there are several that have to stop at one step.
     before: Vec<Box<dyn Motions>>,
     /// The lanes of all runs where they are shown while they stand at the step before.
     between: Option<Vec<Vec<Lane<C>>>>,
+}
+
+/// Where a tangent begins.
+pub(crate) struct Beginning<C: Coords> {
+    pub(crate) start: Phase<C>,
+    pub(crate) vectors: Vec<Phase<C>>,
+    /// How many vectors lead along parameters: behind the others, or, where it goes on, the last of these.
+    pub(crate) parameters: usize,
+    pub(crate) h: f64,
+    /// The clock, and after how many steps the state was last changed from outside, where it goes on from the middle of the
+    /// step under way.
+    pub(crate) at: Option<(Clock, u64)>,
 }
 
 impl<C: Coords> Tangent<C> {
@@ -66,7 +87,8 @@ impl<C: Coords> Tangent<C> {
         if vectors.is_empty() {
             return Err(Error::VectorCount { count: 0, most: 2 * start.q.flat().len() });
         }
-        Self::along::<H, X, K, false>(system, method, start, vectors, 0, |_| Vec::new(), h)
+        let beginning = Beginning { start, vectors, parameters: 0, h, at: None };
+        Self::along::<H, X, K, false>(system, method, beginning, |_| Vec::new())
     }
 
     /// Along vectors at the start, and along so many parameters behind them; `slopes` gives the derivatives of prepared
@@ -74,11 +96,8 @@ impl<C: Coords> Tangent<C> {
     pub(crate) fn along<H, X, K, const SENSITIVE: bool>(
         system: &H,
         method: X,
-        start: Phase<C>,
-        mut vectors: Vec<Phase<C>>,
-        parameters: usize,
+        beginning: Beginning<C>,
         slopes: impl Fn(Range<usize>) -> Vec<H::Parameters<f64>>,
-        h: f64,
     ) -> Result<Self, Error>
     where
         H: Hamiltonian,
@@ -86,23 +105,40 @@ impl<C: Coords> Tangent<C> {
         K: Precision,
         H::Coords: Coords<With<K> = C>,
     {
-        refused::<H, K>(&start)?;
-        admissible_with::<H, _>(method, &start, h)?;
-        check(&start, &vectors)?;
-        let (count, still) = (vectors.len() + parameters, scaled(&start, 0.0));
-        let linear = if X::FROM_STATES { vectors.len() } else { 0 };
+        refused::<H, K>(&beginning.start)?;
+        admissible_with::<H, _>(method, &beginning.start, beginning.h)?;
+        check(&beginning.start, &beginning.vectors)?;
+        Self::begin::<H, X, K, SENSITIVE>(system, method, beginning, slopes)
+    }
+
+    /// The same from where nothing is to be refused.
+    fn begin<H, X, K, const SENSITIVE: bool>(
+        system: &H,
+        method: X,
+        beginning: Beginning<C>,
+        slopes: impl Fn(Range<usize>) -> Vec<H::Parameters<f64>>,
+    ) -> Result<Self, Error>
+    where
+        H: Hamiltonian,
+        X: Differentiable<H>,
+        K: Precision,
+        H::Coords: Coords<With<K> = C>,
+    {
+        let Beginning { start, mut vectors, parameters, h, at } = beginning;
+        let count = if at.is_some() { vectors.len() } else { vectors.len() + parameters };
+        let linear = if X::FROM_STATES { count - parameters } else { 0 };
         let room = if count == 1 { 1 } else { TOGETHER };
-        vectors.resize(count.next_multiple_of(room), still);
+        vectors.resize(count.next_multiple_of(room), scaled(&start, 0.0));
         let mut runs = Vec::with_capacity(count.div_ceil(room));
         for (number, vectors) in vectors.chunks(room).enumerate() {
             let carried = (vectors, slopes(number * room..(number + 1) * room));
             runs.push(if room == 1 {
-                Run::carrying::<H, X, K, Deviations<1, SENSITIVE>>(system, method, start.clone(), carried, h)?
+                run::<H, X, K, Deviations<1, SENSITIVE>>(system, method, &start, carried, (h, at))?
             } else {
-                Run::carrying::<H, X, K, Deviations<TOGETHER, SENSITIVE>>(system, method, start.clone(), carried, h)?
+                run::<H, X, K, Deviations<TOGETHER, SENSITIVE>>(system, method, &start, carried, (h, at))?
             });
         }
-        Ok(Self { runs, room, exponents: vec![0; count], linear, before: Vec::new(), between: None })
+        Ok(Self { runs, room, exponents: vec![0; count], linear, parameters, before: Vec::new(), between: None })
     }
 
     /// Starts the clock at `t0` instead of 0. A `t0` that is not finite is reported by the first `advance`.
@@ -292,8 +328,8 @@ impl<C: Coords> Tangent<C> {
 impl<C: Coords> Clone for Tangent<C> {
     fn clone(&self) -> Self {
         let exponents = self.exponents.clone();
-        let (room, linear, between) = (self.room, self.linear, self.between.clone());
-        Self { runs: self.runs.clone(), room, exponents, linear, before: Vec::new(), between }
+        let between = self.between.clone();
+        Self { runs: self.runs.clone(), exponents, before: Vec::new(), between, ..*self }
     }
 }
 
@@ -322,6 +358,29 @@ pub(crate) fn refused<H: Hamiltonian, K: Precision>(start: &Phase<Shaped<H, K>>)
         return Err(Error::NoTangent { reason });
     }
     Ok(())
+}
+
+/// A run with what it carries: from its start, or from the middle of the step under way at a clock.
+fn run<H, X, K, V>(
+    system: &H,
+    method: X,
+    start: &Phase<Shaped<H, K>>,
+    carried: Behind<'_, Shaped<H, K>, H::Parameters<f64>>,
+    (h, at): (f64, Option<(Clock, u64)>),
+) -> Result<Run<Shaped<H, K>>, Error>
+where
+    H: Hamiltonian,
+    X: Differentiable<H>,
+    K: Precision,
+    V: Carried,
+{
+    let Some((clock, opened)) = at else {
+        return Run::carrying::<H, X, K, V>(system, method, start.clone(), carried, h);
+    };
+    let lanes: Vec<_> = iter::once(start).chain(carried.0).cloned().collect();
+    let mut run = Run::from_unfinished::<H, X, K, V>(system, method, start.clone(), carried, clock, opened)?;
+    run.resume_lanes(&lanes);
+    Ok(run)
 }
 
 /// Whether these are deviation vectors at a state.
@@ -358,56 +417,4 @@ fn of_vector<C: Coords>(run: &Run<C>, first: usize, error: Error) -> Error {
         }
         error => error,
     }
-}
-
-/// The numbers of a point, positions first.
-pub(crate) fn numbers<C: Coords>(point: &Phase<C>) -> impl Iterator<Item = f64> + Clone {
-    point.q.flat().iter().chain(point.p.flat()).map(|leaf| leaf.to_f64())
-}
-
-/// The power of two just below the largest component, where that is far from one; nought elsewhere.
-pub(crate) fn far_exponent<C: Coords>(vector: &Phase<C>) -> i32 {
-    let largest = numbers(vector).fold(0.0, |largest: f64, number| largest.max(number.abs()));
-    // The exponent as it is stored; where it has no room for one, the largest or the least.
-    let exponent = ((largest.to_bits() >> MANTISSA) as i32 - BIAS).clamp(1 - BIAS, BIAS - 1);
-    if largest == 0.0 || exponent.abs() < far_from_one::<C::Leaf>() { 0 } else { exponent }
-}
-
-/// How many bits of a number follow those of its exponent.
-const MANTISSA: u32 = f64::MANTISSA_DIGITS - 1;
-
-/// What is stored of the exponent of one.
-const BIAS: i32 = f64::MAX_EXP - 1;
-
-/// A power of two, whose exponent is that of some vector.
-pub(crate) fn power_of_two(exponent: i32) -> f64 {
-    f64::from_bits(((exponent + BIAS) as u64) << MANTISSA)
-}
-
-/// The exponent of vectors that are far from one: so far from the ends of the numbers that the squares of components
-/// stay finite, and that growing by e^11 in each of 64 steps leads nowhere near them; in `f32` by e.
-fn far_from_one<K: Precision>() -> i32 {
-    if K::EPSILON < f64::from(f32::EPSILON) { 256 } else { 32 }
-}
-
-/// A vector times a number.
-pub(crate) fn scaled<C: Coords>(vector: &Phase<C>, factor: f64) -> Phase<C> {
-    let mut scaled = vector.clone();
-    for leaf in scaled.q.flat_mut().iter_mut().chain(scaled.p.flat_mut()) {
-        *leaf = C::Leaf::from_parts(leaf.parts().map(|part| part * factor));
-    }
-    scaled
-}
-
-/// The unit vectors in the shape of a point, positions first.
-#[cfg(feature = "check")]
-pub(crate) fn unit_vectors<C: Coords>(like: &Phase<C>) -> Vec<Phase<C>> {
-    let unit = |number: usize| {
-        let mut unit = like.clone();
-        for (place, leaf) in unit.q.flat_mut().iter_mut().chain(unit.p.flat_mut()).enumerate() {
-            *leaf = C::Leaf::from_parts([f64::from(u8::from(place == number)), 0.0]);
-        }
-        unit
-    };
-    (0..2 * like.q.flat().len()).map(unit).collect()
 }

@@ -30,6 +30,7 @@ use crate::{
 };
 use alloc::{borrow::ToOwned, string::ToString, vec::Vec};
 use record::{OwnTime, Record, Stored, fingerprint};
+pub(crate) use record::{record_of, sealed_record};
 #[cfg(feature = "std")]
 use std::{
     fs::{self, File},
@@ -70,12 +71,12 @@ impl Origin {
 }
 
 /// The numbers of some coordinates, one after the other.
-fn numbers<C: Coords>(coordinates: &C) -> Vec<f64> {
+pub(crate) fn numbers<C: Coords>(coordinates: &C) -> Vec<f64> {
     coordinates.flat().iter().flat_map(|leaf| leaf.parts().into_iter().take(C::Leaf::PARTS)).collect()
 }
 
 /// The coordinates that have these numbers, if their shape has so many.
-fn coordinates<C: Coords>(numbers: &[f64]) -> Option<C> {
+pub(crate) fn coordinates<C: Coords>(numbers: &[f64]) -> Option<C> {
     let parts = C::Leaf::PARTS;
     let leaves =
         numbers.chunks(parts).map(|chunk| C::Leaf::from_parts(core::array::from_fn(|i| *chunk.get(i).unwrap_or(&0.0))));

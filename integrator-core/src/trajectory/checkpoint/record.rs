@@ -10,7 +10,7 @@ use crate::{
 };
 use alloc::{borrow::ToOwned, format, string::String, vec::Vec};
 use crc::{CRC_64_XZ, Crc};
-use serde::{Deserialize, Serialize};
+use serde::{Deserialize, Serialize, de::DeserializeOwned};
 
 /// What every checkpoint begins with.
 const MAGIC: [u8; 8] = *b"symplrun";
@@ -76,20 +76,7 @@ impl Stored {
 
     /// What the bytes of a checkpoint say.
     pub(super) fn of_bytes(checkpoint: &[u8]) -> Result<Self, CheckpointError> {
-        let rest = checkpoint.strip_prefix(&MAGIC).ok_or(CheckpointError::Foreign)?;
-        let (version, rest) = rest.split_first_chunk().ok_or(CheckpointError::Damaged)?;
-        let version = u16::from_le_bytes(*version);
-        if version > VERSION {
-            return Err(CheckpointError::Newer { version });
-        }
-        if version < OLDEST {
-            return Err(CheckpointError::Older { version });
-        }
-        let (records, checksum) = rest.split_last_chunk().ok_or(CheckpointError::Damaged)?;
-        let covered = &checkpoint[..checkpoint.len() - checksum.len()];
-        if CHECKSUM.checksum(covered) != u64::from_le_bytes(*checksum) {
-            return Err(CheckpointError::Damaged);
-        }
+        let (version, records) = unsealed(MAGIC, [OLDEST, VERSION], checkpoint)?;
         Self::of_records(version, records).filter(Self::is_whole).ok_or(CheckpointError::Damaged)
     }
 
@@ -141,6 +128,41 @@ impl Stored {
 /// A method as it is written, with the composition that it is over.
 fn named(method: &str, over: &str) -> String {
     if over.is_empty() { method.to_owned() } else { format!("{method}({over})") }
+}
+
+/// A record of another kind, as bytes that begin like their kind and end in a checksum.
+pub(crate) fn sealed_record(magic: [u8; 8], version: u16, record: &impl Serialize) -> Vec<u8> {
+    let mut bytes = magic.to_vec();
+    bytes.extend(version.to_le_bytes());
+    // Records of numbers can always be written to memory.
+    bytes.extend(postcard::to_allocvec(record).unwrap_or_default());
+    sealed(bytes)
+}
+
+/// What such bytes say.
+pub(crate) fn record_of<T: DeserializeOwned>(magic: [u8; 8], newest: u16, bytes: &[u8]) -> Result<T, CheckpointError> {
+    let (_, record) = unsealed(magic, [newest, newest], bytes)?;
+    let (record, rest) = postcard::take_from_bytes(record).map_err(|_| CheckpointError::Damaged)?;
+    if rest.is_empty() { Ok(record) } else { Err(CheckpointError::Damaged) }
+}
+
+/// The version of some bytes, between the oldest and the newest that are read, and what they hold.
+fn unsealed(magic: [u8; 8], [oldest, newest]: [u16; 2], bytes: &[u8]) -> Result<(u16, &[u8]), CheckpointError> {
+    let rest = bytes.strip_prefix(&magic).ok_or(CheckpointError::Foreign)?;
+    let (version, rest) = rest.split_first_chunk().ok_or(CheckpointError::Damaged)?;
+    let version = u16::from_le_bytes(*version);
+    if version > newest {
+        return Err(CheckpointError::Newer { version });
+    }
+    if version < oldest {
+        return Err(CheckpointError::Older { version });
+    }
+    let (records, checksum) = rest.split_last_chunk().ok_or(CheckpointError::Damaged)?;
+    let covered = &bytes[..bytes.len() - checksum.len()];
+    if CHECKSUM.checksum(covered) != u64::from_le_bytes(*checksum) {
+        return Err(CheckpointError::Damaged);
+    }
+    Ok((version, records))
 }
 
 /// Bytes with their checksum.

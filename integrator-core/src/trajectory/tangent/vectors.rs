@@ -1,0 +1,57 @@
+//! Deviation vectors as lists of numbers: how far from one they are, multiples of them, and those along coordinates.
+
+use crate::state::{coords::Coords, phase::Phase, precision::Precision};
+#[cfg(feature = "check")]
+use alloc::vec::Vec;
+
+/// The numbers of a point, positions first.
+pub(crate) fn numbers<C: Coords>(point: &Phase<C>) -> impl Iterator<Item = f64> + Clone {
+    point.q.flat().iter().chain(point.p.flat()).map(|leaf| leaf.to_f64())
+}
+
+/// The power of two just below the largest component, where that is far from one; nought elsewhere.
+pub(crate) fn far_exponent<C: Coords>(vector: &Phase<C>) -> i32 {
+    let largest = numbers(vector).fold(0.0, |largest: f64, number| largest.max(number.abs()));
+    // The exponent as it is stored; where it has no room for one, the largest or the least.
+    let exponent = ((largest.to_bits() >> MANTISSA) as i32 - BIAS).clamp(1 - BIAS, BIAS - 1);
+    if largest == 0.0 || exponent.abs() < far_from_one::<C::Leaf>() { 0 } else { exponent }
+}
+
+/// How many bits of a number follow those of its exponent.
+const MANTISSA: u32 = f64::MANTISSA_DIGITS - 1;
+
+/// What is stored of the exponent of one.
+const BIAS: i32 = f64::MAX_EXP - 1;
+
+/// A power of two, whose exponent is that of some vector.
+pub(crate) fn power_of_two(exponent: i32) -> f64 {
+    f64::from_bits(((exponent + BIAS) as u64) << MANTISSA)
+}
+
+/// The exponent of vectors that are far from one: so far from the ends of the numbers that the squares of components
+/// stay finite, and that growing by e^11 in each of 64 steps leads nowhere near them; in `f32` by e.
+fn far_from_one<K: Precision>() -> i32 {
+    if K::EPSILON < f64::from(f32::EPSILON) { 256 } else { 32 }
+}
+
+/// A vector times a number.
+pub(crate) fn scaled<C: Coords>(vector: &Phase<C>, factor: f64) -> Phase<C> {
+    let mut scaled = vector.clone();
+    for leaf in scaled.q.flat_mut().iter_mut().chain(scaled.p.flat_mut()) {
+        *leaf = C::Leaf::from_parts(leaf.parts().map(|part| part * factor));
+    }
+    scaled
+}
+
+/// The unit vectors in the shape of a point, positions first.
+#[cfg(feature = "check")]
+pub(crate) fn unit_vectors<C: Coords>(like: &Phase<C>) -> Vec<Phase<C>> {
+    let unit = |number: usize| {
+        let mut unit = like.clone();
+        for (place, leaf) in unit.q.flat_mut().iter_mut().chain(unit.p.flat_mut()).enumerate() {
+            *leaf = C::Leaf::from_parts([f64::from(u8::from(place == number)), 0.0]);
+        }
+        unit
+    };
+    (0..2 * like.q.flat().len()).map(unit).collect()
+}
