@@ -173,13 +173,12 @@ impl<H: Hamiltonian, R: Real, const S: usize> Equation<'_, H, R, S> {
                 for k in 0..y.len() {
                     let after = self.h * after[k].lane(lane);
                     let step = (after - self.h * before[k].lane(lane)).abs();
-                    // What is no number has not settled.
-                    moved = if step <= moved { moved } else { step };
+                    moved = larger(moved, step);
                     size = size.max(y[k].lane(lane).abs()).max(after.abs());
                 }
                 // Nothing in units of nothing is nothing.
                 let relative = if moved == 0.0 { 0.0 } else { moved / size };
-                most = if relative <= most { most } else { relative };
+                most = larger(most, relative);
             }
         }
         most
@@ -212,6 +211,12 @@ impl<H: Hamiltonian, R: Real, const S: usize> Equation<'_, H, R, S> {
         };
         (0..R::LANES).map(reason).collect()
     }
+}
+
+/// The larger of two numbers, or what is no number: then nothing has settled, whatever the other coordinates do.
+#[inline(always)]
+fn larger(one: f64, other: f64) -> f64 {
+    if one.is_nan() || other <= one { one } else { other }
 }
 
 /// Takes back what was found in the lanes that are settled.

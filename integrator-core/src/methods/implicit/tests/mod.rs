@@ -218,3 +218,27 @@ fn the_time_is_read_where_stages_are() {
     let slope = fit(&[10, 20, 40].map(error)).value;
     assert!((slope + 4.0).abs() < 0.2, "{slope}");
 }
+
+/// A stiff spring along a parabola. In long steps the first iteration overflows in one coordinate before the others do.
+struct Curved;
+
+#[crate::hamiltonian]
+impl Curved {
+    fn kinetic(&self, [px, py]: [f64; 2]) -> f64 {
+        0.5 * (px * px + py * py)
+    }
+    fn potential(&self, [x, y]: [f64; 2]) -> f64 {
+        0.5 * 1e4 * (y - x * x).powi(2) - x.cos()
+    }
+}
+
+/// What is no number in one coordinate was taken for settled where the next one was a number.
+#[test]
+fn an_iteration_that_overflows_is_left_to_newton() {
+    for (h, steps) in [(0.05, 240), (0.2, 60)] {
+        let mut run = Curved.run_with(ImplicitMidpoint, Phase::new([1.0, 1.0], [0.0, 0.0]), h).expect("a run");
+        let energy = run.energy();
+        run.advance(steps).expect("Newton's iteration has an end");
+        assert!((run.energy() - energy).abs() < 2e-3, "{h}: {:e}", run.energy() - energy);
+    }
+}
