@@ -45,6 +45,8 @@ mod storage_ring;
 mod swarm;
 #[path = "../examples/ensemble_separatrix/picture.rs"]
 mod swarm_picture;
+#[path = "../examples/study/sweep.rs"]
+mod sweep;
 #[path = "../examples/paul_trap/trap.rs"]
 mod trap;
 #[path = "../examples/paul_trap/picture.rs"]
@@ -54,6 +56,7 @@ use drawn::drawn;
 use integrator_core::prelude::*;
 use planets::system;
 use section_picture::Section;
+use std::{fs, io::Read as _, ops::ControlFlow, path::Path};
 
 /// Below an energy of about 0.11 there is hardly an orbit that is not regular, and at the energy of escape hardly one
 /// that is (Hénon and Heiles 1964).
@@ -378,4 +381,47 @@ fn solved_oscillators_leave_an_error_of_the_coupling_alone() {
     assert!((parts / small_parts / 100.0 - 1.0).abs() < 0.1, "{parts} {small_parts}");
     let long = energy_change(&Oscillators, Aba864, 0.03, 0.2).expect("finite states");
     assert!(long < 1e-11, "{long}");
+}
+
+/// A study that is stopped after each piece, and begins a piece again, writes the files of one that never was.
+#[test]
+fn a_study_goes_on_where_it_was_stopped() {
+    let from = Path::new(env!("CARGO_MANIFEST_DIR")).join("examples/data/study");
+    let folder = std::env::temp_dir().join(format!("study-{}", std::process::id()));
+    let [at_once, by_pieces] = ["at_once", "by_pieces"].map(|name| folder.join(name));
+    let outcomes = sweep::sweep(&from, &at_once, |_| ControlFlow::Continue(())).expect("a study").expect("not stopped");
+    let (mut stops, mut again) = (0, None);
+    while again.is_none() {
+        again = sweep::sweep(&from, &by_pieces, |_| ControlFlow::Break(())).expect("a study");
+        stops += 1;
+        if stops == 1 {
+            // Killed before the checkpoint was written.
+            fs::remove_file(by_pieces.join("orbit_0.6_0.run")).expect("a checkpoint");
+        }
+    }
+    // Each piece of nine orbits, one of them twice, and the call that finds nothing left.
+    assert_eq!((stops, again.as_ref()), (9 * 4 + 2, Some(&outcomes)));
+    // A sixth-order step of 0.02, where orbits take about five.
+    assert!(outcomes.iter().all(|outcome| outcome.error.abs() < 1e-8), "{outcomes:?}");
+    let files = fs::read_dir(&at_once).expect("a folder").map(|entry| entry.expect("an entry").path());
+    let mut arrays = 0;
+    for path in files.filter(|path| path.extension().is_some_and(|of| of == "npz")) {
+        let other = by_pieces.join(path.file_name().expect("a name"));
+        let [one, other] = [&path, &other].map(|path| positions(path));
+        assert_eq!(one, other);
+        // 251 samples with the start of the orbit, 250 without, behind the head of the array.
+        let first = path.to_string_lossy().ends_with("_0.npz");
+        assert_eq!(one.len() - 128, (250 + usize::from(first)) * 2 * size_of::<f64>());
+        arrays += 1;
+    }
+    assert_eq!(arrays, 9 * 4);
+    fs::remove_dir_all(folder).expect("a folder");
+}
+
+/// The array of positions, as bytes.
+fn positions(path: &Path) -> Vec<u8> {
+    let mut archive = zip::ZipArchive::new(fs::File::open(path).expect("a file")).expect("an archive");
+    let mut bytes = Vec::new();
+    archive.by_name("q.npy").expect("an array").read_to_end(&mut bytes).expect("bytes");
+    bytes
 }

@@ -1,0 +1,31 @@
+//! The shape of a study: parameters from TOML, starts from CSV, a sweep, NPZ files for Python.
+//!
+//! `cargo run --release --features study --example study -- [FROM] [TO]`. Stop or kill it and start it again: it goes on in the
+//! middle of an orbit, with the same files, bit for bit. `np.load("orbit_0.6_0_0.npz")["q"]` are positions in Python.
+
+mod sweep;
+
+use std::{
+    ops::ControlFlow,
+    path::PathBuf,
+    sync::atomic::{AtomicBool, Ordering},
+};
+use sweep::{Fallible, sweep};
+
+static STOP: AtomicBool = AtomicBool::new(false);
+
+fn main() -> Fallible<()> {
+    ctrlc::set_handler(|| STOP.store(true, Ordering::Relaxed))?;
+    let data = concat!(env!("CARGO_MANIFEST_DIR"), "/data/study");
+    let mut folders = std::env::args().skip(1).map(PathBuf::from);
+    let (from, to) = (folders.next().unwrap_or(data.into()), folders.next().unwrap_or("target/study".into()));
+    let told = |line: &str| {
+        println!("{line}");
+        if STOP.load(Ordering::Relaxed) { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+    };
+    let Some(outcomes) = sweep(&from, &to, told)? else { return Ok(println!("stopped; start it again to go on")) };
+    for outcome in outcomes {
+        println!("flattening {}, start {}: energy {:+.1e}", outcome.flattening, outcome.start, outcome.error);
+    }
+    Ok(())
+}
