@@ -94,7 +94,7 @@ where
 {
     refused::<H, K>(start)?;
     let parameters = member::<H, K, X>(system, method, start, h)?;
-    energy::<H, K>(&parameters, start, 0.0).admissible(0.0)
+    energy::<H, K>(&parameters, start, 0.0, None).admissible(0.0)
 }
 
 /// The lanes of an orbit: its state, and one vector.

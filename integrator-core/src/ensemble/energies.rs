@@ -38,7 +38,7 @@ struct MemberFunctions<P, C> {
 
 impl<P: Send + Sync, C: Coords> EnergiesOfMembers for MemberFunctions<P, C> {
     fn parts(&self, member: usize, state: &dyn Point, time: f64) -> Parts {
-        (self.energy)(&self.parameters[member], shaped(state), time)
+        (self.energy)(&self.parameters[member], shaped(state), time, None)
     }
 
     fn invariants(&self) -> &'static [&'static str] {

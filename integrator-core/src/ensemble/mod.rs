@@ -417,7 +417,7 @@ pub(crate) fn member<H: Hamiltonian, K: Precision, X: Method<H>>(
     #[cfg(debug_assertions)]
     hold_at_start::<H, K>(system, &parameters, start, 0.0)?;
     if unsettled && H::AUTONOMOUS {
-        energy::<H, K>(&parameters, start, 0.0).admissible(0.0)?;
+        energy::<H, K>(&parameters, start, 0.0, None).admissible(0.0)?;
     }
     Ok(parameters)
 }

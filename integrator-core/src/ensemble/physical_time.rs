@@ -17,7 +17,10 @@ use crate::{
         phase::Phase,
         point::{Point, shaped},
     },
-    system::energy::{Energies, Parts},
+    system::{
+        energy::{Energies, Parts},
+        motion::Found,
+    },
     trajectory::{
         engine::BLOCK,
         panics::{Panics, attempt},
@@ -202,7 +205,7 @@ struct EnergiesOfMember {
 }
 
 impl<C: Coords> Energies<C> for EnergiesOfMember {
-    fn parts(&self, state: &Phase<C>, time: f64) -> Parts {
+    fn parts(&self, state: &Phase<C>, time: f64, _: Option<&Found>) -> Parts {
         self.energies.parts(self.member, state, time)
     }
 

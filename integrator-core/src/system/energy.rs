@@ -5,7 +5,7 @@ use crate::{
     hamiltonian::{Hamiltonian, Shaped},
     scalar::real::{Kernel, Real},
     state::{coords::Coords, phase::Phase, precision::Precision},
-    system::motion::Motion,
+    system::motion::{Found, Motion},
 };
 use alloc::sync::Arc;
 
@@ -49,7 +49,8 @@ impl Parts {
 
 /// The energy function of a system and its invariants, which do not borrow a run.
 pub(crate) trait Energies<C: Coords>: Send + Sync {
-    fn parts(&self, state: &Phase<C>, time: f64) -> Parts;
+    /// The energies of a state near one of which a motion has found something out.
+    fn parts(&self, state: &Phase<C>, time: f64, found: Option<&Found>) -> Parts;
 
     /// The names of the invariants.
     fn invariants(&self) -> &'static [&'static str];
@@ -58,7 +59,7 @@ pub(crate) trait Energies<C: Coords>: Send + Sync {
     fn invariant(&self, number: usize, state: &Phase<C>) -> f64;
 
     fn energy(&self, state: &Phase<C>, time: f64) -> f64 {
-        self.parts(state, time).total
+        self.parts(state, time, None).total
     }
 
     /// The invariant of this name.
@@ -107,8 +108,8 @@ impl<P, C> InvariantsOf<P, C> {
 }
 
 impl<P: Send + Sync, C: Coords> Energies<C> for EnergyFunction<P, C> {
-    fn parts(&self, state: &Phase<C>, time: f64) -> Parts {
-        (self.energy)(&self.parameters, state, time)
+    fn parts(&self, state: &Phase<C>, time: f64, found: Option<&Found>) -> Parts {
+        (self.energy)(&self.parameters, state, time, found)
     }
 
     fn invariants(&self) -> &'static [&'static str] {
@@ -121,15 +122,19 @@ impl<P: Send + Sync, C: Coords> Energies<C> for EnergyFunction<P, C> {
 }
 
 /// The energy of a state at a time, compiled for one system and leaf.
-pub(crate) type EnergyOf<P, C> = fn(&P, &Phase<C>, f64) -> Parts;
+pub(crate) type EnergyOf<P, C> = fn(&P, &Phase<C>, f64, Option<&Found>) -> Parts;
 
 /// The energy of a state, computed in the scalar of its leaf.
 pub(crate) fn energy<H: Hamiltonian, K: Precision>(
     parameters: &H::Parameters<f64>,
     state: &Phase<Shaped<H, K>>,
     time: f64,
+    found: Option<&Found>,
 ) -> Parts {
-    let motion = in_energy_scalar::<H, K>(parameters, state);
+    let mut motion = in_energy_scalar::<H, K>(parameters, state);
+    if let Some(found) = found {
+        motion.use_found(found);
+    }
     K::Energy::enter(Energy::<H, K::Energy> { motion: &motion, time })
 }
 

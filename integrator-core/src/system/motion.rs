@@ -6,8 +6,11 @@ use crate::{
     state::{coords::Coords, digest::Digest, phase::Phase, precision::Slot},
     system::counts::Counts,
 };
-use alloc::vec::Vec;
-use core::mem::{needs_drop, take};
+use alloc::{sync::Arc, vec::Vec};
+use core::{
+    any::Any,
+    mem::{needs_drop, take},
+};
 
 /// Prepared constants, one per lane.
 pub trait Prepared<R: Real>: Clone + Send + Sync + 'static {
@@ -39,6 +42,9 @@ pub enum InRegisters {
     Kicked,
     Always,
 }
+
+/// What a motion has found out beside its state, such as which bodies are near each other. No result depends on it.
+pub(crate) type Found = Arc<dyn Any + Send + Sync>;
 
 /// State and prepared constants in the layout that the generator chose.
 pub trait Motion<C: Coords, P>: Clone + Send + Sync + 'static {
@@ -81,6 +87,12 @@ pub trait Motion<C: Coords, P>: Clone + Send + Sync + 'static {
     }
     /// Copies the coordinates of another motion with the same constants, in place.
     fn copy_state(&mut self, from: &Self);
+    /// What it has found out that would take another motion with the same constants some time.
+    fn found(&self) -> Option<Found> {
+        None
+    }
+    /// Goes on with what another motion with the same constants has found out.
+    fn use_found(&mut self, _found: &Found) {}
     /// Sets the number of threads, or all that the machine has, where a layout distributes its work.
     fn share_among(&mut self, _threads: Option<usize>) {}
     /// Why the steps of a method could not be solved in a lane, after which this stands still and is not finite.

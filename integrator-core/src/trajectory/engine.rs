@@ -147,7 +147,11 @@ impl Engine {
     /// Goes on with as many motions from other states of the same size, at the beginning of a clock.
     pub(crate) fn restart(&mut self, members: Vec<(usize, &dyn Point)>) {
         // The copies take over what they need of these before they are read.
+        let found = self.motions.found();
         self.motions = load(&*self.motions, members);
+        if let Some(found) = &found {
+            self.motions.use_found(found);
+        }
         self.motions.share_among(self.threads);
         self.completed_at = None;
     }

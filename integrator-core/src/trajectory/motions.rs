@@ -13,7 +13,10 @@ use crate::{
         phase::Phase,
         point::{Point, mixed_up, shaped, shaped_mut},
     },
-    system::{counts::Counts, motion::Motion},
+    system::{
+        counts::Counts,
+        motion::{Found, Motion},
+    },
     trajectory::step_functions::StepFunctions,
 };
 use alloc::{boxed::Box, sync::Arc, vec::Vec};
@@ -69,6 +72,10 @@ pub(crate) trait Motions: Any + Send + Sync {
     fn put_beside(&mut self, beside: &Beside);
     /// What a single trajectory has counted of its steps, where they count anything.
     fn counts(&self) -> Option<Counts>;
+    /// What a single trajectory has found out beside its state.
+    fn found(&self) -> Option<Found>;
+    /// Goes on with what a single trajectory has found out.
+    fn use_found(&mut self, found: &Found);
     /// Lets so many threads share the pairs of many bodies of a single trajectory, or all that the machine has.
     fn share_among(&mut self, threads: Option<usize>);
 }
@@ -338,6 +345,16 @@ where
 
     fn counts(&self) -> Option<Counts> {
         self.motions.first()?.counts()
+    }
+
+    fn found(&self) -> Option<Found> {
+        self.motions.first()?.found()
+    }
+
+    fn use_found(&mut self, found: &Found) {
+        if let Some(motion) = self.motions.first_mut() {
+            motion.use_found(found);
+        }
     }
 
     fn share_among(&mut self, threads: Option<usize>) {

@@ -105,7 +105,7 @@ impl<C: Coords> Run<C> {
     /// [`Error::Energy`]
     pub(crate) fn check_start(&mut self) -> Result<(), Error> {
         if self.start_unchecked {
-            self.energies.parts(&self.state(), self.time()).admissible(self.time())?;
+            self.parts().admissible(self.time())?;
             self.start_unchecked = false;
         }
         Ok(())
@@ -456,7 +456,7 @@ impl<C: Coords> Run<C> {
     }
 
     pub(crate) fn parts(&self) -> Parts {
-        self.energies.parts(&self.state(), self.time())
+        self.energies.parts(&self.state(), self.time(), self.engine.motions.found().as_ref())
     }
 
     /// Changes the state between two steps: coordinates that are wrapped into a periodic box, momenta that are drawn
@@ -491,7 +491,8 @@ impl<C: Coords> Run<C> {
     pub fn map_state(&mut self, map: impl FnOnce(&mut Phase<C>)) -> Result<(), Error> {
         let mut state = self.state_at_step();
         change(&mut state, self.clock.h, map)?;
-        let (time, parts) = (self.time_at_step(), self.energies.parts(&state, self.time_at_step()));
+        let time = self.time_at_step();
+        let parts = self.energies.parts(&state, time, self.engine.motions.found().as_ref());
         // Where the start is unchecked, its time is not settled.
         if !self.start_unchecked {
             parts.admissible(time)?;

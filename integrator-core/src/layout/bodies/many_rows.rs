@@ -18,7 +18,7 @@ use crate::{
         phase::Phase,
         precision::{Precision, Slot},
     },
-    system::motion::{Motion, Plain, Prepared},
+    system::motion::{Found, Motion, Plain, Prepared},
 };
 use alloc::{boxed::Box, vec::Vec};
 use core::{marker::PhantomData, ops::Range};
@@ -43,7 +43,7 @@ pub struct ManyRows<R: Real, K: Precision, P, const D: usize, const S: usize> {
     /// The sums of forces, chunk after chunk; in the end the first chunk has the total.
     gradients: Vec<[R::Row<WIDTH>; D]>,
     /// The lists of neighbours, where a cutoff makes these short.
-    neighbours: Neighbours<R, D>,
+    pub(crate) neighbours: Neighbours<R, D>,
     /// The number of threads that may share the work.
     threads: usize,
     /// The number of bodies.
@@ -154,6 +154,12 @@ where
         self.q.copy_from_slice(&from.q);
         self.p.copy_from_slice(&from.p);
         self.neighbours.share(&from.neighbours);
+    }
+    fn found(&self) -> Option<Found> {
+        self.neighbours.found(self.bodies)
+    }
+    fn use_found(&mut self, found: &Found) {
+        self.neighbours.use_found(found, self.bodies);
     }
     fn share_among(&mut self, threads: Option<usize>) {
         self.threads = threads.unwrap_or_else(all_threads).max(1);

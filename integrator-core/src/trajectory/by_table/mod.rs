@@ -13,7 +13,10 @@ use crate::{
     hamiltonian::{Flows, Hamiltonian, QuadraticKinetic},
     scalar::real::Real,
     state::{coords::Coords, phase::Phase, precision::Precision},
-    system::{counts::Counts, motion::Motion},
+    system::{
+        counts::Counts,
+        motion::{Found, Motion},
+    },
     trajectory::{
         by_table::{
             letters::Letters,
@@ -159,6 +162,12 @@ impl<C: Coords, P: Send + Sync + 'static, M: Motion<C, P>> Motion<C, Constants<P
     }
     fn copy_state(&mut self, from: &Self) {
         self.motion.copy_state(&from.motion);
+    }
+    fn found(&self) -> Option<Found> {
+        self.motion.found()
+    }
+    fn use_found(&mut self, found: &Found) {
+        self.motion.use_found(found);
     }
     fn share_among(&mut self, threads: Option<usize>) {
         self.motion.share_among(threads);

@@ -9,6 +9,7 @@
 
 mod candidates;
 pub(crate) mod cells;
+mod found;
 pub(crate) mod lists;
 mod skin;
 mod sums;
@@ -89,7 +90,7 @@ impl<const D: usize> Cutoffs<D> {
 
 /// Lists of neighbours, and where bodies were when these were made.
 struct Listed<W, const D: usize> {
-    lists: Lists,
+    lists: Arc<Lists>,
     reference: Vec<[W; D]>,
     /// The square of half of the skin.
     slack: f64,
@@ -149,7 +150,7 @@ impl<R: Real, const D: usize> Neighbours<R, D> {
             None => FIRST_SKIN * distance,
             Some(listed) => next_skin(distance, listed.skin, self.sums, D),
         };
-        let old = self.listed.take().and_then(Arc::into_inner).map(|listed| listed.lists);
+        let old = self.listed.take().and_then(Arc::into_inner).and_then(|listed| Arc::into_inner(listed.lists));
         self.listed = Some(Arc::new(Listed::new::<R>(q, bodies, cutoffs, skin, threads, old)));
         self.sums = 1;
     }
@@ -180,7 +181,7 @@ impl<R: Real, const D: usize> Neighbours<R, D> {
         let mut total = R::of(0.0);
         self.renew(q, bodies, cutoffs, threads);
         let Some(listed) = self.listed.clone() else { return total };
-        let lists = &listed.lists;
+        let lists = &*listed.lists;
         self.fill(q, constants, &lists.slot_of);
         let points = &self.points[..];
         let mut results = vec![[[R::of(0.0); WIDTH]]; q.len()];
@@ -228,7 +229,7 @@ impl<H: ManyBody<D, S>, R: Real, const D: usize, const S: usize> Kernel for SumF
         let Self { neighbours, sum: Sum { q, constants, bodies, parameters, time, threads }, cutoffs, gradient } = self;
         neighbours.renew(q, bodies, cutoffs, threads);
         let Some(listed) = neighbours.listed.clone() else { return };
-        let lists = &listed.lists;
+        let lists = &*listed.lists;
         neighbours.fill(q, constants, &lists.slot_of);
         let Neighbours { points, results, .. } = neighbours;
         results.resize(q.len(), [[R::of(0.0); WIDTH]; D]);
@@ -277,7 +278,7 @@ impl<W: Real, const D: usize> Listed<W, D> {
             let distance = if cutoff.is_short() { cutoff.distance } else { 0.0 };
             members.push((cutoff.sides, distance + skin + rounding::<R>(distance + skin, farthest)));
         }
-        let lists = Lists::new(bodies, &members, &at, threads, old);
+        let lists = Arc::new(Lists::new(bodies, &members, &at, threads, old));
         // Half of the skin less what the comparison itself rounds.
         let slack = 0.25 * skin * skin * (1.0 - 16.0 * epsilon::<R>());
         Self { lists, reference: q.to_vec(), slack, skin }

@@ -286,6 +286,33 @@ fn lists_that_are_kept_for_too_long_are_wrong() {
 }
 
 #[test]
+fn lists_that_are_found_change_no_bit() {
+    let soft = Soft::new(2.1);
+    let mut first = motion::<f64>(&[(&soft, &soft.start(7))]);
+    assert!(Motion::<Vec<[f64; 3]>, _>::found(&first).is_none(), "nobody was asked who is near");
+    Soft::kick::<f64, f64>(&mut first, 0.01, 0.0);
+    let found = Motion::<Vec<[f64; 3]>, _>::found(&first).expect("lists");
+    Soft::drift::<f64, f64>(&mut first, 0.01, 0.0);
+    let with = |rows: &Rows<f64>| {
+        let mut rows = rows.clone();
+        rows.neighbours = Neighbours::none();
+        Motion::<Vec<[f64; 3]>, _>::use_found(&mut rows, &found);
+        rows
+    };
+    let (with, without) = (with(&first), first.at_rest());
+    assert!(with.neighbours.listed.as_ref().is_some_and(|listed| listed.holds(&with.q)), "a drift within the skin");
+    assert!(gradient(&with, 0) == gradient(&without, 0));
+    assert!(with.listed_energy::<Soft>(0.0) == without.listed_energy::<Soft>(0.0));
+    // Lists for doubles are too short for singles, whose distances are rounded more.
+    let mut singles = Neighbours::<f32, 3>::none();
+    singles.use_found(&found, BODIES);
+    assert!(singles.listed.is_none());
+    let mut fewer = Neighbours::<f64, 3>::none();
+    fewer.use_found(&found, BODIES - 1);
+    assert!(fewer.listed.is_none());
+}
+
+#[test]
 fn energies_are_those_of_all_pairs() {
     for soft in [Soft::new(2.1), Soft::new(0.3)] {
         let start = soft.start(6);
