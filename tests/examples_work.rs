@@ -23,6 +23,8 @@ mod grid;
 mod halley;
 #[path = "../examples/lennard_jones/liquid.rs"]
 mod liquid;
+#[path = "../examples/lennard_jones/looks.rs"]
+mod liquid_looks;
 #[path = "../examples/lennard_jones/picture.rs"]
 mod liquid_picture;
 #[path = "../examples/penning_trap/trap.rs"]
@@ -232,51 +234,68 @@ fn the_area_of_a_swarm_stays_and_nobody_crosses_the_separatrix() {
 
 #[test]
 fn argon_keeps_its_energy_and_its_neighbours() {
-    let mut argon =
-        liquid::Liquid::crystal(3, 0.8442, 0.722, 0.004, &mut fastrand::Rng::with_seed(1964)).expect("a good start");
-    assert_eq!(argon.state().q.len(), 108);
-    assert!((argon.temperature() - 0.722).abs() < 1e-12);
+    let mut argon = liquid::Liquid::crystal(3, 94.4, &mut fastrand::Rng::with_seed(1964)).expect("a good start");
+    let start = argon.state();
+    assert_eq!(start.q.len(), 108);
+    assert!((argon.temperature() - 94.4).abs() < 1e-9);
     for _ in 0..15 {
-        argon.heat_to(0.722).expect("finite states");
+        argon.heat_to(94.4).expect("finite states");
         argon.advance(20).expect("finite states");
     }
-    let (energy, mut looks) = (argon.energy() / 108.0, Vec::new());
-    let mut distances = liquid::Distances::new(&argon.argon, 100);
+    let (energy, mut looks, mut squares) = (argon.energy(), Vec::new(), Vec::new());
+    let mut distances = liquid_looks::Distances::new(&argon.argon, 18.0, 80);
     for look in 1..=10 {
         argon.advance(20).expect("finite states");
-        distances.look(&argon);
-        // Verlet's error is a few 1e-4 with this step, for the smooth energy that this is.
-        let change = argon.energy() / 108.0 - energy;
-        assert!(change.abs() < 1e-3, "the energy per atom changes by {change:e}");
-        looks.push(liquid_picture::Look { time: 0.08 * f64::from(look), change, temperature: argon.temperature() });
+        let state = argon.state();
+        distances.look(&state);
+        // Verlet's error is a few 1e-4 of the depth of the well, 120 K, for the smooth energy that this is.
+        let (change, square) = (argon.energy() - energy, liquid_looks::mean_square(&start, &state));
+        assert!(change.abs() < 0.12, "the energy per atom changes by {change:e} K");
+        let time = 20.0 * liquid::STEP * f64::from(look);
+        squares.push((time, square));
+        looks.push(liquid_picture::Look { time, square, change, temperature: argon.temperature() });
     }
     let temperature = looks.iter().map(|look| look.temperature).sum::<f64>() / 10.0;
     // Fluctuations of 108 atoms: √(2/3N) of it, less what the potential takes, and some more while it settles.
-    assert!((0.55..0.9).contains(&temperature), "{temperature}");
-    let distribution = distances.distribution(&argon);
-    let (place, height) = liquid::peak(&distribution).expect("distances");
-    assert!((1.05..1.13).contains(&place) && (2.4..3.6).contains(&height), "{height} at {place}");
+    assert!((72.0..118.0).contains(&temperature), "{temperature}");
+    let distribution = distances.distribution();
+    let (place, height) = liquid_looks::peak(&distribution).expect("distances");
+    assert!((3.5..3.9).contains(&place) && (2.3..3.6).contains(&height), "{height} at {place}");
+    let diffusion = liquid_looks::diffusion(&squares);
+    // A third of Rahman's 0.243 Å²/ps to three times it: there are few atoms and little time.
+    assert!((0.08..0.73).contains(&diffusion), "{diffusion}");
     let momentum: f64 = argon.state().p.iter().flatten().sum();
-    assert!(momentum.abs() < 1e-10, "{momentum:e}");
-    let picture = liquid_picture::picture(&distribution, (place, height), &looks);
-    drawn("liquid", &picture, &["Radial distribution function", "diameters", "temperature", "change of the energy"]);
+    assert!(momentum.abs() < 1e-9, "{momentum:e}");
+    let picture = liquid_picture::picture(&distribution, (place, height), diffusion, &looks);
+    drawn(
+        "liquid",
+        &picture,
+        &["Radial distribution function", "Mean square displacement", "distance in Å", "Temperature"],
+    );
+}
+
+/// Squares that grow by `6 D t` from wherever they begin.
+#[test]
+fn diffusion_is_a_sixth_of_a_slope() {
+    let squares: Vec<_> = (0..9).map(|i| (f64::from(i), 0.7 + 6.0 * 0.25 * f64::from(i))).collect();
+    assert!((liquid_looks::diffusion(&squares) - 0.25).abs() < 1e-14);
 }
 
 /// A pair across the border of the box feels its nearest image; force and energy end at the cutoff without a jump.
 #[test]
 fn argon_has_no_walls_and_no_jumps() {
-    let argon = liquid::Argon { side: 6.0, cutoff: 2.5 };
-    let pair = |apart: f64| argon.potential(&[[0.5, 1.0, 1.0], [0.5 + apart, 1.0, 1.0]]);
-    for apart in [1.0, 1.12, 2.0, 2.4999] {
+    let argon = liquid::Argon { side: 20.4, cutoff: 8.5 };
+    let pair = |apart: f64| argon.potential(&[[0.5, 1.0, 1.0], [0.5 + apart, 1.0, 1.0]]) / liquid::BOLTZMANN;
+    for apart in [3.4, 3.8, 6.8, 8.49] {
         // Any number of boxes away, beyond one and a half as well.
-        for image in [6.0 - apart, 6.0 + apart, 12.0 - apart, 60.0 + apart, apart - 60.0] {
-            assert!((pair(apart) - pair(image)).abs() < 1e-9, "{apart}: {} and {}", pair(apart), pair(image));
+        for image in [20.4 - apart, 20.4 + apart, 40.8 - apart, 204.0 + apart, apart - 204.0] {
+            assert!((pair(apart) - pair(image)).abs() < 1e-7, "{apart}: {} and {}", pair(apart), pair(image));
         }
     }
-    assert_eq!(pair(2.6), 0.0);
-    // The second derivative is all that is left: about 0.5 · 0.05 · (1e-3)².
-    assert!(pair(2.499).abs() < 1e-6, "{:e}", pair(2.499));
-    assert!((pair(1.12) + 1.0).abs() < 0.1, "the depth of the well is about 1, not {}", pair(1.12));
+    assert_eq!(pair(8.6), 0.0);
+    // The second derivative is all that is left: about 0.5 · 0.5 K/Å² · (3e-3 Å)².
+    assert!(pair(8.497).abs() < 1e-4, "{:e}", pair(8.497));
+    assert!((pair(3.8) + 120.0).abs() < 12.0, "the depth of the well is about 120 K, not {}", pair(3.8));
 }
 
 /// The ideal trap is solved exactly, whatever the step; the octupole shifts the axial frequency by `3/4 C₄ A²` to first
