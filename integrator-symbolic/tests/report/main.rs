@@ -38,6 +38,27 @@ fn sharing_is_counted() {
     assert!(report.operations_shared < report.operations_written, "{report}");
 }
 
+/// A condition around a loop stands behind the loops, and holds or does not.
+#[test]
+fn conditions_around_loops_are_shown() {
+    let bodies = "impl Bodies {
+        fn kinetic(&self, p: &[[f64; 2]]) -> f64 { p.iter().map(|p| 0.5 * (p[0] * p[0] + p[1] * p[1])).sum() }
+        fn potential(&self, q: &[[f64; 2]]) -> f64 {
+            let mut v = 0.0;
+            for i in 0..q.len() {
+                if q[i][0] > self.edge { for k in 0..2 { v += 0.5 * q[i][k] * q[i][k]; } } else { v += q[i][0]; }
+            }
+            v
+        }
+    }";
+    let equations = report(TokenStream::new(), tokens(bodies)).expect("no mistake").equations;
+    let expected = [
+        "dp[k][k_2]/dt += -q[k][k_2]   for k in 0..n, k_2 in 0..2, if q[k][0] > edge",
+        "dp[k][0]/dt += {0 if q[k][0] > edge, else -1}   for k in 0..n",
+    ];
+    assert!(expected.iter().all(|line| equations.iter().any(|shown| shown == line)), "{equations:#?}");
+}
+
 #[test]
 fn mistakes_have_no_report() {
     let error = report(TokenStream::new(), tokens("impl Nothing {}")).expect_err("two functions are missing");

@@ -6,7 +6,7 @@ mod naming;
 use crate::{
     differentiate::{Contribution, fold_branches},
     graph::{
-        Comparison, Element, Node, NodeId, Part,
+        Comparison, Element, Node, NodeId, Part, Scope,
         index::{Index, IndexId, LoopId, LoopSet},
     },
     model::{Called, Model},
@@ -23,8 +23,9 @@ use syn::{BinOp, Expr, ExprUnary, Lit, UnOp};
 pub(crate) fn equations(model: &mut Model, kinetic: &[Contribution], potential: &[Contribution]) -> Vec<String> {
     let [kinetic, potential] = [kinetic, potential].map(|gradient| fold_branches(&mut model.graph, gradient));
     let (drift, kick) = (is_direct(&model.graph.loops, &kinetic), is_direct(&model.graph.loops, &potential));
-    let values = kinetic.iter().chain(&potential).map(|contribution| contribution.value);
-    let formulas = Formulas::with_names(model, &values.collect::<Vec<_>>());
+    let all = kinetic.iter().chain(&potential);
+    let shown: Vec<_> = all.flat_map(|term| std::iter::once(term.value).chain(term.conditions())).collect();
+    let formulas = Formulas::with_names(model, &shown);
     let motion = formulas.motion(&kinetic, false, drift).into_iter().chain(formulas.motion(&potential, true, kick));
     motion.chain(formulas.definitions()).collect()
 }
@@ -131,9 +132,24 @@ impl Formulas<'_> {
             let right = if force { self.negative(*value) } else { self.read(*value) }.text();
             let sign = if whole { "=" } else { "+=" };
             let places = if places.is_empty() { String::new() } else { format!("   for {}", places.join(", ")) };
-            format!("{left} {sign} {right}{places}")
+            format!("{left} {sign} {right}{places}{}", self.only_if(contribution))
         };
         gradient.iter().map(line).collect()
+    }
+
+    /// `, if ...`: the conditions under which a term is there, where a loop lies inside of them.
+    fn only_if(&self, contribution: &Contribution) -> String {
+        let conditions = contribution.context.iter().filter_map(|around| match *around {
+            // That an item behind the end of a list adds nothing goes without saying.
+            Scope::Branch(condition, holds) if !(holds && self.ends_a_list(condition)) => {
+                Some(self.condition(condition, holds))
+            }
+            _ => None,
+        });
+        match &conditions.collect::<Vec<_>>()[..] {
+            [] => String::new(),
+            conditions => format!(", if {}", conditions.join(" and ")),
+        }
     }
 
     /// A formula, if it is short enough for one line.
