@@ -92,6 +92,68 @@ fn the_galaxy_of_henon_and_heiles_has_the_orbits_that_are_published() {
     assert!(text[0].starts_with("regular: ") && text[1].starts_with("chaotic: "), "{text:?}");
 }
 
+/// A pendulum, all of whose orbits but one pair are periodic.
+struct Pendulum;
+
+#[hamiltonian]
+impl Pendulum {
+    fn kinetic(&self, p: [f64; 1]) -> f64 {
+        p[0] * p[0] / 2.0
+    }
+    fn potential(&self, q: [f64; 1]) -> f64 {
+        -q[0].cos()
+    }
+}
+
+#[test]
+fn neighbours_of_a_periodic_orbit_leave_along_it() {
+    // A neighbour of another period runs ahead, in proportion to time: 200 periods are some hundred times as far. What is
+    // orthogonal to the orbit comes back after each period.
+    let periodic =
+        chaos::indicators(&Pendulum, BlanesMoanSrkn11, Phase::new([2.0], [0.0]), 0.1, 16_000).expect("an orbit");
+    assert!(periodic.fli > 4.0 && periodic.ofli < 2.0, "{periodic:?}");
+    // On a chaotic orbit both grow at its exponent: what is orthogonal is a part of the order of one.
+    let chaotic =
+        chaos::indicators(&HenonHeiles, BlanesMoanSrkn11, on_section(-0.016, 0.0), 0.2, 25_000).expect("an orbit");
+    assert!(chaotic.ofli > 100.0 && (chaotic.ofli - chaotic.fli).abs() < 5.0, "{chaotic:?}");
+    // Implicit steps of the same H in one piece have a field of their own text.
+    let whole = chaos::indicators(&Whole, GaussLegendre4, Phase::new([2.0], [0.0]), 0.1, 4_000).expect("an orbit");
+    assert!(whole.fli > 3.0 && whole.ofli < 2.0, "{whole:?}");
+}
+
+/// The chain of Fermi, Pasta, Ulam and Tsingou with the force `x + x³` of each spring, between walls.
+struct Chain;
+
+#[hamiltonian]
+impl Chain {
+    fn kinetic(&self, p: &[f64]) -> f64 {
+        p.iter().map(|p| p * p / 2.0).sum()
+    }
+    fn potential(&self, q: &[f64]) -> f64 {
+        let mut energy = 0.0;
+        for i in 0..q.len() - 1 {
+            let stretch = q[i + 1] - q[i];
+            energy += stretch * stretch / 2.0 + stretch.powi(4) / 4.0;
+        }
+        energy + (q[0] * q[0] + q[q.len() - 1] * q[q.len() - 1]) / 2.0
+    }
+}
+
+#[test]
+fn a_chain_is_chaotic_where_its_energy_is_high() {
+    let sites = 8_usize;
+    let start = |amplitude: f64| {
+        let mode = |i: usize| amplitude * (PI * (i + 1) as f64 / (sites + 1) as f64).sin();
+        Phase::new((0..sites).map(mode).collect::<Vec<_>>(), vec![0.0; sites])
+    };
+    // In its lowest mode: weakly, the chain comes back (Fermi, Pasta and Ulam 1955), and strongly, above the threshold of
+    // Izrailev and Chirikov (1966), its modes overlap.
+    let weak = chaos::indicators(&Chain, BlanesMoanSrkn11, start(0.1), 0.2, 3_000).expect("an orbit");
+    let strong = chaos::indicators(&Chain, BlanesMoanSrkn11, start(10.0), 0.05, 4_000).expect("an orbit");
+    assert_eq!((weak.verdict, strong.verdict), (Verdict::Regular, Verdict::Chaotic), "{weak}, {strong}");
+    assert!(strong.exponent > 0.05 && weak.exponent < 0.01, "{weak:?}, {strong:?}");
+}
+
 #[test]
 fn the_standard_map_stretches_as_chirikov_says() {
     // Chirikov 1979, Phys. Rep. 52, 263: the exponent of the chaotic sea is ln(K/2) for large K.

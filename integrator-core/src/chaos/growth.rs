@@ -114,6 +114,25 @@ pub(super) fn logarithm<C: Coords>(vector: &Phase<C>, exponent: i64) -> f64 {
     logarithm + exponent as f64 * LN_2
 }
 
+/// How much of the length of a vector is orthogonal to a direction, from 0 to 1: what of it the orthogonal fast Lyapunov
+/// indicator follows (Fouchard, Lega, Froeschlé and Froeschlé 2002, Celest. Mech. Dyn. Astron. 83, 205; Barrio 2005, Chaos
+/// Solitons Fractals 25, 711). All of it, where there is no direction.
+pub(super) fn orthogonal_part<C: Coords>(vector: &Phase<C>, direction: &[f64]) -> f64 {
+    let unit = |numbers: &mut dyn Iterator<Item = f64>| {
+        let numbers: Vec<f64> = numbers.collect();
+        let largest = largest(numbers.iter().copied());
+        let length = numbers.iter().map(|number| (number / largest).powi(2)).sum::<f64>().sqrt();
+        numbers.into_iter().map(move |number| number / largest / length).collect::<Vec<f64>>()
+    };
+    let (vector, direction) = (unit(&mut numbers(vector)), unit(&mut direction.iter().copied()));
+    if direction.iter().any(|number| !number.is_finite()) {
+        return 1.0;
+    }
+    let along: f64 = vector.iter().zip(&direction).map(|(a, b)| a * b).sum();
+    // The difference itself, since one minus a square would cancel.
+    vector.iter().zip(&direction).map(|(a, b)| (a - along * b).powi(2)).sum::<f64>().sqrt()
+}
+
 /// The vectors as columns of length one.
 fn directions<C: Coords>(vectors: &[Phase<C>]) -> DMatrix<f64> {
     let rows = vectors.first().map_or(0, |vector| numbers(vector).count());
@@ -181,6 +200,14 @@ mod tests {
         // Directions are rounded by an ulp of one, their difference by as much.
         assert!(within(alignment_indices(&near)[0] - 1e-12, 1e-15));
         assert!(within(smaller_alignment_index(&near) - 1e-12, 1e-15));
+    }
+
+    #[test]
+    fn what_is_orthogonal_to_a_direction_is_told() {
+        let vector = Phase::new([3e200, 0.0], [0.0, 4e200]);
+        assert!(within(orthogonal_part(&vector, &[1e-200, 0.0, 0.0, 0.0]) - 0.8, 1e-15));
+        assert!(within(orthogonal_part(&vector, &[-3.0, 1e-9, 0.0, -4.0]) - 2e-10, 1e-15));
+        assert_eq!(orthogonal_part(&vector, &[0.0; 4]), 1.0);
     }
 
     #[test]

@@ -2,11 +2,12 @@
 
 use crate::{
     chaos::growth::{
-        CHAOTIC_ABOVE, Growth, REGULAR_BELOW, alignment_indices, logarithm, smaller_alignment_index,
+        CHAOTIC_ABOVE, Growth, REGULAR_BELOW, alignment_indices, logarithm, orthogonal_part, smaller_alignment_index,
         steps_between_samples,
     },
     check::{CheckError, Start},
     hamiltonian::{Hamiltonian, Shaped},
+    methods::implicit::field::{Constants, Pair, field},
     state::{coords::Coords, phase::Phase, precision::Precision},
     trajectory::{
         method::Memoryless,
@@ -51,6 +52,9 @@ pub struct Indicators {
     pub mean_megno: f64,
     /// The fast Lyapunov indicator: the largest logarithm of the length of the vector, over that at the start.
     pub fli: f64,
+    /// The same of what the vector has orthogonal to the motion: on a periodic orbit it stays bounded, where `fli` grows like the
+    /// logarithm of the time.
+    pub ofli: f64,
     /// The smaller alignment index: of the order of one on regular orbits of two and more degrees of freedom, and
     /// exponentially small on chaotic ones.
     pub sali: f64,
@@ -126,24 +130,52 @@ pub fn indicators<H: Hamiltonian, X: Memoryless<H>, K: Precision>(
     let Start { phase, time } = start.into();
     let count = (2 * phase.q.flat().len()).min(TOGETHER);
     let vectors = generic_directions(&phase, count);
+    let parameters = system.parameters(phase.q.length());
     let tangent = Tangent::start::<H, X, K>(system, method, phase, vectors, h)?.at_time(time);
-    of_tangent(tangent, steps)
+    let field = |tangent: &Tangent<Shaped<H, K>>| field_at::<H, K>(&parameters, &tangent.state(), tangent.time());
+    of_tangent(tangent, steps, &field)
+}
+
+/// The velocities and the forces at a state, as a list.
+fn field_at<H: Hamiltonian, K: Precision>(
+    parameters: &H::Parameters<f64>,
+    state: &Phase<Shaped<H, K>>,
+    time: f64,
+) -> Vec<f64> {
+    let shape = Phase { q: state.q.map(Precision::to_f64), p: state.p.map(Precision::to_f64) };
+    let half = |half: &H::Coords| H::Coords::slots_from(half.flat().len(), |k| half.flat()[k]);
+    let (q, p) = (half(&shape.q), half(&shape.p));
+    let of_lanes = core::slice::from_ref(parameters);
+    let constants = Constants { gathered: parameters, of_lanes, shape: &shape, middle: time };
+    let found: Pair<H, f64> = field(&constants, &Pair { q, p }, time);
+    found.halves().concat()
 }
 
 /// The least number of steps that tells anything.
 pub(super) const LEAST: u64 = 16;
 
-fn of_tangent<C: Coords>(mut tangent: Tangent<C>, steps: u64) -> Result<Indicators, CheckError> {
+fn of_tangent<C: Coords>(
+    mut tangent: Tangent<C>,
+    steps: u64,
+    field: &dyn Fn(&Tangent<C>) -> Vec<f64>,
+) -> Result<Indicators, CheckError> {
     if steps < LEAST {
         return Err(CheckError::TooFewSteps { steps, needed: LEAST });
     }
     let begin = tangent.time();
-    let length = |tangent: &Tangent<C>| logarithm(&tangent.vector(0), tangent.exponents()[0]);
-    let mut growth = Growth::new(length(&tangent));
+    let lengths = |tangent: &Tangent<C>| {
+        let vector = tangent.vector(0);
+        let length = logarithm(&vector, tangent.exponents()[0]);
+        [length, length + orthogonal_part(&vector, &field(tangent)).ln()]
+    };
+    let [length, first] = lengths(&tangent);
+    let (mut growth, mut highest) = (Growth::new(length), first);
     let every = steps_between_samples(steps);
     while tangent.steps() < steps {
         tangent.advance(every.min(steps - tangent.steps()))?;
-        growth.sample(tangent.time() - begin, length(&tangent));
+        let [length, orthogonal] = lengths(&tangent);
+        growth.sample(tangent.time() - begin, length);
+        highest = highest.max(orthogonal);
     }
     let vectors = tangent.vectors();
     Ok(Indicators {
@@ -151,6 +183,7 @@ fn of_tangent<C: Coords>(mut tangent: Tangent<C>, steps: u64) -> Result<Indicato
         megno: growth.megno(),
         mean_megno: growth.mean_megno(),
         fli: growth.fli(),
+        ofli: highest - first,
         sali: smaller_alignment_index(&vectors),
         gali: alignment_indices(&vectors),
         time: growth.time(),
