@@ -175,6 +175,7 @@ pub mod __private {
         composition::{
             Class, Composition, Lead, Processor, Rows, Scheme, Stage, Stages, admits, admits_pairs,
             catalogue::Verlet,
+            corrected_durations::corrections,
             visitor::{
                 Visitor, visit_many_parts, visit_pairs, visit_quadratic, visit_two_parts, visit_two_parts_quadratic,
             },
@@ -224,6 +225,7 @@ pub mod __private {
             precision::{Precision, Slot},
         },
         system::{
+            device_text::{DeviceText, push_constants},
             elements::Elements,
             motion::{Motion, Plain, Prepared, Solver, Solving},
             not_finite::{all_found, not_finite},

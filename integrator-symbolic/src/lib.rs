@@ -127,6 +127,9 @@ fn valid_model(input: &Input, errors: &mut Errors) -> Option<Model> {
             check_composition(input, model, errors);
             check_taylor(input, model, errors);
             check_sensitive(input, model, errors);
+            if errors.is_empty() {
+                check_device(input, errors);
+            }
         }
         None if errors.is_empty() => {
             errors.at(&input.item.self_ty, "this impl could not be read, and no reason was found: please report it");
@@ -173,6 +176,17 @@ fn check_sensitive(input: &Input, model: &Model, errors: &mut Errors) {
             );
             errors.at(name, message);
         }
+    }
+}
+
+/// Whoever asks for text for devices gets it, or hears why there is none. A model of its own is printed to see that, since
+/// a printer adds to its graph.
+fn check_device(input: &Input, errors: &mut Errors) {
+    let Some(span) = input.gpu else { return };
+    let Some(mut model) = model::model(input, &mut Errors::default()) else { return };
+    check_coordinates(input, &mut model, &mut Errors::default());
+    if let Some(obstacle) = emit::no_device_text(input, model) {
+        errors.at_span(span, obstacle);
     }
 }
 

@@ -67,6 +67,8 @@ pub(crate) struct Input {
     pub(crate) taylor: Option<Span>,
     /// The parameters that derivatives are taken by, fields of the system.
     pub(crate) sensitive: Vec<Ident>,
+    /// Whether flows are also asked for as text for devices, and where.
+    pub(crate) gpu: Option<Span>,
     /// The runtime crate.
     pub(crate) root: Path,
     pub(crate) item: ItemImpl,
@@ -113,7 +115,8 @@ pub(crate) fn input(arguments: TokenStream, item: TokenStream, errors: &mut Erro
         // Which functions are the parts of H was to be read from what is wrong.
         return None;
     }
-    let Arguments { compose, split, coordinates, functions, taylor, sensitive, root } = arguments.unwrap_or_default();
+    let Arguments { compose, split, coordinates, functions, taylor, sensitive, gpu, root } =
+        arguments.unwrap_or_default();
     let (mut names, mut paired, mut coupling, mut unsplit) = (Vec::new(), None, None, None);
     match split {
         None => {}
@@ -138,6 +141,7 @@ pub(crate) fn input(arguments: TokenStream, item: TokenStream, errors: &mut Erro
         functions,
         taylor,
         sensitive,
+        gpu,
         root,
         item,
     })
@@ -156,6 +160,7 @@ struct Arguments {
     functions: Option<Functions>,
     taylor: Option<Span>,
     sensitive: Option<Vec<Ident>>,
+    gpu: Option<Span>,
     root: Option<Path>,
 }
 
@@ -204,6 +209,8 @@ impl Arguments {
             self.taylor.replace(key.span()).is_some()
         } else if key == "sensitive" {
             self.sensitive.replace(sensitive_of(input, key.span())?).is_some()
+        } else if key == "gpu" {
+            self.gpu.replace(key.span()).is_some()
         } else {
             return Err(syn::Error::new(key.span(), format!("`{key}` is not an argument here; {EXPECTED}")));
         };
@@ -215,7 +222,7 @@ impl Arguments {
 }
 
 const EXPECTED: &str = "expected `compose = Yoshida4`, `compose = V(1/2) T(1) V(1/2)`, `split = a + b`, \
-                        `coordinates = jacobi(self.mass)`, `functions = fast`, `taylor`, `sensitive(mass, length)` or \
+                        `coordinates = jacobi(self.mass)`, `functions = fast`, `taylor`, `sensitive(mass, length)`, `gpu` or \
                         `crate = path::to::integrator_core`";
 
 /// The sign between an argument and its value.

@@ -8,7 +8,7 @@
 //! nothing; and after `n` steps the sum of all durations is off by at most one correction.
 
 use crate::{
-    composition::{Processor, Stage, Stages},
+    composition::{Processor, Scheme, Stage, Stages},
     hamiltonian::{Flows, Hamiltonian, QuadraticKinetic},
     scalar::exact::two_sum,
 };
@@ -135,6 +135,13 @@ impl Corrections {
     pub(crate) fn on<'f, F>(&self, flows: &'f mut F, cycle: u64) -> Corrected<'f, F> {
         Corrected { flows, drift: self.drift.of(cycle), kick: self.kick.of(cycle), middle: self.middle.of(cycle) }
     }
+}
+
+/// By how much drifts, kicks and the flows between them are longer in some cycles of a compensated run with step `h`, and in
+/// which fraction of them, in units of 2^-64: for executors that loop elsewhere.
+pub fn corrections<H: Hamiltonian, X: Scheme>(h: f64) -> [(f64, u64); 3] {
+    let Corrections { drift, kick, middle } = Corrections::new(&X::STAGES, h, Between::of::<H>());
+    [drift, kick, middle].map(|Correction { longer, frequency }| (longer, frequency))
 }
 
 /// Flows in one cycle, the first of each kind of which is longer by its correction.

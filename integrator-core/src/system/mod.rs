@@ -1,6 +1,7 @@
 //! Systems: a state in its layout, energies, prepared constants, lists and functions of the user.
 
 pub(crate) mod counts;
+pub(crate) mod device_text;
 pub(crate) mod elements;
 pub(crate) mod energy;
 pub(crate) mod external;

@@ -20,7 +20,8 @@ use crate::{
 use fingerprint::fingerprint;
 pub use flow::form::Form;
 use flow::{
-    Flows, constants::Constants, field, force_gradient, invariants, jacobi, pieces::Pieces, transformed, user_energies,
+    Flows, constants::Constants, device::DeviceText, field, force_gradient, invariants, jacobi, pieces::Pieces,
+    transformed, user_energies,
 };
 pub(crate) use flow::{
     form::forms,
@@ -102,6 +103,14 @@ pub(crate) fn gradients(model: &mut Model) -> [Vec<Contribution>; 2] {
     by.map(|(part, own)| gradient(&mut model.graph, if is_separable { own } else { whole }, part))
 }
 
+/// What keeps this Hamiltonian from having text for devices, if anything does.
+pub(crate) fn no_device_text(input: &Input, mut model: Model) -> Option<String> {
+    model.choose_in_the_middle();
+    let names = Names::new(input);
+    let mut emitter = Emitter { model: &mut model, names: &names, fields: Fields::default() };
+    DeviceText::of(&mut emitter).err()
+}
+
 /// The implementation of `Hamiltonian` for the annotated type.
 pub(crate) fn stepper(input: &Input, model: Model) -> TokenStream {
     Stepper::of(input, model).tokens()
@@ -138,6 +147,8 @@ struct Stepper<'i> {
     rated: Option<TokenStream>,
     /// What Jacobi coordinates ask of the prepared constants.
     of_jacobi: Option<TokenStream>,
+    /// The flows as text for devices.
+    device: Option<DeviceText>,
 }
 
 impl<'i> Stepper<'i> {
@@ -175,6 +186,8 @@ impl<'i> Stepper<'i> {
         let rate = emitter.model.rate.take().filter(|_| is_plain);
         let rated = rate.map(|(rate, arguments)| transformed::rated(&mut emitter, rate, &arguments, is_quadratic));
         let of_jacobi = emitter.model.jacobi.map(|jacobi| jacobi::constants(jacobi, &mut emitter));
+        // Why there is none was told before.
+        let device = input.gpu.and_then(|_| DeviceText::of(&mut emitter).ok());
         let constants = Constants::of(emitter);
         Self {
             input,
@@ -195,6 +208,7 @@ impl<'i> Stepper<'i> {
             transformed,
             rated,
             of_jacobi,
+            device,
             names,
         }
     }
@@ -223,6 +237,9 @@ impl<'i> Stepper<'i> {
         let sensitive = sensitive.map(|items| implementation(quote!(#runtime::Sensitive), &items));
         let others = quote!(#of_bodies #of_jacobi #quadratic #transformed #rated #taylor #of_lattice #of_forms);
         let hamiltonian = implementation(quote!(#runtime::Hamiltonian), &self.hamiltonian(&others));
+        // No part of the fingerprint: with text for devices or without, a checkpoint belongs to the same motion.
+        let device =
+            self.device.as_ref().map(|device| implementation(quote!(#runtime::DeviceText), &device.items(names)));
         quote! {
             #[allow(warnings, clippy::all, clippy::pedantic, reason = "generated")]
             const _: () = {
@@ -234,6 +251,7 @@ impl<'i> Stepper<'i> {
                 #hamiltonian
                 #others
                 #sensitive
+                #device
             };
         }
     }

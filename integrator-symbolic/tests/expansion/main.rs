@@ -1,5 +1,6 @@
 //! What the macros write, as reviewed text: in the folders beside this file, `name.expanded.rs` is what they make of
-//! `name.rs`, without the user's own item. Of what recurrences of Taylor series bring along, only that is kept.
+//! `name.rs`, without the user's own item. Of what recurrences of Taylor series bring along, only that is kept, and of flows
+//! as text for devices, only this text, as `name.expanded.cu`.
 
 use integrator_symbolic::{composition, hamiltonian};
 use proc_macro2::{Delimiter, TokenStream, TokenTree};
@@ -22,12 +23,16 @@ fn expansions_are_those_that_are_kept() {
     };
     let folders = entries(&Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/expansion"));
     let files = folders.iter().filter(|folder| folder.is_dir()).flat_map(|folder| entries(folder));
-    let (outputs, inputs): (Vec<_>, Vec<_>) = files.partition(|file| file.to_string_lossy().ends_with(".expanded.rs"));
+    let (outputs, inputs): (Vec<_>, Vec<_>) = files.partition(|file| file.to_string_lossy().contains(".expanded."));
     assert!(inputs.len() >= 15, "the walk must reach the folders");
     for input in &inputs {
         let file = syn::parse_file(&fs::read_to_string(input).expect("text")).expect("items");
         let [item] = &file.items[..] else { panic!("{}: one item", input.display()) };
-        assert_kept(&input.with_extension("expanded.rs"), &expanded(item));
+        let expanded = expanded(item);
+        match device_text(&expanded) {
+            Some(text) => assert_kept(&input.with_extension("expanded.cu"), &text),
+            None => assert_kept(&input.with_extension("expanded.rs"), &expanded),
+        }
     }
     for output in &outputs {
         assert!(output.with_extension("").with_extension("rs").exists(), "{} has no input", output.display());
@@ -54,6 +59,14 @@ fn expanded(item: &Item) -> String {
         _ => panic!("an annotated impl, or a call of `composition!`"),
     };
     prettyplease::unparse(&items)
+}
+
+/// The flows as text for devices, where there are any.
+fn device_text(expanded: &str) -> Option<String> {
+    let (_, behind) = expanded.split_once("const TEXT: &'static str = ")?;
+    let (literal, _) =
+        behind.split_once(";\n    const CONSTANTS").or_else(|| behind.split_once(";\n        const CONSTANTS"))?;
+    Some(syn::parse_str::<syn::LitStr>(literal).expect("a literal").value())
 }
 
 /// The statements of the block around all that is generated.

@@ -10,37 +10,37 @@ pub(crate) const ARGUMENTS: &[Row] = &[
     (
         "composition = Verlet",
         &[
-            "1:0 `composition` is not an argument here; expected `compose = Yoshida4`, `compose = V(1/2) T(1) V(1/2)`, `split = a + b`, `coordinates = jacobi(self.mass)`, `functions = fast`, `taylor`, `sensitive(mass, length)` or `crate = path::to::integrator_core`",
+            "1:0 `composition` is not an argument here; expected `compose = Yoshida4`, `compose = V(1/2) T(1) V(1/2)`, `split = a + b`, `coordinates = jacobi(self.mass)`, `functions = fast`, `taylor`, `sensitive(mass, length)`, `gpu` or `crate = path::to::integrator_core`",
         ],
     ),
     (
         "Verlet",
         &[
-            "1:0 `Verlet` is not an argument here; expected `compose = Yoshida4`, `compose = V(1/2) T(1) V(1/2)`, `split = a + b`, `coordinates = jacobi(self.mass)`, `functions = fast`, `taylor`, `sensitive(mass, length)` or `crate = path::to::integrator_core`",
+            "1:0 `Verlet` is not an argument here; expected `compose = Yoshida4`, `compose = V(1/2) T(1) V(1/2)`, `split = a + b`, `coordinates = jacobi(self.mass)`, `functions = fast`, `taylor`, `sensitive(mass, length)`, `gpu` or `crate = path::to::integrator_core`",
         ],
     ),
     (
         "4",
         &[
-            "1:0 expected `compose = Yoshida4`, `compose = V(1/2) T(1) V(1/2)`, `split = a + b`, `coordinates = jacobi(self.mass)`, `functions = fast`, `taylor`, `sensitive(mass, length)` or `crate = path::to::integrator_core`",
+            "1:0 expected `compose = Yoshida4`, `compose = V(1/2) T(1) V(1/2)`, `split = a + b`, `coordinates = jacobi(self.mass)`, `functions = fast`, `taylor`, `sensitive(mass, length)`, `gpu` or `crate = path::to::integrator_core`",
         ],
     ),
     (
         "compose",
         &[
-            "1:0 this lacks its value; expected `compose = Yoshida4`, `compose = V(1/2) T(1) V(1/2)`, `split = a + b`, `coordinates = jacobi(self.mass)`, `functions = fast`, `taylor`, `sensitive(mass, length)` or `crate = path::to::integrator_core`",
+            "1:0 this lacks its value; expected `compose = Yoshida4`, `compose = V(1/2) T(1) V(1/2)`, `split = a + b`, `coordinates = jacobi(self.mass)`, `functions = fast`, `taylor`, `sensitive(mass, length)`, `gpu` or `crate = path::to::integrator_core`",
         ],
     ),
     (
         "compose =",
         &[
-            "1:0 this lacks its value; expected `compose = Yoshida4`, `compose = V(1/2) T(1) V(1/2)`, `split = a + b`, `coordinates = jacobi(self.mass)`, `functions = fast`, `taylor`, `sensitive(mass, length)` or `crate = path::to::integrator_core`",
+            "1:0 this lacks its value; expected `compose = Yoshida4`, `compose = V(1/2) T(1) V(1/2)`, `split = a + b`, `coordinates = jacobi(self.mass)`, `functions = fast`, `taylor`, `sensitive(mass, length)`, `gpu` or `crate = path::to::integrator_core`",
         ],
     ),
     (
         "compose = 4",
         &[
-            "1:10 a composition is a name or a sequence of stages; expected `compose = Yoshida4`, `compose = V(1/2) T(1) V(1/2)`, `split = a + b`, `coordinates = jacobi(self.mass)`, `functions = fast`, `taylor`, `sensitive(mass, length)` or `crate = path::to::integrator_core`",
+            "1:10 a composition is a name or a sequence of stages; expected `compose = Yoshida4`, `compose = V(1/2) T(1) V(1/2)`, `split = a + b`, `coordinates = jacobi(self.mass)`, `functions = fast`, `taylor`, `sensitive(mass, length)`, `gpu` or `crate = path::to::integrator_core`",
         ],
     ),
     ("compose = Verlet compose = Verlet", &["1:17 expected `,`"]),
@@ -48,6 +48,8 @@ pub(crate) const ARGUMENTS: &[Row] = &[
     ("functions = fast, functions = precise", &["1:18 `functions` is given twice"]),
     ("taylor, functions = fast", &[]),
     ("taylor, taylor", &["1:8 `taylor` is given twice"]),
+    ("gpu, functions = fast", &[]),
+    ("gpu, gpu", &["1:5 `gpu` is given twice"]),
     (
         "functions = quick",
         &["1:12 elementary functions are `fast`, within 4 ulp, or `precise`, within 1 or 2, as they are unasked"],
@@ -56,13 +58,13 @@ pub(crate) const ARGUMENTS: &[Row] = &[
     (
         "crate = 4",
         &[
-            "1:8 the runtime is named by a path; expected `compose = Yoshida4`, `compose = V(1/2) T(1) V(1/2)`, `split = a + b`, `coordinates = jacobi(self.mass)`, `functions = fast`, `taylor`, `sensitive(mass, length)` or `crate = path::to::integrator_core`",
+            "1:8 the runtime is named by a path; expected `compose = Yoshida4`, `compose = V(1/2) T(1) V(1/2)`, `split = a + b`, `coordinates = jacobi(self.mass)`, `functions = fast`, `taylor`, `sensitive(mass, length)`, `gpu` or `crate = path::to::integrator_core`",
         ],
     ),
     (
         "compose = Verlet, crate",
         &[
-            "1:18 this lacks its value; expected `compose = Yoshida4`, `compose = V(1/2) T(1) V(1/2)`, `split = a + b`, `coordinates = jacobi(self.mass)`, `functions = fast`, `taylor`, `sensitive(mass, length)` or `crate = path::to::integrator_core`",
+            "1:18 this lacks its value; expected `compose = Yoshida4`, `compose = V(1/2) T(1) V(1/2)`, `split = a + b`, `coordinates = jacobi(self.mass)`, `functions = fast`, `taylor`, `sensitive(mass, length)`, `gpu` or `crate = path::to::integrator_core`",
         ],
     ),
     ("compose = V(1/2) T(1) V(1/3)", &["1:10 the coefficients of `V` sum to 0.833333333333, not to 1"]),
@@ -666,13 +668,13 @@ pub(crate) const SPLITS: &[Row] = &[
     (
         "split on fn a(&self, p: [f64; 1]) -> f64 { p[0] * p[0] }",
         &[
-            "1:0 this lacks its value; expected `compose = Yoshida4`, `compose = V(1/2) T(1) V(1/2)`, `split = a + b`, `coordinates = jacobi(self.mass)`, `functions = fast`, `taylor`, `sensitive(mass, length)` or `crate = path::to::integrator_core`",
+            "1:0 this lacks its value; expected `compose = Yoshida4`, `compose = V(1/2) T(1) V(1/2)`, `split = a + b`, `coordinates = jacobi(self.mass)`, `functions = fast`, `taylor`, `sensitive(mass, length)`, `gpu` or `crate = path::to::integrator_core`",
         ],
     ),
     (
         "split = 3 on fn a(&self, p: [f64; 1]) -> f64 { p[0] * p[0] }",
         &[
-            "1:8 the parts of H are named by their functions, as in `split = kepler + interaction`; expected `compose = Yoshida4`, `compose = V(1/2) T(1) V(1/2)`, `split = a + b`, `coordinates = jacobi(self.mass)`, `functions = fast`, `taylor`, `sensitive(mass, length)` or `crate = path::to::integrator_core`",
+            "1:8 the parts of H are named by their functions, as in `split = kepler + interaction`; expected `compose = Yoshida4`, `compose = V(1/2) T(1) V(1/2)`, `split = a + b`, `coordinates = jacobi(self.mass)`, `functions = fast`, `taylor`, `sensitive(mass, length)`, `gpu` or `crate = path::to::integrator_core`",
         ],
     ),
     (
@@ -914,6 +916,72 @@ pub(crate) const SPLITS: &[Row] = &[
         "split = a + b + c, compose = B(1/6) A(1/2) B(2/3, -1/72) A(1/2) B(1/6) on fn a(&self, p: [f64; 1]) -> f64 { p[0] * p[0] } fn b(&self, q: [f64; 1]) -> f64 { q[0].cos() } fn c(&self, q: [f64; 1]) -> f64 { q[0] }",
         &[
             "1:50 a force-gradient kick needs H = ½ pᵀ M⁻¹ p + V(q), hence two parts: more than two parts take compositions of general class without a processor, such as `Yoshida4`",
+        ],
+    ),
+    (
+        "gpu on fn kinetic(&self, p: &[f64]) -> f64 { p[0] * p[0] } fn potential(&self, q: &[f64]) -> f64 { q[0].cos() }",
+        &[
+            "1:0 a device keeps the state in registers, so that the number of coordinates has to be known here: write an array such as `[f64; 4]` in place of a slice",
+        ],
+    ),
+    (
+        "gpu on fn kinetic(&self, p: [f64; 40]) -> f64 { p[0] * p[0] } fn potential(&self, q: [f64; 40]) -> f64 { q[0].cos() }",
+        &["1:0 a device keeps the state of a member in registers, 64 numbers at most, and this one has 80"],
+    ),
+    (
+        "gpu on fn kinetic(&self, p: [f64; SIZE]) -> f64 { p[0] * p[0] } fn potential(&self, q: [f64; SIZE]) -> f64 { q[0].cos() }",
+        &["1:0 coordinates whose number is a constant have no text for devices yet: write the number"],
+    ),
+    (
+        "gpu on fn kinetic(&self, p: [f64; 8]) -> f64 { p.iter().map(|p| p * p).sum() } fn potential(&self, q: [f64; 8]) -> f64 { let mut v = 0.0; for i in 0..7 { v += (q[i + 1] - q[i]).powi(4); } v }",
+        &[
+            "1:0 the sites of a lattice are added in an order of their own, which devices do not know yet: leave out `gpu`",
+        ],
+    ),
+    (
+        "gpu on fn kinetic(&self, p: [[f64; 3]; 4]) -> f64 { let mut t = 0.0; for i in 0..4 { for d in 0..3 { t += p[i][d] * p[i][d]; } } t } fn potential(&self, q: [[f64; 3]; 4]) -> f64 { let mut v = 0.0; for i in 0..4 { for j in 0..i { let mut r2 = 0.0; for d in 0..3 { r2 += (q[i][d] - q[j][d]).powi(2); } v -= 1.0 / r2.sqrt(); } } v }",
+        &[
+            "1:0 bodies that act on each other in pairs are added in rows, an order that devices do not know yet: write out the pairs of a few bodies, or leave out `gpu`",
+        ],
+    ),
+    (
+        "gpu on fn kinetic(&self, p: [f64; 1]) -> f64 { p[0] * p[0] } fn potential(&self, q: [f64; 1]) -> f64 { q[0].tanh() }",
+        &[
+            "1:0 `cosh`, in H or in a derivative of it, has no kernel of this library's own, so that its bits on a device would be others; write it with functions that have one, such as `exp` and `ln`",
+        ],
+    ),
+    (
+        "gpu on fn kinetic(&self, p: [f64; 2]) -> f64 { p[0] * p[0] } fn potential(&self, q: [f64; 2]) -> f64 { q[self.first] * q[1].sin() }",
+        &[
+            "1:0 an index or a number of iterations that is a field or a constant has no text for devices yet: write a number",
+        ],
+    ),
+    (
+        "gpu on fn kinetic(&self, p: [f64; 1]) -> f64 { p[0] * p[0] } fn potential(&self, q: [f64; 1], t: f64) -> f64 { if t < self.end { q[0] } else { q[0].cos() } }",
+        &["1:0 formulas that change at certain times have no text for devices yet"],
+    ),
+    (
+        "split = a + b, gpu on fn a(&self, q: [f64; 1], p: [f64; 1]) -> f64 { p[0] * p[0] + q[0] * q[0] } fn b(&self, q: [f64; 1]) -> f64 { q[0].cos() }",
+        &[
+            "1:15 `a`, a quadratic form, whose flow is a matrix, has no text for devices yet: a device knows drifts, kicks and shears",
+        ],
+    ),
+    (
+        "split = a + b, gpu on fn a(&self, q: [f64; 3], p: [f64; 3]) -> f64 { let mut t = 0.0; let mut r2 = 0.0; for d in 0..3 { t += p[d] * p[d] / 2.0; r2 += q[d] * q[d]; } t - 1.0 / r2.sqrt() } fn b(&self, q: [f64; 3]) -> f64 { q[0].cos() }",
+        &[
+            "1:15 `a`, Kepler motion, whose equation is solved, has no text for devices yet: a device knows drifts, kicks and shears",
+        ],
+    ),
+    (
+        "split = none, gpu on fn hamiltonian(&self, q: [f64; 1], p: [f64; 1]) -> f64 { q[0] * p[0] }",
+        &[
+            "1:14 H in one piece, which implicit methods integrate, has no text for devices yet: a device knows drifts, kicks and shears",
+        ],
+    ),
+    (
+        "split = symmetric(omega = 3.0), gpu on fn hamiltonian(&self, q: [f64; 1], p: [f64; 1]) -> f64 { q[0] * p[0] }",
+        &[
+            "1:32 the motion of two copies of the state has no text for devices yet: a device knows drifts, kicks and shears",
         ],
     ),
 ];

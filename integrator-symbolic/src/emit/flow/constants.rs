@@ -256,6 +256,11 @@ fn own_flow(model: &Model, names: &Names, part: usize) -> TokenStream {
     })
 }
 
+/// How many elements a table of prepared constants has along each of its loops; `None` where that is known at run time.
+pub(crate) fn extents(model: &mut Model, names: &Names, content: Content) -> Option<Vec<u64>> {
+    Table::of(model, names, content).levels.iter().map(|level| level.literal).collect()
+}
+
 /// The loops that a prepared constant depends on, with how far each runs.
 struct Table {
     levels: Vec<Level>,

@@ -2,6 +2,7 @@
 
 pub(super) mod bodies;
 pub(super) mod constants;
+pub(super) mod device;
 pub(super) mod doubled;
 pub(super) mod field;
 pub(super) mod force_gradient;
@@ -27,7 +28,7 @@ use crate::{
         function::{Body, Lines},
         names::Names,
     },
-    graph::{Element, NodeId, Part, exact::Exact},
+    graph::{Element, Graph, NodeId, Part, exact::Exact},
     model::{ExactPart, Length, Model, Shape},
     program::{Sink, Store, is_direct, is_protected},
 };
@@ -260,12 +261,7 @@ impl Flow {
                 kepler::flow(emitter, &orbits)
             }
             Exact::Shear => {
-                // What is read does not move, so that both halves are computed together.
-                let graph = &mut emitter.model.graph;
-                let velocity = gradient(graph, energy, Part::Momentum);
-                let mut motion = gradient(graph, energy, Part::Position);
-                motion.iter_mut().for_each(|contribution| contribution.value = graph.neg(contribution.value));
-                motion.extend(velocity);
+                let motion = sheared(&mut emitter.model.graph, energy);
                 Self::along(emitter, &motion, Part::Momentum, &Frame::Motion)
             }
         }
@@ -323,32 +319,57 @@ impl Flow {
 
     /// The lines that move each coordinate by `step` times its component.
     fn lines_along(emitter: &mut Emitter<'_>, gradient: &[Contribution], part: Part, frame: &Frame<'_>) -> Lines {
-        if gradient.is_empty() {
-            return Lines::default();
-        }
-        let folded = fold_branches(&mut emitter.model.graph, gradient);
-        let apart = gradient.iter().any(|contribution| is_protected(&mut emitter.model.graph, contribution));
-        if !apart && is_direct(&emitter.model.graph.loops, &folded) {
-            let stores = stores(emitter.model, &folded, Sink::Update);
-            emitter.evaluate(frame, &[], &stores)
-        } else if gradient.iter().any(|contribution| contribution.element.part != part) {
-            // Each half in a buffer of its own.
-            let (own, other): (Vec<_>, Vec<_>) =
-                gradient.iter().cloned().partition(|contribution| contribution.element.part == part);
-            let lines = [(part, own), (part.other(), other)].map(|(part, half)| {
-                let stores = stores(emitter.model, &half, Sink::Collect);
+        let passes = passes(emitter.model, gradient, part).into_iter().map(|Pass { stores, moved }| match moved {
+            None => emitter.evaluate(frame, &[], &stores),
+            Some(moved) => {
                 let apply = |place, value| quote!(#place.fma(step, #value););
-                through_buffer(emitter, frame, part.other(), &stores, apply)
-            });
-            let [Lines { tokens: first, mut program }, Lines { tokens: second, program: other }] = lines;
+                through_buffer(emitter, frame, moved, &stores, apply)
+            }
+        });
+        let both = |Lines { tokens: first, mut program }: Lines, Lines { tokens: second, program: other }: Lines| {
             program.reads_time |= other.reads_time;
             Lines { tokens: quote!({ #first } { #second }), program }
-        } else {
-            let stores = stores(emitter.model, gradient, Sink::Collect);
-            let apply = |place, value| quote!(#place.fma(step, #value););
-            through_buffer(emitter, frame, part.other(), &stores, apply)
-        }
+        };
+        passes.reduce(both).unwrap_or_default()
     }
+}
+
+/// The motion of a shear. What it reads does not move, so that both halves are computed together.
+fn sheared(graph: &mut Graph, energy: NodeId) -> Vec<Contribution> {
+    let velocity = gradient(graph, energy, Part::Momentum);
+    let mut motion = gradient(graph, energy, Part::Position);
+    motion.iter_mut().for_each(|contribution| contribution.value = graph.neg(contribution.value));
+    motion.extend(velocity);
+    motion
+}
+
+/// Stores that are computed together, and the coordinates that they move by way of a buffer, or on the spot.
+pub(crate) struct Pass {
+    pub(crate) stores: Vec<Store>,
+    pub(crate) moved: Option<Part>,
+}
+
+/// What moves each coordinate by `step` times its component: on the spot where every coordinate gets one contribution,
+/// else collected in a buffer, and each half in one of its own.
+pub(crate) fn passes(model: &mut Model, gradient: &[Contribution], part: Part) -> Vec<Pass> {
+    if gradient.is_empty() {
+        return Vec::new();
+    }
+    let folded = fold_branches(&mut model.graph, gradient);
+    let apart = gradient.iter().any(|contribution| is_protected(&mut model.graph, contribution));
+    if !apart && is_direct(&model.graph.loops, &folded) {
+        return vec![Pass { stores: stores(model, &folded, Sink::Update), moved: None }];
+    }
+    let mut collected = |part: Part, half: &[Contribution]| Pass {
+        stores: stores(model, half, Sink::Collect),
+        moved: Some(part.other()),
+    };
+    if gradient.iter().all(|contribution| contribution.element.part == part) {
+        return vec![collected(part, gradient)];
+    }
+    let (own, other): (Vec<_>, Vec<_>) =
+        gradient.iter().cloned().partition(|contribution| contribution.element.part == part);
+    vec![collected(part, &own), collected(part.other(), &other)]
 }
 
 /// Where the components of a gradient go; what updates a coordinate is multiplied by the step.

@@ -1,7 +1,8 @@
-//! Values, indices, conditions and lines of a program as Rust.
+//! Values, indices, conditions and lines of a program as Rust, and in `cuda` as C++ for devices.
 
 pub(super) mod block;
 pub(super) mod condition;
+pub(super) mod cuda;
 pub(super) mod expression;
 pub(super) mod fields;
 pub(super) mod frame;

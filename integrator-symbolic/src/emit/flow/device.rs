@@ -1,0 +1,364 @@
+//! The flows as text for devices: one struct of C++ that the runtime's stepper on a device is compiled with.
+//!
+//! Comes in: a model. Goes out: the text, and how its constants are found; or why there is none. Always true: whoever
+//! has a text has the bits of the Rust flows on a machine with fused multiply-add, since both are printed from the same
+//! programs.
+
+use super::{Pass, constants::extents, lattice, pairs::ManyBody, passes, stores};
+use crate::{
+    differentiate::{Contribution, fold_branches, gradient, hessian_product},
+    emit::printer::{
+        block::Emitter,
+        cuda::{Read, Reads, evaluate, identifier},
+        names::Names,
+    },
+    graph::{Part, exact::Exact},
+    model::{Length, Model},
+    program::{Sink, is_protected},
+};
+use proc_macro2::TokenStream;
+use quote::quote;
+use std::fmt::Write;
+
+/// The most coordinates of a state, positions and momenta together: a device keeps them in registers.
+const MOST_COORDINATES: u64 = 64;
+
+/// The flows of a system as text for devices.
+pub(crate) struct DeviceText {
+    text: String,
+    /// How many numbers the constants are.
+    constants: u64,
+    /// What adds these to a list, in their order.
+    pushes: TokenStream,
+}
+
+impl DeviceText {
+    /// The text, or what keeps a system from having one.
+    pub(crate) fn of(emitter: &mut Emitter<'_>) -> Result<Self, String> {
+        let shape = Shape::of(emitter.model)?;
+        check_parts(emitter.model)?;
+        let mut reads = Reads::default();
+        let mut flows = String::new();
+        let (names, count) = (["drift", "middle", "kick"], emitter.model.flows());
+        match emitter.model.is_separable() {
+            true => {
+                let model = &mut *emitter.model;
+                let velocity = gradient(&mut model.graph, model.kinetic, Part::Momentum);
+                let slope = gradient(&mut model.graph, model.potential, Part::Position);
+                check_layout(emitter, &velocity, &slope)?;
+                for (name, gradient, part) in [("drift", velocity, Part::Momentum), ("kick", slope, Part::Position)] {
+                    flows += &flow(emitter, &mut reads, &shape, name, &gradient, part)?;
+                }
+            }
+            false => {
+                for part in 0..count {
+                    let (gradient, by) = part_gradient(emitter.model, part);
+                    let name = match part {
+                        0 => names[0].to_owned(),
+                        last if last + 1 == count => names[2].to_owned(),
+                        number => format!("{}_{number}", names[1]),
+                    };
+                    flows += &flow(emitter, &mut reads, &shape, &name, &gradient, by)?;
+                }
+            }
+        }
+        flows += &middle(count);
+        let bends = emitter.model.quadratic && emitter.model.is_separable();
+        if bends {
+            flows += &hessian(emitter, &mut reads, &shape)?;
+        }
+        Self::with(emitter, &shape, reads, &flows, bends)
+    }
+
+    /// The struct around the flows.
+    fn with(emitter: &mut Emitter<'_>, shape: &Shape, reads: Reads, flows: &str, bends: bool) -> Result<Self, String> {
+        let (mut fields, mut loads, mut constants, mut pushes) = (String::new(), String::new(), 0, TokenStream::new());
+        for (read, name, _) in reads.0 {
+            let lengths = match read {
+                Read::Path(parameter) => {
+                    let text = &emitter.model.parameters[parameter.0 as usize].text;
+                    pushes.extend(quote!(numbers.push(#text);));
+                    Vec::new()
+                }
+                Read::Field(content) => {
+                    let runtime = &emitter.names.runtime;
+                    pushes.extend(quote!(#runtime::push_constants(&parameters.#name, numbers);));
+                    extents(emitter.model, emitter.names, content).ok_or_else(|| {
+                        format!(
+                            "`{name}` is a list of a length that is known at run time, and has no text for devices yet"
+                        )
+                    })?
+                }
+            };
+            let name = identifier(&name);
+            let brackets: String = lengths.iter().map(|length| format!("[{length}]")).collect();
+            let _ = writeln!(fields, "R {name}{brackets};");
+            loads += &load(&name, &lengths, constants);
+            constants += lengths.iter().product::<u64>();
+        }
+        let (count, brackets, at) = (shape.count(), shape.brackets(), shape.at("i"));
+        let (parts, paired) = (emitter.model.flows(), emitter.model.paired);
+        let mut text = format!(
+            "struct System {{\n\
+             static constexpr int COORDINATES = {count};\n\
+             static constexpr int CONSTANTS = {constants};\n\
+             static constexpr int PARTS = {parts};\n\
+             static constexpr bool PAIRED = {paired};\n\
+             static constexpr bool BENDS = {bends};\n\
+             \n\
+             template <class R> struct Parameters {{\n\
+             {fields}\
+             template <class Source> DEVICE explicit Parameters(const Source& number) {{\n{loads}}}\n\
+             }};\n\
+             \n\
+             template <class R, class K> struct Motion {{\n\
+             K q{brackets};\n\
+             K p{brackets};\n\
+             Parameters<R> parameters;\n\
+             DEVICE explicit Motion(const Parameters<R>& parameters) : parameters(parameters) {{}}\n\
+             DEVICE K& position(int i) {{ return q{at}; }}\n\
+             DEVICE K& momentum(int i) {{ return p{at}; }}\n\
+             }};\n\
+             {flows}}};\n"
+        );
+        if constants == 0 {
+            text = text.replace("const Source& number", "const Source&");
+        }
+        Ok(Self { text: indented(&text), constants, pushes })
+    }
+
+    /// The items of the runtime's `DeviceText`.
+    pub(crate) fn items(&self, names: &Names) -> TokenStream {
+        let Self { text, constants, pushes } = self;
+        let (runtime, constants) = (&names.runtime, proc_macro2::Literal::u64_unsuffixed(*constants));
+        let (parameters, numbers) = match pushes.is_empty() {
+            true => (quote!(_parameters), quote!(_numbers)),
+            false => (quote!(parameters), quote!(numbers)),
+        };
+        quote! {
+            const TEXT: &'static str = #text;
+            const CONSTANTS: usize = #constants;
+
+            fn push_constants(#parameters: &Self::Parameters<f64>, #numbers: &mut #runtime::Vec<f64>) { #pushes }
+        }
+    }
+}
+
+/// The lengths of the coordinates.
+struct Shape {
+    length: u64,
+    dimension: Option<u64>,
+}
+
+impl Shape {
+    fn of(model: &Model) -> Result<Self, String> {
+        let length = |length: &Length| match length {
+            Length::Literal(length) => Ok(*length),
+            Length::Constant(_) => {
+                Err("coordinates whose number is a constant have no text for devices yet: write the number".to_owned())
+            }
+            Length::OfStart => {
+                Err("a device keeps the state in registers, so that the number of coordinates has to be \
+                                    known here: write an array such as `[f64; 4]` in place of a slice"
+                    .to_owned())
+            }
+        };
+        let shape = Self {
+            length: length(&model.shape.length)?,
+            dimension: model.shape.dimension.as_ref().map(length).transpose()?,
+        };
+        match 2 * shape.count() {
+            numbers if numbers > MOST_COORDINATES => Err(format!(
+                "a device keeps the state of a member in registers, {MOST_COORDINATES} numbers at most, and this one has \
+                 {numbers}"
+            )),
+            _ => Ok(shape),
+        }
+    }
+
+    fn count(&self) -> u64 {
+        self.length.saturating_mul(self.dimension.unwrap_or(1))
+    }
+
+    fn brackets(&self) -> String {
+        let dimension = self.dimension.map(|dimension| format!("[{dimension}]"));
+        format!("[{}]{}", self.length, dimension.unwrap_or_default())
+    }
+
+    /// The indices of a coordinate by its number.
+    fn at(&self, number: &str) -> String {
+        match self.dimension {
+            None => format!("[{number}]"),
+            Some(dimension) => format!("[{number} / {dimension}][{number} % {dimension}]"),
+        }
+    }
+
+    /// A line for each coordinate of a half.
+    fn for_each(&self, line: impl Fn(&str) -> String) -> String {
+        match self.dimension {
+            None => format!("for (int i = 0; i < {}; ++i) {{\n{}}}\n", self.length, line("[i]")),
+            Some(dimension) => format!(
+                "for (int i = 0; i < {}; ++i) {{\nfor (int d = 0; d < {dimension}; ++d) {{\n{}}}\n}}\n",
+                self.length,
+                line("[i][d]")
+            ),
+        }
+    }
+}
+
+/// Parts that are no sums of shears are solved by the runtime, in Rust.
+fn check_parts(model: &Model) -> Result<(), String> {
+    let refused =
+        |what: &str| Err(format!("{what} has no text for devices yet: a device knows drifts, kicks and shears"));
+    if model.coupling.is_some() {
+        return refused("the motion of two copies of the state");
+    }
+    if model.unsplit {
+        return refused("H in one piece, which implicit methods integrate,");
+    }
+    if model.jacobi.is_some() {
+        return refused("the motion in Jacobi coordinates");
+    }
+    for part in &model.parts {
+        match part.form {
+            Exact::OfMomenta | Exact::OfPositions | Exact::Shear => {}
+            Exact::Own => return refused(&format!("`{}`, the flow of which you wrote,", part.name)),
+            Exact::Quadratic(_) => {
+                return refused(&format!("`{}`, a quadratic form, whose flow is a matrix,", part.name));
+            }
+            Exact::Kepler(_) => return refused(&format!("`{}`, Kepler motion, whose equation is solved,", part.name)),
+        }
+    }
+    Ok(())
+}
+
+/// Sums along lattices and over pairs of bodies have an order of their own, which follows from layouts of the state.
+fn check_layout(emitter: &mut Emitter<'_>, velocity: &[Contribution], slope: &[Contribution]) -> Result<(), String> {
+    if ManyBody::of(emitter).is_some() {
+        return Err(
+            "bodies that act on each other in pairs are added in rows, an order that devices do not know yet: \
+                    write out the pairs of a few bodies, or leave out `gpu`"
+                .to_owned(),
+        );
+    }
+    for (gradient, part) in [(velocity, Part::Momentum), (slope, Part::Position)] {
+        let folded = fold_branches(&mut emitter.model.graph, gradient);
+        let apart = gradient.iter().any(|contribution| is_protected(&mut emitter.model.graph, contribution));
+        if !apart && lattice::sweep(emitter, &folded, part).is_some() {
+            return Err(
+                "the sites of a lattice are added in an order of their own, which devices do not know yet: leave \
+                        out `gpu`"
+                    .to_owned(),
+            );
+        }
+    }
+    Ok(())
+}
+
+/// The gradient whose flow a part is, and what it is taken by.
+fn part_gradient(model: &mut Model, part: usize) -> (Vec<Contribution>, Part) {
+    let energy = model.parts[part].energy;
+    let graph = &mut model.graph;
+    match model.parts[part].form {
+        Exact::OfMomenta => (gradient(graph, energy, Part::Momentum), Part::Momentum),
+        Exact::OfPositions => (gradient(graph, energy, Part::Position), Part::Position),
+        _ => (super::sheared(graph, energy), Part::Momentum),
+    }
+}
+
+/// The function of a flow.
+fn flow(
+    emitter: &mut Emitter<'_>,
+    reads: &mut Reads,
+    shape: &Shape,
+    name: &str,
+    gradient: &[Contribution],
+    part: Part,
+) -> Result<String, String> {
+    let duration = if part == Part::Momentum { "duration" } else { "-duration" };
+    let (mut lines, mut reads_time) = (String::new(), false);
+    for Pass { stores, moved } in passes(emitter.model, gradient, part) {
+        let (pass, program) = evaluate(emitter, reads, &stores)?;
+        reads_time |= program.reads_time;
+        lines += &match moved {
+            None => pass,
+            Some(moved) => {
+                let moved = if moved == Part::Position { "q" } else { "p" };
+                let apply = shape.for_each(|at| format!("motion.{moved}{at}.fma(step, gradient{at});\n"));
+                format!("{{\nR gradient{} = {{}};\n{pass}{apply}}}\n", shape.brackets())
+            }
+        };
+    }
+    let step = if lines.is_empty() { String::new() } else { format!("const R step = R({duration});\n") };
+    Ok(function(name, "K", "double duration, ", &step, &lines, reads_time))
+}
+
+/// The function that makes the Hessian of `V` times the momenta of these.
+fn hessian(emitter: &mut Emitter<'_>, reads: &mut Reads, shape: &Shape) -> Result<String, String> {
+    let model = &mut *emitter.model;
+    let potential = gradient(&mut model.graph, model.potential, Part::Position);
+    let product = hessian_product(&mut model.graph, &potential, Part::Position);
+    let stores = stores(model, &product, Sink::Collect);
+    let (lines, program) = evaluate(emitter, reads, &stores)?;
+    let apply = shape.for_each(|at| format!("motion.p{at} = Plain<R>{{gradient{at}}};\n"));
+    let lines = format!("R gradient{} = {{}};\n{lines}{apply}", shape.brackets());
+    Ok(function("hessian", "Plain<R>", "", "", &lines, program.reads_time))
+}
+
+/// A function of a motion whose coordinates are kept as `slot`.
+fn function(name: &str, slot: &str, duration: &str, step: &str, lines: &str, reads_time: bool) -> String {
+    let slots = if slot == "K" { ", class K" } else { "" };
+    let time = if reads_time { "const R time = R(at);\n" } else { "" };
+    format!(
+        "\ntemplate <class R{slots}> DEVICE static void {name}(Motion<R, {slot}>& motion, {duration}double at) \
+         {{\n{step}{time}{lines}}}\n"
+    )
+}
+
+/// The flows between the first and the last, in their order or backwards.
+fn middle(count: usize) -> String {
+    let call = |part: usize| format!("middle_{part}(motion, duration, at);\n");
+    let between = 1..count.saturating_sub(1);
+    let (forwards, backwards): (String, String) =
+        (between.clone().map(call).collect(), between.rev().map(call).collect());
+    let lines = match count {
+        ..=2 => String::new(),
+        3 => forwards,
+        _ => format!("if (backwards) {{\n{backwards}}} else {{\n{forwards}}}\n"),
+    };
+    format!(
+        "\ntemplate <class R, class K> DEVICE static void middle(Motion<R, K>& motion, double duration, double at, bool \
+         backwards) {{\n{lines}}}\n"
+    )
+}
+
+/// The lines that load a constant, or a table of them, from the place where it begins.
+fn load(name: &str, lengths: &[u64], first: u64) -> String {
+    let index = |level: usize| format!("i{level}");
+    let place = lengths.iter().enumerate().fold(String::new(), |place, (level, length)| match place.is_empty() {
+        true => index(level),
+        false => format!("({place}) * {length} + {}", index(level)),
+    });
+    let at: String = (0..lengths.len()).map(|level| format!("[{}]", index(level))).collect();
+    let place = if place.is_empty() { first.to_string() } else { format!("{first} + {place}") };
+    let line = format!("{name}{at} = R(number({place}));\n");
+    lengths.iter().enumerate().rev().fold(line, |line, (level, length)| {
+        let index = index(level);
+        format!("for (int {index} = 0; {index} < {length}; ++{index}) {{\n{line}}}\n")
+    })
+}
+
+/// The text with its blocks indented.
+fn indented(text: &str) -> String {
+    let (mut indented, mut depth) = (String::new(), 0_usize);
+    for line in text.lines() {
+        depth -= usize::from(line.starts_with('}')).min(depth);
+        if !line.is_empty() {
+            indented += &"    ".repeat(depth);
+        }
+        indented += line;
+        indented.push('\n');
+        depth += usize::from(line.ends_with('{'));
+    }
+    indented
+}

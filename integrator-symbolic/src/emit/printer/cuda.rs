@@ -1,0 +1,469 @@
+//! Values, indices, conditions and lines of a program as C++, which CUDA compiles for devices.
+//!
+//! The same program gives the Rust text, and each operation here is the one that stands there: a product that is added
+//! is a fused multiply-add in both. What a device cannot be told of is noted, and no text is made of it.
+
+use super::{
+    block::Emitter,
+    expression::Printer,
+    fields::{Content, Fields, is_constant, is_field},
+    frame::Frame,
+};
+use crate::{
+    graph::{
+        Comparison, Element, Node, NodeId, ParameterId, Part,
+        function::Function,
+        index::{Index, IndexId, LoopId, LoopSet},
+    },
+    model::Length,
+    program::{Item, Program, Sink, Store, root_cubed, schedule},
+    syntax::Functions,
+};
+use proc_macro2::Ident;
+
+/// The functions that have the bits of the Rust kernels on a device, or are exact there.
+const KNOWN: [&str; 21] = [
+    "abs",
+    "acos",
+    "asin",
+    "atan",
+    "atan2",
+    "cbrt",
+    "ceil",
+    "cos",
+    "exp",
+    "floor",
+    "ln",
+    "max",
+    "min",
+    "powf",
+    "remainder",
+    "round",
+    "signum",
+    "sin",
+    "sqrt",
+    "tan",
+    "tanh",
+];
+
+/// Names that mean something in C++, or in the text around the lines.
+const TAKEN: [&str; 46] = [
+    "R",
+    "K",
+    "alignas",
+    "alignof",
+    "and",
+    "asm",
+    "auto",
+    "bool",
+    "case",
+    "catch",
+    "char",
+    "class",
+    "decltype",
+    "default",
+    "delete",
+    "do",
+    "double",
+    "duration",
+    "explicit",
+    "export",
+    "float",
+    "fma",
+    "friend",
+    "goto",
+    "gradient",
+    "inline",
+    "int",
+    "long",
+    "motion",
+    "namespace",
+    "new",
+    "not",
+    "operator",
+    "or",
+    "private",
+    "protected",
+    "public",
+    "register",
+    "short",
+    "signed",
+    "step",
+    "switch",
+    "template",
+    "this",
+    "time",
+    "xor",
+];
+
+/// What lines read beside the state: each becomes a field of the prepared constants on the device.
+#[derive(Clone, Copy, PartialEq)]
+pub(crate) enum Read {
+    /// A field of the prepared constants.
+    Field(Content),
+    /// A constant that the user's text names by a path.
+    Path(ParameterId),
+}
+
+/// What lines have read so far, with its name and the loops that its elements belong to.
+#[derive(Default)]
+pub(crate) struct Reads(pub(crate) Vec<(Read, Ident, LoopSet)>);
+
+impl Reads {
+    fn note(&mut self, read: Read, name: Ident, loops: LoopSet) {
+        if self.0.iter().all(|(known, ..)| *known != read) {
+            self.0.push((read, name, loops));
+        }
+    }
+}
+
+/// A name of the user's as C++ may have it.
+pub(crate) fn identifier(name: &Ident) -> String {
+    let name = name.to_string();
+    let name = name.strip_prefix("r#").unwrap_or(&name);
+    let mut plain = String::new();
+    for letter in name.chars() {
+        match letter {
+            letter if letter.is_ascii() => plain.push(letter),
+            letter => plain.push_str(&format!("u{:x}", u32::from(letter))),
+        }
+    }
+    let is_taken = TAKEN.contains(&plain.as_str()) || KNOWN.contains(&plain.as_str());
+    if is_taken { plain + "_" } else { plain }
+}
+
+/// The lines that evaluate values and store them, and the program that they are printed from; or why there are none.
+pub(crate) fn evaluate(
+    emitter: &mut Emitter<'_>,
+    reads: &mut Reads,
+    stores: &[Store],
+) -> Result<(String, Program), String> {
+    let Emitter { model, names, fields } = emitter;
+    let frame = Frame::Motion;
+    let program = schedule(&model.graph, stores, |_, id| frame.is_leaf(model, id));
+    let printer = Printer::new(model, names, &program, &frame);
+    let length = match model.shape.length {
+        Length::Literal(length) => length,
+        Length::Constant(_) | Length::OfStart => 0,
+    };
+    let mut cuda = Cuda { printer, fields, reads, length, conditions: 0, obstacle: None };
+    let lines = cuda.items(&program.items);
+    match cuda.obstacle {
+        None => Ok((lines, program)),
+        Some(obstacle) => Err(obstacle),
+    }
+}
+
+/// How tightly an expression holds together.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+enum Binding {
+    Sum,
+    Product,
+    Sign,
+    Atom,
+}
+
+/// A printed expression.
+struct Printed(Binding, String);
+
+impl Printed {
+    fn atom(text: impl Into<String>) -> Self {
+        Self(Binding::Atom, text.into())
+    }
+
+    /// In parentheses, unless it holds together at least as tightly as `needed`.
+    fn at_least(self, needed: Binding) -> String {
+        if self.0 >= needed { self.1 } else { format!("({})", self.1) }
+    }
+}
+
+/// The printer of one program.
+struct Cuda<'m, 'r> {
+    printer: Printer<'m>,
+    fields: &'r mut Fields,
+    reads: &'r mut Reads,
+    length: u64,
+    /// How many conditions are around the present line.
+    conditions: usize,
+    obstacle: Option<String>,
+}
+
+impl Cuda<'_, '_> {
+    /// Notes what keeps a device from knowing this, in whose place nothing is printed.
+    fn refuse(&mut self, obstacle: impl Into<String>) -> String {
+        self.obstacle.get_or_insert(obstacle.into());
+        String::new()
+    }
+
+    fn items(&mut self, items: &[Item]) -> String {
+        items.iter().map(|item| self.item(item)).collect()
+    }
+
+    fn item(&mut self, item: &Item) -> String {
+        match item {
+            Item::Let(id) => {
+                let kind = if self.printer.graph.node(*id).is_condition() { "bool" } else { "R" };
+                let (name, value) = (self.name(*id), self.computation(*id).1);
+                format!("const {kind} {name} = {value};\n")
+            }
+            Item::SineCosine { argument, sine, cosine } => {
+                let (sine, cosine, argument) = (self.name(*sine), self.name(*cosine), self.expression(*argument).1);
+                format!("R {sine}, {cosine};\nsin_cos({argument}, {sine}, {cosine});\n")
+            }
+            Item::Begin(id) => format!("R {} = R(0.0);\n", self.name(*id)),
+            Item::Loop { by, body } => {
+                let range = self.printer.graph.loops.get(*by);
+                let (from, to) = (self.index(range.from), self.index(range.to));
+                let (index, body) = (self.running(*by), self.items(body));
+                format!("for (long long {index} = {from}; {index} < {to}; ++{index}) {{\n{body}}}\n")
+            }
+            Item::Branch { condition, holds, body } => {
+                let condition = self.expression(*condition).1;
+                self.conditions += 1;
+                let body = self.items(body);
+                self.conditions -= 1;
+                let not = if *holds { "" } else { "!" };
+                if body.is_empty() { body } else { format!("if ({not}{condition}) {{\n{body}}}\n") }
+            }
+            Item::Add { sum, value } => {
+                let name = self.name(*sum);
+                self.accumulate(&name, *value)
+            }
+            Item::Choose { choice, value } => format!("{} = {};\n", self.name(*choice), self.expression(*value).1),
+            Item::Sink(Sink::Update(element), value) => self.update(*element, *value),
+            Item::Sink(Sink::Collect(element), value) => {
+                let target = format!("gradient{}", self.at(*element));
+                self.accumulate(&target, *value)
+            }
+            Item::Sink(..) => self.refuse("a flow that is no sum of kicks has no text for devices yet"),
+        }
+    }
+
+    /// A coordinate's update. Under a condition it is an addition, as in Rust, where members side by side add zero.
+    fn update(&mut self, element: Element, value: NodeId) -> String {
+        let place = self.place(element);
+        match self.printer.product(value).filter(|_| self.conditions == 0) {
+            Some((negative, a, b)) => {
+                format!("{place}.fma({}, {});\n", self.with_sign(negative, a).1, self.expression(b).1)
+            }
+            None => format!("{place}.add({});\n", self.expression(value).1),
+        }
+    }
+
+    /// `target += value`, fused where the value is a product.
+    fn accumulate(&mut self, target: &str, value: NodeId) -> String {
+        if let Some((negative, a, b)) = self.printer.product(value) {
+            let (a, b) = (self.with_sign(negative, a).1, self.expression(b).1);
+            return format!("{target} = fma({a}, {b}, {target});\n");
+        }
+        match self.printer.graph.node(value) {
+            Node::Neg(inner) if !self.printer.names.contains_key(&value) => {
+                format!("{target} -= {};\n", self.expression(inner).1)
+            }
+            _ => format!("{target} += {};\n", self.expression(value).1),
+        }
+    }
+
+    fn name(&self, id: NodeId) -> String {
+        self.printer.names.get(&id).map(identifier).unwrap_or_default()
+    }
+
+    fn running(&self, by: LoopId) -> String {
+        self.printer.running.get(&by).map(identifier).unwrap_or_default()
+    }
+
+    /// An expression, by its name if it has one.
+    fn expression(&mut self, id: NodeId) -> Printed {
+        if self.printer.names.contains_key(&id) { Printed::atom(self.name(id)) } else { self.computation(id) }
+    }
+
+    /// An expression as it is computed, whatever its name.
+    fn computation(&mut self, id: NodeId) -> Printed {
+        let graph = self.printer.graph;
+        if is_field(graph, self.printer.parameters, id) {
+            let name = self.fields.number(graph, self.printer.parameters, id);
+            return Printed::atom(self.read(Read::Field(Content::Number(id)), name, graph.loops_of(id)));
+        }
+        match graph.node(id) {
+            Node::Constant(bits) => Printed::atom(constant(f64::from_bits(bits))),
+            Node::Parameter(parameter) => {
+                // What is no path of a constant is a field.
+                debug_assert!(is_constant(&self.printer.parameters[parameter.0 as usize].text));
+                let name = quote::format_ident!("path_{}", parameter.0);
+                Printed::atom(self.read(Read::Path(parameter), name, LoopSet::EMPTY))
+            }
+            Node::Coordinate(element) => Printed::atom(format!("{}.value()", self.place(element))),
+            Node::Time => Printed::atom("time"),
+            Node::Middle => {
+                Printed::atom(self.refuse("formulas that change at certain times have no text for devices yet"))
+            }
+            Node::Step => Printed::atom("step"),
+            Node::FromIndex(index) => Printed::atom(format!("R(double({}))", self.index(index))),
+            Node::Neg(a) => Printed(Binding::Sign, format!("-{}", self.expression(a).at_least(Binding::Atom))),
+            Node::Add(a, b) => self.addition(a, b),
+            Node::Mul(a, b) => self.operation("*", a, b),
+            Node::Div(a, b) => match root_cubed(graph, b, |id| self.printer.names.contains_key(&id)) {
+                Some(base) => self.call("div_pow_3_2", &[a, base]),
+                None => self.operation("/", a, b),
+            },
+            Node::Power(a, 1) => self.call("sqrt", &[a]),
+            // Lowering leaves no other power; this prints one all the same.
+            Node::Power(a, halves) => {
+                let (a, exponent) = (self.expression(a).1, constant(f64::from(halves) / 2.0));
+                Printed::atom(format!("powf({a}, {exponent})"))
+            }
+            Node::Unary(function, a) => self.function(function, &[a]),
+            Node::Binary(function, a, b) => self.function(function, &[a, b]),
+            Node::External(id, _) => {
+                let name = self.printer.externals[id.0 as usize].name.to_string();
+                Printed::atom(self.refuse(format!("`{name}` is called as it is, and a device cannot call Rust")))
+            }
+            // Sums and choices are always named; the blocks inside theirs compute them.
+            Node::Sum(_, body) | Node::Select(_, body, _) => self.expression(body),
+            condition => Printed::atom(self.condition(condition)),
+        }
+    }
+
+    fn operation(&mut self, sign: &str, a: NodeId, b: NodeId) -> Printed {
+        let (a, b) = (self.expression(a).at_least(Binding::Product), self.expression(b).at_least(Binding::Sign));
+        Printed(Binding::Product, format!("{a} {sign} {b}"))
+    }
+
+    fn call(&mut self, name: &str, arguments: &[NodeId]) -> Printed {
+        let arguments: Vec<_> = arguments.iter().map(|argument| self.expression(*argument).1).collect();
+        Printed::atom(format!("{name}({})", arguments.join(", ")))
+    }
+
+    /// An elementary function that a device computes to the same bits.
+    fn function(&mut self, function: Function, arguments: &[NodeId]) -> Printed {
+        let row = function.row();
+        if !KNOWN.contains(&row.name) {
+            let name = row.name;
+            let obstacle = format!(
+                "`{name}`, in H or in a derivative of it, has no kernel of this library's own, so that its bits on a device \
+                 would be others; write it with functions that have one, such as `exp` and `ln`"
+            );
+            return Printed::atom(self.refuse(obstacle));
+        }
+        let name = match self.printer.functions {
+            Functions::Fast => row.fast.unwrap_or(row.name),
+            Functions::Precise => row.name,
+        };
+        self.call(name, arguments)
+    }
+
+    /// `a + b`, where a product among the two is fused with the addition.
+    fn addition(&mut self, a: NodeId, b: NodeId) -> Printed {
+        for (product, other) in [(b, a), (a, b)] {
+            if let Some((negative, x, y)) = self.printer.product(product) {
+                let factor = self.with_sign(negative, x).1;
+                let (y, other) = (self.expression(y).1, self.expression(other).1);
+                return Printed::atom(format!("fma({factor}, {y}, {other})"));
+            }
+        }
+        let left = self.expression(a).1;
+        let (sign, right) = match self.printer.graph.node(b) {
+            Node::Neg(subtracted) if !self.printer.names.contains_key(&b) => ("-", subtracted),
+            _ => ("+", b),
+        };
+        Printed(Binding::Sum, format!("{left} {sign} {}", self.expression(right).at_least(Binding::Product)))
+    }
+
+    /// A factor, perhaps under a change of sign.
+    fn with_sign(&mut self, negative: bool, x: NodeId) -> Printed {
+        match self.printer.graph.as_constant(x) {
+            Some(number) if negative => Printed::atom(constant(-number)),
+            None if negative => Printed(Binding::Sign, format!("-{}", self.expression(x).at_least(Binding::Atom))),
+            _ => self.expression(x),
+        }
+    }
+
+    fn condition(&mut self, condition: Node) -> String {
+        match condition {
+            Node::Compare(comparison, a, b) => {
+                let (a, b) = (self.expression(a).1, self.expression(b).1);
+                format!("({a} {} {b})", sign(comparison))
+            }
+            Node::CompareIndex(comparison, a, b) => {
+                let (a, b) = (self.index(a), self.index(b));
+                format!("({a} {} {b})", sign(comparison))
+            }
+            Node::Flag(parameter) => {
+                let name = self.fields.flag(self.printer.parameters, parameter);
+                let loops = self.printer.graph.loops.of_parameter(parameter);
+                format!("(R(0.0) < {})", self.read(Read::Field(Content::Flag(parameter)), name, loops))
+            }
+            Node::And(a, b) => format!("({} && {})", self.expression(a).1, self.expression(b).1),
+            Node::Or(a, b) => format!("({} || {})", self.expression(a).1, self.expression(b).1),
+            Node::Not(a) => format!("!({})", self.expression(a).1),
+            _ => self.refuse("this condition has no text for devices yet"),
+        }
+    }
+
+    /// A prepared constant for the present iterations of its loops.
+    fn read(&mut self, read: Read, name: Ident, loops: LoopSet) -> String {
+        let at: String = loops.iter().map(|by| format!("[{}]", self.running(by))).collect();
+        let text = format!("motion.parameters.{}{at}", identifier(&name));
+        self.reads.note(read, name, loops);
+        text
+    }
+
+    /// A coordinate's place: `motion.q[0]`, `motion.p[i][1]`.
+    fn place(&mut self, element: Element) -> String {
+        let part = if element.part == Part::Position { "q" } else { "p" };
+        format!("motion.{part}{}", self.at(element))
+    }
+
+    /// The indices of a coordinate.
+    fn at(&mut self, element: Element) -> String {
+        let index = self.index(element.index);
+        let component = element.component.map(|component| format!("[{}]", self.index(component)));
+        format!("[{index}]{}", component.unwrap_or_default())
+    }
+
+    /// An integer expression, of 64 bits with a sign.
+    fn index(&mut self, id: IndexId) -> String {
+        let known = self.printer.graph.loops.index(id);
+        match known {
+            Index::Literal(value) => return value.to_string(),
+            Index::Running(by) => return self.running(by),
+            Index::Length => return self.length.to_string(),
+            Index::Parameter(_) => {
+                return self.refuse(
+                    "an index or a number of iterations that is a field or a constant has no text for devices yet: write \
+                     a number",
+                );
+            }
+            Index::Wrapped(..) => return self.refuse("integers that wrap have no text for devices yet"),
+            Index::Typed(_, a) => return self.index(a),
+            _ => {}
+        }
+        let [a, b] = known.operands().unwrap_or([id, id]).map(|id| self.index(id));
+        match known {
+            Index::Add(..) => format!("({a} + {b})"),
+            Index::Sub(..) | Index::Minus(..) => format!("({a} - {b})"),
+            Index::Mul(..) => format!("({a} * {b})"),
+            Index::Div(..) => format!("({a} / {b})"),
+            Index::Rem(..) => format!("({a} % {b})"),
+            Index::Monus(..) => format!("({a} < {b} ? 0 : {a} - {b})"),
+            _ => format!("({a} < {b} ? {a} : {b})"),
+        }
+    }
+}
+
+fn constant(value: f64) -> String {
+    match value {
+        _ if value.is_nan() => "not_a_number<R>()".to_owned(),
+        f64::INFINITY => "infinity<R>()".to_owned(),
+        f64::NEG_INFINITY => "(-infinity<R>())".to_owned(),
+        _ => format!("R({value:?})"),
+    }
+}
+
+fn sign(comparison: Comparison) -> &'static str {
+    match comparison {
+        Comparison::Less => "<",
+        Comparison::LessOrEqual => "<=",
+        Comparison::Equal => "==",
+    }
+}

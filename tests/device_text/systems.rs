@@ -1,0 +1,140 @@
+//! Systems whose flows are also text for devices: one for each kind of line that the text may have.
+
+use integrator_core::prelude::*;
+
+/// Sine and cosine.
+#[derive(Clone)]
+pub(crate) struct Pendulum {
+    pub(crate) mass: f64,
+    pub(crate) length: f64,
+}
+
+#[hamiltonian(gpu)]
+impl Pendulum {
+    const GRAVITY: f64 = 9.81;
+
+    fn kinetic(&self, p: [f64; 1]) -> f64 {
+        p[0].powi(2) / (2.0 * self.mass * self.length.powi(2))
+    }
+    fn potential(&self, q: [f64; 1]) -> f64 {
+        -self.mass * Self::GRAVITY * self.length * q[0].cos()
+    }
+}
+
+/// A polynomial without parameters.
+#[derive(Clone)]
+pub(crate) struct HenonHeiles;
+
+#[hamiltonian(gpu)]
+impl HenonHeiles {
+    fn kinetic(&self, [px, py]: [f64; 2]) -> f64 {
+        0.5 * (px * px + py * py)
+    }
+    fn potential(&self, [x, y]: [f64; 2]) -> f64 {
+        0.5 * (x * x + y * y) + x * x * y - y.powi(3) / 3.0
+    }
+}
+
+/// A loop over components, and a root cubed.
+#[derive(Clone)]
+pub(crate) struct Kepler {
+    pub(crate) attraction: f64,
+}
+
+#[hamiltonian(gpu)]
+impl Kepler {
+    fn kinetic(&self, p: [f64; 3]) -> f64 {
+        p.iter().map(|x| x * x).sum::<f64>() / 2.0
+    }
+    fn potential(&self, q: [f64; 3]) -> f64 {
+        -self.attraction / q.iter().map(|x| x * x).sum::<f64>().sqrt()
+    }
+}
+
+/// Tables over the indices of a loop, a branch, and the time; names that mean something else in C++.
+#[derive(Clone)]
+pub(crate) struct Wells {
+    pub(crate) double: [f64; 3],
+    pub(crate) switch: f64,
+    pub(crate) long: bool,
+}
+
+#[hamiltonian(gpu)]
+impl Wells {
+    fn kinetic(&self, p: [[f64; 2]; 3]) -> f64 {
+        let mut energy = 0.0;
+        for class in 0..3 {
+            energy += (1.0 + p[class][0] * p[class][0]).sqrt() + 0.5 * p[class][1] * p[class][1] * self.double[class];
+        }
+        energy
+    }
+    fn potential(&self, q: [[f64; 2]; 3], t: f64) -> f64 {
+        let mut energy = 0.0;
+        for class in 0..3 {
+            let r = q[class][0].abs();
+            if r > self.switch {
+                energy += (r - self.switch).powi(3) * self.double[class].exp();
+            } else {
+                energy -= (-q[class][1] * q[class][1]).exp() * t.cos();
+            }
+            if self.long {
+                energy += 0.1 * q[class][0] * q[(class + 1) % 3][1] + 0.01 * q[class][1].powi(4);
+            }
+        }
+        energy
+    }
+}
+
+/// Three parts, the one in the middle a shear, with a drift of another form.
+#[derive(Clone)]
+pub(crate) struct Twisted {
+    pub(crate) rate: f64,
+}
+
+#[hamiltonian(split = kinetic + twist + potential, compose = Yoshida4, gpu)]
+impl Twisted {
+    fn kinetic(&self, p: [f64; 2]) -> f64 {
+        (1.0 + p[0] * p[0] + p[1] * p[1]).sqrt()
+    }
+    fn twist(&self, q: [f64; 2], p: [f64; 2]) -> f64 {
+        self.rate * q[0] * q[0] * p[1]
+    }
+    fn potential(&self, q: [f64; 2]) -> f64 {
+        q[0].atan2(2.0 + q[1].atan()) + 0.5 * q[1] * q[1] + (1.0 + q[0] * q[0]).powf(0.3)
+    }
+}
+
+/// The same in a pair.
+#[derive(Clone)]
+pub(crate) struct Paired {
+    pub(crate) rate: f64,
+}
+
+#[hamiltonian(split = kinetic + (twist + potential), compose = Verlet, functions = fast, gpu)]
+impl Paired {
+    fn kinetic(&self, p: [f64; 2]) -> f64 {
+        0.5 * (p[0] * p[0] + p[1] * p[1])
+    }
+    fn twist(&self, q: [f64; 2], p: [f64; 2]) -> f64 {
+        self.rate * q[0] * q[0] * p[1]
+    }
+    fn potential(&self, q: [f64; 2]) -> f64 {
+        0.5 * q[0] * q[0] + q[0].sin() * (0.1 * q[1]).exp()
+    }
+}
+
+/// A motion that leaves the finite numbers.
+#[derive(Clone)]
+pub(crate) struct Runaway {
+    pub(crate) strength: f64,
+}
+
+#[hamiltonian(gpu)]
+impl Runaway {
+    fn kinetic(&self, p: [f64; 1]) -> f64 {
+        0.5 * p[0] * p[0]
+    }
+    fn potential(&self, q: [f64; 1]) -> f64 {
+        -self.strength * q[0].powi(4)
+    }
+}
