@@ -209,7 +209,7 @@ where
     let members: Vec<(H, Phase<H::Coords>)> = members.collect();
     let runs = members.iter().map(|(system, start)| system.run_with::<f64, _>(method, start.clone(), STEP));
     let mut runs = runs.collect::<Result<Vec<_>, _>>()?;
-    let mut swarm = Ensemble::new::<H, f64, _>(method, members, STEP)?.with_threads(1);
+    let mut swarm = Ensemble::new(method, members, STEP)?.with_threads(1);
     let racers = vec![
         Racer::new("lanes", || swarm.advance(1).expect("finite states")),
         Racer::new("alone", || runs.iter_mut().for_each(|run| run.advance(1).expect("finite states"))),

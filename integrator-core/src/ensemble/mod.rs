@@ -101,17 +101,17 @@ impl<C: Coords> Ensemble<C> {
     /// # Errors
     /// [`Error::NoMembers`] without members; [`Error::Member`] naming the first member whose start or step is refused,
     /// for the reasons of [`Hamiltonian::run`].
-    pub fn new<H, K, X>(method: X, members: impl IntoIterator<Item = (H, Phase<C>)>, h: f64) -> Result<Self, Error>
+    pub fn new<H, X>(method: X, members: impl IntoIterator<Item = (H, Phase<C>)>, h: f64) -> Result<Self, Error>
     where
         H: Hamiltonian,
-        K: LaneScalars,
         X: InLanes<H>,
-        H::Coords: Coords<With<K> = C>,
+        C::Leaf: LaneScalars,
+        H::Coords: Coords<With<C::Leaf> = C>,
     {
         let (mut parameters, mut constants, mut states) = (Vec::new(), Vec::new(), Vec::new());
         let mut coordinates = 0;
         for (system, state) in members {
-            let member = member::<H, K, X>(&system, method, &state, h).map_err(of_member(states.len()))?;
+            let member = member::<H, C::Leaf, X>(&system, method, &state, h).map_err(of_member(states.len()))?;
             coordinates += state.q.flat().len() as u64;
             constants.push(method.constants(member.clone()));
             parameters.push(member);
@@ -121,8 +121,8 @@ impl<C: Coords> Ensemble<C> {
             return Err(Error::NoMembers);
         }
         let constants = Arc::new(constants);
-        let single = single::<H, X, K, Nothing>(constants.clone());
-        let lanes = in_lanes::<H, X, K, Nothing>(constants);
+        let single = single::<H, X, C::Leaf, Nothing>(constants.clone());
+        let lanes = in_lanes::<H, X, C::Leaf, Nothing>(constants);
         let starts = Starts {
             states: &|member| &states[member],
             alike: &|a, b| {
@@ -133,7 +133,7 @@ impl<C: Coords> Ensemble<C> {
             single: &*single,
         };
         let batches = starts.batches(states.len(), all_threads());
-        let energies = energies_of_members::<H, K>(parameters);
+        let energies = energies_of_members::<H, C::Leaf>(parameters);
         let mut members = Members::new(batches, energies, states.len(), coordinates, h);
         if H::AUTONOMOUS {
             members.check_starts()?;
