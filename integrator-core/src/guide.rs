@@ -10,7 +10,7 @@ macro_rules! chapters {
     };
 }
 
-chapters!(introduction first_hamiltonian splitting pace composing ensembles beyond_one_machine big_systems expansion command_line limits);
+chapters!(cookbook introduction first_hamiltonian step splitting pace composing ensembles beyond_one_machine big_systems expansion command_line limits);
 // What these measure takes the feature `check`.
 #[cfg(feature = "check")]
 chapters!(choosing chaos conserved precision certificates messages);
