@@ -9,8 +9,8 @@ use integrator_core::{
     Method,
     prelude::*,
     reference::{
-        AdamsBashforthMoulton4, BackwardEuler, ExplicitMidpoint, ForwardEuler, GraggBulirschStoer, ImplicitMidpoint,
-        RungeKutta4, StaggeredLeapfrog,
+        AdamsBashforth4, AdamsBashforthMoulton4, AdamsBashforthMoulton4Pec, BackwardEuler, ExplicitMidpoint,
+        ForwardEuler, GraggBulirschStoer, ImplicitMidpoint, RungeKutta4, StaggeredLeapfrog,
     },
 };
 use motions::{apart, complete, ellipse, jacobi, pendulum};
@@ -85,7 +85,9 @@ macro_rules! for_each_method {
             ExplicitMidpoint: 1_600, 2;
             ImplicitMidpoint: 400, 2;
             RungeKutta4: 400, 4;
+            AdamsBashforth4: 1_600, 4;
             AdamsBashforthMoulton4: 800, 4;
+            AdamsBashforthMoulton4Pec: 1_600, 4;
             GraggBulirschStoer: 18, 8;
             Verlet: 400, 2;
             VelocityVerlet: 400, 2;

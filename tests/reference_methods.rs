@@ -8,8 +8,8 @@ use integrator_core::{
     },
     prelude::*,
     reference::{
-        AdamsBashforthMoulton4, BackwardEuler, Bdf, DormandPrince5, DormandPrince8, ExplicitMidpoint, ForwardEuler,
-        GraggBulirschStoer, ImplicitMidpoint, RungeKutta4, StaggeredLeapfrog,
+        AdamsBashforthMoulton4, AnyReference, BackwardEuler, Bdf, DormandPrince5, DormandPrince8, ExplicitMidpoint,
+        ForwardEuler, GraggBulirschStoer, ImplicitMidpoint, RungeKutta4, StaggeredLeapfrog,
     },
 };
 
@@ -385,4 +385,24 @@ fn evaluations_are_those_of_the_steps() {
     // Seven stages per step, and a tighter tolerance takes more steps.
     let [loose, tight] = [1e-3, 1e-12].map(|tolerance| evaluations!(DormandPrince5 { tolerance }));
     assert!(loose >= 600 && tight > 2 * loose, "{loose}, {tight}");
+}
+
+/// A value among others takes the steps of the method itself, what it remembers included.
+#[test]
+fn any_method_has_the_bits_of_the_method() {
+    fn end<M: Method<Pendulum>>(method: M) -> (Phase<[f64; 1]>, u64) {
+        let mut run = Pendulum.run_with(method, SWING, 0.1).expect("a start");
+        run.advance(7).expect("finite states");
+        run.advance(20).expect("finite states");
+        (run.state(), run.evaluations())
+    }
+    macro_rules! same {
+        ($($method:expr),*) => {$(
+            let method = AnyReference::from($method);
+            assert_eq!(end(method), end($method), "{method:?}");
+        )*};
+    }
+    same!(StaggeredLeapfrog, AdamsBashforthMoulton4, DormandPrince5 { tolerance: 1e-6 });
+    let refused = Pendulum.run_with(AnyReference::from(DormandPrince5 { tolerance: -1.0 }), SWING, 0.1);
+    assert!(refused.is_err(), "a tolerance below zero");
 }

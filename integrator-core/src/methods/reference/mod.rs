@@ -13,13 +13,17 @@
 //! | [`ImplicitMidpoint`] | 2 | yes | symplectic without a splitting, for the price of an equation per step |
 //! | [`GaussLegendre4`], [`GaussLegendre6`] | 4, 6 | yes | the same of higher order, for two and three times the unknowns |
 //! | [`RungeKutta4`] | 4 | no | the classical one |
-//! | [`AdamsBashforthMoulton4`] | 4 | no | a predictor and a corrector over past forces |
+//! | [`AdamsBashforth4`] | 4 | no | past forces in place of stages: one force a step |
+//! | [`AdamsBashforthMoulton4`] | 4 | no | a predictor and a corrector over past forces, at two forces a step (PECE) |
+//! | [`AdamsBashforthMoulton4Pec`] | 4 | no | the same, remembering the predicted force: one a step (PEC) |
 //! | [`GraggBulirschStoer`] | 8 | no | extrapolation of modified midpoint steps |
 //! | [`DormandPrince5`], [`DormandPrince8`] | 5, 8 | no | steps chosen by a tolerance |
 //! | [`Bdf`] | 1 to 5 | no | backward differences for stiff systems (Gear) |
 //!
 //! The last three come from the crate `differential-equations`, which has all of them on plain vectors; they cover each
 //! step `h` of the run by steps of their own, and begin anew with the next.
+//!
+//! [`AnyReference`] is any of them but the implicit ones, as a value of one type.
 //!
 //! They are made to be compared with and not to be fast: each evaluation of the field loads a motion, and there is code
 //! for the baseline of the target alone. Their work is counted in evaluations.
@@ -49,6 +53,7 @@
 //! ```
 
 mod adaptive;
+mod any;
 mod extrapolation;
 mod field;
 mod leapfrog;
@@ -58,9 +63,10 @@ mod walk;
 
 pub use super::implicit::{BackwardEuler, GaussLegendre4, GaussLegendre6, ImplicitMidpoint};
 pub use adaptive::{Bdf, DormandPrince5, DormandPrince8};
+pub use any::AnyReference;
 pub use extrapolation::GraggBulirschStoer;
 pub use leapfrog::StaggeredLeapfrog;
-pub use multistep::AdamsBashforthMoulton4;
+pub use multistep::{AdamsBashforth4, AdamsBashforthMoulton4, AdamsBashforthMoulton4Pec};
 pub use runge_kutta::{ExplicitMidpoint, ForwardEuler, RungeKutta4};
 
 use crate::{
@@ -93,6 +99,6 @@ macro_rules! methods {
     )*};
 }
 methods! {
-    ForwardEuler StaggeredLeapfrog ExplicitMidpoint RungeKutta4 AdamsBashforthMoulton4 GraggBulirschStoer DormandPrince5
-    DormandPrince8 Bdf
+    ForwardEuler StaggeredLeapfrog ExplicitMidpoint RungeKutta4 AdamsBashforth4 AdamsBashforthMoulton4
+    AdamsBashforthMoulton4Pec GraggBulirschStoer DormandPrince5 DormandPrince8 Bdf AnyReference
 }

@@ -13,36 +13,114 @@ use crate::{
 /// How many steps back the method looks.
 const PAST: usize = 3;
 
+/// The formula of Adams and Bashforth over four points (Bashforth and Adams 1883), for one evaluation of the field a step.
+/// The first three steps are those of the classical Runge–Kutta method. It remembers, so that a run that goes on from a
+/// state of another begins anew.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct AdamsBashforth4;
+
 /// The predictor of Adams and Bashforth over four points, and the corrector of Adams and Moulton that reads what was
-/// predicted, once (Bashforth and Adams 1883, Moulton 1926). The first three steps are those of the classical
-/// Runge–Kutta method. It remembers, so that a run that goes on from a state of another begins anew.
+/// predicted, once (Moulton 1926): predict, evaluate, correct, evaluate (PECE). It starts and remembers like
+/// [`AdamsBashforth4`].
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct AdamsBashforthMoulton4;
 
-impl Described for AdamsBashforthMoulton4 {
-    fn facts(self) -> Facts {
-        Facts { name: "AdamsBashforthMoulton4", order: 4, forces: Some(2), roundings: 4, ..Facts::UNCLAIMED }
+/// The same without the last evaluation (PEC): later steps read the field where it was predicted, for one evaluation a
+/// step, less accurate and less stable.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct AdamsBashforthMoulton4Pec;
+
+macro_rules! described {
+    ($($method:ident $forces:literal;)*) => {
+        $(impl Described for $method {
+            fn facts(self) -> Facts {
+                Facts { name: stringify!($method), order: 4, forces: Some($forces), roundings: 4, ..Facts::UNCLAIMED }
+            }
+        })*
+    };
+}
+described! {
+    AdamsBashforth4 1;
+    AdamsBashforthMoulton4 2;
+    AdamsBashforthMoulton4Pec 1;
+}
+
+/// The field at the beginning of the last steps, the latest one first.
+type Past<R> = Vec<Vec<R>>;
+
+/// What Adams and Bashforth add, over the field here and at the past steps.
+fn predictor<R: Real>(h: f64, slope: &[R], [first, second, third]: [&[R]; PAST]) -> Vec<R> {
+    combined(h / 24.0, &[(55.0, slope), (-59.0, first), (37.0, second), (-9.0, third)])
+}
+
+/// What Adams and Moulton add, with the field ahead.
+fn corrector<R: Real>(h: f64, ahead: &[R], slope: &[R], [first, second, _]: [&[R]; PAST]) -> Vec<R> {
+    combined(h / 24.0, &[(9.0, ahead), (19.0, slope), (-5.0, first), (1.0, second)])
+}
+
+/// One more step is past.
+fn remember<R>(past: &mut Past<R>, slope: Vec<R>) {
+    past.insert(0, slope);
+    past.truncate(PAST);
+}
+
+impl Recipe for AdamsBashforth4 {
+    type Memory<R: Real> = Past<R>;
+
+    fn increment<R: Real>(self, past: &mut Past<R>, from: &Place<'_, R>) -> Result<Vec<R>, Unsolved> {
+        let slope = from.derivative();
+        let increment = match &past[..] {
+            [first, second, third] => predictor(from.h, &slope, [first, second, third]),
+            _ => CLASSICAL.increment(from),
+        };
+        remember(past, slope);
+        Ok(increment)
     }
 }
 
 impl Recipe for AdamsBashforthMoulton4 {
-    /// The field at the beginning of the last steps, the latest one first.
-    type Memory<R: Real> = Vec<Vec<R>>;
+    type Memory<R: Real> = Past<R>;
 
-    fn increment<R: Real>(self, past: &mut Vec<Vec<R>>, from: &Place<'_, R>) -> Result<Vec<R>, Unsolved> {
+    fn increment<R: Real>(self, past: &mut Past<R>, from: &Place<'_, R>) -> Result<Vec<R>, Unsolved> {
         let slope = from.derivative();
         let increment = match &past[..] {
             [first, second, third] => {
-                let scale = from.h / 24.0;
-                let terms: [(f64, &[R]); 4] = [(55.0, &slope), (-59.0, first), (37.0, second), (-9.0, third)];
-                let predicted = from.moved(&combined(scale, &terms));
+                let past: [&[R]; PAST] = [first, second, third];
+                let predicted = from.moved(&predictor(from.h, &slope, past));
                 let ahead = from.field.derivative(&predicted, from.time + from.h);
-                combined(scale, &[(9.0, &ahead), (19.0, &slope), (-5.0, first), (1.0, second)])
+                corrector(from.h, &ahead, &slope, past)
             }
             _ => CLASSICAL.increment(from),
         };
-        past.insert(0, slope);
-        past.truncate(PAST);
+        remember(past, slope);
+        Ok(increment)
+    }
+}
+
+impl Recipe for AdamsBashforthMoulton4Pec {
+    /// Here the first one is the field at the beginning of this step, where it was predicted.
+    type Memory<R: Real> = Past<R>;
+
+    fn increment<R: Real>(self, past: &mut Past<R>, from: &Place<'_, R>) -> Result<Vec<R>, Unsolved> {
+        let Place { field, time, h, .. } = *from;
+        if past.is_empty() {
+            past.push(from.derivative());
+        }
+        let (increment, ahead) = match &past[..] {
+            [slope, first, second, third] => {
+                let past: [&[R]; PAST] = [first, second, third];
+                let predicted = from.moved(&predictor(h, slope, past));
+                let ahead = field.derivative(&predicted, time + h);
+                (corrector(h, &ahead, slope, past), ahead)
+            }
+            _ => {
+                let increment = CLASSICAL.increment(from);
+                let ahead = field.derivative(&from.moved(&increment), time + h);
+                (increment, ahead)
+            }
+        };
+        past.insert(0, ahead);
+        past.truncate(PAST + 1);
         Ok(increment)
     }
 }
