@@ -27,7 +27,7 @@
 //! ```
 //!
 //! The page has each method with its formula and what it conserves, portraits in steps in which gains and losses are seen,
-//! energies, errors against the step and the work, areas, orbits there and back, limits of stability, and a table of claims:
+//! energies, what symplectic steps conserve in their place, errors against the step and the work, areas, orbits there and back, limits of stability, and a table of claims:
 //! what is expected, what was measured. A claim that does not hold for a system is a finding: forward Euler gains energy
 //! where the potential is convex along the motion, and need not elsewhere.
 //!
@@ -36,7 +36,7 @@
 //! | `laboratory` | what is asked for, and the files that it becomes |
 //! | `problem`, `plan` | a system with where it starts; how much is measured |
 //! | `study`, `measured`, `methods` | all that is measured, of a system and of a method; the methods, one row each |
-//! | `blob`, `errors`, `limits`, `portrait`, `reversal`, `shifted` | one measurement each |
+//! | `blob`, `errors`, `limits`, `modified`, `portrait`, `reversal`, `shifted` | one measurement each |
 //! | `claims` | claims, each with the number that decides it |
 //! | `pictures`, `page` | what is drawn and written; `formula` makes MathML, `numbers` plain numbers |
 
@@ -48,6 +48,7 @@ mod laboratory;
 mod limits;
 mod measured;
 mod methods;
+mod modified;
 mod numbers;
 mod page;
 mod pictures;

@@ -3,14 +3,16 @@
 use crate::{
     errors::{Exact, Rung, tolerances},
     measured::{Measured, energies, measure},
+    modified::{self, Modified},
     plan::Plan,
     problem::Problem,
 };
 use integrator_core::{
     prelude::*,
     reference::{
-        AdamsBashforthMoulton4, BackwardEuler, Bdf, DormandPrince5, DormandPrince8, ExplicitMidpoint, ForwardEuler,
-        GaussLegendre4, GaussLegendre6, GraggBulirschStoer, ImplicitMidpoint, RungeKutta4, StaggeredLeapfrog,
+        AdamsBashforth4, AdamsBashforthMoulton4, AdamsBashforthMoulton4Pec, AnyReference, BackwardEuler, Bdf,
+        DormandPrince5, DormandPrince8, ExplicitMidpoint, ForwardEuler, GaussLegendre4, GaussLegendre6,
+        GraggBulirschStoer, ImplicitMidpoint, RungeKutta4, StaggeredLeapfrog,
     },
 };
 use integrator_plot::{Colour, colour::COLOURS};
@@ -64,8 +66,8 @@ pub(crate) fn adaptive<H: Hamiltonian>(
         ($($name:literal $method:ident $colour:expr, $says:literal;)*) => {
             vec![$(Adaptive {
                 row: Row { name: $name, formula: "", says: $says, colour: $colour, limit: false },
-                errors: tolerances(problem, |tolerance| $method { tolerance }, plan, exact)?,
-                energies: energies(problem, $method { tolerance: LOOSE }, plan)?,
+                errors: tolerances(problem, |tolerance| AnyReference::from($method { tolerance }), plan, exact)?,
+                energies: energies(problem, AnyReference::from($method { tolerance: LOOSE }), plan)?,
             }),*]
         };
     }
@@ -91,7 +93,7 @@ pub(crate) fn all<H: Hamiltonian>(
         };
     }
     Ok(rows! {
-        "forward Euler" ForwardEuler, COLOURS[0], false,
+        "forward Euler" AnyReference::from(ForwardEuler), COLOURS[0], false,
             "z_{n+1} = z_n + h f(z_n)",
             "Along the tangent at the beginning: outwards on every closed orbit.";
         "backward Euler" BackwardEuler, COLOURS[1], false,
@@ -100,13 +102,13 @@ pub(crate) fn all<H: Hamiltonian>(
         "symplectic Euler" Euler, COLOURS[5], true,
             "p_{n+1} = p_n − h V'(q_n) ; q_{n+1} = q_n + h T'(p_{n+1})",
             "Kick, then drift with the new momentum: the flow of V, then that of T, each of which preserves areas.";
-        "leapfrog" StaggeredLeapfrog, COLOURS[7], false,
+        "leapfrog" AnyReference::from(StaggeredLeapfrog), COLOURS[7], false,
             "p_{n+1/2} = p_{n−1/2} − h V'(q_n) ; q_{n+1} = q_n + h T'(p_{n+1/2})",
             "Momenta half a step from positions: Verlet, seen at other times.";
         "Verlet" Verlet, COLOURS[6], true,
             "S_2(h) = e^{{h}/{2}T} e^{hV} e^{{h}/{2}T}",
             "Half a drift, a kick, half a drift: symplectic, and its own inverse in steps back.";
-        "explicit midpoint" ExplicitMidpoint, COLOURS[2], false,
+        "explicit midpoint" AnyReference::from(ExplicitMidpoint), COLOURS[2], false,
             "z_{n+1} = z_n + h f(z_n + {h}/{2} f(z_n))",
             "Of second order like Verlet, and yet its energy grows.";
         "implicit midpoint" ImplicitMidpoint, COLOURS[3], true,
@@ -118,13 +120,19 @@ pub(crate) fn all<H: Hamiltonian>(
         "Gauss–Legendre 6" GaussLegendre6, MORE[3], false,
             "z_{n+1} = z_n + {h}/{18}(5 k_1 + 8 k_2 + 5 k_3) ; k_i = f(z_n + h Σ_j a_{ij} k_j)",
             "Three stages: order 6.";
-        "Runge–Kutta 4" RungeKutta4, COLOURS[4], true,
+        "Runge–Kutta 4" AnyReference::from(RungeKutta4), COLOURS[4], true,
             "z_{n+1} = z_n + {h}/{6}(k_1 + 2 k_2 + 2 k_3 + k_4)",
             "The classical one. Its errors are small, and always in the same sense.";
-        "Adams–Bashforth–Moulton 4" AdamsBashforthMoulton4, MORE[1], false,
+        "Adams–Bashforth 4" AnyReference::from(AdamsBashforth4), Colour(200, 150, 90), false,
+            "z_{n+1} = z_n + {h}/{24}(55 f_n − 59 f_{n−1} + 37 f_{n−2} − 9 f_{n−3})",
+            "Four past forces in place of stages, for one new force a step. The first three steps are Runge and Kutta's.";
+        "Adams–Bashforth–Moulton 4" AnyReference::from(AdamsBashforthMoulton4), MORE[1], false,
             "z_{n+1}^* = z_n + {h}/{24}(55 f_n − 59 f_{n−1} + 37 f_{n−2} − 9 f_{n−3}) ; z_{n+1} = z_n + {h}/{24}(9 f_{n+1}^* + 19 f_n − 5 f_{n−1} + f_{n−2})",
-            "Predicts from four past forces and corrects with the new one. The first three steps are Runge and Kutta's.";
-        "Gragg–Bulirsch–Stoer" GraggBulirschStoer, MORE[2], false,
+            "Predicts like Adams and Bashforth, evaluates the force, corrects with it, and evaluates it again for later steps (PECE).";
+        "Adams PEC 4" AnyReference::from(AdamsBashforthMoulton4Pec), Colour(110, 160, 200), false,
+            "z_{n+1}^* = z_n + {h}/{24}(55 f_n^* − 59 f_{n−1}^* + 37 f_{n−2}^* − 9 f_{n−3}^*) ; z_{n+1} = z_n + {h}/{24}(9 f_{n+1}^* + 19 f_n^* − 5 f_{n−1}^* + f_{n−2}^*)",
+            "Later steps read the force where it was predicted: half the work, and less stable.";
+        "Gragg–Bulirsch–Stoer" AnyReference::from(GraggBulirschStoer), MORE[2], false,
             "T_{jk} = T_{j,k−1} + {T_{j,k−1} − T_{j−1,k−1}}/{{(n_j/n_{j−k})}^2 − 1}",
             "Modified midpoint steps, extrapolated to none: accurate in long steps, and not symplectic.";
         "Yoshida 4" Yoshida4, Colour(0, 90, 60), true,
@@ -137,4 +145,22 @@ pub(crate) fn all<H: Hamiltonian>(
             "S_8(h) = Π_{i=1}^{17} S_2(w_i h)",
             "Seventeen steps of Verlet, the same from both ends.";
     })
+}
+
+/// Measures what the compositions conserve whose modified Hamiltonian has terms up to the fourth power of the step.
+pub(crate) fn modified<H: Hamiltonian>(problem: &Problem<'_, H>, plan: &Plan, methods: &[Measured]) -> Vec<Modified> {
+    macro_rules! rows {
+        ($($name:literal $method:ident;)*) => {
+            [$(methods
+                .iter()
+                .find(|measured| measured.name() == $name)
+                .and_then(|measured| modified::modified(measured.row, $method, problem, plan))),*]
+        };
+    }
+    let rows = rows! {
+        "symplectic Euler" Euler;
+        "Verlet" Verlet;
+        "Yoshida 4" Yoshida4;
+    };
+    rows.into_iter().flatten().collect()
 }

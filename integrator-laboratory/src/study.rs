@@ -4,6 +4,7 @@ use crate::{
     errors::exact,
     measured::Measured,
     methods::{self, Adaptive},
+    modified::Modified,
     plan::Plan,
     problem::{Problem, name, numbers},
     shifted::verlet_against_leapfrog,
@@ -26,6 +27,8 @@ pub(crate) struct Study {
     pub(crate) orbit: Vec<(f64, f64)>,
     pub(crate) methods: Vec<Measured>,
     pub(crate) adaptive: Vec<Adaptive>,
+    /// What symplectic compositions conserve; nothing where `H` is not conserved or no `T(p) + V(q)`.
+    pub(crate) modified: Vec<Modified>,
     /// By how much Verlet's inner half steps differ from the leapfrog.
     pub(crate) shifted: f64,
 }
@@ -55,6 +58,8 @@ pub(crate) fn measure<H: Hamiltonian>(
     // For as long as portraits last, in steps whose error is not seen.
     let step = problem.period / ORBIT;
     let orbit = problem.run(KahanLi8, &problem.start, step)?.samples(1).take((plan.periods * ORBIT) as usize + 1);
+    let methods = methods::all(problem, plan, &exact)?;
+    let modified = methods::modified(problem, plan, &methods);
     Ok(Study {
         system,
         autonomous: H::AUTONOMOUS,
@@ -63,8 +68,9 @@ pub(crate) fn measure<H: Hamiltonian>(
         period: problem.period,
         view: problem.view.map(|index| name(index, freedom)),
         orbit: orbit.map_while(Result::ok).map(|sample| problem.seen(&sample.state)).collect(),
-        methods: methods::all(problem, plan, &exact)?,
+        methods,
         adaptive: methods::adaptive(problem, plan, &exact)?,
+        modified,
         shifted: verlet_against_leapfrog(problem)?,
     })
 }

@@ -61,6 +61,11 @@ fn an_oscillator_has_closed_forms() {
     shrinks!(Euler, euler, 5.0);
     shrinks!(Verlet, verlet, 6.0);
     shrinks!(VelocityVerlet, velocity_verlet, 6.0);
+    // With the term of h alone it is one of these, but for a factor.
+    let exact = shadow(&Oscillator, Euler, at, 0.1).expect("a span");
+    let measured: Vec<f64> = exact.powers.iter().map(|power| power.measured).collect();
+    assert!(exact.is_conserved() && measured[1] == f64::INFINITY && measured[2].is_finite(), "{exact}");
+    assert!(exact.to_string().contains("with the terms below h^2 is conserved to the rounding"), "{exact}");
 }
 
 #[test]

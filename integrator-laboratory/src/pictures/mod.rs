@@ -5,6 +5,7 @@ mod energies;
 mod errors;
 mod limits;
 mod maps;
+mod modified;
 mod portraits;
 mod reversal;
 mod style;
@@ -15,10 +16,11 @@ use crate::{laboratory::Drawing, study::Study};
 type Picture = (&'static str, fn(&Study) -> Option<Drawing>);
 
 /// One row for each picture, in the order of the page; none where there is nothing to show.
-pub(crate) const PICTURES: [Picture; 9] = [
+pub(crate) const PICTURES: [Picture; 10] = [
     ("portraits", |study| Some(portraits::portraits(study).into())),
     ("energy_error", |study| study.autonomous.then(|| energies::extremes(study).into())),
     ("energy", |study| study.autonomous.then(|| energies::low_orders(study).into())),
+    ("modified", |study| Some(modified::modified(study)?.into())),
     ("areas", |study| Some(areas::areas(study).into())),
     ("maps", |study| Some(maps::maps(study).into())),
     ("reversal", |study| study.autonomous.then(|| reversal::reversal(study).into())),

@@ -1,0 +1,75 @@
+//! What symplectic steps conserve.
+
+use crate::{
+    modified::{Levels, Modified},
+    numbers::plain,
+    study::Study,
+};
+use integrator_plot::{Axis, Chart, Colour, Mark, Panels, colour::GREY};
+
+/// Shades of a method for its modifications, the last one the darkest: how much of white is mixed in.
+const PALE: [f64; 5] = [0.0, 0.25, 0.45, 0.6, 0.7];
+
+/// One column for each composition: its levels, where these are curves, and its changes.
+pub(super) fn modified(study: &Study) -> Option<Panels> {
+    let first = study.modified.first()?;
+    let levels = "Under the orbit, in long steps: a level of H, in grey, and one of the modified Hamiltonian, on which the orbit lies. ";
+    let claim = format!(
+        "{}A symplectic step conserves another Hamiltonian that is near to H. With one term of its series after the other, what is \
+         conserved changes by higher powers of the step.",
+        if first.levels.is_some() { levels } else { "" }
+    );
+    let panels = Panels::new(format!("What a step conserves: {}", study.system), claim)
+        .columns(study.modified.len())
+        .panel(420, 400);
+    let of_levels =
+        study.modified.iter().filter_map(|modified| Some(portrait(study, modified, modified.levels.as_ref()?)));
+    let charts = of_levels.chain(study.modified.iter().map(changes));
+    Some(charts.fold(panels, Panels::chart))
+}
+
+fn portrait(study: &Study, modified: &Modified, levels: &Levels) -> Chart {
+    let [of_h, of_modified] = levels.of.clone();
+    Chart::new(modified.row.name)
+        .claim(format!("{} steps to a period", levels.count))
+        .along(Axis::linear(&study.view[0]))
+        .up(Axis::linear(&study.view[1]))
+        .with_equal_units()
+        .line("", of_h)
+        .coloured(GREY)
+        .line("", of_modified)
+        .coloured(pale(modified.row.colour, PALE[2]))
+        .series(Mark::Dots, "", levels.orbit.iter().copied())
+        .coloured(modified.row.colour)
+        .wide(1.2)
+}
+
+fn changes(modified: &Modified) -> Chart {
+    let powers: Vec<String> = modified.powers.iter().map(|power| format!("h{}", raised(*power))).collect();
+    let measured = match modified.excess {
+        Some(excess) if excess < 0.0 && excess.is_finite() => {
+            format!("measured exponents fall short by {} at most", plain(-excess))
+        }
+        Some(_) => "measured exponents are no smaller".to_owned(),
+        None => "exponents could not be measured".to_owned(),
+    };
+    let chart = Chart::new(modified.row.name)
+        .claim(format!("H changes by {}; with more terms, {}", powers[0], powers[1..].join(", ")))
+        .measured(measured)
+        .along(Axis::logarithmic("step"))
+        .up(Axis::logarithmic("largest |ΔE/E| in two periods"));
+    (0..modified.powers.len()).fold(chart, |chart, index| {
+        let points = modified.changes.iter().map(|(step, changes)| (*step, changes[index]));
+        let shade = PALE[modified.powers.len() - 1 - index];
+        chart.series(Mark::Dotted, "", points).coloured(pale(modified.row.colour, shade))
+    })
+}
+
+fn pale(Colour(red, green, blue): Colour, share: f64) -> Colour {
+    let mixed = |part: u8| (f64::from(part) + share * (255.0 - f64::from(part))) as u8;
+    Colour(mixed(red), mixed(green), mixed(blue))
+}
+
+fn raised(power: i32) -> &'static str {
+    ["⁰", "", "²", "³", "⁴", "⁵", "⁶"].get(power as usize).copied().unwrap_or("^n")
+}
