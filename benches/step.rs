@@ -7,6 +7,7 @@
 
 use integrator_bench::{
     by_hand::{
+        carried,
         chain::Chain,
         law::Law,
         oscillators, plain,
@@ -22,7 +23,7 @@ use integrator_bench::{
     starts::{Problem, Problems, argon, cluster, rows_of_waves, waves},
     table::{Table, folder},
 };
-use integrator_core::{Coords, prelude::*};
+use integrator_core::{Compensated, Coords, prelude::*};
 use std::error::Error;
 
 /// Force evaluations of a round of a small system, about.
@@ -68,6 +69,52 @@ impl Report {
         racers.extend(by_hand.iter().map(|(name, by_hand)| Racer::new(name, || by_hand(&plan, steps))));
         let units = (steps * X::FORCE_EVALUATIONS as u64) as f64;
         self.add(problem.name, &X::NAME.to_lowercase(), &race(ROUNDS, units, racers));
+    }
+
+    /// The same with coordinates that carry their rounding errors, against states that carry none as well: in the column of
+    /// plain loops.
+    fn compensated<H: Hamiltonian, X: Composition<H>>(
+        &mut self,
+        problem: &Problem<H>,
+        _: X,
+        h: f64,
+        by_hand: HandWritten,
+    ) where
+        H::Coords: Coords<Leaf = f64>,
+    {
+        let steps = EVALUATIONS / X::FORCE_EVALUATIONS as u64;
+        let Phase { q, p } = &problem.start;
+        let start = Phase::compensated(q.clone(), p.clone());
+        let generated = || {
+            let run = problem.system.run_with::<Compensated<f64>, X>(X::default(), start.clone(), h);
+            let mut run = run.expect("a start");
+            run.advance(steps).expect("finite states");
+            run.state()
+        };
+        let without = || {
+            let run = problem.system.run_with::<f64, X>(X::default(), problem.start.clone(), h);
+            let mut run = run.expect("a start");
+            run.advance(steps).expect("finite states");
+            run.state()
+        };
+        let plan = Plan::of::<X>(h);
+        let (name, by_hand) = by_hand;
+        let racers = vec![
+            Racer::new("generated", generated),
+            Racer::new(name, || by_hand(&plan, steps)),
+            Racer::new("without", without),
+        ];
+        let times = race(ROUNDS, (steps * X::FORCE_EVALUATIONS as u64) as f64, racers);
+        let problem = format!("{}_carried", problem.name);
+        let what = X::NAME.to_lowercase();
+        self.rows.push(Row {
+            name: format!("{problem}, {what}"),
+            values: vec![times.ratio(0, 1), times.median(2) / times.median(1)],
+        });
+        let [generated, by_hand, without] = [0, 1, 2].map(|racer| times.median(racer));
+        self.table.row([&problem, &what], &[generated, without, by_hand, times.ratio(0, 1)]);
+        self.ratios.push(format!("ratio_{problem}_{what}={:.3}", times.ratio(0, 1)));
+        self.ratios.push(format!("ratio_{problem}_{what}_over_plain={:.3}", times.ratio(0, 2)));
     }
 
     /// Verlet and long compositions.
@@ -164,6 +211,9 @@ fn small_problems(report: &mut Report) {
         &[("plain", Box::new(move |plan, steps| oscillators::henon_heiles([columns], plan, steps)[0][0]))],
     );
 
+    let by_hand: HandWritten = ("scalars", Box::new(move |plan, steps| carried::henon_heiles(columns, plan, steps)));
+    report.compensated(&problems.henon_heiles(), KahanLi8, 0.01, by_hand);
+
     let columns = [0.4, 0.0, 0.0, 2.0];
     report.small_in_all(
         &problems.kepler(),
@@ -184,6 +234,10 @@ fn small_problems(report: &mut Report) {
         ],
     );
 
+    let by_hand: HandWritten =
+        ("ring", Box::new(|plan, steps| carried::solar(&solar.system, solar.start, plan, steps)[0]));
+    report.compensated(&solar, KahanLi8, 10.0, by_hand);
+
     let chain = problems.chain();
     report.small_in_all(
         &chain,
@@ -193,6 +247,9 @@ fn small_problems(report: &mut Report) {
             ("blocks", Box::new(|plan, steps| row::chain(&chain.system, chain.start, plan, steps).q[0])),
         ],
     );
+    let by_hand: HandWritten =
+        ("blocks", Box::new(|plan, steps| carried::chain(&chain.system, chain.start, plan, steps)[0]));
+    report.compensated(&chain, KahanLi8, 0.05, by_hand);
 }
 
 fn large_problems(report: &mut Report) {

@@ -250,6 +250,43 @@ fn blocks_and_lanes_have_the_same_bits() {
     member_for_member(Second::example, 2);
 }
 
+/// A compensated chain whose number of sites its type knows, alone, in portions and in lanes, against one of a length that is
+/// known when it runs.
+fn compensated_sites<const N: usize, X>(composition: X)
+where
+    X: Composition<FixedWalls<N>> + Composition<Walls>,
+{
+    let Phase { q, p } = start(N);
+    let at_run_time = Phase::compensated(q.clone(), p.clone());
+    let array = |values: Vec<f64>| <[f64; N]>::try_from(values).expect("as many sites");
+    let known = Phase::compensated(array(q), array(p));
+    let mut run = Walls.run_with(composition, at_run_time, STEP).expect("a start");
+    run.advance(STEPS).expect("finite states");
+    let Phase { q, p } = run.state();
+
+    let alone = |portions: [u64; 3]| {
+        let mut run = FixedWalls::<N>.run_with(composition, known, STEP).expect("a start");
+        portions.into_iter().for_each(|portion| run.advance(portion).expect("finite states"));
+        run.state()
+    };
+    let whole = alone([STEPS, 0, 0]);
+    assert_eq!((whole.q.to_vec(), whole.p.to_vec()), (q, p), "{}, {N} sites", X::NAME);
+    assert_eq!(alone([1, 2, STEPS - 3]), whole, "{}, {N} sites in portions", X::NAME);
+    let mut together = Ensemble::new(composition, (0..9).map(|_| (FixedWalls::<N>, known)), STEP).expect("an ensemble");
+    together.advance(STEPS).expect("finite states");
+    assert_eq!(together.state(8), Some(whole), "{}, {N} sites in lanes", X::NAME);
+}
+
+#[test]
+fn compensated_sites_have_the_same_bits_in_blocks_and_lanes() {
+    compensated_sites::<1, _>(Verlet);
+    compensated_sites::<7, _>(KahanLi8);
+    compensated_sites::<32, _>(KahanLi8);
+    compensated_sites::<33, _>(Yoshida4);
+    compensated_sites::<33, _>(Chin4A);
+    compensated_sites::<130, _>(Verlet);
+}
+
 #[test]
 fn every_precision_has_lattices() {
     for sites in lengths(1) {

@@ -8,6 +8,7 @@
 use integrator_bench::{by_hand::liquid::Liquid, problems::ArgonInBox, starts::liquid};
 use integrator_bench::{
     by_hand::{
+        carried,
         chain::Chain,
         law::Law,
         oscillators, plain,
@@ -108,6 +109,23 @@ fn rows_agree() {
     for theirs in [plain::chain, row::chain] {
         agree("chain", &ours, &flat(&theirs(&chain.system, chain.start, &plan, STEPS)), 1e-12);
     }
+}
+
+#[test]
+fn what_carries_rounding_errors_agrees() {
+    let (problems, plan) = (Problems::default(), Plan::of::<KahanLi8>(0.1));
+    let galaxy = problems.henon_heiles();
+    let Phase { q, .. } = end(&galaxy.system, &galaxy.start, KahanLi8, 0.1);
+    let ([x, y], [px, py]) = (galaxy.start.q, galaxy.start.p);
+    agree("galaxy", &q[..1], &[carried::henon_heiles([x, y, px, py], &plan, STEPS)], 1e-12);
+
+    let chain = problems.chain();
+    let Phase { q, .. } = end(&chain.system, &chain.start, KahanLi8, 0.1);
+    agree("chain", &q[..8], &carried::chain(&chain.system, chain.start, &plan, STEPS), 1e-12);
+
+    let (solar, plan) = (problems.solar(), Plan::of::<KahanLi8>(100.0));
+    let Phase { q, .. } = end(&solar.system, &solar.start, KahanLi8, 100.0);
+    agree("solar", &q.map(|body| body[0]), &carried::solar(&solar.system, solar.start, &plan, STEPS)[..6], 1e-12);
 }
 
 #[test]

@@ -3,6 +3,8 @@
 
 use crate::scalar::real::Kernel;
 use core::fmt;
+#[cfg(all(target_arch = "x86_64", feature = "std"))]
+use core::{hint::black_box, mem::MaybeUninit};
 #[cfg(feature = "std")]
 use std::{env, sync::OnceLock};
 
@@ -105,6 +107,21 @@ pub(crate) fn enter_baseline<K: Kernel>(kernel: K) -> K::Out {
     kernel.call()
 }
 
+/// Aligns the stack of the function that this is inlined into. The compiler aligns what it spills of registers only where
+/// something in memory asked for it before: else whether such a register lies across two cache lines, whose access takes
+/// twice as long, is decided by the address at which a process finds its stack.
+#[cfg(all(target_arch = "x86_64", feature = "std"))]
+#[inline(always)]
+fn align_stack() {
+    /// A cache line, as long as the longest register.
+    #[repr(align(64))]
+    struct Line {
+        _bytes: MaybeUninit<[u8; 64]>,
+    }
+
+    black_box(&Line { _bytes: MaybeUninit::uninit() });
+}
+
 /// Runs `kernel` in code compiled for AVX2 and FMA. Nothing else is compiled for it: its scalars are those of machines
 /// that have them, and [`InstructionSet::chosen`] decides who gets these.
 #[cfg(all(target_arch = "x86_64", feature = "std"))]
@@ -113,6 +130,7 @@ pub(crate) fn enter_baseline<K: Kernel>(kernel: K) -> K::Out {
 pub(crate) fn enter_fused<K: Kernel>(kernel: K) -> K::Out {
     #[target_feature(enable = "avx2,fma")]
     fn variant<K: Kernel>(kernel: K) -> K::Out {
+        align_stack();
         kernel.call()
     }
 
@@ -144,6 +162,7 @@ pub(crate) fn enter_fused_or_baseline<K: Kernel>(kernel: K) -> K::Out {
 pub(crate) fn enter_avx512<K: Kernel>(kernel: K) -> K::Out {
     #[target_feature(enable = "avx512f,avx512dq,avx512vl,avx512bw,avx2,fma")]
     fn variant<K: Kernel>(kernel: K) -> K::Out {
+        align_stack();
         kernel.call()
     }
 

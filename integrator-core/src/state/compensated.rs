@@ -6,6 +6,7 @@ use crate::{
         exact::fast_two_sum,
         fma::{Avx512, Fused},
         real::Real,
+        simd::block::Block,
     },
     state::precision::{Precision, Slot},
 };
@@ -30,37 +31,71 @@ impl From<Compensated<f64>> for f64 {
     }
 }
 
-impl<R: Real> Slot<R> for Compensated<R> {
-    /// A number and its carried error alternate in memory, so that coordinates are not contiguous.
-    type Wide = R;
+/// The number and what it carries. An array, so that coordinates that stand one behind the other are a slice of numbers, which
+/// blocks read and write without a register of fewer lanes.
+impl<R: Real> Slot<R> for [R; 2] {
+    type Wide = R::Block;
 
     #[inline(always)]
     fn zero() -> Self {
-        Self { value: R::of(0.0), carried: R::of(0.0) }
+        [R::of(0.0); 2]
     }
     #[inline(always)]
     fn value(self) -> R {
-        self.value
+        let [value, _] = self;
+        value
     }
     #[inline(always)]
     fn add(&mut self, d: R) {
-        [self.value, self.carried] = fast_two_sum(self.value, d + self.carried);
+        let [value, carried] = *self;
+        *self = fast_two_sum(value, d + carried);
     }
     #[inline(always)]
     fn fma(&mut self, a: R, b: R) {
-        [self.value, self.carried] = fast_two_sum(self.value, a.fma(b, self.carried));
+        let [value, carried] = *self;
+        *self = fast_two_sum(value, a.fma(b, carried));
     }
     #[inline(always)]
     fn select(mask: R::Mask, a: Self, b: Self) -> Self {
-        Self { value: R::select(mask, a.value, b.value), carried: R::select(mask, a.carried, b.carried) }
+        [R::select(mask, a[0], b[0]), R::select(mask, a[1], b[1])]
     }
+    #[inline(always)]
+    fn parts(self) -> [R; 2] {
+        self
+    }
+    #[inline(always)]
+    fn of_parts(parts: [R; 2]) -> Self {
+        parts
+    }
+    #[inline(always)]
+    fn read<B: Block<R>>(from: &[Self]) -> B {
+        let [values, _] = deinterleaved(&from[..B::WIDTH]);
+        values
+    }
+    #[inline(always)]
+    fn update<B: Block<R>>(to: &mut [Self], a: R, b: B) {
+        let to = &mut to[..B::WIDTH];
+        let [values, carried] = deinterleaved(to);
+        let [values, carried] = fast_two_sum(values, B::splat(a).fma(b, carried));
+        let [first, second] = values.interleave(carried);
+        let (first_half, second_half) = to.as_flattened_mut().split_at_mut(B::WIDTH);
+        first.write(first_half);
+        second.write(second_half);
+    }
+}
+
+/// The values of a block of slots, and what they carry.
+#[inline(always)]
+fn deinterleaved<R: Real, B: Block<R>>(slots: &[[R; 2]]) -> [B; 2] {
+    let (first_half, second_half) = slots.as_flattened().split_at(B::WIDTH);
+    B::read(first_half).deinterleave(B::read(second_half))
 }
 
 impl Precision for Compensated<f64> {
     type Plain = f64;
     type Fused = Fused<f64>;
     type Avx512 = Fused<f64, Avx512>;
-    type Slot<R: Real> = Compensated<R>;
+    type Slot<R: Real> = [R; 2];
     type Energy = DoubleDouble;
 
     const NAME: &'static str = "compensated f64";
@@ -69,12 +104,12 @@ impl Precision for Compensated<f64> {
     const COMPENSATED: bool = true;
 
     #[inline(always)]
-    fn pack<R: Real>(of_lane: &dyn Fn(usize) -> Self) -> Compensated<R> {
-        Compensated { value: R::state(&|lane| of_lane(lane).value), carried: R::state(&|lane| of_lane(lane).carried) }
+    fn pack<R: Real>(of_lane: &dyn Fn(usize) -> Self) -> [R; 2] {
+        [R::state(&|lane| of_lane(lane).value), R::state(&|lane| of_lane(lane).carried)]
     }
     #[inline(always)]
-    fn unpack<R: Real>(slot: Compensated<R>, lane: usize) -> Self {
-        Self { value: slot.value.lane(lane), carried: slot.carried.lane(lane) }
+    fn unpack<R: Real>([value, carried]: [R; 2], lane: usize) -> Self {
+        Self { value: value.lane(lane), carried: carried.lane(lane) }
     }
     fn to_f64(self) -> f64 {
         self.value
@@ -94,13 +129,14 @@ mod tests {
     #[test]
     fn a_compensated_sum_keeps_what_a_plain_one_loses() {
         let mut plain = 1.0_f64;
-        let mut compensated = Compensated { value: 1.0_f64, carried: 0.0 };
+        let mut compensated = [1.0_f64, 0.0];
         for _ in 0..1_000_000 {
             Slot::add(&mut plain, 1e-17);
             Slot::<f64>::add(&mut compensated, 1e-17);
         }
+        let [value, _] = compensated;
         assert_eq!(plain, 1.0, "each addend is below half an ulp of one");
         // The exact sum is 1 + 1e-11; one rounding to f64 leaves at most half an ulp of one.
-        assert!((compensated.value - (1.0 + 1e-11)).abs() <= f64::EPSILON, "{compensated:?}");
+        assert!((value - (1.0 + 1e-11)).abs() <= f64::EPSILON, "{compensated:?}");
     }
 }

@@ -23,6 +23,18 @@ pub trait Slot<R: Real>: Copy + Send + Sync + 'static {
     fn fma(&mut self, a: R, b: R);
     /// `a` in the lanes of `mask`, `b` in the others.
     fn select(mask: R::Mask, a: Self, b: Self) -> Self;
+    /// The number that flows read, and the rounding error that it carries, where it carries one.
+    #[inline(always)]
+    fn parts(self) -> [R; 2] {
+        [self.value(), R::of(0.0)]
+    }
+    /// The slot of a number and of the rounding error that it carries; of the number alone where slots carry none.
+    #[inline(always)]
+    fn of_parts([value, _]: [R; 2]) -> Self {
+        let mut slot = Self::zero();
+        slot.add(value);
+        slot
+    }
 
     /// Reads a block of slots.
     #[inline(always)]

@@ -3,13 +3,13 @@
 use crate::{
     composition::Composition,
     hamiltonian::{Hamiltonian, Single},
-    layout::lattice::time_tiling::TimeTiling,
+    layout::lattice::{carried::CarriedApart, time_tiling::TimeTiling},
     scalar::real::{Kernel, Real},
     state::{clock::Clock, coords::Coords, precision::Precision},
     system::motion::Motion,
     trajectory::{
         interleaved::AdvanceAll,
-        step_loop::{Advance, AdvanceOne, End},
+        step_loop::{Advance, AdvanceApart, AdvanceOne, End},
     },
 };
 
@@ -157,6 +157,8 @@ where
             let mut flows = TimeTiling::<H, R, K>::new(motion, threads);
             Advance::<_, H, X>::new(&mut flows, clock, steps).call();
             flows.finish();
+        } else if const { E::TILES && CarriedApart::<H, R, K>::ENABLED } {
+            R::enter(AdvanceApart::<H, X, R, K>::new(motion, clock, steps));
         } else {
             R::enter(AdvanceOne::<H, X, R, K>::new(motion, clock, steps));
         }

@@ -6,6 +6,7 @@ use crate::{
         corrected_durations::{Between, Corrections},
     },
     hamiltonian::{Flows, Hamiltonian, Single},
+    layout::lattice::carried::CarriedApart,
     scalar::real::{Kernel, Real},
     state::{clock::Clock, precision::Precision},
     system::motion::{InRegisters, Motion},
@@ -112,6 +113,28 @@ impl<H: Hamiltonian, X: Composition<H>, R: Real, K: Precision> Kernel for Advanc
             *motion = own;
         } else {
             Advance::<_, H, X>::new(Single::<H, R, K>(motion), clock, steps).call();
+        }
+    }
+}
+
+/// The n-step loop of a short lattice whose state is compensated.
+pub(crate) struct AdvanceApart<'m, H: Hamiltonian, X, R: Real, K: Precision>(AdvanceOne<'m, H, X, R, K>);
+
+impl<'m, H: Hamiltonian, X, R: Real, K: Precision> AdvanceApart<'m, H, X, R, K> {
+    pub(crate) fn new(motion: &'m mut H::Motion<R, K>, clock: Clock, steps: u64) -> Self {
+        Self(AdvanceOne::new(motion, clock, steps))
+    }
+}
+
+impl<H: Hamiltonian, X: Composition<H>, R: Real, K: Precision> Kernel for AdvanceApart<'_, H, X, R, K> {
+    type Out = ();
+
+    #[inline(always)]
+    fn call(self) {
+        let AdvanceOne { motion, clock, steps, .. } = self.0;
+        if let Some(mut flows) = CarriedApart::<H, R, K>::load(motion) {
+            Advance::<_, H, X>::new(&mut flows, clock, steps).call();
+            flows.store();
         }
     }
 }

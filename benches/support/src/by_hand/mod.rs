@@ -7,6 +7,7 @@
 //! | [`oscillators`] | Hénon-Heiles as oscillators that turn by prepared angles, and kicks of the rest |
 //! | [`swarm`] | ensembles of these, several vectors in flight |
 //! | [`pace`] | two bodies in steps of the logarithmic Hamiltonian |
+//! | [`carried`] | small systems that carry the rounding errors of their updates |
 //! | [`row`] | six bodies, and 32 sites of a chain, side by side in registers |
 //! | [`orbits`] | five planets on Kepler orbits side by side in registers |
 //! | [`chain`] | long chains in one pass per step, several steps per tile, and in two plain passes |
@@ -16,6 +17,7 @@
 //! | `liquid` | atoms with a cutoff in a box, over lists of neighbours; for AVX-512 alone |
 //! | [`tiles`] | many bodies, pairs in tiles that use the third law |
 
+pub mod carried;
 pub mod chain;
 pub mod law;
 #[cfg(target_arch = "x86_64")]

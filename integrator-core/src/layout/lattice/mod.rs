@@ -1,5 +1,6 @@
 //! Flows of lattices: a site and its neighbours.
 
+pub(crate) mod carried;
 pub(crate) mod plane;
 pub(crate) mod sites;
 pub(crate) mod stencil;

@@ -29,20 +29,25 @@ pub struct Sites<'m, R: Real, K: Precision, P> {
 /// ones are compiled into the loops.
 pub(crate) const LONG: usize = 128;
 
-impl<R: Real, C: Coords, P> Plain<R, C, P> {
-    /// Whether the lattice is short, and known to be so. Without optimization a function that everything is inlined
-    /// into would need megabytes of stack.
-    const SHORT: bool = match C::LENGTH {
-        Some(length) => length < LONG && cfg!(not(debug_assertions)),
+/// Whether a lattice is short, and known to be so.
+pub(crate) const fn is_short<C: Coords>() -> bool {
+    match C::LENGTH {
+        Some(length) => length < LONG,
         None => false,
-    };
+    }
+}
+
+impl<R: Real, C: Coords, P> Plain<R, C, P> {
+    /// Whether flows are compiled into the loops over stages. Without optimization a function that everything is inlined
+    /// into would need megabytes of stack.
+    const INLINED: bool = is_short::<C>() && cfg!(not(debug_assertions));
 
     /// The flow of `T` of a lattice.
     #[inline(always)]
     pub fn drift<H: Stencil<Drift, Parameters<R> = P>>(&mut self, duration: f64, time: f64) {
         let pass = self.sites().drift::<H>(duration, time);
         let sites = 0..pass.length;
-        if Self::SHORT { pass.apply(sites) } else { R::enter(ApplyPass { pass, sites }) }
+        if Self::INLINED { pass.apply(sites) } else { R::enter(ApplyPass { pass, sites }) }
     }
 
     /// The flow of `V` of a lattice.
@@ -50,7 +55,7 @@ impl<R: Real, C: Coords, P> Plain<R, C, P> {
     pub fn kick<H: Stencil<Kick, Parameters<R> = P>>(&mut self, duration: f64, time: f64) {
         let pass = self.sites().kick::<H>(duration, time);
         let sites = 0..pass.length;
-        if Self::SHORT { pass.apply(sites) } else { R::enter(ApplyPass { pass, sites }) }
+        if Self::INLINED { pass.apply(sites) } else { R::enter(ApplyPass { pass, sites }) }
     }
 
     /// All sites.
@@ -63,6 +68,7 @@ impl<R: Real, C: Coords, P> Plain<R, C, P> {
 
 impl<'m, R: Real, K: Precision, P> Sites<'m, R, K, P> {
     /// The same sites, borrowed again.
+    #[inline(always)]
     pub(crate) fn reborrow(&mut self) -> Sites<'_, R, K, P> {
         Sites { q: self.q, p: self.p, ..*self }
     }
@@ -75,14 +81,18 @@ impl<'m, R: Real, K: Precision, P> Sites<'m, R, K, P> {
     }
 
     /// Applies a flow to `sites`.
+    #[inline(always)]
     pub fn apply<H>(&mut self, flow: &Flow, sites: Range<usize>)
     where
         H: Stencil<Drift, Parameters<R> = P> + Stencil<Kick, Parameters<R> = P>,
     {
+        let inlined = const { is_short::<H::Coords>() && cfg!(not(debug_assertions)) };
         if flow.drifts {
-            R::enter(ApplyPass { pass: self.reborrow().drift::<H>(flow.duration, flow.time), sites });
+            let pass = self.reborrow().drift::<H>(flow.duration, flow.time);
+            if inlined { pass.apply(sites) } else { R::enter(ApplyPass { pass, sites }) }
         } else {
-            R::enter(ApplyPass { pass: self.reborrow().kick::<H>(flow.duration, flow.time), sites });
+            let pass = self.reborrow().kick::<H>(flow.duration, flow.time);
+            if inlined { pass.apply(sites) } else { R::enter(ApplyPass { pass, sites }) }
         }
     }
 

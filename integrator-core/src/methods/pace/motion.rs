@@ -5,7 +5,7 @@ use crate::system::motion::Beside;
 use crate::{
     error::Unsolved,
     scalar::real::{Mask, Real},
-    state::{compensated::Compensated, coords::Coords, phase::Phase, precision::Slot},
+    state::{coords::Coords, phase::Phase, precision::Slot},
     system::motion::{Motion, Plain, Prepared},
 };
 use alloc::{sync::Arc, vec::Vec};
@@ -24,8 +24,8 @@ pub struct Constants<P> {
 #[derive(Clone)]
 pub struct Timed<R: Real, C: Coords, P> {
     pub(super) state: Plain<R, C, P>,
-    /// The time since the state was last changed from outside.
-    pub(super) time: Compensated<R>,
+    /// The time since the state was last changed from outside, and its rounding error.
+    pub(super) time: [R; 2],
     /// What the transformation has beside them: the momentum `B` that is conjugate to the time, or a pace `W`.
     pub(super) beside: R,
     /// Whether `beside` was set.
@@ -92,9 +92,8 @@ impl<R: Real, C: Coords, P: Prepared<R>> Motion<C, Constants<P::Single>> for Tim
                 read(from).lane(lane)
             })
         };
-        let (value, carried, beside) =
-            (at(&|from| from.time.value), at(&|from| from.time.carried), at(&|from| from.beside));
-        self.time = Compensated { value, carried };
+        let (value, carried, beside) = (at(&|from| from.time[0]), at(&|from| from.time[1]), at(&|from| from.beside));
+        self.time = [value, carried];
         self.beside = beside;
         self.begun = of_lane(0).1.begun;
     }
@@ -113,7 +112,7 @@ impl<R: Real, C: Coords, P: Prepared<R>> Motion<C, Constants<P::Single>> for Tim
         self.unsolved.get(lane)?.as_ref()
     }
     fn elapsed(&self, lane: usize) -> Option<[f64; 2]> {
-        Some([self.time.value.lane(lane), self.time.carried.lane(lane)])
+        Some(self.time.map(|part| part.lane(lane)))
     }
     #[cfg(feature = "checkpoint")]
     fn beside(&self) -> Option<Beside> {
@@ -122,12 +121,13 @@ impl<R: Real, C: Coords, P: Prepared<R>> Motion<C, Constants<P::Single>> for Tim
     }
     #[cfg(feature = "checkpoint")]
     fn put_beside(&mut self, Beside { time, conjugate, .. }: &Beside) {
-        self.time = Compensated { value: R::of(time[0]), carried: R::of(time[1]) };
+        let [value, carried] = *time;
+        self.time = [R::of(value), R::of(carried)];
         self.begun = conjugate.is_some();
         self.beside = R::of(conjugate.unwrap_or(0.0));
     }
     #[inline(always)]
     fn finite(&self) -> bool {
-        self.state.finite() && self.time.value.finite()
+        self.state.finite() && self.time[0].finite()
     }
 }
