@@ -79,7 +79,7 @@ impl Cases {
         };
         self.names.push(format!("{system} with {} in {}", X::NAME, K::NAME));
         self.jobs.push(((3 * position + precision) as u64, launch, memory));
-        let mut ensemble = Ensemble::new::<H, K, X>(composition, members, h).expect("an ensemble");
+        let mut ensemble = Ensemble::new(composition, members, h).expect("an ensemble");
         self.expected.push(PORTIONS.map(|steps| {
             // Who is lost is named by the error, and by the steps below.
             let _ = ensemble.advance(steps);

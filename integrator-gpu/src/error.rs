@@ -1,0 +1,41 @@
+//! What can go wrong between members and a device.
+
+use integrator_core::Error as CoreError;
+
+/// What an ensemble on a device cannot do, and what to do about it.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum Error {
+    /// A member or a step is refused, for the reasons of an ensemble on the processor.
+    #[error(transparent)]
+    Core(#[from] CoreError),
+    /// The library of NVIDIA's driver is not installed, or cannot be loaded.
+    #[error(
+        "no NVIDIA driver: libcuda cannot be loaded; install the driver, or take `Device::Best`, which falls back to the processor"
+    )]
+    Driver,
+    /// The library that compiles kernels is not installed, or cannot be loaded.
+    #[error(
+        "no NVRTC: libnvrtc cannot be loaded; it comes with the CUDA toolkit and with `pip install nvidia-cuda-nvrtc-cu12`, whose \
+         folder `lib` belongs into LD_LIBRARY_PATH"
+    )]
+    Compiler,
+    /// The machine has no device of this number.
+    #[error("no device {0}: the driver knows {1}; `nvidia-smi` lists them")]
+    NoDevice(usize, usize),
+    /// The members do not fit into the memory of the device.
+    #[error("{0} members take {1} MiB, more than the device has free: take fewer of them at a time")]
+    Memory(usize, usize),
+    /// The kernel does not compile: a mistake of this library.
+    #[error("the kernel does not compile, please report it: {0}")]
+    Kernel(String),
+    /// The driver refused a call.
+    #[error("the driver says {0}")]
+    Call(String),
+    /// The program that takes the place of a device could not be made or run.
+    #[error("the program of the text for devices: {0}")]
+    Program(String),
+    /// Members left the finite numbers, each with the number of its last finite step; they stay there, the others have gone on.
+    #[error("{} members left the finite numbers, the first of them member {}", .0.len(), .0.first().map_or(0, |lost| lost.0))]
+    Lost(Vec<(usize, u64)>),
+}

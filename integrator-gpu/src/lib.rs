@@ -1,0 +1,28 @@
+//! Ensembles of Hamiltonian systems on a GPU.
+//!
+//! `#[hamiltonian(gpu)]` writes the flows of a system also as C++; this crate compiles them with NVRTC when an ensemble is
+//! made, and launches them through the driver. Both libraries are loaded then and not before, so that everything builds and
+//! is tested without them.
+//!
+//! No device was at hand while this was written: kernels were compiled for one, and their text was run by a host's
+//! compiler, but nothing here was ever launched.
+
+mod column;
+mod columns;
+mod cuda;
+mod ensemble;
+mod error;
+mod host;
+mod launch;
+
+pub use ensemble::{Device, Ensemble};
+pub use error::Error;
+
+/// Compiles the kernels of a system, whose text is `#[hamiltonian(gpu)]`'s, in double precision: what can be known of them
+/// without a device.
+///
+/// # Errors
+/// [`Error::Compiler`] where NVRTC cannot be loaded, [`Error::Kernel`] where they do not compile.
+pub fn compile<H: integrator_core::__private::DeviceText>() -> Result<String, Error> {
+    Ok(cuda::compiled(H::TEXT, "f64")?.to_src())
+}

@@ -1,0 +1,126 @@
+//! What holds of ensembles on devices where no device is: the text as a program of this machine, the fallback, the errors,
+//! and kernels that NVRTC compiles.
+
+use integrator_core::{Ensemble as OnProcessor, InstructionSet, prelude::*};
+use integrator_gpu::{Device, Ensemble, Error as GpuError, compile};
+
+struct Pendulum {
+    length: f64,
+}
+
+#[hamiltonian(gpu)]
+impl Pendulum {
+    fn kinetic(&self, p: [f64; 1]) -> f64 {
+        p[0].powi(2) / (2.0 * self.length.powi(2))
+    }
+    fn potential(&self, q: [f64; 1]) -> f64 {
+        -9.81 * self.length * q[0].cos()
+    }
+}
+
+struct Runaway;
+
+#[hamiltonian(gpu)]
+impl Runaway {
+    fn kinetic(&self, p: [f64; 1]) -> f64 {
+        0.5 * p[0] * p[0]
+    }
+    fn potential(&self, q: [f64; 1]) -> f64 {
+        -q[0].powi(4)
+    }
+}
+
+fn pendulums() -> impl Iterator<Item = (Pendulum, Phase<[f64; 1]>)> {
+    (1..=5).map(|i| (Pendulum { length: f64::from(i) / 4.0 }, Phase::new([2.0], [0.1])))
+}
+
+/// Whether the program of the text can be held against this machine.
+fn can_compare<T>(made: &Result<T, GpuError>) -> bool {
+    if !InstructionSet::available().contains(&InstructionSet::Fused) {
+        eprintln!("SKIPPED: this machine has no fused multiply-add");
+        return false;
+    }
+    match made {
+        Err(GpuError::Program(reason)) if reason.contains("is installed") => {
+            eprintln!("SKIPPED: {reason}");
+            false
+        }
+        _ => true,
+    }
+}
+
+#[test]
+fn the_text_has_states_and_energies_of_the_processor() {
+    let made = Ensemble::on(Device::Text, Yoshida4, pendulums(), 0.01);
+    if !can_compare(&made) {
+        return;
+    }
+    let mut ensemble = made.expect("an ensemble");
+    let mut processor = OnProcessor::new(Yoshida4, pendulums(), 0.01).expect("an ensemble");
+    assert_eq!(ensemble.states().expect("states"), processor.states().collect::<Vec<_>>());
+    for steps in [1, 0, 99] {
+        ensemble.advance(steps).expect("finite");
+        processor.advance(steps).expect("finite");
+        assert_eq!(ensemble.states().expect("states"), processor.states().collect::<Vec<_>>());
+        let energies = ensemble.energies().expect("energies");
+        let expected = (0..5).map(|member| processor.energy(member).expect("a member"));
+        assert_eq!(energies, expected.collect::<Vec<_>>());
+    }
+    assert_eq!((ensemble.steps(), ensemble.time(), ensemble.len()), (100, processor.time(), 5));
+    assert!(ensemble.lost().is_empty() && ensemble.fallback().is_none());
+}
+
+#[test]
+fn who_is_lost_is_named_once() {
+    let members = || [1.0, 0.0].map(|q| (Runaway, Phase::new([q], [0.0])));
+    let mut processor = OnProcessor::new(Verlet, members(), 0.01).expect("an ensemble");
+    processor.advance(1_000).expect_err("somebody is lost");
+    let lost = vec![(0, processor.steps_of(0).expect("a member"))];
+    for device in [Device::Text, Device::Best] {
+        let made = Ensemble::on(device, Verlet, members(), 0.01);
+        if device == Device::Text && !can_compare(&made) {
+            continue;
+        }
+        let mut ensemble = made.expect("an ensemble");
+        assert_eq!(ensemble.advance(1_000), Err(GpuError::Lost(lost.clone())), "{device:?}");
+        assert_eq!(ensemble.advance(10), Ok(()), "{device:?}: the other goes on");
+        assert_eq!(ensemble.lost(), lost, "{device:?}");
+        assert_eq!(ensemble.states().expect("states")[0], processor.state(0).expect("a member"), "{device:?}");
+    }
+}
+
+#[test]
+fn without_a_driver_there_is_an_error_and_a_fallback_where_it_is_asked() {
+    let reason = match Ensemble::new(Yoshida4, pendulums(), 0.01) {
+        Ok(_) => return eprintln!("SKIPPED: this machine has a device"),
+        Err(reason) => reason,
+    };
+    assert!(matches!(reason, GpuError::Driver | GpuError::NoDevice(..) | GpuError::Compiler), "{reason}");
+    let mut best = Ensemble::on(Device::Best, Yoshida4, pendulums(), 0.01).expect("the processor");
+    assert_eq!(best.fallback(), Some(&reason));
+    let mut processor = OnProcessor::new(Yoshida4, pendulums(), 0.01).expect("an ensemble");
+    best.advance(50).expect("finite");
+    processor.advance(50).expect("finite");
+    assert_eq!(best.states().expect("states"), processor.states().collect::<Vec<_>>());
+}
+
+#[test]
+fn members_and_steps_are_judged_before_any_device() {
+    let refused = Ensemble::new(Yoshida4, pendulums(), 0.0).err();
+    assert!(matches!(refused, Some(GpuError::Core(_))), "{refused:?}");
+    let nobody = Ensemble::new(Yoshida4, pendulums().take(0), 0.01).err();
+    assert_eq!(nobody, Some(GpuError::Core(Error::NoMembers)));
+}
+
+#[test]
+fn kernels_compile_where_nvrtc_is() {
+    for compiled in [compile::<Pendulum>(), compile::<Runaway>()] {
+        match compiled {
+            Ok(assembly) => {
+                assert!(assembly.contains(".entry advance") && assembly.contains(".entry show"), "{assembly}")
+            }
+            Err(GpuError::Compiler) => eprintln!("SKIPPED: NVRTC is not installed, so that no kernel was compiled"),
+            Err(other) => panic!("{other}"),
+        }
+    }
+}
