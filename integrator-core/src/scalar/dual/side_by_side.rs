@@ -10,6 +10,24 @@ use crate::scalar::{
     },
 };
 
+/// Writes values, and derivatives along each direction, to where they are numbers one by one, from a row or a block. As `dual!`,
+/// without a call of its own.
+macro_rules! write_apart {
+    ($vector:ident, $to:ident) => {{
+        let mut numbers = [F::of(0.0); WIDEST];
+        $vector.value.write(&mut numbers);
+        for (dual, number) in $to.iter_mut().zip(numbers) {
+            dual.value = number;
+        }
+        for (direction, along) in $vector.along.into_iter().enumerate() {
+            along.write(&mut numbers);
+            for (dual, number) in $to.iter_mut().zip(numbers) {
+                dual.along[direction] = number;
+            }
+        }
+    }};
+}
+
 impl<F: Real, V: Block<F>, const N: usize, const SENSITIVE: bool> Block<Dual<F, N, false, SENSITIVE>>
     for Dual<V, N, true, SENSITIVE>
 {
@@ -40,17 +58,7 @@ impl<F: Real, V: Block<F>, const N: usize, const SENSITIVE: bool> Block<Dual<F, 
         if const { N == 1 } {
             return write_pairs(self.value.interleave(self.along[0]), to);
         }
-        let mut numbers = [F::of(0.0); WIDEST];
-        self.value.write(&mut numbers);
-        for (dual, number) in to.iter_mut().zip(numbers) {
-            dual.value = number;
-        }
-        for (direction, along) in self.along.into_iter().enumerate() {
-            along.write(&mut numbers);
-            for (dual, number) in to.iter_mut().zip(numbers) {
-                dual.along[direction] = number;
-            }
-        }
+        write_apart!(self, to);
     }
     #[inline(always)]
     fn splat(x: Dual<F, N, false, SENSITIVE>) -> Self {
@@ -163,17 +171,7 @@ impl<F: Real, V: Row<F>, const N: usize, const SENSITIVE: bool> Row<Dual<F, N, f
     #[inline(always)]
     fn write(self, to: &mut [Dual<F, N, false, SENSITIVE>]) {
         let to = &mut to[..V::LANES / F::LANES];
-        let mut numbers = [F::of(0.0); WIDEST];
-        self.value.write(&mut numbers);
-        for (dual, number) in to.iter_mut().zip(numbers) {
-            dual.value = number;
-        }
-        for (direction, along) in self.along.into_iter().enumerate() {
-            along.write(&mut numbers);
-            for (dual, number) in to.iter_mut().zip(numbers) {
-                dual.along[direction] = number;
-            }
-        }
+        write_apart!(self, to);
     }
     #[inline(always)]
     fn permute(self, indices: &[u64; 8]) -> Self {
