@@ -18,15 +18,19 @@ mod systems;
 
 use integrator_laboratory::{Plan, Report};
 use oscillator::CLOSED_FORMS;
-use std::{env, fs, sync::OnceLock};
-use systems::SYSTEMS;
+use std::{env, fs, sync::OnceLock, thread};
+use systems::{SYSTEMS, System};
 
-/// The pages of all systems, written once, with the names of these.
+/// The pages of all systems, written once and side by side, with the names of these.
 fn reports() -> &'static [(&'static str, Report)] {
     static REPORTS: OnceLock<Vec<(&str, Report)>> = OnceLock::new();
     REPORTS.get_or_init(|| {
         let folder = env::temp_dir().join(format!("integrator-laboratory-{}", std::process::id()));
-        SYSTEMS.iter().map(|system| (system.name, (system.report)(&Plan::SMALL, &folder).expect("a page"))).collect()
+        let page = &|system: &System| (system.name, (system.report)(&Plan::SMALL, &folder).expect("a page"));
+        thread::scope(|scope| {
+            let pages: Vec<_> = SYSTEMS.iter().map(|system| scope.spawn(move || page(system))).collect();
+            pages.into_iter().map(|page| page.join().expect("no panic")).collect()
+        })
     })
 }
 
