@@ -2,10 +2,11 @@
 //!
 //! Comes in: roots that the algebra has built. Goes out: roots of equal value without any power but the square root.
 //! Always true: a negative power used once divides what it multiplies, one used more often is a reciprocal that is
-//! shared, and several negative powers of one base share the reciprocal of the base.
+//! shared, several negative powers of one base share the reciprocal of the base, and in a sum of two of them the lesser one is
+//! factored out.
 
 use crate::graph::{Graph, Node, NodeId};
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 
 /// Lowers `roots` together. `leaf` tells which nodes are computed elsewhere and are left as they are.
 pub(crate) fn lower(graph: &mut Graph, roots: &[NodeId], leaf: impl Fn(&Graph, NodeId) -> bool) -> Vec<NodeId> {
@@ -33,8 +34,17 @@ fn used(graph: &Graph, roots: &[NodeId], leaf: &impl Fn(&Graph, NodeId) -> bool)
 struct Lowering {
     lowered: HashMap<NodeId, NodeId>,
     uses: HashMap<NodeId, u32>,
+    /// What is computed elsewhere.
+    leaves: HashSet<NodeId>,
     /// How many different negative powers of a base there are.
     reciprocals: HashMap<NodeId, u32>,
+}
+
+/// `factor base^(halves / 2)`
+struct Term {
+    factor: NodeId,
+    base: NodeId,
+    halves: i32,
 }
 
 impl Lowering {
@@ -51,7 +61,8 @@ impl Lowering {
                 *reciprocals.entry(base).or_insert(0) += 1;
             }
         }
-        Self { lowered: HashMap::new(), uses, reciprocals }
+        let leaves = used.iter().copied().filter(|id| leaf(graph, *id)).collect();
+        Self { lowered: HashMap::new(), uses, leaves, reciprocals }
     }
 
     fn node(&self, graph: &mut Graph, id: NodeId) -> NodeId {
@@ -75,7 +86,47 @@ impl Lowering {
                 _ => graph.quotient(of(a), of(b)),
             },
             Node::Power(base, halves) => self.power(graph, base, halves),
+            Node::Add(a, b) if let Some(product) = self.factored(graph, a, b) => product,
             node => graph.rebuilt(node.map(of)),
+        }
+    }
+
+    /// `c x^-m + d x^-n` as `x^-n (c x^(n - m) + d)` for `m > n`: of attraction and repulsion, as Lennard-Jones has them, two
+    /// multiplications fewer. Exact but for roundings, as are multiplications in place of powers.
+    fn factored(&self, graph: &mut Graph, a: NodeId, b: NodeId) -> Option<NodeId> {
+        let [a, b] = [self.term(graph, a)?, self.term(graph, b)?];
+        let (high, low) = if a.halves < b.halves { (a, b) } else { (b, a) };
+        let between = high.halves - low.halves;
+        if high.base != low.base || between == 0 || between % 2 != 0 {
+            return None;
+        }
+        let power = self.power(graph, high.base, between);
+        let product = graph.times(high.factor, power);
+        let sum = graph.rebuilt(Node::Add(product, low.factor));
+        let outer = self.power(graph, low.base, low.halves);
+        Some(graph.times(outer, sum))
+    }
+
+    /// A number times a negative power that is used nowhere else.
+    fn term(&self, graph: &mut Graph, id: NodeId) -> Option<Term> {
+        if self.leaves.contains(&id) {
+            return None;
+        }
+        let (power, factor) = match graph.node(id) {
+            Node::Power(..) => (id, graph.constant(1.0)),
+            Node::Neg(inner) if self.uses[&id] == 1 => {
+                let Term { factor, base, halves } = self.term(graph, inner)?;
+                return Some(Term { factor: graph.neg(factor), base, halves });
+            }
+            Node::Mul(a, b) if self.uses[&id] == 1 && graph.is_prepared(a) => (b, self.lowered[&a]),
+            Node::Mul(a, b) if self.uses[&id] == 1 && graph.is_prepared(b) => (a, self.lowered[&b]),
+            _ => return None,
+        };
+        match graph.node(power) {
+            Node::Power(base, halves @ ..=-1) if self.uses[&power] == 1 && !self.leaves.contains(&power) => {
+                Some(Term { factor, base, halves })
+            }
+            _ => None,
         }
     }
 

@@ -59,6 +59,26 @@ fn conditions_around_loops_are_shown() {
     assert!(expected.iter().all(|line| equations.iter().any(|shown| shown == line)), "{equations:#?}");
 }
 
+/// Of repulsion and attraction the lesser power is factored out, whatever the signs and the factors; what is not whole is not.
+#[test]
+fn two_negative_powers_share_the_lesser_one() {
+    let operations = |force: &str| {
+        let system = format!(
+            "impl S {{
+                fn kinetic(&self, p: [f64; 1]) -> f64 {{ 0.5 * p[0] * p[0] }}
+                fn potential(&self, q: [f64; 1]) -> f64 {{ let x = q[0]; {force} }}
+            }}"
+        );
+        report(TokenStream::new(), tokens(&system)).expect("no mistake").operations_shared
+    };
+    // A reciprocal, four products for its sixth and seventh power, a factor, an addition and the product of both.
+    for force in ["x.powi(-12) - x.powi(-6)", "self.a * x.powi(-12) - x.powi(-6) * self.b", "-x.powi(-6) - x.powi(-12)"]
+    {
+        assert_eq!(operations(force), 8, "{force}");
+    }
+    assert_eq!(operations("x.powi(-12) - x.powf(-5.5)"), 11);
+}
+
 #[test]
 fn mistakes_have_no_report() {
     let error = report(TokenStream::new(), tokens("impl Nothing {}")).expect_err("two functions are missing");

@@ -4,9 +4,9 @@ const _: () = {
     /// What depends on parameters alone, evaluated once per run.
     #[derive(::core::clone::Clone)]
     pub struct Parameters<Scalar> {
-        /// `-pull / 2`
-        prepared_0: Scalar,
         /// `3 twist / 2`
+        prepared_0: Scalar,
+        /// `-pull / 2`
         prepared_1: Scalar,
         /// `3.75 twist`
         prepared_2: Scalar,
@@ -32,8 +32,8 @@ const _: () = {
         }
         fn not_finite(single: &Self::Single) -> runtime::Vec<runtime::NotFinite> {
             runtime::all_found([
-                runtime::not_finite("-pull / 2", &[], &single.prepared_0),
-                runtime::not_finite("3 twist / 2", &[], &single.prepared_1),
+                runtime::not_finite("3 twist / 2", &[], &single.prepared_0),
+                runtime::not_finite("-pull / 2", &[], &single.prepared_1),
                 runtime::not_finite("3.75 twist", &[], &single.prepared_2),
                 runtime::not_finite("-3 pull / 4", &[], &single.prepared_3),
                 runtime::not_finite("twist", &[], &single.twist),
@@ -71,11 +71,11 @@ const _: () = {
             Parameters<Scalar>,
         >;
         const AUTONOMOUS: bool = true;
-        const FINGERPRINT: u64 = 7746869732395265583;
+        const FINGERPRINT: u64 = 4903353971926359754;
         fn parameters(&self, _length: usize) -> Parameters<f64> {
             Parameters {
-                prepared_0: 0.5 * (-self.pull),
-                prepared_1: 1.5 * self.twist,
+                prepared_0: 1.5 * self.twist,
+                prepared_1: 0.5 * (-self.pull),
                 prepared_2: 3.75 * self.twist,
                 prepared_3: 0.75 * (-self.pull),
                 twist: self.twist,
@@ -103,14 +103,13 @@ const _: () = {
             let q1 = motion.q[1].value();
             let shared_0 = step * Scalar::of(2.0);
             let shared_1 = Scalar::of(1.0) / q1.fma(q1, q0 * q0);
-            let shared_2 = shared_1.sqrt();
-            let shared_3 = (-motion.parameters.prepared_0)
-                .fma(
-                    shared_1 * shared_2,
-                    motion.parameters.prepared_1 * (shared_1 * shared_1 * shared_2),
-                );
-            motion.p[0].fma(shared_0 * q0, shared_3);
-            motion.p[1].fma(shared_0 * q1, shared_3);
+            let shared_2 = shared_1 * shared_1.sqrt()
+                * motion
+                    .parameters
+                    .prepared_0
+                    .fma(shared_1, -motion.parameters.prepared_1);
+            motion.p[0].fma(shared_0 * q0, shared_2);
+            motion.p[1].fma(shared_0 * q1, shared_2);
         }
         #[inline(always)]
         fn kinetic<Scalar: runtime::Real, Leaf: runtime::Precision>(
@@ -129,9 +128,8 @@ const _: () = {
             let q0 = motion.q[0].value();
             let q1 = motion.q[1].value();
             let shared_0 = Scalar::of(1.0) / q1.fma(q1, q0 * q0);
-            let shared_1 = shared_0.sqrt();
-            (-motion.parameters.twist)
-                .fma(shared_0 * shared_1, motion.parameters.prepared_5 * shared_1)
+            shared_0.sqrt()
+                * (-motion.parameters.twist).fma(shared_0, motion.parameters.prepared_5)
         }
         fn stated(
             &self,
@@ -164,16 +162,16 @@ const _: () = {
             let shared_3 = shared_2.sqrt();
             let shared_4 = shared_2 * shared_2;
             let shared_5 = shared_4 * shared_3;
-            let shared_6 = (-motion.parameters.prepared_0)
-                .fma(shared_2 * shared_3, motion.parameters.prepared_1 * shared_5);
-            let shared_7 = shared_0.fma(q1, shared_1 * q0);
-            let shared_8 = (-(motion.parameters.prepared_2 * shared_7))
+            let shared_6 = shared_0.fma(q1, shared_1 * q0);
+            let shared_7 = (-motion.parameters.prepared_1)
+                .fma(shared_2 * shared_3, motion.parameters.prepared_0 * shared_5);
+            let shared_8 = (-(motion.parameters.prepared_2 * shared_6))
                 .fma(
                     shared_4 * shared_2 * shared_3,
-                    motion.parameters.prepared_3 * shared_7 * shared_5,
+                    motion.parameters.prepared_3 * shared_6 * shared_5,
                 );
-            gradient[0] += (Scalar::of(2.0) * q0).fma(shared_8, shared_1 * shared_6);
-            gradient[1] += (Scalar::of(2.0) * q1).fma(shared_8, shared_0 * shared_6);
+            gradient[0] += (Scalar::of(2.0) * q0).fma(shared_8, shared_1 * shared_7);
+            gradient[1] += (Scalar::of(2.0) * q1).fma(shared_8, shared_0 * shared_7);
             for i in 0..2 {
                 motion.p[i] = gradient[i];
             }
@@ -247,10 +245,10 @@ const _: () = {
             let shared_4 = Scalar::of(1.0)
                 / (-motion.parameters.twist)
                     .fma(shared_3, motion.parameters.prepared_5 * shared_2);
-            let shared_5 = (-(motion.parameters.prepared_1 * shared_4))
+            let shared_5 = (-(motion.parameters.prepared_0 * shared_4))
                 .fma(
                     shared_1 * shared_1 * shared_2,
-                    motion.parameters.prepared_0 * shared_4 * shared_3,
+                    motion.parameters.prepared_1 * shared_4 * shared_3,
                 );
             motion.p[0].fma(shared_0 * q0, shared_5);
             motion.p[1].fma(shared_0 * q1, shared_5);
