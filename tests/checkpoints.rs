@@ -64,6 +64,34 @@ impl Swarm {
     }
 }
 
+/// Discs in a box that push each other where they overlap; so many that neighbours are listed.
+struct Crowd;
+
+#[hamiltonian]
+impl Crowd {
+    fn kinetic(&self, p: &[[f64; 2]]) -> f64 {
+        let mut sum = 0.0;
+        for i in 0..p.len() {
+            sum += (p[i][0] * p[i][0] + p[i][1] * p[i][1]) / 2.0;
+        }
+        sum
+    }
+    fn potential(&self, q: &[[f64; 2]]) -> f64 {
+        let mut sum = 0.0;
+        for i in 0..q.len() {
+            for j in 0..i {
+                let [x, y] = [q[i][0] - q[j][0], q[i][1] - q[j][1]];
+                let [x, y] = [x - 32.0 * (x / 32.0).round(), y - 32.0 * (y / 32.0).round()];
+                let square = x * x + y * y;
+                if square < 1.96 {
+                    sum += (1.96 - square).powi(2);
+                }
+            }
+        }
+        sum
+    }
+}
+
 const PENDULUM: Pendulum = Pendulum { length: 0.7 };
 
 fn run() -> Run<[f64; 1]> {
@@ -106,6 +134,24 @@ fn a_resumed_run_is_the_uninterrupted_one() {
     interrupted(&PENDULUM, Yoshida4, Phase::reversible(q, p, 1.0 / (1_u64 << 44) as f64));
     interrupted(&Chain, Yoshida4, Phase::new(vec![0.1, -0.2, 0.4], vec![0.0, 1.0, 0.5]));
     interrupted(&Swarm, Yoshida4, Phase::new(vec![[0.1, -0.2]; 5], vec![[0.0, 1.0]; 5]));
+}
+
+/// A resumed run makes lists of its own, at another time than the one that went on with its old ones.
+#[test]
+fn a_run_over_lists_of_neighbours_is_resumed_with_the_same_bits() {
+    let place = |n: i32| [f64::from(n % 32), f64::from(n / 32)];
+    let q: Vec<_> = (0..1024).map(place).collect();
+    let p = q.iter().map(|[x, y]| [(3.0 * x + 7.0 * y).sin(), (5.0 * x - y).cos()]).collect();
+    let mut whole = Crowd.run(Phase::new(q, p), 0.02).expect("an admissible start");
+    whole.advance(3).expect("finite");
+    let mut resumed = Run::<Vec<[f64; 2]>>::resume(&Crowd, &whole.checkpoint()).expect("it was just made");
+    for _ in 0..4 {
+        whole.advance(2).expect("finite");
+        resumed.advance(2).expect("finite");
+        assert_eq!(resumed.state(), whole.state());
+    }
+    assert_eq!(resumed.energy().to_bits(), whole.energy().to_bits());
+    assert_eq!(resumed.checkpoint(), whole.checkpoint(), "the unfinished state too");
 }
 
 fn resumed(bytes: &[u8]) -> Result<Run<[f64; 1]>, CheckpointError> {
