@@ -4,7 +4,7 @@
 //! for each atom and step, lists included; rates count the pairs that
 //! are within the cutoff at this density. The last lines are times over those of
 //! the lists by hand in the same rounds (`ratio_<scene>_to_hand=`), and what a second thread brings. `docs/performance.md`
-//! tells what was measured; `--large` adds a million atoms.
+//! tells what was measured; `--large` adds a million atoms. The picture has the times against the number of atoms.
 
 #[cfg(target_arch = "x86_64")]
 use integrator_bench::by_hand::liquid::Liquid;
@@ -12,9 +12,10 @@ use integrator_bench::{
     problems::ArgonInBox,
     race::{Racer, race},
     starts::{DENSITY, liquid},
-    table::Table,
+    table::{Table, folder},
 };
 use integrator_core::prelude::*;
+use integrator_plot::{Axis, Chart};
 use std::{error::Error, f64::consts::PI};
 
 /// Rounds of a race; odd, so that the median is one of them.
@@ -27,8 +28,17 @@ fn main() -> Result<(), Box<dyn Error>> {
     let head = ["scene", "unit", "generated", "by hand", "to hand", "2 threads", "pairs/s"];
     let (mut table, mut lines) = (Table::new("liquid", &head), Vec::new());
     let large = std::env::args().any(|argument| argument == "--large");
-    let scenes = [("argon_4000", 10), ("argon_32000", 20), ("argon_256000", 40), ("argon_1000188", 63)];
-    for (name, cells) in scenes.into_iter().take(if large { 4 } else { 3 }) {
+    let scenes = [
+        ("argon_1372", 7),
+        ("argon_4000", 10),
+        ("argon_10976", 14),
+        ("argon_32000", 20),
+        ("argon_87808", 28),
+        ("argon_256000", 40),
+        ("argon_1000188", 63),
+    ];
+    let (mut generated, mut written) = (Vec::new(), Vec::new());
+    for (name, cells) in scenes.into_iter().take(if large { 7 } else { 6 }) {
         let (system, start) = liquid(cells);
         let atoms = start.q.len();
         let steps = (1_000_000 / atoms as u64).max(15);
@@ -55,10 +65,19 @@ fn main() -> Result<(), Box<dyn Error>> {
         let [hand, ratio] = if has_hand { [times.median(3), times.ratio(2, 3)] } else { [f64::NAN; 2] };
         let [ns, threads] = [times.median(2), times.ratio(0, 1)];
         table.row([name, "ns/atom/step"], &[ns, hand, ratio, threads, PAIRS / ns * 1e9]);
+        generated.push((atoms as f64, ns));
+        written.push((atoms as f64, hand));
         lines.push(format!("ratio_{name}_to_hand={ratio:.3}"));
         lines.push(format!("speedup_{name}_two_threads={threads:.3}"));
     }
     table.write()?;
+    written.retain(|(_, ns)| ns.is_finite());
+    let chart = Chart::new("A liquid with a cutoff")
+        .claim("The time of a step grows with the number of atoms, and hardly that for each of them")
+        .along(Axis::logarithmic("atoms"))
+        .up(Axis::linear("ns for each atom and step").between(0.0, 300.0))
+        .with_names_at_ends();
+    chart.line("generated", generated).line("by hand", written).save(folder().join("liquid.svg"))?;
     lines.iter().for_each(|line| println!("{line}"));
     Ok(())
 }

@@ -36,6 +36,6 @@ for bench in "$@"; do
     fill "$bench" "$output"
 done
 # Of the benches that have run.
-for picture in target/bench/{step,throughput,skips,pace,work_precision_*_energy}.svg; do
+for picture in target/bench/{step,throughput,skips,pace,liquid,work_precision_*_energy}.svg; do
     if [ -e "$picture" ]; then cp "$picture" docs/pictures/; fi
 done
