@@ -285,7 +285,7 @@ fn energies_walk_and_do_not_drift() {
     for at in [[0.1, 1.0], [1.3, 3.3]] {
         let plain = off::<f64>(|x| x, |x| x, at, steps);
         assert!(plain <= walk, "{at:?}: {plain:.1e}");
-        let compensated = off::<Compensated<f64>>(|x| Compensated { value: x, carried: 0.0 }, |x| x.value, at, steps);
+        let compensated = off::<Compensated<f64>>(|x| [x, 0.0], |x| x[0], at, steps);
         assert!(compensated <= walk, "{at:?}, compensated: {compensated:.1e}");
     }
 }
