@@ -235,6 +235,8 @@ pub mod __private {
     };
     pub use alloc::{sync::Arc, vec::Vec};
     // Other crates of this repository have ensembles of their own.
+    #[cfg(all(feature = "checkpoint", feature = "std"))]
+    pub use crate::ensemble::checkpoint::{joined, part_of};
     #[cfg(feature = "std")]
     pub use crate::ensemble::lane_scalars::LaneScalars;
 

@@ -66,7 +66,7 @@ impl<'w, W: Communicator, C: Coords> Ensemble<'w, W, C> {
     ///
     /// # Errors
     /// [`Error::NoMembers`] without any member; [`Error::Refused`] naming the first member whose start or step is refused.
-    pub fn new<H, K, X>(
+    pub fn new<H, X>(
         world: &'w W,
         method: X,
         members_of_rank: impl IntoIterator<Item = (H, Phase<C>)>,
@@ -74,9 +74,9 @@ impl<'w, W: Communicator, C: Coords> Ensemble<'w, W, C> {
     ) -> Result<Self, Error>
     where
         H: Hamiltonian,
-        K: LaneScalars,
         X: InLanes<H>,
-        H::Coords: Coords<With<K> = C>,
+        C::Leaf: LaneScalars,
+        H::Coords: Coords<With<C::Leaf> = C>,
     {
         let members: Vec<_> = members_of_rank.into_iter().collect();
         let mut counts = vec![0_u64; world.size() as usize];
@@ -86,7 +86,7 @@ impl<'w, W: Communicator, C: Coords> Ensemble<'w, W, C> {
         if count == 0 {
             return Err(Error::NoMembers);
         }
-        let local = match Local::new::<H, K, X>(method, members, h) {
+        let local = match Local::new(method, members, h) {
             Ok(local) => Ok(Some(local)),
             Err(CoreError::NoMembers) => Ok(None),
             Err(error) => Err(Failure::Core { error, first }),

@@ -74,7 +74,7 @@ where
     Yoshida4: integrator_core::InLanes<H>,
 {
     let mut swarm =
-        cluster::Ensemble::new::<H, C::Leaf, _>(world, Yoshida4, cluster::share(world, members).map(member), 0.01)
+        cluster::Ensemble::new::<H, _>(world, Yoshida4, cluster::share(world, members).map(member), 0.01)
             .expect("finite starts");
     swarm.advance(STEPS).expect("no member is lost");
     assert_eq!(swarm.steps(), STEPS);

@@ -9,6 +9,7 @@ mod catalogue;
 mod changed_states;
 mod divergence;
 mod ensemble;
+mod ensemble_checkpoints;
 mod ensemble_times;
 mod external;
 #[path = "../support/instruction_sets.rs"]

@@ -3,6 +3,8 @@
 //! Always true: the lanes hold the members that are under way, in their order and without a gap; what remains of the
 //! last motion repeats the last of them. So the work of a member ends when it diverges or leaves.
 
+#[cfg(feature = "checkpoint")]
+use crate::{ensemble::members::Finished, trajectory::motions::load_own};
 use crate::{
     ensemble::request::AdvanceRequest,
     error::Divergence,
@@ -329,6 +331,40 @@ impl Batch {
     /// Whether a member is neither lost nor gone.
     pub(crate) fn is_under_way(&self, member: usize) -> bool {
         self.finished[member - self.first].is_none()
+    }
+
+    /// After how many steps the states were last changed from outside.
+    #[cfg(feature = "checkpoint")]
+    pub(crate) fn opened(&self) -> u64 {
+        self.opened
+    }
+
+    /// Shows all members, in their order: those under way in the middle of the step, in the coordinates of their motions.
+    #[cfg(feature = "checkpoint")]
+    pub(crate) fn unfinished(&self, visit: &mut dyn FnMut(Option<Finished>, &dyn Point)) {
+        let (mut sample, mut lane) = (self.sample.boxed_clone(), 0);
+        for finished in &self.finished {
+            if let Some(Finish { steps, time, state }) = finished {
+                visit(Some(Finished { steps: *steps, time: *time }), &**state);
+                continue;
+            }
+            self.engine.motions.store_own(lane, &mut *sample);
+            visit(None, &*sample);
+            lane += 1;
+        }
+    }
+
+    /// Goes on from what [`Batch::unfinished`] has shown.
+    #[cfg(feature = "checkpoint")]
+    pub(crate) fn resume(&mut self, opened: u64, states: &States, finished: &dyn Fn(usize) -> Option<Finished>) {
+        for (member, end) in (self.first..).zip(&mut self.finished) {
+            let state = || states(member).boxed_clone();
+            *end = finished(member).map(|Finished { steps, time }| Finish { steps, time, state: state() });
+        }
+        self.lanes = (0..self.finished.len()).filter(|index| self.finished[*index].is_none()).collect();
+        let members = with_states(self.first, &self.lanes, states);
+        self.engine = Engine::new(load_own(&*self.engine.motions, members));
+        self.opened = opened;
     }
 
     /// Lets the members that are under way go on from these states after so many steps.

@@ -22,6 +22,16 @@ use std::{
 /// microseconds each, in which one thread does about so many.
 const WORTH_A_THREAD: u64 = 1 << 17;
 
+/// Where a member ended that is lost or gone.
+#[cfg(feature = "checkpoint")]
+#[derive(Clone, Copy, Debug, serde::Serialize, serde::Deserialize)]
+pub(crate) struct Finished {
+    /// After how many steps.
+    pub(crate) steps: u64,
+    /// At what time.
+    pub(crate) time: f64,
+}
+
 /// All members of an ensemble.
 pub(crate) struct Members {
     pub(super) batches: Vec<Batch>,
@@ -101,6 +111,36 @@ impl Members {
         self.between = None;
         for batch in &mut self.batches {
             batch.restart(states, self.clock);
+        }
+    }
+
+    /// After how many steps the states were last changed from outside.
+    #[cfg(feature = "checkpoint")]
+    pub(crate) fn opened(&self) -> u64 {
+        self.batches.first().map_or(0, Batch::opened)
+    }
+
+    /// Shows all members, in their order: those under way in the middle of the step, in the coordinates of their motions.
+    #[cfg(feature = "checkpoint")]
+    pub(crate) fn unfinished(&self, visit: &mut dyn FnMut(Option<Finished>, &dyn Point)) {
+        for batch in &self.batches {
+            batch.unfinished(visit);
+        }
+    }
+
+    /// Goes on from what [`Members::unfinished`] has shown.
+    #[cfg(feature = "checkpoint")]
+    pub(crate) fn resume(
+        &mut self,
+        clock: Clock,
+        opened: u64,
+        states: &States,
+        finished: &dyn Fn(usize) -> Option<Finished>,
+    ) {
+        self.clock = clock;
+        self.starts_unchecked = false;
+        for batch in &mut self.batches {
+            batch.resume(opened, states, finished);
         }
     }
 

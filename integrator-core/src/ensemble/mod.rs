@@ -5,6 +5,9 @@
 
 pub(crate) mod batch;
 pub(crate) mod batches;
+#[cfg(feature = "checkpoint")]
+#[allow(unreachable_pub, reason = "what other crates of this repository call is reached by the private API")]
+pub(crate) mod checkpoint;
 pub(crate) mod energies;
 #[allow(unreachable_pub, reason = "named in bounds, never outside")]
 pub(crate) mod in_lanes;
@@ -16,6 +19,8 @@ pub(crate) mod request;
 
 #[cfg(debug_assertions)]
 use crate::system::user_energies::hold_at_start;
+#[cfg(feature = "checkpoint")]
+use crate::trajectory::checkpoint::Origin;
 use crate::{
     ensemble::{
         batches::Starts,
@@ -91,6 +96,11 @@ where
 /// ```
 pub struct Ensemble<C: Coords> {
     members: Members,
+    /// What runs of the first member are, for checkpoints, and fingerprints of the parameters of all.
+    #[cfg(feature = "checkpoint")]
+    origin: Origin,
+    #[cfg(feature = "checkpoint")]
+    parameters: Vec<u64>,
     shape: PhantomData<C>,
 }
 
@@ -102,6 +112,21 @@ impl<C: Coords> Ensemble<C> {
     /// [`Error::NoMembers`] without members; [`Error::Member`] naming the first member whose start or step is refused,
     /// for the reasons of [`Hamiltonian::run`].
     pub fn new<H, X>(method: X, members: impl IntoIterator<Item = (H, Phase<C>)>, h: f64) -> Result<Self, Error>
+    where
+        H: Hamiltonian,
+        X: InLanes<H>,
+        C::Leaf: LaneScalars,
+        H::Coords: Coords<With<C::Leaf> = C>,
+    {
+        let mut ensemble = Self::from_starts::<H, X>(method, members, h)?;
+        if H::AUTONOMOUS {
+            ensemble.members.check_starts()?;
+        }
+        Ok(ensemble)
+    }
+
+    /// The same without a look at the energies of the starts.
+    fn from_starts<H, X>(method: X, members: impl IntoIterator<Item = (H, Phase<C>)>, h: f64) -> Result<Self, Error>
     where
         H: Hamiltonian,
         X: InLanes<H>,
@@ -133,12 +158,17 @@ impl<C: Coords> Ensemble<C> {
             single: &*single,
         };
         let batches = starts.batches(states.len(), all_threads());
+        #[cfg(feature = "checkpoint")]
+        let origins: Vec<_> = parameters.iter().map(|parameters| Origin::of::<H>(method.facts(), parameters)).collect();
         let energies = energies_of_members::<H, C::Leaf>(parameters);
-        let mut members = Members::new(batches, energies, states.len(), coordinates, h);
-        if H::AUTONOMOUS {
-            members.check_starts()?;
-        }
-        Ok(Self { members, shape: PhantomData })
+        Ok(Self {
+            members: Members::new(batches, energies, states.len(), coordinates, h),
+            #[cfg(feature = "checkpoint")]
+            origin: origins[0],
+            #[cfg(feature = "checkpoint")]
+            parameters: origins.iter().map(Origin::parameters).collect(),
+            shape: PhantomData,
+        })
     }
 
     /// Starts the clock at `t0` instead of 0. A `t0` that is not finite is reported by the first `advance`.

@@ -90,9 +90,19 @@ pub(crate) struct Lane<'m> {
 
 /// Motions of members, from their states, of the same type as some.
 pub(crate) fn load(like: &dyn Motions, members: Vec<(usize, &dyn Point)>) -> Box<dyn Motions> {
+    loaded(like, members, false)
+}
+
+/// The same from states in the coordinates of the motions.
+#[cfg(all(feature = "checkpoint", feature = "std"))]
+pub(crate) fn load_own(like: &dyn Motions, members: Vec<(usize, &dyn Point)>) -> Box<dyn Motions> {
+    loaded(like, members, true)
+}
+
+fn loaded(like: &dyn Motions, members: Vec<(usize, &dyn Point)>, own: bool) -> Box<dyn Motions> {
     let mut motions = like.none(members.len().div_ceil(like.lanes()));
     for lanes in filled(members, like.lanes()).chunks(like.lanes()) {
-        motions.push(lanes, false);
+        motions.push(lanes, own);
     }
     motions
 }

@@ -83,6 +83,25 @@ pub enum CheckpointError {
         /// The name of its type.
         system: String,
     },
+    /// There are more or fewer systems than members of the ensemble.
+    #[error("this checkpoint has {stored} members, not {asked}: give the system of every member, lost ones included")]
+    Members {
+        /// How many members it has.
+        stored: usize,
+        /// How many were asked for.
+        asked: usize,
+    },
+    /// The system of a member has other parameters than then, or that of all other formulas.
+    #[error(
+        "member {member}: `{system}` has other parameters or formulas than when this checkpoint was made, and an ensemble goes on \
+         with those that it was begun with"
+    )]
+    Member {
+        /// The number of the member.
+        member: usize,
+        /// The name of its type.
+        system: String,
+    },
     /// The state has another number of coordinates than the system.
     #[error("this checkpoint has {positions} positions and {momenta} momenta, which this system does not have")]
     Shape {

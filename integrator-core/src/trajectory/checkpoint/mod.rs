@@ -29,7 +29,11 @@ use crate::{
     },
 };
 use alloc::{borrow::ToOwned, string::ToString, vec::Vec};
-use record::{OwnTime, Record, Stored, fingerprint};
+#[cfg(feature = "std")]
+pub(crate) use record::Record as RunRecord;
+use record::Record;
+pub(crate) use record::Stored;
+use record::{OwnTime, fingerprint};
 pub(crate) use record::{record_of, sealed_record};
 #[cfg(feature = "std")]
 use std::{
@@ -68,6 +72,36 @@ impl Origin {
             table,
         }
     }
+
+    /// A fingerprint of the prepared constants.
+    #[cfg(feature = "std")]
+    pub(crate) fn parameters(&self) -> u64 {
+        self.parameters
+    }
+
+    /// The composition that the method is over; empty where it is over none.
+    #[cfg(feature = "std")]
+    pub(crate) fn over(&self) -> &'static str {
+        self.over
+    }
+
+    /// What a run of this origin is, but for its state.
+    pub(crate) fn record<K: Precision>(&self, Clock { t0, h, steps }: Clock, opened: u64) -> Record {
+        Record {
+            system: self.system.to_owned(),
+            formulas: self.formulas,
+            parameters: self.parameters,
+            composition: self.composition.to_owned(),
+            stages: fingerprint(self.table.as_ref()),
+            leaf: K::NAME.to_owned(),
+            steps,
+            opened,
+            h,
+            t0,
+            q: Vec::new(),
+            p: Vec::new(),
+        }
+    }
 }
 
 /// The numbers of some coordinates, one after the other.
@@ -92,21 +126,8 @@ impl<C: Coords> Run<C> {
     /// with. After [`Run::advance_to`], the run is that at the end of the last whole step.
     pub fn checkpoint(&self) -> Vec<u8> {
         let Phase { q, p } = self.unfinished();
-        let Clock { t0, h, steps } = self.clock;
-        let record = Record {
-            system: self.origin.system.to_owned(),
-            formulas: self.origin.formulas,
-            parameters: self.origin.parameters,
-            composition: self.origin.composition.to_owned(),
-            stages: fingerprint(self.origin.table.as_ref()),
-            leaf: C::Leaf::NAME.to_owned(),
-            steps,
-            opened: self.opened,
-            h,
-            t0,
-            q: numbers(&q),
-            p: numbers(&p),
-        };
+        let record = self.origin.record::<C::Leaf>(self.clock, self.opened);
+        let record = Record { q: numbers(&q), p: numbers(&p), ..record };
         let over = Some(self.origin.over.to_owned());
         let own = self.engine.motions.beside().map(|beside| OwnTime { beside, opened_at: self.opened_at });
         Stored { record, over, own }.to_bytes()

@@ -25,31 +25,31 @@ const CHECKSUM: Crc<u64> = Crc::<u64>::new(&CRC_64_XZ);
 
 /// All that a checkpoint says.
 #[cfg_attr(test, derive(Debug, PartialEq))]
-pub(super) struct Stored {
-    pub(super) record: Record,
+pub(crate) struct Stored {
+    pub(crate) record: Record,
     /// The composition that the method is over; empty where it is over none, and nothing where that is not known.
     pub(super) over: Option<String>,
     pub(super) own: Option<OwnTime>,
 }
 
 /// All there is to a run, but for what is beside its state.
-#[derive(Serialize, Deserialize)]
-#[cfg_attr(test, derive(Debug, PartialEq))]
-pub(super) struct Record {
-    pub(super) system: String,
+#[derive(PartialEq, Serialize, Deserialize)]
+#[cfg_attr(test, derive(Debug))]
+pub(crate) struct Record {
+    pub(crate) system: String,
     /// Fingerprints of what was generated for the system, and of its prepared constants.
-    pub(super) formulas: u64,
-    pub(super) parameters: u64,
-    pub(super) composition: String,
-    pub(super) stages: u64,
-    pub(super) leaf: String,
-    pub(super) steps: u64,
+    pub(crate) formulas: u64,
+    pub(crate) parameters: u64,
+    pub(crate) composition: String,
+    pub(crate) stages: u64,
+    pub(crate) leaf: String,
+    pub(crate) steps: u64,
     /// After how many of them the state was last changed from outside.
-    pub(super) opened: u64,
-    pub(super) h: f64,
-    pub(super) t0: f64,
-    pub(super) q: Vec<f64>,
-    pub(super) p: Vec<f64>,
+    pub(crate) opened: u64,
+    pub(crate) h: f64,
+    pub(crate) t0: f64,
+    pub(crate) q: Vec<f64>,
+    pub(crate) p: Vec<f64>,
 }
 
 /// What there is to a run beside its state, where the time is part of it.
@@ -62,6 +62,12 @@ pub(super) struct OwnTime {
 }
 
 impl Stored {
+    /// What others than runs have stored: they have nothing beside states.
+    #[cfg(feature = "std")]
+    pub(crate) fn of_record(record: Record, over: String) -> Self {
+        Self { record, over: Some(over), own: None }
+    }
+
     pub(super) fn to_bytes(&self) -> Vec<u8> {
         let mut bytes = MAGIC.to_vec();
         bytes.extend(VERSION.to_le_bytes());
@@ -101,7 +107,7 @@ impl Stored {
     }
 
     /// Whether the names of a system, a method and a precision are those that are stored, and the stages too.
-    pub(super) fn belongs_to<H: Hamiltonian, K: Precision>(&self, facts: Facts) -> Result<(), CheckpointError> {
+    pub(crate) fn belongs_to<H: Hamiltonian, K: Precision>(&self, facts: Facts) -> Result<(), CheckpointError> {
         let Record { system, composition, stages, leaf, .. } = &self.record;
         let over = facts.over.unwrap_or_default();
         let asked = match self.over {

@@ -1,0 +1,172 @@
+//! Ensembles as bytes: what all members have in common, and behind it each of them, in the middle of the step under way.
+//!
+//! ```text
+//! magic (8 bytes) | version (2 bytes) | record | CRC-64 of all before (8 bytes)
+//! ```
+
+use crate::{
+    ensemble::{Ensemble, in_lanes::InLanes, lane_scalars::LaneScalars, members::Finished},
+    error::Error,
+    hamiltonian::Hamiltonian,
+    state::{clock::Clock, coords::Coords, phase::Phase, point::shaped},
+    trajectory::{
+        checkpoint::{CheckpointError, RunRecord, Stored, coordinates, numbers, record_of, sealed_record},
+        method::Memoryless,
+    },
+};
+use serde::{Deserialize, Serialize};
+use std::ops::Range;
+
+/// What every checkpoint of an ensemble begins with.
+const MAGIC: [u8; 8] = *b"symplens";
+
+/// The form of what is written.
+const VERSION: u16 = 1;
+
+/// All there is to an ensemble.
+#[derive(Serialize, Deserialize)]
+struct Record {
+    /// What a run has beside its state, and all members have in common.
+    common: RunRecord,
+    /// The composition that the method is over; empty where it is over none.
+    over: String,
+    members: Vec<Member>,
+}
+
+/// A member.
+#[derive(Serialize, Deserialize)]
+struct Member {
+    /// A fingerprint of its prepared constants.
+    parameters: u64,
+    /// After how many steps it was lost or gone, and when, if it is.
+    finished: Option<Finished>,
+    q: Vec<f64>,
+    p: Vec<f64>,
+}
+
+impl<C: Coords> Ensemble<C> {
+    /// Everything that this ensemble is, as bytes from which [`Ensemble::resume`] goes on as if nothing had happened: bit for
+    /// bit the same on one instruction set, on any number of threads.
+    ///
+    /// The parameters of the systems are not in it. After [`Ensemble::advance_to`], the ensemble is that at the end of the
+    /// last step of all. An ensemble by a method with a memory or with a time of its own, such as
+    /// [`Taylor`](crate::taylor::Taylor) or [`Logarithmic`](crate::Logarithmic), is written all the same, but there is nothing to
+    /// resume it with.
+    ///
+    /// ```
+    /// use integrator_core::prelude::*;
+    ///
+    /// struct Rotor;
+    ///
+    /// #[hamiltonian]
+    /// impl Rotor {
+    ///     fn kinetic(&self, p: [f64; 1]) -> f64 { p[0] * p[0] / 2.0 }
+    ///     fn potential(&self, q: [f64; 1]) -> f64 { -q[0].cos() }
+    /// }
+    ///
+    /// let members = (0..20).map(|i| (Rotor, Phase::new([0.0_f64], [f64::from(i)])));
+    /// let mut rotors = Ensemble::new(Verlet, members, 0.01)?;
+    /// rotors.advance(100)?;
+    /// let bytes = rotors.checkpoint();
+    /// // Later, in another process:
+    /// let mut resumed: Ensemble<[f64; 1]> = Ensemble::resume(Verlet, (0..20).map(|_| Rotor), &bytes)?;
+    /// resumed.advance(100)?;
+    /// rotors.advance(100)?;
+    /// assert!(resumed.states().eq(rotors.states()));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn checkpoint(&self) -> Vec<u8> {
+        let mut members = Vec::with_capacity(self.len());
+        self.members.unfinished(&mut |finished, state| {
+            let Phase { q, p } = shaped::<C>(state);
+            members.push(Member { parameters: self.parameters[members.len()], finished, q: numbers(q), p: numbers(p) });
+        });
+        let common = self.origin.record::<C::Leaf>(self.members.clock, self.members.opened());
+        sealed_record(MAGIC, VERSION, &Record { common, over: self.origin.over().to_owned(), members })
+    }
+
+    /// The ensemble that a checkpoint was made of, with the method and the systems that it was begun with: a composition or an
+    /// implicit method, and all members, those included that are lost or gone.
+    ///
+    /// # Errors
+    /// As [`Run::resume_with`](crate::Run::resume_with); more or fewer systems than members, and a member whose system has
+    /// other parameters or formulas than then.
+    pub fn resume<H, X>(
+        method: X,
+        systems: impl IntoIterator<Item = H>,
+        checkpoint: &[u8],
+    ) -> Result<Self, CheckpointError>
+    where
+        H: Hamiltonian,
+        X: InLanes<H> + Memoryless<H>,
+        C::Leaf: LaneScalars,
+        H::Coords: Coords<With<C::Leaf> = C>,
+    {
+        let Record { common, over, members } = record_of(MAGIC, VERSION, checkpoint)?;
+        let stored = Stored::of_record(common, over);
+        if H::COPIES {
+            return Err(CheckpointError::Copies { system: stored.record.system });
+        }
+        stored.belongs_to::<H, C::Leaf>(method.facts())?;
+        let RunRecord { system, formulas, steps, opened, h, t0, .. } = stored.record;
+        let systems: Vec<H> = systems.into_iter().collect();
+        if systems.len() != members.len() {
+            return Err(CheckpointError::Members { stored: members.len(), asked: systems.len() });
+        }
+        let mut states = Vec::with_capacity(members.len());
+        for Member { q, p, .. } in &members {
+            let shape = CheckpointError::Shape { positions: q.len(), momenta: p.len() };
+            let (Some(q), Some(p)) = (coordinates::<C>(q), coordinates::<C>(p)) else { return Err(shape) };
+            states.push(Phase { q, p });
+        }
+        let starts = systems.into_iter().zip(states.iter().cloned());
+        let mut resumed = Self::from_starts::<H, X>(method, starts, h)?;
+        for (member, (stored, asked)) in members.iter().zip(&resumed.parameters).enumerate() {
+            if stored.parameters != *asked || formulas != H::FINGERPRINT {
+                return Err(CheckpointError::Member { member, system });
+            }
+        }
+        if opened > steps || members.iter().any(|member| member.finished.is_some_and(|at| at.steps > steps)) {
+            return Err(CheckpointError::Damaged);
+        }
+        let clock = Clock { t0, h, steps };
+        clock.end(0)?;
+        resumed.members.resume(clock, opened, &|member| &states[member], &|member| members[member].finished);
+        Ok(resumed)
+    }
+}
+
+/// The checkpoint of some members of another one, counted from 0.
+///
+/// # Errors
+/// As [`Ensemble::resume`]; members that the checkpoint does not have.
+pub fn part_of(checkpoint: &[u8], of: Range<usize>) -> Result<Vec<u8>, CheckpointError> {
+    let mut record: Record = record_of(MAGIC, VERSION, checkpoint)?;
+    let (stored, asked) = (record.members.len(), of.end);
+    record.members.truncate(of.end);
+    if asked > stored || of.start > of.end {
+        return Err(CheckpointError::Members { stored, asked });
+    }
+    record.members.drain(..of.start);
+    Ok(sealed_record(MAGIC, VERSION, &record))
+}
+
+/// The checkpoint of the members of several, one after the other; those of ensembles that took the same steps.
+///
+/// # Errors
+/// As [`Ensemble::resume`]; no checkpoint at all, and those that are not of one ensemble.
+pub fn joined(checkpoints: &[Vec<u8>]) -> Result<Vec<u8>, CheckpointError> {
+    let mut all: Option<Record> = None;
+    for checkpoint in checkpoints {
+        let mut record: Record = record_of(MAGIC, VERSION, checkpoint)?;
+        match &mut all {
+            None => all = Some(record),
+            Some(all) if all.common == record.common && all.over == record.over => {
+                all.members.append(&mut record.members);
+            }
+            Some(_) => return Err(CheckpointError::Damaged),
+        }
+    }
+    let all = all.ok_or(CheckpointError::Run(Error::NoMembers))?;
+    Ok(sealed_record(MAGIC, VERSION, &all))
+}
