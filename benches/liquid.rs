@@ -73,7 +73,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     table.write()?;
     written.retain(|(_, ns)| ns.is_finite());
     let chart = Chart::new("A liquid with a cutoff")
-        .claim("The time of a step grows with the number of atoms, and hardly that for each of them")
+        .claim("The time of a step grows with the number of atoms, and little for each of them")
         .along(Axis::logarithmic("atoms"))
         .up(Axis::linear("ns for each atom and step").between(0.0, 300.0))
         .with_names_at_ends();

@@ -91,7 +91,12 @@ impl<'w, W: Communicator, C: Coords> Ensemble<'w, W, C> {
             Err(CoreError::NoMembers) => Ok(None),
             Err(error) => Err(Failure::Core { error, first }),
         };
-        Ok(Self { world, local: agree(world, local)?, first, count, steps: 0 })
+        Ok(Self::of_local(world, agree(world, local)?, first, count, 0))
+    }
+
+    /// The ensemble with these members on this rank.
+    pub(crate) fn of_local(world: &'w W, local: Option<Local<C>>, first: usize, count: usize, steps: u64) -> Self {
+        Self { world, local, first, count, steps }
     }
 
     /// Starts the clock at `t0` instead of 0.

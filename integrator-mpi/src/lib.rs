@@ -31,10 +31,12 @@
 //!
 //! A rank that ends without the others, by a panic or because it was killed, ends the job: `mpirun` says so.
 
+mod checkpoint;
 mod ensemble;
 mod error;
 mod exact_sum;
 mod output;
+mod parts;
 mod reductions;
 mod states;
 

@@ -2,40 +2,17 @@
 
 use crate::{
     Ensemble, Member,
-    error::{Error, Failure, agree},
-    is_root,
+    error::Error,
+    parts::{MANIFEST, Manifest, Part},
     states::numbers_of,
 };
 use integrator_core::{__private::Precision, Coords};
-use mpi::traits::{Communicator, CommunicatorCollectives};
-use serde::{Deserialize, Serialize};
+use mpi::traits::Communicator;
 use std::{
     fs::{self, File},
     io::{self, BufRead, BufReader, BufWriter, Write},
     path::{Path, PathBuf},
 };
-
-/// The name of the file that says which others there are.
-const MANIFEST: &str = "manifest.json";
-
-/// What files there are, written once all of them are.
-#[derive(Debug, Serialize, Deserialize)]
-struct Manifest {
-    /// The members of all files.
-    members: usize,
-    /// The steps that the ensemble had taken.
-    steps: u64,
-    /// Its files, in the order of their members.
-    files: Vec<Part>,
-}
-
-/// The file of a rank.
-#[derive(Debug, Serialize, Deserialize)]
-struct Part {
-    name: String,
-    first: usize,
-    members: usize,
-}
 
 /// Why files were not joined.
 #[derive(Debug, thiserror::Error)]
@@ -87,34 +64,9 @@ impl<W: Communicator, C: Coords> Ensemble<'_, W, C> {
     /// text that reads back equal; of a compensated coordinate both numbers are written, one after the other.
     ///
     /// # Errors
-    /// [`Error::Rank`] if a file cannot be written; there is no manifest then.
+    /// [`Error::Rank`] if a file cannot be written; the manifest of a call before is still there then.
     pub fn write_csv(&self, folder: impl AsRef<Path>) -> Result<(), Error> {
-        let folder = folder.as_ref();
-        let name = |rank: i32| format!("rank-{rank:05}.csv");
-        let failed = |path: &Path| {
-            let path = path.display().to_string();
-            move |error: io::Error| Failure::Other(format!("{path}: {error}"))
-        };
-        // A manifest of files that are about to be written over would be wrong.
-        let manifest = folder.join(MANIFEST);
-        let cleared = || match fs::create_dir_all(folder).and_then(|()| fs::remove_file(&manifest)) {
-            Err(error) if error.kind() != io::ErrorKind::NotFound => Err(failed(&manifest)(error)),
-            _ => Ok(()),
-        };
-        agree(self.world(), if is_root(self.world()) { cleared() } else { Ok(()) })?;
-        let own = folder.join(name(self.world().rank()));
-        agree(self.world(), self.write_members(&own).map_err(failed(&own)))?;
-        let mut counts = vec![0_u64; self.world().size() as usize];
-        self.world().all_gather_into(&(self.of_rank().len() as u64), &mut counts[..]);
-        let mut first = 0;
-        let files = (0..).zip(counts).map(|(rank, members)| {
-            let part = Part { name: name(rank), first, members: members as usize };
-            first += part.members;
-            part
-        });
-        let text = Manifest { members: self.len(), steps: self.steps(), files: files.collect() };
-        let written = || fs::write(&manifest, serde_json::to_vec_pretty(&text)?);
-        agree(self.world(), if is_root(self.world()) { written().map_err(failed(&manifest)) } else { Ok(()) })
+        self.write_parts(folder.as_ref(), "csv", |path| self.write_members(path))
     }
 
     /// The members of this rank as a file.

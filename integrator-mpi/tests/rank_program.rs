@@ -47,6 +47,20 @@ fn main() {
             swarm.advance(STEPS).expect("pendulums stay");
             on_every_rank(&world, &text(swarm.write_csv(&arguments[2])));
         }
+        "save" => {
+            let member = |i: usize| (Fall, Phase::new([if i % 30 == 29 { 1.0_f64 } else { 0.01 }], [0.0]));
+            let members = cluster::share(&world, MEMBERS).map(member);
+            let mut swarm = cluster::Ensemble::new(&world, Yoshida4, members, 0.01).expect("finite starts");
+            for steps in [1, 200] {
+                on_every_rank(&world, &text(swarm.advance(steps)));
+                on_every_rank(&world, &text(swarm.checkpoint_to(&arguments[2])));
+            }
+            finish(&world, swarm);
+        }
+        "resume" => match cluster::Ensemble::<_, [f64; 1]>::resume(&world, Yoshida4, |_| Fall, &arguments[2]) {
+            Ok(swarm) => finish(&world, swarm),
+            Err(error) => on_every_rank(&world, &error.to_string()),
+        },
         "killed" => {
             let member = |i: usize| (pendulum(i), Phase::new([0.1_f64], [0.0]));
             let mut swarm = cluster::Ensemble::new(&world, Verlet, cluster::share(&world, MEMBERS).map(member), 0.1)
@@ -73,9 +87,8 @@ where
     H::Coords: Coords<With<C::Leaf> = C>,
     Yoshida4: integrator_core::InLanes<H>,
 {
-    let mut swarm =
-        cluster::Ensemble::new::<H, _>(world, Yoshida4, cluster::share(world, members).map(member), 0.01)
-            .expect("finite starts");
+    let mut swarm = cluster::Ensemble::new::<H, _>(world, Yoshida4, cluster::share(world, members).map(member), 0.01)
+        .expect("finite starts");
     swarm.advance(STEPS).expect("no member is lost");
     assert_eq!(swarm.steps(), STEPS);
     let first = |member: &cluster::Member<C>| Some(member.state.to_f64().q.flat()[0]);
@@ -89,6 +102,15 @@ where
         assert_eq!(states.len(), members);
         println!("{states:?}");
         println!("{moments:?} {extremes:?} {sum:?} {none:?} {histogram:?} {active}");
+    }
+}
+
+/// Advances an ensemble and prints all of it.
+fn finish<W: Communicator>(world: &W, mut swarm: cluster::Ensemble<'_, W, [f64; 1]>) {
+    on_every_rank(world, &format!("{}, {} steps", text(swarm.advance(100)), swarm.steps()));
+    let steps = swarm.sum(|member| Some(member.steps as f64));
+    if let Some(states) = swarm.states_on_root() {
+        println!("end {steps} {states:?}");
     }
 }
 

@@ -92,6 +92,35 @@ fn a_rank_that_is_killed_ends_the_job() {
     assert!(errors.contains("rank 2"), "{errors}");
 }
 
+#[test]
+fn a_checkpoint_is_resumed_by_any_number_of_ranks() {
+    let saved = folder("saved");
+    let name = saved.display().to_string();
+    let Some(whole) = printed(3, &["save", &name]) else { return };
+    // That after one step is gone, and nothing but the last is there.
+    let mut names: Vec<_> =
+        fs::read_dir(&saved).unwrap().map(|entry| entry.unwrap().file_name().into_string().unwrap()).collect();
+    names.sort();
+    let files = ["201-rank-00000.members", "201-rank-00001.members", "201-rank-00002.members", "manifest.json"];
+    assert_eq!(names, files);
+    let end = |text: &str| text.split("end ").nth(1).map(ToOwned::to_owned);
+    assert!(end(&whole).is_some());
+    for ranks in 1..=4 {
+        let Some(resumed) = printed(ranks, &["resume", &name]) else { return };
+        assert_eq!(end(&resumed), end(&whole), "on {ranks} ranks");
+        assert!(resumed.starts_with("done, 301 steps"), "{resumed}");
+    }
+    let damaged = saved.join("201-rank-00001.members");
+    let mut bytes = fs::read(&damaged).unwrap();
+    bytes[100] ^= 1;
+    fs::write(&damaged, bytes).unwrap();
+    let refused = printed(4, &["resume", &name]).unwrap_or_default();
+    assert!(refused.contains("201-rank-00001.members: this checkpoint is damaged"), "{refused}");
+    fs::remove_dir_all(&saved).unwrap();
+    let refused = printed(2, &["resume", &name]).unwrap_or_default();
+    assert!(refused.starts_with("on rank 0: ") && refused.contains("manifest.json"), "{refused}");
+}
+
 /// A folder of its own for a test, empty.
 fn folder(name: &str) -> PathBuf {
     let folder = std::env::temp_dir().join(format!("integrator-mpi-{name}-{}", std::process::id()));
@@ -116,11 +145,11 @@ fn files_of_ranks_are_joined_to_those_of_one() {
     let (_, _, three) = join(&of_three);
     assert_eq!(one.unwrap(), three.unwrap());
     // A file that was cut off is told by its name.
-    let part = of_three.join("rank-00001.csv");
+    let part = of_three.join("300-rank-00001.csv");
     let text = fs::read_to_string(&part).unwrap();
     fs::write(&part, text.lines().take(10).map(|line| format!("{line}\n")).collect::<String>()).unwrap();
     let (joined, errors, _) = join(&of_three);
-    assert!(!joined && errors.contains("rank-00001.csv: 9 members, but the manifest says 34"), "{errors}");
+    assert!(!joined && errors.contains("300-rank-00001.csv: 9 members, but the manifest says 34"), "{errors}");
     fs::remove_file(of_three.join("manifest.json")).unwrap();
     let (joined, errors, _) = join(&of_three);
     assert!(!joined && errors.contains("manifest.json"), "{errors}");

@@ -1,0 +1,82 @@
+//! Checkpoints of ensembles over ranks, from which any number of ranks goes on.
+
+use crate::{
+    Ensemble,
+    ensemble::share,
+    error::{Error, Failure, agree},
+    parts::{Part, at, manifest},
+};
+use integrator_core::{
+    __private::{LaneScalars, joined, part_of},
+    Coords, Ensemble as Local, Hamiltonian, InLanes, Memoryless,
+};
+use mpi::traits::Communicator;
+use std::{
+    fs::{self, File},
+    io::Write,
+    ops::Range,
+    path::Path,
+};
+
+impl<'w, W: Communicator, C: Coords> Ensemble<'w, W, C> {
+    /// Writes everything that this ensemble is into `folder`, which all ranks have to see: one file for each rank and a
+    /// manifest. Whenever the job is killed, the folder holds the previous checkpoint or this one, whole. Collective.
+    ///
+    /// # Errors
+    /// [`Error::Rank`] if a file cannot be written; the previous checkpoint is still there then.
+    pub fn checkpoint_to(&self, folder: impl AsRef<Path>) -> Result<(), Error> {
+        self.write_parts(folder.as_ref(), "members", |path| {
+            let mut file = File::create(path)?;
+            file.write_all(&self.local().map(Local::checkpoint).unwrap_or_default())?;
+            file.sync_all()
+        })
+    }
+
+    /// The ensemble that a checkpoint was made of, on as many ranks as there are now: members are dealt out by [`share`]. `system`
+    /// gives the system of each member by its index among all, which has to be the one that it was begun with. Collective.
+    ///
+    /// A member has the bits of one that was not interrupted, however many ranks there were and are.
+    ///
+    /// # Errors
+    /// [`Error::Rank`] if a file cannot be read, is damaged, or was made with another system, method or precision, as by
+    /// [`integrator_core::Ensemble::resume`].
+    pub fn resume<H, X>(
+        world: &'w W,
+        method: X,
+        system: impl Fn(usize) -> H,
+        folder: impl AsRef<Path>,
+    ) -> Result<Self, Error>
+    where
+        H: Hamiltonian,
+        X: InLanes<H> + Memoryless<H>,
+        C::Leaf: LaneScalars,
+        H::Coords: Coords<With<C::Leaf> = C>,
+    {
+        let folder = folder.as_ref();
+        let found = agree(world, manifest(folder))?;
+        let own = share(world, found.members);
+        let local = || {
+            if own.is_empty() {
+                return Ok(None);
+            }
+            let bytes = members_of_files(folder, &found.files, own.clone())?;
+            Local::resume(method, own.clone().map(&system), &bytes).map(Some).map_err(at(folder))
+        };
+        let local = agree(world, local())?;
+        Ok(Self::of_local(world, local, own.start, found.members, found.steps))
+    }
+}
+
+/// The checkpoint of some members of all, from the files that have them.
+fn members_of_files(folder: &Path, files: &[Part], members: Range<usize>) -> Result<Vec<u8>, Failure> {
+    let mut parts = Vec::new();
+    for Part { name, first, members: count } in files {
+        let (from, to) = (members.start.max(*first), members.end.min(first + count));
+        if from < to {
+            let path = folder.join(name);
+            let bytes = fs::read(&path).map_err(at(&path))?;
+            parts.push(part_of(&bytes, from - first..to - first).map_err(at(&path))?);
+        }
+    }
+    joined(&parts).map_err(at(folder))
+}
