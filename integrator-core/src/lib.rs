@@ -236,7 +236,7 @@ pub mod __private {
     pub use alloc::{sync::Arc, vec::Vec};
     // Other crates of this repository have ensembles of their own.
     #[cfg(all(feature = "checkpoint", feature = "std"))]
-    pub use crate::ensemble::checkpoint::{joined, part_of};
+    pub use crate::ensemble::checkpoint::{joined, members_of, part_of};
     #[cfg(feature = "std")]
     pub use crate::ensemble::lane_scalars::LaneScalars;
 

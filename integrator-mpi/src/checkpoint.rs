@@ -7,7 +7,7 @@ use crate::{
     parts::{Part, at, manifest},
 };
 use integrator_core::{
-    __private::{LaneScalars, joined, part_of},
+    __private::{LaneScalars, joined, members_of, part_of},
     Coords, Ensemble as Local, Hamiltonian, InLanes, Memoryless,
 };
 use mpi::traits::Communicator;
@@ -18,6 +18,9 @@ use std::{
     path::Path,
 };
 
+/// The ending of the names of files.
+const KIND: &str = "members";
+
 impl<'w, W: Communicator, C: Coords> Ensemble<'w, W, C> {
     /// Writes everything that this ensemble is into `folder`, which all ranks have to see: one file for each rank and a
     /// manifest. Whenever the job is killed, the folder holds the previous checkpoint or this one, whole. Collective.
@@ -25,7 +28,7 @@ impl<'w, W: Communicator, C: Coords> Ensemble<'w, W, C> {
     /// # Errors
     /// [`Error::Rank`] if a file cannot be written; the previous checkpoint is still there then.
     pub fn checkpoint_to(&self, folder: impl AsRef<Path>) -> Result<(), Error> {
-        self.write_parts(folder.as_ref(), "members", |path| {
+        self.write_parts(folder.as_ref(), KIND, |path| {
             let mut file = File::create(path)?;
             file.write_all(&self.local().map(Local::checkpoint).unwrap_or_default())?;
             file.sync_all()
@@ -53,7 +56,7 @@ impl<'w, W: Communicator, C: Coords> Ensemble<'w, W, C> {
         H::Coords: Coords<With<C::Leaf> = C>,
     {
         let folder = folder.as_ref();
-        let found = agree(world, manifest(folder))?;
+        let found = agree(world, manifest(folder, KIND))?;
         let own = share(world, found.members);
         let local = || {
             if own.is_empty() {
@@ -75,6 +78,10 @@ fn members_of_files(folder: &Path, files: &[Part], members: Range<usize>) -> Res
         if from < to {
             let path = folder.join(name);
             let bytes = fs::read(&path).map_err(at(&path))?;
+            let whole = members_of(&bytes).map_err(at(&path))?;
+            if whole != *count {
+                return Err(at(&path)(format!("{whole} members, but the manifest says {count}")));
+            }
             parts.push(part_of(&bytes, from - first..to - first).map_err(at(&path))?);
         }
     }

@@ -56,14 +56,37 @@ use mpi::{environment::Universe, traits::Communicator};
 )]
 pub struct NotStarted;
 
+/// MPI, from its start to its end: what it lends has the communicator of all ranks.
+///
+/// A panic on one rank ends the job, with the error of MPI: the others would wait for that rank without an end. So does the end
+/// of `main` on one rank alone keep the others waiting, as by a `?` after an error that is not of this crate; errors of this
+/// crate are the same on all ranks.
+pub struct Started(Universe);
+
+impl std::ops::Deref for Started {
+    type Target = Universe;
+
+    fn deref(&self) -> &Universe {
+        &self.0
+    }
+}
+
+impl Drop for Started {
+    fn drop(&mut self) {
+        if std::thread::panicking() {
+            self.0.world().abort(1);
+        }
+    }
+}
+
 /// Starts MPI for this process, which ends it when what is returned is dropped.
 ///
 /// # Errors
 /// [`NotStarted`] if it was started before.
-pub fn start() -> Result<Universe, NotStarted> {
+pub fn start() -> Result<Started, NotStarted> {
     // Ensembles have threads, of which only this one calls MPI.
     let (universe, _) = mpi::initialize_with_threading(mpi::Threading::Funneled).ok_or(NotStarted)?;
-    Ok(universe)
+    Ok(Started(universe))
 }
 
 /// The rank that has what is gathered.

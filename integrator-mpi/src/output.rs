@@ -3,7 +3,7 @@
 use crate::{
     Ensemble, Member,
     error::Error,
-    parts::{MANIFEST, Manifest, Part},
+    parts::{Manifest, Part, name_of_manifest},
     states::numbers_of,
 };
 use integrator_core::{__private::Precision, Coords};
@@ -13,6 +13,9 @@ use std::{
     io::{self, BufRead, BufReader, BufWriter, Write},
     path::{Path, PathBuf},
 };
+
+/// The ending of the names of files.
+const KIND: &str = "csv";
 
 /// Why files were not joined.
 #[derive(Debug, thiserror::Error)]
@@ -66,7 +69,7 @@ impl<W: Communicator, C: Coords> Ensemble<'_, W, C> {
     /// # Errors
     /// [`Error::Rank`] if a file cannot be written; the manifest of a call before is still there then.
     pub fn write_csv(&self, folder: impl AsRef<Path>) -> Result<(), Error> {
-        self.write_parts(folder.as_ref(), "csv", |path| self.write_members(path))
+        self.write_parts(folder.as_ref(), KIND, |path| self.write_members(path))
     }
 
     /// The members of this rank as a file.
@@ -120,7 +123,7 @@ pub fn join(folder: impl AsRef<Path>, to: impl AsRef<Path>) -> Result<Joined, Ou
         let path = path.to_owned();
         move |error| OutputError::File { path, error }
     };
-    let path = folder.join(MANIFEST);
+    let path = folder.join(name_of_manifest(KIND));
     let text = fs::read(&path).map_err(at(&path))?;
     let manifest: Manifest = serde_json::from_slice(&text).map_err(|error| OutputError::Manifest { path, error })?;
     let mut joined = BufWriter::new(File::create(to).map_err(at(to))?);

@@ -51,7 +51,8 @@ fn main() {
             let member = |i: usize| (Fall, Phase::new([if i % 30 == 29 { 1.0_f64 } else { 0.01 }], [0.0]));
             let members = cluster::share(&world, MEMBERS).map(member);
             let mut swarm = cluster::Ensemble::new(&world, Yoshida4, members, 0.01).expect("finite starts");
-            for steps in [1, 200] {
+            // Twice at one step, beside files of another kind.
+            for steps in [201, 0] {
                 on_every_rank(&world, &text(swarm.advance(steps)));
                 on_every_rank(&world, &text(swarm.checkpoint_to(&arguments[2])));
             }
@@ -61,6 +62,17 @@ fn main() {
             Ok(swarm) => finish(&world, swarm),
             Err(error) => on_every_rank(&world, &error.to_string()),
         },
+        "panics" => {
+            let member = |i: usize| (pendulum(i), Phase::new([0.1_f64], [0.0]));
+            let mut swarm = cluster::Ensemble::new(&world, Verlet, cluster::share(&world, MEMBERS).map(member), 0.1)
+                .expect("finite starts");
+            // The last member of all is on the last rank.
+            let outcome = swarm.advance_while(STEPS, 1, |index, _| match index {
+                100 => panic!("the last one"),
+                _ => true,
+            });
+            println!("{}", text(outcome));
+        }
         "killed" => {
             let member = |i: usize| (pendulum(i), Phase::new([0.1_f64], [0.0]));
             let mut swarm = cluster::Ensemble::new(&world, Verlet, cluster::share(&world, MEMBERS).map(member), 0.1)

@@ -85,11 +85,13 @@ fn every_rank_is_told_the_same_mistakes() {
 }
 
 #[test]
-fn a_rank_that_is_killed_ends_the_job() {
-    let Some(output) = start(3, &["killed"]) else { return };
-    assert!(!output.status.success());
-    let errors = String::from_utf8_lossy(&output.stderr);
-    assert!(errors.contains("rank 2"), "{errors}");
+fn a_rank_that_is_killed_or_panics_ends_the_job() {
+    for (case, says) in [("killed", "rank 2"), ("panics", "MPI_ABORT was invoked on rank 2")] {
+        let Some(output) = start(3, &[case]) else { return };
+        assert!(!output.status.success());
+        let errors = String::from_utf8_lossy(&output.stderr);
+        assert!(errors.contains(says), "{case}: {errors}");
+    }
 }
 
 #[test]
@@ -97,11 +99,11 @@ fn a_checkpoint_is_resumed_by_any_number_of_ranks() {
     let saved = folder("saved");
     let name = saved.display().to_string();
     let Some(whole) = printed(3, &["save", &name]) else { return };
-    // That after one step is gone, and nothing but the last is there.
+    // The first one is gone, and nothing but the second is there.
     let mut names: Vec<_> =
         fs::read_dir(&saved).unwrap().map(|entry| entry.unwrap().file_name().into_string().unwrap()).collect();
     names.sort();
-    let files = ["201-rank-00000.members", "201-rank-00001.members", "201-rank-00002.members", "manifest.json"];
+    let files = ["1-rank-00000.members", "1-rank-00001.members", "1-rank-00002.members", "members.json"];
     assert_eq!(names, files);
     let end = |text: &str| text.split("end ").nth(1).map(ToOwned::to_owned);
     assert!(end(&whole).is_some());
@@ -110,15 +112,15 @@ fn a_checkpoint_is_resumed_by_any_number_of_ranks() {
         assert_eq!(end(&resumed), end(&whole), "on {ranks} ranks");
         assert!(resumed.starts_with("done, 301 steps"), "{resumed}");
     }
-    let damaged = saved.join("201-rank-00001.members");
+    let damaged = saved.join("1-rank-00001.members");
     let mut bytes = fs::read(&damaged).unwrap();
     bytes[100] ^= 1;
     fs::write(&damaged, bytes).unwrap();
     let refused = printed(4, &["resume", &name]).unwrap_or_default();
-    assert!(refused.contains("201-rank-00001.members: this checkpoint is damaged"), "{refused}");
+    assert!(refused.contains("1-rank-00001.members: this checkpoint is damaged"), "{refused}");
     fs::remove_dir_all(&saved).unwrap();
     let refused = printed(2, &["resume", &name]).unwrap_or_default();
-    assert!(refused.starts_with("on rank 0: ") && refused.contains("manifest.json"), "{refused}");
+    assert!(refused.starts_with("on rank 0: ") && refused.contains("members.json"), "{refused}");
 }
 
 /// A folder of its own for a test, empty.
@@ -145,14 +147,14 @@ fn files_of_ranks_are_joined_to_those_of_one() {
     let (_, _, three) = join(&of_three);
     assert_eq!(one.unwrap(), three.unwrap());
     // A file that was cut off is told by its name.
-    let part = of_three.join("300-rank-00001.csv");
+    let part = of_three.join("0-rank-00001.csv");
     let text = fs::read_to_string(&part).unwrap();
     fs::write(&part, text.lines().take(10).map(|line| format!("{line}\n")).collect::<String>()).unwrap();
     let (joined, errors, _) = join(&of_three);
-    assert!(!joined && errors.contains("300-rank-00001.csv: 9 members, but the manifest says 34"), "{errors}");
-    fs::remove_file(of_three.join("manifest.json")).unwrap();
+    assert!(!joined && errors.contains("0-rank-00001.csv: 9 members, but the manifest says 34"), "{errors}");
+    fs::remove_file(of_three.join("csv.json")).unwrap();
     let (joined, errors, _) = join(&of_three);
-    assert!(!joined && errors.contains("manifest.json"), "{errors}");
+    assert!(!joined && errors.contains("csv.json"), "{errors}");
     for folder in [of_one, of_three] {
         fs::remove_dir_all(folder).unwrap();
     }

@@ -136,6 +136,14 @@ impl<C: Coords> Ensemble<C> {
     }
 }
 
+/// How many members a checkpoint has.
+///
+/// # Errors
+/// As [`Ensemble::resume`].
+pub fn members_of(checkpoint: &[u8]) -> Result<usize, CheckpointError> {
+    Ok(record_of::<Record>(MAGIC, VERSION, checkpoint)?.members.len())
+}
+
 /// The checkpoint of some members of another one, counted from 0.
 ///
 /// # Errors
