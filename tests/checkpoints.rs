@@ -213,22 +213,22 @@ fn what_belongs_to_another_run_is_refused_with_a_reason() {
 
     assert_eq!(
         text(resumed(b"a letter to a friend").expect_err("no checkpoint")),
-        "this is no checkpoint of a run: it does not begin like one"
+        "this is no checkpoint of what is to be resumed: it does not begin like one"
     );
     let mut newer = bytes.clone();
     newer[8] = 4;
     assert_eq!(
         text(resumed(&newer).expect_err("from the future")),
-        "this checkpoint has version 4 of the format, which is newer than 3: update integrator-core"
+        "this checkpoint has version 4 of its format, which is newer than this library: update integrator-core"
     );
     let mut older = bytes.clone();
     older[8] = 1;
     assert_eq!(
         text(resumed(&older).expect_err("from the past")),
-        "this checkpoint has version 1 of the format, and this library reads 2 to 3: begin anew"
+        "this checkpoint has version 1 of its format, which this library no longer reads: begin anew"
     );
     let damaged = text(resumed(&bytes[..20]).expect_err("short"));
-    assert_eq!(damaged, "this checkpoint is damaged: its checksum does not match its bytes");
+    assert_eq!(damaged, "this checkpoint is damaged: its bytes do not fit together");
 
     struct Other;
     #[hamiltonian]

@@ -60,7 +60,7 @@ fn beams_are_certified() {
     use beams::*;
     certified(&Sextupole { strength: 0.3 }, Phase::new([0.3, 0.2], [0.1, 0.0]), 0.05);
     certified(&Bucket { slip: 0.5, synchronous: 0.3 }, Phase::new([0.5], [0.2]), 0.05);
-    certified(&StandingWave { amplitude: 0.5 }, Phase::new([2.0], [0.6]), 0.05);
+    certified(&PeriodicPotential { amplitude: 0.5 }, Phase::new([2.0], [0.6]), 0.05);
 }
 
 #[test]

@@ -2,7 +2,8 @@
 
 use integrator_core::prelude::*;
 
-/// A sextupole beside the focusing of a ring: the difference resonance of third order (Lee, Accelerator Physics, chapter 2).
+/// A sextupole beside the focusing of a ring, at the difference resonance of third order, `νx = 2 νy` (Lee, Accelerator Physics,
+/// chapter 2).
 pub(crate) struct Sextupole {
     pub(crate) strength: f64,
 }
@@ -13,7 +14,7 @@ impl Sextupole {
         (px * px + py * py) / 2.0
     }
     fn potential(&self, [x, y]: [f64; 2]) -> f64 {
-        (x * x + y * y) / 2.0 + self.strength * (x.powi(3) / 3.0 - x * y * y)
+        (4.0 * x * x + y * y) / 2.0 + self.strength * (x.powi(3) / 3.0 - x * y * y)
     }
 }
 
@@ -33,14 +34,14 @@ impl Bucket {
     }
 }
 
-/// A relativistic electron in a standing wave; T is no quadratic form (Chernikov, Tél, Vattay and Zaslavsky, Physical
-/// Review A 40, 1989).
-pub(crate) struct StandingWave {
+/// A relativistic particle in a periodic potential; T is no quadratic form (Landau and Lifshitz, The Classical Theory of Fields,
+/// § 9).
+pub(crate) struct PeriodicPotential {
     pub(crate) amplitude: f64,
 }
 
 #[hamiltonian]
-impl StandingWave {
+impl PeriodicPotential {
     fn kinetic(&self, [p]: [f64; 1]) -> f64 {
         (1.0 + p * p).sqrt()
     }

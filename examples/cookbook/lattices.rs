@@ -2,7 +2,7 @@
 
 use integrator_core::prelude::*;
 
-/// Springs that stiffen (Fermi, Pasta, Ulam and Tsingou, Los Alamos report LA-1940, 1955).
+/// Springs with a quadratic force beside the linear one (Fermi, Pasta, Ulam and Tsingou, Los Alamos report LA-1940, 1955).
 pub(crate) struct Fput {
     pub(crate) cubic: f64,
 }

@@ -73,7 +73,9 @@ impl SpinOrbit {
         p * p / 2.0
     }
     fn potential(&self, [x]: [f64; 1], t: f64) -> f64 {
-        -self.asphericity / 4.0 * ((2.0 * x - 2.0 * t).cos() + 3.5 * self.eccentricity * (2.0 * x - 3.0 * t).cos())
+        -self.asphericity / 4.0
+            * ((2.0 * x - 2.0 * t).cos()
+                + self.eccentricity * (3.5 * (2.0 * x - 3.0 * t).cos() - 0.5 * (2.0 * x - t).cos()))
     }
 }
 

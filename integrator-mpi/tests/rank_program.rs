@@ -7,7 +7,7 @@ use integrator_core::{Coords, prelude::*};
 use integrator_mpi as cluster;
 use mpi::traits::{Communicator, CommunicatorCollectives};
 use std::process::{abort, exit};
-use systems::{Fall, MEMBERS, Pendulum, STEPS, pendulum};
+use systems::{MEMBERS, Pendulum, STEPS, fall, pendulum};
 
 fn main() {
     let arguments: Vec<String> = std::env::args().collect();
@@ -29,7 +29,7 @@ fn main() {
             on_every_rank(&world, &refused.err().map_or("accepted".to_owned(), |error| error.to_string()));
         }
         "lost" => {
-            let member = |i: usize| (Fall, Phase::new([if i % 30 == 29 { 1.0_f64 } else { 0.0 }], [0.0]));
+            let member = |i: usize| (fall(i), Phase::new([if i % 30 == 29 { 1.0_f64 } else { 0.0 }], [0.0]));
             let members = cluster::share(&world, MEMBERS).map(member);
             let mut swarm = cluster::Ensemble::new(&world, Verlet, members, 0.5).expect("finite starts");
             let lost = swarm.advance(STEPS);
@@ -48,7 +48,7 @@ fn main() {
             on_every_rank(&world, &text(swarm.write_csv(&arguments[2])));
         }
         "save" => {
-            let member = |i: usize| (Fall, Phase::new([if i % 30 == 29 { 1.0_f64 } else { 0.01 }], [0.0]));
+            let member = |i: usize| (fall(i), Phase::new([if i % 30 == 29 { 1.0_f64 } else { 0.01 }], [0.0]));
             let members = cluster::share(&world, MEMBERS).map(member);
             let mut swarm = cluster::Ensemble::new(&world, Yoshida4, members, 0.01).expect("finite starts");
             // Twice at one step, beside files of another kind.
@@ -58,7 +58,7 @@ fn main() {
             }
             finish(&world, swarm);
         }
-        "resume" => match cluster::Ensemble::<_, [f64; 1]>::resume(&world, Yoshida4, |_| Fall, &arguments[2]) {
+        "resume" => match cluster::Ensemble::<_, [f64; 1]>::resume(&world, Yoshida4, fall, &arguments[2]) {
             Ok(swarm) => finish(&world, swarm),
             Err(error) => on_every_rank(&world, &error.to_string()),
         },

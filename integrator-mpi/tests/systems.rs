@@ -36,8 +36,14 @@ impl Chain {
     }
 }
 
-/// Whatever is not at rest falls to infinity.
-pub(crate) struct Fall;
+/// Whatever is not at rest falls to infinity, each as strongly as it says.
+pub(crate) struct Fall {
+    pub(crate) pull: f64,
+}
+
+pub(crate) fn fall(i: usize) -> Fall {
+    Fall { pull: 1.0 + i as f64 / 1000.0 }
+}
 
 #[hamiltonian]
 impl Fall {
@@ -45,6 +51,6 @@ impl Fall {
         p[0].powi(2) / 2.0
     }
     fn potential(&self, q: [f64; 1]) -> f64 {
-        -q[0].powi(6)
+        -self.pull * q[0].powi(6)
     }
 }

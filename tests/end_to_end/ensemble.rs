@@ -320,6 +320,14 @@ fn a_member_is_a_run_and_a_sample() {
     swarm.advance(77).expect("finite");
     assert_eq!(Some(run.state()), swarm.state(5));
     assert_eq!((last.time, last.step, last.state), (run.time(), 200, run.state()));
+    let mut turned = swarm.run_of(5).expect("under way");
+    let (system, _) = pendulum(5);
+    turned.map_state(|state| state.p[0] = -state.p[0]).expect("finite");
+    let mut alone = system.run_with(Yoshida4, turned.state(), 0.01).expect("a run");
+    for run in [&mut turned, &mut alone] {
+        run.advance(50).expect("finite");
+    }
+    assert_eq!(turned.state(), alone.state());
     let present: Vec<_> = swarm.present().collect();
     assert_eq!(present.len(), MANY);
     assert_eq!((present[5].time, present[5].step, present[5].state), (run.time(), 200, run.state()));

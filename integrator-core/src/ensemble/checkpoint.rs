@@ -81,7 +81,9 @@ impl<C: Coords> Ensemble<C> {
             let Phase { q, p } = shaped::<C>(state);
             members.push(Member { parameters: self.parameters[members.len()], finished, q: numbers(q), p: numbers(p) });
         });
-        let common = self.origin.record::<C::Leaf>(self.members.clock, self.members.opened());
+        // Each member has its own parameters.
+        let common =
+            RunRecord { parameters: 0, ..self.origin.record::<C::Leaf>(self.members.clock, self.members.opened()) };
         sealed_record(MAGIC, VERSION, &Record { common, over: self.origin.over().to_owned(), members })
     }
 

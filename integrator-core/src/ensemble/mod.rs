@@ -208,6 +208,10 @@ impl<C: Coords> Ensemble<C> {
     ///
     /// # Errors
     /// As [`Ensemble::advance`]; lost members are named at the end.
+    ///
+    /// # Panics
+    /// Where your own functions would, or `progress` does, once all members have taken the portion under way. Members that were
+    /// lost in the portions before are told by [`Ensemble::steps_of`] alone then.
     pub fn advance_with(
         &mut self,
         steps: u64,
@@ -367,8 +371,9 @@ impl<C: Coords> Ensemble<C> {
     }
 
     /// A member that is under way as a run of its own, from where it is: for its [samples](crate::Run::samples), its
-    /// [crossings](crate::Run::crossings), and all else that a run can do. It takes the steps of the member, bit for bit, and
-    /// the ensemble stays where it is. `None` for members that are lost or gone, and beyond the last one.
+    /// [crossings](crate::Run::crossings) and changes of its state. It takes the steps of the member, bit for bit, and the
+    /// ensemble stays where it is. Of its method and its system it does not know the names: its checkpoints cannot be resumed,
+    /// its energy is not [watched](crate::Run::watch_energy), and it counts no evaluations. `None` for members that are lost or gone, and beyond the last one.
     ///
     /// ```
     /// use integrator_core::prelude::*;

@@ -157,7 +157,7 @@ impl Engine {
     }
 
     /// The number of the constants of a lane.
-    fn constants_of(&self, lane: usize) -> usize {
+    pub(crate) fn constants_of(&self, lane: usize) -> usize {
         if self.carries_constants { lane } else { self.member }
     }
 

@@ -503,7 +503,7 @@ impl<C: Coords> Run<C> {
         if let Some(elapsed) = self.engine.elapsed(self.since_opened(), 0) {
             self.opened_at = durations(self.opened_at, elapsed);
         }
-        self.engine.restart(vec![(0, &state)]);
+        self.engine.restart(vec![(self.engine.constants_of(0), &state)]);
         self.opened = self.clock.steps;
         Ok(())
     }

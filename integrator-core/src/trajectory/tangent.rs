@@ -2,8 +2,8 @@
 //!
 //! In: a system, a method, a start, vectors, a step. Out: the state after some steps, with the bits of the run without
 //! vectors, and the images of the vectors under the tangent map of these steps. Always true: vectors are only ever
-//! multiplied by powers of two, at steps whose number is a multiple of [`BETWEEN_SCALES`]; what was divided out is
-//! told.
+//! multiplied by powers of two, at steps whose number is a multiple of [`BETWEEN_SCALES`], and only where a method goes on
+//! from states alone; what was divided out is told.
 
 #[cfg(feature = "checkpoint")]
 mod stored;
@@ -281,7 +281,8 @@ impl<C: Coords> Tangent<C> {
 
     /// The deviation vectors at [`Tangent::time`], in the order in which they were given, each over two to the power of
     /// its [exponent](Tangent::exponents). Most exponents are zero: a vector is divided where its largest component
-    /// leaves the range from 2⁻²⁵⁶ to 2²⁵⁶ (in `f32` from 2⁻³² to 2³²), and one along a parameter never.
+    /// leaves the range from 2⁻²⁵⁶ to 2²⁵⁶ (in `f32` from 2⁻³² to 2³²), one along a parameter never, and none by
+    /// [`Taylor`](crate::taylor::Taylor) or a method with a time of its own: these are lost where they overflow.
     pub fn vectors(&self) -> Vec<Phase<C>> {
         (0..self.exponents.len()).map(|vector| self.vector(vector)).collect()
     }

@@ -51,6 +51,12 @@ impl Reader<'_> {
             self.errors.at(&method.sig, message);
             return None;
         }
+        if is_column(&name.to_string()) {
+            let message =
+                format!("`{name}` is a column of all samples that are written: give the invariant another name");
+            self.errors.at(name, message);
+            return None;
+        }
         let signature = whole_signature(method, self.errors)?;
         let WholeSignature { shape: own, time, .. } = &signature;
         if let Some(time) = time {
@@ -79,6 +85,13 @@ impl Reader<'_> {
         }
         Some(Invariant { name: name.clone(), value, arguments: signature.arguments })
     }
+}
+
+/// Whether samples have a column of this name: the time, the energy, and coordinates with their indices.
+fn is_column(name: &str) -> bool {
+    let of_coordinates = name.strip_prefix(['q', 'p']);
+    let is_index = |rest: &str| rest.chars().all(|letter| letter.is_ascii_digit() || letter == '_');
+    matches!(name, "t" | "energy") || of_coordinates.is_some_and(is_index)
 }
 
 /// Whether a method takes two arguments that are no numbers, beside what it may not take, and returns a number.

@@ -95,6 +95,14 @@ pub(crate) const ITEMS: &[Row] = &[
         &["2:16 `a` reads neither positions nor momenta: it is a constant of any motion"],
     ),
     (
+        "impl S { fn kinetic(&self, p: [f64; 1]) -> f64 { p[0] * p[0] } fn potential(&self, q: [f64; 1]) -> f64 { q[0] * q[0] }\n#[invariant] fn energy(&self, q: [f64; 1], p: [f64; 1]) -> f64 { q[0] * q[0] + p[0] * p[0] } }",
+        &["2:16 `energy` is a column of all samples that are written: give the invariant another name"],
+    ),
+    (
+        "impl S { fn kinetic(&self, p: [f64; 1]) -> f64 { p[0] * p[0] } fn potential(&self, q: [f64; 1]) -> f64 { q[0] * q[0] }\n#[invariant] fn p0_1(&self, q: [f64; 1], p: [f64; 1]) -> f64 { q[0] * q[0] + p[0] * p[0] } }",
+        &["2:16 `p0_1` is a column of all samples that are written: give the invariant another name"],
+    ),
+    (
         "impl S { fn kinetic(&self, p: [f64; 1]) -> f64 { p[0] * p[0] } fn potential(&self, q: [f64; 1]) -> f64 { q[0] * q[0] }\n#[invariant] fn a(&self, q: [f64; 1], p: [f64; 1], t: f64) -> f64 { q[0] * t } }",
         &["2:51 an invariant stays as it is, whatever the time: leave out this argument"],
     ),

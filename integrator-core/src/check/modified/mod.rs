@@ -12,6 +12,7 @@ use crate::{
         flat::{Flat, flat},
         phase::Phase,
     },
+    trajectory::admissible::admissible_with,
 };
 use brackets::{Jets, Prepared, terms};
 use series::BracketSeries;
@@ -57,12 +58,14 @@ use std::{fmt, marker::PhantomData, sync::Arc};
 pub struct ModifiedHamiltonian<'s, C> {
     flat: OfFlat<'s>,
     h: f64,
+    /// How many positions there are, and momenta.
+    coordinates: usize,
     coords: PhantomData<fn(C)>,
 }
 
 impl<C> Clone for ModifiedHamiltonian<'_, C> {
     fn clone(&self) -> Self {
-        Self { flat: self.flat.clone(), h: self.h, coords: PhantomData }
+        Self { flat: self.flat.clone(), h: self.h, coordinates: self.coordinates, coords: PhantomData }
     }
 }
 
@@ -86,7 +89,7 @@ impl<'s, C: Coords<Leaf = f64>> ModifiedHamiltonian<'s, C> {
     /// That of a system; `like` is any point of it, for the number of coordinates.
     ///
     /// # Errors
-    /// A Hamiltonian that reads the time, or whose parts are no `T(p)` and `V(q)`.
+    /// A Hamiltonian that reads the time, or whose parts are no `T(p)` and `V(q)`; a point or a step that no run would begin with.
     pub fn new<H: Hamiltonian<Coords = C> + 's, X: Composition<H>>(
         system: &H,
         composition: X,
@@ -99,10 +102,12 @@ impl<'s, C: Coords<Leaf = f64>> ModifiedHamiltonian<'s, C> {
         if !H::SEPARABLE {
             return Err(CheckError::NotSeparable { what: "the modified Hamiltonian" });
         }
-        let _ = composition;
+        admissible_with::<H, _>(composition, like, h)?;
+        system.admissible(like.q.length())?;
         let parameters = Arc::new(system.parameters(like.q.length()));
         let system = Arc::new(Prepared::<H> { parameters, shape: like.clone() });
-        Ok(Self { flat: OfFlat { system, series: BracketSeries::of::<X>() }, h, coords: PhantomData })
+        let coordinates = like.q.flat().len();
+        Ok(Self { flat: OfFlat { system, series: BracketSeries::of::<X>() }, h, coordinates, coords: PhantomData })
     }
 
     /// Its series.
@@ -120,8 +125,12 @@ impl<'s, C: Coords<Leaf = f64>> ModifiedHamiltonian<'s, C> {
         self.energies(point).last().copied().unwrap_or(f64::NAN)
     }
 
-    /// `H` at a point, and its modifications with one [power](BracketSeries::powers) of the step after the other.
+    /// `H` at a point, and its modifications with one [power](BracketSeries::powers) of the step after the other; NaN for a point
+    /// of another number of coordinates.
     pub fn energies(&self, point: &Phase<C>) -> Vec<f64> {
+        if [&point.q, &point.p].iter().any(|half| half.flat().len() != self.coordinates) {
+            return vec![f64::NAN; self.flat.series.powers().len() + 1];
+        }
         self.flat.energies(&flat(point), self.h).0
     }
 

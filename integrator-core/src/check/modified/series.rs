@@ -135,6 +135,7 @@ fn number(coefficient: f64) -> String {
     match fraction {
         Some((numerator, 1)) => format!("{numerator}"),
         Some((numerator, denominator)) => format!("{numerator}/{denominator}"),
+        None if coefficient.abs() < 1e-3 => format!("{coefficient:.5e}"),
         None => format!("{coefficient:.6}"),
     }
 }

@@ -1,6 +1,5 @@
 //! What may be wrong with a checkpoint.
 
-use super::record::{OLDEST, VERSION};
 use crate::error::{Error, debug_as_display};
 use alloc::string::String;
 #[cfg(feature = "std")]
@@ -17,26 +16,24 @@ pub enum CheckpointError {
     #[error("the file of the checkpoint: {0}")]
     File(#[from] io::Error),
     /// These are not the bytes of a checkpoint.
-    #[error("this is no checkpoint of a run: it does not begin like one")]
+    #[error("this is no checkpoint of what is to be resumed: it does not begin like one")]
     Foreign,
     /// A later version of the library wrote it.
     #[error(
-        "this checkpoint has version {version} of the format, which is newer than {VERSION}: update integrator-core"
+        "this checkpoint has version {version} of its format, which is newer than this library: update integrator-core"
     )]
     Newer {
         /// The version of its format.
         version: u16,
     },
     /// An earlier version of the library wrote it.
-    #[error(
-        "this checkpoint has version {version} of the format, and this library reads {OLDEST} to {VERSION}: begin anew"
-    )]
+    #[error("this checkpoint has version {version} of its format, which this library no longer reads: begin anew")]
     Older {
         /// The version of its format.
         version: u16,
     },
-    /// Bytes are missing or have changed.
-    #[error("this checkpoint is damaged: its checksum does not match its bytes")]
+    /// Bytes are missing or have changed, or are of several ensembles.
+    #[error("this checkpoint is damaged: its bytes do not fit together")]
     Damaged,
     /// It belongs to another system, composition or precision, or to a power with another exponent.
     #[error("this checkpoint was made with the {what} `{stored}`, not `{asked}`")]
