@@ -109,7 +109,7 @@ fn pretty(system: &System) -> String {
 #[test]
 fn steppers_are_what_the_functions_say() {
     let mut tally = Tally { judges_panics: true, ..Tally::default() };
-    for seed in seeds(400) {
+    for seed in seeds(150) {
         tally.judge(&format!("system {seed}"), &grammar::system(seed));
     }
     tally.assert_without_faults();
@@ -121,7 +121,7 @@ fn steppers_are_what_the_functions_say() {
 #[test]
 fn steppers_of_changed_texts_are_what_the_functions_say() {
     let mut tally = Tally::default();
-    for seed in seeds(400) {
+    for seed in seeds(150) {
         let (mut system, mut choices) = (grammar::system(seed), Choices::new(seed));
         for _ in 0..1 + choices.below(3) {
             let mutation = &MUTATIONS[choices.below(MUTATIONS.len())];
