@@ -399,7 +399,7 @@ impl<C: Coords> Ensemble<C> {
     }
 
     /// A sample of each member, in their order, at its present time or where it ended: for
-    /// [`output::csv`](crate::output::csv) or [`output::npz`](crate::output::npz), each of which takes
+    /// `output::csv` or `output::npz`, each of which takes
     /// `swarm.present().map(Ok)`.
     pub fn present(&self) -> impl Iterator<Item = Sample<C>> {
         self.states().zip(0..).filter_map(|(state, member)| {
