@@ -235,10 +235,13 @@ pub mod __private {
     };
     pub use alloc::{sync::Arc, vec::Vec};
     // Other crates of this repository have ensembles of their own.
-    #[cfg(all(feature = "checkpoint", feature = "std"))]
-    pub use crate::ensemble::checkpoint::{joined, members_of, part_of};
     #[cfg(feature = "std")]
     pub use crate::ensemble::lane_scalars::LaneScalars;
+    #[cfg(all(feature = "checkpoint", feature = "std"))]
+    pub use crate::{
+        ensemble::checkpoint::{joined, members_of, part_of},
+        trajectory::checkpoint::{coordinates, numbers},
+    };
 
     /// A table of prepared constants whose length is known at run time.
     ///

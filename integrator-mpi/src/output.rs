@@ -4,9 +4,11 @@ use crate::{
     Ensemble, Member,
     error::Error,
     parts::{Manifest, Part, name_of_manifest},
-    states::numbers_of,
 };
-use integrator_core::{__private::Precision, Coords};
+use integrator_core::{
+    __private::{Precision, numbers},
+    Coords,
+};
 use mpi::traits::Communicator;
 use std::{
     fs::{self, File},
@@ -106,7 +108,7 @@ fn header<C: Coords>(like: &C) -> Vec<String> {
 /// A member in these columns.
 fn row<C: Coords>(member: &Member<C>) -> Vec<String> {
     let counts = [member.index.to_string(), member.steps.to_string()];
-    let numbers = [member.time].into_iter().chain(numbers_of(&member.state.q)).chain(numbers_of(&member.state.p));
+    let numbers = [member.time].into_iter().chain(numbers(&member.state.q)).chain(numbers(&member.state.p));
     // As `Debug` shows them, numbers are as short as possible, and with an exponent where that is shorter.
     counts.into_iter().chain(numbers.chain([member.energy]).map(|number| format!("{number:?}"))).collect()
 }

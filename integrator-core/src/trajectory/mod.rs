@@ -4,6 +4,7 @@ pub(crate) mod admissible;
 #[cfg(feature = "check")]
 pub(crate) mod by_table;
 #[cfg(feature = "checkpoint")]
+#[allow(unreachable_pub, reason = "what other crates of this repository call is reached by the private API")]
 pub(crate) mod checkpoint;
 pub(crate) mod crossings;
 pub(crate) mod dispatch;

@@ -105,12 +105,12 @@ impl Origin {
 }
 
 /// The numbers of some coordinates, one after the other.
-pub(crate) fn numbers<C: Coords>(coordinates: &C) -> Vec<f64> {
+pub fn numbers<C: Coords>(coordinates: &C) -> Vec<f64> {
     coordinates.flat().iter().flat_map(|leaf| leaf.parts().into_iter().take(C::Leaf::PARTS)).collect()
 }
 
 /// The coordinates that have these numbers, if their shape has so many.
-pub(crate) fn coordinates<C: Coords>(numbers: &[f64]) -> Option<C> {
+pub fn coordinates<C: Coords>(numbers: &[f64]) -> Option<C> {
     let parts = C::Leaf::PARTS;
     let leaves =
         numbers.chunks(parts).map(|chunk| C::Leaf::from_parts(core::array::from_fn(|i| *chunk.get(i).unwrap_or(&0.0))));
