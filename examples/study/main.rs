@@ -23,7 +23,10 @@ fn main() -> Fallible<()> {
         println!("{line}");
         if STOP.load(Ordering::Relaxed) { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
     };
-    let Some(outcomes) = sweep(&from, &to, told)? else { return Ok(println!("stopped; start it again to go on")) };
+    let Some(outcomes) = sweep(&from, &to, told)? else {
+        println!("stopped; start it again to go on");
+        return Ok(());
+    };
     for outcome in outcomes {
         println!("flattening {}, start {}: energy {:+.1e}", outcome.flattening, outcome.start, outcome.error);
     }
