@@ -11,7 +11,11 @@ use crate::{
     },
     methods::taylor::RecurrencesVisitor,
     scalar::real::Real,
-    state::{coords::Coords, phase::Phase, precision::Precision},
+    state::{
+        coords::Coords,
+        phase::{Phase, StartOf},
+        precision::Precision,
+    },
     system::motion::{Motion, Prepared},
     trajectory::{
         method::{Differentiable, Memoryless, Method},
@@ -160,8 +164,12 @@ pub trait Hamiltonian: Sized {
     /// # Panics
     /// Where your own functions would: their indices and their integer arithmetic are checked in a run as they are in
     /// plain Rust. A list of the system that is too short for the start is an index out of bounds.
-    fn run<K: Precision>(&self, start: Phase<Shaped<Self, K>>, h: f64) -> Result<Run<Shaped<Self, K>>, Error> {
-        Run::start::<Self, Self::Compose, K>(self, Self::Compose::default(), start, h)
+    fn run<K: Precision>(
+        &self,
+        start: impl StartOf<Shaped<Self, K>, Leaf = K>,
+        h: f64,
+    ) -> Result<Run<Shaped<Self, K>>, Error> {
+        Run::start::<Self, Self::Compose, K>(self, Self::Compose::default(), start.into_phase(), h)
     }
 
     /// A run from `start` with step `h` and any composition, or another method, that may integrate this Hamiltonian.
@@ -171,10 +179,10 @@ pub trait Hamiltonian: Sized {
     fn run_with<K: Precision, X: Method<Self>>(
         &self,
         method: X,
-        start: Phase<Shaped<Self, K>>,
+        start: impl StartOf<Shaped<Self, K>, Leaf = K>,
         h: f64,
     ) -> Result<Run<Shaped<Self, K>>, Error> {
-        Run::start::<Self, X, K>(self, method, start, h)
+        Run::start::<Self, X, K>(self, method, start.into_phase(), h)
     }
 
     /// A run from `start` with step `h` and any composition, or another [`Differentiable`] method, beside it the derivative of
@@ -186,11 +194,11 @@ pub trait Hamiltonian: Sized {
     fn tangent<K: Precision, X: Differentiable<Self>>(
         &self,
         method: X,
-        start: Phase<Shaped<Self, K>>,
+        start: impl StartOf<Shaped<Self, K>, Leaf = K>,
         vectors: impl IntoIterator<Item = Phase<Shaped<Self, K>>>,
         h: f64,
     ) -> Result<Tangent<Shaped<Self, K>>, Error> {
-        Tangent::start::<Self, X, K>(self, method, start, vectors.into_iter().collect(), h)
+        Tangent::start::<Self, X, K>(self, method, start.into_phase(), vectors.into_iter().collect(), h)
     }
 }
 

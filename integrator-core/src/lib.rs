@@ -122,7 +122,7 @@ pub use scalar::instruction_set::InstructionSet;
 pub use state::compensated::Compensated;
 pub use state::coords::Coords;
 pub use state::fixed::Fixed;
-pub use state::phase::Phase;
+pub use state::phase::{Phase, StartOf};
 pub use system::counts::OwnSteps;
 #[cfg(feature = "checkpoint")]
 pub use trajectory::checkpoint::CheckpointError;
@@ -131,7 +131,7 @@ pub use trajectory::method::{Described, Differentiable, Facts, Memoryless, Metho
 #[cfg(feature = "std")]
 pub use trajectory::progress::Progress;
 pub use trajectory::run::Run;
-pub use trajectory::samples::{Sample, Samples, SamplesAt};
+pub use trajectory::samples::{ByRef, Sample, Samples, SamplesAt};
 pub use trajectory::sensitive::Sensitive;
 pub use trajectory::tangent::Tangent;
 

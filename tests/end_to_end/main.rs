@@ -12,6 +12,7 @@ mod ensemble;
 mod ensemble_checkpoints;
 mod ensemble_times;
 mod external;
+mod generic;
 #[path = "../support/instruction_sets.rs"]
 mod instruction_sets;
 mod invariants;

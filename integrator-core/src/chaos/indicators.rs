@@ -5,7 +5,7 @@ use crate::{
         CHAOTIC_ABOVE, Growth, REGULAR_BELOW, alignment_indices, logarithm, orthogonal_part, smaller_alignment_index,
         steps_between_samples,
     },
-    check::{CheckError, Start},
+    check::{CheckError, IntoStart, Start},
     hamiltonian::{Hamiltonian, Shaped},
     methods::implicit::field::{Constants, Pair, field},
     state::{coords::Coords, phase::Phase, precision::Precision},
@@ -123,11 +123,11 @@ impl fmt::Display for Indicators {
 pub fn indicators<H: Hamiltonian, X: Memoryless<H>, K: Precision>(
     system: &H,
     method: X,
-    start: impl Into<Start<Shaped<H, K>>>,
+    start: impl IntoStart<Shaped<H, K>, Leaf = K>,
     h: f64,
     steps: u64,
 ) -> Result<Indicators, CheckError> {
-    let Start { phase, time } = start.into();
+    let Start { phase, time } = start.into_start();
     let count = (2 * phase.q.flat().len()).min(TOGETHER);
     let vectors = generic_directions(&phase, count);
     let parameters = system.parameters(phase.q.length());

@@ -10,7 +10,13 @@ use crate::{
     error::Error,
     hamiltonian::{Hamiltonian, Shaped},
     layout::threads::{Job, all_threads, at_once},
-    state::{clock::Clock, coords::Coords, phase::Phase, point::Point, precision::Precision},
+    state::{
+        clock::Clock,
+        coords::Coords,
+        phase::{Phase, StartOf},
+        point::Point,
+        precision::Precision,
+    },
     system::energy::energy,
     trajectory::{
         dispatch::Deviations,
@@ -44,7 +50,7 @@ pub enum Indicator {
 pub fn map<H, X, K>(
     system: &H,
     method: X,
-    starts: impl IntoIterator<Item = Phase<Shaped<H, K>>>,
+    starts: impl IntoIterator<Item = impl StartOf<Shaped<H, K>, Leaf = K>>,
     h: f64,
     steps: u64,
     indicator: Indicator,
@@ -57,7 +63,7 @@ where
     if steps < LEAST {
         return Err(CheckError::TooFewSteps { steps, needed: LEAST });
     }
-    let starts: Vec<_> = starts.into_iter().collect();
+    let starts: Vec<_> = starts.into_iter().map(StartOf::into_phase).collect();
     for (member, start) in starts.iter().enumerate() {
         admissible_start::<H, X, K>(system, method, start, h)
             .map_err(|error| Error::Member { member, error: Box::new(error) })?;

@@ -2,7 +2,7 @@
 
 use crate::{
     chaos::indicators::LEAST,
-    check::{CheckError, Start},
+    check::{CheckError, IntoStart, Start},
     hamiltonian::{Hamiltonian, Shaped},
     state::{coords::Coords, phase::Phase, precision::Precision},
     trajectory::{
@@ -58,11 +58,11 @@ impl Spectrum {
 pub fn lyapunov_spectrum<H: Hamiltonian, X: Memoryless<H>, K: Precision>(
     system: &H,
     method: X,
-    start: impl Into<Start<Shaped<H, K>>>,
+    start: impl IntoStart<Shaped<H, K>, Leaf = K>,
     h: f64,
     steps: u64,
 ) -> Result<Spectrum, CheckError> {
-    let Start { phase, time } = start.into();
+    let Start { phase, time } = start.into_start();
     let vectors = unit_vectors(&phase);
     let tangent = Tangent::start::<H, X, K>(system, method, phase, vectors, h)?.at_time(time);
     of_tangent(tangent, steps)

@@ -18,7 +18,7 @@ use crate::{
             symplecticity::Defect,
         },
         shortfall::{CertifyError, Shortfall},
-        start::Start,
+        start::{IntoStart, Start},
         statistics::{
             path::{PARTS, Path},
             points::{begin, flat_start, numbers},
@@ -88,10 +88,10 @@ const GRADIENT_SPAN: f64 = 64.0;
 pub fn certify<H: Hamiltonian, X: Method<H>, K: Precision>(
     system: &H,
     method: X,
-    start: impl Into<Start<Shaped<H, K>>>,
+    start: impl IntoStart<Shaped<H, K>, Leaf = K>,
     h: f64,
 ) -> Result<Certificate, CertifyError> {
-    let start = start.into();
+    let start = start.into_start();
     let begun = begin::<H, X, K>(system, method, &start, h)?;
     let energies = Energies::new(system, &begun.phase);
     let steps = Steps::new(system, method, &begun.phase);

@@ -73,5 +73,5 @@ pub use property::shadow::{Shadow, ShadowPower, shadow};
 pub use property::stability::{Stability, stability};
 pub use property::symplecticity::{poisson_bracket, symplectic_defect, symplectic_defect_after};
 pub use shortfall::{CertifyError, Shortfall};
-pub use start::Start;
+pub use start::{IntoStart, Start};
 pub use statistics::trend::Course;

@@ -1,6 +1,6 @@
 //! The start of a measured motion: a point and a time.
 
-use crate::state::{coords::Coords, phase::Phase};
+use crate::state::{coords::Coords, phase::Phase, precision::Precision};
 
 /// A point of phase space and a time: the start of the motion that a check measures.
 ///
@@ -43,6 +43,20 @@ impl<C: Coords> Phase<C> {
     }
 }
 
+/// What a check takes for a start with the coordinates `C`: a [`Phase`] at time 0 or a [`Start`], by value or by reference.
+/// The precision of the measured motion follows from it.
+#[diagnostic::on_unimplemented(
+    message = "the coordinates of this system are `{C}`, and this start is a `{Self}`",
+    label = "not a start of this system",
+    note = "a start is a `Phase<{C}>`, or one at a time: `Phase::new(q, p).at_time(t)`"
+)]
+pub trait IntoStart<C> {
+    /// The type of one coordinate.
+    type Leaf: Precision;
+    /// The point and the time.
+    fn into_start(self) -> Start<C>;
+}
+
 impl<C> From<Phase<C>> for Start<C> {
     fn from(phase: Phase<C>) -> Self {
         Self { phase, time: 0.0 }
@@ -58,5 +72,33 @@ impl<C: Clone> From<&Phase<C>> for Start<C> {
 impl<C: Clone> From<&Start<C>> for Start<C> {
     fn from(start: &Start<C>) -> Self {
         start.clone()
+    }
+}
+
+impl<C: Coords> IntoStart<C> for Phase<C> {
+    type Leaf = C::Leaf;
+    fn into_start(self) -> Start<C> {
+        self.into()
+    }
+}
+
+impl<C: Coords> IntoStart<C> for &Phase<C> {
+    type Leaf = C::Leaf;
+    fn into_start(self) -> Start<C> {
+        self.into()
+    }
+}
+
+impl<C: Coords> IntoStart<C> for Start<C> {
+    type Leaf = C::Leaf;
+    fn into_start(self) -> Self {
+        self
+    }
+}
+
+impl<C: Coords> IntoStart<C> for &Start<C> {
+    type Leaf = C::Leaf;
+    fn into_start(self) -> Start<C> {
+        self.into()
     }
 }

@@ -61,3 +61,45 @@ impl<C: Coords<Leaf = f64>> Phase<C> {
         Phase { q: q.map(leaf), p: p.map(leaf) }
     }
 }
+
+/// What a run with the coordinates `C` starts from: a [`Phase`] of them.
+///
+/// The precision of the run follows from the start alone, so that generic code has to name none:
+///
+/// ```
+/// use integrator_core::{Method, prelude::*};
+///
+/// /// The change of the energy over a time.
+/// fn change<H: Hamiltonian, X: Method<H>>(system: &H, method: X, start: Phase<H::Coords>, h: f64) -> Result<f64, Error> {
+///     let mut run = system.run_with(method, start, h)?;
+///     let before = run.energy();
+///     run.advance((10.0 / h) as u64)?;
+///     Ok(run.energy() - before)
+/// }
+/// # struct Rotor;
+/// # #[hamiltonian]
+/// # impl Rotor {
+/// #     fn kinetic(&self, p: [f64; 1]) -> f64 { p[0] * p[0] / 2.0 }
+/// #     fn potential(&self, q: [f64; 1]) -> f64 { -q[0].cos() }
+/// # }
+/// assert!(change(&Rotor, Yoshida4, Phase::new([1.0], [0.0]), 0.1)?.abs() < 1e-3);
+/// # Ok::<(), Error>(())
+/// ```
+#[diagnostic::on_unimplemented(
+    message = "the coordinates of this system are `{C}`, and this start is a `{Self}`",
+    label = "not a start of this system",
+    note = "a start is a `Phase<{C}>`: `Phase::new(q, p)` with positions and momenta in the shape that the system's functions take"
+)]
+pub trait StartOf<C> {
+    /// The type of one coordinate.
+    type Leaf: Precision;
+    /// The point.
+    fn into_phase(self) -> Phase<C>;
+}
+
+impl<C: Coords> StartOf<C> for Phase<C> {
+    type Leaf = C::Leaf;
+    fn into_phase(self) -> Self {
+        self
+    }
+}

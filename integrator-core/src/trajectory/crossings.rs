@@ -13,7 +13,7 @@ use crate::{
     state::{coords::Coords, phase::Phase},
     trajectory::{run::Run, samples::Sample},
 };
-use core::{fmt, mem};
+use core::{borrow::BorrowMut, fmt, mem};
 
 /// After so many evaluations without an end, intervals are halved.
 const IMPATIENT: u32 = 32;
@@ -39,12 +39,13 @@ impl Direction {
     }
 }
 
-/// The states in which a function changes its sign along a run. Made by [`Run::crossings`].
+/// The states in which a function changes its sign along a run. Made by [`Run::crossings`], or from a run that is lent by
+/// [`Run::by_ref`].
 ///
 /// After an error the iterator ends.
 #[derive(Clone)]
-pub struct Crossings<C: Coords, G> {
-    run: Run<C>,
+pub struct Crossings<C: Coords, G, R = Run<C>> {
+    run: R,
     steps: u64,
     direction: Direction,
     function: G,
@@ -106,14 +107,25 @@ impl<C: Coords> Run<C> {
     where
         G: FnMut(&Phase<C>, f64) -> f64,
     {
-        Crossings { run: self.at_step(), steps, direction, function, present: None, side: 0.0, failed: false }
+        Crossings::new(self.at_step(), steps, direction, function)
     }
 }
 
-impl<C: Coords, G: FnMut(&Phase<C>, f64) -> f64> Crossings<C, G> {
+impl<C: Coords, G: FnMut(&Phase<C>, f64) -> f64, R: BorrowMut<Run<C>>> Crossings<C, G, R> {
+    pub(crate) fn new(run: R, steps: u64, direction: Direction, function: G) -> Self {
+        Self { run, steps, direction, function, present: None, side: 0.0, failed: false }
+    }
+
     /// The run, after the last step that was evaluated.
-    pub fn into_run(self) -> Run<C> {
+    pub fn into_run(self) -> R {
         self.run
+    }
+
+    /// The present time and state of the run, and the function there.
+    fn present(&mut self) -> Result<Point<C>, Error> {
+        let run: &Run<C> = self.run.borrow();
+        let (time, state) = (run.time(), run.state());
+        self.point(time, state)
     }
 
     fn point(&mut self, time: f64, state: Phase<C>) -> Result<Point<C>, Error> {
@@ -126,23 +138,24 @@ impl<C: Coords, G: FnMut(&Phase<C>, f64) -> f64> Crossings<C, G> {
         let mut before = match self.present.take() {
             Some(point) => point,
             None => {
-                self.run.check_clock()?;
-                let start = self.point(self.run.time(), self.run.state())?;
+                self.run.borrow().check_clock()?;
+                let start = self.present()?;
                 self.side = start.value;
                 start
             }
         };
         while let Some(left) = self.steps.checked_sub(1) {
-            let whole_steps = self.run.steps();
-            self.run.advance(1)?;
+            let run = self.run.borrow_mut();
+            let whole_steps = run.steps();
+            run.advance(1)?;
             self.steps = left;
-            let after = self.point(self.run.time(), self.run.state())?;
+            let after = self.present()?;
             let side = if after.value == 0.0 { self.side } else { mem::replace(&mut self.side, after.value) };
             let crosses = (side < 0.0 && after.value > 0.0) || (side > 0.0 && after.value < 0.0);
             if crosses && self.direction.admits(after.value > 0.0) {
                 let Point { time, state, .. } = self.between(&before, &after)?;
                 self.present = Some(after);
-                return Ok(Some(Sample::new(&self.run, time, whole_steps, state)));
+                return Ok(Some(Sample::new(self.run.borrow(), time, whole_steps, state)));
             }
             before = after;
         }
@@ -153,7 +166,7 @@ impl<C: Coords, G: FnMut(&Phase<C>, f64) -> f64> Crossings<C, G> {
     /// Where the function is zero in a step, by the method of Chandrupatla (1997): the inverse of a parabola through
     /// three values where these lie on one without doubt, and the middle otherwise.
     fn between(&mut self, before: &Point<C>, after: &Point<C>) -> Result<Point<C>, Error> {
-        let h = self.run.step();
+        let h = self.run.borrow().step();
         // Fractions of the step: the newest, the one on the other side of the zero, and the one that was given up.
         let (mut near, mut far) = ((1.0, after.clone()), (0.0, before.clone()));
         let mut fraction = 0.5_f64;
@@ -166,7 +179,7 @@ impl<C: Coords, G: FnMut(&Phase<C>, f64) -> f64> Crossings<C, G> {
                 break;
             }
             let at = near.0 + fraction.clamp(least, 1.0 - least) * width;
-            let (time, state) = self.run.within(&before.state, at * h)?;
+            let (time, state) = self.run.borrow_mut().within(&before.state, at * h)?;
             let newest = (at, self.point(time, state)?);
             let same_side = (newest.1.value > 0.0) == (near.1.value > 0.0);
             let given_up = if same_side { near } else { mem::replace(&mut far, near) };
@@ -189,7 +202,7 @@ fn parabola<C>(a: &(f64, Point<C>), b: &(f64, Point<C>), c: &(f64, Point<C>)) ->
     fa / (fb - fa) * fc / (fb - fc) + (c.0 - a.0) / (b.0 - a.0) * fa / (fc - fa) * fb / (fc - fb)
 }
 
-impl<C: Coords, G: FnMut(&Phase<C>, f64) -> f64> Iterator for Crossings<C, G> {
+impl<C: Coords, G: FnMut(&Phase<C>, f64) -> f64, R: BorrowMut<Run<C>>> Iterator for Crossings<C, G, R> {
     type Item = Result<Sample<C>, Error>;
 
     fn next(&mut self) -> Option<Self::Item> {
@@ -204,7 +217,7 @@ impl<C: Coords, G: FnMut(&Phase<C>, f64) -> f64> Iterator for Crossings<C, G> {
     }
 }
 
-impl<C: Coords, G> fmt::Debug for Crossings<C, G> {
+impl<C: Coords, G, R: fmt::Debug> fmt::Debug for Crossings<C, G, R> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.debug_struct("Crossings")
             .field("run", &self.run)

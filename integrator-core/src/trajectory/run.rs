@@ -27,7 +27,6 @@ use crate::{
         engine::Engine,
         method::Method,
         motions::{Motions, elapsed, show},
-        samples::{Samples, SamplesAt},
         watch::Watch,
     },
 };
@@ -317,8 +316,14 @@ impl<C: Coords> Run<C> {
     }
 
     /// The run at the end of its last step.
-    pub(crate) fn at_step(self) -> Self {
-        Self { between: None, ..self }
+    pub(crate) fn at_step(mut self) -> Self {
+        self.show_step();
+        self
+    }
+
+    /// Shows the end of the last step.
+    pub(crate) fn show_step(&mut self) {
+        self.between = None;
     }
 
     /// Takes one step, whatever a watch says.
@@ -506,17 +511,6 @@ impl<C: Coords> Run<C> {
         self.engine.restart(vec![(self.engine.constants_of(0), &state)]);
         self.opened = self.clock.steps;
         Ok(())
-    }
-
-    /// An iterator over the states at the present time and then after every `interval` of time, each as
-    /// [`Run::advance_to`] gives it.
-    pub fn samples_at(self, interval: f64) -> SamplesAt<C> {
-        SamplesAt::new(self, interval)
-    }
-
-    /// An iterator over the present state and then the state after every `interval` steps.
-    pub fn samples(self, interval: u64) -> Samples<C> {
-        Samples::new(self.at_step(), interval)
     }
 
     /// The state a while into the last step, which [`Run::advance`] took alone and which began at `from`: on the

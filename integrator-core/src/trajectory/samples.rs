@@ -4,20 +4,25 @@ use crate::{
     error::Error,
     state::{coords::Coords, phase::Phase},
     system::energy::Energies,
-    trajectory::run::Run,
+    trajectory::{
+        crossings::{Crossings, Direction},
+        run::Run,
+    },
 };
 use alloc::sync::Arc;
-use core::fmt;
+use core::{borrow::BorrowMut, fmt, marker::PhantomData};
 
-/// An iterator over the states of a run at its start and then after every so many steps. Made by [`Run::samples`].
+/// An iterator over the states of a run at its start and then after every so many steps. Made by [`Run::samples`], or from a
+/// run that is lent by [`Run::by_ref`].
 ///
 /// Sampling completes the step under way on a copy, so the trajectory is the one that `advance` alone would take.
 /// After an error the iterator ends.
 #[derive(Clone, Debug)]
-pub struct Samples<C: Coords> {
-    run: Run<C>,
+pub struct Samples<C: Coords, R = Run<C>> {
+    run: R,
     interval: u64,
     next: Next,
+    shape: PhantomData<C>,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -27,29 +32,30 @@ enum Next {
     Nothing,
 }
 
-impl<C: Coords> Samples<C> {
-    pub(crate) fn new(run: Run<C>, interval: u64) -> Self {
-        Self { run, interval, next: Next::Present }
+impl<C: Coords, R: BorrowMut<Run<C>>> Samples<C, R> {
+    fn new(run: R, interval: u64) -> Self {
+        Self { run, interval, next: Next::Present, shape: PhantomData }
     }
 
     /// The run, where the last sample left it.
-    pub fn into_run(self) -> Run<C> {
+    pub fn into_run(self) -> R {
         self.run
     }
 }
 
-impl<C: Coords> Iterator for Samples<C> {
+impl<C: Coords, R: BorrowMut<Run<C>>> Iterator for Samples<C, R> {
     type Item = Result<Sample<C>, Error>;
 
     fn next(&mut self) -> Option<Self::Item> {
+        let run = self.run.borrow_mut();
         let outcome = match self.next {
             Next::Nothing => return None,
             _ if self.interval == 0 => Err(Error::SampleInterval),
-            Next::Present => self.run.check_clock(),
-            Next::Later => self.run.advance(self.interval),
+            Next::Present => run.check_clock(),
+            Next::Later => run.advance(self.interval),
         };
         self.next = if outcome.is_ok() { Next::Later } else { Next::Nothing };
-        Some(outcome.map(|()| Sample::new(&self.run, self.run.time(), self.run.steps(), self.run.state())))
+        Some(outcome.map(|()| Sample::new(run, run.time(), run.steps(), run.state())))
     }
 }
 
@@ -58,40 +64,113 @@ impl<C: Coords> Iterator for Samples<C> {
 /// Times are `t + n·interval` from the present one on, and states those of [`Run::advance_to`], so that the trajectory is the
 /// one that `advance` alone would take. After an error the iterator ends.
 #[derive(Clone, Debug)]
-pub struct SamplesAt<C: Coords> {
-    run: Run<C>,
+pub struct SamplesAt<C: Coords, R = Run<C>> {
+    run: R,
     begin: f64,
     interval: f64,
     /// How many samples were taken; nothing after an error.
     taken: Option<u64>,
+    shape: PhantomData<C>,
 }
 
-impl<C: Coords> SamplesAt<C> {
-    pub(crate) fn new(run: Run<C>, interval: f64) -> Self {
-        Self { begin: run.time(), run, interval, taken: Some(0) }
+impl<C: Coords, R: BorrowMut<Run<C>>> SamplesAt<C, R> {
+    fn new(run: R, interval: f64) -> Self {
+        Self { begin: run.borrow().time(), run, interval, taken: Some(0), shape: PhantomData }
     }
 
     /// The run, where the last sample left it.
-    pub fn into_run(self) -> Run<C> {
+    pub fn into_run(self) -> R {
         self.run
     }
 }
 
-impl<C: Coords> Iterator for SamplesAt<C> {
+impl<C: Coords, R: BorrowMut<Run<C>>> Iterator for SamplesAt<C, R> {
     type Item = Result<Sample<C>, Error>;
 
     fn next(&mut self) -> Option<Self::Item> {
         let taken = self.taken.take()?;
         let time = self.begin + taken as f64 * self.interval;
+        let run = self.run.borrow_mut();
         let outcome = match taken {
             _ if self.interval == 0.0 => Err(Error::SampleInterval),
-            0 => self.run.check_clock(),
-            _ => self.run.advance_to(time),
+            0 => run.check_clock(),
+            _ => run.advance_to(time),
         };
         if outcome.is_ok() {
             self.taken = taken.checked_add(1);
         }
-        Some(outcome.map(|()| Sample::new(&self.run, time, self.run.steps(), self.run.state())))
+        Some(outcome.map(|()| Sample::new(run, time, run.steps(), run.state())))
+    }
+}
+
+impl<C: Coords> Run<C> {
+    /// An iterator over the present state and then the state after every `interval` steps.
+    pub fn samples(self, interval: u64) -> Samples<C> {
+        Samples::new(self.at_step(), interval)
+    }
+
+    /// An iterator over the states at the present time and then after every `interval` of time, each as
+    /// [`Run::advance_to`] gives it.
+    pub fn samples_at(self, interval: f64) -> SamplesAt<C> {
+        SamplesAt::new(self, interval)
+    }
+
+    /// This run for samples or crossings that only borrow it, so that it goes on behind them.
+    ///
+    /// ```
+    /// use integrator_core::prelude::*;
+    ///
+    /// struct Oscillator;
+    ///
+    /// #[hamiltonian]
+    /// impl Oscillator {
+    ///     fn kinetic(&self, p: [f64; 1]) -> f64 { p[0] * p[0] / 2.0 }
+    ///     fn potential(&self, q: [f64; 1]) -> f64 { q[0] * q[0] / 2.0 }
+    /// }
+    ///
+    /// let mut run = Oscillator.run(Phase::new([1.0], [0.0]), 0.01)?;
+    /// for sample in run.by_ref().samples(100).take(11) {
+    ///     println!("{:?}", sample?);
+    /// }
+    /// assert_eq!(run.steps(), 1_000);
+    /// let turn = run.by_ref().crossings(1_000, Direction::Either, |state, _| state.p[0]).next();
+    /// assert!(turn.is_some());
+    /// run.advance(1_000)?;
+    /// # Ok::<(), Error>(())
+    /// ```
+    pub fn by_ref(&mut self) -> ByRef<'_, C> {
+        ByRef(self)
+    }
+}
+
+/// A run that is lent to samples or crossings. Made by [`Run::by_ref`].
+#[derive(Debug)]
+pub struct ByRef<'r, C: Coords>(&'r mut Run<C>);
+
+impl<'r, C: Coords> ByRef<'r, C> {
+    /// As [`Run::samples`]. The run is where the last sample left it.
+    pub fn samples(self, interval: u64) -> Samples<C, &'r mut Run<C>> {
+        Samples::new(self.at_step(), interval)
+    }
+
+    /// As [`Run::samples_at`]. The run is where the last sample left it.
+    pub fn samples_at(self, interval: f64) -> SamplesAt<C, &'r mut Run<C>> {
+        SamplesAt::new(self.0, interval)
+    }
+
+    /// As [`Run::crossings`]. The run is after the last step that was evaluated: that behind the last crossing which was
+    /// taken, and after all the steps where there was no other.
+    pub fn crossings<G>(self, steps: u64, direction: Direction, function: G) -> Crossings<C, G, &'r mut Run<C>>
+    where
+        G: FnMut(&Phase<C>, f64) -> f64,
+    {
+        Crossings::new(self.at_step(), steps, direction, function)
+    }
+
+    /// The run, shown at the end of its last step.
+    fn at_step(self) -> &'r mut Run<C> {
+        self.0.show_step();
+        self.0
     }
 }
 

@@ -3,7 +3,11 @@
 use crate::{
     error::Error,
     hamiltonian::{Hamiltonian, Shaped},
-    state::{coords::Coords, phase::Phase, precision::Precision},
+    state::{
+        coords::Coords,
+        phase::{Phase, StartOf},
+        precision::Precision,
+    },
     trajectory::{
         method::Differentiable,
         tangent::{Beginning, Tangent},
@@ -57,10 +61,11 @@ pub trait Sensitive: Hamiltonian {
     fn sensitivities<K: Precision, X: Differentiable<Self>>(
         &self,
         method: X,
-        start: Phase<Shaped<Self, K>>,
+        start: impl StartOf<Shaped<Self, K>, Leaf = K>,
         vectors: impl IntoIterator<Item = Phase<Shaped<Self, K>>>,
         h: f64,
     ) -> Result<Tangent<Shaped<Self, K>>, Error> {
+        let start = start.into_phase();
         let vectors: Vec<_> = vectors.into_iter().collect();
         let (length, first) = (start.q.length(), vectors.len());
         let beginning = Beginning { start, vectors, parameters: Self::SENSITIVE.len(), h, at: None };

@@ -21,7 +21,10 @@ pub use ranking::{Choice, Ranking, Split, Unranked};
 pub use splitting::Splitting;
 
 use crate::{
-    check::{CheckError, start::Start},
+    check::{
+        CheckError,
+        start::{IntoStart, Start},
+    },
     hamiltonian::{Hamiltonian, Shaped},
     scalar::tolerance::within,
     state::{coords::Coords, precision::Precision},
@@ -99,11 +102,11 @@ impl Goal {
 /// the tolerance; a tolerance that no composition reaches.
 pub fn choose<H: Hamiltonian, K: Precision>(
     system: &H,
-    start: impl Into<Start<Shaped<H, K>>>,
+    start: impl IntoStart<Shaped<H, K>, Leaf = K>,
     span: f64,
     goal: Goal,
 ) -> Result<Ranking, ChooseError> {
-    rank(&[system], start.into(), span, goal)
+    rank(&[system], start.into_start(), span, goal)
 }
 
 /// Ranks the compositions of several splittings of one Hamiltonian by the time in which each of them reaches `goal` from

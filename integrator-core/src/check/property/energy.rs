@@ -9,7 +9,7 @@ use crate::{
     check::{
         CheckError,
         property::order::CLEARANCE,
-        start::Start,
+        start::IntoStart,
         statistics::{
             points::{origin, plain, resolution, run},
             trend::{Course, GROUPS, Trend},
@@ -106,7 +106,7 @@ impl EnergyDrift {
 pub fn energy_drift<H: Hamiltonian, X: Method<H>, K: Precision>(
     system: &H,
     method: X,
-    start: impl Into<Start<Shaped<H, K>>>,
+    start: impl IntoStart<Shaped<H, K>, Leaf = K>,
     h: f64,
     steps: u64,
 ) -> Result<EnergyDrift, CheckError> {
@@ -117,7 +117,7 @@ pub fn energy_drift<H: Hamiltonian, X: Method<H>, K: Precision>(
     if steps < needed {
         return Err(CheckError::TooFewSteps { steps, needed });
     }
-    let begin = start.into();
+    let begin = start.into_start();
     let mut run = run::<H, X, K>(system, method, &begin, h)?;
     let parameters = system.parameters(run.state().q.length());
     let first = sample::<H, K>(&parameters, &run.state(), run.time());

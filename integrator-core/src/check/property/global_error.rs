@@ -8,7 +8,7 @@ use crate::{
     check::{
         CheckError,
         oracle::{exact::Motions, reference::reference},
-        start::Start,
+        start::IntoStart,
         statistics::{
             path::{PARTS, Path},
             points::{begin, flat_start, run},
@@ -74,14 +74,14 @@ pub struct GlobalError {
 pub fn global_error<H: Hamiltonian, X: Method<H>, K: Precision>(
     system: &H,
     method: X,
-    start: impl Into<Start<Shaped<H, K>>>,
+    start: impl IntoStart<Shaped<H, K>, Leaf = K>,
     h: f64,
     steps: u64,
 ) -> Result<GlobalError, CheckError> {
     if steps == 0 {
         return Err(CheckError::TooFewSteps { steps, needed: 1 });
     }
-    let start = start.into();
+    let start = start.into_start();
     let begin = begin::<H, X, K>(system, method, &start, h)?;
     let part = steps.div_ceil(PARTS);
     let span = PARTS as f64 * part as f64 * h;

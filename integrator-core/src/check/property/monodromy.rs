@@ -5,7 +5,10 @@
 //! takes.
 
 use crate::{
-    check::{CheckError, start::Start},
+    check::{
+        CheckError,
+        start::{IntoStart, Start},
+    },
     hamiltonian::{Hamiltonian, Shaped},
     scalar::tolerance::largest,
     state::{coords::Coords, phase::Phase, precision::Precision},
@@ -95,14 +98,14 @@ impl fmt::Display for Monodromy {
 pub fn monodromy<H: Hamiltonian, X: Memoryless<H>, K: Precision>(
     system: &H,
     method: X,
-    start: impl Into<Start<Shaped<H, K>>>,
+    start: impl IntoStart<Shaped<H, K>, Leaf = K>,
     h: f64,
     steps: u64,
 ) -> Result<Monodromy, CheckError> {
     if steps == 0 {
         return Err(CheckError::TooFewSteps { steps, needed: 1 });
     }
-    let Start { phase, time } = start.into();
+    let Start { phase, time } = start.into_start();
     let vectors = unit_vectors(&phase);
     let mut tangent = Tangent::start::<H, X, K>(system, method, phase.clone(), vectors, h)?.at_time(time);
     tangent.advance(steps)?;

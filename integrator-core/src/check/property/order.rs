@@ -11,7 +11,7 @@ use crate::{
             exact::{Stepper, Steps},
             reference::reference,
         },
-        start::Start,
+        start::{IntoStart, Start},
         statistics::{
             least_squares::fit_finest,
             path::{PARTS, Path},
@@ -126,10 +126,10 @@ impl Order {
 pub fn observed_order<H: Hamiltonian, X: Method<H>, K: Precision>(
     system: &H,
     method: X,
-    start: impl Into<Start<Shaped<H, K>>>,
+    start: impl IntoStart<Shaped<H, K>, Leaf = K>,
     h: f64,
 ) -> Result<Order, CheckError> {
-    let start = start.into();
+    let start = start.into_start();
     let start = begin::<H, X, K>(system, method, &start, h)?;
     order_of(&Steps::new(system, method, &start.phase), flat_start(&start), h)
 }

@@ -8,7 +8,7 @@ use crate::{
     check::{
         CheckError,
         oracle::tangent::{Carry, Tangents},
-        start::Start,
+        start::{IntoStart, Start},
         statistics::points::{coordinate, numbers, origin, plain, resolution, run},
     },
     error::Error,
@@ -32,11 +32,11 @@ use crate::{
 pub fn reversibility<H: Hamiltonian, X: Method<H>, K: Precision>(
     system: &H,
     method: X,
-    start: impl Into<Start<Shaped<H, K>>>,
+    start: impl IntoStart<Shaped<H, K>, Leaf = K>,
     h: f64,
     steps: u64,
 ) -> Result<f64, CheckError> {
-    Ok(Endpoints::take::<H, X, K>(system, method, &start.into(), h, steps)?.distance())
+    Ok(Endpoints::take::<H, X, K>(system, method, &start.into_start(), h, steps)?.distance())
 }
 
 /// The distance of the end of a round trip from its start, and the one that rounding alone explains.

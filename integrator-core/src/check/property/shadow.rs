@@ -11,7 +11,7 @@ use crate::{
         modified::OfFlat,
         oracle::compensated_steps::CompensatedSteps,
         property::order::{CLEARANCE, LADDER, NEEDED, POINTS, observed_order},
-        start::Start,
+        start::IntoStart,
         statistics::{
             least_squares::fit_finest,
             path::PARTS,
@@ -118,10 +118,10 @@ impl fmt::Display for Shadow {
 pub fn shadow<H: Hamiltonian, X: Composition<H>, K: Precision>(
     system: &H,
     composition: X,
-    start: impl Into<Start<Shaped<H, K>>>,
+    start: impl IntoStart<Shaped<H, K>, Leaf = K>,
     h: f64,
 ) -> Result<Shadow, CheckError> {
-    let start = start.into();
+    let start = start.into_start();
     let values = plain::<H, K>(&start.phase).at_time(start.time);
     let modified = ModifiedHamiltonian::new(system, composition, &values.phase, h)?.into_flat();
     // How long the motion can be followed does not depend on the composition that is under suspicion.

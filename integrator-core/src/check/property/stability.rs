@@ -9,7 +9,7 @@ use crate::{
     check::{
         CheckError,
         property::gradient::{Differentiable, Energies, Gradient, Part},
-        start::Start,
+        start::{IntoStart, Start},
         statistics::{
             points::{begin, coordinate, origin, run},
             spectrum::eigenvalues,
@@ -108,10 +108,10 @@ impl fmt::Display for Stability {
 pub fn stability<H: Hamiltonian, X: Composition<H>, K: Precision>(
     system: &H,
     composition: X,
-    start: impl Into<Start<Shaped<H, K>>>,
+    start: impl IntoStart<Shaped<H, K>, Leaf = K>,
     h: f64,
 ) -> Result<Stability, CheckError> {
-    nearness::<H, X, K>(system, composition, X::STABILITY_LIMIT, &start.into(), h)
+    nearness::<H, X, K>(system, composition, X::STABILITY_LIMIT, &start.into_start(), h)
 }
 
 /// As [`stability`], for a method with this limit.

@@ -8,7 +8,7 @@ use crate::{
     check::{
         CheckError,
         oracle::tangent::{Tangents, matrix},
-        start::Start,
+        start::{IntoStart, Start},
         statistics::points::begin,
     },
     hamiltonian::{Hamiltonian, Shaped},
@@ -32,7 +32,7 @@ use nalgebra::DMatrix;
 pub fn symplectic_defect<H: Hamiltonian, X: Method<H>, K: Precision>(
     system: &H,
     method: X,
-    start: impl Into<Start<Shaped<H, K>>>,
+    start: impl IntoStart<Shaped<H, K>, Leaf = K>,
     h: f64,
 ) -> Result<f64, CheckError> {
     symplectic_defect_after::<H, X, K>(system, method, start, h, 1)
@@ -45,11 +45,11 @@ pub fn symplectic_defect<H: Hamiltonian, X: Method<H>, K: Precision>(
 pub fn symplectic_defect_after<H: Hamiltonian, X: Method<H>, K: Precision>(
     system: &H,
     method: X,
-    start: impl Into<Start<Shaped<H, K>>>,
+    start: impl IntoStart<Shaped<H, K>, Leaf = K>,
     h: f64,
     steps: u64,
 ) -> Result<f64, CheckError> {
-    Ok(defect::<H, X, K>(system, method, &start.into(), h, steps)?.size)
+    Ok(defect::<H, X, K>(system, method, &start.into_start(), h, steps)?.size)
 }
 
 /// The Poisson bracket `{qᵢ, pᵢ}` of where one closed step of size `h` from `start` leads, by where it begins:
@@ -61,11 +61,11 @@ pub fn symplectic_defect_after<H: Hamiltonian, X: Method<H>, K: Precision>(
 pub fn poisson_bracket<H: Hamiltonian, X: Method<H>, K: Precision>(
     system: &H,
     method: X,
-    start: impl Into<Start<Shaped<H, K>>>,
+    start: impl IntoStart<Shaped<H, K>, Leaf = K>,
     h: f64,
     index: usize,
 ) -> Result<f64, CheckError> {
-    let Start { phase: start, time } = begin::<H, X, K>(system, method, &start.into(), h)?;
+    let Start { phase: start, time } = begin::<H, X, K>(system, method, &start.into_start(), h)?;
     let coordinates = start.q.flat().len();
     if index >= coordinates {
         return Err(CheckError::NoCoordinate { index, coordinates });
