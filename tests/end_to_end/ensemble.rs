@@ -1,7 +1,7 @@
 //! Ensembles: every member is the run that it would be alone, bit for bit, whoever its neighbours are.
 
 use crate::systems::HenonHeiles;
-use integrator_core::{Progress, prelude::*};
+use integrator_core::{CheckpointError, Progress, prelude::*};
 use std::ops::ControlFlow;
 
 #[derive(Clone)]
@@ -336,4 +336,45 @@ fn a_member_is_a_run_and_a_sample() {
     swarm.advance_while(1, 1, |member, _| member != 5).expect("finite");
     assert!(swarm.run_of(5).is_none() && swarm.run_of(6).is_some());
     assert_eq!(swarm.present().nth(5).map(|sample| sample.step), Some(201));
+}
+
+#[test]
+fn the_run_of_a_member_is_resumed_watched_and_counted() {
+    let mut swarm = Ensemble::new(Yoshida4, (0..MANY).map(pendulum), 0.01).expect("an ensemble").at_time(3.0);
+    swarm.advance(123).expect("finite");
+    swarm.map_states(|_, state| state.p[0] *= 0.5).expect("finite");
+    swarm.advance(7).expect("finite");
+    let mut run = swarm.run_of(5).expect("under way");
+    // Three forces for each step.
+    assert_eq!(run.evaluations(), 130 * 3);
+    assert!(format!("{run:?}").contains("Yoshida4"));
+
+    let (system, _) = pendulum(5);
+    let mut resumed: Run<[f64; 1]> = Run::resume_with(&system, Yoshida4, &run.checkpoint()).expect("its system");
+    for run in [&mut run, &mut resumed] {
+        run.watch_energy(1e-3).expect("conserved");
+        run.advance(50).expect("within the bound");
+    }
+    assert_eq!((run.state(), run.time()), (resumed.state(), resumed.time()));
+    swarm.advance(50).expect("finite");
+    assert_eq!(swarm.state(5), Some(run.state()));
+    let (other, _) = pendulum(6);
+    let refused: Result<Run<[f64; 1]>, _> = Run::resume_with(&other, Yoshida4, &run.checkpoint());
+    assert!(matches!(refused, Err(CheckpointError::Parameters { .. })), "{refused:?}");
+    run.watch_energy(1e-12).expect("conserved");
+    assert!(matches!(run.advance(5000), Err(Error::EnergyStrayed { .. })));
+}
+
+#[test]
+fn what_is_counted_step_by_step_is_counted_from_where_a_member_was_taken() {
+    let mut swarm = Ensemble::new(ImplicitMidpoint, (0..MANY).map(pendulum), 0.01).expect("an ensemble");
+    swarm.advance(123).expect("solved");
+    let mut run = swarm.run_of(5).expect("under way");
+    let (system, _) = pendulum(5);
+    let mut alone = system.run_with(ImplicitMidpoint, run.state(), 0.01).expect("a run");
+    let before = run.evaluations();
+    for run in [&mut run, &mut alone] {
+        run.advance(40).expect("solved");
+    }
+    assert_eq!((before, run.evaluations()), (0, alone.evaluations()));
 }

@@ -41,7 +41,7 @@ use crate::{
         method::Method,
         motions::{Constants, Motions},
         progress::{Progress, in_portions},
-        run::Run,
+        run::{Kind, Run},
         samples::Sample,
         step_functions::Interleaved,
     },
@@ -96,6 +96,8 @@ where
 /// ```
 pub struct Ensemble<C: Coords> {
     members: Members,
+    /// What runs of members have in common.
+    kind: Kind,
     /// What runs of the first member are, for checkpoints, and fingerprints of the parameters of all.
     #[cfg(feature = "checkpoint")]
     origin: Origin,
@@ -163,6 +165,7 @@ impl<C: Coords> Ensemble<C> {
         let energies = energies_of_members::<H, C::Leaf>(parameters);
         Ok(Self {
             members: Members::new(batches, energies, states.len(), coordinates, h),
+            kind: Kind { autonomous: H::AUTONOMOUS, method: method.facts().name, forces: method.forces() },
             #[cfg(feature = "checkpoint")]
             origin: origins[0],
             #[cfg(feature = "checkpoint")]
@@ -371,9 +374,10 @@ impl<C: Coords> Ensemble<C> {
     }
 
     /// A member that is under way as a run of its own, from where it is: for its [samples](crate::Run::samples), its
-    /// [crossings](crate::Run::crossings) and changes of its state. It takes the steps of the member, bit for bit, and the
-    /// ensemble stays where it is. Of its method and its system it does not know the names: its checkpoints cannot be resumed,
-    /// its energy is not [watched](crate::Run::watch_energy), and it counts no evaluations. `None` for members that are lost or gone, and beyond the last one.
+    /// [crossings](crate::Run::crossings), a [watch](crate::Run::watch_energy), and changes of its state. It takes the steps of
+    /// the member, bit for bit, and the ensemble stays where it is. A [checkpoint](crate::Run::checkpoint) of it is resumed with
+    /// the system of the member. Where a method counts its [evaluations](crate::Run::evaluations) step by step, the run counts
+    /// those from here on. `None` for members that are lost or gone, and beyond the last one.
     ///
     /// ```
     /// use integrator_core::prelude::*;
@@ -395,7 +399,12 @@ impl<C: Coords> Ensemble<C> {
     /// # Ok::<(), Error>(())
     /// ```
     pub fn run_of(&self, member: usize) -> Option<Run<C>> {
-        self.members.batch_of(member)?.is_under_way(member).then(|| self.alone(member))?
+        let run = self.members.batch_of(member)?.is_under_way(member).then(|| self.alone(member))??;
+        Some(run.known_as(
+            self.kind,
+            #[cfg(feature = "checkpoint")]
+            self.origin.with_parameters(self.parameters[member]),
+        ))
     }
 
     /// A sample of each member, in their order, at its present time or where it ended: for

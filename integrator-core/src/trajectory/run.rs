@@ -62,6 +62,15 @@ pub struct Run<C: Coords> {
     pub(crate) origin: Origin,
 }
 
+/// What runs of one kind of system by one method have in common.
+#[cfg(feature = "std")]
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Kind {
+    pub(crate) autonomous: bool,
+    pub(crate) method: &'static str,
+    pub(crate) forces: Option<usize>,
+}
+
 impl<C: Coords> Run<C> {
     pub(crate) fn start<H, X, K>(system: &H, method: X, start: Phase<C>, h: f64) -> Result<Self, Error>
     where
@@ -183,6 +192,23 @@ impl<C: Coords> Run<C> {
             start_unchecked: false,
             #[cfg(feature = "checkpoint")]
             origin: Origin::UNKNOWN,
+        }
+    }
+
+    /// The run of a member of an ensemble, with what this tells of its method and system.
+    #[cfg(feature = "std")]
+    pub(crate) fn known_as(
+        self,
+        Kind { autonomous, method, forces }: Kind,
+        #[cfg(feature = "checkpoint")] origin: Origin,
+    ) -> Self {
+        Self {
+            autonomous,
+            method,
+            forces,
+            #[cfg(feature = "checkpoint")]
+            origin,
+            ..self
         }
     }
 

@@ -73,6 +73,12 @@ impl Origin {
         }
     }
 
+    /// The same with other prepared constants, by their fingerprint.
+    #[cfg(feature = "std")]
+    pub(crate) fn with_parameters(self, parameters: u64) -> Self {
+        Self { parameters, ..self }
+    }
+
     /// A fingerprint of the prepared constants.
     #[cfg(feature = "std")]
     pub(crate) fn parameters(&self) -> u64 {
