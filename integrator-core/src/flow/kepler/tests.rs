@@ -201,7 +201,7 @@ impl Walk {
 #[test]
 fn the_energy_of_a_lone_body_walks_and_does_not_drift() {
     for (eccentricity, duration) in [0.0, 0.01, 0.2, 0.6].into_iter().flat_map(|e| [0.345_678_9, 2.2].map(|t| (e, t))) {
-        let stages = 300_000;
+        let stages = 100_000;
         let walk = Walk { eccentricity, duration, stages };
         let fused = InstructionSet::available().contains(&InstructionSet::Fused);
         let [worst, mean] = if fused { <Fused<f64> as Real>::enter(walk) } else { walk.in_scalar::<f64>() };

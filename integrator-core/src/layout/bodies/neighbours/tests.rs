@@ -223,7 +223,7 @@ fn members_have_the_bits_of_each_alone() {
     // Another place, another cutoff, and one whose cutoff covers everything, with its pairs in tiles.
     let members = [Soft::new(2.1), Soft::new(1.3), Soft::new(f64::INFINITY)];
     let starts = [1, 2, 3].map(|seed| members[0].start(seed));
-    for pair in [[0, 0], [0, 1], [2, 0]] {
+    for pair in [[0, 1], [2, 0]] {
         let both = pair.map(|number| (&members[number], &starts[number]));
         let together = motion::<Lanes<f64, 2>>(&both);
         for lane in [0, 1] {
@@ -240,8 +240,8 @@ fn no_bit_tells_when_lists_were_made() {
     let cutoffs = Cutoffs::of::<Soft, f64, 3>(&motion.parameters, 0.0);
     let mut neighbours = Neighbours::<f64, 3>::none();
     let mut made = 0;
-    for step in 0..40 {
-        Soft::drift::<f64, f64>(&mut motion, 0.02, 0.0);
+    for step in 0..16 {
+        Soft::drift::<f64, f64>(&mut motion, 0.05, 0.0);
         let mut kept = motion.q.clone();
         let sum = Sum::<Soft, _, 3, 3> {
             q: &motion.q,
@@ -258,7 +258,7 @@ fn no_bit_tells_when_lists_were_made() {
             (0..BODIES).map(|body| kept[body / WIDTH].map(|row| row.lane(body % WIDTH).to_bits())).collect();
         assert!(bits == gradient(&motion, 0), "step {step}");
     }
-    assert!((2..20).contains(&made), "lists were made {made} times");
+    assert!((2..10).contains(&made), "lists were made {made} times");
 }
 
 #[test]

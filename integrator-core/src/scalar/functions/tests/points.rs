@@ -2,8 +2,10 @@
 
 use super::Precision;
 
-/// The number of points in each set, for each of four scalars: a million for a function.
-const COUNT: usize = 250_000;
+/// The number of points in each set, for each of four scalars, or what is asked for: a million for a function in `.ci/run`.
+fn count() -> usize {
+    std::env::var("FUNCTION_POINTS").ok().and_then(|count| count.parse().ok()).unwrap_or(50_000)
+}
 
 /// A set of points.
 #[derive(Debug)]
@@ -24,7 +26,7 @@ impl Points {
     /// The points, rounded to a precision. Equal names give equal points.
     pub(super) fn arguments(&self, precision: Precision, name: &str) -> Vec<[f64; 2]> {
         let mut random = Random::new(name);
-        (0..COUNT).map(|index| self.pair(index, precision, &mut random).map(|x| precision.round(x))).collect()
+        (0..count()).map(|index| self.pair(index, precision, &mut random).map(|x| precision.round(x))).collect()
     }
 
     /// Two numbers, of which functions of one argument ignore the second.
