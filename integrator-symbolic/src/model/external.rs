@@ -35,18 +35,28 @@ pub(super) fn invariant_attributes(method: &ImplItemFn) -> impl Iterator<Item = 
     method.attrs.iter().filter(|attribute| attribute.path().is_ident(INVARIANT))
 }
 
-/// An item without these attributes, which mean nothing outside of the annotated impl.
+/// An item without these attributes, which mean nothing outside of the annotated impl, and without invariants of a name that
+/// another one has: the macro has said so, and the compiler would say it again.
 pub(crate) fn strip(item: TokenStream) -> TokenStream {
     let mut kept: Vec<TokenTree> = Vec::new();
+    let mut invariants: Vec<String> = Vec::new();
+    // Where the function under way begins, and whether it is an invariant.
+    let (mut begin, mut is_invariant) = (0, false);
     for tree in item {
         match &tree {
             TokenTree::Group(group) if is_attribute(&group.stream()) && ends_with_hash(&kept) => {
                 kept.pop();
+                is_invariant |= first(&group.stream()).is_some_and(|name| name == INVARIANT);
             }
             TokenTree::Group(group) if group.delimiter() == proc_macro2::Delimiter::Brace => {
                 let mut inner = proc_macro2::Group::new(group.delimiter(), strip(group.stream()));
                 inner.set_span(group.span());
                 kept.push(inner.into());
+                match function_name(&kept[begin..]).filter(|_| is_invariant) {
+                    Some(name) if invariants.contains(&name) => kept.truncate(begin),
+                    name => invariants.extend(name),
+                }
+                (begin, is_invariant) = (kept.len(), false);
             }
             _ => kept.push(tree),
         }
@@ -54,9 +64,24 @@ pub(crate) fn strip(item: TokenStream) -> TokenStream {
     kept.into_iter().collect()
 }
 
+/// The name behind `fn`.
+fn function_name(trees: &[TokenTree]) -> Option<String> {
+    let keyword = |tree: &TokenTree| matches!(tree, TokenTree::Ident(word) if word == "fn");
+    let name = trees.get(trees.iter().position(keyword)? + 1)?;
+    Some(name.to_string())
+}
+
+/// The first token, where it is a name.
+fn first(tokens: &TokenStream) -> Option<Ident> {
+    match tokens.clone().into_iter().next()? {
+        TokenTree::Ident(name) => Some(name),
+        _ => None,
+    }
+}
+
 fn is_attribute(tokens: &TokenStream) -> bool {
     let own = [DERIVATIVE, FLOW, INVARIANT];
-    matches!(tokens.clone().into_iter().next(), Some(TokenTree::Ident(name)) if own.iter().any(|own| name == own))
+    first(tokens).is_some_and(|name| own.iter().any(|own| name == own))
 }
 
 fn ends_with_hash(trees: &[TokenTree]) -> bool {

@@ -33,7 +33,7 @@ impl Reader<'_> {
             }
             let name = &method.sig.ident;
             if found.iter().any(|other| other.name == *name) {
-                // The compiler tells that there are two functions of this name.
+                self.errors.at(name, format!("there is an invariant `{name}` already: give this one another name"));
                 continue;
             }
             found.extend(self.invariant(method, shape));

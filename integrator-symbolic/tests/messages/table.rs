@@ -103,6 +103,10 @@ pub(crate) const ITEMS: &[Row] = &[
         &["2:16 `p0_1` is a column of all samples that are written: give the invariant another name"],
     ),
     (
+        "impl S { fn kinetic(&self, p: [f64; 1]) -> f64 { p[0] * p[0] } fn potential(&self, q: [f64; 1]) -> f64 { q[0] * q[0] }\n#[invariant] fn a(&self, q: [f64; 1], p: [f64; 1]) -> f64 { q[0] }\n#[invariant] fn a(&self, q: [f64; 1], p: [f64; 1]) -> f64 { p[0] } }",
+        &["3:16 there is an invariant `a` already: give this one another name"],
+    ),
+    (
         "impl S { fn kinetic(&self, p: [f64; 1]) -> f64 { p[0] * p[0] } fn potential(&self, q: [f64; 1]) -> f64 { q[0] * q[0] }\n#[invariant] fn a(&self, q: [f64; 1], p: [f64; 1], t: f64) -> f64 { q[0] * t } }",
         &["2:51 an invariant stays as it is, whatever the time: leave out this argument"],
     ),
