@@ -2,6 +2,8 @@
 
 #[path = "../examples/cookbook/beams.rs"]
 mod beams;
+#[path = "../examples/cookbook/edges.rs"]
+mod edges;
 #[path = "../examples/cookbook/galaxies.rs"]
 mod galaxies;
 #[path = "../examples/cookbook/lattices.rs"]
@@ -17,14 +19,19 @@ mod samplers;
 #[path = "../examples/cookbook/teaching.rs"]
 mod teaching;
 
-use integrator_core::prelude::*;
+use integrator_core::{Method, prelude::*};
 
 /// A wave in a ring of eight, of no symmetry.
 const RING: [f64; 8] = [0.1, 0.5, 0.3, -0.2, -0.4, -0.1, 0.2, 0.0];
 
 /// Holds a system to everything that a certificate holds, its invariants among it.
 fn certified<H: Hamiltonian>(system: &H, start: Phase<H::Coords>, h: f64) {
-    if let Err(error) = certify::<H, _, f64>(system, Verlet, start, h) {
+    certified_by(system, Verlet, start, h);
+}
+
+/// The same by another method than Verlet.
+fn certified_by<H: Hamiltonian, X: Method<H>>(system: &H, method: X, start: Phase<H::Coords>, h: f64) {
+    if let Err(error) = certify(system, method, start, h) {
         panic!("{error}");
     }
 }
@@ -104,4 +111,17 @@ fn teaching_are_certified() {
     certified(&Pendulum { length: 1.0 }, Phase::new([1.5], [0.0]), 0.01);
     certified(&Duffing { stiffening: 1.0 }, Phase::new([1.0], [0.0]), 0.05);
     certified(&Swing { stiffness: 20.0 }, Phase::new([0.3, -1.4], [0.2, 0.0]), 0.01);
+}
+
+#[test]
+fn edges_are_certified() {
+    use edges::*;
+    // Of eccentricity 0.99, from its aphelion; the step is one of the time that slows down near the star.
+    let comet = Phase::new([1.99, 0.0], [0.0, (0.01_f64 / 1.99).sqrt()]);
+    certified_by(&Comet, Logarithmic(Yoshida4), comet, 0.05);
+    certified(&Pulse { strength: 0.5, on: 2.0, off: 5.0 }, Phase::new([0.3], [0.2]), 0.05);
+    let q = vec![[0.1, 0.2], [0.9, 0.3], [0.4, 1.1]];
+    let p = vec![[0.1, 0.0], [-0.1, 0.1], [0.0, -0.1]];
+    certified(&Soft { cutoff: 1.5 }, Phase::new(q.clone(), p.clone()), 0.02);
+    certified(&Periodic { side: 2.5, cutoff: 1.2 }, Phase::new(q, p), 0.02);
 }
