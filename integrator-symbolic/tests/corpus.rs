@@ -1,48 +1,21 @@
 //! What holds for every Hamiltonian of the corpus, whose numbers are tested elsewhere: its derivative is cheap, and
 //! together they use all of the language.
 
-use integrator_symbolic::{Report, hamiltonian, known_functions, report};
-use proc_macro2::TokenStream;
-use quote::ToTokens;
-use std::{fs, path::Path};
-use syn::{Item, ItemImpl, Meta};
+mod systems;
 
-/// An annotated impl of the corpus.
-struct System {
-    name: String,
-    arguments: TokenStream,
-    item: ItemImpl,
-}
+use integrator_symbolic::{Report, hamiltonian, known_functions, report};
+use quote::ToTokens;
+use systems::{System, corpus};
 
 impl System {
+    fn name(&self) -> String {
+        self.item.self_ty.to_token_stream().to_string()
+    }
+
     fn report(&self) -> Report {
         report(self.arguments.clone(), self.item.to_token_stream())
-            .unwrap_or_else(|error| panic!("{}: {error}", self.name))
+            .unwrap_or_else(|error| panic!("{}: {error}", self.name()))
     }
-}
-
-/// All of them, in the order of their files' names.
-fn corpus() -> Vec<System> {
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../tests/long/tests/corpus");
-    let entries = fs::read_dir(folder).expect("the corpus").map(|entry| entry.expect("an entry").path());
-    let mut paths: Vec<_> = entries.filter(|path| path.extension().is_some_and(|kind| kind == "rs")).collect();
-    paths.sort();
-    paths.iter().flat_map(|path| systems(&fs::read_to_string(path).expect("text"))).collect()
-}
-
-fn systems(text: &str) -> Vec<System> {
-    let items = syn::parse_file(text).expect("Rust").items;
-    items.into_iter().filter_map(system).collect()
-}
-
-fn system(item: Item) -> Option<System> {
-    let Item::Impl(mut item) = item else { return None };
-    let position = item.attrs.iter().position(|attribute| attribute.path().is_ident("hamiltonian"))?;
-    let arguments = match item.attrs.remove(position).meta {
-        Meta::List(list) => list.tokens,
-        _ => TokenStream::new(),
-    };
-    Some(System { name: item.self_ty.to_token_stream().to_string(), arguments, item })
 }
 
 #[test]
@@ -55,7 +28,7 @@ fn the_corpus_is_found() {
 fn derivatives_are_cheap() {
     for system in corpus() {
         let Report { operations_of_energies: energies, operations_together: together, .. } = system.report();
-        assert!(energies > 0 && together <= 4 * energies, "{}: {together} for {energies}", system.name);
+        assert!(energies > 0 && together <= 4 * energies, "{}: {together} for {energies}", system.name());
     }
 }
 
@@ -63,7 +36,7 @@ fn derivatives_are_cheap() {
 fn the_same_system_gives_the_same_text() {
     for system in corpus() {
         let expansion = || hamiltonian(system.arguments.clone(), system.item.to_token_stream()).to_string();
-        assert_eq!(expansion(), expansion(), "{}", system.name);
+        assert_eq!(expansion(), expansion(), "{}", system.name());
     }
 }
 

@@ -199,7 +199,7 @@ impl Machine<'_> {
                     if a.kind != b.kind {
                         return foreign("factors of two kinds");
                     }
-                    self.update(&call.receiver, &a.mul(b))?;
+                    self.fuse(&call.receiver, a, b)?;
                     Ok(Value::Unit)
                 }
                 _ => foreign(format!("`{name}` of a slot")),
@@ -259,7 +259,7 @@ impl Machine<'_> {
                 }
                 number.powi(exponent.value as i32).into()
             }
-            ("fma" | "mul_add", [b, c]) => number.mul(&alike(b)?).add(&alike(c)?).into(),
+            ("fma" | "mul_add", [b, c]) => number.fma(&alike(b)?, &alike(c)?).into(),
             ("powf" | "fast_powf", [exponent]) => number.powf(&alike(exponent)?).into(),
             ("atan2" | "fast_atan2", [x]) => number.atan2(&alike(x)?).into(),
             ("hypot", [x]) => number.hypot(&alike(x)?).into(),

@@ -64,6 +64,18 @@ impl Expansion {
         function(self.implementation("QuadraticPart", &part.to_string())?, "derivatives")
     }
 
+    /// The flows as text for devices, and what adds the constants that they read to a list.
+    pub(crate) fn device_text(&self) -> Option<(String, &ImplItemFn)> {
+        let written = self.implementation("DeviceText", "")?;
+        let Expr::Lit(syn::ExprLit { lit: syn::Lit::Str(text), .. }) = constant(written, "TEXT")? else { return None };
+        Some((text.value(), function(written, "push_constants")?))
+    }
+
+    /// A flow, or the product with the Hessian of `V`.
+    pub(crate) fn flow(&self, name: &str) -> Option<&ImplItemFn> {
+        self.function(name).or_else(|| function(self.implementation("QuadraticKinetic", "")?, name))
+    }
+
     /// What tells prepared constants the middle of a step, where conditions on the time alone are read.
     pub(crate) fn begin_step(&self) -> Option<&ImplItemFn> {
         function(self.implementation("Prepared", "")?, "begin_step")

@@ -8,6 +8,7 @@
 mod bounded;
 mod calls;
 mod choice;
+mod device;
 mod drivers;
 mod expansion;
 mod grammar;
@@ -20,6 +21,8 @@ mod place;
 mod sequence;
 mod shrink;
 mod splits;
+#[path = "../systems/mod.rs"]
+mod systems;
 mod value;
 
 use choice::Choices;

@@ -84,6 +84,12 @@ impl Number {
         self.with(main, &[other], |of| chained(other.main, of(self)) + chained(self.main, of(other)))
     }
 
+    /// `self * b + c`, rounded once; the bound is that of two roundings.
+    pub(crate) fn fma(&self, b: &Self, c: &Self) -> Self {
+        let apart = self.mul(b).add(c);
+        Self { main: Bounded { value: self.main.value.mul_add(b.main.value, c.main.value), ..apart.main }, ..apart }
+    }
+
     pub(crate) fn div(&self, other: &Self) -> Self {
         let main = self.main / other.main;
         self.with(main, &[other], |of| {

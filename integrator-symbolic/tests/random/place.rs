@@ -92,6 +92,18 @@ impl Machine<'_> {
         }
     }
 
+    /// Adds a product to a coordinate of a motion.
+    pub(crate) fn fuse(&mut self, place: &Expr, a: &Number, b: &Number) -> Outcome<()> {
+        match self.place(place)? {
+            Value::Slot(slot) if slot.kind == a.kind => {
+                *slot = Number { kind: slot.kind, ..a.fma(b, slot) };
+                Ok(())
+            }
+            Value::Slot(slot) => foreign(format!("{:?} is added to {:?}", a.kind, slot.kind)),
+            other => foreign(format!("an update of {}", other.kind())),
+        }
+    }
+
     fn place(&mut self, place: &Expr) -> Outcome<&mut Value> {
         let mut steps = Vec::new();
         let mut inner = place;

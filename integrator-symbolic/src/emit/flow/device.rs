@@ -9,7 +9,7 @@ use crate::{
     differentiate::{Contribution, fold_branches, gradient, hessian_product},
     emit::printer::{
         block::Emitter,
-        cuda::{Read, Reads, evaluate, identifier},
+        cuda::{Read, Reads, evaluate},
         names::Names,
     },
     graph::{Part, exact::Exact},
@@ -90,7 +90,7 @@ impl DeviceText {
                     })?
                 }
             };
-            let name = identifier(&name);
+            let name = read.name(&name);
             let brackets: String = lengths.iter().map(|length| format!("[{length}]")).collect();
             let _ = writeln!(fields, "R {name}{brackets};");
             loads += &load(&name, &lengths, constants);

@@ -3,6 +3,8 @@
 //! The same program gives the Rust text, and each operation here is the one that stands there: a product that is added
 //! is a fused multiply-add in both. What a device cannot be told of is noted, and no text is made of it.
 
+mod identifier;
+
 use super::{
     block::Emitter,
     expression::Printer,
@@ -19,10 +21,11 @@ use crate::{
     program::{Item, Program, Sink, Store, root_cubed, schedule},
     syntax::Functions,
 };
+use identifier::identifier;
 use proc_macro2::Ident;
 
 /// The functions that have the bits of the Rust kernels on a device, or are exact there.
-const KNOWN: [&str; 21] = [
+const KNOWN: [&str; 22] = [
     "abs",
     "acos",
     "asin",
@@ -44,120 +47,7 @@ const KNOWN: [&str; 21] = [
     "sqrt",
     "tan",
     "tanh",
-];
-
-/// Names that mean something in C++, or in the text around the lines.
-const TAKEN: [&str; 110] = [
-    "DEVICE",
-    "INFINITY",
-    "K",
-    "Motion",
-    "NAN",
-    "NULL",
-    "Parameters",
-    "R",
-    "Source",
-    "alignas",
-    "alignof",
-    "and",
-    "and_eq",
-    "asm",
-    "auto",
-    "bitand",
-    "bitor",
-    "bool",
-    "break",
-    "case",
-    "catch",
-    "char",
-    "char16_t",
-    "char32_t",
-    "char8_t",
-    "class",
-    "co_await",
-    "co_return",
-    "co_yield",
-    "compl",
-    "concept",
-    "const",
-    "const_cast",
-    "consteval",
-    "constexpr",
-    "constinit",
-    "continue",
-    "decltype",
-    "default",
-    "delete",
-    "do",
-    "double",
-    "duration",
-    "dynamic_cast",
-    "else",
-    "enum",
-    "errno",
-    "explicit",
-    "export",
-    "extern",
-    "false",
-    "float",
-    "fma",
-    "for",
-    "friend",
-    "goto",
-    "gradient",
-    "if",
-    "inline",
-    "int",
-    "long",
-    "main",
-    "motion",
-    "mutable",
-    "namespace",
-    "new",
-    "noexcept",
-    "not",
-    "not_eq",
-    "nullptr",
-    "number",
-    "operator",
-    "or",
-    "or_eq",
-    "private",
-    "protected",
-    "public",
-    "register",
-    "reinterpret_cast",
-    "requires",
-    "return",
-    "short",
-    "signed",
-    "sizeof",
-    "static",
-    "static_assert",
-    "static_cast",
-    "step",
-    "struct",
-    "switch",
-    "template",
-    "this",
-    "thread_local",
-    "throw",
-    "time",
-    "true",
-    "try",
-    "typedef",
-    "typeid",
-    "typename",
-    "union",
-    "unsigned",
-    "using",
-    "virtual",
-    "void",
-    "volatile",
-    "wchar_t",
-    "while",
-    "xor",
-    "xor_eq",
+    "trunc",
 ];
 
 /// What lines read beside the state: each becomes a field of the prepared constants on the device.
@@ -167,6 +57,16 @@ pub(crate) enum Read {
     Field(Content),
     /// A constant that the user's text names by a path.
     Path(ParameterId),
+}
+
+impl Read {
+    /// Its name in C++: a user's own one, or that of a path, which no user's becomes.
+    pub(crate) fn name(self, name: &Ident) -> String {
+        match self {
+            Self::Field(_) => identifier(name),
+            Self::Path(_) => name.to_string(),
+        }
+    }
 }
 
 /// What lines have read so far, with its name and the loops that its elements belong to.
@@ -179,25 +79,6 @@ impl Reads {
             self.0.push((read, name, loops));
         }
     }
-}
-
-/// A name of the user's as C++ may have it.
-pub(crate) fn identifier(name: &Ident) -> String {
-    let name = name.to_string();
-    let name = name.strip_prefix("r#").unwrap_or(&name);
-    let mut plain = String::new();
-    for letter in name.chars() {
-        match letter {
-            letter if letter.is_ascii() => plain.push(letter),
-            letter => plain.push_str(&format!("u{:x}", u32::from(letter))),
-        }
-    }
-    // Loops have the indices `i0`, `i1` and so on.
-    let is_index = plain
-        .strip_prefix('i')
-        .is_some_and(|rest| !rest.is_empty() && rest.bytes().all(|letter| letter.is_ascii_digit()));
-    let is_taken = is_index || TAKEN.contains(&plain.as_str()) || KNOWN.contains(&plain.as_str());
-    if is_taken { plain + "_" } else { plain }
 }
 
 /// The lines that evaluate values and store them, and the program that they are printed from; or why there are none.
@@ -471,7 +352,7 @@ impl Cuda<'_, '_> {
     /// A prepared constant for the present iterations of its loops.
     fn read(&mut self, read: Read, name: Ident, loops: LoopSet) -> String {
         let at: String = loops.iter().map(|by| format!("[{}]", self.running(by))).collect();
-        let text = format!("motion.parameters.{}{at}", identifier(&name));
+        let text = format!("motion.parameters.{}{at}", read.name(&name));
         self.reads.note(read, name, loops);
         text
     }

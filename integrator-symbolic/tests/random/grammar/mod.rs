@@ -74,10 +74,19 @@ struct Grammar {
 
 /// The system of a seed.
 pub(crate) fn system(seed: u64) -> System {
+    of_length(seed, true)
+}
+
+/// That of a seed whose coordinates are arrays.
+pub(crate) fn fixed_system(seed: u64) -> System {
+    of_length(seed, false)
+}
+
+fn of_length(seed: u64, may_be_dynamic: bool) -> System {
     let mut choices = Choices::new(seed);
     let length = 1 + choices.below(5);
     let dimension = choices.percent(30).then(|| 1 + choices.below(3));
-    let (is_dynamic, has_time) = (choices.percent(40), choices.percent(15));
+    let (is_dynamic, has_time) = (choices.percent(40) && may_be_dynamic, choices.percent(15));
     let helpers = Vec::new();
     Grammar { choices, length, dimension, is_dynamic, has_time, letter: "q", helpers, count: 0 }.system()
 }
