@@ -90,7 +90,7 @@ pub(crate) const SYSTEMS: [System; 6] = [
 
 pub(crate) struct Pendulum;
 
-#[hamiltonian]
+#[hamiltonian(taylor)]
 impl Pendulum {
     fn kinetic(&self, p: [f64; 1]) -> f64 {
         0.5 * p[0] * p[0]
@@ -102,7 +102,7 @@ impl Pendulum {
 
 pub(crate) struct Oscillator;
 
-#[hamiltonian]
+#[hamiltonian(taylor)]
 impl Oscillator {
     fn kinetic(&self, p: [f64; 1]) -> f64 {
         0.5 * p[0] * p[0]
@@ -114,7 +114,7 @@ impl Oscillator {
 
 pub(crate) struct HenonHeiles;
 
-#[hamiltonian]
+#[hamiltonian(taylor)]
 impl HenonHeiles {
     fn kinetic(&self, [px, py]: [f64; 2]) -> f64 {
         0.5 * (px * px + py * py)
@@ -126,7 +126,7 @@ impl HenonHeiles {
 
 struct Kepler;
 
-#[hamiltonian]
+#[hamiltonian(taylor)]
 impl Kepler {
     fn kinetic(&self, [px, py]: [f64; 2]) -> f64 {
         0.5 * (px * px + py * py)
@@ -138,7 +138,7 @@ impl Kepler {
 
 struct DoubleWell;
 
-#[hamiltonian]
+#[hamiltonian(taylor)]
 impl DoubleWell {
     fn kinetic(&self, p: [f64; 1]) -> f64 {
         0.5 * p[0] * p[0]

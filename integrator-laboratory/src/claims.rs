@@ -82,6 +82,12 @@ const SHIFTED: f64 = 1e6 * 8.0 * f64::EPSILON;
 /// A power is off by a few tenths where the next one still shows, and by one at least where a term is wrong.
 const POWER: f64 = 0.4;
 
+/// An exponent from two long steps is off by the next term of the error, and by two where a column gains nothing.
+const COLUMN: f64 = 1.0;
+
+/// Twenty Euler steps, each rounded a few times, in sums whose weights are below nine.
+const CORNER: f64 = 20.0 * 4.0 * 9.0 * f64::EPSILON;
+
 /// Areas are measured to the resolution of their outline.
 const AREA: f64 = 1e-6;
 
@@ -127,7 +133,33 @@ const ORDERS: [Claim; 11] = orders! {
     "blanes_moan6_order_6" "The composition of Blanes and Moan has order 6: the exponent" "Blanes–Moan 6" 6.0,
 };
 
-const CLAIMS: [Claim; 13] = [
+/// What is claimed of a composition with a force gradient, where there is one.
+const OF_GRADIENTS: [Claim; 1] = [Claim {
+    name: "chin_4a_order_4",
+    says: "Chin's composition with a force gradient has order 4 without a step back: the exponent",
+    of_energy: false,
+    value: |study| study.method("Chin 4A")?.slope,
+    within: order(4.0),
+}];
+
+/// What is claimed of Taylor's method, where there are recurrences.
+const OF_TAYLOR: Claim = Claim {
+    name: "taylor_follows_its_tolerance",
+    says: "The errors of Taylor's method fall with its tolerance: the exponent",
+    of_energy: false,
+    value: |study| {
+        let taylor = study.adaptive.iter().find(|adaptive| adaptive.row.name == "Taylor")?;
+        let seen: Vec<_> = taylor.errors.iter().filter(|rung| rung.error > ROUNDED).collect();
+        let [first, .., last] = seen[..] else { return None };
+        Some((first.error / last.error).ln() / (first.step / last.step).ln())
+    },
+    within: [0.5, 1.5],
+};
+
+/// Errors below this have as much of rounding in them as of a tolerance.
+const ROUNDED: f64 = 1e-12;
+
+const CLAIMS: [Claim; 15] = [
     Claim {
         name: "forward_euler_energy_grows",
         says: "Forward Euler gains energy: the relative change after a period",
@@ -223,6 +255,20 @@ const CLAIMS: [Claim; 13] = [
         within: [1e3 * BACK, f64::INFINITY],
     },
     Claim {
+        name: "each_column_of_the_extrapolation_gains_two_orders",
+        says: "Each column of the extrapolation gains two orders: by how much the exponents of its errors exceed 3, 5, 7, 9, at least",
+        of_energy: false,
+        value: |study| study.extrapolation.as_ref()?.least_excess(),
+        within: [-COLUMN, f64::INFINITY],
+    },
+    Claim {
+        name: "the_extrapolation_ends_in_gragg_bulirsch_stoer",
+        says: "The last entry of the extrapolation is the step of Gragg, Bulirsch and Stoer: the relative distance",
+        of_energy: false,
+        value: |study| Some(study.extrapolation.as_ref()?.corner),
+        within: [0.0, CORNER],
+    },
+    Claim {
         name: "verlet_equals_shifted_leapfrog",
         says: "Verlet's inner half steps are the leapfrog, shifted by half a step: the largest relative distance",
         of_energy: false,
@@ -281,7 +327,14 @@ fn of_modified(modified: &Modified) -> Verdict {
 
 /// What became of all claims that say something of the system.
 pub(crate) fn verdicts(study: &Study) -> Vec<Verdict> {
-    let claims = CLAIMS.iter().chain(&ORDERS).filter(|claim| study.autonomous || !claim.of_energy);
+    let of_gradients = study.method("Chin 4A").map_or(&OF_GRADIENTS[..0], |_| &OF_GRADIENTS[..]);
+    let of_taylor = study.adaptive.iter().filter(|adaptive| adaptive.row.name == "Taylor").map(|_| &OF_TAYLOR);
+    let claims = CLAIMS
+        .iter()
+        .chain(&ORDERS)
+        .chain(of_gradients)
+        .chain(of_taylor)
+        .filter(|claim| study.autonomous || !claim.of_energy);
     let portraits = study.methods.iter().filter(|_| study.autonomous).map(of_portrait);
     let modified = study.modified.iter().map(of_modified);
     claims.map(|claim| claim.verdict(study)).chain(portraits).chain(modified).collect()

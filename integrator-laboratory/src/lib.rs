@@ -40,9 +40,11 @@
 //! | `claims` | claims, each with the number that decides it |
 //! | `pictures`, `page` | what is drawn and written; `formula` makes MathML, `numbers` plain numbers |
 
+mod admitted;
 mod blob;
 mod claims;
 mod errors;
+mod extrapolation;
 mod formula;
 mod laboratory;
 mod limits;

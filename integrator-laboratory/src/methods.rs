@@ -1,6 +1,7 @@
 //! The methods, one row each.
 
 use crate::{
+    admitted::{by_taylor, with_gradients},
     errors::{Exact, Rung, tolerances},
     measured::{Measured, energies, measure},
     modified::{self, Modified},
@@ -71,11 +72,13 @@ pub(crate) fn adaptive<H: Hamiltonian>(
             }),*]
         };
     }
-    Ok(rows! {
+    let mut rows = rows! {
         "Dormand–Prince 5" DormandPrince5 MORE[4], "Runge–Kutta with steps by an estimate of the error";
         "Dormand–Prince 8" DormandPrince8 MORE[5], "the same of order 8";
         "backward differences" Bdf MORE[6], "for stiff systems";
-    })
+    };
+    rows.extend(by_taylor(problem, plan, exact)?);
+    Ok(rows)
 }
 
 /// Measures every method on a problem.
@@ -92,7 +95,7 @@ pub(crate) fn all<H: Hamiltonian>(
             )?),*]
         };
     }
-    Ok(rows! {
+    let mut rows = rows! {
         "forward Euler" AnyReference::from(ForwardEuler), COLOURS[0], false,
             "z_{n+1} = z_n + h f(z_n)",
             "Along the tangent at the beginning: outwards on every closed orbit.";
@@ -144,7 +147,9 @@ pub(crate) fn all<H: Hamiltonian>(
         "Kahan–Li 8" KahanLi8, Colour(110, 70, 30), false,
             "S_8(h) = Π_{i=1}^{17} S_2(w_i h)",
             "Seventeen steps of Verlet, the same from both ends.";
-    })
+    };
+    rows.extend(with_gradients(problem, plan, exact)?);
+    Ok(rows)
 }
 
 /// Measures what the compositions conserve whose modified Hamiltonian has terms up to the fourth power of the step.

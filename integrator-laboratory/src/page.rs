@@ -2,6 +2,7 @@
 
 use crate::{
     claims::Verdict,
+    extrapolation::{DIVISIONS, Extrapolation},
     formula::math,
     measured::Measured,
     numbers::{plain, signed},
@@ -40,9 +41,10 @@ pub(crate) fn page(
     format!(
         "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<title>Laboratory: {name}</title>\n\
          <style>{STYLE}</style>\n</head>\n<body>\n<h1>Laboratory: {name}</h1>\n<p>{formula}</p>\n{methods}\
-         <h2>Pictures</h2>\n{pictures}<h2>Claims</h2>\n<p>{summary}</p>\n<table>\n\
+         <h2>Pictures</h2>\n{pictures}{extrapolation}<h2>Claims</h2>\n<p>{summary}</p>\n<table>\n\
          <tr><th>claim</th><th>expected</th><th>measured</th><th>verdict</th></tr>\n{rows}</table>\n</body>\n</html>\n",
         methods = study.map(methods).unwrap_or_default(),
+        extrapolation = study.and_then(|study| study.extrapolation.as_ref()).map(extrapolation).unwrap_or_default(),
     )
 }
 
@@ -55,6 +57,30 @@ fn row(verdict: &Verdict) -> String {
         verdict.expected(),
         plain(verdict.measured),
         word = verdict.word(),
+    )
+}
+
+/// The table of one extrapolated step.
+fn extrapolation(extrapolation: &Extrapolation) -> String {
+    let rows: String = extrapolation
+        .errors
+        .iter()
+        .zip(DIVISIONS)
+        .map(|(errors, division)| {
+            let entries: String =
+                errors.iter().map(|error| format!("<td class=\"number\">{}</td>", plain(*error))).collect();
+            format!("<tr><td>{division}</td>{entries}</tr>\n")
+        })
+        .collect();
+    let orders: String = (1..=DIVISIONS.len()).map(|column| format!("<th>order {}</th>", 2 * column)).collect();
+    format!(
+        "<h2>Extrapolation</h2>\n<p>One step of {step}, taken as {n} midpoint steps, and continued to no step: \
+         {formula}. Each entry is the error of the state at its end: from left to right two orders are gained, from above to below steps \
+         are finer. The last entry is the step of Gragg, Bulirsch and Stoer.</p>\n\
+         <table id=\"extrapolation\">\n<tr><th>midpoint steps</th>{orders}</tr>\n{rows}</table>\n",
+        step = plain(extrapolation.step),
+        n = math("n_j"),
+        formula = math("T_{jk} = T_{j,k−1} + {T_{j,k−1} − T_{j−1,k−1}}/{{(n_j/n_{j−k})}^2 − 1}"),
     )
 }
 

@@ -2,6 +2,7 @@
 
 use crate::{
     errors::exact,
+    extrapolation::{Extrapolation, extrapolation},
     measured::Measured,
     methods::{self, Adaptive},
     modified::Modified,
@@ -29,6 +30,8 @@ pub(crate) struct Study {
     pub(crate) adaptive: Vec<Adaptive>,
     /// What symplectic compositions conserve; nothing where `H` is not conserved or no `T(p) + V(q)`.
     pub(crate) modified: Vec<Modified>,
+    /// One long step, extrapolated.
+    pub(crate) extrapolation: Option<Extrapolation>,
     /// By how much Verlet's inner half steps differ from the leapfrog.
     pub(crate) shifted: f64,
 }
@@ -71,6 +74,7 @@ pub(crate) fn measure<H: Hamiltonian>(
         methods,
         adaptive: methods::adaptive(problem, plan, &exact)?,
         modified,
+        extrapolation: extrapolation(problem),
         shifted: verlet_against_leapfrog(problem)?,
     })
 }

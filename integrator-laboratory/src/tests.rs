@@ -7,7 +7,7 @@ use std::{env, fs, path::PathBuf, sync::OnceLock};
 
 struct Pendulum;
 
-#[hamiltonian]
+#[hamiltonian(taylor)]
 impl Pendulum {
     fn kinetic(&self, p: [f64; 1]) -> f64 {
         0.5 * p[0] * p[0]
@@ -66,6 +66,27 @@ const WRONG: [(&str, &str, &str); 12] = [
     ("gauss_legendre4_order_4", "Gauss–Legendre 4", "implicit midpoint"),
 ];
 
+/// Methods that not every Hamiltonian admits have their claims where they are, and these can fail.
+#[test]
+fn methods_of_some_systems_have_claims_of_their_own() {
+    let sound = study();
+    for claim in ["chin_4a_order_4", "taylor_follows_its_tolerance"] {
+        assert!(verdict(claim, &sound).holds(), "{claim}");
+    }
+    let mut wrong = sound.clone();
+    let chin = wrong.methods.iter_mut().find(|measured| measured.name() == "Chin 4A").expect("T is quadratic");
+    chin.slope = sound.method("Verlet").expect("a method").slope;
+    let taylor = wrong.adaptive.iter_mut().find(|adaptive| adaptive.row.name == "Taylor").expect("recurrences");
+    taylor.errors.iter_mut().for_each(|rung| rung.error = 1e-6);
+    for claim in ["chin_4a_order_4", "taylor_follows_its_tolerance"] {
+        assert!(!verdict(claim, &wrong).holds(), "{claim}");
+    }
+    // Of a system without recurrences nothing is claimed of them.
+    let other = driven([0, 3]).study().expect("measurements");
+    assert!(other.method("Chin 4A").is_some() && other.adaptive.len() + 1 == sound.adaptive.len());
+    assert!(!verdicts(&other).iter().any(|verdict| verdict.name.contains("taylor")));
+}
+
 #[test]
 fn a_claim_fails_for_another_method() {
     let study = study();
@@ -102,12 +123,18 @@ fn a_claim_fails_for_a_number_that_is_off() {
     );
     let mut study = sound.clone();
     study.shifted = 1e-3;
+    let extrapolation = study.extrapolation.as_mut().expect("a table");
+    extrapolation.corner = 1e-9;
+    // The second column gains nothing.
+    extrapolation.halved[1][1] = extrapolation.errors[1][1] / 8.0;
     study.modified[1].excess = Some(-2.0);
     // Forward Euler, taken for symplectic; it is neither, and it is not symmetric.
     study.methods[0].symplectic = true;
     study.methods[0].symmetric = true;
     for claim in [
         "verlet_equals_shifted_leapfrog",
+        "each_column_of_the_extrapolation_gains_two_orders",
+        "the_extrapolation_ends_in_gragg_bulirsch_stoer",
         "maps_tell_symplectic_methods",
         "symplectic_methods_preserve_areas",
         "symmetric_methods_come_back",
@@ -226,6 +253,10 @@ fn a_page_has_its_claims_its_formulas_and_what_was_added() {
             measured.name()
         );
     }
+    // The triangle of the extrapolation, below its head.
+    let table = page.split("<table id=\"extrapolation\">").nth(1).and_then(|rest| rest.split("</table>").next());
+    let table = table.expect("a table");
+    assert_eq!((table.matches("<tr>").count(), table.matches("class=\"number\"").count()), (5, 10), "{table}");
     for name in ["portraits", "own"] {
         for ending in ["svg", "png"] {
             let file = folder.join("swing").join(name).with_extension(ending);

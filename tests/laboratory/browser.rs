@@ -1,6 +1,6 @@
 //! The pages in a browser, where there is one: Debian's package `chromium`.
 
-use crate::reports;
+use crate::{Written, written};
 use std::{env, fs, process::Command};
 
 const BROWSERS: [&str; 2] = ["chromium", "chromium-browser"];
@@ -25,17 +25,17 @@ fn a_browser_shows_every_page_without_an_error() {
         println!("SKIPPED: there is no {}, so that no browser has shown the page", BROWSERS.join(" and no "));
         return;
     };
-    for (system, report) in reports() {
-        let text = fs::read_to_string(&report.page).expect("a page");
+    let folder = env::temp_dir().join(format!("integrator-browser-{}", std::process::id()));
+    fs::create_dir_all(&folder).expect("a folder");
+    for Written { system, page: text, .. } in written() {
         let expected =
             format!("pictures: {}, formulas: {}", text.matches("<figure").count(), text.matches("<math").count());
-        let page = report.page.with_file_name(format!("{system}-counted.html"));
+        let page = folder.join(format!("{system}.html"));
         fs::write(&page, text.replace("</html>", &format!("{COUNT}</html>"))).expect("a page to write");
-        let profile = env::temp_dir().join(format!("integrator-browser-{}", std::process::id()));
         let output = Command::new(browser)
             .args(["--headless", "--no-sandbox", "--disable-gpu", "--disable-dev-shm-usage", "--enable-logging=stderr"])
             .args(["--disable-background-networking", "--no-first-run", "--dump-dom"])
-            .arg(format!("--user-data-dir={}", profile.display()))
+            .arg(format!("--user-data-dir={}", folder.join("profile").display()))
             .arg(format!("file://{}", page.display()))
             .output()
             .expect("the browser runs");
@@ -45,6 +45,6 @@ fn a_browser_shows_every_page_without_an_error() {
         assert!(console.is_empty(), "{system}: {console:?}");
         let counted = dom.split("data-drawn=\"").nth(1).and_then(|rest| rest.split('"').next());
         assert_eq!(counted, Some(expected.as_str()), "{system}: {log}");
-        fs::remove_dir_all(&profile).expect("a folder");
     }
+    fs::remove_dir_all(&folder).expect("a folder");
 }

@@ -35,7 +35,7 @@ fn panel(study: &Study, measured: &Measured) -> Chart {
 /// A factor beside one: how far it is from it, where it is close.
 fn factor(area: f64) -> String {
     let off = area - 1.0;
-    if off.abs() < 1e-3 {
+    if off.abs() < 0.01 {
         format!("1 {} {}", if off < 0.0 { '−' } else { '+' }, plain(off.abs()))
     } else {
         plain(area)
