@@ -239,8 +239,9 @@ pub mod __private {
     pub use crate::ensemble::lane_scalars::LaneScalars;
     #[cfg(all(feature = "checkpoint", feature = "std"))]
     pub use crate::{
-        ensemble::checkpoint::{joined, members_of, part_of},
-        trajectory::checkpoint::{coordinates, numbers},
+        ensemble::checkpoint::{joined, part_of},
+        state::coords::column_names,
+        trajectory::checkpoint::{coordinates, numbers, write_whole},
     };
 
     /// A table of prepared constants whose length is known at run time.

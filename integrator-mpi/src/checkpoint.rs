@@ -7,7 +7,7 @@ use crate::{
     parts::{Part, at, manifest},
 };
 use integrator_core::{
-    __private::{LaneScalars, joined, members_of, part_of},
+    __private::{LaneScalars, joined, part_of},
     Coords, Ensemble as Local, Hamiltonian, InLanes, Memoryless,
 };
 use mpi::traits::Communicator;
@@ -78,11 +78,11 @@ fn members_of_files(folder: &Path, files: &[Part], members: Range<usize>) -> Res
         if from < to {
             let path = folder.join(name);
             let bytes = fs::read(&path).map_err(at(&path))?;
-            let whole = members_of(&bytes).map_err(at(&path))?;
+            let (whole, part) = part_of(&bytes, from - first..to - first).map_err(at(&path))?;
             if whole != *count {
                 return Err(at(&path)(format!("{whole} members, but the manifest says {count}")));
             }
-            parts.push(part_of(&bytes, from - first..to - first).map_err(at(&path))?);
+            parts.push(part);
         }
     }
     joined(&parts).map_err(at(folder))

@@ -8,7 +8,7 @@ use mpi::{
     collective::SystemOperation,
     traits::{Communicator, CommunicatorCollectives},
 };
-use std::ops::Range;
+use std::{fmt, ops::Range};
 
 /// The members of this rank, where `members` are dealt out by their index: ranks have neighbouring members, and as many as
 /// each other, or one more.
@@ -19,7 +19,11 @@ use std::ops::Range;
 /// # Ok::<(), integrator_mpi::NotStarted>(())
 /// ```
 pub fn share(world: &impl Communicator, members: usize) -> Range<usize> {
-    let (rank, ranks) = (world.rank() as usize, world.size() as usize);
+    share_of(world.rank() as usize, world.size() as usize, members)
+}
+
+/// The members of a rank of so many.
+pub(crate) fn share_of(rank: usize, ranks: usize, members: usize) -> Range<usize> {
     // The first ranks have one more.
     let (each, more) = (members / ranks, members % ranks);
     let first = |rank: usize| rank * each + rank.min(more);
@@ -46,8 +50,8 @@ pub struct Ensemble<'w, W: Communicator, C: Coords> {
 }
 
 /// A member of this rank, as it is shown.
-#[derive(Clone, Debug)]
-pub struct Member<C> {
+#[derive(Clone)]
+pub struct Member<'e, C: Coords> {
     /// Its index among the members of all ranks.
     pub index: usize,
     /// Its state: the last finite one if it is lost.
@@ -56,8 +60,26 @@ pub struct Member<C> {
     pub steps: u64,
     /// Its time.
     pub time: f64,
-    /// Its energy in that state.
-    pub energy: f64,
+    /// The ensemble that it is in, where it has this place.
+    local: &'e Local<C>,
+    own: usize,
+}
+
+impl<C: Coords> Member<'_, C> {
+    /// Its energy in that state, which is computed when it is asked for.
+    pub fn energy(&self) -> f64 {
+        // Members are counted as states are.
+        self.local.energy(self.own).unwrap_or(f64::NAN)
+    }
+}
+
+impl<C: Coords> fmt::Debug for Member<'_, C> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { index, state, steps, time, .. } = self;
+        let mut text = f.debug_struct("Member");
+        text.field("index", index).field("state", state).field("steps", steps).field("time", time);
+        text.finish_non_exhaustive()
+    }
 }
 
 impl<'w, W: Communicator, C: Coords> Ensemble<'w, W, C> {
@@ -192,7 +214,7 @@ impl<'w, W: Communicator, C: Coords> Ensemble<'w, W, C> {
     }
 
     /// The members of this rank, in their order.
-    pub fn members_of_rank(&self) -> impl Iterator<Item = Member<C>> {
+    pub fn members_of_rank(&self) -> impl Iterator<Item = Member<'_, C>> {
         let local = self.local.as_ref();
         local.into_iter().flat_map(|local| local.states().enumerate().map(move |(own, state)| (local, own, state))).map(
             |(local, own, state)| Member {
@@ -201,13 +223,14 @@ impl<'w, W: Communicator, C: Coords> Ensemble<'w, W, C> {
                 // Members are counted as states are.
                 steps: local.steps_of(own).unwrap_or_default(),
                 time: local.time_of(own).unwrap_or_default(),
-                energy: local.energy(own).unwrap_or(f64::NAN),
+                local,
+                own,
             },
         )
     }
 
     /// Shows every member of this rank, in their order.
-    pub fn for_each_local(&self, visit: impl FnMut(Member<C>)) {
+    pub fn for_each_local(&self, visit: impl FnMut(Member<'_, C>)) {
         self.members_of_rank().for_each(visit);
     }
 }

@@ -31,6 +31,8 @@
 //!
 //! A rank that ends without the others, by a panic or because it was killed, ends the job: `mpirun` says so.
 
+#[cfg(feature = "chaos")]
+pub mod chaos;
 mod checkpoint;
 mod ensemble;
 mod error;

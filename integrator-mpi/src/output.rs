@@ -6,7 +6,7 @@ use crate::{
     parts::{Manifest, Part, name_of_manifest},
 };
 use integrator_core::{
-    __private::{Precision, numbers},
+    __private::{Precision, column_names, numbers},
     Coords,
 };
 use mpi::traits::Communicator;
@@ -89,16 +89,10 @@ impl<W: Communicator, C: Coords> Ensemble<'_, W, C> {
 
 /// The names of all columns.
 fn header<C: Coords>(like: &C) -> Vec<String> {
-    let each = |letter: char| {
-        let leaves = like.flat().len();
-        let parts = C::Leaf::PARTS;
-        (0..leaves * parts).map(move |place| {
-            let index = place / parts;
-            let name = match C::COMPONENTS {
-                0 | 1 => format!("{letter}{index}"),
-                components => format!("{letter}{}_{}", index / components, index % components),
-            };
-            if place % parts == 0 { name } else { format!("{name}_carried") }
+    let each = |letter| {
+        column_names::<C>(letter, like.flat().len()).flat_map(|name| {
+            let carried = (C::Leaf::PARTS > 1).then(|| format!("{name}_carried"));
+            [Some(name), carried].into_iter().flatten()
         })
     };
     let first = ["member", "steps", "t"].map(String::from);
@@ -110,7 +104,7 @@ fn row<C: Coords>(member: &Member<C>) -> Vec<String> {
     let counts = [member.index.to_string(), member.steps.to_string()];
     let numbers = [member.time].into_iter().chain(numbers(&member.state.q)).chain(numbers(&member.state.p));
     // As `Debug` shows them, numbers are as short as possible, and with an exponent where that is shorter.
-    counts.into_iter().chain(numbers.chain([member.energy]).map(|number| format!("{number:?}"))).collect()
+    counts.into_iter().chain(numbers.chain([member.energy()]).map(|number| format!("{number:?}"))).collect()
 }
 
 /// Joins the files of a folder that [`Ensemble::write_csv`] has written into one, with one line of names. Needs no ranks; the

@@ -5,14 +5,10 @@ use crate::{
     error::{Error, Failure, agree},
     is_root,
 };
-use integrator_core::Coords;
+use integrator_core::{__private::write_whole, Coords};
 use mpi::traits::{Communicator, CommunicatorCollectives, Root};
 use serde::{Deserialize, Serialize};
-use std::{
-    fs::{self, File},
-    io,
-    path::Path,
-};
+use std::{fs, io, path::Path};
 
 /// The name of the file that says which others of a kind there are.
 pub(crate) fn name_of_manifest(extension: &str) -> String {
@@ -88,14 +84,9 @@ impl<W: Communicator, C: Coords> Ensemble<'_, W, C> {
 /// Writes a manifest in the place of the one before, and removes the files that only that one names.
 fn replace(folder: &Path, extension: &str, new: &Manifest) -> Result<(), Failure> {
     let old = manifest(folder, extension).ok();
-    let name = name_of_manifest(extension);
-    let (path, partial) = (folder.join(&name), folder.join(format!("{name}.partial")));
-    let write = || {
-        fs::write(&partial, serde_json::to_vec_pretty(new)?)?;
-        File::open(&partial)?.sync_all()?;
-        fs::rename(&partial, &path)
-    };
-    write().map_err(at(&path))?;
+    let path = folder.join(name_of_manifest(extension));
+    let text = serde_json::to_vec_pretty(new).map_err(at(&path))?;
+    write_whole(&path, &text).map_err(at(&path))?;
     for Part { name, .. } in old.iter().flat_map(|old| &old.files) {
         // A manifest that somebody else wrote may name anything.
         let is_ours = Path::new(name).file_name().is_some_and(|own| own == &**name) && name.contains("-rank-");

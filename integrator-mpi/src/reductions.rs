@@ -55,31 +55,29 @@ impl<W: Communicator, C: Coords> Ensemble<'_, W, C> {
     ///
     /// It is exact before it is rounded to the nearest `f64`: no bit depends on the order of the members, nor on how they
     /// are dealt out.
-    pub fn sum(&self, number: impl Fn(&Member<C>) -> Option<f64>) -> f64 {
-        self.exact_sum(number).value()
-    }
-
-    fn exact_sum(&self, number: impl Fn(&Member<C>) -> Option<f64>) -> ExactSum {
+    pub fn sum(&self, number: impl Fn(&Member<'_, C>) -> Option<f64>) -> f64 {
         let mut sum = ExactSum::EMPTY;
         self.for_each_local(|member| number(&member).into_iter().for_each(|x| sum.add(x)));
-        sum.over_ranks(self.world())
+        sum.over_ranks(self.world()).value()
     }
 
     /// The first moments of a number of each member that has it, around their mean, each from an exact sum. Collective.
-    pub fn moments(&self, number: impl Fn(&Member<C>) -> Option<f64>) -> Moments {
-        let sum = self.exact_sum(&number);
+    pub fn moments(&self, number: impl Fn(&Member<'_, C>) -> Option<f64>) -> Moments {
+        // The distances from the mean ask for the numbers once more.
+        let numbers: Vec<f64> = self.members_of_rank().filter_map(|member| number(&member)).collect();
+        let mut sum = ExactSum::EMPTY;
+        numbers.iter().for_each(|x| sum.add(*x));
+        let sum = sum.over_ranks(self.world());
         let count = sum.count();
         let mean = sum.value() / count as f64;
         let mut powers = [ExactSum::EMPTY, ExactSum::EMPTY, ExactSum::EMPTY];
-        self.for_each_local(|member| {
-            if let Some(x) = number(&member) {
-                let (distance, mut power) = (x - mean, x - mean);
-                for sum in &mut powers {
-                    power *= distance;
-                    sum.add(power);
-                }
+        for x in numbers {
+            let (distance, mut power) = (x - mean, x - mean);
+            for sum in &mut powers {
+                power *= distance;
+                sum.add(power);
             }
-        });
+        }
         let [square, cube, fourth] = powers.map(|sum| sum.over_ranks(self.world()).value() / count as f64);
         let deviation = square.sqrt();
         Moments {
@@ -93,13 +91,13 @@ impl<W: Communicator, C: Coords> Ensemble<'_, W, C> {
 
     /// The smallest number of all members that have one, with the index of the first that has it. NaN is no number here.
     /// Collective.
-    pub fn minimum(&self, number: impl Fn(&Member<C>) -> Option<f64>) -> Option<(usize, f64)> {
+    pub fn minimum(&self, number: impl Fn(&Member<'_, C>) -> Option<f64>) -> Option<(usize, f64)> {
         self.maximum(|member| number(member).map(|x| -x)).map(|(index, x)| (index, -x))
     }
 
     /// The largest number of all members that have one, with the index of the first that has it. NaN is no number here.
     /// Collective.
-    pub fn maximum(&self, number: impl Fn(&Member<C>) -> Option<f64>) -> Option<(usize, f64)> {
+    pub fn maximum(&self, number: impl Fn(&Member<'_, C>) -> Option<f64>) -> Option<(usize, f64)> {
         let mut own: Option<(usize, f64)> = None;
         self.for_each_local(|member| {
             if let Some(x) = number(&member).filter(|x| !x.is_nan())
@@ -121,7 +119,12 @@ impl<W: Communicator, C: Coords> Ensemble<'_, W, C> {
 
     /// How many members have a number in each of `bins` intervals of `range`. Collective, with the same range and number of
     /// intervals on every rank.
-    pub fn histogram(&self, range: Range<f64>, bins: usize, number: impl Fn(&Member<C>) -> Option<f64>) -> Histogram {
+    pub fn histogram(
+        &self,
+        range: Range<f64>,
+        bins: usize,
+        number: impl Fn(&Member<'_, C>) -> Option<f64>,
+    ) -> Histogram {
         // Behind the intervals: below, above, NaN.
         let mut own = vec![0_u64; bins + 3];
         let width = range.end - range.start;

@@ -11,7 +11,7 @@ use mpi::{
 };
 
 /// How many numbers a message has at most: MPI counts them in 31 bits.
-const IN_A_MESSAGE: usize = 1 << 27;
+pub(crate) const IN_A_MESSAGE: usize = 1 << 27;
 
 impl<W: Communicator, C: Coords> Ensemble<'_, W, C> {
     /// The states of all members on rank 0, in their order, and `None` on all other ranks. Collective.

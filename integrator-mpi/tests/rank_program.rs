@@ -4,10 +4,10 @@
 mod systems;
 
 use integrator_core::{Coords, prelude::*};
-use integrator_mpi as cluster;
+use integrator_mpi::{self as cluster, chaos::Indicator};
 use mpi::traits::{Communicator, CommunicatorCollectives};
 use std::process::{abort, exit};
-use systems::{MEMBERS, Pendulum, STEPS, fall, pendulum};
+use systems::{HenonHeiles, MEMBERS, Pendulum, STEPS, fall, pendulum};
 
 fn main() {
     let arguments: Vec<String> = std::env::args().collect();
@@ -39,6 +39,20 @@ fn main() {
             on_every_rank(&world, &text(swarm.advance_while(10, 0, |_, _| true)));
             let tenth = swarm.advance_while(10, 1, |index, _| index % 10 == 0);
             on_every_rank(&world, &format!("{}: {} stay", text(tenth), swarm.active()));
+        }
+        "map" => {
+            let start = |i: usize| Phase::new([i as f64 / 20.0, 0.1], [0.3, 0.0]);
+            let map = |count, steps| {
+                cluster::chaos::map(&world, &HenonHeiles, Verlet, count, start, 0.05, steps, Indicator::Megno)
+            };
+            for (count, steps) in [(11, 2_000), (2, 100)] {
+                let found = map(count, steps).expect("finite starts");
+                assert_eq!(found.is_some(), cluster::is_root(&world));
+                found.iter().for_each(|indicators| println!("{indicators:?}"));
+            }
+            for refused in [map(11, 1), map_of_nan(&world)] {
+                on_every_rank(&world, &refused.err().map_or("accepted".to_owned(), |error| error.to_string()));
+            }
         }
         "csv" => {
             let member = |i: usize| (pendulum(i), Phase::new([i as f64 / 40.0], [0.1]));
@@ -90,6 +104,12 @@ fn main() {
     }
 }
 
+/// A map in which one start of each ten is no number.
+fn map_of_nan(world: &impl Communicator) -> Result<Option<Vec<f64>>, cluster::Error> {
+    let start = |i: usize| Phase::new([if i % 10 == 2 { f64::NAN } else { 0.1 }, 0.1], [0.3, 0.0]);
+    cluster::chaos::map(world, &HenonHeiles, Verlet, 21, start, 0.05, 100, Indicator::Fli)
+}
+
 /// All numbers that an ensemble of so many members gives, bit by bit, printed by rank 0.
 fn numbers<H, C>(world: &impl Communicator, members: usize, member: impl Fn(usize) -> (H, Phase<C>))
 where
@@ -103,8 +123,8 @@ where
         .expect("finite starts");
     swarm.advance(STEPS).expect("no member is lost");
     assert_eq!(swarm.steps(), STEPS);
-    let first = |member: &cluster::Member<C>| Some(member.state.to_f64().q.flat()[0]);
-    let odd = |member: &cluster::Member<C>| (member.index % 2 == 1).then_some(member.energy);
+    let first = |member: &cluster::Member<'_, C>| Some(member.state.to_f64().q.flat()[0]);
+    let odd = |member: &cluster::Member<'_, C>| (member.index % 2 == 1).then(|| member.energy());
     let moments = swarm.moments(first);
     let extremes = (swarm.minimum(first), swarm.maximum(odd), swarm.maximum(|_| None));
     let (sum, none) = (swarm.sum(odd), swarm.sum(|_| None));

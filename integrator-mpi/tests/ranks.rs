@@ -4,13 +4,16 @@
 #[path = "systems.rs"]
 mod systems;
 
-use integrator_core::prelude::*;
+use integrator_core::{
+    chaos::{Indicator, map},
+    prelude::*,
+};
 use std::{
     fs,
     path::{Path, PathBuf},
     process::{Command, Output},
 };
-use systems::{MEMBERS, STEPS, pendulum};
+use systems::{HenonHeiles, MEMBERS, STEPS, pendulum};
 
 /// The command of a package, beside which are the examples.
 const JOIN: &str = env!("CARGO_BIN_EXE_join");
@@ -67,6 +70,18 @@ fn states_and_sums_do_not_depend_on_the_number_of_ranks() {
     for case in ["compensated", "few", "lists"] {
         on_any_number(&[case]);
     }
+}
+
+#[test]
+fn maps_of_orbits_do_not_depend_on_the_number_of_ranks() {
+    let Some(maps) = on_any_number(&["map"]) else { return };
+    let start = |i: usize| Phase::new([i as f64 / 20.0, 0.1], [0.3, 0.0]);
+    let expected = map(&HenonHeiles, Verlet, (0..11).map(start), 0.05, 2_000, Indicator::Megno).unwrap();
+    let lines: Vec<&str> = maps.lines().collect();
+    assert_eq!(lines[0], format!("{expected:?}"));
+    assert!(expected.iter().any(|megno| *megno != expected[0]), "orbits differ: {maps}");
+    assert!(lines[2].starts_with("on rank 0: "), "{maps}");
+    assert!(lines[3].starts_with("member 2 (on rank 0): the start is not finite"), "{maps}");
 }
 
 #[test]

@@ -54,3 +54,16 @@ impl Fall {
         -self.pull * q[0].powi(6)
     }
 }
+
+/// Chaotic where its energy is large.
+pub(crate) struct HenonHeiles;
+
+#[hamiltonian]
+impl HenonHeiles {
+    fn kinetic(&self, [px, py]: [f64; 2]) -> f64 {
+        0.5 * (px * px + py * py)
+    }
+    fn potential(&self, [x, y]: [f64; 2]) -> f64 {
+        0.5 * (x * x + y * y) + x * x * y - y.powi(3) / 3.0
+    }
+}

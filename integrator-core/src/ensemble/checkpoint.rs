@@ -138,19 +138,11 @@ impl<C: Coords> Ensemble<C> {
     }
 }
 
-/// How many members a checkpoint has.
-///
-/// # Errors
-/// As [`Ensemble::resume`].
-pub fn members_of(checkpoint: &[u8]) -> Result<usize, CheckpointError> {
-    Ok(record_of::<Record>(MAGIC, VERSION, checkpoint)?.members.len())
-}
-
-/// The checkpoint of some members of another one, counted from 0.
+/// How many members a checkpoint has, and the checkpoint of some of them, counted from 0.
 ///
 /// # Errors
 /// As [`Ensemble::resume`]; members that the checkpoint does not have.
-pub fn part_of(checkpoint: &[u8], of: Range<usize>) -> Result<Vec<u8>, CheckpointError> {
+pub fn part_of(checkpoint: &[u8], of: Range<usize>) -> Result<(usize, Vec<u8>), CheckpointError> {
     let mut record: Record = record_of(MAGIC, VERSION, checkpoint)?;
     let (stored, asked) = (record.members.len(), of.end);
     record.members.truncate(of.end);
@@ -158,7 +150,7 @@ pub fn part_of(checkpoint: &[u8], of: Range<usize>) -> Result<Vec<u8>, Checkpoin
         return Err(CheckpointError::Members { stored, asked });
     }
     record.members.drain(..of.start);
-    Ok(sealed_record(MAGIC, VERSION, &record))
+    Ok((stored, sealed_record(MAGIC, VERSION, &record)))
 }
 
 /// The checkpoint of the members of several, one after the other; those of ensembles that took the same steps.

@@ -1,7 +1,11 @@
 //! Samples as lines of text.
 
 use super::each::{OutputError, each, numbers, unequal};
-use crate::{error::Error, state::coords::Coords, trajectory::samples::Sample};
+use crate::{
+    error::Error,
+    state::coords::{Coords, column_names},
+    trajectory::samples::Sample,
+};
 use ::csv::ErrorKind;
 use alloc::{
     format,
@@ -52,13 +56,7 @@ fn cause(error: ::csv::Error) -> io::Error {
 
 /// The names of all columns.
 fn header<C: Coords>(sample: &Sample<C>) -> Vec<String> {
-    let each = |letter: char| {
-        let count = sample.state.q.flat().len();
-        (0..count).map(move |index| match C::COMPONENTS {
-            0 | 1 => format!("{letter}{index}"),
-            components => format!("{letter}{}_{}", index / components, index % components),
-        })
-    };
+    let each = |letter| column_names::<C>(letter, sample.state.q.flat().len());
     let (first, last) = ("t".to_string(), "energy".to_string());
     let conserved = sample.invariants().map(|(name, _)| name.to_string());
     [first].into_iter().chain(each('q')).chain(each('p')).chain([last]).chain(conserved).collect()

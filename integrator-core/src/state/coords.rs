@@ -8,8 +8,19 @@ use crate::{
         precision::{Precision, Slot},
     },
 };
+#[cfg(any(all(feature = "checkpoint", feature = "std"), feature = "output"))]
+use alloc::{format, string::String};
 use alloc::{vec, vec::Vec};
 use core::fmt::Debug;
+
+/// The names that columns of so many coordinates have, `q0`, `q1` and so on; `q0_2` is the third component of the first point.
+#[cfg(any(all(feature = "checkpoint", feature = "std"), feature = "output"))]
+pub fn column_names<C: Coords>(letter: char, count: usize) -> impl Iterator<Item = String> {
+    (0..count).map(move |index| match C::COMPONENTS {
+        0 | 1 => format!("{letter}{index}"),
+        components => format!("{letter}{}_{}", index / components, index % components),
+    })
+}
 
 /// The number of coordinates that are searched without a branch.
 const CHUNK: usize = 256;

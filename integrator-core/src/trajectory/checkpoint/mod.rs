@@ -38,7 +38,7 @@ pub(crate) use record::{record_of, sealed_record};
 #[cfg(feature = "std")]
 use std::{
     fs::{self, File},
-    io::Write,
+    io::{self, Write},
     path::Path,
 };
 
@@ -110,6 +110,26 @@ impl Origin {
     }
 }
 
+/// Writes a file in the place of the one before, in one piece: at any moment there is the old one or the new one.
+///
+/// # Errors
+/// What the operating system says; the file before is still there then.
+#[cfg(feature = "std")]
+pub fn write_whole(path: &Path, bytes: &[u8]) -> io::Result<()> {
+    let mut partial = path.as_os_str().to_owned();
+    partial.push(".partial");
+    let mut file = File::create(&partial)?;
+    file.write_all(bytes)?;
+    file.sync_all()?;
+    fs::rename(&partial, path)?;
+    // A name is on the disk once its folder is.
+    #[cfg(unix)]
+    if let Some(folder) = path.parent() {
+        File::open(if folder.as_os_str().is_empty() { Path::new(".") } else { folder })?.sync_all()?;
+    }
+    Ok(())
+}
+
 /// The numbers of some coordinates, one after the other.
 pub fn numbers<C: Coords>(coordinates: &C) -> Vec<f64> {
     coordinates.flat().iter().flat_map(|leaf| leaf.parts().into_iter().take(C::Leaf::PARTS)).collect()
@@ -171,19 +191,7 @@ impl<C: Coords> Run<C> {
     /// [`CheckpointError::File`] if a file cannot be written; the previous checkpoint is still there then.
     #[cfg(feature = "std")]
     pub fn checkpoint_to(&self, path: impl AsRef<Path>) -> Result<(), CheckpointError> {
-        let path = path.as_ref();
-        let mut partial = path.as_os_str().to_owned();
-        partial.push(".partial");
-        let mut file = File::create(&partial)?;
-        file.write_all(&self.checkpoint())?;
-        file.sync_all()?;
-        fs::rename(&partial, path)?;
-        // A name is on the disk once its folder is.
-        #[cfg(unix)]
-        if let Some(folder) = path.parent() {
-            File::open(if folder.as_os_str().is_empty() { Path::new(".") } else { folder })?.sync_all()?;
-        }
-        Ok(())
+        Ok(write_whole(path.as_ref(), &self.checkpoint())?)
     }
 
     /// The run that a checkpoint was made of, with the annotated composition of its system.
