@@ -6,6 +6,7 @@
 //! so that none belongs to a site behind; or nothing comes out, where one contribution is of another kind.
 
 mod direction;
+mod line;
 
 use crate::{
     differentiate::Contribution,
@@ -16,6 +17,7 @@ use crate::{
 };
 use direction::Iterations;
 pub(crate) use direction::{Along, Direction, Extent};
+pub(crate) use line::{Addend, Ends, Line};
 use std::collections::{BTreeSet, HashMap};
 
 /// How far the contributions of a site look and go along a line or a row.

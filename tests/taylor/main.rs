@@ -9,6 +9,7 @@ mod ensemble;
 mod global_error;
 #[path = "../support/instruction_sets.rs"]
 mod instruction_sets;
+mod lines;
 mod mixed;
 #[path = "../support/motions.rs"]
 mod motions;

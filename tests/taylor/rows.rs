@@ -147,6 +147,50 @@ rows! {
         }
         sum
     }
+
+    // Lines of sites that fill vectors
+    line_between_walls [[f64; 16]] { p.iter().map(|p| p * p / 2.0).sum() } {
+        let bond = |r: f64| r * r / 2.0 - r.powi(3) / 4.0 + r.powi(4) / 4.0;
+        let mut sum = bond(q[0]) + bond(-q[15]);
+        for i in 1..16 {
+            sum += bond(q[i] - q[i - 1]);
+        }
+        sum
+    }
+    line_with_ends [[f64; 8]] { let mut t = 0.0; for i in 0..8 { t += p[i] * p[i] / (2.0 + i as f64 / 4.0); } t } {
+        let mut sum = 0.0;
+        for i in 0..8 {
+            sum -= q[i].cos();
+        }
+        for i in 0..7 {
+            let r = q[i + 1] - q[i];
+            sum += r * r / 2.0 - r.powi(3) / 4.0 + r.powi(4) / 4.0;
+        }
+        sum
+    }
+    line_from_a_wall [[f64; 8]] { p.iter().map(|p| p * p / 2.0).sum() } {
+        let mut sum = q[0].exp();
+        for i in 1..8 {
+            sum += (q[i] - q[i - 1]).exp();
+        }
+        sum
+    }
+    line_to_a_wall [[f64; 8]] { p.iter().map(|p| p * p / 2.0).sum() } {
+        let mut sum = (1.0 + q[7] * q[7]).sqrt();
+        for i in 0..7 {
+            sum += (1.0 + (q[i + 1] - q[i]).powi(2)).sqrt();
+        }
+        sum
+    }
+    ring [[f64; 16]] { p.iter().map(|p| p * p / 2.0).sum() } {
+        let mut sum = 0.0;
+        for i in 0..16 {
+            sum += t * (q[(i + 1) % 16] - q[i]).powi(4) + q[i].powi(4) / 4.0 - q[i] * q[i] / 2.0;
+        }
+        sum
+    }
+
+    // Sums over pairs and within sums
     pairs [&[[f64; 2]]] { p.iter().map(|p| (p[0] * p[0] + p[1] * p[1]) / 2.0).sum() } {
         let mut sum = 0.0;
         for i in 0..q.len() {

@@ -178,6 +178,39 @@ def springs(q, p, t):
     return half_squares(p), sum(r**2 / 2 + r**4 / 4 + exp(r) / 8 for r in bonds)
 
 
+SIXTEEN = [(-1) ** i * (i % 5) / 8.0 + i / 32.0 for i in range(16)]
+
+
+def bond(r):
+    return r**2 / 2 - r**3 / 4 + r**4 / 4
+
+
+@system(SIXTEEN, SIXTEEN[::-1])
+def line_between_walls(q, p, t):
+    return half_squares(p), sum(bond(b - a) for a, b in zip([0, *q], [*q, 0]))
+
+
+@system(SIXTEEN[:8], SIXTEEN[8:])
+def line_with_ends(q, p, t):
+    moving = sum(x**2 / (2 + Rational(i) / 4) for i, x in enumerate(p))
+    return moving, sum(bond(b - a) for a, b in zip(q, q[1:])) - sum(cos(x) for x in q)
+
+
+@system(SIXTEEN[:8], SIXTEEN[8:])
+def line_from_a_wall(q, p, t):
+    return half_squares(p), sum(exp(b - a) for a, b in zip([0, *q], q))
+
+
+@system(SIXTEEN[:8], SIXTEEN[8:])
+def line_to_a_wall(q, p, t):
+    return half_squares(p), sum(sqrt(1 + (b - a) ** 2) for a, b in zip(q, [*q[1:], 0]))
+
+
+@system(SIXTEEN, SIXTEEN[::-1], 0.25)
+def ring(q, p, t):
+    return half_squares(p), sum(t * (b - a) ** 4 + a**4 / 4 - a**2 / 2 for a, b in zip(q, [*q[1:], q[0]]))
+
+
 @system([0.0, 1.0, -0.5, 0.5, 0.75, -0.75], [0.25, 0.0, -0.125, 0.5, 0.0, 0.25])
 def pairs(q, p, t):
     points = list(zip(q[::2], q[1::2]))

@@ -307,6 +307,7 @@ macro_rules! dual_real {
             type Block = $block;
             type Row<const $bodies: usize> = $row;
             type Wide = Self;
+            type Bundle = Self;
 
             #[inline(always)]
             fn of(x: f64) -> Self {

@@ -23,6 +23,10 @@ pub trait Instructions: Copy + Debug + PartialEq + Send + Sync + 'static {
     type RowOfDoubles: Row<Fused<f64, Self>>;
     /// Eight bodies in single precision.
     type RowOfSingles: Row<Fused<f32, Self>>;
+    /// Several rows in double precision, as many as registers hold beside what is computed from them.
+    type BundleOfDoubles: Row<Self::RowOfDoubles>;
+    /// Several rows in single precision.
+    type BundleOfSingles: Row<Self::RowOfSingles>;
 
     /// `n / x^(3/2)`.
     #[inline(always)]
@@ -46,6 +50,10 @@ impl Instructions for Fma {
     type RowOfDoubles = Lanes<crate::scalar::simd::x86::X4, 2>;
     #[cfg(all(target_arch = "x86_64", feature = "std"))]
     type RowOfSingles = crate::scalar::simd::x86::S8;
+    #[cfg(all(target_arch = "x86_64", feature = "std"))]
+    type BundleOfDoubles = Lanes<Self::RowOfDoubles, 2>;
+    #[cfg(all(target_arch = "x86_64", feature = "std"))]
+    type BundleOfSingles = Lanes<Self::RowOfSingles, 4>;
     #[cfg(not(all(target_arch = "x86_64", feature = "std")))]
     type Doubles = Fused<f64>;
     #[cfg(not(all(target_arch = "x86_64", feature = "std")))]
@@ -54,6 +62,10 @@ impl Instructions for Fma {
     type RowOfDoubles = Lanes<Fused<f64>, 8>;
     #[cfg(not(all(target_arch = "x86_64", feature = "std")))]
     type RowOfSingles = Lanes<Fused<f32>, 8>;
+    #[cfg(not(all(target_arch = "x86_64", feature = "std")))]
+    type BundleOfDoubles = Self::RowOfDoubles;
+    #[cfg(not(all(target_arch = "x86_64", feature = "std")))]
+    type BundleOfSingles = Self::RowOfSingles;
 
     #[inline(always)]
     fn enter<K: Kernel>(kernel: K) -> K::Out {
@@ -76,6 +88,8 @@ impl Instructions for Avx512 {
     type Singles = crate::scalar::simd::x86::S16;
     type RowOfDoubles = crate::scalar::simd::x86::X8;
     type RowOfSingles = crate::scalar::simd::x86::S8;
+    type BundleOfDoubles = Lanes<Self::RowOfDoubles, 4>;
+    type BundleOfSingles = Lanes<Self::RowOfSingles, 4>;
 
     #[inline(always)]
     fn div_pow_3_2(n: Fused<f64, Self>, x: Fused<f64, Self>) -> Fused<f64, Self> {
@@ -115,7 +129,7 @@ macro_rules! operators {
 }
 
 macro_rules! fused_real {
-    ($scalar:ty, $block:ident, $row:ident, $div_pow_3_2:expr; unary: $($unary:ident)*; binary: $($binary:ident)*;) => {
+    ($scalar:ty, $block:ident, $row:ident, $bundle:ident, $div_pow_3_2:expr; unary: $($unary:ident)*; binary: $($binary:ident)*;) => {
         operators!($scalar: Add add +, Sub sub -, Mul mul *, Div div /);
 
         impl<S: Instructions> Neg for Fused<$scalar, S> {
@@ -144,6 +158,7 @@ macro_rules! fused_real {
             type Block = S::$block;
             type Row<const N: usize> = S::$row;
             type Wide = S::$row;
+            type Bundle = S::$bundle;
 
             #[inline(always)]
             fn of(x: f64) -> Self {
@@ -198,5 +213,5 @@ macro_rules! fused_real {
         }
     };
 }
-elementary_functions!(fused_real! { f64, Doubles, RowOfDoubles, S::div_pow_3_2; });
-elementary_functions!(fused_real! { f32, Singles, RowOfSingles, |n, x: Self| n / (x * x.sqrt()); });
+elementary_functions!(fused_real! { f64, Doubles, RowOfDoubles, BundleOfDoubles, S::div_pow_3_2; });
+elementary_functions!(fused_real! { f32, Singles, RowOfSingles, BundleOfSingles, |n, x: Self| n / (x * x.sqrt()); });

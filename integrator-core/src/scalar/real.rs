@@ -113,6 +113,9 @@ macro_rules! declare_real {
             /// A vector of eight numbers, where registers hold them; `Self` where they would be computed one by one,
             /// which takes eight times the code.
             type Wide: Row<Self>;
+            /// Several vectors of eight numbers, as many as registers hold beside sums of products of each: their chains of
+            /// operations do not wait for each other.
+            type Bundle: Row<Self::Wide>;
 
             /// The same number in every lane, rounded to the precision of the scalar; a dual has no tangent here.
             fn of(x: f64) -> Self;
@@ -215,6 +218,7 @@ macro_rules! real_of_two_parts {
             type Block = Self;
             type Row<const N: usize> = $crate::scalar::simd::lanes::Lanes<Self, N>;
             type Wide = Self;
+            type Bundle = Self;
 
             #[$inline]
             fn lane($this, lane: usize) -> f64 {
@@ -265,6 +269,7 @@ macro_rules! plain_real {
             type Block = Self;
             type Row<const N: usize> = Lanes<Self, N>;
             type Wide = Self;
+            type Bundle = Self;
 
             #[inline(always)]
             fn of(x: f64) -> Self {

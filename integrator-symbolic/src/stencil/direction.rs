@@ -2,7 +2,7 @@
 
 use crate::graph::{
     Graph,
-    index::{Index, IndexId, Loop, LoopId},
+    index::{Index, IndexId, Loop, LoopId, LoopSet},
 };
 use std::collections::HashMap;
 
@@ -24,7 +24,8 @@ pub(crate) struct Direction {
     /// Whether the last place is followed by the first.
     pub(crate) periodic: bool,
     length: IndexId,
-    number: Option<i64>,
+    /// The number of places, if it is known.
+    pub(super) number: Option<i64>,
     /// How far ahead of a place or behind it its contributions may look or go: as far as the runtime carries them.
     farthest: i64,
 }
@@ -95,6 +96,9 @@ struct Linear {
 impl Direction {
     /// The direction of so many places, inside the loop over another one.
     pub(super) fn new(graph: &mut Graph, parent: Option<LoopId>, length: IndexId, farthest: i64) -> Option<Self> {
+        if graph.loops.count() >= LoopSet::CAPACITY {
+            return None;
+        }
         let number = graph.loops.literal(length);
         let zero = graph.loops.intern(Index::Literal(0));
         Some(Self {

@@ -5,7 +5,7 @@
 
 use super::{
     series::div_by_order,
-    table::{Coefficients, EIGHT, Wide, is_narrow},
+    table::{Coefficients, EIGHT, Layout, Wide, is_narrow},
 };
 use crate::{
     scalar::{real::Real, simd::row::Row},
@@ -43,6 +43,12 @@ impl<R: Real> InverseMass<R> {
         }
     }
 
+    /// The inverse masses of all coordinates.
+    #[inline(always)]
+    pub fn of_all(&self, layout: Layout) -> InverseMasses<'_, R> {
+        InverseMasses { numbers: &self.numbers[..layout.width()] }
+    }
+
     /// Divides the sums of momenta by their order, and computes the coefficients of positions of the next one.
     #[inline(always)]
     pub fn next_order(&self, q: &mut Coefficients<'_, R>, p: &mut Coefficients<'_, R>, order: usize) {
@@ -59,5 +65,30 @@ impl<R: Real> InverseMass<R> {
             momentum.write(p);
             div_by_order(<Wide<R> as Row<R>>::read(inverse_mass) * momentum, order + 1).write(q);
         }
+    }
+}
+
+/// The inverse masses of all coordinates.
+#[derive(Clone, Copy)]
+pub struct InverseMasses<'m, R> {
+    numbers: &'m [R],
+}
+
+impl<R: Real> InverseMasses<'_, R> {
+    /// Computes the coefficients of a vector of momenta from their sums, and those of their positions of the next order.
+    #[inline(always)]
+    pub fn next_order_of(
+        &self,
+        vector: usize,
+        sum: Wide<R>,
+        q: &mut Coefficients<'_, R>,
+        p: &mut Coefficients<'_, R>,
+        order: usize,
+    ) {
+        let begin = vector * (Wide::<R>::LANES / R::LANES);
+        let momentum = div_by_order(sum, order);
+        momentum.write(&mut p[order][begin..]);
+        let inverse_mass = <Wide<R> as Row<R>>::read(&self.numbers[begin..]);
+        div_by_order(inverse_mass * momentum, order + 1).write(&mut q[order + 1][begin..]);
     }
 }

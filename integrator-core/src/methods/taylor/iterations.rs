@@ -15,8 +15,8 @@ use alloc::vec::Vec;
 
 /// The same number in all iterations.
 #[inline(always)]
-pub fn splat<R: Real>(x: R) -> Wide<R> {
-    Wide::<R>::splat(x)
+pub fn splat<R: Real, V: Row<Wide<R>>>(x: R) -> V {
+    V::splat(Wide::<R>::splat(x))
 }
 
 /// A block of eight iterations, or one, each of which reads so many points and has so many constants; `T` is their
@@ -298,7 +298,7 @@ mod tests {
             for (block, results) in iterations.blocks() {
                 let [[[a]], [[b]]] = [block.read(0, &q, 3), block.read(1, &q, 3)];
                 let [constant] = block.constants;
-                *results = [[a * b, b], [(a - b) * constant, a - b], [splat(R::of(2.0)) * a, a * a]];
+                *results = [[a * b, b], [(a - b) * constant, a - b], [splat::<R, Wide<R>>(R::of(2.0)) * a, a * a]];
             }
             iterations.add_to_positions(&mut q, 3);
             iterations.add_to_momenta(&mut p, 3);

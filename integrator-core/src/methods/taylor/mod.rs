@@ -48,6 +48,7 @@ mod half;
 mod in_lanes;
 pub(crate) mod inverse_mass;
 pub(crate) mod iterations;
+pub(crate) mod line;
 mod logarithm;
 mod method;
 mod recurrences;

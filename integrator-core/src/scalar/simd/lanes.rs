@@ -165,6 +165,7 @@ macro_rules! lanes_real {
             type Block = Self;
             type Row<const M: usize> = Lanes<Self, M>;
             type Wide = Self;
+            type Bundle = Self;
 
             #[inline(always)]
             fn of(x: f64) -> Self {

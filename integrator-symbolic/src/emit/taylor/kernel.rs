@@ -24,6 +24,21 @@ use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{format_ident, quote};
 use std::collections::HashMap;
 
+/// A function that computes iterations which share vectors.
+pub(super) struct Kernel {
+    pub(super) function: TokenStream,
+    /// The names of what an iteration reads.
+    pub(super) reads: Vec<Ident>,
+    pub(super) results: Results,
+    /// The coefficients that it reads of the step and of the time.
+    pub(super) clock: Vec<Ident>,
+}
+
+/// The name of the kernel of a loop.
+pub(super) fn iteration(number: usize) -> Ident {
+    format_ident!("iteration_{number}")
+}
+
 /// The names of a kernel's arguments.
 struct KernelArguments {
     reads: Vec<Ident>,
@@ -124,63 +139,17 @@ impl Writer<'_> {
 
     /// A nest of loops: its kernel, and the lines that build blocks of its iterations once and call it for each block.
     pub(super) fn nest(&mut self, fields: &mut Fields, nest: &Nest<'_>) -> TokenStream {
-        let names = self.source.names;
-        let (runtime, scalar, wide) = (&names.runtime, &names.scalar, &names.wide);
-        let number = self.records.len();
-        let (iterations, iteration) = (list(number), format_ident!("iteration_{number}"));
-        let given = KernelArguments::of(nest, &self.printer.names, wide);
-        let orders_per_call = self.orders_per_call.count();
-        let (body, mut record, results) = {
-            let mut writer = Writer::in_lanes(self.source, Record::of("iteration", Iterations::Once));
-            writer.orders_per_call = self.orders_per_call;
-            writer.printer.names.extend(given.names);
-            writer.allocate(nest.body.iter().copied());
-            let body = writer.iteration(fields, nest, &given.reads);
-            (body, writer.records.swap_remove(0), writer.accumulation.results())
-        };
+        let (runtime, scalar) = (&self.source.names.runtime, &self.source.names.scalar);
         let points = points(&self.printer.graph.loops, nest);
-        let counts = [points.len(), given.constants.len(), nest.targets.len(), results.values(), orders_per_call];
-        record.iterations = Iterations::Blocks(counts);
-        let body = Body::new(body);
-        let kept = match record.slots.is_empty() {
-            true => quote!(()),
-            false => {
-                let kept = tape::iteration(number, names);
-                quote!(#kept<#wide>)
-            }
-        };
-        self.records.push(record);
-
-        let [_, of_constants, _, of_values, of_orders] = counts.map(Literal::usize_unsuffixed);
-        let of_common = Literal::usize_unsuffixed(given.common.len());
-        let of_reads = Literal::usize_unsuffixed(given.reads.len());
-        let (own, order) = (body.argument("iteration"), body.argument("order"));
-        let clock = clock_read(&body);
-        let KernelArguments { reads, constants, common, flags, .. } = given;
-        let body = &body.0;
-        let function = quote! {
-            #[cfg_attr(not(debug_assertions), inline(always))]
-            fn #iteration<#scalar: #runtime::Real, #wide: #runtime::Row<#scalar>>(
-                #own: &mut #kept,
-                reads: [[#wide; #of_orders]; #of_reads],
-                [#(#constants),*]: [#wide; #of_constants],
-                [#(#common),*]: [#wide; #of_common],
-                #order: usize,
-                #(#clock: [#wide; #of_orders],)*
-            ) -> [[#wide; #of_orders]; #of_values] {
-                let mut results = [[#wide::of(0.0); #of_orders]; #of_values];
-                #flags
-                #body
-                results
-            }
-        };
-
-        let iteration_list = self.iteration_list(fields, nest, &points, &iterations, &results);
-        let common = nest.invariants.iter().map(|id| {
-            let value = self.printer.expression(fields, *id).tokens;
-            quote!(#runtime::splat(#value))
+        let number = self.records.len();
+        let (iterations, iteration) = (list(number), iteration(number));
+        let bound = quote!(#runtime::Row<#scalar>);
+        let Kernel { function, reads, results, clock } = self.kernel(fields, nest, &bound, |counts| {
+            let [constants, values, orders] = counts;
+            Iterations::Blocks([points.len(), constants, nest.targets.len(), values, orders])
         });
-        let common: Vec<TokenStream> = common.collect();
+        let iteration_list = self.iteration_list(fields, nest, &points, &iterations, &results);
+        let common = self.common(fields, nest);
         let read = points.iter().enumerate().map(|(number, point)| {
             let (part, number) = (self.printer.part(nest.reads[point[0]].1), Literal::usize_unsuffixed(number));
             let components = point.iter().map(|read| &reads[*read]);
@@ -192,21 +161,7 @@ impl Writer<'_> {
             (Part::Momentum, quote!(add_to_momenta(p, order + 1))),
         ];
         let added = added.into_iter().filter(|(part, _)| moves(*part)).map(|(_, added)| added);
-        // The lines around have the coefficients of the time of one order.
-        let (times, clock) = match self.orders_per_call {
-            OrdersPerCall::One => (None, clock.iter().map(|name| quote!([#runtime::splat(#name)])).collect()),
-            OrdersPerCall::Two if clock.is_empty() => (None, Vec::new()),
-            OrdersPerCall::Two => (
-                Some(quote!(let times = [order, order + 1].map(|order| #runtime::time_coefficients(order, time));)),
-                clock
-                    .iter()
-                    .map(|name| {
-                        let number = Literal::usize_unsuffixed(usize::from(name == "time"));
-                        quote!([#runtime::splat(times[0].#number), #runtime::splat(times[1].#number)])
-                    })
-                    .collect(),
-            ),
-        };
+        let (times, clock) = self.times(&clock);
         quote! {
             #function
             #times
@@ -223,6 +178,96 @@ impl Writer<'_> {
                 );
             }
             #(tape.#iterations.#added;)*
+        }
+    }
+
+    /// The kernel of a nest, in vectors of type `bound`, whose record has copies of the kind that the numbers of constants,
+    /// of values and of orders per call tell.
+    pub(super) fn kernel(
+        &mut self,
+        fields: &mut Fields,
+        nest: &Nest<'_>,
+        bound: &TokenStream,
+        copies: impl FnOnce([usize; 3]) -> Iterations,
+    ) -> Kernel {
+        let names = self.source.names;
+        let (runtime, scalar, wide) = (&names.runtime, &names.scalar, &names.wide);
+        let number = self.records.len();
+        let given = KernelArguments::of(nest, &self.printer.names, wide);
+        let orders_per_call = self.orders_per_call.count();
+        let (body, mut record, results) = {
+            let mut writer = Writer::in_lanes(self.source, Record::of("iteration", Iterations::Once));
+            writer.orders_per_call = self.orders_per_call;
+            writer.printer.names.extend(given.names);
+            writer.allocate(nest.body.iter().copied());
+            let body = writer.iteration(fields, nest, &given.reads);
+            (body, writer.records.swap_remove(0), writer.accumulation.results())
+        };
+        let counts = [given.constants.len(), results.values(), orders_per_call];
+        record.iterations = copies(counts);
+        let body = Body::new(body);
+        let kept = match record.slots.is_empty() {
+            true => quote!(()),
+            false => {
+                let kept = tape::iteration(number, names);
+                quote!(#kept<#wide>)
+            }
+        };
+        self.records.push(record);
+
+        let [of_constants, of_values, of_orders] = counts.map(Literal::usize_unsuffixed);
+        let of_common = Literal::usize_unsuffixed(given.common.len());
+        let of_reads = Literal::usize_unsuffixed(given.reads.len());
+        let (own, order) = (body.argument("iteration"), body.argument("order"));
+        let (clock, iteration) = (clock_read(&body), iteration(number));
+        let KernelArguments { reads, constants, common, flags, .. } = given;
+        let body = &body.0;
+        let function = quote! {
+            #[cfg_attr(not(debug_assertions), inline(always))]
+            fn #iteration<#scalar: #runtime::Real, #wide: #bound>(
+                #own: &mut #kept,
+                reads: [[#wide; #of_orders]; #of_reads],
+                [#(#constants),*]: [#wide; #of_constants],
+                [#(#common),*]: [#wide; #of_common],
+                #order: usize,
+                #(#clock: [#wide; #of_orders],)*
+            ) -> [[#wide; #of_orders]; #of_values] {
+                let mut results = [[#wide::of(0.0); #of_orders]; #of_values];
+                #flags
+                #body
+                results
+            }
+        };
+        Kernel { function, reads, results, clock }
+    }
+
+    /// What all iterations of a nest have in common, as arguments of its kernel.
+    pub(super) fn common(&self, fields: &mut Fields, nest: &Nest<'_>) -> Vec<TokenStream> {
+        let runtime = self.printer.runtime;
+        let common = nest.invariants.iter().map(|id| {
+            let value = self.printer.expression(fields, *id).tokens;
+            quote!(#runtime::splat(#value))
+        });
+        common.collect()
+    }
+
+    /// The lines that give a kernel the coefficients of the time, and its arguments.
+    pub(super) fn times(&self, clock: &[Ident]) -> (Option<TokenStream>, Vec<TokenStream>) {
+        let runtime = self.printer.runtime;
+        // The lines around have the coefficients of the time of one order.
+        match self.orders_per_call {
+            OrdersPerCall::One => (None, clock.iter().map(|name| quote!([#runtime::splat(#name)])).collect()),
+            OrdersPerCall::Two if clock.is_empty() => (None, Vec::new()),
+            OrdersPerCall::Two => (
+                Some(quote!(let times = [order, order + 1].map(|order| #runtime::time_coefficients(order, time));)),
+                clock
+                    .iter()
+                    .map(|name| {
+                        let number = Literal::usize_unsuffixed(usize::from(name == "time"));
+                        quote!([#runtime::splat(times[0].#number), #runtime::splat(times[1].#number)])
+                    })
+                    .collect(),
+            ),
         }
     }
 

@@ -3,6 +3,7 @@
 mod accumulation;
 mod implementation;
 mod kernel;
+mod line;
 pub(super) mod orders;
 mod orders_per_call;
 mod recurrence;

@@ -8,6 +8,7 @@ use super::{
     accumulation::{Accumulation, Results, derivative},
     implementation::{Kind, implementation},
     kernel::nest_context,
+    line,
     orders_per_call::OrdersPerCall,
     recurrence::Series,
     second_order::InverseMasses,
@@ -48,15 +49,12 @@ pub(crate) fn orders(
     mut kinetic: Vec<Contribution>,
     mut potential: Vec<Contribution>,
 ) -> Orders {
+    if let Some(orders) = line::orders(model, fields, names, kinetic.clone(), &potential) {
+        return orders;
+    }
     let recurrences = Recurrences::of(&mut model.graph, [&mut kinetic, &mut potential]);
     let constraints = constraints(&model.graph, &recurrences);
-    let program = |model: &mut Model, kinetic: &[Contribution], potential: &[Contribution]| {
-        let stores = stores(&mut model.graph, kinetic, potential);
-        let is_read =
-            |graph: &Graph, id| matches!(graph.node(id), Node::Coordinate(_) | Node::Time | Node::Middle | Node::Step);
-        let leaf = |graph: &Graph, id| is_read(graph, id) || is_leaf(graph, &model.parameters, id);
-        schedule_with(&model.graph, &stores, leaf, &constraints)
-    };
+    let program = |model: &mut Model, kinetic: &[_], potential: &[_]| program(model, kinetic, potential, &constraints);
     let all = program(model, &kinetic, &potential);
     let rolled = matches!(Accumulation::of(&model.graph, &all.items), Accumulation::InPlace);
     // With an inverse mass, positions follow from momenta: they are taken out of loops, or come an order ahead.
@@ -84,29 +82,43 @@ pub(crate) fn orders(
         }
         (None, None) => writer.order_of_all(fields, &program.items),
     };
-    let body = match &frame {
-        Frame::Series { interleaved: Some(indices) } => {
-            let body = Body::new(body);
-            let lines = indices.lines(&writer.printer, fields, &body);
-            let Body(body) = body;
-            quote!(#lines #body)
-        }
-        _ => body,
-    };
+    finished(&writer, fields, body, of_positions.is_some())
+}
+
+/// The program that computes the gradients with these contributions.
+pub(super) fn program(
+    model: &mut Model,
+    kinetic: &[Contribution],
+    potential: &[Contribution],
+    constraints: &Constraints,
+) -> Program {
+    let stores = stores(&mut model.graph, kinetic, potential);
+    let is_read =
+        |graph: &Graph, id| matches!(graph.node(id), Node::Coordinate(_) | Node::Time | Node::Middle | Node::Step);
+    let leaf = |graph: &Graph, id| is_read(graph, id) || is_leaf(graph, &model.parameters, id);
+    schedule_with(&model.graph, &stores, leaf, constraints)
+}
+
+/// The implementation with the lines that a writer wrote.
+pub(super) fn finished(writer: &Writer<'_>, fields: &mut Fields, body: TokenStream, has_inverse_mass: bool) -> Orders {
+    let Source { frame, names, .. } = writer.source;
+    let interleaved = if let Frame::Series { interleaved } = frame { interleaved.as_ref() } else { None };
     let body = Body::new(body);
+    let indices = interleaved.map(|indices| indices.lines(&writer.printer, fields, &body));
     let halfway = body.mentions("halfway").then(|| {
         let (scalar, middle) = (&names.scalar, fields.middle());
         quote!(let halfway = if order == 0 { parameters.#middle } else { #scalar::of(0.0) };)
     });
     let Body(body) = body;
-    let body = quote!(#halfway #body);
-    let tape = Tape { records: &writer.records, has_inverse_mass: of_positions.is_some() };
-    let kind = Kind { rolled, interleaved, orders_per_call: writer.orders_per_call.count() };
+    let body = quote!(#halfway #indices #body);
+    let tape = Tape { records: &writer.records, has_inverse_mass };
+    let rolled = !matches!(writer.accumulation, Accumulation::Scalars(_));
+    let kind = Kind { rolled, interleaved: interleaved.is_some(), orders_per_call: writer.orders_per_call.count() };
     Orders { tape: tape.structs(names), items: implementation(body, &tape, &kind, names) }
 }
 
 /// Recurrences have lines of their own, and read the series of slopes where they stand.
-fn constraints(graph: &Graph, recurrences: &Recurrences) -> Constraints {
+pub(super) fn constraints(graph: &Graph, recurrences: &Recurrences) -> Constraints {
     let beside = |slopes: &[Option<NodeId>; 2]| slopes.iter().flatten().map(|slope| signed(graph, *slope).1).collect();
     Constraints {
         named: recurrences.kept.union(&recurrences.nonlinear).copied().collect(),

@@ -80,16 +80,7 @@ impl Writer<'_> {
     ) -> TokenStream {
         self.orders_per_call = if self.is_for_two(items) { OrdersPerCall::Two } else { OrdersPerCall::One };
         let (scalar, runtime) = (self.printer.scalar, self.printer.runtime);
-        let begin = quote! {
-            if order == 0 {
-                if tape.inverse_mass.is_empty() {
-                    q[1].fill(#scalar::of(-0.0));
-                    #inverse_masses
-                    tape.inverse_mass = #runtime::InverseMass::of(&q[1]);
-                }
-                tape.inverse_mass.first_order(q, p);
-            }
-        };
+        let begin = self.first_order(inverse_masses);
         if self.orders_per_call == OrdersPerCall::One {
             let body = self.items(fields, items);
             let opening = &self.opening;
@@ -109,6 +100,21 @@ impl Writer<'_> {
             #loops
             tape.inverse_mass.next_order(q, p, order + 1);
             tape.inverse_mass.next_order(q, p, order + 2);
+        }
+    }
+
+    /// The lines that begin an expansion: positions of order 1 follow the momenta.
+    pub(super) fn first_order(&self, inverse_masses: &TokenStream) -> TokenStream {
+        let (scalar, runtime) = (self.printer.scalar, self.printer.runtime);
+        quote! {
+            if order == 0 {
+                if tape.inverse_mass.is_empty() {
+                    q[1].fill(#scalar::of(-0.0));
+                    #inverse_masses
+                    tape.inverse_mass = #runtime::InverseMass::of(&q[1]);
+                }
+                tape.inverse_mass.first_order(q, p);
+            }
         }
     }
 

@@ -53,6 +53,8 @@ pub(super) enum Iterations {
     /// One for each block of eight iterations, which read so many points, have so many constants, and move so many
     /// coordinates by so many values, of so many orders per call.
     Blocks([usize; 5]),
+    /// One for each vector of the sites of a line, or for several, by the number of values and of orders per call.
+    Sites([usize; 2]),
 }
 
 /// The list that has a place for every iteration of a loop.
@@ -80,11 +82,17 @@ pub(super) fn per_body(records: &[Record]) -> impl Iterator<Item = usize> {
 fn kind(number: usize, record: &Record, names: &Names) -> Option<TokenStream> {
     let Names { runtime, scalar, .. } = names;
     let iteration = iteration(number, names);
+    let kept = |vectors: TokenStream| if record.slots.is_empty() { quote!(()) } else { quote!(#iteration<#vectors>) };
     match record.iterations {
         Iterations::Blocks(counts) => {
-            let counts = counts.map(Literal::usize_unsuffixed);
-            let kept = if record.slots.is_empty() { quote!(()) } else { quote!(#iteration<#runtime::Wide<#scalar>>) };
+            let (counts, kept) = (counts.map(Literal::usize_unsuffixed), kept(quote!(#runtime::Wide<#scalar>)));
             Some(quote!(#runtime::Iterations<#scalar, #kept, #(#counts),*>))
+        }
+        Iterations::Sites(counts) => {
+            let counts = counts.map(Literal::usize_unsuffixed);
+            let [wide, bundle] =
+                [quote!(Wide), quote!(Bundle)].map(|vectors| kept(quote!(#runtime::#vectors<#scalar>)));
+            Some(quote!(#runtime::Line<#scalar, #bundle, #wide, #(#counts),*>))
         }
         Iterations::OneByOne if !record.slots.is_empty() => Some(quote!(#runtime::Vec<#iteration<#scalar>>)),
         Iterations::Once | Iterations::OneByOne => None,
@@ -102,7 +110,8 @@ pub(super) struct Tape<'r> {
 impl Tape<'_> {
     /// Whether nothing is kept: a motion whose forces are linear, without loops, reads coordinates alone.
     pub(super) fn is_empty(&self) -> bool {
-        let keeps = |record: &Record| !record.slots.is_empty() || matches!(record.iterations, Iterations::Blocks(_));
+        let of_vectors = |iterations| matches!(iterations, Iterations::Blocks(_) | Iterations::Sites(_));
+        let keeps = |record: &Record| !record.slots.is_empty() || of_vectors(record.iterations);
         !self.has_inverse_mass && !self.records.iter().any(keeps)
     }
 

@@ -126,6 +126,7 @@ macro_rules! vector {
                 type Block = Self;
                 type Row<const N: usize> = Lanes<Self, N>;
                 type Wide = Self;
+                type Bundle = Self;
 
                 #[inline(always)]
                 fn of(x: f64) -> Self {

@@ -1,0 +1,63 @@
+//! Which chains are lines of sites that are all alike, for Taylor's method.
+
+use integrator_symbolic::hamiltonian;
+
+/// The potential of a chain of N sites: a name, its text, and whether it is a line for lengths that fill vectors.
+const POTENTIALS: [(&str, &str, bool); 17] = [
+    ("free ends", "for i in 1..N { v += b(q[i] - q[i - 1]); }", true),
+    ("the next site", "for i in 0..N - 1 { v += b(q[i + 1] - q[i]); }", true),
+    ("walls", "v += b(q[0]) + b(-q[N - 1]); for i in 1..N { v += b(q[i] - q[i - 1]); }", true),
+    ("a wall before the first", "v += b(q[0]); for i in 1..N { v += b(q[i] - q[i - 1]); }", true),
+    ("a wall behind the last", "v += b(-q[N - 1]); for i in 1..N { v += b(q[i] - q[i - 1]); }", true),
+    ("a ring", "for i in 0..N { v += b(q[(i + 1) % N] - q[i]); }", true),
+    ("a field", "for i in 0..N { v += q[i].powi(4); } for i in 1..N { v += b(q[i] - q[i - 1]); }", true),
+    ("a field in time", "for i in 0..N { v += t * q[i]; } for i in 1..N { v += b(q[i] - q[i - 1]); }", true),
+    ("other walls", "v += q[0].powi(4); for i in 1..N { v += b(q[i] - q[i - 1]); }", false),
+    ("a wall that is not at rest", "v += b(q[0] - 1.0); for i in 1..N { v += b(q[i] - q[i - 1]); }", false),
+    ("the wrong side", "v += b(-q[0]); for i in 1..N { v += b(q[i] - q[i - 1]); }", false),
+    ("two walls at one end", "v += b(q[0]) + b(q[0]); for i in 1..N { v += b(q[i] - q[i - 1]); }", false),
+    ("a site that differs", "v += q[3].powi(4); for i in 1..N { v += b(q[i] - q[i - 1]); }", false),
+    ("bonds of their own", "for i in 1..N { v += self.k[i] * b(q[i] - q[i - 1]); }", false),
+    ("second neighbours", "for i in 2..N { v += b(q[i] - q[i - 2]); }", false),
+    ("no neighbours", "for i in 0..N { v += b(q[i]); }", false),
+    ("a common function of time", "for i in 1..N { v += t.sin() * b(q[i] - q[i - 1]); }", false),
+];
+
+fn is_line(kinetic: &str, potential: &str, [shape, length]: [&str; 2]) -> bool {
+    let text = format!(
+        "impl Chain {{
+            fn kinetic(&self, p: {shape}) -> f64 {{ {kinetic} }}
+            fn potential(&self, q: {shape}, t: f64) -> f64 {{
+                let b = |r: f64| r * r / 2.0 - self.a * r.powi(3) / 3.0 + r.powi(4) / 4.0;
+                let mut v = 0.0;
+                {}
+                v
+            }}
+        }}",
+        potential.replace('N', length)
+    );
+    let arguments = "taylor".parse().expect("tokens");
+    let text = hamiltonian(arguments, text.parse().expect("tokens")).to_string();
+    assert!(!text.contains("compile_error"), "{potential}: {text}");
+    text.contains("runtime :: Line <")
+}
+
+const SQUARES: &str = "p.iter().map(|p| p * p / 2.0).sum()";
+
+#[test]
+fn sites_that_fill_vectors_and_are_alike_are_a_line() {
+    for (name, potential, holds) in POTENTIALS {
+        assert_eq!(is_line(SQUARES, potential, ["[f64; 16]", "16"]), holds, "{name}");
+        assert!(!is_line(SQUARES, potential, ["[f64; 12]", "12"]), "{name}: no whole vectors");
+        assert!(!is_line(SQUARES, potential, ["&[f64]", "q.len()"]), "{name}: a list");
+    }
+}
+
+#[test]
+fn positions_of_a_line_follow_momenta_by_an_inverse_mass() {
+    let (_, bonds, _) = POTENTIALS[0];
+    let kinetic = |energy: &str| format!("let mut t = 0.0; for i in 0..16 {{ t += {energy}; }} t");
+    let of = |energy: &str| is_line(&kinetic(energy), bonds, ["[f64; 16]", "16"]);
+    assert!(of("p[i] * p[i] / (2.0 * self.m[i])"));
+    assert!(!of("(1.0 + p[i] * p[i]).sqrt()"));
+}
