@@ -50,7 +50,7 @@ pub enum Indicator {
 pub fn map<H, X, K>(
     system: &H,
     method: X,
-    starts: impl IntoIterator<Item = impl StartOf<Shaped<H, K>, Leaf = K>>,
+    starts: impl IntoIterator<Item = Phase<Shaped<H, K>>, IntoIter: Iterator<Item: StartOf<Shaped<H, K>, Leaf = K>>>,
     h: f64,
     steps: u64,
     indicator: Indicator,
@@ -63,7 +63,7 @@ where
     if steps < LEAST {
         return Err(CheckError::TooFewSteps { steps, needed: LEAST });
     }
-    let starts: Vec<_> = starts.into_iter().map(StartOf::into_phase).collect();
+    let starts: Vec<_> = starts.into_iter().collect();
     for (member, start) in starts.iter().enumerate() {
         admissible_start::<H, X, K>(system, method, start, h)
             .map_err(|error| Error::Member { member, error: Box::new(error) })?;
