@@ -77,7 +77,11 @@ where
         let bytes = whole.checkpoint();
         let systems = || (0..MEMBERS).map(|i| member(i).0);
         let mut resumed = Ensemble::<C>::resume::<H, X>(method, systems(), &bytes).unwrap();
-        let halves = [part_of(&bytes, 0..11).unwrap(), part_of(&bytes, 11..MEMBERS).unwrap()];
+        let halves = [0..11, 11..MEMBERS].map(|half| {
+            let (whole, half) = part_of(&bytes, half).unwrap();
+            assert_eq!(whole, MEMBERS);
+            half
+        });
         assert!(joined(&halves).unwrap() == bytes);
         assert_eq!(resumed.checkpoint(), bytes);
         let mut half = Ensemble::<C>::resume::<H, X>(method, systems().skip(11), &halves[1]).unwrap();
