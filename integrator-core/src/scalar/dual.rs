@@ -340,6 +340,22 @@ macro_rules! dual_real {
                     b.value.fma(self.along[direction], by_b)
                 })
             }
+            #[inline(always)]
+            fn scale(self, x: Self) -> Self {
+                if const { SENSITIVE } {
+                    return self * x;
+                }
+                dual!(self.value.scale(x.value), direction => self.value.scale(x.along[direction]))
+            }
+            #[inline(always)]
+            fn scale_add(self, x: Self, y: Self) -> Self {
+                if const { SENSITIVE } {
+                    return self.fma(x, y);
+                }
+                dual!(self.value.scale_add(x.value, y.value), direction => {
+                    self.value.scale_add(x.along[direction], y.along[direction])
+                })
+            }
             #[inline]
             fn lane_by_lane<const A: usize>(
                 arguments: [Self; A],
@@ -523,5 +539,11 @@ mod tests {
         let [constant, other] =
             [Dual::<f64, 1, false, true>::prepared(&of_lane), Dual::<f64, 1, false, true>::parameter(&of_lane)];
         assert_eq!((constant.lane(1), other.lane(1)), (5.0, 0.0));
+        // Its products follow: 3 (2 + dx) with d3 = 5, or without.
+        let along = |x: f64| move |lane: usize| [2.0, x][lane];
+        let (x, sensitive) = (<Dual>::state(&along(7.0)), Dual::<f64, 1, false, true>::state(&along(7.0)));
+        assert_eq!((<Dual>::of(3.0).scale(x).lane(1), constant.scale(sensitive).lane(1)), (21.0, 31.0));
+        let sums = (<Dual>::of(3.0).scale_add(x, x).lane(1), constant.scale_add(sensitive, sensitive).lane(1));
+        assert_eq!(sums, (28.0, 38.0));
     }
 }

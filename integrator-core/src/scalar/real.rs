@@ -132,6 +132,16 @@ macro_rules! declare_real {
             fn state(of_lane: &dyn Fn(usize) -> f64) -> Self;
             /// `self * b + c`, in one rounding where the scalar has it.
             fn fma(self, b: Self, c: Self) -> Self;
+            /// `self * x`, where this is a number of the step or of parameters: derivatives by the start are those of `x`.
+            #[inline(always)]
+            fn scale(self, x: Self) -> Self {
+                self * x
+            }
+            /// `self * x + y`, likewise.
+            #[inline(always)]
+            fn scale_add(self, x: Self, y: Self) -> Self {
+                self.fma(x, y)
+            }
             /// A function known in `f64` alone, lane by lane. Only a dual evaluates the derivatives, which come in the
             /// order of the arguments.
             #[inline]

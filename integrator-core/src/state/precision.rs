@@ -21,6 +21,11 @@ pub trait Slot<R: Real>: Copy + Send + Sync + 'static {
     fn add(&mut self, d: R);
     /// Adds `a * b`.
     fn fma(&mut self, a: R, b: R);
+    /// Adds `a * b`, where `a` is a number of the step or of parameters.
+    #[inline(always)]
+    fn scale_add(&mut self, a: R, b: R) {
+        self.fma(a, b);
+    }
     /// `a` in the lanes of `mask`, `b` in the others.
     fn select(mask: R::Mask, a: Self, b: Self) -> Self;
     /// The number that flows read, and the rounding error that it carries, where it carries one.
@@ -75,6 +80,10 @@ impl<R: Real> Slot<R> for R {
     #[inline(always)]
     fn fma(&mut self, a: R, b: R) {
         *self = a.fma(b, *self);
+    }
+    #[inline(always)]
+    fn scale_add(&mut self, a: R, b: R) {
+        *self = a.scale_add(b, *self);
     }
     #[inline(always)]
     fn select(mask: R::Mask, a: R, b: R) -> R {

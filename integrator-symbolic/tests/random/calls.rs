@@ -193,7 +193,7 @@ impl Machine<'_> {
                     self.update(&call.receiver, by.number()?)?;
                     Ok(Value::Unit)
                 }
-                "fma" => {
+                "fma" | "scale_add" => {
                     let arguments = self.all(call.args.iter())?;
                     let [a, b] = [argument(&arguments, 0)?.number()?, argument(&arguments, 1)?.number()?];
                     if a.kind != b.kind {
@@ -259,7 +259,8 @@ impl Machine<'_> {
                 }
                 number.powi(exponent.value as i32).into()
             }
-            ("fma" | "mul_add", [b, c]) => number.fma(&alike(b)?, &alike(c)?).into(),
+            ("scale", [x]) => number.mul(&alike(x)?).into(),
+            ("fma" | "scale_add" | "mul_add", [b, c]) => number.fma(&alike(b)?, &alike(c)?).into(),
             ("powf" | "fast_powf", [exponent]) => number.powf(&alike(exponent)?).into(),
             ("atan2" | "fast_atan2", [x]) => number.atan2(&alike(x)?).into(),
             ("hypot", [x]) => number.hypot(&alike(x)?).into(),

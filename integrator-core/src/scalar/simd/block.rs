@@ -29,7 +29,7 @@ pub trait Block<R: Real>: Real {
     /// Adds a multiple of the block to the first numbers of a slice; the factor is constant along all directions.
     #[inline(always)]
     fn add_multiple(self, factor: R, to: &mut [R]) {
-        Self::splat(factor).fma(self, Self::read(to)).write(to);
+        Self::splat(factor).scale_add(self, Self::read(to)).write(to);
     }
 }
 

@@ -322,7 +322,8 @@ impl Flow {
         let passes = passes(emitter.model, gradient, part).into_iter().map(|Pass { stores, moved }| match moved {
             None => emitter.evaluate(frame, &[], &stores),
             Some(moved) => {
-                let apply = |place, value| quote!(#place.fma(step, #value););
+                let method = frame.step_update();
+                let apply = |place, value| quote!(#place.#method(step, #value););
                 through_buffer(emitter, frame, moved, &stores, apply)
             }
         });

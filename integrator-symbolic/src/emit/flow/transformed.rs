@@ -41,9 +41,9 @@ pub(crate) fn functions(
         true => of_bodies(emitter, potential, v),
         false => of_plain(emitter.names),
     };
-    let drift = Flow::lines_along(emitter, kinetic, Part::Momentum, &Frame::Motion);
+    let drift = Flow::lines_along(emitter, kinetic, Part::Momentum, &Frame::OwnTime);
     let logarithmic = match is_direct(&emitter.model.graph.loops, &logarithmic) {
-        true => Flow::lines_along(emitter, &logarithmic, Part::Position, &Frame::Motion),
+        true => Flow::lines_along(emitter, &logarithmic, Part::Position, &Frame::OwnTime),
         false => collected(emitter, potential, v),
     };
     let drift = flow(emitter, "drift_for", quote!(duration), drift);
@@ -54,7 +54,7 @@ pub(crate) fn functions(
 /// The energy and the kick of `V` where bodies have a layout of their own.
 fn of_bodies(emitter: &mut Emitter<'_>, potential: &[Contribution], energy: NodeId) -> TokenStream {
     let energy = value(emitter, "potential_of", energy);
-    let kick = Flow::lines_along(emitter, potential, Part::Position, &Frame::Motion);
+    let kick = Flow::lines_along(emitter, potential, Part::Position, &Frame::OwnTime);
     let kick = flow(emitter, "kick_for", quote!(-duration), kick);
     quote!(#energy #kick)
 }
@@ -88,7 +88,7 @@ pub(crate) fn rated(
 ) -> TokenStream {
     let slope = gradient(&mut emitter.model.graph, rate, Part::Position);
     let value = value(emitter, "rate_of", rate);
-    let slope = Flow::lines_along(emitter, &slope, Part::Position, &Frame::Motion);
+    let slope = Flow::lines_along(emitter, &slope, Part::Position, &Frame::OwnTime);
     let kick = flow(emitter, "kick_by_rate", quote!(-duration), slope);
     let Names { runtime, scalar, leaf, .. } = emitter.names;
     let growth = if is_quadratic { growth_by_both_ends(emitter.names) } else { growth_by_nodes(emitter.names) };
@@ -178,8 +178,8 @@ fn collected(emitter: &mut Emitter<'_>, potential: &[Contribution], energy: Node
     let energy = lower_roots(emitter.model, &[energy])[0];
     stores.push(Store { context: Vec::new(), sink: Sink::Return, value: energy });
     let apply = |place, value| quote!(#place.fma(step, #value););
-    let (open, close) = buffer(&emitter.model.shape, &Frame::Motion, Part::Momentum, emitter.names, apply);
-    let lines = emitter.evaluate(&Frame::Motion, &[], &stores);
+    let (open, close) = buffer(&emitter.model.shape, &Frame::OwnTime, Part::Momentum, emitter.names, apply);
+    let lines = emitter.evaluate(&Frame::OwnTime, &[], &stores);
     lines.map(|lines| quote!(#open let energy = { #lines }; let step = step / -energy; #close))
 }
 
@@ -191,7 +191,7 @@ fn value(emitter: &mut Emitter<'_>, name: &str, node: NodeId) -> TokenStream {
 /// The same, perhaps with a number that it adds.
 fn value_with(emitter: &mut Emitter<'_>, name: &str, node: NodeId, adds: bool) -> TokenStream {
     let node = lower_roots(emitter.model, &[node])[0];
-    let Lines { tokens: body, .. } = emitter.value(&Frame::Motion, node);
+    let Lines { tokens: body, .. } = emitter.value(&Frame::OwnTime, node);
     let motion = Body::new(body.clone()).argument("motion");
     let name = Ident::new(name, Span::call_site());
     let Names { runtime, scalar, leaf, .. } = emitter.names;

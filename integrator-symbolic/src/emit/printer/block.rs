@@ -186,10 +186,13 @@ impl Block<'_> {
         let reads_own = printer.is_list && printer.graph.reads(value, element.part);
         match printer.product(value) {
             Some((negative, a, b)) if self.masks.is_empty() => {
+                let constant = printer.constant_factor(a, b);
+                let method = if constant.is_some() { quote!(scale_add) } else { quote!(fma) };
+                let (a, b) = constant.unwrap_or((a, b));
                 let (a, b) = (printer.outer_factor(fields, negative, a), printer.expression(fields, b).tokens);
                 match reads_own {
-                    true => quote!(let (factor, value) = (#a, #b); #place.fma(factor, value);),
-                    false => quote!(#place.fma(#a, #b);),
+                    true => quote!(let (factor, value) = (#a, #b); #place.#method(factor, value);),
+                    false => quote!(#place.#method(#a, #b);),
                 }
             }
             _ => {
@@ -207,10 +210,10 @@ impl Block<'_> {
         let printer = &self.printer;
         let is_masked = self.masks.len() > depth && printer.dialect == Dialect::Generic;
         if printer.dialect == Dialect::Generic
-            && let Some((negative, a, b)) = printer.product(value)
+            && let Some(product) = printer.product(value)
         {
-            let (a, b) = (printer.factor(fields, negative, a), printer.expression(fields, b).tokens);
-            let sum = self.mask(depth, &quote!(#a.fma(#b, #target)), &target);
+            let sum = printer.fused(fields, product, &target);
+            let sum = self.mask(depth, &sum, &target);
             return quote!(#target = #sum;);
         }
         let (sign, value) = match printer.graph.node(value) {

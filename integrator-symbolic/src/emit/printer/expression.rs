@@ -136,6 +136,11 @@ impl Printer<'_> {
             }
             Node::Add(a, b) => self.addition(fields, a, b),
             Node::Mul(a, b) => {
+                if let Some((constant, varied)) = self.constant_factor(a, b) {
+                    let factor = self.receiver(fields, constant);
+                    let varied = self.expression(fields, varied).tokens;
+                    return Printed::new(Binding::Atom, quote!(#factor.scale(#varied)));
+                }
                 let (a, b) = (self.expression(fields, a), self.expression(fields, b));
                 let (a, b) = (a.at_least(Binding::Product), b.at_least(Binding::Sign));
                 Printed::new(Binding::Product, quote!(#a * #b))
@@ -243,9 +248,8 @@ impl Printer<'_> {
         if self.dialect == Dialect::Generic {
             for (product, other) in [(b, a), (a, b)] {
                 if let Some((negative, x, y)) = self.product(product) {
-                    let factor = self.factor(fields, negative, x);
-                    let (y, other) = (self.expression(fields, y).tokens, self.expression(fields, other).tokens);
-                    return Printed::new(Binding::Atom, quote!(#factor.fma(#y, #other)));
+                    let other = self.expression(fields, other).tokens;
+                    return Printed::new(Binding::Atom, self.fused(fields, (negative, x, y), &other));
                 }
             }
         }
@@ -272,6 +276,28 @@ impl Printer<'_> {
         }
     }
 
+    /// Whether a value is the same for all states: what is prepared, and multiples of the step.
+    fn is_without_slope(&self, id: NodeId) -> bool {
+        match self.graph.node(id) {
+            Node::Step => self.frame.has_fixed_step(),
+            Node::Neg(a) => self.is_without_slope(a),
+            Node::Mul(a, b) => self.is_without_slope(a) && self.is_without_slope(b),
+            _ => self.graph.is_prepared(id),
+        }
+    }
+
+    /// The factor of a product that is the same for all states, and the other one; `None` where none is, or both are.
+    pub(crate) fn constant_factor(&self, a: NodeId, b: NodeId) -> Option<(NodeId, NodeId)> {
+        if self.dialect == Dialect::Single || matches!(self.frame, Frame::Constants | Frame::Series { .. }) {
+            return None;
+        }
+        match (self.is_without_slope(a), self.is_without_slope(b)) {
+            (true, false) => Some((a, b)),
+            (false, true) => Some((b, a)),
+            _ => None,
+        }
+    }
+
     /// A factor, perhaps under a change of sign.
     fn with_sign(&self, fields: &mut Fields, negative: bool, x: NodeId) -> Printed {
         match self.graph.as_constant(x) {
@@ -289,6 +315,21 @@ impl Printer<'_> {
         self.with_sign(fields, negative, x).at_least(Binding::Atom)
     }
 
+    /// A product, perhaps under a change of sign, added to another value in one operation.
+    pub(crate) fn fused(
+        &self,
+        fields: &mut Fields,
+        (negative, x, y): (bool, NodeId, NodeId),
+        other: &TokenStream,
+    ) -> TokenStream {
+        if let Some((constant, varied)) = self.constant_factor(x, y) {
+            let (factor, varied) = (self.factor(fields, negative, constant), self.expression(fields, varied).tokens);
+            return quote!(#factor.scale_add(#varied, #other));
+        }
+        let (factor, y) = (self.factor(fields, negative, x), self.expression(fields, y).tokens);
+        quote!(#factor.fma(#y, #other))
+    }
+
     /// The first of two arguments that are multiplied.
     pub(crate) fn outer_factor(&self, fields: &mut Fields, negative: bool, x: NodeId) -> TokenStream {
         self.with_sign(fields, negative, x).tokens
@@ -303,7 +344,7 @@ impl Printer<'_> {
     fn coordinate(&self, fields: &mut Fields, element: Element) -> TokenStream {
         let place = |fields| self.place(fields, element);
         match self.frame {
-            Frame::System | Frame::Constants | Frame::Motion | Frame::Apart => {
+            Frame::System | Frame::Constants | Frame::Motion | Frame::OwnTime | Frame::Apart => {
                 let place = place(fields);
                 quote!(#place.value())
             }
@@ -316,7 +357,7 @@ impl Printer<'_> {
     pub(crate) fn place(&self, fields: &mut Fields, element: Element) -> TokenStream {
         let part = self.part(element);
         match self.frame {
-            Frame::System | Frame::Constants | Frame::Motion | Frame::Apart | Frame::Sites(_) => {
+            Frame::System | Frame::Constants | Frame::Motion | Frame::OwnTime | Frame::Apart | Frame::Sites(_) => {
                 let at = self.at(fields, element);
                 quote!(motion.#part #at)
             }

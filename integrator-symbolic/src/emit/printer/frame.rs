@@ -26,6 +26,8 @@ pub(crate) enum Frame<'m> {
     Constants,
     /// In the motion.
     Motion,
+    /// In a motion with a time of its own, whose steps are as long as its state says.
+    OwnTime,
     /// In what a flow reads of a motion, apart from what it moves.
     Apart,
     /// In the neighbourhood of sites of a lattice, which is an argument.
@@ -49,9 +51,19 @@ impl Frame<'_> {
     pub(crate) fn scalar<'n>(&self, names: &'n Names) -> &'n Ident {
         match self {
             Frame::Constants => &names.double,
-            Frame::System | Frame::Motion | Frame::Apart | Frame::Series { .. } => &names.scalar,
+            Frame::System | Frame::Motion | Frame::OwnTime | Frame::Apart | Frame::Series { .. } => &names.scalar,
             Frame::Sites(_) | Frame::Bodies(_) => &names.wide,
         }
+    }
+
+    /// Whether a step is as long for all states.
+    pub(super) fn has_fixed_step(&self) -> bool {
+        !matches!(self, Frame::OwnTime)
+    }
+
+    /// What adds a multiple of the step to a slot.
+    pub(crate) fn step_update(&self) -> TokenStream {
+        if self.has_fixed_step() { quote!(scale_add) } else { quote!(fma) }
     }
 
     /// The storage of what a flow moves.
@@ -76,7 +88,9 @@ impl Frame<'_> {
     /// Whether an integer of these loops' indices is read as a prepared number.
     pub(crate) fn has_prepared_index(&self, loops: LoopSet) -> bool {
         match self {
-            Frame::System | Frame::Constants | Frame::Motion | Frame::Apart | Frame::Series { .. } => false,
+            Frame::System | Frame::Constants | Frame::Motion | Frame::OwnTime | Frame::Apart | Frame::Series { .. } => {
+                false
+            }
             Frame::Sites(_) => !loops.is_empty(),
             Frame::Bodies(_) => true,
         }
@@ -106,7 +120,7 @@ impl Printer<'_> {
     /// A field of the prepared constants as a number of the flow, for the present iterations of the loops.
     pub(crate) fn shared(&self, name: Ident, loops: LoopSet) -> TokenStream {
         match self.frame {
-            Frame::System | Frame::Constants | Frame::Motion | Frame::Apart | Frame::Series { .. } => {
+            Frame::System | Frame::Constants | Frame::Motion | Frame::OwnTime | Frame::Apart | Frame::Series { .. } => {
                 self.prepared(name, loops)
             }
             Frame::Sites(lattice) => self.spread(lattice, name, loops),
@@ -124,7 +138,7 @@ impl Printer<'_> {
             quote!([#index])
         });
         match self.frame {
-            Frame::System | Frame::Motion | Frame::Apart => quote!(motion.parameters.#name #(#at)*),
+            Frame::System | Frame::Motion | Frame::OwnTime | Frame::Apart => quote!(motion.parameters.#name #(#at)*),
             Frame::Constants | Frame::Sites(_) | Frame::Bodies(_) | Frame::Series { .. } => {
                 quote!(parameters.#name #(#at)*)
             }

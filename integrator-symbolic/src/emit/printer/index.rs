@@ -69,6 +69,7 @@ impl Printer<'_> {
             Frame::System
             | Frame::Constants
             | Frame::Motion
+            | Frame::OwnTime
             | Frame::Apart
             | Frame::Sites(_)
             | Frame::Series { .. } => {

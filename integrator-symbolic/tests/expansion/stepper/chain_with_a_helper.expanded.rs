@@ -8,13 +8,13 @@ const _: () = {
         prepared_0: Scalar,
         /// `alpha`
         prepared_1: Scalar,
-        /// `2 alpha`
-        prepared_2: Scalar,
         /// `3 beta`
+        prepared_2: Scalar,
+        /// `2 alpha`
         prepared_3: Scalar,
-        /// `beta / 4`
-        prepared_4: Scalar,
         /// `alpha / 3`
+        prepared_4: Scalar,
+        /// `beta / 4`
         prepared_5: Scalar,
     }
     impl<Scalar: runtime::Real> runtime::Prepared<Scalar> for Parameters<Scalar> {
@@ -34,10 +34,10 @@ const _: () = {
             runtime::all_found([
                 runtime::not_finite("beta", &[], &single.prepared_0),
                 runtime::not_finite("alpha", &[], &single.prepared_1),
-                runtime::not_finite("2 alpha", &[], &single.prepared_2),
-                runtime::not_finite("3 beta", &[], &single.prepared_3),
-                runtime::not_finite("beta / 4", &[], &single.prepared_4),
-                runtime::not_finite("alpha / 3", &[], &single.prepared_5),
+                runtime::not_finite("3 beta", &[], &single.prepared_2),
+                runtime::not_finite("2 alpha", &[], &single.prepared_3),
+                runtime::not_finite("alpha / 3", &[], &single.prepared_4),
+                runtime::not_finite("beta / 4", &[], &single.prepared_5),
             ])
         }
         fn digest(single: &Self::Single, digest: &mut runtime::Digest) {
@@ -71,7 +71,7 @@ const _: () = {
             Parameters<Scalar>,
         >;
         const AUTONOMOUS: bool = true;
-        const FINGERPRINT: u64 = 6673268780716575936;
+        const FINGERPRINT: u64 = 6907134108486836070;
         const WIDE: bool = true;
         const STENCIL_RADII: ::core::option::Option<runtime::StencilRadii> = ::core::option::Option::Some(
             runtime::StencilRadii::of::<Self>(),
@@ -80,10 +80,10 @@ const _: () = {
             Parameters {
                 prepared_0: 4.0 * (self.beta / 4.0),
                 prepared_1: 3.0 * (self.alpha / 3.0),
-                prepared_2: 6.0 * (self.alpha / 3.0),
-                prepared_3: 12.0 * (self.beta / 4.0),
-                prepared_4: self.beta / 4.0,
-                prepared_5: self.alpha / 3.0,
+                prepared_2: 12.0 * (self.beta / 4.0),
+                prepared_3: 6.0 * (self.alpha / 3.0),
+                prepared_4: self.alpha / 3.0,
+                prepared_5: self.beta / 4.0,
             }
         }
         #[inline(always)]
@@ -110,7 +110,7 @@ const _: () = {
             let mut sum_0 = Scalar::of(0.0);
             for i in 0..32 {
                 let p_i = motion.p[i].value();
-                sum_0 = Scalar::of(0.5).fma(p_i * p_i, sum_0);
+                sum_0 = Scalar::of(0.5).scale_add(p_i * p_i, sum_0);
             }
             sum_0
         }
@@ -130,32 +130,35 @@ const _: () = {
                 sum_0
                     += motion
                         .parameters
-                        .prepared_4
-                        .fma(
+                        .prepared_5
+                        .scale_add(
                             shared_3 * shared_3,
                             motion
                                 .parameters
-                                .prepared_5
-                                .fma(shared_3 * shared_0, Scalar::of(0.5) * shared_3),
+                                .prepared_4
+                                .scale_add(
+                                    shared_3 * shared_0,
+                                    Scalar::of(0.5).scale(shared_3),
+                                ),
                         );
             }
             motion
                 .parameters
-                .prepared_4
-                .fma(
+                .prepared_5
+                .scale_add(
                     shared_1 * shared_1,
                     motion
                         .parameters
-                        .prepared_5
-                        .fma(shared_1 * q0, Scalar::of(0.5) * shared_1),
+                        .prepared_4
+                        .scale_add(shared_1 * q0, Scalar::of(0.5).scale(shared_1)),
                 )
                 + motion
                     .parameters
-                    .prepared_4
-                    .fma(
+                    .prepared_5
+                    .scale_add(
                         shared_2 * shared_2,
-                        (-motion.parameters.prepared_5)
-                            .fma(shared_2 * q31, Scalar::of(0.5) * shared_2),
+                        (-motion.parameters.prepared_4)
+                            .scale_add(shared_2 * q31, Scalar::of(0.5).scale(shared_2)),
                     ) + sum_0
         }
         fn stated(
@@ -204,21 +207,33 @@ const _: () = {
             for i in 0..31 {
                 let shared_0 = motion.q[i + 1].value() - motion.q[i].value();
                 let shared_1 = motion.p[i + 1].value() - motion.p[i].value();
-                let shared_2 = (motion.parameters.prepared_2 * shared_1)
+                let shared_2 = motion
+                    .parameters
+                    .prepared_3
+                    .scale(shared_1)
                     .fma(
                         shared_0,
-                        (motion.parameters.prepared_3 * shared_1)
+                        motion
+                            .parameters
+                            .prepared_2
+                            .scale(shared_1)
                             .fma(shared_0 * shared_0, shared_1),
                     );
                 gradient[i + 1] += shared_2;
                 gradient[i] -= shared_2;
             }
             gradient[0]
-                += (motion.parameters.prepared_2 * p0)
-                    .fma(q0, (motion.parameters.prepared_3 * p0).fma(q0 * q0, p0));
+                += motion
+                    .parameters
+                    .prepared_3
+                    .scale(p0)
+                    .fma(q0, motion.parameters.prepared_2.scale(p0).fma(q0 * q0, p0));
             gradient[31]
-                += (-(motion.parameters.prepared_2 * p31))
-                    .fma(q31, (motion.parameters.prepared_3 * p31).fma(q31 * q31, p31));
+                += (-motion.parameters.prepared_3.scale(p31))
+                    .fma(
+                        q31,
+                        motion.parameters.prepared_2.scale(p31).fma(q31 * q31, p31),
+                    );
             for i in 0..32 {
                 motion.p[i] = gradient[i];
             }
@@ -252,7 +267,7 @@ const _: () = {
             let mut sum_0 = Scalar::of(0.0);
             for i in 0..32 {
                 let p_i = motion.p[i].value();
-                sum_0 = Scalar::of(0.5).fma(p_i * p_i, sum_0);
+                sum_0 = Scalar::of(0.5).scale_add(p_i * p_i, sum_0);
             }
             sum_0 + time
         }
@@ -304,19 +319,22 @@ const _: () = {
                         + motion
                             .parameters
                             .prepared_1
-                            .fma(shared_3, motion.parameters.prepared_0 * shared_6);
+                            .scale_add(
+                                shared_3,
+                                motion.parameters.prepared_0.scale(shared_6),
+                            );
                     gradient[i + 1] += shared_7;
                     gradient[i] -= shared_7;
                     sum_0
                         += motion
                             .parameters
-                            .prepared_4
-                            .fma(
+                            .prepared_5
+                            .scale_add(
                                 shared_3 * shared_3,
                                 motion
                                     .parameters
-                                    .prepared_5
-                                    .fma(shared_6, Scalar::of(0.5) * shared_3),
+                                    .prepared_4
+                                    .scale_add(shared_6, Scalar::of(0.5).scale(shared_3)),
                             );
                 }
                 gradient[0]
@@ -324,28 +342,34 @@ const _: () = {
                         + motion
                             .parameters
                             .prepared_1
-                            .fma(shared_1, motion.parameters.prepared_0 * shared_4);
+                            .scale_add(
+                                shared_1,
+                                motion.parameters.prepared_0.scale(shared_4),
+                            );
                 gradient[31]
                     += q31
                         + (-motion.parameters.prepared_1)
-                            .fma(shared_2, motion.parameters.prepared_0 * shared_5);
+                            .scale_add(
+                                shared_2,
+                                motion.parameters.prepared_0.scale(shared_5),
+                            );
                 motion
                     .parameters
-                    .prepared_4
-                    .fma(
+                    .prepared_5
+                    .scale_add(
                         shared_1 * shared_1,
                         motion
                             .parameters
-                            .prepared_5
-                            .fma(shared_4, Scalar::of(0.5) * shared_1),
+                            .prepared_4
+                            .scale_add(shared_4, Scalar::of(0.5).scale(shared_1)),
                     )
                     + motion
                         .parameters
-                        .prepared_4
-                        .fma(
+                        .prepared_5
+                        .scale_add(
                             shared_2 * shared_2,
-                            (-motion.parameters.prepared_5)
-                                .fma(shared_5, Scalar::of(0.5) * shared_2),
+                            (-motion.parameters.prepared_4)
+                                .scale_add(shared_5, Scalar::of(0.5).scale(shared_2)),
                         ) + sum_0
             };
             let step = step / -energy;
@@ -397,14 +421,14 @@ const _: () = {
             let q_i = window.at(0);
             let shared_0 = window.at(1) - q_i;
             let shared_1 = q_i * q_i;
-            let shared_2 = Wide::splat(parameters.prepared_0) * (shared_1 * q_i);
-            let shared_3 = Wide::splat(parameters.prepared_1) * shared_1;
+            let shared_2 = Wide::splat(parameters.prepared_0).scale(shared_1 * q_i);
+            let shared_3 = Wide::splat(parameters.prepared_1).scale(shared_1);
             let shared_4 = shared_0 * shared_0;
             let shared_5 = shared_0
                 + Wide::splat(parameters.prepared_1)
-                    .fma(
+                    .scale_add(
                         shared_4,
-                        Wide::splat(parameters.prepared_0) * (shared_4 * shared_0),
+                        Wide::splat(parameters.prepared_0).scale(shared_4 * shared_0),
                     );
             let contribution_0 = window.masked(0..31, -shared_5);
             let contribution_0 = window

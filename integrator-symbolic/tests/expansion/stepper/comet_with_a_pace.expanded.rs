@@ -4,18 +4,18 @@ const _: () = {
     /// What depends on parameters alone, evaluated once per run.
     #[derive(::core::clone::Clone)]
     pub struct Parameters<Scalar> {
-        /// `3 twist / 2`
-        prepared_0: Scalar,
         /// `-pull / 2`
+        prepared_0: Scalar,
+        /// `3 twist / 2`
         prepared_1: Scalar,
-        /// `3.75 twist`
-        prepared_2: Scalar,
         /// `-3 pull / 4`
+        prepared_2: Scalar,
+        /// `3.75 twist`
         prepared_3: Scalar,
+        /// `-pull`
+        prepared_4: Scalar,
         /// `twist`
         twist: Scalar,
-        /// `-pull`
-        prepared_5: Scalar,
     }
     impl<Scalar: runtime::Real> runtime::Prepared<Scalar> for Parameters<Scalar> {
         type Single = Parameters<f64>;
@@ -26,18 +26,18 @@ const _: () = {
                 prepared_1: runtime::in_lanes(members, |member| &member.prepared_1),
                 prepared_2: runtime::in_lanes(members, |member| &member.prepared_2),
                 prepared_3: runtime::in_lanes(members, |member| &member.prepared_3),
+                prepared_4: runtime::in_lanes(members, |member| &member.prepared_4),
                 twist: runtime::in_lanes(members, |member| &member.twist),
-                prepared_5: runtime::in_lanes(members, |member| &member.prepared_5),
             }
         }
         fn not_finite(single: &Self::Single) -> runtime::Vec<runtime::NotFinite> {
             runtime::all_found([
-                runtime::not_finite("3 twist / 2", &[], &single.prepared_0),
-                runtime::not_finite("-pull / 2", &[], &single.prepared_1),
-                runtime::not_finite("3.75 twist", &[], &single.prepared_2),
-                runtime::not_finite("-3 pull / 4", &[], &single.prepared_3),
+                runtime::not_finite("-pull / 2", &[], &single.prepared_0),
+                runtime::not_finite("3 twist / 2", &[], &single.prepared_1),
+                runtime::not_finite("-3 pull / 4", &[], &single.prepared_2),
+                runtime::not_finite("3.75 twist", &[], &single.prepared_3),
+                runtime::not_finite("-pull", &[], &single.prepared_4),
                 runtime::not_finite("twist", &[], &single.twist),
-                runtime::not_finite("-pull", &[], &single.prepared_5),
             ])
         }
         fn digest(single: &Self::Single, digest: &mut runtime::Digest) {
@@ -45,8 +45,8 @@ const _: () = {
             digest.add(&single.prepared_1);
             digest.add(&single.prepared_2);
             digest.add(&single.prepared_3);
+            digest.add(&single.prepared_4);
             digest.add(&single.twist);
-            digest.add(&single.prepared_5);
         }
     }
     /// The equations of motion, derived from `kinetic` and `potential`:
@@ -71,15 +71,15 @@ const _: () = {
             Parameters<Scalar>,
         >;
         const AUTONOMOUS: bool = true;
-        const FINGERPRINT: u64 = 4903353971926359754;
+        const FINGERPRINT: u64 = 9214845907479760597;
         fn parameters(&self, _length: usize) -> Parameters<f64> {
             Parameters {
-                prepared_0: 1.5 * self.twist,
-                prepared_1: 0.5 * (-self.pull),
-                prepared_2: 3.75 * self.twist,
-                prepared_3: 0.75 * (-self.pull),
+                prepared_0: 0.5 * (-self.pull),
+                prepared_1: 1.5 * self.twist,
+                prepared_2: 0.75 * (-self.pull),
+                prepared_3: 3.75 * self.twist,
+                prepared_4: -self.pull,
                 twist: self.twist,
-                prepared_5: -self.pull,
             }
         }
         #[inline(always)]
@@ -89,8 +89,8 @@ const _: () = {
             _time: f64,
         ) {
             let step = Scalar::of(duration);
-            motion.q[0].fma(step, motion.p[0].value());
-            motion.q[1].fma(step, motion.p[1].value());
+            motion.q[0].scale_add(step, motion.p[0].value());
+            motion.q[1].scale_add(step, motion.p[1].value());
         }
         #[inline(always)]
         fn kick<Scalar: runtime::Real, Leaf: runtime::Precision>(
@@ -106,10 +106,10 @@ const _: () = {
             let shared_2 = shared_1 * shared_1.sqrt()
                 * motion
                     .parameters
-                    .prepared_0
-                    .fma(shared_1, -motion.parameters.prepared_1);
-            motion.p[0].fma(shared_0 * q0, shared_2);
-            motion.p[1].fma(shared_0 * q1, shared_2);
+                    .prepared_1
+                    .scale_add(shared_1, -motion.parameters.prepared_0);
+            motion.p[0].fma(shared_0.scale(q0), shared_2);
+            motion.p[1].fma(shared_0.scale(q1), shared_2);
         }
         #[inline(always)]
         fn kinetic<Scalar: runtime::Real, Leaf: runtime::Precision>(
@@ -118,7 +118,7 @@ const _: () = {
         ) -> Scalar {
             let p0 = motion.p[0].value();
             let p1 = motion.p[1].value();
-            Scalar::of(0.5) * p1.fma(p1, p0 * p0)
+            Scalar::of(0.5).scale(p1.fma(p1, p0 * p0))
         }
         #[inline(always)]
         fn potential<Scalar: runtime::Real, Leaf: runtime::Precision>(
@@ -129,7 +129,8 @@ const _: () = {
             let q1 = motion.q[1].value();
             let shared_0 = Scalar::of(1.0) / q1.fma(q1, q0 * q0);
             shared_0.sqrt()
-                * (-motion.parameters.twist).fma(shared_0, motion.parameters.prepared_5)
+                * (-motion.parameters.twist)
+                    .scale_add(shared_0, motion.parameters.prepared_4)
         }
         fn stated(
             &self,
@@ -156,22 +157,25 @@ const _: () = {
             let mut gradient = [Scalar::of(0.0); 2];
             let q0 = motion.q[0].value();
             let q1 = motion.q[1].value();
-            let shared_0 = Scalar::of(2.0) * motion.p[1].value();
-            let shared_1 = Scalar::of(2.0) * motion.p[0].value();
+            let shared_0 = Scalar::of(2.0).scale(motion.p[1].value());
+            let shared_1 = Scalar::of(2.0).scale(motion.p[0].value());
             let shared_2 = Scalar::of(1.0) / q1.fma(q1, q0 * q0);
             let shared_3 = shared_2.sqrt();
             let shared_4 = shared_2 * shared_2;
             let shared_5 = shared_4 * shared_3;
             let shared_6 = shared_0.fma(q1, shared_1 * q0);
-            let shared_7 = (-motion.parameters.prepared_1)
-                .fma(shared_2 * shared_3, motion.parameters.prepared_0 * shared_5);
-            let shared_8 = (-(motion.parameters.prepared_2 * shared_6))
+            let shared_7 = (-motion.parameters.prepared_0)
+                .scale_add(
+                    shared_2 * shared_3,
+                    motion.parameters.prepared_1.scale(shared_5),
+                );
+            let shared_8 = (-motion.parameters.prepared_3.scale(shared_6))
                 .fma(
                     shared_4 * shared_2 * shared_3,
-                    motion.parameters.prepared_3 * shared_6 * shared_5,
+                    motion.parameters.prepared_2.scale(shared_6) * shared_5,
                 );
-            gradient[0] += (Scalar::of(2.0) * q0).fma(shared_8, shared_1 * shared_7);
-            gradient[1] += (Scalar::of(2.0) * q1).fma(shared_8, shared_0 * shared_7);
+            gradient[0] += Scalar::of(2.0).scale(q0).fma(shared_8, shared_1 * shared_7);
+            gradient[1] += Scalar::of(2.0).scale(q1).fma(shared_8, shared_0 * shared_7);
             for i in 0..2 {
                 motion.p[i] = gradient[i];
             }
@@ -204,7 +208,7 @@ const _: () = {
             let time = more;
             let p0 = motion.p[0].value();
             let p1 = motion.p[1].value();
-            Scalar::of(0.5).fma(p1.fma(p1, p0 * p0), time)
+            Scalar::of(0.5).scale_add(p1.fma(p1, p0 * p0), time)
         }
         #[inline(always)]
         fn potential_of<Scalar: runtime::Real, Leaf: runtime::Precision>(
@@ -238,17 +242,17 @@ const _: () = {
             let step = -duration;
             let q0 = motion.q[0].value();
             let q1 = motion.q[1].value();
-            let shared_0 = step * Scalar::of(2.0);
+            let shared_0 = Scalar::of(2.0).scale(step);
             let shared_1 = Scalar::of(1.0) / q1.fma(q1, q0 * q0);
             let shared_2 = shared_1.sqrt();
             let shared_3 = shared_1 * shared_2;
             let shared_4 = Scalar::of(1.0)
                 / (-motion.parameters.twist)
-                    .fma(shared_3, motion.parameters.prepared_5 * shared_2);
-            let shared_5 = (-(motion.parameters.prepared_0 * shared_4))
+                    .scale_add(shared_3, motion.parameters.prepared_4.scale(shared_2));
+            let shared_5 = (-motion.parameters.prepared_1.scale(shared_4))
                 .fma(
                     shared_1 * shared_1 * shared_2,
-                    motion.parameters.prepared_1 * shared_4 * shared_3,
+                    motion.parameters.prepared_0.scale(shared_4) * shared_3,
                 );
             motion.p[0].fma(shared_0 * q0, shared_5);
             motion.p[1].fma(shared_0 * q1, shared_5);
@@ -275,7 +279,7 @@ const _: () = {
             let step = -duration;
             let q0 = motion.q[0].value();
             let q1 = motion.q[1].value();
-            let shared_0 = step * Scalar::of(2.0);
+            let shared_0 = Scalar::of(2.0).scale(step);
             let shared_1 = q1.fma(q1, q0 * q0);
             let shared_2 = Scalar::of(1.0) / (shared_1 * shared_1);
             motion.p[0].fma(-(shared_0 * q0), shared_2);

@@ -107,7 +107,7 @@ const _: () = {
             Parameters<Scalar>,
         >;
         const AUTONOMOUS: bool = true;
-        const FINGERPRINT: u64 = 4907821078896503619;
+        const FINGERPRINT: u64 = 2731691205648847094;
         fn parameters(&self, _length: usize) -> Parameters<f64> {
             Parameters {
                 stiffness: self.stiffness,
@@ -121,7 +121,7 @@ const _: () = {
             _time: f64,
         ) {
             let step = Scalar::of(duration);
-            motion.q[0].fma(step, motion.p[0].value());
+            motion.q[0].scale_add(step, motion.p[0].value());
         }
         #[inline(always)]
         fn kick<Scalar: runtime::Real, Leaf: runtime::Precision>(
@@ -130,7 +130,9 @@ const _: () = {
             _time: f64,
         ) {
             let step = Scalar::of(-duration);
-            motion.p[0].fma(step * motion.parameters.stiffness, motion.q[0].value());
+            motion
+                .p[0]
+                .scale_add(step * motion.parameters.stiffness, motion.q[0].value());
         }
         #[inline(always)]
         fn kinetic<Scalar: runtime::Real, Leaf: runtime::Precision>(
@@ -138,7 +140,7 @@ const _: () = {
             _time: f64,
         ) -> Scalar {
             let p0 = motion.p[0].value();
-            Scalar::of(0.5) * (p0 * p0)
+            Scalar::of(0.5).scale(p0 * p0)
         }
         #[inline(always)]
         fn potential<Scalar: runtime::Real, Leaf: runtime::Precision>(
@@ -146,7 +148,7 @@ const _: () = {
             _time: f64,
         ) -> Scalar {
             let q0 = motion.q[0].value();
-            motion.parameters.prepared_1 * q0 * q0
+            motion.parameters.prepared_1.scale(q0) * q0
         }
         fn stated(
             &self,
@@ -174,7 +176,7 @@ const _: () = {
             gradient[0] = motion
                 .parameters
                 .stiffness
-                .fma(motion.p[0].value(), gradient[0]);
+                .scale_add(motion.p[0].value(), gradient[0]);
             for i in 0..1 {
                 motion.p[i] = gradient[i];
             }
@@ -206,7 +208,7 @@ const _: () = {
         ) -> Scalar {
             let time = more;
             let p0 = motion.p[0].value();
-            Scalar::of(0.5).fma(p0 * p0, time)
+            Scalar::of(0.5).scale_add(p0 * p0, time)
         }
         #[inline(always)]
         fn potential_of<Scalar: runtime::Real, Leaf: runtime::Precision>(
@@ -237,7 +239,7 @@ const _: () = {
             duration: Scalar,
         ) {
             let step = -duration;
-            motion.p[0].add(-(step * Scalar::of(2.0) / motion.q[0].value()));
+            motion.p[0].add(-(Scalar::of(2.0).scale(step) / motion.q[0].value()));
         }
     }
 };

@@ -48,7 +48,7 @@ const _: () = {
             Parameters<Scalar>,
         >;
         const AUTONOMOUS: bool = false;
-        const FINGERPRINT: u64 = 14273950979538484070;
+        const FINGERPRINT: u64 = 16970128420887307676;
         fn parameters(&self, _length: usize) -> Parameters<f64> {
             Parameters {
                 amplitude: self.amplitude,
@@ -63,7 +63,7 @@ const _: () = {
         ) {
             let step = Scalar::of(duration);
             let p0 = motion.p[0].value();
-            motion.q[0].add(step * p0 / p0.fma(p0, Scalar::of(1.0)).sqrt());
+            motion.q[0].add(step.scale(p0) / p0.fma(p0, Scalar::of(1.0)).sqrt());
         }
         #[inline(always)]
         fn kick<Scalar: runtime::Real, Leaf: runtime::Precision>(
@@ -75,10 +75,13 @@ const _: () = {
             let step = Scalar::of(-duration);
             motion
                 .p[0]
-                .fma(
+                .scale_add(
                     step,
                     (-motion.parameters.amplitude)
-                        .fma((motion.parameters.omega * time).cos(), motion.q[0].value()),
+                        .scale_add(
+                            motion.parameters.omega.scale(time).cos(),
+                            motion.q[0].value(),
+                        ),
                 );
         }
         #[inline(always)]
@@ -96,8 +99,11 @@ const _: () = {
         ) -> Scalar {
             let time = Scalar::of(time);
             let q0 = motion.q[0].value();
-            (-(motion.parameters.amplitude * q0))
-                .fma((motion.parameters.omega * time).cos(), Scalar::of(0.5) * (q0 * q0))
+            (-motion.parameters.amplitude.scale(q0))
+                .fma(
+                    motion.parameters.omega.scale(time).cos(),
+                    Scalar::of(0.5).scale(q0 * q0),
+                )
         }
         fn stated(
             &self,

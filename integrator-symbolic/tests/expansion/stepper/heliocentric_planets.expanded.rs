@@ -86,7 +86,7 @@ const _: () = {
         const SEPARABLE: bool = false;
         const PAIRED: bool = true;
         const AUTONOMOUS: bool = true;
-        const FINGERPRINT: u64 = 8023343054490973111;
+        const FINGERPRINT: u64 = 2222162107318655039;
         const WIDE: bool = true;
         fn parameters(&self, _length: usize) -> Parameters<f64> {
             Parameters {
@@ -130,7 +130,7 @@ const _: () = {
                 for k in 0..4 {
                     sum_0 += motion.p[k][d].value();
                 }
-                let shared_1 = shared_0 * sum_0;
+                let shared_1 = shared_0.scale(sum_0);
                 for k in 0..4 {
                     motion.q[k][d].add(shared_1);
                 }
@@ -176,7 +176,7 @@ const _: () = {
             }
             for i in 0..4 {
                 for d in 0..3 {
-                    motion.p[i][d].fma(step, gradient[i][d]);
+                    motion.p[i][d].scale_add(step, gradient[i][d]);
                 }
             }
         }
@@ -195,7 +195,7 @@ const _: () = {
                         gradient[i][k] = motion
                             .parameters
                             .prepared_0[i]
-                            .fma(motion.p[i][k].value(), gradient[i][k]);
+                            .scale_add(motion.p[i][k].value(), gradient[i][k]);
                     }
                 }
                 for d in 0..3 {
@@ -203,14 +203,14 @@ const _: () = {
                     for k in 0..4 {
                         sum_0 += motion.p[k][d].value();
                     }
-                    let shared_0 = motion.parameters.prepared_2 * sum_0;
+                    let shared_0 = motion.parameters.prepared_2.scale(sum_0);
                     for k in 0..4 {
                         gradient[k][d] += shared_0;
                     }
                 }
                 for i in 0..4 {
                     for d in 0..3 {
-                        moved.q[i][d].fma(step, gradient[i][d]);
+                        moved.q[i][d].scale_add(step, gradient[i][d]);
                     }
                 }
             }
@@ -250,7 +250,7 @@ const _: () = {
                 }
                 for i in 0..4 {
                     for d in 0..3 {
-                        moved.p[i][d].fma(step, gradient[i][d]);
+                        moved.p[i][d].scale_add(step, gradient[i][d]);
                     }
                 }
             }
@@ -274,7 +274,7 @@ const _: () = {
                     += motion
                         .parameters
                         .prepared_5[i]
-                        .fma(
+                        .scale_add(
                             sum_0,
                             -(motion.parameters.prepared_1[i]
                                 / q_i_2.fma(q_i_2, q_i_1.fma(q_i_1, q_i_0 * q_i_0)).sqrt()),
@@ -313,7 +313,7 @@ const _: () = {
                 }
                 sum_1 = sum_0.fma(sum_0, sum_1);
             }
-            motion.parameters.prepared_6.fma(sum_1, -sum_3)
+            motion.parameters.prepared_6.scale_add(sum_1, -sum_3)
         }
         fn stated(
             &self,

@@ -32,7 +32,7 @@ const _: () = {
             Parameters,
         >;
         const AUTONOMOUS: bool = true;
-        const FINGERPRINT: u64 = 16422938641067117427;
+        const FINGERPRINT: u64 = 6103939071748359153;
         fn parameters(&self, _length: usize) -> Parameters {
             Parameters
         }
@@ -43,8 +43,8 @@ const _: () = {
             _time: f64,
         ) {
             let step = Scalar::of(duration);
-            motion.q[0].fma(step, motion.p[0].value());
-            motion.q[1].fma(step, motion.p[1].value());
+            motion.q[0].scale_add(step, motion.p[0].value());
+            motion.q[1].scale_add(step, motion.p[1].value());
         }
         #[inline(always)]
         fn kick<Scalar: runtime::Real, Leaf: runtime::Precision>(
@@ -55,8 +55,8 @@ const _: () = {
             let step = Scalar::of(-duration);
             let q0 = motion.q[0].value();
             let q1 = motion.q[1].value();
-            motion.p[0].fma(step * Scalar::of(2.0) * q0, q1 + Scalar::of(0.5));
-            motion.p[1].fma(step, q1 + (-q1).fma(q1, q0 * q0));
+            motion.p[0].fma((step * Scalar::of(2.0)).scale(q0), q1 + Scalar::of(0.5));
+            motion.p[1].scale_add(step, q1 + (-q1).fma(q1, q0 * q0));
         }
         #[inline(always)]
         fn kinetic<Scalar: runtime::Real, Leaf: runtime::Precision>(
@@ -65,7 +65,7 @@ const _: () = {
         ) -> Scalar {
             let p0 = motion.p[0].value();
             let p1 = motion.p[1].value();
-            Scalar::of(0.5) * p1.fma(p1, p0 * p0)
+            Scalar::of(0.5).scale(p1.fma(p1, p0 * p0))
         }
         #[inline(always)]
         fn potential<Scalar: runtime::Real, Leaf: runtime::Precision>(
@@ -77,9 +77,9 @@ const _: () = {
             let shared_0 = q0 * q0;
             let shared_1 = q1 * q1;
             Scalar::of(-0.3333333333333333)
-                .fma(
+                .scale_add(
                     shared_1 * q1,
-                    q1.fma(shared_0, Scalar::of(0.5) * (shared_0 + shared_1)),
+                    q1.fma(shared_0, Scalar::of(0.5).scale(shared_0 + shared_1)),
                 )
         }
         fn stated(
@@ -108,8 +108,8 @@ const _: () = {
             let p1 = motion.p[1].value();
             let q0 = motion.q[0].value();
             let q1 = motion.q[1].value();
-            let shared_0 = Scalar::of(2.0) * p1;
-            let shared_1 = Scalar::of(2.0) * motion.p[0].value();
+            let shared_0 = Scalar::of(2.0).scale(p1);
+            let shared_1 = Scalar::of(2.0).scale(motion.p[0].value());
             gradient[0] += shared_0.fma(q0, shared_1 * (q1 + Scalar::of(0.5)));
             gradient[1] += (-shared_0).fma(q1, shared_1.fma(q0, p1));
             for i in 0..2 {
@@ -144,7 +144,7 @@ const _: () = {
             let time = more;
             let p0 = motion.p[0].value();
             let p1 = motion.p[1].value();
-            Scalar::of(0.5).fma(p1.fma(p1, p0 * p0), time)
+            Scalar::of(0.5).scale_add(p1.fma(p1, p0 * p0), time)
         }
         #[inline(always)]
         fn potential_of<Scalar: runtime::Real, Leaf: runtime::Precision>(
@@ -182,16 +182,16 @@ const _: () = {
             let shared_1 = q1 * q1;
             let shared_2 = Scalar::of(1.0)
                 / Scalar::of(-0.3333333333333333)
-                    .fma(
+                    .scale_add(
                         shared_1 * q1,
-                        q1.fma(shared_0, Scalar::of(0.5) * (shared_0 + shared_1)),
+                        q1.fma(shared_0, Scalar::of(0.5).scale(shared_0 + shared_1)),
                     );
             let shared_3 = q1 * shared_2;
             motion
                 .p[0]
                 .fma(
-                    -(step * Scalar::of(2.0) * q0),
-                    Scalar::of(0.5).fma(shared_2, shared_3),
+                    -(Scalar::of(2.0).scale(step) * q0),
+                    Scalar::of(0.5).scale_add(shared_2, shared_3),
                 );
             motion
                 .p[1]
@@ -200,8 +200,8 @@ const _: () = {
                     (-shared_0)
                         .fma(
                             shared_2,
-                            Scalar::of(3.0) * shared_1
-                                * (Scalar::of(0.3333333333333333) * shared_2),
+                            Scalar::of(3.0).scale(shared_1)
+                                * Scalar::of(0.3333333333333333).scale(shared_2),
                         ) - shared_3,
                 );
         }

@@ -51,7 +51,7 @@ const _: () = {
             Parameters<Scalar>,
         >;
         const AUTONOMOUS: bool = true;
-        const FINGERPRINT: u64 = 5499367958491432122;
+        const FINGERPRINT: u64 = 2595742859568159743;
         const WIDE: bool = true;
         fn parameters(&self, _length: usize) -> Parameters<f64> {
             Parameters {
@@ -66,8 +66,8 @@ const _: () = {
             _time: f64,
         ) {
             let step = Scalar::of(duration);
-            motion.q[0].fma(step, motion.p[0].value());
-            motion.q[1].fma(step, motion.p[1].value());
+            motion.q[0].scale_add(step, motion.p[0].value());
+            motion.q[1].scale_add(step, motion.p[1].value());
         }
         #[inline(always)]
         fn kick<Scalar: runtime::Real, Leaf: runtime::Precision>(
@@ -90,7 +90,7 @@ const _: () = {
         ) -> Scalar {
             let p0 = motion.p[0].value();
             let p1 = motion.p[1].value();
-            Scalar::of(0.5) * p1.fma(p1, p0 * p0)
+            Scalar::of(0.5).scale(p1.fma(p1, p0 * p0))
         }
         #[inline(always)]
         fn potential<Scalar: runtime::Real, Leaf: runtime::Precision>(
@@ -130,8 +130,8 @@ const _: () = {
             let q1 = motion.q[1].value();
             let shared_0 = Scalar::of(1.0) / q1.fma(q1, q0 * q0);
             let shared_1 = shared_0.sqrt();
-            let shared_2 = motion.parameters.prepared_0 * (shared_0 * shared_1);
-            let shared_3 = motion.parameters.prepared_1 * p1.fma(q1, p0 * q0)
+            let shared_2 = motion.parameters.prepared_0.scale(shared_0 * shared_1);
+            let shared_3 = motion.parameters.prepared_1.scale(p1.fma(q1, p0 * q0))
                 * (shared_0 * shared_0 * shared_1);
             gradient[0] += (-shared_2).fma(p0, shared_3 * q0);
             gradient[1] += (-shared_2).fma(p1, shared_3 * q1);
@@ -167,7 +167,7 @@ const _: () = {
             let time = more;
             let p0 = motion.p[0].value();
             let p1 = motion.p[1].value();
-            Scalar::of(0.5).fma(p1.fma(p1, p0 * p0), time)
+            Scalar::of(0.5).scale_add(p1.fma(p1, p0 * p0), time)
         }
         #[inline(always)]
         fn potential_of<Scalar: runtime::Real, Leaf: runtime::Precision>(

@@ -78,7 +78,7 @@ const _: () = {
         const PARTS: &'static [&'static str] = &["kepler", "interaction"];
         const SEPARABLE: bool = false;
         const AUTONOMOUS: bool = true;
-        const FINGERPRINT: u64 = 10307629682949650473;
+        const FINGERPRINT: u64 = 1257158188811624352;
         const WIDE: bool = true;
         fn parameters(&self, _length: usize) -> Parameters<f64> {
             Parameters {
@@ -149,7 +149,7 @@ const _: () = {
             }
             for i in 0..5 {
                 for d in 0..3 {
-                    motion.p[i][d].fma(step, gradient[i][d]);
+                    motion.p[i][d].scale_add(step, gradient[i][d]);
                 }
             }
         }
@@ -168,12 +168,12 @@ const _: () = {
                         gradient[i][k] = motion
                             .parameters
                             .prepared_0[i]
-                            .fma(motion.p[i][k].value(), gradient[i][k]);
+                            .scale_add(motion.p[i][k].value(), gradient[i][k]);
                     }
                 }
                 for i in 0..5 {
                     for d in 0..3 {
-                        moved.q[i][d].fma(step, gradient[i][d]);
+                        moved.q[i][d].scale_add(step, gradient[i][d]);
                     }
                 }
             }
@@ -213,7 +213,7 @@ const _: () = {
                 }
                 for i in 0..5 {
                     for d in 0..3 {
-                        moved.p[i][d].fma(step, gradient[i][d]);
+                        moved.p[i][d].scale_add(step, gradient[i][d]);
                     }
                 }
             }
@@ -237,7 +237,7 @@ const _: () = {
                     += motion
                         .parameters
                         .prepared_5[i]
-                        .fma(
+                        .scale_add(
                             sum_0,
                             -(motion.parameters.prepared_1[i]
                                 / q_i_2.fma(q_i_2, q_i_1.fma(q_i_1, q_i_0 * q_i_0)).sqrt()),
@@ -314,13 +314,15 @@ const _: () = {
                         / shared_2
                             .fma(shared_2, shared_1.fma(shared_1, shared_0 * shared_0));
                     let shared_7 = shared_6.sqrt();
-                    let shared_8 = motion.parameters.prepared_2[i]
-                        * motion.parameters.mass[j] * (shared_6 * shared_7);
-                    let shared_9 = motion.parameters.prepared_4[i]
-                        * motion.parameters.mass[j]
-                        * shared_2
-                            .fma(shared_5, shared_1.fma(shared_4, shared_0 * shared_3))
-                        * (shared_6 * shared_6 * shared_7);
+                    let shared_8 = (motion.parameters.prepared_2[i]
+                        * motion.parameters.mass[j])
+                        .scale(shared_6 * shared_7);
+                    let shared_9 = (motion.parameters.prepared_4[i]
+                        * motion.parameters.mass[j])
+                        .scale(
+                            shared_2
+                                .fma(shared_5, shared_1.fma(shared_4, shared_0 * shared_3)),
+                        ) * (shared_6 * shared_6 * shared_7);
                     let shared_10 = (-shared_9).fma(shared_2, shared_8 * shared_5);
                     let shared_11 = (-shared_9).fma(shared_1, shared_8 * shared_4);
                     let shared_12 = (-shared_9).fma(shared_0, shared_8 * shared_3);
@@ -361,7 +363,7 @@ const _: () = {
                         gradient[i][k] = motion
                             .parameters
                             .prepared_0[i]
-                            .fma(motion.q[i][k].value(), gradient[i][k]);
+                            .scale_add(motion.q[i][k].value(), gradient[i][k]);
                     }
                 }
                 for i in 0..5 {

@@ -59,7 +59,7 @@ const _: () = {
         const PARTS: &'static [&'static str] = &[];
         const SEPARABLE: bool = false;
         const AUTONOMOUS: bool = true;
-        const FINGERPRINT: u64 = 10736000124523882468;
+        const FINGERPRINT: u64 = 8661881178666473972;
         fn parameters(&self, _length: usize) -> Parameters<f64> {
             Parameters {
                 prepared_0: 2.0 * self.gravity,
@@ -94,14 +94,29 @@ const _: () = {
             let (shared_1, shared_2) = shared_0.sin_cos();
             let shared_3 = Scalar::of(1.0) / shared_1.fma(shared_1, Scalar::of(1.0));
             let shared_4 = shared_2 * shared_3;
-            let shared_5 = (-((-(Scalar::of(2.0) * p0 * p1))
-                .fma(shared_2, Scalar::of(2.0).fma(p1 * p1, p0 * p0))
+            let shared_5 = (-((-(Scalar::of(2.0).scale(p0) * p1))
+                .fma(shared_2, Scalar::of(2.0).scale_add(p1 * p1, p0 * p0))
                 * (shared_3 * shared_3) * shared_1))
                 .fma(shared_2, p0 * p1 * shared_3 * shared_1);
-            moved.p[0].fma(-step, motion.parameters.prepared_0.fma(q0.sin(), shared_5));
-            moved.p[1].fma(-step, motion.parameters.gravity.fma(q1.sin(), -shared_5));
-            moved.q[0].fma(step, (-shared_4).fma(p1, p0 * shared_3));
-            moved.q[1].fma(step, (-shared_4).fma(p0, Scalar::of(2.0) * p1 * shared_3));
+            moved
+                .p[0]
+                .scale_add(
+                    -step,
+                    motion.parameters.prepared_0.scale_add(q0.sin(), shared_5),
+                );
+            moved
+                .p[1]
+                .scale_add(
+                    -step,
+                    motion.parameters.gravity.scale_add(q1.sin(), -shared_5),
+                );
+            moved.q[0].scale_add(step, (-shared_4).fma(p1, p0 * shared_3));
+            moved
+                .q[1]
+                .scale_add(
+                    step,
+                    (-shared_4).fma(p0, Scalar::of(2.0).scale(p1) * shared_3),
+                );
         }
         #[inline(always)]
         fn kinetic<Scalar: runtime::Real, Leaf: runtime::Precision>(
@@ -115,12 +130,13 @@ const _: () = {
             let shared_0 = q0 - q1;
             let (shared_1, shared_2) = shared_0.sin_cos();
             (-motion.parameters.gravity)
-                .fma(
-                    Scalar::of(2.0).fma(q0.cos(), q1.cos()),
+                .scale_add(
+                    Scalar::of(2.0).scale_add(q0.cos(), q1.cos()),
                     Scalar::of(0.5)
-                        * (-(Scalar::of(2.0) * p0 * p1))
-                            .fma(shared_2, Scalar::of(2.0).fma(p1 * p1, p0 * p0))
-                        / shared_1.fma(shared_1, Scalar::of(1.0)),
+                        .scale(
+                            (-(Scalar::of(2.0).scale(p0) * p1))
+                                .fma(shared_2, Scalar::of(2.0).scale_add(p1 * p1, p0 * p0)),
+                        ) / shared_1.fma(shared_1, Scalar::of(1.0)),
                 )
         }
         #[inline(always)]

@@ -73,7 +73,7 @@ const _: () = {
             3,
         >;
         const AUTONOMOUS: bool = true;
-        const FINGERPRINT: u64 = 14909918394646753295;
+        const FINGERPRINT: u64 = 16416314514916068072;
         const WIDE: bool = true;
         fn parameters(&self, _length: usize) -> Parameters<f64> {
             Parameters {
@@ -118,7 +118,10 @@ const _: () = {
                 let mut sum_0 = Scalar::of(0.0);
                 for d in 0..3 {
                     let p_i_d = motion.p[i][d].value();
-                    sum_0 = motion.parameters.prepared_5[i].fma(p_i_d * p_i_d, sum_0);
+                    sum_0 = motion
+                        .parameters
+                        .prepared_5[i]
+                        .scale_add(p_i_d * p_i_d, sum_0);
                 }
                 sum_1 += sum_0;
             }
@@ -183,7 +186,7 @@ const _: () = {
             let prepared_0_of_i = constants_i[0];
             let shared_0 = step * prepared_0_of_i;
             for d in 0..3 {
-                q_i[d].fma(shared_0, p_i[d]);
+                q_i[d].scale_add(shared_0, p_i[d]);
             }
         }
         #[inline(always)]
@@ -243,11 +246,12 @@ const _: () = {
                     }
                     let shared_2 = Scalar::of(1.0) / sum_0;
                     let shared_3 = shared_2.sqrt();
-                    let shared_4 = motion.parameters.prepared_1[i]
-                        * motion.parameters.mass_2[j] * (shared_2 * shared_3);
-                    let shared_5 = motion.parameters.prepared_4[i]
-                        * motion.parameters.mass_2[j] * sum_1
-                        * (shared_2 * shared_2 * shared_3);
+                    let shared_4 = (motion.parameters.prepared_1[i]
+                        * motion.parameters.mass_2[j])
+                        .scale(shared_2 * shared_3);
+                    let shared_5 = (motion.parameters.prepared_4[i]
+                        * motion.parameters.mass_2[j])
+                        .scale(sum_1) * (shared_2 * shared_2 * shared_3);
                     for d in 0..3 {
                         let q_i_d = motion.q[i][d].value();
                         let q_j_d = motion.q[j][d].value();
@@ -299,7 +303,10 @@ const _: () = {
                 let mut sum_0 = Scalar::of(0.0);
                 for d in 0..3 {
                     let p_i_d = motion.p[i][d].value();
-                    sum_0 = motion.parameters.prepared_5[i].fma(p_i_d * p_i_d, sum_0);
+                    sum_0 = motion
+                        .parameters
+                        .prepared_5[i]
+                        .scale_add(p_i_d * p_i_d, sum_0);
                 }
                 sum_1 += sum_0;
             }
@@ -368,7 +375,7 @@ const _: () = {
         ) {
             let step = duration;
             for i in 0..6 {
-                let shared_0 = step * motion.parameters.prepared_0[i];
+                let shared_0 = motion.parameters.prepared_0[i].scale(step);
                 for d in 0..3 {
                     motion.q[i][d].fma(shared_0, motion.p[i][d].value());
                 }

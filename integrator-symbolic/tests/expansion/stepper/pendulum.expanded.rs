@@ -53,7 +53,7 @@ const _: () = {
             Parameters<Scalar>,
         >;
         const AUTONOMOUS: bool = true;
-        const FINGERPRINT: u64 = 17056667145272420473;
+        const FINGERPRINT: u64 = 4137286806746238899;
         fn parameters(&self, length: usize) -> Parameters<f64> {
             Parameters {
                 prepared_0: 2.0 / (2.0 * self.mass * self.length.powi(2)),
@@ -68,7 +68,9 @@ const _: () = {
             _time: f64,
         ) {
             let step = Scalar::of(duration);
-            motion.q[0].fma(step * motion.parameters.prepared_0, motion.p[0].value());
+            motion
+                .q[0]
+                .scale_add(step * motion.parameters.prepared_0, motion.p[0].value());
         }
         #[inline(always)]
         fn kick<Scalar: runtime::Real, Leaf: runtime::Precision>(
@@ -79,7 +81,10 @@ const _: () = {
             let step = Scalar::of(-duration);
             motion
                 .p[0]
-                .fma(-(step * motion.parameters.prepared_1), motion.q[0].value().sin());
+                .scale_add(
+                    -(step * motion.parameters.prepared_1),
+                    motion.q[0].value().sin(),
+                );
         }
         #[inline(always)]
         fn kinetic<Scalar: runtime::Real, Leaf: runtime::Precision>(
@@ -87,14 +92,14 @@ const _: () = {
             _time: f64,
         ) -> Scalar {
             let p0 = motion.p[0].value();
-            motion.parameters.prepared_2 * (p0 * p0)
+            motion.parameters.prepared_2.scale(p0 * p0)
         }
         #[inline(always)]
         fn potential<Scalar: runtime::Real, Leaf: runtime::Precision>(
             motion: &Self::Motion<Scalar, Leaf>,
             _time: f64,
         ) -> Scalar {
-            motion.parameters.prepared_1 * motion.q[0].value().cos()
+            motion.parameters.prepared_1.scale(motion.q[0].value().cos())
         }
         fn stated(
             &self,
@@ -119,7 +124,7 @@ const _: () = {
             _time: f64,
         ) {
             let mut gradient = [Scalar::of(0.0); 1];
-            gradient[0] = (-(motion.parameters.prepared_1 * motion.p[0].value()))
+            gradient[0] = (-motion.parameters.prepared_1.scale(motion.p[0].value()))
                 .fma(motion.q[0].value().cos(), gradient[0]);
             for i in 0..1 {
                 motion.p[i] = gradient[i];
@@ -152,7 +157,7 @@ const _: () = {
         ) -> Scalar {
             let time = more;
             let p0 = motion.p[0].value();
-            motion.parameters.prepared_2.fma(p0 * p0, time)
+            motion.parameters.prepared_2.scale_add(p0 * p0, time)
         }
         #[inline(always)]
         fn potential_of<Scalar: runtime::Real, Leaf: runtime::Precision>(
@@ -175,7 +180,9 @@ const _: () = {
             duration: Scalar,
         ) {
             let step = duration;
-            motion.q[0].fma(step * motion.parameters.prepared_0, motion.p[0].value());
+            motion
+                .q[0]
+                .fma(motion.parameters.prepared_0.scale(step), motion.p[0].value());
         }
         #[inline(always)]
         fn logarithmic_kick<Scalar: runtime::Real, Leaf: runtime::Precision>(

@@ -80,7 +80,7 @@ const _: () = {
         const PARTS: &'static [&'static str] = &["kepler", "interaction"];
         const SEPARABLE: bool = false;
         const AUTONOMOUS: bool = true;
-        const FINGERPRINT: u64 = 1056909070347945689;
+        const FINGERPRINT: u64 = 14833367877483429852;
         const WIDE: bool = true;
         fn admissible(
             &self,
@@ -149,12 +149,12 @@ const _: () = {
                         gradient[i][d] = motion
                             .parameters
                             .prepared_0[i]
-                            .fma(motion.p[i][d].value(), gradient[i][d]);
+                            .scale_add(motion.p[i][d].value(), gradient[i][d]);
                     }
                 }
                 for i in 0..6 {
                     for d in 0..3 {
-                        moved.q[i][d].fma(step, gradient[i][d]);
+                        moved.q[i][d].scale_add(step, gradient[i][d]);
                     }
                 }
             }
@@ -184,7 +184,7 @@ const _: () = {
                 }
                 for i in 0..6 {
                     for d in 0..3 {
-                        moved.p[i][d].fma(step, gradient[i][d]);
+                        moved.p[i][d].scale_add(step, gradient[i][d]);
                     }
                 }
             }
@@ -205,7 +205,7 @@ const _: () = {
                         sum_0 = motion
                             .parameters
                             .prepared_5[i]
-                            .fma(p_i_d * p_i_d, sum_0);
+                            .scale_add(p_i_d * p_i_d, sum_0);
                     }
                     sum_1 += sum_0;
                 }
@@ -276,7 +276,7 @@ const _: () = {
             let prepared_0_of_i = constants_i[0];
             let shared_0 = step * prepared_0_of_i;
             for d in 0..3 {
-                q_i[d].fma(shared_0, p_i[d]);
+                q_i[d].scale_add(shared_0, p_i[d]);
             }
         }
         #[inline(always)]
@@ -349,11 +349,12 @@ const _: () = {
                     }
                     let shared_2 = Scalar::of(1.0) / sum_0;
                     let shared_3 = shared_2.sqrt();
-                    let shared_4 = motion.parameters.prepared_1[i]
-                        * motion.parameters.mass_2[j] * (shared_2 * shared_3);
-                    let shared_5 = motion.parameters.prepared_4[i]
-                        * motion.parameters.mass_2[j] * sum_1
-                        * (shared_2 * shared_2 * shared_3);
+                    let shared_4 = (motion.parameters.prepared_1[i]
+                        * motion.parameters.mass_2[j])
+                        .scale(shared_2 * shared_3);
+                    let shared_5 = (motion.parameters.prepared_4[i]
+                        * motion.parameters.mass_2[j])
+                        .scale(sum_1) * (shared_2 * shared_2 * shared_3);
                     for d in 0..3 {
                         let q_i_d = motion.q[i][d].value();
                         let q_j_d = motion.q[j][d].value();

@@ -63,7 +63,7 @@ const _: () = {
         const PARTS: &'static [&'static str] = &["harmonic", "anharmonic"];
         const SEPARABLE: bool = false;
         const AUTONOMOUS: bool = true;
-        const FINGERPRINT: u64 = 16271551986163144883;
+        const FINGERPRINT: u64 = 8218111216040719956;
         fn parameters(&self, _length: usize) -> Parameters<f64> {
             Parameters {
                 prepared_0: 2.0 * (0.5 * self.stiffness),
@@ -93,15 +93,15 @@ const _: () = {
             let step = Scalar::of(-duration);
             let q0 = motion.q[0].value();
             let q1 = motion.q[1].value();
-            motion.p[0].fma(step * motion.parameters.prepared_1 * q1, q0);
+            motion.p[0].fma((step * motion.parameters.prepared_1).scale(q1), q0);
             motion
                 .p[1]
-                .fma(
+                .scale_add(
                     step,
                     motion
                         .parameters
                         .lambda
-                        .fma(q0 * q0, -motion.parameters.lambda * (q1 * q1)),
+                        .scale_add(q0 * q0, (-motion.parameters.lambda).scale(q1 * q1)),
                 );
         }
         #[inline(always)]
@@ -117,26 +117,29 @@ const _: () = {
             moved
                 .p[0]
                 .fma(
-                    -(step * Scalar::of(2.0) * q0),
-                    motion.parameters.lambda.fma(q1, motion.parameters.prepared_3),
+                    -(step * Scalar::of(2.0)).scale(q0),
+                    motion.parameters.lambda.scale_add(q1, motion.parameters.prepared_3),
                 );
             moved
                 .p[1]
-                .fma(
+                .scale_add(
                     -step,
                     motion
                         .parameters
                         .prepared_0
-                        .fma(
+                        .scale_add(
                             q1,
                             motion
                                 .parameters
                                 .lambda
-                                .fma(q0 * q0, -motion.parameters.lambda * (q1 * q1)),
+                                .scale_add(
+                                    q0 * q0,
+                                    (-motion.parameters.lambda).scale(q1 * q1),
+                                ),
                         ),
                 );
-            moved.q[0].fma(step, motion.p[0].value());
-            moved.q[1].fma(step, motion.p[1].value());
+            moved.q[0].scale_add(step, motion.p[0].value());
+            moved.q[1].scale_add(step, motion.p[1].value());
         }
         #[inline(always)]
         fn kinetic<Scalar: runtime::Real, Leaf: runtime::Precision>(
@@ -150,7 +153,10 @@ const _: () = {
             motion
                 .parameters
                 .prepared_3
-                .fma(q1.fma(q1, q0 * q0), Scalar::of(0.5) * p1.fma(p1, p0 * p0))
+                .scale_add(
+                    q1.fma(q1, q0 * q0),
+                    Scalar::of(0.5).scale(p1.fma(p1, p0 * p0)),
+                )
         }
         #[inline(always)]
         fn potential<Scalar: runtime::Real, Leaf: runtime::Precision>(
@@ -159,8 +165,13 @@ const _: () = {
         ) -> Scalar {
             let q0 = motion.q[0].value();
             let q1 = motion.q[1].value();
-            motion.parameters.lambda
-                * Scalar::of(-0.3333333333333333).fma(q1 * q1 * q1, q1 * (q0 * q0))
+            motion
+                .parameters
+                .lambda
+                .scale(
+                    Scalar::of(-0.3333333333333333)
+                        .scale_add(q1 * q1 * q1, q1 * (q0 * q0)),
+                )
         }
         fn stated(
             &self,
@@ -188,9 +199,10 @@ const _: () = {
             let q0 = motion.q[0].value();
             let q1 = motion.q[1].value();
             let p0 = motion.p[0].value();
-            let shared_0 = motion.parameters.prepared_1 * motion.p[1].value();
-            gradient[0] += shared_0.fma(q0, motion.parameters.prepared_1 * q1 * p0);
-            gradient[1] += (-shared_0).fma(q1, motion.parameters.prepared_1 * q0 * p0);
+            let shared_0 = motion.parameters.prepared_1.scale(motion.p[1].value());
+            gradient[0] += shared_0.fma(q0, motion.parameters.prepared_1.scale(q1) * p0);
+            gradient[1]
+                += (-shared_0).fma(q1, motion.parameters.prepared_1.scale(q0) * p0);
             for i in 0..2 {
                 motion.p[i] = gradient[i];
             }

@@ -71,7 +71,7 @@ const _: () = {
         const PARTS: &'static [&'static str] = &["turning", "potential"];
         const SEPARABLE: bool = false;
         const AUTONOMOUS: bool = true;
-        const FINGERPRINT: u64 = 14290837570161991826;
+        const FINGERPRINT: u64 = 17214830014006563520;
         fn parameters(&self, _length: usize) -> Parameters<f64> {
             Parameters {
                 rate: self.rate,
@@ -105,8 +105,8 @@ const _: () = {
                 let q_i_0 = motion.q[i][0].value();
                 let q_i_1 = motion.q[i][1].value();
                 let shared_1 = q_i_1.fma(q_i_1, q_i_0 * q_i_0);
-                motion.p[i][0].fma(shared_0 * q_i_0, shared_1);
-                motion.p[i][1].fma(shared_0 * q_i_1, shared_1);
+                motion.p[i][0].fma(shared_0.scale(q_i_0), shared_1);
+                motion.p[i][1].fma(shared_0.scale(q_i_1), shared_1);
             }
         }
         #[inline(always)]
@@ -125,39 +125,43 @@ const _: () = {
                 let shared_0 = q_i_1.fma(q_i_1, q_i_0 * q_i_0);
                 moved
                     .p[i][0]
-                    .fma(
+                    .scale_add(
                         -step,
                         (-motion.parameters.rate)
-                            .fma(
+                            .scale_add(
                                 p_i_1,
-                                (Scalar::of(4.0) * q_i_0)
+                                Scalar::of(4.0)
+                                    .scale(q_i_0)
                                     .fma(shared_0, Scalar::of(Self::PUSH)),
                             ),
                     );
                 moved
                     .p[i][1]
-                    .fma(
+                    .scale_add(
                         -step,
                         motion
                             .parameters
                             .rate
-                            .fma(p_i_0, Scalar::of(4.0) * q_i_1 * shared_0),
+                            .scale_add(p_i_0, Scalar::of(4.0).scale(q_i_1) * shared_0),
                     );
                 moved
                     .q[i][0]
-                    .fma(
+                    .scale_add(
                         step,
                         motion
                             .parameters
                             .prepared_2[i]
-                            .fma(p_i_0, motion.parameters.rate * q_i_1),
+                            .scale_add(p_i_0, motion.parameters.rate.scale(q_i_1)),
                     );
                 moved
                     .q[i][1]
-                    .fma(
+                    .scale_add(
                         step,
                         (-motion.parameters.rate)
-                            .fma(q_i_0, motion.parameters.prepared_2[i] * p_i_1),
+                            .scale_add(
+                                q_i_0,
+                                motion.parameters.prepared_2[i].scale(p_i_1),
+                            ),
                     );
             }
         }
@@ -173,15 +177,17 @@ const _: () = {
                 let p_i_1 = motion.p[i][1].value();
                 sum_0
                     += Scalar::of(Self::PUSH)
-                        .fma(
+                        .scale_add(
                             q_i_0,
                             motion
                                 .parameters
                                 .rate
-                                .fma(
+                                .scale_add(
                                     (-q_i_0).fma(p_i_1, motion.q[i][1].value() * p_i_0),
-                                    motion.parameters.prepared_4[i]
-                                        * p_i_1.fma(p_i_1, p_i_0 * p_i_0),
+                                    motion
+                                        .parameters
+                                        .prepared_4[i]
+                                        .scale(p_i_1.fma(p_i_1, p_i_0 * p_i_0)),
                                 ),
                         );
             }
@@ -230,14 +236,17 @@ const _: () = {
                 let p_i_0 = motion.p[i][0].value();
                 let p_i_1 = motion.p[i][1].value();
                 let shared_0 = q_i_1.fma(q_i_1, q_i_0 * q_i_0);
-                let shared_1 = (Scalar::of(4.0) * q_i_1)
-                    .fma(p_i_1, Scalar::of(4.0) * q_i_0 * p_i_0);
+                let shared_1 = Scalar::of(4.0)
+                    .scale(q_i_1)
+                    .fma(p_i_1, Scalar::of(4.0).scale(q_i_0) * p_i_0);
                 gradient[i][0]
-                    += (Scalar::of(2.0) * q_i_0)
-                        .fma(shared_1, Scalar::of(4.0) * p_i_0 * shared_0);
+                    += Scalar::of(2.0)
+                        .scale(q_i_0)
+                        .fma(shared_1, Scalar::of(4.0).scale(p_i_0) * shared_0);
                 gradient[i][1]
-                    += (Scalar::of(2.0) * q_i_1)
-                        .fma(shared_1, Scalar::of(4.0) * p_i_1 * shared_0);
+                    += Scalar::of(2.0)
+                        .scale(q_i_1)
+                        .fma(shared_1, Scalar::of(4.0).scale(p_i_1) * shared_0);
             }
             for i in 0..N {
                 for d in 0..2 {
@@ -264,11 +273,11 @@ const _: () = {
                     gradient[i][0] = motion
                         .parameters
                         .prepared_2[i]
-                        .fma(motion.q[i][0].value(), gradient[i][0]);
+                        .scale_add(motion.q[i][0].value(), gradient[i][0]);
                     gradient[i][1] = motion
                         .parameters
                         .prepared_2[i]
-                        .fma(motion.q[i][1].value(), gradient[i][1]);
+                        .scale_add(motion.q[i][1].value(), gradient[i][1]);
                 }
                 for i in 0..N {
                     for d in 0..2 {

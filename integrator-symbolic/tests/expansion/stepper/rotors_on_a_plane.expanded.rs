@@ -60,7 +60,7 @@ const _: () = {
             Parameters<Scalar>,
         >;
         const AUTONOMOUS: bool = true;
-        const FINGERPRINT: u64 = 3881521949069880083;
+        const FINGERPRINT: u64 = 13045661061938720604;
         const WIDE: bool = true;
         fn parameters(&self, length: usize) -> Parameters<f64> {
             Parameters {
@@ -121,7 +121,7 @@ const _: () = {
                     sum_2 = motion
                         .parameters
                         .across[i]
-                        .fma(
+                        .scale_add(
                             (motion.q[i + 1][j].value() - motion.q[i][j].value()).cos(),
                             sum_2,
                         );
@@ -135,7 +135,7 @@ const _: () = {
                     sum_0 = motion
                         .parameters
                         .along[j]
-                        .fma(
+                        .scale_add(
                             (motion.q[i][(j + 1) % 64].value() - motion.q[i][j].value())
                                 .cos(),
                             sum_0,
@@ -173,8 +173,12 @@ const _: () = {
             );
             for i in 0..motion.q.len() {
                 for j in 0..64 {
-                    let shared_0 = motion.parameters.along[j]
-                        * (motion.p[i][(j + 1) % 64].value() - motion.p[i][j].value())
+                    let shared_0 = motion
+                        .parameters
+                        .along[j]
+                        .scale(
+                            motion.p[i][(j + 1) % 64].value() - motion.p[i][j].value(),
+                        )
                         * (motion.q[i][(j + 1) % 64].value() - motion.q[i][j].value())
                             .cos();
                     gradient[i][(j + 1) % 64] += shared_0;
@@ -183,8 +187,10 @@ const _: () = {
             }
             for i in 0..motion.q.len().saturating_sub(1) {
                 for j in 0..64 {
-                    let shared_1 = motion.parameters.across[i]
-                        * (motion.p[i + 1][j].value() - motion.p[i][j].value())
+                    let shared_1 = motion
+                        .parameters
+                        .across[i]
+                        .scale(motion.p[i + 1][j].value() - motion.p[i][j].value())
                         * (motion.q[i + 1][j].value() - motion.q[i][j].value()).cos();
                     gradient[i + 1][j] += shared_1;
                     gradient[i][j] -= shared_1;
@@ -259,8 +265,8 @@ const _: () = {
                     motion
                         .q[i][j]
                         .fma(
-                            step
-                                * (Scalar::of(2.0) / motion.parameters.prepared_0[i][j]),
+                            (Scalar::of(2.0) / motion.parameters.prepared_0[i][j])
+                                .scale(step),
                             motion.p[i][j].value(),
                         );
                 }
@@ -284,10 +290,10 @@ const _: () = {
                         let shared_0 = motion.q[i][(j + 1) % 64].value()
                             - motion.q[i][j].value();
                         let (shared_6, shared_1) = shared_0.sin_cos();
-                        let shared_7 = motion.parameters.along[j] * shared_6;
+                        let shared_7 = motion.parameters.along[j].scale(shared_6);
                         gradient[i][(j + 1) % 64] += shared_7;
                         gradient[i][j] -= shared_7;
-                        sum_0 = motion.parameters.along[j].fma(shared_1, sum_0);
+                        sum_0 = motion.parameters.along[j].scale_add(shared_1, sum_0);
                     }
                     sum_1 += sum_0;
                 }
@@ -298,10 +304,10 @@ const _: () = {
                         let shared_2 = motion.q[i + 1][j].value()
                             - motion.q[i][j].value();
                         let (shared_4, shared_3) = shared_2.sin_cos();
-                        let shared_5 = motion.parameters.across[i] * shared_4;
+                        let shared_5 = motion.parameters.across[i].scale(shared_4);
                         gradient[i + 1][j] += shared_5;
                         gradient[i][j] -= shared_5;
-                        sum_2 = motion.parameters.across[i].fma(shared_3, sum_2);
+                        sum_2 = motion.parameters.across[i].scale_add(shared_3, sum_2);
                     }
                     sum_3 += sum_2;
                 }
@@ -341,8 +347,9 @@ const _: () = {
             parameters: &Self::Parameters<Scalar>,
             _time: f64,
         ) -> [Wide; 1] {
-            let contribution_0_0 = Wide::of(2.0)
-                / window.table_of_rows(&parameters.prepared_0, 0, 0) * window.at(0);
+            let contribution_0_0 = (Wide::of(2.0)
+                / window.table_of_rows(&parameters.prepared_0, 0, 0))
+                .scale(window.at(0));
             [contribution_0_0]
         }
     }
@@ -373,10 +380,12 @@ const _: () = {
             _time: f64,
         ) -> [Wide; 3] {
             let q_i_j = window.at(0);
-            let shared_0 = window.table(&parameters.along, 0)
-                * (window.at(1) - q_i_j).sin();
-            let shared_1 = window.table_over_rows(&parameters.across, 0)
-                * (window.below(0) - q_i_j).sin();
+            let shared_0 = window
+                .table(&parameters.along, 0)
+                .scale((window.at(1) - q_i_j).sin());
+            let shared_1 = window
+                .table_over_rows(&parameters.across, 0)
+                .scale((window.below(0) - q_i_j).sin());
             let contribution_0_0 = -shared_0;
             let contribution_0_0 = contribution_0_0
                 + window.row_masked(0..window.rows().saturating_sub(1), -shared_1);

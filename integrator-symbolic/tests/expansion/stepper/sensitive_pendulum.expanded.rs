@@ -89,7 +89,7 @@ const _: () = {
             Parameters<Scalar>,
         >;
         const AUTONOMOUS: bool = true;
-        const FINGERPRINT: u64 = 1512846809782923973;
+        const FINGERPRINT: u64 = 10556477674004866467;
         fn parameters(&self, length: usize) -> Parameters<f64> {
             Parameters {
                 prepared_0: 2.0 / (2.0 * self.mass * (self.length * self.length)),
@@ -123,7 +123,9 @@ const _: () = {
             _time: f64,
         ) {
             let step = Scalar::of(duration);
-            motion.q[0].fma(step * motion.parameters.prepared_0, motion.p[0].value());
+            motion
+                .q[0]
+                .scale_add(step * motion.parameters.prepared_0, motion.p[0].value());
         }
         #[inline(always)]
         fn kick<Scalar: runtime::Real, Leaf: runtime::Precision>(
@@ -138,9 +140,14 @@ const _: () = {
                 sum_0 = motion
                     .parameters
                     .prepared_1[k]
-                    .fma((Scalar::of(k as f64) * q0).sin(), sum_0);
+                    .scale_add(Scalar::of(k as f64).scale(q0).sin(), sum_0);
             }
-            motion.p[0].fma(step, motion.parameters.prepared_3.fma(q0.sin(), -sum_0));
+            motion
+                .p[0]
+                .scale_add(
+                    step,
+                    motion.parameters.prepared_3.scale_add(q0.sin(), -sum_0),
+                );
         }
         #[inline(always)]
         fn kinetic<Scalar: runtime::Real, Leaf: runtime::Precision>(
@@ -148,7 +155,7 @@ const _: () = {
             _time: f64,
         ) -> Scalar {
             let p0 = motion.p[0].value();
-            motion.parameters.prepared_5 * (p0 * p0)
+            motion.parameters.prepared_5.scale(p0 * p0)
         }
         #[inline(always)]
         fn potential<Scalar: runtime::Real, Leaf: runtime::Precision>(
@@ -161,9 +168,9 @@ const _: () = {
                 sum_0 = motion
                     .parameters
                     .prepared_6[k]
-                    .fma((Scalar::of(k as f64) * q0).cos(), sum_0);
+                    .scale_add(Scalar::of(k as f64).scale(q0).cos(), sum_0);
             }
-            (-motion.parameters.prepared_3).fma(q0.cos(), sum_0)
+            (-motion.parameters.prepared_3).scale_add(q0.cos(), sum_0)
         }
         fn stated(
             &self,
@@ -192,10 +199,13 @@ const _: () = {
             let q0 = motion.q[0].value();
             let mut sum_0 = Scalar::of(0.0);
             for k in 0..motion.parameters.prepared_2 {
-                sum_0 = (motion.parameters.prepared_4[k] * p0)
-                    .fma((Scalar::of(k as f64) * q0).cos(), sum_0);
+                sum_0 = motion
+                    .parameters
+                    .prepared_4[k]
+                    .scale(p0)
+                    .fma(Scalar::of(k as f64).scale(q0).cos(), sum_0);
             }
-            gradient[0] += (motion.parameters.prepared_3 * p0).fma(q0.cos(), -sum_0);
+            gradient[0] += motion.parameters.prepared_3.scale(p0).fma(q0.cos(), -sum_0);
             for i in 0..1 {
                 motion.p[i] = gradient[i];
             }
@@ -227,7 +237,7 @@ const _: () = {
         ) -> Scalar {
             let time = more;
             let p0 = motion.p[0].value();
-            motion.parameters.prepared_5.fma(p0 * p0, time)
+            motion.parameters.prepared_5.scale_add(p0 * p0, time)
         }
         #[inline(always)]
         fn potential_of<Scalar: runtime::Real, Leaf: runtime::Precision>(
@@ -250,7 +260,9 @@ const _: () = {
             duration: Scalar,
         ) {
             let step = duration;
-            motion.q[0].fma(step * motion.parameters.prepared_0, motion.p[0].value());
+            motion
+                .q[0]
+                .fma(motion.parameters.prepared_0.scale(step), motion.p[0].value());
         }
         #[inline(always)]
         fn logarithmic_kick<Scalar: runtime::Real, Leaf: runtime::Precision>(
@@ -262,22 +274,25 @@ const _: () = {
             let (shared_2, shared_0) = q0.sin_cos();
             let mut sum_0 = Scalar::of(0.0);
             for k in 0..motion.parameters.prepared_2 {
-                let shared_1 = Scalar::of(k as f64) * q0;
-                sum_0 = motion.parameters.prepared_6[k].fma(shared_1.cos(), sum_0);
+                let shared_1 = Scalar::of(k as f64).scale(q0);
+                sum_0 = motion.parameters.prepared_6[k].scale_add(shared_1.cos(), sum_0);
             }
             let shared_3 = Scalar::of(1.0)
-                / (-motion.parameters.prepared_3).fma(shared_0, sum_0);
+                / (-motion.parameters.prepared_3).scale_add(shared_0, sum_0);
             let mut sum_1 = Scalar::of(0.0);
             for k in 0..motion.parameters.prepared_2 {
-                let shared_1 = Scalar::of(k as f64) * q0;
-                sum_1 = (motion.parameters.prepared_1[k] * shared_3)
+                let shared_1 = Scalar::of(k as f64).scale(q0);
+                sum_1 = motion
+                    .parameters
+                    .prepared_1[k]
+                    .scale(shared_3)
                     .fma(shared_1.sin(), sum_1);
             }
             motion
                 .p[0]
                 .fma(
                     step,
-                    (-(motion.parameters.prepared_3 * shared_3)).fma(shared_2, sum_1),
+                    (-motion.parameters.prepared_3.scale(shared_3)).fma(shared_2, sum_1),
                 );
         }
     }

@@ -56,7 +56,7 @@ const _: () = {
         const PARTS: &'static [&'static str] = &["twist", "potential"];
         const SEPARABLE: bool = false;
         const AUTONOMOUS: bool = true;
-        const FINGERPRINT: u64 = 16007354786927546423;
+        const FINGERPRINT: u64 = 3396091788326794208;
         fn parameters(&self, _length: usize) -> Parameters<f64> {
             Parameters {
                 rate: self.rate,
@@ -74,12 +74,12 @@ const _: () = {
             let q0 = motion.q[0].value();
             let (shared_0, shared_1) = q0.sin_cos();
             let p1 = motion.p[1].value();
-            motion.p[0].fma(-(step * motion.parameters.rate * (p1 * p1)), shared_1);
+            motion.p[0].fma(-(step * motion.parameters.rate).scale(p1 * p1), shared_1);
             motion
                 .q[1]
                 .fma(
-                    step * Scalar::of(2.0) * p1,
-                    motion.parameters.rate.fma(shared_0, Scalar::of(0.5)),
+                    (step * Scalar::of(2.0)).scale(p1),
+                    motion.parameters.rate.scale_add(shared_0, Scalar::of(0.5)),
                 );
         }
         #[inline(always)]
@@ -90,8 +90,8 @@ const _: () = {
         ) {
             let step = Scalar::of(-duration);
             let shared_0 = step * motion.parameters.prepared_1;
-            motion.p[0].fma(shared_0, motion.q[0].value());
-            motion.p[1].fma(shared_0, motion.q[1].value());
+            motion.p[0].scale_add(shared_0, motion.q[0].value());
+            motion.p[1].scale_add(shared_0, motion.q[1].value());
         }
         #[inline(always)]
         fn along_field<Scalar: runtime::Real, Leaf: runtime::Precision>(
@@ -106,17 +106,22 @@ const _: () = {
             let p1 = motion.p[1].value();
             moved
                 .p[0]
-                .fma(
+                .scale_add(
                     -step,
-                    (motion.parameters.rate * (p1 * p1))
-                        .fma(shared_1, motion.parameters.prepared_1 * q0),
+                    motion
+                        .parameters
+                        .rate
+                        .scale(p1 * p1)
+                        .fma(shared_1, motion.parameters.prepared_1.scale(q0)),
                 );
-            moved.p[1].fma(-(step * motion.parameters.prepared_1), motion.q[1].value());
+            moved
+                .p[1]
+                .scale_add(-(step * motion.parameters.prepared_1), motion.q[1].value());
             moved
                 .q[1]
                 .fma(
-                    step * Scalar::of(2.0) * p1,
-                    motion.parameters.rate.fma(shared_0, Scalar::of(0.5)),
+                    (step * Scalar::of(2.0)).scale(p1),
+                    motion.parameters.rate.scale_add(shared_0, Scalar::of(0.5)),
                 );
         }
         #[inline(always)]
@@ -127,9 +132,9 @@ const _: () = {
             let p1 = motion.p[1].value();
             let shared_0 = p1 * p1;
             Scalar::of(0.5)
-                .fma(
+                .scale_add(
                     shared_0,
-                    motion.parameters.rate * motion.q[0].value().sin() * shared_0,
+                    motion.parameters.rate.scale(motion.q[0].value().sin()) * shared_0,
                 )
         }
         #[inline(always)]
@@ -139,7 +144,7 @@ const _: () = {
         ) -> Scalar {
             let q0 = motion.q[0].value();
             let q1 = motion.q[1].value();
-            motion.parameters.prepared_2 * q1.fma(q1, q0 * q0)
+            motion.parameters.prepared_2.scale(q1.fma(q1, q0 * q0))
         }
         fn stated(
             &self,

@@ -8,9 +8,9 @@ const _: () = {
         mass: Scalar,
         /// `1 - mass`
         prepared_1: Scalar,
-        /// `(1 - mass) / 2`
-        prepared_2: Scalar,
         /// `mass / 2`
+        prepared_2: Scalar,
+        /// `(1 - mass) / 2`
         prepared_3: Scalar,
     }
     impl<Scalar: runtime::Real> runtime::Prepared<Scalar> for Parameters<Scalar> {
@@ -28,8 +28,8 @@ const _: () = {
             runtime::all_found([
                 runtime::not_finite("mass", &[], &single.mass),
                 runtime::not_finite("1 - mass", &[], &single.prepared_1),
-                runtime::not_finite("(1 - mass) / 2", &[], &single.prepared_2),
-                runtime::not_finite("mass / 2", &[], &single.prepared_3),
+                runtime::not_finite("mass / 2", &[], &single.prepared_2),
+                runtime::not_finite("(1 - mass) / 2", &[], &single.prepared_3),
             ])
         }
         fn digest(single: &Self::Single, digest: &mut runtime::Digest) {
@@ -65,14 +65,14 @@ const _: () = {
         const PARTS: &'static [&'static str] = &["quadratic", "rest"];
         const SEPARABLE: bool = false;
         const AUTONOMOUS: bool = true;
-        const FINGERPRINT: u64 = 12904744482323066560;
+        const FINGERPRINT: u64 = 10817153337934442378;
         const WIDE: bool = true;
         fn parameters(&self, _length: usize) -> Parameters<f64> {
             Parameters {
                 mass: self.mass,
                 prepared_1: (1.0 - self.mass),
-                prepared_2: 0.5 * (1.0 - self.mass),
-                prepared_3: 0.5 * self.mass,
+                prepared_2: 0.5 * self.mass,
+                prepared_3: 0.5 * (1.0 - self.mass),
             }
         }
         #[inline(always)]
@@ -105,19 +105,25 @@ const _: () = {
             let shared_6 = Scalar::of(1.0).div_pow_3_2(shared_3);
             motion
                 .p[0]
-                .fma(
+                .scale_add(
                     step,
-                    (motion.parameters.prepared_1 * shared_6)
-                        .fma(shared_0, motion.parameters.mass * shared_5 * shared_1),
+                    motion
+                        .parameters
+                        .prepared_1
+                        .scale(shared_6)
+                        .fma(shared_0, motion.parameters.mass.scale(shared_5) * shared_1),
                 );
             motion
                 .p[1]
                 .fma(
-                    step * Scalar::of(2.0) * q1,
+                    (step * Scalar::of(2.0)).scale(q1),
                     motion
                         .parameters
-                        .prepared_2
-                        .fma(shared_6, motion.parameters.prepared_3 * shared_5),
+                        .prepared_3
+                        .scale_add(
+                            shared_6,
+                            motion.parameters.prepared_2.scale(shared_5),
+                        ),
                 );
         }
         #[inline(always)]
@@ -141,26 +147,34 @@ const _: () = {
             let shared_6 = Scalar::of(1.0).div_pow_3_2(shared_3);
             moved
                 .p[0]
-                .fma(
+                .scale_add(
                     -step,
-                    (motion.parameters.prepared_1 * shared_6)
-                        .fma(shared_0, motion.parameters.mass * shared_5 * shared_1) - p1,
+                    motion
+                        .parameters
+                        .prepared_1
+                        .scale(shared_6)
+                        .fma(shared_0, motion.parameters.mass.scale(shared_5) * shared_1)
+                        - p1,
                 );
             moved
                 .p[1]
-                .fma(
+                .scale_add(
                     -step,
-                    (Scalar::of(2.0) * q1)
+                    Scalar::of(2.0)
+                        .scale(q1)
                         .fma(
                             motion
                                 .parameters
-                                .prepared_2
-                                .fma(shared_6, motion.parameters.prepared_3 * shared_5),
+                                .prepared_3
+                                .scale_add(
+                                    shared_6,
+                                    motion.parameters.prepared_2.scale(shared_5),
+                                ),
                             p0,
                         ),
                 );
-            moved.q[0].fma(step, q1 + p0);
-            moved.q[1].fma(step, p1 - q0);
+            moved.q[0].scale_add(step, q1 + p0);
+            moved.q[1].scale_add(step, p1 - q0);
         }
         #[inline(always)]
         fn kinetic<Scalar: runtime::Real, Leaf: runtime::Precision>(
@@ -172,7 +186,10 @@ const _: () = {
             (-motion.q[0].value())
                 .fma(
                     p1,
-                    motion.q[1].value().fma(p0, Scalar::of(0.5) * p1.fma(p1, p0 * p0)),
+                    motion
+                        .q[1]
+                        .value()
+                        .fma(p0, Scalar::of(0.5).scale(p1.fma(p1, p0 * p0))),
                 )
         }
         #[inline(always)]
@@ -215,10 +232,16 @@ const _: () = {
             let shared_0 = q0 + motion.parameters.mass;
             let shared_1 = motion.parameters.mass + (q0 + Scalar::of(-1.0));
             let shared_2 = q1 * q1;
-            let shared_3 = (motion.parameters.prepared_1 * p0)
-                .fma(shared_0, motion.parameters.prepared_1 * q1 * p1);
-            let shared_4 = (motion.parameters.mass * p0)
-                .fma(shared_1, motion.parameters.mass * q1 * p1);
+            let shared_3 = motion
+                .parameters
+                .prepared_1
+                .scale(p0)
+                .fma(shared_0, motion.parameters.prepared_1.scale(q1) * p1);
+            let shared_4 = motion
+                .parameters
+                .mass
+                .scale(p0)
+                .fma(shared_1, motion.parameters.mass.scale(q1) * p1);
             let shared_5 = Scalar::of(1.0) / shared_1.fma(shared_1, shared_2);
             let shared_6 = shared_5.sqrt();
             let shared_7 = shared_5 * shared_6;
@@ -228,20 +251,27 @@ const _: () = {
             let shared_11 = shared_8 * shared_8 * shared_9;
             let shared_12 = shared_5 * shared_5 * shared_6;
             gradient[0]
-                += (-(Scalar::of(3.0) * shared_4 * shared_12))
-                    .fma(shared_1, motion.parameters.mass * shared_7 * p0)
-                    + (-(Scalar::of(3.0) * shared_3 * shared_11))
-                        .fma(shared_0, motion.parameters.prepared_1 * shared_10 * p0);
+                += (-(Scalar::of(3.0).scale(shared_4) * shared_12))
+                    .fma(shared_1, motion.parameters.mass.scale(shared_7) * p0)
+                    + (-(Scalar::of(3.0).scale(shared_3) * shared_11))
+                        .fma(
+                            shared_0,
+                            motion.parameters.prepared_1.scale(shared_10) * p0,
+                        );
             gradient[1]
-                += (-(Scalar::of(2.0) * q1))
+                += (-Scalar::of(2.0).scale(q1))
                     .fma(
-                        (Scalar::of(1.5) * shared_4)
-                            .fma(shared_12, Scalar::of(1.5) * shared_3 * shared_11),
-                        Scalar::of(2.0) * p1
+                        Scalar::of(1.5)
+                            .scale(shared_4)
+                            .fma(shared_12, Scalar::of(1.5).scale(shared_3) * shared_11),
+                        Scalar::of(2.0).scale(p1)
                             * motion
                                 .parameters
-                                .prepared_2
-                                .fma(shared_10, motion.parameters.prepared_3 * shared_7),
+                                .prepared_3
+                                .scale_add(
+                                    shared_10,
+                                    motion.parameters.prepared_2.scale(shared_7),
+                                ),
                     );
             for i in 0..2 {
                 motion.p[i] = gradient[i];

@@ -73,7 +73,7 @@ const _: () = {
         const PARTS: &'static [&'static str] = &["kinetic", "twist", "potential"];
         const SEPARABLE: bool = false;
         const AUTONOMOUS: bool = true;
-        const FINGERPRINT: u64 = 14895488593168801041;
+        const FINGERPRINT: u64 = 2441180347064515133;
         fn parameters(&self, _length: usize) -> Parameters<f64> {
             Parameters {
                 prepared_0: 2.0 / (2.0 * self.mass),
@@ -92,8 +92,8 @@ const _: () = {
         ) {
             let step = Scalar::of(duration);
             let shared_0 = step * motion.parameters.prepared_0;
-            motion.q[0].fma(shared_0, motion.p[0].value());
-            motion.q[1].fma(shared_0, motion.p[1].value());
+            motion.q[0].scale_add(shared_0, motion.p[0].value());
+            motion.q[1].scale_add(shared_0, motion.p[1].value());
         }
         #[inline(always)]
         fn middle<Scalar: runtime::Real, Leaf: runtime::Precision>(
@@ -107,12 +107,15 @@ const _: () = {
             let q0 = motion.q[0].value();
             motion
                 .p[0]
-                .fma(
+                .scale_add(
                     -step,
-                    (motion.parameters.rate * p1)
-                        .fma(q0, motion.parameters.rate * q0 * p1),
+                    motion
+                        .parameters
+                        .rate
+                        .scale(p1)
+                        .fma(q0, motion.parameters.rate.scale(q0) * p1),
                 );
-            motion.q[1].fma(step * motion.parameters.rate * q0, q0);
+            motion.q[1].fma((step * motion.parameters.rate).scale(q0), q0);
         }
         #[inline(always)]
         fn kick<Scalar: runtime::Real, Leaf: runtime::Precision>(
@@ -123,8 +126,10 @@ const _: () = {
             let step = Scalar::of(-duration);
             motion
                 .p[0]
-                .fma(-(step * motion.parameters.depth), motion.q[0].value().sin());
-            motion.p[1].fma(step * motion.parameters.prepared_3, motion.q[1].value());
+                .scale_add(-(step * motion.parameters.depth), motion.q[0].value().sin());
+            motion
+                .p[1]
+                .scale_add(step * motion.parameters.prepared_3, motion.q[1].value());
         }
         #[inline(always)]
         fn along_field<Scalar: runtime::Real, Leaf: runtime::Precision>(
@@ -136,17 +141,32 @@ const _: () = {
             let step = Scalar::of(duration);
             let p1 = motion.p[1].value();
             let q0 = motion.q[0].value();
-            let shared_0 = motion.parameters.rate * q0;
+            let shared_0 = motion.parameters.rate.scale(q0);
             moved
                 .p[0]
-                .fma(
+                .scale_add(
                     -step,
-                    (motion.parameters.rate * p1)
-                        .fma(q0, (-motion.parameters.depth).fma(q0.sin(), shared_0 * p1)),
+                    motion
+                        .parameters
+                        .rate
+                        .scale(p1)
+                        .fma(
+                            q0,
+                            (-motion.parameters.depth).scale_add(q0.sin(), shared_0 * p1),
+                        ),
                 );
-            moved.p[1].fma(-(step * motion.parameters.prepared_3), motion.q[1].value());
-            moved.q[0].fma(step * motion.parameters.prepared_0, motion.p[0].value());
-            moved.q[1].fma(step, motion.parameters.prepared_0.fma(p1, shared_0 * q0));
+            moved
+                .p[1]
+                .scale_add(-(step * motion.parameters.prepared_3), motion.q[1].value());
+            moved
+                .q[0]
+                .scale_add(step * motion.parameters.prepared_0, motion.p[0].value());
+            moved
+                .q[1]
+                .scale_add(
+                    step,
+                    motion.parameters.prepared_0.scale_add(p1, shared_0 * q0),
+                );
         }
         #[inline(always)]
         fn kinetic<Scalar: runtime::Real, Leaf: runtime::Precision>(
@@ -155,7 +175,7 @@ const _: () = {
         ) -> Scalar {
             let p0 = motion.p[0].value();
             let p1 = motion.p[1].value();
-            motion.parameters.prepared_4 * p1.fma(p1, p0 * p0)
+            motion.parameters.prepared_4.scale(p1.fma(p1, p0 * p0))
         }
         #[inline(always)]
         fn potential<Scalar: runtime::Real, Leaf: runtime::Precision>(
@@ -164,11 +184,14 @@ const _: () = {
         ) -> Scalar {
             let q0 = motion.q[0].value();
             let q1 = motion.q[1].value();
-            (motion.parameters.rate * q0 * q0)
+            (motion.parameters.rate.scale(q0) * q0)
                 .fma(
                     motion.p[1].value(),
-                    (motion.parameters.prepared_5 * q1)
-                        .fma(q1, motion.parameters.depth * q0.cos()),
+                    motion
+                        .parameters
+                        .prepared_5
+                        .scale(q1)
+                        .fma(q1, motion.parameters.depth.scale(q0.cos())),
                 )
         }
         fn stated(

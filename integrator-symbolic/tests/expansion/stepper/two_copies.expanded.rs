@@ -58,7 +58,7 @@ const _: () = {
         const SEPARABLE: bool = false;
         const COPIES: bool = true;
         const AUTONOMOUS: bool = true;
-        const FINGERPRINT: u64 = 13734591011303148588;
+        const FINGERPRINT: u64 = 16262740818567991621;
         fn parameters(&self, _length: usize) -> Parameters<f64> {
             Parameters {
                 coupling: self.coupling,
@@ -103,10 +103,10 @@ const _: () = {
             let step = Scalar::of(duration);
             let q0 = motion.q[0].value();
             let p0 = motion.p[0].value();
-            moved.p[0].fma(-(step * q0), p0.fma(p0, Scalar::of(1.0)));
-            moved.p[1].fma(-step, motion.q[1].value().sin());
-            moved.q[0].fma(step * q0.fma(q0, motion.parameters.depth), p0);
-            moved.q[1].fma(step, motion.p[1].value());
+            moved.p[0].fma(-step.scale(q0), p0.fma(p0, Scalar::of(1.0)));
+            moved.p[1].scale_add(-step, motion.q[1].value().sin());
+            moved.q[0].fma(step.scale(q0.fma(q0, motion.parameters.depth)), p0);
+            moved.q[1].scale_add(step, motion.p[1].value());
         }
         #[inline(always)]
         fn kinetic<Scalar: runtime::Real, Leaf: runtime::Precision>(
@@ -117,9 +117,9 @@ const _: () = {
             let p0 = motion.p[0].value();
             let p1 = motion.p[1].value();
             Scalar::of(0.5)
-                .fma(
+                .scale_add(
                     p1 * p1,
-                    Scalar::of(0.5) * q0.fma(q0, motion.parameters.depth)
+                    Scalar::of(0.5).scale(q0.fma(q0, motion.parameters.depth))
                         * p0.fma(p0, Scalar::of(1.0)),
                 ) - motion.q[1].value().cos()
         }
