@@ -4,6 +4,7 @@
 mod instruction_sets;
 
 use integrator_core::{
+    Differentiable,
     chaos::{self, Indicator, Spectrum, Verdict},
     check::{CheckError, monodromy},
     prelude::*,
@@ -65,6 +66,21 @@ impl Saddle {
     }
     fn potential(&self, q: [f64; 2]) -> f64 {
         (q[1] * q[1] - 0.09 * q[0] * q[0]) / 2.0
+    }
+}
+
+struct Comet;
+
+#[hamiltonian(taylor)]
+impl Comet {
+    fn kinetic(&self, p: [f64; 2]) -> f64 {
+        (p[0] * p[0] + p[1] * p[1]) / 2.0
+    }
+    fn potential(&self, q: [f64; 2]) -> f64 {
+        -1.0 / q[0].hypot(q[1])
+    }
+    fn rate(&self, q: [f64; 2]) -> f64 {
+        q[0].hypot(q[1]).powf(-1.5)
     }
 }
 
@@ -301,6 +317,32 @@ fn a_periodic_orbit_has_the_multipliers_of_its_closed_form() {
         .expect("an orbit");
     assert!(!saddle.is_stable() && saddle.to_string().starts_with("unstable"), "{saddle}");
     assert!((saddle.multipliers[0].re / (0.3 * TAU).exp() - 1.0).abs() < 1e-9, "{saddle}");
+}
+
+/// Whatever time a method has of its own, the growth of differences at equal times is that of the flow.
+#[test]
+fn methods_with_a_time_of_their_own_tell_the_growth_at_equal_times() {
+    fn holds<X: Differentiable<Comet>>(name: &str, method: X, h: f64) {
+        let comet = Phase::new([0.4, 0.1], [-0.2, 1.6]);
+        let report = chaos::indicators(&Comet, method, comet, h, 320).expect("an orbit");
+        // The same time in equal steps, fifty of them in each passage of the centre.
+        let steps = (report.time / 0.002).round();
+        let equal = chaos::indicators(&Comet, SofroniouSpaletta8, comet, report.time / steps, steps as u64);
+        let equal = equal.expect("an orbit");
+        // Both are of eighth order at errors of some 1e-9, which a neighbour's time turns into as much of its growth; the
+        // uncorrected difference is off by a multiple of the motion itself.
+        for (of, own, other) in [
+            ("exponent", report.exponent, equal.exponent),
+            ("sali", report.sali, equal.sali),
+            ("gali", report.gali[2], equal.gali[2]),
+        ] {
+            assert!((own - other).abs() < 1e-6, "{name}: {of} is {own}, and {other} in equal steps");
+        }
+        assert_eq!(report.verdict, Verdict::Regular, "{name}: {report}");
+    }
+    holds("logarithmic", Logarithmic(SofroniouSpaletta8), 0.05);
+    holds("a pace", Paced(SofroniouSpaletta8), 0.05);
+    holds("polynomials", Taylor::tolerance(1e-14), 0.05);
 }
 
 #[test]

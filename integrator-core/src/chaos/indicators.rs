@@ -10,8 +10,8 @@ use crate::{
     methods::implicit::field::{Constants, Pair, field},
     state::{coords::Coords, phase::Phase, precision::Precision},
     trajectory::{
-        method::Memoryless,
-        tangent::{TOGETHER, Tangent},
+        method::Differentiable,
+        tangent::{TOGETHER, Tangent, numbers},
     },
 };
 use core::fmt;
@@ -88,7 +88,8 @@ impl fmt::Display for Indicators {
 /// Indicators of the orbit from `start`, of `steps` steps of `h`.
 ///
 /// Two to four deviation vectors go with the orbit. They are sampled about a hundred times, and every 64 steps at
-/// least.
+/// least. By a method with a time of its own, such as [`Logarithmic`](crate::Logarithmic), they are the differences at equal times;
+/// by these methods and by [`Taylor`](crate::taylor::Taylor) an orbit ends where a vector outgrows the numbers.
 ///
 /// ```
 /// use integrator_core::{chaos::{self, Verdict}, check::CheckError, prelude::*};
@@ -120,7 +121,7 @@ impl fmt::Display for Indicators {
 /// # Errors
 /// A start or a step that no run would begin with; a run that leaves the finite numbers, or a vector of it;
 /// [`CheckError::TooFewSteps`].
-pub fn indicators<H: Hamiltonian, X: Memoryless<H>, K: Precision>(
+pub fn indicators<H: Hamiltonian, X: Differentiable<H>, K: Precision>(
     system: &H,
     method: X,
     start: impl IntoStart<Shaped<H, K>, Leaf = K>,
@@ -164,9 +165,10 @@ fn of_tangent<C: Coords>(
     }
     let begin = tangent.time();
     let lengths = |tangent: &Tangent<C>| {
-        let vector = tangent.vector(0);
+        let motion = field(tangent);
+        let vector = at_equal_times(tangent.vector(0), tangent.time_slope(0), &motion);
         let length = logarithm(&vector, tangent.exponents()[0]);
-        [length, length + orthogonal_part(&vector, &field(tangent)).ln()]
+        [length, length + orthogonal_part(&vector, &motion).ln()]
     };
     let [length, first] = lengths(&tangent);
     let (mut growth, mut highest) = (Growth::new(length), first);
@@ -177,7 +179,9 @@ fn of_tangent<C: Coords>(
         growth.sample(tangent.time() - begin, length);
         highest = highest.max(orthogonal);
     }
-    let vectors = tangent.vectors();
+    let motion = field(&tangent);
+    let vectors = tangent.vectors().into_iter().zip(tangent.time_slopes());
+    let vectors: Vec<_> = vectors.map(|(vector, slope)| at_equal_times(vector, slope, &motion)).collect();
     Ok(Indicators {
         exponent: growth.exponent(),
         megno: growth.megno(),
@@ -189,6 +193,19 @@ fn of_tangent<C: Coords>(
         time: growth.time(),
         verdict: growth.verdict(),
     })
+}
+
+/// The difference to a neighbour at equal times, from that after equal numbers of steps, where its time has a slope.
+fn at_equal_times<C: Coords>(vector: Phase<C>, slope: f64, motion: &[f64]) -> Phase<C> {
+    if slope == 0.0 {
+        return vector;
+    }
+    let at_equal_times: Vec<_> = numbers(&vector).zip(motion).map(|(number, rate)| number - slope * rate).collect();
+    let mut moved = vector;
+    for (leaf, number) in moved.q.flat_mut().iter_mut().chain(moved.p.flat_mut()).zip(at_equal_times) {
+        *leaf = C::Leaf::from_parts([number, 0.0]);
+    }
+    moved
 }
 
 /// Directions that no symmetry of a system knows: sines at distances that no two coordinates share.

@@ -1,6 +1,7 @@
 //! Whether an orbit is regular or chaotic, and how fast its neighbours leave it.
 //!
-//! In: a system, a composition or an implicit method, a start, a step. Out: exponents and indicators of the orbit, by
+//! In: a system, a method that carries deviation vectors (for spectra and maps a composition or an implicit method), a start, a
+//! step. Out: exponents and indicators of the orbit, by
 //! the derivative of the very steps that a run takes ([`Tangent`](crate::Tangent)), with no finite difference but for flows that users wrote.
 //! Always true: the orbit has the bits of the run without vectors; what is measured is told with its uncertainty or with
 //! the reason of the verdict.

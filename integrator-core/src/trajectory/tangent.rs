@@ -291,18 +291,19 @@ impl<C: Coords> Tangent<C> {
     /// of its own, such as [`Logarithmic`](crate::Logarithmic), a neighbour takes as many steps to another time, and vectors
     /// are those of equal numbers of steps: at equal times they differ by this multiple of `(∂H/∂p, -∂H/∂q)`.
     pub fn time_slopes(&self) -> Vec<f64> {
-        (0..self.exponents.len())
-            .map(|vector| {
-                let elapsed = match &self.between {
-                    Some(lanes) => lanes[vector / self.room][1 + vector % self.room].1,
-                    None => {
-                        let (run, lane) = self.place(vector);
-                        run.elapsed_in_lane(lane)
-                    }
-                };
-                elapsed.map_or(0.0, |[time, rounding]| time + rounding)
-            })
-            .collect()
+        (0..self.exponents.len()).map(|vector| self.time_slope(vector)).collect()
+    }
+
+    /// That along one of the vectors.
+    pub(crate) fn time_slope(&self, vector: usize) -> f64 {
+        let elapsed = match &self.between {
+            Some(lanes) => lanes[vector / self.room][1 + vector % self.room].1,
+            None => {
+                let (run, lane) = self.place(vector);
+                run.elapsed_in_lane(lane)
+            }
+        };
+        elapsed.map_or(0.0, |[time, rounding]| time + rounding)
     }
 
     /// One of the vectors.
