@@ -356,6 +356,15 @@ macro_rules! dual_real {
                     self.value.scale_add(x.along[direction], y.along[direction])
                 })
             }
+            #[inline(always)]
+            fn square(self) -> Self {
+                self.chain(self.value.square(), self.value + self.value)
+            }
+            #[inline(always)]
+            fn square_add(self, c: Self) -> Self {
+                let slope = self.value + self.value;
+                dual!(self.value.square_add(c.value), direction => slope.fma(self.along[direction], c.along[direction]))
+            }
             #[inline]
             fn lane_by_lane<const A: usize>(
                 arguments: [Self; A],
@@ -520,6 +529,8 @@ mod tests {
             ("sine", at(0.6, 0.0).sin(), -0.6_f64.sin()),
             ("quotient", Dual::of(1.0) / at(2.0, 0.0), 0.25),
             ("a power", at(2.0, 0.0).powf(Dual::of(3.0)), 12.0),
+            ("a square", at(3.0, 0.5).square(), 5.0),
+            ("a square and a line", at(3.0, 0.5).square_add(at(3.0, 0.25)), 5.25),
             ("radial", at(2.0, 0.0).div_pow_3_2(at(2.0, 0.0)), 0.75 * 2.0_f64.powf(-2.5)),
         ] {
             assert!(within(second(dual) - exact, 8.0 * f64::EPSILON), "{name}: {dual:?} for {exact}");

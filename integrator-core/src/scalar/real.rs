@@ -142,6 +142,16 @@ macro_rules! declare_real {
             fn scale_add(self, x: Self, y: Self) -> Self {
                 self.fma(x, y)
             }
+            /// `self * self`.
+            #[inline(always)]
+            fn square(self) -> Self {
+                self * self
+            }
+            /// `self * self + c`, in one rounding where the scalar has it.
+            #[inline(always)]
+            fn square_add(self, c: Self) -> Self {
+                self.fma(self, c)
+            }
             /// A function known in `f64` alone, lane by lane. Only a dual evaluates the derivatives, which come in the
             /// order of the arguments.
             #[inline]

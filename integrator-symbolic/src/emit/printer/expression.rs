@@ -136,6 +136,10 @@ impl Printer<'_> {
             }
             Node::Add(a, b) => self.addition(fields, a, b),
             Node::Mul(a, b) => {
+                if a == b && self.is_of_scalars() {
+                    let a = self.receiver(fields, a);
+                    return Printed::new(Binding::Atom, quote!(#a.square()));
+                }
                 if let Some((constant, varied)) = self.constant_factor(a, b) {
                     let factor = self.receiver(fields, constant);
                     let varied = self.expression(fields, varied).tokens;
@@ -276,6 +280,11 @@ impl Printer<'_> {
         }
     }
 
+    /// Whether this is the text of a flow, in scalars that may have derivatives.
+    fn is_of_scalars(&self) -> bool {
+        self.dialect == Dialect::Generic && !matches!(self.frame, Frame::Constants | Frame::Series { .. })
+    }
+
     /// Whether a value is the same for all states: what is prepared, and multiples of the step.
     fn is_without_slope(&self, id: NodeId) -> bool {
         match self.graph.node(id) {
@@ -288,7 +297,7 @@ impl Printer<'_> {
 
     /// The factor of a product that is the same for all states, and the other one; `None` where none is, or both are.
     pub(crate) fn constant_factor(&self, a: NodeId, b: NodeId) -> Option<(NodeId, NodeId)> {
-        if self.dialect == Dialect::Single || matches!(self.frame, Frame::Constants | Frame::Series { .. }) {
+        if !self.is_of_scalars() {
             return None;
         }
         match (self.is_without_slope(a), self.is_without_slope(b)) {
@@ -322,6 +331,10 @@ impl Printer<'_> {
         (negative, x, y): (bool, NodeId, NodeId),
         other: &TokenStream,
     ) -> TokenStream {
+        if x == y && !negative && self.is_of_scalars() {
+            let x = self.receiver(fields, x);
+            return quote!(#x.square_add(#other));
+        }
         if let Some((constant, varied)) = self.constant_factor(x, y) {
             let (factor, varied) = (self.factor(fields, negative, constant), self.expression(fields, varied).tokens);
             return quote!(#factor.scale_add(#varied, #other));

@@ -71,7 +71,7 @@ const _: () = {
             Parameters<Scalar>,
         >;
         const AUTONOMOUS: bool = true;
-        const FINGERPRINT: u64 = 6907134108486836070;
+        const FINGERPRINT: u64 = 5509295451987447797;
         const WIDE: bool = true;
         const STENCIL_RADII: ::core::option::Option<runtime::StencilRadii> = ::core::option::Option::Some(
             runtime::StencilRadii::of::<Self>(),
@@ -110,7 +110,7 @@ const _: () = {
             let mut sum_0 = Scalar::of(0.0);
             for i in 0..32 {
                 let p_i = motion.p[i].value();
-                sum_0 = Scalar::of(0.5).scale_add(p_i * p_i, sum_0);
+                sum_0 = Scalar::of(0.5).scale_add(p_i.square(), sum_0);
             }
             sum_0
         }
@@ -121,18 +121,18 @@ const _: () = {
         ) -> Scalar {
             let q0 = motion.q[0].value();
             let q31 = motion.q[31].value();
-            let shared_1 = q0 * q0;
-            let shared_2 = q31 * q31;
+            let shared_1 = q0.square();
+            let shared_2 = q31.square();
             let mut sum_0 = Scalar::of(0.0);
             for i in 0..31 {
                 let shared_0 = motion.q[i + 1].value() - motion.q[i].value();
-                let shared_3 = shared_0 * shared_0;
+                let shared_3 = shared_0.square();
                 sum_0
                     += motion
                         .parameters
                         .prepared_5
                         .scale_add(
-                            shared_3 * shared_3,
+                            shared_3.square(),
                             motion
                                 .parameters
                                 .prepared_4
@@ -146,7 +146,7 @@ const _: () = {
                 .parameters
                 .prepared_5
                 .scale_add(
-                    shared_1 * shared_1,
+                    shared_1.square(),
                     motion
                         .parameters
                         .prepared_4
@@ -156,7 +156,7 @@ const _: () = {
                     .parameters
                     .prepared_5
                     .scale_add(
-                        shared_2 * shared_2,
+                        shared_2.square(),
                         (-motion.parameters.prepared_4)
                             .scale_add(shared_2 * q31, Scalar::of(0.5).scale(shared_2)),
                     ) + sum_0
@@ -217,7 +217,7 @@ const _: () = {
                             .parameters
                             .prepared_2
                             .scale(shared_1)
-                            .fma(shared_0 * shared_0, shared_1),
+                            .fma(shared_0.square(), shared_1),
                     );
                 gradient[i + 1] += shared_2;
                 gradient[i] -= shared_2;
@@ -227,12 +227,15 @@ const _: () = {
                     .parameters
                     .prepared_3
                     .scale(p0)
-                    .fma(q0, motion.parameters.prepared_2.scale(p0).fma(q0 * q0, p0));
+                    .fma(
+                        q0,
+                        motion.parameters.prepared_2.scale(p0).fma(q0.square(), p0),
+                    );
             gradient[31]
                 += (-motion.parameters.prepared_3.scale(p31))
                     .fma(
                         q31,
-                        motion.parameters.prepared_2.scale(p31).fma(q31 * q31, p31),
+                        motion.parameters.prepared_2.scale(p31).fma(q31.square(), p31),
                     );
             for i in 0..32 {
                 motion.p[i] = gradient[i];
@@ -267,7 +270,7 @@ const _: () = {
             let mut sum_0 = Scalar::of(0.0);
             for i in 0..32 {
                 let p_i = motion.p[i].value();
-                sum_0 = Scalar::of(0.5).scale_add(p_i * p_i, sum_0);
+                sum_0 = Scalar::of(0.5).scale_add(p_i.square(), sum_0);
             }
             sum_0 + time
         }
@@ -306,14 +309,14 @@ const _: () = {
             let energy = {
                 let q0 = motion.q[0].value();
                 let q31 = motion.q[31].value();
-                let shared_1 = q0 * q0;
-                let shared_2 = q31 * q31;
+                let shared_1 = q0.square();
+                let shared_2 = q31.square();
                 let shared_4 = shared_1 * q0;
                 let shared_5 = shared_2 * q31;
                 let mut sum_0 = Scalar::of(0.0);
                 for i in 0..31 {
                     let shared_0 = motion.q[i + 1].value() - motion.q[i].value();
-                    let shared_3 = shared_0 * shared_0;
+                    let shared_3 = shared_0.square();
                     let shared_6 = shared_3 * shared_0;
                     let shared_7 = shared_0
                         + motion
@@ -330,7 +333,7 @@ const _: () = {
                             .parameters
                             .prepared_5
                             .scale_add(
-                                shared_3 * shared_3,
+                                shared_3.square(),
                                 motion
                                     .parameters
                                     .prepared_4
@@ -357,7 +360,7 @@ const _: () = {
                     .parameters
                     .prepared_5
                     .scale_add(
-                        shared_1 * shared_1,
+                        shared_1.square(),
                         motion
                             .parameters
                             .prepared_4
@@ -367,7 +370,7 @@ const _: () = {
                         .parameters
                         .prepared_5
                         .scale_add(
-                            shared_2 * shared_2,
+                            shared_2.square(),
                             (-motion.parameters.prepared_4)
                                 .scale_add(shared_5, Scalar::of(0.5).scale(shared_2)),
                         ) + sum_0
@@ -420,10 +423,10 @@ const _: () = {
         ) -> [Wide; 2] {
             let q_i = window.at(0);
             let shared_0 = window.at(1) - q_i;
-            let shared_1 = q_i * q_i;
+            let shared_1 = q_i.square();
             let shared_2 = Wide::splat(parameters.prepared_0).scale(shared_1 * q_i);
             let shared_3 = Wide::splat(parameters.prepared_1).scale(shared_1);
-            let shared_4 = shared_0 * shared_0;
+            let shared_4 = shared_0.square();
             let shared_5 = shared_0
                 + Wide::splat(parameters.prepared_1)
                     .scale_add(

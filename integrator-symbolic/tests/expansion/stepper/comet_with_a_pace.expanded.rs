@@ -71,7 +71,7 @@ const _: () = {
             Parameters<Scalar>,
         >;
         const AUTONOMOUS: bool = true;
-        const FINGERPRINT: u64 = 9214845907479760597;
+        const FINGERPRINT: u64 = 1772687419116993102;
         fn parameters(&self, _length: usize) -> Parameters<f64> {
             Parameters {
                 prepared_0: 0.5 * (-self.pull),
@@ -102,7 +102,7 @@ const _: () = {
             let q0 = motion.q[0].value();
             let q1 = motion.q[1].value();
             let shared_0 = step * Scalar::of(2.0);
-            let shared_1 = Scalar::of(1.0) / q1.fma(q1, q0 * q0);
+            let shared_1 = Scalar::of(1.0) / q1.square_add(q0.square());
             let shared_2 = shared_1 * shared_1.sqrt()
                 * motion
                     .parameters
@@ -118,7 +118,7 @@ const _: () = {
         ) -> Scalar {
             let p0 = motion.p[0].value();
             let p1 = motion.p[1].value();
-            Scalar::of(0.5).scale(p1.fma(p1, p0 * p0))
+            Scalar::of(0.5).scale(p1.square_add(p0.square()))
         }
         #[inline(always)]
         fn potential<Scalar: runtime::Real, Leaf: runtime::Precision>(
@@ -127,7 +127,7 @@ const _: () = {
         ) -> Scalar {
             let q0 = motion.q[0].value();
             let q1 = motion.q[1].value();
-            let shared_0 = Scalar::of(1.0) / q1.fma(q1, q0 * q0);
+            let shared_0 = Scalar::of(1.0) / q1.square_add(q0.square());
             shared_0.sqrt()
                 * (-motion.parameters.twist)
                     .scale_add(shared_0, motion.parameters.prepared_4)
@@ -159,9 +159,9 @@ const _: () = {
             let q1 = motion.q[1].value();
             let shared_0 = Scalar::of(2.0).scale(motion.p[1].value());
             let shared_1 = Scalar::of(2.0).scale(motion.p[0].value());
-            let shared_2 = Scalar::of(1.0) / q1.fma(q1, q0 * q0);
+            let shared_2 = Scalar::of(1.0) / q1.square_add(q0.square());
             let shared_3 = shared_2.sqrt();
-            let shared_4 = shared_2 * shared_2;
+            let shared_4 = shared_2.square();
             let shared_5 = shared_4 * shared_3;
             let shared_6 = shared_0.fma(q1, shared_1 * q0);
             let shared_7 = (-motion.parameters.prepared_0)
@@ -208,7 +208,7 @@ const _: () = {
             let time = more;
             let p0 = motion.p[0].value();
             let p1 = motion.p[1].value();
-            Scalar::of(0.5).scale_add(p1.fma(p1, p0 * p0), time)
+            Scalar::of(0.5).scale_add(p1.square_add(p0.square()), time)
         }
         #[inline(always)]
         fn potential_of<Scalar: runtime::Real, Leaf: runtime::Precision>(
@@ -243,7 +243,7 @@ const _: () = {
             let q0 = motion.q[0].value();
             let q1 = motion.q[1].value();
             let shared_0 = Scalar::of(2.0).scale(step);
-            let shared_1 = Scalar::of(1.0) / q1.fma(q1, q0 * q0);
+            let shared_1 = Scalar::of(1.0) / q1.square_add(q0.square());
             let shared_2 = shared_1.sqrt();
             let shared_3 = shared_1 * shared_2;
             let shared_4 = Scalar::of(1.0)
@@ -251,7 +251,7 @@ const _: () = {
                     .scale_add(shared_3, motion.parameters.prepared_4.scale(shared_2));
             let shared_5 = (-motion.parameters.prepared_1.scale(shared_4))
                 .fma(
-                    shared_1 * shared_1 * shared_2,
+                    shared_1.square() * shared_2,
                     motion.parameters.prepared_0.scale(shared_4) * shared_3,
                 );
             motion.p[0].fma(shared_0 * q0, shared_5);
@@ -266,7 +266,7 @@ const _: () = {
         ) -> Scalar {
             let q0 = motion.q[0].value();
             let q1 = motion.q[1].value();
-            Scalar::of(1.0) / q1.fma(q1, q0 * q0)
+            Scalar::of(1.0) / q1.square_add(q0.square())
         }
         fn stated_rate(&self, q: &Self::Coords) -> f64 {
             Self::rate(self, *q)
@@ -280,8 +280,8 @@ const _: () = {
             let q0 = motion.q[0].value();
             let q1 = motion.q[1].value();
             let shared_0 = Scalar::of(2.0).scale(step);
-            let shared_1 = q1.fma(q1, q0 * q0);
-            let shared_2 = Scalar::of(1.0) / (shared_1 * shared_1);
+            let shared_1 = q1.square_add(q0.square());
+            let shared_2 = Scalar::of(1.0) / shared_1.square();
             motion.p[0].fma(-(shared_0 * q0), shared_2);
             motion.p[1].fma(-(shared_0 * q1), shared_2);
         }

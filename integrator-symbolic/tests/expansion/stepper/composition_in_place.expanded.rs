@@ -107,7 +107,7 @@ const _: () = {
             Parameters<Scalar>,
         >;
         const AUTONOMOUS: bool = true;
-        const FINGERPRINT: u64 = 2731691205648847094;
+        const FINGERPRINT: u64 = 13598639845919496438;
         fn parameters(&self, _length: usize) -> Parameters<f64> {
             Parameters {
                 stiffness: self.stiffness,
@@ -140,7 +140,7 @@ const _: () = {
             _time: f64,
         ) -> Scalar {
             let p0 = motion.p[0].value();
-            Scalar::of(0.5).scale(p0 * p0)
+            Scalar::of(0.5).scale(p0.square())
         }
         #[inline(always)]
         fn potential<Scalar: runtime::Real, Leaf: runtime::Precision>(
@@ -208,7 +208,7 @@ const _: () = {
         ) -> Scalar {
             let time = more;
             let p0 = motion.p[0].value();
-            Scalar::of(0.5).scale_add(p0 * p0, time)
+            Scalar::of(0.5).scale_add(p0.square(), time)
         }
         #[inline(always)]
         fn potential_of<Scalar: runtime::Real, Leaf: runtime::Precision>(

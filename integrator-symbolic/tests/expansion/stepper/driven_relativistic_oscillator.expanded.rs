@@ -48,7 +48,7 @@ const _: () = {
             Parameters<Scalar>,
         >;
         const AUTONOMOUS: bool = false;
-        const FINGERPRINT: u64 = 16970128420887307676;
+        const FINGERPRINT: u64 = 709413572954614763;
         fn parameters(&self, _length: usize) -> Parameters<f64> {
             Parameters {
                 amplitude: self.amplitude,
@@ -63,7 +63,7 @@ const _: () = {
         ) {
             let step = Scalar::of(duration);
             let p0 = motion.p[0].value();
-            motion.q[0].add(step.scale(p0) / p0.fma(p0, Scalar::of(1.0)).sqrt());
+            motion.q[0].add(step.scale(p0) / p0.square_add(Scalar::of(1.0)).sqrt());
         }
         #[inline(always)]
         fn kick<Scalar: runtime::Real, Leaf: runtime::Precision>(
@@ -90,7 +90,7 @@ const _: () = {
             _time: f64,
         ) -> Scalar {
             let p0 = motion.p[0].value();
-            p0.fma(p0, Scalar::of(1.0)).sqrt()
+            p0.square_add(Scalar::of(1.0)).sqrt()
         }
         #[inline(always)]
         fn potential<Scalar: runtime::Real, Leaf: runtime::Precision>(
@@ -102,7 +102,7 @@ const _: () = {
             (-motion.parameters.amplitude.scale(q0))
                 .fma(
                     motion.parameters.omega.scale(time).cos(),
-                    Scalar::of(0.5).scale(q0 * q0),
+                    Scalar::of(0.5).scale(q0.square()),
                 )
         }
         fn stated(

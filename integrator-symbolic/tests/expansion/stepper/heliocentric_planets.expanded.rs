@@ -86,7 +86,7 @@ const _: () = {
         const SEPARABLE: bool = false;
         const PAIRED: bool = true;
         const AUTONOMOUS: bool = true;
-        const FINGERPRINT: u64 = 2222162107318655039;
+        const FINGERPRINT: u64 = 8975346913718128002;
         const WIDE: bool = true;
         fn parameters(&self, _length: usize) -> Parameters<f64> {
             Parameters {
@@ -156,7 +156,7 @@ const _: () = {
                     let shared_1 = q_i_1 - motion.q[j][1].value();
                     let shared_2 = q_i_2 - motion.q[j][2].value();
                     let shared_3 = shared_2
-                        .fma(shared_2, shared_1.fma(shared_1, shared_0 * shared_0));
+                        .square_add(shared_1.square_add(shared_0.square()));
                     let shared_4 = (motion.parameters.prepared_3[i]
                         * motion.parameters.mass[j])
                         .div_pow_3_2(shared_3);
@@ -220,7 +220,7 @@ const _: () = {
                     let q_i_0 = motion.q[i][0].value();
                     let q_i_1 = motion.q[i][1].value();
                     let q_i_2 = motion.q[i][2].value();
-                    let shared_8 = q_i_2.fma(q_i_2, q_i_1.fma(q_i_1, q_i_0 * q_i_0));
+                    let shared_8 = q_i_2.square_add(q_i_1.square_add(q_i_0.square()));
                     let shared_9 = motion.parameters.prepared_1[i].div_pow_3_2(shared_8);
                     let mut sum_0 = Scalar::of(0.0);
                     let mut sum_1 = Scalar::of(0.0);
@@ -230,7 +230,7 @@ const _: () = {
                         let shared_1 = q_i_1 - motion.q[j][1].value();
                         let shared_2 = q_i_2 - motion.q[j][2].value();
                         let shared_3 = shared_2
-                            .fma(shared_2, shared_1.fma(shared_1, shared_0 * shared_0));
+                            .square_add(shared_1.square_add(shared_0.square()));
                         let shared_4 = (motion.parameters.prepared_3[i]
                             * motion.parameters.mass[j])
                             .div_pow_3_2(shared_3);
@@ -268,7 +268,7 @@ const _: () = {
                 let mut sum_0 = Scalar::of(0.0);
                 for k in 0..3 {
                     let p_i_k = motion.p[i][k].value();
-                    sum_0 = p_i_k.fma(p_i_k, sum_0);
+                    sum_0 = p_i_k.square_add(sum_0);
                 }
                 sum_1
                     += motion
@@ -277,7 +277,7 @@ const _: () = {
                         .scale_add(
                             sum_0,
                             -(motion.parameters.prepared_1[i]
-                                / q_i_2.fma(q_i_2, q_i_1.fma(q_i_1, q_i_0 * q_i_0)).sqrt()),
+                                / q_i_2.square_add(q_i_1.square_add(q_i_0.square())).sqrt()),
                         );
             }
             sum_1
@@ -300,7 +300,7 @@ const _: () = {
                     sum_2
                         += motion.parameters.prepared_3[i] * motion.parameters.mass[j]
                             / shared_2
-                                .fma(shared_2, shared_1.fma(shared_1, shared_0 * shared_0))
+                                .square_add(shared_1.square_add(shared_0.square()))
                                 .sqrt();
                 }
                 sum_3 += sum_2;
@@ -311,7 +311,7 @@ const _: () = {
                 for k in 0..4 {
                     sum_0 += motion.p[k][d].value();
                 }
-                sum_1 = sum_0.fma(sum_0, sum_1);
+                sum_1 = sum_0.square_add(sum_1);
             }
             motion.parameters.prepared_6.scale_add(sum_1, -sum_3)
         }

@@ -32,7 +32,7 @@ const _: () = {
             Parameters,
         >;
         const AUTONOMOUS: bool = true;
-        const FINGERPRINT: u64 = 6103939071748359153;
+        const FINGERPRINT: u64 = 4653698890675680612;
         fn parameters(&self, _length: usize) -> Parameters {
             Parameters
         }
@@ -56,7 +56,7 @@ const _: () = {
             let q0 = motion.q[0].value();
             let q1 = motion.q[1].value();
             motion.p[0].fma((step * Scalar::of(2.0)).scale(q0), q1 + Scalar::of(0.5));
-            motion.p[1].scale_add(step, q1 + (-q1).fma(q1, q0 * q0));
+            motion.p[1].scale_add(step, q1 + (-q1).fma(q1, q0.square()));
         }
         #[inline(always)]
         fn kinetic<Scalar: runtime::Real, Leaf: runtime::Precision>(
@@ -65,7 +65,7 @@ const _: () = {
         ) -> Scalar {
             let p0 = motion.p[0].value();
             let p1 = motion.p[1].value();
-            Scalar::of(0.5).scale(p1.fma(p1, p0 * p0))
+            Scalar::of(0.5).scale(p1.square_add(p0.square()))
         }
         #[inline(always)]
         fn potential<Scalar: runtime::Real, Leaf: runtime::Precision>(
@@ -74,8 +74,8 @@ const _: () = {
         ) -> Scalar {
             let q0 = motion.q[0].value();
             let q1 = motion.q[1].value();
-            let shared_0 = q0 * q0;
-            let shared_1 = q1 * q1;
+            let shared_0 = q0.square();
+            let shared_1 = q1.square();
             Scalar::of(-0.3333333333333333)
                 .scale_add(
                     shared_1 * q1,
@@ -144,7 +144,7 @@ const _: () = {
             let time = more;
             let p0 = motion.p[0].value();
             let p1 = motion.p[1].value();
-            Scalar::of(0.5).scale_add(p1.fma(p1, p0 * p0), time)
+            Scalar::of(0.5).scale_add(p1.square_add(p0.square()), time)
         }
         #[inline(always)]
         fn potential_of<Scalar: runtime::Real, Leaf: runtime::Precision>(
@@ -178,8 +178,8 @@ const _: () = {
             let step = -duration;
             let q0 = motion.q[0].value();
             let q1 = motion.q[1].value();
-            let shared_0 = q0 * q0;
-            let shared_1 = q1 * q1;
+            let shared_0 = q0.square();
+            let shared_1 = q1.square();
             let shared_2 = Scalar::of(1.0)
                 / Scalar::of(-0.3333333333333333)
                     .scale_add(

@@ -51,7 +51,7 @@ const _: () = {
             Parameters<Scalar>,
         >;
         const AUTONOMOUS: bool = true;
-        const FINGERPRINT: u64 = 2595742859568159743;
+        const FINGERPRINT: u64 = 497480865175107151;
         const WIDE: bool = true;
         fn parameters(&self, _length: usize) -> Parameters<f64> {
             Parameters {
@@ -78,7 +78,7 @@ const _: () = {
             let step = Scalar::of(-duration);
             let q0 = motion.q[0].value();
             let q1 = motion.q[1].value();
-            let shared_0 = q1.fma(q1, q0 * q0);
+            let shared_0 = q1.square_add(q0.square());
             let shared_1 = (step * motion.parameters.prepared_0).div_pow_3_2(shared_0);
             motion.p[0].fma(-shared_1, q0);
             motion.p[1].fma(-shared_1, q1);
@@ -90,7 +90,7 @@ const _: () = {
         ) -> Scalar {
             let p0 = motion.p[0].value();
             let p1 = motion.p[1].value();
-            Scalar::of(0.5).scale(p1.fma(p1, p0 * p0))
+            Scalar::of(0.5).scale(p1.square_add(p0.square()))
         }
         #[inline(always)]
         fn potential<Scalar: runtime::Real, Leaf: runtime::Precision>(
@@ -99,7 +99,7 @@ const _: () = {
         ) -> Scalar {
             let q0 = motion.q[0].value();
             let q1 = motion.q[1].value();
-            motion.parameters.prepared_0 / q1.fma(q1, q0 * q0).sqrt()
+            motion.parameters.prepared_0 / q1.square_add(q0.square()).sqrt()
         }
         fn stated(
             &self,
@@ -128,11 +128,11 @@ const _: () = {
             let p1 = motion.p[1].value();
             let q0 = motion.q[0].value();
             let q1 = motion.q[1].value();
-            let shared_0 = Scalar::of(1.0) / q1.fma(q1, q0 * q0);
+            let shared_0 = Scalar::of(1.0) / q1.square_add(q0.square());
             let shared_1 = shared_0.sqrt();
             let shared_2 = motion.parameters.prepared_0.scale(shared_0 * shared_1);
             let shared_3 = motion.parameters.prepared_1.scale(p1.fma(q1, p0 * q0))
-                * (shared_0 * shared_0 * shared_1);
+                * (shared_0.square() * shared_1);
             gradient[0] += (-shared_2).fma(p0, shared_3 * q0);
             gradient[1] += (-shared_2).fma(p1, shared_3 * q1);
             for i in 0..2 {
@@ -167,7 +167,7 @@ const _: () = {
             let time = more;
             let p0 = motion.p[0].value();
             let p1 = motion.p[1].value();
-            Scalar::of(0.5).scale_add(p1.fma(p1, p0 * p0), time)
+            Scalar::of(0.5).scale_add(p1.square_add(p0.square()), time)
         }
         #[inline(always)]
         fn potential_of<Scalar: runtime::Real, Leaf: runtime::Precision>(
@@ -201,7 +201,7 @@ const _: () = {
             let step = -duration;
             let q0 = motion.q[0].value();
             let q1 = motion.q[1].value();
-            let shared_0 = Scalar::of(1.0) / q1.fma(q1, q0 * q0);
+            let shared_0 = Scalar::of(1.0) / q1.square_add(q0.square());
             motion.p[0].fma(step * q0, shared_0);
             motion.p[1].fma(step * q1, shared_0);
         }

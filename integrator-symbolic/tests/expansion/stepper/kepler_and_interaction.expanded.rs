@@ -78,7 +78,7 @@ const _: () = {
         const PARTS: &'static [&'static str] = &["kepler", "interaction"];
         const SEPARABLE: bool = false;
         const AUTONOMOUS: bool = true;
-        const FINGERPRINT: u64 = 1257158188811624352;
+        const FINGERPRINT: u64 = 15044707643920952341;
         const WIDE: bool = true;
         fn parameters(&self, _length: usize) -> Parameters<f64> {
             Parameters {
@@ -129,7 +129,7 @@ const _: () = {
                     let shared_1 = q_i_1 - motion.q[j][1].value();
                     let shared_2 = q_i_2 - motion.q[j][2].value();
                     let shared_3 = shared_2
-                        .fma(shared_2, shared_1.fma(shared_1, shared_0 * shared_0));
+                        .square_add(shared_1.square_add(shared_0.square()));
                     let shared_4 = (motion.parameters.prepared_2[i]
                         * motion.parameters.mass[j])
                         .div_pow_3_2(shared_3);
@@ -183,7 +183,7 @@ const _: () = {
                     let q_i_0 = motion.q[i][0].value();
                     let q_i_1 = motion.q[i][1].value();
                     let q_i_2 = motion.q[i][2].value();
-                    let shared_8 = q_i_2.fma(q_i_2, q_i_1.fma(q_i_1, q_i_0 * q_i_0));
+                    let shared_8 = q_i_2.square_add(q_i_1.square_add(q_i_0.square()));
                     let shared_9 = motion.parameters.prepared_1[i].div_pow_3_2(shared_8);
                     let mut sum_0 = Scalar::of(0.0);
                     let mut sum_1 = Scalar::of(0.0);
@@ -193,7 +193,7 @@ const _: () = {
                         let shared_1 = q_i_1 - motion.q[j][1].value();
                         let shared_2 = q_i_2 - motion.q[j][2].value();
                         let shared_3 = shared_2
-                            .fma(shared_2, shared_1.fma(shared_1, shared_0 * shared_0));
+                            .square_add(shared_1.square_add(shared_0.square()));
                         let shared_4 = (motion.parameters.prepared_2[i]
                             * motion.parameters.mass[j])
                             .div_pow_3_2(shared_3);
@@ -231,7 +231,7 @@ const _: () = {
                 let mut sum_0 = Scalar::of(0.0);
                 for k in 0..3 {
                     let p_i_k = motion.p[i][k].value();
-                    sum_0 = p_i_k.fma(p_i_k, sum_0);
+                    sum_0 = p_i_k.square_add(sum_0);
                 }
                 sum_1
                     += motion
@@ -240,7 +240,7 @@ const _: () = {
                         .scale_add(
                             sum_0,
                             -(motion.parameters.prepared_1[i]
-                                / q_i_2.fma(q_i_2, q_i_1.fma(q_i_1, q_i_0 * q_i_0)).sqrt()),
+                                / q_i_2.square_add(q_i_1.square_add(q_i_0.square())).sqrt()),
                         );
             }
             sum_1
@@ -263,7 +263,7 @@ const _: () = {
                     sum_0
                         += motion.parameters.prepared_2[i] * motion.parameters.mass[j]
                             / shared_2
-                                .fma(shared_2, shared_1.fma(shared_1, shared_0 * shared_0))
+                                .square_add(shared_1.square_add(shared_0.square()))
                                 .sqrt();
                 }
                 sum_1 += sum_0;
@@ -311,8 +311,7 @@ const _: () = {
                     let shared_4 = p_i_1 - motion.p[j][1].value();
                     let shared_5 = p_i_2 - motion.p[j][2].value();
                     let shared_6 = Scalar::of(1.0)
-                        / shared_2
-                            .fma(shared_2, shared_1.fma(shared_1, shared_0 * shared_0));
+                        / shared_2.square_add(shared_1.square_add(shared_0.square()));
                     let shared_7 = shared_6.sqrt();
                     let shared_8 = (motion.parameters.prepared_2[i]
                         * motion.parameters.mass[j])
@@ -322,7 +321,7 @@ const _: () = {
                         .scale(
                             shared_2
                                 .fma(shared_5, shared_1.fma(shared_4, shared_0 * shared_3)),
-                        ) * (shared_6 * shared_6 * shared_7);
+                        ) * (shared_6.square() * shared_7);
                     let shared_10 = (-shared_9).fma(shared_2, shared_8 * shared_5);
                     let shared_11 = (-shared_9).fma(shared_1, shared_8 * shared_4);
                     let shared_12 = (-shared_9).fma(shared_0, shared_8 * shared_3);

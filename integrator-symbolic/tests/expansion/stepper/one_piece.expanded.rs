@@ -59,7 +59,7 @@ const _: () = {
         const PARTS: &'static [&'static str] = &[];
         const SEPARABLE: bool = false;
         const AUTONOMOUS: bool = true;
-        const FINGERPRINT: u64 = 8661881178666473972;
+        const FINGERPRINT: u64 = 7359589503523027644;
         fn parameters(&self, _length: usize) -> Parameters<f64> {
             Parameters {
                 prepared_0: 2.0 * self.gravity,
@@ -92,11 +92,11 @@ const _: () = {
             let p1 = motion.p[1].value();
             let shared_0 = q0 - q1;
             let (shared_1, shared_2) = shared_0.sin_cos();
-            let shared_3 = Scalar::of(1.0) / shared_1.fma(shared_1, Scalar::of(1.0));
+            let shared_3 = Scalar::of(1.0) / shared_1.square_add(Scalar::of(1.0));
             let shared_4 = shared_2 * shared_3;
             let shared_5 = (-((-(Scalar::of(2.0).scale(p0) * p1))
-                .fma(shared_2, Scalar::of(2.0).scale_add(p1 * p1, p0 * p0))
-                * (shared_3 * shared_3) * shared_1))
+                .fma(shared_2, Scalar::of(2.0).scale_add(p1.square(), p0.square()))
+                * shared_3.square() * shared_1))
                 .fma(shared_2, p0 * p1 * shared_3 * shared_1);
             moved
                 .p[0]
@@ -135,8 +135,11 @@ const _: () = {
                     Scalar::of(0.5)
                         .scale(
                             (-(Scalar::of(2.0).scale(p0) * p1))
-                                .fma(shared_2, Scalar::of(2.0).scale_add(p1 * p1, p0 * p0)),
-                        ) / shared_1.fma(shared_1, Scalar::of(1.0)),
+                                .fma(
+                                    shared_2,
+                                    Scalar::of(2.0).scale_add(p1.square(), p0.square()),
+                                ),
+                        ) / shared_1.square_add(Scalar::of(1.0)),
                 )
         }
         #[inline(always)]

@@ -73,7 +73,7 @@ const _: () = {
             3,
         >;
         const AUTONOMOUS: bool = true;
-        const FINGERPRINT: u64 = 16416314514916068072;
+        const FINGERPRINT: u64 = 5789667748197305912;
         const WIDE: bool = true;
         fn parameters(&self, _length: usize) -> Parameters<f64> {
             Parameters {
@@ -121,7 +121,7 @@ const _: () = {
                     sum_0 = motion
                         .parameters
                         .prepared_5[i]
-                        .scale_add(p_i_d * p_i_d, sum_0);
+                        .scale_add(p_i_d.square(), sum_0);
                 }
                 sum_1 += sum_0;
             }
@@ -140,7 +140,7 @@ const _: () = {
                     let mut sum_0 = Scalar::of(0.0);
                     for d in 0..3 {
                         let shared_0 = motion.q[i][d].value() - motion.q[j][d].value();
-                        sum_0 = shared_0.fma(shared_0, sum_0);
+                        sum_0 = shared_0.square_add(sum_0);
                     }
                     sum_1
                         += motion.parameters.prepared_1[i] * motion.parameters.mass_2[j]
@@ -204,7 +204,7 @@ const _: () = {
             let mut sum_0 = Wide::of(0.0);
             for d in 0..3 {
                 let shared_0 = q_i[d] - q_j[d];
-                sum_0 = shared_0.fma(shared_0, sum_0);
+                sum_0 = shared_0.square_add(sum_0);
             }
             let shared_1 = (prepared_1_of_i * mass_of_j).div_pow_3_2(sum_0);
             for d in 0..3 {
@@ -242,7 +242,7 @@ const _: () = {
                         let p_j_d = motion.p[j][d].value();
                         let shared_1 = p_i_d - p_j_d;
                         sum_1 = shared_0.fma(shared_1, sum_1);
-                        sum_0 = shared_0.fma(shared_0, sum_0);
+                        sum_0 = shared_0.square_add(sum_0);
                     }
                     let shared_2 = Scalar::of(1.0) / sum_0;
                     let shared_3 = shared_2.sqrt();
@@ -251,7 +251,7 @@ const _: () = {
                         .scale(shared_2 * shared_3);
                     let shared_5 = (motion.parameters.prepared_4[i]
                         * motion.parameters.mass_2[j])
-                        .scale(sum_1) * (shared_2 * shared_2 * shared_3);
+                        .scale(sum_1) * (shared_2.square() * shared_3);
                     for d in 0..3 {
                         let q_i_d = motion.q[i][d].value();
                         let q_j_d = motion.q[j][d].value();
@@ -306,7 +306,7 @@ const _: () = {
                     sum_0 = motion
                         .parameters
                         .prepared_5[i]
-                        .scale_add(p_i_d * p_i_d, sum_0);
+                        .scale_add(p_i_d.square(), sum_0);
                 }
                 sum_1 += sum_0;
             }
@@ -323,7 +323,7 @@ const _: () = {
                     let mut sum_0 = Scalar::of(0.0);
                     for d in 0..3 {
                         let shared_0 = motion.q[i][d].value() - motion.q[j][d].value();
-                        sum_0 = shared_0.fma(shared_0, sum_0);
+                        sum_0 = shared_0.square_add(sum_0);
                     }
                     sum_1
                         += motion.parameters.prepared_1[i] * motion.parameters.mass_2[j]
@@ -347,7 +347,7 @@ const _: () = {
                         let q_i_d = motion.q[i][d].value();
                         let q_j_d = motion.q[j][d].value();
                         let shared_0 = q_i_d - q_j_d;
-                        sum_0 = shared_0.fma(shared_0, sum_0);
+                        sum_0 = shared_0.square_add(sum_0);
                     }
                     let shared_1 = (motion.parameters.prepared_1[i]
                         * motion.parameters.mass_2[j])
@@ -400,7 +400,7 @@ const _: () = {
                             let q_i_d = motion.q[i][d].value();
                             let q_j_d = motion.q[j][d].value();
                             let shared_0 = q_i_d - q_j_d;
-                            sum_0 = shared_0.fma(shared_0, sum_0);
+                            sum_0 = shared_0.square_add(sum_0);
                         }
                         let shared_2 = sum_0.sqrt();
                         let shared_3 = shared_1 / (sum_0 * shared_2);

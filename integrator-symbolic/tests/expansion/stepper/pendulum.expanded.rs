@@ -53,7 +53,7 @@ const _: () = {
             Parameters<Scalar>,
         >;
         const AUTONOMOUS: bool = true;
-        const FINGERPRINT: u64 = 4137286806746238899;
+        const FINGERPRINT: u64 = 12596193351780885851;
         fn parameters(&self, length: usize) -> Parameters<f64> {
             Parameters {
                 prepared_0: 2.0 / (2.0 * self.mass * self.length.powi(2)),
@@ -92,7 +92,7 @@ const _: () = {
             _time: f64,
         ) -> Scalar {
             let p0 = motion.p[0].value();
-            motion.parameters.prepared_2.scale(p0 * p0)
+            motion.parameters.prepared_2.scale(p0.square())
         }
         #[inline(always)]
         fn potential<Scalar: runtime::Real, Leaf: runtime::Precision>(
@@ -157,7 +157,7 @@ const _: () = {
         ) -> Scalar {
             let time = more;
             let p0 = motion.p[0].value();
-            motion.parameters.prepared_2.scale_add(p0 * p0, time)
+            motion.parameters.prepared_2.scale_add(p0.square(), time)
         }
         #[inline(always)]
         fn potential_of<Scalar: runtime::Real, Leaf: runtime::Precision>(

@@ -80,7 +80,7 @@ const _: () = {
         const PARTS: &'static [&'static str] = &["kepler", "interaction"];
         const SEPARABLE: bool = false;
         const AUTONOMOUS: bool = true;
-        const FINGERPRINT: u64 = 14833367877483429852;
+        const FINGERPRINT: u64 = 4687398073614770665;
         const WIDE: bool = true;
         fn admissible(
             &self,
@@ -167,7 +167,7 @@ const _: () = {
                             let q_i_d = motion.q[i][d].value();
                             let q_j_d = motion.q[j][d].value();
                             let shared_0 = q_i_d - q_j_d;
-                            sum_0 = shared_0.fma(shared_0, sum_0);
+                            sum_0 = shared_0.square_add(sum_0);
                         }
                         let shared_1 = (motion.parameters.prepared_1[i]
                             * motion.parameters.mass_2[j])
@@ -205,7 +205,7 @@ const _: () = {
                         sum_0 = motion
                             .parameters
                             .prepared_5[i]
-                            .scale_add(p_i_d * p_i_d, sum_0);
+                            .scale_add(p_i_d.square(), sum_0);
                     }
                     sum_1 += sum_0;
                 }
@@ -229,7 +229,7 @@ const _: () = {
                         for d in 0..3 {
                             let shared_0 = motion.q[i][d].value()
                                 - motion.q[j][d].value();
-                            sum_0 = shared_0.fma(shared_0, sum_0);
+                            sum_0 = shared_0.square_add(sum_0);
                         }
                         sum_1
                             += motion.parameters.prepared_1[i]
@@ -294,7 +294,7 @@ const _: () = {
             let mut sum_0 = Wide::of(0.0);
             for d in 0..3 {
                 let shared_0 = q_i[d] - q_j[d];
-                sum_0 = shared_0.fma(shared_0, sum_0);
+                sum_0 = shared_0.square_add(sum_0);
             }
             let shared_1 = (prepared_1_of_i * mass_of_j).div_pow_3_2(sum_0);
             for d in 0..3 {
@@ -345,7 +345,7 @@ const _: () = {
                         let p_j_d = motion.p[j][d].value();
                         let shared_1 = p_i_d - p_j_d;
                         sum_1 = shared_0.fma(shared_1, sum_1);
-                        sum_0 = shared_0.fma(shared_0, sum_0);
+                        sum_0 = shared_0.square_add(sum_0);
                     }
                     let shared_2 = Scalar::of(1.0) / sum_0;
                     let shared_3 = shared_2.sqrt();
@@ -354,7 +354,7 @@ const _: () = {
                         .scale(shared_2 * shared_3);
                     let shared_5 = (motion.parameters.prepared_4[i]
                         * motion.parameters.mass_2[j])
-                        .scale(sum_1) * (shared_2 * shared_2 * shared_3);
+                        .scale(sum_1) * (shared_2.square() * shared_3);
                     for d in 0..3 {
                         let q_i_d = motion.q[i][d].value();
                         let q_j_d = motion.q[j][d].value();

@@ -63,7 +63,7 @@ const _: () = {
         const PARTS: &'static [&'static str] = &["harmonic", "anharmonic"];
         const SEPARABLE: bool = false;
         const AUTONOMOUS: bool = true;
-        const FINGERPRINT: u64 = 8218111216040719956;
+        const FINGERPRINT: u64 = 12047114770378844404;
         fn parameters(&self, _length: usize) -> Parameters<f64> {
             Parameters {
                 prepared_0: 2.0 * (0.5 * self.stiffness),
@@ -101,7 +101,10 @@ const _: () = {
                     motion
                         .parameters
                         .lambda
-                        .scale_add(q0 * q0, (-motion.parameters.lambda).scale(q1 * q1)),
+                        .scale_add(
+                            q0.square(),
+                            (-motion.parameters.lambda).scale(q1.square()),
+                        ),
                 );
         }
         #[inline(always)]
@@ -133,8 +136,8 @@ const _: () = {
                                 .parameters
                                 .lambda
                                 .scale_add(
-                                    q0 * q0,
-                                    (-motion.parameters.lambda).scale(q1 * q1),
+                                    q0.square(),
+                                    (-motion.parameters.lambda).scale(q1.square()),
                                 ),
                         ),
                 );
@@ -154,8 +157,8 @@ const _: () = {
                 .parameters
                 .prepared_3
                 .scale_add(
-                    q1.fma(q1, q0 * q0),
-                    Scalar::of(0.5).scale(p1.fma(p1, p0 * p0)),
+                    q1.square_add(q0.square()),
+                    Scalar::of(0.5).scale(p1.square_add(p0.square())),
                 )
         }
         #[inline(always)]
@@ -170,7 +173,7 @@ const _: () = {
                 .lambda
                 .scale(
                     Scalar::of(-0.3333333333333333)
-                        .scale_add(q1 * q1 * q1, q1 * (q0 * q0)),
+                        .scale_add(q1.square() * q1, q1 * q0.square()),
                 )
         }
         fn stated(

@@ -71,7 +71,7 @@ const _: () = {
         const PARTS: &'static [&'static str] = &["turning", "potential"];
         const SEPARABLE: bool = false;
         const AUTONOMOUS: bool = true;
-        const FINGERPRINT: u64 = 17214830014006563520;
+        const FINGERPRINT: u64 = 514037236830576661;
         fn parameters(&self, _length: usize) -> Parameters<f64> {
             Parameters {
                 rate: self.rate,
@@ -104,7 +104,7 @@ const _: () = {
             for i in 0..N {
                 let q_i_0 = motion.q[i][0].value();
                 let q_i_1 = motion.q[i][1].value();
-                let shared_1 = q_i_1.fma(q_i_1, q_i_0 * q_i_0);
+                let shared_1 = q_i_1.square_add(q_i_0.square());
                 motion.p[i][0].fma(shared_0.scale(q_i_0), shared_1);
                 motion.p[i][1].fma(shared_0.scale(q_i_1), shared_1);
             }
@@ -122,7 +122,7 @@ const _: () = {
                 let q_i_1 = motion.q[i][1].value();
                 let p_i_0 = motion.p[i][0].value();
                 let p_i_1 = motion.p[i][1].value();
-                let shared_0 = q_i_1.fma(q_i_1, q_i_0 * q_i_0);
+                let shared_0 = q_i_1.square_add(q_i_0.square());
                 moved
                     .p[i][0]
                     .scale_add(
@@ -187,7 +187,7 @@ const _: () = {
                                     motion
                                         .parameters
                                         .prepared_4[i]
-                                        .scale(p_i_1.fma(p_i_1, p_i_0 * p_i_0)),
+                                        .scale(p_i_1.square_add(p_i_0.square())),
                                 ),
                         );
             }
@@ -202,8 +202,8 @@ const _: () = {
             for i in 0..N {
                 let q_i_0 = motion.q[i][0].value();
                 let q_i_1 = motion.q[i][1].value();
-                let shared_0 = q_i_1.fma(q_i_1, q_i_0 * q_i_0);
-                sum_0 = shared_0.fma(shared_0, sum_0);
+                let shared_0 = q_i_1.square_add(q_i_0.square());
+                sum_0 = shared_0.square_add(sum_0);
             }
             sum_0
         }
@@ -235,7 +235,7 @@ const _: () = {
                 let q_i_1 = motion.q[i][1].value();
                 let p_i_0 = motion.p[i][0].value();
                 let p_i_1 = motion.p[i][1].value();
-                let shared_0 = q_i_1.fma(q_i_1, q_i_0 * q_i_0);
+                let shared_0 = q_i_1.square_add(q_i_0.square());
                 let shared_1 = Scalar::of(4.0)
                     .scale(q_i_1)
                     .fma(p_i_1, Scalar::of(4.0).scale(q_i_0) * p_i_0);

@@ -60,7 +60,7 @@ const _: () = {
             Parameters<Scalar>,
         >;
         const AUTONOMOUS: bool = true;
-        const FINGERPRINT: u64 = 13045661061938720604;
+        const FINGERPRINT: u64 = 13926973406318216098;
         const WIDE: bool = true;
         fn parameters(&self, length: usize) -> Parameters<f64> {
             Parameters {
@@ -103,7 +103,7 @@ const _: () = {
                 let mut sum_0 = Scalar::of(0.0);
                 for j in 0..64 {
                     let p_i_j = motion.p[i][j].value();
-                    sum_0 += p_i_j * p_i_j / motion.parameters.prepared_0[i][j];
+                    sum_0 += p_i_j.square() / motion.parameters.prepared_0[i][j];
                 }
                 sum_1 += sum_0;
             }
@@ -233,7 +233,7 @@ const _: () = {
                 let mut sum_0 = Scalar::of(0.0);
                 for j in 0..64 {
                     let p_i_j = motion.p[i][j].value();
-                    sum_0 += p_i_j * p_i_j / motion.parameters.prepared_0[i][j];
+                    sum_0 += p_i_j.square() / motion.parameters.prepared_0[i][j];
                 }
                 sum_1 += sum_0;
             }

@@ -89,7 +89,7 @@ const _: () = {
             Parameters<Scalar>,
         >;
         const AUTONOMOUS: bool = true;
-        const FINGERPRINT: u64 = 10556477674004866467;
+        const FINGERPRINT: u64 = 17825216529747007871;
         fn parameters(&self, length: usize) -> Parameters<f64> {
             Parameters {
                 prepared_0: 2.0 / (2.0 * self.mass * (self.length * self.length)),
@@ -155,7 +155,7 @@ const _: () = {
             _time: f64,
         ) -> Scalar {
             let p0 = motion.p[0].value();
-            motion.parameters.prepared_5.scale(p0 * p0)
+            motion.parameters.prepared_5.scale(p0.square())
         }
         #[inline(always)]
         fn potential<Scalar: runtime::Real, Leaf: runtime::Precision>(
@@ -237,7 +237,7 @@ const _: () = {
         ) -> Scalar {
             let time = more;
             let p0 = motion.p[0].value();
-            motion.parameters.prepared_5.scale_add(p0 * p0, time)
+            motion.parameters.prepared_5.scale_add(p0.square(), time)
         }
         #[inline(always)]
         fn potential_of<Scalar: runtime::Real, Leaf: runtime::Precision>(

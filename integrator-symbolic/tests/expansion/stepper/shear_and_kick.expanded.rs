@@ -56,7 +56,7 @@ const _: () = {
         const PARTS: &'static [&'static str] = &["twist", "potential"];
         const SEPARABLE: bool = false;
         const AUTONOMOUS: bool = true;
-        const FINGERPRINT: u64 = 3396091788326794208;
+        const FINGERPRINT: u64 = 12074394202590048555;
         fn parameters(&self, _length: usize) -> Parameters<f64> {
             Parameters {
                 rate: self.rate,
@@ -74,7 +74,9 @@ const _: () = {
             let q0 = motion.q[0].value();
             let (shared_0, shared_1) = q0.sin_cos();
             let p1 = motion.p[1].value();
-            motion.p[0].fma(-(step * motion.parameters.rate).scale(p1 * p1), shared_1);
+            motion
+                .p[0]
+                .fma(-(step * motion.parameters.rate).scale(p1.square()), shared_1);
             motion
                 .q[1]
                 .fma(
@@ -111,7 +113,7 @@ const _: () = {
                     motion
                         .parameters
                         .rate
-                        .scale(p1 * p1)
+                        .scale(p1.square())
                         .fma(shared_1, motion.parameters.prepared_1.scale(q0)),
                 );
             moved
@@ -130,7 +132,7 @@ const _: () = {
             _time: f64,
         ) -> Scalar {
             let p1 = motion.p[1].value();
-            let shared_0 = p1 * p1;
+            let shared_0 = p1.square();
             Scalar::of(0.5)
                 .scale_add(
                     shared_0,
@@ -144,7 +146,7 @@ const _: () = {
         ) -> Scalar {
             let q0 = motion.q[0].value();
             let q1 = motion.q[1].value();
-            motion.parameters.prepared_2.scale(q1.fma(q1, q0 * q0))
+            motion.parameters.prepared_2.scale(q1.square_add(q0.square()))
         }
         fn stated(
             &self,

@@ -65,7 +65,7 @@ const _: () = {
         const PARTS: &'static [&'static str] = &["quadratic", "rest"];
         const SEPARABLE: bool = false;
         const AUTONOMOUS: bool = true;
-        const FINGERPRINT: u64 = 10817153337934442378;
+        const FINGERPRINT: u64 = 9821426692643177775;
         const WIDE: bool = true;
         fn parameters(&self, _length: usize) -> Parameters<f64> {
             Parameters {
@@ -98,9 +98,9 @@ const _: () = {
             let q1 = motion.q[1].value();
             let shared_0 = q0 + motion.parameters.mass;
             let shared_1 = motion.parameters.mass + (q0 + Scalar::of(-1.0));
-            let shared_2 = q1 * q1;
-            let shared_3 = shared_0.fma(shared_0, shared_2);
-            let shared_4 = shared_1.fma(shared_1, shared_2);
+            let shared_2 = q1.square();
+            let shared_3 = shared_0.square_add(shared_2);
+            let shared_4 = shared_1.square_add(shared_2);
             let shared_5 = Scalar::of(1.0).div_pow_3_2(shared_4);
             let shared_6 = Scalar::of(1.0).div_pow_3_2(shared_3);
             motion
@@ -140,9 +140,9 @@ const _: () = {
             let p1 = motion.p[1].value();
             let shared_0 = q0 + motion.parameters.mass;
             let shared_1 = motion.parameters.mass + (q0 + Scalar::of(-1.0));
-            let shared_2 = q1 * q1;
-            let shared_3 = shared_0.fma(shared_0, shared_2);
-            let shared_4 = shared_1.fma(shared_1, shared_2);
+            let shared_2 = q1.square();
+            let shared_3 = shared_0.square_add(shared_2);
+            let shared_4 = shared_1.square_add(shared_2);
             let shared_5 = Scalar::of(1.0).div_pow_3_2(shared_4);
             let shared_6 = Scalar::of(1.0).div_pow_3_2(shared_3);
             moved
@@ -189,7 +189,7 @@ const _: () = {
                     motion
                         .q[1]
                         .value()
-                        .fma(p0, Scalar::of(0.5).scale(p1.fma(p1, p0 * p0))),
+                        .fma(p0, Scalar::of(0.5).scale(p1.square_add(p0.square()))),
                 )
         }
         #[inline(always)]
@@ -201,9 +201,9 @@ const _: () = {
             let q1 = motion.q[1].value();
             let shared_0 = q0 + motion.parameters.mass;
             let shared_1 = motion.parameters.mass + (q0 + Scalar::of(-1.0));
-            let shared_2 = q1 * q1;
-            -(motion.parameters.prepared_1 / shared_0.fma(shared_0, shared_2).sqrt()
-                + motion.parameters.mass / shared_1.fma(shared_1, shared_2).sqrt())
+            let shared_2 = q1.square();
+            -(motion.parameters.prepared_1 / shared_0.square_add(shared_2).sqrt()
+                + motion.parameters.mass / shared_1.square_add(shared_2).sqrt())
         }
         fn stated(
             &self,
@@ -231,7 +231,7 @@ const _: () = {
             let p1 = motion.p[1].value();
             let shared_0 = q0 + motion.parameters.mass;
             let shared_1 = motion.parameters.mass + (q0 + Scalar::of(-1.0));
-            let shared_2 = q1 * q1;
+            let shared_2 = q1.square();
             let shared_3 = motion
                 .parameters
                 .prepared_1
@@ -242,14 +242,14 @@ const _: () = {
                 .mass
                 .scale(p0)
                 .fma(shared_1, motion.parameters.mass.scale(q1) * p1);
-            let shared_5 = Scalar::of(1.0) / shared_1.fma(shared_1, shared_2);
+            let shared_5 = Scalar::of(1.0) / shared_1.square_add(shared_2);
             let shared_6 = shared_5.sqrt();
             let shared_7 = shared_5 * shared_6;
-            let shared_8 = Scalar::of(1.0) / shared_0.fma(shared_0, shared_2);
+            let shared_8 = Scalar::of(1.0) / shared_0.square_add(shared_2);
             let shared_9 = shared_8.sqrt();
             let shared_10 = shared_8 * shared_9;
-            let shared_11 = shared_8 * shared_8 * shared_9;
-            let shared_12 = shared_5 * shared_5 * shared_6;
+            let shared_11 = shared_8.square() * shared_9;
+            let shared_12 = shared_5.square() * shared_6;
             gradient[0]
                 += (-(Scalar::of(3.0).scale(shared_4) * shared_12))
                     .fma(shared_1, motion.parameters.mass.scale(shared_7) * p0)

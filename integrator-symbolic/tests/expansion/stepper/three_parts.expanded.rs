@@ -73,7 +73,7 @@ const _: () = {
         const PARTS: &'static [&'static str] = &["kinetic", "twist", "potential"];
         const SEPARABLE: bool = false;
         const AUTONOMOUS: bool = true;
-        const FINGERPRINT: u64 = 2441180347064515133;
+        const FINGERPRINT: u64 = 5168993121954516915;
         fn parameters(&self, _length: usize) -> Parameters<f64> {
             Parameters {
                 prepared_0: 2.0 / (2.0 * self.mass),
@@ -175,7 +175,7 @@ const _: () = {
         ) -> Scalar {
             let p0 = motion.p[0].value();
             let p1 = motion.p[1].value();
-            motion.parameters.prepared_4.scale(p1.fma(p1, p0 * p0))
+            motion.parameters.prepared_4.scale(p1.square_add(p0.square()))
         }
         #[inline(always)]
         fn potential<Scalar: runtime::Real, Leaf: runtime::Precision>(

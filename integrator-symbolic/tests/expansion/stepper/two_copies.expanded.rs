@@ -58,7 +58,7 @@ const _: () = {
         const SEPARABLE: bool = false;
         const COPIES: bool = true;
         const AUTONOMOUS: bool = true;
-        const FINGERPRINT: u64 = 16262740818567991621;
+        const FINGERPRINT: u64 = 5147515971429084762;
         fn parameters(&self, _length: usize) -> Parameters<f64> {
             Parameters {
                 coupling: self.coupling,
@@ -103,9 +103,9 @@ const _: () = {
             let step = Scalar::of(duration);
             let q0 = motion.q[0].value();
             let p0 = motion.p[0].value();
-            moved.p[0].fma(-step.scale(q0), p0.fma(p0, Scalar::of(1.0)));
+            moved.p[0].fma(-step.scale(q0), p0.square_add(Scalar::of(1.0)));
             moved.p[1].scale_add(-step, motion.q[1].value().sin());
-            moved.q[0].fma(step.scale(q0.fma(q0, motion.parameters.depth)), p0);
+            moved.q[0].fma(step.scale(q0.square_add(motion.parameters.depth)), p0);
             moved.q[1].scale_add(step, motion.p[1].value());
         }
         #[inline(always)]
@@ -118,9 +118,9 @@ const _: () = {
             let p1 = motion.p[1].value();
             Scalar::of(0.5)
                 .scale_add(
-                    p1 * p1,
-                    Scalar::of(0.5).scale(q0.fma(q0, motion.parameters.depth))
-                        * p0.fma(p0, Scalar::of(1.0)),
+                    p1.square(),
+                    Scalar::of(0.5).scale(q0.square_add(motion.parameters.depth))
+                        * p0.square_add(Scalar::of(1.0)),
                 ) - motion.q[1].value().cos()
         }
         #[inline(always)]
