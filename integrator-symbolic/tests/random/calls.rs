@@ -260,7 +260,7 @@ impl Machine<'_> {
                 number.powi(exponent.value as i32).into()
             }
             ("square", []) => number.mul(number).into(),
-            ("square_add", [c]) => number.mul(number).add(&alike(c)?).into(),
+            ("square_add", [c]) => number.fma(number, &alike(c)?).into(),
             ("scale", [x]) => number.mul(&alike(x)?).into(),
             ("fma" | "scale_add" | "mul_add", [b, c]) => number.fma(&alike(b)?, &alike(c)?).into(),
             ("powf" | "fast_powf", [exponent]) => number.powf(&alike(exponent)?).into(),
