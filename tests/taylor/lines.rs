@@ -33,6 +33,7 @@ macro_rules! lines {
                 fn potential(&$self, $q: [f64; 24]) -> f64 { $($potential)* }
             }
 
+            #[allow(dead_code, reason = "a row reads what it needs")]
             struct List { masses: [f64; SITES] }
 
             #[hamiltonian(taylor)]
