@@ -45,7 +45,7 @@ where
 {
     let of_rank = share(world, orbits);
     let first = of_rank.start;
-    let own = chaos::map(system, method, of_rank.map(start), h, steps, indicator);
+    let own = chaos::map::<H, X, K>(system, method, of_rank.map(|i| start(i).into_phase()), h, steps, indicator);
     let own = agree(
         world,
         own.map_err(|error| match error {
