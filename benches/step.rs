@@ -153,7 +153,8 @@ impl Report {
         let steps = (2_000_000 / sites).max(64);
         let h = 0.05;
         let plan = Plan::of::<Verlet>(h);
-        let mut run = system.run_with::<f64, Verlet>(Verlet, start.clone(), h).expect("a start");
+        let run = system.run_with::<f64, Verlet>(Verlet, start.clone(), h).expect("a start");
+        let mut run = run.with_threads(1);
         let one_pass = Plane { stiffness: system.stiffness, q: start.q, p: start.p };
         let [mut one_pass, mut plain] = [one_pass.clone(), one_pass];
         let racers = vec![
@@ -262,6 +263,7 @@ fn large_problems(report: &mut Report) {
     report.chain("sine_gordon_1e4", &SineGordon { stiffness }, Law::SineGordon { stiffness }, 10_000);
     report.chain("phi4_1e4", &Phi4 { stiffness }, Law::Phi4 { stiffness }, 10_000);
     report.plane("phi4_2d", Phi4Plane { stiffness }, 256);
+    report.plane("phi4_2d_2e6", Phi4Plane { stiffness }, 8192);
 
     let (system, start) = cluster(1000);
     let by_hand = Bodies::new(Attraction::Gravity, &system.masses, &start.q, &start.p);

@@ -277,6 +277,91 @@ fn planes_have_the_same_bits_in_lanes() {
     assert!((0..9).all(|member| together.state(member) == Some(alone.clone())));
 }
 
+/// A closed plane and an open one whose rows have so many sites; the bonds of the second lead back, and across to the left.
+macro_rules! planes {
+    ($closed:ident $open:ident: $width:tt) => {
+        #[derive(Clone, Copy)]
+        struct $closed;
+
+        #[hamiltonian]
+        impl $closed {
+            fn kinetic(&self, p: &[[f64; $width]]) -> f64 {
+                p.iter().map(|row| row.iter().map(|p| 0.5 * p * p).sum::<f64>()).sum()
+            }
+            fn potential(&self, q: &[[f64; $width]]) -> f64 {
+                let mut energy = 0.0;
+                for i in 0..q.len() {
+                    for j in 0..$width {
+                        energy += 0.35 * (q[i][(j + 1) % $width] - q[i][j]).powi(2) + 0.25 * q[i][j].powi(4);
+                        energy += 0.1 * (q[(i + 1) % q.len()][j] - q[i][j]).powi(4);
+                    }
+                }
+                energy
+            }
+        }
+
+        #[derive(Clone, Copy)]
+        struct $open;
+
+        #[hamiltonian]
+        impl $open {
+            fn kinetic(&self, p: &[[f64; $width]]) -> f64 {
+                p.iter().map(|row| row.iter().map(|p| 0.5 * p * p).sum::<f64>()).sum()
+            }
+            fn potential(&self, q: &[[f64; $width]]) -> f64 {
+                let mut energy = 0.0;
+                for i in 0..q.len() {
+                    for j in 1..$width {
+                        energy += 0.5 * (q[i][j] - q[i][j - 1]).powi(2);
+                    }
+                }
+                for i in 1..q.len() {
+                    for j in 0..$width - 1 {
+                        energy += 0.4 * (q[i][j + 1] - q[i - 1][j]).powi(2);
+                    }
+                }
+                energy
+            }
+        }
+    };
+}
+
+planes!(NarrowTorus NarrowSheet: 40);
+planes!(WideTorus WideSheet: 2051);
+
+/// Tiles of rows and threads, against members of an ensemble, which have neither. A portion of few steps leans little.
+fn tiles_change_no_bit<const W: usize, H, X>(system: H, rows: usize, ways: &[(usize, u64)])
+where
+    H: Hamiltonian<Coords = Rows<W>> + Copy + Sync,
+    X: Composition<H>,
+{
+    const ALL: u64 = 6;
+    let mut together =
+        Ensemble::new(X::default(), [(system, start(rows)), (system, start(rows))], STEP).expect("starts");
+    together.advance(ALL).expect("finite states");
+    let expected = together.state(0).expect("a member");
+    for (threads, portion) in ways.iter().copied() {
+        let mut run = system.run_with(X::default(), start(rows), STEP).expect("a start").with_threads(threads);
+        for _ in 0..ALL / portion {
+            run.advance(portion).expect("finite states");
+        }
+        assert!(run.state() == expected, "{rows} rows of {W}, {threads} threads, {portion} steps");
+    }
+}
+
+/// Rows of which many fill a tile, and of which few do, in numbers that tiles do not divide.
+#[test]
+fn tiles_of_rows_change_no_bit() {
+    tiles_change_no_bit::<40, _, Verlet>(NarrowTorus, 2467, &[(1, 6), (1, 3), (3, 6)]);
+    tiles_change_no_bit::<40, _, Yoshida4>(NarrowSheet, 2467, &[(1, 6)]);
+    tiles_change_no_bit::<2051, _, VelocityVerlet>(WideTorus, 49, &[(1, 6)]);
+}
+
+#[test]
+fn threads_on_rows_change_no_bit() {
+    tiles_change_no_bit::<2051, _, Verlet>(WideSheet, 97, &[(1, 6), (2, 6), (3, 3)]);
+}
+
 /// Springs on a torus whose sizes the type knows.
 struct Springs<const W: usize, const N: usize>;
 

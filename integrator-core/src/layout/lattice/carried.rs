@@ -76,7 +76,7 @@ impl<'m, H: Hamiltonian, R: Real, K: Precision> CarriedApart<'m, H, R, K> {
     /// Whether numbers and what they carry are taken apart: where sites are moved in blocks that fit into registers.
     pub(crate) const ENABLED: bool = K::COMPENSATED
         && <R::Block as Block<R>>::WIDTH > 1
-        && H::STENCIL_RADII.is_some()
+        && matches!(H::STENCIL_RADII, Some(radii) if !radii.of_rows)
         && H::PARTS.len() <= 2
         && !H::PIECEWISE_IN_TIME
         && is_short::<H::Coords>();
@@ -107,7 +107,8 @@ impl<'m, H: Hamiltonian, R: Real, K: Precision> CarriedApart<'m, H, R, K> {
             (&mut self.q.numbers, &mut self.p.carried)
         };
         let (q, p) = (H::Coords::slots_mut(q), H::Coords::slots_mut(p));
-        H::apply_to_sites::<R, f64>(&mut Sites { q, p, parameters, first, length }, flow, 0..length);
+        let sites = &mut Sites { q, p, parameters, first, length, columns: 1, carries: None };
+        H::apply_to_sites::<R, f64>(sites, flow, 0..length);
         if flow.drifts { self.q.take_over() } else { self.p.take_over() }
     }
 }

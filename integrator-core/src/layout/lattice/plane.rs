@@ -1,81 +1,249 @@
 //! Flows of planes: stencil passes along rows of sites, one row after the other.
 //!
 //! A pass hands the contributions of its row to the next one as a row carry, so that it computes every bond between
-//! rows once. Where the plane is periodic, the contributions of the last row to the first one come last.
+//! rows once. Where the plane is periodic, the contributions of the last row to the first one come last. A pass over some
+//! of the rows takes the carry of the pass that ended there, or computes the contributions of the row before once more,
+//! from the same numbers.
 
 use crate::{
     layout::lattice::{
-        stencil::{AdjacentRows, Drift, Kick, Stencil, StencilPass},
+        sites::Sites,
+        stencil::{AdjacentRows, Boundary, Drift, Kick, Stencil, StencilPass},
+        time_tiling::Flow,
         window::{MAX_RADIUS, Window},
     },
     scalar::{
         real::{Kernel, Real},
         simd::block::Block,
     },
-    state::{coords::Coords, precision::Slot},
+    state::{
+        coords::Coords,
+        precision::{Precision, Slot},
+    },
     system::motion::Plain,
 };
-use alloc::vec;
-use core::marker::PhantomData;
+use alloc::{vec, vec::Vec};
+use core::{marker::PhantomData, ops::Range};
 
 impl<R: Real, C: Coords, P> Plain<R, C, P> {
     /// The flow of `T` of a plane.
     #[inline(always)]
     pub fn drift_rows<H: Stencil<Drift, Parameters<R> = P>>(&mut self, duration: f64, time: f64) {
-        let (read, moved, flow) = (C::slots(&self.p), C::slots_mut(&mut self.q), PhantomData::<(H, Drift)>);
-        let (columns, parameters, step) = (C::COMPONENTS, &self.parameters, R::of(duration));
-        R::enter(Plane { columns, read, moved, parameters, step, time, flow });
+        let mut rows = self.rows();
+        let range = 0..rows.length;
+        rows.apply_rows::<H, Drift>(R::of(duration), time, range);
     }
 
     /// The flow of `V` of a plane.
     #[inline(always)]
     pub fn kick_rows<H: Stencil<Kick, Parameters<R> = P>>(&mut self, duration: f64, time: f64) {
-        let (read, moved, flow) = (C::slots(&self.q), C::slots_mut(&mut self.p), PhantomData::<(H, Kick)>);
-        let (columns, parameters, step) = (C::COMPONENTS, &self.parameters, R::of(-duration));
-        R::enter(Plane { columns, read, moved, parameters, step, time, flow });
+        let mut rows = self.rows();
+        let range = 0..rows.length;
+        rows.apply_rows::<H, Kick>(R::of(-duration), time, range);
+    }
+
+    /// All rows.
+    #[inline(always)]
+    pub fn rows(&mut self) -> Sites<'_, R, C::Leaf, P> {
+        let sites = self.sites();
+        Sites { columns: C::COMPONENTS, length: sites.length.checked_div(C::COMPONENTS).unwrap_or(0), ..sites }
     }
 }
 
-/// A flow of a plane, row by row.
+impl<R: Real, K: Precision, P> Sites<'_, R, K, P> {
+    /// Applies a flow to some `rows`.
+    #[inline(always)]
+    pub fn apply_to_rows<H>(&mut self, flow: &Flow, rows: Range<usize>)
+    where
+        H: Stencil<Drift, Parameters<R> = P> + Stencil<Kick, Parameters<R> = P>,
+    {
+        if flow.drifts {
+            self.apply_rows::<H, Drift>(R::of(flow.duration), flow.time, rows);
+        } else {
+            self.apply_rows::<H, Kick>(R::of(-flow.duration), flow.time, rows);
+        }
+    }
+
+    #[inline(always)]
+    fn apply_rows<H: Stencil<F, Parameters<R> = P>, F: Moves>(&mut self, step: R, time: f64, range: Range<usize>) {
+        let Self { q, p, parameters, first, length: rows, columns, carries } = self;
+        let (read, moved): (&[_], _) = if F::POSITIONS { (p, q) } else { (q, p) };
+        let (first, rows, columns, parameters) = (*first, *rows, *columns, *parameters);
+        let flow = PhantomData::<(H, F)>;
+        let mut none = RowCarries::default();
+        let carries = carries.as_deref_mut().unwrap_or(&mut none);
+        R::enter(Plane { columns, rows, first, range, read, moved, carries, parameters, step, time, flow });
+    }
+}
+
+/// What a flow moves.
+trait Moves {
+    /// Whether it moves the positions.
+    const POSITIONS: bool;
+}
+
+impl Moves for Drift {
+    const POSITIONS: bool = true;
+}
+
+impl Moves for Kick {
+    const POSITIONS: bool = false;
+}
+
+/// The contributions of rows at which passes ended to the rows after them, where the next passes begin.
+///
+/// Flows of a tile end at rows of their own, and each begins where it ended in the tile before, so that the row tells whose
+/// carry it is: a flow whose rows contribute to the next ones depends on a row before, and ends short of the flow before it.
+pub(crate) struct RowCarries<R> {
+    waiting: Vec<(usize, Vec<R>)>,
+    /// Rows for others to write to.
+    spare: Vec<Vec<R>>,
+}
+
+impl<R> Default for RowCarries<R> {
+    fn default() -> Self {
+        Self { waiting: Vec::new(), spare: Vec::new() }
+    }
+}
+
+impl<R: Real> RowCarries<R> {
+    /// The carry into a row, if a pass ended before it.
+    fn take(&mut self, row: usize) -> Option<Vec<R>> {
+        let place = self.waiting.iter().position(|(waiting, _)| *waiting == row)?;
+        Some(self.waiting.swap_remove(place).1)
+    }
+
+    /// A carry of nothing.
+    fn zeros(&mut self, columns: usize) -> Vec<R> {
+        match self.spare.pop() {
+            Some(mut spare) => {
+                spare.fill(R::of(0.0));
+                spare
+            }
+            None => vec![R::of(0.0); columns],
+        }
+    }
+
+    /// A carry that nothing reads.
+    fn unread(&mut self, columns: usize) -> Vec<R> {
+        self.spare.pop().unwrap_or_else(|| vec![R::of(0.0); columns])
+    }
+}
+
+/// A flow of some rows of a plane.
 struct Plane<'m, H: Stencil<F>, F, R: Real, S> {
     /// The number of sites in a row.
     columns: usize,
+    /// The number of rows of the whole plane.
+    rows: usize,
+    /// The index of the first row in the slices.
+    first: usize,
+    /// The rows that are moved.
+    range: Range<usize>,
     /// The coordinates that the flow depends on, row by row.
     read: &'m [S],
     /// Those that it moves.
     moved: &'m mut [S],
+    carries: &'m mut RowCarries<R>,
     parameters: &'m H::Parameters<R>,
     step: R,
     time: f64,
     flow: PhantomData<(H, F)>,
 }
 
+impl<H: Stencil<F>, F, R: Real, S: Slot<R>> Plane<'_, H, F, R, S> {
+    /// Whether a row contributes to the next one.
+    const CARRIES: bool = StencilPass::<H, F, R, S>::CARRIES_BETWEEN_ROWS;
+
+    /// Whether the last row contributes to the first one.
+    const CLOSED: bool = Self::CARRIES && matches!(H::ROW_BOUNDARY, Some(Boundary { periodic: true, .. }));
+
+    /// A row of the coordinates that the flow depends on; nothing beyond an end.
+    #[inline(always)]
+    fn at(&self, row: Option<usize>) -> &[S] {
+        row.map_or(&self.read[..0], |row| &self.read[(row - self.first) * self.columns..][..self.columns])
+    }
+
+    /// Moves a row, and leaves in `carry` its contributions to the next one.
+    #[inline(always)]
+    fn pass(&self, row: usize, moved: &mut [S], carry: &mut [R]) {
+        let Some(boundary) = H::ROW_BOUNDARY else { return };
+        let beyond = |row: usize| if boundary.periodic { Some(row) } else { None };
+        let above = if boundary.behind > 0 { row.checked_sub(1).or(beyond(self.rows - 1)) } else { None };
+        let below =
+            if boundary.ahead > 0 { Some(row + 1).filter(|below| *below < self.rows).or(beyond(0)) } else { None };
+        let differs = row < boundary.first || row + boundary.last >= self.rows;
+        let reads_beyond = boundary.behind > 0 && above.is_none() || boundary.ahead > 0 && below.is_none();
+        let (at_boundary, read) = (differs || reads_beyond, [self.at(above), self.at(below)]);
+        let adjacent = AdjacentRows { row, rows: self.rows, at_boundary, read, carry };
+        let (read, first, length, flow) = (self.at(Some(row)), 0, self.columns, PhantomData::<F>);
+        let Self { parameters, step, time, .. } = *self;
+        StencilPass::<H, F, R, S> { read, moved, first, length, adjacent, parameters, step, time, flow }
+            .apply(0..self.columns);
+    }
+
+    /// The row whose contributions arrive at the first one that is moved, where it is not moved itself: the one before, or the
+    /// last row of a plane that is closed.
+    #[inline(always)]
+    fn row_before(&self) -> Option<usize> {
+        let Range { start, end } = self.range;
+        match start.checked_sub(1) {
+            _ if !Self::CARRIES => None,
+            None if Self::CLOSED && end < self.rows => Some(self.rows - 1),
+            before => before,
+        }
+    }
+}
+
 impl<H: Stencil<F>, F, R: Real, S: Slot<R>> Kernel for Plane<'_, H, F, R, S> {
     type Out = ();
 
     #[inline(always)]
-    fn call(self) {
-        let Self { columns, read, moved, parameters, step, time, .. } = self;
-        let Some(boundary) = H::ROW_BOUNDARY else { return };
-        let rows = read.len().checked_div(columns).unwrap_or(0);
-        let mut carry = vec![R::of(0.0); columns];
-        let beyond = |row: usize| if boundary.periodic { Some(row) } else { None };
-        let at = |row: Option<usize>| row.map_or(&read[..0], |row| &read[row * columns..][..columns]);
-        for (row, moved) in moved.chunks_exact_mut(columns.max(1)).enumerate().take(rows) {
-            let above = row.checked_sub(1).or(beyond(rows - 1));
-            let below = Some(row + 1).filter(|below| *below < rows).or(beyond(0));
-            let differs = row < boundary.first || row + boundary.last >= rows;
-            let reads_beyond = boundary.behind > 0 && above.is_none() || boundary.ahead > 0 && below.is_none();
-            let (at_boundary, read) = (differs || reads_beyond, [at(above), at(below)]);
-            let adjacent = AdjacentRows { row, rows, at_boundary, read, carry: &mut carry };
-            let (read, first, length, flow) = (at(Some(row)), 0, columns, PhantomData::<F>);
-            StencilPass::<H, F, R, S> { read, moved, first, length, adjacent, parameters, step, time, flow }
-                .apply(0..columns);
+    fn call(mut self) {
+        let (columns, Range { start, end }) = (self.columns, self.range.clone());
+        if start >= end || columns == 0 {
+            return;
         }
-        if boundary.periodic {
-            for (slot, contribution) in moved.iter_mut().zip(carry) {
-                slot.fma(step, contribution);
+        let before = self.row_before();
+        let known = before.and_then(|row| self.carries.take(row + 1));
+        // A row that is not moved, and is passed for its contributions alone.
+        let mut passed = before.filter(|_| known.is_none());
+        let mut unmoved = passed.map_or(Vec::new(), |row| self.at(Some(row)).to_vec());
+        let mut carry = match known {
+            Some(carry) => carry,
+            None if Self::CARRIES => self.carries.zeros(columns),
+            None => self.carries.unread(columns),
+        };
+        let moved = core::mem::take(&mut self.moved);
+        let moving = &mut moved[(start - self.first) * columns..][..(end - start) * columns];
+        let mut around = None;
+        if before.is_some() && passed.is_none() && start == 0 {
+            around = Some(core::mem::replace(&mut carry, self.carries.zeros(columns)));
+        }
+        let mut row = start;
+        while row < end {
+            // One place where rows are passed: the text of a stencil is long.
+            let here = (row - start) * columns..(row - start + 1) * columns;
+            let slots = if passed.is_some() { &mut unmoved[..] } else { &mut moving[here] };
+            self.pass(passed.unwrap_or(row), slots, &mut carry);
+            if passed.take().is_none() {
+                row += 1;
+            } else if start == 0 {
+                around = Some(core::mem::replace(&mut carry, self.carries.zeros(columns)));
             }
+        }
+        if Self::CLOSED && start == 0 {
+            let around = around.as_ref().unwrap_or(&carry);
+            for (slot, contribution) in moving.iter_mut().zip(around) {
+                slot.fma(self.step, *contribution);
+            }
+        }
+        let RowCarries { waiting, spare } = self.carries;
+        spare.extend(around);
+        if Self::CARRIES && (end < self.rows || Self::CLOSED && start > 0) {
+            waiting.push((end, carry));
+        } else {
+            spare.push(carry);
         }
     }
 }

@@ -1,7 +1,9 @@
-//! The sites of a lattice, all of them or a segment: what a flow moves where it does not move everything at once.
+//! The sites of a lattice, all of them or a segment: what a flow moves where it does not move everything at once. In a plane
+//! they are counted in rows.
 
 use crate::{
     layout::lattice::{
+        plane::RowCarries,
         stencil::{AdjacentRows, Drift, Kick, Stencil, StencilPass},
         time_tiling::Flow,
     },
@@ -14,15 +16,19 @@ use crate::{
 };
 use core::{marker::PhantomData, ops::Range};
 
-/// The state of a segment of sites, with the prepared constants of the reborrow lattice.
+/// The state of a segment of sites or of rows, with the prepared constants of the lattice.
 pub struct Sites<'m, R: Real, K: Precision, P> {
     pub(crate) q: &'m mut [K::Slot<R>],
     pub(crate) p: &'m mut [K::Slot<R>],
     pub(crate) parameters: &'m P,
-    /// The index of the first site in the slices.
+    /// The index of the first site or row in the slices.
     pub(crate) first: usize,
-    /// The number of sites of the whole lattice.
+    /// The number of sites or rows of the whole lattice.
     pub(crate) length: usize,
+    /// The number of sites in a row: one on a line.
+    pub(crate) columns: usize,
+    /// What rows contribute to others, between passes over some of them.
+    pub(crate) carries: Option<&'m mut RowCarries<R>>,
 }
 
 /// The shortest lattice of a known length whose flows are compiled once for all loops over stages. Those of shorter
@@ -62,7 +68,7 @@ impl<R: Real, C: Coords, P> Plain<R, C, P> {
     #[inline(always)]
     pub fn sites(&mut self) -> Sites<'_, R, C::Leaf, P> {
         let (q, p) = (C::slots_mut(&mut self.q), C::slots_mut(&mut self.p));
-        Sites { length: q.len(), q, p, parameters: &self.parameters, first: 0 }
+        Sites { length: q.len(), q, p, parameters: &self.parameters, first: 0, columns: 1, carries: None }
     }
 }
 
@@ -70,14 +76,15 @@ impl<'m, R: Real, K: Precision, P> Sites<'m, R, K, P> {
     /// The same sites, borrowed again.
     #[inline(always)]
     pub(crate) fn reborrow(&mut self) -> Sites<'_, R, K, P> {
-        Sites { q: self.q, p: self.p, ..*self }
+        Sites { q: self.q, p: self.p, carries: None, ..*self }
     }
 
-    /// The sites up to `site`, and those from there on.
-    pub(crate) fn split_at(self, site: usize) -> (Self, Self) {
-        let (q, q_after) = self.q.split_at_mut(site - self.first);
-        let (p, p_after) = self.p.split_at_mut(site - self.first);
-        (Self { q, p, ..self }, Self { q: q_after, p: p_after, first: site, ..self })
+    /// The sites or rows up to `border`, and those from there on.
+    pub(crate) fn split_at(self, border: usize) -> (Self, Self) {
+        let before = (border - self.first) * self.columns;
+        let (q, q_after) = self.q.split_at_mut(before);
+        let (p, p_after) = self.p.split_at_mut(before);
+        (Self { q, p, carries: None, ..self }, Self { q: q_after, p: p_after, first: border, carries: None, ..self })
     }
 
     /// Applies a flow to `sites`.
@@ -103,7 +110,7 @@ impl<'m, R: Real, K: Precision, P> Sites<'m, R, K, P> {
         duration: f64,
         time: f64,
     ) -> StencilPass<'m, H, Drift, R, K::Slot<R>> {
-        let Self { q: moved, p: read, parameters, first, length } = self;
+        let Self { q: moved, p: read, parameters, first, length, .. } = self;
         let (step, adjacent, flow) = (R::of(duration), AdjacentRows::none(), PhantomData);
         StencilPass { read, moved, first, length, adjacent, parameters, step, time, flow }
     }
@@ -115,7 +122,7 @@ impl<'m, R: Real, K: Precision, P> Sites<'m, R, K, P> {
         duration: f64,
         time: f64,
     ) -> StencilPass<'m, H, Kick, R, K::Slot<R>> {
-        let Self { q: read, p: moved, parameters, first, length } = self;
+        let Self { q: read, p: moved, parameters, first, length, .. } = self;
         let (step, adjacent, flow) = (R::of(-duration), AdjacentRows::none(), PhantomData);
         StencilPass { read, moved, first, length, adjacent, parameters, step, time, flow }
     }

@@ -1,5 +1,5 @@
 //! Time skewing of long lattices: several flows move a tile of sites while it is in the cache, and threads move chunks
-//! of the lattice in parallel.
+//! of the lattice in parallel. A plane is a line of rows: its tiles, chunks and offsets are counted in them.
 //!
 //! A flow reads a site's neighbours as the flow before left them. So each flow of a tile ends short of the one before
 //! it, by the skew offset that keeps what the next tile is going to read. At the borders between threads, and where the
@@ -11,6 +11,7 @@ use crate::{
     hamiltonian::{Flows, Hamiltonian, QuadraticKinetic},
     layout::{
         lattice::{
+            plane::RowCarries,
             sites::{LONG, Sites},
             stencil::{Boundary, Drift, Kick, Stencil},
         },
@@ -28,11 +29,23 @@ use core::ops::Range;
 /// The number of sites of a tile: two arrays of doubles of this length fill a third of a first-level cache.
 const TILE: usize = 1024;
 
+/// The number of sites of a tile of rows: both arrays fit into a second-level cache many times.
+const TILE_OF_ROWS: usize = 4 * TILE;
+
+/// The number of sites that may lie between the first and the last flow of a tile of rows, in a second-level cache.
+const SKEWED_ROWS: usize = 16 * TILE;
+
 /// The number of flows that are collected before they are applied to the lattice.
 const DEPTH: usize = 64;
 
+/// The fewest rows of a chunk for each flow of it: each flow leans by three rows at most to either side.
+const ROWS_PER_FLOW: usize = 8;
+
 /// A lattice shorter than this stays in the cache as it is.
 const CACHED: usize = 4 * TILE;
+
+/// A plane of fewer sites gains nothing by tiles: its rows are moved as fast from a second-level cache.
+const CACHED_PLANE: usize = 96 * TILE;
 
 /// The least number of sites that are worth the start of a thread.
 const MIN_CHUNK: usize = 32 * TILE;
@@ -51,12 +64,17 @@ pub struct Flow {
 pub struct StencilRadii {
     drift: Boundary,
     kick: Boundary,
+    /// Whether they are counted in rows of a plane.
+    pub(crate) of_rows: bool,
 }
 
 impl StencilRadii {
-    /// The radii of the flows of `H`.
+    /// The radii of the flows of `H`: across the rows of a plane, or else along a line.
     pub const fn of<H: Stencil<Drift> + Stencil<Kick>>() -> Self {
-        Self { drift: <H as Stencil<Drift>>::BOUNDARY, kick: <H as Stencil<Kick>>::BOUNDARY }
+        match (<H as Stencil<Drift>>::ROW_BOUNDARY, <H as Stencil<Kick>>::ROW_BOUNDARY) {
+            (Some(drift), Some(kick)) => Self { drift, kick, of_rows: true },
+            _ => Self { drift: <H as Stencil<Drift>>::BOUNDARY, kick: <H as Stencil<Kick>>::BOUNDARY, of_rows: false },
+        }
     }
 
     fn periodic(&self) -> bool {
@@ -75,31 +93,41 @@ type Wide<R, K> = <<K as Precision>::Slot<R> as Slot<R>>::Wide;
 
 /// A segment of a lattice behind a pointer, whatever it is computed in: how a lattice is split is compiled once.
 trait Segment: Send {
-    /// The number of sites of the whole lattice.
-    fn length(&self) -> usize;
-    /// Applies a flow to some of the sites.
+    /// The number of sites or rows of the whole lattice, and how many sites each of them has.
+    fn size(&self) -> [usize; 2];
+    /// Applies a flow to some of the sites or rows.
     fn apply(&mut self, flow: &Flow, sites: Range<usize>);
     /// The segments that end at these borders.
     fn split(&mut self, borders: &[usize]) -> Vec<Box<dyn Segment + '_>>;
 }
 
 /// The sites of a lattice, or a segment of them.
-struct SiteSegment<'m, H: Hamiltonian, R: Real, K: Precision>(Sites<'m, R, K, H::Parameters<R>>);
+struct SiteSegment<'m, H: Hamiltonian, R: Real, K: Precision> {
+    sites: Sites<'m, R, K, H::Parameters<R>>,
+    carries: RowCarries<R>,
+}
+
+impl<'m, H: Hamiltonian, R: Real, K: Precision> SiteSegment<'m, H, R, K> {
+    fn new(sites: Sites<'m, R, K, H::Parameters<R>>) -> Self {
+        Self { sites, carries: RowCarries::default() }
+    }
+}
 
 impl<H: Hamiltonian, R: Real, K: Precision> Segment for SiteSegment<'_, H, R, K> {
-    fn length(&self) -> usize {
-        self.0.length
+    fn size(&self) -> [usize; 2] {
+        [self.sites.length, self.sites.columns]
     }
     fn apply(&mut self, flow: &Flow, sites: Range<usize>) {
-        H::apply_to_sites::<R, K>(&mut self.0, flow, sites);
+        let mut segment = Sites { carries: Some(&mut self.carries), ..self.sites.reborrow() };
+        H::apply_to_sites::<R, K>(&mut segment, flow, sites);
     }
     fn split(&mut self, borders: &[usize]) -> Vec<Box<dyn Segment + '_>> {
         let mut segments: Vec<Box<dyn Segment + '_>> = Vec::with_capacity(borders.len());
-        let mut rest = self.0.reborrow();
+        let mut rest = self.sites.reborrow();
         for border in borders {
             let (sites, after) = rest.split_at(*border);
             rest = after;
-            segments.push(Box::new(SiteSegment::<H, R, K>(sites)));
+            segments.push(Box::new(SiteSegment::<H, R, K>::new(sites)));
         }
         segments
     }
@@ -116,7 +144,7 @@ impl<'m, H: Hamiltonian, R: Real, K: Precision> TimeTiling<'m, H, R, K> {
     /// Whether a system's flows are tiled in time: those of a lattice that does not fit into registers, or may not.
     pub(crate) const ENABLED: bool = H::STENCIL_RADII.is_some()
         && match <H::Coords as Coords>::LENGTH {
-            Some(length) => length >= LONG,
+            Some(length) => length * <H::Coords as Coords>::COMPONENTS >= LONG,
             None => true,
         };
 
@@ -134,8 +162,8 @@ impl<'m, H: Hamiltonian, R: Real, K: Precision> TimeTiling<'m, H, R, K> {
     /// Applies the collected flows.
     pub(crate) fn finish(&mut self) {
         if let (Some(radii), Some(sites)) = (H::STENCIL_RADII, H::sites::<R, K>(self.motion)) {
-            let skewed = SkewedFlows::new(&self.flows, radii, Wide::<R, K>::WIDTH);
-            advance_lattice(&mut SiteSegment::<H, R, K>(sites), &skewed, self.threads);
+            let width = if radii.of_rows { 1 } else { Wide::<R, K>::WIDTH };
+            advance_lattice(&mut SiteSegment::<H, R, K>::new(sites), &self.flows, radii, width, self.threads);
         }
         self.flows.clear();
     }
@@ -198,24 +226,44 @@ impl SkewedFlows {
     }
 }
 
-/// Applies flows to all sites.
-fn advance_lattice(lattice: &mut dyn Segment, skewed: &SkewedFlows, threads: Option<usize>) {
-    let length = lattice.length();
-    if length < CACHED {
-        for (flow, _) in &skewed.flows {
-            lattice.apply(flow, 0..length);
-        }
-        return;
-    }
-    let count = match length / MIN_CHUNK {
+/// Applies flows to all sites, which are read in blocks of `width`.
+fn advance_lattice(
+    lattice: &mut dyn Segment,
+    flows: &[Flow],
+    radii: StencilRadii,
+    width: usize,
+    threads: Option<usize>,
+) {
+    let [length, columns] = lattice.size();
+    let mut count = match length * columns / MIN_CHUNK {
         0 | 1 => 1,
         most => threads.unwrap_or_else(all_threads).clamp(1, most),
     };
+    let (mut tile, mut depth, mut cached) = (TILE, DEPTH, CACHED);
+    if radii.of_rows {
+        cached = CACHED_PLANE;
+        count = count.min(length / (2 * ROWS_PER_FLOW)).max(1);
+        tile = (TILE_OF_ROWS / columns.max(1)).max(1);
+        depth = (SKEWED_ROWS / columns.max(1)).clamp(2, DEPTH).min(length / count / ROWS_PER_FLOW);
+    }
+    if length * columns < cached || depth < 2 {
+        flows.iter().for_each(|flow| lattice.apply(flow, 0..length));
+        return;
+    }
+    for flows in flows.chunks(depth) {
+        advance_tiles(lattice, &SkewedFlows::new(flows, radii, width), tile, count);
+    }
+}
+
+/// Applies flows to tiles of so many sites or rows, in so many chunks.
+fn advance_tiles(lattice: &mut dyn Segment, skewed: &SkewedFlows, tile: usize, count: usize) {
+    let [length, _] = lattice.size();
     let borders: Vec<usize> = (0..=count).map(|number| number * length / count).collect();
     let segments = lattice.split(&borders[1..]).into_iter().enumerate();
     let jobs = segments.map(|(number, segment)| -> Job<'_> {
         let (skewed_left, skewed_right) = (number > 0 || skewed.periodic, number + 1 < count || skewed.periodic);
-        let chunk = Chunk { segment, sites: borders[number]..borders[number + 1], skewed, skewed_left, skewed_right };
+        let sites = borders[number]..borders[number + 1];
+        let chunk = Chunk { segment, sites, tile, skewed, skewed_left, skewed_right };
         Box::new(|| chunk.advance())
     });
     at_once(jobs.collect());
@@ -229,6 +277,8 @@ struct Chunk<'s> {
     segment: Box<dyn Segment + 's>,
     /// The indices of the segment's sites.
     sites: Range<usize>,
+    /// The number of sites of a tile.
+    tile: usize,
     skewed: &'s SkewedFlows,
     /// Whether another chunk lies to the left.
     skewed_left: bool,
@@ -243,7 +293,7 @@ impl Chunk<'_> {
         let last = if self.skewed_right { end } else { end + self.skewed.largest_offset() };
         let mut border = start;
         while border < last {
-            let next = last.min(border + TILE);
+            let next = last.min(border + self.tile);
             for (flow, [left, right]) in &self.skewed.flows {
                 let begin = if self.skewed_left { start + left } else { start };
                 let sites = border.saturating_sub(*right).max(begin)..next.saturating_sub(*right).min(end);
@@ -260,7 +310,7 @@ impl Chunk<'_> {
 fn fill_gap(lattice: &mut dyn Segment, skewed: &SkewedFlows, border: usize) {
     for (flow, [left, right]) in &skewed.flows {
         // Where the ends of a periodic lattice meet, the left side of the border is at the other end.
-        let end = if border == 0 { lattice.length() } else { border };
+        let end = if border == 0 { lattice.size()[0] } else { border };
         for sites in [end - right..end, border..border + left] {
             lattice.apply(flow, sites);
         }

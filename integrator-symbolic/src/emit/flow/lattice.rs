@@ -129,7 +129,9 @@ fn boundary_of(direction: &Direction, onward: usize, runtime: &Ident) -> TokenSt
 }
 
 /// What lets the runtime move a lattice a segment at a time: the stencil radii of its flows, and its sites.
-pub(crate) fn parts(names: &Names) -> (TokenStream, TokenStream) {
+pub(crate) fn parts(is_plane: bool, names: &Names) -> (TokenStream, TokenStream) {
+    let [all, apply] = if is_plane { ["rows", "apply_to_rows"] } else { ["sites", "apply"] };
+    let [all, apply] = [all, apply].map(|name| format_ident!("{name}"));
     let Names { runtime, scalar, leaf, .. } = names;
     let radii = quote! {
         const STENCIL_RADII: ::core::option::Option<#runtime::StencilRadii> =
@@ -141,7 +143,7 @@ pub(crate) fn parts(names: &Names) -> (TokenStream, TokenStream) {
         fn sites<#scalar: #runtime::Real, #leaf: #runtime::Precision>(
             motion: &mut Self::Motion<#scalar, #leaf>,
         ) -> ::core::option::Option<#sites> {
-            ::core::option::Option::Some(motion.sites())
+            ::core::option::Option::Some(motion.#all())
         }
         #[inline(always)]
         fn apply_to_sites<#scalar: #runtime::Real, #leaf: #runtime::Precision>(
@@ -149,7 +151,7 @@ pub(crate) fn parts(names: &Names) -> (TokenStream, TokenStream) {
             flow: &#runtime::Flow,
             sites: ::core::ops::Range<usize>,
         ) {
-            lattice.apply::<Self>(flow, sites);
+            lattice.#apply::<Self>(flow, sites);
         }
     };
     (radii, lattice)

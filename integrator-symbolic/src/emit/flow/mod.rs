@@ -132,8 +132,9 @@ impl Flows {
                 const WIDE: bool = true;
             )
         });
-        let is_line = |flow: &Flow| flow.sweep.as_ref().is_some_and(|sweep| !sweep.is_plane());
-        let (radii, sites) = (is_line(drift) && is_line(kick)).then(|| lattice::parts(names)).unzip();
+        let is_plane = |flow: &Flow| flow.sweep.as_ref().map(Sweep::is_plane);
+        let alike = is_plane(drift).filter(|plane| is_plane(kick) == Some(*plane));
+        let (radii, sites) = alike.map(|is_plane| lattice::parts(is_plane, names)).unzip();
         (quote!(#wide #radii), sites)
     }
 

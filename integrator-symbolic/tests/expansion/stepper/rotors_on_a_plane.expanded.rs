@@ -62,6 +62,9 @@ const _: () = {
         const AUTONOMOUS: bool = true;
         const FINGERPRINT: u64 = 13926973406318216098;
         const WIDE: bool = true;
+        const STENCIL_RADII: ::core::option::Option<runtime::StencilRadii> = ::core::option::Option::Some(
+            runtime::StencilRadii::of::<Self>(),
+        );
         fn parameters(&self, length: usize) -> Parameters<f64> {
             Parameters {
                 prepared_0: runtime::table(
@@ -155,6 +158,22 @@ const _: () = {
                 kinetic: Self::kinetic(self, p),
                 potential: Self::potential(self, q),
             }
+        }
+        #[inline(always)]
+        fn sites<Scalar: runtime::Real, Leaf: runtime::Precision>(
+            motion: &mut Self::Motion<Scalar, Leaf>,
+        ) -> ::core::option::Option<
+            runtime::Sites<'_, Scalar, Leaf, Self::Parameters<Scalar>>,
+        > {
+            ::core::option::Option::Some(motion.rows())
+        }
+        #[inline(always)]
+        fn apply_to_sites<Scalar: runtime::Real, Leaf: runtime::Precision>(
+            lattice: &mut runtime::Sites<'_, Scalar, Leaf, Self::Parameters<Scalar>>,
+            flow: &runtime::Flow,
+            sites: ::core::ops::Range<usize>,
+        ) {
+            lattice.apply_to_rows::<Self>(flow, sites);
         }
         fn visit_compositions(visitor: &mut impl runtime::Visitor<Self>) {
             runtime::visit_quadratic(visitor);
