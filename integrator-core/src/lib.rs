@@ -238,10 +238,11 @@ pub mod __private {
     // Other crates of this repository have ensembles of their own.
     #[cfg(feature = "std")]
     pub use crate::ensemble::lane_scalars::LaneScalars;
+    #[cfg(any(all(feature = "checkpoint", feature = "std"), feature = "output"))]
+    pub use crate::state::coords::column_names;
     #[cfg(all(feature = "checkpoint", feature = "std"))]
     pub use crate::{
         ensemble::checkpoint::{joined, part_of},
-        state::coords::column_names,
         trajectory::checkpoint::{coordinates, numbers, write_whole},
     };
 
