@@ -74,7 +74,7 @@ pub(crate) fn ladder<H: Hamiltonian, M: Method<H>>(
 }
 
 /// The errors of a method that chooses its own steps, for one tolerance after the other, each a tenth of the one
-/// before.
+/// before; but for those that may be the reference's.
 pub(crate) fn tolerances<H: Hamiltonian, M: Method<H>>(
     problem: &Problem<'_, H>,
     method: fn(f64) -> M,
@@ -84,7 +84,8 @@ pub(crate) fn tolerances<H: Hamiltonian, M: Method<H>>(
     let span = PERIODS * problem.period;
     let tolerances = (0..plan.rungs).map(|rung| LOOSEST / 10.0_f64.powi(rung as i32));
     let rungs = tolerances.map(|tolerance| climb(problem, method(tolerance), [span, tolerance], 1, exact));
-    rungs.filter_map(Result::transpose).collect()
+    let is_seen = |rung: &Result<Rung, _>| !matches!(rung, Ok(rung) if rung.error < 2.0 * exact.uncertainty);
+    rungs.filter_map(Result::transpose).filter(is_seen).collect()
 }
 
 /// The error of so many steps; none where these do not lead to an end. A step may be too coarse to stay finite.

@@ -58,6 +58,10 @@ pub(crate) fn strip(item: TokenStream) -> TokenStream {
                 }
                 (begin, is_invariant) = (kept.len(), false);
             }
+            TokenTree::Punct(mark) if mark.as_char() == ';' => {
+                kept.push(tree);
+                (begin, is_invariant) = (kept.len(), false);
+            }
             _ => kept.push(tree),
         }
     }

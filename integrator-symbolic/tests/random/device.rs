@@ -198,8 +198,12 @@ fn compiled(compiler: &str, text: &str, name: &str) -> PathBuf {
     fs::write(&source, text).expect("a folder for files");
     let options = ["-std=c++17", "-O0", "-mfma", "-ffp-contract=off", "-Werror=shadow=compatible-local"];
     let mut command = Command::new(compiler);
-    // Fused multiply-add is an instruction or a call: both round once.
-    command.args(options.iter().filter(|option| cfg!(target_arch = "x86_64") || **option != "-mfma"));
+    // Fused multiply-add is an instruction where there is one, or a call: both round once.
+    #[cfg(target_arch = "x86_64")]
+    let fused = std::arch::is_x86_feature_detected!("fma");
+    #[cfg(not(target_arch = "x86_64"))]
+    let fused = false;
+    command.args(options.iter().filter(|option| fused || **option != "-mfma"));
     let output = command.arg(&source).arg("-o").arg(&program).output().expect("the compiler starts");
     assert!(output.status.success(), "{}: {}", source.display(), String::from_utf8_lossy(&output.stderr));
     program

@@ -92,8 +92,8 @@ impl Moves for Kick {
 
 /// The contributions of rows at which passes ended to the rows after them, where the next passes begin.
 ///
-/// Flows of a tile end at rows of their own, and each begins where it ended in the tile before, so that the row tells whose
-/// carry it is: a flow whose rows contribute to the next ones depends on a row before, and ends short of the flow before it.
+/// Each flow begins where it ended in the tile before, and the row tells whose carry it is: whatever follows a flow whose rows
+/// contribute to the next ones ends at least a row short of it, so that no two of these end at one row.
 pub(crate) struct RowCarries<R> {
     waiting: Vec<(usize, Vec<R>)>,
     /// Rows for others to write to.
@@ -111,6 +111,11 @@ impl<R: Real> RowCarries<R> {
     fn take(&mut self, row: usize) -> Option<Vec<R>> {
         let place = self.waiting.iter().position(|(waiting, _)| *waiting == row)?;
         Some(self.waiting.swap_remove(place).1)
+    }
+
+    /// Forgets what no pass will take.
+    pub(crate) fn forget(&mut self) {
+        self.spare.extend(self.waiting.drain(..).map(|(_, carry)| carry));
     }
 
     /// A carry of nothing.

@@ -32,14 +32,18 @@ const TILE: usize = 1024;
 /// The number of sites of a tile of rows: both arrays fit into a second-level cache many times.
 const TILE_OF_ROWS: usize = 4 * TILE;
 
-/// The number of sites that may lie between the first and the last flow of a tile of rows, in a second-level cache.
-const SKEWED_ROWS: usize = 16 * TILE;
+/// The number of sites by which the flows of a tile of rows may lean, a row each: they fit into a second-level cache. Flows that
+/// lean by more are tiled as many.
+const SKEWED_SITES: usize = 16 * TILE;
 
 /// The number of flows that are collected before they are applied to the lattice.
 const DEPTH: usize = 64;
 
 /// The fewest rows of a chunk for each flow of it: each flow leans by three rows at most to either side.
 const ROWS_PER_FLOW: usize = 8;
+
+/// The fewest flows that a thread is worth: the gaps between chunks are filled by one thread.
+const LEAST_DEPTH: usize = 4;
 
 /// A lattice shorter than this stays in the cache as it is.
 const CACHED: usize = 4 * TILE;
@@ -97,6 +101,8 @@ trait Segment: Send {
     fn size(&self) -> [usize; 2];
     /// Applies a flow to some of the sites or rows.
     fn apply(&mut self, flow: &Flow, sites: Range<usize>);
+    /// Forgets what was kept of a flow for the sites behind those that it moved last.
+    fn forget(&mut self);
     /// The segments that end at these borders.
     fn split(&mut self, borders: &[usize]) -> Vec<Box<dyn Segment + '_>>;
 }
@@ -120,6 +126,9 @@ impl<H: Hamiltonian, R: Real, K: Precision> Segment for SiteSegment<'_, H, R, K>
     fn apply(&mut self, flow: &Flow, sites: Range<usize>) {
         let mut segment = Sites { carries: Some(&mut self.carries), ..self.sites.reborrow() };
         H::apply_to_sites::<R, K>(&mut segment, flow, sites);
+    }
+    fn forget(&mut self) {
+        self.carries.forget();
     }
     fn split(&mut self, borders: &[usize]) -> Vec<Box<dyn Segment + '_>> {
         let mut segments: Vec<Box<dyn Segment + '_>> = Vec::with_capacity(borders.len());
@@ -242,9 +251,9 @@ fn advance_lattice(
     let (mut tile, mut depth, mut cached) = (TILE, DEPTH, CACHED);
     if radii.of_rows {
         cached = CACHED_PLANE;
-        count = count.min(length / (2 * ROWS_PER_FLOW)).max(1);
+        count = count.min(length / (LEAST_DEPTH * ROWS_PER_FLOW)).max(1);
         tile = (TILE_OF_ROWS / columns.max(1)).max(1);
-        depth = (SKEWED_ROWS / columns.max(1)).clamp(2, DEPTH).min(length / count / ROWS_PER_FLOW);
+        depth = (SKEWED_SITES / columns.max(1)).clamp(2, DEPTH).min(length / count / ROWS_PER_FLOW);
     }
     if length * columns < cached || depth < 2 {
         flows.iter().for_each(|flow| lattice.apply(flow, 0..length));
@@ -314,5 +323,6 @@ fn fill_gap(lattice: &mut dyn Segment, skewed: &SkewedFlows, border: usize) {
         for sites in [end - right..end, border..border + left] {
             lattice.apply(flow, sites);
         }
+        lattice.forget();
     }
 }

@@ -107,9 +107,7 @@ fn ends(ends: Ends, names: &Names) -> TokenStream {
     let runtime = &names.runtime;
     match ends {
         Ends::Ring => quote!(#runtime::Ends::Ring),
-        Ends::Open { first_at_rest, last_at_rest } => {
-            quote!(#runtime::Ends::Open { first_at_rest: #first_at_rest, last_at_rest: #last_at_rest })
-        }
+        Ends::Open { first_at_rest, .. } => quote!(#runtime::Ends::Open { first_at_rest: #first_at_rest }),
     }
 }
 

@@ -66,7 +66,6 @@ const _: () = {
             }
             const ENDS: runtime::Ends = runtime::Ends::Open {
                 first_at_rest: true,
-                last_at_rest: true,
             };
             #[cfg_attr(not(debug_assertions), inline(always))]
             fn iteration_1<Scalar: runtime::Real, Wide: runtime::Real>(
