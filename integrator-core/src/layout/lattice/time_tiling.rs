@@ -128,7 +128,9 @@ impl<H: Hamiltonian, R: Real, K: Precision> Segment for SiteSegment<'_, H, R, K>
         H::apply_to_sites::<R, K>(&mut segment, flow, sites);
     }
     fn forget(&mut self) {
-        self.carries.forget();
+        if const { matches!(H::STENCIL_RADII, Some(StencilRadii { of_rows: true, .. })) } {
+            self.carries.forget();
+        }
     }
     fn split(&mut self, borders: &[usize]) -> Vec<Box<dyn Segment + '_>> {
         let mut segments: Vec<Box<dyn Segment + '_>> = Vec::with_capacity(borders.len());
