@@ -222,20 +222,16 @@ impl<H: Stencil<F>, F, R: Real, S: Slot<R>> Kernel for Plane<'_, H, F, R, S> {
         let moved = core::mem::take(&mut self.moved);
         let moving = &mut moved[(start - self.first) * columns..][..(end - start) * columns];
         let mut around = None;
-        if before.is_some() && passed.is_none() && start == 0 {
-            around = Some(core::mem::replace(&mut carry, self.carries.zeros(columns)));
-        }
         let mut row = start;
         while row < end {
+            if row == 0 && before.is_some() && passed.is_none() {
+                around = Some(core::mem::replace(&mut carry, self.carries.zeros(columns)));
+            }
             // One place where rows are passed: the text of a stencil is long.
             let here = (row - start) * columns..(row - start + 1) * columns;
             let slots = if passed.is_some() { &mut unmoved[..] } else { &mut moving[here] };
             self.pass(passed.unwrap_or(row), slots, &mut carry);
-            if passed.take().is_none() {
-                row += 1;
-            } else if start == 0 {
-                around = Some(core::mem::replace(&mut carry, self.carries.zeros(columns)));
-            }
+            row += usize::from(passed.take().is_none());
         }
         if Self::CLOSED && start == 0 {
             let around = around.as_ref().unwrap_or(&carry);
