@@ -1,8 +1,11 @@
 //! Exponents and indicators of chaos against published numbers and closed forms.
 
+#[path = "support/comet.rs"]
+mod comet;
 #[path = "support/instruction_sets.rs"]
 mod instruction_sets;
 
+use comet::Comet;
 use integrator_core::{
     Differentiable,
     chaos::{self, Indicator, Spectrum, Verdict},
@@ -66,21 +69,6 @@ impl Saddle {
     }
     fn potential(&self, q: [f64; 2]) -> f64 {
         (q[1] * q[1] - 0.09 * q[0] * q[0]) / 2.0
-    }
-}
-
-struct Comet;
-
-#[hamiltonian(taylor)]
-impl Comet {
-    fn kinetic(&self, p: [f64; 2]) -> f64 {
-        (p[0] * p[0] + p[1] * p[1]) / 2.0
-    }
-    fn potential(&self, q: [f64; 2]) -> f64 {
-        -1.0 / q[0].hypot(q[1])
-    }
-    fn rate(&self, q: [f64; 2]) -> f64 {
-        q[0].hypot(q[1]).powf(-1.5)
     }
 }
 

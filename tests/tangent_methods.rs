@@ -1,28 +1,16 @@
 //! Deviation vectors of methods that are no compositions: Taylor's, and those with a time of their own.
 
+#[path = "support/comet.rs"]
+mod comet;
 #[path = "support/derivatives.rs"]
 #[allow(dead_code, reason = "not all that is shared is needed here")]
 mod derivatives;
 #[path = "support/instruction_sets.rs"]
 mod instruction_sets;
 
+use comet::Comet;
 use derivatives::{directions, holds, numbers, point};
 use integrator_core::{Differentiable, prelude::*};
-
-struct Comet;
-
-#[hamiltonian(taylor)]
-impl Comet {
-    fn kinetic(&self, p: [f64; 2]) -> f64 {
-        (p[0] * p[0] + p[1] * p[1]) / 2.0
-    }
-    fn potential(&self, q: [f64; 2]) -> f64 {
-        -1.0 / q[0].hypot(q[1])
-    }
-    fn rate(&self, q: [f64; 2]) -> f64 {
-        q[0].hypot(q[1]).powf(-1.5)
-    }
-}
 
 /// A chain, whose coefficients are computed in vectors where there are no derivatives.
 struct Chain;

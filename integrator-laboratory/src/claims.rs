@@ -134,13 +134,9 @@ const ORDERS: [Claim; 11] = orders! {
 };
 
 /// What is claimed of a composition with a force gradient, where there is one.
-const OF_GRADIENTS: [Claim; 1] = [Claim {
-    name: "chin_4a_order_4",
-    says: "Chin's composition with a force gradient has order 4 without a step back: the exponent",
-    of_energy: false,
-    value: |study| study.method("Chin 4A")?.slope,
-    within: order(4.0),
-}];
+const OF_GRADIENTS: [Claim; 1] = orders! {
+    "chin_4a_order_4" "Chin's composition with a force gradient has order 4 without a step back: the exponent" "Chin 4A" 4.0,
+};
 
 /// What is claimed of Taylor's method, where there are recurrences.
 const OF_TAYLOR: Claim = Claim {

@@ -5,7 +5,7 @@ use crate::{
     ensemble::{share, share_of},
     error::{Error, Failure, agree},
     is_root,
-    states::IN_A_MESSAGE,
+    states::{receive_all, send_all},
 };
 pub use integrator_core::chaos::Indicator;
 use integrator_core::{
@@ -13,10 +13,7 @@ use integrator_core::{
     Hamiltonian, Memoryless, StartOf, chaos,
     check::CheckError,
 };
-use mpi::{
-    point_to_point::{Destination, Source},
-    traits::Communicator,
-};
+use mpi::traits::Communicator;
 
 /// An indicator of so many orbits, of which `start` gives the one of an index, as [`chaos::map`] of the core computes it: on
 /// rank 0 those of all, in the order of their indices, and `None` on all other ranks. Collective, with the same arguments on
@@ -54,17 +51,13 @@ where
         }),
     )?;
     if !is_root(world) {
-        let root = world.process_at_rank(ROOT);
-        own.chunks(IN_A_MESSAGE).for_each(|chunk| root.send(chunk));
+        send_all(&world.process_at_rank(ROOT), &own);
         return Ok(None);
     }
     let mut all = own;
     for rank in 1..world.size() {
-        let mut of_rank = vec![0.0; share_of(rank as usize, world.size() as usize, orbits).len()];
-        of_rank.chunks_mut(IN_A_MESSAGE).for_each(|chunk| {
-            world.process_at_rank(rank).receive_into(chunk);
-        });
-        all.append(&mut of_rank);
+        let count = share_of(rank as usize, world.size() as usize, orbits).len();
+        all.extend(receive_all::<f64>(&world.process_at_rank(rank), count));
     }
     Ok(Some(all))
 }

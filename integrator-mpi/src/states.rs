@@ -7,11 +7,25 @@ use integrator_core::{
 };
 use mpi::{
     point_to_point::{Destination, Source},
-    traits::Communicator,
+    traits::{Communicator, Equivalence},
 };
 
 /// How many numbers a message has at most: MPI counts them in 31 bits.
-pub(crate) const IN_A_MESSAGE: usize = 1 << 27;
+const IN_A_MESSAGE: usize = 1 << 27;
+
+/// Sends numbers, of which the other side knows how many there are.
+pub(crate) fn send_all<T: Equivalence>(to: &impl Destination, numbers: &[T]) {
+    numbers.chunks(IN_A_MESSAGE).for_each(|chunk| to.send(chunk));
+}
+
+/// So many numbers that another rank sends.
+pub(crate) fn receive_all<T: Equivalence + Default + Clone>(from: &impl Source, count: usize) -> Vec<T> {
+    let mut numbers = vec![T::default(); count];
+    numbers.chunks_mut(IN_A_MESSAGE).for_each(|chunk| {
+        from.receive_into(chunk);
+    });
+    numbers
+}
 
 impl<W: Communicator, C: Coords> Ensemble<'_, W, C> {
     /// The states of all members on rank 0, in their order, and `None` on all other ranks. Collective.
@@ -25,8 +39,8 @@ impl<W: Communicator, C: Coords> Ensemble<'_, W, C> {
                 all.extend([q, p].iter().flat_map(numbers));
             }
             root.send(&[lengths.len() as u64, all.len() as u64]);
-            lengths.chunks(IN_A_MESSAGE).for_each(|chunk| root.send(chunk));
-            all.chunks(IN_A_MESSAGE).for_each(|chunk| root.send(chunk));
+            send_all(&root, &lengths);
+            send_all(&root, &all);
             return None;
         }
         let mut states: Vec<Phase<C>> = own().collect();
@@ -34,13 +48,8 @@ impl<W: Communicator, C: Coords> Ensemble<'_, W, C> {
             let rank = self.world().process_at_rank(rank);
             let (counts, _) = rank.receive_vec::<u64>();
             let [members, count] = counts[..] else { continue };
-            let (mut lengths, mut all) = (vec![0_u64; members as usize], vec![0.0_f64; count as usize]);
-            for chunk in lengths.chunks_mut(IN_A_MESSAGE) {
-                rank.receive_into(chunk);
-            }
-            for chunk in all.chunks_mut(IN_A_MESSAGE) {
-                rank.receive_into(chunk);
-            }
+            let lengths: Vec<u64> = receive_all(&rank, members as usize);
+            let all: Vec<f64> = receive_all(&rank, count as usize);
             let mut rest = &all[..];
             let mut half = |length: u64| {
                 let (own, after) = rest.split_at(length as usize * C::Leaf::PARTS);
