@@ -80,12 +80,22 @@ impl Stencil {
 /// How many sites a line or a row has at least, if their number is known: fewer are as fast in a plain loop.
 const FEWEST: u64 = 8;
 
+/// What is known of coordinates with two indices where the second has no literal number of values.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Components {
+    /// The sites of rows: another gradient of the system adds to neighbours along them.
+    Sites,
+    /// They may be the few components of points, too.
+    Unknown,
+}
+
 /// The stencil of `gradient`, where all of it has that form, on a line or a plane of such lengths; `leaf` tells which
 /// nodes are read, not computed.
 pub(crate) fn stencil(
     graph: &mut Graph,
     gradient: &[Contribution],
     lengths: &[IndexId],
+    components: Components,
     leaf: impl Fn(&Graph, NodeId) -> bool,
 ) -> Option<Stencil> {
     let number = graph.loops.literal(*lengths.last()?);
@@ -112,8 +122,7 @@ pub(crate) fn stencil(
         gathering.contribution(contribution.value, own, &begins.collect::<Vec<_>>())?;
     }
     let stencil = gathering.finished()?;
-    // Components of points may be counted by a constant too, and are few. Those of a row have neighbours.
-    let may_be_points = stencil.is_plane() && number.is_none();
+    let may_be_points = stencil.is_plane() && number.is_none() && components == Components::Unknown;
     let is_row = stencil.directions.last().is_some_and(Direction::has_neighbours);
     (!may_be_points || is_row).then_some(stencil)
 }

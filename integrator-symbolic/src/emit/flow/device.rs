@@ -15,6 +15,7 @@ use crate::{
     graph::{Part, exact::Exact},
     model::{Length, Model},
     program::{Sink, is_protected},
+    stencil::Components,
 };
 use proc_macro2::TokenStream;
 use quote::quote;
@@ -244,7 +245,7 @@ fn check_layout(emitter: &mut Emitter<'_>, velocity: &[Contribution], slope: &[C
     for (gradient, part) in [(velocity, Part::Momentum), (slope, Part::Position)] {
         let folded = fold_branches(&mut emitter.model.graph, gradient);
         let apart = gradient.iter().any(|contribution| is_protected(&mut emitter.model.graph, contribution));
-        if !apart && lattice::sweep(emitter, &folded, part).is_some() {
+        if !apart && lattice::sweep(emitter, &folded, part, Components::Unknown).is_some() {
             return Err(
                 "the sites of a lattice are added in an order of their own, which devices do not know yet: leave \
                         out `gpu`"

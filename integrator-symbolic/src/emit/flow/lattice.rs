@@ -1,7 +1,7 @@
 //! Flows of lattices as Rust: what each site computes from its neighbourhood, for the runtime to sweep along.
 
 use crate::{
-    differentiate::Contribution,
+    differentiate::{Contribution, fold_branches},
     emit::printer::{
         block::Emitter,
         fields::{is_leaf, lower_roots},
@@ -10,10 +10,10 @@ use crate::{
         names::Names,
         sites::contributions,
     },
-    graph::{Part, Scope},
+    graph::{Graph, Part, Scope},
     model::Model,
     program::{Sink, Store},
-    stencil::{Direction, Stencil, stencil},
+    stencil::{Components, Direction, Stencil, stencil},
 };
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{format_ident, quote};
@@ -26,11 +26,30 @@ pub(crate) struct Sweep {
     stencil: Stencil,
 }
 
+/// What the gradient of the potential tells of coordinates with two indices. A kinetic energy looks the same for points as
+/// for rows of sites.
+pub(super) fn components(emitter: &mut Emitter<'_>, potential: &[Contribution]) -> Components {
+    let Model { graph, parameters, lengths, .. } = &mut *emitter.model;
+    let has_unknown_width =
+        lengths.len() > 1 && lengths.last().is_some_and(|width| graph.loops.literal(*width).is_none());
+    if !has_unknown_width {
+        return Components::Unknown;
+    }
+    let folded = fold_branches(graph, potential);
+    let leaf = |graph: &Graph, id| is_leaf(graph, parameters, id);
+    stencil(graph, &folded, lengths, Components::Unknown, leaf).map_or(Components::Unknown, |_| Components::Sites)
+}
+
 /// The flow along `gradient`, if it has that form.
-pub(crate) fn sweep(emitter: &mut Emitter<'_>, gradient: &[Contribution], part: Part) -> Option<Sweep> {
+pub(crate) fn sweep(
+    emitter: &mut Emitter<'_>,
+    gradient: &[Contribution],
+    part: Part,
+    components: Components,
+) -> Option<Sweep> {
     let model = &mut *emitter.model;
     let Model { graph, parameters, lengths, .. } = &mut *model;
-    let mut stencil = stencil(graph, gradient, lengths, |graph, id| is_leaf(graph, parameters, id))?;
+    let mut stencil = stencil(graph, gradient, lengths, components, |graph, id| is_leaf(graph, parameters, id))?;
     for Direction { place, begins, .. } in &stencil.directions {
         let first = gradient.iter().flat_map(Contribution::loops).find(|by| begins.contains_key(by))?;
         let index = model.running.get(&first)?.clone();

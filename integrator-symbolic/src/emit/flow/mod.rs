@@ -31,6 +31,7 @@ use crate::{
     graph::{Element, Graph, NodeId, Part, exact::Exact},
     model::{ExactPart, Length, Model, Shape},
     program::{Sink, Store, is_direct, is_protected},
+    stencil::Components,
 };
 use lattice::Sweep;
 use pairs::ManyBody;
@@ -58,9 +59,10 @@ impl Flows {
     /// Those along the gradients of `T` and of `V`.
     pub(crate) fn of(emitter: &mut Emitter<'_>, kinetic: &[Contribution], potential: &[Contribution]) -> Self {
         let many_body = ManyBody::of(emitter);
+        let components = lattice::components(emitter, potential);
         let mut flow = |gradient: &[Contribution], part| match many_body {
             Some(_) => Flow { body: ManyBody::flow(part), ..Flow::default() },
-            None => Flow::of(emitter, gradient, part),
+            None => Flow::of(emitter, gradient, part, components),
         };
         let (mut drift, mut kick) = (flow(kinetic, Part::Momentum), flow(potential, Part::Position));
         let in_jacobi = emitter.model.jacobi.is_some();
@@ -293,14 +295,14 @@ impl Flow {
 
     /// Each component of the gradient moves its coordinate: on the spot where every coordinate gets one contribution;
     /// else contributions are collected first.
-    fn of(emitter: &mut Emitter<'_>, gradient: &[Contribution], part: Part) -> Self {
+    fn of(emitter: &mut Emitter<'_>, gradient: &[Contribution], part: Part, components: Components) -> Self {
         if gradient.is_empty() {
             return Self::default();
         }
         let folded = fold_branches(&mut emitter.model.graph, gradient);
         // What is moved behind a condition that it is there is not moved by a choice of zero elsewhere.
         let apart = gradient.iter().any(|contribution| is_protected(&mut emitter.model.graph, contribution));
-        if !apart && let Some(sweep) = lattice::sweep(emitter, &folded, part) {
+        if !apart && let Some(sweep) = lattice::sweep(emitter, &folded, part, components) {
             return Self { body: Body::new(sweep.flow()), sweep: Some(sweep), ..Self::default() };
         }
         Self::along(emitter, gradient, part, &Frame::Motion)

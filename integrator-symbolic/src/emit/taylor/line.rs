@@ -22,7 +22,7 @@ use crate::{
     },
     model::Model,
     program::{Item, Program, Sink, nest::Nest},
-    stencil::{Addend, Ends, Line, stencil},
+    stencil::{Addend, Components, Ends, Line, stencil},
     taylor::{Recurrences, inverse_masses},
 };
 use proc_macro2::{Literal, TokenStream};
@@ -39,7 +39,7 @@ pub(super) fn orders(
     potential: &[Contribution],
 ) -> Option<Orders> {
     let Model { graph, parameters, lengths, .. } = &mut *model;
-    let stencil = stencil(graph, potential, lengths, |graph, id| is_leaf(graph, parameters, id))?;
+    let stencil = stencil(graph, potential, lengths, Components::Unknown, |graph, id| is_leaf(graph, parameters, id))?;
     let mut line = stencil.line(graph)?;
     let mut forces: Vec<_> = line.addends.iter().map(|addend| addend.contribution.clone()).collect();
     let recurrences = Recurrences::of(graph, [&mut kinetic, &mut forces]);

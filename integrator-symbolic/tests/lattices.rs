@@ -1,4 +1,5 @@
-//! Which chains are lines of sites that are all alike, for Taylor's method.
+//! Which systems are recognised as lattices: chains whose sites are all alike, for Taylor's method, and planes of sites, which
+//! splitting steps move in tiles.
 
 use integrator_symbolic::hamiltonian;
 
@@ -60,4 +61,45 @@ fn positions_of_a_line_follow_momenta_by_an_inverse_mass() {
     let of = |energy: &str| is_line(&kinetic(energy), bonds, ["[f64; 16]", "16"]);
     assert!(of("p[i] * p[i] / (2.0 * self.m[i])"));
     assert!(!of("(1.0 + p[i] * p[i]).sqrt()"));
+}
+
+/// What a kinetic energy of rows and a potential say of the second index: a name, how many of them there are, the potential,
+/// and whether they are sites.
+const PLANES: [(&str, &str, &str, bool); 7] = [
+    ("a field on rows of 40", "40", "(q[i][(j + 1) % W] - q[i][j]).powi(2) + q[i][j].powi(4)", true),
+    ("rows of few", "3", "(q[i][(j + 1) % W] - q[i][j]).powi(2)", false),
+    ("rows of 40 without bonds along them", "40", "q[i][j].powi(4)", true),
+    ("a field on rows of a width of the type", "W", "(q[i][(j + 1) % W] - q[i][j]).powi(2) + q[i][j].powi(4)", true),
+    (
+        "bonds along and across",
+        "W",
+        "(q[i][(j + 1) % W] - q[i][j]).powi(4) + (q[(i + 1) % q.len()][j] - q[i][j]).powi(2)",
+        true,
+    ),
+    ("bonds across alone, as points have them", "W", "(q[(i + 1) % q.len()][j] - q[i][j]).powi(2)", false),
+    ("points without bonds", "W", "q[i][j].powi(4)", false),
+];
+
+#[test]
+fn rows_with_bonds_along_them_are_sites() {
+    for (name, width, potential, holds) in PLANES {
+        let of_the_type = if width == "W" { "const W: usize" } else { "" };
+        let generic = width.trim_matches(|digit: char| digit.is_ascii_digit());
+        let text = format!(
+            "impl<{of_the_type}> Plane<{generic}> {{
+                fn kinetic(&self, p: &[[f64; W]]) -> f64 {{
+                    p.iter().map(|row| row.iter().map(|p| p * p / 2.0).sum::<f64>()).sum()
+                }}
+                fn potential(&self, q: &[[f64; W]]) -> f64 {{
+                    let mut v = 0.0;
+                    for i in 0..q.len() {{ for j in 0..W {{ v += {potential}; }} }}
+                    v
+                }}
+            }}"
+        );
+        let text = if width == "W" { text } else { text.replace('W', width) };
+        let text = hamiltonian(Default::default(), text.parse().expect("tokens")).to_string();
+        assert!(!text.contains("compile_error"), "{name}: {text}");
+        assert_eq!(text.contains("STENCIL_RADII"), holds, "{name}");
+    }
 }
