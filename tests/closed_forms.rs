@@ -10,7 +10,7 @@ use integrator_core::{
     prelude::*,
     reference::{
         AdamsBashforth4, AdamsBashforthMoulton4, AdamsBashforthMoulton4Pec, BackwardEuler, ExplicitMidpoint,
-        ForwardEuler, GraggBulirschStoer, ImplicitMidpoint, RungeKutta4, StaggeredLeapfrog,
+        ForwardEuler, GraggBulirschStoer, ImplicitMidpoint, RungeKutta4, StaggeredLeapfrog, Stoermer4, StoermerCowell4,
     },
 };
 use motions::{apart, complete, ellipse, jacobi, pendulum};
@@ -88,6 +88,8 @@ macro_rules! for_each_method {
             AdamsBashforth4: 1_600, 4;
             AdamsBashforthMoulton4: 800, 4;
             AdamsBashforthMoulton4Pec: 1_600, 4;
+            Stoermer4: 800, 4;
+            StoermerCowell4: 400, 4;
             GraggBulirschStoer: 18, 8;
             Verlet: 400, 2;
             VelocityVerlet: 400, 2;

@@ -9,7 +9,7 @@ use integrator_core::{
     prelude::*,
     reference::{
         AdamsBashforthMoulton4, AnyReference, BackwardEuler, Bdf, DormandPrince5, DormandPrince8, ExplicitMidpoint,
-        ForwardEuler, GraggBulirschStoer, ImplicitMidpoint, RungeKutta4, StaggeredLeapfrog,
+        ForwardEuler, GraggBulirschStoer, ImplicitMidpoint, RungeKutta4, StaggeredLeapfrog, Stoermer4, StoermerCowell4,
     },
 };
 
@@ -155,16 +155,17 @@ fn a_defect_below_the_rounding_and_an_adaptive_method_are_not_certified() {
     defective(&Pendulum, Bdf { tolerance }, &SWING, false);
 }
 
+fn order<H: Hamiltonian, X: Method<H>>(system: &H, method: X, start: &Phase<H::Coords>, h: f64) {
+    let order = observed_order::<H, X, f64>(system, method, start.clone(), h);
+    let facts = method.facts();
+    let order = order.unwrap_or_else(|error| panic!("{}: {error}", facts.name));
+    let off = (order.slope - f64::from(facts.order)).abs();
+    // Four to eight points of a slope whose next term is of one order (or two) more.
+    assert!(off <= 0.3, "{}: {} of {order:?}", facts.name, facts.order);
+}
+
 #[test]
 fn errors_fall_with_the_order_that_is_claimed() {
-    fn order<H: Hamiltonian, X: Method<H>>(system: &H, method: X, start: &Phase<H::Coords>, h: f64) {
-        let order = observed_order::<H, X, f64>(system, method, start.clone(), h);
-        let facts = method.facts();
-        let order = order.unwrap_or_else(|error| panic!("{}: {error}", facts.name));
-        let off = (order.slope - f64::from(facts.order)).abs();
-        // Four to eight points of a slope whose next term is of one order (or two) more.
-        assert!(off <= 0.3, "{}: {} of {order:?}", facts.name, facts.order);
-    }
     macro_rules! orders {
         ($($method:ident $symplectic:literal;)*) => {$(
             order(&Pendulum, $method, &SWING, 0.1);
@@ -173,6 +174,31 @@ fn errors_fall_with_the_order_that_is_claimed() {
         )*};
     }
     with_fixed_steps!(orders);
+}
+
+/// Those for `q'' = a(q)` take any constant mass, and a force that reads the time.
+#[test]
+fn second_order_equations_have_methods_of_their_own() {
+    macro_rules! check {
+        ($($method:ident $forces:literal $gains:literal;)*) => {$({
+            order(&Pendulum, $method, &SWING, 0.05);
+            order(&Driven, $method, &SWING, 0.05);
+            order(&Oscillator { mass: 0.3 }, $method, &SWING, 0.02);
+            judged(&Pendulum, $method, &SWING, 0.2, false);
+            defective(&Driven, $method, &SWING, false);
+            let mut run = Oscillator { mass: 1.0 }.run_with($method, SWING, 0.7).expect("a start");
+            let energy = run.energy();
+            run.advance(200).expect("finite states");
+            assert_eq!(run.evaluations(), 200 * $forces, "{}", stringify!($method));
+            // In long steps the one loses energy and the other one gains it.
+            let change = run.energy() / energy;
+            assert!(if $gains { change > 1.05 } else { change < 0.5 }, "{}: {change}", stringify!($method));
+        })*};
+    }
+    check! {
+        Stoermer4 1 false;
+        StoermerCowell4 2 true;
+    }
 }
 
 #[test]

@@ -13,7 +13,7 @@ use crate::{
 
 macro_rules! any {
     ($($method:ident)*) => {
-        /// One of the methods of this module that are not implicit in a way of their own, as a value. Lists of methods
+        /// One of the methods of this module that take every Hamiltonian and are not implicit in a way of their own, as a value. Lists of methods
         /// take a fraction of the time to compile that way, and runs have the bits of the method itself.
         ///
         /// ```

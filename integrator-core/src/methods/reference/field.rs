@@ -16,6 +16,10 @@ use nalgebra::DMatrix;
 pub(crate) trait Field<R> {
     /// `f`: velocities, then forces.
     fn derivative(&self, y: &[R], time: f64) -> Vec<R>;
+    /// Velocities alone: work, where they cost no force, that is not counted.
+    fn velocity(&self, y: &[R], time: f64) -> Vec<R>;
+    /// Forces alone.
+    fn force(&self, y: &[R], time: f64) -> Vec<R>;
     /// `∂f/∂y` at plain numbers.
     fn jacobian(&self, y: &[f64], time: f64) -> DMatrix<f64>;
 }
@@ -65,6 +69,7 @@ impl<H: Hamiltonian> Generated<'_, H> {
 impl<H: Hamiltonian> Generated<'_, H> {
     /// The field that was written as such: it moves nothing by a unit of time, without rounding.
     fn of_whole<R: Real>(&self, y: &[R], time: f64) -> Vec<R> {
+        self.evaluations.set(self.evaluations.get() + 1);
         let half = y.len() / 2;
         let mut parameters = H::Parameters::<R>::gather(&vec![self.parameters; R::LANES]);
         parameters.begin_step(self.middle);
@@ -80,19 +85,35 @@ impl<H: Hamiltonian> Generated<'_, H> {
 
 impl<H: Hamiltonian, R: Real> Field<R> for Generated<'_, H> {
     fn derivative(&self, y: &[R], time: f64) -> Vec<R> {
-        self.evaluations.set(self.evaluations.get() + 1);
         if const { !H::SEPARABLE } {
             return self.of_whole(y, time);
         }
-        let (q, p) = y.split_at(y.len() / 2);
-        // A drift moves the positions by the velocities, and from zero without rounding; a kick the momenta by the forces.
-        let drifted =
-            self.flown::<R>(self.points(p, |point| &mut point.p), |motion| H::drift::<R, f64>(motion, 1.0, time));
-        let kicked =
-            self.flown::<R>(self.points(q, |point| &mut point.q), |motion| H::kick::<R, f64>(motion, 1.0, time));
-        let velocity = (0..q.len()).map(|i| R::state(&|lane| drifted[lane].q.flat()[i]));
-        let force = (0..p.len()).map(|i| R::state(&|lane| kicked[lane].p.flat()[i]));
-        velocity.chain(force).collect()
+        let mut derivative = self.velocity(y, time);
+        derivative.append(&mut self.force(y, time));
+        derivative
+    }
+
+    fn velocity(&self, y: &[R], time: f64) -> Vec<R> {
+        let half = y.len() / 2;
+        if const { !H::SEPARABLE } {
+            return self.of_whole(y, time)[..half].to_vec();
+        }
+        // A drift moves the positions by the velocities, and from zero without rounding.
+        let points = self.points(&y[half..], |point| &mut point.p);
+        let drifted = self.flown::<R>(points, |motion| H::drift::<R, f64>(motion, 1.0, time));
+        (0..half).map(|i| R::state(&|lane| drifted[lane].q.flat()[i])).collect()
+    }
+
+    fn force(&self, y: &[R], time: f64) -> Vec<R> {
+        let half = y.len() / 2;
+        if const { !H::SEPARABLE } {
+            return self.of_whole(y, time)[half..].to_vec();
+        }
+        self.evaluations.set(self.evaluations.get() + 1);
+        // A kick moves the momenta by the forces.
+        let points = self.points(&y[..half], |point| &mut point.q);
+        let kicked = self.flown::<R>(points, |motion| H::kick::<R, f64>(motion, 1.0, time));
+        (0..half).map(|i| R::state(&|lane| kicked[lane].p.flat()[i])).collect()
     }
 
     fn jacobian(&self, y: &[f64], time: f64) -> DMatrix<f64> {

@@ -40,13 +40,12 @@ impl Recipe for StaggeredLeapfrog {
         };
         let ahead = match memory.take() {
             Some(ahead) => ahead,
-            None => kicked(p, &from.derivative()[q.len()..], h / 2.0),
+            None => kicked(p, &field.force(y, time), h / 2.0),
         };
         let middle: Vec<R> = q.iter().chain(&ahead).copied().collect();
-        let corrections: Vec<R> =
-            field.derivative(&middle, time + h / 2.0)[..q.len()].iter().map(|v| R::of(h) * *v).collect();
+        let corrections: Vec<R> = field.velocity(&middle, time + h / 2.0).into_iter().map(|v| R::of(h) * v).collect();
         let end: Vec<R> = q.iter().zip(&corrections).map(|(q, d)| *q + *d).chain(ahead.iter().copied()).collect();
-        let force = field.derivative(&end, time + h)[q.len()..].to_vec();
+        let force = field.force(&end, time + h);
         let shown = kicked(&ahead, &force, h / 2.0);
         let increment = corrections.into_iter().chain(shown.iter().zip(p).map(|(shown, p)| *shown - *p)).collect();
         *memory = Some(kicked(&ahead, &force, h));

@@ -16,6 +16,8 @@
 //! | [`AdamsBashforth4`] | 4 | no | past forces in place of stages: one force a step |
 //! | [`AdamsBashforthMoulton4`] | 4 | no | a predictor and a corrector over past forces, at two forces a step (PECE) |
 //! | [`AdamsBashforthMoulton4Pec`] | 4 | no | the same, remembering the predicted force: one a step (PEC) |
+//! | [`Stoermer4`] | 4 | no | past forces in `q'' = a(q)`: with one of them it would be the leapfrog |
+//! | [`StoermerCowell4`] | 4 | no | a predictor and a corrector of the same kind (PECE) |
 //! | [`GraggBulirschStoer`] | 8 | no | extrapolation of modified midpoint steps |
 //! | [`DormandPrince5`], [`DormandPrince8`] | 5, 8 | no | steps chosen by a tolerance |
 //! | [`Bdf`] | 1 to 5 | no | backward differences for stiff systems (Gear) |
@@ -23,7 +25,9 @@
 //! The last three come from the crate `differential-equations`, which has all of them on plain vectors; they cover each
 //! step `h` of the run by steps of their own, and begin anew with the next.
 //!
-//! [`AnyReference`] is any of them but the implicit ones, as a value of one type.
+//! [`Stoermer4`] and [`StoermerCowell4`] ask for `H = T(p) + V(q)` with `T` quadratic in `p`, all others for no more than a Hamiltonian.
+//!
+//! [`AnyReference`] is any of these others but the implicit ones, as a value of one type.
 //!
 //! They are made to be compared with and not to be fast: each evaluation of the field loads a motion, and there is code
 //! for the baseline of the target alone. Their work is counted in evaluations.
@@ -59,6 +63,7 @@ mod field;
 mod leapfrog;
 mod multistep;
 mod runge_kutta;
+mod stoermer;
 mod walk;
 
 pub use super::implicit::{BackwardEuler, GaussLegendre4, GaussLegendre6, ImplicitMidpoint};
@@ -68,6 +73,7 @@ pub use extrapolation::GraggBulirschStoer;
 pub use leapfrog::StaggeredLeapfrog;
 pub use multistep::{AdamsBashforth4, AdamsBashforthMoulton4, AdamsBashforthMoulton4Pec};
 pub use runge_kutta::{ExplicitMidpoint, ForwardEuler, RungeKutta4};
+pub use stoermer::{Stoermer4, StoermerCowell4};
 
 use crate::{
     hamiltonian::Hamiltonian,
