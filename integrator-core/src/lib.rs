@@ -242,7 +242,12 @@ pub mod __private {
     pub use crate::state::coords::column_names;
     #[cfg(all(feature = "checkpoint", feature = "std"))]
     pub use crate::{
-        ensemble::checkpoint::{joined, part_of},
+        ensemble::{
+            checkpoint::{joined, part_of},
+            elsewhere::{
+                Elsewhere, MemberElsewhere, begin, come_back, divergence, energy_in, leave, steps_before, under_way,
+            },
+        },
         trajectory::checkpoint::{coordinates, numbers, write_whole},
     };
 

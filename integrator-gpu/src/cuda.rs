@@ -129,6 +129,21 @@ impl Members {
         self.stream.memcpy_dtov(&self.other).map_err(call)
     }
 
+    /// The states in the middle of the step under way.
+    pub(crate) fn unfinished(&self) -> Result<Vec<f64>, Error> {
+        self.stream.memcpy_dtov(&self.state).map_err(call)
+    }
+
+    /// Goes on from other states.
+    pub(crate) fn restart(&mut self, state: &[f64]) -> Result<(), Error> {
+        self.stream.memcpy_htod(state, &mut self.state).map_err(call)
+    }
+
+    /// Takes no more steps with those of whom `lost` is not zero.
+    pub(crate) fn hold(&mut self, lost: &[u64]) -> Result<(), Error> {
+        self.stream.memcpy_htod(lost, &mut self.lost).map_err(call)
+    }
+
     fn run(&mut self, launch: &Launch, advances: bool) -> Result<(), Error> {
         let Self { stream, advance, show, stages, constants, state, other, lost, blocks } = self;
         let mut arguments = stream.launch_builder(if advances { advance } else { show });

@@ -1,18 +1,24 @@
 //! An ensemble on a device, with the methods of the one on the processor.
+//!
+//! Always true: one on the processor stands beside it. It judged the members, has those that are no longer under way, and takes
+//! the others over for whatever is no whole step: energies, checkpoints, members between two steps.
 
 use crate::{
     column::read_column,
     columns::{columns, constants},
-    cuda,
     error::Error,
-    host::{self, Memory},
+    host::Memory,
     launch::Launch,
+    place::Place,
 };
 use integrator_core::{
-    __private::{Composition, Coords, DeviceText, LaneScalars, Motion, Precision, Real},
-    Ensemble as OnProcessor, Error as CoreError, InLanes, Phase,
+    __private::{
+        Composition, Coords, DeviceText, Elsewhere, LaneScalars, MemberElsewhere, Precision, begin, come_back,
+        divergence, leave, steps_before,
+    },
+    Ensemble as OnProcessor, Error as CoreError, InLanes, Lost, Memoryless, Phase,
 };
-use std::{env, fs, path::PathBuf};
+use std::collections::BTreeMap;
 
 /// Where an ensemble is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -25,26 +31,37 @@ pub enum Device {
     Text,
 }
 
-/// What takes the steps.
-enum Place<C: Coords> {
-    Cuda(Box<cuda::Members>),
-    Text(PathBuf, Box<Memory>),
-    Processor(Box<OnProcessor<C>>),
+/// Where a member ended that is lost or gone.
+#[derive(Clone, Debug)]
+pub(crate) struct Ended<C> {
+    pub(crate) steps: u64,
+    pub(crate) time: f64,
+    pub(crate) state: Phase<C>,
 }
-
-/// The energy of a member in a state at a time.
-type Energies<C> = Box<dyn Fn(usize, &Phase<C>, f64) -> f64>;
 
 /// Trajectories of one kind of system under way together on a device.
 ///
 /// A member has the bits of its run alone on a processor with fused multiply-add, as far as its functions stay with the
 /// kernels: the arguments that these leave to the maths library are left to that of CUDA.
+///
+/// Methods take `&mut self` and may fail where those of the ensemble on the processor do not, since they ask the device.
 pub struct Ensemble<C: Coords> {
-    place: Place<C>,
-    launch: Launch,
-    starts: Vec<Phase<C>>,
-    lost: Vec<u64>,
-    energies: Energies<C>,
+    /// Nothing where the members stay on the processor.
+    pub(crate) place: Option<Place>,
+    pub(crate) processor: OnProcessor<C>,
+    /// A state, in whose shape others are read.
+    shape: Phase<C>,
+    /// The clock of the device, which begins where the states were last changed from outside.
+    pub(crate) launch: Launch,
+    t0: f64,
+    /// How many steps were done then.
+    opened: u64,
+    /// Those that are no longer under way, and have a place.
+    pub(crate) ended: BTreeMap<usize, Ended<C>>,
+    /// Whether the processor has the members where the device has them.
+    is_here: bool,
+    /// Whether the processor shows them between two steps.
+    pub(crate) is_between: bool,
     fallback: Option<Error>,
 }
 
@@ -55,7 +72,7 @@ impl<C: Coords> Ensemble<C> {
     /// As [`Ensemble::on`].
     pub fn new<H, X>(composition: X, members: impl IntoIterator<Item = (H, Phase<C>)>, h: f64) -> Result<Self, Error>
     where
-        H: DeviceText + 'static,
+        H: DeviceText,
         X: Composition<H> + InLanes<H>,
         C::Leaf: LaneScalars,
         H::Coords: Coords<With<C::Leaf> = C>,
@@ -75,39 +92,73 @@ impl<C: Coords> Ensemble<C> {
         h: f64,
     ) -> Result<Self, Error>
     where
-        H: DeviceText + 'static,
+        H: DeviceText,
         X: Composition<H> + InLanes<H>,
         C::Leaf: LaneScalars,
         H::Coords: Coords<With<C::Leaf> = C>,
     {
-        let (systems, starts): (Vec<H>, Vec<Phase<C>>) = members.into_iter().unzip();
-        let parameters: Vec<_> =
-            systems.iter().zip(&starts).map(|(system, start)| system.parameters(start.q.length())).collect();
-        // It judges members and steps.
-        let on_processor = OnProcessor::new(composition, systems.into_iter().zip(starts.iter().cloned()), h)?;
-        let (launch, stages) = Launch::new::<H, X, C::Leaf>(h, starts.len());
-        let memory = Memory {
-            stages,
-            constants: constants::<H>(&parameters),
-            state: columns(&starts),
-            shown: Vec::new(),
-            lost: vec![0; starts.len()],
-        };
-        let on_device = |ordinal| {
-            let members = cuda::Members::new(ordinal, H::TEXT, C::Leaf::NAME, &memory)?;
-            Ok(Place::Cuda(Box::new(members)))
-        };
+        let members: Vec<_> = members.into_iter().collect();
+        let constants = constants_of(members.iter().map(|(system, _)| system));
+        Self::of::<H, X>(device, OnProcessor::new(composition, members, h)?, constants)
+    }
+
+    /// The ensemble that a checkpoint was made of, of this kind or on a processor, with the method and the systems that it was
+    /// begun with: see [`OnProcessor::resume`].
+    ///
+    /// # Errors
+    /// [`Error::Checkpoint`] for the reasons of an ensemble on the processor, and as [`Ensemble::on`].
+    pub fn resume<H, X>(
+        device: Device,
+        composition: X,
+        systems: impl IntoIterator<Item = H>,
+        checkpoint: &[u8],
+    ) -> Result<Self, Error>
+    where
+        H: DeviceText,
+        X: Composition<H> + InLanes<H> + Memoryless<H>,
+        C::Leaf: LaneScalars,
+        H::Coords: Coords<With<C::Leaf> = C>,
+    {
+        let systems: Vec<H> = systems.into_iter().collect();
+        let constants = constants_of(systems.iter());
+        let processor = OnProcessor::resume(composition, systems, checkpoint);
+        Self::of::<H, X>(device, processor.map_err(|error| Error::Checkpoint(error.to_string()))?, constants)
+    }
+
+    /// The members of an ensemble on the processor, moved to a device.
+    fn of<H, X>(device: Device, processor: OnProcessor<C>, constants: Vec<f64>) -> Result<Self, Error>
+    where
+        H: DeviceText,
+        X: Composition<H>,
+        H::Coords: Coords<With<C::Leaf> = C>,
+    {
+        let Elsewhere { t0, h, steps, opened, members } = leave(&processor);
+        let (mut launch, stages) = Launch::new::<H, X, C::Leaf>(h, members.len());
+        launch.done = steps - opened;
+        let (state, lost) = (columns(&states_of(&members)), members.iter().map(held).collect());
+        let memory = Memory { stages, constants, state, shown: Vec::new(), lost };
         let (place, fallback) = match device {
-            Device::Cuda(ordinal) => (on_device(ordinal)?, None),
-            Device::Best => match on_device(0) {
-                Ok(place) => (place, None),
-                Err(reason) => (Place::Processor(Box::new(on_processor)), Some(reason)),
+            Device::Cuda(ordinal) => (Some(Place::device(ordinal, H::TEXT, C::Leaf::NAME, &memory)?), None),
+            Device::Best => match Place::device(0, H::TEXT, C::Leaf::NAME, &memory) {
+                Ok(place) => (Some(place), None),
+                Err(reason) => (None, Some(reason)),
             },
-            Device::Text => (Place::Text(program(H::TEXT, H::FINGERPRINT)?, Box::new(memory.clone())), None),
+            Device::Text => (Some(Place::program(H::TEXT, H::FINGERPRINT, C::Leaf::NAME, memory)?), None),
         };
-        let energies: Energies<C> =
-            Box::new(move |member, state, time| energy::<H, C>(&parameters[member], state, time));
-        Ok(Self { place, launch, lost: vec![0; starts.len()], starts, energies, fallback })
+        let shape = members[0].1.clone();
+        let ended = members.into_iter().enumerate().filter_map(ended).collect();
+        let (is_here, is_between) = (true, false);
+        let ensemble = Self { place, processor, shape, launch, t0, opened, ended, is_here, is_between, fallback };
+        Ok(ensemble.at_time(t0))
+    }
+
+    /// Starts the clock at `t0` instead of 0. A `t0` that is not finite is reported by the first `advance`.
+    #[must_use]
+    pub fn at_time(mut self, t0: f64) -> Self {
+        self.processor = self.processor.at_time(t0);
+        self.t0 = t0;
+        self.launch.t0 = self.time_after(self.opened);
+        self
     }
 
     /// Why the members are on the processor, if [`Device::Best`] put them there.
@@ -118,130 +169,205 @@ impl<C: Coords> Ensemble<C> {
     /// Takes `steps` steps with every member that is under way.
     ///
     /// # Errors
-    /// [`Error::Lost`] names the members that left the finite numbers in these steps; the others have taken them.
-    /// [`Error::Call`] and [`Error::Program`] where the device fails.
+    /// [`Error::Lost`] names the members that left the finite numbers in these steps, each with its last finite state; the
+    /// others have taken them. [`Error::Core`] for what leaves the ensemble as it was: a time that is not finite, steps that
+    /// cannot be counted, a start without an energy. [`Error::Call`] and [`Error::Program`] where the device fails.
     pub fn advance(&mut self, steps: u64) -> Result<(), Error> {
-        let done = self.launch.done;
-        let end = done.checked_add(steps).ok_or(CoreError::Steps { done, asked: steps })?;
+        let done = self.steps();
+        let Some(place) = &mut self.place else { return Ok(self.processor.advance(steps)?) };
+        begin(&mut self.processor, done, steps)?;
+        self.is_between = false;
         if steps == 0 {
             return Ok(());
         }
+        self.is_here = false;
         self.launch.steps = steps;
-        let lost = match &mut self.place {
-            Place::Cuda(members) => members.advance(&self.launch)?,
-            Place::Text(program, memory) => {
-                let mut jobs = [(number_of(C::Leaf::NAME), self.launch, (**memory).clone())];
-                Memory::run(program, &mut jobs).map_err(|error| Error::Program(error.to_string()))?;
-                let [(_, _, ran)] = jobs;
-                **memory = ran;
-                memory.lost.clone()
+        let lost = place.advance(&self.launch)?;
+        self.launch.done += steps;
+        let newly = lost.iter().enumerate().filter(|(member, lost)| **lost > 0 && !self.ended.contains_key(member));
+        let newly: Vec<_> = newly.map(|(member, lost)| (member, self.opened + lost - 1)).collect();
+        if newly.is_empty() { Ok(()) } else { Err(Error::Lost(self.lose(&newly)?)) }
+    }
+
+    /// Notes members that are lost, each with its last finite step, and reports on them.
+    fn lose(&mut self, newly: &[(usize, u64)]) -> Result<Lost, Error> {
+        let (unfinished, shown) = match &mut self.place {
+            Some(place) => (place.unfinished()?, place.show(&self.launch)?),
+            None => (Vec::new(), Vec::new()),
+        };
+        let mut members = Vec::with_capacity(newly.len());
+        for (member, steps) in newly.iter().copied() {
+            let [last, state] = [&unfinished, &shown].map(|columns| self.read(columns, member));
+            members.push((member, divergence(&self.processor, member, (steps, self.opened), &last)?));
+            self.ended.insert(member, Ended { steps, time: self.time_after(steps), state });
+        }
+        Ok(Lost { members })
+    }
+
+    /// As [`Ensemble::advance`], but after every `interval` steps each member under way is brought to the processor and shown to
+    /// `stays`, and those for which it returns `false` stay where they are.
+    ///
+    /// # Errors
+    /// As [`Ensemble::advance`]; [`Error::Core`] for an interval of 0.
+    pub fn advance_while(
+        &mut self,
+        steps: u64,
+        interval: u64,
+        stays: impl Fn(usize, &Phase<C>) -> bool + Sync,
+    ) -> Result<(), Error> {
+        if self.place.is_none() {
+            return Ok(self.processor.advance_while(steps, interval, stays)?);
+        }
+        if interval == 0 {
+            return Err(CoreError::SampleInterval.into());
+        }
+        let done = self.steps();
+        begin(&mut self.processor, done, steps)?;
+        let (mut left, mut lost) = (steps, Vec::new());
+        while left > 0 {
+            let block = interval.min(left);
+            match self.advance(block) {
+                Err(Error::Lost(Lost { members })) => lost.extend(members),
+                outcome => outcome?,
             }
-            Place::Processor(ensemble) => match ensemble.advance(steps) {
-                Ok(()) => self.lost.clone(),
-                Err(CoreError::Lost(lost)) => {
-                    let mut now = self.lost.clone();
-                    lost.members.iter().for_each(|(member, _)| {
-                        now[*member] = ensemble.steps_of(*member).unwrap_or_default() + 1;
-                    });
-                    now
-                }
-                Err(error) => return Err(error.into()),
-            },
+            left -= block;
+            if block == interval {
+                self.let_go(&stays)?;
+            }
+        }
+        lost.sort_unstable_by_key(|(member, _)| *member);
+        if lost.is_empty() { Ok(()) } else { Err(Error::Lost(Lost { members: lost })) }
+    }
+
+    /// Lets those members go that do not stay.
+    fn let_go(&mut self, stays: &impl Fn(usize, &Phase<C>) -> bool) -> Result<(), Error> {
+        let (steps, time, before) = (self.steps(), self.time(), self.ended.len());
+        for (member, state) in self.states()?.into_iter().enumerate() {
+            if !self.ended.contains_key(&member) && !stays(member, &state) {
+                self.ended.insert(member, Ended { steps, time, state });
+            }
+        }
+        if self.ended.len() == before { Ok(()) } else { self.hold() }
+    }
+
+    /// Takes no more steps with those that have ended.
+    fn hold(&mut self) -> Result<(), Error> {
+        let held: Vec<_> = (0..self.len()).map(|member| u64::from(self.ended.contains_key(&member))).collect();
+        self.place.as_mut().map_or(Ok(()), |place| place.hold(&held))
+    }
+
+    /// Goes with every member under way to a time, to the rounding: by whole steps on the device, and from there each on a copy
+    /// on the processor, as [`OnProcessor::advance_to`] does.
+    ///
+    /// # Errors
+    /// [`Error::Core`] for a time that is not finite or has passed, and as [`Ensemble::advance`].
+    pub fn advance_to(&mut self, time: f64) -> Result<(), Error> {
+        if self.place.is_none() {
+            return Ok(self.processor.advance_to(time)?);
+        }
+        let mut lost = Vec::new();
+        match self.advance(steps_before(&self.processor, self.steps(), time)?) {
+            Err(Error::Lost(Lost { members })) => lost.extend(members),
+            outcome => outcome?,
+        }
+        self.bring()?;
+        self.is_between = true;
+        if let Err(error) = self.processor.advance_to(time) {
+            let CoreError::Lost(Lost { members }) = error else { return Err(error.into()) };
+            lost.extend(members);
+            // They left in the shorter step, beyond the last one of all.
+            self.ended = leave(&self.processor).members.into_iter().enumerate().filter_map(ended).collect();
+            self.hold()?;
+        }
+        lost.sort_unstable_by_key(|(member, _)| *member);
+        if lost.is_empty() { Ok(()) } else { Err(Error::Lost(Lost { members: lost })) }
+    }
+
+    /// Changes the states of the members that are under way, one after the other, on the processor: see
+    /// [`OnProcessor::map_states`].
+    ///
+    /// # Errors
+    /// [`Error::Core`] for the reasons of an ensemble on the processor, and [`Error::Call`] and [`Error::Program`].
+    pub fn map_states(&mut self, map: impl FnMut(usize, &mut Phase<C>)) -> Result<(), Error> {
+        self.bring()?;
+        self.processor.map_states(map)?;
+        let Elsewhere { steps, members, .. } = leave(&self.processor);
+        if let Some(place) = &mut self.place {
+            (self.opened, self.launch.done, self.is_between) = (steps, 0, false);
+            self.launch.t0 = self.t0 + steps as f64 * self.launch.h;
+            place.restart(&columns(&states_of(&members)))?;
+        }
+        Ok(())
+    }
+
+    /// Everything that this ensemble is, as bytes from which [`Ensemble::resume`] goes on, or [`OnProcessor::resume`] without a
+    /// device: they are those of an ensemble on the processor.
+    ///
+    /// # Errors
+    /// [`Error::Call`] and [`Error::Program`]
+    pub fn checkpoint(&mut self) -> Result<Vec<u8>, Error> {
+        Ok(self.on_processor()?.checkpoint())
+    }
+
+    /// The members on the processor, where they are now, for all that is no step: [`OnProcessor::run_of`] a member,
+    /// [`OnProcessor::invariant`], [`OnProcessor::present`].
+    ///
+    /// # Errors
+    /// [`Error::Call`] and [`Error::Program`]
+    pub fn on_processor(&mut self) -> Result<&OnProcessor<C>, Error> {
+        self.bring()?;
+        Ok(&self.processor)
+    }
+
+    /// Brings the members to the processor, from where the device has them.
+    fn bring(&mut self) -> Result<(), Error> {
+        let Some(place) = self.place.as_ref().filter(|_| !self.is_here) else { return Ok(()) };
+        let columns = place.unfinished()?;
+        let member = |member| match self.ended.get(&member) {
+            Some(Ended { steps, time, state }) => (Some((*steps, *time)), state.clone()),
+            None => (None, self.read(&columns, member)),
         };
-        self.launch.done = end;
-        let newly = lost.iter().zip(&self.lost).enumerate().filter(|(_, (now, before))| now != before);
-        let newly: Vec<_> = newly.map(|(member, (now, _))| (member, now - 1)).collect();
-        self.lost = lost;
-        if newly.is_empty() { Ok(()) } else { Err(Error::Lost(newly)) }
+        let members: Vec<MemberElsewhere<C>> = (0..self.len()).map(member).collect();
+        come_back(&mut self.processor, self.opened + self.launch.done, self.opened, &members);
+        self.is_here = true;
+        Ok(())
     }
 
-    /// The number of members.
-    pub fn len(&self) -> usize {
-        self.starts.len()
+    /// A member of the columns of all.
+    pub(crate) fn read(&self, columns: &[f64], member: usize) -> Phase<C> {
+        let mut state = self.shape.clone();
+        read_column(columns, self.len(), member, &mut state);
+        state
     }
 
-    /// Whether there are no members, which no constructor admits.
-    pub fn is_empty(&self) -> bool {
-        self.starts.is_empty()
-    }
-
-    /// The members that were lost, each with its last finite step.
-    pub fn lost(&self) -> Vec<(usize, u64)> {
-        let lost = self.lost.iter().enumerate();
-        lost.filter_map(|(member, lost)| Some((member, lost.checked_sub(1)?))).collect()
-    }
-
-    /// The number of steps that the members under way have done.
+    /// How many steps the members that are under way have taken.
     pub fn steps(&self) -> u64 {
-        let Launch { done, .. } = self.launch;
-        done
+        if self.place.is_some() { self.opened + self.launch.done } else { self.processor.steps() }
     }
 
-    /// The time of the members under way.
-    pub fn time(&self) -> f64 {
-        self.time_after(self.launch.done)
-    }
-
-    /// The states of all members; of those who are lost the last finite ones.
-    ///
-    /// # Errors
-    /// [`Error::Call`] where the device fails.
-    pub fn states(&mut self) -> Result<Vec<Phase<C>>, Error> {
-        let columns = match &mut self.place {
-            Place::Cuda(members) => members.show(&self.launch)?,
-            Place::Text(_, memory) if memory.shown.is_empty() => memory.state.clone(),
-            Place::Text(_, memory) => memory.shown.clone(),
-            Place::Processor(ensemble) => return Ok(ensemble.states().collect()),
-        };
-        let mut states = self.starts.clone();
-        let members = states.len();
-        states.iter_mut().enumerate().for_each(|(member, state)| read_column(&columns, members, member, state));
-        Ok(states)
-    }
-
-    /// The energies of all members, computed on the processor from their states.
-    ///
-    /// # Errors
-    /// [`Error::Call`] where the device fails.
-    pub fn energies(&mut self) -> Result<Vec<f64>, Error> {
-        let states = self.states()?;
-        let time = |member: usize| self.time_after(self.lost[member].checked_sub(1).unwrap_or(self.launch.done));
-        Ok(states.iter().enumerate().map(|(member, state)| (self.energies)(member, state, time(member))).collect())
-    }
-
-    fn time_after(&self, steps: u64) -> f64 {
-        self.launch.t0 + steps as f64 * self.launch.h
+    /// The time after so many steps.
+    pub(crate) fn time_after(&self, steps: u64) -> f64 {
+        self.t0 + steps as f64 * self.launch.h
     }
 }
 
-/// The energy of a state, in the scalar of energies.
-fn energy<H, C: Coords>(parameters: &H::Parameters<f64>, state: &Phase<C>, time: f64) -> f64
-where
-    H: DeviceText,
-    H::Coords: Coords<With<C::Leaf> = C>,
-{
-    type Energy<C> = <<C as Coords>::Leaf as Precision>::Energy;
-    let motion = <H::Motion<Energy<C>, C::Leaf> as Motion<C, _>>::load(&[parameters], &[state]);
-    let kinetic = H::kinetic::<Energy<C>, C::Leaf>(&motion, time);
-    (kinetic + H::potential::<Energy<C>, C::Leaf>(&motion, time)).lane(0)
+/// A member that has ended.
+fn ended<C: Coords>((member, (ended, state)): (usize, MemberElsewhere<C>)) -> Option<(usize, Ended<C>)> {
+    ended.map(|(steps, time)| (member, Ended { steps, time, state }))
 }
 
-/// The number of a precision in the program of one system.
-fn number_of(precision: &str) -> u64 {
-    match precision {
-        "f32" => 1,
-        "compensated f64" => 2,
-        _ => 0,
-    }
+/// The states of members.
+fn states_of<C: Coords>(members: &[MemberElsewhere<C>]) -> Vec<Phase<C>> {
+    members.iter().map(|(_, state)| state.clone()).collect()
 }
 
-/// The program of one system, in a folder of its own.
-fn program(text: &str, fingerprint: u64) -> Result<PathBuf, Error> {
-    let failed = |error: std::io::Error| Error::Program(error.to_string());
-    let compiler =
-        host::compiler().ok_or_else(|| Error::Program("no C++ compiler is installed: set CXX".to_owned()))?;
-    let folder = env::temp_dir().join(format!("integrator-gpu-{fingerprint:016x}-{}", std::process::id()));
-    fs::create_dir_all(&folder).map_err(failed)?;
-    let text = host::program(&[("one", text)], &host::serving(&["one"]));
-    host::compile(&compiler, &text, &folder).map_err(failed)
+/// Whether a device takes no steps with a member, as it notes that.
+fn held<C: Coords>((ended, _): &MemberElsewhere<C>) -> u64 {
+    u64::from(ended.is_some())
+}
+
+/// The prepared constants of systems, as columns; how many coordinates these have is known.
+fn constants_of<'s, H: DeviceText + 's>(systems: impl Iterator<Item = &'s H>) -> Vec<f64> {
+    let length = <H::Coords as Coords>::LENGTH.unwrap_or_default();
+    constants::<H>(&systems.map(|system| system.parameters(length)).collect::<Vec<_>>())
 }

@@ -1,6 +1,6 @@
 //! What can go wrong between members and a device.
 
-use integrator_core::Error as CoreError;
+use integrator_core::{Error as CoreError, Lost};
 
 /// What an ensemble on a device cannot do, and what to do about it.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
@@ -8,7 +8,7 @@ use integrator_core::Error as CoreError;
 pub enum Error {
     /// A member or a step is refused, for the reasons of an ensemble on the processor.
     #[error(transparent)]
-    Core(#[from] CoreError),
+    Core(CoreError),
     /// The library of NVIDIA's driver is not installed, or cannot be loaded.
     #[error(
         "no NVIDIA driver: libcuda cannot be loaded; install the driver, or take `Device::Best`, which falls back to the processor"
@@ -35,7 +35,20 @@ pub enum Error {
     /// The program that takes the place of a device could not be made or run.
     #[error("the program of the text for devices: {0}")]
     Program(String),
-    /// Members left the finite numbers, each with the number of its last finite step; they stay there, the others have gone on.
-    #[error("{} members left the finite numbers, the first of them member {}", .0.len(), .0.first().map_or(0, |lost| lost.0))]
-    Lost(Vec<(usize, u64)>),
+    /// The checkpoint is of other members or by another method, or damaged.
+    #[error("{0}")]
+    Checkpoint(String),
+    /// Members left the finite numbers, each with its last finite state; they stay there, the others have gone on.
+    #[error(transparent)]
+    Lost(Lost),
+}
+
+/// Members that are lost have a name of their own, wherever they were.
+impl From<CoreError> for Error {
+    fn from(error: CoreError) -> Self {
+        match error {
+            CoreError::Lost(lost) => Self::Lost(lost),
+            other => Self::Core(other),
+        }
+    }
 }

@@ -14,6 +14,8 @@ mod ensemble;
 mod error;
 mod host;
 mod launch;
+mod looks;
+mod place;
 
 pub use ensemble::{Device, Ensemble};
 pub use error::Error;

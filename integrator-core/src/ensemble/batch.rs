@@ -308,6 +308,12 @@ impl Batch {
         Alone { engine, opened: self.opened, opened_at: self.opened_at[index] }
     }
 
+    /// A member alone, from a state in the middle of the step under way, in the coordinates of its motion.
+    #[cfg(feature = "checkpoint")]
+    pub(crate) fn alone_from(&self, member: usize, state: &dyn Point) -> Engine {
+        Engine::of_member(load_own(&*self.engine.motions, vec![(member, state)]), member)
+    }
+
     /// Takes a member out of the lanes that was lost beyond the steps of all.
     pub(crate) fn lose(&mut self, member: usize, finish: Finish) {
         self.finished[member - self.first] = Some(finish);

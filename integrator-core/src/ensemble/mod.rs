@@ -8,6 +8,9 @@ pub(crate) mod batches;
 #[cfg(feature = "checkpoint")]
 #[allow(unreachable_pub, reason = "what other crates of this repository call is reached by the private API")]
 pub(crate) mod checkpoint;
+#[cfg(feature = "checkpoint")]
+#[allow(unreachable_pub, reason = "what other crates of this repository call is reached by the private API")]
+pub(crate) mod elsewhere;
 pub(crate) mod energies;
 #[allow(unreachable_pub, reason = "named in bounds, never outside")]
 pub(crate) mod in_lanes;

@@ -2,7 +2,7 @@
 //! device every test says that it was skipped.
 
 use integrator_core::{Coords, Ensemble as OnProcessor, InstructionSet, prelude::*};
-use integrator_gpu::{Ensemble, Error as GpuError};
+use integrator_gpu::{Device, Ensemble, Error as GpuError};
 use std::time::Instant;
 
 struct Pendulum {
@@ -94,10 +94,29 @@ fn who_is_lost_is_named() {
     let members = || [1.0, 0.0].map(|q| (Runaway, Phase::new([q], [0.0])));
     let Some(mut device) = on_device(Ensemble::new(Verlet, members(), 0.01)) else { return };
     let mut processor = OnProcessor::new(Verlet, members(), 0.01).expect("an ensemble");
-    processor.advance(1_000).expect_err("somebody is lost");
-    let lost = vec![(0, processor.steps_of(0).expect("a member"))];
+    let Err(Error::Lost(lost)) = processor.advance(1_000) else { panic!("somebody is lost") };
     assert_eq!(device.advance(1_000), Err(GpuError::Lost(lost)));
     assert_eq!(device.states().expect("states")[0], processor.state(0).expect("a member"));
+}
+
+#[test]
+fn a_checkpoint_of_the_device_goes_on_on_the_processor_and_back() {
+    let systems = || pendulums(1_000).map(|(system, _)| system);
+    let Some(mut device) = on_device(Ensemble::new(Yoshida4, pendulums(1_000), 0.01)) else { return };
+    device.advance(1_000).expect("finite");
+    let bytes = device.checkpoint().expect("a checkpoint");
+    let mut processor = OnProcessor::<[f64; 1]>::resume(Yoshida4, systems(), &bytes).expect("an ensemble");
+    let Some(mut back) = on_device(Ensemble::<[f64; 1]>::resume(Device::Cuda(0), Yoshida4, systems(), &bytes)) else {
+        return;
+    };
+    for ensemble in [&mut device, &mut back] {
+        ensemble.advance(1_000).expect("finite");
+    }
+    assert_eq!(device.states(), back.states());
+    if InstructionSet::chosen() == InstructionSet::Fused {
+        processor.advance(1_000).expect("finite");
+        assert_eq!(device.states().expect("states"), processor.states().collect::<Vec<_>>());
+    }
 }
 
 /// Prints members × steps per second; it holds nothing, since what a card can do depends on the card.

@@ -1,0 +1,115 @@
+//! Ensembles whose steps are taken elsewhere, as on a device: how members leave one in the middle of the step under way, how
+//! they come back, and what it says of steps that it does not take itself.
+
+use crate::{
+    ensemble::{
+        Ensemble,
+        members::{Finished, of_member},
+    },
+    error::{Divergence, Error},
+    state::{clock::Clock, coords::Coords, flat::flat, phase::Phase, point::shaped},
+    trajectory::run::Run,
+};
+use alloc::vec::Vec;
+
+/// A member: after how many steps it was lost or gone and when, if it is; and its state, in the middle of the step under way
+/// unless it is.
+pub type MemberElsewhere<C> = (Option<(u64, f64)>, Phase<C>);
+
+/// All that steps have to know of the members of an ensemble.
+pub struct Elsewhere<C: Coords> {
+    /// The time at which the clock started.
+    pub t0: f64,
+    /// The step.
+    pub h: f64,
+    /// How many steps those under way have taken.
+    pub steps: u64,
+    /// After how many the states were last changed from outside.
+    pub opened: u64,
+    /// The members, in their order.
+    pub members: Vec<MemberElsewhere<C>>,
+}
+
+/// The members of an ensemble, for steps elsewhere.
+pub fn leave<C: Coords>(ensemble: &Ensemble<C>) -> Elsewhere<C> {
+    let mut members = Vec::with_capacity(ensemble.len());
+    ensemble.members.unfinished(&mut |finished, state| {
+        members.push((finished.map(|Finished { steps, time }| (steps, time)), shaped::<C>(state).clone()));
+    });
+    let Clock { t0, h, steps } = ensemble.members.clock;
+    Elsewhere { t0, h, steps, opened: ensemble.members.opened(), members }
+}
+
+/// Lets members go on where steps elsewhere have led them: after so many steps of all, since the states were changed after
+/// `opened` of them.
+pub fn come_back<C: Coords>(ensemble: &mut Ensemble<C>, steps: u64, opened: u64, members: &[MemberElsewhere<C>]) {
+    let clock = Clock { steps, ..ensemble.members.clock };
+    ensemble.members.between = None;
+    ensemble.members.resume(clock, opened, &|member| &members[member].1, &|member| {
+        members[member].0.map(|(steps, time)| Finished { steps, time })
+    });
+}
+
+/// How many steps are done after `steps` more than the `done` ones that were taken elsewhere.
+///
+/// # Errors
+/// Those of [`Ensemble::advance`] that it returns before the first step.
+pub fn begin<C: Coords>(ensemble: &mut Ensemble<C>, done: u64, steps: u64) -> Result<u64, Error> {
+    ensemble.members.clock.steps = done;
+    let end = ensemble.members.clock.end(steps)?;
+    ensemble.members.check_starts()?;
+    ensemble.members.between = None;
+    Ok(end)
+}
+
+/// How many more steps than the `done` ones do not lead beyond a time.
+///
+/// # Errors
+/// [`Error::Time`] and [`Error::Passed`], as by [`Ensemble::advance_to`].
+pub fn steps_before<C: Coords>(ensemble: &Ensemble<C>, done: u64, time: f64) -> Result<u64, Error> {
+    let clock = ensemble.members.clock;
+    clock.check()?;
+    let present = clock.at(done);
+    if !time.is_finite() {
+        Err(Error::Time { time })
+    } else if clock.is_beyond(present, time) {
+        Err(Error::Passed { time, present })
+    } else {
+        Ok(clock.whole_steps_to(time).saturating_sub(done))
+    }
+}
+
+/// The numbers of the members that are neither lost nor gone.
+pub fn under_way<C: Coords>(ensemble: &Ensemble<C>) -> Vec<usize> {
+    ensemble.members.under_way()
+}
+
+/// The energy of a member in a state at a time.
+pub fn energy_in<C: Coords>(ensemble: &Ensemble<C>, member: usize, state: &Phase<C>, time: f64) -> f64 {
+    ensemble.members.energies.parts(member, state, time).total
+}
+
+/// The report on a member whose last finite step is that after `steps`, from its state in the middle of the step under way.
+///
+/// # Errors
+/// [`Error::Member`] for a member that there is not.
+pub fn divergence<C: Coords>(
+    ensemble: &Ensemble<C>,
+    member: usize,
+    (steps, opened): (u64, u64),
+    state: &Phase<C>,
+) -> Result<Divergence, Error> {
+    let clock = Clock { steps, ..ensemble.members.clock };
+    let Some(batch) = ensemble.members.batch_of(member) else { return Err(of_member(member)(Error::NoMembers)) };
+    let engine = batch.alone_from(member, state);
+    let mut run = Run::of_engine(engine, ensemble.energies_of(member), state.clone(), clock, opened);
+    let last = flat(&run.state());
+    Ok(match run.take_step() {
+        Err(Error::Diverged(divergence)) => divergence,
+        // Where this processor rounds otherwise than what took the steps, it may be finite a little longer.
+        _ => {
+            let step = steps.saturating_add(1);
+            Divergence { step, time: clock.at(step), limit: f64::INFINITY, coordinate: None, q: last.q, p: last.p }
+        }
+    })
+}

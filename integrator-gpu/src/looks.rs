@@ -1,0 +1,97 @@
+//! What an ensemble on a device shows of its members.
+
+use crate::{
+    ensemble::{Ended, Ensemble},
+    error::Error,
+};
+use integrator_core::{
+    __private::{Coords, energy_in, under_way},
+    Phase,
+};
+
+impl<C: Coords> Ensemble<C> {
+    /// The number of members.
+    pub fn len(&self) -> usize {
+        self.processor.len()
+    }
+
+    /// Whether there are no members, which no constructor admits.
+    pub fn is_empty(&self) -> bool {
+        self.processor.is_empty()
+    }
+
+    /// How many members are under way: neither lost nor gone.
+    pub fn active(&self) -> usize {
+        if self.place.is_some() { self.len() - self.ended.len() } else { self.processor.active() }
+    }
+
+    /// The members that are no longer under way, lost or gone, each with its last step.
+    pub fn lost(&self) -> Vec<(usize, u64)> {
+        if self.place.is_some() {
+            return self.ended.iter().map(|(member, ended)| (*member, ended.steps)).collect();
+        }
+        let mut under_way = under_way(&self.processor).into_iter().peekable();
+        let ended = (0..self.len()).filter(|member| under_way.next_if_eq(member).is_none());
+        ended.filter_map(|member| Some((member, self.processor.steps_of(member)?))).collect()
+    }
+
+    /// The time of the members that are under way, `t0 + n·h`, and what [`Ensemble::advance_to`] was called with.
+    pub fn time(&self) -> f64 {
+        if self.place.is_none() || self.is_between { self.processor.time() } else { self.time_after(self.steps()) }
+    }
+
+    /// How many steps a member has taken: fewer than the others if it is lost or gone. `None` beyond the last member.
+    pub fn steps_of(&self, member: usize) -> Option<u64> {
+        if self.place.is_none() || self.is_between {
+            return self.processor.steps_of(member);
+        }
+        let steps = self.ended.get(&member).map_or(self.steps(), |ended| ended.steps);
+        (member < self.len()).then_some(steps)
+    }
+
+    /// The time of a member: that of its last step if it is lost or gone. `None` beyond the last member.
+    pub fn time_of(&self, member: usize) -> Option<f64> {
+        if self.place.is_none() || self.is_between {
+            return self.processor.time_of(member);
+        }
+        let time = self.ended.get(&member).map_or(self.time(), |ended| ended.time);
+        (member < self.len()).then_some(time)
+    }
+
+    /// The states of all members; of those who are lost the last finite ones.
+    ///
+    /// # Errors
+    /// [`Error::Call`] and [`Error::Program`] where the device fails.
+    pub fn states(&mut self) -> Result<Vec<Phase<C>>, Error> {
+        let columns = match &mut self.place {
+            Some(place) if !self.is_between => place.show(&self.launch)?,
+            _ => return Ok(self.processor.states().collect()),
+        };
+        let state = |member| match self.ended.get(&member) {
+            Some(Ended { state, .. }) => state.clone(),
+            None => self.read(&columns, member),
+        };
+        Ok((0..self.len()).map(state).collect())
+    }
+
+    /// The state of a member; for many of them take [`Ensemble::states`], which asks the device once. `None` beyond the last.
+    ///
+    /// # Errors
+    /// As [`Ensemble::states`].
+    pub fn state(&mut self, member: usize) -> Result<Option<Phase<C>>, Error> {
+        Ok(self.states()?.into_iter().nth(member))
+    }
+
+    /// The energies of all members, computed on the processor from their states.
+    ///
+    /// # Errors
+    /// As [`Ensemble::states`].
+    pub fn energies(&mut self) -> Result<Vec<f64>, Error> {
+        let states = self.states()?.into_iter().enumerate();
+        let energy = |(member, state)| {
+            // There is a time of each member that has a state.
+            energy_in(&self.processor, member, &state, self.time_of(member).unwrap_or(f64::NAN))
+        };
+        Ok(states.map(energy).collect())
+    }
+}
