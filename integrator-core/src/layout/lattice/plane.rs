@@ -270,7 +270,9 @@ impl<H: Stencil<F>, F, R: Real, S: Slot<R>> StencilPass<'_, H, F, R, S> {
         let ahead = begin + (farthest - MAX_RADIUS) * W::WIDTH;
         let above = if reads_above { above } else { self.read };
         let below = if reads_below { below } else { self.read };
-        let [above, here, below] = [above, self.read, below].map(|row| row[ahead..][..sites].chunks_exact(W::WIDTH));
+        let above = above[ahead..][..sites].chunks_exact(W::WIDTH);
+        let here = self.read[ahead..][..sites].chunks_exact(W::WIDTH);
+        let below = below[ahead..][..sites].chunks_exact(W::WIDTH);
         let moved = self.moved[begin..][..sites].chunks_exact_mut(W::WIDTH);
         let row_carry = self.adjacent.carry[begin..][..sites].chunks_exact_mut(W::WIDTH);
         for ((((above, here), below), moved), row_carry) in above.zip(here).zip(below).zip(moved).zip(row_carry) {

@@ -118,7 +118,11 @@ impl<H: Stencil<F>, F, R: Real, S: Slot<R>> StencilPass<'_, H, F, R, S> {
     pub(crate) const CARRIES_BETWEEN_ROWS: bool = matches!(H::ROW_BOUNDARY, Some(Boundary { forward: 1.., .. }));
 
     /// Whether every site depends on itself alone, as for a kinetic energy that is a sum of squares.
-    const POINTWISE: bool = H::BOUNDARY.is_pointwise() && H::ROW_BOUNDARY.is_none();
+    const POINTWISE: bool = H::BOUNDARY.is_pointwise()
+        && match H::ROW_BOUNDARY {
+            Some(rows) => rows.is_pointwise(),
+            None => true,
+        };
 
     /// Moves the coordinates of `sites`: whole blocks, then one by one the sites that fill none.
     #[cfg_attr(not(debug_assertions), inline(always))]
@@ -207,11 +211,11 @@ impl<H: Stencil<F>, F, R: Real, S: Slot<R>> StencilPass<'_, H, F, R, S> {
         count: usize,
         mut carry: [H::Contributions<W>; MAX_RADIUS],
     ) -> [H::Contributions<W>; MAX_RADIUS] {
-        if const { H::ROW_BOUNDARY.is_some() } {
+        if const { H::ROW_BOUNDARY.is_some() && !Self::POINTWISE } {
             return self.interior_of_row(site, count, carry);
         }
         let [nearest, farthest] = Self::reads::<W>();
-        let begin = site - self.first;
+        let (begin, row, rows) = (site - self.first, self.adjacent.row, self.adjacent.rows);
         let mut blocks = [W::of(0.0); 2 * MAX_RADIUS + 1];
         if const { !Self::POINTWISE } {
             blocks = self.blocks_around(self.read, site as isize - W::WIDTH as isize);
@@ -226,8 +230,7 @@ impl<H: Stencil<F>, F, R: Real, S: Slot<R>> StencilPass<'_, H, F, R, S> {
             }
             blocks[farthest] = S::read(read);
             let (adjacent, length) = ([blocks; 2], self.length);
-            let window =
-                Window { blocks, adjacent, site, length, row: 0, rows: 1, at_boundary: false, scalar: PhantomData };
+            let window = Window { blocks, adjacent, site, length, row, rows, at_boundary: false, scalar: PhantomData };
             let own = H::contributions::<R, W>(&window, self.parameters, self.time);
             S::update(moved, self.step, Self::sum(own, carry, &mut []));
             carry = [own, carry[0]];
