@@ -248,7 +248,10 @@ pub mod __private {
                 Elsewhere, MemberElsewhere, begin, come_back, divergence, energy_in, leave, steps_before, under_way,
             },
         },
-        trajectory::checkpoint::{coordinates, numbers, write_whole},
+        trajectory::{
+            checkpoint::{coordinates, numbers, write_whole},
+            elsewhere::{go_on_from, unfinished},
+        },
     };
 
     /// A table of prepared constants whose length is known at run time.

@@ -32,6 +32,56 @@ pub enum Error {
         /// These members, by their index among those of all ranks.
         members: Vec<LostMember>,
     },
+    /// The system is no lattice whose sites are moved alike.
+    #[error(
+        "`{system}` is no lattice that ranks can share: its coordinates have to be slices (`q: &[f64]`, or rows `&[[f64; M]]`), and          both parts sums over sites and their neighbours, as in `(q[i + 1] - q[i])`"
+    )]
+    NoLattice {
+        /// The name of its type.
+        system: &'static str,
+    },
+    /// There are too few sites for so many ranks.
+    #[error(
+        "{sites} sites are too few for {ranks} ranks: each has to have {least} of them, which it tells its neighbours; take fewer ranks"
+    )]
+    FewSites {
+        /// How many sites there are.
+        sites: usize,
+        /// How many ranks.
+        ranks: usize,
+        /// How many sites each rank has to have.
+        least: usize,
+    },
+    /// Two ranks that both moved a site do not agree on where it is.
+    #[error(
+        "site {site} was moved otherwise by two ranks: a formula that reads how many sites there are, or the number of a site, is          another one in each slab. Give such numbers as fields, which the closure makes for the sites of a slab"
+    )]
+    SitesDiffer {
+        /// Its number among all sites.
+        site: usize,
+    },
+    /// A site left the finite numbers; all stay at the step before.
+    #[error(
+        "site {site} left the finite numbers in step {step} (time {time}); all sites stay at the step before. A smaller step helps most          often"
+    )]
+    Diverged {
+        /// Its number among all sites.
+        site: usize,
+        /// The first step whose state is not finite.
+        step: u64,
+        /// The time at the end of that step.
+        time: f64,
+    },
+    /// The end of a slab left the finite numbers, where the sites of others are missing; all stay at the step before.
+    #[error(
+        "the end of a slab left the finite numbers in step {step} (time {time}), where it meets no neighbour or another site than its own, as in          a ring whose coordinates grow from site to site: take the difference to that growth as coordinate"
+    )]
+    HaloDiverged {
+        /// The first step whose state is not finite.
+        step: u64,
+        /// The time at the end of that step.
+        time: f64,
+    },
     /// What was asked of a rank is no number of steps, no time, or no interval, or a file could not be written.
     #[error("on rank {rank}: {what}")]
     Rank {

@@ -1,4 +1,4 @@
-//! Ensembles of Hamiltonian systems over the ranks of MPI.
+//! Ensembles of Hamiltonian systems, and long lattices, over the ranks of MPI.
 //!
 //! Every rank holds its members; `mpirun` or `srun` starts the ranks, and the messages between them are MPI's. A member has
 //! the bits of its run alone, and sums over members are exact before they are rounded, so that nothing that is returned
@@ -37,13 +37,16 @@ mod checkpoint;
 mod ensemble;
 mod error;
 mod exact_sum;
+mod lattice;
 mod output;
 mod parts;
 mod reductions;
 mod states;
 
+use ensemble::share_of;
 pub use ensemble::{Ensemble, Member, share};
 pub use error::{Error, LostMember};
+pub use lattice::Lattice;
 /// The bindings to MPI whose communicators are taken here.
 pub use mpi;
 pub use output::{Joined, OutputError, join};

@@ -1,5 +1,6 @@
 //! The same program on one rank and on several: states, sums and errors are the same, and those of an ensemble without MPI.
 
+mod mpirun;
 #[allow(dead_code, reason = "the program of the ranks needs more of them")]
 #[path = "systems.rs"]
 mod systems;
@@ -8,56 +9,19 @@ use integrator_core::{
     chaos::{Indicator, map},
     prelude::*,
 };
+use mpirun::{JOIN, Program};
 use std::{
     fs,
     path::{Path, PathBuf},
-    process::{Command, Output},
+    process::Command,
 };
 use systems::{HenonHeiles, MEMBERS, STEPS, pendulum};
 
-/// The command of a package, beside which are the examples.
-const JOIN: &str = env!("CARGO_BIN_EXE_join");
-
-/// Starts a case on so many ranks; nothing where there is no `mpirun`.
-fn start(ranks: usize, arguments: &[&str]) -> Option<Output> {
-    let program = Path::new(JOIN).with_file_name("examples").join("rank_program");
-    let output = Command::new("mpirun")
-        .args(["--oversubscribe", "-n", &ranks.to_string()])
-        .arg(program)
-        .args(arguments)
-        // In containers, tests are root's.
-        .env("OMPI_ALLOW_RUN_AS_ROOT", "1")
-        .env("OMPI_ALLOW_RUN_AS_ROOT_CONFIRM", "1")
-        .output();
-    match output {
-        Ok(output) => Some(output),
-        Err(fault) => {
-            println!("SKIPPED: mpirun cannot be started ({fault})");
-            None
-        }
-    }
-}
-
-/// What rank 0 prints of a case, which has to end well.
-fn printed(ranks: usize, arguments: &[&str]) -> Option<String> {
-    let output = start(ranks, arguments)?;
-    let errors = String::from_utf8_lossy(&output.stderr);
-    assert!(output.status.success(), "{arguments:?} on {ranks} ranks: {errors}");
-    Some(String::from_utf8_lossy(&output.stdout).into_owned())
-}
-
-/// What is printed on one rank, if the same is on 2, 3 and 4.
-fn on_any_number(arguments: &[&str]) -> Option<String> {
-    let alone = printed(1, arguments)?;
-    for ranks in 2..=4 {
-        assert_eq!(printed(ranks, arguments)?, alone, "{arguments:?} on {ranks} ranks");
-    }
-    Some(alone)
-}
+const RANKS: Program = Program("rank_program");
 
 #[test]
 fn states_and_sums_do_not_depend_on_the_number_of_ranks() {
-    let Some(plain) = on_any_number(&["plain"]) else { return };
+    let Some(plain) = RANKS.on_any_number(&["plain"]) else { return };
     let member = |i: usize| (pendulum(i), Phase::new([i as f64 / 40.0], [0.1]));
     let mut swarm = Ensemble::new(Yoshida4, (0..MEMBERS).map(member), 0.01).unwrap();
     swarm.advance(STEPS).unwrap();
@@ -68,13 +32,13 @@ fn states_and_sums_do_not_depend_on_the_number_of_ranks() {
     let printed = plain.split("mean: ").nth(1).and_then(|rest| rest.split(',').next()?.parse::<f64>().ok()).unwrap();
     assert!((printed - mean).abs() <= 100.0 * 10.0 * f64::EPSILON, "{printed} {mean}");
     for case in ["compensated", "few", "lists"] {
-        on_any_number(&[case]);
+        RANKS.on_any_number(&[case]);
     }
 }
 
 #[test]
 fn maps_of_orbits_do_not_depend_on_the_number_of_ranks() {
-    let Some(maps) = on_any_number(&["map"]) else { return };
+    let Some(maps) = RANKS.on_any_number(&["map"]) else { return };
     let start = |i: usize| Phase::new([i as f64 / 20.0, 0.1], [0.3, 0.0]);
     let expected = map(&HenonHeiles, Verlet, (0..11).map(start), 0.05, 2_000, Indicator::Megno).unwrap();
     let lines: Vec<&str> = maps.lines().collect();
@@ -86,9 +50,9 @@ fn maps_of_orbits_do_not_depend_on_the_number_of_ranks() {
 
 #[test]
 fn every_rank_is_told_the_same_mistakes() {
-    let Some(refused) = printed(3, &["refused"]) else { return };
+    let Some(refused) = RANKS.printed(3, &["refused"]) else { return };
     assert!(refused.starts_with("member 29 (on rank 0): the start is not finite"), "{refused}");
-    let lost = on_any_number(&["lost"]).unwrap_or_default();
+    let lost = RANKS.on_any_number(&["lost"]).unwrap_or_default();
     let lines: Vec<&str> = lost.lines().collect();
     assert!(lines[0].starts_with("98 under way: 3 member(s) left the finite numbers: 29 in step "), "{lost}");
     assert!(lines[0].contains(", 59 in step ") && lines[0].contains(", 89 in step "), "{lost}");
@@ -96,14 +60,14 @@ fn every_rank_is_told_the_same_mistakes() {
     assert!(lines[2].starts_with("on rank 0: "), "{lost}");
     assert!(lines[3].starts_with("on rank 0: "), "{lost}");
     assert_eq!(lines[4], "done: 11 stay");
-    assert_eq!(on_any_number(&["none"]).as_deref(), Some("an ensemble needs at least one member, on any rank\n"));
+    assert_eq!(RANKS.on_any_number(&["none"]).as_deref(), Some("an ensemble needs at least one member, on any rank\n"));
 }
 
 #[test]
 fn a_rank_that_is_killed_or_panics_ends_the_job() {
     // A panic ends the job with the code of `MPI_ABORT`, not with its own, 101; that it was called, MPI does not always say.
     for (case, says, code) in [("killed", "rank 2", None), ("panics", "the last one", Some(1))] {
-        let Some(output) = start(3, &[case]) else { return };
+        let Some(output) = RANKS.start(3, &[case]) else { return };
         let errors = String::from_utf8_lossy(&output.stderr);
         assert!(!output.status.success() && errors.contains(says), "{case}: {errors}");
         assert!(code.is_none() || output.status.code() == code, "{case}: {}, {errors}", output.status);
@@ -114,7 +78,7 @@ fn a_rank_that_is_killed_or_panics_ends_the_job() {
 fn a_checkpoint_is_resumed_by_any_number_of_ranks() {
     let saved = folder("saved");
     let name = saved.display().to_string();
-    let Some(whole) = printed(3, &["save", &name]) else { return };
+    let Some(whole) = RANKS.printed(3, &["save", &name]) else { return };
     // The first one is gone, and nothing but the second is there.
     let mut names: Vec<_> =
         fs::read_dir(&saved).unwrap().map(|entry| entry.unwrap().file_name().into_string().unwrap()).collect();
@@ -124,7 +88,7 @@ fn a_checkpoint_is_resumed_by_any_number_of_ranks() {
     let end = |text: &str| text.split("end ").nth(1).map(ToOwned::to_owned);
     assert!(end(&whole).is_some());
     for ranks in 1..=4 {
-        let Some(resumed) = printed(ranks, &["resume", &name]) else { return };
+        let Some(resumed) = RANKS.printed(ranks, &["resume", &name]) else { return };
         assert_eq!(end(&resumed), end(&whole), "on {ranks} ranks");
         assert!(resumed.starts_with("done, 301 steps"), "{resumed}");
     }
@@ -132,10 +96,10 @@ fn a_checkpoint_is_resumed_by_any_number_of_ranks() {
     let mut bytes = fs::read(&damaged).unwrap();
     bytes[100] ^= 1;
     fs::write(&damaged, bytes).unwrap();
-    let refused = printed(4, &["resume", &name]).unwrap_or_default();
+    let refused = RANKS.printed(4, &["resume", &name]).unwrap_or_default();
     assert!(refused.contains("1-rank-00001.members: this checkpoint is damaged"), "{refused}");
     fs::remove_dir_all(&saved).unwrap();
-    let refused = printed(2, &["resume", &name]).unwrap_or_default();
+    let refused = RANKS.printed(2, &["resume", &name]).unwrap_or_default();
     assert!(refused.starts_with("on rank 0: ") && refused.contains("members.json"), "{refused}");
 }
 
@@ -150,7 +114,7 @@ fn folder(name: &str) -> PathBuf {
 fn files_of_ranks_are_joined_to_those_of_one() {
     let (of_one, of_three) = (folder("one"), folder("three"));
     for (ranks, folder) in [(1, &of_one), (3, &of_three)] {
-        let Some(printed) = printed(ranks, &["csv", &folder.display().to_string()]) else { return };
+        let Some(printed) = RANKS.printed(ranks, &["csv", &folder.display().to_string()]) else { return };
         assert_eq!(printed, "done\n");
     }
     let join = |folder: &Path| {

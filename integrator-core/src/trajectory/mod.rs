@@ -8,6 +8,9 @@ pub(crate) mod by_table;
 pub(crate) mod checkpoint;
 pub(crate) mod crossings;
 pub(crate) mod dispatch;
+#[cfg(all(feature = "checkpoint", feature = "std"))]
+#[allow(unreachable_pub, reason = "what other crates of this repository call is reached by the private API")]
+pub(crate) mod elsewhere;
 pub(crate) mod engine;
 pub(crate) mod interleaved;
 #[allow(unreachable_pub, reason = "named in bounds, never outside")]

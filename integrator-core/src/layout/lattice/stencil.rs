@@ -45,6 +45,17 @@ impl Boundary {
     const fn is_pointwise(&self) -> bool {
         self.first == 0 && self.last == 0 && self.forward == 0 && self.behind == 0 && self.ahead == 0
     }
+
+    /// How many sites further, to either side, the flow carries what a coordinate is.
+    pub(crate) const fn reach(&self) -> usize {
+        let behind = self.behind + self.forward;
+        if behind > self.ahead { behind } else { self.ahead }
+    }
+
+    /// How many sites at an end may differ from those of the interior.
+    pub(crate) const fn ends(&self) -> usize {
+        if self.first > self.last { self.first } else { self.last }
+    }
 }
 
 /// The stencil of a flow: what every site of a lattice computes from its neighbourhood. Written by `#[hamiltonian]`;

@@ -81,8 +81,20 @@ impl StencilRadii {
         }
     }
 
-    fn periodic(&self) -> bool {
+    /// Whether the last site or row is followed by the first.
+    pub const fn periodic(&self) -> bool {
         self.drift.periodic || self.kick.periodic
+    }
+
+    /// How many sites or rows further, to either side, a drift and a kick carry what a coordinate is.
+    pub const fn reach(&self) -> [usize; 2] {
+        [self.drift.reach(), self.kick.reach()]
+    }
+
+    /// How many sites or rows at an end may differ from those of the interior.
+    pub const fn ends(&self) -> usize {
+        let (drift, kick) = (self.drift.ends(), self.kick.ends());
+        if drift > kick { drift } else { kick }
     }
 
     /// How far behind a site and ahead of it a flow depends on coordinates.

@@ -1,0 +1,71 @@
+//! What the slabs of two ranks tell each other: the coordinates next to their border.
+
+use crate::lattice::slab::{Neighbour, Slab};
+use integrator_core::{__private::Precision, Coords, Phase};
+use mpi::{
+    request::{WaitGuard, scope},
+    traits::{Communicator, Destination, Source},
+};
+use std::ops::Range;
+
+/// The numbers of some sites: those of their positions, and behind them those of their momenta.
+pub(crate) fn numbers_of<C: Coords>(state: &Phase<C>, sites: Range<usize>) -> Vec<f64> {
+    let leaves = sites.start * C::COMPONENTS..sites.end * C::COMPONENTS;
+    let halves = [&state.q, &state.p].into_iter().flat_map(|half| &half.flat()[leaves.clone()]);
+    halves.flat_map(|leaf| leaf.parts().into_iter().take(C::Leaf::PARTS)).collect()
+}
+
+/// Gives some sites these numbers.
+pub(crate) fn put<C: Coords>(state: &mut Phase<C>, sites: Range<usize>, numbers: &[f64]) {
+    let leaves = sites.start * C::COMPONENTS..sites.end * C::COMPONENTS;
+    let mut numbers = numbers.chunks(C::Leaf::PARTS);
+    for half in [&mut state.q, &mut state.p] {
+        for (leaf, numbers) in half.flat_mut()[leaves.clone()].iter_mut().zip(numbers.by_ref()) {
+            *leaf = C::Leaf::from_parts(std::array::from_fn(|part| numbers.get(part).copied().unwrap_or_default()));
+        }
+    }
+}
+
+/// How many numbers so many sites are.
+pub(crate) fn count<C: Coords>(sites: usize) -> usize {
+    2 * sites * C::COMPONENTS * C::Leaf::PARTS
+}
+
+/// What the neighbours have at the sites of the halos on both sides.
+pub(crate) fn halos<C: Coords>(world: &impl Communicator, slab: &Slab, state: &Phase<C>) -> [Vec<f64>; 2] {
+    let sent = [0, 1].map(|side| match slab.neighbours[side] {
+        Some(Neighbour { halo, .. }) => numbers_of(state, slab.edge(side, halo)),
+        None => Vec::new(),
+    });
+    let mut received = [0, 1].map(|side| vec![0.0; count::<C>(slab.halos[side])]);
+    // Two ranks that are each other's neighbours on both sides tell messages apart by the side that they left on.
+    scope(|scope| {
+        let mut sends = Vec::with_capacity(2);
+        for (side, numbers) in sent.iter().enumerate() {
+            if let Some(Neighbour { rank, .. }) = slab.neighbours[side] {
+                let send = world.process_at_rank(rank).immediate_send_with_tag(scope, &numbers[..], side as i32);
+                sends.push(WaitGuard::from(send));
+            }
+        }
+        for (side, numbers) in received.iter_mut().enumerate() {
+            if let Some(Neighbour { rank, .. }) = slab.neighbours[side] {
+                world.process_at_rank(rank).receive_into_with_tag(&mut numbers[..], 1 - side as i32);
+            }
+        }
+    });
+    received
+}
+
+/// The number of the first site that both sides of a border know and that is not the same on them.
+pub(crate) fn differing<C: Coords>(slab: &Slab, state: &Phase<C>, received: &[Vec<f64>; 2]) -> Option<usize> {
+    (0..2).filter(|side| slab.neighbours[*side].is_some()).find_map(|side| {
+        let (site, halo) = (slab.known_to_both(side), slab.halo(side));
+        let mut theirs = state.clone();
+        put(&mut theirs, halo, &received[side]);
+        let same = numbers_of(state, site..site + 1)
+            .iter()
+            .zip(numbers_of(&theirs, site..site + 1))
+            .all(|(own, other)| own.to_bits() == other.to_bits() || own.is_nan() && other.is_nan());
+        (!same).then(|| slab.indices()[site])
+    })
+}

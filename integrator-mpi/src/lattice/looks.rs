@@ -1,0 +1,106 @@
+//! What a lattice over ranks shows.
+
+use crate::{
+    ROOT,
+    error::{Error, agree},
+    exact_sum::ExactSum,
+    is_root,
+    lattice::{
+        Lattice,
+        exchange::{count, numbers_of, put},
+        failure,
+    },
+    share_of,
+    states::{receive_all, send_all},
+};
+use integrator_core::{__private::Precision, Coords, Phase};
+use mpi::traits::{Communicator, Root};
+use std::ops::Range;
+
+impl<W: Communicator, C: Coords> Lattice<'_, W, C> {
+    /// How many sites, or rows, all ranks have.
+    pub fn len(&self) -> usize {
+        self.slab.sites
+    }
+
+    /// Whether there are no sites.
+    pub fn is_empty(&self) -> bool {
+        self.slab.sites == 0
+    }
+
+    /// The numbers of this rank's sites.
+    pub fn of_rank(&self) -> Range<usize> {
+        self.slab.own.clone()
+    }
+
+    /// How many steps were taken.
+    pub fn steps(&self) -> u64 {
+        self.run.steps()
+    }
+
+    /// The time, `t0 + n·h`.
+    pub fn time(&self) -> f64 {
+        self.run.time()
+    }
+
+    /// How many steps a rank takes between two exchanges with its neighbours, and how many of their sites it moves for that, before
+    /// its own and behind them. One rank alone has no neighbours, and exchanges nothing.
+    pub fn exchanges(&self) -> Option<(u64, [usize; 2])> {
+        (self.world.size() > 1).then_some((self.slab.steps, self.slab.halos))
+    }
+
+    /// The state of this rank's sites.
+    pub fn state_of_rank(&self) -> Phase<C> {
+        let (state, inner) = (self.run.state(), self.slab.inner());
+        let leaves = inner.start * C::COMPONENTS..inner.end * C::COMPONENTS;
+        let [q, p] = [&state.q, &state.p].map(|half| C::from_flat(half.flat()[leaves.clone()].to_vec()));
+        match (q, p) {
+            (Some(q), Some(p)) => Phase { q, p },
+            // A list of sites has any length.
+            _ => state,
+        }
+    }
+
+    /// The state of all sites on rank 0, and `None` on all other ranks. Collective.
+    pub fn state_on_root(&self) -> Option<Phase<C>> {
+        let own = self.state_of_rank();
+        let numbers = numbers_of(&own, 0..self.slab.own.len());
+        if !is_root(self.world) {
+            send_all(&self.world.process_at_rank(ROOT), &numbers);
+            return None;
+        }
+        let leaves = vec![C::Leaf::from_parts([0.0; 2]); self.slab.sites * C::COMPONENTS];
+        let mut all = Phase { q: C::from_flat(leaves.clone())?, p: C::from_flat(leaves)? };
+        put(&mut all, self.slab.own.clone(), &numbers);
+        let ranks = self.world.size();
+        for rank in 1..ranks {
+            let sites = share_of(rank as usize, ranks as usize, self.slab.sites);
+            let numbers: Vec<f64> = receive_all(&self.world.process_at_rank(rank), count::<C>(sites.len()));
+            put(&mut all, sites, &numbers);
+        }
+        Some(all)
+    }
+
+    /// The energy of all sites, which rank 0 computes of the state of all of them. Collective.
+    ///
+    /// # Errors
+    /// [`Error::Rank`], where this state has no energy.
+    pub fn energy(&self) -> Result<f64, Error> {
+        let energy = self.state_on_root().map(|state| (self.energy)(state, self.time()));
+        let mut energy = agree(self.world, energy.transpose().map_err(failure))?.unwrap_or(f64::NAN);
+        self.world.process_at_rank(ROOT).broadcast_into(&mut energy);
+        Ok(energy)
+    }
+
+    /// The sum of a number of each site that has it, of its number, its positions and its momenta. Collective.
+    ///
+    /// It is exact before it is rounded to the nearest `f64`, so that no bit depends on how many ranks there are.
+    pub fn sum(&self, number: impl Fn(usize, &[f64], &[f64]) -> Option<f64>) -> f64 {
+        let (state, mut sum) = (self.state_of_rank(), ExactSum::EMPTY);
+        let numbers = |half: &C| half.flat().iter().map(|leaf| leaf.to_f64()).collect::<Vec<_>>();
+        let (q, p) = (numbers(&state.q), numbers(&state.p));
+        let sites = q.chunks(C::COMPONENTS).zip(p.chunks(C::COMPONENTS)).zip(self.of_rank());
+        sites.for_each(|((q, p), site)| number(site, q, p).into_iter().for_each(|x| sum.add(x)));
+        sum.over_ranks(self.world).value()
+    }
+}

@@ -1,0 +1,250 @@
+//! A long lattice that is spread over ranks.
+//!
+//! Every rank moves a slab of sites with the flows of a line of its length. What is wrong at the ends of the slab, where others
+//! would be, comes a few sites further in each step; before it is through the halo, the neighbours say what these sites are.
+//! So a site of its own has the bits that it has where one rank moves all of them.
+
+mod exchange;
+mod looks;
+mod slab;
+
+use crate::error::{Error, Failure, agree};
+use exchange::{differing, halos, put};
+use integrator_core::{
+    __private::{Composition, Precision, go_on_from, unfinished},
+    Coords, Error as CoreError, Hamiltonian, Phase, Run,
+};
+use mpi::{
+    collective::SystemOperation,
+    traits::{Communicator, CommunicatorCollectives},
+};
+use slab::{Reach, Slab};
+use std::{any::type_name, mem::replace};
+
+/// The energy of a state of all sites at a time.
+type Energy<'w, C> = Box<dyn Fn(Phase<C>, f64) -> Result<f64, CoreError> + 'w>;
+
+/// A long line of sites, or a plane of rows of a known width, spread over all ranks of a communicator.
+///
+/// A site has the bits of a [`Run`] of all sites on one rank with the same instruction set, however many ranks there are. Methods
+/// are collective where they say so, as those of [`crate::Ensemble`] are.
+pub struct Lattice<'w, W: Communicator, C: Coords> {
+    world: &'w W,
+    run: Run<C>,
+    slab: Slab,
+    /// The slab in the middle of the step under way, when the neighbours last said what its halos are, and after how many
+    /// steps that was.
+    exchanged: (Phase<C>, u64),
+    energy: Energy<'w, C>,
+}
+
+impl<'w, W: Communicator, C: Coords> Lattice<'w, W, C> {
+    /// A lattice of so many sites, or rows, that takes steps `h` with a composition. `slab` gives the system and the start of some
+    /// of the sites by their numbers: lists of the system have an element for each of these. Collective.
+    ///
+    /// ```no_run
+    /// use integrator_core::prelude::*;
+    /// use integrator_mpi as cluster;
+    ///
+    /// /// Fermi, Pasta, Ulam and Tsingou's ring.
+    /// struct Fput { alpha: f64 }
+    ///
+    /// #[hamiltonian]
+    /// impl Fput {
+    ///     fn kinetic(&self, p: &[f64]) -> f64 { p.iter().map(|p| p * p / 2.0).sum() }
+    ///     fn potential(&self, q: &[f64]) -> f64 {
+    ///         (0..q.len())
+    ///             .map(|i| {
+    ///                 let r = q[(i + 1) % q.len()] - q[i];
+    ///                 r * r / 2.0 + self.alpha * r.powi(3) / 3.0
+    ///             })
+    ///             .sum()
+    ///     }
+    /// }
+    ///
+    /// let universe = cluster::start()?;
+    /// let world = universe.world();
+    /// let mut ring = cluster::Lattice::new(&world, Yoshida4, 10_000_000, 0.05, |sites| {
+    ///     let q = sites.iter().map(|site| (*site as f64 * 1e-3).sin()).collect();
+    ///     (Fput { alpha: 0.25 }, Phase::new(q, vec![0.0; sites.len()]))
+    /// })?;
+    /// ring.advance(10_000)?;
+    /// let squares = ring.sum(|_, q, _| Some(q[0] * q[0]));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`Error::NoLattice`] for a system that is none, [`Error::FewSites`] for more ranks than the sites are worth,
+    /// [`Error::SitesDiffer`] where the formula of a site reads its number or how many there are, and [`Error::Rank`] where a run
+    /// would not begin.
+    pub fn new<H, X>(
+        world: &'w W,
+        composition: X,
+        sites: usize,
+        h: f64,
+        slab: impl Fn(&[usize]) -> (H, Phase<C>) + 'w,
+    ) -> Result<Self, Error>
+    where
+        H: Hamiltonian,
+        X: Composition<H>,
+        H::Coords: Coords<With<C::Leaf> = C>,
+    {
+        let reach = Reach::of::<H, X>().filter(|_| C::LENGTH.is_none());
+        let reach = reach.ok_or_else(|| Error::NoLattice { system: type_name::<H>() })?;
+        let of_rank = Slab::of(reach, sites, world.rank() as usize, world.size() as usize)?;
+        let (system, start) = slab(&of_rank.indices());
+        let begun = || -> Result<_, Failure> {
+            let (given, asked) = (start.q.length(), of_rank.indices().len());
+            match given == asked {
+                true => system.run_with(composition, start.clone(), h).map_err(failure),
+                false => Err(Failure::Other(format!("a start of {given} sites where {asked} were asked for"))),
+            }
+        };
+        let run = agree(world, begun())?;
+        let probe = system.run_with(composition, shaken(&start, &of_rank.indices()), h);
+        let energy: Energy<'w, C> = Box::new(move |state, time| {
+            let (system, _) = slab(&(0..sites).collect::<Vec<_>>());
+            Ok(system.run_with(composition, state, h)?.at_time(time).energy())
+        });
+        let mut lattice = Self { world, exchanged: (unfinished(&run), 0), run, slab: of_rank, energy };
+        // Not every system has an energy near its start.
+        if let Ok(probe) = agree(world, probe.map_err(failure)) {
+            lattice.probe(probe)?;
+        }
+        Ok(lattice)
+    }
+
+    /// Takes a step from a state in which all sites move: it tells of a formula that is not the same for all of them.
+    fn probe(&mut self, probe: Run<C>) -> Result<(), Error> {
+        let started = (unfinished(&probe), 0);
+        let (run, start) = (replace(&mut self.run, probe), replace(&mut self.exchanged, started));
+        // Where the step leads out of the finite numbers, it tells nothing.
+        let outcome = self.take_steps(1).map_or(Ok(()), |()| self.exchange());
+        (self.run, self.exchanged) = (run, start);
+        outcome
+    }
+
+    /// Starts the clock at `t0` instead of 0.
+    #[must_use]
+    pub fn at_time(mut self, t0: f64) -> Self {
+        self.run = self.run.at_time(t0);
+        self
+    }
+
+    /// Uses at most so many threads on this rank, instead of all that it may run on; no result depends on it.
+    #[must_use]
+    pub fn with_threads(mut self, threads: usize) -> Self {
+        self.run = self.run.with_threads(threads);
+        self
+    }
+
+    /// Takes `steps` steps with all sites. Collective.
+    ///
+    /// # Errors
+    /// [`Error::Diverged`] if a site leaves the finite numbers; all sites then stay at the step before. [`Error::HaloDiverged`] if
+    /// the ends of a slab do, where its neighbours are missing. [`Error::Rank`] for a time that is not finite and steps that cannot be
+    /// counted.
+    pub fn advance(&mut self, steps: u64) -> Result<(), Error> {
+        let done = self.steps();
+        let end = done.checked_add(steps).ok_or(CoreError::Steps { done, asked: steps });
+        let begun = end.and_then(|end| self.run.advance(0).map(|()| end));
+        let end = agree(self.world, begun.map_err(failure))?;
+        while self.steps() < end {
+            let since = self.steps() - self.exchanged.1;
+            if since == self.slab.steps {
+                self.exchange()?;
+                continue;
+            }
+            self.take_steps((self.slab.steps - since).min(end - self.steps()))?;
+        }
+        Ok(())
+    }
+
+    /// Takes steps for which the halos are wide enough; fewer, with new halos behind them, where the end of a slab has left the
+    /// finite numbers.
+    fn take_steps(&mut self, steps: u64) -> Result<(), Error> {
+        let outcome = self.run.advance(steps);
+        let (own, mut first) = (last_step(&outcome), u64::MAX);
+        self.world.all_reduce_into(&own, &mut first, SystemOperation::min());
+        if first == u64::MAX {
+            return Ok(());
+        }
+        let (state, since) = &self.exchanged;
+        go_on_from(&mut self.run, *since, state);
+        let begun = first.max(*since) - since;
+        // No rank has diverged in these.
+        let again = self.run.advance(begun);
+        let site = self.diverged_site(&outcome).filter(|_| own == first);
+        let site = site.map_or(u64::MAX, |site| site as u64);
+        let mut found = u64::MAX;
+        self.world.all_reduce_into(&site, &mut found, SystemOperation::min());
+        let (step, time) = (first.saturating_add(1), self.time() + self.run.step());
+        if found != u64::MAX {
+            return Err(Error::Diverged { site: found as usize, step, time });
+        }
+        let refused = match outcome {
+            Err(CoreError::Diverged(_)) | Ok(()) => again,
+            refused => refused,
+        };
+        agree(self.world, refused.map_err(failure))?;
+        if begun == 0 {
+            return Err(Error::HaloDiverged { step, time });
+        }
+        self.exchange()
+    }
+
+    /// The site of this rank's own that an outcome says has diverged first.
+    fn diverged_site(&self, outcome: &Result<(), CoreError>) -> Option<usize> {
+        let Err(CoreError::Diverged(divergence)) = outcome else { return None };
+        // Where it was not found out which one, it is one of them.
+        let place = divergence.coordinate.map_or(self.slab.inner().start, |(_, number)| number / C::COMPONENTS);
+        self.slab.inner().contains(&place).then(|| self.slab.indices()[place])
+    }
+
+    /// Asks the neighbours what the halos are.
+    fn exchange(&mut self) -> Result<(), Error> {
+        let mut state = unfinished(&self.run);
+        let received = halos(self.world, &self.slab, &state);
+        let site = differing(&self.slab, &state, &received).map_or(u64::MAX, |site| site as u64);
+        let mut first = u64::MAX;
+        self.world.all_reduce_into(&site, &mut first, SystemOperation::min());
+        if first != u64::MAX {
+            return Err(Error::SitesDiffer { site: first as usize });
+        }
+        for (side, numbers) in received.iter().enumerate() {
+            put(&mut state, self.slab.halo(side), numbers);
+        }
+        let steps = self.steps();
+        go_on_from(&mut self.run, steps, &state);
+        self.exchanged = (state, steps);
+        Ok(())
+    }
+}
+
+/// The last step before the one of a divergence; the first of all for whatever else is wrong, and none where nothing is.
+fn last_step(outcome: &Result<(), CoreError>) -> u64 {
+    match outcome {
+        Ok(()) => u64::MAX,
+        Err(CoreError::Diverged(divergence)) => divergence.step - 1,
+        Err(_) => 0,
+    }
+}
+
+fn failure(error: CoreError) -> Failure {
+    Failure::Other(error.to_string())
+}
+
+/// A state near the start, in which every site moves: each by an amount that follows from its number.
+fn shaken<C: Coords>(start: &Phase<C>, sites: &[usize]) -> Phase<C> {
+    let mut state = start.clone();
+    for (half, number) in [(&mut state.q, 0.0), (&mut state.p, 0.5)] {
+        for (place, leaf) in half.flat_mut().iter_mut().enumerate() {
+            let site = (sites[place / C::COMPONENTS] * C::COMPONENTS + place % C::COMPONENTS) as f64;
+            let parts = leaf.parts();
+            // The golden ratio leaves no two sites alike.
+            let by = ((site * 0.618_033_988_749_895 + number).fract() - 0.5) / 64.0;
+            *leaf = C::Leaf::from_parts([parts[0] + by, parts[1]]);
+        }
+    }
+    state
+}

@@ -1,0 +1,84 @@
+//! Lattices on one rank and on several: one case each, by its name.
+
+#[path = "lattice_systems.rs"]
+mod systems;
+
+use integrator_core::{Composition, Coords, prelude::*};
+use integrator_mpi::{self as cluster, Lattice};
+use mpi::traits::Communicator;
+use systems::*;
+
+fn main() {
+    let case = std::env::args().nth(1).unwrap_or_default();
+    let universe = cluster::start().expect("the first start");
+    let world = universe.world();
+    match &case[..] {
+        "ring" => numbers(&world, Verlet, SITES, ring),
+        "ring, high order" => numbers(&world, SofroniouSpaletta8, SITES, ring),
+        "ring, gradient" => numbers(&world, Chin4A, SITES, ring),
+        "ring, processed" => numbers(&world, TakahashiImada4, SITES, ring),
+        "chain" => numbers(&world, Yoshida4, SITES, chain),
+        "plane" => numbers(&world, Yoshida4, 400, plane),
+        "runaway" => {
+            let mut lattice = Lattice::new(&world, Verlet, SITES, 0.01, runaway).expect("a lattice");
+            for steps in [40, 1_000, 1_000] {
+                let outcome = lattice.advance(steps);
+                show(&world, &format!("{outcome:?} after {} steps", lattice.steps()));
+            }
+            state(&lattice);
+        }
+        "high" => numbers(&world, Verlet, SITES, high),
+        "growing" => {
+            let mut lattice = Lattice::new(&world, Verlet, SITES, 0.05, growing).expect("a lattice");
+            let outcome = lattice.advance(246);
+            show(&world, &format!("{outcome:?} after {}", lattice.steps()));
+            state(&lattice);
+        }
+        "refused" => {
+            let short = |_: &[usize]| (Short, Phase::new([0.0; 2], [0.0; 2]));
+            let reasons = [
+                Lattice::new(&world, Verlet, SITES, 0.01, spacing).err(),
+                Lattice::new(&world, Verlet, 5, 0.01, ring).err(),
+                Lattice::new(&world, Verlet, SITES, f64::NAN, ring).err(),
+                Lattice::new(&world, Verlet, SITES, 0.01, |_| ring(&[1, 2])).err(),
+                Lattice::new(&world, Verlet, 2, 0.01, short).err(),
+            ];
+            reasons.iter().for_each(|reason| {
+                show(&world, &reason.as_ref().map_or("accepted".to_owned(), ToString::to_string));
+            });
+        }
+        other => panic!("there is no case {other}"),
+    }
+}
+
+fn show(world: &impl Communicator, text: &str) {
+    if cluster::is_root(world) {
+        println!("{text}");
+    }
+}
+
+fn state<W: Communicator, C: Coords>(lattice: &Lattice<'_, W, C>) {
+    if let Some(state) = lattice.state_on_root() {
+        println!("{state:?}");
+    }
+}
+
+/// All that a lattice shows after portions of steps, bit by bit, printed by rank 0.
+fn numbers<H, C, X>(world: &impl Communicator, composition: X, sites: usize, slab: fn(&[usize]) -> (H, Phase<C>))
+where
+    H: Hamiltonian<Coords = C::With<f64>>,
+    C: Coords,
+    H::Coords: Coords<With<C::Leaf> = C>,
+    X: Composition<H>,
+{
+    let lattice = Lattice::new(world, composition, sites, 0.05, slab).expect("a lattice");
+    let mut lattice = lattice.at_time(0.5);
+    assert!(lattice.exchanges().is_none_or(|(steps, _)| steps < STEPS), "nothing would be exchanged");
+    for portion in [0, 1, STEPS / 2, STEPS - STEPS / 2 - 1] {
+        lattice.advance(portion).expect("finite");
+        state(&lattice);
+        let kinetic = lattice.sum(|site, _, p| (site % 3 == 1).then(|| p.iter().map(|p| p * p).sum()));
+        let energy = lattice.energy().expect("an energy");
+        show(world, &format!("{kinetic:?} {energy:?} {} {} {}", lattice.steps(), lattice.time(), lattice.len()));
+    }
+}
