@@ -9,8 +9,8 @@ use integrator_core::{
     prelude::*,
     reference::{BackwardEuler, ExplicitMidpoint, ForwardEuler, ImplicitMidpoint, RungeKutta4, StaggeredLeapfrog},
 };
-use integrator_laboratory::Verdict;
-use integrator_plot::{Axis, Chart, Mark};
+use integrator_laboratory::{Verdict, colour};
+use integrator_plot::{Axis, Chart, Mark, colour::INK};
 
 /// A step as a matrix that acts on `(q, p)`.
 type Matrix = [[f64; 2]; 2];
@@ -175,24 +175,14 @@ pub(crate) fn picture() -> Result<Chart, Error> {
         .along(Axis::linear("steps"))
         .up(Axis::logarithmic("energy"))
         .sized(1000, 560);
-    let mut charts = chart;
-    for (name, does) in SHOWN {
-        let Some(form) = CLOSED_FORMS.iter().find(|form| form.name == name) else { continue };
+    SHOWN.into_iter().try_fold(chart, |chart, (name, does)| {
+        let Some(form) = CLOSED_FORMS.iter().find(|form| form.name == name) else { return Ok(chart) };
         let energy = |[q, p]: [f64; 2]| 0.5 * (q * q + p * p);
         let line = (0..=STEPS).map(|n| (f64::from(n), energy(form.after(n))));
-        charts = charts.line(format!("{name} {does}"), line.collect::<Vec<_>>()).wide(1.5);
         let computed = (0..=STEPS).step_by(50).map(|n| Ok((f64::from(n), energy((form.arrives)(n)?))));
-        charts =
-            charts.series(Mark::Dots, "", computed.collect::<Result<Vec<_>, Error>>()?).coloured(charts_colour(name));
-    }
-    Ok(charts)
-}
-
-/// The colours of lines in the order in which they are drawn, every second of which is one of dots.
-fn charts_colour(name: &str) -> integrator_plot::Colour {
-    integrator_plot::colour::COLOURS[match name {
-        "forward Euler" => 0,
-        "backward Euler" => 2,
-        _ => 4,
-    }]
+        let computed = computed.collect::<Result<Vec<_>, Error>>()?;
+        let ink = colour(name).unwrap_or(INK);
+        let chart = chart.line(format!("{name} {does}"), line.collect::<Vec<_>>()).coloured(ink).wide(1.5);
+        Ok(chart.series(Mark::Dots, "", computed).coloured(ink))
+    })
 }

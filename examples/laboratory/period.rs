@@ -2,7 +2,7 @@
 
 use crate::systems::Pendulum;
 use integrator_core::{Method, prelude::*, reference::RungeKutta4};
-use integrator_laboratory::{Verdict, plain};
+use integrator_laboratory::{Verdict, colour, plain};
 use integrator_plot::{Axis, Chart, Mark};
 use std::f64::consts::TAU;
 
@@ -79,6 +79,7 @@ pub(crate) fn picture(periods: &[Periods]) -> Chart {
         .up(Axis::logarithmic("relative error of the period"));
     periods.iter().fold(chart, |chart, row| {
         let chart = chart.series(Mark::Dotted, row.name, row.errors.iter().map(|(h, error)| (*h, error.max(1e-16))));
+        let chart = colour(row.name).into_iter().fold(chart, Chart::coloured);
         if row.symplectic { chart } else { chart.dashed() }
     })
 }

@@ -7,7 +7,7 @@ use integrator_core::{
     prelude::*,
     reference::{BackwardEuler, Bdf, DormandPrince5, GaussLegendre4, ImplicitMidpoint, RungeKutta4},
 };
-use integrator_laboratory::{Plan, Report, Verdict, plain, write};
+use integrator_laboratory::{Plan, Report, Verdict, colour, plain, write};
 use integrator_plot::{Axis, Chart, Mark, colour::GREY};
 use std::path::Path;
 
@@ -166,6 +166,7 @@ fn curves<'l>(
 ) -> Chart {
     ladders.into_iter().fold(chart, |chart, ladder| {
         let chart = chart.series(Mark::Dotted, ladder.name, ladder.rungs.iter().map(|rung| (along(rung), rung.1)));
+        let chart = colour(ladder.name).into_iter().fold(chart, Chart::coloured);
         if ladder.implicit { chart } else { chart.dashed() }
     })
 }

@@ -1,23 +1,29 @@
-//! Methods that not every Hamiltonian admits: force gradients where `T` is quadratic, Taylor's where recurrences were written.
-//! Nothing of them is compiled for the others.
+//! Methods that not every Hamiltonian admits: those of second-order equations and force gradients where `T` is quadratic,
+//! Taylor's where recurrences were written. Nothing of them is compiled for the others.
 
 use crate::{
     errors::{Exact, tolerances},
     measured::{Measured, energies, measure},
-    methods::{Adaptive, LOOSE, Row},
+    methods::{Adaptive, LOOSE},
     plan::Plan,
     problem::Problem,
+    rows,
 };
-use integrator_core::{QuadraticKinetic, RecurrencesVisitor, Visitor, prelude::*, taylor::Recurrences};
-use integrator_plot::Colour;
+use integrator_core::{
+    QuadraticKinetic, RecurrencesVisitor, Visitor,
+    prelude::*,
+    reference::{Stoermer4, StoermerCowell4},
+    taylor::Recurrences,
+};
 use std::error::Error;
 
-/// A system, and what was found of it.
+/// A system, which of its methods are asked for, and what was found of them.
 struct Asked<'a, 's, H: Hamiltonian, Found> {
     problem: &'a Problem<'s, H>,
     plan: &'a Plan,
     exact: &'a Exact,
-    found: Option<Result<Found, Box<dyn Error>>>,
+    second_order: bool,
+    found: Result<Vec<Found>, Box<dyn Error>>,
 }
 
 impl<H: Hamiltonian> Visitor<H> for Asked<'_, '_, H, Measured> {
@@ -27,15 +33,37 @@ impl<H: Hamiltonian> Visitor<H> for Asked<'_, '_, H, Measured> {
     where
         H: QuadraticKinetic,
     {
-        let row = Row {
-            name: "Chin 4A",
-            formula: "S_4(h) = e^{{h}/{6}V} e^{{h}/{2}T} e^{{2h}/{3}U} e^{{h}/{2}T} e^{{h}/{6}V} ; U = V − {h^2}/{48} (V')^2",
-            says: "A force gradient in the middle kick: order 4 in steps forward alone, where Yoshida has to step back.",
-            colour: Colour(230, 110, 90),
-            limit: false,
-        };
-        self.found = Some(measure(row, Chin4A, self.problem, self.plan, self.exact));
+        let Self { problem, plan, exact, .. } = *self;
+        let mut methods = Vec::new();
+        if !self.second_order {
+            methods.push((rows::CHIN_4A, problem.by(Chin4A)));
+        } else if H::SEPARABLE {
+            methods.push((rows::STOERMER_4, problem.by(Stoermer4)));
+            methods.push((rows::STOERMER_COWELL_4, problem.by(StoermerCowell4)));
+        }
+        let measured = methods.into_iter().map(|(row, method)| measure(row, &*method, problem, plan, exact));
+        self.found = measured.collect();
     }
+}
+
+fn admitted<H: Hamiltonian>(
+    problem: &Problem<'_, H>,
+    plan: &Plan,
+    exact: &Exact,
+    second_order: bool,
+) -> Result<Vec<Measured>, Box<dyn Error>> {
+    let mut asked = Asked { problem, plan, exact, second_order, found: Ok(Vec::new()) };
+    H::visit_compositions(&mut asked);
+    asked.found
+}
+
+/// Multistep methods of `q'' = a(q)`, where H is of that form.
+pub(crate) fn of_second_order<H: Hamiltonian>(
+    problem: &Problem<'_, H>,
+    plan: &Plan,
+    exact: &Exact,
+) -> Result<Vec<Measured>, Box<dyn Error>> {
+    admitted(problem, plan, exact, true)
 }
 
 /// A composition with a force gradient, where `H` admits one.
@@ -43,10 +71,8 @@ pub(crate) fn with_gradients<H: Hamiltonian>(
     problem: &Problem<'_, H>,
     plan: &Plan,
     exact: &Exact,
-) -> Result<Option<Measured>, Box<dyn Error>> {
-    let mut asked = Asked { problem, plan, exact, found: None };
-    H::visit_compositions(&mut asked);
-    asked.found.transpose()
+) -> Result<Vec<Measured>, Box<dyn Error>> {
+    admitted(problem, plan, exact, false)
 }
 
 impl<H: Hamiltonian> RecurrencesVisitor<H> for Asked<'_, '_, H, Adaptive> {
@@ -54,18 +80,11 @@ impl<H: Hamiltonian> RecurrencesVisitor<H> for Asked<'_, '_, H, Adaptive> {
     where
         H: Recurrences,
     {
-        let Self { problem, plan, exact, .. } = self;
-        let row = Row {
-            name: "Taylor",
-            formula: "",
-            says: "many derivatives by recurrences, in steps by the last of them",
-            colour: Colour(30, 140, 230),
-            limit: false,
-        };
-        let measured = tolerances(problem, Taylor::tolerance, plan, exact).and_then(|errors| {
-            Ok(Adaptive { row, errors, energies: energies(problem, Taylor::tolerance(LOOSE), plan)? })
+        let Self { problem, plan, exact, .. } = *self;
+        let of = |tolerance| problem.by(Taylor::tolerance(tolerance));
+        self.found = tolerances(problem, &of, plan, exact).and_then(|errors| {
+            Ok(vec![Adaptive { row: rows::TAYLOR, errors, energies: energies(problem, &*of(LOOSE), plan)? }])
         });
-        self.found = Some(measured);
     }
 }
 
@@ -74,8 +93,8 @@ pub(crate) fn by_taylor<H: Hamiltonian>(
     problem: &Problem<'_, H>,
     plan: &Plan,
     exact: &Exact,
-) -> Result<Option<Adaptive>, Box<dyn Error>> {
-    let mut asked = Asked { problem, plan, exact, found: None };
+) -> Result<Vec<Adaptive>, Box<dyn Error>> {
+    let mut asked = Asked { problem, plan, exact, second_order: false, found: Ok(Vec::new()) };
     H::visit_recurrences(&mut asked);
-    asked.found.transpose()
+    asked.found
 }

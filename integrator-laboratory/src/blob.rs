@@ -2,9 +2,9 @@
 
 use crate::{
     plan::Plan,
-    problem::{Problem, numbers},
+    problem::{Problem, Stepped, numbers},
 };
-use integrator_core::{Coords, Method, prelude::*};
+use integrator_core::{Coords, prelude::*};
 use std::{error::Error, f64::consts::TAU};
 
 /// The outline of the blob at some times, in the plane of the first position and its momentum, and its area.
@@ -29,9 +29,9 @@ const LOOKS: usize = 30;
 const SHOWN: usize = 5;
 
 /// Follows the outline of the blob.
-pub(crate) fn follow<H: Hamiltonian, M: Method<H>>(
+pub(crate) fn follow<H: Hamiltonian>(
     problem: &Problem<'_, H>,
-    method: M,
+    method: &dyn Stepped<H::Coords>,
     plan: &Plan,
 ) -> Result<Blob, Box<dyn Error>> {
     let interval = ((PERIODS * problem.period / problem.step) as u64 / LOOKS as u64).max(1);
@@ -43,7 +43,7 @@ pub(crate) fn follow<H: Hamiltonian, M: Method<H>>(
         // Against the sense of ∮ p dq, so that the area begins positive.
         start.q.flat_mut()[0] += problem.blob * cosine;
         start.p.flat_mut()[0] -= problem.blob * sine;
-        let run = problem.run(method, &start, problem.step)?;
+        let run = method.run(&start, problem.step)?;
         for (look, sample) in looks.iter_mut().zip(run.samples(interval).map_while(Result::ok)) {
             look.push(numbers(&sample.state));
         }

@@ -133,6 +133,12 @@ const ORDERS: [Claim; 11] = orders! {
     "blanes_moan6_order_6" "The composition of Blanes and Moan has order 6: the exponent" "Blanes–Moan 6" 6.0,
 };
 
+/// What is claimed of methods of second-order equations, where H is one.
+const OF_SECOND_ORDER: [Claim; 2] = orders! {
+    "stoermer4_order_4" "Störmer's formula over four positions has order 4: the exponent" "Störmer 4" 4.0,
+    "stoermer_cowell4_order_4" "With Cowell's corrector it has order 4 as well: the exponent" "Störmer–Cowell 4" 4.0,
+};
+
 /// What is claimed of a composition with a force gradient, where there is one.
 const OF_GRADIENTS: [Claim; 1] = orders! {
     "chin_4a_order_4" "Chin's composition with a force gradient has order 4 without a step back: the exponent" "Chin 4A" 4.0,
@@ -293,7 +299,7 @@ fn of_portrait(measured: &Measured) -> Verdict {
     }
     let periods = plain(portrait.periods);
     let says = format!(
-        "{name} gains or loses energy, in {steps} steps to a period: the size of the relative change after {periods} periods"
+        "{name} gains or loses energy, in {steps} steps to a period: the size of the change after {periods} periods, in units of the largest kinetic energy"
     );
     Verdict::new(format!("{word}_energy_changes"), says, [SEEN, f64::INFINITY], Some(portrait.change.abs()))
 }
@@ -307,7 +313,7 @@ impl Measured {
 
 fn word(name: &str) -> String {
     let letter = |letter: char| if letter.is_ascii_alphanumeric() { letter.to_ascii_lowercase() } else { '_' };
-    name.chars().map(letter).collect()
+    name.replace('ö', "oe").chars().map(letter).collect()
 }
 
 /// What is claimed of a modified Hamiltonian.
@@ -324,10 +330,12 @@ fn of_modified(modified: &Modified) -> Verdict {
 /// What became of all claims that say something of the system.
 pub(crate) fn verdicts(study: &Study) -> Vec<Verdict> {
     let of_gradients = study.method("Chin 4A").map_or(&OF_GRADIENTS[..0], |_| &OF_GRADIENTS[..]);
+    let of_second_order = study.method("Störmer 4").map_or(&OF_SECOND_ORDER[..0], |_| &OF_SECOND_ORDER[..]);
     let of_taylor = study.adaptive.iter().filter(|adaptive| adaptive.row.name == "Taylor").map(|_| &OF_TAYLOR);
     let claims = CLAIMS
         .iter()
         .chain(&ORDERS)
+        .chain(of_second_order)
         .chain(of_gradients)
         .chain(of_taylor)
         .filter(|claim| study.autonomous || !claim.of_energy);

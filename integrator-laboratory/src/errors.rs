@@ -2,9 +2,9 @@
 
 use crate::{
     plan::Plan,
-    problem::{Problem, distance, numbers},
+    problem::{Problem, Stepped, distance, numbers},
 };
-use integrator_core::{Coords, Method, prelude::*};
+use integrator_core::{Coords, prelude::*};
 use std::error::Error;
 
 /// The error with one step size or tolerance.
@@ -23,6 +23,8 @@ pub(crate) struct Exact {
     end: Vec<f64>,
     /// By how much two references differ.
     uncertainty: f64,
+    /// The largest kinetic energy on the way: how much of the energy moves, wherever its zero is.
+    pub(crate) motion: f64,
 }
 
 /// Periods up to the errors: no whole number of half periods, where errors of symmetric orbits cancel.
@@ -36,15 +38,20 @@ const REFERENCE: u32 = 1152;
 
 /// The reference: the better one of two, with their difference.
 pub(crate) fn exact<H: Hamiltonian>(problem: &Problem<'_, H>) -> Result<Exact, Box<dyn Error>> {
-    let end = |steps: u32| -> Result<Vec<f64>, integrator_core::Error> {
+    let mut motion = 0.0_f64;
+    let mut end = |steps: u32| -> Result<Vec<f64>, integrator_core::Error> {
         let start = Phase::compensated(problem.start.q.clone(), problem.start.p.clone());
         let h = PERIODS * problem.period / f64::from(steps);
         let mut run = problem.system.run_with::<Compensated<f64>, _>(SofroniouSpaletta10, start, h)?;
-        run.advance(steps.into())?;
+        for _ in 0..steps {
+            motion = motion.max(run.kinetic().abs());
+            run.advance(1)?;
+        }
         Ok(of_compensated::<H>(&run.state()))
     };
     let (coarse, fine) = (end(REFERENCE / 2)?, end(REFERENCE)?);
-    Ok(Exact { uncertainty: distance(&coarse, &fine), end: fine })
+    let motion = if motion > 0.0 { motion } else { 1.0 };
+    Ok(Exact { uncertainty: distance(&coarse, &fine), end: fine, motion })
 }
 
 /// All positions, then all momenta, without what they carry along.
@@ -53,9 +60,9 @@ fn of_compensated<H: Hamiltonian>(state: &Phase<<H::Coords as Coords>::With<Comp
 }
 
 /// The errors of a method.
-pub(crate) fn ladder<H: Hamiltonian, M: Method<H>>(
+pub(crate) fn ladder<H: Hamiltonian>(
     problem: &Problem<'_, H>,
-    method: M,
+    method: &dyn Stepped<H::Coords>,
     plan: &Plan,
     exact: &Exact,
 ) -> Result<Vec<Rung>, Box<dyn Error>> {
@@ -75,28 +82,28 @@ pub(crate) fn ladder<H: Hamiltonian, M: Method<H>>(
 
 /// The errors of a method that chooses its own steps, for one tolerance after the other, each a tenth of the one
 /// before; but for those that may be the reference's.
-pub(crate) fn tolerances<H: Hamiltonian, M: Method<H>>(
-    problem: &Problem<'_, H>,
-    method: fn(f64) -> M,
+pub(crate) fn tolerances<'s, H: Hamiltonian>(
+    problem: &Problem<'s, H>,
+    method: &dyn Fn(f64) -> Box<dyn Stepped<H::Coords> + 's>,
     plan: &Plan,
     exact: &Exact,
 ) -> Result<Vec<Rung>, Box<dyn Error>> {
     let span = PERIODS * problem.period;
     let tolerances = (0..plan.rungs).map(|rung| LOOSEST / 10.0_f64.powi(rung as i32));
-    let rungs = tolerances.map(|tolerance| climb(problem, method(tolerance), [span, tolerance], 1, exact));
+    let rungs = tolerances.map(|tolerance| climb(problem, &*method(tolerance), [span, tolerance], 1, exact));
     let is_seen = |rung: &Result<Rung, _>| !matches!(rung, Ok(rung) if rung.error < 2.0 * exact.uncertainty);
     rungs.filter_map(Result::transpose).filter(is_seen).collect()
 }
 
 /// The error of so many steps; none where these do not lead to an end. A step may be too coarse to stay finite.
-fn climb<H: Hamiltonian, M: Method<H>>(
+fn climb<H: Hamiltonian>(
     problem: &Problem<'_, H>,
-    method: M,
+    method: &dyn Stepped<H::Coords>,
     [h, step]: [f64; 2],
     steps: u64,
     exact: &Exact,
 ) -> Result<Option<Rung>, Box<dyn Error>> {
-    let mut run = problem.run(method, &problem.start, h)?;
+    let mut run = method.run(&problem.start, h)?;
     let Ok(()) = run.advance(steps) else { return Ok(None) };
     let error = distance(&numbers(&run.state()), &exact.end);
     Ok(Some(Rung { step, evaluations: run.evaluations(), error }))

@@ -7,7 +7,7 @@ pub(crate) fn math(formulas: &str) -> String {
         let characters = formula.chars().filter(|letter| *letter != ' ').collect();
         format!("<math>{}</math>", Rest { characters, place: 0 }.row())
     };
-    formulas.split(';').map(one).collect::<Vec<_>>().join("&emsp; ")
+    formulas.split(';').map(one).collect::<Vec<_>>().join(" ")
 }
 
 struct Rest {

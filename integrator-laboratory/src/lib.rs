@@ -35,7 +35,8 @@
 //! |---|---|
 //! | `laboratory` | what is asked for, and the files that it becomes |
 //! | `problem`, `plan` | a system with where it starts; how much is measured |
-//! | `study`, `measured`, `methods` | all that is measured, of a system and of a method; the methods, one row each |
+//! | `study`, `measured` | all that is measured, of a system and of a method |
+//! | `methods`, `rows` | the methods; what is said of each |
 //! | `blob`, `errors`, `limits`, `modified`, `portrait`, `reversal`, `shifted` | one measurement each |
 //! | `claims` | claims, each with the number that decides it |
 //! | `pictures`, `page` | what is drawn and written; `formula` makes MathML, `numbers` plain numbers |
@@ -58,6 +59,7 @@ mod plan;
 mod portrait;
 mod problem;
 mod reversal;
+mod rows;
 mod shifted;
 mod study;
 #[cfg(test)]
@@ -67,6 +69,7 @@ pub use claims::Verdict;
 pub use laboratory::{Drawing, Laboratory, Report, report, write};
 pub use numbers::{plain, signed};
 pub use plan::Plan;
+pub use rows::colour;
 
 /// The program of the README.
 #[cfg(doctest)]

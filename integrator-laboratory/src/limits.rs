@@ -1,8 +1,11 @@
 //! The largest change of the energy for steps from short to long ones: where it leaves all bounds is the limit of stability,
 //! where it has a peak the step resonates with the motion.
 
-use crate::{plan::Plan, problem::Problem};
-use integrator_core::{Method, prelude::*};
+use crate::{
+    plan::Plan,
+    problem::{Problem, Stepped},
+};
+use integrator_core::prelude::*;
 
 /// Steps to a period of the shortest and of the longest step.
 const COUNTS: [f64; 2] = [64.0, 2.2];
@@ -12,9 +15,9 @@ pub(crate) const PERIODS: f64 = 30.0;
 pub(crate) const LEFT: f64 = 1e3;
 
 /// Steps, and the largest relative change of the energy in so many periods. Of one that has left, as much as an energy that has.
-pub(crate) fn limits<H: Hamiltonian, M: Method<H>>(
+pub(crate) fn limits<H: Hamiltonian>(
     problem: &Problem<'_, H>,
-    method: M,
+    method: &dyn Stepped<H::Coords>,
     plan: &Plan,
 ) -> Result<Vec<(f64, f64)>, Error> {
     let count = |i: u32| COUNTS[0] * (COUNTS[1] / COUNTS[0]).powf(f64::from(i) / f64::from(plan.limits - 1));
@@ -23,8 +26,8 @@ pub(crate) fn limits<H: Hamiltonian, M: Method<H>>(
         .collect()
 }
 
-fn largest<H: Hamiltonian, M: Method<H>>(problem: &Problem<'_, H>, method: M, step: f64) -> Result<f64, Error> {
-    let run = problem.run(method, &problem.start, step)?;
+fn largest<H: Hamiltonian>(problem: &Problem<'_, H>, method: &dyn Stepped<H::Coords>, step: f64) -> Result<f64, Error> {
+    let run = method.run(&problem.start, step)?;
     let energy = run.energy();
     let unit = if energy == 0.0 { 1.0 } else { energy.abs() };
     let mut largest = 0.0_f64;

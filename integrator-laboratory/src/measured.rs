@@ -1,21 +1,17 @@
 //! What is measured of one method. With `blob`, `errors`, `portrait`, `reversal`, `limits` and `shifted` this is the code that
-//! is generic over systems and methods; what comes out are plain numbers.
+//! is generic over systems; what comes out are plain numbers.
 
 use crate::{
     blob::{Blob, follow},
     errors::{Exact, Rung, ladder},
     limits::limits,
-    methods::Row,
     plan::Plan,
     portrait::{Portrait, portrait},
-    problem::Problem,
+    problem::{Problem, Stepped},
     reversal::{Reversal, reversal},
+    rows::Row,
 };
-use integrator_core::{
-    Method,
-    check::{observed_order, poisson_bracket, symplectic_defect_after},
-    prelude::*,
-};
+use integrator_core::prelude::*;
 use std::error::Error;
 
 /// Everything that the page shows of a method.
@@ -91,30 +87,30 @@ impl Measured {
 }
 
 /// Measures a method on a problem.
-pub(crate) fn measure<H: Hamiltonian, M: Method<H>>(
+pub(crate) fn measure<H: Hamiltonian>(
     row: Row,
-    method: M,
+    method: &dyn Stepped<H::Coords>,
     problem: &Problem<'_, H>,
     plan: &Plan,
     exact: &Exact,
 ) -> Result<Measured, Box<dyn Error>> {
-    let Problem { system, start, step, period, .. } = problem;
+    let Problem { start, step, period, .. } = problem;
     let facts = method.facts();
     let energies = energies(problem, method, plan)?;
-    let defect = |h: f64| symplectic_defect_after::<H, M, f64>(system, method, start, h, STEPS);
+    let portrait = portrait(problem, method, plan, exact)?;
     let steps = DEFECT_STEPS.iter().map(|count| period / count);
     Ok(Measured {
         symplectic: facts.symplectic,
         symmetric: facts.symmetric,
         order: facts.order,
-        slope: observed_order::<H, M, f64>(system, method, start.clone(), *step).ok().map(|order| order.slope),
-        bracket: poisson_bracket::<H, M, f64>(system, method, start, *step, 0)?,
+        slope: method.slope(start, *step),
+        bracket: method.bracket(start, *step)?,
         // Where a step is too long for an implicit method, there is no map.
-        defects: steps.filter_map(|h| Some((h, defect(h).ok()?))).collect(),
+        defects: steps.filter_map(|h| Some((h, method.defect(start, h, STEPS).ok()?))).collect(),
         steps: energies.len(),
         energies,
-        portrait: portrait(problem, method, plan)?,
-        reversal: reversal(problem, method)?,
+        reversal: reversal(problem, method, portrait.count)?,
+        portrait,
         limits: if row.limit { limits(problem, method, plan)? } else { Vec::new() },
         blob: follow(problem, method, plan)?,
         errors: ladder(problem, method, plan, exact)?,
@@ -123,12 +119,12 @@ pub(crate) fn measure<H: Hamiltonian, M: Method<H>>(
 }
 
 /// Periods, and the relative change of the energy, step by step.
-pub(crate) fn energies<H: Hamiltonian, M: Method<H>>(
+pub(crate) fn energies<H: Hamiltonian>(
     problem: &Problem<'_, H>,
-    method: M,
+    method: &dyn Stepped<H::Coords>,
     plan: &Plan,
 ) -> Result<Vec<(f64, f64)>, Box<dyn Error>> {
-    let run = problem.run(method, &problem.start, problem.step)?;
+    let run = method.run(&problem.start, problem.step)?;
     let energy = run.energy();
     let unit = if energy == 0.0 { 1.0 } else { energy.abs() };
     let steps = (plan.periods * problem.period / problem.step) as usize;

@@ -1,7 +1,7 @@
 //! What symplectic steps conserve: levels of the modified Hamiltonian under an orbit, and by how much it changes for one
 //! step after the other.
 
-use crate::{methods::Row, plan::Plan, problem::Problem};
+use crate::{plan::Plan, problem::Problem, rows::Row};
 use integrator_core::{
     Composition, Coords,
     check::{ModifiedHamiltonian, shadow},

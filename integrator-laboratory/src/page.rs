@@ -19,7 +19,7 @@ pub(crate) struct Figure {
 const STYLE: &str = "body{font:16px/1.5 sans-serif;color:#282828;max-width:1320px;margin:2em auto;padding:0 1em}\
 svg{max-width:100%;height:auto}figure{margin:2em 0;border-top:1px solid #e2e2e2}table{border-collapse:collapse}\
 td,th{padding:.3em .8em;text-align:left;vertical-align:top;border-bottom:1px solid #e2e2e2}\
-td.number,td.method{white-space:nowrap}math{font-size:112%}.FAILED{color:#d55e00;font-weight:bold}\
+td.number,td.method{white-space:nowrap}math{font-size:112%}td math{margin-right:1em}.FAILED{color:#d55e00;font-weight:bold}\
 .chip{display:inline-block;width:1.6em;height:.28em;vertical-align:middle;margin-right:.5em}";
 
 /// The page of a system: its claims, its methods if they were measured, its pictures.
@@ -97,7 +97,7 @@ fn methods(study: &Study) -> String {
          and <i>f</i> is its derivative. Each method has one colour on the whole page. Whole lines are of symplectic methods, \
          dashes of the others. Energies are those after {periods} periods in steps of {step}. Also in the pictures, with \
          dashes: {adaptive}.</p>\n\
-         <table>\n<tr><th>method</th><th>a step</th><th>order</th><th>conserves areas</th><th>comes back</th><th>energy</th></tr>\n{rows}</table>\n",
+         <table>\n<tr><th>method</th><th>a step</th><th>order (measured)</th><th>conserves areas</th><th>comes back</th><th>energy</th></tr>\n{rows}</table>\n",
         z = math("z = (q, p)"),
         step = plain(study.step),
         adaptive = adaptive.collect::<Vec<_>>().join(", "),
@@ -107,12 +107,12 @@ fn methods(study: &Study) -> String {
 fn method(study: &Study, measured: &Measured) -> String {
     let row = measured.row;
     let order = match measured.slope {
-        Some(slope) => format!("{}, measured {}", measured.order, plain(slope)),
+        Some(slope) => format!("{} ({})", measured.order, plain(slope)),
         None => measured.order.to_string(),
     };
     let areas = match (measured.keeps_areas(), measured.blob.area() - 1.0) {
         (true, _) => "yes".to_owned(),
-        (false, off) if off.is_finite() => format!("no: {} of an area", signed(off)),
+        (false, off) if off.is_finite() => format!("no: {}", signed(off)),
         _ => "no".to_owned(),
     };
     let back = match measured.reversal.apart {
@@ -121,7 +121,7 @@ fn method(study: &Study, measured: &Measured) -> String {
         None => "no".to_owned(),
     };
     format!(
-        "<tr><td class=\"method\">{chip}{name}</td><td>{formula}<br>{says}</td><td>{order}</td><td>{areas}</td><td>{back}</td><td>{energy}</td></tr>\n",
+        "<tr><td class=\"method\">{chip}{name}</td><td>{formula}<br>{says}</td><td class=\"number\">{order}</td><td>{areas}</td><td>{back}</td><td class=\"number\">{energy}</td></tr>\n",
         chip = chip(row.colour, !measured.symplectic),
         name = escaped(row.name),
         formula = math(row.formula),

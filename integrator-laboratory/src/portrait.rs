@@ -1,10 +1,14 @@
 //! The orbit of a method in steps that show what it does: so long that a gain or a loss is seen, or as long as they may be
 //! where there is none.
 
-use crate::{plan::Plan, problem::Problem};
-use integrator_core::{Method, prelude::*};
+use crate::{
+    errors::Exact,
+    plan::Plan,
+    problem::{Problem, Stepped},
+};
+use integrator_core::prelude::*;
 
-/// An orbit in the view of the problem.
+/// An orbit in the view of the problem. Energies are in units of the largest kinetic energy of the motion.
 #[derive(Clone, Debug)]
 pub(crate) struct Portrait {
     /// Steps to a period.
@@ -12,7 +16,7 @@ pub(crate) struct Portrait {
     /// How many periods are shown: fewer than planned where the orbit has left.
     pub(crate) periods: f64,
     pub(crate) points: Vec<(f64, f64)>,
-    /// The relative change of the energy at the end, or with which the orbit left.
+    /// The change of the energy at the end, or with which the orbit left.
     pub(crate) change: f64,
     /// Whether it has left before the time was over.
     pub(crate) left: bool,
@@ -28,7 +32,7 @@ const LONGER: f64 = 8.0;
 /// The steps to a period that show a method which keeps its energy, and those that are tried if it does not in steps as long.
 const COARSE: [u32; 5] = [20, 28, 40, 57, 80];
 /// A change of the energy that is seen.
-pub(crate) const SEEN: f64 = 0.3;
+pub(crate) const SEEN: f64 = 0.2;
 /// Within this, a symplectic method is not near its limit of stability.
 const KEPT: f64 = 0.3;
 /// With a change like the first one an orbit has gained or lost; with the second one it has left.
@@ -48,25 +52,27 @@ impl Portrait {
 
 /// The portrait of a method: of one that is symplectic in long steps, of another one in the shortest in which it is seen
 /// that it is not.
-pub(crate) fn portrait<H: Hamiltonian, M: Method<H>>(
+pub(crate) fn portrait<H: Hamiltonian>(
     problem: &Problem<'_, H>,
-    method: M,
+    method: &dyn Stepped<H::Coords>,
     plan: &Plan,
+    exact: &Exact,
 ) -> Result<Portrait, Error> {
+    let follow = |periods: f64, count: u32| follow(problem, method, exact.motion, periods, count);
     if method.facts().symplectic {
-        let mut portrait = follow(problem, method, plan.periods, COARSE[0])?;
+        let mut portrait = follow(plan.periods, COARSE[0])?;
         for count in &COARSE[1..] {
             if portrait.largest[0].max(portrait.largest[1]) < KEPT {
                 break;
             }
-            portrait = follow(problem, method, plan.periods, *count)?;
+            portrait = follow(plan.periods, *count)?;
         }
         return Ok(portrait);
     }
     let long = COUNTS.into_iter().filter(|count| *count <= LONG).map(|count| (count, LONGER * plan.periods));
     let mut best: Option<Portrait> = None;
     for (count, periods) in COUNTS.into_iter().map(|count| (count, plan.periods)).chain(long) {
-        let portrait = follow(problem, method, periods, count)?;
+        let portrait = follow(periods, count)?;
         if portrait.change.abs() > SEEN {
             return Ok(portrait);
         }
@@ -78,16 +84,16 @@ pub(crate) fn portrait<H: Hamiltonian, M: Method<H>>(
     best.ok_or(Error::SampleInterval)
 }
 
-fn follow<H: Hamiltonian, M: Method<H>>(
+fn follow<H: Hamiltonian>(
     problem: &Problem<'_, H>,
-    method: M,
+    method: &dyn Stepped<H::Coords>,
+    unit: f64,
     periods: f64,
     count: u32,
 ) -> Result<Portrait, Error> {
     let step = problem.period / f64::from(count);
-    let run = problem.run(method, &problem.start, step)?;
+    let run = method.run(&problem.start, step)?;
     let energy = run.energy();
-    let unit = if energy == 0.0 { 1.0 } else { energy.abs() };
     let steps = (periods * f64::from(count)) as usize;
     let mut portrait = Portrait { count, periods: 0.0, points: Vec::new(), change: 0.0, left: true, largest: [0.0; 2] };
     // A method may leave the finite numbers, or find no end of its step; up to there it is shown.

@@ -1,6 +1,10 @@
 //! A Hamiltonian with where it starts and how long it is followed.
 
-use integrator_core::{Coords, Method, prelude::*};
+use integrator_core::{
+    Coords, Facts, Method,
+    check::{CheckError, observed_order, poisson_bracket, symplectic_defect_after},
+    prelude::*,
+};
 
 /// What the laboratory is told of a system.
 pub(crate) struct Problem<'s, H: Hamiltonian> {
@@ -28,6 +32,11 @@ impl<H: Hamiltonian> Problem<'_, H> {
         self.system.run_with::<f64, M>(method, start.clone(), h)
     }
 
+    /// A method on this system.
+    pub(crate) fn by<M: Method<H>>(&self, method: M) -> Box<dyn Stepped<H::Coords> + '_> {
+        Box::new(Of { system: self.system, method })
+    }
+
     /// The degrees of freedom.
     pub(crate) fn freedom(&self) -> usize {
         self.start.q.flat().len()
@@ -37,6 +46,44 @@ impl<H: Hamiltonian> Problem<'_, H> {
     pub(crate) fn seen(&self, state: &Phase<H::Coords>) -> (f64, f64) {
         let numbers = numbers(state);
         (numbers[self.view[0]], numbers[self.view[1]])
+    }
+}
+
+/// A method on a system. Whatever is measured goes through this, so that measurements are compiled once for a system and
+/// not for each of its methods.
+pub(crate) trait Stepped<C: Coords> {
+    /// What the method claims.
+    fn facts(&self) -> Facts;
+    /// A run with plain numbers.
+    fn run(&self, start: &Phase<C>, h: f64) -> Result<Run<C>, Error>;
+    /// The order that it shows, where that can be measured.
+    fn slope(&self, start: &Phase<C>, h: f64) -> Option<f64>;
+    /// `{q₁, p₁}` after one step.
+    fn bracket(&self, start: &Phase<C>, h: f64) -> Result<f64, CheckError>;
+    /// By how much the map of some steps is not symplectic.
+    fn defect(&self, start: &Phase<C>, h: f64, steps: u64) -> Result<f64, CheckError>;
+}
+
+struct Of<'s, H, M> {
+    system: &'s H,
+    method: M,
+}
+
+impl<H: Hamiltonian, M: Method<H>> Stepped<H::Coords> for Of<'_, H, M> {
+    fn facts(&self) -> Facts {
+        self.method.facts()
+    }
+    fn run(&self, start: &Phase<H::Coords>, h: f64) -> Result<Run<H::Coords>, Error> {
+        self.system.run_with::<f64, M>(self.method, start.clone(), h)
+    }
+    fn slope(&self, start: &Phase<H::Coords>, h: f64) -> Option<f64> {
+        Some(observed_order::<H, M, f64>(self.system, self.method, start.clone(), h).ok()?.slope)
+    }
+    fn bracket(&self, start: &Phase<H::Coords>, h: f64) -> Result<f64, CheckError> {
+        poisson_bracket::<H, M, f64>(self.system, self.method, start, h, 0)
+    }
+    fn defect(&self, start: &Phase<H::Coords>, h: f64, steps: u64) -> Result<f64, CheckError> {
+        symplectic_defect_after::<H, M, f64>(self.system, self.method, start, h, steps)
     }
 }
 

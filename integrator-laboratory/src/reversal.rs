@@ -1,11 +1,13 @@
 //! There and back: so many steps, the momenta turned around, and as many steps again.
 
-use crate::problem::{Problem, distance, numbers};
-use integrator_core::{Coords, Method, prelude::*};
+use crate::problem::{Problem, Stepped, distance, numbers};
+use integrator_core::{Coords, prelude::*};
 
 /// An orbit there and back.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Reversal {
+    /// Steps to a period.
+    pub(crate) count: u32,
     pub(crate) there: Vec<(f64, f64)>,
     pub(crate) back: Vec<(f64, f64)>,
     /// How far from the start it ends, in units of the start; nothing where it did not come to an end.
@@ -14,22 +16,29 @@ pub(crate) struct Reversal {
 
 /// How far it goes, in periods.
 pub(crate) const PERIODS: f64 = 2.3;
-/// Steps to a period.
-pub(crate) const COUNT: u32 = 30;
+/// Steps to a period, at most.
+const COUNT: u32 = 30;
 
-/// Goes there and back by a method.
-pub(crate) fn reversal<H: Hamiltonian, M: Method<H>>(problem: &Problem<'_, H>, method: M) -> Result<Reversal, Error> {
-    let step = problem.period / f64::from(COUNT);
-    let steps = (PERIODS * f64::from(COUNT)) as usize;
-    let mut reversal = Reversal::default();
+/// Goes there and back by a method: by one that is neither symmetric nor symplectic in steps as long as those which show
+/// what it does to energies.
+pub(crate) fn reversal<H: Hamiltonian>(
+    problem: &Problem<'_, H>,
+    method: &dyn Stepped<H::Coords>,
+    shown: u32,
+) -> Result<Reversal, Error> {
+    let facts = method.facts();
+    let count = if facts.symmetric || facts.symplectic { COUNT } else { shown.min(COUNT) };
+    let step = problem.period / f64::from(count);
+    let steps = (PERIODS * f64::from(count)) as usize;
+    let mut reversal = Reversal { count, ..Reversal::default() };
     let mut last = problem.start.clone();
-    for sample in problem.run(method, &problem.start, step)?.samples(1).take(steps + 1) {
+    for sample in method.run(&problem.start, step)?.samples(1).take(steps + 1) {
         let Ok(sample) = sample else { return Ok(reversal) };
         reversal.there.push(problem.seen(&sample.state));
         last = sample.state;
     }
     turn(&mut last);
-    for sample in problem.run(method, &last, step)?.samples(1).take(steps + 1) {
+    for sample in method.run(&last, step)?.samples(1).take(steps + 1) {
         let Ok(mut sample) = sample else { return Ok(reversal) };
         turn(&mut sample.state);
         reversal.back.push(problem.seen(&sample.state));

@@ -70,15 +70,18 @@ const WRONG: [(&str, &str, &str); 12] = [
 #[test]
 fn methods_of_some_systems_have_claims_of_their_own() {
     let sound = study();
-    for claim in ["chin_4a_order_4", "taylor_follows_its_tolerance"] {
+    let claims = ["chin_4a_order_4", "stoermer4_order_4", "stoermer_cowell4_order_4", "taylor_follows_its_tolerance"];
+    for claim in claims {
         assert!(verdict(claim, &sound).holds(), "{claim}");
     }
     let mut wrong = sound.clone();
-    let chin = wrong.methods.iter_mut().find(|measured| measured.name() == "Chin 4A").expect("T is quadratic");
-    chin.slope = sound.method("Verlet").expect("a method").slope;
+    for name in ["Chin 4A", "Störmer 4", "Störmer–Cowell 4"] {
+        let method = wrong.methods.iter_mut().find(|measured| measured.name() == name).expect("T is quadratic");
+        method.slope = sound.method("Verlet").expect("a method").slope;
+    }
     let taylor = wrong.adaptive.iter_mut().find(|adaptive| adaptive.row.name == "Taylor").expect("recurrences");
     taylor.errors.iter_mut().for_each(|rung| rung.error = 1e-6);
-    for claim in ["chin_4a_order_4", "taylor_follows_its_tolerance"] {
+    for claim in claims {
         assert!(!verdict(claim, &wrong).holds(), "{claim}");
     }
     // Of a system without recurrences nothing is claimed of them.
@@ -160,6 +163,35 @@ fn multistep_methods_are_judged_after_their_starter() {
     assert!(apart >= 4, "{:?} and {:?}", abm.defects, rk.defects);
 }
 
+/// A curve does not pass through fifteen decades where an energy that was too high is too low.
+#[test]
+fn curves_of_energies_are_broken_where_their_sign_changes() {
+    let mut study = study();
+    let pieces = |study: &Study| {
+        let (_, draw) = PICTURES.iter().find(|(name, _)| *name == "energy_error").expect("a picture");
+        svg(&draw(study).expect("an energy")).matches("<polyline").count()
+    };
+    let before = pieces(&study);
+    let euler = study.methods.iter_mut().find(|measured| measured.name() == "forward Euler").expect("a method");
+    let half = euler.energies.len() / 2;
+    euler.energies[half..].iter_mut().for_each(|(_, change)| *change = -*change);
+    assert!(pieces(&study) > before);
+}
+
+/// Who gains or loses so much that the sight of it is enough, and who comes back from there.
+#[test]
+fn portraits_show_what_a_method_does() {
+    let study = study();
+    for measured in &study.methods {
+        let (portrait, name) = (&measured.portrait, measured.name());
+        assert_eq!(portrait.change.abs() > crate::portrait::SEEN, !measured.symplectic, "{name}: {}", portrait.change);
+        let count = if measured.symplectic { 30 } else { portrait.count.min(30) };
+        assert_eq!(measured.reversal.count, count, "{name}");
+    }
+    let apart = study.method("Runge–Kutta 4").and_then(|measured| measured.reversal.apart).expect("an end");
+    assert!(apart > 0.1, "the end is seen to be another point than the start: {apart}");
+}
+
 /// What rounding has changed is called neither a gain nor a loss.
 #[test]
 fn rounding_is_no_gain() {
@@ -221,6 +253,8 @@ fn every_picture_has_its_words_and_the_colours_of_methods() {
     let adaptive = study.adaptive.iter().map(|adaptive| adaptive.row.colour);
     let colours: Vec<_> = study.methods.iter().map(|measured| measured.row.colour).chain(adaptive).collect();
     assert!((0..colours.len()).all(|i| !colours[..i].contains(&colours[i])), "one colour for each method");
+    let verlet = study.method("Verlet").map(|verlet| verlet.row.colour);
+    assert_eq!((crate::colour("Verlet"), crate::colour("Störmer")), (verlet, None), "for pictures of one's own");
 }
 
 fn folder(name: &str) -> PathBuf {

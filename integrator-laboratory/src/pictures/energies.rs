@@ -64,7 +64,8 @@ pub(super) fn extremes(study: &Study) -> Chart {
         .fold(chart, |chart, adaptive| of_adaptive(chart, Mark::Line, adaptive, extreme_of_periods(&adaptive.energies)))
 }
 
-/// The change of largest size in each whole period.
+/// The change of largest size in each whole period. Where its sign changes, the curve is broken: it does not pass through all
+/// that lies between on a logarithmic axis.
 fn extreme_of_periods(energies: &[(f64, f64)]) -> Vec<(f64, f64)> {
     let Some((end, _)) = energies.last() else { return Vec::new() };
     let chunks = energies.chunk_by(|a, b| a.0.floor() == b.0.floor());
@@ -75,5 +76,12 @@ fn extreme_of_periods(energies: &[(f64, f64)]) -> Vec<(f64, f64)> {
         let change = chunk.iter().map(|(_, change)| *change).max_by(|a, b| a.abs().total_cmp(&b.abs()))?;
         Some((time.floor() + 0.5, change))
     });
-    extreme.collect()
+    let mut curve: Vec<(f64, f64)> = Vec::new();
+    for (time, change) in extreme {
+        if curve.last().is_some_and(|(_, last)| last * change < 0.0) {
+            curve.push((time, f64::NAN));
+        }
+        curve.push((time, change));
+    }
+    curve
 }

@@ -5,7 +5,10 @@ use crate::{
     numbers::plain,
     study::Study,
 };
-use integrator_plot::{Axis, Chart, Colour, Mark, Panels, colour::GREY};
+use integrator_plot::{
+    Axis, Chart, Mark, Panels,
+    colour::{GREY, WHITE},
+};
 
 /// Shades of a method for its modifications, the last one the darkest: how much of white is mixed in.
 const PALE: [f64; 5] = [0.0, 0.25, 0.45, 0.6, 0.7];
@@ -38,7 +41,7 @@ fn portrait(study: &Study, modified: &Modified, levels: &Levels) -> Chart {
         .line("", of_h)
         .coloured(GREY)
         .line("", of_modified)
-        .coloured(pale(modified.row.colour, PALE[2]))
+        .coloured(modified.row.colour.towards(WHITE, PALE[2]))
         .series(Mark::Dots, "", levels.orbit.iter().copied())
         .coloured(modified.row.colour)
         .wide(1.2)
@@ -61,13 +64,8 @@ fn changes(modified: &Modified) -> Chart {
     (0..modified.powers.len()).fold(chart, |chart, index| {
         let points = modified.changes.iter().map(|(step, changes)| (*step, changes[index]));
         let shade = PALE[modified.powers.len() - 1 - index];
-        chart.series(Mark::Dotted, "", points).coloured(pale(modified.row.colour, shade))
+        chart.series(Mark::Dotted, "", points).coloured(modified.row.colour.towards(WHITE, shade))
     })
-}
-
-fn pale(Colour(red, green, blue): Colour, share: f64) -> Colour {
-    let mixed = |part: u8| (f64::from(part) + share * (255.0 - f64::from(part))) as u8;
-    Colour(mixed(red), mixed(green), mixed(blue))
 }
 
 fn raised(power: i32) -> &'static str {

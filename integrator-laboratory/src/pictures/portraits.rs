@@ -5,52 +5,67 @@ use crate::{
     numbers::{plain, signed},
     study::Study,
 };
-use integrator_plot::{Axis, Chart, Mark, Panels, colour::GREY};
+use integrator_plot::{
+    Axis, Chart, Mark, Panels,
+    colour::{GREY, WHITE},
+};
 
 /// How much further the axes reach than the exact orbit, on either side, in units of the orbit.
 const ROOM: f64 = 0.4;
 /// From so many steps to a period, the points of an orbit are joined.
 const JOINED: u32 = 40;
+/// The shades of an orbit that gains or loses, from its beginning to its end: how much of white is mixed in.
+const SHADES: [f64; 5] = [0.75, 0.55, 0.35, 0.15, 0.0];
 
 /// One portrait per method.
 pub(super) fn portraits(study: &Study) -> Panels {
-    let claim = "Each method in steps in which one sees what it does. Symplectic ones stay about the exact orbit, in grey, in \
-                 steps as long as a twentieth of a period. Of the others, those that gain energy leave it outwards, and those \
-                 that lose energy inwards, each in the shortest steps that show it: the higher the order, the longer these are.";
+    let claim = "Each method in steps in which one sees what it does. Symplectic ones keep the size of the exact orbit, in grey, which \
+                 they may turn, in steps as long as a twentieth of a period. Of the others, those that gain energy leave it \
+                 outwards, and those that lose energy inwards, from pale colours at the beginning to full ones at the end, each in the \
+                 shortest steps that show it: the higher the order, the longer these are. K is the largest kinetic energy.";
     let panels = Panels::new(format!("Portraits: {}", study.system), claim).columns(4).panel(320, 360);
     study.methods.iter().fold(panels, |panels, measured| panels.chart(portrait(study, measured)))
 }
 
+/// What is seen along an axis.
+fn seen(orbit: &[(f64, f64)], of: fn(&(f64, f64)) -> f64) -> [f64; 2] {
+    let numbers = || orbit.iter().map(of);
+    let (least, most) = (numbers().fold(f64::INFINITY, f64::min), numbers().fold(f64::NEG_INFINITY, f64::max));
+    let room = ROOM * (most - least);
+    [least - room, most + room]
+}
+
 fn portrait(study: &Study, measured: &Measured) -> Chart {
     let portrait = &measured.portrait;
-    let axis = |name: &str, of: fn(&(f64, f64)) -> f64| {
-        let (least, most) = study
-            .orbit
-            .iter()
-            .map(of)
-            .fold((f64::INFINITY, f64::NEG_INFINITY), |(least, most), x| (least.min(x), most.max(x)));
-        let room = ROOM * (most - least);
-        Axis::linear(name).between(least - room, most + room)
-    };
-    let steps = format!("{} steps to a period, {} periods", portrait.count, plain(portrait.periods.round()));
+    let [x, y] = [seen(&study.orbit, |point| point.0), seen(&study.orbit, |point| point.1)];
+    let inside = |point: &(f64, f64)| (x[0]..x[1]).contains(&point.0) && (y[0]..y[1]).contains(&point.1);
+    let steps =
+        format!("{} steps to a period, {} periods", portrait.count, plain((10.0 * portrait.periods).round() / 10.0));
     let claim = match (study.autonomous, measured.symplectic) {
         (false, true) => "symplectic".to_owned(),
         (false, false) => "not symplectic".to_owned(),
-        (true, true) => format!("symplectic: |ΔE/E| up to {}", plain(portrait.largest[0].max(portrait.largest[1]))),
-        (true, false) if portrait.change > 0.0 => format!("gains energy: ΔE/E = {}", signed(portrait.change)),
-        (true, false) => format!("loses energy: ΔE/E = {}", signed(portrait.change)),
+        (true, true) => format!("symplectic: |ΔE| up to {} K", plain(portrait.largest[0].max(portrait.largest[1]))),
+        (true, false) if portrait.change > 0.0 => format!("gains energy: ΔE = {} K", signed(portrait.change)),
+        (true, false) => format!("loses energy: ΔE = {} K", signed(portrait.change)),
     };
     let (mark, width) = if portrait.count >= JOINED { (Mark::Line, 1.25) } else { (Mark::Dots, 0.6) };
-    Chart::new(measured.name())
+    let chart = Chart::new(measured.name())
         .claim(steps)
         .measured(claim)
-        .along(axis(&study.view[0], |point| point.0))
-        .up(axis(&study.view[1], |point| point.1))
+        .along(Axis::linear(&study.view[0]).between(x[0], x[1]))
+        .up(Axis::linear(&study.view[1]).between(y[0], y[1]))
         .with_equal_units()
         .line("", study.orbit.iter().copied())
         .coloured(GREY)
-        .wide(1.0)
-        .series(mark, "", portrait.points.iter().copied())
-        .coloured(measured.row.colour)
-        .wide(width)
+        .wide(1.0);
+    let shades = if measured.symplectic { &SHADES[4..] } else { &SHADES };
+    // Behind the last point that is seen there is nothing to tell apart.
+    let count = portrait.points.iter().rposition(inside).map_or(0, |last| portrait.points.len().min(last + 2));
+    let points = &portrait.points[..count];
+    shades.iter().enumerate().fold(chart, |chart, (index, shade)| {
+        let part = |index: usize| index * points.len() / shades.len();
+        // With the first point of the next part, so that lines are joined.
+        let shown = &points[part(index)..points.len().min(part(index + 1) + 1)];
+        chart.series(mark, "", shown.iter().copied()).coloured(measured.row.colour.towards(WHITE, *shade)).wide(width)
+    })
 }

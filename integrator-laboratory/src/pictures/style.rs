@@ -1,9 +1,6 @@
 //! How each method is drawn in all charts: in its colour, symplectic ones by whole lines, the others dashed.
 
-use crate::{
-    measured::Measured,
-    methods::{Adaptive, Row},
-};
+use crate::{measured::Measured, methods::Adaptive, rows::Row};
 use integrator_plot::{Chart, Mark};
 
 /// One more series of a chart, of a method.
