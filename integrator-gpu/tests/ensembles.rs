@@ -30,6 +30,21 @@ impl Runaway {
     }
 }
 
+struct Native;
+
+#[hamiltonian(gpu(functions = native))]
+impl Native {
+    fn kinetic(&self, p: [f64; 2]) -> f64 {
+        p[0].cosh() + p[1].hypot(1.0)
+    }
+    fn potential(&self, q: [f64; 2]) -> f64 {
+        let single = q[0].sin() + q[0].cos() + q[0].tan() + q[0].asin() + q[0].acos() + q[0].atan() + q[0].tanh();
+        let double = q[1].acosh() + q[1].atanh() + q[1].asinh() + q[1].sinh() + q[1].cbrt() + q[1].powf(0.3);
+        let powers = q[0].exp() + q[0].exp2() + q[0].exp_m1() + q[0].ln() + q[0].ln_1p() + q[0].log2() + q[0].log10();
+        single * double + powers * q[0].atan2(q[1])
+    }
+}
+
 fn pendulums() -> impl Iterator<Item = (Pendulum, Phase<[f64; 1]>)> {
     (1..=5).map(|i| (Pendulum { length: f64::from(i) / 4.0 }, Phase::new([2.0], [0.1])))
 }
@@ -114,7 +129,7 @@ fn members_and_steps_are_judged_before_any_device() {
 
 #[test]
 fn kernels_compile_where_nvrtc_is() {
-    for compiled in [compile::<Pendulum>(), compile::<Runaway>()] {
+    for compiled in [compile::<Pendulum>(), compile::<Runaway>(), compile::<Native>()] {
         match compiled {
             Ok(assembly) => {
                 assert!(assembly.contains(".entry advance") && assembly.contains(".entry show"), "{assembly}")

@@ -53,6 +53,7 @@ use proc_macro::TokenStream;
 /// | `taylor` | recurrences for the Taylor coefficients of the motion are written as well, for runs with `taylor::Taylor` at errors near the rounding; of the whole of `H`, whatever it splits into |
 /// | `sensitive(mass, length)` | derivatives of the end of a run by these fields of the system, each a number, for `sensitivities`; what is made of them in the functions has to be arithmetic, methods of `f64`, `let`, `if` or helper methods of the impl. Not in Jacobi coordinates, of two copies, or of parts that are solved with these fields |
 /// | `gpu` | the flows are written as C++ for devices as well, for the crate `integrator-gpu`; an error says why where they cannot be |
+/// | `gpu(functions = native)` | the same with the elementary functions of the device: faster, all of them there, and with other bits than on a processor |
 /// | `crate = path` | where `integrator_core` is, if it is not `::integrator_core` |
 ///
 /// Without `compose` it is `Verlet`. Any other composition can be passed to `run_with`, and so can the implicit methods

@@ -182,11 +182,11 @@ fn check_sensitive(input: &Input, model: &Model, errors: &mut Errors) {
 /// Whoever asks for text for devices gets it, or hears why there is none. A model of its own is printed to see that, since
 /// a printer adds to its graph.
 fn check_device(input: &Input, errors: &mut Errors) {
-    let Some(span) = input.gpu else { return };
+    let Some(gpu) = &input.gpu else { return };
     let Some(mut model) = model::model(input, &mut Errors::default()) else { return };
     check_coordinates(input, &mut model, &mut Errors::default());
-    if let Some(obstacle) = emit::no_device_text(input, model) {
-        errors.at_span(span, obstacle);
+    if let Some(obstacle) = emit::no_device_text(input, gpu, model) {
+        errors.at_span(gpu.span, obstacle);
     }
 }
 

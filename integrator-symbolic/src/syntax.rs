@@ -2,7 +2,11 @@
 //!
 //! Comes in: tokens. Goes out: an [`Input`], faithful to the text. Always true: nothing is judged here but the form.
 
+mod device;
+
 use crate::{errors::Errors, scheme::InPlace};
+use device::gpu_of;
+pub(crate) use device::{DeviceFunctions, Gpu};
 use proc_macro2::{Group, Span, TokenStream};
 use syn::{
     Expr, Ident, ImplItem, ImplItemFn, ItemImpl, Path, Token, parenthesized,
@@ -67,8 +71,8 @@ pub(crate) struct Input {
     pub(crate) taylor: Option<Span>,
     /// The parameters that derivatives are taken by, fields of the system.
     pub(crate) sensitive: Vec<Ident>,
-    /// Whether flows are also asked for as text for devices, and where.
-    pub(crate) gpu: Option<Span>,
+    /// Whether flows are also asked for as text for devices.
+    pub(crate) gpu: Option<Gpu>,
     /// The runtime crate.
     pub(crate) root: Path,
     pub(crate) item: ItemImpl,
@@ -160,7 +164,7 @@ struct Arguments {
     functions: Option<Functions>,
     taylor: Option<Span>,
     sensitive: Option<Vec<Ident>>,
-    gpu: Option<Span>,
+    gpu: Option<Gpu>,
     root: Option<Path>,
 }
 
@@ -210,7 +214,7 @@ impl Arguments {
         } else if key == "sensitive" {
             self.sensitive.replace(sensitive_of(input, key.span())?).is_some()
         } else if key == "gpu" {
-            self.gpu.replace(key.span()).is_some()
+            self.gpu.replace(gpu_of(input, key.span())?).is_some()
         } else {
             return Err(syn::Error::new(key.span(), format!("`{key}` is not an argument here; {EXPECTED}")));
         };

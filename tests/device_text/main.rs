@@ -39,6 +39,7 @@ const SYSTEMS: &[(&str, &str)] = &[
     ("twisted", Twisted::TEXT),
     ("paired", Paired::TEXT),
     ("runaway", Runaway::TEXT),
+    ("native", Native::TEXT),
 ];
 
 /// Steps of the two launches of each case.
@@ -87,6 +88,19 @@ impl Cases {
             let steps = (0..states.len()).map(|member| ensemble.steps_of(member).expect("a member"));
             (columns(&states), steps.collect())
         }));
+    }
+
+    /// Holds launches whose functions are the maths library's against ensembles, whose functions are others.
+    fn is_near(mut self, program: &Path) {
+        let [steps, _] = PORTIONS;
+        self.jobs.iter_mut().for_each(|(_, launch, _)| launch.steps = steps);
+        Memory::run(program, &mut self.jobs).expect("the program runs");
+        for ((name, (_, _, memory)), [(numbers, _), _]) in self.names.iter().zip(&self.jobs).zip(&self.expected) {
+            for (found, expected) in memory.shown.iter().zip(numbers) {
+                // Numbers near one, and two roundings of a unit in some fifty evaluations that a step divides by fifty.
+                assert!((found - expected).abs() < 1e-14, "{name}: {:?}, {numbers:?}", memory.shown);
+            }
+        }
     }
 
     /// Runs all launches, and tells of the first that leaves something else behind than an ensemble does.
@@ -205,6 +219,15 @@ fn states_and_functions_have_the_bits_of_a_processor() {
     cases.add("runaway", Verlet, members(3, |k| (Runaway { strength: k - 1.0 }, Phase::new([1.0], [1.0]))), 0.01);
     assert!(cases.expected.iter().any(|[_, (_, steps)]| steps.iter().any(|steps| *steps < 1107)), "somebody is lost");
     cases.compare(&program).expect("the bits of an ensemble");
+
+    let mut native = Cases::default();
+    native.add(
+        "native",
+        Yoshida4,
+        members(3, |k| (Native { stiffness: 1.0 + 0.1 * k }, Phase::new([0.3, 0.1], [0.2, 0.1 * k]))),
+        0.02,
+    );
+    native.is_near(&program);
 
     let mut wrong = Cases::default();
     wrong.add("pendulum", Verlet, members(5, pendulum), 0.01);

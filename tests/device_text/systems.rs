@@ -138,3 +138,19 @@ impl Runaway {
         -self.strength * q[0].powi(4)
     }
 }
+
+/// Functions of the device's own, some of which have no kernel of this library's.
+#[derive(Clone)]
+pub(crate) struct Native {
+    pub(crate) stiffness: f64,
+}
+
+#[hamiltonian(gpu(functions = native))]
+impl Native {
+    fn kinetic(&self, p: [f64; 2]) -> f64 {
+        0.5 * (p[0] * p[0] + p[1] * p[1])
+    }
+    fn potential(&self, q: [f64; 2]) -> f64 {
+        self.stiffness * (q[0].cosh() + q[1].hypot(1.0)) + (q[0] - q[1]).sin() * q[1].tanh() + (0.1 * q[0]).exp2()
+    }
+}

@@ -108,7 +108,7 @@ template <> struct Format<float> {
 constexpr double PI_HALF = 1.5707963267948966, TWO_OVER_PI = 0.6366197723675814, ONE_OVER_PI = 0.3183098861837907;
 constexpr double LOG2_E = 1.4426950408889634;
 
-// The maths library, for what the kernels leave to it.
+// The maths library, for what the kernels leave to it, and for texts that ask for the functions of the device.
 #define INTEGRATOR_LIBRARY(name, of_double, of_single)                        \
     DEVICE double library_##name(double x) { return ::of_double(x); }         \
     DEVICE float library_##name(float x) { return ::of_single(x); }
@@ -121,10 +121,31 @@ INTEGRATOR_LIBRARY(floor, floor, floorf)
 INTEGRATOR_LIBRARY(ceil, ceil, ceilf)
 INTEGRATOR_LIBRARY(trunc, trunc, truncf)
 INTEGRATOR_LIBRARY(round, round, roundf)
-DEVICE double library_pow(double x, double y) { return ::pow(x, y); }
-DEVICE float library_pow(float x, float y) { return ::powf(x, y); }
-DEVICE double library_atan2(double y, double x) { return ::atan2(y, x); }
-DEVICE float library_atan2(float y, float x) { return ::atan2f(y, x); }
+INTEGRATOR_LIBRARY(acos, acos, acosf)
+INTEGRATOR_LIBRARY(acosh, acosh, acoshf)
+INTEGRATOR_LIBRARY(asin, asin, asinf)
+INTEGRATOR_LIBRARY(asinh, asinh, asinhf)
+INTEGRATOR_LIBRARY(atan, atan, atanf)
+INTEGRATOR_LIBRARY(atanh, atanh, atanhf)
+INTEGRATOR_LIBRARY(cosh, cosh, coshf)
+INTEGRATOR_LIBRARY(exp, exp, expf)
+INTEGRATOR_LIBRARY(exp2, exp2, exp2f)
+INTEGRATOR_LIBRARY(exp_m1, expm1, expm1f)
+INTEGRATOR_LIBRARY(ln_1p, log1p, log1pf)
+INTEGRATOR_LIBRARY(log10, log10, log10f)
+INTEGRATOR_LIBRARY(log2, log2, log2f)
+INTEGRATOR_LIBRARY(sinh, sinh, sinhf)
+INTEGRATOR_LIBRARY(tanh, tanh, tanhf)
+#define INTEGRATOR_LIBRARY_OF_TWO(name, of_double, of_single)                           \
+    DEVICE double library_##name(double x, double y) { return ::of_double(x, y); }      \
+    DEVICE float library_##name(float x, float y) { return ::of_single(x, y); }
+INTEGRATOR_LIBRARY_OF_TWO(powf, pow, powf)
+INTEGRATOR_LIBRARY_OF_TWO(atan2, atan2, atan2f)
+INTEGRATOR_LIBRARY_OF_TWO(hypot, hypot, hypotf)
+template <class R> DEVICE void library_sin_cos(R x, R& sine, R& cosine) {
+    sine = library_sin(x);
+    cosine = library_cos(x);
+}
 
 // Functions that are exact.
 template <class R> DEVICE R floor(R x) { return library_floor(x); }
@@ -377,7 +398,7 @@ template <class R> DEVICE R powf(R x, R y) {
     R small, lost, less_one, error;
     const R logarithm = long_ln(x, small), exponent = two_product(y, logarithm, lost);
     const R n = exp_parts(exponent, fma(y, small, lost), less_one, error);
-    return is_normal(x) && abs(exponent) <= R(Format<R>::FARTHEST_POWER) ? raised(n, less_one) : library_pow(x, y);
+    return is_normal(x) && abs(exponent) <= R(Format<R>::FARTHEST_POWER) ? raised(n, less_one) : library_powf(x, y);
 }
 
 // The cube root.

@@ -15,7 +15,7 @@ use crate::{
     graph::Part,
     model::{Length, Model},
     scheme::{Class, InPlace},
-    syntax::{Compose, Input},
+    syntax::{Compose, Gpu, Input},
 };
 use fingerprint::fingerprint;
 pub use flow::form::Form;
@@ -104,11 +104,11 @@ pub(crate) fn gradients(model: &mut Model) -> [Vec<Contribution>; 2] {
 }
 
 /// What keeps this Hamiltonian from having text for devices, if anything does.
-pub(crate) fn no_device_text(input: &Input, mut model: Model) -> Option<String> {
+pub(crate) fn no_device_text(input: &Input, gpu: &Gpu, mut model: Model) -> Option<String> {
     model.choose_in_the_middle();
     let names = Names::new(input);
     let mut emitter = Emitter { model: &mut model, names: &names, fields: Fields::default() };
-    DeviceText::of(&mut emitter).err()
+    DeviceText::of(&mut emitter, gpu.functions).err()
 }
 
 /// The implementation of `Hamiltonian` for the annotated type.
@@ -187,7 +187,7 @@ impl<'i> Stepper<'i> {
         let rated = rate.map(|(rate, arguments)| transformed::rated(&mut emitter, rate, &arguments, is_quadratic));
         let of_jacobi = emitter.model.jacobi.map(|jacobi| jacobi::constants(jacobi, &mut emitter));
         // Why there is none was told before.
-        let device = input.gpu.and_then(|_| DeviceText::of(&mut emitter).ok());
+        let device = input.gpu.as_ref().and_then(|gpu| DeviceText::of(&mut emitter, gpu.functions).ok());
         let constants = Constants::of(emitter);
         Self {
             input,

@@ -50,6 +50,44 @@ pub(crate) const ARGUMENTS: &[Row] = &[
     ("taylor, taylor", &["1:8 `taylor` is given twice"]),
     ("gpu, functions = fast", &[]),
     ("gpu, gpu", &["1:5 `gpu` is given twice"]),
+    ("gpu(functions = native), functions = fast", &[]),
+    ("gpu(functions = native), gpu", &["1:25 `gpu` is given twice"]),
+    (
+        "gpu()",
+        &[
+            "1:0 `gpu` takes `gpu(functions = native)`, for the elementary functions of the device, whose bits are others than those of a processor; `gpu` alone has the bits of one",
+        ],
+    ),
+    (
+        "gpu(functions)",
+        &[
+            "1:0 `gpu` takes `gpu(functions = native)`, for the elementary functions of the device, whose bits are others than those of a processor; `gpu` alone has the bits of one",
+        ],
+    ),
+    (
+        "gpu(native)",
+        &[
+            "1:4 `gpu` takes `gpu(functions = native)`, for the elementary functions of the device, whose bits are others than those of a processor; `gpu` alone has the bits of one",
+        ],
+    ),
+    (
+        "gpu(functions = fast)",
+        &[
+            "1:16 `gpu` takes `gpu(functions = native)`, for the elementary functions of the device, whose bits are others than those of a processor; `gpu` alone has the bits of one",
+        ],
+    ),
+    (
+        "gpu(functions = 4)",
+        &[
+            "1:16 `gpu` takes `gpu(functions = native)`, for the elementary functions of the device, whose bits are others than those of a processor; `gpu` alone has the bits of one",
+        ],
+    ),
+    (
+        "gpu(functions = native, threads)",
+        &[
+            "1:22 `gpu` takes `gpu(functions = native)`, for the elementary functions of the device, whose bits are others than those of a processor; `gpu` alone has the bits of one",
+        ],
+    ),
     (
         "functions = quick",
         &["1:12 elementary functions are `fast`, within 4 ulp, or `precise`, within 1 or 2, as they are unasked"],
@@ -959,7 +997,7 @@ pub(crate) const SPLITS: &[Row] = &[
     (
         "gpu on fn kinetic(&self, p: [f64; 1]) -> f64 { p[0] * p[0] } fn potential(&self, q: [f64; 1]) -> f64 { q[0].tanh() }",
         &[
-            "1:0 `cosh`, in H or in a derivative of it, has no kernel of this library's own, so that its bits on a device would be others; write it with functions that have one, such as `exp` and `ln`",
+            "1:0 `cosh`, in H or in a derivative of it, has no kernel of this library's own, so that its bits on a device would be others; write it with functions that have one, such as `exp` and `ln`, or take the device's own, `gpu(functions = native)`",
         ],
     ),
     (

@@ -16,6 +16,7 @@ use crate::{
     model::{Length, Model},
     program::{Sink, is_protected},
     stencil::Components,
+    syntax::DeviceFunctions,
 };
 use proc_macro2::TokenStream;
 use quote::quote;
@@ -35,10 +36,10 @@ pub(crate) struct DeviceText {
 
 impl DeviceText {
     /// The text, or what keeps a system from having one.
-    pub(crate) fn of(emitter: &mut Emitter<'_>) -> Result<Self, String> {
+    pub(crate) fn of(emitter: &mut Emitter<'_>, functions: DeviceFunctions) -> Result<Self, String> {
         let shape = Shape::of(emitter.model)?;
         check_parts(emitter.model)?;
-        let mut reads = Reads::default();
+        let mut reads = Reads::of(functions);
         let mut flows = String::new();
         let (names, count) = (["drift", "middle", "kick"], emitter.model.flows());
         match emitter.model.is_separable() {
@@ -74,7 +75,7 @@ impl DeviceText {
     /// The struct around the flows.
     fn with(emitter: &mut Emitter<'_>, shape: &Shape, reads: Reads, flows: &str, bends: bool) -> Result<Self, String> {
         let (mut fields, mut loads, mut constants, mut pushes) = (String::new(), String::new(), 0, TokenStream::new());
-        for (read, name, _) in reads.0 {
+        for (read, name, _) in reads.found {
             let lengths = match read {
                 Read::Path(parameter) => {
                     let text = &emitter.model.parameters[parameter.0 as usize].text;

@@ -3,6 +3,7 @@
 //! The same program gives the Rust text, and each operation here is the one that stands there: a product that is added
 //! is a fused multiply-add in both. What a device cannot be told of is noted, and no text is made of it.
 
+mod functions;
 mod identifier;
 
 use super::{
@@ -19,36 +20,11 @@ use crate::{
     },
     model::Length,
     program::{Item, Program, Sink, Store, root_cubed, schedule},
-    syntax::Functions,
+    syntax::{DeviceFunctions, Functions},
 };
+use functions::{KNOWN, NATIVE};
 use identifier::identifier;
 use proc_macro2::Ident;
-
-/// The functions that have the bits of the Rust kernels on a device, or are exact there.
-const KNOWN: [&str; 22] = [
-    "abs",
-    "acos",
-    "asin",
-    "atan",
-    "atan2",
-    "cbrt",
-    "ceil",
-    "cos",
-    "exp",
-    "floor",
-    "ln",
-    "max",
-    "min",
-    "powf",
-    "remainder",
-    "round",
-    "signum",
-    "sin",
-    "sqrt",
-    "tan",
-    "tanh",
-    "trunc",
-];
 
 /// What lines read beside the state: each becomes a field of the prepared constants on the device.
 #[derive(Clone, Copy, PartialEq)]
@@ -69,15 +45,27 @@ impl Read {
     }
 }
 
-/// What lines have read so far, with its name and the loops that its elements belong to.
-#[derive(Default)]
-pub(crate) struct Reads(pub(crate) Vec<(Read, Ident, LoopSet)>);
+/// What all lines of a text have in common: whose functions they call, and what they have read so far.
+pub(crate) struct Reads {
+    functions: DeviceFunctions,
+    /// Each with its name and the loops that its elements belong to.
+    pub(crate) found: Vec<(Read, Ident, LoopSet)>,
+}
 
 impl Reads {
+    pub(crate) fn of(functions: DeviceFunctions) -> Self {
+        Self { functions, found: Vec::new() }
+    }
+
     fn note(&mut self, read: Read, name: Ident, loops: LoopSet) {
-        if self.0.iter().all(|(known, ..)| *known != read) {
-            self.0.push((read, name, loops));
+        if self.found.iter().all(|(known, ..)| *known != read) {
+            self.found.push((read, name, loops));
         }
+    }
+
+    /// The name of a function where the device's own is asked for, if it has one.
+    fn native(&self, name: &str) -> Option<String> {
+        (self.functions == DeviceFunctions::Native && NATIVE.contains(&name)).then(|| format!("library_{name}"))
     }
 }
 
@@ -157,7 +145,8 @@ impl Cuda<'_, '_> {
             }
             Item::SineCosine { argument, sine, cosine } => {
                 let (sine, cosine, argument) = (self.name(*sine), self.name(*cosine), self.expression(*argument).1);
-                format!("R {sine}, {cosine};\nsin_cos({argument}, {sine}, {cosine});\n")
+                let function = self.reads.native("sin_cos").unwrap_or_else(|| "sin_cos".to_owned());
+                format!("R {sine}, {cosine};\n{function}({argument}, {sine}, {cosine});\n")
             }
             Item::Begin(id) => format!("R {} = R(0.0);\n", self.name(*id)),
             Item::Loop { by, body } => {
@@ -259,7 +248,8 @@ impl Cuda<'_, '_> {
             // Lowering leaves no other power; this prints one all the same.
             Node::Power(a, halves) => {
                 let (a, exponent) = (self.expression(a).1, constant(f64::from(halves) / 2.0));
-                Printed::atom(format!("powf({a}, {exponent})"))
+                let function = self.reads.native("powf").unwrap_or_else(|| "powf".to_owned());
+                Printed::atom(format!("{function}({a}, {exponent})"))
             }
             Node::Unary(function, a) => self.function(function, &[a]),
             Node::Binary(function, a, b) => self.function(function, &[a, b]),
@@ -283,14 +273,18 @@ impl Cuda<'_, '_> {
         Printed::atom(format!("{name}({})", arguments.join(", ")))
     }
 
-    /// An elementary function that a device computes to the same bits.
+    /// An elementary function that a device computes to the same bits, or its own where that is asked for.
     fn function(&mut self, function: Function, arguments: &[NodeId]) -> Printed {
         let row = function.row();
+        if let Some(name) = self.reads.native(row.name) {
+            return self.call(&name, arguments);
+        }
         if !KNOWN.contains(&row.name) {
             let name = row.name;
             let obstacle = format!(
                 "`{name}`, in H or in a derivative of it, has no kernel of this library's own, so that its bits on a device \
-                 would be others; write it with functions that have one, such as `exp` and `ln`"
+                 would be others; write it with functions that have one, such as `exp` and `ln`, or take the device's own, \
+                 `gpu(functions = native)`"
             );
             return Printed::atom(self.refuse(obstacle));
         }

@@ -1,6 +1,6 @@
 //! Names of the user's as C++ may have them.
 
-use super::KNOWN;
+use super::functions::KNOWN;
 use proc_macro2::Ident;
 
 /// A name of the user's as C++ may have it; two names stay two.
@@ -27,7 +27,7 @@ fn is_taken(name: &str) -> bool {
             .is_some_and(|rest| !rest.is_empty() && rest.bytes().all(|letter| letter.is_ascii_digit()))
     });
     let is_reserved = name.starts_with('_') || !name.bytes().any(|letter| letter.is_ascii_lowercase());
-    let is_function = KNOWN.contains(&name) || name.starts_with("fast_");
+    let is_function = KNOWN.contains(&name) || ["fast_", "library_"].iter().any(|start| name.starts_with(start));
     is_numbered || is_reserved || is_function || TAKEN.contains(&name)
 }
 

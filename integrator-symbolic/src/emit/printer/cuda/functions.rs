@@ -1,0 +1,33 @@
+//! The elementary functions that text for devices may call.
+
+/// The functions that have the bits of the Rust kernels on a device, or are exact there.
+pub(super) const KNOWN: [&str; 22] = [
+    "abs",
+    "acos",
+    "asin",
+    "atan",
+    "atan2",
+    "cbrt",
+    "ceil",
+    "cos",
+    "exp",
+    "floor",
+    "ln",
+    "max",
+    "min",
+    "powf",
+    "remainder",
+    "round",
+    "signum",
+    "sin",
+    "sqrt",
+    "tan",
+    "tanh",
+    "trunc",
+];
+
+/// The functions that a device has of its own as well, whose bits are others: of those that are exact it needs none.
+pub(super) const NATIVE: [&str; 24] = [
+    "acos", "acosh", "asin", "asinh", "atan", "atan2", "atanh", "cbrt", "cos", "cosh", "exp", "exp2", "exp_m1",
+    "hypot", "ln", "ln_1p", "log10", "log2", "powf", "sin", "sin_cos", "sinh", "tan", "tanh",
+];
