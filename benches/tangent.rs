@@ -5,7 +5,8 @@
 //! interleaved rounds: `ratio_tangent_<problem>_one=` and `_four=` are times over that of the run alone, where with one
 //! vector 1.9 is asked of Hénon-Heiles and the outer solar system and 2.2 of the others;
 //! `ratio_tangent_<problem>_by_hand=` is the time with one vector over that of the hand-written stepper, where 1.1 is
-//! asked.
+//! asked. `ratio_tangent_map_<composition>_<steps>=` is the time of a map of orbits of Hénon–Heiles over that of the
+//! ensemble without vectors, where 2.2 is asked: short orbits are sampled every few steps, long ones every 64.
 
 use integrator_bench::{
     by_hand::{oscillators, tangent},
@@ -14,13 +15,22 @@ use integrator_bench::{
     starts::Problems,
     table::Table,
 };
-use integrator_core::{Coords, Memoryless, prelude::*};
+use integrator_core::{
+    Coords, Memoryless,
+    chaos::{self, Indicator},
+    prelude::*,
+};
 use std::error::Error;
 
 /// Force evaluations of a round, about.
 const EVALUATIONS: u64 = 20_000;
 /// Rounds of a race; odd, so that the median is one of them.
 const ROUNDS: usize = 41;
+
+/// How many orbits a map has.
+const ORBITS: u32 = 1_000;
+/// Rounds of their race, which take seconds.
+const ROUNDS_OF_MAPS: usize = 11;
 
 /// A hand-written stepper: from a state and a vector to both after some steps.
 type HandWritten<'a, C> = &'a dyn Fn([Phase<C>; 2], &Plan, u64) -> [Phase<C>; 2];
@@ -70,6 +80,35 @@ impl Report {
     }
 }
 
+/// A map of orbits that begin near a start, and the ensemble of them: a line with the ratio of their times.
+fn map<H, X, C>((system, start): (&H, &Phase<C>), _: X, h: f64, steps: u64) -> String
+where
+    H: Hamiltonian<Coords = C> + Clone,
+    X: Composition<H> + Memoryless<H>,
+    C: Coords<Leaf = f64, With<f64> = C>,
+{
+    let near = |number: u32| {
+        let mut near = start.clone();
+        near.q.flat_mut()[0] += 1e-3 * f64::from(number) / f64::from(ORBITS);
+        near
+    };
+    let starts: Vec<_> = (0..ORBITS).map(near).collect();
+    let alone = || {
+        let members = starts.iter().map(|start| (system.clone(), start.clone()));
+        let mut ensemble = Ensemble::new(X::default(), members, h).expect("starts");
+        ensemble.advance(steps).expect("finite states");
+        ensemble
+    };
+    let map = || {
+        let found = chaos::map(system, X::default(), starts.iter().cloned(), h, steps, Indicator::Megno);
+        found.expect("starts")
+    };
+    let racers = vec![Racer::new("ensemble", alone).in_threads(), Racer::new("map", map).in_threads()];
+    let times = race(ROUNDS_OF_MAPS, (u64::from(ORBITS) * steps) as f64, racers);
+    println!("{} of {steps} steps: {:.3} and with a vector {:.3} ns a step", X::NAME, times.median(0), times.median(1));
+    format!("ratio_tangent_map_{}_{steps}={:.3}", X::NAME.to_lowercase(), times.ratio(1, 0))
+}
+
 /// Four vectors, or as many as there can be, with parts along every coordinate.
 fn vectors<C: Coords<Leaf = f64>>(start: &Phase<C>) -> Vec<Phase<C>> {
     let vector = |number: usize| {
@@ -100,6 +139,10 @@ fn main() -> Result<(), Box<dyn Error>> {
     let problem = (&henon.system, &henon.start);
     report.compare("henon", problem, Verlet, 0.01, &tangent::henon_heiles);
     report.compare("henon", problem, KahanLi8, 0.01, &tangent::henon_heiles);
+    for steps in [1_000, 10_000] {
+        report.ratios.push(map(problem, Verlet, 0.01, steps));
+        report.ratios.push(map(problem, BlanesMoanSrkn11, 0.01, steps));
+    }
     let by_hand = |points: [Phase<[f64; 2]>; 2], plan: &Plan, steps| {
         let points = points.map(|Phase { q: [x, y], p: [px, py] }| [x, y, px, py]);
         oscillators::henon_heiles(points, plan, steps).map(|[x, y, px, py]| Phase::new([x, y], [px, py]))

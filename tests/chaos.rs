@@ -241,6 +241,12 @@ fn a_chaotic_orbit_changes_no_bit_of_a_regular_one_beside_it() {
         let alone = chaos::indicators(&map, Euler, start, 1.0, 2_000).expect("an orbit");
         assert_eq!([megno[i], fli[i]], [alone.mean_megno, alone.fli], "orbit {i}");
     }
+    // Vectors that are shown only once the processor is undone.
+    let megno = chaos::map(&map, BlanesCasasMurua6S11, starts, 1.0, 200, Indicator::Megno).expect("starts");
+    for (i, start) in starts.into_iter().enumerate() {
+        let alone = chaos::indicators(&map, BlanesCasasMurua6S11, start, 1.0, 200).expect("an orbit");
+        assert_eq!(megno[i], alone.mean_megno, "orbit {i}");
+    }
 }
 
 /// A pendulum in one piece.

@@ -2,12 +2,17 @@
 
 use crate::{
     chaos::{Indicator, Verdict},
-    scalar::tolerance::largest,
+    ensemble::lane_scalars::LaneScalars,
+    scalar::{
+        instruction_set::InstructionSet,
+        real::{Kernel, Real},
+        tolerance::largest,
+    },
     state::{coords::Coords, phase::Phase},
-    trajectory::tangent::{BETWEEN_SCALES, numbers},
+    trajectory::tangent::{BETWEEN_SCALES, numbers, square},
 };
 use nalgebra::DMatrix;
-use std::f64::consts::LN_2;
+use std::{f64::consts::LN_2, marker::PhantomData};
 
 /// How many samples an orbit has, where these are not sparser than vectors are divided. The integral of a logarithm that swings
 /// is off by its amplitude over the root of their number.
@@ -103,15 +108,57 @@ pub(super) const CHAOTIC_ABOVE: f64 = 4.0;
 /// The logarithm of the length of a vector times a power of two. Where squares leave the numbers, the length is that of
 /// the vector over its largest number.
 pub(super) fn logarithm<C: Coords>(vector: &Phase<C>, exponent: i64) -> f64 {
-    let square: f64 = numbers(vector).map(|number| number * number).sum();
+    let square = square(vector);
+    let mut of_square = [square];
+    logarithms(&mut of_square);
+    of_length(square, of_square[0], exponent, || vector.clone())
+}
+
+/// The same, where the sum of the squares and its logarithm are known.
+pub(super) fn of_length<C: Coords>(
+    square: f64,
+    of_square: f64,
+    exponent: i64,
+    vector: impl FnOnce() -> Phase<C>,
+) -> f64 {
     let logarithm = if square.is_normal() {
-        0.5 * square.ln()
+        0.5 * of_square
     } else {
-        let largest = largest(numbers(vector));
-        let square: f64 = numbers(vector).map(|number| (number / largest).powi(2)).sum();
+        let vector = vector();
+        let largest = largest(numbers(&vector));
+        let square: f64 = numbers(&vector).map(|number| (number / largest).powi(2)).sum();
         largest.ln() + 0.5 * square.ln()
     };
     logarithm + exponent as f64 * LN_2
+}
+
+/// Replaces numbers by their logarithms, as many at once as the machine has lanes. Each has the bits that it has alone.
+pub(super) fn logarithms(numbers: &mut [f64]) {
+    match InstructionSet::chosen() {
+        InstructionSet::Baseline => logarithms_in_lanes::<<f64 as LaneScalars>::Plain>(numbers),
+        InstructionSet::Fused => logarithms_in_lanes::<<f64 as LaneScalars>::Fused>(numbers),
+        InstructionSet::Avx512 => logarithms_in_lanes::<<f64 as LaneScalars>::Avx512>(numbers),
+    }
+}
+
+fn logarithms_in_lanes<R: Real>(numbers: &mut [f64]) {
+    R::enter(Logarithms(numbers, PhantomData::<R>));
+}
+
+struct Logarithms<'n, R>(&'n mut [f64], PhantomData<R>);
+
+impl<R: Real> Kernel for Logarithms<'_, R> {
+    type Out = ();
+
+    #[inline(always)]
+    fn call(self) {
+        for lanes in self.0.chunks_mut(R::LANES) {
+            let found = R::state(&|lane| lanes.get(lane).copied().unwrap_or(1.0)).ln();
+            for (lane, number) in lanes.iter_mut().enumerate() {
+                *number = found.lane(lane);
+            }
+        }
+    }
 }
 
 /// How much of the length of a vector is orthogonal to a direction, from 0 to 1: what of it the orthogonal fast Lyapunov

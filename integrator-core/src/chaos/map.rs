@@ -2,7 +2,7 @@
 
 use crate::{
     chaos::{
-        growth::{Growth, logarithm, steps_between_samples},
+        growth::{Growth, logarithm, logarithms, of_length, steps_between_samples},
         indicators::{LEAST, generic_directions},
     },
     check::CheckError,
@@ -22,8 +22,8 @@ use crate::{
         dispatch::Deviations,
         engine::Engine,
         method::Memoryless,
-        motions::Motions,
-        tangent::{BETWEEN_SCALES, far_exponent, power_of_two, refused, scaled},
+        motions::{Motions, show},
+        tangent::{BETWEEN_SCALES, far_exponent, may_be_far, power_of_two, refused, scaled, square},
     },
 };
 use std::sync::{Arc, Mutex, PoisonError};
@@ -79,12 +79,12 @@ where
         let members: Vec<_> = (0..starts.len()).filter(|member| starts[*member].q.length() == length).collect();
         let constants = Arc::new(vec![method.constants(Arc::new(system.parameters(length)))]);
         let like = in_lanes::<H, X, K, Deviations<1>>(constants);
-        let together = like.lanes() * like.together() / LANES_OF_ORBIT;
+        let group = like.lanes() * like.together() / LANES_OF_ORBIT;
         let follow = |members: &[usize]| {
             let starts = members.iter().map(|member| starts[*member].clone()).collect();
             Batch::new(&*like, starts).follow(clock, steps, indicator)
         };
-        for (member, value) in side_by_side(&members, together, &follow) {
+        for (member, value) in side_by_side(&members, group, &follow) {
             indicators[member] = value;
         }
     }
@@ -106,13 +106,15 @@ where
 /// The lanes of an orbit: its state, and one vector.
 const LANES_OF_ORBIT: usize = 2;
 
-/// The values of all members, so many at once, on all threads. Whoever is free takes the next ones; no value depends on
-/// who that is.
-fn side_by_side(
-    members: &[usize],
-    together: usize,
-    follow: &(dyn Fn(&[usize]) -> Vec<f64> + Sync),
-) -> Vec<(usize, f64)> {
+/// How many groups of orbits, each of which goes through the stages together, are sampled together at most: a sample begins
+/// and ends many loops, and this many states are still near the processor.
+const GROUPS: usize = 4;
+
+/// The values of all members, some groups of so many at once, on all threads. Whoever is free takes the next ones; no value
+/// depends on who that is.
+fn side_by_side(members: &[usize], group: usize, follow: &(dyn Fn(&[usize]) -> Vec<f64> + Sync)) -> Vec<(usize, f64)> {
+    let groups = members.len().div_ceil(group);
+    let together = groups.div_ceil(all_threads()).min(GROUPS) * group;
     let batches = Mutex::new(members.chunks(together));
     let next = || batches.lock().unwrap_or_else(PoisonError::into_inner).next();
     let found = Mutex::new(Vec::with_capacity(members.len()));
@@ -133,6 +135,9 @@ struct Batch<C: Coords> {
     engine: Engine,
     orbits: Vec<Orbit>,
     shape: Phase<C>,
+    /// The sums of the squares of the vectors in all lanes at the last sample, and their logarithms.
+    squares: Vec<f64>,
+    logarithms: Vec<f64>,
 }
 
 /// One of them.
@@ -151,10 +156,13 @@ impl<C: Coords> Batch<C> {
         let orbit = |vector| Orbit { growth: Growth::new(logarithm(vector, 0)), exponent: 0, lost: false };
         let orbits = vectors.iter().map(orbit).collect();
         let lanes: Vec<_> = starts.into_iter().zip(vectors).flat_map(|(start, vector)| [start, vector]).collect();
+        let count = lanes.len().next_multiple_of(like.lanes() * like.together());
         Self {
-            engine: Engine::single(like, all_lanes(&lanes, like.lanes() * like.together())),
+            engine: Engine::single(like, all_lanes(&lanes, count)),
             orbits,
             shape: lanes[0].clone(),
+            squares: vec![0.0; count / LANES_OF_ORBIT],
+            logarithms: Vec::new(),
         }
     }
 
@@ -178,23 +186,55 @@ impl<C: Coords> Batch<C> {
 
     /// Reads all vectors, and divides those by powers of two that are far from one.
     fn sample(&mut self, clock: Clock) {
-        let mut vector = self.shape.clone();
-        let mut exponents = vec![0; self.orbits.len()];
-        for (number, orbit) in self.orbits.iter_mut().enumerate().filter(|(_, orbit)| !orbit.lost) {
-            self.engine.lane(clock, LANES_OF_ORBIT * number + 1, &mut vector);
-            orbit.growth.sample(clock.at(clock.steps), logarithm(&vector, orbit.exponent));
-            exponents[number] = far_exponent(&vector);
+        self.read_squares(clock);
+        self.logarithms.clone_from(&self.squares);
+        logarithms(&mut self.logarithms);
+        let (time, engine) = (clock.at(clock.steps), &self.engine);
+        let vector = |number| vector(engine, clock, number, &self.shape);
+        let known = self.squares.iter().zip(&self.logarithms);
+        for ((number, orbit), (square, of_square)) in self.orbits.iter_mut().enumerate().zip(known) {
+            if !orbit.lost {
+                let length = of_length(*square, *of_square, orbit.exponent, || vector(number));
+                orbit.growth.sample(time, length);
+            }
         }
         // At steps where a run with vectors divides them, too.
-        if clock.steps.is_multiple_of(BETWEEN_SCALES) && exponents.iter().any(|exponent| *exponent != 0) {
-            let mut lanes = self.lanes();
-            for (number, exponent) in exponents.into_iter().enumerate() {
-                let vector = &mut lanes[LANES_OF_ORBIT * number + 1];
-                *vector = scaled(vector, power_of_two(-exponent));
-                self.orbits[number].exponent += i64::from(exponent);
-            }
-            self.go_on(&lanes);
+        if clock.steps.is_multiple_of(BETWEEN_SCALES) {
+            self.scale(clock);
         }
+    }
+
+    /// Finds the sums of the squares of all vectors.
+    fn read_squares(&mut self, clock: Clock) {
+        let (mut point, squares) = (self.shape.clone(), &mut self.squares);
+        self.engine.read(clock, |completed, shown| {
+            if shown.is_none() && completed.squares(&mut point, squares) {
+                return;
+            }
+            for (number, sum) in squares.iter_mut().enumerate() {
+                show(completed, shown, LANES_OF_ORBIT * number + 1, &mut point);
+                *sum = square(&point);
+            }
+        });
+    }
+
+    /// Divides vectors by powers of two that are far from one.
+    fn scale(&mut self, clock: Clock) {
+        let exponent = |(number, orbit): (usize, &Orbit)| {
+            let far = !orbit.lost && may_be_far(&self.shape, self.squares[number]);
+            if far { far_exponent(&vector(&self.engine, clock, number, &self.shape)) } else { 0 }
+        };
+        let exponents: Vec<_> = self.orbits.iter().enumerate().map(exponent).collect();
+        if exponents.iter().all(|exponent| *exponent == 0) {
+            return;
+        }
+        let mut lanes = self.lanes();
+        for (number, exponent) in exponents.into_iter().enumerate() {
+            let vector = &mut lanes[LANES_OF_ORBIT * number + 1];
+            *vector = scaled(vector, power_of_two(-exponent));
+            self.orbits[number].exponent += i64::from(exponent);
+        }
+        self.go_on(&lanes);
     }
 
     /// Lets an orbit that goes on take the lanes of those that cannot take the next step; `false`, if there is none.
@@ -236,6 +276,13 @@ impl<C: Coords> Batch<C> {
         let motions = &self.engine.motions;
         self.engine.resume_own(&all_lanes(lanes, motions.lanes() * motions.count()));
     }
+}
+
+/// The vector of an orbit, with the step under way completed.
+fn vector<C: Coords>(engine: &Engine, clock: Clock, orbit: usize, shape: &Phase<C>) -> Phase<C> {
+    let mut vector = shape.clone();
+    engine.lane(clock, LANES_OF_ORBIT * orbit + 1, &mut vector);
+    vector
 }
 
 /// So many lanes, of which those behind the last orbit repeat it.

@@ -198,7 +198,7 @@ impl Engine {
     }
 
     /// Reads a trajectory with the step under way completed.
-    fn read<T>(&self, clock: Clock, read: impl FnOnce(&dyn Motions, Option<&dyn Motions>) -> T) -> T {
+    pub(crate) fn read<T>(&self, clock: Clock, read: impl FnOnce(&dyn Motions, Option<&dyn Motions>) -> T) -> T {
         let again;
         let completed = if self.completed_at == Some(clock) {
             &self.completed

@@ -55,6 +55,10 @@ pub(crate) trait Motions: Any + Send + Sync {
     fn finite(&self) -> bool;
     /// Writes the state of a lane.
     fn store(&self, lane: usize, to: &mut dyn Point);
+    /// Writes the sums of the squares of the vectors behind all states, one for each state, by way of a point of their
+    /// shape; `false`, where they are to be had from the lanes alone.
+    #[cfg(feature = "check")]
+    fn squares(&self, point: &mut dyn Point, squares: &mut [f64]) -> bool;
     /// Writes the state of a lane in the coordinates of the motion.
     fn store_own(&self, lane: usize, to: &mut dyn Point);
     /// Takes the motion a while into the step that the other one begins at the clock; `false`, and unchanged, where the
@@ -313,6 +317,13 @@ where
     fn store(&self, lane: usize, to: &mut dyn Point) {
         let (motion, lane) = self.motion_of(lane);
         motion.store(lane, shaped_mut(to));
+    }
+
+    #[cfg(feature = "check")]
+    fn squares(&self, point: &mut dyn Point, squares: &mut [f64]) -> bool {
+        let Some(write) = self.functions.squares else { return false };
+        write(&self.motions, point, squares);
+        true
     }
 
     fn store_own(&self, lane: usize, to: &mut dyn Point) {

@@ -13,6 +13,16 @@ use crate::{
     },
 };
 
+#[cfg(feature = "check")]
+use crate::{
+    hamiltonian::Shaped,
+    state::{
+        phase::Phase,
+        point::{Point, shaped_mut},
+    },
+    trajectory::tangent::square,
+};
+
 /// The function table of a motion type, which an engine calls a few times per block of steps.
 ///
 /// These are functions and not a type parameter: so [`Motions`](crate::trajectory::motions::Motions) know the motion's
@@ -34,7 +44,15 @@ pub struct StepFunctions<M> {
     /// Takes a motion a while into the step that begins at the other one and at the clock, where a method has dense
     /// output. It may stand anywhere in this step.
     pub(crate) dense: Option<fn(&mut M, &M, Clock, f64)>,
+    /// Writes the sums of the squares of the vectors behind the states of all lanes, where each state has one; the point is
+    /// of the shape of a state, and is written to.
+    #[cfg(feature = "check")]
+    pub(crate) squares: Option<Squares<M>>,
 }
+
+/// From motions, a point to write to, and a list to write, one number for each state.
+#[cfg(feature = "check")]
+pub(crate) type Squares<M> = fn(&[M], &mut dyn Point, &mut [f64]);
 
 impl<M> Clone for StepFunctions<M> {
     fn clone(&self) -> Self {
@@ -55,7 +73,17 @@ impl<M> StepFunctions<M> {
         M: Motion<C, P>,
     {
         let complete = |_: &mut M, _| {};
-        Self { lanes, together: 1, advance, complete, show: None, finite: all_finite, dense }
+        Self {
+            lanes,
+            together: 1,
+            advance,
+            complete,
+            show: None,
+            finite: all_finite,
+            dense,
+            #[cfg(feature = "check")]
+            squares: None,
+        }
     }
 
     /// Takes so many steps with one motion.
@@ -137,6 +165,12 @@ where
         show: if const { X::PROCESSOR.after.rows.is_empty() } { None } else { Some(end::<H, X, R, K, E, true>) },
         finite: if const { E::REGISTERS == 0 } { all_finite } else { all_finite_in_lanes::<H, R, K> },
         dense: None,
+        #[cfg(feature = "check")]
+        squares: if const { E::REGISTERS > 0 && R::LANES == 2 * R::MEMBERS } {
+            Some(squares_in_lanes::<H, R, K>)
+        } else {
+            None
+        },
     }
 }
 
@@ -196,6 +230,38 @@ pub(crate) fn all_finite<C: Coords, P, M: Motion<C, P>>(motions: &[M]) -> bool {
 /// The same in the variant for the instruction set of lanes.
 fn all_finite_in_lanes<H: Hamiltonian, R: Real, K: Precision>(motions: &[H::Motion<R, K>]) -> bool {
     R::enter(Finite::<H, R, K>(motions))
+}
+
+/// The squares of vectors in that variant, too: elsewhere a lane would be taken out of a register by a call.
+#[cfg(feature = "check")]
+fn squares_in_lanes<H: Hamiltonian, R: Real, K: Precision>(
+    motions: &[H::Motion<R, K>],
+    point: &mut dyn Point,
+    squares: &mut [f64],
+) {
+    R::enter(SquaresOf::<H, R, K> { motions, point: shaped_mut(point), squares });
+}
+
+#[cfg(feature = "check")]
+struct SquaresOf<'m, H: Hamiltonian, R: Real, K: Precision> {
+    motions: &'m [H::Motion<R, K>],
+    point: &'m mut Phase<Shaped<H, K>>,
+    squares: &'m mut [f64],
+}
+
+#[cfg(feature = "check")]
+impl<H: Hamiltonian, R: Real, K: Precision> Kernel for SquaresOf<'_, H, R, K> {
+    type Out = ();
+
+    #[inline(always)]
+    fn call(self) {
+        for (motion, squares) in self.motions.iter().zip(self.squares.chunks_mut(R::MEMBERS)) {
+            for (member, sum) in squares.iter_mut().enumerate() {
+                motion.store(2 * member + 1, self.point);
+                *sum = square(self.point);
+            }
+        }
+    }
 }
 
 struct Finite<'m, H: Hamiltonian, R: Real, K: Precision>(&'m [H::Motion<R, K>]);

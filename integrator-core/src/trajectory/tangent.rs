@@ -24,9 +24,9 @@ use crate::{
 };
 use alloc::{boxed::Box, vec, vec::Vec};
 use core::{fmt, iter, mem::take, ops::Range};
-#[cfg(feature = "check")]
-pub(crate) use vectors::unit_vectors;
 pub(crate) use vectors::{far_exponent, numbers, power_of_two, scaled};
+#[cfg(feature = "check")]
+pub(crate) use vectors::{may_be_far, square, unit_vectors};
 
 /// After so many steps vectors are looked at, whether they are far from one.
 pub(crate) const BETWEEN_SCALES: u64 = 64;

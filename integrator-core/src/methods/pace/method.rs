@@ -182,6 +182,8 @@ where
         },
         finite: all_finite,
         dense: Some(dense::<F, X, H, R, K, E>),
+        #[cfg(feature = "check")]
+        squares: None,
     }
 }
 

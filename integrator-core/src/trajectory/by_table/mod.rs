@@ -107,6 +107,8 @@ impl<H: Hamiltonian, G: Kicks<H>> Method<H> for ByTable<G> {
             show: Some(|motion, clock| walk::<H, G, R, K, E>(motion, clock, Portion::Undoing, Some(1))),
             finite: |motions| motions.iter().all(|motion| finite::<H, R, K>(&motion.motion)),
             dense: None,
+            #[cfg(feature = "check")]
+            squares: None,
         }
     }
 }

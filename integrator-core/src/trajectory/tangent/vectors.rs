@@ -9,6 +9,31 @@ pub(crate) fn numbers<C: Coords>(point: &Phase<C>) -> impl Iterator<Item = f64> 
     point.q.flat().iter().chain(point.p.flat()).map(|leaf| leaf.to_f64())
 }
 
+/// The sum of their squares.
+#[cfg(feature = "check")]
+#[inline(always)]
+pub(crate) fn square<C: Coords>(vector: &Phase<C>) -> f64 {
+    let mut sum = 0.0;
+    for half in [vector.q.flat(), vector.p.flat()] {
+        for leaf in half {
+            let number = leaf.to_f64();
+            sum += number * number;
+        }
+    }
+    sum
+}
+
+/// Whether a vector with this sum of squares may be far from one: where it is not, no component is.
+#[cfg(feature = "check")]
+pub(crate) fn may_be_far<C: Coords>(vector: &Phase<C>, square: f64) -> bool {
+    let far = power_of_two(far_from_one::<C::Leaf>());
+    let numbers = vector.q.flat().len() + vector.p.flat().len();
+    // The exponent of the largest component is between -far and far, if its square is from (2/far)² on and below far². The
+    // sum has at most as many such squares as there are numbers; twice that for its roundings.
+    let least = 2.0 / far * (2.0 / far) * 2.0 * numbers as f64;
+    !(least..far * far).contains(&square)
+}
+
 /// The power of two just below the largest component, where that is far from one; nought elsewhere.
 pub(crate) fn far_exponent<C: Coords>(vector: &Phase<C>) -> i32 {
     let largest = numbers(vector).fold(0.0, |largest: f64, number| largest.max(number.abs()));
@@ -54,4 +79,24 @@ pub(crate) fn unit_vectors<C: Coords>(like: &Phase<C>) -> Vec<Phase<C>> {
         unit
     };
     (0..2 * like.q.flat().len()).map(unit).collect()
+}
+
+#[cfg(all(test, feature = "check"))]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn whatever_is_far_from_one_may_be_far_by_its_squares() {
+        for exponent in -300..=300 {
+            for mantissa in [1.0, 1.5, 2.0_f64.next_down()] {
+                let number = mantissa * power_of_two(exponent);
+                for vector in [Phase::new([number, 0.0], [0.0, 0.0]), Phase::new([number, -number], [number; 2])] {
+                    let may_be = may_be_far(&vector, square(&vector));
+                    assert!(may_be || far_exponent(&vector) == 0, "{number:e}");
+                    // Else each sample would look at all vectors.
+                    assert!(!may_be || exponent.abs() > 250, "{number:e}");
+                }
+            }
+        }
+    }
 }
