@@ -226,7 +226,7 @@ pub mod __private {
             precision::{Precision, Slot},
         },
         system::{
-            device_text::{DeviceText, push_constants},
+            device_text::{DeviceText, push_constants, push_lists},
             elements::Elements,
             motion::{Motion, Plain, Prepared, Solver, Solving},
             not_finite::{all_found, not_finite},

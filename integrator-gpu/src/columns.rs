@@ -21,7 +21,10 @@ pub(crate) fn columns<C: Coords>(states: &[Phase<C>]) -> Vec<f64> {
 }
 
 /// The prepared constants of all members, those of the first constant first.
-pub(crate) fn constants<H: DeviceText>(parameters: &[H::Parameters<f64>]) -> Vec<f64> {
+///
+/// # Errors
+/// The number of the first member that has a longer list than the text has room for.
+pub(crate) fn constants<H: DeviceText>(parameters: &[H::Parameters<f64>]) -> Result<Vec<f64>, usize> {
     let rows: Vec<Vec<f64>> = parameters
         .iter()
         .map(|parameters| {
@@ -30,5 +33,8 @@ pub(crate) fn constants<H: DeviceText>(parameters: &[H::Parameters<f64>]) -> Vec
             numbers
         })
         .collect();
-    (0..H::CONSTANTS).flat_map(|constant| rows.iter().map(move |row| row[constant])).collect()
+    match rows.iter().position(|row| row.len() != H::CONSTANTS) {
+        Some(member) => Err(member),
+        None => Ok((0..H::CONSTANTS).flat_map(|constant| rows.iter().map(move |row| row[constant])).collect()),
+    }
 }

@@ -99,7 +99,7 @@ impl<C: Coords> Ensemble<C> {
     {
         let members: Vec<_> = members.into_iter().collect();
         let constants = constants_of(members.iter().map(|(system, _)| system));
-        Self::of::<H, X>(device, OnProcessor::new(composition, members, h)?, constants)
+        Self::of::<H, X>(device, OnProcessor::new(composition, members, h)?, constants?)
     }
 
     /// The ensemble that a checkpoint was made of, of this kind or on a processor, with the method and the systems that it was
@@ -122,7 +122,7 @@ impl<C: Coords> Ensemble<C> {
         let systems: Vec<H> = systems.into_iter().collect();
         let constants = constants_of(systems.iter());
         let processor = OnProcessor::resume(composition, systems, checkpoint);
-        Self::of::<H, X>(device, processor.map_err(|error| Error::Checkpoint(error.to_string()))?, constants)
+        Self::of::<H, X>(device, processor.map_err(|error| Error::Checkpoint(error.to_string()))?, constants?)
     }
 
     /// The members of an ensemble on the processor, moved to a device.
@@ -367,7 +367,7 @@ fn held<C: Coords>((ended, _): &MemberElsewhere<C>) -> u64 {
 }
 
 /// The prepared constants of systems, as columns; how many coordinates these have is known.
-fn constants_of<'s, H: DeviceText + 's>(systems: impl Iterator<Item = &'s H>) -> Vec<f64> {
+fn constants_of<'s, H: DeviceText + 's>(systems: impl Iterator<Item = &'s H>) -> Result<Vec<f64>, Error> {
     let length = <H::Coords as Coords>::LENGTH.unwrap_or_default();
-    constants::<H>(&systems.map(|system| system.parameters(length)).collect::<Vec<_>>())
+    constants::<H>(&systems.map(|system| system.parameters(length)).collect::<Vec<_>>()).map_err(Error::List)
 }

@@ -26,6 +26,12 @@ pub enum Error {
     /// The members do not fit into the memory of the device.
     #[error("{0} members take {1} MiB, more than the device has free: take fewer of them at a time")]
     Memory(usize, usize),
+    /// A list of a member is longer than the text for devices has room for.
+    #[error(
+        "member {0} has a list of more than 16 elements that is read in a loop whose end is a field or a constant, and a device has \
+         room for 16: let the loop run to a number, as in `for i in 0..40`"
+    )]
+    List(usize),
     /// The kernel does not compile: a mistake of this library.
     #[error("the kernel does not compile, please report it: {0}")]
     Kernel(String),

@@ -45,6 +45,26 @@ impl Native {
     }
 }
 
+/// A sum of as many waves as the fields say.
+struct Waves {
+    count: usize,
+    height: Vec<f64>,
+}
+
+#[hamiltonian(gpu)]
+impl Waves {
+    fn kinetic(&self, p: [f64; 1]) -> f64 {
+        0.5 * p[0] * p[0]
+    }
+    fn potential(&self, q: [f64; 1]) -> f64 {
+        let mut sum = 0.0;
+        for i in 0..self.count {
+            sum += self.height[i] * ((i as f64 + 1.0) * q[0]).cos();
+        }
+        sum
+    }
+}
+
 fn pendulums() -> impl Iterator<Item = (Pendulum, Phase<[f64; 1]>)> {
     (1..=5).map(|i| (Pendulum { length: f64::from(i) / 4.0 }, Phase::new([2.0], [0.1])))
 }
@@ -117,6 +137,22 @@ fn without_a_driver_there_is_an_error_and_a_fallback_where_it_is_asked() {
     best.advance(50).expect("finite");
     processor.advance(50).expect("finite");
     assert_eq!(best.states().expect("states"), processor.states().collect::<Vec<_>>());
+}
+
+#[test]
+fn lists_of_the_fields_lengths_have_room_for_some() {
+    let waves = |count: usize| Waves { count, height: (0..count).map(|i| 1.0 / (1.0 + i as f64)).collect() };
+    let members = |most: usize| (0..3_usize).map(move |i| (waves(most - i), Phase::new([0.5], [0.1 * i as f64])));
+    let made = Ensemble::on(Device::Text, Yoshida4, members(16), 0.01);
+    if can_compare(&made) {
+        let mut ensemble = made.expect("an ensemble");
+        let mut processor = OnProcessor::new(Yoshida4, members(16), 0.01).expect("an ensemble");
+        ensemble.advance(100).expect("finite");
+        processor.advance(100).expect("finite");
+        assert_eq!(ensemble.states().expect("states"), processor.states().collect::<Vec<_>>());
+    }
+    let longer = members(16).chain(members(17));
+    assert_eq!(Ensemble::on(Device::Text, Yoshida4, longer, 0.01).err(), Some(GpuError::List(3)));
 }
 
 #[test]

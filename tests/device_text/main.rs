@@ -40,6 +40,7 @@ const SYSTEMS: &[(&str, &str)] = &[
     ("paired", Paired::TEXT),
     ("runaway", Runaway::TEXT),
     ("native", Native::TEXT),
+    ("picked", Picked::TEXT),
 ];
 
 /// Steps of the two launches of each case.
@@ -73,7 +74,7 @@ impl Cases {
         let states: Vec<_> = members.iter().map(|(_, start)| start.clone()).collect();
         let memory = Memory {
             stages,
-            constants: constants::<H>(&parameters),
+            constants: constants::<H>(&parameters).expect("short lists"),
             state: columns(&states),
             shown: Vec::new(),
             lost: vec![0; members.len()],
@@ -91,7 +92,7 @@ impl Cases {
     }
 
     /// Holds launches whose functions are the maths library's against ensembles, whose functions are others.
-    fn is_near(mut self, program: &Path) {
+    fn assert_near(mut self, program: &Path) {
         let [steps, _] = PORTIONS;
         self.jobs.iter_mut().for_each(|(_, launch, _)| launch.steps = steps);
         Memory::run(program, &mut self.jobs).expect("the program runs");
@@ -217,6 +218,20 @@ fn states_and_functions_have_the_bits_of_a_processor() {
         0.05,
     );
     cases.add("runaway", Verlet, members(3, |k| (Runaway { strength: k - 1.0 }, Phase::new([1.0], [1.0]))), 0.01);
+    let picked = |k: f64| {
+        let system = Picked { site: k as usize, count: 3 - k as usize, partner: [0, 1 + k as usize] };
+        (system, [0.3, 0.1, -0.2, 0.1 * k], [0.2, 0.1 * k, 0.0, -0.1])
+    };
+    let of = |k: f64| {
+        let (system, q, p) = picked(k);
+        (system, Phase::new(q, p))
+    };
+    cases.add("picked", Yoshida4, members(3, of), 0.02);
+    let of = |k: f64| {
+        let (system, q, p) = picked(k);
+        (system, Phase::new(q.map(|x: f64| x as f32), p.map(|x: f64| x as f32)))
+    };
+    cases.add("picked", Chin4A, members(3, of), 0.02);
     assert!(cases.expected.iter().any(|[_, (_, steps)]| steps.iter().any(|steps| *steps < 1107)), "somebody is lost");
     cases.compare(&program).expect("the bits of an ensemble");
 
@@ -227,7 +242,7 @@ fn states_and_functions_have_the_bits_of_a_processor() {
         members(3, |k| (Native { stiffness: 1.0 + 0.1 * k }, Phase::new([0.3, 0.1], [0.2, 0.1 * k]))),
         0.02,
     );
-    native.is_near(&program);
+    native.assert_near(&program);
 
     let mut wrong = Cases::default();
     wrong.add("pendulum", Verlet, members(5, pendulum), 0.01);

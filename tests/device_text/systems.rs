@@ -154,3 +154,28 @@ impl Native {
         self.stiffness * (q[0].cosh() + q[1].hypot(1.0)) + (q[0] - q[1]).sin() * q[1].tanh() + (0.1 * q[0]).exp2()
     }
 }
+
+/// A constant that is an index.
+const FIRST: usize = 2;
+
+/// Fields that are indices, and how often a loop runs.
+#[derive(Clone)]
+pub(crate) struct Picked {
+    pub(crate) site: usize,
+    pub(crate) count: usize,
+    pub(crate) partner: [usize; 2],
+}
+
+#[hamiltonian(gpu)]
+impl Picked {
+    fn kinetic(&self, p: [f64; 4]) -> f64 {
+        p.iter().map(|p| p * p / 2.0).sum()
+    }
+    fn potential(&self, q: [f64; 4]) -> f64 {
+        let mut energy = 0.3 * q[self.site].powi(4) + q[FIRST].cos();
+        for i in 0..self.count {
+            energy += (i as f64 + 1.0) * (q[i] - q[self.partner[i % 2]]).powi(2);
+        }
+        energy
+    }
+}

@@ -15,29 +15,56 @@ pub trait DeviceText: Hamiltonian {
     /// How many numbers the prepared constants are.
     const CONSTANTS: usize;
 
-    /// Adds the prepared constants of one member to a list, in the order in which the text reads them.
+    /// Adds the prepared constants of one member to a list, in the order in which the text reads them: as many as
+    /// [`DeviceText::CONSTANTS`], or more, where one of its lists is longer than the text has room for.
     fn push_constants(parameters: &Self::Parameters<f64>, numbers: &mut Vec<f64>);
 }
 
 /// A prepared number, or a table of prepared numbers.
 pub trait Pushed {
-    /// Adds it to a list.
-    fn push_to(&self, numbers: &mut Vec<f64>);
+    /// Adds it to a list: a table, as many elements as these lengths say from the outermost on, where they say it.
+    fn push_to(&self, lengths: &[usize], numbers: &mut Vec<f64>);
 }
 
 impl Pushed for f64 {
-    fn push_to(&self, numbers: &mut Vec<f64>) {
+    fn push_to(&self, _lengths: &[usize], numbers: &mut Vec<f64>) {
         numbers.push(*self);
     }
 }
 
-impl<T: Pushed, const N: usize> Pushed for [T; N] {
-    fn push_to(&self, numbers: &mut Vec<f64>) {
-        self.iter().for_each(|element| element.push_to(numbers));
+/// An integer; below 2^53 it stays what it is.
+impl Pushed for usize {
+    fn push_to(&self, _lengths: &[usize], numbers: &mut Vec<f64>) {
+        numbers.push(*self as f64);
     }
+}
+
+impl<T: Pushed, const N: usize> Pushed for [T; N] {
+    fn push_to(&self, lengths: &[usize], numbers: &mut Vec<f64>) {
+        push_elements(self, lengths, numbers);
+    }
+}
+
+impl<T: Pushed> Pushed for Vec<T> {
+    fn push_to(&self, lengths: &[usize], numbers: &mut Vec<f64>) {
+        push_elements(self, lengths, numbers);
+    }
+}
+
+/// Adds the elements of a table, and zeros for those that are missing.
+fn push_elements<T: Pushed>(elements: &[T], lengths: &[usize], numbers: &mut Vec<f64>) {
+    let (length, inner) = lengths.split_first().map_or((0, lengths), |(length, inner)| (*length, inner));
+    elements.iter().for_each(|element| element.push_to(inner, numbers));
+    let missing = length.saturating_sub(elements.len()) * inner.iter().product::<usize>();
+    numbers.resize(numbers.len() + missing, 0.0);
 }
 
 /// Adds a prepared constant to a list.
 pub fn push_constants(constant: &impl Pushed, numbers: &mut Vec<f64>) {
-    constant.push_to(numbers);
+    constant.push_to(&[], numbers);
+}
+
+/// Adds a table whose lengths are known at run time, and may be these at most: with more of them, the list gets too long.
+pub fn push_lists(constant: &impl Pushed, lengths: &[usize], numbers: &mut Vec<f64>) {
+    constant.push_to(lengths, numbers);
 }

@@ -166,16 +166,42 @@ fn pushed(machine: &mut Machine<'_>, function: &ImplItemFn, parameters: &Value) 
     let mut numbers = Vec::new();
     machine.names.push((quote::format_ident!("parameters"), parameters.clone()));
     for statement in &function.block.stmts {
-        let pushed = match statement {
-            Stmt::Expr(Expr::MethodCall(call), _) => call.args.first(),
-            Stmt::Expr(Expr::Call(call), _) => call.args.first(),
+        let arguments = match statement {
+            Stmt::Expr(Expr::MethodCall(call), _) => Some(&call.args),
+            Stmt::Expr(Expr::Call(call), _) => Some(&call.args),
             _ => None,
         };
-        let Some(pushed) = pushed else { return foreign(statement.to_token_stream().to_string()) };
-        machine.expression(pushed)?.numbers(&mut numbers);
+        let Some(pushed) = arguments.and_then(|arguments| arguments.first()) else {
+            return foreign(statement.to_token_stream().to_string());
+        };
+        let pushed = machine.expression(pushed)?;
+        let lengths: Vec<usize> = match arguments.and_then(|arguments| arguments.iter().nth(1)) {
+            Some(Expr::Reference(lengths)) => {
+                let text = lengths.expr.to_token_stream().to_string();
+                text.split(|letter: char| !letter.is_ascii_digit()).filter_map(|length| length.parse().ok()).collect()
+            }
+            _ => Vec::new(),
+        };
+        push(&pushed, &lengths, &mut numbers)?;
     }
     machine.names.pop();
     Ok(numbers.into_iter().map(|number| number.main.value).collect())
+}
+
+/// Adds a constant, and zeros for the elements that its lists lack of these lengths.
+fn push(constant: &Value, lengths: &[usize], numbers: &mut Vec<Number>) -> Outcome<()> {
+    match (constant, lengths) {
+        (Value::List(elements), [length, inner @ ..]) => {
+            elements.iter().try_for_each(|element| push(element, inner, numbers))?;
+            let Some(missing) = length.checked_sub(elements.len()) else {
+                // The runtime refuses such a member.
+                return Err(Stop::Panic("a list is too long".into()));
+            };
+            numbers.extend((0..missing * inner.iter().product::<usize>()).map(|_| Number::plain(0.0)));
+        }
+        _ => constant.numbers(numbers),
+    }
+    Ok(())
 }
 
 /// The C++ compiler of this machine; `None` with the reason said where there is none.

@@ -261,6 +261,7 @@ impl Value {
     /// The numbers inside, in order.
     pub(crate) fn numbers(&self, into: &mut Vec<Number>) {
         match self {
+            Self::Integer(integer) => into.push(Number::plain(integer.value as f64)),
             Self::Number(number) | Self::Slot(number) => into.push(number.clone()),
             Self::List(items) => items.iter().for_each(|item| item.numbers(into)),
             _ => {}

@@ -257,7 +257,7 @@ fn own_flow(model: &Model, names: &Names, part: usize) -> TokenStream {
 }
 
 /// How many elements a table of prepared constants has along each of its loops; `None` where that is known at run time.
-pub(crate) fn extents(model: &mut Model, names: &Names, content: Content) -> Option<Vec<u64>> {
+pub(crate) fn extents(model: &mut Model, names: &Names, content: Content) -> Vec<Option<u64>> {
     Table::of(model, names, content).levels.iter().map(|level| level.literal).collect()
 }
 

@@ -18,12 +18,16 @@ use crate::{
     stencil::Components,
     syntax::DeviceFunctions,
 };
-use proc_macro2::TokenStream;
+use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 use std::fmt::Write;
 
 /// The most coordinates of a state, positions and momenta together: a device keeps them in registers.
 const MOST_COORDINATES: u64 = 64;
+
+/// The most elements of a list that is read in a loop whose end is a field or a constant: on the device it has room for so
+/// many, and the runtime refuses members that have more.
+const LONGEST_LIST: u64 = 16;
 
 /// The flows of a system as text for devices.
 pub(crate) struct DeviceText {
@@ -82,20 +86,30 @@ impl DeviceText {
                     pushes.extend(quote!(numbers.push(#text);));
                     Vec::new()
                 }
+                Read::IntegerPath(parameter) => {
+                    let text = &emitter.model.parameters[parameter.0 as usize].text;
+                    pushes.extend(quote!(numbers.push(#text as f64);));
+                    Vec::new()
+                }
                 Read::Field(content) => {
                     let runtime = &emitter.names.runtime;
-                    pushes.extend(quote!(#runtime::push_constants(&parameters.#name, numbers);));
-                    extents(emitter.model, emitter.names, content).ok_or_else(|| {
-                        format!(
-                            "`{name}` is a list of a length that is known at run time, and has no text for devices yet"
-                        )
-                    })?
+                    let extents = extents(emitter.model, emitter.names, content);
+                    let lengths: Vec<_> = extents.iter().map(|extent| extent.unwrap_or(LONGEST_LIST)).collect();
+                    pushes.extend(match extents.contains(&None) {
+                        true => {
+                            let lengths = lengths.iter().map(|length| Literal::u64_unsuffixed(*length));
+                            quote!(#runtime::push_lists(&parameters.#name, &[#(#lengths),*], numbers);)
+                        }
+                        false => quote!(#runtime::push_constants(&parameters.#name, numbers);),
+                    });
+                    lengths
                 }
             };
             let name = read.name(&name);
             let brackets: String = lengths.iter().map(|length| format!("[{length}]")).collect();
-            let _ = writeln!(fields, "R {name}{brackets};");
-            loads += &load(&name, &lengths, constants);
+            let kind = if read.is_integer() { "long long" } else { "R" };
+            let _ = writeln!(fields, "{kind} {name}{brackets};");
+            loads += &load(kind, &name, &lengths, constants);
             constants += lengths.iter().product::<u64>();
         }
         let (count, brackets, at) = (shape.count(), shape.brackets(), shape.at("i"));
@@ -132,7 +146,7 @@ impl DeviceText {
     /// The items of the runtime's `DeviceText`.
     pub(crate) fn items(&self, names: &Names) -> TokenStream {
         let Self { text, constants, pushes } = self;
-        let (runtime, constants) = (&names.runtime, proc_macro2::Literal::u64_unsuffixed(*constants));
+        let (runtime, constants) = (&names.runtime, Literal::u64_unsuffixed(*constants));
         let (parameters, numbers) = match pushes.is_empty() {
             true => (quote!(_parameters), quote!(_numbers)),
             false => (quote!(parameters), quote!(numbers)),
@@ -335,7 +349,7 @@ fn middle(count: usize) -> String {
 }
 
 /// The lines that load a constant, or a table of them, from the place where it begins.
-fn load(name: &str, lengths: &[u64], first: u64) -> String {
+fn load(kind: &str, name: &str, lengths: &[u64], first: u64) -> String {
     let index = |level: usize| format!("i{level}");
     let place = lengths.iter().enumerate().fold(String::new(), |place, (level, length)| match place.is_empty() {
         true => index(level),
@@ -343,7 +357,8 @@ fn load(name: &str, lengths: &[u64], first: u64) -> String {
     });
     let at: String = (0..lengths.len()).map(|level| format!("[{}]", index(level))).collect();
     let place = if place.is_empty() { first.to_string() } else { format!("{first} + {place}") };
-    let line = format!("{name}{at} = R(number({place}));\n");
+    let number = if kind == "R" { format!("R(number({place}))") } else { format!("({kind})number({place})") };
+    let line = format!("{name}{at} = {number};\n");
     lengths.iter().enumerate().rev().fold(line, |line, (level, length)| {
         let index = index(level);
         format!("for (int {index} = 0; {index} < {length}; ++{index}) {{\n{line}}}\n")

@@ -5,6 +5,7 @@
 
 mod functions;
 mod identifier;
+mod reads;
 
 use super::{
     block::Emitter,
@@ -20,54 +21,12 @@ use crate::{
     },
     model::Length,
     program::{Item, Program, Sink, Store, root_cubed, schedule},
-    syntax::{DeviceFunctions, Functions},
+    syntax::Functions,
 };
-use functions::{KNOWN, NATIVE};
+use functions::KNOWN;
 use identifier::identifier;
 use proc_macro2::Ident;
-
-/// What lines read beside the state: each becomes a field of the prepared constants on the device.
-#[derive(Clone, Copy, PartialEq)]
-pub(crate) enum Read {
-    /// A field of the prepared constants.
-    Field(Content),
-    /// A constant that the user's text names by a path.
-    Path(ParameterId),
-}
-
-impl Read {
-    /// Its name in C++: a user's own one, or that of a path, which no user's becomes.
-    pub(crate) fn name(self, name: &Ident) -> String {
-        match self {
-            Self::Field(_) => identifier(name),
-            Self::Path(_) => name.to_string(),
-        }
-    }
-}
-
-/// What all lines of a text have in common: whose functions they call, and what they have read so far.
-pub(crate) struct Reads {
-    functions: DeviceFunctions,
-    /// Each with its name and the loops that its elements belong to.
-    pub(crate) found: Vec<(Read, Ident, LoopSet)>,
-}
-
-impl Reads {
-    pub(crate) fn of(functions: DeviceFunctions) -> Self {
-        Self { functions, found: Vec::new() }
-    }
-
-    fn note(&mut self, read: Read, name: Ident, loops: LoopSet) {
-        if self.found.iter().all(|(known, ..)| *known != read) {
-            self.found.push((read, name, loops));
-        }
-    }
-
-    /// The name of a function where the device's own is asked for, if it has one.
-    fn native(&self, name: &str) -> Option<String> {
-        (self.functions == DeviceFunctions::Native && NATIVE.contains(&name)).then(|| format!("library_{name}"))
-    }
-}
+pub(crate) use reads::{Read, Reads};
 
 /// The lines that evaluate values and store them, and the program that they are printed from; or why there are none.
 pub(crate) fn evaluate(
@@ -83,7 +42,7 @@ pub(crate) fn evaluate(
         Length::Literal(length) => length,
         Length::Constant(_) | Length::OfStart => 0,
     };
-    let mut cuda = Cuda { printer, fields, reads, length, conditions: 0, obstacle: None };
+    let mut cuda = Cuda { printer, fields, reads, length, conditions: 0, loops: Vec::new(), obstacle: None };
     let lines = cuda.items(&program.items);
     match cuda.obstacle {
         None => Ok((lines, program)),
@@ -122,6 +81,8 @@ struct Cuda<'m, 'r> {
     length: u64,
     /// How many conditions are around the present line.
     conditions: usize,
+    /// The loops around it, with the names of their indices.
+    loops: Vec<(LoopId, String)>,
     obstacle: Option<String>,
 }
 
@@ -152,7 +113,9 @@ impl Cuda<'_, '_> {
             Item::Loop { by, body } => {
                 let range = self.printer.graph.loops.get(*by);
                 let (from, to) = (self.index(range.from), self.index(range.to));
-                let (index, body) = (self.running(*by), self.items(body));
+                let index = self.open(*by);
+                let body = self.items(body);
+                self.loops.pop();
                 format!("for (long long {index} = {from}; {index} < {to}; ++{index}) {{\n{body}}}\n")
             }
             Item::Branch { condition, holds, body } => {
@@ -207,7 +170,17 @@ impl Cuda<'_, '_> {
     }
 
     fn running(&self, by: LoopId) -> String {
-        self.printer.running.get(&by).map(identifier).unwrap_or_default()
+        self.loops.iter().find(|(open, _)| *open == by).map(|(_, index)| index.clone()).unwrap_or_default()
+    }
+
+    /// Goes into a loop, and returns the name of its index. In C++ a name means the new index in its own bounds already, so that
+    /// one of a loop around it gives way to a name that no user's becomes.
+    fn open(&mut self, by: LoopId) -> String {
+        let index = self.printer.running.get(&by).map(identifier).unwrap_or_default();
+        let is_taken = self.loops.iter().any(|(_, taken)| *taken == index);
+        let index = if is_taken { format!("i{}", self.loops.len()) } else { index };
+        self.loops.push((by, index.clone()));
+        index
     }
 
     /// An expression, by its name if it has one.
@@ -351,6 +324,18 @@ impl Cuda<'_, '_> {
         text
     }
 
+    /// An integer that is a field, or a constant that is named by a path.
+    fn integer(&mut self, parameter: ParameterId) -> String {
+        let parameters = self.printer.parameters;
+        if is_constant(&parameters[parameter.0 as usize].text) {
+            let name = quote::format_ident!("path_{}", parameter.0);
+            return self.read(Read::IntegerPath(parameter), name, LoopSet::EMPTY);
+        }
+        let (name, loops) =
+            (self.fields.integer(parameters, parameter), self.printer.graph.loops.of_parameter(parameter));
+        self.read(Read::Field(Content::Integer(parameter)), name, loops)
+    }
+
     /// A coordinate's place: `motion.q[0]`, `motion.p[i][1]`.
     fn place(&mut self, element: Element) -> String {
         let part = if element.part == Part::Position { "q" } else { "p" };
@@ -371,12 +356,7 @@ impl Cuda<'_, '_> {
             Index::Literal(value) => return value.to_string(),
             Index::Running(by) => return self.running(by),
             Index::Length => return self.length.to_string(),
-            Index::Parameter(_) => {
-                return self.refuse(
-                    "an index or a number of iterations that is a field or a constant has no text for devices yet: write \
-                     a number",
-                );
-            }
+            Index::Parameter(parameter) => return self.integer(parameter),
             Index::Wrapped(..) => return self.refuse("integers that wrap have no text for devices yet"),
             Index::Typed(_, a) => return self.index(a),
             _ => {}
