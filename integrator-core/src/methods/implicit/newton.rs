@@ -15,7 +15,7 @@ use crate::{
     },
     system::motion::Prepared,
 };
-use core::array;
+use core::{array, ops::Range};
 use nalgebra::{DMatrix, DVector};
 
 /// After so many iterations without an end there is none. Newton's iteration doubles the digits with each, so that a
@@ -67,7 +67,7 @@ fn member<H: Hamiltonian, R: Real, const S: usize>(
     let together = own..own + R::LANES / R::MEMBERS.max(1);
     let start = listed(&field::<H, R>(constants, y, *time));
     let y = listed(y);
-    let (size, half) = (y.len(), y.len() / 2);
+    let size = y.len();
     let mut z: [Vec<R>; S] =
         array::from_fn(|i| y.iter().zip(&start).map(|(y, f)| *y + R::of(tableau.c[i] * h) * *f).collect());
     let mut update = f64::INFINITY;
@@ -79,34 +79,30 @@ fn member<H: Hamiltonian, R: Real, const S: usize>(
             (0..S).fold(z[i][k] - y[k], |residual, j| residual - R::of(tableau.a[i][j] * h) * slopes[j][k])
         };
         let residuals: Vec<R> = (0..S * size).map(|row| residual(row / size, row % size)).collect();
-        let mut matrix = DMatrix::identity(S * size, S * size);
-        for j in 0..S {
+        let jacobians = array::from_fn::<_, S, _>(|j| {
             let values: Vec<f64> = z[j].iter().map(|z| z.lane(own)).collect();
-            let jacobian = jacobian::<H, R>(constants, own, &values, time + tableau.c[j] * h);
-            for (i, row) in tableau.a.iter().enumerate() {
-                let mut block = matrix.view_mut((i * size, j * size), (size, size));
-                block -= &jacobian * (row[j] * h);
+            jacobian::<H, R>(constants, own, &values, time + tableau.c[j] * h)
+        });
+        *evaluations += (S * (1 + size)) as u64;
+        let weights = array::from_fn::<_, S, _>(|i| &tableau.a[i][..]);
+        let of_lane = |numbers: &[R], lane: usize| numbers.iter().map(|number| number.lane(lane)).collect::<Vec<_>>();
+        let residuals: Vec<_> = together.clone().map(|lane| of_lane(&residuals, lane)).collect();
+        // A matrix that is singular, or no number, leads nowhere: the last update says how far the iteration was.
+        let lanes = updates(&jacobians, &weights, *h, &residuals).ok_or(update)?;
+        for (stage, z) in z.iter_mut().enumerate() {
+            for (k, z) in z.iter_mut().enumerate() {
+                let row = stage * size + k;
+                *z -= R::state(&|lane| if together.contains(&lane) { lanes[lane - own][row] } else { 0.0 });
             }
         }
-        *evaluations += (S * (1 + size)) as u64;
-        let factors = matrix.lu();
-        let mut lanes = Vec::with_capacity(together.len());
+        let mut relative = 0.0;
         for lane in together.clone() {
-            let residual = DVector::from_iterator(S * size, residuals.iter().map(|r| r.lane(lane)));
-            // A matrix that is singular, or no number, leads nowhere: the last update says how far the iteration was.
-            lanes.push(factors.solve(&residual).ok_or(update)?);
+            let (y, moved) = (of_lane(&y, lane), &lanes[lane - own]);
+            for (stage, z) in z.iter().enumerate() {
+                let moved = &moved.as_slice()[stage * size..][..size];
+                relative = largest([relative, moved_by(moved, &of_lane(z, lane), &y)]);
+            }
         }
-        for (row, z) in z.iter_mut().flatten().enumerate() {
-            *z -= R::state(&|lane| if together.contains(&lane) { lanes[lane - own][row] } else { 0.0 });
-        }
-        let relative = |lane: usize, stage: usize, range: core::ops::Range<usize>| {
-            let moved = largest(range.clone().map(|k| lanes[lane - own][stage * size + k]));
-            // Where the end is zero, the beginning tells what is rounding: they differ by what rounds.
-            ratio(moved, largest(range.flat_map(|k| [z[stage][k].lane(lane), y[k].lane(lane)])))
-        };
-        let stages = together.clone().flat_map(|lane| (0..S).map(move |stage| (lane, stage)));
-        let relative =
-            largest(stages.flat_map(|(lane, stage)| [0..half, half..size].map(|range| relative(lane, stage, range))));
         let stalled = relative >= update / 2.0 && relative <= STALLED * epsilon;
         if relative <= SETTLED * epsilon || stalled {
             return Ok(array::from_fn(|j| field::<H, R>(constants, &paired(&z[j]), time + tableau.c[j] * h)));
@@ -114,6 +110,38 @@ fn member<H: Hamiltonian, R: Real, const S: usize>(
         update = relative;
     }
     Err(update)
+}
+
+/// What Newton's iteration takes from each list of residuals, by the Jacobians at the stages and the weights of a tableau. In
+/// plain numbers, so that it is compiled with this crate and not with each system; none where the matrix is singular.
+fn updates(
+    jacobians: &[DMatrix<f64>],
+    weights: &[&[f64]],
+    h: f64,
+    residuals: &[Vec<f64>],
+) -> Option<Vec<DVector<f64>>> {
+    let size = jacobians.first().map_or(0, DMatrix::nrows);
+    let rows = weights.len() * size;
+    let mut matrix = DMatrix::identity(rows, rows);
+    for (j, jacobian) in jacobians.iter().enumerate() {
+        for (i, row) in weights.iter().enumerate() {
+            let mut block = matrix.view_mut((i * size, j * size), (size, size));
+            block -= jacobian * (row[j] * h);
+        }
+    }
+    let factors = matrix.lu();
+    residuals.iter().map(|residual| factors.solve(&DVector::from_column_slice(residual))).collect()
+}
+
+/// The largest update of positions, and of momenta, in units of these at the stage and at the beginning: where the end is zero,
+/// the beginning tells what is rounding, since they differ by what rounds.
+fn moved_by(moved: &[f64], stage: &[f64], beginning: &[f64]) -> f64 {
+    let half = moved.len() / 2;
+    let of = |range: Range<usize>| {
+        let size = largest(stage[range.clone()].iter().chain(&beginning[range.clone()]).copied());
+        ratio(largest(moved[range].iter().copied()), size)
+    };
+    largest([of(0..half), of(half..moved.len())])
 }
 
 /// The derivatives of the field of one member, column by column by duals.

@@ -17,14 +17,24 @@ use differential_equations::{
     linalg::Matrix,
     prelude::{BackwardDifferentiationFormula, ExplicitRungeKutta, IVP, ODE},
 };
+use nalgebra::DMatrix;
 
 /// A field as that crate sees it: the lanes of a state one after the other. A dual is integrated with its tangent, by
-/// the variational equation.
-struct Flat<'f, R>(&'f dyn Field<R>);
+/// the variational equation. Numbers are plain here, so that the crate's methods are compiled with this one and not with each
+/// system.
+trait Flat {
+    fn derivative(&self, time: f64, y: &[f64]) -> Vec<f64>;
+    /// The Jacobian in a lane.
+    fn jacobian(&self, time: f64, y: &[f64]) -> DMatrix<f64>;
+}
 
 /// All lanes as one list.
 fn flat<R: Real>(y: &[R]) -> Vec<f64> {
-    (0..R::LANES).flat_map(|lane| y.iter().map(move |y| y.lane(lane))).collect()
+    let mut flat = Vec::with_capacity(R::LANES * y.len());
+    for lane in 0..R::LANES {
+        flat.extend(y.iter().map(|y| y.lane(lane)));
+    }
+    flat
 }
 
 /// The numbers whose lanes these are.
@@ -33,16 +43,27 @@ fn lanes<R: Real>(flat: &[f64]) -> Vec<R> {
     (0..count).map(|i| R::state(&|lane| flat[lane * count + i])).collect()
 }
 
-impl<R: Real> ODE<f64, Vec<f64>> for Flat<'_, R> {
+struct Lanes<'f, R>(&'f dyn Field<R>);
+
+impl<R: Real> Flat for Lanes<'_, R> {
+    fn derivative(&self, time: f64, y: &[f64]) -> Vec<f64> {
+        flat(&self.0.derivative(&lanes::<R>(y), time))
+    }
+    fn jacobian(&self, time: f64, y: &[f64]) -> DMatrix<f64> {
+        self.0.jacobian(&y[..y.len() / R::LANES], time)
+    }
+}
+
+impl ODE<f64, Vec<f64>> for &dyn Flat {
     fn diff(&self, time: f64, y: &Vec<f64>, derivative: &mut Vec<f64>) {
-        *derivative = flat(&self.0.derivative(&lanes::<R>(y), time));
+        *derivative = self.derivative(time, y);
     }
 
     /// The Jacobian in every lane. How the tangents of a dual depend on its value is left out: Newton's iteration, for
     /// which the matrix is wanted, finds the same end with a matrix that is nearly right.
     fn jacobian(&self, time: f64, y: &Vec<f64>, to: &mut Matrix<f64>) {
-        let count = y.len() / R::LANES;
-        let jacobian = self.0.jacobian(&y[..count], time);
+        let jacobian = Flat::jacobian(*self, time, y);
+        let count = jacobian.nrows();
         for row in 0..y.len() {
             for column in 0..y.len() {
                 let same = row / count == column / count;
@@ -52,16 +73,20 @@ impl<R: Real> ODE<f64, Vec<f64>> for Flat<'_, R> {
     }
 }
 
+/// How one of these methods leads from the beginning of a span to its end, with a tolerance.
+type Solve = fn(&dyn Flat, [f64; 2], Vec<f64>, f64) -> Solved;
+
+/// The end, if one was returned.
+type Solved = Result<Option<Vec<f64>>, Failure<f64, Vec<f64>>>;
+
 /// What a step adds.
-fn increment<R: Real>(
-    from: &Place<'_, R>,
-    solve: impl Fn(&Flat<'_, R>, [f64; 2], Vec<f64>) -> Result<Option<Vec<f64>>, Failure<f64, Vec<f64>>>,
-) -> Result<Vec<R>, Unsolved> {
+fn increment<R: Real>(from: &Place<'_, R>, tolerance: f64, solve: Solve) -> Result<Vec<R>, Unsolved> {
     let start = flat(from.y);
     if from.h == 0.0 {
         return Ok(from.derivative().into_iter().map(|slope| R::of(0.0) * slope).collect());
     }
-    let end = solve(&Flat(from.field), [from.time, from.time + from.h], start.clone()).map_err(unsolved)?;
+    let span = [from.time, from.time + from.h];
+    let end = solve(&Lanes(from.field), span, start.clone(), tolerance).map_err(unsolved)?;
     let Some(end) = end else { return Err(Unsolved::Adaptive("no end was returned".to_owned())) };
     let moved: Vec<f64> = end.iter().zip(&start).map(|(end, start)| end - start).collect();
     Ok(lanes(&moved))
@@ -112,10 +137,14 @@ macro_rules! adaptive {
             type Memory<R: Real> = ();
 
             fn increment<R: Real>(self, _: &mut (), from: &Place<'_, R>) -> Result<Vec<R>, Unsolved> {
-                increment(from, |field, [begin, end], start| {
-                    let method = $method.rtol(self.tolerance).atol(self.tolerance).max_steps(MOST);
-                    Ok(IVP::ode(field, begin, end, start).method(method).solve()?.y.pop())
-                })
+                increment(from, self.tolerance, Self::solve)
+            }
+        }
+
+        impl $name {
+            fn solve(field: &dyn Flat, [begin, end]: [f64; 2], start: Vec<f64>, tolerance: f64) -> Solved {
+                let method = $method.rtol(tolerance).atol(tolerance).max_steps(MOST);
+                Ok(IVP::ode(&field, begin, end, start).method(method).solve()?.y.pop())
             }
         }
     )*};
