@@ -6,7 +6,7 @@ mod derivatives;
 mod instruction_sets;
 
 use derivatives::{directions, holds, numbers};
-use integrator_core::{BlanesCasasMurua6S11 as Processed, Chin4A, Error, VectorFault, prelude::*};
+use integrator_core::{BlanesCasasMurua6S11 as Processed, Chin4A, Error, VectorFault, check::branches, prelude::*};
 
 /// A pendulum whose point of suspension is shaken.
 struct Pendulum {
@@ -283,6 +283,40 @@ impl Kink {
     fn potential(&self, q: [f64; 2]) -> f64 {
         q[0].abs().powf(1.5) + q[1] * q[1]
     }
+}
+
+/// A slope that begins at one.
+struct Ramp;
+
+#[hamiltonian(compose = Verlet)]
+impl Ramp {
+    fn kinetic(&self, p: [f64; 1]) -> f64 {
+        p[0] * p[0] / 2.0
+    }
+    fn potential(&self, q: [f64; 1]) -> f64 {
+        if q[0] > 1.0 { 3.0 * (q[0] - 1.0) } else { 0.0 }
+    }
+}
+
+#[test]
+fn branches_that_an_orbit_crosses_are_named() {
+    // Up the ramp at a time of 1, down again two thirds later.
+    let found = branches(&Ramp, Verlet, Phase::new([0.0], [1.0]), 0.01, 200).expect("an orbit");
+    let [crossing] = &found.crossed[..] else { panic!("one branch: {found}") };
+    assert_eq!((crossing.part, crossing.number, crossing.times, found.comparisons), ("potential", 1, 2, 1), "{found}");
+    assert!((crossing.first.1 - 1.0).abs() < 0.02 && crossing.first.0.abs_diff(100) < 2, "{found}");
+    let [before, after] = crossing.operands;
+    assert!((before[0] < before[1]) != (after[0] < after[1]), "{found}");
+    // On one side, in a state of another precision, from another time.
+    let start = Phase::new([0.0_f32], [1.0]).at_time(5.0);
+    let found = branches(&Ramp, Yoshida4, start, 0.01, 90).expect("an orbit");
+    assert!(found.crossed.is_empty() && found.comparisons == 1, "{found}");
+    // Functions with kinks are branches; a system without them has none.
+    let found = branches(&Kink, Verlet, Phase::new([0.5, 0.0], [0.0, 1.0]), 0.01, 300).expect("an orbit");
+    assert!(matches!(&found.crossed[..], [crossing] if crossing.by == "abs"), "{found}");
+    let found = branches(&HenonHeiles, Yoshida4, Phase::new([0.1, 0.2], [0.3, 0.1]), 0.1, 100).expect("an orbit");
+    assert_eq!((found.comparisons, found.crossed.len()), (0, 0), "{found}");
+    assert!(branches(&Ramp, Verlet, Phase::new([0.0], [f64::NAN]), 0.01, 10).is_err());
 }
 
 #[test]

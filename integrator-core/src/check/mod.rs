@@ -29,6 +29,8 @@
 //! [`global_error()`] measures how far a run is from the exact motion, and how well that is known: no fault either,
 //! since every step has an error.
 //!
+//! [`branches()`] tells which branches of H an orbit crosses, where deviation vectors may lose their meaning.
+//!
 //! [`monodromy()`] tells whether a periodic orbit is stable; the module [`chaos`](crate::chaos) is about all others.
 //!
 //! [`choose()`] measures too, but not whether a stepper is right: which of the right ones is the cheapest. [`choose_among()`]
@@ -61,6 +63,7 @@ pub use modified::{
     series::{Bracket, BracketSeries},
 };
 pub use property::agreement::Agreement;
+pub use property::branches::{Branches, Crossing, branches};
 pub use property::energy::{EnergyDrift, energy_drift};
 pub use property::flow_laws::{FlowErrors, FlowLaw};
 pub use property::global_error::{GlobalError, global_error};

@@ -15,3 +15,5 @@ pub(crate) mod real;
 pub(crate) mod simd;
 #[cfg(feature = "check")]
 pub(crate) mod tolerance;
+#[cfg(feature = "check")]
+pub(crate) mod watched;

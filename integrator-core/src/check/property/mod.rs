@@ -1,6 +1,7 @@
 //! What is measured of a method and a system: one property in each file.
 
 pub(crate) mod agreement;
+pub(crate) mod branches;
 pub(crate) mod energy;
 pub(crate) mod flow_laws;
 pub(crate) mod global_error;
