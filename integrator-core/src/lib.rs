@@ -106,7 +106,7 @@ pub use composition::{Class, Composition, Lead, Processor, Rows, Scheme, Stage, 
 #[cfg(feature = "std")]
 pub use ensemble::Ensemble;
 #[cfg(feature = "std")]
-pub use ensemble::in_lanes::InLanes;
+pub use ensemble::in_lanes::{InLanes, ResumableInLanes};
 pub use error::{Divergence, Error, Lost, Misread, NotFinite, Unsolved, VectorFault};
 pub use hamiltonian::{Hamiltonian, QuadraticKinetic};
 pub use integrator_macros::{composition, hamiltonian};

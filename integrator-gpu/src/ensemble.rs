@@ -16,7 +16,7 @@ use integrator_core::{
         Composition, Coords, DeviceText, Elsewhere, LaneScalars, MemberElsewhere, Precision, begin, come_back,
         divergence, leave, steps_before,
     },
-    Ensemble as OnProcessor, Error as CoreError, InLanes, Lost, Memoryless, Phase,
+    Ensemble as OnProcessor, Error as CoreError, InLanes, Lost, Phase, ResumableInLanes,
 };
 use std::collections::BTreeMap;
 
@@ -115,7 +115,7 @@ impl<C: Coords> Ensemble<C> {
     ) -> Result<Self, Error>
     where
         H: DeviceText,
-        X: Composition<H> + InLanes<H> + Memoryless<H>,
+        X: Composition<H> + ResumableInLanes<H>,
         C::Leaf: LaneScalars,
         H::Coords: Coords<With<C::Leaf> = C>,
     {

@@ -8,7 +8,7 @@ use crate::{
 };
 use integrator_core::{
     __private::{LaneScalars, joined, part_of},
-    Coords, Ensemble as Local, Hamiltonian, InLanes, Memoryless,
+    Coords, Ensemble as Local, Hamiltonian, ResumableInLanes,
 };
 use mpi::traits::Communicator;
 use std::{
@@ -51,7 +51,7 @@ impl<'w, W: Communicator, C: Coords> Ensemble<'w, W, C> {
     ) -> Result<Self, Error>
     where
         H: Hamiltonian,
-        X: InLanes<H> + Memoryless<H>,
+        X: ResumableInLanes<H>,
         C::Leaf: LaneScalars,
         H::Coords: Coords<With<C::Leaf> = C>,
     {

@@ -5,14 +5,11 @@
 //! ```
 
 use crate::{
-    ensemble::{Ensemble, in_lanes::InLanes, lane_scalars::LaneScalars, members::Finished},
+    ensemble::{Ensemble, in_lanes::ResumableInLanes, lane_scalars::LaneScalars, members::Finished},
     error::Error,
     hamiltonian::Hamiltonian,
     state::{clock::Clock, coords::Coords, phase::Phase, point::shaped},
-    trajectory::{
-        checkpoint::{CheckpointError, RunRecord, Stored, coordinates, numbers, record_of, sealed_record},
-        method::Memoryless,
-    },
+    trajectory::checkpoint::{CheckpointError, RunRecord, Stored, coordinates, numbers, record_of, sealed_record},
 };
 use serde::{Deserialize, Serialize};
 use std::ops::Range;
@@ -50,8 +47,8 @@ impl<C: Coords> Ensemble<C> {
     ///
     /// The parameters of the systems are not in it. After [`Ensemble::advance_to`], the ensemble is that at the end of the
     /// last step of all. An ensemble by a method with a memory or with a time of its own, such as
-    /// [`Taylor`](crate::taylor::Taylor) or [`Logarithmic`](crate::Logarithmic), is written all the same, but there is nothing to
-    /// resume it with.
+    /// [`Taylor`](crate::taylor::Taylor) or [`Logarithmic`](crate::Logarithmic), is written all the same, but nothing resumes it
+    /// ([`ResumableInLanes`] says why): such an ensemble begins anew from its states at a time.
     ///
     /// ```
     /// use integrator_core::prelude::*;
@@ -92,7 +89,46 @@ impl<C: Coords> Ensemble<C> {
     ///
     /// # Errors
     /// As [`Run::resume_with`](crate::Run::resume_with); more or fewer systems than members, and a member whose system has
-    /// other parameters or formulas than then.
+    /// other parameters or formulas than then. Other methods are refused by the compiler:
+    ///
+    /// ```compile_fail,E0277
+    /// # use integrator_core::prelude::*;
+    /// # struct Rotor;
+    /// # #[hamiltonian(taylor)]
+    /// # impl Rotor {
+    /// #     fn kinetic(&self, p: [f64; 1]) -> f64 { p[0] * p[0] / 2.0 }
+    /// #     fn potential(&self, q: [f64; 1]) -> f64 { -q[0].cos() }
+    /// # }
+    /// # fn resume(bytes: &[u8]) {
+    /// let rotors: Ensemble<[f64; 1]> = Ensemble::resume(Taylor::tolerance(1e-12), [Rotor], bytes).unwrap();
+    /// # }
+    /// ```
+    ///
+    /// They begin anew from where all members are at a time, whole steps or not:
+    ///
+    /// ```
+    /// # use integrator_core::prelude::*;
+    /// # struct Rotor;
+    /// # #[hamiltonian(taylor)]
+    /// # impl Rotor {
+    /// #     fn kinetic(&self, p: [f64; 1]) -> f64 { p[0] * p[0] / 2.0 }
+    /// #     fn potential(&self, q: [f64; 1]) -> f64 { -q[0].cos() }
+    /// # }
+    /// let (method, h) = (Taylor::tolerance(1e-12), 0.5);
+    /// let members = (0..20).map(|i| (Rotor, Phase::new([0.0_f64], [f64::from(i)])));
+    /// let mut rotors = Ensemble::new(method, members, h)?;
+    /// rotors.advance_to(3.2)?;
+    /// let (time, states): (f64, Vec<_>) = (rotors.time(), rotors.states().collect());
+    /// // Later, in another process:
+    /// let members = states.into_iter().map(|state| (Rotor, state));
+    /// let mut resumed = Ensemble::new(method, members, h)?.at_time(time);
+    /// resumed.advance_to(10.0)?;
+    /// rotors.advance_to(10.0)?;
+    /// for (one, other) in resumed.states().zip(rotors.states()) {
+    ///     assert!((one.p[0] - other.p[0]).abs() < 1e-9);
+    /// }
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     pub fn resume<H, X>(
         method: X,
         systems: impl IntoIterator<Item = H>,
@@ -100,7 +136,7 @@ impl<C: Coords> Ensemble<C> {
     ) -> Result<Self, CheckpointError>
     where
         H: Hamiltonian,
-        X: InLanes<H> + Memoryless<H>,
+        X: ResumableInLanes<H>,
         C::Leaf: LaneScalars,
         H::Coords: Coords<With<C::Leaf> = C>,
     {

@@ -1,8 +1,15 @@
 //! Members of an ensemble side by side.
 
 use super::{GaussLegendre4, GaussLegendre6, ImplicitMidpoint};
-use crate::{ensemble::in_lanes::InLanes, hamiltonian::Hamiltonian};
+use crate::{
+    ensemble::in_lanes::{InLanes, ResumableInLanes},
+    hamiltonian::Hamiltonian,
+};
 
 impl<H: Hamiltonian> InLanes<H> for ImplicitMidpoint {}
 impl<H: Hamiltonian> InLanes<H> for GaussLegendre4 {}
 impl<H: Hamiltonian> InLanes<H> for GaussLegendre6 {}
+
+impl<H: Hamiltonian> ResumableInLanes<H> for ImplicitMidpoint {}
+impl<H: Hamiltonian> ResumableInLanes<H> for GaussLegendre4 {}
+impl<H: Hamiltonian> ResumableInLanes<H> for GaussLegendre6 {}
