@@ -250,7 +250,7 @@ pub mod __private {
         },
         trajectory::{
             checkpoint::{coordinates, numbers, write_whole},
-            elsewhere::{go_on_from, unfinished},
+            elsewhere::{began, go_on_from, positions_in, unfinished},
         },
     };
 

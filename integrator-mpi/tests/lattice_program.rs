@@ -3,9 +3,10 @@
 #[path = "lattice_systems.rs"]
 mod systems;
 
-use integrator_core::{Composition, Coords, prelude::*};
+use integrator_core::{Compensated, Composition, Coords, prelude::*};
 use integrator_mpi::{self as cluster, Lattice};
 use mpi::traits::Communicator;
+use std::fs;
 use systems::*;
 
 fn main() {
@@ -19,6 +20,40 @@ fn main() {
         "ring, processed" => numbers(&world, TakahashiImada4, SITES, ring),
         "chain" => numbers(&world, Yoshida4, SITES, chain),
         "plane" => numbers(&world, Yoshida4, 400, plane),
+        "save" => {
+            let mut lattice = Lattice::new(&world, Yoshida4, SITES, 0.05, chain).expect("a lattice").at_time(0.5);
+            lattice.advance(STEPS / 2).expect("finite");
+            let saved = lattice.checkpoint_to(path());
+            let is_a_run = fs::read(path()).is_ok_and(|bytes| bytes == run().checkpoint());
+            show(&world, &format!("{saved:?}, a run: {is_a_run}"));
+            lattice.advance(STEPS).expect("finite");
+            state(&lattice);
+        }
+        // One whose state was changed from outside.
+        "save a run" => {
+            let mut run = run();
+            run.map_state(|state| state.q = state.q.iter().rev().copied().collect()).expect("finite");
+            run.advance(3).expect("finite");
+            run.checkpoint_to(path()).expect("a file");
+            run.advance(STEPS).expect("finite");
+            show(&world, &format!("{:?}", run.state()));
+        }
+        "resume" => match Lattice::resume(&world, Yoshida4, SITES, chain, path()) {
+            Ok(mut lattice) => {
+                show(&world, &format!("{} {}", lattice.steps(), lattice.time()));
+                lattice.advance(STEPS).expect("finite");
+                state(&lattice);
+            }
+            Err(error) => show(&world, &error.to_string()),
+        },
+        "resume another" => {
+            for error in [
+                Lattice::resume(&world, Verlet, SITES, chain, path()).err(),
+                Lattice::resume(&world, Yoshida4, SITES - 1, chain, path()).err(),
+            ] {
+                show(&world, &error.map_or("accepted".to_owned(), |error| error.to_string()));
+            }
+        }
         "runaway" => {
             let mut lattice = Lattice::new(&world, Verlet, SITES, 0.01, runaway).expect("a lattice");
             for steps in [40, 1_000, 1_000] {
@@ -49,6 +84,19 @@ fn main() {
         }
         other => panic!("there is no case {other}"),
     }
+}
+
+/// A run of the sites of the chain, half of the way.
+fn run() -> Run<Vec<Compensated<f64>>> {
+    let (system, start) = chain(&(0..SITES).collect::<Vec<_>>());
+    let mut run = system.run_with(Yoshida4, start, 0.05).expect("a run").at_time(0.5);
+    run.advance(STEPS / 2).expect("finite");
+    run
+}
+
+/// The file that the second argument names.
+fn path() -> String {
+    std::env::args().nth(2).unwrap_or_default()
 }
 
 fn show(world: &impl Communicator, text: &str) {

@@ -51,6 +51,38 @@ fn a_plane_has_the_bits_of_a_run() {
 }
 
 #[test]
+fn a_checkpoint_is_that_of_a_run_and_goes_on_on_any_number_of_ranks() {
+    let path = std::env::temp_dir().join(format!("integrator-mpi-lattice-{}.run", std::process::id()));
+    let name = path.display().to_string();
+    let Some(of_run) = LATTICES.printed(1, &["save a run", &name]) else { return };
+    for ranks in 1..=2 {
+        let Some(resumed) = LATTICES.printed(ranks, &["resume", &name]) else { return };
+        assert!(resumed.lines().nth(1) == of_run.lines().next(), "{ranks} ranks");
+    }
+    let mut ends = Vec::new();
+    for ranks in [1, 3] {
+        let Some(saved) = LATTICES.printed(ranks, &["save", &name]) else { return };
+        ends.push(saved.strip_prefix("Ok(()), a run: true\n").expect("the checkpoint of a run").to_owned());
+    }
+    let begin = format!("{} {}\n", STEPS / 2, 0.5 + 0.05 * (STEPS / 2) as f64);
+    for ranks in 1..=4 {
+        let Some(resumed) = LATTICES.printed(ranks, &["resume", &name]) else { return };
+        let end = resumed.strip_prefix(&begin).expect("where it was");
+        assert!(ends.iter().all(|other| other == end), "{ranks} ranks");
+    }
+    let Some(refused) = LATTICES.printed(2, &["resume another", &name]) else { return };
+    let lines: Vec<_> = refused.lines().collect();
+    assert!(
+        lines[0].starts_with("on rank 0: ") && lines[0].contains("composition `Yoshida4`, not `Verlet`"),
+        "{refused}"
+    );
+    assert!(lines[1].starts_with("on rank 0: ") && lines[1].ends_with("not of 1499 sites"), "{refused}");
+    std::fs::remove_file(&path).expect("it is there");
+    let Some(refused) = LATTICES.printed(2, &["resume", &name]) else { return };
+    assert!(refused.starts_with("on rank 0: ") && refused.contains(&name), "{refused}");
+}
+
+#[test]
 fn a_site_that_diverges_is_named_and_all_stay_at_the_step_before() {
     let Some(printed) = LATTICES.on_any_number(&["runaway"]) else { return };
     let (system, start) = runaway(&(0..SITES).collect::<Vec<_>>());

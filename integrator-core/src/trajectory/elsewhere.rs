@@ -3,7 +3,10 @@
 
 use crate::{
     state::{coords::Coords, phase::Phase},
-    trajectory::run::Run,
+    trajectory::{
+        checkpoint::{CheckpointError, Stored},
+        run::Run,
+    },
 };
 use core::slice;
 
@@ -12,9 +15,22 @@ pub fn unfinished<C: Coords>(run: &Run<C>) -> Phase<C> {
     run.unfinished_lane(0)
 }
 
-/// Lets a run go on from such a state after so many steps.
-pub fn go_on_from<C: Coords>(run: &mut Run<C>, steps: u64, state: &Phase<C>) {
+/// How many numbers the positions of a checkpoint are.
+///
+/// # Errors
+/// Bytes that are no checkpoint.
+pub fn positions_in(checkpoint: &[u8]) -> Result<usize, CheckpointError> {
+    Ok(Stored::of_bytes(checkpoint)?.record.q.len())
+}
+
+/// The time at which the clock of a run started, and after how many steps its state was last changed from outside.
+pub fn began<C: Coords>(run: &Run<C>) -> (f64, u64) {
+    (run.clock.t0, run.opened)
+}
+
+/// Lets a run go on from such a state after so many steps, since its state was changed after `opened` of them.
+pub fn go_on_from<C: Coords>(run: &mut Run<C>, steps: u64, opened: u64, state: &Phase<C>) {
     run.show_step();
-    run.clock.steps = steps;
+    (run.clock.steps, run.opened) = (steps, opened);
     run.resume_lanes(slice::from_ref(state));
 }

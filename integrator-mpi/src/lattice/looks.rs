@@ -63,8 +63,12 @@ impl<W: Communicator, C: Coords> Lattice<'_, W, C> {
 
     /// The state of all sites on rank 0, and `None` on all other ranks. Collective.
     pub fn state_on_root(&self) -> Option<Phase<C>> {
-        let own = self.state_of_rank();
-        let numbers = numbers_of(&own, 0..self.slab.own.len());
+        self.on_root(&self.run.state())
+    }
+
+    /// What all ranks have of their own sites in states of their slabs, on rank 0.
+    pub(super) fn on_root(&self, slab: &Phase<C>) -> Option<Phase<C>> {
+        let numbers = numbers_of(slab, self.slab.inner());
         if !is_root(self.world) {
             send_all(&self.world.process_at_rank(ROOT), &numbers);
             return None;
@@ -86,7 +90,7 @@ impl<W: Communicator, C: Coords> Lattice<'_, W, C> {
     /// # Errors
     /// [`Error::Rank`], where this state has no energy.
     pub fn energy(&self) -> Result<f64, Error> {
-        let energy = self.state_on_root().map(|state| (self.energy)(state, self.time()));
+        let energy = self.state_on_root().map(|state| Ok((self.whole)(state)?.at_time(self.time()).energy()));
         let mut energy = agree(self.world, energy.transpose().map_err(failure))?.unwrap_or(f64::NAN);
         self.world.process_at_rank(ROOT).broadcast_into(&mut energy);
         Ok(energy)

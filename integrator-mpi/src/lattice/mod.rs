@@ -4,6 +4,7 @@
 //! would be, comes a few sites further in each step; before it is through the halo, the neighbours say what these sites are.
 //! So a site of its own has the bits that it has where one rank moves all of them.
 
+mod checkpoint;
 mod exchange;
 mod looks;
 mod slab;
@@ -21,8 +22,8 @@ use mpi::{
 use slab::{Reach, Slab};
 use std::{any::type_name, mem::replace};
 
-/// The energy of a state of all sites at a time.
-type Energy<'w, C> = Box<dyn Fn(Phase<C>, f64) -> Result<f64, CoreError> + 'w>;
+/// A run of all sites from a state.
+type Whole<'w, C> = Box<dyn Fn(Phase<C>) -> Result<Run<C>, CoreError> + 'w>;
 
 /// A long line of sites, or a plane of rows of a known width, spread over all ranks of a communicator.
 ///
@@ -35,7 +36,9 @@ pub struct Lattice<'w, W: Communicator, C: Coords> {
     /// The slab in the middle of the step under way, when the neighbours last said what its halos are, and after how many
     /// steps that was.
     exchanged: (Phase<C>, u64),
-    energy: Energy<'w, C>,
+    /// After how many steps the state was last changed from outside, which a run may have been that this goes on from.
+    opened: u64,
+    whole: Whole<'w, C>,
 }
 
 impl<'w, W: Communicator, C: Coords> Lattice<'w, W, C> {
@@ -89,10 +92,27 @@ impl<'w, W: Communicator, C: Coords> Lattice<'w, W, C> {
         X: Composition<H>,
         H::Coords: Coords<With<C::Leaf> = C>,
     {
-        let reach = Reach::of::<H, X>().filter(|_| C::LENGTH.is_none());
-        let reach = reach.ok_or_else(|| Error::NoLattice { system: type_name::<H>() })?;
-        let of_rank = Slab::of(reach, sites, world.rank() as usize, world.size() as usize)?;
+        let of_rank = slab_of::<H, X, C>(world, sites)?;
         let (system, start) = slab(&of_rank.indices());
+        Self::begin(world, composition, h, of_rank, system, start, slab)
+    }
+
+    /// The lattice of which this rank moves these sites from these states.
+    fn begin<H, X>(
+        world: &'w W,
+        composition: X,
+        h: f64,
+        of_rank: Slab,
+        system: H,
+        start: Phase<C>,
+        slab: impl Fn(&[usize]) -> (H, Phase<C>) + 'w,
+    ) -> Result<Self, Error>
+    where
+        H: Hamiltonian,
+        X: Composition<H>,
+        H::Coords: Coords<With<C::Leaf> = C>,
+    {
+        let sites = of_rank.sites;
         let begun = || -> Result<_, Failure> {
             let (given, asked) = (start.q.length(), of_rank.indices().len());
             match given == asked {
@@ -102,11 +122,11 @@ impl<'w, W: Communicator, C: Coords> Lattice<'w, W, C> {
         };
         let run = agree(world, begun())?;
         let probe = system.run_with(composition, shaken(&start, &of_rank.indices()), h);
-        let energy: Energy<'w, C> = Box::new(move |state, time| {
+        let whole: Whole<'w, C> = Box::new(move |state| {
             let (system, _) = slab(&(0..sites).collect::<Vec<_>>());
-            Ok(system.run_with(composition, state, h)?.at_time(time).energy())
+            system.run_with(composition, state, h)
         });
-        let mut lattice = Self { world, exchanged: (unfinished(&run), 0), run, slab: of_rank, energy };
+        let mut lattice = Self { world, exchanged: (unfinished(&run), 0), run, slab: of_rank, opened: 0, whole };
         // Not every system has an energy near its start.
         if let Ok(probe) = agree(world, probe.map_err(failure)) {
             lattice.probe(probe)?;
@@ -170,7 +190,7 @@ impl<'w, W: Communicator, C: Coords> Lattice<'w, W, C> {
             return Ok(());
         }
         let (state, since) = &self.exchanged;
-        go_on_from(&mut self.run, *since, state);
+        go_on_from(&mut self.run, *since, self.opened, state);
         let begun = first.max(*since) - since;
         // No rank has diverged in these.
         let again = self.run.advance(begun);
@@ -215,10 +235,31 @@ impl<'w, W: Communicator, C: Coords> Lattice<'w, W, C> {
             put(&mut state, self.slab.halo(side), numbers);
         }
         let steps = self.steps();
-        go_on_from(&mut self.run, steps, &state);
+        go_on_from(&mut self.run, steps, self.opened, &state);
         self.exchanged = (state, steps);
         Ok(())
     }
+}
+
+/// The sites of this rank.
+fn slab_of<H, X, C>(world: &impl Communicator, sites: usize) -> Result<Slab, Error>
+where
+    H: Hamiltonian,
+    X: Composition<H>,
+    C: Coords,
+{
+    Slab::of(reach_of::<H, X, C>()?, sites, world.rank() as usize, world.size() as usize)
+}
+
+/// How far what is wrong at the ends of a slab comes, if the system is a lattice.
+fn reach_of<H, X, C>() -> Result<Reach, Error>
+where
+    H: Hamiltonian,
+    X: Composition<H>,
+    C: Coords,
+{
+    let reach = Reach::of::<H, X>().filter(|_| C::LENGTH.is_none());
+    reach.ok_or_else(|| Error::NoLattice { system: type_name::<H>() })
 }
 
 /// The last step before the one of a divergence; the first of all for whatever else is wrong, and none where nothing is.

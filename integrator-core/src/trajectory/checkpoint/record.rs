@@ -81,7 +81,7 @@ impl Stored {
     }
 
     /// What the bytes of a checkpoint say.
-    pub(super) fn of_bytes(checkpoint: &[u8]) -> Result<Self, CheckpointError> {
+    pub(crate) fn of_bytes(checkpoint: &[u8]) -> Result<Self, CheckpointError> {
         let (version, records) = unsealed(MAGIC, [OLDEST, VERSION], checkpoint)?;
         Self::of_records(version, records).filter(Self::is_whole).ok_or(CheckpointError::Damaged)
     }
