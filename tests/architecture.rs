@@ -125,9 +125,14 @@ fn module(source: &str, name: &str) -> Vec<(PathBuf, String)> {
 
 /// The modules of a folder that a text names, as `crate::folder::name` or in groups; of the crate, where there is no folder.
 fn imports(text: &str, folder: &str) -> Vec<String> {
+    imports_of("crate::", text, folder)
+}
+
+/// The same of another crate, named with its colons.
+fn imports_of(of: &str, text: &str, folder: &str) -> Vec<String> {
     let code = text.lines().filter(|line| !line.trim_start().starts_with("//"));
     let dense: String = code.flat_map(str::split_whitespace).collect();
-    let paths = dense.split("crate::").skip(1).flat_map(paths);
+    let paths = dense.split(of).skip(1).flat_map(paths);
     let mut found: Vec<_> = paths.filter_map(|path| path.strip_prefix(folder).map(first_name)).collect();
     found.retain(|name| !name.is_empty());
     found.dedup();
@@ -166,6 +171,30 @@ fn imports_are_found() {
         "use crate::{\n    errors::Errors,\n    graph::{Graph, index::{Index, Loop}},\n};\nlet x: crate::model::Model;";
     assert_eq!(imports(text, ""), ["errors", "graph", "model"]);
     assert_eq!(imports(text, "graph::"), ["Graph", "index"]);
+}
+
+/// What the crates outside of this workspace, which it does not compile, take of the core: names that this has.
+#[test]
+fn the_core_has_what_crates_elsewhere_take_of_it() {
+    let core = fs::read_to_string(root().join("integrator-core/src/lib.rs")).expect("text");
+    let (public, private) = core.split_once("pub mod __private {").expect("the private API");
+    let has = |text: &str, name: &str| text.split(|c: char| !c.is_alphanumeric() && c != '_').any(|word| word == name);
+    assert!(has(private, "part_of") && !has(private, "parts_of"));
+    let mut found = 0;
+    for folder in ["integrator-gpu/src", "integrator-mpi/src"] {
+        for (path, text) in sources(&root().join(folder)) {
+            // Without the names by which they are known there.
+            let text: String =
+                text.split(" as ").map(|piece| piece.trim_start_matches(char::is_alphanumeric)).collect();
+            for (text_of, under) in [(public, ""), (private, "__private::")] {
+                for name in imports_of("integrator_core::", &text, under).iter().filter(|name| *name != "__private") {
+                    assert!(has(text_of, name), "{}: the core has no `{under}{name}` any more", path.display());
+                    found += 1;
+                }
+            }
+        }
+    }
+    assert!(found > 50, "{found} names");
 }
 
 /// Arrows between modules point one way: a module knows what its arrow comes from, never what it leads to.
