@@ -103,7 +103,8 @@ impl<X: Scheme> Described for X {
     note = "`Verlet`, `Yoshida4` and all other compositions of general class integrate every separable Hamiltonian",
     note = "a new one is declared with `composition! {{ pub struct Mine: order 2 = T(1/2) V(1) T(1/2); }}`",
     note = "`Taylor` needs recurrences, which are only written where they are asked for: `#[hamiltonian(taylor)]`",
-    note = "`Paced` and `Logarithmic` need H = T(p) + V(q) that does not read the time, and `Paced` a `fn rate(&self, q: ...) -> f64` beside it"
+    note = "`Paced` and `Logarithmic` need H = T(p) + V(q) that does not read the time, and `Paced` a `fn rate(&self, q: ...) -> f64` beside it",
+    note = "`Stoermer4` and `StoermerCowell4` need a T that is quadratic in p, with a constant mass"
 )]
 pub trait Method<H: Hamiltonian>: Described {
     /// Whether its steps are compiled for several instruction sets, of which a run takes the best.

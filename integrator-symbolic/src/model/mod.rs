@@ -415,8 +415,10 @@ impl<'i> Reader<'i> {
             let function = input.function(name);
             if function.is_none() {
                 let letter = shape::usual_name(part);
-                let message =
-                    format!("the impl lacks `fn {name}(&self, {letter}: [f64; N]) -> f64`, one of the two parts of H");
+                let near = parts::is_it(input, name);
+                let message = format!(
+                    "the impl lacks `fn {name}(&self, {letter}: [f64; N]) -> f64`, one of the two parts of H{near}"
+                );
                 errors.at(&input.item.self_ty, message);
             }
             function.and_then(|function| Some((part, function, signature(function, part, errors)?)))

@@ -15,6 +15,7 @@ use crate::{
         kepler::Stray,
     },
     spelling::nearest,
+    syntax::Input,
 };
 use proc_macro2::{Ident, TokenStream};
 use std::collections::HashSet;
@@ -86,11 +87,7 @@ impl<'i> Reader<'i> {
 
     /// Says that the impl has no function for a part.
     fn lacks(&mut self, name: &Ident) {
-        let known: Vec<String> = self.input.functions().map(|function| function.sig.ident.to_string()).collect();
-        let near = match &nearest(&name.to_string(), &known)[..] {
-            [] => String::new(),
-            near => format!("; is it `{}`?", near.join("`, `")),
-        };
+        let near = is_it(self.input, &name.to_string());
         let message = format!(
             "the impl lacks `fn {name}(&self, q: [f64; N], p: [f64; N]) -> f64`, the part of H that `split` names{near}"
         );
@@ -218,6 +215,15 @@ impl Reader<'_> {
         let index = |id| self.graph.loops.literal(id).map_or_else(|| "i".to_owned(), |index| index.to_string());
         let component = element.component.map(|component| format!("[{}]", index(component))).unwrap_or_default();
         format!("{}[{}]{component}", usual_name(element.part), index(element.index))
+    }
+}
+
+/// The functions of the impl that may have been meant by a name, as the end of a message.
+pub(super) fn is_it(input: &Input, name: &str) -> String {
+    let known: Vec<String> = input.functions().map(|function| function.sig.ident.to_string()).collect();
+    match &nearest(name, &known)[..] {
+        [] => String::new(),
+        near => format!("; is it `{}`?", near.join("`, `")),
     }
 }
 

@@ -189,6 +189,10 @@ pub(crate) const ITEMS: &[Row] = &[
         &["1:5 the impl lacks `fn potential(&self, q: [f64; N]) -> f64`, one of the two parts of H"],
     ),
     (
+        "impl System { fn kinetic(&self, p: [f64; 1]) -> f64 { p[0] } fn potental(&self, q: [f64; 1]) -> f64 { q[0] } }",
+        &["1:5 the impl lacks `fn potential(&self, q: [f64; N]) -> f64`, one of the two parts of H; is it `potental`?"],
+    ),
+    (
         "impl System { fn potential(&self, q: [f64; 1]) -> f64 { q[0] } }",
         &["1:5 the impl lacks `fn kinetic(&self, p: [f64; N]) -> f64`, one of the two parts of H"],
     ),
