@@ -123,14 +123,23 @@ impl Shape {
 const EXPECTED: &str = "coordinates are f64 numbers or points: `[f64; N]`, `[[f64; D]; N]`, references to them, or \
                         slices `&[f64]` and `&[[f64; D]]`";
 
+/// What to write instead of some types.
+const INSTEAD: [(&str, &str); 2] = [
+    ("f64", "a single coordinate is an array, too: `[f64; 1]`, whose number is `[0]`"),
+    ("f32", "coordinates are written in `f64`; a system runs in single precision where its start has numbers in `f32`"),
+];
+
 /// Notes a type that coordinates do not have, or may have behind a name of the user's.
 fn unexpected(kind: &Type, errors: &mut Errors) {
-    const PRIMITIVE: [&str; 6] = ["f64", "f32", "bool", "char", "str", "String"];
+    const PRIMITIVE: [&str; 4] = ["bool", "char", "str", "String"];
     let name = match kind {
         Type::Path(path) if path.qself.is_none() => path.path.get_ident(),
         _ => None,
     };
-    match name.map(ToString::to_string) {
+    let name = name.map(ToString::to_string);
+    let instead = INSTEAD.iter().find(|(kind, _)| name.as_deref() == Some(*kind));
+    match name {
+        _ if let Some((_, instead)) = instead => errors.at(kind, instead),
         Some(name) if !PRIMITIVE.contains(&name.as_str()) && integer_type(kind).is_none() => {
             let message = format!(
                 "the macro cannot see what type `{name}` is: write the array itself, `[f64; N]` or `[[f64; D]; N]`"

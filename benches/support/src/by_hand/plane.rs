@@ -109,7 +109,7 @@ fn kick_plainly(stiffness: f64, [above, here, below]: [&[f64; WIDTH]; 3], p: &mu
 
 #[inline(always)]
 fn kick_vectors<V: Row>(stiffness: f64, [above, here, below]: [&[f64; WIDTH]; 3], p: &mut [f64; WIDTH], t: f64) {
-    let [stiffness, one, four, t] = [stiffness, 1.0, 4.0, t].map(V::splat);
+    let (stiffness, one, four, t) = (V::splat(stiffness), V::splat(1.0), V::splat(4.0), V::splat(t));
     let (mut left, mut middle) = (V::load(&here[WIDTH - V::LANES..]), V::load(here));
     for j in (0..WIDTH).step_by(V::LANES) {
         let right = V::load(&here[(j + V::LANES) % WIDTH..]);
