@@ -73,8 +73,8 @@ pub enum CheckError {
     },
     /// The derivative of an energy by duals is not the one by central differences: it has a kink or a jump here.
     #[error(
-        "{energy} changes by {dual} per unit of coordinate {index} according to duals, but by {difference} +- \
-         {uncertainty} according to central differences: it has a kink or a jump here, where no gradient exists"
+        "{energy} changes by {dual:.4e} per unit of coordinate {index} according to duals, but by {difference:.4e} +- \
+         {uncertainty:.1e} according to central differences: it has a kink or a jump here, where no gradient exists"
     )]
     NotDifferentiable {
         /// `T` or `V`.

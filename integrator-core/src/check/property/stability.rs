@@ -65,7 +65,7 @@ impl Stability {
 impl fmt::Display for Stability {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Self { turn, time, limit } = self;
-        write!(f, "h·ω = {turn:.2e} at most (t = {time}), {:.1} % of the limit {limit:.2}", 100.0 * self.share())?;
+        write!(f, "h·ω = {turn:.2e} at most (t = {time:.3e}), {:.1} % of the limit {limit:.2}", 100.0 * self.share())?;
         if self.is_near() {
             write!(f, "; WARNING: from half of it on, take a smaller step")?;
         }
