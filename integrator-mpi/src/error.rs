@@ -34,7 +34,8 @@ pub enum Error {
     },
     /// The system is no lattice whose sites are moved alike.
     #[error(
-        "`{system}` is no lattice that ranks can share: its coordinates have to be slices (`q: &[f64]`, or rows `&[[f64; M]]`), and          both parts sums over sites and their neighbours, as in `(q[i + 1] - q[i])`"
+        "`{system}` is no lattice that ranks can share: its coordinates have to be slices (`q: &[f64]`, or rows `&[[f64; M]]`), and \
+         both parts sums over sites and their neighbours, as in `(q[i + 1] - q[i])`"
     )]
     NoLattice {
         /// The name of its type.
@@ -54,7 +55,8 @@ pub enum Error {
     },
     /// Two ranks that both moved a site do not agree on where it is.
     #[error(
-        "site {site} was moved otherwise by two ranks: a formula that reads how many sites there are, or the number of a site, is          another one in each slab. Give such numbers as fields, which the closure makes for the sites of a slab"
+        "site {site} was moved otherwise by two ranks: a formula that reads how many sites there are, or the number of a site, is \
+         another one in each slab. Give such numbers as fields, which the closure makes for the sites of a slab"
     )]
     SitesDiffer {
         /// Its number among all sites.
@@ -62,7 +64,8 @@ pub enum Error {
     },
     /// A site left the finite numbers; all stay at the step before.
     #[error(
-        "site {site} left the finite numbers in step {step} (time {time}); all sites stay at the step before. A smaller step helps most          often"
+        "site {site} left the finite numbers in step {step} (time {time}); all sites stay at the step before. A smaller step helps most \
+         often"
     )]
     Diverged {
         /// Its number among all sites.
@@ -74,7 +77,8 @@ pub enum Error {
     },
     /// The end of a slab left the finite numbers, where the sites of others are missing; all stay at the step before.
     #[error(
-        "the end of a slab left the finite numbers in step {step} (time {time}), where it meets no neighbour or another site than its own, as in          a ring whose coordinates grow from site to site: take the difference to that growth as coordinate"
+        "the end of a slab left the finite numbers in step {step} (time {time}), where it meets no neighbour or another site than its own, as in \
+         a ring whose coordinates grow from site to site: take the difference to that growth as coordinate"
     )]
     HaloDiverged {
         /// The first step whose state is not finite.
