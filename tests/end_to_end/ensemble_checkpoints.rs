@@ -3,7 +3,7 @@
 use crate::systems::Pendulum;
 use integrator_core::{
     __private::{LaneScalars, joined, part_of},
-    CheckpointError, Coords, InLanes,
+    CheckpointError, Coords, ResumableInLanes,
     prelude::*,
 };
 
@@ -67,7 +67,7 @@ where
     H: Hamiltonian,
     C: Coords,
     C::Leaf: LaneScalars,
-    X: InLanes<H> + integrator_core::Memoryless<H>,
+    X: ResumableInLanes<H>,
     H::Coords: Coords<With<C::Leaf> = C>,
 {
     for steps in [0, 1, 137] {
