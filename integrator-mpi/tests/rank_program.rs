@@ -62,15 +62,21 @@ fn main() {
             on_every_rank(&world, &text(swarm.write_csv(&arguments[2])));
         }
         "save" => {
-            let member = |i: usize| (fall(i), Phase::new([if i % 30 == 29 { 1.0_f64 } else { 0.01 }], [0.0]));
-            let members = cluster::share(&world, MEMBERS).map(member);
-            let mut swarm = cluster::Ensemble::new(&world, Yoshida4, members, 0.01).expect("finite starts");
+            let mut swarm = falling(&world);
             // Twice at one step, beside files of another kind.
             for steps in [201, 0] {
                 on_every_rank(&world, &text(swarm.advance(steps)));
                 on_every_rank(&world, &text(swarm.checkpoint_to(&arguments[2])));
             }
             finish(&world, swarm);
+        }
+        "killed" => {
+            let mut swarm = falling(&world);
+            on_every_rank(&world, &text(swarm.advance(201)));
+            on_every_rank(&world, &text(swarm.checkpoint_to(&arguments[2])));
+            // The last member of all is on the last rank, for which the others wait here until MPI ends them.
+            let outcome = swarm.advance_while(100, 50, |index, _| if index == MEMBERS - 1 { abort() } else { true });
+            println!("{}", text(outcome));
         }
         "resume" => match cluster::Ensemble::<_, [f64; 1]>::resume(&world, Yoshida4, fall, &arguments[2]) {
             Ok(swarm) => finish(&world, swarm),
@@ -87,21 +93,17 @@ fn main() {
             });
             println!("{}", text(outcome));
         }
-        "killed" => {
-            let member = |i: usize| (pendulum(i), Phase::new([0.1_f64], [0.0]));
-            let mut swarm = cluster::Ensemble::new(&world, Verlet, cluster::share(&world, MEMBERS).map(member), 0.1)
-                .expect("finite starts");
-            if world.rank() == world.size() - 1 {
-                abort();
-            }
-            // The others wait for it here, until MPI ends them.
-            println!("{}", text(swarm.advance(STEPS)));
-        }
         other => {
             eprintln!("there is no case {other}");
             exit(2);
         }
     }
+}
+
+/// Members of which some are lost.
+fn falling<W: Communicator>(world: &W) -> cluster::Ensemble<'_, W, [f64; 1]> {
+    let member = |i: usize| (fall(i), Phase::new([if i % 30 == 29 { 1.0_f64 } else { 0.01 }], [0.0]));
+    cluster::Ensemble::new(world, Yoshida4, cluster::share(world, MEMBERS).map(member), 0.01).expect("finite starts")
 }
 
 /// A map in which one start of each ten is no number.

@@ -64,14 +64,27 @@ fn every_rank_is_told_the_same_mistakes() {
 }
 
 #[test]
-fn a_rank_that_is_killed_or_panics_ends_the_job() {
+fn a_rank_that_is_killed_or_panics_ends_the_job_and_the_checkpoint_goes_on() {
+    let (killed, whole) = (folder("killed"), folder("whole"));
+    let [killed_name, whole_name] = [&killed, &whole].map(|folder| folder.display().to_string());
     // A panic ends the job with the code of `MPI_ABORT`, not with its own, 101; that it was called, MPI does not always say.
     for (case, says, code) in [("killed", "rank 2", None), ("panics", "the last one", Some(1))] {
-        let Some(output) = RANKS.start(3, &[case]) else { return };
+        let Some(output) = RANKS.start(3, &[case, &killed_name]) else { return };
         let errors = String::from_utf8_lossy(&output.stderr);
         assert!(!output.status.success() && errors.contains(says), "{case}: {errors}");
         assert!(code.is_none() || output.status.code() == code, "{case}: {}, {errors}", output.status);
     }
+    let Some(uninterrupted) = RANKS.printed(1, &["save", &whole_name]) else { return };
+    let Some(resumed) = RANKS.printed(2, &["resume", &killed_name]) else { return };
+    assert!(end(&resumed).is_some() && end(&resumed) == end(&uninterrupted), "{resumed}");
+    for folder in [killed, whole] {
+        fs::remove_dir_all(folder).unwrap();
+    }
+}
+
+/// What a case prints at its end.
+fn end(text: &str) -> Option<&str> {
+    text.split("end ").nth(1)
 }
 
 #[test]
@@ -85,7 +98,6 @@ fn a_checkpoint_is_resumed_by_any_number_of_ranks() {
     names.sort();
     let files = ["1-rank-00000.members", "1-rank-00001.members", "1-rank-00002.members", "members.json"];
     assert_eq!(names, files);
-    let end = |text: &str| text.split("end ").nth(1).map(ToOwned::to_owned);
     assert!(end(&whole).is_some());
     for ranks in 1..=4 {
         let Some(resumed) = RANKS.printed(ranks, &["resume", &name]) else { return };

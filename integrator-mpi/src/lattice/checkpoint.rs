@@ -28,7 +28,7 @@ impl<'w, W: Communicator, C: Coords> Lattice<'w, W, C> {
     /// [`Error::Rank`] if the file cannot be written; the previous one is still there then.
     pub fn checkpoint_to(&self, path: impl AsRef<Path>) -> Result<(), Error> {
         let written = self.on_root(&unfinished(&self.run)).map(|state| {
-            let run = (self.whole)(state.clone()).map_err(failure)?;
+            let run = (self.run_of)(&self.all(), state.clone()).map_err(failure)?;
             let mut run = run.at_time(began(&self.run).0);
             go_on_from(&mut run, self.steps(), self.opened, &state);
             run.checkpoint_to(path.as_ref()).map_err(|error| Failure::Other(error.to_string()))

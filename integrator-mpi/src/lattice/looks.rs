@@ -49,6 +49,12 @@ impl<W: Communicator, C: Coords> Lattice<'_, W, C> {
         (self.world.size() > 1).then_some((self.slab.steps, self.slab.halos))
     }
 
+    /// How many of the steps were taken while the messages of exchanges travelled: of the interior of a slab, whose borders came
+    /// behind it.
+    pub fn overlapped(&self) -> u64 {
+        self.overlapped
+    }
+
     /// The state of this rank's sites.
     pub fn state_of_rank(&self) -> Phase<C> {
         let (state, inner) = (self.run.state(), self.slab.inner());
@@ -90,10 +96,16 @@ impl<W: Communicator, C: Coords> Lattice<'_, W, C> {
     /// # Errors
     /// [`Error::Rank`], where this state has no energy.
     pub fn energy(&self) -> Result<f64, Error> {
-        let energy = self.state_on_root().map(|state| Ok((self.whole)(state)?.at_time(self.time()).energy()));
+        let energy =
+            self.state_on_root().map(|state| Ok((self.run_of)(&self.all(), state)?.at_time(self.time()).energy()));
         let mut energy = agree(self.world, energy.transpose().map_err(failure))?.unwrap_or(f64::NAN);
         self.world.process_at_rank(ROOT).broadcast_into(&mut energy);
         Ok(energy)
+    }
+
+    /// The numbers of all sites.
+    pub(super) fn all(&self) -> Vec<usize> {
+        (0..self.slab.sites).collect()
     }
 
     /// The sum of a number of each site that has it, of its number, its positions and its momenta. Collective.

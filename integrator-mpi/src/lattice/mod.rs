@@ -4,12 +4,14 @@
 //! would be, comes a few sites further in each step; before it is through the halo, the neighbours say what these sites are.
 //! So a site of its own has the bits that it has where one rank moves all of them.
 
+mod border;
 mod checkpoint;
 mod exchange;
 mod looks;
 mod slab;
 
 use crate::error::{Error, Failure, agree};
+use border::{Border, Moved, put_all};
 use exchange::{differing, halos, put};
 use integrator_core::{
     __private::{Composition, Precision, go_on_from, unfinished},
@@ -22,8 +24,8 @@ use mpi::{
 use slab::{Reach, Slab};
 use std::{any::type_name, mem::replace};
 
-/// A run of all sites from a state.
-type Whole<'w, C> = Box<dyn Fn(Phase<C>) -> Result<Run<C>, CoreError> + 'w>;
+/// A run of some sites, by their numbers, from a state.
+type RunOf<'w, C> = Box<dyn Fn(&[usize], Phase<C>) -> Result<Run<C>, CoreError> + 'w>;
 
 /// A long line of sites, or a plane of rows of a known width, spread over all ranks of a communicator.
 ///
@@ -38,7 +40,11 @@ pub struct Lattice<'w, W: Communicator, C: Coords> {
     exchanged: (Phase<C>, u64),
     /// After how many steps the state was last changed from outside, which a run may have been that this goes on from.
     opened: u64,
-    whole: Whole<'w, C>,
+    run_of: RunOf<'w, C>,
+    /// The borders with its neighbours.
+    borders: Vec<Border<C>>,
+    /// How many steps were taken while messages travelled.
+    overlapped: u64,
 }
 
 impl<'w, W: Communicator, C: Coords> Lattice<'w, W, C> {
@@ -112,7 +118,6 @@ impl<'w, W: Communicator, C: Coords> Lattice<'w, W, C> {
         X: Composition<H>,
         H::Coords: Coords<With<C::Leaf> = C>,
     {
-        let sites = of_rank.sites;
         let begun = || -> Result<_, Failure> {
             let (given, asked) = (start.q.length(), of_rank.indices().len());
             match given == asked {
@@ -122,11 +127,15 @@ impl<'w, W: Communicator, C: Coords> Lattice<'w, W, C> {
         };
         let run = agree(world, begun())?;
         let probe = system.run_with(composition, shaken(&start, &of_rank.indices()), h);
-        let whole: Whole<'w, C> = Box::new(move |state| {
-            let (system, _) = slab(&(0..sites).collect::<Vec<_>>());
-            system.run_with(composition, state, h)
-        });
-        let mut lattice = Self { world, exchanged: (unfinished(&run), 0), run, slab: of_rank, opened: 0, whole };
+        let run_of: RunOf<'w, C> = Box::new(move |sites, state| slab(sites).0.run_with(composition, state, h));
+        let sides = (0..2).filter(|side| of_rank.ahead > 0 && of_rank.neighbours[*side].is_some());
+        let borders: Result<Vec<_>, _> = sides.map(|side| Border::of(&of_rank, side, &run_of, &start)).collect();
+        // A border that cannot be a run of its own waits for its neighbours.
+        let borders = agree(world, borders.map_err(failure));
+        let mut slab = of_rank;
+        slab.ahead = if borders.is_ok() { slab.ahead } else { 0 };
+        let (exchanged, borders) = ((unfinished(&run), 0), borders.unwrap_or_default());
+        let mut lattice = Self { world, run, slab, exchanged, opened: 0, run_of, borders, overlapped: 0 };
         // Not every system has an energy near its start.
         if let Ok(probe) = agree(world, probe.map_err(failure)) {
             lattice.probe(probe)?;
@@ -139,7 +148,7 @@ impl<'w, W: Communicator, C: Coords> Lattice<'w, W, C> {
         let started = (unfinished(&probe), 0);
         let (run, start) = (replace(&mut self.run, probe), replace(&mut self.exchanged, started));
         // Where the step leads out of the finite numbers, it tells nothing.
-        let outcome = self.take_steps(1).map_or(Ok(()), |()| self.exchange());
+        let outcome = self.take_steps(1).map_or(Ok(()), |()| self.exchange(0));
         (self.run, self.exchanged) = (run, start);
         outcome
     }
@@ -148,6 +157,7 @@ impl<'w, W: Communicator, C: Coords> Lattice<'w, W, C> {
     #[must_use]
     pub fn at_time(mut self, t0: f64) -> Self {
         self.run = self.run.at_time(t0);
+        self.borders = self.borders.into_iter().map(|border| border.at_time(t0)).collect();
         self
     }
 
@@ -155,6 +165,7 @@ impl<'w, W: Communicator, C: Coords> Lattice<'w, W, C> {
     #[must_use]
     pub fn with_threads(mut self, threads: usize) -> Self {
         self.run = self.run.with_threads(threads);
+        self.borders = self.borders.into_iter().map(|border| border.with_threads(threads)).collect();
         self
     }
 
@@ -172,7 +183,7 @@ impl<'w, W: Communicator, C: Coords> Lattice<'w, W, C> {
         while self.steps() < end {
             let since = self.steps() - self.exchanged.1;
             if since == self.slab.steps {
-                self.exchange()?;
+                self.exchange(self.slab.ahead.min(end - self.steps()))?;
                 continue;
             }
             self.take_steps((self.slab.steps - since).min(end - self.steps()))?;
@@ -210,7 +221,7 @@ impl<'w, W: Communicator, C: Coords> Lattice<'w, W, C> {
         if begun == 0 {
             return Err(Error::HaloDiverged { step, time });
         }
-        self.exchange()
+        self.exchange(0)
     }
 
     /// The site of this rank's own that an outcome says has diverged first.
@@ -221,23 +232,42 @@ impl<'w, W: Communicator, C: Coords> Lattice<'w, W, C> {
         self.slab.inner().contains(&place).then(|| self.slab.indices()[place])
     }
 
-    /// Asks the neighbours what the halos are.
-    fn exchange(&mut self) -> Result<(), Error> {
-        let mut state = unfinished(&self.run);
-        let received = halos(self.world, &self.slab, &state);
+    /// Asks the neighbours what the halos are, and takes steps while their messages travel: those of the interior, behind which
+    /// the borders come once they know their halos.
+    fn exchange(&mut self, ahead: u64) -> Result<(), Error> {
+        let (mut state, steps) = (unfinished(&self.run), self.steps());
+        let (received, moved) = halos(self.world, &self.slab, &state, || self.run.advance(ahead));
         let site = differing(&self.slab, &state, &received).map_or(u64::MAX, |site| site as u64);
-        let mut first = u64::MAX;
-        self.world.all_reduce_into(&site, &mut first, SystemOperation::min());
-        if first != u64::MAX {
-            return Err(Error::SitesDiffer { site: first as usize });
-        }
         for (side, numbers) in received.iter().enumerate() {
             put(&mut state, self.slab.halo(side), numbers);
         }
-        let steps = self.steps();
-        go_on_from(&mut self.run, steps, self.opened, &state);
+        // What is wrong in the halos may lead out of the finite numbers: then these steps are taken once more.
+        let borders = moved.ok().filter(|()| ahead > 0).and_then(|()| self.move_borders(&state, steps, ahead));
+        let (own, mut first) = ([site, u64::from(borders.is_some())], [u64::MAX; 2]);
+        self.world.all_reduce_into(&own[..], &mut first[..], SystemOperation::min());
+        let [site, all_moved] = first;
+        if site != u64::MAX {
+            return Err(Error::SitesDiffer { site: site as usize });
+        }
+        match borders.filter(|_| all_moved == 1) {
+            Some(borders) => {
+                let mut moved = unfinished(&self.run);
+                put_all(&mut moved, borders);
+                go_on_from(&mut self.run, steps + ahead, self.opened, &moved);
+                self.overlapped += ahead;
+            }
+            None => go_on_from(&mut self.run, steps, self.opened, &state),
+        }
         self.exchanged = (state, steps);
         Ok(())
+    }
+
+    /// What the borders are so many steps after a state of the slab; nothing where one of them cannot take these.
+    fn move_borders(&mut self, from: &Phase<C>, steps: u64, ahead: u64) -> Option<Vec<Moved>> {
+        let since = [steps, self.opened];
+        let moved: Result<Vec<_>, _> =
+            self.borders.iter_mut().map(|border| border.advance(from, since, ahead)).collect();
+        Some(moved.ok()?.into_iter().flatten().collect())
     }
 }
 

@@ -20,6 +20,9 @@ const SMALL: usize = 16;
 /// The most steps between two exchanges: with more of them, a divergence is found late and taken back far.
 const MOST_STEPS: usize = 1024;
 
+/// Which part of these steps is taken while messages travel: borders are moved twice in them.
+const AHEAD: usize = 8;
+
 /// How far the steps of a composition carry what is wrong at the ends of a slab.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Reach {
@@ -83,6 +86,10 @@ pub(crate) struct Slab {
     pub(crate) neighbours: [Option<Neighbour>; 2],
     /// How many steps may be taken between two exchanges.
     pub(crate) steps: u64,
+    /// How many of these are taken while the messages of an exchange travel.
+    pub(crate) ahead: u64,
+    /// How many of its own sites on each side these leave wrong without the halo, and one more.
+    pub(crate) late: usize,
 }
 
 impl Slab {
@@ -113,8 +120,12 @@ impl Slab {
             true if rank + 1 == ranks => [width, 2 * width, 0],
             _ => [0, width, width + inner],
         };
+        let ahead = steps.div_ceil(AHEAD);
+        // A border has twice as many, up to which what is wrong at its other end does not come.
+        let late = reach.halo(ahead);
+        let ahead = if alone || 2 * late > least { 0 } else { ahead as u64 };
         let steps = if alone { u64::MAX } else { steps as u64 };
-        Ok(Self { sites, own, halos, places, neighbours, steps })
+        Ok(Self { sites, own, halos, places, neighbours, steps, ahead, late })
     }
 
     /// The numbers of all its sites, in their order.
@@ -142,6 +153,13 @@ impl Slab {
     pub(crate) fn halo(&self, side: usize) -> Range<usize> {
         let start = self.places[2 * side];
         start..start + self.halos[side]
+    }
+
+    /// Where the sites of a border are: the halo on this side and so many of its own sites, in the order of all.
+    pub(crate) fn border(&self, side: usize, own: usize) -> [Range<usize>; 2] {
+        let mut parts = [self.halo(side), self.edge(side, own)];
+        parts.sort_unstable_by_key(|part| part.start);
+        parts
     }
 
     /// Where the site of a halo is that both sides of the border know.
@@ -172,6 +190,9 @@ mod tests {
                         let other = &slabs[*rank as usize];
                         let theirs = &other.indices()[other.halo(1 - side)];
                         assert_eq!(&indices[slab.edge(side, *halo)], theirs, "{rank} of {ranks}, {sites}");
+                        let border = slab.border(side, slab.late).map(|part| indices[part].to_vec()).concat();
+                        assert!(border.is_sorted(), "the last one comes before the first: {border:?}");
+                        assert!(slab.ahead <= slab.steps && (slab.ahead == 0 || 2 * slab.late <= slab.own.len()));
                     }
                 }
                 let differ = slabs.windows(2).any(|pair| pair[0].indices().len() != pair[1].indices().len());
