@@ -26,7 +26,7 @@ unsafe impl DeviceRepr for Launch {}
 
 /// The text of a module: that of the runtime, of a system, and two kernels in one precision.
 fn module_text(text: &str, precision: &str) -> String {
-    let [functions, stepper] = RUNTIME;
+    let runtime = RUNTIME.concat();
     let (scalar, slot) = match precision {
         "f32" => ("float", "Plain"),
         "compensated f64" => ("double", "Compensated"),
@@ -41,7 +41,7 @@ fn module_text(text: &str, precision: &str) -> String {
         )
     };
     let (advance, show) = (kernel(ADVANCE, ""), kernel(SHOW, "const "));
-    format!("{functions}{stepper}namespace integrator {{\n{text}}}\n{advance}{show}")
+    format!("{runtime}namespace integrator {{\n{text}}}\n{advance}{show}")
 }
 
 /// Compiles the kernels of a system in a precision, to the assembly that any driver takes.

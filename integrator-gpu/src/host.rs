@@ -9,8 +9,9 @@ use std::{
     process::{Command, Stdio},
 };
 
-/// The elementary functions and the loop over steps.
-pub(crate) const RUNTIME: [&str; 2] = [include_str!("cuda/functions.h"), include_str!("cuda/stepper.h")];
+/// The elementary functions, the loop over steps, and the kicks of bodies.
+pub(crate) const RUNTIME: [&str; 3] =
+    [include_str!("cuda/functions.h"), include_str!("cuda/stepper.h"), include_str!("cuda/pairs.h")];
 /// What the host's compiler needs before these, and behind them.
 const HOST: [&str; 2] = [include_str!("cuda/host.h"), include_str!("cuda/serve.h")];
 
@@ -30,12 +31,11 @@ pub(crate) fn compiler() -> Option<String> {
 
 /// The text of a program for these systems, by their names, with what else stands among them.
 pub(crate) fn program(systems: &[(&str, &str)], main: &str) -> String {
-    let [functions, stepper] = RUNTIME;
-    let [before, behind] = HOST;
+    let (runtime, [before, behind]) = (RUNTIME.concat(), HOST);
     let systems =
         systems.iter().map(|(name, text)| format!("namespace integrator {{\nnamespace {name} {{\n{text}}}\n}}\n"));
     let systems: String = systems.collect();
-    format!("{before}{functions}{stepper}{behind}{systems}{main}")
+    format!("{before}{runtime}{behind}{systems}{main}")
 }
 
 /// The `main` that serves launches of these systems, each in three precisions.

@@ -65,6 +65,38 @@ impl Waves {
     }
 }
 
+/// An outer solar system.
+struct Planets {
+    gravity: f64,
+    mass: [f64; 6],
+}
+
+#[hamiltonian(gpu)]
+impl Planets {
+    fn kinetic(&self, p: [[f64; 3]; 6]) -> f64 {
+        let mut energy = 0.0;
+        for i in 0..6 {
+            for d in 0..3 {
+                energy += p[i][d].powi(2) / (2.0 * self.mass[i]);
+            }
+        }
+        energy
+    }
+    fn potential(&self, q: [[f64; 3]; 6]) -> f64 {
+        let mut energy = 0.0;
+        for i in 0..6 {
+            for j in 0..i {
+                let mut r2 = 0.0;
+                for d in 0..3 {
+                    r2 += (q[i][d] - q[j][d]).powi(2);
+                }
+                energy -= self.gravity * self.mass[i] * self.mass[j] / r2.sqrt();
+            }
+        }
+        energy
+    }
+}
+
 fn pendulums() -> impl Iterator<Item = (Pendulum, Phase<[f64; 1]>)> {
     (1..=5).map(|i| (Pendulum { length: f64::from(i) / 4.0 }, Phase::new([2.0], [0.1])))
 }
@@ -165,7 +197,7 @@ fn members_and_steps_are_judged_before_any_device() {
 
 #[test]
 fn kernels_compile_where_nvrtc_is() {
-    for compiled in [compile::<Pendulum>(), compile::<Runaway>(), compile::<Native>()] {
+    for compiled in [compile::<Pendulum>(), compile::<Runaway>(), compile::<Native>(), compile::<Planets>()] {
         match compiled {
             Ok(assembly) => {
                 assert!(assembly.contains(".entry advance") && assembly.contains(".entry show"), "{assembly}")

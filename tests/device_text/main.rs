@@ -41,6 +41,8 @@ const SYSTEMS: &[(&str, &str)] = &[
     ("runaway", Runaway::TEXT),
     ("native", Native::TEXT),
     ("picked", Picked::TEXT),
+    ("planets", Planets::TEXT),
+    ("charges", Charges::TEXT),
 ];
 
 /// Steps of the two launches of each case.
@@ -232,6 +234,36 @@ fn states_and_functions_have_the_bits_of_a_processor() {
         (system, Phase::new(q.map(|x: f64| x as f32), p.map(|x: f64| x as f32)))
     };
     cases.add("picked", Chin4A, members(3, of), 0.02);
+    let planets = |k: f64| {
+        let system = Planets { gravity: 1.0, mass: [1.0, 0.01, 0.02, 0.03 + 0.001 * k, 0.001, 1e-6] };
+        let point = |body: f64| [body, 0.1 * body, 0.05 * k];
+        let velocity = |body: f64, mass: f64| [0.0, mass / (1.0 + body).sqrt(), 0.01 * mass * k];
+        let q = std::array::from_fn(|body| point(body as f64));
+        let p = std::array::from_fn(|body| velocity(body as f64, system.mass[body]));
+        (system, q, p)
+    };
+    let of = |k: f64| {
+        let (system, q, p) = planets(k);
+        (system, Phase::new(q, p))
+    };
+    cases.add("planets", Yoshida4, members(3, of), 0.01);
+    cases.add("planets", Chin4A, members(2, of), 0.02);
+    let of = |k: f64| {
+        let (system, q, p) = planets(k);
+        (system, Phase::compensated(q, p))
+    };
+    cases.add("planets", Verlet, members(3, of), 0.01);
+    let charges = |k: f64| (Charges { charge: [1.0, 0.5, 0.3 + 0.1 * k, 2.0, 0.1] }, [0.3, 0.1, -0.2, 0.1 * k, 1.0]);
+    let of = |k: f64| {
+        let (system, q) = charges(k);
+        (system, Phase::new(q, [0.1; 5]))
+    };
+    cases.add("charges", Yoshida4, members(3, of), 0.02);
+    let of = |k: f64| {
+        let (system, q) = charges(k);
+        (system, Phase::new(q.map(|q| q as f32), [0.1_f32; 5]))
+    };
+    cases.add("charges", Verlet, members(3, of), 0.02);
     assert!(cases.expected.iter().any(|[_, (_, steps)]| steps.iter().any(|steps| *steps < 1107)), "somebody is lost");
     cases.compare(&program).expect("the bits of an ensemble");
 

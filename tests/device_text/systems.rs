@@ -179,3 +179,59 @@ impl Picked {
         energy
     }
 }
+
+/// Bodies that attract each other: an even number of them, in space.
+#[derive(Clone)]
+pub(crate) struct Planets {
+    pub(crate) gravity: f64,
+    pub(crate) mass: [f64; 6],
+}
+
+#[hamiltonian(gpu)]
+impl Planets {
+    fn kinetic(&self, p: [[f64; 3]; 6]) -> f64 {
+        let mut energy = 0.0;
+        for i in 0..6 {
+            for d in 0..3 {
+                energy += p[i][d].powi(2) / (2.0 * self.mass[i]);
+            }
+        }
+        energy
+    }
+    fn potential(&self, q: [[f64; 3]; 6]) -> f64 {
+        let mut energy = 0.0;
+        for i in 0..6 {
+            for j in 0..i {
+                let mut r2 = 0.0;
+                for d in 0..3 {
+                    r2 += (q[i][d] - q[j][d]).powi(2);
+                }
+                energy -= self.gravity * self.mass[i] * self.mass[j] / r2.sqrt();
+            }
+        }
+        energy
+    }
+}
+
+/// An odd number of bodies on a line, in a trap that comes and goes, whose actions are not all reactions.
+#[derive(Clone)]
+pub(crate) struct Charges {
+    pub(crate) charge: [f64; 5],
+}
+
+#[hamiltonian(gpu)]
+impl Charges {
+    fn kinetic(&self, p: [f64; 5]) -> f64 {
+        p.iter().map(|p| p * p / 2.0).sum()
+    }
+    fn potential(&self, q: [f64; 5], t: f64) -> f64 {
+        let mut energy = 0.0;
+        for i in 0..5 {
+            energy += 0.5 * self.charge[i] * q[i] * q[i] * (1.0 + 0.5 * t.cos());
+            for j in 0..i {
+                energy += self.charge[i] * self.charge[j] / (1.0 + (q[i] - q[j]).powi(2)) + 0.1 * (q[i] * q[j]).sin();
+            }
+        }
+        energy
+    }
+}

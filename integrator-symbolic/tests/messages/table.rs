@@ -994,8 +994,12 @@ pub(crate) const SPLITS: &[Row] = &[
     ),
     (
         "gpu on fn kinetic(&self, p: [[f64; 3]; 4]) -> f64 { let mut t = 0.0; for i in 0..4 { for d in 0..3 { t += p[i][d] * p[i][d]; } } t } fn potential(&self, q: [[f64; 3]; 4]) -> f64 { let mut v = 0.0; for i in 0..4 { for j in 0..i { let mut r2 = 0.0; for d in 0..3 { r2 += (q[i][d] - q[j][d]).powi(2); } v -= 1.0 / r2.sqrt(); } } v }",
+        &[],
+    ),
+    (
+        "gpu on fn kinetic(&self, p: [[f64; 2]; 9]) -> f64 { let mut t = 0.0; for i in 0..9 { for d in 0..2 { t += p[i][d] * p[i][d]; } } t } fn potential(&self, q: [[f64; 2]; 9]) -> f64 { let mut v = 0.0; for i in 0..9 { for j in 0..i { let mut r2 = 0.0; for d in 0..2 { r2 += (q[i][d] - q[j][d]).powi(2); } v -= 1.0 / r2.sqrt(); } } v }",
         &[
-            "1:0 bodies that act on each other in pairs are added in rows, an order that devices do not know yet: write out the pairs of a few bodies, or leave out `gpu`",
+            "1:0 9 bodies that act on each other in pairs are added in several rows, an order that devices do not know yet, as they do that of 8 bodies at most: write out the pairs, or leave out `gpu`",
         ],
     ),
     (

@@ -35,6 +35,7 @@ const DURATION: f64 = 0.37;
 /// What a host's compiler and the loop over steps need, as the crate for devices has them.
 const HOST: &str = include_str!("../../../integrator-gpu/src/cuda/host.h");
 const STEPPER: &str = include_str!("../../../integrator-gpu/src/cuda/stepper.h");
+const PAIRS: &str = include_str!("../../../integrator-gpu/src/cuda/pairs.h");
 const FUNCTIONS: &str = include_str!("functions.h");
 const MAIN: &str = include_str!("device.cpp");
 
@@ -96,7 +97,7 @@ impl Systems {
 
     /// The text of a program of all systems.
     fn program(&self) -> String {
-        let mut text = format!("{HOST}{FUNCTIONS}{STEPPER}{MAIN}");
+        let mut text = format!("{HOST}{FUNCTIONS}{STEPPER}{PAIRS}{MAIN}");
         for (number, system) in self.texts.iter().enumerate() {
             let _ = writeln!(text, "namespace integrator {{ namespace system_{number} {{\n{system}}} }}");
         }

@@ -240,7 +240,7 @@ impl Machine<'_> {
         Ok(moved)
     }
 
-    /// The gradient of the potential of bodies, pair by pair.
+    /// The gradient of the potential of bodies, in the order of one row of them.
     fn attracted(
         &mut self,
         bodies: &Bodies<'_>,
@@ -248,49 +248,54 @@ impl Machine<'_> {
         motion: &Value,
         time: &Number,
     ) -> Outcome<Vec<Vec<Number>>> {
-        let zero = Number::plain(0.0).of_kind(Kind::Wide);
         let (parameters, time) = (motion.field("parameters")?.clone(), Value::from(time.clone()));
-        let prepared = self.prepared(bodies, read.len(), motion)?;
-        let mut sums: Vec<Vec<Number>> = read.iter().map(|point| vec![zero.clone(); point.len()]).collect();
-        for i in 0..read.len() {
-            for j in 0..read.len() {
-                if i == j || bodies.reciprocal && j > i {
-                    continue;
-                }
-                let two = [row(&read[i]), row(&read[j]), prepared[i].clone(), prepared[j].clone()];
-                let arguments: Vec<Value> =
-                    std::iter::once(parameters.clone()).chain(two).chain([time.clone()]).collect();
-                if let Some(interacts) = bodies.functions.get("interacts").copied()
-                    && !self.call(interacts, arguments.clone())?.truth()?
-                {
-                    continue;
-                }
-                let Some(pair) = bodies.functions.get("pair").copied() else { return foreign("no `pair`") };
-                let force = components(&self.call(pair, arguments)?)?;
-                for component in 0..read[i].len() {
-                    let force = if bodies.central {
-                        force[0].mul(&read[i][component].sub(&read[j][component]).of_kind(Kind::Wide))
-                    } else {
-                        force[component].clone()
-                    };
-                    sums[i][component] = sums[i][component].add(&force);
-                    if bodies.reciprocal {
-                        sums[j][component] = sums[j][component].sub(&force);
-                    }
-                }
-            }
-        }
+        let (prepared, count) = (self.prepared(bodies, read.len(), motion)?, read.len());
+        let mut sums: Vec<Option<Vec<Number>>> = vec![None; count];
         if let Some(one_body) = bodies.functions.get("one_body").copied() {
-            for (body, sums) in sums.iter_mut().enumerate() {
+            for (body, sum) in sums.iter_mut().enumerate() {
                 let arguments = vec![parameters.clone(), row(&read[body]), prepared[body].clone(), time.clone()];
                 if let Value::Option(Some(gradient)) = self.call(one_body, arguments)? {
-                    for (sum, force) in sums.iter_mut().zip(components(&gradient)?) {
-                        *sum = sum.add(&force);
-                    }
+                    *sum = Some(components(&gradient)?);
                 }
             }
         }
-        Ok(sums)
+        for by in (1..count).filter(|by| !bodies.reciprocal || 2 * by <= count) {
+            let mut forces = Vec::with_capacity(count);
+            for i in 0..count {
+                let j = (i + by) % count;
+                let two = [row(&read[i]), row(&read[j]), prepared[i].clone(), prepared[j].clone()];
+                let arguments = std::iter::once(parameters.clone()).chain(two).chain([time.clone()]).collect();
+                forces.push(self.force(bodies, [&read[i], &read[j]], arguments)?);
+            }
+            for (i, sum) in sums.iter_mut().enumerate() {
+                let mut addend = forces[i].clone();
+                if bodies.reciprocal && 2 * by != count {
+                    let reaction = &forces[(i + count - by) % count];
+                    addend = addend.iter().zip(reaction).map(|(action, reaction)| action.sub(reaction)).collect();
+                }
+                *sum = Some(match sum.take() {
+                    Some(sum) => sum.iter().zip(&addend).map(|(sum, addend)| sum.add(addend)).collect(),
+                    None => addend,
+                });
+            }
+        }
+        let zero = Number::plain(0.0).of_kind(Kind::Wide);
+        Ok(sums.into_iter().zip(read).map(|(sum, own)| sum.unwrap_or_else(|| vec![zero.clone(); own.len()])).collect())
+    }
+
+    /// The gradient of the energy of two bodies by the coordinates of the first one.
+    fn force(&mut self, bodies: &Bodies<'_>, [i, j]: [&[Number]; 2], arguments: Vec<Value>) -> Outcome<Vec<Number>> {
+        let interacts = match bodies.functions.get("interacts").copied() {
+            Some(interacts) => self.call(interacts, arguments.clone())?.truth()?,
+            None => true,
+        };
+        let Some(pair) = bodies.functions.get("pair").copied() else { return foreign("no `pair`") };
+        let force = components(&self.call(pair, arguments)?)?;
+        if !interacts && force.iter().any(|force| force.main.value != 0.0) {
+            return foreign("a force where nothing interacts");
+        }
+        let central = |(i, j): (&Number, &Number)| force[0].mul(&i.sub(j).of_kind(Kind::Wide));
+        Ok(if bodies.central { i.iter().zip(j).map(central).collect() } else { force })
     }
 }
 

@@ -19,7 +19,7 @@ use crate::{
 };
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{format_ident, quote};
-use std::collections::BTreeSet;
+use std::collections::{BTreeSet, HashMap};
 
 /// What is prepared of every body, as nodes inside the loop over all of them.
 pub(crate) struct Constants {
@@ -53,6 +53,11 @@ impl Constants {
     fn name(&self, model: &Model, fields: &mut Fields, place: usize, by: LoopId) -> Ident {
         let field = fields.number(&model.graph, &model.parameters, self.nodes[place]);
         OfBodies::name_of(&format!("{field}_of"), model, by)
+    }
+
+    /// The tables that hold what a function reads of its bodies, by the nodes that read them.
+    pub(crate) fn tables(&self, of: &OfBodies) -> HashMap<NodeId, NodeId> {
+        of.reads.iter().map(|(id, _, place)| (*id, self.nodes[*place])).collect()
     }
 
     /// The tables that hold them.
@@ -116,6 +121,16 @@ impl OfBodies {
             }
         }
         Some(Self { of: of.to_vec(), stores, reads })
+    }
+
+    /// The loops whose indices its bodies have.
+    pub(crate) fn loops(&self) -> &[LoopId] {
+        &self.of
+    }
+
+    /// What it stores, within these loops.
+    pub(crate) fn stores(&self) -> &[Store] {
+        &self.stores
     }
 
     /// The name of something that belongs to a body.

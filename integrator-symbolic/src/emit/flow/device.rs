@@ -4,12 +4,14 @@
 //! has a text has the bits of the Rust flows on a machine with fused multiply-add, since both are printed from the same
 //! programs.
 
-use super::{Pass, constants::extents, lattice, pairs::ManyBody, passes, stores};
+mod bodies;
+
+use super::{Pass, constants::extents, interaction::Interaction, lattice, passes, stores};
 use crate::{
     differentiate::{Contribution, fold_branches, gradient, hessian_product},
     emit::printer::{
         block::Emitter,
-        cuda::{Read, Reads, evaluate},
+        cuda::{Lines, Read, Reads, Within, evaluate},
         names::Names,
     },
     graph::{Part, exact::Exact},
@@ -43,31 +45,11 @@ impl DeviceText {
     pub(crate) fn of(emitter: &mut Emitter<'_>, functions: DeviceFunctions) -> Result<Self, String> {
         let shape = Shape::of(emitter.model)?;
         check_parts(emitter.model)?;
-        let mut reads = Reads::of(functions);
-        let mut flows = String::new();
-        let (names, count) = (["drift", "middle", "kick"], emitter.model.flows());
-        match emitter.model.is_separable() {
-            true => {
-                let model = &mut *emitter.model;
-                let velocity = gradient(&mut model.graph, model.kinetic, Part::Momentum);
-                let slope = gradient(&mut model.graph, model.potential, Part::Position);
-                check_layout(emitter, &velocity, &slope)?;
-                for (name, gradient, part) in [("drift", velocity, Part::Momentum), ("kick", slope, Part::Position)] {
-                    flows += &flow(emitter, &mut reads, &shape, name, &gradient, part)?;
-                }
-            }
-            false => {
-                for part in 0..count {
-                    let (gradient, by) = part_gradient(emitter.model, part);
-                    let name = match part {
-                        0 => names[0].to_owned(),
-                        last if last + 1 == count => names[2].to_owned(),
-                        number => format!("{}_{number}", names[1]),
-                    };
-                    flows += &flow(emitter, &mut reads, &shape, &name, &gradient, by)?;
-                }
-            }
-        }
+        let (mut reads, count) = (Reads::of(functions), emitter.model.flows());
+        let mut flows = match emitter.model.is_separable() {
+            true => separable(emitter, &mut reads, &shape)?,
+            false => of_parts(emitter, &mut reads, &shape)?,
+        };
         flows += &middle(count);
         let bends = emitter.model.quadratic && emitter.model.is_separable();
         if bends {
@@ -248,15 +230,36 @@ fn check_parts(model: &Model) -> Result<(), String> {
     Ok(())
 }
 
-/// Sums along lattices and over pairs of bodies have an order of their own, which follows from layouts of the state.
-fn check_layout(emitter: &mut Emitter<'_>, velocity: &[Contribution], slope: &[Contribution]) -> Result<(), String> {
-    if ManyBody::of(emitter).is_some() {
-        return Err(
-            "bodies that act on each other in pairs are added in rows, an order that devices do not know yet: \
-                    write out the pairs of a few bodies, or leave out `gpu`"
-                .to_owned(),
-        );
+/// The flows of `T` and of `V`.
+fn separable(emitter: &mut Emitter<'_>, reads: &mut Reads, shape: &Shape) -> Result<String, String> {
+    if let Some(interaction) = Interaction::of(emitter.model) {
+        return bodies::flows(emitter, reads, shape, &interaction);
     }
+    let model = &mut *emitter.model;
+    let velocity = gradient(&mut model.graph, model.kinetic, Part::Momentum);
+    let slope = gradient(&mut model.graph, model.potential, Part::Position);
+    check_layout(emitter, &velocity, &slope)?;
+    let flows = [("drift", velocity, Part::Momentum), ("kick", slope, Part::Position)];
+    flows.into_iter().map(|(name, gradient, part)| flow(emitter, reads, shape, name, &gradient, part)).collect()
+}
+
+/// The flows of parts with names.
+fn of_parts(emitter: &mut Emitter<'_>, reads: &mut Reads, shape: &Shape) -> Result<String, String> {
+    let count = emitter.model.flows();
+    let flow_of = |part: usize| {
+        let (gradient, by) = part_gradient(emitter.model, part);
+        let name = match part {
+            0 => "drift".to_owned(),
+            last if last + 1 == count => "kick".to_owned(),
+            number => format!("middle_{number}"),
+        };
+        flow(emitter, reads, shape, &name, &gradient, by)
+    };
+    (0..count).map(flow_of).collect()
+}
+
+/// Sums along lattices have an order of their own, which follows from layouts of the state.
+fn check_layout(emitter: &mut Emitter<'_>, velocity: &[Contribution], slope: &[Contribution]) -> Result<(), String> {
     for (gradient, part) in [(velocity, Part::Momentum), (slope, Part::Position)] {
         let folded = fold_branches(&mut emitter.model.graph, gradient);
         let apart = gradient.iter().any(|contribution| is_protected(&mut emitter.model.graph, contribution));
@@ -294,7 +297,7 @@ fn flow(
     let duration = if part == Part::Momentum { "duration" } else { "-duration" };
     let (mut lines, mut reads_time) = (String::new(), false);
     for Pass { stores, moved } in passes(emitter.model, gradient, part) {
-        let (pass, program) = evaluate(emitter, reads, &stores)?;
+        let Lines { text: pass, program, .. } = evaluate(emitter, reads, Within::default(), &stores)?;
         reads_time |= program.reads_time;
         lines += &match moved {
             None => pass,
@@ -315,7 +318,7 @@ fn hessian(emitter: &mut Emitter<'_>, reads: &mut Reads, shape: &Shape) -> Resul
     let potential = gradient(&mut model.graph, model.potential, Part::Position);
     let product = hessian_product(&mut model.graph, &potential, Part::Position);
     let stores = stores(model, &product, Sink::Collect);
-    let (lines, program) = evaluate(emitter, reads, &stores)?;
+    let Lines { text: lines, program, .. } = evaluate(emitter, reads, Within::default(), &stores)?;
     let apply = shape.for_each(|at| format!("motion.p{at} = Plain<R>{{gradient{at}}};\n"));
     let lines = format!("R gradient{} = {{}};\n{lines}{apply}", shape.brackets());
     Ok(function("hessian", "Plain<R>", "", "", &lines, program.reads_time))

@@ -9,6 +9,7 @@ pub(super) mod force_gradient;
 pub(super) mod form;
 #[cfg(test)]
 mod guarded;
+pub(super) mod interaction;
 pub(super) mod invariants;
 pub(crate) mod jacobi;
 pub(super) mod kepler;

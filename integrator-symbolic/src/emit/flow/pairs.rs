@@ -1,27 +1,23 @@
-//! Systems of bodies that act on each other in pairs: what moves a body, and what one body does to another. The loops
+//! Systems of bodies that act on each other in pairs as Rust: what moves a body, and what one body does to another. The loops
 //! over bodies and pairs are the runtime's.
 
-use super::bodies::{Constants, OfBodies};
+use super::{
+    bodies::{Constants, OfBodies},
+    interaction::{Interaction, LISTED_FROM, Listed},
+};
 use crate::{
-    differentiate::{Contribution, fold_branches},
     emit::printer::{
         block::Emitter,
         function::{Body, Lines},
         names::Names,
     },
-    graph::{NodeId, Part, Scope, index::LoopId},
-    model::{Model, Texts},
-    pairs::{Cutoff, Pairs, cutoff, pairs, per_body, pull},
-    program::{Sink, is_direct},
+    graph::{Part, index::LoopId},
 };
 use proc_macro2::{Literal, TokenStream};
 use quote::{format_ident, quote};
 
 /// The most bodies whose state is one row.
-const ROW: u64 = 8;
-
-/// The fewest bodies whose neighbours within a cutoff are listed: with fewer, all pairs are as fast.
-const LISTED_FROM: u64 = 1024;
+pub(super) const ROW: u64 = 8;
 
 /// The parts of a stepper for bodies that act in pairs.
 pub(crate) struct ManyBody {
@@ -40,58 +36,11 @@ pub(crate) struct ManyBody {
 impl ManyBody {
     /// The parts, if the potential is one of pairs and the kinetic energy one of bodies.
     pub(crate) fn of(emitter: &mut Emitter<'_>) -> Option<Self> {
-        let (model, wide) = (&mut *emitter.model, &emitter.names.wide);
-        let dimension = match &model.shape.dimension {
-            None => 1,
-            Some(dimension) => dimension.literal()?,
-        };
-        // A body alone has no pairs.
-        if model.shape.length.literal().is_some_and(|length| length < 2) {
-            return None;
-        }
-        let Model { graph, parameters, running, kinetic, potential, lengths, .. } = &mut *model;
-        let mut texts = Texts::new(parameters, running);
-        let length = *lengths.first()?;
-        let Pairs { bodies, pair, energy, force, reciprocal, energy_alone, alone } =
-            pairs(graph, *potential, length, &mut texts)?;
-        let velocity = per_body(graph, *kinetic, length, Part::Momentum, &mut texts)?;
-        let velocity = fold_branches(graph, &velocity);
-        if velocity.is_empty() || force.is_empty() || !is_direct(&model.graph.loops, &velocity) {
-            return None;
-        }
-        let index = model.running.get(&pair[0])?.clone();
-        model.running.entry(bodies).or_insert(index);
-
-        let few = model.shape.length.literal().is_some_and(|length| length < LISTED_FROM);
-        let cutoff = match few || model.jacobi.is_some() {
-            true => None,
-            false => cutoff(&mut model.graph, energy, pair, bodies, dimension),
-        };
-        let mut constants = Constants::new(bodies);
-        let drift = OfBodies::new(model, &mut constants, &[bodies], &velocity, Sink::Update)?;
-        let acts = match condition(&force) {
-            None => None,
-            Some((condition, holds)) => Some((OfBodies::value(model, &mut constants, &pair, condition)?, holds)),
-        };
-        let pull = pull(&mut model.graph, pair, &force, dimension);
-        let central = pull.is_some();
-        let force = match pull {
-            Some(pull) => OfBodies::value(model, &mut constants, &pair, pull)?,
-            None => OfBodies::gradient(model, &mut constants, &pair, &force)?,
-        };
-        let alone = match &alone[..] {
-            [] => None,
-            alone => Some(OfBodies::gradient(model, &mut constants, &[bodies], alone)?),
-        };
-        let listed = match cutoff {
-            None => None,
-            Some(cutoff) => {
-                let energies = [energy, energy_alone];
-                Some(Listed::of(model, &mut constants, bodies, pair, &cutoff, energies)?)
-            }
-        };
+        let wide = &emitter.names.wide;
+        let Interaction { pair, dimension, constants, drift, acts, force, central, reciprocal, alone, listed } =
+            Interaction::of(emitter.model)?;
         let sizes = [Literal::u64_unsuffixed(dimension), Literal::usize_unsuffixed(constants.count())];
-        let row = model.shape.length.literal().filter(|length| *length <= ROW).map(Literal::u64_unsuffixed);
+        let row = emitter.model.shape.length.literal().filter(|length| *length <= ROW).map(Literal::u64_unsuffixed);
         let mut writer = Writer { emitter, constants: &constants, sizes: &sizes };
         let functions = [writer.drift(&drift), writer.pair(&force, central, pair)];
         let acts = acts.map(|(condition, holds)| writer.acts(&condition, holds, pair));
@@ -161,49 +110,6 @@ impl ManyBody {
             impl #runtime::BodyConstants<#s> for #parameters { #per_body }
         }
     }
-}
-
-/// What is asked where neighbours within a cutoff are listed.
-struct Listed {
-    square: OfBodies,
-    sides: Option<OfBodies>,
-    energy: OfBodies,
-    energy_alone: Option<OfBodies>,
-}
-
-impl Listed {
-    fn of(
-        model: &mut Model,
-        constants: &mut Constants,
-        bodies: LoopId,
-        pair: [LoopId; 2],
-        Cutoff { square, sides }: &Cutoff,
-        [energy, energy_alone]: [NodeId; 2],
-    ) -> Option<Self> {
-        let is_alone = model.graph.as_constant(energy_alone) != Some(0.0);
-        Some(Self {
-            square: OfBodies::value(model, constants, &[], *square)?,
-            sides: match &sides[..] {
-                [] => None,
-                sides => Some(OfBodies::new(model, constants, &[bodies], sides, Sink::Assign)?),
-            },
-            energy: OfBodies::value(model, constants, &pair, energy)?,
-            energy_alone: match is_alone {
-                true => Some(OfBodies::value(model, constants, &[bodies], energy_alone)?),
-                false => None,
-            },
-        })
-    }
-}
-
-/// The condition that a whole gradient is under, if there is one, and whether it has to hold.
-fn condition(gradient: &[Contribution]) -> Option<(NodeId, bool)> {
-    let outermost = |contribution: &Contribution| match contribution.context.first() {
-        Some(Scope::Branch(condition, holds)) => Some((*condition, *holds)),
-        _ => None,
-    };
-    let first = outermost(gradient.first()?)?;
-    gradient.iter().all(|contribution| outermost(contribution) == Some(first)).then_some(first)
 }
 
 /// What writes the functions.

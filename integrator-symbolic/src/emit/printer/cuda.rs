@@ -27,25 +27,44 @@ use functions::KNOWN;
 use identifier::identifier;
 use proc_macro2::Ident;
 pub(crate) use reads::{Read, Reads};
+use std::collections::HashMap;
 
-/// The lines that evaluate values and store them, and the program that they are printed from; or why there are none.
+/// What lines are within: loops that the caller runs, and tables that stand in for what is read of a body with one of their indices.
+#[derive(Default)]
+pub(crate) struct Within<'w> {
+    pub(crate) loops: &'w [LoopId],
+    pub(crate) tables: HashMap<NodeId, NodeId>,
+}
+
+/// Lines, with the program that they are printed from and the names of the indices of the loops around them.
+pub(crate) struct Lines {
+    pub(crate) text: String,
+    pub(crate) program: Program,
+    pub(crate) indices: Vec<String>,
+}
+
+/// The lines that evaluate values and store them; or why there are none.
 pub(crate) fn evaluate(
     emitter: &mut Emitter<'_>,
     reads: &mut Reads,
+    Within { loops, tables }: Within<'_>,
     stores: &[Store],
-) -> Result<(String, Program), String> {
+) -> Result<Lines, String> {
     let Emitter { model, names, fields } = emitter;
     let frame = Frame::Motion;
-    let program = schedule(&model.graph, stores, |_, id| frame.is_leaf(model, id));
+    let program = schedule(&model.graph, stores, |_, id| frame.is_leaf(model, id)).within(loops);
     let printer = Printer::new(model, names, &program, &frame);
     let length = match model.shape.length {
         Length::Literal(length) => length,
         Length::Constant(_) | Length::OfStart => 0,
     };
-    let mut cuda = Cuda { printer, fields, reads, length, conditions: 0, loops: Vec::new(), obstacle: None };
-    let lines = cuda.items(&program.items);
+    let is_of_body = !loops.is_empty();
+    let mut cuda =
+        Cuda { printer, fields, reads, tables, is_of_body, length, conditions: 0, loops: Vec::new(), obstacle: None };
+    let indices = loops.iter().map(|by| cuda.open(*by)).collect();
+    let text = cuda.items(&program.items);
     match cuda.obstacle {
-        None => Ok((lines, program)),
+        None => Ok(Lines { text, program, indices }),
         Some(obstacle) => Err(obstacle),
     }
 }
@@ -78,6 +97,10 @@ struct Cuda<'m, 'r> {
     printer: Printer<'m>,
     fields: &'r mut Fields,
     reads: &'r mut Reads,
+    /// The tables that stand in for what is read of a body.
+    tables: HashMap<NodeId, NodeId>,
+    /// Whether a gradient is that of one body.
+    is_of_body: bool,
     length: u64,
     /// How many conditions are around the present line.
     conditions: usize,
@@ -133,9 +156,13 @@ impl Cuda<'_, '_> {
             Item::Choose { choice, value } => format!("{} = {};\n", self.name(*choice), self.expression(*value).1),
             Item::Sink(Sink::Update(element), value) => self.update(*element, *value),
             Item::Sink(Sink::Collect(element), value) => {
-                let target = format!("gradient{}", self.at(*element));
+                let target = format!("gradient{}", self.of_gradient(*element));
                 self.accumulate(&target, *value)
             }
+            Item::Sink(Sink::Assign(element), value) => {
+                format!("gradient{} = {};\n", self.of_gradient(*element), self.expression(*value).1)
+            }
+            Item::Sink(Sink::Return, value) => format!("return {};\n", self.expression(*value).1),
             Item::Sink(..) => self.refuse("a flow that is no sum of kicks has no text for devices yet"),
         }
     }
@@ -192,8 +219,9 @@ impl Cuda<'_, '_> {
     fn computation(&mut self, id: NodeId) -> Printed {
         let graph = self.printer.graph;
         if is_field(graph, self.printer.parameters, id) {
-            let name = self.fields.number(graph, self.printer.parameters, id);
-            return Printed::atom(self.read(Read::Field(Content::Number(id)), name, graph.loops_of(id)));
+            let table = self.tables.get(&id).copied().unwrap_or(id);
+            let name = self.fields.number(graph, self.printer.parameters, table);
+            return Printed::atom(self.read(Read::Field(Content::Number(table)), name, graph.loops_of(id)));
         }
         match graph.node(id) {
             Node::Constant(bits) => Printed::atom(constant(f64::from_bits(bits))),
@@ -347,6 +375,15 @@ impl Cuda<'_, '_> {
         let index = self.index(element.index);
         let component = element.component.map(|component| format!("[{}]", self.index(component)));
         format!("[{index}]{}", component.unwrap_or_default())
+    }
+
+    /// The indices of a component of the gradient.
+    fn of_gradient(&mut self, element: Element) -> String {
+        match element.component {
+            _ if !self.is_of_body => self.at(element),
+            None => "[0]".to_owned(),
+            Some(component) => format!("[{}]", self.index(component)),
+        }
     }
 
     /// An integer expression, of 64 bits with a sign.

@@ -1,0 +1,74 @@
+//! The flows of bodies that act on each other in pairs as text for devices: what moves a body, and what one body does to
+//! another. The loops over pairs are those of the runtime on a device, in the order of the one on processors.
+
+use super::{Shape, function};
+use crate::emit::{
+    flow::{bodies::OfBodies, interaction::Interaction, pairs::ROW},
+    printer::{
+        block::Emitter,
+        cuda::{Lines, Reads, Within, evaluate},
+    },
+};
+
+/// The flows of `T` and of `V`, and what these ask of the system.
+pub(super) fn flows(
+    emitter: &mut Emitter<'_>,
+    reads: &mut Reads,
+    shape: &Shape,
+    interaction: &Interaction,
+) -> Result<String, String> {
+    if shape.length > ROW {
+        return Err(format!(
+            "{} bodies that act on each other in pairs are added in several rows, an order that devices do not know yet, as they do \
+             that of {ROW} bodies at most: write out the pairs, or leave out `gpu`",
+            shape.length
+        ));
+    }
+    let Interaction { drift, force, alone, central, reciprocal, .. } = interaction;
+    let mut written = |of: &OfBodies| {
+        let within = Within { loops: of.loops(), tables: interaction.constants.tables(of) };
+        evaluate(emitter, reads, within, of.stores())
+    };
+    let Lines { text, program, indices } = written(drift)?;
+    let (body, count) = (&indices[0], shape.length);
+    let lines =
+        format!("const R step = R(duration);\nfor (long long {body} = 0; {body} < {count}; ++{body}) {{\n{text}}}\n");
+    let drift = function("drift", "K", "double duration, ", "", &lines, program.reads_time);
+
+    let (name, result, gradient) = match central {
+        true => ("pull", "R", String::new()),
+        false => ("force", "void", shape.of_body()),
+    };
+    let force = of_bodies(name, result, &gradient, &written(force)?);
+    let alone = match alone {
+        None => String::new(),
+        Some(alone) => of_bodies("force_alone", "void", &shape.of_body(), &written(alone)?),
+    };
+    let has_alone = !alone.is_empty();
+    let kick =
+        function("kick", "K", "double duration, ", "", "Pairs<System, R, K>::kick(motion, duration, at);\n", false);
+    Ok(format!(
+        "\nstatic constexpr int BODIES = {count};\n\
+         static constexpr bool CENTRAL = {central};\n\
+         static constexpr bool RECIPROCAL = {reciprocal};\n\
+         static constexpr bool ALONE = {has_alone};\n\
+         {drift}{force}{alone}{kick}"
+    ))
+}
+
+/// A function of the bodies with the indices of the loops around its lines.
+fn of_bodies(name: &str, result: &str, gradient: &str, Lines { text, program, indices }: &Lines) -> String {
+    let time = if program.reads_time { "const R time = R(at);\n" } else { "" };
+    let bodies: String = indices.iter().map(|index| format!("int {index}, ")).collect();
+    format!(
+        "\ntemplate <class R, class K> DEVICE static {result} {name}(Motion<R, K>& motion, {bodies}double at{gradient}) \
+         {{\n{time}{text}}}\n"
+    )
+}
+
+impl Shape {
+    /// The argument that is the gradient by the coordinates of a body.
+    fn of_body(&self) -> String {
+        format!(", R (&gradient)[{}]", self.dimension.unwrap_or(1))
+    }
+}
