@@ -161,6 +161,13 @@ impl<C: Coords> Ensemble<C> {
         self
     }
 
+    /// Uses at most so many threads for what is computed on the processor; no result depends on it.
+    #[must_use]
+    pub fn with_threads(mut self, threads: usize) -> Self {
+        self.processor = self.processor.with_threads(threads);
+        self
+    }
+
     /// Why the members are on the processor, if [`Device::Best`] put them there.
     pub fn fallback(&self) -> Option<&Error> {
         self.fallback.as_ref()
@@ -317,6 +324,11 @@ impl<C: Coords> Ensemble<C> {
     pub fn on_processor(&mut self) -> Result<&OnProcessor<C>, Error> {
         self.bring()?;
         Ok(&self.processor)
+    }
+
+    /// The members as they were when the processor last had them: at the start, or where [`Ensemble::on_processor`] brought them.
+    pub fn last_on_processor(&self) -> &OnProcessor<C> {
+        &self.processor
     }
 
     /// Brings the members to the processor, from where the device has them.

@@ -4,7 +4,8 @@ use crate::{
     Ensemble,
     ensemble::share,
     error::{Error, Failure, agree},
-    parts::{Part, at, manifest},
+    held::Held,
+    parts::{Manifest, Part, at, manifest},
 };
 use integrator_core::{
     __private::{LaneScalars, joined, part_of},
@@ -56,18 +57,27 @@ impl<'w, W: Communicator, C: Coords> Ensemble<'w, W, C> {
         H::Coords: Coords<With<C::Leaf> = C>,
     {
         let folder = folder.as_ref();
-        let found = agree(world, manifest(folder, KIND))?;
-        let own = share(world, found.members);
+        let (found, own) = manifest_of(world, folder)?;
         let local = || {
-            if own.is_empty() {
-                return Ok(None);
-            }
-            let bytes = members_of_files(folder, &found.files, own.clone())?;
-            Local::resume(method, own.clone().map(&system), &bytes).map(Some).map_err(at(folder))
+            let Some(bytes) = bytes_of_rank(folder, &found, own.clone())? else { return Ok(None) };
+            let local = Local::resume(method, own.clone().map(&system), &bytes);
+            local.map(|local| Some(Held::Processor(local))).map_err(at(folder))
         };
         let local = agree(world, local())?;
-        Ok(Self::of_local(world, local, own.start, found.members, found.steps))
+        Ok(Self::of_held(world, local, own.start, found.members, found.steps))
     }
+}
+
+/// What a folder has a checkpoint of, and which of its members are dealt out to this rank. Collective.
+pub(crate) fn manifest_of(world: &impl Communicator, folder: &Path) -> Result<(Manifest, Range<usize>), Error> {
+    let found = agree(world, manifest(folder, KIND))?;
+    let own = share(world, found.members);
+    Ok((found, own))
+}
+
+/// The checkpoint of the members of a rank, if it has any.
+pub(crate) fn bytes_of_rank(folder: &Path, found: &Manifest, own: Range<usize>) -> Result<Option<Vec<u8>>, Failure> {
+    if own.is_empty() { Ok(None) } else { members_of_files(folder, &found.files, own).map(Some) }
 }
 
 /// The checkpoint of some members of all, from the files that have them.

@@ -1,6 +1,9 @@
 //! An ensemble whose members are dealt out to ranks.
 
-use crate::error::{Error, Failure, agree};
+use crate::{
+    error::{Error, Failure, agree},
+    held::Held,
+};
 use integrator_core::{
     __private::LaneScalars, Coords, Ensemble as Local, Error as CoreError, Hamiltonian, InLanes, Phase,
 };
@@ -30,6 +33,18 @@ pub(crate) fn share_of(rank: usize, ranks: usize, members: usize) -> Range<usize
     first(rank)..first(rank + 1)
 }
 
+/// The index of this rank's first member, and how many all ranks have, where it has so many.
+///
+/// # Errors
+/// [`Error::NoMembers`]
+pub(crate) fn counted(world: &impl Communicator, members: usize) -> Result<(usize, usize), Error> {
+    let mut counts = vec![0_u64; world.size() as usize];
+    world.all_gather_into(&(members as u64), &mut counts[..]);
+    let before = |rank: usize| counts[..rank].iter().sum::<u64>() as usize;
+    let (first, count) = (before(world.rank() as usize), before(counts.len()));
+    if count == 0 { Err(Error::NoMembers) } else { Ok((first, count)) }
+}
+
 /// Trajectories of one kind of system under way together on all ranks of a communicator.
 ///
 /// Members are counted over all ranks, in the order of these. A member has the bits of its run alone, however many ranks
@@ -40,7 +55,7 @@ pub(crate) fn share_of(rank: usize, ranks: usize, members: usize) -> Range<usize
 pub struct Ensemble<'w, W: Communicator, C: Coords> {
     world: &'w W,
     /// Nothing where this rank has no members.
-    local: Option<Local<C>>,
+    held: Option<Held<C>>,
     /// The index of this rank's first member.
     first: usize,
     /// How many members all ranks have.
@@ -101,37 +116,31 @@ impl<'w, W: Communicator, C: Coords> Ensemble<'w, W, C> {
         H::Coords: Coords<With<C::Leaf> = C>,
     {
         let members: Vec<_> = members_of_rank.into_iter().collect();
-        let mut counts = vec![0_u64; world.size() as usize];
-        world.all_gather_into(&(members.len() as u64), &mut counts[..]);
-        let before = |rank: usize| counts[..rank].iter().sum::<u64>() as usize;
-        let (first, count) = (before(world.rank() as usize), before(counts.len()));
-        if count == 0 {
-            return Err(Error::NoMembers);
-        }
+        let (first, count) = counted(world, members.len())?;
         let local = match Local::new(method, members, h) {
-            Ok(local) => Ok(Some(local)),
+            Ok(local) => Ok(Some(Held::Processor(local))),
             Err(CoreError::NoMembers) => Ok(None),
             Err(error) => Err(Failure::Core { error, first }),
         };
-        Ok(Self::of_local(world, agree(world, local)?, first, count, 0))
+        Ok(Self::of_held(world, agree(world, local)?, first, count, 0))
     }
 
     /// The ensemble with these members on this rank.
-    pub(crate) fn of_local(world: &'w W, local: Option<Local<C>>, first: usize, count: usize, steps: u64) -> Self {
-        Self { world, local, first, count, steps }
+    pub(crate) fn of_held(world: &'w W, held: Option<Held<C>>, first: usize, count: usize, steps: u64) -> Self {
+        Self { world, held, first, count, steps }
     }
 
     /// Starts the clock at `t0` instead of 0.
     #[must_use]
     pub fn at_time(mut self, t0: f64) -> Self {
-        self.local = self.local.map(|local| local.at_time(t0));
+        self.held = self.held.map(|held| held.at_time(t0));
         self
     }
 
     /// Uses at most so many threads on this rank, instead of all that it may run on; no result depends on it.
     #[must_use]
     pub fn with_threads(mut self, threads: usize) -> Self {
-        self.local = self.local.map(|local| local.with_threads(threads));
+        self.held = self.held.map(|held| held.with_threads(threads));
         self
     }
 
@@ -142,7 +151,7 @@ impl<'w, W: Communicator, C: Coords> Ensemble<'w, W, C> {
     /// them, and the ensemble goes on without the lost ones. [`Error::Rank`] for steps that cannot be counted, and a time that is
     /// not finite.
     pub fn advance(&mut self, steps: u64) -> Result<(), Error> {
-        self.carried(steps, |local| local.advance(steps))
+        self.carried(steps, |held, first| held.advance(steps, first))
     }
 
     /// As [`Ensemble::advance`], but after every `interval` steps each member under way is shown to `stays` with its index,
@@ -156,19 +165,17 @@ impl<'w, W: Communicator, C: Coords> Ensemble<'w, W, C> {
         interval: u64,
         stays: impl Fn(usize, &Phase<C>) -> bool + Sync,
     ) -> Result<(), Error> {
-        let first = self.first;
-        self.carried(steps, |local| local.advance_while(steps, interval, |member, state| stays(first + member, state)))
+        self.carried(steps, |held, first| held.advance_while(steps, interval, first, &stays))
     }
 
     /// What came of carrying on the members of each rank, as all of them are told it.
     fn carried(
         &mut self,
         steps: u64,
-        mut advance: impl FnMut(&mut Local<C>) -> Result<(), CoreError>,
+        advance: impl FnOnce(&mut Held<C>, usize) -> Result<(), Failure>,
     ) -> Result<(), Error> {
-        let first = self.first;
-        let outcome = self.local.as_mut().map_or(Ok(()), &mut advance);
-        let outcome = agree(self.world, outcome.map_err(|error| Failure::Core { error, first }));
+        let outcome = self.held.as_mut().map_or(Ok(()), |held| advance(held, self.first));
+        let outcome = agree(self.world, outcome);
         // Those that are not lost have taken their steps.
         if matches!(outcome, Ok(()) | Err(Error::Lost { .. })) {
             self.steps += steps;
@@ -193,19 +200,19 @@ impl<'w, W: Communicator, C: Coords> Ensemble<'w, W, C> {
 
     /// The indices of this rank's members.
     pub fn of_rank(&self) -> Range<usize> {
-        self.first..self.first + self.local.as_ref().map_or(0, Local::len)
+        self.first..self.first + self.local().map_or(0, Local::len)
     }
 
     /// How many members of all ranks are under way: neither lost nor gone. Collective.
     pub fn active(&self) -> usize {
-        let (own, mut all) = (self.local.as_ref().map_or(0, Local::active) as u64, 0_u64);
+        let (own, mut all) = (self.local().map_or(0, Local::active) as u64, 0_u64);
         self.world.all_reduce_into(&own, &mut all, SystemOperation::sum());
         all as usize
     }
 
     /// This rank's members as an ensemble of their own, whose members are counted from 0; `None` where it has none.
     pub fn local(&self) -> Option<&Local<C>> {
-        self.local.as_ref()
+        self.held.as_ref().map(Held::shown)
     }
 
     /// The communicator.
@@ -215,9 +222,10 @@ impl<'w, W: Communicator, C: Coords> Ensemble<'w, W, C> {
 
     /// The members of this rank, in their order.
     pub fn members_of_rank(&self) -> impl Iterator<Item = Member<'_, C>> {
-        let local = self.local.as_ref();
-        local.into_iter().flat_map(|local| local.states().enumerate().map(move |(own, state)| (local, own, state))).map(
-            |(local, own, state)| Member {
+        self.local()
+            .into_iter()
+            .flat_map(|local| local.states().enumerate().map(move |(own, state)| (local, own, state)))
+            .map(|(local, own, state)| Member {
                 index: self.first + own,
                 state,
                 // Members are counted as states are.
@@ -225,8 +233,7 @@ impl<'w, W: Communicator, C: Coords> Ensemble<'w, W, C> {
                 time: local.time_of(own).unwrap_or_default(),
                 local,
                 own,
-            },
-        )
+            })
     }
 
     /// Shows every member of this rank, in their order.

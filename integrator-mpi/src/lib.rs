@@ -34,15 +34,20 @@
 #[cfg(feature = "chaos")]
 pub mod chaos;
 mod checkpoint;
+#[cfg(feature = "gpu")]
+mod device;
 mod ensemble;
 mod error;
 mod exact_sum;
+mod held;
 mod lattice;
 mod output;
 mod parts;
 mod reductions;
 mod states;
 
+#[cfg(feature = "gpu")]
+pub use device::Device;
 use ensemble::share_of;
 pub use ensemble::{Ensemble, Member, share};
 pub use error::{Error, LostMember};

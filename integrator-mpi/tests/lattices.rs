@@ -9,7 +9,7 @@ use integrator_core::{Composition, Coords, prelude::*};
 use mpirun::Program;
 use systems::*;
 
-const LATTICES: Program = Program("lattice_program");
+const LATTICES: Program = Program("lattice_program", None);
 
 /// Holds what any number of ranks print against a run on this processor.
 fn is_a_run<H, C, X>(case: &str, composition: X, sites: usize, slab: fn(&[usize]) -> (H, Phase<C>))

@@ -8,8 +8,8 @@ use std::{
 /// The command of a package, beside which are the examples.
 pub(crate) const JOIN: &str = env!("CARGO_BIN_EXE_join");
 
-/// A program that ranks run.
-pub(crate) struct Program(pub(crate) &'static str);
+/// A program that ranks run, and the instruction set that it is to use.
+pub(crate) struct Program(pub(crate) &'static str, pub(crate) Option<&'static str>);
 
 impl Program {
     /// Starts a case on so many ranks; nothing where there is no `mpirun`.
@@ -19,6 +19,7 @@ impl Program {
             .args(["--oversubscribe", "-n", &ranks.to_string()])
             .arg(program)
             .args(arguments)
+            .envs(self.1.map(|set| ("INTEGRATOR_ISA", set)))
             // In containers, tests are root's.
             .env("OMPI_ALLOW_RUN_AS_ROOT", "1")
             .env("OMPI_ALLOW_RUN_AS_ROOT_CONFIRM", "1")

@@ -16,6 +16,29 @@ fn main() {
     let world = universe.world();
     match &arguments[1][..] {
         "plain" => numbers(&world, MEMBERS, |i| (pendulum(i), Phase::new([i as f64 / 40.0], [0.1]))),
+        #[cfg(feature = "gpu")]
+        "on devices" => {
+            // The odd ranks have a program in the place of a device, the others what there is.
+            let device = if world.rank() % 2 == 1 { cluster::Device::Text } else { cluster::Device::Best };
+            let members = cluster::share(&world, MEMBERS).map(|i| (pendulum(i), Phase::new([i as f64 / 40.0], [0.1])));
+            let swarm = cluster::Ensemble::on(&world, device, Yoshida4, members, 0.01).expect("finite starts");
+            numbers_of(swarm);
+        }
+        #[cfg(feature = "gpu")]
+        "resume on devices" => {
+            let device = cluster::Device::Text;
+            match cluster::Ensemble::<_, [f64; 1]>::resume_on(&world, device, Yoshida4, fall, &arguments[2]) {
+                Ok(swarm) => finish(&world, swarm),
+                Err(error) => on_every_rank(&world, &error.to_string()),
+            }
+        }
+        #[cfg(feature = "gpu")]
+        "no device" => {
+            let device = if world.rank() == 1 { cluster::Device::Cuda(1_000) } else { cluster::Device::Best };
+            let members = cluster::share(&world, MEMBERS).map(|i| (pendulum(i), Phase::new([0.1], [0.1])));
+            let refused = cluster::Ensemble::on(&world, device, Yoshida4, members, 0.01);
+            on_every_rank(&world, &refused.err().map_or("accepted".to_owned(), |error| error.to_string()));
+        }
         "compensated" => numbers(&world, MEMBERS, |i| (pendulum(i), Phase::compensated([i as f64 / 40.0], [0.1]))),
         "few" => numbers(&world, 2, |i| (pendulum(i), Phase::new([0.5 + i as f64], [0.1]))),
         "lists" => numbers(&world, 7, |i| (systems::Chain, Phase::new(vec![0.1; i + 1], vec![0.2; i + 1]))),
@@ -121,8 +144,12 @@ where
     H::Coords: Coords<With<C::Leaf> = C>,
     Yoshida4: integrator_core::InLanes<H>,
 {
-    let mut swarm = cluster::Ensemble::new::<H, _>(world, Yoshida4, cluster::share(world, members).map(member), 0.01)
-        .expect("finite starts");
+    let swarm = cluster::Ensemble::new::<H, _>(world, Yoshida4, cluster::share(world, members).map(member), 0.01);
+    numbers_of(swarm.expect("finite starts"));
+}
+
+/// The same of an ensemble that is there.
+fn numbers_of<W: Communicator, C: Coords>(mut swarm: cluster::Ensemble<'_, W, C>) {
     swarm.advance(STEPS).expect("no member is lost");
     assert_eq!(swarm.steps(), STEPS);
     let first = |member: &cluster::Member<'_, C>| Some(member.state.to_f64().q.flat()[0]);
@@ -133,7 +160,7 @@ where
     let histogram = swarm.histogram(-1.0..1.0, 8, first);
     let active = swarm.active();
     if let Some(states) = swarm.states_on_root() {
-        assert_eq!(states.len(), members);
+        assert_eq!(states.len(), swarm.len());
         println!("{states:?}");
         println!("{moments:?} {extremes:?} {sum:?} {none:?} {histogram:?} {active}");
     }

@@ -17,7 +17,7 @@ use std::{
 };
 use systems::{HenonHeiles, MEMBERS, STEPS, pendulum};
 
-const RANKS: Program = Program("rank_program");
+const RANKS: Program = Program("rank_program", None);
 
 #[test]
 fn states_and_sums_do_not_depend_on_the_number_of_ranks() {
@@ -34,6 +34,31 @@ fn states_and_sums_do_not_depend_on_the_number_of_ranks() {
     for case in ["compensated", "few", "lists"] {
         RANKS.on_any_number(&[case]);
     }
+}
+
+/// A program takes the place of a device.
+#[cfg(feature = "gpu")]
+#[test]
+fn ranks_have_their_members_on_devices() {
+    const ON_DEVICES: Program = Program("rank_program", Some("avx2"));
+    let can_compare = integrator_core::InstructionSet::available().contains(&integrator_core::InstructionSet::Fused);
+    let has_compiler =
+        ["c++", "g++", "clang++"].iter().any(|name| Command::new(name).arg("--version").output().is_ok());
+    if !can_compare || !has_compiler {
+        return println!("SKIPPED: without fused multiply-add or a C++ compiler there is nothing to compare");
+    }
+    let Some(plain) = ON_DEVICES.printed(1, &["plain"]) else { return };
+    assert_eq!(ON_DEVICES.printed(3, &["on devices"]), Some(plain));
+    let (saved, name) = (folder("devices"), folder("devices").display().to_string());
+    let Some(whole) = ON_DEVICES.printed(3, &["save", &name]) else { return };
+    let Some(resumed) = ON_DEVICES.printed(2, &["resume on devices", &name]) else { return };
+    assert!(end(&resumed).is_some() && end(&resumed) == end(&whole), "{resumed}");
+    let refused = ON_DEVICES.printed(2, &["no device"]).unwrap_or_default();
+    assert!(
+        ["no NVIDIA driver", "no device 1000"].iter().any(|says| refused.starts_with(&format!("on rank 1: {says}"))),
+        "{refused}"
+    );
+    fs::remove_dir_all(saved).unwrap();
 }
 
 #[test]

@@ -13,7 +13,8 @@ pub(crate) fn pendulum(i: usize) -> Pendulum {
     Pendulum { length: 0.5 + i as f64 / 100.0 }
 }
 
-#[hamiltonian]
+#[cfg_attr(feature = "gpu", hamiltonian(gpu))]
+#[cfg_attr(not(feature = "gpu"), hamiltonian)]
 impl Pendulum {
     fn kinetic(&self, p: [f64; 1]) -> f64 {
         p[0].powi(2) / (2.0 * self.length.powi(2))
@@ -45,7 +46,8 @@ pub(crate) fn fall(i: usize) -> Fall {
     Fall { pull: 1.0 + i as f64 / 1000.0 }
 }
 
-#[hamiltonian]
+#[cfg_attr(feature = "gpu", hamiltonian(gpu))]
+#[cfg_attr(not(feature = "gpu"), hamiltonian)]
 impl Fall {
     fn kinetic(&self, p: [f64; 1]) -> f64 {
         p[0].powi(2) / 2.0
