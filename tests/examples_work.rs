@@ -76,7 +76,7 @@ fn order_gives_way_to_chaos_in_the_galaxy() {
     let sections = [section("1/12", 1.0 / 12.0), section("1/6", 1.0 / 6.0)];
     let [low, at_escape] = [0, 1].map(|i| sections[i].regular());
     assert!(low == 1.0 && at_escape < 0.25, "{low} and {at_escape} of the sections are regular");
-    let words = ["Energy 1/12", "100 % of the section", "Energy 1/6", "p_y"];
+    let words = ["Energy 1/12", "100 % of the section", "Energy 1/6", "ẏ"];
     let text = drawn("sections", &section_picture::picture(&sections), &words);
     assert_eq!(text.matches("<image").count(), 2, "the points of a section are one bitmap");
 }

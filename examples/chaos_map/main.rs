@@ -45,8 +45,8 @@ fn main() -> Result<(), Box<dyn Error>> {
         let [along, up] = names.map(Axis::linear);
         chart.along(along.between(left, right)).up(up.between(low, high))
     };
-    let galaxy = picture(&section, &of_section, "Hénon and Heiles, energy 1/8", ["y", "p_y"])
-        .claim("Tori are dark, the chaotic sea is light; x = 0, p_x > 0");
+    let galaxy = picture(&section, &of_section, "Hénon and Heiles, energy 1/8", ["y", "ẏ"])
+        .claim("Tori are dark, the chaotic sea is light; x = 0, ẋ > 0");
     galaxy.save(folder().join("chaos_map_galaxy.png"))?;
     let mut asteroids = picture(&belt, &of_belt, "Asteroids inside of Jupiter's orbit", ["axis / au", "eccentricity"])
         .claim(

@@ -2,8 +2,9 @@
 //!
 //! Look at `gallery_energies`: the energy of forward Euler leaves the picture upwards and that of backward Euler downwards,
 //! Runge and Kutta's method loses a little in every swing, and those of the symplectic methods stay where they are. In
-//! `gallery_orbit` an ellipse turns, because steps are long; in `gallery_section` there are islands in a sea; `gallery_map` is
-//! how long a star stays in a galaxy from which it can escape, black where it does so at once.
+//! `gallery_orbit` an ellipse turns, because steps are long; in `gallery_phase` blue motions stay in their wells, and orange ones
+//! go over the hill; in `gallery_section` there are islands in a sea; `gallery_map` is how long a star stays in a galaxy from
+//! which it can escape, black where it does so at once.
 
 mod systems;
 
@@ -14,18 +15,32 @@ use integrator_core::{
 };
 use integrator_plot as plot;
 use std::{env, error::Error, path::PathBuf};
-use systems::{HenonHeiles, Kepler, Pendulum};
+use systems::{DoubleWell, HenonHeiles, Kepler, Pendulum};
 
 fn swing(method: impl Method<Pendulum>) -> Result<Vec<Sample<[f64; 1]>>, integrator_core::Error> {
     Pendulum.run_with(method, Phase::new([2.0], [0.0]), 0.2)?.samples(1).take(840).collect()
 }
 
+/// From the bottoms of two wells, with different momenta. The hill between them is 1 high.
+fn wells() -> Result<plot::Chart, integrator_core::Error> {
+    let within = [0.5, 1.0, 1.35].into_iter().flat_map(|p| [(1.0, p), (-1.0, p)]);
+    within.chain([(1.0, 1.5), (1.0, 2.0)]).try_fold(plot::phase::<[f64; 1]>(&[]), |chart, (q, p)| {
+        let run = DoubleWell.run_with(Yoshida4, Phase::new([q], [p]), 0.02)?;
+        let colour = plot::colour::COLOURS[if run.energy() < 1.0 { 6 } else { 3 }];
+        let samples = run.samples(1).take(400).collect::<Result<Vec<_>, _>>()?;
+        let points = samples.iter().map(|sample| (sample.state.q[0], sample.state.p[0]));
+        Ok(chart.line("", points).coloured(colour).wide(1.5))
+    })
+}
+
 /// Where orbits of a star of some energy pass x = 0 to the right.
 fn section(energy: f64) -> Result<Vec<(f64, f64)>, integrator_core::Error> {
     let mut points = Vec::new();
-    for i in 0..24 {
-        let y = -0.4 + 0.045 * f64::from(i);
-        let Some(start) = HenonHeiles.start(energy, y, 0.0) else { continue };
+    let along_y = (0..24).map(|i| (-0.4 + 0.045 * f64::from(i), 0.0));
+    // Islands that no star without a momentum along y meets.
+    let beside = [0.20, 0.22, 0.24, 0.26, 0.28].into_iter().flat_map(|py| [(0.0, py), (0.0, -py)]);
+    for (y, py) in along_y.chain(beside) {
+        let Some(start) = HenonHeiles.start(energy, y, py) else { continue };
         let run = HenonHeiles.run_with(BlanesMoanSrkn6, start, 0.2)?;
         for point in run.crossings(20_000, Direction::Rising, |state, _| state.q[0]) {
             let state = point?.state;
@@ -65,11 +80,12 @@ fn main() -> Result<(), Box<dyn Error>> {
         .save(folder.join("gallery_energies.svg"))?;
 
     let run = Kepler.run_with(Verlet, Phase::new([1.6, 0.0], [0.0, 0.5]), 0.08)?;
-    let orbit = run.samples(1).take(900).collect::<Result<Vec<_>, _>>()?;
+    // Between the steps as well: the line is round however long these are.
+    let orbit = run.samples_at(0.02).take(3_600).collect::<Result<Vec<_>, _>>()?;
     plot::orbit(&orbit).title("An ellipse by Verlet").save(folder.join("gallery_orbit.svg"))?;
-    plot::phase(&swing(Verlet)?).title("A swing").save(folder.join("gallery_phase.svg"))?;
+    wells()?.title("A double well").save(folder.join("gallery_phase.svg"))?;
 
-    let axes = |chart: plot::Chart| chart.along(plot::Axis::linear("y")).up(plot::Axis::linear("p_y"));
+    let axes = |chart: plot::Chart| chart.along(plot::Axis::linear("y")).up(plot::Axis::linear("ẏ"));
     let chart = plot::section_of(section(1.0 / 8.0)?).title("Hénon and Heiles at an energy of 1/8");
     axes(chart).save(folder.join("gallery_section.svg"))?;
 

@@ -1,4 +1,4 @@
-//! A pendulum, an ellipse, and a star in a galaxy.
+//! A pendulum, two wells, an ellipse, and a star in a galaxy.
 
 use integrator_core::prelude::*;
 
@@ -11,6 +11,18 @@ impl Pendulum {
     }
     fn potential(&self, q: [f64; 1]) -> f64 {
         -q[0].cos()
+    }
+}
+
+pub(crate) struct DoubleWell;
+
+#[hamiltonian]
+impl DoubleWell {
+    fn kinetic(&self, p: [f64; 1]) -> f64 {
+        0.5 * p[0] * p[0]
+    }
+    fn potential(&self, q: [f64; 1]) -> f64 {
+        (q[0].powi(2) - 1.0).powi(2)
     }
 }
 

@@ -25,7 +25,7 @@ impl Section {
         Chart::new(format!("Energy {}", self.name))
             .measured(format!("{:.0} % of the section is regular", 100.0 * self.regular()))
             .along(Axis::linear("y"))
-            .up(Axis::linear("p_y"))
+            .up(Axis::linear("ẏ"))
             .line("", border(self.energy))
             .coloured(colour::GREY)
             .cloud("", points(false))

@@ -33,7 +33,7 @@ pub(crate) fn picture(
         "Liquid argon",
         "Shells of neighbours without gaps between them, and atoms that do not stay where they are",
     )
-    .measured(format!("first peak {height:.2} at {place:.2} Å, diffusion {:.2}e-5 cm²/s", diffusion * 10.0))
+    .measured(format!("first peak {height:.2} at {place:.2} Å, diffusion {:.2}·10⁻⁵ cm²/s", diffusion * 10.0))
     .columns(2)
     .panel(520, 400)
     .chart(pairs)

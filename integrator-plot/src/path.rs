@@ -30,14 +30,16 @@ pub(crate) fn pieces(points: impl Iterator<Item = Option<Place>>, border: Border
 
 /// How far a curve may be moved by leaving out a point, in pixels.
 const UNSEEN: f64 = 0.04;
-/// From so many points after each other in a column of half a pixel, four are kept of these.
+/// Points after each other in a column of half a pixel are a crowd if they are so many, and the curve through them is so many
+/// times as long as the column is high: four of them are kept. A curve that merely turns around there is not.
 const CROWD: usize = 8;
+const TO_AND_FRO: f64 = 4.0;
 
 /// The curve without points that add nothing to what is seen.
 fn thinned(points: Vec<Place>) -> Vec<Place> {
     let mut kept: Vec<Place> = Vec::new();
     for column in points.chunk_by(|a, b| (2.0 * a.0).floor() == (2.0 * b.0).floor()) {
-        if column.len() < CROWD {
+        if !is_crowd(column) {
             kept.extend(column);
             continue;
         }
@@ -51,6 +53,15 @@ fn thinned(points: Vec<Place>) -> Vec<Place> {
     }
     let needed = needed(&kept);
     kept.into_iter().zip(needed).filter_map(|(point, needed)| needed.then_some(point)).collect()
+}
+
+/// Whether a curve goes up and down within a column so often that nothing but its extremes is seen.
+fn is_crowd(column: &[Place]) -> bool {
+    let heights = column.iter().map(|place| place.1);
+    let (lowest, highest) =
+        heights.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), y| (low.min(y), high.max(y)));
+    let length: f64 = column.windows(2).map(|pair| (pair[1].0 - pair[0].0).hypot(pair[1].1 - pair[0].1)).sum();
+    column.len() >= CROWD && length >= TO_AND_FRO * (highest - lowest)
 }
 
 /// Which points a curve needs, after Ramer, Douglas and Peucker: of a part of the curve the one that is farthest from the
@@ -127,6 +138,18 @@ mod tests {
         let thin = &cut(&round)[0];
         // Chords of a circle of radius 4 that are 0.04 off at their middle are 1.13 long.
         assert!((20..80).contains(&thin.len()), "{} points", thin.len());
+    }
+
+    #[test]
+    fn a_curve_that_turns_around_within_a_column_stays_round() {
+        // Some hundred points of a circle lie in the last half pixel.
+        let round: Vec<Place> =
+            (-1000..=1000).map(|i| f64::from(i) * 2e-3).map(|t| (5.9 + 4.0 * t.cos(), 5.0 + 4.0 * t.sin())).collect();
+        let off = |(x, y): Place| ((x - 5.9).hypot(y - 5.0) - 4.0).abs();
+        for piece in cut(&round) {
+            let middles = piece.windows(2).map(|pair| (0.5 * (pair[0].0 + pair[1].0), 0.5 * (pair[0].1 + pair[1].1)));
+            assert!(middles.map(off).all(|off| off < 0.05), "{piece:?}");
+        }
     }
 
     #[test]

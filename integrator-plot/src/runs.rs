@@ -47,8 +47,8 @@ pub fn phase_of<'s, C: Coords>(samples: impl IntoIterator<Item = &'s Sample<C>>,
     Chart::new("").along(Axis::linear(q)).up(Axis::linear(p)).line("", points).sized(760, 640)
 }
 
-/// Where a motion goes, in equal units: of bodies in a plane or in space, `x` and `y` of each; of plain coordinates, the second
-/// against the first; of a single one, the coordinate against the time.
+/// Where a motion goes, in equal units, on a sheet of its own shape: of bodies in a plane or in space, `x` and `y` of each; of
+/// plain coordinates, the second against the first; of a single one, the coordinate against the time.
 pub fn orbit<'s, C: Coords>(samples: impl IntoIterator<Item = &'s Sample<C>>) -> Chart {
     let mut paths: Vec<Vec<(f64, f64)>> = Vec::new();
     let mut alone = false;
@@ -71,13 +71,30 @@ pub fn orbit<'s, C: Coords>(samples: impl IntoIterator<Item = &'s Sample<C>>) ->
     };
     let [along, up] = names.map(Axis::linear);
     let chart = Chart::new("").along(along).up(up);
-    let chart = if alone { chart.sized(900, 520) } else { chart.with_equal_units().sized(820, 720) };
+    let chart = if alone {
+        chart.sized(900, 520)
+    } else {
+        let [width, height] = shape(paths.iter().flatten()).map(|part| (600.0 * part) as u32);
+        chart.with_equal_units().sized(220 + width, 120 + height)
+    };
     let (few, width) = (paths.len() <= COLOURS.len(), if paths.len() <= COLOURS.len() { 1.75 } else { 1.0 });
     paths.into_iter().zip(1..).fold(chart, |chart, (path, body)| {
         // More bodies than colours have no names that help.
         let name = if few { format!("body {body}") } else { String::new() };
         chart.line(name, path).wide(width)
     })
+}
+
+/// How wide and how high points lie, in units of the larger of both; neither is shown as less than two fifths of the other.
+fn shape<'p>(points: impl Iterator<Item = &'p (f64, f64)>) -> [f64; 2] {
+    let finite = points.filter(|(x, y)| x.is_finite() && y.is_finite());
+    let ends = finite.fold([[f64::INFINITY, f64::NEG_INFINITY]; 2], |[x, y], point| {
+        [(x, point.0), (y, point.1)].map(|([least, most], number)| [least.min(number), most.max(number)])
+    });
+    let [across, up] = ends.map(|[least, most]| most - least);
+    // Of a point, or of none, nothing is known.
+    let part = |length: f64, other: f64| if other > 0.0 { (length / other).clamp(0.4, 1.0) } else { 1.0 };
+    [part(across, up), part(up, across)]
 }
 
 /// Where an orbit passes a surface: of the crossings, the second momentum against the second position, which are what is
