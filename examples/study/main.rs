@@ -5,16 +5,13 @@
 
 mod sweep;
 
-use std::{
-    ops::ControlFlow,
-    path::PathBuf,
-    sync::atomic::{AtomicBool, Ordering},
-};
-use sweep::{Fallible, sweep};
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::{error::Error, ops::ControlFlow, path::PathBuf};
+use sweep::sweep;
 
 static STOP: AtomicBool = AtomicBool::new(false);
 
-fn main() -> Fallible<()> {
+fn main() -> Result<(), Box<dyn Error>> {
     ctrlc::set_handler(|| STOP.store(true, Ordering::Relaxed))?;
     let data = concat!(env!("CARGO_MANIFEST_DIR"), "/data/study");
     let mut folders = std::env::args().skip(1).map(PathBuf::from);
@@ -23,11 +20,11 @@ fn main() -> Fallible<()> {
         println!("{line}");
         if STOP.load(Ordering::Relaxed) { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
     };
-    let Some(outcomes) = sweep(&from, &to, told)? else {
+    let outcomes = sweep(&from, &to, told)?;
+    if outcomes.is_none() {
         println!("stopped; start it again to go on");
-        return Ok(());
-    };
-    for outcome in outcomes {
+    }
+    for outcome in outcomes.into_iter().flatten() {
         println!("flattening {}, start {}: energy {:+.1e}", outcome.flattening, outcome.start, outcome.error);
     }
     Ok(())

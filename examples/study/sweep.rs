@@ -40,15 +40,13 @@ pub(crate) struct Outcome {
     pub(crate) end: Phase<[f64; 2]>,
 }
 
-pub(crate) type Fallible<T> = Result<T, Box<dyn AnyError>>;
-
 /// Carries out what is left of a study; `told` hears of each piece, and may break it off. Called again, it goes on from there:
 /// whole files are all that is ever seen, and a piece that was not finished is made anew with the same bits.
 pub(crate) fn sweep(
     from: &Path,
     to: &Path,
     mut told: impl FnMut(&str) -> ControlFlow<()>,
-) -> Fallible<Option<Vec<Outcome>>> {
+) -> Result<Option<Vec<Outcome>>, Box<dyn AnyError>> {
     let study: Study = toml::from_str(&fs::read_to_string(from.join("study.toml"))?)?;
     // The columns x, y, px, py.
     let starts =
@@ -78,7 +76,7 @@ pub(crate) fn sweep(
 }
 
 /// Writes the samples of a piece; the first one of a later piece was the last of that before.
-fn write(run: Run<[f64; 2]>, study: &Study, path: &Path) -> Fallible<Run<[f64; 2]>> {
+fn write(run: Run<[f64; 2]>, study: &Study, path: &Path) -> Result<Run<[f64; 2]>, Box<dyn AnyError>> {
     let skipped = usize::from(run.steps() > 0);
     let mut samples = run.samples(study.interval);
     let partial = path.with_extension("partial");

@@ -133,8 +133,8 @@ pub enum Error {
         /// How many momenta.
         momenta: usize,
     },
-    /// The start time is not finite.
-    #[error("the start time t0 is {time}: it has to be finite")]
+    /// The time of a start, or one to go to, is not finite.
+    #[error("the time {time} is not finite, and no run starts or arrives there")]
     Time {
         /// The time that was asked for.
         time: f64,

@@ -41,7 +41,7 @@ fn starts_that_are_not_finite() {
 fn a_clock_that_starts_at_no_time() {
     let mut run = HenonHeiles.run(start(), 0.1).expect("an admissible start").at_time(f64::NAN);
     let error = run.advance(1).expect_err("no time");
-    assert_eq!(error.to_string(), "the start time t0 is NaN: it has to be finite");
+    assert_eq!(error.to_string(), "the time NaN is not finite, and no run starts or arrives there");
     assert_eq!(run.steps(), 0);
 }
 

@@ -28,6 +28,11 @@ const CHUNK: usize = 256;
 /// The positions or the momenta of a system, in the shape that the user wrote: `[K; N]`, `[[K; D]; N]`, `Vec<K>` or
 /// `Vec<[K; D]>` with a leaf `K` of `f64`, `f32`, [`Compensated<f64>`](crate::Compensated) or
 /// [`Fixed<f64>`](crate::Fixed).
+#[diagnostic::on_unimplemented(
+    message = "positions and momenta are arrays or vectors, and not `{Self}`",
+    label = "neither an array nor a `Vec` of numbers or points",
+    note = "write `[1.0]` where you wrote `1.0` for a single coordinate, `[[x, y], [x, y]]` for points, and `vec![...]` where their number is known at run time"
+)]
 pub trait Coords: Clone + Debug + PartialEq + Send + Sync + 'static {
     /// The type of one coordinate.
     type Leaf: Precision;
