@@ -17,9 +17,9 @@ pub(crate) struct Figure {
 }
 
 const STYLE: &str = "body{font:16px/1.5 sans-serif;color:#282828;max-width:1320px;margin:2em auto;padding:0 1em}\
-svg{max-width:100%;height:auto}figure{margin:2em 0;border-top:1px solid #e2e2e2}table{border-collapse:collapse}\
-td,th{padding:.3em .8em;text-align:left;vertical-align:top;border-bottom:1px solid #e2e2e2}\
-td.number,td.method{white-space:nowrap}math{font-size:112%}td math{margin-right:1em}.FAILED{color:#d55e00;font-weight:bold}\
+svg{max-width:100%;height:auto}figure{margin:2em 0;border-top:1px solid #e2e2e2}table{border-collapse:collapse;\
+display:block;overflow-x:auto}td,th{padding:.3em .5em;text-align:left;vertical-align:top;border-bottom:1px solid #e2e2e2}\
+td.number{white-space:nowrap}td.method{min-width:8.5em}math{font-size:112%}td math{font-size:100%;margin-right:1em}.FAILED{color:#d55e00;font-weight:bold}\
 .chip{display:inline-block;width:1.6em;height:.28em;vertical-align:middle;margin-right:.5em}";
 
 /// The page of a system: its claims, its methods if they were measured, its pictures.

@@ -152,7 +152,9 @@ impl<'c> Frame<'c> {
         let wanted: Vec<f64> = visible.iter().map(|(place, ..)| place.1).collect();
         let heights = apart(&wanted, 1.3 * size, [self.border[1], self.border[3]]);
         for ((place, name, colour), height) in visible.into_iter().zip(heights) {
-            let thin = Stroke::new(colour, 0.75);
+            // A long way to a curve that ended early is not to be taken for one.
+            let far = right - place.0 > 0.1 * (right - self.border[0]);
+            let thin = Stroke::new(if far { PALE } else { colour }, 0.75);
             self.canvas.line([(place.0 + 6.0, place.1), (right + 2.0, height), (right + 8.0, height)], thin);
             self.canvas.text(name, (right + 12.0, height + 0.36 * size), bold(size).coloured(colour));
         }

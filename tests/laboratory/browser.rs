@@ -5,15 +5,16 @@ use std::{env, fs, process::Command};
 
 const BROWSERS: [&str; 2] = ["chromium", "chromium-browser"];
 
-/// Counts the pictures and the formulas that have a size in which something is drawn, and writes the numbers where they can
-/// be read.
+/// Counts the pictures and the formulas that have a size in which something is drawn, looks whether one has to scroll sideways,
+/// and writes all that where it can be read.
 const COUNT: &str = "<script>
 const drawn = [...document.querySelectorAll('figure svg')].filter(svg => {
   const box = svg.getBoundingClientRect(), inside = svg.getBBox();
   return box.width > 100 && box.height > 100 && inside.width > 100 && inside.height > 100;
 });
 const math = [...document.querySelectorAll('math')].filter(math => math.getBoundingClientRect().width > 10);
-document.body.dataset.drawn = 'pictures: ' + drawn.length + ', formulas: ' + math.length;
+const page = document.documentElement, beyond = page.scrollWidth - page.clientWidth;
+document.body.dataset.drawn = 'pictures: ' + drawn.length + ', formulas: ' + math.length + ', pixels beyond: ' + beyond;
 </script>";
 
 #[test]
@@ -28,8 +29,8 @@ fn a_browser_shows_every_page_without_an_error() {
     let folder = env::temp_dir().join(format!("integrator-browser-{}", std::process::id()));
     fs::create_dir_all(&folder).expect("a folder");
     for Written { system, page: text, .. } in written() {
-        let expected =
-            format!("pictures: {}, formulas: {}", text.matches("<figure").count(), text.matches("<math").count());
+        let [pictures, formulas] = ["<figure", "<math"].map(|element| text.matches(element).count());
+        let expected = format!("pictures: {pictures}, formulas: {formulas}, pixels beyond: 0");
         let page = folder.join(format!("{system}.html"));
         fs::write(&page, text.replace("</html>", &format!("{COUNT}</html>"))).expect("a page to write");
         let output = Command::new(browser)
