@@ -79,7 +79,8 @@ impl Members {
     /// Moves members to a device.
     ///
     /// # Errors
-    /// [`Error::Driver`], [`Error::NoDevice`], [`Error::Compiler`], [`Error::Kernel`], [`Error::Memory`], [`Error::Call`]
+    /// [`Error::Driver`], [`Error::NoDevice`], [`Error::Compiler`], [`Error::Kernel`], [`Error::NewerCompiler`], [`Error::Memory`],
+    /// [`Error::Call`]
     pub(crate) fn new(ordinal: usize, text: &str, precision: &str, memory: &Memory) -> Result<Self, Error> {
         // SAFETY: nothing but the search for a library.
         if !unsafe { driver::is_culib_present() } {
@@ -94,6 +95,7 @@ impl Members {
         let bytes = 8 * (memory.constants.len() + 2 * memory.state.len() + members);
         let refused = |error: DriverError| match error.0 {
             CUresult::CUDA_ERROR_OUT_OF_MEMORY => Error::Memory(members, bytes >> 20),
+            CUresult::CUDA_ERROR_UNSUPPORTED_PTX_VERSION => Error::NewerCompiler,
             _ => Error::Call(error.to_string()),
         };
         let context = CudaContext::new(ordinal).map_err(refused)?;

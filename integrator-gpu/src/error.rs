@@ -20,6 +20,12 @@ pub enum Error {
          folder `lib` belongs into LD_LIBRARY_PATH"
     )]
     Compiler,
+    /// The driver does not know what this NVRTC writes.
+    #[error(
+        "NVRTC is newer than the driver, which cannot load its kernels: take a newer driver, or the NVRTC of the CUDA version that \
+         `nvidia-smi` names, as by `pip install 'nvidia-cuda-nvrtc-cu12==12.4.*'`"
+    )]
+    NewerCompiler,
     /// The machine has no device of this number.
     #[error("no device {0}: the driver knows {1}; `nvidia-smi` lists them")]
     NoDevice(usize, usize),
@@ -36,7 +42,10 @@ pub enum Error {
     #[error("the kernel does not compile, please report it: {0}")]
     Kernel(String),
     /// The driver refused a call.
-    #[error("the driver says {0}")]
+    #[error(
+        "the driver says {0}; nothing more can be asked of these members: go on from a checkpoint, on another device or with \
+         `Device::Best`"
+    )]
     Call(String),
     /// The program that takes the place of a device could not be made or run.
     #[error("the program of the text for devices: {0}")]

@@ -61,7 +61,7 @@ impl<'w, W: Communicator, C: Coords> Ensemble<'w, W, C> {
         let local = || {
             let Some(bytes) = bytes_of_rank(folder, &found, own.clone())? else { return Ok(None) };
             let local = Local::resume(method, own.clone().map(&system), &bytes);
-            local.map(|local| Some(Held::Processor(local))).map_err(at(folder))
+            local.map(|local| Some(Held::Processor(Box::new(local)))).map_err(at(folder))
         };
         let local = agree(world, local())?;
         Ok(Self::of_held(world, local, own.start, found.members, found.steps))

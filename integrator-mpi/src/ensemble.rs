@@ -118,7 +118,7 @@ impl<'w, W: Communicator, C: Coords> Ensemble<'w, W, C> {
         let members: Vec<_> = members_of_rank.into_iter().collect();
         let (first, count) = counted(world, members.len())?;
         let local = match Local::new(method, members, h) {
-            Ok(local) => Ok(Some(Held::Processor(local))),
+            Ok(local) => Ok(Some(Held::Processor(Box::new(local)))),
             Err(CoreError::NoMembers) => Ok(None),
             Err(error) => Err(Failure::Core { error, first }),
         };

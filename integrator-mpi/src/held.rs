@@ -7,7 +7,7 @@ use integrator_gpu::{Ensemble as OnDevice, Error as DeviceError};
 
 /// The members of a rank.
 pub(crate) enum Held<C: Coords> {
-    Processor(Local<C>),
+    Processor(Box<Local<C>>),
     /// After each call, the processor has them where the device has them.
     #[cfg(feature = "gpu")]
     Device(Box<OnDevice<C>>),
@@ -26,7 +26,7 @@ impl<C: Coords> Held<C> {
     /// Starts the clock at `t0`.
     pub(crate) fn at_time(self, t0: f64) -> Self {
         match self {
-            Self::Processor(local) => Self::Processor(local.at_time(t0)),
+            Self::Processor(local) => Self::Processor(Box::new(local.at_time(t0))),
             #[cfg(feature = "gpu")]
             Self::Device(device) => Self::Device(Box::new(device.at_time(t0))),
         }
@@ -35,7 +35,7 @@ impl<C: Coords> Held<C> {
     /// Uses at most so many threads.
     pub(crate) fn with_threads(self, threads: usize) -> Self {
         match self {
-            Self::Processor(local) => Self::Processor(local.with_threads(threads)),
+            Self::Processor(local) => Self::Processor(Box::new(local.with_threads(threads))),
             #[cfg(feature = "gpu")]
             Self::Device(device) => Self::Device(Box::new(device.with_threads(threads))),
         }

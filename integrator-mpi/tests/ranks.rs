@@ -39,13 +39,19 @@ fn states_and_sums_do_not_depend_on_the_number_of_ranks() {
 /// A program takes the place of a device.
 #[cfg(feature = "gpu")]
 #[test]
-fn ranks_have_their_members_on_devices() {
+fn members_have_the_same_bits_on_devices_and_ranks_may_have_them_there() {
     const ON_DEVICES: Program = Program("rank_program", Some("avx2"));
     let can_compare = integrator_core::InstructionSet::available().contains(&integrator_core::InstructionSet::Fused);
     let has_compiler =
         ["c++", "g++", "clang++"].iter().any(|name| Command::new(name).arg("--version").output().is_ok());
     if !can_compare || !has_compiler {
         return println!("SKIPPED: without fused multiply-add or a C++ compiler there is nothing to compare");
+    }
+    const EVERYWHERE: Program = Program("everywhere", Some("avx2"));
+    let Some(here) = EVERYWHERE.printed(1, &[]) else { return };
+    assert_eq!(here.trim().len(), 16, "{here}");
+    for (ranks, place) in [(1, "device"), (1, "text"), (4, "ranks")] {
+        assert_eq!(EVERYWHERE.printed(ranks, &[place]).as_ref(), Some(&here), "{place}");
     }
     let Some(plain) = ON_DEVICES.printed(1, &["plain"]) else { return };
     assert_eq!(ON_DEVICES.printed(3, &["on devices"]), Some(plain));

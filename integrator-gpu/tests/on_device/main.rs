@@ -1,9 +1,12 @@
-//! What only a device can tell: bits, lost members, and how fast it is. `integrator-gpu/on_device.sh` runs it; without a
-//! device every test says that it was skipped.
+//! What only a device can tell: bits, lost members, errors, and how fast it is. `integrator-gpu/on_device.sh` runs it; without a
+//! device every test says what was skipped, and holds what can be held without one: that the kernels by hand compile, and are
+//! of the same method.
+
+mod card;
+mod speed;
 
 use integrator_core::{Coords, Ensemble as OnProcessor, InstructionSet, prelude::*};
 use integrator_gpu::{Device, Ensemble, Error as GpuError};
-use std::time::Instant;
 
 struct Pendulum {
     length: f64,
@@ -33,6 +36,52 @@ impl Kepler {
     }
 }
 
+/// The same two with the functions of the device.
+struct NativePendulum {
+    length: f64,
+}
+
+#[hamiltonian(gpu(functions = native))]
+impl NativePendulum {
+    fn kinetic(&self, p: [f64; 1]) -> f64 {
+        p[0].powi(2) / (2.0 * self.length.powi(2))
+    }
+    fn potential(&self, q: [f64; 1]) -> f64 {
+        -9.81 * self.length * q[0].cos()
+    }
+}
+
+/// An outer solar system.
+struct Planets {
+    mass: [f64; 6],
+}
+
+#[hamiltonian(gpu)]
+impl Planets {
+    fn kinetic(&self, p: [[f64; 3]; 6]) -> f64 {
+        let mut energy = 0.0;
+        for i in 0..6 {
+            for d in 0..3 {
+                energy += p[i][d].powi(2) / (2.0 * self.mass[i]);
+            }
+        }
+        energy
+    }
+    fn potential(&self, q: [[f64; 3]; 6]) -> f64 {
+        let mut energy = 0.0;
+        for i in 0..6 {
+            for j in 0..i {
+                let mut r2 = 0.0;
+                for d in 0..3 {
+                    r2 += (q[i][d] - q[j][d]).powi(2);
+                }
+                energy -= self.mass[i] * self.mass[j] / r2.sqrt();
+            }
+        }
+        energy
+    }
+}
+
 struct Runaway;
 
 #[hamiltonian(gpu)]
@@ -51,6 +100,21 @@ fn pendulums(count: usize) -> impl Iterator<Item = (Pendulum, Phase<[f64; 1]>)> 
 
 fn orbits(count: usize) -> impl Iterator<Item = (Kepler, Phase<[f64; 3]>)> {
     (0..count).map(|i| (Kepler { attraction: 1.0 + i as f64 / 1e6 }, Phase::new([1.0, 0.1, 0.0], [0.0, 0.9, 0.1])))
+}
+
+/// Planets on circles about a star, in units of it and of the distance of the first one.
+fn systems(count: usize) -> impl Iterator<Item = (Planets, Phase<[[f64; 3]; 6]>)> {
+    (0..count).map(|i| {
+        let mass = [1.0, 1e-3, 3e-4, 4e-5, 5e-5, 1e-8];
+        let radius = |body: usize| if body == 0 { 0.0 } else { body as f64 + i as f64 / 1e7 };
+        let q = std::array::from_fn(|body| [radius(body), 0.0, 0.01 * radius(body)]);
+        let p = std::array::from_fn(|body| [0.0, if body == 0 { 0.0 } else { mass[body] / radius(body).sqrt() }, 0.0]);
+        (Planets { mass }, Phase::new(q, p))
+    })
+}
+
+fn native_pendulums(count: usize) -> impl Iterator<Item = (NativePendulum, Phase<[f64; 1]>)> {
+    pendulums(count).map(|(Pendulum { length }, start)| (NativePendulum { length }, start))
 }
 
 /// The ensemble on the device, or `None` with the reason said.
@@ -87,6 +151,18 @@ fn states_have_the_bits_of_the_processor() {
     device.advance(10_000).expect("finite");
     processor.advance(10_000).expect("finite");
     assert_eq!(device.states().expect("states"), processor.states().collect::<Vec<_>>());
+    let Some(mut device) = on_device(Ensemble::new(Yoshida4, systems(100), 0.01)) else { return };
+    let mut processor = OnProcessor::new(Yoshida4, systems(100), 0.01).expect("an ensemble");
+    device.advance(1_000).expect("finite");
+    processor.advance(1_000).expect("finite");
+    assert_eq!(device.states().expect("states"), processor.states().collect::<Vec<_>>());
+}
+
+#[test]
+fn a_device_that_is_not_there_is_refused() {
+    let Some(_) = on_device(Ensemble::new(Yoshida4, pendulums(1), 0.01)) else { return };
+    let refused = Ensemble::on(Device::Cuda(1_000), Yoshida4, pendulums(1), 0.01).err();
+    assert!(matches!(refused, Some(GpuError::NoDevice(1_000, 1..))), "{refused:?}");
 }
 
 #[test]
@@ -116,20 +192,5 @@ fn a_checkpoint_of_the_device_goes_on_on_the_processor_and_back() {
     if InstructionSet::chosen() == InstructionSet::Fused {
         processor.advance(1_000).expect("finite");
         assert_eq!(device.states().expect("states"), processor.states().collect::<Vec<_>>());
-    }
-}
-
-/// Prints members × steps per second; it holds nothing, since what a card can do depends on the card.
-#[test]
-fn speed_is_told() {
-    const STEPS: u64 = 10_000;
-    for count in [1_000, 10_000, 100_000, 1_000_000] {
-        let Some(mut device) = on_device(Ensemble::new(Yoshida4, pendulums(count), 0.01)) else { return };
-        // The first launch also loads the module.
-        device.advance(1).expect("finite");
-        let start = Instant::now();
-        device.advance(STEPS).expect("finite");
-        let rate = count as f64 * STEPS as f64 / start.elapsed().as_secs_f64();
-        println!("pendulum, Yoshida4: {count} members, {rate:.3e} members × steps per second");
     }
 }
