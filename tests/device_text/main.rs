@@ -43,6 +43,8 @@ const SYSTEMS: &[(&str, &str)] = &[
     ("picked", Picked::TEXT),
     ("planets", Planets::TEXT),
     ("charges", Charges::TEXT),
+    ("ring", Ring::TEXT),
+    ("walls", Walls::TEXT),
 ];
 
 /// Steps of the two launches of each case.
@@ -264,6 +266,32 @@ fn states_and_functions_have_the_bits_of_a_processor() {
         (system, Phase::new(q.map(|q| q as f32), [0.1_f32; 5]))
     };
     cases.add("charges", Verlet, members(3, of), 0.02);
+    let wave = |site: usize, k: f64| 0.3 * (0.7 * site as f64 + k).sin();
+    let ring = |k: f64| {
+        let mass = std::array::from_fn(|site| 1.0 + 0.1 * (site % 3) as f64);
+        let system = Ring { mass, alpha: std::array::from_fn(|site| 0.25 + 0.01 * k * site as f64) };
+        (system, std::array::from_fn(|site| wave(site, k)))
+    };
+    let of = |k: f64| {
+        let (system, q) = ring(k);
+        (system, Phase::new(q, [0.1; 16]))
+    };
+    cases.add("ring", Yoshida4, members(3, of), 0.02);
+    cases.add("ring", Chin4A, members(2, of), 0.02);
+    let walls = |k: f64| {
+        let system = Walls { stiffness: std::array::from_fn(|site| 1.0 + 0.1 * k * site as f64) };
+        (system, std::array::from_fn::<_, 12, _>(|site| wave(site, k)))
+    };
+    let of = |k: f64| {
+        let (system, q) = walls(k);
+        (system, Phase::compensated(q, [0.1; 12]))
+    };
+    cases.add("walls", Yoshida4, members(3, of), 0.02);
+    let of = |k: f64| {
+        let (system, q) = walls(k);
+        (system, Phase::new(q.map(|q| q as f32), [0.1_f32; 12]))
+    };
+    cases.add("walls", Verlet, members(3, of), 0.02);
     assert!(cases.expected.iter().any(|[_, (_, steps)]| steps.iter().any(|steps| *steps < 1107)), "somebody is lost");
     cases.compare(&program).expect("the bits of an ensemble");
 

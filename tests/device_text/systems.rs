@@ -235,3 +235,52 @@ impl Charges {
         energy
     }
 }
+
+/// A ring of sites whose masses and springs differ.
+#[derive(Clone)]
+pub(crate) struct Ring {
+    pub(crate) mass: [f64; 16],
+    pub(crate) alpha: [f64; 16],
+}
+
+#[hamiltonian(gpu)]
+impl Ring {
+    fn kinetic(&self, p: [f64; 16]) -> f64 {
+        let mut energy = 0.0;
+        for i in 0..16 {
+            energy += p[i] * p[i] / (2.0 * self.mass[i]);
+        }
+        energy
+    }
+    fn potential(&self, q: [f64; 16]) -> f64 {
+        let mut energy = 0.0;
+        for i in 0..16 {
+            let r = q[(i + 1) % 16] - q[i];
+            energy += r * r / 2.0 + self.alpha[i] * r.powi(3) / 3.0;
+        }
+        energy
+    }
+}
+
+/// A line of sites between walls, with springs to the next two.
+#[derive(Clone)]
+pub(crate) struct Walls {
+    pub(crate) stiffness: [f64; 11],
+}
+
+#[hamiltonian(gpu)]
+impl Walls {
+    fn kinetic(&self, p: [f64; 12]) -> f64 {
+        p.iter().map(|p| p * p / 2.0).sum()
+    }
+    fn potential(&self, q: [f64; 12], t: f64) -> f64 {
+        let mut energy = q[0].powi(2) + q[11].powi(4);
+        for i in 0..11 {
+            energy += self.stiffness[i] * (q[i + 1] - q[i]).powi(4) / 4.0;
+        }
+        for i in 0..10 {
+            energy += (1.0 + 0.2 * t.cos()) * (q[i + 2] - q[i]).powi(2) / 8.0;
+        }
+        energy
+    }
+}

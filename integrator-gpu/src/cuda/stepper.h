@@ -25,6 +25,11 @@ template <class R> struct Compensated {
     DEVICE void set(int part, double value) { (part == 0 ? number : carried) = R(value); }
 };
 
+// An element of a table over the sites of a line; zero where it has none.
+template <class T, int LENGTH> DEVICE T element_of(const T (&table)[LENGTH], long long at) {
+    return at < LENGTH ? table[at] : T(0);
+}
+
 // As `Stage` in Rust.
 struct Stage {
     double drift, kick, gradient, drift_time, kick_time, within, behind;

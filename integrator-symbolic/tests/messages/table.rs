@@ -988,8 +988,12 @@ pub(crate) const SPLITS: &[Row] = &[
     ),
     (
         "gpu on fn kinetic(&self, p: [f64; 8]) -> f64 { p.iter().map(|p| p * p).sum() } fn potential(&self, q: [f64; 8]) -> f64 { let mut v = 0.0; for i in 0..7 { v += (q[i + 1] - q[i]).powi(4); } v }",
+        &[],
+    ),
+    (
+        "gpu on fn kinetic(&self, p: [[f64; 8]; 3]) -> f64 { let mut t = 0.0; for i in 0..3 { for j in 0..8 { t += p[i][j] * p[i][j]; } } t } fn potential(&self, q: [[f64; 8]; 3]) -> f64 { let mut v = 0.0; for i in 0..3 { for j in 0..8 { v += (q[i][(j + 1) % 8] - q[i][j]).powi(4) + (q[(i + 1) % 3][j] - q[i][j]).powi(4); } } v }",
         &[
-            "1:0 the sites of a lattice are added in an order of their own, which devices do not know yet: leave out `gpu`",
+            "1:0 the sites of a plane are added in an order of their own, which devices do not know yet, as they do that of a line: leave out `gpu`",
         ],
     ),
     (

@@ -178,25 +178,41 @@ impl Machine<'_> {
         let zero = Number::plain(0.0).of_kind(Kind::Wide);
         let plane = lattice.rows.is_some();
         let rows = if plane { read.to_vec() } else { vec![read.iter().map(|point| point[0].clone()).collect()] };
-        let mut sums: Vec<Vec<Number>> = rows.iter().map(|row| vec![zero.clone(); row.len()]).collect();
         let rows = Rc::new(rows);
         let along = lattice.rows.unwrap_or_default();
+        let periodic = [along.periodic, lattice.sites.periodic];
+        let mut shares: Vec<Vec<Vec<Number>>> = Vec::with_capacity(rows.len());
         for row in 0..rows.len() {
+            let mut own = Vec::with_capacity(rows[row].len());
             for site in 0..rows[row].len() {
-                let periodic = [along.periodic, lattice.sites.periodic];
                 let near = Value::Site(Rc::new(Site { rows: rows.clone(), row, site, periodic }));
                 let arguments = vec![near, motion.field("parameters")?.clone(), time.clone().into()];
                 let shares = self.call(lattice.shares, arguments)?;
-                for (place, share) in shares.items()?.iter().enumerate() {
-                    let below = place > lattice.sites.forward;
-                    let (down, ahead) = if below { (1, place - lattice.sites.forward - 1) } else { (0, place) };
-                    let to = wrapped(row, down, rows.len(), along.periodic);
-                    let to = to.and_then(|to| Some((to, wrapped(site, ahead as i128, rows[to].len(), periodic[1])?)));
-                    if let Some((row, site)) = to {
-                        sums[row][site] = sums[row][site].add(share.number()?);
-                    }
-                }
+                own.push(shares.items()?.iter().map(|share| share.number().cloned()).collect::<Outcome<Vec<_>>>()?);
             }
+            shares.push(own);
+        }
+        // What arrives at a site of a row in the order of how far it comes from.
+        let arrived = |row: usize, site: usize, places: std::ops::Range<usize>| {
+            let mut sum = shares[row][site][places.start].clone();
+            for place in places.start + 1..places.end {
+                let from = wrapped(site, -((place - places.start) as i128), shares[row].len(), periodic[1]);
+                sum = sum.add(&from.map_or_else(|| zero.clone(), |from| shares[row][from][place].clone()));
+            }
+            sum
+        };
+        let below = lattice.sites.forward + 1;
+        let mut sums: Vec<Vec<Number>> = Vec::with_capacity(rows.len());
+        for row in 0..rows.len() {
+            let own = (0..rows[row].len()).map(|site| {
+                let (sum, all) = (arrived(row, site, 0..below), shares[row][site].len());
+                if along.forward == 0 {
+                    return sum;
+                }
+                let above = wrapped(row, -1, rows.len(), periodic[0]);
+                sum.add(&above.map_or_else(|| zero.clone(), |above| arrived(above, site, below..all)))
+            });
+            sums.push(own.collect());
         }
         Ok(if plane { sums } else { sums.remove(0).into_iter().map(|sum| vec![sum]).collect() })
     }

@@ -5,6 +5,7 @@
 //! programs.
 
 mod bodies;
+mod line;
 
 use super::{Pass, constants::extents, interaction::Interaction, lattice, passes, stores};
 use crate::{
@@ -238,9 +239,16 @@ fn separable(emitter: &mut Emitter<'_>, reads: &mut Reads, shape: &Shape) -> Res
     let model = &mut *emitter.model;
     let velocity = gradient(&mut model.graph, model.kinetic, Part::Momentum);
     let slope = gradient(&mut model.graph, model.potential, Part::Position);
-    check_layout(emitter, &velocity, &slope)?;
     let flows = [("drift", velocity, Part::Momentum), ("kick", slope, Part::Position)];
-    flows.into_iter().map(|(name, gradient, part)| flow(emitter, reads, shape, name, &gradient, part)).collect()
+    let written = flows.into_iter().map(|(name, gradient, part)| {
+        let folded = fold_branches(&mut emitter.model.graph, &gradient);
+        let apart = gradient.iter().any(|contribution| is_protected(&mut emitter.model.graph, contribution));
+        match lattice::alike(emitter, &folded, Components::Unknown).filter(|_| !apart) {
+            Some(stencil) => line::flow(emitter, reads, shape, name, &stencil, part),
+            None => flow(emitter, reads, shape, name, &gradient, part),
+        }
+    });
+    written.collect()
 }
 
 /// The flows of parts with names.
@@ -256,22 +264,6 @@ fn of_parts(emitter: &mut Emitter<'_>, reads: &mut Reads, shape: &Shape) -> Resu
         flow(emitter, reads, shape, &name, &gradient, by)
     };
     (0..count).map(flow_of).collect()
-}
-
-/// Sums along lattices have an order of their own, which follows from layouts of the state.
-fn check_layout(emitter: &mut Emitter<'_>, velocity: &[Contribution], slope: &[Contribution]) -> Result<(), String> {
-    for (gradient, part) in [(velocity, Part::Momentum), (slope, Part::Position)] {
-        let folded = fold_branches(&mut emitter.model.graph, gradient);
-        let apart = gradient.iter().any(|contribution| is_protected(&mut emitter.model.graph, contribution));
-        if !apart && lattice::sweep(emitter, &folded, part, Components::Unknown).is_some() {
-            return Err(
-                "the sites of a lattice are added in an order of their own, which devices do not know yet: leave \
-                        out `gpu`"
-                    .to_owned(),
-            );
-        }
-    }
-    Ok(())
 }
 
 /// The gradient whose flow a part is, and what it is taken by.

@@ -40,13 +40,8 @@ pub(super) fn components(emitter: &mut Emitter<'_>, potential: &[Contribution]) 
     stencil(graph, &folded, lengths, Components::Unknown, leaf).map_or(Components::Unknown, |_| Components::Sites)
 }
 
-/// The flow along `gradient`, if it has that form.
-pub(crate) fn sweep(
-    emitter: &mut Emitter<'_>,
-    gradient: &[Contribution],
-    part: Part,
-    components: Components,
-) -> Option<Sweep> {
+/// The stencil of `gradient`, if all sites take part alike.
+pub(super) fn alike(emitter: &mut Emitter<'_>, gradient: &[Contribution], components: Components) -> Option<Stencil> {
     let model = &mut *emitter.model;
     let Model { graph, parameters, lengths, .. } = &mut *model;
     let mut stencil = stencil(graph, gradient, lengths, components, |graph, id| is_leaf(graph, parameters, id))?;
@@ -60,6 +55,17 @@ pub(crate) fn sweep(
     for (contribution, value) in stencil.contributions.iter_mut().zip(lower_roots(model, &values)) {
         contribution.value = value;
     }
+    Some(stencil)
+}
+
+/// The flow along `gradient`, if it has that form.
+pub(crate) fn sweep(
+    emitter: &mut Emitter<'_>,
+    gradient: &[Contribution],
+    part: Part,
+    components: Components,
+) -> Option<Sweep> {
+    let stencil = alike(emitter, gradient, components)?;
     // The runtime goes from site to site.
     let sites: Vec<_> = stencil.directions.iter().map(|along| along.place).collect();
     let lines = emitter.evaluate(&Frame::Sites(&stencil), &sites, &stores(&stencil));
@@ -177,7 +183,7 @@ pub(crate) fn parts(is_plane: bool, names: &Names) -> (TokenStream, TokenStream)
 }
 
 /// Where the values of contributions go.
-fn stores(stencil: &Stencil) -> Vec<Store> {
+pub(super) fn stores(stencil: &Stencil) -> Vec<Store> {
     let context: Vec<_> = stencil.directions.iter().map(|direction| Scope::Loop(direction.place)).collect();
     let stores = stencil.contributions.iter().enumerate().map(|(number, contribution)| Store {
         context: context.clone(),

@@ -6,6 +6,7 @@
 mod functions;
 mod identifier;
 mod reads;
+mod sites;
 
 use super::{
     block::Emitter,
@@ -21,6 +22,7 @@ use crate::{
     },
     model::Length,
     program::{Item, Program, Sink, Store, root_cubed, schedule},
+    stencil::Stencil,
     syntax::Functions,
 };
 use functions::KNOWN;
@@ -34,6 +36,8 @@ use std::collections::HashMap;
 pub(crate) struct Within<'w> {
     pub(crate) loops: &'w [LoopId],
     pub(crate) tables: HashMap<NodeId, NodeId>,
+    /// The line of sites of which the loop runs over one after the other.
+    pub(crate) stencil: Option<&'w Stencil>,
 }
 
 /// Lines, with the program that they are printed from and the names of the indices of the loops around them.
@@ -47,7 +51,7 @@ pub(crate) struct Lines {
 pub(crate) fn evaluate(
     emitter: &mut Emitter<'_>,
     reads: &mut Reads,
-    Within { loops, tables }: Within<'_>,
+    Within { loops, tables, stencil }: Within<'_>,
     stores: &[Store],
 ) -> Result<Lines, String> {
     let Emitter { model, names, fields } = emitter;
@@ -59,8 +63,18 @@ pub(crate) fn evaluate(
         Length::Constant(_) | Length::OfStart => 0,
     };
     let is_of_body = !loops.is_empty();
-    let mut cuda =
-        Cuda { printer, fields, reads, tables, is_of_body, length, conditions: 0, loops: Vec::new(), obstacle: None };
+    let mut cuda = Cuda {
+        printer,
+        fields,
+        reads,
+        tables,
+        stencil,
+        is_of_body,
+        length,
+        conditions: 0,
+        loops: Vec::new(),
+        obstacle: None,
+    };
     let indices = loops.iter().map(|by| cuda.open(*by)).collect();
     let text = cuda.items(&program.items);
     match cuda.obstacle {
@@ -99,6 +113,8 @@ struct Cuda<'m, 'r> {
     reads: &'r mut Reads,
     /// The tables that stand in for what is read of a body.
     tables: HashMap<NodeId, NodeId>,
+    /// The line whose sites the lines are about.
+    stencil: Option<&'m Stencil>,
     /// Whether a gradient is that of one body.
     is_of_body: bool,
     length: u64,
@@ -163,6 +179,7 @@ impl Cuda<'_, '_> {
                 format!("gradient{} = {};\n", self.of_gradient(*element), self.expression(*value).1)
             }
             Item::Sink(Sink::Return, value) => format!("return {};\n", self.expression(*value).1),
+            Item::Sink(Sink::Contribution(number), value) => self.contribution(*number, *value),
             Item::Sink(..) => self.refuse("a flow that is no sum of kicks has no text for devices yet"),
         }
     }
@@ -218,7 +235,9 @@ impl Cuda<'_, '_> {
     /// An expression as it is computed, whatever its name.
     fn computation(&mut self, id: NodeId) -> Printed {
         let graph = self.printer.graph;
-        if is_field(graph, self.printer.parameters, id) {
+        let of_site =
+            self.stencil.is_some() && matches!(graph.node(id), Node::FromIndex(_)) && !graph.loops_of(id).is_empty();
+        if of_site || is_field(graph, self.printer.parameters, id) {
             let table = self.tables.get(&id).copied().unwrap_or(id);
             let name = self.fields.number(graph, self.printer.parameters, table);
             return Printed::atom(self.read(Read::Field(Content::Number(table)), name, graph.loops_of(id)));
@@ -231,7 +250,10 @@ impl Cuda<'_, '_> {
                 let name = quote::format_ident!("path_{}", parameter.0);
                 Printed::atom(self.read(Read::Path(parameter), name, LoopSet::EMPTY))
             }
-            Node::Coordinate(element) => Printed::atom(format!("{}.value()", self.place(element))),
+            Node::Coordinate(element) => Printed::atom(match self.stencil {
+                Some(stencil) => self.neighbour(stencil, element),
+                None => format!("{}.value()", self.place(element)),
+            }),
             Node::Time => Printed::atom("time"),
             Node::Middle => {
                 Printed::atom(self.refuse("formulas that change at certain times have no text for devices yet"))
@@ -346,8 +368,13 @@ impl Cuda<'_, '_> {
 
     /// A prepared constant for the present iterations of its loops.
     fn read(&mut self, read: Read, name: Ident, loops: LoopSet) -> String {
-        let at: String = loops.iter().map(|by| format!("[{}]", self.running(by))).collect();
-        let text = format!("motion.parameters.{}{at}", read.name(&name));
+        let text = match self.stencil.and_then(|stencil| self.of_sites(stencil, loops)) {
+            Some(site) => format!("element_of(motion.parameters.{}, {site})", read.name(&name)),
+            None => {
+                let at: String = loops.iter().map(|by| format!("[{}]", self.running(by))).collect();
+                format!("motion.parameters.{}{at}", read.name(&name))
+            }
+        };
         self.reads.note(read, name, loops);
         text
     }

@@ -26,7 +26,7 @@ pub(super) fn flows(
     }
     let Interaction { drift, force, alone, central, reciprocal, .. } = interaction;
     let mut written = |of: &OfBodies| {
-        let within = Within { loops: of.loops(), tables: interaction.constants.tables(of) };
+        let within = Within { loops: of.loops(), tables: interaction.constants.tables(of), stencil: None };
         evaluate(emitter, reads, within, of.stores())
     };
     let Lines { text, program, indices } = written(drift)?;

@@ -32,7 +32,7 @@ fn is_taken(name: &str) -> bool {
 }
 
 /// Names that mean something in C++, or in the text around the lines.
-const TAKEN: [&str; 108] = [
+const TAKEN: [&str; 110] = [
     "Motion",
     "Parameters",
     "Source",
@@ -64,6 +64,7 @@ const TAKEN: [&str; 108] = [
     "constexpr",
     "constinit",
     "continue",
+    "contribution",
     "decltype",
     "default",
     "delete",
@@ -72,6 +73,7 @@ const TAKEN: [&str; 108] = [
     "double",
     "duration",
     "dynamic_cast",
+    "element_of",
     "else",
     "enum",
     "errno",

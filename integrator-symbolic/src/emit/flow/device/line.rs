@@ -1,0 +1,65 @@
+//! The flow of a short line of sites as text for devices: what each site computes from its neighbourhood, and the pass along them,
+//! in which a site adds what arrives in the order of the runtime on processors.
+
+use super::{Shape, function};
+use crate::{
+    emit::{
+        flow::lattice::stores,
+        printer::{
+            block::Emitter,
+            cuda::{Lines, Reads, Within, evaluate},
+        },
+    },
+    graph::Part,
+    stencil::Stencil,
+};
+
+/// The flow along a gradient that is such a stencil.
+pub(super) fn flow(
+    emitter: &mut Emitter<'_>,
+    reads: &mut Reads,
+    shape: &Shape,
+    name: &str,
+    stencil: &Stencil,
+    part: Part,
+) -> Result<String, String> {
+    let [direction] = &stencil.directions[..] else {
+        return Err("the sites of a plane are added in an order of their own, which devices do not know yet, as they do that of a \
+                    line: leave out `gpu`"
+            .to_owned());
+    };
+    let within = Within { loops: &[direction.place], stencil: Some(stencil), ..Within::default() };
+    let Lines { text, program, indices } = evaluate(emitter, reads, within, &stores(stencil))?;
+    let (length, onward, site) = (shape.length, stencil.onward().iter().sum::<usize>(), &indices[0]);
+    let places = onward + 1;
+    let time = if program.reads_time { "const R time = R(at);\n" } else { "" };
+    let of_site = format!(
+        "\ntemplate <class R, class K> DEVICE static void {name}_of_site(Motion<R, K>& motion, long long {site}, double at, R \
+         (&contribution)[{places}]) {{\n{time}{text}}}\n"
+    );
+    // The contributions of the sites before, the nearest first.
+    let carried = if onward == 0 { String::new() } else { format!("R carried[{onward}][{places}] = {{}};\n") };
+    let into = match direction.periodic && onward > 0 {
+        true => format!(
+            "for (int behind = 1; behind <= {onward}; ++behind) {{\n{name}_of_site(motion, {length} - behind, at, carried[behind - 1]);\n}}\n"
+        ),
+        false => String::new(),
+    };
+    let arrived: String = (1..places).map(|by| format!("sum = sum + carried[{}][{by}];\n", by - 1)).collect();
+    let move_on: String = (0..onward)
+        .rev()
+        .map(|by| {
+            let from = if by == 0 { "own".to_owned() } else { format!("carried[{}]", by - 1) };
+            format!("for (int k = 0; k < {places}; ++k) {{\ncarried[{by}][k] = {from}[k];\n}}\n")
+        })
+        .collect();
+    let (moved, sign) = if part == Part::Momentum { ("q", "") } else { ("p", "-") };
+    let lines = format!(
+        "const R step = R({sign}duration);\n{carried}{into}for (long long site = 0; site < {length}; ++site) {{\n\
+         R own[{places}] = {{}};\n\
+         {name}_of_site(motion, site, at, own);\n\
+         R sum = own[0];\n{arrived}\
+         motion.{moved}[site].fma(step, sum);\n{move_on}}}\n"
+    );
+    Ok(of_site + &function(name, "K", "double duration, ", "", &lines, false))
+}
